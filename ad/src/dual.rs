@@ -1,0 +1,319 @@
+//! Dual numbers: forward-mode derivatives by operator overloading.
+
+use core::ops::{Add, Div, Mul, Neg, Sub};
+
+use crate::vector::Xyz;
+use crate::{Additive, Differentiable, Real, Select};
+
+/// `value + derivative * e` with `e * e = 0`.
+///
+/// A function generic over [`Real`] evaluated on `Dual { value: x, derivative: v }` gives its value
+/// at `x` and its directional derivative along `v`. Put under a generated adjoint, the derivative
+/// parts of the cotangents are a Hessian-vector product (forward over reverse).
+///
+/// The formulas here are written apart from those in [`rules`](crate::rules), so that each can be
+/// the check of the other; at singular points they follow the same table.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Dual<S> {
+    /// The number.
+    pub value: S,
+    /// Its derivative along the chosen direction.
+    pub derivative: S,
+}
+
+impl<S: Real> Dual<S> {
+    /// A number that moves with the direction.
+    #[inline(always)]
+    pub fn new(value: S, derivative: S) -> Self {
+        Self { value, derivative }
+    }
+
+    /// A number that does not.
+    #[inline(always)]
+    pub fn constant(value: S) -> Self {
+        Self::new(value, S::ZERO)
+    }
+
+    /// `f(self)` from the value and the derivative of `f`; a derivative of 0 stays 0.
+    #[inline(always)]
+    fn chain(self, value: S, slope: S) -> Self {
+        let still = self.derivative.cmpeq(S::ZERO);
+        Self::new(value, S::select(still, S::ZERO, self.derivative * slope))
+    }
+}
+
+impl<S: Real> Differentiable for Dual<S> {
+    type Tangent = Self;
+}
+
+impl<S: Real> Additive for Dual<S> {
+    #[inline(always)]
+    fn zero() -> Self {
+        Self::new(S::zero(), S::zero())
+    }
+
+    #[inline(always)]
+    fn accumulate(&mut self, other: Self) {
+        *self = *self + other;
+    }
+}
+
+impl<S: Real> Select for Dual<S> {
+    type Mask = S::Mask;
+
+    #[inline(always)]
+    fn select(mask: S::Mask, if_true: Self, if_false: Self) -> Self {
+        Self::new(
+            S::select(mask, if_true.value, if_false.value),
+            S::select(mask, if_true.derivative, if_false.derivative),
+        )
+    }
+}
+
+impl<S: Real> Neg for Dual<S> {
+    type Output = Self;
+
+    #[inline(always)]
+    fn neg(self) -> Self {
+        Self::new(-self.value, -self.derivative)
+    }
+}
+
+impl<S: Real> Add for Dual<S> {
+    type Output = Self;
+
+    #[inline(always)]
+    fn add(self, other: Self) -> Self {
+        Self::new(self.value + other.value, self.derivative + other.derivative)
+    }
+}
+
+impl<S: Real> Sub for Dual<S> {
+    type Output = Self;
+
+    #[inline(always)]
+    fn sub(self, other: Self) -> Self {
+        Self::new(self.value - other.value, self.derivative - other.derivative)
+    }
+}
+
+impl<S: Real> Mul for Dual<S> {
+    type Output = Self;
+
+    #[inline(always)]
+    fn mul(self, other: Self) -> Self {
+        let from_self = self.chain(self.value, other.value).derivative;
+        let from_other = other.chain(other.value, self.value).derivative;
+        Self::new(self.value * other.value, from_self + from_other)
+    }
+}
+
+impl<S: Real> Div for Dual<S> {
+    type Output = Self;
+
+    #[inline(always)]
+    fn div(self, other: Self) -> Self {
+        let quotient = self.value / other.value;
+        let slope = (self.derivative - quotient * other.derivative) / other.value;
+        let still = self.derivative.cmpeq(S::ZERO) & other.derivative.cmpeq(S::ZERO);
+        let undefined = still | other.value.cmpeq(S::ZERO);
+        Self::new(quotient, S::select(undefined, S::ZERO, slope))
+    }
+}
+
+impl<S: Real> Real for Dual<S> {
+    type Vec3 = Xyz<Self>;
+
+    const ZERO: Self = Self { value: S::ZERO, derivative: S::ZERO };
+    const ONE: Self = Self { value: S::ONE, derivative: S::ZERO };
+    const TWO: Self = Self { value: S::TWO, derivative: S::ZERO };
+    const HALF: Self = Self { value: S::HALF, derivative: S::ZERO };
+    const PI: Self = Self { value: S::PI, derivative: S::ZERO };
+    const EPSILON: Self = Self { value: S::EPSILON, derivative: S::ZERO };
+    const MIN_POSITIVE: Self = Self { value: S::MIN_POSITIVE, derivative: S::ZERO };
+
+    #[inline(always)]
+    fn from_f64(value: f64) -> Self {
+        Self::constant(S::from_f64(value))
+    }
+
+    #[inline(always)]
+    fn cmplt(self, other: Self) -> S::Mask {
+        self.value.cmplt(other.value)
+    }
+
+    #[inline(always)]
+    fn cmple(self, other: Self) -> S::Mask {
+        self.value.cmple(other.value)
+    }
+
+    #[inline(always)]
+    fn cmpgt(self, other: Self) -> S::Mask {
+        self.value.cmpgt(other.value)
+    }
+
+    #[inline(always)]
+    fn cmpge(self, other: Self) -> S::Mask {
+        self.value.cmpge(other.value)
+    }
+
+    #[inline(always)]
+    fn cmpeq(self, other: Self) -> S::Mask {
+        self.value.cmpeq(other.value)
+    }
+
+    #[inline(always)]
+    fn is_finite(self) -> S::Mask {
+        self.value.is_finite()
+    }
+
+    #[inline(always)]
+    fn min(self, other: Self) -> Self {
+        Self::select(self.value.min(other.value).cmpeq(self.value), self, other)
+    }
+
+    #[inline(always)]
+    fn max(self, other: Self) -> Self {
+        Self::select(self.value.max(other.value).cmpeq(self.value), self, other)
+    }
+
+    #[inline(always)]
+    fn clamp(self, low: Self, high: Self) -> Self {
+        self.max(low).min(high)
+    }
+
+    #[inline(always)]
+    fn abs(self) -> Self {
+        let slope = S::select(self.value.cmpeq(S::ZERO), S::ZERO, self.value.signum());
+        self.chain(self.value.abs(), slope)
+    }
+
+    #[inline(always)]
+    fn signum(self) -> Self {
+        Self::constant(self.value.signum())
+    }
+
+    #[inline(always)]
+    fn copysign(self, sign: Self) -> Self {
+        let flip = self.value.signum() * sign.value.signum();
+        let slope = S::select(self.value.cmpeq(S::ZERO), S::ZERO, flip);
+        self.chain(self.value.copysign(sign.value), slope)
+    }
+
+    #[inline(always)]
+    fn floor(self) -> Self {
+        Self::constant(self.value.floor())
+    }
+
+    #[inline(always)]
+    fn recip(self) -> Self {
+        Self::ONE / self
+    }
+
+    #[inline(always)]
+    fn mul_add(self, a: Self, b: Self) -> Self {
+        let derivative = (self * a + b).derivative;
+        Self::new(self.value.mul_add(a.value, b.value), derivative)
+    }
+
+    #[inline(always)]
+    fn difference_of_products(a: Self, b: Self, c: Self, d: Self) -> Self {
+        let derivative = (a * b - c * d).derivative;
+        Self::new(S::difference_of_products(a.value, b.value, c.value, d.value), derivative)
+    }
+
+    #[inline(always)]
+    fn sqrt(self) -> Self {
+        let root = self.value.sqrt();
+        let slope = S::select(root.cmpeq(S::ZERO), S::ZERO, (root + root).recip());
+        self.chain(root, slope)
+    }
+
+    #[inline(always)]
+    fn exp(self) -> Self {
+        let value = self.value.exp();
+        self.chain(value, value)
+    }
+
+    #[inline(always)]
+    fn ln(self) -> Self {
+        let slope = S::select(self.value.cmpeq(S::ZERO), S::ZERO, self.value.recip());
+        self.chain(self.value.ln(), slope)
+    }
+
+    #[inline(always)]
+    fn powf(self, exponent: Self) -> Self {
+        let (x, y) = (self.value, exponent.value);
+        let value = x.powf(y);
+        let one = S::select(y.cmpeq(S::ONE), S::ONE, S::ZERO);
+        let by_base = S::select(x.cmpeq(S::ZERO), one, y * x.powf(y - S::ONE));
+        let by_exponent = S::select(x.cmpgt(S::ZERO), x.ln() * value, S::ZERO);
+        let along_base = self.chain(value, by_base).derivative;
+        let along_exponent = exponent.chain(value, by_exponent).derivative;
+        Self::new(value, along_base + along_exponent)
+    }
+
+    #[inline(always)]
+    fn powi(self, exponent: i32) -> Self {
+        let value = self.value.powi(exponent);
+        if exponent == 0 {
+            return Self::constant(value);
+        }
+        let slope = self.value.powi(exponent.saturating_sub(1)) * S::from_f64(f64::from(exponent));
+        let undefined = self.value.cmpeq(S::ZERO) & !slope.is_finite();
+        self.chain(value, S::select(undefined, S::ZERO, slope))
+    }
+
+    #[inline(always)]
+    fn sin(self) -> Self {
+        self.chain(self.value.sin(), self.value.cos())
+    }
+
+    #[inline(always)]
+    fn cos(self) -> Self {
+        self.chain(self.value.cos(), -self.value.sin())
+    }
+
+    #[inline(always)]
+    fn tan(self) -> Self {
+        let cos = self.value.cos();
+        self.chain(self.value.tan(), (cos * cos).recip())
+    }
+
+    #[inline(always)]
+    fn asin(self) -> Self {
+        self.chain(self.value.asin(), arc_slope(self.value))
+    }
+
+    #[inline(always)]
+    fn acos(self) -> Self {
+        self.chain(self.value.acos(), -arc_slope(self.value))
+    }
+
+    #[inline(always)]
+    fn atan(self) -> Self {
+        self.chain(self.value.atan(), (self.value * self.value + S::ONE).recip())
+    }
+
+    #[inline(always)]
+    fn atan2(self, abscissa: Self) -> Self {
+        let (y, x) = (self.value, abscissa.value);
+        let norm = x * x + y * y;
+        let numerator = x * self.derivative - y * abscissa.derivative;
+        let slope = S::select(norm.cmpeq(S::ZERO), S::ZERO, numerator / norm);
+        Self::new(y.atan2(x), slope)
+    }
+
+    #[inline(always)]
+    fn tanh(self) -> Self {
+        let value = self.value.tanh();
+        self.chain(value, S::ONE - value * value)
+    }
+}
+
+/// The derivative of `asin`, 0 at -1 and 1.
+#[inline(always)]
+fn arc_slope<S: Real>(x: S) -> S {
+    let root = (S::ONE - x * x).sqrt();
+    S::select(root.cmpeq(S::ZERO), S::ZERO, root.recip())
+}

@@ -1,0 +1,177 @@
+//! What generated code calls. Not for use by hand: it may change with every release.
+
+use core::marker::PhantomData;
+
+use crate::{Additive, Differentiable, NoDerivative, NoTangent, Tangent};
+
+/// The space `T` of cotangents, as a value: lets the forward sweep tell the reverse sweep, which
+/// knows no types, what kind of zero to start from. Takes no room.
+pub struct Space<T>(PhantomData<fn() -> T>);
+
+impl<T> Clone for Space<T> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+
+impl<T> Copy for Space<T> {}
+
+impl<T: Additive> Space<T> {
+    /// The zero of the space.
+    #[inline(always)]
+    pub fn zero(self) -> T {
+        T::zero()
+    }
+
+    /// A cotangent, seen from the field it is the cotangent of.
+    #[inline(always)]
+    pub fn enter<C: Enter<T>>(self, cotangent: C) -> T {
+        cotangent.enter()
+    }
+
+    /// The pullback of unary minus.
+    #[inline(always)]
+    pub fn neg_pullback(self, cotangent: T) -> T
+    where
+        T: crate::rules::NegPullback,
+    {
+        T::neg_pullback(cotangent)
+    }
+
+    /// The pullback of `+`.
+    #[inline(always)]
+    pub fn add_pullback<R>(self, _: Space<R>, cotangent: T::Output) -> (T, R)
+    where
+        T: crate::rules::AddPullback<R>,
+    {
+        T::add_pullback(cotangent)
+    }
+
+    /// The pullback of `-`.
+    #[inline(always)]
+    pub fn sub_pullback<R>(self, _: Space<R>, cotangent: T::Output) -> (T, R)
+    where
+        T: crate::rules::SubPullback<R>,
+    {
+        T::sub_pullback(cotangent)
+    }
+}
+
+/// The space in which the cotangent of `value` lives.
+#[inline(always)]
+pub fn space<T: Differentiable + ?Sized>(_value: &T) -> Space<Tangent<T>> {
+    Space(PhantomData)
+}
+
+/// Adds a contribution to a cotangent. What flows to a `#[constant]` field is dropped.
+pub trait Absorb<C> {
+    /// `self += contribution`
+    fn absorb(&mut self, contribution: C);
+}
+
+impl<T: Additive> Absorb<T> for T {
+    #[inline(always)]
+    fn absorb(&mut self, contribution: T) {
+        self.accumulate(contribution);
+    }
+}
+
+impl<T> Absorb<T> for NoTangent<T> {
+    #[inline(always)]
+    fn absorb(&mut self, _: T) {}
+}
+
+/// The cotangent that a field's cotangent means for the value the field was made from. Nothing
+/// comes out of a `#[constant]` field.
+pub trait Enter<T> {
+    /// The conversion.
+    fn enter(self) -> T;
+}
+
+impl<T: Additive> Enter<T> for T {
+    #[inline(always)]
+    fn enter(self) -> T {
+        self
+    }
+}
+
+impl<T: Additive> Enter<T> for NoTangent<T> {
+    #[inline(always)]
+    fn enter(self) -> T {
+        T::zero()
+    }
+}
+
+/// The cotangent of a variable before it was overwritten: moves out what has gathered.
+#[inline(always)]
+pub fn take<T: Additive>(cotangent: &mut T) -> T {
+    core::mem::replace(cotangent, T::zero())
+}
+
+/// The cotangent of `x` in `[x; N]`.
+#[inline(always)]
+pub fn sum<T: Additive, const N: usize>(cotangents: [T; N]) -> T {
+    let mut total = T::zero();
+    for cotangent in cotangents {
+        total.accumulate(cotangent);
+    }
+    total
+}
+
+/// Passes on what has no derivative, and nothing else.
+#[inline(always)]
+pub fn constant<T: NoDerivative>(value: T) -> T {
+    value
+}
+
+/// What the iterations of a loop saved, on the stack: for loops whose trip count is a literal.
+pub struct ArrayTape<T, const N: usize> {
+    iterations: [Option<T>; N],
+    len: usize,
+}
+
+impl<T, const N: usize> ArrayTape<T, N> {
+    /// An empty tape.
+    #[inline(always)]
+    #[allow(clippy::new_without_default)]
+    pub fn new() -> Self {
+        Self { iterations: [const { None }; N], len: 0 }
+    }
+
+    /// Records the next iteration.
+    #[inline(always)]
+    pub fn push(&mut self, saved: T) {
+        self.iterations[self.len] = Some(saved);
+        self.len += 1;
+    }
+
+    /// The recorded iterations, first to last.
+    #[inline(always)]
+    #[allow(clippy::should_implement_trait)]
+    pub fn into_iter(self) -> impl DoubleEndedIterator<Item = T> {
+        self.iterations.into_iter().flatten()
+    }
+}
+
+/// A result whose gradient makes sense: one number. The lifetime only lets generated code ask for
+/// this of types without parameters.
+#[diagnostic::on_unimplemented(
+    message = "`grad` needs a function with a scalar result, and this one returns `{Self}`",
+    label = "not a scalar",
+    note = "call `vjp` and choose the cotangent of the result yourself"
+)]
+pub trait ScalarResult<'a>: Differentiable {
+    /// The cotangent 1.
+    fn one() -> Tangent<Self>;
+}
+
+impl<S: crate::Real> ScalarResult<'_> for S {
+    fn one() -> S {
+        S::ONE
+    }
+}
+
+/// `Copy`, asked for in a way that may turn out false. See [`ScalarResult`].
+pub trait CopyIf<'a>: Copy {}
+
+impl<T: Copy> CopyIf<'_> for T {}

@@ -1,0 +1,54 @@
+//! Functions of this crate with a twin written by hand: choosing, and cutting a derivative.
+
+use crate::{Additive, Differentiable, Select, Tangent};
+
+/// `if_true` where `mask` holds, else `if_false`.
+///
+/// Both are computed before the choice. The cotangent goes to the chosen one alone, and the other
+/// one's computation gets a zero that no infinite or NaN partial derivative can spoil
+/// (see [singular points](crate::rules#singular-points)).
+///
+/// ```
+/// use ad::{differentiable, select};
+///
+/// #[differentiable]
+/// fn entropy(p: f64) -> f64 {
+///     select(p > 0.0, -p * p.ln(), 0.0)
+/// }
+///
+/// assert_eq!(entropy::value_and_grad(0.0), (0.0, 0.0));
+/// assert_eq!(entropy::grad(1.0), -1.0);
+/// ```
+#[inline(always)]
+pub fn select<T: Select>(mask: T::Mask, if_true: T, if_false: T) -> T {
+    T::select(mask, if_true, if_false)
+}
+
+/// The derivative of the function [`select`](fn@select).
+#[allow(non_camel_case_types)]
+pub enum select {}
+
+impl select {
+    /// The value, and the pullback to mask, `if_true` and `if_false`.
+    #[inline(always)]
+    pub fn vjp<T>(
+        mask: T::Mask,
+        if_true: T,
+        if_false: T,
+    ) -> (T, impl FnOnce(Tangent<T>) -> ((), Tangent<T>, Tangent<T>))
+    where
+        T: Select + Differentiable<Tangent: Select<Mask = T::Mask>>,
+    {
+        (T::select(mask, if_true, if_false), move |cotangent| {
+            let zero = <Tangent<T>>::zero();
+            ((), Select::select(mask, cotangent, zero), Select::select(mask, zero, cotangent))
+        })
+    }
+}
+
+/// `x`, as a constant: no derivative passes. The way to say that a cast to an integer, a
+/// comparison or a part of a formula is meant not to be differentiated.
+#[inline(always)]
+pub fn stop_gradient<T>(x: T) -> T {
+    x
+}

@@ -1,0 +1,67 @@
+//! The derivative of every operation that generated code may meet.
+//!
+//! Two shapes. Operators have a *pullback trait* each ([`MulPullback`] for `*`): operands and the
+//! cotangent of the result go in, the cotangents of the operands come out; the operands are
+//! captured by the generated closure, once each. Methods and functions have a *sibling* with the
+//! suffix `_vjp` (`x.sqrt()` has [`sqrt_vjp`](RealRules::sqrt_vjp)): it returns the value, bit for
+//! bit that of the plain method, and a closure from the cotangent of the result to those of the
+//! receiver and the arguments, so that what both need is computed once. `#[differentiable]`
+//! methods get the same sibling, which is why generated code need not know whose method it calls.
+//!
+//! # Singular points
+//!
+//! Where mathematics has no derivative, or an infinite one, the rules return a finite
+//! subgradient, never a NaN:
+//!
+//! | function | where | cotangent |
+//! |---|---|---|
+//! | `sqrt` | 0 | 0 |
+//! | `abs` | 0 | 0 |
+//! | `ln`, `recip` | 0 | 0 |
+//! | `a / b` | `b = 0` | 0 to both |
+//! | `asin`, `acos` | -1 and 1 | 0 |
+//! | `atan2` | (0, 0) | 0 to both |
+//! | `powf(x, y)` | `x = 0` | to `x`: 1 if `y = 1`, else 0; to `y`: 0 |
+//! | `powf(x, y)` | `x < 0` | to `x`: the derivative where `y` is an integer; to `y`: 0 |
+//! | `powi(x, n)` | `x = 0` | 1 if `n = 1`, else 0 |
+//! | `min`, `max` | a tie | all to the receiver |
+//! | `clamp` | on a bound | all to the receiver |
+//! | `min_element`, `max_element` | a tie | all to the first |
+//! | `signum`, `floor`, `copysign` to the sign | everywhere | 0 |
+//! | `length`, `distance`, `length_recip`, `normalize`, `normalize_or_zero` | zero vector | 0 |
+//! | any | the cotangent of the result is 0 | 0, even if the partial derivative is infinite or NaN |
+//!
+//! The last row keeps the arm that [`select`](fn@crate::select) did not take from poisoning the
+//! gradient of the one it took.
+
+mod cast;
+mod choose;
+mod operators;
+mod scalar;
+mod vector;
+
+pub use cast::CastPullback;
+pub use choose::{select, stop_gradient};
+pub use operators::{AddPullback, DivPullback, MulPullback, NegPullback, RemPullback, SubPullback};
+pub use scalar::{RealRules, ScalarRules};
+pub use vector::{DVec2Rules, DVec4Rules, Vec2Rules, Vec4Rules, Vector3Rules, VectorRules};
+
+use crate::{Real, vector::Vector};
+
+/// `cotangent * partial`, and 0 where the cotangent is 0, whatever the partial is.
+#[inline(always)]
+fn scale<S: Real>(cotangent: S, partial: S) -> S {
+    S::select(cotangent.cmpeq(S::ZERO), S::zero(), cotangent * partial)
+}
+
+/// [`scale`] of every element of `partial` by one cotangent.
+#[inline(always)]
+fn scale_vector<V: Vector>(cotangent: V::Scalar, partial: V) -> V {
+    partial.map_elements(|p| scale(cotangent, p))
+}
+
+/// [`scale`] element by element.
+#[inline(always)]
+fn scale_elements<V: Vector>(cotangent: V, partial: V) -> V {
+    cotangent.zip_elements(partial, scale)
+}

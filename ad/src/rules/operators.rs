@@ -1,0 +1,302 @@
+//! Pullbacks of the arithmetic operators.
+
+use core::ops::{Div, Mul, Rem};
+
+use glam::{DVec2, DVec3, DVec4, Vec2, Vec3, Vec4};
+
+use super::{scale, scale_elements};
+use crate::vector::{Vector, Xyz};
+use crate::{Differentiable, Dual, Real, Tangent};
+
+/// The pullback of unary minus on a space of cotangents.
+pub trait NegPullback: Sized {
+    /// The cotangent of the operand.
+    fn neg_pullback(cotangent: Self) -> Self;
+}
+
+/// The pullbacks of operators whose partial derivatives are constants. They need no operand, only
+/// its kind, so the traits stand on the spaces of cotangents and nothing is saved for them.
+macro_rules! linear_operator {
+    ($name:ident, $method:ident, $symbol:literal) => {
+        #[doc = concat!("The pullback of `", $symbol, "`.")]
+        #[diagnostic::on_unimplemented(
+            message = "no derivative rule for an operator between `{Self}` and `{Rhs}`",
+            note = "rules exist for f32, f64 and glam's float vectors, by value: dereference a reference with `*`"
+        )]
+        pub trait $name<Rhs = Self>: Sized {
+            /// The space of the result's cotangent.
+            type Output;
+
+            /// The cotangents of the left and the right operand.
+            fn $method(cotangent: Self::Output) -> (Self, Rhs);
+        }
+    };
+}
+
+/// The pullbacks of operators whose partial derivatives are the operands.
+macro_rules! bilinear_operator {
+    ($name:ident, $method:ident, $operator:ident, $symbol:literal) => {
+        #[doc = concat!("The pullback of `", $symbol, "`.")]
+        #[diagnostic::on_unimplemented(
+            message = "no derivative rule for an operator between `{Self}` and `{Rhs}`",
+            note = "rules exist for f32, f64 and glam's float vectors, by value: dereference a reference with `*`"
+        )]
+        pub trait $name<Rhs: Differentiable = Self>:
+            Differentiable + $operator<Rhs, Output: Differentiable> + Sized
+        {
+            /// The cotangents of the left and the right operand.
+            fn $method(
+                self,
+                rhs: Rhs,
+                cotangent: Tangent<<Self as $operator<Rhs>>::Output>,
+            ) -> (Tangent<Self>, Tangent<Rhs>);
+        }
+    };
+}
+
+linear_operator!(AddPullback, add_pullback, "+");
+linear_operator!(SubPullback, sub_pullback, "-");
+bilinear_operator!(MulPullback, mul_pullback, Mul, "*");
+bilinear_operator!(DivPullback, div_pullback, Div, "/");
+bilinear_operator!(RemPullback, rem_pullback, Rem, "%");
+
+/// Sums of two values of the same kind, and negation.
+macro_rules! linear_operators {
+    ($([$($generics:tt)*] $type:ty),* $(,)?) => {$(
+        impl<$($generics)*> NegPullback for $type {
+            #[inline(always)]
+            fn neg_pullback(cotangent: Self) -> Self {
+                -cotangent
+            }
+        }
+
+        impl<$($generics)*> AddPullback for $type {
+            type Output = Self;
+
+            #[inline(always)]
+            fn add_pullback(cotangent: Self) -> (Self, Self) {
+                (cotangent, cotangent)
+            }
+        }
+
+        impl<$($generics)*> SubPullback for $type {
+            type Output = Self;
+
+            #[inline(always)]
+            fn sub_pullback(cotangent: Self) -> (Self, Self) {
+                (cotangent, -cotangent)
+            }
+        }
+    )*};
+}
+
+linear_operators!(
+    [] f32,
+    [] f64,
+    [S: Real] Dual<S>,
+    [] Vec2,
+    [] Vec3,
+    [] Vec4,
+    [] DVec2,
+    [] DVec3,
+    [] DVec4,
+    [S: Real] Xyz<S>,
+);
+
+/// The cotangents of numerator and denominator of `quotient = numerator / denominator`.
+#[inline(always)]
+fn quotient_pullback<S: Real>(numerator: S, denominator: S, cotangent: S) -> (S, S) {
+    let singular = denominator.cmpeq(S::ZERO) | cotangent.cmpeq(S::ZERO);
+    let to_numerator = S::select(singular, S::zero(), cotangent / denominator);
+    (to_numerator, -scale(to_numerator, numerator / denominator))
+}
+
+macro_rules! scalar_operators {
+    ($([$($generics:tt)*] $type:ty),* $(,)?) => {$(
+        impl<$($generics)*> MulPullback for $type {
+            #[inline(always)]
+            fn mul_pullback(self, rhs: Self, cotangent: Self) -> (Self, Self) {
+                (scale(cotangent, rhs), scale(cotangent, self))
+            }
+        }
+
+        impl<$($generics)*> DivPullback for $type {
+            #[inline(always)]
+            fn div_pullback(self, rhs: Self, cotangent: Self) -> (Self, Self) {
+                quotient_pullback(self, rhs, cotangent)
+            }
+        }
+    )*};
+}
+
+scalar_operators!([] f32, [] f64, [S: Real] Dual<S>);
+
+macro_rules! remainder {
+    ($($type:ty),*) => {$(
+        impl RemPullback for $type {
+            /// `a % b` is `a - b * trunc(a / b)`; its jumps carry no derivative.
+            #[inline(always)]
+            fn rem_pullback(self, rhs: Self, cotangent: Self) -> (Self, Self) {
+                (cotangent, -scale(cotangent, (self / rhs).trunc()))
+            }
+        }
+    )*};
+}
+
+remainder!(f32, f64);
+
+macro_rules! vector_operators {
+    ($([$($generics:tt)*] $type:ty, $scalar:ty),* $(,)?) => {$(
+        impl<$($generics)*> MulPullback for $type {
+            #[inline(always)]
+            fn mul_pullback(self, rhs: Self, cotangent: Self) -> (Self, Self) {
+                (scale_elements(cotangent, rhs), scale_elements(cotangent, self))
+            }
+        }
+
+        impl<$($generics)*> MulPullback<$scalar> for $type {
+            #[inline(always)]
+            fn mul_pullback(self, rhs: $scalar, cotangent: Self) -> (Self, $scalar) {
+                (
+                    cotangent.map_elements(|g| scale(g, rhs)),
+                    scale_elements(cotangent, self).element_sum(),
+                )
+            }
+        }
+
+        impl<$($generics)*> DivPullback<$scalar> for $type {
+            #[inline(always)]
+            fn div_pullback(self, rhs: $scalar, cotangent: Self) -> (Self, $scalar) {
+                let to_vector = cotangent.map_elements(|g| quotient_pullback(g, rhs, g).0);
+                let quotient = self.map_elements(|numerator| numerator / rhs);
+                (to_vector, -scale_elements(to_vector, quotient).element_sum())
+            }
+        }
+    )*};
+}
+
+vector_operators!(
+    [] Vec2, f32,
+    [] Vec3, f32,
+    [] Vec4, f32,
+    [] DVec2, f64,
+    [] DVec3, f64,
+    [] DVec4, f64,
+    [S: Real] Xyz<S>, S,
+);
+
+/// The operators between vectors and scalars that glam has beyond [`Vector`].
+macro_rules! glam_operators {
+    ($($type:ty, $scalar:ty);* $(;)?) => {$(
+        impl MulPullback<$type> for $scalar {
+            #[inline(always)]
+            fn mul_pullback(self, rhs: $type, cotangent: $type) -> ($scalar, $type) {
+                let (to_vector, to_scalar) = rhs.mul_pullback(self, cotangent);
+                (to_scalar, to_vector)
+            }
+        }
+
+        impl DivPullback for $type {
+            #[inline(always)]
+            fn div_pullback(self, rhs: Self, cotangent: Self) -> (Self, Self) {
+                let to_numerator = cotangent.zip_elements(rhs, |g, b| quotient_pullback(g, b, g).0);
+                (to_numerator, -scale_elements(to_numerator, self / rhs))
+            }
+        }
+
+        impl DivPullback<$type> for $scalar {
+            #[inline(always)]
+            fn div_pullback(self, rhs: $type, cotangent: $type) -> ($scalar, $type) {
+                let (to_numerator, to_denominator) =
+                    <$type>::splat(self).div_pullback(rhs, cotangent);
+                (to_numerator.element_sum(), to_denominator)
+            }
+        }
+
+        impl AddPullback<$scalar> for $type {
+            type Output = $type;
+
+            #[inline(always)]
+            fn add_pullback(cotangent: $type) -> ($type, $scalar) {
+                (cotangent, cotangent.element_sum())
+            }
+        }
+
+        impl SubPullback<$scalar> for $type {
+            type Output = $type;
+
+            #[inline(always)]
+            fn sub_pullback(cotangent: $type) -> ($type, $scalar) {
+                (cotangent, -cotangent.element_sum())
+            }
+        }
+
+        impl AddPullback<$type> for $scalar {
+            type Output = $type;
+
+            #[inline(always)]
+            fn add_pullback(cotangent: $type) -> ($scalar, $type) {
+                (cotangent.element_sum(), cotangent)
+            }
+        }
+
+        impl SubPullback<$type> for $scalar {
+            type Output = $type;
+
+            #[inline(always)]
+            fn sub_pullback(cotangent: $type) -> ($scalar, $type) {
+                (cotangent.element_sum(), -cotangent)
+            }
+        }
+    )*};
+}
+
+glam_operators! {
+    Vec2, f32;
+    Vec3, f32;
+    Vec4, f32;
+    DVec2, f64;
+    DVec3, f64;
+    DVec4, f64;
+}
+
+/// Integers compute without a derivative, in differentiable functions too.
+impl NegPullback for () {
+    #[inline(always)]
+    fn neg_pullback((): ()) {}
+}
+
+impl AddPullback for () {
+    type Output = ();
+
+    #[inline(always)]
+    fn add_pullback((): ()) -> ((), ()) {
+        ((), ())
+    }
+}
+
+impl SubPullback for () {
+    type Output = ();
+
+    #[inline(always)]
+    fn sub_pullback((): ()) -> ((), ()) {
+        ((), ())
+    }
+}
+
+macro_rules! integer_operators {
+    ($($type:ty),* $(,)?) => {$(
+        integer_operators!(@binary $type:
+            MulPullback mul_pullback, DivPullback div_pullback, RemPullback rem_pullback);
+    )*};
+    (@binary $type:ty: $($name:ident $method:ident),*) => {$(
+        impl $name for $type {
+            #[inline(always)]
+            fn $method(self, _: Self, (): ()) -> ((), ()) {
+                ((), ())
+            }
+        }
+    )*};
+}
+
+integer_operators!(i8, i16, i32, i64, i128, isize, u8, u16, u32, u64, u128, usize);

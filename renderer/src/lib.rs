@@ -1,0 +1,8 @@
+//! A differentiable ray tracer.
+//!
+//! Data flows one way: command line -> optimise -> integrator -> (kernels, acceleration structure,
+//! scene). Nothing below the integrator knows that an image exists; nothing below `optimize`
+//! knows that a loss exists.
+
+pub mod kernels;
+pub mod scene;

@@ -1,0 +1,49 @@
+//! What is rendered: a continuous part ([`Parameters`]) and a discrete one (names, triangles, who
+//! wears which material).
+//!
+//! The two are kept apart because a gradient has the shape of the continuous part alone: a
+//! gradient is a `Parameters` too, and one set of paths reaches into both. Values are `f64`
+//! whatever the renderer computes in, so that small steps of an optimiser are not lost.
+
+mod parameters;
+
+pub use parameters::{Differentiability, Light, ParameterId, Parameters};
+
+/// A scene, complete: it needs no file to be rendered.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Scene {
+    /// The width of the image in pixels.
+    pub width: u32,
+    /// The height of the image in pixels.
+    pub height: u32,
+    /// Everything continuous.
+    pub parameters: Parameters,
+    /// The names of `parameters.lights`.
+    pub light_names: Vec<String>,
+    /// The names of `parameters.materials`.
+    pub material_names: Vec<String>,
+    /// One entry for each of `parameters.spheres`.
+    pub spheres: Vec<SphereObject>,
+    /// One entry for each of `parameters.vertices`.
+    pub meshes: Vec<MeshObject>,
+}
+
+/// The discrete part of a sphere.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SphereObject {
+    /// Its name, unique among spheres.
+    pub name: String,
+    /// Index of its material.
+    pub material: u32,
+}
+
+/// The discrete part of a triangle mesh.
+#[derive(Clone, Debug, PartialEq)]
+pub struct MeshObject {
+    /// Its name, unique among meshes.
+    pub name: String,
+    /// Three indices into the mesh's vertices for each triangle.
+    pub triangles: Vec<[u32; 3]>,
+    /// The index of each triangle's material.
+    pub materials: Vec<u32>,
+}

@@ -1,0 +1,218 @@
+//! The continuous part of a scene, and the paths that reach into it.
+
+use std::fmt;
+use std::slice;
+
+use super::Scene;
+use crate::kernels::camera::Camera;
+use crate::kernels::light::{DistantLight, PointLight};
+use crate::kernels::material::Material;
+use crate::kernels::sphere::Sphere;
+
+/// Every number of a scene that can vary continuously; also the shape of a gradient.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Parameters {
+    /// The camera.
+    pub camera: Camera<f64>,
+    /// The lights.
+    pub lights: Vec<Light<f64>>,
+    /// The materials.
+    pub materials: Vec<Material<f64>>,
+    /// The spheres.
+    pub spheres: Vec<Sphere<f64>>,
+    /// The vertices of each mesh.
+    pub vertices: Vec<Vec<[f64; 3]>>,
+}
+
+/// A light of one of the known kinds.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Light<S: ad::Real> {
+    /// Shines from a point.
+    Point(PointLight<S>),
+    /// Shines from infinitely far.
+    Distant(DistantLight<S>),
+}
+
+/// What the gradient of a parameter is worth.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Differentiability {
+    /// The image depends smoothly on it, and the gradient is all there is.
+    Smooth,
+    /// It also moves silhouettes or the edges of shadows. The gradient holds the interior term; the
+    /// jumps at these edges are missing from it.
+    Interior,
+}
+
+/// One parameter of a scene: a block of numbers that a path such as `light.key.position` names.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum ParameterId {
+    /// `camera.look_from`
+    LookFrom,
+    /// `camera.look_at`
+    LookAt,
+    /// `camera.up`
+    Up,
+    /// `camera.vfov`
+    Vfov,
+    /// `camera.focus`
+    Focus,
+    /// `light.NAME.position`, of a point light
+    LightPosition(usize),
+    /// `light.NAME.direction`, of a distant light
+    LightDirection(usize),
+    /// `light.NAME.color`
+    LightColor(usize),
+    /// `light.NAME.intensity`
+    LightIntensity(usize),
+    /// `material.NAME.ambient`
+    Ambient(usize),
+    /// `material.NAME.diffuse`
+    Diffuse(usize),
+    /// `material.NAME.specular`
+    Specular(usize),
+    /// `material.NAME.exponent`
+    Exponent(usize),
+    /// `sphere.NAME.center`
+    SphereCenter(usize),
+    /// `sphere.NAME.radius`
+    SphereRadius(usize),
+    /// `mesh.NAME.vertices`
+    Vertices(usize),
+}
+
+impl ParameterId {
+    /// What a gradient with respect to it is worth.
+    pub fn differentiability(self) -> Differentiability {
+        use ParameterId::*;
+        match self {
+            LightColor(_) | LightIntensity(_) | Ambient(_) | Diffuse(_) | Specular(_)
+            | Exponent(_) => Differentiability::Smooth,
+            LookFrom | LookAt | Up | Vfov | Focus | LightPosition(_) | LightDirection(_)
+            | SphereCenter(_) | SphereRadius(_) | Vertices(_) => Differentiability::Interior,
+        }
+    }
+}
+
+impl Scene {
+    /// Every parameter of the scene, in a fixed order.
+    pub fn parameter_ids(&self) -> Vec<ParameterId> {
+        use ParameterId::*;
+        let mut ids = vec![LookFrom, LookAt, Up, Vfov, Focus];
+        for (i, light) in self.parameters.lights.iter().enumerate() {
+            ids.push(match light {
+                Light::Point(_) => LightPosition(i),
+                Light::Distant(_) => LightDirection(i),
+            });
+            ids.extend([LightColor(i), LightIntensity(i)]);
+        }
+        for i in 0..self.parameters.materials.len() {
+            ids.extend([Ambient(i), Diffuse(i), Specular(i), Exponent(i)]);
+        }
+        for i in 0..self.parameters.spheres.len() {
+            ids.extend([SphereCenter(i), SphereRadius(i)]);
+        }
+        ids.extend((0..self.parameters.vertices.len()).map(Vertices));
+        ids
+    }
+
+    /// The path of a parameter: `light.key.position`.
+    pub fn path(&self, id: ParameterId) -> ParameterPath<'_> {
+        ParameterPath { scene: self, id }
+    }
+
+    /// The parameter that a path names, or nothing.
+    pub fn parameter(&self, path: &str) -> Option<ParameterId> {
+        self.parameter_ids().into_iter().find(|&id| self.path(id).to_string() == path)
+    }
+}
+
+/// Displays as the path of a parameter.
+pub struct ParameterPath<'a> {
+    scene: &'a Scene,
+    id: ParameterId,
+}
+
+impl fmt::Display for ParameterPath<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        use ParameterId::*;
+        let scene = self.scene;
+        let light = |i: usize| &scene.light_names[i];
+        let material = |i: usize| &scene.material_names[i];
+        match self.id {
+            LookFrom => write!(f, "camera.look_from"),
+            LookAt => write!(f, "camera.look_at"),
+            Up => write!(f, "camera.up"),
+            Vfov => write!(f, "camera.vfov"),
+            Focus => write!(f, "camera.focus"),
+            LightPosition(i) => write!(f, "light.{}.position", light(i)),
+            LightDirection(i) => write!(f, "light.{}.direction", light(i)),
+            LightColor(i) => write!(f, "light.{}.color", light(i)),
+            LightIntensity(i) => write!(f, "light.{}.intensity", light(i)),
+            Ambient(i) => write!(f, "material.{}.ambient", material(i)),
+            Diffuse(i) => write!(f, "material.{}.diffuse", material(i)),
+            Specular(i) => write!(f, "material.{}.specular", material(i)),
+            Exponent(i) => write!(f, "material.{}.exponent", material(i)),
+            SphereCenter(i) => write!(f, "sphere.{}.center", scene.spheres[i].name),
+            SphereRadius(i) => write!(f, "sphere.{}.radius", scene.spheres[i].name),
+            Vertices(i) => write!(f, "mesh.{}.vertices", scene.meshes[i].name),
+        }
+    }
+}
+
+/// Reaches the numbers of one parameter, for `&` and `&mut` alike.
+macro_rules! reach {
+    ($parameters:ident, $id:ident, $one:path, $as_slice:ident, $flatten:ident, $($reference:tt)+) => {{
+        use ParameterId::*;
+        let Parameters { camera, lights, materials, spheres, vertices } = $parameters;
+        match $id {
+            LookFrom => camera.look_from.$as_slice(),
+            LookAt => camera.look_at.$as_slice(),
+            Up => camera.up.$as_slice(),
+            Vfov => $one($($reference)+ camera.vfov),
+            Focus => $one($($reference)+ camera.focus),
+            LightPosition(i) => match $($reference)+ lights[i] {
+                Light::Point(light) => light.position.$as_slice(),
+                Light::Distant(_) => panic!("a distant light has no position"),
+            },
+            LightDirection(i) => match $($reference)+ lights[i] {
+                Light::Distant(light) => light.direction.$as_slice(),
+                Light::Point(_) => panic!("a point light has no direction"),
+            },
+            LightColor(i) => match $($reference)+ lights[i] {
+                Light::Point(light) => light.color.$as_slice(),
+                Light::Distant(light) => light.color.$as_slice(),
+            },
+            LightIntensity(i) => match $($reference)+ lights[i] {
+                Light::Point(light) => $one($($reference)+ light.intensity),
+                Light::Distant(light) => $one($($reference)+ light.intensity),
+            },
+            Ambient(i) => materials[i].ambient.$as_slice(),
+            Diffuse(i) => materials[i].diffuse.$as_slice(),
+            Specular(i) => materials[i].specular.$as_slice(),
+            Exponent(i) => $one($($reference)+ materials[i].exponent),
+            SphereCenter(i) => spheres[i].center.$as_slice(),
+            SphereRadius(i) => $one($($reference)+ spheres[i].radius),
+            Vertices(i) => vertices[i].$flatten(),
+        }
+    }};
+}
+
+impl Parameters {
+    /// The numbers of one parameter.
+    ///
+    /// # Panics
+    ///
+    /// If `id` is not a parameter of the scene that this belongs to.
+    pub fn get(&self, id: ParameterId) -> &[f64] {
+        reach!(self, id, slice::from_ref, as_ref, as_flattened, &)
+    }
+
+    /// The numbers of one parameter, to be changed.
+    ///
+    /// # Panics
+    ///
+    /// If `id` is not a parameter of the scene that this belongs to.
+    pub fn get_mut(&mut self, id: ParameterId) -> &mut [f64] {
+        reach!(self, id, slice::from_mut, as_mut, as_flattened_mut, &mut)
+    }
+}
