@@ -4,5 +4,9 @@
 //! scene). Nothing below the integrator knows that an image exists; nothing below `optimize`
 //! knows that a loss exists.
 
+mod error;
+pub mod image;
 pub mod kernels;
 pub mod scene;
+
+pub use error::Error;
