@@ -1,12 +1,53 @@
-//! t
+//! The source transformation behind the crate `ad`; use it from there.
+//!
+//! The way of a function through this crate, one room after the other:
+//!
+//! 1. [`attribute`] takes the annotated item apart and checks its signature ([`signature`]).
+//! 2. [`lower`] rewrites the body to the few forms of [`ir`]: every operation has a name, every
+//!    exit is the end of a block. What has no right derivative is refused here, at its span.
+//! 3. [`sweep`] writes the forward and the reverse sweep of the lowered body.
+//! 4. [`expand`] wraps both into the functions that users call.
+//!
+//! [`derive`] stands apart: it gives structs their tangents.
+//!
+//! # The shape of generated code
+//!
+//! The forward sweep is the user's function in A-normal form; mutable variables stay mutable, and
+//! each read of one is a copy under a name of its own. The reverse sweep is one block that visits
+//! the operations backwards: `x_bar` gathers the cotangent of `x`, and an assignment to `x` takes
+//! `x_bar` away from the value before and gives it to the value assigned. What the reverse sweep
+//! names, the closure captures: rustc decides what is saved, and it is saved once. A branch returns
+//! what its arm saved as a variant; a loop pushes what an iteration saved on a tape.
+//!
+//! Turned down: single static assignment with a pullback closure for each block (cotangents of all
+//! variables that a block assigns would have to be threaded through tuples, and element access
+//! would copy arrays); a closure for each operation (operands used twice would be saved twice).
+
+mod attribute;
+mod derive;
+mod errors;
+mod expand;
+mod ir;
+mod lower;
+mod names;
+mod signature;
+mod sweep;
+
 use proc_macro::TokenStream;
-/// x
+
+/// Writes the derivative of a function at compile time.
+///
+/// See the documentation of the crate `ad`.
 #[proc_macro_attribute]
-pub fn differentiable(_a: TokenStream, item: TokenStream) -> TokenStream {
-    item
+pub fn differentiable(arguments: TokenStream, item: TokenStream) -> TokenStream {
+    attribute::expand(arguments.into(), item.into()).into()
 }
-/// x
+
+/// Gives a struct a tangent type: for `Ray` the struct `RayTangent`, whose fields hold the tangents
+/// of the fields of `Ray`.
+///
+/// A field marked `#[constant]` carries no derivative.
 #[proc_macro_derive(Differentiable, attributes(constant))]
-pub fn derive(_item: TokenStream) -> TokenStream {
-    TokenStream::new()
+pub fn derive_differentiable(item: TokenStream) -> TokenStream {
+    derive::expand(item.into()).unwrap_or_else(syn::Error::into_compile_error).into()
 }

@@ -175,3 +175,28 @@ impl<S: crate::Real> ScalarResult<'_> for S {
 pub trait CopyIf<'a>: Copy {}
 
 impl<T: Copy> CopyIf<'_> for T {}
+
+macro_rules! branches {
+    ($($name:ident: $($arm:ident)*;)*) => {$(
+        /// The path that a branch took, with what its arm saved.
+        #[allow(missing_docs)]
+        pub enum $name<$($arm),*> {
+            $($arm($arm)),*
+        }
+    )*};
+}
+
+branches! {
+    Branch1: Arm0;
+    Branch2: Arm0 Arm1;
+    Branch3: Arm0 Arm1 Arm2;
+    Branch4: Arm0 Arm1 Arm2 Arm3;
+    Branch5: Arm0 Arm1 Arm2 Arm3 Arm4;
+    Branch6: Arm0 Arm1 Arm2 Arm3 Arm4 Arm5;
+    Branch7: Arm0 Arm1 Arm2 Arm3 Arm4 Arm5 Arm6;
+    Branch8: Arm0 Arm1 Arm2 Arm3 Arm4 Arm5 Arm6 Arm7;
+    Branch9: Arm0 Arm1 Arm2 Arm3 Arm4 Arm5 Arm6 Arm7 Arm8;
+    Branch10: Arm0 Arm1 Arm2 Arm3 Arm4 Arm5 Arm6 Arm7 Arm8 Arm9;
+    Branch11: Arm0 Arm1 Arm2 Arm3 Arm4 Arm5 Arm6 Arm7 Arm8 Arm9 Arm10;
+    Branch12: Arm0 Arm1 Arm2 Arm3 Arm4 Arm5 Arm6 Arm7 Arm8 Arm9 Arm10 Arm11;
+}

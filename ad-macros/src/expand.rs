@@ -1,0 +1,227 @@
+//! Wraps the sweeps into what users call: `f::vjp`, `f::value_and_grad`, `f::grad`.
+
+use proc_macro2::{Ident, Span, TokenStream};
+use quote::{ToTokens, format_ident, quote};
+use syn::{Attribute, FnArg, GenericParam, Generics, Signature, Type, Visibility};
+
+use crate::errors::Errors;
+use crate::lower;
+use crate::names::Names;
+use crate::signature::{self, Parameter, pointee};
+use crate::sweep;
+
+/// Where the function stands.
+pub enum Place<'a> {
+    /// Outside of an `impl`: the derivative is the associated function `vjp` of a type that has the
+    /// function's name.
+    Free,
+    /// In an `impl` with these generics: the derivative is the sibling `name_vjp`.
+    Impl(&'a Generics),
+}
+
+/// The derivative of a function: items to put beside it.
+pub fn derivative(
+    place: &Place<'_>,
+    attributes: &[Attribute],
+    visibility: &Visibility,
+    signature: &Signature,
+    body: &syn::Block,
+) -> syn::Result<TokenStream> {
+    let mut errors = Errors::default();
+    let parameters = signature::parameters(signature, &mut errors);
+    let result = signature::result(signature, &mut errors);
+
+    let mut names = Names::new(quote!(#signature #body));
+    let lowered =
+        lower::lower(&signature.ident, &parameters, &result, body, &mut names, &mut errors);
+    errors.finish()?;
+
+    let seed = names.fresh("result_bar", Span::call_site());
+    let sweeps = sweep::sweep(&lowered, &seed, &mut names);
+    let sweep::Sweeps { forward, value, reverse, cotangents } = sweeps;
+    let (result_tangent, gradient) = (tangent(&result), gradient(&parameters));
+    let cotangents = tuple_or_one(&cotangents);
+    let body = quote! {
+        {
+            #[allow(unused_imports)]
+            use ::ad::rules::*;
+            #forward
+            (#value, move |#seed: #result_tangent| -> #gradient {
+                #reverse
+                #cotangents
+            })
+        }
+    };
+    Ok(functions(place, attributes, visibility, signature, &parameters, &result, &body))
+}
+
+/// What stands in for the derivative of a function that was refused, so that its callers do not
+/// add errors of their own.
+pub fn stub(place: &Place<'_>, visibility: &Visibility, signature: &Signature) -> TokenStream {
+    let mut errors = Errors::default();
+    let parameters = signature::parameters(signature, &mut errors);
+    let result = signature::result(signature, &mut errors);
+    if errors.finish().is_err() {
+        return TokenStream::new();
+    }
+    let (result_tangent, gradient) = (tangent(&result), gradient(&parameters));
+    let body = quote! {
+        {
+            fn refused<T>() -> T {
+                ::core::unreachable!()
+            }
+            (refused(), |_: #result_tangent| -> #gradient { refused() })
+        }
+    };
+    functions(place, &[], visibility, signature, &parameters, &result, &body)
+}
+
+fn tangent(ty: &Type) -> TokenStream {
+    let ty = pointee(ty);
+    quote!(::ad::Tangent<#ty>)
+}
+
+/// The type of what the pullback returns.
+fn gradient(parameters: &[Parameter]) -> TokenStream {
+    let tangents: Vec<_> = parameters.iter().map(|parameter| tangent(&parameter.ty)).collect();
+    tuple_or_one(&tangents)
+}
+
+fn tuple_or_one(parts: &[TokenStream]) -> TokenStream {
+    match parts {
+        [part] => part.clone(),
+        parts => quote!((#(#parts),*)),
+    }
+}
+
+fn functions(
+    place: &Place<'_>,
+    attributes: &[Attribute],
+    visibility: &Visibility,
+    signature: &Signature,
+    parameters: &[Parameter],
+    result: &Type,
+    body: &TokenStream,
+) -> TokenStream {
+    let name = &signature.ident;
+    let (vjp, value_and_grad, grad) = match place {
+        Place::Free => (
+            Ident::new("vjp", name.span()),
+            Ident::new("value_and_grad", name.span()),
+            Ident::new("grad", name.span()),
+        ),
+        Place::Impl(_) => (
+            format_ident!("{name}_vjp"),
+            format_ident!("{name}_value_and_grad"),
+            format_ident!("{name}_grad"),
+        ),
+    };
+    let call_vjp = match (place, &signature.inputs.first()) {
+        (Place::Impl(_), Some(FnArg::Receiver(_))) => quote!(self.#vjp),
+        _ => quote!(Self::#vjp),
+    };
+    let inputs = inputs(signature, parameters);
+    let arguments = parameters.iter().filter_map(|p| p.pattern.as_ref().map(|_| &p.ident));
+    // The types of the parameters need not tell the type parameters: `Vec3<S>` does not tell `S`.
+    let turbofish = signature.generics.params.iter().filter_map(|parameter| match parameter {
+        GenericParam::Lifetime(_) => None,
+        GenericParam::Type(ty) => Some(&ty.ident),
+        GenericParam::Const(constant) => Some(&constant.ident),
+    });
+    let call_vjp = quote!(#call_vjp::<#(#turbofish),*>(#(#arguments),*));
+
+    let outer = match place {
+        Place::Free => None,
+        Place::Impl(generics) => Some(*generics),
+    };
+    let captured = signature::captured(signature, outer);
+    let (result_tangent, gradient) = (tangent(result), gradient(parameters));
+    let (generics, _, where_clause) = signature.generics.split_for_impl();
+    let generics = generics.to_token_stream();
+    let generics = if generics.is_empty() { None } else { Some(&signature.generics) };
+    let bounds = where_clause.map(|clause| &clause.predicates).into_iter().flatten();
+    let bounds: Vec<_> = bounds.collect();
+    let cfgs: Vec<_> = attributes.iter().filter(|a| a.path().is_ident("cfg")).collect();
+
+    let vjp_doc = format!(
+        "The value of `{name}`, and its pullback: from the cotangent of the value to {}.",
+        match parameters.len() {
+            1 => "that of the parameter",
+            _ => "those of the parameters, in order",
+        }
+    );
+    let value_and_grad_doc = format!("The value of `{name}` and its gradient.");
+    let grad_doc = format!("The gradient of `{name}`.");
+    let lints = quote! {
+        #[allow(unused, non_snake_case, clippy::all, clippy::pedantic, clippy::nursery)]
+    };
+    let derivative_visibility = match place {
+        Place::Free => quote!(pub),
+        Place::Impl(_) => quote!(#visibility),
+    };
+    let functions = quote! {
+        #(#cfgs)*
+        #[doc = #vjp_doc]
+        #lints
+        #[inline]
+        #derivative_visibility fn #vjp #generics (#inputs)
+            -> (#result, impl ::core::ops::FnOnce(#result_tangent) -> #gradient + #captured)
+        where #(#bounds),*
+        #body
+
+        #(#cfgs)*
+        #[doc = #value_and_grad_doc]
+        #lints
+        #[inline]
+        #derivative_visibility fn #value_and_grad #generics (#inputs) -> (#result, #gradient)
+        where
+            #(#bounds,)*
+            for<'__scalar> #result: ::ad::rt::ScalarResult<'__scalar>,
+        {
+            let (value, pullback) = #call_vjp;
+            (value, pullback(<#result as ::ad::rt::ScalarResult<'_>>::one()))
+        }
+
+        #(#cfgs)*
+        #[doc = #grad_doc]
+        #lints
+        #[inline]
+        #derivative_visibility fn #grad #generics (#inputs) -> #gradient
+        where
+            #(#bounds,)*
+            for<'__scalar> #result: ::ad::rt::ScalarResult<'__scalar>,
+        {
+            let (_, pullback) = #call_vjp;
+            pullback(<#result as ::ad::rt::ScalarResult<'_>>::one())
+        }
+    };
+    match place {
+        Place::Impl(_) => functions,
+        Place::Free => {
+            let doc = format!("The derivatives of the function `{name}`.");
+            quote! {
+                #(#cfgs)*
+                #[doc = #doc]
+                #[allow(non_camel_case_types)]
+                #visibility enum #name {}
+
+                #(#cfgs)*
+                impl #name {
+                    #functions
+                }
+            }
+        }
+    }
+}
+
+/// The parameters as the generated functions take them: each under one name.
+fn inputs(signature: &Signature, parameters: &[Parameter]) -> TokenStream {
+    let inputs = signature.inputs.iter().zip(parameters).map(|(input, parameter)| match input {
+        FnArg::Receiver(receiver) => quote!(#receiver),
+        FnArg::Typed(typed) => {
+            let (ident, ty) = (&parameter.ident, &typed.ty);
+            quote!(#ident: #ty)
+        }
+    });
+    quote!(#(#inputs),*)
+}

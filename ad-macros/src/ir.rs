@@ -1,0 +1,191 @@
+//! The form between the user's function and the sweeps: few kinds of statement, every operand
+//! named, no exits.
+
+use proc_macro2::{Ident, TokenStream};
+use syn::{Member, Type};
+
+/// Index of a [`Var`].
+pub type VarId = usize;
+
+/// Identifies a block; the block in which a variable lives holds its cotangent.
+pub type BlockId = usize;
+
+/// A variable of the forward sweep.
+pub struct Var {
+    /// Its name.
+    pub ident: Ident,
+    /// The name of its cotangent.
+    pub cotangent: Ident,
+    /// The name of the space in which its cotangent lives.
+    pub space: Ident,
+    /// The name of the pullback, where a call defines the variable, or of the path that a branch
+    /// took, or of the tape of a loop.
+    pub record: Ident,
+    /// The block it lives in.
+    pub block: BlockId,
+    /// Whether it is assigned to after its definition.
+    pub mutable: bool,
+    /// Whether a derivative may flow through it. One that is not active is a constant.
+    pub active: bool,
+}
+
+/// A step from a value into a part of it.
+#[derive(Clone)]
+pub enum Projection {
+    /// `.member`
+    Field(Member),
+    /// `[index]`; the index is a literal or an immutable variable.
+    Index(TokenStream),
+    /// `*`; the cotangent of a reference is that of its target.
+    Deref,
+}
+
+/// A variable or a part of one.
+#[derive(Clone)]
+pub struct Place {
+    /// The variable.
+    pub root: VarId,
+    /// The way from there.
+    pub path: Vec<Projection>,
+}
+
+/// What an operation uses.
+#[derive(Clone)]
+pub enum Operand {
+    /// An expression through which no derivative flows.
+    Constant(TokenStream),
+    /// An active variable that is never assigned to.
+    Var(VarId),
+}
+
+/// What a call passes.
+pub enum Argument {
+    /// A value.
+    Value(Operand),
+    /// `&place`
+    Borrow(Place),
+    /// The receiver of a method: a place, which the method borrows or copies.
+    Receiver(Place),
+}
+
+/// A binary operator with a rule.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub enum BinaryOperator {
+    Add,
+    Sub,
+    Mul,
+    Div,
+    Rem,
+}
+
+/// How the value of an [`Operation::Aggregate`] holds its parts.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub enum Shape {
+    /// `(a, b)`
+    Tuple,
+    /// `[a, b]`
+    Array,
+    /// `Name { a, b }` or `Name(a, b)`; a field may be `#[constant]`.
+    Struct,
+    /// `Some(a)`: the cotangent of the whole is that of its content.
+    Transparent,
+    /// `ControlFlow::Break(a)` (member 0) or `Continue(a)` (member 1).
+    Flow,
+}
+
+/// The right-hand side of a definition.
+pub enum Operation {
+    /// An operand as it is.
+    Use(Operand),
+    /// A copy of a place.
+    Read(Place),
+    /// `&place`
+    Borrow(Place),
+    /// `-x`
+    Negate(VarId),
+    /// `x + y`
+    Binary(BinaryOperator, VarId, VarId),
+    /// `x as T`
+    Cast(VarId, Type),
+    /// A call; `primal` and `vjp` are what stands before the parenthesis, for a method behind the
+    /// receiver, which is the first argument.
+    Call { primal: TokenStream, vjp: TokenStream, method: bool, arguments: Vec<Argument> },
+    /// A value made of parts.
+    Aggregate { expression: TokenStream, shape: Shape, parts: Vec<(Member, Operand)> },
+    /// A struct made of parts and, for the rest, of another struct.
+    UpdateStruct { expression: TokenStream, parts: Vec<(Member, Operand)>, rest: VarId },
+    /// `[x; N]`
+    Repeat(VarId, TokenStream),
+}
+
+/// A variable that a pattern binds to a part of the matched value.
+pub struct Binding {
+    pub var: VarId,
+    pub path: Vec<Projection>,
+}
+
+/// A statement.
+pub enum Statement {
+    /// `let var: ty = operation;`
+    Define { var: VarId, ty: Option<Type>, operation: Operation },
+    /// Code through which no derivative flows, and the variables it defines.
+    Plain { code: TokenStream, defines: Vec<VarId> },
+    /// `let pattern: ty = source;`
+    Destructure { pattern: TokenStream, ty: Option<Type>, source: VarId, bindings: Vec<Binding> },
+    /// `place = value;`
+    Assign { place: Place, value: Operand },
+    /// `place op= value;`, where `previous` is a copy of the place from before.
+    Update { place: Place, operator: BinaryOperator, previous: VarId, value: VarId },
+    /// `if` or `match`.
+    Branch(Branch),
+    /// `for`
+    Loop(Loop),
+}
+
+/// Statements, then a value.
+pub struct Block {
+    pub id: BlockId,
+    pub statements: Vec<Statement>,
+    pub value: Operand,
+}
+
+/// One of several blocks is run.
+pub struct Branch {
+    /// Takes the value of the block, where it is wanted.
+    pub result: Option<VarId>,
+    /// The name of the path taken.
+    pub record: Ident,
+    pub kind: BranchKind,
+    pub arms: Vec<Arm>,
+}
+
+/// How the arm is chosen.
+pub enum BranchKind {
+    /// By a condition; there are two arms.
+    If(TokenStream),
+    /// By patterns. The matched place, where a derivative flows through it.
+    Match(TokenStream, Option<Place>),
+}
+
+/// An arm of a branch; pattern, guard and bindings only in a `match`.
+pub struct Arm {
+    pub pattern: TokenStream,
+    pub guard: Option<TokenStream>,
+    pub bindings: Vec<Binding>,
+    pub body: Block,
+}
+
+/// A block that is run once for each item of an iterator of constants.
+pub struct Loop {
+    pub pattern: TokenStream,
+    /// The variables of the pattern.
+    pub defines: Vec<VarId>,
+    pub iterator: TokenStream,
+    pub body: Block,
+    /// The name of the tape.
+    pub record: Ident,
+    /// The number of iterations, where it is a literal.
+    pub trip_count: Option<usize>,
+    /// Takes the value of the last iteration, a `ControlFlow`; a `Break` ends the loop.
+    pub exit: Option<VarId>,
+}

@@ -1,0 +1,120 @@
+//! Finds early exits: `return` and `?`.
+
+use proc_macro2::{Ident, Span};
+use syn::visit::{self, Visit};
+use syn::{Block, Expr, Stmt, parse_quote};
+
+use crate::names::Names;
+
+/// Whether control may leave the function from within `stmt`.
+pub fn stmt_exits(stmt: &Stmt) -> bool {
+    let mut finder = Finder(false);
+    finder.visit_stmt(stmt);
+    finder.0
+        || matches!(stmt, Stmt::Local(local)
+        if local.init.as_ref().is_some_and(|init| init.diverge.is_some()))
+}
+
+/// Whether control may leave the function from within `expr`.
+pub fn expr_exits(expr: &Expr) -> bool {
+    let mut finder = Finder(false);
+    finder.visit_expr(expr);
+    finder.0
+}
+
+struct Finder(bool);
+
+impl<'ast> Visit<'ast> for Finder {
+    fn visit_expr(&mut self, expr: &'ast Expr) {
+        match expr {
+            Expr::Return(_) | Expr::Try(_) => self.0 = true,
+            Expr::Closure(_) | Expr::Async(_) => {}
+            _ => visit::visit_expr(self, expr),
+        }
+    }
+
+    fn visit_item(&mut self, _: &'ast syn::Item) {}
+}
+
+/// Whether the end of the block is never reached.
+pub fn diverges(stmts: &[Stmt]) -> bool {
+    match stmts.last() {
+        Some(Stmt::Expr(expr, _)) => expr_diverges(expr),
+        _ => false,
+    }
+}
+
+/// Whether the expression never has a value.
+pub fn expr_diverges(expr: &Expr) -> bool {
+    let block_diverges = |block: &Block| diverges(&block.stmts);
+    match expr {
+        Expr::Return(_) => true,
+        Expr::Paren(inner) => expr_diverges(&inner.expr),
+        Expr::Block(block) => block_diverges(&block.block),
+        Expr::If(branch) => {
+            block_diverges(&branch.then_branch)
+                && branch.else_branch.as_ref().is_some_and(|(_, other)| expr_diverges(other))
+        }
+        Expr::Match(branch) => branch.arms.iter().all(|arm| expr_diverges(&arm.body)),
+        _ => false,
+    }
+}
+
+/// Takes the first part of `expr` out of it that may exit and is certainly evaluated, and leaves a
+/// new name in its place.
+pub fn hoist(expr: &mut Expr, names: &mut Names) -> Option<(Ident, Expr)> {
+    match expr {
+        Expr::Try(inner) if expr_exits(&inner.expr) => hoist(&mut inner.expr, names),
+        Expr::Try(_) | Expr::If(_) | Expr::Match(_) | Expr::Block(_) | Expr::ForLoop(_)
+            if expr_exits(expr) =>
+        {
+            // Without this the condition would be evaluated too late.
+            let condition = match expr {
+                Expr::If(branch) => Some(&mut *branch.cond),
+                Expr::Match(branch) => Some(&mut *branch.expr),
+                _ => None,
+            };
+            if let Some(condition) = condition
+                && expr_exits(condition)
+            {
+                return hoist(condition, names);
+            }
+            let ident = names.fresh("value", Span::call_site());
+            let part = std::mem::replace(expr, parse_quote!(#ident));
+            Some((ident, part))
+        }
+        _ => strict_parts(expr).into_iter().find_map(|part| hoist(part, names)),
+    }
+}
+
+/// The parts of an expression that are evaluated whenever it is, in order.
+fn strict_parts(expr: &mut Expr) -> Vec<&mut Expr> {
+    match expr {
+        Expr::Paren(e) => vec![&mut e.expr],
+        Expr::Group(e) => vec![&mut e.expr],
+        Expr::Unary(e) => vec![&mut e.expr],
+        Expr::Cast(e) => vec![&mut e.expr],
+        Expr::Field(e) => vec![&mut e.base],
+        Expr::Reference(e) => vec![&mut e.expr],
+        Expr::Let(e) => vec![&mut e.expr],
+        Expr::Repeat(e) => vec![&mut e.expr],
+        Expr::Return(e) => e.expr.iter_mut().map(|e| &mut **e).collect(),
+        Expr::Assign(e) => vec![&mut e.right],
+        Expr::Binary(e) => match e.op {
+            syn::BinOp::And(_) | syn::BinOp::Or(_) => vec![&mut e.left],
+            _ => vec![&mut e.left, &mut e.right],
+        },
+        Expr::Index(e) => vec![&mut e.expr, &mut e.index],
+        Expr::Call(e) => e.args.iter_mut().collect(),
+        Expr::MethodCall(e) => std::iter::once(&mut *e.receiver).chain(e.args.iter_mut()).collect(),
+        Expr::Tuple(e) => e.elems.iter_mut().collect(),
+        Expr::Array(e) => e.elems.iter_mut().collect(),
+        Expr::Struct(e) => e
+            .fields
+            .iter_mut()
+            .map(|field| &mut field.expr)
+            .chain(e.rest.iter_mut().map(|rest| &mut **rest))
+            .collect(),
+        _ => Vec::new(),
+    }
+}

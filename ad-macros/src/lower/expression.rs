@@ -1,0 +1,444 @@
+//! Expressions: names every intermediate result through which a derivative flows.
+
+use proc_macro2::TokenStream;
+use quote::{format_ident, quote, quote_spanned};
+use syn::spanned::Spanned;
+use syn::{BinOp, Expr, ExprBinary, ExprPath, Member, Path, PathArguments, Type, UnOp};
+
+use super::Lowerer;
+use crate::ir::{Argument, BinaryOperator, Operand, Operation, Projection, Shape};
+
+impl Lowerer<'_> {
+    /// Evaluates an expression. A new variable for the result, if one is needed, is named after
+    /// `hint`.
+    pub(super) fn operand(&mut self, expr: &Expr, hint: &str) -> Operand {
+        match expr {
+            Expr::Lit(literal) => Operand::Constant(quote!(#literal)),
+            Expr::Paren(inner) => self.operand(&inner.expr, hint),
+            Expr::Group(inner) => self.operand(&inner.expr, hint),
+            Expr::Path(_) | Expr::Field(_) | Expr::Index(_) => self.read(expr, hint),
+            Expr::Unary(unary) => match unary.op {
+                UnOp::Deref(_) => self.read(expr, hint),
+                UnOp::Neg(_) => self.negate(&unary.expr, hint, expr),
+                _ => self.discrete(expr),
+            },
+            Expr::Binary(binary) => self.binary(binary, hint),
+            Expr::Cast(cast) => self.cast(cast, hint),
+            Expr::Call(call) => self.call(call, hint),
+            Expr::MethodCall(call) => self.method_call(call, hint),
+            Expr::Tuple(tuple) => {
+                let parts = self.operands(&tuple.elems);
+                let tokens = parts.iter().map(|part| self.tokens(part));
+                let expression = quote!((#(#tokens,)*));
+                self.aggregate(expression, Shape::Tuple, numbered(parts), hint, expr)
+            }
+            Expr::Array(array) => {
+                let parts = self.operands(&array.elems);
+                let tokens = parts.iter().map(|part| self.tokens(part));
+                let expression = quote!([#(#tokens),*]);
+                self.aggregate(expression, Shape::Array, numbered(parts), hint, expr)
+            }
+            Expr::Repeat(repeat) => {
+                let length = &repeat.len;
+                let length = quote!(#length);
+                match self.operand(&repeat.expr, "element") {
+                    Operand::Constant(tokens) => Operand::Constant(quote!([#tokens; #length])),
+                    Operand::Var(var) => {
+                        let operation = Operation::Repeat(var, length);
+                        Operand::Var(self.define(hint, expr.span(), true, operation))
+                    }
+                }
+            }
+            Expr::Struct(literal) => self.struct_literal(literal, hint),
+            Expr::Reference(reference) => self.reference(reference, hint),
+            Expr::Block(block) if block.label.is_none() => self.block_value(&block.block.stmts),
+            Expr::If(_) | Expr::Match(_) => self.branch_value(expr, &mut |lowerer, body| {
+                lowerer.scope(|lowerer| lowerer.operand(body, "value"))
+            }),
+            Expr::Range(range) => {
+                self.refuse(range, "a range has no derivative: use it as the head of a `for` loop")
+            }
+            Expr::Assign(_) => self.refuse(expr, "write the assignment as a statement of its own"),
+            other => self.refuse_expression(other),
+        }
+    }
+
+    fn operands<'e>(&mut self, exprs: impl IntoIterator<Item = &'e Expr>) -> Vec<Operand> {
+        exprs.into_iter().map(|expr| self.operand(expr, "value")).collect()
+    }
+
+    fn negate(&mut self, inner: &Expr, hint: &str, whole: &Expr) -> Operand {
+        match self.operand(inner, "value") {
+            Operand::Constant(tokens) => Operand::Constant(quote!((-#tokens))),
+            Operand::Var(var) => {
+                Operand::Var(self.define(hint, whole.span(), true, Operation::Negate(var)))
+            }
+        }
+    }
+
+    fn binary(&mut self, binary: &ExprBinary, hint: &str) -> Operand {
+        let (operator, default_hint) = match binary.op {
+            BinOp::Add(_) => (BinaryOperator::Add, "sum"),
+            BinOp::Sub(_) => (BinaryOperator::Sub, "difference"),
+            BinOp::Mul(_) => (BinaryOperator::Mul, "product"),
+            BinOp::Div(_) => (BinaryOperator::Div, "quotient"),
+            BinOp::Rem(_) => (BinaryOperator::Rem, "remainder"),
+            BinOp::Eq(_)
+            | BinOp::Ne(_)
+            | BinOp::Lt(_)
+            | BinOp::Le(_)
+            | BinOp::Gt(_)
+            | BinOp::Ge(_)
+            | BinOp::And(_)
+            | BinOp::Or(_) => {
+                return Operand::Constant(self.plain(&Expr::Binary(binary.clone())));
+            }
+            BinOp::BitAnd(_)
+            | BinOp::BitOr(_)
+            | BinOp::BitXor(_)
+            | BinOp::Shl(_)
+            | BinOp::Shr(_) => return self.discrete(&Expr::Binary(binary.clone())),
+            _ => return self.refuse(binary, "write the assignment as a statement of its own"),
+        };
+        let left = self.operand(&binary.left, "value");
+        let right = self.operand(&binary.right, "value");
+        let token = &binary.op;
+        if let (Operand::Constant(left), Operand::Constant(right)) = (&left, &right) {
+            return Operand::Constant(quote!((#left #token #right)));
+        }
+        let left = self.named(left, "constant", binary.left.span());
+        let right = self.named(right, "constant", binary.right.span());
+        let hint = if hint == "value" { default_hint } else { hint };
+        let operation = Operation::Binary(operator, left, right);
+        Operand::Var(self.define(hint, binary.span(), true, operation))
+    }
+
+    /// A cast to a float has a pullback; any other must not cut a derivative.
+    fn cast(&mut self, cast: &syn::ExprCast, hint: &str) -> Operand {
+        let ty = &cast.ty;
+        let to_float = matches!(&**ty, Type::Path(path)
+            if path.path.is_ident("f32") || path.path.is_ident("f64"));
+        match self.operand(&cast.expr, "value") {
+            Operand::Constant(tokens) => Operand::Constant(quote!((#tokens as #ty))),
+            Operand::Var(var) if to_float => {
+                let operation = Operation::Cast(var, (**ty).clone());
+                Operand::Var(self.define(hint, cast.span(), true, operation))
+            }
+            Operand::Var(var) => {
+                let ident = self.ident(var);
+                let checked = quote_spanned!(cast.span()=> ::ad::rt::constant(#ident));
+                Operand::Constant(quote!((#checked as #ty)))
+            }
+        }
+    }
+
+    /// `&e`
+    fn reference(&mut self, reference: &syn::ExprReference, hint: &str) -> Operand {
+        if let Some(token) = &reference.mutability {
+            return self.refuse(
+                token,
+                "`&mut` is not supported: assign the result of a function that returns the changed value",
+            );
+        }
+        match self.argument(&Expr::Reference(reference.clone())) {
+            Argument::Value(operand) => operand,
+            Argument::Borrow(place) | Argument::Receiver(place) => {
+                let operation = Operation::Borrow(place);
+                Operand::Var(self.define(hint, reference.span(), true, operation))
+            }
+        }
+    }
+
+    fn argument(&mut self, expr: &Expr) -> Argument {
+        let Expr::Reference(reference) = expr else {
+            return Argument::Value(self.operand(expr, "argument"));
+        };
+        if reference.mutability.is_some() {
+            return Argument::Value(self.reference(reference, "argument"));
+        }
+        if let Some(place) = self.stable_place(&reference.expr) {
+            return Argument::Borrow(place);
+        }
+        match self.operand(&reference.expr, "target") {
+            Operand::Constant(tokens) => Argument::Value(Operand::Constant(quote!(&#tokens))),
+            Operand::Var(root) => Argument::Borrow(crate::ir::Place { root, path: Vec::new() }),
+        }
+    }
+
+    fn argument_tokens(&self, argument: &Argument) -> TokenStream {
+        match argument {
+            Argument::Value(operand) => self.tokens(operand),
+            Argument::Borrow(place) => {
+                let place = self.place_tokens(place);
+                quote!(&#place)
+            }
+            Argument::Receiver(place) => self.place_tokens(place),
+        }
+    }
+
+    fn call(&mut self, call: &syn::ExprCall, hint: &str) -> Operand {
+        let Expr::Path(function) = &*call.func else {
+            return self.refuse(
+                &call.func,
+                "only functions called by name can be differentiated: write a `#[differentiable]` function",
+            );
+        };
+        let path = &function.path;
+        if let Some(name) = path.get_ident() {
+            if self.lookup(name).is_some() {
+                return self.refuse(
+                    name,
+                    "calls of closures and function pointers are not supported: write a `#[differentiable]` function",
+                );
+            }
+            if name == self.function {
+                return self.refuse(
+                    name,
+                    "recursion is not supported: write a loop over a constant range",
+                );
+            }
+        }
+        let last = path.segments.last().expect("a path has a segment");
+        if last.ident == "stop_gradient" {
+            return Operand::Constant(self.plain(&Expr::Call(call.clone())));
+        }
+        if is_type_name(&last.ident) {
+            return self.construct(call, function, hint);
+        }
+
+        let arguments: Vec<_> = call.args.iter().map(|arg| self.argument(arg)).collect();
+        let primal = quote!(#function);
+        let vjp = vjp_of(function);
+        let hint = if hint == "value" { last.ident.to_string() } else { hint.to_owned() };
+        self.finish_call(primal, vjp, false, arguments, &hint, call.span())
+    }
+
+    /// `Some(x)`, `Name(x, y)`
+    fn construct(&mut self, call: &syn::ExprCall, function: &ExprPath, hint: &str) -> Operand {
+        let parts = self.operands(&call.args);
+        let tokens = parts.iter().map(|part| self.tokens(part));
+        let expression = quote!(#function(#(#tokens),*));
+        let shape = if is_transparent(&function.path) {
+            Shape::Transparent
+        } else if is_variant(&function.path) {
+            return match parts.iter().all(|part| matches!(part, Operand::Constant(_))) {
+                true => Operand::Constant(expression),
+                false => self.refuse(
+                    function,
+                    "enums with data are not supported: use a struct, or a tuple",
+                ),
+            };
+        } else {
+            Shape::Struct
+        };
+        self.aggregate(expression, shape, numbered(parts), hint, &Expr::Call(call.clone()))
+    }
+
+    fn method_call(&mut self, call: &syn::ExprMethodCall, hint: &str) -> Operand {
+        let name = call.method.to_string();
+        if is_predicate(&name) {
+            return self.discrete(&Expr::MethodCall(call.clone()));
+        }
+        let receiver = match self.stable_place(&call.receiver) {
+            Some(place) => Argument::Receiver(place),
+            None => Argument::Value(self.operand(&call.receiver, "receiver")),
+        };
+        let mut arguments = vec![receiver];
+        arguments.extend(call.args.iter().map(|arg| self.argument(arg)));
+        let (method, turbofish) = (&call.method, &call.turbofish);
+        let vjp = format_ident!("{}_vjp", method);
+        let hint = if hint == "value" { name } else { hint.to_owned() };
+        self.finish_call(
+            quote!(#method #turbofish),
+            quote!(#vjp #turbofish),
+            true,
+            arguments,
+            &hint,
+            call.span(),
+        )
+    }
+
+    fn finish_call(
+        &mut self,
+        primal: TokenStream,
+        vjp: TokenStream,
+        method: bool,
+        arguments: Vec<Argument>,
+        hint: &str,
+        span: proc_macro2::Span,
+    ) -> Operand {
+        let constant = arguments
+            .iter()
+            .all(|argument| matches!(argument, Argument::Value(Operand::Constant(_))));
+        if constant {
+            let tokens: Vec<_> = arguments.iter().map(|a| self.argument_tokens(a)).collect();
+            return Operand::Constant(match (method, &tokens[..]) {
+                (true, [receiver, arguments @ ..]) => {
+                    quote!(#receiver.#primal(#(#arguments),*))
+                }
+                (_, arguments) => quote!(#primal(#(#arguments),*)),
+            });
+        }
+        let operation = Operation::Call { primal, vjp, method, arguments };
+        Operand::Var(self.define(hint, span, true, operation))
+    }
+
+    fn struct_literal(&mut self, literal: &syn::ExprStruct, hint: &str) -> Operand {
+        if is_variant(&literal.path) {
+            return self
+                .refuse(literal, "enums with data are not supported: use a struct, or a tuple");
+        }
+        let parts: Vec<_> = literal
+            .fields
+            .iter()
+            .map(|field| (field.member.clone(), self.operand(&field.expr, "field")))
+            .collect();
+        let fields = parts.iter().map(|(member, value)| {
+            let value = self.tokens(value);
+            quote!(#member: #value)
+        });
+        let path = &literal.path;
+        let whole = Expr::Struct(literal.clone());
+        let Some(rest) = &literal.rest else {
+            let expression = quote!(#path { #(#fields),* });
+            return self.aggregate(expression, Shape::Struct, parts, hint, &whole);
+        };
+        let fields: Vec<_> = fields.collect();
+        let rest = self.operand(rest, "rest");
+        let rest_tokens = self.tokens(&rest);
+        let expression = quote!(#path { #(#fields,)* ..#rest_tokens });
+        match rest {
+            Operand::Constant(_) => self.aggregate(expression, Shape::Struct, parts, hint, &whole),
+            Operand::Var(rest) => {
+                let operation = Operation::UpdateStruct { expression, parts, rest };
+                Operand::Var(self.define(hint, whole.span(), true, operation))
+            }
+        }
+    }
+
+    fn aggregate(
+        &mut self,
+        expression: TokenStream,
+        shape: Shape,
+        parts: Vec<(Member, Operand)>,
+        hint: &str,
+        whole: &Expr,
+    ) -> Operand {
+        if parts.iter().all(|(_, part)| matches!(part, Operand::Constant(_))) {
+            return Operand::Constant(expression);
+        }
+        let operation = Operation::Aggregate { expression, shape, parts };
+        Operand::Var(self.define(hint, whole.span(), true, operation))
+    }
+
+    /// A copy of a place, or what is not a place.
+    fn read(&mut self, expr: &Expr, hint: &str) -> Operand {
+        if let Some(place) = self.place(expr) {
+            if !self.vars[place.root].active {
+                return Operand::Constant(self.place_tokens(&place));
+            }
+            if place.path.is_empty() && !self.vars[place.root].mutable {
+                return Operand::Var(place.root);
+            }
+            let hint = match (hint, place.path.last()) {
+                ("value" | "argument" | "field", Some(Projection::Field(Member::Named(field)))) => {
+                    field.to_string()
+                }
+                ("value" | "argument" | "field", _) => self.ident(place.root).to_string(),
+                _ => hint.to_owned(),
+            };
+            return Operand::Var(self.define(&hint, expr.span(), true, Operation::Read(place)));
+        }
+        match expr {
+            Expr::Path(_) => Operand::Constant(quote!(#expr)),
+            Expr::Field(field) => {
+                self.part(&field.base, Projection::Field(field.member.clone()), hint, expr)
+            }
+            Expr::Index(index) => match self.index(&index.index) {
+                Some(position) => self.part(&index.expr, Projection::Index(position), hint, expr),
+                None => Self::unit(),
+            },
+            Expr::Unary(unary) => self.part(&unary.expr, Projection::Deref, hint, expr),
+            other => self.refuse_expression(other),
+        }
+    }
+
+    /// A part of a value that has no place of its own.
+    fn part(&mut self, base: &Expr, step: Projection, hint: &str, whole: &Expr) -> Operand {
+        match self.operand(base, "whole") {
+            Operand::Constant(base) => {
+                Operand::Constant(crate::sweep::project(base, std::slice::from_ref(&step)))
+            }
+            Operand::Var(root) => {
+                let place = crate::ir::Place { root, path: vec![step] };
+                Operand::Var(self.define(hint, whole.span(), true, Operation::Read(place)))
+            }
+        }
+    }
+}
+
+fn numbered(parts: Vec<Operand>) -> Vec<(Member, Operand)> {
+    parts.into_iter().enumerate().map(|(index, part)| (Member::from(index), part)).collect()
+}
+
+/// Types, variants and constants begin with a capital letter.
+pub(super) fn is_type_name(ident: &syn::Ident) -> bool {
+    ident
+        .to_string()
+        .trim_start_matches("r#")
+        .trim_start_matches('_')
+        .starts_with(char::is_uppercase)
+}
+
+/// `Some`, `Ok`, `Err`
+pub(super) fn is_transparent(path: &Path) -> bool {
+    path.segments.last().is_some_and(|last| last.ident == "Some")
+}
+
+/// `Enum::Variant`, told from `module::Type` by the capital letter.
+pub(super) fn is_variant(path: &Path) -> bool {
+    let mut segments = path.segments.iter().rev();
+    let last_is_type = segments.next().is_some_and(|last| is_type_name(&last.ident));
+    last_is_type && segments.next().is_some_and(|owner| is_type_name(&owner.ident))
+}
+
+/// Comparisons and tests, by the names that glam and the standard library give them. That the
+/// result has no derivative is checked by its type.
+pub(super) fn is_predicate(name: &str) -> bool {
+    name.starts_with("is_")
+        || matches!(name, "cmplt" | "cmple" | "cmpgt" | "cmpge" | "cmpeq" | "cmpne")
+        || matches!(name, "lt" | "le" | "gt" | "ge" | "eq" | "ne" | "all" | "any")
+}
+
+/// The path of the derivative: `Type::f_vjp` for an associated function, `f::vjp` for another.
+fn vjp_of(function: &ExprPath) -> TokenStream {
+    let path = &function.path;
+    let mut segments: Vec<_> = path.segments.iter().cloned().collect();
+    let Some(last) = segments.last_mut() else { return quote!(#function) };
+    let associated = function.qself.is_some()
+        || path.segments.iter().rev().nth(1).is_some_and(|owner| {
+            is_type_name(&owner.ident) || owner.ident == "f32" || owner.ident == "f64"
+        });
+    let arguments = std::mem::replace(&mut last.arguments, PathArguments::None);
+    if associated {
+        last.ident = format_ident!("{}_vjp", last.ident);
+        last.arguments = arguments;
+        if let Some(qself) = &function.qself {
+            // The derivative may come from another trait than the function.
+            let (ty, name) = (&qself.ty, segments.last());
+            return quote!(<#ty>::#name);
+        }
+        let leading = &path.leading_colon;
+        return quote!(#leading #(#segments)::*);
+    }
+    let leading = &path.leading_colon;
+    let turbofish = match &arguments {
+        PathArguments::AngleBracketed(arguments) => {
+            let mut arguments = arguments.clone();
+            arguments.colon2_token = Some(Default::default());
+            quote!(#arguments)
+        }
+        _ => TokenStream::new(),
+    };
+    quote!(#leading #(#segments)::*::vjp #turbofish)
+}

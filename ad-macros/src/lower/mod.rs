@@ -1,0 +1,187 @@
+//! From the user's syntax to [`ir`](crate::ir).
+//!
+//! [`flow`] lowers statements and turns every early exit into the end of a block; [`expression`]
+//! names intermediate results; [`pattern`] and [`place`] tell which part of a value is meant;
+//! [`plain`] passes on code through which no derivative flows, with variables renamed.
+
+mod exits;
+mod expression;
+mod flow;
+mod pattern;
+mod place;
+mod plain;
+
+use std::collections::HashMap;
+
+use proc_macro2::{Ident, Span, TokenStream};
+use quote::{ToTokens, quote};
+use syn::{Type, spanned::Spanned};
+
+use crate::errors::Errors;
+use crate::ir::{Block, BlockId, Operand, Operation, Statement, Var, VarId};
+use crate::names::Names;
+use crate::signature::{Parameter, is_discrete};
+
+/// A function body in lowered form.
+pub struct Lowered {
+    /// Every variable.
+    pub vars: Vec<Var>,
+    /// The variable of each parameter.
+    pub parameters: Vec<VarId>,
+    /// The body.
+    pub body: Block,
+}
+
+/// Lowers a function body.
+pub fn lower(
+    name: &Ident,
+    parameters: &[Parameter],
+    result: &Type,
+    body: &syn::Block,
+    names: &mut Names,
+    errors: &mut Errors,
+) -> Lowered {
+    let mut lowerer = Lowerer {
+        function: name,
+        returns_option: last_segment_is(result, "Option"),
+        vars: Vec::new(),
+        scopes: vec![HashMap::new()],
+        open_blocks: Vec::new(),
+        block_count: 0,
+        names,
+        errors,
+    };
+    let mut parameter_vars = Vec::new();
+    let body = lowerer.block(|lowerer| {
+        parameter_vars = parameters.iter().map(|p| lowerer.parameter(p)).collect();
+        for (parameter, &var) in parameters.iter().zip(&parameter_vars) {
+            if let Some(pattern) = &parameter.pattern {
+                lowerer.parameter_pattern(pattern, var);
+            }
+        }
+        lowerer.function_body(&body.stmts)
+    });
+    Lowered { vars: lowerer.vars, parameters: parameter_vars, body }
+}
+
+fn last_segment_is(ty: &Type, name: &str) -> bool {
+    matches!(ty, Type::Path(path)
+        if path.path.segments.last().is_some_and(|segment| segment.ident == name))
+}
+
+struct Lowerer<'a> {
+    function: &'a Ident,
+    returns_option: bool,
+    vars: Vec<Var>,
+    /// What the user's names mean, innermost scope last.
+    scopes: Vec<HashMap<String, VarId>>,
+    /// The blocks being written, innermost last.
+    open_blocks: Vec<(BlockId, Vec<Statement>)>,
+    block_count: BlockId,
+    names: &'a mut Names,
+    errors: &'a mut Errors,
+}
+
+impl Lowerer<'_> {
+    /// Writes a block; `fill` returns its value.
+    fn block(&mut self, fill: impl FnOnce(&mut Self) -> Operand) -> Block {
+        let id = self.block_count;
+        self.block_count += 1;
+        self.open_blocks.push((id, Vec::new()));
+        self.scopes.push(HashMap::new());
+        let value = fill(self);
+        self.scopes.pop();
+        let (id, statements) = self.open_blocks.pop().expect("the block opened above");
+        Block { id, statements, value }
+    }
+
+    /// Runs `fill` in a scope of names of its own.
+    fn scope<R>(&mut self, fill: impl FnOnce(&mut Self) -> R) -> R {
+        self.scopes.push(HashMap::new());
+        let result = fill(self);
+        self.scopes.pop();
+        result
+    }
+
+    fn push(&mut self, statement: Statement) {
+        self.open_blocks.last_mut().expect("a block is open").1.push(statement);
+    }
+
+    /// Makes a variable called `ident`.
+    fn var(&mut self, ident: Ident, mutable: bool, active: bool) -> VarId {
+        let name = ident.to_string();
+        let span = ident.span();
+        self.vars.push(Var {
+            cotangent: self.names.fresh(&format!("{name}_bar"), span),
+            space: self.names.fresh(&format!("{name}_space"), span),
+            record: self.names.fresh(&format!("{name}_pullback"), span),
+            ident,
+            block: self.open_blocks.last().expect("a block is open").0,
+            mutable,
+            active,
+        });
+        self.vars.len() - 1
+    }
+
+    /// Makes the variable for what the user calls `name` from here on.
+    fn bind(&mut self, name: &Ident, mutable: bool, active: bool) -> VarId {
+        let ident = self.names.fresh(&name.to_string(), name.span());
+        let var = self.var(ident, mutable, active);
+        self.alias(name, var);
+        var
+    }
+
+    /// Lets the user's `name` mean `var` from here on.
+    fn alias(&mut self, name: &Ident, var: VarId) {
+        self.scopes.last_mut().expect("a scope is open").insert(name.to_string(), var);
+    }
+
+    fn lookup(&self, name: &Ident) -> Option<VarId> {
+        let name = name.to_string();
+        self.scopes.iter().rev().find_map(|scope| scope.get(&name).copied())
+    }
+
+    fn parameter(&mut self, parameter: &Parameter) -> VarId {
+        let var = self.var(parameter.ident.clone(), false, !is_discrete(&parameter.ty));
+        self.alias(&parameter.ident, var);
+        var
+    }
+
+    /// A new immutable variable, defined here.
+    fn define(&mut self, hint: &str, span: Span, active: bool, operation: Operation) -> VarId {
+        let ident = self.names.fresh(hint, span);
+        let var = self.var(ident, false, active);
+        self.push(Statement::Define { var, ty: None, operation });
+        var
+    }
+
+    /// An operand as a variable.
+    fn named(&mut self, operand: Operand, hint: &str, span: Span) -> VarId {
+        match operand {
+            Operand::Var(var) => var,
+            Operand::Constant(_) => self.define(hint, span, false, Operation::Use(operand)),
+        }
+    }
+
+    fn ident(&self, var: VarId) -> &Ident {
+        &self.vars[var].ident
+    }
+
+    fn tokens(&self, operand: &Operand) -> TokenStream {
+        match operand {
+            Operand::Constant(tokens) => tokens.clone(),
+            Operand::Var(var) => self.ident(*var).to_token_stream(),
+        }
+    }
+
+    /// Reports what cannot be differentiated; what stands in for it is never compiled.
+    fn refuse(&mut self, at: impl ToTokens, message: impl std::fmt::Display) -> Operand {
+        let span = at.span();
+        self.errors.at(at, message);
+        Operand::Constant(quote::quote_spanned!(span=> ::core::unreachable!()))
+    }
+
+    fn unit() -> Operand {
+        Operand::Constant(quote!(()))
+    }
+}

@@ -1,0 +1,265 @@
+//! Patterns: which part of a value each name is bound to.
+
+use proc_macro2::TokenStream;
+use quote::{ToTokens, quote};
+use syn::spanned::Spanned;
+use syn::{Expr, Member, Pat, Type};
+
+use super::Lowerer;
+use super::expression::{is_transparent, is_type_name, is_variant};
+use crate::ir::{Binding, Operand, Operation, Place, Projection, Statement, VarId};
+
+impl Lowerer<'_> {
+    /// The pattern with generated names, and what it binds. Through an `active` value a derivative
+    /// flows.
+    pub(super) fn pattern(&mut self, pat: &Pat, active: bool) -> (TokenStream, Vec<Binding>) {
+        let mut bindings = Vec::new();
+        let tokens = self.subpattern(pat, &[], active, &mut bindings);
+        (tokens, bindings)
+    }
+
+    fn subpattern(
+        &mut self,
+        pat: &Pat,
+        path: &[Projection],
+        active: bool,
+        bindings: &mut Vec<Binding>,
+    ) -> TokenStream {
+        let step = |member: Member| [path, &[Projection::Field(member)]].concat();
+        match pat {
+            Pat::Wild(_)
+            | Pat::Lit(_)
+            | Pat::Range(_)
+            | Pat::Path(_)
+            | Pat::Rest(_)
+            | Pat::Const(_) => pat.to_token_stream(),
+            Pat::Paren(inner) => self.subpattern(&inner.pat, path, active, bindings),
+            Pat::Ident(ident) if ident.subpat.is_none() && is_type_name(&ident.ident) => {
+                pat.to_token_stream()
+            }
+            Pat::Ident(ident) => {
+                if ident.by_ref.is_some() || ident.subpat.is_some() {
+                    self.refuse(
+                        pat,
+                        "`ref` and `@` are not supported in patterns: bind the value by name",
+                    );
+                    return quote!(_);
+                }
+                let mutability = &ident.mutability;
+                let var = self.bind(&ident.ident, mutability.is_some(), active);
+                bindings.push(Binding { var, path: path.to_vec() });
+                let name = self.ident(var);
+                quote!(#mutability #name)
+            }
+            Pat::Reference(reference) => {
+                if let Some(token) = &reference.mutability {
+                    self.refuse(token, "`&mut` is not supported");
+                }
+                let inner = self.subpattern(&reference.pat, path, active, bindings);
+                quote!(&#inner)
+            }
+            Pat::Tuple(tuple) => {
+                let elements = self.numbered_patterns(&tuple.elems, path, active, bindings);
+                quote!((#(#elements,)*))
+            }
+            Pat::Slice(slice) => {
+                let elements = slice.elems.iter().enumerate().map(|(index, element)| {
+                    let index = syn::Index::from(index);
+                    let path = [path, &[Projection::Index(quote!(#index))]].concat();
+                    self.subpattern(element, &path, active, bindings)
+                });
+                let elements: Vec<_> = elements.collect();
+                self.check_rest(&slice.elems);
+                quote!([#(#elements),*])
+            }
+            Pat::TupleStruct(pattern) if is_transparent(&pattern.path) => {
+                let constructor = &pattern.path;
+                let inner =
+                    pattern.elems.iter().map(|e| self.subpattern(e, path, active, bindings));
+                let inner: Vec<_> = inner.collect();
+                quote!(#constructor(#(#inner),*))
+            }
+            Pat::TupleStruct(pattern) => {
+                let before = bindings.len();
+                let elements = self.numbered_patterns(&pattern.elems, path, active, bindings);
+                self.check_variant(pat, &pattern.path, active && bindings.len() > before);
+                let constructor = &pattern.path;
+                quote!(#constructor(#(#elements),*))
+            }
+            Pat::Struct(pattern) => {
+                let before = bindings.len();
+                let fields: Vec<_> = pattern
+                    .fields
+                    .iter()
+                    .map(|field| {
+                        let member = &field.member;
+                        let path = step(member.clone());
+                        let inner = self.subpattern(&field.pat, &path, active, bindings);
+                        quote!(#member: #inner)
+                    })
+                    .collect();
+                self.check_variant(pat, &pattern.path, active && bindings.len() > before);
+                let (constructor, rest) = (&pattern.path, &pattern.rest);
+                quote!(#constructor { #(#fields,)* #rest })
+            }
+            Pat::Or(alternatives) => {
+                let before = bindings.len();
+                let cases: Vec<_> = alternatives
+                    .cases
+                    .iter()
+                    .map(|case| self.subpattern(case, path, active, bindings))
+                    .collect();
+                if bindings.len() > before {
+                    self.refuse(pat, "names in `|` patterns are not supported: write an arm for each alternative");
+                }
+                quote!(#(#cases)|*)
+            }
+            _ => {
+                self.refuse(pat, "this pattern is not supported: bind the value by name and take it apart with `let`");
+                quote!(_)
+            }
+        }
+    }
+
+    fn numbered_patterns<'p>(
+        &mut self,
+        elements: &'p syn::punctuated::Punctuated<Pat, syn::Token![,]>,
+        path: &[Projection],
+        active: bool,
+        bindings: &mut Vec<Binding>,
+    ) -> Vec<TokenStream> {
+        self.check_rest(elements);
+        let pattern = |(index, element): (usize, &'p Pat)| {
+            let path = [path, &[Projection::Field(Member::from(index))]].concat();
+            self.subpattern(element, &path, active, bindings)
+        };
+        elements.iter().enumerate().map(pattern).collect()
+    }
+
+    /// Behind `..` the position of an element is not known.
+    fn check_rest(&mut self, elements: &syn::punctuated::Punctuated<Pat, syn::Token![,]>) {
+        let rest = elements.iter().position(|element| matches!(element, Pat::Rest(_)));
+        if let Some(rest) = rest
+            && rest + 1 < elements.len()
+        {
+            self.refuse(
+                elements,
+                "`..` is supported at the end of a pattern only: write `_` for each element",
+            );
+        }
+    }
+
+    fn check_variant(&mut self, pat: &Pat, path: &syn::Path, binds: bool) {
+        if binds && is_variant(path) {
+            self.refuse(pat, "enums with data are not supported: use a struct, or an `Option`");
+        }
+    }
+
+    /// `let pat: ty = value;`
+    pub(super) fn bind_pattern(&mut self, pat: &Pat, ty: Option<&Type>, value: Operand) {
+        match pat {
+            Pat::Paren(inner) => self.bind_pattern(&inner.pat, ty, value),
+            Pat::Type(typed) => self.bind_pattern(&typed.pat, Some(&typed.ty), value),
+            Pat::Wild(_) => {}
+            Pat::Ident(ident) if ident.subpat.is_none() && ident.by_ref.is_none() => {
+                self.bind_name(ident, ty, value);
+            }
+            _ => self.destructure(pat, ty, value),
+        }
+    }
+
+    fn bind_name(&mut self, ident: &syn::PatIdent, ty: Option<&Type>, value: Operand) {
+        let mutable = ident.mutability.is_some();
+        match value {
+            Operand::Var(var) if !mutable && ty.is_none() => self.alias(&ident.ident, var),
+            value => {
+                let active = match &value {
+                    Operand::Var(_) => true,
+                    Operand::Constant(tokens) => mutable && !is_discrete_literal(tokens),
+                };
+                let var = self.bind(&ident.ident, mutable, active);
+                let ty = ty.cloned();
+                self.push(Statement::Define { var, ty, operation: Operation::Use(value) });
+            }
+        }
+    }
+
+    fn destructure(&mut self, pat: &Pat, ty: Option<&Type>, value: Operand) {
+        match value {
+            Operand::Var(source) => {
+                let (pattern, bindings) = self.pattern(pat, true);
+                let ty = ty.cloned();
+                self.push(Statement::Destructure { pattern, ty, source, bindings });
+            }
+            Operand::Constant(value) => {
+                let (pattern, bindings) = self.pattern(pat, false);
+                let ty = ty.map(|ty| quote!(: #ty));
+                let defines = bindings.iter().map(|binding| binding.var).collect();
+                self.push(Statement::Plain { code: quote!(let #pattern #ty = #value;), defines });
+            }
+        }
+    }
+
+    /// A variable declared with an integer or boolean type.
+    pub(super) fn discrete_local(&mut self, pat: &Pat, ty: Option<&Type>, value: &Expr) {
+        let value = self.plain_constant(value);
+        match pat {
+            Pat::Ident(ident) if ident.subpat.is_none() && ident.by_ref.is_none() => {
+                let var = self.bind(&ident.ident, ident.mutability.is_some(), false);
+                let ty = ty.cloned();
+                let operation = Operation::Use(Operand::Constant(value));
+                self.push(Statement::Define { var, ty, operation });
+            }
+            _ => self.destructure(pat, ty, Operand::Constant(value)),
+        }
+    }
+
+    /// The pattern of a parameter.
+    pub(super) fn parameter_pattern(&mut self, pat: &Pat, parameter: VarId) {
+        let by_name = matches!(pat, Pat::Ident(ident)
+            if ident.mutability.is_none() && ident.subpat.is_none() && ident.by_ref.is_none());
+        if by_name {
+            return;
+        }
+        let value = match self.vars[parameter].active {
+            true => Operand::Var(parameter),
+            false => Operand::Constant(self.ident(parameter).to_token_stream()),
+        };
+        self.bind_pattern(pat, None, value);
+    }
+
+    /// What is matched on, and the place it has if a derivative flows through it.
+    pub(super) fn scrutinee(&mut self, expr: &Expr) -> (TokenStream, Option<Place>) {
+        let (target, borrow) = match expr {
+            Expr::Reference(reference) if reference.mutability.is_none() => {
+                (&*reference.expr, Some(quote!(&)))
+            }
+            _ => (expr, None),
+        };
+        if let Some(place) = self.stable_place(target) {
+            let tokens = self.place_tokens(&place);
+            return (quote!(#borrow #tokens), Some(place));
+        }
+        match self.operand(expr, "matched") {
+            Operand::Var(root) => {
+                let ident = self.ident(root);
+                (quote!(#ident), Some(Place { root, path: Vec::new() }))
+            }
+            Operand::Constant(tokens) => {
+                let var = self.named(Operand::Constant(tokens), "matched", expr.span());
+                let ident = self.ident(var);
+                (quote!(#ident), None)
+            }
+        }
+    }
+}
+
+/// Whether the tokens are an integer or boolean literal: a variable that starts with one stays
+/// without derivative.
+fn is_discrete_literal(tokens: &TokenStream) -> bool {
+    match syn::parse2::<syn::Lit>(tokens.clone()) {
+        Ok(syn::Lit::Int(number)) => !number.suffix().starts_with('f'),
+        Ok(syn::Lit::Bool(_) | syn::Lit::Char(_)) => true,
+        _ => false,
+    }
+}

@@ -1,0 +1,153 @@
+//! Places: variables and parts of them, to read, to borrow, to assign to.
+
+use proc_macro2::TokenStream;
+use quote::quote;
+use syn::spanned::Spanned;
+use syn::{BinOp, Expr, ExprAssign, ExprBinary, Lit, UnOp};
+
+use super::Lowerer;
+use crate::ir::{BinaryOperator, Operand, Operation, Place, Projection, Statement};
+
+impl Lowerer<'_> {
+    /// The place that an expression names, if it names one of a local variable.
+    pub(super) fn place(&mut self, expr: &Expr) -> Option<Place> {
+        match expr {
+            Expr::Paren(inner) => self.place(&inner.expr),
+            Expr::Group(inner) => self.place(&inner.expr),
+            Expr::Path(path) => {
+                let root = self.lookup(path.path.get_ident()?)?;
+                Some(Place { root, path: Vec::new() })
+            }
+            Expr::Field(field) => {
+                let mut place = self.place(&field.base)?;
+                place.path.push(Projection::Field(field.member.clone()));
+                Some(place)
+            }
+            Expr::Index(index) => {
+                let mut place = self.place(&index.expr)?;
+                let position = self.index(&index.index)?;
+                place.path.push(Projection::Index(position));
+                Some(place)
+            }
+            Expr::Unary(unary) if matches!(unary.op, UnOp::Deref(_)) => {
+                let mut place = self.place(&unary.expr)?;
+                place.path.push(Projection::Deref);
+                Some(place)
+            }
+            _ => None,
+        }
+    }
+
+    /// A place with a derivative that nothing will be assigned to.
+    pub(super) fn stable_place(&mut self, expr: &Expr) -> Option<Place> {
+        let place = self.place(expr)?;
+        let root = &self.vars[place.root];
+        (root.active && !root.mutable).then_some(place)
+    }
+
+    /// An index that keeps its value until the reverse sweep.
+    pub(super) fn index(&mut self, expr: &Expr) -> Option<TokenStream> {
+        if let Expr::Range(range) = expr {
+            self.refuse(range, "slices of arrays are not supported: loop over the index");
+            return None;
+        }
+        if let Expr::Lit(literal) = expr
+            && let Lit::Int(number) = &literal.lit
+        {
+            return Some(quote!(#number));
+        }
+        let index = self.plain_constant(expr);
+        let var =
+            self.define("index", expr.span(), false, Operation::Use(Operand::Constant(index)));
+        let ident = self.ident(var);
+        Some(quote!(#ident))
+    }
+
+    pub(super) fn place_tokens(&self, place: &Place) -> TokenStream {
+        let root = self.ident(place.root);
+        crate::sweep::project(quote!(#root), &place.path)
+    }
+
+    /// The place that is assigned to.
+    fn target(&mut self, expr: &Expr) -> Option<Place> {
+        let Some(place) = self.place(expr) else {
+            let message = match expr {
+                Expr::Tuple(_) | Expr::Array(_) | Expr::Struct(_) => {
+                    "assign to one variable at a time"
+                }
+                _ => "only local variables and their parts can be assigned to",
+            };
+            self.refuse(expr, message);
+            return None;
+        };
+        if place.path.iter().any(|step| matches!(step, Projection::Deref)) {
+            self.refuse(
+                expr,
+                "assignment through a reference is not supported: assign to a variable",
+            );
+            return None;
+        }
+        Some(place)
+    }
+
+    /// `place = value`
+    pub(super) fn assign(&mut self, assign: &ExprAssign) {
+        if let Expr::Infer(_) = &*assign.left {
+            self.operand(&assign.right, "value");
+            return;
+        }
+        let value = self.operand(&assign.right, "value");
+        let Some(place) = self.target(&assign.left) else { return };
+        if self.vars[place.root].active {
+            self.push(Statement::Assign { place, value });
+        } else {
+            let (target, value) = (self.place_tokens(&place), self.without_derivative(&value));
+            self.push_plain(quote!(#target = #value;));
+        }
+    }
+
+    /// `place op= value`
+    pub(super) fn update(&mut self, update: &ExprBinary) {
+        let operator = match update.op {
+            BinOp::AddAssign(_) => Some(BinaryOperator::Add),
+            BinOp::SubAssign(_) => Some(BinaryOperator::Sub),
+            BinOp::MulAssign(_) => Some(BinaryOperator::Mul),
+            BinOp::DivAssign(_) => Some(BinaryOperator::Div),
+            BinOp::RemAssign(_) => Some(BinaryOperator::Rem),
+            _ => None,
+        };
+        let value = self.operand(&update.right, "value");
+        let Some(place) = self.target(&update.left) else { return };
+        let token = &update.op;
+        match operator {
+            Some(operator) if self.vars[place.root].active => {
+                let value = self.named(value, "constant", update.right.span());
+                let hint = self.ident(place.root).to_string();
+                let read = Operation::Read(place.clone());
+                let previous = self.define(&hint, update.left.span(), true, read);
+                self.push(Statement::Update { place, operator, previous, value });
+            }
+            // Bit operations have no derivative, nor has what they are applied to.
+            _ => {
+                let (target, value) = (self.place_tokens(&place), self.without_derivative(&value));
+                if self.vars[place.root].active {
+                    self.push_plain(quote!(::ad::rt::constant(#target);));
+                }
+                self.push_plain(quote!(#target #token #value;));
+            }
+        }
+    }
+
+    /// Tokens of an operand, checked by its type to have no derivative.
+    fn without_derivative(&self, value: &Operand) -> TokenStream {
+        let tokens = self.tokens(value);
+        match value {
+            Operand::Constant(_) => tokens,
+            Operand::Var(_) => quote!(::ad::rt::constant(#tokens)),
+        }
+    }
+
+    fn push_plain(&mut self, code: TokenStream) {
+        self.push(Statement::Plain { code, defines: Vec::new() });
+    }
+}

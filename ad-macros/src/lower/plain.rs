@@ -1,0 +1,153 @@
+//! Code through which no derivative flows: conditions, indices, range bounds. It stays as it is,
+//! with variables renamed.
+
+use proc_macro2::TokenStream;
+use quote::{ToTokens, quote_spanned};
+use syn::spanned::Spanned;
+use syn::visit_mut::{self, VisitMut};
+use syn::{Expr, Macro, Type, parse_quote, parse_quote_spanned};
+
+use super::Lowerer;
+use crate::ir::Operand;
+
+impl Lowerer<'_> {
+    /// The expression with variables renamed. The caller knows that what it is used for has no
+    /// derivative (a condition, a comparison).
+    pub(super) fn plain(&mut self, expr: &Expr) -> TokenStream {
+        let mut expr = expr.clone();
+        Plain { lowerer: self }.visit_expr_mut(&mut expr);
+        expr.to_token_stream()
+    }
+
+    /// As [`plain`](Self::plain), where the value is used: checked by its type to have no
+    /// derivative.
+    pub(super) fn plain_constant(&mut self, expr: &Expr) -> TokenStream {
+        let tokens = self.plain(expr);
+        if self.is_certainly_constant(expr) {
+            return tokens;
+        }
+        quote_spanned!(expr.span()=> ::ad::rt::constant(#tokens))
+    }
+
+    /// An operation whose result never has a derivative: bit operations, tests.
+    pub(super) fn discrete(&mut self, expr: &Expr) -> Operand {
+        Operand::Constant(self.plain_constant(expr))
+    }
+
+    fn is_certainly_constant(&self, expr: &Expr) -> bool {
+        match expr {
+            Expr::Lit(_) => true,
+            Expr::Paren(inner) => self.is_certainly_constant(&inner.expr),
+            Expr::Cast(cast) => self.is_certainly_constant(&cast.expr),
+            Expr::Unary(unary) => self.is_certainly_constant(&unary.expr),
+            Expr::Binary(binary) => {
+                self.is_certainly_constant(&binary.left)
+                    && self.is_certainly_constant(&binary.right)
+            }
+            Expr::Path(path) => match path.path.get_ident().and_then(|name| self.lookup(name)) {
+                Some(var) => !self.vars[var].active,
+                None => true,
+            },
+            Expr::Call(call) => matches!(&*call.func, Expr::Path(path)
+                if path.path.segments.last().is_some_and(|last| last.ident == "stop_gradient")),
+            _ => false,
+        }
+    }
+
+    pub(super) fn refuse_macro(&mut self, call: &Macro) -> Operand {
+        self.refuse(
+            call,
+            "macros cannot be differentiated: write out what it expands to, or call it outside of the differentiable function",
+        )
+    }
+
+    pub(super) fn refuse_expression(&mut self, expr: &Expr) -> Operand {
+        let message = match expr {
+            Expr::Macro(call) => return self.refuse_macro(&call.mac),
+            Expr::While(_) | Expr::Loop(_) => {
+                "only loops over a range can be differentiated: write `for i in 0..n`"
+            }
+            Expr::ForLoop(_) => "write the loop as a statement of its own",
+            Expr::Closure(_) => "closures are not supported: write a `#[differentiable]` function",
+            Expr::Break(_) | Expr::Continue(_) => {
+                "`break` and `continue` are not supported: put what follows under an `if`, or `return` from a function of its own"
+            }
+            Expr::Return(_) | Expr::Try(_) => {
+                "an exit from within an expression is not supported here: bind the value to a variable with `let` first"
+            }
+            Expr::Async(_) | Expr::Await(_) => {
+                "asynchronous code has no derivative: differentiate the computation apart from waiting for its input"
+            }
+            Expr::Unsafe(_) | Expr::RawAddr(_) => {
+                "`unsafe` code cannot be differentiated: wrap it in a safe function with a derivative of its own"
+            }
+            Expr::Let(_) => "`let` in a chain of conditions is not supported: nest `if let`",
+            Expr::Block(_) => "labelled blocks are not supported: use `if` and `else`",
+            Expr::Const(_) => "move the constant out of the differentiable function",
+            _ => "this expression cannot be differentiated: compute it outside and pass the value",
+        };
+        self.refuse(expr, message)
+    }
+}
+
+struct Plain<'l, 'a> {
+    lowerer: &'l mut Lowerer<'a>,
+}
+
+impl VisitMut for Plain<'_, '_> {
+    fn visit_expr_mut(&mut self, expr: &mut Expr) {
+        match expr {
+            Expr::Path(path) => {
+                if let Some(var) = path.path.get_ident().and_then(|name| self.lowerer.lookup(name))
+                {
+                    let ident = self.lowerer.ident(var).clone();
+                    *expr = parse_quote!(#ident);
+                }
+            }
+            Expr::MethodCall(call) => {
+                visit_mut::visit_expr_method_call_mut(self, call);
+                // A method that takes `&mut self` would change a variable behind the reverse
+                // sweep's back; through a shared reference it does not compile.
+                if let Expr::Path(_) = &*call.receiver {
+                    let receiver = &call.receiver;
+                    call.receiver = parse_quote!((&#receiver));
+                }
+            }
+            Expr::Cast(cast) => {
+                let constant = self.lowerer.is_certainly_constant(&cast.expr);
+                visit_mut::visit_expr_cast_mut(self, cast);
+                let to_float = matches!(&*cast.ty, Type::Path(path)
+                    if path.path.is_ident("f32") || path.path.is_ident("f64"));
+                if !constant && !to_float {
+                    let inner = &cast.expr;
+                    let span = cast.span();
+                    cast.expr = parse_quote_spanned!(span=> ::ad::rt::constant(#inner));
+                }
+            }
+            Expr::Reference(reference) if reference.mutability.is_some() => {
+                self.lowerer
+                    .refuse(&*reference, "`&mut` is not supported in a condition or an index");
+            }
+            Expr::Lit(_)
+            | Expr::Paren(_)
+            | Expr::Group(_)
+            | Expr::Field(_)
+            | Expr::Index(_)
+            | Expr::Unary(_)
+            | Expr::Binary(_)
+            | Expr::Call(_)
+            | Expr::Tuple(_)
+            | Expr::Array(_)
+            | Expr::Reference(_) => visit_mut::visit_expr_mut(self, expr),
+            Expr::If(_) | Expr::Match(_) | Expr::Block(_) | Expr::Struct(_) | Expr::Repeat(_) => {
+                self.lowerer.refuse(
+                    &*expr,
+                    "bind this to a variable with `let` before the condition or the index that uses it",
+                );
+            }
+            other => {
+                self.lowerer.refuse_expression(other);
+            }
+        }
+    }
+}

@@ -1,0 +1,181 @@
+//! What a function says of itself before its body: parameters, result, generics.
+
+use proc_macro2::Span;
+use quote::{format_ident, quote};
+use syn::{
+    FnArg, GenericParam, Generics, Ident, Lifetime, Pat, ReceiverKind, ReturnType, Safety,
+    Signature, Type, visit::Visit,
+};
+
+use crate::errors::Errors;
+
+/// A parameter.
+pub struct Parameter {
+    /// Its name in the generated signature.
+    pub ident: Ident,
+    /// The pattern the user wrote, `None` for the receiver.
+    pub pattern: Option<Pat>,
+    /// Its type.
+    pub ty: Type,
+}
+
+/// The type whose tangent is the cotangent of something of type `ty`: that of a reference is that
+/// of its target.
+pub fn pointee(ty: &Type) -> &Type {
+    match ty {
+        Type::Reference(reference) => pointee(&reference.elem),
+        Type::Paren(paren) => pointee(&paren.elem),
+        Type::Group(group) => pointee(&group.elem),
+        _ => ty,
+    }
+}
+
+/// Whether a value of this type certainly has no derivative.
+pub fn is_discrete(ty: &Type) -> bool {
+    const DISCRETE: [&str; 15] = [
+        "bool", "char", "str", "i8", "i16", "i32", "i64", "i128", "isize", "u8", "u16", "u32",
+        "u64", "u128", "usize",
+    ];
+    matches!(pointee(ty), Type::Path(path)
+        if path.qself.is_none() && DISCRETE.iter().any(|name| path.path.is_ident(name)))
+}
+
+/// The parameters, in order. Refuses what has no derivative.
+pub fn parameters(signature: &Signature, errors: &mut Errors) -> Vec<Parameter> {
+    if let Some(token) = &signature.asyncness {
+        errors.at(token, "an `async fn` has no derivative: differentiate the computation apart from waiting for its input");
+    }
+    if let Safety::Unsafe(token) = &signature.safety {
+        errors.at(token, "an `unsafe fn` cannot be differentiated: wrap it in a safe function");
+    }
+    if let Some(variadic) = &signature.variadic {
+        errors.at(variadic, "a variadic function has no derivative: pass an array");
+    }
+    if signature.inputs.is_empty() {
+        errors
+            .at(&signature.ident, "a function without parameters has nothing to differentiate by");
+    }
+
+    let parameters = signature.inputs.iter().enumerate().map(|(index, input)| match input {
+        FnArg::Receiver(receiver) => {
+            if let ReceiverKind::Typed(..) = receiver.kind {
+                errors.at(receiver, "write `self` or `&self`: other receivers are not supported");
+            }
+            if let ReceiverKind::Reference(_, _, Some(token)) = &receiver.kind {
+                errors.at(
+                    token,
+                    "`&mut self` is not supported: take `self` and return the changed value",
+                );
+            }
+            if let (ReceiverKind::Value, Some(token)) = (&receiver.kind, &receiver.mutability) {
+                errors.at(token, "write `self` and `let mut this = self;`");
+            }
+            Parameter {
+                ident: Ident::new("self", receiver.self_token.span),
+                pattern: None,
+                ty: syn::parse_quote!(Self),
+            }
+        }
+        FnArg::Typed(typed) => {
+            refuse_type(&typed.ty, errors);
+            let ident = match &*typed.pat {
+                Pat::Ident(pat) if pat.by_ref.is_none() && pat.subpat.is_none() => {
+                    pat.ident.clone()
+                }
+                _ => format_ident!("parameter_{index}", span = Span::mixed_site()),
+            };
+            Parameter { ident, pattern: Some((*typed.pat).clone()), ty: (*typed.ty).clone() }
+        }
+    });
+    parameters.collect()
+}
+
+/// The type of the result. Refuses what has no derivative.
+pub fn result(signature: &Signature, errors: &mut Errors) -> Type {
+    match &signature.output {
+        ReturnType::Default => {
+            errors.at(
+                &signature.ident,
+                "a function without a result has no derivative: return what it computes",
+            );
+            syn::parse_quote!(())
+        }
+        ReturnType::Type(_, ty) => {
+            if let Type::ImplTrait(_) = &**ty {
+                errors.at(ty, "the result needs a type that can be named: `impl Trait` cannot be differentiated");
+            }
+            (**ty).clone()
+        }
+    }
+}
+
+fn refuse_type(ty: &Type, errors: &mut Errors) {
+    match ty {
+        Type::Reference(reference) if reference.mutability.is_some() => errors.at(
+            ty,
+            "`&mut` parameters are not supported: take the value and return the changed one",
+        ),
+        Type::ImplTrait(_) => {
+            errors.at(ty, "write a type parameter `T: ..` instead of `impl Trait`")
+        }
+        Type::Ptr(_) => errors.at(ty, "a raw pointer has no derivative: take a reference"),
+        _ => {
+            if let Type::TraitObject(_) = pointee(ty) {
+                errors.at(
+                    ty,
+                    "a call through `dyn` cannot be differentiated: write a type parameter",
+                );
+            }
+        }
+    }
+}
+
+/// The generic parameters that a pullback may hold on to: every type and constant, and the
+/// lifetimes inside parameter types. The lifetime of a reference is not among them: pullbacks hold
+/// copies, so that a function may call another one on its own local variables.
+pub fn captured(signature: &Signature, outer: Option<&Generics>) -> proc_macro2::TokenStream {
+    let mut inner_lifetimes = InnerLifetimes::default();
+    for input in &signature.inputs {
+        if let FnArg::Typed(typed) = input {
+            inner_lifetimes.visit_type(pointee(&typed.ty));
+        }
+    }
+    if let ReturnType::Type(_, ty) = &signature.output {
+        inner_lifetimes.visit_type(pointee(ty));
+    }
+
+    let own = signature.generics.params.iter();
+    let all = outer.into_iter().flat_map(|generics| &generics.params).map(|p| (p, true));
+    let all: Vec<_> = all.chain(own.map(|p| (p, false))).collect();
+    let lifetimes = all.iter().filter_map(|(parameter, outer)| match parameter {
+        GenericParam::Lifetime(lifetime)
+            if *outer || inner_lifetimes.0.contains(&lifetime.lifetime) =>
+        {
+            let lifetime = &lifetime.lifetime;
+            Some(quote!(#lifetime))
+        }
+        _ => None,
+    });
+    let others = all.iter().filter_map(|(parameter, _)| match parameter {
+        GenericParam::Lifetime(_) => None,
+        GenericParam::Type(ty) => {
+            let ident = &ty.ident;
+            Some(quote!(#ident))
+        }
+        GenericParam::Const(constant) => {
+            let ident = &constant.ident;
+            Some(quote!(#ident))
+        }
+    });
+    let parameters = lifetimes.chain(others);
+    quote!(use<#(#parameters),*>)
+}
+
+#[derive(Default)]
+struct InnerLifetimes(Vec<Lifetime>);
+
+impl<'ast> Visit<'ast> for InnerLifetimes {
+    fn visit_lifetime(&mut self, lifetime: &'ast Lifetime) {
+        self.0.push(lifetime.clone());
+    }
+}

@@ -1,0 +1,485 @@
+//! Writes the forward and the reverse sweep of a lowered function.
+//!
+//! A block is visited backwards. When a statement is reached, all uses of what it defines have
+//! been seen: if nothing flowed back, the operation needs no pullback and is written as the user
+//! wrote it; else the reverse sweep gets its pullback, and the forward sweep saves what that names.
+
+mod operation;
+
+use std::collections::{BTreeSet, HashSet};
+
+use proc_macro2::{Ident, TokenStream};
+use quote::{format_ident, quote};
+
+use crate::ir::{
+    Arm, Block, BlockId, Branch, BranchKind, Loop, Operand, Place, Projection, Statement, Var,
+    VarId,
+};
+use crate::lower::Lowered;
+use crate::names::{self, Names};
+
+/// Up to this number of iterations, what a loop saves is kept on the stack.
+const LONGEST_ARRAY_TAPE: usize = 64;
+
+/// The sweeps of a function.
+pub struct Sweeps {
+    /// The statements of the forward sweep.
+    pub forward: TokenStream,
+    /// The value of the function.
+    pub value: TokenStream,
+    /// The statements of the reverse sweep.
+    pub reverse: TokenStream,
+    /// The cotangent of each parameter.
+    pub cotangents: Vec<TokenStream>,
+}
+
+/// Writes both sweeps; `seed` is the name of the cotangent of the result.
+pub fn sweep(lowered: &Lowered, seed: &Ident, names: &mut Names) -> Sweeps {
+    let mut sweeper = Sweeper {
+        vars: &lowered.vars,
+        names,
+        started: HashSet::new(),
+        spaces: HashSet::new(),
+        frames: Vec::new(),
+    };
+    let body = sweeper.block(&lowered.body, Some(quote!(#seed)));
+    let spaces = lowered.parameters.iter().map(|&parameter| sweeper.space_definition(parameter));
+    let cotangents = lowered.parameters.iter().map(|parameter| {
+        let Var { cotangent, active, .. } = &lowered.vars[*parameter];
+        match (active, sweeper.started.contains(parameter)) {
+            (false, _) => quote!(()),
+            (true, true) => quote!(#cotangent),
+            (true, false) => quote!(::ad::Additive::zero()),
+        }
+    });
+    let (forward, reverse) = (body.forward, body.reverse);
+    Sweeps {
+        forward: quote!(#(#spaces)* #forward),
+        value: body.value,
+        cotangents: cotangents.collect(),
+        reverse,
+    }
+}
+
+/// A place as an expression.
+pub fn project(root: TokenStream, path: &[Projection]) -> TokenStream {
+    path.iter().fold(root, |place, step| match step {
+        Projection::Field(member) => quote!(#place.#member),
+        Projection::Index(index) => quote!(#place[#index]),
+        Projection::Deref => quote!((*#place)),
+    })
+}
+
+/// The cotangent of a place. That of a reference is that of its target.
+fn project_cotangent(root: &Ident, path: &[Projection]) -> TokenStream {
+    path.iter().fold(quote!(#root), |place, step| match step {
+        Projection::Field(member) => quote!(#place.#member),
+        Projection::Index(index) => quote!(#place[#index]),
+        Projection::Deref => place,
+    })
+}
+
+struct Sweeper<'a> {
+    vars: &'a [Var],
+    names: &'a mut Names,
+    /// The variables whose cotangents have a value at this point of the reverse sweep.
+    started: HashSet<VarId>,
+    /// The variables whose spaces the reverse sweep names.
+    spaces: HashSet<VarId>,
+    frames: Vec<Frame>,
+}
+
+/// A block being written.
+struct Frame {
+    block: BlockId,
+    /// Variables of surrounding blocks whose cotangents the block changes.
+    outer: BTreeSet<VarId>,
+}
+
+/// What has been written of a block.
+struct Written {
+    forward: TokenStream,
+    value: TokenStream,
+    reverse: TokenStream,
+    /// The names that the forward sweep defines, in order.
+    defines: Vec<Ident>,
+    outer: BTreeSet<VarId>,
+}
+
+impl Written {
+    /// The names that have to outlive the forward sweep of the block, as a tuple.
+    fn saved(&self) -> TokenStream {
+        let mut named = HashSet::new();
+        names::collect(self.reverse.clone(), &mut named);
+        let saved = self.defines.iter().filter(|name| named.contains(&name.to_string()));
+        quote!((#(#saved,)*))
+    }
+}
+
+/// The two sides of a statement.
+#[derive(Default)]
+struct Sides {
+    forward: TokenStream,
+    reverse: TokenStream,
+    defines: Vec<Ident>,
+}
+
+impl Sweeper<'_> {
+    fn block(&mut self, block: &Block, seed: Option<TokenStream>) -> Written {
+        self.frames.push(Frame { block: block.id, outer: BTreeSet::new() });
+        let mut reverse = TokenStream::new();
+        if let (Operand::Var(var), Some(seed)) = (&block.value, seed) {
+            self.contribute(&mut reverse, *var, &[], seed);
+        }
+        let mut forward = Vec::new();
+        let mut defines = Vec::new();
+        for statement in block.statements.iter().rev() {
+            let sides = self.statement(statement);
+            forward.push(sides.forward);
+            reverse.extend(sides.reverse);
+            defines.push(sides.defines);
+        }
+        let frame = self.frames.pop().expect("pushed above");
+        Written {
+            forward: forward.into_iter().rev().collect(),
+            value: self.tokens(&block.value),
+            reverse,
+            defines: defines.into_iter().rev().flatten().collect(),
+            outer: frame.outer,
+        }
+    }
+
+    fn tokens(&self, operand: &Operand) -> TokenStream {
+        match operand {
+            Operand::Constant(tokens) => tokens.clone(),
+            Operand::Var(var) => {
+                let ident = &self.vars[*var].ident;
+                quote!(#ident)
+            }
+        }
+    }
+
+    fn frame(&mut self) -> &mut Frame {
+        self.frames.last_mut().expect("a block is being written")
+    }
+
+    /// Names the space of a variable's cotangent, to be defined by the forward sweep.
+    fn space(&mut self, var: VarId) -> Ident {
+        self.spaces.insert(var);
+        self.vars[var].space.clone()
+    }
+
+    /// Defines the space of a variable, if the reverse sweep names it.
+    fn space_definition(&self, var: VarId) -> TokenStream {
+        if !self.spaces.contains(&var) {
+            return TokenStream::new();
+        }
+        let Var { ident, space, .. } = &self.vars[var];
+        quote!(let #space = ::ad::rt::space(&#ident);)
+    }
+
+    /// Makes sure that the cotangent of `var` has a value; says whether the variable lives in this
+    /// block.
+    fn start(&mut self, reverse: &mut TokenStream, var: VarId) {
+        if self.vars[var].block != self.frame().block {
+            self.frame().outer.insert(var);
+        } else if self.started.insert(var) {
+            let space = self.space(var);
+            let cotangent = &self.vars[var].cotangent;
+            reverse.extend(quote!(let mut #cotangent = #space.zero();));
+        }
+    }
+
+    /// Adds `value` to the cotangent of a place.
+    fn contribute(
+        &mut self,
+        reverse: &mut TokenStream,
+        var: VarId,
+        path: &[Projection],
+        value: TokenStream,
+    ) {
+        if !self.vars[var].active {
+            return;
+        }
+        let whole = path.iter().all(|step| matches!(step, Projection::Deref));
+        if whole && self.is_unstarted_local(var) {
+            self.started.insert(var);
+            let cotangent = &self.vars[var].cotangent;
+            reverse.extend(quote!(let mut #cotangent = #value;));
+        } else {
+            self.start(reverse, var);
+            let place = project_cotangent(&self.vars[var].cotangent, path);
+            reverse.extend(quote!(::ad::rt::Absorb::absorb(&mut #place, #value);));
+        }
+    }
+
+    fn is_unstarted_local(&mut self, var: VarId) -> bool {
+        self.vars[var].block == self.frame().block && !self.started.contains(&var)
+    }
+
+    /// Adds each part of `value`, a tuple or an array, to the cotangent of its target.
+    fn contribute_all(
+        &mut self,
+        reverse: &mut TokenStream,
+        targets: &[Option<Place>],
+        value: TokenStream,
+        as_array: bool,
+    ) {
+        let mut elements = Vec::new();
+        let mut absorbed = TokenStream::new();
+        for target in targets {
+            let Some(Place { root, path }) =
+                target.as_ref().filter(|place| self.vars[place.root].active)
+            else {
+                elements.push(quote!(_));
+                continue;
+            };
+            if path.is_empty() && self.is_unstarted_local(*root) {
+                self.started.insert(*root);
+                let cotangent = &self.vars[*root].cotangent;
+                elements.push(quote!(mut #cotangent));
+            } else {
+                let part = self.part_name(*root);
+                self.contribute(&mut absorbed, *root, path, quote!(#part));
+                elements.push(quote!(#part));
+            }
+        }
+        let pattern = match (&elements[..], as_array) {
+            ([element], false) => quote!(#element),
+            (elements, false) => quote!((#(#elements),*)),
+            (elements, true) => quote!([#(#elements),*]),
+        };
+        reverse.extend(quote!(let #pattern = #value; #absorbed));
+    }
+
+    /// A name for one contribution to the cotangent of `var`.
+    fn part_name(&mut self, var: VarId) -> Ident {
+        let ident = &self.vars[var].ident;
+        self.names.fresh(&format!("{ident}_part"), ident.span())
+    }
+
+    fn statement(&mut self, statement: &Statement) -> Sides {
+        match statement {
+            Statement::Define { var, ty, operation } => self.define(*var, ty.as_ref(), operation),
+            Statement::Plain { code, defines } => Sides {
+                forward: code.clone(),
+                reverse: TokenStream::new(),
+                defines: defines.iter().map(|&var| self.vars[var].ident.clone()).collect(),
+            },
+            Statement::Destructure { pattern, ty, source, bindings } => {
+                let mut sides = Sides::default();
+                let ty = ty.as_ref().map(|ty| quote!(: #ty));
+                let ident = &self.vars[*source].ident;
+                sides.forward.extend(quote!(let #pattern #ty = #ident;));
+                let place = Place { root: *source, path: Vec::new() };
+                self.bindings(bindings, Some(&place), &mut sides);
+                sides
+            }
+            Statement::Assign { place, value } => self.assign(place, value),
+            Statement::Update { place, operator, previous, value } => {
+                self.update(place, *operator, *previous, *value)
+            }
+            Statement::Branch(branch) => self.branch(branch),
+            Statement::Loop(a_loop) => self.a_loop(a_loop),
+        }
+    }
+
+    /// What a pattern bound flows back to the matched place.
+    fn bindings(
+        &mut self,
+        bindings: &[crate::ir::Binding],
+        source: Option<&Place>,
+        sides: &mut Sides,
+    ) {
+        for binding in bindings {
+            let var = &self.vars[binding.var];
+            if let Some(source) = source
+                && self.started.contains(&binding.var)
+            {
+                let path = [&source.path[..], &binding.path].concat();
+                let cotangent = &var.cotangent;
+                self.contribute(&mut sides.reverse, source.root, &path, quote!(#cotangent));
+            }
+            sides.forward.extend(self.space_definition(binding.var));
+            sides.defines.extend([var.ident.clone(), var.space.clone()]);
+        }
+    }
+
+    /// Whether anything flows back to a place that is assigned to here.
+    fn is_live(&mut self, place: &Place) -> bool {
+        !self.is_unstarted_local(place.root)
+    }
+
+    fn assign(&mut self, place: &Place, value: &Operand) -> Sides {
+        let mut sides = Sides::default();
+        let root = &self.vars[place.root];
+        let target = project(
+            {
+                let ident = &root.ident;
+                quote!(#ident)
+            },
+            &place.path,
+        );
+        let tokens = self.tokens(value);
+        sides.forward.extend(quote!(#target = #tokens;));
+        if !self.is_live(place) {
+            return sides;
+        }
+        self.start(&mut sides.reverse, place.root);
+        let cotangent = project_cotangent(&root.cotangent, &place.path);
+        let taken = quote!(::ad::rt::take(&mut #cotangent));
+        match value {
+            Operand::Constant(_) => sides.reverse.extend(quote!(#taken;)),
+            Operand::Var(var) => {
+                let part = self.part_name(place.root);
+                sides.reverse.extend(quote!(let #part = #taken;));
+                self.contribute(&mut sides.reverse, *var, &[], quote!(#part));
+            }
+        }
+        sides
+    }
+
+    /// An arm or an iteration changed cotangents of surrounding variables: they have to have a
+    /// value before.
+    fn leave(&mut self, reverse: &mut TokenStream, outer: &BTreeSet<VarId>) {
+        for &var in outer {
+            self.start(reverse, var);
+        }
+    }
+
+    fn branch(&mut self, branch: &Branch) -> Sides {
+        let mut sides = Sides::default();
+        let seed = branch.result.filter(|result| self.started.contains(result));
+        let seed = seed.map(|result| self.vars[result].cotangent.clone());
+        let source = match &branch.kind {
+            BranchKind::If(_) => None,
+            BranchKind::Match(_, source) => source.as_ref(),
+        };
+        let arms: Vec<_> =
+            branch.arms.iter().map(|arm| self.arm(arm, source, seed.as_ref())).collect();
+        for arm in &arms {
+            self.leave(&mut sides.reverse, &arm.outer);
+        }
+
+        // Where nothing flows back through any arm, the path taken need not be known.
+        let records = arms.iter().any(|arm| !arm.reverse.is_empty());
+        let (record, count) = (&branch.record, arms.len());
+        let bodies = arms.iter().enumerate().map(|(index, arm)| {
+            let (forward, value, saved) = (&arm.forward, &arm.value, arm.saved());
+            let variant = arm_variant(count, index);
+            match (branch.result.is_some(), records) {
+                (true, true) => quote!({ #forward (#value, #variant(#saved)) }),
+                (true, false) => quote!({ #forward #value }),
+                (false, true) => quote!({ #forward #variant(#saved) }),
+                (false, false) => quote!({ #forward }),
+            }
+        });
+        let choice = match &branch.kind {
+            BranchKind::If(condition) => {
+                let bodies: Vec<_> = bodies.collect();
+                let (then, otherwise) = (&bodies[0], &bodies[1]);
+                quote!(if #condition #then else #otherwise)
+            }
+            BranchKind::Match(matched, _) => {
+                let arms = branch.arms.iter().zip(bodies).map(|(arm, body)| {
+                    let pattern = &arm.pattern;
+                    let guard = arm.guard.as_ref().map(|guard| quote!(if #guard));
+                    quote!(#pattern #guard => #body)
+                });
+                quote!(match #matched { #(#arms)* })
+            }
+        };
+        let result = branch.result.map(|result| &self.vars[result]);
+        sides.forward.extend(match (result.map(|var| &var.ident), records) {
+            (Some(ident), true) => quote!(let (#ident, #record) = #choice;),
+            (Some(ident), false) => quote!(let #ident = #choice;),
+            (None, true) => quote!(let #record = #choice;),
+            (None, false) => quote!(#choice),
+        });
+        if let Some(result) = branch.result {
+            sides.forward.extend(self.space_definition(result));
+        }
+        sides.defines.extend(result.into_iter().flat_map(|v| [v.ident.clone(), v.space.clone()]));
+
+        if records {
+            sides.defines.push(record.clone());
+            let arms = arms.iter().enumerate().map(|(index, arm)| {
+                let (variant, saved, reverse) =
+                    (arm_variant(count, index), arm.saved(), &arm.reverse);
+                quote!(#variant(#saved) => { #reverse })
+            });
+            sides.reverse.extend(quote!(match #record { #(#arms)* }));
+        }
+        sides
+    }
+
+    fn arm(&mut self, arm: &Arm, source: Option<&Place>, seed: Option<&Ident>) -> Written {
+        let mut written = self.block(&arm.body, seed.map(|seed| quote!(#seed)));
+        // The bindings are the first thing the arm does, so the last on the way back.
+        self.frames.push(Frame { block: arm.body.id, outer: written.outer });
+        let mut sides = Sides::default();
+        self.bindings(&arm.bindings, source, &mut sides);
+        written.outer = self.frames.pop().expect("pushed above").outer;
+        written.reverse.extend(sides.reverse);
+        let forward = &written.forward;
+        let bound = sides.forward;
+        written.forward = quote!(#bound #forward);
+        written.defines.splice(0..0, sides.defines);
+        written
+    }
+
+    fn a_loop(&mut self, a_loop: &Loop) -> Sides {
+        let mut sides = Sides::default();
+        let exit = a_loop.exit.map(|exit| &self.vars[exit]);
+        let seed = a_loop.exit.filter(|exit| self.started.contains(exit)).map(|exit| {
+            let cotangent = &self.vars[exit].cotangent;
+            quote!(::ad::rt::take(&mut #cotangent))
+        });
+        let body = self.block(&a_loop.body, seed);
+        self.leave(&mut sides.reverse, &body.outer);
+
+        let Loop { pattern, iterator, record, .. } = a_loop;
+        let records = !body.reverse.is_empty();
+        let mut defined: Vec<_> =
+            a_loop.defines.iter().map(|&var| self.vars[var].ident.clone()).collect();
+        defined.extend(body.defines.iter().cloned());
+        let body = Written { defines: defined, ..body };
+        let (forward, value, saved) = (&body.forward, &body.value, body.saved());
+        let (new_tape, push) = match (records, a_loop.trip_count) {
+            (false, _) => (None, None),
+            (true, Some(count)) if count <= LONGEST_ARRAY_TAPE => (
+                Some(quote!(let mut #record = ::ad::rt::ArrayTape::<_, #count>::new();)),
+                Some(quote!(#record.push(#saved);)),
+            ),
+            (true, _) => (
+                Some(quote!(let mut #record = ::std::vec::Vec::new();)),
+                Some(quote!(#record.push(#saved);)),
+            ),
+        };
+        let iteration = match exit {
+            Some(Var { ident, .. }) => {
+                sides
+                    .forward
+                    .extend(quote!(let mut #ident = ::core::ops::ControlFlow::Continue(());));
+                quote!(#forward #ident = #value; #push if #ident.is_break() { break; })
+            }
+            None => quote!(#forward #push),
+        };
+        sides.forward.extend(quote!(#new_tape for #pattern in #iterator { #iteration }));
+        if let Some(exit) = a_loop.exit {
+            sides.forward.extend(self.space_definition(exit));
+        }
+        sides.defines.extend(exit.into_iter().flat_map(|v| [v.ident.clone(), v.space.clone()]));
+        if records {
+            sides.defines.push(record.clone());
+            let reverse = &body.reverse;
+            sides.reverse.extend(quote!(for #saved in #record.into_iter().rev() { #reverse }));
+        }
+        sides
+    }
+}
+
+fn arm_variant(arms: usize, index: usize) -> TokenStream {
+    let (name, variant) = (format_ident!("Branch{arms}"), format_ident!("Arm{index}"));
+    quote!(::ad::rt::#name::#variant)
+}

@@ -1,0 +1,287 @@
+//! The pullback of each operation.
+
+use proc_macro2::{Ident, TokenStream};
+use quote::{quote, quote_spanned};
+use syn::{Member, Type};
+
+use super::{Sides, Sweeper, project, project_cotangent};
+use crate::ir::{
+    Argument, BinaryOperator, Operand, Operation, Place, Projection, Shape, Var, VarId,
+};
+
+impl Sweeper<'_> {
+    pub(super) fn define(&mut self, var: VarId, ty: Option<&Type>, operation: &Operation) -> Sides {
+        let mut reverse = TokenStream::new();
+        let pulls_back = self.started.contains(&var);
+        if pulls_back {
+            self.pull_back(&mut reverse, var, operation);
+        }
+        let Var { ident, space, record, mutable, .. } = &self.vars[var];
+        let mutability = mutable.then(|| quote!(mut));
+        let ty = ty.map(|ty| quote!(: #ty));
+        let forward = match operation {
+            Operation::Call { primal, vjp, method, arguments } => {
+                let function = if pulls_back { vjp } else { primal };
+                let call = self.call(function, *method, arguments);
+                match pulls_back {
+                    true => quote!(let (#ident, #record) = #call;),
+                    false => quote!(let #ident = #call;),
+                }
+            }
+            operation => {
+                let value = self.primal(operation, ident.span());
+                quote!(let #mutability #ident #ty = #value;)
+            }
+        };
+        let space_definition = self.space_definition(var);
+        Sides {
+            forward: quote!(#forward #space_definition),
+            reverse,
+            defines: vec![ident.clone(), space.clone(), record.clone()],
+        }
+    }
+
+    fn ident(&self, var: VarId) -> &Ident {
+        &self.vars[var].ident
+    }
+
+    fn call(&self, function: &TokenStream, method: bool, arguments: &[Argument]) -> TokenStream {
+        let mut tokens: Vec<_> = arguments
+            .iter()
+            .map(|argument| match argument {
+                Argument::Value(operand) => self.tokens(operand),
+                Argument::Borrow(place) => {
+                    let place = self.place(place);
+                    quote!(&#place)
+                }
+                Argument::Receiver(place) => self.place(place),
+            })
+            .collect();
+        if method {
+            let receiver = tokens.remove(0);
+            quote!(#receiver.#function(#(#tokens),*))
+        } else {
+            quote!(#function(#(#tokens),*))
+        }
+    }
+
+    fn place(&self, place: &Place) -> TokenStream {
+        let root = self.ident(place.root);
+        project(quote!(#root), &place.path)
+    }
+
+    /// The operation as the user wrote it.
+    fn primal(&self, operation: &Operation, span: proc_macro2::Span) -> TokenStream {
+        match operation {
+            Operation::Use(operand) => self.tokens(operand),
+            Operation::Read(place) => self.place(place),
+            Operation::Borrow(place) => {
+                let place = self.place(place);
+                quote!(&#place)
+            }
+            Operation::Negate(value) => {
+                let value = self.ident(*value);
+                quote_spanned!(span=> -#value)
+            }
+            Operation::Binary(operator, left, right) => {
+                let (left, right) = (self.ident(*left), self.ident(*right));
+                match operator {
+                    BinaryOperator::Add => quote_spanned!(span=> #left + #right),
+                    BinaryOperator::Sub => quote_spanned!(span=> #left - #right),
+                    BinaryOperator::Mul => quote_spanned!(span=> #left * #right),
+                    BinaryOperator::Div => quote_spanned!(span=> #left / #right),
+                    BinaryOperator::Rem => quote_spanned!(span=> #left % #right),
+                }
+            }
+            Operation::Cast(value, ty) => {
+                let value = self.ident(*value);
+                quote!(#value as #ty)
+            }
+            Operation::Call { primal, method, arguments, .. } => {
+                self.call(primal, *method, arguments)
+            }
+            Operation::Aggregate { expression, .. }
+            | Operation::UpdateStruct { expression, .. } => expression.clone(),
+            Operation::Repeat(value, length) => {
+                let value = self.ident(*value);
+                quote!([#value; #length])
+            }
+        }
+    }
+
+    /// Gives the cotangent of `var` to what it was made from.
+    fn pull_back(&mut self, reverse: &mut TokenStream, var: VarId, operation: &Operation) {
+        let Var { cotangent, record, ident, .. } = &self.vars[var];
+        let (cotangent, span) = (quote!(#cotangent), ident.span());
+        match operation {
+            Operation::Use(Operand::Constant(_)) => {}
+            Operation::Use(Operand::Var(source)) => {
+                self.contribute(reverse, *source, &[], cotangent);
+            }
+            Operation::Read(place) | Operation::Borrow(place) => {
+                self.contribute(reverse, place.root, &place.path, cotangent);
+            }
+            Operation::Negate(value) => {
+                let space = self.space(*value);
+                let pulled = quote_spanned!(span=> #space.neg_pullback(#cotangent));
+                self.contribute(reverse, *value, &[], pulled);
+            }
+            Operation::Binary(operator, left, right) => {
+                let pulled = self.binary_pullback(*operator, *left, *right, cotangent, span);
+                let targets = [*left, *right].map(|root| Some(Place { root, path: Vec::new() }));
+                self.contribute_all(reverse, &targets, pulled, false);
+            }
+            Operation::Cast(value, ty) => {
+                let source = self.ident(*value);
+                let pulled = quote_spanned!(span=>
+                    ::ad::rules::CastPullback::<#ty>::cast_pullback(#source, #cotangent));
+                self.contribute(reverse, *value, &[], pulled);
+            }
+            Operation::Call { arguments, .. } => {
+                let pulled = quote!(#record(#cotangent));
+                let targets: Vec<_> = arguments.iter().map(argument_place).collect();
+                self.contribute_all(reverse, &targets, pulled, false);
+            }
+            Operation::Aggregate { shape: Shape::Transparent, parts, .. } => {
+                for (_, part) in parts {
+                    if let Operand::Var(part) = part {
+                        self.contribute(reverse, *part, &[], cotangent.clone());
+                    }
+                }
+            }
+            Operation::Aggregate { shape: Shape::Array, parts, .. } => {
+                let targets: Vec<_> = parts.iter().map(|(_, part)| operand_place(part)).collect();
+                self.contribute_all(reverse, &targets, cotangent, true);
+            }
+            Operation::Aggregate { shape, parts, .. } => {
+                for (member, part) in parts {
+                    let Operand::Var(part) = part else { continue };
+                    let field = quote!(#cotangent.#member);
+                    let value = match shape {
+                        Shape::Struct => {
+                            let space = self.space(*part);
+                            quote!(#space.enter(#field))
+                        }
+                        _ => field,
+                    };
+                    self.contribute(reverse, *part, &[], value);
+                }
+            }
+            Operation::UpdateStruct { parts, rest, .. } => {
+                reverse.extend(quote!(let mut #cotangent = #cotangent;));
+                for (member, part) in parts {
+                    self.pull_field(reverse, &cotangent, member, part);
+                }
+                self.contribute(reverse, *rest, &[], cotangent);
+            }
+            Operation::Repeat(value, _) => {
+                self.contribute(reverse, *value, &[], quote!(::ad::rt::sum(#cotangent)));
+            }
+        }
+    }
+
+    /// A field that a struct update sets: its cotangent does not reach the rest.
+    fn pull_field(
+        &mut self,
+        reverse: &mut TokenStream,
+        cotangent: &TokenStream,
+        member: &Member,
+        part: &Operand,
+    ) {
+        let taken = quote!(::ad::rt::take(&mut #cotangent.#member));
+        match part {
+            Operand::Constant(_) => reverse.extend(quote!(#taken;)),
+            Operand::Var(part) => {
+                let space = self.space(*part);
+                self.contribute(reverse, *part, &[], quote!(#space.enter(#taken)));
+            }
+        }
+    }
+
+    fn binary_pullback(
+        &mut self,
+        operator: BinaryOperator,
+        left: VarId,
+        right: VarId,
+        cotangent: TokenStream,
+        span: proc_macro2::Span,
+    ) -> TokenStream {
+        let linear = matches!(operator, BinaryOperator::Add | BinaryOperator::Sub);
+        if linear {
+            let (left, right) = (self.space(left), self.space(right));
+            return match operator {
+                BinaryOperator::Add => {
+                    quote_spanned!(span=> #left.add_pullback(#right, #cotangent))
+                }
+                _ => quote_spanned!(span=> #left.sub_pullback(#right, #cotangent)),
+            };
+        }
+        let (left, right) = (self.ident(left), self.ident(right));
+        match operator {
+            BinaryOperator::Mul => quote_spanned!(span=>
+                ::ad::rules::MulPullback::mul_pullback(#left, #right, #cotangent)),
+            BinaryOperator::Div => quote_spanned!(span=>
+                ::ad::rules::DivPullback::div_pullback(#left, #right, #cotangent)),
+            _ => quote_spanned!(span=>
+                ::ad::rules::RemPullback::rem_pullback(#left, #right, #cotangent)),
+        }
+    }
+
+    pub(super) fn update(
+        &mut self,
+        place: &Place,
+        operator: BinaryOperator,
+        previous: VarId,
+        value: VarId,
+    ) -> Sides {
+        let mut sides = Sides::default();
+        let (target, operand) = (self.place(place), self.ident(value));
+        let token = match operator {
+            BinaryOperator::Add => quote!(+=),
+            BinaryOperator::Sub => quote!(-=),
+            BinaryOperator::Mul => quote!(*=),
+            BinaryOperator::Div => quote!(/=),
+            BinaryOperator::Rem => quote!(%=),
+        };
+        sides.forward.extend(quote!(#target #token #operand;));
+        if !self.is_live(place) {
+            return sides;
+        }
+
+        self.start(&mut sides.reverse, place.root);
+        let root = &self.vars[place.root];
+        let span = root.ident.span();
+        let cotangent = project_cotangent(&root.cotangent, &place.path);
+        let taken = quote!(::ad::rt::take(&mut #cotangent));
+        let pulled = self.binary_pullback(operator, previous, value, taken, span);
+        let (to_previous, to_value) = (self.part_name(place.root), self.part_name(value));
+        let value_pattern = match self.vars[value].active {
+            true => quote!(#to_value),
+            false => quote!(_),
+        };
+        sides.reverse.extend(quote! {
+            let (#to_previous, #value_pattern) = #pulled;
+            #cotangent = #to_previous;
+        });
+        self.contribute(&mut sides.reverse, value, &[], quote!(#to_value));
+        sides
+    }
+}
+
+fn operand_place(operand: &Operand) -> Option<Place> {
+    match operand {
+        Operand::Constant(_) => None,
+        Operand::Var(root) => Some(Place { root: *root, path: Vec::new() }),
+    }
+}
+
+fn argument_place(argument: &Argument) -> Option<Place> {
+    match argument {
+        Argument::Value(operand) => operand_place(operand),
+        Argument::Borrow(place) | Argument::Receiver(place) => {
+            let is_part = |step: &Projection| !matches!(step, Projection::Deref);
+            let path = place.path.iter().filter(|step| is_part(step)).cloned().collect();
+            Some(Place { root: place.root, path })
+        }
+    }
+}
