@@ -176,10 +176,10 @@ fn functions(
         #derivative_visibility fn #value_and_grad #generics (#inputs) -> (#result, #gradient)
         where
             #(#bounds,)*
-            for<'__scalar> #result: ::ad::rt::ScalarResult<'__scalar>,
+            for<'__scalar> #result: ::ad::rt::ScalarResult<'__scalar, #result_tangent>,
         {
             let (value, pullback) = #call_vjp;
-            (value, pullback(<#result as ::ad::rt::ScalarResult<'_>>::one()))
+            (value, pullback(<#result as ::ad::rt::ScalarResult<'_, #result_tangent>>::one()))
         }
 
         #(#cfgs)*
@@ -189,10 +189,10 @@ fn functions(
         #derivative_visibility fn #grad #generics (#inputs) -> #gradient
         where
             #(#bounds,)*
-            for<'__scalar> #result: ::ad::rt::ScalarResult<'__scalar>,
+            for<'__scalar> #result: ::ad::rt::ScalarResult<'__scalar, #result_tangent>,
         {
             let (_, pullback) = #call_vjp;
-            pullback(<#result as ::ad::rt::ScalarResult<'_>>::one())
+            pullback(<#result as ::ad::rt::ScalarResult<'_, #result_tangent>>::one())
         }
     };
     match place {

@@ -153,19 +153,21 @@ impl<T, const N: usize> ArrayTape<T, N> {
     }
 }
 
-/// A result whose gradient makes sense: one number. The lifetime only lets generated code ask for
-/// this of types without parameters.
+/// A result whose gradient makes sense: one number, with cotangents of type `T`.
+///
+/// The lifetime lets generated code ask for this of types without parameters, for which it may turn
+/// out false. [`Differentiable`] is not a supertrait: a false bound would hide the impl there is.
 #[diagnostic::on_unimplemented(
     message = "`grad` needs a function with a scalar result, and this one returns `{Self}`",
     label = "not a scalar",
     note = "call `vjp` and choose the cotangent of the result yourself"
 )]
-pub trait ScalarResult<'a>: Differentiable {
+pub trait ScalarResult<'a, T> {
     /// The cotangent 1.
-    fn one() -> Tangent<Self>;
+    fn one() -> T;
 }
 
-impl<S: crate::Real> ScalarResult<'_> for S {
+impl<S: crate::Real> ScalarResult<'_, S> for S {
     fn one() -> S {
         S::ONE
     }

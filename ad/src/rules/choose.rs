@@ -29,6 +29,7 @@ pub fn select<T: Select>(mask: T::Mask, if_true: T, if_false: T) -> T {
 pub enum select {}
 
 impl select {
+    #[allow(clippy::type_complexity)]
     /// The value, and the pullback to mask, `if_true` and `if_false`.
     #[inline(always)]
     pub fn vjp<T>(

@@ -1,12 +1,13 @@
-//! Point and distant lights.
+//! Point and distant lights, and what they bring to a point.
 
-use ad::{Real, Vec3};
+use ad::vector::Vector;
+use ad::{Differentiable, Real, Vec3, differentiable};
 
 /// A light that shines from a point in all directions.
 ///
 /// The irradiance it brings to a surface that faces it at distance `r` is
 /// `color * intensity / (4 pi r^2)`: `intensity` is the radiant flux.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Differentiable)]
 pub struct PointLight<S: Real> {
     /// Where the light stands.
     pub position: Vec3<S>,
@@ -19,7 +20,7 @@ pub struct PointLight<S: Real> {
 /// A light so far away that its rays are parallel.
 ///
 /// The irradiance it brings to a surface that faces it is `color * intensity`.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Differentiable)]
 pub struct DistantLight<S: Real> {
     /// The direction towards the light; need not be a unit vector.
     pub direction: Vec3<S>,
@@ -27,4 +28,31 @@ pub struct DistantLight<S: Real> {
     pub color: Vec3<S>,
     /// Irradiance.
     pub intensity: S,
+}
+
+/// The light that arrives at a point from one direction.
+#[derive(Clone, Copy, Debug, Differentiable)]
+pub struct Illumination<S: Real> {
+    /// The unit vector towards the light.
+    pub direction: Vec3<S>,
+    /// The irradiance on a surface that faces the light, linear RGB.
+    pub irradiance: Vec3<S>,
+}
+
+/// What a point light brings to `point`.
+#[differentiable]
+pub fn point_illumination<S: Real>(light: PointLight<S>, point: Vec3<S>) -> Illumination<S> {
+    let to_light = light.position - point;
+    let distance_squared = to_light.length_squared();
+    let flux_density = light.intensity / (S::from_f64(4.0) * S::PI * distance_squared);
+    Illumination { direction: to_light.normalize(), irradiance: light.color * flux_density }
+}
+
+/// What a distant light brings everywhere.
+#[differentiable]
+pub fn distant_illumination<S: Real>(light: DistantLight<S>) -> Illumination<S> {
+    Illumination {
+        direction: light.direction.normalize(),
+        irradiance: light.color * light.intensity,
+    }
 }
