@@ -30,7 +30,7 @@ impl Default for Adam {
 
 /// What Adam remembers from step to step.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Moments {
+pub(super) struct Moments {
     /// Running mean of the gradient, before bias correction.
     mean: Vec<f64>,
     /// Square root of the running mean of the squared gradient, before bias correction. The root
@@ -54,7 +54,7 @@ impl Moments {
     }
 
     /// Whether this is the memory of `len` elements.
-    pub(super) fn fits(&self, len: usize) -> bool {
+    pub fn fits(&self, len: usize) -> bool {
         self.mean.len() == len && self.root_mean_square.len() == len
     }
 }

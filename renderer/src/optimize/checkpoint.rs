@@ -6,9 +6,9 @@ use std::path::{Path, PathBuf};
 
 use serde::{Deserialize, Serialize};
 
+use super::adam::Moments;
 use super::{
-    Adam, CHECKPOINT_FILE, Checkpointing, Fingerprint, Moments, Point, Record, Settings, Stop,
-    StopReason,
+    Adam, CHECKPOINT_FILE, Checkpointing, Fingerprint, Point, Record, Settings, Stop, StopReason,
 };
 use crate::Error;
 use crate::atomic_file::write_atomically;

@@ -82,7 +82,8 @@ impl LossAxis {
             (low, high) = (low - 0.1, high + 0.1);
         }
         let step = round_step((high - low) / TICKS);
-        let (first, last) = ((low / step).floor(), (high / step).ceil());
+        // A limit that is a tick but for its rounding takes no further one.
+        let (first, last) = ((low / step + 1e-9).floor(), (high / step - 1e-9).ceil());
         (low, high) = (first * step, last * step);
 
         let plain = (-3..=3).contains(&exponent);

@@ -64,7 +64,7 @@ fn caption(history: &[Record]) -> String {
     let lowest = history.iter().min_by(|a, b| a.loss.total_cmp(&b.loss));
     match (history.first(), lowest) {
         (Some(first), Some(lowest)) => format!(
-            "loss {:.3e} at first, {:.3e} at iteration {}",
+            "initial loss {:.3e}, lowest {:.3e} at iteration {}",
             first.loss, lowest.loss, lowest.iteration
         ),
         _ => "no iterations".to_owned(),

@@ -59,7 +59,7 @@ mod stop;
 mod tests;
 mod variable;
 
-pub use adam::{Adam, Moments};
+pub use adam::Adam;
 pub use fingerprint::Fingerprint;
 pub use history::{Point, Record};
 pub use loss_plot::loss_svg;

@@ -13,23 +13,34 @@ const LINE_INTERVAL: f64 = 2.0;
 /// Shows progress on the standard error stream: a bar on a terminal, plain lines elsewhere.
 pub fn progress() -> Box<dyn Observer> {
     if io::stderr().is_terminal() {
-        Box::new(Bar::new(ProgressDrawTarget::stderr()))
+        Box::new(Bar::new())
     } else {
         Box::new(Lines::new(io::stderr()))
     }
 }
 
-/// A progress bar: iteration, loss, loss over initial loss, time left.
+/// A progress bar on the standard error stream: iteration, loss, loss over initial loss, time left.
 pub struct Bar {
     bar: ProgressBar,
     started: bool,
 }
 
+impl Default for Bar {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
 impl Bar {
-    /// A bar drawn on `target`.
-    pub fn new(target: ProgressDrawTarget) -> Self {
+    /// A bar that appears with the first iteration, and makes room for a line at the end.
+    pub fn new() -> Self {
+        Self::on(ProgressDrawTarget::stderr())
+    }
+
+    fn on(target: ProgressDrawTarget) -> Self {
         let bar = ProgressBar::with_draw_target(None, target);
-        let template = "{bar:30} {pos}/{len}  {msg}  {elapsed} spent, {eta} left";
+        // Short enough for 80 columns.
+        let template = "{bar:20} {pos}/{len}  {msg}  {elapsed} spent, {eta} left";
         if let Ok(style) = ProgressStyle::with_template(template) {
             bar.set_style(style);
         }
@@ -40,7 +51,7 @@ impl Bar {
 impl Observer for Bar {
     fn start(&mut self, start: Start) {
         if let Some(line) = describe(start) {
-            self.bar.println(line);
+            eprintln!("{line}");
         }
     }
 
@@ -59,7 +70,7 @@ impl Observer for Bar {
 
     fn finish(&mut self, outcome: &Outcome) {
         self.bar.finish_and_clear();
-        self.bar.println(conclusion(outcome));
+        eprintln!("{}", conclusion(outcome));
     }
 }
 
@@ -81,7 +92,7 @@ impl<W: Write> Lines<W> {
     fn show(&mut self, step: &Step, first: Record) {
         let Step { record, iterations, .. } = *step;
         let done = record.iteration - first.iteration;
-        let left = if done > 0 {
+        let left = if done > 0 && record.iteration < iterations {
             let per_iteration = (record.seconds - first.seconds) / done as f64;
             let remaining = iterations.saturating_sub(record.iteration) as f64;
             format!(", {:.0} s left", per_iteration * remaining)
@@ -194,7 +205,7 @@ mod tests {
 
     #[test]
     fn bar_shows_iteration_and_loss() {
-        let mut bar = Bar::new(ProgressDrawTarget::hidden());
+        let mut bar = Bar::on(ProgressDrawTarget::hidden());
         bar.start(Start::Fresh);
         let _ = bar.step(&step(7, 1.0));
         assert_eq!((bar.bar.position(), bar.bar.length()), (7, Some(100)));
