@@ -1,0 +1,236 @@
+//! The state of a run, and the file that keeps it.
+
+use std::fs;
+use std::io;
+use std::path::{Path, PathBuf};
+
+use serde::{Deserialize, Serialize};
+
+use super::adam::Moments;
+use super::{
+    Adam, CHECKPOINT_FILE, Checkpointing, Fingerprint, Point, Record, Settings, Stop, StopReason,
+};
+use crate::Error;
+use crate::atomic_file::write_atomically;
+
+/// Changes whenever the file or the arithmetic of the optimiser does.
+const FORMAT: u32 = 1;
+
+/// Everything a run needs to continue. All numbers are finite, since JSON has no others.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub(super) struct State {
+    /// Steps taken.
+    pub iteration: u64,
+    /// Seconds of work.
+    pub seconds: f64,
+    /// Where the next evaluation takes place; for a finished run, where the last one did.
+    pub x: Vec<f64>,
+    pub moments: Moments,
+    /// The lowest loss so far; the first of them.
+    pub best: Option<Point>,
+    /// The latest usable evaluation.
+    pub last: Option<Point>,
+    /// One entry per usable evaluation.
+    pub history: Vec<Record>,
+    pub stop: Option<Stop>,
+}
+
+impl State {
+    pub fn new(x: Vec<f64>) -> Self {
+        Self {
+            iteration: 0,
+            seconds: 0.0,
+            moments: Moments::new(x.len()),
+            x,
+            best: None,
+            last: None,
+            history: Vec::new(),
+            stop: None,
+        }
+    }
+
+    /// Takes in an evaluation at `x`.
+    pub fn record(&mut self, record: Record) {
+        let Record { iteration, loss, .. } = record;
+        let point = Point { iteration, loss, x: self.x.clone() };
+        if self.best.as_ref().is_none_or(|best| loss < best.loss) {
+            self.best = Some(point.clone());
+        }
+        self.last = Some(point);
+        self.history.push(record);
+    }
+
+    /// Whether no further iteration was needed when it was written.
+    pub fn is_finished(&self) -> bool {
+        self.stop.as_ref().is_some_and(|stop| stop.reason != StopReason::Interrupted)
+    }
+
+    /// Whether the parts agree with each other, for `len` elements.
+    fn is_coherent(&self, len: usize) -> bool {
+        let point = |point: &Option<Point>| point.as_ref().is_some_and(|p| p.x.len() == len);
+        let evaluated_here = match &self.stop {
+            Some(Stop { reason, .. }) => matches!(
+                reason,
+                StopReason::Tolerance | StopReason::GradientTolerance | StopReason::Iterations
+            ),
+            None => false,
+        };
+        self.x.len() == len
+            && self.moments.fits(len)
+            && point(&self.best)
+            && point(&self.last)
+            && self.history.len() as u64 == self.iteration + u64::from(evaluated_here)
+            && (0..).zip(&self.history).all(|(i, record)| record.iteration == i)
+    }
+
+    /// Makes ready to continue under `settings`, which may stop the run at another iteration.
+    ///
+    /// # Errors
+    ///
+    /// The iteration and the reason, if a run under `settings` would have stopped before.
+    fn continue_under(&mut self, settings: &Settings) -> Result<(), (u64, Stop)> {
+        let stops = |record: &Record| Stop::at(record, settings);
+        let steps = self.history.iter().take_while(|record| record.iteration < self.iteration);
+        if let Some(earlier) = steps.clone().find_map(|r| stops(r).map(|stop| (r.iteration, stop)))
+        {
+            return Err(earlier);
+        }
+        let evaluated_here = self.history.get(steps.count());
+        let stopped_by_criterion = evaluated_here.is_some();
+        if let Some(stop) = evaluated_here.and_then(stops) {
+            self.stop = Some(stop);
+        } else if stopped_by_criterion || !self.is_finished() {
+            // The evaluation that met the old criterion is repeated, to step from it.
+            self.stop = None;
+            self.history.truncate(self.history.len() - usize::from(stopped_by_criterion));
+        }
+        Ok(())
+    }
+}
+
+/// What the file holds.
+#[derive(Serialize, Deserialize)]
+struct Checkpoint<S> {
+    format: u32,
+    /// Fingerprint of the problem.
+    problem: String,
+    /// Fingerprint of the variables and of Adam's settings.
+    method: String,
+    /// Fingerprint of the state as JSON: tells a disk that lost bits.
+    checksum: String,
+    state: S,
+}
+
+/// The checkpoint file of one run.
+pub(super) struct CheckpointFile {
+    path: PathBuf,
+    problem: String,
+    method: String,
+}
+
+impl CheckpointFile {
+    pub fn new(checkpointing: &Checkpointing, variables: Fingerprint, adam: Adam) -> Self {
+        let Adam { beta1, beta2, epsilon } = adam;
+        Self {
+            path: checkpointing.folder.join(CHECKPOINT_FILE),
+            problem: checkpointing.problem.to_string(),
+            method: variables.numbers(&[beta1, beta2, epsilon]).to_string(),
+        }
+    }
+
+    /// Writes `state`, whole or not at all, into the folder, which is made if need be.
+    pub fn save(&self, state: &State) -> Result<(), Error> {
+        let failed = |path: &Path, error: &dyn std::fmt::Display| {
+            Error::new(path.display(), format_args!("the checkpoint cannot be written: {error}"))
+        };
+        if let Some(folder) = self.path.parent() {
+            fs::create_dir_all(folder).map_err(|error| failed(folder, &error))?;
+        }
+        let json = |error| failed(&self.path, &error);
+        let checkpoint = Checkpoint {
+            format: FORMAT,
+            problem: self.problem.clone(),
+            method: self.method.clone(),
+            checksum: checksum(state).map_err(json)?,
+            state,
+        };
+        write_atomically(&self.path, &serde_json::to_vec(&checkpoint).map_err(json)?)
+    }
+
+    /// The state that the folder holds, whatever run it belongs to, or nothing.
+    pub fn load(
+        &self,
+        len: usize,
+        settings: &Settings,
+        resume: bool,
+    ) -> Result<Option<State>, Error> {
+        let bytes = match fs::read(&self.path) {
+            Ok(bytes) => bytes,
+            Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(None),
+            Err(error) => {
+                let problem = format!("the checkpoint cannot be read: {error}");
+                return Err(self.error(problem));
+            }
+        };
+        let checkpoint: Checkpoint<State> =
+            serde_json::from_slice(&bytes).map_err(|error| self.damaged(&error.to_string()))?;
+        let mut state = checkpoint.state;
+        if checksum(&state).ok().as_ref() != Some(&checkpoint.checksum) {
+            return Err(self.damaged("its checksum is wrong"));
+        }
+
+        if !resume {
+            return if state.is_finished() { Ok(None) } else { Err(self.unfinished(&state)) };
+        }
+        self.check_same_run(&checkpoint.problem, &checkpoint.method, checkpoint.format)?;
+        if !state.is_coherent(len) {
+            return Err(self.damaged("its parts do not fit together"));
+        }
+        state.continue_under(settings).map_err(|(iteration, stop)| {
+            self.error(format!(
+                "the run that it holds cannot be resumed with these stopping criteria: they would \
+                 have stopped it at iteration {iteration} ({})",
+                stop.detail
+            ))
+        })?;
+        Ok(Some(state))
+    }
+
+    fn check_same_run(&self, problem: &str, method: &str, format: u32) -> Result<(), Error> {
+        let different = if format != FORMAT {
+            format!("was written by another version (format {format}, not {FORMAT})")
+        } else if problem != self.problem {
+            "belongs to another problem: the scene, the target or the loss has changed".to_owned()
+        } else if method != self.method {
+            "belongs to a run with other parameters, initial values, learning rates, bounds or \
+             Adam settings"
+                .to_owned()
+        } else {
+            return Ok(());
+        };
+        Err(self.error(format!(
+            "the checkpoint {different}; restore what it was started with, or start anew in \
+             another folder"
+        )))
+    }
+
+    fn unfinished(&self, state: &State) -> Error {
+        self.error(format!(
+            "the folder holds an unfinished run, stopped at iteration {}; resume it (--resume), \
+             use another folder, or remove this file to start over",
+            state.iteration
+        ))
+    }
+
+    fn damaged(&self, how: &str) -> Error {
+        self.error(format!("the checkpoint is damaged ({how}); remove the file to start over"))
+    }
+
+    fn error(&self, problem: String) -> Error {
+        Error::new(self.path.display(), problem)
+    }
+}
+
+fn checksum(state: &State) -> serde_json::Result<String> {
+    Ok(Fingerprint::new().bytes(&serde_json::to_vec(state)?).to_string())
+}

@@ -1,0 +1,73 @@
+//! The optimiser: finds the parameters that minimise a loss, and leaves a record of how.
+//!
+//! It knows nothing of images. A caller describes its parameters as [`Variable`]s, hands over an
+//! [`Objective`] that gives loss and gradient, and gets an [`Outcome`]:
+//!
+//! ```
+//! use renderer::optimize::{Evaluation, Optimization, Quiet, Settings, Variable};
+//!
+//! let variables = [Variable::new("light.key.intensity", vec![1.0], 0.1)];
+//! let mut objective = |x: &[f64]| Evaluation {
+//!     loss: (x[0] - 3.0).powi(2),
+//!     gradient: vec![2.0 * (x[0] - 3.0)],
+//! };
+//! let settings = Settings { tolerance: 1e-9, ..Settings::default() };
+//! let outcome = Optimization::start(&variables, &settings)?.run(&mut objective, &mut Quiet)?;
+//! assert!((outcome.best.x[0] - 3.0).abs() < 1e-4);
+//! # Ok::<(), renderer::Error>(())
+//! ```
+//!
+//! # Iterations
+//!
+//! Iteration `k` is the evaluation at the parameters that `k` steps have led to. `iterations: N`
+//! is thus `N` steps and `N + 1` evaluations at the most, and every loss that is reported was
+//! evaluated at the parameters reported with it. The parameters recovered are the best ones: those
+//! with the lowest loss, not those seen last.
+//!
+//! # Checkpoints
+//!
+//! With [`Checkpointing`] the whole state goes to `checkpoint.json` in the output folder, after
+//! the first step, then every few seconds, and at the end. A process killed at any moment
+//! continues from the latest checkpoint to the same parameters, bit for bit, as a run that nobody
+//! stopped, given an objective that is a pure function of its argument.
+//!
+//! | folder holds      | `resume: false`                  | `resume: true`                    |
+//! |-------------------|----------------------------------|-----------------------------------|
+//! | no checkpoint     | starts                           | starts: a job script can always ask to resume |
+//! | an unfinished run | error: hours of work may be lost | continues                         |
+//! | a finished run    | starts, and replaces it          | returns its result at once        |
+//! | a damaged file    | error                            | error                             |
+//!
+//! A resumed run must have the same problem, variables and Adam settings. Its stopping criteria may
+//! differ, so that a finished run can be given more iterations, unless a run with the new criteria
+//! would have stopped before: then the error says where.
+
+mod adam;
+mod checkpoint;
+mod fingerprint;
+mod history;
+mod loss_axis;
+mod loss_plot;
+mod observer;
+mod problem;
+mod progress;
+mod report;
+mod run;
+mod settings;
+mod stop;
+#[cfg(test)]
+mod tests;
+mod variable;
+
+pub use adam::Adam;
+pub use fingerprint::Fingerprint;
+pub use history::{Point, Record};
+pub use loss_plot::loss_svg;
+pub use observer::{Observer, Quiet, Start, Step};
+pub use problem::{Evaluation, Objective};
+pub use progress::{Bar, Lines, progress};
+pub use report::{history_csv, summary, write_report};
+pub use run::{Optimization, Outcome};
+pub use settings::{CHECKPOINT_FILE, Checkpointing, Settings};
+pub use stop::{Stop, StopReason};
+pub use variable::Variable;

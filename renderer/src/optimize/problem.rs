@@ -1,0 +1,24 @@
+//! What is minimised.
+
+/// A function to minimise, with its gradient.
+pub trait Objective {
+    /// Loss and gradient at `x`.
+    ///
+    /// A resumed run is bit for bit the uninterrupted one only if this depends on nothing but `x`.
+    fn evaluate(&mut self, x: &[f64]) -> Evaluation;
+}
+
+impl<F: FnMut(&[f64]) -> Evaluation> Objective for F {
+    fn evaluate(&mut self, x: &[f64]) -> Evaluation {
+        self(x)
+    }
+}
+
+/// What an objective gives at one point.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Evaluation {
+    /// The value to minimise.
+    pub loss: f64,
+    /// The derivative of the loss with respect to each element of `x`.
+    pub gradient: Vec<f64>,
+}

@@ -1,0 +1,169 @@
+//! The loop.
+
+use std::time::Instant;
+
+use super::checkpoint::{CheckpointFile, State};
+use super::variable::{self, Flat};
+use super::{Objective, Observer, Point, Record, Settings, Start, Step, Stop, Variable};
+use crate::Error;
+
+/// An optimisation that is ready to run: its input is checked and its checkpoint, if any, is read.
+pub struct Optimization<'a> {
+    variables: &'a [Variable],
+    settings: &'a Settings,
+    flat: Flat,
+    file: Option<CheckpointFile>,
+    state: State,
+    start: Start,
+}
+
+/// What an optimisation came to.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Outcome {
+    /// The parameters recovered: the lowest loss seen, the earliest if there are several.
+    pub best: Point,
+    /// The latest parameters with a finite loss and gradient.
+    pub last: Point,
+    /// One entry per iteration, from 0 on; never empty.
+    pub history: Vec<Record>,
+    /// Why it stopped.
+    pub stop: Stop,
+    /// Seconds of work, over all resumed parts of the run.
+    pub seconds: f64,
+    /// How this part of the run began.
+    pub start: Start,
+}
+
+impl Outcome {
+    /// The loss at the initial parameters.
+    pub fn initial_loss(&self) -> f64 {
+        self.history.first().map_or(self.best.loss, |record| record.loss)
+    }
+}
+
+impl<'a> Optimization<'a> {
+    /// Checks the input and reads the checkpoint. Writes nothing: call it before anything else
+    /// that writes into the output folder.
+    ///
+    /// # Errors
+    ///
+    /// If a variable or a setting is unusable (the place is its path or field), or if the output
+    /// folder holds a checkpoint that stands in the way (the place is that file).
+    pub fn start(variables: &'a [Variable], settings: &'a Settings) -> Result<Self, Error> {
+        settings.check()?;
+        let flat = Flat::new(variables)?;
+        let mut stored = None;
+        let mut file = None;
+        if let Some(checkpointing) = &settings.checkpointing {
+            let fingerprint = variable::fingerprint(variables);
+            let found = CheckpointFile::new(checkpointing, fingerprint, settings.adam);
+            stored = found.load(flat.x.len(), settings, checkpointing.resume)?;
+            file = Some(found);
+        }
+        let start = match &stored {
+            None => Start::Fresh,
+            Some(state) if state.is_finished() => Start::Finished { iteration: state.iteration },
+            Some(state) => Start::Resumed { iteration: state.iteration },
+        };
+        let state = stored.unwrap_or_else(|| State::new(flat.x.clone()));
+        Ok(Self { variables, settings, flat, file, state, start })
+    }
+
+    /// How the run will begin.
+    pub fn beginning(&self) -> Start {
+        self.start
+    }
+
+    /// Runs to the end. A finished run returns its result without an evaluation.
+    ///
+    /// # Errors
+    ///
+    /// If the loss or the gradient at the initial parameters is not finite (nothing is left
+    /// behind), or if a checkpoint cannot be written.
+    ///
+    /// # Panics
+    ///
+    /// If the gradient of `objective` has another length than the variables together.
+    pub fn run(
+        mut self,
+        objective: &mut dyn Objective,
+        observer: &mut dyn Observer,
+    ) -> Result<Outcome, Error> {
+        observer.start(self.start);
+        let stop = match self.state.stop.take() {
+            Some(stop) => stop,
+            None => self.iterate(objective, observer)?,
+        };
+        let State { best, last, history, seconds, .. } = self.state;
+        let (Some(best), Some(last)) = (best, last) else {
+            // Nothing was evaluated, and the only reason for that is the initial point.
+            return Err(Error::new("optimize", stop.detail));
+        };
+        let outcome = Outcome { best, last, history, stop, seconds, start: self.start };
+        observer.finish(&outcome);
+        Ok(outcome)
+    }
+
+    /// Iterates until something stops it, and leaves a checkpoint of that.
+    fn iterate(
+        &mut self,
+        objective: &mut dyn Objective,
+        observer: &mut dyn Observer,
+    ) -> Result<Stop, Error> {
+        let clock = Instant::now();
+        let seconds_before = self.state.seconds;
+        let mut last_saved: Option<Instant> = None;
+        loop {
+            let evaluation = objective.evaluate(&self.state.x);
+            assert_eq!(
+                evaluation.gradient.len(),
+                self.state.x.len(),
+                "the gradient must have one element per parameter"
+            );
+            self.state.seconds = seconds_before + clock.elapsed().as_secs_f64();
+            let iteration = self.state.iteration;
+            if let Some(stop) = Stop::at_non_finite(&evaluation, iteration, self.variables) {
+                return self.stop(stop);
+            }
+
+            let record = Record {
+                iteration,
+                loss: evaluation.loss,
+                gradient_norm: self.flat.projected_norm(&self.state.x, &evaluation.gradient),
+                seconds: self.state.seconds,
+            };
+            self.state.record(record);
+            let initial_loss = self.state.history[0].loss;
+            let step = Step { record, initial_loss, iterations: self.settings.iterations };
+            let interrupted = observer.step(&step).is_break();
+            if let Some(stop) = Stop::at(&record, self.settings) {
+                return self.stop(stop);
+            }
+
+            // From here to the next evaluation the state is one that a checkpoint can hold.
+            let State { moments, x, .. } = &mut self.state;
+            self.settings.adam.step(moments, x, &evaluation.gradient, &self.flat);
+            self.state.iteration += 1;
+            if interrupted {
+                return self.stop(Stop::interrupted(iteration));
+            }
+            if let (Some(file), Some(checkpointing)) = (&self.file, &self.settings.checkpointing)
+                && last_saved.is_none_or(|saved| saved.elapsed() >= checkpointing.every)
+            {
+                file.save(&self.state)?;
+                last_saved = Some(Instant::now());
+            }
+        }
+    }
+
+    /// Leaves a checkpoint of the end of the run, unless there is nothing to keep.
+    fn stop(&mut self, stop: Stop) -> Result<Stop, Error> {
+        self.state.stop = Some(stop.clone());
+        if let Some(file) = &self.file
+            && self.state.last.is_some()
+        {
+            file.save(&self.state)?;
+        }
+        Ok(stop)
+    }
+}

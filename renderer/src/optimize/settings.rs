@@ -1,0 +1,81 @@
+//! What a caller chooses.
+
+use std::path::PathBuf;
+use std::time::Duration;
+
+use super::{Adam, Fingerprint};
+use crate::Error;
+
+/// The file in the output folder that holds the state of the run.
+pub const CHECKPOINT_FILE: &str = "checkpoint.json";
+
+/// How to optimise, and when to stop.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Settings {
+    /// At most so many steps; 0 only evaluates the initial parameters.
+    pub iterations: u64,
+    /// Stop when the loss is at most this. At the default 0, a loss that cannot get lower stops.
+    pub tolerance: f64,
+    /// Stop when the Euclidean norm of the gradient is at most this, not counting elements that a
+    /// bound holds back. At the default 0, only a gradient that vanished stops.
+    pub gradient_tolerance: f64,
+    /// The hyper-parameters of the optimiser. Learning rates belong to the variables.
+    pub adam: Adam,
+    /// Where the run is kept safe; nothing for a run that leaves no trace.
+    pub checkpointing: Option<Checkpointing>,
+}
+
+impl Default for Settings {
+    /// 200 iterations, tolerances 0, no checkpoints.
+    fn default() -> Self {
+        Self {
+            iterations: 200,
+            tolerance: 0.0,
+            gradient_tolerance: 0.0,
+            adam: Adam::default(),
+            checkpointing: None,
+        }
+    }
+}
+
+/// Where, how often and for what problem checkpoints are written.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Checkpointing {
+    /// The output folder; it is made if it does not exist.
+    pub folder: PathBuf,
+    /// The time between two checkpoints. Zero writes one after every step.
+    pub every: Duration,
+    /// Whether to continue the run that the folder holds, if any.
+    pub resume: bool,
+    /// Stands for everything the objective depends on: scene, target, loss, precision.
+    pub problem: Fingerprint,
+}
+
+impl Settings {
+    /// # Errors
+    ///
+    /// If a number is out of its range; the place is its field.
+    pub(super) fn check(&self) -> Result<(), Error> {
+        let unit = 0.0..1.0;
+        let Adam { beta1, beta2, epsilon } = self.adam;
+        let fields = [
+            ("tolerance", self.tolerance, !self.tolerance.is_nan(), "a number"),
+            (
+                "gradient_tolerance",
+                self.gradient_tolerance,
+                self.gradient_tolerance >= 0.0,
+                "0 or more",
+            ),
+            ("beta1", beta1, unit.contains(&beta1), "at least 0 and below 1"),
+            ("beta2", beta2, unit.contains(&beta2), "at least 0 and below 1"),
+            ("epsilon", epsilon, epsilon > 0.0 && epsilon.is_finite(), "a positive number"),
+        ];
+        match fields.into_iter().find(|&(_, _, good, _)| !good) {
+            Some((name, value, _, right)) => Err(Error::new(
+                format_args!("optimize.{name}"),
+                format!("is {value}; it must be {right}"),
+            )),
+            None => Ok(()),
+        }
+    }
+}

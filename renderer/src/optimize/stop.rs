@@ -1,0 +1,80 @@
+//! When and why an optimisation stops.
+
+use serde::{Deserialize, Serialize};
+
+use super::{Evaluation, Record, Settings, Variable};
+use crate::optimize::variable::element_path;
+
+/// Why an optimisation stopped. Serialises to a string in snake case.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum StopReason {
+    /// The loss reached the tolerance.
+    Tolerance,
+    /// The norm of the gradient reached the gradient tolerance: a minimum, or a plateau.
+    GradientTolerance,
+    /// All the iterations that were asked for are done.
+    Iterations,
+    /// The loss was infinite or not a number.
+    NonFiniteLoss,
+    /// An element of the gradient was infinite or not a number.
+    NonFiniteGradient,
+    /// The observer asked for it. The run is not finished: it can be resumed.
+    Interrupted,
+}
+
+/// How an optimisation stopped.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Stop {
+    /// Why.
+    pub reason: StopReason,
+    /// The same for people, with the figures.
+    pub detail: String,
+}
+
+impl Stop {
+    /// The criterion of `settings` that an iteration meets.
+    pub(super) fn at(record: &Record, settings: &Settings) -> Option<Self> {
+        let Record { iteration, loss, gradient_norm, .. } = *record;
+        let (reason, detail) = if loss <= settings.tolerance {
+            let detail =
+                format!("the loss {loss:.4e} reached the tolerance {}", settings.tolerance);
+            (StopReason::Tolerance, detail)
+        } else if gradient_norm <= settings.gradient_tolerance {
+            let tolerance = settings.gradient_tolerance;
+            let detail = if gradient_norm == 0.0 {
+                "the gradient vanished: no parameter changes the loss here".to_owned()
+            } else {
+                format!("the gradient norm {gradient_norm:.4e} reached the tolerance {tolerance}")
+            };
+            (StopReason::GradientTolerance, detail)
+        } else if iteration >= settings.iterations {
+            (StopReason::Iterations, format!("all {} iterations are done", settings.iterations))
+        } else {
+            return None;
+        };
+        Some(Self { reason, detail })
+    }
+
+    /// What makes an evaluation unusable, if it is.
+    pub(super) fn at_non_finite(
+        evaluation: &Evaluation,
+        iteration: u64,
+        variables: &[Variable],
+    ) -> Option<Self> {
+        if !evaluation.loss.is_finite() {
+            let detail = format!("the loss is {} at iteration {iteration}", evaluation.loss);
+            return Some(Self { reason: StopReason::NonFiniteLoss, detail });
+        }
+        let index = evaluation.gradient.iter().position(|g| !g.is_finite())?;
+        let path = element_path(variables, index);
+        let value = evaluation.gradient[index];
+        let detail = format!("the gradient of {path} is {value} at iteration {iteration}");
+        Some(Self { reason: StopReason::NonFiniteGradient, detail })
+    }
+
+    pub(super) fn interrupted(iteration: u64) -> Self {
+        let detail = format!("interrupted after iteration {iteration}");
+        Self { reason: StopReason::Interrupted, detail }
+    }
+}

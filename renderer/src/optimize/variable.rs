@@ -1,0 +1,171 @@
+//! The parameters that are optimised.
+
+use std::collections::HashSet;
+
+use super::Fingerprint;
+use crate::Error;
+
+/// One parameter to optimise: a block of numbers under a path.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Variable {
+    /// Names it in messages and in the summary: `light.key.position`.
+    pub path: String,
+    /// Where the optimisation starts.
+    pub initial: Vec<f64>,
+    /// About how far each element moves per step, in the element's own unit.
+    pub learning_rate: Vec<f64>,
+    /// The least value of each element; negative infinity for no bound.
+    pub min: Vec<f64>,
+    /// The greatest value of each element; infinity for no bound.
+    pub max: Vec<f64>,
+    /// The true values, where they are known: reported, not used.
+    pub target: Option<Vec<f64>>,
+}
+
+impl Variable {
+    /// A variable without bounds, of one learning rate, whose target is unknown.
+    pub fn new(path: impl Into<String>, initial: Vec<f64>, learning_rate: f64) -> Self {
+        let len = initial.len();
+        Self {
+            path: path.into(),
+            initial,
+            learning_rate: vec![learning_rate; len],
+            min: vec![f64::NEG_INFINITY; len],
+            max: vec![f64::INFINITY; len],
+            target: None,
+        }
+    }
+
+    /// The same variable with each element kept in `min..=max`.
+    pub fn bounded(mut self, min: f64, max: f64) -> Self {
+        self.min.fill(min);
+        self.max.fill(max);
+        self
+    }
+
+    fn check(&self) -> Result<(), Error> {
+        let len = self.initial.len();
+        let blocks = [
+            ("learning_rate", Some(&self.learning_rate)),
+            ("min", Some(&self.min)),
+            ("max", Some(&self.max)),
+            ("target", self.target.as_ref()),
+        ];
+        for (name, block) in blocks {
+            if let Some(block) = block
+                && block.len() != len
+            {
+                let problem =
+                    format!("{name} has {} numbers, but the parameter has {len}", block.len());
+                return Err(Error::new(&self.path, problem));
+            }
+        }
+        (0..len).try_for_each(|i| {
+            self.check_element(i).map_err(|problem| Error::new(self.element_path(i), problem))
+        })
+    }
+
+    fn check_element(&self, i: usize) -> Result<(), String> {
+        let (initial, rate) = (self.initial[i], self.learning_rate[i]);
+        let (min, max) = (self.min[i], self.max[i]);
+        if !initial.is_finite() {
+            return Err(format!("the initial value is {initial}; it must be a finite number"));
+        }
+        if !(rate > 0.0 && rate.is_finite()) {
+            return Err(format!("the learning rate is {rate}; it must be a positive number"));
+        }
+        if min.is_nan() || max.is_nan() || min > max {
+            return Err(format!("the bounds {min} to {max} hold no number"));
+        }
+        if initial < min {
+            return Err(format!("the initial value {initial} is below its minimum {min}"));
+        }
+        if initial > max {
+            return Err(format!("the initial value {initial} is above its maximum {max}"));
+        }
+        Ok(())
+    }
+
+    fn element_path(&self, i: usize) -> String {
+        if self.initial.len() == 1 { self.path.clone() } else { format!("{}[{i}]", self.path) }
+    }
+}
+
+/// The elements of all variables, one after the other.
+#[derive(Clone, Debug)]
+pub(super) struct Flat {
+    pub x: Vec<f64>,
+    pub learning_rate: Vec<f64>,
+    pub min: Vec<f64>,
+    pub max: Vec<f64>,
+}
+
+impl Flat {
+    /// # Errors
+    ///
+    /// If the variables are not fit to be optimised; the place is the path.
+    pub fn new(variables: &[Variable]) -> Result<Self, Error> {
+        if variables.iter().all(|variable| variable.initial.is_empty()) {
+            return Err(Error::new("optimize", "there is no parameter to optimise; name one"));
+        }
+        let mut paths = HashSet::new();
+        for variable in variables {
+            variable.check()?;
+            if !paths.insert(&variable.path) {
+                return Err(Error::new(&variable.path, "the parameter is listed twice"));
+            }
+        }
+        let concat = |block: fn(&Variable) -> &[f64]| variables.iter().flat_map(block).copied();
+        Ok(Self {
+            x: concat(|variable| &variable.initial).collect(),
+            learning_rate: concat(|variable| &variable.learning_rate).collect(),
+            min: concat(|variable| &variable.min).collect(),
+            max: concat(|variable| &variable.max).collect(),
+        })
+    }
+
+    /// The length of the gradient of the variables at `x`, leaving out what points out of bounds:
+    /// at a minimum on a bound the gradient itself never vanishes.
+    pub fn projected_norm(&self, x: &[f64], gradient: &[f64]) -> f64 {
+        let norm = gradient.iter().enumerate().fold(0.0, |norm: f64, (i, &g)| {
+            let blocked = (x[i] <= self.min[i] && g > 0.0) || (x[i] >= self.max[i] && g < 0.0);
+            if blocked { norm } else { norm.hypot(g) }
+        });
+        norm.min(f64::MAX)
+    }
+}
+
+/// The path of one element of the concatenated variables: `light.key.position[1]`.
+pub(super) fn element_path(variables: &[Variable], mut index: usize) -> String {
+    for variable in variables {
+        if index < variable.initial.len() {
+            return variable.element_path(index);
+        }
+        index -= variable.initial.len();
+    }
+    format!("element {index} past the last parameter")
+}
+
+/// The part of `x` that belongs to each of the variables.
+pub(super) fn split<'a>(
+    variables: &'a [Variable],
+    mut x: &'a [f64],
+) -> impl Iterator<Item = (&'a Variable, &'a [f64])> {
+    variables.iter().map(move |variable| {
+        let (own, rest) = x.split_at(variable.initial.len());
+        x = rest;
+        (variable, own)
+    })
+}
+
+/// Tells apart variables that lead to different steps.
+pub(super) fn fingerprint(variables: &[Variable]) -> Fingerprint {
+    variables.iter().fold(Fingerprint::new(), |fingerprint, variable| {
+        fingerprint
+            .text(&variable.path)
+            .numbers(&variable.initial)
+            .numbers(&variable.learning_rate)
+            .numbers(&variable.min)
+            .numbers(&variable.max)
+    })
+}
