@@ -10,3 +10,10 @@ pub struct Image {
     /// `width * height` pixels.
     pub pixels: Vec<[f32; 3]>,
 }
+
+impl Image {
+    /// A black image.
+    pub fn black(width: u32, height: u32) -> Self {
+        Self { width, height, pixels: vec![[0.0; 3]; width as usize * height as usize] }
+    }
+}

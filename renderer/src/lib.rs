@@ -4,11 +4,15 @@
 //! scene). Nothing below the integrator knows that an image exists; nothing below `optimize`
 //! knows that a loss exists.
 
+pub mod acceleration;
 pub mod atomic_file;
 mod error;
 pub mod image;
+pub mod integrator;
 pub mod kernels;
+pub mod loss;
 pub mod optimize;
+pub mod precision;
 pub mod scene;
 
 pub use error::Error;

@@ -1,1 +1,5 @@
 //! Gradients against independent oracles.
+
+mod image;
+mod scenes;
+mod threads;

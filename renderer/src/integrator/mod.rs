@@ -1,0 +1,17 @@
+//! From a scene to radiance, and from cotangents of radiance back to a gradient.
+//!
+//! The image is cut into tiles of a fixed size. Tiles are worked on in parallel, and what they
+//! bring is put together in their order, so that images, losses and gradients are the same bit for
+//! bit on any number of threads. A gradient takes one pass: for each pixel the radiance, the
+//! cotangent that the caller's loss gives it, and the pullbacks follow each other.
+
+mod gradient;
+mod pixel;
+mod prepared;
+mod radiance;
+mod tiles;
+
+pub use gradient::{GradientResult, Wanted, gradient};
+pub use pixel::PixelLoss;
+pub use prepared::Prepared;
+pub use radiance::{loss, render};

@@ -1,0 +1,124 @@
+//! The gradient of an image loss by every kind of parameter.
+
+use ad::check;
+use glam::DVec3;
+use renderer::image::Image;
+use renderer::integrator::{PixelLoss, Prepared, Wanted, gradient, loss, render};
+use renderer::loss::{ImageLoss, LossKind};
+use renderer::scene::{ParameterId, Scene};
+
+use crate::scenes::small_scene;
+
+/// A loss over the pixels that see the same thing, in the same light, all around the point at which
+/// the derivative is checked: where visibility changes, finite differences measure a jump that the
+/// interior term does not contain.
+struct AwayFromEdges<'a> {
+    loss: ImageLoss<'a>,
+    keep: Vec<bool>,
+    width: u32,
+}
+
+impl PixelLoss for AwayFromEdges<'_> {
+    fn evaluate(&self, x: u32, y: u32, radiance: DVec3) -> (f64, DVec3) {
+        match self.keep[(y * self.width + x) as usize] {
+            true => self.loss.evaluate(x, y, radiance),
+            false => (0.0, DVec3::ZERO),
+        }
+    }
+}
+
+/// The pixels whose neighbourhood is smooth: small moves of the parameter change them by little.
+fn smooth_pixels(scene: &Scene, id: ParameterId, element: usize, step: f64) -> Vec<bool> {
+    let mut images = Vec::new();
+    for offset in [-step, -step / 2.0, 0.0, step / 2.0, step] {
+        let mut moved = scene.clone();
+        moved.parameters.get_mut(id)[element] += offset;
+        images.push(render(&Prepared::<f64>::new(&moved)));
+    }
+    (0..images[0].pixels.len())
+        .map(|pixel| {
+            let values = |i: usize| DVec3::from(images[i].pixels[pixel].map(f64::from));
+            // A jump shows as a second difference that does not shrink with the step.
+            let coarse = (values(0) + values(4) - 2.0 * values(2)).abs().max_element();
+            let fine = (values(1) + values(3) - 2.0 * values(2)).abs().max_element();
+            coarse < 2e-3 && fine < 1e-3
+        })
+        .collect()
+}
+
+fn target(scene: &Scene) -> Image {
+    let mut image = render(&Prepared::<f64>::new(scene));
+    for (i, pixel) in image.pixels.iter_mut().enumerate() {
+        for (channel, value) in pixel.iter_mut().enumerate() {
+            *value = *value * 0.7 + 0.05 * ((i * 7 + channel * 3) % 5) as f32;
+        }
+    }
+    image
+}
+
+fn check_parameter(scene: &Scene, target: &Image, kind: LossKind, id: ParameterId) {
+    let prepared = Prepared::<f64>::new(scene);
+    let step = 1e-3;
+    for element in 0..scene.parameters.get(id).len() {
+        let keep = smooth_pixels(scene, id, element, step);
+        let kept = keep.iter().filter(|keep| **keep).count();
+        assert!(kept * 10 > keep.len() * 7, "{kept} of {} pixels are smooth", keep.len());
+        let loss_of_smooth =
+            AwayFromEdges { loss: ImageLoss::new(kind, target, false), keep, width: scene.width };
+        let result = gradient(&prepared, &loss_of_smooth, Wanted::by(&[id]));
+        let ours = result.gradient.get(id)[element];
+
+        let mut moved = scene.clone();
+        let expected = check::derivative(
+            |x| {
+                moved.parameters.get_mut(id)[element] = x;
+                loss(&Prepared::<f64>::new(&moved), &loss_of_smooth)
+            },
+            scene.parameters.get(id)[element],
+            step,
+        );
+        let scale = expected.value.abs().max(1e-6);
+        let error = (ours - expected.value).abs() / scale;
+        assert!(error <= 1e-5, "{}[{element}]: {ours} instead of {expected:?}", scene.path(id));
+    }
+}
+
+#[test]
+fn every_parameter_agrees_with_finite_differences() {
+    let scene = small_scene(24);
+    let target = target(&scene);
+    for id in scene.parameter_ids() {
+        check_parameter(&scene, &target, LossKind::MeanSquared, id);
+    }
+}
+
+#[test]
+fn every_loss_agrees_with_finite_differences() {
+    let scene = small_scene(16);
+    let target = target(&scene);
+    for kind in [LossKind::SumSquared, LossKind::L1] {
+        check_parameter(&scene, &target, kind, ParameterId::LightIntensity(0));
+        check_parameter(&scene, &target, kind, ParameterId::Diffuse(1));
+    }
+}
+
+/// Measured on this scene: 2e-6 at most, relative to the largest element of the parameter.
+#[test]
+fn single_precision_is_close_to_double() {
+    let scene = small_scene(32);
+    let target = target(&scene);
+    let loss = ImageLoss::new(LossKind::MeanSquared, &target, false);
+    let ids = scene.parameter_ids();
+    let wanted = Wanted::by(&ids);
+    let single = gradient(&Prepared::<f32>::new(&scene), &loss, wanted);
+    let double = gradient(&Prepared::<f64>::new(&scene), &loss, wanted);
+    for id in ids {
+        let (single, double) = (single.gradient.get(id), double.gradient.get(id));
+        let scale = double.iter().fold(0.0_f64, |scale, x| scale.max(x.abs()));
+        for (s, d) in single.iter().zip(double) {
+            let error = (s - d).abs() / scale;
+            println!("{}: {error:.1e}", scene.path(id));
+            assert!(error <= 1e-4, "{}: {s} instead of {d}", scene.path(id));
+        }
+    }
+}

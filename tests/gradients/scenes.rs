@@ -1,0 +1,68 @@
+//! A small scene with every kind of parameter.
+
+use glam::{DVec3, dvec3};
+use renderer::kernels::camera::Camera;
+use renderer::kernels::light::{DistantLight, PointLight};
+use renderer::kernels::material::Material;
+use renderer::kernels::sphere::Sphere;
+use renderer::scene::{Light, MeshObject, Parameters, Scene, SphereObject};
+
+/// A floor of two triangles that fills the image, a tetrahedron-like pair of triangles and a sphere
+/// inside the view; two lights that cast shadows.
+pub fn small_scene(size: u32) -> Scene {
+    let material = |diffuse: DVec3, specular: f64, exponent: f64| Material {
+        ambient: dvec3(0.01, 0.02, 0.03),
+        diffuse,
+        specular: DVec3::splat(specular),
+        exponent,
+    };
+    Scene {
+        width: size,
+        height: size / 2 + 3,
+        parameters: Parameters {
+            camera: Camera {
+                look_from: dvec3(0.3, 2.5, 6.0),
+                look_at: dvec3(0.1, 0.4, 0.0),
+                up: dvec3(0.05, 1.0, 0.1),
+                vfov: 35.0,
+                focus: 0.9,
+            },
+            lights: vec![
+                Light::Point(PointLight {
+                    position: dvec3(2.0, 4.0, 3.0),
+                    color: dvec3(1.0, 0.9, 0.8),
+                    intensity: 400.0,
+                }),
+                Light::Distant(DistantLight {
+                    direction: dvec3(-1.0, 2.0, 1.5),
+                    color: dvec3(0.5, 0.6, 0.9),
+                    intensity: 0.4,
+                }),
+            ],
+            materials: vec![
+                material(dvec3(0.6, 0.5, 0.4), 0.1, 8.0),
+                material(dvec3(0.2, 0.7, 0.3), 0.3, 25.0),
+            ],
+            spheres: vec![Sphere { center: dvec3(-0.8, 0.5, 0.4), radius: 0.5 }],
+            vertices: vec![
+                vec![[-9.0, 0.0, 9.0], [9.0, 0.1, 9.0], [9.0, -0.1, -30.0], [-9.0, 0.05, -30.0]],
+                vec![[0.4, 0.0, 0.6], [1.6, 0.1, 0.5], [1.0, 1.3, 0.2], [1.8, 0.9, -0.6]],
+            ],
+        },
+        light_names: vec!["key".into(), "sky".into()],
+        material_names: vec!["ground".into(), "object".into()],
+        spheres: vec![SphereObject { name: "ball".into(), material: 1 }],
+        meshes: vec![
+            MeshObject {
+                name: "floor".into(),
+                triangles: vec![[0, 1, 2], [0, 2, 3]],
+                materials: vec![0, 0],
+            },
+            MeshObject {
+                name: "tent".into(),
+                triangles: vec![[0, 1, 2], [1, 3, 2]],
+                materials: vec![1, 1],
+            },
+        ],
+    }
+}
