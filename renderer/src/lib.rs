@@ -4,7 +4,10 @@
 //! scene). Nothing below the integrator knows that an image exists; nothing below `optimize`
 //! knows that a loss exists.
 
+pub mod demo;
 mod error;
+pub mod experiment;
+pub mod files;
 pub mod image;
 pub mod kernels;
 pub mod scene;
