@@ -1,4 +1,67 @@
 //! An experiment: a scene, and what of it to recover from which image.
+//!
+//! # Scene files
+//!
+//! A whole experiment is one TOML file. Paths are relative to it, colours linear RGB, angles in
+//! degrees; unknown fields are refused.
+//!
+//! ```toml
+//! [camera]
+//! look_from = [0.0, 2.0, 8.0]
+//! look_at = [0.0, 1.0, 0.0]
+//! up = [0.0, 1.0, 0.0]        # the default
+//! vfov = 45.0                 # the default
+//! focus = 1.0                 # the default
+//! width = 640
+//! height = 480
+//!
+//! [[light]]
+//! name = "key"
+//! type = "point"              # or "distant", with a direction (towards the light) for a position
+//! position = [3.0, 5.0, 5.0]
+//! color = [1.0, 1.0, 1.0]     # the default
+//! intensity = 900.0
+//!
+//! [[mesh]]
+//! path = "tree.obj"
+//! name = "tree"               # optional: makes all objects of the file one mesh of this name
+//! material = "bark"           # optional: replaces the file's materials
+//!
+//! [[sphere]]
+//! name = "ball"
+//! center = [1.0, 0.5, 1.0]
+//! radius = 0.5
+//! material = "bark"
+//!
+//! [material.bark]             # a new material, or changes to one that a mesh brings along
+//! ambient = [0.0, 0.0, 0.0]   # the defaults of a new one
+//! diffuse = [0.7, 0.7, 0.7]
+//! specular = [0.0, 0.0, 0.0]
+//! exponent = 1.0
+//!
+//! [optimize]                  # optional, and so is everything in it
+//! target = "photo.png"        # or [optimize.target_values], below
+//! loss = "mean_squared"       # or "sum_squared", "l1"
+//! learning_rate = 0.05
+//! iterations = 500
+//! tolerance = 1e-8            # on the loss
+//! gradient_tolerance = 1e-8   # on the norm of the gradient
+//!
+//! [[optimize.parameter]]
+//! path = "light.key.position"
+//! learning_rate = 0.1
+//! min = -20.0                 # one number, or one for each of the parameter's
+//! max = [20.0, 20.0, 20.0]
+//! ```
+//!
+//! Instead of an image, `[optimize.target_values]` may give the true values of some parameters; the
+//! target is then the image that the scene has with them:
+//!
+//! ```toml
+//! [optimize.target_values]
+//! "light.key.position" = [1.0, 10.0, -50.0]
+//! "light.key.intensity" = 20000.0
+//! ```
 
 use std::path::{Path, PathBuf};
 

@@ -37,3 +37,25 @@ pub fn demo_experiment() -> Result<Experiment, Error> {
     scene.validate("demo.toml")?;
     Ok(experiment)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::experiment::Target;
+    use crate::scene::ParameterId;
+
+    #[test]
+    fn the_demo_is_whole() {
+        let Experiment { scene, optimize } = demo_experiment().unwrap();
+        assert_eq!(scene.check(), Ok(()));
+        let (position, intensity) = (ParameterId::LightPosition(0), ParameterId::LightIntensity(0));
+        assert_eq!(scene.parameters.get(position), [-1.0, -10.0, -50.0]);
+        assert_eq!(scene.parameters.get(intensity), [1.0]);
+        let optimize = optimize.unwrap();
+        let expected =
+            Target::Values(vec![(position, vec![1.0, 10.0, -50.0]), (intensity, vec![20000.0])]);
+        assert_eq!(optimize.target, Some(expected));
+        let tuned: Vec<ParameterId> = optimize.parameters.iter().map(|p| p.id).collect();
+        assert_eq!(tuned, [position, intensity]);
+    }
+}

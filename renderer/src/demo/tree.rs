@@ -116,3 +116,46 @@ fn jittered(seed: u64) -> f64 {
     // The upper 53 bits, exactly.
     (bits >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
 }
+
+#[cfg(test)]
+mod tests {
+    use std::collections::HashMap;
+
+    use glam::DVec3;
+
+    use super::*;
+
+    #[test]
+    fn the_tree_stands_on_the_ground() {
+        let tree = low_poly_tree();
+        assert!((100..=250).contains(&tree.triangles.len()), "{}", tree.triangles.len());
+        let heights = tree.vertices.iter().map(|v| v[1]);
+        assert_eq!(heights.clone().fold(f64::INFINITY, f64::min), 0.0);
+        assert_eq!(heights.fold(0.0, f64::max), 3.5);
+        // Two crowded vertices would be a fault in the jitter.
+        for triangle in &tree.triangles {
+            let [a, b, c] = triangle.map(|i| DVec3::from_array(tree.vertices[i as usize]));
+            assert!((b - a).cross(c - a).length() > 1e-3);
+        }
+    }
+
+    #[test]
+    fn the_surface_is_oriented() {
+        let tree = low_poly_tree();
+        // Within a closed surface, every edge is passed once each way; only the trunk is open, at
+        // its upper end.
+        let mut passes: HashMap<(u32, u32), i32> = HashMap::new();
+        for [a, b, c] in &tree.triangles {
+            for (from, to) in [(a, b), (b, c), (c, a)] {
+                *passes.entry((*from.min(to), *from.max(to))).or_default() +=
+                    if from < to { 1 } else { -1 };
+            }
+        }
+        assert_eq!(passes.values().filter(|&&sum| sum != 0).count(), TRUNK_SIDES);
+        // The sides of the lowest tier face away from the axis.
+        let [a, b, c] =
+            tree.triangles[tree.trunk].map(|i| DVec3::from_array(tree.vertices[i as usize]));
+        let outward = DVec3::new(a.x + b.x + c.x, 0.0, a.z + b.z + c.z);
+        assert!((b - a).cross(c - a).dot(outward) > 0.0);
+    }
+}

@@ -51,10 +51,10 @@ pub fn load_image(path: &Path) -> Result<LoadedImage, Error> {
         Some(ImageFormat::OpenExr) => false,
         _ => return Err(refuse("is not a PNG, JPEG or OpenEXR image".to_owned())),
     };
-    let decoded =
-        decode(reader).map_err(|error| refuse(format!("cannot be decoded: {}", one_line(error))))?;
+    let decoded = decode(reader)
+        .map_err(|error| refuse(format!("cannot be decoded: {}", one_line(error))))?;
     let image = if saturates { from_srgb(decoded) } else { from_linear(decoded) };
-    check_finite(&image, path)?;
+    check(&image, path)?;
     Ok(LoadedImage { image, saturates })
 }
 
@@ -63,9 +63,9 @@ pub fn load_image(path: &Path) -> Result<LoadedImage, Error> {
 ///
 /// # Errors
 ///
-/// If a pixel is infinite or not a number, or the file cannot be written.
+/// If the image has no area, a pixel is infinite or not a number, or the file cannot be written.
 pub fn save_png(image: &Image, path: &Path) -> Result<(), Error> {
-    check_finite(image, path)?;
+    check(image, path)?;
     let levels: Vec<u8> = image.pixels.as_flattened().iter().map(|&v| srgb_level(v)).collect();
     let mut bytes = Vec::new();
     PngEncoder::new(&mut bytes)
@@ -78,9 +78,9 @@ pub fn save_png(image: &Image, path: &Path) -> Result<(), Error> {
 ///
 /// # Errors
 ///
-/// If a pixel is infinite or not a number, or the file cannot be written.
+/// If the image has no area, a pixel is infinite or not a number, or the file cannot be written.
 pub fn save_exr(image: &Image, path: &Path) -> Result<(), Error> {
-    check_finite(image, path)?;
+    check(image, path)?;
     let samples: Vec<u8> =
         image.pixels.as_flattened().iter().flat_map(|v| v.to_ne_bytes()).collect();
     let mut bytes = Cursor::new(Vec::new());
@@ -94,8 +94,8 @@ pub fn save_exr(image: &Image, path: &Path) -> Result<(), Error> {
 ///
 /// # Errors
 ///
-/// If the extension is another one, a pixel is infinite or not a number, or the file cannot be
-/// written.
+/// If the extension is another one, the image has no area, a pixel is infinite or not a number, or
+/// the file cannot be written.
 pub fn save_image(image: &Image, path: &Path) -> Result<(), Error> {
     let extension = path.extension().and_then(|e| e.to_str()).unwrap_or("").to_ascii_lowercase();
     match extension.as_str() {
@@ -146,15 +146,18 @@ fn srgb_decode(encoded: f64) -> f64 {
 /// The 8 bit sRGB level of a linear value.
 fn srgb_level(linear: f32) -> u8 {
     let linear = f64::from(linear).clamp(0.0, 1.0);
-    let encoded = if linear <= 0.003_130_8 {
-        12.92 * linear
-    } else {
-        1.055 * linear.powf(1.0 / 2.4) - 0.055
-    };
+    let encoded =
+        if linear <= 0.003_130_8 { 12.92 * linear } else { 1.055 * linear.powf(1.0 / 2.4) - 0.055 };
     (255.0 * encoded).round() as u8
 }
 
-fn check_finite(image: &Image, path: &Path) -> Result<(), Error> {
+/// Whether the image has as many pixels as it says, at least one, and all are finite.
+fn check(image: &Image, path: &Path) -> Result<(), Error> {
+    let (width, height, pixels) = (image.width, image.height, image.pixels.len());
+    if pixels == 0 || pixels as u64 != u64::from(width) * u64::from(height) {
+        let problem = format!("{pixels} pixels are no image of {width} by {height}");
+        return Err(Error::new(path.display(), problem));
+    }
     let channels = image.pixels.as_flattened();
     let Some(first) = channels.iter().position(|v| !v.is_finite()) else { return Ok(()) };
     let (pixel, channel) = (first / 3, first % 3);

@@ -1,7 +1,7 @@
 //! Meshes: Wavefront OBJ and its material libraries (MTL).
 //!
 //! tobj reads the numbers, triangulates and gives each object its own vertices. What it would read
-//! wrongly or in silence never reaches it: [`prepare`] checks a file line by line first and hands
+//! wrongly or in silence never reaches it: `prepare` checks a file line by line first and hands
 //! over only plain vertices, faces and object names.
 
 mod mtl;

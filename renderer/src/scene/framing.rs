@@ -59,3 +59,63 @@ impl Scene {
         (center, if radius > 0.0 { radius } else { 1.0 })
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::demo::demo_experiment;
+
+    /// Where the camera sees a point: 1 is the edge of the image.
+    fn projected(camera: &Camera<f64>, point: DVec3) -> [f64; 2] {
+        let forward = (camera.look_at - camera.look_from).normalize();
+        let right = forward.cross(camera.up).normalize();
+        let offset = point - camera.look_from;
+        let half_height = camera.focus * (camera.vfov / 2.0).to_radians().tan();
+        let scale = 1.0 / (offset.dot(forward) * half_height);
+        [offset.dot(right) * scale, offset.dot(right.cross(forward)) * scale]
+    }
+
+    #[test]
+    fn the_object_fills_the_image_at_every_scale() {
+        for scale in [1e-6, 1e-3, 1.0, 1e3, 1e6] {
+            for shift in [0.0, -5.0] {
+                let mut scene = demo_experiment().unwrap().scene;
+                for value in scene.parameters.vertices[0].as_flattened_mut() {
+                    *value = (*value + shift) * scale;
+                }
+                scene.frame();
+                assert_eq!(scene.check(), Ok(()), "{scale} {shift}");
+                let camera = &scene.parameters.camera;
+                let vertices = scene.parameters.vertices[0].iter();
+                let seen = vertices.map(|&v| projected(camera, DVec3::from_array(v)));
+                let largest = seen.flatten().map(f64::abs).fold(0.0, f64::max);
+                assert!((0.6..1.0).contains(&largest), "{scale} {shift}: {largest}");
+
+                let Light::Point(light) = &scene.parameters.lights[0] else {
+                    panic!("a point light");
+                };
+                let distance = light.position.distance(camera.look_at);
+                let irradiance = light.intensity / (4.0 * PI * distance * distance);
+                assert!((irradiance - 1.5).abs() < 1e-9, "{irradiance}");
+                assert!(light.position.y > camera.look_from.y);
+            }
+        }
+    }
+
+    #[test]
+    fn a_single_point_and_spheres_are_framed() {
+        let mut scene = demo_experiment().unwrap().scene;
+        scene.parameters.vertices[0].fill([3.0, 3.0, 3.0]);
+        scene.frame();
+        assert_eq!(scene.check(), Ok(()));
+        assert_eq!(scene.parameters.camera.look_at, DVec3::splat(3.0));
+
+        scene.parameters.vertices[0].fill([0.0; 3]);
+        let sphere = crate::kernels::sphere::Sphere { center: DVec3::X, radius: 3.0 };
+        scene.parameters.spheres.push(sphere);
+        scene.frame();
+        assert_eq!(scene.parameters.camera.look_at, DVec3::X);
+        let top = projected(&scene.parameters.camera, DVec3::new(1.0, 3.0, 0.0));
+        assert!(top[1] > 0.5 && top[1] < 1.0, "{top:?}");
+    }
+}

@@ -17,9 +17,8 @@ impl Scene {
         }
         let paths = self.parameter_ids().into_iter().map(|id| self.path(id).to_string());
         // The longest common beginning tells what the person meant: the object, or only its kind.
-        let common = |other: &str| {
-            path.bytes().zip(other.bytes()).take_while(|(a, b)| a == b).count()
-        };
+        let common =
+            |other: &str| path.bytes().zip(other.bytes()).take_while(|(a, b)| a == b).count();
         let mut paths: Vec<(usize, String)> = paths.map(|p| (common(&p), p)).collect();
         paths.sort_by_key(|(common, _)| std::cmp::Reverse(*common));
         let longest = paths.first().map_or(0, |(common, _)| *common);
@@ -30,7 +29,9 @@ impl Scene {
             .take(LISTED)
             .collect();
         Err(if close.is_empty() {
-            format!("no parameter `{path}`: paths begin with camera, light, material, sphere or mesh")
+            format!(
+                "no parameter `{path}`: paths begin with camera, light, material, sphere or mesh"
+            )
         } else {
             format!("no parameter `{path}`; closest: {}", close.join(", "))
         })
@@ -44,7 +45,7 @@ mod tests {
 
     #[test]
     fn a_wrong_path_leads_to_the_right_one() {
-        let scene = demo_experiment().scene;
+        let scene = demo_experiment().unwrap().scene;
         assert_eq!(scene.find_parameter("camera.vfov"), Ok(ParameterId::Vfov));
         assert_eq!(
             scene.find_parameter("light.key.positon").unwrap_err(),

@@ -86,8 +86,14 @@ impl Scene {
         let path = || self.path(id).to_string();
         let is_length = matches!(
             id,
-            LookFrom | LookAt | Up | LightPosition(_) | LightDirection(_) | SphereCenter(_)
-                | SphereRadius(_) | Vertices(_)
+            LookFrom
+                | LookAt
+                | Up
+                | LightPosition(_)
+                | LightDirection(_)
+                | SphereCenter(_)
+                | SphereRadius(_)
+                | Vertices(_)
         );
         let bound = if is_length { LARGEST_LENGTH } else { LARGEST_NUMBER };
         for (i, &value) in values.iter().enumerate() {

@@ -132,6 +132,15 @@ fn what_is_no_image_is_refused() {
 }
 
 #[test]
+fn an_image_without_area_is_not_written() {
+    let error = save_image(&Image::black(0, 3), Path::new("out.png")).unwrap_err();
+    assert_eq!(error.to_string(), "out.png: 0 pixels are no image of 0 by 3");
+    let short = Image { width: 2, ..Image::black(1, 1) };
+    let error = save_image(&short, Path::new("out.exr")).unwrap_err();
+    assert_eq!(error.to_string(), "out.exr: 1 pixels are no image of 2 by 1");
+}
+
+#[test]
 fn an_unknown_extension_is_refused() {
     let error = save_image(&Image::black(1, 1), Path::new("out.bmp")).unwrap_err();
     assert!(error.to_string().starts_with("out.bmp: images are written as .png"), "{error}");

@@ -57,9 +57,8 @@ fn prepare(text: &str, path: &Path) -> Result<String, Error> {
     let mut prepared = String::new();
     let mut named = false;
     for statement in statements(text) {
-        let refuse = |problem: String| {
-            Error::new(format!("{}:{}", path.display(), statement.line), problem)
-        };
+        let refuse =
+            |problem: String| Error::new(format!("{}:{}", path.display(), statement.line), problem);
         let keyword = statement.keyword;
         match keyword {
             "newmtl" if statement.rest.is_empty() => {

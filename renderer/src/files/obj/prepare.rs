@@ -127,7 +127,7 @@ fn vertex(rest: &str) -> Result<String, String> {
     if let Some(&weight) = values.get(3)
         && !values[..3].iter().all(|coordinate| (coordinate / weight).is_finite())
     {
-        return Err(format!("the weight {weight} takes the vertex to infinity"));
+        return Err(format!("the weight {weight:?} takes the vertex to infinity"));
     }
     Ok(used.join(" "))
 }
@@ -166,7 +166,8 @@ fn index(word: &str, (kind, count): (&str, i64)) -> Result<i64, String> {
     };
     let resolved = if value < 0 { count.saturating_add(value).saturating_add(1) } else { value };
     if resolved < 1 || resolved > count {
-        let problem = format!("{kind} {value} is out of range: {count} are defined before this line");
+        let problem =
+            format!("{kind} {value} is out of range: {count} are defined before this line");
         return Err(problem);
     }
     Ok(resolved)

@@ -15,13 +15,13 @@ pub(super) type Ordered<T> = Vec<(String, T)>;
 #[serde(deny_unknown_fields)]
 pub(super) struct SceneFile {
     pub camera: CameraEntry,
-    #[serde(default, rename = "light")]
+    #[serde(default, rename = "light", skip_serializing_if = "Vec::is_empty")]
     pub lights: Vec<LightEntry>,
-    #[serde(default, rename = "mesh")]
+    #[serde(default, rename = "mesh", skip_serializing_if = "Vec::is_empty")]
     pub meshes: Vec<MeshEntry>,
-    #[serde(default, rename = "sphere")]
+    #[serde(default, rename = "sphere", skip_serializing_if = "Vec::is_empty")]
     pub spheres: Vec<SphereEntry>,
-    #[serde(default, rename = "material", with = "ordered")]
+    #[serde(default, rename = "material", with = "ordered", skip_serializing_if = "Vec::is_empty")]
     pub materials: Ordered<MaterialEntry>,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub optimize: Option<OptimizeEntry>,
@@ -120,7 +120,7 @@ pub(super) struct OptimizeEntry {
     pub gradient_tolerance: Option<f64>,
     #[serde(default, with = "ordered", skip_serializing_if = "Vec::is_empty")]
     pub target_values: Ordered<Numbers>,
-    #[serde(default, rename = "parameter")]
+    #[serde(default, rename = "parameter", skip_serializing_if = "Vec::is_empty")]
     pub parameters: Vec<ParameterEntry>,
 }
 

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use toml::de::{DeTable, DeValue};
+use toml::de::{DeArray, DeTable, DeValue};
 
 use crate::Error;
 use crate::scene::Invalid;
@@ -50,37 +50,40 @@ impl<'a> Locator<'a> {
     /// Where the closest thing to `path` stands that the file mentions.
     fn span(&self, path: &str) -> Option<Range<usize>> {
         let document = DeTable::parse(self.text).ok()?;
-        let (kind, rest) = path.split_once('.').unwrap_or((path, ""));
-        let (key, value) = document.get_ref().get_key_value(kind)?;
-        let object = match value.get_ref() {
-            DeValue::Array(objects) => {
-                // An object's name may hold dots and so may begin with another's: the longest wins.
-                let named = objects.iter().filter_map(|object| {
-                    let table = object.get_ref().as_table()?;
-                    let name = table.get("name").or_else(|| table.get("path"))?.get_ref().as_str()?;
-                    let rest = rest.strip_prefix(name)?;
-                    let field = rest.strip_prefix('.').or(rest.is_empty().then_some(""))?;
-                    Some((name.len(), table, object.span(), field))
-                });
-                let (_, table, span, field) = named.max_by_key(|(length, ..)| *length)?;
-                return Some(field_span(table, field).unwrap_or(span));
-            }
-            DeValue::Table(table) => table,
-            _ => return Some(key.span()),
-        };
-        Some(field_span(object, rest).unwrap_or(key.span()))
+        within_table(document.get_ref(), path)
     }
 }
 
-/// Where the field `rest` of `table` stands, or as much of it as there is.
-fn field_span(table: &DeTable<'_>, rest: &str) -> Option<Range<usize>> {
-    // Keys may hold dots themselves, as those of `[optimize.target_values]` do.
+/// Where as much of `path` as there is stands in `table`.
+fn within_table(table: &DeTable<'_>, path: &str) -> Option<Range<usize>> {
+    // Keys may hold dots and so may begin with another key: the longest wins.
     let matching = table.iter().filter_map(|(key, value)| {
-        let rest = rest.strip_prefix(key.get_ref().as_ref())?;
-        let field = rest.strip_prefix('.').or(rest.is_empty().then_some(""))?;
-        Some((key, value, field))
+        let key_text: &str = key.get_ref();
+        Some((key_text.len(), key.span(), value, after_name(path, key_text)?))
     });
-    let (key, value, field) = matching.max_by_key(|(key, ..)| key.get_ref().len())?;
-    let inner = value.get_ref().as_table().and_then(|table| field_span(table, field));
-    Some(inner.unwrap_or(key.span()))
+    let (_, span, value, rest) = matching.max_by_key(|(length, ..)| *length)?;
+    let inner = match value.get_ref() {
+        DeValue::Table(table) => within_table(table, rest),
+        DeValue::Array(objects) => within_array(objects, rest),
+        _ => None,
+    };
+    Some(inner.unwrap_or(span))
+}
+
+/// Where as much of `path` as there is stands in an array of objects that have names or paths.
+fn within_array(objects: &DeArray<'_>, path: &str) -> Option<Range<usize>> {
+    let named = objects.iter().filter_map(|object| {
+        let table = object.get_ref().as_table()?;
+        let name = table.get("name").or_else(|| table.get("path"))?.get_ref().as_str()?;
+        Some((name.len(), object.span(), table, after_name(path, name)?))
+    });
+    // Of several objects of one name, the last is the one to complain about.
+    let (_, span, table, rest) = named.max_by_key(|(length, ..)| *length)?;
+    Some(within_table(table, rest).unwrap_or(span))
+}
+
+/// What follows `name` and a dot at the beginning of `path`.
+fn after_name<'a>(path: &'a str, name: &str) -> Option<&'a str> {
+    let rest = path.strip_prefix(name)?;
+    rest.strip_prefix('.').or(rest.is_empty().then_some(""))
 }

@@ -14,13 +14,8 @@ use crate::scene::{MeshObject, Parameters, Scene};
 
 /// A scene of one black pixel: nothing stands before the camera.
 pub(super) fn empty_scene() -> Scene {
-    let camera = Camera {
-        look_from: DVec3::Z,
-        look_at: DVec3::ZERO,
-        up: DVec3::Y,
-        vfov: 45.0,
-        focus: 1.0,
-    };
+    let camera =
+        Camera { look_from: DVec3::Z, look_at: DVec3::ZERO, up: DVec3::Y, vfov: 45.0, focus: 1.0 };
     let parameters = Parameters {
         camera,
         lights: Vec::new(),

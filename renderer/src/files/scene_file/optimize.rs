@@ -26,7 +26,7 @@ pub(super) fn read(
     for parameter in &entry.parameters {
         let tuned = tuned_parameter(parameter, scene)?;
         if parameters.iter().any(|other| other.id == tuned.id) {
-            return Err(at(&parameter.path, "is listed twice"));
+            return Err(at(&parameter.path, "path", "is listed twice"));
         }
         parameters.push(tuned);
     }
@@ -70,19 +70,19 @@ fn target_values(
 
 fn tuned_parameter(entry: &ParameterEntry, scene: &Scene) -> Result<TunedParameter, Problem> {
     let path = &entry.path;
-    let id = scene.find_parameter(path).map_err(|problem| at(path, problem))?;
+    let id = scene.find_parameter(path).map_err(|problem| at(path, "path", problem))?;
     if let Some(rate) = entry.learning_rate
         && !(rate > 0.0 && rate.is_finite())
     {
-        return Err(at(path, format!("learning_rate must be above 0, is {rate}")));
+        return Err(at(path, "learning_rate", format!("must be above 0, is {rate}")));
     }
-    let bound = |name: &str, numbers: &Option<Numbers>| match numbers {
+    let bound = |field: &str, numbers: &Option<Numbers>| match numbers {
         Some(numbers) => match sized(numbers, scene, id, true) {
             Ok(values) if values.iter().any(|v| v.is_nan()) => {
-                Err(at(path, format!("{name} is not a number")))
+                Err(at(path, field, "is not a number"))
             }
             Ok(values) => Ok(Some(values)),
-            Err(problem) => Err(at(path, format!("{name}: {problem}"))),
+            Err(problem) => Err(at(path, field, problem)),
         },
         None => Ok(None),
     };
@@ -90,7 +90,7 @@ fn tuned_parameter(entry: &ParameterEntry, scene: &Scene) -> Result<TunedParamet
     if let (Some(min), Some(max)) = (&min, &max)
         && let Some((low, high)) = min.iter().zip(max).find(|(low, high)| low > high)
     {
-        return Err(at(path, format!("min {low} is above max {high}")));
+        return Err(at(path, "min", format!("{low} is above max {high}")));
     }
     Ok(TunedParameter { id, learning_rate: entry.learning_rate, min, max })
 }
@@ -123,7 +123,7 @@ fn check(
     }
 }
 
-/// A problem with one `[[optimize.parameter]]`.
-fn at(path: &str, problem: impl ToString) -> Problem {
-    Problem::new(format!("optimize.parameter.{path}"), problem)
+/// A problem with a field of one `[[optimize.parameter]]`.
+fn at(path: &str, field: &str, problem: impl ToString) -> Problem {
+    Problem::new(format!("optimize.parameter.{path}.{field}"), problem)
 }

@@ -38,9 +38,9 @@ fn scene(file: &SceneFile, folder: &Path) -> Result<Scene, Problem> {
         meshes::add_entry(&mut scene, &mut materials, entry, folder)?;
     }
     for entry in &file.spheres {
-        let material = materials.index(&entry.material).map_err(|problem| {
-            Problem::new(format!("sphere.{}.material", entry.name), problem)
-        })?;
+        let material = materials
+            .index(&entry.material)
+            .map_err(|problem| Problem::new(format!("sphere.{}.material", entry.name), problem))?;
         scene.spheres.push(SphereObject { name: entry.name.clone(), material });
         let center = DVec3::from_array(entry.center);
         scene.parameters.spheres.push(Sphere { center, radius: entry.radius });

@@ -1,13 +1,13 @@
 use super::*;
-use crate::scene::Light;
 use crate::demo::demo_experiment;
 use crate::kernels::light::DistantLight;
 use crate::kernels::sphere::Sphere;
+use crate::scene::Light;
 use crate::scene::SphereObject;
 
 /// A scene with one of everything.
 fn scene() -> Scene {
-    let mut scene = demo_experiment().scene;
+    let mut scene = demo_experiment().unwrap().scene;
     scene.light_names.push("sun".to_owned());
     scene.parameters.lights.push(Light::Distant(DistantLight {
         direction: DVec3::Y,
