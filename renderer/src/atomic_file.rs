@@ -1,24 +1,31 @@
 //! Files that are never seen half-written.
 
+use std::ffi::OsString;
 use std::fs::{self, File};
 use std::io::{self, Write};
 use std::path::Path;
-use std::process;
 
 use crate::Error;
 
 /// Writes `bytes` to `path` such that, killed or out of power at any moment, the file holds either
 /// all of them or what it held before.
 ///
-/// The bytes go to a temporary file in the same folder, reach the disk, and take the name of
-/// `path` by a rename. Two threads of one process must not write the same path at once.
+/// The bytes go to a hidden file in the same folder (`.NAME.partial`), reach the disk, and take the
+/// name of `path` by a rename. What a killed process left of a hidden file is overwritten by the
+/// next write. Two writers must not write the same path at once.
 ///
 /// # Errors
 ///
 /// If the file cannot be written; the place is `path`. Nothing of the attempt is left.
 pub fn write_atomically(path: &Path, bytes: &[u8]) -> Result<(), Error> {
-    replace(path, bytes).map_err(|error| {
-        Error::new(path.display(), format_args!("the file cannot be written: {error}"))
+    if path.is_dir() {
+        return Err(Error::new(path.display(), "is a directory, not a file"));
+    }
+    replace(path, bytes).map_err(|error| match error.kind() {
+        io::ErrorKind::NotFound => {
+            Error::new(path.display(), "the folder to write it to does not exist")
+        }
+        _ => Error::new(path.display(), format_args!("cannot be written: {error}")),
     })
 }
 
@@ -26,9 +33,10 @@ fn replace(path: &Path, bytes: &[u8]) -> io::Result<()> {
     let Some(name) = path.file_name() else {
         return Err(io::Error::new(io::ErrorKind::InvalidInput, "the path names no file"));
     };
-    // The process id keeps two programs that write the same path apart.
-    let temporary =
-        path.with_file_name(format!(".{}.{}.tmp", name.to_string_lossy(), process::id()));
+    let mut partial = OsString::from(".");
+    partial.push(name);
+    partial.push(".partial");
+    let temporary = path.with_file_name(partial);
 
     let written = File::create(&temporary)
         .and_then(|mut file| {

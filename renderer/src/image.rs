@@ -12,8 +12,34 @@ pub struct Image {
 }
 
 impl Image {
-    /// A black image.
+    /// An image of `width` by `height` black pixels.
     pub fn black(width: u32, height: u32) -> Self {
         Self { width, height, pixels: vec![[0.0; 3]; width as usize * height as usize] }
+    }
+
+    /// The absolute difference of every channel; nothing if the sizes differ.
+    pub fn absolute_difference(&self, other: &Self) -> Option<Self> {
+        if (self.width, self.height) != (other.width, other.height) {
+            return None;
+        }
+        let difference = |(a, b): (&[f32; 3], &[f32; 3])| {
+            [(a[0] - b[0]).abs(), (a[1] - b[1]).abs(), (a[2] - b[2]).abs()]
+        };
+        let pixels = self.pixels.iter().zip(&other.pixels).map(difference).collect();
+        Some(Self { pixels, ..*self })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Image;
+
+    #[test]
+    fn absolute_difference_needs_equal_sizes() {
+        let a = Image { width: 1, height: 2, pixels: vec![[1.0, 2.0, 3.0], [0.0; 3]] };
+        let b = Image { pixels: vec![[3.0, 2.0, 1.0], [0.5; 3]], ..a };
+        let difference = a.absolute_difference(&b).unwrap();
+        assert_eq!(difference.pixels, [[2.0, 0.0, 2.0], [0.5; 3]]);
+        assert_eq!(a.absolute_difference(&Image::black(2, 1)), None);
     }
 }

@@ -6,7 +6,10 @@
 
 pub mod acceleration;
 pub mod atomic_file;
+pub mod demo;
 mod error;
+pub mod experiment;
+pub mod files;
 pub mod image;
 pub mod integrator;
 pub mod kernels;

@@ -5,9 +5,13 @@
 //! gradient is a `Parameters` too, and one set of paths reaches into both. Values are `f64`
 //! whatever the renderer computes in, so that small steps of an optimiser are not lost.
 
+mod framing;
+mod lookup;
 mod parameters;
+mod validate;
 
 pub use parameters::{Differentiability, Light, ParameterId, Parameters};
+pub use validate::Invalid;
 
 /// A scene, complete: it needs no file to be rendered.
 #[derive(Clone, Debug, PartialEq)]

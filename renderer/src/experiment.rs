@@ -1,0 +1,151 @@
+//! An experiment: a scene, and what of it to recover from which image.
+//!
+//! # Scene files
+//!
+//! A whole experiment is one TOML file. Paths are relative to it, colours linear RGB, angles in
+//! degrees; unknown fields are refused.
+//!
+//! ```toml
+//! [camera]
+//! look_from = [0.0, 2.0, 8.0]
+//! look_at = [0.0, 1.0, 0.0]
+//! up = [0.0, 1.0, 0.0]        # the default
+//! vfov = 45.0                 # the default
+//! focus = 1.0                 # the default
+//! width = 640
+//! height = 480
+//!
+//! [[light]]
+//! name = "key"
+//! type = "point"              # or "distant", with a direction (towards the light) for a position
+//! position = [3.0, 5.0, 5.0]
+//! color = [1.0, 1.0, 1.0]     # the default
+//! intensity = 900.0
+//!
+//! [[mesh]]
+//! path = "tree.obj"
+//! name = "tree"               # optional: makes all objects of the file one mesh of this name
+//! material = "bark"           # optional: replaces the file's materials
+//!
+//! [[sphere]]
+//! name = "ball"
+//! center = [1.0, 0.5, 1.0]
+//! radius = 0.5
+//! material = "bark"
+//!
+//! [material.bark]             # a new material, or changes to one that a mesh brings along
+//! ambient = [0.0, 0.0, 0.0]   # the defaults of a new one
+//! diffuse = [0.7, 0.7, 0.7]
+//! specular = [0.0, 0.0, 0.0]
+//! exponent = 1.0
+//!
+//! [optimize]                  # optional, and so is everything in it
+//! target = "photo.png"        # or [optimize.target_values], below
+//! loss = "mean_squared"       # or "sum_squared", "l1"
+//! learning_rate = 0.05
+//! iterations = 500
+//! tolerance = 1e-8            # on the loss
+//! gradient_tolerance = 1e-8   # on the norm of the gradient
+//!
+//! [[optimize.parameter]]
+//! path = "light.key.position"
+//! learning_rate = 0.1
+//! min = -20.0                 # one number, or one for each of the parameter's
+//! max = [20.0, 20.0, 20.0]
+//! ```
+//!
+//! Instead of an image, `[optimize.target_values]` may give the true values of some parameters; the
+//! target is then the image that the scene has with them:
+//!
+//! ```toml
+//! [optimize.target_values]
+//! "light.key.position" = [1.0, 10.0, -50.0]
+//! "light.key.intensity" = 20000.0
+//! ```
+
+use std::path::{Path, PathBuf};
+
+use crate::Error;
+use crate::files::scene_file;
+use crate::loss::LossKind;
+use crate::scene::{ParameterId, Scene};
+
+/// A scene and, if its file says so, an optimisation.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Experiment {
+    /// The scene as it stands, and so the initial guess.
+    pub scene: Scene,
+    /// What to optimise.
+    pub optimize: Option<OptimizeSection>,
+}
+
+/// The section `[optimize]` of a scene file. What it leaves open is for the command line or the
+/// defaults to decide.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct OptimizeSection {
+    /// What to match.
+    pub target: Option<Target>,
+    /// What may vary.
+    pub parameters: Vec<TunedParameter>,
+    /// How to measure the distance to the target.
+    pub loss: Option<LossKind>,
+    /// The learning rate of parameters that name none; above 0.
+    pub learning_rate: Option<f64>,
+    /// Stop after so many steps.
+    pub iterations: Option<u64>,
+    /// Stop when the loss is no larger; 0 or more.
+    pub tolerance: Option<f64>,
+    /// Stop when the norm of the gradient is no larger; 0 or more.
+    pub gradient_tolerance: Option<f64>,
+}
+
+/// What an optimisation is to match.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Target {
+    /// An image file.
+    Image(PathBuf),
+    /// The image of the scene with these parameters set to these values.
+    Values(Vec<(ParameterId, Vec<f64>)>),
+}
+
+/// A parameter that may vary.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TunedParameter {
+    /// Which one.
+    pub id: ParameterId,
+    /// Its own learning rate; above 0.
+    pub learning_rate: Option<f64>,
+    /// Its lower bound, as many numbers as the parameter has.
+    pub min: Option<Vec<f64>>,
+    /// Its upper bound, as many numbers as the parameter has, nowhere below `min`.
+    pub max: Option<Vec<f64>>,
+}
+
+impl Experiment {
+    /// Reads a scene file, or an `.obj`, which is then framed and lit by default: the camera looks
+    /// at the centre of the bounding box from the front, to the right and above; a point light
+    /// `key` stands above the camera.
+    ///
+    /// # Errors
+    ///
+    /// If a file cannot be read, is broken, or describes what cannot be rendered. The message names
+    /// the file and, where it can, the line and the field.
+    pub fn load(path: &Path) -> Result<Self, Error> {
+        let is_obj = path.extension().is_some_and(|e| e.eq_ignore_ascii_case("obj"));
+        if is_obj {
+            let scene = scene_file::load_obj_scene(path)?;
+            return Ok(Self { scene, optimize: None });
+        }
+        scene_file::load(path)
+    }
+
+    /// Parses the text of a scene file whose relative paths begin in `base_dir`; messages call it
+    /// `name`.
+    ///
+    /// # Errors
+    ///
+    /// As [`load`](Self::load).
+    pub fn parse(text: &str, base_dir: &Path, name: &str) -> Result<Self, Error> {
+        scene_file::parse(text, base_dir, name)
+    }
+}

@@ -1,0 +1,179 @@
+//! Images: PNG and JPEG (sRGB), OpenEXR (linear).
+
+use std::io::Cursor;
+use std::path::Path;
+
+use image::codecs::openexr::OpenExrEncoder;
+use image::codecs::png::PngEncoder;
+use image::{
+    DynamicImage, ExtendedColorType, ImageDecoder, ImageEncoder, ImageFormat, ImageReader,
+    ImageResult, metadata::Orientation,
+};
+
+use super::io::read;
+use crate::Error;
+use crate::atomic_file::write_atomically;
+use crate::image::Image;
+
+#[cfg(test)]
+mod tests;
+
+/// An image from a file.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LoadedImage {
+    /// Its pixels.
+    pub image: Image,
+    /// Whether the file cannot hold values above 1 (PNG and JPEG): there, a channel that is 1 may
+    /// have been brighter when the picture was taken.
+    pub saturates: bool,
+}
+
+/// Reads a PNG, JPEG or OpenEXR file; what it is, its content decides, not its name.
+///
+/// PNG and JPEG, grey or RGB, of 8 or 16 bits, are taken as sRGB and decoded to linear values;
+/// colour profiles and gamma chunks are ignored. Where there is alpha, the picture is composited
+/// over black, as the renderer's own background is. The orientation that a camera noted in a JPEG
+/// is applied. OpenEXR is taken as it is: linear, and its colours already multiplied by alpha.
+///
+/// # Errors
+///
+/// If the file cannot be read or decoded, or a pixel of it is infinite or not a number.
+pub fn load_image(path: &Path) -> Result<LoadedImage, Error> {
+    let bytes = read(path)?;
+    let refuse = |problem: String| Error::new(path.display(), problem);
+    if bytes.is_empty() {
+        return Err(refuse("is empty, not an image".to_owned()));
+    }
+    let reader = ImageReader::new(Cursor::new(&bytes))
+        .with_guessed_format()
+        .map_err(|error| refuse(format!("cannot be read: {error}")))?;
+    let saturates = match reader.format() {
+        Some(ImageFormat::Png | ImageFormat::Jpeg) => true,
+        Some(ImageFormat::OpenExr) => false,
+        _ => return Err(refuse("is not a PNG, JPEG or OpenEXR image".to_owned())),
+    };
+    let decoded = decode(reader)
+        .map_err(|error| refuse(format!("cannot be decoded: {}", one_line(error))))?;
+    let image = if saturates { from_srgb(decoded) } else { from_linear(decoded) };
+    check(&image, path)?;
+    Ok(LoadedImage { image, saturates })
+}
+
+/// Writes an 8 bit sRGB PNG. Values are clamped to `[0, 1]`, encoded and rounded to the nearest
+/// level.
+///
+/// # Errors
+///
+/// If the image has no area, a pixel is infinite or not a number, or the file cannot be written.
+pub fn save_png(image: &Image, path: &Path) -> Result<(), Error> {
+    check(image, path)?;
+    let levels: Vec<u8> = image.pixels.as_flattened().iter().map(|&v| srgb_level(v)).collect();
+    let mut bytes = Vec::new();
+    PngEncoder::new(&mut bytes)
+        .write_image(&levels, image.width, image.height, ExtendedColorType::Rgb8)
+        .map_err(|error| not_encoded(path, error))?;
+    write_atomically(path, &bytes)
+}
+
+/// Writes an OpenEXR image of 32 bit floats, exactly as they are.
+///
+/// # Errors
+///
+/// If the image has no area, a pixel is infinite or not a number, or the file cannot be written.
+pub fn save_exr(image: &Image, path: &Path) -> Result<(), Error> {
+    check(image, path)?;
+    let samples: Vec<u8> =
+        image.pixels.as_flattened().iter().flat_map(|v| v.to_ne_bytes()).collect();
+    let mut bytes = Cursor::new(Vec::new());
+    OpenExrEncoder::new(&mut bytes)
+        .write_image(&samples, image.width, image.height, ExtendedColorType::Rgb32F)
+        .map_err(|error| not_encoded(path, error))?;
+    write_atomically(path, bytes.get_ref())
+}
+
+/// Writes an image in the format that the extension of `path` names: `png` or `exr`.
+///
+/// # Errors
+///
+/// If the extension is another one, the image has no area, a pixel is infinite or not a number, or
+/// the file cannot be written.
+pub fn save_image(image: &Image, path: &Path) -> Result<(), Error> {
+    let extension = path.extension().and_then(|e| e.to_str()).unwrap_or("").to_ascii_lowercase();
+    match extension.as_str() {
+        "png" => save_png(image, path),
+        "exr" => save_exr(image, path),
+        _ => Err(Error::new(
+            path.display(),
+            "images are written as .png (8 bit sRGB) or .exr (linear float)",
+        )),
+    }
+}
+
+fn decode(reader: ImageReader<Cursor<&Vec<u8>>>) -> ImageResult<DynamicImage> {
+    let mut decoder = reader.into_decoder()?;
+    // An orientation that cannot be read is none.
+    let orientation = decoder.orientation().unwrap_or(Orientation::NoTransforms);
+    let mut decoded = DynamicImage::from_decoder(decoder)?;
+    decoded.apply_orientation(orientation);
+    Ok(decoded)
+}
+
+fn from_srgb(decoded: DynamicImage) -> Image {
+    // Every 8 and 16 bit format maps to 16 bits without loss: 255 to 65535, grey to three channels.
+    let decoded = decoded.into_rgba16();
+    let linear: Vec<f64> = (0..=u16::MAX).map(|v| srgb_decode(f64::from(v) / 65535.0)).collect();
+    let pixels = decoded
+        .pixels()
+        .map(|pixel| {
+            let [r, g, b, alpha] = pixel.0;
+            let coverage = f64::from(alpha) / 65535.0;
+            [r, g, b].map(|v| (linear[usize::from(v)] * coverage) as f32)
+        })
+        .collect();
+    Image { width: decoded.width(), height: decoded.height(), pixels }
+}
+
+fn from_linear(decoded: DynamicImage) -> Image {
+    let decoded = decoded.into_rgba32f();
+    let pixels = decoded.pixels().map(|pixel| [pixel.0[0], pixel.0[1], pixel.0[2]]).collect();
+    Image { width: decoded.width(), height: decoded.height(), pixels }
+}
+
+/// The linear value of an sRGB value in `[0, 1]` (IEC 61966-2-1).
+fn srgb_decode(encoded: f64) -> f64 {
+    if encoded <= 0.04045 { encoded / 12.92 } else { ((encoded + 0.055) / 1.055).powf(2.4) }
+}
+
+/// The 8 bit sRGB level of a linear value.
+fn srgb_level(linear: f32) -> u8 {
+    let linear = f64::from(linear).clamp(0.0, 1.0);
+    let encoded =
+        if linear <= 0.003_130_8 { 12.92 * linear } else { 1.055 * linear.powf(1.0 / 2.4) - 0.055 };
+    (255.0 * encoded).round() as u8
+}
+
+/// Whether the image has as many pixels as it says, at least one, and all are finite.
+fn check(image: &Image, path: &Path) -> Result<(), Error> {
+    let (width, height, pixels) = (image.width, image.height, image.pixels.len());
+    if pixels == 0 || pixels as u64 != u64::from(width) * u64::from(height) {
+        let problem = format!("{pixels} pixels are no image of {width} by {height}");
+        return Err(Error::new(path.display(), problem));
+    }
+    let channels = image.pixels.as_flattened();
+    let Some(first) = channels.iter().position(|v| !v.is_finite()) else { return Ok(()) };
+    let (pixel, channel) = (first / 3, first % 3);
+    let (x, y) = (pixel % image.width as usize, pixel / image.width as usize);
+    let channel = ["red", "green", "blue"][channel];
+    Err(Error::new(
+        path.display(),
+        format!("{channel} at column {x}, row {y} is {}, not a finite number", channels[first]),
+    ))
+}
+
+fn not_encoded(path: &Path, error: image::ImageError) -> Error {
+    Error::new(path.display(), format!("cannot be encoded: {}", one_line(error)))
+}
+
+fn one_line(error: impl ToString) -> String {
+    error.to_string().split_whitespace().collect::<Vec<_>>().join(" ")
+}

@@ -1,0 +1,147 @@
+use std::fs;
+use std::path::PathBuf;
+
+use super::*;
+
+/// A folder for the files of one test.
+fn folder() -> tempfile::TempDir {
+    tempfile::tempdir().unwrap()
+}
+
+fn error_of(path: &Path) -> String {
+    let error = load_image(path).unwrap_err().to_string();
+    assert!(error.starts_with(&path.display().to_string()), "{error}");
+    assert!(!error.contains('\n'), "{error}");
+    error
+}
+
+fn encode(image: DynamicImage, format: ImageFormat) -> Vec<u8> {
+    let mut bytes = Cursor::new(Vec::new());
+    image.write_to(&mut bytes, format).unwrap();
+    bytes.into_inner()
+}
+
+#[test]
+fn all_levels_of_a_png_survive_a_round_trip() {
+    let folder = folder();
+    let (first, second) = (folder.path().join("a.png"), folder.path().join("b.png"));
+    let levels: Vec<u8> = (0..=255).flat_map(|v| [v, 255 - v, v / 2]).collect();
+    let original = image::RgbImage::from_raw(16, 16, levels.clone()).unwrap();
+    fs::write(&first, encode(original.into(), ImageFormat::Png)).unwrap();
+
+    let loaded = load_image(&first).unwrap();
+    assert!(loaded.saturates);
+    save_image(&loaded.image, &second).unwrap();
+    assert_eq!(image::open(&second).unwrap().into_rgb8().into_raw(), levels);
+}
+
+#[test]
+fn values_beyond_the_range_of_a_png_are_clamped() {
+    let folder = folder();
+    let path = folder.path().join("a.png");
+    let image = Image { width: 1, height: 1, pixels: vec![[-1.0, 0.5, 7.0]] };
+    save_png(&image, &path).unwrap();
+    // 255 * (1.055 * 0.5^(1/2.4) - 0.055) = 187.52
+    assert_eq!(image::open(&path).unwrap().into_rgb8().into_raw(), [0, 188, 255]);
+}
+
+#[test]
+fn exr_keeps_every_bit() {
+    let folder = folder();
+    let path = folder.path().join("a.EXR");
+    let pixels = vec![[1e-30, 0.1, 1e30], [-2.5, 0.0, f32::MIN_POSITIVE]];
+    let image = Image { width: 2, height: 1, pixels };
+    save_image(&image, &path).unwrap();
+    assert_eq!(load_image(&path).unwrap(), LoadedImage { image, saturates: false });
+}
+
+#[test]
+fn a_nan_in_an_exr_is_found() {
+    let folder = folder();
+    let path = folder.path().join("a.exr");
+    let mut pixels = vec![0.0_f32; 3 * 6];
+    pixels[3 * 4 + 1] = f32::NAN;
+    let image = image::Rgb32FImage::from_raw(3, 2, pixels).unwrap();
+    fs::write(&path, encode(image.into(), ImageFormat::OpenExr)).unwrap();
+    let error = error_of(&path);
+    assert!(error.contains("green at column 1, row 1 is NaN"), "{error}");
+}
+
+#[test]
+fn nan_is_not_written() {
+    let folder = folder();
+    let image = Image { width: 1, height: 1, pixels: vec![[0.0, 0.0, f32::INFINITY]] };
+    for name in ["a.png", "a.exr"] {
+        let error = save_image(&image, &folder.path().join(name)).unwrap_err();
+        assert!(error.problem.contains("blue at column 0, row 0"), "{error}");
+    }
+    assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 0);
+}
+
+#[test]
+fn sixteen_bit_grey_with_alpha_is_composited_over_black() {
+    let folder = folder();
+    let path = folder.path().join("a.png");
+    let image =
+        image::ImageBuffer::<image::LumaA<u16>, _>::from_raw(1, 1, vec![65535_u16, 16384]).unwrap();
+    fs::write(&path, encode(image.into(), ImageFormat::Png)).unwrap();
+    let expected = (16384.0_f64 / 65535.0) as f32;
+    assert_eq!(load_image(&path).unwrap().image.pixels, [[expected; 3]]);
+}
+
+#[test]
+fn sixteen_bit_grey_is_finer_than_eight() {
+    let folder = folder();
+    let path = folder.path().join("a.png");
+    let image =
+        image::ImageBuffer::<image::Luma<u16>, _>::from_raw(2, 1, vec![1_u16, 30000]).unwrap();
+    fs::write(&path, encode(image.into(), ImageFormat::Png)).unwrap();
+    let expected = [1.0 / 65535.0, 30000.0 / 65535.0].map(|v| [srgb_decode(v) as f32; 3]);
+    assert_eq!(load_image(&path).unwrap().image.pixels, expected);
+}
+
+#[test]
+fn jpeg_is_read() {
+    let folder = folder();
+    let path = folder.path().join("a.jpg");
+    let grey = image::GrayImage::from_pixel(8, 8, image::Luma([128]));
+    fs::write(&path, encode(grey.into(), ImageFormat::Jpeg)).unwrap();
+    let loaded = load_image(&path).unwrap();
+    assert!(loaded.saturates);
+    assert!((loaded.image.pixels[9][2] - 0.2159).abs() < 0.01, "{:?}", loaded.image.pixels[9]);
+}
+
+#[test]
+fn what_is_no_image_is_refused() {
+    let folder = folder();
+    let file = |name: &str, bytes: &[u8]| -> PathBuf {
+        let path = folder.path().join(name);
+        fs::write(&path, bytes).unwrap();
+        path
+    };
+    let png = encode(image::RgbImage::new(64, 64).into(), ImageFormat::Png);
+    assert!(error_of(&file("cut.png", &png[..png.len() / 2])).contains("cannot be decoded"));
+    assert!(error_of(&file("head.png", &png[..20])).contains("cannot be decoded"));
+    assert!(error_of(&file("empty.png", b"")).contains("is empty"));
+    assert!(error_of(&file("text.png", b"hello")).contains("is not a PNG"));
+    assert!(error_of(&folder.path().join("none.png")).contains("no such file"));
+    assert!(error_of(folder.path()).contains("directory"));
+    let mut broken = png.clone();
+    broken[40] ^= 0xff;
+    assert!(error_of(&file("broken.png", &broken)).contains("cannot be decoded"));
+}
+
+#[test]
+fn an_image_without_area_is_not_written() {
+    let error = save_image(&Image::black(0, 3), Path::new("out.png")).unwrap_err();
+    assert_eq!(error.to_string(), "out.png: 0 pixels are no image of 0 by 3");
+    let short = Image { width: 2, ..Image::black(1, 1) };
+    let error = save_image(&short, Path::new("out.exr")).unwrap_err();
+    assert_eq!(error.to_string(), "out.exr: 1 pixels are no image of 2 by 1");
+}
+
+#[test]
+fn an_unknown_extension_is_refused() {
+    let error = save_image(&Image::black(1, 1), Path::new("out.bmp")).unwrap_err();
+    assert!(error.to_string().starts_with("out.bmp: images are written as .png"), "{error}");
+}

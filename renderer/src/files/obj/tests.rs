@@ -1,0 +1,195 @@
+use std::fs;
+
+use super::*;
+use crate::scene::MeshObject;
+
+/// A folder with the given files.
+fn folder(files: &[(&str, &str)]) -> tempfile::TempDir {
+    let folder = tempfile::tempdir().unwrap();
+    for (name, text) in files {
+        fs::write(folder.path().join(name), text).unwrap();
+    }
+    folder
+}
+
+fn load(text: &str) -> Model {
+    load_obj(&folder(&[("a.obj", text)]).path().join("a.obj")).unwrap()
+}
+
+/// What is said of `a.obj`, from the name of the file on.
+fn refused(files: &[(&str, &str)]) -> String {
+    let folder = folder(files);
+    let error = load_obj(&folder.path().join("a.obj")).unwrap_err().to_string();
+    assert!(!error.contains('\n'), "{error}");
+    let prefix = format!("{}/", folder.path().display());
+    error.strip_prefix(&prefix).unwrap_or_else(|| panic!("names no file: {error}")).to_owned()
+}
+
+const TRIANGLE: &str = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+
+#[test]
+fn objects_materials_and_groups() {
+    let text = "mtllib two words.mtl\n\
+        o left\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n\
+        usemtl red\nf 1 2 3\nusemtl blue\ng part\nf 1 3 4\n\
+        o right\nv 5 0 0\nv 6 0 0\nv 6 1 0\nusemtl red\nf -3 -2 -1\n";
+    let library = "newmtl red\nKa 1 1 1\nKd 0.5 0.25 0.125\nKs 0.1 0.2 0.3\nNs 10\nillum 2\n\
+        map_Kd x.png\nnewmtl blue\nKd 0.5\n";
+    let folder = folder(&[("a.obj", text), ("two words.mtl", library)]);
+    let model = load_obj(&folder.path().join("a.obj")).unwrap();
+
+    let names: Vec<&str> = model.meshes.iter().map(|mesh| mesh.name.as_str()).collect();
+    assert_eq!(names, ["left", "right"]);
+    // The two materials of the left object share its vertices.
+    assert_eq!(model.meshes[0].vertices.len(), 4);
+    assert_eq!(model.meshes[0].triangles, [[0, 1, 2], [0, 2, 3]]);
+    assert_eq!(model.meshes[0].materials, [0, 1]);
+    assert_eq!(model.meshes[1].vertices, [[5.0, 0.0, 0.0], [6.0, 0.0, 0.0], [6.0, 1.0, 0.0]]);
+    assert_eq!(model.meshes[1].materials, [0]);
+
+    let red = Material {
+        ambient: DVec3::ZERO,
+        diffuse: DVec3::new(0.5, 0.25, 0.125),
+        specular: DVec3::new(0.1, 0.2, 0.3),
+        exponent: 10.0,
+    };
+    assert_eq!(model.materials[0].material, Some(red));
+    assert_eq!(model.materials[1].name, "blue");
+    assert_eq!(model.materials[1].material.unwrap().diffuse, DVec3::splat(0.5));
+}
+
+#[test]
+fn groups_are_meshes_where_there_are_no_objects() {
+    let model = load(&format!("{TRIANGLE}f 1 2 3\ng one\nf 1 2 3\ng one\nf 3 2 1\ng\nf 1 3 2\n"));
+    let names: Vec<&str> = model.meshes.iter().map(|mesh| mesh.name.as_str()).collect();
+    assert_eq!(names, ["a", "one", "one_2", "a_2"]);
+    assert_eq!(model.materials.len(), 1);
+    assert_eq!(model.materials[0].name, DEFAULT_MATERIAL);
+    assert_eq!(model.materials[0].material, Some(default_material()));
+}
+
+#[test]
+fn polygons_become_fans() {
+    let model = load(
+        "v 0 0 0\nv 1 0 0\nv 2 1 0\nv 1 2 0\nv 0 1 0\nusemtl default\nf 1 2 3 4 5\nf 1 1 1\nf 1 1 1\n",
+    );
+    let mesh = &model.meshes[0];
+    assert_eq!(mesh.triangles[..3], [[0, 1, 2], [0, 2, 3], [0, 3, 4]]);
+    // Triangles without area and repeated ones are kept.
+    assert_eq!(mesh.triangles[3..], [[0, 0, 0]; 2]);
+    assert_eq!(mesh.materials, [0; 5]);
+}
+
+#[test]
+fn odd_but_whole_files_are_read() {
+    let plain = load(&format!("{TRIANGLE}f 1 2 3\n"));
+    let texts = [
+        // Windows line ends, tabs, a byte order mark, comments.
+        "\u{feff}# caf\u{e9}\r\nv\t0 0\t0\r\nv 1 0 0 # right\r\nv 0 1 0\r\n  f\t1 2   3 # all\r\n",
+        // No line end at the end; normals and texture coordinates in every form.
+        "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvn 0 0 1\nf 1/1 2//1 3/-1/-1",
+        // Colours, weights, exponents, a continued face, lines and points, unknown statements.
+        "v 0 0 0 1 0 0\nv 2e0 0 0 2.0\nv 0 1e-0 0.0 1 1 1\nl 1 2 3\np 1\ns off\nf 1 2 \\\n 3\nxyz 1\n",
+    ];
+    for text in texts {
+        assert_eq!(load(text).meshes, plain.meshes, "{text}");
+    }
+}
+
+#[test]
+fn bytes_that_are_no_text_are_read_over() {
+    let folder = folder(&[]);
+    let path = folder.path().join("a.obj");
+    fs::write(&path, b"# caf\xe9\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n").unwrap();
+    assert_eq!(load_obj(&path).unwrap().meshes[0].triangles, [[0, 1, 2]]);
+}
+
+#[test]
+fn broken_files_are_refused_with_their_line() {
+    for (rest, expected) in [
+        ("v nan 0 0\n", "a.obj:4: `nan` is not a finite number"),
+        ("v 0 -inf 0\n", "a.obj:4: `-inf` is not a finite number"),
+        ("v 0 0 1e999\n", "a.obj:4: `1e999` is not a finite number"),
+        ("v 0 0 1,5\n", "a.obj:4: `1,5` is not a number"),
+        ("v 1 2", "a.obj:4: a vertex has 3 coordinates, this one 2"),
+        ("v 1e300 2 3 1e-300\n", "a.obj:4: the weight 1e-300 takes the vertex to infinity"),
+        ("v 0 0 0 0\n", "a.obj:4: the weight 0.0 takes the vertex to infinity"),
+        ("\nf 1 2 4\n", "a.obj:5: vertex 4 is out of range: 3 are defined before this line"),
+        ("f 1 2 0\n", "a.obj:4: vertex 0 is out of range: 3 are defined before this line"),
+        ("f -4 -1 -2\n", "a.obj:4: vertex -4 is out of range: 3 are defined before this line"),
+        ("f 1 2 -9223372036854775808\n", "a.obj:4: vertex -9223372036854775808 is out of range"),
+        ("f 1 2 99999999999999999999\n", "a.obj:4: `99999999999999999999` is not the index"),
+        ("f 1 2\n", "a.obj:4: a face has at least 3 vertices, this one 2"),
+        ("f\n", "a.obj:4: a face has at least 3 vertices, this one 0"),
+        ("f 1 2 x\n", "a.obj:4: `x` is not the index of a vertex"),
+        ("f 1 2 3/1\n", "a.obj:4: texture coordinate 1 is out of range: 0 are defined"),
+        ("vn 0 0 1\nf 1 2 3//-2\n", "a.obj:5: normal -2 is out of range"),
+        ("f 1/1/1/1 2 3\n", "a.obj:4: `1/1/1/1` is not vertex/texture/normal"),
+        ("usemtl\nf 1 2 3\n", "a.obj:4: usemtl names no material"),
+        ("", "a.obj: holds no triangles"),
+        ("l 1 2 3\n", "a.obj: holds no triangles"),
+    ] {
+        let error = refused(&[("a.obj", &format!("{TRIANGLE}{rest}"))]);
+        assert!(error.starts_with(expected), "{rest:?}: {error}");
+    }
+    assert!(refused(&[("a.obj", "")]).starts_with("a.obj: holds no triangles"));
+    assert!(refused(&[]).starts_with("a.obj: no such file"));
+}
+
+#[test]
+fn libraries_are_found_and_checked() {
+    let obj = format!("mtllib\ta.mtl\n{TRIANGLE}usemtl red\nf 1 2 3\n");
+    for (library, expected) in [
+        ("newmtl red\nKd 1 2\n", "a.mtl:2: Kd is a colour of 3 numbers"),
+        ("newmtl red\nKs nan 0 0\n", "a.mtl:2: Ks: `nan` is not a finite number"),
+        ("newmtl red\nKd 0 -1 0\n", "a.mtl:2: Kd must not be negative, is -1"),
+        ("newmtl red\nNs\n", "a.mtl:2: Ns: `` is not a number"),
+        ("newmtl\n", "a.mtl:1: newmtl names no material"),
+        ("Kd 1 1 1\n", "a.mtl:1: Kd stands before the first newmtl"),
+    ] {
+        let error = refused(&[("a.obj", &obj), ("a.mtl", library)]);
+        assert!(error.starts_with(expected), "{library:?}: {error}");
+    }
+    let error = refused(&[("a.obj", &obj)]);
+    assert!(error.starts_with("a.obj:1: the material library"), "{error}");
+    assert!(error.ends_with("a.mtl is missing"), "{error}");
+
+    // Nobody wears a material of the missing library.
+    let plain = format!("mtllib a.mtl\n{TRIANGLE}f 1 2 3\n");
+    assert_eq!(load(&plain).materials[0].material, Some(default_material()));
+
+    // Two libraries in one line; a material that is in neither is left to the scene file.
+    let two = format!("mtllib a.mtl b.mtl\n{TRIANGLE}usemtl red\nf 1 2 3\nusemtl no\nf 1 2 3\n");
+    let files = [("a.obj", &two[..]), ("a.mtl", ""), ("b.mtl", "newmtl red\r\nKd 1 0 0\r\n")];
+    let model = load_obj(&folder(&files).path().join("a.obj")).unwrap();
+    assert_eq!(model.materials[0].material.unwrap().diffuse, DVec3::X);
+    assert_eq!(model.materials[1].material, None);
+    assert!(model.materials[1].place.ends_with("a.obj:8"), "{}", model.materials[1].place);
+}
+
+#[test]
+fn a_written_mesh_is_read_back_bit_for_bit() {
+    let vertices =
+        [[0.1, 1.0 / 3.0, -1e-300], [1e17 + 2.0, -0.0, f64::MIN_POSITIVE], [5e-324, 123.456, 1e6]];
+    let mesh = MeshObject {
+        name: "Cube.001 #b".to_owned(),
+        triangles: vec![[0, 1, 2], [2, 1, 0], [0, 0, 1]],
+        materials: vec![1, 0, 1],
+    };
+    let names = ["a b".to_owned(), "c".to_owned()];
+    let folder = folder(&[]);
+    let path = folder.path().join("m.obj");
+    save_obj(&mesh, &vertices, &names, &path).unwrap();
+    let model = load_obj(&path).unwrap();
+    assert_eq!(model.meshes[0].name, mesh.name);
+    assert_eq!(model.meshes[0].triangles, mesh.triangles);
+    let bits = |v: &[[f64; 3]]| v.as_flattened().iter().map(|x| x.to_bits()).collect::<Vec<_>>();
+    assert_eq!(bits(&model.meshes[0].vertices), bits(&vertices));
+    let worn: Vec<&str> = (model.meshes[0].materials.iter())
+        .map(|&index| model.materials[index as usize].name.as_str())
+        .collect();
+    assert_eq!(worn, ["c", "a b", "c"]);
+
+    let error = save_obj(&mesh, &vertices[..2], &names, &path).unwrap_err();
+    assert!(error.problem.contains("Cube.001 #b is inconsistent"), "{error}");
+}

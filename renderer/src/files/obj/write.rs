@@ -1,0 +1,50 @@
+//! Writes a mesh as OBJ.
+
+use std::fmt::Write;
+use std::path::Path;
+
+use crate::Error;
+use crate::atomic_file::write_atomically;
+use crate::scene::MeshObject;
+
+/// Writes one mesh as an OBJ file, its materials by name without a library. Coordinates are written
+/// with as many digits as it takes to read the same numbers back.
+///
+/// `vertices` and `material_names` are what the indices of `mesh` refer to.
+///
+/// # Errors
+///
+/// If an index is out of range, or the file cannot be written.
+pub fn save_obj(
+    mesh: &MeshObject,
+    vertices: &[[f64; 3]],
+    material_names: &[String],
+    path: &Path,
+) -> Result<(), Error> {
+    let out_of_range = || Error::new(path.display(), format!("mesh {} is inconsistent", mesh.name));
+    if mesh.triangles.as_flattened().iter().any(|&i| i as usize >= vertices.len())
+        || mesh.materials.len() != mesh.triangles.len()
+    {
+        return Err(out_of_range());
+    }
+    let mut text = format!("o {}\n", mesh.name);
+    for [x, y, z] in vertices {
+        push(&mut text, format_args!("v {x:?} {y:?} {z:?}\n"));
+    }
+    let mut worn = None;
+    for (&material, corners) in mesh.materials.iter().zip(&mesh.triangles) {
+        if worn != Some(material) {
+            let name = material_names.get(material as usize).ok_or_else(out_of_range)?;
+            push(&mut text, format_args!("usemtl {name}\n"));
+            worn = Some(material);
+        }
+        let [a, b, c] = corners.map(|i| u64::from(i) + 1);
+        push(&mut text, format_args!("f {a} {b} {c}\n"));
+    }
+    write_atomically(path, text.as_bytes())
+}
+
+fn push(text: &mut String, line: std::fmt::Arguments<'_>) {
+    // Writing to a string cannot fail.
+    let _ = text.write_fmt(line);
+}

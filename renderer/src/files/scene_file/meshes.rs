@@ -1,0 +1,104 @@
+//! Puts the meshes of OBJ files into a scene.
+
+use std::path::Path;
+
+use glam::DVec3;
+
+use super::Problem;
+use super::format::MeshEntry;
+use super::materials::MaterialTable;
+use crate::Error;
+use crate::files::obj::{Mesh, Model, load_obj, unique};
+use crate::kernels::camera::Camera;
+use crate::scene::{MeshObject, Parameters, Scene};
+
+/// A scene of one black pixel: nothing stands before the camera.
+pub(super) fn empty_scene() -> Scene {
+    let camera =
+        Camera { look_from: DVec3::Z, look_at: DVec3::ZERO, up: DVec3::Y, vfov: 45.0, focus: 1.0 };
+    let parameters = Parameters {
+        camera,
+        lights: Vec::new(),
+        materials: Vec::new(),
+        spheres: Vec::new(),
+        vertices: Vec::new(),
+    };
+    Scene {
+        width: 1,
+        height: 1,
+        parameters,
+        light_names: Vec::new(),
+        material_names: Vec::new(),
+        spheres: Vec::new(),
+        meshes: Vec::new(),
+    }
+}
+
+/// The scene that an `.obj` alone gives, framed and lit by default.
+pub(crate) fn load_obj_scene(path: &Path) -> Result<Scene, Error> {
+    let Model { meshes, materials } = load_obj(path)?;
+    let mut scene = empty_scene();
+    let no_entries = Vec::new();
+    let mut table = MaterialTable::new(&no_entries);
+    let indices: Result<Vec<u32>, Error> = materials.iter().map(|m| table.add(m)).collect();
+    add_meshes(&mut scene, meshes, &indices?);
+    table.move_into(&mut scene);
+    scene.frame();
+    scene.validate(path.display())?;
+    Ok(scene)
+}
+
+/// Adds what one `[[mesh]]` names.
+pub(super) fn add_entry(
+    scene: &mut Scene,
+    table: &mut MaterialTable<'_>,
+    entry: &MeshEntry,
+    folder: &Path,
+) -> Result<(), Problem> {
+    let Model { mut meshes, materials } = load_obj(&folder.join(&entry.path))?;
+    let indices = match &entry.material {
+        Some(name) => {
+            let index = table.index(name).map_err(|problem| {
+                let mesh = entry.name.clone().unwrap_or(entry.path.display().to_string());
+                Problem::new(format!("mesh.{mesh}.material"), problem)
+            })?;
+            vec![index; materials.len()]
+        }
+        None => materials.iter().map(|m| table.add(m)).collect::<Result<Vec<u32>, Error>>()?,
+    };
+    if let Some(name) = &entry.name {
+        meshes = vec![join(meshes, name.clone())];
+        if scene.meshes.iter().any(|other| other.name == *name) {
+            return Err(Problem::new(format!("mesh.{name}.name"), "another mesh has this name"));
+        }
+    }
+    add_meshes(scene, meshes, &indices);
+    Ok(())
+}
+
+/// Adds meshes whose materials are `materials` of the scene.
+fn add_meshes(scene: &mut Scene, meshes: Vec<Mesh>, materials: &[u32]) {
+    for mesh in meshes {
+        let taken = |name: &str| scene.meshes.iter().any(|other| other.name == name);
+        let object = MeshObject {
+            name: unique(mesh.name, taken),
+            triangles: mesh.triangles,
+            materials: mesh.materials.iter().map(|&index| materials[index as usize]).collect(),
+        };
+        scene.meshes.push(object);
+        scene.parameters.vertices.push(mesh.vertices);
+    }
+}
+
+/// All meshes as one.
+fn join(meshes: Vec<Mesh>, name: String) -> Mesh {
+    let mut joined =
+        Mesh { name, vertices: Vec::new(), triangles: Vec::new(), materials: Vec::new() };
+    for mesh in meshes {
+        let first = joined.vertices.len() as u32;
+        joined.triangles.extend(mesh.triangles.iter().map(|corners| corners.map(|i| i + first)));
+        joined.vertices.extend(mesh.vertices);
+        joined.materials.extend(mesh.materials);
+    }
+    joined
+}

@@ -1,0 +1,72 @@
+//! Scene files: TOML, one file for a whole experiment.
+//!
+//! [`format`] is the file as it is written down, [`read`] turns it into an experiment, [`write`] an
+//! experiment into a folder, and [`locate`] finds the line that a message is about.
+
+mod format;
+mod locate;
+mod materials;
+mod meshes;
+mod optimize;
+mod read;
+mod write;
+
+#[cfg(test)]
+mod tests;
+
+use std::path::Path;
+
+use super::io::read as read_bytes;
+use crate::Error;
+use crate::experiment::Experiment;
+use crate::scene::Invalid;
+use locate::Locator;
+
+pub(crate) use meshes::load_obj_scene;
+pub use write::{save_experiment, save_scene};
+
+/// Reads a scene file.
+pub(crate) fn load(path: &Path) -> Result<Experiment, Error> {
+    let text = String::from_utf8(read_bytes(path)?).map_err(|error| {
+        let position = error.utf8_error().valid_up_to();
+        Error::new(path.display(), format!("is not UTF-8 text: byte {position} is no character"))
+    })?;
+    let folder = path.parent().unwrap_or(Path::new(""));
+    parse(&text, folder, &path.display().to_string())
+}
+
+/// Parses the text of a scene file.
+pub(crate) fn parse(text: &str, folder: &Path, name: &str) -> Result<Experiment, Error> {
+    let text = text.strip_prefix('\u{feff}').unwrap_or(text);
+    let locator = Locator::new(text, name);
+    let file: format::SceneFile =
+        toml::from_str(text).map_err(|error| locator.syntax_error(error))?;
+    read::experiment(&file, folder).map_err(|problem| match problem {
+        Problem::Here(invalid) => locator.place(invalid),
+        Problem::Elsewhere(error) => error,
+    })
+}
+
+/// What is wrong: in the scene file itself, or in a file that it names.
+enum Problem {
+    Here(Invalid),
+    Elsewhere(Error),
+}
+
+impl Problem {
+    fn new(path: impl ToString, problem: impl ToString) -> Self {
+        Self::Here(Invalid { path: path.to_string(), problem: problem.to_string() })
+    }
+}
+
+impl From<Invalid> for Problem {
+    fn from(invalid: Invalid) -> Self {
+        Self::Here(invalid)
+    }
+}
+
+impl From<Error> for Problem {
+    fn from(error: Error) -> Self {
+        Self::Elsewhere(error)
+    }
+}

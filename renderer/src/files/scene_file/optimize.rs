@@ -1,0 +1,129 @@
+//! The section `[optimize]` of a scene file.
+
+use std::path::Path;
+
+use super::Problem;
+use super::format::{Numbers, OptimizeEntry, Ordered, ParameterEntry};
+use crate::experiment::{OptimizeSection, Target, TunedParameter};
+use crate::scene::{Invalid, ParameterId, Scene};
+
+/// The section `entry` of a file in `folder` that describes `scene`.
+pub(super) fn read(
+    entry: &OptimizeEntry,
+    scene: &Scene,
+    folder: &Path,
+) -> Result<OptimizeSection, Problem> {
+    let target = match (&entry.target, &entry.target_values[..]) {
+        (Some(_), [_, ..]) => {
+            let problem = "give either target, an image, or target_values, not both";
+            return Err(Problem::new("optimize.target", problem));
+        }
+        (Some(image), []) => Some(Target::Image(folder.join(image))),
+        (None, [_, ..]) => Some(Target::Values(target_values(&entry.target_values, scene)?)),
+        (None, []) => None,
+    };
+    let mut parameters: Vec<TunedParameter> = Vec::new();
+    for parameter in &entry.parameters {
+        let tuned = tuned_parameter(parameter, scene)?;
+        if parameters.iter().any(|other| other.id == tuned.id) {
+            return Err(at(&parameter.path, "path", "is listed twice"));
+        }
+        parameters.push(tuned);
+    }
+    let above_zero = |value: f64| value > 0.0 && value.is_finite();
+    let not_negative = |value: f64| value >= 0.0 && value.is_finite();
+    check("optimize.learning_rate", entry.learning_rate, above_zero, "must be above 0")?;
+    check("optimize.tolerance", entry.tolerance, not_negative, "must not be negative")?;
+    let gradient_tolerance = entry.gradient_tolerance;
+    check("optimize.gradient_tolerance", gradient_tolerance, not_negative, "must not be negative")?;
+    Ok(OptimizeSection {
+        target,
+        parameters,
+        loss: entry.loss,
+        learning_rate: entry.learning_rate,
+        iterations: entry.iterations,
+        tolerance: entry.tolerance,
+        gradient_tolerance,
+    })
+}
+
+/// The values to aim at, which must make a scene that can be rendered.
+fn target_values(
+    entries: &Ordered<Numbers>,
+    scene: &Scene,
+) -> Result<Vec<(ParameterId, Vec<f64>)>, Problem> {
+    let mut target = scene.clone();
+    let mut values = Vec::new();
+    for (path, numbers) in entries {
+        let place = format!("optimize.target_values.{path}");
+        let id = scene.find_parameter(path).map_err(|problem| Problem::new(&place, problem))?;
+        let place_of = |problem| Problem::new(&place, problem);
+        let numbers = sized(numbers, scene, id, false).map_err(place_of)?;
+        target.parameters.get_mut(id).copy_from_slice(&numbers);
+        values.push((id, numbers));
+    }
+    target.check().map_err(|Invalid { path, problem }| {
+        Problem::new(format!("optimize.target_values.{path}"), problem)
+    })?;
+    Ok(values)
+}
+
+fn tuned_parameter(entry: &ParameterEntry, scene: &Scene) -> Result<TunedParameter, Problem> {
+    let path = &entry.path;
+    let id = scene.find_parameter(path).map_err(|problem| at(path, "path", problem))?;
+    if let Some(rate) = entry.learning_rate
+        && !(rate > 0.0 && rate.is_finite())
+    {
+        return Err(at(path, "learning_rate", format!("must be above 0, is {rate}")));
+    }
+    let bound = |field: &str, numbers: &Option<Numbers>| match numbers {
+        Some(numbers) => match sized(numbers, scene, id, true) {
+            Ok(values) if values.iter().any(|v| v.is_nan()) => {
+                Err(at(path, field, "is not a number"))
+            }
+            Ok(values) => Ok(Some(values)),
+            Err(problem) => Err(at(path, field, problem)),
+        },
+        None => Ok(None),
+    };
+    let (min, max) = (bound("min", &entry.min)?, bound("max", &entry.max)?);
+    if let (Some(min), Some(max)) = (&min, &max)
+        && let Some((low, high)) = min.iter().zip(max).find(|(low, high)| low > high)
+    {
+        return Err(at(path, "min", format!("{low} is above max {high}")));
+    }
+    Ok(TunedParameter { id, learning_rate: entry.learning_rate, min, max })
+}
+
+/// As many numbers as the parameter has; a bound may be one number for all of them.
+fn sized(
+    numbers: &Numbers,
+    scene: &Scene,
+    id: ParameterId,
+    spread: bool,
+) -> Result<Vec<f64>, String> {
+    let length = scene.parameters.get(id).len();
+    match numbers {
+        Numbers::One(value) if spread || length == 1 => Ok(vec![*value; length]),
+        Numbers::Many(values) if values.len() == length => Ok(values.clone()),
+        Numbers::One(_) => Err(format!("needs {length} numbers, has 1")),
+        Numbers::Many(values) => Err(format!("needs {length} numbers, has {}", values.len())),
+    }
+}
+
+fn check(
+    path: &str,
+    value: Option<f64>,
+    holds: impl Fn(f64) -> bool,
+    rule: &str,
+) -> Result<(), Problem> {
+    match value {
+        Some(value) if !holds(value) => Err(Problem::new(path, format!("{rule}, is {value}"))),
+        _ => Ok(()),
+    }
+}
+
+/// A problem with a field of one `[[optimize.parameter]]`.
+fn at(path: &str, field: &str, problem: impl ToString) -> Problem {
+    Problem::new(format!("optimize.parameter.{path}.{field}"), problem)
+}

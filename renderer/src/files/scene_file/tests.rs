@@ -1,0 +1,361 @@
+use std::fs;
+
+use super::*;
+use crate::demo::demo_experiment;
+use crate::experiment::{OptimizeSection, Target, TunedParameter};
+use crate::kernels::light::DistantLight;
+use crate::kernels::sphere::Sphere;
+use crate::loss::LossKind;
+use crate::scene::{Light, ParameterId, Scene, SphereObject};
+use glam::DVec3;
+
+const MESH: &str = "o one\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl red\nf 1 2 3\n\
+    o two\nv 0 0 1\nv 1 0 1\nv 0 1 1\nusemtl blue\nf 4 5 6\n";
+const LIBRARY: &str = "newmtl red\nKd 1 0 0\nNs 7\nnewmtl blue\nKd 0 0 1\n";
+const CAMERA: &str =
+    "[camera]\nlook_from = [0, 0, 5]\nlook_at = [0, 0, 0]\nwidth = 8\nheight = 4\n";
+const LIGHT: &str =
+    "[[light]]\nname = \"key\"\ntype = \"point\"\nposition = [1, 2, 3]\nintensity = 4\n";
+
+/// A folder with `a.obj` and its library.
+fn folder() -> tempfile::TempDir {
+    let folder = tempfile::tempdir().unwrap();
+    fs::write(folder.path().join("a.obj"), format!("mtllib a.mtl\n{MESH}")).unwrap();
+    fs::write(folder.path().join("a.mtl"), LIBRARY).unwrap();
+    folder
+}
+
+fn parse_text(text: &str) -> Result<Experiment, Error> {
+    Experiment::parse(text, folder().path(), "s.toml")
+}
+
+/// The camera's five lines, then `rest`, whose first line is therefore line 6.
+fn scene_of(rest: &str) -> Scene {
+    parse_text(&format!("{CAMERA}{rest}")).unwrap().scene
+}
+
+fn refused(rest: &str) -> String {
+    let error = parse_text(&format!("{CAMERA}{rest}")).unwrap_err().to_string();
+    assert!(!error.contains('\n'), "{error}");
+    error
+}
+
+#[test]
+fn defaults_are_filled_in() {
+    let scene = scene_of(LIGHT);
+    let camera = &scene.parameters.camera;
+    assert_eq!((camera.up, camera.vfov, camera.focus), (DVec3::Y, 45.0, 1.0));
+    assert_eq!((scene.width, scene.height), (8, 4));
+    let Light::Point(light) = &scene.parameters.lights[0] else { panic!("a point light") };
+    assert_eq!((light.position, light.color), (DVec3::new(1.0, 2.0, 3.0), DVec3::ONE));
+    assert_eq!(light.intensity, 4.0);
+}
+
+#[test]
+fn materials_are_overridden_defined_and_shared() {
+    let scene = scene_of(
+        "[[mesh]]\npath = \"a.obj\"\n\
+         [[mesh]]\npath = \"a.obj\"\nname = \"joined\"\n\
+         [[mesh]]\npath = \"a.obj\"\nname = \"gold one\"\nmaterial = \"gold\"\n\
+         [[sphere]]\nname = \"ball\"\ncenter = [1, 2, 3]\nradius = 0.5\nmaterial = \"blue\"\n\
+         [material.red]\ndiffuse = [0.5, 0.5, 0.5]\n\
+         [material.gold]\nspecular = [1, 1, 0]\nexponent = 20\n",
+    );
+    let names: Vec<&str> = scene.meshes.iter().map(|mesh| mesh.name.as_str()).collect();
+    assert_eq!(names, ["one", "two", "joined", "gold one"]);
+    // First those of the scene file, in its order, then what the meshes bring.
+    assert_eq!(scene.material_names, ["red", "gold", "blue"]);
+    let [red, gold, blue] = &scene.parameters.materials[..] else { panic!("three materials") };
+    assert_eq!((red.diffuse, red.exponent), (DVec3::splat(0.5), 7.0));
+    assert_eq!((gold.diffuse, gold.exponent), (DVec3::splat(0.7), 20.0));
+    assert_eq!(blue.diffuse, DVec3::Z);
+    assert_eq!(scene.meshes[2].materials, [0, 2]);
+    assert_eq!(scene.meshes[2].triangles, [[0, 1, 2], [3, 4, 5]]);
+    assert_eq!(scene.meshes[3].materials, [1, 1]);
+    assert_eq!(scene.spheres[0].material, 2);
+}
+
+#[test]
+fn one_name_for_two_materials_is_told_apart() {
+    let folder = folder();
+    fs::write(folder.path().join("b.obj"), format!("mtllib b.mtl\n{MESH}")).unwrap();
+    fs::write(folder.path().join("b.mtl"), "newmtl red\nKd 0 1 0\nnewmtl blue\nKd 0 0 1\n")
+        .unwrap();
+    let text = format!("{CAMERA}[[mesh]]\npath = \"a.obj\"\n[[mesh]]\npath = \"b.obj\"\n");
+    let scene = Experiment::parse(&text, folder.path(), "s.toml").unwrap().scene;
+    assert_eq!(scene.material_names, ["red", "blue", "red_2"]);
+    let materials: Vec<u32> = scene.meshes.iter().map(|mesh| mesh.materials[0]).collect();
+    assert_eq!(materials, [0, 1, 2, 1]);
+    assert_eq!(scene.meshes[2].name, "one_2");
+    // An override holds for both.
+    let text = format!("{text}[material.red]\nexponent = 3\n");
+    let scene = Experiment::parse(&text, folder.path(), "s.toml").unwrap().scene;
+    assert_eq!(scene.material_names, ["red", "blue", "red_2"]);
+    let [red, _, other] = &scene.parameters.materials[..] else { panic!("three materials") };
+    assert_eq!((red.diffuse, red.exponent), (DVec3::X, 3.0));
+    assert_eq!((other.diffuse, other.exponent), (DVec3::Y, 3.0));
+}
+
+#[test]
+fn the_optimise_section_is_read() {
+    let text = format!(
+        "{CAMERA}{LIGHT}[optimize]\nloss = \"l1\"\nlearning_rate = 0.1\niterations = 7\n\
+         tolerance = 0\ngradient_tolerance = 1e-9\n\
+         [optimize.target_values]\n\"light.key.position\" = [3, 2, 1]\n\
+         \"light.key.intensity\" = 9\n\
+         [[optimize.parameter]]\npath = \"light.key.position\"\nmin = -5\nmax = [1, inf, 3]\n\
+         [[optimize.parameter]]\npath = \"camera.vfov\"\nlearning_rate = 2\n"
+    );
+    let expected = OptimizeSection {
+        target: Some(Target::Values(vec![
+            (ParameterId::LightPosition(0), vec![3.0, 2.0, 1.0]),
+            (ParameterId::LightIntensity(0), vec![9.0]),
+        ])),
+        parameters: vec![
+            TunedParameter {
+                id: ParameterId::LightPosition(0),
+                learning_rate: None,
+                min: Some(vec![-5.0; 3]),
+                max: Some(vec![1.0, f64::INFINITY, 3.0]),
+            },
+            TunedParameter {
+                id: ParameterId::Vfov,
+                learning_rate: Some(2.0),
+                min: None,
+                max: None,
+            },
+        ],
+        loss: Some(LossKind::L1),
+        learning_rate: Some(0.1),
+        iterations: Some(7),
+        tolerance: Some(0.0),
+        gradient_tolerance: Some(1e-9),
+    };
+    assert_eq!(parse_text(&text).unwrap().optimize, Some(expected));
+    let image = parse_text(&format!("{CAMERA}[optimize]\ntarget = \"t.png\"\n")).unwrap();
+    let Some(Target::Image(path)) = image.optimize.unwrap().target else { panic!("an image") };
+    assert!(path.is_absolute() && path.ends_with("t.png"));
+}
+
+#[test]
+fn mistakes_in_the_file_are_placed() {
+    for (rest, expected) in [
+        ("focuss = 1\n", "s.toml:6: unknown field `focuss`, expected one of `look_from`"),
+        (
+            "vfov = \"wide\"\n",
+            "s.toml:6: invalid type: string \"wide\", expected f64 in `camera.vfov`",
+        ),
+        ("vfov = 45\nvfov = 46\n", "s.toml:7: duplicate key"),
+        ("up = [0, 1]\n", "s.toml:6: invalid length 2"),
+        ("vfov = 1_\n", "s.toml:6: "),
+        ("vfov = nan\n", "s.toml:6: camera.vfov: NaN is not a finite number"),
+        ("vfov = 1e400\n", "s.toml:6: "),
+        ("vfov = 180\n", "s.toml:6: camera.vfov: must lie between 0 and 180 degrees, is 180"),
+        ("\nup = [0, 0, 2]\n", "s.toml:7: camera.up: must not be parallel"),
+        ("[lights]\n", "s.toml:6: unknown field `lights`, expected one of `camera`, `light`"),
+        ("[[light]]\nname = \"k\"\ntype = \"spot\"\n", "s.toml:8: unknown variant `spot`"),
+        ("[[light]]\nname = \"k\"\n", "s.toml:6: missing field `type` in `light`"),
+        (
+            "[[light]]\nname = \"k\"\ntype = \"point\"\nintensity = 1\n",
+            "s.toml:6: light.k.position: is missing; a point light needs one",
+        ),
+        (
+            "[[light]]\nname = \"k\"\ntype = \"distant\"\nposition = [1, 2, 3]\n\
+             direction = [0, 1, 0]\nintensity = 1\n",
+            "s.toml:9: light.k.position: a distant light has none",
+        ),
+        (
+            "[[light]]\nname = \"k\"\ntype = \"distant\"\ndirection = [0, 0, 0]\nintensity = 1\n",
+            "s.toml:9: light.k.direction: must be a direction",
+        ),
+        (
+            "[[sphere]]\nname = \"b\"\ncenter = [0, 0, 0]\nradius = -1\nmaterial = \"m\"\n[material.m]\n",
+            "s.toml:9: sphere.b.radius: must be above 0, is -1",
+        ),
+        (
+            "[[sphere]]\nname = \"b\"\ncenter = [0, 0, 0]\nradius = 1\nmaterial = \"m\"\n",
+            "s.toml:10: sphere.b.material: no material `m`; the scene has none",
+        ),
+        ("[material.m]\nexponent = -1\n", "s.toml:7: material.m.exponent: must not be negative"),
+        ("[material.m]\nshiny = 1\n", "s.toml:7: unknown field `shiny`"),
+        (
+            "[[mesh]]\npath = \"a.obj\"\nmaterial = \"gold\"\n",
+            "s.toml:8: mesh.a.obj.material: no material `gold`; the scene has none",
+        ),
+        (
+            "[[mesh]]\npath = \"a.obj\"\nname = \"m\"\n[[mesh]]\npath = \"a.obj\"\nname = \"m\"\n",
+            "s.toml:11: mesh.m.name: another mesh has this name",
+        ),
+        ("[optimize]\nloss = \"l2\"\n", "s.toml:7: unknown variant `l2`"),
+        ("[optimize]\niterations = -1\n", "s.toml:7: invalid value: integer `-1`"),
+        ("[optimize]\ntolerance = nan\n", "s.toml:7: optimize.tolerance: must not be negative"),
+        ("[optimize]\nlearning_rate = 0\n", "s.toml:7: optimize.learning_rate: must be above 0"),
+        (
+            "[optimize]\ntarget = \"a.png\"\n[optimize.target_values]\n\"camera.vfov\" = 3\n",
+            "s.toml:7: optimize.target: give either target",
+        ),
+        (
+            "[optimize.target_values]\n\"camera.vfow\" = 3\n",
+            "s.toml:7: optimize.target_values.camera.vfow: no parameter `camera.vfow`; closest: camera.vfov",
+        ),
+        (
+            "[optimize.target_values]\n\"camera.vfov\" = 3\n\"camera.up\" = [1, 2]\n",
+            "s.toml:8: optimize.target_values.camera.up: needs 3 numbers, has 2",
+        ),
+        (
+            "[optimize.target_values]\n\"camera.vfov\" = -3\n",
+            "s.toml:7: optimize.target_values.camera.vfov: must lie between",
+        ),
+        (
+            "[[optimize.parameter]]\npath = \"camera.vfov\"\nmin = 2\nmax = 1\n",
+            "s.toml:8: optimize.parameter.camera.vfov.min: 2 is above max 1",
+        ),
+        (
+            "[[optimize.parameter]]\npath = \"camera.fov\"\n",
+            "s.toml:7: optimize.parameter.camera.fov.path: no parameter `camera.fov`; closest: camera.f",
+        ),
+        (
+            "[[optimize.parameter]]\npath = \"camera.vfov\"\nmin = nan\n",
+            "s.toml:8: optimize.parameter.camera.vfov.min: is not a number",
+        ),
+        (
+            "[[optimize.parameter]]\npath = \"camera.vfov\"\nlearning_rate = -1\n",
+            "s.toml:8: optimize.parameter.camera.vfov.learning_rate: must be above 0",
+        ),
+        (
+            "[[optimize.parameter]]\npath = \"camera.vfov\"\n\
+             [[optimize.parameter]]\npath = \"camera.vfov\"\n",
+            "s.toml:9: optimize.parameter.camera.vfov.path: is listed twice",
+        ),
+    ] {
+        let error = refused(rest);
+        assert!(error.starts_with(expected), "{rest:?}:\n{error}\n{expected}");
+    }
+    let error = parse_text("").unwrap_err().to_string();
+    assert!(error.starts_with("s.toml") && error.contains("missing field `camera`"), "{error}");
+}
+
+#[test]
+fn mistakes_in_a_mesh_are_placed_there() {
+    let folder = folder();
+    fs::remove_file(folder.path().join("a.mtl")).unwrap();
+    let text = format!("{CAMERA}[[mesh]]\npath = \"a.obj\"\n");
+    let error = Experiment::parse(&text, folder.path(), "s.toml").unwrap_err();
+    assert!(error.place.ends_with("a.obj:1"), "{error}");
+    let text = format!("{CAMERA}[[mesh]]\npath = \"b.obj\"\n");
+    let error = Experiment::parse(&text, folder.path(), "s.toml").unwrap_err();
+    assert!(error.place.ends_with("b.obj") && error.problem == "no such file", "{error}");
+}
+
+#[test]
+fn a_material_that_nothing_defines_is_refused() {
+    let folder = folder();
+    fs::write(folder.path().join("a.mtl"), "newmtl red\n").unwrap();
+    let error = Experiment::load(&folder.path().join("a.obj")).unwrap_err();
+    assert!(error.place.ends_with("a.obj:13"), "{error}");
+    assert!(error.problem.starts_with("no material `blue`"), "{error}");
+}
+
+#[test]
+fn windows_line_ends_tabs_and_a_byte_order_mark_are_read() {
+    let plain = scene_of(LIGHT);
+    let text = format!("\u{feff}{CAMERA}{LIGHT}").replace('\n', "\r\n").replace(" = ", "\t=\t");
+    assert_eq!(parse_text(&text).unwrap().scene, plain);
+}
+
+#[test]
+fn files_that_are_no_scene_are_refused() {
+    let folder = folder();
+    let refused = |path: &Path| Experiment::load(path).unwrap_err().to_string();
+    assert!(refused(folder.path()).ends_with("is a directory, not a file"));
+    assert!(refused(&folder.path().join("none.toml")).ends_with("no such file"));
+    let binary = folder.path().join("b.toml");
+    fs::write(&binary, [0x66, 0xff, 0x00]).unwrap();
+    assert!(refused(&binary).contains("b.toml: is not UTF-8 text: byte 1"));
+}
+
+/// The demo with a light, a sphere and a mesh more, and awkward names and numbers.
+fn rich_experiment() -> Experiment {
+    let mut experiment = demo_experiment().unwrap();
+    let scene = &mut experiment.scene;
+    scene.light_names.push("sun \"1\".b".to_owned());
+    scene.parameters.lights.push(Light::Distant(DistantLight {
+        direction: DVec3::new(-0.0, 1.0 / 3.0, 1e-17),
+        color: DVec3::new(0.1, 0.2, 0.3),
+        intensity: 1e30,
+    }));
+    scene.spheres.push(SphereObject { name: "ball".to_owned(), material: 1 });
+    scene.parameters.spheres.push(Sphere { center: DVec3::splat(1e-300), radius: 0.1 + 0.2 });
+    for name in ["Tree", "a/b", "a_b", "../x"] {
+        let mut mesh = scene.meshes[0].clone();
+        mesh.name = name.to_owned();
+        scene.meshes.push(mesh);
+        let vertices = scene.parameters.vertices[0].iter().map(|v| v.map(|x| x / 3.0)).collect();
+        scene.parameters.vertices.push(vertices);
+    }
+    scene.material_names[1] = "Leaves.001 [x]".to_owned();
+    experiment
+}
+
+#[test]
+fn a_saved_experiment_is_read_back_bit_for_bit() {
+    let folder = tempfile::tempdir().unwrap();
+    let experiment = rich_experiment();
+    let path = save_experiment(&experiment, &folder.path().join("new/saved")).unwrap();
+    let loaded = Experiment::load(&path).unwrap();
+    assert_eq!(loaded, experiment);
+    // Equality does not tell the zeros apart.
+    for id in experiment.scene.parameter_ids() {
+        let bits = |scene: &Scene| -> Vec<u64> {
+            scene.parameters.get(id).iter().map(|v| v.to_bits()).collect()
+        };
+        assert_eq!(bits(&loaded.scene), bits(&experiment.scene), "{}", loaded.scene.path(id));
+    }
+    // A second time, over the first.
+    assert_eq!(save_scene(&loaded.scene, path.parent().unwrap()).unwrap(), path);
+    let again = Experiment::load(&path).unwrap();
+    assert_eq!((again.scene, again.optimize), (experiment.scene, None));
+}
+
+#[test]
+fn a_target_image_is_taken_along() {
+    let (source, saved) = (folder(), tempfile::tempdir().unwrap());
+    fs::write(source.path().join("t.png"), b"an image").unwrap();
+    let text = format!("{CAMERA}[optimize]\ntarget = \"t.png\"\n");
+    let experiment = Experiment::parse(&text, source.path(), "s.toml").unwrap();
+    let path = save_experiment(&experiment, saved.path()).unwrap();
+    drop(source);
+    let optimize = Experiment::load(&path).unwrap().optimize.unwrap();
+    let Some(Target::Image(image)) = optimize.target else { panic!("an image") };
+    assert_eq!(fs::read(image).unwrap(), b"an image");
+}
+
+#[test]
+fn an_invalid_scene_is_not_written() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut scene = rich_experiment().scene;
+    scene.parameters.camera.vfov = f64::NAN;
+    let error = save_scene(&scene, &folder.path().join("saved")).unwrap_err();
+    assert!(error.to_string().contains("camera.vfov: NaN"), "{error}");
+    assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 0);
+}
+
+#[test]
+fn the_documented_scene_file_is_read() {
+    let documentation = include_str!("../../experiment.rs");
+    let lines = documentation.lines().map_while(|line| line.strip_prefix("//!"));
+    let text: String =
+        lines.map(|line| format!("{}\n", line.strip_prefix(' ').unwrap_or(line))).collect();
+    let blocks: Vec<&str> =
+        text.split("```toml").skip(1).filter_map(|b| b.split("```").next()).collect();
+    let [whole, values] = blocks[..] else { panic!("two blocks") };
+
+    let folder = folder();
+    fs::rename(folder.path().join("a.obj"), folder.path().join("tree.obj")).unwrap();
+    let experiment = Experiment::parse(whole, folder.path(), "s.toml").unwrap();
+    assert_eq!(experiment.scene.parameters.spheres.len(), 1);
+    assert_eq!(experiment.optimize.unwrap().parameters[0].min, Some(vec![-20.0; 3]));
+    let values = whole.replace("target = ", "# ") + values;
+    let experiment = Experiment::parse(&values, folder.path(), "s.toml").unwrap();
+    assert!(matches!(experiment.optimize.unwrap().target, Some(Target::Values(v)) if v.len() == 2));
+}

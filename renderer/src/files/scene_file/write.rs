@@ -1,0 +1,184 @@
+//! From an experiment to a folder.
+
+use std::path::{Path, PathBuf};
+
+use super::format::{
+    CameraEntry, LightEntry, LightKind, MaterialEntry, MeshEntry, Numbers, OptimizeEntry,
+    ParameterEntry, SceneFile, SphereEntry,
+};
+use crate::Error;
+use crate::atomic_file::write_atomically;
+use crate::experiment::{Experiment, OptimizeSection, Target, TunedParameter};
+use crate::files::io::{create_folder, read};
+use crate::files::obj::{save_obj, unique};
+use crate::kernels::material::Material;
+use crate::kernels::sphere::Sphere;
+use crate::scene::{Light, Scene, SphereObject};
+
+/// Writes `scene.toml` and the meshes that it names, `meshes/*.obj`, into `folder`, which is made
+/// if it does not exist; the path of the scene file. Every number is read back as it was.
+///
+/// A mesh is read back with its vertices in the order in which its triangles first use them, and
+/// without unused ones; those of every scene that came from files are in this order.
+///
+/// # Errors
+///
+/// If the scene is not valid, or a file cannot be written.
+pub fn save_scene(scene: &Scene, folder: &Path) -> Result<PathBuf, Error> {
+    save(scene, None, folder)
+}
+
+/// [`save_scene`] with the section `[optimize]`; a target image is copied into the folder.
+///
+/// # Errors
+///
+/// As [`save_scene`], and if the target image cannot be read.
+pub fn save_experiment(experiment: &Experiment, folder: &Path) -> Result<PathBuf, Error> {
+    save(&experiment.scene, experiment.optimize.as_ref(), folder)
+}
+
+fn save(
+    scene: &Scene,
+    optimize: Option<&OptimizeSection>,
+    folder: &Path,
+) -> Result<PathBuf, Error> {
+    let path = folder.join("scene.toml");
+    scene.validate(path.display())?;
+    create_folder(folder)?;
+    // The scene file comes last: once it stands, all that it names does.
+    let file = SceneFile {
+        camera: camera(scene),
+        lights: lights(scene),
+        meshes: save_meshes(scene, folder)?,
+        spheres: spheres(scene),
+        materials: materials(scene),
+        optimize: optimize.map(|section| optimize_entry(section, scene, folder)).transpose()?,
+    };
+    let text = toml::to_string(&file).map_err(|error| Error::new(path.display(), error))?;
+    write_atomically(&path, text.as_bytes())?;
+    Ok(path)
+}
+
+fn camera(scene: &Scene) -> CameraEntry {
+    let camera = &scene.parameters.camera;
+    CameraEntry {
+        look_from: camera.look_from.to_array(),
+        look_at: camera.look_at.to_array(),
+        up: camera.up.to_array(),
+        vfov: camera.vfov,
+        focus: camera.focus,
+        width: scene.width,
+        height: scene.height,
+    }
+}
+
+fn lights(scene: &Scene) -> Vec<LightEntry> {
+    let entry = |(name, light): (&String, &Light<f64>)| {
+        let name = name.clone();
+        match light {
+            Light::Point(light) => LightEntry {
+                name,
+                kind: LightKind::Point,
+                position: Some(light.position.to_array()),
+                direction: None,
+                color: light.color.to_array(),
+                intensity: light.intensity,
+            },
+            Light::Distant(light) => LightEntry {
+                name,
+                kind: LightKind::Distant,
+                position: None,
+                direction: Some(light.direction.to_array()),
+                color: light.color.to_array(),
+                intensity: light.intensity,
+            },
+        }
+    };
+    scene.light_names.iter().zip(&scene.parameters.lights).map(entry).collect()
+}
+
+fn spheres(scene: &Scene) -> Vec<SphereEntry> {
+    let spheres = scene.spheres.iter().zip(&scene.parameters.spheres);
+    let entry = |(object, sphere): (&SphereObject, &Sphere<f64>)| SphereEntry {
+        name: object.name.clone(),
+        center: sphere.center.to_array(),
+        radius: sphere.radius,
+        material: scene.material_names[object.material as usize].clone(),
+    };
+    spheres.map(entry).collect()
+}
+
+fn materials(scene: &Scene) -> Vec<(String, MaterialEntry)> {
+    let materials = scene.material_names.iter().zip(&scene.parameters.materials);
+    let entry = |(name, material): (&String, &Material<f64>)| {
+        let entry = MaterialEntry {
+            ambient: Some(material.ambient.to_array()),
+            diffuse: Some(material.diffuse.to_array()),
+            specular: Some(material.specular.to_array()),
+            exponent: Some(material.exponent),
+        };
+        (name.clone(), entry)
+    };
+    materials.map(entry).collect()
+}
+
+fn save_meshes(scene: &Scene, folder: &Path) -> Result<Vec<MeshEntry>, Error> {
+    if !scene.meshes.is_empty() {
+        create_folder(&folder.join("meshes"))?;
+    }
+    let mut entries: Vec<MeshEntry> = Vec::new();
+    let mut stems: Vec<String> = Vec::new();
+    for (mesh, vertices) in scene.meshes.iter().zip(&scene.parameters.vertices) {
+        // Names may hold what file names may not, and differ only in case.
+        let allowed = |c: char| if c.is_alphanumeric() || "-_".contains(c) { c } else { '_' };
+        let stem: String = mesh.name.chars().map(allowed).collect::<String>().to_lowercase();
+        let stem = unique(stem, |stem| stems.iter().any(|other| other == stem));
+        let path = Path::new("meshes").join(format!("{stem}.obj"));
+        save_obj(mesh, vertices, &scene.material_names, &folder.join(&path))?;
+        stems.push(stem);
+        entries.push(MeshEntry { path, name: Some(mesh.name.clone()), material: None });
+    }
+    Ok(entries)
+}
+
+fn optimize_entry(
+    section: &OptimizeSection,
+    scene: &Scene,
+    folder: &Path,
+) -> Result<OptimizeEntry, Error> {
+    let mut entry = OptimizeEntry {
+        loss: section.loss,
+        learning_rate: section.learning_rate,
+        iterations: section.iterations,
+        tolerance: section.tolerance,
+        gradient_tolerance: section.gradient_tolerance,
+        ..Default::default()
+    };
+    let numbers = |values: &Vec<f64>| match values[..] {
+        [value] => Numbers::One(value),
+        _ => Numbers::Many(values.clone()),
+    };
+    match &section.target {
+        Some(Target::Image(image)) => {
+            let mut name = PathBuf::from("target");
+            if let Some(extension) = image.extension() {
+                name.set_extension(extension);
+            }
+            write_atomically(&folder.join(&name), &read(image)?)?;
+            entry.target = Some(name);
+        }
+        Some(Target::Values(values)) => {
+            let value = |(id, values): &(_, _)| (scene.path(*id).to_string(), numbers(values));
+            entry.target_values = values.iter().map(value).collect();
+        }
+        None => {}
+    }
+    let parameter = |tuned: &TunedParameter| ParameterEntry {
+        path: scene.path(tuned.id).to_string(),
+        learning_rate: tuned.learning_rate,
+        min: tuned.min.as_ref().map(numbers),
+        max: tuned.max.as_ref().map(numbers),
+    };
+    entry.parameters = section.parameters.iter().map(parameter).collect();
+    Ok(entry)
+}

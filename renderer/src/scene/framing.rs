@@ -1,0 +1,121 @@
+//! A camera and a light for a scene that came without.
+
+use std::f64::consts::PI;
+
+use glam::DVec3;
+
+use super::{Light, Scene};
+use crate::kernels::camera::Camera;
+use crate::kernels::light::PointLight;
+
+/// The size of the image in pixels.
+const SIZE: u32 = 512;
+/// The vertical field of view in degrees.
+const VFOV: f64 = 45.0;
+/// From the object towards the camera: in front (+z), to the right and above.
+const TOWARDS_CAMERA: DVec3 = DVec3::new(1.0, 0.7, 1.6);
+/// The room left around the object.
+const MARGIN: f64 = 1.05;
+/// The irradiance at the centre of the object.
+const IRRADIANCE: f64 = 1.5;
+
+impl Scene {
+    /// Gives the scene a camera and a light, `key`, that fit its vertices and spheres.
+    ///
+    /// The camera looks at the centre of the bounding box from the front, to the right of and above
+    /// it, such that the sphere around all vertices fits the square image. The light stands above
+    /// the camera; a surface at the centre that faces it receives an irradiance of 1.5.
+    pub(crate) fn frame(&mut self) {
+        let (center, radius) = self.bounding_sphere();
+        // A sphere fits a cone of this half angle when it touches the cone's side.
+        let distance = MARGIN * radius / (VFOV / 2.0).to_radians().sin();
+        let look_from = center + TOWARDS_CAMERA.normalize() * distance;
+        self.width = SIZE;
+        self.height = SIZE;
+        self.parameters.camera =
+            Camera { look_from, look_at: center, up: DVec3::Y, vfov: VFOV, focus: 1.0 };
+
+        let position = look_from + DVec3::Y * (0.5 * distance);
+        let intensity = IRRADIANCE * 4.0 * PI * position.distance_squared(center);
+        self.light_names = vec!["key".to_owned()];
+        self.parameters.lights =
+            vec![Light::Point(PointLight { position, color: DVec3::ONE, intensity })];
+    }
+
+    /// The centre of the bounding box, and the radius around it that holds everything.
+    fn bounding_sphere(&self) -> (DVec3, f64) {
+        let vertices = self.parameters.vertices.as_slice().concat();
+        let spheres = &self.parameters.spheres;
+        // A vertex is a sphere without extent.
+        let parts = || {
+            let vertices = vertices.iter().map(|&v| (DVec3::from_array(v), 0.0));
+            vertices.chain(spheres.iter().map(|s| (s.center, s.radius)))
+        };
+        let low = parts().map(|(c, r)| c - r).reduce(DVec3::min).unwrap_or(DVec3::ZERO);
+        let high = parts().map(|(c, r)| c + r).reduce(DVec3::max).unwrap_or(DVec3::ZERO);
+        let center = low.midpoint(high);
+        let radius = parts().map(|(c, r)| c.distance(center) + r).fold(0.0, f64::max);
+        // A single point has no size of its own.
+        (center, if radius > 0.0 { radius } else { 1.0 })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::demo::demo_experiment;
+
+    /// Where the camera sees a point: 1 is the edge of the image.
+    fn projected(camera: &Camera<f64>, point: DVec3) -> [f64; 2] {
+        let forward = (camera.look_at - camera.look_from).normalize();
+        let right = forward.cross(camera.up).normalize();
+        let offset = point - camera.look_from;
+        let half_height = camera.focus * (camera.vfov / 2.0).to_radians().tan();
+        let scale = 1.0 / (offset.dot(forward) * half_height);
+        [offset.dot(right) * scale, offset.dot(right.cross(forward)) * scale]
+    }
+
+    #[test]
+    fn the_object_fills_the_image_at_every_scale() {
+        for scale in [1e-6, 1e-3, 1.0, 1e3, 1e6] {
+            for shift in [0.0, -5.0] {
+                let mut scene = demo_experiment().unwrap().scene;
+                for value in scene.parameters.vertices[0].as_flattened_mut() {
+                    *value = (*value + shift) * scale;
+                }
+                scene.frame();
+                assert_eq!(scene.check(), Ok(()), "{scale} {shift}");
+                let camera = &scene.parameters.camera;
+                let vertices = scene.parameters.vertices[0].iter();
+                let seen = vertices.map(|&v| projected(camera, DVec3::from_array(v)));
+                let largest = seen.flatten().map(f64::abs).fold(0.0, f64::max);
+                assert!((0.6..1.0).contains(&largest), "{scale} {shift}: {largest}");
+
+                let Light::Point(light) = &scene.parameters.lights[0] else {
+                    panic!("a point light");
+                };
+                let distance = light.position.distance(camera.look_at);
+                let irradiance = light.intensity / (4.0 * PI * distance * distance);
+                assert!((irradiance - 1.5).abs() < 1e-9, "{irradiance}");
+                assert!(light.position.y > camera.look_from.y);
+            }
+        }
+    }
+
+    #[test]
+    fn a_single_point_and_spheres_are_framed() {
+        let mut scene = demo_experiment().unwrap().scene;
+        scene.parameters.vertices[0].fill([3.0, 3.0, 3.0]);
+        scene.frame();
+        assert_eq!(scene.check(), Ok(()));
+        assert_eq!(scene.parameters.camera.look_at, DVec3::splat(3.0));
+
+        scene.parameters.vertices[0].fill([0.0; 3]);
+        let sphere = crate::kernels::sphere::Sphere { center: DVec3::X, radius: 3.0 };
+        scene.parameters.spheres.push(sphere);
+        scene.frame();
+        assert_eq!(scene.parameters.camera.look_at, DVec3::X);
+        let top = projected(&scene.parameters.camera, DVec3::new(1.0, 3.0, 0.0));
+        assert!(top[1] > 0.5 && top[1] < 1.0, "{top:?}");
+    }
+}
