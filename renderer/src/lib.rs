@@ -6,6 +6,7 @@
 
 pub mod acceleration;
 pub mod atomic_file;
+pub mod cli;
 pub mod demo;
 mod error;
 pub mod experiment;
@@ -16,6 +17,7 @@ pub mod kernels;
 pub mod loss;
 pub mod optimize;
 pub mod precision;
+pub mod recovery;
 pub mod scene;
 
 pub use error::Error;

@@ -115,6 +115,15 @@ impl Scene {
         ids
     }
 
+    /// The shape of a parameter: empty for a number, `[3]` for a vector, `[n, 3]` for vertices.
+    pub fn shape(&self, id: ParameterId) -> Vec<usize> {
+        match (id, self.parameters.get(id).len()) {
+            (ParameterId::Vertices(_), numbers) => vec![numbers / 3, 3],
+            (_, 1) => Vec::new(),
+            (_, numbers) => vec![numbers],
+        }
+    }
+
     /// The path of a parameter: `light.key.position`.
     pub fn path(&self, id: ParameterId) -> ParameterPath<'_> {
         ParameterPath { scene: self, id }

@@ -1,0 +1,59 @@
+//! `renderer` without a command: the light of an embedded scene is recovered from one image.
+
+use std::path::Path;
+
+use glam::DVec3;
+
+use super::optimize::{recover, report};
+use crate::Error;
+use crate::demo::demo_experiment;
+use crate::optimize::CHECKPOINT_FILE;
+use crate::recovery::{Precision, Recovery};
+use crate::scene::{Light, Scene};
+
+pub(super) fn run(precision: Precision) -> Result<(), Error> {
+    let out = Path::new("out/demo");
+    // The demonstration always starts from the beginning.
+    let checkpoint = out.join(CHECKPOINT_FILE);
+    if checkpoint.exists() {
+        std::fs::remove_file(&checkpoint)
+            .map_err(|error| Error::new(checkpoint.display(), error))?;
+    }
+
+    println!("Recovering the light of a scene from one image of it.");
+    let experiment = demo_experiment()?;
+    let recovery = Recovery::new(&experiment, "the embedded demo", precision)?;
+    let outcome = recover(&experiment, &recovery, out, false, precision)?;
+    report(&recovery, &outcome, out);
+
+    let truth: Vec<f64> =
+        recovery.variables().iter().flat_map(|v| v.target.clone().unwrap_or_default()).collect();
+    let true_light = incident_light(&recovery.scene_at(&truth));
+    let found_light = incident_light(&recovery.scene_at(&outcome.best.x));
+    if let (Some(truth), Some(found)) = (true_light, found_light) {
+        println!(
+            "At the tree: direction of the light {:.3} degrees off, irradiance {:.3} % off.",
+            truth.0.angle_between(found.0).to_degrees(),
+            (found.1 / truth.1 - 1.0).abs() * 100.0
+        );
+        println!(
+            "(From afar, a light twice as distant and four times as strong looks the same: these two are what the image tells best.)"
+        );
+    }
+    Ok(())
+}
+
+/// Direction and irradiance of the point light of a scene at the middle of its mesh.
+fn incident_light(scene: &Scene) -> Option<(DVec3, f64)> {
+    let vertices = scene.parameters.vertices.first()?;
+    let sum: DVec3 = vertices.iter().map(|&v| DVec3::from(v)).sum();
+    let middle = sum / vertices.len() as f64;
+    match scene.parameters.lights.first()? {
+        Light::Point(light) => {
+            let to_light = light.position - middle;
+            let sphere = 4.0 * std::f64::consts::PI * to_light.length_squared();
+            Some((to_light, light.intensity / sphere))
+        }
+        Light::Distant(_) => None,
+    }
+}

@@ -1,0 +1,177 @@
+//! The command line: arguments in, files and tables out.
+
+mod demo;
+mod gradient;
+mod optimize;
+mod params;
+mod render;
+
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+
+use clap::{Args, Parser, Subcommand, ValueEnum};
+
+use crate::Error;
+use crate::experiment::{Experiment, Target, TunedParameter};
+use crate::recovery::Precision;
+
+/// Renders scenes, and recovers cameras, lights and materials from images.
+///
+/// Without a command it runs a demonstration: the light of an embedded scene is recovered from one
+/// image.
+#[derive(Parser)]
+#[command(name = "renderer", version)]
+struct Arguments {
+    #[command(subcommand)]
+    command: Option<Command>,
+
+    /// Threads to use [default: one for each core]
+    #[arg(long, global = true, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
+    threads: Option<u16>,
+
+    /// The scalar that the kernels compute in
+    #[arg(long, global = true, value_enum, default_value_t = PrecisionArgument::F32)]
+    precision: PrecisionArgument,
+}
+
+#[derive(Clone, Copy, ValueEnum)]
+enum PrecisionArgument {
+    F32,
+    F64,
+}
+
+#[derive(Subcommand)]
+enum Command {
+    /// Render a scene to an image
+    Render(render::Arguments),
+    /// List every parameter of a scene: path, shape, value, whether it can be differentiated by
+    Params(params::Arguments),
+    /// The gradient of the distance to a target image
+    Gradient(gradient::Arguments),
+    /// Recover parameters from a target image
+    Optimize(optimize::Arguments),
+}
+
+/// What to match and what may vary, for the commands that need both.
+#[derive(Args)]
+struct Problem {
+    /// A scene file (TOML), or an OBJ, which is framed and lit by default
+    scene: PathBuf,
+
+    /// The image to match; replaces the target in the scene file
+    #[arg(long, value_name = "IMAGE")]
+    target: Option<PathBuf>,
+
+    /// A parameter that may vary (can be repeated); replaces those in the scene file
+    #[arg(long = "param", value_name = "PATH")]
+    parameters: Vec<String>,
+}
+
+impl Problem {
+    /// Loads the scene, with target and parameters as the command line wants them. A parameter that
+    /// the scene file lists too keeps its learning rate and bounds.
+    fn load(&self) -> Result<Experiment, Error> {
+        let mut experiment = Experiment::load(&self.scene)?;
+        let mut section = experiment.optimize.take().unwrap_or_default();
+        if let Some(target) = &self.target {
+            section.target = Some(Target::Image(target.clone()));
+        }
+        if !self.parameters.is_empty() {
+            let mut tuned: Vec<TunedParameter> = Vec::new();
+            for path in &self.parameters {
+                let id = experiment
+                    .scene
+                    .find_parameter(path)
+                    .map_err(|problem| Error::new(format_args!("--param {path}"), problem))?;
+                if tuned.iter().any(|tuned| tuned.id == id) {
+                    return Err(Error::new(format_args!("--param {path}"), "is given twice"));
+                }
+                let listed = section.parameters.iter().find(|tuned| tuned.id == id).cloned();
+                tuned.push(listed.unwrap_or(TunedParameter {
+                    id,
+                    learning_rate: None,
+                    min: None,
+                    max: None,
+                }));
+            }
+            section.parameters = tuned;
+        }
+        experiment.optimize = Some(section);
+        Ok(experiment)
+    }
+}
+
+/// Runs the command line of this process.
+pub fn main() -> ExitCode {
+    let arguments = Arguments::parse();
+    match run(&arguments) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            eprintln!("error: {error}");
+            ExitCode::from(2)
+        }
+    }
+}
+
+fn run(arguments: &Arguments) -> Result<(), Error> {
+    if let Some(threads) = arguments.threads {
+        rayon::ThreadPoolBuilder::new()
+            .num_threads(threads.into())
+            .build_global()
+            .map_err(|error| Error::new("--threads", error))?;
+    }
+    let precision = match arguments.precision {
+        PrecisionArgument::F32 => Precision::F32,
+        PrecisionArgument::F64 => Precision::F64,
+    };
+    match &arguments.command {
+        None => demo::run(precision),
+        Some(Command::Render(arguments)) => render::run(arguments, precision),
+        Some(Command::Params(arguments)) => params::run(arguments),
+        Some(Command::Gradient(arguments)) => gradient::run(arguments, precision),
+        Some(Command::Optimize(arguments)) => optimize::run(arguments, precision),
+    }
+}
+
+/// The name of a file without folder and extension, to name results after.
+fn stem(path: &Path) -> String {
+    path.file_stem().map_or_else(|| "scene".into(), |stem| stem.to_string_lossy().into_owned())
+}
+
+/// Numbers as people read them: at most a handful, six digits each.
+fn abbreviate(values: &[f64]) -> String {
+    const MOST: usize = 6;
+    let shown: Vec<_> = values.iter().take(MOST).map(|value| short(*value)).collect();
+    let more = if values.len() > MOST { ", .." } else { "" };
+    match values.len() {
+        1 => shown[0].clone(),
+        _ => format!("[{}{more}]", shown.join(", ")),
+    }
+}
+
+/// A number with six significant digits.
+fn short(value: f64) -> String {
+    // An exact zero may carry a sign from the reverse sweep, which means nothing to a reader.
+    if value == 0.0 {
+        return "0".into();
+    }
+    let magnitude = value.abs().log10().floor();
+    if !(-4.0..7.0).contains(&magnitude) {
+        return format!("{value:.5e}");
+    }
+    let decimals = (5.0 - magnitude).max(0.0) as usize;
+    let text = format!("{value:.decimals$}");
+    match text.contains('.') {
+        true => text.trim_end_matches('0').trim_end_matches('.').into(),
+        false => text,
+    }
+}
+
+/// The numbers of a parameter as JSON: a number, a list, or a list of points.
+fn json_numbers(values: &[f64], shape: &[usize]) -> serde_json::Value {
+    match shape {
+        [] => values.first().copied().into(),
+        [_, width] => values.chunks(*width).map(|row| json_numbers(row, &[*width])).collect(),
+        _ => values.iter().copied().collect(),
+    }
+}

@@ -1,0 +1,57 @@
+//! `renderer params`
+
+use std::path::PathBuf;
+
+use serde_json::{Map, Value};
+
+use super::{abbreviate, json_numbers};
+use crate::Error;
+use crate::experiment::Experiment;
+use crate::scene::Differentiability;
+
+#[derive(clap::Args)]
+pub(super) struct Arguments {
+    /// A scene file (TOML), or an OBJ, which is framed and lit by default
+    scene: PathBuf,
+
+    /// Print an object: path -> numbers
+    #[arg(long)]
+    json: bool,
+}
+
+pub(super) fn run(arguments: &Arguments) -> Result<(), Error> {
+    let scene = Experiment::load(&arguments.scene)?.scene;
+    let size = [("camera.width", scene.width), ("camera.height", scene.height)];
+    if arguments.json {
+        let mut object = Map::new();
+        for id in scene.parameter_ids() {
+            let numbers = json_numbers(scene.parameters.get(id), &scene.shape(id));
+            object.insert(scene.path(id).to_string(), numbers);
+        }
+        object.extend(size.map(|(path, value)| (path.to_owned(), value.into())));
+        println!("{:#}", Value::Object(object));
+        return Ok(());
+    }
+
+    let mut rows: Vec<[String; 4]> = Vec::new();
+    for id in scene.parameter_ids() {
+        let kind = match id.differentiability() {
+            Differentiability::Smooth => "differentiable",
+            Differentiability::Interior => "differentiable, without moving edges",
+        };
+        let shape: Vec<_> = scene.shape(id).iter().map(usize::to_string).collect();
+        let shape = if shape.is_empty() { "1".into() } else { shape.join(" x ") };
+        let value = abbreviate(scene.parameters.get(id));
+        rows.push([scene.path(id).to_string(), shape, kind.into(), value]);
+    }
+    for (path, value) in size {
+        rows.push([path.into(), "1".into(), "not differentiable".into(), value.to_string()]);
+    }
+    let width = |column: usize| rows.iter().map(|row| row[column].chars().count()).max();
+    let widths = [0, 1, 2].map(|column| width(column).unwrap_or(0));
+    for [path, shape, kind, value] in &rows {
+        let [a, b, c] = widths;
+        println!("{path:a$}  {shape:>b$}  {kind:c$}  {value}");
+    }
+    Ok(())
+}

@@ -1,0 +1,25 @@
+//! `renderer render`
+
+use std::path::PathBuf;
+
+use crate::Error;
+use crate::experiment::Experiment;
+use crate::files::save_image;
+use crate::recovery::{Precision, render_at};
+
+#[derive(clap::Args)]
+pub(super) struct Arguments {
+    /// A scene file (TOML), or an OBJ, which is framed and lit by default
+    scene: PathBuf,
+
+    /// Where to write the image: .png (sRGB, clipped to 0..1) or .exr (linear, as rendered)
+    #[arg(short, long, value_name = "IMAGE")]
+    output: PathBuf,
+}
+
+pub(super) fn run(arguments: &Arguments, precision: Precision) -> Result<(), Error> {
+    let experiment = Experiment::load(&arguments.scene)?;
+    save_image(&render_at(precision, &experiment.scene), &arguments.output)?;
+    println!("{}", arguments.output.display());
+    Ok(())
+}

@@ -1,0 +1,7 @@
+//! The command line of the renderer.
+
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    renderer::cli::main()
+}

@@ -1,0 +1,281 @@
+//! Recovering what an image shows: a scene, a target image, the parameters that may vary.
+//!
+//! ```no_run
+//! use renderer::experiment::Experiment;
+//! use renderer::optimize::{Settings, progress};
+//! use renderer::recovery::{Precision, Recovery};
+//!
+//! let experiment = Experiment::load("photo.toml".as_ref())?;
+//! let recovery = Recovery::new(&experiment, "photo.toml", Precision::F32)?;
+//! let settings = recovery.settings();
+//! let outcome = recovery.run(&settings, progress().as_mut())?;
+//! println!("{}", recovery.scene_at(&outcome.best.x).parameters.camera.look_from);
+//! # Ok::<(), renderer::Error>(())
+//! ```
+
+mod defaults;
+
+pub use defaults::natural_scale;
+
+use ad::Scalar;
+
+use crate::Error;
+use crate::experiment::{Experiment, OptimizeSection, Target};
+use crate::files::{LoadedImage, load_image};
+use crate::image::Image;
+use crate::integrator::{Prepared, Wanted, gradient, loss, render};
+use crate::loss::{ImageLoss, LossKind};
+use crate::optimize::{
+    Evaluation, Fingerprint, Objective, Observer, Optimization, Outcome, Settings, Variable,
+};
+use crate::scene::{Parameters, ParameterId, Scene};
+
+/// The scalar that the kernels compute in.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Precision {
+    /// Single precision.
+    #[default]
+    F32,
+    /// Double precision.
+    F64,
+}
+
+/// Runs `$body` with the type `$scalar` standing for the chosen precision.
+macro_rules! at_precision {
+    ($precision:expr, $scalar:ident => $body:expr) => {
+        match $precision {
+            Precision::F32 => {
+                type $scalar = f32;
+                $body
+            }
+            Precision::F64 => {
+                type $scalar = f64;
+                $body
+            }
+        }
+    };
+}
+
+/// Renders a scene, which has to be valid.
+pub fn render_at(precision: Precision, scene: &Scene) -> Image {
+    at_precision!(precision, S => render(&Prepared::<S>::new(scene)))
+}
+
+/// An optimisation of scene parameters against an image.
+pub struct Recovery<'a> {
+    scene: &'a Scene,
+    section: OptimizeSection,
+    precision: Precision,
+    target: LoadedImage,
+    ids: Vec<ParameterId>,
+    variables: Vec<Variable>,
+}
+
+impl<'a> Recovery<'a> {
+    /// Loads or renders the target, and takes the parameters of the experiment's section
+    /// `[optimize]`. `place` names the experiment in errors.
+    ///
+    /// # Errors
+    ///
+    /// If the target or the parameters are missing, the target cannot be read, or its size is not
+    /// that of the camera.
+    pub fn new(
+        experiment: &'a Experiment,
+        place: &str,
+        precision: Precision,
+    ) -> Result<Self, Error> {
+        let scene = &experiment.scene;
+        let section = experiment.optimize.clone().unwrap_or_default();
+        if section.parameters.is_empty() {
+            return Err(Error::new(
+                place,
+                "no parameter to optimise: name one (`renderer params` lists them)",
+            ));
+        }
+        let (target, truth) = load_target(scene, &section, place, precision)?;
+        let ids: Vec<_> = section.parameters.iter().map(|tuned| tuned.id).collect();
+        let variables = section
+            .parameters
+            .iter()
+            .map(|tuned| {
+                let target = truth.as_ref().map(|truth| truth.get(tuned.id).to_vec());
+                defaults::variable(scene, tuned, section.learning_rate, target)
+            })
+            .collect();
+        Ok(Self { scene, section, precision, target, ids, variables })
+    }
+
+    /// The settings of the section `[optimize]`, without checkpoints.
+    pub fn settings(&self) -> Settings {
+        let default = Settings::default();
+        Settings {
+            iterations: self.section.iterations.unwrap_or(default.iterations),
+            tolerance: self.section.tolerance.unwrap_or(default.tolerance),
+            gradient_tolerance: self
+                .section
+                .gradient_tolerance
+                .unwrap_or(default.gradient_tolerance),
+            ..default
+        }
+    }
+
+    /// Tells this problem from others: the scene, the target, the loss, the precision.
+    pub fn fingerprint(&self) -> Fingerprint {
+        let scene = self.scene;
+        let mut fingerprint = Fingerprint::new()
+            .text(&format!("{:?} {:?}", self.precision, self.loss_kind()))
+            .text(&format!("{} {}", scene.width, scene.height))
+            .text(&format!("{:?}", scene.spheres));
+        for id in scene.parameter_ids() {
+            let path = scene.path(id).to_string();
+            fingerprint = fingerprint.text(&path).numbers(scene.parameters.get(id));
+        }
+        let indices = |numbers: &[u32]| -> Vec<u8> {
+            numbers.iter().flat_map(|number| number.to_le_bytes()).collect()
+        };
+        for mesh in &scene.meshes {
+            fingerprint = fingerprint
+                .bytes(&indices(mesh.triangles.as_flattened()))
+                .bytes(&indices(&mesh.materials));
+        }
+        let target = self.target.image.pixels.as_flattened();
+        let bits: Vec<u8> = target.iter().flat_map(|value| value.to_le_bytes()).collect();
+        fingerprint.bytes(&bits).text(&format!("{}", self.target.saturates))
+    }
+
+    /// The parameters that vary.
+    pub fn variables(&self) -> &[Variable] {
+        &self.variables
+    }
+
+    /// The image to be matched.
+    pub fn target(&self) -> &Image {
+        &self.target.image
+    }
+
+    /// The scene with other values of the parameters that vary, one after the other in `x`.
+    pub fn scene_at(&self, x: &[f64]) -> Scene {
+        let mut scene = self.scene.clone();
+        assign(&mut scene.parameters, &self.ids, x);
+        scene
+    }
+
+    /// Optimises.
+    ///
+    /// # Errors
+    ///
+    /// If the settings cannot be used, or a checkpoint cannot be read or written.
+    pub fn run(
+        &self,
+        settings: &Settings,
+        observer: &mut dyn Observer,
+    ) -> Result<Outcome, Error> {
+        let optimization = Optimization::start(&self.variables, settings)?;
+        at_precision!(self.precision, S => {
+            let mut objective = ImageObjective::<S>::new(self);
+            optimization.run(&mut objective, observer)
+        })
+    }
+
+    /// Loss and gradient at the scene as it stands.
+    pub fn evaluate(&self) -> Evaluation {
+        let x: Vec<f64> = self.variables.iter().flat_map(|v| v.initial.clone()).collect();
+        at_precision!(self.precision, S => ImageObjective::<S>::new(self).evaluate(&x))
+    }
+
+    /// The loss in double precision with one element of one parameter changed, for finite
+    /// differences.
+    pub fn loss_with(&self, id: ParameterId, element: usize, value: f64) -> f64 {
+        let mut parameters = self.scene.parameters.clone();
+        parameters.get_mut(id)[element] = value;
+        let mut prepared = Prepared::<f64>::new(self.scene);
+        prepared.set_parameters(&parameters);
+        loss(&prepared, &self.loss())
+    }
+
+    /// The parameters that vary, in the order of [`variables`](Self::variables).
+    pub fn ids(&self) -> &[ParameterId] {
+        &self.ids
+    }
+
+    fn loss_kind(&self) -> LossKind {
+        self.section.loss.unwrap_or_default()
+    }
+
+    fn loss(&self) -> ImageLoss<'_> {
+        ImageLoss::new(self.loss_kind(), &self.target.image, self.target.saturates)
+    }
+}
+
+/// The target image and, where they are known, the parameters that made it.
+fn load_target(
+    scene: &Scene,
+    section: &OptimizeSection,
+    place: &str,
+    precision: Precision,
+) -> Result<(LoadedImage, Option<Parameters>), Error> {
+    match &section.target {
+        None => Err(Error::new(place, "no target: give an image with --target, or `target` or `target_values` in the section [optimize]")),
+        Some(Target::Image(path)) => {
+            let target = load_image(path)?;
+            let (width, height) = (target.image.width, target.image.height);
+            if (width, height) != (scene.width, scene.height) {
+                return Err(Error::new(
+                    path.display(),
+                    format_args!(
+                        "the target has {width} x {height} pixels, the camera of {place} has {} x {}",
+                        scene.width, scene.height
+                    ),
+                ));
+            }
+            Ok((target, None))
+        }
+        Some(Target::Values(values)) => {
+            let mut truth = scene.clone();
+            for (id, values) in values {
+                truth.parameters.get_mut(*id).copy_from_slice(values);
+            }
+            truth.validate(format_args!("{place}: optimize.target_values"))?;
+            let image = render_at(precision, &truth);
+            Ok((LoadedImage { image, saturates: false }, Some(truth.parameters)))
+        }
+    }
+}
+
+fn assign(parameters: &mut Parameters, ids: &[ParameterId], mut x: &[f64]) {
+    for &id in ids {
+        let values = parameters.get_mut(id);
+        let (mine, rest) = x.split_at(values.len());
+        values.copy_from_slice(mine);
+        x = rest;
+    }
+}
+
+/// The loss of the rendered image as a function of the parameters that vary.
+struct ImageObjective<'a, S: Scalar> {
+    recovery: &'a Recovery<'a>,
+    prepared: Prepared<'a, S>,
+    parameters: Parameters,
+    wanted: Wanted,
+}
+
+impl<'a, S: Scalar> ImageObjective<'a, S> {
+    fn new(recovery: &'a Recovery<'a>) -> Self {
+        Self {
+            recovery,
+            prepared: Prepared::new(recovery.scene),
+            parameters: recovery.scene.parameters.clone(),
+            wanted: Wanted::by(&recovery.ids),
+        }
+    }
+}
+
+impl<S: Scalar> Objective for ImageObjective<'_, S> {
+    fn evaluate(&mut self, x: &[f64]) -> Evaluation {
+        assign(&mut self.parameters, &self.recovery.ids, x);
+        self.prepared.set_parameters(&self.parameters);
+        let result = gradient(&self.prepared, &self.recovery.loss(), self.wanted);
+        let elements = self.recovery.ids.iter().flat_map(|&id| result.gradient.get(id));
+        Evaluation { loss: result.loss, gradient: elements.copied().collect() }
+    }
+}
