@@ -3,6 +3,8 @@
 //! These questions have discrete answers, so nothing here is differentiated, and everything is
 //! `f32` whatever the kernels compute in.
 
+#[cfg(test)]
+mod tests;
 mod triangle_test;
 
 use glam::{Vec3, Vec3A};

@@ -44,9 +44,8 @@ pub(super) fn run(arguments: &Arguments, precision: Precision) -> Result<(), Err
         })
         .collect();
     if arguments.json {
-        let entry = |(id, block)| {
-            (scene.path(id).to_string(), json_numbers(block, &scene.shape(id)))
-        };
+        let entry =
+            |(id, block)| (scene.path(id).to_string(), json_numbers(block, &scene.shape(id)));
         let object: Map<String, Value> = blocks.into_iter().map(entry).collect();
         println!("{:#}", Value::Object(object));
         return Ok(());
@@ -69,7 +68,8 @@ pub(super) fn run(arguments: &Arguments, precision: Precision) -> Result<(), Err
             let step = 1e-3 * natural_scale(scene, id);
             let at = scene.parameters.get(id)[i];
             let expected = check::derivative(|x| recovery.loss_with(id, i, x), at, step).value;
-            let error = (value - expected).abs() / expected.abs().max(largest).max(f64::MIN_POSITIVE);
+            let error =
+                (value - expected).abs() / expected.abs().max(largest).max(f64::MIN_POSITIVE);
             missed |= error > 1e-3 && id.differentiability() == Differentiability::Interior;
             println!(
                 "  {:>12}  {:>13}  {:>18}  {:>9.1e}",

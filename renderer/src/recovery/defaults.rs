@@ -42,8 +42,9 @@ fn domain(id: ParameterId) -> (f64, f64) {
     match id {
         Vfov => (1e-3, 179.999),
         Focus | SphereRadius(_) => above_zero,
-        LightColor(_) | LightIntensity(_) | Ambient(_) | Diffuse(_) | Specular(_)
-        | Exponent(_) => (0.0, f64::INFINITY),
+        LightColor(_) | LightIntensity(_) | Ambient(_) | Diffuse(_) | Specular(_) | Exponent(_) => {
+            (0.0, f64::INFINITY)
+        }
         LookFrom | LookAt | Up | LightPosition(_) | LightDirection(_) | SphereCenter(_)
         | Vertices(_) => (f64::NEG_INFINITY, f64::INFINITY),
     }

@@ -28,7 +28,7 @@ use crate::loss::{ImageLoss, LossKind};
 use crate::optimize::{
     Evaluation, Fingerprint, Objective, Observer, Optimization, Outcome, Settings, Variable,
 };
-use crate::scene::{Parameters, ParameterId, Scene};
+use crate::scene::{ParameterId, Parameters, Scene};
 
 /// The scalar that the kernels compute in.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -165,11 +165,7 @@ impl<'a> Recovery<'a> {
     /// # Errors
     ///
     /// If the settings cannot be used, or a checkpoint cannot be read or written.
-    pub fn run(
-        &self,
-        settings: &Settings,
-        observer: &mut dyn Observer,
-    ) -> Result<Outcome, Error> {
+    pub fn run(&self, settings: &Settings, observer: &mut dyn Observer) -> Result<Outcome, Error> {
         let optimization = Optimization::start(&self.variables, settings)?;
         at_precision!(self.precision, S => {
             let mut objective = ImageObjective::<S>::new(self);
@@ -215,7 +211,10 @@ fn load_target(
     precision: Precision,
 ) -> Result<(LoadedImage, Option<Parameters>), Error> {
     match &section.target {
-        None => Err(Error::new(place, "no target: give an image with --target, or `target` or `target_values` in the section [optimize]")),
+        None => Err(Error::new(
+            place,
+            "no target: give an image with --target, or `target` or `target_values` in the section [optimize]",
+        )),
         Some(Target::Image(path)) => {
             let target = load_image(path)?;
             let (width, height) = (target.image.width, target.image.height);
