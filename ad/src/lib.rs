@@ -1,4 +1,139 @@
 //! Exact gradients of ordinary Rust functions, written at compile time.
+//!
+//! ```
+//! use ad::differentiable;
+//!
+//! #[differentiable]
+//! fn spring(stiffness: f64, stretch: f64) -> f64 {
+//!     0.5 * stiffness * stretch * stretch
+//! }
+//!
+//! let (energy, (by_stiffness, by_stretch)) = spring::value_and_grad(3.0, 0.5);
+//! assert_eq!((energy, by_stiffness, by_stretch), (0.375, 0.125, 1.5));
+//! ```
+//!
+//! The function stays as it is. Beside it stands a type of the same name with three functions
+//! (types and functions have separate name spaces, and `use` imports both):
+//!
+//! | | |
+//! |---|---|
+//! | `f::vjp(x, y)` | the value, and the *pullback*: a closure from the cotangent of the value to those of the parameters |
+//! | `f::value_and_grad(x, y)` | the value and the gradient, for a scalar result |
+//! | `f::grad(x, y)` | the gradient alone |
+//!
+//! With one parameter the gradient is bare, with several it is a tuple in their order. In an `impl`
+//! block under `#[differentiable]` each method `m` gets the siblings `m_vjp`, `m_value_and_grad`
+//! and `m_grad`; the receiver is the first parameter.
+//!
+//! # What can be differentiated
+//!
+//! Functions and inherent methods on `f32`, `f64`, glam's float vectors, tuples, arrays, `Option`,
+//! references to these, and structs with `#[derive(Differentiable)]`; generic ones too. In a body:
+//! `let` with patterns, arithmetic, assignment to local variables and parts of them, `if`, `match`,
+//! `if let`, `let else`, `for` over ranges, `return` from anywhere, `?` on options, calls of
+//! differentiable functions and of the methods listed in [`rules`].
+//!
+//! ```
+//! use ad::{Differentiable, differentiable};
+//! use glam::DVec3;
+//!
+//! #[derive(Clone, Copy, Differentiable)]
+//! struct Ray {
+//!     origin: DVec3,
+//!     direction: DVec3,
+//! }
+//!
+//! #[differentiable]
+//! impl Ray {
+//!     fn at(&self, t: f64) -> DVec3 {
+//!         self.origin + self.direction * t
+//!     }
+//! }
+//!
+//! /// The nearest distance at which the ray meets the unit sphere, squared.
+//! #[differentiable]
+//! fn hit(ray: Ray) -> Option<f64> {
+//!     let b = ray.origin.dot(ray.direction);
+//!     let discriminant = b * b - ray.origin.length_squared() + 1.0;
+//!     if discriminant < 0.0 {
+//!         return None;
+//!     }
+//!     let point = ray.at(-b - discriminant.sqrt());
+//!     Some(point.distance_squared(ray.origin))
+//! }
+//!
+//! let ray = Ray { origin: DVec3::new(0.0, 0.5, -3.0), direction: DVec3::Z };
+//! let (distance, pullback) = hit::vjp(ray);
+//! assert!(distance.is_some());
+//! // The cotangent of a struct is a struct of the same fields: here a `RayTangent`.
+//! assert!(pullback(1.0).origin.z < 0.0);
+//! ```
+//!
+//! Everything else is refused at compile time, at its place, with what to write instead: a gradient
+//! that compiles is right. In particular:
+//!
+//! - A function that is called has to be `#[differentiable]` itself. If it is not, the compiler
+//!   says that it finds no *module, crate or type* of that name, or no method `.._vjp`.
+//! - Integers, booleans and comparisons carry no derivative. A cast from a float to an integer would
+//!   cut one off, so it has to be said: `stop_gradient(x) as usize`.
+//! - A struct field that carries no derivative is marked `#[constant]`.
+//!
+//! At points without a derivative (`|x|` at 0, a vector of length 0) the rules return a finite
+//! subgradient: see the [table](rules#singular-points).
+//!
+//! # How the generated code reads
+//!
+//! For `fn f(x: f64, y: f64) -> f64 { let p = x * y; p.sin() + p }` the attribute writes, but for
+//! full paths,
+//!
+//! ```ignore
+//! pub fn vjp(x: f64, y: f64) -> (f64, impl FnOnce(f64) -> (f64, f64)) {
+//!     let p = x * y;
+//!     let (sin, sin_pullback) = p.sin_vjp();
+//!     let sum = sin + p;
+//!     (sum, move |sum_bar| {
+//!         let (sin_bar, mut p_bar) = add_pullback(sum_bar);
+//!         p_bar += sin_pullback(sin_bar);
+//!         let (x_bar, y_bar) = mul_pullback(x, y, p_bar);
+//!         (x_bar, y_bar)
+//!     })
+//! }
+//! ```
+//!
+//! What the closure names, it captures: the compiler decides what is saved. There is no tape and no
+//! allocation, except for loops whose length is not a literal. Calls are inlined like any others, and
+//! cotangents that a caller drops are not computed.
+//!
+//! # Generic scalars
+//!
+//! A function generic over `S:` [`Real`] runs at `f32`, at `f64` and on [`Dual`] numbers. That gives
+//! forward mode, an independent check of the adjoint, and, with dual numbers under the adjoint,
+//! second derivatives:
+//!
+//! ```
+//! use ad::{Dual, Real, differentiable};
+//!
+//! #[differentiable]
+//! fn rosenbrock<S: Real>(x: S, y: S) -> S {
+//!     let a = S::ONE - x;
+//!     let b = y - x * x;
+//!     a * a + S::from_f64(100.0) * b * b
+//! }
+//!
+//! // The Hessian times the direction (1, 0), at (1, 1).
+//! let (by_x, by_y) = rosenbrock::grad(Dual::new(1.0, 1.0), Dual::constant(1.0));
+//! assert_eq!((by_x.derivative, by_y.derivative), (802.0, -400.0));
+//! ```
+//!
+//! Two things differ from plain code. [`Vec3<S>`](Vec3) does not tell the compiler what `S` is, so
+//! calls name it: `shade::<S>(..)`. And a comparison is a [`Mask`], with which
+//! [`select`](fn@select) chooses, so that the scalar may also be several numbers side by side.
+//!
+//! # Checking a gradient
+//!
+//! [`check::gradient`] differentiates numerically, with step control, and shares no code with the
+//! rules.
+
 extern crate self as ad;
 
 pub mod check;
