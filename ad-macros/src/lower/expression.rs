@@ -58,9 +58,16 @@ impl Lowerer<'_> {
             Expr::Range(range) => {
                 self.refuse(range, "a range has no derivative: use it as the head of a `for` loop")
             }
-            Expr::Assign(_) => self.refuse(expr, "write the assignment as a statement of its own"),
+            // The last statement of a block, or the body of an arm.
+            Expr::Assign(_) | Expr::ForLoop(_) => self.unit_expression(expr),
             other => self.refuse_expression(other),
         }
+    }
+
+    /// An expression that is written for its effect on variables.
+    fn unit_expression(&mut self, expr: &Expr) -> Operand {
+        self.expression_statement(expr);
+        Self::unit()
     }
 
     fn operands<'e>(&mut self, exprs: impl IntoIterator<Item = &'e Expr>) -> Vec<Operand> {
@@ -98,7 +105,7 @@ impl Lowerer<'_> {
             | BinOp::BitXor(_)
             | BinOp::Shl(_)
             | BinOp::Shr(_) => return self.discrete(&Expr::Binary(binary.clone())),
-            _ => return self.refuse(binary, "write the assignment as a statement of its own"),
+            _ => return self.unit_expression(&Expr::Binary(binary.clone())),
         };
         let left = self.operand(&binary.left, "value");
         let right = self.operand(&binary.right, "value");

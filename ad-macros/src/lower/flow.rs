@@ -104,7 +104,7 @@ impl Lowerer<'_> {
         }
     }
 
-    fn expression_statement(&mut self, expr: &Expr) {
+    pub(super) fn expression_statement(&mut self, expr: &Expr) {
         match expr {
             Expr::Assign(assign) => self.assign(assign),
             Expr::Binary(binary) if is_update(&binary.op) => self.update(binary),

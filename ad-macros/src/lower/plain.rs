@@ -67,7 +67,6 @@ impl Lowerer<'_> {
             Expr::While(_) | Expr::Loop(_) => {
                 "only loops over a range can be differentiated: write `for i in 0..n`"
             }
-            Expr::ForLoop(_) => "write the loop as a statement of its own",
             Expr::Closure(_) => "closures are not supported: write a `#[differentiable]` function",
             Expr::Break(_) | Expr::Continue(_) => {
                 "`break` and `continue` are not supported: put what follows under an `if`, or `return` from a function of its own"
