@@ -3,6 +3,7 @@
 use proc_macro2::TokenStream;
 use quote::{ToTokens, quote};
 use syn::spanned::Spanned;
+use syn::visit::{self, Visit};
 use syn::{Expr, Member, Pat, Type};
 
 use super::Lowerer;
@@ -191,6 +192,13 @@ impl Lowerer<'_> {
                 let ty = ty.cloned();
                 self.push(Statement::Destructure { pattern, ty, source, bindings });
             }
+            // What is assigned to later may get a derivative then.
+            Operand::Constant(value) if binds_mutably(pat) => {
+                let source = self.named(Operand::Constant(value), "value", pat.span());
+                let (pattern, bindings) = self.pattern(pat, true);
+                let ty = ty.cloned();
+                self.push(Statement::Destructure { pattern, ty, source, bindings });
+            }
             Operand::Constant(value) => {
                 let (pattern, bindings) = self.pattern(pat, false);
                 let ty = ty.map(|ty| quote!(: #ty));
@@ -202,7 +210,13 @@ impl Lowerer<'_> {
 
     /// A variable declared with an integer or boolean type.
     pub(super) fn discrete_local(&mut self, pat: &Pat, ty: Option<&Type>, value: &Expr) {
-        let value = self.plain_constant(value);
+        let value = match value {
+            Expr::If(_) | Expr::Match(_) | Expr::Block(_) => {
+                let chosen = self.operand(value, "value");
+                self.without_derivative(&chosen)
+            }
+            _ => self.plain_constant(value),
+        };
         match pat {
             Pat::Ident(ident) if ident.subpat.is_none() && ident.by_ref.is_none() => {
                 let var = self.bind(&ident.ident, ident.mutability.is_some(), false);
@@ -262,4 +276,20 @@ fn is_discrete_literal(tokens: &TokenStream) -> bool {
         Ok(syn::Lit::Bool(_) | syn::Lit::Char(_)) => true,
         _ => false,
     }
+}
+
+/// Whether the pattern binds a variable that may be assigned to.
+fn binds_mutably(pat: &Pat) -> bool {
+    struct Finder(bool);
+
+    impl<'ast> Visit<'ast> for Finder {
+        fn visit_pat_ident(&mut self, ident: &'ast syn::PatIdent) {
+            self.0 |= ident.mutability.is_some();
+            visit::visit_pat_ident(self, ident);
+        }
+    }
+
+    let mut finder = Finder(false);
+    finder.visit_pat(pat);
+    finder.0
 }
