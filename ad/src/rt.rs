@@ -25,7 +25,7 @@ impl<T: Additive> Space<T> {
 
     /// A cotangent, seen from the field it is the cotangent of.
     #[inline(always)]
-    pub fn enter<C: Enter<T>>(self, cotangent: C) -> T {
+    pub fn enter<Kind>(self, cotangent: impl Enter<T, Kind>) -> T {
         cotangent.enter()
     }
 
@@ -63,42 +63,52 @@ pub fn space<T: Differentiable + ?Sized>(_value: &T) -> Space<Tangent<T>> {
     Space(PhantomData)
 }
 
+/// Says of a conversion that both sides are of one kind.
+pub enum Same {}
+
+/// Says of a conversion that one side is the tangent of a `#[constant]` field.
+pub enum Constant {}
+
 /// Adds a contribution to a cotangent. What flows to a `#[constant]` field is dropped.
-pub trait Absorb<C> {
+///
+/// `Kind` is inferred; it keeps the implementations apart.
+pub trait Absorb<C, Kind> {
     /// `self += contribution`
     fn absorb(&mut self, contribution: C);
 }
 
-impl<T: Additive> Absorb<T> for T {
+impl<T: Additive> Absorb<T, Same> for T {
     #[inline(always)]
     fn absorb(&mut self, contribution: T) {
         self.accumulate(contribution);
     }
 }
 
-impl<T> Absorb<T> for NoTangent<T> {
+impl<T: ?Sized, C: Additive> Absorb<C, Constant> for NoTangent<T> {
     #[inline(always)]
-    fn absorb(&mut self, _: T) {}
+    fn absorb(&mut self, _: C) {}
 }
 
 /// The cotangent that a field's cotangent means for the value the field was made from. Nothing
 /// comes out of a `#[constant]` field.
-pub trait Enter<T> {
+///
+/// `Kind` is inferred; it keeps the implementations apart.
+pub trait Enter<T, Kind> {
     /// The conversion.
     fn enter(self) -> T;
 }
 
-impl<T: Additive> Enter<T> for T {
+impl<T: Additive> Enter<T, Same> for T {
     #[inline(always)]
     fn enter(self) -> T {
         self
     }
 }
 
-impl<T: Additive> Enter<T> for NoTangent<T> {
+impl<T: ?Sized, C: Additive> Enter<C, Constant> for NoTangent<T> {
     #[inline(always)]
-    fn enter(self) -> T {
-        T::zero()
+    fn enter(self) -> C {
+        C::zero()
     }
 }
 

@@ -253,6 +253,7 @@ impl Sweeper<'_> {
         let span = root.ident.span();
         let cotangent = project_cotangent(&root.cotangent, &place.path);
         let taken = quote!(::ad::rt::take(&mut #cotangent));
+        let taken = self.entered(previous, place, taken);
         let pulled = self.binary_pullback(operator, previous, value, taken, span);
         let (to_previous, to_value) = (self.part_name(place.root), self.part_name(value));
         let value_pattern = match self.vars[value].active {
@@ -261,7 +262,7 @@ impl Sweeper<'_> {
         };
         sides.reverse.extend(quote! {
             let (#to_previous, #value_pattern) = #pulled;
-            #cotangent = #to_previous;
+            ::ad::rt::Absorb::absorb(&mut #cotangent, #to_previous);
         });
         self.contribute(&mut sides.reverse, value, &[], quote!(#to_value));
         sides
