@@ -1,0 +1,1 @@
+//! Silent errors known from other systems, and the traps of this one.
