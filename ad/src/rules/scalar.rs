@@ -33,7 +33,7 @@ pub trait RealRules: Real {
     /// sign(x); 0 at 0.
     #[inline(always)]
     fn abs_vjp(self) -> (Self, impl FnOnce(Self) -> Self) {
-        (self.abs(), move |g| Self::select(self.cmpeq(Self::ZERO), Self::zero(), g * self.signum()))
+        (self.abs(), move |g| regular(!self.cmpeq(Self::ZERO), g, self.signum()))
     }
 
     /// 0
@@ -53,8 +53,7 @@ pub trait RealRules: Real {
     fn copysign_vjp(self, sign: Self) -> (Self, impl FnOnce(Self) -> (Self, Self)) {
         (self.copysign(sign), move |g| {
             let flip = self.signum() * sign.signum();
-            let to_self = Self::select(self.cmpeq(Self::ZERO), Self::zero(), g * flip);
-            (to_self, Self::zero())
+            (regular(!self.cmpeq(Self::ZERO), g, flip), Self::zero())
         })
     }
 
@@ -210,7 +209,7 @@ pub trait ScalarRules: Scalar {
     /// From radians to degrees.
     #[inline(always)]
     fn to_degrees_vjp(self) -> (Self, impl FnOnce(Self) -> Self) {
-        let factor = Self::from_f64(180.0) / Self::PI;
+        let factor = Self::from_f64(180.0 / core::f64::consts::PI);
         (self * factor, move |g| g * factor)
     }
 }
