@@ -34,6 +34,7 @@ pub fn derivative(
     let mut names = Names::new(quote!(#signature #body));
     let lowered =
         lower::lower(&signature.ident, &parameters, &result, body, &mut names, &mut errors);
+    signature::refuse_cfg(signature, body, &mut errors);
     errors.finish()?;
 
     let seed = names.fresh("result_bar", Span::call_site());
@@ -44,7 +45,7 @@ pub fn derivative(
     let body = quote! {
         {
             #[allow(unused_imports)]
-            use ::ad::rules::*;
+            use ::ad::rt::methods::*;
             #forward
             (#value, move |#seed: #result_tangent| -> #gradient {
                 #reverse

@@ -4,6 +4,15 @@ use core::marker::PhantomData;
 
 use crate::{Additive, Differentiable, NoDerivative, NoTangent, Tangent};
 
+/// The traits whose methods generated code calls. They come without names, which could hide those
+/// of the user.
+pub mod methods {
+    pub use crate::rules::{
+        DVec2Rules as _, DVec4Rules as _, RealRules as _, ScalarRules as _, Vec2Rules as _,
+        Vec4Rules as _, Vector3Rules as _, VectorRules as _,
+    };
+}
+
 /// The space `T` of cotangents, as a value: lets the forward sweep tell the reverse sweep, which
 /// knows no types, what kind of zero to start from. Takes no room.
 pub struct Space<T>(PhantomData<fn() -> T>);
