@@ -6,7 +6,7 @@ use syn::spanned::Spanned;
 use syn::{BinOp, Expr, ExprBinary, ExprPath, Member, Path, PathArguments, Type, UnOp};
 
 use super::Lowerer;
-use crate::ir::{Argument, BinaryOperator, Operand, Operation, Projection, Shape};
+use crate::ir::{Argument, BinaryOperator, Operand, Operation, Projection, Shape, Statement};
 
 impl Lowerer<'_> {
     /// Evaluates an expression. A new variable for the result, if one is needed, is named after
@@ -98,7 +98,9 @@ impl Lowerer<'_> {
             | BinOp::Ge(_)
             | BinOp::And(_)
             | BinOp::Or(_) => {
-                return Operand::Constant(self.plain(&Expr::Binary(binary.clone())));
+                let expr = Expr::Binary(binary.clone());
+                let tokens = self.plain(&expr);
+                return self.settled(&expr, quote!((#tokens)));
             }
             BinOp::BitAnd(_)
             | BinOp::BitOr(_)
@@ -167,7 +169,7 @@ impl Lowerer<'_> {
             return Argument::Borrow(place);
         }
         match self.operand(&reference.expr, "target") {
-            Operand::Constant(tokens) => Argument::Value(Operand::Constant(quote!(&#tokens))),
+            Operand::Constant(tokens) => Argument::Value(Operand::Constant(quote!((&#tokens)))),
             Operand::Var(root) => Argument::Borrow(crate::ir::Place { root, path: Vec::new() }),
         }
     }
@@ -207,7 +209,9 @@ impl Lowerer<'_> {
         }
         let last = path.segments.last().expect("a path has a segment");
         if last.ident == "stop_gradient" {
-            return Operand::Constant(self.plain(&Expr::Call(call.clone())));
+            let expr = Expr::Call(call.clone());
+            let tokens = self.plain(&expr);
+            return self.settled(&expr, tokens);
         }
         if is_type_name(&last.ident) {
             return self.construct(call, function, hint);
@@ -238,7 +242,15 @@ impl Lowerer<'_> {
         } else {
             Shape::Struct
         };
-        self.aggregate(expression, shape, numbered(parts), hint, &Expr::Call(call.clone()))
+        let value =
+            self.aggregate(expression, shape, numbered(parts), hint, &Expr::Call(call.clone()));
+        // A function whose name begins with a capital letter is no pattern.
+        if let (Shape::Struct, Operand::Var(var)) = (shape, &value) {
+            let ident = self.ident(*var);
+            let code = quote!(let #function(..) = &#ident;);
+            self.push(Statement::Plain { code, defines: Vec::new() });
+        }
+        value
     }
 
     fn method_call(&mut self, call: &syn::ExprMethodCall, hint: &str) -> Operand {
@@ -342,7 +354,8 @@ impl Lowerer<'_> {
     fn read(&mut self, expr: &Expr, hint: &str) -> Operand {
         if let Some(place) = self.place(expr) {
             if !self.vars[place.root].active {
-                return Operand::Constant(self.place_tokens(&place));
+                let tokens = self.place_tokens(&place);
+                return self.settled(expr, tokens);
             }
             if place.path.is_empty() && !self.vars[place.root].mutable {
                 return Operand::Var(place.root);
@@ -357,7 +370,10 @@ impl Lowerer<'_> {
             return Operand::Var(self.define(&hint, expr.span(), true, Operation::Read(place)));
         }
         match expr {
-            Expr::Path(_) => Operand::Constant(quote!(#expr)),
+            Expr::Path(path) => {
+                self.check_capital(path);
+                Operand::Constant(quote!(#expr))
+            }
             Expr::Field(field) => {
                 self.part(&field.base, Projection::Field(field.member.clone()), hint, expr)
             }

@@ -11,7 +11,7 @@ mod pattern;
 mod place;
 mod plain;
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::{ToTokens, quote};
@@ -48,6 +48,7 @@ pub fn lower(
         scopes: vec![HashMap::new()],
         open_blocks: Vec::new(),
         block_count: 0,
+        capitals: HashSet::new(),
         names,
         errors,
     };
@@ -78,6 +79,8 @@ struct Lowerer<'a> {
     /// The blocks being written, innermost last.
     open_blocks: Vec<(BlockId, Vec<Statement>)>,
     block_count: BlockId,
+    /// The names in refutable patterns that were taken for constants, for their capital letter.
+    capitals: HashSet<String>,
     names: &'a mut Names,
     errors: &'a mut Errors,
 }
@@ -139,6 +142,18 @@ impl Lowerer<'_> {
     fn lookup(&self, name: &Ident) -> Option<VarId> {
         let name = name.to_string();
         self.scopes.iter().rev().find_map(|scope| scope.get(&name).copied())
+    }
+
+    /// Refuses to read a name that a pattern may have bound although it was taken for a constant.
+    fn check_capital(&mut self, path: &syn::ExprPath) {
+        if let Some(name) = path.path.get_ident()
+            && self.capitals.contains(&name.to_string())
+        {
+            self.refuse(
+                path,
+                format!("`{name}` was taken for a constant in a pattern, for its capital letter: name a variable in lower case, and write `self::{name}` for a constant"),
+            );
+        }
     }
 
     fn parameter(&mut self, parameter: &Parameter) -> VarId {
