@@ -3,4 +3,5 @@
 
 mod language;
 mod oracle;
+mod rules;
 mod traps;
