@@ -108,7 +108,14 @@ linear_operators!(
 fn quotient_pullback<S: Real>(numerator: S, denominator: S, cotangent: S) -> (S, S) {
     let singular = denominator.cmpeq(S::ZERO) | cotangent.cmpeq(S::ZERO);
     let to_numerator = S::select(singular, S::zero(), cotangent / denominator);
-    (to_numerator, -scale(to_numerator, numerator / denominator))
+    (to_numerator, denominator_cotangent(to_numerator, numerator / denominator))
+}
+
+/// The cotangent of a denominator. That of the numerator overflows where the denominator is tiny:
+/// a quotient of zero annihilates it.
+#[inline(always)]
+fn denominator_cotangent<S: Real>(to_numerator: S, quotient: S) -> S {
+    S::select(quotient.cmpeq(S::ZERO), S::zero(), -scale(to_numerator, quotient))
 }
 
 macro_rules! scalar_operators {
@@ -169,7 +176,7 @@ macro_rules! vector_operators {
             fn div_pullback(self, rhs: $scalar, cotangent: Self) -> (Self, $scalar) {
                 let to_vector = cotangent.map_elements(|g| quotient_pullback(g, rhs, g).0);
                 let quotient = self.map_elements(|numerator| numerator / rhs);
-                (to_vector, -scale_elements(to_vector, quotient).element_sum())
+                (to_vector, to_vector.zip_elements(quotient, denominator_cotangent).element_sum())
             }
         }
     )*};
@@ -200,7 +207,7 @@ macro_rules! glam_operators {
             #[inline(always)]
             fn div_pullback(self, rhs: Self, cotangent: Self) -> (Self, Self) {
                 let to_numerator = cotangent.zip_elements(rhs, |g, b| quotient_pullback(g, b, g).0);
-                (to_numerator, -scale_elements(to_numerator, self / rhs))
+                (to_numerator, to_numerator.zip_elements(self / rhs, denominator_cotangent))
             }
         }
 
