@@ -4,4 +4,6 @@
 mod language;
 mod oracle;
 mod rules;
+mod second_order;
+mod singular;
 mod traps;
