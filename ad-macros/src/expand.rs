@@ -1,7 +1,8 @@
 //! Wraps the sweeps into what users call: `f::vjp`, `f::value_and_grad`, `f::grad`.
 
 use proc_macro2::{Ident, Span, TokenStream};
-use quote::{ToTokens, format_ident, quote};
+use quote::{ToTokens, format_ident, quote, quote_spanned};
+use syn::spanned::Spanned;
 use syn::{Attribute, FnArg, GenericParam, Generics, Signature, Type, Visibility};
 
 use crate::errors::Errors;
@@ -79,7 +80,7 @@ pub fn stub(place: &Place<'_>, visibility: &Visibility, signature: &Signature) -
 
 fn tangent(ty: &Type) -> TokenStream {
     let ty = pointee(ty);
-    quote!(::ad::Tangent<#ty>)
+    quote_spanned!(ty.span()=> ::ad::Tangent<#ty>)
 }
 
 /// The type of what the pullback returns.

@@ -184,6 +184,7 @@ pub trait ScalarResult<'a>: Differentiable {
     fn one() -> Tangent<Self>;
 }
 
+#[diagnostic::do_not_recommend]
 impl<S: crate::Real> ScalarResult<'_> for S {
     fn one() -> S {
         S::ONE

@@ -134,7 +134,7 @@ impl Lowerer<'_> {
                 Operand::Var(self.define(hint, cast.span(), true, operation))
             }
             Operand::Var(var) => {
-                let ident = self.ident(var);
+                let ident = self.ident_at(var, cast.expr.span());
                 let checked = quote_spanned!(cast.span()=> ::ad::rt::constant(#ident));
                 Operand::Constant(quote!((#checked as #ty)))
             }
@@ -201,13 +201,16 @@ impl Lowerer<'_> {
                 );
             }
             if name == self.function {
-                return self.refuse(
-                    name,
-                    "recursion is not supported: write a loop over a constant range",
-                );
+                return self.refuse_recursion(name);
             }
         }
         let last = path.segments.last().expect("a path has a segment");
+        if path.segments.len() == 2
+            && path.segments[0].ident == "Self"
+            && last.ident == *self.function
+        {
+            return self.refuse_recursion(path);
+        }
         if last.ident == "stop_gradient" {
             let expr = Expr::Call(call.clone());
             let tokens = self.plain(&expr);
@@ -222,6 +225,10 @@ impl Lowerer<'_> {
         let vjp = vjp_of(function);
         let hint = if hint == "value" { last.ident.to_string() } else { hint.to_owned() };
         self.finish_call(primal, vjp, false, arguments, &hint, call.span())
+    }
+
+    fn refuse_recursion(&mut self, at: impl quote::ToTokens) -> Operand {
+        self.refuse(at, "recursion is not supported: write a loop over a range")
     }
 
     /// `Some(x)`, `Name(x, y)`
@@ -257,6 +264,10 @@ impl Lowerer<'_> {
         let name = call.method.to_string();
         if is_predicate(&name) {
             return self.discrete(&Expr::MethodCall(call.clone()));
+        }
+        let on_self = matches!(&*call.receiver, Expr::Path(path) if path.path.is_ident("self"));
+        if on_self && call.method == *self.function {
+            return self.refuse_recursion(&call.method);
         }
         let receiver = match self.stable_place(&call.receiver) {
             Some(place) => Argument::Receiver(place),

@@ -183,6 +183,9 @@ impl Lowerer<'_> {
                     Stmt::Expr(expr, _) => Some(expr),
                     _ => None,
                 };
+                if let Some(expr @ (Expr::While(_) | Expr::Loop(_))) = &expr {
+                    return self.refuse_expression(expr);
+                }
                 if let Some(expr) = &expr
                     && exits::assigns_within(expr)
                 {

@@ -182,6 +182,13 @@ impl Lowerer<'_> {
         &self.vars[var].ident
     }
 
+    /// The name of a variable, for errors about its use at `span`.
+    fn ident_at(&self, var: VarId, span: Span) -> Ident {
+        let mut ident = self.ident(var).clone();
+        ident.set_span(span.resolved_at(ident.span()));
+        ident
+    }
+
     fn tokens(&self, operand: &Operand) -> TokenStream {
         match operand {
             Operand::Constant(tokens) => tokens.clone(),

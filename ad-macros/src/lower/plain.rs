@@ -127,7 +127,7 @@ impl VisitMut for Plain<'_, '_> {
             Expr::Path(path) => {
                 if let Some(var) = path.path.get_ident().and_then(|name| self.lowerer.lookup(name))
                 {
-                    let ident = self.lowerer.ident(var).clone();
+                    let ident = self.lowerer.ident_at(var, path.span());
                     *expr = parse_quote!(#ident);
                 } else {
                     self.lowerer.check_capital(path);

@@ -31,6 +31,7 @@ pub enum select {}
 impl select {
     /// The value, and the pullback to mask, `if_true` and `if_false`.
     #[inline(always)]
+    #[allow(clippy::type_complexity)]
     pub fn vjp<T>(
         mask: T::Mask,
         if_true: T,
