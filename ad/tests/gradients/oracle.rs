@@ -22,9 +22,10 @@ pub fn assert_close(what: &str, got: f64, expected: f64, tolerance: f64) {
 #[track_caller]
 pub fn assert_gradient(what: &str, f: impl FnMut(&[f64]) -> f64, x: &[f64], gradient: &[f64]) {
     assert_eq!(x.len(), gradient.len(), "{what}: the gradient has another length");
-    for (i, estimate) in ad::check::gradient(f, x, STEP).iter().enumerate() {
+    let estimates = ad::check::gradient(f, x, STEP);
+    for (i, (&got, expected)) in gradient.iter().zip(estimates).enumerate() {
         let what = format!("{what} at {x:?}, by parameter {i}, against finite differences");
-        assert_close(&what, gradient[i], estimate.value, TOLERANCE);
+        assert_close(&what, got, expected.value, TOLERANCE);
     }
 }
 
@@ -36,14 +37,14 @@ pub fn assert_dual_gradient(
     x: &[f64],
     gradient: &[f64],
 ) {
-    for i in 0..x.len() {
+    for (i, &got) in gradient.iter().enumerate() {
         let point: Vec<_> = x
             .iter()
             .enumerate()
             .map(|(k, &value)| Dual::new(value, if k == i { 1.0 } else { 0.0 }))
             .collect();
         let what = format!("{what} at {x:?}, by parameter {i}, against dual numbers");
-        assert_close(&what, gradient[i], f(&point).derivative, 1e-12);
+        assert_close(&what, got, f(&point).derivative, 1e-12);
     }
 }
 

@@ -10,7 +10,6 @@ mod scalars;
 mod vectors;
 
 use ad::{Dual, Real};
-use proptest::prelude::*;
 use proptest::test_runner::{Config, RngSeed, TestRunner};
 
 use crate::oracle::assert_close;

@@ -106,11 +106,11 @@ fn product_with_a_vector() {
     let (x, v) = ([-1.2, 1.0, 0.7, 0.2], [0.3, -0.8, 0.5, 1.1]);
     let point = std::array::from_fn(|i| Dual::new(x[i], v[i]));
     let product = rosenbrock::grad::<Dual<f64>, 4>(point).map(|g| g.derivative);
-    for i in 0..4 {
+    for (i, &product) in product.iter().enumerate() {
         let moved =
             |t: f64| rosenbrock::grad::<f64, 4>(std::array::from_fn(|k| x[k] + t * v[k]))[i];
         let expected = ad::check::derivative(moved, 0.0, 1e-3).value;
-        assert_close("Hessian times vector", product[i], expected, 1e-7);
+        assert_close("Hessian times vector", product, expected, 1e-7);
     }
 }
 

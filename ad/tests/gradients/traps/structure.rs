@@ -91,6 +91,7 @@ fn used_zero_one_many_times(zero: f64, one: f64, many: f64) -> f64 {
 
 #[derive(Clone, Copy, Differentiable)]
 struct Light {
+    #[allow(dead_code)]
     position: DVec3,
     power: [f64; 2],
     #[constant]
@@ -127,7 +128,7 @@ fn stopped(x: f64, y: f64) -> f64 {
 fn loops() {
     check!(nested_bounded_loops(x, y) at [1.3, 0.7], [-0.4, 2.1]);
     check!(code_after_loop_with_return(x, y) at [1.3, 0.7], [1.3, 1.7], [1.3, 0.4], [2.3, 0.95]);
-    check!(newton(x, y) at [1.3, 0.7], [3.0, 2.0], [1.4142135623, 2.0]);
+    check!(newton(x, y) at [1.3, 0.7], [3.0, 2.0], [1.4143, 2.0]);
     check!(early_exit_of_product(x, y) at [1.3, 0.7], [1.3, -0.7], [-1.3, 0.7], [1.3, 4.0]);
     let (value, pullback) = vector_from_loop::vjp(1.3, 0.7);
     assert_eq!(value, vector_from_loop(1.3, 0.7));

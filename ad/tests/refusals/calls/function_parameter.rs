@@ -1,7 +1,7 @@
 use ad::differentiable;
 
 #[differentiable]
-fn f(x: f64, g: fn(f64) -> f64) -> f64 {
+fn f<F: Fn(f64) -> f64>(x: f64, g: F) -> f64 {
     g(x)
 }
 

@@ -1,11 +1,13 @@
 use ad::differentiable;
 
 #[differentiable]
-fn f(x: f64, y: &mut f64) -> f64 {
-    while x > 0.0 {}
-    let g = |t: f64| t * t;
+fn f(mut x: f64, y: &mut f64) -> f64 {
+    while x > 10.0 {
+        x /= 2.0;
+    }
     std::mem::swap(&mut x, y);
-    g(x)
+    println!("{x}");
+    [x].map(|t| t * t)[0]
 }
 
 fn main() {
