@@ -19,8 +19,12 @@ impl Names {
     /// unique in the function, and its hygiene hides it from the surroundings. Errors that the
     /// compiler finds in what it names point to `span`.
     pub fn fresh(&mut self, base: &str, span: Span) -> Ident {
-        let base = base.strip_prefix("r#").unwrap_or(base);
-        let mut name = base.to_owned();
+        // Without its prefix a raw name may be a keyword.
+        let (base, is_raw) = match base.strip_prefix("r#") {
+            Some(base) => (base, true),
+            None => (base, false),
+        };
+        let mut name = if is_raw { format!("{base}_0") } else { base.to_owned() };
         let mut count = 1;
         while !self.0.insert(name.clone()) {
             name = format!("{base}_{count}");

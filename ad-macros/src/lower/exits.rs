@@ -22,6 +22,44 @@ pub fn expr_exits(expr: &Expr) -> bool {
     finder.0
 }
 
+/// Whether a part of `expr`, other than `expr` itself, is an assignment. An exit taken out of such
+/// an expression could change places with it.
+pub fn assigns_within(expr: &Expr) -> bool {
+    struct Assignments(bool);
+
+    impl<'ast> Visit<'ast> for Assignments {
+        fn visit_expr(&mut self, expr: &'ast Expr) {
+            match expr {
+                Expr::Assign(_) => self.0 = true,
+                Expr::Binary(binary) if is_update(&binary.op) => self.0 = true,
+                _ => visit::visit_expr(self, expr),
+            }
+        }
+    }
+
+    let mut finder = Assignments(false);
+    visit::visit_expr(&mut finder, expr);
+    finder.0
+}
+
+/// Whether the operator is a compound assignment.
+pub fn is_update(operator: &syn::BinOp) -> bool {
+    use syn::BinOp::*;
+    matches!(
+        operator,
+        AddAssign(_)
+            | SubAssign(_)
+            | MulAssign(_)
+            | DivAssign(_)
+            | RemAssign(_)
+            | BitXorAssign(_)
+            | BitAndAssign(_)
+            | BitOrAssign(_)
+            | ShlAssign(_)
+            | ShrAssign(_)
+    )
+}
+
 struct Finder(bool);
 
 impl<'ast> Visit<'ast> for Finder {
