@@ -91,6 +91,9 @@ macro_rules! linear_operators {
     )*};
 }
 
+#[cfg(feature = "lanes")]
+linear_operators!([] wide::f32x8, [] wide::f32x16);
+
 linear_operators!(
     [] f32,
     [] f64,
@@ -136,6 +139,9 @@ macro_rules! scalar_operators {
         }
     )*};
 }
+
+#[cfg(feature = "lanes")]
+scalar_operators!([] wide::f32x8, [] wide::f32x16);
 
 scalar_operators!([] f32, [] f64, [S: Real] Dual<S>);
 
