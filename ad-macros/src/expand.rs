@@ -32,7 +32,8 @@ pub fn derivative(
     let parameters = signature::parameters(signature, &mut errors);
     let result = signature::result(signature, &mut errors);
 
-    let mut names = Names::new(quote!(#signature #body));
+    let idents = parameters.iter().map(|parameter| parameter.ident.clone());
+    let mut names = Names::new(quote!(#signature #body), idents);
     let lowered =
         lower::lower(&signature.ident, &parameters, &result, body, &mut names, &mut errors);
     signature::refuse_cfg(signature, body, &mut errors);

@@ -1,6 +1,6 @@
 //! Finds early exits: `return` and `?`.
 
-use proc_macro2::{Ident, Span};
+use proc_macro2::Ident;
 use syn::visit::{self, Visit};
 use syn::{Block, Expr, Stmt, parse_quote};
 
@@ -117,7 +117,7 @@ pub fn hoist(expr: &mut Expr, names: &mut Names) -> Option<(Ident, Expr)> {
             {
                 return hoist(condition, names);
             }
-            let ident = names.fresh("value", Span::call_site());
+            let ident = names.unwritten("value");
             let part = std::mem::replace(expr, parse_quote!(#ident));
             Some((ident, part))
         }
