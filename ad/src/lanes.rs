@@ -9,7 +9,7 @@
 
 use core::ops::{BitAnd, BitOr, Not};
 
-use wide::{f32x8, f32x16};
+pub use wide::{f32x8, f32x16};
 
 use crate::vector::Xyz;
 use crate::{Additive, Differentiable, Mask, NoDerivative, Real, Scalar, Select};
