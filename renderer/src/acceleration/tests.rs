@@ -1,6 +1,7 @@
 use glam::{Vec3, vec3};
 use proptest::prelude::*;
 
+use super::spheres::sphere_distance;
 use super::*;
 
 fn point(range: std::ops::Range<f32>) -> impl Strategy<Value = Vec3> {
@@ -18,7 +19,7 @@ fn shape() -> impl Strategy<Value = Shape> {
 fn brute_force(shapes: &[Shape], origin: Vec3, direction: Vec3) -> Option<(usize, f32)> {
     let test = TriangleTest::new(origin, direction)?;
     let distance = |shape: &Shape| match *shape {
-        Shape::Triangle(corners) => test.distance(corners),
+        Shape::Triangle(corners) => test.depth(corners) * test.scale,
         Shape::Sphere(center, radius) => sphere_distance(origin, direction, center, radius).0,
     };
     shapes
