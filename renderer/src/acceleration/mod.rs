@@ -5,6 +5,10 @@
 
 mod bounds;
 mod collapse;
+mod packet;
+mod packet_queries;
+mod packet_traversal;
+mod packet_triangles;
 mod single;
 mod spheres;
 mod stack;
@@ -15,6 +19,8 @@ mod triangle_test;
 mod triangles;
 
 use glam::Vec3;
+
+pub use packet::{NO_PRIMITIVE, PACKET_RAYS, PacketDirections, PacketHits};
 
 use single::BoxTest;
 use spheres::SphereLeaf;
@@ -42,8 +48,13 @@ pub struct Hit {
     pub leaves: bool,
 }
 
+/// By what factor a ray may become dearer because shapes have moved before the tree is rebuilt.
+const REBUILD_ABOVE: f64 = 1.5;
+
 /// A bounding volume hierarchy over primitives.
 pub struct Acceleration {
+    /// How many primitives there are.
+    count: usize,
     triangles: Tree<TriangleLeaf>,
     spheres: Tree<SphereLeaf>,
 }
@@ -53,7 +64,26 @@ impl Acceleration {
     pub fn new(shapes: &[Shape]) -> Self {
         let (triangles, spheres): (Vec<u32>, Vec<u32>) = (0..shapes.len() as u32)
             .partition(|&id| matches!(shapes[id as usize], Shape::Triangle(_)));
-        Self { triangles: Tree::build(shapes, &triangles), spheres: Tree::build(shapes, &spheres) }
+        Self {
+            count: shapes.len(),
+            triangles: Tree::build(shapes, &triangles),
+            spheres: Tree::build(shapes, &spheres),
+        }
+    }
+
+    /// Takes over where shapes have moved to. Every coordinate has to be finite.
+    ///
+    /// Boxes are fitted to the shapes again, which takes a fraction of the time of a new tree; once
+    /// this tree has become too much worse than when it was built, or the number or kinds of the
+    /// shapes are others, a new one is built.
+    pub fn update(&mut self, shapes: &[Shape]) {
+        let fits = shapes.len() == self.count
+            && self.triangles.refit(shapes)
+            && self.spheres.refit(shapes);
+        let worse = || self.triangles.degradation().max(self.spheres.degradation());
+        if !fits || worse() > REBUILD_ABOVE {
+            *self = Self::new(shapes);
+        }
     }
 
     /// The nearest primitive along the ray.
