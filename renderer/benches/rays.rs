@@ -141,7 +141,8 @@ impl Subject {
             .iter()
             .map(|t| Triangle { v0: t[0].into(), v1: t[1].into(), v2: t[2].into() })
             .collect();
-        let binary = build_bvh2(&triangles, BvhBuildParams::medium_build(), &mut Duration::default());
+        let binary =
+            build_bvh2(&triangles, BvhBuildParams::medium_build(), &mut Duration::default());
         let order = binary.primitive_indices.iter();
         let triangles = order.map(|&id| triangles[id as usize]).collect();
 

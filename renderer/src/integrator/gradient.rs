@@ -7,6 +7,7 @@ use glam::DVec3;
 use super::prepared::Prepared;
 use super::radiance::PixelLoss;
 use super::shade::{LightCotangent, pull_back, radiance};
+use super::shadows::Lit;
 use super::tiles::{Tile, for_each_tile};
 use super::view::{Group, GroupShape, Seen};
 use crate::kernels::camera::{Camera, Frame, Ray, frame, primary_ray};
@@ -172,10 +173,11 @@ impl TileSums {
         }
         let frame = prepared.frame.narrow::<L>();
         let mut frame_cotangent = Tangent::<Frame<L>>::zero();
-        for seen in prepared.groups(&view) {
-            let group = prepared.gather(frame, seen);
-            let lit = prepared.lit(&group, seen);
-            let radiance = vectors_of_lanes::<L>(radiance(&group, &prepared.lights, &lit));
+        let groups = prepared.groups(&view);
+        let lit = prepared.lit(&view, &groups);
+        for group in &groups {
+            let seen = &view.seen[group.pixels.clone()];
+            let radiance = vectors_of_lanes::<L>(radiance(group, &prepared.lights, &lit));
 
             // The lanes beyond the last pixel keep a cotangent of zero.
             let mut cotangents = [DVec3::ZERO; MOST_LANES];
@@ -188,9 +190,9 @@ impl TileSums {
             if cotangents.iter().any(|cotangent| *cotangent != DVec3::ZERO) {
                 let cotangent =
                     lanes_of_vectors::<L>(|lane| narrow::<L::Element>(cotangents[lane]));
-                let to_surface = self.add_shading(prepared, wanted, &group, seen, &lit, cotangent);
+                let to_surface = self.add_shading(prepared, wanted, group, seen, &lit, cotangent);
                 if wanted.surface() {
-                    let to_ray = self.add_surface(prepared, wanted, &group, seen, to_surface);
+                    let to_ray = self.add_surface(prepared, wanted, group, seen, to_surface);
                     if wanted.camera {
                         let (x, y) = group.film;
                         let (_, pullback) = primary_ray::vjp::<L>(frame, x, y);
@@ -209,7 +211,7 @@ impl TileSums {
         wanted: Wanted,
         group: &Group<L>,
         seen: &[Seen],
-        lit: &[L::Mask],
+        lit: &[Lit],
         cotangent: Vec3<L>,
     ) -> Tangent<SurfacePoint<L>> {
         let (to_material, to_surface) =

@@ -9,6 +9,7 @@ mod gradient;
 mod prepared;
 mod radiance;
 mod shade;
+mod shadows;
 mod tiles;
 mod view;
 

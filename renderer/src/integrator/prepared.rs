@@ -4,7 +4,7 @@ use ad::lanes::Lanes;
 use ad::{Scalar, Vec3};
 use glam::DVec3;
 
-use crate::acceleration::{Acceleration, Hit, Shape};
+use crate::acceleration::{Acceleration, Shape};
 use crate::kernels::camera::{Frame, frame};
 use crate::kernels::light::PointLight;
 use crate::kernels::material::Material;
@@ -31,7 +31,7 @@ pub struct Prepared<'a, L: Lanes> {
     pub(super) triangles: Vec<[u32; 3]>,
     /// The material of each triangle, then of each sphere.
     material_of: Vec<u32>,
-    acceleration: Acceleration,
+    pub(super) acceleration: Acceleration,
 }
 
 /// The kinds of primitives.
@@ -73,7 +73,8 @@ impl<'a, L: Lanes> Prepared<'a, L> {
         prepared
     }
 
-    /// Moves to other values of the parameters. The tree is rebuilt if geometry moved.
+    /// Moves to other values of the parameters. If geometry moved, the tree is fitted to
+    /// it.
     ///
     /// # Panics
     ///
@@ -131,41 +132,7 @@ impl<'a, L: Lanes> Prepared<'a, L> {
             )
         });
         let shapes: Vec<_> = triangles.chain(spheres).collect();
-        self.acceleration = Acceleration::new(&shapes);
-    }
-
-    /// The first primitive along a ray.
-    pub(super) fn nearest(&self, origin: DVec3, direction: DVec3) -> Option<Hit> {
-        self.acceleration.nearest(origin.as_vec3(), direction.as_vec3())
-    }
-
-    /// Whether a light reaches a point of a surface from the side of its normal.
-    pub(super) fn is_lit(
-        &self,
-        light: &Light<f64>,
-        hit: &Hit,
-        point: DVec3,
-        normal: DVec3,
-    ) -> bool {
-        let (direction, limit) = match light {
-            Light::Point(light) => {
-                let to_light = light.position - point;
-                (to_light, to_light.length())
-            }
-            Light::Distant(light) => (light.direction, f64::INFINITY),
-        };
-        // From behind, a light brings nothing, whatever is in its way.
-        if normal.dot(direction) <= 0.0 {
-            return false;
-        }
-        // A ray that leaves a triangle cannot come back to it.
-        let from = match self.kind(hit.primitive).0 {
-            Kind::Triangle => Some(hit.primitive),
-            Kind::Sphere => None,
-        };
-        let origin = (point + normal * surface_error(point, hit.distance)).as_vec3();
-        let direction = direction.normalize().as_vec3();
-        !self.acceleration.is_occluded(origin, direction, limit as f32, from)
+        self.acceleration.update(&shapes);
     }
 
     /// The index of a primitive's material.
@@ -180,14 +147,6 @@ impl<'a, L: Lanes> Prepared<'a, L> {
             Some(sphere) => (Kind::Sphere, sphere),
         }
     }
-}
-
-/// How far a hit may be from the surface that traversal sees: coordinates of the surface and of the
-/// point were rounded to single precision, and so was the distance along the ray (the error
-/// analysis of Pharr, Jakob & Humphreys, "Physically Based Rendering", section 6.8).
-fn surface_error(point: DVec3, distance: f32) -> f64 {
-    let reach = point.abs().max_element().max(f64::from(distance));
-    8.0 * f64::from(f32::EPSILON) * reach
 }
 
 /// The middle of the box around all geometry; the origin if there is none.

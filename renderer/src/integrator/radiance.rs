@@ -53,12 +53,11 @@ fn visit<L: Lanes>(
     for &(x, y) in &view.missed {
         use_pixel(x, y, DVec3::ZERO);
     }
-    let frame = prepared.frame.narrow::<L>();
-    for seen in prepared.groups(&view) {
-        let group = prepared.gather(frame, seen);
-        let lit = prepared.lit(&group, seen);
-        let radiance = vectors_of_lanes::<L>(radiance(&group, &prepared.lights, &lit));
-        for (pixel, radiance) in seen.iter().zip(radiance) {
+    let groups = prepared.groups(&view);
+    let lit = prepared.lit(&view, &groups);
+    for group in &groups {
+        let radiance = vectors_of_lanes::<L>(radiance(group, &prepared.lights, &lit));
+        for (pixel, radiance) in view.seen[group.pixels.clone()].iter().zip(radiance) {
             use_pixel(pixel.x, pixel.y, radiance);
         }
     }

@@ -3,6 +3,7 @@
 use ad::lanes::Lanes;
 use ad::{Additive, Tangent, Vec3, select};
 
+use super::shadows::Lit;
 use super::view::Group;
 use crate::kernels::light::{DistantLightTangent, PointLightTangent};
 use crate::kernels::material::{Material, reflection_of_distant_light, reflection_of_point_light};
@@ -15,12 +16,8 @@ pub(super) enum LightCotangent<L: Lanes> {
     Distant(DistantLightTangent<L>),
 }
 
-/// The radiance of the pixels of a group; `lit` says which of them each light reaches.
-pub(super) fn radiance<L: Lanes>(
-    group: &Group<L>,
-    lights: &[Light<f64>],
-    lit: &[L::Mask],
-) -> Vec3<L> {
+/// The radiance of the pixels of a group; `lit` says which pixels each light reaches.
+pub(super) fn radiance<L: Lanes>(group: &Group<L>, lights: &[Light<f64>], lit: &[Lit]) -> Vec3<L> {
     let Group { material, surface, .. } = group;
     let mut total = material.ambient;
     for (light, &lit) in lights.iter().zip(lit) {
@@ -32,7 +29,7 @@ pub(super) fn radiance<L: Lanes>(
                 reflection_of_distant_light::<L>(*material, *surface, light.narrow())
             }
         };
-        total = total + select(lit, reflected, Additive::zero());
+        total = total + select(lit.of(group), reflected, Additive::zero());
     }
     total
 }
@@ -43,7 +40,7 @@ pub(super) fn radiance<L: Lanes>(
 pub(super) fn pull_back<L: Lanes>(
     group: &Group<L>,
     lights: &[Light<f64>],
-    lit: &[L::Mask],
+    lit: &[Lit],
     cotangent: Vec3<L>,
     mut to_light: impl FnMut(usize, LightCotangent<L>),
 ) -> (Tangent<Material<L>>, Tangent<SurfacePoint<L>>) {
@@ -51,7 +48,7 @@ pub(super) fn pull_back<L: Lanes>(
     let mut to_surface = <Tangent<SurfacePoint<L>>>::zero();
     to_material.ambient = cotangent;
     for (index, (light, &lit)) in lights.iter().zip(lit).enumerate() {
-        let cotangent: Vec3<L> = select(lit, cotangent, Additive::zero());
+        let cotangent: Vec3<L> = select(lit.of(group), cotangent, Additive::zero());
         let (material, surface) = match light {
             Light::Point(light) => {
                 let (_, pullback) = reflection_of_point_light::vjp::<L>(

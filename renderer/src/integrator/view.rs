@@ -2,13 +2,15 @@
 
 use super::prepared::{Kind, Prepared};
 use super::tiles::Tile;
-use crate::acceleration::Hit;
+use crate::acceleration::{Hit, PACKET_RAYS, PacketDirections};
 use crate::kernels::camera::{Frame, Ray, primary_ray};
 use crate::kernels::material::Material;
 use crate::kernels::sphere::{Sphere, sphere_surface};
 use crate::kernels::surface::SurfacePoint;
 use crate::kernels::triangle::triangle_surface;
 use crate::precision::{lanes_of_vectors, vectors_of_lanes};
+use std::ops::Range;
+
 use ad::lanes::Lanes;
 use ad::{Real, Vec3};
 
@@ -38,6 +40,8 @@ pub(super) struct View {
 /// As many pixels as there are lanes, all of which show primitives of one kind. Lanes beyond the
 /// last pixel repeat it.
 pub(super) struct Group<L: Lanes> {
+    /// The pixels, by index into [`View::seen`].
+    pub pixels: Range<usize>,
     pub film: (L, L),
     pub ray: Ray<L>,
     pub shape: GroupShape<L>,
@@ -58,19 +62,28 @@ impl<L: Lanes> Prepared<'_, L> {
     pub(super) fn view(&self, tile: &Tile) -> View {
         let frame = self.frame.narrow::<L>();
         let pixels: Vec<_> = tile.pixels().collect();
-        let mut view = View { seen: Vec::with_capacity(pixels.len()), missed: Vec::new() };
-        for group in pixels.chunks(L::COUNT) {
+        let mut directions = PacketDirections::ZERO;
+        for (i, group) in pixels.chunks(L::COUNT).enumerate() {
             let (x, y) = self.film(|lane| group[lane.min(group.len() - 1)]);
             let ray = primary_ray::<L>(frame, x, y);
-            let directions = vectors_of_lanes::<L>(ray.direction);
-            for (&(x, y), direction) in group.iter().zip(directions) {
-                match self.nearest(self.frame.origin, direction) {
-                    Some(hit) => {
-                        let (kind, index) = self.kind(hit.primitive);
-                        view.seen.push(Seen { x, y, hit, kind, index });
-                    }
-                    None => view.missed.push((x, y)),
+            for (lane, direction) in
+                vectors_of_lanes::<L>(ray.direction)[..group.len()].iter().enumerate()
+            {
+                directions.set(i * L::COUNT + lane, direction.as_vec3());
+            }
+        }
+        let active = u64::MAX >> (PACKET_RAYS - pixels.len());
+        let origin = self.frame.origin.as_vec3();
+        let hits = self.acceleration.nearest_packet(origin, &directions, active);
+
+        let mut view = View { seen: Vec::with_capacity(pixels.len()), missed: Vec::new() };
+        for (i, (x, y)) in pixels.into_iter().enumerate() {
+            match hits.get(i) {
+                Some(hit) => {
+                    let (kind, index) = self.kind(hit.primitive);
+                    view.seen.push(Seen { x, y, hit, kind, index });
                 }
+                None => view.missed.push((x, y)),
             }
         }
         if !self.spheres.is_empty() {
@@ -91,18 +104,23 @@ impl<L: Lanes> Prepared<'_, L> {
         )
     }
 
-    /// The pixels in groups, as the lanes take them.
-    pub(super) fn groups<'v>(
-        &self,
-        view: &'v View,
-    ) -> impl Iterator<Item = &'v [Seen]> + use<'v, L> {
+    /// The pixels of a view in groups, as the lanes take them.
+    pub(super) fn groups(&self, view: &View) -> Vec<Group<L>> {
+        let frame = self.frame.narrow::<L>();
+        let all = view.seen.len();
         let triangles = view.seen.partition_point(|seen| seen.kind == Kind::Triangle);
-        let (triangles, spheres) = view.seen.split_at(triangles);
-        triangles.chunks(L::COUNT).chain(spheres.chunks(L::COUNT))
+        let chunks = |from: usize, to: usize| {
+            (from..to).step_by(L::COUNT).map(move |start| start..(start + L::COUNT).min(to))
+        };
+        chunks(0, triangles)
+            .chain(chunks(triangles, all))
+            .map(|pixels| self.gather(frame, view, pixels))
+            .collect()
     }
 
     /// Gathers what a group of pixels shows, and computes the points that are seen.
-    pub(super) fn gather(&self, frame: Frame<L>, seen: &[Seen]) -> Group<L> {
+    fn gather(&self, frame: Frame<L>, view: &View, pixels: Range<usize>) -> Group<L> {
+        let seen = &view.seen[pixels.clone()];
         let seen = |lane: usize| &seen[lane.min(seen.len() - 1)];
         let film = self.film(|lane| (seen(lane).x, seen(lane).y));
         let ray = primary_ray::<L>(frame, film.0, film.1);
@@ -129,7 +147,14 @@ impl<L: Lanes> Prepared<'_, L> {
             GroupShape::Triangles([a, b, c]) => triangle_surface::<L>(ray, *a, *b, *c),
             GroupShape::Spheres(sphere, leaves) => sphere_surface::<L>(ray, *sphere, *leaves),
         };
-        Group { film, ray, shape, surface, material: self.gather_materials(|lane| seen(lane)) }
+        Group {
+            pixels,
+            film,
+            ray,
+            shape,
+            surface,
+            material: self.gather_materials(|lane| seen(lane)),
+        }
     }
 
     fn gather_materials<'s>(&self, seen: impl Fn(usize) -> &'s Seen) -> Material<L> {
@@ -140,21 +165,5 @@ impl<L: Lanes> Prepared<'_, L> {
             specular: lanes_of_vectors::<L>(|lane| material(lane).specular),
             exponent: L::from_lanes(|lane| material(lane).exponent),
         }
-    }
-
-    /// For each light the pixels of a group that it reaches.
-    pub(super) fn lit(&self, group: &Group<L>, seen: &[Seen]) -> Vec<L::Mask> {
-        let points = vectors_of_lanes::<L>(group.surface.point);
-        let normals = vectors_of_lanes::<L>(group.surface.normal);
-        self.lights
-            .iter()
-            .map(|light| {
-                L::mask_from_lanes(|lane| {
-                    seen.get(lane).is_some_and(|seen| {
-                        self.is_lit(light, &seen.hit, points[lane], normals[lane])
-                    })
-                })
-            })
-            .collect()
     }
 }
