@@ -1,0 +1,4 @@
+#[test]
+fn t() {
+    println!("{}", env!("CARGO_BIN_EXE_renderer"));
+}
