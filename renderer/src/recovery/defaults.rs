@@ -8,8 +8,19 @@ use crate::experiment::TunedParameter;
 use crate::optimize::Variable;
 use crate::scene::{Light, ParameterId, Scene};
 
-/// The part of an Adam step in the scale of the parameter.
-const RELATIVE_RATE: f64 = 0.02;
+/// The first Adam step of a parameter, in its natural scale.
+///
+/// Large enough to get anywhere within the default number of iterations; the steps get smaller
+/// where the gradient does. Camera and vertices have to be close to begin with, because only the
+/// interior term of their gradient is known; so they take their time.
+fn relative_rate(id: ParameterId) -> f64 {
+    use ParameterId::*;
+    match id {
+        LookFrom | LookAt | Up | Vfov | Focus | Vertices(_) => 0.01,
+        LightPosition(_) | LightDirection(_) | LightColor(_) | LightIntensity(_) | Ambient(_)
+        | Diffuse(_) | Specular(_) | Exponent(_) | SphereCenter(_) | SphereRadius(_) => 0.04,
+    }
+}
 
 /// The variable for a parameter.
 pub(super) fn variable(
@@ -22,7 +33,7 @@ pub(super) fn variable(
     let rate = tuned
         .learning_rate
         .or(common_rate)
-        .unwrap_or_else(|| RELATIVE_RATE * natural_scale(scene, tuned.id));
+        .unwrap_or_else(|| relative_rate(tuned.id) * natural_scale(scene, tuned.id));
     let mut variable = Variable::new(scene.path(tuned.id).to_string(), initial, rate);
     let (low, high) = domain(tuned.id);
     variable = variable.bounded(low, high);
