@@ -4,6 +4,8 @@ use super::{ParameterId, Scene};
 
 /// How many paths a message lists at most.
 const LISTED: usize = 8;
+/// So many letters tell at least the kind of an object.
+const TELLING: usize = 3;
 
 impl Scene {
     /// The parameter that a path names.
@@ -41,14 +43,13 @@ fn closest<'a>(path: &str, paths: &'a [String]) -> Vec<&'a str> {
     if fewest_slips <= path.len() / 5 {
         return listed(&|other| edit_distance(path, other) == fewest_slips);
     }
-    let with_part = listed(&|other| !path.is_empty() && other.contains(path));
+    let with_part = listed(&|other| path.len() >= TELLING && other.contains(path));
     if !with_part.is_empty() {
         return with_part;
     }
     let common = |other: &str| path.bytes().zip(other.bytes()).take_while(|(a, b)| a == b).count();
     let longest = paths.iter().map(|other| common(other)).max().unwrap_or(0);
-    // Fewer letters do not tell even the kind of the object.
-    if longest < 3 { Vec::new() } else { listed(&|other| common(other) == longest) }
+    if longest < TELLING { Vec::new() } else { listed(&|other| common(other) == longest) }
 }
 
 /// How many letters have to be inserted, removed or replaced (Levenshtein).
