@@ -2,11 +2,11 @@
 
 use proc_macro2::TokenStream;
 use quote::quote;
-use syn::{FnArg, ImplItem, ItemFn, ItemImpl};
+use syn::{FnArg, ImplItem, ItemFn, ItemImpl, parse_quote};
 
 use crate::expand::{Place, derivative, stub};
 
-/// Expands the attribute. The item itself stays as it is.
+/// Expands the attribute. The item itself stays as it is, but for a lint.
 pub fn expand(arguments: TokenStream, item: TokenStream) -> TokenStream {
     if !arguments.is_empty() {
         let error = syn::Error::new_spanned(arguments, "`#[differentiable]` takes no arguments");
@@ -54,6 +54,8 @@ fn function_derivative(function: &ItemFn) -> TokenStream {
                 quote!(#error #stub)
             });
     quote! {
+        // Its gradient may be all that is used of it.
+        #[allow(dead_code)]
         #function
         #derivatives
     }
@@ -63,7 +65,7 @@ fn impl_derivatives(mut block: ItemImpl) -> TokenStream {
     let generics = block.generics.clone();
     let place = Place::Impl(&generics);
     let mut siblings = Vec::new();
-    for item in &block.items {
+    for item in &mut block.items {
         let ImplItem::Fn(method) = item else { continue };
         let sibling = derivative(&place, &method.attrs, &method.vis, &method.sig, &method.block)
             .unwrap_or_else(|error| {
@@ -72,6 +74,8 @@ fn impl_derivatives(mut block: ItemImpl) -> TokenStream {
                 quote!(#error #stub)
             });
         siblings.push(ImplItem::Verbatim(sibling));
+        // Its gradient may be all that is used of it.
+        method.attrs.push(parse_quote!(#[allow(dead_code)]));
     }
     block.items.extend(siblings);
     quote!(#block)

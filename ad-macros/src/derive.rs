@@ -1,7 +1,8 @@
 //! `#[derive(Differentiable)]`: a tangent for a struct.
 
 use proc_macro2::TokenStream;
-use quote::{format_ident, quote};
+use quote::{format_ident, quote, quote_spanned};
+use syn::spanned::Spanned;
 use syn::{Data, DeriveInput, Field, Fields};
 
 /// The tangent struct and the impls that make it one.
@@ -102,6 +103,6 @@ fn tangent_type(field: &Field) -> TokenStream {
     let constant = field.attrs.iter().any(|attribute| attribute.path().is_ident("constant"));
     match constant {
         true => quote!(::ad::NoTangent<#ty>),
-        false => quote!(::ad::Tangent<#ty>),
+        false => quote_spanned!(ty.span()=> ::ad::Tangent<#ty>),
     }
 }

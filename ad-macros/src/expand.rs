@@ -1,7 +1,8 @@
 //! Wraps the sweeps into what users call: `f::vjp`, `f::value_and_grad`, `f::grad`.
 
 use proc_macro2::{Ident, Span, TokenStream};
-use quote::{ToTokens, format_ident, quote};
+use quote::{ToTokens, format_ident, quote, quote_spanned};
+use syn::spanned::Spanned;
 use syn::{Attribute, FnArg, GenericParam, Generics, Signature, Type, Visibility};
 
 use crate::errors::Errors;
@@ -31,9 +32,11 @@ pub fn derivative(
     let parameters = signature::parameters(signature, &mut errors);
     let result = signature::result(signature, &mut errors);
 
-    let mut names = Names::new(quote!(#signature #body));
+    let idents = parameters.iter().map(|parameter| parameter.ident.clone());
+    let mut names = Names::new(quote!(#signature #body), idents);
     let lowered =
         lower::lower(&signature.ident, &parameters, &result, body, &mut names, &mut errors);
+    signature::refuse_cfg(signature, body, &mut errors);
     errors.finish()?;
 
     let seed = names.fresh("result_bar", Span::call_site());
@@ -44,7 +47,7 @@ pub fn derivative(
     let body = quote! {
         {
             #[allow(unused_imports)]
-            use ::ad::rules::*;
+            use ::ad::rt::methods::*;
             #forward
             (#value, move |#seed: #result_tangent| -> #gradient {
                 #reverse
@@ -78,7 +81,7 @@ pub fn stub(place: &Place<'_>, visibility: &Visibility, signature: &Signature) -
 
 fn tangent(ty: &Type) -> TokenStream {
     let ty = pointee(ty);
-    quote!(::ad::Tangent<#ty>)
+    quote_spanned!(ty.span()=> ::ad::Tangent<#ty>)
 }
 
 /// The type of what the pullback returns.

@@ -18,8 +18,8 @@ pub struct Var {
     pub cotangent: Ident,
     /// The name of the space in which its cotangent lives.
     pub space: Ident,
-    /// The name of the pullback, where a call defines the variable, or of the path that a branch
-    /// took, or of the tape of a loop.
+    /// The name of what the forward sweep keeps of the operation that defines the variable: the
+    /// pullback of a call, the types of a sum.
     pub record: Ident,
     /// The block it lives in.
     pub block: BlockId,
@@ -76,6 +76,13 @@ pub enum BinaryOperator {
     Mul,
     Div,
     Rem,
+}
+
+impl BinaryOperator {
+    /// Whether its partial derivatives are constants.
+    pub fn is_linear(self) -> bool {
+        matches!(self, Self::Add | Self::Sub)
+    }
 }
 
 /// How the value of an [`Operation::Aggregate`] holds its parts.

@@ -31,6 +31,8 @@ mod ir;
 mod lower;
 mod names;
 mod signature;
+#[cfg(test)]
+mod snapshots;
 mod sweep;
 
 use proc_macro::TokenStream;

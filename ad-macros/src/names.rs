@@ -5,28 +5,49 @@ use std::collections::HashSet;
 use proc_macro2::{Ident, Span, TokenStream, TokenTree};
 
 /// Every name that is taken.
-pub struct Names(HashSet<String>);
+pub struct Names {
+    /// The names of the variables there are.
+    variables: HashSet<String>,
+    /// Whatever the user wrote.
+    written: HashSet<String>,
+}
 
 impl Names {
-    /// Takes every name that occurs in `tokens`.
-    pub fn new(tokens: TokenStream) -> Self {
-        let mut taken = HashSet::new();
-        collect(tokens, &mut taken);
-        Self(taken)
+    /// The names for a function that the user wrote as `function`, with these parameters.
+    pub fn new(function: TokenStream, parameters: impl IntoIterator<Item = Ident>) -> Self {
+        let mut written = HashSet::new();
+        collect(function, &mut written);
+        let variables = parameters.into_iter().map(|ident| ident.to_string()).collect();
+        Self { variables, written }
     }
 
-    /// A name that starts with `base`. It cannot be confused with anything of the user's: it is
-    /// unique in the function, and its hygiene hides it from the surroundings. Errors that the
-    /// compiler finds in what it names point to `span`.
+    /// A name that starts with `base`, for a generated variable. It is unique among these, and its
+    /// hygiene hides it from what the user wrote, so it may be a name that the user uses too.
+    /// Errors that the compiler finds in what it names point to `span`.
     pub fn fresh(&mut self, base: &str, span: Span) -> Ident {
-        let base = base.strip_prefix("r#").unwrap_or(base);
-        let mut name = base.to_owned();
+        // Without its prefix a raw name may be a keyword.
+        let (base, is_raw) = match base.strip_prefix("r#") {
+            Some(base) => (base, true),
+            None => (base, false),
+        };
+        let mut name = if is_raw { format!("{base}_0") } else { base.to_owned() };
         let mut count = 1;
-        while !self.0.insert(name.clone()) {
+        while !self.variables.insert(name.clone()) {
             name = format!("{base}_{count}");
             count += 1;
         }
         Ident::new(&name, Span::mixed_site().located_at(span))
+    }
+
+    /// A name to put into the user's code: it means nothing there yet.
+    pub fn unwritten(&mut self, base: &str) -> Ident {
+        let mut name = base.to_owned();
+        let mut count = 1;
+        while !self.written.insert(name.clone()) {
+            name = format!("{base}_{count}");
+            count += 1;
+        }
+        Ident::new(&name, Span::mixed_site())
     }
 }
 

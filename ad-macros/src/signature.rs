@@ -53,7 +53,7 @@ pub fn parameters(signature: &Signature, errors: &mut Errors) -> Vec<Parameter> 
     }
     if signature.inputs.is_empty() {
         errors
-            .at(&signature.ident, "a function without parameters has nothing to differentiate by");
+            .at(&signature.ident, "a function without parameters has nothing to differentiate by: take the attribute off it, or out of the `impl` block that has the attribute");
     }
 
     let parameters = signature.inputs.iter().enumerate().map(|(index, input)| match input {
@@ -104,9 +104,20 @@ pub fn result(signature: &Signature, errors: &mut Errors) -> Type {
             if let Type::ImplTrait(_) = &**ty {
                 errors.at(ty, "the result needs a type that can be named: `impl Trait` cannot be differentiated");
             }
+            if is_result(ty) {
+                errors.at(
+                    ty,
+                    "a `Result` has no derivative: return an `Option`, and make the error of `None` outside",
+                );
+            }
             (**ty).clone()
         }
     }
+}
+
+fn is_result(ty: &Type) -> bool {
+    matches!(ty, Type::Path(path)
+        if path.path.segments.last().is_some_and(|last| last.ident == "Result"))
 }
 
 fn refuse_type(ty: &Type, errors: &mut Errors) {
@@ -119,14 +130,13 @@ fn refuse_type(ty: &Type, errors: &mut Errors) {
             errors.at(ty, "write a type parameter `T: ..` instead of `impl Trait`")
         }
         Type::Ptr(_) => errors.at(ty, "a raw pointer has no derivative: take a reference"),
-        _ => {
-            if let Type::TraitObject(_) = pointee(ty) {
-                errors.at(
-                    ty,
-                    "a call through `dyn` cannot be differentiated: write a type parameter",
-                );
-            }
-        }
+        _ => match pointee(ty) {
+            Type::TraitObject(_) => errors
+                .at(ty, "a call through `dyn` cannot be differentiated: write a type parameter"),
+            Type::Slice(_) => errors
+                .at(ty, "slices are not supported: take an array `[T; N]` or a reference to one"),
+            _ => {}
+        },
     }
 }
 
@@ -178,4 +188,25 @@ impl<'ast> Visit<'ast> for InnerLifetimes {
     fn visit_lifetime(&mut self, lifetime: &'ast Lifetime) {
         self.0.push(lifetime.clone());
     }
+}
+
+/// Refuses `#[cfg]` inside of a function: the compiler would drop the code from the function and
+/// keep it in the derivative.
+pub fn refuse_cfg(signature: &Signature, body: &syn::Block, errors: &mut Errors) {
+    struct Finder<'e>(&'e mut Errors);
+
+    impl<'ast> Visit<'ast> for Finder<'_> {
+        fn visit_attribute(&mut self, attribute: &'ast syn::Attribute) {
+            if attribute.path().is_ident("cfg") || attribute.path().is_ident("cfg_attr") {
+                self.0.at(
+                    attribute,
+                    "`#[cfg]` inside of a differentiable function is not supported: put it on two versions of the function",
+                );
+            }
+        }
+    }
+
+    let mut finder = Finder(errors);
+    finder.visit_signature(signature);
+    finder.visit_block(body);
 }

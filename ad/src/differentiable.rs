@@ -18,7 +18,7 @@ use glam::{DVec2, DVec3, DVec4, Vec2, Vec3, Vec4};
 /// A type whose values can be differentiated.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` has no derivative",
-    label = "a differentiable function passes a `{Self}` here",
+    label = "no derivative passes through a `{Self}`",
     note = "put `#[derive(Differentiable)]` on your own struct",
     note = "mark a struct field that carries no derivative with `#[constant]`"
 )]

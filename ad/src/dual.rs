@@ -37,7 +37,7 @@ impl<S: Real> Dual<S> {
     /// `f(self)` from the value and the derivative of `f`; a derivative of 0 stays 0.
     #[inline(always)]
     fn chain(self, value: S, slope: S) -> Self {
-        let still = self.derivative.cmpeq(S::ZERO);
+        let still = self.derivative.vanishes();
         Self::new(value, S::select(still, S::ZERO, self.derivative * slope))
     }
 }
@@ -115,7 +115,7 @@ impl<S: Real> Div for Dual<S> {
     fn div(self, other: Self) -> Self {
         let quotient = self.value / other.value;
         let slope = (self.derivative - quotient * other.derivative) / other.value;
-        let still = self.derivative.cmpeq(S::ZERO) & other.derivative.cmpeq(S::ZERO);
+        let still = self.derivative.vanishes() & other.derivative.vanishes();
         let undefined = still | other.value.cmpeq(S::ZERO);
         Self::new(quotient, S::select(undefined, S::ZERO, slope))
     }
@@ -165,6 +165,11 @@ impl<S: Real> Real for Dual<S> {
     #[inline(always)]
     fn is_finite(self) -> S::Mask {
         self.value.is_finite()
+    }
+
+    #[inline(always)]
+    fn vanishes(self) -> S::Mask {
+        self.value.vanishes() & self.derivative.vanishes()
     }
 
     #[inline(always)]
@@ -245,8 +250,8 @@ impl<S: Real> Real for Dual<S> {
     fn powf(self, exponent: Self) -> Self {
         let (x, y) = (self.value, exponent.value);
         let value = x.powf(y);
-        let one = S::select(y.cmpeq(S::ONE), S::ONE, S::ZERO);
-        let by_base = S::select(x.cmpeq(S::ZERO), one, y * x.powf(y - S::ONE));
+        let singular = x.cmpeq(S::ZERO) & y.cmplt(S::ONE);
+        let by_base = S::select(singular, S::ZERO, y * x.powf(y - S::ONE));
         let by_exponent = S::select(x.cmpgt(S::ZERO), x.ln() * value, S::ZERO);
         let along_base = self.chain(value, by_base).derivative;
         let along_exponent = exponent.chain(value, by_exponent).derivative;

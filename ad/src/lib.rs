@@ -139,6 +139,8 @@ extern crate self as ad;
 pub mod check;
 mod differentiable;
 mod dual;
+#[cfg(feature = "lanes")]
+pub mod lanes;
 mod real;
 #[doc(hidden)]
 pub mod rt;

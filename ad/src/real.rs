@@ -98,9 +98,9 @@ pub trait Real:
     + Neg<Output = Self>
     + NegPullback
     + Add<Output = Self>
-    + AddPullback<Output = Self>
+    + AddPullback
     + Sub<Output = Self>
-    + SubPullback<Output = Self>
+    + SubPullback
     + Mul<Output = Self>
     + MulPullback
     + Div<Output = Self>
@@ -140,6 +140,10 @@ pub trait Real:
     fn cmpeq(self, other: Self) -> Self::Mask;
     /// Neither infinite nor NaN.
     fn is_finite(self) -> Self::Mask;
+    /// Whether this is exactly zero and stays so in every direction: what a cotangent has to be to
+    /// annihilate an infinite partial derivative. A number that carries derivatives of its own, a
+    /// [`Dual`](crate::Dual), vanishes only if these are zero too.
+    fn vanishes(self) -> Self::Mask;
 
     /// The smaller of the two; the other one if one is NaN.
     fn min(self, other: Self) -> Self;
@@ -252,6 +256,11 @@ macro_rules! primitive {
             #[inline(always)]
             fn is_finite(self) -> bool {
                 $type::is_finite(self)
+            }
+
+            #[inline(always)]
+            fn vanishes(self) -> bool {
+                self == 0.0
             }
 
             primitive!(@unary $type: abs signum floor recip sqrt exp ln sin cos tan asin acos atan tanh);

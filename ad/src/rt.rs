@@ -1,8 +1,19 @@
 //! What generated code calls. Not for use by hand: it may change with every release.
 
 use core::marker::PhantomData;
+use core::ops::{Add, Neg, Sub};
 
+use crate::rules::{AddPullback, NegPullback, SubPullback};
 use crate::{Additive, Differentiable, NoDerivative, NoTangent, Tangent};
+
+/// The traits whose methods generated code calls. They come without names, which could hide those
+/// of the user.
+pub mod methods {
+    pub use crate::rules::{
+        DVec2Rules as _, DVec4Rules as _, RealRules as _, ScalarRules as _, Vec2Rules as _,
+        Vec4Rules as _, Vector3Rules as _, VectorRules as _,
+    };
+}
 
 /// The space `T` of cotangents, as a value: lets the forward sweep tell the reverse sweep, which
 /// knows no types, what kind of zero to start from. Takes no room.
@@ -25,35 +36,8 @@ impl<T: Additive> Space<T> {
 
     /// A cotangent, seen from the field it is the cotangent of.
     #[inline(always)]
-    pub fn enter<C: Enter<T>>(self, cotangent: C) -> T {
+    pub fn enter<Kind>(self, cotangent: impl Enter<T, Kind>) -> T {
         cotangent.enter()
-    }
-
-    /// The pullback of unary minus.
-    #[inline(always)]
-    pub fn neg_pullback(self, cotangent: T) -> T
-    where
-        T: crate::rules::NegPullback,
-    {
-        T::neg_pullback(cotangent)
-    }
-
-    /// The pullback of `+`.
-    #[inline(always)]
-    pub fn add_pullback<R>(self, _: Space<R>, cotangent: T::Output) -> (T, R)
-    where
-        T: crate::rules::AddPullback<R>,
-    {
-        T::add_pullback(cotangent)
-    }
-
-    /// The pullback of `-`.
-    #[inline(always)]
-    pub fn sub_pullback<R>(self, _: Space<R>, cotangent: T::Output) -> (T, R)
-    where
-        T: crate::rules::SubPullback<R>,
-    {
-        T::sub_pullback(cotangent)
     }
 }
 
@@ -63,42 +47,104 @@ pub fn space<T: Differentiable + ?Sized>(_value: &T) -> Space<Tangent<T>> {
     Space(PhantomData)
 }
 
+/// Says of a conversion that both sides are of one kind.
+pub enum Same {}
+
+/// Says of a conversion that one side is the tangent of a `#[constant]` field.
+pub enum Constant {}
+
+/// An operator whose pullback needs no operand, only their types.
+pub struct Linear<A, B>(PhantomData<fn(A, B)>);
+
+impl<A, B> Clone for Linear<A, B> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+
+impl<A, B> Copy for Linear<A, B> {}
+
+impl<A, B: Differentiable> Linear<A, B> {
+    /// The pullback of `a + b`.
+    #[inline(always)]
+    pub fn pull_back_sum(
+        self,
+        cotangent: Tangent<<A as Add<B>>::Output>,
+    ) -> (Tangent<A>, Tangent<B>)
+    where
+        A: AddPullback<B>,
+    {
+        A::add_pullback(cotangent)
+    }
+
+    /// The pullback of `a - b`.
+    #[inline(always)]
+    pub fn pull_back_difference(
+        self,
+        cotangent: Tangent<<A as Sub<B>>::Output>,
+    ) -> (Tangent<A>, Tangent<B>)
+    where
+        A: SubPullback<B>,
+    {
+        A::sub_pullback(cotangent)
+    }
+
+    /// The pullback of `-a`.
+    #[inline(always)]
+    pub fn pull_back_negation(self, cotangent: Tangent<<A as Neg>::Output>) -> Tangent<A>
+    where
+        A: NegPullback,
+    {
+        A::neg_pullback(cotangent)
+    }
+}
+
+/// The types of two operands.
+#[inline(always)]
+pub fn linear<A, B>(_: &A, _: &B) -> Linear<A, B> {
+    Linear(PhantomData)
+}
+
 /// Adds a contribution to a cotangent. What flows to a `#[constant]` field is dropped.
-pub trait Absorb<C> {
+///
+/// `Kind` is inferred; it keeps the implementations apart.
+pub trait Absorb<C, Kind> {
     /// `self += contribution`
     fn absorb(&mut self, contribution: C);
 }
 
-impl<T: Additive> Absorb<T> for T {
+impl<T: Additive> Absorb<T, Same> for T {
     #[inline(always)]
     fn absorb(&mut self, contribution: T) {
         self.accumulate(contribution);
     }
 }
 
-impl<T> Absorb<T> for NoTangent<T> {
+impl<T: ?Sized, C: Additive> Absorb<C, Constant> for NoTangent<T> {
     #[inline(always)]
-    fn absorb(&mut self, _: T) {}
+    fn absorb(&mut self, _: C) {}
 }
 
 /// The cotangent that a field's cotangent means for the value the field was made from. Nothing
 /// comes out of a `#[constant]` field.
-pub trait Enter<T> {
+///
+/// `Kind` is inferred; it keeps the implementations apart.
+pub trait Enter<T, Kind> {
     /// The conversion.
     fn enter(self) -> T;
 }
 
-impl<T: Additive> Enter<T> for T {
+impl<T: Additive> Enter<T, Same> for T {
     #[inline(always)]
     fn enter(self) -> T {
         self
     }
 }
 
-impl<T: Additive> Enter<T> for NoTangent<T> {
+impl<T: ?Sized, C: Additive> Enter<C, Constant> for NoTangent<T> {
     #[inline(always)]
-    fn enter(self) -> T {
-        T::zero()
+    fn enter(self) -> C {
+        C::zero()
     }
 }
 
@@ -167,6 +213,7 @@ pub trait ScalarResult<'a, T> {
     fn one() -> T;
 }
 
+#[diagnostic::do_not_recommend]
 impl<S: crate::Real> ScalarResult<'_, S> for S {
     fn one() -> S {
         S::ONE

@@ -25,9 +25,9 @@ pub trait Vector:
     + Neg<Output = Self>
     + NegPullback
     + Add<Output = Self>
-    + AddPullback<Output = Self>
+    + AddPullback
     + Sub<Output = Self>
-    + SubPullback<Output = Self>
+    + SubPullback
     + Mul<Output = Self>
     + MulPullback
     + Mul<Self::Scalar, Output = Self>

@@ -42,7 +42,7 @@ fn measure(name: &str, scene: &Scene) {
         scene.height,
         rayon::current_num_threads()
     );
-    let prepared = Prepared::<f32>::new(scene);
+    let prepared = Prepared::<wide::f32x16>::new(scene);
     let image = render(&prepared);
     let mut target = image.clone();
     target.pixels.iter_mut().flatten().for_each(|value| *value *= 0.9);

@@ -6,7 +6,8 @@
 use std::hint::black_box;
 use std::time::Instant;
 
-use ad::{Additive, Real, Scalar, Vec3, differentiable};
+use ad::lanes::Lanes;
+use ad::{Additive, Real, Vec3, differentiable};
 use renderer::kernels::camera::Ray;
 use renderer::kernels::light::PointLight;
 use renderer::kernels::material::{Material, reflection_of_point_light};
@@ -81,7 +82,7 @@ fn median(mut samples: Vec<f64>) -> f64 {
     samples[samples.len() / 2]
 }
 
-fn measure<S: Scalar>(name: &str) {
+fn measure<S: Lanes>(name: &str) {
     let inputs = Inputs::<S>::new();
     let Inputs { rays, a, b, c, material, light } = &inputs;
     let seed = vector::<S>(1.0, 0.5, 0.25);
@@ -119,7 +120,7 @@ fn measure<S: Scalar>(name: &str) {
         }));
     }
     let [primal, all, light_only] = samples.map(median);
-    let per_call = 1e9 / rays.len() as f64;
+    let per_call = 1e9 / (rays.len() * S::COUNT) as f64;
     println!(
         "{name}: primal {:.1} ns, value and all 32 derivatives {:.1} ns ({:.2} x), value and light {:.1} ns ({:.2} x)",
         primal * per_call,
@@ -137,4 +138,6 @@ fn add<T: Additive>(sum: &mut T, term: T) {
 fn main() {
     measure::<f32>("f32");
     measure::<f64>("f64");
+    measure::<wide::f32x8>("f32x8");
+    measure::<wide::f32x16>("f32x16");
 }

@@ -122,3 +122,27 @@ fn single_precision_is_close_to_double() {
         }
     }
 }
+
+/// Lanes compute the same, but for the rounding of `powf`.
+#[test]
+fn lanes_agree_with_single_numbers() {
+    let scene = small_scene(37);
+    let target = target(&scene);
+    let loss = ImageLoss::new(LossKind::MeanSquared, &target, false);
+    let ids = scene.parameter_ids();
+    let single = gradient(&Prepared::<f32>::new(&scene), &loss, Wanted::by(&ids));
+    for lanes in [
+        gradient(&Prepared::<wide::f32x8>::new(&scene), &loss, Wanted::by(&ids)),
+        gradient(&Prepared::<wide::f32x16>::new(&scene), &loss, Wanted::by(&ids)),
+    ] {
+        assert!((lanes.loss - single.loss).abs() <= 1e-5 * single.loss);
+        for &id in &ids {
+            let (lanes, single) = (lanes.gradient.get(id), single.gradient.get(id));
+            let scale = single.iter().fold(0.0_f64, |scale, x| scale.max(x.abs()));
+            for (l, s) in lanes.iter().zip(single) {
+                let error = (l - s).abs() / scale;
+                assert!(error <= 1e-4, "{}: {l} instead of {s}", scene.path(id));
+            }
+        }
+    }
+}

@@ -11,7 +11,7 @@ fn image_and_gradient_are_bit_identical_on_any_number_of_threads() {
     let run = |threads: usize| {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
         pool.install(|| {
-            let prepared = Prepared::<f32>::new(&scene);
+            let prepared = Prepared::<wide::f32x16>::new(&scene);
             let image = render(&prepared);
             let mut target = image.clone();
             target.pixels.iter_mut().flatten().for_each(|value| *value *= 0.9);

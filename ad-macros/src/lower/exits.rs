@@ -1,6 +1,6 @@
 //! Finds early exits: `return` and `?`.
 
-use proc_macro2::{Ident, Span};
+use proc_macro2::Ident;
 use syn::visit::{self, Visit};
 use syn::{Block, Expr, Stmt, parse_quote};
 
@@ -20,6 +20,44 @@ pub fn expr_exits(expr: &Expr) -> bool {
     let mut finder = Finder(false);
     finder.visit_expr(expr);
     finder.0
+}
+
+/// Whether a part of `expr`, other than `expr` itself, is an assignment. An exit taken out of such
+/// an expression could change places with it.
+pub fn assigns_within(expr: &Expr) -> bool {
+    struct Assignments(bool);
+
+    impl<'ast> Visit<'ast> for Assignments {
+        fn visit_expr(&mut self, expr: &'ast Expr) {
+            match expr {
+                Expr::Assign(_) => self.0 = true,
+                Expr::Binary(binary) if is_update(&binary.op) => self.0 = true,
+                _ => visit::visit_expr(self, expr),
+            }
+        }
+    }
+
+    let mut finder = Assignments(false);
+    visit::visit_expr(&mut finder, expr);
+    finder.0
+}
+
+/// Whether the operator is a compound assignment.
+pub fn is_update(operator: &syn::BinOp) -> bool {
+    use syn::BinOp::*;
+    matches!(
+        operator,
+        AddAssign(_)
+            | SubAssign(_)
+            | MulAssign(_)
+            | DivAssign(_)
+            | RemAssign(_)
+            | BitXorAssign(_)
+            | BitAndAssign(_)
+            | BitOrAssign(_)
+            | ShlAssign(_)
+            | ShrAssign(_)
+    )
 }
 
 struct Finder(bool);
@@ -79,7 +117,7 @@ pub fn hoist(expr: &mut Expr, names: &mut Names) -> Option<(Ident, Expr)> {
             {
                 return hoist(condition, names);
             }
-            let ident = names.fresh("value", Span::call_site());
+            let ident = names.unwritten("value");
             let part = std::mem::replace(expr, parse_quote!(#ident));
             Some((ident, part))
         }

@@ -6,7 +6,7 @@ use syn::spanned::Spanned;
 use syn::{BinOp, Expr, ExprBinary, ExprPath, Member, Path, PathArguments, Type, UnOp};
 
 use super::Lowerer;
-use crate::ir::{Argument, BinaryOperator, Operand, Operation, Projection, Shape};
+use crate::ir::{Argument, BinaryOperator, Operand, Operation, Projection, Shape, Statement};
 
 impl Lowerer<'_> {
     /// Evaluates an expression. A new variable for the result, if one is needed, is named after
@@ -58,9 +58,16 @@ impl Lowerer<'_> {
             Expr::Range(range) => {
                 self.refuse(range, "a range has no derivative: use it as the head of a `for` loop")
             }
-            Expr::Assign(_) => self.refuse(expr, "write the assignment as a statement of its own"),
+            // The last statement of a block, or the body of an arm.
+            Expr::Assign(_) | Expr::ForLoop(_) => self.unit_expression(expr),
             other => self.refuse_expression(other),
         }
+    }
+
+    /// An expression that is written for its effect on variables.
+    fn unit_expression(&mut self, expr: &Expr) -> Operand {
+        self.expression_statement(expr);
+        Self::unit()
     }
 
     fn operands<'e>(&mut self, exprs: impl IntoIterator<Item = &'e Expr>) -> Vec<Operand> {
@@ -91,14 +98,16 @@ impl Lowerer<'_> {
             | BinOp::Ge(_)
             | BinOp::And(_)
             | BinOp::Or(_) => {
-                return Operand::Constant(self.plain(&Expr::Binary(binary.clone())));
+                let expr = Expr::Binary(binary.clone());
+                let tokens = self.plain(&expr);
+                return self.settled(&expr, quote!((#tokens)));
             }
             BinOp::BitAnd(_)
             | BinOp::BitOr(_)
             | BinOp::BitXor(_)
             | BinOp::Shl(_)
             | BinOp::Shr(_) => return self.discrete(&Expr::Binary(binary.clone())),
-            _ => return self.refuse(binary, "write the assignment as a statement of its own"),
+            _ => return self.unit_expression(&Expr::Binary(binary.clone())),
         };
         let left = self.operand(&binary.left, "value");
         let right = self.operand(&binary.right, "value");
@@ -125,7 +134,7 @@ impl Lowerer<'_> {
                 Operand::Var(self.define(hint, cast.span(), true, operation))
             }
             Operand::Var(var) => {
-                let ident = self.ident(var);
+                let ident = self.ident_at(var, cast.expr.span());
                 let checked = quote_spanned!(cast.span()=> ::ad::rt::constant(#ident));
                 Operand::Constant(quote!((#checked as #ty)))
             }
@@ -160,7 +169,7 @@ impl Lowerer<'_> {
             return Argument::Borrow(place);
         }
         match self.operand(&reference.expr, "target") {
-            Operand::Constant(tokens) => Argument::Value(Operand::Constant(quote!(&#tokens))),
+            Operand::Constant(tokens) => Argument::Value(Operand::Constant(quote!((&#tokens)))),
             Operand::Var(root) => Argument::Borrow(crate::ir::Place { root, path: Vec::new() }),
         }
     }
@@ -192,15 +201,20 @@ impl Lowerer<'_> {
                 );
             }
             if name == self.function {
-                return self.refuse(
-                    name,
-                    "recursion is not supported: write a loop over a constant range",
-                );
+                return self.refuse_recursion(name);
             }
         }
         let last = path.segments.last().expect("a path has a segment");
+        if path.segments.len() == 2
+            && path.segments[0].ident == "Self"
+            && last.ident == *self.function
+        {
+            return self.refuse_recursion(path);
+        }
         if last.ident == "stop_gradient" {
-            return Operand::Constant(self.plain(&Expr::Call(call.clone())));
+            let expr = Expr::Call(call.clone());
+            let tokens = self.plain(&expr);
+            return self.settled(&expr, tokens);
         }
         if is_type_name(&last.ident) {
             return self.construct(call, function, hint);
@@ -211,6 +225,10 @@ impl Lowerer<'_> {
         let vjp = vjp_of(function);
         let hint = if hint == "value" { last.ident.to_string() } else { hint.to_owned() };
         self.finish_call(primal, vjp, false, arguments, &hint, call.span())
+    }
+
+    fn refuse_recursion(&mut self, at: impl quote::ToTokens) -> Operand {
+        self.refuse(at, "recursion is not supported: write a loop over a range")
     }
 
     /// `Some(x)`, `Name(x, y)`
@@ -231,13 +249,25 @@ impl Lowerer<'_> {
         } else {
             Shape::Struct
         };
-        self.aggregate(expression, shape, numbered(parts), hint, &Expr::Call(call.clone()))
+        let value =
+            self.aggregate(expression, shape, numbered(parts), hint, &Expr::Call(call.clone()));
+        // A function whose name begins with a capital letter is no pattern.
+        if let (Shape::Struct, Operand::Var(var)) = (shape, &value) {
+            let ident = self.ident(*var);
+            let code = quote!(let #function(..) = &#ident;);
+            self.push(Statement::Plain { code, defines: Vec::new() });
+        }
+        value
     }
 
     fn method_call(&mut self, call: &syn::ExprMethodCall, hint: &str) -> Operand {
         let name = call.method.to_string();
         if is_predicate(&name) {
             return self.discrete(&Expr::MethodCall(call.clone()));
+        }
+        let on_self = matches!(&*call.receiver, Expr::Path(path) if path.path.is_ident("self"));
+        if on_self && call.method == *self.function {
+            return self.refuse_recursion(&call.method);
         }
         let receiver = match self.stable_place(&call.receiver) {
             Some(place) => Argument::Receiver(place),
@@ -335,7 +365,8 @@ impl Lowerer<'_> {
     fn read(&mut self, expr: &Expr, hint: &str) -> Operand {
         if let Some(place) = self.place(expr) {
             if !self.vars[place.root].active {
-                return Operand::Constant(self.place_tokens(&place));
+                let tokens = self.place_tokens(&place);
+                return self.settled(expr, tokens);
             }
             if place.path.is_empty() && !self.vars[place.root].mutable {
                 return Operand::Var(place.root);
@@ -350,7 +381,10 @@ impl Lowerer<'_> {
             return Operand::Var(self.define(&hint, expr.span(), true, Operation::Read(place)));
         }
         match expr {
-            Expr::Path(_) => Operand::Constant(quote!(#expr)),
+            Expr::Path(path) => {
+                self.check_capital(path);
+                Operand::Constant(quote!(#expr))
+            }
             Expr::Field(field) => {
                 self.part(&field.base, Projection::Field(field.member.clone()), hint, expr)
             }

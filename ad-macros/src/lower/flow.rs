@@ -10,6 +10,7 @@ use quote::{format_ident, quote};
 use syn::spanned::Spanned;
 use syn::{Expr, Lit, Local, Member, Pat, RangeLimits, Stmt, parse_quote};
 
+use super::pattern::Matched;
 use super::{Lowerer, exits};
 use crate::ir::{
     Arm, Branch, BranchKind, Loop, Operand, Operation, Place, Projection, Shape, Statement, VarId,
@@ -104,10 +105,10 @@ impl Lowerer<'_> {
         }
     }
 
-    fn expression_statement(&mut self, expr: &Expr) {
+    pub(super) fn expression_statement(&mut self, expr: &Expr) {
         match expr {
             Expr::Assign(assign) => self.assign(assign),
-            Expr::Binary(binary) if is_update(&binary.op) => self.update(binary),
+            Expr::Binary(binary) if exits::is_update(&binary.op) => self.update(binary),
             Expr::If(_) | Expr::Match(_) => {
                 self.branch_statement(expr, &mut |lowerer, body| {
                     lowerer.operand(body, "value");
@@ -121,7 +122,12 @@ impl Lowerer<'_> {
                 self.block_value(&block.block.stmts);
             }
             _ => {
-                self.operand(expr, "value");
+                if let Operand::Constant(tokens) = self.operand(expr, "value") {
+                    self.push(Statement::Plain {
+                        code: quote!(let _ = #tokens;),
+                        defines: Vec::new(),
+                    });
+                }
             }
         }
     }
@@ -177,6 +183,17 @@ impl Lowerer<'_> {
                     Stmt::Expr(expr, _) => Some(expr),
                     _ => None,
                 };
+                if let Some(expr @ (Expr::While(_) | Expr::Loop(_))) = &expr {
+                    return self.refuse_expression(expr);
+                }
+                if let Some(expr) = &expr
+                    && exits::assigns_within(expr)
+                {
+                    return self.refuse(
+                        expr,
+                        "an early exit and an assignment within one expression are not supported: bind their parts to variables with `let` first",
+                    );
+                }
                 match expr.and_then(|expr| exits::hoist(expr, self.names)) {
                     Some((name, part)) => {
                         let mut following = vec![stmt];
@@ -272,6 +289,8 @@ impl Lowerer<'_> {
                         return lowerer.scope(|l| l.statements(as_statements(body), end));
                     }
                     let value = lowerer.block_value(&as_statements(body));
+                    // What follows does not see the names that the arm's pattern binds.
+                    lowerer.scopes.last_mut().expect("the arm opened a scope").clear();
                     if let Some(pat) = pat {
                         let (pat, ty) = split_type(pat);
                         lowerer.bind_pattern(pat, ty, value);
@@ -483,7 +502,7 @@ impl Lowerer<'_> {
             }
             Expr::Match(branch) => {
                 let (matched, source) = self.scrutinee(&branch.expr);
-                let active = source.is_some();
+                let matched_value = Matched { active: source.is_some(), refutable: true };
                 let arms = branch.arms.iter().map(|arm| {
                     let (pat, guard) = match &arm.pat {
                         Pat::Guard(guarded) => (&*guarded.pat, Some(&guarded.guard)),
@@ -493,7 +512,7 @@ impl Lowerer<'_> {
                     let mut bindings = Vec::new();
                     let mut guard_tokens = None;
                     let body = self.block(|lowerer| {
-                        (pattern, bindings) = lowerer.pattern(pat, active);
+                        (pattern, bindings) = lowerer.pattern(pat, matched_value);
                         guard_tokens = guard.map(|guard| lowerer.plain(guard));
                         lower_arm(lowerer, &arm.body)
                     });
@@ -512,23 +531,6 @@ const MOST_ARMS: usize = 12;
 
 fn is_control(expr: &Expr) -> bool {
     matches!(expr, Expr::If(_) | Expr::Match(_) | Expr::Block(_) | Expr::ForLoop(_))
-}
-
-fn is_update(operator: &syn::BinOp) -> bool {
-    use syn::BinOp::*;
-    matches!(
-        operator,
-        AddAssign(_)
-            | SubAssign(_)
-            | MulAssign(_)
-            | DivAssign(_)
-            | RemAssign(_)
-            | BitXorAssign(_)
-            | BitAndAssign(_)
-            | BitOrAssign(_)
-            | ShlAssign(_)
-            | ShrAssign(_)
-    )
 }
 
 fn strip_parens(expr: &Expr) -> &Expr {

@@ -11,7 +11,7 @@ mod pattern;
 mod place;
 mod plain;
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::{ToTokens, quote};
@@ -48,6 +48,7 @@ pub fn lower(
         scopes: vec![HashMap::new()],
         open_blocks: Vec::new(),
         block_count: 0,
+        capitals: HashSet::new(),
         names,
         errors,
     };
@@ -78,6 +79,8 @@ struct Lowerer<'a> {
     /// The blocks being written, innermost last.
     open_blocks: Vec<(BlockId, Vec<Statement>)>,
     block_count: BlockId,
+    /// The names in refutable patterns that were taken for constants, for their capital letter.
+    capitals: HashSet<String>,
     names: &'a mut Names,
     errors: &'a mut Errors,
 }
@@ -141,6 +144,18 @@ impl Lowerer<'_> {
         self.scopes.iter().rev().find_map(|scope| scope.get(&name).copied())
     }
 
+    /// Refuses to read a name that a pattern may have bound although it was taken for a constant.
+    fn check_capital(&mut self, path: &syn::ExprPath) {
+        if let Some(name) = path.path.get_ident()
+            && self.capitals.contains(&name.to_string())
+        {
+            self.refuse(
+                path,
+                format!("`{name}` was taken for a constant in a pattern, for its capital letter: name a variable in lower case, and write `self::{name}` for a constant"),
+            );
+        }
+    }
+
     fn parameter(&mut self, parameter: &Parameter) -> VarId {
         let var = self.var(parameter.ident.clone(), false, !is_discrete(&parameter.ty));
         self.alias(&parameter.ident, var);
@@ -165,6 +180,13 @@ impl Lowerer<'_> {
 
     fn ident(&self, var: VarId) -> &Ident {
         &self.vars[var].ident
+    }
+
+    /// The name of a variable, for errors about its use at `span`.
+    fn ident_at(&self, var: VarId, span: Span) -> Ident {
+        let mut ident = self.ident(var).clone();
+        ident.set_span(span.resolved_at(ident.span()));
+        ident
     }
 
     fn tokens(&self, operand: &Operand) -> TokenStream {

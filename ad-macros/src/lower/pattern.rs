@@ -3,18 +3,27 @@
 use proc_macro2::TokenStream;
 use quote::{ToTokens, quote};
 use syn::spanned::Spanned;
+use syn::visit::{self, Visit};
 use syn::{Expr, Member, Pat, Type};
 
 use super::Lowerer;
 use super::expression::{is_transparent, is_type_name, is_variant};
 use crate::ir::{Binding, Operand, Operation, Place, Projection, Statement, VarId};
 
+/// What a pattern is matched against.
+#[derive(Clone, Copy)]
+pub(super) struct Matched {
+    /// Whether a derivative flows through it.
+    pub active: bool,
+    /// Whether the match may fail: only then can a name in the pattern mean a constant.
+    pub refutable: bool,
+}
+
 impl Lowerer<'_> {
-    /// The pattern with generated names, and what it binds. Through an `active` value a derivative
-    /// flows.
-    pub(super) fn pattern(&mut self, pat: &Pat, active: bool) -> (TokenStream, Vec<Binding>) {
+    /// The pattern with generated names, and what it binds.
+    pub(super) fn pattern(&mut self, pat: &Pat, matched: Matched) -> (TokenStream, Vec<Binding>) {
         let mut bindings = Vec::new();
-        let tokens = self.subpattern(pat, &[], active, &mut bindings);
+        let tokens = self.subpattern(pat, &[], matched, &mut bindings);
         (tokens, bindings)
     }
 
@@ -22,7 +31,7 @@ impl Lowerer<'_> {
         &mut self,
         pat: &Pat,
         path: &[Projection],
-        active: bool,
+        matched: Matched,
         bindings: &mut Vec<Binding>,
     ) -> TokenStream {
         let step = |member: Member| [path, &[Projection::Field(member)]].concat();
@@ -33,8 +42,13 @@ impl Lowerer<'_> {
             | Pat::Path(_)
             | Pat::Rest(_)
             | Pat::Const(_) => pat.to_token_stream(),
-            Pat::Paren(inner) => self.subpattern(&inner.pat, path, active, bindings),
-            Pat::Ident(ident) if ident.subpat.is_none() && is_type_name(&ident.ident) => {
+            Pat::Paren(inner) => self.subpattern(&inner.pat, path, matched, bindings),
+            Pat::Ident(ident)
+                if matched.refutable && ident.subpat.is_none() && is_type_name(&ident.ident) =>
+            {
+                if ident.ident != "None" {
+                    self.capitals.insert(ident.ident.to_string());
+                }
                 pat.to_token_stream()
             }
             Pat::Ident(ident) => {
@@ -46,7 +60,7 @@ impl Lowerer<'_> {
                     return quote!(_);
                 }
                 let mutability = &ident.mutability;
-                let var = self.bind(&ident.ident, mutability.is_some(), active);
+                let var = self.bind(&ident.ident, mutability.is_some(), matched.active);
                 bindings.push(Binding { var, path: path.to_vec() });
                 let name = self.ident(var);
                 quote!(#mutability #name)
@@ -55,18 +69,18 @@ impl Lowerer<'_> {
                 if let Some(token) = &reference.mutability {
                     self.refuse(token, "`&mut` is not supported");
                 }
-                let inner = self.subpattern(&reference.pat, path, active, bindings);
+                let inner = self.subpattern(&reference.pat, path, matched, bindings);
                 quote!(&#inner)
             }
             Pat::Tuple(tuple) => {
-                let elements = self.numbered_patterns(&tuple.elems, path, active, bindings);
+                let elements = self.numbered_patterns(&tuple.elems, path, matched, bindings);
                 quote!((#(#elements,)*))
             }
             Pat::Slice(slice) => {
                 let elements = slice.elems.iter().enumerate().map(|(index, element)| {
                     let index = syn::Index::from(index);
                     let path = [path, &[Projection::Index(quote!(#index))]].concat();
-                    self.subpattern(element, &path, active, bindings)
+                    self.subpattern(element, &path, matched, bindings)
                 });
                 let elements: Vec<_> = elements.collect();
                 self.check_rest(&slice.elems);
@@ -75,14 +89,14 @@ impl Lowerer<'_> {
             Pat::TupleStruct(pattern) if is_transparent(&pattern.path) => {
                 let constructor = &pattern.path;
                 let inner =
-                    pattern.elems.iter().map(|e| self.subpattern(e, path, active, bindings));
+                    pattern.elems.iter().map(|e| self.subpattern(e, path, matched, bindings));
                 let inner: Vec<_> = inner.collect();
                 quote!(#constructor(#(#inner),*))
             }
             Pat::TupleStruct(pattern) => {
                 let before = bindings.len();
-                let elements = self.numbered_patterns(&pattern.elems, path, active, bindings);
-                self.check_variant(pat, &pattern.path, active && bindings.len() > before);
+                let elements = self.numbered_patterns(&pattern.elems, path, matched, bindings);
+                self.check_variant(pat, &pattern.path, matched.active && bindings.len() > before);
                 let constructor = &pattern.path;
                 quote!(#constructor(#(#elements),*))
             }
@@ -94,11 +108,11 @@ impl Lowerer<'_> {
                     .map(|field| {
                         let member = &field.member;
                         let path = step(member.clone());
-                        let inner = self.subpattern(&field.pat, &path, active, bindings);
+                        let inner = self.subpattern(&field.pat, &path, matched, bindings);
                         quote!(#member: #inner)
                     })
                     .collect();
-                self.check_variant(pat, &pattern.path, active && bindings.len() > before);
+                self.check_variant(pat, &pattern.path, matched.active && bindings.len() > before);
                 let (constructor, rest) = (&pattern.path, &pattern.rest);
                 quote!(#constructor { #(#fields,)* #rest })
             }
@@ -107,7 +121,7 @@ impl Lowerer<'_> {
                 let cases: Vec<_> = alternatives
                     .cases
                     .iter()
-                    .map(|case| self.subpattern(case, path, active, bindings))
+                    .map(|case| self.subpattern(case, path, matched, bindings))
                     .collect();
                 if bindings.len() > before {
                     self.refuse(pat, "names in `|` patterns are not supported: write an arm for each alternative");
@@ -125,13 +139,13 @@ impl Lowerer<'_> {
         &mut self,
         elements: &'p syn::punctuated::Punctuated<Pat, syn::Token![,]>,
         path: &[Projection],
-        active: bool,
+        matched: Matched,
         bindings: &mut Vec<Binding>,
     ) -> Vec<TokenStream> {
         self.check_rest(elements);
         let pattern = |(index, element): (usize, &'p Pat)| {
             let path = [path, &[Projection::Field(Member::from(index))]].concat();
-            self.subpattern(element, &path, active, bindings)
+            self.subpattern(element, &path, matched, bindings)
         };
         elements.iter().enumerate().map(pattern).collect()
     }
@@ -187,12 +201,22 @@ impl Lowerer<'_> {
     fn destructure(&mut self, pat: &Pat, ty: Option<&Type>, value: Operand) {
         match value {
             Operand::Var(source) => {
-                let (pattern, bindings) = self.pattern(pat, true);
+                let (pattern, bindings) =
+                    self.pattern(pat, Matched { active: true, refutable: false });
+                let ty = ty.cloned();
+                self.push(Statement::Destructure { pattern, ty, source, bindings });
+            }
+            // What is assigned to later may get a derivative then.
+            Operand::Constant(value) if binds_mutably(pat) => {
+                let source = self.named(Operand::Constant(value), "value", pat.span());
+                let (pattern, bindings) =
+                    self.pattern(pat, Matched { active: true, refutable: false });
                 let ty = ty.cloned();
                 self.push(Statement::Destructure { pattern, ty, source, bindings });
             }
             Operand::Constant(value) => {
-                let (pattern, bindings) = self.pattern(pat, false);
+                let (pattern, bindings) =
+                    self.pattern(pat, Matched { active: false, refutable: false });
                 let ty = ty.map(|ty| quote!(: #ty));
                 let defines = bindings.iter().map(|binding| binding.var).collect();
                 self.push(Statement::Plain { code: quote!(let #pattern #ty = #value;), defines });
@@ -202,7 +226,13 @@ impl Lowerer<'_> {
 
     /// A variable declared with an integer or boolean type.
     pub(super) fn discrete_local(&mut self, pat: &Pat, ty: Option<&Type>, value: &Expr) {
-        let value = self.plain_constant(value);
+        let value = match value {
+            Expr::If(_) | Expr::Match(_) | Expr::Block(_) => {
+                let chosen = self.operand(value, "value");
+                self.without_derivative(&chosen)
+            }
+            _ => self.plain_constant(value),
+        };
         match pat {
             Pat::Ident(ident) if ident.subpat.is_none() && ident.by_ref.is_none() => {
                 let var = self.bind(&ident.ident, ident.mutability.is_some(), false);
@@ -262,4 +292,20 @@ fn is_discrete_literal(tokens: &TokenStream) -> bool {
         Ok(syn::Lit::Bool(_) | syn::Lit::Char(_)) => true,
         _ => false,
     }
+}
+
+/// Whether the pattern binds a variable that may be assigned to.
+fn binds_mutably(pat: &Pat) -> bool {
+    struct Finder(bool);
+
+    impl<'ast> Visit<'ast> for Finder {
+        fn visit_pat_ident(&mut self, ident: &'ast syn::PatIdent) {
+            self.0 |= ident.mutability.is_some();
+            visit::visit_pat_ident(self, ident);
+        }
+    }
+
+    let mut finder = Finder(false);
+    finder.visit_pat(pat);
+    finder.0
 }

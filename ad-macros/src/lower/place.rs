@@ -1,7 +1,7 @@
 //! Places: variables and parts of them, to read, to borrow, to assign to.
 
 use proc_macro2::TokenStream;
-use quote::quote;
+use quote::{quote, quote_spanned};
 use syn::spanned::Spanned;
 use syn::{BinOp, Expr, ExprAssign, ExprBinary, Lit, UnOp};
 
@@ -139,11 +139,13 @@ impl Lowerer<'_> {
     }
 
     /// Tokens of an operand, checked by its type to have no derivative.
-    fn without_derivative(&self, value: &Operand) -> TokenStream {
+    pub(super) fn without_derivative(&self, value: &Operand) -> TokenStream {
         let tokens = self.tokens(value);
         match value {
             Operand::Constant(_) => tokens,
-            Operand::Var(_) => quote!(::ad::rt::constant(#tokens)),
+            Operand::Var(var) => {
+                quote_spanned!(self.ident(*var).span()=> ::ad::rt::constant(#tokens))
+            }
         }
     }
 

@@ -2,13 +2,14 @@
 //! with variables renamed.
 
 use proc_macro2::TokenStream;
-use quote::{ToTokens, quote_spanned};
+use quote::{ToTokens, quote, quote_spanned};
 use syn::spanned::Spanned;
+use syn::visit::Visit;
 use syn::visit_mut::{self, VisitMut};
 use syn::{Expr, Macro, Type, parse_quote, parse_quote_spanned};
 
 use super::Lowerer;
-use crate::ir::Operand;
+use crate::ir::{Operand, Operation};
 
 impl Lowerer<'_> {
     /// The expression with variables renamed. The caller knows that what it is used for has no
@@ -31,7 +32,21 @@ impl Lowerer<'_> {
 
     /// An operation whose result never has a derivative: bit operations, tests.
     pub(super) fn discrete(&mut self, expr: &Expr) -> Operand {
-        Operand::Constant(self.plain_constant(expr))
+        let tokens = self.plain_constant(expr);
+        self.settled(expr, quote!((#tokens)))
+    }
+
+    /// A constant as an operand. One that reads a variable is evaluated here, before the other
+    /// operands can change the variable.
+    pub(super) fn settled(&mut self, expr: &Expr, tokens: TokenStream) -> Operand {
+        let mut reader = MutableReader { lowerer: self, found: false };
+        reader.visit_expr(expr);
+        if !reader.found {
+            return Operand::Constant(tokens);
+        }
+        let operation = Operation::Use(Operand::Constant(tokens));
+        let var = self.define("constant", expr.span(), false, operation);
+        Operand::Constant(self.ident(var).to_token_stream())
     }
 
     fn is_certainly_constant(&self, expr: &Expr) -> bool {
@@ -67,7 +82,6 @@ impl Lowerer<'_> {
             Expr::While(_) | Expr::Loop(_) => {
                 "only loops over a range can be differentiated: write `for i in 0..n`"
             }
-            Expr::ForLoop(_) => "write the loop as a statement of its own",
             Expr::Closure(_) => "closures are not supported: write a `#[differentiable]` function",
             Expr::Break(_) | Expr::Continue(_) => {
                 "`break` and `continue` are not supported: put what follows under an `if`, or `return` from a function of its own"
@@ -90,6 +104,19 @@ impl Lowerer<'_> {
     }
 }
 
+/// Looks for variables that may be assigned to.
+struct MutableReader<'l, 'a> {
+    lowerer: &'l Lowerer<'a>,
+    found: bool,
+}
+
+impl<'ast> Visit<'ast> for MutableReader<'_, '_> {
+    fn visit_expr_path(&mut self, path: &'ast syn::ExprPath) {
+        let var = path.path.get_ident().and_then(|name| self.lowerer.lookup(name));
+        self.found |= var.is_some_and(|var| self.lowerer.vars[var].mutable);
+    }
+}
+
 struct Plain<'l, 'a> {
     lowerer: &'l mut Lowerer<'a>,
 }
@@ -100,8 +127,10 @@ impl VisitMut for Plain<'_, '_> {
             Expr::Path(path) => {
                 if let Some(var) = path.path.get_ident().and_then(|name| self.lowerer.lookup(name))
                 {
-                    let ident = self.lowerer.ident(var).clone();
+                    let ident = self.lowerer.ident_at(var, path.span());
                     *expr = parse_quote!(#ident);
+                } else {
+                    self.lowerer.check_capital(path);
                 }
             }
             Expr::MethodCall(call) => {

@@ -332,11 +332,22 @@ impl Sweeper<'_> {
             Operand::Constant(_) => sides.reverse.extend(quote!(#taken;)),
             Operand::Var(var) => {
                 let part = self.part_name(place.root);
+                let taken = self.entered(*var, place, taken);
                 sides.reverse.extend(quote!(let #part = #taken;));
                 self.contribute(&mut sides.reverse, *var, &[], quote!(#part));
             }
         }
         sides
+    }
+
+    /// The cotangent of `place`, as that of the variable it was made from: `place` may lie in a
+    /// `#[constant]` field.
+    fn entered(&mut self, var: VarId, place: &Place, cotangent: TokenStream) -> TokenStream {
+        if !self.vars[var].active || !place.path.iter().any(is_field) {
+            return cotangent;
+        }
+        let space = self.space(var);
+        quote!(#space.enter(#cotangent))
     }
 
     /// An arm or an iteration changed cotangents of surrounding variables: they have to have a
@@ -477,6 +488,10 @@ impl Sweeper<'_> {
         }
         sides
     }
+}
+
+fn is_field(step: &Projection) -> bool {
+    matches!(step, Projection::Field(_))
 }
 
 fn arm_variant(arms: usize, index: usize) -> TokenStream {

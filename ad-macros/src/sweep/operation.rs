@@ -30,7 +30,16 @@ impl Sweeper<'_> {
             }
             operation => {
                 let value = self.primal(operation, ident.span());
-                quote!(let #mutability #ident #ty = #value;)
+                let types = match operation {
+                    Operation::Negate(value) if pulls_back => self.linear(record, *value, *value),
+                    Operation::Binary(operator, left, right)
+                        if pulls_back && operator.is_linear() =>
+                    {
+                        self.linear(record, *left, *right)
+                    }
+                    _ => TokenStream::new(),
+                };
+                quote!(let #mutability #ident #ty = #value; #types)
             }
         };
         let space_definition = self.space_definition(var);
@@ -39,6 +48,12 @@ impl Sweeper<'_> {
             reverse,
             defines: vec![ident.clone(), space.clone(), record.clone()],
         }
+    }
+
+    /// Keeps the types of the operands of a linear operator for its pullback.
+    fn linear(&self, record: &Ident, left: VarId, right: VarId) -> TokenStream {
+        let (left, right) = (self.ident(left), self.ident(right));
+        quote!(let #record = ::ad::rt::linear(&#left, &#right);)
     }
 
     fn ident(&self, var: VarId) -> &Ident {
@@ -122,12 +137,12 @@ impl Sweeper<'_> {
                 self.contribute(reverse, place.root, &place.path, cotangent);
             }
             Operation::Negate(value) => {
-                let space = self.space(*value);
-                let pulled = quote_spanned!(span=> #space.neg_pullback(#cotangent));
+                let pulled = quote_spanned!(span=> #record.pull_back_negation(#cotangent));
                 self.contribute(reverse, *value, &[], pulled);
             }
             Operation::Binary(operator, left, right) => {
-                let pulled = self.binary_pullback(*operator, *left, *right, cotangent, span);
+                let pulled =
+                    self.binary_pullback(*operator, record, [*left, *right], cotangent, span);
                 let targets = [*left, *right].map(|root| Some(Place { root, path: Vec::new() }));
                 self.contribute_all(reverse, &targets, pulled, false);
             }
@@ -198,31 +213,26 @@ impl Sweeper<'_> {
         }
     }
 
+    /// The cotangents of two operands; `record` holds the types of those of a linear operator.
     fn binary_pullback(
-        &mut self,
+        &self,
         operator: BinaryOperator,
-        left: VarId,
-        right: VarId,
+        record: &Ident,
+        operands: [VarId; 2],
         cotangent: TokenStream,
         span: proc_macro2::Span,
     ) -> TokenStream {
-        let linear = matches!(operator, BinaryOperator::Add | BinaryOperator::Sub);
-        if linear {
-            let (left, right) = (self.space(left), self.space(right));
-            return match operator {
-                BinaryOperator::Add => {
-                    quote_spanned!(span=> #left.add_pullback(#right, #cotangent))
-                }
-                _ => quote_spanned!(span=> #left.sub_pullback(#right, #cotangent)),
-            };
-        }
-        let (left, right) = (self.ident(left), self.ident(right));
+        let [left, right] = operands.map(|operand| self.ident(operand));
         match operator {
+            BinaryOperator::Add => quote_spanned!(span=> #record.pull_back_sum(#cotangent)),
+            BinaryOperator::Sub => {
+                quote_spanned!(span=> #record.pull_back_difference(#cotangent))
+            }
             BinaryOperator::Mul => quote_spanned!(span=>
                 ::ad::rules::MulPullback::mul_pullback(#left, #right, #cotangent)),
             BinaryOperator::Div => quote_spanned!(span=>
                 ::ad::rules::DivPullback::div_pullback(#left, #right, #cotangent)),
-            _ => quote_spanned!(span=>
+            BinaryOperator::Rem => quote_spanned!(span=>
                 ::ad::rules::RemPullback::rem_pullback(#left, #right, #cotangent)),
         }
     }
@@ -253,7 +263,13 @@ impl Sweeper<'_> {
         let span = root.ident.span();
         let cotangent = project_cotangent(&root.cotangent, &place.path);
         let taken = quote!(::ad::rt::take(&mut #cotangent));
-        let pulled = self.binary_pullback(operator, previous, value, taken, span);
+        let taken = self.entered(previous, place, taken);
+        let record = &self.vars[previous].record;
+        if operator.is_linear() {
+            let types = self.linear(record, previous, value);
+            sides.forward.extend(types);
+        }
+        let pulled = self.binary_pullback(operator, record, [previous, value], taken, span);
         let (to_previous, to_value) = (self.part_name(place.root), self.part_name(value));
         let value_pattern = match self.vars[value].active {
             true => quote!(#to_value),
@@ -261,7 +277,7 @@ impl Sweeper<'_> {
         };
         sides.reverse.extend(quote! {
             let (#to_previous, #value_pattern) = #pulled;
-            #cotangent = #to_previous;
+            ::ad::rt::Absorb::absorb(&mut #cotangent, #to_previous);
         });
         self.contribute(&mut sides.reverse, value, &[], quote!(#to_value));
         sides

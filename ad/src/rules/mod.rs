@@ -21,7 +21,7 @@
 //! | `a / b` | `b = 0` | 0 to both |
 //! | `asin`, `acos` | -1 and 1 | 0 |
 //! | `atan2` | (0, 0) | 0 to both |
-//! | `powf(x, y)` | `x = 0` | to `x`: 1 if `y = 1`, else 0; to `y`: 0 |
+//! | `powf(x, y)` | `x = 0` | to `x`: the derivative where it is finite (`y >= 1`), else 0; to `y`: 0 |
 //! | `powf(x, y)` | `x < 0` | to `x`: the derivative where `y` is an integer; to `y`: 0 |
 //! | `powi(x, n)` | `x = 0` | 1 if `n = 1`, else 0 |
 //! | `min`, `max` | a tie | all to the receiver |
@@ -51,7 +51,7 @@ use crate::{Real, vector::Vector};
 /// `cotangent * partial`, and 0 where the cotangent is 0, whatever the partial is.
 #[inline(always)]
 fn scale<S: Real>(cotangent: S, partial: S) -> S {
-    S::select(cotangent.cmpeq(S::ZERO), S::zero(), cotangent * partial)
+    S::select(cotangent.vanishes(), S::zero(), cotangent * partial)
 }
 
 /// [`scale`] of every element of `partial` by one cotangent.

@@ -1,6 +1,6 @@
 //! Pullbacks of the arithmetic operators.
 
-use core::ops::{Div, Mul, Rem};
+use core::ops::{Add, Div, Mul, Neg, Rem, Sub};
 
 use glam::{DVec2, DVec3, DVec4, Vec2, Vec3, Vec4};
 
@@ -8,27 +8,32 @@ use super::{scale, scale_elements};
 use crate::vector::{Vector, Xyz};
 use crate::{Differentiable, Dual, Real, Tangent};
 
-/// The pullback of unary minus on a space of cotangents.
-pub trait NegPullback: Sized {
+/// The pullback of unary minus.
+#[diagnostic::on_unimplemented(
+    message = "no derivative rule for unary minus on `{Self}`",
+    note = "rules exist for f32, f64 and glam's float vectors, by value: dereference a reference with `*`"
+)]
+pub trait NegPullback: Differentiable + Neg<Output: Differentiable> + Sized {
     /// The cotangent of the operand.
-    fn neg_pullback(cotangent: Self) -> Self;
+    fn neg_pullback(cotangent: Tangent<<Self as Neg>::Output>) -> Tangent<Self>;
 }
 
-/// The pullbacks of operators whose partial derivatives are constants. They need no operand, only
-/// its kind, so the traits stand on the spaces of cotangents and nothing is saved for them.
+/// The pullbacks of operators whose partial derivatives are constants: they need no operand, so
+/// nothing is saved for them.
 macro_rules! linear_operator {
-    ($name:ident, $method:ident, $symbol:literal) => {
+    ($name:ident, $method:ident, $operator:ident, $symbol:literal) => {
         #[doc = concat!("The pullback of `", $symbol, "`.")]
         #[diagnostic::on_unimplemented(
             message = "no derivative rule for an operator between `{Self}` and `{Rhs}`",
             note = "rules exist for f32, f64 and glam's float vectors, by value: dereference a reference with `*`"
         )]
-        pub trait $name<Rhs = Self>: Sized {
-            /// The space of the result's cotangent.
-            type Output;
-
+        pub trait $name<Rhs: Differentiable = Self>:
+            Differentiable + $operator<Rhs, Output: Differentiable> + Sized
+        {
             /// The cotangents of the left and the right operand.
-            fn $method(cotangent: Self::Output) -> (Self, Rhs);
+            fn $method(
+                cotangent: Tangent<<Self as $operator<Rhs>>::Output>,
+            ) -> (Tangent<Self>, Tangent<Rhs>);
         }
     };
 }
@@ -54,8 +59,8 @@ macro_rules! bilinear_operator {
     };
 }
 
-linear_operator!(AddPullback, add_pullback, "+");
-linear_operator!(SubPullback, sub_pullback, "-");
+linear_operator!(AddPullback, add_pullback, Add, "+");
+linear_operator!(SubPullback, sub_pullback, Sub, "-");
 bilinear_operator!(MulPullback, mul_pullback, Mul, "*");
 bilinear_operator!(DivPullback, div_pullback, Div, "/");
 bilinear_operator!(RemPullback, rem_pullback, Rem, "%");
@@ -71,8 +76,6 @@ macro_rules! linear_operators {
         }
 
         impl<$($generics)*> AddPullback for $type {
-            type Output = Self;
-
             #[inline(always)]
             fn add_pullback(cotangent: Self) -> (Self, Self) {
                 (cotangent, cotangent)
@@ -80,8 +83,6 @@ macro_rules! linear_operators {
         }
 
         impl<$($generics)*> SubPullback for $type {
-            type Output = Self;
-
             #[inline(always)]
             fn sub_pullback(cotangent: Self) -> (Self, Self) {
                 (cotangent, -cotangent)
@@ -89,6 +90,9 @@ macro_rules! linear_operators {
         }
     )*};
 }
+
+#[cfg(feature = "lanes")]
+linear_operators!([] wide::f32x8, [] wide::f32x16);
 
 linear_operators!(
     [] f32,
@@ -106,9 +110,16 @@ linear_operators!(
 /// The cotangents of numerator and denominator of `quotient = numerator / denominator`.
 #[inline(always)]
 fn quotient_pullback<S: Real>(numerator: S, denominator: S, cotangent: S) -> (S, S) {
-    let singular = denominator.cmpeq(S::ZERO) | cotangent.cmpeq(S::ZERO);
+    let singular = denominator.cmpeq(S::ZERO) | cotangent.vanishes();
     let to_numerator = S::select(singular, S::zero(), cotangent / denominator);
-    (to_numerator, -scale(to_numerator, numerator / denominator))
+    (to_numerator, denominator_cotangent(to_numerator, numerator / denominator))
+}
+
+/// The cotangent of a denominator. That of the numerator overflows where the denominator is tiny:
+/// a quotient of zero annihilates it.
+#[inline(always)]
+fn denominator_cotangent<S: Real>(to_numerator: S, quotient: S) -> S {
+    S::select(quotient.vanishes(), S::zero(), -scale(to_numerator, quotient))
 }
 
 macro_rules! scalar_operators {
@@ -128,6 +139,9 @@ macro_rules! scalar_operators {
         }
     )*};
 }
+
+#[cfg(feature = "lanes")]
+scalar_operators!([] wide::f32x8, [] wide::f32x16);
 
 scalar_operators!([] f32, [] f64, [S: Real] Dual<S>);
 
@@ -169,7 +183,7 @@ macro_rules! vector_operators {
             fn div_pullback(self, rhs: $scalar, cotangent: Self) -> (Self, $scalar) {
                 let to_vector = cotangent.map_elements(|g| quotient_pullback(g, rhs, g).0);
                 let quotient = self.map_elements(|numerator| numerator / rhs);
-                (to_vector, -scale_elements(to_vector, quotient).element_sum())
+                (to_vector, to_vector.zip_elements(quotient, denominator_cotangent).element_sum())
             }
         }
     )*};
@@ -200,7 +214,7 @@ macro_rules! glam_operators {
             #[inline(always)]
             fn div_pullback(self, rhs: Self, cotangent: Self) -> (Self, Self) {
                 let to_numerator = cotangent.zip_elements(rhs, |g, b| quotient_pullback(g, b, g).0);
-                (to_numerator, -scale_elements(to_numerator, self / rhs))
+                (to_numerator, to_numerator.zip_elements(self / rhs, denominator_cotangent))
             }
         }
 
@@ -214,8 +228,6 @@ macro_rules! glam_operators {
         }
 
         impl AddPullback<$scalar> for $type {
-            type Output = $type;
-
             #[inline(always)]
             fn add_pullback(cotangent: $type) -> ($type, $scalar) {
                 (cotangent, cotangent.element_sum())
@@ -223,8 +235,6 @@ macro_rules! glam_operators {
         }
 
         impl SubPullback<$scalar> for $type {
-            type Output = $type;
-
             #[inline(always)]
             fn sub_pullback(cotangent: $type) -> ($type, $scalar) {
                 (cotangent, -cotangent.element_sum())
@@ -232,8 +242,6 @@ macro_rules! glam_operators {
         }
 
         impl AddPullback<$type> for $scalar {
-            type Output = $type;
-
             #[inline(always)]
             fn add_pullback(cotangent: $type) -> ($scalar, $type) {
                 (cotangent.element_sum(), cotangent)
@@ -241,8 +249,6 @@ macro_rules! glam_operators {
         }
 
         impl SubPullback<$type> for $scalar {
-            type Output = $type;
-
             #[inline(always)]
             fn sub_pullback(cotangent: $type) -> ($scalar, $type) {
                 (cotangent.element_sum(), -cotangent)
@@ -261,33 +267,19 @@ glam_operators! {
 }
 
 /// Integers compute without a derivative, in differentiable functions too.
-impl NegPullback for () {
-    #[inline(always)]
-    fn neg_pullback((): ()) {}
-}
-
-impl AddPullback for () {
-    type Output = ();
-
-    #[inline(always)]
-    fn add_pullback((): ()) -> ((), ()) {
-        ((), ())
-    }
-}
-
-impl SubPullback for () {
-    type Output = ();
-
-    #[inline(always)]
-    fn sub_pullback((): ()) -> ((), ()) {
-        ((), ())
-    }
-}
-
 macro_rules! integer_operators {
     ($($type:ty),* $(,)?) => {$(
+        integer_operators!(@linear $type: AddPullback add_pullback, SubPullback sub_pullback);
         integer_operators!(@binary $type:
             MulPullback mul_pullback, DivPullback div_pullback, RemPullback rem_pullback);
+    )*};
+    (@linear $type:ty: $($name:ident $method:ident),*) => {$(
+        impl $name for $type {
+            #[inline(always)]
+            fn $method((): ()) -> ((), ()) {
+                ((), ())
+            }
+        }
     )*};
     (@binary $type:ty: $($name:ident $method:ident),*) => {$(
         impl $name for $type {
@@ -300,3 +292,14 @@ macro_rules! integer_operators {
 }
 
 integer_operators!(i8, i16, i32, i64, i128, isize, u8, u16, u32, u64, u128, usize);
+
+macro_rules! signed_integers {
+    ($($type:ty),*) => {$(
+        impl NegPullback for $type {
+            #[inline(always)]
+            fn neg_pullback((): ()) {}
+        }
+    )*};
+}
+
+signed_integers!(i8, i16, i32, i64, i128, isize);

@@ -33,7 +33,7 @@ pub trait RealRules: Real {
     /// sign(x); 0 at 0.
     #[inline(always)]
     fn abs_vjp(self) -> (Self, impl FnOnce(Self) -> Self) {
-        (self.abs(), move |g| Self::select(self.cmpeq(Self::ZERO), Self::zero(), g * self.signum()))
+        (self.abs(), move |g| regular(!self.cmpeq(Self::ZERO), g, self.signum()))
     }
 
     /// 0
@@ -53,8 +53,7 @@ pub trait RealRules: Real {
     fn copysign_vjp(self, sign: Self) -> (Self, impl FnOnce(Self) -> (Self, Self)) {
         (self.copysign(sign), move |g| {
             let flip = self.signum() * sign.signum();
-            let to_self = Self::select(self.cmpeq(Self::ZERO), Self::zero(), g * flip);
-            (to_self, Self::zero())
+            (regular(!self.cmpeq(Self::ZERO), g, flip), Self::zero())
         })
     }
 
@@ -210,7 +209,7 @@ pub trait ScalarRules: Scalar {
     /// From radians to degrees.
     #[inline(always)]
     fn to_degrees_vjp(self) -> (Self, impl FnOnce(Self) -> Self) {
-        let factor = Self::from_f64(180.0) / Self::PI;
+        let factor = Self::from_f64(180.0 / core::f64::consts::PI);
         (self * factor, move |g| g * factor)
     }
 }
@@ -226,7 +225,7 @@ fn route<S: Real>(first: S::Mask, cotangent: S) -> (S, S) {
 /// `cotangent * partial` where the partial is defined, else 0.
 #[inline(always)]
 fn regular<S: Real>(defined: S::Mask, cotangent: S, partial: S) -> S {
-    S::select(defined & !cotangent.cmpeq(S::ZERO), cotangent * partial, S::zero())
+    S::select(defined & !cotangent.vanishes(), cotangent * partial, S::zero())
 }
 
 /// The pullback of `asin`. 1 - x^2 as a product, which does not cancel near -1 and 1.
@@ -239,20 +238,19 @@ fn arc_pullback<S: Real>(x: S, cotangent: S) -> S {
 /// The partial derivatives of `value = base ^ exponent` by base and exponent.
 #[inline(always)]
 fn power_partials<S: Real>(base: S, exponent: S, value: S) -> (S, S) {
-    let at_zero = base.cmpeq(S::ZERO);
-
     // y x^(y-1) as y x^y / x spares a power; where x^y has left the range of normal numbers the
     // quotient would not be accurate.
     let magnitude = value.abs();
-    let in_range = magnitude.cmpgt(S::MIN_POSITIVE) & magnitude.is_finite();
+    let at_zero = base.cmpeq(S::ZERO);
+    let in_range = magnitude.cmpgt(S::MIN_POSITIVE) & magnitude.is_finite() & !at_zero;
     let quotient = exponent * value / base;
-    let away_from_zero = if (in_range | at_zero).all() {
+    let to_base = if in_range.all() {
         quotient
     } else {
-        S::select(in_range, quotient, exponent * base.powf(exponent - S::ONE))
+        let singular = at_zero & exponent.cmplt(S::ONE);
+        let power = exponent * base.powf(exponent - S::ONE);
+        S::select(in_range, quotient, S::select(singular, S::ZERO, power))
     };
-    let to_base =
-        S::select(at_zero, S::select(exponent.cmpeq(S::ONE), S::ONE, S::ZERO), away_from_zero);
 
     let to_exponent = S::select(base.cmpgt(S::ZERO), value * base.ln(), S::ZERO);
     (to_base, to_exponent)

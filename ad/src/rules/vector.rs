@@ -57,8 +57,15 @@ pub trait VectorRules: Vector {
     fn length_recip_vjp(self) -> (Self::Scalar, impl FnOnce(Self::Scalar) -> Self) {
         let value = self.length_recip();
         (value, move |g| {
-            let unit = self.map_elements(|s| scale(s, value));
-            scale_vector(-scale(g, value * value), unit)
+            let defined = value.is_finite() & !g.vanishes();
+            // One factor at a time: the square of a large one would not be representable.
+            self.map_elements(|s| {
+                Self::Scalar::select(
+                    defined,
+                    -(g * value * (s * value) * value),
+                    Self::Scalar::zero(),
+                )
+            })
         })
     }
 
@@ -181,7 +188,7 @@ pub trait VectorRules: Vector {
     #[inline(always)]
     fn reflect_vjp(self, normal: Self) -> (Self, impl FnOnce(Self) -> (Self, Self)) {
         (self.reflect(normal), move |g: Self| {
-            let twice_g_n = (g + g).dot(normal);
+            let twice_g_n = scale_elements(g + g, normal).element_sum();
             let twice_v_n = (self + self).dot(normal);
             (
                 g - scale_vector(twice_g_n, normal),
@@ -272,7 +279,7 @@ fn scaled_cross<V: Vector3>(g: V, v: V) -> V {
 /// The pullback of `length = |vector|`.
 #[inline(always)]
 fn length_pullback<V: Vector>(vector: V, length: V::Scalar, cotangent: V::Scalar) -> V {
-    let singular = length.cmpeq(V::Scalar::ZERO) | cotangent.cmpeq(V::Scalar::ZERO);
+    let singular = length.cmpeq(V::Scalar::ZERO) | cotangent.vanishes();
     vector
         .map_elements(|v| V::Scalar::select(singular, V::Scalar::zero(), cotangent * (v / length)))
 }

@@ -3,18 +3,30 @@
 //! These questions have discrete answers, so nothing here is differentiated, and everything is
 //! `f32` whatever the kernels compute in.
 
+mod bounds;
+mod collapse;
+mod packet;
+mod packet_queries;
+mod packet_traversal;
+mod packet_triangles;
+mod single;
+mod spheres;
+mod stack;
 #[cfg(test)]
 mod tests;
+mod tree;
 mod triangle_test;
+mod triangles;
 
-use glam::{Vec3, Vec3A};
-use obvhs::BvhBuildParams;
-use obvhs::aabb::Aabb;
-use obvhs::bvh2::Bvh2;
-use obvhs::bvh2::builder::build_bvh2;
-use obvhs::ray::{Ray, RayHit};
+use glam::Vec3;
 
+pub use packet::{NO_PRIMITIVE, PACKET_RAYS, PacketDirections, PacketHits};
+
+use single::BoxTest;
+use spheres::SphereLeaf;
+use tree::Tree;
 use triangle_test::TriangleTest;
+use triangles::TriangleLeaf;
 
 /// A primitive as traversal sees it.
 #[derive(Clone, Copy, Debug)]
@@ -36,38 +48,74 @@ pub struct Hit {
     pub leaves: bool,
 }
 
+/// By what factor a ray may become dearer because shapes have moved before the tree is rebuilt.
+const REBUILD_ABOVE: f64 = 1.5;
+
 /// A bounding volume hierarchy over primitives.
 pub struct Acceleration {
-    tree: Bvh2,
-    /// In the order of the tree's leaves.
-    shapes: Vec<Shape>,
-    /// The index that the user knows each of `shapes` by.
-    ids: Vec<u32>,
+    /// How many primitives there are.
+    count: usize,
+    triangles: Tree<TriangleLeaf>,
+    spheres: Tree<SphereLeaf>,
 }
 
 impl Acceleration {
     /// Builds the tree. Every coordinate has to be finite.
     pub fn new(shapes: &[Shape]) -> Self {
-        let bounds: Vec<Aabb> = shapes.iter().map(bounds).collect();
-        let mut build_time = std::time::Duration::ZERO;
-        let tree = build_bvh2(&bounds, BvhBuildParams::medium_build(), &mut build_time);
-        let ids = tree.primitive_indices.clone();
-        let shapes = ids.iter().map(|&id| shapes[id as usize]).collect();
-        Self { tree, shapes, ids }
+        let (triangles, spheres): (Vec<u32>, Vec<u32>) = (0..shapes.len() as u32)
+            .partition(|&id| matches!(shapes[id as usize], Shape::Triangle(_)));
+        Self {
+            count: shapes.len(),
+            triangles: Tree::build(shapes, &triangles),
+            spheres: Tree::build(shapes, &spheres),
+        }
+    }
+
+    /// Takes over where shapes have moved to. Every coordinate has to be finite.
+    ///
+    /// Boxes are fitted to the shapes again, which takes a fraction of the time of a new tree; once
+    /// this tree has become too much worse than when it was built, or the number or kinds of the
+    /// shapes are others, a new one is built.
+    pub fn update(&mut self, shapes: &[Shape]) {
+        let fits = shapes.len() == self.count
+            && self.triangles.refit(shapes)
+            && self.spheres.refit(shapes);
+        let worse = || self.triangles.degradation().max(self.spheres.degradation());
+        if !fits || worse() > REBUILD_ABOVE {
+            *self = Self::new(shapes);
+        }
     }
 
     /// The nearest primitive along the ray.
     pub fn nearest(&self, origin: Vec3, direction: Vec3) -> Option<Hit> {
         let test = TriangleTest::new(origin, direction)?;
-        let ray = Ray::new(origin.into(), direction.into(), 0.0, f32::INFINITY);
-        let mut found = RayHit::none();
-        self.tree.ray_traverse(ray, &mut found, |_, index| {
-            self.distance(&test, origin, direction, index).0
+        let boxes = BoxTest::new(&test);
+        let mut found = None;
+        let mut nearest = f32::INFINITY;
+        self.triangles.visit(&boxes, nearest, |leaf, _| {
+            let depths = test.depths(leaf);
+            let mut bits = depths.simd_lt(nearest).to_bitmask() & leaf.mask;
+            while bits != 0 {
+                let lane = bits.trailing_zeros() as usize & 7;
+                bits &= bits - 1;
+                let depth = depths.as_array()[lane];
+                if depth < nearest {
+                    nearest = depth;
+                    let distance = depth * test.scale;
+                    found = Some(Hit { primitive: leaf.ids[lane], distance, leaves: false });
+                }
+            }
+            nearest
         });
-        let index = found.primitive_id as usize;
-        let &primitive = self.ids.get(index)?;
-        let (distance, leaves) = self.distance(&test, origin, direction, index);
-        Some(Hit { primitive, distance, leaves })
+        self.spheres.visit(&boxes, nearest, |leaf, _| {
+            let (distance, leaves) = leaf.distance(origin, direction);
+            if distance / test.scale < nearest {
+                nearest = distance / test.scale;
+                found = Some(Hit { primitive: leaf.id, distance, leaves });
+            }
+            nearest
+        });
+        found
     }
 
     /// Whether anything but `from`, the flat primitive that the ray starts on, is met before
@@ -80,59 +128,26 @@ impl Acceleration {
         from: Option<u32>,
     ) -> bool {
         let Some(test) = TriangleTest::new(origin, direction) else { return false };
-        let ray = Ray::new(origin.into(), direction.into(), 0.0, limit);
-        !self.tree.ray_traverse_miss(ray, |_, index| match from {
-            Some(from) if from == self.ids[index] => f32::INFINITY,
-            _ => self.distance(&test, origin, direction, index).0,
-        })
-    }
-
-    /// The distance to a primitive, infinite if it is missed, and whether the ray leaves it.
-    fn distance(
-        &self,
-        test: &TriangleTest,
-        origin: Vec3,
-        direction: Vec3,
-        index: usize,
-    ) -> (f32, bool) {
-        match self.shapes[index] {
-            Shape::Triangle(corners) => (test.distance(corners), false),
-            Shape::Sphere(center, radius) => sphere_distance(origin, direction, center, radius),
+        let boxes = BoxTest::new(&test);
+        let depth_limit = limit / test.scale;
+        let mut occluded = false;
+        self.triangles.visit(&boxes, depth_limit, |leaf, _| {
+            let depths = test.depths(leaf);
+            let mut bits = depths.simd_lt(depth_limit).to_bitmask() & leaf.mask;
+            while bits != 0 && !occluded {
+                let lane = bits.trailing_zeros() as usize & 7;
+                bits &= bits - 1;
+                occluded = from != Some(leaf.ids[lane]);
+            }
+            if occluded { -1.0 } else { depth_limit }
+        });
+        if occluded {
+            return true;
         }
-    }
-}
-
-/// The box around a shape, a few rounding errors wider than it: a slab test that rounds must not
-/// miss what lies on the face of a box.
-fn bounds(shape: &Shape) -> Aabb {
-    let exact = match *shape {
-        Shape::Triangle(corners) => Aabb::from_points(&corners.map(Vec3A::from)),
-        Shape::Sphere(center, radius) => {
-            Aabb::new((center - radius).into(), (center + radius).into())
-        }
-    };
-    let margin = 4.0 * f32::EPSILON * exact.min.abs().max(exact.max.abs()).max_element();
-    Aabb::new(exact.min - margin, exact.max + margin)
-}
-
-/// The distance at which a ray with a unit direction enters or, from inside, leaves a sphere.
-/// Computed in double precision: a sphere that is small or far would lose its edge in single.
-fn sphere_distance(origin: Vec3, direction: Vec3, center: Vec3, radius: f32) -> (f32, bool) {
-    let (direction, radius) = (direction.as_dvec3(), f64::from(radius));
-    let from_center = origin.as_dvec3() - center.as_dvec3();
-    let along = -from_center.dot(direction) / direction.length_squared();
-    let offset = from_center + direction * along;
-    let discriminant = radius * radius - offset.length_squared();
-    if discriminant < 0.0 {
-        return (f32::INFINITY, false);
-    }
-    let half_chord = (discriminant / direction.length_squared()).sqrt();
-    let (near, far) = (along - half_chord, along + half_chord);
-    if near > 0.0 {
-        (near as f32, false)
-    } else if far > 0.0 {
-        (far as f32, true)
-    } else {
-        (f32::INFINITY, false)
+        self.spheres.visit(&boxes, depth_limit, |leaf, _| {
+            occluded |= from != Some(leaf.id) && leaf.distance(origin, direction).0 < limit;
+            if occluded { -1.0 } else { depth_limit }
+        });
+        occluded
     }
 }

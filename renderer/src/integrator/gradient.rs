@@ -1,20 +1,22 @@
 //! The gradient of a loss by every parameter.
 
-use ad::{Scalar, Tangent, Vec3};
+use ad::lanes::Lanes;
+use ad::{Additive, Tangent, Vec3};
 use glam::DVec3;
 
-use super::pixel::{PixelLoss, Sight};
-use super::prepared::{Prepared, Primitive};
+use super::prepared::Prepared;
+use super::radiance::PixelLoss;
+use super::shade::{LightCotangent, pull_back, radiance};
+use super::shadows::Lit;
 use super::tiles::{Tile, for_each_tile};
-use crate::kernels::camera::{Camera, Frame, frame, primary_ray};
+use super::view::{Group, GroupShape, Seen};
+use crate::kernels::camera::{Camera, Frame, Ray, frame, primary_ray};
 use crate::kernels::light::{DistantLight, PointLight};
-use crate::kernels::material::{
-    Material, MaterialTangent, reflection_of_distant_light, reflection_of_point_light,
-};
+use crate::kernels::material::Material;
 use crate::kernels::sphere::{Sphere, sphere_surface};
 use crate::kernels::surface::SurfacePoint;
 use crate::kernels::triangle::triangle_surface;
-use crate::precision::{narrow, widen};
+use crate::precision::{MOST_LANES, lanes_of_vectors, narrow, vectors_of_lanes};
 use crate::scene::{Light, ParameterId, Parameters};
 
 /// The kinds of parameters by which a gradient is wanted. Others cost nothing and stay zero.
@@ -69,8 +71,8 @@ pub struct GradientResult {
 }
 
 /// The loss of the image and its gradient by the wanted parameters.
-pub fn gradient<S: Scalar>(
-    prepared: &Prepared<'_, S>,
+pub fn gradient<L: Lanes>(
+    prepared: &Prepared<'_, L>,
     loss: &impl PixelLoss,
     wanted: Wanted,
 ) -> GradientResult {
@@ -125,8 +127,8 @@ struct TileSums {
 }
 
 impl TileSums {
-    fn new<S: Scalar>(prepared: &Prepared<'_, S>) -> Self {
-        let zero_light = |light: &Light<S>| match light {
+    fn new<L: Lanes>(prepared: &Prepared<'_, L>) -> Self {
+        let zero_light = |light: &Light<f64>| match light {
             Light::Point(_) => Light::Point(PointLight::zero()),
             Light::Distant(_) => Light::Distant(DistantLight::zero()),
         };
@@ -158,116 +160,112 @@ impl TileSums {
         }
     }
 
-    fn add_tile<S: Scalar>(
+    fn add_tile<L: Lanes>(
         &mut self,
-        prepared: &Prepared<'_, S>,
+        prepared: &Prepared<'_, L>,
         loss: &impl PixelLoss,
         wanted: Wanted,
         tile: &Tile,
     ) {
-        let mut lit = Vec::new();
-        for (x, y) in tile.pixels() {
-            let Some(sight) = prepared.look(x, y) else {
-                self.loss += loss.evaluate(x, y, DVec3::ZERO).0;
-                continue;
-            };
-            let radiance = prepared.radiance(&sight, &mut lit);
-            let (pixel_loss, cotangent) = loss.evaluate(x, y, radiance);
-            self.loss += pixel_loss;
-            // A pixel that the loss does not care about has no gradient.
-            if cotangent != DVec3::ZERO {
-                self.add_pixel(prepared, wanted, &sight, &lit, narrow::<S>(cotangent));
+        let view = prepared.view(tile);
+        for &(x, y) in &view.missed {
+            self.loss += loss.evaluate(x, y, DVec3::ZERO).0;
+        }
+        let frame = prepared.frame.narrow::<L>();
+        let mut frame_cotangent = Tangent::<Frame<L>>::zero();
+        let groups = prepared.groups(&view);
+        let lit = prepared.lit(&view, &groups);
+        for group in &groups {
+            let seen = &view.seen[group.pixels.clone()];
+            let radiance = vectors_of_lanes::<L>(radiance(group, &prepared.lights, &lit));
+
+            // The lanes beyond the last pixel keep a cotangent of zero.
+            let mut cotangents = [DVec3::ZERO; MOST_LANES];
+            for ((pixel, radiance), cotangent) in seen.iter().zip(radiance).zip(&mut cotangents) {
+                let (pixel_loss, derivative) = loss.evaluate(pixel.x, pixel.y, radiance);
+                self.loss += pixel_loss;
+                *cotangent = derivative;
+            }
+            // Pixels that the loss does not care about have no gradient.
+            if cotangents.iter().any(|cotangent| *cotangent != DVec3::ZERO) {
+                let cotangent =
+                    lanes_of_vectors::<L>(|lane| narrow::<L::Element>(cotangents[lane]));
+                let to_surface = self.add_shading(prepared, wanted, group, seen, &lit, cotangent);
+                if wanted.surface() {
+                    let to_ray = self.add_surface(prepared, wanted, group, seen, to_surface);
+                    if wanted.camera {
+                        let (x, y) = group.film;
+                        let (_, pullback) = primary_ray::vjp::<L>(frame, x, y);
+                        frame_cotangent.accumulate(pullback(to_ray).0);
+                    }
+                }
             }
         }
+        self.frame.add(&frame_cotangent);
     }
 
-    /// Pulls the cotangent of a pixel's radiance back to the parameters.
-    fn add_pixel<S: Scalar>(
+    /// Pulls the cotangent of radiance back to lights and materials; returns that of the surface.
+    fn add_shading<L: Lanes>(
         &mut self,
-        prepared: &Prepared<'_, S>,
+        prepared: &Prepared<'_, L>,
         wanted: Wanted,
-        sight: &Sight<S>,
-        lit: &[bool],
-        cotangent: Vec3<S>,
-    ) {
-        let material_index = prepared.material_of[sight.hit.primitive as usize] as usize;
-        let material = prepared.materials[material_index];
-        let mut surface_cotangent = <Tangent<SurfacePoint<S>> as ad::Additive>::zero();
-        let mut add_material_and_surface =
-            |material: &MaterialTangent<S>, surface: Tangent<SurfacePoint<S>>| {
-                if wanted.materials {
-                    self.materials[material_index].add(material);
+        group: &Group<L>,
+        seen: &[Seen],
+        lit: &[Lit],
+        cotangent: Vec3<L>,
+    ) -> Tangent<SurfacePoint<L>> {
+        let (to_material, to_surface) =
+            pull_back(group, &prepared.lights, lit, cotangent, |index, cotangent| {
+                if !wanted.lights {
+                    return;
                 }
-                ad::Additive::accumulate(&mut surface_cotangent, surface);
-            };
-
-        let lights = prepared.lights.iter().zip(&mut self.lights).zip(lit);
-        for ((light, sum), _) in lights.filter(|(_, lit)| **lit) {
-            match (light, sum) {
-                (Light::Point(light), Light::Point(sum)) => {
-                    let (_, pullback) =
-                        reflection_of_point_light::vjp::<S>(material, sight.surface, *light);
-                    let (material, surface, light) = pullback(cotangent);
-                    if wanted.lights {
-                        sum.add(&light);
-                    }
-                    add_material_and_surface(&material, surface);
+                match (&mut self.lights[index], cotangent) {
+                    (Light::Point(sum), LightCotangent::Point(light)) => sum.add(&light),
+                    (Light::Distant(sum), LightCotangent::Distant(light)) => sum.add(&light),
+                    _ => unreachable!("the sums have the shape of the lights"),
                 }
-                (Light::Distant(light), Light::Distant(sum)) => {
-                    let (_, pullback) =
-                        reflection_of_distant_light::vjp::<S>(material, sight.surface, *light);
-                    let (material, surface, light) = pullback(cotangent);
-                    if wanted.lights {
-                        sum.add(&light);
-                    }
-                    add_material_and_surface(&material, surface);
-                }
-                _ => unreachable!("the sums have the shape of the lights"),
-            }
-        }
+            });
         if wanted.materials {
-            self.materials[material_index].ambient += widen::<S>(cotangent);
+            Material::scatter(&to_material, seen.len(), |lane, add| {
+                add(&mut self.materials[prepared.material_of(seen[lane].hit.primitive)]);
+            });
         }
-        if wanted.surface() {
-            self.add_surface(prepared, wanted, sight, surface_cotangent);
-        }
+        to_surface
     }
 
-    /// Pulls the cotangent of a surface point back to the primitive and the camera.
-    fn add_surface<S: Scalar>(
+    /// Pulls the cotangent of surface points back to primitives; returns that of the rays.
+    fn add_surface<L: Lanes>(
         &mut self,
-        prepared: &Prepared<'_, S>,
+        prepared: &Prepared<'_, L>,
         wanted: Wanted,
-        sight: &Sight<S>,
-        cotangent: Tangent<SurfacePoint<S>>,
-    ) {
-        let ray_cotangent = match prepared.primitive(sight.hit.primitive) {
-            Primitive::Triangle(index) => {
-                let vertices = prepared.triangles[index];
-                let [a, b, c] = vertices.map(|v| prepared.vertices[v as usize]);
-                let (_, pullback) = triangle_surface::vjp::<S>(sight.ray, a, b, c);
+        group: &Group<L>,
+        seen: &[Seen],
+        cotangent: Tangent<SurfacePoint<L>>,
+    ) -> Tangent<Ray<L>> {
+        match &group.shape {
+            GroupShape::Triangles([a, b, c]) => {
+                let (_, pullback) = triangle_surface::vjp::<L>(group.ray, *a, *b, *c);
                 let (ray, a, b, c) = pullback(cotangent);
                 if wanted.vertices {
-                    let cotangents = [a, b, c].map(widen::<S>);
-                    self.vertices.extend(vertices.into_iter().zip(cotangents));
+                    let corners = [a, b, c].map(vectors_of_lanes::<L>);
+                    for (lane, seen) in seen.iter().enumerate() {
+                        let vertices = prepared.triangles[seen.index];
+                        let cotangents = corners.map(|corner| corner[lane]);
+                        self.vertices.extend(vertices.into_iter().zip(cotangents));
+                    }
                 }
                 ray
             }
-            Primitive::Sphere(index) => {
-                let (_, pullback) =
-                    sphere_surface::vjp::<S>(sight.ray, prepared.spheres[index], sight.hit.leaves);
+            GroupShape::Spheres(sphere, leaves) => {
+                let (_, pullback) = sphere_surface::vjp::<L>(group.ray, *sphere, *leaves);
                 let (ray, sphere, ()) = pullback(cotangent);
                 if wanted.spheres {
-                    self.spheres[index].add(&sphere);
+                    Sphere::scatter(&sphere, seen.len(), |lane, add| {
+                        add(&mut self.spheres[seen[lane].index]);
+                    });
                 }
                 ray
             }
-        };
-        if wanted.camera {
-            let (x, y) = sight.film;
-            let (_, pullback) = primary_ray::vjp::<S>(prepared.frame, x, y);
-            let (frame, _, _) = pullback(ray_cotangent);
-            self.frame.add(&frame);
         }
     }
 }

@@ -6,12 +6,13 @@
 //! cotangent that the caller's loss gives it, and the pullbacks follow each other.
 
 mod gradient;
-mod pixel;
 mod prepared;
 mod radiance;
+mod shade;
+mod shadows;
 mod tiles;
+mod view;
 
 pub use gradient::{GradientResult, Wanted, gradient};
-pub use pixel::PixelLoss;
 pub use prepared::Prepared;
-pub use radiance::{loss, render};
+pub use radiance::{PixelLoss, loss, render};

@@ -1,10 +1,12 @@
 //! A scene in the form that is rendered.
 
+use ad::lanes::Lanes;
 use ad::{Scalar, Vec3};
 use glam::DVec3;
 
-use crate::acceleration::{Acceleration, Hit, Shape};
+use crate::acceleration::{Acceleration, Shape};
 use crate::kernels::camera::{Frame, frame};
+use crate::kernels::light::PointLight;
 use crate::kernels::material::Material;
 use crate::kernels::sphere::Sphere;
 use crate::precision::{narrow, widen};
@@ -15,33 +17,31 @@ use crate::scene::{Light, Parameters, Scene};
 /// Positions are held relative to the middle of the scene as it was when it was prepared, so that
 /// a scene far from the origin keeps its precision. Differences of positions, and with them
 /// gradients, are not affected.
-pub struct Prepared<'a, S: Scalar> {
+pub struct Prepared<'a, L: Lanes> {
     pub(super) scene: &'a Scene,
     pub(super) parameters: Parameters,
     middle: DVec3,
-    pub(super) frame: Frame<S>,
-    pub(super) lights: Vec<Light<S>>,
-    pub(super) materials: Vec<Material<S>>,
-    pub(super) spheres: Vec<Sphere<S>>,
+    pub(super) frame: Frame<f64>,
+    pub(super) lights: Vec<Light<f64>>,
+    pub(super) materials: Vec<Material<L::Element>>,
+    pub(super) spheres: Vec<Sphere<L::Element>>,
     /// The vertices of all meshes, one mesh after the other.
-    pub(super) vertices: Vec<Vec3<S>>,
+    pub(super) vertices: Vec<Vec3<L::Element>>,
     /// The triangles of all meshes, by index into `vertices`.
     pub(super) triangles: Vec<[u32; 3]>,
     /// The material of each triangle, then of each sphere.
-    pub(super) material_of: Vec<u32>,
-    acceleration: Acceleration,
+    material_of: Vec<u32>,
+    pub(super) acceleration: Acceleration,
 }
 
-/// A primitive of the scene.
-#[derive(Clone, Copy)]
-pub(super) enum Primitive {
-    /// Index into the triangles.
-    Triangle(usize),
-    /// Index into the spheres.
-    Sphere(usize),
+/// The kinds of primitives.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Kind {
+    Triangle,
+    Sphere,
 }
 
-impl<'a, S: Scalar> Prepared<'a, S> {
+impl<'a, L: Lanes> Prepared<'a, L> {
     /// Prepares a scene. The scene has to be valid (see [`Scene::validate`]).
     pub fn new(scene: &'a Scene) -> Self {
         let middle = middle(&scene.parameters);
@@ -59,7 +59,7 @@ impl<'a, S: Scalar> Prepared<'a, S> {
             scene,
             parameters: scene.parameters.clone(),
             middle,
-            frame: Frame::zero().narrow(),
+            frame: Frame::zero(),
             lights: Vec::new(),
             materials: Vec::new(),
             spheres: Vec::new(),
@@ -73,7 +73,8 @@ impl<'a, S: Scalar> Prepared<'a, S> {
         prepared
     }
 
-    /// Moves to other values of the parameters. The tree is rebuilt if geometry moved.
+    /// Moves to other values of the parameters. If geometry moved, the tree is fitted to
+    /// it.
     ///
     /// # Panics
     ///
@@ -97,8 +98,7 @@ impl<'a, S: Scalar> Prepared<'a, S> {
         let mut camera = self.parameters.camera;
         camera.look_from -= self.middle;
         camera.look_at -= self.middle;
-        // Once per image, so in double precision.
-        self.frame = frame::<f64>(camera, self.aspect()).narrow();
+        self.frame = frame::<f64>(camera, self.aspect());
         self.lights = self
             .parameters
             .lights
@@ -106,9 +106,9 @@ impl<'a, S: Scalar> Prepared<'a, S> {
             .map(|light| match light {
                 Light::Point(light) => {
                     let position = light.position - self.middle;
-                    Light::Point(crate::kernels::light::PointLight { position, ..*light }.narrow())
+                    Light::Point(PointLight { position, ..*light })
                 }
-                Light::Distant(light) => Light::Distant(light.narrow()),
+                Light::Distant(light) => Light::Distant(*light),
             })
             .collect();
         self.materials = self.parameters.materials.iter().map(Material::narrow).collect();
@@ -116,60 +116,37 @@ impl<'a, S: Scalar> Prepared<'a, S> {
 
     fn load_geometry(&mut self) {
         let vertices = self.parameters.vertices.iter().flatten();
-        self.vertices = vertices.map(|&v| narrow::<S>(DVec3::from(v) - self.middle)).collect();
+        self.vertices =
+            vertices.map(|&v| narrow::<L::Element>(DVec3::from(v) - self.middle)).collect();
         let spheres = self.parameters.spheres.iter();
         self.spheres = spheres
             .map(|sphere| Sphere { center: sphere.center - self.middle, ..*sphere }.narrow())
             .collect();
 
-        let vertex = |index: u32| widen::<S>(self.vertices[index as usize]).as_vec3();
+        let vertex = |index: u32| widen::<L::Element>(self.vertices[index as usize]).as_vec3();
         let triangles = self.triangles.iter().map(|t| Shape::Triangle(t.map(vertex)));
         let spheres = self.spheres.iter().map(|sphere| {
-            Shape::Sphere(widen::<S>(sphere.center).as_vec3(), sphere.radius.to_f64() as f32)
+            Shape::Sphere(
+                widen::<L::Element>(sphere.center).as_vec3(),
+                sphere.radius.to_f64() as f32,
+            )
         });
         let shapes: Vec<_> = triangles.chain(spheres).collect();
-        self.acceleration = Acceleration::new(&shapes);
+        self.acceleration.update(&shapes);
     }
 
-    /// The first primitive along a ray.
-    pub(super) fn nearest(&self, origin: Vec3<S>, direction: Vec3<S>) -> Option<Hit> {
-        self.acceleration.nearest(widen::<S>(origin).as_vec3(), widen::<S>(direction).as_vec3())
+    /// The index of a primitive's material.
+    pub(super) fn material_of(&self, primitive: u32) -> usize {
+        self.material_of[primitive as usize] as usize
     }
 
-    /// Whether something stands between a point of `hit` and `limit` along a direction.
-    pub(super) fn is_shadowed(
-        &self,
-        hit: &Hit,
-        point: Vec3<S>,
-        normal: Vec3<S>,
-        direction: Vec3<S>,
-        limit: f64,
-    ) -> bool {
-        // A ray that leaves a triangle cannot come back to it.
-        let from = match self.primitive(hit.primitive) {
-            Primitive::Triangle(_) => Some(hit.primitive),
-            Primitive::Sphere(_) => None,
-        };
-        let (point, normal) = (widen::<S>(point), widen::<S>(normal));
-        let origin = point + normal * surface_error(point, hit.distance);
-        let direction = widen::<S>(direction).as_vec3();
-        self.acceleration.is_occluded(origin.as_vec3(), direction, limit as f32, from)
-    }
-
-    pub(super) fn primitive(&self, id: u32) -> Primitive {
-        match (id as usize).checked_sub(self.triangles.len()) {
-            None => Primitive::Triangle(id as usize),
-            Some(sphere) => Primitive::Sphere(sphere),
+    /// The kind of a primitive, and its index among those of its kind.
+    pub(super) fn kind(&self, primitive: u32) -> (Kind, usize) {
+        match (primitive as usize).checked_sub(self.triangles.len()) {
+            None => (Kind::Triangle, primitive as usize),
+            Some(sphere) => (Kind::Sphere, sphere),
         }
     }
-}
-
-/// How far a hit may be from the surface that traversal sees: coordinates of the surface and of the
-/// point were rounded to single precision, and so was the distance along the ray (the error
-/// analysis of Pharr, Jakob & Humphreys, "Physically Based Rendering", section 6.8).
-fn surface_error(point: DVec3, distance: f32) -> f64 {
-    let reach = point.abs().max_element().max(f64::from(distance));
-    8.0 * f64::from(f32::EPSILON) * reach
 }
 
 /// The middle of the box around all geometry; the origin if there is none.

@@ -4,8 +4,13 @@ use std::ops::Range;
 
 use rayon::prelude::*;
 
-/// The edge of a tile in pixels. Fixed, because the order of summation depends on it.
-const TILE: u32 = 16;
+use crate::acceleration::PACKET_RAYS;
+
+/// The edge of a tile in pixels: its rays make one packet. Fixed, because the order of summation
+/// depends on it.
+const TILE: u32 = 8;
+
+const _: () = assert!((TILE * TILE) as usize == PACKET_RAYS);
 
 /// A rectangle of pixels.
 #[derive(Clone, Debug)]

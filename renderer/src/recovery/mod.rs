@@ -17,7 +17,7 @@ mod defaults;
 
 pub use defaults::natural_scale;
 
-use ad::Scalar;
+use ad::lanes::Lanes;
 
 use crate::Error;
 use crate::experiment::{Experiment, OptimizeSection, Target};
@@ -45,7 +45,7 @@ macro_rules! at_precision {
     ($precision:expr, $scalar:ident => $body:expr) => {
         match $precision {
             Precision::F32 => {
-                type $scalar = f32;
+                type $scalar = wide::f32x16;
                 $body
             }
             Precision::F64 => {
@@ -270,14 +270,14 @@ fn assign(parameters: &mut Parameters, ids: &[ParameterId], mut x: &[f64]) {
 }
 
 /// The loss of the rendered image as a function of the parameters that vary.
-struct ImageObjective<'a, S: Scalar> {
+struct ImageObjective<'a, S: Lanes> {
     recovery: &'a Recovery<'a>,
     prepared: Prepared<'a, S>,
     parameters: Parameters,
     wanted: Wanted,
 }
 
-impl<'a, S: Scalar> ImageObjective<'a, S> {
+impl<'a, S: Lanes> ImageObjective<'a, S> {
     fn new(recovery: &'a Recovery<'a>) -> Self {
         Self {
             recovery,
@@ -288,7 +288,7 @@ impl<'a, S: Scalar> ImageObjective<'a, S> {
     }
 }
 
-impl<S: Scalar> Objective for ImageObjective<'_, S> {
+impl<S: Lanes> Objective for ImageObjective<'_, S> {
     fn evaluate(&mut self, x: &[f64]) -> Evaluation {
         assign(&mut self.parameters, &self.recovery.ids, x);
         self.prepared.set_parameters(&self.parameters);

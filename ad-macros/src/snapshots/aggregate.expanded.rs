@@ -1,0 +1,52 @@
+impl reflect {
+    pub fn vjp(
+        ray: Ray,
+        normal: Vec3,
+    ) -> (
+        Ray,
+        impl ::core::ops::FnOnce(
+            ::ad::Tangent<Ray>,
+        ) -> (::ad::Tangent<Ray>, ::ad::Tangent<Vec3>) + use<>,
+    ) {
+        #[allow(unused_imports)]
+        use ::ad::rt::methods::*;
+        let (cosine, cosine_pullback) = ray.direction.dot_vjp(normal);
+        let direction = ray.direction;
+        let constant = 2.0;
+        let product = constant * cosine;
+        let product_1 = product * normal;
+        let field = direction - product_1;
+        let field_pullback = ::ad::rt::linear(&direction, &product_1);
+        let field_space = ::ad::rt::space(&field);
+        let value = Ray { direction: field, ..ray };
+        (
+            value,
+            move |
+                result_bar: ::ad::Tangent<Ray>,
+            | -> (::ad::Tangent<Ray>, ::ad::Tangent<Vec3>) {
+                let mut value_bar = result_bar;
+                let mut value_bar = value_bar;
+                let mut field_bar = field_space
+                    .enter(::ad::rt::take(&mut value_bar.direction));
+                let mut ray_bar = value_bar;
+                let (mut direction_bar, mut product_1_bar) = field_pullback
+                    .pull_back_difference(field_bar);
+                let (mut product_bar, mut normal_bar) = ::ad::rules::MulPullback::mul_pullback(
+                    product,
+                    normal,
+                    product_1_bar,
+                );
+                let (_, mut cosine_bar) = ::ad::rules::MulPullback::mul_pullback(
+                    constant,
+                    cosine,
+                    product_bar,
+                );
+                ::ad::rt::Absorb::absorb(&mut ray_bar.direction, direction_bar);
+                let (ray_part, normal_part) = cosine_pullback(cosine_bar);
+                ::ad::rt::Absorb::absorb(&mut ray_bar.direction, ray_part);
+                ::ad::rt::Absorb::absorb(&mut normal_bar, normal_part);
+                (ray_bar, normal_bar)
+            },
+        )
+    }
+}

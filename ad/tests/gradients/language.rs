@@ -1,0 +1,14 @@
+//! Each construct of the language, on both sides of each branch.
+
+#![allow(
+    clippy::assign_op_pattern,
+    clippy::let_and_return,
+    clippy::needless_range_loop,
+    clippy::needless_return,
+    reason = "these forms are what is tested"
+)]
+
+mod data;
+mod exits;
+mod flow;
+mod statements;

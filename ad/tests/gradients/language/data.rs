@@ -1,0 +1,177 @@
+//! Structs, tuples, arrays, and the methods of structs.
+
+use ad::{Differentiable, Mask, Real, Vec3, differentiable};
+use glam::DVec3;
+
+use crate::oracle::{assert_close, check, check_generic};
+
+#[derive(Clone, Copy, Differentiable)]
+struct Ray<S: Real> {
+    origin: Vec3<S>,
+    direction: Vec3<S>,
+    #[constant]
+    weight: S,
+}
+
+#[differentiable]
+impl<S: Real> Ray<S> {
+    fn new(origin: Vec3<S>, direction: Vec3<S>) -> Self {
+        let weight = S::TWO;
+        Self { origin, direction, weight }
+    }
+
+    fn at(&self, t: S) -> Vec3<S> {
+        self.origin + self.direction * t
+    }
+
+    fn moved(self, t: S) -> Self {
+        let origin = self.at(t);
+        Ray { origin, ..self }
+    }
+
+    fn turned(&self, by: S) -> Self {
+        let mut turned = *self;
+        turned.direction = turned.direction * by + self.origin;
+        turned
+    }
+}
+
+#[derive(Clone, Copy, Differentiable)]
+struct Pair(f64, f64);
+
+#[derive(Clone, Copy, Differentiable)]
+struct Cell {
+    pair: Pair,
+    row: [Pair; 2],
+    #[constant]
+    id: usize,
+}
+
+#[differentiable]
+fn rays(x: f64, y: f64) -> f64 {
+    let ray = Ray::new(DVec3::new(x, y, 1.0), DVec3::new(0.3, x * y, y));
+    let moved = ray.moved(x).turned(y);
+    let p = moved.at(y);
+    p.dot(ray.origin) * moved.weight + p.x
+}
+
+#[differentiable]
+fn struct_update(x: f64, y: f64) -> f64 {
+    let ray = Ray { origin: DVec3::splat(x), direction: DVec3::splat(y), weight: 3.0 };
+    let fixed = Ray { origin: DVec3::ONE, ..ray };
+    let started = Ray { origin: ray.direction * x, ..ray };
+    let heavier = Ray { weight: x, ..started };
+    let Ray { origin, direction: towards, .. } = heavier;
+    origin.dot(towards) * fixed.direction.y + fixed.origin.x * heavier.weight
+}
+
+#[differentiable]
+fn tuple_structs(x: f64, y: f64) -> f64 {
+    let pair = Pair(x * y, y);
+    let Pair(a, b) = pair;
+    let mut other = Pair(b, a * x);
+    other.0 += pair.1;
+    other.1 *= other.0;
+    other.1 - Pair(x, 2.0).0
+}
+
+#[differentiable]
+fn nested_places(x: f64, y: f64) -> f64 {
+    let mut cells = [Cell { pair: Pair(x, y), row: [Pair(y, 1.0); 2], id: 1 }; 3];
+    for i in 0..3 {
+        cells[i].row[i % 2].1 += x * i as f64;
+        cells[i].pair.0 *= cells[2 - i].row[0].0;
+        cells[i].id += i;
+        cells[(i + 1) % 3].row[1] = Pair(cells[i].pair.0, y);
+    }
+    let k = cells[1].id;
+    let mut sum = 0.0;
+    for i in 0..3 {
+        sum += cells[i].pair.0 * cells[i].row[1].0 + cells[i].row[0].1;
+    }
+    sum * k as f64
+}
+
+#[differentiable]
+fn arrays<S: Real>(x: S, y: S) -> S {
+    let mut a = [x, y, x * y, S::ONE];
+    let copy = a;
+    for i in 1..4 {
+        a[i] = a[i - 1] * copy[3 - i] + a[i];
+    }
+    a[0] = copy[2];
+    let [first, second, ..] = a;
+    let b = [first; 3];
+    let grid = [[x, y], [second, a[3]]];
+    b[2] * grid[1][0] + grid[0][1] * grid[1][1] + a[2]
+}
+
+#[differentiable]
+fn tuples<S: Real>(x: S, y: S) -> (S, (S, [S; 2])) {
+    let mut t = (x, (y, [x * y, y]));
+    t.1.1[0] = t.0 * t.1.0;
+    t.0 = t.1.1[0] + t.0;
+    if x.cmpgt(y).all() {
+        t.1 = (t.0, [x, y]);
+    }
+    t
+}
+
+#[differentiable]
+fn tuples_in_use<S: Real>(x: S, y: S) -> S {
+    let (a, (b, [c, d])) = tuples(x, y);
+    let e = tuples(a, b).1.1[0];
+    a * b + c * d * e
+}
+
+#[differentiable]
+fn parameter_patterns((a, b): (f64, f64), [c, d]: [f64; 2], Pair(e, _): Pair, _: f64) -> f64 {
+    a * b + c * d * e
+}
+
+#[differentiable]
+fn constant_start(x: f64, y: f64) -> f64 {
+    let (mut a, mut b) = (0.0, 1.0);
+    let [mut c, d] = [2.0, 3.0];
+    for _ in 0..3 {
+        a += b * x;
+        b *= y;
+        c = a * d;
+    }
+    a * b + c
+}
+
+#[test]
+fn structs() {
+    check!(rays(x, y) at [1.3, 0.7], [-0.4, 2.1]);
+    check!(tuple_structs(x, y) at [1.3, 0.7], [-0.4, 2.1]);
+    check!(nested_places(x, y) at [1.3, 0.7], [-0.4, 2.1]);
+}
+
+/// The weight is a `#[constant]`: nothing flows through it, so that finite differences do not
+/// agree in the parameter that it is made from.
+#[test]
+fn constant_fields_carry_nothing() {
+    let (x, y) = (1.3, 0.7);
+    let (value, (to_x, to_y)) = struct_update::value_and_grad(x, y);
+    assert_eq!(value, struct_update(x, y));
+    let without_weight = |x: f64, y: f64| 3.0 * y * x * y * y + 1.3;
+    let expected = ad::check::derivative(|x| without_weight(x, y), x, 1e-3).value;
+    assert_close("struct_update", to_x, expected, 1e-9);
+    let expected = ad::check::derivative(|y| without_weight(x, y), y, 1e-3).value;
+    assert_close("struct_update", to_y, expected, 1e-9);
+}
+
+#[test]
+fn aggregates() {
+    check_generic!(arrays(x, y) at [1.3, 0.7], [-0.4, 2.1]);
+    check_generic!(tuples_in_use(x, y) at [1.3, 0.7], [-0.4, 2.1]);
+    check!(constant_start(x, y) at [1.3, 0.7], [-0.4, 2.1]);
+}
+
+#[test]
+fn patterns_in_parameters() {
+    let ((a, b), [c, d], pair, ignored) =
+        parameter_patterns::grad((2.0, 3.0), [4.0, 5.0], Pair(6.0, 7.0), 8.0);
+    assert_eq!([a, b, c, d, pair.0, pair.1, ignored], [3.0, 2.0, 30.0, 24.0, 20.0, 0.0, 0.0]);
+}

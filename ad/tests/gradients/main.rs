@@ -1,0 +1,11 @@
+//! Gradients written at compile time against two oracles that share no code with them: finite
+//! differences with step control, and dual numbers.
+
+#[cfg(feature = "lanes")]
+mod lanes;
+mod language;
+mod oracle;
+mod rules;
+mod second_order;
+mod singular;
+mod traps;

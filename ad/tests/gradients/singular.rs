@@ -1,0 +1,322 @@
+//! The table of singular points in `ad::rules`, row by row, in the rules and in dual numbers; and
+//! numbers at the ends of the range.
+
+use ad::rules::*;
+use ad::vector::Xyz;
+use ad::{Dual, Real, differentiable, select};
+use glam::{DVec3, Vec3};
+
+/// The derivative that dual numbers give.
+fn dual(f: impl Fn(Dual<f64>) -> Dual<f64>, x: f64) -> f64 {
+    f(Dual::new(x, 1.0)).derivative
+}
+
+/// Asserts what the rule and the dual number say of a function of one variable at a point.
+macro_rules! assert_slope {
+    ($vjp:ident, $method:ident, $x:expr, $expected:expr) => {
+        let (x, expected): (f64, f64) = ($x, $expected);
+        assert_eq!(x.$vjp().1(1.0), expected, "{} at {x}", stringify!($vjp));
+        let single = (x as f32).$vjp().1(1.0);
+        assert_eq!(single, expected as f32, "{} at {x}", stringify!($vjp));
+        assert_eq!(dual(Real::$method, x), expected, "dual {} at {x}", stringify!($method));
+    };
+}
+
+#[test]
+fn functions_of_one_number() {
+    for zero in [0.0, -0.0] {
+        assert_slope!(sqrt_vjp, sqrt, zero, 0.0);
+        assert_slope!(abs_vjp, abs, zero, 0.0);
+        assert_slope!(ln_vjp, ln, zero, 0.0);
+        assert_slope!(recip_vjp, recip, zero, 0.0);
+        assert_slope!(signum_vjp, signum, zero, 0.0);
+        assert_slope!(floor_vjp, floor, zero, 0.0);
+    }
+    for end in [-1.0, 1.0] {
+        assert_slope!(asin_vjp, asin, end, 0.0);
+        assert_slope!(acos_vjp, acos, end, 0.0);
+        assert_slope!(floor_vjp, floor, end, 0.0);
+    }
+}
+
+#[test]
+fn quotients() {
+    for numerator in [0.0, 1.0, -1e300, f64::INFINITY] {
+        for zero in [0.0, -0.0] {
+            assert_eq!(numerator.div_pullback(zero, 1.0), (0.0, 0.0));
+            let (by_numerator, by_denominator) = (
+                dual(|x| x / Dual::constant(zero), numerator),
+                dual(|x| Dual::constant(numerator) / x, zero),
+            );
+            assert_eq!((by_numerator, by_denominator), (0.0, 0.0));
+        }
+    }
+    let v = DVec3::new(1.0, 0.0, -2.0);
+    assert_eq!(v.div_pullback(0.0, DVec3::ONE), (DVec3::ZERO, 0.0));
+    let divisor = DVec3::new(0.0, 1.0, 2.0);
+    let expected = (DVec3::new(0.0, 1.0, 0.5), DVec3::new(0.0, 0.0, 0.5));
+    assert_eq!(v.div_pullback(divisor, DVec3::ONE), expected);
+    assert_eq!(1.0.div_pullback(divisor, DVec3::ONE), (1.5, DVec3::new(0.0, -1.0, -0.25)));
+}
+
+#[test]
+fn angles_at_the_origin() {
+    for (y, x) in [(0.0, 0.0), (-0.0, 0.0), (0.0, -0.0), (-0.0, -0.0)] {
+        assert_eq!(y.atan2_vjp(x).1(1.0), (0.0, 0.0));
+        assert_eq!(Dual::new(y, 1.0).atan2(Dual::new(x, 1.0)).derivative, 0.0);
+    }
+}
+
+#[test]
+fn powers() {
+    for (base, exponent, to_base, to_exponent) in [
+        (0.0, 1.0, 1.0, 0.0),
+        (-0.0, 1.0, 1.0, 0.0),
+        (0.0, 0.5, 0.0, 0.0),
+        (0.0, 2.0, 0.0, 0.0),
+        (0.0, 0.0, 0.0, 0.0),
+        (0.0, -1.0, 0.0, 0.0),
+        (-2.0, 3.0, 12.0, 0.0),
+        (-2.0, -1.0, -0.25, 0.0),
+    ] {
+        let at = format!("{base} to the {exponent}");
+        assert_eq!(base.powf_vjp(exponent).1(1.0), (to_base, to_exponent), "{at}");
+        assert_eq!(dual(|x| x.powf(Dual::constant(exponent)), base), to_base, "{at}");
+        assert_eq!(dual(|y| Dual::constant(base).powf(y), exponent), to_exponent, "{at}");
+    }
+    for (exponent, expected) in [(1, 1.0), (0, 0.0), (2, 0.0), (-1, 0.0), (i32::MIN, 0.0)] {
+        assert_eq!(0.0.powi_vjp(exponent).1(1.0).0, expected, "0 to the {exponent}");
+        assert_eq!(dual(|x| x.powi(exponent), 0.0), expected, "0 to the {exponent}");
+    }
+}
+
+#[test]
+fn ties() {
+    assert_eq!(2.0.min_vjp(2.0).1(3.0), (3.0, 0.0));
+    assert_eq!(2.0.max_vjp(2.0).1(3.0), (3.0, 0.0));
+    for bound in [1.0, 2.0] {
+        assert_eq!(bound.clamp_vjp(1.0, 2.0).1(3.0), (3.0, 0.0, 0.0));
+        let constant = Dual::constant;
+        assert_eq!(dual(|x| x.clamp(constant(1.0), constant(2.0)), bound), 1.0);
+    }
+    let (moving, fixed) = (Dual::new(2.0, 1.0), Dual::constant(2.0));
+    assert_eq!(moving.min(fixed).derivative, 1.0);
+    assert_eq!(fixed.min(moving).derivative, 0.0);
+    assert_eq!(moving.max(fixed).derivative, 1.0);
+    assert_eq!(fixed.max(moving).derivative, 0.0);
+
+    let (v, w) = (DVec3::new(1.0, 2.0, 3.0), DVec3::new(1.0, 0.0, 4.0));
+    let g = DVec3::new(5.0, 6.0, 7.0);
+    assert_eq!(v.min_vjp(w).1(g), (DVec3::new(5.0, 0.0, 7.0), DVec3::new(0.0, 6.0, 0.0)));
+    assert_eq!(v.max_vjp(w).1(g), (DVec3::new(5.0, 6.0, 0.0), DVec3::new(0.0, 0.0, 7.0)));
+    let (low, high) = (DVec3::ONE, DVec3::new(3.0, 1.5, 3.0));
+    let expected = (DVec3::new(5.0, 0.0, 7.0), DVec3::ZERO, DVec3::new(0.0, 6.0, 0.0));
+    assert_eq!(v.clamp_vjp(low, high).1(g), expected);
+
+    for tied in [DVec3::new(1.0, 1.0, 1.0), DVec3::new(0.0, -0.0, 0.0)] {
+        assert_eq!(tied.min_element_vjp().1(2.0), DVec3::new(2.0, 0.0, 0.0));
+        assert_eq!(tied.max_element_vjp().1(2.0), DVec3::new(2.0, 0.0, 0.0));
+    }
+    assert_eq!(DVec3::new(0.0, 4.0, 4.0).max_element_vjp().1(2.0), DVec3::new(0.0, 2.0, 0.0));
+}
+
+#[test]
+fn signs() {
+    assert_eq!(3.0.copysign_vjp(-2.0).1(1.0), (-1.0, 0.0));
+    assert_eq!(0.0.copysign_vjp(-2.0).1(1.0), (0.0, 0.0));
+    assert_eq!((-3.0).copysign_vjp(-0.0).1(1.0), (1.0, 0.0));
+    assert_eq!(dual(|sign| Dual::constant(3.0).copysign(sign), 1.0), 0.0);
+    assert_eq!(dual(|x| x.copysign(Dual::constant(-2.0)), 0.0), 0.0);
+}
+
+#[test]
+fn zero_vectors() {
+    let (zero, g) = (DVec3::ZERO, DVec3::new(1.0, -2.0, 3.0));
+    assert_eq!(zero.length_vjp().1(1.0), zero);
+    assert_eq!(zero.length_recip_vjp().1(1.0), zero);
+    assert_eq!(zero.normalize_or_zero_vjp().1(g), zero);
+    assert_eq!(g.distance_vjp(g).1(1.0), (zero, zero));
+    assert_eq!(Vec3::ZERO.length_vjp().1(1.0), Vec3::ZERO);
+
+    // glam refuses to normalize a zero vector in some builds; the vectors of other scalars do not.
+    let moving = |x: f64| Dual::new(x, 1.0);
+    let still = Xyz { x: moving(0.0), y: moving(0.0), z: moving(0.0) };
+    let ones = Xyz { x: moving(1.0), y: moving(1.0), z: moving(1.0) };
+    use ad::vector::Vector;
+    let pulled = still.normalize_vjp().1(ones);
+    assert_eq!([pulled.x, pulled.y, pulled.z].map(|s| (s.value, s.derivative)), [(0.0, 0.0); 3]);
+    assert_eq!(still.length().derivative, 0.0);
+    assert_eq!(still.length_recip().derivative, 0.0);
+    assert_eq!(still.distance(still).derivative, 0.0);
+    assert_eq!(still.normalize_or_zero(), Xyz::ZERO);
+}
+
+/// A cotangent of zero stays zero, whatever it meets.
+#[test]
+fn zero_cotangents() {
+    let (zero, bad_numbers) = (DVec3::ZERO, [f64::INFINITY, f64::NEG_INFINITY, f64::NAN, 0.0]);
+    for bad in bad_numbers {
+        for g in [0.0, -0.0] {
+            for pulled in [
+                bad.abs_vjp().1(g),
+                bad.signum_vjp().1(g),
+                bad.floor_vjp().1(g),
+                bad.recip_vjp().1(g),
+                bad.sqrt_vjp().1(g),
+                bad.exp_vjp().1(g),
+                bad.ln_vjp().1(g),
+                bad.powi_vjp(-3).1(g).0,
+                bad.powi_vjp(0).1(g).0,
+                bad.sin_vjp().1(g),
+                bad.cos_vjp().1(g),
+                bad.tan_vjp().1(g),
+                bad.asin_vjp().1(g),
+                bad.acos_vjp().1(g),
+                bad.atan_vjp().1(g),
+                bad.tanh_vjp().1(g),
+                bad.sin_cos_vjp().1((g, g)),
+                bad.to_degrees_vjp().1(g),
+            ] {
+                assert_eq!(pulled, 0.0, "{bad}");
+            }
+            for pulled in [
+                bad.mul_pullback(bad, g),
+                bad.div_pullback(bad, g),
+                bad.rem_pullback(bad, g),
+                bad.min_vjp(1.0).1(g),
+                bad.max_vjp(bad).1(g),
+                bad.copysign_vjp(bad).1(g),
+                bad.powf_vjp(bad).1(g),
+                bad.powf_vjp(0.5).1(g),
+                bad.atan2_vjp(bad).1(g),
+            ] {
+                assert_eq!(pulled, (0.0, 0.0), "{bad}");
+            }
+            assert_eq!(bad.mul_add_vjp(bad, bad).1(g), (0.0, 0.0, 0.0));
+            let pulled = f64::difference_of_products_vjp(bad, bad, bad, bad).1(g);
+            assert_eq!(pulled, (0.0, 0.0, 0.0, 0.0));
+
+            let v = DVec3::new(bad, 1.0, bad);
+            for pulled in [
+                v.length_vjp().1(g),
+                v.length_squared_vjp().1(g),
+                v.length_recip_vjp().1(g),
+                v.min_element_vjp().1(g),
+                v.max_element_vjp().1(g),
+                v.abs_vjp().1(zero),
+                v.recip_vjp().1(zero),
+                v.exp_vjp().1(zero),
+                v.sqrt_vjp().1(zero),
+                v.powf_vjp(bad).1(zero).0,
+                v.normalize_or_zero_vjp().1(zero),
+                v.dot_vjp(v).1(g).0,
+                v.dot_vjp(v).1(g).1,
+                v.distance_vjp(v).1(g).0,
+                v.distance_squared_vjp(-v).1(g).1,
+                v.cross_vjp(v).1(zero).0,
+                v.cross_vjp(v).1(zero).1,
+                v.min_vjp(v).1(zero).0,
+                v.lerp_vjp(-v, bad).1(zero).0,
+                v.mul_pullback(v, zero).0,
+                v.mul_pullback(bad, zero).0,
+                v.div_pullback(v, zero).1,
+                v.div_pullback(bad, zero).0,
+            ] {
+                assert_eq!(pulled, zero, "{bad}");
+            }
+            assert_eq!(v.powf_vjp(bad).1(zero).1, 0.0);
+            assert_eq!(v.lerp_vjp(-v, bad).1(zero).2, 0.0);
+            assert_eq!(v.mul_pullback(bad, zero).1, 0.0);
+            assert_eq!(v.div_pullback(bad, zero).1, 0.0);
+        }
+    }
+}
+
+/// A reflection asserts a normal of length 1 in some builds of glam, so the vectors of other
+/// scalars stand in.
+#[test]
+fn zero_cotangent_of_a_reflection() {
+    for bad in [f64::INFINITY, f64::NAN] {
+        let v = Xyz { x: bad, y: bad, z: bad };
+        let zero = Xyz { x: 0.0, y: 0.0, z: 0.0 };
+        assert_eq!(v.reflect_vjp(v).1(zero), (zero, zero));
+    }
+}
+
+/// No rule makes a NaN of finite numbers where the function itself is not NaN.
+#[test]
+fn ends_of_the_range() {
+    let tiny = f64::from_bits(1);
+    let magnitudes = [0.0, tiny, 1e-310, 1e-200, 1e-30, 1.0, 1e30, 1e200, f64::MAX];
+    let numbers: Vec<_> = magnitudes.into_iter().flat_map(|x| [x, -x]).collect();
+    let check = |name: &str, value: f64, pulled: &[f64], at: &[f64]| {
+        let silent = value.is_nan() || pulled.iter().all(|p| !p.is_nan());
+        assert!(silent, "{name} at {at:?} pulls back {pulled:?}");
+    };
+    macro_rules! unary {
+        ($x:expr, $($vjp:ident)*) => {$(
+            let (value, pullback) = $x.$vjp();
+            check(stringify!($vjp), value, &[pullback(1.0)], &[$x]);
+            let x = Dual::new($x, 1.0);
+            let (value, pullback) = x.$vjp();
+            let pulled = pullback(Dual::constant(1.0));
+            check(stringify!($vjp), value.value, &[pulled.value], &[$x]);
+        )*};
+    }
+    for &x in &numbers {
+        unary!(x, abs_vjp signum_vjp floor_vjp recip_vjp sqrt_vjp exp_vjp ln_vjp sin_vjp cos_vjp
+            tan_vjp asin_vjp acos_vjp atan_vjp tanh_vjp);
+        for n in [i32::MIN, -2, -1, 0, 1, 2, 3, i32::MAX] {
+            let (value, pullback) = x.powi_vjp(n);
+            check("powi", value, &[pullback(1.0).0], &[x, n.into()]);
+        }
+        for &y in &numbers {
+            macro_rules! binary {
+                ($($name:literal $call:expr;)*) => {$(
+                    let (value, pullback) = $call;
+                    let (a, b) = pullback(1.0);
+                    check($name, value, &[a, b], &[x, y]);
+                )*};
+            }
+            binary! {
+                "powf" x.powf_vjp(y);
+                "atan2" x.atan2_vjp(y);
+                "min" x.min_vjp(y);
+                "max" x.max_vjp(y);
+                "copysign" x.copysign_vjp(y);
+                "mul" (x * y, |g| x.mul_pullback(y, g));
+                "div" (x / y, |g| x.div_pullback(y, g));
+            }
+            for &z in &numbers {
+                let v = DVec3::new(x, y, z);
+                check("length", v.length(), &v.length_vjp().1(1.0).to_array(), &[x, y, z]);
+                let (value, pullback) = v.length_recip_vjp();
+                check("length_recip", value, &pullback(1.0).to_array(), &[x, y, z]);
+                let (value, pullback) = v.normalize_or_zero_vjp();
+                let pulled = pullback(DVec3::ONE).to_array();
+                check("normalize_or_zero", value.element_sum(), &pulled, &[x, y, z]);
+            }
+        }
+    }
+}
+
+#[differentiable]
+fn guarded(x: f64) -> f64 {
+    let root = (-x).sqrt().abs().copysign(x);
+    select(x < 0.0, root.ln() * root.powf(0.5), x.acos().abs() / x)
+}
+
+/// The arm that `select` did not take computes infinities and NaNs; the gradient is that of the
+/// other one.
+#[test]
+fn select_keeps_the_other_arm_out() {
+    for x in [0.0, -0.0, 0.5, 2.0, 1e30, 1e-310] {
+        let expected = ad::check::derivative(|x: f64| x.acos().abs() / x, 0.5, 0.01).value;
+        let slope = guarded::grad(x);
+        match x {
+            0.5 => crate::oracle::assert_close("guarded", slope, expected, 1e-7),
+            2.0 | 1e30 => assert!(slope.is_nan(), "acos has no value there"),
+            _ => assert!(!slope.is_nan(), "at {x}: {slope}"),
+        }
+    }
+}

@@ -1,0 +1,15 @@
+//! Silent errors known from other systems, and the traps of this one: where a source
+//! transformation can give a wrong number without a word.
+
+#![allow(
+    clippy::assign_op_pattern,
+    clippy::let_and_return,
+    clippy::needless_range_loop,
+    clippy::needless_return,
+    reason = "these forms are what is tested"
+)]
+
+mod aliasing;
+mod names;
+mod order;
+mod structure;

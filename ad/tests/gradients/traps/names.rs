@@ -1,0 +1,166 @@
+//! The same name for different things.
+
+use ad::differentiable;
+
+use crate::oracle::check;
+
+#[differentiable]
+fn positive(x: f64) -> Option<f64> {
+    if x > 0.0 { Some(x * x) } else { None }
+}
+
+/// A name bound by an arm ends with the arm, though what follows the `match` runs in it.
+#[differentiable]
+fn arm_name_ends_with_arm(x: f64, y: f64) -> f64 {
+    let a = match positive(x) {
+        Some(y) => y + 1.0,
+        None => return y,
+    };
+    a * y
+}
+
+#[differentiable]
+fn if_let_name_ends_with_branch(x: f64, y: f64) -> f64 {
+    let mut a = x;
+    if let Some(x) = positive(y) {
+        a += x;
+    } else {
+        return x * x;
+    }
+    a * x
+}
+
+#[differentiable]
+fn let_else_name_goes_on(x: f64, y: f64) -> f64 {
+    let Some(x) = positive(x * y) else {
+        return x * 3.0;
+    };
+    x * y
+}
+
+#[differentiable]
+fn shadowed_across_branches(x: f64, y: f64) -> f64 {
+    let a = x * y;
+    let b = if a > 1.0 {
+        let a = a * x;
+        let x = a + 1.0;
+        if x > 3.0 {
+            let a = x * x;
+            a
+        } else {
+            x
+        }
+    } else {
+        let y = a * a;
+        y
+    };
+    a * b * x * y
+}
+
+#[differentiable]
+fn shadowed_in_loop(x: f64, y: f64) -> f64 {
+    let i = x * y;
+    let mut acc = i;
+    for i in 0..3 {
+        let x = acc * i as f64;
+        let acc_before = acc;
+        acc = x + y;
+        let acc = acc * acc_before;
+        let _ = acc;
+    }
+    acc * i * x
+}
+
+/// Names begin with a capital letter in mathematics.
+#[differentiable]
+#[allow(non_snake_case)]
+fn capital_names(x: f64, y: f64) -> f64 {
+    let (A, B) = (x * y, x + y);
+    let [C, _] = [A * A, B];
+    let D = C * B;
+    D + A
+}
+
+#[differentiable]
+#[allow(non_snake_case)]
+fn capital_parameters((A, B): (f64, f64), C: f64) -> f64 {
+    A * B * C
+}
+
+/// A function of the user's that is called like one of `ad`'s.
+#[differentiable]
+fn select(mask: bool, x: f64, y: f64) -> f64 {
+    if mask { x * x } else { y * y * y }
+}
+
+#[differentiable]
+fn calls_own_select(x: f64, y: f64) -> f64 {
+    select(x > y, x, y) + select(x < y, x, y)
+}
+
+#[differentiable]
+fn raw_names(r#type: f64, y: f64) -> f64 {
+    let r#match = r#type * y;
+    let mut r#loop = r#match * r#match;
+    r#loop += r#type;
+    r#loop * r#match
+}
+
+/// Names that generated code might choose.
+#[differentiable]
+fn generated_names(x: f64, x_bar: f64) -> f64 {
+    let value = x * x_bar;
+    let product = value * x;
+    let result_bar = product + value;
+    let tape = result_bar * x_bar;
+    let x_space = tape + x;
+    let mut path = 0.0;
+    if x_space > 0.0 {
+        path = x_space * product;
+    }
+    path + tape
+}
+
+mod elsewhere {
+    use ad::differentiable;
+
+    #[differentiable]
+    pub fn cube(x: f64) -> f64 {
+        x * x * x
+    }
+}
+
+#[differentiable]
+fn renamed_call(x: f64, y: f64) -> f64 {
+    use_of(elsewhere::cube(x), y)
+}
+
+#[differentiable]
+fn use_of(x: f64, y: f64) -> f64 {
+    third_power(x) * y
+}
+
+use elsewhere::cube as third_power;
+
+#[test]
+fn scopes() {
+    check!(arm_name_ends_with_arm(x, y) at [1.3, 0.7], [-1.3, 0.7]);
+    check!(if_let_name_ends_with_branch(x, y) at [1.3, 0.7], [1.3, -0.7]);
+    check!(let_else_name_goes_on(x, y) at [1.3, 0.7], [1.3, -0.7]);
+    check!(shadowed_across_branches(x, y) at [1.3, 0.7], [1.3, 1.7], [1.1, 0.95]);
+    check!(shadowed_in_loop(x, y) at [1.3, 0.7], [-0.4, 2.1]);
+}
+
+#[test]
+fn spellings() {
+    check!(capital_names(x, y) at [1.3, 0.7], [-0.4, 2.1]);
+    assert_eq!(capital_parameters::grad((2.0, 3.0), 5.0), ((15.0, 10.0), 6.0));
+    check!(raw_names(x, y) at [1.3, 0.7], [-0.4, 2.1]);
+    check!(generated_names(x, y) at [1.3, 0.7], [-0.4, 2.1]);
+}
+
+#[test]
+fn paths() {
+    check!(calls_own_select(x, y) at [1.3, 0.7], [-0.4, 2.1]);
+    check!(renamed_call(x, y) at [1.3, 0.7], [-0.4, 2.1]);
+}

@@ -1,0 +1,150 @@
+//! Operands that change while an expression is evaluated.
+
+use ad::{differentiable, stop_gradient};
+
+use crate::oracle::{assert_close, check};
+
+#[differentiable]
+fn positive(x: f64) -> Option<f64> {
+    if x > 0.0 { Some(x * x) } else { None }
+}
+
+#[differentiable]
+fn integer_changes_behind(x: f64, y: f64) -> f64 {
+    let mut k = 2;
+    let a = k as f64 * {
+        k += 3;
+        x * y
+    };
+    a * k as f64
+}
+
+#[differentiable]
+fn float_changes_behind(x: f64, y: f64) -> f64 {
+    let mut a = x;
+    let b = a * {
+        a += y;
+        a
+    } + a;
+    let c = [
+        a,
+        {
+            a *= b;
+            a
+        },
+        a,
+    ];
+    let first = c[0].max({
+        a = y;
+        a
+    });
+    c[0] * c[1] + c[2] * a + first
+}
+
+#[differentiable]
+fn comparison_changes_behind(x: f64, y: f64) -> f64 {
+    let mut a = x;
+    let (greater, b) = (a > y, {
+        a = y - 1.0;
+        a * x
+    });
+    let c = (a > y) as i32 as f64 * {
+        a += 10.0;
+        a
+    };
+    if greater { a * b + c } else { a + b + c }
+}
+
+#[differentiable]
+fn stopped_value_changes_behind(x: f64, y: f64) -> f64 {
+    let mut a = x;
+    stop_gradient(a) * {
+        a = y;
+        a * a
+    } + a
+}
+
+#[differentiable]
+fn index_changes_behind(x: f64, y: f64) -> f64 {
+    let values = [x, y, x * y];
+    let mut k = 0;
+    let mut out = [0.0; 3];
+    out[k] = values[k + 1] * {
+        k += 1;
+        values[k + 1]
+    };
+    out[k] += values[k - 1];
+    out[0] * values[0] + out[1] * values[1]
+}
+
+/// Parentheses that decide the value of what has no derivative.
+#[differentiable]
+fn grouping(x: f64, n: usize) -> f64 {
+    let k = (n << 1) + 1;
+    let j = (n | 1) * 2;
+    let positive = !(n > 3 && n < 5);
+    let i = (n > 1) as usize as f64;
+    let h = (n + 1) as f64 * -(2.0 - 3.0);
+    x * k as f64 + x * x * j as f64 + x * i * h * positive as usize as f64
+}
+
+#[differentiable]
+fn overwritten_after_read(x: f64, y: f64) -> f64 {
+    let mut a = x;
+    let b = a * y;
+    let c = a;
+    a = b * b;
+    let d = a * c;
+    a = 3.0;
+    let mut v = [x, y];
+    let w = v;
+    v[0] = v[1] * a;
+    v[1] = d;
+    v[0] * w[0] + v[1] * w[1] + d
+}
+
+#[test]
+fn operands_keep_their_values() {
+    check!(integer_changes_behind(x, y) at [1.3, 0.7]);
+    check!(float_changes_behind(x, y) at [1.3, 0.7], [-0.4, 2.1]);
+    check!(comparison_changes_behind(x, y) at [1.3, 0.7], [-0.4, 2.1]);
+    check!(index_changes_behind(x, y) at [1.3, 0.7]);
+    check!(overwritten_after_read(x, y) at [1.3, 0.7], [-0.4, 2.1]);
+}
+
+#[test]
+fn stopped_values_are_those_of_their_time() {
+    let (x, y) = (1.3, 0.7);
+    let (value, (to_x, to_y)) = stopped_value_changes_behind::value_and_grad(x, y);
+    assert_eq!(value, stopped_value_changes_behind(x, y));
+    assert_eq!(to_x, 0.0);
+    assert_close("stopped value", to_y, 2.0 * x * y + 1.0, 1e-15);
+}
+
+#[test]
+fn grouping_is_kept() {
+    for n in 0..6 {
+        let (value, (slope, ())) = grouping::value_and_grad(0.7, n);
+        assert_eq!(value, grouping(0.7, n));
+        let expected = ad::check::derivative(|x| grouping(x, n), 0.7, 1e-3).value;
+        assert_close("grouping", slope, expected, 1e-9);
+    }
+}
+
+/// `?` and a mutation in one statement: what stands left of the `?` is evaluated before it.
+#[differentiable]
+fn exit_after_read(x: f64, y: f64) -> Option<f64> {
+    let mut a = x;
+    a += positive(a)? * positive(a + y)?;
+    Some(a * positive(a)?)
+}
+
+#[test]
+fn exits_keep_the_order() {
+    let (x, y) = (0.8, 0.3);
+    let (value, pullback) = exit_after_read::vjp(x, y);
+    assert_eq!(value, exit_after_read(x, y));
+    let (to_x, to_y) = pullback(1.0);
+    let primal = |p: &[f64]| exit_after_read(p[0], p[1]).unwrap();
+    crate::oracle::assert_gradient("exit_after_read", primal, &[x, y], &[to_x, to_y]);
+}

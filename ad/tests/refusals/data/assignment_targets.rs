@@ -1,0 +1,15 @@
+use ad::differentiable;
+
+#[differentiable]
+fn f(x: f64, y: f64) -> f64 {
+    let (mut a, mut b) = (x, y);
+    (a, b) = (b, a);
+    let c;
+    c = a * b;
+    let part = [a, b, c];
+    part[0..2][1]
+}
+
+fn main() {
+    f::grad(1.0, 2.0);
+}

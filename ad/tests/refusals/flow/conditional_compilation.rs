@@ -1,0 +1,15 @@
+use ad::differentiable;
+
+#[differentiable]
+fn f(x: f64) -> f64 {
+    let mut a = x;
+    #[cfg(feature = "doubled")]
+    {
+        a *= 2.0;
+    }
+    a
+}
+
+fn main() {
+    f::grad(1.0);
+}

@@ -1,0 +1,25 @@
+use ad::differentiable;
+
+#[differentiable]
+fn f(x: f64) -> f64 {
+    let k = x as i32;
+    k as f64 * x
+}
+
+#[differentiable]
+fn g(x: f64) -> f64 {
+    let values = [x, 2.0 * x];
+    values[x as usize]
+}
+
+#[differentiable]
+fn h(x: f64) -> f64 {
+    let k: usize = (x * 2.0) as usize;
+    k as f64 * x
+}
+
+fn main() {
+    f::grad(1.0);
+    g::grad(1.0);
+    h::grad(1.0);
+}

@@ -1,0 +1,304 @@
+//! Packets: up to 64 rays with a common origin, traced together.
+//!
+//! Measured along an axis on which every ray advances, a ray is two slopes and the packet is a
+//! rectangle of slopes: a frustum. Boxes are tested against its four sides, and only what survives
+//! against the rays themselves, 16 at a time.
+
+use glam::Vec3;
+use wide::{f32x16, u32x16};
+
+use super::Hit;
+use super::single::origin_error;
+use super::triangle_test::{TriangleTest, minor_axes};
+
+/// How many rays a packet has: a tile of 8 x 8 pixels.
+pub const PACKET_RAYS: usize = 64;
+
+/// The `primitive` of a ray that meets nothing, or that starts on no primitive.
+pub const NO_PRIMITIVE: u32 = u32::MAX;
+
+/// How many rays are computed side by side.
+const LANES: usize = 16;
+
+/// How many times [`LANES`] a packet is.
+pub const GROUPS: usize = PACKET_RAYS / LANES;
+
+/// The steepest slope against its major axis that a packet may have.
+const STEEPEST: f32 = 2.0;
+
+/// The directions of the rays of a packet, of any length above zero. What stands in inactive rays
+/// does not matter.
+#[derive(Clone, Debug)]
+#[repr(C, align(64))]
+pub struct PacketDirections {
+    /// By ray.
+    pub x: [f32; PACKET_RAYS],
+    /// By ray.
+    pub y: [f32; PACKET_RAYS],
+    /// By ray.
+    pub z: [f32; PACKET_RAYS],
+}
+
+impl PacketDirections {
+    /// All zero.
+    pub const ZERO: Self =
+        Self { x: [0.0; PACKET_RAYS], y: [0.0; PACKET_RAYS], z: [0.0; PACKET_RAYS] };
+
+    /// The direction of one ray.
+    #[inline]
+    pub fn get(&self, ray: usize) -> Vec3 {
+        Vec3::new(self.x[ray], self.y[ray], self.z[ray])
+    }
+
+    /// Sets the direction of one ray.
+    #[inline]
+    pub fn set(&mut self, ray: usize, direction: Vec3) {
+        [self.x[ray], self.y[ray], self.z[ray]] = direction.to_array();
+    }
+}
+
+/// What the rays of a packet meet first.
+#[derive(Clone, Debug, PartialEq)]
+#[repr(C, align(64))]
+pub struct PacketHits {
+    /// By ray: the distance from the origin in lengths of its direction; infinite if it meets
+    /// nothing.
+    pub distance: [f32; PACKET_RAYS],
+    /// By ray: the index of the primitive, or [`NO_PRIMITIVE`].
+    pub primitive: [u32; PACKET_RAYS],
+    /// A bit for each ray that meets a sphere from its inside.
+    pub leaves: u64,
+}
+
+impl PacketHits {
+    /// No ray meets anything.
+    pub const NONE: Self = Self {
+        distance: [f32::INFINITY; PACKET_RAYS],
+        primitive: [NO_PRIMITIVE; PACKET_RAYS],
+        leaves: 0,
+    };
+
+    /// What one ray meets.
+    #[inline]
+    pub fn get(&self, ray: usize) -> Option<Hit> {
+        let (primitive, distance) = (self.primitive[ray], self.distance[ray]);
+        let leaves = self.leaves >> ray & 1 != 0;
+        (primitive != NO_PRIMITIVE).then_some(Hit { primitive, distance, leaves })
+    }
+
+    pub(super) fn set(&mut self, ray: usize, hit: Hit) {
+        self.distance[ray] = hit.distance;
+        self.primitive[ray] = hit.primitive;
+        self.leaves = self.leaves & !(1 << ray) | u64::from(hit.leaves) << ray;
+    }
+}
+
+/// The rays of a packet, by groups of lanes.
+pub type Rays<T> = [T; GROUPS];
+
+/// A packet, prepared.
+pub struct Packet {
+    pub origin: Vec3,
+    /// How far a difference to the origin may be from the truth.
+    pub slack: f32,
+    /// The axis along which depth is measured, and 1 if it points along it, else -1.
+    pub major: usize,
+    pub sign: f32,
+    /// By minor axis: how much a ray advances for each unit of depth. Inactive rays repeat an active
+    /// one.
+    pub slope: [Rays<f32x16>; 2],
+    /// 1 over the slopes, finite.
+    pub inverse: [Rays<f32x16>; 2],
+    /// Distance, in lengths of the direction, for each unit of depth.
+    pub scale: Rays<f32x16>,
+    /// By minor axis: the least and the greatest slope.
+    pub range: [[f32; 2]; 2],
+    /// Before which depth a hit counts; -1 for rays that want none.
+    pub depth: Rays<f32x16>,
+    /// The greatest of `depth`.
+    pub far: f32,
+}
+
+impl Packet {
+    /// Prepares a packet of the active rays; nothing if no axis serves all of them.
+    pub fn new(
+        origin: Vec3,
+        directions: &PacketDirections,
+        active: u64,
+        limit: f32,
+    ) -> Option<Self> {
+        let groups = [&directions.x, &directions.y, &directions.z].map(load);
+        let mut live: Rays<f32x16> = std::array::from_fn(|g| mask(active >> (LANES * g)));
+        for g in 0..GROUPS {
+            let [x, y, z] = [groups[0][g], groups[1][g], groups[2][g]];
+            let length = x.abs() + y.abs() + z.abs();
+            live[g] &= length.is_finite() & length.simd_gt(0.0);
+        }
+        let bits = bits(&live);
+        if bits == 0 {
+            return None;
+        }
+        let first = TriangleTest::new(origin, directions.get(bits.trailing_zeros() as usize))?;
+        let (major, sign) = (first.major, first.sign);
+        let minor = minor_axes(major);
+
+        let mut coherent = f32x16::from_bits(u32x16::splat(u32::MAX));
+        let mut slope = [[f32x16::ZERO; GROUPS]; 2];
+        let mut inverse = slope;
+        let mut scale = slope[0];
+        let mut depth = slope[0];
+        let mut low = [f32x16::INFINITY; 2];
+        let mut high = [f32x16::NEG_INFINITY; 2];
+        for g in 0..GROUPS {
+            let length = groups[major][g] * f32x16::splat(sign);
+            coherent &= length.simd_gt(0.0) | !live[g];
+            scale[g] = f32x16::ONE / length;
+            depth[g] = live[g].select(f32x16::splat(limit) * length, f32x16::splat(-1.0));
+            for i in 0..2 {
+                let ratio = groups[minor[i]][g] / length;
+                slope[i][g] = live[g].select(ratio, f32x16::splat(first.slope[i]));
+                coherent &= slope[i][g].abs().simd_le(STEEPEST);
+                let steep = slope[i][g].abs().fast_max(f32x16::splat(1e-12));
+                inverse[i][g] = f32x16::ONE / steep.copysign(slope[i][g]);
+                low[i] = low[i].fast_min(slope[i][g]);
+                high[i] = high[i].fast_max(slope[i][g]);
+            }
+        }
+        if !coherent.all() {
+            return None;
+        }
+        let range = [0, 1].map(|i| [-greatest(-low[i]), greatest(high[i])]);
+        let slack = origin_error(origin);
+        let mut packet =
+            Self { origin, slack, major, sign, slope, inverse, scale, range, depth, far: 0.0 };
+        packet.update_far();
+        Some(packet)
+    }
+
+    /// To be called when `depth` has changed.
+    #[inline]
+    pub fn update_far(&mut self) {
+        let [a, b, c, d] = self.depth;
+        self.far = greatest(a.fast_max(b).fast_max(c.fast_max(d)));
+    }
+
+    /// One ray, prepared for triangles.
+    pub fn triangle_test(&self, group: usize, lane: usize) -> TriangleTest {
+        TriangleTest {
+            origin: self.origin,
+            major: self.major,
+            sign: self.sign,
+            slope: self.slope.map(|slope| slope[group].as_array()[lane]),
+            scale: self.scale[group].as_array()[lane],
+        }
+    }
+}
+
+/// What a packet looks for.
+pub trait Goal {
+    /// Takes hits at `depth` on a primitive over. To be called with hits that are nearer than
+    /// `packet.depth`, which it changes.
+    fn record(
+        &mut self,
+        packet: &mut Packet,
+        group: usize,
+        hit: f32x16,
+        depth: f32x16,
+        primitive: u32,
+    );
+}
+
+/// The nearest primitive of each ray.
+pub struct Nearest {
+    pub primitives: Rays<u32x16>,
+}
+
+impl Goal for Nearest {
+    #[inline]
+    fn record(
+        &mut self,
+        packet: &mut Packet,
+        group: usize,
+        hit: f32x16,
+        depth: f32x16,
+        primitive: u32,
+    ) {
+        packet.depth[group] = hit.select(depth, packet.depth[group]);
+        self.primitives[group] =
+            hit.to_bits().select(u32x16::splat(primitive), self.primitives[group]);
+    }
+}
+
+/// Whether anything but one primitive is in the way of each ray.
+pub struct Occlusion {
+    /// The primitive that does not count.
+    pub from: Rays<u32x16>,
+    /// All ones where something is.
+    pub occluded: Rays<f32x16>,
+}
+
+impl Goal for Occlusion {
+    #[inline]
+    fn record(
+        &mut self,
+        packet: &mut Packet,
+        group: usize,
+        hit: f32x16,
+        _: f32x16,
+        primitive: u32,
+    ) {
+        let counts = f32x16::from_bits(self.from[group].simd_ne(u32x16::splat(primitive)));
+        let hit = hit & counts;
+        self.occluded[group] |= hit;
+        packet.depth[group] = hit.select(f32x16::splat(-1.0), packet.depth[group]);
+    }
+}
+
+/// By groups of lanes.
+#[inline]
+pub fn load(values: &[f32; PACKET_RAYS]) -> Rays<f32x16> {
+    std::array::from_fn(|g| f32x16::new(std::array::from_fn(|lane| values[LANES * g + lane])))
+}
+
+/// By groups of lanes.
+#[inline]
+pub fn load_ids(ids: &[u32; PACKET_RAYS]) -> Rays<u32x16> {
+    std::array::from_fn(|g| u32x16::new(std::array::from_fn(|lane| ids[LANES * g + lane])))
+}
+
+/// A bit for each lane that is all ones.
+#[inline]
+pub fn bits(lanes: &Rays<f32x16>) -> u64 {
+    lanes
+        .iter()
+        .enumerate()
+        .fold(0, |bits, (g, lanes)| bits | u64::from(lanes.to_bitmask()) << (LANES * g))
+}
+
+/// All ones in the lanes whose bits are set.
+#[inline]
+fn mask(bits: u64) -> f32x16 {
+    const BIT: u32x16 = {
+        let mut bit = [0; LANES];
+        let mut lane = 0;
+        while lane < LANES {
+            bit[lane] = 1 << lane;
+            lane += 1;
+        }
+        u32x16::new(bit)
+    };
+    f32x16::from_bits((u32x16::splat(bits as u32) & BIT).simd_eq(BIT))
+}
+
+/// The greatest lane.
+#[inline]
+fn greatest(lanes: f32x16) -> f32 {
+    let mut lanes = lanes.to_array();
+    // By halves: no chain of 16 comparisons that wait for each other.
+    for half in [8, 4, 2, 1] {
+        for lane in 0..half {
+            lanes[lane] = lanes[lane].max(lanes[lane + half]);
+        }
+    }
+    lanes[0]
+}

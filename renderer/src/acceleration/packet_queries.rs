@@ -1,0 +1,129 @@
+//! Questions about packets.
+
+use glam::Vec3;
+use wide::{f32x16, u32x16};
+
+use super::packet::{
+    GROUPS, NO_PRIMITIVE, Nearest, Occlusion, PACKET_RAYS, Packet, PacketDirections, PacketHits,
+    bits, load_ids,
+};
+use super::packet_triangles::test_leaf;
+use super::spheres::SphereLeaf;
+use super::{Acceleration, Hit};
+
+impl Acceleration {
+    /// The nearest primitives along rays with a common origin, such as those of the camera through
+    /// a tile of 8 x 8 pixels. `active` has a bit for each ray that is wanted.
+    ///
+    /// It finds what [`nearest`](Self::nearest) finds for each ray, but for primitives that are
+    /// equally near. It is faster the closer the directions are, and no faster if no coordinate axis
+    /// is within about 60 degrees of all of them.
+    pub fn nearest_packet(
+        &self,
+        origin: Vec3,
+        directions: &PacketDirections,
+        active: u64,
+    ) -> PacketHits {
+        let mut hits = PacketHits::NONE;
+        let Some(mut packet) = Packet::new(origin, directions, active, f32::INFINITY) else {
+            for ray in rays(active) {
+                if let Some(hit) = self.nearest(origin, directions.get(ray)) {
+                    hits.set(ray, hit);
+                }
+            }
+            return hits;
+        };
+
+        let mut goal = Nearest { primitives: [u32x16::splat(NO_PRIMITIVE); GROUPS] };
+        self.triangles.visit_packet::<false>(&mut packet, |leaf, packet| {
+            test_leaf(packet, leaf, &mut goal);
+        });
+        for group in 0..GROUPS {
+            let primitives = goal.primitives[group];
+            let missed = f32x16::from_bits(primitives.simd_eq(u32x16::splat(NO_PRIMITIVE)));
+            let distance = packet.depth[group] * packet.scale[group];
+            let distance = missed.select(f32x16::INFINITY, distance);
+            let range = 16 * group..16 * (group + 1);
+            hits.distance[range.clone()].copy_from_slice(distance.as_array());
+            hits.primitive[range].copy_from_slice(primitives.as_array());
+        }
+        self.spheres.visit_packet::<false>(&mut packet, |leaf, packet| {
+            test_sphere(packet, directions, leaf, |ray, distance, leaves| {
+                hits.set(ray, Hit { primitive: leaf.id, distance, leaves });
+                true
+            });
+        });
+        hits
+    }
+
+    /// Which rays with a common origin meet anything but one primitive each, `from`, before `limit`,
+    /// which is in lengths of their directions; a bit for each. [`NO_PRIMITIVE`] lets every
+    /// primitive count. `active` has a bit for each ray that is wanted.
+    ///
+    /// It serves shadows of a point light: rays start at the light, directions reach from there to
+    /// the surface points, `from` is what these lie on, and `limit` is 1. Seen from the light the
+    /// rays are coherent, seen from the surface they are not. Shorten the directions by the error of
+    /// the surface points, or move these points off the surface by it.
+    pub fn occluded_packet(
+        &self,
+        origin: Vec3,
+        directions: &PacketDirections,
+        limit: f32,
+        from: &[u32; PACKET_RAYS],
+        active: u64,
+    ) -> u64 {
+        let Some(mut packet) = Packet::new(origin, directions, active, limit) else {
+            let occluded = |ray: &usize| {
+                let from = Some(from[*ray]).filter(|&from| from != NO_PRIMITIVE);
+                self.is_occluded(origin, directions.get(*ray), limit, from)
+            };
+            return rays(active).filter(occluded).fold(0, |bits, ray| bits | 1 << ray);
+        };
+
+        let mut goal = Occlusion { from: load_ids(from), occluded: [f32x16::ZERO; GROUPS] };
+        self.triangles.visit_packet::<true>(&mut packet, |leaf, packet| {
+            test_leaf(packet, leaf, &mut goal);
+        });
+        let mut occluded = bits(&goal.occluded);
+        self.spheres.visit_packet::<true>(&mut packet, |leaf, packet| {
+            test_sphere(packet, directions, leaf, |ray, _, _| {
+                let counts = leaf.id != from[ray];
+                occluded |= u64::from(counts) << ray;
+                counts
+            });
+        });
+        occluded
+    }
+}
+
+/// The rays whose bits are set.
+fn rays(mut bits: u64) -> impl Iterator<Item = usize> {
+    std::iter::from_fn(move || {
+        let ray = (bits != 0).then_some(bits.trailing_zeros() as usize)?;
+        bits &= bits - 1;
+        Some(ray)
+    })
+}
+
+/// Tests a packet against a sphere. `record` takes the ray, the distance and whether the ray leaves
+/// the sphere; it returns whether the hit counts.
+fn test_sphere(
+    packet: &mut Packet,
+    directions: &PacketDirections,
+    leaf: &SphereLeaf,
+    mut record: impl FnMut(usize, f32, bool) -> bool,
+) {
+    for ray in 0..PACKET_RAYS {
+        let (group, lane) = (ray / 16, ray % 16);
+        let limit = packet.depth[group].as_array()[lane];
+        if limit < 0.0 {
+            continue;
+        }
+        let (distance, leaves) = leaf.distance(packet.origin, directions.get(ray));
+        let depth = distance / packet.scale[group].as_array()[lane];
+        if depth < limit && record(ray, distance, leaves) {
+            packet.depth[group].as_mut_array()[lane] = depth;
+        }
+    }
+    packet.update_far();
+}

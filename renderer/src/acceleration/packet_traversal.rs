@@ -1,0 +1,144 @@
+//! Traversal with a packet.
+
+use wide::{f32x8, f32x16};
+
+use super::packet::{GROUPS, Packet};
+use super::single::SLAB_ERROR;
+use super::stack::{Entry, Sorted, Stack};
+use super::tree::{Child, Kind, Leaf, Node, Tree};
+use super::triangle_test::minor_axes;
+
+/// By how much the frustum is wider than its rays, relative to depth: several rounding errors of
+/// the products that a box is tested with.
+const WIDENING: f32 = 1e-6;
+
+/// The frustum of a packet, prepared for boxes.
+struct Frustum {
+    /// Axes and origins in the order: depth, then the minor axes. The origin as seen by planes of
+    /// low coordinates, then by those of high ones.
+    axes: [usize; 3],
+    low_origin: [f32; 3],
+    high_origin: [f32; 3],
+    forward: bool,
+    /// By minor axis: the least and the greatest slope.
+    range: [[f32; 2]; 2],
+}
+
+impl Frustum {
+    fn new(packet: &Packet) -> Self {
+        let [a, b] = minor_axes(packet.major);
+        let axes = [packet.major, a, b];
+        Self {
+            axes,
+            low_origin: axes.map(|axis| packet.origin[axis] + packet.slack),
+            high_origin: axes.map(|axis| packet.origin[axis] - packet.slack),
+            forward: packet.sign > 0.0,
+            range: packet.range.map(|[low, high]| {
+                let margin = WIDENING * (1.0 + low.abs().max(high.abs()));
+                [low - margin, high + margin]
+            }),
+        }
+    }
+
+    /// The boxes of a node relative to the origin: for depth and the two minor axes the lowest and
+    /// the highest.
+    #[inline]
+    fn relative(&self, node: &Node) -> [[f32x8; 2]; 3] {
+        let mut boxes = [0, 1, 2].map(|i| {
+            let [low, high] = node.bounds[self.axes[i]];
+            [low - f32x8::splat(self.low_origin[i]), high - f32x8::splat(self.high_origin[i])]
+        });
+        if !self.forward {
+            let [low, high] = boxes[0];
+            boxes[0] = [-high, -low];
+        }
+        boxes
+    }
+
+    /// The depths at which the boxes of a node begin, and a bit for each that the frustum touches
+    /// before `far`.
+    #[inline]
+    fn enter(&self, node: &Node, far: f32) -> (f32x8, u32) {
+        let [[near, end], minor @ ..] = self.relative(node);
+        let near = near.fast_max(f32x8::ZERO);
+        let mut touched = near.simd_le(end) & near.simd_le(f32x8::splat(far));
+        for (range, [low, high]) in self.range.iter().zip(minor) {
+            let [least, greatest] = range.map(f32x8::splat);
+            touched &= low.simd_le((greatest * near).fast_max(greatest * end));
+            touched &= high.simd_ge((least * near).fast_min(least * end));
+        }
+        (near, touched.to_bitmask() & node.mask)
+    }
+
+    /// Whether any ray enters one of the boxes of a node.
+    #[inline]
+    fn any_ray_enters(&self, packet: &Packet, node: &Node, slot: usize) -> bool {
+        let mut boxes = [0, 1, 2].map(|i| {
+            let [low, high] = &node.bounds[self.axes[i]];
+            [low.as_array()[slot] - self.low_origin[i], high.as_array()[slot] - self.high_origin[i]]
+        });
+        if !self.forward {
+            let [low, high] = boxes[0];
+            boxes[0] = [-high, -low];
+        }
+        let [[near, end], [a_low, a_high], [b_low, b_high]] =
+            boxes.map(|bounds| bounds.map(f32x16::splat));
+        let near = near.fast_max(f32x16::ZERO);
+        (0..GROUPS).any(|g| {
+            let [a, b] = [packet.inverse[0][g], packet.inverse[1][g]];
+            let (a0, a1, b0, b1) = (a_low * a, a_high * a, b_low * b, b_high * b);
+            let entered = near.fast_max(a0.fast_min(a1)).fast_max(b0.fast_min(b1));
+            let left = end.fast_min(a0.fast_max(a1)).fast_min(b0.fast_max(b1));
+            let left = (left * f32x16::splat(1.0 + SLAB_ERROR)).fast_min(packet.depth[g]);
+            entered.simd_le(left).any()
+        })
+    }
+}
+
+impl<L: Leaf> Tree<L> {
+    /// Visits every leaf whose box is entered by a ray before its depth, near ones first. A visit
+    /// may lower `packet.depth`. `SPARSE` says that the rays may fill the frustum badly, so that
+    /// it pays to test inner boxes against them too.
+    pub fn visit_packet<const SPARSE: bool>(
+        &self,
+        packet: &mut Packet,
+        mut visit: impl FnMut(&L, &mut Packet),
+    ) {
+        if self.nodes.is_empty() {
+            return;
+        }
+        let frustum = Frustum::new(packet);
+        let mut stack = Stack::new();
+        let mut current = Child::node(0);
+        loop {
+            match current.kind() {
+                Kind::Leaf(leaf) => {
+                    visit(&self.leaves[leaf], packet);
+                    if packet.far < 0.0 {
+                        return;
+                    }
+                }
+                Kind::Node(index) => {
+                    let (near, bits) = frustum.enter(&self.nodes[index], packet.far);
+                    let sorted = Sorted::new(bits, |slot| Entry {
+                        near: near.as_array()[slot],
+                        target: (8 * index + slot) as u32,
+                    });
+                    sorted.as_slice().iter().for_each(|&entry| stack.push(entry));
+                }
+            }
+            current = loop {
+                let Some(entry) = stack.pop() else { return };
+                if entry.near > packet.far {
+                    continue;
+                }
+                let (index, slot) = (entry.target as usize / 8, entry.target as usize % 8);
+                let node = &self.nodes[index];
+                let child = node.children[slot];
+                if !(SPARSE || child.is_leaf()) || frustum.any_ray_enters(packet, node, slot) {
+                    break child;
+                }
+            };
+        }
+    }
+}

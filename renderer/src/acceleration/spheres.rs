@@ -1,0 +1,64 @@
+//! Spheres.
+
+use glam::Vec3;
+use obvhs::aabb::Aabb;
+
+use super::Shape;
+use super::bounds::bounds;
+use super::tree::Leaf;
+
+/// A sphere, alone in its leaf.
+pub struct SphereLeaf {
+    /// The index that the user knows it by.
+    pub id: u32,
+    pub center: Vec3,
+    pub radius: f32,
+}
+
+impl SphereLeaf {
+    /// The distance at which a ray enters or, from inside, leaves the sphere, in lengths of its
+    /// direction, and whether it leaves it; infinite if it misses it.
+    pub fn distance(&self, origin: Vec3, direction: Vec3) -> (f32, bool) {
+        sphere_distance(origin, direction, self.center, self.radius)
+    }
+}
+
+impl Leaf for SphereLeaf {
+    const CAPACITY: usize = 1;
+
+    fn new(members: &[u32]) -> Self {
+        Self { id: members[0], center: Vec3::ZERO, radius: 0.0 }
+    }
+
+    fn load(&mut self, shapes: &[Shape]) -> bool {
+        let Shape::Sphere(center, radius) = shapes[self.id as usize] else { return false };
+        (self.center, self.radius) = (center, radius);
+        true
+    }
+
+    fn bounds(&self) -> Aabb {
+        bounds(&Shape::Sphere(self.center, self.radius))
+    }
+}
+
+/// See [`SphereLeaf::distance`]. Computed in double precision: a sphere that is small or far would
+/// lose its edge in single.
+pub fn sphere_distance(origin: Vec3, direction: Vec3, center: Vec3, radius: f32) -> (f32, bool) {
+    let (direction, radius) = (direction.as_dvec3(), f64::from(radius));
+    let from_center = origin.as_dvec3() - center.as_dvec3();
+    let along = -from_center.dot(direction) / direction.length_squared();
+    let offset = from_center + direction * along;
+    let discriminant = radius * radius - offset.length_squared();
+    if discriminant < 0.0 {
+        return (f32::INFINITY, false);
+    }
+    let half_chord = (discriminant / direction.length_squared()).sqrt();
+    let (near, far) = (along - half_chord, along + half_chord);
+    if near > 0.0 {
+        (near as f32, false)
+    } else if far > 0.0 {
+        (far as f32, true)
+    } else {
+        (f32::INFINITY, false)
+    }
+}
