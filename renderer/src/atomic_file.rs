@@ -18,15 +18,31 @@ use crate::Error;
 ///
 /// If the file cannot be written; the place is `path`. Nothing of the attempt is left.
 pub fn write_atomically(path: &Path, bytes: &[u8]) -> Result<(), Error> {
+    check_writable(path)?;
+    replace(path, bytes)
+        .map_err(|error| Error::new(path.display(), format_args!("cannot be written: {error}")))
+}
+
+/// Whether there may be a file at `path`: the folder exists, and `path` is none itself.
+///
+/// # Errors
+///
+/// If not; the place is `path`.
+pub fn check_writable(path: &Path) -> Result<(), Error> {
     if path.is_dir() {
         return Err(Error::new(path.display(), "is a directory, not a file"));
     }
-    replace(path, bytes).map_err(|error| match error.kind() {
-        io::ErrorKind::NotFound => {
-            Error::new(path.display(), "the folder to write it to does not exist")
-        }
-        _ => Error::new(path.display(), format_args!("cannot be written: {error}")),
-    })
+    if !folder_of(path).is_dir() {
+        return Err(Error::new(path.display(), "the folder to write it to does not exist"));
+    }
+    Ok(())
+}
+
+fn folder_of(path: &Path) -> &Path {
+    match path.parent() {
+        Some(parent) if !parent.as_os_str().is_empty() => parent,
+        _ => Path::new("."),
+    }
 }
 
 fn replace(path: &Path, bytes: &[u8]) -> io::Result<()> {
@@ -55,11 +71,7 @@ fn replace(path: &Path, bytes: &[u8]) -> io::Result<()> {
 /// Makes the rename itself last: on Unix a directory is flushed like a file.
 #[cfg(unix)]
 fn sync_folder(path: &Path) -> io::Result<()> {
-    let folder = match path.parent() {
-        Some(parent) if !parent.as_os_str().is_empty() => parent,
-        _ => Path::new("."),
-    };
-    match File::open(folder)?.sync_all() {
+    match File::open(folder_of(path))?.sync_all() {
         // Some network file systems cannot flush a directory; the file itself is in place.
         Err(error) if error.kind() == io::ErrorKind::InvalidInput => Ok(()),
         result => result,

@@ -5,6 +5,7 @@ use std::path::Path;
 use glam::DVec3;
 
 use super::optimize::{recover, report};
+use super::output::print;
 use crate::Error;
 use crate::demo::demo_experiment;
 use crate::optimize::CHECKPOINT_FILE;
@@ -20,25 +21,25 @@ pub(super) fn run(precision: Precision) -> Result<(), Error> {
             .map_err(|error| Error::new(checkpoint.display(), error))?;
     }
 
-    println!("Recovering the light of a scene from one image of it.");
+    print("Recovering the light of a scene from one image of it.")?;
     let experiment = demo_experiment()?;
     let recovery = Recovery::new(&experiment, "the embedded demo", precision)?;
     let outcome = recover(&experiment, &recovery, out, false, precision)?;
-    report(&recovery, &outcome, out);
+    print(report(&recovery, &outcome, out))?;
 
     let truth: Vec<f64> =
         recovery.variables().iter().flat_map(|v| v.target.clone().unwrap_or_default()).collect();
     let true_light = incident_light(&recovery.scene_at(&truth));
     let found_light = incident_light(&recovery.scene_at(&outcome.best.x));
     if let (Some(truth), Some(found)) = (true_light, found_light) {
-        println!(
+        print(format_args!(
             "At the tree: direction of the light {:.3} degrees off, irradiance {:.3} % off.",
             truth.0.angle_between(found.0).to_degrees(),
             (found.1 / truth.1 - 1.0).abs() * 100.0
-        );
-        println!(
-            "(From afar, a light twice as distant and four times as strong looks the same: these two are what the image tells best.)"
-        );
+        ))?;
+        print(
+            "(From afar, a light twice as distant and four times as strong looks the same: these two are what the image tells best.)",
+        )?;
     }
     Ok(())
 }

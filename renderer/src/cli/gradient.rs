@@ -3,7 +3,8 @@
 use ad::check;
 use serde_json::{Map, Value};
 
-use super::{Problem, json_numbers, short};
+use super::Problem;
+use super::output::{json_numbers, print, short};
 use crate::Error;
 use crate::optimize::Evaluation;
 use crate::recovery::{Precision, Recovery, natural_scale};
@@ -31,7 +32,7 @@ pub(super) fn run(arguments: &Arguments, precision: Precision) -> Result<(), Err
     let place = arguments.problem.scene.display().to_string();
     let recovery = Recovery::new(&experiment, &place, precision)?;
     let scene = &experiment.scene;
-    let Evaluation { loss, gradient } = recovery.evaluate();
+    let Evaluation { loss, gradient } = recovery.evaluate()?;
 
     let mut rest = &gradient[..];
     let blocks: Vec<_> = recovery
@@ -47,21 +48,23 @@ pub(super) fn run(arguments: &Arguments, precision: Precision) -> Result<(), Err
         let entry =
             |(id, block)| (scene.path(id).to_string(), json_numbers(block, &scene.shape(id)));
         let object: Map<String, Value> = blocks.into_iter().map(entry).collect();
-        println!("{:#}", Value::Object(object));
-        return Ok(());
+        return print(format_args!("{:#}", Value::Object(object)));
     }
 
-    println!("loss {}", short(loss));
+    print(format_args!("loss {}", short(loss)))?;
     let mut missed = false;
     for (id, block) in blocks {
-        println!("{}", scene.path(id));
+        print(scene.path(id))?;
         if !arguments.check {
             for (i, value) in block.iter().enumerate() {
-                println!("  {:>12}  {}", position(scene, id, i), short(*value));
+                print(format_args!("  {:>12}  {}", position(scene, id, i), short(*value)))?;
             }
             continue;
         }
-        println!("  {:>12}  {:>13}  {:>18}  {:>9}", "", "gradient", "finite difference", "off by");
+        print(format_args!(
+            "  {:>12}  {:>13}  {:>18}  {:>9}",
+            "", "gradient", "finite difference", "off by"
+        ))?;
         let largest = block.iter().fold(0.0_f64, |largest, value| largest.max(value.abs()));
         let stride = block.len().div_ceil(MOST_CHECKED);
         for (i, &value) in block.iter().enumerate().step_by(stride) {
@@ -71,22 +74,22 @@ pub(super) fn run(arguments: &Arguments, precision: Precision) -> Result<(), Err
             let error =
                 (value - expected).abs() / expected.abs().max(largest).max(f64::MIN_POSITIVE);
             missed |= error > 1e-3 && id.differentiability() == Differentiability::Interior;
-            println!(
+            print(format_args!(
                 "  {:>12}  {:>13}  {:>18}  {:>9.1e}",
                 position(scene, id, i),
                 short(value),
                 short(expected),
                 error
-            );
+            ))?;
         }
         if stride > 1 {
-            println!("  (every {stride}th of {} numbers)", block.len());
+            print(format_args!("  (every {stride}th of {} numbers)", block.len()))?;
         }
     }
     if missed {
-        println!(
-            "Finite differences also see silhouettes and shadow edges move; the gradient holds the interior term only."
-        );
+        print(
+            "Finite differences also see silhouettes and shadow edges move; the gradient holds the interior term only.",
+        )?;
     }
     Ok(())
 }

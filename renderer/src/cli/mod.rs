@@ -3,6 +3,8 @@
 mod demo;
 mod gradient;
 mod optimize;
+mod out_folder;
+mod output;
 mod params;
 mod render;
 
@@ -10,6 +12,7 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
+use output::print_error;
 
 use crate::Error;
 use crate::experiment::{Experiment, Target, TunedParameter};
@@ -26,7 +29,7 @@ struct Arguments {
     command: Option<Command>,
 
     /// Threads to use [default: one for each core]
-    #[arg(long, global = true, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
+    #[arg(long, global = true, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=MOST_THREADS))]
     threads: Option<u16>,
 
     /// The scalar that the kernels compute in
@@ -101,13 +104,16 @@ impl Problem {
     }
 }
 
+/// The most threads: far more than help, and few enough to start.
+const MOST_THREADS: i64 = 1024;
+
 /// Runs the command line of this process.
 pub fn main() -> ExitCode {
     let arguments = Arguments::parse();
     match run(&arguments) {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {
-            eprintln!("error: {error}");
+            print_error(&error);
             ExitCode::from(2)
         }
     }
@@ -136,42 +142,4 @@ fn run(arguments: &Arguments) -> Result<(), Error> {
 /// The name of a file without folder and extension, to name results after.
 fn stem(path: &Path) -> String {
     path.file_stem().map_or_else(|| "scene".into(), |stem| stem.to_string_lossy().into_owned())
-}
-
-/// Numbers as people read them: at most a handful, six digits each.
-fn abbreviate(values: &[f64]) -> String {
-    const MOST: usize = 6;
-    let shown: Vec<_> = values.iter().take(MOST).map(|value| short(*value)).collect();
-    let more = if values.len() > MOST { ", .." } else { "" };
-    match values.len() {
-        1 => shown[0].clone(),
-        _ => format!("[{}{more}]", shown.join(", ")),
-    }
-}
-
-/// A number with six significant digits.
-fn short(value: f64) -> String {
-    // An exact zero may carry a sign from the reverse sweep, which means nothing to a reader.
-    if value == 0.0 {
-        return "0".into();
-    }
-    let magnitude = value.abs().log10().floor();
-    if !(-4.0..7.0).contains(&magnitude) {
-        return format!("{value:.5e}");
-    }
-    let decimals = (5.0 - magnitude).max(0.0) as usize;
-    let text = format!("{value:.decimals$}");
-    match text.contains('.') {
-        true => text.trim_end_matches('0').trim_end_matches('.').into(),
-        false => text,
-    }
-}
-
-/// The numbers of a parameter as JSON: a number, a list, or a list of points.
-fn json_numbers(values: &[f64], shape: &[usize]) -> serde_json::Value {
-    match shape {
-        [] => values.first().copied().into(),
-        [_, width] => values.chunks(*width).map(|row| json_numbers(row, &[*width])).collect(),
-        _ => values.iter().copied().collect(),
-    }
 }

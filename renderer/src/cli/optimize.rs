@@ -5,11 +5,15 @@ use std::time::Duration;
 
 use serde_json::Map;
 
-use super::{Problem, abbreviate, short, stem};
+use super::out_folder::check_out_folder;
+use super::output::{abbreviate, print, short};
+use super::{Problem, stem};
 use crate::Error;
-use crate::experiment::Experiment;
+use crate::experiment::{Experiment, Target};
 use crate::files::{save_png, save_scene};
-use crate::optimize::{Checkpointing, Optimization, Outcome, Start, progress, write_report};
+use crate::optimize::{
+    Checkpointing, Optimization, Outcome, Quiet, Settings, Start, progress, write_report,
+};
 use crate::recovery::{Precision, Recovery, render_at};
 
 #[derive(clap::Args)]
@@ -26,7 +30,7 @@ pub(super) struct Arguments {
     iterations: Option<u64>,
 
     /// Stop when the loss is no larger
-    #[arg(long, value_name = "X")]
+    #[arg(long, value_name = "X", value_parser = tolerance)]
     tolerance: Option<f64>,
 
     /// Continue a run that was interrupted
@@ -42,11 +46,22 @@ pub(super) fn run(arguments: &Arguments, precision: Precision) -> Result<(), Err
     }
     let scene_path = &arguments.problem.scene;
     let out = arguments.out.clone().unwrap_or_else(|| Path::new("out").join(stem(scene_path)));
+    let section = experiment.optimize.as_ref();
+    let target = match section.and_then(|section| section.target.as_ref()) {
+        Some(Target::Image(path)) => Some(path.as_path()),
+        _ => None,
+    };
+    check_out_folder(&out, [Some(scene_path.as_path()), target].into_iter().flatten())?;
     let place = scene_path.display().to_string();
     let recovery = Recovery::new(&experiment, &place, precision)?;
     let outcome = recover(&experiment, &recovery, &out, arguments.resume, precision)?;
-    report(&recovery, &outcome, &out);
-    Ok(())
+    print(report(&recovery, &outcome, &out))
+}
+
+/// A loss to reach: a number, 0 or more.
+fn tolerance(text: &str) -> Result<f64, String> {
+    let value: f64 = text.parse().map_err(|_| "not a number".to_owned())?;
+    if value >= 0.0 { Ok(value) } else { Err("must be 0 or more".to_owned()) }
 }
 
 /// Optimises, and leaves everything about it in the folder `out`.
@@ -65,12 +80,11 @@ pub(super) fn recover(
         problem: recovery.fingerprint(),
     });
 
-    // Whatever is wrong shows before anything is written.
-    let beginning = Optimization::start(recovery.variables(), &settings)?.beginning();
-    match beginning {
-        Start::Fresh => {}
-        Start::Resumed { iteration } => eprintln!("continuing after iteration {iteration}"),
-        Start::Finished { iteration } => eprintln!("had finished after iteration {iteration}"),
+    // Whatever is wrong shows before anything is written: the settings, the checkpoint, and a loss
+    // or a gradient that is not finite.
+    if Optimization::start(recovery.variables(), &settings)?.beginning() == Start::Fresh {
+        let only_evaluate = Settings { iterations: 0, checkpointing: None, ..settings.clone() };
+        recovery.run(&only_evaluate, &mut Quiet)?;
     }
     std::fs::create_dir_all(out)
         .map_err(|error| Error::new(out.display(), format_args!("cannot be made: {error}")))?;
@@ -91,17 +105,18 @@ pub(super) fn recover(
     Ok(outcome)
 }
 
-/// What was found, on standard output.
-pub(super) fn report(recovery: &Recovery<'_>, outcome: &Outcome, out: &Path) {
+/// What was found.
+pub(super) fn report(recovery: &Recovery<'_>, outcome: &Outcome, out: &Path) -> String {
+    let mut lines = Vec::new();
     let mut x = &outcome.best.x[..];
     for variable in recovery.variables() {
         let (found, rest) = x.split_at(variable.initial.len());
         x = rest;
-        println!("{}", variable.path);
-        println!("  initial    {}", abbreviate(&variable.initial));
-        println!("  recovered  {}", abbreviate(found));
+        lines.push(variable.path.clone());
+        lines.push(format!("  initial    {}", abbreviate(&variable.initial)));
+        lines.push(format!("  recovered  {}", abbreviate(found)));
         if let Some(target) = &variable.target {
-            println!("  true       {}", abbreviate(target));
+            lines.push(format!("  true       {}", abbreviate(target)));
         }
     }
     let initial = outcome.initial_loss();
@@ -110,7 +125,8 @@ pub(super) fn report(recovery: &Recovery<'_>, outcome: &Outcome, out: &Path) {
     } else {
         String::new()
     };
-    println!("loss {}{ratio}", short(outcome.best.loss));
-    println!("{}, {:.1} s", outcome.stop.detail, outcome.seconds);
-    println!("results in {}", out.display());
+    lines.push(format!("loss {}{ratio}", short(outcome.best.loss)));
+    lines.push(format!("{}, {:.1} s", outcome.stop.detail, outcome.seconds));
+    lines.push(format!("results in {}", out.display()));
+    lines.join("\n")
 }

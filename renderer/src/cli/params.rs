@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use serde_json::{Map, Value};
 
-use super::{abbreviate, json_numbers};
+use super::output::{abbreviate, json_numbers, print};
 use crate::Error;
 use crate::experiment::Experiment;
 use crate::scene::Differentiability;
@@ -29,8 +29,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Error> {
             object.insert(scene.path(id).to_string(), numbers);
         }
         object.extend(size.map(|(path, value)| (path.to_owned(), value.into())));
-        println!("{:#}", Value::Object(object));
-        return Ok(());
+        return print(format_args!("{:#}", Value::Object(object)));
     }
 
     let mut rows: Vec<[String; 4]> = Vec::new();
@@ -49,9 +48,9 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Error> {
     }
     let width = |column: usize| rows.iter().map(|row| row[column].chars().count()).max();
     let widths = [0, 1, 2].map(|column| width(column).unwrap_or(0));
-    for [path, shape, kind, value] in &rows {
-        let [a, b, c] = widths;
-        println!("{path:a$}  {shape:>b$}  {kind:c$}  {value}");
-    }
-    Ok(())
+    let [a, b, c] = widths;
+    let lines = rows
+        .iter()
+        .map(|[path, shape, kind, value]| format!("{path:a$}  {shape:>b$}  {kind:c$}  {value}"));
+    print(lines.collect::<Vec<_>>().join("\n"))
 }

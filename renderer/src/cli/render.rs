@@ -2,9 +2,10 @@
 
 use std::path::PathBuf;
 
+use super::output::print;
 use crate::Error;
 use crate::experiment::Experiment;
-use crate::files::save_image;
+use crate::files::{check_image_path, save_image};
 use crate::recovery::{Precision, render_at};
 
 #[derive(clap::Args)]
@@ -18,8 +19,8 @@ pub(super) struct Arguments {
 }
 
 pub(super) fn run(arguments: &Arguments, precision: Precision) -> Result<(), Error> {
+    check_image_path(&arguments.output)?;
     let experiment = Experiment::load(&arguments.scene)?;
     save_image(&render_at(precision, &experiment.scene), &arguments.output)?;
-    println!("{}", arguments.output.display());
-    Ok(())
+    print(arguments.output.display())
 }

@@ -12,7 +12,7 @@ use image::{
 
 use super::io::read;
 use crate::Error;
-use crate::atomic_file::write_atomically;
+use crate::atomic_file::{check_writable, write_atomically};
 use crate::image::Image;
 
 #[cfg(test)]
@@ -98,10 +98,34 @@ pub fn save_exr(image: &Image, path: &Path) -> Result<(), Error> {
 /// If the extension is another one, the image has no area, a pixel is infinite or not a number, or
 /// the file cannot be written.
 pub fn save_image(image: &Image, path: &Path) -> Result<(), Error> {
+    match output_format(path)? {
+        OutputFormat::Png => save_png(image, path),
+        OutputFormat::Exr => save_exr(image, path),
+    }
+}
+
+/// Whether [`save_image`] could write to `path`, asked before the work that makes the image.
+///
+/// # Errors
+///
+/// If the extension is neither `png` nor `exr`, the folder does not exist, or `path` is a
+/// directory.
+pub fn check_image_path(path: &Path) -> Result<(), Error> {
+    output_format(path)?;
+    check_writable(path)
+}
+
+#[derive(Clone, Copy)]
+enum OutputFormat {
+    Png,
+    Exr,
+}
+
+fn output_format(path: &Path) -> Result<OutputFormat, Error> {
     let extension = path.extension().and_then(|e| e.to_str()).unwrap_or("").to_ascii_lowercase();
     match extension.as_str() {
-        "png" => save_png(image, path),
-        "exr" => save_exr(image, path),
+        "png" => Ok(OutputFormat::Png),
+        "exr" => Ok(OutputFormat::Exr),
         _ => Err(Error::new(
             path.display(),
             "images are written as .png (8 bit sRGB) or .exr (linear float)",

@@ -8,6 +8,6 @@ mod io;
 pub mod obj;
 pub(crate) mod scene_file;
 
-pub use images::{LoadedImage, load_image, save_exr, save_image, save_png};
+pub use images::{LoadedImage, check_image_path, load_image, save_exr, save_image, save_png};
 pub use obj::{Mesh, Model, load_obj, save_obj};
 pub use scene_file::{save_experiment, save_scene};

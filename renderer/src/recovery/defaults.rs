@@ -1,13 +1,26 @@
 //! Bounds and learning rates for who gives none.
 
+use std::f64::consts::PI;
+
 use glam::DVec3;
 
 use crate::experiment::TunedParameter;
 use crate::optimize::Variable;
-use crate::scene::{ParameterId, Scene};
+use crate::scene::{Light, ParameterId, Scene};
 
-/// The part of an Adam step in the scale of the parameter.
-const RELATIVE_RATE: f64 = 0.02;
+/// The first Adam step of a parameter, in its natural scale.
+///
+/// Large enough to get anywhere within the default number of iterations; the steps get smaller
+/// where the gradient does. Camera and vertices have to be close to begin with, because only the
+/// interior term of their gradient is known; so they take their time.
+fn relative_rate(id: ParameterId) -> f64 {
+    use ParameterId::*;
+    match id {
+        LookFrom | LookAt | Up | Vfov | Focus | Vertices(_) => 0.01,
+        LightPosition(_) | LightDirection(_) | LightColor(_) | LightIntensity(_) | Ambient(_)
+        | Diffuse(_) | Specular(_) | Exponent(_) | SphereCenter(_) | SphereRadius(_) => 0.04,
+    }
+}
 
 /// The variable for a parameter.
 pub(super) fn variable(
@@ -20,7 +33,7 @@ pub(super) fn variable(
     let rate = tuned
         .learning_rate
         .or(common_rate)
-        .unwrap_or_else(|| RELATIVE_RATE * natural_scale(scene, tuned.id));
+        .unwrap_or_else(|| relative_rate(tuned.id) * natural_scale(scene, tuned.id));
     let mut variable = Variable::new(scene.path(tuned.id).to_string(), initial, rate);
     let (low, high) = domain(tuned.id);
     variable = variable.bounded(low, high);
@@ -38,7 +51,7 @@ pub(super) fn variable(
 /// The values for which a parameter means something, ends included.
 fn domain(id: ParameterId) -> (f64, f64) {
     use ParameterId::*;
-    let above_zero = (1e-30, f64::INFINITY);
+    let above_zero = (1e-18, f64::INFINITY);
     match id {
         Vfov => (1e-3, 179.999),
         Focus | SphereRadius(_) => above_zero,
@@ -50,36 +63,50 @@ fn domain(id: ParameterId) -> (f64, f64) {
     }
 }
 
-/// A change of a parameter that changes the image a lot: distances count in the distance from the
-/// camera to what it looks at, vertices and centres in the size of the scene.
+/// A change of a parameter that changes the image a lot.
+///
+/// - The camera turns or zooms by a part of its view; a light or the camera moves by a part of its
+///   distance; a sphere by a part of its radius, vertices by a part of an edge of their mesh.
+/// - Reflectances change by 1.
+/// - A light changes as much as it takes to bring the irradiance 1 to what the camera looks at, or,
+///   if it is stronger than that already, by what it is.
 pub fn natural_scale(scene: &Scene, id: ParameterId) -> f64 {
     use ParameterId::*;
     let parameters = &scene.parameters;
     let size = parameters.get(id).iter().fold(0.0_f64, |size, value| size.max(value.abs()));
     let camera = &parameters.camera;
     let view = camera.look_from.distance(camera.look_at);
+    let from_light = |i: usize| match &parameters.lights[i] {
+        Light::Point(light) => light.position.distance(camera.look_at),
+        Light::Distant(_) => view,
+    };
     match id {
-        LookFrom | LookAt => view,
-        LightPosition(_) => size.max(view),
-        Up | LightDirection(_) | Vfov | Focus | LightIntensity(_) | Exponent(_)
-        | SphereRadius(_) => positive_or_one(size),
+        LookFrom => view,
+        LookAt => view * (0.5 * camera.vfov).to_radians().tan() * camera.focus,
+        LightPosition(i) => positive_or(from_light(i), view),
+        LightIntensity(i) => match &parameters.lights[i] {
+            Light::Point(_) => size.max(4.0 * PI * from_light(i).powi(2)),
+            Light::Distant(_) => size.max(1.0),
+        },
+        Exponent(_) => size.max(10.0),
+        Up | LightDirection(_) | Vfov | Focus => size,
         LightColor(_) | Ambient(_) | Diffuse(_) | Specular(_) => 1.0,
-        SphereCenter(_) | Vertices(_) => positive_or_one(extent(scene)) * 0.1,
+        SphereCenter(i) => parameters.spheres[i].radius,
+        SphereRadius(_) => size,
+        Vertices(i) => {
+            positive_or(mean_edge(&scene.meshes[i].triangles, &parameters.vertices[i]), view)
+        }
     }
 }
 
-fn positive_or_one(size: f64) -> f64 {
-    if size > 0.0 { size } else { 1.0 }
+fn positive_or(size: f64, other: f64) -> f64 {
+    if size > 0.0 { size } else { other }
 }
 
-/// The diagonal of the box around all geometry.
-fn extent(scene: &Scene) -> f64 {
-    let vertices = scene.parameters.vertices.iter().flatten().map(|&v| DVec3::from(v));
-    let corners = vertices.map(|v| (v, v));
-    let spheres = scene.parameters.spheres.iter();
-    let spheres = spheres.map(|s| (s.center - s.radius, s.center + s.radius));
-    corners
-        .chain(spheres)
-        .reduce(|(low, high), (a, b)| (low.min(a), high.max(b)))
-        .map_or(0.0, |(low, high)| low.distance(high))
+/// The mean length of the edges of a mesh.
+fn mean_edge(triangles: &[[u32; 3]], vertices: &[[f64; 3]]) -> f64 {
+    let vertex = |i: u32| DVec3::from_array(vertices[i as usize]);
+    let edges = triangles.iter().flat_map(|&[a, b, c]| [(a, b), (b, c), (c, a)]);
+    let total: f64 = edges.map(|(a, b)| vertex(a).distance(vertex(b))).sum();
+    total / (3 * triangles.len().max(1)) as f64
 }

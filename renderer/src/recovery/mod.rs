@@ -174,9 +174,28 @@ impl<'a> Recovery<'a> {
     }
 
     /// Loss and gradient at the scene as it stands.
-    pub fn evaluate(&self) -> Evaluation {
+    ///
+    /// # Errors
+    ///
+    /// If one of them is not finite.
+    pub fn evaluate(&self) -> Result<Evaluation, Error> {
         let x: Vec<f64> = self.variables.iter().flat_map(|v| v.initial.clone()).collect();
-        at_precision!(self.precision, S => ImageObjective::<S>::new(self).evaluate(&x))
+        let evaluation =
+            at_precision!(self.precision, S => ImageObjective::<S>::new(self).evaluate(&x));
+        let Evaluation { loss, gradient } = &evaluation;
+        if !loss.is_finite() {
+            return Err(Error::new("loss", format_args!("is {loss}, not a finite number")));
+        }
+        let mut rest = &gradient[..];
+        for variable in &self.variables {
+            let (block, others) = rest.split_at(variable.initial.len());
+            rest = others;
+            if let Some(value) = block.iter().find(|value| !value.is_finite()) {
+                let problem = format!("the gradient is {value}, not a finite number");
+                return Err(Error::new(&variable.path, problem));
+            }
+        }
+        Ok(evaluation)
     }
 
     /// The loss in double precision with one element of one parameter changed, for finite

@@ -16,15 +16,17 @@ const VFOV: f64 = 45.0;
 const TOWARDS_CAMERA: DVec3 = DVec3::new(1.0, 0.7, 1.6);
 /// The room left around the object.
 const MARGIN: f64 = 1.05;
-/// The irradiance at the centre of the object.
-const IRRADIANCE: f64 = 1.5;
+/// The irradiance where the sphere around the object is closest to the light: one at which the
+/// default albedo 0.7 stays below 1, white.
+const IRRADIANCE: f64 = 1.4;
 
 impl Scene {
     /// Gives the scene a camera and a light, `key`, that fit its vertices and spheres.
     ///
     /// The camera looks at the centre of the bounding box from the front, to the right of and above
     /// it, such that the sphere around all vertices fits the square image. The light stands above
-    /// the camera; a surface at the centre that faces it receives an irradiance of 1.5.
+    /// the camera; where that sphere is closest to it, a surface that faces it receives an
+    /// irradiance of 1.4, the most that any surface can.
     pub(crate) fn frame(&mut self) {
         let (center, radius) = self.bounding_sphere();
         // A sphere fits a cone of this half angle when it touches the cone's side.
@@ -36,7 +38,7 @@ impl Scene {
             Camera { look_from, look_at: center, up: DVec3::Y, vfov: VFOV, focus: 1.0 };
 
         let position = look_from + DVec3::Y * (0.5 * distance);
-        let intensity = IRRADIANCE * 4.0 * PI * position.distance_squared(center);
+        let intensity = IRRADIANCE * 4.0 * PI * (position.distance(center) - radius).powi(2);
         self.light_names = vec!["key".to_owned()];
         self.parameters.lights =
             vec![Light::Point(PointLight { position, color: DVec3::ONE, intensity })];
@@ -94,9 +96,13 @@ mod tests {
                 let Light::Point(light) = &scene.parameters.lights[0] else {
                     panic!("a point light");
                 };
-                let distance = light.position.distance(camera.look_at);
-                let irradiance = light.intensity / (4.0 * PI * distance * distance);
-                assert!((irradiance - 1.5).abs() < 1e-9, "{irradiance}");
+                let irradiance = |point: DVec3| {
+                    light.intensity / (4.0 * PI * light.position.distance_squared(point))
+                };
+                let vertices = scene.parameters.vertices[0].iter();
+                let brightest = vertices.map(|&v| irradiance(v.into())).fold(0.0, f64::max);
+                assert!(0.7 * brightest < 1.0, "{brightest}");
+                assert!(0.7 * irradiance(camera.look_at) > 0.4);
                 assert!(light.position.y > camera.look_from.y);
             }
         }

@@ -4,6 +4,8 @@ use super::{ParameterId, Scene};
 
 /// How many paths a message lists at most.
 const LISTED: usize = 8;
+/// So many letters tell at least the kind of an object.
+const TELLING: usize = 3;
 
 impl Scene {
     /// The parameter that a path names.
@@ -15,19 +17,12 @@ impl Scene {
         if let Some(id) = self.parameter(path) {
             return Ok(id);
         }
+        if ["camera.width", "camera.height"].contains(&path) {
+            return Err(format!("`{path}` counts pixels: it cannot be differentiated by or vary"));
+        }
         let paths = self.parameter_ids().into_iter().map(|id| self.path(id).to_string());
-        // The longest common beginning tells what the person meant: the object, or only its kind.
-        let common =
-            |other: &str| path.bytes().zip(other.bytes()).take_while(|(a, b)| a == b).count();
-        let mut paths: Vec<(usize, String)> = paths.map(|p| (common(&p), p)).collect();
-        paths.sort_by_key(|(common, _)| std::cmp::Reverse(*common));
-        let longest = paths.first().map_or(0, |(common, _)| *common);
-        let close: Vec<&str> = paths
-            .iter()
-            .filter(|(common, _)| *common == longest && longest > 0)
-            .map(|(_, p)| p.as_str())
-            .take(LISTED)
-            .collect();
+        let paths: Vec<String> = paths.collect();
+        let close = closest(path, &paths);
         Err(if close.is_empty() {
             format!(
                 "no parameter `{path}`: paths begin with camera, light, material, sphere or mesh"
@@ -36,6 +31,41 @@ impl Scene {
             format!("no parameter `{path}`; closest: {}", close.join(", "))
         })
     }
+}
+
+/// Those of `paths` that someone may have meant by `path`: a slip of the keyboard; else the part of
+/// a path; else the object, or only its kind, at the beginning.
+fn closest<'a>(path: &str, paths: &'a [String]) -> Vec<&'a str> {
+    let listed = |is_close: &dyn Fn(&str) -> bool| -> Vec<&'a str> {
+        paths.iter().map(String::as_str).filter(|other| is_close(other)).take(LISTED).collect()
+    };
+    let fewest_slips = paths.iter().map(|other| edit_distance(path, other)).min().unwrap_or(0);
+    if fewest_slips <= path.len() / 5 {
+        return listed(&|other| edit_distance(path, other) == fewest_slips);
+    }
+    let with_part = listed(&|other| path.len() >= TELLING && other.contains(path));
+    if !with_part.is_empty() {
+        return with_part;
+    }
+    let common = |other: &str| path.bytes().zip(other.bytes()).take_while(|(a, b)| a == b).count();
+    let longest = paths.iter().map(|other| common(other)).max().unwrap_or(0);
+    if longest < TELLING { Vec::new() } else { listed(&|other| common(other) == longest) }
+}
+
+/// How many letters have to be inserted, removed or replaced (Levenshtein).
+fn edit_distance(a: &str, b: &str) -> usize {
+    let b: Vec<char> = b.chars().collect();
+    let mut row: Vec<usize> = (0..=b.len()).collect();
+    for (i, letter) in a.chars().enumerate() {
+        let mut diagonal = row[0];
+        row[0] = i + 1;
+        for (j, other) in b.iter().enumerate() {
+            let replaced = diagonal + usize::from(letter != *other);
+            diagonal = row[j + 1];
+            row[j + 1] = replaced.min(row[j] + 1).min(diagonal + 1);
+        }
+    }
+    row[b.len()]
 }
 
 #[cfg(test)]
@@ -51,6 +81,21 @@ mod tests {
             scene.find_parameter("light.key.positon").unwrap_err(),
             "no parameter `light.key.positon`; closest: light.key.position"
         );
+        assert_eq!(
+            scene.find_parameter("lights.kye.intensity").unwrap_err(),
+            "no parameter `lights.kye.intensity`; closest: light.key.intensity"
+        );
+        assert_eq!(
+            scene.find_parameter("exponent").unwrap_err(),
+            "no parameter `exponent`; closest: material.bark.exponent, material.leaves.exponent"
+        );
+        assert_eq!(
+            scene.find_parameter("light.key.size").unwrap_err(),
+            "no parameter `light.key.size`; closest: light.key.position, light.key.color, \
+             light.key.intensity"
+        );
+        let error = scene.find_parameter("camera.width").unwrap_err();
+        assert!(error.contains("cannot be differentiated"), "{error}");
         let error = scene.find_parameter("x").unwrap_err();
         assert!(error.contains("paths begin with camera"), "{error}");
     }

@@ -43,6 +43,8 @@ pub(crate) fn load_obj_scene(path: &Path) -> Result<Scene, Error> {
     let indices: Result<Vec<u32>, Error> = materials.iter().map(|m| table.add(m)).collect();
     add_meshes(&mut scene, meshes, &indices?);
     table.move_into(&mut scene);
+    // First the mesh by itself: what is wrong with it would show in the camera too.
+    scene.validate(path.display())?;
     scene.frame();
     scene.validate(path.display())?;
     Ok(scene)

@@ -29,7 +29,10 @@ pub use write::{save_experiment, save_scene};
 pub(crate) fn load(path: &Path) -> Result<Experiment, Error> {
     let text = String::from_utf8(read_bytes(path)?).map_err(|error| {
         let position = error.utf8_error().valid_up_to();
-        Error::new(path.display(), format!("is not UTF-8 text: byte {position} is no character"))
+        let problem = format!(
+            "is neither a scene file (TOML) nor an .obj: byte {position} is not UTF-8 text"
+        );
+        Error::new(path.display(), problem)
     })?;
     let folder = path.parent().unwrap_or(Path::new(""));
     parse(&text, folder, &path.display().to_string())

@@ -92,6 +92,15 @@ fn tuned_parameter(entry: &ParameterEntry, scene: &Scene) -> Result<TunedParamet
     {
         return Err(at(path, "min", format!("{low} is above max {high}")));
     }
+    for (i, &initial) in scene.parameters.get(id).iter().enumerate() {
+        let (low, high) = (min.as_ref().map(|min| min[i]), max.as_ref().map(|max| max[i]));
+        if low.is_some_and(|low| initial < low) {
+            return Err(at(path, "min", format!("is above the initial value {initial}")));
+        }
+        if high.is_some_and(|high| initial > high) {
+            return Err(at(path, "max", format!("is below the initial value {initial}")));
+        }
+    }
     Ok(TunedParameter { id, learning_rate: entry.learning_rate, min, max })
 }
 

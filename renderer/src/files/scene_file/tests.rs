@@ -212,7 +212,7 @@ fn mistakes_in_the_file_are_placed() {
         ),
         (
             "[[optimize.parameter]]\npath = \"camera.fov\"\n",
-            "s.toml:7: optimize.parameter.camera.fov.path: no parameter `camera.fov`; closest: camera.f",
+            "s.toml:7: optimize.parameter.camera.fov.path: no parameter `camera.fov`; closest: camera.vfov",
         ),
         (
             "[[optimize.parameter]]\npath = \"camera.vfov\"\nmin = nan\n",
@@ -271,7 +271,10 @@ fn files_that_are_no_scene_are_refused() {
     assert!(refused(&folder.path().join("none.toml")).ends_with("no such file"));
     let binary = folder.path().join("b.toml");
     fs::write(&binary, [0x66, 0xff, 0x00]).unwrap();
-    assert!(refused(&binary).contains("b.toml: is not UTF-8 text: byte 1"));
+    assert!(
+        refused(&binary)
+            .contains("b.toml: is neither a scene file (TOML) nor an .obj: byte 1 is not UTF-8")
+    );
 }
 
 /// The demo with a light, a sphere and a mesh more, and awkward names and numbers.

@@ -1,0 +1,41 @@
+//! The folder for the results.
+
+use std::path::Path;
+
+use crate::Error;
+
+/// What an optimisation writes that could also be what it reads.
+const RESULTS: [&str; 6] =
+    ["scene.toml", "meshes", "target.png", "initial.png", "final.png", "difference.png"];
+
+/// Whether the results may go to `out`: it is no file, and no file that is read would be replaced.
+///
+/// # Errors
+///
+/// If not; the place is the file in the way.
+pub(super) fn check_out_folder<'a>(
+    out: &Path,
+    inputs: impl Iterator<Item = &'a Path>,
+) -> Result<(), Error> {
+    if out.exists() && !out.is_dir() {
+        return Err(Error::new(out.display(), "is a file; the results need a folder"));
+    }
+    for input in inputs {
+        if let Some(result) = RESULTS.iter().find(|result| is_within(input, &out.join(result))) {
+            let problem = format!(
+                "is read by this run, whose result {result} would replace it; choose another \
+                 folder with --out"
+            );
+            return Err(Error::new(input.display(), problem));
+        }
+    }
+    Ok(())
+}
+
+/// Whether a path is `other` or inside it, links resolved. What does not exist is nowhere.
+fn is_within(path: &Path, other: &Path) -> bool {
+    match (path.canonicalize(), other.canonicalize()) {
+        (Ok(path), Ok(other)) => path.starts_with(other),
+        _ => false,
+    }
+}

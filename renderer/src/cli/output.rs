@@ -1,0 +1,67 @@
+//! What the commands print.
+
+use std::fmt::Display;
+use std::io::{self, ErrorKind, Write};
+
+use serde_json::Value;
+
+use crate::Error;
+
+/// Writes a text and a line break to the standard output. Whoever reads it may have heard enough,
+/// as `head` does: that is no error.
+pub(super) fn print(text: impl Display) -> Result<(), Error> {
+    match writeln!(io::stdout().lock(), "{text}") {
+        Err(error) if error.kind() != ErrorKind::BrokenPipe => {
+            Err(Error::new("standard output", error))
+        }
+        _ => Ok(()),
+    }
+}
+
+/// One line on the standard error stream, whatever the names of files in it hold.
+pub(super) fn print_error(error: &Error) {
+    let line: String = format!("error: {error}")
+        .chars()
+        .map(|c| if c.is_control() { char::REPLACEMENT_CHARACTER } else { c })
+        .collect();
+    // There is nobody left to tell about a failure here.
+    let _ = writeln!(io::stderr().lock(), "{line}");
+}
+
+/// Numbers as people read them: at most a handful, six digits each.
+pub(super) fn abbreviate(values: &[f64]) -> String {
+    const MOST: usize = 6;
+    let shown: Vec<_> = values.iter().take(MOST).map(|value| short(*value)).collect();
+    let more = if values.len() > MOST { ", .." } else { "" };
+    match values.len() {
+        1 => shown[0].clone(),
+        _ => format!("[{}{more}]", shown.join(", ")),
+    }
+}
+
+/// A number with six significant digits.
+pub(super) fn short(value: f64) -> String {
+    // An exact zero may carry a sign from the reverse sweep, which means nothing to a reader.
+    if value == 0.0 {
+        return "0".into();
+    }
+    let magnitude = value.abs().log10().floor();
+    if !(-4.0..7.0).contains(&magnitude) {
+        return format!("{value:.5e}");
+    }
+    let decimals = (5.0 - magnitude).max(0.0) as usize;
+    let text = format!("{value:.decimals$}");
+    match text.contains('.') {
+        true => text.trim_end_matches('0').trim_end_matches('.').into(),
+        false => text,
+    }
+}
+
+/// The numbers of a parameter as JSON: a number, a list, or a list of points.
+pub(super) fn json_numbers(values: &[f64], shape: &[usize]) -> Value {
+    match shape {
+        [] => values.first().copied().into(),
+        [_, width] => values.chunks(*width).map(|row| json_numbers(row, &[*width])).collect(),
+        _ => values.iter().copied().collect(),
+    }
+}

@@ -1,0 +1,63 @@
+//! Without learning rates, within the default number of iterations.
+
+use crate::sandbox::{SCENE, Sandbox};
+
+/// The loss of the recovered parameters over that of the initial ones.
+fn ratio(scene: &str, truth: &[(&str, &str)]) -> f64 {
+    let sandbox = Sandbox::new();
+    let values: String =
+        truth.iter().map(|(path, value)| format!("\"{path}\" = {value}\n")).collect();
+    let parameters: String = truth
+        .iter()
+        .map(|(path, _)| format!("[[optimize.parameter]]\npath = \"{path}\"\n"))
+        .collect();
+    let experiment = format!("{scene}\n[optimize.target_values]\n{values}\n{parameters}");
+    sandbox.write("experiment.toml", experiment);
+    sandbox.succeed(&["optimize", "experiment.toml", "--out", "out"]);
+    sandbox.json("out/summary.json")["loss"]["ratio"].as_f64().unwrap()
+}
+
+#[test]
+fn lights_materials_and_spheres_are_recovered() {
+    let cases: &[&[(&str, &str)]] = &[
+        &[("material.paint.diffuse", "[0.2, 0.7, 0.5]")],
+        &[("light.key.intensity", "400.0")],
+        &[("light.key.position", "[-2.0, 2.5, 1.0]")],
+        &[("light.key.position", "[-1.0, 2.5, 2.5]"), ("light.key.intensity", "90.0")],
+        &[("material.paint.specular", "[0.5, 0.5, 0.5]"), ("material.paint.exponent", "30.0")],
+    ];
+    for truth in cases {
+        let ratio = ratio(SCENE, truth);
+        assert!(ratio < 1e-2, "{truth:?}: {ratio:e}");
+    }
+}
+
+#[test]
+fn a_light_that_is_off_is_found() {
+    for initial in ["0.0", "0.01", "1e4"] {
+        let scene = SCENE.replace("intensity = 120.0", &format!("intensity = {initial}"));
+        let ratio = ratio(&scene, &[("light.key.intensity", "120.0")]);
+        assert!(ratio < 1e-6, "from {initial}: {ratio:e}");
+    }
+}
+
+#[test]
+fn the_unit_of_length_and_the_origin_do_not_matter() {
+    for (scale, shift) in [(1e-4, 0.0), (1e4, 0.0), (1.0, 500.0)] {
+        let at = |v: [f64; 3]| format!("{:?}", v.map(|x| x * scale + shift));
+        let scene = format!(
+            "[camera]\nlook_from = {}\nlook_at = {}\nwidth = 24\nheight = 24\n\
+             [[light]]\nname = \"key\"\ntype = \"point\"\nposition = {}\nintensity = {:?}\n\
+             [[sphere]]\nname = \"ball\"\ncenter = {}\nradius = {:?}\nmaterial = \"m\"\n\
+             [material.m]\n",
+            at([0.0, 0.0, 4.0]),
+            at([0.0; 3]),
+            at([2.0, 3.0, 3.0]),
+            300.0 * scale * scale,
+            at([0.0; 3]),
+            scale,
+        );
+        let ratio = ratio(&scene, &[("light.key.position", &at([-1.5, 3.0, 3.5]))]);
+        assert!(ratio < 1e-4, "{scale} {shift}: {ratio:e}");
+    }
+}

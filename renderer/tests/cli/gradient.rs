@@ -1,0 +1,77 @@
+//! `renderer gradient`
+
+use crate::sandbox::{Sandbox, numbers};
+
+/// Every parameter that moves no edge.
+const SMOOTH: [&str; 6] = [
+    "light.key.color",
+    "light.key.intensity",
+    "material.paint.ambient",
+    "material.paint.diffuse",
+    "material.paint.specular",
+    "material.paint.exponent",
+];
+
+fn arguments<'a>(parameters: &[&'a str], more: &[&'a str]) -> Vec<&'a str> {
+    let mut arguments = vec!["gradient", "scene.toml", "--target", "target.exr"];
+    arguments.extend(parameters.iter().flat_map(|path| ["--param", path]));
+    arguments.extend(more);
+    arguments
+}
+
+fn sandbox() -> Sandbox {
+    let sandbox = Sandbox::new();
+    sandbox.write_changed("truth.toml", "[0.6, 0.3, 0.2]", "[0.2, 0.5, 0.6]");
+    sandbox.succeed(&["render", "truth.toml", "-o", "target.exr"]);
+    sandbox
+}
+
+#[test]
+fn check_agrees_with_finite_differences() {
+    let sandbox = sandbox();
+    for precision in ["f32", "f64"] {
+        let text = sandbox.succeed(&arguments(&SMOOTH, &["--check", "--precision", precision]));
+        let errors = text.lines().filter_map(|line| line.split_whitespace().last()?.parse().ok());
+        // The loss comes first.
+        let errors: Vec<f64> = errors.skip(1).collect();
+        assert_eq!(errors.len(), 14, "{text}");
+        let most = if precision == "f32" { 1e-3 } else { 1e-5 };
+        assert!(errors.iter().all(|&error| error < most), "{precision}: {text}");
+    }
+}
+
+#[test]
+fn json_maps_paths_to_the_numbers_of_the_table() {
+    let sandbox = sandbox();
+    let parameters = ["light.key.intensity", "light.key.position", "mesh.floor.vertices"];
+    let json = sandbox.succeed_json(&arguments(&parameters, &["--json"]));
+    assert_eq!(json.len(), 3);
+    assert!(json["light.key.intensity"].is_number());
+    assert_eq!(json["light.key.position"].as_array().unwrap().len(), 3);
+    assert_eq!(numbers(&json["mesh.floor.vertices"]).len(), 12);
+
+    let table = sandbox.succeed(&arguments(&parameters, &[]));
+    let listed: Vec<f64> =
+        table.lines().filter_map(|line| line.split_whitespace().last()?.parse().ok()).collect();
+    let expected = parameters.iter().flat_map(|path| numbers(&json[*path]));
+    for (listed, expected) in listed[1..].iter().zip(expected) {
+        assert!((listed - expected).abs() <= 1e-5 * expected.abs(), "{listed} {expected}");
+    }
+    assert_eq!(listed.len(), 1 + 1 + 3 + 12);
+}
+
+#[test]
+fn threads_change_no_bit() {
+    let sandbox = sandbox();
+    let parameters = ["camera.look_from", "light.key.position", "mesh.floor.vertices"];
+    let [one, two] = ["1", "2"]
+        .map(|threads| sandbox.succeed(&arguments(&parameters, &["--json", "--threads", threads])));
+    assert_eq!(one, two);
+}
+
+#[test]
+fn the_parameters_of_the_scene_file_are_the_default() {
+    let sandbox = Sandbox::new();
+    let json = sandbox.succeed_json(&["gradient", "experiment.toml", "--json"]);
+    assert_eq!(json.keys().collect::<Vec<_>>(), ["light.key.intensity", "light.key.position"]);
+}

@@ -1,0 +1,12 @@
+//! The binary as people run it: files in, files and tables out, one clear line for bad input.
+
+mod bad_input;
+mod defaults;
+mod extremes;
+mod gradient;
+mod optimize;
+mod out_folder;
+mod params;
+mod render;
+mod resume;
+mod sandbox;

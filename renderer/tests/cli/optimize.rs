@@ -1,0 +1,133 @@
+//! `renderer optimize`
+
+use renderer::files::load_image;
+
+use crate::sandbox::{Sandbox, numbers};
+
+#[test]
+fn leaves_every_result() {
+    let sandbox = Sandbox::new();
+    let output = sandbox.run(&["optimize", "experiment.toml", "--out", "out"]);
+    assert_eq!(output.status.code(), Some(0), "{output:?}");
+    assert_eq!(
+        sandbox.names("out"),
+        [
+            "checkpoint.json",
+            "difference.png",
+            "final.png",
+            "history.csv",
+            "initial.png",
+            "loss.svg",
+            "meshes",
+            "scene.toml",
+            "summary.json",
+            "target.png"
+        ]
+    );
+    for name in ["target", "initial", "final", "difference"] {
+        let image = load_image(&sandbox.path(&format!("out/{name}.png"))).unwrap().image;
+        assert_eq!((image.width, image.height), (24, 16), "{name}");
+    }
+    assert!(sandbox.read("out/loss.svg").starts_with(b"<svg"));
+
+    // The summary tells the whole story, and the history agrees.
+    let summary = sandbox.json("out/summary.json");
+    let loss = |name: &str| summary["loss"][name].as_f64().unwrap();
+    assert!(loss("final") < 0.1 * loss("initial"), "{summary:#}");
+    assert_eq!(
+        (&summary["iterations"], &summary["stop_reason"]),
+        (&40.into(), &"iterations".into())
+    );
+    assert!(summary["seconds"].as_f64().unwrap() > 0.0);
+    let position = &summary["parameters"]["light.key.position"];
+    assert_eq!(numbers(&position["initial"]), [1.5, 3.0, 2.0]);
+    assert_eq!(numbers(&position["target"]), [-1.0, 2.5, 2.5]);
+    let history = String::from_utf8(sandbox.read("out/history.csv")).unwrap();
+    let losses = history.lines().skip(1).map(|row| row.split(',').nth(1).unwrap().parse());
+    let losses: Vec<f64> = losses.collect::<Result<_, _>>().unwrap();
+    assert_eq!((losses.len(), losses[0]), (41, loss("initial")));
+    assert_eq!(losses.iter().copied().fold(f64::INFINITY, f64::min), loss("final"));
+
+    // Lines for people: truth beside recovery, and plain progress, for this is no terminal.
+    let report = String::from_utf8(output.stdout).unwrap();
+    assert!(report.contains("  true       [-1, 2.5, 2.5]"), "{report}");
+    assert!(report.ends_with("results in out\n"), "{report}");
+    let progress = String::from_utf8(output.stderr).unwrap();
+    let first = progress.lines().next().unwrap();
+    assert!(first.starts_with("iteration 0/40  loss "), "{progress}");
+    assert!(!progress.contains(['\r', '\u{1b}']), "{progress:?}");
+}
+
+#[test]
+fn the_recovered_scene_has_the_loss_of_the_summary() {
+    for precision in ["f32", "f64"] {
+        let sandbox = Sandbox::new();
+        sandbox.succeed(&["render", "scene.toml", "-o", "before.exr"]);
+        let truth = sandbox.succeed(&["optimize", "experiment.toml", "--precision", precision]);
+        // Without --out, the results are named after the scene.
+        assert!(truth.ends_with("results in out/experiment\n"), "{truth}");
+        let summary = sandbox.json("out/experiment/summary.json");
+        let parameters = sandbox.succeed_json(&["params", "out/experiment/scene.toml", "--json"]);
+        for (path, entry) in summary["parameters"].as_object().unwrap() {
+            assert_eq!(numbers(&parameters[path]), numbers(&entry["final"]), "{path}");
+        }
+
+        let scene = String::from_utf8(sandbox.read("out/experiment/scene.toml")).unwrap();
+        let section = crate::sandbox::OPTIMIZE;
+        sandbox.write("out/experiment/again.toml", format!("{scene}{section}"));
+        let again = ["gradient", "out/experiment/again.toml", "--precision", precision];
+        let first = sandbox.succeed(&again).lines().next().unwrap().to_owned();
+        let loss: f64 = first.strip_prefix("loss ").unwrap().parse().unwrap();
+        let expected = summary["loss"]["final"].as_f64().unwrap();
+        assert!((loss - expected).abs() <= 1e-5 * expected, "{precision}: {loss} {expected}");
+
+        sandbox.succeed(&[
+            "render",
+            "out/experiment/scene.toml",
+            "-o",
+            "again.png",
+            "--precision",
+            precision,
+        ]);
+        assert_eq!(sandbox.read("again.png"), sandbox.read("out/experiment/final.png"));
+    }
+}
+
+#[test]
+fn an_obj_and_an_image_are_enough() {
+    let sandbox = Sandbox::new();
+    sandbox.write("wall.obj", "v -1 -1 0\nv 1 -1 0\nv 0 1 0.5\nf 1 2 3\n");
+    sandbox.succeed(&["render", "wall.obj", "-o", "photo.png"]);
+    let arguments = ["optimize", "wall.obj", "--target", "photo.png", "--out", "out"];
+    let more = ["--param", "material.default.diffuse", "--iterations", "3"];
+    sandbox.succeed(&[&arguments[..], &more].concat());
+    let summary = sandbox.json("out/summary.json");
+    assert_eq!(summary["iterations"], 3);
+    let diffuse = &summary["parameters"]["material.default.diffuse"];
+    assert_eq!(numbers(&diffuse["initial"]), [0.7; 3]);
+    assert!(diffuse.get("target").is_none());
+}
+
+#[test]
+fn the_command_line_goes_before_the_scene_file() {
+    let sandbox = Sandbox::new();
+    let tolerance = ["--tolerance", "1e9", "--param", "light.key.intensity"];
+    sandbox.succeed(&[&["optimize", "experiment.toml", "--out", "out"], &tolerance[..]].concat());
+    let summary = sandbox.json("out/summary.json");
+    assert_eq!((&summary["iterations"], &summary["stop_reason"]), (&0.into(), &"tolerance".into()));
+    let parameters = summary["parameters"].as_object().unwrap();
+    assert_eq!(parameters.keys().collect::<Vec<_>>(), ["light.key.intensity"]);
+}
+
+#[test]
+fn the_demo_recovers_the_light() {
+    let sandbox = Sandbox::new();
+    // It starts from the beginning, whatever an earlier one left.
+    std::fs::create_dir_all(sandbox.path("out/demo")).unwrap();
+    sandbox.write("out/demo/checkpoint.json", "broken");
+    let report = sandbox.succeed(&[]);
+    let summary = sandbox.json("out/demo/summary.json");
+    assert!(summary["loss"]["ratio"].as_f64().unwrap() < 1e-4, "{summary:#}");
+    assert!(report.contains("  true       20000"), "{report}");
+    assert!(report.contains("degrees off, irradiance"), "{report}");
+}

@@ -1,0 +1,64 @@
+//! `renderer render`
+
+use crate::sandbox::{FLOOR, Sandbox};
+use renderer::files::load_image;
+
+#[test]
+fn png_and_exr_hold_the_same_image() {
+    let sandbox = Sandbox::new();
+    assert_eq!(sandbox.succeed(&["render", "scene.toml", "-o", "a.png"]), "a.png\n");
+    sandbox.succeed(&["render", "scene.toml", "--output", "a.exr"]);
+    let png = load_image(&sandbox.path("a.png")).unwrap();
+    let exr = load_image(&sandbox.path("a.exr")).unwrap();
+    assert_eq!((png.image.width, png.image.height), (24, 16));
+    assert!(png.saturates && !exr.saturates);
+    let mut lit = 0;
+    for (rounded, exact) in png.image.pixels.iter().zip(&exr.image.pixels) {
+        for (rounded, exact) in rounded.iter().zip(exact) {
+            // Half a level of an 8 bit sRGB value.
+            assert!((rounded - exact.min(1.0)).abs() < 0.005, "{rounded} {exact}");
+        }
+        lit += usize::from(exact[0] > 0.05);
+    }
+    assert!(lit > 24 * 16 / 4, "{lit} pixels are lit");
+}
+
+#[test]
+fn an_obj_is_framed_and_nothing_that_faces_the_light_is_clipped() {
+    let sandbox = Sandbox::new();
+    sandbox.write(
+        "wall.obj",
+        FLOOR.replace("f 4 3 2 1", "f 1 2 3 4\nv 0 3 3\nv 2 3 3\nv 2 4 1\nf 5 6 7"),
+    );
+    sandbox.succeed(&["render", "wall.obj", "-o", "wall.exr"]);
+    let image = load_image(&sandbox.path("wall.exr")).unwrap().image;
+    assert_eq!((image.width, image.height), (512, 512));
+    let brightest = image.pixels.as_flattened().iter().copied().fold(0.0, f32::max);
+    assert!(brightest > 0.3 && brightest < 1.0, "{brightest}");
+}
+
+#[test]
+fn threads_change_nothing_and_precision_little() {
+    let sandbox = Sandbox::new();
+    sandbox.succeed(&["render", "scene.toml", "-o", "one.exr", "--threads", "1"]);
+    sandbox.succeed(&["--threads", "2", "render", "scene.toml", "-o", "two.exr"]);
+    sandbox.succeed(&["render", "scene.toml", "-o", "double.exr", "--precision", "f64"]);
+    assert_eq!(sandbox.read("one.exr"), sandbox.read("two.exr"));
+    let single = load_image(&sandbox.path("one.exr")).unwrap().image;
+    let double = load_image(&sandbox.path("double.exr")).unwrap().image;
+    assert_ne!(single, double);
+    let difference = single.absolute_difference(&double).unwrap();
+    let difference = difference.pixels.as_flattened().iter().copied().fold(0.0, f32::max);
+    assert!(difference < 1e-4, "{difference}");
+}
+
+#[test]
+fn help_and_version_are_no_errors() {
+    let sandbox = Sandbox::new();
+    let commands: [&[&str]; 5] = [&[], &["render"], &["params"], &["gradient"], &["optimize"]];
+    for command in commands {
+        let help = sandbox.succeed(&[command, &["--help"]].concat());
+        assert!(help.contains("Usage: renderer") && help.contains("--threads"), "{help}");
+    }
+    assert!(sandbox.succeed(&["--version"]).starts_with("renderer "));
+}
