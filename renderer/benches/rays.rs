@@ -17,7 +17,7 @@ use obvhs::ray::{Ray, RayHit};
 use obvhs::triangle::Triangle;
 use rayon::prelude::*;
 use renderer::acceleration::{
-    Acceleration, NO_PRIMITIVE, PACKET_RAYS, PacketDirections, PacketHits, Shape,
+    Acceleration, NO_PRIMITIVE, PACKET_RAYS, PacketDirections, PacketHits, Shape, tile_position,
 };
 use renderer::files::obj::load_obj;
 
@@ -165,8 +165,9 @@ impl Subject {
                     let film = |tile: usize, ray: usize| {
                         ((8 * tile + ray) as f32 + 0.5) / (4 * TILES) as f32 - 1.0
                     };
-                    let x = film(tile % TILES, ray % 8) * 0.41;
-                    let y = -film(tile / TILES, ray / 8) * 0.41;
+                    let (column, row) = tile_position(ray);
+                    let x = film(tile % TILES, column) * 0.41;
+                    let y = -film(tile / TILES, row) * 0.41;
                     directions.set(ray, (forward + right * x + up * y).normalize());
                 }
                 directions

@@ -5,7 +5,7 @@
 //! against the rays themselves, 16 at a time.
 
 use glam::Vec3;
-use wide::{f32x16, u32x16};
+use wide::{f32x4, f32x8, f32x16, u32x16};
 
 use super::Hit;
 use super::single::origin_error;
@@ -28,6 +28,9 @@ const STEEPEST: f32 = 2.0;
 
 /// The directions of the rays of a packet, of any length above zero. What stands in inactive rays
 /// does not matter.
+///
+/// Sixteen rays in a row are computed side by side: the more compact each sixteen are, the better.
+/// [`tile_position`] gives an order of the pixels of a tile.
 #[derive(Clone, Debug)]
 #[repr(C, align(64))]
 pub struct PacketDirections {
@@ -55,6 +58,14 @@ impl PacketDirections {
     pub fn set(&mut self, ray: usize, direction: Vec3) {
         [self.x[ray], self.y[ray], self.z[ray]] = direction.to_array();
     }
+}
+
+/// The column and the row, within a tile of 8 x 8 pixels, of a ray of a packet: each sixteen rays
+/// are a block of 4 x 4 pixels.
+#[inline]
+pub const fn tile_position(ray: usize) -> (usize, usize) {
+    let (group, lane) = (ray / LANES, ray % LANES);
+    (group % 2 * 4 + lane % 4, group / 2 * 4 + lane / 4)
 }
 
 /// What the rays of a packet meet first.
@@ -111,7 +122,8 @@ pub struct Packet {
     pub inverse: [Rays<f32x16>; 2],
     /// Distance, in lengths of the direction, for each unit of depth.
     pub scale: Rays<f32x16>,
-    /// By minor axis: the least and the greatest slope.
+    /// By minor axis: the least and the greatest slope of each group, and of all.
+    pub group_range: [Rays<[f32; 2]>; 2],
     pub range: [[f32; 2]; 2],
     /// Before which depth a hit counts; -1 for rays that want none.
     pub depth: Rays<f32x16>,
@@ -127,12 +139,11 @@ impl Packet {
         active: u64,
         limit: f32,
     ) -> Option<Self> {
-        let groups = [&directions.x, &directions.y, &directions.z].map(load);
-        let mut live: Rays<f32x16> = std::array::from_fn(|g| mask(active >> (LANES * g)));
+        let groups = [load(&directions.x), load(&directions.y), load(&directions.z)];
+        let mut live = [f32x16::ZERO; GROUPS];
         for g in 0..GROUPS {
-            let [x, y, z] = [groups[0][g], groups[1][g], groups[2][g]];
-            let length = x.abs() + y.abs() + z.abs();
-            live[g] &= length.is_finite() & length.simd_gt(0.0);
+            let length = groups[0][g].abs() + groups[1][g].abs() + groups[2][g].abs();
+            live[g] = mask(active >> (LANES * g)) & length.is_finite() & length.simd_gt(0.0);
         }
         let bits = bits(&live);
         if bits == 0 {
@@ -147,8 +158,8 @@ impl Packet {
         let mut inverse = slope;
         let mut scale = slope[0];
         let mut depth = slope[0];
-        let mut low = [f32x16::INFINITY; 2];
-        let mut high = [f32x16::NEG_INFINITY; 2];
+        let mut group_range = [[[0.0; 2]; GROUPS]; 2];
+        let mut range = [[f32::INFINITY, f32::NEG_INFINITY]; 2];
         for g in 0..GROUPS {
             let length = groups[major][g] * f32x16::splat(sign);
             coherent &= length.simd_gt(0.0) | !live[g];
@@ -160,17 +171,28 @@ impl Packet {
                 coherent &= slope[i][g].abs().simd_le(STEEPEST);
                 let steep = slope[i][g].abs().fast_max(f32x16::splat(1e-12));
                 inverse[i][g] = f32x16::ONE / steep.copysign(slope[i][g]);
-                low[i] = low[i].fast_min(slope[i][g]);
-                high[i] = high[i].fast_max(slope[i][g]);
+                let (low, high) = (-greatest(-slope[i][g]), greatest(slope[i][g]));
+                group_range[i][g] = [low, high];
+                range[i] = [range[i][0].min(low), range[i][1].max(high)];
             }
         }
         if !coherent.all() {
             return None;
         }
-        let range = [0, 1].map(|i| [-greatest(-low[i]), greatest(high[i])]);
         let slack = origin_error(origin);
-        let mut packet =
-            Self { origin, slack, major, sign, slope, inverse, scale, range, depth, far: 0.0 };
+        let mut packet = Self {
+            origin,
+            slack,
+            major,
+            sign,
+            slope,
+            inverse,
+            scale,
+            group_range,
+            range,
+            depth,
+            far: 0.0,
+        };
         packet.update_far();
         Some(packet)
     }
@@ -256,14 +278,24 @@ impl Goal for Occlusion {
 
 /// By groups of lanes.
 #[inline]
-pub fn load(values: &[f32; PACKET_RAYS]) -> Rays<f32x16> {
-    std::array::from_fn(|g| f32x16::new(std::array::from_fn(|lane| values[LANES * g + lane])))
+fn load(values: &[f32; PACKET_RAYS]) -> Rays<f32x16> {
+    let (groups, _) = values.as_chunks::<LANES>();
+    let mut rays = [f32x16::ZERO; GROUPS];
+    for (rays, &group) in rays.iter_mut().zip(groups) {
+        *rays = f32x16::new(group);
+    }
+    rays
 }
 
 /// By groups of lanes.
 #[inline]
 pub fn load_ids(ids: &[u32; PACKET_RAYS]) -> Rays<u32x16> {
-    std::array::from_fn(|g| u32x16::new(std::array::from_fn(|lane| ids[LANES * g + lane])))
+    let (groups, _) = ids.as_chunks::<LANES>();
+    let mut rays = [u32x16::ZERO; GROUPS];
+    for (rays, &group) in rays.iter_mut().zip(groups) {
+        *rays = u32x16::new(group);
+    }
+    rays
 }
 
 /// A bit for each lane that is all ones.
@@ -293,12 +325,12 @@ fn mask(bits: u64) -> f32x16 {
 /// The greatest lane.
 #[inline]
 fn greatest(lanes: f32x16) -> f32 {
-    let mut lanes = lanes.to_array();
-    // By halves: no chain of 16 comparisons that wait for each other.
-    for half in [8, 4, 2, 1] {
-        for lane in 0..half {
-            lanes[lane] = lanes[lane].max(lanes[lane + half]);
-        }
-    }
-    lanes[0]
+    // By halves: no chain of comparisons that wait for each other.
+    let [a0, a1, a2, a3, a4, a5, a6, a7, b0, b1, b2, b3, b4, b5, b6, b7] = lanes.to_array();
+    let eight = f32x8::new([a0, a1, a2, a3, a4, a5, a6, a7])
+        .fast_max(f32x8::new([b0, b1, b2, b3, b4, b5, b6, b7]));
+    let [a0, a1, a2, a3, b0, b1, b2, b3] = eight.to_array();
+    let four = f32x4::new([a0, a1, a2, a3]).fast_max(f32x4::new([b0, b1, b2, b3]));
+    let [a, b, c, d] = four.to_array();
+    a.max(b).max(c.max(d))
 }

@@ -40,30 +40,18 @@ impl Frustum {
         }
     }
 
-    /// The boxes of a node relative to the origin: for depth and the two minor axes the lowest and
-    /// the highest.
-    #[inline]
-    fn relative(&self, node: &Node) -> [[f32x8; 2]; 3] {
-        let mut boxes = [0, 1, 2].map(|i| {
-            let [low, high] = node.bounds[self.axes[i]];
-            [low - f32x8::splat(self.low_origin[i]), high - f32x8::splat(self.high_origin[i])]
-        });
-        if !self.forward {
-            let [low, high] = boxes[0];
-            boxes[0] = [-high, -low];
-        }
-        boxes
-    }
-
     /// The depths at which the boxes of a node begin, and a bit for each that the frustum touches
     /// before `far`.
     #[inline]
     fn enter(&self, node: &Node, far: f32) -> (f32x8, u32) {
-        let [[near, end], minor @ ..] = self.relative(node);
+        let [near, end] = self.relative(node, 0);
+        let (near, end) = if self.forward { (near, end) } else { (-end, -near) };
         let near = near.fast_max(f32x8::ZERO);
         let mut touched = near.simd_le(end) & near.simd_le(f32x8::splat(far));
-        for (range, [low, high]) in self.range.iter().zip(minor) {
-            let [least, greatest] = range.map(f32x8::splat);
+        for i in 0..2 {
+            let [low, high] = self.relative(node, 1 + i);
+            let (least, greatest) =
+                (f32x8::splat(self.range[i][0]), f32x8::splat(self.range[i][1]));
             touched &= low.simd_le((greatest * near).fast_max(greatest * end));
             touched &= high.simd_ge((least * near).fast_min(least * end));
         }
@@ -73,25 +61,33 @@ impl Frustum {
     /// Whether any ray enters one of the boxes of a node.
     #[inline]
     fn any_ray_enters(&self, packet: &Packet, node: &Node, slot: usize) -> bool {
-        let mut boxes = [0, 1, 2].map(|i| {
-            let [low, high] = &node.bounds[self.axes[i]];
-            [low.as_array()[slot] - self.low_origin[i], high.as_array()[slot] - self.high_origin[i]]
-        });
-        if !self.forward {
-            let [low, high] = boxes[0];
-            boxes[0] = [-high, -low];
-        }
-        let [[near, end], [a_low, a_high], [b_low, b_high]] =
-            boxes.map(|bounds| bounds.map(f32x16::splat));
+        let plane = |i: usize, side: usize, origin: f32| {
+            f32x16::splat(node.bounds[self.axes[i]][side].as_array()[slot] - origin)
+        };
+        let low = |i: usize| plane(i, 0, self.low_origin[i]);
+        let high = |i: usize| plane(i, 1, self.high_origin[i]);
+        let (near, end) = if self.forward { (low(0), high(0)) } else { (-high(0), -low(0)) };
+        let (a_low, a_high, b_low, b_high) = (low(1), high(1), low(2), high(2));
         let near = near.fast_max(f32x16::ZERO);
-        (0..GROUPS).any(|g| {
+        for g in 0..GROUPS {
             let [a, b] = [packet.inverse[0][g], packet.inverse[1][g]];
             let (a0, a1, b0, b1) = (a_low * a, a_high * a, b_low * b, b_high * b);
             let entered = near.fast_max(a0.fast_min(a1)).fast_max(b0.fast_min(b1));
             let left = end.fast_min(a0.fast_max(a1)).fast_min(b0.fast_max(b1));
             let left = (left * f32x16::splat(1.0 + SLAB_ERROR)).fast_min(packet.depth[g]);
-            entered.simd_le(left).any()
-        })
+            if entered.simd_le(left).any() {
+                return true;
+            }
+        }
+        false
+    }
+
+    /// The lowest and the highest coordinates of the boxes of a node, relative to the origin, along
+    /// one of `axes`.
+    #[inline]
+    fn relative(&self, node: &Node, i: usize) -> [f32x8; 2] {
+        let [low, high] = node.bounds[self.axes[i]];
+        [low - f32x8::splat(self.low_origin[i]), high - f32x8::splat(self.high_origin[i])]
     }
 }
 

@@ -8,7 +8,7 @@
 
 use wide::{f32x8, f32x16};
 
-use super::packet::{GROUPS, Goal, Packet};
+use super::packet::{GROUPS, Goal, Packet, Rays};
 use super::triangle_test::minor_axes;
 use super::triangles::TriangleLeaf;
 
@@ -28,10 +28,10 @@ struct View {
     nearest: f32x8,
     /// Products below it may have the wrong sign.
     tolerance: f32x8,
-    /// A bit for each triangle that rays may hit.
-    facing: u32,
-    /// A bit for each triangle that rays may hit, and that contains the origin in its plane as
-    /// far as rounding can tell: its normals may point either way.
+    /// For each group a bit for each triangle that its rays may hit.
+    reachable: Rays<u32>,
+    /// A bit for each triangle in whose plane the origin lies as far as rounding can tell: its
+    /// normals may point either way.
     edge_on: u32,
 }
 
@@ -39,16 +39,16 @@ impl View {
     #[inline]
     fn new(packet: &Packet, leaf: &TriangleLeaf) -> Self {
         let [a, b] = minor_axes(packet.major);
-        let origin = [packet.major, a, b].map(|axis| (axis, f32x8::splat(packet.origin[axis])));
+        let relative =
+            |corner: &Vector, axis: usize| corner[axis] - f32x8::splat(packet.origin[axis]);
         let sign = f32x8::splat(packet.sign);
-        let corners = leaf.corners.each_ref().map(|corner| {
-            let [depth, a, b] = origin.map(|(axis, origin)| corner[axis] - origin);
-            [depth * sign, a, b]
-        });
-        let [p, q, r] = corners;
+        let view = |corner: &Vector| {
+            [relative(corner, packet.major) * sign, relative(corner, a), relative(corner, b)]
+        };
+        let (p, q, r) = (view(&leaf.corners[0]), view(&leaf.corners[1]), view(&leaf.corners[2]));
         let edges = [sub(r, q), sub(p, r), sub(q, p)];
-        let sums = [add(q, r), add(r, p), add(p, q)];
-        let mut normals = [0, 1, 2].map(|i| cross(sums[i], edges[i]));
+        let mut normals =
+            [cross(add(q, r), edges[0]), cross(add(r, p), edges[1]), cross(add(p, q), edges[2])];
 
         // Bounds of the rounding errors: of the normals and their products with directions, and
         // of the test of single rays. Twelve multiplications and additions, each rounded, of terms
@@ -71,23 +71,22 @@ impl View {
         let nearest = depths[0].fast_min(depths[1]).fast_min(depths[2]);
         let farthest = depths[0].fast_max(depths[1]).fast_max(depths[2]);
         let near = nearest.simd_lt(f32x8::splat(packet.far)) & farthest.simd_gt(f32x8::ZERO);
-        let mut facing = near & sure;
-        for [depth, a, b] in normals {
-            // The greatest product that any slopes in range have, rounded as it is for a ray.
-            let [a_range, b_range] = packet.range.map(|range| range.map(f32x8::splat));
-            let product = b_range[0].mul_add(b, depth).fast_max(b_range[1].mul_add(b, depth));
-            let product = a_range[0].mul_add(a, product).fast_max(a_range[1].mul_add(a, product));
-            facing &= product.simd_ge(-tolerance);
-        }
         let near = near.to_bitmask() & leaf.mask;
-        Self {
-            normals,
-            depths,
-            nearest,
-            tolerance,
-            facing: facing.to_bitmask() & leaf.mask,
-            edge_on: near & !sure.to_bitmask(),
+        let edge_on = near & !sure.to_bitmask();
+        let mut reachable = [0; GROUPS];
+        for (g, reachable) in reachable.iter_mut().enumerate() {
+            let [a_low, a_high] = packet.group_range[0][g].map(f32x8::splat);
+            let [b_low, b_high] = packet.group_range[1][g].map(f32x8::splat);
+            // The greatest product that any slopes in range have, rounded as it is for a ray.
+            let greatest = |[depth, a, b]: Vector| {
+                let product = b_low.mul_add(b, depth).fast_max(b_high.mul_add(b, depth));
+                a_low.mul_add(a, product).fast_max(a_high.mul_add(a, product))
+            };
+            let least =
+                greatest(normals[0]).fast_min(greatest(normals[1])).fast_min(greatest(normals[2]));
+            *reachable = least.simd_ge(-tolerance).to_bitmask() & near | edge_on;
         }
+        Self { normals, depths, nearest, tolerance, reachable, edge_on }
     }
 }
 
@@ -95,64 +94,65 @@ impl View {
 #[inline]
 pub fn test_leaf(packet: &mut Packet, leaf: &TriangleLeaf, goal: &mut impl Goal) {
     let view = View::new(packet, leaf);
-    let mut bits = view.facing | view.edge_on;
     let mut hit = false;
-    while bits != 0 {
-        let triangle = bits.trailing_zeros() as usize & 7;
-        bits &= bits - 1;
-        let edge_on = view.edge_on >> triangle & 1 != 0;
-        hit |= test_triangle(packet, leaf, &view, triangle, edge_on, goal);
+    for group in 0..GROUPS {
+        let mut bits = view.reachable[group];
+        while bits != 0 {
+            let triangle = bits.trailing_zeros() as usize & 7;
+            bits &= bits - 1;
+            hit |= test_triangle(packet, group, leaf, &view, triangle, goal);
+        }
     }
     if hit {
         packet.update_far();
     }
 }
 
-/// Tests a packet against one triangle; whether any ray hit it.
-#[inline]
+/// Tests a group of rays against one triangle; whether any of them hits it.
+#[inline(always)]
 fn test_triangle(
     packet: &mut Packet,
+    group: usize,
     leaf: &TriangleLeaf,
     view: &View,
     triangle: usize,
-    edge_on: bool,
     goal: &mut impl Goal,
 ) -> bool {
     let splat = |lanes: &f32x8| f32x16::splat(lanes.as_array()[triangle]);
-    let normals = view.normals.each_ref().map(|normal| normal.each_ref().map(splat));
-    let nearest = splat(&view.nearest);
+    let (slope_a, slope_b) = (packet.slope[0][group], packet.slope[1][group]);
+    let product =
+        |[depth, a, b]: &Vector| slope_a.mul_add(splat(a), slope_b.mul_add(splat(b), splat(depth)));
+    let (u, v, w) =
+        (product(&view.normals[0]), product(&view.normals[1]), product(&view.normals[2]));
     let tolerance = splat(&view.tolerance);
-    let mut any = false;
-    for group in 0..GROUPS {
-        let (slope_a, slope_b) = (packet.slope[0][group], packet.slope[1][group]);
-        let [u, v, w] = normals.map(|[depth, a, b]| slope_a.mul_add(a, slope_b.mul_add(b, depth)));
-        let low = u.fast_min(v).fast_min(w);
-        let mut reached = low.simd_ge(-tolerance);
-        if edge_on {
-            reached |= u.fast_max(v).fast_max(w).simd_le(tolerance);
-        }
-        let reached = reached & nearest.simd_lt(packet.depth[group]);
-        if !reached.any() {
-            continue;
-        }
-        let [p, q, r] = view.depths.each_ref().map(splat);
-        let inverse = f32x16::ONE / (u + v + w);
-        let mut depth = (u * inverse) * p + (v * inverse) * q + (w * inverse) * r;
-        let unsure = if edge_on { reached } else { reached & low.simd_le(tolerance) };
-        let mut unsure = unsure.to_bitmask();
-        while unsure != 0 {
-            let lane = unsure.trailing_zeros() as usize & 15;
-            unsure &= unsure - 1;
-            let test = packet.triangle_test(group, lane);
-            depth.as_mut_array()[lane] = test.depth(leaf.triangle(triangle));
-        }
-        let hit = reached & depth.simd_lt(packet.depth[group]);
-        if hit.any() {
-            any = true;
-            goal.record(packet, group, hit, depth, leaf.ids[triangle]);
-        }
+    let low = u.fast_min(v).fast_min(w);
+    let edge_on = view.edge_on >> triangle & 1 != 0;
+    let mut reached = low.simd_ge(-tolerance);
+    if edge_on {
+        reached |= u.fast_max(v).fast_max(w).simd_le(tolerance);
     }
-    any
+    let reached = reached & splat(&view.nearest).simd_lt(packet.depth[group]);
+    if !reached.any() {
+        return false;
+    }
+
+    let [p, q, r] = &view.depths;
+    let inverse = f32x16::ONE / (u + v + w);
+    let mut depth = (u * inverse) * splat(p) + (v * inverse) * splat(q) + (w * inverse) * splat(r);
+    let unsure = if edge_on { reached } else { reached & low.simd_le(tolerance) };
+    let mut unsure = unsure.to_bitmask();
+    while unsure != 0 {
+        let lane = unsure.trailing_zeros() as usize & 15;
+        unsure &= unsure - 1;
+        let test = packet.triangle_test(group, lane);
+        depth.as_mut_array()[lane] = test.depth(leaf.triangle(triangle));
+    }
+    let hit = reached & depth.simd_lt(packet.depth[group]);
+    if hit.any() {
+        goal.record(packet, group, hit, depth, leaf.ids[triangle]);
+        return true;
+    }
+    false
 }
 
 #[inline]
