@@ -6,10 +6,13 @@ fn refusal(variables: &[Variable], settings: &Settings) -> String {
     run(variables, settings, |_| panic!("it was evaluated")).unwrap_err().to_string()
 }
 
+/// A message, and the change that leads to it.
+type Case<T> = (&'static str, fn(&mut T));
+
 #[test]
 fn unusable_variables() {
     let good = Variable::new("light.position", vec![0.5, 0.5, 0.5], 0.1);
-    let cases: [(&str, fn(&mut Variable)); 9] = [
+    let cases: [Case<Variable>; 9] = [
         ("light.position[1]: the initial value is NaN", |v| v.initial[1] = f64::NAN),
         ("light.position[2]: the learning rate is 0", |v| v.learning_rate[2] = 0.0),
         ("light.position[0]: the learning rate is inf", |v| v.learning_rate[0] = f64::INFINITY),
@@ -43,7 +46,7 @@ fn unusable_variables() {
 #[test]
 fn unusable_settings() {
     let variables = [Variable::new("x", vec![0.0], 0.1)];
-    let cases: [(&str, fn(&mut Settings)); 5] = [
+    let cases: [Case<Settings>; 5] = [
         ("optimize.tolerance: is NaN; it must be a number", |s| s.tolerance = f64::NAN),
         ("optimize.gradient_tolerance: is -1; it must be 0 or more", |s| {
             s.gradient_tolerance = -1.0
