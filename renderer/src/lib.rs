@@ -1,8 +1,15 @@
-//! A differentiable ray tracer.
+//! A differentiable ray tracer: recovers lights, materials, cameras and shapes from images.
 //!
-//! Data flows one way: command line -> optimise -> integrator -> (kernels, acceleration structure,
-//! scene). Nothing below the integrator knows that an image exists; nothing below `optimize`
-//! knows that a loss exists.
+//! Data flows one way: command line ([`cli`]) -> [`recovery`] -> [`optimize`] and [`integrator`] ->
+//! [`kernels`], [`acceleration`], [`scene`]. Nothing below the integrator knows that an image
+//! exists; nothing below recovery knows which loss is minimised; the optimiser knows nothing of
+//! images at all.
+//!
+//! To start from Rust, see [`recovery`]; the scene file is described in [`experiment`].
+//!
+//! Kernels run on SIMD lanes. Building with `-C target-cpu=native` lets the compiler use the widest
+//! instructions of the machine; this repository does, a crate that depends on this one has to say
+//! so itself.
 
 pub mod acceleration;
 pub mod atomic_file;

@@ -97,7 +97,7 @@ pub(super) fn recover(
     let recovered = recovery.scene_at(&outcome.best.x);
     let image = render_at(precision, &recovered);
     save_png(&image, &out.join("final.png"))?;
-    if let Some(difference) = image.absolute_difference(target) {
+    if let Some(difference) = recovery.difference(&image) {
         save_png(&difference, &out.join("difference.png"))?;
     }
     save_scene(&recovered, out)?;

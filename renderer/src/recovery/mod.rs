@@ -153,6 +153,16 @@ impl<'a> Recovery<'a> {
         &self.target.image
     }
 
+    /// The absolute difference of every channel to the target, as the loss sees it: where the target
+    /// is clipped, so is the image. Nothing if the sizes differ.
+    pub fn difference(&self, image: &Image) -> Option<Image> {
+        let mut image = image.clone();
+        if self.target.saturates {
+            image.pixels.as_flattened_mut().iter_mut().for_each(|value| *value = value.min(1.0));
+        }
+        image.absolute_difference(&self.target.image)
+    }
+
     /// The scene with other values of the parameters that vary, one after the other in `x`.
     pub fn scene_at(&self, x: &[f64]) -> Scene {
         let mut scene = self.scene.clone();
