@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use rayon::prelude::*;
 
-use crate::acceleration::PACKET_RAYS;
+use crate::acceleration::{PACKET_RAYS, tile_position};
 
 /// The edge of a tile in pixels: its rays make one packet. Fixed, because the order of summation
 /// depends on it.
@@ -22,10 +22,13 @@ pub struct Tile {
 }
 
 impl Tile {
-    /// Every pixel of the tile, row by row.
+    /// Every pixel of the tile, in the order of the rays of a packet.
     pub fn pixels(&self) -> impl Iterator<Item = (u32, u32)> + use<> {
-        let x = self.x.clone();
-        self.y.clone().flat_map(move |y| x.clone().map(move |x| (x, y)))
+        let Self { x, y } = self.clone();
+        (0..PACKET_RAYS)
+            .map(tile_position)
+            .map(move |(column, row)| (x.start + column as u32, y.start + row as u32))
+            .filter(move |&(column, row)| column < x.end && row < y.end)
     }
 }
 

@@ -1,7 +1,7 @@
 use ad::differentiable;
 
 #[differentiable]
-fn f(x: f64, y: f64) -> f64 {
+fn f(x: glam::DVec3, y: glam::DVec3) -> glam::DVec3 {
     let a = x & y;
     a * x
 }
