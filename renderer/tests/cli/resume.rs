@@ -66,14 +66,17 @@ fn a_killed_run_resumes_to_the_same_bits() {
     assert_eq!(whole.3.len(), 3002, "a header, the beginning and 3000 steps");
 
     let mut killed = 0;
-    for (out, delay, middle) in [("a", 0, "500"), ("b", 60, "1400"), ("c", 300, "2300")] {
+    for (out, delay, middle) in [("a", 0, "500"), ("b", 30, "1400"), ("c", 100, "2300")] {
         let delay = Duration::from_millis(delay);
         let resume =
             |iterations, threads| start(out, iterations, &["--resume", "--threads", threads]);
-        killed += usize::from(kill(&sandbox, &start(out, ITERATIONS, &[]), out, delay));
-        // On to the middle, and killed again soon after it, on another number of threads.
-        sandbox.succeed(&resume(middle, "2"));
-        killed += usize::from(kill(&sandbox, &resume(ITERATIONS, "1"), out, delay));
+        // On a fast machine a run may end before it is killed.
+        if kill(&sandbox, &start(out, ITERATIONS, &[]), out, delay) {
+            killed += 1;
+            // On to the middle, and killed again soon after it, on another number of threads.
+            sandbox.succeed(&resume(middle, "2"));
+            killed += usize::from(kill(&sandbox, &resume(ITERATIONS, "1"), out, delay));
+        }
         sandbox.succeed(&resume(ITERATIONS, "2"));
         assert!(result(&sandbox, out) == whole, "{out} differs");
         let leftovers = sandbox.names(out).into_iter().filter(|name| name.starts_with('.'));
