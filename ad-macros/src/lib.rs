@@ -2,13 +2,13 @@
 //!
 //! The way of a function through this crate, one room after the other:
 //!
-//! 1. [`attribute`] takes the annotated item apart and checks its signature ([`signature`]).
-//! 2. [`lower`] rewrites the body to the few forms of [`ir`]: every operation has a name, every
+//! 1. `attribute` takes the annotated item apart and checks its signature (`signature`).
+//! 2. `lower` rewrites the body to the few forms of `ir`: every operation has a name, every
 //!    exit is the end of a block. What has no right derivative is refused here, at its span.
-//! 3. [`sweep`] writes the forward and the reverse sweep of the lowered body.
-//! 4. [`expand`] wraps both into the functions that users call.
+//! 3. `sweep` writes the forward and the reverse sweep of the lowered body.
+//! 4. `expand` wraps both into the functions that users call.
 //!
-//! [`derive`] stands apart: it gives structs their tangents.
+//! `derive` stands apart: it gives structs their tangents.
 //!
 //! # The shape of generated code
 //!
