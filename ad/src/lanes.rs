@@ -1,6 +1,6 @@
 //! Several numbers side by side, for one instruction to work on.
 //!
-//! [`f32x8`](wide::f32x8) and [`f32x16`](wide::f32x16) are [`Real`], so a generic kernel and its
+//! [`f32x8`] and [`f32x16`] are [`Real`], so a generic kernel and its
 //! generated derivative run on 8 or 16 inputs at once. [`Lanes`] puts numbers into lanes and takes
 //! them out again; plain `f32` and `f64` are one lane wide.
 //!
