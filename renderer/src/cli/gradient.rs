@@ -70,7 +70,7 @@ pub(super) fn run(arguments: &Arguments, precision: Precision) -> Result<(), Err
         for (i, &value) in block.iter().enumerate().step_by(stride) {
             let step = 1e-3 * natural_scale(scene, id);
             let at = scene.parameters.get(id)[i];
-            let expected = check::derivative(|x| recovery.loss_with(id, i, x), at, step).value;
+            let expected = check::derivative(recovery.loss_along(id, i), at, step).value;
             let error =
                 (value - expected).abs() / expected.abs().max(largest).max(f64::MIN_POSITIVE);
             missed |= error > 1e-3 && id.differentiability() == Differentiability::Interior;

@@ -44,7 +44,8 @@ pub(super) enum Kind {
 impl<'a, L: Lanes> Prepared<'a, L> {
     /// Prepares a scene. The scene has to be valid (see [`Scene::validate`]).
     pub fn new(scene: &'a Scene) -> Self {
-        let middle = middle(&scene.parameters);
+        let bounding_box = scene.parameters.bounding_box();
+        let middle = bounding_box.map_or(DVec3::ZERO, |(low, high)| low.midpoint(high));
         let mut triangles = Vec::new();
         let mut material_of = Vec::new();
         let mut first_vertex = 0;
@@ -147,15 +148,4 @@ impl<'a, L: Lanes> Prepared<'a, L> {
             Some(sphere) => (Kind::Sphere, sphere),
         }
     }
-}
-
-/// The middle of the box around all geometry; the origin if there is none.
-fn middle(parameters: &Parameters) -> DVec3 {
-    let vertices = parameters.vertices.iter().flatten().map(|&v| DVec3::from(v));
-    let corners = vertices.map(|v| (v, v));
-    let spheres = parameters.spheres.iter().map(|s| (s.center - s.radius, s.center + s.radius));
-    corners
-        .chain(spheres)
-        .reduce(|(low, high), (a, b)| (low.min(a), high.max(b)))
-        .map_or(DVec3::ZERO, |(low, high)| low.midpoint(high))
 }

@@ -208,14 +208,16 @@ impl<'a> Recovery<'a> {
         Ok(evaluation)
     }
 
-    /// The loss in double precision with one element of one parameter changed, for finite
-    /// differences.
-    pub fn loss_with(&self, id: ParameterId, element: usize, value: f64) -> f64 {
+    /// The loss in double precision as a function of one element of one parameter, for finite
+    /// differences. The scene is prepared once for all values.
+    pub fn loss_along(&self, id: ParameterId, element: usize) -> impl FnMut(f64) -> f64 {
         let mut parameters = self.scene.parameters.clone();
-        parameters.get_mut(id)[element] = value;
         let mut prepared = Prepared::<f64>::new(self.scene);
-        prepared.set_parameters(&parameters);
-        loss(&prepared, &self.loss())
+        move |value| {
+            parameters.get_mut(id)[element] = value;
+            prepared.set_parameters(&parameters);
+            loss(&prepared, &self.loss())
+        }
     }
 
     /// The parameters that vary, in the order of [`variables`](Self::variables).

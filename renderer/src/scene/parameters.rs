@@ -3,6 +3,8 @@
 use std::fmt;
 use std::slice;
 
+use glam::DVec3;
+
 use super::Scene;
 use crate::kernels::camera::Camera;
 use crate::kernels::light::{DistantLight, PointLight};
@@ -207,6 +209,17 @@ macro_rules! reach {
 }
 
 impl Parameters {
+    /// The lowest and the highest corner of the box around all geometry; nothing if there is none.
+    pub fn bounding_box(&self) -> Option<(DVec3, DVec3)> {
+        // A vertex is a sphere without extent.
+        let vertices = self.vertices.iter().flatten().map(|&v| (DVec3::from_array(v), 0.0));
+        let spheres = self.spheres.iter().map(|sphere| (sphere.center, sphere.radius));
+        vertices
+            .chain(spheres)
+            .map(|(center, radius)| (center - radius, center + radius))
+            .reduce(|(low, high), (a, b)| (low.min(a), high.max(b)))
+    }
+
     /// The numbers of one parameter.
     ///
     /// # Panics
