@@ -49,14 +49,48 @@ pub fn expand(item: TokenStream) -> syn::Result<TokenStream> {
         syn::Member::Unnamed(index) => index.index.to_string(),
     });
 
+    let shapes: Vec<_> = fields.iter().map(|field| shape_type(field)).collect();
+    let shape_values = fields.iter().zip(&members).map(|(field, member)| {
+        let ty = &field.ty;
+        match is_constant(field) {
+            true => quote!(::core::marker::PhantomData),
+            false => quote!(<#ty as ::ad::Differentiable>::shape(&self.#member)),
+        }
+    });
+    let fits = members.iter().enumerate().map(|(index, member)| {
+        let index = syn::Index::from(index);
+        quote!(::ad::Shape::fit(self.#index, &mut _tangent.#member);)
+    });
+
     Ok(quote! {
         #[doc = #doc]
         #definition
 
-        #[automatically_derived]
-        impl #impl_generics ::ad::Differentiable for #name #type_generics #where_clause {
-            type Tangent = #tangent #type_generics;
-        }
+        const _: () = {
+            // Named only through the trait: it may hold the shapes of private types.
+            pub struct Shape #impl_generics (#(#shapes),*) #where_clause;
+
+            #[automatically_derived]
+            impl #impl_generics ::ad::Differentiable for #name #type_generics #where_clause {
+                type Tangent = #tangent #type_generics;
+                type Shape = Shape #type_generics;
+
+                #[inline]
+                fn shape(&self) -> Self::Shape {
+                    Shape(#(#shape_values),*)
+                }
+            }
+
+            #[automatically_derived]
+            impl #impl_generics ::ad::Shape<#tangent #type_generics> for Shape #type_generics
+            #where_clause
+            {
+                #[inline]
+                fn fit(self, _tangent: &mut #tangent #type_generics) {
+                    #(#fits)*
+                }
+            }
+        };
 
         #[automatically_derived]
         impl #impl_generics ::ad::Additive for #tangent #type_generics #where_clause {
@@ -98,11 +132,22 @@ pub fn expand(item: TokenStream) -> syn::Result<TokenStream> {
     })
 }
 
+fn is_constant(field: &Field) -> bool {
+    field.attrs.iter().any(|attribute| attribute.path().is_ident("constant"))
+}
+
 fn tangent_type(field: &Field) -> TokenStream {
     let ty = &field.ty;
-    let constant = field.attrs.iter().any(|attribute| attribute.path().is_ident("constant"));
-    match constant {
+    match is_constant(field) {
         true => quote!(::ad::NoTangent<#ty>),
         false => quote_spanned!(ty.span()=> ::ad::Tangent<#ty>),
+    }
+}
+
+fn shape_type(field: &Field) -> TokenStream {
+    let ty = &field.ty;
+    match is_constant(field) {
+        true => quote!(::core::marker::PhantomData<fn() -> #ty>),
+        false => quote!(<#ty as ::ad::Differentiable>::Shape),
     }
 }

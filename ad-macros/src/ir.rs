@@ -34,7 +34,7 @@ pub struct Var {
 pub enum Projection {
     /// `.member`
     Field(Member),
-    /// `[index]`; the index is a literal or an immutable variable.
+    /// `[index]`; the index is a literal or an immutable variable, or a range between such.
     Index(TokenStream),
     /// `*`; the cotangent of a reference is that of its target.
     Deref,
@@ -92,9 +92,11 @@ pub enum Shape {
     Tuple,
     /// `[a, b]`
     Array,
+    /// `vec![a, b]`
+    Vec,
     /// `Name { a, b }` or `Name(a, b)`; a field may be `#[constant]`.
     Struct,
-    /// `Some(a)`: the cotangent of the whole is that of its content.
+    /// `Some(a)`, `Box::new(a)`: the cotangent of the whole is that of its content.
     Transparent,
     /// `ControlFlow::Break(a)` (member 0) or `Continue(a)` (member 1).
     Flow,
@@ -121,8 +123,8 @@ pub enum Operation {
     Aggregate { expression: TokenStream, shape: Shape, parts: Vec<(Member, Operand)> },
     /// A struct made of parts and, for the rest, of another struct.
     UpdateStruct { expression: TokenStream, parts: Vec<(Member, Operand)>, rest: VarId },
-    /// `[x; N]`
-    Repeat(VarId, TokenStream),
+    /// `[x; N]` or `vec![x; n]`
+    Repeat { value: VarId, length: TokenStream, is_vec: bool },
 }
 
 /// A variable that a pattern binds to a part of the matched value.

@@ -32,12 +32,24 @@ pub fn pointee(ty: &Type) -> &Type {
 
 /// Whether a value of this type certainly has no derivative.
 pub fn is_discrete(ty: &Type) -> bool {
-    const DISCRETE: [&str; 15] = [
-        "bool", "char", "str", "i8", "i16", "i32", "i64", "i128", "isize", "u8", "u16", "u32",
-        "u64", "u128", "usize",
+    const DISCRETE: [&str; 16] = [
+        "bool", "char", "str", "String", "i8", "i16", "i32", "i64", "i128", "isize", "u8", "u16",
+        "u32", "u64", "u128", "usize",
     ];
     matches!(pointee(ty), Type::Path(path)
         if path.qself.is_none() && DISCRETE.iter().any(|name| path.path.is_ident(name)))
+}
+
+/// Whether all tangents of the type certainly have one size.
+pub fn has_fixed_size(ty: &Type) -> bool {
+    match pointee(ty) {
+        Type::Array(array) => has_fixed_size(&array.elem),
+        Type::Tuple(tuple) => tuple.elems.iter().all(has_fixed_size),
+        Type::Path(path) => {
+            is_discrete(ty) || path.path.is_ident("f32") || path.path.is_ident("f64")
+        }
+        _ => false,
+    }
 }
 
 /// The parameters, in order. Refuses what has no derivative.
@@ -130,13 +142,14 @@ fn refuse_type(ty: &Type, errors: &mut Errors) {
             errors.at(ty, "write a type parameter `T: ..` instead of `impl Trait`")
         }
         Type::Ptr(_) => errors.at(ty, "a raw pointer has no derivative: take a reference"),
-        _ => match pointee(ty) {
-            Type::TraitObject(_) => errors
-                .at(ty, "a call through `dyn` cannot be differentiated: write a type parameter"),
-            Type::Slice(_) => errors
-                .at(ty, "slices are not supported: take an array `[T; N]` or a reference to one"),
-            _ => {}
-        },
+        _ => {
+            if let Type::TraitObject(_) = pointee(ty) {
+                errors.at(
+                    ty,
+                    "a call through `dyn` cannot be differentiated: write a type parameter",
+                );
+            }
+        }
     }
 }
 

@@ -76,6 +76,10 @@ macro_rules! lanes {
     ($type:ident, $count:literal) => {
         impl Differentiable for $type {
             type Tangent = Self;
+            type Shape = ();
+
+            #[inline(always)]
+            fn shape(&self) {}
         }
 
         impl Additive for $type {
@@ -92,6 +96,10 @@ macro_rules! lanes {
 
         impl Differentiable for LaneMask<$type> {
             type Tangent = ();
+            type Shape = ();
+
+            #[inline(always)]
+            fn shape(&self) {}
         }
 
         impl NoDerivative for LaneMask<$type> {}

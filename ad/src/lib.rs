@@ -27,11 +27,34 @@
 //!
 //! # What can be differentiated
 //!
-//! Functions and inherent methods on `f32`, `f64`, glam's float vectors, tuples, arrays, `Option`,
-//! references to these, and structs with `#[derive(Differentiable)]`; generic ones too. In a body:
-//! `let` with patterns, arithmetic, assignment to local variables and parts of them, `if`, `match`,
-//! `if let`, `let else`, `for` over ranges, `return` from anywhere, `?` on options, calls of
-//! differentiable functions and of the methods listed in [`rules`].
+//! Functions and inherent methods on `f32`, `f64`, glam's float vectors, tuples, arrays, slices,
+//! `Vec`, `Box`, `Option`, references to these, and structs with `#[derive(Differentiable)]`;
+//! generic ones too. In a body: `let` with patterns, arithmetic, assignment to local variables and
+//! parts of them, `if`, `match`, `if let`, `let else`, `for` over ranges, `return` from anywhere,
+//! `?` on options, calls of differentiable functions and of the methods listed in [`rules`].
+//!
+//! The gradient by a slice or a `Vec` is a `Vec` of the same length. Reading or writing an element
+//! costs the reverse sweep a constant time, as it does the function. A call costs it the length of
+//! what is passed: a function that looks at a few elements of many is best given `&xs[a..b]`.
+//!
+//! ```
+//! use ad::differentiable;
+//!
+//! /// The energy of a chain of springs.
+//! #[differentiable]
+//! fn chain(xs: &[f64], stiffness: f64) -> f64 {
+//!     let mut energy = 0.0;
+//!     for i in 1..xs.len() {
+//!         let stretch = xs[i] - xs[i - 1];
+//!         energy += 0.5 * stiffness * stretch * stretch;
+//!     }
+//!     energy
+//! }
+//!
+//! let (by_xs, by_stiffness) = chain::grad(&[0.0, 1.0, 3.0], 2.0);
+//! assert_eq!(by_xs, [-2.0, -2.0, 4.0]);
+//! assert_eq!(by_stiffness, 2.5);
+//! ```
 //!
 //! ```
 //! use ad::{Differentiable, differentiable};
@@ -137,6 +160,7 @@
 extern crate self as ad;
 
 pub mod check;
+mod containers;
 mod differentiable;
 mod dual;
 #[cfg(feature = "lanes")]
@@ -148,7 +172,7 @@ pub mod rules;
 pub mod vector;
 
 pub use ad_macros::{Differentiable, differentiable};
-pub use differentiable::{Additive, Differentiable, NoDerivative, NoTangent, Tangent};
+pub use differentiable::{Additive, Differentiable, NoDerivative, NoTangent, Shape, Tangent};
 pub use dual::Dual;
 pub use real::{Mask, Real, Scalar, Select};
 pub use rules::{select, stop_gradient};

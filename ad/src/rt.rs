@@ -4,14 +4,18 @@ use core::marker::PhantomData;
 use core::ops::{Add, Neg, Sub};
 
 use crate::rules::{AddPullback, NegPullback, SubPullback};
-use crate::{Additive, Differentiable, NoDerivative, NoTangent, Tangent};
+use crate::{Additive, Differentiable, NoDerivative, Shape, Tangent};
+
+mod cotangent;
+
+pub use cotangent::{Absorb, At, Constant, Enter, Length, Same, Take, at, sum, take};
 
 /// The traits whose methods generated code calls. They come without names, which could hide those
 /// of the user.
 pub mod methods {
     pub use crate::rules::{
-        DVec2Rules as _, DVec4Rules as _, RealRules as _, ScalarRules as _, Vec2Rules as _,
-        Vec4Rules as _, Vector3Rules as _, VectorRules as _,
+        CloneRules as _, DVec2Rules as _, DVec4Rules as _, RealRules as _, ScalarRules as _,
+        SequenceRules as _, Vec2Rules as _, Vec4Rules as _, Vector3Rules as _, VectorRules as _,
     };
 }
 
@@ -47,11 +51,18 @@ pub fn space<T: Differentiable + ?Sized>(_value: &T) -> Space<Tangent<T>> {
     Space(PhantomData)
 }
 
-/// Says of a conversion that both sides are of one kind.
-pub enum Same {}
+/// The shape of a parameter.
+#[inline(always)]
+pub fn shape<T: Differentiable + ?Sized>(value: &T) -> T::Shape {
+    value.shape()
+}
 
-/// Says of a conversion that one side is the tangent of a `#[constant]` field.
-pub enum Constant {}
+/// The cotangent of a parameter of this shape.
+#[inline(always)]
+pub fn fit<T, S: Shape<T>>(shape: S, mut cotangent: T) -> T {
+    shape.fit(&mut cotangent);
+    cotangent
+}
 
 /// An operator whose pullback needs no operand, only their types.
 pub struct Linear<A, B>(PhantomData<fn(A, B)>);
@@ -103,65 +114,6 @@ impl<A, B: Differentiable> Linear<A, B> {
 #[inline(always)]
 pub fn linear<A, B>(_: &A, _: &B) -> Linear<A, B> {
     Linear(PhantomData)
-}
-
-/// Adds a contribution to a cotangent. What flows to a `#[constant]` field is dropped.
-///
-/// `Kind` is inferred; it keeps the implementations apart.
-pub trait Absorb<C, Kind> {
-    /// `self += contribution`
-    fn absorb(&mut self, contribution: C);
-}
-
-impl<T: Additive> Absorb<T, Same> for T {
-    #[inline(always)]
-    fn absorb(&mut self, contribution: T) {
-        self.accumulate(contribution);
-    }
-}
-
-impl<T: ?Sized, C: Additive> Absorb<C, Constant> for NoTangent<T> {
-    #[inline(always)]
-    fn absorb(&mut self, _: C) {}
-}
-
-/// The cotangent that a field's cotangent means for the value the field was made from. Nothing
-/// comes out of a `#[constant]` field.
-///
-/// `Kind` is inferred; it keeps the implementations apart.
-pub trait Enter<T, Kind> {
-    /// The conversion.
-    fn enter(self) -> T;
-}
-
-impl<T: Additive> Enter<T, Same> for T {
-    #[inline(always)]
-    fn enter(self) -> T {
-        self
-    }
-}
-
-impl<T: ?Sized, C: Additive> Enter<C, Constant> for NoTangent<T> {
-    #[inline(always)]
-    fn enter(self) -> C {
-        C::zero()
-    }
-}
-
-/// The cotangent of a variable before it was overwritten: moves out what has gathered.
-#[inline(always)]
-pub fn take<T: Additive>(cotangent: &mut T) -> T {
-    core::mem::replace(cotangent, T::zero())
-}
-
-/// The cotangent of `x` in `[x; N]`.
-#[inline(always)]
-pub fn sum<T: Additive, const N: usize>(cotangents: [T; N]) -> T {
-    let mut total = T::zero();
-    for cotangent in cotangents {
-        total.accumulate(cotangent);
-    }
-    total
 }
 
 /// Passes on what has no derivative, and nothing else.

@@ -30,25 +30,26 @@ impl Lowerer<'_> {
                 let parts = self.operands(&tuple.elems);
                 let tokens = parts.iter().map(|part| self.tokens(part));
                 let expression = quote!((#(#tokens,)*));
-                self.aggregate(expression, Shape::Tuple, numbered(parts), hint, expr)
+                self.aggregate(expression, Shape::Tuple, numbered(parts), hint, expr.span())
             }
             Expr::Array(array) => {
                 let parts = self.operands(&array.elems);
                 let tokens = parts.iter().map(|part| self.tokens(part));
                 let expression = quote!([#(#tokens),*]);
-                self.aggregate(expression, Shape::Array, numbered(parts), hint, expr)
+                self.aggregate(expression, Shape::Array, numbered(parts), hint, expr.span())
             }
             Expr::Repeat(repeat) => {
                 let length = &repeat.len;
                 let length = quote!(#length);
                 match self.operand(&repeat.expr, "element") {
                     Operand::Constant(tokens) => Operand::Constant(quote!([#tokens; #length])),
-                    Operand::Var(var) => {
-                        let operation = Operation::Repeat(var, length);
+                    Operand::Var(value) => {
+                        let operation = Operation::Repeat { value, length, is_vec: false };
                         Operand::Var(self.define(hint, expr.span(), true, operation))
                     }
                 }
             }
+            Expr::Macro(call) if call.mac.path.is_ident("vec") => self.vec(&call.mac, hint),
             Expr::Struct(literal) => self.struct_literal(literal, hint),
             Expr::Reference(reference) => self.reference(reference, hint),
             Expr::Block(block) if block.label.is_none() => self.block_value(&block.block.stmts),
@@ -70,7 +71,10 @@ impl Lowerer<'_> {
         Self::unit()
     }
 
-    fn operands<'e>(&mut self, exprs: impl IntoIterator<Item = &'e Expr>) -> Vec<Operand> {
+    pub(super) fn operands<'e>(
+        &mut self,
+        exprs: impl IntoIterator<Item = &'e Expr>,
+    ) -> Vec<Operand> {
         exprs.into_iter().map(|expr| self.operand(expr, "value")).collect()
     }
 
@@ -165,7 +169,7 @@ impl Lowerer<'_> {
         if reference.mutability.is_some() {
             return Argument::Value(self.reference(reference, "argument"));
         }
-        if let Some(place) = self.stable_place(&reference.expr) {
+        if let Some(place) = self.active_place(&reference.expr) {
             return Argument::Borrow(place);
         }
         match self.operand(&reference.expr, "target") {
@@ -219,6 +223,9 @@ impl Lowerer<'_> {
         if is_type_name(&last.ident) {
             return self.construct(call, function, hint);
         }
+        if is_box_new(path) && call.args.len() == 1 {
+            return self.boxed(call, hint);
+        }
 
         let arguments: Vec<_> = call.args.iter().map(|arg| self.argument(arg)).collect();
         let primal = quote!(#function);
@@ -249,8 +256,7 @@ impl Lowerer<'_> {
         } else {
             Shape::Struct
         };
-        let value =
-            self.aggregate(expression, shape, numbered(parts), hint, &Expr::Call(call.clone()));
+        let value = self.aggregate(expression, shape, numbered(parts), hint, call.span());
         // A function whose name begins with a capital letter is no pattern.
         if let (Shape::Struct, Operand::Var(var)) = (shape, &value) {
             let ident = self.ident(*var);
@@ -328,37 +334,38 @@ impl Lowerer<'_> {
             quote!(#member: #value)
         });
         let path = &literal.path;
-        let whole = Expr::Struct(literal.clone());
         let Some(rest) = &literal.rest else {
             let expression = quote!(#path { #(#fields),* });
-            return self.aggregate(expression, Shape::Struct, parts, hint, &whole);
+            return self.aggregate(expression, Shape::Struct, parts, hint, literal.span());
         };
         let fields: Vec<_> = fields.collect();
         let rest = self.operand(rest, "rest");
         let rest_tokens = self.tokens(&rest);
         let expression = quote!(#path { #(#fields,)* ..#rest_tokens });
         match rest {
-            Operand::Constant(_) => self.aggregate(expression, Shape::Struct, parts, hint, &whole),
+            Operand::Constant(_) => {
+                self.aggregate(expression, Shape::Struct, parts, hint, literal.span())
+            }
             Operand::Var(rest) => {
                 let operation = Operation::UpdateStruct { expression, parts, rest };
-                Operand::Var(self.define(hint, whole.span(), true, operation))
+                Operand::Var(self.define(hint, literal.span(), true, operation))
             }
         }
     }
 
-    fn aggregate(
+    pub(super) fn aggregate(
         &mut self,
         expression: TokenStream,
         shape: Shape,
         parts: Vec<(Member, Operand)>,
         hint: &str,
-        whole: &Expr,
+        span: proc_macro2::Span,
     ) -> Operand {
         if parts.iter().all(|(_, part)| matches!(part, Operand::Constant(_))) {
             return Operand::Constant(expression);
         }
         let operation = Operation::Aggregate { expression, shape, parts };
-        Operand::Var(self.define(hint, whole.span(), true, operation))
+        Operand::Var(self.define(hint, span, true, operation))
     }
 
     /// A copy of a place, or what is not a place.
@@ -388,9 +395,17 @@ impl Lowerer<'_> {
             Expr::Field(field) => {
                 self.part(&field.base, Projection::Field(field.member.clone()), hint, expr)
             }
-            Expr::Index(index) => match self.index(&index.index) {
-                Some(position) => self.part(&index.expr, Projection::Index(position), hint, expr),
-                None => Self::unit(),
+            Expr::Index(index) => match self.operand(&index.expr, "whole") {
+                Operand::Constant(base) => {
+                    let position = self.index(&index.index, &base);
+                    Operand::Constant(quote!(#base[#position]))
+                }
+                Operand::Var(root) => {
+                    let ident = self.ident(root).clone();
+                    let step = Projection::Index(self.index(&index.index, &quote!(#ident)));
+                    let place = crate::ir::Place { root, path: vec![step] };
+                    Operand::Var(self.define(hint, expr.span(), true, Operation::Read(place)))
+                }
             },
             Expr::Unary(unary) => self.part(&unary.expr, Projection::Deref, hint, expr),
             other => self.refuse_expression(other),
@@ -411,7 +426,7 @@ impl Lowerer<'_> {
     }
 }
 
-fn numbered(parts: Vec<Operand>) -> Vec<(Member, Operand)> {
+pub(super) fn numbered(parts: Vec<Operand>) -> Vec<(Member, Operand)> {
     parts.into_iter().enumerate().map(|(index, part)| (Member::from(index), part)).collect()
 }
 
@@ -436,10 +451,18 @@ pub(super) fn is_variant(path: &Path) -> bool {
     last_is_type && segments.next().is_some_and(|owner| is_type_name(&owner.ident))
 }
 
+/// `Box::new`
+fn is_box_new(path: &Path) -> bool {
+    let mut segments = path.segments.iter().rev();
+    segments.next().is_some_and(|last| last.ident == "new")
+        && segments.next().is_some_and(|owner| owner.ident == "Box")
+}
+
 /// Comparisons and tests, by the names that glam and the standard library give them. That the
 /// result has no derivative is checked by its type.
 pub(super) fn is_predicate(name: &str) -> bool {
     name.starts_with("is_")
+        || name == "len"
         || matches!(name, "cmplt" | "cmple" | "cmpgt" | "cmpge" | "cmpeq" | "cmpne")
         || matches!(name, "lt" | "le" | "gt" | "ge" | "eq" | "ne" | "all" | "any")
 }

@@ -2,7 +2,8 @@
 //!
 //! [`flow`] lowers statements and turns every early exit into the end of a block; [`expression`]
 //! names intermediate results; [`pattern`] and [`place`] tell which part of a value is meant;
-//! [`plain`] passes on code through which no derivative flows, with variables renamed.
+//! [`sequence`] makes vectors and boxes; [`plain`] passes on code through which no derivative flows,
+//! with variables renamed.
 
 mod exits;
 mod expression;
@@ -10,6 +11,7 @@ mod flow;
 mod pattern;
 mod place;
 mod plain;
+mod sequence;
 
 use std::collections::{HashMap, HashSet};
 
@@ -20,14 +22,14 @@ use syn::{Type, spanned::Spanned};
 use crate::errors::Errors;
 use crate::ir::{Block, BlockId, Operand, Operation, Statement, Var, VarId};
 use crate::names::Names;
-use crate::signature::{Parameter, is_discrete};
+use crate::signature::{Parameter, has_fixed_size, is_discrete};
 
 /// A function body in lowered form.
 pub struct Lowered {
     /// Every variable.
     pub vars: Vec<Var>,
-    /// The variable of each parameter.
-    pub parameters: Vec<VarId>,
+    /// The variable of each parameter, and whether its tangents may differ in size.
+    pub parameters: Vec<(VarId, bool)>,
     /// The body.
     pub body: Block,
 }
@@ -62,7 +64,9 @@ pub fn lower(
         }
         lowerer.function_body(&body.stmts)
     });
-    Lowered { vars: lowerer.vars, parameters: parameter_vars, body }
+    let has_shape = parameters.iter().map(|parameter| !has_fixed_size(&parameter.ty));
+    let parameters = parameter_vars.into_iter().zip(has_shape).collect();
+    Lowered { vars: lowerer.vars, parameters, body }
 }
 
 fn last_segment_is(ty: &Type, name: &str) -> bool {

@@ -1,7 +1,7 @@
 //! Places: variables and parts of them, to read, to borrow, to assign to.
 
 use proc_macro2::TokenStream;
-use quote::{quote, quote_spanned};
+use quote::{ToTokens, quote, quote_spanned};
 use syn::spanned::Spanned;
 use syn::{BinOp, Expr, ExprAssign, ExprBinary, Lit, UnOp};
 
@@ -25,7 +25,8 @@ impl Lowerer<'_> {
             }
             Expr::Index(index) => {
                 let mut place = self.place(&index.expr)?;
-                let position = self.index(&index.index)?;
+                let whole = self.place_tokens(&place);
+                let position = self.index(&index.index, &whole);
                 place.path.push(Projection::Index(position));
                 Some(place)
             }
@@ -38,29 +39,47 @@ impl Lowerer<'_> {
         }
     }
 
-    /// A place with a derivative that nothing will be assigned to.
-    pub(super) fn stable_place(&mut self, expr: &Expr) -> Option<Place> {
+    /// A place with a derivative.
+    pub(super) fn active_place(&mut self, expr: &Expr) -> Option<Place> {
         let place = self.place(expr)?;
-        let root = &self.vars[place.root];
-        (root.active && !root.mutable).then_some(place)
+        self.vars[place.root].active.then_some(place)
     }
 
-    /// An index that keeps its value until the reverse sweep.
-    pub(super) fn index(&mut self, expr: &Expr) -> Option<TokenStream> {
-        if let Expr::Range(range) = expr {
-            self.refuse(range, "slices of arrays are not supported: loop over the index");
-            return None;
-        }
+    /// A place with a derivative that nothing will be assigned to.
+    pub(super) fn stable_place(&mut self, expr: &Expr) -> Option<Place> {
+        let place = self.active_place(expr)?;
+        (!self.vars[place.root].mutable).then_some(place)
+    }
+
+    /// An index into `whole`, or a range of them, that keeps its value until the reverse sweep.
+    pub(super) fn index(&mut self, expr: &Expr, whole: &TokenStream) -> TokenStream {
+        let Expr::Range(range) = expr else {
+            return self.settled_index(expr);
+        };
+        let from = range.start.as_ref().map_or_else(|| quote!(0), |from| self.settled_index(from));
+        let limits = &range.limits;
+        let to = match &range.end {
+            Some(to) => self.settled_index(to),
+            // The cotangent may be shorter than what is indexed, so it cannot tell the end.
+            None => {
+                let len = Operation::Use(Operand::Constant(quote!(#whole.len())));
+                let len = self.define("len", range.span(), false, len);
+                self.ident(len).to_token_stream()
+            }
+        };
+        quote!(#from #limits #to)
+    }
+
+    fn settled_index(&mut self, expr: &Expr) -> TokenStream {
         if let Expr::Lit(literal) = expr
             && let Lit::Int(number) = &literal.lit
         {
-            return Some(quote!(#number));
+            return quote!(#number);
         }
         let index = self.plain_constant(expr);
         let var =
             self.define("index", expr.span(), false, Operation::Use(Operand::Constant(index)));
-        let ident = self.ident(var);
-        Some(quote!(#ident))
+        self.ident(var).to_token_stream()
     }
 
     pub(super) fn place_tokens(&self, place: &Place) -> TokenStream {
@@ -80,7 +99,9 @@ impl Lowerer<'_> {
             self.refuse(expr, message);
             return None;
         };
-        if place.path.iter().any(|step| matches!(step, Projection::Deref)) {
+        // Behind a variable that may be assigned to is a box, which owns its content.
+        let is_reference = !self.vars[place.root].mutable;
+        if is_reference && place.path.iter().any(|step| matches!(step, Projection::Deref)) {
             self.refuse(
                 expr,
                 "assignment through a reference is not supported: assign to a variable",

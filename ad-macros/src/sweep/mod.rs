@@ -43,22 +43,27 @@ pub fn sweep(lowered: &Lowered, seed: &Ident, names: &mut Names) -> Sweeps {
         frames: Vec::new(),
     };
     let body = sweeper.block(&lowered.body, Some(quote!(#seed)));
-    let spaces = lowered.parameters.iter().map(|&parameter| sweeper.space_definition(parameter));
-    let cotangents = lowered.parameters.iter().map(|parameter| {
-        let Var { cotangent, active, .. } = &lowered.vars[*parameter];
-        match (active, sweeper.started.contains(parameter)) {
-            (false, _) => quote!(()),
+    let spaces =
+        lowered.parameters.iter().map(|&(parameter, _)| sweeper.space_definition(parameter));
+    let spaces: Vec<_> = spaces.collect();
+    let mut shapes = TokenStream::new();
+    let cotangents = lowered.parameters.iter().map(|&(parameter, has_shape)| {
+        let Var { ident, cotangent, active, .. } = &lowered.vars[parameter];
+        let cotangent = match (active, sweeper.started.contains(&parameter)) {
+            (false, _) => return quote!(()),
             (true, true) => quote!(#cotangent),
             (true, false) => quote!(::ad::Additive::zero()),
+        };
+        if !has_shape {
+            return cotangent;
         }
+        let shape = sweeper.names.fresh(&format!("{ident}_shape"), ident.span());
+        shapes.extend(quote!(let #shape = ::ad::rt::shape(&#ident);));
+        quote!(::ad::rt::fit(#shape, #cotangent))
     });
+    let cotangents: Vec<_> = cotangents.collect();
     let (forward, reverse) = (body.forward, body.reverse);
-    Sweeps {
-        forward: quote!(#(#spaces)* #forward),
-        value: body.value,
-        cotangents: cotangents.collect(),
-        reverse,
-    }
+    Sweeps { forward: quote!(#(#spaces)* #shapes #forward), value: body.value, cotangents, reverse }
 }
 
 /// A place as an expression.
@@ -70,13 +75,19 @@ pub fn project(root: TokenStream, path: &[Projection]) -> TokenStream {
     })
 }
 
-/// The cotangent of a place. That of a reference is that of its target.
-fn project_cotangent(root: &Ident, path: &[Projection]) -> TokenStream {
-    path.iter().fold(quote!(#root), |place, step| match step {
-        Projection::Field(member) => quote!(#place.#member),
-        Projection::Index(index) => quote!(#place[#index]),
-        Projection::Deref => place,
-    })
+/// The cotangent of a place, as `&mut`. That of a reference is that of its target.
+fn cotangent_of(root: &Ident, path: &[Projection]) -> TokenStream {
+    // Before the first element and behind each field it is a place, else a reference.
+    let (place, is_reference) =
+        path.iter().fold((quote!(#root), false), |(place, is_reference), step| match step {
+            Projection::Field(member) => (quote!(#place.#member), false),
+            Projection::Index(index) if is_reference => {
+                (quote!(::ad::rt::at(#place, #index)), true)
+            }
+            Projection::Index(index) => (quote!(::ad::rt::at(&mut #place, #index)), true),
+            Projection::Deref => (place, is_reference),
+        });
+    if is_reference { place } else { quote!(&mut #place) }
 }
 
 struct Sweeper<'a> {
@@ -113,6 +124,19 @@ impl Written {
         names::collect(self.reverse.clone(), &mut named);
         let saved = self.defines.iter().filter(|name| named.contains(&name.to_string()));
         quote!((#(#saved,)*))
+    }
+}
+
+/// Where a cotangent that a pullback returns goes to.
+struct Target {
+    place: Place,
+    /// Whether the argument may have been an array that was passed as a slice.
+    is_coerced: bool,
+}
+
+impl Target {
+    fn whole(root: VarId) -> Self {
+        Self { place: Place { root, path: Vec::new() }, is_coerced: false }
     }
 }
 
@@ -208,8 +232,8 @@ impl Sweeper<'_> {
             reverse.extend(quote!(let mut #cotangent = #value;));
         } else {
             self.start(reverse, var);
-            let place = project_cotangent(&self.vars[var].cotangent, path);
-            reverse.extend(quote!(::ad::rt::Absorb::absorb(&mut #place, #value);));
+            let place = cotangent_of(&self.vars[var].cotangent, path);
+            reverse.extend(quote!(::ad::rt::Absorb::absorb(#place, #value);));
         }
     }
 
@@ -221,23 +245,29 @@ impl Sweeper<'_> {
     fn contribute_all(
         &mut self,
         reverse: &mut TokenStream,
-        targets: &[Option<Place>],
+        targets: &[Option<Target>],
         value: TokenStream,
         as_array: bool,
     ) {
         let mut elements = Vec::new();
         let mut absorbed = TokenStream::new();
         for target in targets {
-            let Some(Place { root, path }) =
-                target.as_ref().filter(|place| self.vars[place.root].active)
+            let Some(Target { place: Place { root, path }, is_coerced }) =
+                target.as_ref().filter(|target| self.vars[target.place.root].active)
             else {
                 elements.push(quote!(_));
                 continue;
             };
-            if path.is_empty() && self.is_unstarted_local(*root) {
+            let is_first = path.is_empty() && self.is_unstarted_local(*root);
+            if is_first && !is_coerced {
                 self.started.insert(*root);
                 let cotangent = &self.vars[*root].cotangent;
                 elements.push(quote!(mut #cotangent));
+            } else if is_first {
+                let part = self.part_name(*root);
+                let space = self.space(*root);
+                self.contribute(&mut absorbed, *root, path, quote!(#space.enter(#part)));
+                elements.push(quote!(#part));
             } else {
                 let part = self.part_name(*root);
                 self.contribute(&mut absorbed, *root, path, quote!(#part));
@@ -326,8 +356,8 @@ impl Sweeper<'_> {
             return sides;
         }
         self.start(&mut sides.reverse, place.root);
-        let cotangent = project_cotangent(&root.cotangent, &place.path);
-        let taken = quote!(::ad::rt::take(&mut #cotangent));
+        let cotangent = cotangent_of(&root.cotangent, &place.path);
+        let taken = quote!(::ad::rt::take(#cotangent));
         match value {
             Operand::Constant(_) => sides.reverse.extend(quote!(#taken;)),
             Operand::Var(var) => {

@@ -4,7 +4,7 @@ use proc_macro2::{Ident, TokenStream};
 use quote::{quote, quote_spanned};
 use syn::{Member, Type};
 
-use super::{Sides, Sweeper, project, project_cotangent};
+use super::{Sides, Sweeper, Target, cotangent_of, project};
 use crate::ir::{
     Argument, BinaryOperator, Operand, Operation, Place, Projection, Shape, Var, VarId,
 };
@@ -117,9 +117,12 @@ impl Sweeper<'_> {
             }
             Operation::Aggregate { expression, .. }
             | Operation::UpdateStruct { expression, .. } => expression.clone(),
-            Operation::Repeat(value, length) => {
+            Operation::Repeat { value, length, is_vec } => {
                 let value = self.ident(*value);
-                quote!([#value; #length])
+                match is_vec {
+                    true => quote!(::std::vec![#value; #length]),
+                    false => quote!([#value; #length]),
+                }
             }
         }
     }
@@ -143,7 +146,7 @@ impl Sweeper<'_> {
             Operation::Binary(operator, left, right) => {
                 let pulled =
                     self.binary_pullback(*operator, record, [*left, *right], cotangent, span);
-                let targets = [*left, *right].map(|root| Some(Place { root, path: Vec::new() }));
+                let targets = [*left, *right].map(|root| Some(Target::whole(root)));
                 self.contribute_all(reverse, &targets, pulled, false);
             }
             Operation::Cast(value, ty) => {
@@ -154,7 +157,7 @@ impl Sweeper<'_> {
             }
             Operation::Call { arguments, .. } => {
                 let pulled = quote!(#record(#cotangent));
-                let targets: Vec<_> = arguments.iter().map(argument_place).collect();
+                let targets: Vec<_> = arguments.iter().map(argument_target).collect();
                 self.contribute_all(reverse, &targets, pulled, false);
             }
             Operation::Aggregate { shape: Shape::Transparent, parts, .. } => {
@@ -164,9 +167,13 @@ impl Sweeper<'_> {
                     }
                 }
             }
-            Operation::Aggregate { shape: Shape::Array, parts, .. } => {
-                let targets: Vec<_> = parts.iter().map(|(_, part)| operand_place(part)).collect();
-                self.contribute_all(reverse, &targets, cotangent, true);
+            Operation::Aggregate { shape: shape @ (Shape::Array | Shape::Vec), parts, .. } => {
+                let targets: Vec<_> = parts.iter().map(|(_, part)| operand_target(part)).collect();
+                let elements = match shape {
+                    Shape::Vec => quote!(::ad::rt::Enter::enter(#cotangent)),
+                    _ => cotangent,
+                };
+                self.contribute_all(reverse, &targets, elements, true);
             }
             Operation::Aggregate { shape, parts, .. } => {
                 for (member, part) in parts {
@@ -189,7 +196,7 @@ impl Sweeper<'_> {
                 }
                 self.contribute(reverse, *rest, &[], cotangent);
             }
-            Operation::Repeat(value, _) => {
+            Operation::Repeat { value, .. } => {
                 self.contribute(reverse, *value, &[], quote!(::ad::rt::sum(#cotangent)));
             }
         }
@@ -261,8 +268,8 @@ impl Sweeper<'_> {
         self.start(&mut sides.reverse, place.root);
         let root = &self.vars[place.root];
         let span = root.ident.span();
-        let cotangent = project_cotangent(&root.cotangent, &place.path);
-        let taken = quote!(::ad::rt::take(&mut #cotangent));
+        let cotangent = cotangent_of(&root.cotangent, &place.path);
+        let taken = quote!(::ad::rt::take(#cotangent));
         let taken = self.entered(previous, place, taken);
         let record = &self.vars[previous].record;
         if operator.is_linear() {
@@ -277,27 +284,28 @@ impl Sweeper<'_> {
         };
         sides.reverse.extend(quote! {
             let (#to_previous, #value_pattern) = #pulled;
-            ::ad::rt::Absorb::absorb(&mut #cotangent, #to_previous);
+            ::ad::rt::Absorb::absorb(#cotangent, #to_previous);
         });
         self.contribute(&mut sides.reverse, value, &[], quote!(#to_value));
         sides
     }
 }
 
-fn operand_place(operand: &Operand) -> Option<Place> {
+fn operand_target(operand: &Operand) -> Option<Target> {
     match operand {
         Operand::Constant(_) => None,
-        Operand::Var(root) => Some(Place { root: *root, path: Vec::new() }),
+        Operand::Var(root) => Some(Target::whole(*root)),
     }
 }
 
-fn argument_place(argument: &Argument) -> Option<Place> {
+fn argument_target(argument: &Argument) -> Option<Target> {
     match argument {
-        Argument::Value(operand) => operand_place(operand),
+        Argument::Value(operand) => operand_target(operand),
         Argument::Borrow(place) | Argument::Receiver(place) => {
             let is_part = |step: &Projection| !matches!(step, Projection::Deref);
             let path = place.path.iter().filter(|step| is_part(step)).cloned().collect();
-            Some(Place { root: place.root, path })
+            let is_coerced = matches!(argument, Argument::Borrow(_));
+            Some(Target { place: Place { root: place.root, path }, is_coerced })
         }
     }
 }

@@ -11,4 +11,5 @@
 mod data;
 mod exits;
 mod flow;
+mod slices;
 mod statements;
