@@ -25,6 +25,8 @@ pub struct Var {
     pub block: BlockId,
     /// Whether it is assigned to after its definition.
     pub mutable: bool,
+    /// Whether it is a `&mut` parameter.
+    pub exclusive: bool,
     /// Whether a derivative may flow through it. One that is not active is a constant.
     pub active: bool,
 }
@@ -64,7 +66,10 @@ pub enum Argument {
     Value(Operand),
     /// `&place`
     Borrow(Place),
-    /// The receiver of a method: a place, which the method borrows or copies.
+    /// `&mut place`: the cotangent goes in and comes out.
+    Exclusive(Place),
+    /// The receiver of a method: a place, which the method borrows or copies. If the place may be
+    /// assigned to, the method may change it: the types tell.
     Receiver(Place),
 }
 

@@ -17,6 +17,8 @@ pub struct Parameter {
     pub pattern: Option<Pat>,
     /// Its type.
     pub ty: Type,
+    /// Whether it is a `&mut`: its cotangent comes in and goes out.
+    pub is_exclusive: bool,
 }
 
 /// The type whose tangent is the cotangent of something of type `ty`: that of a reference is that
@@ -38,6 +40,26 @@ pub fn is_discrete(ty: &Type) -> bool {
     ];
     matches!(pointee(ty), Type::Path(path)
         if path.qself.is_none() && DISCRETE.iter().any(|name| path.path.is_ident(name)))
+}
+
+/// Whether the type is `&mut T`.
+fn is_exclusive(ty: &Type) -> bool {
+    match ty {
+        Type::Reference(reference) => reference.mutability.is_some(),
+        Type::Paren(paren) => is_exclusive(&paren.elem),
+        Type::Group(group) => is_exclusive(&group.elem),
+        _ => false,
+    }
+}
+
+/// Whether the function has a `&mut` parameter.
+fn changes_something(signature: &Signature) -> bool {
+    signature.inputs.iter().any(|input| match input {
+        FnArg::Receiver(receiver) => {
+            matches!(receiver.kind, ReceiverKind::Reference(_, _, Some(_)))
+        }
+        FnArg::Typed(typed) => is_exclusive(&typed.ty),
+    })
 }
 
 /// Whether all tangents of the type certainly have one size.
@@ -65,19 +87,13 @@ pub fn parameters(signature: &Signature, errors: &mut Errors) -> Vec<Parameter> 
     }
     if signature.inputs.is_empty() {
         errors
-            .at(&signature.ident, "a function without parameters has nothing to differentiate by: take the attribute off it, or out of the `impl` block that has the attribute");
+            .at(&signature.ident, "a function without parameters has nothing to differentiate by: take the attribute off it");
     }
 
     let parameters = signature.inputs.iter().enumerate().map(|(index, input)| match input {
         FnArg::Receiver(receiver) => {
             if let ReceiverKind::Typed(..) = receiver.kind {
                 errors.at(receiver, "write `self` or `&self`: other receivers are not supported");
-            }
-            if let ReceiverKind::Reference(_, _, Some(token)) = &receiver.kind {
-                errors.at(
-                    token,
-                    "`&mut self` is not supported: take `self` and return the changed value",
-                );
             }
             if let (ReceiverKind::Value, Some(token)) = (&receiver.kind, &receiver.mutability) {
                 errors.at(token, "write `self` and `let mut this = self;`");
@@ -86,17 +102,28 @@ pub fn parameters(signature: &Signature, errors: &mut Errors) -> Vec<Parameter> 
                 ident: Ident::new("self", receiver.self_token.span),
                 pattern: None,
                 ty: syn::parse_quote!(Self),
+                is_exclusive: matches!(receiver.kind, ReceiverKind::Reference(_, _, Some(_))),
             }
         }
         FnArg::Typed(typed) => {
             refuse_type(&typed.ty, errors);
+            let is_exclusive = is_exclusive(&typed.ty);
             let ident = match &*typed.pat {
                 Pat::Ident(pat) if pat.by_ref.is_none() && pat.subpat.is_none() => {
                     pat.ident.clone()
                 }
                 _ => format_ident!("parameter_{index}", span = Span::mixed_site()),
             };
-            Parameter { ident, pattern: Some((*typed.pat).clone()), ty: (*typed.ty).clone() }
+            let is_named = matches!(&*typed.pat, Pat::Ident(pat)
+                if pat.by_ref.is_none() && pat.mutability.is_none() && pat.subpat.is_none());
+            if is_exclusive && !is_named {
+                errors.at(
+                    &typed.pat,
+                    "a `&mut` parameter needs a plain name: take it apart in the body",
+                );
+            }
+            let pattern = Some((*typed.pat).clone());
+            Parameter { ident, pattern, ty: (*typed.ty).clone(), is_exclusive }
         }
     });
     parameters.collect()
@@ -105,10 +132,11 @@ pub fn parameters(signature: &Signature, errors: &mut Errors) -> Vec<Parameter> 
 /// The type of the result. Refuses what has no derivative.
 pub fn result(signature: &Signature, errors: &mut Errors) -> Type {
     match &signature.output {
+        ReturnType::Default if changes_something(signature) => syn::parse_quote!(()),
         ReturnType::Default => {
             errors.at(
                 &signature.ident,
-                "a function without a result has no derivative: return what it computes",
+                "a function without a result has no derivative: return what it computes, or write it through a `&mut` parameter",
             );
             syn::parse_quote!(())
         }
@@ -132,12 +160,20 @@ fn is_result(ty: &Type) -> bool {
         if path.path.segments.last().is_some_and(|last| last.ident == "Result"))
 }
 
+fn is_reference_to_exclusive(target: &Type) -> bool {
+    match target {
+        Type::Reference(reference) => {
+            reference.mutability.is_some() || is_reference_to_exclusive(&reference.elem)
+        }
+        _ => false,
+    }
+}
+
 fn refuse_type(ty: &Type, errors: &mut Errors) {
     match ty {
-        Type::Reference(reference) if reference.mutability.is_some() => errors.at(
-            ty,
-            "`&mut` parameters are not supported: take the value and return the changed one",
-        ),
+        Type::Reference(reference) if is_reference_to_exclusive(&reference.elem) => {
+            errors.at(ty, "a reference to a `&mut` is not supported: take the `&mut` itself")
+        }
         Type::ImplTrait(_) => {
             errors.at(ty, "write a type parameter `T: ..` instead of `impl Trait`")
         }

@@ -104,6 +104,45 @@
 //! At points without a derivative (`|x|` at 0, a vector of length 0) the rules return a finite
 //! subgradient: see the [table](rules#singular-points).
 //!
+//! # Changing things in place
+//!
+//! A `&mut` parameter goes both ways, and so does its cotangent: the pullback takes, after that of
+//! the value, the cotangent of what each `&mut` parameter holds afterwards, and returns, at the
+//! place of the parameter, that of what it held before. `grad` and `value_and_grad` differentiate
+//! the value alone: what is left behind counts for nothing.
+//!
+//! ```
+//! use ad::differentiable;
+//!
+//! #[differentiable]
+//! fn advance(x: &mut f64, v: &mut f64, dt: f64) {
+//!     *v -= *x * dt;
+//!     *x += *v * dt;
+//! }
+//!
+//! #[differentiable]
+//! fn oscillator(start: f64, steps: usize) -> f64 {
+//!     let (mut x, mut v) = (start, 0.0);
+//!     for _ in 0..steps {
+//!         advance(&mut x, &mut v, 0.01);
+//!     }
+//!     x
+//! }
+//!
+//! let (x, (by_start, ())) = oscillator::value_and_grad(2.0, 100);
+//! assert!((by_start - x / 2.0).abs() < 1e-12);
+//!
+//! let (mut x, mut v) = (1.0, 0.0);
+//! let ((), pullback) = advance::vjp(&mut x, &mut v, 0.5);
+//! // By how much does the new position change with the old position, the old velocity, the step?
+//! let (by_x, by_v, by_dt) = pullback((), 1.0, 0.0);
+//! assert_eq!((by_x, by_v, by_dt), (0.75, 0.5, -1.0));
+//! ```
+//!
+//! By value, the cotangents of parts of one array can be lent to a call at the same time, and a
+//! `Vec` is handed over without copying it; a pullback that wrote into its caller's cotangents
+//! instead would need them all borrowed at once.
+//!
 //! # How the generated code reads
 //!
 //! For `fn f(x: f64, y: f64) -> f64 { let p = x * y; p.sin() + p }` the attribute writes, but for

@@ -7,15 +7,18 @@ use crate::rules::{AddPullback, NegPullback, SubPullback};
 use crate::{Additive, Differentiable, NoDerivative, Shape, Tangent};
 
 mod cotangent;
+mod pullback;
 
 pub use cotangent::{Absorb, At, Constant, Enter, Length, Same, Take, at, sum, take};
+pub use pullback::MethodPullback;
 
 /// The traits whose methods generated code calls. They come without names, which could hide those
 /// of the user.
 pub mod methods {
     pub use crate::rules::{
         CloneRules as _, DVec2Rules as _, DVec4Rules as _, RealRules as _, ScalarRules as _,
-        SequenceRules as _, Vec2Rules as _, Vec4Rules as _, Vector3Rules as _, VectorRules as _,
+        SequenceRules as _, Vec2Rules as _, Vec4Rules as _, VecRules as _, Vector3Rules as _,
+        VectorRules as _,
     };
 }
 

@@ -150,12 +150,12 @@ impl Lowerer<'_> {
         if let Some(token) = &reference.mutability {
             return self.refuse(
                 token,
-                "`&mut` is not supported: assign the result of a function that returns the changed value",
+                "`&mut` is supported for the argument of a call only: name the place itself where it is changed",
             );
         }
         match self.argument(&Expr::Reference(reference.clone())) {
             Argument::Value(operand) => operand,
-            Argument::Borrow(place) | Argument::Receiver(place) => {
+            Argument::Borrow(place) | Argument::Exclusive(place) | Argument::Receiver(place) => {
                 let operation = Operation::Borrow(place);
                 Operand::Var(self.define(hint, reference.span(), true, operation))
             }
@@ -164,10 +164,20 @@ impl Lowerer<'_> {
 
     fn argument(&mut self, expr: &Expr) -> Argument {
         let Expr::Reference(reference) = expr else {
-            return Argument::Value(self.operand(expr, "argument"));
+            // A `&mut` parameter is passed on by reborrowing what it refers to.
+            return match self.place(expr) {
+                Some(mut place) if place.path.is_empty() && self.vars[place.root].exclusive => {
+                    place.path.push(Projection::Deref);
+                    Argument::Exclusive(place)
+                }
+                _ => Argument::Value(self.operand(expr, "argument")),
+            };
         };
         if reference.mutability.is_some() {
-            return Argument::Value(self.reference(reference, "argument"));
+            return match self.target(&reference.expr) {
+                Some(place) => Argument::Exclusive(place),
+                None => Argument::Value(Self::unit()),
+            };
         }
         if let Some(place) = self.active_place(&reference.expr) {
             return Argument::Borrow(place);
@@ -184,6 +194,10 @@ impl Lowerer<'_> {
             Argument::Borrow(place) => {
                 let place = self.place_tokens(place);
                 quote!(&#place)
+            }
+            Argument::Exclusive(place) => {
+                let place = self.place_tokens(place);
+                quote!(&mut #place)
             }
             Argument::Receiver(place) => self.place_tokens(place),
         }
@@ -229,7 +243,7 @@ impl Lowerer<'_> {
 
         let arguments: Vec<_> = call.args.iter().map(|arg| self.argument(arg)).collect();
         let primal = quote!(#function);
-        let vjp = vjp_of(function);
+        let vjp = known_vjp(path).unwrap_or_else(|| vjp_of(function));
         let hint = if hint == "value" { last.ident.to_string() } else { hint.to_owned() };
         self.finish_call(primal, vjp, false, arguments, &hint, call.span())
     }
@@ -275,12 +289,17 @@ impl Lowerer<'_> {
         if on_self && call.method == *self.function {
             return self.refuse_recursion(&call.method);
         }
-        let receiver = match self.stable_place(&call.receiver) {
-            Some(place) => Argument::Receiver(place),
-            None => Argument::Value(self.operand(&call.receiver, "receiver")),
+        let receiver = self.receiver(call);
+        let called_on = match &receiver {
+            Argument::Receiver(place) if self.vars[place.root].mutable => Some(place.root),
+            _ => None,
         };
         let mut arguments = vec![receiver];
+        self.called_on.extend(called_on);
         arguments.extend(call.args.iter().map(|arg| self.argument(arg)));
+        if called_on.is_some() {
+            self.called_on.pop();
+        }
         let (method, turbofish) = (&call.method, &call.turbofish);
         let vjp = format_ident!("{}_vjp", method);
         let hint = if hint == "value" { name } else { hint.to_owned() };
@@ -303,17 +322,28 @@ impl Lowerer<'_> {
         hint: &str,
         span: proc_macro2::Span,
     ) -> Operand {
-        let constant = arguments
-            .iter()
-            .all(|argument| matches!(argument, Argument::Value(Operand::Constant(_))));
+        let constant = arguments.iter().all(|argument| match argument {
+            Argument::Value(operand) => matches!(operand, Operand::Constant(_)),
+            Argument::Exclusive(place) => !self.vars[place.root].active,
+            Argument::Borrow(_) | Argument::Receiver(_) => false,
+        });
         if constant {
             let tokens: Vec<_> = arguments.iter().map(|a| self.argument_tokens(a)).collect();
-            return Operand::Constant(match (method, &tokens[..]) {
+            let value = match (method, &tokens[..]) {
                 (true, [receiver, arguments @ ..]) => {
                     quote!(#receiver.#primal(#(#arguments),*))
                 }
                 (_, arguments) => quote!(#primal(#(#arguments),*)),
-            });
+            };
+            let changes = |argument: &Argument| matches!(argument, Argument::Exclusive(_));
+            if !arguments.iter().any(changes) {
+                return Operand::Constant(value);
+            }
+            // What it changes is read before and after: it has its place among the statements.
+            let operation = Operation::Use(Operand::Constant(value));
+            let value = self.define(hint, span, false, operation);
+            let ident = self.ident(value);
+            return Operand::Constant(quote!(#ident));
         }
         let operation = Operation::Call { primal, vjp, method, arguments };
         Operand::Var(self.define(hint, span, true, operation))
@@ -377,6 +407,12 @@ impl Lowerer<'_> {
             }
             if place.path.is_empty() && !self.vars[place.root].mutable {
                 return Operand::Var(place.root);
+            }
+            if place.path.is_empty() && self.vars[place.root].exclusive {
+                return self.refuse(
+                    expr,
+                    "a `&mut` parameter can be passed on to a call only: elsewhere use `*` or a part of it",
+                );
             }
             let hint = match (hint, place.path.last()) {
                 ("value" | "argument" | "field", Some(Projection::Field(Member::Named(field)))) => {
@@ -465,6 +501,15 @@ pub(super) fn is_predicate(name: &str) -> bool {
         || name == "len"
         || matches!(name, "cmplt" | "cmple" | "cmpgt" | "cmpge" | "cmpeq" | "cmpne")
         || matches!(name, "lt" | "le" | "gt" | "ge" | "eq" | "ne" | "all" | "any")
+}
+
+/// The derivative of a function of the standard library.
+fn known_vjp(path: &Path) -> Option<TokenStream> {
+    let mut segments = path.segments.iter().rev();
+    let name = &segments.next()?.ident;
+    let is_known = segments.next()?.ident == "mem"
+        && ["swap", "replace", "take"].iter().any(|known| name == known);
+    is_known.then(|| quote!(::ad::rules::replace::#name::vjp))
 }
 
 /// The path of the derivative: `Type::f_vjp` for an associated function, `f::vjp` for another.

@@ -28,10 +28,18 @@ use crate::signature::{Parameter, has_fixed_size, is_discrete};
 pub struct Lowered {
     /// Every variable.
     pub vars: Vec<Var>,
-    /// The variable of each parameter, and whether its tangents may differ in size.
-    pub parameters: Vec<(VarId, bool)>,
+    /// The parameters.
+    pub parameters: Vec<LoweredParameter>,
     /// The body.
     pub body: Block,
+}
+
+/// A parameter of a function.
+pub struct LoweredParameter {
+    /// Its variable.
+    pub var: VarId,
+    /// Whether its tangents may differ in size.
+    pub has_shape: bool,
 }
 
 /// Lowers a function body.
@@ -51,6 +59,7 @@ pub fn lower(
         open_blocks: Vec::new(),
         block_count: 0,
         capitals: HashSet::new(),
+        called_on: Vec::new(),
         names,
         errors,
     };
@@ -64,8 +73,10 @@ pub fn lower(
         }
         lowerer.function_body(&body.stmts)
     });
-    let has_shape = parameters.iter().map(|parameter| !has_fixed_size(&parameter.ty));
-    let parameters = parameter_vars.into_iter().zip(has_shape).collect();
+    let parameters = parameters.iter().zip(parameter_vars).map(|(parameter, var)| {
+        LoweredParameter { var, has_shape: !has_fixed_size(&parameter.ty) }
+    });
+    let parameters = parameters.collect();
     Lowered { vars: lowerer.vars, parameters, body }
 }
 
@@ -85,6 +96,10 @@ struct Lowerer<'a> {
     block_count: BlockId,
     /// The names in refutable patterns that were taken for constants, for their capital letter.
     capitals: HashSet<String>,
+    /// The variables on which methods are being called whose arguments are being written. An
+    /// argument is evaluated before the call, although the receiver stands first: no method that
+    /// an argument calls may change it.
+    called_on: Vec<VarId>,
     names: &'a mut Names,
     errors: &'a mut Errors,
 }
@@ -125,6 +140,7 @@ impl Lowerer<'_> {
             ident,
             block: self.open_blocks.last().expect("a block is open").0,
             mutable,
+            exclusive: false,
             active,
         });
         self.vars.len() - 1
@@ -161,7 +177,9 @@ impl Lowerer<'_> {
     }
 
     fn parameter(&mut self, parameter: &Parameter) -> VarId {
-        let var = self.var(parameter.ident.clone(), false, !is_discrete(&parameter.ty));
+        let exclusive = parameter.is_exclusive;
+        let var = self.var(parameter.ident.clone(), exclusive, !is_discrete(&parameter.ty));
+        self.vars[var].exclusive = exclusive;
         self.alias(&parameter.ident, var);
         var
     }

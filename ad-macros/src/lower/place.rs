@@ -5,8 +5,60 @@ use quote::{ToTokens, quote, quote_spanned};
 use syn::spanned::Spanned;
 use syn::{BinOp, Expr, ExprAssign, ExprBinary, Lit, UnOp};
 
-use super::Lowerer;
-use crate::ir::{BinaryOperator, Operand, Operation, Place, Projection, Statement};
+use super::{Lowerer, exits};
+use crate::ir::{Argument, BinaryOperator, Operand, Operation, Place, Projection, Statement};
+
+/// The methods of floats, which take their receiver by value.
+const SCALAR_METHODS: [&str; 44] = [
+    "abs",
+    "acos",
+    "acosh",
+    "asin",
+    "asinh",
+    "atan",
+    "atan2",
+    "atanh",
+    "cbrt",
+    "ceil",
+    "clamp",
+    "copysign",
+    "cos",
+    "cosh",
+    "div_euclid",
+    "exp",
+    "exp2",
+    "exp_m1",
+    "floor",
+    "fract",
+    "hypot",
+    "ln",
+    "ln_1p",
+    "log",
+    "log10",
+    "log2",
+    "max",
+    "min",
+    "mul_add",
+    "powf",
+    "powi",
+    "recip",
+    "rem_euclid",
+    "round",
+    "signum",
+    "sin",
+    "sin_cos",
+    "sinh",
+    "sqrt",
+    "tan",
+    "tanh",
+    "to_degrees",
+    "to_radians",
+    "trunc",
+];
+
+fn is_scalar_method(method: &syn::Ident) -> bool {
+    SCALAR_METHODS.iter().any(|name| method == name)
+}
 
 impl Lowerer<'_> {
     /// The place that an expression names, if it names one of a local variable.
@@ -51,6 +103,26 @@ impl Lowerer<'_> {
         (!self.vars[place.root].mutable).then_some(place)
     }
 
+    /// The receiver of a method. Where it is a place that may be assigned to, the method is called
+    /// on the place itself, which a method that takes `&mut self` changes.
+    pub(super) fn receiver(&mut self, call: &syn::ExprMethodCall) -> Argument {
+        let place = self.active_place(&call.receiver);
+        let Some(place) = place.filter(|place| !self.is_copied(place, call)) else {
+            return Argument::Value(self.operand(&call.receiver, "receiver"));
+        };
+        match self.called_on.contains(&place.root) {
+            true => Argument::Borrow(place),
+            false => Argument::Receiver(place),
+        }
+    }
+
+    /// Whether the method is certainly called on a copy of the place. Where an argument changes a
+    /// variable it must be, since a reference would not have compiled.
+    fn is_copied(&self, place: &Place, call: &syn::ExprMethodCall) -> bool {
+        self.vars[place.root].mutable
+            && (is_scalar_method(&call.method) || call.args.iter().any(exits::may_change_variables))
+    }
+
     /// An index into `whole`, or a range of them, that keeps its value until the reverse sweep.
     pub(super) fn index(&mut self, expr: &Expr, whole: &TokenStream) -> TokenStream {
         let Expr::Range(range) = expr else {
@@ -88,7 +160,7 @@ impl Lowerer<'_> {
     }
 
     /// The place that is assigned to.
-    fn target(&mut self, expr: &Expr) -> Option<Place> {
+    pub(super) fn target(&mut self, expr: &Expr) -> Option<Place> {
         let Some(place) = self.place(expr) else {
             let message = match expr {
                 Expr::Tuple(_) | Expr::Array(_) | Expr::Struct(_) => {

@@ -15,7 +15,7 @@ use crate::ir::{
     Arm, Block, BlockId, Branch, BranchKind, Loop, Operand, Place, Projection, Statement, Var,
     VarId,
 };
-use crate::lower::Lowered;
+use crate::lower::{Lowered, LoweredParameter};
 use crate::names::{self, Names};
 
 /// Up to this number of iterations, what a loop saves is kept on the stack.
@@ -29,6 +29,8 @@ pub struct Sweeps {
     pub value: TokenStream,
     /// The statements of the reverse sweep.
     pub reverse: TokenStream,
+    /// The names of the cotangents that come in for `&mut` parameters.
+    pub incoming: Vec<Ident>,
     /// The cotangent of each parameter.
     pub cotangents: Vec<TokenStream>,
 }
@@ -42,14 +44,16 @@ pub fn sweep(lowered: &Lowered, seed: &Ident, names: &mut Names) -> Sweeps {
         spaces: HashSet::new(),
         frames: Vec::new(),
     };
+    let exclusive = lowered.parameters.iter().map(|parameter| parameter.var);
+    let exclusive: Vec<_> = exclusive.filter(|&var| lowered.vars[var].exclusive).collect();
+    sweeper.started.extend(&exclusive);
     let body = sweeper.block(&lowered.body, Some(quote!(#seed)));
-    let spaces =
-        lowered.parameters.iter().map(|&(parameter, _)| sweeper.space_definition(parameter));
+    let spaces = lowered.parameters.iter().map(|parameter| sweeper.space_definition(parameter.var));
     let spaces: Vec<_> = spaces.collect();
     let mut shapes = TokenStream::new();
-    let cotangents = lowered.parameters.iter().map(|&(parameter, has_shape)| {
-        let Var { ident, cotangent, active, .. } = &lowered.vars[parameter];
-        let cotangent = match (active, sweeper.started.contains(&parameter)) {
+    let cotangents = lowered.parameters.iter().map(|&LoweredParameter { var, has_shape }| {
+        let Var { ident, cotangent, active, .. } = &lowered.vars[var];
+        let cotangent = match (active, sweeper.started.contains(&var)) {
             (false, _) => return quote!(()),
             (true, true) => quote!(#cotangent),
             (true, false) => quote!(::ad::Additive::zero()),
@@ -63,7 +67,13 @@ pub fn sweep(lowered: &Lowered, seed: &Ident, names: &mut Names) -> Sweeps {
     });
     let cotangents: Vec<_> = cotangents.collect();
     let (forward, reverse) = (body.forward, body.reverse);
-    Sweeps { forward: quote!(#(#spaces)* #shapes #forward), value: body.value, cotangents, reverse }
+    Sweeps {
+        forward: quote!(#(#spaces)* #shapes #forward),
+        value: body.value,
+        reverse,
+        incoming: exclusive.iter().map(|&var| lowered.vars[var].cotangent.clone()).collect(),
+        cotangents,
+    }
 }
 
 /// A place as an expression.

@@ -12,8 +12,9 @@ use crate::ir::{
 impl Sweeper<'_> {
     pub(super) fn define(&mut self, var: VarId, ty: Option<&Type>, operation: &Operation) -> Sides {
         let mut reverse = TokenStream::new();
-        let pulls_back = self.started.contains(&var);
+        let pulls_back = self.started.contains(&var) || self.changes_live_place(operation);
         if pulls_back {
+            self.start(&mut reverse, var);
             self.pull_back(&mut reverse, var, operation);
         }
         let Var { ident, space, record, mutable, .. } = &self.vars[var];
@@ -69,11 +70,18 @@ impl Sweeper<'_> {
                     let place = self.place(place);
                     quote!(&#place)
                 }
+                Argument::Exclusive(place) => {
+                    let place = self.place(place);
+                    quote!(&mut #place)
+                }
                 Argument::Receiver(place) => self.place(place),
             })
             .collect();
         if method {
-            let receiver = tokens.remove(0);
+            let mut receiver = tokens.remove(0);
+            if let Argument::Borrow(_) = arguments[0] {
+                receiver = quote!((#receiver));
+            }
             quote!(#receiver.#function(#(#tokens),*))
         } else {
             quote!(#function(#(#tokens),*))
@@ -156,7 +164,7 @@ impl Sweeper<'_> {
                 self.contribute(reverse, *value, &[], pulled);
             }
             Operation::Call { arguments, .. } => {
-                let pulled = quote!(#record(#cotangent));
+                let pulled = self.call_pullback(reverse, record, cotangent, arguments);
                 let targets: Vec<_> = arguments.iter().map(argument_target).collect();
                 self.contribute_all(reverse, &targets, pulled, false);
             }
@@ -200,6 +208,53 @@ impl Sweeper<'_> {
                 self.contribute(reverse, *value, &[], quote!(::ad::rt::sum(#cotangent)));
             }
         }
+    }
+
+    /// The call of the pullback of a call. What the call may have changed lends it its cotangent.
+    fn call_pullback(
+        &mut self,
+        reverse: &mut TokenStream,
+        record: &Ident,
+        cotangent: TokenStream,
+        arguments: &[Argument],
+    ) -> TokenStream {
+        let mut lent = Vec::new();
+        let mut receiver = None;
+        for argument in arguments {
+            match argument {
+                Argument::Exclusive(place) if !self.vars[place.root].active => {
+                    lent.push(quote!(()));
+                }
+                Argument::Exclusive(place) => {
+                    self.start(reverse, place.root);
+                    let lender = cotangent_of(&self.vars[place.root].cotangent, &place.path);
+                    lent.push(quote!(::ad::rt::Take::take(#lender)));
+                }
+                Argument::Receiver(place) if self.vars[place.root].mutable => {
+                    self.start(reverse, place.root);
+                    receiver = Some(cotangent_of(&self.vars[place.root].cotangent, &place.path));
+                }
+                Argument::Value(_) | Argument::Borrow(_) | Argument::Receiver(_) => {}
+            }
+        }
+        match receiver {
+            None => quote!(#record(#cotangent #(, #lent)*)),
+            Some(receiver) => quote! {
+                ::ad::rt::MethodPullback::pull_back(#record, #cotangent, #receiver, (#(#lent,)*))
+            },
+        }
+    }
+
+    /// Whether an operation may change something whose cotangent is not zero.
+    fn changes_live_place(&mut self, operation: &Operation) -> bool {
+        let Operation::Call { arguments, .. } = operation else { return false };
+        arguments.iter().any(|argument| match argument {
+            Argument::Exclusive(place) | Argument::Receiver(place) => {
+                let root = &self.vars[place.root];
+                root.active && root.mutable && self.is_live(place)
+            }
+            Argument::Value(_) | Argument::Borrow(_) => false,
+        })
     }
 
     /// A field that a struct update sets: its cotangent does not reach the rest.
@@ -301,10 +356,10 @@ fn operand_target(operand: &Operand) -> Option<Target> {
 fn argument_target(argument: &Argument) -> Option<Target> {
     match argument {
         Argument::Value(operand) => operand_target(operand),
-        Argument::Borrow(place) | Argument::Receiver(place) => {
+        Argument::Borrow(place) | Argument::Exclusive(place) | Argument::Receiver(place) => {
             let is_part = |step: &Projection| !matches!(step, Projection::Deref);
             let path = place.path.iter().filter(|step| is_part(step)).cloned().collect();
-            let is_coerced = matches!(argument, Argument::Borrow(_));
+            let is_coerced = !matches!(argument, Argument::Receiver(_));
             Some(Target { place: Place { root: place.root, path }, is_coerced })
         }
     }

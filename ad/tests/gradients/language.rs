@@ -5,10 +5,14 @@
     clippy::let_and_return,
     clippy::needless_range_loop,
     clippy::needless_return,
+    clippy::boxed_local,
+    clippy::redundant_slicing,
+    clippy::useless_vec,
     reason = "these forms are what is tested"
 )]
 
 mod data;
+mod exclusive;
 mod exits;
 mod flow;
 mod slices;
