@@ -27,6 +27,8 @@ pub struct Var {
     pub mutable: bool,
     /// Whether it is a `&mut` parameter.
     pub exclusive: bool,
+    /// Whether it may be a shared reference.
+    pub reference: bool,
     /// Whether a derivative may flow through it. One that is not active is a constant.
     pub active: bool,
 }
@@ -91,7 +93,7 @@ impl BinaryOperator {
 }
 
 /// How the value of an [`Operation::Aggregate`] holds its parts.
-#[derive(Clone, Copy, PartialEq, Eq)]
+#[derive(Clone, PartialEq, Eq)]
 pub enum Shape {
     /// `(a, b)`
     Tuple,
@@ -103,8 +105,11 @@ pub enum Shape {
     Struct,
     /// `Some(a)`, `Box::new(a)`: the cotangent of the whole is that of its content.
     Transparent,
-    /// `ControlFlow::Break(a)` (member 0) or `Continue(a)` (member 1).
+    /// `ControlFlow::Break(a)` (member 0) or `Continue(a)` (member 1); `Ok(a)` (member 0) or
+    /// `Err(a)` (member 1).
     Flow,
+    /// `Enum::Variant { a, b }` or `Enum::Variant(a, b)`.
+    Variant(Ident),
 }
 
 /// The right-hand side of a definition.
@@ -113,6 +118,8 @@ pub enum Operation {
     Use(Operand),
     /// A copy of a place.
     Read(Place),
+    /// What a variable is or refers to: a number.
+    Value(VarId),
     /// `&place`
     Borrow(Place),
     /// `-x`

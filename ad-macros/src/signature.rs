@@ -19,6 +19,8 @@ pub struct Parameter {
     pub ty: Type,
     /// Whether it is a `&mut`: its cotangent comes in and goes out.
     pub is_exclusive: bool,
+    /// Whether it is a `&`.
+    pub is_shared: bool,
 }
 
 /// The type whose tangent is the cotangent of something of type `ty`: that of a reference is that
@@ -103,6 +105,7 @@ pub fn parameters(signature: &Signature, errors: &mut Errors) -> Vec<Parameter> 
                 pattern: None,
                 ty: syn::parse_quote!(Self),
                 is_exclusive: matches!(receiver.kind, ReceiverKind::Reference(_, _, Some(_))),
+                is_shared: matches!(receiver.kind, ReceiverKind::Reference(_, _, None)),
             }
         }
         FnArg::Typed(typed) => {
@@ -123,7 +126,8 @@ pub fn parameters(signature: &Signature, errors: &mut Errors) -> Vec<Parameter> 
                 );
             }
             let pattern = Some((*typed.pat).clone());
-            Parameter { ident, pattern, ty: (*typed.ty).clone(), is_exclusive }
+            let is_shared = !is_exclusive && matches!(&*typed.ty, Type::Reference(_));
+            Parameter { ident, pattern, ty: (*typed.ty).clone(), is_exclusive, is_shared }
         }
     });
     parameters.collect()
@@ -144,20 +148,9 @@ pub fn result(signature: &Signature, errors: &mut Errors) -> Type {
             if let Type::ImplTrait(_) = &**ty {
                 errors.at(ty, "the result needs a type that can be named: `impl Trait` cannot be differentiated");
             }
-            if is_result(ty) {
-                errors.at(
-                    ty,
-                    "a `Result` has no derivative: return an `Option`, and make the error of `None` outside",
-                );
-            }
             (**ty).clone()
         }
     }
-}
-
-fn is_result(ty: &Type) -> bool {
-    matches!(ty, Type::Path(path)
-        if path.path.segments.last().is_some_and(|last| last.ident == "Result"))
 }
 
 fn is_reference_to_exclusive(target: &Type) -> bool {

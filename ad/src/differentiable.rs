@@ -32,7 +32,7 @@ use glam::{DVec2, DVec3, DVec4, Vec2, Vec3, Vec4};
 #[diagnostic::on_unimplemented(
     message = "`{Self}` has no derivative",
     label = "no derivative passes through a `{Self}`",
-    note = "put `#[derive(Differentiable)]` on your own struct",
+    note = "put `#[derive(Differentiable)]` on your own struct or enum, and `#[constant]` below it if no derivative is to pass",
     note = "mark a struct field that carries no derivative with `#[constant]`"
 )]
 pub trait Differentiable {

@@ -28,10 +28,11 @@
 //! # What can be differentiated
 //!
 //! Functions and inherent methods on `f32`, `f64`, glam's float vectors, tuples, arrays, slices,
-//! `Vec`, `Box`, `Option`, references to these, and structs with `#[derive(Differentiable)]`;
-//! generic ones too. In a body: `let` with patterns, arithmetic, assignment to local variables and
-//! parts of them, `if`, `match`, `if let`, `let else`, `for` over ranges, `return` from anywhere,
-//! `?` on options, calls of differentiable functions and of the methods listed in [`rules`].
+//! `Vec`, `Box`, `Option`, `Result`, references to these, and structs and enums with
+//! `#[derive(Differentiable)]`; generic ones too. In a body: `let` with patterns, arithmetic,
+//! assignment to local variables and parts of them, `if`, `match`, `if let` and chains of it,
+//! `let else`, `for` over ranges, `return` from anywhere, `?`, calls of differentiable functions
+//! and of the methods listed in [`rules`].
 //!
 //! The gradient by a slice or a `Vec` is a `Vec` of the same length. Reading or writing an element
 //! costs the reverse sweep a constant time, as it does the function. A call costs it the length of
@@ -99,10 +100,43 @@
 //!   says that it finds no *module, crate or type* of that name, or no method `.._vjp`.
 //! - Integers, booleans and comparisons carry no derivative. A cast from a float to an integer would
 //!   cut one off, so it has to be said: `stop_gradient(x) as usize`.
-//! - A struct field that carries no derivative is marked `#[constant]`.
+//! - A field that carries no derivative is marked `#[constant]`, and so is a type that carries none.
+//! - A pattern for a variant of an enum names the enum (`Shape::Disc(r)`, `Self::Disc(r)`), which
+//!   tells it from a tuple struct.
 //!
 //! At points without a derivative (`|x|` at 0, a vector of length 0) the rules return a finite
 //! subgradient: see the [table](rules#singular-points).
+//!
+//! # Options, results and enums
+//!
+//! The cotangent of an `Option` is that of its content, zero for `None`. That of a
+//! `Result<T, E>` is the pair of those of `T` and of `E`, of which an error without data has `()`;
+//! nothing flows through `?` on the side of the error. The tangent of an enum has a field for each
+//! variant with data; those of the variants that the value is not stay zero.
+//!
+//! ```
+//! use ad::{Differentiable, differentiable};
+//!
+//! #[derive(Clone, Copy, Differentiable)]
+//! enum Shape {
+//!     Disc(f64),
+//!     Box { width: f64, height: f64 },
+//!     Point,
+//! }
+//!
+//! #[differentiable]
+//! fn area(shape: &Shape) -> f64 {
+//!     match shape {
+//!         Shape::Disc(radius) => std::f64::consts::PI * radius * radius,
+//!         Shape::Box { width, height } => width * height,
+//!         Shape::Point => 0.0,
+//!     }
+//! }
+//!
+//! let by_shape = area::grad(&Shape::Box { width: 2.0, height: 3.0 });
+//! assert_eq!((by_shape.Box.width, by_shape.Box.height), (3.0, 2.0));
+//! assert_eq!(by_shape.Disc.0, 0.0);
+//! ```
 //!
 //! # Changing things in place
 //!

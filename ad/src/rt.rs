@@ -3,6 +3,8 @@
 use core::marker::PhantomData;
 use core::ops::{Add, Neg, Sub};
 
+use glam::{DVec2, DVec3, DVec4, Vec2, Vec3, Vec4};
+
 use crate::rules::{AddPullback, NegPullback, SubPullback};
 use crate::{Additive, Differentiable, NoDerivative, Shape, Tangent};
 
@@ -119,10 +121,69 @@ pub fn linear<A, B>(_: &A, _: &B) -> Linear<A, B> {
     Linear(PhantomData)
 }
 
+/// The operand of an operator: a number, or what a reference to one refers to.
+#[diagnostic::on_unimplemented(
+    message = "a reference to `{Self}` cannot be an operand here",
+    label = "not a number",
+    note = "write `*x` for what a reference `x` refers to"
+)]
+pub trait ByValue: Sized {
+    /// The number.
+    type Value;
+
+    /// The number.
+    fn by_value(self) -> Self::Value;
+}
+
+impl<T: ByValue + Copy> ByValue for &T {
+    type Value = T::Value;
+
+    #[inline(always)]
+    fn by_value(self) -> T::Value {
+        (*self).by_value()
+    }
+}
+
+macro_rules! by_value {
+    ($($type:ty)*) => {$(
+        impl ByValue for $type {
+            type Value = Self;
+
+            #[inline(always)]
+            fn by_value(self) -> Self {
+                self
+            }
+        }
+    )*};
+}
+
+by_value!(f32 f64 Vec2 Vec3 Vec4 DVec2 DVec3 DVec4);
+by_value!(i8 i16 i32 i64 i128 isize u8 u16 u32 u64 u128 usize);
+
 /// Passes on what has no derivative, and nothing else.
 #[inline(always)]
 pub fn constant<T: NoDerivative>(value: T) -> T {
     value
+}
+
+/// The conversion of an error that `?` does.
+#[inline(always)]
+pub fn propagate<E: NoDerivative, F: From<E>>(error: E) -> F {
+    F::from(error)
+}
+
+/// The derivative of [`propagate`]: there is none.
+#[allow(non_camel_case_types)]
+pub enum propagate {}
+
+impl propagate {
+    /// Nothing flows back to an error.
+    #[inline(always)]
+    pub fn vjp<E: NoDerivative, F: From<E> + Differentiable>(
+        error: E,
+    ) -> (F, impl FnOnce(Tangent<F>) -> Tangent<E> + use<E, F>) {
+        (F::from(error), |_| Additive::zero())
+    }
 }
 
 /// What the iterations of a loop saved, on the stack: for loops whose trip count is a literal.

@@ -82,6 +82,7 @@ impl Lowerer<'_> {
         match self.operand(inner, "value") {
             Operand::Constant(tokens) => Operand::Constant(quote!((-#tokens))),
             Operand::Var(var) => {
+                let var = self.number(var);
                 Operand::Var(self.define(hint, whole.span(), true, Operation::Negate(var)))
             }
         }
@@ -121,9 +122,20 @@ impl Lowerer<'_> {
         }
         let left = self.named(left, "constant", binary.left.span());
         let right = self.named(right, "constant", binary.right.span());
+        let (left, right) = (self.number(left), self.number(right));
         let hint = if hint == "value" { default_hint } else { hint };
         let operation = Operation::Binary(operator, left, right);
         Operand::Var(self.define(hint, binary.span(), true, operation))
+    }
+
+    /// The operand of an operator. Of a reference the pullback would need the number, and may not
+    /// hold on to the reference.
+    pub(super) fn number(&mut self, var: crate::ir::VarId) -> crate::ir::VarId {
+        if !self.vars[var].reference {
+            return var;
+        }
+        let ident = self.ident(var).clone();
+        self.define(&ident.to_string(), ident.span(), true, Operation::Value(var))
     }
 
     /// A cast to a float has a pullback; any other must not cut a derivative.
@@ -157,7 +169,9 @@ impl Lowerer<'_> {
             Argument::Value(operand) => operand,
             Argument::Borrow(place) | Argument::Exclusive(place) | Argument::Receiver(place) => {
                 let operation = Operation::Borrow(place);
-                Operand::Var(self.define(hint, reference.span(), true, operation))
+                let var = self.define(hint, reference.span(), true, operation);
+                self.vars[var].reference = true;
+                Operand::Var(var)
             }
         }
     }
@@ -257,24 +271,24 @@ impl Lowerer<'_> {
         let parts = self.operands(&call.args);
         let tokens = parts.iter().map(|part| self.tokens(part));
         let expression = quote!(#function(#(#tokens),*));
-        let shape = if is_transparent(&function.path) {
-            Shape::Transparent
-        } else if is_variant(&function.path) {
-            return match parts.iter().all(|part| matches!(part, Operand::Constant(_))) {
-                true => Operand::Constant(expression),
-                false => self.refuse(
-                    function,
-                    "enums with data are not supported: use a struct, or a tuple",
-                ),
-            };
+        let (shape, parts) = if is_transparent(&function.path) {
+            (Shape::Transparent, numbered(parts))
+        } else if let Some(member) = outcome(&function.path) {
+            (Shape::Flow, parts.into_iter().map(|part| (member.clone(), part)).collect())
+        } else if let Some(variant) = variant(&function.path) {
+            (Shape::Variant(variant.clone()), numbered(parts))
         } else {
-            Shape::Struct
+            (Shape::Struct, numbered(parts))
         };
-        let value = self.aggregate(expression, shape, numbered(parts), hint, call.span());
+        let value = self.aggregate(expression, shape.clone(), parts, hint, call.span());
         // A function whose name begins with a capital letter is no pattern.
-        if let (Shape::Struct, Operand::Var(var)) = (shape, &value) {
+        if let Operand::Var(var) = &value {
             let ident = self.ident(*var);
-            let code = quote!(let #function(..) = &#ident;);
+            let code = match shape {
+                Shape::Struct => quote!(let #function(..) = &#ident;),
+                Shape::Variant(_) => quote!(match &#ident { #function(..) => {} _ => {} }),
+                _ => return value,
+            };
             self.push(Statement::Plain { code, defines: Vec::new() });
         }
         value
@@ -350,10 +364,10 @@ impl Lowerer<'_> {
     }
 
     fn struct_literal(&mut self, literal: &syn::ExprStruct, hint: &str) -> Operand {
-        if is_variant(&literal.path) {
-            return self
-                .refuse(literal, "enums with data are not supported: use a struct, or a tuple");
-        }
+        let shape = match variant(&literal.path) {
+            Some(variant) => Shape::Variant(variant.clone()),
+            None => Shape::Struct,
+        };
         let parts: Vec<_> = literal
             .fields
             .iter()
@@ -366,16 +380,14 @@ impl Lowerer<'_> {
         let path = &literal.path;
         let Some(rest) = &literal.rest else {
             let expression = quote!(#path { #(#fields),* });
-            return self.aggregate(expression, Shape::Struct, parts, hint, literal.span());
+            return self.aggregate(expression, shape, parts, hint, literal.span());
         };
         let fields: Vec<_> = fields.collect();
         let rest = self.operand(rest, "rest");
         let rest_tokens = self.tokens(&rest);
         let expression = quote!(#path { #(#fields,)* ..#rest_tokens });
         match rest {
-            Operand::Constant(_) => {
-                self.aggregate(expression, Shape::Struct, parts, hint, literal.span())
-            }
+            Operand::Constant(_) => self.aggregate(expression, shape, parts, hint, literal.span()),
             Operand::Var(rest) => {
                 let operation = Operation::UpdateStruct { expression, parts, rest };
                 Operand::Var(self.define(hint, literal.span(), true, operation))
@@ -394,8 +406,16 @@ impl Lowerer<'_> {
         if parts.iter().all(|(_, part)| matches!(part, Operand::Constant(_))) {
             return Operand::Constant(expression);
         }
+        // A pattern that takes it apart may reach into what a part refers to.
+        let is_reference = |(_, part): &(Member, Operand)| match part {
+            Operand::Var(var) => self.vars[*var].reference,
+            Operand::Constant(_) => false,
+        };
+        let reference = parts.iter().any(is_reference);
         let operation = Operation::Aggregate { expression, shape, parts };
-        Operand::Var(self.define(hint, span, true, operation))
+        let var = self.define(hint, span, true, operation);
+        self.vars[var].reference = reference;
+        Operand::Var(var)
     }
 
     /// A copy of a place, or what is not a place.
@@ -475,16 +495,27 @@ pub(super) fn is_type_name(ident: &syn::Ident) -> bool {
         .starts_with(char::is_uppercase)
 }
 
-/// `Some`, `Ok`, `Err`
+/// `Some`
 pub(super) fn is_transparent(path: &Path) -> bool {
     path.segments.last().is_some_and(|last| last.ident == "Some")
 }
 
+/// `Ok`, `Err`: the member of the cotangent of a `Result`.
+pub(super) fn outcome(path: &Path) -> Option<Member> {
+    let last = &path.segments.last()?.ident;
+    match () {
+        () if last == "Ok" => Some(Member::from(0)),
+        () if last == "Err" => Some(Member::from(1)),
+        () => None,
+    }
+}
+
 /// `Enum::Variant`, told from `module::Type` by the capital letter.
-pub(super) fn is_variant(path: &Path) -> bool {
+pub(super) fn variant(path: &Path) -> Option<&syn::Ident> {
     let mut segments = path.segments.iter().rev();
-    let last_is_type = segments.next().is_some_and(|last| is_type_name(&last.ident));
-    last_is_type && segments.next().is_some_and(|owner| is_type_name(&owner.ident))
+    let last = segments.next().filter(|last| is_type_name(&last.ident))?;
+    segments.next().filter(|owner| is_type_name(&owner.ident))?;
+    Some(&last.ident)
 }
 
 /// `Box::new`

@@ -6,12 +6,13 @@
 //! the `Continue` arm of a match on it. `e?` becomes a match on `e`.
 
 use proc_macro2::{Ident, TokenStream};
-use quote::{format_ident, quote};
+use quote::{format_ident, quote, quote_spanned};
 use syn::spanned::Spanned;
+use syn::visit::Visit;
 use syn::{Expr, Lit, Local, Member, Pat, RangeLimits, Stmt, parse_quote};
 
 use super::pattern::Matched;
-use super::{Lowerer, exits};
+use super::{Lowerer, OnFailure, desugar, exits};
 use crate::ir::{
     Arm, Branch, BranchKind, Loop, Operand, Operation, Place, Projection, Shape, Statement, VarId,
 };
@@ -214,14 +215,31 @@ impl Lowerer<'_> {
         let Expr::Try(attempt) = part else {
             return self.control(&part, Some(&parse_quote!(#name)), rest, end, false);
         };
-        if !self.returns_option {
-            return self.refuse(
-                attempt.question_token,
-                "`?` is supported in functions that return an `Option`: use `match`",
-            );
-        }
-        let none = parse_quote!(return ::core::option::Option::None);
-        self.let_else(&parse_quote!(Some(#name)), &attempt.expr, &none, rest, end)
+        let value = &attempt.expr;
+        let attempt = match self.on_failure {
+            OnFailure::None => parse_quote!(match #value {
+                ::core::option::Option::Some(#name) => {}
+                ::core::option::Option::None => return ::core::option::Option::None,
+            }),
+            OnFailure::Err => {
+                let error = self.names.unwritten("error");
+                let span = attempt.question_token.span();
+                let propagate = quote_spanned!(span=> ::ad::rt::propagate(#error));
+                parse_quote!(match #value {
+                    ::core::result::Result::Ok(#name) => {}
+                    ::core::result::Result::Err(#error) => {
+                        return ::core::result::Result::Err(#propagate);
+                    }
+                })
+            }
+            OnFailure::Unknown => {
+                return self.refuse(
+                    attempt.question_token,
+                    "`?` is supported in functions that return an `Option` or a `Result`: use `match`",
+                );
+            }
+        };
+        self.match_else(&attempt, rest, end)
     }
 
     /// `let pat = expr else { otherwise }; rest`
@@ -233,9 +251,22 @@ impl Lowerer<'_> {
         rest: Vec<Stmt>,
         end: End,
     ) -> Operand {
-        let matched: Expr = parse_quote!(match #expr { #pat => {} _ => #otherwise });
+        let mut bound = desugar::Bound::default();
+        bound.visit_pat(pat);
+        let (names, mutabilities) = (&bound.names, &bound.mutabilities);
+        if desugar::alternatives(pat).len() > 1 {
+            let value = parse_quote!(match #expr { #pat => (#(#names,)*), _ => #otherwise });
+            let names = parse_quote!((#(#mutabilities #names,)*));
+            return self.control(&value, Some(&names), rest, end, false);
+        }
+        let matched = parse_quote!(match #expr { #pat => {} _ => #otherwise });
+        self.match_else(&matched, rest, end)
+    }
+
+    /// A `match` of which the arm with an empty block goes on with `rest`.
+    fn match_else(&mut self, matched: &Expr, rest: Vec<Stmt>, end: End) -> Operand {
         let mut rest = Some(rest);
-        self.branch_value(&matched, &mut |lowerer, body| match body {
+        self.branch_value(matched, &mut |lowerer, body| match body {
             Expr::Block(block) if block.block.stmts.is_empty() => {
                 lowerer.statements(rest.take().unwrap_or_default(), end)
             }
@@ -272,6 +303,7 @@ impl Lowerer<'_> {
             return self.hoisted(name, part, stmts, end);
         }
 
+        let expr = desugar::branch(expr);
         let is_branch = matches!(expr, Expr::If(_) | Expr::Match(_));
         if is_branch && (is_value || (pat.is_none() && rest.is_empty())) {
             return self.branch_value(&expr, &mut |lowerer, body| {
@@ -449,12 +481,6 @@ impl Lowerer<'_> {
         wants_value: bool,
         span: proc_macro2::Span,
     ) -> Operand {
-        if arms.len() > MOST_ARMS {
-            self.errors.add(syn::Error::new(
-                span,
-                format!("a `match` of more than {MOST_ARMS} arms: split it"),
-            ));
-        }
         let record = self.names.fresh("path", span);
         let result = wants_value.then(|| {
             let active = arms.iter().any(|arm| matches!(arm.body.value, Operand::Var(_)));
@@ -477,14 +503,11 @@ impl Lowerer<'_> {
         expr: &Expr,
         lower_arm: &mut dyn FnMut(&mut Self, &Expr) -> Operand,
     ) -> (BranchKind, Vec<Arm>) {
-        match expr {
+        match &desugar::branch(expr.clone()) {
             Expr::If(branch) => {
                 let then = &branch.then_branch;
                 let then: Expr = parse_quote!(#then);
-                let otherwise = match &branch.else_branch {
-                    Some((_, otherwise)) => (**otherwise).clone(),
-                    None => parse_quote!({}),
-                };
+                let otherwise = desugar::otherwise(branch);
                 if let Expr::Let(condition) = strip_parens(&branch.cond) {
                     let (pat, matched) = (&condition.pat, &condition.expr);
                     let as_match: Expr =
@@ -502,7 +525,13 @@ impl Lowerer<'_> {
             }
             Expr::Match(branch) => {
                 let (matched, source) = self.scrutinee(&branch.expr);
-                let matched_value = Matched { active: source.is_some(), refutable: true };
+                let reference = match &source {
+                    _ if matches!(*branch.expr, Expr::Reference(_)) => true,
+                    Some(place) => place.path.is_empty() && self.vars[place.root].reference,
+                    None => false,
+                };
+                let matched_value =
+                    Matched { active: source.is_some(), refutable: true, reference };
                 let arms = branch.arms.iter().map(|arm| {
                     let (pat, guard) = match &arm.pat {
                         Pat::Guard(guarded) => (&*guarded.pat, Some(&guarded.guard)),
@@ -525,9 +554,6 @@ impl Lowerer<'_> {
         }
     }
 }
-
-/// The largest of the enums `ad::rt::Branch1`, `Branch2`, ..
-const MOST_ARMS: usize = 12;
 
 fn is_control(expr: &Expr) -> bool {
     matches!(expr, Expr::If(_) | Expr::Match(_) | Expr::Block(_) | Expr::ForLoop(_))
@@ -561,11 +587,7 @@ fn arm_bodies(expr: &Expr) -> Vec<Expr> {
     match expr {
         Expr::If(branch) => {
             let then = &branch.then_branch;
-            let otherwise = match &branch.else_branch {
-                Some((_, otherwise)) => (**otherwise).clone(),
-                None => parse_quote!({}),
-            };
-            vec![parse_quote!(#then), otherwise]
+            vec![parse_quote!(#then), desugar::otherwise(branch)]
         }
         Expr::Match(branch) => branch.arms.iter().map(|arm| (*arm.body).clone()).collect(),
         _ => Vec::new(),

@@ -1,10 +1,11 @@
 //! From the user's syntax to [`ir`](crate::ir).
 //!
-//! [`flow`] lowers statements and turns every early exit into the end of a block; [`expression`]
+//! [`desugar`] makes branches plainer; [`flow`] lowers statements and turns every early exit into the end of a block; [`expression`]
 //! names intermediate results; [`pattern`] and [`place`] tell which part of a value is meant;
 //! [`sequence`] makes vectors and boxes; [`plain`] passes on code through which no derivative flows,
 //! with variables renamed.
 
+mod desugar;
 mod exits;
 mod expression;
 mod flow;
@@ -53,7 +54,7 @@ pub fn lower(
 ) -> Lowered {
     let mut lowerer = Lowerer {
         function: name,
-        returns_option: last_segment_is(result, "Option"),
+        on_failure: OnFailure::of(result),
         vars: Vec::new(),
         scopes: vec![HashMap::new()],
         open_blocks: Vec::new(),
@@ -80,14 +81,31 @@ pub fn lower(
     Lowered { vars: lowerer.vars, parameters, body }
 }
 
-fn last_segment_is(ty: &Type, name: &str) -> bool {
-    matches!(ty, Type::Path(path)
-        if path.path.segments.last().is_some_and(|segment| segment.ident == name))
+/// What `?` returns.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum OnFailure {
+    /// `None`
+    None,
+    /// `Err(..)`
+    Err,
+    /// The function returns neither an `Option` nor a `Result`.
+    Unknown,
+}
+
+impl OnFailure {
+    fn of(result: &Type) -> Self {
+        let Type::Path(path) = result else { return Self::Unknown };
+        match path.path.segments.last() {
+            Some(last) if last.ident == "Option" => Self::None,
+            Some(last) if last.ident == "Result" => Self::Err,
+            _ => Self::Unknown,
+        }
+    }
 }
 
 struct Lowerer<'a> {
     function: &'a Ident,
-    returns_option: bool,
+    on_failure: OnFailure,
     vars: Vec<Var>,
     /// What the user's names mean, innermost scope last.
     scopes: Vec<HashMap<String, VarId>>,
@@ -141,6 +159,7 @@ impl Lowerer<'_> {
             block: self.open_blocks.last().expect("a block is open").0,
             mutable,
             exclusive: false,
+            reference: false,
             active,
         });
         self.vars.len() - 1
@@ -180,6 +199,7 @@ impl Lowerer<'_> {
         let exclusive = parameter.is_exclusive;
         let var = self.var(parameter.ident.clone(), exclusive, !is_discrete(&parameter.ty));
         self.vars[var].exclusive = exclusive;
+        self.vars[var].reference = parameter.is_shared;
         self.alias(&parameter.ident, var);
         var
     }

@@ -97,12 +97,6 @@ impl Lowerer<'_> {
         self.vars[place.root].active.then_some(place)
     }
 
-    /// A place with a derivative that nothing will be assigned to.
-    pub(super) fn stable_place(&mut self, expr: &Expr) -> Option<Place> {
-        let place = self.active_place(expr)?;
-        (!self.vars[place.root].mutable).then_some(place)
-    }
-
     /// The receiver of a method. Where it is a place that may be assigned to, the method is called
     /// on the place itself, which a method that takes `&mut self` changes.
     pub(super) fn receiver(&mut self, call: &syn::ExprMethodCall) -> Argument {
@@ -215,6 +209,7 @@ impl Lowerer<'_> {
         match operator {
             Some(operator) if self.vars[place.root].active => {
                 let value = self.named(value, "constant", update.right.span());
+                let value = self.number(value);
                 let hint = self.ident(place.root).to_string();
                 let read = Operation::Read(place.clone());
                 let previous = self.define(&hint, update.left.span(), true, read);

@@ -131,7 +131,7 @@ impl Written {
     /// The names that have to outlive the forward sweep of the block, as a tuple.
     fn saved(&self) -> TokenStream {
         let mut named = HashSet::new();
-        names::collect(self.reverse.clone(), &mut named);
+        names::collect_variables(self.reverse.clone(), &mut named);
         let saved = self.defines.iter().filter(|name| named.contains(&name.to_string()));
         quote!((#(#saved,)*))
     }
@@ -417,11 +417,11 @@ impl Sweeper<'_> {
         let (record, count) = (&branch.record, arms.len());
         let bodies = arms.iter().enumerate().map(|(index, arm)| {
             let (forward, value, saved) = (&arm.forward, &arm.value, arm.saved());
-            let variant = arm_variant(count, index);
+            let saved = in_variant(count, index, &saved);
             match (branch.result.is_some(), records) {
-                (true, true) => quote!({ #forward (#value, #variant(#saved)) }),
+                (true, true) => quote!({ #forward (#value, #saved) }),
                 (true, false) => quote!({ #forward #value }),
-                (false, true) => quote!({ #forward #variant(#saved) }),
+                (false, true) => quote!({ #forward #saved }),
                 (false, false) => quote!({ #forward }),
             }
         });
@@ -455,9 +455,8 @@ impl Sweeper<'_> {
         if records {
             sides.defines.push(record.clone());
             let arms = arms.iter().enumerate().map(|(index, arm)| {
-                let (variant, saved, reverse) =
-                    (arm_variant(count, index), arm.saved(), &arm.reverse);
-                quote!(#variant(#saved) => { #reverse })
+                let (saved, reverse) = (in_variant(count, index, &arm.saved()), &arm.reverse);
+                quote!(#saved => { #reverse })
             });
             sides.reverse.extend(quote!(match #record { #(#arms)* }));
         }
@@ -534,7 +533,17 @@ fn is_field(step: &Projection) -> bool {
     matches!(step, Projection::Field(_))
 }
 
-fn arm_variant(arms: usize, index: usize) -> TokenStream {
-    let (name, variant) = (format_ident!("Branch{arms}"), format_ident!("Arm{index}"));
-    quote!(::ad::rt::#name::#variant)
+/// The largest of the enums `ad::rt::Branch1`, `Branch2`, ..
+const MOST_ARMS: usize = 12;
+
+/// What an arm saved, as a variant. Arms beyond those of the largest enum share its last variant.
+fn in_variant(arms: usize, index: usize, saved: &TokenStream) -> TokenStream {
+    let last = MOST_ARMS - 1;
+    let (name, variant, saved) = match arms > MOST_ARMS {
+        true if index >= last => (MOST_ARMS, last, in_variant(arms - last, index - last, saved)),
+        true => (MOST_ARMS, index, saved.clone()),
+        false => (arms, index, saved.clone()),
+    };
+    let (name, variant) = (format_ident!("Branch{name}"), format_ident!("Arm{variant}"));
+    quote!(::ad::rt::#name::#variant(#saved))
 }

@@ -102,6 +102,10 @@ impl Sweeper<'_> {
                 let place = self.place(place);
                 quote!(&#place)
             }
+            Operation::Value(value) => {
+                let value = self.ident(*value);
+                quote_spanned!(span=> ::ad::rt::ByValue::by_value(#value))
+            }
             Operation::Negate(value) => {
                 let value = self.ident(*value);
                 quote_spanned!(span=> -#value)
@@ -141,7 +145,7 @@ impl Sweeper<'_> {
         let (cotangent, span) = (quote!(#cotangent), ident.span());
         match operation {
             Operation::Use(Operand::Constant(_)) => {}
-            Operation::Use(Operand::Var(source)) => {
+            Operation::Use(Operand::Var(source)) | Operation::Value(source) => {
                 self.contribute(reverse, *source, &[], cotangent);
             }
             Operation::Read(place) | Operation::Borrow(place) => {
@@ -186,9 +190,12 @@ impl Sweeper<'_> {
             Operation::Aggregate { shape, parts, .. } => {
                 for (member, part) in parts {
                     let Operand::Var(part) = part else { continue };
-                    let field = quote!(#cotangent.#member);
+                    let field = match shape {
+                        Shape::Variant(variant) => quote!(#cotangent.#variant.#member),
+                        _ => quote!(#cotangent.#member),
+                    };
                     let value = match shape {
-                        Shape::Struct => {
+                        Shape::Struct | Shape::Variant(_) => {
                             let space = self.space(*part);
                             quote!(#space.enter(#field))
                         }

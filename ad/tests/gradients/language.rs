@@ -7,11 +7,13 @@
     clippy::needless_return,
     clippy::boxed_local,
     clippy::redundant_slicing,
+    clippy::toplevel_ref_arg,
     clippy::useless_vec,
     reason = "these forms are what is tested"
 )]
 
 mod data;
+mod enums;
 mod exclusive;
 mod exits;
 mod flow;
