@@ -59,6 +59,15 @@ pub trait Select: Copy {
     fn select(mask: Self::Mask, if_true: Self, if_false: Self) -> Self;
 }
 
+impl<T: Select, const N: usize> Select for [T; N] {
+    type Mask = T::Mask;
+
+    #[inline(always)]
+    fn select(mask: T::Mask, if_true: Self, if_false: Self) -> Self {
+        core::array::from_fn(|i| T::select(mask, if_true[i], if_false[i]))
+    }
+}
+
 macro_rules! select_by_bool {
     ($($type:ty),* $(,)?) => {$(
         impl Select for $type {

@@ -68,6 +68,16 @@ pub const fn tile_position(ray: usize) -> (usize, usize) {
     (group % 2 * 4 + lane % 4, group / 2 * 4 + lane / 4)
 }
 
+/// The rays whose bits are set.
+#[inline]
+pub fn rays(mut bits: u64) -> impl Iterator<Item = usize> {
+    std::iter::from_fn(move || {
+        let ray = (bits != 0).then_some(bits.trailing_zeros() as usize)?;
+        bits &= bits - 1;
+        Some(ray)
+    })
+}
+
 /// What the rays of a packet meet first.
 #[derive(Clone, Debug, PartialEq)]
 #[repr(C, align(64))]
@@ -95,6 +105,13 @@ impl PacketHits {
         let (primitive, distance) = (self.primitive[ray], self.distance[ray]);
         let leaves = self.leaves >> ray & 1 != 0;
         (primitive != NO_PRIMITIVE).then_some(Hit { primitive, distance, leaves })
+    }
+
+    /// A bit for each ray that meets something.
+    #[inline]
+    pub fn met(&self) -> u64 {
+        let none = u32x16::splat(NO_PRIMITIVE);
+        bits(&load_ids(&self.primitive).map(|ids| f32x16::from_bits(ids.simd_ne(none))))
     }
 
     pub(super) fn set(&mut self, ray: usize, hit: Hit) {

@@ -5,7 +5,7 @@ use wide::{f32x16, u32x16};
 
 use super::packet::{
     GROUPS, NO_PRIMITIVE, Nearest, Occlusion, PACKET_RAYS, Packet, PacketDirections, PacketHits,
-    bits, load_ids,
+    bits, load_ids, rays,
 };
 use super::packet_triangles::test_leaf;
 use super::spheres::SphereLeaf;
@@ -94,15 +94,6 @@ impl Acceleration {
         });
         occluded
     }
-}
-
-/// The rays whose bits are set.
-fn rays(mut bits: u64) -> impl Iterator<Item = usize> {
-    std::iter::from_fn(move || {
-        let ray = (bits != 0).then_some(bits.trailing_zeros() as usize)?;
-        bits &= bits - 1;
-        Some(ray)
-    })
 }
 
 /// Tests a packet against a sphere. `record` takes the ray, the distance and whether the ray leaves

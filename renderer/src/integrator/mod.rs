@@ -10,6 +10,8 @@ mod prepared;
 mod radiance;
 mod shade;
 mod shadows;
+mod sharing;
+mod sums;
 mod tiles;
 mod view;
 

@@ -1,13 +1,18 @@
 //! The image, and losses of it.
 
+use ad::Vec3;
 use ad::lanes::Lanes;
+use ad::vector::Vector3;
 use glam::DVec3;
 
 use super::prepared::Prepared;
 use super::shade::radiance;
-use super::tiles::{Tile, for_each_tile};
+use super::shadows::Lit;
+use super::tiles::{Tile, fill_strips, for_each_strip};
+use super::view::{Group, View};
+use crate::acceleration::rays;
 use crate::image::Image;
-use crate::precision::vectors_of_lanes;
+use crate::precision::{numbers_of_lanes, vectors_of_lanes};
 
 /// A loss that is a sum over pixels.
 pub trait PixelLoss: Sync {
@@ -19,46 +24,73 @@ pub trait PixelLoss: Sync {
 /// Renders the image: one ray through the middle of each pixel. Where the camera sees nothing, the
 /// image is black.
 pub fn render<L: Lanes>(prepared: &Prepared<'_, L>) -> Image {
-    let (width, height) = (prepared.scene.width, prepared.scene.height);
-    let tiles = for_each_tile(width, height, |tile| {
-        let mut pixels = Vec::new();
-        visit(prepared, &tile, |x, y, radiance| pixels.push((x, y, radiance.as_vec3())));
-        pixels
+    let mut image = Image::black(prepared.scene.width, prepared.scene.height);
+    fill_strips(&mut image, Visitor::new, |visitor, strip, rows| {
+        for tile in strip.tiles() {
+            visitor.visit(prepared, &tile, |group, radiance: Vec3<L>| {
+                let [r, g, b] = [radiance.x(), radiance.y(), radiance.z()].map(numbers_of_lanes);
+                for (lane, ray) in group.rays() {
+                    let (column, row) = strip.position(tile.pixel(ray));
+                    rows[row][column] = [r[lane], g[lane], b[lane]].map(|x| x as f32);
+                }
+            });
+        }
     });
-
-    let mut image = Image::black(width, height);
-    for (x, y, radiance) in tiles.into_iter().flatten() {
-        image.pixels[y as usize * width as usize + x as usize] = radiance.into();
-    }
     image
 }
 
 /// The loss of the image, in double precision from the radiance on.
 pub fn loss<L: Lanes>(prepared: &Prepared<'_, L>, loss: &impl PixelLoss) -> f64 {
-    let tiles = for_each_tile(prepared.scene.width, prepared.scene.height, |tile| {
+    let (width, height) = (prepared.scene.width, prepared.scene.height);
+    let strips = for_each_strip(width, height, Visitor::new, |visitor, strip| {
         let mut sum = 0.0;
-        visit(prepared, &tile, |x, y, radiance| sum += loss.evaluate(x, y, radiance).0);
+        for tile in strip.tiles() {
+            visitor.visit(prepared, &tile, |group, radiance: Vec3<L>| {
+                let radiance = vectors_of_lanes::<L>(radiance);
+                for (lane, ray) in group.rays() {
+                    let (x, y) = tile.pixel(ray);
+                    sum += loss.evaluate(x, y, radiance[lane]).0;
+                }
+            });
+            sum += black_pixels(&tile, visitor.view.missed, loss);
+        }
         sum
     });
-    tiles.into_iter().sum()
+    strips.into_iter().sum()
 }
 
-/// Calls `use_pixel` with the radiance of every pixel of a tile.
-fn visit<L: Lanes>(
-    prepared: &Prepared<'_, L>,
-    tile: &Tile,
-    mut use_pixel: impl FnMut(u32, u32, DVec3),
-) {
-    let view = prepared.view(tile);
-    for &(x, y) in &view.missed {
-        use_pixel(x, y, DVec3::ZERO);
+/// The loss of the pixels of a tile that show nothing.
+pub(super) fn black_pixels(tile: &Tile, missed: u64, loss: &impl PixelLoss) -> f64 {
+    rays(missed)
+        .map(|ray| {
+            let (x, y) = tile.pixel(ray);
+            loss.evaluate(x, y, DVec3::ZERO).0
+        })
+        .sum()
+}
+
+/// What is looked at, and how it is lit.
+struct Visitor<L: Lanes> {
+    view: View<L>,
+    lit: Vec<Lit>,
+}
+
+impl<L: Lanes> Visitor<L> {
+    fn new() -> Self {
+        Self { view: View::default(), lit: Vec::new() }
     }
-    let groups = prepared.groups(&view);
-    let lit = prepared.lit(&view, &groups);
-    for group in &groups {
-        let radiance = vectors_of_lanes::<L>(radiance(group, &prepared.lights, &lit));
-        for (pixel, radiance) in view.seen[group.pixels.clone()].iter().zip(radiance) {
-            use_pixel(pixel.x, pixel.y, radiance);
+
+    /// Calls `use_radiance` with the radiance of every group of a tile.
+    fn visit(
+        &mut self,
+        prepared: &Prepared<'_, L>,
+        tile: &Tile,
+        mut use_radiance: impl FnMut(&Group<L>, Vec3<L>),
+    ) {
+        prepared.look(tile, &mut self.view);
+        prepared.light_up(&self.view, &mut self.lit);
+        for group in &self.view.groups {
+            use_radiance(group, radiance(group, &prepared.lights, &self.lit));
         }
     }
 }

@@ -59,10 +59,15 @@ pub fn frame<S: Real>(camera: Camera<S>, aspect: S) -> Frame<S> {
     }
 }
 
-/// The ray through the point `(x, y)` of the image plane: -1 is the left and the lower edge, 1 the
-/// right and the upper one.
+/// From the pinhole to the point `(x, y)` of the image plane: -1 is the left and the lower edge, 1
+/// the right and the upper one.
+#[differentiable]
+pub fn film_point<S: Real>(frame: Frame<S>, x: S, y: S) -> Vec3<S> {
+    frame.forward + frame.right * x + frame.up * y
+}
+
+/// The ray through the point `(x, y)` of the image plane.
 #[differentiable]
 pub fn primary_ray<S: Real>(frame: Frame<S>, x: S, y: S) -> Ray<S> {
-    let target = frame.forward + frame.right * x + frame.up * y;
-    Ray { origin: frame.origin, direction: target.normalize() }
+    Ray { origin: frame.origin, direction: film_point::<S>(frame, x, y).normalize() }
 }
