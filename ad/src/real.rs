@@ -63,8 +63,11 @@ impl<T: Select, const N: usize> Select for [T; N] {
     type Mask = T::Mask;
 
     #[inline(always)]
-    fn select(mask: T::Mask, if_true: Self, if_false: Self) -> Self {
-        core::array::from_fn(|i| T::select(mask, if_true[i], if_false[i]))
+    fn select(mask: T::Mask, if_true: Self, mut if_false: Self) -> Self {
+        for (chosen, if_true) in if_false.iter_mut().zip(if_true) {
+            *chosen = T::select(mask, if_true, *chosen);
+        }
+        if_false
     }
 }
 

@@ -4,6 +4,8 @@
 //! rectangle of slopes: a frustum. Boxes are tested against its four sides, and only what survives
 //! against the rays themselves, 16 at a time.
 
+use std::array;
+
 use glam::Vec3;
 use wide::{f32x4, f32x8, f32x16, u32x16};
 
@@ -175,27 +177,31 @@ impl Packet {
         let mut inverse = slope;
         let mut scale = slope[0];
         let mut depth = slope[0];
-        let mut group_range = [[[0.0; 2]; GROUPS]; 2];
-        let mut range = [[f32::INFINITY, f32::NEG_INFINITY]; 2];
         for g in 0..GROUPS {
             let length = groups[major][g] * f32x16::splat(sign);
-            coherent &= length.simd_gt(0.0) | !live[g];
+            coherent &= length.simd_ge(f32::MIN_POSITIVE) | !live[g];
             scale[g] = f32x16::ONE / length;
             depth[g] = live[g].select(f32x16::splat(limit) * length, f32x16::splat(-1.0));
             for i in 0..2 {
-                let ratio = groups[minor[i]][g] / length;
+                let ratio = groups[minor[i]][g] * scale[g];
                 slope[i][g] = live[g].select(ratio, f32x16::splat(first.slope[i]));
                 coherent &= slope[i][g].abs().simd_le(STEEPEST);
                 let steep = slope[i][g].abs().fast_max(f32x16::splat(1e-12));
                 inverse[i][g] = f32x16::ONE / steep.copysign(slope[i][g]);
-                let (low, high) = (-greatest(-slope[i][g]), greatest(slope[i][g]));
-                group_range[i][g] = [low, high];
-                range[i] = [range[i][0].min(low), range[i][1].max(high)];
             }
         }
         if !coherent.all() {
             return None;
         }
+        let group_range = slope.map(|slope| {
+            let (lows, highs) = (greatest_of_each(slope.map(|s| -s)), greatest_of_each(slope));
+            array::from_fn(|g| [-lows[g], highs[g]])
+        });
+        let range = group_range.map(|groups: Rays<[f32; 2]>| {
+            groups.into_iter().fold([f32::INFINITY, f32::NEG_INFINITY], |[low, high], group| {
+                [low.min(group[0]), high.max(group[1])]
+            })
+        });
         let slack = origin_error(origin);
         let mut packet = Self {
             origin,
@@ -342,12 +348,24 @@ fn mask(bits: u64) -> f32x16 {
 /// The greatest lane.
 #[inline]
 fn greatest(lanes: f32x16) -> f32 {
-    // By halves: no chain of comparisons that wait for each other.
+    let [a, b, c, d] = quarter(lanes).to_array();
+    let max = |a: f32, b: f32| if a > b { a } else { b };
+    max(max(a, b), max(c, d))
+}
+
+/// The greatest lane of each group.
+#[inline]
+fn greatest_of_each(groups: Rays<f32x16>) -> Rays<f32> {
+    let [a, b, c, d] = f32x4::transpose(groups.map(quarter));
+    a.fast_max(b).fast_max(c.fast_max(d)).to_array()
+}
+
+/// The greatest of every four lanes that are four apart.
+#[inline]
+fn quarter(lanes: f32x16) -> f32x4 {
     let [a0, a1, a2, a3, a4, a5, a6, a7, b0, b1, b2, b3, b4, b5, b6, b7] = lanes.to_array();
     let eight = f32x8::new([a0, a1, a2, a3, a4, a5, a6, a7])
         .fast_max(f32x8::new([b0, b1, b2, b3, b4, b5, b6, b7]));
     let [a0, a1, a2, a3, b0, b1, b2, b3] = eight.to_array();
-    let four = f32x4::new([a0, a1, a2, a3]).fast_max(f32x4::new([b0, b1, b2, b3]));
-    let [a, b, c, d] = four.to_array();
-    a.max(b).max(c.max(d))
+    f32x4::new([a0, a1, a2, a3]).fast_max(f32x4::new([b0, b1, b2, b3]))
 }

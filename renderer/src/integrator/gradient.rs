@@ -8,11 +8,11 @@ use glam::DVec3;
 
 use super::prepared::Prepared;
 use super::radiance::{PixelLoss, black_pixels};
-use super::shade::{LightCotangent, Pulled, shade_and_pull_back};
+use super::shade::{LightCotangent, Pulled, Shaded};
 use super::shadows::Lit;
 use super::sums::{Slots, StripSums};
 use super::tiles::{Strip, Tile, for_each_strip};
-use super::view::{Group, GroupShape, View};
+use super::view::{Group, Shape, View};
 use crate::kernels::camera::{Camera, Frame, Ray, frame, primary_ray};
 use crate::kernels::light::{DistantLight, PointLight};
 use crate::kernels::material::Material;
@@ -196,10 +196,17 @@ impl<'a, L: Lanes, P: PixelLoss> Sweep<'a, L, P> {
                 sums.lights[light].add(&cotangent);
             }
         };
-        let pulled = shade_and_pull_back(group, &prepared.lights, lit, respond, to_light);
+        let materials = prepared.materials(group);
+        let shaded = Shaded {
+            group,
+            material: prepared.material(&materials),
+            lights: &prepared.lights,
+            lit,
+        };
+        let pulled = shaded.pull_back(respond, to_light);
         let Some(Pulled { material, surface }) = pulled else { return };
         if wanted.materials {
-            for (index, lanes) in group.materials.iter() {
+            for (index, lanes) in materials.iter() {
                 let sum = material.sum(L::mask_from_bits(lanes));
                 self.materials.add(&mut sums.materials, index, sum);
             }
@@ -222,9 +229,10 @@ impl<'a, L: Lanes, P: PixelLoss> Sweep<'a, L, P> {
         cotangent: Tangent<SurfacePoint<L>>,
     ) -> Tangent<Ray<L>> {
         let Self { prepared, wanted, sums, .. } = self;
-        match &group.shape {
-            GroupShape::Triangles([a, b, c]) => {
-                let (_, pullback) = triangle_surface::vjp::<L>(group.ray, *a, *b, *c);
+        match group.shape {
+            Shape::Triangles => {
+                let [a, b, c] = prepared.corners(&group.primitives);
+                let (_, pullback) = triangle_surface::vjp::<L>(group.ray, a, b, c);
                 let (ray, a, b, c) = pullback(cotangent);
                 if wanted.vertices {
                     for (triangle, lanes) in group.primitives.iter() {
@@ -238,8 +246,9 @@ impl<'a, L: Lanes, P: PixelLoss> Sweep<'a, L, P> {
                 }
                 ray
             }
-            GroupShape::Spheres(sphere, leaves) => {
-                let (_, pullback) = sphere_surface::vjp::<L>(group.ray, *sphere, *leaves);
+            Shape::Spheres(leaves) => {
+                let spheres = prepared.spheres(&group.primitives);
+                let (_, pullback) = sphere_surface::vjp::<L>(group.ray, spheres, leaves);
                 let (ray, sphere, ()) = pullback(cotangent);
                 if wanted.spheres {
                     for (primitive, lanes) in group.primitives.iter() {

@@ -6,13 +6,13 @@ use ad::vector::Vector3;
 use glam::DVec3;
 
 use super::prepared::Prepared;
-use super::shade::radiance;
+use super::shade::Shaded;
 use super::shadows::Lit;
 use super::tiles::{Tile, fill_strips, for_each_strip};
 use super::view::{Group, View};
 use crate::acceleration::rays;
 use crate::image::Image;
-use crate::precision::{numbers_of_lanes, vectors_of_lanes};
+use crate::precision::{singles_of_lanes, vectors_of_lanes};
 
 /// A loss that is a sum over pixels.
 pub trait PixelLoss: Sync {
@@ -28,10 +28,10 @@ pub fn render<L: Lanes>(prepared: &Prepared<'_, L>) -> Image {
     fill_strips(&mut image, Visitor::new, |visitor, strip, rows| {
         for tile in strip.tiles() {
             visitor.visit(prepared, &tile, |group, radiance: Vec3<L>| {
-                let [r, g, b] = [radiance.x(), radiance.y(), radiance.z()].map(numbers_of_lanes);
+                let [r, g, b] = [radiance.x(), radiance.y(), radiance.z()].map(singles_of_lanes);
                 for (lane, ray) in group.rays() {
                     let (column, row) = strip.position(tile.pixel(ray));
-                    rows[row][column] = [r[lane], g[lane], b[lane]].map(|x| x as f32);
+                    rows[row][column] = [r[lane], g[lane], b[lane]];
                 }
             });
         }
@@ -90,7 +90,9 @@ impl<L: Lanes> Visitor<L> {
         prepared.look(tile, &mut self.view);
         prepared.light_up(&self.view, &mut self.lit);
         for group in &self.view.groups {
-            use_radiance(group, radiance(group, &prepared.lights, &self.lit));
+            let material = prepared.material(&prepared.materials(group));
+            let shaded = Shaded { group, material, lights: &prepared.lights, lit: &self.lit };
+            use_radiance(group, shaded.radiance());
         }
     }
 }

@@ -6,7 +6,7 @@ use ad::vector::Vector;
 use glam::DVec3;
 
 use super::prepared::Prepared;
-use super::view::{Group, GroupShape, View, set_directions};
+use super::view::{Group, Shape, View, set_directions};
 use crate::acceleration::{NO_PRIMITIVE, PacketDirections};
 use crate::precision::{narrow, numbers_of_lanes, vectors_of_lanes};
 use crate::scene::Light;
@@ -62,7 +62,7 @@ impl<L: Lanes> Prepared<'_, L> {
             let error = reach.max(distance) * L::from_f64(SURFACE_ERROR);
             let end = group.surface.normal * error - to_light;
             set_directions::<L>(&mut directions, group.first, group.alive, end);
-            if let GroupShape::Spheres(..) = group.shape {
+            if let Shape::Spheres(_) = group.shape {
                 for (_, ray) in group.rays() {
                     from[ray] = NO_PRIMITIVE;
                 }
@@ -108,8 +108,8 @@ impl<L: Lanes> Prepared<'_, L> {
                 let (direction, distance) = to_light(points[lane]);
                 // A ray that leaves a flat primitive cannot come back to it.
                 let from = match group.shape {
-                    GroupShape::Triangles(_) => Some(view.primitives[ray]),
-                    GroupShape::Spheres(..) => None,
+                    Shape::Triangles => Some(view.primitives[ray]),
+                    Shape::Spheres(_) => None,
                 };
                 let (origin, direction) = (origin.as_vec3(), direction.as_vec3());
                 if self.acceleration.is_occluded(origin, direction, distance as f32, from) {

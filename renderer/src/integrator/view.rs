@@ -2,7 +2,7 @@
 
 use ad::lanes::Lanes;
 use ad::vector::Vector3;
-use ad::{Real, Scalar, Vec3, select};
+use ad::{Real, Vec3, select};
 
 use super::prepared::{Kind, Prepared};
 use super::sharing::Sharing;
@@ -13,7 +13,7 @@ use crate::kernels::material::Material;
 use crate::kernels::sphere::{Sphere, sphere_surface};
 use crate::kernels::surface::SurfacePoint;
 use crate::kernels::triangle::triangle_surface;
-use crate::precision::{splat, splat_vector};
+use crate::precision::{singles_of_lanes, splat, splat_vector};
 
 /// What the camera sees in a tile.
 pub(super) struct View<L: Lanes> {
@@ -33,21 +33,18 @@ pub(super) struct Group<L: Lanes> {
     pub alive: u32,
     /// The lanes by primitive.
     pub primitives: Sharing,
-    /// The lanes by material.
-    pub materials: Sharing,
     pub film: (L, L),
     pub ray: Ray<L>,
-    pub shape: GroupShape<L>,
+    pub shape: Shape<L>,
     pub surface: SurfacePoint<L>,
-    pub material: Material<L>,
 }
 
-/// The primitives that a group shows.
-pub(super) enum GroupShape<L: Lanes> {
-    /// Their corners.
-    Triangles([Vec3<L>; 3]),
-    /// The spheres, and where the ray leaves instead of entering.
-    Spheres(Sphere<L>, L::Mask),
+/// The kind of primitives that a group shows.
+#[derive(Clone, Copy)]
+pub(super) enum Shape<L: Lanes> {
+    Triangles,
+    /// With a mask that holds where the ray leaves the sphere instead of entering it.
+    Spheres(L::Mask),
 }
 
 impl<L: Lanes> Group<L> {
@@ -97,48 +94,52 @@ impl<L: Lanes> Prepared<'_, L> {
                     continue;
                 }
                 let primitives = Sharing::new(&hits.primitive[first..first + L::COUNT], alive);
-                let shape = match kind {
-                    Kind::Triangle => GroupShape::Triangles(self.gather_corners(&primitives)),
-                    Kind::Sphere => {
-                        let leaves = L::mask_from_bits(lanes(hits.leaves));
-                        GroupShape::Spheres(self.gather_spheres(&primitives), leaves)
-                    }
-                };
                 let film = repeated(self.film(tile, first), alive);
                 let ray = primary_ray::<L>(frame, film.0, film.1);
-                let surface = match &shape {
-                    GroupShape::Triangles([a, b, c]) => triangle_surface::<L>(ray, *a, *b, *c),
-                    GroupShape::Spheres(sphere, leaves) => {
-                        sphere_surface::<L>(ray, *sphere, *leaves)
+                let shape = match kind {
+                    Kind::Triangle => Shape::Triangles,
+                    Kind::Sphere => Shape::Spheres(L::mask_from_bits(lanes(hits.leaves))),
+                };
+                let surface = match shape {
+                    Shape::Triangles => {
+                        let [a, b, c] = self.corners(&primitives);
+                        triangle_surface::<L>(ray, a, b, c)
+                    }
+                    Shape::Spheres(leaves) => {
+                        sphere_surface::<L>(ray, self.spheres(&primitives), leaves)
                     }
                 };
-                let materials = primitives.map(|primitive| self.material_of[primitive]);
-                let material =
-                    materials.gather::<L, _>(|material| self.materials[material].splat());
-                view.groups.push(Group {
-                    first,
-                    alive,
-                    primitives,
-                    materials,
-                    film,
-                    ray,
-                    shape,
-                    surface,
-                    material,
-                });
+                view.groups.push(Group { first, alive, primitives, film, ray, shape, surface });
             }
         }
     }
 
+    /// The corners of triangles.
     #[inline]
-    fn gather_corners(&self, triangles: &Sharing) -> [Vec3<L>; 3] {
+    pub(super) fn corners(&self, triangles: &Sharing) -> [Vec3<L>; 3] {
         let vertex = |vertex: u32| splat_vector::<L>(self.vertices[vertex as usize]);
-        triangles.gather::<L, _>(|triangle| self.triangles[triangle].map(vertex))
+        triangles.gather::<L, _>(|triangle| {
+            let [a, b, c] = self.triangles[triangle];
+            [vertex(a), vertex(b), vertex(c)]
+        })
     }
 
+    /// Spheres, by primitive.
     #[inline]
-    fn gather_spheres(&self, spheres: &Sharing) -> Sphere<L> {
-        spheres.gather::<L, _>(|primitive| self.spheres[self.sphere_of(primitive)].splat())
+    pub(super) fn spheres(&self, primitives: &Sharing) -> Sphere<L> {
+        primitives.gather::<L, _>(|primitive| self.spheres[self.sphere_of(primitive)].splat())
+    }
+
+    /// The lanes of a group by material.
+    #[inline]
+    pub(super) fn materials(&self, group: &Group<L>) -> Sharing {
+        group.primitives.map(|primitive| self.material_of[primitive])
+    }
+
+    /// Materials, by index.
+    #[inline]
+    pub(super) fn material(&self, materials: &Sharing) -> Material<L> {
+        materials.gather::<L, _>(|material| self.materials[material].splat())
     }
 
     /// A bit for each ray whose primitive is a triangle.
@@ -207,12 +208,12 @@ pub(super) fn set_directions<L: Lanes>(
     v: Vec3<L>,
 ) {
     let PacketDirections { x, y, z } = directions;
-    for (to, from) in [x, y, z].into_iter().zip([v.x(), v.y(), v.z()]) {
-        let from = from.lanes();
-        for (lane, (to, from)) in to[first..].iter_mut().zip(from.as_ref()).enumerate() {
-            if lanes >> lane & 1 == 1 {
-                *to = from.to_f64() as f32;
-            }
+    for (to, from) in [(x, v.x()), (y, v.y()), (z, v.z())] {
+        let (to, from) = (&mut to[first..first + L::COUNT], singles_of_lanes(from));
+        if lanes == all_lanes::<L>() {
+            to.copy_from_slice(&from[..L::COUNT]);
+        } else {
+            rays(lanes.into()).for_each(|lane| to[lane] = from[lane]);
         }
     }
 }
