@@ -17,4 +17,4 @@ mod view;
 
 pub use gradient::{GradientResult, Wanted, gradient};
 pub use prepared::Prepared;
-pub use radiance::{PixelLoss, loss, render};
+pub use radiance::{PixelLoss, loss, render, render_into};

@@ -25,7 +25,19 @@ pub trait PixelLoss: Sync {
 /// image is black.
 pub fn render<L: Lanes>(prepared: &Prepared<'_, L>) -> Image {
     let mut image = Image::black(prepared.scene.width, prepared.scene.height);
-    fill_strips(&mut image, Visitor::new, |visitor, strip, rows| {
+    render_into(prepared, &mut image);
+    image
+}
+
+/// [`render`], over an image of the same size: who renders often saves the time to get memory.
+///
+/// # Panics
+///
+/// If the image has another size than the scene's.
+pub fn render_into<L: Lanes>(prepared: &Prepared<'_, L>, image: &mut Image) {
+    let size = (prepared.scene.width, prepared.scene.height);
+    assert_eq!((image.width, image.height), size, "the image has the size of the scene's");
+    fill_strips(image, Visitor::new, |visitor, strip, rows| {
         for tile in strip.tiles() {
             visitor.visit(prepared, &tile, |group, radiance: Vec3<L>| {
                 let [r, g, b] = [radiance.x(), radiance.y(), radiance.z()].map(singles_of_lanes);
@@ -34,9 +46,12 @@ pub fn render<L: Lanes>(prepared: &Prepared<'_, L>) -> Image {
                     rows[row][column] = [r[lane], g[lane], b[lane]];
                 }
             });
+            for ray in rays(visitor.view.missed) {
+                let (column, row) = strip.position(tile.pixel(ray));
+                rows[row][column] = [0.0; 3];
+            }
         }
     });
-    image
 }
 
 /// The loss of the image, in double precision from the radiance on.
