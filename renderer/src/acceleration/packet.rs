@@ -28,14 +28,14 @@ pub const GROUPS: usize = PACKET_RAYS / LANES;
 /// The steepest slope against its major axis that a packet may have.
 const STEEPEST: f32 = 2.0;
 
-/// The directions of the rays of a packet, of any length above zero. What stands in inactive rays
-/// does not matter.
+/// A vector for each ray of a packet, such as its direction. What stands in inactive rays does not
+/// matter.
 ///
 /// Sixteen rays in a row are computed side by side: the more compact each sixteen are, the better.
 /// [`tile_position`] gives an order of the pixels of a tile.
 #[derive(Clone, Debug)]
 #[repr(C, align(64))]
-pub struct PacketDirections {
+pub struct PacketVectors {
     /// By ray.
     pub x: [f32; PACKET_RAYS],
     /// By ray.
@@ -44,21 +44,21 @@ pub struct PacketDirections {
     pub z: [f32; PACKET_RAYS],
 }
 
-impl PacketDirections {
+impl PacketVectors {
     /// All zero.
     pub const ZERO: Self =
         Self { x: [0.0; PACKET_RAYS], y: [0.0; PACKET_RAYS], z: [0.0; PACKET_RAYS] };
 
-    /// The direction of one ray.
+    /// The vector of one ray.
     #[inline]
     pub fn get(&self, ray: usize) -> Vec3 {
         Vec3::new(self.x[ray], self.y[ray], self.z[ray])
     }
 
-    /// Sets the direction of one ray.
+    /// Sets the vector of one ray.
     #[inline]
-    pub fn set(&mut self, ray: usize, direction: Vec3) {
-        [self.x[ray], self.y[ray], self.z[ray]] = direction.to_array();
+    pub fn set(&mut self, ray: usize, vector: Vec3) {
+        [self.x[ray], self.y[ray], self.z[ray]] = vector.to_array();
     }
 }
 
@@ -68,6 +68,12 @@ impl PacketDirections {
 pub const fn tile_position(ray: usize) -> (usize, usize) {
     let (group, lane) = (ray / LANES, ray % LANES);
     (group % 2 * 4 + lane % 4, group / 2 * 4 + lane / 4)
+}
+
+/// The ray that has this [`tile_position`].
+#[inline]
+pub const fn ray_at(column: usize, row: usize) -> usize {
+    (row / 4 * 2 + column / 4) * LANES + row % 4 * 4 + column % 4
 }
 
 /// The rays whose bits are set.
@@ -137,8 +143,6 @@ pub struct Packet {
     /// By minor axis: how much a ray advances for each unit of depth. Inactive rays repeat an active
     /// one.
     pub slope: [Rays<f32x16>; 2],
-    /// 1 over the slopes, finite.
-    pub inverse: [Rays<f32x16>; 2],
     /// Distance, in lengths of the direction, for each unit of depth.
     pub scale: Rays<f32x16>,
     /// By minor axis: the least and the greatest slope of each group, and of all.
@@ -152,12 +156,7 @@ pub struct Packet {
 
 impl Packet {
     /// Prepares a packet of the active rays; nothing if no axis serves all of them.
-    pub fn new(
-        origin: Vec3,
-        directions: &PacketDirections,
-        active: u64,
-        limit: f32,
-    ) -> Option<Self> {
+    pub fn new(origin: Vec3, directions: &PacketVectors, active: u64, limit: f32) -> Option<Self> {
         let groups = [load(&directions.x), load(&directions.y), load(&directions.z)];
         let mut live = [f32x16::ZERO; GROUPS];
         for g in 0..GROUPS {
@@ -174,7 +173,6 @@ impl Packet {
 
         let mut coherent = f32x16::from_bits(u32x16::splat(u32::MAX));
         let mut slope = [[f32x16::ZERO; GROUPS]; 2];
-        let mut inverse = slope;
         let mut scale = slope[0];
         let mut depth = slope[0];
         for g in 0..GROUPS {
@@ -186,8 +184,6 @@ impl Packet {
                 let ratio = groups[minor[i]][g] * scale[g];
                 slope[i][g] = live[g].select(ratio, f32x16::splat(first.slope[i]));
                 coherent &= slope[i][g].abs().simd_le(STEEPEST);
-                let steep = slope[i][g].abs().fast_max(f32x16::splat(1e-12));
-                inverse[i][g] = f32x16::ONE / steep.copysign(slope[i][g]);
             }
         }
         if !coherent.all() {
@@ -203,19 +199,8 @@ impl Packet {
             })
         });
         let slack = origin_error(origin);
-        let mut packet = Self {
-            origin,
-            slack,
-            major,
-            sign,
-            slope,
-            inverse,
-            scale,
-            group_range,
-            range,
-            depth,
-            far: 0.0,
-        };
+        let mut packet =
+            Self { origin, slack, major, sign, slope, scale, group_range, range, depth, far: 0.0 };
         packet.update_far();
         Some(packet)
     }

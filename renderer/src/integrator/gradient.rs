@@ -197,12 +197,7 @@ impl<'a, L: Lanes, P: PixelLoss> Sweep<'a, L, P> {
             }
         };
         let materials = prepared.materials(group);
-        let shaded = Shaded {
-            group,
-            material: prepared.material(&materials),
-            lights: &prepared.lights,
-            lit,
-        };
+        let shaded = Shaded::new(prepared, group, &materials, lit);
         let pulled = shaded.pull_back(respond, to_light);
         let Some(Pulled { material, surface }) = pulled else { return };
         if wanted.materials {

@@ -2,17 +2,16 @@
 
 use ad::Vec3;
 use ad::lanes::Lanes;
-use ad::vector::Vector3;
 use glam::DVec3;
 
 use super::prepared::Prepared;
 use super::shade::Shaded;
 use super::shadows::Lit;
 use super::tiles::{Tile, fill_strips, for_each_strip};
-use super::view::{Group, View};
-use crate::acceleration::rays;
+use super::view::{Group, View, set_vectors};
+use crate::acceleration::{PacketVectors, ray_at, rays};
 use crate::image::Image;
-use crate::precision::{singles_of_lanes, vectors_of_lanes};
+use crate::precision::vectors_of_lanes;
 
 /// A loss that is a sum over pixels.
 pub trait PixelLoss: Sync {
@@ -39,16 +38,15 @@ pub fn render_into<L: Lanes>(prepared: &Prepared<'_, L>, image: &mut Image) {
     assert_eq!((image.width, image.height), size, "the image has the size of the scene's");
     fill_strips(image, Visitor::new, |visitor, strip, rows| {
         for tile in strip.tiles() {
-            visitor.visit(prepared, &tile, |group, radiance: Vec3<L>| {
-                let [r, g, b] = [radiance.x(), radiance.y(), radiance.z()].map(singles_of_lanes);
-                for (lane, ray) in group.rays() {
-                    let (column, row) = strip.position(tile.pixel(ray));
-                    rows[row][column] = [r[lane], g[lane], b[lane]];
-                }
+            let mut colors = PacketVectors::ZERO;
+            visitor.visit(prepared, &tile, |group, radiance| {
+                set_vectors::<L>(&mut colors, group.first, group.alive, radiance);
             });
-            for ray in rays(visitor.view.missed) {
-                let (column, row) = strip.position(tile.pixel(ray));
-                rows[row][column] = [0.0; 3];
+            for (row, pixels) in rows.iter_mut().enumerate() {
+                let pixels = &mut pixels[strip.columns(&tile)];
+                for (column, pixel) in pixels.iter_mut().enumerate() {
+                    *pixel = colors.get(ray_at(column, row)).into();
+                }
             }
         }
     });
@@ -105,8 +103,7 @@ impl<L: Lanes> Visitor<L> {
         prepared.look(tile, &mut self.view);
         prepared.light_up(&self.view, &mut self.lit);
         for group in &self.view.groups {
-            let material = prepared.material(&prepared.materials(group));
-            let shaded = Shaded { group, material, lights: &prepared.lights, lit: &self.lit };
+            let shaded = Shaded::new(prepared, group, &prepared.materials(group), &self.lit);
             use_radiance(group, shaded.radiance());
         }
     }

@@ -3,10 +3,17 @@
 use ad::lanes::Lanes;
 use ad::{Additive, Tangent, Vec3, select};
 
+use super::prepared::Prepared;
 use super::shadows::Lit;
+use super::sharing::Sharing;
 use super::view::Group;
-use crate::kernels::light::{DistantLight, DistantLightTangent, PointLight, PointLightTangent};
-use crate::kernels::material::{Material, reflection_of_distant_light, reflection_of_point_light};
+use crate::kernels::light::{
+    DistantLight, DistantLightTangent, PointLight, PointLightTangent, distant_illumination,
+    point_illumination,
+};
+use crate::kernels::material::{
+    Material, matte_reflection, reflection_of_distant_light, reflection_of_point_light,
+};
 use crate::kernels::surface::SurfacePoint;
 use crate::scene::Light;
 
@@ -26,14 +33,31 @@ pub(super) struct Pulled<L: Lanes> {
 /// A group under its lights.
 #[derive(Clone, Copy)]
 pub(super) struct Shaded<'a, L: Lanes> {
-    pub group: &'a Group<L>,
-    pub material: Material<L>,
-    pub lights: &'a [Light<f64>],
+    group: &'a Group<L>,
+    material: Material<L>,
+    /// Whether no material of the group has a highlight.
+    matte: bool,
+    lights: &'a [Light<f64>],
     /// The rays that each light reaches.
-    pub lit: &'a [Lit],
+    lit: &'a [Lit],
 }
 
-impl<L: Lanes> Shaded<'_, L> {
+impl<'a, L: Lanes> Shaded<'a, L> {
+    pub fn new(
+        prepared: &'a Prepared<'_, L>,
+        group: &'a Group<L>,
+        materials: &Sharing,
+        lit: &'a [Lit],
+    ) -> Self {
+        Self {
+            group,
+            material: prepared.material(materials),
+            matte: materials.iter().all(|(material, _)| prepared.is_matte(material)),
+            lights: &prepared.lights,
+            lit,
+        }
+    }
+
     /// The radiance of the pixels.
     #[inline]
     pub fn radiance(&self) -> Vec3<L> {
@@ -118,11 +142,17 @@ trait Reflected<L: Lanes> {
 }
 
 macro_rules! reflected {
-    ($($light:ident, $kernel:ident, $variant:ident;)*) => {$(
+    ($($light:ident, $kernel:ident, $illumination:expr, $variant:ident;)*) => {$(
         impl<L: Lanes> Reflected<L> for $light<f64> {
             #[inline]
             fn reflect(&self, shaded: &Shaded<'_, L>) -> Vec3<L> {
-                $kernel::<L>(shaded.material, shaded.group.surface, self.narrow())
+                let Shaded { material, group: &Group { surface, .. }, matte, .. } = *shaded;
+                if matte {
+                    let illumination = $illumination(self.narrow::<L>(), surface.point);
+                    matte_reflection::<L>(material.diffuse, surface, illumination)
+                } else {
+                    $kernel::<L>(material, surface, self.narrow())
+                }
             }
 
             #[inline]
@@ -143,6 +173,6 @@ macro_rules! reflected {
 }
 
 reflected! {
-    PointLight, reflection_of_point_light, Point;
-    DistantLight, reflection_of_distant_light, Distant;
+    PointLight, reflection_of_point_light, point_illumination::<L>, Point;
+    DistantLight, reflection_of_distant_light, |light, _| distant_illumination::<L>(light), Distant;
 }

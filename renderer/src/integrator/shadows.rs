@@ -6,8 +6,8 @@ use ad::vector::Vector;
 use glam::DVec3;
 
 use super::prepared::Prepared;
-use super::view::{Group, Shape, View, set_directions};
-use crate::acceleration::{NO_PRIMITIVE, PacketDirections};
+use super::view::{Group, Shape, View, set_vectors};
+use crate::acceleration::{NO_PRIMITIVE, PacketVectors};
 use crate::precision::{narrow, numbers_of_lanes, vectors_of_lanes};
 use crate::scene::Light;
 
@@ -45,7 +45,7 @@ impl<L: Lanes> Prepared<'_, L> {
     /// Shadow rays of a point light start at the light: from there they are coherent.
     fn lit_from(&self, light: DVec3, view: &View<L>) -> Lit {
         let position = narrow::<L>(light);
-        let mut directions = PacketDirections::ZERO;
+        let mut directions = PacketVectors::ZERO;
         let mut from = view.primitives;
         let (mut facing, mut far) = (0, 0);
         for group in &view.groups {
@@ -61,7 +61,7 @@ impl<L: Lanes> Prepared<'_, L> {
 
             let error = reach.max(distance) * L::from_f64(SURFACE_ERROR);
             let end = group.surface.normal * error - to_light;
-            set_directions::<L>(&mut directions, group.first, group.alive, end);
+            set_vectors::<L>(&mut directions, group.first, group.alive, end);
             if let Shape::Spheres(_) = group.shape {
                 for (_, ray) in group.rays() {
                     from[ray] = NO_PRIMITIVE;

@@ -1,5 +1,7 @@
 //! Tiles and strips of tiles: the units of work.
 
+use std::ops::Range;
+
 use rayon::prelude::*;
 
 use crate::acceleration::{PACKET_RAYS, tile_position};
@@ -62,9 +64,10 @@ impl Strip {
         })
     }
 
-    /// The column and the row of a pixel within the strip.
-    pub fn position(self, (x, y): (u32, u32)) -> (usize, usize) {
-        ((x - self.0.left) as usize, (y - self.0.top) as usize)
+    /// The columns of one of its tiles, counted from the left edge of the strip.
+    pub fn columns(self, tile: &Tile) -> Range<usize> {
+        let first = (tile.left - self.0.left) as usize;
+        first..first + tile.columns as usize
     }
 }
 

@@ -1,13 +1,13 @@
 //! What the camera sees in a tile, gathered into lanes.
 
 use ad::lanes::Lanes;
-use ad::vector::Vector3;
+use ad::vector::{Vector, Vector3};
 use ad::{Real, Vec3, select};
 
 use super::prepared::{Kind, Prepared};
 use super::sharing::Sharing;
 use super::tiles::Tile;
-use crate::acceleration::{NO_PRIMITIVE, PACKET_RAYS, PacketDirections, rays, tile_position};
+use crate::acceleration::{NO_PRIMITIVE, PACKET_RAYS, PacketVectors, rays, tile_position};
 use crate::kernels::camera::{Ray, film_point, primary_ray};
 use crate::kernels::material::Material;
 use crate::kernels::sphere::{Sphere, sphere_surface};
@@ -67,10 +67,10 @@ impl<L: Lanes> Prepared<'_, L> {
     /// Looks through the middle of every pixel of a tile.
     pub(super) fn look(&self, tile: &Tile, view: &mut View<L>) {
         let frame = self.frame.narrow::<L>();
-        let mut directions = PacketDirections::ZERO;
+        let mut directions = PacketVectors::ZERO;
         for first in (0..PACKET_RAYS).step_by(L::COUNT) {
             let (x, y) = self.film(tile, first);
-            set_directions::<L>(
+            set_vectors::<L>(
                 &mut directions,
                 first,
                 all_lanes::<L>(),
@@ -142,6 +142,11 @@ impl<L: Lanes> Prepared<'_, L> {
         materials.gather::<L, _>(|material| self.materials[material].splat())
     }
 
+    /// Whether a material has no highlight.
+    pub(super) fn is_matte(&self, material: usize) -> bool {
+        self.materials[material].specular == Vec3::<L::Element>::splat(Real::ZERO)
+    }
+
     /// A bit for each ray whose primitive is a triangle.
     fn triangles_among(&self, primitives: &[u32; PACKET_RAYS]) -> u64 {
         if self.spheres.is_empty() {
@@ -199,16 +204,10 @@ pub(super) fn film_offsets<L: Lanes>() -> Vec<(L, L)> {
         .collect()
 }
 
-/// Sets the directions of the rays from `first` on, in the lanes whose bits are set.
+/// Sets the vectors of the rays from `first` on, in the lanes whose bits are set.
 #[inline]
-pub(super) fn set_directions<L: Lanes>(
-    directions: &mut PacketDirections,
-    first: usize,
-    lanes: u32,
-    v: Vec3<L>,
-) {
-    let PacketDirections { x, y, z } = directions;
-    for (to, from) in [(x, v.x()), (y, v.y()), (z, v.z())] {
+pub(super) fn set_vectors<L: Lanes>(to: &mut PacketVectors, first: usize, lanes: u32, v: Vec3<L>) {
+    for (to, from) in [(&mut to.x, v.x()), (&mut to.y, v.y()), (&mut to.z, v.z())] {
         let (to, from) = (&mut to[first..first + L::COUNT], singles_of_lanes(from));
         if lanes == all_lanes::<L>() {
             to.copy_from_slice(&from[..L::COUNT]);

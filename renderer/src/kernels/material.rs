@@ -63,3 +63,12 @@ pub fn reflection_of_distant_light<S: Real>(
 ) -> Vec3<S> {
     reflection::<S>(material, surface, distant_illumination::<S>(light))
 }
+
+/// [`reflection`] of a material whose `specular` is zero.
+pub fn matte_reflection<S: Real>(
+    diffuse: Vec3<S>,
+    surface: SurfacePoint<S>,
+    light: Illumination<S>,
+) -> Vec3<S> {
+    diffuse * light.irradiance * surface.normal.dot(light.direction).max(S::ZERO)
+}
