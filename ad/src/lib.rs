@@ -30,8 +30,9 @@
 //! Functions and inherent methods on `f32`, `f64`, glam's float vectors, tuples, arrays, `Option`,
 //! references to these, and structs with `#[derive(Differentiable)]`; generic ones too. In a body:
 //! `let` with patterns, arithmetic, assignment to local variables and parts of them, `if`, `match`,
-//! `if let`, `let else`, `for` over ranges, `return` from anywhere, `?` on options, calls of
-//! differentiable functions and of the methods listed in [`rules`].
+//! `if let`, `let else`, `for` over ranges, `while`, `while let`, `loop`, labels, `break`, `continue`
+//! and `return` from anywhere, `?` on options, calls of differentiable functions and of the methods
+//! listed in [`rules`].
 //!
 //! ```
 //! use ad::{Differentiable, differentiable};

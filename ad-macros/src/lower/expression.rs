@@ -6,6 +6,7 @@ use syn::spanned::Spanned;
 use syn::{BinOp, Expr, ExprBinary, ExprPath, Member, Path, PathArguments, Type, UnOp};
 
 use super::Lowerer;
+use super::ends::End;
 use crate::ir::{Argument, BinaryOperator, Operand, Operation, Projection, Shape, Statement};
 
 impl Lowerer<'_> {
@@ -51,7 +52,8 @@ impl Lowerer<'_> {
             }
             Expr::Struct(literal) => self.struct_literal(literal, hint),
             Expr::Reference(reference) => self.reference(reference, hint),
-            Expr::Block(block) if block.label.is_none() => self.block_value(&block.block.stmts),
+            Expr::Block(block) => self.a_block(block, &End::default()),
+            Expr::Loop(_) => self.loop_value(expr),
             Expr::If(_) | Expr::Match(_) => self.branch_value(expr, &mut |lowerer, body| {
                 lowerer.scope(|lowerer| lowerer.operand(body, "value"))
             }),
@@ -59,7 +61,7 @@ impl Lowerer<'_> {
                 self.refuse(range, "a range has no derivative: use it as the head of a `for` loop")
             }
             // The last statement of a block, or the body of an arm.
-            Expr::Assign(_) | Expr::ForLoop(_) => self.unit_expression(expr),
+            Expr::Assign(_) | Expr::ForLoop(_) | Expr::While(_) => self.unit_expression(expr),
             other => self.refuse_expression(other),
         }
     }

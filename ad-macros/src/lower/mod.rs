@@ -1,12 +1,14 @@
 //! From the user's syntax to [`ir`](crate::ir).
 //!
-//! [`flow`] lowers statements and turns every early exit into the end of a block; [`expression`]
-//! names intermediate results; [`pattern`] and [`place`] tell which part of a value is meant;
+//! [`flow`] lowers statements and turns every early exit into the end of a block, whose meaning
+//! [`ends`] keeps; [`loops`] lowers loops; [`expression`] names intermediate results; [`pattern`] and [`place`] tell which part of a value is meant;
 //! [`plain`] passes on code through which no derivative flows, with variables renamed.
 
+mod ends;
 mod exits;
 mod expression;
 mod flow;
+mod loops;
 mod pattern;
 mod place;
 mod plain;
@@ -17,6 +19,7 @@ use proc_macro2::{Ident, Span, TokenStream};
 use quote::{ToTokens, quote};
 use syn::{Type, spanned::Spanned};
 
+use self::ends::{Jump, JumpId};
 use crate::errors::Errors;
 use crate::ir::{Block, BlockId, Operand, Operation, Statement, Var, VarId};
 use crate::names::Names;
@@ -48,6 +51,8 @@ pub fn lower(
         scopes: vec![HashMap::new()],
         open_blocks: Vec::new(),
         block_count: 0,
+        jumps: Vec::new(),
+        jump_count: 0,
         capitals: HashSet::new(),
         names,
         errors,
@@ -79,6 +84,9 @@ struct Lowerer<'a> {
     /// The blocks being written, innermost last.
     open_blocks: Vec<(BlockId, Vec<Statement>)>,
     block_count: BlockId,
+    /// What jumps can leave here, innermost last.
+    jumps: Vec<Jump>,
+    jump_count: JumpId,
     /// The names in refutable patterns that were taken for constants, for their capital letter.
     capitals: HashSet<String>,
     names: &'a mut Names,

@@ -227,7 +227,7 @@ impl Lowerer<'_> {
     /// A variable declared with an integer or boolean type.
     pub(super) fn discrete_local(&mut self, pat: &Pat, ty: Option<&Type>, value: &Expr) {
         let value = match value {
-            Expr::If(_) | Expr::Match(_) | Expr::Block(_) => {
+            Expr::If(_) | Expr::Match(_) | Expr::Block(_) | Expr::Loop(_) => {
                 let chosen = self.operand(value, "value");
                 self.without_derivative(&chosen)
             }

@@ -79,14 +79,8 @@ impl Lowerer<'_> {
     pub(super) fn refuse_expression(&mut self, expr: &Expr) -> Operand {
         let message = match expr {
             Expr::Macro(call) => return self.refuse_macro(&call.mac),
-            Expr::While(_) | Expr::Loop(_) => {
-                "only loops over a range can be differentiated: write `for i in 0..n`"
-            }
             Expr::Closure(_) => "closures are not supported: write a `#[differentiable]` function",
-            Expr::Break(_) | Expr::Continue(_) => {
-                "`break` and `continue` are not supported: put what follows under an `if`, or `return` from a function of its own"
-            }
-            Expr::Return(_) | Expr::Try(_) => {
+            Expr::Return(_) | Expr::Try(_) | Expr::Break(_) | Expr::Continue(_) => {
                 "an exit from within an expression is not supported here: bind the value to a variable with `let` first"
             }
             Expr::Async(_) | Expr::Await(_) => {
@@ -96,7 +90,6 @@ impl Lowerer<'_> {
                 "`unsafe` code cannot be differentiated: wrap it in a safe function with a derivative of its own"
             }
             Expr::Let(_) => "`let` in a chain of conditions is not supported: nest `if let`",
-            Expr::Block(_) => "labelled blocks are not supported: use `if` and `else`",
             Expr::Const(_) => "move the constant out of the differentiable function",
             _ => "this expression cannot be differentiated: compute it outside and pass the value",
         };
