@@ -6,6 +6,10 @@ use core::ops::{Add, Neg, Sub};
 use crate::rules::{AddPullback, NegPullback, SubPullback};
 use crate::{Additive, Differentiable, NoDerivative, NoTangent, Tangent};
 
+mod iterate;
+
+pub use iterate::{chunks_exact, empty_product, empty_sum, held, windows};
+
 /// The traits whose methods generated code calls. They come without names, which could hide those
 /// of the user.
 pub mod methods {

@@ -10,6 +10,7 @@ use quote::quote;
 use syn::spanned::Spanned;
 use syn::{Expr, Local, Pat, Stmt, parse_quote};
 
+use super::closure::simple_name;
 use super::ends::{End, JumpKind, Target};
 use super::exits::Exit;
 use super::pattern::Matched;
@@ -92,10 +93,10 @@ impl Lowerer<'_> {
             self.refuse(local, "give the variable a value where it is declared");
             return;
         };
-        let (pat, ty) = match &local.pat {
-            Pat::Type(typed) => (&*typed.pat, Some(&*typed.ty)),
-            pat => (pat, None),
-        };
+        let (pat, ty) = split_type(&local.pat);
+        if let (Some(name), Expr::Closure(closure)) = (simple_name(pat), strip_parens(&init.expr)) {
+            return self.closure_local(name, closure);
+        }
         if ty.is_some_and(crate::signature::is_discrete) {
             return self.discrete_local(pat, ty, &init.expr);
         }
@@ -437,7 +438,7 @@ pub(super) fn split_type(pat: &Pat) -> (&Pat, Option<&syn::Type>) {
 }
 
 /// The statements of a block, or an expression as the only one.
-fn as_statements(expr: &Expr) -> Vec<Stmt> {
+pub(super) fn as_statements(expr: &Expr) -> Vec<Stmt> {
     match expr {
         Expr::Block(block) if block.label.is_none() => block.block.stmts.clone(),
         expr => vec![Stmt::Expr(expr.clone(), None)],

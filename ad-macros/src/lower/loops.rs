@@ -3,10 +3,12 @@
 use proc_macro2::TokenStream;
 use quote::quote;
 use syn::visit::{self, Visit};
-use syn::{Expr, Label, Lit, Pat, RangeLimits, parse_quote};
+use syn::{Expr, Label, Pat, parse_quote};
 
+use super::chain::Chain;
 use super::ends::{End, JumpKind, Target};
-use super::flow::strip_parens;
+use super::exits::Exit;
+use super::item::Item;
 use super::{Lowerer, exits};
 use crate::ir::{Head, Loop, Operand, Statement};
 
@@ -18,15 +20,41 @@ pub(super) struct LoopResult {
     pub own: Option<Target>,
 }
 
+/// What makes a loop go on, before its block is open.
+enum Driver<'a> {
+    Chain(&'a Chain, Option<&'a Pat>),
+    While(TokenStream),
+    Endless,
+}
+
+/// Lowers the body of a loop, for an item.
+type Body<'b> = dyn FnMut(&mut Lowerer<'_>, Item, &End) -> Operand + 'b;
+
 impl Lowerer<'_> {
     /// A `for`, `while` or `loop`.
     pub(super) fn a_loop(&mut self, expr: &Expr) -> LoopResult {
         match expr {
-            Expr::ForLoop(for_loop) => self.for_loop(for_loop),
-            Expr::While(while_loop) => self.while_loop(while_loop),
+            Expr::ForLoop(a_loop) => {
+                let chain = self.chain(&a_loop.expr);
+                let exits = exits::block_exits(&a_loop.body);
+                let driver = Driver::Chain(&chain, Some(&a_loop.pat));
+                self.run(a_loop.label.as_ref(), &exits, &driver, &mut |lowerer, item, end| {
+                    lowerer.bind_item(&a_loop.pat, item);
+                    lowerer.statements(a_loop.body.stmts.clone(), end)
+                })
+            }
+            Expr::While(a_loop) => {
+                let syn::ExprWhile { label, cond, body, .. } = a_loop;
+                if exits::expr_exits(cond) || has_let(cond) {
+                    return self.a_loop(&parse_quote!(
+                        #label loop { if #cond #body else { break; } }
+                    ));
+                }
+                let condition = self.plain(cond);
+                self.run_block(label.as_ref(), body, &Driver::While(condition))
+            }
             Expr::Loop(a_loop) => {
-                let head = |_: &mut Self| Head::Loop;
-                self.run(a_loop.label.as_ref(), &a_loop.body, head)
+                self.run_block(a_loop.label.as_ref(), &a_loop.body, &Driver::Endless)
             }
             other => unreachable!("not a loop: {}", quote!(#other)),
         }
@@ -43,110 +71,105 @@ impl Lowerer<'_> {
         }
     }
 
-    fn while_loop(&mut self, while_loop: &syn::ExprWhile) -> LoopResult {
-        let syn::ExprWhile { label, cond, body, .. } = while_loop;
-        if exits::expr_exits(cond) || has_let(cond) {
-            return self.a_loop(&parse_quote!(#label loop { if #cond #body else { break; } }));
-        }
-        let condition = self.plain(cond);
-        self.run(label.as_ref(), body, |_| Head::While(condition))
+    /// Runs `body` for each item of an iterator.
+    pub(super) fn run_chain(&mut self, chain: &Expr, body: &mut Body<'_>) {
+        let chain = self.chain(chain);
+        self.run(None, &[], &Driver::Chain(&chain, None), body);
     }
 
-    fn for_loop(&mut self, expr: &syn::ExprForLoop) -> LoopResult {
-        let Expr::Range(range) = strip_parens(&expr.expr) else {
-            return self.refused_loop(
-                &expr.expr,
-                "only loops over a range `a..b` or `a..=b` can be differentiated: loop over an index",
-            );
-        };
-        let (Some(from), Some(to)) = (&range.start, &range.end) else {
-            return self.refused_loop(range, "the range of a differentiable loop needs both ends");
-        };
-        let trip_count = literal_length(from, to, &range.limits);
-        let limits = &range.limits;
-        let (from, to) = (self.plain_constant(from), self.plain_constant(to));
-        let iterator = quote!(#from #limits #to);
-
-        self.run(expr.label.as_ref(), &expr.body, |lowerer| {
-            let mut defines = Vec::new();
-            let pattern = match &*expr.pat {
-                Pat::Ident(pat) if pat.by_ref.is_none() && pat.mutability.is_none() => {
-                    let var = lowerer.bind(&pat.ident, false, false);
-                    defines.push(var);
-                    let ident = lowerer.ident(var);
-                    quote!(#ident)
-                }
-                Pat::Wild(_) => quote!(_),
-                pat => {
-                    lowerer.refuse(pat, "name the loop variable: `for i in a..b`");
-                    TokenStream::new()
-                }
-            };
-            Head::For { pattern, defines, iterator, trip_count }
+    fn run_block(
+        &mut self,
+        label: Option<&Label>,
+        block: &syn::Block,
+        driver: &Driver<'_>,
+    ) -> LoopResult {
+        let exits = exits::block_exits(block);
+        self.run(label, &exits, driver, &mut |lowerer, _, end| {
+            lowerer.statements(block.stmts.clone(), end)
         })
     }
 
-    fn refused_loop(&mut self, at: impl quote::ToTokens, message: &str) -> LoopResult {
-        LoopResult {
-            value: self.refuse(at, message),
-            targets: vec![Target::Leave(0)],
-            own: Some(Target::Leave(0)),
-        }
-    }
-
-    /// Lowers a loop; `head`, called inside of the block of its body, binds the loop variables.
+    /// Lowers a loop whose body may jump by `exits`.
     fn run(
         &mut self,
         label: Option<&Label>,
-        stmts: &syn::Block,
-        head: impl FnOnce(&mut Self) -> Head,
+        exits: &[Exit],
+        driver: &Driver<'_>,
+        body: &mut Body<'_>,
     ) -> LoopResult {
         let label = label.map(|label| label.name.clone());
         self.jump(JumpKind::Loop, label, |lowerer, id| {
             let (own, again) = (Target::Leave(id), Target::Again(id));
-            let mut targets = lowerer.targets(&exits::block_exits(stmts));
-            let breaks = targets.contains(&own);
+            let stops = matches!(driver, Driver::Chain(chain, _) if chain.stops());
+            let ends_itself = !matches!(driver, Driver::Endless);
+            let mut targets = lowerer.targets(exits);
+            let breaks = targets.contains(&own) || stops;
             targets.retain(|target| ![own, again].contains(target));
             let leaves = !targets.is_empty();
+            if breaks || (leaves && ends_itself) {
+                targets.push(own);
+            }
+            let end = End { here: vec![again], exits: targets };
 
-            let mut loop_head = None;
-            let mut end = End { here: vec![again], exits: targets };
-            let body = lowerer.block(|lowerer| {
-                let head = loop_head.insert(head(lowerer));
-                let ends_itself = !matches!(head, Head::Loop);
-                if breaks || (leaves && ends_itself) {
-                    end.exits.push(own);
+            let mut head = None;
+            let block = lowerer.block(|lowerer| match driver {
+                Driver::Chain(chain, pat) => {
+                    let items = lowerer.items(chain, *pat);
+                    head = Some(Head::For {
+                        pattern: items.pattern,
+                        defines: items.defines,
+                        iterator: items.iterator,
+                        trip_count: chain.length(),
+                    });
+                    let body = &mut |lowerer: &mut Self, item: Item| body(lowerer, item, &end);
+                    lowerer.run_stages(items.item, &items.stages, own, &end, body)
                 }
-                lowerer.statements(stmts.stmts.clone(), &end)
-            });
-            let head = loop_head.expect("set by the block");
-            let ends_itself = !matches!(head, Head::Loop);
-            let targets = match end.exits.is_empty() && ends_itself {
-                true => vec![own],
-                false => end.exits.clone(),
-            };
-
-            let span = stmts.brace_token.span.join();
-            let record = lowerer.names.fresh("tape", span);
-            let result = (leaves || !ends_itself).then(|| {
-                let ident = lowerer.names.fresh("flow", span);
-                lowerer.var(ident, false, matches!(body.value, Operand::Var(_)))
-            });
-            let count = targets.len();
-            let natural_end = lowerer.link(Self::unit(), count.saturating_sub(1), count);
-            let natural_end = lowerer.tokens(&natural_end);
-            let breaks = !end.exits.is_empty();
-            lowerer.push(Statement::Loop(Loop { head, body, record, breaks, result, natural_end }));
-            let value = match result {
-                Some(var) if lowerer.vars[var].active => Operand::Var(var),
-                Some(var) => {
-                    let ident = lowerer.ident(var);
-                    Operand::Constant(quote!(#ident))
+                Driver::While(condition) => {
+                    head = Some(Head::While(condition.clone()));
+                    body(lowerer, Item::Value(Self::unit()), &end)
                 }
-                None => Self::unit(),
-            };
-            LoopResult { value, own: targets.contains(&own).then_some(own), targets }
+                Driver::Endless => {
+                    head = Some(Head::Loop);
+                    body(lowerer, Item::Value(Self::unit()), &end)
+                }
+            });
+            let head = head.expect("set by the block");
+            lowerer.finish_loop(head, block, end.exits, own, leaves || !ends_itself)
         })
+    }
+
+    fn finish_loop(
+        &mut self,
+        head: Head,
+        body: crate::ir::Block,
+        exits: Vec<Target>,
+        own: Target,
+        has_result: bool,
+    ) -> LoopResult {
+        let span = proc_macro2::Span::call_site();
+        let record = self.names.fresh("tape", span);
+        let breaks = !exits.is_empty();
+        let targets = match (breaks, &head) {
+            (false, Head::For { .. } | Head::While(_)) => vec![own],
+            _ => exits,
+        };
+        let result = has_result.then(|| {
+            let ident = self.names.fresh("flow", span);
+            self.var(ident, false, matches!(body.value, Operand::Var(_)))
+        });
+        let count = targets.len();
+        let natural_end = self.link(Self::unit(), count.saturating_sub(1), count);
+        let natural_end = self.tokens(&natural_end);
+        self.push(Statement::Loop(Loop { head, body, record, breaks, result, natural_end }));
+        let value = match result {
+            Some(var) if self.vars[var].active => Operand::Var(var),
+            Some(var) => {
+                let ident = self.ident(var);
+                Operand::Constant(quote!(#ident))
+            }
+            None => Self::unit(),
+        };
+        LoopResult { value, own: targets.contains(&own).then_some(own), targets }
     }
 }
 
@@ -167,20 +190,4 @@ fn has_let(condition: &Expr) -> bool {
     let mut finder = Finder(false);
     finder.visit_expr(condition);
     finder.0
-}
-
-/// The length of a range between two literals.
-fn literal_length(from: &Expr, to: &Expr, limits: &RangeLimits) -> Option<usize> {
-    let literal = |expr: &Expr| match strip_parens(expr) {
-        Expr::Lit(literal) => match &literal.lit {
-            Lit::Int(number) => number.base10_parse::<usize>().ok(),
-            _ => None,
-        },
-        _ => None,
-    };
-    let (from, to) = (literal(from)?, literal(to)?);
-    Some(match limits {
-        RangeLimits::HalfOpen(_) => to.saturating_sub(from),
-        RangeLimits::Closed(_) => (to + 1).saturating_sub(from),
-    })
 }

@@ -1,29 +1,37 @@
 //! From the user's syntax to [`ir`](crate::ir).
 //!
 //! [`flow`] lowers statements and turns every early exit into the end of a block, whose meaning
-//! [`ends`] keeps; [`loops`] lowers loops; [`expression`] names intermediate results; [`pattern`] and [`place`] tell which part of a value is meant;
+//! [`ends`] keeps; [`loops`] lowers loops, [`chain`] and [`item`] what they run over, [`consume`]
+//! what iterators are used up by; [`closure`] puts closures in place of their calls; [`expression`] names intermediate results; [`pattern`] and [`place`] tell which part of a value is meant;
 //! [`plain`] passes on code through which no derivative flows, with variables renamed.
 
+mod chain;
+mod closure;
+mod consume;
 mod ends;
 mod exits;
 mod expression;
 mod flow;
+mod item;
 mod loops;
 mod pattern;
 mod place;
 mod plain;
 
 use std::collections::{HashMap, HashSet};
+use std::rc::Rc;
 
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::{ToTokens, quote};
 use syn::{Type, spanned::Spanned};
 
+use self::closure::Closure;
 use self::ends::{Jump, JumpId};
+use self::item::Alias;
 use crate::errors::Errors;
 use crate::ir::{Block, BlockId, Operand, Operation, Statement, Var, VarId};
 use crate::names::Names;
-use crate::signature::{Parameter, is_discrete};
+use crate::signature::{Parameter, is_discrete, pointee};
 
 /// A function body in lowered form.
 pub struct Lowered {
@@ -53,6 +61,10 @@ pub fn lower(
         block_count: 0,
         jumps: Vec::new(),
         jump_count: 0,
+        aliases: HashMap::new(),
+        references: HashSet::new(),
+        lengths: HashMap::new(),
+        closures: HashMap::new(),
         capitals: HashSet::new(),
         names,
         errors,
@@ -87,6 +99,14 @@ struct Lowerer<'a> {
     /// What jumps can leave here, innermost last.
     jumps: Vec<Jump>,
     jump_count: JumpId,
+    /// The names that stand for references to places.
+    aliases: HashMap<VarId, Alias>,
+    /// The variables that are known to be references.
+    references: HashSet<VarId>,
+    /// The lengths of arrays, where they are literals.
+    lengths: HashMap<VarId, usize>,
+    /// The names that stand for closures.
+    closures: HashMap<VarId, Rc<Closure>>,
     /// The names in refutable patterns that were taken for constants, for their capital letter.
     capitals: HashSet<String>,
     names: &'a mut Names,
@@ -167,7 +187,20 @@ impl Lowerer<'_> {
     fn parameter(&mut self, parameter: &Parameter) -> VarId {
         let var = self.var(parameter.ident.clone(), false, !is_discrete(&parameter.ty));
         self.alias(&parameter.ident, var);
+        self.note_type(var, &parameter.ty);
         var
+    }
+
+    /// Remembers what a type tells of a variable.
+    fn note_type(&mut self, var: VarId, ty: &Type) {
+        if let Type::Reference(_) = ty {
+            self.references.insert(var);
+        }
+        if let Type::Array(array) = pointee(ty)
+            && let Some(length) = chain::literal(&array.len)
+        {
+            self.lengths.insert(var, length);
+        }
     }
 
     /// A new immutable variable, defined here.

@@ -13,5 +13,6 @@
 mod data;
 mod exits;
 mod flow;
+mod iterators;
 mod jumps;
 mod statements;
