@@ -109,9 +109,27 @@ fn is_source(method: &Ident) -> bool {
 
 fn is_adapter(method: &Ident) -> bool {
     const ADAPTERS: [&str; 21] = [
-        "enumerate", "zip", "rev", "step_by", "take", "skip", "cycle", "copied", "cloned", "map",
-        "filter", "take_while", "skip_while", "chain", "filter_map", "flat_map", "flatten", "scan",
-        "inspect", "peekable", "map_while",
+        "enumerate",
+        "zip",
+        "rev",
+        "step_by",
+        "take",
+        "skip",
+        "cycle",
+        "copied",
+        "cloned",
+        "map",
+        "filter",
+        "take_while",
+        "skip_while",
+        "chain",
+        "filter_map",
+        "flat_map",
+        "flatten",
+        "scan",
+        "inspect",
+        "peekable",
+        "map_while",
     ];
     ADAPTERS.iter().any(|name| method == name)
 }
@@ -161,7 +179,10 @@ impl Lowerer<'_> {
                 Chain::Runs { place, iterator: starts, size, cut_short: method == "chunks" }
             }
             _ => {
-                self.refuse(call, "this is not the standard library's iterator: loop over an index");
+                self.refuse(
+                    call,
+                    "this is not the standard library's iterator: loop over an index",
+                );
                 Chain::Refused
             }
         }
@@ -241,7 +262,10 @@ impl Lowerer<'_> {
             ("zip", Some(other)) if !filtered => {
                 let other = self.chain(other);
                 if other.is_filtered() {
-                    self.refuse(call, "`zip` with a filtered iterator is not supported: write a loop");
+                    self.refuse(
+                        call,
+                        "`zip` with a filtered iterator is not supported: write a loop",
+                    );
                     return Chain::Refused;
                 }
                 Chain::Zip(inner, Box::new(other))

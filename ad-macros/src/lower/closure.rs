@@ -155,6 +155,14 @@ impl Lowerer<'_> {
         Item::Value(self.operand(expr, "argument"))
     }
 
+    /// Refuses a closure as a value.
+    pub(super) fn refuse_closure(&mut self, expr: &Expr) -> Operand {
+        self.refuse(
+            expr,
+            "a closure can be called, or given to an adapter of an iterator, and nothing else: write out what the function that takes it computes",
+        )
+    }
+
     /// Refuses a closure that changes what it captures, where its calls may be left out.
     pub(super) fn refuse_changes(&mut self, function: &Expr) {
         let Expr::Closure(closure) = strip_parens(function) else { return };

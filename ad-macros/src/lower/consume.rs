@@ -8,9 +8,7 @@ use syn::{Expr, ExprMethodCall, GenericArgument, Type};
 use super::Lowerer;
 use super::chain::is_chain;
 use super::item::Item;
-use crate::ir::{
-    Arm, BinaryOperator, BranchKind, Operand, Operation, Place, Statement, VarId,
-};
+use crate::ir::{Arm, BinaryOperator, BranchKind, Operand, Operation, Place, Statement, VarId};
 
 impl Lowerer<'_> {
     /// The value of a method that uses an iterator up, if `call` is one.
@@ -34,6 +32,10 @@ impl Lowerer<'_> {
             }
             ("max_by", [compare]) => self.extreme(call, compare, true, hint),
             ("min_by", [compare]) => self.extreme(call, compare, false, hint),
+            (_, _) if is_chain(&Expr::MethodCall(call.clone())) => self.refuse(
+                call,
+                "an iterator has no derivative: write it where it is used up, by a `for` loop, `sum`, `fold`",
+            ),
             (name, _) => self.refuse(
                 &call.method,
                 format!("the iterator method `{name}` is not supported: write a `for` loop"),
@@ -96,7 +98,10 @@ impl Lowerer<'_> {
             if item.refers() {
                 lowerer.refuse(
                     &call.method,
-                    format!("`{}` of references is not supported: put `.copied()` before it", call.method),
+                    format!(
+                        "`{}` of references is not supported: put `.copied()` before it",
+                        call.method
+                    ),
                 );
                 return;
             }
@@ -150,12 +155,7 @@ impl Lowerer<'_> {
     }
 
     /// A new variable that a loop changes.
-    fn changing(
-        &mut self,
-        hint: &str,
-        start: Operand,
-        at: impl ToTokens,
-    ) -> VarId {
+    fn changing(&mut self, hint: &str, start: Operand, at: impl ToTokens) -> VarId {
         let active = match &start {
             Operand::Var(_) => true,
             Operand::Constant(tokens) => !super::pattern::is_discrete_literal(tokens),
@@ -185,11 +185,7 @@ impl Lowerer<'_> {
     }
 
     /// Runs `body` for each item.
-    fn each(
-        &mut self,
-        chain: &Expr,
-        body: &mut dyn FnMut(&mut Lowerer<'_>, Item),
-    ) {
+    fn each(&mut self, chain: &Expr, body: &mut dyn FnMut(&mut Lowerer<'_>, Item)) {
         self.run_chain(chain, &mut |lowerer, item, end| {
             body(lowerer, item);
             lowerer.normal_end(Self::unit(), end)

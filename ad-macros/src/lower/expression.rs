@@ -383,6 +383,9 @@ impl Lowerer<'_> {
             let place = self.place(expr).expect("a reference to a place");
             return self.borrow_place(place);
         }
+        if self.named_closure(expr).is_some() {
+            return self.refuse_closure(expr);
+        }
         if let Some(place) = self.place(expr) {
             if !self.vars[place.root].active {
                 let tokens = self.place_tokens(&place);

@@ -162,7 +162,10 @@ impl Lowerer<'_> {
     /// The place that is assigned to.
     fn target(&mut self, expr: &Expr) -> Option<Place> {
         if self.depth(expr) > 0 {
-            self.refuse(expr, "a name for an element cannot be given to another one: assign to `*name`");
+            self.refuse(
+                expr,
+                "a name for an element cannot be given to another one: assign to `*name`",
+            );
             return None;
         }
         let Some(place) = self.place(expr) else {

@@ -79,9 +79,7 @@ impl Lowerer<'_> {
     pub(super) fn refuse_expression(&mut self, expr: &Expr) -> Operand {
         let message = match expr {
             Expr::Macro(call) => return self.refuse_macro(&call.mac),
-            Expr::Closure(_) => {
-                "a closure can be called, or given to an iterator's adapter: to give it to a function is not supported"
-            }
+            Expr::Closure(_) => return self.refuse_closure(expr),
             Expr::Return(_) | Expr::Try(_) | Expr::Break(_) | Expr::Continue(_) => {
                 "an exit from within an expression is not supported here: bind the value to a variable with `let` first"
             }
@@ -153,9 +151,10 @@ impl VisitMut for Plain<'_, '_> {
                     *expr = match self.lowerer.aliases.get(&var).cloned() {
                         Some(alias) => {
                             let place = self.lowerer.place_tokens(&alias.place);
-                            (0..alias.depth).fold(parse_quote!(#place), |inner: Expr, _| {
-                                parse_quote!((&#inner))
-                            })
+                            (0..alias.depth).fold(
+                                parse_quote!(#place),
+                                |inner: Expr, _| parse_quote!((&#inner)),
+                            )
                         }
                         None => {
                             let ident = self.lowerer.ident_at(var, path.span());
@@ -201,7 +200,10 @@ impl VisitMut for Plain<'_, '_> {
                 self.lowerer.scopes.pop();
             }
             Expr::Binary(binary) if exits::is_update(&binary.op) => {
-                self.lowerer.refuse(&*expr, "an assignment is not supported in a condition or an index: put it before");
+                self.lowerer.refuse(
+                    &*expr,
+                    "an assignment is not supported in a condition or an index: put it before",
+                );
             }
             Expr::Lit(_)
             | Expr::Paren(_)

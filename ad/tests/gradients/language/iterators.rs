@@ -265,10 +265,7 @@ fn chains() {
 fn elements_with_parts() {
     let point = [0.3, -1.2, 1.5, 2.0, 0.4, 0.7, -1.1, 0.2, 2.5, 0.8];
     let particles = |p: &[f64]| -> [Particle; 3] {
-        std::array::from_fn(|i| Particle {
-            position: [p[3 * i], p[3 * i + 1]],
-            mass: p[3 * i + 2],
-        })
+        std::array::from_fn(|i| Particle { position: [p[3 * i], p[3 * i + 1]], mass: p[3 * i + 2] })
     };
     let primal = |p: &[f64]| energy(&particles(p), p[9]);
     let (value, (by_particles, by_g)) = energy::value_and_grad(&particles(&point), point[9]);
