@@ -57,6 +57,7 @@ impl Lowerer<'_> {
             BinaryOperator::Add => quote!(::ad::rt::empty_sum #asked ()),
             _ => quote!(::ad::rt::empty_product #asked ()),
         };
+        let hint = if hint == "value" { "total" } else { hint };
         let total = self.changing(hint, Operand::Constant(start), call);
         self.each(&call.receiver, &mut |lowerer, item| {
             let value = lowerer.plain_item(item);

@@ -1,15 +1,10 @@
 //! The items of an iterator, and the names that patterns give to them.
 
-use proc_macro2::TokenStream;
 use quote::{ToTokens, quote};
-use syn::spanned::Spanned;
-use syn::{Expr, Ident, Member, Pat};
+use syn::{Ident, Member, Pat};
 
 use super::Lowerer;
-use super::chain::Chain;
-use super::closure::simple_name;
-use super::ends::{End, Target};
-use crate::ir::{Arm, BranchKind, Operand, Operation, Place, Projection, Shape, Statement, VarId};
+use crate::ir::{Operand, Operation, Place, Projection, Shape, VarId};
 
 /// A name for a reference to a place: reading it reads the place.
 #[derive(Clone)]
@@ -66,159 +61,9 @@ impl Item {
     }
 }
 
-/// A chain whose items have names.
-pub(super) struct Items {
-    /// Of what `pattern` takes apart.
-    pub iterator: TokenStream,
-    /// Whether the iterator is a range, which has to stand in parentheses before an adapter.
-    is_range: bool,
-    pub pattern: TokenStream,
-    pub defines: Vec<VarId>,
-    pub item: Item,
-    /// What the body does with an item before it is used, first to last.
-    pub stages: Vec<Stage>,
-}
-
-impl Items {
-    fn adapt(&mut self, adapter: &TokenStream) {
-        let iterator = &self.iterator;
-        self.iterator = match self.is_range {
-            true => quote!((#iterator) #adapter),
-            false => quote!(#iterator #adapter),
-        };
-        self.is_range = false;
-    }
-}
-
-/// A step on the way of an item to its use.
-pub(super) enum Stage {
-    Map(Expr),
-    Copied,
-    Filter(Expr),
-    TakeWhile(Expr),
-    Count(VarId),
-}
-
 impl Lowerer<'_> {
-    /// Names the items of a chain; to be called inside of the loop's body.
-    /// Those that have a name of their own in `pat` keep it.
-    pub(super) fn items(&mut self, chain: &Chain, pat: Option<&Pat>) -> Items {
-        match chain {
-            Chain::Refused => Items {
-                iterator: quote!(0..0),
-                is_range: true,
-                pattern: quote!(_),
-                defines: Vec::new(),
-                item: Item::Value(Self::unit()),
-                stages: Vec::new(),
-            },
-            Chain::Constant { iterator, .. } => {
-                let name = pat.and_then(simple_name).map(Ident::to_string);
-                let (var, ident) = self.loop_variable(name.as_deref().unwrap_or("item"));
-                let pattern = match pat {
-                    Some(Pat::Wild(_)) => quote!(_),
-                    _ => ident,
-                };
-                leaf(iterator.clone(), pattern, Item::Constant(var), var)
-            }
-            Chain::Elements { place, by_reference, .. } => {
-                let (var, ident) = self.loop_variable("index");
-                let whole = self.place_tokens(place);
-                let element = Self::element(place, quote!(#ident));
-                let item = match by_reference {
-                    true => Item::Reference(Alias { place: element, depth: 1 }),
-                    false => Item::Copy(element),
-                };
-                leaf(quote!(0..#whole.len()), ident, item, var)
-            }
-            Chain::Runs { place, iterator, size, cut_short } => {
-                let (var, ident) = self.loop_variable("start");
-                let whole = self.place_tokens(place);
-                let end = match cut_short {
-                    true => {
-                        let end = quote!((#ident + #size).min(#whole.len()));
-                        let end = Operation::Use(Operand::Constant(end));
-                        let end = self.define("end", proc_macro2::Span::call_site(), false, end);
-                        self.ident(end).to_token_stream()
-                    }
-                    false => quote!(#ident + #size),
-                };
-                let run = Self::element(place, quote!(#ident..#end));
-                leaf(iterator.clone(), ident, Item::Reference(Alias { place: run, depth: 1 }), var)
-            }
-            Chain::Enumerate(inner) => {
-                let [first, second] = pair_pattern(pat);
-                let name = first.and_then(simple_name).map(Ident::to_string);
-                let (var, ident) = self.loop_variable(name.as_deref().unwrap_or("position"));
-                let mut items = self.items(inner, second);
-                let pattern = &items.pattern;
-                items.pattern = quote!((#ident, #pattern));
-                items.defines.push(var);
-                items.adapt(&quote!(.enumerate()));
-                let item = self.staged(&mut items);
-                Items { item: Item::Tuple(vec![Item::Constant(var), item]), ..items }
-            }
-            Chain::Zip(left, right) => {
-                let [first, second] = pair_pattern(pat);
-                let mut left = self.items(left, first);
-                let mut right = self.items(right, second);
-                let both = vec![self.staged(&mut left), self.staged(&mut right)];
-                let (left_pattern, right_pattern) = (&left.pattern, &right.pattern);
-                let pattern = quote!((#left_pattern, #right_pattern));
-                let right_iterator = &right.iterator;
-                left.adapt(&quote!(.zip(#right_iterator)));
-                let defines = [left.defines, right.defines].concat();
-                Items { pattern, defines, item: Item::Tuple(both), ..left }
-            }
-            Chain::Order { inner, adapter, .. } => {
-                let mut items = self.items(inner, pat);
-                items.adapt(adapter);
-                items
-            }
-            Chain::Copied(inner) => self.with_stage(inner, Stage::Copied, None),
-            Chain::Map(inner, function) => {
-                let pat = parameter(function);
-                self.with_stage(inner, Stage::Map(function.clone()), pat)
-            }
-            Chain::Filter(inner, function) => {
-                self.with_stage(inner, Stage::Filter(function.clone()), pat)
-            }
-            Chain::TakeWhile(inner, function) => {
-                self.with_stage(inner, Stage::TakeWhile(function.clone()), pat)
-            }
-            Chain::Count(inner, counter) => {
-                let [_, second] = pair_pattern(pat);
-                self.with_stage(inner, Stage::Count(*counter), second)
-            }
-        }
-    }
-
-    fn with_stage(&mut self, inner: &Chain, stage: Stage, pat: Option<&Pat>) -> Items {
-        let mut items = self.items(inner, pat);
-        items.stages.push(stage);
-        items
-    }
-
-    fn loop_variable(&mut self, hint: &str) -> (VarId, TokenStream) {
-        let ident = self.names.fresh(hint, proc_macro2::Span::call_site());
-        let var = self.var(ident.clone(), false, false);
-        (var, ident.to_token_stream())
-    }
-
-    /// The item behind those of its stages that change no number of items.
-    fn staged(&mut self, items: &mut Items) -> Item {
-        let mut item = items.item.clone();
-        for stage in items.stages.drain(..) {
-            item = match stage {
-                Stage::Map(function) => Item::Value(self.apply(&function, vec![item])),
-                Stage::Copied => self.copied(item),
-                _ => unreachable!("what follows a filter has been refused"),
-            };
-        }
-        item
-    }
-
-    fn copied(&mut self, item: Item) -> Item {
+    /// What `*` makes of an item, or of each of its parts.
+    pub(super) fn copied(&mut self, item: Item) -> Item {
         match item {
             Item::Reference(Alias { place, depth: 1 }) => Item::Copy(place),
             Item::Reference(Alias { place, depth }) => {
@@ -246,58 +91,8 @@ impl Lowerer<'_> {
         }
     }
 
-    /// Runs the stages of an item, then `body`. Where a filter drops the item the block ends.
-    pub(super) fn run_stages(
-        &mut self,
-        item: Item,
-        stages: &[Stage],
-        own: Target,
-        end: &End,
-        body: &mut dyn FnMut(&mut Self, Item) -> Operand,
-    ) -> Operand {
-        let Some((stage, rest)) = stages.split_first() else { return body(self, item) };
-        match stage {
-            Stage::Map(function) => {
-                let value = Item::Value(self.apply(function, vec![item]));
-                self.run_stages(value, rest, own, end, body)
-            }
-            Stage::Copied => {
-                let copy = self.copied(item);
-                self.run_stages(copy, rest, own, end, body)
-            }
-            Stage::Count(counter) => {
-                let ident = self.ident(*counter).clone();
-                let count = Operation::Use(Operand::Constant(quote!(#ident)));
-                let position = self.define("position", ident.span(), false, count);
-                let code = quote!(#ident += 1;);
-                self.push(Statement::Plain { code, defines: Vec::new() });
-                let pair = Item::Tuple(vec![Item::Constant(position), item]);
-                self.run_stages(pair, rest, own, end, body)
-            }
-            Stage::Filter(function) | Stage::TakeWhile(function) => {
-                // What it looks at and what the body uses is evaluated once.
-                let item = self.settled_item(item);
-                let shown = item.clone().borrowed(self);
-                let condition = self.apply(function, vec![shown]);
-                let condition = self.without_derivative(&condition);
-                let passes = self.block(|lowerer| lowerer.run_stages(item, rest, own, end, body));
-                let stops = matches!(stage, Stage::TakeWhile(_));
-                let drops = self.block(|lowerer| match stops {
-                    true => lowerer.exit(own, Self::unit(), end),
-                    false => lowerer.normal_end(Self::unit(), end),
-                });
-                let arms = [passes, drops].map(|body| Arm {
-                    pattern: TokenStream::new(),
-                    guard: None,
-                    bindings: Vec::new(),
-                    body,
-                });
-                self.branch(BranchKind::If(condition), arms.into(), true, function.span())
-            }
-        }
-    }
-
-    fn settled_item(&mut self, item: Item) -> Item {
+    /// The item, evaluated once however often it is used.
+    pub(super) fn settled_item(&mut self, item: Item) -> Item {
         match item {
             Item::Value(Operand::Constant(tokens)) => {
                 let value = Operation::Use(Operand::Constant(tokens));
@@ -410,30 +205,6 @@ impl Lowerer<'_> {
     }
 }
 
-/// The patterns of both parts of a pair.
-fn pair_pattern(pat: Option<&Pat>) -> [Option<&Pat>; 2] {
-    match pat {
-        Some(Pat::Tuple(tuple)) if tuple.elems.len() == 2 => {
-            [Some(&tuple.elems[0]), Some(&tuple.elems[1])]
-        }
-        Some(Pat::Paren(inner)) => pair_pattern(Some(&inner.pat)),
-        _ => [None, None],
-    }
-}
-
-/// The pattern of the only parameter of a closure.
-fn parameter(function: &Expr) -> Option<&Pat> {
-    match function {
-        Expr::Closure(closure) if closure.inputs.len() == 1 => closure.inputs.first(),
-        _ => None,
-    }
-}
-
 fn is_plain_name(pat: &syn::PatIdent) -> bool {
     pat.by_ref.is_none() && pat.subpat.is_none() && pat.mutability.is_none()
-}
-
-fn leaf(iterator: TokenStream, pattern: TokenStream, item: Item, var: VarId) -> Items {
-    let is_range = true;
-    Items { iterator, is_range, pattern, defines: vec![var], item, stages: Vec::new() }
 }

@@ -1,7 +1,7 @@
 //! From the user's syntax to [`ir`](crate::ir).
 //!
 //! [`flow`] lowers statements and turns every early exit into the end of a block, whose meaning
-//! [`ends`] keeps; [`loops`] lowers loops, [`chain`] and [`item`] what they run over, [`consume`]
+//! [`ends`] keeps; [`loops`] lowers loops, [`chain`], [`stage`] and [`item`] what they run over, [`consume`]
 //! what iterators are used up by; [`closure`] puts closures in place of their calls; [`expression`] names intermediate results; [`pattern`] and [`place`] tell which part of a value is meant;
 //! [`plain`] passes on code through which no derivative flows, with variables renamed.
 
@@ -17,6 +17,7 @@ mod loops;
 mod pattern;
 mod place;
 mod plain;
+mod stage;
 
 use std::collections::{HashMap, HashSet};
 use std::rc::Rc;

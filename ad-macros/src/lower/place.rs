@@ -87,7 +87,10 @@ impl Lowerer<'_> {
         if depth == 0 {
             place.path.push(Projection::Deref);
         }
-        self.read_place(place, hint)
+        match simple_path(expr) {
+            Some(name) if hint == "value" => self.read_place(place, &name.to_string()),
+            _ => self.read_place(place, hint),
+        }
     }
 
     /// A copy of a place.
@@ -249,5 +252,12 @@ impl Lowerer<'_> {
 
     fn push_plain(&mut self, code: TokenStream) {
         self.push(Statement::Plain { code, defines: Vec::new() });
+    }
+}
+
+fn simple_path(expr: &Expr) -> Option<&syn::Ident> {
+    match strip_parens(expr) {
+        Expr::Path(path) => path.path.get_ident(),
+        _ => None,
     }
 }

@@ -12,42 +12,39 @@ impl dot {
         use ::ad::rt::methods::*;
         let xs_space = ::ad::rt::space(&xs);
         let ys_space = ::ad::rt::space(&ys);
-        let mut value = ::ad::rt::empty_sum();
+        let mut total = ::ad::rt::empty_sum();
         let mut tape = ::ad::rt::ArrayTape::<_, 8usize>::new();
-        for (index, index_1) in (0..xs.len()).zip(0..ys.len()) {
-            let value_1 = xs[index];
-            let value_2 = ys[index_1];
-            let product = value_1 * value_2;
-            let partial = value;
-            value += product;
+        for index in 0..xs.len().min(ys.len()) {
+            let x_1 = xs[index];
+            let y_1 = ys[index];
+            let product = x_1 * y_1;
+            let partial = total;
+            total += product;
             let partial_pullback = ::ad::rt::linear(&partial, &product);
-            tape.push((index, index_1, value_1, value_2, partial_pullback));
+            tape.push((index, x_1, y_1, partial_pullback));
         }
-        let value_3 = value;
+        let total_1 = total;
         (
-            value_3,
+            total_1,
             move |
                 result_bar: ::ad::Tangent<f64>,
             | -> (::ad::Tangent<[f64; 8]>, ::ad::Tangent<[f64; 8]>) {
-                let mut value_3_bar = result_bar;
-                let mut value_bar = value_3_bar;
+                let mut total_1_bar = result_bar;
+                let mut total_bar = total_1_bar;
                 let mut xs_bar = xs_space.zero();
                 let mut ys_bar = ys_space.zero();
-                for (index, index_1, value_1, value_2, partial_pullback) in tape
-                    .into_iter()
-                    .rev()
-                {
-                    let (value_part, product_part) = partial_pullback
-                        .pull_back_sum(::ad::rt::take(&mut value_bar));
-                    ::ad::rt::Absorb::absorb(&mut value_bar, value_part);
+                for (index, x_1, y_1, partial_pullback) in tape.into_iter().rev() {
+                    let (total_part, product_part) = partial_pullback
+                        .pull_back_sum(::ad::rt::take(&mut total_bar));
+                    ::ad::rt::Absorb::absorb(&mut total_bar, total_part);
                     let mut product_bar = product_part;
-                    let (mut value_1_bar, mut value_2_bar) = ::ad::rules::MulPullback::mul_pullback(
-                        value_1,
-                        value_2,
+                    let (mut x_1_bar, mut y_1_bar) = ::ad::rules::MulPullback::mul_pullback(
+                        x_1,
+                        y_1,
                         product_bar,
                     );
-                    ::ad::rt::Absorb::absorb(&mut ys_bar[index_1], value_2_bar);
-                    ::ad::rt::Absorb::absorb(&mut xs_bar[index], value_1_bar);
+                    ::ad::rt::Absorb::absorb(&mut ys_bar[index], y_1_bar);
+                    ::ad::rt::Absorb::absorb(&mut xs_bar[index], x_1_bar);
                 }
                 (xs_bar, ys_bar)
             },
