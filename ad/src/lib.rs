@@ -38,6 +38,7 @@
 //! `enumerate`, `zip`, `rev`, `skip`, `take`, `step_by`, `cycle`, `copied`, `map`, `filter` and
 //! `take_while`; in a `for` loop or used up by `sum`, `product`, `fold`, `for_each`, `min_by` or
 //! `max_by`. Closures can be bound to a variable and called, and may change what they capture.
+//! Macros: `assert!` and its kin, `panic!`, `unreachable!`, `matches!`, `dbg!`.
 //!
 //! ```
 //! use ad::{Differentiable, differentiable};

@@ -174,6 +174,12 @@ pub fn constant<T: NoDerivative>(value: T) -> T {
     value
 }
 
+/// The value of a block whose end is never reached.
+#[cold]
+pub fn never<T>() -> T {
+    unreachable!("control does not come here")
+}
+
 /// What the iterations of a loop saved, on the stack: for loops whose trip count is a literal.
 pub struct ArrayTape<T, const N: usize> {
     iterations: [Option<T>; N],

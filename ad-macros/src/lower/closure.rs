@@ -38,8 +38,7 @@ impl Lowerer<'_> {
         if closure.capture.is_some() {
             scopes.push(self.moved(closure));
         }
-        let ident = self.names.fresh(&name.to_string(), name.span());
-        let var = self.var(ident, false, false);
+        let var = self.unwritten_var(name, false, false);
         self.closures.insert(var, Rc::new(Closure { body: closure.clone(), scopes }));
         self.alias(name, var);
     }

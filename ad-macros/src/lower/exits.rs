@@ -4,6 +4,7 @@ use proc_macro2::Ident;
 use syn::visit::{self, Visit};
 use syn::{Block, Expr, Label, Lifetime, Stmt, parse_quote};
 
+use super::macros::macro_diverges;
 use crate::names::Names;
 
 /// A jump, as the user wrote it.
@@ -158,6 +159,7 @@ impl<'ast> Visit<'ast> for Finder<'ast> {
 pub fn diverges(stmts: &[Stmt]) -> bool {
     match stmts.last() {
         Some(Stmt::Expr(expr, _)) => expr_diverges(expr),
+        Some(Stmt::Macro(call)) => macro_diverges(&call.mac),
         _ => false,
     }
 }
@@ -167,6 +169,7 @@ pub fn expr_diverges(expr: &Expr) -> bool {
     let block_diverges = |block: &Block| diverges(&block.stmts);
     match expr {
         Expr::Return(_) | Expr::Break(_) | Expr::Continue(_) => true,
+        Expr::Macro(call) => macro_diverges(&call.mac),
         Expr::Loop(a_loop) => {
             let breaks = |exit: &Exit| match exit {
                 Exit::Break(None) => true,

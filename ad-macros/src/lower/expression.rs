@@ -50,6 +50,7 @@ impl Lowerer<'_> {
                     }
                 }
             }
+            Expr::Macro(call) => self.macro_call(&call.mac, hint),
             Expr::Struct(literal) => self.struct_literal(literal, hint),
             Expr::Reference(reference) => self.reference(reference, hint),
             Expr::Block(block) => self.a_block(block, &End::default()),

@@ -13,6 +13,7 @@ use syn::{Expr, Local, Pat, Stmt, parse_quote};
 use super::closure::simple_name;
 use super::ends::{End, JumpKind, Target};
 use super::exits::Exit;
+use super::macros::macro_diverges;
 use super::pattern::Matched;
 use super::{Lowerer, exits};
 use crate::ir::{Arm, Branch, BranchKind, Operand, Statement};
@@ -37,8 +38,19 @@ impl Lowerer<'_> {
                 return self.exiting(stmt, stmts.collect(), end);
             }
             match stmt {
+                // What follows is never reached.
+                Stmt::Macro(call) if macro_diverges(&call.mac) => {
+                    return self.macro_call(&call.mac, "value");
+                }
+                Stmt::Expr(Expr::Macro(call), _) if macro_diverges(&call.mac) => {
+                    return self.macro_call(&call.mac, "value");
+                }
                 Stmt::Expr(expr, None) if stmts.len() == 0 => {
                     let value = self.operand(&expr, "value");
+                    return self.normal_end(value, end);
+                }
+                Stmt::Macro(call) if call.semi_token.is_none() && stmts.len() == 0 => {
+                    let value = self.macro_call(&call.mac, "value");
                     return self.normal_end(value, end);
                 }
                 stmt => self.statement(&stmt),
@@ -55,7 +67,7 @@ impl Lowerer<'_> {
                 self.refuse(item, "move this item out of the differentiable function");
             }
             Stmt::Macro(call) => {
-                self.refuse_macro(&call.mac);
+                self.macro_call(&call.mac, "value");
             }
             Stmt::Expr(expr, _) => self.expression_statement(expr),
         }

@@ -176,8 +176,8 @@ impl Lowerer<'_> {
     pub(super) fn alias_place(&mut self, name: &Ident, alias: Alias) {
         let root = &self.vars[alias.place.root];
         let (mutable, active) = (root.mutable, root.active);
-        let ident = self.names.fresh(&name.to_string(), name.span());
-        let var = self.var(ident, mutable, active);
+        // Generated code names the place, never the alias.
+        let var = self.unwritten_var(name, mutable, active);
         self.aliases.insert(var, alias);
         self.alias(name, var);
     }

@@ -3,7 +3,7 @@
 //! [`flow`] lowers statements and turns every early exit into the end of a block, whose meaning
 //! [`ends`] keeps; [`loops`] lowers loops, [`chain`], [`stage`] and [`item`] what they run over, [`consume`]
 //! what iterators are used up by; [`closure`] puts closures in place of their calls; [`expression`] names intermediate results; [`pattern`] and [`place`] tell which part of a value is meant;
-//! [`plain`] passes on code through which no derivative flows, with variables renamed.
+//! [`macros`] knows those of the standard library; [`plain`] passes on code through which no derivative flows, with variables renamed.
 
 mod chain;
 mod closure;
@@ -14,6 +14,7 @@ mod expression;
 mod flow;
 mod item;
 mod loops;
+mod macros;
 mod pattern;
 mod place;
 mod plain;
@@ -152,6 +153,14 @@ impl Lowerer<'_> {
             mutable,
             active,
         });
+        self.vars.len() - 1
+    }
+
+    /// Makes a variable that has no definition in generated code: a name of the user's.
+    fn unwritten_var(&mut self, name: &Ident, mutable: bool, active: bool) -> VarId {
+        let [ident, cotangent, space, record] = std::array::from_fn(|_| name.clone());
+        let block = self.open_blocks.last().expect("a block is open").0;
+        self.vars.push(Var { ident, cotangent, space, record, block, mutable, active });
         self.vars.len() - 1
     }
 

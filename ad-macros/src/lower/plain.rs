@@ -8,6 +8,7 @@ use syn::visit::{self, Visit};
 use syn::visit_mut::{self, VisitMut};
 use syn::{Expr, Macro, Pat, Type, parse_quote, parse_quote_spanned};
 
+use super::macros::{Matches, standard_macro};
 use super::{Lowerer, exits};
 use crate::ir::{Operand, Operation};
 
@@ -70,9 +71,10 @@ impl Lowerer<'_> {
     }
 
     pub(super) fn refuse_macro(&mut self, call: &Macro) -> Operand {
+        let name = call.path.segments.last().map(|last| last.ident.to_string()).unwrap_or_default();
         self.refuse(
             call,
-            "macros cannot be differentiated: write out what it expands to, or call it outside of the differentiable function",
+            format!("the macro `{name}!` cannot be differentiated: write out what it expands to, or call it outside of the differentiable function"),
         )
     }
 
@@ -123,13 +125,30 @@ impl Plain<'_, '_> {
         }
     }
 
+    /// `matches!(expr, pattern if guard)`
+    fn visit_matches(&mut self, call: &mut Macro) {
+        let Matches { mut expr, pat, guard } = match call.parse_body() {
+            Ok(parts) => parts,
+            Err(error) => return self.lowerer.errors.add(error),
+        };
+        self.visit_expr_mut(&mut expr);
+        self.lowerer.scopes.push(Default::default());
+        self.visit_parameter(&pat);
+        let guard = guard.map(|mut guard| {
+            self.visit_expr_mut(&mut guard);
+            quote!(if #guard)
+        });
+        self.lowerer.scopes.pop();
+        call.tokens = quote!(#expr, #pat #guard);
+    }
+
     /// Lets the names in a pattern mean themselves.
     fn visit_parameter(&mut self, pat: &Pat) {
         struct Binder<'l, 'a>(&'l mut Lowerer<'a>);
 
         impl<'ast> Visit<'ast> for Binder<'_, '_> {
             fn visit_pat_ident(&mut self, pat: &'ast syn::PatIdent) {
-                let var = self.0.var(pat.ident.clone(), false, false);
+                let var = self.0.unwritten_var(&pat.ident, false, false);
                 self.0.alias(&pat.ident, var);
                 visit::visit_pat_ident(self, pat);
             }
@@ -204,6 +223,9 @@ impl VisitMut for Plain<'_, '_> {
                     &*expr,
                     "an assignment is not supported in a condition or an index: put it before",
                 );
+            }
+            Expr::Macro(call) if standard_macro(&call.mac.path).as_deref() == Some("matches") => {
+                self.visit_matches(&mut call.mac);
             }
             Expr::Lit(_)
             | Expr::Paren(_)

@@ -15,13 +15,13 @@ impl dot {
         let mut total = ::ad::rt::empty_sum();
         let mut tape = ::ad::rt::ArrayTape::<_, 8usize>::new();
         for index in 0..xs.len().min(ys.len()) {
-            let x_1 = xs[index];
-            let y_1 = ys[index];
-            let product = x_1 * y_1;
+            let x = xs[index];
+            let y = ys[index];
+            let product = x * y;
             let partial = total;
             total += product;
             let partial_pullback = ::ad::rt::linear(&partial, &product);
-            tape.push((index, x_1, y_1, partial_pullback));
+            tape.push((index, x, y, partial_pullback));
         }
         let total_1 = total;
         (
@@ -33,18 +33,18 @@ impl dot {
                 let mut total_bar = total_1_bar;
                 let mut xs_bar = xs_space.zero();
                 let mut ys_bar = ys_space.zero();
-                for (index, x_1, y_1, partial_pullback) in tape.into_iter().rev() {
+                for (index, x, y, partial_pullback) in tape.into_iter().rev() {
                     let (total_part, product_part) = partial_pullback
                         .pull_back_sum(::ad::rt::take(&mut total_bar));
                     ::ad::rt::Absorb::absorb(&mut total_bar, total_part);
                     let mut product_bar = product_part;
-                    let (mut x_1_bar, mut y_1_bar) = ::ad::rules::MulPullback::mul_pullback(
-                        x_1,
-                        y_1,
+                    let (mut x_bar, mut y_bar) = ::ad::rules::MulPullback::mul_pullback(
+                        x,
+                        y,
                         product_bar,
                     );
-                    ::ad::rt::Absorb::absorb(&mut ys_bar[index], y_1_bar);
-                    ::ad::rt::Absorb::absorb(&mut xs_bar[index], x_1_bar);
+                    ::ad::rt::Absorb::absorb(&mut ys_bar[index], y_bar);
+                    ::ad::rt::Absorb::absorb(&mut xs_bar[index], x_bar);
                 }
                 (xs_bar, ys_bar)
             },

@@ -16,4 +16,5 @@ mod exits;
 mod flow;
 mod iterators;
 mod jumps;
+mod macros;
 mod statements;
