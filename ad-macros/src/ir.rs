@@ -145,7 +145,7 @@ pub enum Statement {
     Update { place: Place, operator: BinaryOperator, previous: VarId, value: VarId },
     /// `if` or `match`.
     Branch(Branch),
-    /// `for`
+    /// `for`, `while`, `loop`
     Loop(Loop),
 }
 
@@ -182,17 +182,33 @@ pub struct Arm {
     pub body: Block,
 }
 
-/// A block that is run once for each item of an iterator of constants.
+/// A block that is run again and again.
 pub struct Loop {
-    pub pattern: TokenStream,
-    /// The variables of the pattern.
-    pub defines: Vec<VarId>,
-    pub iterator: TokenStream,
+    pub head: Head,
     pub body: Block,
     /// The name of the tape.
     pub record: Ident,
-    /// The number of iterations, where it is a literal.
-    pub trip_count: Option<usize>,
-    /// Takes the value of the last iteration, a `ControlFlow`; a `Break` ends the loop.
-    pub exit: Option<VarId>,
+    /// Whether the value of the body is a `ControlFlow`, whose `Break` ends the loop.
+    pub breaks: bool,
+    /// Takes the content of the `Break`.
+    pub result: Option<VarId>,
+    /// What `result` is where the loop ends by itself.
+    pub natural_end: TokenStream,
+}
+
+/// How a loop goes on.
+pub enum Head {
+    /// Once for each item of an iterator of constants.
+    For {
+        pattern: TokenStream,
+        /// The variables of the pattern.
+        defines: Vec<VarId>,
+        iterator: TokenStream,
+        /// The number of iterations, where it is a literal.
+        trip_count: Option<usize>,
+    },
+    /// While a condition holds.
+    While(TokenStream),
+    /// Until a `Break`.
+    Loop,
 }

@@ -135,6 +135,10 @@ macro_rules! no_derivative {
     )*};
 }
 
+no_derivative!(core::cmp::Ordering);
+
+impl<T: NoDerivative> NoDerivative for Option<T> {}
+
 no_derivative!(bool, char, str, i8, i16, i32, i64, i128, isize, u8, u16, u32, u64, u128, usize);
 
 impl<T: Differentiable + ?Sized> Differentiable for &T {

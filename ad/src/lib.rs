@@ -30,8 +30,15 @@
 //! Functions and inherent methods on `f32`, `f64`, glam's float vectors, tuples, arrays, `Option`,
 //! references to these, and structs with `#[derive(Differentiable)]`; generic ones too. In a body:
 //! `let` with patterns, arithmetic, assignment to local variables and parts of them, `if`, `match`,
-//! `if let`, `let else`, `for` over ranges, `return` from anywhere, `?` on options, calls of
-//! differentiable functions and of the methods listed in [`rules`].
+//! `if let`, `let else`, `for` over ranges and over elements, `while`, `while let`, `loop`, labels,
+//! `break`, `continue` and `return` from anywhere, `?` on options, calls of differentiable functions
+//! and of the methods listed in [`rules`].
+//!
+//! Iterators: `iter`, `iter_mut`, `into_iter`, `windows`, `chunks` and `chunks_exact` of arrays, under
+//! `enumerate`, `zip`, `rev`, `skip`, `take`, `step_by`, `cycle`, `copied`, `map`, `filter` and
+//! `take_while`; in a `for` loop or used up by `sum`, `product`, `fold`, `for_each`, `min_by` or
+//! `max_by`. Closures can be bound to a variable and called, and may change what they capture.
+//! Macros: `assert!` and its kin, `panic!`, `unreachable!`, `matches!`, `dbg!`.
 //!
 //! ```
 //! use ad::{Differentiable, differentiable};

@@ -6,6 +6,10 @@ use core::ops::{Add, Neg, Sub};
 use crate::rules::{AddPullback, NegPullback, SubPullback};
 use crate::{Additive, Differentiable, NoDerivative, NoTangent, Tangent};
 
+mod iterate;
+
+pub use iterate::{chunks_exact, empty_product, empty_sum, held, windows};
+
 /// The traits whose methods generated code calls. They come without names, which could hide those
 /// of the user.
 pub mod methods {
@@ -168,6 +172,12 @@ pub fn sum<T: Additive, const N: usize>(cotangents: [T; N]) -> T {
 #[inline(always)]
 pub fn constant<T: NoDerivative>(value: T) -> T {
     value
+}
+
+/// The value of a block whose end is never reached.
+#[cold]
+pub fn never<T>() -> T {
+    unreachable!("control does not come here")
 }
 
 /// What the iterations of a loop saved, on the stack: for loops whose trip count is a literal.

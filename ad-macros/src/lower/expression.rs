@@ -6,6 +6,7 @@ use syn::spanned::Spanned;
 use syn::{BinOp, Expr, ExprBinary, ExprPath, Member, Path, PathArguments, Type, UnOp};
 
 use super::Lowerer;
+use super::ends::End;
 use crate::ir::{Argument, BinaryOperator, Operand, Operation, Projection, Shape, Statement};
 
 impl Lowerer<'_> {
@@ -49,9 +50,11 @@ impl Lowerer<'_> {
                     }
                 }
             }
+            Expr::Macro(call) => self.macro_call(&call.mac, hint),
             Expr::Struct(literal) => self.struct_literal(literal, hint),
             Expr::Reference(reference) => self.reference(reference, hint),
-            Expr::Block(block) if block.label.is_none() => self.block_value(&block.block.stmts),
+            Expr::Block(block) => self.a_block(block, &End::default()),
+            Expr::Loop(_) => self.loop_value(expr),
             Expr::If(_) | Expr::Match(_) => self.branch_value(expr, &mut |lowerer, body| {
                 lowerer.scope(|lowerer| lowerer.operand(body, "value"))
             }),
@@ -59,7 +62,7 @@ impl Lowerer<'_> {
                 self.refuse(range, "a range has no derivative: use it as the head of a `for` loop")
             }
             // The last statement of a block, or the body of an arm.
-            Expr::Assign(_) | Expr::ForLoop(_) => self.unit_expression(expr),
+            Expr::Assign(_) | Expr::ForLoop(_) | Expr::While(_) => self.unit_expression(expr),
             other => self.refuse_expression(other),
         }
     }
@@ -75,7 +78,7 @@ impl Lowerer<'_> {
     }
 
     fn negate(&mut self, inner: &Expr, hint: &str, whole: &Expr) -> Operand {
-        match self.operand(inner, "value") {
+        match self.scalar(inner, "value") {
             Operand::Constant(tokens) => Operand::Constant(quote!((-#tokens))),
             Operand::Var(var) => {
                 Operand::Var(self.define(hint, whole.span(), true, Operation::Negate(var)))
@@ -109,8 +112,8 @@ impl Lowerer<'_> {
             | BinOp::Shr(_) => return self.discrete(&Expr::Binary(binary.clone())),
             _ => return self.unit_expression(&Expr::Binary(binary.clone())),
         };
-        let left = self.operand(&binary.left, "value");
-        let right = self.operand(&binary.right, "value");
+        let left = self.scalar(&binary.left, "value");
+        let right = self.scalar(&binary.right, "value");
         let token = &binary.op;
         if let (Operand::Constant(left), Operand::Constant(right)) = (&left, &right) {
             return Operand::Constant(quote!((#left #token #right)));
@@ -153,12 +156,19 @@ impl Lowerer<'_> {
             Argument::Value(operand) => operand,
             Argument::Borrow(place) | Argument::Receiver(place) => {
                 let operation = Operation::Borrow(place);
-                Operand::Var(self.define(hint, reference.span(), true, operation))
+                let var = self.define(hint, reference.span(), true, operation);
+                self.references.insert(var);
+                Operand::Var(var)
             }
         }
     }
 
     fn argument(&mut self, expr: &Expr) -> Argument {
+        if self.depth(expr) > 0
+            && let Some(place) = self.stable_place(expr)
+        {
+            return Argument::Borrow(place);
+        }
         let Expr::Reference(reference) = expr else {
             return Argument::Value(self.operand(expr, "argument"));
         };
@@ -194,10 +204,14 @@ impl Lowerer<'_> {
         };
         let path = &function.path;
         if let Some(name) = path.get_ident() {
+            if self.named_closure(&call.func).is_some() {
+                let given = call.args.iter().map(|argument| self.given(argument)).collect();
+                return self.apply(&call.func, given);
+            }
             if self.lookup(name).is_some() {
                 return self.refuse(
                     name,
-                    "calls of closures and function pointers are not supported: write a `#[differentiable]` function",
+                    "calls of function pointers and of closures that are parameters are not supported: write a `#[differentiable]` function",
                 );
             }
             if name == self.function {
@@ -261,6 +275,9 @@ impl Lowerer<'_> {
     }
 
     fn method_call(&mut self, call: &syn::ExprMethodCall, hint: &str) -> Operand {
+        if let Some(value) = self.consumed(call, hint) {
+            return value;
+        }
         let name = call.method.to_string();
         if is_predicate(&name) {
             return self.discrete(&Expr::MethodCall(call.clone()));
@@ -271,7 +288,7 @@ impl Lowerer<'_> {
         }
         let receiver = match self.stable_place(&call.receiver) {
             Some(place) => Argument::Receiver(place),
-            None => Argument::Value(self.operand(&call.receiver, "receiver")),
+            None => Argument::Value(self.scalar(&call.receiver, "receiver")),
         };
         let mut arguments = vec![receiver];
         arguments.extend(call.args.iter().map(|arg| self.argument(arg)));
@@ -363,6 +380,13 @@ impl Lowerer<'_> {
 
     /// A copy of a place, or what is not a place.
     fn read(&mut self, expr: &Expr, hint: &str) -> Operand {
+        if self.depth(expr) > 0 {
+            let place = self.place(expr).expect("a reference to a place");
+            return self.borrow_place(place);
+        }
+        if self.named_closure(expr).is_some() {
+            return self.refuse_closure(expr);
+        }
         if let Some(place) = self.place(expr) {
             if !self.vars[place.root].active {
                 let tokens = self.place_tokens(&place);
@@ -411,7 +435,7 @@ impl Lowerer<'_> {
     }
 }
 
-fn numbered(parts: Vec<Operand>) -> Vec<(Member, Operand)> {
+pub(super) fn numbered(parts: Vec<Operand>) -> Vec<(Member, Operand)> {
     parts.into_iter().enumerate().map(|(index, part)| (Member::from(index), part)).collect()
 }
 
@@ -441,6 +465,7 @@ pub(super) fn is_variant(path: &Path) -> bool {
 pub(super) fn is_predicate(name: &str) -> bool {
     name.starts_with("is_")
         || matches!(name, "cmplt" | "cmple" | "cmpgt" | "cmpge" | "cmpeq" | "cmpne")
+        || matches!(name, "cmp" | "partial_cmp" | "total_cmp")
         || matches!(name, "lt" | "le" | "gt" | "ge" | "eq" | "ne" | "all" | "any")
 }
 

@@ -1,26 +1,39 @@
 //! From the user's syntax to [`ir`](crate::ir).
 //!
-//! [`flow`] lowers statements and turns every early exit into the end of a block; [`expression`]
-//! names intermediate results; [`pattern`] and [`place`] tell which part of a value is meant;
-//! [`plain`] passes on code through which no derivative flows, with variables renamed.
+//! [`flow`] lowers statements and turns every early exit into the end of a block, whose meaning
+//! [`ends`] keeps; [`loops`] lowers loops, [`chain`], [`stage`] and [`item`] what they run over, [`consume`]
+//! what iterators are used up by; [`closure`] puts closures in place of their calls; [`expression`] names intermediate results; [`pattern`] and [`place`] tell which part of a value is meant;
+//! [`macros`] knows those of the standard library; [`plain`] passes on code through which no derivative flows, with variables renamed.
 
+mod chain;
+mod closure;
+mod consume;
+mod ends;
 mod exits;
 mod expression;
 mod flow;
+mod item;
+mod loops;
+mod macros;
 mod pattern;
 mod place;
 mod plain;
+mod stage;
 
 use std::collections::{HashMap, HashSet};
+use std::rc::Rc;
 
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::{ToTokens, quote};
 use syn::{Type, spanned::Spanned};
 
+use self::closure::Closure;
+use self::ends::{Jump, JumpId};
+use self::item::Alias;
 use crate::errors::Errors;
 use crate::ir::{Block, BlockId, Operand, Operation, Statement, Var, VarId};
 use crate::names::Names;
-use crate::signature::{Parameter, is_discrete};
+use crate::signature::{Parameter, is_discrete, pointee};
 
 /// A function body in lowered form.
 pub struct Lowered {
@@ -48,6 +61,12 @@ pub fn lower(
         scopes: vec![HashMap::new()],
         open_blocks: Vec::new(),
         block_count: 0,
+        jumps: Vec::new(),
+        jump_count: 0,
+        aliases: HashMap::new(),
+        references: HashSet::new(),
+        lengths: HashMap::new(),
+        closures: HashMap::new(),
         capitals: HashSet::new(),
         names,
         errors,
@@ -79,6 +98,17 @@ struct Lowerer<'a> {
     /// The blocks being written, innermost last.
     open_blocks: Vec<(BlockId, Vec<Statement>)>,
     block_count: BlockId,
+    /// What jumps can leave here, innermost last.
+    jumps: Vec<Jump>,
+    jump_count: JumpId,
+    /// The names that stand for references to places.
+    aliases: HashMap<VarId, Alias>,
+    /// The variables that are known to be references.
+    references: HashSet<VarId>,
+    /// The lengths of arrays, where they are literals.
+    lengths: HashMap<VarId, usize>,
+    /// The names that stand for closures.
+    closures: HashMap<VarId, Rc<Closure>>,
     /// The names in refutable patterns that were taken for constants, for their capital letter.
     capitals: HashSet<String>,
     names: &'a mut Names,
@@ -126,6 +156,14 @@ impl Lowerer<'_> {
         self.vars.len() - 1
     }
 
+    /// Makes a variable that has no definition in generated code: a name of the user's.
+    fn unwritten_var(&mut self, name: &Ident, mutable: bool, active: bool) -> VarId {
+        let [ident, cotangent, space, record] = std::array::from_fn(|_| name.clone());
+        let block = self.open_blocks.last().expect("a block is open").0;
+        self.vars.push(Var { ident, cotangent, space, record, block, mutable, active });
+        self.vars.len() - 1
+    }
+
     /// Makes the variable for what the user calls `name` from here on.
     fn bind(&mut self, name: &Ident, mutable: bool, active: bool) -> VarId {
         let ident = self.names.fresh(&name.to_string(), name.span());
@@ -159,7 +197,20 @@ impl Lowerer<'_> {
     fn parameter(&mut self, parameter: &Parameter) -> VarId {
         let var = self.var(parameter.ident.clone(), false, !is_discrete(&parameter.ty));
         self.alias(&parameter.ident, var);
+        self.note_type(var, &parameter.ty);
         var
+    }
+
+    /// Remembers what a type tells of a variable.
+    fn note_type(&mut self, var: VarId, ty: &Type) {
+        if let Type::Reference(_) = ty {
+            self.references.insert(var);
+        }
+        if let Type::Array(array) = pointee(ty)
+            && let Some(length) = chain::literal(&array.len)
+        {
+            self.lengths.insert(var, length);
+        }
     }
 
     /// A new immutable variable, defined here.

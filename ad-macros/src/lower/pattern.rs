@@ -192,6 +192,9 @@ impl Lowerer<'_> {
                     Operand::Constant(tokens) => mutable && !is_discrete_literal(tokens),
                 };
                 let var = self.bind(&ident.ident, mutable, active);
+                if let Some(ty) = ty {
+                    self.note_type(var, ty);
+                }
                 let ty = ty.cloned();
                 self.push(Statement::Define { var, ty, operation: Operation::Use(value) });
             }
@@ -227,7 +230,7 @@ impl Lowerer<'_> {
     /// A variable declared with an integer or boolean type.
     pub(super) fn discrete_local(&mut self, pat: &Pat, ty: Option<&Type>, value: &Expr) {
         let value = match value {
-            Expr::If(_) | Expr::Match(_) | Expr::Block(_) => {
+            Expr::If(_) | Expr::Match(_) | Expr::Block(_) | Expr::Loop(_) => {
                 let chosen = self.operand(value, "value");
                 self.without_derivative(&chosen)
             }
@@ -266,6 +269,10 @@ impl Lowerer<'_> {
             }
             _ => (expr, None),
         };
+        let borrow = match self.depth(target) {
+            0 => borrow,
+            _ => Some(quote!(&)),
+        };
         if let Some(place) = self.stable_place(target) {
             let tokens = self.place_tokens(&place);
             return (quote!(#borrow #tokens), Some(place));
@@ -286,7 +293,7 @@ impl Lowerer<'_> {
 
 /// Whether the tokens are an integer or boolean literal: a variable that starts with one stays
 /// without derivative.
-fn is_discrete_literal(tokens: &TokenStream) -> bool {
+pub(super) fn is_discrete_literal(tokens: &TokenStream) -> bool {
     match syn::parse2::<syn::Lit>(tokens.clone()) {
         Ok(syn::Lit::Int(number)) => !number.suffix().starts_with('f'),
         Ok(syn::Lit::Bool(_) | syn::Lit::Char(_)) => true,

@@ -5,10 +5,16 @@
     clippy::let_and_return,
     clippy::needless_range_loop,
     clippy::needless_return,
+    clippy::never_loop,
+    clippy::reversed_empty_ranges,
     reason = "these forms are what is tested"
 )]
 
+mod closures;
 mod data;
 mod exits;
 mod flow;
+mod iterators;
+mod jumps;
+mod macros;
 mod statements;
