@@ -27,7 +27,8 @@ pub struct Var {
     pub mutable: bool,
     /// Whether it is a `&mut` parameter.
     pub exclusive: bool,
-    /// Whether it may be a shared reference.
+    /// Whether it may be a shared reference: a part of what a reference refers to, named by a
+    /// pattern.
     pub reference: bool,
     /// Whether a derivative may flow through it. One that is not active is a constant.
     pub active: bool,
@@ -159,7 +160,7 @@ pub enum Statement {
     Update { place: Place, operator: BinaryOperator, previous: VarId, value: VarId },
     /// `if` or `match`.
     Branch(Branch),
-    /// `for`
+    /// `for`, `while`, `loop`
     Loop(Loop),
 }
 
@@ -196,17 +197,33 @@ pub struct Arm {
     pub body: Block,
 }
 
-/// A block that is run once for each item of an iterator of constants.
+/// A block that is run again and again.
 pub struct Loop {
-    pub pattern: TokenStream,
-    /// The variables of the pattern.
-    pub defines: Vec<VarId>,
-    pub iterator: TokenStream,
+    pub head: Head,
     pub body: Block,
     /// The name of the tape.
     pub record: Ident,
-    /// The number of iterations, where it is a literal.
-    pub trip_count: Option<usize>,
-    /// Takes the value of the last iteration, a `ControlFlow`; a `Break` ends the loop.
-    pub exit: Option<VarId>,
+    /// Whether the value of the body is a `ControlFlow`, whose `Break` ends the loop.
+    pub breaks: bool,
+    /// Takes the content of the `Break`.
+    pub result: Option<VarId>,
+    /// What `result` is where the loop ends by itself.
+    pub natural_end: TokenStream,
+}
+
+/// How a loop goes on.
+pub enum Head {
+    /// Once for each item of an iterator of constants.
+    For {
+        pattern: TokenStream,
+        /// The variables of the pattern.
+        defines: Vec<VarId>,
+        iterator: TokenStream,
+        /// The number of iterations, where it is a literal.
+        trip_count: Option<usize>,
+    },
+    /// While a condition holds.
+    While(TokenStream),
+    /// Until a `Break`.
+    Loop,
 }

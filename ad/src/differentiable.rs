@@ -185,3 +185,7 @@ macro_rules! no_derivative {
 no_derivative!(
     bool, char, str, String, i8, i16, i32, i64, i128, isize, u8, u16, u32, u64, u128, usize
 );
+
+no_derivative!(core::cmp::Ordering);
+
+impl<T: NoDerivative> NoDerivative for Option<T> {}

@@ -10,6 +10,7 @@
 use core::ops::{BitAnd, BitOr, Not};
 
 pub use wide::{f32x8, f32x16};
+use wide::{u32x8, u32x16};
 
 use crate::vector::Xyz;
 use crate::{Additive, Differentiable, Mask, NoDerivative, Real, Scalar, Select};
@@ -28,8 +29,8 @@ pub trait Lanes: Real {
     /// All of them; iterates from lane 0 on.
     fn lanes(self) -> impl AsRef<[Self::Element]>;
 
-    /// The truth values that `f` gives for lanes 0, 1, ..
-    fn mask_from_lanes(f: impl FnMut(usize) -> bool) -> Self::Mask;
+    /// The mask that holds in the lanes whose bits are set, lane 0 in the lowest bit.
+    fn mask_from_bits(bits: u32) -> Self::Mask;
 
     /// Whether the mask holds in each lane, lane 0 in the lowest bit.
     fn mask_bits(mask: Self::Mask) -> u32;
@@ -53,8 +54,8 @@ macro_rules! single_lane {
             }
 
             #[inline(always)]
-            fn mask_from_lanes(mut f: impl FnMut(usize) -> bool) -> bool {
-                f(0)
+            fn mask_from_bits(bits: u32) -> bool {
+                bits & 1 == 1
             }
 
             #[inline(always)]
@@ -73,7 +74,7 @@ single_lane!(f64);
 pub struct LaneMask<T>(T);
 
 macro_rules! lanes {
-    ($type:ident, $count:literal) => {
+    ($type:ident, $bits:ident, $count:literal) => {
         impl Differentiable for $type {
             type Tangent = Self;
             type Shape = ();
@@ -174,9 +175,9 @@ macro_rules! lanes {
             }
 
             #[inline(always)]
-            fn mask_from_lanes(mut f: impl FnMut(usize) -> bool) -> Self::Mask {
-                let ones = f32::from_bits(u32::MAX);
-                LaneMask(Self::from_lanes(|lane| if f(lane) { ones } else { 0.0 }))
+            fn mask_from_bits(bits: u32) -> Self::Mask {
+                let bit = $bits::new(core::array::from_fn(|lane| 1 << lane));
+                LaneMask(Self::from_bits(($bits::splat(bits) & bit).simd_eq(bit)))
             }
 
             #[inline(always)]
@@ -291,8 +292,8 @@ macro_rules! lanes {
     )*};
 }
 
-lanes!(f32x8, 8);
-lanes!(f32x16, 16);
+lanes!(f32x8, u32x8, 8);
+lanes!(f32x16, u32x16, 16);
 
 /// 2^12 + 1 splits the 24 bits of an `f32` into two halves of 12 (Veltkamp).
 const SPLITTER: f32 = 4097.0;

@@ -59,6 +59,18 @@ pub trait Select: Copy {
     fn select(mask: Self::Mask, if_true: Self, if_false: Self) -> Self;
 }
 
+impl<T: Select, const N: usize> Select for [T; N] {
+    type Mask = T::Mask;
+
+    #[inline(always)]
+    fn select(mask: T::Mask, if_true: Self, mut if_false: Self) -> Self {
+        for (chosen, if_true) in if_false.iter_mut().zip(if_true) {
+            *chosen = T::select(mask, if_true, *chosen);
+        }
+        if_false
+    }
+}
+
 macro_rules! select_by_bool {
     ($($type:ty),* $(,)?) => {$(
         impl Select for $type {

@@ -14,6 +14,10 @@ mod pullback;
 pub use cotangent::{Absorb, At, Constant, Enter, Length, Same, Take, at, sum, take};
 pub use pullback::MethodPullback;
 
+mod iterate;
+
+pub use iterate::{chunks_exact, empty_product, empty_sum, held, windows};
+
 /// The traits whose methods generated code calls. They come without names, which could hide those
 /// of the user.
 pub mod methods {
@@ -184,6 +188,12 @@ impl propagate {
     ) -> (F, impl FnOnce(Tangent<F>) -> Tangent<E> + use<E, F>) {
         (F::from(error), |_| Additive::zero())
     }
+}
+
+/// The value of a block whose end is never reached.
+#[cold]
+pub fn never<T>() -> T {
+    unreachable!("control does not come here")
 }
 
 /// What the iterations of a loop saved, on the stack: for loops whose trip count is a literal.

@@ -17,7 +17,7 @@ use obvhs::ray::{Ray, RayHit};
 use obvhs::triangle::Triangle;
 use rayon::prelude::*;
 use renderer::acceleration::{
-    Acceleration, NO_PRIMITIVE, PACKET_RAYS, PacketDirections, PacketHits, Shape, tile_position,
+    Acceleration, NO_PRIMITIVE, PACKET_RAYS, PacketHits, PacketVectors, Shape, tile_position,
 };
 use renderer::files::obj::load_obj;
 
@@ -58,9 +58,9 @@ struct Subject {
     triangles: Vec<Triangle>,
     eye: Vec3,
     light: Vec3,
-    primary: Vec<PacketDirections>,
+    primary: Vec<PacketVectors>,
     /// From the light to what the eye sees, the rays that are wanted, and where they end.
-    shadow: Vec<(PacketDirections, u64, [u32; PACKET_RAYS])>,
+    shadow: Vec<(PacketVectors, u64, [u32; PACKET_RAYS])>,
     /// Origins and directions.
     random: Vec<(Vec3, Vec3)>,
 }
@@ -160,7 +160,7 @@ impl Subject {
         let up = right.cross(forward);
         let primary: Vec<_> = (0..TILES * TILES)
             .map(|tile| {
-                let mut directions = PacketDirections::ZERO;
+                let mut directions = PacketVectors::ZERO;
                 for ray in 0..PACKET_RAYS {
                     let film = |tile: usize, ray: usize| {
                         ((8 * tile + ray) as f32 + 0.5) / (4 * TILES) as f32 - 1.0
@@ -177,7 +177,7 @@ impl Subject {
             .iter()
             .map(|directions| {
                 let hits = tree.nearest_packet(eye, directions, u64::MAX);
-                let mut rays = PacketDirections::ZERO;
+                let mut rays = PacketVectors::ZERO;
                 let mut active = 0;
                 for ray in 0..PACKET_RAYS {
                     if let Some(hit) = hits.get(ray) {

@@ -3,7 +3,7 @@
 
 use ad::lanes::Lanes;
 use ad::vector::Vector3;
-use ad::{Real, Scalar, Vec3};
+use ad::{Real, Scalar, Select, Vec3, select};
 use glam::DVec3;
 
 use crate::kernels::camera::{Camera, CameraTangent, Frame, FrameTangent};
@@ -12,11 +12,13 @@ use crate::kernels::material::{Material, MaterialTangent};
 use crate::kernels::sphere::{Sphere, SphereTangent};
 
 /// A vector in the precision of the kernels.
+#[inline]
 pub fn narrow<S: Real>(v: DVec3) -> Vec3<S> {
     Vector3::new(S::from_f64(v.x), S::from_f64(v.y), S::from_f64(v.z))
 }
 
 /// A vector in double precision.
+#[inline]
 pub fn widen<S: Scalar>(v: Vec3<S>) -> DVec3 {
     DVec3::new(v.x().to_f64(), v.y().to_f64(), v.z().to_f64())
 }
@@ -24,26 +26,26 @@ pub fn widen<S: Scalar>(v: Vec3<S>) -> DVec3 {
 /// The most lanes that a scalar has.
 pub const MOST_LANES: usize = 16;
 
-/// The vectors that `f` gives for lanes 0, 1, .., side by side.
+/// A number in every lane.
 #[inline]
-pub fn lanes_of_vectors<L: Lanes>(f: impl Fn(usize) -> Vec3<L::Element>) -> Vec3<L> {
-    Vector3::new(
-        L::from_lanes(|lane| f(lane).x()),
-        L::from_lanes(|lane| f(lane).y()),
-        L::from_lanes(|lane| f(lane).z()),
-    )
+pub fn splat<L: Lanes>(x: L::Element) -> L {
+    L::from_lanes(|_| x)
 }
 
-/// The vector in each lane, in double precision; those beyond the last lane are zero.
+/// A vector in every lane.
 #[inline]
-pub fn vectors_of_lanes<L: Lanes>(v: Vec3<L>) -> [DVec3; MOST_LANES] {
-    let (x, y, z) = (v.x().lanes(), v.y().lanes(), v.z().lanes());
-    let elements = x.as_ref().iter().zip(y.as_ref()).zip(z.as_ref());
-    let mut vectors = [DVec3::ZERO; MOST_LANES];
-    for (vector, ((x, y), z)) in vectors.iter_mut().zip(elements) {
-        *vector = DVec3::new(x.to_f64(), y.to_f64(), z.to_f64());
+pub fn splat_vector<L: Lanes>(v: Vec3<L::Element>) -> Vec3<L> {
+    Vector3::new(splat(v.x()), splat(v.y()), splat(v.z()))
+}
+
+/// The number in each lane, in single precision; those beyond the last lane are zero.
+#[inline]
+pub fn singles_of_lanes<L: Lanes>(x: L) -> [f32; MOST_LANES] {
+    let mut numbers = [0.0; MOST_LANES];
+    for (number, x) in numbers.iter_mut().zip(x.lanes().as_ref()) {
+        *number = x.to_f64() as f32;
     }
-    vectors
+    numbers
 }
 
 /// The number in each lane, in double precision; those beyond the last lane are zero.
@@ -54,6 +56,41 @@ pub fn numbers_of_lanes<L: Lanes>(x: L) -> [f64; MOST_LANES] {
         *number = x.to_f64();
     }
     numbers
+}
+
+/// The vector in each lane, in double precision; those beyond the last lane are zero.
+#[inline]
+pub fn vectors_of_lanes<L: Lanes>(v: Vec3<L>) -> [DVec3; MOST_LANES] {
+    let [x, y, z] = [v.x(), v.y(), v.z()].map(numbers_of_lanes);
+    std::array::from_fn(|lane| DVec3::new(x[lane], y[lane], z[lane]))
+}
+
+/// The vectors side by side.
+#[inline]
+pub fn lanes_of_vectors<L: Lanes>(vectors: &[DVec3; MOST_LANES]) -> Vec3<L> {
+    let along = |axis: usize| L::from_lanes(|lane| L::Element::from_f64(vectors[lane][axis]));
+    Vector3::new(along(0), along(1), along(2))
+}
+
+/// The sum of the lanes in which `mask` holds, in double precision.
+#[inline]
+pub fn sum_of_lanes<L: Lanes>(x: L, mask: L::Mask) -> f64 {
+    let mut sums = numbers_of_lanes(select(mask, x, L::ZERO));
+    // By halves: no chain of additions that wait for each other.
+    let mut width = L::COUNT / 2;
+    while width > 0 {
+        for lane in 0..width {
+            sums[lane] += sums[lane + width];
+        }
+        width /= 2;
+    }
+    sums[0]
+}
+
+/// The sum of the vectors in the lanes in which `mask` holds, in double precision.
+#[inline]
+pub fn sum_of_vectors<L: Lanes>(v: Vec3<L>, mask: L::Mask) -> DVec3 {
+    DVec3::new(sum_of_lanes(v.x(), mask), sum_of_lanes(v.y(), mask), sum_of_lanes(v.z(), mask))
 }
 
 macro_rules! parameters {
@@ -72,34 +109,44 @@ macro_rules! parameters {
                 Self { $($vector: DVec3::ZERO,)* $($scalar: 0.0,)* }
             }
 
-            /// Adds the cotangents in all lanes to a gradient.
-            pub fn add<L: Lanes>(&mut self, cotangent: &$tangent<L>) {
-                $(self.$vector += vectors_of_lanes::<L>(cotangent.$vector).iter().sum::<DVec3>();)*
-                $(self.$scalar += numbers_of_lanes(cotangent.$scalar).iter().sum::<f64>();)*
+            /// Adds a cotangent to a gradient.
+            pub fn add(&mut self, cotangent: &$tangent<f64>) {
+                $(self.$vector += cotangent.$vector;)*
+                $(self.$scalar += cotangent.$scalar;)*
             }
+        }
 
-            /// Adds the cotangent in each of the first lanes to a gradient of its own.
-            ///
-            /// `target` gets the lane and a function that adds to the gradient it is given.
-            pub fn scatter<L: Lanes>(
-                cotangent: &$tangent<L>,
-                count: usize,
-                mut target: impl FnMut(usize, &dyn Fn(&mut Self)),
-            ) {
-                $(let $vector = vectors_of_lanes::<L>(cotangent.$vector);)*
-                $(let $scalar = numbers_of_lanes(cotangent.$scalar);)*
-                for lane in 0..count {
-                    target(lane, &|sum| {
-                        $(sum.$vector += $vector[lane];)*
-                        $(sum.$scalar += $scalar[lane];)*
-                    });
+        impl<S: Scalar> $type<S> {
+            /// The same parameters in every lane.
+            #[inline]
+            pub fn splat<L: Lanes<Element = S>>(&self) -> $type<L> {
+                $type {
+                    $($vector: splat_vector::<L>(self.$vector),)*
+                    $($scalar: splat::<L>(self.$scalar),)*
                 }
             }
+        }
 
-            /// Adds another gradient.
-            pub fn merge(&mut self, other: &Self) {
-                $(self.$vector += other.$vector;)*
-                $(self.$scalar += other.$scalar;)*
+        impl<S: Real> Select for $type<S> {
+            type Mask = S::Mask;
+
+            #[inline]
+            fn select(mask: S::Mask, if_true: Self, if_false: Self) -> Self {
+                Self {
+                    $($vector: select(mask, if_true.$vector, if_false.$vector),)*
+                    $($scalar: select(mask, if_true.$scalar, if_false.$scalar),)*
+                }
+            }
+        }
+
+        impl<L: Lanes> $tangent<L> {
+            /// The sum of the cotangents in the lanes in which `mask` holds.
+            #[inline]
+            pub fn sum(&self, mask: L::Mask) -> $tangent<f64> {
+                $tangent {
+                    $($vector: sum_of_vectors::<L>(self.$vector, mask),)*
+                    $($scalar: sum_of_lanes(self.$scalar, mask),)*
+                }
             }
         }
     )*};

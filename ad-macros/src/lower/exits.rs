@@ -1,25 +1,49 @@
-//! Finds early exits: `return` and `?`.
+//! Finds early exits: `return`, `?`, `break`, `continue`.
 
 use proc_macro2::Ident;
 use syn::visit::{self, Visit};
-use syn::{Block, Expr, Stmt, parse_quote};
+use syn::{Block, Expr, Label, Lifetime, Stmt, parse_quote};
 
+use super::macros::macro_diverges;
 use crate::names::Names;
 
-/// Whether control may leave the function from within `stmt`.
+/// A jump, as the user wrote it.
+#[derive(Clone, PartialEq, Eq)]
+pub enum Exit {
+    /// `return`, `?`
+    Return,
+    /// `break`, with its label.
+    Break(Option<Lifetime>),
+    /// `continue`, with its label.
+    Continue(Option<Lifetime>),
+}
+
+/// The jumps out of an expression.
+pub fn exits(expr: &Expr) -> Vec<Exit> {
+    let mut finder = Finder::default();
+    finder.visit_expr(expr);
+    finder.found
+}
+
+/// The jumps out of a block.
+pub fn block_exits(block: &Block) -> Vec<Exit> {
+    let mut finder = Finder::default();
+    finder.visit_block(block);
+    finder.found
+}
+
+/// Whether a statement ends more than itself: control may leave it, or it is a `let .. else`.
 pub fn stmt_exits(stmt: &Stmt) -> bool {
-    let mut finder = Finder(false);
+    let mut finder = Finder::default();
     finder.visit_stmt(stmt);
-    finder.0
+    !finder.found.is_empty()
         || matches!(stmt, Stmt::Local(local)
         if local.init.as_ref().is_some_and(|init| init.diverge.is_some()))
 }
 
-/// Whether control may leave the function from within `expr`.
+/// Whether control may leave `expr` early.
 pub fn expr_exits(expr: &Expr) -> bool {
-    let mut finder = Finder(false);
-    finder.visit_expr(expr);
-    finder.0
+    !exits(expr).is_empty()
 }
 
 /// Whether a part of `expr`, other than `expr` itself, is an assignment. An exit taken out of such
@@ -81,12 +105,69 @@ pub fn is_update(operator: &syn::BinOp) -> bool {
     )
 }
 
-struct Finder(bool);
+#[derive(Default)]
+struct Finder<'ast> {
+    found: Vec<Exit>,
+    /// The number of loops around the expression visited, within that searched.
+    loops: usize,
+    /// The labels in scope there.
+    labels: Vec<&'ast Lifetime>,
+}
 
-impl<'ast> Visit<'ast> for Finder {
+impl<'ast> Finder<'ast> {
+    fn add(&mut self, exit: Exit) {
+        if !self.found.contains(&exit) {
+            self.found.push(exit);
+        }
+    }
+
+    /// Whether a `break` or `continue` leaves what is searched.
+    fn leaves(&self, label: Option<&Lifetime>) -> bool {
+        match label {
+            Some(label) => !self.labels.contains(&label),
+            None => self.loops == 0,
+        }
+    }
+
+    fn labelled(&mut self, label: Option<&'ast Label>, loops: usize, body: &'ast Block) {
+        self.labels.extend(label.map(|label| &label.name));
+        self.loops += loops;
+        self.visit_block(body);
+        self.loops -= loops;
+        if label.is_some() {
+            self.labels.pop();
+        }
+    }
+}
+
+impl<'ast> Visit<'ast> for Finder<'ast> {
     fn visit_expr(&mut self, expr: &'ast Expr) {
         match expr {
-            Expr::Return(_) | Expr::Try(_) => self.0 = true,
+            Expr::Return(_) | Expr::Try(_) => {
+                self.add(Exit::Return);
+                visit::visit_expr(self, expr);
+            }
+            Expr::Break(jump) => {
+                if self.leaves(jump.label.as_ref()) {
+                    self.add(Exit::Break(jump.label.clone()));
+                }
+                visit::visit_expr(self, expr);
+            }
+            Expr::Continue(jump) => {
+                if self.leaves(jump.label.as_ref()) {
+                    self.add(Exit::Continue(jump.label.clone()));
+                }
+            }
+            Expr::ForLoop(a_loop) => {
+                self.visit_expr(&a_loop.expr);
+                self.labelled(a_loop.label.as_ref(), 1, &a_loop.body);
+            }
+            Expr::While(a_loop) => {
+                self.visit_expr(&a_loop.cond);
+                self.labelled(a_loop.label.as_ref(), 1, &a_loop.body);
+            }
+            Expr::Loop(a_loop) => self.labelled(a_loop.label.as_ref(), 1, &a_loop.body),
+            Expr::Block(block) => self.labelled(block.label.as_ref(), 0, &block.block),
             Expr::Closure(_) | Expr::Async(_) => {}
             _ => visit::visit_expr(self, expr),
         }
@@ -99,6 +180,7 @@ impl<'ast> Visit<'ast> for Finder {
 pub fn diverges(stmts: &[Stmt]) -> bool {
     match stmts.last() {
         Some(Stmt::Expr(expr, _)) => expr_diverges(expr),
+        Some(Stmt::Macro(call)) => macro_diverges(&call.mac),
         _ => false,
     }
 }
@@ -107,9 +189,18 @@ pub fn diverges(stmts: &[Stmt]) -> bool {
 pub fn expr_diverges(expr: &Expr) -> bool {
     let block_diverges = |block: &Block| diverges(&block.stmts);
     match expr {
-        Expr::Return(_) => true,
+        Expr::Return(_) | Expr::Break(_) | Expr::Continue(_) => true,
+        Expr::Macro(call) => macro_diverges(&call.mac),
+        Expr::Loop(a_loop) => {
+            let breaks = |exit: &Exit| match exit {
+                Exit::Break(None) => true,
+                Exit::Break(label) => *label == a_loop.label.as_ref().map(|l| l.name.clone()),
+                _ => false,
+            };
+            !block_exits(&a_loop.body).iter().any(breaks)
+        }
         Expr::Paren(inner) => expr_diverges(&inner.expr),
-        Expr::Block(block) => block_diverges(&block.block),
+        Expr::Block(block) if block.label.is_none() => block_diverges(&block.block),
         Expr::If(branch) => {
             block_diverges(&branch.then_branch)
                 && branch.else_branch.as_ref().is_some_and(|(_, other)| expr_diverges(other))
@@ -124,7 +215,13 @@ pub fn expr_diverges(expr: &Expr) -> bool {
 pub fn hoist(expr: &mut Expr, names: &mut Names) -> Option<(Ident, Expr)> {
     match expr {
         Expr::Try(inner) if expr_exits(&inner.expr) => hoist(&mut inner.expr, names),
-        Expr::Try(_) | Expr::If(_) | Expr::Match(_) | Expr::Block(_) | Expr::ForLoop(_)
+        Expr::Try(_)
+        | Expr::If(_)
+        | Expr::Match(_)
+        | Expr::Block(_)
+        | Expr::ForLoop(_)
+        | Expr::While(_)
+        | Expr::Loop(_)
             if expr_exits(expr) =>
         {
             // Without this the condition would be evaluated too late.
@@ -158,6 +255,7 @@ fn strict_parts(expr: &mut Expr) -> Vec<&mut Expr> {
         Expr::Let(e) => vec![&mut e.expr],
         Expr::Repeat(e) => vec![&mut e.expr],
         Expr::Return(e) => e.expr.iter_mut().map(|e| &mut **e).collect(),
+        Expr::Break(e) => e.expr.iter_mut().map(|e| &mut **e).collect(),
         Expr::Assign(e) => vec![&mut e.right],
         Expr::Binary(e) => match e.op {
             syn::BinOp::And(_) | syn::BinOp::Or(_) => vec![&mut e.left],

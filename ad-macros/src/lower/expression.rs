@@ -6,6 +6,7 @@ use syn::spanned::Spanned;
 use syn::{BinOp, Expr, ExprBinary, ExprPath, Member, Path, PathArguments, Type, UnOp};
 
 use super::Lowerer;
+use super::ends::End;
 use crate::ir::{Argument, BinaryOperator, Operand, Operation, Projection, Shape, Statement};
 
 impl Lowerer<'_> {
@@ -49,10 +50,11 @@ impl Lowerer<'_> {
                     }
                 }
             }
-            Expr::Macro(call) if call.mac.path.is_ident("vec") => self.vec(&call.mac, hint),
+            Expr::Macro(call) => self.macro_call(&call.mac, hint),
             Expr::Struct(literal) => self.struct_literal(literal, hint),
             Expr::Reference(reference) => self.reference(reference, hint),
-            Expr::Block(block) if block.label.is_none() => self.block_value(&block.block.stmts),
+            Expr::Block(block) => self.a_block(block, &End::default()),
+            Expr::Loop(_) => self.loop_value(expr),
             Expr::If(_) | Expr::Match(_) => self.branch_value(expr, &mut |lowerer, body| {
                 lowerer.scope(|lowerer| lowerer.operand(body, "value"))
             }),
@@ -60,7 +62,7 @@ impl Lowerer<'_> {
                 self.refuse(range, "a range has no derivative: use it as the head of a `for` loop")
             }
             // The last statement of a block, or the body of an arm.
-            Expr::Assign(_) | Expr::ForLoop(_) => self.unit_expression(expr),
+            Expr::Assign(_) | Expr::ForLoop(_) | Expr::While(_) => self.unit_expression(expr),
             other => self.refuse_expression(other),
         }
     }
@@ -79,7 +81,7 @@ impl Lowerer<'_> {
     }
 
     fn negate(&mut self, inner: &Expr, hint: &str, whole: &Expr) -> Operand {
-        match self.operand(inner, "value") {
+        match self.scalar(inner, "value") {
             Operand::Constant(tokens) => Operand::Constant(quote!((-#tokens))),
             Operand::Var(var) => {
                 let var = self.number(var);
@@ -114,8 +116,8 @@ impl Lowerer<'_> {
             | BinOp::Shr(_) => return self.discrete(&Expr::Binary(binary.clone())),
             _ => return self.unit_expression(&Expr::Binary(binary.clone())),
         };
-        let left = self.operand(&binary.left, "value");
-        let right = self.operand(&binary.right, "value");
+        let left = self.scalar(&binary.left, "value");
+        let right = self.scalar(&binary.right, "value");
         let token = &binary.op;
         if let (Operand::Constant(left), Operand::Constant(right)) = (&left, &right) {
             return Operand::Constant(quote!((#left #token #right)));
@@ -131,7 +133,7 @@ impl Lowerer<'_> {
     /// The operand of an operator. Of a reference the pullback would need the number, and may not
     /// hold on to the reference.
     pub(super) fn number(&mut self, var: crate::ir::VarId) -> crate::ir::VarId {
-        if !self.vars[var].reference {
+        if !self.may_refer(var) {
             return var;
         }
         let ident = self.ident(var).clone();
@@ -162,7 +164,7 @@ impl Lowerer<'_> {
         if let Some(token) = &reference.mutability {
             return self.refuse(
                 token,
-                "`&mut` is supported for the argument of a call only: name the place itself where it is changed",
+                "`&mut` is supported for the argument of a call and in `let name = &mut place` only: name the place itself where it is changed",
             );
         }
         match self.argument(&Expr::Reference(reference.clone())) {
@@ -170,13 +172,21 @@ impl Lowerer<'_> {
             Argument::Borrow(place) | Argument::Exclusive(place) | Argument::Receiver(place) => {
                 let operation = Operation::Borrow(place);
                 let var = self.define(hint, reference.span(), true, operation);
-                self.vars[var].reference = true;
+                self.references.insert(var);
                 Operand::Var(var)
             }
         }
     }
 
     fn argument(&mut self, expr: &Expr) -> Argument {
+        if self.depth(expr) > 0
+            && let Some(place) = self.active_place(expr)
+        {
+            return match self.is_exclusive_alias(expr) {
+                true => Argument::Exclusive(place),
+                false => Argument::Borrow(place),
+            };
+        }
         let Expr::Reference(reference) = expr else {
             // A `&mut` parameter is passed on by reborrowing what it refers to.
             return match self.place(expr) {
@@ -226,10 +236,14 @@ impl Lowerer<'_> {
         };
         let path = &function.path;
         if let Some(name) = path.get_ident() {
+            if self.named_closure(&call.func).is_some() {
+                let given = call.args.iter().map(|argument| self.given(argument)).collect();
+                return self.apply(&call.func, given);
+            }
             if self.lookup(name).is_some() {
                 return self.refuse(
                     name,
-                    "calls of closures and function pointers are not supported: write a `#[differentiable]` function",
+                    "calls of function pointers and of closures that are parameters are not supported: write a `#[differentiable]` function",
                 );
             }
             if name == self.function {
@@ -295,6 +309,9 @@ impl Lowerer<'_> {
     }
 
     fn method_call(&mut self, call: &syn::ExprMethodCall, hint: &str) -> Operand {
+        if let Some(value) = self.consumed(call, hint) {
+            return value;
+        }
         let name = call.method.to_string();
         if is_predicate(&name) {
             return self.discrete(&Expr::MethodCall(call.clone()));
@@ -408,7 +425,7 @@ impl Lowerer<'_> {
         }
         // A pattern that takes it apart may reach into what a part refers to.
         let is_reference = |(_, part): &(Member, Operand)| match part {
-            Operand::Var(var) => self.vars[*var].reference,
+            Operand::Var(var) => self.may_refer(*var),
             Operand::Constant(_) => false,
         };
         let reference = parts.iter().any(is_reference);
@@ -420,6 +437,13 @@ impl Lowerer<'_> {
 
     /// A copy of a place, or what is not a place.
     fn read(&mut self, expr: &Expr, hint: &str) -> Operand {
+        if self.depth(expr) > 0 {
+            let place = self.place(expr).expect("a reference to a place");
+            return self.borrow_place(place);
+        }
+        if self.named_closure(expr).is_some() {
+            return self.refuse_closure(expr);
+        }
         if let Some(place) = self.place(expr) {
             if !self.vars[place.root].active {
                 let tokens = self.place_tokens(&place);
@@ -531,6 +555,7 @@ pub(super) fn is_predicate(name: &str) -> bool {
     name.starts_with("is_")
         || name == "len"
         || matches!(name, "cmplt" | "cmple" | "cmpgt" | "cmpge" | "cmpeq" | "cmpne")
+        || matches!(name, "cmp" | "partial_cmp" | "total_cmp")
         || matches!(name, "lt" | "le" | "gt" | "ge" | "eq" | "ne" | "all" | "any")
 }
 

@@ -2,94 +2,62 @@
 //!
 //! An exit is the end of a block. What follows a statement that may exit moves into the arm that
 //! does not (`if bad { return a; } rest` becomes `if bad { a } else { rest }`). Where several arms
-//! go on, or a loop may exit, the statement becomes a value of type `ControlFlow`, and the rest
-//! the `Continue` arm of a match on it. `e?` becomes a match on `e`.
+//! go on, or a loop may exit, the statement becomes a `ControlFlow` (see [`ends`](super::ends)),
+//! and the rest the `Continue` arm of a match on it. `e?` becomes a match on `e`.
 
 use proc_macro2::{Ident, TokenStream};
-use quote::{format_ident, quote, quote_spanned};
+use quote::{quote, quote_spanned};
 use syn::spanned::Spanned;
 use syn::visit::Visit;
-use syn::{Expr, Lit, Local, Member, Pat, RangeLimits, Stmt, parse_quote};
+use syn::{Expr, Local, Pat, Stmt, parse_quote};
 
+use super::closure::simple_name;
+use super::ends::{End, JumpKind, Target};
+use super::exits::Exit;
+use super::macros::macro_diverges;
 use super::pattern::Matched;
 use super::{Lowerer, OnFailure, desugar, exits};
-use crate::ir::{
-    Arm, Branch, BranchKind, Loop, Operand, Operation, Place, Projection, Shape, Statement, VarId,
-};
-
-/// What the end of a block means.
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum End {
-    /// The value of the block.
-    Value,
-    /// The value of the function.
-    Function,
-    /// A `ControlFlow`: `Continue` with the value of the block, or `Break` with that of the
-    /// function.
-    Flow,
-}
+use crate::ir::{Arm, Branch, BranchKind, Operand, Statement};
 
 impl Lowerer<'_> {
     pub(super) fn function_body(&mut self, stmts: &[Stmt]) -> Operand {
-        self.statements(stmts.to_vec(), End::Function)
+        self.jump(JumpKind::Function, None, |lowerer, id| {
+            let end = End { here: vec![Target::Leave(id)], exits: Vec::new() };
+            lowerer.statements(stmts.to_vec(), &end)
+        })
     }
 
     /// The value of a block without exits.
     pub(super) fn block_value(&mut self, stmts: &[Stmt]) -> Operand {
-        self.scope(|lowerer| lowerer.statements(stmts.to_vec(), End::Value))
+        self.scope(|lowerer| lowerer.statements(stmts.to_vec(), &End::default()))
     }
 
-    fn statements(&mut self, stmts: Vec<Stmt>, end: End) -> Operand {
+    pub(super) fn statements(&mut self, stmts: Vec<Stmt>, end: &End) -> Operand {
         let mut stmts = stmts.into_iter();
         while let Some(stmt) = stmts.next() {
             if exits::stmt_exits(&stmt) {
                 return self.exiting(stmt, stmts.collect(), end);
             }
             match stmt {
+                // What follows is never reached.
+                Stmt::Macro(call) if macro_diverges(&call.mac) => {
+                    return self.macro_call(&call.mac, "value");
+                }
+                Stmt::Expr(Expr::Macro(call), _) if macro_diverges(&call.mac) => {
+                    return self.macro_call(&call.mac, "value");
+                }
                 Stmt::Expr(expr, None) if stmts.len() == 0 => {
                     let value = self.operand(&expr, "value");
+                    return self.normal_end(value, end);
+                }
+                Stmt::Macro(call) if call.semi_token.is_none() && stmts.len() == 0 => {
+                    let value = self.macro_call(&call.mac, "value");
                     return self.normal_end(value, end);
                 }
                 stmt => self.statement(&stmt),
             }
         }
         self.normal_end(Self::unit(), end)
-    }
-
-    fn normal_end(&mut self, value: Operand, end: End) -> Operand {
-        match end {
-            End::Value | End::Function => value,
-            End::Flow => self.control_flow("Continue", "1", value),
-        }
-    }
-
-    fn exit(&mut self, value: Operand, end: End) -> Operand {
-        match end {
-            End::Function => value,
-            End::Flow => self.control_flow("Break", "0", value),
-            End::Value => unreachable!("exits have been looked for"),
-        }
-    }
-
-    fn control_flow(&mut self, variant: &str, member: &str, value: Operand) -> Operand {
-        let variant = format_ident!("{variant}");
-        let tokens = self.tokens(&value);
-        let expression = quote!(::core::ops::ControlFlow::#variant(#tokens));
-        let Operand::Var(var) = value else {
-            return Operand::Constant(expression);
-        };
-        let member: Member = syn::parse_str(member).expect("a number");
-        let span = self.ident(var).span();
-        Operand::Var(self.define(
-            "flow",
-            span,
-            true,
-            Operation::Aggregate {
-                expression,
-                shape: Shape::Flow,
-                parts: vec![(member, Operand::Var(var))],
-            },
-        ))
     }
 
     /// A statement without exits.
@@ -100,7 +68,7 @@ impl Lowerer<'_> {
                 self.refuse(item, "move this item out of the differentiable function");
             }
             Stmt::Macro(call) => {
-                self.refuse_macro(&call.mac);
+                self.macro_call(&call.mac, "value");
             }
             Stmt::Expr(expr, _) => self.expression_statement(expr),
         }
@@ -116,11 +84,11 @@ impl Lowerer<'_> {
                     Self::unit()
                 });
             }
-            Expr::ForLoop(for_loop) => {
-                self.for_loop(for_loop, End::Value);
+            Expr::ForLoop(_) | Expr::While(_) | Expr::Loop(_) => {
+                self.a_loop(expr);
             }
-            Expr::Block(block) if block.label.is_none() => {
-                self.block_value(&block.block.stmts);
+            Expr::Block(block) => {
+                self.a_block(block, &End::default());
             }
             _ => {
                 if let Operand::Constant(tokens) = self.operand(expr, "value") {
@@ -138,10 +106,15 @@ impl Lowerer<'_> {
             self.refuse(local, "give the variable a value where it is declared");
             return;
         };
-        let (pat, ty) = match &local.pat {
-            Pat::Type(typed) => (&*typed.pat, Some(&*typed.ty)),
-            pat => (pat, None),
-        };
+        let (pat, ty) = split_type(&local.pat);
+        if let (Some(name), Expr::Closure(closure)) = (simple_name(pat), strip_parens(&init.expr)) {
+            return self.closure_local(name, closure);
+        }
+        if let (Some(name), Expr::Reference(reference)) = (simple_name(pat), &*init.expr)
+            && reference.mutability.is_some()
+        {
+            return self.exclusive_alias(name, &reference.expr);
+        }
         if ty.is_some_and(crate::signature::is_discrete) {
             return self.discrete_local(pat, ty, &init.expr);
         }
@@ -154,16 +127,24 @@ impl Lowerer<'_> {
     }
 
     /// Lowers `stmt`, which may exit, and what follows it.
-    fn exiting(&mut self, stmt: Stmt, rest: Vec<Stmt>, end: End) -> Operand {
+    fn exiting(&mut self, stmt: Stmt, rest: Vec<Stmt>, end: &End) -> Operand {
         match stmt {
-            Stmt::Expr(Expr::Return(exit), _)
-                if !exit.expr.as_ref().is_some_and(|e| exits::expr_exits(e)) =>
+            Stmt::Expr(jump @ (Expr::Return(_) | Expr::Break(_) | Expr::Continue(_)), _)
+                if !carried(&jump).is_some_and(exits::expr_exits) =>
             {
-                let value = match &exit.expr {
+                let exit = match &jump {
+                    Expr::Break(jump) => Exit::Break(jump.label.clone()),
+                    Expr::Continue(jump) => Exit::Continue(jump.label.clone()),
+                    _ => Exit::Return,
+                };
+                let value = match carried(&jump) {
                     Some(expr) => self.operand(expr, "value"),
                     None => Self::unit(),
                 };
-                self.exit(value, end)
+                match self.led_to(&exit) {
+                    Some(target) => self.exit(target, value, end),
+                    None => self.refuse(jump, "there is nothing here that this could leave"),
+                }
             }
             Stmt::Expr(expr, semi) if is_control(&expr) => {
                 let is_value = semi.is_none() && rest.is_empty();
@@ -184,9 +165,6 @@ impl Lowerer<'_> {
                     Stmt::Expr(expr, _) => Some(expr),
                     _ => None,
                 };
-                if let Some(expr @ (Expr::While(_) | Expr::Loop(_))) = &expr {
-                    return self.refuse_expression(expr);
-                }
                 if let Some(expr) = &expr
                     && exits::assigns_within(expr)
                 {
@@ -211,7 +189,7 @@ impl Lowerer<'_> {
     }
 
     /// Binds `name` to `part`, which may exit, and goes on with `rest`.
-    fn hoisted(&mut self, name: Ident, part: Expr, rest: Vec<Stmt>, end: End) -> Operand {
+    fn hoisted(&mut self, name: Ident, part: Expr, rest: Vec<Stmt>, end: &End) -> Operand {
         let Expr::Try(attempt) = part else {
             return self.control(&part, Some(&parse_quote!(#name)), rest, end, false);
         };
@@ -249,7 +227,7 @@ impl Lowerer<'_> {
         expr: &Expr,
         otherwise: &Expr,
         rest: Vec<Stmt>,
-        end: End,
+        end: &End,
     ) -> Operand {
         let mut bound = desugar::Bound::default();
         bound.visit_pat(pat);
@@ -264,7 +242,7 @@ impl Lowerer<'_> {
     }
 
     /// A `match` of which the arm with an empty block goes on with `rest`.
-    fn match_else(&mut self, matched: &Expr, rest: Vec<Stmt>, end: End) -> Operand {
+    fn match_else(&mut self, matched: &Expr, rest: Vec<Stmt>, end: &End) -> Operand {
         let mut rest = Some(rest);
         self.branch_value(matched, &mut |lowerer, body| match body {
             Expr::Block(block) if block.block.stmts.is_empty() => {
@@ -281,7 +259,7 @@ impl Lowerer<'_> {
         expr: &Expr,
         pat: Option<&Pat>,
         rest: Vec<Stmt>,
-        end: End,
+        end: &End,
         is_value: bool,
     ) -> Operand {
         // A condition that may exit is evaluated before.
@@ -323,135 +301,46 @@ impl Lowerer<'_> {
                     let value = lowerer.block_value(&as_statements(body));
                     // What follows does not see the names that the arm's pattern binds.
                     lowerer.scopes.last_mut().expect("the arm opened a scope").clear();
-                    if let Some(pat) = pat {
-                        let (pat, ty) = split_type(pat);
-                        lowerer.bind_pattern(pat, ty, value);
-                    }
+                    lowerer.bind_rest(pat, value);
                     lowerer.statements(rest.take().unwrap_or_default(), end)
                 });
             }
         }
 
+        let mut rest = Some(rest);
+        let mut go_on = |lowerer: &mut Self, value: Operand| match is_value {
+            true => lowerer.normal_end(value, end),
+            false => {
+                lowerer.bind_rest(pat, value);
+                lowerer.statements(rest.take().unwrap_or_default(), end)
+            }
+        };
+        let exits = self.targets(&exits::exits(&expr));
+        let flow_end = End { here: Vec::new(), exits: exits.clone() };
         let flow = match &expr {
             Expr::If(_) | Expr::Match(_) => self.branch_value(&expr, &mut |lowerer, body| {
-                lowerer.scope(|lowerer| lowerer.statements(as_statements(body), End::Flow))
+                lowerer.scope(|lowerer| lowerer.statements(as_statements(body), &flow_end))
             }),
-            Expr::Block(block) => {
-                let stmts = block.block.stmts.clone();
-                self.scope(|lowerer| lowerer.statements(stmts, End::Flow))
+            Expr::Block(block) if is_value => return self.a_block(block, end),
+            Expr::Block(block) => self.a_block(block, &flow_end),
+            Expr::ForLoop(_) | Expr::While(_) | Expr::Loop(_) => {
+                let result = self.a_loop(&expr);
+                return self.dispatch(result.value, &result.targets, result.own, &mut go_on, end);
             }
-            Expr::ForLoop(for_loop) => self.for_loop(for_loop, End::Flow),
             other => return self.refuse(other, "an exit from here cannot be differentiated"),
         };
-        self.go_on(flow, pat, rest, end, expr.span())
+        self.go_on(flow, &exits, end, go_on)
     }
 
-    /// Leaves with the content of a `Break`, or goes on with that of a `Continue`.
-    fn go_on(
-        &mut self,
-        flow: Operand,
-        pat: Option<&Pat>,
-        rest: Vec<Stmt>,
-        end: End,
-        span: proc_macro2::Span,
-    ) -> Operand {
-        let flow = self.named(flow, "flow", span);
-        let active = self.vars[flow].active;
-        let content = |lowerer: &mut Self, member: &str| {
-            let ident = lowerer.names.fresh("content", span);
-            let var = lowerer.var(ident.clone(), false, active);
-            let member: Member = syn::parse_str(member).expect("a number");
-            let binding = crate::ir::Binding { var, path: vec![Projection::Field(member)] };
-            (quote!(#ident), binding, var)
-        };
-        let use_of = |lowerer: &Self, var: VarId| match active {
-            true => Operand::Var(var),
-            false => {
-                let ident = lowerer.ident(var);
-                Operand::Constant(quote!(#ident))
-            }
-        };
-
-        let mut left = None;
-        let leave = self.block(|lowerer| {
-            let (ident, binding, var) = content(lowerer, "0");
-            left = Some((quote!(::core::ops::ControlFlow::Break(#ident)), binding));
-            let value = use_of(lowerer, var);
-            lowerer.exit(value, end)
-        });
-        let mut right = None;
-        let stay = self.block(|lowerer| {
-            let (ident, binding, var) = content(lowerer, "1");
-            right = Some((quote!(::core::ops::ControlFlow::Continue(#ident)), binding));
-            if let Some(pat) = pat {
-                let (pat, ty) = split_type(pat);
-                let value = use_of(lowerer, var);
-                lowerer.bind_pattern(pat, ty, value);
-            }
-            lowerer.statements(rest, end)
-        });
-        let arms = [(left, leave), (right, stay)].map(|(pattern, body)| {
-            let (pattern, binding) = pattern.expect("set by the block");
-            Arm { pattern, guard: None, bindings: vec![binding], body }
-        });
-
-        let ident = self.ident(flow).clone();
-        let source = active.then(|| Place { root: flow, path: Vec::new() });
-        self.branch(BranchKind::Match(quote!(#ident), source), arms.into(), true, span)
-    }
-
-    fn for_loop(&mut self, expr: &syn::ExprForLoop, end: End) -> Operand {
-        if let Some(label) = &expr.label {
-            return self.refuse(label, "labels are not supported: a loop is left by `return` only");
-        }
-        let Expr::Range(range) = strip_parens(&expr.expr) else {
-            return self.refuse(
-                &expr.expr,
-                "only loops over a range `a..b` or `a..=b` can be differentiated: loop over an index",
-            );
-        };
-        let (Some(from), Some(to)) = (&range.start, &range.end) else {
-            return self.refuse(range, "the range of a differentiable loop needs both ends");
-        };
-        let trip_count = literal_length(from, to, &range.limits);
-        let limits = &range.limits;
-        let (from, to) = (self.plain_constant(from), self.plain_constant(to));
-        let iterator = quote!(#from #limits #to);
-
-        let mut pattern = TokenStream::new();
-        let mut defines = Vec::new();
-        let body = self.block(|lowerer| {
-            match &*expr.pat {
-                Pat::Ident(pat) if pat.by_ref.is_none() && pat.mutability.is_none() => {
-                    let var = lowerer.bind(&pat.ident, false, false);
-                    let ident = lowerer.ident(var);
-                    pattern = quote!(#ident);
-                    defines.push(var);
-                }
-                Pat::Wild(_) => pattern = quote!(_),
-                pat => {
-                    lowerer.refuse(pat, "name the loop variable: `for i in a..b`");
-                }
-            }
-            lowerer.statements(expr.body.stmts.clone(), end)
-        });
-
-        let span = expr.for_token.span;
-        let record = self.names.fresh("tape", span);
-        let exit = (end == End::Flow).then(|| {
-            let ident = self.names.fresh("flow", span);
-            self.var(ident, false, true)
-        });
-        self.push(Statement::Loop(Loop {
-            pattern,
-            defines,
-            iterator,
-            body,
-            record,
-            trip_count,
-            exit,
-        }));
-        exit.map_or_else(Self::unit, Operand::Var)
+    /// A block, whose labels may be left by `break`.
+    pub(super) fn a_block(&mut self, block: &syn::ExprBlock, end: &End) -> Operand {
+        let label = block.label.as_ref().map(|label| label.name.clone());
+        let stmts = block.block.stmts.clone();
+        self.jump(JumpKind::Block, label, |lowerer, id| {
+            let mut end = end.clone();
+            end.here.push(Target::Leave(id));
+            lowerer.scope(|lowerer| lowerer.statements(stmts, &end))
+        })
     }
 
     /// An `if` or `match`; `lower_arm` gives the value of each arm's body.
@@ -474,7 +363,7 @@ impl Lowerer<'_> {
         self.branch(kind, arms, false, expr.span());
     }
 
-    fn branch(
+    pub(super) fn branch(
         &mut self,
         kind: BranchKind,
         arms: Vec<Arm>,
@@ -527,7 +416,7 @@ impl Lowerer<'_> {
                 let (matched, source) = self.scrutinee(&branch.expr);
                 let reference = match &source {
                     _ if matches!(*branch.expr, Expr::Reference(_)) => true,
-                    Some(place) => place.path.is_empty() && self.vars[place.root].reference,
+                    Some(place) => place.path.is_empty() && self.may_refer(place.root),
                     None => false,
                 };
                 let matched_value =
@@ -556,10 +445,27 @@ impl Lowerer<'_> {
 }
 
 fn is_control(expr: &Expr) -> bool {
-    matches!(expr, Expr::If(_) | Expr::Match(_) | Expr::Block(_) | Expr::ForLoop(_))
+    matches!(
+        expr,
+        Expr::If(_)
+            | Expr::Match(_)
+            | Expr::Block(_)
+            | Expr::ForLoop(_)
+            | Expr::While(_)
+            | Expr::Loop(_)
+    )
 }
 
-fn strip_parens(expr: &Expr) -> &Expr {
+/// The value that a jump takes along.
+fn carried(jump: &Expr) -> Option<&Expr> {
+    match jump {
+        Expr::Return(jump) => jump.expr.as_deref(),
+        Expr::Break(jump) => jump.expr.as_deref(),
+        _ => None,
+    }
+}
+
+pub(super) fn strip_parens(expr: &Expr) -> &Expr {
     match expr {
         Expr::Paren(paren) => strip_parens(&paren.expr),
         Expr::Group(group) => strip_parens(&group.expr),
@@ -575,7 +481,7 @@ pub(super) fn split_type(pat: &Pat) -> (&Pat, Option<&syn::Type>) {
 }
 
 /// The statements of a block, or an expression as the only one.
-fn as_statements(expr: &Expr) -> Vec<Stmt> {
+pub(super) fn as_statements(expr: &Expr) -> Vec<Stmt> {
     match expr {
         Expr::Block(block) if block.label.is_none() => block.block.stmts.clone(),
         expr => vec![Stmt::Expr(expr.clone(), None)],
@@ -592,20 +498,4 @@ fn arm_bodies(expr: &Expr) -> Vec<Expr> {
         Expr::Match(branch) => branch.arms.iter().map(|arm| (*arm.body).clone()).collect(),
         _ => Vec::new(),
     }
-}
-
-/// The length of a range between two literals.
-fn literal_length(from: &Expr, to: &Expr, limits: &RangeLimits) -> Option<usize> {
-    let literal = |expr: &Expr| match strip_parens(expr) {
-        Expr::Lit(literal) => match &literal.lit {
-            Lit::Int(number) => number.base10_parse::<usize>().ok(),
-            _ => None,
-        },
-        _ => None,
-    };
-    let (from, to) = (literal(from)?, literal(to)?);
-    Some(match limits {
-        RangeLimits::HalfOpen(_) => to.saturating_sub(from),
-        RangeLimits::Closed(_) => (to + 1).saturating_sub(from),
-    })
 }

@@ -1,29 +1,44 @@
 //! From the user's syntax to [`ir`](crate::ir).
 //!
-//! [`desugar`] makes branches plainer; [`flow`] lowers statements and turns every early exit into the end of a block; [`expression`]
-//! names intermediate results; [`pattern`] and [`place`] tell which part of a value is meant;
-//! [`sequence`] makes vectors and boxes; [`plain`] passes on code through which no derivative flows,
-//! with variables renamed.
+//! [`desugar`] makes branches plainer; [`flow`] lowers statements and turns every early exit into
+//! the end of a block, whose meaning [`ends`] keeps; [`loops`] lowers loops, [`chain`], [`stage`]
+//! and [`item`] what they run over, [`consume`] what iterators are used up by; [`closure`] puts
+//! closures in place of their calls; [`expression`] names intermediate results; [`pattern`] and
+//! [`place`] tell which part of a value is meant; [`sequence`] makes vectors and boxes; [`macros`]
+//! knows the macros of the standard library; [`plain`] passes on code through which no derivative
+//! flows, with variables renamed.
 
+mod chain;
+mod closure;
+mod consume;
 mod desugar;
+mod ends;
 mod exits;
 mod expression;
 mod flow;
+mod item;
+mod loops;
+mod macros;
 mod pattern;
 mod place;
 mod plain;
 mod sequence;
+mod stage;
 
 use std::collections::{HashMap, HashSet};
+use std::rc::Rc;
 
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::{ToTokens, quote};
 use syn::{Type, spanned::Spanned};
 
+use self::closure::Closure;
+use self::ends::{Jump, JumpId};
+use self::item::Alias;
 use crate::errors::Errors;
 use crate::ir::{Block, BlockId, Operand, Operation, Statement, Var, VarId};
 use crate::names::Names;
-use crate::signature::{Parameter, has_fixed_size, is_discrete};
+use crate::signature::{Parameter, has_fixed_size, is_discrete, pointee};
 
 /// A function body in lowered form.
 pub struct Lowered {
@@ -59,6 +74,13 @@ pub fn lower(
         scopes: vec![HashMap::new()],
         open_blocks: Vec::new(),
         block_count: 0,
+        jumps: Vec::new(),
+        jump_count: 0,
+        aliases: HashMap::new(),
+        exclusive_aliases: HashSet::new(),
+        references: HashSet::new(),
+        lengths: HashMap::new(),
+        closures: HashMap::new(),
         capitals: HashSet::new(),
         called_on: Vec::new(),
         names,
@@ -112,6 +134,19 @@ struct Lowerer<'a> {
     /// The blocks being written, innermost last.
     open_blocks: Vec<(BlockId, Vec<Statement>)>,
     block_count: BlockId,
+    /// What jumps can leave here, innermost last.
+    jumps: Vec<Jump>,
+    jump_count: JumpId,
+    /// The names that stand for references to places.
+    aliases: HashMap<VarId, Alias>,
+    /// Those of them that stand for a `&mut`.
+    exclusive_aliases: HashSet<VarId>,
+    /// The variables that are known to be references.
+    references: HashSet<VarId>,
+    /// The lengths of arrays, where they are literals.
+    lengths: HashMap<VarId, usize>,
+    /// The names that stand for closures.
+    closures: HashMap<VarId, Rc<Closure>>,
     /// The names in refutable patterns that were taken for constants, for their capital letter.
     capitals: HashSet<String>,
     /// The variables on which methods are being called whose arguments are being written. An
@@ -143,6 +178,11 @@ impl Lowerer<'_> {
         result
     }
 
+    /// Whether a variable is or may be a reference.
+    fn may_refer(&self, var: VarId) -> bool {
+        self.vars[var].reference || self.references.contains(&var)
+    }
+
     fn push(&mut self, statement: Statement) {
         self.open_blocks.last_mut().expect("a block is open").1.push(statement);
     }
@@ -157,6 +197,24 @@ impl Lowerer<'_> {
             record: self.names.fresh(&format!("{name}_pullback"), span),
             ident,
             block: self.open_blocks.last().expect("a block is open").0,
+            mutable,
+            exclusive: false,
+            reference: false,
+            active,
+        });
+        self.vars.len() - 1
+    }
+
+    /// Makes a variable that has no definition in generated code: a name of the user's.
+    fn unwritten_var(&mut self, name: &Ident, mutable: bool, active: bool) -> VarId {
+        let [ident, cotangent, space, record] = std::array::from_fn(|_| name.clone());
+        let block = self.open_blocks.last().expect("a block is open").0;
+        self.vars.push(Var {
+            ident,
+            cotangent,
+            space,
+            record,
+            block,
             mutable,
             exclusive: false,
             reference: false,
@@ -199,9 +257,24 @@ impl Lowerer<'_> {
         let exclusive = parameter.is_exclusive;
         let var = self.var(parameter.ident.clone(), exclusive, !is_discrete(&parameter.ty));
         self.vars[var].exclusive = exclusive;
-        self.vars[var].reference = parameter.is_shared;
+        if parameter.is_shared {
+            self.references.insert(var);
+        }
         self.alias(&parameter.ident, var);
+        self.note_type(var, &parameter.ty);
         var
+    }
+
+    /// Remembers what a type tells of a variable.
+    fn note_type(&mut self, var: VarId, ty: &Type) {
+        if let Type::Reference(_) = ty {
+            self.references.insert(var);
+        }
+        if let Type::Array(array) = pointee(ty)
+            && let Some(length) = chain::literal(&array.len)
+        {
+            self.lengths.insert(var, length);
+        }
     }
 
     /// A new immutable variable, defined here.

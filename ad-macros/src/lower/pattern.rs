@@ -194,6 +194,9 @@ impl Lowerer<'_> {
                     Operand::Constant(tokens) => mutable && !is_discrete_literal(tokens),
                 };
                 let var = self.bind(&ident.ident, mutable, active);
+                if let Some(ty) = ty {
+                    self.note_type(var, ty);
+                }
                 let ty = ty.cloned();
                 self.push(Statement::Define { var, ty, operation: Operation::Use(value) });
             }
@@ -203,7 +206,7 @@ impl Lowerer<'_> {
     fn destructure(&mut self, pat: &Pat, ty: Option<&Type>, value: Operand) {
         match value {
             Operand::Var(source) => {
-                let reference = self.vars[source].reference;
+                let reference = self.may_refer(source);
                 let (pattern, bindings) =
                     self.pattern(pat, Matched { active: true, refutable: false, reference });
                 let ty = ty.cloned();
@@ -230,7 +233,7 @@ impl Lowerer<'_> {
     /// A variable declared with an integer or boolean type.
     pub(super) fn discrete_local(&mut self, pat: &Pat, ty: Option<&Type>, value: &Expr) {
         let value = match value {
-            Expr::If(_) | Expr::Match(_) | Expr::Block(_) => {
+            Expr::If(_) | Expr::Match(_) | Expr::Block(_) | Expr::Loop(_) => {
                 let chosen = self.operand(value, "value");
                 self.without_derivative(&chosen)
             }
@@ -268,6 +271,10 @@ impl Lowerer<'_> {
                 (&*reference.expr, Some(quote!(&)))
             }
             _ => (expr, None),
+        };
+        let borrow = match self.depth(target) {
+            0 => borrow,
+            _ => Some(quote!(&)),
         };
         // A `&mut` itself is not a place to match on: the bindings would be references to change.
         let place = self.active_place(target);
@@ -308,7 +315,7 @@ fn variant_path(path: &[Projection], constructor: &syn::Path) -> Vec<Projection>
 
 /// Whether the tokens are an integer or boolean literal: a variable that starts with one stays
 /// without derivative.
-fn is_discrete_literal(tokens: &TokenStream) -> bool {
+pub(super) fn is_discrete_literal(tokens: &TokenStream) -> bool {
     match syn::parse2::<syn::Lit>(tokens.clone()) {
         Ok(syn::Lit::Int(number)) => !number.suffix().starts_with('f'),
         Ok(syn::Lit::Bool(_) | syn::Lit::Char(_)) => true,

@@ -5,6 +5,8 @@ use quote::{ToTokens, quote, quote_spanned};
 use syn::spanned::Spanned;
 use syn::{BinOp, Expr, ExprAssign, ExprBinary, Lit, UnOp};
 
+use super::flow::strip_parens;
+use super::item::Alias;
 use super::{Lowerer, exits};
 use crate::ir::{Argument, BinaryOperator, Operand, Operation, Place, Projection, Statement};
 
@@ -61,34 +63,135 @@ fn is_scalar_method(method: &syn::Ident) -> bool {
 }
 
 impl Lowerer<'_> {
-    /// The place that an expression names, if it names one of a local variable.
+    /// The place that an expression names or refers to, if it is one of a local variable.
     pub(super) fn place(&mut self, expr: &Expr) -> Option<Place> {
+        self.located(expr).map(|(place, _)| place)
+    }
+
+    /// The place that an expression names, and how many times the expression refers to it: 0 for
+    /// the place itself.
+    fn located(&mut self, expr: &Expr) -> Option<(Place, usize)> {
         match expr {
-            Expr::Paren(inner) => self.place(&inner.expr),
-            Expr::Group(inner) => self.place(&inner.expr),
+            Expr::Paren(inner) => self.located(&inner.expr),
+            Expr::Group(inner) => self.located(&inner.expr),
             Expr::Path(path) => {
                 let root = self.lookup(path.path.get_ident()?)?;
-                Some(Place { root, path: Vec::new() })
+                Some(match self.aliases.get(&root) {
+                    Some(alias) => (alias.place.clone(), alias.depth),
+                    None => (Place { root, path: Vec::new() }, 0),
+                })
             }
             Expr::Field(field) => {
                 let mut place = self.place(&field.base)?;
                 place.path.push(Projection::Field(field.member.clone()));
-                Some(place)
+                Some((place, 0))
             }
             Expr::Index(index) => {
                 let mut place = self.place(&index.expr)?;
                 let whole = self.place_tokens(&place);
                 let position = self.index(&index.index, &whole);
                 place.path.push(Projection::Index(position));
-                Some(place)
+                Some((place, 0))
             }
             Expr::Unary(unary) if matches!(unary.op, UnOp::Deref(_)) => {
-                let mut place = self.place(&unary.expr)?;
+                let (mut place, depth) = self.located(&unary.expr)?;
+                if depth > 0 {
+                    return Some((place, depth - 1));
+                }
                 place.path.push(Projection::Deref);
-                Some(place)
+                Some((place, 0))
             }
             _ => None,
         }
+    }
+
+    /// How many times a name, or what `*` leaves of it, refers to a place.
+    pub(super) fn depth(&self, expr: &Expr) -> usize {
+        match expr {
+            Expr::Paren(inner) => self.depth(&inner.expr),
+            Expr::Group(inner) => self.depth(&inner.expr),
+            Expr::Unary(unary) if matches!(unary.op, UnOp::Deref(_)) => {
+                self.depth(&unary.expr).saturating_sub(1)
+            }
+            Expr::Path(path) => {
+                let root = path.path.get_ident().and_then(|name| self.lookup(name));
+                let alias = root.and_then(|root| self.aliases.get(&root));
+                alias.map_or(0, |alias| alias.depth)
+            }
+            _ => 0,
+        }
+    }
+
+    /// Whether an expression is known to be a reference.
+    pub(super) fn is_reference(&self, expr: &Expr) -> bool {
+        let known = |path: &syn::ExprPath| {
+            let root = path.path.get_ident().and_then(|name| self.lookup(name));
+            root.is_some_and(|root| self.references.contains(&root))
+        };
+        self.depth(expr) > 0 || matches!(strip_parens(expr), Expr::Path(path) if known(path))
+    }
+
+    /// `let name = &mut place;`
+    pub(super) fn exclusive_alias(&mut self, name: &syn::Ident, target: &Expr) {
+        if let Some(place) = self.target(target) {
+            let var = self.alias_place(name, Alias { place, depth: 1 });
+            self.exclusive_aliases.insert(var);
+        }
+    }
+
+    /// Whether an expression is a name for a `&mut`.
+    pub(super) fn is_exclusive_alias(&self, expr: &Expr) -> bool {
+        simple_path(expr)
+            .and_then(|name| self.lookup(name))
+            .is_some_and(|var| self.exclusive_aliases.contains(&var))
+    }
+
+    /// The value of an operand of an operator: what a reference refers to.
+    pub(super) fn scalar(&mut self, expr: &Expr, hint: &str) -> Operand {
+        if !self.is_reference(expr) {
+            return self.operand(expr, hint);
+        }
+        let depth = self.depth(expr);
+        let mut place = self.place(expr).expect("a reference to a place");
+        if depth == 0 {
+            place.path.push(Projection::Deref);
+        }
+        match simple_path(expr) {
+            Some(name) if hint == "value" => self.read_place(place, &name.to_string()),
+            _ => self.read_place(place, hint),
+        }
+    }
+
+    /// A copy of a place.
+    pub(super) fn read_place(&mut self, place: Place, hint: &str) -> Operand {
+        let root = &self.vars[place.root];
+        let span = root.ident.span();
+        if !root.active {
+            let mutable = root.mutable;
+            let tokens = Operand::Constant(self.place_tokens(&place));
+            if !mutable {
+                return tokens;
+            }
+            let var = self.define("constant", span, false, Operation::Use(tokens));
+            return Operand::Constant(self.ident(var).to_token_stream());
+        }
+        if place.path.is_empty() && !root.mutable {
+            return Operand::Var(place.root);
+        }
+        Operand::Var(self.define(hint, span, true, Operation::Read(place)))
+    }
+
+    /// A reference to a place.
+    pub(super) fn borrow_place(&mut self, place: Place) -> Operand {
+        let root = &self.vars[place.root];
+        let span = root.ident.span();
+        if !root.active {
+            let tokens = self.place_tokens(&place);
+            return Operand::Constant(quote!((&#tokens)));
+        }
+        let var = self.define("reference", span, true, Operation::Borrow(place));
+        self.references.insert(var);
+        Operand::Var(var)
     }
 
     /// A place with a derivative.
@@ -102,7 +205,7 @@ impl Lowerer<'_> {
     pub(super) fn receiver(&mut self, call: &syn::ExprMethodCall) -> Argument {
         let place = self.active_place(&call.receiver);
         let Some(place) = place.filter(|place| !self.is_copied(place, call)) else {
-            return Argument::Value(self.operand(&call.receiver, "receiver"));
+            return Argument::Value(self.scalar(&call.receiver, "receiver"));
         };
         match self.called_on.contains(&place.root) {
             true => Argument::Borrow(place),
@@ -155,6 +258,13 @@ impl Lowerer<'_> {
 
     /// The place that is assigned to.
     pub(super) fn target(&mut self, expr: &Expr) -> Option<Place> {
+        if self.depth(expr) > 0 {
+            self.refuse(
+                expr,
+                "a name for an element cannot be given to another one: assign to `*name`",
+            );
+            return None;
+        }
         let Some(place) = self.place(expr) else {
             let message = match expr {
                 Expr::Tuple(_) | Expr::Array(_) | Expr::Struct(_) => {
@@ -203,7 +313,7 @@ impl Lowerer<'_> {
             BinOp::RemAssign(_) => Some(BinaryOperator::Rem),
             _ => None,
         };
-        let value = self.operand(&update.right, "value");
+        let value = self.scalar(&update.right, "value");
         let Some(place) = self.target(&update.left) else { return };
         let token = &update.op;
         match operator {
@@ -239,5 +349,12 @@ impl Lowerer<'_> {
 
     fn push_plain(&mut self, code: TokenStream) {
         self.push(Statement::Plain { code, defines: Vec::new() });
+    }
+}
+
+fn simple_path(expr: &Expr) -> Option<&syn::Ident> {
+    match strip_parens(expr) {
+        Expr::Path(path) => path.path.get_ident(),
+        _ => None,
     }
 }

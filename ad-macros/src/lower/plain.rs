@@ -4,11 +4,12 @@
 use proc_macro2::TokenStream;
 use quote::{ToTokens, quote, quote_spanned};
 use syn::spanned::Spanned;
-use syn::visit::Visit;
+use syn::visit::{self, Visit};
 use syn::visit_mut::{self, VisitMut};
-use syn::{Expr, Macro, Type, parse_quote, parse_quote_spanned};
+use syn::{Expr, Macro, Pat, Type, parse_quote, parse_quote_spanned};
 
-use super::Lowerer;
+use super::macros::{Matches, standard_macro};
+use super::{Lowerer, exits};
 use crate::ir::{Operand, Operation};
 
 impl Lowerer<'_> {
@@ -70,23 +71,18 @@ impl Lowerer<'_> {
     }
 
     pub(super) fn refuse_macro(&mut self, call: &Macro) -> Operand {
+        let name = call.path.segments.last().map(|last| last.ident.to_string()).unwrap_or_default();
         self.refuse(
             call,
-            "macros cannot be differentiated: write out what it expands to, or call it outside of the differentiable function",
+            format!("the macro `{name}!` cannot be differentiated: write out what it expands to, or call it outside of the differentiable function"),
         )
     }
 
     pub(super) fn refuse_expression(&mut self, expr: &Expr) -> Operand {
         let message = match expr {
             Expr::Macro(call) => return self.refuse_macro(&call.mac),
-            Expr::While(_) | Expr::Loop(_) => {
-                "only loops over a range can be differentiated: write `for i in 0..n`"
-            }
-            Expr::Closure(_) => "closures are not supported: write a `#[differentiable]` function",
-            Expr::Break(_) | Expr::Continue(_) => {
-                "`break` and `continue` are not supported: put what follows under an `if`, or `return` from a function of its own"
-            }
-            Expr::Return(_) | Expr::Try(_) => {
+            Expr::Closure(_) => return self.refuse_closure(expr),
+            Expr::Return(_) | Expr::Try(_) | Expr::Break(_) | Expr::Continue(_) => {
                 "an exit from within an expression is not supported here: bind the value to a variable with `let` first"
             }
             Expr::Async(_) | Expr::Await(_) => {
@@ -98,7 +94,6 @@ impl Lowerer<'_> {
             Expr::Let(_) => {
                 "`let` is not supported in this condition: use it in the condition of an `if`"
             }
-            Expr::Block(_) => "labelled blocks are not supported: use `if` and `else`",
             Expr::Const(_) => "move the constant out of the differentiable function",
             _ => "this expression cannot be differentiated: compute it outside and pass the value",
         };
@@ -123,23 +118,80 @@ struct Plain<'l, 'a> {
     lowerer: &'l mut Lowerer<'a>,
 }
 
+impl Plain<'_, '_> {
+    fn can_change(&self, receiver: &Expr) -> bool {
+        let Expr::Path(path) = receiver else { return false };
+        match path.path.get_ident().and_then(|name| self.lowerer.lookup(name)) {
+            Some(var) => self.lowerer.vars[var].mutable || self.lowerer.vars[var].active,
+            None => false,
+        }
+    }
+
+    /// `matches!(expr, pattern if guard)`
+    fn visit_matches(&mut self, call: &mut Macro) {
+        let Matches { mut expr, pat, guard } = match call.parse_body() {
+            Ok(parts) => parts,
+            Err(error) => return self.lowerer.errors.add(error),
+        };
+        self.visit_expr_mut(&mut expr);
+        self.lowerer.scopes.push(Default::default());
+        self.visit_parameter(&pat);
+        let guard = guard.map(|mut guard| {
+            self.visit_expr_mut(&mut guard);
+            quote!(if #guard)
+        });
+        self.lowerer.scopes.pop();
+        call.tokens = quote!(#expr, #pat #guard);
+    }
+
+    /// Lets the names in a pattern mean themselves.
+    fn visit_parameter(&mut self, pat: &Pat) {
+        struct Binder<'l, 'a>(&'l mut Lowerer<'a>);
+
+        impl<'ast> Visit<'ast> for Binder<'_, '_> {
+            fn visit_pat_ident(&mut self, pat: &'ast syn::PatIdent) {
+                let var = self.0.unwritten_var(&pat.ident, false, false);
+                self.0.alias(&pat.ident, var);
+                visit::visit_pat_ident(self, pat);
+            }
+        }
+
+        Binder(self.lowerer).visit_pat(pat);
+    }
+}
+
 impl VisitMut for Plain<'_, '_> {
     fn visit_expr_mut(&mut self, expr: &mut Expr) {
         match expr {
             Expr::Path(path) => {
                 if let Some(var) = path.path.get_ident().and_then(|name| self.lowerer.lookup(name))
                 {
-                    let ident = self.lowerer.ident_at(var, path.span());
-                    *expr = parse_quote!(#ident);
+                    if self.lowerer.closures.contains_key(&var) {
+                        self.lowerer.refuse(&*path, "bind the value of this closure to a variable with `let` before the condition or the index that uses it");
+                    }
+                    *expr = match self.lowerer.aliases.get(&var).cloned() {
+                        Some(alias) => {
+                            let place = self.lowerer.place_tokens(&alias.place);
+                            (0..alias.depth).fold(
+                                parse_quote!(#place),
+                                |inner: Expr, _| parse_quote!((&#inner)),
+                            )
+                        }
+                        None => {
+                            let ident = self.lowerer.ident_at(var, path.span());
+                            parse_quote!(#ident)
+                        }
+                    };
                 } else {
                     self.lowerer.check_capital(path);
                 }
             }
             Expr::MethodCall(call) => {
+                let changes = self.can_change(&call.receiver);
                 visit_mut::visit_expr_method_call_mut(self, call);
                 // A method that takes `&mut self` would change a variable behind the reverse
                 // sweep's back; through a shared reference it does not compile.
-                if let Expr::Path(_) = &*call.receiver {
+                if changes && let Expr::Path(_) = &*call.receiver {
                     let receiver = &call.receiver;
                     call.receiver = parse_quote!((&#receiver));
                 }
@@ -158,6 +210,24 @@ impl VisitMut for Plain<'_, '_> {
             Expr::Reference(reference) if reference.mutability.is_some() => {
                 self.lowerer
                     .refuse(&*reference, "`&mut` is not supported in a condition or an index");
+            }
+            Expr::Closure(closure) if closure.asyncness.is_none() => {
+                // Its parameters hide what else has their names.
+                self.lowerer.scopes.push(Default::default());
+                for input in &closure.inputs {
+                    self.visit_parameter(input);
+                }
+                self.visit_expr_mut(&mut closure.body);
+                self.lowerer.scopes.pop();
+            }
+            Expr::Binary(binary) if exits::is_update(&binary.op) => {
+                self.lowerer.refuse(
+                    &*expr,
+                    "an assignment is not supported in a condition or an index: put it before",
+                );
+            }
+            Expr::Macro(call) if standard_macro(&call.mac.path).as_deref() == Some("matches") => {
+                self.visit_matches(&mut call.mac);
             }
             Expr::Lit(_)
             | Expr::Paren(_)

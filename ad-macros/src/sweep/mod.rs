@@ -4,6 +4,7 @@
 //! been seen: if nothing flowed back, the operation needs no pullback and is written as the user
 //! wrote it; else the reverse sweep gets its pullback, and the forward sweep saves what that names.
 
+mod a_loop;
 mod operation;
 
 use std::collections::{BTreeSet, HashSet};
@@ -12,14 +13,10 @@ use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
 use crate::ir::{
-    Arm, Block, BlockId, Branch, BranchKind, Loop, Operand, Place, Projection, Statement, Var,
-    VarId,
+    Arm, Block, BlockId, Branch, BranchKind, Operand, Place, Projection, Statement, Var, VarId,
 };
 use crate::lower::{Lowered, LoweredParameter};
 use crate::names::{self, Names};
-
-/// Up to this number of iterations, what a loop saves is kept on the stack.
-const LONGEST_ARRAY_TAPE: usize = 64;
 
 /// The sweeps of a function.
 pub struct Sweeps {
@@ -476,56 +473,6 @@ impl Sweeper<'_> {
         written.forward = quote!(#bound #forward);
         written.defines.splice(0..0, sides.defines);
         written
-    }
-
-    fn a_loop(&mut self, a_loop: &Loop) -> Sides {
-        let mut sides = Sides::default();
-        let exit = a_loop.exit.map(|exit| &self.vars[exit]);
-        let seed = a_loop.exit.filter(|exit| self.started.contains(exit)).map(|exit| {
-            let cotangent = &self.vars[exit].cotangent;
-            quote!(::ad::rt::take(&mut #cotangent))
-        });
-        let body = self.block(&a_loop.body, seed);
-        self.leave(&mut sides.reverse, &body.outer);
-
-        let Loop { pattern, iterator, record, .. } = a_loop;
-        let records = !body.reverse.is_empty();
-        let mut defined: Vec<_> =
-            a_loop.defines.iter().map(|&var| self.vars[var].ident.clone()).collect();
-        defined.extend(body.defines.iter().cloned());
-        let body = Written { defines: defined, ..body };
-        let (forward, value, saved) = (&body.forward, &body.value, body.saved());
-        let (new_tape, push) = match (records, a_loop.trip_count) {
-            (false, _) => (None, None),
-            (true, Some(count)) if count <= LONGEST_ARRAY_TAPE => (
-                Some(quote!(let mut #record = ::ad::rt::ArrayTape::<_, #count>::new();)),
-                Some(quote!(#record.push(#saved);)),
-            ),
-            (true, _) => (
-                Some(quote!(let mut #record = ::std::vec::Vec::new();)),
-                Some(quote!(#record.push(#saved);)),
-            ),
-        };
-        let iteration = match exit {
-            Some(Var { ident, .. }) => {
-                sides
-                    .forward
-                    .extend(quote!(let mut #ident = ::core::ops::ControlFlow::Continue(());));
-                quote!(#forward #ident = #value; #push if #ident.is_break() { break; })
-            }
-            None => quote!(#forward #push),
-        };
-        sides.forward.extend(quote!(#new_tape for #pattern in #iterator { #iteration }));
-        if let Some(exit) = a_loop.exit {
-            sides.forward.extend(self.space_definition(exit));
-        }
-        sides.defines.extend(exit.into_iter().flat_map(|v| [v.ident.clone(), v.space.clone()]));
-        if records {
-            sides.defines.push(record.clone());
-            let reverse = &body.reverse;
-            sides.reverse.extend(quote!(for #saved in #record.into_iter().rev() { #reverse }));
-        }
-        sides
     }
 }
 

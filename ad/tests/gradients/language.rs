@@ -9,13 +9,19 @@
     clippy::redundant_slicing,
     clippy::toplevel_ref_arg,
     clippy::useless_vec,
+    clippy::never_loop,
+    clippy::reversed_empty_ranges,
     reason = "these forms are what is tested"
 )]
 
+mod closures;
 mod data;
 mod enums;
 mod exclusive;
 mod exits;
 mod flow;
+mod iterators;
+mod jumps;
+mod macros;
 mod slices;
 mod statements;

@@ -10,6 +10,7 @@
 )]
 
 mod aliasing;
+mod closures;
 mod names;
 mod order;
 mod structure;

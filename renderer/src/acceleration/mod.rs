@@ -20,7 +20,9 @@ mod triangles;
 
 use glam::Vec3;
 
-pub use packet::{NO_PRIMITIVE, PACKET_RAYS, PacketDirections, PacketHits, tile_position};
+pub use packet::{
+    NO_PRIMITIVE, PACKET_RAYS, PacketHits, PacketVectors, ray_at, rays, tile_position,
+};
 
 use single::BoxTest;
 use spheres::SphereLeaf;

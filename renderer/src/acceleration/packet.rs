@@ -4,6 +4,8 @@
 //! rectangle of slopes: a frustum. Boxes are tested against its four sides, and only what survives
 //! against the rays themselves, 16 at a time.
 
+use std::array;
+
 use glam::Vec3;
 use wide::{f32x4, f32x8, f32x16, u32x16};
 
@@ -26,14 +28,14 @@ pub const GROUPS: usize = PACKET_RAYS / LANES;
 /// The steepest slope against its major axis that a packet may have.
 const STEEPEST: f32 = 2.0;
 
-/// The directions of the rays of a packet, of any length above zero. What stands in inactive rays
-/// does not matter.
+/// A vector for each ray of a packet, such as its direction. What stands in inactive rays does not
+/// matter.
 ///
 /// Sixteen rays in a row are computed side by side: the more compact each sixteen are, the better.
 /// [`tile_position`] gives an order of the pixels of a tile.
 #[derive(Clone, Debug)]
 #[repr(C, align(64))]
-pub struct PacketDirections {
+pub struct PacketVectors {
     /// By ray.
     pub x: [f32; PACKET_RAYS],
     /// By ray.
@@ -42,21 +44,21 @@ pub struct PacketDirections {
     pub z: [f32; PACKET_RAYS],
 }
 
-impl PacketDirections {
+impl PacketVectors {
     /// All zero.
     pub const ZERO: Self =
         Self { x: [0.0; PACKET_RAYS], y: [0.0; PACKET_RAYS], z: [0.0; PACKET_RAYS] };
 
-    /// The direction of one ray.
+    /// The vector of one ray.
     #[inline]
     pub fn get(&self, ray: usize) -> Vec3 {
         Vec3::new(self.x[ray], self.y[ray], self.z[ray])
     }
 
-    /// Sets the direction of one ray.
+    /// Sets the vector of one ray.
     #[inline]
-    pub fn set(&mut self, ray: usize, direction: Vec3) {
-        [self.x[ray], self.y[ray], self.z[ray]] = direction.to_array();
+    pub fn set(&mut self, ray: usize, vector: Vec3) {
+        [self.x[ray], self.y[ray], self.z[ray]] = vector.to_array();
     }
 }
 
@@ -66,6 +68,22 @@ impl PacketDirections {
 pub const fn tile_position(ray: usize) -> (usize, usize) {
     let (group, lane) = (ray / LANES, ray % LANES);
     (group % 2 * 4 + lane % 4, group / 2 * 4 + lane / 4)
+}
+
+/// The ray that has this [`tile_position`].
+#[inline]
+pub const fn ray_at(column: usize, row: usize) -> usize {
+    (row / 4 * 2 + column / 4) * LANES + row % 4 * 4 + column % 4
+}
+
+/// The rays whose bits are set.
+#[inline]
+pub fn rays(mut bits: u64) -> impl Iterator<Item = usize> {
+    std::iter::from_fn(move || {
+        let ray = (bits != 0).then_some(bits.trailing_zeros() as usize)?;
+        bits &= bits - 1;
+        Some(ray)
+    })
 }
 
 /// What the rays of a packet meet first.
@@ -97,6 +115,13 @@ impl PacketHits {
         (primitive != NO_PRIMITIVE).then_some(Hit { primitive, distance, leaves })
     }
 
+    /// A bit for each ray that meets something.
+    #[inline]
+    pub fn met(&self) -> u64 {
+        let none = u32x16::splat(NO_PRIMITIVE);
+        bits(&load_ids(&self.primitive).map(|ids| f32x16::from_bits(ids.simd_ne(none))))
+    }
+
     pub(super) fn set(&mut self, ray: usize, hit: Hit) {
         self.distance[ray] = hit.distance;
         self.primitive[ray] = hit.primitive;
@@ -118,8 +143,6 @@ pub struct Packet {
     /// By minor axis: how much a ray advances for each unit of depth. Inactive rays repeat an active
     /// one.
     pub slope: [Rays<f32x16>; 2],
-    /// 1 over the slopes, finite.
-    pub inverse: [Rays<f32x16>; 2],
     /// Distance, in lengths of the direction, for each unit of depth.
     pub scale: Rays<f32x16>,
     /// By minor axis: the least and the greatest slope of each group, and of all.
@@ -133,12 +156,7 @@ pub struct Packet {
 
 impl Packet {
     /// Prepares a packet of the active rays; nothing if no axis serves all of them.
-    pub fn new(
-        origin: Vec3,
-        directions: &PacketDirections,
-        active: u64,
-        limit: f32,
-    ) -> Option<Self> {
+    pub fn new(origin: Vec3, directions: &PacketVectors, active: u64, limit: f32) -> Option<Self> {
         let groups = [load(&directions.x), load(&directions.y), load(&directions.z)];
         let mut live = [f32x16::ZERO; GROUPS];
         for g in 0..GROUPS {
@@ -155,44 +173,34 @@ impl Packet {
 
         let mut coherent = f32x16::from_bits(u32x16::splat(u32::MAX));
         let mut slope = [[f32x16::ZERO; GROUPS]; 2];
-        let mut inverse = slope;
         let mut scale = slope[0];
         let mut depth = slope[0];
-        let mut group_range = [[[0.0; 2]; GROUPS]; 2];
-        let mut range = [[f32::INFINITY, f32::NEG_INFINITY]; 2];
         for g in 0..GROUPS {
             let length = groups[major][g] * f32x16::splat(sign);
-            coherent &= length.simd_gt(0.0) | !live[g];
+            coherent &= length.simd_ge(f32::MIN_POSITIVE) | !live[g];
             scale[g] = f32x16::ONE / length;
             depth[g] = live[g].select(f32x16::splat(limit) * length, f32x16::splat(-1.0));
             for i in 0..2 {
-                let ratio = groups[minor[i]][g] / length;
+                let ratio = groups[minor[i]][g] * scale[g];
                 slope[i][g] = live[g].select(ratio, f32x16::splat(first.slope[i]));
                 coherent &= slope[i][g].abs().simd_le(STEEPEST);
-                let steep = slope[i][g].abs().fast_max(f32x16::splat(1e-12));
-                inverse[i][g] = f32x16::ONE / steep.copysign(slope[i][g]);
-                let (low, high) = (-greatest(-slope[i][g]), greatest(slope[i][g]));
-                group_range[i][g] = [low, high];
-                range[i] = [range[i][0].min(low), range[i][1].max(high)];
             }
         }
         if !coherent.all() {
             return None;
         }
+        let group_range = slope.map(|slope| {
+            let (lows, highs) = (greatest_of_each(slope.map(|s| -s)), greatest_of_each(slope));
+            array::from_fn(|g| [-lows[g], highs[g]])
+        });
+        let range = group_range.map(|groups: Rays<[f32; 2]>| {
+            groups.into_iter().fold([f32::INFINITY, f32::NEG_INFINITY], |[low, high], group| {
+                [low.min(group[0]), high.max(group[1])]
+            })
+        });
         let slack = origin_error(origin);
-        let mut packet = Self {
-            origin,
-            slack,
-            major,
-            sign,
-            slope,
-            inverse,
-            scale,
-            group_range,
-            range,
-            depth,
-            far: 0.0,
-        };
+        let mut packet =
+            Self { origin, slack, major, sign, slope, scale, group_range, range, depth, far: 0.0 };
         packet.update_far();
         Some(packet)
     }
@@ -325,12 +333,24 @@ fn mask(bits: u64) -> f32x16 {
 /// The greatest lane.
 #[inline]
 fn greatest(lanes: f32x16) -> f32 {
-    // By halves: no chain of comparisons that wait for each other.
+    let [a, b, c, d] = quarter(lanes).to_array();
+    let max = |a: f32, b: f32| if a > b { a } else { b };
+    max(max(a, b), max(c, d))
+}
+
+/// The greatest lane of each group.
+#[inline]
+fn greatest_of_each(groups: Rays<f32x16>) -> Rays<f32> {
+    let [a, b, c, d] = f32x4::transpose(groups.map(quarter));
+    a.fast_max(b).fast_max(c.fast_max(d)).to_array()
+}
+
+/// The greatest of every four lanes that are four apart.
+#[inline]
+fn quarter(lanes: f32x16) -> f32x4 {
     let [a0, a1, a2, a3, a4, a5, a6, a7, b0, b1, b2, b3, b4, b5, b6, b7] = lanes.to_array();
     let eight = f32x8::new([a0, a1, a2, a3, a4, a5, a6, a7])
         .fast_max(f32x8::new([b0, b1, b2, b3, b4, b5, b6, b7]));
     let [a0, a1, a2, a3, b0, b1, b2, b3] = eight.to_array();
-    let four = f32x4::new([a0, a1, a2, a3]).fast_max(f32x4::new([b0, b1, b2, b3]));
-    let [a, b, c, d] = four.to_array();
-    a.max(b).max(c.max(d))
+    f32x4::new([a0, a1, a2, a3]).fast_max(f32x4::new([b0, b1, b2, b3]))
 }

@@ -4,8 +4,8 @@ use glam::Vec3;
 use wide::{f32x16, u32x16};
 
 use super::packet::{
-    GROUPS, NO_PRIMITIVE, Nearest, Occlusion, PACKET_RAYS, Packet, PacketDirections, PacketHits,
-    bits, load_ids,
+    GROUPS, NO_PRIMITIVE, Nearest, Occlusion, PACKET_RAYS, Packet, PacketHits, PacketVectors, bits,
+    load_ids, rays,
 };
 use super::packet_triangles::test_leaf;
 use super::spheres::SphereLeaf;
@@ -21,7 +21,7 @@ impl Acceleration {
     pub fn nearest_packet(
         &self,
         origin: Vec3,
-        directions: &PacketDirections,
+        directions: &PacketVectors,
         active: u64,
     ) -> PacketHits {
         let mut hits = PacketHits::NONE;
@@ -67,7 +67,7 @@ impl Acceleration {
     pub fn occluded_packet(
         &self,
         origin: Vec3,
-        directions: &PacketDirections,
+        directions: &PacketVectors,
         limit: f32,
         from: &[u32; PACKET_RAYS],
         active: u64,
@@ -96,20 +96,11 @@ impl Acceleration {
     }
 }
 
-/// The rays whose bits are set.
-fn rays(mut bits: u64) -> impl Iterator<Item = usize> {
-    std::iter::from_fn(move || {
-        let ray = (bits != 0).then_some(bits.trailing_zeros() as usize)?;
-        bits &= bits - 1;
-        Some(ray)
-    })
-}
-
 /// Tests a packet against a sphere. `record` takes the ray, the distance and whether the ray leaves
 /// the sphere; it returns whether the hit counts.
 fn test_sphere(
     packet: &mut Packet,
-    directions: &PacketDirections,
+    directions: &PacketVectors,
     leaf: &SphereLeaf,
     mut record: impl FnMut(usize, f32, bool) -> bool,
 ) {

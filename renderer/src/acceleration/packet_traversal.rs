@@ -2,7 +2,7 @@
 
 use wide::{f32x8, f32x16};
 
-use super::packet::{GROUPS, Packet};
+use super::packet::{GROUPS, Packet, Rays};
 use super::single::SLAB_ERROR;
 use super::stack::{Entry, Sorted, Stack};
 use super::tree::{Child, Kind, Leaf, Node, Tree};
@@ -60,7 +60,13 @@ impl Frustum {
 
     /// Whether any ray enters one of the boxes of a node.
     #[inline]
-    fn any_ray_enters(&self, packet: &Packet, node: &Node, slot: usize) -> bool {
+    fn any_ray_enters(
+        &self,
+        packet: &Packet,
+        inverse: &[Rays<f32x16>; 2],
+        node: &Node,
+        slot: usize,
+    ) -> bool {
         let plane = |i: usize, side: usize, origin: f32| {
             f32x16::splat(node.bounds[self.axes[i]][side].as_array()[slot] - origin)
         };
@@ -70,7 +76,7 @@ impl Frustum {
         let (a_low, a_high, b_low, b_high) = (low(1), high(1), low(2), high(2));
         let near = near.fast_max(f32x16::ZERO);
         for g in 0..GROUPS {
-            let [a, b] = [packet.inverse[0][g], packet.inverse[1][g]];
+            let [a, b] = [inverse[0][g], inverse[1][g]];
             let (a0, a1, b0, b1) = (a_low * a, a_high * a, b_low * b, b_high * b);
             let entered = near.fast_max(a0.fast_min(a1)).fast_max(b0.fast_min(b1));
             let left = end.fast_min(a0.fast_max(a1)).fast_min(b0.fast_max(b1));
@@ -91,10 +97,21 @@ impl Frustum {
     }
 }
 
+/// 1 over the slopes of the rays, finite.
+#[inline]
+fn inverse_slopes(packet: &Packet) -> [Rays<f32x16>; 2] {
+    let mut inverse = packet.slope;
+    for slope in inverse.iter_mut().flatten() {
+        let steep = slope.abs().fast_max(f32x16::splat(1e-12));
+        *slope = f32x16::ONE / steep.copysign(*slope);
+    }
+    inverse
+}
+
 impl<L: Leaf> Tree<L> {
-    /// Visits every leaf whose box is entered by a ray before its depth, near ones first. A visit
-    /// may lower `packet.depth`. `SPARSE` says that the rays may fill the frustum badly, so that
-    /// it pays to test inner boxes against them too.
+    /// Visits every leaf whose box the frustum touches, near ones first, before the depths of its
+    /// rays. A visit may lower `packet.depth`. `SPARSE` says that the rays may fill the frustum
+    /// badly, so that it pays to test boxes against each of them too.
     pub fn visit_packet<const SPARSE: bool>(
         &self,
         packet: &mut Packet,
@@ -104,6 +121,7 @@ impl<L: Leaf> Tree<L> {
             return;
         }
         let frustum = Frustum::new(packet);
+        let inverse = if SPARSE { inverse_slopes(packet) } else { [[f32x16::ZERO; GROUPS]; 2] };
         let mut stack = Stack::new();
         let mut current = Child::node(0);
         loop {
@@ -131,7 +149,7 @@ impl<L: Leaf> Tree<L> {
                 let (index, slot) = (entry.target as usize / 8, entry.target as usize % 8);
                 let node = &self.nodes[index];
                 let child = node.children[slot];
-                if !(SPARSE || child.is_leaf()) || frustum.any_ray_enters(packet, node, slot) {
+                if !SPARSE || frustum.any_ray_enters(packet, &inverse, node, slot) {
                     break child;
                 }
             };

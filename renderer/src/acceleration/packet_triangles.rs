@@ -36,7 +36,7 @@ struct View {
 }
 
 impl View {
-    #[inline]
+    #[inline(always)]
     fn new(packet: &Packet, leaf: &TriangleLeaf) -> Self {
         let [a, b] = minor_axes(packet.major);
         let relative =

@@ -27,7 +27,8 @@ pub struct TriangleTest {
 }
 
 impl TriangleTest {
-    /// Prepares a ray; nothing if its direction is zero or not finite.
+    /// Prepares a ray; nothing if its direction is zero (or less than the least normal number) or not
+    /// finite.
     #[inline]
     pub fn new(origin: Vec3, direction: Vec3) -> Option<Self> {
         let [x, y, z] = direction.abs().to_array();
@@ -39,16 +40,17 @@ impl TriangleTest {
     #[inline]
     pub fn along(origin: Vec3, direction: Vec3, major: usize) -> Option<Self> {
         let length = direction[major].abs();
-        if !direction.is_finite() || length == 0.0 {
+        if !direction.is_finite() || length < f32::MIN_POSITIVE {
             return None;
         }
         let [a, b] = minor_axes(major);
+        let scale = 1.0 / length;
         Some(Self {
             origin,
             major,
             sign: 1.0_f32.copysign(direction[major]),
-            slope: [direction[a] / length, direction[b] / length],
-            scale: 1.0 / length,
+            slope: [direction[a] * scale, direction[b] * scale],
+            scale,
         })
     }
 

@@ -1,22 +1,25 @@
 //! The gradient of a loss by every parameter.
 
+use std::mem;
+
 use ad::lanes::Lanes;
-use ad::{Additive, Tangent, Vec3};
+use ad::{Additive, Mask, Tangent, Vec3};
 use glam::DVec3;
 
 use super::prepared::Prepared;
-use super::radiance::PixelLoss;
-use super::shade::{LightCotangent, pull_back, radiance};
+use super::radiance::{PixelLoss, black_pixels};
+use super::shade::{LightCotangent, Pulled, Shaded};
 use super::shadows::Lit;
-use super::tiles::{Tile, for_each_tile};
-use super::view::{Group, GroupShape, Seen};
+use super::sums::{Slots, StripSums};
+use super::tiles::{Strip, Tile, for_each_strip};
+use super::view::{Group, Shape, View};
 use crate::kernels::camera::{Camera, Frame, Ray, frame, primary_ray};
 use crate::kernels::light::{DistantLight, PointLight};
 use crate::kernels::material::Material;
 use crate::kernels::sphere::{Sphere, sphere_surface};
 use crate::kernels::surface::SurfacePoint;
 use crate::kernels::triangle::triangle_surface;
-use crate::precision::{MOST_LANES, lanes_of_vectors, narrow, vectors_of_lanes};
+use crate::precision::{MOST_LANES, lanes_of_vectors, sum_of_vectors, vectors_of_lanes};
 use crate::scene::{Light, ParameterId, Parameters};
 
 /// The kinds of parameters by which a gradient is wanted. Others cost nothing and stay zero.
@@ -76,196 +79,204 @@ pub fn gradient<L: Lanes>(
     loss: &impl PixelLoss,
     wanted: Wanted,
 ) -> GradientResult {
-    let tiles = for_each_tile(prepared.scene.width, prepared.scene.height, |tile| {
-        let mut sums = TileSums::new(prepared);
-        sums.add_tile(prepared, loss, wanted, &tile);
-        sums
-    });
+    let (width, height) = (prepared.scene.width, prepared.scene.height);
+    let strips = for_each_strip(width, height, || Sweep::new(prepared, loss, wanted), Sweep::strip);
 
-    // Put the tiles together, always in the same order.
-    let mut total = TileSums::new(prepared);
-    let mut vertices = zero_vertices(&prepared.parameters);
-    let mut flat: Vec<&mut [f64; 3]> = vertices.iter_mut().flatten().collect();
-    for tile in &tiles {
-        total.merge(tile);
-        for &(vertex, cotangent) in &tile.vertices {
-            let sum = &mut flat[vertex as usize];
-            **sum = (DVec3::from(**sum) + cotangent).into();
+    // Put the strips together, always in the same order.
+    let mut total = GradientResult { loss: 0.0, gradient: zero(&prepared.parameters) };
+    let mut frame = Tangent::<Frame<f64>>::zero();
+    let gradient = &mut total.gradient;
+    for strip in strips {
+        total.loss += strip.loss;
+        frame.accumulate(strip.frame);
+        for (light, sum) in gradient.lights.iter_mut().zip(&strip.lights) {
+            sum.add_to(light);
+        }
+        for (material, sum) in &strip.materials {
+            gradient.materials[*material as usize].add(sum);
+        }
+        for (sphere, sum) in &strip.spheres {
+            gradient.spheres[*sphere as usize].add(sum);
+        }
+        for (vertex, sum) in strip.vertices {
+            let (mesh, vertex) = prepared.vertex_of_mesh(vertex);
+            let vertex = &mut gradient.vertices[mesh][vertex];
+            *vertex = (DVec3::from(*vertex) + sum).into();
         }
     }
+    if wanted.camera {
+        let (_, pullback) = frame::vjp::<f64>(prepared.parameters.camera, prepared.aspect());
+        gradient.camera.add(&pullback(frame).0);
+    }
+    total
+}
 
-    let camera = match wanted.camera {
-        true => camera_gradient(&prepared.parameters.camera, prepared.aspect(), &total.frame),
-        false => Camera::zero(),
+/// Zero, in the shape of `parameters`.
+fn zero(parameters: &Parameters) -> Parameters {
+    let zero_light = |light: &Light<f64>| match light {
+        Light::Point(_) => Light::Point(PointLight::zero()),
+        Light::Distant(_) => Light::Distant(DistantLight::zero()),
     };
-    let TileSums { loss, lights, materials, spheres, .. } = total;
-    GradientResult { loss, gradient: Parameters { camera, lights, materials, spheres, vertices } }
+    Parameters {
+        camera: Camera::zero(),
+        lights: parameters.lights.iter().map(zero_light).collect(),
+        materials: vec![Material::zero(); parameters.materials.len()],
+        spheres: vec![Sphere::zero(); parameters.spheres.len()],
+        vertices: parameters.vertices.iter().map(|mesh| vec![[0.0; 3]; mesh.len()]).collect(),
+    }
 }
 
-fn camera_gradient(camera: &Camera<f64>, aspect: f64, cotangent: &Frame<f64>) -> Camera<f64> {
-    let (_, pullback) = frame::vjp::<f64>(*camera, aspect);
-    let Frame { origin, forward, right, up } = *cotangent;
-    let (cotangent, _) = pullback(Tangent::<Frame<f64>> { origin, forward, right, up });
-    let mut gradient = Camera::zero();
-    gradient.add(&cotangent);
-    gradient
+/// The work on strips that follow each other on a thread.
+struct Sweep<'a, L: Lanes, P> {
+    prepared: &'a Prepared<'a, L>,
+    loss: &'a P,
+    wanted: Wanted,
+    view: View<L>,
+    lit: Vec<Lit>,
+    sums: StripSums,
+    materials: Slots,
+    spheres: Slots,
+    vertices: Slots,
 }
 
-fn zero_vertices(parameters: &Parameters) -> Vec<Vec<[f64; 3]>> {
-    parameters.vertices.iter().map(|vertices| vec![[0.0; 3]; vertices.len()]).collect()
-}
-
-/// What the pixels of a tile add up to, in double precision.
-struct TileSums {
-    loss: f64,
-    frame: Frame<f64>,
-    lights: Vec<Light<f64>>,
-    materials: Vec<Material<f64>>,
-    spheres: Vec<Sphere<f64>>,
-    /// Contributions to vertices, counted through all meshes, in the order of the pixels.
-    vertices: Vec<(u32, DVec3)>,
-}
-
-impl TileSums {
-    fn new<L: Lanes>(prepared: &Prepared<'_, L>) -> Self {
-        let zero_light = |light: &Light<f64>| match light {
-            Light::Point(_) => Light::Point(PointLight::zero()),
-            Light::Distant(_) => Light::Distant(DistantLight::zero()),
-        };
+impl<'a, L: Lanes, P: PixelLoss> Sweep<'a, L, P> {
+    fn new(prepared: &'a Prepared<'a, L>, loss: &'a P, wanted: Wanted) -> Self {
+        let slots = |wanted: bool, count: usize| Slots::new(if wanted { count } else { 0 });
         Self {
-            loss: 0.0,
-            frame: Frame::zero(),
-            lights: prepared.lights.iter().map(zero_light).collect(),
-            materials: vec![Material::zero(); prepared.materials.len()],
-            spheres: vec![Sphere::zero(); prepared.spheres.len()],
-            vertices: Vec::new(),
+            prepared,
+            loss,
+            wanted,
+            view: View::default(),
+            lit: Vec::new(),
+            sums: StripSums::zero(&prepared.lights),
+            materials: slots(wanted.materials, prepared.materials.len()),
+            spheres: slots(wanted.spheres, prepared.spheres.len()),
+            vertices: slots(wanted.vertices, prepared.vertices.len()),
         }
     }
 
-    fn merge(&mut self, other: &Self) {
-        self.loss += other.loss;
-        self.frame.merge(&other.frame);
-        for (mine, theirs) in self.lights.iter_mut().zip(&other.lights) {
-            match (mine, theirs) {
-                (Light::Point(mine), Light::Point(theirs)) => mine.merge(theirs),
-                (Light::Distant(mine), Light::Distant(theirs)) => mine.merge(theirs),
-                _ => unreachable!("tiles of one scene have the same lights"),
-            }
+    fn strip(&mut self, strip: Strip) -> StripSums {
+        for tile in strip.tiles() {
+            self.add_tile(&tile);
         }
-        for (mine, theirs) in self.materials.iter_mut().zip(&other.materials) {
-            mine.merge(theirs);
-        }
-        for (mine, theirs) in self.spheres.iter_mut().zip(&other.spheres) {
-            mine.merge(theirs);
-        }
+        std::mem::replace(&mut self.sums, StripSums::zero(&self.prepared.lights))
     }
 
-    fn add_tile<L: Lanes>(
+    fn add_tile(&mut self, tile: &Tile) {
+        let (mut view, mut lit) = (mem::take(&mut self.view), mem::take(&mut self.lit));
+        self.prepared.look(tile, &mut view);
+        self.prepared.light_up(&view, &mut lit);
+        self.sums.loss += black_pixels(tile, view.missed, self.loss);
+        let mut to_frame = Tangent::<Frame<L>>::zero();
+        for group in &view.groups {
+            self.add_group(tile, group, &lit, &mut to_frame);
+        }
+        if self.wanted.camera {
+            self.sums.frame.accumulate(to_frame.sum(Mask::splat(true)));
+        }
+        (self.view, self.lit) = (view, lit);
+    }
+
+    #[inline]
+    fn add_group(
         &mut self,
-        prepared: &Prepared<'_, L>,
-        loss: &impl PixelLoss,
-        wanted: Wanted,
         tile: &Tile,
-    ) {
-        let view = prepared.view(tile);
-        for &(x, y) in &view.missed {
-            self.loss += loss.evaluate(x, y, DVec3::ZERO).0;
-        }
-        let frame = prepared.frame.narrow::<L>();
-        let mut frame_cotangent = Tangent::<Frame<L>>::zero();
-        let groups = prepared.groups(&view);
-        let lit = prepared.lit(&view, &groups);
-        for group in &groups {
-            let seen = &view.seen[group.pixels.clone()];
-            let radiance = vectors_of_lanes::<L>(radiance(group, &prepared.lights, &lit));
-
-            // The lanes beyond the last pixel keep a cotangent of zero.
-            let mut cotangents = [DVec3::ZERO; MOST_LANES];
-            for ((pixel, radiance), cotangent) in seen.iter().zip(radiance).zip(&mut cotangents) {
-                let (pixel_loss, derivative) = loss.evaluate(pixel.x, pixel.y, radiance);
-                self.loss += pixel_loss;
-                *cotangent = derivative;
-            }
-            // Pixels that the loss does not care about have no gradient.
-            if cotangents.iter().any(|cotangent| *cotangent != DVec3::ZERO) {
-                let cotangent =
-                    lanes_of_vectors::<L>(|lane| narrow::<L::Element>(cotangents[lane]));
-                let to_surface = self.add_shading(prepared, wanted, group, seen, &lit, cotangent);
-                if wanted.surface() {
-                    let to_ray = self.add_surface(prepared, wanted, group, seen, to_surface);
-                    if wanted.camera {
-                        let (x, y) = group.film;
-                        let (_, pullback) = primary_ray::vjp::<L>(frame, x, y);
-                        frame_cotangent.accumulate(pullback(to_ray).0);
-                    }
-                }
-            }
-        }
-        self.frame.add(&frame_cotangent);
-    }
-
-    /// Pulls the cotangent of radiance back to lights and materials; returns that of the surface.
-    fn add_shading<L: Lanes>(
-        &mut self,
-        prepared: &Prepared<'_, L>,
-        wanted: Wanted,
         group: &Group<L>,
-        seen: &[Seen],
         lit: &[Lit],
-        cotangent: Vec3<L>,
-    ) -> Tangent<SurfacePoint<L>> {
-        let (to_material, to_surface) =
-            pull_back(group, &prepared.lights, lit, cotangent, |index, cotangent| {
-                if !wanted.lights {
-                    return;
-                }
-                match (&mut self.lights[index], cotangent) {
-                    (Light::Point(sum), LightCotangent::Point(light)) => sum.add(&light),
-                    (Light::Distant(sum), LightCotangent::Distant(light)) => sum.add(&light),
-                    _ => unreachable!("the sums have the shape of the lights"),
-                }
-            });
+        to_frame: &mut Tangent<Frame<L>>,
+    ) {
+        let Self { prepared, wanted, sums, .. } = self;
+        let respond = |radiance| {
+            let (loss, cotangent) = respond(self.loss, tile, group, radiance);
+            sums.loss += loss;
+            cotangent
+        };
+        let to_light = |light: usize, cotangent: LightCotangent<L>| {
+            if wanted.lights {
+                sums.lights[light].add(&cotangent);
+            }
+        };
+        let materials = prepared.materials(group);
+        let shaded = Shaded::new(prepared, group, &materials, lit);
+        let pulled = shaded.pull_back(respond, to_light);
+        let Some(Pulled { material, surface }) = pulled else { return };
         if wanted.materials {
-            Material::scatter(&to_material, seen.len(), |lane, add| {
-                add(&mut self.materials[prepared.material_of(seen[lane].hit.primitive)]);
-            });
+            for (index, lanes) in materials.iter() {
+                let sum = material.sum(L::mask_from_bits(lanes));
+                self.materials.add(&mut sums.materials, index, sum);
+            }
         }
-        to_surface
+        if wanted.surface() {
+            let to_ray = self.pull_surface(group, surface);
+            if self.wanted.camera {
+                let (x, y) = group.film;
+                let (_, pullback) = primary_ray::vjp::<L>(self.prepared.frame.narrow(), x, y);
+                to_frame.accumulate(pullback(to_ray).0);
+            }
+        }
     }
 
     /// Pulls the cotangent of surface points back to primitives; returns that of the rays.
-    fn add_surface<L: Lanes>(
+    #[inline]
+    fn pull_surface(
         &mut self,
-        prepared: &Prepared<'_, L>,
-        wanted: Wanted,
         group: &Group<L>,
-        seen: &[Seen],
         cotangent: Tangent<SurfacePoint<L>>,
     ) -> Tangent<Ray<L>> {
-        match &group.shape {
-            GroupShape::Triangles([a, b, c]) => {
-                let (_, pullback) = triangle_surface::vjp::<L>(group.ray, *a, *b, *c);
+        let Self { prepared, wanted, sums, .. } = self;
+        match group.shape {
+            Shape::Triangles => {
+                let [a, b, c] = prepared.corners(&group.primitives);
+                let (_, pullback) = triangle_surface::vjp::<L>(group.ray, a, b, c);
                 let (ray, a, b, c) = pullback(cotangent);
                 if wanted.vertices {
-                    let corners = [a, b, c].map(vectors_of_lanes::<L>);
-                    for (lane, seen) in seen.iter().enumerate() {
-                        let vertices = prepared.triangles[seen.index];
-                        let cotangents = corners.map(|corner| corner[lane]);
-                        self.vertices.extend(vertices.into_iter().zip(cotangents));
+                    for (triangle, lanes) in group.primitives.iter() {
+                        let mask = L::mask_from_bits(lanes);
+                        for (&vertex, corner) in prepared.triangles[triangle].iter().zip([a, b, c])
+                        {
+                            let sum = sum_of_vectors::<L>(corner, mask);
+                            self.vertices.add(&mut sums.vertices, vertex as usize, sum);
+                        }
                     }
                 }
                 ray
             }
-            GroupShape::Spheres(sphere, leaves) => {
-                let (_, pullback) = sphere_surface::vjp::<L>(group.ray, *sphere, *leaves);
+            Shape::Spheres(leaves) => {
+                let spheres = prepared.spheres(&group.primitives);
+                let (_, pullback) = sphere_surface::vjp::<L>(group.ray, spheres, leaves);
                 let (ray, sphere, ()) = pullback(cotangent);
                 if wanted.spheres {
-                    Sphere::scatter(&sphere, seen.len(), |lane, add| {
-                        add(&mut self.spheres[seen[lane].index]);
-                    });
+                    for (primitive, lanes) in group.primitives.iter() {
+                        let sum = sphere.sum(L::mask_from_bits(lanes));
+                        let index = prepared.sphere_of(primitive);
+                        self.spheres.add(&mut sums.spheres, index, sum);
+                    }
                 }
                 ray
             }
         }
     }
+}
+
+/// The loss of the pixels of a group, and the cotangent of their radiance, unless it is zero: what
+/// the loss does not care about has no gradient.
+#[inline]
+fn respond<L: Lanes>(
+    loss: &impl PixelLoss,
+    tile: &Tile,
+    group: &Group<L>,
+    radiance: Vec3<L>,
+) -> (f64, Option<Vec3<L>>) {
+    let radiance = vectors_of_lanes::<L>(radiance);
+    let mut sum = 0.0;
+    // The lanes that do not count keep a cotangent of zero.
+    let mut cotangents = [DVec3::ZERO; MOST_LANES];
+    for (lane, ray) in group.rays() {
+        let (x, y) = tile.pixel(ray);
+        let (value, derivative) = loss.evaluate(x, y, radiance[lane]);
+        sum += value;
+        cotangents[lane] = derivative;
+    }
+    let matters = cotangents.iter().any(|&cotangent| cotangent != DVec3::ZERO);
+    (sum, matters.then(|| lanes_of_vectors::<L>(&cotangents)))
 }

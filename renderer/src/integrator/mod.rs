@@ -10,9 +10,11 @@ mod prepared;
 mod radiance;
 mod shade;
 mod shadows;
+mod sharing;
+mod sums;
 mod tiles;
 mod view;
 
 pub use gradient::{GradientResult, Wanted, gradient};
 pub use prepared::Prepared;
-pub use radiance::{PixelLoss, loss, render};
+pub use radiance::{PixelLoss, loss, render, render_into};

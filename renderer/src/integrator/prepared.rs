@@ -4,6 +4,7 @@ use ad::lanes::Lanes;
 use ad::{Scalar, Vec3};
 use glam::DVec3;
 
+use super::view::film_offsets;
 use crate::acceleration::{Acceleration, Shape};
 use crate::kernels::camera::{Frame, frame};
 use crate::kernels::light::PointLight;
@@ -27,10 +28,13 @@ pub struct Prepared<'a, L: Lanes> {
     pub(super) spheres: Vec<Sphere<L::Element>>,
     /// The vertices of all meshes, one mesh after the other.
     pub(super) vertices: Vec<Vec3<L::Element>>,
+    /// The first vertex of each mesh.
+    first_vertices: Vec<u32>,
     /// The triangles of all meshes, by index into `vertices`.
     pub(super) triangles: Vec<[u32; 3]>,
-    /// The material of each triangle, then of each sphere.
-    material_of: Vec<u32>,
+    /// The material of each primitive: of the triangles, then of the spheres.
+    pub(super) material_of: Vec<u32>,
+    pub(super) film_offsets: Vec<(L, L)>,
     pub(super) acceleration: Acceleration,
 }
 
@@ -48,10 +52,12 @@ impl<'a, L: Lanes> Prepared<'a, L> {
         let middle = bounding_box.map_or(DVec3::ZERO, |(low, high)| low.midpoint(high));
         let mut triangles = Vec::new();
         let mut material_of = Vec::new();
+        let mut first_vertices = Vec::new();
         let mut first_vertex = 0;
         for (mesh, vertices) in scene.meshes.iter().zip(&scene.parameters.vertices) {
             triangles.extend(mesh.triangles.iter().map(|t| t.map(|v| v + first_vertex)));
             material_of.extend(&mesh.materials);
+            first_vertices.push(first_vertex);
             first_vertex += vertices.len() as u32;
         }
         material_of.extend(scene.spheres.iter().map(|sphere| sphere.material));
@@ -65,8 +71,10 @@ impl<'a, L: Lanes> Prepared<'a, L> {
             materials: Vec::new(),
             spheres: Vec::new(),
             vertices: Vec::new(),
+            first_vertices,
             triangles,
             material_of,
+            film_offsets: film_offsets(),
             acceleration: Acceleration::new(&[]),
         };
         prepared.load_appearance();
@@ -136,16 +144,14 @@ impl<'a, L: Lanes> Prepared<'a, L> {
         self.acceleration.update(&shapes);
     }
 
-    /// The index of a primitive's material.
-    pub(super) fn material_of(&self, primitive: u32) -> usize {
-        self.material_of[primitive as usize] as usize
+    /// The mesh of a vertex, and its index there.
+    pub(super) fn vertex_of_mesh(&self, vertex: u32) -> (usize, usize) {
+        let mesh = self.first_vertices.partition_point(|&first| first <= vertex) - 1;
+        (mesh, (vertex - self.first_vertices[mesh]) as usize)
     }
 
-    /// The kind of a primitive, and its index among those of its kind.
-    pub(super) fn kind(&self, primitive: u32) -> (Kind, usize) {
-        match (primitive as usize).checked_sub(self.triangles.len()) {
-            None => (Kind::Triangle, primitive as usize),
-            Some(sphere) => (Kind::Sphere, sphere),
-        }
+    /// The index of a sphere among the spheres.
+    pub(super) fn sphere_of(&self, primitive: usize) -> usize {
+        primitive - self.triangles.len()
     }
 }

@@ -1,11 +1,15 @@
 //! The image, and losses of it.
 
+use ad::Vec3;
 use ad::lanes::Lanes;
 use glam::DVec3;
 
 use super::prepared::Prepared;
-use super::shade::radiance;
-use super::tiles::{Tile, for_each_tile};
+use super::shade::Shaded;
+use super::shadows::Lit;
+use super::tiles::{Tile, fill_strips, for_each_strip};
+use super::view::{Group, View, set_vectors};
+use crate::acceleration::{PacketVectors, ray_at, rays};
 use crate::image::Image;
 use crate::precision::vectors_of_lanes;
 
@@ -19,46 +23,88 @@ pub trait PixelLoss: Sync {
 /// Renders the image: one ray through the middle of each pixel. Where the camera sees nothing, the
 /// image is black.
 pub fn render<L: Lanes>(prepared: &Prepared<'_, L>) -> Image {
-    let (width, height) = (prepared.scene.width, prepared.scene.height);
-    let tiles = for_each_tile(width, height, |tile| {
-        let mut pixels = Vec::new();
-        visit(prepared, &tile, |x, y, radiance| pixels.push((x, y, radiance.as_vec3())));
-        pixels
-    });
-
-    let mut image = Image::black(width, height);
-    for (x, y, radiance) in tiles.into_iter().flatten() {
-        image.pixels[y as usize * width as usize + x as usize] = radiance.into();
-    }
+    let mut image = Image::black(prepared.scene.width, prepared.scene.height);
+    render_into(prepared, &mut image);
     image
+}
+
+/// [`render`], over an image of the same size: who renders often saves the time to get memory.
+///
+/// # Panics
+///
+/// If the image has another size than the scene's.
+pub fn render_into<L: Lanes>(prepared: &Prepared<'_, L>, image: &mut Image) {
+    let size = (prepared.scene.width, prepared.scene.height);
+    assert_eq!((image.width, image.height), size, "the image has the size of the scene's");
+    fill_strips(image, Visitor::new, |visitor, strip, rows| {
+        for tile in strip.tiles() {
+            let mut colors = PacketVectors::ZERO;
+            visitor.visit(prepared, &tile, |group, radiance| {
+                set_vectors::<L>(&mut colors, group.first, group.alive, radiance);
+            });
+            for (row, pixels) in rows.iter_mut().enumerate() {
+                let pixels = &mut pixels[strip.columns(&tile)];
+                for (column, pixel) in pixels.iter_mut().enumerate() {
+                    *pixel = colors.get(ray_at(column, row)).into();
+                }
+            }
+        }
+    });
 }
 
 /// The loss of the image, in double precision from the radiance on.
 pub fn loss<L: Lanes>(prepared: &Prepared<'_, L>, loss: &impl PixelLoss) -> f64 {
-    let tiles = for_each_tile(prepared.scene.width, prepared.scene.height, |tile| {
+    let (width, height) = (prepared.scene.width, prepared.scene.height);
+    let strips = for_each_strip(width, height, Visitor::new, |visitor, strip| {
         let mut sum = 0.0;
-        visit(prepared, &tile, |x, y, radiance| sum += loss.evaluate(x, y, radiance).0);
+        for tile in strip.tiles() {
+            visitor.visit(prepared, &tile, |group, radiance: Vec3<L>| {
+                let radiance = vectors_of_lanes::<L>(radiance);
+                for (lane, ray) in group.rays() {
+                    let (x, y) = tile.pixel(ray);
+                    sum += loss.evaluate(x, y, radiance[lane]).0;
+                }
+            });
+            sum += black_pixels(&tile, visitor.view.missed, loss);
+        }
         sum
     });
-    tiles.into_iter().sum()
+    strips.into_iter().sum()
 }
 
-/// Calls `use_pixel` with the radiance of every pixel of a tile.
-fn visit<L: Lanes>(
-    prepared: &Prepared<'_, L>,
-    tile: &Tile,
-    mut use_pixel: impl FnMut(u32, u32, DVec3),
-) {
-    let view = prepared.view(tile);
-    for &(x, y) in &view.missed {
-        use_pixel(x, y, DVec3::ZERO);
+/// The loss of the pixels of a tile that show nothing.
+pub(super) fn black_pixels(tile: &Tile, missed: u64, loss: &impl PixelLoss) -> f64 {
+    rays(missed)
+        .map(|ray| {
+            let (x, y) = tile.pixel(ray);
+            loss.evaluate(x, y, DVec3::ZERO).0
+        })
+        .sum()
+}
+
+/// What is looked at, and how it is lit.
+struct Visitor<L: Lanes> {
+    view: View<L>,
+    lit: Vec<Lit>,
+}
+
+impl<L: Lanes> Visitor<L> {
+    fn new() -> Self {
+        Self { view: View::default(), lit: Vec::new() }
     }
-    let groups = prepared.groups(&view);
-    let lit = prepared.lit(&view, &groups);
-    for group in &groups {
-        let radiance = vectors_of_lanes::<L>(radiance(group, &prepared.lights, &lit));
-        for (pixel, radiance) in view.seen[group.pixels.clone()].iter().zip(radiance) {
-            use_pixel(pixel.x, pixel.y, radiance);
+
+    /// Calls `use_radiance` with the radiance of every group of a tile.
+    fn visit(
+        &mut self,
+        prepared: &Prepared<'_, L>,
+        tile: &Tile,
+        mut use_radiance: impl FnMut(&Group<L>, Vec3<L>),
+    ) {
+        prepared.look(tile, &mut self.view);
+        prepared.light_up(&self.view, &mut self.lit);
+        for group in &self.view.groups {
+            let shaded = Shaded::new(prepared, group, &prepared.materials(group), &self.lit);
+            use_radiance(group, shaded.radiance());
         }
     }
 }

@@ -3,76 +3,176 @@
 use ad::lanes::Lanes;
 use ad::{Additive, Tangent, Vec3, select};
 
+use super::prepared::Prepared;
 use super::shadows::Lit;
+use super::sharing::Sharing;
 use super::view::Group;
-use crate::kernels::light::{DistantLightTangent, PointLightTangent};
-use crate::kernels::material::{Material, reflection_of_distant_light, reflection_of_point_light};
+use crate::kernels::light::{
+    DistantLight, DistantLightTangent, PointLight, PointLightTangent, distant_illumination,
+    point_illumination,
+};
+use crate::kernels::material::{
+    Material, matte_reflection, reflection_of_distant_light, reflection_of_point_light,
+};
 use crate::kernels::surface::SurfacePoint;
 use crate::scene::Light;
 
 /// The cotangent of a light of either kind.
+#[derive(Clone, Copy)]
 pub(super) enum LightCotangent<L: Lanes> {
     Point(PointLightTangent<L>),
     Distant(DistantLightTangent<L>),
 }
 
-/// The radiance of the pixels of a group; `lit` says which pixels each light reaches.
-pub(super) fn radiance<L: Lanes>(group: &Group<L>, lights: &[Light<f64>], lit: &[Lit]) -> Vec3<L> {
-    let Group { material, surface, .. } = group;
-    let mut total = material.ambient;
-    for (light, &lit) in lights.iter().zip(lit) {
-        let reflected: Vec3<L> = match light {
-            Light::Point(light) => {
-                reflection_of_point_light::<L>(*material, *surface, light.narrow())
-            }
-            Light::Distant(light) => {
-                reflection_of_distant_light::<L>(*material, *surface, light.narrow())
-            }
-        };
-        total = total + select(lit.of(group), reflected, Additive::zero());
-    }
-    total
+/// The cotangents of what a group shows.
+pub(super) struct Pulled<L: Lanes> {
+    pub material: Tangent<Material<L>>,
+    pub surface: Tangent<SurfacePoint<L>>,
 }
 
-/// Pulls the cotangent of [`radiance`] back to material and surface; the cotangent of each light
-/// goes to `to_light`, with its index.
-#[allow(clippy::type_complexity)]
-pub(super) fn pull_back<L: Lanes>(
-    group: &Group<L>,
-    lights: &[Light<f64>],
-    lit: &[Lit],
-    cotangent: Vec3<L>,
-    mut to_light: impl FnMut(usize, LightCotangent<L>),
-) -> (Tangent<Material<L>>, Tangent<SurfacePoint<L>>) {
-    let mut to_material = <Tangent<Material<L>>>::zero();
-    let mut to_surface = <Tangent<SurfacePoint<L>>>::zero();
-    to_material.ambient = cotangent;
-    for (index, (light, &lit)) in lights.iter().zip(lit).enumerate() {
-        let cotangent: Vec3<L> = select(lit.of(group), cotangent, Additive::zero());
-        let (material, surface) = match light {
-            Light::Point(light) => {
-                let (_, pullback) = reflection_of_point_light::vjp::<L>(
-                    group.material,
-                    group.surface,
-                    light.narrow(),
-                );
-                let (material, surface, light) = pullback(cotangent);
-                to_light(index, LightCotangent::Point(light));
-                (material, surface)
-            }
-            Light::Distant(light) => {
-                let (_, pullback) = reflection_of_distant_light::vjp::<L>(
-                    group.material,
-                    group.surface,
-                    light.narrow(),
-                );
-                let (material, surface, light) = pullback(cotangent);
-                to_light(index, LightCotangent::Distant(light));
-                (material, surface)
-            }
-        };
-        to_material.accumulate(material);
-        to_surface.accumulate(surface);
+/// A group under its lights.
+#[derive(Clone, Copy)]
+pub(super) struct Shaded<'a, L: Lanes> {
+    group: &'a Group<L>,
+    material: Material<L>,
+    /// Whether no material of the group has a highlight.
+    matte: bool,
+    lights: &'a [Light<f64>],
+    /// The rays that each light reaches.
+    lit: &'a [Lit],
+}
+
+impl<'a, L: Lanes> Shaded<'a, L> {
+    pub fn new(
+        prepared: &'a Prepared<'_, L>,
+        group: &'a Group<L>,
+        materials: &Sharing,
+        lit: &'a [Lit],
+    ) -> Self {
+        Self {
+            group,
+            material: prepared.material(materials),
+            matte: materials.iter().all(|(material, _)| prepared.is_matte(material)),
+            lights: &prepared.lights,
+            lit,
+        }
     }
-    (to_material, to_surface)
+
+    /// The radiance of the pixels.
+    #[inline]
+    pub fn radiance(&self) -> Vec3<L> {
+        let mut total = self.material.ambient;
+        for (light, &lit) in self.lights.iter().zip(self.lit) {
+            let reflected = match light {
+                Light::Point(light) => light.reflect(self),
+                Light::Distant(light) => light.reflect(self),
+            };
+            total = total + self.where_lit(lit, reflected);
+        }
+        total
+    }
+
+    /// Pulls the cotangent back that `respond` gives for the [radiance](Self::radiance), if any.
+    /// That of each light goes to `to_light`, with its index.
+    ///
+    /// Of the last light, mostly the only one, the pullback is kept while `respond` is asked; that
+    /// of the others is computed afterwards, because there is no saying how many there are.
+    #[inline]
+    pub fn pull_back(
+        &self,
+        respond: impl FnOnce(Vec3<L>) -> Option<Vec3<L>>,
+        to_light: impl FnMut(usize, LightCotangent<L>),
+    ) -> Option<Pulled<L>> {
+        match self.lights.last() {
+            Some(Light::Point(last)) => self.pull_back_from(last, respond, to_light),
+            Some(Light::Distant(last)) => self.pull_back_from(last, respond, to_light),
+            None => {
+                let mut material = Tangent::<Material<L>>::zero();
+                material.ambient = respond(self.material.ambient)?;
+                Some(Pulled { material, surface: Additive::zero() })
+            }
+        }
+    }
+
+    #[inline]
+    fn pull_back_from(
+        &self,
+        last: &impl Reflected<L>,
+        respond: impl FnOnce(Vec3<L>) -> Option<Vec3<L>>,
+        mut to_light: impl FnMut(usize, LightCotangent<L>),
+    ) -> Option<Pulled<L>> {
+        let index = self.lights.len() - 1;
+        let others = Self { lights: &self.lights[..index], ..*self };
+        let (reflected, pullback) = last.reflect_vjp(self);
+        let lit = self.lit[index];
+        let cotangent = respond(others.radiance() + self.where_lit(lit, reflected))?;
+        let (mut pulled, light) = pullback(self.where_lit(lit, cotangent));
+        pulled.material.ambient = cotangent;
+        to_light(index, light);
+
+        for (index, (light, &lit)) in others.lights.iter().zip(self.lit).enumerate() {
+            let cotangent = self.where_lit(lit, cotangent);
+            let (other, light) = match light {
+                Light::Point(light) => light.reflect_vjp(self).1(cotangent),
+                Light::Distant(light) => light.reflect_vjp(self).1(cotangent),
+            };
+            pulled.material.accumulate(other.material);
+            pulled.surface.accumulate(other.surface);
+            to_light(index, light);
+        }
+        Some(pulled)
+    }
+
+    /// `value` where a light reaches the surface.
+    #[inline]
+    fn where_lit(&self, lit: Lit, value: Vec3<L>) -> Vec3<L> {
+        select(lit.of(self.group), value, Additive::zero())
+    }
+}
+
+/// A light of one kind, as it is reflected.
+trait Reflected<L: Lanes> {
+    fn reflect(&self, shaded: &Shaded<'_, L>) -> Vec3<L>;
+
+    /// With the pullback to what is shown and to the light.
+    fn reflect_vjp(
+        &self,
+        shaded: &Shaded<'_, L>,
+    ) -> (Vec3<L>, impl FnOnce(Vec3<L>) -> (Pulled<L>, LightCotangent<L>));
+}
+
+macro_rules! reflected {
+    ($($light:ident, $kernel:ident, $illumination:expr, $variant:ident;)*) => {$(
+        impl<L: Lanes> Reflected<L> for $light<f64> {
+            #[inline]
+            fn reflect(&self, shaded: &Shaded<'_, L>) -> Vec3<L> {
+                let Shaded { material, group: &Group { surface, .. }, matte, .. } = *shaded;
+                if matte {
+                    let illumination = $illumination(self.narrow::<L>(), surface.point);
+                    matte_reflection::<L>(material.diffuse, surface, illumination)
+                } else {
+                    $kernel::<L>(material, surface, self.narrow())
+                }
+            }
+
+            #[inline]
+            fn reflect_vjp(
+                &self,
+                shaded: &Shaded<'_, L>,
+            ) -> (Vec3<L>, impl FnOnce(Vec3<L>) -> (Pulled<L>, LightCotangent<L>)) {
+                let (value, pullback) =
+                    $kernel::vjp::<L>(shaded.material, shaded.group.surface, self.narrow());
+                let pullback = move |cotangent| {
+                    let (material, surface, light) = pullback(cotangent);
+                    (Pulled { material, surface }, LightCotangent::$variant(light))
+                };
+                (value, pullback)
+            }
+        }
+    )*};
+}
+
+reflected! {
+    PointLight, reflection_of_point_light, point_illumination::<L>, Point;
+    DistantLight, reflection_of_distant_light, |light, _| distant_illumination::<L>(light), Distant;
 }

@@ -1,124 +1,138 @@
-//! Which pixels of a tile each light reaches.
+//! Which rays end at points that a light reaches.
 
+use ad::Vec3;
 use ad::lanes::Lanes;
+use ad::vector::Vector;
 use glam::DVec3;
 
-use super::prepared::{Kind, Prepared};
-use super::view::{Group, Seen, View};
-use crate::acceleration::{NO_PRIMITIVE, PACKET_RAYS, PacketDirections};
-use crate::precision::vectors_of_lanes;
+use super::prepared::Prepared;
+use super::view::{Group, Shape, View, set_vectors};
+use crate::acceleration::{NO_PRIMITIVE, PacketVectors};
+use crate::precision::{narrow, numbers_of_lanes, vectors_of_lanes};
 use crate::scene::Light;
 
-/// The pixels that a light reaches, a bit for each of [`View::seen`].
+/// The rays of a tile that end at points which a light reaches, a bit for each.
 #[derive(Clone, Copy)]
 pub(super) struct Lit(u64);
 
 impl Lit {
-    /// Those among the pixels of a group.
-    pub(super) fn of<L: Lanes>(self, group: &Group<L>) -> L::Mask {
-        let bits = self.0 >> group.pixels.start;
-        let count = group.pixels.len();
-        L::mask_from_lanes(|lane| lane < count && bits >> lane & 1 == 1)
+    /// The lanes of a group that the light reaches.
+    #[inline]
+    pub fn of<L: Lanes>(self, group: &Group<L>) -> L::Mask {
+        L::mask_from_bits((self.0 >> group.first) as u32 & group.alive)
     }
-}
-
-/// A point that may be in shadow.
-struct Target<'v> {
-    seen: &'v Seen,
-    point: DVec3,
-    normal: DVec3,
 }
 
 /// Up to this ratio of its distance to the coordinates of a surface point, shadow rays start at the
 /// light; beyond, their ends would be too inexact.
 const FARTHEST: f64 = 100.0;
 
+/// How far a point may be from the surface that traversal sees, relative to the largest number that
+/// went into it: that was rounded to single precision (the error analysis of Pharr, Jakob &
+/// Humphreys, "Physically Based Rendering", section 6.8).
+const SURFACE_ERROR: f64 = 8.0 * f32::EPSILON as f64;
+
 impl<L: Lanes> Prepared<'_, L> {
-    /// For each light the pixels that it reaches.
-    pub(super) fn lit(&self, view: &View, groups: &[Group<L>]) -> Vec<Lit> {
-        let mut targets = Vec::with_capacity(view.seen.len());
-        for group in groups {
-            let points = vectors_of_lanes::<L>(group.surface.point);
-            let normals = vectors_of_lanes::<L>(group.surface.normal);
-            let surface = view.seen[group.pixels.clone()].iter().zip(points).zip(normals);
-            targets.extend(surface.map(|((seen, point), normal)| Target { seen, point, normal }));
-        }
-        self.lights
-            .iter()
-            .map(|light| match light {
-                Light::Point(light) => self.lit_from(light.position, &targets),
-                Light::Distant(light) => self.lit_along(light.direction, &targets),
-            })
-            .collect()
+    /// What each light reaches.
+    pub(super) fn light_up(&self, view: &View<L>, lit: &mut Vec<Lit>) {
+        lit.clear();
+        lit.extend(self.lights.iter().map(|light| match light {
+            Light::Point(light) => self.lit_from(light.position, view),
+            Light::Distant(light) => self.lit_along(light.direction.normalize(), view),
+        }));
     }
 
     /// Shadow rays of a point light start at the light: from there they are coherent.
-    fn lit_from(&self, position: DVec3, targets: &[Target<'_>]) -> Lit {
-        let mut directions = PacketDirections::ZERO;
-        let mut from = [NO_PRIMITIVE; PACKET_RAYS];
-        let (mut near, mut far) = (0, 0);
-        for (i, target) in targets.iter().enumerate() {
-            let to_light = position - target.point;
-            // From behind, a light brings nothing, whatever is in its way.
-            if target.normal.dot(to_light) <= 0.0 {
+    fn lit_from(&self, light: DVec3, view: &View<L>) -> Lit {
+        let position = narrow::<L>(light);
+        let mut directions = PacketVectors::ZERO;
+        let mut from = view.primitives;
+        let (mut facing, mut far) = (0, 0);
+        for group in &view.groups {
+            let to_light = position - group.surface.point;
+            let lanes = group.facing(to_light);
+            if lanes == 0 {
                 continue;
             }
+            facing |= u64::from(lanes) << group.first;
+            let (reach, distance) = (group.reach(), to_light.length());
+            let lanes = L::mask_bits(distance.cmpgt(reach * L::from_f64(FARTHEST))) & lanes;
+            far |= u64::from(lanes) << group.first;
+
+            let error = reach.max(distance) * L::from_f64(SURFACE_ERROR);
+            let end = group.surface.normal * error - to_light;
+            set_vectors::<L>(&mut directions, group.first, group.alive, end);
+            if let Shape::Spheres(_) = group.shape {
+                for (_, ray) in group.rays() {
+                    from[ray] = NO_PRIMITIVE;
+                }
+            }
+        }
+        let (origin, near) = (light.as_vec3(), facing & !far);
+        let occluded = self.acceleration.occluded_packet(origin, &directions, 1.0, &from, near);
+        let straight = |point: DVec3| {
+            let to_light = light - point;
             let distance = to_light.length();
-            if distance > FARTHEST * reach(target) {
-                far |= 1 << i;
-                let shadowed = self.is_shadowed(target, to_light / distance, distance);
-                near |= u64::from(!shadowed) << i;
-                continue;
-            }
-            let error = surface_error(reach(target).max(distance));
-            let end = target.point + target.normal * error - position;
-            directions.set(i, end.as_vec3());
-            from[i] = self.flat_primitive(target);
-            near |= 1 << i;
-        }
-        let occluded = self.acceleration.occluded_packet(
-            position.as_vec3(),
-            &directions,
-            1.0,
-            &from,
-            near & !far,
-        );
-        Lit(near & !occluded)
-    }
-
-    fn lit_along(&self, direction: DVec3, targets: &[Target<'_>]) -> Lit {
-        let unit = direction.normalize();
-        let is_lit = |target: &Target<'_>| {
-            target.normal.dot(unit) > 0.0 && !self.is_shadowed(target, unit, f64::INFINITY)
+            (to_light / distance, distance)
         };
-        let bits = targets.iter().enumerate().map(|(i, target)| u64::from(is_lit(target)) << i);
-        Lit(bits.fold(0, |all, bit| all | bit))
+        Lit(near & !occluded | self.unshadowed(view, facing & far, straight))
     }
 
-    /// Whether something stands between a point and `limit` along a unit direction.
-    fn is_shadowed(&self, target: &Target<'_>, direction: DVec3, limit: f64) -> bool {
-        let origin = target.point + target.normal * surface_error(reach(target));
-        let from = Some(self.flat_primitive(target)).filter(|&from| from != NO_PRIMITIVE);
-        self.acceleration.is_occluded(origin.as_vec3(), direction.as_vec3(), limit as f32, from)
+    fn lit_along(&self, direction: DVec3, view: &View<L>) -> Lit {
+        let towards = narrow::<L>(direction);
+        let facing = view
+            .groups
+            .iter()
+            .fold(0, |facing, group| facing | u64::from(group.facing(towards)) << group.first);
+        Lit(self.unshadowed(view, facing, |_| (direction, f64::INFINITY)))
     }
 
-    /// The primitive that a point lies on, if a ray that leaves it cannot come back to it.
-    fn flat_primitive(&self, target: &Target<'_>) -> u32 {
-        match target.seen.kind {
-            Kind::Triangle => target.seen.hit.primitive,
-            Kind::Sphere => NO_PRIMITIVE,
+    /// Those among `rays` that end at points from which nothing stands in the way to the light:
+    /// `to_light` gives the unit vector towards it, and its distance.
+    fn unshadowed(
+        &self,
+        view: &View<L>,
+        rays: u64,
+        to_light: impl Fn(DVec3) -> (DVec3, f64),
+    ) -> u64 {
+        if rays == 0 {
+            return 0;
         }
+        let mut lit = rays;
+        for group in &view.groups {
+            let points = vectors_of_lanes::<L>(group.surface.point);
+            let normals = vectors_of_lanes::<L>(group.surface.normal);
+            let reach = numbers_of_lanes(group.reach());
+            for (lane, ray) in group.rays().filter(|(_, ray)| rays >> ray & 1 == 1) {
+                let origin = points[lane] + normals[lane] * (SURFACE_ERROR * reach[lane]);
+                let (direction, distance) = to_light(points[lane]);
+                // A ray that leaves a flat primitive cannot come back to it.
+                let from = match group.shape {
+                    Shape::Triangles => Some(view.primitives[ray]),
+                    Shape::Spheres(_) => None,
+                };
+                let (origin, direction) = (origin.as_vec3(), direction.as_vec3());
+                if self.acceleration.is_occluded(origin, direction, distance as f32, from) {
+                    lit &= !(1 << ray);
+                }
+            }
+        }
+        lit
     }
 }
 
-/// The largest number that went into a surface point.
-fn reach(target: &Target<'_>) -> f64 {
-    target.point.abs().max_element().max(f64::from(target.seen.hit.distance))
-}
+impl<L: Lanes> Group<L> {
+    /// A bit for each lane whose surface is seen from the side that faces a light: from behind, a
+    /// light brings nothing, whatever is in its way.
+    #[inline]
+    fn facing(&self, to_light: Vec3<L>) -> u32 {
+        L::mask_bits(self.surface.normal.dot(to_light).cmpgt(L::ZERO)) & self.alive
+    }
 
-/// How far a point may be from the surface that traversal sees: numbers up to `reach` were rounded
-/// to single precision (the error analysis of Pharr, Jakob & Humphreys, "Physically Based
-/// Rendering", section 6.8).
-fn surface_error(reach: f64) -> f64 {
-    8.0 * f64::from(f32::EPSILON) * reach
+    /// The largest numbers that went into the surface points.
+    #[inline]
+    fn reach(&self) -> L {
+        let depth = (self.surface.point - self.ray.origin).dot(self.ray.direction);
+        self.surface.point.abs().max_element().max(depth)
+    }
 }

@@ -1,49 +1,122 @@
-//! Tiles: the unit of parallel work.
+//! Tiles and strips of tiles: the units of work.
 
 use std::ops::Range;
 
 use rayon::prelude::*;
 
 use crate::acceleration::{PACKET_RAYS, tile_position};
+use crate::image::Image;
 
-/// The edge of a tile in pixels: its rays make one packet. Fixed, because the order of summation
-/// depends on it.
+/// The edge of a tile in pixels: its rays make one packet.
 const TILE: u32 = 8;
+
+/// How many tiles side by side make a strip, the unit of parallel work. Fixed, because the order of
+/// summation depends on it.
+const STRIP: u32 = 8;
 
 const _: () = assert!((TILE * TILE) as usize == PACKET_RAYS);
 
-/// A rectangle of pixels.
-#[derive(Clone, Debug)]
+/// 8 x 8 pixels, fewer at the right and the lower edge of the image.
+#[derive(Clone, Copy, Debug)]
 pub struct Tile {
-    /// Columns.
-    pub x: Range<u32>,
-    /// Rows, from the top.
-    pub y: Range<u32>,
+    /// The first column.
+    pub left: u32,
+    /// The first row.
+    pub top: u32,
+    /// How many columns there are.
+    pub columns: u32,
+    /// How many rows there are.
+    pub rows: u32,
 }
 
 impl Tile {
-    /// Every pixel of the tile, in the order of the rays of a packet.
-    pub fn pixels(&self) -> impl Iterator<Item = (u32, u32)> + use<> {
-        let Self { x, y } = self.clone();
-        (0..PACKET_RAYS)
-            .map(tile_position)
-            .map(move |(column, row)| (x.start + column as u32, y.start + row as u32))
-            .filter(move |&(column, row)| column < x.end && row < y.end)
+    /// A bit for each ray of the packet that goes through a pixel.
+    pub fn rays(&self) -> u64 {
+        if self.columns == TILE && self.rows == TILE {
+            return u64::MAX;
+        }
+        let inside = |&ray: &usize| {
+            let (column, row) = tile_position(ray);
+            column < self.columns as usize && row < self.rows as usize
+        };
+        (0..PACKET_RAYS).filter(inside).fold(0, |bits, ray| bits | 1 << ray)
+    }
+
+    /// The column and the row of the pixel that a ray goes through.
+    pub fn pixel(&self, ray: usize) -> (u32, u32) {
+        let (column, row) = tile_position(ray);
+        (self.left + column as u32, self.top + row as u32)
     }
 }
 
-/// Runs `work` on every tile of an image in parallel; the results come in the order of the tiles.
-pub fn for_each_tile<R: Send>(width: u32, height: u32, work: impl Fn(Tile) -> R + Sync) -> Vec<R> {
-    let columns = width.div_ceil(TILE);
-    let count = columns as usize * height.div_ceil(TILE) as usize;
-    (0..count)
-        .into_par_iter()
-        .map(|index| {
-            let (column, row) = (index % columns as usize, index / columns as usize);
-            let (left, top) = (column as u32 * TILE, row as u32 * TILE);
-            let right = left.saturating_add(TILE).min(width);
-            let bottom = top.saturating_add(TILE).min(height);
-            work(Tile { x: left..right, y: top..bottom })
+/// Tiles side by side.
+#[derive(Clone, Copy, Debug)]
+pub struct Strip(Tile);
+
+impl Strip {
+    /// Its tiles, from left to right.
+    pub fn tiles(self) -> impl Iterator<Item = Tile> {
+        let Self(Tile { left, columns, .. }) = self;
+        (0..columns).step_by(TILE as usize).map(move |offset| Tile {
+            left: left + offset,
+            columns: TILE.min(columns - offset),
+            ..self.0
+        })
+    }
+
+    /// The columns of one of its tiles, counted from the left edge of the strip.
+    pub fn columns(self, tile: &Tile) -> Range<usize> {
+        let first = (tile.left - self.0.left) as usize;
+        first..first + tile.columns as usize
+    }
+}
+
+/// The strips of an image, row by row.
+fn strips(width: u32, height: u32) -> Vec<Strip> {
+    let rows = (0..height).step_by(TILE as usize);
+    let columns = (0..width).step_by((STRIP * TILE) as usize);
+    rows.flat_map(|top| columns.clone().map(move |left| (left, top)))
+        .map(|(left, top)| {
+            let (columns, rows) = ((STRIP * TILE).min(width - left), TILE.min(height - top));
+            Strip(Tile { left, top, columns, rows })
         })
         .collect()
+}
+
+/// Runs `work` on every strip of an image in parallel; the results come in the order of the strips.
+/// Calls that follow each other on one thread share what `start` gives.
+pub fn for_each_strip<W, R: Send>(
+    width: u32,
+    height: u32,
+    start: impl Fn() -> W + Send + Sync,
+    work: impl Fn(&mut W, Strip) -> R + Send + Sync,
+) -> Vec<R> {
+    strips(width, height).into_par_iter().map_init(start, work).collect()
+}
+
+/// Runs `work` on every strip of an image in parallel, together with the rows of its pixels. Calls
+/// that follow each other on one thread share what `start` gives.
+pub fn fill_strips<W>(
+    image: &mut Image,
+    start: impl Fn() -> W + Send + Sync,
+    work: impl Fn(&mut W, Strip, &mut [&mut [[f32; 3]]]) + Send + Sync,
+) {
+    let width = image.width as usize;
+    let strips = strips(image.width, image.height);
+    let mut pixels = Vec::with_capacity(strips.len());
+    for band in image.pixels.chunks_mut(width * TILE as usize) {
+        let first = pixels.len();
+        pixels.resize_with(first + width.div_ceil((STRIP * TILE) as usize), Vec::new);
+        for row in band.chunks_mut(width) {
+            for (rows, part) in
+                pixels[first..].iter_mut().zip(row.chunks_mut((STRIP * TILE) as usize))
+            {
+                rows.push(part);
+            }
+        }
+    }
+    strips
+        .into_par_iter()
+        .zip(pixels)
+        .for_each_init(start, |state, (strip, mut rows)| work(state, strip, &mut rows));
 }

@@ -1,169 +1,218 @@
-//! What the camera sees in a tile: which primitive each pixel shows, gathered into lanes.
+//! What the camera sees in a tile, gathered into lanes.
+
+use ad::lanes::Lanes;
+use ad::vector::{Vector, Vector3};
+use ad::{Real, Vec3, select};
 
 use super::prepared::{Kind, Prepared};
+use super::sharing::Sharing;
 use super::tiles::Tile;
-use crate::acceleration::{Hit, PACKET_RAYS, PacketDirections};
-use crate::kernels::camera::{Frame, Ray, primary_ray};
+use crate::acceleration::{NO_PRIMITIVE, PACKET_RAYS, PacketVectors, rays, tile_position};
+use crate::kernels::camera::{Ray, film_point, primary_ray};
 use crate::kernels::material::Material;
 use crate::kernels::sphere::{Sphere, sphere_surface};
 use crate::kernels::surface::SurfacePoint;
 use crate::kernels::triangle::triangle_surface;
-use crate::precision::{lanes_of_vectors, vectors_of_lanes};
-use std::ops::Range;
+use crate::precision::{singles_of_lanes, splat, splat_vector};
 
-use ad::lanes::Lanes;
-use ad::{Real, Vec3};
-
-/// A pixel that shows a primitive.
-#[derive(Clone, Copy)]
-pub(super) struct Seen {
-    /// Column.
-    pub x: u32,
-    /// Row.
-    pub y: u32,
-    /// What is seen.
-    pub hit: Hit,
-    /// Its kind.
-    pub kind: Kind,
-    /// Its index among those of its kind.
-    pub index: usize,
+/// What the camera sees in a tile.
+pub(super) struct View<L: Lanes> {
+    /// By ray: the primitive that it meets first, or [`NO_PRIMITIVE`].
+    pub primitives: [u32; PACKET_RAYS],
+    /// A bit for each ray that meets nothing.
+    pub missed: u64,
+    /// The rays that meet something.
+    pub groups: Vec<Group<L>>,
 }
 
-/// The pixels of a tile.
-pub(super) struct View {
-    /// Those that show something, triangles before spheres.
-    pub seen: Vec<Seen>,
-    /// Those that show nothing.
-    pub missed: Vec<(u32, u32)>,
-}
-
-/// As many pixels as there are lanes, all of which show primitives of one kind. Lanes beyond the
-/// last pixel repeat it.
+/// Rays that meet primitives of one kind, one in each lane.
 pub(super) struct Group<L: Lanes> {
-    /// The pixels, by index into [`View::seen`].
-    pub pixels: Range<usize>,
+    /// The ray in lane 0; the others follow.
+    pub first: usize,
+    /// A bit for each lane that counts. The others repeat one of these.
+    pub alive: u32,
+    /// The lanes by primitive.
+    pub primitives: Sharing,
     pub film: (L, L),
     pub ray: Ray<L>,
-    pub shape: GroupShape<L>,
+    pub shape: Shape<L>,
     pub surface: SurfacePoint<L>,
-    pub material: Material<L>,
 }
 
-/// The primitives that a group shows.
-pub(super) enum GroupShape<L: Lanes> {
-    /// Their corners.
-    Triangles([Vec3<L>; 3]),
-    /// The spheres, and where the ray leaves instead of entering.
-    Spheres(Sphere<L>, L::Mask),
+/// The kind of primitives that a group shows.
+#[derive(Clone, Copy)]
+pub(super) enum Shape<L: Lanes> {
+    Triangles,
+    /// With a mask that holds where the ray leaves the sphere instead of entering it.
+    Spheres(L::Mask),
+}
+
+impl<L: Lanes> Group<L> {
+    /// The lanes that count, with their rays.
+    #[inline]
+    pub fn rays(&self) -> impl Iterator<Item = (usize, usize)> + use<L> {
+        let first = self.first;
+        rays(self.alive.into()).map(move |lane| (lane, first + lane))
+    }
+}
+
+/// To be filled by [`Prepared::look`].
+impl<L: Lanes> Default for View<L> {
+    fn default() -> Self {
+        Self { primitives: [NO_PRIMITIVE; PACKET_RAYS], missed: 0, groups: Vec::new() }
+    }
 }
 
 impl<L: Lanes> Prepared<'_, L> {
     /// Looks through the middle of every pixel of a tile.
-    pub(super) fn view(&self, tile: &Tile) -> View {
+    pub(super) fn look(&self, tile: &Tile, view: &mut View<L>) {
         let frame = self.frame.narrow::<L>();
-        let pixels: Vec<_> = tile.pixels().collect();
-        let mut directions = PacketDirections::ZERO;
-        for (i, group) in pixels.chunks(L::COUNT).enumerate() {
-            let (x, y) = self.film(|lane| group[lane.min(group.len() - 1)]);
-            let ray = primary_ray::<L>(frame, x, y);
-            for (lane, direction) in
-                vectors_of_lanes::<L>(ray.direction)[..group.len()].iter().enumerate()
-            {
-                directions.set(i * L::COUNT + lane, direction.as_vec3());
-            }
+        let mut directions = PacketVectors::ZERO;
+        for first in (0..PACKET_RAYS).step_by(L::COUNT) {
+            let (x, y) = self.film(tile, first);
+            set_vectors::<L>(
+                &mut directions,
+                first,
+                all_lanes::<L>(),
+                film_point::<L>(frame, x, y),
+            );
         }
-        let active = u64::MAX >> (PACKET_RAYS - pixels.len());
         let origin = self.frame.origin.as_vec3();
-        let hits = self.acceleration.nearest_packet(origin, &directions, active);
+        let wanted = tile.rays();
+        let hits = self.acceleration.nearest_packet(origin, &directions, wanted);
 
-        let mut view = View { seen: Vec::with_capacity(pixels.len()), missed: Vec::new() };
-        for (i, (x, y)) in pixels.into_iter().enumerate() {
-            match hits.get(i) {
-                Some(hit) => {
-                    let (kind, index) = self.kind(hit.primitive);
-                    view.seen.push(Seen { x, y, hit, kind, index });
+        let met = hits.met();
+        view.missed = wanted & !met;
+        view.primitives = hits.primitive;
+        view.groups.clear();
+        let triangles = met & self.triangles_among(&hits.primitive);
+        for first in (0..PACKET_RAYS).step_by(L::COUNT) {
+            for (kind, rays) in [(Kind::Triangle, triangles), (Kind::Sphere, met & !triangles)] {
+                let lanes = |rays: u64| (rays >> first) as u32 & all_lanes::<L>();
+                let alive = lanes(rays);
+                if alive == 0 {
+                    continue;
                 }
-                None => view.missed.push((x, y)),
-            }
-        }
-        if !self.spheres.is_empty() {
-            view.seen.sort_by_key(|seen| seen.kind == Kind::Sphere);
-        }
-        view
-    }
-
-    /// Where pixels stand on the image plane.
-    fn film(&self, pixel: impl Fn(usize) -> (u32, u32)) -> (L, L) {
-        let position = |index: u32, size: u32| {
-            let position = (f64::from(index) + 0.5) / f64::from(size) * 2.0 - 1.0;
-            L::Element::from_f64(position)
-        };
-        (
-            L::from_lanes(|lane| position(pixel(lane).0, self.scene.width)),
-            -L::from_lanes(|lane| position(pixel(lane).1, self.scene.height)),
-        )
-    }
-
-    /// The pixels of a view in groups, as the lanes take them.
-    pub(super) fn groups(&self, view: &View) -> Vec<Group<L>> {
-        let frame = self.frame.narrow::<L>();
-        let all = view.seen.len();
-        let triangles = view.seen.partition_point(|seen| seen.kind == Kind::Triangle);
-        let chunks = |from: usize, to: usize| {
-            (from..to).step_by(L::COUNT).map(move |start| start..(start + L::COUNT).min(to))
-        };
-        chunks(0, triangles)
-            .chain(chunks(triangles, all))
-            .map(|pixels| self.gather(frame, view, pixels))
-            .collect()
-    }
-
-    /// Gathers what a group of pixels shows, and computes the points that are seen.
-    fn gather(&self, frame: Frame<L>, view: &View, pixels: Range<usize>) -> Group<L> {
-        let seen = &view.seen[pixels.clone()];
-        let seen = |lane: usize| &seen[lane.min(seen.len() - 1)];
-        let film = self.film(|lane| (seen(lane).x, seen(lane).y));
-        let ray = primary_ray::<L>(frame, film.0, film.1);
-        let shape = match seen(0).kind {
-            Kind::Triangle => {
-                let corner = |corner: usize| {
-                    lanes_of_vectors::<L>(|lane| {
-                        let triangle = self.triangles[seen(lane).index];
-                        self.vertices[triangle[corner] as usize]
-                    })
+                let primitives = Sharing::new(&hits.primitive[first..first + L::COUNT], alive);
+                let film = repeated(self.film(tile, first), alive);
+                let ray = primary_ray::<L>(frame, film.0, film.1);
+                let shape = match kind {
+                    Kind::Triangle => Shape::Triangles,
+                    Kind::Sphere => Shape::Spheres(L::mask_from_bits(lanes(hits.leaves))),
                 };
-                GroupShape::Triangles([corner(0), corner(1), corner(2)])
-            }
-            Kind::Sphere => {
-                let sphere = |lane: usize| &self.spheres[seen(lane).index];
-                let spheres = Sphere {
-                    center: lanes_of_vectors::<L>(|lane| sphere(lane).center),
-                    radius: L::from_lanes(|lane| sphere(lane).radius),
+                let surface = match shape {
+                    Shape::Triangles => {
+                        let [a, b, c] = self.corners(&primitives);
+                        triangle_surface::<L>(ray, a, b, c)
+                    }
+                    Shape::Spheres(leaves) => {
+                        sphere_surface::<L>(ray, self.spheres(&primitives), leaves)
+                    }
                 };
-                GroupShape::Spheres(spheres, L::mask_from_lanes(|lane| seen(lane).hit.leaves))
+                view.groups.push(Group { first, alive, primitives, film, ray, shape, surface });
             }
-        };
-        let surface = match &shape {
-            GroupShape::Triangles([a, b, c]) => triangle_surface::<L>(ray, *a, *b, *c),
-            GroupShape::Spheres(sphere, leaves) => sphere_surface::<L>(ray, *sphere, *leaves),
-        };
-        Group {
-            pixels,
-            film,
-            ray,
-            shape,
-            surface,
-            material: self.gather_materials(|lane| seen(lane)),
         }
     }
 
-    fn gather_materials<'s>(&self, seen: impl Fn(usize) -> &'s Seen) -> Material<L> {
-        let material = |lane: usize| &self.materials[self.material_of(seen(lane).hit.primitive)];
-        Material {
-            ambient: lanes_of_vectors::<L>(|lane| material(lane).ambient),
-            diffuse: lanes_of_vectors::<L>(|lane| material(lane).diffuse),
-            specular: lanes_of_vectors::<L>(|lane| material(lane).specular),
-            exponent: L::from_lanes(|lane| material(lane).exponent),
+    /// The corners of triangles.
+    #[inline]
+    pub(super) fn corners(&self, triangles: &Sharing) -> [Vec3<L>; 3] {
+        let vertex = |vertex: u32| splat_vector::<L>(self.vertices[vertex as usize]);
+        triangles.gather::<L, _>(|triangle| {
+            let [a, b, c] = self.triangles[triangle];
+            [vertex(a), vertex(b), vertex(c)]
+        })
+    }
+
+    /// Spheres, by primitive.
+    #[inline]
+    pub(super) fn spheres(&self, primitives: &Sharing) -> Sphere<L> {
+        primitives.gather::<L, _>(|primitive| self.spheres[self.sphere_of(primitive)].splat())
+    }
+
+    /// The lanes of a group by material.
+    #[inline]
+    pub(super) fn materials(&self, group: &Group<L>) -> Sharing {
+        group.primitives.map(|primitive| self.material_of[primitive])
+    }
+
+    /// Materials, by index.
+    #[inline]
+    pub(super) fn material(&self, materials: &Sharing) -> Material<L> {
+        materials.gather::<L, _>(|material| self.materials[material].splat())
+    }
+
+    /// Whether a material has no highlight.
+    pub(super) fn is_matte(&self, material: usize) -> bool {
+        self.materials[material].specular == Vec3::<L::Element>::splat(Real::ZERO)
+    }
+
+    /// A bit for each ray whose primitive is a triangle.
+    fn triangles_among(&self, primitives: &[u32; PACKET_RAYS]) -> u64 {
+        if self.spheres.is_empty() {
+            return u64::MAX;
+        }
+        let is_triangle = |primitive: u32| (primitive as usize) < self.triangles.len();
+        let bits = primitives.iter().enumerate();
+        bits.fold(0, |bits, (ray, &primitive)| bits | u64::from(is_triangle(primitive)) << ray)
+    }
+
+    /// Where the rays from `first` on meet the image plane.
+    #[inline]
+    fn film(&self, tile: &Tile, first: usize) -> (L, L) {
+        // Whole numbers up to the multiplication, so exact.
+        let position = |offset: L, start: u32, size: u32| {
+            let start = 2.0 * f64::from(start) + 1.0 - f64::from(size);
+            (offset + L::from_f64(start)) * L::from_f64(1.0 / f64::from(size))
+        };
+        let (x, y) = self.film_offsets[first / L::COUNT];
+        let (width, height) = (self.scene.width, self.scene.height);
+        (position(x, tile.left, width), -position(y, tile.top, height))
+    }
+}
+
+/// Puts that of the first living lane into the lanes that do not count.
+#[inline]
+fn repeated<L: Lanes>((x, y): (L, L), alive: u32) -> (L, L) {
+    if alive == all_lanes::<L>() {
+        return (x, y);
+    }
+    let lane = alive.trailing_zeros() as usize;
+    let mask = L::mask_from_bits(alive);
+    let repeat = |x: L| select(mask, x, splat::<L>(x.lanes().as_ref()[lane]));
+    (repeat(x), repeat(y))
+}
+
+/// A bit for each lane.
+#[inline]
+pub(super) fn all_lanes<L: Lanes>() -> u32 {
+    u32::MAX >> (32 - L::COUNT)
+}
+
+/// Twice the columns and the rows of the rays of a packet, within their tile, by groups of lanes.
+pub(super) fn film_offsets<L: Lanes>() -> Vec<(L, L)> {
+    let offset = |ray: usize, axis: usize| {
+        let (column, row) = tile_position(ray);
+        <L::Element as Real>::from_f64(2.0 * [column, row][axis] as f64)
+    };
+    let groups = (0..PACKET_RAYS).step_by(L::COUNT);
+    groups
+        .map(|first| {
+            let along = |axis: usize| L::from_lanes(|lane| offset(first + lane, axis));
+            (along(0), along(1))
+        })
+        .collect()
+}
+
+/// Sets the vectors of the rays from `first` on, in the lanes whose bits are set.
+#[inline]
+pub(super) fn set_vectors<L: Lanes>(to: &mut PacketVectors, first: usize, lanes: u32, v: Vec3<L>) {
+    for (to, from) in [(&mut to.x, v.x()), (&mut to.y, v.y()), (&mut to.z, v.z())] {
+        let (to, from) = (&mut to[first..first + L::COUNT], singles_of_lanes(from));
+        if lanes == all_lanes::<L>() {
+            to.copy_from_slice(&from[..L::COUNT]);
+        } else {
+            rays(lanes.into()).for_each(|lane| to[lane] = from[lane]);
         }
     }
 }

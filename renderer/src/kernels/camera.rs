@@ -45,6 +45,7 @@ pub struct Ray<S: Real> {
 
 /// The frame of a camera whose image is `aspect` times as wide as it is high.
 #[differentiable]
+#[inline]
 pub fn frame<S: Real>(camera: Camera<S>, aspect: S) -> Frame<S> {
     let backward = (camera.look_from - camera.look_at).normalize();
     let right = camera.up.cross(backward).normalize();
@@ -59,10 +60,17 @@ pub fn frame<S: Real>(camera: Camera<S>, aspect: S) -> Frame<S> {
     }
 }
 
-/// The ray through the point `(x, y)` of the image plane: -1 is the left and the lower edge, 1 the
-/// right and the upper one.
+/// From the pinhole to the point `(x, y)` of the image plane: -1 is the left and the lower edge, 1
+/// the right and the upper one.
 #[differentiable]
+#[inline]
+pub fn film_point<S: Real>(frame: Frame<S>, x: S, y: S) -> Vec3<S> {
+    frame.forward + frame.right * x + frame.up * y
+}
+
+/// The ray through the point `(x, y)` of the image plane.
+#[differentiable]
+#[inline]
 pub fn primary_ray<S: Real>(frame: Frame<S>, x: S, y: S) -> Ray<S> {
-    let target = frame.forward + frame.right * x + frame.up * y;
-    Ray { origin: frame.origin, direction: target.normalize() }
+    Ray { origin: frame.origin, direction: film_point::<S>(frame, x, y).normalize() }
 }

@@ -41,6 +41,7 @@ pub struct Illumination<S: Real> {
 
 /// What a point light brings to `point`.
 #[differentiable]
+#[inline]
 pub fn point_illumination<S: Real>(light: PointLight<S>, point: Vec3<S>) -> Illumination<S> {
     let to_light = light.position - point;
     let distance_squared = to_light.length_squared();
@@ -50,6 +51,7 @@ pub fn point_illumination<S: Real>(light: PointLight<S>, point: Vec3<S>) -> Illu
 
 /// What a distant light brings everywhere.
 #[differentiable]
+#[inline]
 pub fn distant_illumination<S: Real>(light: DistantLight<S>) -> Illumination<S> {
     Illumination {
         direction: light.direction.normalize(),

@@ -29,6 +29,7 @@ pub struct Material<S: Real> {
 /// with the irradiance and its cosine too: it fades towards the shadow side instead of ending
 /// at an edge, whose derivative would be missing from every gradient.
 #[differentiable]
+#[inline]
 pub fn reflection<S: Real>(
     material: Material<S>,
     surface: SurfacePoint<S>,
@@ -43,6 +44,7 @@ pub fn reflection<S: Real>(
 
 /// The radiance that a point light makes a surface reflect, if nothing is between them.
 #[differentiable]
+#[inline]
 pub fn reflection_of_point_light<S: Real>(
     material: Material<S>,
     surface: SurfacePoint<S>,
@@ -53,10 +55,20 @@ pub fn reflection_of_point_light<S: Real>(
 
 /// The radiance that a distant light makes a surface reflect, if nothing is between them.
 #[differentiable]
+#[inline]
 pub fn reflection_of_distant_light<S: Real>(
     material: Material<S>,
     surface: SurfacePoint<S>,
     light: DistantLight<S>,
 ) -> Vec3<S> {
     reflection::<S>(material, surface, distant_illumination::<S>(light))
+}
+
+/// [`reflection`] of a material whose `specular` is zero.
+pub fn matte_reflection<S: Real>(
+    diffuse: Vec3<S>,
+    surface: SurfacePoint<S>,
+    light: Illumination<S>,
+) -> Vec3<S> {
+    diffuse * light.irradiance * surface.normal.dot(light.direction).max(S::ZERO)
 }

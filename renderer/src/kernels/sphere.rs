@@ -22,6 +22,7 @@ pub struct Sphere<S: Real> {
 /// Günther & Akenine-Möller, "Precision Improvements for Ray/Sphere Intersection", 2019). At a
 /// grazing hit the derivative of the root counts as 0.
 #[differentiable]
+#[inline]
 pub fn sphere_surface<S: Real>(ray: Ray<S>, sphere: Sphere<S>, leaves: S::Mask) -> SurfacePoint<S> {
     let from_center = ray.origin - sphere.center;
     let along = -from_center.dot(ray.direction);

@@ -11,6 +11,7 @@ use super::surface::SurfacePoint;
 /// The triangle is flat shaded and seen from both sides. A triangle without area, or one that the
 /// ray runs along, has no such point; traversal never reports one.
 #[differentiable]
+#[inline]
 pub fn triangle_surface<S: Real>(
     ray: Ray<S>,
     a: Vec3<S>,
@@ -30,6 +31,7 @@ pub fn triangle_surface<S: Real>(
 
 /// The vector product without cancellation, for the normals of needles.
 #[differentiable]
+#[inline]
 fn exact_cross<S: Real>(u: Vec3<S>, v: Vec3<S>) -> Vec3<S> {
     <Vec3<S>>::new(
         S::difference_of_products(u.y(), v.z(), v.y(), u.z()),

@@ -75,6 +75,30 @@ fn relaxed(x: f64, y: f64) -> f64 {
     sum * state.0 + grid[2] * state.1[1] + grid[0]
 }
 
+#[differentiable]
+fn names_for_places(x: f64, y: f64) -> f64 {
+    let mut rows = vec![vec![x, y], vec![y; 3]];
+    for i in 0..2 {
+        let row = &mut rows[i];
+        row[0] *= y;
+        let last = &mut row[1];
+        *last += x * y;
+        let mut speed = y;
+        advance(last, &mut speed, x);
+        rows[1][2] *= speed;
+        for x in rows[i].iter_mut() {
+            let mut copy = *x;
+            advance(&mut *x, &mut copy, y);
+        }
+    }
+    let mut sum = 0.0;
+    let total = &mut sum;
+    shift(&mut rows[0], y);
+    *total += rows[0][0] * rows[1][2];
+    advance(total, &mut rows[0][1], y);
+    sum * rows[0][1] + rows[1][0]
+}
+
 #[derive(Clone, Copy, Differentiable)]
 struct Mean {
     total: f64,
@@ -181,6 +205,7 @@ fn changed_in_place() {
     check!(oscillator(x, dt) at [1.3, 0.1], [-0.4, 0.3]);
     check!(shifted(x, y) at [1.3, 0.7], [-0.4, 2.1]);
     check!(relaxed(x, y) at [1.3, 0.7], [-0.4, 2.1]);
+    check!(names_for_places(x, y) at [1.3, 0.7], [-0.4, 2.1]);
     check!(means(x, y) at [1.3, 0.7], [-0.4, 2.1]);
     check!(exchange(x, y) at [1.3, 0.7], [-0.4, 2.1]);
     check!(growing(x, y) at [1.3, 0.7], [-0.4, 2.1]);

@@ -227,3 +227,40 @@ fn work_grows_as_the_length() {
     assert!(thousand < 1000.0 * ten, "{ten} s for 10 elements, {thousand} s for 1000");
     assert!(many < 1000.0 * thousand, "{thousand} s for 1000 elements, {many} s for 100000");
 }
+
+#[differentiable]
+fn iterated(xs: &[f64]) -> f64 {
+    let mut ys = xs.to_vec();
+    for (y, x) in ys.iter_mut().zip(xs) {
+        *y *= x;
+    }
+    let mut sum = 0.0;
+    for (i, pair) in ys.windows(2).enumerate() {
+        sum += pair[0] * pair[1] * i as f64;
+    }
+    for x in xs {
+        sum += x * x;
+    }
+    let total: f64 = ys.iter().map(|y| y * sum).sum();
+    total * xs.iter().rev().skip(1).fold(1.0, |product, x| product * x)
+}
+
+#[differentiable]
+fn scaled_in_place(xs: &mut [f64], by: f64) {
+    for x in xs.iter_mut() {
+        *x *= by;
+    }
+}
+
+#[differentiable]
+fn scaled_sum(xs: &[f64]) -> f64 {
+    let mut ys = xs.to_vec();
+    scaled_in_place(&mut ys, xs[0]);
+    scaled_in_place(&mut ys[1..], xs[1]);
+    ys.iter().zip(xs.iter()).map(|(y, x)| y * x).sum::<f64>()
+}
+
+#[test]
+fn loops_over_elements() {
+    check_slices!(iterated, scaled_sum at [1.3, 0.7], [0.4, -2.1, 1.1], [0.9, 1.2, -0.7, 0.3, 1.5]);
+}

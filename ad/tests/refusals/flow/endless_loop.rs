@@ -2,13 +2,12 @@ use ad::differentiable;
 
 #[differentiable]
 fn f(x: f64) -> f64 {
-    let mut a = x;
-    loop {
-        a *= 2.0;
-        if a > 10.0 {
-            return a;
+    let a = loop {
+        if x > 1.0 {
+            continue;
         }
-    }
+    };
+    a
 }
 
 fn main() {

@@ -1,10 +1,16 @@
 use ad::differentiable;
 
+macro_rules! square {
+    ($x:expr) => {
+        $x * $x
+    };
+}
+
 #[differentiable]
 fn f(x: f64) -> f64 {
-    assert!(x > 0.0);
-    let y = dbg!(x * x);
-    if matches!(y as i32, 3) { x } else { y }
+    println!("{x}");
+    let y = square!(x);
+    if matches!(y as i32, 3) { x } else { todo!() }
 }
 
 fn main() {

@@ -20,7 +20,7 @@ fn h(x: &mut f64) -> f64 {
 #[differentiable]
 fn k(x: f64) -> f64 {
     let mut y = x;
-    let z = &mut y;
+    let (z, _) = (&mut y, 1.0);
     *z *= 2.0;
     y
 }

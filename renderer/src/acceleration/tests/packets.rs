@@ -8,8 +8,8 @@ use super::*;
 
 const ALL: u64 = u64::MAX;
 
-fn packet(directions: &[Vec3]) -> PacketDirections {
-    let mut packet = PacketDirections::ZERO;
+fn packet(directions: &[Vec3]) -> PacketVectors {
+    let mut packet = PacketVectors::ZERO;
     directions.iter().enumerate().for_each(|(ray, &direction)| packet.set(ray, direction));
     packet
 }

@@ -1,0 +1,341 @@
+//! Iterators, as people write them: a source, then adapters.
+//!
+//! What carries a derivative is not iterated over itself: its place in the source is. For
+//! `xs.iter().zip(&ys).rev()` generated code runs `(0..xs.len()).zip(0..ys.len()).rev()`, and the
+//! items are the places `xs[i]` and `ys[j]`. So the adapters that only choose and order are the
+//! standard library's own, and a cotangent is added to the element it belongs to, in place.
+//! Closures of `map` and `filter` become part of the loop's body.
+//!
+//! Turned down: pullbacks of the adapters themselves (each item would need a cotangent of its own,
+//! gathered into a vector for each adapter), and references as items of generated loops (the tape
+//! would borrow from variables that the pullback owns).
+
+use proc_macro2::TokenStream;
+use quote::{format_ident, quote};
+use syn::spanned::Spanned;
+use syn::{Expr, ExprMethodCall, Ident, Lit};
+
+use super::Lowerer;
+use super::flow::strip_parens;
+use crate::ir::{Operand, Operation, Place, Projection, VarId};
+
+/// An iterator, before its items have names.
+pub(super) enum Chain {
+    /// Items without derivative.
+    Constant { iterator: TokenStream, length: Option<usize> },
+    /// Elements of a place, by their index.
+    Elements { place: Place, by_reference: bool, length: Option<usize> },
+    /// Runs of elements, by the index of the first.
+    Runs { place: Place, iterator: TokenStream, size: TokenStream, cut_short: bool },
+    /// `.enumerate()`
+    Enumerate(Box<Chain>),
+    /// `.zip(other)`
+    Zip(Box<Chain>, Box<Chain>),
+    /// An adapter that chooses items or changes their order.
+    Order { inner: Box<Chain>, adapter: TokenStream, limit: Option<usize> },
+    /// `.copied()`, `.cloned()`
+    Copied(Box<Chain>),
+    /// `.map(function)`
+    Map(Box<Chain>, Expr),
+    /// `.filter(predicate)`; what follows runs only where it holds.
+    Filter(Box<Chain>, Expr),
+    /// `.take_while(predicate)`
+    TakeWhile(Box<Chain>, Expr),
+    /// `.enumerate()` behind a filter: with a variable that counts.
+    Count(Box<Chain>, VarId),
+    /// Has been refused.
+    Refused,
+}
+
+impl Chain {
+    /// The largest number of items, where it is known.
+    pub fn length(&self) -> Option<usize> {
+        match self {
+            Self::Constant { length, .. } | Self::Elements { length, .. } => *length,
+            Self::Runs { .. } | Self::Refused => None,
+            Self::Enumerate(inner)
+            | Self::Copied(inner)
+            | Self::Map(inner, _)
+            | Self::Filter(inner, _)
+            | Self::TakeWhile(inner, _)
+            | Self::Count(inner, _) => inner.length(),
+            Self::Zip(left, right) => smaller(left.length(), right.length()),
+            Self::Order { inner, limit, .. } => smaller(inner.length(), *limit),
+        }
+    }
+
+    /// Whether the body of the loop decides which items there are.
+    fn is_filtered(&self) -> bool {
+        match self {
+            Self::Filter(..) | Self::TakeWhile(..) | Self::Count(..) => true,
+            Self::Map(inner, _) | Self::Copied(inner) => inner.is_filtered(),
+            _ => false,
+        }
+    }
+
+    /// Whether the loop may end before its iterator does.
+    pub fn stops(&self) -> bool {
+        match self {
+            Self::TakeWhile(..) => true,
+            Self::Filter(inner, _)
+            | Self::Count(inner, _)
+            | Self::Map(inner, _)
+            | Self::Copied(inner) => inner.stops(),
+            _ => false,
+        }
+    }
+}
+
+fn smaller(a: Option<usize>, b: Option<usize>) -> Option<usize> {
+    a.into_iter().chain(b).min()
+}
+
+/// Whether an expression is an iterator, as far as its form tells.
+pub(super) fn is_chain(expr: &Expr) -> bool {
+    match strip_parens(expr) {
+        Expr::Range(_) => true,
+        Expr::MethodCall(call) => {
+            is_source(&call.method) || (is_adapter(&call.method) && is_chain(&call.receiver))
+        }
+        _ => false,
+    }
+}
+
+fn is_source(method: &Ident) -> bool {
+    ["iter", "iter_mut", "into_iter", "windows", "chunks", "chunks_exact"]
+        .iter()
+        .any(|name| method == name)
+}
+
+fn is_adapter(method: &Ident) -> bool {
+    const ADAPTERS: [&str; 21] = [
+        "enumerate",
+        "zip",
+        "rev",
+        "step_by",
+        "take",
+        "skip",
+        "cycle",
+        "copied",
+        "cloned",
+        "map",
+        "filter",
+        "take_while",
+        "skip_while",
+        "chain",
+        "filter_map",
+        "flat_map",
+        "flatten",
+        "scan",
+        "inspect",
+        "peekable",
+        "map_while",
+    ];
+    ADAPTERS.iter().any(|name| method == name)
+}
+
+impl Lowerer<'_> {
+    /// What a `for` loop runs over.
+    pub(super) fn chain(&mut self, expr: &Expr) -> Chain {
+        match strip_parens(expr) {
+            Expr::Range(range) => self.range(range),
+            Expr::Reference(reference) => self.elements(&reference.expr, true),
+            Expr::MethodCall(call) if is_source(&call.method) => self.source(call),
+            Expr::MethodCall(call) if is_chain(expr) => self.adapter(call),
+            expr => {
+                let by_reference = self.is_reference(expr);
+                self.elements(expr, by_reference)
+            }
+        }
+    }
+
+    fn range(&mut self, range: &syn::ExprRange) -> Chain {
+        let Some(from) = &range.start else {
+            self.refuse(range, "the range of a differentiable loop needs a start");
+            return Chain::Refused;
+        };
+        let length = range.end.as_ref().and_then(|to| literal_length(from, to, &range.limits));
+        let limits = &range.limits;
+        let from = self.plain_constant(from);
+        let to = range.end.as_ref().map(|to| self.plain_constant(to));
+        Chain::Constant { iterator: quote!(#from #limits #to), length }
+    }
+
+    fn source(&mut self, call: &ExprMethodCall) -> Chain {
+        let (method, receiver) = (&call.method, &call.receiver);
+        match (&*method.to_string(), call.args.first()) {
+            ("iter" | "iter_mut", None) => self.elements(receiver, true),
+            ("into_iter", None) if is_chain(receiver) => self.chain(receiver),
+            ("into_iter", None) => self.chain(strip_parens(receiver)),
+            ("windows" | "chunks" | "chunks_exact", Some(size)) => {
+                let place = self.source_place(receiver, true);
+                let size = self.fixed(size);
+                let whole = self.place_tokens(&place);
+                let starts = match method == "windows" {
+                    true => quote!(::ad::rt::windows(#whole.len(), #size)),
+                    false if method == "chunks" => quote!((0..#whole.len()).step_by(#size)),
+                    false => quote!(::ad::rt::chunks_exact(#whole.len(), #size)),
+                };
+                Chain::Runs { place, iterator: starts, size, cut_short: method == "chunks" }
+            }
+            _ => {
+                self.refuse(
+                    call,
+                    "this is not the standard library's iterator: loop over an index",
+                );
+                Chain::Refused
+            }
+        }
+    }
+
+    fn elements(&mut self, expr: &Expr, by_reference: bool) -> Chain {
+        let place = self.place(expr);
+        let active = place.as_ref().is_some_and(|place| self.vars[place.root].active);
+        if !by_reference && place.is_some() && !active {
+            return Chain::Constant { iterator: self.plain(expr), length: None };
+        }
+        if !by_reference && place.is_none() {
+            return match self.operand(expr, "source") {
+                Operand::Constant(iterator) => Chain::Constant { iterator, length: None },
+                Operand::Var(root) => {
+                    let place = Place { root, path: Vec::new() };
+                    Chain::Elements { place, by_reference, length: array_length(expr) }
+                }
+            };
+        }
+        let place = self.source_place(expr, by_reference);
+        let length = match place.path.is_empty() {
+            true => self.lengths.get(&place.root).copied(),
+            false => None,
+        };
+        Chain::Elements { place, by_reference, length }
+    }
+
+    /// The place whose elements are run over: a copy of it, where the loop may change it.
+    fn source_place(&mut self, expr: &Expr, by_reference: bool) -> Place {
+        if let Some(place) = self.place(expr)
+            && (by_reference || !self.vars[place.root].mutable)
+        {
+            return place;
+        }
+        let root = match self.operand(expr, "source") {
+            Operand::Var(var) => var,
+            Operand::Constant(tokens) => {
+                let value = Operation::Use(Operand::Constant(quote!(&#tokens)));
+                self.define("source", expr.span(), false, value)
+            }
+        };
+        Place { root, path: Vec::new() }
+    }
+
+    /// A number that keeps its value until the reverse sweep.
+    fn fixed(&mut self, expr: &Expr) -> TokenStream {
+        if let Expr::Lit(literal) = expr {
+            return quote!(#literal);
+        }
+        let tokens = self.plain_constant(expr);
+        let value = Operation::Use(Operand::Constant(tokens));
+        let var = self.define("size", expr.span(), false, value);
+        let ident = self.ident(var);
+        quote!(#ident)
+    }
+
+    fn adapter(&mut self, call: &ExprMethodCall) -> Chain {
+        let inner = Box::new(self.chain(&call.receiver));
+        let name = call.method.to_string();
+        let filtered = inner.is_filtered();
+        if let (Chain::Map(_, function), "zip" | "rev" | "take" | "skip" | "step_by" | "cycle") =
+            (&*inner, &*name)
+        {
+            self.refuse_changes(function);
+        }
+        match (&*name, call.args.first()) {
+            ("copied" | "cloned", None) => Chain::Copied(inner),
+            ("enumerate", None) if filtered => {
+                let zero = Operation::Use(Operand::Constant(quote!(0usize)));
+                let ident = self.names.fresh("count", call.method.span());
+                let counter = self.var(ident, true, false);
+                self.push(crate::ir::Statement::Define { var: counter, ty: None, operation: zero });
+                Chain::Count(inner, counter)
+            }
+            ("enumerate", None) => Chain::Enumerate(inner),
+            ("zip", Some(other)) if !filtered => {
+                let other = self.chain(other);
+                if other.is_filtered() {
+                    self.refuse(
+                        call,
+                        "`zip` with a filtered iterator is not supported: write a loop",
+                    );
+                    return Chain::Refused;
+                }
+                Chain::Zip(inner, Box::new(other))
+            }
+            ("map", Some(function)) => Chain::Map(inner, function.clone()),
+            ("filter", Some(function)) => Chain::Filter(inner, function.clone()),
+            ("take_while", Some(function)) => Chain::TakeWhile(inner, function.clone()),
+            ("rev" | "cycle", None) if !filtered => {
+                Chain::Order { inner, adapter: call_of(&name, None), limit: None }
+            }
+            ("take" | "skip" | "step_by", Some(count)) if !filtered => {
+                let limit = match (&*name, literal(count)) {
+                    ("take", Some(count)) => Some(count),
+                    _ => None,
+                };
+                let count = self.plain_constant(count);
+                Chain::Order { inner, adapter: call_of(&name, Some(count)), limit }
+            }
+            _ if filtered => {
+                self.refuse(
+                    &call.method,
+                    format!("`{name}` behind a filter is not supported: put it before, or write a `for` loop with an `if`"),
+                );
+                Chain::Refused
+            }
+            _ => {
+                self.refuse(
+                    &call.method,
+                    format!("the iterator adapter `{name}` is not supported: write a `for` loop"),
+                );
+                Chain::Refused
+            }
+        }
+    }
+
+    /// The place of element `index`.
+    pub(super) fn element(place: &Place, index: TokenStream) -> Place {
+        let path = [&place.path[..], &[Projection::Index(index)]].concat();
+        Place { root: place.root, path }
+    }
+}
+
+fn call_of(adapter: &str, argument: Option<TokenStream>) -> TokenStream {
+    let adapter = format_ident!("{adapter}");
+    quote!(.#adapter(#argument))
+}
+
+pub(super) fn literal(expr: &Expr) -> Option<usize> {
+    match strip_parens(expr) {
+        Expr::Lit(literal) => match &literal.lit {
+            Lit::Int(number) => number.base10_parse::<usize>().ok(),
+            _ => None,
+        },
+        _ => None,
+    }
+}
+
+fn array_length(expr: &Expr) -> Option<usize> {
+    match strip_parens(expr) {
+        Expr::Array(array) => Some(array.elems.len()),
+        Expr::Repeat(repeat) => literal(&repeat.len),
+        _ => None,
+    }
+}
+
+/// The length of a range between two literals.
+fn literal_length(from: &Expr, to: &Expr, limits: &syn::RangeLimits) -> Option<usize> {
+    let (from, to) = (literal(from)?, literal(to)?);
+    Some(match limits {
+        syn::RangeLimits::HalfOpen(_) => to.saturating_sub(from),
+        syn::RangeLimits::Closed(_) => (to + 1).saturating_sub(from),
+    })
+}

@@ -1,0 +1,232 @@
+//! Closures: the body takes the place of each call.
+//!
+//! A closure is no value here. Where it is called, or given to an adapter of an iterator, its body
+//! is lowered anew, with the names it saw where it was written; so what it captures is used and
+//! changed where it lives, and gets its cotangent there. A `move` closure takes copies of the
+//! variables that may change.
+//!
+//! Turned down: lifting a closure into a value with a pullback (its captures would have to be
+//! threaded through every call as further parameters, and a captured variable that the closure
+//! changes has no place there).
+
+use std::collections::{HashMap, HashSet};
+use std::rc::Rc;
+
+use proc_macro2::Ident;
+use quote::{ToTokens, quote};
+use syn::visit::{self, Visit};
+use syn::{Expr, ExprClosure, Pat, ReturnType, parse_quote};
+
+use super::ends::{End, JumpKind, Target};
+use super::flow::{as_statements, strip_parens};
+use super::item::{Alias, Item};
+use super::{Lowerer, OnFailure, exits};
+use crate::ir::{Operand, Operation, Place, Statement, VarId};
+use crate::names;
+
+/// A closure that has a name.
+pub(super) struct Closure {
+    body: ExprClosure,
+    /// What names mean where it was written.
+    scopes: Vec<HashMap<String, VarId>>,
+}
+
+impl Lowerer<'_> {
+    /// `let name = |..| ..;`
+    pub(super) fn closure_local(&mut self, name: &Ident, closure: &ExprClosure) {
+        let mut scopes = self.scopes.clone();
+        if closure.capture.is_some() {
+            scopes.push(self.moved(closure));
+        }
+        let var = self.unwritten_var(name, false, false);
+        self.closures.insert(var, Rc::new(Closure { body: closure.clone(), scopes }));
+        self.alias(name, var);
+    }
+
+    /// Copies of the changeable variables that a `move` closure captures, by their names.
+    fn moved(&mut self, closure: &ExprClosure) -> HashMap<String, VarId> {
+        let mut used = HashSet::new();
+        names::collect(closure.to_token_stream(), &mut used);
+        let mut used: Vec<_> = used.into_iter().collect();
+        used.sort();
+        let mut copies = HashMap::new();
+        for name in used {
+            let found = self.scopes.iter().rev().find_map(|scope| scope.get(&name).copied());
+            let Some(root) = found else { continue };
+            if !self.vars[root].mutable || self.aliases.contains_key(&root) {
+                continue;
+            }
+            let (active, span) = (self.vars[root].active, self.ident(root).span());
+            let ident = self.names.fresh(&name, span);
+            let value = match active {
+                true => Operation::Read(Place { root, path: Vec::new() }),
+                false => Operation::Use(Operand::Constant(self.ident(root).to_token_stream())),
+            };
+            let copy = self.var(ident, true, active);
+            self.push(Statement::Define { var: copy, ty: None, operation: value });
+            copies.insert(name, copy);
+        }
+        copies
+    }
+
+    /// The closure that an expression names.
+    pub(super) fn named_closure(&self, expr: &Expr) -> Option<Rc<Closure>> {
+        let Expr::Path(path) = strip_parens(expr) else { return None };
+        let var = self.lookup(path.path.get_ident()?)?;
+        self.closures.get(&var).cloned()
+    }
+
+    /// The value of a closure or a function for these arguments.
+    pub(super) fn apply(&mut self, function: &Expr, arguments: Vec<Item>) -> Operand {
+        if let Some(closure) = self.named_closure(function) {
+            // Its names are those of the place where it was written.
+            let scopes = std::mem::replace(&mut self.scopes, closure.scopes.clone());
+            let value = self.inlined(&closure.body, arguments);
+            self.scopes = scopes;
+            return value;
+        }
+        match strip_parens(function) {
+            Expr::Closure(closure) => self.inlined(closure, arguments),
+            Expr::Path(path) => self.scope(|lowerer| {
+                let names: Vec<_> = arguments
+                    .into_iter()
+                    .map(|argument| {
+                        let name = lowerer.names.unwritten("argument");
+                        lowerer.bind_item(&parse_quote!(#name), argument);
+                        name
+                    })
+                    .collect();
+                lowerer.operand(&parse_quote!(#path(#(#names),*)), "value")
+            }),
+            other => self.refuse(other, "write a closure or the name of a function here"),
+        }
+    }
+
+    fn inlined(&mut self, closure: &ExprClosure, arguments: Vec<Item>) -> Operand {
+        if let Some(token) = &closure.asyncness {
+            return self.refuse(token, "asynchronous code has no derivative");
+        }
+        if closure.inputs.len() != arguments.len() {
+            return self.refuse(closure, "the closure is given another number of arguments");
+        }
+        let on_failure = std::mem::replace(&mut self.on_failure, OnFailure::None);
+        let value = self.jump(JumpKind::Function, None, |lowerer, id| {
+            lowerer.scope(|lowerer| {
+                for (pat, argument) in closure.inputs.iter().zip(arguments) {
+                    lowerer.bind_item(pat, argument);
+                }
+                let end = End { here: vec![Target::Leave(id)], exits: Vec::new() };
+                lowerer.statements(as_statements(&closure.body), &end)
+            })
+        });
+        self.on_failure = on_failure;
+        match &closure.output {
+            ReturnType::Default => value,
+            ReturnType::Type(_, ty) => self.typed(value, ty),
+        }
+    }
+
+    /// A value whose type the user gave.
+    fn typed(&mut self, value: Operand, ty: &syn::Type) -> Operand {
+        let active = matches!(value, Operand::Var(_));
+        let ident = self.names.fresh("returned", proc_macro2::Span::call_site());
+        let var = self.var(ident.clone(), false, active);
+        let operation = Operation::Use(value);
+        self.push(Statement::Define { var, ty: Some(ty.clone()), operation });
+        match active {
+            true => Operand::Var(var),
+            false => Operand::Constant(quote!(#ident)),
+        }
+    }
+
+    /// What a call of a closure is given.
+    pub(super) fn given(&mut self, expr: &Expr) -> Item {
+        let target = match strip_parens(expr) {
+            Expr::Reference(reference) => Some((&*reference.expr, 1)),
+            path if self.depth(path) > 0 => Some((path, self.depth(path))),
+            _ => None,
+        };
+        if let Some((target, depth)) = target
+            && let Some(place) = self.place(target)
+        {
+            return Item::Reference(Alias { place, depth });
+        }
+        Item::Value(self.operand(expr, "argument"))
+    }
+
+    /// Refuses a closure as a value.
+    pub(super) fn refuse_closure(&mut self, expr: &Expr) -> Operand {
+        self.refuse(
+            expr,
+            "a closure can be called, or given to an adapter of an iterator, and nothing else: write out what the function that takes it computes",
+        )
+    }
+
+    /// Refuses a closure that changes what it captures, where its calls may be left out.
+    pub(super) fn refuse_changes(&mut self, function: &Expr) {
+        let Expr::Closure(closure) = strip_parens(function) else { return };
+        if changes_captured(closure) {
+            self.refuse(
+                closure,
+                "a closure that changes a variable cannot stand before this adapter: write a `for` loop",
+            );
+        }
+    }
+}
+
+/// Whether a closure assigns to a variable that it does not declare.
+fn changes_captured(closure: &ExprClosure) -> bool {
+    #[derive(Default)]
+    struct Finder {
+        declared: HashSet<String>,
+        assigned: HashSet<String>,
+    }
+
+    impl<'ast> Visit<'ast> for Finder {
+        fn visit_pat_ident(&mut self, pat: &'ast syn::PatIdent) {
+            self.declared.insert(pat.ident.to_string());
+            visit::visit_pat_ident(self, pat);
+        }
+
+        fn visit_expr(&mut self, expr: &'ast Expr) {
+            let target = match expr {
+                Expr::Assign(assign) => Some(&*assign.left),
+                Expr::Binary(binary) if exits::is_update(&binary.op) => Some(&*binary.left),
+                Expr::Reference(reference) if reference.mutability.is_some() => {
+                    Some(&*reference.expr)
+                }
+                _ => None,
+            };
+            if let Some(name) = target.and_then(root_name) {
+                self.assigned.insert(name);
+            }
+            visit::visit_expr(self, expr);
+        }
+    }
+
+    let mut finder = Finder::default();
+    for pat in &closure.inputs {
+        finder.visit_pat(pat);
+    }
+    finder.visit_expr(&closure.body);
+    finder.assigned.difference(&finder.declared).next().is_some()
+}
+
+fn root_name(expr: &Expr) -> Option<String> {
+    match expr {
+        Expr::Path(path) => path.path.get_ident().map(Ident::to_string),
+        Expr::Field(field) => root_name(&field.base),
+        Expr::Index(index) => root_name(&index.expr),
+        Expr::Paren(paren) => root_name(&paren.expr),
+        Expr::Unary(unary) => root_name(&unary.expr),
+        _ => None,
+    }
+}
+
+/// The name that a pattern gives to the whole value.
+pub(super) fn simple_name(pat: &Pat) -> Option<&Ident> {
+    match pat {
+        Pat::Ident(ident) if ident.by_ref.is_none() && ident.subpat.is_none() => Some(&ident.ident),
+        _ => None,
+    }
+}

@@ -1,0 +1,207 @@
+//! What ends a chain of iterator adapters: sums, products, folds, searches. Each is a loop.
+
+use proc_macro2::TokenStream;
+use quote::{ToTokens, quote};
+use syn::spanned::Spanned;
+use syn::{Expr, ExprMethodCall, GenericArgument, Type};
+
+use super::Lowerer;
+use super::chain::is_chain;
+use super::item::Item;
+use crate::ir::{Arm, BinaryOperator, BranchKind, Operand, Operation, Place, Statement, VarId};
+
+impl Lowerer<'_> {
+    /// The value of a method that uses an iterator up, if `call` is one.
+    pub(super) fn consumed(&mut self, call: &ExprMethodCall, hint: &str) -> Option<Operand> {
+        if !is_chain(&call.receiver) {
+            return None;
+        }
+        let arguments: Vec<_> = call.args.iter().collect();
+        let value = match (&*call.method.to_string(), &arguments[..]) {
+            ("sum", []) => self.accumulated(call, BinaryOperator::Add, hint),
+            ("product", []) => self.accumulated(call, BinaryOperator::Mul, hint),
+            ("fold", [start, function]) => self.folded(&call.receiver, start, function, hint),
+            ("for_each", [function]) => {
+                self.each(&call.receiver, &mut |lowerer, item| {
+                    lowerer.apply(function, vec![item]);
+                });
+                Self::unit()
+            }
+            ("count", []) | ("any" | "all" | "position" | "rposition", [_]) => {
+                self.discrete(&Expr::MethodCall(call.clone()))
+            }
+            ("max_by", [compare]) => self.extreme(call, compare, true, hint),
+            ("min_by", [compare]) => self.extreme(call, compare, false, hint),
+            (_, _) if is_chain(&Expr::MethodCall(call.clone())) => self.refuse(
+                call,
+                "an iterator has no derivative: write it where it is used up, by a `for` loop, `sum`, `fold`",
+            ),
+            (name, _) => self.refuse(
+                &call.method,
+                format!("the iterator method `{name}` is not supported: write a `for` loop"),
+            ),
+        };
+        Some(value)
+    }
+
+    /// `.sum()`, `.product()`
+    fn accumulated(
+        &mut self,
+        call: &ExprMethodCall,
+        operator: BinaryOperator,
+        hint: &str,
+    ) -> Operand {
+        let ty = type_argument(call);
+        let asked = ty.as_ref().map(|ty| quote!(::<#ty>));
+        let start = match operator {
+            BinaryOperator::Add => quote!(::ad::rt::empty_sum #asked ()),
+            _ => quote!(::ad::rt::empty_product #asked ()),
+        };
+        let hint = if hint == "value" { "total" } else { hint };
+        let total = self.changing(hint, Operand::Constant(start), call);
+        self.each(&call.receiver, &mut |lowerer, item| {
+            let value = lowerer.plain_item(item);
+            let value = lowerer.named(value, "term", call.method.span());
+            let place = Place { root: total, path: Vec::new() };
+            let read = Operation::Read(place.clone());
+            let previous = lowerer.define("partial", call.method.span(), true, read);
+            lowerer.push(Statement::Update { place, operator, previous, value });
+        });
+        self.read_place(Place { root: total, path: Vec::new() }, hint)
+    }
+
+    /// `.fold(start, function)`
+    fn folded(&mut self, chain: &Expr, start: &Expr, function: &Expr, hint: &str) -> Operand {
+        let start = self.operand(start, hint);
+        let state = self.changing(hint, start, chain);
+        self.each(chain, &mut |lowerer, item| {
+            let place = Place { root: state, path: Vec::new() };
+            let before = Item::Value(lowerer.read_place(place.clone(), "before"));
+            let value = lowerer.apply(function, vec![before, item]);
+            lowerer.store(place, value);
+        });
+        self.read_place(Place { root: state, path: Vec::new() }, hint)
+    }
+
+    /// `.max_by(compare)`, `.min_by(compare)`: of equal items the last is the greatest, the first
+    /// the least, as in the standard library.
+    fn extreme(
+        &mut self,
+        call: &ExprMethodCall,
+        compare: &Expr,
+        is_max: bool,
+        hint: &str,
+    ) -> Operand {
+        let none = Operand::Constant(quote!(::core::option::Option::None));
+        let best = self.changing(hint, none, call);
+        let best_ident = self.ident(best).clone();
+        self.each(&call.receiver, &mut |lowerer, item| {
+            if item.refers() {
+                lowerer.refuse(
+                    &call.method,
+                    format!(
+                        "`{}` of references is not supported: put `.copied()` before it",
+                        call.method
+                    ),
+                );
+                return;
+            }
+            let span = call.method.span();
+            let value = lowerer.item_value(item);
+            let value = lowerer.named(value, "candidate", span);
+            let candidate = Item::Value(match lowerer.vars[value].active {
+                true => Operand::Var(value),
+                false => Operand::Constant(lowerer.ident(value).to_token_stream()),
+            });
+            // The best so far, and whether the candidate takes its place.
+            let held_ident = lowerer.names.fresh("held", span);
+            let held_var = lowerer.var(held_ident.clone(), false, false);
+            let takes = lowerer.block(|lowerer| {
+                let shown = vec![Item::Constant(held_var), candidate.clone().borrowed(lowerer)];
+                let order = lowerer.apply(compare, shown);
+                let order = lowerer.without_derivative(&order);
+                Operand::Constant(match is_max {
+                    true => quote!((#order).is_le()),
+                    false => quote!((#order).is_gt()),
+                })
+            });
+            let first = lowerer.block(|_| Operand::Constant(quote!(true)));
+            let some = Arm {
+                pattern: quote!(::core::option::Option::Some(#held_ident)),
+                guard: None,
+                bindings: Vec::new(),
+                body: takes,
+            };
+            let none = Arm { pattern: quote!(_), ..plain_arm(first) };
+            let candidate = lowerer.ident(value).clone();
+            let held = quote!(::ad::rt::held(&#best_ident, &#candidate));
+            let kind = BranchKind::Match(held, None);
+            let replaces = lowerer.branch(kind, vec![some, none], true, span);
+            let replaces = lowerer.tokens(&replaces);
+
+            let keep = lowerer.block(|_| Self::unit());
+            let replace = lowerer.block(|lowerer| {
+                let expression = quote!(::core::option::Option::Some(#candidate));
+                let parts = super::expression::numbered(vec![Operand::Var(value)]);
+                let shape = crate::ir::Shape::Transparent;
+                let operation = Operation::Aggregate { expression, shape, parts };
+                let new = Operand::Var(lowerer.define("best", span, true, operation));
+                lowerer.store(Place { root: best, path: Vec::new() }, new);
+                Self::unit()
+            });
+            let arms = [replace, keep].map(plain_arm);
+            lowerer.branch(BranchKind::If(replaces), arms.into(), false, span);
+        });
+        self.read_place(Place { root: best, path: Vec::new() }, hint)
+    }
+
+    /// A new variable that a loop changes.
+    fn changing(&mut self, hint: &str, start: Operand, at: impl ToTokens) -> VarId {
+        let active = match &start {
+            Operand::Var(_) => true,
+            Operand::Constant(tokens) => !super::pattern::is_discrete_literal(tokens),
+        };
+        let ident = self.names.fresh(hint, at.span());
+        let var = self.var(ident, true, active);
+        self.push(Statement::Define { var, ty: None, operation: Operation::Use(start) });
+        var
+    }
+
+    /// `place = value`
+    fn store(&mut self, place: Place, value: Operand) {
+        if self.vars[place.root].active {
+            self.push(Statement::Assign { place, value });
+        } else {
+            let (target, value) = (self.place_tokens(&place), self.without_derivative(&value));
+            self.push(Statement::Plain { code: quote!(#target = #value;), defines: Vec::new() });
+        }
+    }
+
+    /// An item as a value, not as a reference to one.
+    fn plain_item(&mut self, item: Item) -> Operand {
+        match item {
+            Item::Reference(alias) => self.read_place(alias.place, "term"),
+            item => self.item_value(item),
+        }
+    }
+
+    /// Runs `body` for each item.
+    fn each(&mut self, chain: &Expr, body: &mut dyn FnMut(&mut Lowerer<'_>, Item)) {
+        self.run_chain(chain, &mut |lowerer, item, end| {
+            body(lowerer, item);
+            lowerer.normal_end(Self::unit(), end)
+        });
+    }
+}
+
+fn plain_arm(body: crate::ir::Block) -> Arm {
+    Arm { pattern: TokenStream::new(), guard: None, bindings: Vec::new(), body }
+}
+
+/// `T` of `.method::<T>()`
+fn type_argument(call: &ExprMethodCall) -> Option<Type> {
+    match call.turbofish.as_ref()?.args.first()? {
+        GenericArgument::Type(ty) => Some(ty.clone()),
+        _ => None,
+    }
+}

@@ -1,0 +1,211 @@
+//! The items of an iterator, and the names that patterns give to them.
+
+use quote::{ToTokens, quote};
+use syn::{Ident, Member, Pat};
+
+use super::Lowerer;
+use crate::ir::{Operand, Operation, Place, Projection, Shape, VarId};
+
+/// A name for a reference to a place: reading it reads the place.
+#[derive(Clone)]
+pub(super) struct Alias {
+    pub place: Place,
+    /// How many times the place is referred to: 1 for `&place`, 2 for `&&place`.
+    pub depth: usize,
+}
+
+/// An item of an iterator, in the body of its loop.
+#[derive(Clone)]
+pub(super) enum Item {
+    /// What no derivative flows through.
+    Constant(VarId),
+    /// `&place`
+    Reference(Alias),
+    /// A copy of a place.
+    Copy(Place),
+    /// `(a, b)`
+    Tuple(Vec<Item>),
+    /// What a closure returned.
+    Value(Operand),
+}
+
+impl Item {
+    /// Whether it is, or holds, a reference to a place.
+    pub fn refers(&self) -> bool {
+        match self {
+            Self::Reference(_) => true,
+            Self::Tuple(items) => items.iter().any(Self::refers),
+            Self::Constant(_) | Self::Copy(_) | Self::Value(_) => false,
+        }
+    }
+
+    /// A reference to the item.
+    pub fn borrowed(self, lowerer: &mut Lowerer<'_>) -> Self {
+        match self {
+            Self::Reference(Alias { place, depth }) => {
+                Self::Reference(Alias { place, depth: depth + 1 })
+            }
+            Self::Copy(place) => Self::Reference(Alias { place, depth: 1 }),
+            Self::Tuple(items) => {
+                Self::Tuple(items.into_iter().map(|item| item.borrowed(lowerer)).collect())
+            }
+            Self::Constant(root) => {
+                Self::Reference(Alias { place: Place { root, path: Vec::new() }, depth: 1 })
+            }
+            Self::Value(value) => {
+                let span = proc_macro2::Span::call_site();
+                let root = lowerer.named(value, "item", span);
+                Self::Reference(Alias { place: Place { root, path: Vec::new() }, depth: 1 })
+            }
+        }
+    }
+}
+
+impl Lowerer<'_> {
+    /// What `*` makes of an item, or of each of its parts.
+    pub(super) fn copied(&mut self, item: Item) -> Item {
+        match item {
+            Item::Reference(Alias { place, depth: 1 }) => Item::Copy(place),
+            Item::Reference(Alias { place, depth }) => {
+                Item::Reference(Alias { place, depth: depth - 1 })
+            }
+            Item::Tuple(items) => {
+                Item::Tuple(items.into_iter().map(|item| self.copied(item)).collect())
+            }
+            Item::Value(value) => {
+                let tokens = self.tokens(&value);
+                match value {
+                    Operand::Var(root) => {
+                        let place = Place { root, path: vec![Projection::Deref] };
+                        Item::Copy(place)
+                    }
+                    Operand::Constant(_) => Item::Value(Operand::Constant(quote!((*#tokens)))),
+                }
+            }
+            Item::Constant(var) => {
+                let ident = self.ident(var);
+                Item::Value(Operand::Constant(quote!((*#ident))))
+            }
+            // Not Rust, which the compiler says of the function.
+            Item::Copy(place) => Item::Copy(place),
+        }
+    }
+
+    /// The item, evaluated once however often it is used.
+    pub(super) fn settled_item(&mut self, item: Item) -> Item {
+        match item {
+            Item::Value(Operand::Constant(tokens)) => {
+                let value = Operation::Use(Operand::Constant(tokens));
+                let span = proc_macro2::Span::call_site();
+                Item::Constant(self.define("item", span, false, value))
+            }
+            Item::Tuple(items) => {
+                Item::Tuple(items.into_iter().map(|item| self.settled_item(item)).collect())
+            }
+            item => item,
+        }
+    }
+
+    /// Lets `pat` name the parts of an item.
+    pub(super) fn bind_item(&mut self, pat: &Pat, item: Item) {
+        match (pat, item) {
+            (Pat::Paren(inner), item) => self.bind_item(&inner.pat, item),
+            (Pat::Wild(_), _) => {}
+            (Pat::Type(typed), item @ (Item::Reference(_) | Item::Tuple(_))) => {
+                self.bind_item(&typed.pat, item);
+            }
+            (Pat::Tuple(tuple), Item::Tuple(items)) if tuple.elems.len() == items.len() => {
+                for (pat, item) in tuple.elems.iter().zip(items) {
+                    self.bind_item(pat, item);
+                }
+            }
+            (Pat::Ident(ident), Item::Reference(alias)) if is_plain_name(ident) => {
+                let _ = self.alias_place(&ident.ident, alias);
+            }
+            (Pat::Ident(ident), Item::Constant(var)) if is_plain_name(ident) => {
+                self.alias(&ident.ident, var);
+            }
+            (Pat::Reference(reference), Item::Reference(Alias { place, depth })) => {
+                let target = match depth {
+                    1 => Item::Copy(place),
+                    _ => Item::Reference(Alias { place, depth: depth - 1 }),
+                };
+                self.bind_item(&reference.pat, target);
+            }
+            // `&(a, b)` of a borrowed pair.
+            (Pat::Reference(reference), Item::Tuple(items)) => {
+                let items = items.into_iter().map(|item| self.copied(item)).collect();
+                self.bind_item(&reference.pat, Item::Tuple(items));
+            }
+            (Pat::Tuple(tuple), Item::Reference(alias)) => {
+                for (index, pat) in tuple.elems.iter().enumerate() {
+                    self.bind_part(pat, &alias, Projection::Field(Member::from(index)));
+                }
+            }
+            (Pat::Slice(slice), Item::Reference(alias)) => {
+                for (index, pat) in slice.elems.iter().enumerate() {
+                    let index = syn::Index::from(index);
+                    self.bind_part(pat, &alias, Projection::Index(quote!(#index)));
+                }
+            }
+            (Pat::Struct(pattern), Item::Reference(alias)) => {
+                for field in &pattern.fields {
+                    let step = Projection::Field(field.member.clone());
+                    self.bind_part(&field.pat, &alias, step);
+                }
+            }
+            (pat, item) => {
+                let value = self.item_value(item);
+                let (pat, ty) = super::flow::split_type(pat);
+                self.bind_pattern(pat, ty, value);
+            }
+        }
+    }
+
+    fn bind_part(&mut self, pat: &Pat, whole: &Alias, step: Projection) {
+        if let Pat::Rest(_) = pat {
+            self.refuse(pat, "`..` is not supported here: name each part, or `_`");
+        }
+        let place = &whole.place;
+        let path = [&place.path[..], &[step]].concat();
+        let part = Alias { place: Place { root: place.root, path }, depth: 1 };
+        self.bind_item(pat, Item::Reference(part));
+    }
+
+    /// Lets `name` mean a reference to a place.
+    pub(super) fn alias_place(&mut self, name: &Ident, alias: Alias) -> VarId {
+        let root = &self.vars[alias.place.root];
+        let (mutable, active) = (root.mutable, root.active);
+        // Generated code names the place, never the alias.
+        let var = self.unwritten_var(name, mutable, active);
+        self.aliases.insert(var, alias);
+        self.alias(name, var);
+        var
+    }
+
+    /// An item as a value of its own.
+    pub(super) fn item_value(&mut self, item: Item) -> Operand {
+        match item {
+            Item::Constant(var) => Operand::Constant(self.ident(var).to_token_stream()),
+            Item::Value(value) => value,
+            Item::Copy(place) => self.read_place(place, "item"),
+            Item::Reference(Alias { place, .. }) => self.borrow_place(place),
+            Item::Tuple(items) => {
+                let parts: Vec<_> = items.into_iter().map(|item| self.item_value(item)).collect();
+                let tokens = parts.iter().map(|part| self.tokens(part));
+                let expression = quote!((#(#tokens,)*));
+                if parts.iter().all(|part| matches!(part, Operand::Constant(_))) {
+                    return Operand::Constant(expression);
+                }
+                let parts = super::expression::numbered(parts);
+                let operation = Operation::Aggregate { expression, shape: Shape::Tuple, parts };
+                let span = proc_macro2::Span::call_site();
+                Operand::Var(self.define("item", span, true, operation))
+            }
+        }
+    }
+}
+
+fn is_plain_name(pat: &syn::PatIdent) -> bool {
+    pat.by_ref.is_none() && pat.subpat.is_none() && pat.mutability.is_none()
+}

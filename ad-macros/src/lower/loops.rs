@@ -1,0 +1,193 @@
+//! Loops: a block, run again and again, whose end says whether to go on.
+
+use proc_macro2::TokenStream;
+use quote::quote;
+use syn::visit::{self, Visit};
+use syn::{Expr, Label, Pat, parse_quote};
+
+use super::chain::Chain;
+use super::ends::{End, JumpKind, Target};
+use super::exits::Exit;
+use super::item::Item;
+use super::{Lowerer, exits};
+use crate::ir::{Head, Loop, Operand, Statement};
+
+/// What a loop leaves behind: a chain of the targets where control goes next.
+pub(super) struct LoopResult {
+    pub value: Operand,
+    pub targets: Vec<Target>,
+    /// The target that is the end of the loop itself, with its value.
+    pub own: Option<Target>,
+}
+
+/// What makes a loop go on, before its block is open.
+enum Driver<'a> {
+    Chain(&'a Chain, Option<&'a Pat>),
+    While(TokenStream),
+    Endless,
+}
+
+/// Lowers the body of a loop, for an item.
+type Body<'b> = dyn FnMut(&mut Lowerer<'_>, Item, &End) -> Operand + 'b;
+
+impl Lowerer<'_> {
+    /// A `for`, `while` or `loop`.
+    pub(super) fn a_loop(&mut self, expr: &Expr) -> LoopResult {
+        match expr {
+            Expr::ForLoop(a_loop) => {
+                let chain = self.chain(&a_loop.expr);
+                let exits = exits::block_exits(&a_loop.body);
+                let driver = Driver::Chain(&chain, Some(&a_loop.pat));
+                self.run(a_loop.label.as_ref(), &exits, &driver, &mut |lowerer, item, end| {
+                    lowerer.bind_item(&a_loop.pat, item);
+                    lowerer.statements(a_loop.body.stmts.clone(), end)
+                })
+            }
+            Expr::While(a_loop) => {
+                let syn::ExprWhile { label, cond, body, .. } = a_loop;
+                if exits::expr_exits(cond) || has_let(cond) {
+                    return self.a_loop(&parse_quote!(
+                        #label loop { if #cond #body else { break; } }
+                    ));
+                }
+                let condition = self.plain(cond);
+                self.run_block(label.as_ref(), body, &Driver::While(condition))
+            }
+            Expr::Loop(a_loop) => {
+                self.run_block(a_loop.label.as_ref(), &a_loop.body, &Driver::Endless)
+            }
+            other => unreachable!("not a loop: {}", quote!(#other)),
+        }
+    }
+
+    /// The value of a loop that is left by its own end only.
+    pub(super) fn loop_value(&mut self, expr: &Expr) -> Operand {
+        let result = self.a_loop(expr);
+        match result.own {
+            Some(_) => result.value,
+            None => {
+                self.refuse(expr, "a loop that never ends has no derivative: leave it by `break`")
+            }
+        }
+    }
+
+    /// Runs `body` for each item of an iterator.
+    pub(super) fn run_chain(&mut self, chain: &Expr, body: &mut Body<'_>) {
+        let chain = self.chain(chain);
+        self.run(None, &[], &Driver::Chain(&chain, None), body);
+    }
+
+    fn run_block(
+        &mut self,
+        label: Option<&Label>,
+        block: &syn::Block,
+        driver: &Driver<'_>,
+    ) -> LoopResult {
+        let exits = exits::block_exits(block);
+        self.run(label, &exits, driver, &mut |lowerer, _, end| {
+            lowerer.statements(block.stmts.clone(), end)
+        })
+    }
+
+    /// Lowers a loop whose body may jump by `exits`.
+    fn run(
+        &mut self,
+        label: Option<&Label>,
+        exits: &[Exit],
+        driver: &Driver<'_>,
+        body: &mut Body<'_>,
+    ) -> LoopResult {
+        let label = label.map(|label| label.name.clone());
+        self.jump(JumpKind::Loop, label, |lowerer, id| {
+            let (own, again) = (Target::Leave(id), Target::Again(id));
+            let stops = matches!(driver, Driver::Chain(chain, _) if chain.stops());
+            let ends_itself = !matches!(driver, Driver::Endless);
+            let mut targets = lowerer.targets(exits);
+            let breaks = targets.contains(&own) || stops;
+            targets.retain(|target| ![own, again].contains(target));
+            let leaves = !targets.is_empty();
+            if breaks || (leaves && ends_itself) {
+                targets.push(own);
+            }
+            let end = End { here: vec![again], exits: targets };
+
+            let mut head = None;
+            let block = lowerer.block(|lowerer| match driver {
+                Driver::Chain(chain, pat) => {
+                    let items = lowerer.items(chain, *pat);
+                    head = Some(Head::For {
+                        pattern: items.pattern,
+                        defines: items.defines,
+                        iterator: items.iterator,
+                        trip_count: chain.length(),
+                    });
+                    let body = &mut |lowerer: &mut Self, item: Item| body(lowerer, item, &end);
+                    lowerer.run_stages(items.item, &items.stages, own, &end, body)
+                }
+                Driver::While(condition) => {
+                    head = Some(Head::While(condition.clone()));
+                    body(lowerer, Item::Value(Self::unit()), &end)
+                }
+                Driver::Endless => {
+                    head = Some(Head::Loop);
+                    body(lowerer, Item::Value(Self::unit()), &end)
+                }
+            });
+            let head = head.expect("set by the block");
+            lowerer.finish_loop(head, block, end.exits, own, leaves || !ends_itself)
+        })
+    }
+
+    fn finish_loop(
+        &mut self,
+        head: Head,
+        body: crate::ir::Block,
+        exits: Vec<Target>,
+        own: Target,
+        has_result: bool,
+    ) -> LoopResult {
+        let span = proc_macro2::Span::call_site();
+        let record = self.names.fresh("tape", span);
+        let breaks = !exits.is_empty();
+        let targets = match (breaks, &head) {
+            (false, Head::For { .. } | Head::While(_)) => vec![own],
+            _ => exits,
+        };
+        let result = has_result.then(|| {
+            let ident = self.names.fresh("flow", span);
+            self.var(ident, false, matches!(body.value, Operand::Var(_)))
+        });
+        let count = targets.len();
+        let natural_end = self.link(Self::unit(), count.saturating_sub(1), count);
+        let natural_end = self.tokens(&natural_end);
+        self.push(Statement::Loop(Loop { head, body, record, breaks, result, natural_end }));
+        let value = match result {
+            Some(var) if self.vars[var].active => Operand::Var(var),
+            Some(var) => {
+                let ident = self.ident(var);
+                Operand::Constant(quote!(#ident))
+            }
+            None => Self::unit(),
+        };
+        LoopResult { value, own: targets.contains(&own).then_some(own), targets }
+    }
+}
+
+/// Whether a condition binds names.
+fn has_let(condition: &Expr) -> bool {
+    struct Finder(bool);
+
+    impl<'ast> Visit<'ast> for Finder {
+        fn visit_expr(&mut self, expr: &'ast Expr) {
+            match expr {
+                Expr::Let(_) => self.0 = true,
+                Expr::Binary(_) | Expr::Paren(_) | Expr::Group(_) => visit::visit_expr(self, expr),
+                _ => {}
+            }
+        }
+    }
+
+    let mut finder = Finder(false);
+    finder.visit_expr(condition);
+    finder.0
+}

@@ -1,0 +1,185 @@
+//! The macros of the standard library that numerical code uses. Any other is refused: what it
+//! expands to is not seen here.
+
+use proc_macro2::TokenStream;
+use quote::{ToTokens, format_ident, quote, quote_spanned};
+use syn::parse::{Parse, ParseStream};
+use syn::punctuated::Punctuated;
+use syn::spanned::Spanned;
+use syn::{Expr, Lit, Macro, Pat, Path, Token};
+
+use super::flow::strip_parens;
+use super::{Lowerer, exits};
+use crate::ir::{Operand, Statement};
+
+/// `expression, pattern if guard`, as in `matches!`.
+pub(super) struct Matches {
+    pub expr: Expr,
+    pub pat: Pat,
+    pub guard: Option<Expr>,
+}
+
+impl Parse for Matches {
+    fn parse(input: ParseStream<'_>) -> syn::Result<Self> {
+        let expr = input.parse()?;
+        input.parse::<Token![,]>()?;
+        let pat = Pat::parse_multi_with_leading_vert(input)?;
+        let guard = match input.parse::<Option<Token![if]>>()? {
+            Some(_) => Some(input.parse()?),
+            None => None,
+        };
+        input.parse::<Option<Token![,]>>()?;
+        Ok(Self { expr, pat, guard })
+    }
+}
+
+/// The name of a macro of the standard library.
+pub(super) fn standard_macro(path: &Path) -> Option<String> {
+    let mut segments = path.segments.iter();
+    let last = segments.next_back()?;
+    let standard = |segment: &syn::PathSegment| segment.ident == "std" || segment.ident == "core";
+    segments.all(standard).then(|| last.ident.to_string())
+}
+
+/// Whether control never passes the macro.
+pub(super) fn macro_diverges(call: &Macro) -> bool {
+    standard_macro(&call.path)
+        .is_some_and(|name| matches!(&*name, "panic" | "unreachable" | "todo" | "unimplemented"))
+}
+
+impl Lowerer<'_> {
+    /// A call of a macro, as a value or as a statement.
+    pub(super) fn macro_call(&mut self, call: &Macro, hint: &str) -> Operand {
+        let name = standard_macro(&call.path).unwrap_or_default();
+        let shown = match &*name {
+            "assert" | "debug_assert" => 1,
+            "assert_eq" | "assert_ne" | "debug_assert_eq" | "debug_assert_ne" => 2,
+            "panic" | "unreachable" => 0,
+            "dbg" => return self.debugged(call, hint),
+            "vec" => return self.vec(call, hint),
+            "matches" => {
+                return self.discrete(&Expr::Macro(syn::ExprMacro {
+                    attrs: Vec::new(),
+                    mac: call.clone(),
+                }));
+            }
+            "todo" | "unimplemented" => {
+                return self.refuse(
+                    call,
+                    format!(
+                        "`{name}!` has no derivative: write what is to be computed, or `panic!`"
+                    ),
+                );
+            }
+            _ => return self.refuse_macro(call),
+        };
+        let Some(arguments) = self.arguments_of(call) else { return Self::unit() };
+        let mut tokens = Vec::new();
+        for argument in arguments.iter().take(shown) {
+            tokens.push(self.plain(argument));
+        }
+        let message: Vec<_> = arguments.iter().skip(shown).collect();
+        tokens.extend(self.message(&message));
+        let ident = format_ident!("{name}");
+        let code = quote_spanned!(call.span()=> ::core::#ident!(#(#tokens),*););
+        self.push(Statement::Plain { code, defines: Vec::new() });
+        match macro_diverges(call) {
+            true => Operand::Constant(quote!(::ad::rt::never())),
+            false => Self::unit(),
+        }
+    }
+
+    fn arguments_of(&mut self, call: &Macro) -> Option<Vec<Expr>> {
+        let parsed = call.parse_body_with(Punctuated::<Expr, Token![,]>::parse_terminated);
+        let arguments = match parsed {
+            Ok(arguments) => arguments,
+            Err(error) => {
+                self.errors.add(error);
+                return None;
+            }
+        };
+        for argument in &arguments {
+            if exits::expr_exits(argument) {
+                self.refuse(
+                    argument,
+                    "an exit from within a macro is not supported: bind the value to a variable with `let` before",
+                );
+            }
+        }
+        Some(arguments.into_iter().collect())
+    }
+
+    /// The arguments of a message. Names that the format string captures are passed by name, for
+    /// generated variables may be called otherwise.
+    fn message(&mut self, arguments: &[&Expr]) -> Vec<TokenStream> {
+        let mut tokens = Vec::new();
+        let mut named = Vec::new();
+        for argument in arguments {
+            tokens.push(match argument {
+                Expr::Assign(assign) => {
+                    let (name, value) = (&assign.left, self.plain(&assign.right));
+                    named.push(name.to_token_stream().to_string());
+                    quote!(#name = #value)
+                }
+                argument => self.plain(argument),
+            });
+        }
+        if let Some(Expr::Lit(literal)) = arguments.first().map(|first| strip_parens(first))
+            && let Lit::Str(format) = &literal.lit
+        {
+            for name in captured_names(&format.value()) {
+                let ident = syn::Ident::new(&name, format.span());
+                if named.contains(&name) || self.lookup(&ident).is_none() {
+                    continue;
+                }
+                let value = self.plain(&syn::parse_quote!(#ident));
+                tokens.push(quote!(#ident = #value));
+                named.push(name);
+            }
+        }
+        tokens
+    }
+
+    /// `dbg!(x)`: prints, and is `x`.
+    fn debugged(&mut self, call: &Macro, hint: &str) -> Operand {
+        let arguments = self.arguments_of(call).unwrap_or_default();
+        let [argument] = &arguments[..] else {
+            return self.refuse(call, "`dbg!` of one value is supported");
+        };
+        let value = self.operand(argument, hint);
+        let is_constant = matches!(value, Operand::Constant(_));
+        let var = self.named(value, "shown", call.span());
+        let ident = self.ident(var).clone();
+        let text = call.tokens.to_string();
+        let code = quote_spanned! {call.span()=>
+            ::std::eprintln!(
+                "[{}:{}:{}] {} = {:#?}",
+                ::core::file!(), ::core::line!(), ::core::column!(), #text, &#ident
+            );
+        };
+        self.push(Statement::Plain { code, defines: Vec::new() });
+        match is_constant {
+            true => Operand::Constant(quote!(#ident)),
+            false => Operand::Var(var),
+        }
+    }
+}
+
+/// The names that a format string takes from around it: `{name}`, `{:width$}`.
+fn captured_names(format: &str) -> Vec<String> {
+    let mut names = Vec::new();
+    let unescaped = format.replace("{{", "");
+    for part in unescaped.split('{').skip(1) {
+        let Some((part, _)) = part.split_once('}') else { continue };
+        let (name, options) = part.split_once(':').unwrap_or((part, ""));
+        let widths = options.split('$').rev().skip(1).map(|width| {
+            width.rsplit(|c: char| !c.is_alphanumeric() && c != '_').next().unwrap_or("")
+        });
+        for name in std::iter::once(name.trim()).chain(widths) {
+            if syn::parse_str::<syn::Ident>(name).is_ok() && !names.iter().any(|n| n == name) {
+                names.push(name.to_owned());
+            }
+        }
+    }
+    names
+}

@@ -1,0 +1,316 @@
+//! The head of a loop over an iterator, and what happens to an item before it is used.
+
+use proc_macro2::TokenStream;
+use quote::{ToTokens, quote};
+use syn::spanned::Spanned;
+use syn::{Expr, Ident, Pat};
+
+use super::Lowerer;
+use super::chain::Chain;
+use super::closure::simple_name;
+use super::ends::{End, Target};
+use super::item::{Alias, Item};
+use crate::ir::{Arm, BranchKind, Operand, Operation, Statement, VarId};
+
+/// A chain whose items have names.
+pub(super) struct Items {
+    /// Of what `pattern` takes apart.
+    pub iterator: TokenStream,
+    /// Whether the iterator is a range, which has to stand in parentheses before an adapter.
+    is_range: bool,
+    pub pattern: TokenStream,
+    pub defines: Vec<VarId>,
+    pub item: Item,
+    /// What the body does with an item before it is used, first to last.
+    pub stages: Vec<Stage>,
+}
+
+impl Items {
+    fn adapt(&mut self, adapter: &TokenStream) {
+        let iterator = &self.iterator;
+        self.iterator = match self.is_range {
+            true => quote!((#iterator) #adapter),
+            false => quote!(#iterator #adapter),
+        };
+        self.is_range = false;
+    }
+}
+
+/// A step on the way of an item to its use.
+pub(super) enum Stage {
+    Map(Expr),
+    Copied,
+    Filter(Expr),
+    TakeWhile(Expr),
+    Count(VarId),
+}
+
+impl Lowerer<'_> {
+    /// Names the items of a chain; to be called inside of the loop's body.
+    /// Those that have a name of their own in `pat` keep it.
+    pub(super) fn items(&mut self, chain: &Chain, pat: Option<&Pat>) -> Items {
+        let mut lengths = Vec::new();
+        if self.is_direct(chain, &mut lengths) {
+            let name = position_name(chain, pat);
+            let (var, ident) = self.loop_variable(name.as_deref().unwrap_or("index"));
+            let lengths = lengths.into_iter().reduce(|all, next| quote!(#all.min(#next)));
+            let (item, stages) = self.item_at(chain, var);
+            return Items { stages, ..leaf(quote!(0..#lengths), ident, item, var) };
+        }
+        match chain {
+            Chain::Elements { .. } => unreachable!("elements are direct"),
+            Chain::Refused => Items {
+                iterator: quote!(0..0),
+                is_range: true,
+                pattern: quote!(_),
+                defines: Vec::new(),
+                item: Item::Value(Self::unit()),
+                stages: Vec::new(),
+            },
+            Chain::Constant { iterator, .. } => {
+                let name = pat.and_then(simple_name).map(Ident::to_string);
+                let (var, ident) = self.loop_variable(name.as_deref().unwrap_or("item"));
+                let pattern = match pat {
+                    Some(Pat::Wild(_)) => quote!(_),
+                    _ => ident,
+                };
+                leaf(iterator.clone(), pattern, Item::Constant(var), var)
+            }
+            Chain::Runs { place, iterator, size, cut_short } => {
+                let (var, ident) = self.loop_variable("start");
+                let whole = self.place_tokens(place);
+                let end = match cut_short {
+                    true => {
+                        let end = quote!((#ident + #size).min(#whole.len()));
+                        let end = Operation::Use(Operand::Constant(end));
+                        let end = self.define("end", proc_macro2::Span::call_site(), false, end);
+                        self.ident(end).to_token_stream()
+                    }
+                    false => quote!(#ident + #size),
+                };
+                let run = Self::element(place, quote!(#ident..#end));
+                leaf(iterator.clone(), ident, Item::Reference(Alias { place: run, depth: 1 }), var)
+            }
+            Chain::Enumerate(inner) => {
+                let [first, second] = pair_pattern(pat);
+                let name = first.and_then(simple_name).map(Ident::to_string);
+                let (var, ident) = self.loop_variable(name.as_deref().unwrap_or("position"));
+                let mut items = self.items(inner, second);
+                let pattern = &items.pattern;
+                items.pattern = quote!((#ident, #pattern));
+                items.defines.push(var);
+                items.adapt(&quote!(.enumerate()));
+                let item = self.staged(items.item.clone(), std::mem::take(&mut items.stages));
+                Items { item: Item::Tuple(vec![Item::Constant(var), item]), ..items }
+            }
+            Chain::Zip(left, right) => {
+                let [first, second] = pair_pattern(pat);
+                let mut left = self.items(left, first);
+                let mut right = self.items(right, second);
+                let both = [&mut left, &mut right].map(|items| {
+                    self.staged(items.item.clone(), std::mem::take(&mut items.stages))
+                });
+                let (left_pattern, right_pattern) = (&left.pattern, &right.pattern);
+                let pattern = quote!((#left_pattern, #right_pattern));
+                let right_iterator = &right.iterator;
+                left.adapt(&quote!(.zip(#right_iterator)));
+                let defines = [left.defines, right.defines].concat();
+                Items { pattern, defines, item: Item::Tuple(both.into()), ..left }
+            }
+            Chain::Order { inner, adapter, .. } => {
+                let mut items = self.items(inner, pat);
+                items.adapt(adapter);
+                items
+            }
+            Chain::Copied(inner) => self.with_stage(inner, Stage::Copied, None),
+            Chain::Map(inner, function) => {
+                let pat = parameter(function);
+                self.with_stage(inner, Stage::Map(function.clone()), pat)
+            }
+            Chain::Filter(inner, function) => {
+                self.with_stage(inner, Stage::Filter(function.clone()), pat)
+            }
+            Chain::TakeWhile(inner, function) => {
+                self.with_stage(inner, Stage::TakeWhile(function.clone()), pat)
+            }
+            Chain::Count(inner, counter) => {
+                let [_, second] = pair_pattern(pat);
+                self.with_stage(inner, Stage::Count(*counter), second)
+            }
+        }
+    }
+
+    /// Whether each item is made of elements at one position; gathers the lengths of their places.
+    fn is_direct(&self, chain: &Chain, lengths: &mut Vec<TokenStream>) -> bool {
+        match chain {
+            Chain::Elements { place, .. } => {
+                let whole = self.place_tokens(place);
+                lengths.push(quote!(#whole.len()));
+                true
+            }
+            Chain::Enumerate(inner) | Chain::Copied(inner) | Chain::Map(inner, _) => {
+                self.is_direct(inner, lengths)
+            }
+            Chain::Zip(left, right) => {
+                self.is_direct(left, lengths) && self.is_direct(right, lengths)
+            }
+            _ => false,
+        }
+    }
+
+    /// The item of a direct chain at the position that `index` holds.
+    fn item_at(&mut self, chain: &Chain, index: VarId) -> (Item, Vec<Stage>) {
+        match chain {
+            Chain::Elements { place, by_reference, .. } => {
+                let ident = self.ident(index);
+                let element = Self::element(place, quote!(#ident));
+                let item = match by_reference {
+                    true => Item::Reference(Alias { place: element, depth: 1 }),
+                    false => Item::Copy(element),
+                };
+                (item, Vec::new())
+            }
+            Chain::Enumerate(inner) => {
+                let (item, stages) = self.item_at(inner, index);
+                let item = self.staged(item, stages);
+                (Item::Tuple(vec![Item::Constant(index), item]), Vec::new())
+            }
+            Chain::Zip(left, right) => {
+                let both = [left, right].map(|chain| {
+                    let (item, stages) = self.item_at(chain, index);
+                    self.staged(item, stages)
+                });
+                (Item::Tuple(both.into()), Vec::new())
+            }
+            Chain::Copied(inner) => self.item_before(inner, index, Stage::Copied),
+            Chain::Map(inner, function) => {
+                self.item_before(inner, index, Stage::Map(function.clone()))
+            }
+            _ => unreachable!("the chain is direct"),
+        }
+    }
+
+    fn item_before(&mut self, inner: &Chain, index: VarId, stage: Stage) -> (Item, Vec<Stage>) {
+        let (item, mut stages) = self.item_at(inner, index);
+        stages.push(stage);
+        (item, stages)
+    }
+
+    fn with_stage(&mut self, inner: &Chain, stage: Stage, pat: Option<&Pat>) -> Items {
+        let mut items = self.items(inner, pat);
+        items.stages.push(stage);
+        items
+    }
+
+    fn loop_variable(&mut self, hint: &str) -> (VarId, TokenStream) {
+        let ident = self.names.fresh(hint, proc_macro2::Span::call_site());
+        let var = self.var(ident.clone(), false, false);
+        (var, ident.to_token_stream())
+    }
+
+    /// The item behind those of its stages that change no number of items.
+    fn staged(&mut self, item: Item, stages: Vec<Stage>) -> Item {
+        let mut item = item;
+        for stage in stages {
+            item = match stage {
+                Stage::Map(function) => Item::Value(self.apply(&function, vec![item])),
+                Stage::Copied => self.copied(item),
+                _ => unreachable!("what follows a filter has been refused"),
+            };
+        }
+        item
+    }
+
+    /// Runs the stages of an item, then `body`. Where a filter drops the item the block ends.
+    pub(super) fn run_stages(
+        &mut self,
+        item: Item,
+        stages: &[Stage],
+        own: Target,
+        end: &End,
+        body: &mut dyn FnMut(&mut Self, Item) -> Operand,
+    ) -> Operand {
+        let Some((stage, rest)) = stages.split_first() else { return body(self, item) };
+        match stage {
+            Stage::Map(function) => {
+                let value = Item::Value(self.apply(function, vec![item]));
+                self.run_stages(value, rest, own, end, body)
+            }
+            Stage::Copied => {
+                let copy = self.copied(item);
+                self.run_stages(copy, rest, own, end, body)
+            }
+            Stage::Count(counter) => {
+                let ident = self.ident(*counter).clone();
+                let count = Operation::Use(Operand::Constant(quote!(#ident)));
+                let position = self.define("position", ident.span(), false, count);
+                let code = quote!(#ident += 1;);
+                self.push(Statement::Plain { code, defines: Vec::new() });
+                let pair = Item::Tuple(vec![Item::Constant(position), item]);
+                self.run_stages(pair, rest, own, end, body)
+            }
+            Stage::Filter(function) | Stage::TakeWhile(function) => {
+                // What it looks at and what the body uses is evaluated once.
+                let item = self.settled_item(item);
+                let shown = item.clone().borrowed(self);
+                let condition = self.apply(function, vec![shown]);
+                let condition = self.without_derivative(&condition);
+                let passes = self.block(|lowerer| lowerer.run_stages(item, rest, own, end, body));
+                let stops = matches!(stage, Stage::TakeWhile(_));
+                let drops = self.block(|lowerer| match stops {
+                    true => lowerer.exit(own, Self::unit(), end),
+                    false => lowerer.normal_end(Self::unit(), end),
+                });
+                let arms = [passes, drops].map(|body| Arm {
+                    pattern: TokenStream::new(),
+                    guard: None,
+                    bindings: Vec::new(),
+                    body,
+                });
+                self.branch(BranchKind::If(condition), arms.into(), true, function.span())
+            }
+        }
+    }
+}
+
+/// The name that a pattern gives to the position of an item.
+fn position_name(chain: &Chain, pat: Option<&Pat>) -> Option<String> {
+    match chain {
+        Chain::Enumerate(inner) => {
+            let [first, second] = pair_pattern(pat);
+            let name = first.and_then(simple_name).map(Ident::to_string);
+            name.or_else(|| position_name(inner, second))
+        }
+        Chain::Zip(left, right) => {
+            let [first, second] = pair_pattern(pat);
+            position_name(left, first).or_else(|| position_name(right, second))
+        }
+        Chain::Copied(inner) => position_name(inner, pat),
+        Chain::Map(inner, function) => position_name(inner, parameter(function)),
+        _ => None,
+    }
+}
+
+/// The patterns of both parts of a pair.
+fn pair_pattern(pat: Option<&Pat>) -> [Option<&Pat>; 2] {
+    match pat {
+        Some(Pat::Tuple(tuple)) if tuple.elems.len() == 2 => {
+            [Some(&tuple.elems[0]), Some(&tuple.elems[1])]
+        }
+        Some(Pat::Paren(inner)) => pair_pattern(Some(&inner.pat)),
+        _ => [None, None],
+    }
+}
+
+/// The pattern of the only parameter of a closure.
+fn parameter(function: &Expr) -> Option<&Pat> {
+    match function {
+        Expr::Closure(closure) if closure.inputs.len() == 1 => closure.inputs.first(),
+        _ => None,
+    }
+}
+
+fn leaf(iterator: TokenStream, pattern: TokenStream, item: Item, var: VarId) -> Items {
+    let is_range = true;
+    Items { iterator, is_range, pattern, defines: vec![var], item, stages: Vec::new() }
+}

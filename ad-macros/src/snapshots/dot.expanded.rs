@@ -1,0 +1,53 @@
+impl dot {
+    pub fn vjp(
+        xs: &[f64; 8],
+        ys: &[f64; 8],
+    ) -> (
+        f64,
+        impl ::core::ops::FnOnce(
+            ::ad::Tangent<f64>,
+        ) -> (::ad::Tangent<[f64; 8]>, ::ad::Tangent<[f64; 8]>) + use<>,
+    ) {
+        #[allow(unused_imports)]
+        use ::ad::rt::methods::*;
+        let xs_space = ::ad::rt::space(&xs);
+        let ys_space = ::ad::rt::space(&ys);
+        let mut total = ::ad::rt::empty_sum();
+        let mut tape = ::ad::rt::ArrayTape::<_, 8usize>::new();
+        for index in 0..xs.len().min(ys.len()) {
+            let x = xs[index];
+            let y = ys[index];
+            let product = x * y;
+            let partial = total;
+            total += product;
+            let partial_pullback = ::ad::rt::linear(&partial, &product);
+            tape.push((index, x, y, partial_pullback));
+        }
+        let total_1 = total;
+        (
+            total_1,
+            move |
+                result_bar: ::ad::Tangent<f64>,
+            | -> (::ad::Tangent<[f64; 8]>, ::ad::Tangent<[f64; 8]>) {
+                let mut total_1_bar = result_bar;
+                let mut total_bar = total_1_bar;
+                let mut xs_bar = xs_space.zero();
+                let mut ys_bar = ys_space.zero();
+                for (index, x, y, partial_pullback) in tape.into_iter().rev() {
+                    let (total_part, product_part) = partial_pullback
+                        .pull_back_sum(::ad::rt::take(&mut total_bar));
+                    ::ad::rt::Absorb::absorb(&mut total_bar, total_part);
+                    let mut product_bar = product_part;
+                    let (mut x_bar, mut y_bar) = ::ad::rules::MulPullback::mul_pullback(
+                        x,
+                        y,
+                        product_bar,
+                    );
+                    ::ad::rt::Absorb::absorb(&mut ys_bar[index], y_bar);
+                    ::ad::rt::Absorb::absorb(&mut xs_bar[index], x_bar);
+                }
+                (xs_bar, ys_bar)
+            },
+        )
+    }
+}

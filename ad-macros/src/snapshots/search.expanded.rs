@@ -1,0 +1,67 @@
+impl search {
+    pub fn vjp(
+        x: f64,
+        step: f64,
+    ) -> (
+        f64,
+        impl ::core::ops::FnOnce(
+            ::ad::Tangent<f64>,
+        ) -> (::ad::Tangent<f64>, ::ad::Tangent<f64>) + use<>,
+    ) {
+        #[allow(unused_imports)]
+        use ::ad::rt::methods::*;
+        let x_space = ::ad::rt::space(&x);
+        let mut a = x;
+        let mut i = 0;
+        let mut tape = ::std::vec::Vec::new();
+        while i < 100 {
+            i += 1;
+            let a_1 = a;
+            let product = a_1 * step;
+            let sum = product + x;
+            let sum_pullback = ::ad::rt::linear(&product, &x);
+            a = sum;
+            let value = if a > 10.0 {
+                ::core::ops::ControlFlow::Break(())
+            } else {
+                ::core::ops::ControlFlow::Continue(())
+            };
+            tape.push((a_1, sum_pullback));
+            if value.is_break() {
+                break;
+            }
+        }
+        let a_2 = a;
+        let product_1 = a_2 * step;
+        (
+            product_1,
+            move |
+                result_bar: ::ad::Tangent<f64>,
+            | -> (::ad::Tangent<f64>, ::ad::Tangent<f64>) {
+                let mut product_1_bar = result_bar;
+                let (mut a_2_bar, mut step_bar) = ::ad::rules::MulPullback::mul_pullback(
+                    a_2,
+                    step,
+                    product_1_bar,
+                );
+                let mut a_bar = a_2_bar;
+                let mut x_bar = x_space.zero();
+                for (a_1, sum_pullback) in tape.into_iter().rev() {
+                    let a_part = ::ad::rt::take(&mut a_bar);
+                    let mut sum_bar = a_part;
+                    let (mut product_bar, x_part) = sum_pullback.pull_back_sum(sum_bar);
+                    ::ad::rt::Absorb::absorb(&mut x_bar, x_part);
+                    let (mut a_1_bar, step_part) = ::ad::rules::MulPullback::mul_pullback(
+                        a_1,
+                        step,
+                        product_bar,
+                    );
+                    ::ad::rt::Absorb::absorb(&mut step_bar, step_part);
+                    ::ad::rt::Absorb::absorb(&mut a_bar, a_1_bar);
+                }
+                ::ad::rt::Absorb::absorb(&mut x_bar, a_bar);
+                (x_bar, step_bar)
+            },
+        )
+    }
+}

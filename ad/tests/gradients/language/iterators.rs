@@ -1,0 +1,284 @@
+//! Loops over elements, and chains of iterator adapters.
+
+use ad::{Differentiable, Real, differentiable};
+
+use crate::oracle::assert_gradient;
+
+/// Checks the gradient of a function of an array and a number.
+macro_rules! check_array {
+    ($f:ident, $n:literal) => {{
+        let values: [f64; $n] = std::array::from_fn(|i| 0.7 + 0.31 * ((i * 3) % 7) as f64);
+        for y in [1.3, -0.45] {
+            let (value, (to_values, to_y)) = $f::value_and_grad(&values, y);
+            assert_eq!(value.to_bits(), $f(&values, y).to_bits(), stringify!($f));
+            let point: Vec<f64> = values.iter().copied().chain([y]).collect();
+            let primal = |p: &[f64]| $f(p[..$n].try_into().unwrap(), p[$n]);
+            let gradient: Vec<f64> = to_values.into_iter().chain([to_y]).collect();
+            assert_gradient(stringify!($f), primal, &point, &gradient);
+        }
+    }};
+}
+
+#[differentiable]
+fn by_reference(xs: &[f64; 5], y: f64) -> f64 {
+    let mut total = y;
+    for x in xs {
+        total += x * y;
+    }
+    for x in xs.iter() {
+        total = total * 0.5 + *x * x.sin();
+    }
+    for &x in xs {
+        total += x * x;
+    }
+    total
+}
+
+#[differentiable]
+fn by_value(xs: &[f64; 5], y: f64) -> f64 {
+    let copy = *xs;
+    let mut changing = [y, 2.0 * y, y * y];
+    let mut total = 1.0;
+    for x in copy {
+        total *= x + y;
+    }
+    for x in changing {
+        changing[0] += x;
+        changing[2] = changing[0] * x;
+        total += x * changing[1];
+    }
+    for x in [y, total, changing[2]] {
+        total += x.sin();
+    }
+    for weight in [0.1, 0.2] {
+        total += weight * total;
+    }
+    total + changing[2]
+}
+
+#[differentiable]
+fn adapters(xs: &[f64; 7], y: f64) -> f64 {
+    let mut total = 0.0;
+    for (i, x) in xs.iter().enumerate() {
+        total += *x * i as f64 * y;
+    }
+    for (i, &x) in xs.iter().enumerate().rev().skip(1).step_by(2) {
+        total = total * 0.9 + x * i as f64;
+    }
+    for (a, b) in xs.iter().zip(xs.iter().skip(2)).take(4) {
+        total += a * b;
+    }
+    for ((i, a), (j, b)) in xs.iter().enumerate().zip(xs.iter().rev().enumerate()) {
+        if i > j {
+            continue;
+        }
+        total += (a - b) * (i + 2 * j) as f64;
+    }
+    for (k, x) in (1..).zip(xs) {
+        total += x.powi(k) * 0.01;
+    }
+    for i in (0..7).rev().step_by(3) {
+        total = total * y + xs[i];
+    }
+    total
+}
+
+#[differentiable]
+fn runs(xs: &[f64; 7], y: f64) -> f64 {
+    let mut total = y;
+    for w in xs.windows(3) {
+        total += w[0] * w[1] - w[2] * y;
+    }
+    for (i, pair) in xs.chunks_exact(2).enumerate() {
+        total += pair[0] / pair[1] * i as f64;
+    }
+    for part in xs.chunks(3) {
+        let mut product = 1.0;
+        for x in part {
+            product *= x;
+        }
+        total += product;
+    }
+    for w in xs.windows(9) {
+        total += w[8];
+    }
+    total
+}
+
+#[differentiable]
+fn in_place(xs: &[f64; 5], y: f64) -> f64 {
+    let mut state = *xs;
+    for x in state.iter_mut() {
+        *x *= y;
+        *x += 0.5;
+    }
+    for (x, old) in state.iter_mut().zip(xs) {
+        *x = *x * old + x.sin();
+    }
+    for (i, x) in state.iter_mut().enumerate().rev() {
+        if i % 2 == 0 {
+            *x = y;
+        }
+    }
+    let mut total = 0.0;
+    for x in &state {
+        total += x * x;
+    }
+    for x in &mut state {
+        *x -= total;
+    }
+    state[0] * state[1] + state[4]
+}
+
+#[derive(Clone, Copy, Differentiable)]
+struct Particle {
+    position: [f64; 2],
+    mass: f64,
+}
+
+#[differentiable]
+fn energy(particles: &[Particle; 3], g: f64) -> f64 {
+    let mut total = 0.0;
+    for (i, a) in particles.iter().enumerate() {
+        for b in particles.iter().skip(i + 1) {
+            let mut square = 0.0;
+            for (p, q) in a.position.iter().zip(&b.position) {
+                square += (p - q) * (p - q);
+            }
+            total -= g * a.mass * b.mass / square.sqrt();
+        }
+    }
+    for Particle { position: [x, y], mass } in particles {
+        total += mass * (x * x + *y);
+    }
+    total
+}
+
+#[differentiable]
+fn rows<S: Real>(matrix: [[S; 3]; 2], x: [S; 3]) -> S {
+    let mut product = [S::ZERO; 2];
+    for (entry, row) in product.iter_mut().zip(&matrix) {
+        for (m, v) in row.iter().zip(x) {
+            *entry = *entry + *m * v;
+        }
+    }
+    let [a, b] = product;
+    a * b
+}
+
+#[differentiable]
+fn exits(xs: &[f64; 7], y: f64) -> f64 {
+    let mut product = 1.0;
+    'outer: for (i, x) in xs.iter().enumerate() {
+        for z in xs.iter().take(i) {
+            if *z > 2.0 && *x > 2.0 {
+                continue 'outer;
+            }
+            if product > 30.0 {
+                break 'outer;
+            }
+            product *= (z + y).abs() + 0.6;
+        }
+        if x * product < -50.0 {
+            return *x * y;
+        }
+        product += x;
+    }
+    product
+}
+
+#[differentiable]
+fn sums(xs: &[f64; 7], y: f64) -> f64 {
+    let squares: f64 = xs.iter().map(|x| x * x).sum();
+    let dot = xs.iter().zip(xs.iter().rev()).map(|(a, b)| a * b * y).sum::<f64>();
+    let product: f64 = xs.iter().product();
+    let plain = xs.iter().sum::<f64>();
+    let weighted: f64 = (0..7).map(|i| xs[i] * i as f64).sum();
+    let nothing: f64 = xs.iter().take(0).map(|x| x * y).sum();
+    squares / dot + product * plain + weighted * nothing + weighted
+}
+
+#[differentiable]
+fn folds(xs: &[f64; 7], y: f64) -> f64 {
+    let horner = xs.iter().rev().fold(0.0, |value, &c| value * y + c);
+    let (low, high) = xs.iter().copied().fold((f64::MAX, f64::MIN), |(low, high), x| {
+        let x = x * y;
+        (low.min(x), high.max(x))
+    });
+    let greatest = xs.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+    let mut count = 0;
+    xs.iter().for_each(|x| {
+        if *x > 1.0 {
+            count += 1;
+        }
+    });
+    horner + low * high - greatest * count as f64
+}
+
+#[differentiable]
+fn filtered(xs: &[f64; 7], y: f64) -> f64 {
+    let mut total: f64 = xs.iter().filter(|x| **x > 1.0).map(|x| x * y).sum();
+    total += xs.iter().copied().filter(|&x| x < 2.0).fold(1.0, |a, x| a * x);
+    for (i, x) in xs.iter().map(|x| x * y).filter(|x| x.abs() > 1.1).enumerate() {
+        total += x * i as f64;
+    }
+    for (_, x) in xs.iter().enumerate().filter(|(i, _)| i % 3 == 0) {
+        total += x.sin();
+    }
+    total += xs.iter().take_while(|x| **x < 2.0).map(|x| x * x).sum::<f64>();
+    let above = xs.iter().filter(|&&x| x > 1.5).count();
+    if xs.iter().any(|x| x * y > 3.0) && !xs.iter().all(|&x| x > 1.0) {
+        total *= y;
+    }
+    total * above as f64
+}
+
+#[differentiable]
+fn extremes(xs: &[f64; 7], y: f64) -> f64 {
+    let most = xs.iter().map(|x| x * y).max_by(|a, b| a.partial_cmp(b).unwrap());
+    let least = xs.iter().copied().min_by(|a, b| a.total_cmp(b));
+    match (most, least) {
+        (Some(most), Some(least)) => most * most * least,
+        _ => y,
+    }
+}
+
+#[test]
+fn loops_over_elements() {
+    check_array!(by_reference, 5);
+    check_array!(by_value, 5);
+    check_array!(adapters, 7);
+    check_array!(runs, 7);
+    check_array!(in_place, 5);
+    check_array!(exits, 7);
+}
+
+#[test]
+fn chains() {
+    check_array!(sums, 7);
+    check_array!(folds, 7);
+    check_array!(filtered, 7);
+    check_array!(extremes, 7);
+}
+
+#[test]
+fn elements_with_parts() {
+    let point = [0.3, -1.2, 1.5, 2.0, 0.4, 0.7, -1.1, 0.2, 2.5, 0.8];
+    let particles = |p: &[f64]| -> [Particle; 3] {
+        std::array::from_fn(|i| Particle { position: [p[3 * i], p[3 * i + 1]], mass: p[3 * i + 2] })
+    };
+    let primal = |p: &[f64]| energy(&particles(p), p[9]);
+    let (value, (by_particles, by_g)) = energy::value_and_grad(&particles(&point), point[9]);
+    assert_eq!(value, primal(&point));
+    let mut gradient = Vec::new();
+    for particle in by_particles {
+        gradient.extend(particle.position);
+        gradient.push(particle.mass);
+    }
+    gradient.push(by_g);
+    assert_gradient("energy", primal, &point, &gradient);
+
+    let primal = |p: &[f64]| rows([[p[0], p[1], p[2]], [p[3], p[4], p[5]]], [p[6], p[7], p[8]]);
+    let ([a, b], x) = rows::grad([[0.3, -1.2, 1.5], [2.0, 0.4, 0.7]], [-1.1, 0.2, 2.5]);
+    assert_gradient("rows", primal, &point[..9], &[a, b, x].concat());
+}

@@ -1,0 +1,73 @@
+//! Lanes that have something in common.
+
+use std::array;
+
+use ad::lanes::Lanes;
+use ad::{Select, select};
+use wide::{f32x16, u32x16};
+
+use crate::precision::MOST_LANES;
+
+/// The lanes of a group by an index, such as that of the primitive they show: neighbours mostly
+/// share it, so that what belongs to it is fetched, and what flows back to it is added, once.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Sharing {
+    /// An index, and a bit for each of its lanes; in the order of their first lanes.
+    shares: [(u32, u32); MOST_LANES],
+    count: usize,
+}
+
+impl Sharing {
+    /// Sorts the lanes in `alive` by their indices.
+    #[inline]
+    pub fn new(indices: &[u32], alive: u32) -> Self {
+        let indices = u32x16::new(array::from_fn(|lane| indices.get(lane).copied().unwrap_or(0)));
+        let mut sharing = Self { shares: [(0, 0); MOST_LANES], count: 0 };
+        let mut rest = alive;
+        while rest != 0 {
+            let index = indices.as_array()[rest.trailing_zeros() as usize % MOST_LANES];
+            let same = f32x16::from_bits(indices.simd_eq(u32x16::splat(index)));
+            let lanes = same.to_bitmask() & rest;
+            sharing.push(index, lanes);
+            rest &= !lanes;
+        }
+        sharing
+    }
+
+    /// The lanes by what `f` makes of their index.
+    #[inline]
+    pub fn map(&self, f: impl Fn(usize) -> u32) -> Self {
+        let mut sharing = Self { shares: [(0, 0); MOST_LANES], count: 0 };
+        for (index, lanes) in self.iter() {
+            let index = f(index);
+            match sharing.shares[..sharing.count].iter_mut().find(|share| share.0 == index) {
+                Some(share) => share.1 |= lanes,
+                None => sharing.push(index, lanes),
+            }
+        }
+        sharing
+    }
+
+    #[inline]
+    fn push(&mut self, index: u32, lanes: u32) {
+        self.shares[self.count % MOST_LANES] = (index, lanes);
+        self.count += 1;
+    }
+
+    /// Each index, with a bit for each of its lanes.
+    #[inline]
+    pub fn iter(&self) -> impl Iterator<Item = (usize, u32)> {
+        self.shares[..self.count].iter().map(|&(index, lanes)| (index as usize, lanes))
+    }
+
+    /// Puts what `value` gives for an index into its lanes. The other lanes get that of the first
+    /// index.
+    #[inline]
+    pub fn gather<L: Lanes, T: Select<Mask = L::Mask>>(&self, value: impl Fn(usize) -> T) -> T {
+        let mut gathered = value(self.shares[0].0 as usize);
+        for (index, lanes) in self.iter().skip(1) {
+            gathered = select(L::mask_from_bits(lanes), value(index), gathered);
+        }
+        gathered
+    }
+}

@@ -1,0 +1,102 @@
+//! What the pixels of a strip add up to, in double precision.
+
+use ad::lanes::Lanes;
+use ad::{Additive, Mask};
+use glam::DVec3;
+
+use super::shade::LightCotangent;
+use crate::kernels::camera::FrameTangent;
+use crate::kernels::light::{DistantLightTangent, PointLightTangent};
+use crate::kernels::material::MaterialTangent;
+use crate::kernels::sphere::SphereTangent;
+use crate::scene::Light;
+
+/// Where the sum of each index stands in a list of sums.
+///
+/// A sparse set (Briggs & Torczon, "An Efficient Representation for Sparse Sets", 1993): it is never
+/// cleared, because a slot counts only if the sum in it bears its index. So a strip costs the time
+/// and the memory of what it touches, however much there is.
+pub struct Slots(Vec<u32>);
+
+impl Slots {
+    /// For indices below `count`.
+    pub fn new(count: usize) -> Self {
+        Self(vec![0; count])
+    }
+
+    /// Adds `term` to the sum of an index.
+    #[inline]
+    pub fn add<T: Additive>(&mut self, sums: &mut Vec<(u32, T)>, index: usize, term: T) {
+        let slot = &mut self.0[index];
+        match sums.get_mut(*slot as usize) {
+            Some((of, sum)) if *of == index as u32 => sum.accumulate(term),
+            _ => {
+                *slot = sums.len() as u32;
+                sums.push((index as u32, term));
+            }
+        }
+    }
+}
+
+/// The cotangent of a light of either kind.
+#[derive(Clone, Debug)]
+pub enum LightSum {
+    Point(PointLightTangent<f64>),
+    Distant(DistantLightTangent<f64>),
+}
+
+impl LightSum {
+    fn zero(light: &Light<f64>) -> Self {
+        match light {
+            Light::Point(_) => Self::Point(Additive::zero()),
+            Light::Distant(_) => Self::Distant(Additive::zero()),
+        }
+    }
+
+    /// Adds what flows back from a group.
+    #[inline]
+    pub fn add<L: Lanes>(&mut self, cotangent: &LightCotangent<L>) {
+        let all = Mask::splat(true);
+        match (self, cotangent) {
+            (Self::Point(sum), LightCotangent::Point(light)) => sum.accumulate(light.sum(all)),
+            (Self::Distant(sum), LightCotangent::Distant(light)) => sum.accumulate(light.sum(all)),
+            _ => unreachable!("the sums have the shape of the lights"),
+        }
+    }
+
+    /// Adds the sum to a gradient.
+    pub fn add_to(&self, gradient: &mut Light<f64>) {
+        match (self, gradient) {
+            (Self::Point(sum), Light::Point(light)) => light.add(sum),
+            (Self::Distant(sum), Light::Distant(light)) => light.add(sum),
+            _ => unreachable!("the sums have the shape of the lights"),
+        }
+    }
+}
+
+/// The loss of a strip, and what flows back from it. Sums by index are in the order in which the
+/// indices were first touched.
+pub struct StripSums {
+    pub loss: f64,
+    pub frame: FrameTangent<f64>,
+    pub lights: Vec<LightSum>,
+    /// By material.
+    pub materials: Vec<(u32, MaterialTangent<f64>)>,
+    /// By sphere.
+    pub spheres: Vec<(u32, SphereTangent<f64>)>,
+    /// By vertex, counted through all meshes.
+    pub vertices: Vec<(u32, DVec3)>,
+}
+
+impl StripSums {
+    pub fn zero(lights: &[Light<f64>]) -> Self {
+        Self {
+            loss: 0.0,
+            frame: Additive::zero(),
+            lights: lights.iter().map(LightSum::zero).collect(),
+            materials: Vec::new(),
+            spheres: Vec::new(),
+            vertices: Vec::new(),
+        }
+    }
+}
