@@ -41,15 +41,16 @@ pub fn derivative(
 
     let seed = names.fresh("result_bar", Span::call_site());
     let sweeps = sweep::sweep(&lowered, &seed, &mut names);
-    let sweep::Sweeps { forward, value, reverse, cotangents } = sweeps;
+    let sweep::Sweeps { forward, value, reverse, incoming, cotangents } = sweeps;
     let (result_tangent, gradient) = (tangent(&result), gradient(&parameters));
+    let exclusive_tangents = exclusive_tangents(&parameters);
     let cotangents = tuple_or_one(&cotangents);
     let body = quote! {
         {
             #[allow(unused_imports)]
             use ::ad::rt::methods::*;
             #forward
-            (#value, move |#seed: #result_tangent| -> #gradient {
+            (#value, move |#seed: #result_tangent #(, mut #incoming: #exclusive_tangents)*| -> #gradient {
                 #reverse
                 #cotangents
             })
@@ -68,12 +69,13 @@ pub fn stub(place: &Place<'_>, visibility: &Visibility, signature: &Signature) -
         return TokenStream::new();
     }
     let (result_tangent, gradient) = (tangent(&result), gradient(&parameters));
+    let exclusive_tangents = exclusive_tangents(&parameters);
     let body = quote! {
         {
             fn refused<T>() -> T {
                 ::core::unreachable!()
             }
-            (refused(), |_: #result_tangent| -> #gradient { refused() })
+            (refused(), |_: #result_tangent #(, _: #exclusive_tangents)*| -> #gradient { refused() })
         }
     };
     functions(place, &[], visibility, signature, &parameters, &result, &body)
@@ -88,6 +90,12 @@ fn tangent(ty: &Type) -> TokenStream {
 fn gradient(parameters: &[Parameter]) -> TokenStream {
     let tangents: Vec<_> = parameters.iter().map(|parameter| tangent(&parameter.ty)).collect();
     tuple_or_one(&tangents)
+}
+
+/// The types of the cotangents that the pullback takes for `&mut` parameters.
+fn exclusive_tangents(parameters: &[Parameter]) -> Vec<TokenStream> {
+    let exclusive = parameters.iter().filter(|parameter| parameter.is_exclusive);
+    exclusive.map(|parameter| tangent(&parameter.ty)).collect()
 }
 
 fn tuple_or_one(parts: &[TokenStream]) -> TokenStream {
@@ -139,6 +147,8 @@ fn functions(
     };
     let captured = signature::captured(signature, outer);
     let (result_tangent, gradient) = (tangent(result), gradient(parameters));
+    let exclusive_tangents = exclusive_tangents(parameters);
+    let zeros = vec![quote!(::ad::Additive::zero()); exclusive_tangents.len()];
     let (generics, _, where_clause) = signature.generics.split_for_impl();
     let generics = generics.to_token_stream();
     let generics = if generics.is_empty() { None } else { Some(&signature.generics) };
@@ -147,7 +157,11 @@ fn functions(
     let cfgs: Vec<_> = attributes.iter().filter(|a| a.path().is_ident("cfg")).collect();
 
     let vjp_doc = format!(
-        "The value of `{name}`, and its pullback: from the cotangent of the value to {}.",
+        "The value of `{name}`, and its pullback: from the cotangent of the value{} to {}.",
+        match exclusive_tangents.is_empty() {
+            true => "",
+            false => " and those of what the `&mut` parameters hold afterwards",
+        },
         match parameters.len() {
             1 => "that of the parameter",
             _ => "those of the parameters, in order",
@@ -168,7 +182,7 @@ fn functions(
         #lints
         #[inline]
         #derivative_visibility fn #vjp #generics (#inputs)
-            -> (#result, impl ::core::ops::FnOnce(#result_tangent) -> #gradient + #captured)
+            -> (#result, impl ::core::ops::FnOnce(#result_tangent #(, #exclusive_tangents)*) -> #gradient + #captured)
         where #(#bounds),*
         #body
 
@@ -182,7 +196,8 @@ fn functions(
             for<'__scalar> #result: ::ad::rt::ScalarResult<'__scalar, #result_tangent>,
         {
             let (value, pullback) = #call_vjp;
-            (value, pullback(<#result as ::ad::rt::ScalarResult<'_, #result_tangent>>::one()))
+            let one = <#result as ::ad::rt::ScalarResult<'_, #result_tangent>>::one();
+            (value, pullback(one #(, #zeros)*))
         }
 
         #(#cfgs)*
@@ -195,7 +210,8 @@ fn functions(
             for<'__scalar> #result: ::ad::rt::ScalarResult<'__scalar, #result_tangent>,
         {
             let (_, pullback) = #call_vjp;
-            pullback(<#result as ::ad::rt::ScalarResult<'_, #result_tangent>>::one())
+            let one = <#result as ::ad::rt::ScalarResult<'_, #result_tangent>>::one();
+            pullback(one #(, #zeros)*)
         }
     };
     match place {

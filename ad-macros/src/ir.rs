@@ -25,6 +25,11 @@ pub struct Var {
     pub block: BlockId,
     /// Whether it is assigned to after its definition.
     pub mutable: bool,
+    /// Whether it is a `&mut` parameter.
+    pub exclusive: bool,
+    /// Whether it may be a shared reference: a part of what a reference refers to, named by a
+    /// pattern.
+    pub reference: bool,
     /// Whether a derivative may flow through it. One that is not active is a constant.
     pub active: bool,
 }
@@ -34,7 +39,7 @@ pub struct Var {
 pub enum Projection {
     /// `.member`
     Field(Member),
-    /// `[index]`; the index is a literal or an immutable variable.
+    /// `[index]`; the index is a literal or an immutable variable, or a range between such.
     Index(TokenStream),
     /// `*`; the cotangent of a reference is that of its target.
     Deref,
@@ -64,7 +69,10 @@ pub enum Argument {
     Value(Operand),
     /// `&place`
     Borrow(Place),
-    /// The receiver of a method: a place, which the method borrows or copies.
+    /// `&mut place`: the cotangent goes in and comes out.
+    Exclusive(Place),
+    /// The receiver of a method: a place, which the method borrows or copies. If the place may be
+    /// assigned to, the method may change it: the types tell.
     Receiver(Place),
 }
 
@@ -86,18 +94,23 @@ impl BinaryOperator {
 }
 
 /// How the value of an [`Operation::Aggregate`] holds its parts.
-#[derive(Clone, Copy, PartialEq, Eq)]
+#[derive(Clone, PartialEq, Eq)]
 pub enum Shape {
     /// `(a, b)`
     Tuple,
     /// `[a, b]`
     Array,
+    /// `vec![a, b]`
+    Vec,
     /// `Name { a, b }` or `Name(a, b)`; a field may be `#[constant]`.
     Struct,
-    /// `Some(a)`: the cotangent of the whole is that of its content.
+    /// `Some(a)`, `Box::new(a)`: the cotangent of the whole is that of its content.
     Transparent,
-    /// `ControlFlow::Break(a)` (member 0) or `Continue(a)` (member 1).
+    /// `ControlFlow::Break(a)` (member 0) or `Continue(a)` (member 1); `Ok(a)` (member 0) or
+    /// `Err(a)` (member 1).
     Flow,
+    /// `Enum::Variant { a, b }` or `Enum::Variant(a, b)`.
+    Variant(Ident),
 }
 
 /// The right-hand side of a definition.
@@ -106,6 +119,8 @@ pub enum Operation {
     Use(Operand),
     /// A copy of a place.
     Read(Place),
+    /// What a variable is or refers to: a number.
+    Value(VarId),
     /// `&place`
     Borrow(Place),
     /// `-x`
@@ -121,8 +136,8 @@ pub enum Operation {
     Aggregate { expression: TokenStream, shape: Shape, parts: Vec<(Member, Operand)> },
     /// A struct made of parts and, for the rest, of another struct.
     UpdateStruct { expression: TokenStream, parts: Vec<(Member, Operand)>, rest: VarId },
-    /// `[x; N]`
-    Repeat(VarId, TokenStream),
+    /// `[x; N]` or `vec![x; n]`
+    Repeat { value: VarId, length: TokenStream, is_vec: bool },
 }
 
 /// A variable that a pattern binds to a part of the matched value.

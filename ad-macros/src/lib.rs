@@ -8,7 +8,7 @@
 //! 3. `sweep` writes the forward and the reverse sweep of the lowered body.
 //! 4. `expand` wraps both into the functions that users call.
 //!
-//! `derive` stands apart: it gives structs their tangents.
+//! `derive` stands apart: it gives structs and enums their tangents.
 //!
 //! # The shape of generated code
 //!
@@ -45,10 +45,13 @@ pub fn differentiable(arguments: TokenStream, item: TokenStream) -> TokenStream 
     attribute::expand(arguments.into(), item.into()).into()
 }
 
-/// Gives a struct a tangent type: for `Ray` the struct `RayTangent`, whose fields hold the tangents
-/// of the fields of `Ray`.
+/// Gives a struct or an enum a tangent type: for the struct `Ray` the struct `RayTangent`, whose
+/// fields hold the tangents of the fields of `Ray`; for the enum `Shape` the struct `ShapeTangent`,
+/// with a field for each variant that holds data. The field has the name of the variant and holds
+/// the tangents of its fields (`bar.Disc.0`, `bar.Square.side`).
 ///
-/// A field marked `#[constant]` carries no derivative.
+/// A field marked `#[constant]` carries no derivative. Nor does a type as a whole that is marked so,
+/// or an enum without data: its tangent is `()`, as that of an integer.
 #[proc_macro_derive(Differentiable, attributes(constant))]
 pub fn derive_differentiable(item: TokenStream) -> TokenStream {
     derive::expand(item.into()).unwrap_or_else(syn::Error::into_compile_error).into()

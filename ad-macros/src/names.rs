@@ -51,6 +51,26 @@ impl Names {
     }
 }
 
+/// Collects the identifiers in `tokens` that are not those of fields or methods.
+pub fn collect_variables(tokens: TokenStream, into: &mut HashSet<String>) {
+    // `a.b` names a part of `a`, `a..b` names `b`.
+    let mut dots = 0;
+    for token in tokens {
+        match token {
+            TokenTree::Ident(ident) if dots != 1 => {
+                into.insert(ident.to_string());
+            }
+            TokenTree::Punct(punct) if punct.as_char() == '.' => {
+                dots += 1;
+                continue;
+            }
+            TokenTree::Group(group) => collect_variables(group.stream(), into),
+            TokenTree::Ident(_) | TokenTree::Punct(_) | TokenTree::Literal(_) => {}
+        }
+        dots = 0;
+    }
+}
+
 /// Collects the identifiers in `tokens`.
 pub fn collect(tokens: TokenStream, into: &mut HashSet<String>) {
     for token in tokens {

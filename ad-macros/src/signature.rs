@@ -17,6 +17,10 @@ pub struct Parameter {
     pub pattern: Option<Pat>,
     /// Its type.
     pub ty: Type,
+    /// Whether it is a `&mut`: its cotangent comes in and goes out.
+    pub is_exclusive: bool,
+    /// Whether it is a `&`.
+    pub is_shared: bool,
 }
 
 /// The type whose tangent is the cotangent of something of type `ty`: that of a reference is that
@@ -32,12 +36,44 @@ pub fn pointee(ty: &Type) -> &Type {
 
 /// Whether a value of this type certainly has no derivative.
 pub fn is_discrete(ty: &Type) -> bool {
-    const DISCRETE: [&str; 15] = [
-        "bool", "char", "str", "i8", "i16", "i32", "i64", "i128", "isize", "u8", "u16", "u32",
-        "u64", "u128", "usize",
+    const DISCRETE: [&str; 16] = [
+        "bool", "char", "str", "String", "i8", "i16", "i32", "i64", "i128", "isize", "u8", "u16",
+        "u32", "u64", "u128", "usize",
     ];
     matches!(pointee(ty), Type::Path(path)
         if path.qself.is_none() && DISCRETE.iter().any(|name| path.path.is_ident(name)))
+}
+
+/// Whether the type is `&mut T`.
+fn is_exclusive(ty: &Type) -> bool {
+    match ty {
+        Type::Reference(reference) => reference.mutability.is_some(),
+        Type::Paren(paren) => is_exclusive(&paren.elem),
+        Type::Group(group) => is_exclusive(&group.elem),
+        _ => false,
+    }
+}
+
+/// Whether the function has a `&mut` parameter.
+fn changes_something(signature: &Signature) -> bool {
+    signature.inputs.iter().any(|input| match input {
+        FnArg::Receiver(receiver) => {
+            matches!(receiver.kind, ReceiverKind::Reference(_, _, Some(_)))
+        }
+        FnArg::Typed(typed) => is_exclusive(&typed.ty),
+    })
+}
+
+/// Whether all tangents of the type certainly have one size.
+pub fn has_fixed_size(ty: &Type) -> bool {
+    match pointee(ty) {
+        Type::Array(array) => has_fixed_size(&array.elem),
+        Type::Tuple(tuple) => tuple.elems.iter().all(has_fixed_size),
+        Type::Path(path) => {
+            is_discrete(ty) || path.path.is_ident("f32") || path.path.is_ident("f64")
+        }
+        _ => false,
+    }
 }
 
 /// The parameters, in order. Refuses what has no derivative.
@@ -53,19 +89,13 @@ pub fn parameters(signature: &Signature, errors: &mut Errors) -> Vec<Parameter> 
     }
     if signature.inputs.is_empty() {
         errors
-            .at(&signature.ident, "a function without parameters has nothing to differentiate by: take the attribute off it, or out of the `impl` block that has the attribute");
+            .at(&signature.ident, "a function without parameters has nothing to differentiate by: take the attribute off it");
     }
 
     let parameters = signature.inputs.iter().enumerate().map(|(index, input)| match input {
         FnArg::Receiver(receiver) => {
             if let ReceiverKind::Typed(..) = receiver.kind {
                 errors.at(receiver, "write `self` or `&self`: other receivers are not supported");
-            }
-            if let ReceiverKind::Reference(_, _, Some(token)) = &receiver.kind {
-                errors.at(
-                    token,
-                    "`&mut self` is not supported: take `self` and return the changed value",
-                );
             }
             if let (ReceiverKind::Value, Some(token)) = (&receiver.kind, &receiver.mutability) {
                 errors.at(token, "write `self` and `let mut this = self;`");
@@ -74,17 +104,30 @@ pub fn parameters(signature: &Signature, errors: &mut Errors) -> Vec<Parameter> 
                 ident: Ident::new("self", receiver.self_token.span),
                 pattern: None,
                 ty: syn::parse_quote!(Self),
+                is_exclusive: matches!(receiver.kind, ReceiverKind::Reference(_, _, Some(_))),
+                is_shared: matches!(receiver.kind, ReceiverKind::Reference(_, _, None)),
             }
         }
         FnArg::Typed(typed) => {
             refuse_type(&typed.ty, errors);
+            let is_exclusive = is_exclusive(&typed.ty);
             let ident = match &*typed.pat {
                 Pat::Ident(pat) if pat.by_ref.is_none() && pat.subpat.is_none() => {
                     pat.ident.clone()
                 }
                 _ => format_ident!("parameter_{index}", span = Span::mixed_site()),
             };
-            Parameter { ident, pattern: Some((*typed.pat).clone()), ty: (*typed.ty).clone() }
+            let is_named = matches!(&*typed.pat, Pat::Ident(pat)
+                if pat.by_ref.is_none() && pat.mutability.is_none() && pat.subpat.is_none());
+            if is_exclusive && !is_named {
+                errors.at(
+                    &typed.pat,
+                    "a `&mut` parameter needs a plain name: take it apart in the body",
+                );
+            }
+            let pattern = Some((*typed.pat).clone());
+            let is_shared = !is_exclusive && matches!(&*typed.ty, Type::Reference(_));
+            Parameter { ident, pattern, ty: (*typed.ty).clone(), is_exclusive, is_shared }
         }
     });
     parameters.collect()
@@ -93,10 +136,11 @@ pub fn parameters(signature: &Signature, errors: &mut Errors) -> Vec<Parameter> 
 /// The type of the result. Refuses what has no derivative.
 pub fn result(signature: &Signature, errors: &mut Errors) -> Type {
     match &signature.output {
+        ReturnType::Default if changes_something(signature) => syn::parse_quote!(()),
         ReturnType::Default => {
             errors.at(
                 &signature.ident,
-                "a function without a result has no derivative: return what it computes",
+                "a function without a result has no derivative: return what it computes, or write it through a `&mut` parameter",
             );
             syn::parse_quote!(())
         }
@@ -104,39 +148,37 @@ pub fn result(signature: &Signature, errors: &mut Errors) -> Type {
             if let Type::ImplTrait(_) = &**ty {
                 errors.at(ty, "the result needs a type that can be named: `impl Trait` cannot be differentiated");
             }
-            if is_result(ty) {
-                errors.at(
-                    ty,
-                    "a `Result` has no derivative: return an `Option`, and make the error of `None` outside",
-                );
-            }
             (**ty).clone()
         }
     }
 }
 
-fn is_result(ty: &Type) -> bool {
-    matches!(ty, Type::Path(path)
-        if path.path.segments.last().is_some_and(|last| last.ident == "Result"))
+fn is_reference_to_exclusive(target: &Type) -> bool {
+    match target {
+        Type::Reference(reference) => {
+            reference.mutability.is_some() || is_reference_to_exclusive(&reference.elem)
+        }
+        _ => false,
+    }
 }
 
 fn refuse_type(ty: &Type, errors: &mut Errors) {
     match ty {
-        Type::Reference(reference) if reference.mutability.is_some() => errors.at(
-            ty,
-            "`&mut` parameters are not supported: take the value and return the changed one",
-        ),
+        Type::Reference(reference) if is_reference_to_exclusive(&reference.elem) => {
+            errors.at(ty, "a reference to a `&mut` is not supported: take the `&mut` itself")
+        }
         Type::ImplTrait(_) => {
             errors.at(ty, "write a type parameter `T: ..` instead of `impl Trait`")
         }
         Type::Ptr(_) => errors.at(ty, "a raw pointer has no derivative: take a reference"),
-        _ => match pointee(ty) {
-            Type::TraitObject(_) => errors
-                .at(ty, "a call through `dyn` cannot be differentiated: write a type parameter"),
-            Type::Slice(_) => errors
-                .at(ty, "slices are not supported: take an array `[T; N]` or a reference to one"),
-            _ => {}
-        },
+        _ => {
+            if let Type::TraitObject(_) = pointee(ty) {
+                errors.at(
+                    ty,
+                    "a call through `dyn` cannot be differentiated: write a type parameter",
+                );
+            }
+        }
     }
 }
 

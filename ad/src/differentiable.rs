@@ -8,10 +8,23 @@
 //! Tangent and cotangent share one type. Keeping them apart would let the compiler catch a mix-up
 //! of forward and reverse mode, but would double every derived struct; all spaces here are finite
 //! products of scalars, where the two coincide.
+//!
+//! # Values of any length
+//!
+//! The tangent of a slice or a `Vec` is a `Vec` of tangents. A zero has to be made without knowing
+//! a length ([`Additive::zero`] sees only the type), so elements that a tangent lacks are zeros,
+//! and the empty `Vec` is the zero of every length; it costs no allocation. Accumulation grows the
+//! shorter side, and a cotangent that a user passes in may be short or empty. What a pullback
+//! returns for a parameter is brought to the parameter's own size: what [`Differentiable::shape`]
+//! says in the forward sweep, [`Shape::fit`] applies in the reverse sweep. For types whose
+//! tangents all have one size the shape is `()`, and nothing of this is left after compilation.
+//!
+//! Turned down: keeping the value until the reverse sweep to make zeros like it (it would have to
+//! be cloned); making each zero with its full length (an allocation for each variable, and a shape
+//! to be saved by each iteration of a loop).
 
 use core::fmt::Debug;
 use core::marker::PhantomData;
-use core::ops::ControlFlow;
 
 use glam::{DVec2, DVec3, DVec4, Vec2, Vec3, Vec4};
 
@@ -19,12 +32,30 @@ use glam::{DVec2, DVec3, DVec4, Vec2, Vec3, Vec4};
 #[diagnostic::on_unimplemented(
     message = "`{Self}` has no derivative",
     label = "no derivative passes through a `{Self}`",
-    note = "put `#[derive(Differentiable)]` on your own struct",
+    note = "put `#[derive(Differentiable)]` on your own struct or enum, and `#[constant]` below it if no derivative is to pass",
     note = "mark a struct field that carries no derivative with `#[constant]`"
 )]
 pub trait Differentiable {
     /// The space of its tangents and cotangents.
     type Tangent: Additive;
+
+    /// What tells the size of the tangents of a value: `()` where the type says it all.
+    type Shape: Shape<Self::Tangent>;
+
+    /// The shape of this value.
+    fn shape(&self) -> Self::Shape;
+}
+
+/// The size of the tangents `T` of some value.
+pub trait Shape<T> {
+    /// Brings a tangent to this size: elements that it lacks become zeros, surplus ones go.
+    fn fit(self, tangent: &mut T);
+}
+
+/// Tangents that all have one size.
+impl<T> Shape<T> for () {
+    #[inline(always)]
+    fn fit(self, _: &mut T) {}
 }
 
 /// The tangent (and cotangent) type of `T`.
@@ -49,6 +80,14 @@ impl<T: ?Sized> NoTangent<T> {
     /// The only value.
     pub const fn new() -> Self {
         Self(PhantomData)
+    }
+
+    /// The only value, to write to. It takes no room, so there is no allocation.
+    pub(crate) fn anywhere<'a>() -> &'a mut Self
+    where
+        T: 'a,
+    {
+        Box::leak(Box::new(Self::new()))
     }
 }
 
@@ -90,6 +129,10 @@ macro_rules! own_tangent {
     ($($type:ty => $zero:expr),* $(,)?) => {$(
         impl Differentiable for $type {
             type Tangent = $type;
+            type Shape = ();
+
+            #[inline(always)]
+            fn shape(&self) {}
         }
 
         impl Additive for $type {
@@ -129,88 +172,20 @@ macro_rules! no_derivative {
     ($($type:ty),* $(,)?) => {$(
         impl Differentiable for $type {
             type Tangent = ();
+            type Shape = ();
+
+            #[inline(always)]
+            fn shape(&self) {}
         }
 
         impl NoDerivative for $type {}
     )*};
 }
 
+no_derivative!(
+    bool, char, str, String, i8, i16, i32, i64, i128, isize, u8, u16, u32, u64, u128, usize
+);
+
 no_derivative!(core::cmp::Ordering);
 
 impl<T: NoDerivative> NoDerivative for Option<T> {}
-
-no_derivative!(bool, char, str, i8, i16, i32, i64, i128, isize, u8, u16, u32, u64, u128, usize);
-
-impl<T: Differentiable + ?Sized> Differentiable for &T {
-    type Tangent = Tangent<T>;
-}
-
-/// The cotangent of an option is that of its content; nothing flows into a `None`.
-impl<T: Differentiable> Differentiable for Option<T> {
-    type Tangent = Tangent<T>;
-}
-
-/// One cotangent for either outcome; that of the outcome which did not occur stays zero.
-impl<B: Differentiable, C: Differentiable> Differentiable for ControlFlow<B, C> {
-    type Tangent = (Tangent<B>, Tangent<C>);
-}
-
-impl<T: Differentiable, const N: usize> Differentiable for [T; N] {
-    type Tangent = [Tangent<T>; N];
-}
-
-impl<T: Additive, const N: usize> Additive for [T; N] {
-    #[inline(always)]
-    fn zero() -> Self {
-        core::array::from_fn(|_| T::zero())
-    }
-
-    #[inline(always)]
-    fn accumulate(&mut self, other: Self) {
-        for (mine, theirs) in self.iter_mut().zip(other) {
-            mine.accumulate(theirs);
-        }
-    }
-}
-
-macro_rules! tuples {
-    ($(($($name:ident $index:tt),*))*) => {$(
-        impl<$($name: Differentiable),*> Differentiable for ($($name,)*) {
-            type Tangent = ($(Tangent<$name>,)*);
-        }
-
-        impl<$($name: Additive),*> Additive for ($($name,)*) {
-            #[inline(always)]
-            fn zero() -> Self {
-                ($($name::zero(),)*)
-            }
-
-            #[inline(always)]
-            #[allow(unused_variables)]
-            fn accumulate(&mut self, other: Self) {
-                $(self.$index.accumulate(other.$index);)*
-            }
-        }
-    )*};
-}
-
-#[allow(clippy::unused_unit)]
-mod tuples {
-    use super::{Additive, Differentiable, Tangent};
-
-    tuples! {
-        ()
-        (A 0)
-        (A 0, B 1)
-        (A 0, B 1, C 2)
-        (A 0, B 1, C 2, D 3)
-        (A 0, B 1, C 2, D 3, E 4)
-        (A 0, B 1, C 2, D 3, E 4, F 5)
-        (A 0, B 1, C 2, D 3, E 4, F 5, G 6)
-        (A 0, B 1, C 2, D 3, E 4, F 5, G 6, H 7)
-        (A 0, B 1, C 2, D 3, E 4, F 5, G 6, H 7, I 8)
-        (A 0, B 1, C 2, D 3, E 4, F 5, G 6, H 7, I 8, J 9)
-        (A 0, B 1, C 2, D 3, E 4, F 5, G 6, H 7, I 8, J 9, K 10)
-        (A 0, B 1, C 2, D 3, E 4, F 5, G 6, H 7, I 8, J 9, K 10, L 11)
-    }
-}

@@ -77,6 +77,10 @@ macro_rules! lanes {
     ($type:ident: $count:literal of $element:ident, bits in $bits:ident, splitter $splitter:literal) => {
         impl Differentiable for $type {
             type Tangent = Self;
+            type Shape = ();
+
+            #[inline(always)]
+            fn shape(&self) {}
         }
 
         impl Additive for $type {
@@ -93,6 +97,10 @@ macro_rules! lanes {
 
         impl Differentiable for LaneMask<$type> {
             type Tangent = ();
+            type Shape = ();
+
+            #[inline(always)]
+            fn shape(&self) {}
         }
 
         impl NoDerivative for LaneMask<$type> {}

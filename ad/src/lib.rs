@@ -27,18 +27,42 @@
 //!
 //! # What can be differentiated
 //!
-//! Functions and inherent methods on `f32`, `f64`, glam's float vectors, tuples, arrays, `Option`,
-//! references to these, and structs with `#[derive(Differentiable)]`; generic ones too. In a body:
-//! `let` with patterns, arithmetic, assignment to local variables and parts of them, `if`, `match`,
-//! `if let`, `let else`, `for` over ranges and over elements, `while`, `while let`, `loop`, labels,
-//! `break`, `continue` and `return` from anywhere, `?` on options, calls of differentiable functions
-//! and of the methods listed in [`rules`].
+//! Functions and inherent methods on `f32`, `f64`, glam's float vectors, tuples, arrays, slices,
+//! `Vec`, `Box`, `Option`, `Result`, references to these, and structs and enums with
+//! `#[derive(Differentiable)]`; generic ones too. In a body: `let` with patterns, arithmetic,
+//! assignment to local variables and parts of them, `if`, `match`, `if let` and chains of it,
+//! `let else`, `for` over ranges and over elements, `while`, `while let`, `loop`, labels, `break`,
+//! `continue` and `return` from anywhere, `?`, calls of differentiable functions and of the methods
+//! listed in [`rules`].
 //!
 //! Iterators: `iter`, `iter_mut`, `into_iter`, `windows`, `chunks` and `chunks_exact` of arrays, under
 //! `enumerate`, `zip`, `rev`, `skip`, `take`, `step_by`, `cycle`, `copied`, `map`, `filter` and
 //! `take_while`; in a `for` loop or used up by `sum`, `product`, `fold`, `for_each`, `min_by` or
 //! `max_by`. Closures can be bound to a variable and called, and may change what they capture.
-//! Macros: `assert!` and its kin, `panic!`, `unreachable!`, `matches!`, `dbg!`.
+//! Macros: `assert!` and its kin, `panic!`, `unreachable!`, `vec!`, `matches!`, `dbg!`.
+//!
+//! The gradient by a slice or a `Vec` is a `Vec` of the same length. Reading or writing an element
+//! costs the reverse sweep a constant time, as it does the function. A call costs it the length of
+//! what is passed: a function that looks at a few elements of many is best given `&xs[a..b]`.
+//!
+//! ```
+//! use ad::differentiable;
+//!
+//! /// The energy of a chain of springs.
+//! #[differentiable]
+//! fn chain(xs: &[f64], stiffness: f64) -> f64 {
+//!     let mut energy = 0.0;
+//!     for i in 1..xs.len() {
+//!         let stretch = xs[i] - xs[i - 1];
+//!         energy += 0.5 * stiffness * stretch * stretch;
+//!     }
+//!     energy
+//! }
+//!
+//! let (by_xs, by_stiffness) = chain::grad(&[0.0, 1.0, 3.0], 2.0);
+//! assert_eq!(by_xs, [-2.0, -2.0, 4.0]);
+//! assert_eq!(by_stiffness, 2.5);
+//! ```
 //!
 //! ```
 //! use ad::{Differentiable, differentiable};
@@ -83,10 +107,82 @@
 //!   says that it finds no *module, crate or type* of that name, or no method `.._vjp`.
 //! - Integers, booleans and comparisons carry no derivative. A cast from a float to an integer would
 //!   cut one off, so it has to be said: `stop_gradient(x) as usize`.
-//! - A struct field that carries no derivative is marked `#[constant]`.
+//! - A field that carries no derivative is marked `#[constant]`, and so is a type that carries none.
+//! - A pattern for a variant of an enum names the enum (`Shape::Disc(r)`, `Self::Disc(r)`), which
+//!   tells it from a tuple struct.
 //!
 //! At points without a derivative (`|x|` at 0, a vector of length 0) the rules return a finite
 //! subgradient: see the [table](rules#singular-points).
+//!
+//! # Options, results and enums
+//!
+//! The cotangent of an `Option` is that of its content, zero for `None`. That of a
+//! `Result<T, E>` is the pair of those of `T` and of `E`, of which an error without data has `()`;
+//! nothing flows through `?` on the side of the error. The tangent of an enum has a field for each
+//! variant with data; those of the variants that the value is not stay zero.
+//!
+//! ```
+//! use ad::{Differentiable, differentiable};
+//!
+//! #[derive(Clone, Copy, Differentiable)]
+//! enum Shape {
+//!     Disc(f64),
+//!     Box { width: f64, height: f64 },
+//!     Point,
+//! }
+//!
+//! #[differentiable]
+//! fn area(shape: &Shape) -> f64 {
+//!     match shape {
+//!         Shape::Disc(radius) => std::f64::consts::PI * radius * radius,
+//!         Shape::Box { width, height } => width * height,
+//!         Shape::Point => 0.0,
+//!     }
+//! }
+//!
+//! let by_shape = area::grad(&Shape::Box { width: 2.0, height: 3.0 });
+//! assert_eq!((by_shape.Box.width, by_shape.Box.height), (3.0, 2.0));
+//! assert_eq!(by_shape.Disc.0, 0.0);
+//! ```
+//!
+//! # Changing things in place
+//!
+//! A `&mut` parameter goes both ways, and so does its cotangent: the pullback takes, after that of
+//! the value, the cotangent of what each `&mut` parameter holds afterwards, and returns, at the
+//! place of the parameter, that of what it held before. `grad` and `value_and_grad` differentiate
+//! the value alone: what is left behind counts for nothing.
+//!
+//! ```
+//! use ad::differentiable;
+//!
+//! #[differentiable]
+//! fn advance(x: &mut f64, v: &mut f64, dt: f64) {
+//!     *v -= *x * dt;
+//!     *x += *v * dt;
+//! }
+//!
+//! #[differentiable]
+//! fn oscillator(start: f64, steps: usize) -> f64 {
+//!     let (mut x, mut v) = (start, 0.0);
+//!     for _ in 0..steps {
+//!         advance(&mut x, &mut v, 0.01);
+//!     }
+//!     x
+//! }
+//!
+//! let (x, (by_start, ())) = oscillator::value_and_grad(2.0, 100);
+//! assert!((by_start - x / 2.0).abs() < 1e-12);
+//!
+//! let (mut x, mut v) = (1.0, 0.0);
+//! let ((), pullback) = advance::vjp(&mut x, &mut v, 0.5);
+//! // By how much does the new position change with the old position, the old velocity, the step?
+//! let (by_x, by_v, by_dt) = pullback((), 1.0, 0.0);
+//! assert_eq!((by_x, by_v, by_dt), (0.75, 0.5, -1.0));
+//! ```
+//!
+//! By value, the cotangents of parts of one array can be lent to a call at the same time, and a
+//! `Vec` is handed over without copying it; a pullback that wrote into its caller's cotangents
+//! instead would need them all borrowed at once.
 //!
 //! # How the generated code reads
 //!
@@ -144,6 +240,7 @@
 extern crate self as ad;
 
 pub mod check;
+mod containers;
 mod differentiable;
 mod dual;
 #[cfg(feature = "lanes")]
@@ -155,7 +252,7 @@ pub mod rules;
 pub mod vector;
 
 pub use ad_macros::{Differentiable, differentiable};
-pub use differentiable::{Additive, Differentiable, NoDerivative, NoTangent, Tangent};
+pub use differentiable::{Additive, Differentiable, NoDerivative, NoTangent, Shape, Tangent};
 pub use dual::Dual;
 pub use real::{Mask, Real, Scalar, Select};
 pub use rules::{select, stop_gradient};

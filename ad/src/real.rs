@@ -100,7 +100,7 @@ select_by_bool!(
 /// Values follow the functions of the same name on `f64`. The derivative of each stands in
 /// [`rules`](crate::rules), with what it is where mathematics has none.
 pub trait Real:
-    Differentiable<Tangent = Self>
+    Differentiable<Tangent = Self, Shape = ()>
     + Additive
     + Select
     + Default

@@ -3,8 +3,16 @@
 use core::marker::PhantomData;
 use core::ops::{Add, Neg, Sub};
 
+use glam::{DVec2, DVec3, DVec4, Vec2, Vec3, Vec4};
+
 use crate::rules::{AddPullback, NegPullback, SubPullback};
-use crate::{Additive, Differentiable, NoDerivative, NoTangent, Tangent};
+use crate::{Additive, Differentiable, NoDerivative, Shape, Tangent};
+
+mod cotangent;
+mod pullback;
+
+pub use cotangent::{Absorb, At, Constant, Enter, Length, Same, Take, at, sum, take};
+pub use pullback::MethodPullback;
 
 mod iterate;
 
@@ -14,8 +22,9 @@ pub use iterate::{chunks_exact, empty_product, empty_sum, held, windows};
 /// of the user.
 pub mod methods {
     pub use crate::rules::{
-        DVec2Rules as _, DVec4Rules as _, RealRules as _, ScalarRules as _, Vec2Rules as _,
-        Vec4Rules as _, Vector3Rules as _, VectorRules as _,
+        CloneRules as _, DVec2Rules as _, DVec4Rules as _, RealRules as _, ScalarRules as _,
+        SequenceRules as _, Vec2Rules as _, Vec4Rules as _, VecRules as _, Vector3Rules as _,
+        VectorRules as _,
     };
 }
 
@@ -51,11 +60,18 @@ pub fn space<T: Differentiable + ?Sized>(_value: &T) -> Space<Tangent<T>> {
     Space(PhantomData)
 }
 
-/// Says of a conversion that both sides are of one kind.
-pub enum Same {}
+/// The shape of a parameter.
+#[inline(always)]
+pub fn shape<T: Differentiable + ?Sized>(value: &T) -> T::Shape {
+    value.shape()
+}
 
-/// Says of a conversion that one side is the tangent of a `#[constant]` field.
-pub enum Constant {}
+/// The cotangent of a parameter of this shape.
+#[inline(always)]
+pub fn fit<T, S: Shape<T>>(shape: S, mut cotangent: T) -> T {
+    shape.fit(&mut cotangent);
+    cotangent
+}
 
 /// An operator whose pullback needs no operand, only their types.
 pub struct Linear<A, B>(PhantomData<fn(A, B)>);
@@ -109,69 +125,69 @@ pub fn linear<A, B>(_: &A, _: &B) -> Linear<A, B> {
     Linear(PhantomData)
 }
 
-/// Adds a contribution to a cotangent. What flows to a `#[constant]` field is dropped.
-///
-/// `Kind` is inferred; it keeps the implementations apart.
-pub trait Absorb<C, Kind> {
-    /// `self += contribution`
-    fn absorb(&mut self, contribution: C);
+/// The operand of an operator: a number, or what a reference to one refers to.
+#[diagnostic::on_unimplemented(
+    message = "a reference to `{Self}` cannot be an operand here",
+    label = "not a number",
+    note = "write `*x` for what a reference `x` refers to"
+)]
+pub trait ByValue: Sized {
+    /// The number.
+    type Value;
+
+    /// The number.
+    fn by_value(self) -> Self::Value;
 }
 
-impl<T: Additive> Absorb<T, Same> for T {
+impl<T: ByValue + Copy> ByValue for &T {
+    type Value = T::Value;
+
     #[inline(always)]
-    fn absorb(&mut self, contribution: T) {
-        self.accumulate(contribution);
+    fn by_value(self) -> T::Value {
+        (*self).by_value()
     }
 }
 
-impl<T: ?Sized, C: Additive> Absorb<C, Constant> for NoTangent<T> {
-    #[inline(always)]
-    fn absorb(&mut self, _: C) {}
+macro_rules! by_value {
+    ($($type:ty)*) => {$(
+        impl ByValue for $type {
+            type Value = Self;
+
+            #[inline(always)]
+            fn by_value(self) -> Self {
+                self
+            }
+        }
+    )*};
 }
 
-/// The cotangent that a field's cotangent means for the value the field was made from. Nothing
-/// comes out of a `#[constant]` field.
-///
-/// `Kind` is inferred; it keeps the implementations apart.
-pub trait Enter<T, Kind> {
-    /// The conversion.
-    fn enter(self) -> T;
-}
-
-impl<T: Additive> Enter<T, Same> for T {
-    #[inline(always)]
-    fn enter(self) -> T {
-        self
-    }
-}
-
-impl<T: ?Sized, C: Additive> Enter<C, Constant> for NoTangent<T> {
-    #[inline(always)]
-    fn enter(self) -> C {
-        C::zero()
-    }
-}
-
-/// The cotangent of a variable before it was overwritten: moves out what has gathered.
-#[inline(always)]
-pub fn take<T: Additive>(cotangent: &mut T) -> T {
-    core::mem::replace(cotangent, T::zero())
-}
-
-/// The cotangent of `x` in `[x; N]`.
-#[inline(always)]
-pub fn sum<T: Additive, const N: usize>(cotangents: [T; N]) -> T {
-    let mut total = T::zero();
-    for cotangent in cotangents {
-        total.accumulate(cotangent);
-    }
-    total
-}
+by_value!(f32 f64 Vec2 Vec3 Vec4 DVec2 DVec3 DVec4);
+by_value!(i8 i16 i32 i64 i128 isize u8 u16 u32 u64 u128 usize);
 
 /// Passes on what has no derivative, and nothing else.
 #[inline(always)]
 pub fn constant<T: NoDerivative>(value: T) -> T {
     value
+}
+
+/// The conversion of an error that `?` does.
+#[inline(always)]
+pub fn propagate<E: NoDerivative, F: From<E>>(error: E) -> F {
+    F::from(error)
+}
+
+/// The derivative of [`propagate`]: there is none.
+#[allow(non_camel_case_types)]
+pub enum propagate {}
+
+impl propagate {
+    /// Nothing flows back to an error.
+    #[inline(always)]
+    pub fn vjp<E: NoDerivative, F: From<E> + Differentiable>(
+        error: E,
+    ) -> (F, impl FnOnce(Tangent<F>) -> Tangent<E> + use<E, F>) {
+        (F::from(error), |_| Additive::zero())
+    }
 }
 
 /// The value of a block whose end is never reached.

@@ -14,7 +14,7 @@ use crate::{Additive, Differentiable, Real, Select};
 /// In generic code the scalar stands on the right: `v * s` (the supertraits of [`Real`] cannot
 /// name a vector).
 pub trait Vector:
-    Differentiable<Tangent = Self>
+    Differentiable<Tangent = Self, Shape = ()>
     + Additive
     + Copy
     + Debug
@@ -223,6 +223,10 @@ pub struct Xyz<S> {
 
 impl<S: Real> Differentiable for Xyz<S> {
     type Tangent = Self;
+    type Shape = ();
+
+    #[inline(always)]
+    fn shape(&self) {}
 }
 
 impl<S: Real> Additive for Xyz<S> {

@@ -20,7 +20,7 @@ use syn::{Expr, ExprClosure, Pat, ReturnType, parse_quote};
 use super::ends::{End, JumpKind, Target};
 use super::flow::{as_statements, strip_parens};
 use super::item::{Alias, Item};
-use super::{Lowerer, exits};
+use super::{Lowerer, OnFailure, exits};
 use crate::ir::{Operand, Operation, Place, Statement, VarId};
 use crate::names;
 
@@ -109,7 +109,7 @@ impl Lowerer<'_> {
         if closure.inputs.len() != arguments.len() {
             return self.refuse(closure, "the closure is given another number of arguments");
         }
-        let returns_option = std::mem::replace(&mut self.returns_option, true);
+        let on_failure = std::mem::replace(&mut self.on_failure, OnFailure::None);
         let value = self.jump(JumpKind::Function, None, |lowerer, id| {
             lowerer.scope(|lowerer| {
                 for (pat, argument) in closure.inputs.iter().zip(arguments) {
@@ -119,7 +119,7 @@ impl Lowerer<'_> {
                 lowerer.statements(as_statements(&closure.body), &end)
             })
         });
-        self.returns_option = returns_option;
+        self.on_failure = on_failure;
         match &closure.output {
             ReturnType::Default => value,
             ReturnType::Type(_, ty) => self.typed(value, ty),

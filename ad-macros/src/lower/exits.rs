@@ -66,6 +66,27 @@ pub fn assigns_within(expr: &Expr) -> bool {
     finder.0
 }
 
+/// Whether evaluating `expr` may change a variable, other than as the receiver of a method.
+pub fn may_change_variables(expr: &Expr) -> bool {
+    struct Changes(bool);
+
+    impl<'ast> Visit<'ast> for Changes {
+        fn visit_expr(&mut self, expr: &'ast Expr) {
+            self.0 |= match expr {
+                Expr::Assign(_) => true,
+                Expr::Binary(binary) => is_update(&binary.op),
+                Expr::Reference(reference) => reference.mutability.is_some(),
+                _ => false,
+            };
+            visit::visit_expr(self, expr);
+        }
+    }
+
+    let mut finder = Changes(false);
+    finder.visit_expr(expr);
+    finder.0
+}
+
 /// Whether the operator is a compound assignment.
 pub fn is_update(operator: &syn::BinOp) -> bool {
     use syn::BinOp::*;

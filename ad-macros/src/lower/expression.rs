@@ -31,21 +31,21 @@ impl Lowerer<'_> {
                 let parts = self.operands(&tuple.elems);
                 let tokens = parts.iter().map(|part| self.tokens(part));
                 let expression = quote!((#(#tokens,)*));
-                self.aggregate(expression, Shape::Tuple, numbered(parts), hint, expr)
+                self.aggregate(expression, Shape::Tuple, numbered(parts), hint, expr.span())
             }
             Expr::Array(array) => {
                 let parts = self.operands(&array.elems);
                 let tokens = parts.iter().map(|part| self.tokens(part));
                 let expression = quote!([#(#tokens),*]);
-                self.aggregate(expression, Shape::Array, numbered(parts), hint, expr)
+                self.aggregate(expression, Shape::Array, numbered(parts), hint, expr.span())
             }
             Expr::Repeat(repeat) => {
                 let length = &repeat.len;
                 let length = quote!(#length);
                 match self.operand(&repeat.expr, "element") {
                     Operand::Constant(tokens) => Operand::Constant(quote!([#tokens; #length])),
-                    Operand::Var(var) => {
-                        let operation = Operation::Repeat(var, length);
+                    Operand::Var(value) => {
+                        let operation = Operation::Repeat { value, length, is_vec: false };
                         Operand::Var(self.define(hint, expr.span(), true, operation))
                     }
                 }
@@ -73,7 +73,10 @@ impl Lowerer<'_> {
         Self::unit()
     }
 
-    fn operands<'e>(&mut self, exprs: impl IntoIterator<Item = &'e Expr>) -> Vec<Operand> {
+    pub(super) fn operands<'e>(
+        &mut self,
+        exprs: impl IntoIterator<Item = &'e Expr>,
+    ) -> Vec<Operand> {
         exprs.into_iter().map(|expr| self.operand(expr, "value")).collect()
     }
 
@@ -81,6 +84,7 @@ impl Lowerer<'_> {
         match self.scalar(inner, "value") {
             Operand::Constant(tokens) => Operand::Constant(quote!((-#tokens))),
             Operand::Var(var) => {
+                let var = self.number(var);
                 Operand::Var(self.define(hint, whole.span(), true, Operation::Negate(var)))
             }
         }
@@ -120,9 +124,20 @@ impl Lowerer<'_> {
         }
         let left = self.named(left, "constant", binary.left.span());
         let right = self.named(right, "constant", binary.right.span());
+        let (left, right) = (self.number(left), self.number(right));
         let hint = if hint == "value" { default_hint } else { hint };
         let operation = Operation::Binary(operator, left, right);
         Operand::Var(self.define(hint, binary.span(), true, operation))
+    }
+
+    /// The operand of an operator. Of a reference the pullback would need the number, and may not
+    /// hold on to the reference.
+    pub(super) fn number(&mut self, var: crate::ir::VarId) -> crate::ir::VarId {
+        if !self.may_refer(var) {
+            return var;
+        }
+        let ident = self.ident(var).clone();
+        self.define(&ident.to_string(), ident.span(), true, Operation::Value(var))
     }
 
     /// A cast to a float has a pullback; any other must not cut a derivative.
@@ -149,12 +164,12 @@ impl Lowerer<'_> {
         if let Some(token) = &reference.mutability {
             return self.refuse(
                 token,
-                "`&mut` is not supported: assign the result of a function that returns the changed value",
+                "`&mut` is supported for the argument of a call and in `let name = &mut place` only: name the place itself where it is changed",
             );
         }
         match self.argument(&Expr::Reference(reference.clone())) {
             Argument::Value(operand) => operand,
-            Argument::Borrow(place) | Argument::Receiver(place) => {
+            Argument::Borrow(place) | Argument::Exclusive(place) | Argument::Receiver(place) => {
                 let operation = Operation::Borrow(place);
                 let var = self.define(hint, reference.span(), true, operation);
                 self.references.insert(var);
@@ -165,17 +180,30 @@ impl Lowerer<'_> {
 
     fn argument(&mut self, expr: &Expr) -> Argument {
         if self.depth(expr) > 0
-            && let Some(place) = self.stable_place(expr)
+            && let Some(place) = self.active_place(expr)
         {
-            return Argument::Borrow(place);
+            return match self.is_exclusive_alias(expr) {
+                true => Argument::Exclusive(place),
+                false => Argument::Borrow(place),
+            };
         }
         let Expr::Reference(reference) = expr else {
-            return Argument::Value(self.operand(expr, "argument"));
+            // A `&mut` parameter is passed on by reborrowing what it refers to.
+            return match self.place(expr) {
+                Some(mut place) if place.path.is_empty() && self.vars[place.root].exclusive => {
+                    place.path.push(Projection::Deref);
+                    Argument::Exclusive(place)
+                }
+                _ => Argument::Value(self.operand(expr, "argument")),
+            };
         };
         if reference.mutability.is_some() {
-            return Argument::Value(self.reference(reference, "argument"));
+            return match self.target(&reference.expr) {
+                Some(place) => Argument::Exclusive(place),
+                None => Argument::Value(Self::unit()),
+            };
         }
-        if let Some(place) = self.stable_place(&reference.expr) {
+        if let Some(place) = self.active_place(&reference.expr) {
             return Argument::Borrow(place);
         }
         match self.operand(&reference.expr, "target") {
@@ -190,6 +218,10 @@ impl Lowerer<'_> {
             Argument::Borrow(place) => {
                 let place = self.place_tokens(place);
                 quote!(&#place)
+            }
+            Argument::Exclusive(place) => {
+                let place = self.place_tokens(place);
+                quote!(&mut #place)
             }
             Argument::Receiver(place) => self.place_tokens(place),
         }
@@ -233,10 +265,13 @@ impl Lowerer<'_> {
         if is_type_name(&last.ident) {
             return self.construct(call, function, hint);
         }
+        if is_box_new(path) && call.args.len() == 1 {
+            return self.boxed(call, hint);
+        }
 
         let arguments: Vec<_> = call.args.iter().map(|arg| self.argument(arg)).collect();
         let primal = quote!(#function);
-        let vjp = vjp_of(function);
+        let vjp = known_vjp(path).unwrap_or_else(|| vjp_of(function));
         let hint = if hint == "value" { last.ident.to_string() } else { hint.to_owned() };
         self.finish_call(primal, vjp, false, arguments, &hint, call.span())
     }
@@ -250,25 +285,24 @@ impl Lowerer<'_> {
         let parts = self.operands(&call.args);
         let tokens = parts.iter().map(|part| self.tokens(part));
         let expression = quote!(#function(#(#tokens),*));
-        let shape = if is_transparent(&function.path) {
-            Shape::Transparent
-        } else if is_variant(&function.path) {
-            return match parts.iter().all(|part| matches!(part, Operand::Constant(_))) {
-                true => Operand::Constant(expression),
-                false => self.refuse(
-                    function,
-                    "enums with data are not supported: use a struct, or a tuple",
-                ),
-            };
+        let (shape, parts) = if is_transparent(&function.path) {
+            (Shape::Transparent, numbered(parts))
+        } else if let Some(member) = outcome(&function.path) {
+            (Shape::Flow, parts.into_iter().map(|part| (member.clone(), part)).collect())
+        } else if let Some(variant) = variant(&function.path) {
+            (Shape::Variant(variant.clone()), numbered(parts))
         } else {
-            Shape::Struct
+            (Shape::Struct, numbered(parts))
         };
-        let value =
-            self.aggregate(expression, shape, numbered(parts), hint, &Expr::Call(call.clone()));
+        let value = self.aggregate(expression, shape.clone(), parts, hint, call.span());
         // A function whose name begins with a capital letter is no pattern.
-        if let (Shape::Struct, Operand::Var(var)) = (shape, &value) {
+        if let Operand::Var(var) = &value {
             let ident = self.ident(*var);
-            let code = quote!(let #function(..) = &#ident;);
+            let code = match shape {
+                Shape::Struct => quote!(let #function(..) = &#ident;),
+                Shape::Variant(_) => quote!(match &#ident { #function(..) => {} _ => {} }),
+                _ => return value,
+            };
             self.push(Statement::Plain { code, defines: Vec::new() });
         }
         value
@@ -286,12 +320,17 @@ impl Lowerer<'_> {
         if on_self && call.method == *self.function {
             return self.refuse_recursion(&call.method);
         }
-        let receiver = match self.stable_place(&call.receiver) {
-            Some(place) => Argument::Receiver(place),
-            None => Argument::Value(self.scalar(&call.receiver, "receiver")),
+        let receiver = self.receiver(call);
+        let called_on = match &receiver {
+            Argument::Receiver(place) if self.vars[place.root].mutable => Some(place.root),
+            _ => None,
         };
         let mut arguments = vec![receiver];
+        self.called_on.extend(called_on);
         arguments.extend(call.args.iter().map(|arg| self.argument(arg)));
+        if called_on.is_some() {
+            self.called_on.pop();
+        }
         let (method, turbofish) = (&call.method, &call.turbofish);
         let vjp = format_ident!("{}_vjp", method);
         let hint = if hint == "value" { name } else { hint.to_owned() };
@@ -314,27 +353,38 @@ impl Lowerer<'_> {
         hint: &str,
         span: proc_macro2::Span,
     ) -> Operand {
-        let constant = arguments
-            .iter()
-            .all(|argument| matches!(argument, Argument::Value(Operand::Constant(_))));
+        let constant = arguments.iter().all(|argument| match argument {
+            Argument::Value(operand) => matches!(operand, Operand::Constant(_)),
+            Argument::Exclusive(place) => !self.vars[place.root].active,
+            Argument::Borrow(_) | Argument::Receiver(_) => false,
+        });
         if constant {
             let tokens: Vec<_> = arguments.iter().map(|a| self.argument_tokens(a)).collect();
-            return Operand::Constant(match (method, &tokens[..]) {
+            let value = match (method, &tokens[..]) {
                 (true, [receiver, arguments @ ..]) => {
                     quote!(#receiver.#primal(#(#arguments),*))
                 }
                 (_, arguments) => quote!(#primal(#(#arguments),*)),
-            });
+            };
+            let changes = |argument: &Argument| matches!(argument, Argument::Exclusive(_));
+            if !arguments.iter().any(changes) {
+                return Operand::Constant(value);
+            }
+            // What it changes is read before and after: it has its place among the statements.
+            let operation = Operation::Use(Operand::Constant(value));
+            let value = self.define(hint, span, false, operation);
+            let ident = self.ident(value);
+            return Operand::Constant(quote!(#ident));
         }
         let operation = Operation::Call { primal, vjp, method, arguments };
         Operand::Var(self.define(hint, span, true, operation))
     }
 
     fn struct_literal(&mut self, literal: &syn::ExprStruct, hint: &str) -> Operand {
-        if is_variant(&literal.path) {
-            return self
-                .refuse(literal, "enums with data are not supported: use a struct, or a tuple");
-        }
+        let shape = match variant(&literal.path) {
+            Some(variant) => Shape::Variant(variant.clone()),
+            None => Shape::Struct,
+        };
         let parts: Vec<_> = literal
             .fields
             .iter()
@@ -345,37 +395,44 @@ impl Lowerer<'_> {
             quote!(#member: #value)
         });
         let path = &literal.path;
-        let whole = Expr::Struct(literal.clone());
         let Some(rest) = &literal.rest else {
             let expression = quote!(#path { #(#fields),* });
-            return self.aggregate(expression, Shape::Struct, parts, hint, &whole);
+            return self.aggregate(expression, shape, parts, hint, literal.span());
         };
         let fields: Vec<_> = fields.collect();
         let rest = self.operand(rest, "rest");
         let rest_tokens = self.tokens(&rest);
         let expression = quote!(#path { #(#fields,)* ..#rest_tokens });
         match rest {
-            Operand::Constant(_) => self.aggregate(expression, Shape::Struct, parts, hint, &whole),
+            Operand::Constant(_) => self.aggregate(expression, shape, parts, hint, literal.span()),
             Operand::Var(rest) => {
                 let operation = Operation::UpdateStruct { expression, parts, rest };
-                Operand::Var(self.define(hint, whole.span(), true, operation))
+                Operand::Var(self.define(hint, literal.span(), true, operation))
             }
         }
     }
 
-    fn aggregate(
+    pub(super) fn aggregate(
         &mut self,
         expression: TokenStream,
         shape: Shape,
         parts: Vec<(Member, Operand)>,
         hint: &str,
-        whole: &Expr,
+        span: proc_macro2::Span,
     ) -> Operand {
         if parts.iter().all(|(_, part)| matches!(part, Operand::Constant(_))) {
             return Operand::Constant(expression);
         }
+        // A pattern that takes it apart may reach into what a part refers to.
+        let is_reference = |(_, part): &(Member, Operand)| match part {
+            Operand::Var(var) => self.may_refer(*var),
+            Operand::Constant(_) => false,
+        };
+        let reference = parts.iter().any(is_reference);
         let operation = Operation::Aggregate { expression, shape, parts };
-        Operand::Var(self.define(hint, whole.span(), true, operation))
+        let var = self.define(hint, span, true, operation);
+        self.vars[var].reference = reference;
+        Operand::Var(var)
     }
 
     /// A copy of a place, or what is not a place.
@@ -395,6 +452,12 @@ impl Lowerer<'_> {
             if place.path.is_empty() && !self.vars[place.root].mutable {
                 return Operand::Var(place.root);
             }
+            if place.path.is_empty() && self.vars[place.root].exclusive {
+                return self.refuse(
+                    expr,
+                    "a `&mut` parameter can be passed on to a call only: elsewhere use `*` or a part of it",
+                );
+            }
             let hint = match (hint, place.path.last()) {
                 ("value" | "argument" | "field", Some(Projection::Field(Member::Named(field)))) => {
                     field.to_string()
@@ -412,9 +475,17 @@ impl Lowerer<'_> {
             Expr::Field(field) => {
                 self.part(&field.base, Projection::Field(field.member.clone()), hint, expr)
             }
-            Expr::Index(index) => match self.index(&index.index) {
-                Some(position) => self.part(&index.expr, Projection::Index(position), hint, expr),
-                None => Self::unit(),
+            Expr::Index(index) => match self.operand(&index.expr, "whole") {
+                Operand::Constant(base) => {
+                    let position = self.index(&index.index, &base);
+                    Operand::Constant(quote!(#base[#position]))
+                }
+                Operand::Var(root) => {
+                    let ident = self.ident(root).clone();
+                    let step = Projection::Index(self.index(&index.index, &quote!(#ident)));
+                    let place = crate::ir::Place { root, path: vec![step] };
+                    Operand::Var(self.define(hint, expr.span(), true, Operation::Read(place)))
+                }
             },
             Expr::Unary(unary) => self.part(&unary.expr, Projection::Deref, hint, expr),
             other => self.refuse_expression(other),
@@ -448,25 +519,53 @@ pub(super) fn is_type_name(ident: &syn::Ident) -> bool {
         .starts_with(char::is_uppercase)
 }
 
-/// `Some`, `Ok`, `Err`
+/// `Some`
 pub(super) fn is_transparent(path: &Path) -> bool {
     path.segments.last().is_some_and(|last| last.ident == "Some")
 }
 
+/// `Ok`, `Err`: the member of the cotangent of a `Result`.
+pub(super) fn outcome(path: &Path) -> Option<Member> {
+    let last = &path.segments.last()?.ident;
+    match () {
+        () if last == "Ok" => Some(Member::from(0)),
+        () if last == "Err" => Some(Member::from(1)),
+        () => None,
+    }
+}
+
 /// `Enum::Variant`, told from `module::Type` by the capital letter.
-pub(super) fn is_variant(path: &Path) -> bool {
+pub(super) fn variant(path: &Path) -> Option<&syn::Ident> {
     let mut segments = path.segments.iter().rev();
-    let last_is_type = segments.next().is_some_and(|last| is_type_name(&last.ident));
-    last_is_type && segments.next().is_some_and(|owner| is_type_name(&owner.ident))
+    let last = segments.next().filter(|last| is_type_name(&last.ident))?;
+    segments.next().filter(|owner| is_type_name(&owner.ident))?;
+    Some(&last.ident)
+}
+
+/// `Box::new`
+fn is_box_new(path: &Path) -> bool {
+    let mut segments = path.segments.iter().rev();
+    segments.next().is_some_and(|last| last.ident == "new")
+        && segments.next().is_some_and(|owner| owner.ident == "Box")
 }
 
 /// Comparisons and tests, by the names that glam and the standard library give them. That the
 /// result has no derivative is checked by its type.
 pub(super) fn is_predicate(name: &str) -> bool {
     name.starts_with("is_")
+        || name == "len"
         || matches!(name, "cmplt" | "cmple" | "cmpgt" | "cmpge" | "cmpeq" | "cmpne")
         || matches!(name, "cmp" | "partial_cmp" | "total_cmp")
         || matches!(name, "lt" | "le" | "gt" | "ge" | "eq" | "ne" | "all" | "any")
+}
+
+/// The derivative of a function of the standard library.
+fn known_vjp(path: &Path) -> Option<TokenStream> {
+    let mut segments = path.segments.iter().rev();
+    let name = &segments.next()?.ident;
+    let is_known = segments.next()?.ident == "mem"
+        && ["swap", "replace", "take"].iter().any(|known| name == known);
+    is_known.then(|| quote!(::ad::rules::replace::#name::vjp))
 }
 
 /// The path of the derivative: `Type::f_vjp` for an associated function, `f::vjp` for another.

@@ -6,8 +6,9 @@
 //! and the rest the `Continue` arm of a match on it. `e?` becomes a match on `e`.
 
 use proc_macro2::{Ident, TokenStream};
-use quote::quote;
+use quote::{quote, quote_spanned};
 use syn::spanned::Spanned;
+use syn::visit::Visit;
 use syn::{Expr, Local, Pat, Stmt, parse_quote};
 
 use super::closure::simple_name;
@@ -15,7 +16,7 @@ use super::ends::{End, JumpKind, Target};
 use super::exits::Exit;
 use super::macros::macro_diverges;
 use super::pattern::Matched;
-use super::{Lowerer, exits};
+use super::{Lowerer, OnFailure, desugar, exits};
 use crate::ir::{Arm, Branch, BranchKind, Operand, Statement};
 
 impl Lowerer<'_> {
@@ -109,6 +110,11 @@ impl Lowerer<'_> {
         if let (Some(name), Expr::Closure(closure)) = (simple_name(pat), strip_parens(&init.expr)) {
             return self.closure_local(name, closure);
         }
+        if let (Some(name), Expr::Reference(reference)) = (simple_name(pat), &*init.expr)
+            && reference.mutability.is_some()
+        {
+            return self.exclusive_alias(name, &reference.expr);
+        }
         if ty.is_some_and(crate::signature::is_discrete) {
             return self.discrete_local(pat, ty, &init.expr);
         }
@@ -187,14 +193,31 @@ impl Lowerer<'_> {
         let Expr::Try(attempt) = part else {
             return self.control(&part, Some(&parse_quote!(#name)), rest, end, false);
         };
-        if !self.returns_option {
-            return self.refuse(
-                attempt.question_token,
-                "`?` is supported in functions that return an `Option`: use `match`",
-            );
-        }
-        let none = parse_quote!(return ::core::option::Option::None);
-        self.let_else(&parse_quote!(Some(#name)), &attempt.expr, &none, rest, end)
+        let value = &attempt.expr;
+        let attempt = match self.on_failure {
+            OnFailure::None => parse_quote!(match #value {
+                ::core::option::Option::Some(#name) => {}
+                ::core::option::Option::None => return ::core::option::Option::None,
+            }),
+            OnFailure::Err => {
+                let error = self.names.unwritten("error");
+                let span = attempt.question_token.span();
+                let propagate = quote_spanned!(span=> ::ad::rt::propagate(#error));
+                parse_quote!(match #value {
+                    ::core::result::Result::Ok(#name) => {}
+                    ::core::result::Result::Err(#error) => {
+                        return ::core::result::Result::Err(#propagate);
+                    }
+                })
+            }
+            OnFailure::Unknown => {
+                return self.refuse(
+                    attempt.question_token,
+                    "`?` is supported in functions that return an `Option` or a `Result`: use `match`",
+                );
+            }
+        };
+        self.match_else(&attempt, rest, end)
     }
 
     /// `let pat = expr else { otherwise }; rest`
@@ -206,9 +229,22 @@ impl Lowerer<'_> {
         rest: Vec<Stmt>,
         end: &End,
     ) -> Operand {
-        let matched: Expr = parse_quote!(match #expr { #pat => {} _ => #otherwise });
+        let mut bound = desugar::Bound::default();
+        bound.visit_pat(pat);
+        let (names, mutabilities) = (&bound.names, &bound.mutabilities);
+        if desugar::alternatives(pat).len() > 1 {
+            let value = parse_quote!(match #expr { #pat => (#(#names,)*), _ => #otherwise });
+            let names = parse_quote!((#(#mutabilities #names,)*));
+            return self.control(&value, Some(&names), rest, end, false);
+        }
+        let matched = parse_quote!(match #expr { #pat => {} _ => #otherwise });
+        self.match_else(&matched, rest, end)
+    }
+
+    /// A `match` of which the arm with an empty block goes on with `rest`.
+    fn match_else(&mut self, matched: &Expr, rest: Vec<Stmt>, end: &End) -> Operand {
         let mut rest = Some(rest);
-        self.branch_value(&matched, &mut |lowerer, body| match body {
+        self.branch_value(matched, &mut |lowerer, body| match body {
             Expr::Block(block) if block.block.stmts.is_empty() => {
                 lowerer.statements(rest.take().unwrap_or_default(), end)
             }
@@ -245,6 +281,7 @@ impl Lowerer<'_> {
             return self.hoisted(name, part, stmts, end);
         }
 
+        let expr = desugar::branch(expr);
         let is_branch = matches!(expr, Expr::If(_) | Expr::Match(_));
         if is_branch && (is_value || (pat.is_none() && rest.is_empty())) {
             return self.branch_value(&expr, &mut |lowerer, body| {
@@ -333,12 +370,6 @@ impl Lowerer<'_> {
         wants_value: bool,
         span: proc_macro2::Span,
     ) -> Operand {
-        if arms.len() > MOST_ARMS {
-            self.errors.add(syn::Error::new(
-                span,
-                format!("a `match` of more than {MOST_ARMS} arms: split it"),
-            ));
-        }
         let record = self.names.fresh("path", span);
         let result = wants_value.then(|| {
             let active = arms.iter().any(|arm| matches!(arm.body.value, Operand::Var(_)));
@@ -361,14 +392,11 @@ impl Lowerer<'_> {
         expr: &Expr,
         lower_arm: &mut dyn FnMut(&mut Self, &Expr) -> Operand,
     ) -> (BranchKind, Vec<Arm>) {
-        match expr {
+        match &desugar::branch(expr.clone()) {
             Expr::If(branch) => {
                 let then = &branch.then_branch;
                 let then: Expr = parse_quote!(#then);
-                let otherwise = match &branch.else_branch {
-                    Some((_, otherwise)) => (**otherwise).clone(),
-                    None => parse_quote!({}),
-                };
+                let otherwise = desugar::otherwise(branch);
                 if let Expr::Let(condition) = strip_parens(&branch.cond) {
                     let (pat, matched) = (&condition.pat, &condition.expr);
                     let as_match: Expr =
@@ -386,7 +414,13 @@ impl Lowerer<'_> {
             }
             Expr::Match(branch) => {
                 let (matched, source) = self.scrutinee(&branch.expr);
-                let matched_value = Matched { active: source.is_some(), refutable: true };
+                let reference = match &source {
+                    _ if matches!(*branch.expr, Expr::Reference(_)) => true,
+                    Some(place) => place.path.is_empty() && self.may_refer(place.root),
+                    None => false,
+                };
+                let matched_value =
+                    Matched { active: source.is_some(), refutable: true, reference };
                 let arms = branch.arms.iter().map(|arm| {
                     let (pat, guard) = match &arm.pat {
                         Pat::Guard(guarded) => (&*guarded.pat, Some(&guarded.guard)),
@@ -409,9 +443,6 @@ impl Lowerer<'_> {
         }
     }
 }
-
-/// The largest of the enums `ad::rt::Branch1`, `Branch2`, ..
-const MOST_ARMS: usize = 12;
 
 fn is_control(expr: &Expr) -> bool {
     matches!(
@@ -462,11 +493,7 @@ fn arm_bodies(expr: &Expr) -> Vec<Expr> {
     match expr {
         Expr::If(branch) => {
             let then = &branch.then_branch;
-            let otherwise = match &branch.else_branch {
-                Some((_, otherwise)) => (**otherwise).clone(),
-                None => parse_quote!({}),
-            };
-            vec![parse_quote!(#then), otherwise]
+            vec![parse_quote!(#then), desugar::otherwise(branch)]
         }
         Expr::Match(branch) => branch.arms.iter().map(|arm| (*arm.body).clone()).collect(),
         _ => Vec::new(),

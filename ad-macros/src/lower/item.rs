@@ -120,7 +120,7 @@ impl Lowerer<'_> {
                 }
             }
             (Pat::Ident(ident), Item::Reference(alias)) if is_plain_name(ident) => {
-                self.alias_place(&ident.ident, alias);
+                let _ = self.alias_place(&ident.ident, alias);
             }
             (Pat::Ident(ident), Item::Constant(var)) if is_plain_name(ident) => {
                 self.alias(&ident.ident, var);
@@ -173,13 +173,14 @@ impl Lowerer<'_> {
     }
 
     /// Lets `name` mean a reference to a place.
-    pub(super) fn alias_place(&mut self, name: &Ident, alias: Alias) {
+    pub(super) fn alias_place(&mut self, name: &Ident, alias: Alias) -> VarId {
         let root = &self.vars[alias.place.root];
         let (mutable, active) = (root.mutable, root.active);
         // Generated code names the place, never the alias.
         let var = self.unwritten_var(name, mutable, active);
         self.aliases.insert(var, alias);
         self.alias(name, var);
+        var
     }
 
     /// An item as a value of its own.

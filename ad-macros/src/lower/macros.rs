@@ -56,6 +56,7 @@ impl Lowerer<'_> {
             "assert_eq" | "assert_ne" | "debug_assert_eq" | "debug_assert_ne" => 2,
             "panic" | "unreachable" => 0,
             "dbg" => return self.debugged(call, hint),
+            "vec" => return self.vec(call, hint),
             "matches" => {
                 return self.discrete(&Expr::Macro(syn::ExprMacro {
                     attrs: Vec::new(),

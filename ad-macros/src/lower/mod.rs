@@ -1,13 +1,17 @@
 //! From the user's syntax to [`ir`](crate::ir).
 //!
-//! [`flow`] lowers statements and turns every early exit into the end of a block, whose meaning
-//! [`ends`] keeps; [`loops`] lowers loops, [`chain`], [`stage`] and [`item`] what they run over, [`consume`]
-//! what iterators are used up by; [`closure`] puts closures in place of their calls; [`expression`] names intermediate results; [`pattern`] and [`place`] tell which part of a value is meant;
-//! [`macros`] knows those of the standard library; [`plain`] passes on code through which no derivative flows, with variables renamed.
+//! [`desugar`] makes branches plainer; [`flow`] lowers statements and turns every early exit into
+//! the end of a block, whose meaning [`ends`] keeps; [`loops`] lowers loops, [`chain`], [`stage`]
+//! and [`item`] what they run over, [`consume`] what iterators are used up by; [`closure`] puts
+//! closures in place of their calls; [`expression`] names intermediate results; [`pattern`] and
+//! [`place`] tell which part of a value is meant; [`sequence`] makes vectors and boxes; [`macros`]
+//! knows the macros of the standard library; [`plain`] passes on code through which no derivative
+//! flows, with variables renamed.
 
 mod chain;
 mod closure;
 mod consume;
+mod desugar;
 mod ends;
 mod exits;
 mod expression;
@@ -18,6 +22,7 @@ mod macros;
 mod pattern;
 mod place;
 mod plain;
+mod sequence;
 mod stage;
 
 use std::collections::{HashMap, HashSet};
@@ -33,16 +38,24 @@ use self::item::Alias;
 use crate::errors::Errors;
 use crate::ir::{Block, BlockId, Operand, Operation, Statement, Var, VarId};
 use crate::names::Names;
-use crate::signature::{Parameter, is_discrete, pointee};
+use crate::signature::{Parameter, has_fixed_size, is_discrete, pointee};
 
 /// A function body in lowered form.
 pub struct Lowered {
     /// Every variable.
     pub vars: Vec<Var>,
-    /// The variable of each parameter.
-    pub parameters: Vec<VarId>,
+    /// The parameters.
+    pub parameters: Vec<LoweredParameter>,
     /// The body.
     pub body: Block,
+}
+
+/// A parameter of a function.
+pub struct LoweredParameter {
+    /// Its variable.
+    pub var: VarId,
+    /// Whether its tangents may differ in size.
+    pub has_shape: bool,
 }
 
 /// Lowers a function body.
@@ -56,7 +69,7 @@ pub fn lower(
 ) -> Lowered {
     let mut lowerer = Lowerer {
         function: name,
-        returns_option: last_segment_is(result, "Option"),
+        on_failure: OnFailure::of(result),
         vars: Vec::new(),
         scopes: vec![HashMap::new()],
         open_blocks: Vec::new(),
@@ -64,10 +77,12 @@ pub fn lower(
         jumps: Vec::new(),
         jump_count: 0,
         aliases: HashMap::new(),
+        exclusive_aliases: HashSet::new(),
         references: HashSet::new(),
         lengths: HashMap::new(),
         closures: HashMap::new(),
         capitals: HashSet::new(),
+        called_on: Vec::new(),
         names,
         errors,
     };
@@ -81,17 +96,38 @@ pub fn lower(
         }
         lowerer.function_body(&body.stmts)
     });
-    Lowered { vars: lowerer.vars, parameters: parameter_vars, body }
+    let parameters = parameters.iter().zip(parameter_vars).map(|(parameter, var)| {
+        LoweredParameter { var, has_shape: !has_fixed_size(&parameter.ty) }
+    });
+    let parameters = parameters.collect();
+    Lowered { vars: lowerer.vars, parameters, body }
 }
 
-fn last_segment_is(ty: &Type, name: &str) -> bool {
-    matches!(ty, Type::Path(path)
-        if path.path.segments.last().is_some_and(|segment| segment.ident == name))
+/// What `?` returns.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum OnFailure {
+    /// `None`
+    None,
+    /// `Err(..)`
+    Err,
+    /// The function returns neither an `Option` nor a `Result`.
+    Unknown,
+}
+
+impl OnFailure {
+    fn of(result: &Type) -> Self {
+        let Type::Path(path) = result else { return Self::Unknown };
+        match path.path.segments.last() {
+            Some(last) if last.ident == "Option" => Self::None,
+            Some(last) if last.ident == "Result" => Self::Err,
+            _ => Self::Unknown,
+        }
+    }
 }
 
 struct Lowerer<'a> {
     function: &'a Ident,
-    returns_option: bool,
+    on_failure: OnFailure,
     vars: Vec<Var>,
     /// What the user's names mean, innermost scope last.
     scopes: Vec<HashMap<String, VarId>>,
@@ -103,6 +139,8 @@ struct Lowerer<'a> {
     jump_count: JumpId,
     /// The names that stand for references to places.
     aliases: HashMap<VarId, Alias>,
+    /// Those of them that stand for a `&mut`.
+    exclusive_aliases: HashSet<VarId>,
     /// The variables that are known to be references.
     references: HashSet<VarId>,
     /// The lengths of arrays, where they are literals.
@@ -111,6 +149,10 @@ struct Lowerer<'a> {
     closures: HashMap<VarId, Rc<Closure>>,
     /// The names in refutable patterns that were taken for constants, for their capital letter.
     capitals: HashSet<String>,
+    /// The variables on which methods are being called whose arguments are being written. An
+    /// argument is evaluated before the call, although the receiver stands first: no method that
+    /// an argument calls may change it.
+    called_on: Vec<VarId>,
     names: &'a mut Names,
     errors: &'a mut Errors,
 }
@@ -136,6 +178,11 @@ impl Lowerer<'_> {
         result
     }
 
+    /// Whether a variable is or may be a reference.
+    fn may_refer(&self, var: VarId) -> bool {
+        self.vars[var].reference || self.references.contains(&var)
+    }
+
     fn push(&mut self, statement: Statement) {
         self.open_blocks.last_mut().expect("a block is open").1.push(statement);
     }
@@ -151,6 +198,8 @@ impl Lowerer<'_> {
             ident,
             block: self.open_blocks.last().expect("a block is open").0,
             mutable,
+            exclusive: false,
+            reference: false,
             active,
         });
         self.vars.len() - 1
@@ -160,7 +209,17 @@ impl Lowerer<'_> {
     fn unwritten_var(&mut self, name: &Ident, mutable: bool, active: bool) -> VarId {
         let [ident, cotangent, space, record] = std::array::from_fn(|_| name.clone());
         let block = self.open_blocks.last().expect("a block is open").0;
-        self.vars.push(Var { ident, cotangent, space, record, block, mutable, active });
+        self.vars.push(Var {
+            ident,
+            cotangent,
+            space,
+            record,
+            block,
+            mutable,
+            exclusive: false,
+            reference: false,
+            active,
+        });
         self.vars.len() - 1
     }
 
@@ -195,7 +254,12 @@ impl Lowerer<'_> {
     }
 
     fn parameter(&mut self, parameter: &Parameter) -> VarId {
-        let var = self.var(parameter.ident.clone(), false, !is_discrete(&parameter.ty));
+        let exclusive = parameter.is_exclusive;
+        let var = self.var(parameter.ident.clone(), exclusive, !is_discrete(&parameter.ty));
+        self.vars[var].exclusive = exclusive;
+        if parameter.is_shared {
+            self.references.insert(var);
+        }
         self.alias(&parameter.ident, var);
         self.note_type(var, &parameter.ty);
         var

@@ -7,7 +7,7 @@ use syn::visit::{self, Visit};
 use syn::{Expr, Member, Pat, Type};
 
 use super::Lowerer;
-use super::expression::{is_transparent, is_type_name, is_variant};
+use super::expression::{is_transparent, is_type_name, outcome, variant};
 use crate::ir::{Binding, Operand, Operation, Place, Projection, Statement, VarId};
 
 /// What a pattern is matched against.
@@ -17,6 +17,8 @@ pub(super) struct Matched {
     pub active: bool,
     /// Whether the match may fail: only then can a name in the pattern mean a constant.
     pub refutable: bool,
+    /// Whether it may be a reference: names are bound to references then.
+    pub reference: bool,
 }
 
 impl Lowerer<'_> {
@@ -34,7 +36,6 @@ impl Lowerer<'_> {
         matched: Matched,
         bindings: &mut Vec<Binding>,
     ) -> TokenStream {
-        let step = |member: Member| [path, &[Projection::Field(member)]].concat();
         match pat {
             Pat::Wild(_)
             | Pat::Lit(_)
@@ -42,7 +43,10 @@ impl Lowerer<'_> {
             | Pat::Path(_)
             | Pat::Rest(_)
             | Pat::Const(_) => pat.to_token_stream(),
-            Pat::Paren(inner) => self.subpattern(&inner.pat, path, matched, bindings),
+            Pat::Paren(inner) => {
+                let inner = self.subpattern(&inner.pat, path, matched, bindings);
+                quote!((#inner))
+            }
             Pat::Ident(ident)
                 if matched.refutable && ident.subpat.is_none() && is_type_name(&ident.ident) =>
             {
@@ -52,24 +56,27 @@ impl Lowerer<'_> {
                 pat.to_token_stream()
             }
             Pat::Ident(ident) => {
-                if ident.by_ref.is_some() || ident.subpat.is_some() {
-                    self.refuse(
-                        pat,
-                        "`ref` and `@` are not supported in patterns: bind the value by name",
-                    );
+                let (by_ref, mutability) = (&ident.by_ref, &ident.mutability);
+                if by_ref.is_some() && mutability.is_some() {
+                    self.refuse(pat, "`ref mut` is not supported: assign to the matched place");
                     return quote!(_);
                 }
-                let mutability = &ident.mutability;
                 let var = self.bind(&ident.ident, mutability.is_some(), matched.active);
+                self.vars[var].reference = matched.reference || by_ref.is_some();
                 bindings.push(Binding { var, path: path.to_vec() });
-                let name = self.ident(var);
-                quote!(#mutability #name)
+                let name = self.ident(var).clone();
+                let subpattern = ident.subpat.as_ref().map(|(at, inner)| {
+                    let inner = self.subpattern(inner, path, matched, bindings);
+                    quote!(#at #inner)
+                });
+                quote!(#by_ref #mutability #name #subpattern)
             }
             Pat::Reference(reference) => {
                 if let Some(token) = &reference.mutability {
                     self.refuse(token, "`&mut` is not supported");
                 }
-                let inner = self.subpattern(&reference.pat, path, matched, bindings);
+                let target = Matched { reference: false, ..matched };
+                let inner = self.subpattern(&reference.pat, path, target, bindings);
                 quote!(&#inner)
             }
             Pat::Tuple(tuple) => {
@@ -86,22 +93,23 @@ impl Lowerer<'_> {
                 self.check_rest(&slice.elems);
                 quote!([#(#elements),*])
             }
-            Pat::TupleStruct(pattern) if is_transparent(&pattern.path) => {
-                let constructor = &pattern.path;
-                let inner =
-                    pattern.elems.iter().map(|e| self.subpattern(e, path, matched, bindings));
-                let inner: Vec<_> = inner.collect();
-                quote!(#constructor(#(#inner),*))
-            }
             Pat::TupleStruct(pattern) => {
-                let before = bindings.len();
-                let elements = self.numbered_patterns(&pattern.elems, path, matched, bindings);
-                self.check_variant(pat, &pattern.path, matched.active && bindings.len() > before);
                 let constructor = &pattern.path;
+                let elements = match content_path(path, constructor) {
+                    Some(path) => {
+                        let elements = pattern.elems.iter();
+                        elements.map(|e| self.subpattern(e, &path, matched, bindings)).collect()
+                    }
+                    None => {
+                        let path = variant_path(path, constructor);
+                        self.numbered_patterns(&pattern.elems, &path, matched, bindings)
+                    }
+                };
                 quote!(#constructor(#(#elements),*))
             }
             Pat::Struct(pattern) => {
-                let before = bindings.len();
+                let path = variant_path(path, &pattern.path);
+                let step = |member: Member| [&path[..], &[Projection::Field(member)]].concat();
                 let fields: Vec<_> = pattern
                     .fields
                     .iter()
@@ -112,7 +120,6 @@ impl Lowerer<'_> {
                         quote!(#member: #inner)
                     })
                     .collect();
-                self.check_variant(pat, &pattern.path, matched.active && bindings.len() > before);
                 let (constructor, rest) = (&pattern.path, &pattern.rest);
                 quote!(#constructor { #(#fields,)* #rest })
             }
@@ -124,7 +131,7 @@ impl Lowerer<'_> {
                     .map(|case| self.subpattern(case, path, matched, bindings))
                     .collect();
                 if bindings.len() > before {
-                    self.refuse(pat, "names in `|` patterns are not supported: write an arm for each alternative");
+                    self.refuse(pat, "names in `|` patterns are supported in `match`, `if let` and `let else` only");
                 }
                 quote!(#(#cases)|*)
             }
@@ -144,7 +151,8 @@ impl Lowerer<'_> {
     ) -> Vec<TokenStream> {
         self.check_rest(elements);
         let pattern = |(index, element): (usize, &'p Pat)| {
-            let path = [path, &[Projection::Field(Member::from(index))]].concat();
+            let member = syn::Index { index: index as u32, span: element.span() };
+            let path = [path, &[Projection::Field(Member::Unnamed(member))]].concat();
             self.subpattern(element, &path, matched, bindings)
         };
         elements.iter().enumerate().map(pattern).collect()
@@ -160,12 +168,6 @@ impl Lowerer<'_> {
                 elements,
                 "`..` is supported at the end of a pattern only: write `_` for each element",
             );
-        }
-    }
-
-    fn check_variant(&mut self, pat: &Pat, path: &syn::Path, binds: bool) {
-        if binds && is_variant(path) {
-            self.refuse(pat, "enums with data are not supported: use a struct, or an `Option`");
         }
     }
 
@@ -204,22 +206,23 @@ impl Lowerer<'_> {
     fn destructure(&mut self, pat: &Pat, ty: Option<&Type>, value: Operand) {
         match value {
             Operand::Var(source) => {
+                let reference = self.may_refer(source);
                 let (pattern, bindings) =
-                    self.pattern(pat, Matched { active: true, refutable: false });
+                    self.pattern(pat, Matched { active: true, refutable: false, reference });
                 let ty = ty.cloned();
                 self.push(Statement::Destructure { pattern, ty, source, bindings });
             }
             // What is assigned to later may get a derivative then.
             Operand::Constant(value) if binds_mutably(pat) => {
                 let source = self.named(Operand::Constant(value), "value", pat.span());
-                let (pattern, bindings) =
-                    self.pattern(pat, Matched { active: true, refutable: false });
+                let matched = Matched { active: true, refutable: false, reference: false };
+                let (pattern, bindings) = self.pattern(pat, matched);
                 let ty = ty.cloned();
                 self.push(Statement::Destructure { pattern, ty, source, bindings });
             }
             Operand::Constant(value) => {
-                let (pattern, bindings) =
-                    self.pattern(pat, Matched { active: false, refutable: false });
+                let matched = Matched { active: false, refutable: false, reference: false };
+                let (pattern, bindings) = self.pattern(pat, matched);
                 let ty = ty.map(|ty| quote!(: #ty));
                 let defines = bindings.iter().map(|binding| binding.var).collect();
                 self.push(Statement::Plain { code: quote!(let #pattern #ty = #value;), defines });
@@ -273,7 +276,11 @@ impl Lowerer<'_> {
             0 => borrow,
             _ => Some(quote!(&)),
         };
-        if let Some(place) = self.stable_place(target) {
+        // A `&mut` itself is not a place to match on: the bindings would be references to change.
+        let place = self.active_place(target);
+        let place =
+            place.filter(|place| !self.vars[place.root].exclusive || !place.path.is_empty());
+        if let Some(place) = place {
             let tokens = self.place_tokens(&place);
             return (quote!(#borrow #tokens), Some(place));
         }
@@ -289,6 +296,21 @@ impl Lowerer<'_> {
             }
         }
     }
+}
+
+/// The way to the only part of an option or a result.
+fn content_path(path: &[Projection], constructor: &syn::Path) -> Option<Vec<Projection>> {
+    if is_transparent(constructor) {
+        return Some(path.to_vec());
+    }
+    let member = outcome(constructor)?;
+    Some(path.iter().cloned().chain([Projection::Field(member)]).collect())
+}
+
+/// The way into the cotangent of an enum, where `constructor` is one of its variants.
+fn variant_path(path: &[Projection], constructor: &syn::Path) -> Vec<Projection> {
+    let variant = variant(constructor).map(|ident| Projection::Field(ident.clone().into()));
+    path.iter().cloned().chain(variant).collect()
 }
 
 /// Whether the tokens are an integer or boolean literal: a variable that starts with one stays

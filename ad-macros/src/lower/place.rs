@@ -5,9 +5,62 @@ use quote::{ToTokens, quote, quote_spanned};
 use syn::spanned::Spanned;
 use syn::{BinOp, Expr, ExprAssign, ExprBinary, Lit, UnOp};
 
-use super::Lowerer;
 use super::flow::strip_parens;
-use crate::ir::{BinaryOperator, Operand, Operation, Place, Projection, Statement};
+use super::item::Alias;
+use super::{Lowerer, exits};
+use crate::ir::{Argument, BinaryOperator, Operand, Operation, Place, Projection, Statement};
+
+/// The methods of floats, which take their receiver by value.
+const SCALAR_METHODS: [&str; 44] = [
+    "abs",
+    "acos",
+    "acosh",
+    "asin",
+    "asinh",
+    "atan",
+    "atan2",
+    "atanh",
+    "cbrt",
+    "ceil",
+    "clamp",
+    "copysign",
+    "cos",
+    "cosh",
+    "div_euclid",
+    "exp",
+    "exp2",
+    "exp_m1",
+    "floor",
+    "fract",
+    "hypot",
+    "ln",
+    "ln_1p",
+    "log",
+    "log10",
+    "log2",
+    "max",
+    "min",
+    "mul_add",
+    "powf",
+    "powi",
+    "recip",
+    "rem_euclid",
+    "round",
+    "signum",
+    "sin",
+    "sin_cos",
+    "sinh",
+    "sqrt",
+    "tan",
+    "tanh",
+    "to_degrees",
+    "to_radians",
+    "trunc",
+];
+
+fn is_scalar_method(method: &syn::Ident) -> bool {
+    SCALAR_METHODS.iter().any(|name| method == name)
+}
 
 impl Lowerer<'_> {
     /// The place that an expression names or refers to, if it is one of a local variable.
@@ -35,7 +88,8 @@ impl Lowerer<'_> {
             }
             Expr::Index(index) => {
                 let mut place = self.place(&index.expr)?;
-                let position = self.index(&index.index)?;
+                let whole = self.place_tokens(&place);
+                let position = self.index(&index.index, &whole);
                 place.path.push(Projection::Index(position));
                 Some((place, 0))
             }
@@ -77,6 +131,21 @@ impl Lowerer<'_> {
         self.depth(expr) > 0 || matches!(strip_parens(expr), Expr::Path(path) if known(path))
     }
 
+    /// `let name = &mut place;`
+    pub(super) fn exclusive_alias(&mut self, name: &syn::Ident, target: &Expr) {
+        if let Some(place) = self.target(target) {
+            let var = self.alias_place(name, Alias { place, depth: 1 });
+            self.exclusive_aliases.insert(var);
+        }
+    }
+
+    /// Whether an expression is a name for a `&mut`.
+    pub(super) fn is_exclusive_alias(&self, expr: &Expr) -> bool {
+        simple_path(expr)
+            .and_then(|name| self.lookup(name))
+            .is_some_and(|var| self.exclusive_aliases.contains(&var))
+    }
+
     /// The value of an operand of an operator: what a reference refers to.
     pub(super) fn scalar(&mut self, expr: &Expr, hint: &str) -> Operand {
         if !self.is_reference(expr) {
@@ -112,7 +181,7 @@ impl Lowerer<'_> {
         Operand::Var(self.define(hint, span, true, Operation::Read(place)))
     }
 
-    /// A reference to a place: to a copy of it, where it may change before the reverse sweep.
+    /// A reference to a place.
     pub(super) fn borrow_place(&mut self, place: Place) -> Operand {
         let root = &self.vars[place.root];
         let span = root.ident.span();
@@ -120,41 +189,66 @@ impl Lowerer<'_> {
             let tokens = self.place_tokens(&place);
             return Operand::Constant(quote!((&#tokens)));
         }
-        let place = match root.mutable {
-            false => place,
-            true => {
-                let copy = self.define("target", span, true, Operation::Read(place));
-                Place { root: copy, path: Vec::new() }
-            }
-        };
         let var = self.define("reference", span, true, Operation::Borrow(place));
         self.references.insert(var);
         Operand::Var(var)
     }
 
-    /// A place with a derivative that nothing will be assigned to.
-    pub(super) fn stable_place(&mut self, expr: &Expr) -> Option<Place> {
+    /// A place with a derivative.
+    pub(super) fn active_place(&mut self, expr: &Expr) -> Option<Place> {
         let place = self.place(expr)?;
-        let root = &self.vars[place.root];
-        (root.active && !root.mutable).then_some(place)
+        self.vars[place.root].active.then_some(place)
     }
 
-    /// An index that keeps its value until the reverse sweep.
-    pub(super) fn index(&mut self, expr: &Expr) -> Option<TokenStream> {
-        if let Expr::Range(range) = expr {
-            self.refuse(range, "slices of arrays are not supported: loop over the index");
-            return None;
+    /// The receiver of a method. Where it is a place that may be assigned to, the method is called
+    /// on the place itself, which a method that takes `&mut self` changes.
+    pub(super) fn receiver(&mut self, call: &syn::ExprMethodCall) -> Argument {
+        let place = self.active_place(&call.receiver);
+        let Some(place) = place.filter(|place| !self.is_copied(place, call)) else {
+            return Argument::Value(self.scalar(&call.receiver, "receiver"));
+        };
+        match self.called_on.contains(&place.root) {
+            true => Argument::Borrow(place),
+            false => Argument::Receiver(place),
         }
+    }
+
+    /// Whether the method is certainly called on a copy of the place. Where an argument changes a
+    /// variable it must be, since a reference would not have compiled.
+    fn is_copied(&self, place: &Place, call: &syn::ExprMethodCall) -> bool {
+        self.vars[place.root].mutable
+            && (is_scalar_method(&call.method) || call.args.iter().any(exits::may_change_variables))
+    }
+
+    /// An index into `whole`, or a range of them, that keeps its value until the reverse sweep.
+    pub(super) fn index(&mut self, expr: &Expr, whole: &TokenStream) -> TokenStream {
+        let Expr::Range(range) = expr else {
+            return self.settled_index(expr);
+        };
+        let from = range.start.as_ref().map_or_else(|| quote!(0), |from| self.settled_index(from));
+        let limits = &range.limits;
+        let to = match &range.end {
+            Some(to) => self.settled_index(to),
+            // The cotangent may be shorter than what is indexed, so it cannot tell the end.
+            None => {
+                let len = Operation::Use(Operand::Constant(quote!(#whole.len())));
+                let len = self.define("len", range.span(), false, len);
+                self.ident(len).to_token_stream()
+            }
+        };
+        quote!(#from #limits #to)
+    }
+
+    fn settled_index(&mut self, expr: &Expr) -> TokenStream {
         if let Expr::Lit(literal) = expr
             && let Lit::Int(number) = &literal.lit
         {
-            return Some(quote!(#number));
+            return quote!(#number);
         }
         let index = self.plain_constant(expr);
         let var =
             self.define("index", expr.span(), false, Operation::Use(Operand::Constant(index)));
-        let ident = self.ident(var);
-        Some(quote!(#ident))
+        self.ident(var).to_token_stream()
     }
 
     pub(super) fn place_tokens(&self, place: &Place) -> TokenStream {
@@ -163,7 +257,7 @@ impl Lowerer<'_> {
     }
 
     /// The place that is assigned to.
-    fn target(&mut self, expr: &Expr) -> Option<Place> {
+    pub(super) fn target(&mut self, expr: &Expr) -> Option<Place> {
         if self.depth(expr) > 0 {
             self.refuse(
                 expr,
@@ -181,7 +275,9 @@ impl Lowerer<'_> {
             self.refuse(expr, message);
             return None;
         };
-        if place.path.iter().any(|step| matches!(step, Projection::Deref)) {
+        // Behind a variable that may be assigned to is a box, which owns its content.
+        let is_reference = !self.vars[place.root].mutable;
+        if is_reference && place.path.iter().any(|step| matches!(step, Projection::Deref)) {
             self.refuse(
                 expr,
                 "assignment through a reference is not supported: assign to a variable",
@@ -223,6 +319,7 @@ impl Lowerer<'_> {
         match operator {
             Some(operator) if self.vars[place.root].active => {
                 let value = self.named(value, "constant", update.right.span());
+                let value = self.number(value);
                 let hint = self.ident(place.root).to_string();
                 let read = Operation::Read(place.clone());
                 let previous = self.define(&hint, update.left.span(), true, read);

@@ -91,7 +91,9 @@ impl Lowerer<'_> {
             Expr::Unsafe(_) | Expr::RawAddr(_) => {
                 "`unsafe` code cannot be differentiated: wrap it in a safe function with a derivative of its own"
             }
-            Expr::Let(_) => "`let` in a chain of conditions is not supported: nest `if let`",
+            Expr::Let(_) => {
+                "`let` is not supported in this condition: use it in the condition of an `if`"
+            }
             Expr::Const(_) => "move the constant out of the differentiable function",
             _ => "this expression cannot be differentiated: compute it outside and pass the value",
         };

@@ -10,6 +10,8 @@ impl reflect {
     ) {
         #[allow(unused_imports)]
         use ::ad::rt::methods::*;
+        let ray_shape = ::ad::rt::shape(&ray);
+        let normal_shape = ::ad::rt::shape(&normal);
         let (cosine, cosine_pullback) = ray.direction.dot_vjp(normal);
         let direction = ray.direction;
         let constant = 2.0;
@@ -45,7 +47,10 @@ impl reflect {
                 let (ray_part, normal_part) = cosine_pullback(cosine_bar);
                 ::ad::rt::Absorb::absorb(&mut ray_bar.direction, ray_part);
                 ::ad::rt::Absorb::absorb(&mut normal_bar, normal_part);
-                (ray_bar, normal_bar)
+                (
+                    ::ad::rt::fit(ray_shape, ray_bar),
+                    ::ad::rt::fit(normal_shape, normal_bar),
+                )
             },
         )
     }

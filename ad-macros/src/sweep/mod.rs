@@ -15,7 +15,7 @@ use quote::{format_ident, quote};
 use crate::ir::{
     Arm, Block, BlockId, Branch, BranchKind, Operand, Place, Projection, Statement, Var, VarId,
 };
-use crate::lower::Lowered;
+use crate::lower::{Lowered, LoweredParameter};
 use crate::names::{self, Names};
 
 /// The sweeps of a function.
@@ -26,6 +26,8 @@ pub struct Sweeps {
     pub value: TokenStream,
     /// The statements of the reverse sweep.
     pub reverse: TokenStream,
+    /// The names of the cotangents that come in for `&mut` parameters.
+    pub incoming: Vec<Ident>,
     /// The cotangent of each parameter.
     pub cotangents: Vec<TokenStream>,
 }
@@ -39,22 +41,35 @@ pub fn sweep(lowered: &Lowered, seed: &Ident, names: &mut Names) -> Sweeps {
         spaces: HashSet::new(),
         frames: Vec::new(),
     };
+    let exclusive = lowered.parameters.iter().map(|parameter| parameter.var);
+    let exclusive: Vec<_> = exclusive.filter(|&var| lowered.vars[var].exclusive).collect();
+    sweeper.started.extend(&exclusive);
     let body = sweeper.block(&lowered.body, Some(quote!(#seed)));
-    let spaces = lowered.parameters.iter().map(|&parameter| sweeper.space_definition(parameter));
-    let cotangents = lowered.parameters.iter().map(|parameter| {
-        let Var { cotangent, active, .. } = &lowered.vars[*parameter];
-        match (active, sweeper.started.contains(parameter)) {
-            (false, _) => quote!(()),
+    let spaces = lowered.parameters.iter().map(|parameter| sweeper.space_definition(parameter.var));
+    let spaces: Vec<_> = spaces.collect();
+    let mut shapes = TokenStream::new();
+    let cotangents = lowered.parameters.iter().map(|&LoweredParameter { var, has_shape }| {
+        let Var { ident, cotangent, active, .. } = &lowered.vars[var];
+        let cotangent = match (active, sweeper.started.contains(&var)) {
+            (false, _) => return quote!(()),
             (true, true) => quote!(#cotangent),
             (true, false) => quote!(::ad::Additive::zero()),
+        };
+        if !has_shape {
+            return cotangent;
         }
+        let shape = sweeper.names.fresh(&format!("{ident}_shape"), ident.span());
+        shapes.extend(quote!(let #shape = ::ad::rt::shape(&#ident);));
+        quote!(::ad::rt::fit(#shape, #cotangent))
     });
+    let cotangents: Vec<_> = cotangents.collect();
     let (forward, reverse) = (body.forward, body.reverse);
     Sweeps {
-        forward: quote!(#(#spaces)* #forward),
+        forward: quote!(#(#spaces)* #shapes #forward),
         value: body.value,
-        cotangents: cotangents.collect(),
         reverse,
+        incoming: exclusive.iter().map(|&var| lowered.vars[var].cotangent.clone()).collect(),
+        cotangents,
     }
 }
 
@@ -67,13 +82,19 @@ pub fn project(root: TokenStream, path: &[Projection]) -> TokenStream {
     })
 }
 
-/// The cotangent of a place. That of a reference is that of its target.
-fn project_cotangent(root: &Ident, path: &[Projection]) -> TokenStream {
-    path.iter().fold(quote!(#root), |place, step| match step {
-        Projection::Field(member) => quote!(#place.#member),
-        Projection::Index(index) => quote!(#place[#index]),
-        Projection::Deref => place,
-    })
+/// The cotangent of a place, as `&mut`. That of a reference is that of its target.
+fn cotangent_of(root: &Ident, path: &[Projection]) -> TokenStream {
+    // Before the first element and behind each field it is a place, else a reference.
+    let (place, is_reference) =
+        path.iter().fold((quote!(#root), false), |(place, is_reference), step| match step {
+            Projection::Field(member) => (quote!(#place.#member), false),
+            Projection::Index(index) if is_reference => {
+                (quote!(::ad::rt::at(#place, #index)), true)
+            }
+            Projection::Index(index) => (quote!(::ad::rt::at(&mut #place, #index)), true),
+            Projection::Deref => (place, is_reference),
+        });
+    if is_reference { place } else { quote!(&mut #place) }
 }
 
 struct Sweeper<'a> {
@@ -107,9 +128,22 @@ impl Written {
     /// The names that have to outlive the forward sweep of the block, as a tuple.
     fn saved(&self) -> TokenStream {
         let mut named = HashSet::new();
-        names::collect(self.reverse.clone(), &mut named);
+        names::collect_variables(self.reverse.clone(), &mut named);
         let saved = self.defines.iter().filter(|name| named.contains(&name.to_string()));
         quote!((#(#saved,)*))
+    }
+}
+
+/// Where a cotangent that a pullback returns goes to.
+struct Target {
+    place: Place,
+    /// Whether the argument may have been an array that was passed as a slice.
+    is_coerced: bool,
+}
+
+impl Target {
+    fn whole(root: VarId) -> Self {
+        Self { place: Place { root, path: Vec::new() }, is_coerced: false }
     }
 }
 
@@ -205,8 +239,8 @@ impl Sweeper<'_> {
             reverse.extend(quote!(let mut #cotangent = #value;));
         } else {
             self.start(reverse, var);
-            let place = project_cotangent(&self.vars[var].cotangent, path);
-            reverse.extend(quote!(::ad::rt::Absorb::absorb(&mut #place, #value);));
+            let place = cotangent_of(&self.vars[var].cotangent, path);
+            reverse.extend(quote!(::ad::rt::Absorb::absorb(#place, #value);));
         }
     }
 
@@ -218,23 +252,29 @@ impl Sweeper<'_> {
     fn contribute_all(
         &mut self,
         reverse: &mut TokenStream,
-        targets: &[Option<Place>],
+        targets: &[Option<Target>],
         value: TokenStream,
         as_array: bool,
     ) {
         let mut elements = Vec::new();
         let mut absorbed = TokenStream::new();
         for target in targets {
-            let Some(Place { root, path }) =
-                target.as_ref().filter(|place| self.vars[place.root].active)
+            let Some(Target { place: Place { root, path }, is_coerced }) =
+                target.as_ref().filter(|target| self.vars[target.place.root].active)
             else {
                 elements.push(quote!(_));
                 continue;
             };
-            if path.is_empty() && self.is_unstarted_local(*root) {
+            let is_first = path.is_empty() && self.is_unstarted_local(*root);
+            if is_first && !is_coerced {
                 self.started.insert(*root);
                 let cotangent = &self.vars[*root].cotangent;
                 elements.push(quote!(mut #cotangent));
+            } else if is_first {
+                let part = self.part_name(*root);
+                let space = self.space(*root);
+                self.contribute(&mut absorbed, *root, path, quote!(#space.enter(#part)));
+                elements.push(quote!(#part));
             } else {
                 let part = self.part_name(*root);
                 self.contribute(&mut absorbed, *root, path, quote!(#part));
@@ -323,8 +363,8 @@ impl Sweeper<'_> {
             return sides;
         }
         self.start(&mut sides.reverse, place.root);
-        let cotangent = project_cotangent(&root.cotangent, &place.path);
-        let taken = quote!(::ad::rt::take(&mut #cotangent));
+        let cotangent = cotangent_of(&root.cotangent, &place.path);
+        let taken = quote!(::ad::rt::take(#cotangent));
         match value {
             Operand::Constant(_) => sides.reverse.extend(quote!(#taken;)),
             Operand::Var(var) => {
@@ -374,11 +414,11 @@ impl Sweeper<'_> {
         let (record, count) = (&branch.record, arms.len());
         let bodies = arms.iter().enumerate().map(|(index, arm)| {
             let (forward, value, saved) = (&arm.forward, &arm.value, arm.saved());
-            let variant = arm_variant(count, index);
+            let saved = in_variant(count, index, &saved);
             match (branch.result.is_some(), records) {
-                (true, true) => quote!({ #forward (#value, #variant(#saved)) }),
+                (true, true) => quote!({ #forward (#value, #saved) }),
                 (true, false) => quote!({ #forward #value }),
-                (false, true) => quote!({ #forward #variant(#saved) }),
+                (false, true) => quote!({ #forward #saved }),
                 (false, false) => quote!({ #forward }),
             }
         });
@@ -412,9 +452,8 @@ impl Sweeper<'_> {
         if records {
             sides.defines.push(record.clone());
             let arms = arms.iter().enumerate().map(|(index, arm)| {
-                let (variant, saved, reverse) =
-                    (arm_variant(count, index), arm.saved(), &arm.reverse);
-                quote!(#variant(#saved) => { #reverse })
+                let (saved, reverse) = (in_variant(count, index, &arm.saved()), &arm.reverse);
+                quote!(#saved => { #reverse })
             });
             sides.reverse.extend(quote!(match #record { #(#arms)* }));
         }
@@ -441,7 +480,17 @@ fn is_field(step: &Projection) -> bool {
     matches!(step, Projection::Field(_))
 }
 
-fn arm_variant(arms: usize, index: usize) -> TokenStream {
-    let (name, variant) = (format_ident!("Branch{arms}"), format_ident!("Arm{index}"));
-    quote!(::ad::rt::#name::#variant)
+/// The largest of the enums `ad::rt::Branch1`, `Branch2`, ..
+const MOST_ARMS: usize = 12;
+
+/// What an arm saved, as a variant. Arms beyond those of the largest enum share its last variant.
+fn in_variant(arms: usize, index: usize, saved: &TokenStream) -> TokenStream {
+    let last = MOST_ARMS - 1;
+    let (name, variant, saved) = match arms > MOST_ARMS {
+        true if index >= last => (MOST_ARMS, last, in_variant(arms - last, index - last, saved)),
+        true => (MOST_ARMS, index, saved.clone()),
+        false => (arms, index, saved.clone()),
+    };
+    let (name, variant) = (format_ident!("Branch{name}"), format_ident!("Arm{variant}"));
+    quote!(::ad::rt::#name::#variant(#saved))
 }

@@ -4,7 +4,7 @@ use proc_macro2::{Ident, TokenStream};
 use quote::{quote, quote_spanned};
 use syn::{Member, Type};
 
-use super::{Sides, Sweeper, project, project_cotangent};
+use super::{Sides, Sweeper, Target, cotangent_of, project};
 use crate::ir::{
     Argument, BinaryOperator, Operand, Operation, Place, Projection, Shape, Var, VarId,
 };
@@ -12,8 +12,9 @@ use crate::ir::{
 impl Sweeper<'_> {
     pub(super) fn define(&mut self, var: VarId, ty: Option<&Type>, operation: &Operation) -> Sides {
         let mut reverse = TokenStream::new();
-        let pulls_back = self.started.contains(&var);
+        let pulls_back = self.started.contains(&var) || self.changes_live_place(operation);
         if pulls_back {
+            self.start(&mut reverse, var);
             self.pull_back(&mut reverse, var, operation);
         }
         let Var { ident, space, record, mutable, .. } = &self.vars[var];
@@ -69,11 +70,18 @@ impl Sweeper<'_> {
                     let place = self.place(place);
                     quote!(&#place)
                 }
+                Argument::Exclusive(place) => {
+                    let place = self.place(place);
+                    quote!(&mut #place)
+                }
                 Argument::Receiver(place) => self.place(place),
             })
             .collect();
         if method {
-            let receiver = tokens.remove(0);
+            let mut receiver = tokens.remove(0);
+            if let Argument::Borrow(_) = arguments[0] {
+                receiver = quote!((#receiver));
+            }
             quote!(#receiver.#function(#(#tokens),*))
         } else {
             quote!(#function(#(#tokens),*))
@@ -93,6 +101,10 @@ impl Sweeper<'_> {
             Operation::Borrow(place) => {
                 let place = self.place(place);
                 quote!(&#place)
+            }
+            Operation::Value(value) => {
+                let value = self.ident(*value);
+                quote_spanned!(span=> ::ad::rt::ByValue::by_value(#value))
             }
             Operation::Negate(value) => {
                 let value = self.ident(*value);
@@ -117,9 +129,12 @@ impl Sweeper<'_> {
             }
             Operation::Aggregate { expression, .. }
             | Operation::UpdateStruct { expression, .. } => expression.clone(),
-            Operation::Repeat(value, length) => {
+            Operation::Repeat { value, length, is_vec } => {
                 let value = self.ident(*value);
-                quote!([#value; #length])
+                match is_vec {
+                    true => quote!(::std::vec![#value; #length]),
+                    false => quote!([#value; #length]),
+                }
             }
         }
     }
@@ -130,7 +145,7 @@ impl Sweeper<'_> {
         let (cotangent, span) = (quote!(#cotangent), ident.span());
         match operation {
             Operation::Use(Operand::Constant(_)) => {}
-            Operation::Use(Operand::Var(source)) => {
+            Operation::Use(Operand::Var(source)) | Operation::Value(source) => {
                 self.contribute(reverse, *source, &[], cotangent);
             }
             Operation::Read(place) | Operation::Borrow(place) => {
@@ -143,7 +158,7 @@ impl Sweeper<'_> {
             Operation::Binary(operator, left, right) => {
                 let pulled =
                     self.binary_pullback(*operator, record, [*left, *right], cotangent, span);
-                let targets = [*left, *right].map(|root| Some(Place { root, path: Vec::new() }));
+                let targets = [*left, *right].map(|root| Some(Target::whole(root)));
                 self.contribute_all(reverse, &targets, pulled, false);
             }
             Operation::Cast(value, ty) => {
@@ -153,8 +168,8 @@ impl Sweeper<'_> {
                 self.contribute(reverse, *value, &[], pulled);
             }
             Operation::Call { arguments, .. } => {
-                let pulled = quote!(#record(#cotangent));
-                let targets: Vec<_> = arguments.iter().map(argument_place).collect();
+                let pulled = self.call_pullback(reverse, record, cotangent, arguments);
+                let targets: Vec<_> = arguments.iter().map(argument_target).collect();
                 self.contribute_all(reverse, &targets, pulled, false);
             }
             Operation::Aggregate { shape: Shape::Transparent, parts, .. } => {
@@ -164,16 +179,23 @@ impl Sweeper<'_> {
                     }
                 }
             }
-            Operation::Aggregate { shape: Shape::Array, parts, .. } => {
-                let targets: Vec<_> = parts.iter().map(|(_, part)| operand_place(part)).collect();
-                self.contribute_all(reverse, &targets, cotangent, true);
+            Operation::Aggregate { shape: shape @ (Shape::Array | Shape::Vec), parts, .. } => {
+                let targets: Vec<_> = parts.iter().map(|(_, part)| operand_target(part)).collect();
+                let elements = match shape {
+                    Shape::Vec => quote!(::ad::rt::Enter::enter(#cotangent)),
+                    _ => cotangent,
+                };
+                self.contribute_all(reverse, &targets, elements, true);
             }
             Operation::Aggregate { shape, parts, .. } => {
                 for (member, part) in parts {
                     let Operand::Var(part) = part else { continue };
-                    let field = quote!(#cotangent.#member);
+                    let field = match shape {
+                        Shape::Variant(variant) => quote!(#cotangent.#variant.#member),
+                        _ => quote!(#cotangent.#member),
+                    };
                     let value = match shape {
-                        Shape::Struct => {
+                        Shape::Struct | Shape::Variant(_) => {
                             let space = self.space(*part);
                             quote!(#space.enter(#field))
                         }
@@ -189,10 +211,57 @@ impl Sweeper<'_> {
                 }
                 self.contribute(reverse, *rest, &[], cotangent);
             }
-            Operation::Repeat(value, _) => {
+            Operation::Repeat { value, .. } => {
                 self.contribute(reverse, *value, &[], quote!(::ad::rt::sum(#cotangent)));
             }
         }
+    }
+
+    /// The call of the pullback of a call. What the call may have changed lends it its cotangent.
+    fn call_pullback(
+        &mut self,
+        reverse: &mut TokenStream,
+        record: &Ident,
+        cotangent: TokenStream,
+        arguments: &[Argument],
+    ) -> TokenStream {
+        let mut lent = Vec::new();
+        let mut receiver = None;
+        for argument in arguments {
+            match argument {
+                Argument::Exclusive(place) if !self.vars[place.root].active => {
+                    lent.push(quote!(()));
+                }
+                Argument::Exclusive(place) => {
+                    self.start(reverse, place.root);
+                    let lender = cotangent_of(&self.vars[place.root].cotangent, &place.path);
+                    lent.push(quote!(::ad::rt::Take::take(#lender)));
+                }
+                Argument::Receiver(place) if self.vars[place.root].mutable => {
+                    self.start(reverse, place.root);
+                    receiver = Some(cotangent_of(&self.vars[place.root].cotangent, &place.path));
+                }
+                Argument::Value(_) | Argument::Borrow(_) | Argument::Receiver(_) => {}
+            }
+        }
+        match receiver {
+            None => quote!(#record(#cotangent #(, #lent)*)),
+            Some(receiver) => quote! {
+                ::ad::rt::MethodPullback::pull_back(#record, #cotangent, #receiver, (#(#lent,)*))
+            },
+        }
+    }
+
+    /// Whether an operation may change something whose cotangent is not zero.
+    fn changes_live_place(&mut self, operation: &Operation) -> bool {
+        let Operation::Call { arguments, .. } = operation else { return false };
+        arguments.iter().any(|argument| match argument {
+            Argument::Exclusive(place) | Argument::Receiver(place) => {
+                let root = &self.vars[place.root];
+                root.active && root.mutable && self.is_live(place)
+            }
+            Argument::Value(_) | Argument::Borrow(_) => false,
+        })
     }
 
     /// A field that a struct update sets: its cotangent does not reach the rest.
@@ -261,8 +330,8 @@ impl Sweeper<'_> {
         self.start(&mut sides.reverse, place.root);
         let root = &self.vars[place.root];
         let span = root.ident.span();
-        let cotangent = project_cotangent(&root.cotangent, &place.path);
-        let taken = quote!(::ad::rt::take(&mut #cotangent));
+        let cotangent = cotangent_of(&root.cotangent, &place.path);
+        let taken = quote!(::ad::rt::take(#cotangent));
         let taken = self.entered(previous, place, taken);
         let record = &self.vars[previous].record;
         if operator.is_linear() {
@@ -277,27 +346,28 @@ impl Sweeper<'_> {
         };
         sides.reverse.extend(quote! {
             let (#to_previous, #value_pattern) = #pulled;
-            ::ad::rt::Absorb::absorb(&mut #cotangent, #to_previous);
+            ::ad::rt::Absorb::absorb(#cotangent, #to_previous);
         });
         self.contribute(&mut sides.reverse, value, &[], quote!(#to_value));
         sides
     }
 }
 
-fn operand_place(operand: &Operand) -> Option<Place> {
+fn operand_target(operand: &Operand) -> Option<Target> {
     match operand {
         Operand::Constant(_) => None,
-        Operand::Var(root) => Some(Place { root: *root, path: Vec::new() }),
+        Operand::Var(root) => Some(Target::whole(*root)),
     }
 }
 
-fn argument_place(argument: &Argument) -> Option<Place> {
+fn argument_target(argument: &Argument) -> Option<Target> {
     match argument {
-        Argument::Value(operand) => operand_place(operand),
-        Argument::Borrow(place) | Argument::Receiver(place) => {
+        Argument::Value(operand) => operand_target(operand),
+        Argument::Borrow(place) | Argument::Exclusive(place) | Argument::Receiver(place) => {
             let is_part = |step: &Projection| !matches!(step, Projection::Deref);
             let path = place.path.iter().filter(|step| is_part(step)).cloned().collect();
-            Some(Place { root: place.root, path })
+            let is_coerced = !matches!(argument, Argument::Receiver(_));
+            Some(Target { place: Place { root: place.root, path }, is_coerced })
         }
     }
 }

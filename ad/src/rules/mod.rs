@@ -37,13 +37,17 @@
 mod cast;
 mod choose;
 mod operators;
+#[doc(hidden)]
+pub mod replace;
 mod scalar;
+mod sequence;
 mod vector;
 
 pub use cast::CastPullback;
 pub use choose::{select, stop_gradient};
 pub use operators::{AddPullback, DivPullback, MulPullback, NegPullback, RemPullback, SubPullback};
 pub use scalar::{RealRules, ScalarRules};
+pub use sequence::{CloneRules, Elements, SequenceRules, VecRules};
 pub use vector::{DVec2Rules, DVec4Rules, Vec2Rules, Vec4Rules, Vector3Rules, VectorRules};
 
 use crate::{Real, vector::Vector};

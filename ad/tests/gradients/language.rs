@@ -5,6 +5,10 @@
     clippy::let_and_return,
     clippy::needless_range_loop,
     clippy::needless_return,
+    clippy::boxed_local,
+    clippy::redundant_slicing,
+    clippy::toplevel_ref_arg,
+    clippy::useless_vec,
     clippy::never_loop,
     clippy::reversed_empty_ranges,
     reason = "these forms are what is tested"
@@ -12,9 +16,12 @@
 
 mod closures;
 mod data;
+mod enums;
+mod exclusive;
 mod exits;
 mod flow;
 mod iterators;
 mod jumps;
 mod macros;
+mod slices;
 mod statements;

@@ -12,12 +12,31 @@ impl Counter {
 }
 
 #[differentiable]
+impl Counter {
+    fn bump(&mut self) -> f64 {
+        self.total *= 2.0;
+        self.total
+    }
+
+    fn scaled(self, by: f64) -> f64 {
+        self.total * by
+    }
+}
+
+#[differentiable]
 fn f(x: f64) -> f64 {
     let mut counter = Counter { total: x };
     counter.add(x);
     counter.total
 }
 
+#[differentiable]
+fn changed_by_an_argument(x: f64) -> f64 {
+    let mut counter = Counter { total: x };
+    counter.scaled(counter.bump())
+}
+
 fn main() {
     f::grad(1.0);
+    changed_by_an_argument::grad(1.0);
 }

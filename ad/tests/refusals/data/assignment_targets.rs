@@ -7,7 +7,7 @@ fn f(x: f64, y: f64) -> f64 {
     let c;
     c = a * b;
     let part = [a, b, c];
-    part[0..2][1]
+    part[1]
 }
 
 fn main() {

@@ -1,8 +1,8 @@
 use ad::Differentiable;
 
 #[derive(Differentiable)]
-struct Named {
-    name: String,
+struct Aged {
+    age: std::time::Duration,
     size: f64,
 }
 

@@ -1,11 +1,11 @@
 use ad::differentiable;
 
 #[differentiable]
-fn f(x: (f64, f64, f64), y: Option<f64>) -> f64 {
+fn f(x: (f64, f64, f64), mut y: Option<f64>) -> f64 {
     let (.., c) = x;
-    let (ref a, _, _) = x;
+    let ([a, _] | [_, a]) = [c, c];
     match y {
-        Some(b @ 0.0..) => b * c * *a,
+        Some(ref mut b) => *b * c * a,
         _ => 0.0,
     }
 }

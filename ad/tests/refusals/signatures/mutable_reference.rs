@@ -1,16 +1,28 @@
 use ad::differentiable;
 
 #[differentiable]
-fn f(x: &mut f64) -> f64 {
-    *x * *x
+fn f(x: &&mut f64) -> f64 {
+    **x
 }
 
 #[differentiable]
-fn g(x: f64) -> f64 {
-    let mut y = x;
-    f(&mut y)
+fn g(mut x: &mut f64, (a, _): &mut (f64, f64)) -> f64 {
+    *x * *a
 }
 
-fn main() {
-    g(1.0);
+#[differentiable]
+fn h(x: &mut f64) -> f64 {
+    let y = x;
+    *y *= 2.0;
+    *y
 }
+
+#[differentiable]
+fn k(x: f64) -> f64 {
+    let mut y = x;
+    let (z, _) = (&mut y, 1.0);
+    *z *= 2.0;
+    y
+}
+
+fn main() {}

@@ -6,8 +6,10 @@ fn f(x: f64) {
 }
 
 #[differentiable]
-fn g() -> f64 {
-    1.0
+fn g(x: &mut f64) {
+    *x *= 2.0;
 }
 
-fn main() {}
+fn main() {
+    g::grad(&mut 1.0);
+}

@@ -1,0 +1,169 @@
+//! Conditions and patterns rewritten to plainer ones, before they are lowered.
+//!
+//! A chain of conditions becomes a `match` on an option of what the chain binds, so that the code
+//! for the case that it fails is written once. An or-pattern that binds names becomes an arm for
+//! each alternative: what a name is bound to, and so where its cotangent goes, differs.
+
+use proc_macro2::Ident;
+use syn::visit::{self, Visit};
+use syn::visit_mut::{self, VisitMut};
+use syn::{Arm, BinOp, Expr, ExprIf, Pat, Token, parse_quote};
+
+use super::expression::is_type_name;
+
+/// An `if` or `match` in plainer form.
+pub fn branch(expr: Expr) -> Expr {
+    match expr {
+        Expr::If(branch) if is_chain(&branch.cond) => chain(branch),
+        Expr::If(branch) => match &*branch.cond {
+            Expr::Let(condition) if alternatives(&condition.pat).len() > 1 => {
+                let (pat, matched) = (&condition.pat, &condition.expr);
+                let (then, otherwise) = (&branch.then_branch, otherwise(&branch));
+                self::branch(parse_quote!(match #matched { #pat => #then, _ => #otherwise }))
+            }
+            _ => Expr::If(branch),
+        },
+        Expr::Match(mut branch) => {
+            let split = |arm: &Arm| {
+                let arm = arm.clone();
+                alternatives(&arm.pat).into_iter().map(move |pat| Arm { pat, ..arm.clone() })
+            };
+            branch.arms = branch.arms.iter().flat_map(split).collect();
+            Expr::Match(branch)
+        }
+        expr => expr,
+    }
+}
+
+/// What an `if` evaluates to if its condition does not hold.
+pub fn otherwise(branch: &ExprIf) -> Expr {
+    match &branch.else_branch {
+        Some((_, otherwise)) => (**otherwise).clone(),
+        None => parse_quote!({}),
+    }
+}
+
+/// Whether `let` is one of several conditions.
+fn is_chain(condition: &Expr) -> bool {
+    let conditions = conditions(condition);
+    conditions.len() > 1 && conditions.iter().any(|part| matches!(part, Expr::Let(_)))
+}
+
+/// The conditions that `&&` joins.
+fn conditions(condition: &Expr) -> Vec<&Expr> {
+    match condition {
+        Expr::Binary(binary) if matches!(binary.op, BinOp::And(_)) => {
+            let mut parts = conditions(&binary.left);
+            parts.extend(conditions(&binary.right));
+            parts
+        }
+        condition => vec![condition],
+    }
+}
+
+fn chain(branch: ExprIf) -> Expr {
+    let mut bound = Bound::default();
+    for condition in conditions(&branch.cond) {
+        if let Expr::Let(condition) = condition {
+            bound.visit_pat(&condition.pat);
+        }
+    }
+    let (names, mutabilities) = (&bound.names, &bound.mutabilities);
+    let mut outcome: Expr = parse_quote!(::core::option::Option::Some((#(#names,)*)));
+    for condition in conditions(&branch.cond).into_iter().rev() {
+        outcome = match condition {
+            Expr::Let(condition) => {
+                let (pat, matched) = (&condition.pat, &condition.expr);
+                parse_quote!(match #matched {
+                    #pat => #outcome,
+                    _ => ::core::option::Option::None,
+                })
+            }
+            condition => parse_quote!(if #condition { #outcome } else {
+                ::core::option::Option::None
+            }),
+        };
+    }
+    let (then, otherwise) = (&branch.then_branch, otherwise(&branch));
+    parse_quote!(match #outcome {
+        ::core::option::Option::Some((#(#mutabilities #names,)*)) => #then,
+        ::core::option::Option::None => #otherwise,
+    })
+}
+
+/// The names that a pattern binds.
+#[derive(Default)]
+pub struct Bound {
+    /// The names.
+    pub names: Vec<Ident>,
+    /// Whether each may be assigned to.
+    pub mutabilities: Vec<Option<Token![mut]>>,
+}
+
+impl<'ast> Visit<'ast> for Bound {
+    fn visit_pat_ident(&mut self, pat: &'ast syn::PatIdent) {
+        let is_constant = pat.subpat.is_none() && is_type_name(&pat.ident);
+        // Of a name that is bound again the last meaning counts; alternatives bind the same names.
+        if !is_constant {
+            if let Some(previous) = self.names.iter().position(|name| *name == pat.ident) {
+                self.names.remove(previous);
+                self.mutabilities.remove(previous);
+            }
+            self.names.push(pat.ident.clone());
+            self.mutabilities.push(pat.mutability);
+        }
+        visit::visit_pat_ident(self, pat);
+    }
+}
+
+/// The patterns that together match what `pat` does, none of which binds names in alternatives.
+pub fn alternatives(pat: &Pat) -> Vec<Pat> {
+    let Some(count) = First::count(pat) else { return vec![pat.clone()] };
+    let choice = |index| {
+        let mut pat = pat.clone();
+        Choose(Some(index)).visit_pat_mut(&mut pat);
+        alternatives(&pat)
+    };
+    (0..count).flat_map(choice).collect()
+}
+
+fn binds_alternatives(pat: &syn::PatOr) -> bool {
+    let mut bound = Bound::default();
+    bound.visit_pat_or(pat);
+    !bound.names.is_empty()
+}
+
+/// Counts the alternatives of the first or-pattern that binds names.
+struct First(Option<usize>);
+
+impl First {
+    fn count(pat: &Pat) -> Option<usize> {
+        let mut first = Self(None);
+        first.visit_pat(pat);
+        first.0
+    }
+}
+
+impl<'ast> Visit<'ast> for First {
+    fn visit_pat_or(&mut self, pat: &'ast syn::PatOr) {
+        if self.0.is_none() && binds_alternatives(pat) {
+            self.0 = Some(pat.cases.len());
+        }
+    }
+}
+
+/// Puts one alternative in the place of the first or-pattern that binds names.
+struct Choose(Option<usize>);
+
+impl VisitMut for Choose {
+    fn visit_pat_mut(&mut self, pat: &mut Pat) {
+        match pat {
+            Pat::Or(or) if binds_alternatives(or) => {
+                if let Some(index) = self.0.take() {
+                    *pat = or.cases[index].clone();
+                }
+            }
+            pat => visit_mut::visit_pat_mut(self, pat),
+        }
+    }
+}

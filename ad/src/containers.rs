@@ -1,0 +1,258 @@
+//! Tangents of what holds other values: references, boxes, options, tuples, arrays, slices, `Vec`.
+
+use core::marker::PhantomData;
+use core::ops::ControlFlow;
+
+use crate::{Additive, Differentiable, NoTangent, Shape, Tangent};
+
+impl<T: Differentiable + ?Sized> Differentiable for &T {
+    type Tangent = Tangent<T>;
+    type Shape = T::Shape;
+
+    #[inline(always)]
+    fn shape(&self) -> T::Shape {
+        T::shape(self)
+    }
+}
+
+impl<T: Differentiable + ?Sized> Differentiable for &mut T {
+    type Tangent = Tangent<T>;
+    type Shape = T::Shape;
+
+    #[inline(always)]
+    fn shape(&self) -> T::Shape {
+        T::shape(self)
+    }
+}
+
+/// The cotangent of a box is that of its content.
+impl<T: Differentiable + ?Sized> Differentiable for Box<T> {
+    type Tangent = Tangent<T>;
+    type Shape = T::Shape;
+
+    #[inline(always)]
+    fn shape(&self) -> T::Shape {
+        T::shape(self)
+    }
+}
+
+/// The cotangent of an option is that of its content; nothing flows into a `None`.
+impl<T: Differentiable> Differentiable for Option<T> {
+    type Tangent = Tangent<T>;
+    type Shape = Option<T::Shape>;
+
+    #[inline(always)]
+    fn shape(&self) -> Self::Shape {
+        self.as_ref().map(T::shape)
+    }
+}
+
+impl<T, S: Shape<T>> Shape<T> for Option<S> {
+    #[inline(always)]
+    fn fit(self, tangent: &mut T) {
+        if let Some(shape) = self {
+            shape.fit(tangent);
+        }
+    }
+}
+
+/// One cotangent for either outcome; that of the outcome which did not occur stays zero.
+impl<T: Differentiable, E: Differentiable> Differentiable for Result<T, E> {
+    type Tangent = (Tangent<T>, Tangent<E>);
+    type Shape = Result<T::Shape, E::Shape>;
+
+    #[inline(always)]
+    fn shape(&self) -> Self::Shape {
+        self.as_ref().map(T::shape).map_err(E::shape)
+    }
+}
+
+impl<T, E, S: Shape<T>, F: Shape<E>> Shape<(T, E)> for Result<S, F> {
+    #[inline(always)]
+    fn fit(self, tangent: &mut (T, E)) {
+        match self {
+            Ok(shape) => shape.fit(&mut tangent.0),
+            Err(shape) => shape.fit(&mut tangent.1),
+        }
+    }
+}
+
+/// One cotangent for either outcome; that of the outcome which did not occur stays zero.
+impl<B: Differentiable, C: Differentiable> Differentiable for ControlFlow<B, C> {
+    type Tangent = (Tangent<B>, Tangent<C>);
+    type Shape = ControlFlow<B::Shape, C::Shape>;
+
+    #[inline(always)]
+    fn shape(&self) -> Self::Shape {
+        match self {
+            ControlFlow::Break(value) => ControlFlow::Break(value.shape()),
+            ControlFlow::Continue(value) => ControlFlow::Continue(value.shape()),
+        }
+    }
+}
+
+impl<B, C, S: Shape<B>, R: Shape<C>> Shape<(B, C)> for ControlFlow<S, R> {
+    #[inline(always)]
+    fn fit(self, tangent: &mut (B, C)) {
+        match self {
+            ControlFlow::Break(shape) => shape.fit(&mut tangent.0),
+            ControlFlow::Continue(shape) => shape.fit(&mut tangent.1),
+        }
+    }
+}
+
+impl<T: ?Sized> Differentiable for PhantomData<T> {
+    type Tangent = NoTangent<T>;
+    type Shape = ();
+
+    #[inline(always)]
+    fn shape(&self) {}
+}
+
+/// That of a `#[constant]` field, which stands for its type only.
+impl<T, U: ?Sized> Shape<T> for PhantomData<U> {
+    #[inline(always)]
+    fn fit(self, _: &mut T) {}
+}
+
+impl<T: Differentiable, const N: usize> Differentiable for [T; N] {
+    type Tangent = [Tangent<T>; N];
+    type Shape = [T::Shape; N];
+
+    #[inline(always)]
+    fn shape(&self) -> Self::Shape {
+        self.each_ref().map(T::shape)
+    }
+}
+
+impl<T, S: Shape<T>, const N: usize> Shape<[T; N]> for [S; N] {
+    #[inline(always)]
+    fn fit(self, tangent: &mut [T; N]) {
+        for (shape, tangent) in self.into_iter().zip(tangent) {
+            shape.fit(tangent);
+        }
+    }
+}
+
+impl<T: Additive, const N: usize> Additive for [T; N] {
+    #[inline(always)]
+    fn zero() -> Self {
+        core::array::from_fn(|_| T::zero())
+    }
+
+    #[inline(always)]
+    fn accumulate(&mut self, other: Self) {
+        for (mine, theirs) in self.iter_mut().zip(other) {
+            mine.accumulate(theirs);
+        }
+    }
+}
+
+impl<T: Differentiable> Differentiable for [T] {
+    type Tangent = Vec<Tangent<T>>;
+    /// Without allocation where the elements have one size.
+    type Shape = Vec<T::Shape>;
+
+    #[inline]
+    fn shape(&self) -> Self::Shape {
+        self.iter().map(T::shape).collect()
+    }
+}
+
+impl<T: Differentiable> Differentiable for Vec<T> {
+    type Tangent = Vec<Tangent<T>>;
+    type Shape = Vec<T::Shape>;
+
+    #[inline]
+    fn shape(&self) -> Self::Shape {
+        self.as_slice().shape()
+    }
+}
+
+impl<T: Additive, S: Shape<T>> Shape<Vec<T>> for Vec<S> {
+    #[inline]
+    fn fit(self, tangent: &mut Vec<T>) {
+        tangent.resize_with(self.len(), T::zero);
+        for (shape, tangent) in self.into_iter().zip(tangent) {
+            shape.fit(tangent);
+        }
+    }
+}
+
+/// The shorter one lacks zeros.
+impl<T: Additive> Additive for Vec<T> {
+    #[inline(always)]
+    fn zero() -> Self {
+        Vec::new()
+    }
+
+    #[inline]
+    fn accumulate(&mut self, mut other: Self) {
+        if self.len() < other.len() {
+            core::mem::swap(self, &mut other);
+        }
+        for (mine, theirs) in self.iter_mut().zip(other) {
+            mine.accumulate(theirs);
+        }
+    }
+}
+
+macro_rules! tuples {
+    (@shape) => {};
+    (@shape $($name:ident $shape:ident $index:tt),*) => {
+        impl<$($name, $shape: Shape<$name>),*> Shape<($($name,)*)> for ($($shape,)*) {
+            #[inline(always)]
+            fn fit(self, tangent: &mut ($($name,)*)) {
+                $(self.$index.fit(&mut tangent.$index);)*
+            }
+        }
+    };
+    ($(($($name:ident $shape:ident $index:tt),*))*) => {$(
+        impl<$($name: Differentiable),*> Differentiable for ($($name,)*) {
+            type Tangent = ($(Tangent<$name>,)*);
+            type Shape = ($($name::Shape,)*);
+
+            #[inline(always)]
+            fn shape(&self) -> Self::Shape {
+                ($(self.$index.shape(),)*)
+            }
+        }
+
+        // The unit type is the shape of everything that has one size.
+        tuples!(@shape $($name $shape $index),*);
+
+        impl<$($name: Additive),*> Additive for ($($name,)*) {
+            #[inline(always)]
+            fn zero() -> Self {
+                ($($name::zero(),)*)
+            }
+
+            #[inline(always)]
+            #[allow(unused_variables)]
+            fn accumulate(&mut self, other: Self) {
+                $(self.$index.accumulate(other.$index);)*
+            }
+        }
+    )*};
+}
+
+#[allow(clippy::unused_unit)]
+mod tuples {
+    use super::{Additive, Differentiable, Shape, Tangent};
+
+    tuples! {
+        ()
+        (A M 0)
+        (A M 0, B N 1)
+        (A M 0, B N 1, C O 2)
+        (A M 0, B N 1, C O 2, D P 3)
+        (A M 0, B N 1, C O 2, D P 3, E Q 4)
+        (A M 0, B N 1, C O 2, D P 3, E Q 4, F R 5)
+        (A M 0, B N 1, C O 2, D P 3, E Q 4, F R 5, G S 6)
+        (A M 0, B N 1, C O 2, D P 3, E Q 4, F R 5, G S 6, H T 7)
+        (A M 0, B N 1, C O 2, D P 3, E Q 4, F R 5, G S 6, H T 7, I U 8)
+        (A M 0, B N 1, C O 2, D P 3, E Q 4, F R 5, G S 6, H T 7, I U 8, J V 9)
+        (A M 0, B N 1, C O 2, D P 3, E Q 4, F R 5, G S 6, H T 7, I U 8, J V 9, K W 10)
+        (A M 0, B N 1, C O 2, D P 3, E Q 4, F R 5, G S 6, H T 7, I U 8, J V 9, K W 10, L X 11)
+    }
+}

@@ -1,0 +1,72 @@
+//! Calls of pullbacks whose signature depends on the method that was called.
+
+use super::Take;
+
+/// The method took `self` or `&self`: its pullback wants the cotangent of the result alone.
+pub enum Shared {}
+
+/// The method took `&mut self`: its pullback wants the cotangent of what the receiver held
+/// afterwards, too. `Kind` is that of [`Take`].
+pub struct Exclusive<Kind>(Kind);
+
+/// The pullback of a method that was called on something it may have changed.
+///
+/// `Kind` is inferred from the signature of the pullback. `Others` are the cotangents of further
+/// `&mut` arguments.
+pub trait MethodPullback<Cotangent, Receiver: ?Sized, Others, Kind> {
+    /// The cotangents of receiver and arguments.
+    type Parts;
+
+    /// Calls the pullback. What it returns for the receiver is to be added to the receiver's
+    /// cotangent.
+    fn pull_back(
+        self,
+        cotangent: Cotangent,
+        receiver: &mut Receiver,
+        others: Others,
+    ) -> Self::Parts;
+}
+
+macro_rules! method_pullbacks {
+    ($(($($other:ident),*))*) => {$(
+        impl<F, C, R: ?Sized, P, $($other),*> MethodPullback<C, R, ($($other,)*), Shared> for F
+        where
+            F: FnOnce(C $(, $other)*) -> P,
+        {
+            type Parts = P;
+
+            #[inline(always)]
+            #[allow(non_snake_case)]
+            fn pull_back(self, cotangent: C, _: &mut R, ($($other,)*): ($($other,)*)) -> P {
+                self(cotangent $(, $other)*)
+            }
+        }
+
+        impl<F, C, R: ?Sized, T, K, P, $($other),*>
+            MethodPullback<C, R, ($($other,)*), Exclusive<(T, K)>> for F
+        where
+            F: FnOnce(C, T $(, $other)*) -> P,
+            R: Take<T, K>,
+        {
+            type Parts = P;
+
+            #[inline(always)]
+            #[allow(non_snake_case)]
+            fn pull_back(
+                self,
+                cotangent: C,
+                receiver: &mut R,
+                ($($other,)*): ($($other,)*),
+            ) -> P {
+                self(cotangent, receiver.take() $(, $other)*)
+            }
+        }
+    )*};
+}
+
+method_pullbacks! {
+    ()
+    (O0)
+    (O0, O1)
+    (O0, O1, O2)
+}

@@ -1,0 +1,52 @@
+//! Derivatives of `core::mem::{swap, replace, take}`.
+//!
+//! The pullbacks take the cotangents of what the places hold afterwards, and return those of what
+//! they held before.
+
+#![allow(non_camel_case_types)]
+
+use crate::{Differentiable, Tangent};
+
+/// The derivative of `core::mem::swap`.
+pub enum swap {}
+
+impl swap {
+    /// The cotangents change places too.
+    #[inline(always)]
+    #[allow(clippy::type_complexity)]
+    pub fn vjp<T: Differentiable>(
+        a: &mut T,
+        b: &mut T,
+    ) -> ((), impl FnOnce((), Tangent<T>, Tangent<T>) -> (Tangent<T>, Tangent<T>) + use<T>) {
+        core::mem::swap(a, b);
+        ((), |(), a, b| (b, a))
+    }
+}
+
+/// The derivative of `core::mem::replace`.
+pub enum replace {}
+
+impl replace {
+    /// That of the result to what was there, that of the place to the new value.
+    #[inline(always)]
+    #[allow(clippy::type_complexity)]
+    pub fn vjp<T: Differentiable>(
+        place: &mut T,
+        value: T,
+    ) -> (T, impl FnOnce(Tangent<T>, Tangent<T>) -> (Tangent<T>, Tangent<T>) + use<T>) {
+        (core::mem::replace(place, value), |before, after| (before, after))
+    }
+}
+
+/// The derivative of `core::mem::take`.
+pub enum take {}
+
+impl take {
+    /// That of the result to what was there.
+    #[inline(always)]
+    pub fn vjp<T: Differentiable + Default>(
+        place: &mut T,
+    ) -> (T, impl FnOnce(Tangent<T>, Tangent<T>) -> Tangent<T> + use<T>) {
+        (core::mem::take(place), |before, _| before)
+    }
+}

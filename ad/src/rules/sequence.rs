@@ -1,0 +1,271 @@
+//! Derivatives of the methods of slices, arrays and vectors.
+//!
+//! The pullback of a method that takes `&mut self` gets, after the cotangent of the result, that of
+//! what the sequence holds afterwards, and returns that of what it held before. The cotangent of a
+//! `Vec` or a slice may be shorter than the sequence: see
+//! [values of any length](crate::Differentiable).
+
+#![allow(clippy::type_complexity)]
+
+use crate::{Additive, Differentiable, Tangent};
+
+/// A cotangent of a sequence.
+pub trait Elements<T>: Additive {
+    /// The cotangents of the first `len` elements.
+    fn elements(&mut self, len: usize) -> &mut [T];
+    /// From those of a copy.
+    fn from_copy(copy: Vec<T>) -> Self;
+    /// To those of what it was copied from.
+    fn into_source(self) -> Vec<T>;
+}
+
+impl<T: Additive> Elements<T> for Vec<T> {
+    fn elements(&mut self, len: usize) -> &mut [T] {
+        if self.len() < len {
+            self.resize_with(len, T::zero);
+        }
+        &mut self[..len]
+    }
+
+    fn from_copy(copy: Vec<T>) -> Self {
+        copy
+    }
+
+    fn into_source(self) -> Vec<T> {
+        self
+    }
+}
+
+impl<T: Additive, const N: usize> Elements<T> for [T; N] {
+    fn elements(&mut self, len: usize) -> &mut [T] {
+        &mut self[..len]
+    }
+
+    fn from_copy(copy: Vec<T>) -> Self {
+        let mut elements = copy.into_iter();
+        core::array::from_fn(|_| elements.next().unwrap_or_else(T::zero))
+    }
+
+    fn into_source(self) -> Vec<T> {
+        self.into()
+    }
+}
+
+/// The `_vjp` siblings of the methods of slices and arrays.
+pub trait SequenceRules: Differentiable<Tangent: Elements<Tangent<Self::Element>>> {
+    /// An element.
+    type Element: Differentiable;
+
+    /// The sequence.
+    fn sequence(&mut self) -> &mut [Self::Element];
+
+    /// The elements, to read.
+    fn view(&self) -> &[Self::Element];
+
+    /// The cotangents of the copies.
+    #[inline]
+    fn to_vec_vjp(
+        &self,
+    ) -> (Vec<Self::Element>, impl FnOnce(Vec<Tangent<Self::Element>>) -> Self::Tangent + use<Self>)
+    where
+        Self::Element: Clone,
+    {
+        (self.view().to_vec(), Elements::from_copy)
+    }
+
+    /// Changes places back.
+    #[inline]
+    fn swap_vjp(
+        &mut self,
+        i: usize,
+        j: usize,
+    ) -> ((), impl FnOnce((), Self::Tangent) -> (Self::Tangent, (), ()) + use<Self>) {
+        let len = self.view().len();
+        self.sequence().swap(i, j);
+        ((), move |(), mut cotangent: Self::Tangent| {
+            cotangent.elements(len).swap(i, j);
+            (cotangent, (), ())
+        })
+    }
+
+    /// Turns the order back.
+    #[inline]
+    fn reverse_vjp(&mut self) -> ((), impl FnOnce((), Self::Tangent) -> Self::Tangent + use<Self>) {
+        let len = self.view().len();
+        self.sequence().reverse();
+        ((), move |(), mut cotangent: Self::Tangent| {
+            cotangent.elements(len).reverse();
+            cotangent
+        })
+    }
+
+    /// To the value, the sum; nothing to what it overwrote.
+    #[inline]
+    fn fill_vjp(
+        &mut self,
+        value: Self::Element,
+    ) -> ((), impl FnOnce((), Self::Tangent) -> (Self::Tangent, Tangent<Self::Element>) + use<Self>)
+    where
+        Self::Element: Clone,
+    {
+        self.sequence().fill(value);
+        ((), |(), cotangent: Self::Tangent| {
+            (Additive::zero(), crate::rt::sum(cotangent.into_source()))
+        })
+    }
+
+    /// To the source, element by element; nothing to what it overwrote.
+    #[inline]
+    fn copy_from_slice_vjp(
+        &mut self,
+        source: &[Self::Element],
+    ) -> (
+        (),
+        impl FnOnce((), Self::Tangent) -> (Self::Tangent, Vec<Tangent<Self::Element>>) + use<Self>,
+    )
+    where
+        Self::Element: Copy,
+    {
+        self.sequence().copy_from_slice(source);
+        ((), |(), cotangent: Self::Tangent| (Additive::zero(), cotangent.into_source()))
+    }
+}
+
+impl<T: Differentiable> SequenceRules for [T] {
+    type Element = T;
+
+    fn sequence(&mut self) -> &mut [T] {
+        self
+    }
+
+    fn view(&self) -> &[T] {
+        self
+    }
+}
+
+impl<T: Differentiable, const N: usize> SequenceRules for [T; N] {
+    type Element = T;
+
+    fn sequence(&mut self) -> &mut [T] {
+        self
+    }
+
+    fn view(&self) -> &[T] {
+        self
+    }
+}
+
+/// The `_vjp` siblings of the methods that change the length of a `Vec`.
+pub trait VecRules {
+    /// An element.
+    type Element: Differentiable;
+
+    /// Takes the cotangent of the new element out.
+    fn push_vjp(
+        &mut self,
+        value: Self::Element,
+    ) -> (
+        (),
+        impl FnOnce(
+            (),
+            Vec<Tangent<Self::Element>>,
+        ) -> (Vec<Tangent<Self::Element>>, Tangent<Self::Element>)
+        + use<Self>,
+    );
+
+    /// Puts the cotangent of the removed element back.
+    fn pop_vjp(
+        &mut self,
+    ) -> (
+        Option<Self::Element>,
+        impl FnOnce(Tangent<Self::Element>, Vec<Tangent<Self::Element>>) -> Vec<Tangent<Self::Element>>
+        + use<Self>,
+    );
+
+    /// Nothing to what was there.
+    fn clear_vjp(
+        &mut self,
+    ) -> ((), impl FnOnce((), Vec<Tangent<Self::Element>>) -> Vec<Tangent<Self::Element>> + use<Self>);
+
+    /// Takes the cotangents of the new elements out.
+    fn extend_from_slice_vjp(
+        &mut self,
+        source: &[Self::Element],
+    ) -> (
+        (),
+        impl FnOnce(
+            (),
+            Vec<Tangent<Self::Element>>,
+        ) -> (Vec<Tangent<Self::Element>>, Vec<Tangent<Self::Element>>)
+        + use<Self>,
+    )
+    where
+        Self::Element: Clone;
+}
+
+impl<T: Differentiable> VecRules for Vec<T> {
+    type Element = T;
+
+    #[inline]
+    fn push_vjp(
+        &mut self,
+        value: T,
+    ) -> ((), impl FnOnce((), Vec<Tangent<T>>) -> (Vec<Tangent<T>>, Tangent<T>) + use<T>) {
+        let len = self.len();
+        self.push(value);
+        ((), move |(), mut cotangent: Vec<Tangent<T>>| {
+            cotangent.truncate(len + 1);
+            let last = if cotangent.len() > len { cotangent.pop() } else { None };
+            (cotangent, last.unwrap_or_else(Additive::zero))
+        })
+    }
+
+    #[inline]
+    fn pop_vjp(
+        &mut self,
+    ) -> (Option<T>, impl FnOnce(Tangent<T>, Vec<Tangent<T>>) -> Vec<Tangent<T>> + use<T>) {
+        let last = self.pop();
+        let was_there = last.is_some();
+        let len = self.len();
+        (last, move |last, mut cotangent: Vec<Tangent<T>>| {
+            cotangent.resize_with(len, Additive::zero);
+            if was_there {
+                cotangent.push(last);
+            }
+            cotangent
+        })
+    }
+
+    #[inline]
+    fn clear_vjp(&mut self) -> ((), impl FnOnce((), Vec<Tangent<T>>) -> Vec<Tangent<T>> + use<T>) {
+        self.clear();
+        ((), |(), _: Vec<Tangent<T>>| Vec::new())
+    }
+
+    #[inline]
+    fn extend_from_slice_vjp(
+        &mut self,
+        source: &[T],
+    ) -> ((), impl FnOnce((), Vec<Tangent<T>>) -> (Vec<Tangent<T>>, Vec<Tangent<T>>) + use<T>)
+    where
+        T: Clone,
+    {
+        let len = self.len();
+        self.extend_from_slice(source);
+        ((), move |(), mut cotangent: Vec<Tangent<T>>| {
+            let new = if cotangent.len() > len { cotangent.split_off(len) } else { Vec::new() };
+            (cotangent, new)
+        })
+    }
+}
+
+/// The `_vjp` sibling of `clone`.
+pub trait CloneRules: Clone + Differentiable {
+    /// The cotangent of the copy.
+    #[inline(always)]
+    fn clone_vjp(&self) -> (Self, impl FnOnce(Tangent<Self>) -> Tangent<Self> + use<Self>) {
+        (self.clone(), |cotangent| cotangent)
+    }
+}
+
+impl<T: Clone + Differentiable> CloneRules for T {}

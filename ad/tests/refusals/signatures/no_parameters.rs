@@ -1,0 +1,8 @@
+use ad::differentiable;
+
+#[differentiable]
+fn f() -> f64 {
+    1.0
+}
+
+fn main() {}
