@@ -4,9 +4,10 @@
 
 use std::path::Path;
 
+use renderer::arithmetic::Arithmetic;
 use renderer::experiment::Experiment;
 use renderer::optimize::Quiet;
-use renderer::recovery::{Precision, Recovery};
+use renderer::recovery::Recovery;
 
 /// What is known, and what is guessed: a grey ball. The target is rendered with the true values.
 const SCENE: &str = r#"
@@ -51,7 +52,7 @@ learning_rate = 1.0
 
 fn main() -> Result<(), renderer::Error> {
     let experiment = Experiment::parse(SCENE, Path::new("."), "the scene")?;
-    let recovery = Recovery::new(&experiment, "the scene", Precision::F32)?;
+    let recovery = Recovery::new(&experiment, "the scene", Arithmetic::default())?;
     let outcome = recovery.run(&recovery.settings(), &mut Quiet)?;
     let paint = recovery.scene_at(&outcome.best.x).parameters.materials[0];
     println!("diffuse  {:.4} (true: [0.8, 0.3, 0.1])", paint.diffuse);

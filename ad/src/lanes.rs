@@ -1,7 +1,7 @@
 //! Several numbers side by side, for one instruction to work on.
 //!
-//! [`f32x8`] and [`f32x16`] are [`Real`], so a generic kernel and its
-//! generated derivative run on 8 or 16 inputs at once. [`Lanes`] puts numbers into lanes and takes
+//! [`f32x8`], [`f32x16`] and [`f64x8`] are [`Real`], so a generic kernel and its generated
+//! derivative run on 8 or 16 inputs at once. [`Lanes`] puts numbers into lanes and takes
 //! them out again; plain `f32` and `f64` are one lane wide.
 //!
 //! Values agree with those of the scalar functions to a few units in the last place: `exp`, `ln`,
@@ -9,8 +9,8 @@
 
 use core::ops::{BitAnd, BitOr, Not};
 
-pub use wide::{f32x8, f32x16};
-use wide::{u32x8, u32x16};
+pub use wide::{f32x8, f32x16, f64x8};
+use wide::{u32x8, u32x16, u64x8};
 
 use crate::vector::Xyz;
 use crate::{Additive, Differentiable, Mask, NoDerivative, Real, Scalar, Select};
@@ -74,7 +74,7 @@ single_lane!(f64);
 pub struct LaneMask<T>(T);
 
 macro_rules! lanes {
-    ($type:ident, $bits:ident, $count:literal) => {
+    ($type:ident: $count:literal of $element:ident, bits in $bits:ident, splitter $splitter:literal) => {
         impl Differentiable for $type {
             type Tangent = Self;
             type Shape = ();
@@ -160,24 +160,24 @@ macro_rules! lanes {
         }
 
         impl Lanes for $type {
-            type Element = f32;
+            type Element = $element;
 
             const COUNT: usize = $count;
 
             #[inline(always)]
-            fn from_lanes(f: impl FnMut(usize) -> f32) -> Self {
+            fn from_lanes(f: impl FnMut(usize) -> $element) -> Self {
                 Self::new(core::array::from_fn(f))
             }
 
             #[inline(always)]
-            fn lanes(self) -> impl AsRef<[f32]> {
+            fn lanes(self) -> impl AsRef<[$element]> {
                 self.to_array()
             }
 
             #[inline(always)]
             fn mask_from_bits(bits: u32) -> Self::Mask {
                 let bit = $bits::new(core::array::from_fn(|lane| 1 << lane));
-                LaneMask(Self::from_bits(($bits::splat(bits) & bit).simd_eq(bit)))
+                LaneMask(Self::from_bits(($bits::splat(bits.into()) & bit).simd_eq(bit)))
             }
 
             #[inline(always)]
@@ -193,13 +193,13 @@ macro_rules! lanes {
             const ONE: Self = Self::splat(1.0);
             const TWO: Self = Self::splat(2.0);
             const HALF: Self = Self::splat(0.5);
-            const PI: Self = Self::splat(core::f32::consts::PI);
-            const EPSILON: Self = Self::splat(f32::EPSILON);
-            const MIN_POSITIVE: Self = Self::splat(f32::MIN_POSITIVE);
+            const PI: Self = Self::splat(core::$element::consts::PI);
+            const EPSILON: Self = Self::splat($element::EPSILON);
+            const MIN_POSITIVE: Self = Self::splat($element::MIN_POSITIVE);
 
             #[inline(always)]
             fn from_f64(value: f64) -> Self {
-                Self::splat(value as f32)
+                Self::splat(value as $element)
             }
 
             lanes!(@compare $type: cmplt simd_lt, cmple simd_le, cmpgt simd_gt, cmpge simd_ge, cmpeq simd_eq);
@@ -231,13 +231,13 @@ macro_rules! lanes {
                 let error = if cfg!(target_feature = "fma") {
                     $type::mul_neg_add(c, d, product)
                 } else {
-                    product_error(c, d, product, $type::splat(SPLITTER))
+                    product_error(c, d, product, $type::splat($splitter))
                 };
                 let difference = if cfg!(target_feature = "fma") {
                     $type::mul_sub(a, b, product)
                 } else {
                     let other = a * b;
-                    let other_error = product_error(a, b, other, $type::splat(SPLITTER));
+                    let other_error = product_error(a, b, other, $type::splat($splitter));
                     other - product - other_error
                 };
                 difference + error
@@ -292,11 +292,11 @@ macro_rules! lanes {
     )*};
 }
 
-lanes!(f32x8, u32x8, 8);
-lanes!(f32x16, u32x16, 16);
-
-/// 2^12 + 1 splits the 24 bits of an `f32` into two halves of 12 (Veltkamp).
-const SPLITTER: f32 = 4097.0;
+// The splitters are 2^12 + 1 and 2^27 + 1: they cut the 24 bits of an `f32` and the 53 of an `f64`
+// into halves (Veltkamp).
+lanes!(f32x8: 8 of f32, bits in u32x8, splitter 4097.0);
+lanes!(f32x16: 16 of f32, bits in u32x16, splitter 4097.0);
+lanes!(f64x8: 8 of f64, bits in u64x8, splitter 134_217_729.0);
 
 /// `product - a * b`, exactly, for machines without a fused instruction (Dekker 1971).
 #[inline(always)]

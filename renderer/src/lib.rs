@@ -12,6 +12,7 @@
 //! so itself.
 
 pub mod acceleration;
+pub mod arithmetic;
 pub mod atomic_file;
 pub mod cli;
 pub mod demo;

@@ -92,7 +92,7 @@ macro_rules! linear_operators {
 }
 
 #[cfg(feature = "lanes")]
-linear_operators!([] wide::f32x8, [] wide::f32x16);
+linear_operators!([] wide::f32x8, [] wide::f32x16, [] wide::f64x8);
 
 linear_operators!(
     [] f32,
@@ -141,7 +141,7 @@ macro_rules! scalar_operators {
 }
 
 #[cfg(feature = "lanes")]
-scalar_operators!([] wide::f32x8, [] wide::f32x16);
+scalar_operators!([] wide::f32x8, [] wide::f32x16, [] wide::f64x8);
 
 scalar_operators!([] f32, [] f64, [S: Real] Dual<S>);
 

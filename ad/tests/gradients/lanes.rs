@@ -1,17 +1,18 @@
 //! Lanes against single numbers: values, derivatives, singular points.
 
-use ad::lanes::{Lanes, f32x8, f32x16};
+use ad::lanes::{Lanes, f32x8, f32x16, f64x8};
 use ad::rules::RealRules;
-use ad::{Mask, Real};
+use ad::{Mask, Real, Scalar};
 
 /// Moderate numbers of both signs, tiny and huge ones, and the singular points.
-const INPUTS: [f32; 24] = [
+const INPUTS: [f64; 24] = [
     0.0, -0.0, 1.0, -1.0, 0.5, -0.5, 0.999_999, 0.25, 2.0, -2.0, 3.7, 10.0, -7.25, 0.01, 1e-3,
     -1e-3, 1e-10, 1e-20, 31.0, 88.0, -80.0, 1e4, 0.7, -0.3,
 ];
 
-fn assert_near(name: &str, inputs: &[f32], lanes: f32, single: f32) {
-    let tolerance = 3e-6 * single.abs() + 1e-36;
+fn assert_near<S: Scalar>(name: &str, inputs: &[S], lanes: S, single: S) {
+    let (lanes, single) = (lanes.to_f64(), single.to_f64());
+    let tolerance = 25.0 * S::EPSILON.to_f64() * single.abs() + 1e-36;
     let equal = lanes == single || (lanes.is_nan() && single.is_nan());
     assert!(
         equal || (lanes - single).abs() <= tolerance,
@@ -19,11 +20,15 @@ fn assert_near(name: &str, inputs: &[f32], lanes: f32, single: f32) {
     );
 }
 
+fn element<L: Lanes>(x: f64) -> L::Element {
+    L::Element::from_f64(x)
+}
+
 /// Value and derivative of a function of one number, lane by lane.
 macro_rules! unary {
     ($lanes:ty: $($name:ident $vjp:ident),*) => {$(
         for first in 0..INPUTS.len() {
-            let input = |lane: usize| INPUTS[(first + lane) % INPUTS.len()];
+            let input = |lane: usize| element::<$lanes>(INPUTS[(first + lane) % INPUTS.len()]);
             let x = <$lanes>::from_lanes(input);
             let (values, pullback) = x.$vjp();
             let derivatives = pullback(<$lanes as Real>::ONE);
@@ -43,9 +48,9 @@ macro_rules! unary {
 /// The same for functions of two numbers, over all pairs.
 macro_rules! binary {
     ($lanes:ty: $($name:ident $vjp:ident),*) => {$(
-        for other in INPUTS {
+        for other in INPUTS.map(element::<$lanes>) {
             for first in (0..INPUTS.len()).step_by(<$lanes>::COUNT) {
-                let input = |lane: usize| INPUTS[(first + lane) % INPUTS.len()];
+                let input = |lane: usize| element::<$lanes>(INPUTS[(first + lane) % INPUTS.len()]);
                 let x = <$lanes>::from_lanes(input);
                 let (values, pullback) = x.$vjp(<$lanes>::from_lanes(|_| other));
                 let (by_x, by_y) = pullback(<$lanes as Real>::ONE);
@@ -76,6 +81,7 @@ macro_rules! every_rule {
 fn lanes_compute_what_single_numbers_do() {
     every_rule!(f32x8);
     every_rule!(f32x16);
+    every_rule!(f64x8);
 }
 
 /// The powers that shading needs: a base in [0, 1], an exponent of 0 or more.

@@ -7,12 +7,13 @@ use glam::DVec3;
 use super::optimize::{recover, report};
 use super::output::print;
 use crate::Error;
+use crate::arithmetic::Arithmetic;
 use crate::demo::demo_experiment;
 use crate::optimize::CHECKPOINT_FILE;
-use crate::recovery::{Precision, Recovery};
+use crate::recovery::Recovery;
 use crate::scene::{Light, Scene};
 
-pub(super) fn run(precision: Precision) -> Result<(), Error> {
+pub(super) fn run(arithmetic: Arithmetic) -> Result<(), Error> {
     let out = Path::new("out/demo");
     // The demonstration always starts from the beginning.
     let checkpoint = out.join(CHECKPOINT_FILE);
@@ -23,8 +24,8 @@ pub(super) fn run(precision: Precision) -> Result<(), Error> {
 
     print("Recovering the light of a scene from one image of it.")?;
     let experiment = demo_experiment()?;
-    let recovery = Recovery::new(&experiment, "the embedded demo", precision)?;
-    let outcome = recover(&experiment, &recovery, out, false, precision)?;
+    let recovery = Recovery::new(&experiment, "the embedded demo", arithmetic)?;
+    let outcome = recover(&experiment, &recovery, out, false, arithmetic)?;
     print(report(&recovery, &outcome, out))?;
 
     let truth: Vec<f64> =

@@ -6,8 +6,9 @@ use serde_json::{Map, Value};
 use super::Problem;
 use super::output::{json_numbers, print, short};
 use crate::Error;
+use crate::arithmetic::Arithmetic;
 use crate::optimize::Evaluation;
-use crate::recovery::{Precision, Recovery, natural_scale};
+use crate::recovery::{Recovery, natural_scale};
 use crate::scene::{Differentiability, Scene};
 
 /// Elements of one parameter that `--check` compares; more would take minutes on a mesh.
@@ -18,7 +19,7 @@ pub(super) struct Arguments {
     #[command(flatten)]
     problem: Problem,
 
-    /// Compare with finite differences of the renderer in double precision
+    /// Compare with finite differences of the renderer in double arithmetic
     #[arg(long)]
     check: bool,
 
@@ -27,10 +28,10 @@ pub(super) struct Arguments {
     json: bool,
 }
 
-pub(super) fn run(arguments: &Arguments, precision: Precision) -> Result<(), Error> {
+pub(super) fn run(arguments: &Arguments, arithmetic: Arithmetic) -> Result<(), Error> {
     let experiment = arguments.problem.load()?;
     let place = arguments.problem.scene.display().to_string();
-    let recovery = Recovery::new(&experiment, &place, precision)?;
+    let recovery = Recovery::new(&experiment, &place, arithmetic)?;
     let scene = &experiment.scene;
     let Evaluation { loss, gradient } = recovery.evaluate()?;
 

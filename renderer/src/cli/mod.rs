@@ -1,5 +1,6 @@
 //! The command line: arguments in, files and tables out.
 
+mod bench;
 mod demo;
 mod gradient;
 mod optimize;
@@ -15,8 +16,8 @@ use clap::{Args, Parser, Subcommand, ValueEnum};
 use output::print_error;
 
 use crate::Error;
+use crate::arithmetic::{Arithmetic, Precision};
 use crate::experiment::{Experiment, Target, TunedParameter};
-use crate::recovery::Precision;
 
 /// Renders scenes, and recovers cameras, lights and materials from images.
 ///
@@ -35,6 +36,27 @@ struct Arguments {
     /// The scalar that the kernels compute in
     #[arg(long, global = true, value_enum, default_value_t = PrecisionArgument::F32)]
     precision: PrecisionArgument,
+
+    /// Pixels that go through the kernels side by side: 1, 8, or 16 (f32 alone) [default: the most]
+    #[arg(long, global = true, value_name = "N")]
+    lanes: Option<usize>,
+}
+
+impl Arguments {
+    fn arithmetic(&self) -> Result<Arithmetic, Error> {
+        let precision = match self.precision {
+            PrecisionArgument::F32 => Precision::F32,
+            PrecisionArgument::F64 => Precision::F64,
+        };
+        let Some(lanes) = self.lanes else { return Ok(Arithmetic::fastest(precision)) };
+        Arithmetic::new(precision, lanes).ok_or_else(|| {
+            let possible = match precision {
+                Precision::F32 => "1, 8 or 16 with --precision f32",
+                Precision::F64 => "1 or 8 with --precision f64",
+            };
+            Error::new(format_args!("--lanes {lanes}"), format_args!("there can be {possible}"))
+        })
+    }
 }
 
 #[derive(Clone, Copy, ValueEnum)]
@@ -53,6 +75,8 @@ enum Command {
     Gradient(gradient::Arguments),
     /// Recover parameters from a target image
     Optimize(optimize::Arguments),
+    /// Measure how long images and gradients of a scene take, and which part of it is what
+    Bench(bench::Arguments),
 }
 
 /// What to match and what may vary, for the commands that need both.
@@ -126,16 +150,14 @@ fn run(arguments: &Arguments) -> Result<(), Error> {
             .build_global()
             .map_err(|error| Error::new("--threads", error))?;
     }
-    let precision = match arguments.precision {
-        PrecisionArgument::F32 => Precision::F32,
-        PrecisionArgument::F64 => Precision::F64,
-    };
+    let arithmetic = arguments.arithmetic()?;
     match &arguments.command {
-        None => demo::run(precision),
-        Some(Command::Render(arguments)) => render::run(arguments, precision),
+        None => demo::run(arithmetic),
+        Some(Command::Render(arguments)) => render::run(arguments, arithmetic),
         Some(Command::Params(arguments)) => params::run(arguments),
-        Some(Command::Gradient(arguments)) => gradient::run(arguments, precision),
-        Some(Command::Optimize(arguments)) => optimize::run(arguments, precision),
+        Some(Command::Gradient(arguments)) => gradient::run(arguments, arithmetic),
+        Some(Command::Optimize(arguments)) => optimize::run(arguments, arithmetic),
+        Some(Command::Bench(arguments)) => bench::run(arguments, arithmetic),
     }
 }
 

@@ -9,12 +9,13 @@ use super::out_folder::check_out_folder;
 use super::output::{abbreviate, print, short};
 use super::{Problem, stem};
 use crate::Error;
+use crate::arithmetic::Arithmetic;
 use crate::experiment::{Experiment, Target};
 use crate::files::{save_png, save_scene};
 use crate::optimize::{
     Checkpointing, Optimization, Outcome, Quiet, Settings, Start, progress, write_report,
 };
-use crate::recovery::{Precision, Recovery, render_at};
+use crate::recovery::{Recovery, render_at};
 
 #[derive(clap::Args)]
 pub(super) struct Arguments {
@@ -38,7 +39,7 @@ pub(super) struct Arguments {
     resume: bool,
 }
 
-pub(super) fn run(arguments: &Arguments, precision: Precision) -> Result<(), Error> {
+pub(super) fn run(arguments: &Arguments, arithmetic: Arithmetic) -> Result<(), Error> {
     let mut experiment = arguments.problem.load()?;
     if let Some(section) = &mut experiment.optimize {
         section.iterations = arguments.iterations.or(section.iterations);
@@ -53,8 +54,8 @@ pub(super) fn run(arguments: &Arguments, precision: Precision) -> Result<(), Err
     };
     check_out_folder(&out, [Some(scene_path.as_path()), target].into_iter().flatten())?;
     let place = scene_path.display().to_string();
-    let recovery = Recovery::new(&experiment, &place, precision)?;
-    let outcome = recover(&experiment, &recovery, &out, arguments.resume, precision)?;
+    let recovery = Recovery::new(&experiment, &place, arithmetic)?;
+    let outcome = recover(&experiment, &recovery, &out, arguments.resume, arithmetic)?;
     print(report(&recovery, &outcome, &out))
 }
 
@@ -70,7 +71,7 @@ pub(super) fn recover(
     recovery: &Recovery<'_>,
     out: &Path,
     resume: bool,
-    precision: Precision,
+    arithmetic: Arithmetic,
 ) -> Result<Outcome, Error> {
     let mut settings = recovery.settings();
     settings.checkpointing = Some(Checkpointing {
@@ -90,12 +91,12 @@ pub(super) fn recover(
         .map_err(|error| Error::new(out.display(), format_args!("cannot be made: {error}")))?;
     let target = recovery.target();
     save_png(target, &out.join("target.png"))?;
-    save_png(&render_at(precision, &experiment.scene), &out.join("initial.png"))?;
+    save_png(&render_at(arithmetic, &experiment.scene), &out.join("initial.png"))?;
 
     let outcome = recovery.run(&settings, progress().as_mut())?;
 
     let recovered = recovery.scene_at(&outcome.best.x);
-    let image = render_at(precision, &recovered);
+    let image = render_at(arithmetic, &recovered);
     save_png(&image, &out.join("final.png"))?;
     if let Some(difference) = recovery.difference(&image) {
         save_png(&difference, &out.join("difference.png"))?;

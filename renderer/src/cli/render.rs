@@ -4,9 +4,10 @@ use std::path::PathBuf;
 
 use super::output::print;
 use crate::Error;
+use crate::arithmetic::Arithmetic;
 use crate::experiment::Experiment;
 use crate::files::{check_image_path, save_image};
-use crate::recovery::{Precision, render_at};
+use crate::recovery::render_at;
 
 #[derive(clap::Args)]
 pub(super) struct Arguments {
@@ -18,9 +19,9 @@ pub(super) struct Arguments {
     output: PathBuf,
 }
 
-pub(super) fn run(arguments: &Arguments, precision: Precision) -> Result<(), Error> {
+pub(super) fn run(arguments: &Arguments, arithmetic: Arithmetic) -> Result<(), Error> {
     check_image_path(&arguments.output)?;
     let experiment = Experiment::load(&arguments.scene)?;
-    save_image(&render_at(precision, &experiment.scene), &arguments.output)?;
+    save_image(&render_at(arithmetic, &experiment.scene), &arguments.output)?;
     print(arguments.output.display())
 }

@@ -79,10 +79,26 @@ pub fn gradient<L: Lanes>(
     loss: &impl PixelLoss,
     wanted: Wanted,
 ) -> GradientResult {
-    let (width, height) = (prepared.scene.width, prepared.scene.height);
-    let strips = for_each_strip(width, height, || Sweep::new(prepared, loss, wanted), Sweep::strip);
+    reduce(prepared, sweep(prepared, loss, wanted), wanted)
+}
 
-    // Put the strips together, always in the same order.
+/// What the strips of the image add up to, each by itself.
+pub(crate) fn sweep<L: Lanes>(
+    prepared: &Prepared<'_, L>,
+    loss: &impl PixelLoss,
+    wanted: Wanted,
+) -> Vec<StripSums> {
+    let (width, height) = (prepared.scene.width, prepared.scene.height);
+    let start = || Sweep::new(prepared, loss, wanted);
+    for_each_strip(width, height, start, Sweep::strip)
+}
+
+/// Puts strips together, always in the same order.
+pub(crate) fn reduce<L: Lanes>(
+    prepared: &Prepared<'_, L>,
+    strips: Vec<StripSums>,
+    wanted: Wanted,
+) -> GradientResult {
     let mut total = GradientResult { loss: 0.0, gradient: zero(&prepared.parameters) };
     let mut frame = Tangent::<Frame<f64>>::zero();
     let gradient = &mut total.gradient;

@@ -13,8 +13,12 @@ mod shadows;
 mod sharing;
 mod sums;
 mod tiles;
+mod trace;
 mod view;
 
 pub use gradient::{GradientResult, Wanted, gradient};
 pub use prepared::Prepared;
 pub use radiance::{PixelLoss, loss, render, render_into};
+pub use trace::{Rays, trace};
+
+pub(crate) use gradient::{reduce, sweep};

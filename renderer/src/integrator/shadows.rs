@@ -11,15 +11,20 @@ use crate::acceleration::{NO_PRIMITIVE, PacketVectors};
 use crate::precision::{narrow, numbers_of_lanes, vectors_of_lanes};
 use crate::scene::Light;
 
-/// The rays of a tile that end at points which a light reaches, a bit for each.
+/// The rays of a tile under a light, a bit for each.
 #[derive(Clone, Copy)]
-pub(super) struct Lit(u64);
+pub(super) struct Lit {
+    /// Those that end at points which the light reaches.
+    reached: u64,
+    /// Those that end at surfaces which face the light: each takes a shadow ray.
+    pub facing: u64,
+}
 
 impl Lit {
     /// The lanes of a group that the light reaches.
     #[inline]
     pub fn of<L: Lanes>(self, group: &Group<L>) -> L::Mask {
-        L::mask_from_bits((self.0 >> group.first) as u32 & group.alive)
+        L::mask_from_bits((self.reached >> group.first) as u32 & group.alive)
     }
 }
 
@@ -75,7 +80,8 @@ impl<L: Lanes> Prepared<'_, L> {
             let distance = to_light.length();
             (to_light / distance, distance)
         };
-        Lit(near & !occluded | self.unshadowed(view, facing & far, straight))
+        let reached = near & !occluded | self.unshadowed(view, facing & far, straight);
+        Lit { reached, facing }
     }
 
     fn lit_along(&self, direction: DVec3, view: &View<L>) -> Lit {
@@ -84,7 +90,8 @@ impl<L: Lanes> Prepared<'_, L> {
             .groups
             .iter()
             .fold(0, |facing, group| facing | u64::from(group.facing(towards)) << group.first);
-        Lit(self.unshadowed(view, facing, |_| (direction, f64::INFINITY)))
+        let reached = self.unshadowed(view, facing, |_| (direction, f64::INFINITY));
+        Lit { reached, facing }
     }
 
     /// Those among `rays` that end at points from which nothing stands in the way to the light:

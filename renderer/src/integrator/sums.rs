@@ -55,7 +55,7 @@ impl LightSum {
 
     /// Adds what flows back from a group.
     #[inline]
-    pub fn add<L: Lanes>(&mut self, cotangent: &LightCotangent<L>) {
+    pub(super) fn add<L: Lanes>(&mut self, cotangent: &LightCotangent<L>) {
         let all = Mask::splat(true);
         match (self, cotangent) {
             (Self::Point(sum), LightCotangent::Point(light)) => sum.accumulate(light.sum(all)),

@@ -1,12 +1,13 @@
 //! Recovering what an image shows: a scene, a target image, the parameters that may vary.
 //!
 //! ```no_run
+//! use renderer::arithmetic::Arithmetic;
 //! use renderer::experiment::Experiment;
 //! use renderer::optimize::{Settings, progress};
-//! use renderer::recovery::{Precision, Recovery};
+//! use renderer::recovery::Recovery;
 //!
 //! let experiment = Experiment::load("photo.toml".as_ref())?;
-//! let recovery = Recovery::new(&experiment, "photo.toml", Precision::F32)?;
+//! let recovery = Recovery::new(&experiment, "photo.toml", Arithmetic::default())?;
 //! let settings = recovery.settings();
 //! let outcome = recovery.run(&settings, progress().as_mut())?;
 //! println!("{}", recovery.scene_at(&outcome.best.x).parameters.camera.look_from);
@@ -17,9 +18,10 @@ mod defaults;
 
 pub use defaults::natural_scale;
 
-use ad::lanes::Lanes;
+use ad::lanes::{Lanes, f64x8};
 
 use crate::Error;
+use crate::arithmetic::{Arithmetic, with_arithmetic};
 use crate::experiment::{Experiment, OptimizeSection, Target};
 use crate::files::{LoadedImage, load_image};
 use crate::image::Image;
@@ -30,42 +32,16 @@ use crate::optimize::{
 };
 use crate::scene::{ParameterId, Parameters, Scene};
 
-/// The scalar that the kernels compute in.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Precision {
-    /// Single precision.
-    #[default]
-    F32,
-    /// Double precision.
-    F64,
-}
-
-/// Runs `$body` with the type `$scalar` standing for the chosen precision.
-macro_rules! at_precision {
-    ($precision:expr, $scalar:ident => $body:expr) => {
-        match $precision {
-            Precision::F32 => {
-                type $scalar = wide::f32x16;
-                $body
-            }
-            Precision::F64 => {
-                type $scalar = f64;
-                $body
-            }
-        }
-    };
-}
-
 /// Renders a scene, which has to be valid.
-pub fn render_at(precision: Precision, scene: &Scene) -> Image {
-    at_precision!(precision, S => render(&Prepared::<S>::new(scene)))
+pub fn render_at(arithmetic: Arithmetic, scene: &Scene) -> Image {
+    with_arithmetic!(arithmetic, S => render(&Prepared::<S>::new(scene)))
 }
 
 /// An optimisation of scene parameters against an image.
 pub struct Recovery<'a> {
     scene: &'a Scene,
     section: OptimizeSection,
-    precision: Precision,
+    arithmetic: Arithmetic,
     target: LoadedImage,
     ids: Vec<ParameterId>,
     variables: Vec<Variable>,
@@ -82,7 +58,7 @@ impl<'a> Recovery<'a> {
     pub fn new(
         experiment: &'a Experiment,
         place: &str,
-        precision: Precision,
+        arithmetic: Arithmetic,
     ) -> Result<Self, Error> {
         let scene = &experiment.scene;
         let section = experiment.optimize.clone().unwrap_or_default();
@@ -92,7 +68,7 @@ impl<'a> Recovery<'a> {
                 "no parameter to optimise: name one (`renderer params` lists them)",
             ));
         }
-        let (target, truth) = load_target(scene, &section, place, precision)?;
+        let (target, truth) = load_target(scene, &section, place, arithmetic)?;
         let ids: Vec<_> = section.parameters.iter().map(|tuned| tuned.id).collect();
         let variables = section
             .parameters
@@ -102,7 +78,7 @@ impl<'a> Recovery<'a> {
                 defaults::variable(scene, tuned, section.learning_rate, target)
             })
             .collect();
-        Ok(Self { scene, section, precision, target, ids, variables })
+        Ok(Self { scene, section, arithmetic, target, ids, variables })
     }
 
     /// The settings of the section `[optimize]`, without checkpoints.
@@ -123,7 +99,7 @@ impl<'a> Recovery<'a> {
     pub fn fingerprint(&self) -> Fingerprint {
         let scene = self.scene;
         let mut fingerprint = Fingerprint::new()
-            .text(&format!("{:?} {:?}", self.precision, self.loss_kind()))
+            .text(&format!("{:?} {:?}", self.arithmetic.precision(), self.loss_kind()))
             .text(&format!("{} {}", scene.width, scene.height))
             .text(&format!("{:?}", scene.spheres));
         for id in scene.parameter_ids() {
@@ -177,7 +153,7 @@ impl<'a> Recovery<'a> {
     /// If the settings cannot be used, or a checkpoint cannot be read or written.
     pub fn run(&self, settings: &Settings, observer: &mut dyn Observer) -> Result<Outcome, Error> {
         let optimization = Optimization::start(&self.variables, settings)?;
-        at_precision!(self.precision, S => {
+        with_arithmetic!(self.arithmetic, S => {
             let mut objective = ImageObjective::<S>::new(self);
             optimization.run(&mut objective, observer)
         })
@@ -191,7 +167,7 @@ impl<'a> Recovery<'a> {
     pub fn evaluate(&self) -> Result<Evaluation, Error> {
         let x: Vec<f64> = self.variables.iter().flat_map(|v| v.initial.clone()).collect();
         let evaluation =
-            at_precision!(self.precision, S => ImageObjective::<S>::new(self).evaluate(&x));
+            with_arithmetic!(self.arithmetic, S => ImageObjective::<S>::new(self).evaluate(&x));
         let Evaluation { loss, gradient } = &evaluation;
         if !loss.is_finite() {
             return Err(Error::new("loss", format_args!("is {loss}, not a finite number")));
@@ -212,7 +188,7 @@ impl<'a> Recovery<'a> {
     /// differences. The scene is prepared once for all values.
     pub fn loss_along(&self, id: ParameterId, element: usize) -> impl FnMut(f64) -> f64 {
         let mut parameters = self.scene.parameters.clone();
-        let mut prepared = Prepared::<f64>::new(self.scene);
+        let mut prepared = Prepared::<f64x8>::new(self.scene);
         move |value| {
             parameters.get_mut(id)[element] = value;
             prepared.set_parameters(&parameters);
@@ -239,7 +215,7 @@ fn load_target(
     scene: &Scene,
     section: &OptimizeSection,
     place: &str,
-    precision: Precision,
+    arithmetic: Arithmetic,
 ) -> Result<(LoadedImage, Option<Parameters>), Error> {
     match &section.target {
         None => Err(Error::new(
@@ -266,7 +242,7 @@ fn load_target(
                 truth.parameters.get_mut(*id).copy_from_slice(values);
             }
             truth.validate(format_args!("{place}: optimize.target_values"))?;
-            let image = render_at(precision, &truth);
+            let image = render_at(arithmetic, &truth);
             Ok((LoadedImage { image, saturates: false }, Some(truth.parameters)))
         }
     }

@@ -1,0 +1,99 @@
+//! What the kernels compute in.
+
+/// The scalar of the kernels, and how many pixels go through them side by side.
+///
+/// Images, losses and gradients of different widths agree to rounding: some functions, such as
+/// powers, are polynomials on lanes and the system's library on single numbers.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Arithmetic {
+    /// Single precision, pixel by pixel.
+    F32,
+    /// Single precision, 8 pixels at a time.
+    F32x8,
+    /// Single precision, 16 pixels at a time.
+    F32x16,
+    /// Double precision, pixel by pixel.
+    F64,
+    /// Double precision, 8 pixels at a time.
+    F64x8,
+}
+
+/// The precision of a scalar.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Precision {
+    /// Single precision.
+    F32,
+    /// Double precision.
+    F64,
+}
+
+impl Arithmetic {
+    /// That of the given precision and number of lanes, if there is one.
+    pub fn new(precision: Precision, lanes: usize) -> Option<Self> {
+        [Self::F32, Self::F32x8, Self::F32x16, Self::F64, Self::F64x8]
+            .into_iter()
+            .find(|arithmetic| (arithmetic.precision(), arithmetic.lanes()) == (precision, lanes))
+    }
+
+    /// The fastest of the given precision.
+    pub fn fastest(precision: Precision) -> Self {
+        match precision {
+            Precision::F32 => Self::F32x16,
+            Precision::F64 => Self::F64x8,
+        }
+    }
+
+    /// The precision of its scalar.
+    pub fn precision(self) -> Precision {
+        match self {
+            Self::F32 | Self::F32x8 | Self::F32x16 => Precision::F32,
+            Self::F64 | Self::F64x8 => Precision::F64,
+        }
+    }
+
+    /// How many pixels it works on side by side.
+    pub fn lanes(self) -> usize {
+        match self {
+            Self::F32 | Self::F64 => 1,
+            Self::F32x8 | Self::F64x8 => 8,
+            Self::F32x16 => 16,
+        }
+    }
+}
+
+/// The fastest in single precision.
+impl Default for Arithmetic {
+    fn default() -> Self {
+        Self::fastest(Precision::F32)
+    }
+}
+
+/// Runs `$body` with the type `$scalar` standing for that of an [`Arithmetic`].
+macro_rules! with_arithmetic {
+    ($arithmetic:expr, $scalar:ident => $body:expr) => {
+        match $arithmetic {
+            $crate::arithmetic::Arithmetic::F32 => {
+                type $scalar = f32;
+                $body
+            }
+            $crate::arithmetic::Arithmetic::F32x8 => {
+                type $scalar = ad::lanes::f32x8;
+                $body
+            }
+            $crate::arithmetic::Arithmetic::F32x16 => {
+                type $scalar = ad::lanes::f32x16;
+                $body
+            }
+            $crate::arithmetic::Arithmetic::F64 => {
+                type $scalar = f64;
+                $body
+            }
+            $crate::arithmetic::Arithmetic::F64x8 => {
+                type $scalar = ad::lanes::f64x8;
+                $body
+            }
+        }
+    };
+}
+
+pub(crate) use with_arithmetic;

@@ -1,0 +1,229 @@
+//! `renderer bench`
+
+use std::hint::black_box;
+use std::path::PathBuf;
+use std::time::{Duration, Instant};
+
+use ad::lanes::Lanes;
+
+use super::output::print;
+use crate::Error;
+use crate::arithmetic::{Arithmetic, with_arithmetic};
+use crate::experiment::Experiment;
+use crate::integrator::{Prepared, Wanted, gradient, reduce, render, render_into, sweep, trace};
+use crate::loss::{ImageLoss, LossKind};
+use crate::scene::{ParameterId, Parameters, Scene};
+
+#[derive(clap::Args)]
+pub(super) struct Arguments {
+    /// A scene file (TOML), or an OBJ, which is framed and lit by default
+    scene: PathBuf,
+
+    /// A parameter to differentiate by (can be repeated); without any, those of the scene file, or
+    /// all
+    #[arg(long = "param", value_name = "PATH")]
+    parameters: Vec<String>,
+
+    /// How long each row is repeated
+    #[arg(long, default_value_t = 1.0, value_name = "SECONDS", value_parser = seconds)]
+    seconds: f64,
+}
+
+fn seconds(text: &str) -> Result<f64, String> {
+    match text.parse() {
+        Ok(seconds) if (0.0..=3600.0).contains(&seconds) => Ok(seconds),
+        _ => Err("has to be a number from 0 to 3600".into()),
+    }
+}
+
+pub(super) fn run(arguments: &Arguments, arithmetic: Arithmetic) -> Result<(), Error> {
+    let start = Instant::now();
+    let experiment = Experiment::load(&arguments.scene)?;
+    let load = start.elapsed();
+    let scene = &experiment.scene;
+    let mut ids = Vec::new();
+    for path in &arguments.parameters {
+        let id = scene.find_parameter(path);
+        ids.push(id.map_err(|problem| Error::new(format_args!("--param {path}"), problem))?);
+    }
+    if ids.is_empty() {
+        let tuned = experiment.optimize.iter().flat_map(|section| &section.parameters);
+        ids.extend(tuned.map(|tuned| tuned.id));
+    }
+    if ids.is_empty() {
+        ids = scene.parameter_ids();
+    }
+
+    let triangles: usize = scene.meshes.iter().map(|mesh| mesh.triangles.len()).sum();
+    let derivatives: usize = ids.iter().map(|&id| scene.parameters.get(id).len()).sum();
+    print(format_args!(
+        "{}: {triangles} triangles, {} spheres, {} lights, {} x {} pixels, {derivatives} derivatives; {:?} on {} threads",
+        arguments.scene.display(),
+        scene.spheres.len(),
+        scene.parameters.lights.len(),
+        scene.width,
+        scene.height,
+        arithmetic,
+        rayon::current_num_threads(),
+    ))?;
+    let limit = Duration::from_secs_f64(arguments.seconds);
+    with_arithmetic!(arithmetic, S => Bench::<S>::new(scene, ids, load, limit).run())
+}
+
+/// What is measured.
+struct Bench<'a, L: Lanes> {
+    scene: &'a Scene,
+    ids: Vec<ParameterId>,
+    prepared: Prepared<'a, L>,
+    /// The time that loading took, then until the tree was built.
+    load: Duration,
+    build: Duration,
+    limit: Duration,
+    /// The parameters, moved again and again.
+    parameters: Parameters,
+    moves: u32,
+}
+
+impl<'a, L: Lanes> Bench<'a, L> {
+    fn new(scene: &'a Scene, ids: Vec<ParameterId>, load: Duration, limit: Duration) -> Self {
+        let start = Instant::now();
+        let prepared = Prepared::new(scene);
+        let build = start.elapsed();
+        Self {
+            scene,
+            ids,
+            prepared,
+            load,
+            build,
+            limit,
+            parameters: scene.parameters.clone(),
+            moves: 0,
+        }
+    }
+
+    fn run(mut self) -> Result<(), Error> {
+        // The target is the image itself, a little darker: every pixel has a cotangent.
+        let start = Instant::now();
+        let mut target = render(&self.prepared);
+        let first_image = start.elapsed();
+        target.pixels.as_flattened_mut().iter_mut().for_each(|value| *value *= 0.9);
+        let loss = ImageLoss::new(LossKind::MeanSquared, &target, false);
+        let wanted = Wanted::by(&self.ids);
+        let start = Instant::now();
+        black_box(gradient(&self.prepared, &loss, wanted));
+        let first_gradient = start.elapsed();
+
+        print(format_args!("{:<36} {:>10} {:>10}", "milliseconds", "median", "least"))?;
+        let once = |name: &str, time: Duration| {
+            print(format_args!("{name:<36} {:>10} {:>10.3}", "", time.as_secs_f64() * 1e3))
+        };
+        once("load", self.load)?;
+        once("first preparation, with the tree", self.build)?;
+        once("first image", first_image)?;
+        once("first gradient", first_gradient)?;
+
+        let mut image = render(&self.prepared);
+        let rays = trace(&self.prepared, true);
+        let primary = self.repeat(|bench| timed(|| trace(&bench.prepared, false)));
+        let all_rays = self.repeat(|bench| timed(|| trace(&bench.prepared, true)));
+        let primal = self.repeat(|bench| timed(|| render_into(&bench.prepared, &mut image)));
+        let swept = self.repeat(|bench| timed(|| sweep(&bench.prepared, &loss, wanted)));
+        let reduced = self.repeat(|bench| {
+            let strips = sweep(&bench.prepared, &loss, wanted);
+            timed(|| reduce(&bench.prepared, strips, wanted))
+        });
+        let update = self.repeat(|bench| bench.update());
+        let iteration = self
+            .repeat(|bench| bench.update() + timed(|| gradient(&bench.prepared, &loss, wanted)));
+
+        primal.print("image")?;
+        primary.print("  of it primary rays")?;
+        all_rays.minus(&primary).print("  of it shadow rays")?;
+        primal.minus(&all_rays).print("  of it shading")?;
+        iteration.print("iteration: parameters to gradient")?;
+        update.print("  of it parameters and tree")?;
+        swept.print("  of it rays, shading, pullbacks")?;
+        reduced.print("  of it reduction")?;
+        print(format_args!("iteration / image {:>29.2}", iteration.median / primal.median))?;
+        let rate = |rays: u64, samples: &Samples| rays as f64 / samples.median / 1e6;
+        print(format_args!(
+            "{:<36} {:>10.1}",
+            "primary rays, millions per second",
+            rate(rays.primary, &primary)
+        ))?;
+        if rays.shadow > 0 {
+            let shadow = all_rays.minus(&primary);
+            print(format_args!(
+                "{:<36} {:>10.1}",
+                "shadow rays, millions per second",
+                rate(rays.shadow, &shadow)
+            ))?;
+        }
+        match peak_memory() {
+            Some(megabytes) => {
+                print(format_args!("{:<36} {megabytes:>10.1}", "peak memory, megabytes"))
+            }
+            None => Ok(()),
+        }
+    }
+
+    /// Moves every parameter by a hair, so that what depends on it is computed anew; the time it
+    /// takes.
+    fn update(&mut self) -> Duration {
+        self.moves += 1;
+        let factor = 1.0 + 1e-9 * f64::from(self.moves % 16);
+        timed(|| {
+            for &id in &self.ids {
+                let values = self.scene.parameters.get(id).iter();
+                for (moved, value) in self.parameters.get_mut(id).iter_mut().zip(values) {
+                    *moved = value * factor;
+                }
+            }
+            self.prepared.set_parameters(&self.parameters);
+        })
+    }
+
+    /// Repeats a measurement, three times at least.
+    fn repeat(&mut self, mut measure: impl FnMut(&mut Self) -> Duration) -> Samples {
+        measure(self);
+        let start = Instant::now();
+        let mut times = Vec::new();
+        while times.len() < 3 || start.elapsed() < self.limit {
+            times.push(measure(self).as_secs_f64());
+        }
+        times.sort_by(f64::total_cmp);
+        Samples { median: times[times.len() / 2], least: times[0] }
+    }
+}
+
+/// The time that something takes.
+fn timed<T>(run: impl FnOnce() -> T) -> Duration {
+    let start = Instant::now();
+    black_box(run());
+    start.elapsed()
+}
+
+/// What repetitions of a measurement gave, in seconds.
+struct Samples {
+    median: f64,
+    least: f64,
+}
+
+impl Samples {
+    /// What is left without a part that was measured by itself.
+    fn minus(&self, part: &Self) -> Self {
+        Self { median: self.median - part.median, least: self.least - part.least }
+    }
+
+    fn print(&self, name: &str) -> Result<(), Error> {
+        print(format_args!("{name:<36} {:>10.3} {:>10.3}", self.median * 1e3, self.least * 1e3))
+    }
+}
+
+/// The most memory that the process ever held, where the system tells (Linux).
+fn peak_memory() -> Option<f64> {
+    let status = std::fs::read_to_string("/proc/self/status").ok()?;
+    let line = status.lines().find_map(|line| line.strip_prefix("VmHWM:"))?;
+    let kilobytes: f64 = line.trim().strip_suffix("kB")?.trim().parse().ok()?;
+    Some(kilobytes / 1024.0)
+}
