@@ -10,6 +10,7 @@
     reason = "these forms are what is tested"
 )]
 
+mod checkpoint;
 mod closures;
 mod data;
 mod exits;
