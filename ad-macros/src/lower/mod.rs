@@ -43,6 +43,8 @@ pub struct Lowered {
     pub vars: Vec<Var>,
     /// The variable of each parameter.
     pub parameters: Vec<VarId>,
+    /// The parameters that are references, and the types that they refer to.
+    pub references: Vec<(VarId, Type)>,
     /// The body.
     pub body: Block,
 }
@@ -84,7 +86,14 @@ pub fn lower(
         }
         lowerer.function_body(&body.stmts)
     });
-    Lowered { vars: lowerer.vars, parameters: parameter_vars, body }
+    let references = parameters.iter().zip(&parameter_vars).filter_map(|(parameter, &var)| {
+        match &parameter.ty {
+            Type::Reference(reference) => Some((var, (*reference.elem).clone())),
+            _ => None,
+        }
+    });
+    let references = references.collect();
+    Lowered { vars: lowerer.vars, parameters: parameter_vars, references, body }
 }
 
 fn last_segment_is(ty: &Type, name: &str) -> bool {
