@@ -1,11 +1,14 @@
 //! Finds early exits: `return`, `?`, `break`, `continue`.
 
+use std::collections::HashSet;
+
 use proc_macro2::Ident;
+use quote::ToTokens;
 use syn::visit::{self, Visit};
 use syn::{Block, Expr, Label, Lifetime, Stmt, parse_quote};
 
 use super::macros::macro_diverges;
-use crate::names::Names;
+use crate::names::{self, Names};
 
 /// A jump, as the user wrote it.
 #[derive(Clone, PartialEq, Eq)]
@@ -64,6 +67,13 @@ pub fn assigns_within(expr: &Expr) -> bool {
     let mut finder = Assignments(false);
     visit::visit_expr(&mut finder, expr);
     finder.0
+}
+
+/// Whether a block uses the receiver of the method.
+pub fn names_self(block: &Block) -> bool {
+    let mut named = HashSet::new();
+    names::collect(block.to_token_stream(), &mut named);
+    named.contains("self")
 }
 
 /// Whether the operator is a compound assignment.

@@ -40,10 +40,10 @@ impl Lowerer<'_> {
                 let exits = exits::block_exits(&a_loop.body);
                 let driver = Driver::Chain(&chain, Some(&a_loop.pat));
                 let checkpoint = self.is_checkpointed(&a_loop.attrs);
-                if checkpoint && (!exits.is_empty() || chain.stops()) {
+                if checkpoint && exits::names_self(&a_loop.body) {
                     self.refuse(
                         expr,
-                        "a loop with checkpoints cannot be left early, nor continued: put what follows under an `if`, or take the attribute off",
+                        "a loop with checkpoints cannot use `self`: bind the parts that it needs to variables with `let` before",
                     );
                 }
                 let result =
@@ -54,6 +54,12 @@ impl Lowerer<'_> {
                 let statements = &mut self.open_blocks.last_mut().expect("a block is open").1;
                 if let Some(Statement::Loop(lowered)) = statements.last_mut() {
                     lowered.checkpoint = checkpoint;
+                    if checkpoint && lowered.breaks {
+                        self.refuse(
+                            expr,
+                            "a loop with checkpoints cannot be left early: put what follows under an `if`, or take the attribute off",
+                        );
+                    }
                 }
                 result
             }
