@@ -9,9 +9,9 @@
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::{ToTokens, format_ident, quote, quote_spanned};
 use syn::spanned::Spanned;
-use syn::{ReceiverKind, Signature, Type};
+use syn::{ReceiverKind, Type};
 
-use crate::expand::{Place, turbofish};
+use crate::expand::{Function, Place, turbofish};
 use crate::signature::Parameter;
 
 /// The name of the function that holds both sweeps, which the pullback calls.
@@ -22,12 +22,12 @@ pub fn stored_name(vjp: &Ident) -> Ident {
 /// The body of a `vjp` whose pullback starts from the arguments; `closure` writes a pullback with
 /// a body.
 pub fn body(
-    place: &Place<'_>,
+    function: &Function<'_>,
     vjp: &Ident,
-    signature: &Signature,
     parameters: &[Parameter],
     closure: impl FnOnce(TokenStream, &Ident, &[Ident]) -> TokenStream,
 ) -> TokenStream {
+    let signature = function.signature;
     let own = |name: &str| Ident::new(name, Span::mixed_site());
     let (value, pullback, cotangent) = (own("value"), own("pullback"), own("result_bar"));
     let mut keeps = TokenStream::new();
@@ -66,9 +66,9 @@ pub fn body(
     }
     let arguments = parameters.iter().map(|parameter| &parameter.ident);
     let (name, stored, turbofish) = (&signature.ident, stored_name(vjp), turbofish(signature));
-    let primal = match place {
+    let primal = match function.place {
         Place::Free => quote!(#name),
-        Place::Impl(_) => quote!(Self::#name),
+        _ => quote!(Self::#name),
     };
     let again = quote! {
         let (_, #pullback) = Self::#stored #turbofish (#(#kept_arguments),*);

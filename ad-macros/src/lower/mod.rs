@@ -64,7 +64,6 @@ pub struct LoweredParameter {
 
 /// Lowers a function body.
 pub fn lower(
-    name: &Ident,
     parameters: &[Parameter],
     result: &Type,
     body: &syn::Block,
@@ -72,7 +71,6 @@ pub fn lower(
     errors: &mut Errors,
 ) -> Lowered {
     let mut lowerer = Lowerer {
-        function: name,
         on_failure: OnFailure::of(result),
         vars: Vec::new(),
         scopes: vec![HashMap::new()],
@@ -140,7 +138,6 @@ impl OnFailure {
 }
 
 struct Lowerer<'a> {
-    function: &'a Ident,
     on_failure: OnFailure,
     vars: Vec<Var>,
     /// What the user's names mean, innermost scope last.
