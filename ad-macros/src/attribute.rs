@@ -1,23 +1,52 @@
 //! `#[differentiable]` on a function or on an `impl` block.
 
-use proc_macro2::TokenStream;
+use proc_macro2::{Ident, TokenStream};
 use quote::quote;
-use syn::{FnArg, ImplItem, ItemFn, ItemImpl, parse_quote};
+use syn::parse::{Parse, ParseStream};
+use syn::punctuated::Punctuated;
+use syn::{Attribute, FnArg, ImplItem, ImplItemFn, ItemFn, ItemImpl, Meta, Token, parse_quote};
 
 use crate::expand::{Place, derivative, stub};
 
+/// What stands in the parentheses of the attribute.
+#[derive(Clone, Copy, Default)]
+pub struct Options {
+    /// `checkpoint`: the pullback keeps the arguments alone.
+    pub checkpoint: bool,
+}
+
+impl Parse for Options {
+    fn parse(input: ParseStream<'_>) -> syn::Result<Self> {
+        let mut options = Self::default();
+        for option in Punctuated::<Ident, Token![,]>::parse_terminated(input)? {
+            match option == "checkpoint" {
+                true => options.checkpoint = true,
+                false => {
+                    return Err(syn::Error::new_spanned(
+                        option,
+                        "the arguments of `#[differentiable]` are: `checkpoint`",
+                    ));
+                }
+            }
+        }
+        Ok(options)
+    }
+}
+
 /// Expands the attribute. The item itself stays as it is, but for a lint.
 pub fn expand(arguments: TokenStream, item: TokenStream) -> TokenStream {
-    if !arguments.is_empty() {
-        let error = syn::Error::new_spanned(arguments, "`#[differentiable]` takes no arguments");
-        let error = error.into_compile_error();
-        return quote!(#item #error);
-    }
+    let options = match syn::parse2::<Options>(arguments) {
+        Ok(options) => options,
+        Err(error) => {
+            let error = error.into_compile_error();
+            return quote!(#item #error);
+        }
+    };
     if let Ok(function) = syn::parse2::<ItemFn>(item.clone()) {
-        return function_derivative(&function);
+        return function_derivative(&function, options);
     }
     match syn::parse2::<ItemImpl>(item.clone()) {
-        Ok(block) if block.trait_.is_none() => impl_derivatives(block),
+        Ok(block) if block.trait_.is_none() => impl_derivatives(block, options),
         Ok(block) => {
             let error = syn::Error::new_spanned(
                 block.trait_.map(|(path, _)| path),
@@ -37,7 +66,7 @@ pub fn expand(arguments: TokenStream, item: TokenStream) -> TokenStream {
     }
 }
 
-fn function_derivative(function: &ItemFn) -> TokenStream {
+fn function_derivative(function: &ItemFn, options: Options) -> TokenStream {
     if let Some(FnArg::Receiver(receiver)) = function.sig.inputs.first() {
         let error = syn::Error::new_spanned(
             receiver,
@@ -46,13 +75,19 @@ fn function_derivative(function: &ItemFn) -> TokenStream {
         let error = error.into_compile_error();
         return quote!(#function #error);
     }
-    let derivatives =
-        derivative(&Place::Free, &function.attrs, &function.vis, &function.sig, &function.block)
-            .unwrap_or_else(|error| {
-                let stub = stub(&Place::Free, &function.vis, &function.sig);
-                let error = error.into_compile_error();
-                quote!(#error #stub)
-            });
+    let derivatives = derivative(
+        &Place::Free,
+        &function.attrs,
+        &function.vis,
+        &function.sig,
+        &function.block,
+        options,
+    )
+    .unwrap_or_else(|error| {
+        let stub = stub(&Place::Free, &function.vis, &function.sig);
+        let error = error.into_compile_error();
+        quote!(#error #stub)
+    });
     quote! {
         // Its gradient may be all that is used of it.
         #[allow(dead_code)]
@@ -61,7 +96,7 @@ fn function_derivative(function: &ItemFn) -> TokenStream {
     }
 }
 
-fn impl_derivatives(mut block: ItemImpl) -> TokenStream {
+fn impl_derivatives(mut block: ItemImpl, options: Options) -> TokenStream {
     let generics = block.generics.clone();
     let place = Place::Impl(&generics);
     let mut siblings = Vec::new();
@@ -71,7 +106,10 @@ fn impl_derivatives(mut block: ItemImpl) -> TokenStream {
         if method.sig.inputs.is_empty() {
             continue;
         }
-        let sibling = derivative(&place, &method.attrs, &method.vis, &method.sig, &method.block)
+        let sibling = method_options(method, options)
+            .and_then(|options| {
+                derivative(&place, &method.attrs, &method.vis, &method.sig, &method.block, options)
+            })
             .unwrap_or_else(|error| {
                 let stub = stub(&place, &method.vis, &method.sig);
                 let error = error.into_compile_error();
@@ -83,4 +121,18 @@ fn impl_derivatives(mut block: ItemImpl) -> TokenStream {
     }
     block.items.extend(siblings);
     quote!(#block)
+}
+
+/// Takes the attribute off a method of an `impl` block, and adds what it says.
+fn method_options(method: &mut ImplItemFn, mut options: Options) -> syn::Result<Options> {
+    let is_own = |attribute: &Attribute| {
+        attribute.path().segments.last().is_some_and(|last| last.ident == "differentiable")
+    };
+    for attribute in method.attrs.iter().filter(|attribute| is_own(attribute)) {
+        if let Meta::List(list) = &attribute.meta {
+            options.checkpoint |= list.parse_args::<Options>()?.checkpoint;
+        }
+    }
+    method.attrs.retain(|attribute| !is_own(attribute));
+    Ok(options)
 }
