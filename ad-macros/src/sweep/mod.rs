@@ -5,6 +5,7 @@
 //! wrote it; else the reverse sweep gets its pullback, and the forward sweep saves what that names.
 
 mod a_loop;
+mod build;
 mod operation;
 
 use std::collections::{BTreeSet, HashSet};
@@ -318,6 +319,7 @@ impl Sweeper<'_> {
             }
             Statement::Branch(branch) => self.branch(branch),
             Statement::Loop(a_loop) => self.a_loop(a_loop),
+            Statement::Build(build) => self.build(build),
         }
     }
 

@@ -38,3 +38,30 @@ pub fn empty_product<T: Product>() -> T {
 pub fn held<'b, T>(best: &'b Option<T>, _candidate: &T) -> Option<&'b T> {
     best.as_ref()
 }
+
+/// An array of what `f` returns for each index, and what it saved.
+#[inline(always)]
+pub fn record<T, R, const N: usize>(mut f: impl FnMut(usize) -> (T, R)) -> ([T; N], [R; N]) {
+    let mut records = [const { None }; N];
+    let values = core::array::from_fn(|index| {
+        let (value, record) = f(index);
+        records[index] = Some(record);
+        value
+    });
+    (values, records.map(|record| record.expect("every element was made")))
+}
+
+/// As [`record`], with as many elements as `_source` has.
+#[inline(always)]
+pub fn record_like<S, T, R, const N: usize>(
+    _source: &[S; N],
+    f: impl FnMut(usize) -> (T, R),
+) -> ([T; N], [R; N]) {
+    record(f)
+}
+
+/// An array of what `f` returns for each index, with as many elements as `_source` has.
+#[inline(always)]
+pub fn build_like<S, T, const N: usize>(_source: &[S; N], f: impl FnMut(usize) -> T) -> [T; N] {
+    core::array::from_fn(f)
+}
