@@ -4,7 +4,11 @@ use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 use syn::parse::{Parse, ParseStream};
 use syn::punctuated::Punctuated;
-use syn::{Attribute, FnArg, ImplItem, ImplItemFn, ItemFn, ItemImpl, Meta, Token, parse_quote};
+use syn::visit_mut::{self, VisitMut};
+use syn::{
+    Attribute, Expr, ExprForLoop, ExprLoop, ExprWhile, FnArg, ImplItem, ItemFn, ItemImpl, Meta,
+    Token, parse_quote,
+};
 
 use crate::expand::{Place, derivative, stub};
 
@@ -30,6 +34,37 @@ impl Parse for Options {
             }
         }
         Ok(options)
+    }
+}
+
+/// Whether an attribute is this crate's.
+pub fn is_own(attribute: &Attribute) -> bool {
+    attribute.path().segments.last().is_some_and(|last| last.ident == "differentiable")
+}
+
+/// What this crate's attributes say among those of a method or a loop.
+pub fn own_options(attributes: &[Attribute]) -> syn::Result<Options> {
+    let mut options = Options::default();
+    for attribute in attributes.iter().filter(|attribute| is_own(attribute)) {
+        if let Meta::List(list) = &attribute.meta {
+            options.checkpoint |= list.parse_args::<Options>()?.checkpoint;
+        }
+    }
+    Ok(options)
+}
+
+/// Takes this crate's attributes off the loops in a body: the compiler knows none there.
+struct Clean;
+
+impl VisitMut for Clean {
+    fn visit_expr_mut(&mut self, expr: &mut Expr) {
+        if let Expr::ForLoop(ExprForLoop { attrs, .. })
+        | Expr::While(ExprWhile { attrs, .. })
+        | Expr::Loop(ExprLoop { attrs, .. }) = expr
+        {
+            attrs.retain(|attribute| !is_own(attribute));
+        }
+        visit_mut::visit_expr_mut(self, expr);
     }
 }
 
@@ -88,6 +123,8 @@ fn function_derivative(function: &ItemFn, options: Options) -> TokenStream {
         let error = error.into_compile_error();
         quote!(#error #stub)
     });
+    let mut function = function.clone();
+    Clean.visit_block_mut(&mut function.block);
     quote! {
         // Its gradient may be all that is used of it.
         #[allow(dead_code)]
@@ -106,8 +143,10 @@ fn impl_derivatives(mut block: ItemImpl, options: Options) -> TokenStream {
         if method.sig.inputs.is_empty() {
             continue;
         }
-        let sibling = method_options(method, options)
-            .and_then(|options| {
+        let sibling = own_options(&method.attrs)
+            .and_then(|own| {
+                method.attrs.retain(|attribute| !is_own(attribute));
+                let options = Options { checkpoint: options.checkpoint || own.checkpoint };
                 derivative(&place, &method.attrs, &method.vis, &method.sig, &method.block, options)
             })
             .unwrap_or_else(|error| {
@@ -116,23 +155,10 @@ fn impl_derivatives(mut block: ItemImpl, options: Options) -> TokenStream {
                 quote!(#error #stub)
             });
         siblings.push(ImplItem::Verbatim(sibling));
+        Clean.visit_block_mut(&mut method.block);
         // Its gradient may be all that is used of it.
         method.attrs.push(parse_quote!(#[allow(dead_code)]));
     }
     block.items.extend(siblings);
     quote!(#block)
-}
-
-/// Takes the attribute off a method of an `impl` block, and adds what it says.
-fn method_options(method: &mut ImplItemFn, mut options: Options) -> syn::Result<Options> {
-    let is_own = |attribute: &Attribute| {
-        attribute.path().segments.last().is_some_and(|last| last.ident == "differentiable")
-    };
-    for attribute in method.attrs.iter().filter(|attribute| is_own(attribute)) {
-        if let Meta::List(list) = &attribute.meta {
-            options.checkpoint |= list.parse_args::<Options>()?.checkpoint;
-        }
-    }
-    method.attrs.retain(|attribute| !is_own(attribute));
-    Ok(options)
 }

@@ -211,6 +211,8 @@ pub struct Loop {
     pub result: Option<VarId>,
     /// What `result` is where the loop ends by itself.
     pub natural_end: TokenStream,
+    /// Whether the reverse sweep computes the iterations again, from some stored states.
+    pub checkpoint: bool,
 }
 
 /// How a loop goes on.

@@ -17,7 +17,8 @@ pub use pullback::MethodPullback;
 mod iterate;
 
 pub use iterate::{
-    build_like, chunks_exact, empty_product, empty_sum, held, record, record_like, windows,
+    build_like, chunks_exact, empty_product, empty_sum, held, record, record_like, segments,
+    windows,
 };
 
 /// The traits whose methods generated code calls. They come without names, which could hide those

@@ -10,6 +10,7 @@ use super::ends::{End, JumpKind, Target};
 use super::exits::Exit;
 use super::item::Item;
 use super::{Lowerer, exits};
+use crate::attribute::own_options;
 use crate::ir::{Head, Loop, Operand, Statement};
 
 /// What a loop leaves behind: a chain of the targets where control goes next.
@@ -38,10 +39,32 @@ impl Lowerer<'_> {
                 let chain = self.chain(&a_loop.expr);
                 let exits = exits::block_exits(&a_loop.body);
                 let driver = Driver::Chain(&chain, Some(&a_loop.pat));
-                self.run(a_loop.label.as_ref(), &exits, &driver, &mut |lowerer, item, end| {
-                    lowerer.bind_item(&a_loop.pat, item);
-                    lowerer.statements(a_loop.body.stmts.clone(), end)
-                })
+                let checkpoint = self.is_checkpointed(&a_loop.attrs);
+                if checkpoint && (!exits.is_empty() || chain.stops()) {
+                    self.refuse(
+                        expr,
+                        "a loop with checkpoints cannot be left early, nor continued: put what follows under an `if`, or take the attribute off",
+                    );
+                }
+                let result =
+                    self.run(a_loop.label.as_ref(), &exits, &driver, &mut |lowerer, item, end| {
+                        lowerer.bind_item(&a_loop.pat, item);
+                        lowerer.statements(a_loop.body.stmts.clone(), end)
+                    });
+                let statements = &mut self.open_blocks.last_mut().expect("a block is open").1;
+                if let Some(Statement::Loop(lowered)) = statements.last_mut() {
+                    lowered.checkpoint = checkpoint;
+                }
+                result
+            }
+            Expr::While(syn::ExprWhile { attrs, .. }) | Expr::Loop(syn::ExprLoop { attrs, .. })
+                if self.is_checkpointed(attrs) =>
+            {
+                self.refuse(
+                    expr,
+                    "checkpoints need a number of iterations that is known before: write a `for` loop",
+                );
+                LoopResult { value: Self::unit(), targets: Vec::new(), own: None }
             }
             Expr::While(a_loop) => {
                 let syn::ExprWhile { label, cond, body, .. } = a_loop;
@@ -57,6 +80,16 @@ impl Lowerer<'_> {
                 self.run_block(a_loop.label.as_ref(), &a_loop.body, &Driver::Endless)
             }
             other => unreachable!("not a loop: {}", quote!(#other)),
+        }
+    }
+
+    fn is_checkpointed(&mut self, attributes: &[syn::Attribute]) -> bool {
+        match own_options(attributes) {
+            Ok(options) => options.checkpoint,
+            Err(error) => {
+                self.errors.add(error);
+                false
+            }
         }
     }
 
@@ -160,7 +193,16 @@ impl Lowerer<'_> {
         let count = targets.len();
         let natural_end = self.link(Self::unit(), count.saturating_sub(1), count);
         let natural_end = self.tokens(&natural_end);
-        self.push(Statement::Loop(Loop { head, body, record, breaks, result, natural_end }));
+        let checkpoint = false;
+        self.push(Statement::Loop(Loop {
+            head,
+            body,
+            record,
+            breaks,
+            result,
+            natural_end,
+            checkpoint,
+        }));
         let value = match result {
             Some(var) if self.vars[var].active => Operand::Var(var),
             Some(var) => {

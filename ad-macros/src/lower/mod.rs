@@ -48,6 +48,8 @@ pub struct Lowered {
     pub vars: Vec<Var>,
     /// The parameters.
     pub parameters: Vec<LoweredParameter>,
+    /// The parameters that are references, and the types that they refer to.
+    pub references: Vec<(VarId, Type)>,
     /// The body.
     pub body: Block,
 }
@@ -99,11 +101,20 @@ pub fn lower(
         }
         lowerer.function_body(&body.stmts)
     });
+    let references = parameters.iter().zip(&parameter_vars).filter_map(|(parameter, &var)| {
+        match &parameter.ty {
+            Type::Reference(reference) if reference.mutability.is_none() => {
+                Some((var, (*reference.elem).clone()))
+            }
+            _ => None,
+        }
+    });
+    let references: Vec<_> = references.collect();
     let parameters = parameters.iter().zip(parameter_vars).map(|(parameter, var)| {
         LoweredParameter { var, has_shape: !has_fixed_size(&parameter.ty) }
     });
     let parameters = parameters.collect();
-    Lowered { vars: lowerer.vars, parameters, body }
+    Lowered { vars: lowerer.vars, parameters, references, body }
 }
 
 /// What `?` returns.

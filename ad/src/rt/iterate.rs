@@ -65,3 +65,13 @@ pub fn record_like<S, T, R, const N: usize>(
 pub fn build_like<S, T, const N: usize>(_source: &[S; N], f: impl FnMut(usize) -> T) -> [T; N] {
     core::array::from_fn(f)
 }
+
+/// The number and the length of the segments into which the iterations of a loop with checkpoints
+/// fall: about as many as iterations in each.
+#[inline]
+pub fn segments(items: &impl Iterator) -> (usize, usize) {
+    let (count, upper) = items.size_hint();
+    assert_eq!(upper, Some(count), "checkpoints need a known number of iterations");
+    let length = (count.isqrt()).max(1);
+    (count.div_ceil(length), length)
+}
