@@ -5,6 +5,8 @@ use quote::{ToTokens, format_ident, quote, quote_spanned};
 use syn::spanned::Spanned;
 use syn::{Attribute, FnArg, GenericParam, Generics, Signature, Type, Visibility};
 
+use crate::attribute::Options;
+use crate::checkpoint;
 use crate::errors::Errors;
 use crate::lower;
 use crate::names::Names;
@@ -27,6 +29,7 @@ pub fn derivative(
     visibility: &Visibility,
     signature: &Signature,
     body: &syn::Block,
+    options: Options,
 ) -> syn::Result<TokenStream> {
     let mut errors = Errors::default();
     let parameters = signature::parameters(signature, &mut errors);
@@ -37,6 +40,9 @@ pub fn derivative(
     let lowered =
         lower::lower(&signature.ident, &parameters, &result, body, &mut names, &mut errors);
     signature::refuse_cfg(signature, body, &mut errors);
+    if options.checkpoint {
+        checkpoint::refuse_exclusive(&parameters, &mut errors);
+    }
     errors.finish()?;
 
     let seed = names.fresh("result_bar", Span::call_site());
@@ -56,7 +62,7 @@ pub fn derivative(
             })
         }
     };
-    Ok(functions(place, attributes, visibility, signature, &parameters, &result, &body))
+    Ok(functions(place, attributes, visibility, signature, &parameters, &result, &body, options))
 }
 
 /// What stands in for the derivative of a function that was refused, so that its callers do not
@@ -78,7 +84,8 @@ pub fn stub(place: &Place<'_>, visibility: &Visibility, signature: &Signature) -
             (refused(), |_: #result_tangent #(, _: #exclusive_tangents)*| -> #gradient { refused() })
         }
     };
-    functions(place, &[], visibility, signature, &parameters, &result, &body)
+    let options = Options::default();
+    functions(place, &[], visibility, signature, &parameters, &result, &body, options)
 }
 
 fn tangent(ty: &Type) -> TokenStream {
@@ -105,6 +112,7 @@ fn tuple_or_one(parts: &[TokenStream]) -> TokenStream {
     }
 }
 
+#[allow(clippy::too_many_arguments, reason = "they are the parts of one function")]
 fn functions(
     place: &Place<'_>,
     attributes: &[Attribute],
@@ -113,6 +121,7 @@ fn functions(
     parameters: &[Parameter],
     result: &Type,
     body: &TokenStream,
+    options: Options,
 ) -> TokenStream {
     let name = &signature.ident;
     let (vjp, value_and_grad, grad) = match place {
@@ -133,13 +142,8 @@ fn functions(
     };
     let inputs = inputs(signature, parameters);
     let arguments = parameters.iter().filter_map(|p| p.pattern.as_ref().map(|_| &p.ident));
-    // The types of the parameters need not tell the type parameters: `Vec3<S>` does not tell `S`.
-    let turbofish = signature.generics.params.iter().filter_map(|parameter| match parameter {
-        GenericParam::Lifetime(_) => None,
-        GenericParam::Type(ty) => Some(&ty.ident),
-        GenericParam::Const(constant) => Some(&constant.ident),
-    });
-    let call_vjp = quote!(#call_vjp::<#(#turbofish),*>(#(#arguments),*));
+    let turbofish = turbofish(signature);
+    let call_vjp = quote!(#call_vjp #turbofish (#(#arguments),*));
 
     let outer = match place {
         Place::Free => None,
@@ -176,13 +180,34 @@ fn functions(
         Place::Free => quote!(pub),
         Place::Impl(_) => quote!(#visibility),
     };
+    let pullback_type = quote! {
+        (#result, impl ::core::ops::FnOnce(#result_tangent #(, #exclusive_tangents)*) -> #gradient + #captured)
+    };
+    let (stored, checkpointed);
+    let (stored, body) = match options.checkpoint {
+        false => (None, body),
+        true => {
+            let name = checkpoint::stored_name(&vjp);
+            stored = quote! {
+                #(#cfgs)*
+                #lints
+                fn #name #generics (#inputs) -> #pullback_type
+                where #(#bounds),*
+                #body
+            };
+            let closure = |body, cotangent: &Ident| quote!(move |#cotangent: #result_tangent| -> #gradient { #body });
+            checkpointed = checkpoint::body(place, &vjp, signature, parameters, closure);
+            (Some(&stored), &checkpointed)
+        }
+    };
     let functions = quote! {
+        #stored
+
         #(#cfgs)*
         #[doc = #vjp_doc]
         #lints
         #[inline]
-        #derivative_visibility fn #vjp #generics (#inputs)
-            -> (#result, impl ::core::ops::FnOnce(#result_tangent #(, #exclusive_tangents)*) -> #gradient + #captured)
+        #derivative_visibility fn #vjp #generics (#inputs) -> #pullback_type
         where #(#bounds),*
         #body
 
@@ -231,6 +256,17 @@ fn functions(
             }
         }
     }
+}
+
+/// The type arguments of a call of the function itself. The types of the parameters need not tell
+/// them: `Vec3<S>` does not tell `S`.
+pub fn turbofish(signature: &Signature) -> TokenStream {
+    let arguments = signature.generics.params.iter().filter_map(|parameter| match parameter {
+        GenericParam::Lifetime(_) => None,
+        GenericParam::Type(ty) => Some(&ty.ident),
+        GenericParam::Const(constant) => Some(&constant.ident),
+    });
+    quote!(::<#(#arguments),*>)
 }
 
 /// The parameters as the generated functions take them: each under one name.

@@ -162,6 +162,8 @@ pub enum Statement {
     Branch(Branch),
     /// `for`, `while`, `loop`
     Loop(Loop),
+    /// `array::from_fn`, `array::map`
+    Build(Build),
 }
 
 /// Statements, then a value.
@@ -209,6 +211,8 @@ pub struct Loop {
     pub result: Option<VarId>,
     /// What `result` is where the loop ends by itself.
     pub natural_end: TokenStream,
+    /// Whether the reverse sweep computes the iterations again, from some stored states.
+    pub checkpoint: bool,
 }
 
 /// How a loop goes on.
@@ -226,4 +230,18 @@ pub enum Head {
     While(TokenStream),
     /// Until a `Break`.
     Loop,
+}
+
+/// A block that is run for each element of a new array, and has it as its value.
+pub struct Build {
+    /// Takes the array.
+    pub result: VarId,
+    /// The index of the element.
+    pub index: VarId,
+    /// An array of the same length, if there is one.
+    pub like: Option<TokenStream>,
+    pub ty: Option<Type>,
+    pub body: Block,
+    /// The name of the tape.
+    pub record: Ident,
 }

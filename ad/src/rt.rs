@@ -16,7 +16,10 @@ pub use pullback::MethodPullback;
 
 mod iterate;
 
-pub use iterate::{chunks_exact, empty_product, empty_sum, held, windows};
+pub use iterate::{
+    build_like, chunks_exact, empty_product, empty_sum, held, record, record_like, segments,
+    windows,
+};
 
 /// The traits whose methods generated code calls. They come without names, which could hide those
 /// of the user.

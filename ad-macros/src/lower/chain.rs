@@ -212,7 +212,7 @@ impl Lowerer<'_> {
     }
 
     /// The place whose elements are run over: a copy of it, where the loop may change it.
-    fn source_place(&mut self, expr: &Expr, by_reference: bool) -> Place {
+    pub(super) fn source_place(&mut self, expr: &Expr, by_reference: bool) -> Place {
         if let Some(place) = self.place(expr)
             && (by_reference || !self.vars[place.root].mutable)
         {
@@ -323,7 +323,8 @@ pub(super) fn literal(expr: &Expr) -> Option<usize> {
     }
 }
 
-fn array_length(expr: &Expr) -> Option<usize> {
+/// The length of an array that is written out.
+pub(super) fn array_length(expr: &Expr) -> Option<usize> {
     match strip_parens(expr) {
         Expr::Array(array) => Some(array.elems.len()),
         Expr::Repeat(repeat) => literal(&repeat.len),

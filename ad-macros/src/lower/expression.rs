@@ -6,6 +6,7 @@ use syn::spanned::Spanned;
 use syn::{BinOp, Expr, ExprBinary, ExprPath, Member, Path, PathArguments, Type, UnOp};
 
 use super::Lowerer;
+use super::array::is_from_fn;
 use super::ends::End;
 use crate::ir::{Argument, BinaryOperator, Operand, Operation, Projection, Shape, Statement};
 
@@ -228,7 +229,11 @@ impl Lowerer<'_> {
     }
 
     fn call(&mut self, call: &syn::ExprCall, hint: &str) -> Operand {
-        let Expr::Path(function) = &*call.func else {
+        if let Expr::Closure(_) = super::flow::strip_parens(&call.func) {
+            let given = call.args.iter().map(|argument| self.given(argument)).collect();
+            return self.apply(&call.func, given);
+        }
+        let Expr::Path(function) = super::flow::strip_parens(&call.func) else {
             return self.refuse(
                 &call.func,
                 "only functions called by name can be differentiated: write a `#[differentiable]` function",
@@ -261,6 +266,9 @@ impl Lowerer<'_> {
             let expr = Expr::Call(call.clone());
             let tokens = self.plain(&expr);
             return self.settled(&expr, tokens);
+        }
+        if is_from_fn(path) {
+            return self.array_from_fn(call, path, hint);
         }
         if is_type_name(&last.ident) {
             return self.construct(call, function, hint);
@@ -309,7 +317,7 @@ impl Lowerer<'_> {
     }
 
     fn method_call(&mut self, call: &syn::ExprMethodCall, hint: &str) -> Operand {
-        if let Some(value) = self.consumed(call, hint) {
+        if let Some(value) = self.consumed(call, hint).or_else(|| self.mapped(call, hint)) {
             return value;
         }
         let name = call.method.to_string();

@@ -11,6 +11,7 @@ use syn::spanned::Spanned;
 use syn::visit::Visit;
 use syn::{Expr, Local, Pat, Stmt, parse_quote};
 
+use super::chain::array_length;
 use super::closure::simple_name;
 use super::ends::{End, JumpKind, Target};
 use super::exits::Exit;
@@ -122,8 +123,13 @@ impl Lowerer<'_> {
             Pat::Ident(pat) => pat.ident.to_string(),
             _ => "value".to_owned(),
         };
+        let (container, length) = (self.container(&init.expr), array_length(&init.expr));
         let value = self.operand(&init.expr, &hint);
         self.bind_pattern(pat, ty, value);
+        if let Some(var) = simple_name(pat).and_then(|name| self.lookup(name)) {
+            self.containers.extend(container.map(|container| (var, container)));
+            self.lengths.extend(length.map(|length| (var, length)));
+        }
     }
 
     /// Lowers `stmt`, which may exit, and what follows it.

@@ -1,7 +1,9 @@
 //! Loops: a block, run again and again, whose end says whether to go on.
 
+use std::collections::HashSet;
+
 use proc_macro2::TokenStream;
-use quote::quote;
+use quote::{ToTokens, quote};
 use syn::visit::{self, Visit};
 use syn::{Expr, Label, Pat, parse_quote};
 
@@ -10,7 +12,9 @@ use super::ends::{End, JumpKind, Target};
 use super::exits::Exit;
 use super::item::Item;
 use super::{Lowerer, exits};
+use crate::attribute::own_options;
 use crate::ir::{Head, Loop, Operand, Statement};
+use crate::names;
 
 /// What a loop leaves behind: a chain of the targets where control goes next.
 pub(super) struct LoopResult {
@@ -38,10 +42,35 @@ impl Lowerer<'_> {
                 let chain = self.chain(&a_loop.expr);
                 let exits = exits::block_exits(&a_loop.body);
                 let driver = Driver::Chain(&chain, Some(&a_loop.pat));
-                self.run(a_loop.label.as_ref(), &exits, &driver, &mut |lowerer, item, end| {
-                    lowerer.bind_item(&a_loop.pat, item);
-                    lowerer.statements(a_loop.body.stmts.clone(), end)
-                })
+                let checkpoint = self.is_checkpointed(&a_loop.attrs);
+                if checkpoint {
+                    self.refuse_borrowed_state(expr, &a_loop.body);
+                }
+                let result =
+                    self.run(a_loop.label.as_ref(), &exits, &driver, &mut |lowerer, item, end| {
+                        lowerer.bind_item(&a_loop.pat, item);
+                        lowerer.statements(a_loop.body.stmts.clone(), end)
+                    });
+                let statements = &mut self.open_blocks.last_mut().expect("a block is open").1;
+                if let Some(Statement::Loop(lowered)) = statements.last_mut() {
+                    lowered.checkpoint = checkpoint;
+                    if checkpoint && lowered.breaks {
+                        self.refuse(
+                            expr,
+                            "a loop with checkpoints cannot be left early: put what follows under an `if`, or take the attribute off",
+                        );
+                    }
+                }
+                result
+            }
+            Expr::While(syn::ExprWhile { attrs, .. }) | Expr::Loop(syn::ExprLoop { attrs, .. })
+                if self.is_checkpointed(attrs) =>
+            {
+                self.refuse(
+                    expr,
+                    "checkpoints need a number of iterations that is known before: write a `for` loop",
+                );
+                LoopResult { value: Self::unit(), targets: Vec::new(), own: None }
             }
             Expr::While(a_loop) => {
                 let syn::ExprWhile { label, cond, body, .. } = a_loop;
@@ -57,6 +86,36 @@ impl Lowerer<'_> {
                 self.run_block(a_loop.label.as_ref(), &a_loop.body, &Driver::Endless)
             }
             other => unreachable!("not a loop: {}", quote!(#other)),
+        }
+    }
+
+    /// Refuses, for a loop with checkpoints, what its body uses and the pullback cannot own.
+    fn refuse_borrowed_state(&mut self, a_loop: &Expr, body: &syn::Block) {
+        let mut named = HashSet::new();
+        names::collect(body.to_token_stream(), &mut named);
+        let in_scope = self.scopes.iter().flatten();
+        let exclusive = in_scope.filter(|(_, var)| self.vars[**var].exclusive);
+        let uses_exclusive = exclusive.into_iter().any(|(name, _)| named.contains(name));
+        if uses_exclusive {
+            self.refuse(
+                a_loop,
+                "a loop with checkpoints cannot use what is borrowed as `&mut`: work on a copy, and assign it after the loop",
+            );
+        } else if named.contains("self") {
+            self.refuse(
+                a_loop,
+                "a loop with checkpoints cannot use `self`: bind the parts that it needs to variables with `let` before",
+            );
+        }
+    }
+
+    fn is_checkpointed(&mut self, attributes: &[syn::Attribute]) -> bool {
+        match own_options(attributes) {
+            Ok(options) => options.checkpoint,
+            Err(error) => {
+                self.errors.add(error);
+                false
+            }
         }
     }
 
@@ -160,7 +219,16 @@ impl Lowerer<'_> {
         let count = targets.len();
         let natural_end = self.link(Self::unit(), count.saturating_sub(1), count);
         let natural_end = self.tokens(&natural_end);
-        self.push(Statement::Loop(Loop { head, body, record, breaks, result, natural_end }));
+        let checkpoint = false;
+        self.push(Statement::Loop(Loop {
+            head,
+            body,
+            record,
+            breaks,
+            result,
+            natural_end,
+            checkpoint,
+        }));
         let value = match result {
             Some(var) if self.vars[var].active => Operand::Var(var),
             Some(var) => {

@@ -2,12 +2,13 @@
 //!
 //! [`desugar`] makes branches plainer; [`flow`] lowers statements and turns every early exit into
 //! the end of a block, whose meaning [`ends`] keeps; [`loops`] lowers loops, [`chain`], [`stage`]
-//! and [`item`] what they run over, [`consume`] what iterators are used up by; [`closure`] puts
-//! closures in place of their calls; [`expression`] names intermediate results; [`pattern`] and
+//! and [`item`] what they run over, [`consume`] what iterators are used up by; [`array`] builds
+//! arrays element by element; [`closure`] puts closures in place of their calls; [`expression`] names intermediate results; [`pattern`] and
 //! [`place`] tell which part of a value is meant; [`sequence`] makes vectors and boxes; [`macros`]
 //! knows the macros of the standard library; [`plain`] passes on code through which no derivative
 //! flows, with variables renamed.
 
+mod array;
 mod chain;
 mod closure;
 mod consume;
@@ -32,6 +33,7 @@ use proc_macro2::{Ident, Span, TokenStream};
 use quote::{ToTokens, quote};
 use syn::{Type, spanned::Spanned};
 
+use self::array::Container;
 use self::closure::Closure;
 use self::ends::{Jump, JumpId};
 use self::item::Alias;
@@ -46,6 +48,8 @@ pub struct Lowered {
     pub vars: Vec<Var>,
     /// The parameters.
     pub parameters: Vec<LoweredParameter>,
+    /// The parameters that are references, and the types that they refer to.
+    pub references: Vec<(VarId, Type)>,
     /// The body.
     pub body: Block,
 }
@@ -80,6 +84,7 @@ pub fn lower(
         exclusive_aliases: HashSet::new(),
         references: HashSet::new(),
         lengths: HashMap::new(),
+        containers: HashMap::new(),
         closures: HashMap::new(),
         capitals: HashSet::new(),
         called_on: Vec::new(),
@@ -96,11 +101,20 @@ pub fn lower(
         }
         lowerer.function_body(&body.stmts)
     });
+    let references = parameters.iter().zip(&parameter_vars).filter_map(|(parameter, &var)| {
+        match &parameter.ty {
+            Type::Reference(reference) if reference.mutability.is_none() => {
+                Some((var, (*reference.elem).clone()))
+            }
+            _ => None,
+        }
+    });
+    let references: Vec<_> = references.collect();
     let parameters = parameters.iter().zip(parameter_vars).map(|(parameter, var)| {
         LoweredParameter { var, has_shape: !has_fixed_size(&parameter.ty) }
     });
     let parameters = parameters.collect();
-    Lowered { vars: lowerer.vars, parameters, body }
+    Lowered { vars: lowerer.vars, parameters, references, body }
 }
 
 /// What `?` returns.
@@ -145,6 +159,8 @@ struct Lowerer<'a> {
     references: HashSet<VarId>,
     /// The lengths of arrays, where they are literals.
     lengths: HashMap<VarId, usize>,
+    /// What variables are known to hold.
+    containers: HashMap<VarId, Container>,
     /// The names that stand for closures.
     closures: HashMap<VarId, Rc<Closure>>,
     /// The names in refutable patterns that were taken for constants, for their capital letter.
@@ -269,6 +285,9 @@ impl Lowerer<'_> {
     fn note_type(&mut self, var: VarId, ty: &Type) {
         if let Type::Reference(_) = ty {
             self.references.insert(var);
+        }
+        if let Some(container) = Container::of(ty) {
+            self.containers.insert(var, container);
         }
         if let Type::Array(array) = pointee(ty)
             && let Some(length) = chain::literal(&array.len)

@@ -5,6 +5,8 @@
 //! wrote it; else the reverse sweep gets its pullback, and the forward sweep saves what that names.
 
 mod a_loop;
+mod build;
+mod checkpoint;
 mod operation;
 
 use std::collections::{BTreeSet, HashSet};
@@ -36,6 +38,8 @@ pub struct Sweeps {
 pub fn sweep(lowered: &Lowered, seed: &Ident, names: &mut Names) -> Sweeps {
     let mut sweeper = Sweeper {
         vars: &lowered.vars,
+        references: &lowered.references,
+        is_primal: false,
         names,
         started: HashSet::new(),
         spaces: HashSet::new(),
@@ -99,6 +103,10 @@ fn cotangent_of(root: &Ident, path: &[Projection]) -> TokenStream {
 
 struct Sweeper<'a> {
     vars: &'a [Var],
+    /// The parameters that are references, and the types that they refer to.
+    references: &'a [(VarId, syn::Type)],
+    /// Whether code is written from which nothing is saved.
+    is_primal: bool,
     names: &'a mut Names,
     /// The variables whose cotangents have a value at this point of the reverse sweep.
     started: HashSet<VarId>,
@@ -317,7 +325,11 @@ impl Sweeper<'_> {
                 self.update(place, *operator, *previous, *value)
             }
             Statement::Branch(branch) => self.branch(branch),
+            Statement::Loop(a_loop) if a_loop.checkpoint && !self.is_primal => {
+                self.checkpointed_loop(a_loop)
+            }
             Statement::Loop(a_loop) => self.a_loop(a_loop),
+            Statement::Build(build) => self.build(build),
         }
     }
 
@@ -344,7 +356,7 @@ impl Sweeper<'_> {
 
     /// Whether anything flows back to a place that is assigned to here.
     fn is_live(&mut self, place: &Place) -> bool {
-        !self.is_unstarted_local(place.root)
+        !self.is_primal && !self.is_unstarted_local(place.root)
     }
 
     fn assign(&mut self, place: &Place, value: &Operand) -> Sides {

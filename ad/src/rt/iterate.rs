@@ -38,3 +38,40 @@ pub fn empty_product<T: Product>() -> T {
 pub fn held<'b, T>(best: &'b Option<T>, _candidate: &T) -> Option<&'b T> {
     best.as_ref()
 }
+
+/// An array of what `f` returns for each index, and what it saved.
+#[inline(always)]
+pub fn record<T, R, const N: usize>(mut f: impl FnMut(usize) -> (T, R)) -> ([T; N], [R; N]) {
+    let mut records = [const { None }; N];
+    let values = core::array::from_fn(|index| {
+        let (value, record) = f(index);
+        records[index] = Some(record);
+        value
+    });
+    (values, records.map(|record| record.expect("every element was made")))
+}
+
+/// As [`record`], with as many elements as `_source` has.
+#[inline(always)]
+pub fn record_like<S, T, R, const N: usize>(
+    _source: &[S; N],
+    f: impl FnMut(usize) -> (T, R),
+) -> ([T; N], [R; N]) {
+    record(f)
+}
+
+/// An array of what `f` returns for each index, with as many elements as `_source` has.
+#[inline(always)]
+pub fn build_like<S, T, const N: usize>(_source: &[S; N], f: impl FnMut(usize) -> T) -> [T; N] {
+    core::array::from_fn(f)
+}
+
+/// The number and the length of the segments into which the iterations of a loop with checkpoints
+/// fall: about as many as iterations in each.
+#[inline]
+pub fn segments(items: &impl Iterator) -> (usize, usize) {
+    let (count, upper) = items.size_hint();
+    assert_eq!(upper, Some(count), "checkpoints need a known number of iterations");
+    let length = (count.isqrt()).max(1);
+    (count.div_ceil(length), length)
+}

@@ -14,6 +14,7 @@
     reason = "these forms are what is tested"
 )]
 
+mod checkpoint;
 mod closures;
 mod data;
 mod enums;

@@ -243,6 +243,53 @@ fn extremes(xs: &[f64; 7], y: f64) -> f64 {
     }
 }
 
+#[differentiable]
+fn built(xs: &[f64; 5], y: f64) -> f64 {
+    let powers: [f64; 4] = std::array::from_fn(|i| y.powi(i as i32) + xs[i]);
+    let mut running = 1.0;
+    let products = core::array::from_fn::<f64, 5, _>(|i| {
+        running *= xs[i] * y;
+        running
+    });
+    let squares = products.map(|p| p * p + powers[1]);
+    let mut changing = [y, 2.0 * y];
+    changing[0] *= y;
+    let [a, b] = changing.map(f64::sin);
+    changing[1] = a * b;
+    let pairs = squares.map(|s| (s, s * y));
+    let counts: [usize; 3] = std::array::from_fn(|i| i * i);
+    let mut total = running + changing[0] * changing[1];
+    for (i, (s, t)) in pairs.iter().enumerate() {
+        total += s * t + counts[i % 3] as f64;
+    }
+    total
+}
+
+#[differentiable]
+fn mapped_options(x: Option<f64>, y: f64) -> f64 {
+    let halved = |t: f64| t * 0.5;
+    let doubled = Some(y * y).map(|t| t * 2.0);
+    let product: Option<f64> = x.map(|x| x * y);
+    let half = product.map(halved);
+    match (doubled, product, half) {
+        (Some(a), Some(b), Some(c)) => a * b * c,
+        (Some(a), _, _) => a * a,
+        _ => y,
+    }
+}
+
+#[test]
+fn arrays_by_element() {
+    check_array!(built, 5);
+    let primal = |p: &[f64]| mapped_options(Some(p[0]), p[1]);
+    let (x, y) = mapped_options::grad(Some(1.3), 0.7);
+    assert_gradient("mapped_options", primal, &[1.3, 0.7], &[x, y]);
+    let primal = |p: &[f64]| mapped_options(None, p[0]);
+    let (x, y) = mapped_options::grad(None, 0.7);
+    assert_gradient("mapped_options", primal, &[0.7], &[y]);
+    assert_eq!(x, 0.0);
+}
+
 #[test]
 fn loops_over_elements() {
     check_array!(by_reference, 5);

@@ -1,0 +1,69 @@
+impl checkpoint {
+    pub fn vjp(
+        rate: f64,
+        start: f64,
+        n: usize,
+    ) -> (
+        f64,
+        impl ::core::ops::FnOnce(
+            ::ad::Tangent<f64>,
+        ) -> (::ad::Tangent<f64>, ::ad::Tangent<f64>, ::ad::Tangent<usize>) + use<>,
+    ) {
+        #[allow(unused_imports)]
+        use ::ad::rt::methods::*;
+        let rate_space = ::ad::rt::space(&rate);
+        let mut x = start;
+        let mut items = ::core::iter::IntoIterator::into_iter(0..n);
+        let (segment_count, segment_length) = ::ad::rt::segments(&items);
+        let mut checkpoints = ::std::vec::Vec::with_capacity(segment_count);
+        for _ in 0..segment_count {
+            checkpoints.push((items.clone(), ::core::clone::Clone::clone(&x)));
+            for _ in items.by_ref().take(segment_length) {
+                let receiver = x;
+                let sin = receiver.sin();
+                let product = rate * sin;
+                let x_1 = x;
+                x += product;
+            }
+        }
+        let x_2 = x;
+        (
+            x_2,
+            move |
+                result_bar: ::ad::Tangent<f64>,
+            | -> (::ad::Tangent<f64>, ::ad::Tangent<f64>, ::ad::Tangent<usize>) {
+                let mut x_2_bar = result_bar;
+                let mut x_bar = x_2_bar;
+                let mut rate_bar = rate_space.zero();
+                for (items, mut x) in checkpoints.into_iter().rev() {
+                    let mut tape = ::std::vec::Vec::with_capacity(segment_length);
+                    for _ in items.take(segment_length) {
+                        let receiver = x;
+                        let (sin, sin_pullback) = receiver.sin_vjp();
+                        let product = rate * sin;
+                        let x_1 = x;
+                        x += product;
+                        let x_1_pullback = ::ad::rt::linear(&x_1, &product);
+                        tape.push((sin, sin_pullback, x_1_pullback));
+                    }
+                    for (sin, sin_pullback, x_1_pullback) in tape.into_iter().rev() {
+                        let (x_part, product_part) = x_1_pullback
+                            .pull_back_sum(::ad::rt::take(&mut x_bar));
+                        ::ad::rt::Absorb::absorb(&mut x_bar, x_part);
+                        let mut product_bar = product_part;
+                        let (rate_part, mut sin_bar) = ::ad::rules::MulPullback::mul_pullback(
+                            rate,
+                            sin,
+                            product_bar,
+                        );
+                        ::ad::rt::Absorb::absorb(&mut rate_bar, rate_part);
+                        let mut receiver_bar = sin_pullback(sin_bar);
+                        ::ad::rt::Absorb::absorb(&mut x_bar, receiver_bar);
+                    }
+                }
+                let mut start_bar = x_bar;
+                (rate_bar, start_bar, ())
+            },
+        )
+    }
+}

@@ -1,0 +1,126 @@
+//! The sweeps of a loop with checkpoints.
+//!
+//! The forward sweep runs the loop as the user wrote it, in about as many segments as a segment has
+//! iterations, and stores before each the variables that the loop may change, with the iterator.
+//! The reverse sweep takes the segments from the last to the first: it runs one again, now with a
+//! tape, and then backwards.
+//!
+//! For n iterations that is √n states and √n records instead of n records, for a second run of
+//! the body. Turned down: binomial checkpoints (Griewank & Walther 2000), which store log n states
+//! and run the body log n times: √n states of a loop with a million iterations are a thousand, and
+//! every further run costs as much as the adjoint itself.
+
+use std::collections::HashSet;
+
+use proc_macro2::{Ident, TokenStream};
+use quote::quote;
+
+use super::{Sides, Sweeper};
+use crate::ir::{Block, BlockId, Head, Loop, Statement, VarId};
+use crate::names;
+
+impl Sweeper<'_> {
+    pub(super) fn checkpointed_loop(&mut self, a_loop: &Loop) -> Sides {
+        let Head::For { pattern, defines, iterator, .. } = &a_loop.head else {
+            unreachable!("other loops have been refused");
+        };
+        let mut sides = Sides::default();
+        let mut body = self.block(&a_loop.body, None);
+        self.leave(&mut sides.reverse, &body.outer);
+        let primal = self.primal_block(&a_loop.body);
+        if body.reverse.is_empty() {
+            sides.forward.extend(quote!(for #pattern in #iterator { #primal }));
+            return sides;
+        }
+        let variables = defines.iter().map(|&var| self.vars[var].ident.clone());
+        body.defines.splice(0..0, variables);
+
+        let record = &a_loop.record;
+        let fresh = |sweeper: &mut Self, name: &str| sweeper.names.fresh(name, record.span());
+        let (items, length) = (fresh(self, "items"), fresh(self, "segment_length"));
+        let (count, checkpoints) = (fresh(self, "segment_count"), fresh(self, "checkpoints"));
+        let state = self.state(&a_loop.body, &body.forward);
+        let references = self.kept_references(&body.forward, &mut sides);
+        sides.forward.extend(quote! {
+            let mut #items = ::core::iter::IntoIterator::into_iter(#iterator);
+            let (#count, #length) = ::ad::rt::segments(&#items);
+            let mut #checkpoints = ::std::vec::Vec::with_capacity(#count);
+            for _ in 0..#count {
+                #checkpoints.push((#items.clone(), #(::core::clone::Clone::clone(&#state),)*));
+                for #pattern in #items.by_ref().take(#length) { #primal }
+            }
+        });
+        sides.defines.extend([length.clone(), checkpoints.clone()]);
+
+        let (forward, saved, reverse) = (&body.forward, body.saved(), &body.reverse);
+        sides.reverse.extend(quote! {
+            #references
+            for (#items, #(mut #state,)*) in #checkpoints.into_iter().rev() {
+                let mut #record = ::std::vec::Vec::with_capacity(#length);
+                for #pattern in #items.take(#length) { #forward #record.push(#saved); }
+                for #saved in #record.into_iter().rev() { #reverse }
+            }
+        });
+        sides
+    }
+
+    /// A block as the user wrote it, from which nothing is saved.
+    fn primal_block(&mut self, block: &Block) -> TokenStream {
+        let started = std::mem::take(&mut self.started);
+        let spaces = std::mem::take(&mut self.spaces);
+        let was_primal = std::mem::replace(&mut self.is_primal, true);
+        let written = self.block(block, None);
+        (self.started, self.spaces, self.is_primal) = (started, spaces, was_primal);
+        written.forward
+    }
+
+    /// The variables that an iteration may leave changed to the next, and those that something
+    /// later may change: in any case what the body names of the variables around it.
+    fn state(&self, body: &Block, forward: &TokenStream) -> Vec<Ident> {
+        let mut inner = HashSet::new();
+        blocks(body, &mut inner);
+        let mut named = HashSet::new();
+        names::collect(forward.clone(), &mut named);
+        let outer = self.vars.iter().filter(|var| var.mutable && !inner.contains(&var.block));
+        let state = outer.filter(|var| named.contains(&var.ident.to_string()));
+        state.map(|var| var.ident.clone()).collect()
+    }
+
+    /// Lets the pullback own what the body has by reference; returns the definitions for it.
+    fn kept_references(&mut self, forward: &TokenStream, sides: &mut Sides) -> TokenStream {
+        let mut named = HashSet::new();
+        names::collect(forward.clone(), &mut named);
+        let references: Vec<(VarId, syn::Type)> = self.references.to_vec();
+        let mut again = TokenStream::new();
+        for (var, ty) in references {
+            let ident = self.vars[var].ident.clone();
+            if !named.contains(&ident.to_string()) {
+                continue;
+            }
+            let kept = self.names.fresh(&format!("{ident}_kept"), ident.span());
+            sides.forward.extend(quote!(let #kept = ::std::borrow::ToOwned::to_owned(#ident);));
+            sides.defines.push(kept.clone());
+            again.extend(quote!(let #ident: &#ty = ::core::borrow::Borrow::borrow(&#kept);));
+        }
+        again
+    }
+}
+
+/// Collects a block and the blocks in it.
+fn blocks(block: &Block, into: &mut HashSet<BlockId>) {
+    into.insert(block.id);
+    for statement in &block.statements {
+        match statement {
+            Statement::Branch(branch) => {
+                branch.arms.iter().for_each(|arm| blocks(&arm.body, into));
+            }
+            Statement::Loop(a_loop) => blocks(&a_loop.body, into),
+            Statement::Build(build) => blocks(&build.body, into),
+            Statement::Define { .. }
+            | Statement::Plain { .. }
+            | Statement::Destructure { .. }
+            | Statement::Assign { .. }
+            | Statement::Update { .. } => {}
+        }
+    }
+}
