@@ -197,11 +197,13 @@
 //!     softplus(x) * cube_root(x)
 //! }
 //!
-//! assert!((f::grad(1.0) - 1.1688).abs() < 1e-4);
+//! fn main() {
+//!     assert!((f::grad(1.0) - 1.1688).abs() < 1e-4);
+//! }
 //! ```
 //!
 //! A rule for a function of references returns `impl FnOnce(..) -> .. + use<>`: its pullback holds
-//! copies. One for a method `m` of another crate's type is a method `m_vjp` of a trait of yours.
+//! copies. An imported function gets its rule in a module, not within a function. One for a method `m` of another crate's type is a method `m_vjp` of a trait of yours.
 //!
 //! # Options, results and enums
 //!

@@ -1,14 +1,11 @@
 //! Finds early exits: `return`, `?`, `break`, `continue`.
 
-use std::collections::HashSet;
-
 use proc_macro2::Ident;
-use quote::ToTokens;
 use syn::visit::{self, Visit};
 use syn::{Block, Expr, Label, Lifetime, Stmt, parse_quote};
 
 use super::macros::macro_diverges;
-use crate::names::{self, Names};
+use crate::names::Names;
 
 /// A jump, as the user wrote it.
 #[derive(Clone, PartialEq, Eq)]
@@ -88,13 +85,6 @@ pub fn may_change_variables(expr: &Expr) -> bool {
     let mut finder = Changes(false);
     finder.visit_expr(expr);
     finder.0
-}
-
-/// Whether a block uses a name.
-pub fn names(block: &Block, name: &str) -> bool {
-    let mut named = HashSet::new();
-    names::collect(block.to_token_stream(), &mut named);
-    named.contains(name)
 }
 
 /// Whether the operator is a compound assignment.

@@ -1,7 +1,9 @@
 //! Loops: a block, run again and again, whose end says whether to go on.
 
+use std::collections::HashSet;
+
 use proc_macro2::TokenStream;
-use quote::quote;
+use quote::{ToTokens, quote};
 use syn::visit::{self, Visit};
 use syn::{Expr, Label, Pat, parse_quote};
 
@@ -11,6 +13,7 @@ use super::exits::Exit;
 use super::item::Item;
 use super::{Lowerer, exits};
 use crate::ir::{Head, Loop, Operand, Statement};
+use crate::names;
 use crate::options::own_options;
 
 /// What a loop leaves behind: a chain of the targets where control goes next.
@@ -40,21 +43,8 @@ impl Lowerer<'_> {
                 let exits = exits::block_exits(&a_loop.body);
                 let driver = Driver::Chain(&chain, Some(&a_loop.pat));
                 let checkpoint = self.is_checkpointed(&a_loop.attrs);
-                if checkpoint && exits::names(&a_loop.body, "self") {
-                    self.refuse(
-                        expr,
-                        "a loop with checkpoints cannot use `self`: bind the parts that it needs to variables with `let` before",
-                    );
-                }
-                let exclusive = self.vars.iter().find(|var| {
-                    var.exclusive && exits::names(&a_loop.body, &var.ident.to_string())
-                });
-                if checkpoint && let Some(exclusive) = exclusive {
-                    let name = exclusive.ident.to_string();
-                    self.refuse(
-                        expr,
-                        format!("a loop with checkpoints cannot use `{name}`, which is a `&mut`: copy it to a variable before, and back after"),
-                    );
+                if checkpoint {
+                    self.refuse_borrowed_state(expr, &a_loop.body);
                 }
                 let result =
                     self.run(a_loop.label.as_ref(), &exits, &driver, &mut |lowerer, item, end| {
@@ -96,6 +86,26 @@ impl Lowerer<'_> {
                 self.run_block(a_loop.label.as_ref(), &a_loop.body, &Driver::Endless)
             }
             other => unreachable!("not a loop: {}", quote!(#other)),
+        }
+    }
+
+    /// Refuses, for a loop with checkpoints, what its body uses and the pullback cannot own.
+    fn refuse_borrowed_state(&mut self, a_loop: &Expr, body: &syn::Block) {
+        let mut named = HashSet::new();
+        names::collect(body.to_token_stream(), &mut named);
+        let in_scope = self.scopes.iter().flatten();
+        let exclusive = in_scope.filter(|(_, var)| self.vars[**var].exclusive);
+        let uses_exclusive = exclusive.into_iter().any(|(name, _)| named.contains(name));
+        if uses_exclusive {
+            self.refuse(
+                a_loop,
+                "a loop with checkpoints cannot use what is borrowed as `&mut`: work on a copy, and assign it after the loop",
+            );
+        } else if named.contains("self") {
+            self.refuse(
+                a_loop,
+                "a loop with checkpoints cannot use `self`: bind the parts that it needs to variables with `let` before",
+            );
         }
     }
 

@@ -4,8 +4,7 @@
 //! rectangle of slopes: a frustum. Boxes are tested against its four sides, and only what survives
 //! against the rays themselves, 16 at a time.
 
-use std::array;
-
+use bytemuck::cast;
 use glam::Vec3;
 use wide::{f32x4, f32x8, f32x16, u32x16};
 
@@ -189,10 +188,7 @@ impl Packet {
         if !coherent.all() {
             return None;
         }
-        let group_range = slope.map(|slope| {
-            let (lows, highs) = (greatest_of_each(slope.map(|s| -s)), greatest_of_each(slope));
-            array::from_fn(|g| [-lows[g], highs[g]])
-        });
+        let group_range = [ranges(&slope[0]), ranges(&slope[1])];
         let range = group_range.map(|groups: Rays<[f32; 2]>| {
             groups.into_iter().fold([f32::INFINITY, f32::NEG_INFINITY], |[low, high], group| {
                 [low.min(group[0]), high.max(group[1])]
@@ -333,24 +329,26 @@ fn mask(bits: u64) -> f32x16 {
 /// The greatest lane.
 #[inline]
 fn greatest(lanes: f32x16) -> f32 {
-    let [a, b, c, d] = quarter(lanes).to_array();
+    let [a, b]: [f32x4; 2] = cast(halve(lanes));
+    let [a, b, c, d] = a.fast_max(b).to_array();
     let max = |a: f32, b: f32| if a > b { a } else { b };
     max(max(a, b), max(c, d))
 }
 
-/// The greatest lane of each group.
+/// The least and the greatest lane of each group.
 #[inline]
-fn greatest_of_each(groups: Rays<f32x16>) -> Rays<f32> {
-    let [a, b, c, d] = f32x4::transpose(groups.map(quarter));
-    a.fast_max(b).fast_max(c.fast_max(d)).to_array()
+fn ranges(groups: &Rays<f32x16>) -> Rays<[f32; 2]> {
+    let [a, b, c, d] = *groups;
+    let columns = f32x8::transpose([-a, a, -b, b, -c, c, -d, d].map(halve));
+    let [e, f, g, h, i, j, k, l] = columns;
+    let all = e.fast_max(f).fast_max(g.fast_max(h)).fast_max(i.fast_max(j).fast_max(k.fast_max(l)));
+    let ranges: Rays<[f32; 2]> = cast(all);
+    ranges.map(|[low, high]| [-low, high])
 }
 
-/// The greatest of every four lanes that are four apart.
+/// The greater of each two lanes that are eight apart.
 #[inline]
-fn quarter(lanes: f32x16) -> f32x4 {
-    let [a0, a1, a2, a3, a4, a5, a6, a7, b0, b1, b2, b3, b4, b5, b6, b7] = lanes.to_array();
-    let eight = f32x8::new([a0, a1, a2, a3, a4, a5, a6, a7])
-        .fast_max(f32x8::new([b0, b1, b2, b3, b4, b5, b6, b7]));
-    let [a0, a1, a2, a3, b0, b1, b2, b3] = eight.to_array();
-    f32x4::new([a0, a1, a2, a3]).fast_max(f32x4::new([b0, b1, b2, b3]))
+fn halve(lanes: f32x16) -> f32x8 {
+    let [a, b]: [f32x8; 2] = cast(lanes);
+    a.fast_max(b)
 }

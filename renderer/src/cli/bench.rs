@@ -70,6 +70,9 @@ pub(super) fn run(arguments: &Arguments, arithmetic: Arithmetic) -> Result<(), E
     with_arithmetic!(arithmetic, S => Bench::<S>::new(scene, ids, load, limit).run())
 }
 
+/// So many repetitions are enough however short they are.
+const ENOUGH: usize = 10_000;
+
 /// What is measured.
 struct Bench<'a, L: Lanes> {
     scene: &'a Scene,
@@ -188,7 +191,7 @@ impl<'a, L: Lanes> Bench<'a, L> {
         measure(self);
         let start = Instant::now();
         let mut times = Vec::new();
-        while times.len() < 3 || start.elapsed() < self.limit {
+        while times.len() < 3 || (times.len() < ENOUGH && start.elapsed() < self.limit) {
             times.push(measure(self).as_secs_f64());
         }
         times.sort_by(f64::total_cmp);
