@@ -21,6 +21,7 @@ mod enums;
 mod exclusive;
 mod exits;
 mod flow;
+mod functions;
 mod iterators;
 mod jumps;
 mod macros;
