@@ -65,7 +65,7 @@ impl Chain {
     }
 
     /// Whether the body of the loop decides which items there are.
-    fn is_filtered(&self) -> bool {
+    pub fn is_filtered(&self) -> bool {
         match self {
             Self::Filter(..) | Self::TakeWhile(..) | Self::Count(..) => true,
             Self::Map(inner, _) | Self::Copied(inner) => inner.is_filtered(),
