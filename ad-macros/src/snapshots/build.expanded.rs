@@ -12,7 +12,7 @@ impl build {
         use ::ad::rt::methods::*;
         let xs_space = ::ad::rt::space(&xs);
         let y_space = ::ad::rt::space(&y);
-        let (value, tape): (_, _) = ::ad::rt::record_like(
+        let (value, tape) = ::ad::rt::record_like(
             &xs,
             |index: usize| {
                 let item = xs[index];
