@@ -35,12 +35,12 @@
 //! `continue` and `return` from anywhere, `?`, calls of differentiable functions and of the methods
 //! listed in [`rules`].
 //!
-//! Iterators: `iter`, `iter_mut`, `into_iter`, `windows`, `chunks` and `chunks_exact` of arrays, under
+//! Iterators: `iter`, `iter_mut`, `into_iter`, `windows`, `chunks` and `chunks_exact`, under
 //! `enumerate`, `zip`, `rev`, `skip`, `take`, `step_by`, `cycle`, `copied`, `map`, `filter` and
-//! `take_while`; in a `for` loop or used up by `sum`, `product`, `fold`, `for_each`, `min_by` or
-//! `max_by`; `array::from_fn`, `map` of arrays and options. Closures can be bound to a variable and
-//! called, and may change what they capture. Macros: `assert!` and its kin, `panic!`, `unreachable!`,
-//! `vec!`, `matches!`, `dbg!`.
+//! `take_while`; in a `for` loop or used up by `sum`, `product`, `fold`, `for_each`, `collect` into
+//! a `Vec`, `min_by` or `max_by`; `array::from_fn`, `map` of arrays and options. Closures can be
+//! bound to a variable and called, and may change what they capture. Macros: `assert!` and its kin,
+//! `panic!`, `unreachable!`, `vec!`, `matches!`, `dbg!`.
 //!
 //! The gradient by a slice or a `Vec` is a `Vec` of the same length. Reading or writing an element
 //! costs the reverse sweep a constant time, as it does the function. A call costs it the length of

@@ -20,7 +20,7 @@ mod iterate;
 
 pub use iterate::{
     build_like, chunks_exact, empty_product, empty_sum, held, record, record_like, segments,
-    windows,
+    windows, with_cotangents,
 };
 
 /// The traits whose methods generated code calls. They come without names, which could hide those

@@ -219,9 +219,10 @@ impl Lowerer<'_> {
         self.vars.len() - 1
     }
 
-    /// Makes a variable that has no definition in generated code: a name of the user's.
+    /// Makes a variable for a name of the user's that generated code never names.
     fn unwritten_var(&mut self, name: &Ident, mutable: bool, active: bool) -> VarId {
-        let [ident, cotangent, space, record] = std::array::from_fn(|_| name.clone());
+        let ident = self.names.fresh(&format!("{name}_alias"), name.span());
+        let [cotangent, space, record] = std::array::from_fn(|_| ident.clone());
         let block = self.open_blocks.last().expect("a block is open").0;
         self.vars.push(Var {
             ident,

@@ -16,6 +16,7 @@
 
 mod checkpoint;
 mod closures;
+mod collections;
 mod data;
 mod enums;
 mod exclusive;

@@ -4,7 +4,7 @@
 //! rectangle of slopes: a frustum. Boxes are tested against its four sides, and only what survives
 //! against the rays themselves, 16 at a time.
 
-use bytemuck::cast;
+use bytemuck::{Pod, bytes_of, cast, pod_read_unaligned};
 use glam::Vec3;
 use wide::{f32x4, f32x8, f32x16, u32x16};
 
@@ -118,7 +118,7 @@ impl PacketHits {
     #[inline]
     pub fn met(&self) -> u64 {
         let none = u32x16::splat(NO_PRIMITIVE);
-        bits(&load_ids(&self.primitive).map(|ids| f32x16::from_bits(ids.simd_ne(none))))
+        bits(&load(&self.primitive).map(|ids: u32x16| f32x16::from_bits(ids.simd_ne(none))))
     }
 
     pub(super) fn set(&mut self, ray: usize, hit: Hit) {
@@ -156,7 +156,8 @@ pub struct Packet {
 impl Packet {
     /// Prepares a packet of the active rays; nothing if no axis serves all of them.
     pub fn new(origin: Vec3, directions: &PacketVectors, active: u64, limit: f32) -> Option<Self> {
-        let groups = [load(&directions.x), load(&directions.y), load(&directions.z)];
+        let groups: [Rays<f32x16>; 3] =
+            [load(&directions.x), load(&directions.y), load(&directions.z)];
         let mut live = [f32x16::ZERO; GROUPS];
         for g in 0..GROUPS {
             let length = groups[0][g].abs() + groups[1][g].abs() + groups[2][g].abs();
@@ -280,26 +281,11 @@ impl Goal for Occlusion {
     }
 }
 
-/// By groups of lanes.
+/// By groups of lanes. The bytes are read as lanes in one go: an array that is moved first leaves the
+/// processor waiting for its parts.
 #[inline]
-fn load(values: &[f32; PACKET_RAYS]) -> Rays<f32x16> {
-    let (groups, _) = values.as_chunks::<LANES>();
-    let mut rays = [f32x16::ZERO; GROUPS];
-    for (rays, &group) in rays.iter_mut().zip(groups) {
-        *rays = f32x16::new(group);
-    }
-    rays
-}
-
-/// By groups of lanes.
-#[inline]
-pub fn load_ids(ids: &[u32; PACKET_RAYS]) -> Rays<u32x16> {
-    let (groups, _) = ids.as_chunks::<LANES>();
-    let mut rays = [u32x16::ZERO; GROUPS];
-    for (rays, &group) in rays.iter_mut().zip(groups) {
-        *rays = u32x16::new(group);
-    }
-    rays
+pub fn load<T: Pod, V: Pod>(values: &[T; PACKET_RAYS]) -> Rays<V> {
+    pod_read_unaligned(bytes_of(values))
 }
 
 /// A bit for each lane that is all ones.

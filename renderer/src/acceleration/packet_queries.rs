@@ -5,7 +5,7 @@ use wide::{f32x16, u32x16};
 
 use super::packet::{
     GROUPS, NO_PRIMITIVE, Nearest, Occlusion, PACKET_RAYS, Packet, PacketHits, PacketVectors, bits,
-    load_ids, rays,
+    load, rays,
 };
 use super::packet_triangles::test_leaf;
 use super::spheres::SphereLeaf;
@@ -25,13 +25,28 @@ impl Acceleration {
         active: u64,
     ) -> PacketHits {
         let mut hits = PacketHits::NONE;
+        self.nearest_packet_into(origin, directions, active, &mut hits);
+        hits
+    }
+
+    /// [`nearest_packet`](Self::nearest_packet), over hits that exist: moving them would take as long
+    /// as a node of the tree.
+    pub fn nearest_packet_into(
+        &self,
+        origin: Vec3,
+        directions: &PacketVectors,
+        active: u64,
+        hits: &mut PacketHits,
+    ) {
+        hits.leaves = 0;
         let Some(mut packet) = Packet::new(origin, directions, active, f32::INFINITY) else {
+            *hits = PacketHits::NONE;
             for ray in rays(active) {
                 if let Some(hit) = self.nearest(origin, directions.get(ray)) {
                     hits.set(ray, hit);
                 }
             }
-            return hits;
+            return;
         };
 
         let mut goal = Nearest { primitives: [u32x16::splat(NO_PRIMITIVE); GROUPS] };
@@ -53,7 +68,6 @@ impl Acceleration {
                 true
             });
         });
-        hits
     }
 
     /// Which rays with a common origin meet anything but one primitive each, `from`, before `limit`,
@@ -80,7 +94,7 @@ impl Acceleration {
             return rays(active).filter(occluded).fold(0, |bits, ray| bits | 1 << ray);
         };
 
-        let mut goal = Occlusion { from: load_ids(from), occluded: [f32x16::ZERO; GROUPS] };
+        let mut goal = Occlusion { from: load(from), occluded: [f32x16::ZERO; GROUPS] };
         self.triangles.visit_packet::<true>(&mut packet, |leaf, packet| {
             test_leaf(packet, leaf, &mut goal);
         });

@@ -226,7 +226,7 @@ impl<'a, L: Lanes, P: PixelLoss> Sweep<'a, L, P> {
             let to_ray = self.pull_surface(group, surface);
             if self.wanted.camera {
                 let (x, y) = group.film;
-                let (_, pullback) = primary_ray::vjp::<L>(self.prepared.frame.narrow(), x, y);
+                let (_, pullback) = primary_ray::vjp::<L>(self.prepared.frame, x, y);
                 to_frame.accumulate(pullback(to_ray).0);
             }
         }

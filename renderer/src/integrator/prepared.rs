@@ -22,7 +22,8 @@ pub struct Prepared<'a, L: Lanes> {
     pub(super) scene: &'a Scene,
     pub(super) parameters: Parameters,
     middle: DVec3,
-    pub(super) frame: Frame<f64>,
+    pub(super) pinhole: DVec3,
+    pub(super) frame: Frame<L>,
     pub(super) lights: Vec<Light<f64>>,
     pub(super) materials: Vec<Material<L::Element>>,
     pub(super) spheres: Vec<Sphere<L::Element>>,
@@ -66,7 +67,8 @@ impl<'a, L: Lanes> Prepared<'a, L> {
             scene,
             parameters: scene.parameters.clone(),
             middle,
-            frame: Frame::zero(),
+            pinhole: DVec3::ZERO,
+            frame: Frame::zero().narrow(),
             lights: Vec::new(),
             materials: Vec::new(),
             spheres: Vec::new(),
@@ -107,7 +109,8 @@ impl<'a, L: Lanes> Prepared<'a, L> {
         let mut camera = self.parameters.camera;
         camera.look_from -= self.middle;
         camera.look_at -= self.middle;
-        self.frame = frame::<f64>(camera, self.aspect());
+        self.pinhole = camera.look_from;
+        self.frame = frame::<f64>(camera, self.aspect()).narrow();
         self.lights = self
             .parameters
             .lights

@@ -7,7 +7,7 @@ use glam::DVec3;
 use super::prepared::Prepared;
 use super::shade::Shaded;
 use super::shadows::Lit;
-use super::tiles::{Tile, fill_strips, for_each_strip};
+use super::tiles::{TILE, Tile, fill_strips, for_each_strip};
 use super::view::{Group, View, set_vectors};
 use crate::acceleration::{PacketVectors, ray_at, rays};
 use crate::image::Image;
@@ -42,14 +42,24 @@ pub fn render_into<L: Lanes>(prepared: &Prepared<'_, L>, image: &mut Image) {
             visitor.visit(prepared, &tile, |group, radiance| {
                 set_vectors::<L>(&mut colors, group.first, group.alive, radiance);
             });
-            for (row, pixels) in rows.iter_mut().enumerate() {
-                let pixels = &mut pixels[strip.columns(&tile)];
-                for (column, pixel) in pixels.iter_mut().enumerate() {
-                    *pixel = colors.get(ray_at(column, row)).into();
-                }
+            let pixels = by_rows(&colors);
+            for (row, pixels) in rows.iter_mut().zip(&pixels) {
+                row[strip.columns(&tile)].copy_from_slice(&pixels[..tile.columns]);
             }
         }
     });
+}
+
+/// What rays bring, at the places of their pixels.
+#[inline]
+fn by_rows(colors: &PacketVectors) -> [[[f32; 3]; TILE]; TILE] {
+    let mut pixels = [[[0.0; 3]; TILE]; TILE];
+    for (row, pixels) in pixels.iter_mut().enumerate() {
+        for (column, pixel) in pixels.iter_mut().enumerate() {
+            *pixel = colors.get(ray_at(column, row)).into();
+        }
+    }
+    pixels
 }
 
 /// The loss of the image, in double precision from the radiance on.

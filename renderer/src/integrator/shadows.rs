@@ -51,7 +51,7 @@ impl<L: Lanes> Prepared<'_, L> {
     fn lit_from(&self, light: DVec3, view: &View<L>) -> Lit {
         let position = narrow::<L>(light);
         let mut directions = PacketVectors::ZERO;
-        let mut from = view.primitives;
+        let mut from = view.hits.primitive;
         let (mut facing, mut far) = (0, 0);
         for group in &view.groups {
             let to_light = position - group.surface.point;
@@ -115,7 +115,7 @@ impl<L: Lanes> Prepared<'_, L> {
                 let (direction, distance) = to_light(points[lane]);
                 // A ray that leaves a flat primitive cannot come back to it.
                 let from = match group.shape {
-                    Shape::Triangles => Some(view.primitives[ray]),
+                    Shape::Triangles => Some(view.hits.primitive[ray]),
                     Shape::Spheres(_) => None,
                 };
                 let (origin, direction) = (origin.as_vec3(), direction.as_vec3());

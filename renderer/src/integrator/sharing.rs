@@ -4,6 +4,7 @@ use std::array;
 
 use ad::lanes::Lanes;
 use ad::{Select, select};
+use bytemuck::{bytes_of, pod_read_unaligned};
 use wide::{f32x16, u32x16};
 
 use crate::precision::MOST_LANES;
@@ -18,10 +19,13 @@ pub(super) struct Sharing {
 }
 
 impl Sharing {
-    /// Sorts the lanes in `alive` by their indices.
+    /// Sorts the lanes in `alive` by their indices. What follows them is not looked at.
     #[inline]
     pub fn new(indices: &[u32], alive: u32) -> Self {
-        let indices = u32x16::new(array::from_fn(|lane| indices.get(lane).copied().unwrap_or(0)));
+        let indices: u32x16 = match indices.first_chunk::<MOST_LANES>() {
+            Some(indices) => pod_read_unaligned(bytes_of(indices)),
+            None => u32x16::new(array::from_fn(|lane| *indices.get(lane).unwrap_or(&0))),
+        };
         let mut sharing = Self { shares: [(0, 0); MOST_LANES], count: 0 };
         let mut rest = alive;
         while rest != 0 {

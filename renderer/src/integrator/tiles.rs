@@ -8,25 +8,25 @@ use crate::acceleration::{PACKET_RAYS, tile_position};
 use crate::image::Image;
 
 /// The edge of a tile in pixels: its rays make one packet.
-const TILE: u32 = 8;
+pub const TILE: usize = 8;
 
-/// How many tiles side by side make a strip, the unit of parallel work. Fixed, because the order of
+/// The width of a strip, the unit of parallel work, in pixels. Fixed, because the order of
 /// summation depends on it.
-const STRIP: u32 = 8;
+const STRIP: usize = 8 * TILE;
 
-const _: () = assert!((TILE * TILE) as usize == PACKET_RAYS);
+const _: () = assert!(TILE * TILE == PACKET_RAYS);
 
 /// 8 x 8 pixels, fewer at the right and the lower edge of the image.
 #[derive(Clone, Copy, Debug)]
 pub struct Tile {
     /// The first column.
-    pub left: u32,
+    pub left: usize,
     /// The first row.
-    pub top: u32,
+    pub top: usize,
     /// How many columns there are.
-    pub columns: u32,
+    pub columns: usize,
     /// How many rows there are.
-    pub rows: u32,
+    pub rows: usize,
 }
 
 impl Tile {
@@ -37,7 +37,7 @@ impl Tile {
         }
         let inside = |&ray: &usize| {
             let (column, row) = tile_position(ray);
-            column < self.columns as usize && row < self.rows as usize
+            column < self.columns && row < self.rows
         };
         (0..PACKET_RAYS).filter(inside).fold(0, |bits, ray| bits | 1 << ray)
     }
@@ -45,7 +45,7 @@ impl Tile {
     /// The column and the row of the pixel that a ray goes through.
     pub fn pixel(&self, ray: usize) -> (u32, u32) {
         let (column, row) = tile_position(ray);
-        (self.left + column as u32, self.top + row as u32)
+        ((self.left + column) as u32, (self.top + row) as u32)
     }
 }
 
@@ -57,7 +57,7 @@ impl Strip {
     /// Its tiles, from left to right.
     pub fn tiles(self) -> impl Iterator<Item = Tile> {
         let Self(Tile { left, columns, .. }) = self;
-        (0..columns).step_by(TILE as usize).map(move |offset| Tile {
+        (0..columns).step_by(TILE).map(move |offset| Tile {
             left: left + offset,
             columns: TILE.min(columns - offset),
             ..self.0
@@ -66,18 +66,19 @@ impl Strip {
 
     /// The columns of one of its tiles, counted from the left edge of the strip.
     pub fn columns(self, tile: &Tile) -> Range<usize> {
-        let first = (tile.left - self.0.left) as usize;
-        first..first + tile.columns as usize
+        let first = tile.left - self.0.left;
+        first..first + tile.columns
     }
 }
 
 /// The strips of an image, row by row.
 fn strips(width: u32, height: u32) -> Vec<Strip> {
-    let rows = (0..height).step_by(TILE as usize);
-    let columns = (0..width).step_by((STRIP * TILE) as usize);
+    let (width, height) = (width as usize, height as usize);
+    let rows = (0..height).step_by(TILE);
+    let columns = (0..width).step_by(STRIP);
     rows.flat_map(|top| columns.clone().map(move |left| (left, top)))
         .map(|(left, top)| {
-            let (columns, rows) = ((STRIP * TILE).min(width - left), TILE.min(height - top));
+            let (columns, rows) = (STRIP.min(width - left), TILE.min(height - top));
             Strip(Tile { left, top, columns, rows })
         })
         .collect()
@@ -104,13 +105,11 @@ pub fn fill_strips<W>(
     let width = image.width as usize;
     let strips = strips(image.width, image.height);
     let mut pixels = Vec::with_capacity(strips.len());
-    for band in image.pixels.chunks_mut(width * TILE as usize) {
+    for band in image.pixels.chunks_mut(width * TILE) {
         let first = pixels.len();
-        pixels.resize_with(first + width.div_ceil((STRIP * TILE) as usize), Vec::new);
+        pixels.resize_with(first + width.div_ceil(STRIP), Vec::new);
         for row in band.chunks_mut(width) {
-            for (rows, part) in
-                pixels[first..].iter_mut().zip(row.chunks_mut((STRIP * TILE) as usize))
-            {
+            for (rows, part) in pixels[first..].iter_mut().zip(row.chunks_mut(STRIP)) {
                 rows.push(part);
             }
         }

@@ -7,7 +7,7 @@ use ad::{Real, Vec3, select};
 use super::prepared::{Kind, Prepared};
 use super::sharing::Sharing;
 use super::tiles::Tile;
-use crate::acceleration::{NO_PRIMITIVE, PACKET_RAYS, PacketVectors, rays, tile_position};
+use crate::acceleration::{PACKET_RAYS, PacketHits, PacketVectors, rays, tile_position};
 use crate::kernels::camera::{Ray, film_point, primary_ray};
 use crate::kernels::material::Material;
 use crate::kernels::sphere::{Sphere, sphere_surface};
@@ -17,8 +17,8 @@ use crate::precision::{singles_of_lanes, splat, splat_vector};
 
 /// What the camera sees in a tile.
 pub(super) struct View<L: Lanes> {
-    /// By ray: the primitive that it meets first, or [`NO_PRIMITIVE`].
-    pub primitives: [u32; PACKET_RAYS],
+    /// What each ray meets first.
+    pub hits: PacketHits,
     /// A bit for each ray that meets nothing.
     pub missed: u64,
     /// The rays that meet something.
@@ -59,14 +59,13 @@ impl<L: Lanes> Group<L> {
 /// To be filled by [`Prepared::look`].
 impl<L: Lanes> Default for View<L> {
     fn default() -> Self {
-        Self { primitives: [NO_PRIMITIVE; PACKET_RAYS], missed: 0, groups: Vec::new() }
+        Self { hits: PacketHits::NONE, missed: 0, groups: Vec::new() }
     }
 }
 
 impl<L: Lanes> Prepared<'_, L> {
     /// Looks through the middle of every pixel of a tile.
     pub(super) fn look(&self, tile: &Tile, view: &mut View<L>) {
-        let frame = self.frame.narrow::<L>();
         let mut directions = PacketVectors::ZERO;
         for first in (0..PACKET_RAYS).step_by(L::COUNT) {
             let (x, y) = self.film(tile, first);
@@ -74,16 +73,16 @@ impl<L: Lanes> Prepared<'_, L> {
                 &mut directions,
                 first,
                 all_lanes::<L>(),
-                film_point::<L>(frame, x, y),
+                film_point::<L>(self.frame, x, y),
             );
         }
-        let origin = self.frame.origin.as_vec3();
+        let origin = self.pinhole.as_vec3();
         let wanted = tile.rays();
-        let hits = self.acceleration.nearest_packet(origin, &directions, wanted);
+        let hits = &mut view.hits;
+        self.acceleration.nearest_packet_into(origin, &directions, wanted, hits);
 
         let met = hits.met();
         view.missed = wanted & !met;
-        view.primitives = hits.primitive;
         view.groups.clear();
         let triangles = met & self.triangles_among(&hits.primitive);
         for first in (0..PACKET_RAYS).step_by(L::COUNT) {
@@ -93,9 +92,9 @@ impl<L: Lanes> Prepared<'_, L> {
                 if alive == 0 {
                     continue;
                 }
-                let primitives = Sharing::new(&hits.primitive[first..first + L::COUNT], alive);
+                let primitives = Sharing::new(&hits.primitive[first..], alive);
                 let film = repeated(self.film(tile, first), alive);
-                let ray = primary_ray::<L>(frame, film.0, film.1);
+                let ray = primary_ray::<L>(self.frame, film.0, film.1);
                 let shape = match kind {
                     Kind::Triangle => Shape::Triangles,
                     Kind::Sphere => Shape::Spheres(L::mask_from_bits(lanes(hits.leaves))),
@@ -161,8 +160,8 @@ impl<L: Lanes> Prepared<'_, L> {
     #[inline]
     fn film(&self, tile: &Tile, first: usize) -> (L, L) {
         // Whole numbers up to the multiplication, so exact.
-        let position = |offset: L, start: u32, size: u32| {
-            let start = 2.0 * f64::from(start) + 1.0 - f64::from(size);
+        let position = |offset: L, start: usize, size: u32| {
+            let start = 2.0 * start as f64 + 1.0 - f64::from(size);
             (offset + L::from_f64(start)) * L::from_f64(1.0 / f64::from(size))
         };
         let (x, y) = self.film_offsets[first / L::COUNT];
