@@ -270,7 +270,8 @@ impl Lowerer<'_> {
 
     fn parameter(&mut self, parameter: &Parameter) -> VarId {
         let exclusive = parameter.is_exclusive;
-        let var = self.var(parameter.ident.clone(), exclusive, !is_discrete(&parameter.ty));
+        let mutable = exclusive || parameter.is_mutable_receiver;
+        let var = self.var(parameter.ident.clone(), mutable, !is_discrete(&parameter.ty));
         self.vars[var].exclusive = exclusive;
         if parameter.is_shared {
             self.references.insert(var);
