@@ -46,6 +46,12 @@ pub fn is_discrete(ty: &Type) -> bool {
         if path.qself.is_none() && DISCRETE.iter().any(|name| path.path.is_ident(name)))
 }
 
+/// Whether the type is a box or a reference to one.
+pub fn is_box(ty: &Type) -> bool {
+    matches!(pointee(ty), Type::Path(path)
+        if path.path.segments.last().is_some_and(|last| last.ident == "Box"))
+}
+
 /// Whether the type is `&mut T`.
 fn is_exclusive(ty: &Type) -> bool {
     match ty {
