@@ -218,6 +218,15 @@ macro_rules! tuples {
             }
         }
 
+        impl<$($name),*> Parts for ($($name,)*) {
+            type Parts = ($(NoTangent<$name>,)*);
+
+            #[inline(always)]
+            fn parts() -> Self::Parts {
+                ($(NoTangent::<$name>::new(),)*)
+            }
+        }
+
         // The unit type is the shape of everything that has one size.
         tuples!(@shape $($name $shape $index),*);
 
@@ -238,7 +247,8 @@ macro_rules! tuples {
 
 #[allow(clippy::unused_unit)]
 mod tuples {
-    use super::{Additive, Differentiable, Shape, Tangent};
+    use super::{Additive, Differentiable, NoTangent, Shape, Tangent};
+    use crate::differentiable::Parts;
 
     tuples! {
         ()

@@ -107,7 +107,7 @@
 //! - A function that is called needs a derivative. If it has none, the compiler says that the
 //!   function *is not a crate or module*, or that there is no method `.._vjp`. Three ways out: put
 //!   `#[differentiable]` on it, write a [rule](#rules-written-by-hand) for it, or say that nothing
-//!   is to flow through it: [`stop_gradient`]`(f(stop_gradient(x)))`.
+//!   is to flow through it: [`no_diff`]`(|| f(x))`.
 //! - Integers, booleans and comparisons carry no derivative. A cast from a float to an integer would
 //!   cut one off, so it has to be said: `stop_gradient(x) as usize`.
 //! - A field that carries no derivative is marked `#[constant]`, and so is a type that carries none.
@@ -201,6 +201,8 @@
 //!     assert!((f::grad(1.0) - 1.1688).abs() < 1e-4);
 //! }
 //! ```
+//!
+//! One call of [`check::assert_rule`] holds a rule against finite differences.
 //!
 //! A rule for a function of references returns `impl FnOnce(..) -> .. + use<>`: its pullback holds
 //! copies. An imported function gets its rule in a module, not within a function. One for a method `m` of another crate's type is a method `m_vjp` of a trait of yours.
@@ -358,7 +360,8 @@
 //! # Checking a gradient
 //!
 //! [`check::gradient`] differentiates numerically, with step control, and shares no code with the
-//! rules.
+//! rules. [`check::assert_rule`] compares a pullback with it, of any function, and
+//! [`check::worst`] tells the component with the greatest error.
 
 extern crate self as ad;
 
@@ -378,7 +381,7 @@ pub use ad_macros::{Differentiable, differentiable};
 pub use differentiable::{Additive, Differentiable, NoDerivative, NoTangent, Shape, Tangent};
 pub use dual::Dual;
 pub use real::{Mask, Real, Scalar, Select};
-pub use rules::{select, stop_gradient};
+pub use rules::{no_diff, select, stop_gradient};
 
 /// The vector of three scalars `S`.
 pub type Vec3<S> = <S as Real>::Vec3;

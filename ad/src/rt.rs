@@ -8,6 +8,8 @@ use glam::{DVec2, DVec3, DVec4, Vec2, Vec3, Vec4};
 use crate::rules::{AddPullback, NegPullback, SubPullback};
 use crate::{Additive, Differentiable, NoDerivative, Shape, Tangent};
 
+pub use crate::differentiable::Parts;
+
 mod cotangent;
 mod pullback;
 

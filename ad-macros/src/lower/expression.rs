@@ -8,6 +8,7 @@ use syn::{BinOp, Expr, ExprBinary, ExprPath, Member, Path, PathArguments, Type, 
 use super::Lowerer;
 use super::array::is_from_fn;
 use super::ends::End;
+use super::no_diff::undifferentiated;
 use crate::ir::{Argument, BinaryOperator, Operand, Operation, Projection, Shape, Statement};
 
 impl Lowerer<'_> {
@@ -257,6 +258,9 @@ impl Lowerer<'_> {
             let expr = Expr::Call(call.clone());
             let tokens = self.plain(&expr);
             return self.settled(&expr, tokens);
+        }
+        if let Some(closure) = undifferentiated(call) {
+            return Operand::Constant(self.no_diff(&call.func, closure));
         }
         if is_from_fn(path) {
             return self.array_from_fn(call, path, hint);

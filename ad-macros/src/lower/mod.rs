@@ -6,7 +6,7 @@
 //! arrays by element; [`closure`] puts closures in place of their calls; [`expression`] names
 //! intermediate results; [`pattern`] and [`place`] tell which part of a value is meant;
 //! [`sequence`] makes vectors and boxes; [`macros`] knows the macros of the standard library;
-//! [`plain`] passes on code through which no derivative flows, with variables renamed.
+//! [`no_diff`] and [`plain`] pass on code through which no derivative flows, with variables renamed.
 
 mod array;
 mod chain;
@@ -20,6 +20,7 @@ mod flow;
 mod item;
 mod loops;
 mod macros;
+mod no_diff;
 mod pattern;
 mod place;
 mod plain;

@@ -10,6 +10,7 @@ use syn::{Expr, Macro, Pat, Type, parse_quote, parse_quote_spanned};
 
 use super::expression::is_type_name;
 use super::macros::{Matches, standard_macro};
+use super::no_diff::undifferentiated;
 use super::{Lowerer, exits};
 use crate::ir::{Operand, Operation};
 
@@ -65,8 +66,14 @@ impl Lowerer<'_> {
                 Some(var) => !self.vars[var].active,
                 None => true,
             },
-            Expr::Call(call) => matches!(&*call.func, Expr::Path(path)
-                if path.path.segments.last().is_some_and(|last| last.ident == "stop_gradient")),
+            Expr::Call(call) => {
+                undifferentiated(call).is_some()
+                    || matches!(&*call.func, Expr::Path(path) if path
+                        .path
+                        .segments
+                        .last()
+                        .is_some_and(|last| last.ident == "stop_gradient"))
+            }
             _ => false,
         }
     }
@@ -182,21 +189,15 @@ impl VisitMut for Plain<'_, '_> {
                     if self.lowerer.closures.contains_key(&var) {
                         self.lowerer.refuse(&*path, "bind the value of this closure to a variable with `let` before the condition or the index that uses it");
                     }
-                    *expr = match self.lowerer.aliases.get(&var).cloned() {
-                        Some(alias) => {
-                            let place = self.lowerer.place_tokens(&alias.place);
-                            (0..alias.depth).fold(
-                                parse_quote!(#place),
-                                |inner: Expr, _| parse_quote!((&#inner)),
-                            )
-                        }
-                        None => {
-                            let ident = self.lowerer.ident_at(var, path.span());
-                            parse_quote!(#ident)
-                        }
-                    };
+                    *expr = self.lowerer.value_of(var, path.span());
                 } else {
                     self.lowerer.check_capital(path);
+                }
+            }
+            Expr::Call(call) if undifferentiated(call).is_some() => {
+                if let Some(closure) = undifferentiated(call) {
+                    let value = self.lowerer.no_diff(&call.func, closure);
+                    *expr = parse_quote!(#value);
                 }
             }
             Expr::MethodCall(call) => {

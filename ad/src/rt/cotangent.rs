@@ -213,12 +213,18 @@ at_by_index! {
     [] DVec4, usize, f64;
 }
 
-/// What flows to a part of a `#[constant]` field is dropped too.
-impl<I: 'static, T: Index<I> + ?Sized> At<I> for NoTangent<T> {
-    type Part = NoTangent<T::Output>;
+macro_rules! at_constant {
+    ($($index:ty)*) => {$(
+        /// What flows to a part of a `#[constant]` field is dropped too.
+        impl<T: Index<$index> + ?Sized> At<$index> for NoTangent<T> {
+            type Part = NoTangent<T::Output>;
 
-    #[inline(always)]
-    fn at(&mut self, _: I) -> &mut NoTangent<T::Output> {
-        NoTangent::anywhere()
-    }
+            #[inline(always)]
+            fn at(&mut self, _: $index) -> &mut NoTangent<T::Output> {
+                NoTangent::anywhere()
+            }
+        }
+    )*};
 }
+
+at_constant!(usize Range<usize> RangeInclusive<usize>);

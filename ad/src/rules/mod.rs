@@ -44,7 +44,7 @@ mod sequence;
 mod vector;
 
 pub use cast::CastPullback;
-pub use choose::{select, stop_gradient};
+pub use choose::{no_diff, select, stop_gradient};
 pub use operators::{AddPullback, DivPullback, MulPullback, NegPullback, RemPullback, SubPullback};
 pub use scalar::{RealRules, ScalarRules};
 pub use sequence::{CloneRules, Elements, SequenceRules, VecRules};
