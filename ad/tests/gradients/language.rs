@@ -26,5 +26,6 @@ mod functions;
 mod iterators;
 mod jumps;
 mod macros;
+mod programs;
 mod slices;
 mod statements;
