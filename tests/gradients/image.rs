@@ -155,7 +155,7 @@ fn lanes_agree_with_single_numbers() {
 fn rays_are_counted() {
     let scene = small_scene(37);
     let prepared = Prepared::<f32x16>::new(&scene);
-    let pixels = 37 * 37;
+    let pixels = u64::from(scene.width * scene.height);
     assert_eq!(trace(&prepared, false), Rays { primary: pixels, shadow: 0 });
     let with_shadows = trace(&prepared, true);
     assert_eq!(with_shadows.primary, pixels);
