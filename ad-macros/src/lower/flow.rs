@@ -437,7 +437,7 @@ impl Lowerer<'_> {
                     let mut guard_tokens = None;
                     let body = self.block(|lowerer| {
                         (pattern, bindings) = lowerer.pattern(pat, matched_value);
-                        guard_tokens = guard.map(|guard| lowerer.plain(guard));
+                        guard_tokens = guard.map(|guard| lowerer.plain_in_place(guard));
                         lower_arm(lowerer, &arm.body)
                     });
                     Arm { pattern, guard: guard_tokens, bindings, body }

@@ -4,9 +4,9 @@
 use proc_macro2::TokenStream;
 use quote::{ToTokens, quote, quote_spanned};
 use syn::spanned::Spanned;
-use syn::visit::Visit;
+use syn::visit::{self, Visit};
 use syn::visit_mut::{self, VisitMut};
-use syn::{Expr, Macro, Pat, Type, parse_quote, parse_quote_spanned};
+use syn::{BinOp, Expr, Macro, Pat, Type, parse_quote, parse_quote_spanned};
 
 use super::expression::is_type_name;
 use super::macros::{Matches, standard_macro};
@@ -19,8 +19,31 @@ impl Lowerer<'_> {
     /// derivative (a condition, a comparison).
     pub(super) fn plain(&mut self, expr: &Expr) -> TokenStream {
         let mut expr = expr.clone();
-        Plain { lowerer: self }.visit_expr_mut(&mut expr);
+        Plain { lowerer: self, is_conditional: false }.visit_expr_mut(&mut expr);
         expr.to_token_stream()
+    }
+
+    /// The same for what is not evaluated here, once, whatever comes: nothing is put before it.
+    pub(super) fn plain_in_place(&mut self, expr: &Expr) -> TokenStream {
+        let mut expr = expr.clone();
+        Plain { lowerer: self, is_conditional: true }.visit_expr_mut(&mut expr);
+        expr.to_token_stream()
+    }
+
+    /// Whether a closure that has a name is called somewhere in an expression.
+    pub(super) fn calls_closure(&self, expr: &Expr) -> bool {
+        struct Finder<'l, 'a>(&'l Lowerer<'a>, bool);
+
+        impl<'ast> Visit<'ast> for Finder<'_, '_> {
+            fn visit_expr_call(&mut self, call: &'ast syn::ExprCall) {
+                self.1 |= self.0.named_closure(&call.func).is_some();
+                visit::visit_expr_call(self, call);
+            }
+        }
+
+        let mut finder = Finder(self, false);
+        finder.visit_expr(expr);
+        finder.1
     }
 
     /// As [`plain`](Self::plain), where the value is used: checked by its type to have no
@@ -124,6 +147,8 @@ impl<'ast> Visit<'ast> for MutableReader<'_, '_> {
 
 struct Plain<'l, 'a> {
     lowerer: &'l mut Lowerer<'a>,
+    /// Whether the part being visited may not be evaluated, or more than once.
+    is_conditional: bool,
 }
 
 impl Plain<'_, '_> {
@@ -144,10 +169,12 @@ impl Plain<'_, '_> {
         self.visit_expr_mut(&mut expr);
         self.lowerer.scopes.push(Default::default());
         self.rename_bound(&mut pat);
+        let was_conditional = std::mem::replace(&mut self.is_conditional, true);
         let guard = guard.map(|mut guard| {
             self.visit_expr_mut(&mut guard);
             quote!(if #guard)
         });
+        self.is_conditional = was_conditional;
         self.lowerer.scopes.pop();
         call.tokens = quote!(#expr, #pat #guard);
     }
@@ -231,7 +258,9 @@ impl VisitMut for Plain<'_, '_> {
                 for input in &mut closure.inputs {
                     self.rename_bound(input);
                 }
+                let was_conditional = std::mem::replace(&mut self.is_conditional, true);
                 self.visit_expr_mut(&mut closure.body);
+                self.is_conditional = was_conditional;
                 self.lowerer.scopes.pop();
             }
             Expr::Binary(binary) if exits::is_update(&binary.op) => {
@@ -239,6 +268,23 @@ impl VisitMut for Plain<'_, '_> {
                     &*expr,
                     "an assignment is not supported in a condition or an index: put it before",
                 );
+            }
+            Expr::Call(call) if self.lowerer.named_closure(&call.func).is_some() => {
+                if self.is_conditional {
+                    self.lowerer.refuse(
+                        &*call,
+                        "a closure is called here under a condition: bind its value to a variable with `let` before",
+                    );
+                    return;
+                }
+                let value = self.lowerer.operand(&Expr::Call(call.clone()), "value");
+                *expr = Expr::Verbatim(self.lowerer.tokens(&value));
+            }
+            Expr::Binary(binary) if matches!(binary.op, BinOp::And(_) | BinOp::Or(_)) => {
+                self.visit_expr_mut(&mut binary.left);
+                let was_conditional = std::mem::replace(&mut self.is_conditional, true);
+                self.visit_expr_mut(&mut binary.right);
+                self.is_conditional = was_conditional;
             }
             Expr::Macro(call) if standard_macro(&call.mac.path).as_deref() == Some("matches") => {
                 self.visit_matches(&mut call.mac);

@@ -37,6 +37,7 @@
 mod cast;
 mod choose;
 mod operators;
+mod outcome;
 #[doc(hidden)]
 pub mod replace;
 mod scalar;
@@ -46,6 +47,7 @@ mod vector;
 pub use cast::CastPullback;
 pub use choose::{no_diff, select, stop_gradient};
 pub use operators::{AddPullback, DivPullback, MulPullback, NegPullback, RemPullback, SubPullback};
+pub use outcome::{OptionRules, ResultRules};
 pub use scalar::{RealRules, ScalarRules};
 pub use sequence::{CloneRules, Elements, SequenceRules, VecRules};
 pub use vector::{DVec2Rules, DVec4Rules, Vec2Rules, Vec4Rules, Vector3Rules, VectorRules};

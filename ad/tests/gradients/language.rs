@@ -27,5 +27,6 @@ mod functions;
 mod iterators;
 mod jumps;
 mod macros;
+mod programs;
 mod slices;
 mod statements;
