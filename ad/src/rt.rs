@@ -13,7 +13,7 @@ pub use crate::differentiable::Parts;
 mod cotangent;
 mod pullback;
 
-pub use cotangent::{Absorb, At, Constant, Enter, Length, Same, Take, at, sum, take};
+pub use cotangent::{Absorb, At, Constant, Content, Enter, Length, Same, Take, at, sum, take};
 pub use pullback::MethodPullback;
 
 mod iterate;
