@@ -1,14 +1,16 @@
 //! From the user's syntax to [`ir`](crate::ir).
 //!
-//! [`desugar`] makes branches plainer; [`flow`] lowers statements and turns every early exit into
-//! the end of a block, whose meaning [`ends`] keeps; [`loops`] lowers loops, [`chain`], [`stage`]
-//! and [`item`] what they run over, [`consume`] what iterators are used up by; [`array`] builds
-//! arrays by element; [`closure`] puts closures in place of their calls; [`expression`] names
-//! intermediate results; [`pattern`] and [`place`] tell which part of a value is meant;
-//! [`sequence`] makes vectors and boxes; [`macros`] knows the macros of the standard library;
-//! [`no_diff`] and [`plain`] pass on code through which no derivative flows, with variables renamed.
+//! [`flow`] lowers statements and turns every early exit into the end of a block, whose meaning
+//! [`ends`] keeps; [`branch`] lowers branches, which [`desugar`] makes plainer; [`loops`] lowers
+//! loops, [`chain`], [`stage`] and [`item`] what they run over, [`consume`] what iterators are used
+//! up by; [`array`] builds arrays by element; [`closure`] puts closures in place of their calls;
+//! [`expression`] names intermediate results; [`pattern`] and [`place`] tell which part of a value
+//! is meant; [`sequence`] makes vectors and boxes; [`macros`] knows the macros of the standard
+//! library; [`no_diff`] and [`plain`] pass on code through which no derivative flows, with variables
+//! renamed.
 
 mod array;
+mod branch;
 mod chain;
 mod closure;
 mod consume;

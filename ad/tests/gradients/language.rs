@@ -27,6 +27,7 @@ mod functions;
 mod iterators;
 mod jumps;
 mod macros;
+mod mixtures;
 mod programs;
 mod slices;
 mod statements;
