@@ -46,7 +46,7 @@ pub fn derivative(
     errors.finish()?;
 
     let seed = names.fresh("result_bar", Span::call_site());
-    let sweeps = sweep::sweep(&lowered, &seed, &mut names);
+    let sweeps = sweep::sweep(&lowered, &parameters, &seed, &mut names);
     let sweep::Sweeps { forward, value, reverse, incoming, cotangents } = sweeps;
     let (result_tangent, gradient) = (tangent(&result), gradient(&parameters));
     let exclusive_tangents = exclusive_tangents(&parameters);

@@ -44,6 +44,17 @@ impl<T> Clone for Space<T> {
 impl<T> Copy for Space<T> {}
 
 impl<T: Additive> Space<T> {
+    /// The space of a variable that comes to be within a loop, which tells by
+    /// [`is_of`](Self::is_of).
+    #[inline(always)]
+    pub fn of_unknown() -> Self {
+        Self(PhantomData)
+    }
+
+    /// Says of what this is the space.
+    #[inline(always)]
+    pub fn is_of<V: Differentiable<Tangent = T> + ?Sized>(self, _value: &V) {}
+
     /// The zero of the space.
     #[inline(always)]
     pub fn zero(self) -> T {
@@ -86,6 +97,18 @@ impl<A, B> Clone for Linear<A, B> {
 }
 
 impl<A, B> Copy for Linear<A, B> {}
+
+impl<A, B> Linear<A, B> {
+    /// The types of operands within a loop, which tells by [`is_of`](Self::is_of).
+    #[inline(always)]
+    pub fn of_unknown() -> Self {
+        Self(PhantomData)
+    }
+
+    /// Says of what operands these are the types.
+    #[inline(always)]
+    pub fn is_of(self, _: &A, _: &B) {}
+}
 
 impl<A, B: Differentiable> Linear<A, B> {
     /// The pullback of `a + b`.
@@ -197,6 +220,12 @@ impl propagate {
 #[cold]
 pub fn never<T>() -> T {
     unreachable!("control does not come here")
+}
+
+/// A tape with room for what all iterations save.
+#[inline(always)]
+pub fn tape<T>(iterations: &impl Iterator) -> Vec<T> {
+    Vec::with_capacity(iterations.size_hint().0)
 }
 
 /// What the iterations of a loop saved, on the stack: for loops whose trip count is a literal.

@@ -7,9 +7,12 @@
 mod a_loop;
 mod build;
 mod checkpoint;
+mod cut;
+mod facts;
 mod operation;
+mod recompute;
 
-use std::collections::{BTreeSet, HashSet};
+use std::collections::{BTreeSet, HashMap, HashSet};
 
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
@@ -19,6 +22,8 @@ use crate::ir::{
 };
 use crate::lower::{Lowered, LoweredParameter};
 use crate::names::{self, Names};
+use crate::signature::Parameter;
+use facts::Facts;
 
 /// The sweeps of a function.
 pub struct Sweeps {
@@ -35,15 +40,25 @@ pub struct Sweeps {
 }
 
 /// Writes both sweeps; `seed` is the name of the cotangent of the result.
-pub fn sweep(lowered: &Lowered, seed: &Ident, names: &mut Names) -> Sweeps {
+pub fn sweep(
+    lowered: &Lowered,
+    parameters: &[Parameter],
+    seed: &Ident,
+    names: &mut Names,
+) -> Sweeps {
     let mut sweeper = Sweeper {
         vars: &lowered.vars,
         references: &lowered.references,
         is_primal: false,
+        facts: Facts::new(lowered, parameters),
         names,
         started: HashSet::new(),
         spaces: HashSet::new(),
         frames: Vec::new(),
+        loop_depth: 0,
+        top: TokenStream::new(),
+        kept_copies: HashMap::new(),
+        ranges: HashMap::new(),
     };
     let exclusive = lowered.parameters.iter().map(|parameter| parameter.var);
     let exclusive: Vec<_> = exclusive.filter(|&var| lowered.vars[var].exclusive).collect();
@@ -67,9 +82,9 @@ pub fn sweep(lowered: &Lowered, seed: &Ident, names: &mut Names) -> Sweeps {
         quote!(::ad::rt::fit(#shape, #cotangent))
     });
     let cotangents: Vec<_> = cotangents.collect();
-    let (forward, reverse) = (body.forward, body.reverse);
+    let (top, forward, reverse) = (&sweeper.top, body.forward, body.reverse);
     Sweeps {
-        forward: quote!(#(#spaces)* #shapes #forward),
+        forward: quote!(#top #(#spaces)* #shapes #forward),
         value: body.value,
         reverse,
         incoming: exclusive.iter().map(|&var| lowered.vars[var].cotangent.clone()).collect(),
@@ -107,12 +122,21 @@ struct Sweeper<'a> {
     references: &'a [(VarId, syn::Type)],
     /// Whether code is written from which nothing is saved.
     is_primal: bool,
+    facts: Facts<'a>,
     names: &'a mut Names,
     /// The variables whose cotangents have a value at this point of the reverse sweep.
     started: HashSet<VarId>,
     /// The variables whose spaces the reverse sweep names.
     spaces: HashSet<VarId>,
     frames: Vec<Frame>,
+    /// In how many loops the block being written lies.
+    loop_depth: usize,
+    /// Definitions that stand before all others: what loops do not change.
+    top: TokenStream,
+    /// The copies that the pullback keeps of arrays behind references.
+    kept_copies: HashMap<VarId, Ident>,
+    /// The names of the ranges of loops, by those of their tapes.
+    ranges: HashMap<String, Ident>,
 }
 
 /// A block being written.
@@ -120,6 +144,8 @@ struct Frame {
     block: BlockId,
     /// Variables of surrounding blocks whose cotangents the block changes.
     outer: BTreeSet<VarId>,
+    /// Variables that the statement being written or a later one assigns to.
+    assigned_later: HashSet<VarId>,
 }
 
 /// What has been written of a block.
@@ -133,11 +159,17 @@ struct Written {
 }
 
 impl Written {
-    /// The names that have to outlive the forward sweep of the block, as a tuple.
-    fn saved(&self) -> TokenStream {
+    /// The names that have to outlive the forward sweep of the block.
+    fn saved_names(&self) -> Vec<Ident> {
         let mut named = HashSet::new();
         names::collect_variables(self.reverse.clone(), &mut named);
         let saved = self.defines.iter().filter(|name| named.contains(&name.to_string()));
+        saved.cloned().collect()
+    }
+
+    /// The same as a tuple.
+    fn saved(&self) -> TokenStream {
+        let saved = self.saved_names();
         quote!((#(#saved,)*))
     }
 }
@@ -163,9 +195,15 @@ struct Sides {
     defines: Vec<Ident>,
 }
 
+impl Frame {
+    fn new(block: BlockId, outer: BTreeSet<VarId>) -> Self {
+        Self { block, outer, assigned_later: HashSet::new() }
+    }
+}
+
 impl Sweeper<'_> {
     fn block(&mut self, block: &Block, seed: Option<TokenStream>) -> Written {
-        self.frames.push(Frame { block: block.id, outer: BTreeSet::new() });
+        self.frames.push(Frame::new(block.id, BTreeSet::new()));
         let mut reverse = TokenStream::new();
         if let (Operand::Var(var), Some(seed)) = (&block.value, seed) {
             self.contribute(&mut reverse, *var, &[], seed);
@@ -173,19 +211,26 @@ impl Sweeper<'_> {
         let mut forward = Vec::new();
         let mut defines = Vec::new();
         for statement in block.statements.iter().rev() {
+            let mut assigned = HashSet::new();
+            self.facts.assigned(statement, &mut assigned);
+            self.frame().assigned_later.extend(assigned);
             let sides = self.statement(statement);
             forward.push(sides.forward);
             reverse.extend(sides.reverse);
             defines.push(sides.defines);
         }
-        let frame = self.frames.pop().expect("pushed above");
-        Written {
+        let mut written = Written {
             forward: forward.into_iter().rev().collect(),
             value: self.tokens(&block.value),
             reverse,
             defines: defines.into_iter().rev().flatten().collect(),
-            outer: frame.outer,
+            outer: BTreeSet::new(),
+        };
+        if self.loop_depth > 0 {
+            self.recompute(block, &mut written);
         }
+        written.outer = self.frames.pop().expect("pushed above").outer;
+        written
     }
 
     fn tokens(&self, operand: &Operand) -> TokenStream {
@@ -209,12 +254,26 @@ impl Sweeper<'_> {
     }
 
     /// Defines the space of a variable, if the reverse sweep names it.
-    fn space_definition(&self, var: VarId) -> TokenStream {
+    fn space_definition(&mut self, var: VarId) -> TokenStream {
         if !self.spaces.contains(&var) {
             return TokenStream::new();
         }
         let Var { ident, space, .. } = &self.vars[var];
-        quote!(let #space = ::ad::rt::space(&#ident);)
+        if self.loop_depth == 0 {
+            return quote!(let #space = ::ad::rt::space(&#ident););
+        }
+        self.top.extend(quote!(let #space = ::ad::rt::Space::of_unknown();));
+        quote!(#space.is_of(&#ident);)
+    }
+
+    /// The names under which the forward sweep knows a variable and its space. What tells types
+    /// alone stands outside of loops.
+    fn names_of(&self, var: VarId) -> Vec<Ident> {
+        let Var { ident, space, .. } = &self.vars[var];
+        match self.loop_depth {
+            0 => vec![ident.clone(), space.clone()],
+            _ => vec![ident.clone()],
+        }
     }
 
     /// Makes sure that the cotangent of `var` has a value; says whether the variable lives in this
@@ -350,7 +409,7 @@ impl Sweeper<'_> {
                 self.contribute(&mut sides.reverse, source.root, &path, quote!(#cotangent));
             }
             sides.forward.extend(self.space_definition(binding.var));
-            sides.defines.extend([var.ident.clone(), var.space.clone()]);
+            sides.defines.extend(self.names_of(binding.var));
         }
     }
 
@@ -458,8 +517,8 @@ impl Sweeper<'_> {
         });
         if let Some(result) = branch.result {
             sides.forward.extend(self.space_definition(result));
+            sides.defines.extend(self.names_of(result));
         }
-        sides.defines.extend(result.into_iter().flat_map(|v| [v.ident.clone(), v.space.clone()]));
 
         if records {
             sides.defines.push(record.clone());
@@ -475,7 +534,7 @@ impl Sweeper<'_> {
     fn arm(&mut self, arm: &Arm, source: Option<&Place>, seed: Option<&Ident>) -> Written {
         let mut written = self.block(&arm.body, seed.map(|seed| quote!(#seed)));
         // The bindings are the first thing the arm does, so the last on the way back.
-        self.frames.push(Frame { block: arm.body.id, outer: written.outer });
+        self.frames.push(Frame::new(arm.body.id, written.outer));
         let mut sides = Sides::default();
         self.bindings(&arm.bindings, source, &mut sides);
         written.outer = self.frames.pop().expect("pushed above").outer;

@@ -5,6 +5,8 @@
 //! equal, and the other ways to a gradient. Medians over interleaved repetitions, one thread. Dual
 //! numbers are measured in one direction and multiplied by the number of inputs.
 
+#![allow(clippy::needless_range_loop, reason = "the functions are written with indices throughout")]
+
 mod bundle_adjustment;
 mod gmm;
 mod lotka_volterra;
