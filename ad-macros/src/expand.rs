@@ -11,7 +11,7 @@ use crate::errors::Errors;
 use crate::lower;
 use crate::names::Names;
 use crate::signature::{self, Parameter, pointee};
-use crate::sweep;
+use crate::sweep::{self, tuple_or_one};
 
 /// Where the function stands.
 pub enum Place<'a> {
@@ -47,18 +47,16 @@ pub fn derivative(
 
     let seed = names.fresh("result_bar", Span::call_site());
     let sweeps = sweep::sweep(&lowered, &parameters, &seed, &mut names);
-    let sweep::Sweeps { forward, value, reverse, incoming, cotangents } = sweeps;
+    let sweep::Sweeps { forward, value, pullback, incoming } = sweeps;
     let (result_tangent, gradient) = (tangent(&result), gradient(&parameters));
     let exclusive_tangents = exclusive_tangents(&parameters);
-    let cotangents = tuple_or_one(&cotangents);
     let body = quote! {
         {
             #[allow(unused_imports)]
             use ::ad::rt::methods::*;
             #forward
             (#value, move |#seed: #result_tangent #(, mut #incoming: #exclusive_tangents)*| -> #gradient {
-                #reverse
-                #cotangents
+                #pullback
             })
         }
     };
@@ -103,13 +101,6 @@ fn gradient(parameters: &[Parameter]) -> TokenStream {
 fn exclusive_tangents(parameters: &[Parameter]) -> Vec<TokenStream> {
     let exclusive = parameters.iter().filter(|parameter| parameter.is_exclusive);
     exclusive.map(|parameter| tangent(&parameter.ty)).collect()
-}
-
-fn tuple_or_one(parts: &[TokenStream]) -> TokenStream {
-    match parts {
-        [part] => part.clone(),
-        parts => quote!((#(#parts),*)),
-    }
 }
 
 #[allow(clippy::too_many_arguments, reason = "they are the parts of one function")]

@@ -9,9 +9,11 @@ use crate::rules::{AddPullback, NegPullback, SubPullback};
 use crate::{Additive, Differentiable, NoDerivative, Shape, Tangent};
 
 mod cotangent;
+mod products;
 mod pullback;
 
 pub use cotangent::{Absorb, At, Constant, Enter, Length, Same, Take, at, sum, take};
+pub use products::{Products, ProductsOfFinite, rarely};
 pub use pullback::MethodPullback;
 
 mod iterate;

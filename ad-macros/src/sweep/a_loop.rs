@@ -51,7 +51,9 @@ impl Sweeper<'_> {
             .then(|| self.range(a_loop, &mut sides));
         let record = &a_loop.record;
         let push = tape.is_some().then(|| quote!(#record.push(#saved);));
+        let tests = self.tests_after(a_loop);
         sides.forward.extend(self.iterations(a_loop, &body, push, range.as_ref()));
+        sides.forward.extend(tests);
         if let Some(result) = a_loop.result {
             sides.forward.extend(self.space_definition(result));
             sides.defines.extend(self.names_of(result));

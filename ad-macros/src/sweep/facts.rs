@@ -3,9 +3,12 @@
 use std::collections::{HashMap, HashSet};
 
 use proc_macro2::{Delimiter, Ident, TokenStream, TokenTree};
+use quote::ToTokens;
 use syn::Type;
 
-use crate::ir::{Argument, Block, Head, Operand, Operation, Projection, Statement, Var, VarId};
+use crate::ir::{
+    Argument, Block, Head, Operand, Operation, Place, Projection, Statement, Var, VarId,
+};
 use crate::lower::{Lowered, LoweredParameter};
 use crate::signature::{Parameter, is_discrete};
 
@@ -233,8 +236,30 @@ impl<'a> Facts<'a> {
         uses
     }
 
+    /// The operation that defines a variable.
+    pub fn operation(&self, var: VarId) -> Option<&'a Operation> {
+        self.operations.get(&var).copied()
+    }
+
+    /// Equal for places that are the same as long as nothing is assigned: an index stands for what
+    /// it was computed from.
+    pub fn key(&self, place: &Place) -> (VarId, String) {
+        let step = |step: &Projection| match step {
+            Projection::Field(member) => format!(".{}", member.to_token_stream()),
+            Projection::Deref => "*".to_owned(),
+            Projection::Index(index) => {
+                let mut index = index.clone();
+                while let Some(origin) = self.immutable_origin(&index) {
+                    index = origin;
+                }
+                format!("[{index}]")
+            }
+        };
+        (place.root, place.path.iter().map(step).collect())
+    }
+
     /// What the variable that an index consists of was computed from, if that never changes.
-    pub fn immutable_origin(&self, index: &TokenStream) -> Option<TokenStream> {
+    fn immutable_origin(&self, index: &TokenStream) -> Option<TokenStream> {
         let name: Ident = syn::parse2(index.clone()).ok()?;
         match self.operations.get(&self.named(&name)?)? {
             Operation::Use(Operand::Constant(tokens))

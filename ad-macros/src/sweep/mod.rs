@@ -10,6 +10,7 @@ mod checkpoint;
 mod cut;
 mod facts;
 mod operation;
+mod products;
 mod recompute;
 
 use std::collections::{BTreeSet, HashMap, HashSet};
@@ -24,6 +25,7 @@ use crate::lower::{Lowered, LoweredParameter};
 use crate::names::{self, Names};
 use crate::signature::Parameter;
 use facts::Facts;
+use products::Products;
 
 /// The sweeps of a function.
 pub struct Sweeps {
@@ -31,12 +33,10 @@ pub struct Sweeps {
     pub forward: TokenStream,
     /// The value of the function.
     pub value: TokenStream,
-    /// The statements of the reverse sweep.
-    pub reverse: TokenStream,
+    /// The body of the pullback: the reverse sweep, and the cotangents of the parameters.
+    pub pullback: TokenStream,
     /// The names of the cotangents that come in for `&mut` parameters.
     pub incoming: Vec<Ident>,
-    /// The cotangent of each parameter.
-    pub cotangents: Vec<TokenStream>,
 }
 
 /// Writes both sweeps; `seed` is the name of the cotangent of the result.
@@ -46,11 +46,13 @@ pub fn sweep(
     seed: &Ident,
     names: &mut Names,
 ) -> Sweeps {
+    let facts = Facts::new(lowered, parameters);
     let mut sweeper = Sweeper {
         vars: &lowered.vars,
         references: &lowered.references,
         is_primal: false,
-        facts: Facts::new(lowered, parameters),
+        products: Products::new(lowered, &facts, names),
+        facts,
         names,
         started: HashSet::new(),
         spaces: HashSet::new(),
@@ -81,14 +83,24 @@ pub fn sweep(
         shapes.extend(quote!(let #shape = ::ad::rt::shape(&#ident);));
         quote!(::ad::rt::fit(#shape, #cotangent))
     });
-    let cotangents: Vec<_> = cotangents.collect();
-    let (top, forward, reverse) = (&sweeper.top, body.forward, body.reverse);
+    let cotangents = tuple_or_one(&cotangents.collect::<Vec<_>>());
+    let pullback = sweeper.choose_products(body.reverse, cotangents);
+    let regular = sweeper.products.as_ref().map(|products| &products.regular);
+    let regular = regular.map(|regular| quote!(let mut #regular = true;));
+    let (top, forward) = (&sweeper.top, body.forward);
     Sweeps {
-        forward: quote!(#top #(#spaces)* #shapes #forward),
+        forward: quote!(#regular #top #(#spaces)* #shapes #forward),
         value: body.value,
-        reverse,
+        pullback,
         incoming: exclusive.iter().map(|&var| lowered.vars[var].cotangent.clone()).collect(),
-        cotangents,
+    }
+}
+
+/// The cotangents of one parameter or of several.
+pub fn tuple_or_one(parts: &[TokenStream]) -> TokenStream {
+    match parts {
+        [part] => part.clone(),
+        parts => quote!((#(#parts),*)),
     }
 }
 
@@ -123,6 +135,8 @@ struct Sweeper<'a> {
     /// Whether code is written from which nothing is saved.
     is_primal: bool,
     facts: Facts<'a>,
+    /// Where products have plain pullbacks if their factors are finite.
+    products: Option<Products>,
     names: &'a mut Names,
     /// The variables whose cotangents have a value at this point of the reverse sweep.
     started: HashSet<VarId>,

@@ -4,6 +4,7 @@ use proc_macro2::{Ident, TokenStream};
 use quote::{quote, quote_spanned};
 use syn::{Member, Type};
 
+use super::products::Products;
 use super::{Sides, Sweeper, Target, cotangent_of, project};
 use crate::ir::{
     Argument, BinaryOperator, Operand, Operation, Place, Projection, Shape, Var, VarId,
@@ -49,12 +50,12 @@ impl Sweeper<'_> {
                 quote!(let #mutability #ident #ty = #value; #types)
             }
         };
-        let space_definition = self.space_definition(var);
+        let (space_definition, test) = (self.space_definition(var), self.test(var));
         let mut defines = self.names_of(var);
         if self.loop_depth == 0 || matches!(operation, Operation::Call { .. }) {
             defines.push(record.clone());
         }
-        Sides { forward: quote!(#forward #space_definition), reverse, defines }
+        Sides { forward: quote!(#forward #space_definition #test), reverse, defines }
     }
 
     /// Whether the operation is a constant that is the same in every iteration.
@@ -182,9 +183,15 @@ impl Sweeper<'_> {
                 self.contribute(reverse, *value, &[], pulled);
             }
             Operation::Binary(operator, left, right) => {
-                let pulled =
-                    self.binary_pullback(*operator, record, [*left, *right], cotangent, span);
-                let targets = [*left, *right].map(|root| Some(Target::whole(root)));
+                let operands = [*left, *right];
+                let pulled = match (operator, &self.products) {
+                    (BinaryOperator::Mul, Some(Products { rules, .. })) => {
+                        let [left, right] = operands.map(|operand| self.ident(operand));
+                        quote_spanned!(span=> #rules.mul_pullback(#left, #right, #cotangent))
+                    }
+                    _ => self.binary_pullback(*operator, record, operands, cotangent, span),
+                };
+                let targets = operands.map(|root| Some(Target::whole(root)));
                 self.contribute_all(reverse, &targets, pulled, false);
             }
             Operation::Cast(value, ty) => {

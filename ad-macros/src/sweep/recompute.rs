@@ -19,7 +19,7 @@
 use std::collections::{HashMap, HashSet};
 
 use proc_macro2::{Ident, TokenStream, TokenTree};
-use quote::{ToTokens, quote};
+use quote::quote;
 
 use super::cut::Graph;
 use super::facts::is_element;
@@ -150,29 +150,13 @@ impl Sweeper<'_> {
         operation: &Operation,
     ) -> Option<Ident> {
         let Operation::Read(place) = operation else { return None };
-        let path: String = place.path.iter().map(|step| self.key(step)).collect();
-        match reads.entry((place.root, path)) {
+        match reads.entry(self.facts.key(place)) {
             std::collections::hash_map::Entry::Occupied(earlier) => {
                 Some(self.vars[*earlier.get()].ident.clone())
             }
             std::collections::hash_map::Entry::Vacant(vacant) => {
                 vacant.insert(var);
                 None
-            }
-        }
-    }
-
-    /// What tells steps to different parts apart: for an index what it was computed from.
-    fn key(&self, step: &Projection) -> String {
-        match step {
-            Projection::Field(member) => format!(".{}", member.to_token_stream()),
-            Projection::Deref => "*".to_owned(),
-            Projection::Index(index) => {
-                let mut index = index.clone();
-                while let Some(origin) = self.facts.immutable_origin(&index) {
-                    index = origin;
-                }
-                format!("[{index}]")
             }
         }
     }
@@ -270,23 +254,29 @@ impl Sweeper<'_> {
 
     /// Names the copies of arrays behind references.
     fn with_kept_copies(&mut self, code: TokenStream) -> TokenStream {
-        code.into_iter()
-            .map(|token| match token {
+        let mut after_dot = false;
+        let mut renamed = Vec::new();
+        for token in code {
+            let is_dot = matches!(&token, TokenTree::Punct(punct) if punct.as_char() == '.');
+            renamed.push(match token {
                 TokenTree::Group(group) => {
                     let inner = self.with_kept_copies(group.stream());
                     let mut renamed = proc_macro2::Group::new(group.delimiter(), inner);
                     renamed.set_span(group.span());
                     TokenTree::Group(renamed)
                 }
-                TokenTree::Ident(name) => match self.facts.named(&name) {
+                TokenTree::Ident(name) if !after_dot => match self.facts.named(&name) {
                     Some(var) if self.facts.array(var) == Some(true) => {
                         TokenTree::Ident(self.kept_copy(var))
                     }
                     _ => TokenTree::Ident(name),
                 },
                 other => other,
-            })
-            .collect()
+            });
+            // `a.b` names a part of `a`, `a..b` names `b`.
+            after_dot = is_dot && !after_dot;
+        }
+        renamed.into_iter().collect()
     }
 
     /// The copy that the pullback keeps of an array that the function has by reference.

@@ -320,3 +320,79 @@ fn select_keeps_the_other_arm_out() {
         }
     }
 }
+
+/// Enough products that the reverse sweep is written for finite factors too.
+#[differentiable]
+fn overflowing(x: f64, y: f64) -> f64 {
+    // Infinite at x = 0, and for large x; neither reaches the value.
+    let quotient = y / x;
+    let scaled = quotient * y * x + quotient * quotient * y;
+    let grown = x * x * x * x * y * y;
+    let squashed = 1.0 / (1.0 + grown * grown);
+    let mut sum = select(x == 0.0, y * y, scaled * x * y);
+    for i in 0..3 {
+        let unused = grown * grown * y * i as f64;
+        if x < 1.0 && x > -1.0 {
+            sum += unused * x * y;
+        }
+    }
+    sum + squashed * y
+}
+
+/// The product of no iteration but the last overflows, and nothing reads it.
+#[differentiable]
+fn overflowing_at_the_end(x: f64, y: f64) -> f64 {
+    let mut states = [x; 6];
+    let mut read = 0.0;
+    for i in 0..5 {
+        read += states[i] * y * x + x * x * y;
+        states[i + 1] = states[i] * states[i] * y * x;
+    }
+    read
+}
+
+/// A variable is read, overwritten, and assigned what was read before.
+#[differentiable]
+#[allow(unused_assignments)]
+fn stale_sum(x: f64, y: f64) -> f64 {
+    let mut sum = y;
+    for i in 0..3 {
+        let before = sum;
+        sum = before + x * x * x * y * y * i as f64;
+        sum = before + x * y * 0.5 + y * y * x * 0.25 + x * x * y * 0.125;
+    }
+    sum
+}
+
+/// Zero cotangents annihilate infinite factors of inlined products.
+#[test]
+fn products_that_are_not_finite() {
+    let slope = |f: fn(f64, f64) -> f64, x: f64, y: f64| {
+        let along_x = ad::check::derivative(|x| f(x, y), x, 1e-3 * x.abs());
+        let along_y = ad::check::derivative(|y| f(x, y), y, 1e-3 * y.abs());
+        [along_x.value, along_y.value]
+    };
+    for (x, y) in [(0.5, 0.7), (-2.0, 1.5), (3.0, -0.5)] {
+        let (by_x, by_y) = overflowing::grad(x, y);
+        let expected = slope(overflowing, x, y);
+        crate::oracle::assert_close("overflowing", by_x, expected[0], 1e-7);
+        crate::oracle::assert_close("overflowing", by_y, expected[1], 1e-7);
+    }
+    assert_eq!(overflowing::grad(0.0, 3.0), (0.0, 7.0));
+    for x in [1e80, -1e100] {
+        let (by_x, by_y) = overflowing::grad(x, 1.0);
+        assert!(by_x.is_finite() && by_y.is_finite(), "{by_x} {by_y}");
+    }
+
+    // The last state would be 1e378.
+    let (by_x, by_y) = overflowing_at_the_end::grad(1e6, 1.0);
+    assert!(by_x.is_finite() && by_y.is_finite(), "{by_x} {by_y}");
+
+    let (x, y) = (1e70, 1e60);
+    let (by_x, by_y) = stale_sum::grad(x, y);
+    let (small_x, small_y) = stale_sum::grad(1e10, 1e-3);
+    assert!(by_x.is_finite() && by_y.is_finite(), "{by_x} {by_y}");
+    let expected = slope(stale_sum, 1e10, 1e-3);
+    assert!((small_x / expected[0] - 1.0).abs() < 1e-6, "{small_x} is not {}", expected[0]);
+    assert!((small_y / expected[1] - 1.0).abs() < 1e-6, "{small_y} is not {}", expected[1]);
+}
