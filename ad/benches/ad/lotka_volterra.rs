@@ -3,12 +3,13 @@
 
 use ad::{Real, differentiable};
 
+use crate::peers::Peers;
 use crate::problem::Problem;
 
 pub const STEPS: usize = 1000;
 
 /// The length of a step.
-const H: f64 = 0.01;
+pub const H: f64 = 0.01;
 
 #[differentiable]
 pub fn simulate<S: Real>(p: [S; 6]) -> S {
@@ -107,5 +108,9 @@ impl Problem for LotkaVolterra {
 
     fn by_hand(&self, x: &[f64], jacobian: &mut [f64]) {
         jacobian.copy_from_slice(&adjoint(*x.first_chunk().expect("6 numbers")));
+    }
+
+    fn peers(&self) -> Option<&dyn Peers> {
+        Some(self)
     }
 }

@@ -2,7 +2,7 @@
 //!
 //! `cargo bench -p ad --bench ad [-- NAME ..]` prints a line for each function whose name contains
 //! one of the arguments: the generated adjoint and a good one by hand, which are checked to be
-//! equal, and the other ways to a gradient. Medians over interleaved repetitions, one thread. Dual
+//! equal, and the other ways to a gradient; for two functions also the crates `reverse` and `num-dual`. Medians over interleaved repetitions, one thread. Dual
 //! numbers are measured in one direction and multiplied by the number of inputs.
 
 #![allow(clippy::needless_range_loop, reason = "the functions are written with indices throughout")]
@@ -11,6 +11,7 @@ mod bundle_adjustment;
 mod gmm;
 mod lotka_volterra;
 mod lstm;
+mod peers;
 mod problem;
 mod random;
 mod rosenbrock;

@@ -2,6 +2,7 @@
 
 use ad::{Real, differentiable};
 
+use crate::peers::Peers;
 use crate::problem::Problem;
 use crate::random::Random;
 
@@ -51,5 +52,9 @@ impl Problem for Rosenbrock {
 
     fn by_hand(&self, x: &[f64], jacobian: &mut [f64]) {
         jacobian.copy_from_slice(&adjoint(x.first_chunk().expect("N numbers")));
+    }
+
+    fn peers(&self) -> Option<&dyn Peers> {
+        Some(self)
     }
 }

@@ -5,6 +5,7 @@ use core::ops::{Add, Div, Mul, Neg, Rem, Sub};
 use glam::{DVec2, DVec3, DVec4, Vec2, Vec3, Vec4};
 
 use super::{scale, scale_elements};
+use crate::tape::Var;
 use crate::vector::{Vector, Xyz};
 use crate::{Differentiable, Dual, Real, Tangent};
 
@@ -115,6 +116,7 @@ linear_operators!(
     [] f32,
     [] f64,
     [S: Real] Dual<S>,
+    [] Var,
     [] Vec2,
     [] Vec3,
     [] Vec4,
@@ -165,7 +167,7 @@ macro_rules! scalar_operators {
 #[cfg(feature = "lanes")]
 scalar_operators!([] wide::f32x8, [] wide::f32x16, [] wide::f64x8);
 
-scalar_operators!([] f32, [] f64, [S: Real] Dual<S>);
+scalar_operators!([] f32, [] f64, [S: Real] Dual<S>, [] Var);
 
 macro_rules! remainder {
     ($($type:ty),*) => {$(

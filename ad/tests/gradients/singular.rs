@@ -19,6 +19,8 @@ macro_rules! assert_slope {
         let single = (x as f32).$vjp().1(1.0);
         assert_eq!(single, expected as f32, "{} at {x}", stringify!($vjp));
         assert_eq!(dual(Real::$method, x), expected, "dual {} at {x}", stringify!($method));
+        let (_, taped) = ad::tape::gradient(|v| Real::$method(v[0]), &[x]);
+        assert_eq!(taped[0], expected, "tape {} at {x}", stringify!($method));
     };
 }
 
@@ -49,6 +51,8 @@ fn quotients() {
                 dual(|x| Dual::constant(numerator) / x, zero),
             );
             assert_eq!((by_numerator, by_denominator), (0.0, 0.0));
+            let (_, taped) = ad::tape::gradient(|v| v[0] / v[1], &[numerator, zero]);
+            assert_eq!(taped, [0.0, 0.0]);
         }
     }
     let v = DVec3::new(1.0, 0.0, -2.0);
@@ -64,6 +68,8 @@ fn angles_at_the_origin() {
     for (y, x) in [(0.0, 0.0), (-0.0, 0.0), (0.0, -0.0), (-0.0, -0.0)] {
         assert_eq!(y.atan2_vjp(x).1(1.0), (0.0, 0.0));
         assert_eq!(Dual::new(y, 1.0).atan2(Dual::new(x, 1.0)).derivative, 0.0);
+        let (_, taped) = ad::tape::gradient(|v| v[0].atan2(v[1]), &[y, x]);
+        assert_eq!(taped, [0.0, 0.0]);
     }
 }
 
@@ -83,10 +89,14 @@ fn powers() {
         assert_eq!(base.powf_vjp(exponent).1(1.0), (to_base, to_exponent), "{at}");
         assert_eq!(dual(|x| x.powf(Dual::constant(exponent)), base), to_base, "{at}");
         assert_eq!(dual(|y| Dual::constant(base).powf(y), exponent), to_exponent, "{at}");
+        let (_, taped) = ad::tape::gradient(|v| v[0].powf(v[1]), &[base, exponent]);
+        assert_eq!(taped, [to_base, to_exponent], "{at}");
     }
     for (exponent, expected) in [(1, 1.0), (0, 0.0), (2, 0.0), (-1, 0.0), (i32::MIN, 0.0)] {
         assert_eq!(0.0.powi_vjp(exponent).1(1.0).0, expected, "0 to the {exponent}");
         assert_eq!(dual(|x| x.powi(exponent), 0.0), expected, "0 to the {exponent}");
+        let (_, taped) = ad::tape::gradient(|v| v[0].powi(exponent), &[0.0]);
+        assert_eq!(taped[0], expected, "0 to the {exponent}");
     }
 }
 
