@@ -10,18 +10,20 @@ impl dot {
     ) {
         #[allow(unused_imports)]
         use ::ad::rt::methods::*;
+        let partial_pullback = ::ad::rt::Linear::of_unknown();
+        let xs_kept = *xs;
+        let ys_kept = *ys;
         let xs_space = ::ad::rt::space(&xs);
         let ys_space = ::ad::rt::space(&ys);
         let mut total = ::ad::rt::empty_sum();
-        let mut tape = ::ad::rt::ArrayTape::<_, 8usize>::new();
-        for index in 0..xs.len().min(ys.len()) {
+        let range = 0..xs.len().min(ys.len());
+        for index in range.clone() {
             let x = xs[index];
             let y = ys[index];
             let product = x * y;
             let partial = total;
             total += product;
-            let partial_pullback = ::ad::rt::linear(&partial, &product);
-            tape.push((index, x, y, partial_pullback));
+            partial_pullback.is_of(&partial, &product);
         }
         let total_1 = total;
         (
@@ -33,7 +35,9 @@ impl dot {
                 let mut total_bar = total_1_bar;
                 let mut xs_bar = xs_space.zero();
                 let mut ys_bar = ys_space.zero();
-                for (index, x, y, partial_pullback) in tape.into_iter().rev() {
+                for index in range.clone().rev() {
+                    let x = xs_kept[index];
+                    let y = ys_kept[index];
                     let (total_part, product_part) = partial_pullback
                         .pull_back_sum(::ad::rt::take(&mut total_bar));
                     ::ad::rt::Absorb::absorb(&mut total_bar, total_part);
