@@ -47,8 +47,8 @@ impl dot {
                         y,
                         product_bar,
                     );
-                    ::ad::rt::Absorb::absorb(&mut ys_bar[index], y_bar);
-                    ::ad::rt::Absorb::absorb(&mut xs_bar[index], x_bar);
+                    ::ad::rt::Absorb::absorb(::ad::rt::at(&mut ys_bar, index), y_bar);
+                    ::ad::rt::Absorb::absorb(::ad::rt::at(&mut xs_bar, index), x_bar);
                 }
                 (xs_bar, ys_bar)
             },

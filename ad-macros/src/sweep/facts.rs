@@ -130,7 +130,7 @@ impl<'a> Facts<'a> {
                     TokenTree::Punct(punct) => punct.as_char() == ':',
                     _ => false,
                 };
-                !tokens.clone().into_iter().all(is_path) && self.is_cheap(tokens)
+                !tokens.clone().into_iter().all(is_path) && self.is_cheap_before(tokens, var)
             }
             _ => false,
         }
@@ -162,6 +162,12 @@ impl<'a> Facts<'a> {
     /// Whether code without derivative is arithmetic on numbers, which costs less than memory and
     /// always has the same value: literals, constants, operators, elements of arrays.
     pub fn is_cheap(&self, code: &TokenStream) -> bool {
+        self.is_cheap_before(code, VarId::MAX)
+    }
+
+    /// The same for code that defines a variable. What looks like a later one is a name of the
+    /// user's, of a function or a module.
+    fn is_cheap_before(&self, code: &TokenStream, defined: VarId) -> bool {
         let mut tokens = code.clone().into_iter().peekable();
         let (mut dots, mut dots_before) = (0, 0);
         while let Some(token) = tokens.next() {
@@ -179,7 +185,8 @@ impl<'a> Facts<'a> {
                     punct.as_char() != '&'
                 }
                 TokenTree::Group(group) => {
-                    group.delimiter() != Delimiter::Brace && self.is_cheap(&group.stream())
+                    group.delimiter() != Delimiter::Brace
+                        && self.is_cheap_before(&group.stream(), defined)
                 }
                 // A field or a method; two dots are a range.
                 TokenTree::Ident(name) if dots_before == 1 => {
@@ -187,6 +194,7 @@ impl<'a> Facts<'a> {
                         && CHEAP_METHODS.iter().any(|cheap| name == cheap)
                 }
                 TokenTree::Ident(name) => match self.named(name) {
+                    Some(var) if var >= defined => false,
                     Some(var) if self.array(var).is_some() => {
                         let is_indexed = next_group == Some(Delimiter::Bracket);
                         (is_indexed && !self.vars[var].mutable) || is_length(tokens.clone())
@@ -261,9 +269,10 @@ impl<'a> Facts<'a> {
     /// What the variable that an index consists of was computed from, if that never changes.
     fn immutable_origin(&self, index: &TokenStream) -> Option<TokenStream> {
         let name: Ident = syn::parse2(index.clone()).ok()?;
-        match self.operations.get(&self.named(&name)?)? {
+        let index = self.named(&name)?;
+        match self.operations.get(&index)? {
             Operation::Use(Operand::Constant(tokens))
-                if self.uses(tokens).iter().all(|&var| !self.vars[var].mutable) =>
+                if self.uses(tokens).iter().all(|&var| var < index && !self.vars[var].mutable) =>
             {
                 Some(tokens.clone())
             }

@@ -44,6 +44,9 @@ impl PartialOrd for Var {
 
 impl Differentiable for Var {
     type Tangent = Self;
+    type Shape = ();
+
+    fn shape(&self) {}
 }
 
 impl Additive for Var {
