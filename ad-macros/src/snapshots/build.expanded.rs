@@ -37,7 +37,7 @@ impl build {
                         product_bar,
                     );
                     ::ad::rt::Absorb::absorb(&mut y_bar, y_part);
-                    ::ad::rt::Absorb::absorb(&mut xs_bar[index], item_bar);
+                    ::ad::rt::Absorb::absorb(::ad::rt::at(&mut xs_bar, index), item_bar);
                 }
                 (xs_bar, y_bar)
             },
