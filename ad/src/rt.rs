@@ -27,9 +27,9 @@ pub use iterate::{
 /// of the user.
 pub mod methods {
     pub use crate::rules::{
-        CloneRules as _, DVec2Rules as _, DVec4Rules as _, RealRules as _, ScalarRules as _,
-        SequenceRules as _, Vec2Rules as _, Vec4Rules as _, VecRules as _, Vector3Rules as _,
-        VectorRules as _,
+        CloneRules as _, DVec2Rules as _, DVec4Rules as _, FloatRules as _, FromRules as _,
+        RealRules as _, ScalarRules as _, SequenceRules as _, Vec2Rules as _, Vec4Rules as _,
+        VecRules as _, Vector3Rules as _, VectorRules as _,
     };
 }
 

@@ -41,6 +41,76 @@ fn functions_of_one_number() {
     }
 }
 
+/// What the rules of the methods of `f64` alone say of a function of one variable at a point.
+macro_rules! assert_float_slope {
+    ($($vjp:ident at $x:expr;)*) => {$(
+        for x in $x {
+            assert_eq!(FloatRules::$vjp(x).1(1.0), 0.0, "{} at {x}", stringify!($vjp));
+            assert_eq!(FloatRules::$vjp(x as f32).1(1.0), 0.0, "{} at {x}", stringify!($vjp));
+        }
+    )*};
+}
+
+#[test]
+fn functions_of_one_float() {
+    assert_float_slope! {
+        cbrt_vjp at [0.0_f64, -0.0];
+        log2_vjp at [0.0_f64, -0.0];
+        log10_vjp at [0.0_f64, -0.0];
+        ln_1p_vjp at [-1.0_f64];
+        acosh_vjp at [1.0_f64];
+        atanh_vjp at [-1.0_f64, 1.0];
+        ceil_vjp at [0.0_f64, 1.0, 1.5];
+        round_vjp at [0.5_f64, 1.0];
+        round_ties_even_vjp at [0.5_f64, 1.0];
+        trunc_vjp at [0.0_f64, 1.0];
+    }
+    assert_eq!(0.0_f64.hypot_vjp(-0.0).1(1.0), (0.0, 0.0));
+    assert_eq!(1.0_f64.hypot_vjp(0.0).1(1.0), (1.0, 0.0));
+    assert_eq!(0.0_f64.log_vjp(2.0).1(1.0), (0.0, 0.0));
+    assert_eq!(2.0_f64.log_vjp(1.0).1(1.0), (0.0, 0.0));
+    assert_eq!(2.0_f64.log_vjp(0.0).1(1.0), (0.0, 0.0));
+    assert_eq!(2.0_f64.fract_vjp().1(1.0), 1.0);
+    assert_eq!(4.0_f64.rem_euclid_vjp(2.0).1(1.0), (1.0, -2.0));
+    assert_eq!(f64::MAX.hypot_vjp(f64::MAX).1(0.0), (0.0, 0.0));
+    for bad in [f64::INFINITY, f64::NAN] {
+        for pulled in [
+            bad.cbrt_vjp().1(0.0),
+            bad.sinh_vjp().1(0.0),
+            bad.cosh_vjp().1(0.0),
+            bad.asinh_vjp().1(0.0),
+            bad.acosh_vjp().1(0.0),
+            bad.atanh_vjp().1(0.0),
+            bad.exp2_vjp().1(0.0),
+            bad.exp_m1_vjp().1(0.0),
+            bad.ln_1p_vjp().1(0.0),
+            bad.log2_vjp().1(0.0),
+            bad.log10_vjp().1(0.0),
+        ] {
+            assert_eq!(pulled, 0.0, "{bad}");
+        }
+        for pulled in
+            [bad.hypot_vjp(bad).1(0.0), bad.log_vjp(bad).1(0.0), bad.rem_euclid_vjp(bad).1(0.0)]
+        {
+            assert_eq!(pulled, (0.0, 0.0), "{bad}");
+        }
+    }
+}
+
+#[differentiable]
+fn conversions(x: f32, n: i32) -> f64 {
+    let wide = f64::from(x);
+    wide.cosh() * f64::from(n) + f64::hypot(wide, 2.0)
+}
+
+#[test]
+fn conversions_of_floats_and_integers() {
+    let (by_x, ()) = conversions::grad(0.5, 3);
+    let x = 0.5_f64;
+    let expected = 3.0 * x.sinh() + x / x.hypot(2.0);
+    assert!((f64::from(by_x) - expected).abs() < 1e-6, "{by_x} is not {expected}");
+}
+
 #[test]
 fn quotients() {
     for numerator in [0.0, 1.0, -1e300, f64::INFINITY] {
