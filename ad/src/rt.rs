@@ -28,8 +28,8 @@ pub use iterate::{
 pub mod methods {
     pub use crate::rules::{
         CloneRules as _, DVec2Rules as _, DVec4Rules as _, FloatRules as _, FromRules as _,
-        RealRules as _, ScalarRules as _, SequenceRules as _, Vec2Rules as _, Vec4Rules as _,
-        VecRules as _, Vector3Rules as _, VectorRules as _,
+        GlamRules as _, RealRules as _, ScalarRules as _, SequenceRules as _, Vec2Rules as _,
+        Vec4Rules as _, VecRules as _, Vector3Rules as _, VectorRules as _,
     };
 }
 

@@ -56,7 +56,7 @@ impl Writer {
             9 => put("({}).tanh()", &[&put("{} - {}", &[&a, &constant])]),
             10 => put("({} * {} + {}).sqrt()", &[&a, &a, &Both::number(0.25)]),
             11 => put("({}).max({})", &[&put("{} * {}", &[&a, &constant]), &self.leaf()]),
-            12 => put("(-{})", &[&a]),
+            12 => put("(-({}))", &[&a]),
             _ => put("({} * {}).abs()", &[&a, &constant]),
         }
     }

@@ -33,7 +33,7 @@
 //! | `min_element`, `max_element` | a tie | all to the first |
 //! | `signum`, `floor`, `ceil`, `round`, `round_ties_even`, `trunc`, `div_euclid`, `copysign` to the sign | everywhere | 0 |
 //! | `%`, `rem_euclid`, `fract` | a jump | as beside it |
-//! | `length`, `distance`, `length_recip`, `normalize`, `normalize_or_zero` | zero vector | 0 |
+//! | `length`, `distance`, `length_recip`, `normalize`, `normalize_or_zero`, `project_onto` | zero vector | 0 |
 //! | any | the cotangent of the result is 0 | 0, even if the partial derivative is infinite or NaN |
 //!
 //! The last row keeps the arm that [`select`](fn@crate::select) did not take from poisoning the
@@ -42,6 +42,7 @@
 mod cast;
 mod choose;
 mod float;
+mod glam_only;
 mod operators;
 #[doc(hidden)]
 pub mod replace;
@@ -52,6 +53,7 @@ mod vector;
 pub use cast::CastPullback;
 pub use choose::{select, stop_gradient};
 pub use float::{FloatRules, FromRules};
+pub use glam_only::{GlamRules, construct};
 pub use operators::{AddPullback, DivPullback, MulPullback, NegPullback, RemPullback, SubPullback};
 pub use scalar::{RealRules, ScalarRules};
 pub use sequence::{CloneRules, Elements, SequenceRules, VecRules};

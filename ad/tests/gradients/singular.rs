@@ -98,6 +98,25 @@ fn functions_of_one_float() {
 }
 
 #[differentiable]
+fn built(x: f64, y: f64) -> f64 {
+    let v = ad::rules::construct::dvec3(x, y * x, 2.0).project_onto(DVec3::new(y, 1.0, x));
+    v.element_product() + v.fract().x
+}
+
+#[test]
+fn vectors_by_function() {
+    crate::oracle::check!(built(x, y) at [0.7, 1.3], [-1.1, 0.4]);
+    let (zero, g) = (DVec3::ZERO, DVec3::new(1.0, -2.0, 3.0));
+    assert_eq!(DVec3::new(2.0, 0.0, 0.0).element_product_vjp().1(1.0), zero);
+    assert_eq!(DVec3::new(2.0, 0.0, 3.0).element_product_vjp().1(1.0), DVec3::new(0.0, 6.0, 0.0));
+    let bad = DVec3::splat(f64::INFINITY);
+    assert_eq!(bad.element_product_vjp().1(0.0), zero);
+    assert_eq!(bad.mul_add_vjp(bad, bad).1(zero), (zero, zero, zero));
+    assert_eq!(bad.fract_vjp().1(zero), zero);
+    assert_eq!(g.signum_vjp().1(g), zero);
+}
+
+#[differentiable]
 fn conversions(x: f32, n: i32) -> f64 {
     let wide = f64::from(x);
     wide.cosh() * f64::from(n) + f64::hypot(wide, 2.0)

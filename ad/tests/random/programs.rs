@@ -1,4 +1,4 @@
-//! Random programs, written by `cargo run -p ad --example random_programs -- 1 60`.
+//! Random programs, written by `cargo run -p ad --example random_programs -- 1 80`.
 
 use ad::{Real, differentiable};
 
@@ -66,6 +66,26 @@ pub const PROGRAMS: &[Program] = &[
     program!(program_57, program_57_of),
     program!(program_58, program_58_of),
     program!(program_59, program_59_of),
+    program!(program_60, program_60_of),
+    program!(program_61, program_61_of),
+    program!(program_62, program_62_of),
+    program!(program_63, program_63_of),
+    program!(program_64, program_64_of),
+    program!(program_65, program_65_of),
+    program!(program_66, program_66_of),
+    program!(program_67, program_67_of),
+    program!(program_68, program_68_of),
+    program!(program_69, program_69_of),
+    program!(program_70, program_70_of),
+    program!(program_71, program_71_of),
+    program!(program_72, program_72_of),
+    program!(program_73, program_73_of),
+    program!(program_74, program_74_of),
+    program!(program_75, program_75_of),
+    program!(program_76, program_76_of),
+    program!(program_77, program_77_of),
+    program!(program_78, program_78_of),
+    program!(program_79, program_79_of),
 ];
 
 #[differentiable]
@@ -73,7 +93,7 @@ fn program_0(x: f64, y: f64) -> f64 {
     let mut f = ((x * x + 0.25).sqrt() + 0.125).tanh();
     let mut r1 = [((f + f) + 0.125).tanh(); 3];
     let e: f64 = r1.iter().map(|v| v * ((r1[1] / (1.5 + y * y)) * 0.75).sin()).sum();
-    f += (((-0.375_f64) - (x * y)) + 0.125).tanh();
+    f += (((-(0.375_f64)) - (x * y)) + 0.125).tanh();
     r1[0] *= (((e / (1.5 + x * x)) + 0.375_f64).sin() + 0.125).tanh();
     f -= (e + 0.125).tanh();
     r1[0] += (((e + y) * (y * f)) + 0.125).tanh();
@@ -94,7 +114,7 @@ fn program_0(x: f64, y: f64) -> f64 {
     if (r1[1] * r1[1] + 0.25).sqrt() < (r1[0] - -0.625_f64).tanh() {
         return ((-0.125_f64 * 0.375_f64).cos() - -1.125_f64).tanh();
     }
-    (-(r1[0] * 0.375_f64).abs()) + c + e + f + y + x
+    (-((r1[0] * 0.375_f64).abs())) + c + e + f + y + x
 }
 
 fn program_0_of<S: Real<Mask = bool>>(x: S, y: S) -> S {
@@ -103,7 +123,7 @@ fn program_0_of<S: Real<Mask = bool>>(x: S, y: S) -> S {
     let e = r1.iter().fold(S::from_f64(-0.0), |s, v| {
         s + *v * ((r1[1] / (S::from_f64(1.5) + y * y)) * S::from_f64(0.75)).sin()
     });
-    f = f + (((-S::from_f64(0.375_f64)) - (x * y)) + S::from_f64(0.125)).tanh();
+    f = f + (((-(S::from_f64(0.375_f64))) - (x * y)) + S::from_f64(0.125)).tanh();
     r1[0] = r1[0]
         * (((e / (S::from_f64(1.5) + x * x)) + S::from_f64(0.375_f64)).sin() + S::from_f64(0.125))
             .tanh();
@@ -139,7 +159,7 @@ fn program_0_of<S: Real<Mask = bool>>(x: S, y: S) -> S {
             - S::from_f64(-1.125_f64))
         .tanh();
     }
-    (-(r1[0] * S::from_f64(0.375_f64)).abs()) + c + e + f + y + x
+    (-((r1[0] * S::from_f64(0.375_f64)).abs())) + c + e + f + y + x
 }
 
 #[differentiable]
@@ -172,7 +192,7 @@ fn program_1(x: f64, y: f64) -> f64 {
                 )
                 .tanh();
             }
-            a = (((-x) * 0.875_f64).abs() + 0.125).tanh();
+            a = (((-(x)) * 0.875_f64).abs() + 0.125).tanh();
             a = (((e * 0.625_f64).cos() + -0.875_f64).sin() + 0.125).tanh();
         } else {
             a += (((((i4 as f64) * 0.25) / (1.5 + y * y)) * -0.625_f64).cos() + 0.125).tanh();
@@ -217,7 +237,7 @@ fn program_1_of<S: Real<Mask = bool>>(x: S, y: S) -> S {
                 )
                 .tanh();
             }
-            a = (((-x) * S::from_f64(0.875_f64)).abs() + S::from_f64(0.125)).tanh();
+            a = (((-(x)) * S::from_f64(0.875_f64)).abs() + S::from_f64(0.125)).tanh();
             a = (((e * S::from_f64(0.625_f64)).cos() + S::from_f64(-0.875_f64)).sin()
                 + S::from_f64(0.125))
             .tanh();
@@ -238,14 +258,14 @@ fn program_2(x: f64, y: f64) -> f64 {
     let mut e = (y * 0.75).sin();
     let mut r1 = [((x - 0.125_f64).tanh() + 0.125).tanh(); 4];
     let a = ((x + 0.875_f64) * x);
-    let d = program_0(((x * -0.875_f64).max(e) + 0.125).tanh(), ((-a) * 0.75).sin()).tanh();
+    let d = program_0(((x * -0.875_f64).max(e) + 0.125).tanh(), ((-(a)) * 0.75).sin()).tanh();
     if (d + -0.625_f64).sin() < (e * e + 0.25).sqrt() {
         if (a - r1[3]) < (e - -0.125_f64).tanh() {
-            return ((-a) - d);
+            return ((-(a)) - d);
         }
         'l2: for i3 in (1..5_usize).step_by(2) {
             'l4: for i5 in 1..5_usize {
-                e += ((-e) * 0.75).sin();
+                e += ((-(e)) * 0.75).sin();
                 e *= (r1[1] * 0.75).sin();
             }
             e = (((r1[1] * -0.125_f64).cos() * (r1[1] * -0.125_f64).cos() + 0.25).sqrt() * 0.75)
@@ -253,7 +273,7 @@ fn program_2(x: f64, y: f64) -> f64 {
             let g6 = |t: f64| ((r1[0] * r1[(i3 * i3 + 1) % 4]) * -0.875_f64).abs() * t;
             let a = (g6((y * 0.125_f64).max(e)) + g6((e * -1.125_f64).max(r1[(i3 + 3) % 4]))).sin();
         }
-        e = ((-(y + 0.625_f64).sin()) + 0.125).tanh();
+        e = ((-((y + 0.625_f64).sin())) + 0.125).tanh();
     }
     let mut n8 = 0_usize;
     'l7: while n8 < 2 {
@@ -273,16 +293,16 @@ fn program_2_of<S: Real<Mask = bool>>(x: S, y: S) -> S {
     let a = ((x + S::from_f64(0.875_f64)) * x);
     let d = program_0_of(
         ((x * S::from_f64(-0.875_f64)).max(e) + S::from_f64(0.125)).tanh(),
-        ((-a) * S::from_f64(0.75)).sin(),
+        ((-(a)) * S::from_f64(0.75)).sin(),
     )
     .tanh();
     if (d + S::from_f64(-0.625_f64)).sin().cmplt((e * e + S::from_f64(0.25)).sqrt()) {
         if (a - r1[3]).cmplt((e - S::from_f64(-0.125_f64)).tanh()) {
-            return ((-a) - d);
+            return ((-(a)) - d);
         }
         'l2: for i3 in (1..5_usize).step_by(2) {
             'l4: for i5 in 1..5_usize {
-                e = e + ((-e) * S::from_f64(0.75)).sin();
+                e = e + ((-(e)) * S::from_f64(0.75)).sin();
                 e = e * (r1[1] * S::from_f64(0.75)).sin();
             }
             e = (((r1[1] * S::from_f64(-0.125_f64)).cos()
@@ -296,7 +316,7 @@ fn program_2_of<S: Real<Mask = bool>>(x: S, y: S) -> S {
                 + g6((e * S::from_f64(-1.125_f64)).max(r1[(i3 + 3) % 4])))
             .sin();
         }
-        e = ((-(y + S::from_f64(0.625_f64)).sin()) + S::from_f64(0.125)).tanh();
+        e = ((-((y + S::from_f64(0.625_f64)).sin())) + S::from_f64(0.125)).tanh();
     }
     let mut n8 = 0_usize;
     'l7: while n8 < 2 {
@@ -337,9 +357,9 @@ fn program_3(x: f64, y: f64) -> f64 {
     let mut n7 = 0_usize;
     'l6: while n7 < 4 {
         n7 += 1;
-        b = ((-(r1[(n7 + 1) % 2] * r1[(n7 + 1) % 2] + 0.25).sqrt()) * 0.75).sin();
+        b = ((-((r1[(n7 + 1) % 2] * r1[(n7 + 1) % 2] + 0.25).sqrt())) * 0.75).sin();
         let mut e = ((y + y) + 0.125).tanh();
-        r1[(n7 * n7 + 1) % 2] = (((-r5[0]) * (-r5[0]) + 0.25).sqrt() + 0.125).tanh();
+        r1[(n7 * n7 + 1) % 2] = (((-(r5[0])) * (-(r5[0])) + 0.25).sqrt() + 0.125).tanh();
     }
     ((-1.125_f64 + b) + (x * r2[0])) + b + a + y + x
 }
@@ -370,12 +390,12 @@ fn program_3_of<S: Real<Mask = bool>>(x: S, y: S) -> S {
     let mut n7 = 0_usize;
     'l6: while n7 < 4 {
         n7 += 1;
-        b = ((-(r1[(n7 + 1) % 2] * r1[(n7 + 1) % 2] + S::from_f64(0.25)).sqrt())
+        b = ((-((r1[(n7 + 1) % 2] * r1[(n7 + 1) % 2] + S::from_f64(0.25)).sqrt()))
             * S::from_f64(0.75))
         .sin();
         let mut e = ((y + y) + S::from_f64(0.125)).tanh();
         r1[(n7 * n7 + 1) % 2] =
-            (((-r5[0]) * (-r5[0]) + S::from_f64(0.25)).sqrt() + S::from_f64(0.125)).tanh();
+            (((-(r5[0])) * (-(r5[0])) + S::from_f64(0.25)).sqrt() + S::from_f64(0.125)).tanh();
     }
     ((S::from_f64(-1.125_f64) + b) + (x * r2[0])) + b + a + y + x
 }
@@ -391,7 +411,7 @@ fn program_4(x: f64, y: f64) -> f64 {
         ((e * y) * 0.75).sin(),
     ];
     if y >= x {
-        e += (((r1[4] * r1[0]) + (-y)) * 0.75).sin();
+        e += (((r1[4] * r1[0]) + (-(y))) * 0.75).sin();
     }
     let b = 0.625_f64;
     if (x + b) < (y * -0.375_f64).abs() {
@@ -408,7 +428,7 @@ fn program_4(x: f64, y: f64) -> f64 {
     let b = if (x * 0.875_f64).cos() > (x * 0.625_f64) {
         (y + (x / (1.5 + r1[1] * r1[1])))
     } else {
-        (-(-y))
+        (-(-(y)))
     };
     for v in r1.iter() {
         e = e * (r1[4] * 0.75).sin() + *v * (r1[4] * 0.75).sin();
@@ -431,7 +451,7 @@ fn program_4_of<S: Real<Mask = bool>>(x: S, y: S) -> S {
         ((e * y) * S::from_f64(0.75)).sin(),
     ];
     if y.cmpge(x) {
-        e = e + (((r1[4] * r1[0]) + (-y)) * S::from_f64(0.75)).sin();
+        e = e + (((r1[4] * r1[0]) + (-(y))) * S::from_f64(0.75)).sin();
     }
     let b = S::from_f64(0.625_f64);
     if (x + b).cmplt((y * S::from_f64(-0.375_f64)).abs()) {
@@ -450,7 +470,7 @@ fn program_4_of<S: Real<Mask = bool>>(x: S, y: S) -> S {
     let b = if (x * S::from_f64(0.875_f64)).cos().cmpgt((x * S::from_f64(0.625_f64))) {
         (y + (x / (S::from_f64(1.5) + r1[1] * r1[1])))
     } else {
-        (-(-y))
+        (-(-(y)))
     };
     for v in r1.iter() {
         e = e * (r1[4] * S::from_f64(0.75)).sin() + *v * (r1[4] * S::from_f64(0.75)).sin();
@@ -471,14 +491,14 @@ fn program_5(x: f64, y: f64) -> f64 {
     let mut r1 = [((y * -1.125_f64).abs() * 0.75).sin(); 3];
     let g2 = |t: f64| ((a * a + 0.25).sqrt() - 0.875_f64).tanh() * t;
     let e = (g2(a) + g2((-0.875_f64 + -0.875_f64).sin())).sin();
-    if (-r1[2]) <= (a - a) {
+    if (-(r1[2])) <= (a - a) {
         a -= (((r1[1] - 0.625_f64).tanh() - 0.625_f64).tanh() * 0.75).sin();
     }
     'l3: for i4 in (2..3_usize).rev() {
-        let g5 = |t: f64| ((-y) * ((i4 as f64) * 0.25)) * t;
+        let g5 = |t: f64| ((-(y)) * ((i4 as f64) * 0.25)) * t;
         let a = (g5((x / (1.5 + a * a))) + g5(r1[(i4 + 1) % 3])).sin();
         let mut f = ((((i4 as f64) * 0.25) + -0.875_f64).sin() * 0.75).sin();
-        let d = program_3(((-f) * 0.75).sin(), (a + 0.125).tanh()).tanh();
+        let d = program_3(((-(f)) * 0.75).sin(), (a + 0.125).tanh()).tanh();
     }
     if (a - -1.125_f64).tanh() >= a {
         let mut n7 = 0_usize;
@@ -500,21 +520,21 @@ fn program_5_of<S: Real<Mask = bool>>(x: S, y: S) -> S {
     let mut r1 = [((y * S::from_f64(-1.125_f64)).abs() * S::from_f64(0.75)).sin(); 3];
     let g2 = |t: S| ((a * a + S::from_f64(0.25)).sqrt() - S::from_f64(0.875_f64)).tanh() * t;
     let e = (g2(a) + g2((S::from_f64(-0.875_f64) + S::from_f64(-0.875_f64)).sin())).sin();
-    if (-r1[2]).cmple((a - a)) {
+    if (-(r1[2])).cmple((a - a)) {
         a = a
             - (((r1[1] - S::from_f64(0.625_f64)).tanh() - S::from_f64(0.625_f64)).tanh()
                 * S::from_f64(0.75))
             .sin();
     }
     'l3: for i4 in (2..3_usize).rev() {
-        let g5 = |t: S| ((-y) * (S::from_f64(i4 as f64) * S::from_f64(0.25))) * t;
+        let g5 = |t: S| ((-(y)) * (S::from_f64(i4 as f64) * S::from_f64(0.25))) * t;
         let a = (g5((x / (S::from_f64(1.5) + a * a))) + g5(r1[(i4 + 1) % 3])).sin();
         let mut f = (((S::from_f64(i4 as f64) * S::from_f64(0.25)) + S::from_f64(-0.875_f64))
             .sin()
             * S::from_f64(0.75))
         .sin();
-        let d =
-            program_3_of(((-f) * S::from_f64(0.75)).sin(), (a + S::from_f64(0.125)).tanh()).tanh();
+        let d = program_3_of(((-(f)) * S::from_f64(0.75)).sin(), (a + S::from_f64(0.125)).tanh())
+            .tanh();
     }
     if (a - S::from_f64(-1.125_f64)).tanh().cmpge(a) {
         let mut n7 = 0_usize;
@@ -543,10 +563,10 @@ fn program_6(x: f64, y: f64) -> f64 {
     b = (-0.375_f64 * 0.75).sin();
     let mut f = ((y / (1.5 + x * x)) + 0.125).tanh();
     if (b * -0.125_f64).cos() > (y * -0.375_f64).abs() {
-        return ((-f) - 0.875_f64).tanh();
+        return ((-(f)) - 0.875_f64).tanh();
     }
     if (r1[1] * r1[2]) <= (0.125_f64 - 0.375_f64) {
-        b = (((-r1[1]) + (f * r1[4])) * 0.75).sin();
+        b = (((-(r1[1])) + (f * r1[4])) * 0.75).sin();
         let g2 = |t: f64| ((0.375_f64 * 0.625_f64).cos() * (t * f)) * t;
         let c = (g2((r1[0] * -1.125_f64).abs()) + g2((y - r1[2]))).sin();
     }
@@ -570,10 +590,10 @@ fn program_6_of<S: Real<Mask = bool>>(x: S, y: S) -> S {
     b = (S::from_f64(-0.375_f64) * S::from_f64(0.75)).sin();
     let mut f = ((y / (S::from_f64(1.5) + x * x)) + S::from_f64(0.125)).tanh();
     if (b * S::from_f64(-0.125_f64)).cos().cmpgt((y * S::from_f64(-0.375_f64)).abs()) {
-        return ((-f) - S::from_f64(0.875_f64)).tanh();
+        return ((-(f)) - S::from_f64(0.875_f64)).tanh();
     }
     if (r1[1] * r1[2]).cmple((S::from_f64(0.125_f64) - S::from_f64(0.375_f64))) {
-        b = (((-r1[1]) + (f * r1[4])) * S::from_f64(0.75)).sin();
+        b = (((-(r1[1])) + (f * r1[4])) * S::from_f64(0.75)).sin();
         let g2 = |t: S| ((S::from_f64(0.375_f64) * S::from_f64(0.625_f64)).cos() * (t * f)) * t;
         let c = (g2((r1[0] * S::from_f64(-1.125_f64)).abs()) + g2((y - r1[2]))).sin();
     }
@@ -614,12 +634,12 @@ fn program_7(x: f64, y: f64) -> f64 {
         }
         r1[0] = (((b + -0.875_f64) + (r1[3] + -1.125_f64).sin()) * 0.75).sin();
     } else {
-        let mut f = ((-r1[2]) + 0.125).tanh();
+        let mut f = ((-(r1[2])) + 0.125).tanh();
     }
     f += (-0.125_f64 + 0.125).tanh();
     f += ((x + (y + 0.625_f64).sin()) * 0.75).sin();
     let mut r5 = [(r1[2] * 0.75).sin(); 3];
-    if (-r1[2]) < (-y) {
+    if (-(r1[2])) < (-(y)) {
         'l6: for i7 in 0..1_usize {
             if i7 % 2 == 1 {
                 r1[1] -= (((f - y) * (x * -0.125_f64).max(f)) * 0.75).sin();
@@ -656,12 +676,12 @@ fn program_7_of<S: Real<Mask = bool>>(x: S, y: S) -> S {
             * S::from_f64(0.75))
         .sin();
     } else {
-        let mut f = ((-r1[2]) + S::from_f64(0.125)).tanh();
+        let mut f = ((-(r1[2])) + S::from_f64(0.125)).tanh();
     }
     f = f + (S::from_f64(-0.125_f64) + S::from_f64(0.125)).tanh();
     f = f + ((x + (y + S::from_f64(0.625_f64)).sin()) * S::from_f64(0.75)).sin();
     let mut r5 = [(r1[2] * S::from_f64(0.75)).sin(); 3];
-    if (-r1[2]).cmplt((-y)) {
+    if (-(r1[2])).cmplt((-(y))) {
         'l6: for i7 in 0..1_usize {
             if i7 % 2 == 1 {
                 r1[1] = r1[1]
@@ -723,7 +743,7 @@ fn program_8(x: f64, y: f64) -> f64 {
         b = (((b * b + 0.25).sqrt() * 0.875_f64).max(r8[2]) + 0.125).tanh();
         let d = (a * (0.375_f64 * r1[0]));
         let g9 = |t: f64| ((x + b) * -1.125_f64).max(r7[0]) * t;
-        let c = (g9((r1[2] * x)) + g9((-r8[1]))).sin();
+        let c = (g9((r1[2] * x)) + g9((-(r8[1])))).sin();
     }
     ((y * y + 0.25).sqrt() * 0.125_f64).abs() + b + a + y + x
 }
@@ -786,7 +806,7 @@ fn program_8_of<S: Real<Mask = bool>>(x: S, y: S) -> S {
         .tanh();
         let d = (a * (S::from_f64(0.375_f64) * r1[0]));
         let g9 = |t: S| ((x + b) * S::from_f64(-1.125_f64)).max(r7[0]) * t;
-        let c = (g9((r1[2] * x)) + g9((-r8[1]))).sin();
+        let c = (g9((r1[2] * x)) + g9((-(r8[1])))).sin();
     }
     ((y * y + S::from_f64(0.25)).sqrt() * S::from_f64(0.125_f64)).abs() + b + a + y + x
 }
@@ -855,7 +875,7 @@ fn program_9(x: f64, y: f64) -> f64 {
                 f = f * ((r9[(i11 + 1) % 4] * r9[(i11 + 1) % 4] + 0.25).sqrt() + 0.125).tanh()
                     + *v * ((r9[(i11 + 1) % 4] * r9[(i11 + 1) % 4] + 0.25).sqrt() + 0.125).tanh();
             }
-            let e = (-(x * x + 0.25).sqrt());
+            let e = (-((x * x + 0.25).sqrt()));
             r1[0] = (((((i11 as f64) * 0.25) * y)
                 / (1.5 + (-((i11 as f64) * 0.25)) * (-((i11 as f64) * 0.25))))
                 + 0.125)
@@ -966,7 +986,7 @@ fn program_9_of<S: Real<Mask = bool>>(x: S, y: S) -> S {
                         + S::from_f64(0.125))
                     .tanh();
             }
-            let e = (-(x * x + S::from_f64(0.25)).sqrt());
+            let e = (-((x * x + S::from_f64(0.25)).sqrt()));
             r1[0] = ((((S::from_f64(i11 as f64) * S::from_f64(0.25)) * y)
                 / (S::from_f64(1.5)
                     + (-(S::from_f64(i11 as f64) * S::from_f64(0.25)))
@@ -1109,7 +1129,7 @@ fn program_11(x: f64, y: f64) -> f64 {
             let f = if (b * a) > (y * b) {
                 ((b + -0.375_f64).sin() + (r2[(i6 + 0) % 3] + -1.125_f64).sin())
             } else {
-                ((-b) - -0.125_f64).tanh()
+                ((-(b)) - -0.125_f64).tanh()
             };
             'l7: for i8 in (1..5_usize).step_by(2) {
                 let mut c = ((x * x + 0.25).sqrt() * 0.75).sin();
@@ -1120,7 +1140,7 @@ fn program_11(x: f64, y: f64) -> f64 {
     let g9 = |t: f64| ((b + 0.125_f64).sin() + (e - -1.125_f64).tanh()) * t;
     let a = (g9((0.875_f64 * 0.875_f64 + 0.25).sqrt()) + g9((r1[0] - e))).sin();
     if (a * -0.375_f64).cos() > (y * x) {
-        return ((-r2[1]) / (1.5 + (r1[1] * r2[0]) * (r1[1] * r2[0])));
+        return ((-(r2[1])) / (1.5 + (r1[1] * r2[0]) * (r1[1] * r2[0])));
     }
     let (a, mut b) = ((r2[0] + 0.125).tanh(), (x * a));
     if r2[1] <= (b + x) {
@@ -1164,7 +1184,7 @@ fn program_11_of<S: Real<Mask = bool>>(x: S, y: S) -> S {
                 ((b + S::from_f64(-0.375_f64)).sin()
                     + (r2[(i6 + 0) % 3] + S::from_f64(-1.125_f64)).sin())
             } else {
-                ((-b) - S::from_f64(-0.125_f64)).tanh()
+                ((-(b)) - S::from_f64(-0.125_f64)).tanh()
             };
             'l7: for i8 in (1..5_usize).step_by(2) {
                 let mut c = ((x * x + S::from_f64(0.25)).sqrt() * S::from_f64(0.75)).sin();
@@ -1180,7 +1200,7 @@ fn program_11_of<S: Real<Mask = bool>>(x: S, y: S) -> S {
         + g9((r1[0] - e)))
     .sin();
     if (a * S::from_f64(-0.375_f64)).cos().cmpgt((y * x)) {
-        return ((-r2[1]) / (S::from_f64(1.5) + (r1[1] * r2[0]) * (r1[1] * r2[0])));
+        return ((-(r2[1])) / (S::from_f64(1.5) + (r1[1] * r2[0]) * (r1[1] * r2[0])));
     }
     let (a, mut b) = ((r2[0] + S::from_f64(0.125)).tanh(), (x * a));
     if r2[1].cmple((b + x)) {
@@ -1223,7 +1243,7 @@ fn program_11_of<S: Real<Mask = bool>>(x: S, y: S) -> S {
 #[differentiable]
 fn program_12(x: f64, y: f64) -> f64 {
     let mut a = ((x * -0.375_f64).max(y) + 0.125).tanh();
-    let mut r1 = [((-a) + 0.125).tanh(); 4];
+    let mut r1 = [((-(a)) + 0.125).tanh(); 4];
     'l2: for i3 in 1..3_usize {
         r1[1] = (((r1[(i3 * i3 + 1) % 4] - -0.625_f64).tanh() * -1.125_f64).cos() * 0.75).sin();
         let g4 = |t: f64| (-(r1[(i3 * i3 + 1) % 4] / (1.5 + t * t))) * t;
@@ -1256,7 +1276,7 @@ fn program_12(x: f64, y: f64) -> f64 {
 
 fn program_12_of<S: Real<Mask = bool>>(x: S, y: S) -> S {
     let mut a = ((x * S::from_f64(-0.375_f64)).max(y) + S::from_f64(0.125)).tanh();
-    let mut r1 = [((-a) + S::from_f64(0.125)).tanh(); 4];
+    let mut r1 = [((-(a)) + S::from_f64(0.125)).tanh(); 4];
     'l2: for i3 in 1..3_usize {
         r1[1] = (((r1[(i3 * i3 + 1) % 4] - S::from_f64(-0.625_f64)).tanh()
             * S::from_f64(-1.125_f64))
@@ -1310,7 +1330,7 @@ fn program_13(x: f64, y: f64) -> f64 {
     let mut e = ((x * y) + 0.125).tanh();
     let mut r1 = [(0.625_f64 * 0.75).sin(), ((y * 0.625_f64) + 0.125).tanh()];
     r1[0] += (((x + 0.125_f64).sin() * (0.875_f64 * -0.875_f64).max(r1[1])) + 0.125).tanh();
-    let e = program_11(((-r1[1]) + 0.125).tanh(), (e + 0.125).tanh()).tanh();
+    let e = program_11(((-(r1[1])) + 0.125).tanh(), (e + 0.125).tanh()).tanh();
     'l2: for i3 in (1..1_usize).step_by(2) {
         let mut a = ((e + 0.875_f64).sin() * 0.75).sin();
         a = (-0.125_f64 + 0.125).tanh();
@@ -1348,7 +1368,7 @@ fn program_13(x: f64, y: f64) -> f64 {
             let d = (x * (e - -1.125_f64).tanh());
         }
         'l8: for i9 in 0..=5_usize {
-            f = (((-y) * 0.875_f64).abs() + 0.125).tanh();
+            f = (((-(y)) * 0.875_f64).abs() + 0.125).tanh();
         }
     }
     (y * 0.375_f64).abs() + f + e + y + x
@@ -1365,8 +1385,9 @@ fn program_13_of<S: Real<Mask = bool>>(x: S, y: S) -> S {
             * (S::from_f64(0.875_f64) * S::from_f64(-0.875_f64)).max(r1[1]))
             + S::from_f64(0.125))
         .tanh();
-    let e = program_11_of(((-r1[1]) + S::from_f64(0.125)).tanh(), (e + S::from_f64(0.125)).tanh())
-        .tanh();
+    let e =
+        program_11_of(((-(r1[1])) + S::from_f64(0.125)).tanh(), (e + S::from_f64(0.125)).tanh())
+            .tanh();
     'l2: for i3 in (1..1_usize).step_by(2) {
         let mut a = ((e + S::from_f64(0.875_f64)).sin() * S::from_f64(0.75)).sin();
         a = (S::from_f64(-0.125_f64) + S::from_f64(0.125)).tanh();
@@ -1409,7 +1430,7 @@ fn program_13_of<S: Real<Mask = bool>>(x: S, y: S) -> S {
             let d = (x * (e - S::from_f64(-1.125_f64)).tanh());
         }
         'l8: for i9 in 0..=5_usize {
-            f = (((-y) * S::from_f64(0.875_f64)).abs() + S::from_f64(0.125)).tanh();
+            f = (((-(y)) * S::from_f64(0.875_f64)).abs() + S::from_f64(0.125)).tanh();
         }
     }
     (y * S::from_f64(0.375_f64)).abs() + f + e + y + x
@@ -1444,7 +1465,7 @@ fn program_14(x: f64, y: f64) -> f64 {
     if (r1[0] - 0.625_f64).tanh() < (-0.375_f64 * r1[2]) {
         let mut r8 = [((x + d) + 0.125).tanh(); 4];
         'l9: for i10 in (0..4_usize).step_by(2) {
-            a += (((-y) * (y / (1.5 + 0.625_f64 * 0.625_f64))) * 0.75).sin();
+            a += (((-(y)) * (y / (1.5 + 0.625_f64 * 0.625_f64))) * 0.75).sin();
             let (a, mut b) =
                 (((r1[i10 % 4] * y) * 0.75).sin(), (r8[(i10 + 0) % 4] * 0.125_f64).max(a));
             let mut b = ((a * r8[(i10 + 3) % 4]) + 0.125).tanh();
@@ -1492,7 +1513,7 @@ fn program_14_of<S: Real<Mask = bool>>(x: S, y: S) -> S {
         let mut r8 = [((x + d) + S::from_f64(0.125)).tanh(); 4];
         'l9: for i10 in (0..4_usize).step_by(2) {
             a = a
-                + (((-y)
+                + (((-(y))
                     * (y / (S::from_f64(1.5) + S::from_f64(0.625_f64) * S::from_f64(0.625_f64))))
                     * S::from_f64(0.75))
                 .sin();
@@ -1525,14 +1546,14 @@ fn program_15(x: f64, y: f64) -> f64 {
     if (x * x) > -0.875_f64 {
         return ((x - -0.375_f64).tanh() + (c * r1[1]));
     }
-    r1[0] -= ((-x) + 0.125).tanh();
+    r1[0] -= ((-(x)) + 0.125).tanh();
     for v in r1.iter() {
         c = c * ((c - -0.125_f64).tanh() * 0.75).sin()
             + *v * ((c - -0.125_f64).tanh() * 0.75).sin();
     }
     c = (((r1[1] * -0.375_f64).abs() - (x + r1[2])) + 0.125).tanh();
     if (y * y + 0.25).sqrt() >= (x + x) {
-        c = (((-y) + -0.875_f64).sin() + 0.125).tanh();
+        c = (((-(y)) + -0.875_f64).sin() + 0.125).tanh();
         c = (((y * y) / (1.5 + (y / (1.5 + c * c)) * (y / (1.5 + c * c)))) + 0.125).tanh();
         'l2: for i3 in 1..=1_usize {
             let mut n5 = 0_usize;
@@ -1543,7 +1564,7 @@ fn program_15(x: f64, y: f64) -> f64 {
             let mut n7 = 0_usize;
             'l6: while n7 < 5 {
                 n7 += 1;
-                r1[(i3 + 2) % 3] = (((-r1[i3 % 3]) * 0.375_f64).cos() * 0.75).sin();
+                r1[(i3 + 2) % 3] = (((-(r1[i3 % 3])) * 0.375_f64).cos() * 0.75).sin();
                 let r8 = [
                     ((r1[(i3 * i3 + 1) % 3] * r1[(i3 * i3 + 1) % 3] + 0.25).sqrt() + 0.125).tanh(),
                     ((r1[n7 % 3] - ((i3 as f64) * 0.25)) * 0.75).sin(),
@@ -1573,14 +1594,14 @@ fn program_15_of<S: Real<Mask = bool>>(x: S, y: S) -> S {
     if (x * x).cmpgt(S::from_f64(-0.875_f64)) {
         return ((x - S::from_f64(-0.375_f64)).tanh() + (c * r1[1]));
     }
-    r1[0] = r1[0] - ((-x) + S::from_f64(0.125)).tanh();
+    r1[0] = r1[0] - ((-(x)) + S::from_f64(0.125)).tanh();
     for v in r1.iter() {
         c = c * ((c - S::from_f64(-0.125_f64)).tanh() * S::from_f64(0.75)).sin()
             + *v * ((c - S::from_f64(-0.125_f64)).tanh() * S::from_f64(0.75)).sin();
     }
     c = (((r1[1] * S::from_f64(-0.375_f64)).abs() - (x + r1[2])) + S::from_f64(0.125)).tanh();
     if (y * y + S::from_f64(0.25)).sqrt().cmpge((x + x)) {
-        c = (((-y) + S::from_f64(-0.875_f64)).sin() + S::from_f64(0.125)).tanh();
+        c = (((-(y)) + S::from_f64(-0.875_f64)).sin() + S::from_f64(0.125)).tanh();
         c = (((y * y)
             / (S::from_f64(1.5)
                 + (y / (S::from_f64(1.5) + c * c)) * (y / (S::from_f64(1.5) + c * c))))
@@ -1596,7 +1617,7 @@ fn program_15_of<S: Real<Mask = bool>>(x: S, y: S) -> S {
             'l6: while n7 < 5 {
                 n7 += 1;
                 r1[(i3 + 2) % 3] =
-                    (((-r1[i3 % 3]) * S::from_f64(0.375_f64)).cos() * S::from_f64(0.75)).sin();
+                    (((-(r1[i3 % 3])) * S::from_f64(0.375_f64)).cos() * S::from_f64(0.75)).sin();
                 let r8 = [
                     ((r1[(i3 * i3 + 1) % 3] * r1[(i3 * i3 + 1) % 3] + S::from_f64(0.25)).sqrt()
                         + S::from_f64(0.125))
@@ -1640,12 +1661,12 @@ fn program_16(x: f64, y: f64) -> f64 {
             let f = ((x + f) * -0.625_f64).abs();
             'l8: for i9 in 1..1_usize {
                 let mut a = ((r1[(i7 * i7 + 1) % 5] + f) * 0.75).sin();
-                r1[(i5 * i5 + 1) % 5] += ((x * (-0.125_f64)) * 0.75).sin();
+                r1[(i5 * i5 + 1) % 5] += ((x * (-(0.125_f64))) * 0.75).sin();
             }
         }
         f = (((x + r1[(i5 * i5 + 1) % 5]) * (x + 0.875_f64).sin()) + 0.125).tanh();
     }
-    let f = program_7(((-r1[3]) + 0.125).tanh(), ((r1[4] - r1[0]) + 0.125).tanh()).tanh();
+    let f = program_7(((-(r1[3])) + 0.125).tanh(), ((r1[4] - r1[0]) + 0.125).tanh()).tanh();
     r1[3] -= (y + 0.125).tanh();
     r1[3] = (r1[1] * 0.75).sin();
     let e = program_6(
@@ -1653,7 +1674,7 @@ fn program_16(x: f64, y: f64) -> f64 {
         ((x * -0.125_f64).max(0.875_f64) + 0.125).tanh(),
     )
     .tanh();
-    if (r1[0] + -0.375_f64) < (-e) {
+    if (r1[0] + -0.375_f64) < (-(e)) {
         let f = if (e + r1[2]) >= (0.125_f64 * -0.625_f64).abs() {
             ((f / (1.5 + r1[2] * r1[2])) - 0.375_f64).tanh()
         } else {
@@ -1688,7 +1709,7 @@ fn program_16_of<S: Real<Mask = bool>>(x: S, y: S) -> S {
             'l8: for i9 in 1..1_usize {
                 let mut a = ((r1[(i7 * i7 + 1) % 5] + f) * S::from_f64(0.75)).sin();
                 r1[(i5 * i5 + 1) % 5] = r1[(i5 * i5 + 1) % 5]
-                    + ((x * (-S::from_f64(0.125_f64))) * S::from_f64(0.75)).sin();
+                    + ((x * (-(S::from_f64(0.125_f64)))) * S::from_f64(0.75)).sin();
             }
         }
         f = (((x + r1[(i5 * i5 + 1) % 5]) * (x + S::from_f64(0.875_f64)).sin())
@@ -1696,7 +1717,7 @@ fn program_16_of<S: Real<Mask = bool>>(x: S, y: S) -> S {
         .tanh();
     }
     let f = program_7_of(
-        ((-r1[3]) + S::from_f64(0.125)).tanh(),
+        ((-(r1[3])) + S::from_f64(0.125)).tanh(),
         ((r1[4] - r1[0]) + S::from_f64(0.125)).tanh(),
     )
     .tanh();
@@ -1707,7 +1728,7 @@ fn program_16_of<S: Real<Mask = bool>>(x: S, y: S) -> S {
         ((x * S::from_f64(-0.125_f64)).max(S::from_f64(0.875_f64)) + S::from_f64(0.125)).tanh(),
     )
     .tanh();
-    if (r1[0] + S::from_f64(-0.375_f64)).cmplt((-e)) {
+    if (r1[0] + S::from_f64(-0.375_f64)).cmplt((-(e))) {
         let f = if (e + r1[2]).cmpge((S::from_f64(0.125_f64) * S::from_f64(-0.625_f64)).abs()) {
             ((f / (S::from_f64(1.5) + r1[2] * r1[2])) - S::from_f64(0.375_f64)).tanh()
         } else {
@@ -1737,13 +1758,13 @@ fn program_16_of<S: Real<Mask = bool>>(x: S, y: S) -> S {
 #[differentiable]
 fn program_17(x: f64, y: f64) -> f64 {
     let mut b = ((x - x) + 0.125).tanh();
-    let mut r1 = [((-b) + 0.125).tanh(); 4];
+    let mut r1 = [((-(b)) + 0.125).tanh(); 4];
     let g2 = |t: f64| ((y * b) * 0.375_f64).cos() * t;
     let c = (g2((b / (1.5 + x * x))) + g2((y / (1.5 + y * y)))).sin();
     let (a, mut b) = (((c + -0.375_f64).sin() + 0.125).tanh(), (r1[0] - -0.625_f64).tanh());
     r1[3] = (c * 0.75).sin();
     'l3: for i4 in 1..0_usize {
-        if (c + 0.375_f64).sin() > (-0.125_f64) {
+        if (c + 0.375_f64).sin() > (-(0.125_f64)) {
             break 'l3;
         }
         'l5: for i6 in (0..5_usize).rev() {
@@ -1754,12 +1775,12 @@ fn program_17(x: f64, y: f64) -> f64 {
             'l7: for i8 in 1..1_usize {
                 let b = program_12(((x * y) + 0.125).tanh(), ((r1[3] * x) + 0.125).tanh()).tanh();
                 r1[(i6 + 2) % 4] = ((c - -0.875_f64).tanh() + 0.125).tanh();
-                let f = (-(c * c + 0.25).sqrt());
+                let f = (-((c * c + 0.25).sqrt()));
             }
             let mut r9 = [((((i4 as f64) * 0.25) - -0.875_f64).tanh() + 0.125).tanh(); 5];
         }
     }
-    b += (((r1[3] * 0.125_f64).max(-1.125_f64) - (-0.625_f64)) * 0.75).sin();
+    b += (((r1[3] * 0.125_f64).max(-1.125_f64) - (-(0.625_f64))) * 0.75).sin();
     'l10: for i11 in 0..=1_usize {
         'l12: for i13 in (i11..3_usize).step_by(2) {
             b *= (((r1[2] * 0.875_f64).abs()
@@ -1775,13 +1796,13 @@ fn program_17(x: f64, y: f64) -> f64 {
         }
         if (-0.375_f64 * -0.375_f64 + 0.25).sqrt() <= (a * 0.125_f64) {
             'l14: for i15 in 1..=3_usize {
-                r1[0] = (((-r1[(i15 + 1) % 4]) * 0.625_f64).cos() * 0.75).sin();
+                r1[0] = (((-(r1[(i15 + 1) % 4])) * 0.625_f64).cos() * 0.75).sin();
                 let b = ((((i11 as f64) * 0.25) - y) + (a + 0.125_f64));
             }
         } else {
             'l16: for i17 in 1..4_usize {
                 b -= (((r1[1] + a) + (c - 0.875_f64).tanh()) * 0.75).sin();
-                b = ((-(c * -1.125_f64).cos()) + 0.125).tanh();
+                b = ((-((c * -1.125_f64).cos())) + 0.125).tanh();
                 let a = program_10(
                     ((y * -0.625_f64).cos() + 0.125).tanh(),
                     ((x + -0.625_f64).sin() + 0.125).tanh(),
@@ -1799,7 +1820,7 @@ fn program_17(x: f64, y: f64) -> f64 {
 
 fn program_17_of<S: Real<Mask = bool>>(x: S, y: S) -> S {
     let mut b = ((x - x) + S::from_f64(0.125)).tanh();
-    let mut r1 = [((-b) + S::from_f64(0.125)).tanh(); 4];
+    let mut r1 = [((-(b)) + S::from_f64(0.125)).tanh(); 4];
     let g2 = |t: S| ((y * b) * S::from_f64(0.375_f64)).cos() * t;
     let c = (g2((b / (S::from_f64(1.5) + x * x))) + g2((y / (S::from_f64(1.5) + y * y)))).sin();
     let (a, mut b) = (
@@ -1808,7 +1829,7 @@ fn program_17_of<S: Real<Mask = bool>>(x: S, y: S) -> S {
     );
     r1[3] = (c * S::from_f64(0.75)).sin();
     'l3: for i4 in 1..0_usize {
-        if (c + S::from_f64(0.375_f64)).sin().cmpgt((-S::from_f64(0.125_f64))) {
+        if (c + S::from_f64(0.375_f64)).sin().cmpgt((-(S::from_f64(0.125_f64)))) {
             break 'l3;
         }
         'l5: for i6 in (0..5_usize).rev() {
@@ -1825,7 +1846,7 @@ fn program_17_of<S: Real<Mask = bool>>(x: S, y: S) -> S {
                 .tanh();
                 r1[(i6 + 2) % 4] =
                     ((c - S::from_f64(-0.875_f64)).tanh() + S::from_f64(0.125)).tanh();
-                let f = (-(c * c + S::from_f64(0.25)).sqrt());
+                let f = (-((c * c + S::from_f64(0.25)).sqrt()));
             }
             let mut r9 =
                 [(((S::from_f64(i4 as f64) * S::from_f64(0.25)) - S::from_f64(-0.875_f64)).tanh()
@@ -1835,7 +1856,7 @@ fn program_17_of<S: Real<Mask = bool>>(x: S, y: S) -> S {
     }
     b = b
         + (((r1[3] * S::from_f64(0.125_f64)).max(S::from_f64(-1.125_f64))
-            - (-S::from_f64(0.625_f64)))
+            - (-(S::from_f64(0.625_f64))))
             * S::from_f64(0.75))
         .sin();
     'l10: for i11 in 0..=1_usize {
@@ -1865,8 +1886,9 @@ fn program_17_of<S: Real<Mask = bool>>(x: S, y: S) -> S {
             .cmple((a * S::from_f64(0.125_f64)))
         {
             'l14: for i15 in 1..=3_usize {
-                r1[0] = (((-r1[(i15 + 1) % 4]) * S::from_f64(0.625_f64)).cos() * S::from_f64(0.75))
-                    .sin();
+                r1[0] = (((-(r1[(i15 + 1) % 4])) * S::from_f64(0.625_f64)).cos()
+                    * S::from_f64(0.75))
+                .sin();
                 let b = (((S::from_f64(i11 as f64) * S::from_f64(0.25)) - y)
                     + (a + S::from_f64(0.125_f64)));
             }
@@ -1875,7 +1897,7 @@ fn program_17_of<S: Real<Mask = bool>>(x: S, y: S) -> S {
                 b = b
                     - (((r1[1] + a) + (c - S::from_f64(0.875_f64)).tanh()) * S::from_f64(0.75))
                         .sin();
-                b = ((-(c * S::from_f64(-1.125_f64)).cos()) + S::from_f64(0.125)).tanh();
+                b = ((-((c * S::from_f64(-1.125_f64)).cos())) + S::from_f64(0.125)).tanh();
                 let a = program_10_of(
                     ((y * S::from_f64(-0.625_f64)).cos() + S::from_f64(0.125)).tanh(),
                     ((x + S::from_f64(-0.625_f64)).sin() + S::from_f64(0.125)).tanh(),
@@ -1905,7 +1927,7 @@ fn program_18(x: f64, y: f64) -> f64 {
     let mut d = ((0.625_f64 * c) * 0.75).sin();
     'l3: for i4 in 1..2_usize {
         let mut d = ((a * f) * 0.75).sin();
-        d *= (((-0.625_f64) - (-x)) + 0.125).tanh();
+        d *= (((-(0.625_f64)) - (-(x))) + 0.125).tanh();
     }
     'l5: for i6 in 0..=5_usize {
         let f = ((f * f) * 0.875_f64).abs();
@@ -1941,7 +1963,7 @@ fn program_18_of<S: Real<Mask = bool>>(x: S, y: S) -> S {
     let mut d = ((S::from_f64(0.625_f64) * c) * S::from_f64(0.75)).sin();
     'l3: for i4 in 1..2_usize {
         let mut d = ((a * f) * S::from_f64(0.75)).sin();
-        d = d * (((-S::from_f64(0.625_f64)) - (-x)) + S::from_f64(0.125)).tanh();
+        d = d * (((-(S::from_f64(0.625_f64))) - (-(x))) + S::from_f64(0.125)).tanh();
     }
     'l5: for i6 in 0..=5_usize {
         let f = ((f * f) * S::from_f64(0.875_f64)).abs();
@@ -2019,7 +2041,8 @@ fn program_19(x: f64, y: f64) -> f64 {
             } else {
                 let (a, mut b) =
                     (((r1[3] + -0.375_f64).sin() + 0.125).tanh(), (-((i4 as f64) * 0.25)));
-                b = (((-r1[(i4 * i4 + 1) % 5]) * (((i4 as f64) * 0.25) + 0.375_f64).sin()) * 0.75)
+                b = (((-(r1[(i4 * i4 + 1) % 5])) * (((i4 as f64) * 0.25) + 0.375_f64).sin())
+                    * 0.75)
                     .sin();
             }
         }
@@ -2084,7 +2107,7 @@ fn program_19_of<S: Real<Mask = bool>>(x: S, y: S) -> S {
                     ((r1[3] + S::from_f64(-0.375_f64)).sin() + S::from_f64(0.125)).tanh(),
                     (-(S::from_f64(i4 as f64) * S::from_f64(0.25))),
                 );
-                b = (((-r1[(i4 * i4 + 1) % 5])
+                b = (((-(r1[(i4 * i4 + 1) % 5]))
                     * ((S::from_f64(i4 as f64) * S::from_f64(0.25)) + S::from_f64(0.375_f64))
                         .sin())
                     * S::from_f64(0.75))
@@ -2099,7 +2122,7 @@ fn program_19_of<S: Real<Mask = bool>>(x: S, y: S) -> S {
 fn program_20(x: f64, y: f64) -> f64 {
     let mut e = ((x * x + 0.25).sqrt() * 0.75).sin();
     let mut r1 = [((x * x + 0.25).sqrt() + 0.125).tanh(); 2];
-    let f = ((x / (1.5 + e * e)) + (-r1[0]));
+    let f = ((x / (1.5 + e * e)) + (-(r1[0])));
     if r1[0] >= x {
         return ((x * x + 0.25).sqrt() * 0.375_f64).abs();
     }
@@ -2116,7 +2139,7 @@ fn program_20(x: f64, y: f64) -> f64 {
             }
         }
     }
-    if (e * r1[1]) <= (-y) {
+    if (e * r1[1]) <= (-(y)) {
         return ((y * -0.625_f64).abs() + (f / (1.5 + y * y)));
     }
     let r8 = [
@@ -2166,13 +2189,13 @@ fn program_20(x: f64, y: f64) -> f64 {
             (e + 0.125).tanh(),
         ];
     }
-    ((r1[0] - r8[0]) + (-x)) + f + e + y + x
+    ((r1[0] - r8[0]) + (-(x))) + f + e + y + x
 }
 
 fn program_20_of<S: Real<Mask = bool>>(x: S, y: S) -> S {
     let mut e = ((x * x + S::from_f64(0.25)).sqrt() * S::from_f64(0.75)).sin();
     let mut r1 = [((x * x + S::from_f64(0.25)).sqrt() + S::from_f64(0.125)).tanh(); 2];
-    let f = ((x / (S::from_f64(1.5) + e * e)) + (-r1[0]));
+    let f = ((x / (S::from_f64(1.5) + e * e)) + (-(r1[0])));
     if r1[0].cmpge(x) {
         return ((x * x + S::from_f64(0.25)).sqrt() * S::from_f64(0.375_f64)).abs();
     }
@@ -2197,7 +2220,7 @@ fn program_20_of<S: Real<Mask = bool>>(x: S, y: S) -> S {
             }
         }
     }
-    if (e * r1[1]).cmple((-y)) {
+    if (e * r1[1]).cmple((-(y))) {
         return ((y * S::from_f64(-0.625_f64)).abs() + (f / (S::from_f64(1.5) + y * y)));
     }
     let r8 = [
@@ -2264,14 +2287,14 @@ fn program_20_of<S: Real<Mask = bool>>(x: S, y: S) -> S {
             (e + S::from_f64(0.125)).tanh(),
         ];
     }
-    ((r1[0] - r8[0]) + (-x)) + f + e + y + x
+    ((r1[0] - r8[0]) + (-(x))) + f + e + y + x
 }
 
 #[differentiable]
 fn program_21(x: f64, y: f64) -> f64 {
     let mut a = ((x * y) + 0.125).tanh();
     let mut r1 = [((y + 0.375_f64).sin() * 0.75).sin(); 5];
-    let e = program_15(((--0.375_f64) + 0.125).tanh(), ((a * a) * 0.75).sin()).tanh();
+    let e = program_15(((-(-0.375_f64)) + 0.125).tanh(), ((a * a) * 0.75).sin()).tanh();
     'l2: for i3 in 0..=4_usize {
         if (r1[0] * r1[0] + 0.25).sqrt() >= (x * -0.375_f64).max(r1[4]) {
             if (a / (1.5 + ((i3 as f64) * 0.25) * ((i3 as f64) * 0.25))) >= -0.625_f64 {
@@ -2283,7 +2306,7 @@ fn program_21(x: f64, y: f64) -> f64 {
                 let (a, mut b) = (((x * e) * 0.75).sin(), (a + x));
                 let (a, mut b) = (((e * e + 0.25).sqrt() * 0.75).sin(), (x * x + 0.25).sqrt());
             } else {
-                r1[i3 % 5] = ((r1[0] - (-a)) * 0.75).sin();
+                r1[i3 % 5] = ((r1[0] - (-(a))) * 0.75).sin();
                 a = (((y - 0.625_f64).tanh() * (y - 0.625_f64).tanh() + 0.25).sqrt() * 0.75).sin();
                 a = (x + 0.125).tanh();
             }
@@ -2305,7 +2328,7 @@ fn program_21_of<S: Real<Mask = bool>>(x: S, y: S) -> S {
     let mut a = ((x * y) + S::from_f64(0.125)).tanh();
     let mut r1 = [((y + S::from_f64(0.375_f64)).sin() * S::from_f64(0.75)).sin(); 5];
     let e = program_15_of(
-        ((-S::from_f64(-0.375_f64)) + S::from_f64(0.125)).tanh(),
+        ((-(S::from_f64(-0.375_f64))) + S::from_f64(0.125)).tanh(),
         ((a * a) * S::from_f64(0.75)).sin(),
     )
     .tanh();
@@ -2333,7 +2356,7 @@ fn program_21_of<S: Real<Mask = bool>>(x: S, y: S) -> S {
                     (x * x + S::from_f64(0.25)).sqrt(),
                 );
             } else {
-                r1[i3 % 5] = ((r1[0] - (-a)) * S::from_f64(0.75)).sin();
+                r1[i3 % 5] = ((r1[0] - (-(a))) * S::from_f64(0.75)).sin();
                 a = (((y - S::from_f64(0.625_f64)).tanh() * (y - S::from_f64(0.625_f64)).tanh()
                     + S::from_f64(0.25))
                 .sqrt()
@@ -2387,7 +2410,7 @@ fn program_22(x: f64, y: f64) -> f64 {
     }
     let c = ((e * x) / (1.5 + (e * 0.375_f64).cos() * (e * 0.375_f64).cos()));
     let mut d = ((x - 0.125_f64).tanh() * 0.75).sin();
-    r2[2] *= ((-x) + 0.125).tanh();
+    r2[2] *= ((-(x)) + 0.125).tanh();
     r2[1] *= (((r1[1] / (1.5 + r2[2] * r2[2])) * (r1[1] + -0.375_f64).sin()) + 0.125).tanh();
     ((r1[1] + r1[1]) + 0.125_f64).sin() + d + c + e + y + x
 }
@@ -2444,7 +2467,7 @@ fn program_22_of<S: Real<Mask = bool>>(x: S, y: S) -> S {
         / (S::from_f64(1.5)
             + (e * S::from_f64(0.375_f64)).cos() * (e * S::from_f64(0.375_f64)).cos()));
     let mut d = ((x - S::from_f64(0.125_f64)).tanh() * S::from_f64(0.75)).sin();
-    r2[2] = r2[2] * ((-x) + S::from_f64(0.125)).tanh();
+    r2[2] = r2[2] * ((-(x)) + S::from_f64(0.125)).tanh();
     r2[1] = r2[1]
         * (((r1[1] / (S::from_f64(1.5) + r2[2] * r2[2]))
             * (r1[1] + S::from_f64(-0.375_f64)).sin())
@@ -2462,7 +2485,7 @@ fn program_23(x: f64, y: f64) -> f64 {
     let mut n3 = 0_usize;
     'l2: while n3 < 5 {
         n3 += 1;
-        let b = if r1[0] < (--0.625_f64) {
+        let b = if r1[0] < (-(-0.625_f64)) {
             ((-0.125_f64 / (1.5 + a * a)) - 0.625_f64).tanh()
         } else {
             ((-1.125_f64 + -0.375_f64) * (b * b + 0.25).sqrt())
@@ -2472,7 +2495,7 @@ fn program_23(x: f64, y: f64) -> f64 {
     'l4: while n5 < 1 {
         n5 += 1;
         r1[0] -= (-0.875_f64 + 0.125).tanh();
-        let b = program_14(((y * r1[n5 % 2]) * 0.75).sin(), ((-a) + 0.125).tanh()).tanh();
+        let b = program_14(((y * r1[n5 % 2]) * 0.75).sin(), ((-(a)) + 0.125).tanh()).tanh();
     }
     let mut n7 = 0_usize;
     'l6: while n7 < 3 {
@@ -2528,7 +2551,7 @@ fn program_23_of<S: Real<Mask = bool>>(x: S, y: S) -> S {
     let mut n3 = 0_usize;
     'l2: while n3 < 5 {
         n3 += 1;
-        let b = if r1[0].cmplt((-S::from_f64(-0.625_f64))) {
+        let b = if r1[0].cmplt((-(S::from_f64(-0.625_f64)))) {
             ((S::from_f64(-0.125_f64) / (S::from_f64(1.5) + a * a)) - S::from_f64(0.625_f64)).tanh()
         } else {
             ((S::from_f64(-1.125_f64) + S::from_f64(-0.375_f64))
@@ -2541,7 +2564,7 @@ fn program_23_of<S: Real<Mask = bool>>(x: S, y: S) -> S {
         r1[0] = r1[0] - (S::from_f64(-0.875_f64) + S::from_f64(0.125)).tanh();
         let b = program_14_of(
             ((y * r1[n5 % 2]) * S::from_f64(0.75)).sin(),
-            ((-a) + S::from_f64(0.125)).tanh(),
+            ((-(a)) + S::from_f64(0.125)).tanh(),
         )
         .tanh();
     }
@@ -2645,7 +2668,7 @@ fn program_24(x: f64, y: f64) -> f64 {
         'l10: for i11 in (0..0_usize).step_by(2) {
             c += (((c * 0.125_f64) * -0.125_f64).cos() * 0.75).sin();
             let b =
-                if i11 % 3 == 2 { ((r1[(i11 + 4) % 5] * x) + -0.625_f64) } else { (--0.125_f64) };
+                if i11 % 3 == 2 { ((r1[(i11 + 4) % 5] * x) + -0.625_f64) } else { (-(-0.125_f64)) };
         }
     } else {
         'l12: for i13 in (1..4_usize).rev() {
@@ -2659,7 +2682,7 @@ fn program_24(x: f64, y: f64) -> f64 {
         }
         'l14: for i15 in (2..3_usize).rev() {
             let mut r16 = [((y + -0.375_f64).sin() * 0.75).sin(); 2];
-            let b = program_0(((-y) * 0.75).sin(), ((y + r1[(i15 + 2) % 5]) * 0.75).sin()).tanh();
+            let b = program_0(((-(y)) * 0.75).sin(), ((y + r1[(i15 + 2) % 5]) * 0.75).sin()).tanh();
         }
         let (a, mut b) = (((c - -0.125_f64).tanh() * 0.75).sin(), -0.875_f64);
     }
@@ -2714,7 +2737,7 @@ fn program_24_of<S: Real<Mask = bool>>(x: S, y: S) -> S {
             let b = if i11 % 3 == 2 {
                 ((r1[(i11 + 4) % 5] * x) + S::from_f64(-0.625_f64))
             } else {
-                (-S::from_f64(-0.125_f64))
+                (-(S::from_f64(-0.125_f64)))
             };
         }
     } else {
@@ -2730,7 +2753,7 @@ fn program_24_of<S: Real<Mask = bool>>(x: S, y: S) -> S {
         'l14: for i15 in (2..3_usize).rev() {
             let mut r16 = [((y + S::from_f64(-0.375_f64)).sin() * S::from_f64(0.75)).sin(); 2];
             let b = program_0_of(
-                ((-y) * S::from_f64(0.75)).sin(),
+                ((-(y)) * S::from_f64(0.75)).sin(),
                 ((y + r1[(i15 + 2) % 5]) * S::from_f64(0.75)).sin(),
             )
             .tanh();
@@ -2752,8 +2775,8 @@ fn program_25(x: f64, y: f64) -> f64 {
             f *= ((r1[1] * 0.125_f64).cos() * 0.75).sin();
         }
     }
-    if (0.625_f64 * x) >= (-r1[2]) {
-        return ((-0.625_f64) * -0.375_f64).cos();
+    if (0.625_f64 * x) >= (-(r1[2])) {
+        return ((-(0.625_f64)) * -0.375_f64).cos();
     }
     let g4 = |t: f64| (-(r1[0] - y)) * t;
     let b = (g4((r1[2] * r1[2] + 0.25).sqrt()) + g4(f)).sin();
@@ -2801,8 +2824,8 @@ fn program_25_of<S: Real<Mask = bool>>(x: S, y: S) -> S {
             f = f * ((r1[1] * S::from_f64(0.125_f64)).cos() * S::from_f64(0.75)).sin();
         }
     }
-    if (S::from_f64(0.625_f64) * x).cmpge((-r1[2])) {
-        return ((-S::from_f64(0.625_f64)) * S::from_f64(-0.375_f64)).cos();
+    if (S::from_f64(0.625_f64) * x).cmpge((-(r1[2]))) {
+        return ((-(S::from_f64(0.625_f64))) * S::from_f64(-0.375_f64)).cos();
     }
     let g4 = |t: S| (-(r1[0] - y)) * t;
     let b = (g4((r1[2] * r1[2] + S::from_f64(0.25)).sqrt()) + g4(f)).sin();
@@ -2849,7 +2872,7 @@ fn program_25_of<S: Real<Mask = bool>>(x: S, y: S) -> S {
 fn program_26(x: f64, y: f64) -> f64 {
     let mut b = ((-0.625_f64 * -0.125_f64).cos() * 0.75).sin();
     let r1 = [((b + 0.375_f64).sin() * 0.75).sin(); 5];
-    let d = program_18(((y * -0.125_f64).max(y) + 0.125).tanh(), ((-r1[2]) * 0.75).sin()).tanh();
+    let d = program_18(((y * -0.125_f64).max(y) + 0.125).tanh(), ((-(r1[2])) * 0.75).sin()).tanh();
     let g2 = |t: f64| (0.875_f64 - -1.125_f64).tanh() * t;
     let a = (g2((y + x)) + g2(0.125_f64)).sin();
     b *= (y + 0.125).tanh();
@@ -2878,7 +2901,7 @@ fn program_26(x: f64, y: f64) -> f64 {
     let mut n5 = 0_usize;
     'l4: while n5 < 3 {
         n5 += 1;
-        let f = (-x);
+        let f = (-(x));
         if n5 % 3 == 2 {
             let d = program_12(((a * r1[n5 % 5]) * 0.75).sin(), ((r1[4] * b) * 0.75).sin()).tanh();
             b += (((0.375_f64 * 0.625_f64).abs()
@@ -2901,7 +2924,7 @@ fn program_26_of<S: Real<Mask = bool>>(x: S, y: S) -> S {
     let r1 = [((b + S::from_f64(0.375_f64)).sin() * S::from_f64(0.75)).sin(); 5];
     let d = program_18_of(
         ((y * S::from_f64(-0.125_f64)).max(y) + S::from_f64(0.125)).tanh(),
-        ((-r1[2]) * S::from_f64(0.75)).sin(),
+        ((-(r1[2])) * S::from_f64(0.75)).sin(),
     )
     .tanh();
     let g2 = |t: S| (S::from_f64(0.875_f64) - S::from_f64(-1.125_f64)).tanh() * t;
@@ -2941,7 +2964,7 @@ fn program_26_of<S: Real<Mask = bool>>(x: S, y: S) -> S {
     let mut n5 = 0_usize;
     'l4: while n5 < 3 {
         n5 += 1;
-        let f = (-x);
+        let f = (-(x));
         if n5 % 3 == 2 {
             let d = program_12_of(
                 ((a * r1[n5 % 5]) * S::from_f64(0.75)).sin(),
@@ -2998,7 +3021,7 @@ fn program_27(x: f64, y: f64) -> f64 {
                 r1[2] *= ((y * y + 0.25).sqrt() * 0.75).sin();
             }
         }
-        r1[1] = (((-x) + (-((n4 as f64) * 0.25))) * 0.75).sin();
+        r1[1] = (((-(x)) + (-((n4 as f64) * 0.25))) * 0.75).sin();
     }
     ((x + x) + -0.625_f64).sin() + a + f + y + x
 }
@@ -3034,7 +3057,7 @@ fn program_27_of<S: Real<Mask = bool>>(x: S, y: S) -> S {
             }
         }
         r1[1] =
-            (((-x) + (-(S::from_f64(n4 as f64) * S::from_f64(0.25)))) * S::from_f64(0.75)).sin();
+            (((-(x)) + (-(S::from_f64(n4 as f64) * S::from_f64(0.25)))) * S::from_f64(0.75)).sin();
     }
     ((x + x) + S::from_f64(-0.625_f64)).sin() + a + f + y + x
 }
@@ -3075,7 +3098,7 @@ fn program_28(x: f64, y: f64) -> f64 {
             return ((y / (1.5 + x * x)) * (b * x));
         }
     }
-    ((-r1[0]) * (y * r1[2])) + b + y + x
+    ((-(r1[0])) * (y * r1[2])) + b + y + x
 }
 
 fn program_28_of<S: Real<Mask = bool>>(x: S, y: S) -> S {
@@ -3133,7 +3156,7 @@ fn program_28_of<S: Real<Mask = bool>>(x: S, y: S) -> S {
             return ((y / (S::from_f64(1.5) + x * x)) * (b * x));
         }
     }
-    ((-r1[0]) * (y * r1[2])) + b + y + x
+    ((-(r1[0])) * (y * r1[2])) + b + y + x
 }
 
 #[differentiable]
@@ -3146,7 +3169,7 @@ fn program_29(x: f64, y: f64) -> f64 {
     }
     d *= (((r1[1] * y) * -1.125_f64) * 0.75).sin();
     d = (((d * 0.875_f64).cos() * (d + y)) + 0.125).tanh();
-    let e = program_7(((x - -0.375_f64).tanh() + 0.125).tanh(), ((-d) + 0.125).tanh()).tanh();
+    let e = program_7(((x - -0.375_f64).tanh() + 0.125).tanh(), ((-(d)) + 0.125).tanh()).tanh();
     'l2: for i3 in 1..=0_usize {
         let c = (r1[i3 % 4] - -0.125_f64).tanh();
     }
@@ -3166,7 +3189,7 @@ fn program_29(x: f64, y: f64) -> f64 {
                     ((e * e + 0.25).sqrt() * 0.75).sin(),
                     (r1[(i7 + 3) % 4] * 0.75).sin(),
                     ((r1[i7 % 4] + -0.375_f64).sin() * 0.75).sin(),
-                    ((-r1[1]) + 0.125).tanh(),
+                    ((-(r1[1])) + 0.125).tanh(),
                     ((-0.875_f64 * 0.125_f64).abs() + 0.125).tanh(),
                 ];
                 let c = ((b * b + 0.25).sqrt() - (e - -0.875_f64).tanh());
@@ -3228,7 +3251,7 @@ fn program_29_of<S: Real<Mask = bool>>(x: S, y: S) -> S {
     d = (((d * S::from_f64(0.875_f64)).cos() * (d + y)) + S::from_f64(0.125)).tanh();
     let e = program_7_of(
         ((x - S::from_f64(-0.375_f64)).tanh() + S::from_f64(0.125)).tanh(),
-        ((-d) + S::from_f64(0.125)).tanh(),
+        ((-(d)) + S::from_f64(0.125)).tanh(),
     )
     .tanh();
     'l2: for i3 in 1..=0_usize {
@@ -3253,7 +3276,7 @@ fn program_29_of<S: Real<Mask = bool>>(x: S, y: S) -> S {
                     ((e * e + S::from_f64(0.25)).sqrt() * S::from_f64(0.75)).sin(),
                     (r1[(i7 + 3) % 4] * S::from_f64(0.75)).sin(),
                     ((r1[i7 % 4] + S::from_f64(-0.375_f64)).sin() * S::from_f64(0.75)).sin(),
-                    ((-r1[1]) + S::from_f64(0.125)).tanh(),
+                    ((-(r1[1])) + S::from_f64(0.125)).tanh(),
                     ((S::from_f64(-0.875_f64) * S::from_f64(0.125_f64)).abs() + S::from_f64(0.125))
                         .tanh(),
                 ];
@@ -3381,7 +3404,7 @@ fn program_30(x: f64, y: f64) -> f64 {
         )
         .tanh();
     }
-    ((d - b) + (-f)) + d + e + b + f + a + y + x
+    ((d - b) + (-(f))) + d + e + b + f + a + y + x
 }
 
 fn program_30_of<S: Real<Mask = bool>>(x: S, y: S) -> S {
@@ -3449,7 +3472,7 @@ fn program_30_of<S: Real<Mask = bool>>(x: S, y: S) -> S {
         )
         .tanh();
     }
-    ((d - b) + (-f)) + d + e + b + f + a + y + x
+    ((d - b) + (-(f))) + d + e + b + f + a + y + x
 }
 
 #[differentiable]
@@ -3470,7 +3493,7 @@ fn program_31(x: f64, y: f64) -> f64 {
     r1[3] = ((r1[1] * (d / (1.5 + a * a))) * 0.75).sin();
     b -= (((y * y) - (c - d)) * 0.75).sin();
     d -= (y * 0.75).sin();
-    let g3 = |t: f64| ((--0.125_f64) * 0.875_f64).max(c) * t;
+    let g3 = |t: f64| ((-(-0.125_f64)) * 0.875_f64).max(c) * t;
     let b = (g3((d + -1.125_f64).sin()) + g3(y)).sin();
     d = (r2[0] + 0.125).tanh();
     d -= (((y - x) * -0.375_f64).abs() + 0.125).tanh();
@@ -3479,10 +3502,10 @@ fn program_31(x: f64, y: f64) -> f64 {
     'l6: for i7 in 0..=2_usize {
         d -= (((-0.625_f64 + d) + -1.125_f64).sin() * 0.75).sin();
         'l8: for i9 in (i7..4_usize).step_by(2) {
-            if (r1[(i9 * i9 + 1) % 5] * r2[(i7 * i7 + 1) % 4]) <= (-r1[2]) {
+            if (r1[(i9 * i9 + 1) % 5] * r2[(i7 * i7 + 1) % 4]) <= (-(r1[2])) {
                 break 'l8;
             }
-            if (r2[(i9 * i9 + 1) % 4] - -0.625_f64).tanh() < (-x) {
+            if (r2[(i9 * i9 + 1) % 4] - -0.625_f64).tanh() < (-(x)) {
                 continue;
             }
         }
@@ -3516,7 +3539,7 @@ fn program_31_of<S: Real<Mask = bool>>(x: S, y: S) -> S {
     r1[3] = ((r1[1] * (d / (S::from_f64(1.5) + a * a))) * S::from_f64(0.75)).sin();
     b = b - (((y * y) - (c - d)) * S::from_f64(0.75)).sin();
     d = d - (y * S::from_f64(0.75)).sin();
-    let g3 = |t: S| ((-S::from_f64(-0.125_f64)) * S::from_f64(0.875_f64)).max(c) * t;
+    let g3 = |t: S| ((-(S::from_f64(-0.125_f64))) * S::from_f64(0.875_f64)).max(c) * t;
     let b = (g3((d + S::from_f64(-1.125_f64)).sin()) + g3(y)).sin();
     d = (r2[0] + S::from_f64(0.125)).tanh();
     d = d - (((y - x) * S::from_f64(-0.375_f64)).abs() + S::from_f64(0.125)).tanh();
@@ -3527,10 +3550,10 @@ fn program_31_of<S: Real<Mask = bool>>(x: S, y: S) -> S {
             - (((S::from_f64(-0.625_f64) + d) + S::from_f64(-1.125_f64)).sin() * S::from_f64(0.75))
                 .sin();
         'l8: for i9 in (i7..4_usize).step_by(2) {
-            if (r1[(i9 * i9 + 1) % 5] * r2[(i7 * i7 + 1) % 4]).cmple((-r1[2])) {
+            if (r1[(i9 * i9 + 1) % 5] * r2[(i7 * i7 + 1) % 4]).cmple((-(r1[2]))) {
                 break 'l8;
             }
-            if (r2[(i9 * i9 + 1) % 4] - S::from_f64(-0.625_f64)).tanh().cmplt((-x)) {
+            if (r2[(i9 * i9 + 1) % 4] - S::from_f64(-0.625_f64)).tanh().cmplt((-(x))) {
                 continue;
             }
         }
@@ -3561,7 +3584,7 @@ fn program_32(x: f64, y: f64) -> f64 {
     let mut r1 = [
         ((y * y) * 0.75).sin(),
         ((y - 0.375_f64).tanh() * 0.75).sin(),
-        ((-x) * 0.75).sin(),
+        ((-(x)) * 0.75).sin(),
         ((y * 0.875_f64).cos() * 0.75).sin(),
     ];
     if (a - 0.375_f64).tanh() > x {
@@ -3570,7 +3593,7 @@ fn program_32(x: f64, y: f64) -> f64 {
     if r1[2] < (r1[3] * -0.875_f64) {
         return -0.125_f64;
     }
-    r1[0] = (((-y) * 0.875_f64).cos() + 0.125).tanh();
+    r1[0] = (((-(y)) * 0.875_f64).cos() + 0.125).tanh();
     a = (((a * -0.875_f64).max(x) / (1.5 + (r1[1] / (1.5 + y * y)) * (r1[1] / (1.5 + y * y))))
         + 0.125)
         .tanh();
@@ -3584,18 +3607,18 @@ fn program_32(x: f64, y: f64) -> f64 {
     'l3: for i4 in (1..1_usize).step_by(2) {
         a *= (((r1[(i4 + 2) % 4] / (1.5 + a * a)) * -0.125_f64).max(0.875_f64) + 0.125).tanh();
         a *= ((-(y / (1.5 + ((i4 as f64) * 0.25) * ((i4 as f64) * 0.25)))) + 0.125).tanh();
-        let g5 = |t: f64| ((y * y + 0.25).sqrt() * (-r1[(i4 * i4 + 1) % 4])) * t;
+        let g5 = |t: f64| ((y * y + 0.25).sqrt() * (-(r1[(i4 * i4 + 1) % 4]))) * t;
         let f = (g5((e * r1[i4 % 4])) + g5((y * b))).sin();
     }
     for v in r1.iter() {
-        a = a * ((-r1[3]) + 0.125).tanh() + *v * ((-r1[3]) + 0.125).tanh();
+        a = a * ((-(r1[3])) + 0.125).tanh() + *v * ((-(r1[3])) + 0.125).tanh();
     }
     'l6: for i7 in (0..4_usize).step_by(2) {
         if i7 % 2 == 0 {
-            a = (((-x) * (a * x)) + 0.125).tanh();
+            a = (((-(x)) * (a * x)) + 0.125).tanh();
             let mut r8 = [((r1[(i7 + 0) % 4] * a) + 0.125).tanh(); 2];
         }
-        r1[(i7 + 0) % 4] = ((((i7 as f64) * 0.25) - (-y)) + 0.125).tanh();
+        r1[(i7 + 0) % 4] = ((((i7 as f64) * 0.25) - (-(y))) + 0.125).tanh();
         let g9 = |t: f64| ((t * b) * x) * t;
         let c = (g9(r1[(i7 * i7 + 1) % 4]) + g9((((i7 as f64) * 0.25) * -0.125_f64).cos())).sin();
     }
@@ -3607,7 +3630,7 @@ fn program_32_of<S: Real<Mask = bool>>(x: S, y: S) -> S {
     let mut r1 = [
         ((y * y) * S::from_f64(0.75)).sin(),
         ((y - S::from_f64(0.375_f64)).tanh() * S::from_f64(0.75)).sin(),
-        ((-x) * S::from_f64(0.75)).sin(),
+        ((-(x)) * S::from_f64(0.75)).sin(),
         ((y * S::from_f64(0.875_f64)).cos() * S::from_f64(0.75)).sin(),
     ];
     if (a - S::from_f64(0.375_f64)).tanh().cmpgt(x) {
@@ -3616,7 +3639,7 @@ fn program_32_of<S: Real<Mask = bool>>(x: S, y: S) -> S {
     if r1[2].cmplt((r1[3] * S::from_f64(-0.875_f64))) {
         return S::from_f64(-0.125_f64);
     }
-    r1[0] = (((-y) * S::from_f64(0.875_f64)).cos() + S::from_f64(0.125)).tanh();
+    r1[0] = (((-(y)) * S::from_f64(0.875_f64)).cos() + S::from_f64(0.125)).tanh();
     a = (((a * S::from_f64(-0.875_f64)).max(x)
         / (S::from_f64(1.5)
             + (r1[1] / (S::from_f64(1.5) + y * y)) * (r1[1] / (S::from_f64(1.5) + y * y))))
@@ -3642,20 +3665,20 @@ fn program_32_of<S: Real<Mask = bool>>(x: S, y: S) -> S {
                         * (S::from_f64(i4 as f64) * S::from_f64(0.25)))))
                 + S::from_f64(0.125))
             .tanh();
-        let g5 = |t: S| ((y * y + S::from_f64(0.25)).sqrt() * (-r1[(i4 * i4 + 1) % 4])) * t;
+        let g5 = |t: S| ((y * y + S::from_f64(0.25)).sqrt() * (-(r1[(i4 * i4 + 1) % 4]))) * t;
         let f = (g5((e * r1[i4 % 4])) + g5((y * b))).sin();
     }
     for v in r1.iter() {
-        a = a * ((-r1[3]) + S::from_f64(0.125)).tanh()
-            + *v * ((-r1[3]) + S::from_f64(0.125)).tanh();
+        a = a * ((-(r1[3])) + S::from_f64(0.125)).tanh()
+            + *v * ((-(r1[3])) + S::from_f64(0.125)).tanh();
     }
     'l6: for i7 in (0..4_usize).step_by(2) {
         if i7 % 2 == 0 {
-            a = (((-x) * (a * x)) + S::from_f64(0.125)).tanh();
+            a = (((-(x)) * (a * x)) + S::from_f64(0.125)).tanh();
             let mut r8 = [((r1[(i7 + 0) % 4] * a) + S::from_f64(0.125)).tanh(); 2];
         }
         r1[(i7 + 0) % 4] =
-            (((S::from_f64(i7 as f64) * S::from_f64(0.25)) - (-y)) + S::from_f64(0.125)).tanh();
+            (((S::from_f64(i7 as f64) * S::from_f64(0.25)) - (-(y))) + S::from_f64(0.125)).tanh();
         let g9 = |t: S| ((t * b) * x) * t;
         let c = (g9(r1[(i7 * i7 + 1) % 4])
             + g9(((S::from_f64(i7 as f64) * S::from_f64(0.25)) * S::from_f64(-0.125_f64)).cos()))
@@ -3671,19 +3694,19 @@ fn program_33(x: f64, y: f64) -> f64 {
     let (a, mut b) = (((r1[0] * c) + 0.125).tanh(), r1[1]);
     if (x / (1.5 + r1[1] * r1[1])) < (r1[0] * r1[0] + 0.25).sqrt() {
         let g2 = |t: f64| ((c + a) * 0.375_f64).cos() * t;
-        let b = (g2((-x)) + g2((y - y))).sin();
+        let b = (g2((-(x))) + g2((y - y))).sin();
         c -= ((0.375_f64 - (b - -0.375_f64).tanh()) * 0.75).sin();
         let a: f64 = r1.iter().map(|v| v * ((c + 0.375_f64).sin() + 0.125).tanh()).sum();
     } else {
         'l3: for i4 in 0..2_usize {
             'l5: for i6 in 1..3_usize {
-                let mut b = ((-y) + 0.125).tanh();
+                let mut b = ((-(y)) + 0.125).tanh();
                 c -= (((y * y + 0.25).sqrt() * (y * y + 0.25).sqrt() + 0.25).sqrt() * 0.75).sin();
             }
         }
     }
     let g7 = |t: f64| ((r1[1] - 0.125_f64).tanh() + -0.375_f64).sin() * t;
-    let c = (g7((-b)) + g7(r1[1])).sin();
+    let c = (g7((-(b))) + g7(r1[1])).sin();
     if (a - a) >= (c * -0.875_f64).cos() {
         return ((r1[0] * b) + x);
     }
@@ -3705,7 +3728,7 @@ fn program_33_of<S: Real<Mask = bool>>(x: S, y: S) -> S {
     let (a, mut b) = (((r1[0] * c) + S::from_f64(0.125)).tanh(), r1[1]);
     if (x / (S::from_f64(1.5) + r1[1] * r1[1])).cmplt((r1[0] * r1[0] + S::from_f64(0.25)).sqrt()) {
         let g2 = |t: S| ((c + a) * S::from_f64(0.375_f64)).cos() * t;
-        let b = (g2((-x)) + g2((y - y))).sin();
+        let b = (g2((-(x))) + g2((y - y))).sin();
         c = c
             - ((S::from_f64(0.375_f64) - (b - S::from_f64(-0.375_f64)).tanh()) * S::from_f64(0.75))
                 .sin();
@@ -3715,7 +3738,7 @@ fn program_33_of<S: Real<Mask = bool>>(x: S, y: S) -> S {
     } else {
         'l3: for i4 in 0..2_usize {
             'l5: for i6 in 1..3_usize {
-                let mut b = ((-y) + S::from_f64(0.125)).tanh();
+                let mut b = ((-(y)) + S::from_f64(0.125)).tanh();
                 c = c
                     - (((y * y + S::from_f64(0.25)).sqrt() * (y * y + S::from_f64(0.25)).sqrt()
                         + S::from_f64(0.25))
@@ -3726,7 +3749,7 @@ fn program_33_of<S: Real<Mask = bool>>(x: S, y: S) -> S {
         }
     }
     let g7 = |t: S| ((r1[1] - S::from_f64(0.125_f64)).tanh() + S::from_f64(-0.375_f64)).sin() * t;
-    let c = (g7((-b)) + g7(r1[1])).sin();
+    let c = (g7((-(b))) + g7(r1[1])).sin();
     if (a - a).cmpge((c * S::from_f64(-0.875_f64)).cos()) {
         return ((r1[0] * b) + x);
     }
@@ -3772,7 +3795,7 @@ fn program_34(x: f64, y: f64) -> f64 {
         let a = ((r1[(i7 + 0) % 3] * r1[0]) * 0.125_f64).cos();
     }
     let mut d = ((-1.125_f64 * -1.125_f64).max(x) + 0.125).tanh();
-    let mut a = ((-r1[1]) + 0.125).tanh();
+    let mut a = ((-(r1[1])) + 0.125).tanh();
     a = (r1[0] + 0.125).tanh();
     (r1[2] - (0.375_f64 + a)) + a + d + y + x
 }
@@ -3807,7 +3830,7 @@ fn program_34_of<S: Real<Mask = bool>>(x: S, y: S) -> S {
     }
     let mut d =
         ((S::from_f64(-1.125_f64) * S::from_f64(-1.125_f64)).max(x) + S::from_f64(0.125)).tanh();
-    let mut a = ((-r1[1]) + S::from_f64(0.125)).tanh();
+    let mut a = ((-(r1[1])) + S::from_f64(0.125)).tanh();
     a = (r1[0] + S::from_f64(0.125)).tanh();
     (r1[2] - (S::from_f64(0.375_f64) + a)) + a + d + y + x
 }
@@ -3831,9 +3854,9 @@ fn program_35(x: f64, y: f64) -> f64 {
         .tanh();
     b *= (((a * a + 0.25).sqrt() + (y + a)) + 0.125).tanh();
     if (x + r1[0]) > (r1[2] - y) {
-        let f = program_6(((x * x + 0.25).sqrt() * 0.75).sin(), ((-f) + 0.125).tanh()).tanh();
+        let f = program_6(((x * x + 0.25).sqrt() * 0.75).sin(), ((-(f)) + 0.125).tanh()).tanh();
     }
-    if (a / (1.5 + r1[0] * r1[0])) <= (-r1[1]) {
+    if (a / (1.5 + r1[0] * r1[0])) <= (-(r1[1])) {
         b *= (-0.125_f64 * 0.75).sin();
         'l2: for i3 in 2..1_usize {
             let b = ((f + 0.875_f64).sin() - (((i3 as f64) * 0.25) + 0.875_f64).sin());
@@ -3874,11 +3897,11 @@ fn program_35_of<S: Real<Mask = bool>>(x: S, y: S) -> S {
     if (x + r1[0]).cmpgt((r1[2] - y)) {
         let f = program_6_of(
             ((x * x + S::from_f64(0.25)).sqrt() * S::from_f64(0.75)).sin(),
-            ((-f) + S::from_f64(0.125)).tanh(),
+            ((-(f)) + S::from_f64(0.125)).tanh(),
         )
         .tanh();
     }
-    if (a / (S::from_f64(1.5) + r1[0] * r1[0])).cmple((-r1[1])) {
+    if (a / (S::from_f64(1.5) + r1[0] * r1[0])).cmple((-(r1[1]))) {
         b = b * (S::from_f64(-0.125_f64) * S::from_f64(0.75)).sin();
         'l2: for i3 in 2..1_usize {
             let b = ((f + S::from_f64(0.875_f64)).sin()
@@ -3929,9 +3952,9 @@ fn program_36(x: f64, y: f64) -> f64 {
         c = ((x * (c + -1.125_f64).sin()) * 0.75).sin();
         c = (((0.875_f64 * -0.875_f64) - -0.875_f64).tanh() + 0.125).tanh();
     }
-    f -= ((-x) + 0.125).tanh();
+    f -= ((-(x)) + 0.125).tanh();
     if (y / (1.5 + r1[1] * r1[1])) <= (f * 0.375_f64).cos() {
-        let mut e = ((-r1[0]) * 0.75).sin();
+        let mut e = ((-(r1[0])) * 0.75).sin();
         e -= (((x * f) + (0.375_f64 * x)) + 0.125).tanh();
         let mut c = ((0.875_f64 + r1[0]) + 0.125).tanh();
     }
@@ -3982,9 +4005,9 @@ fn program_36_of<S: Real<Mask = bool>>(x: S, y: S) -> S {
             + S::from_f64(0.125))
         .tanh();
     }
-    f = f - ((-x) + S::from_f64(0.125)).tanh();
+    f = f - ((-(x)) + S::from_f64(0.125)).tanh();
     if (y / (S::from_f64(1.5) + r1[1] * r1[1])).cmple((f * S::from_f64(0.375_f64)).cos()) {
-        let mut e = ((-r1[0]) * S::from_f64(0.75)).sin();
+        let mut e = ((-(r1[0])) * S::from_f64(0.75)).sin();
         e = e - (((x * f) + (S::from_f64(0.375_f64) * x)) + S::from_f64(0.125)).tanh();
         let mut c = ((S::from_f64(0.875_f64) + r1[0]) + S::from_f64(0.125)).tanh();
     }
@@ -4022,7 +4045,7 @@ fn program_37(x: f64, y: f64) -> f64 {
                     .tanh();
             }
         }
-        b -= (((r1[0] - r1[1]) * (-x)) * 0.75).sin();
+        b -= (((r1[0] - r1[1]) * (-(x))) * 0.75).sin();
     }
     b += (((y + r1[0]) * (r1[2] * 0.875_f64).cos()) * 0.75).sin();
     let a = y;
@@ -4072,7 +4095,7 @@ fn program_37_of<S: Real<Mask = bool>>(x: S, y: S) -> S {
                     .tanh();
             }
         }
-        b = b - (((r1[0] - r1[1]) * (-x)) * S::from_f64(0.75)).sin();
+        b = b - (((r1[0] - r1[1]) * (-(x))) * S::from_f64(0.75)).sin();
     }
     b = b + (((y + r1[0]) * (r1[2] * S::from_f64(0.875_f64)).cos()) * S::from_f64(0.75)).sin();
     let a = y;
@@ -4089,14 +4112,14 @@ fn program_38(x: f64, y: f64) -> f64 {
     b += (((a * -0.625_f64).cos() * 0.125_f64).abs() * 0.75).sin();
     b *= (((b - d) * (b - d) + 0.25).sqrt() + 0.125).tanh();
     let d = ((0.625_f64 / (1.5 + y * y)) * (r1[0] * 0.375_f64).cos());
-    b += (((-y) * (d * 0.125_f64).max(d)) * 0.75).sin();
+    b += (((-(y)) * (d * 0.125_f64).max(d)) * 0.75).sin();
     'l2: for i3 in (2..1_usize).step_by(2) {
         'l4: for i5 in i3..0_usize {
             b *= (((r1[i3 % 2] - x) * -0.875_f64).max(r1[i5 % 2]) + 0.125).tanh();
         }
         b = (((r1[(i3 * i3 + 1) % 2] * y) - -0.375_f64).tanh() + 0.125).tanh();
     }
-    let b = (-r1[1]);
+    let b = (-(r1[1]));
     let d = program_36(((d * c) + 0.125).tanh(), ((d + c) + 0.125).tanh()).tanh();
     let mut c = ((-0.875_f64 * x) + 0.125).tanh();
     ((r1[0] * 0.625_f64).max(r1[0]) / (1.5 + r1[0] * r1[0])) + c + d + b + a + y + x
@@ -4122,7 +4145,7 @@ fn program_38_of<S: Real<Mask = bool>>(x: S, y: S) -> S {
     b = b * (((b - d) * (b - d) + S::from_f64(0.25)).sqrt() + S::from_f64(0.125)).tanh();
     let d = ((S::from_f64(0.625_f64) / (S::from_f64(1.5) + y * y))
         * (r1[0] * S::from_f64(0.375_f64)).cos());
-    b = b + (((-y) * (d * S::from_f64(0.125_f64)).max(d)) * S::from_f64(0.75)).sin();
+    b = b + (((-(y)) * (d * S::from_f64(0.125_f64)).max(d)) * S::from_f64(0.75)).sin();
     'l2: for i3 in (2..1_usize).step_by(2) {
         'l4: for i5 in i3..0_usize {
             b = b
@@ -4133,7 +4156,7 @@ fn program_38_of<S: Real<Mask = bool>>(x: S, y: S) -> S {
         b = (((r1[(i3 * i3 + 1) % 2] * y) - S::from_f64(-0.375_f64)).tanh() + S::from_f64(0.125))
             .tanh();
     }
-    let b = (-r1[1]);
+    let b = (-(r1[1]));
     let d =
         program_36_of(((d * c) + S::from_f64(0.125)).tanh(), ((d + c) + S::from_f64(0.125)).tanh())
             .tanh();
@@ -4151,7 +4174,7 @@ fn program_38_of<S: Real<Mask = bool>>(x: S, y: S) -> S {
 fn program_39(x: f64, y: f64) -> f64 {
     let mut b = ((y + y) + 0.125).tanh();
     let r1 = [((b + x) * 0.75).sin(); 4];
-    b *= ((-(y + 0.625_f64).sin()) + 0.125).tanh();
+    b *= ((-((y + 0.625_f64).sin())) + 0.125).tanh();
     let c = if (b * 0.625_f64).abs() > (b + x) {
         ((x * x + 0.25).sqrt() - (x * 0.875_f64).cos())
     } else {
@@ -4159,7 +4182,7 @@ fn program_39(x: f64, y: f64) -> f64 {
     };
     let g2 = |t: f64| ((b * b + 0.25).sqrt() * (b * b + 0.25).sqrt() + 0.25).sqrt() * t;
     let e = (g2((x + c)) + g2((y - -0.625_f64).tanh())).sin();
-    let mut r3 = [((-b) * 0.75).sin(); 2];
+    let mut r3 = [((-(b)) * 0.75).sin(); 2];
     let a = if (y * y + 0.25).sqrt() <= (e * 0.375_f64).max(r3[1]) {
         ((b - -1.125_f64).tanh() * -0.875_f64).cos()
     } else {
@@ -4179,7 +4202,7 @@ fn program_39(x: f64, y: f64) -> f64 {
     ];
     if (y / (1.5 + a * a)) < (e * 0.875_f64).max(r1[3]) {
         r6[2] = (((-1.125_f64 * r6[3]) * -0.875_f64).abs() * 0.75).sin();
-        b += (((-r1[1]) * -0.125_f64).cos() * 0.75).sin();
+        b += (((-(r1[1])) * -0.125_f64).cos() * 0.75).sin();
     }
     b *= (((x * r6[2]) / (1.5 + (e * -0.875_f64).max(a) * (e * -0.875_f64).max(a))) * 0.75).sin();
     r3[0] *= ((x * 0.875_f64).max(b) * 0.75).sin();
@@ -4191,7 +4214,7 @@ fn program_39(x: f64, y: f64) -> f64 {
 fn program_39_of<S: Real<Mask = bool>>(x: S, y: S) -> S {
     let mut b = ((y + y) + S::from_f64(0.125)).tanh();
     let r1 = [((b + x) * S::from_f64(0.75)).sin(); 4];
-    b = b * ((-(y + S::from_f64(0.625_f64)).sin()) + S::from_f64(0.125)).tanh();
+    b = b * ((-((y + S::from_f64(0.625_f64)).sin())) + S::from_f64(0.125)).tanh();
     let c = if (b * S::from_f64(0.625_f64)).abs().cmpgt((b + x)) {
         ((x * x + S::from_f64(0.25)).sqrt() - (x * S::from_f64(0.875_f64)).cos())
     } else {
@@ -4204,7 +4227,7 @@ fn program_39_of<S: Real<Mask = bool>>(x: S, y: S) -> S {
             * t
     };
     let e = (g2((x + c)) + g2((y - S::from_f64(-0.625_f64)).tanh())).sin();
-    let mut r3 = [((-b) * S::from_f64(0.75)).sin(); 2];
+    let mut r3 = [((-(b)) * S::from_f64(0.75)).sin(); 2];
     let a = if (y * y + S::from_f64(0.25)).sqrt().cmple((e * S::from_f64(0.375_f64)).max(r3[1])) {
         ((b - S::from_f64(-1.125_f64)).tanh() * S::from_f64(-0.875_f64)).cos()
     } else {
@@ -4226,7 +4249,7 @@ fn program_39_of<S: Real<Mask = bool>>(x: S, y: S) -> S {
         r6[2] = (((S::from_f64(-1.125_f64) * r6[3]) * S::from_f64(-0.875_f64)).abs()
             * S::from_f64(0.75))
         .sin();
-        b = b + (((-r1[1]) * S::from_f64(-0.125_f64)).cos() * S::from_f64(0.75)).sin();
+        b = b + (((-(r1[1])) * S::from_f64(-0.125_f64)).cos() * S::from_f64(0.75)).sin();
     }
     b = b
         * (((x * r6[2])
@@ -4249,12 +4272,12 @@ fn program_40(x: f64, y: f64) -> f64 {
         let e = ((y / (1.5 + y * y)) + 0.625_f64).sin();
         'l2: for i3 in (2..2_usize).rev() {
             let f =
-                if (r1[(i3 * i3 + 1) % 2] + x) <= c { (-r1[0]) } else { (c * -0.875_f64).cos() };
+                if (r1[(i3 * i3 + 1) % 2] + x) <= c { (-(r1[0])) } else { (c * -0.875_f64).cos() };
             'l4: for i5 in (i3..5_usize).step_by(2) {
                 r1[i5 % 2] -= (((y * 0.875_f64).abs() * (0.375_f64 + y)) + 0.125).tanh();
             }
             'l6: for i7 in (0..2_usize).rev() {
-                r1[(i7 * i7 + 1) % 2] -= ((-r1[0]) + 0.125).tanh();
+                r1[(i7 * i7 + 1) % 2] -= ((-(r1[0])) + 0.125).tanh();
                 let c = program_5(
                     ((f * -0.875_f64).cos() * 0.75).sin(),
                     ((r1[i7 % 2] - f) + 0.125).tanh(),
@@ -4269,7 +4292,7 @@ fn program_40(x: f64, y: f64) -> f64 {
                 let b = program_14(((c + -0.375_f64).sin() + 0.125).tanh(), ((y * c) * 0.75).sin())
                     .tanh();
                 r1[0] += ((y * (r1[n9 % 2] - -0.875_f64).tanh()) * 0.75).sin();
-                r1[1] = ((-(-r1[(i11 + 1) % 2])) + 0.125).tanh();
+                r1[1] = ((-(-(r1[(i11 + 1) % 2]))) + 0.125).tanh();
             }
         }
     }
@@ -4289,7 +4312,7 @@ fn program_40_of<S: Real<Mask = bool>>(x: S, y: S) -> S {
         let e = ((y / (S::from_f64(1.5) + y * y)) + S::from_f64(0.625_f64)).sin();
         'l2: for i3 in (2..2_usize).rev() {
             let f = if (r1[(i3 * i3 + 1) % 2] + x).cmple(c) {
-                (-r1[0])
+                (-(r1[0]))
             } else {
                 (c * S::from_f64(-0.875_f64)).cos()
             };
@@ -4301,7 +4324,7 @@ fn program_40_of<S: Real<Mask = bool>>(x: S, y: S) -> S {
             }
             'l6: for i7 in (0..2_usize).rev() {
                 r1[(i7 * i7 + 1) % 2] =
-                    r1[(i7 * i7 + 1) % 2] - ((-r1[0]) + S::from_f64(0.125)).tanh();
+                    r1[(i7 * i7 + 1) % 2] - ((-(r1[0])) + S::from_f64(0.125)).tanh();
                 let c = program_5_of(
                     ((f * S::from_f64(-0.875_f64)).cos() * S::from_f64(0.75)).sin(),
                     ((r1[i7 % 2] - f) + S::from_f64(0.125)).tanh(),
@@ -4321,7 +4344,7 @@ fn program_40_of<S: Real<Mask = bool>>(x: S, y: S) -> S {
                 r1[0] = r1[0]
                     + ((y * (r1[n9 % 2] - S::from_f64(-0.875_f64)).tanh()) * S::from_f64(0.75))
                         .sin();
-                r1[1] = ((-(-r1[(i11 + 1) % 2])) + S::from_f64(0.125)).tanh();
+                r1[1] = ((-(-(r1[(i11 + 1) % 2]))) + S::from_f64(0.125)).tanh();
             }
         }
     }
@@ -4352,7 +4375,7 @@ fn program_41(x: f64, y: f64) -> f64 {
     r1[1] -= (((r1[0] * r1[2]) * (a + a)) + 0.125).tanh();
     if (r1[1] * -0.125_f64).max(r1[2]) <= (r1[1] - 0.625_f64) {
         a *= ((y * 0.375_f64).abs() + 0.125).tanh();
-        let e = program_9(((y + a) + 0.125).tanh(), ((-a) + 0.125).tanh()).tanh();
+        let e = program_9(((y + a) + 0.125).tanh(), ((-(a)) + 0.125).tanh()).tanh();
         let (a, mut b) = (((e + r1[2]) * 0.75).sin(), (r1[2] * r1[2] + 0.25).sqrt());
     }
     'l7: for i8 in 2..4_usize {
@@ -4391,9 +4414,11 @@ fn program_41_of<S: Real<Mask = bool>>(x: S, y: S) -> S {
     r1[1] = r1[1] - (((r1[0] * r1[2]) * (a + a)) + S::from_f64(0.125)).tanh();
     if (r1[1] * S::from_f64(-0.125_f64)).max(r1[2]).cmple((r1[1] - S::from_f64(0.625_f64))) {
         a = a * ((y * S::from_f64(0.375_f64)).abs() + S::from_f64(0.125)).tanh();
-        let e =
-            program_9_of(((y + a) + S::from_f64(0.125)).tanh(), ((-a) + S::from_f64(0.125)).tanh())
-                .tanh();
+        let e = program_9_of(
+            ((y + a) + S::from_f64(0.125)).tanh(),
+            ((-(a)) + S::from_f64(0.125)).tanh(),
+        )
+        .tanh();
         let (a, mut b) =
             (((e + r1[2]) * S::from_f64(0.75)).sin(), (r1[2] * r1[2] + S::from_f64(0.25)).sqrt());
     }
@@ -4447,7 +4472,7 @@ fn program_42(x: f64, y: f64) -> f64 {
     } else {
         ((r1[2] - 0.125_f64).tanh() * (x + -0.625_f64).sin())
     };
-    c = (((-c) * (b * -0.375_f64).abs()) * 0.75).sin();
+    c = (((-(c)) * (b * -0.375_f64).abs()) * 0.75).sin();
     ((r1[1] + x) / (1.5 + -0.625_f64 * -0.625_f64)) + f + b + e + d + c + y + x
 }
 
@@ -4494,7 +4519,7 @@ fn program_42_of<S: Real<Mask = bool>>(x: S, y: S) -> S {
     } else {
         ((r1[2] - S::from_f64(0.125_f64)).tanh() * (x + S::from_f64(-0.625_f64)).sin())
     };
-    c = (((-c) * (b * S::from_f64(-0.375_f64)).abs()) * S::from_f64(0.75)).sin();
+    c = (((-(c)) * (b * S::from_f64(-0.375_f64)).abs()) * S::from_f64(0.75)).sin();
     ((r1[1] + x) / (S::from_f64(1.5) + S::from_f64(-0.625_f64) * S::from_f64(-0.625_f64)))
         + f
         + b
@@ -4517,7 +4542,7 @@ fn program_43(x: f64, y: f64) -> f64 {
             break 'l2;
         }
         'l4: for i5 in n3..0_usize {
-            if (0.375_f64 * -1.125_f64).cos() <= (-y) {
+            if (0.375_f64 * -1.125_f64).cos() <= (-(y)) {
                 break 'l2;
             }
         }
@@ -4559,7 +4584,7 @@ fn program_43_of<S: Real<Mask = bool>>(x: S, y: S) -> S {
             break 'l2;
         }
         'l4: for i5 in n3..0_usize {
-            if (S::from_f64(0.375_f64) * S::from_f64(-1.125_f64)).cos().cmple((-y)) {
+            if (S::from_f64(0.375_f64) * S::from_f64(-1.125_f64)).cos().cmple((-(y))) {
                 break 'l2;
             }
         }
@@ -4612,7 +4637,7 @@ fn program_44(x: f64, y: f64) -> f64 {
     let mut n3 = 0_usize;
     'l2: while n3 < 5 {
         n3 += 1;
-        b += ((-(x * -0.875_f64).abs()) + 0.125).tanh();
+        b += ((-((x * -0.875_f64).abs())) + 0.125).tanh();
     }
     if (b * b + 0.25).sqrt() > (r1[0] + r1[2]) {
         let a = program_35(((f * b) * 0.75).sin(), (f * 0.75).sin()).tanh();
@@ -4625,7 +4650,7 @@ fn program_44(x: f64, y: f64) -> f64 {
         let f = if (f * -0.625_f64).abs() <= (b + r1[1]) {
             ((r1[1] * r1[0]) + (r1[2] + -1.125_f64))
         } else {
-            ((f * r1[3]) * (-x))
+            ((f * r1[3]) * (-(x)))
         };
         if (r1[3] + -0.375_f64).sin() <= (r1[0] * r1[0] + 0.25).sqrt() {
             r1[3] -= (((f + 0.875_f64).sin() - -1.125_f64).tanh() + 0.125).tanh();
@@ -4657,7 +4682,7 @@ fn program_44_of<S: Real<Mask = bool>>(x: S, y: S) -> S {
     let mut n3 = 0_usize;
     'l2: while n3 < 5 {
         n3 += 1;
-        b = b + ((-(x * S::from_f64(-0.875_f64)).abs()) + S::from_f64(0.125)).tanh();
+        b = b + ((-((x * S::from_f64(-0.875_f64)).abs())) + S::from_f64(0.125)).tanh();
     }
     if (b * b + S::from_f64(0.25)).sqrt().cmpgt((r1[0] + r1[2])) {
         let a = program_35_of(((f * b) * S::from_f64(0.75)).sin(), (f * S::from_f64(0.75)).sin())
@@ -4675,7 +4700,7 @@ fn program_44_of<S: Real<Mask = bool>>(x: S, y: S) -> S {
         let f = if (f * S::from_f64(-0.625_f64)).abs().cmple((b + r1[1])) {
             ((r1[1] * r1[0]) + (r1[2] + S::from_f64(-1.125_f64)))
         } else {
-            ((f * r1[3]) * (-x))
+            ((f * r1[3]) * (-(x)))
         };
         if (r1[3] + S::from_f64(-0.375_f64)).sin().cmple((r1[0] * r1[0] + S::from_f64(0.25)).sqrt())
         {
@@ -4707,7 +4732,7 @@ fn program_45(x: f64, y: f64) -> f64 {
         'l2: for i3 in 1..0_usize {
             if i3 % 4 == 3 {
                 let b = program_0(((y * r1[2]) * 0.75).sin(), (r1[4] * 0.75).sin()).tanh();
-                d = ((-r1[(i3 + 4) % 5]) * 0.75).sin();
+                d = ((-(r1[(i3 + 4) % 5])) * 0.75).sin();
             } else {
                 r1[(i3 + 1) % 5] *=
                     (((r1[i3 % 5] * -0.375_f64).abs() * 0.625_f64).cos() + 0.125).tanh();
@@ -4728,7 +4753,7 @@ fn program_45(x: f64, y: f64) -> f64 {
             r1[(i9 * i9 + 1) % 5] *=
                 (((r1[2] * 0.375_f64).cos() * (r1[(i9 * i9 + 1) % 5] + y)) * 0.75).sin();
         }
-        let e = if (d / (1.5 + d * d)) < r1[1] { (-(-y)) } else { (-(r1[3] + d)) };
+        let e = if (d / (1.5 + d * d)) < r1[1] { (-(-(y))) } else { (-(r1[3] + d)) };
     }
     ((x - 0.375_f64).tanh() - (d / (1.5 + -0.375_f64 * -0.375_f64))) + d + y + x
 }
@@ -4750,7 +4775,7 @@ fn program_45_of<S: Real<Mask = bool>>(x: S, y: S) -> S {
                     (r1[4] * S::from_f64(0.75)).sin(),
                 )
                 .tanh();
-                d = ((-r1[(i3 + 4) % 5]) * S::from_f64(0.75)).sin();
+                d = ((-(r1[(i3 + 4) % 5])) * S::from_f64(0.75)).sin();
             } else {
                 r1[(i3 + 1) % 5] = r1[(i3 + 1) % 5]
                     * (((r1[i3 % 5] * S::from_f64(-0.375_f64)).abs() * S::from_f64(0.625_f64))
@@ -4785,7 +4810,7 @@ fn program_45_of<S: Real<Mask = bool>>(x: S, y: S) -> S {
                 .sin();
         }
         let e =
-            if (d / (S::from_f64(1.5) + d * d)).cmplt(r1[1]) { (-(-y)) } else { (-(r1[3] + d)) };
+            if (d / (S::from_f64(1.5) + d * d)).cmplt(r1[1]) { (-(-(y))) } else { (-(r1[3] + d)) };
     }
     ((x - S::from_f64(0.375_f64)).tanh()
         - (d / (S::from_f64(1.5) + S::from_f64(-0.375_f64) * S::from_f64(-0.375_f64))))
@@ -4825,7 +4850,7 @@ fn program_46(x: f64, y: f64) -> f64 {
             }
             if (x - -0.625_f64).tanh() < (b + -0.125_f64) {
                 b += (a + 0.125).tanh();
-                b -= ((-(y + 0.625_f64).sin()) + 0.125).tanh();
+                b -= ((-((y + 0.625_f64).sin())) + 0.125).tanh();
             } else {
                 let (a, mut b) = (((a * a) + 0.125).tanh(), (b + r1[(i8 + 2) % 5]));
                 b *= (((b - b)
@@ -4834,15 +4859,15 @@ fn program_46(x: f64, y: f64) -> f64 {
                             * (r1[i8 % 5] * r1[i8 % 5] + 0.25).sqrt()))
                     * 0.75)
                     .sin();
-                b -= (((-r1[4]) + 0.125_f64).sin() * 0.75).sin();
+                b -= (((-(r1[4])) + 0.125_f64).sin() * 0.75).sin();
             }
         }
-        if (y + -1.125_f64).sin() <= (-y) {
+        if (y + -1.125_f64).sin() <= (-(y)) {
             let c: f64 = r1.iter().map(|v| v * ((r1[1] - r1[0]) + 0.125).tanh()).sum();
-            let f = if (y - b) < r1[3] { (r1[4] - (r1[0] + y)) } else { ((b * c) + (-c)) };
+            let f = if (y - b) < r1[3] { (r1[4] - (r1[0] + y)) } else { ((b * c) + (-(c))) };
             b = (((-0.375_f64 * b) * 0.125_f64).cos() * 0.75).sin();
         }
-        b *= ((-(r1[3] - -0.875_f64).tanh()) * 0.75).sin();
+        b *= ((-((r1[3] - -0.875_f64).tanh())) * 0.75).sin();
     }
     ((y + r1[1]) * 0.125_f64).abs() + b + a + y + x
 }
@@ -4882,7 +4907,7 @@ fn program_46_of<S: Real<Mask = bool>>(x: S, y: S) -> S {
             }
             if (x - S::from_f64(-0.625_f64)).tanh().cmplt((b + S::from_f64(-0.125_f64))) {
                 b = b + (a + S::from_f64(0.125)).tanh();
-                b = b - ((-(y + S::from_f64(0.625_f64)).sin()) + S::from_f64(0.125)).tanh();
+                b = b - ((-((y + S::from_f64(0.625_f64)).sin())) + S::from_f64(0.125)).tanh();
             } else {
                 let (a, mut b) = (((a * a) + S::from_f64(0.125)).tanh(), (b + r1[(i8 + 2) % 5]));
                 b = b
@@ -4892,19 +4917,19 @@ fn program_46_of<S: Real<Mask = bool>>(x: S, y: S) -> S {
                                 * (r1[i8 % 5] * r1[i8 % 5] + S::from_f64(0.25)).sqrt()))
                         * S::from_f64(0.75))
                     .sin();
-                b = b - (((-r1[4]) + S::from_f64(0.125_f64)).sin() * S::from_f64(0.75)).sin();
+                b = b - (((-(r1[4])) + S::from_f64(0.125_f64)).sin() * S::from_f64(0.75)).sin();
             }
         }
-        if (y + S::from_f64(-1.125_f64)).sin().cmple((-y)) {
+        if (y + S::from_f64(-1.125_f64)).sin().cmple((-(y))) {
             let c = r1.iter().fold(S::from_f64(-0.0), |s, v| {
                 s + *v * ((r1[1] - r1[0]) + S::from_f64(0.125)).tanh()
             });
-            let f = if (y - b).cmplt(r1[3]) { (r1[4] - (r1[0] + y)) } else { ((b * c) + (-c)) };
+            let f = if (y - b).cmplt(r1[3]) { (r1[4] - (r1[0] + y)) } else { ((b * c) + (-(c))) };
             b = (((S::from_f64(-0.375_f64) * b) * S::from_f64(0.125_f64)).cos()
                 * S::from_f64(0.75))
             .sin();
         }
-        b = b * ((-(r1[3] - S::from_f64(-0.875_f64)).tanh()) * S::from_f64(0.75)).sin();
+        b = b * ((-((r1[3] - S::from_f64(-0.875_f64)).tanh())) * S::from_f64(0.75)).sin();
     }
     ((y + r1[1]) * S::from_f64(0.125_f64)).abs() + b + a + y + x
 }
@@ -4932,7 +4957,7 @@ fn program_47(x: f64, y: f64) -> f64 {
         let mut n8 = 0_usize;
         'l7: while n8 < 1 {
             n8 += 1;
-            d += ((-(r1[2] * r1[2] + 0.25).sqrt()) + 0.125).tanh();
+            d += ((-((r1[2] * r1[2] + 0.25).sqrt())) + 0.125).tanh();
         }
         let c = y;
         if (y * c) >= (r1[(n6 + 0) % 3] + r1[(n6 * n6 + 1) % 3]) {
@@ -4942,14 +4967,14 @@ fn program_47(x: f64, y: f64) -> f64 {
     let mut n10 = 0_usize;
     'l9: while n10 < 3 {
         n10 += 1;
-        d = (((-r1[(n10 + 1) % 3]) * (r1[(n10 + 0) % 3] / (1.5 + c * c))) * 0.75).sin();
+        d = (((-(r1[(n10 + 1) % 3])) * (r1[(n10 + 0) % 3] / (1.5 + c * c))) * 0.75).sin();
         'l11: for i12 in (2..0_usize).rev() {
             let mut n14 = 0_usize;
             'l13: while n14 < 5 {
                 n14 += 1;
                 d *= ((-(c - -0.375_f64)) * 0.75).sin();
             }
-            let (a, mut b) = (((y * r1[i12 % 3]) * 0.75).sin(), (-r1[(n10 * n10 + 1) % 3]));
+            let (a, mut b) = (((y * r1[i12 % 3]) * 0.75).sin(), (-(r1[(n10 * n10 + 1) % 3])));
             let e =
                 ((r1[n10 % 3] * 0.625_f64).max(d) + (0.625_f64 / (1.5 + -0.875_f64 * -0.875_f64)));
         }
@@ -4986,7 +5011,7 @@ fn program_47_of<S: Real<Mask = bool>>(x: S, y: S) -> S {
         let mut n8 = 0_usize;
         'l7: while n8 < 1 {
             n8 += 1;
-            d = d + ((-(r1[2] * r1[2] + S::from_f64(0.25)).sqrt()) + S::from_f64(0.125)).tanh();
+            d = d + ((-((r1[2] * r1[2] + S::from_f64(0.25)).sqrt())) + S::from_f64(0.125)).tanh();
         }
         let c = y;
         if (y * c).cmpge((r1[(n6 + 0) % 3] + r1[(n6 * n6 + 1) % 3])) {
@@ -4996,7 +5021,7 @@ fn program_47_of<S: Real<Mask = bool>>(x: S, y: S) -> S {
     let mut n10 = 0_usize;
     'l9: while n10 < 3 {
         n10 += 1;
-        d = (((-r1[(n10 + 1) % 3]) * (r1[(n10 + 0) % 3] / (S::from_f64(1.5) + c * c)))
+        d = (((-(r1[(n10 + 1) % 3])) * (r1[(n10 + 0) % 3] / (S::from_f64(1.5) + c * c)))
             * S::from_f64(0.75))
         .sin();
         'l11: for i12 in (2..0_usize).rev() {
@@ -5006,7 +5031,7 @@ fn program_47_of<S: Real<Mask = bool>>(x: S, y: S) -> S {
                 d = d * ((-(c - S::from_f64(-0.375_f64))) * S::from_f64(0.75)).sin();
             }
             let (a, mut b) =
-                (((y * r1[i12 % 3]) * S::from_f64(0.75)).sin(), (-r1[(n10 * n10 + 1) % 3]));
+                (((y * r1[i12 % 3]) * S::from_f64(0.75)).sin(), (-(r1[(n10 * n10 + 1) % 3])));
             let e = ((r1[n10 % 3] * S::from_f64(0.625_f64)).max(d)
                 + (S::from_f64(0.625_f64)
                     / (S::from_f64(1.5) + S::from_f64(-0.875_f64) * S::from_f64(-0.875_f64))));
@@ -5024,8 +5049,8 @@ fn program_48(x: f64, y: f64) -> f64 {
     let mut r1 = [
         ((y * b) * 0.75).sin(),
         ((b * -1.125_f64).max(0.125_f64) + 0.125).tanh(),
-        ((-x) + 0.125).tanh(),
-        ((-b) + 0.125).tanh(),
+        ((-(x)) + 0.125).tanh(),
+        ((-(b)) + 0.125).tanh(),
     ];
     'l2: for i3 in 1..3_usize {
         b *= (((x + r1[3]) / (1.5 + (y - -0.875_f64).tanh() * (y - -0.875_f64).tanh())) * 0.75)
@@ -5045,7 +5070,7 @@ fn program_48(x: f64, y: f64) -> f64 {
             }
         }
     }
-    r1[2] = ((y / (1.5 + (-x) * (-x))) * 0.75).sin();
+    r1[2] = ((y / (1.5 + (-(x)) * (-(x)))) * 0.75).sin();
     'l6: for i7 in (0..1_usize).step_by(2) {
         let d = program_11(
             ((y - ((i7 as f64) * 0.25)) * 0.75).sin(),
@@ -5054,7 +5079,7 @@ fn program_48(x: f64, y: f64) -> f64 {
         .tanh();
     }
     b = (b * 0.75).sin();
-    ((-x) - 0.875_f64).tanh() + b + y + x
+    ((-(x)) - 0.875_f64).tanh() + b + y + x
 }
 
 fn program_48_of<S: Real<Mask = bool>>(x: S, y: S) -> S {
@@ -5062,8 +5087,8 @@ fn program_48_of<S: Real<Mask = bool>>(x: S, y: S) -> S {
     let mut r1 = [
         ((y * b) * S::from_f64(0.75)).sin(),
         ((b * S::from_f64(-1.125_f64)).max(S::from_f64(0.125_f64)) + S::from_f64(0.125)).tanh(),
-        ((-x) + S::from_f64(0.125)).tanh(),
-        ((-b) + S::from_f64(0.125)).tanh(),
+        ((-(x)) + S::from_f64(0.125)).tanh(),
+        ((-(b)) + S::from_f64(0.125)).tanh(),
     ];
     'l2: for i3 in 1..3_usize {
         b = b
@@ -5097,7 +5122,7 @@ fn program_48_of<S: Real<Mask = bool>>(x: S, y: S) -> S {
             }
         }
     }
-    r1[2] = ((y / (S::from_f64(1.5) + (-x) * (-x))) * S::from_f64(0.75)).sin();
+    r1[2] = ((y / (S::from_f64(1.5) + (-(x)) * (-(x)))) * S::from_f64(0.75)).sin();
     'l6: for i7 in (0..1_usize).step_by(2) {
         let d = program_11_of(
             ((y - (S::from_f64(i7 as f64) * S::from_f64(0.25))) * S::from_f64(0.75)).sin(),
@@ -5108,13 +5133,13 @@ fn program_48_of<S: Real<Mask = bool>>(x: S, y: S) -> S {
         .tanh();
     }
     b = (b * S::from_f64(0.75)).sin();
-    ((-x) - S::from_f64(0.875_f64)).tanh() + b + y + x
+    ((-(x)) - S::from_f64(0.875_f64)).tanh() + b + y + x
 }
 
 #[differentiable]
 fn program_49(x: f64, y: f64) -> f64 {
     let mut c = (x * 0.75).sin();
-    let r1 = [((-c) * 0.75).sin(); 2];
+    let r1 = [((-(c)) * 0.75).sin(); 2];
     'l2: for i3 in (0..4_usize).step_by(2) {
         if i3 % 3 == 0 {
             let mut r4 = [((((i3 as f64) * 0.25) + r1[0]) * 0.75).sin(); 4];
@@ -5144,7 +5169,7 @@ fn program_49(x: f64, y: f64) -> f64 {
 
 fn program_49_of<S: Real<Mask = bool>>(x: S, y: S) -> S {
     let mut c = (x * S::from_f64(0.75)).sin();
-    let r1 = [((-c) * S::from_f64(0.75)).sin(); 2];
+    let r1 = [((-(c)) * S::from_f64(0.75)).sin(); 2];
     'l2: for i3 in (0..4_usize).step_by(2) {
         if i3 % 3 == 0 {
             let mut r4 = [(((S::from_f64(i3 as f64) * S::from_f64(0.25)) + r1[0])
@@ -5195,7 +5220,7 @@ fn program_50(x: f64, y: f64) -> f64 {
     a -= (((a / (1.5 + -1.125_f64 * -1.125_f64)) + (a * a)) * 0.75).sin();
     'l2: for i3 in (2..5_usize).step_by(2) {
         'l4: for i5 in (i3..5_usize).step_by(2) {
-            a = (((x + x) / (1.5 + (-x) * (-x))) + 0.125).tanh();
+            a = (((x + x) / (1.5 + (-(x)) * (-(x)))) + 0.125).tanh();
             a = (((x - r1[1]) * 0.625_f64).max(a) * 0.75).sin();
         }
     }
@@ -5211,7 +5236,7 @@ fn program_50(x: f64, y: f64) -> f64 {
                     * (r1[(i9 * i9 + 1) % 4] * r1[(i9 * i9 + 1) % 4] + 0.25).sqrt())
                     + 0.125)
                     .tanh();
-                let mut r12 = [((-y) * 0.75).sin(); 2];
+                let mut r12 = [((-(y)) * 0.75).sin(); 2];
             }
             let (a, mut b) = (((c - -0.375_f64).tanh() * 0.75).sin(), (c * c + 0.25).sqrt());
             let r13 = [
@@ -5239,7 +5264,7 @@ fn program_50_of<S: Real<Mask = bool>>(x: S, y: S) -> S {
         .sin();
     'l2: for i3 in (2..5_usize).step_by(2) {
         'l4: for i5 in (i3..5_usize).step_by(2) {
-            a = (((x + x) / (S::from_f64(1.5) + (-x) * (-x))) + S::from_f64(0.125)).tanh();
+            a = (((x + x) / (S::from_f64(1.5) + (-(x)) * (-(x)))) + S::from_f64(0.125)).tanh();
             a = (((x - r1[1]) * S::from_f64(0.625_f64)).max(a) * S::from_f64(0.75)).sin();
         }
     }
@@ -5260,7 +5285,7 @@ fn program_50_of<S: Real<Mask = bool>>(x: S, y: S) -> S {
                             .sqrt())
                         + S::from_f64(0.125))
                     .tanh();
-                let mut r12 = [((-y) * S::from_f64(0.75)).sin(); 2];
+                let mut r12 = [((-(y)) * S::from_f64(0.75)).sin(); 2];
             }
             let (a, mut b) = (
                 ((c - S::from_f64(-0.375_f64)).tanh() * S::from_f64(0.75)).sin(),
@@ -5283,14 +5308,14 @@ fn program_50_of<S: Real<Mask = bool>>(x: S, y: S) -> S {
 fn program_51(x: f64, y: f64) -> f64 {
     let mut c = ((y + y) * 0.75).sin();
     let mut r1 = [
-        ((-y) + 0.125).tanh(),
-        ((-x) + 0.125).tanh(),
+        ((-(y)) + 0.125).tanh(),
+        ((-(x)) + 0.125).tanh(),
         ((x * y) * 0.75).sin(),
         ((y * 0.375_f64).max(c) * 0.75).sin(),
         (c + 0.125).tanh(),
     ];
     let g2 = |t: f64| ((x * x + 0.25).sqrt() * -0.625_f64).abs() * t;
-    let d = (g2((-r1[0])) + g2((r1[1] * r1[1] + 0.25).sqrt())).sin();
+    let d = (g2((-(r1[0]))) + g2((r1[1] * r1[1] + 0.25).sqrt())).sin();
     c += (((0.125_f64 - 0.875_f64).tanh() / (1.5 + (c / (1.5 + x * x)) * (c / (1.5 + x * x))))
         * 0.75)
         .sin();
@@ -5306,7 +5331,7 @@ fn program_51(x: f64, y: f64) -> f64 {
     }
     r1[4] *= (((a - x) - (r1[0] * r1[0] + 0.25).sqrt()) * 0.75).sin();
     r1[4] = ((r1[0] + r1[2]) * 0.75).sin();
-    r1[4] = (((-x) * 0.875_f64).cos() + 0.125).tanh();
+    r1[4] = (((-(x)) * 0.875_f64).cos() + 0.125).tanh();
     'l5: for i6 in 1..=5_usize {
         c = (((r1[(i6 + 2) % 5] - y) * (b + -0.125_f64).sin()) + 0.125).tanh();
         if i6 % 2 == 0 {
@@ -5325,14 +5350,14 @@ fn program_51(x: f64, y: f64) -> f64 {
 fn program_51_of<S: Real<Mask = bool>>(x: S, y: S) -> S {
     let mut c = ((y + y) * S::from_f64(0.75)).sin();
     let mut r1 = [
-        ((-y) + S::from_f64(0.125)).tanh(),
-        ((-x) + S::from_f64(0.125)).tanh(),
+        ((-(y)) + S::from_f64(0.125)).tanh(),
+        ((-(x)) + S::from_f64(0.125)).tanh(),
         ((x * y) * S::from_f64(0.75)).sin(),
         ((y * S::from_f64(0.375_f64)).max(c) * S::from_f64(0.75)).sin(),
         (c + S::from_f64(0.125)).tanh(),
     ];
     let g2 = |t: S| ((x * x + S::from_f64(0.25)).sqrt() * S::from_f64(-0.625_f64)).abs() * t;
-    let d = (g2((-r1[0])) + g2((r1[1] * r1[1] + S::from_f64(0.25)).sqrt())).sin();
+    let d = (g2((-(r1[0]))) + g2((r1[1] * r1[1] + S::from_f64(0.25)).sqrt())).sin();
     c = c
         + (((S::from_f64(0.125_f64) - S::from_f64(0.875_f64)).tanh()
             / (S::from_f64(1.5)
@@ -5356,7 +5381,7 @@ fn program_51_of<S: Real<Mask = bool>>(x: S, y: S) -> S {
     r1[4] =
         r1[4] * (((a - x) - (r1[0] * r1[0] + S::from_f64(0.25)).sqrt()) * S::from_f64(0.75)).sin();
     r1[4] = ((r1[0] + r1[2]) * S::from_f64(0.75)).sin();
-    r1[4] = (((-x) * S::from_f64(0.875_f64)).cos() + S::from_f64(0.125)).tanh();
+    r1[4] = (((-(x)) * S::from_f64(0.875_f64)).cos() + S::from_f64(0.125)).tanh();
     'l5: for i6 in 1..=5_usize {
         c = (((r1[(i6 + 2) % 5] - y) * (b + S::from_f64(-0.125_f64)).sin()) + S::from_f64(0.125))
             .tanh();
@@ -5394,13 +5419,13 @@ fn program_52(x: f64, y: f64) -> f64 {
         ((a + 0.875_f64).sin() + 0.125).tanh(),
         ((r1[2] + -0.125_f64).sin() * 0.75).sin(),
         ((e + 0.875_f64) + 0.125).tanh(),
-        ((-e) + 0.125).tanh(),
+        ((-(e)) + 0.125).tanh(),
     ];
     let mut r3 = [((r2[1] * x) * 0.75).sin(); 2];
     let a = if (x * x + 0.25).sqrt() < (r1[1] + 0.875_f64).sin() {
         ((e / (1.5 + e * e)) - -0.875_f64).tanh()
     } else {
-        ((r1[2] - 0.375_f64).tanh() + (-y))
+        ((r1[2] - 0.375_f64).tanh() + (-(y)))
     };
     'l4: for i5 in (2..3_usize).rev() {
         let a = program_18(
@@ -5413,9 +5438,10 @@ fn program_52(x: f64, y: f64) -> f64 {
         } else {
             ((e * 0.375_f64).cos() * 0.875_f64).abs()
         };
-        let mut e = ((-e) + 0.125).tanh();
+        let mut e = ((-(e)) + 0.125).tanh();
     }
-    let d = program_4(((-r2[1]) + 0.125).tanh(), ((r1[2] * 0.375_f64).cos() + 0.125).tanh()).tanh();
+    let d =
+        program_4(((-(r2[1])) + 0.125).tanh(), ((r1[2] * 0.375_f64).cos() + 0.125).tanh()).tanh();
     let mut c = ((a * x) + 0.125).tanh();
     ((c * -0.375_f64).abs() * 0.625_f64).max(r3[1]) + c + d + a + e + y + x
 }
@@ -5443,13 +5469,13 @@ fn program_52_of<S: Real<Mask = bool>>(x: S, y: S) -> S {
         ((a + S::from_f64(0.875_f64)).sin() + S::from_f64(0.125)).tanh(),
         ((r1[2] + S::from_f64(-0.125_f64)).sin() * S::from_f64(0.75)).sin(),
         ((e + S::from_f64(0.875_f64)) + S::from_f64(0.125)).tanh(),
-        ((-e) + S::from_f64(0.125)).tanh(),
+        ((-(e)) + S::from_f64(0.125)).tanh(),
     ];
     let mut r3 = [((r2[1] * x) * S::from_f64(0.75)).sin(); 2];
     let a = if (x * x + S::from_f64(0.25)).sqrt().cmplt((r1[1] + S::from_f64(0.875_f64)).sin()) {
         ((e / (S::from_f64(1.5) + e * e)) - S::from_f64(-0.875_f64)).tanh()
     } else {
-        ((r1[2] - S::from_f64(0.375_f64)).tanh() + (-y))
+        ((r1[2] - S::from_f64(0.375_f64)).tanh() + (-(y)))
     };
     'l4: for i5 in (2..3_usize).rev() {
         let a = program_18_of(
@@ -5462,10 +5488,10 @@ fn program_52_of<S: Real<Mask = bool>>(x: S, y: S) -> S {
         } else {
             ((e * S::from_f64(0.375_f64)).cos() * S::from_f64(0.875_f64)).abs()
         };
-        let mut e = ((-e) + S::from_f64(0.125)).tanh();
+        let mut e = ((-(e)) + S::from_f64(0.125)).tanh();
     }
     let d = program_4_of(
-        ((-r2[1]) + S::from_f64(0.125)).tanh(),
+        ((-(r2[1])) + S::from_f64(0.125)).tanh(),
         ((r1[2] * S::from_f64(0.375_f64)).cos() + S::from_f64(0.125)).tanh(),
     )
     .tanh();
@@ -5485,16 +5511,16 @@ fn program_53(x: f64, y: f64) -> f64 {
     let r1 = [(y * 0.75).sin(); 3];
     c *= (((r1[1] * r1[1] + 0.25).sqrt() * (r1[1] * 0.125_f64).cos()) + 0.125).tanh();
     'l2: for i3 in (0..3_usize).rev() {
-        let c = program_32(((r1[i3 % 3] * c) * 0.75).sin(), ((-x) + 0.125).tanh()).tanh();
+        let c = program_32(((r1[i3 % 3] * c) * 0.75).sin(), ((-(x)) + 0.125).tanh()).tanh();
     }
     c = (((c + -0.625_f64).sin() * (c + -0.125_f64).sin()) * 0.75).sin();
     c += (((r1[1] * r1[2]) + x) + 0.125).tanh();
     if (y * 0.625_f64).max(r1[0]) < (y * 0.875_f64).max(r1[2]) {
-        c *= ((-(r1[2] * 0.375_f64).cos()) + 0.125).tanh();
+        c *= ((-((r1[2] * 0.375_f64).cos())) + 0.125).tanh();
         let mut n5 = 0_usize;
         'l4: while n5 < 4 {
             n5 += 1;
-            let c = ((-r1[0]) - (r1[2] * x));
+            let c = ((-(r1[0])) - (r1[2] * x));
             'l6: for i7 in 1..=2_usize {
                 let mut f = ((y * x) + 0.125).tanh();
                 f = (((y * -0.625_f64).abs() * 0.125_f64).max(r1[(n5 * n5 + 1) % 3]) * 0.75).sin();
@@ -5523,7 +5549,7 @@ fn program_53_of<S: Real<Mask = bool>>(x: S, y: S) -> S {
     'l2: for i3 in (0..3_usize).rev() {
         let c = program_32_of(
             ((r1[i3 % 3] * c) * S::from_f64(0.75)).sin(),
-            ((-x) + S::from_f64(0.125)).tanh(),
+            ((-(x)) + S::from_f64(0.125)).tanh(),
         )
         .tanh();
     }
@@ -5532,11 +5558,11 @@ fn program_53_of<S: Real<Mask = bool>>(x: S, y: S) -> S {
     .sin();
     c = c + (((r1[1] * r1[2]) + x) + S::from_f64(0.125)).tanh();
     if (y * S::from_f64(0.625_f64)).max(r1[0]).cmplt((y * S::from_f64(0.875_f64)).max(r1[2])) {
-        c = c * ((-(r1[2] * S::from_f64(0.375_f64)).cos()) + S::from_f64(0.125)).tanh();
+        c = c * ((-((r1[2] * S::from_f64(0.375_f64)).cos())) + S::from_f64(0.125)).tanh();
         let mut n5 = 0_usize;
         'l4: while n5 < 4 {
             n5 += 1;
-            let c = ((-r1[0]) - (r1[2] * x));
+            let c = ((-(r1[0])) - (r1[2] * x));
             'l6: for i7 in 1..=2_usize {
                 let mut f = ((y * x) + S::from_f64(0.125)).tanh();
                 f = (((y * S::from_f64(-0.625_f64)).abs() * S::from_f64(0.125_f64))
@@ -5570,15 +5596,15 @@ fn program_54(x: f64, y: f64) -> f64 {
     let mut r1 = [((x + x) * 0.75).sin(); 4];
     let mut r2 = [((d * -0.625_f64).max(x) + 0.125).tanh(); 2];
     let a = if (x + d) > (d * -0.625_f64).max(x) {
-        ((-r1[0]) * -1.125_f64).abs()
+        ((-(r1[0])) * -1.125_f64).abs()
     } else {
-        ((-r1[0]) * (d * d + 0.25).sqrt())
+        ((-(r1[0])) * (d * d + 0.25).sqrt())
     };
     for v in r2.iter() {
         d = d * ((d * x) + 0.125).tanh() + *v * ((d * x) + 0.125).tanh();
     }
     'l3: for i4 in (0..4_usize).step_by(2) {
-        let c = (-r1[i4 % 4]);
+        let c = (-(r1[i4 % 4]));
         r1[(i4 * i4 + 1) % 4] -= (((c / (1.5 + a * a)) * 0.625_f64).cos() * 0.75).sin();
         let mut n6 = 0_usize;
         'l5: while n6 < 4 {
@@ -5612,15 +5638,15 @@ fn program_54_of<S: Real<Mask = bool>>(x: S, y: S) -> S {
     let mut r1 = [((x + x) * S::from_f64(0.75)).sin(); 4];
     let mut r2 = [((d * S::from_f64(-0.625_f64)).max(x) + S::from_f64(0.125)).tanh(); 2];
     let a = if (x + d).cmpgt((d * S::from_f64(-0.625_f64)).max(x)) {
-        ((-r1[0]) * S::from_f64(-1.125_f64)).abs()
+        ((-(r1[0])) * S::from_f64(-1.125_f64)).abs()
     } else {
-        ((-r1[0]) * (d * d + S::from_f64(0.25)).sqrt())
+        ((-(r1[0])) * (d * d + S::from_f64(0.25)).sqrt())
     };
     for v in r2.iter() {
         d = d * ((d * x) + S::from_f64(0.125)).tanh() + *v * ((d * x) + S::from_f64(0.125)).tanh();
     }
     'l3: for i4 in (0..4_usize).step_by(2) {
-        let c = (-r1[i4 % 4]);
+        let c = (-(r1[i4 % 4]));
         r1[(i4 * i4 + 1) % 4] = r1[(i4 * i4 + 1) % 4]
             - (((c / (S::from_f64(1.5) + a * a)) * S::from_f64(0.625_f64)).cos()
                 * S::from_f64(0.75))
@@ -5762,9 +5788,9 @@ fn program_56(x: f64, y: f64) -> f64 {
     r2[4] += (((r1[0] * a) + (r2[0] - 0.625_f64).tanh()) + 0.125).tanh();
     'l3: for i4 in (0..3_usize).step_by(2) {
         let c = if (r2[i4 % 5] * r2[(i4 + 4) % 5]) <= (((i4 as f64) * 0.25) * d) {
-            ((-1.125_f64 * -0.375_f64).abs() * (-y))
+            ((-1.125_f64 * -0.375_f64).abs() * (-(y)))
         } else {
-            ((--0.625_f64) * -0.375_f64).cos()
+            ((-(-0.625_f64)) * -0.375_f64).cos()
         };
         let (a, mut b) = (
             ((-((i4 as f64) * 0.25)) * 0.75).sin(),
@@ -5780,8 +5806,8 @@ fn program_56(x: f64, y: f64) -> f64 {
     let (a, mut b) = (((r2[3] + d) * 0.75).sin(), (x + a));
     let (a, mut b) = (((r2[4] - x) * 0.75).sin(), (d - 0.125_f64).tanh());
     let c = if (a * a) > (x * -0.625_f64).abs() { (r2[0] * (a * a + 0.25).sqrt()) } else { y };
-    b = ((-x) * 0.75).sin();
-    ((r2[3] - b) + (-r1[2])) + c + b + a + f + d + y + x
+    b = ((-(x)) * 0.75).sin();
+    ((r2[3] - b) + (-(r1[2]))) + c + b + a + f + d + y + x
 }
 
 fn program_56_of<S: Real<Mask = bool>>(x: S, y: S) -> S {
@@ -5810,9 +5836,9 @@ fn program_56_of<S: Real<Mask = bool>>(x: S, y: S) -> S {
         let c = if (r2[i4 % 5] * r2[(i4 + 4) % 5])
             .cmple(((S::from_f64(i4 as f64) * S::from_f64(0.25)) * d))
         {
-            ((S::from_f64(-1.125_f64) * S::from_f64(-0.375_f64)).abs() * (-y))
+            ((S::from_f64(-1.125_f64) * S::from_f64(-0.375_f64)).abs() * (-(y)))
         } else {
-            ((-S::from_f64(-0.625_f64)) * S::from_f64(-0.375_f64)).cos()
+            ((-(S::from_f64(-0.625_f64))) * S::from_f64(-0.375_f64)).cos()
         };
         let (a, mut b) = (
             ((-(S::from_f64(i4 as f64) * S::from_f64(0.25))) * S::from_f64(0.75)).sin(),
@@ -5838,8 +5864,8 @@ fn program_56_of<S: Real<Mask = bool>>(x: S, y: S) -> S {
     } else {
         y
     };
-    b = ((-x) * S::from_f64(0.75)).sin();
-    ((r2[3] - b) + (-r1[2])) + c + b + a + f + d + y + x
+    b = ((-(x)) * S::from_f64(0.75)).sin();
+    ((r2[3] - b) + (-(r1[2]))) + c + b + a + f + d + y + x
 }
 
 #[differentiable]
@@ -5847,9 +5873,9 @@ fn program_57(x: f64, y: f64) -> f64 {
     let mut b = ((x + y) * 0.75).sin();
     let mut r1 = [((x * x) * 0.75).sin(); 3];
     let e = if (0.875_f64 + b) > r1[0] {
-        ((r1[0] * r1[0] + 0.25).sqrt() - (-r1[1]))
+        ((r1[0] * r1[0] + 0.25).sqrt() - (-(r1[1])))
     } else {
-        ((y * y + 0.25).sqrt() + (-y))
+        ((y * y + 0.25).sqrt() + (-(y)))
     };
     if y < (b * 0.375_f64).cos() {
         b = (((b - 0.625_f64).tanh() * -0.875_f64).cos() * 0.75).sin();
@@ -5885,9 +5911,9 @@ fn program_57_of<S: Real<Mask = bool>>(x: S, y: S) -> S {
     let mut b = ((x + y) * S::from_f64(0.75)).sin();
     let mut r1 = [((x * x) * S::from_f64(0.75)).sin(); 3];
     let e = if (S::from_f64(0.875_f64) + b).cmpgt(r1[0]) {
-        ((r1[0] * r1[0] + S::from_f64(0.25)).sqrt() - (-r1[1]))
+        ((r1[0] * r1[0] + S::from_f64(0.25)).sqrt() - (-(r1[1])))
     } else {
-        ((y * y + S::from_f64(0.25)).sqrt() + (-y))
+        ((y * y + S::from_f64(0.25)).sqrt() + (-(y)))
     };
     if y.cmplt((b * S::from_f64(0.375_f64)).cos()) {
         b = (((b - S::from_f64(0.625_f64)).tanh() * S::from_f64(-0.875_f64)).cos()
@@ -5945,7 +5971,7 @@ fn program_58(x: f64, y: f64) -> f64 {
         d *= (r2[(i5 * i5 + 1) % 2] * 0.75).sin();
     }
     d = (((d * -1.125_f64).max(d) + -0.875_f64).sin() + 0.125).tanh();
-    let (a, mut b) = (((-0.375_f64) + 0.125).tanh(), e);
+    let (a, mut b) = (((-(0.375_f64)) + 0.125).tanh(), e);
     b = (((-0.125_f64 * 0.625_f64).cos() + 0.125_f64).sin() * 0.75).sin();
     let g6 = |t: f64| ((r1[1] + t) + 0.125_f64).sin() * t;
     let b = (g6(d) + g6((b + 0.125_f64).sin())).sin();
@@ -5987,7 +6013,7 @@ fn program_58_of<S: Real<Mask = bool>>(x: S, y: S) -> S {
     d = (((d * S::from_f64(-1.125_f64)).max(d) + S::from_f64(-0.875_f64)).sin()
         + S::from_f64(0.125))
     .tanh();
-    let (a, mut b) = (((-S::from_f64(0.375_f64)) + S::from_f64(0.125)).tanh(), e);
+    let (a, mut b) = (((-(S::from_f64(0.375_f64))) + S::from_f64(0.125)).tanh(), e);
     b = (((S::from_f64(-0.125_f64) * S::from_f64(0.625_f64)).cos() + S::from_f64(0.125_f64)).sin()
         * S::from_f64(0.75))
     .sin();
@@ -6115,4 +6141,2064 @@ fn program_59_of<S: Real<Mask = bool>>(x: S, y: S) -> S {
         / (S::from_f64(1.5)
             + (a * a + S::from_f64(0.25)).sqrt() * (a * a + S::from_f64(0.25)).sqrt()));
     ((r1[1] * S::from_f64(0.125_f64)) - (x * x + S::from_f64(0.25)).sqrt()) + c + e + a + y + x
+}
+
+#[differentiable]
+fn program_60(x: f64, y: f64) -> f64 {
+    let mut c = ((y / (1.5 + y * y)) + 0.125).tanh();
+    let mut r1 = [((x + 0.375_f64).sin() + 0.125).tanh(); 2];
+    if (-(r1[1])) >= (0.375_f64 + c) {
+        r1[1] += (((c * -0.625_f64) * -1.125_f64).abs() * 0.75).sin();
+    } else {
+        r1[1] = (((-(-0.625_f64)) / (1.5 + (0.375_f64 * c) * (0.375_f64 * c))) * 0.75).sin();
+    }
+    let mut r2 = [((r1[0] * 0.375_f64) * 0.75).sin(); 2];
+    if (x * y) >= (x * 0.875_f64).max(x) {
+        let d = program_47(((-1.125_f64 - c) + 0.125).tanh(), ((r2[1] * x) + 0.125).tanh()).tanh();
+        let e = ((c * -0.375_f64).abs() - 0.625_f64).tanh();
+        if (y * y + 0.25).sqrt() >= (c * -0.125_f64).max(r2[1]) {
+            for v in r2.iter() {
+                c = c * (y + 0.125).tanh() + *v * (y + 0.125).tanh();
+            }
+            'l3: for i4 in (0..2_usize).step_by(2) {
+                c -= (((e + ((i4 as f64) * 0.25)) + (x - 0.625_f64).tanh()) + 0.125).tanh();
+                c -= (((-0.625_f64 * ((i4 as f64) * 0.25)) - (0.375_f64 + 0.875_f64)) * 0.75).sin();
+            }
+            c = ((c * -0.125_f64).cos() + 0.125).tanh();
+        }
+    } else {
+        'l5: for i6 in (1..0_usize).step_by(2) {
+            'l7: for i8 in (1..0_usize).step_by(2) {
+                c = ((-((x + 0.625_f64).sin())) * 0.75).sin();
+                r1[0] += (((-0.875_f64 * 0.375_f64).max(r1[0]) * 0.125_f64).cos() + 0.125).tanh();
+            }
+            'l9: for i10 in (2..2_usize).rev() {
+                let d = r2[1];
+                c = (((y * -0.875_f64).max(r2[i6 % 2]) * 0.625_f64).cos() + 0.125).tanh();
+                let mut d = (x * 0.75).sin();
+            }
+        }
+    }
+    ((x * x + 0.25).sqrt() + 0.625_f64).sin() + c + y + x
+}
+
+fn program_60_of<S: Real<Mask = bool>>(x: S, y: S) -> S {
+    let mut c = ((y / (S::from_f64(1.5) + y * y)) + S::from_f64(0.125)).tanh();
+    let mut r1 = [((x + S::from_f64(0.375_f64)).sin() + S::from_f64(0.125)).tanh(); 2];
+    if (-(r1[1])).cmpge((S::from_f64(0.375_f64) + c)) {
+        r1[1] = r1[1]
+            + (((c * S::from_f64(-0.625_f64)) * S::from_f64(-1.125_f64)).abs() * S::from_f64(0.75))
+                .sin();
+    } else {
+        r1[1] = (((-(S::from_f64(-0.625_f64)))
+            / (S::from_f64(1.5) + (S::from_f64(0.375_f64) * c) * (S::from_f64(0.375_f64) * c)))
+            * S::from_f64(0.75))
+        .sin();
+    }
+    let mut r2 = [((r1[0] * S::from_f64(0.375_f64)) * S::from_f64(0.75)).sin(); 2];
+    if (x * y).cmpge((x * S::from_f64(0.875_f64)).max(x)) {
+        let d = program_47_of(
+            ((S::from_f64(-1.125_f64) - c) + S::from_f64(0.125)).tanh(),
+            ((r2[1] * x) + S::from_f64(0.125)).tanh(),
+        )
+        .tanh();
+        let e = ((c * S::from_f64(-0.375_f64)).abs() - S::from_f64(0.625_f64)).tanh();
+        if (y * y + S::from_f64(0.25)).sqrt().cmpge((c * S::from_f64(-0.125_f64)).max(r2[1])) {
+            for v in r2.iter() {
+                c = c * (y + S::from_f64(0.125)).tanh() + *v * (y + S::from_f64(0.125)).tanh();
+            }
+            'l3: for i4 in (0..2_usize).step_by(2) {
+                c = c
+                    - (((e + (S::from_f64(i4 as f64) * S::from_f64(0.25)))
+                        + (x - S::from_f64(0.625_f64)).tanh())
+                        + S::from_f64(0.125))
+                    .tanh();
+                c = c
+                    - (((S::from_f64(-0.625_f64) * (S::from_f64(i4 as f64) * S::from_f64(0.25)))
+                        - (S::from_f64(0.375_f64) + S::from_f64(0.875_f64)))
+                        * S::from_f64(0.75))
+                    .sin();
+            }
+            c = ((c * S::from_f64(-0.125_f64)).cos() + S::from_f64(0.125)).tanh();
+        }
+    } else {
+        'l5: for i6 in (1..0_usize).step_by(2) {
+            'l7: for i8 in (1..0_usize).step_by(2) {
+                c = ((-((x + S::from_f64(0.625_f64)).sin())) * S::from_f64(0.75)).sin();
+                r1[0] = r1[0]
+                    + (((S::from_f64(-0.875_f64) * S::from_f64(0.375_f64)).max(r1[0])
+                        * S::from_f64(0.125_f64))
+                    .cos()
+                        + S::from_f64(0.125))
+                    .tanh();
+            }
+            'l9: for i10 in (2..2_usize).rev() {
+                let d = r2[1];
+                c = (((y * S::from_f64(-0.875_f64)).max(r2[i6 % 2]) * S::from_f64(0.625_f64))
+                    .cos()
+                    + S::from_f64(0.125))
+                .tanh();
+                let mut d = (x * S::from_f64(0.75)).sin();
+            }
+        }
+    }
+    ((x * x + S::from_f64(0.25)).sqrt() + S::from_f64(0.625_f64)).sin() + c + y + x
+}
+
+#[differentiable]
+fn program_61(x: f64, y: f64) -> f64 {
+    let mut e = ((x * 0.375_f64).abs() * 0.75).sin();
+    let mut r1 = [((e * e) + 0.125).tanh(); 2];
+    let g2 = |t: f64| (-1.125_f64 * 0.375_f64).cos() * t;
+    let e = (g2((-0.375_f64 / (1.5 + r1[1] * r1[1]))) + g2((x * r1[0]))).sin();
+    r1[1] = (((r1[1] + -0.375_f64) - 0.625_f64).tanh() * 0.75).sin();
+    let mut b = (r1[1] + 0.125).tanh();
+    b += (((b + -0.625_f64).sin() * -0.875_f64).abs() * 0.75).sin();
+    let (a, mut b) = (((-(e)) * 0.75).sin(), (e + r1[0]));
+    if (a + r1[1]) <= (a + -0.375_f64).sin() {
+        if e > a {
+            if e > (r1[1] - y) {
+                return ((b + -0.625_f64).sin() * (r1[1] * -0.625_f64).abs());
+            }
+            let g3 = |t: f64| ((-(b)) * -0.375_f64).cos() * t;
+            let b = (g3((-0.875_f64 * -0.125_f64).cos()) + g3((a + -0.375_f64).sin())).sin();
+            if (x - y) < (y * 0.375_f64).max(x) {
+                let mut c = ((r1[1] * 0.875_f64).max(r1[0]) + 0.125).tanh();
+                c += (r1[0] + 0.125).tanh();
+                r1[0] += (((y - r1[1]) - -0.375_f64).tanh() + 0.125).tanh();
+            } else {
+                r1[1] += (((x * x + 0.25).sqrt() * -0.625_f64).cos() + 0.125).tanh();
+                let mut r4 = [(y * 0.75).sin(); 5];
+                let mut b = ((r1[1] * r4[1]) * 0.75).sin();
+            }
+        }
+        r1[1] *= (((r1[0] + 0.875_f64).sin() * (r1[1] * r1[1] + 0.25).sqrt()) * 0.75).sin();
+        b = (r1[0] + 0.125).tanh();
+    }
+    ((r1[1] / (1.5 + e * e)) * (r1[1] * -0.375_f64)) + b + a + e + y + x
+}
+
+fn program_61_of<S: Real<Mask = bool>>(x: S, y: S) -> S {
+    let mut e = ((x * S::from_f64(0.375_f64)).abs() * S::from_f64(0.75)).sin();
+    let mut r1 = [((e * e) + S::from_f64(0.125)).tanh(); 2];
+    let g2 = |t: S| (S::from_f64(-1.125_f64) * S::from_f64(0.375_f64)).cos() * t;
+    let e = (g2((S::from_f64(-0.375_f64) / (S::from_f64(1.5) + r1[1] * r1[1]))) + g2((x * r1[0])))
+        .sin();
+    r1[1] = (((r1[1] + S::from_f64(-0.375_f64)) - S::from_f64(0.625_f64)).tanh()
+        * S::from_f64(0.75))
+    .sin();
+    let mut b = (r1[1] + S::from_f64(0.125)).tanh();
+    b = b
+        + (((b + S::from_f64(-0.625_f64)).sin() * S::from_f64(-0.875_f64)).abs()
+            * S::from_f64(0.75))
+        .sin();
+    let (a, mut b) = (((-(e)) * S::from_f64(0.75)).sin(), (e + r1[0]));
+    if (a + r1[1]).cmple((a + S::from_f64(-0.375_f64)).sin()) {
+        if e.cmpgt(a) {
+            if e.cmpgt((r1[1] - y)) {
+                return ((b + S::from_f64(-0.625_f64)).sin()
+                    * (r1[1] * S::from_f64(-0.625_f64)).abs());
+            }
+            let g3 = |t: S| ((-(b)) * S::from_f64(-0.375_f64)).cos() * t;
+            let b = (g3((S::from_f64(-0.875_f64) * S::from_f64(-0.125_f64)).cos())
+                + g3((a + S::from_f64(-0.375_f64)).sin()))
+            .sin();
+            if (x - y).cmplt((y * S::from_f64(0.375_f64)).max(x)) {
+                let mut c =
+                    ((r1[1] * S::from_f64(0.875_f64)).max(r1[0]) + S::from_f64(0.125)).tanh();
+                c = c + (r1[0] + S::from_f64(0.125)).tanh();
+                r1[0] = r1[0]
+                    + (((y - r1[1]) - S::from_f64(-0.375_f64)).tanh() + S::from_f64(0.125)).tanh();
+            } else {
+                r1[1] = r1[1]
+                    + (((x * x + S::from_f64(0.25)).sqrt() * S::from_f64(-0.625_f64)).cos()
+                        + S::from_f64(0.125))
+                    .tanh();
+                let mut r4 = [(y * S::from_f64(0.75)).sin(); 5];
+                let mut b = ((r1[1] * r4[1]) * S::from_f64(0.75)).sin();
+            }
+        }
+        r1[1] = r1[1]
+            * (((r1[0] + S::from_f64(0.875_f64)).sin()
+                * (r1[1] * r1[1] + S::from_f64(0.25)).sqrt())
+                * S::from_f64(0.75))
+            .sin();
+        b = (r1[0] + S::from_f64(0.125)).tanh();
+    }
+    ((r1[1] / (S::from_f64(1.5) + e * e)) * (r1[1] * S::from_f64(-0.375_f64))) + b + a + e + y + x
+}
+
+#[differentiable]
+fn program_62(x: f64, y: f64) -> f64 {
+    let mut c = ((x * 0.625_f64) + 0.125).tanh();
+    let r1 =
+        [((y * y) + 0.125).tanh(), ((x * 0.875_f64).cos() * 0.75).sin(), ((y - c) + 0.125).tanh()];
+    let mut f = ((x * -0.125_f64).max(x) + 0.125).tanh();
+    c = (((-0.375_f64 * 0.875_f64).max(y) - -0.125_f64).tanh() + 0.125).tanh();
+    'l2: for i3 in (1..3_usize).step_by(2) {
+        c = (((r1[(i3 * i3 + 1) % 3] * 0.625_f64).abs() * (-((i3 as f64) * 0.25))) * 0.75).sin();
+        c = (((c * r1[(i3 + 0) % 3]) + (r1[i3 % 3] * 0.875_f64).max(r1[(i3 + 1) % 3])) + 0.125)
+            .tanh();
+        f = (((-(y)) + (f * c)) * 0.75).sin();
+    }
+    if (y * y + 0.25).sqrt() > (y + -0.125_f64) {
+        return ((r1[0] * -0.125_f64).max(-0.125_f64) * (r1[1] * -0.125_f64).max(y));
+    }
+    if (y * f) <= (y * 0.125_f64).abs() {
+        let mut a = (f * 0.75).sin();
+        c -= ((-0.125_f64 * 0.625_f64).max(r1[0]) + 0.125).tanh();
+        'l4: for i5 in 2..5_usize {
+            let b: f64 = r1.iter().map(|v| v * ((x * f) + 0.125).tanh()).sum();
+            let d = program_46(
+                ((((i5 as f64) * 0.25) + x) + 0.125).tanh(),
+                (((i5 as f64) * 0.25) + 0.125).tanh(),
+            )
+            .tanh();
+            c *= ((f * 0.875_f64).abs() * 0.75).sin();
+        }
+    }
+    ((r1[1] * x) + (x / (1.5 + r1[1] * r1[1]))) + f + c + y + x
+}
+
+fn program_62_of<S: Real<Mask = bool>>(x: S, y: S) -> S {
+    let mut c = ((x * S::from_f64(0.625_f64)) + S::from_f64(0.125)).tanh();
+    let r1 = [
+        ((y * y) + S::from_f64(0.125)).tanh(),
+        ((x * S::from_f64(0.875_f64)).cos() * S::from_f64(0.75)).sin(),
+        ((y - c) + S::from_f64(0.125)).tanh(),
+    ];
+    let mut f = ((x * S::from_f64(-0.125_f64)).max(x) + S::from_f64(0.125)).tanh();
+    c = (((S::from_f64(-0.375_f64) * S::from_f64(0.875_f64)).max(y) - S::from_f64(-0.125_f64))
+        .tanh()
+        + S::from_f64(0.125))
+    .tanh();
+    'l2: for i3 in (1..3_usize).step_by(2) {
+        c = (((r1[(i3 * i3 + 1) % 3] * S::from_f64(0.625_f64)).abs()
+            * (-(S::from_f64(i3 as f64) * S::from_f64(0.25))))
+            * S::from_f64(0.75))
+        .sin();
+        c = (((c * r1[(i3 + 0) % 3])
+            + (r1[i3 % 3] * S::from_f64(0.875_f64)).max(r1[(i3 + 1) % 3]))
+            + S::from_f64(0.125))
+        .tanh();
+        f = (((-(y)) + (f * c)) * S::from_f64(0.75)).sin();
+    }
+    if (y * y + S::from_f64(0.25)).sqrt().cmpgt((y + S::from_f64(-0.125_f64))) {
+        return ((r1[0] * S::from_f64(-0.125_f64)).max(S::from_f64(-0.125_f64))
+            * (r1[1] * S::from_f64(-0.125_f64)).max(y));
+    }
+    if (y * f).cmple((y * S::from_f64(0.125_f64)).abs()) {
+        let mut a = (f * S::from_f64(0.75)).sin();
+        c = c
+            - ((S::from_f64(-0.125_f64) * S::from_f64(0.625_f64)).max(r1[0]) + S::from_f64(0.125))
+                .tanh();
+        'l4: for i5 in 2..5_usize {
+            let b = r1
+                .iter()
+                .fold(S::from_f64(-0.0), |s, v| s + *v * ((x * f) + S::from_f64(0.125)).tanh());
+            let d = program_46_of(
+                (((S::from_f64(i5 as f64) * S::from_f64(0.25)) + x) + S::from_f64(0.125)).tanh(),
+                ((S::from_f64(i5 as f64) * S::from_f64(0.25)) + S::from_f64(0.125)).tanh(),
+            )
+            .tanh();
+            c = c * ((f * S::from_f64(0.875_f64)).abs() * S::from_f64(0.75)).sin();
+        }
+    }
+    ((r1[1] * x) + (x / (S::from_f64(1.5) + r1[1] * r1[1]))) + f + c + y + x
+}
+
+#[differentiable]
+fn program_63(x: f64, y: f64) -> f64 {
+    let mut e = ((y + x) + 0.125).tanh();
+    let mut r1 = [((x * 0.875_f64).max(0.125_f64) + 0.125).tanh(); 5];
+    let e = program_59(((y * x) + 0.125).tanh(), ((y * e) + 0.125).tanh()).tanh();
+    let mut a = ((e - -1.125_f64).tanh() + 0.125).tanh();
+    let e = ((r1[1] - -0.625_f64).tanh() - 0.625_f64).tanh();
+    r1[2] += ((a - e) * 0.75).sin();
+    let e = ((-(r1[2])) + y);
+    let f = program_32((y * 0.75).sin(), ((e * a) * 0.75).sin()).tanh();
+    'l2: for i3 in 1..=2_usize {
+        let d = if (a / (1.5 + f * f)) >= (a * r1[4]) {
+            (((i3 as f64) * 0.25) * (((i3 as f64) * 0.25) * r1[i3 % 5]))
+        } else {
+            ((y * 0.375_f64).abs() * (y * -1.125_f64).cos())
+        };
+        'l4: for i5 in (2..2_usize).step_by(2) {
+            let b = ((r1[0] * 0.875_f64).max(x)
+                / (1.5 + (-(r1[(i5 + 0) % 5])) * (-(r1[(i5 + 0) % 5]))));
+        }
+    }
+    let (a, mut b) = (((-0.375_f64 * -0.625_f64).cos() * 0.75).sin(), x);
+    let b = program_48((r1[1] + 0.125).tanh(), (-0.625_f64 + 0.125).tanh()).tanh();
+    let b = program_7(((-0.375_f64 - b) * 0.75).sin(), (r1[1] * 0.75).sin()).tanh();
+    let (a, mut b) = (((y * 0.375_f64).abs() + 0.125).tanh(), (-0.875_f64 - -0.875_f64).tanh());
+    ((-(x)) - -0.375_f64).tanh() + b + a + f + e + y + x
+}
+
+fn program_63_of<S: Real<Mask = bool>>(x: S, y: S) -> S {
+    let mut e = ((y + x) + S::from_f64(0.125)).tanh();
+    let mut r1 =
+        [((x * S::from_f64(0.875_f64)).max(S::from_f64(0.125_f64)) + S::from_f64(0.125)).tanh(); 5];
+    let e =
+        program_59_of(((y * x) + S::from_f64(0.125)).tanh(), ((y * e) + S::from_f64(0.125)).tanh())
+            .tanh();
+    let mut a = ((e - S::from_f64(-1.125_f64)).tanh() + S::from_f64(0.125)).tanh();
+    let e = ((r1[1] - S::from_f64(-0.625_f64)).tanh() - S::from_f64(0.625_f64)).tanh();
+    r1[2] = r1[2] + ((a - e) * S::from_f64(0.75)).sin();
+    let e = ((-(r1[2])) + y);
+    let f =
+        program_32_of((y * S::from_f64(0.75)).sin(), ((e * a) * S::from_f64(0.75)).sin()).tanh();
+    'l2: for i3 in 1..=2_usize {
+        let d = if (a / (S::from_f64(1.5) + f * f)).cmpge((a * r1[4])) {
+            ((S::from_f64(i3 as f64) * S::from_f64(0.25))
+                * ((S::from_f64(i3 as f64) * S::from_f64(0.25)) * r1[i3 % 5]))
+        } else {
+            ((y * S::from_f64(0.375_f64)).abs() * (y * S::from_f64(-1.125_f64)).cos())
+        };
+        'l4: for i5 in (2..2_usize).step_by(2) {
+            let b = ((r1[0] * S::from_f64(0.875_f64)).max(x)
+                / (S::from_f64(1.5) + (-(r1[(i5 + 0) % 5])) * (-(r1[(i5 + 0) % 5]))));
+        }
+    }
+    let (a, mut b) =
+        (((S::from_f64(-0.375_f64) * S::from_f64(-0.625_f64)).cos() * S::from_f64(0.75)).sin(), x);
+    let b = program_48_of(
+        (r1[1] + S::from_f64(0.125)).tanh(),
+        (S::from_f64(-0.625_f64) + S::from_f64(0.125)).tanh(),
+    )
+    .tanh();
+    let b = program_7_of(
+        ((S::from_f64(-0.375_f64) - b) * S::from_f64(0.75)).sin(),
+        (r1[1] * S::from_f64(0.75)).sin(),
+    )
+    .tanh();
+    let (a, mut b) = (
+        ((y * S::from_f64(0.375_f64)).abs() + S::from_f64(0.125)).tanh(),
+        (S::from_f64(-0.875_f64) - S::from_f64(-0.875_f64)).tanh(),
+    );
+    ((-(x)) - S::from_f64(-0.375_f64)).tanh() + b + a + f + e + y + x
+}
+
+#[differentiable]
+fn program_64(x: f64, y: f64) -> f64 {
+    let mut b = ((y + 0.875_f64).sin() * 0.75).sin();
+    let mut r1 = [((x * b) + 0.125).tanh(); 5];
+    b *= (((x * 0.375_f64).abs() + (b + b)) * 0.75).sin();
+    if r1[3] <= (r1[1] / (1.5 + x * x)) {
+        let r2 = [((y * b) + 0.125).tanh(); 4];
+        r1[3] -= (x + 0.125).tanh();
+    } else {
+        let d = if x >= b { ((b + x) - (y + b)) } else { b };
+        'l3: for i4 in 1..=3_usize {
+            'l5: for i6 in (i4..4_usize).step_by(2) {
+                r1[i6 % 5] = (((r1[i4 % 5] * 0.625_f64).max(r1[4]) * 0.125_f64).cos() * 0.75).sin();
+                let mut r7 = [(b + 0.125).tanh(); 5];
+            }
+            let mut n9 = 0_usize;
+            'l8: while n9 < 5 {
+                n9 += 1;
+                let b = program_41(
+                    ((((i4 as f64) * 0.25) * 0.375_f64).max(x) * 0.75).sin(),
+                    ((b / (1.5 + r1[(n9 * n9 + 1) % 5] * r1[(n9 * n9 + 1) % 5])) + 0.125).tanh(),
+                )
+                .tanh();
+                r1[0] = (((r1[(n9 + 4) % 5] * ((i4 as f64) * 0.25))
+                    * (r1[(n9 + 4) % 5] * ((i4 as f64) * 0.25))
+                    + 0.25)
+                    .sqrt()
+                    + 0.125)
+                    .tanh();
+            }
+        }
+    }
+    'l10: for i11 in 0..2_usize {
+        r1[(i11 + 0) % 5] =
+            (((((i11 as f64) * 0.25) + r1[(i11 + 4) % 5]) - 0.375_f64).tanh() + 0.125).tanh();
+        r1[1] = (((r1[i11 % 5] - b) - -0.125_f64).tanh() * 0.75).sin();
+    }
+    ((-(x)) - -0.125_f64).tanh() + b + y + x
+}
+
+fn program_64_of<S: Real<Mask = bool>>(x: S, y: S) -> S {
+    let mut b = ((y + S::from_f64(0.875_f64)).sin() * S::from_f64(0.75)).sin();
+    let mut r1 = [((x * b) + S::from_f64(0.125)).tanh(); 5];
+    b = b * (((x * S::from_f64(0.375_f64)).abs() + (b + b)) * S::from_f64(0.75)).sin();
+    if r1[3].cmple((r1[1] / (S::from_f64(1.5) + x * x))) {
+        let r2 = [((y * b) + S::from_f64(0.125)).tanh(); 4];
+        r1[3] = r1[3] - (x + S::from_f64(0.125)).tanh();
+    } else {
+        let d = if x.cmpge(b) { ((b + x) - (y + b)) } else { b };
+        'l3: for i4 in 1..=3_usize {
+            'l5: for i6 in (i4..4_usize).step_by(2) {
+                r1[i6 % 5] = (((r1[i4 % 5] * S::from_f64(0.625_f64)).max(r1[4])
+                    * S::from_f64(0.125_f64))
+                .cos()
+                    * S::from_f64(0.75))
+                .sin();
+                let mut r7 = [(b + S::from_f64(0.125)).tanh(); 5];
+            }
+            let mut n9 = 0_usize;
+            'l8: while n9 < 5 {
+                n9 += 1;
+                let b = program_41_of(
+                    (((S::from_f64(i4 as f64) * S::from_f64(0.25)) * S::from_f64(0.375_f64))
+                        .max(x)
+                        * S::from_f64(0.75))
+                    .sin(),
+                    ((b / (S::from_f64(1.5) + r1[(n9 * n9 + 1) % 5] * r1[(n9 * n9 + 1) % 5]))
+                        + S::from_f64(0.125))
+                    .tanh(),
+                )
+                .tanh();
+                r1[0] = (((r1[(n9 + 4) % 5] * (S::from_f64(i4 as f64) * S::from_f64(0.25)))
+                    * (r1[(n9 + 4) % 5] * (S::from_f64(i4 as f64) * S::from_f64(0.25)))
+                    + S::from_f64(0.25))
+                .sqrt()
+                    + S::from_f64(0.125))
+                .tanh();
+            }
+        }
+    }
+    'l10: for i11 in 0..2_usize {
+        r1[(i11 + 0) % 5] = ((((S::from_f64(i11 as f64) * S::from_f64(0.25)) + r1[(i11 + 4) % 5])
+            - S::from_f64(0.375_f64))
+        .tanh()
+            + S::from_f64(0.125))
+        .tanh();
+        r1[1] = (((r1[i11 % 5] - b) - S::from_f64(-0.125_f64)).tanh() * S::from_f64(0.75)).sin();
+    }
+    ((-(x)) - S::from_f64(-0.125_f64)).tanh() + b + y + x
+}
+
+#[differentiable]
+fn program_65(x: f64, y: f64) -> f64 {
+    let mut d = ((y * -0.625_f64).abs() + 0.125).tanh();
+    let r1 = [((y - -1.125_f64).tanh() * 0.75).sin(); 5];
+    let mut e = ((x * -0.375_f64).cos() + 0.125).tanh();
+    d += (((d / (1.5 + e * e)) * (r1[0] * 0.125_f64).cos()) + 0.125).tanh();
+    let mut c = ((y * e) + 0.125).tanh();
+    'l2: for i3 in (2..0_usize).step_by(2) {
+        if i3 % 4 == 0 {
+            continue 'l2;
+        }
+    }
+    if (e * 0.125_f64).cos() > (r1[2] * r1[4]) {
+        e = (((y - 0.375_f64).tanh() / (1.5 + (r1[4] - r1[1]) * (r1[4] - r1[1]))) + 0.125).tanh();
+    }
+    'l4: for i5 in (2..2_usize).rev() {
+        for v in r1.iter() {
+            c = c * ((r1[2] * -0.875_f64).abs() * 0.75).sin()
+                + *v * ((r1[2] * -0.875_f64).abs() * 0.75).sin();
+        }
+        let mut r6 = [
+            ((y * ((i5 as f64) * 0.25)) + 0.125).tanh(),
+            (e + 0.125).tanh(),
+            ((c * y) * 0.75).sin(),
+            ((x / (1.5 + r1[(i5 * i5 + 1) % 5] * r1[(i5 * i5 + 1) % 5])) * 0.75).sin(),
+        ];
+    }
+    let g7 = |t: f64| ((r1[2] * x) - -0.375_f64).tanh() * t;
+    let e = (g7((r1[1] * d)) + g7(r1[0])).sin();
+    c = ((r1[4] + (y - 0.375_f64).tanh()) * 0.75).sin();
+    c *= (((-(c)) * (r1[3] * x)) + 0.125).tanh();
+    for v in r1.iter() {
+        d = d * ((d + r1[2]) * 0.75).sin() + *v * ((d + r1[2]) * 0.75).sin();
+    }
+    -1.125_f64 + e + c + d + y + x
+}
+
+fn program_65_of<S: Real<Mask = bool>>(x: S, y: S) -> S {
+    let mut d = ((y * S::from_f64(-0.625_f64)).abs() + S::from_f64(0.125)).tanh();
+    let r1 = [((y - S::from_f64(-1.125_f64)).tanh() * S::from_f64(0.75)).sin(); 5];
+    let mut e = ((x * S::from_f64(-0.375_f64)).cos() + S::from_f64(0.125)).tanh();
+    d = d
+        + (((d / (S::from_f64(1.5) + e * e)) * (r1[0] * S::from_f64(0.125_f64)).cos())
+            + S::from_f64(0.125))
+        .tanh();
+    let mut c = ((y * e) + S::from_f64(0.125)).tanh();
+    'l2: for i3 in (2..0_usize).step_by(2) {
+        if i3 % 4 == 0 {
+            continue 'l2;
+        }
+    }
+    if (e * S::from_f64(0.125_f64)).cos().cmpgt((r1[2] * r1[4])) {
+        e = (((y - S::from_f64(0.375_f64)).tanh()
+            / (S::from_f64(1.5) + (r1[4] - r1[1]) * (r1[4] - r1[1])))
+            + S::from_f64(0.125))
+        .tanh();
+    }
+    'l4: for i5 in (2..2_usize).rev() {
+        for v in r1.iter() {
+            c = c * ((r1[2] * S::from_f64(-0.875_f64)).abs() * S::from_f64(0.75)).sin()
+                + *v * ((r1[2] * S::from_f64(-0.875_f64)).abs() * S::from_f64(0.75)).sin();
+        }
+        let mut r6 = [
+            ((y * (S::from_f64(i5 as f64) * S::from_f64(0.25))) + S::from_f64(0.125)).tanh(),
+            (e + S::from_f64(0.125)).tanh(),
+            ((c * y) * S::from_f64(0.75)).sin(),
+            ((x / (S::from_f64(1.5) + r1[(i5 * i5 + 1) % 5] * r1[(i5 * i5 + 1) % 5]))
+                * S::from_f64(0.75))
+            .sin(),
+        ];
+    }
+    let g7 = |t: S| ((r1[2] * x) - S::from_f64(-0.375_f64)).tanh() * t;
+    let e = (g7((r1[1] * d)) + g7(r1[0])).sin();
+    c = ((r1[4] + (y - S::from_f64(0.375_f64)).tanh()) * S::from_f64(0.75)).sin();
+    c = c * (((-(c)) * (r1[3] * x)) + S::from_f64(0.125)).tanh();
+    for v in r1.iter() {
+        d = d * ((d + r1[2]) * S::from_f64(0.75)).sin()
+            + *v * ((d + r1[2]) * S::from_f64(0.75)).sin();
+    }
+    S::from_f64(-1.125_f64) + e + c + d + y + x
+}
+
+#[differentiable]
+fn program_66(x: f64, y: f64) -> f64 {
+    let mut b = ((x / (1.5 + x * x)) + 0.125).tanh();
+    let mut r1 = [((x + x) * 0.75).sin(); 4];
+    let mut n3 = 0_usize;
+    'l2: while n3 < 2 {
+        n3 += 1;
+        if b >= (b + -1.125_f64).sin() {
+            continue 'l2;
+        }
+        r1[0] = (b * 0.75).sin();
+    }
+    r1[2] += (((b + 0.875_f64).sin() * -0.375_f64).cos() * 0.75).sin();
+    b = (((0.125_f64 * 0.125_f64 + 0.25).sqrt() - -0.875_f64).tanh() + 0.125).tanh();
+    r1[3] = ((y - 0.875_f64).tanh() * 0.75).sin();
+    let mut d = ((r1[2] - 0.125_f64).tanh() * 0.75).sin();
+    if (r1[0] * r1[2]) > (b * b + 0.25).sqrt() {
+        return r1[3];
+    }
+    'l4: for i5 in 0..5_usize {
+        let (a, mut b) = (
+            ((-1.125_f64 * 0.125_f64).cos() + 0.125).tanh(),
+            (((i5 as f64) * 0.25) * ((i5 as f64) * 0.25)),
+        );
+        let f: f64 = r1.iter().map(|v| v * ((d / (1.5 + y * y)) * 0.75).sin()).sum();
+    }
+    let (a, mut b) = (((b + x) + 0.125).tanh(), (b + 0.125_f64).sin());
+    'l6: for i7 in 0..=2_usize {
+        'l8: for i9 in (i7..4_usize).step_by(2) {
+            let mut b = (d + 0.125).tanh();
+            d += (((-(-0.875_f64)) * -0.125_f64).cos() * 0.75).sin();
+        }
+        for v in r1.iter() {
+            b = b * ((0.875_f64 - 0.625_f64).tanh() * 0.75).sin()
+                + *v * ((0.875_f64 - 0.625_f64).tanh() * 0.75).sin();
+        }
+    }
+    ((d - a) * (d - a) + 0.25).sqrt() + b + a + d + y + x
+}
+
+fn program_66_of<S: Real<Mask = bool>>(x: S, y: S) -> S {
+    let mut b = ((x / (S::from_f64(1.5) + x * x)) + S::from_f64(0.125)).tanh();
+    let mut r1 = [((x + x) * S::from_f64(0.75)).sin(); 4];
+    let mut n3 = 0_usize;
+    'l2: while n3 < 2 {
+        n3 += 1;
+        if b.cmpge((b + S::from_f64(-1.125_f64)).sin()) {
+            continue 'l2;
+        }
+        r1[0] = (b * S::from_f64(0.75)).sin();
+    }
+    r1[2] = r1[2]
+        + (((b + S::from_f64(0.875_f64)).sin() * S::from_f64(-0.375_f64)).cos()
+            * S::from_f64(0.75))
+        .sin();
+    b = (((S::from_f64(0.125_f64) * S::from_f64(0.125_f64) + S::from_f64(0.25)).sqrt()
+        - S::from_f64(-0.875_f64))
+    .tanh()
+        + S::from_f64(0.125))
+    .tanh();
+    r1[3] = ((y - S::from_f64(0.875_f64)).tanh() * S::from_f64(0.75)).sin();
+    let mut d = ((r1[2] - S::from_f64(0.125_f64)).tanh() * S::from_f64(0.75)).sin();
+    if (r1[0] * r1[2]).cmpgt((b * b + S::from_f64(0.25)).sqrt()) {
+        return r1[3];
+    }
+    'l4: for i5 in 0..5_usize {
+        let (a, mut b) = (
+            ((S::from_f64(-1.125_f64) * S::from_f64(0.125_f64)).cos() + S::from_f64(0.125)).tanh(),
+            ((S::from_f64(i5 as f64) * S::from_f64(0.25))
+                * (S::from_f64(i5 as f64) * S::from_f64(0.25))),
+        );
+        let f = r1.iter().fold(S::from_f64(-0.0), |s, v| {
+            s + *v * ((d / (S::from_f64(1.5) + y * y)) * S::from_f64(0.75)).sin()
+        });
+    }
+    let (a, mut b) = (((b + x) + S::from_f64(0.125)).tanh(), (b + S::from_f64(0.125_f64)).sin());
+    'l6: for i7 in 0..=2_usize {
+        'l8: for i9 in (i7..4_usize).step_by(2) {
+            let mut b = (d + S::from_f64(0.125)).tanh();
+            d = d
+                + (((-(S::from_f64(-0.875_f64))) * S::from_f64(-0.125_f64)).cos()
+                    * S::from_f64(0.75))
+                .sin();
+        }
+        for v in r1.iter() {
+            b = b
+                * ((S::from_f64(0.875_f64) - S::from_f64(0.625_f64)).tanh() * S::from_f64(0.75))
+                    .sin()
+                + *v * ((S::from_f64(0.875_f64) - S::from_f64(0.625_f64)).tanh()
+                    * S::from_f64(0.75))
+                .sin();
+        }
+    }
+    ((d - a) * (d - a) + S::from_f64(0.25)).sqrt() + b + a + d + y + x
+}
+
+#[differentiable]
+fn program_67(x: f64, y: f64) -> f64 {
+    let mut d = ((x * -1.125_f64).abs() * 0.75).sin();
+    let mut r1 = [
+        (y + 0.125).tanh(),
+        (x + 0.125).tanh(),
+        ((y - y) + 0.125).tanh(),
+        ((x + 0.375_f64).sin() + 0.125).tanh(),
+    ];
+    let b = if (y + 0.625_f64).sin() <= 0.375_f64 {
+        0.625_f64
+    } else {
+        ((x * -0.125_f64).abs() * 0.875_f64).cos()
+    };
+    d = (((-0.375_f64 * r1[3]) * -0.125_f64).cos() * 0.75).sin();
+    let mut e = ((b + d) + 0.125).tanh();
+    if (e / (1.5 + r1[1] * r1[1])) <= (r1[3] * -0.375_f64).max(r1[2]) {
+        return ((d - -0.125_f64).tanh() * -0.375_f64).cos();
+    }
+    let (a, mut b) = (((r1[1] * b) + 0.125).tanh(), (r1[0] + -0.875_f64).sin());
+    let (a, mut b) = ((r1[1] + 0.125).tanh(), e);
+    let f = r1[3];
+    let a = if (d / (1.5 + x * x)) < (b - 0.625_f64).tanh() {
+        ((y * 0.875_f64).cos() * (y * 0.875_f64).cos() + 0.25).sqrt()
+    } else {
+        (e - -0.125_f64).tanh()
+    };
+    e *= (((r1[2] * r1[2] + 0.25).sqrt() * (r1[2] * r1[2] + 0.25).sqrt() + 0.25).sqrt() * 0.75)
+        .sin();
+    r1[1] *= (((x * -0.375_f64).abs() * (b * -0.125_f64).max(-0.375_f64)) * 0.75).sin();
+    if f >= (f * 0.625_f64).abs() {
+        r1[3] += (((r1[1] - r1[2]) * 0.625_f64).cos() + 0.125).tanh();
+    } else {
+        let a = e;
+    }
+    'l2: for i3 in (0..4_usize).step_by(2) {
+        if (((i3 as f64) * 0.25) * -0.125_f64).max(f)
+            <= (e / (1.5 + r1[(i3 + 1) % 4] * r1[(i3 + 1) % 4]))
+        {
+            continue 'l2;
+        }
+        let d =
+            program_35((((i3 as f64) * 0.25) * 0.75).sin(), ((-(-0.125_f64)) * 0.75).sin()).tanh();
+    }
+    ((e * 0.375_f64) * (r1[0] + 0.875_f64).sin()) + a + f + b + e + d + y + x
+}
+
+fn program_67_of<S: Real<Mask = bool>>(x: S, y: S) -> S {
+    let mut d = ((x * S::from_f64(-1.125_f64)).abs() * S::from_f64(0.75)).sin();
+    let mut r1 = [
+        (y + S::from_f64(0.125)).tanh(),
+        (x + S::from_f64(0.125)).tanh(),
+        ((y - y) + S::from_f64(0.125)).tanh(),
+        ((x + S::from_f64(0.375_f64)).sin() + S::from_f64(0.125)).tanh(),
+    ];
+    let b = if (y + S::from_f64(0.625_f64)).sin().cmple(S::from_f64(0.375_f64)) {
+        S::from_f64(0.625_f64)
+    } else {
+        ((x * S::from_f64(-0.125_f64)).abs() * S::from_f64(0.875_f64)).cos()
+    };
+    d = (((S::from_f64(-0.375_f64) * r1[3]) * S::from_f64(-0.125_f64)).cos() * S::from_f64(0.75))
+        .sin();
+    let mut e = ((b + d) + S::from_f64(0.125)).tanh();
+    if (e / (S::from_f64(1.5) + r1[1] * r1[1])).cmple((r1[3] * S::from_f64(-0.375_f64)).max(r1[2]))
+    {
+        return ((d - S::from_f64(-0.125_f64)).tanh() * S::from_f64(-0.375_f64)).cos();
+    }
+    let (a, mut b) =
+        (((r1[1] * b) + S::from_f64(0.125)).tanh(), (r1[0] + S::from_f64(-0.875_f64)).sin());
+    let (a, mut b) = ((r1[1] + S::from_f64(0.125)).tanh(), e);
+    let f = r1[3];
+    let a = if (d / (S::from_f64(1.5) + x * x)).cmplt((b - S::from_f64(0.625_f64)).tanh()) {
+        ((y * S::from_f64(0.875_f64)).cos() * (y * S::from_f64(0.875_f64)).cos()
+            + S::from_f64(0.25))
+        .sqrt()
+    } else {
+        (e - S::from_f64(-0.125_f64)).tanh()
+    };
+    e = e
+        * (((r1[2] * r1[2] + S::from_f64(0.25)).sqrt()
+            * (r1[2] * r1[2] + S::from_f64(0.25)).sqrt()
+            + S::from_f64(0.25))
+        .sqrt()
+            * S::from_f64(0.75))
+        .sin();
+    r1[1] = r1[1]
+        * (((x * S::from_f64(-0.375_f64)).abs()
+            * (b * S::from_f64(-0.125_f64)).max(S::from_f64(-0.375_f64)))
+            * S::from_f64(0.75))
+        .sin();
+    if f.cmpge((f * S::from_f64(0.625_f64)).abs()) {
+        r1[3] =
+            r1[3] + (((r1[1] - r1[2]) * S::from_f64(0.625_f64)).cos() + S::from_f64(0.125)).tanh();
+    } else {
+        let a = e;
+    }
+    'l2: for i3 in (0..4_usize).step_by(2) {
+        if ((S::from_f64(i3 as f64) * S::from_f64(0.25)) * S::from_f64(-0.125_f64))
+            .max(f)
+            .cmple((e / (S::from_f64(1.5) + r1[(i3 + 1) % 4] * r1[(i3 + 1) % 4])))
+        {
+            continue 'l2;
+        }
+        let d = program_35_of(
+            ((S::from_f64(i3 as f64) * S::from_f64(0.25)) * S::from_f64(0.75)).sin(),
+            ((-(S::from_f64(-0.125_f64))) * S::from_f64(0.75)).sin(),
+        )
+        .tanh();
+    }
+    ((e * S::from_f64(0.375_f64)) * (r1[0] + S::from_f64(0.875_f64)).sin())
+        + a
+        + f
+        + b
+        + e
+        + d
+        + y
+        + x
+}
+
+#[differentiable]
+fn program_68(x: f64, y: f64) -> f64 {
+    let mut e = ((0.125_f64 * y) * 0.75).sin();
+    let mut r1 = [
+        (x * 0.75).sin(),
+        (-0.625_f64 + 0.125).tanh(),
+        ((-(e)) * 0.75).sin(),
+        ((y + -0.625_f64).sin() + 0.125).tanh(),
+        ((y * x) * 0.75).sin(),
+    ];
+    if (y - e) >= (r1[2] - 0.625_f64).tanh() {
+        'l2: for i3 in 1..0_usize {
+            e += (((x - e) * (r1[4] - r1[(i3 + 0) % 5])) + 0.125).tanh();
+            r1[i3 % 5] += (((r1[(i3 * i3 + 1) % 5] * y) - 0.125_f64).tanh() + 0.125).tanh();
+        }
+        let b = if (-(r1[2])) < (-0.125_f64 - -0.375_f64).tanh() {
+            ((0.125_f64 * e) * (e + e))
+        } else {
+            ((r1[1] * -1.125_f64).abs() - (y - -0.625_f64).tanh())
+        };
+        'l4: for i5 in 0..0_usize {
+            r1[1] -= (((r1[2] * r1[2] + 0.25).sqrt() - 0.875_f64).tanh() * 0.75).sin();
+            'l6: for i7 in (i5..4_usize).rev() {
+                r1[i7 % 5] = (((e + -0.875_f64).sin() / (1.5 + (y * x) * (y * x))) + 0.125).tanh();
+            }
+            let (a, mut b) = ((b * 0.75).sin(), x);
+        }
+    }
+    if (r1[0] * r1[2]) >= (0.125_f64 * r1[1]) {
+        let f = ((e * e + 0.25).sqrt() * (x * 0.875_f64).cos());
+        let mut n9 = 0_usize;
+        'l8: while n9 < 3 {
+            n9 += 1;
+            let (a, mut b) = ((e * 0.75).sin(), (((n9 as f64) * 0.25) * -0.625_f64).cos());
+            if n9 % 2 == 0 {
+                break;
+            }
+            if (e * -0.375_f64).max(e) >= (a * 0.875_f64) {
+                r1[(n9 * n9 + 1) % 5] =
+                    (((r1[(n9 + 2) % 5] + -0.625_f64).sin() * 0.125_f64).cos() + 0.125).tanh();
+                r1[(n9 * n9 + 1) % 5] *=
+                    (((x * 0.875_f64).cos() * (r1[(n9 * n9 + 1) % 5] * -1.125_f64)) + 0.125).tanh();
+                let a = program_21(
+                    ((r1[(n9 * n9 + 1) % 5] * r1[(n9 + 1) % 5]) + 0.125).tanh(),
+                    (r1[(n9 + 4) % 5] + 0.125).tanh(),
+                )
+                .tanh();
+            } else {
+                let f = ((e - -1.125_f64) - -0.125_f64).tanh();
+            }
+        }
+    }
+    ((r1[1] + e) * (e * e)) + e + y + x
+}
+
+fn program_68_of<S: Real<Mask = bool>>(x: S, y: S) -> S {
+    let mut e = ((S::from_f64(0.125_f64) * y) * S::from_f64(0.75)).sin();
+    let mut r1 = [
+        (x * S::from_f64(0.75)).sin(),
+        (S::from_f64(-0.625_f64) + S::from_f64(0.125)).tanh(),
+        ((-(e)) * S::from_f64(0.75)).sin(),
+        ((y + S::from_f64(-0.625_f64)).sin() + S::from_f64(0.125)).tanh(),
+        ((y * x) * S::from_f64(0.75)).sin(),
+    ];
+    if (y - e).cmpge((r1[2] - S::from_f64(0.625_f64)).tanh()) {
+        'l2: for i3 in 1..0_usize {
+            e = e + (((x - e) * (r1[4] - r1[(i3 + 0) % 5])) + S::from_f64(0.125)).tanh();
+            r1[i3 % 5] = r1[i3 % 5]
+                + (((r1[(i3 * i3 + 1) % 5] * y) - S::from_f64(0.125_f64)).tanh()
+                    + S::from_f64(0.125))
+                .tanh();
+        }
+        let b = if (-(r1[2])).cmplt((S::from_f64(-0.125_f64) - S::from_f64(-0.375_f64)).tanh()) {
+            ((S::from_f64(0.125_f64) * e) * (e + e))
+        } else {
+            ((r1[1] * S::from_f64(-1.125_f64)).abs() - (y - S::from_f64(-0.625_f64)).tanh())
+        };
+        'l4: for i5 in 0..0_usize {
+            r1[1] = r1[1]
+                - (((r1[2] * r1[2] + S::from_f64(0.25)).sqrt() - S::from_f64(0.875_f64)).tanh()
+                    * S::from_f64(0.75))
+                .sin();
+            'l6: for i7 in (i5..4_usize).rev() {
+                r1[i7 % 5] = (((e + S::from_f64(-0.875_f64)).sin()
+                    / (S::from_f64(1.5) + (y * x) * (y * x)))
+                    + S::from_f64(0.125))
+                .tanh();
+            }
+            let (a, mut b) = ((b * S::from_f64(0.75)).sin(), x);
+        }
+    }
+    if (r1[0] * r1[2]).cmpge((S::from_f64(0.125_f64) * r1[1])) {
+        let f = ((e * e + S::from_f64(0.25)).sqrt() * (x * S::from_f64(0.875_f64)).cos());
+        let mut n9 = 0_usize;
+        'l8: while n9 < 3 {
+            n9 += 1;
+            let (a, mut b) = (
+                (e * S::from_f64(0.75)).sin(),
+                ((S::from_f64(n9 as f64) * S::from_f64(0.25)) * S::from_f64(-0.625_f64)).cos(),
+            );
+            if n9 % 2 == 0 {
+                break;
+            }
+            if (e * S::from_f64(-0.375_f64)).max(e).cmpge((a * S::from_f64(0.875_f64))) {
+                r1[(n9 * n9 + 1) % 5] = (((r1[(n9 + 2) % 5] + S::from_f64(-0.625_f64)).sin()
+                    * S::from_f64(0.125_f64))
+                .cos()
+                    + S::from_f64(0.125))
+                .tanh();
+                r1[(n9 * n9 + 1) % 5] = r1[(n9 * n9 + 1) % 5]
+                    * (((x * S::from_f64(0.875_f64)).cos()
+                        * (r1[(n9 * n9 + 1) % 5] * S::from_f64(-1.125_f64)))
+                        + S::from_f64(0.125))
+                    .tanh();
+                let a = program_21_of(
+                    ((r1[(n9 * n9 + 1) % 5] * r1[(n9 + 1) % 5]) + S::from_f64(0.125)).tanh(),
+                    (r1[(n9 + 4) % 5] + S::from_f64(0.125)).tanh(),
+                )
+                .tanh();
+            } else {
+                let f = ((e - S::from_f64(-1.125_f64)) - S::from_f64(-0.125_f64)).tanh();
+            }
+        }
+    }
+    ((r1[1] + e) * (e * e)) + e + y + x
+}
+
+#[differentiable]
+fn program_69(x: f64, y: f64) -> f64 {
+    let mut c = ((-(y)) * 0.75).sin();
+    let r1 = [
+        ((y * y + 0.25).sqrt() + 0.125).tanh(),
+        ((x * 0.375_f64).cos() * 0.75).sin(),
+        ((y * -0.375_f64).cos() + 0.125).tanh(),
+        ((-1.125_f64 + x) * 0.75).sin(),
+    ];
+    let e = if (c * r1[0]) >= (c * r1[3]) {
+        ((y * r1[0]) / (1.5 + (r1[1] + y) * (r1[1] + y)))
+    } else {
+        (x + (y * y + 0.25).sqrt())
+    };
+    c -= (((r1[1] - -1.125_f64).tanh() + (r1[1] * r1[1] + 0.25).sqrt()) * 0.75).sin();
+    let f = if (x - -0.875_f64).tanh() <= (r1[0] * r1[0] + 0.25).sqrt() {
+        ((r1[1] * r1[2]) + (c * r1[1]))
+    } else {
+        x
+    };
+    let f: f64 = r1.iter().map(|v| v * ((r1[0] * 0.375_f64).max(c) + 0.125).tanh()).sum();
+    let (a, mut b) = (((r1[3] * -0.875_f64).max(r1[2]) * 0.75).sin(), (-0.875_f64 * r1[0]));
+    'l2: for i3 in (2..3_usize).step_by(2) {
+        let d = if (-(r1[3])) <= e { ((((i3 as f64) * 0.25) * -0.625_f64).cos() * b) } else { c };
+        let r4 = [((r1[i3 % 4] - -0.125_f64).tanh() * 0.75).sin(); 5];
+        c *= ((-((r1[(i3 + 2) % 4] * -0.625_f64).cos())) + 0.125).tanh();
+    }
+    let mut n6 = 0_usize;
+    'l5: while n6 < 2 {
+        n6 += 1;
+        'l7: for i8 in (2..2_usize).step_by(2) {
+            let mut r9 = [((r1[(i8 * i8 + 1) % 4] * 0.875_f64).max(y) + 0.125).tanh(); 5];
+            let mut b = ((r9[(i8 + 3) % 5] + -0.375_f64).sin() * 0.75).sin();
+            b *= ((a * (x - -0.875_f64).tanh()) * 0.75).sin();
+        }
+    }
+    ((y + -0.875_f64).sin() * (x - -0.625_f64).tanh()) + b + a + f + e + c + y + x
+}
+
+fn program_69_of<S: Real<Mask = bool>>(x: S, y: S) -> S {
+    let mut c = ((-(y)) * S::from_f64(0.75)).sin();
+    let r1 = [
+        ((y * y + S::from_f64(0.25)).sqrt() + S::from_f64(0.125)).tanh(),
+        ((x * S::from_f64(0.375_f64)).cos() * S::from_f64(0.75)).sin(),
+        ((y * S::from_f64(-0.375_f64)).cos() + S::from_f64(0.125)).tanh(),
+        ((S::from_f64(-1.125_f64) + x) * S::from_f64(0.75)).sin(),
+    ];
+    let e = if (c * r1[0]).cmpge((c * r1[3])) {
+        ((y * r1[0]) / (S::from_f64(1.5) + (r1[1] + y) * (r1[1] + y)))
+    } else {
+        (x + (y * y + S::from_f64(0.25)).sqrt())
+    };
+    c = c
+        - (((r1[1] - S::from_f64(-1.125_f64)).tanh() + (r1[1] * r1[1] + S::from_f64(0.25)).sqrt())
+            * S::from_f64(0.75))
+        .sin();
+    let f =
+        if (x - S::from_f64(-0.875_f64)).tanh().cmple((r1[0] * r1[0] + S::from_f64(0.25)).sqrt()) {
+            ((r1[1] * r1[2]) + (c * r1[1]))
+        } else {
+            x
+        };
+    let f = r1.iter().fold(S::from_f64(-0.0), |s, v| {
+        s + *v * ((r1[0] * S::from_f64(0.375_f64)).max(c) + S::from_f64(0.125)).tanh()
+    });
+    let (a, mut b) = (
+        ((r1[3] * S::from_f64(-0.875_f64)).max(r1[2]) * S::from_f64(0.75)).sin(),
+        (S::from_f64(-0.875_f64) * r1[0]),
+    );
+    'l2: for i3 in (2..3_usize).step_by(2) {
+        let d = if (-(r1[3])).cmple(e) {
+            (((S::from_f64(i3 as f64) * S::from_f64(0.25)) * S::from_f64(-0.625_f64)).cos() * b)
+        } else {
+            c
+        };
+        let r4 = [((r1[i3 % 4] - S::from_f64(-0.125_f64)).tanh() * S::from_f64(0.75)).sin(); 5];
+        c = c
+            * ((-((r1[(i3 + 2) % 4] * S::from_f64(-0.625_f64)).cos())) + S::from_f64(0.125)).tanh();
+    }
+    let mut n6 = 0_usize;
+    'l5: while n6 < 2 {
+        n6 += 1;
+        'l7: for i8 in (2..2_usize).step_by(2) {
+            let mut r9 = [((r1[(i8 * i8 + 1) % 4] * S::from_f64(0.875_f64)).max(y)
+                + S::from_f64(0.125))
+            .tanh(); 5];
+            let mut b =
+                ((r9[(i8 + 3) % 5] + S::from_f64(-0.375_f64)).sin() * S::from_f64(0.75)).sin();
+            b = b * ((a * (x - S::from_f64(-0.875_f64)).tanh()) * S::from_f64(0.75)).sin();
+        }
+    }
+    ((y + S::from_f64(-0.875_f64)).sin() * (x - S::from_f64(-0.625_f64)).tanh())
+        + b
+        + a
+        + f
+        + e
+        + c
+        + y
+        + x
+}
+
+#[differentiable]
+fn program_70(x: f64, y: f64) -> f64 {
+    let mut e = ((x * y) * 0.75).sin();
+    let mut r1 = [((y * -0.875_f64).cos() + 0.125).tanh(); 2];
+    let d = if (y + e) < (r1[0] + -0.375_f64).sin() {
+        ((0.125_f64 * y) * -0.625_f64).max(y)
+    } else {
+        ((e * y) / (1.5 + (e + e) * (e + e)))
+    };
+    r1[0] *= (r1[1] * 0.75).sin();
+    let mut d = (r1[0] * 0.75).sin();
+    let (a, mut b) = (((r1[0] + -0.625_f64).sin() * 0.75).sin(), x);
+    d *= (-1.125_f64 + 0.125).tanh();
+    b = (((r1[1] * r1[1] + 0.25).sqrt() * -0.875_f64).max(a) + 0.125).tanh();
+    let mut e = ((r1[1] * -0.125_f64).max(r1[0]) + 0.125).tanh();
+    'l2: for i3 in (0..0_usize).rev() {
+        if (b + b) <= (-0.875_f64 * -0.375_f64) {
+            let c = program_32(
+                ((-0.125_f64 * -0.875_f64).cos() + 0.125).tanh(),
+                ((a + d) + 0.125).tanh(),
+            )
+            .tanh();
+        }
+    }
+    'l4: for i5 in (1..3_usize).step_by(2) {
+        let mut r6 = [((r1[i5 % 2] * -0.875_f64).abs() * 0.75).sin(); 5];
+    }
+    let mut n8 = 0_usize;
+    'l7: while n8 < 5 {
+        n8 += 1;
+        r1[(n8 * n8 + 1) % 2] += ((0.375_f64 * 0.625_f64).cos() * 0.75).sin();
+    }
+    ((r1[1] * x) - (b - 0.375_f64).tanh()) + e + b + a + d + y + x
+}
+
+fn program_70_of<S: Real<Mask = bool>>(x: S, y: S) -> S {
+    let mut e = ((x * y) * S::from_f64(0.75)).sin();
+    let mut r1 = [((y * S::from_f64(-0.875_f64)).cos() + S::from_f64(0.125)).tanh(); 2];
+    let d = if (y + e).cmplt((r1[0] + S::from_f64(-0.375_f64)).sin()) {
+        ((S::from_f64(0.125_f64) * y) * S::from_f64(-0.625_f64)).max(y)
+    } else {
+        ((e * y) / (S::from_f64(1.5) + (e + e) * (e + e)))
+    };
+    r1[0] = r1[0] * (r1[1] * S::from_f64(0.75)).sin();
+    let mut d = (r1[0] * S::from_f64(0.75)).sin();
+    let (a, mut b) = (((r1[0] + S::from_f64(-0.625_f64)).sin() * S::from_f64(0.75)).sin(), x);
+    d = d * (S::from_f64(-1.125_f64) + S::from_f64(0.125)).tanh();
+    b = (((r1[1] * r1[1] + S::from_f64(0.25)).sqrt() * S::from_f64(-0.875_f64)).max(a)
+        + S::from_f64(0.125))
+    .tanh();
+    let mut e = ((r1[1] * S::from_f64(-0.125_f64)).max(r1[0]) + S::from_f64(0.125)).tanh();
+    'l2: for i3 in (0..0_usize).rev() {
+        if (b + b).cmple((S::from_f64(-0.875_f64) * S::from_f64(-0.375_f64))) {
+            let c = program_32_of(
+                ((S::from_f64(-0.125_f64) * S::from_f64(-0.875_f64)).cos() + S::from_f64(0.125))
+                    .tanh(),
+                ((a + d) + S::from_f64(0.125)).tanh(),
+            )
+            .tanh();
+        }
+    }
+    'l4: for i5 in (1..3_usize).step_by(2) {
+        let mut r6 = [((r1[i5 % 2] * S::from_f64(-0.875_f64)).abs() * S::from_f64(0.75)).sin(); 5];
+    }
+    let mut n8 = 0_usize;
+    'l7: while n8 < 5 {
+        n8 += 1;
+        r1[(n8 * n8 + 1) % 2] = r1[(n8 * n8 + 1) % 2]
+            + ((S::from_f64(0.375_f64) * S::from_f64(0.625_f64)).cos() * S::from_f64(0.75)).sin();
+    }
+    ((r1[1] * x) - (b - S::from_f64(0.375_f64)).tanh()) + e + b + a + d + y + x
+}
+
+#[differentiable]
+fn program_71(x: f64, y: f64) -> f64 {
+    let mut c = ((-(x)) * 0.75).sin();
+    let mut r1 =
+        [((x * c) + 0.125).tanh(), ((c + c) * 0.75).sin(), ((c * c + 0.25).sqrt() * 0.75).sin()];
+    c -= (((y * c) * -0.625_f64).abs() + 0.125).tanh();
+    let b = program_20(((-(c)) + 0.125).tanh(), ((c + r1[0]) * 0.75).sin()).tanh();
+    c += ((-(r1[1] - b)) * 0.75).sin();
+    r1[1] -= (((-0.375_f64 + x) * 0.625_f64).cos() * 0.75).sin();
+    let f: f64 = r1.iter().map(|v| v * ((r1[2] * -0.625_f64).max(y) + 0.125).tanh()).sum();
+    r1[0] = (r1[0] * 0.75).sin();
+    if (r1[0] * r1[2]) > (x / (1.5 + x * x)) {
+        c += (((x * r1[2]) * (x * r1[2]) + 0.25).sqrt() * 0.75).sin();
+    }
+    if r1[2] > (r1[1] * 0.625_f64).cos() {
+        return ((r1[1] - r1[2]) * (r1[0] - r1[1]));
+    }
+    if y > x {
+        return ((b - y) * (y - -0.375_f64).tanh());
+    }
+    'l2: for i3 in 1..2_usize {
+        if (((i3 as f64) * 0.25) / (1.5 + r1[(i3 * i3 + 1) % 3] * r1[(i3 * i3 + 1) % 3])) <= b {
+            continue 'l2;
+        }
+        c *= (f * 0.75).sin();
+        let d = program_7(((y + -0.375_f64).sin() + 0.125).tanh(), ((b - c) * 0.75).sin()).tanh();
+    }
+    (f - (y * c)) + f + b + c + y + x
+}
+
+fn program_71_of<S: Real<Mask = bool>>(x: S, y: S) -> S {
+    let mut c = ((-(x)) * S::from_f64(0.75)).sin();
+    let mut r1 = [
+        ((x * c) + S::from_f64(0.125)).tanh(),
+        ((c + c) * S::from_f64(0.75)).sin(),
+        ((c * c + S::from_f64(0.25)).sqrt() * S::from_f64(0.75)).sin(),
+    ];
+    c = c - (((y * c) * S::from_f64(-0.625_f64)).abs() + S::from_f64(0.125)).tanh();
+    let b = program_20_of(
+        ((-(c)) + S::from_f64(0.125)).tanh(),
+        ((c + r1[0]) * S::from_f64(0.75)).sin(),
+    )
+    .tanh();
+    c = c + ((-(r1[1] - b)) * S::from_f64(0.75)).sin();
+    r1[1] = r1[1]
+        - (((S::from_f64(-0.375_f64) + x) * S::from_f64(0.625_f64)).cos() * S::from_f64(0.75))
+            .sin();
+    let f = r1.iter().fold(S::from_f64(-0.0), |s, v| {
+        s + *v * ((r1[2] * S::from_f64(-0.625_f64)).max(y) + S::from_f64(0.125)).tanh()
+    });
+    r1[0] = (r1[0] * S::from_f64(0.75)).sin();
+    if (r1[0] * r1[2]).cmpgt((x / (S::from_f64(1.5) + x * x))) {
+        c = c + (((x * r1[2]) * (x * r1[2]) + S::from_f64(0.25)).sqrt() * S::from_f64(0.75)).sin();
+    }
+    if r1[2].cmpgt((r1[1] * S::from_f64(0.625_f64)).cos()) {
+        return ((r1[1] - r1[2]) * (r1[0] - r1[1]));
+    }
+    if y.cmpgt(x) {
+        return ((b - y) * (y - S::from_f64(-0.375_f64)).tanh());
+    }
+    'l2: for i3 in 1..2_usize {
+        if ((S::from_f64(i3 as f64) * S::from_f64(0.25))
+            / (S::from_f64(1.5) + r1[(i3 * i3 + 1) % 3] * r1[(i3 * i3 + 1) % 3]))
+            .cmple(b)
+        {
+            continue 'l2;
+        }
+        c = c * (f * S::from_f64(0.75)).sin();
+        let d = program_7_of(
+            ((y + S::from_f64(-0.375_f64)).sin() + S::from_f64(0.125)).tanh(),
+            ((b - c) * S::from_f64(0.75)).sin(),
+        )
+        .tanh();
+    }
+    (f - (y * c)) + f + b + c + y + x
+}
+
+#[differentiable]
+fn program_72(x: f64, y: f64) -> f64 {
+    let mut e = ((y / (1.5 + -0.875_f64 * -0.875_f64)) + 0.125).tanh();
+    let mut r1 = [((e / (1.5 + e * e)) + 0.125).tanh(); 2];
+    let b = if (e * e + 0.25).sqrt() > (r1[0] + y) {
+        ((e * -1.125_f64).abs() * (y + x))
+    } else {
+        (-((y * -0.625_f64).abs()))
+    };
+    if e < (r1[1] * x) {
+        return ((x + b) - -0.375_f64).tanh();
+    }
+    let mut r2 = [
+        ((r1[0] * 0.625_f64).max(-0.125_f64) * 0.75).sin(),
+        ((x + y) * 0.75).sin(),
+        ((r1[1] * -1.125_f64).max(y) + 0.125).tanh(),
+        ((r1[0] * r1[0] + 0.25).sqrt() + 0.125).tanh(),
+        ((e * -1.125_f64).abs() * 0.75).sin(),
+    ];
+    'l3: for i4 in (1..0_usize).step_by(2) {
+        'l5: for i6 in 0..=2_usize {
+            for v in r2.iter() {
+                e = e * ((((i4 as f64) * 0.25) / (1.5 + b * b)) + 0.125).tanh()
+                    + *v * ((((i4 as f64) * 0.25) / (1.5 + b * b)) + 0.125).tanh();
+            }
+        }
+        let mut n8 = 0_usize;
+        'l7: while n8 < 5 {
+            n8 += 1;
+            let mut n10 = 0_usize;
+            'l9: while n10 < 5 {
+                n10 += 1;
+                let a = program_5(((-(-0.625_f64)) * 0.75).sin(), (r2[4] + 0.125).tanh()).tanh();
+                r2[n10 % 5] = (((r1[(i4 * i4 + 1) % 2] * a) - -1.125_f64).tanh() * 0.75).sin();
+            }
+        }
+    }
+    r1[0] = (((r2[1] - y) * (r2[0] * -0.125_f64).cos()) + 0.125).tanh();
+    e -= (r1[0] * 0.75).sin();
+    let mut n12 = 0_usize;
+    'l11: while n12 < 5 {
+        n12 += 1;
+        for v in r1.iter() {
+            e = e * ((((n12 as f64) * 0.25) * r1[0]) * 0.75).sin()
+                + *v * ((((n12 as f64) * 0.25) * r1[0]) * 0.75).sin();
+        }
+        'l13: for i14 in (n12..4_usize).step_by(2) {
+            'l15: for i16 in (2..0_usize).rev() {
+                e += (((-1.125_f64 + y) + (x * 0.125_f64).abs()) * 0.75).sin();
+            }
+            e *= ((r2[4] * -0.125_f64).max(e) * 0.75).sin();
+            let c = if (b * b) >= (-(r2[2])) {
+                y
+            } else {
+                ((((n12 as f64) * 0.25) - 0.875_f64).tanh() / (1.5 + (-(b)) * (-(b))))
+            };
+        }
+        if (y + r2[(n12 + 3) % 5]) > (y * e) {
+            r1[(n12 * n12 + 1) % 2] +=
+                (((y * r2[(n12 * n12 + 1) % 5]) * (r1[n12 % 2] * b)) * 0.75).sin();
+        }
+    }
+    ((e * -0.625_f64).cos() * (-(e))) + b + e + y + x
+}
+
+fn program_72_of<S: Real<Mask = bool>>(x: S, y: S) -> S {
+    let mut e = ((y / (S::from_f64(1.5) + S::from_f64(-0.875_f64) * S::from_f64(-0.875_f64)))
+        + S::from_f64(0.125))
+    .tanh();
+    let mut r1 = [((e / (S::from_f64(1.5) + e * e)) + S::from_f64(0.125)).tanh(); 2];
+    let b = if (e * e + S::from_f64(0.25)).sqrt().cmpgt((r1[0] + y)) {
+        ((e * S::from_f64(-1.125_f64)).abs() * (y + x))
+    } else {
+        (-((y * S::from_f64(-0.625_f64)).abs()))
+    };
+    if e.cmplt((r1[1] * x)) {
+        return ((x + b) - S::from_f64(-0.375_f64)).tanh();
+    }
+    let mut r2 = [
+        ((r1[0] * S::from_f64(0.625_f64)).max(S::from_f64(-0.125_f64)) * S::from_f64(0.75)).sin(),
+        ((x + y) * S::from_f64(0.75)).sin(),
+        ((r1[1] * S::from_f64(-1.125_f64)).max(y) + S::from_f64(0.125)).tanh(),
+        ((r1[0] * r1[0] + S::from_f64(0.25)).sqrt() + S::from_f64(0.125)).tanh(),
+        ((e * S::from_f64(-1.125_f64)).abs() * S::from_f64(0.75)).sin(),
+    ];
+    'l3: for i4 in (1..0_usize).step_by(2) {
+        'l5: for i6 in 0..=2_usize {
+            for v in r2.iter() {
+                e = e
+                    * (((S::from_f64(i4 as f64) * S::from_f64(0.25)) / (S::from_f64(1.5) + b * b))
+                        + S::from_f64(0.125))
+                    .tanh()
+                    + *v * (((S::from_f64(i4 as f64) * S::from_f64(0.25))
+                        / (S::from_f64(1.5) + b * b))
+                        + S::from_f64(0.125))
+                    .tanh();
+            }
+        }
+        let mut n8 = 0_usize;
+        'l7: while n8 < 5 {
+            n8 += 1;
+            let mut n10 = 0_usize;
+            'l9: while n10 < 5 {
+                n10 += 1;
+                let a = program_5_of(
+                    ((-(S::from_f64(-0.625_f64))) * S::from_f64(0.75)).sin(),
+                    (r2[4] + S::from_f64(0.125)).tanh(),
+                )
+                .tanh();
+                r2[n10 % 5] = (((r1[(i4 * i4 + 1) % 2] * a) - S::from_f64(-1.125_f64)).tanh()
+                    * S::from_f64(0.75))
+                .sin();
+            }
+        }
+    }
+    r1[0] = (((r2[1] - y) * (r2[0] * S::from_f64(-0.125_f64)).cos()) + S::from_f64(0.125)).tanh();
+    e = e - (r1[0] * S::from_f64(0.75)).sin();
+    let mut n12 = 0_usize;
+    'l11: while n12 < 5 {
+        n12 += 1;
+        for v in r1.iter() {
+            e = e
+                * (((S::from_f64(n12 as f64) * S::from_f64(0.25)) * r1[0]) * S::from_f64(0.75))
+                    .sin()
+                + *v * (((S::from_f64(n12 as f64) * S::from_f64(0.25)) * r1[0])
+                    * S::from_f64(0.75))
+                .sin();
+        }
+        'l13: for i14 in (n12..4_usize).step_by(2) {
+            'l15: for i16 in (2..0_usize).rev() {
+                e = e
+                    + (((S::from_f64(-1.125_f64) + y) + (x * S::from_f64(0.125_f64)).abs())
+                        * S::from_f64(0.75))
+                    .sin();
+            }
+            e = e * ((r2[4] * S::from_f64(-0.125_f64)).max(e) * S::from_f64(0.75)).sin();
+            let c = if (b * b).cmpge((-(r2[2]))) {
+                y
+            } else {
+                (((S::from_f64(n12 as f64) * S::from_f64(0.25)) - S::from_f64(0.875_f64)).tanh()
+                    / (S::from_f64(1.5) + (-(b)) * (-(b))))
+            };
+        }
+        if (y + r2[(n12 + 3) % 5]).cmpgt((y * e)) {
+            r1[(n12 * n12 + 1) % 2] = r1[(n12 * n12 + 1) % 2]
+                + (((y * r2[(n12 * n12 + 1) % 5]) * (r1[n12 % 2] * b)) * S::from_f64(0.75)).sin();
+        }
+    }
+    ((e * S::from_f64(-0.625_f64)).cos() * (-(e))) + b + e + y + x
+}
+
+#[differentiable]
+fn program_73(x: f64, y: f64) -> f64 {
+    let mut b = ((y * -0.625_f64).abs() * 0.75).sin();
+    let mut r1 = [((-(x)) * 0.75).sin(); 3];
+    r1[2] = (y + 0.125).tanh();
+    'l2: for i3 in (0..5_usize).step_by(2) {
+        r1[(i3 + 2) % 3] = (y * 0.75).sin();
+    }
+    r1[2] += (((y * r1[0]) * (x - b)) + 0.125).tanh();
+    'l4: for i5 in 1..=3_usize {
+        let mut r6 = [((r1[i5 % 3] + -0.375_f64).sin() * 0.75).sin(); 5];
+        b *= (((r1[(i5 * i5 + 1) % 3] * b) - 0.625_f64).tanh() + 0.125).tanh();
+    }
+    let (a, mut b) = (((r1[0] - -1.125_f64).tanh() * 0.75).sin(), (r1[1] + -0.375_f64).sin());
+    if (a + -0.625_f64).sin() <= (r1[2] + b) {
+        return ((-0.125_f64 + r1[2]) - (y + 0.375_f64).sin());
+    }
+    if (a * a) < (a * -0.375_f64).max(r1[0]) {
+        return (x - (-0.125_f64 + r1[0]));
+    }
+    let a: f64 = r1.iter().map(|v| v * ((y * r1[0]) + 0.125).tanh()).sum();
+    'l7: for i8 in 0..=0_usize {
+        b = ((((i8 as f64) * 0.25) / (1.5 + (y * y + 0.25).sqrt() * (y * y + 0.25).sqrt())) * 0.75)
+            .sin();
+        if r1[(i8 * i8 + 1) % 3] <= (b * 0.875_f64).abs() {
+            break 'l7;
+        }
+        if (0.625_f64 * -0.125_f64).max(r1[(i8 * i8 + 1) % 3])
+            >= (((i8 as f64) * 0.25) * 0.625_f64).max(b)
+        {
+            let mut n10 = 0_usize;
+            'l9: while n10 < 5 {
+                n10 += 1;
+                b *= (((y * y + 0.25).sqrt() * (y * -0.875_f64).cos()) * 0.75).sin();
+                b = (((x + x) * (-(y))) * 0.75).sin();
+                b *= (((x + y) * (r1[(i8 * i8 + 1) % 3] + 0.875_f64).sin()) * 0.75).sin();
+            }
+            'l11: for i12 in i8..=3_usize {
+                let a = (r1[i8 % 3] * (r1[2] + -1.125_f64).sin());
+                b -= (r1[2] * 0.75).sin();
+                let d = program_30(
+                    ((-0.875_f64 * r1[(i8 * i8 + 1) % 3]) + 0.125).tanh(),
+                    ((r1[(i12 + 2) % 3] * -0.125_f64).max(0.375_f64) + 0.125).tanh(),
+                )
+                .tanh();
+            }
+            b = (((0.875_f64 * -0.875_f64).abs() - a) + 0.125).tanh();
+        }
+    }
+    ((0.625_f64 + y) * (0.625_f64 + y) + 0.25).sqrt() + a + b + y + x
+}
+
+fn program_73_of<S: Real<Mask = bool>>(x: S, y: S) -> S {
+    let mut b = ((y * S::from_f64(-0.625_f64)).abs() * S::from_f64(0.75)).sin();
+    let mut r1 = [((-(x)) * S::from_f64(0.75)).sin(); 3];
+    r1[2] = (y + S::from_f64(0.125)).tanh();
+    'l2: for i3 in (0..5_usize).step_by(2) {
+        r1[(i3 + 2) % 3] = (y * S::from_f64(0.75)).sin();
+    }
+    r1[2] = r1[2] + (((y * r1[0]) * (x - b)) + S::from_f64(0.125)).tanh();
+    'l4: for i5 in 1..=3_usize {
+        let mut r6 = [((r1[i5 % 3] + S::from_f64(-0.375_f64)).sin() * S::from_f64(0.75)).sin(); 5];
+        b = b
+            * (((r1[(i5 * i5 + 1) % 3] * b) - S::from_f64(0.625_f64)).tanh() + S::from_f64(0.125))
+                .tanh();
+    }
+    let (a, mut b) = (
+        ((r1[0] - S::from_f64(-1.125_f64)).tanh() * S::from_f64(0.75)).sin(),
+        (r1[1] + S::from_f64(-0.375_f64)).sin(),
+    );
+    if (a + S::from_f64(-0.625_f64)).sin().cmple((r1[2] + b)) {
+        return ((S::from_f64(-0.125_f64) + r1[2]) - (y + S::from_f64(0.375_f64)).sin());
+    }
+    if (a * a).cmplt((a * S::from_f64(-0.375_f64)).max(r1[0])) {
+        return (x - (S::from_f64(-0.125_f64) + r1[0]));
+    }
+    let a = r1
+        .iter()
+        .fold(S::from_f64(-0.0), |s, v| s + *v * ((y * r1[0]) + S::from_f64(0.125)).tanh());
+    'l7: for i8 in 0..=0_usize {
+        b = (((S::from_f64(i8 as f64) * S::from_f64(0.25))
+            / (S::from_f64(1.5)
+                + (y * y + S::from_f64(0.25)).sqrt() * (y * y + S::from_f64(0.25)).sqrt()))
+            * S::from_f64(0.75))
+        .sin();
+        if r1[(i8 * i8 + 1) % 3].cmple((b * S::from_f64(0.875_f64)).abs()) {
+            break 'l7;
+        }
+        if (S::from_f64(0.625_f64) * S::from_f64(-0.125_f64))
+            .max(r1[(i8 * i8 + 1) % 3])
+            .cmpge(((S::from_f64(i8 as f64) * S::from_f64(0.25)) * S::from_f64(0.625_f64)).max(b))
+        {
+            let mut n10 = 0_usize;
+            'l9: while n10 < 5 {
+                n10 += 1;
+                b = b
+                    * (((y * y + S::from_f64(0.25)).sqrt() * (y * S::from_f64(-0.875_f64)).cos())
+                        * S::from_f64(0.75))
+                    .sin();
+                b = (((x + x) * (-(y))) * S::from_f64(0.75)).sin();
+                b = b
+                    * (((x + y) * (r1[(i8 * i8 + 1) % 3] + S::from_f64(0.875_f64)).sin())
+                        * S::from_f64(0.75))
+                    .sin();
+            }
+            'l11: for i12 in i8..=3_usize {
+                let a = (r1[i8 % 3] * (r1[2] + S::from_f64(-1.125_f64)).sin());
+                b = b - (r1[2] * S::from_f64(0.75)).sin();
+                let d = program_30_of(
+                    ((S::from_f64(-0.875_f64) * r1[(i8 * i8 + 1) % 3]) + S::from_f64(0.125)).tanh(),
+                    ((r1[(i12 + 2) % 3] * S::from_f64(-0.125_f64)).max(S::from_f64(0.375_f64))
+                        + S::from_f64(0.125))
+                    .tanh(),
+                )
+                .tanh();
+            }
+            b = (((S::from_f64(0.875_f64) * S::from_f64(-0.875_f64)).abs() - a)
+                + S::from_f64(0.125))
+            .tanh();
+        }
+    }
+    ((S::from_f64(0.625_f64) + y) * (S::from_f64(0.625_f64) + y) + S::from_f64(0.25)).sqrt()
+        + a
+        + b
+        + y
+        + x
+}
+
+#[differentiable]
+fn program_74(x: f64, y: f64) -> f64 {
+    let mut d = (x * 0.75).sin();
+    let mut r1 = [((d * 0.125_f64).max(x) + 0.125).tanh(); 2];
+    'l2: for i3 in (1..4_usize).rev() {
+        let a = ((r1[1] * -0.125_f64).abs() + -0.375_f64).sin();
+        'l4: for i5 in 0..0_usize {
+            let f = if (r1[(i3 + 1) % 2] * ((i5 as f64) * 0.25))
+                >= (x / (1.5 + r1[(i3 * i3 + 1) % 2] * r1[(i3 * i3 + 1) % 2]))
+            {
+                ((a - r1[(i3 + 0) % 2]) + -0.625_f64).sin()
+            } else {
+                (y * (a + r1[0]))
+            };
+        }
+        let d = program_45(((x + d) * 0.75).sin(), (r1[(i3 * i3 + 1) % 2] * 0.75).sin()).tanh();
+    }
+    let mut b = (d * 0.75).sin();
+    if (-0.625_f64 + -0.625_f64).sin() >= (r1[1] * -0.875_f64).cos() {
+        if (d + 0.125_f64).sin() <= (d - 0.125_f64).tanh() {
+            if (x + r1[1]) <= (y + 0.125_f64).sin() {
+                return ((r1[1] * x) * (-(y)));
+            }
+            d = (r1[0] * 0.75).sin();
+        }
+    } else {
+        if (-(-0.125_f64)) >= (r1[0] * r1[0] + 0.25).sqrt() {
+            return ((x * 0.625_f64).abs() * -1.125_f64).abs();
+        }
+    }
+    if (b / (1.5 + x * x)) < (0.875_f64 * -0.125_f64).cos() {
+        let g6 = |t: f64| (-(t - r1[0])) * t;
+        let f = (g6((-0.125_f64 + b)) + g6((r1[1] * 0.875_f64).abs())).sin();
+        r1[0] = (x * 0.75).sin();
+    } else {
+        r1[1] = (((0.375_f64 * -0.875_f64).max(r1[0]) * -0.625_f64).abs() + 0.125).tanh();
+        let b =
+            program_44(((d - x) + 0.125).tanh(), ((r1[0] * r1[0] + 0.25).sqrt() + 0.125).tanh())
+                .tanh();
+    }
+    ((-0.875_f64 * 0.625_f64) + (r1[1] * x)) + b + d + y + x
+}
+
+fn program_74_of<S: Real<Mask = bool>>(x: S, y: S) -> S {
+    let mut d = (x * S::from_f64(0.75)).sin();
+    let mut r1 = [((d * S::from_f64(0.125_f64)).max(x) + S::from_f64(0.125)).tanh(); 2];
+    'l2: for i3 in (1..4_usize).rev() {
+        let a = ((r1[1] * S::from_f64(-0.125_f64)).abs() + S::from_f64(-0.375_f64)).sin();
+        'l4: for i5 in 0..0_usize {
+            let f = if (r1[(i3 + 1) % 2] * (S::from_f64(i5 as f64) * S::from_f64(0.25)))
+                .cmpge((x / (S::from_f64(1.5) + r1[(i3 * i3 + 1) % 2] * r1[(i3 * i3 + 1) % 2])))
+            {
+                ((a - r1[(i3 + 0) % 2]) + S::from_f64(-0.625_f64)).sin()
+            } else {
+                (y * (a + r1[0]))
+            };
+        }
+        let d = program_45_of(
+            ((x + d) * S::from_f64(0.75)).sin(),
+            (r1[(i3 * i3 + 1) % 2] * S::from_f64(0.75)).sin(),
+        )
+        .tanh();
+    }
+    let mut b = (d * S::from_f64(0.75)).sin();
+    if (S::from_f64(-0.625_f64) + S::from_f64(-0.625_f64))
+        .sin()
+        .cmpge((r1[1] * S::from_f64(-0.875_f64)).cos())
+    {
+        if (d + S::from_f64(0.125_f64)).sin().cmple((d - S::from_f64(0.125_f64)).tanh()) {
+            if (x + r1[1]).cmple((y + S::from_f64(0.125_f64)).sin()) {
+                return ((r1[1] * x) * (-(y)));
+            }
+            d = (r1[0] * S::from_f64(0.75)).sin();
+        }
+    } else {
+        if (-(S::from_f64(-0.125_f64))).cmpge((r1[0] * r1[0] + S::from_f64(0.25)).sqrt()) {
+            return ((x * S::from_f64(0.625_f64)).abs() * S::from_f64(-1.125_f64)).abs();
+        }
+    }
+    if (b / (S::from_f64(1.5) + x * x))
+        .cmplt((S::from_f64(0.875_f64) * S::from_f64(-0.125_f64)).cos())
+    {
+        let g6 = |t: S| (-(t - r1[0])) * t;
+        let f =
+            (g6((S::from_f64(-0.125_f64) + b)) + g6((r1[1] * S::from_f64(0.875_f64)).abs())).sin();
+        r1[0] = (x * S::from_f64(0.75)).sin();
+    } else {
+        r1[1] = (((S::from_f64(0.375_f64) * S::from_f64(-0.875_f64)).max(r1[0])
+            * S::from_f64(-0.625_f64))
+        .abs()
+            + S::from_f64(0.125))
+        .tanh();
+        let b = program_44_of(
+            ((d - x) + S::from_f64(0.125)).tanh(),
+            ((r1[0] * r1[0] + S::from_f64(0.25)).sqrt() + S::from_f64(0.125)).tanh(),
+        )
+        .tanh();
+    }
+    ((S::from_f64(-0.875_f64) * S::from_f64(0.625_f64)) + (r1[1] * x)) + b + d + y + x
+}
+
+#[differentiable]
+fn program_75(x: f64, y: f64) -> f64 {
+    let mut b = (x * 0.75).sin();
+    let mut r1 = [
+        ((x / (1.5 + b * b)) + 0.125).tanh(),
+        ((x + y) + 0.125).tanh(),
+        ((b + b) + 0.125).tanh(),
+        ((x * -1.125_f64).cos() + 0.125).tanh(),
+    ];
+    let mut n3 = 0_usize;
+    'l2: while n3 < 1 {
+        n3 += 1;
+        let mut b = (y * 0.75).sin();
+    }
+    b += ((r1[0] * r1[3]) + 0.125).tanh();
+    'l4: for i5 in (2..4_usize).rev() {
+        let c = program_53(((x - 0.625_f64).tanh() + 0.125).tanh(), ((y * y) * 0.75).sin()).tanh();
+        b -= (((c * c) + (c * c + 0.25).sqrt()) + 0.125).tanh();
+        r1[i5 % 4] -= (((c * -1.125_f64).max(r1[0]) + (0.125_f64 - y)) + 0.125).tanh();
+    }
+    let mut r6 = [
+        ((y * b) * 0.75).sin(),
+        (-0.375_f64 + 0.125).tanh(),
+        (b * 0.75).sin(),
+        ((b * r1[2]) + 0.125).tanh(),
+        ((y * -0.125_f64).abs() * 0.75).sin(),
+    ];
+    'l7: for i8 in 2..=4_usize {
+        'l9: for i10 in (0..3_usize).step_by(2) {
+            let r11 = [((-(y)) * 0.75).sin(), ((r6[0] / (1.5 + y * y)) + 0.125).tanh()];
+            if i8 % 3 == 0 {
+                r1[(i10 + 0) % 4] =
+                    (((((i8 as f64) * 0.25) * 0.375_f64).max(x) + (b * y)) + 0.125).tanh();
+                r1[(i8 + 0) % 4] -= (r1[(i8 + 3) % 4] * 0.75).sin();
+                let mut a = ((b * -0.625_f64).abs() * 0.75).sin();
+            } else {
+                b -= (((x * r1[(i10 + 3) % 4]) + -0.875_f64).sin() * 0.75).sin();
+                let f = ((y * -0.875_f64).abs() + (-0.875_f64 * -1.125_f64).cos());
+                r6[i8 % 5] +=
+                    (((((i10 as f64) * 0.25) + r6[2]) * (r6[(i8 + 3) % 5] * x)) * 0.75).sin();
+            }
+        }
+    }
+    r6[1] + b + y + x
+}
+
+fn program_75_of<S: Real<Mask = bool>>(x: S, y: S) -> S {
+    let mut b = (x * S::from_f64(0.75)).sin();
+    let mut r1 = [
+        ((x / (S::from_f64(1.5) + b * b)) + S::from_f64(0.125)).tanh(),
+        ((x + y) + S::from_f64(0.125)).tanh(),
+        ((b + b) + S::from_f64(0.125)).tanh(),
+        ((x * S::from_f64(-1.125_f64)).cos() + S::from_f64(0.125)).tanh(),
+    ];
+    let mut n3 = 0_usize;
+    'l2: while n3 < 1 {
+        n3 += 1;
+        let mut b = (y * S::from_f64(0.75)).sin();
+    }
+    b = b + ((r1[0] * r1[3]) + S::from_f64(0.125)).tanh();
+    'l4: for i5 in (2..4_usize).rev() {
+        let c = program_53_of(
+            ((x - S::from_f64(0.625_f64)).tanh() + S::from_f64(0.125)).tanh(),
+            ((y * y) * S::from_f64(0.75)).sin(),
+        )
+        .tanh();
+        b = b - (((c * c) + (c * c + S::from_f64(0.25)).sqrt()) + S::from_f64(0.125)).tanh();
+        r1[i5 % 4] = r1[i5 % 4]
+            - (((c * S::from_f64(-1.125_f64)).max(r1[0]) + (S::from_f64(0.125_f64) - y))
+                + S::from_f64(0.125))
+            .tanh();
+    }
+    let mut r6 = [
+        ((y * b) * S::from_f64(0.75)).sin(),
+        (S::from_f64(-0.375_f64) + S::from_f64(0.125)).tanh(),
+        (b * S::from_f64(0.75)).sin(),
+        ((b * r1[2]) + S::from_f64(0.125)).tanh(),
+        ((y * S::from_f64(-0.125_f64)).abs() * S::from_f64(0.75)).sin(),
+    ];
+    'l7: for i8 in 2..=4_usize {
+        'l9: for i10 in (0..3_usize).step_by(2) {
+            let r11 = [
+                ((-(y)) * S::from_f64(0.75)).sin(),
+                ((r6[0] / (S::from_f64(1.5) + y * y)) + S::from_f64(0.125)).tanh(),
+            ];
+            if i8 % 3 == 0 {
+                r1[(i10 + 0) % 4] = ((((S::from_f64(i8 as f64) * S::from_f64(0.25))
+                    * S::from_f64(0.375_f64))
+                .max(x)
+                    + (b * y))
+                    + S::from_f64(0.125))
+                .tanh();
+                r1[(i8 + 0) % 4] = r1[(i8 + 0) % 4] - (r1[(i8 + 3) % 4] * S::from_f64(0.75)).sin();
+                let mut a = ((b * S::from_f64(-0.625_f64)).abs() * S::from_f64(0.75)).sin();
+            } else {
+                b = b
+                    - (((x * r1[(i10 + 3) % 4]) + S::from_f64(-0.875_f64)).sin()
+                        * S::from_f64(0.75))
+                    .sin();
+                let f = ((y * S::from_f64(-0.875_f64)).abs()
+                    + (S::from_f64(-0.875_f64) * S::from_f64(-1.125_f64)).cos());
+                r6[i8 % 5] = r6[i8 % 5]
+                    + ((((S::from_f64(i10 as f64) * S::from_f64(0.25)) + r6[2])
+                        * (r6[(i8 + 3) % 5] * x))
+                        * S::from_f64(0.75))
+                    .sin();
+            }
+        }
+    }
+    r6[1] + b + y + x
+}
+
+#[differentiable]
+fn program_76(x: f64, y: f64) -> f64 {
+    let mut d = ((y * y) + 0.125).tanh();
+    let mut r1 = [
+        ((y - y) * 0.75).sin(),
+        ((x * y) + 0.125).tanh(),
+        ((x * -0.375_f64).max(x) + 0.125).tanh(),
+        (x * 0.75).sin(),
+    ];
+    d = (((r1[0] / (1.5 + r1[3] * r1[3])) + 0.375_f64).sin() + 0.125).tanh();
+    'l2: for i3 in 2..5_usize {
+        let a = if i3 % 2 == 1 {
+            ((((i3 as f64) * 0.25) / (1.5 + d * d)) * (r1[3] * -0.625_f64))
+        } else {
+            r1[1]
+        };
+        'l4: for i5 in (1..0_usize).step_by(2) {
+            'l6: for i7 in (0..3_usize).rev() {
+                r1[1] += (((-((i7 as f64) * 0.25)) * (-((i7 as f64) * 0.25)) + 0.25).sqrt()
+                    + 0.125)
+                    .tanh();
+                let b = program_67(
+                    ((x - -0.625_f64).tanh() * 0.75).sin(),
+                    ((r1[(i3 + 3) % 4] - 0.625_f64).tanh() + 0.125).tanh(),
+                )
+                .tanh();
+            }
+            let mut r8 = [((r1[2] + x) + 0.125).tanh(); 5];
+            let mut n10 = 0_usize;
+            'l9: while n10 < 4 {
+                n10 += 1;
+                let mut e = ((r1[2] - -0.375_f64).tanh() * 0.75).sin();
+                d += ((-(r8[i3 % 5] - ((i3 as f64) * 0.25))) + 0.125).tanh();
+            }
+        }
+    }
+    if (0.375_f64 * 0.625_f64).max(x) >= (x + r1[2]) {
+        return ((-(y)) * 0.625_f64).max(-0.125_f64);
+    }
+    d = (y + 0.125).tanh();
+    d = (((x + d) * -0.625_f64).cos() + 0.125).tanh();
+    r1[0] + d + y + x
+}
+
+fn program_76_of<S: Real<Mask = bool>>(x: S, y: S) -> S {
+    let mut d = ((y * y) + S::from_f64(0.125)).tanh();
+    let mut r1 = [
+        ((y - y) * S::from_f64(0.75)).sin(),
+        ((x * y) + S::from_f64(0.125)).tanh(),
+        ((x * S::from_f64(-0.375_f64)).max(x) + S::from_f64(0.125)).tanh(),
+        (x * S::from_f64(0.75)).sin(),
+    ];
+    d = (((r1[0] / (S::from_f64(1.5) + r1[3] * r1[3])) + S::from_f64(0.375_f64)).sin()
+        + S::from_f64(0.125))
+    .tanh();
+    'l2: for i3 in 2..5_usize {
+        let a = if i3 % 2 == 1 {
+            (((S::from_f64(i3 as f64) * S::from_f64(0.25)) / (S::from_f64(1.5) + d * d))
+                * (r1[3] * S::from_f64(-0.625_f64)))
+        } else {
+            r1[1]
+        };
+        'l4: for i5 in (1..0_usize).step_by(2) {
+            'l6: for i7 in (0..3_usize).rev() {
+                r1[1] = r1[1]
+                    + (((-(S::from_f64(i7 as f64) * S::from_f64(0.25)))
+                        * (-(S::from_f64(i7 as f64) * S::from_f64(0.25)))
+                        + S::from_f64(0.25))
+                    .sqrt()
+                        + S::from_f64(0.125))
+                    .tanh();
+                let b = program_67_of(
+                    ((x - S::from_f64(-0.625_f64)).tanh() * S::from_f64(0.75)).sin(),
+                    ((r1[(i3 + 3) % 4] - S::from_f64(0.625_f64)).tanh() + S::from_f64(0.125))
+                        .tanh(),
+                )
+                .tanh();
+            }
+            let mut r8 = [((r1[2] + x) + S::from_f64(0.125)).tanh(); 5];
+            let mut n10 = 0_usize;
+            'l9: while n10 < 4 {
+                n10 += 1;
+                let mut e = ((r1[2] - S::from_f64(-0.375_f64)).tanh() * S::from_f64(0.75)).sin();
+                d = d
+                    + ((-(r8[i3 % 5] - (S::from_f64(i3 as f64) * S::from_f64(0.25))))
+                        + S::from_f64(0.125))
+                    .tanh();
+            }
+        }
+    }
+    if (S::from_f64(0.375_f64) * S::from_f64(0.625_f64)).max(x).cmpge((x + r1[2])) {
+        return ((-(y)) * S::from_f64(0.625_f64)).max(S::from_f64(-0.125_f64));
+    }
+    d = (y + S::from_f64(0.125)).tanh();
+    d = (((x + d) * S::from_f64(-0.625_f64)).cos() + S::from_f64(0.125)).tanh();
+    r1[0] + d + y + x
+}
+
+#[differentiable]
+fn program_77(x: f64, y: f64) -> f64 {
+    let mut f = ((-(y)) * 0.75).sin();
+    let mut r1 = [((f + x) * 0.75).sin(); 2];
+    if (x * r1[1]) >= (x - f) {
+        r1[0] = (((-(f)) - (y - f)) + 0.125).tanh();
+        r1[1] = (((f * f) - (x + r1[1])) * 0.75).sin();
+    } else {
+        if (r1[1] * r1[0]) > (r1[0] * r1[1]) {
+            let c = r1[0];
+            r1[0] *= (((r1[1] / (1.5 + c * c))
+                / (1.5 + (f / (1.5 + c * c)) * (f / (1.5 + c * c))))
+                + 0.125)
+                .tanh();
+        } else {
+            for v in r1.iter() {
+                f = f * ((r1[1] * r1[1] + 0.25).sqrt() + 0.125).tanh()
+                    + *v * ((r1[1] * r1[1] + 0.25).sqrt() + 0.125).tanh();
+            }
+            let d = program_21(
+                ((y * -1.125_f64).abs() * 0.75).sin(),
+                ((y * -0.375_f64).cos() * 0.75).sin(),
+            )
+            .tanh();
+            let g2 = |t: f64| ((0.375_f64 * t) + (f + x)) * t;
+            let e = (g2((d + d)) + g2((-0.875_f64 + 0.375_f64).sin())).sin();
+        }
+    }
+    let mut n4 = 0_usize;
+    'l3: while n4 < 4 {
+        n4 += 1;
+        let mut d = ((r1[0] * r1[(n4 + 0) % 2]) * 0.75).sin();
+        let g5 = |t: f64| ((r1[0] + -1.125_f64).sin() + (t + r1[1])) * t;
+        let a = (g5((r1[n4 % 2] * y)) + g5((r1[0] * r1[(n4 * n4 + 1) % 2]))).sin();
+        let mut r6 = [
+            ((0.375_f64 - -0.375_f64).tanh() + 0.125).tanh(),
+            ((-(a)) + 0.125).tanh(),
+            ((((n4 as f64) * 0.25) / (1.5 + a * a)) * 0.75).sin(),
+            ((x * r1[n4 % 2]) * 0.75).sin(),
+            ((0.125_f64 + r1[(n4 + 1) % 2]) + 0.125).tanh(),
+        ];
+    }
+    r1[0] = (((-1.125_f64 * -1.125_f64).abs() - (r1[0] * f)) * 0.75).sin();
+    y + f + y + x
+}
+
+fn program_77_of<S: Real<Mask = bool>>(x: S, y: S) -> S {
+    let mut f = ((-(y)) * S::from_f64(0.75)).sin();
+    let mut r1 = [((f + x) * S::from_f64(0.75)).sin(); 2];
+    if (x * r1[1]).cmpge((x - f)) {
+        r1[0] = (((-(f)) - (y - f)) + S::from_f64(0.125)).tanh();
+        r1[1] = (((f * f) - (x + r1[1])) * S::from_f64(0.75)).sin();
+    } else {
+        if (r1[1] * r1[0]).cmpgt((r1[0] * r1[1])) {
+            let c = r1[0];
+            r1[0] = r1[0]
+                * (((r1[1] / (S::from_f64(1.5) + c * c))
+                    / (S::from_f64(1.5)
+                        + (f / (S::from_f64(1.5) + c * c)) * (f / (S::from_f64(1.5) + c * c))))
+                    + S::from_f64(0.125))
+                .tanh();
+        } else {
+            for v in r1.iter() {
+                f = f * ((r1[1] * r1[1] + S::from_f64(0.25)).sqrt() + S::from_f64(0.125)).tanh()
+                    + *v * ((r1[1] * r1[1] + S::from_f64(0.25)).sqrt() + S::from_f64(0.125)).tanh();
+            }
+            let d = program_21_of(
+                ((y * S::from_f64(-1.125_f64)).abs() * S::from_f64(0.75)).sin(),
+                ((y * S::from_f64(-0.375_f64)).cos() * S::from_f64(0.75)).sin(),
+            )
+            .tanh();
+            let g2 = |t: S| ((S::from_f64(0.375_f64) * t) + (f + x)) * t;
+            let e =
+                (g2((d + d)) + g2((S::from_f64(-0.875_f64) + S::from_f64(0.375_f64)).sin())).sin();
+        }
+    }
+    let mut n4 = 0_usize;
+    'l3: while n4 < 4 {
+        n4 += 1;
+        let mut d = ((r1[0] * r1[(n4 + 0) % 2]) * S::from_f64(0.75)).sin();
+        let g5 = |t: S| ((r1[0] + S::from_f64(-1.125_f64)).sin() + (t + r1[1])) * t;
+        let a = (g5((r1[n4 % 2] * y)) + g5((r1[0] * r1[(n4 * n4 + 1) % 2]))).sin();
+        let mut r6 = [
+            ((S::from_f64(0.375_f64) - S::from_f64(-0.375_f64)).tanh() + S::from_f64(0.125)).tanh(),
+            ((-(a)) + S::from_f64(0.125)).tanh(),
+            (((S::from_f64(n4 as f64) * S::from_f64(0.25)) / (S::from_f64(1.5) + a * a))
+                * S::from_f64(0.75))
+            .sin(),
+            ((x * r1[n4 % 2]) * S::from_f64(0.75)).sin(),
+            ((S::from_f64(0.125_f64) + r1[(n4 + 1) % 2]) + S::from_f64(0.125)).tanh(),
+        ];
+    }
+    r1[0] = (((S::from_f64(-1.125_f64) * S::from_f64(-1.125_f64)).abs() - (r1[0] * f))
+        * S::from_f64(0.75))
+    .sin();
+    y + f + y + x
+}
+
+#[differentiable]
+fn program_78(x: f64, y: f64) -> f64 {
+    let mut c = ((x * y) * 0.75).sin();
+    let mut r1 = [((y * -0.875_f64).abs() + 0.125).tanh(); 5];
+    let g2 = |t: f64| (r1[3] * (x + 0.875_f64).sin()) * t;
+    let c = (g2((r1[0] / (1.5 + x * x))) + g2((x + -1.125_f64))).sin();
+    let mut n4 = 0_usize;
+    'l3: while n4 < 5 {
+        n4 += 1;
+        let r5 = [((r1[n4 % 5] * r1[n4 % 5] + 0.25).sqrt() * 0.75).sin(), ((c + c) * 0.75).sin()];
+        let mut c = ((x / (1.5 + c * c)) * 0.75).sin();
+    }
+    let g6 = |t: f64| ((r1[3] + 0.125_f64).sin() * 0.125_f64).cos() * t;
+    let c = (g6((y + x)) + g6((x * y))).sin();
+    let r7 = [
+        ((-(c)) + 0.125).tanh(),
+        ((-(c)) + 0.125).tanh(),
+        ((y * -0.875_f64).cos() * 0.75).sin(),
+        ((r1[0] * c) * 0.75).sin(),
+        ((y + -1.125_f64).sin() + 0.125).tanh(),
+    ];
+    'l8: for i9 in (1..1_usize).step_by(2) {
+        if (c / (1.5 + ((i9 as f64) * 0.25) * ((i9 as f64) * 0.25))) < r7[(i9 * i9 + 1) % 5] {
+            if i9 % 3 == 1 {
+                let mut b = ((-0.625_f64 - x) * 0.75).sin();
+            } else {
+                let (a, mut b) = (((((i9 as f64) * 0.25) / (1.5 + c * c)) + 0.125).tanh(), c);
+                r1[2] = (((-0.125_f64 * -0.125_f64).cos()
+                    + (((i9 as f64) * 0.25) - -0.375_f64).tanh())
+                    * 0.75)
+                    .sin();
+                let (a, mut b) = (((x * x) + 0.125).tanh(), r7[1]);
+            }
+            if i9 % 3 == 2 {
+                let mut d = ((-((i9 as f64) * 0.25)) * 0.75).sin();
+                let mut r10 = [((d + ((i9 as f64) * 0.25)) * 0.75).sin(); 2];
+            } else {
+                r1[1] = (((y * y) * (c - 0.125_f64)) + 0.125).tanh();
+            }
+        }
+        'l11: for i12 in 0..3_usize {
+            let mut n14 = 0_usize;
+            'l13: while n14 < 4 {
+                n14 += 1;
+                let (a, mut b) = (((c * r7[(n14 + 3) % 5]) + 0.125).tanh(), (y + -1.125_f64).sin());
+                r1[4] -= (((r1[i12 % 5] * 0.375_f64).abs() * 0.375_f64).abs() + 0.125).tanh();
+            }
+            let e = if i9 % 4 == 2 {
+                ((r1[i12 % 5] + x) - 0.125_f64).tanh()
+            } else {
+                ((c * y) * (c * y) + 0.25).sqrt()
+            };
+            if i12 % 3 == 1 {
+                r1[i12 % 5] -= ((r1[i9 % 5] + (c * -0.625_f64).abs()) + 0.125).tanh();
+            }
+        }
+    }
+    ((y * r1[3]) - (x * -0.375_f64).abs()) + c + y + x
+}
+
+fn program_78_of<S: Real<Mask = bool>>(x: S, y: S) -> S {
+    let mut c = ((x * y) * S::from_f64(0.75)).sin();
+    let mut r1 = [((y * S::from_f64(-0.875_f64)).abs() + S::from_f64(0.125)).tanh(); 5];
+    let g2 = |t: S| (r1[3] * (x + S::from_f64(0.875_f64)).sin()) * t;
+    let c = (g2((r1[0] / (S::from_f64(1.5) + x * x))) + g2((x + S::from_f64(-1.125_f64)))).sin();
+    let mut n4 = 0_usize;
+    'l3: while n4 < 5 {
+        n4 += 1;
+        let r5 = [
+            ((r1[n4 % 5] * r1[n4 % 5] + S::from_f64(0.25)).sqrt() * S::from_f64(0.75)).sin(),
+            ((c + c) * S::from_f64(0.75)).sin(),
+        ];
+        let mut c = ((x / (S::from_f64(1.5) + c * c)) * S::from_f64(0.75)).sin();
+    }
+    let g6 = |t: S| ((r1[3] + S::from_f64(0.125_f64)).sin() * S::from_f64(0.125_f64)).cos() * t;
+    let c = (g6((y + x)) + g6((x * y))).sin();
+    let r7 = [
+        ((-(c)) + S::from_f64(0.125)).tanh(),
+        ((-(c)) + S::from_f64(0.125)).tanh(),
+        ((y * S::from_f64(-0.875_f64)).cos() * S::from_f64(0.75)).sin(),
+        ((r1[0] * c) * S::from_f64(0.75)).sin(),
+        ((y + S::from_f64(-1.125_f64)).sin() + S::from_f64(0.125)).tanh(),
+    ];
+    'l8: for i9 in (1..1_usize).step_by(2) {
+        if (c
+            / (S::from_f64(1.5)
+                + (S::from_f64(i9 as f64) * S::from_f64(0.25))
+                    * (S::from_f64(i9 as f64) * S::from_f64(0.25))))
+        .cmplt(r7[(i9 * i9 + 1) % 5])
+        {
+            if i9 % 3 == 1 {
+                let mut b = ((S::from_f64(-0.625_f64) - x) * S::from_f64(0.75)).sin();
+            } else {
+                let (a, mut b) = (
+                    (((S::from_f64(i9 as f64) * S::from_f64(0.25)) / (S::from_f64(1.5) + c * c))
+                        + S::from_f64(0.125))
+                    .tanh(),
+                    c,
+                );
+                r1[2] = (((S::from_f64(-0.125_f64) * S::from_f64(-0.125_f64)).cos()
+                    + ((S::from_f64(i9 as f64) * S::from_f64(0.25)) - S::from_f64(-0.375_f64))
+                        .tanh())
+                    * S::from_f64(0.75))
+                .sin();
+                let (a, mut b) = (((x * x) + S::from_f64(0.125)).tanh(), r7[1]);
+            }
+            if i9 % 3 == 2 {
+                let mut d =
+                    ((-(S::from_f64(i9 as f64) * S::from_f64(0.25))) * S::from_f64(0.75)).sin();
+                let mut r10 = [((d + (S::from_f64(i9 as f64) * S::from_f64(0.25)))
+                    * S::from_f64(0.75))
+                .sin(); 2];
+            } else {
+                r1[1] = (((y * y) * (c - S::from_f64(0.125_f64))) + S::from_f64(0.125)).tanh();
+            }
+        }
+        'l11: for i12 in 0..3_usize {
+            let mut n14 = 0_usize;
+            'l13: while n14 < 4 {
+                n14 += 1;
+                let (a, mut b) = (
+                    ((c * r7[(n14 + 3) % 5]) + S::from_f64(0.125)).tanh(),
+                    (y + S::from_f64(-1.125_f64)).sin(),
+                );
+                r1[4] = r1[4]
+                    - (((r1[i12 % 5] * S::from_f64(0.375_f64)).abs() * S::from_f64(0.375_f64))
+                        .abs()
+                        + S::from_f64(0.125))
+                    .tanh();
+            }
+            let e = if i9 % 4 == 2 {
+                ((r1[i12 % 5] + x) - S::from_f64(0.125_f64)).tanh()
+            } else {
+                ((c * y) * (c * y) + S::from_f64(0.25)).sqrt()
+            };
+            if i12 % 3 == 1 {
+                r1[i12 % 5] = r1[i12 % 5]
+                    - ((r1[i9 % 5] + (c * S::from_f64(-0.625_f64)).abs()) + S::from_f64(0.125))
+                        .tanh();
+            }
+        }
+    }
+    ((y * r1[3]) - (x * S::from_f64(-0.375_f64)).abs()) + c + y + x
+}
+
+#[differentiable]
+fn program_79(x: f64, y: f64) -> f64 {
+    let mut e = ((x * -0.125_f64).max(y) + 0.125).tanh();
+    let mut r1 = [
+        ((y * -0.875_f64) * 0.75).sin(),
+        ((0.875_f64 / (1.5 + y * y)) + 0.125).tanh(),
+        ((y + y) + 0.125).tanh(),
+    ];
+    let mut n3 = 0_usize;
+    'l2: while n3 < 2 {
+        n3 += 1;
+        let (a, mut b) = (((x / (1.5 + e * e)) * 0.75).sin(), (y * y));
+        'l4: for i5 in 2..3_usize {
+            e += (((r1[(i5 * i5 + 1) % 3] - r1[1]) * 0.625_f64).cos() * 0.75).sin();
+            r1[i5 % 3] = (((e + ((n3 as f64) * 0.25)) * 0.625_f64).cos() * 0.75).sin();
+        }
+        let c = if n3 % 4 == 3 { (-(x * r1[0])) } else { b };
+    }
+    r1[1] = (((y + x) * (e * r1[0])) + 0.125).tanh();
+    'l6: for i7 in (2..5_usize).step_by(2) {
+        e += (((e * ((i7 as f64) * 0.25)) + (x + r1[(i7 + 0) % 3])) + 0.125).tanh();
+    }
+    if (r1[1] * r1[0]) <= (e + -0.125_f64).sin() {
+        return ((x * y) * -0.875_f64).cos();
+    }
+    if (y * -1.125_f64).max(r1[2]) > (y * y + 0.25).sqrt() {
+        if (r1[0] * r1[0] + 0.25).sqrt() < (r1[2] + y) {
+            return ((y * 0.125_f64) - (e * -0.875_f64).abs());
+        }
+        let d = if r1[2] <= (x + 0.625_f64).sin() {
+            ((r1[2] + -0.375_f64).sin() * -0.375_f64).cos()
+        } else {
+            (y * y + 0.25).sqrt()
+        };
+        'l8: for i9 in 2..1_usize {
+            if i9 % 2 == 0 {
+                let (a, mut b) =
+                    (((y - 0.125_f64).tanh() * 0.75).sin(), (r1[1] * -1.125_f64).cos());
+                let mut r10 = [
+                    ((d * d) * 0.75).sin(),
+                    ((r1[i9 % 3] + d) + 0.125).tanh(),
+                    ((0.125_f64 * 0.125_f64 + 0.25).sqrt() * 0.75).sin(),
+                    ((-(r1[(i9 + 0) % 3])) * 0.75).sin(),
+                ];
+            }
+            if i9 % 3 == 0 {
+                e -= ((x - -0.875_f64).tanh() * 0.75).sin();
+            } else {
+                let mut r11 = [(r1[(i9 * i9 + 1) % 3] * 0.75).sin(); 2];
+                e -= ((-((d * 0.375_f64).cos())) + 0.125).tanh();
+            }
+        }
+    }
+    ((r1[1] + e) - -0.625_f64).tanh() + e + y + x
+}
+
+fn program_79_of<S: Real<Mask = bool>>(x: S, y: S) -> S {
+    let mut e = ((x * S::from_f64(-0.125_f64)).max(y) + S::from_f64(0.125)).tanh();
+    let mut r1 = [
+        ((y * S::from_f64(-0.875_f64)) * S::from_f64(0.75)).sin(),
+        ((S::from_f64(0.875_f64) / (S::from_f64(1.5) + y * y)) + S::from_f64(0.125)).tanh(),
+        ((y + y) + S::from_f64(0.125)).tanh(),
+    ];
+    let mut n3 = 0_usize;
+    'l2: while n3 < 2 {
+        n3 += 1;
+        let (a, mut b) = (((x / (S::from_f64(1.5) + e * e)) * S::from_f64(0.75)).sin(), (y * y));
+        'l4: for i5 in 2..3_usize {
+            e = e
+                + (((r1[(i5 * i5 + 1) % 3] - r1[1]) * S::from_f64(0.625_f64)).cos()
+                    * S::from_f64(0.75))
+                .sin();
+            r1[i5 % 3] = (((e + (S::from_f64(n3 as f64) * S::from_f64(0.25)))
+                * S::from_f64(0.625_f64))
+            .cos()
+                * S::from_f64(0.75))
+            .sin();
+        }
+        let c = if n3 % 4 == 3 { (-(x * r1[0])) } else { b };
+    }
+    r1[1] = (((y + x) * (e * r1[0])) + S::from_f64(0.125)).tanh();
+    'l6: for i7 in (2..5_usize).step_by(2) {
+        e = e
+            + (((e * (S::from_f64(i7 as f64) * S::from_f64(0.25))) + (x + r1[(i7 + 0) % 3]))
+                + S::from_f64(0.125))
+            .tanh();
+    }
+    if (r1[1] * r1[0]).cmple((e + S::from_f64(-0.125_f64)).sin()) {
+        return ((x * y) * S::from_f64(-0.875_f64)).cos();
+    }
+    if (y * S::from_f64(-1.125_f64)).max(r1[2]).cmpgt((y * y + S::from_f64(0.25)).sqrt()) {
+        if (r1[0] * r1[0] + S::from_f64(0.25)).sqrt().cmplt((r1[2] + y)) {
+            return ((y * S::from_f64(0.125_f64)) - (e * S::from_f64(-0.875_f64)).abs());
+        }
+        let d = if r1[2].cmple((x + S::from_f64(0.625_f64)).sin()) {
+            ((r1[2] + S::from_f64(-0.375_f64)).sin() * S::from_f64(-0.375_f64)).cos()
+        } else {
+            (y * y + S::from_f64(0.25)).sqrt()
+        };
+        'l8: for i9 in 2..1_usize {
+            if i9 % 2 == 0 {
+                let (a, mut b) = (
+                    ((y - S::from_f64(0.125_f64)).tanh() * S::from_f64(0.75)).sin(),
+                    (r1[1] * S::from_f64(-1.125_f64)).cos(),
+                );
+                let mut r10 = [
+                    ((d * d) * S::from_f64(0.75)).sin(),
+                    ((r1[i9 % 3] + d) + S::from_f64(0.125)).tanh(),
+                    ((S::from_f64(0.125_f64) * S::from_f64(0.125_f64) + S::from_f64(0.25)).sqrt()
+                        * S::from_f64(0.75))
+                    .sin(),
+                    ((-(r1[(i9 + 0) % 3])) * S::from_f64(0.75)).sin(),
+                ];
+            }
+            if i9 % 3 == 0 {
+                e = e - ((x - S::from_f64(-0.875_f64)).tanh() * S::from_f64(0.75)).sin();
+            } else {
+                let mut r11 = [(r1[(i9 * i9 + 1) % 3] * S::from_f64(0.75)).sin(); 2];
+                e = e - ((-((d * S::from_f64(0.375_f64)).cos())) + S::from_f64(0.125)).tanh();
+            }
+        }
+    }
+    ((r1[1] + e) - S::from_f64(-0.625_f64)).tanh() + e + y + x
 }
