@@ -1,57 +1,16 @@
-//! `#[differentiable]` on a function or on an `impl` block.
+//! `#[differentiable]` on a function, on an `impl` block or on a trait.
 
-use proc_macro2::{Ident, TokenStream};
-use quote::quote;
-use syn::parse::{Parse, ParseStream};
-use syn::punctuated::Punctuated;
+use proc_macro2::TokenStream;
+use quote::{format_ident, quote};
 use syn::visit_mut::{self, VisitMut};
 use syn::{
-    Attribute, Expr, ExprForLoop, ExprLoop, ExprWhile, FnArg, ImplItem, ItemFn, ItemImpl, Meta,
-    Token, parse_quote,
+    Attribute, Block, Expr, ExprForLoop, ExprLoop, ExprWhile, ImplItem, ImplItemFn, ItemFn,
+    ItemImpl, ItemTrait, ItemUse, Path, Signature, TraitItem, TraitItemFn, UseTree, Visibility,
+    parse_quote,
 };
 
-use crate::expand::{Place, derivative, stub};
-
-/// What stands in the parentheses of the attribute.
-#[derive(Clone, Copy, Default)]
-pub struct Options {
-    /// `checkpoint`: the pullback keeps the arguments alone.
-    pub checkpoint: bool,
-}
-
-impl Parse for Options {
-    fn parse(input: ParseStream<'_>) -> syn::Result<Self> {
-        let mut options = Self::default();
-        for option in Punctuated::<Ident, Token![,]>::parse_terminated(input)? {
-            match option == "checkpoint" {
-                true => options.checkpoint = true,
-                false => {
-                    return Err(syn::Error::new_spanned(
-                        option,
-                        "the arguments of `#[differentiable]` are: `checkpoint`",
-                    ));
-                }
-            }
-        }
-        Ok(options)
-    }
-}
-
-/// Whether an attribute is this crate's.
-pub fn is_own(attribute: &Attribute) -> bool {
-    attribute.path().segments.last().is_some_and(|last| last.ident == "differentiable")
-}
-
-/// What this crate's attributes say among those of a method or a loop.
-pub fn own_options(attributes: &[Attribute]) -> syn::Result<Options> {
-    let mut options = Options::default();
-    for attribute in attributes.iter().filter(|attribute| is_own(attribute)) {
-        if let Meta::List(list) = &attribute.meta {
-            options.checkpoint |= list.parse_args::<Options>()?.checkpoint;
-        }
-    }
-    Ok(options)
-}
+use crate::expand::{Function, Place};
+use crate::options::{Options, is_own, own_options};
 
 /// Takes this crate's attributes off the loops in a body: the compiler knows none there.
 struct Clean;
@@ -72,58 +31,56 @@ impl VisitMut for Clean {
 pub fn expand(arguments: TokenStream, item: TokenStream) -> TokenStream {
     let options = match syn::parse2::<Options>(arguments) {
         Ok(options) => options,
-        Err(error) => {
-            let error = error.into_compile_error();
-            return quote!(#item #error);
-        }
+        Err(error) => return with_error(&item, &error),
     };
     if let Ok(function) = syn::parse2::<ItemFn>(item.clone()) {
-        return function_derivative(&function, options);
+        return function_derivative(function, options);
     }
-    match syn::parse2::<ItemImpl>(item.clone()) {
-        Ok(block) if block.trait_.is_none() => impl_derivatives(block, options),
-        Ok(block) => {
-            let error = syn::Error::new_spanned(
-                block.trait_.map(|(path, _)| path),
-                "`impl` of a trait is not supported: put the computation into an inherent method, and call that",
-            );
-            let error = error.into_compile_error();
-            quote!(#item #error)
-        }
-        Err(_) => {
-            let error = syn::Error::new(
-                proc_macro2::Span::call_site(),
-                "`#[differentiable]` goes on a function with a body or on an `impl` block of a type",
-            );
-            let error = error.into_compile_error();
-            quote!(#item #error)
-        }
+    if let Ok(block) = syn::parse2::<ItemImpl>(item.clone()) {
+        return impl_derivatives(block, &options);
     }
+    if let Ok(definition) = syn::parse2::<ItemTrait>(item.clone()) {
+        return trait_derivatives(definition, &options);
+    }
+    if let (Ok(import), Some(rule)) = (syn::parse2::<ItemUse>(item.clone()), &options.vjp) {
+        return imported_derivative(&import, rule);
+    }
+    let error = syn::Error::new(
+        proc_macro2::Span::call_site(),
+        "`#[differentiable]` goes on a function, an `impl` block or a trait; with `vjp = rule` on the `use` of a function, too",
+    );
+    with_error(&item, &error)
 }
 
-fn function_derivative(function: &ItemFn, options: Options) -> TokenStream {
-    if let Some(FnArg::Receiver(receiver)) = function.sig.inputs.first() {
+fn with_error(item: &TokenStream, error: &syn::Error) -> TokenStream {
+    let error = error.to_compile_error();
+    quote!(#item #error)
+}
+
+/// The derivative of a function, or the errors and what stands in for it.
+fn derivative_or_errors(function: &Function<'_>) -> TokenStream {
+    function.derivative().unwrap_or_else(|error| {
+        let (error, stub) = (error.into_compile_error(), function.stub());
+        quote!(#error #stub)
+    })
+}
+
+fn function_derivative(mut function: ItemFn, options: Options) -> TokenStream {
+    if let Some(receiver) = function.sig.receiver() {
         let error = syn::Error::new_spanned(
             receiver,
             "put `#[differentiable]` on the `impl` block, not on the method",
         );
-        let error = error.into_compile_error();
-        return quote!(#function #error);
+        return with_error(&quote!(#function), &error);
     }
-    let derivatives = derivative(
-        &Place::Free,
-        &function.attrs,
-        &function.vis,
-        &function.sig,
-        &function.block,
+    let derivatives = derivative_or_errors(&Function {
+        place: Place::Free,
+        attributes: &function.attrs,
+        visibility: &function.vis,
+        signature: &function.sig,
+        body: Some(&function.block),
         options,
-    )
-    .unwrap_or_else(|error| {
-        let stub = stub(&Place::Free, &function.vis, &function.sig);
-        let error = error.into_compile_error();
-        quote!(#error #stub)
     });
-    let mut function = function.clone();
     Clean.visit_block_mut(&mut function.block);
     quote! {
         // Its gradient may be all that is used of it.
@@ -133,9 +90,75 @@ fn function_derivative(function: &ItemFn, options: Options) -> TokenStream {
     }
 }
 
-fn impl_derivatives(mut block: ItemImpl, options: Options) -> TokenStream {
+/// A rule for an imported function: the module that bears the function's name.
+fn imported_derivative(import: &ItemUse, rule: &Path) -> TokenStream {
+    let mut tree = &import.tree;
+    let name = loop {
+        match tree {
+            UseTree::Path(path) => tree = &path.tree,
+            UseTree::Name(name) => break &name.ident,
+            UseTree::Rename(rename) => break &rename.rename,
+            UseTree::Glob(_) | UseTree::Group(_) => {
+                let error = syn::Error::new_spanned(tree, "import one function for each rule");
+                return with_error(&quote!(#import), &error);
+            }
+        }
+    };
+    let visibility = &import.vis;
+    // Inside of the module, what is private around it is still in reach.
+    let inner = match visibility {
+        Visibility::Inherited => quote!(pub(super)),
+        visibility => quote!(#visibility),
+    };
+    let doc = format!("The derivative of the function `{name}`.");
+    quote! {
+        #import
+
+        #[doc = #doc]
+        #visibility mod #name {
+            #inner use super::#rule as vjp;
+        }
+    }
+}
+
+/// The derivative of a method, with the options of its own attribute.
+fn method_derivative(
+    place: Place<'_>,
+    attributes: &mut Vec<Attribute>,
+    visibility: &Visibility,
+    signature: &Signature,
+    body: Option<&Block>,
+    options: &Options,
+) -> TokenStream {
+    let own = own_options(attributes);
+    attributes.retain(|attribute| !is_own(attribute));
+    let function = |options| Function { place, attributes, visibility, signature, body, options };
+    match own {
+        Ok(own) => derivative_or_errors(&function(options.with(own))),
+        Err(error) => {
+            let (error, stub) = (error.into_compile_error(), function(options.clone()).stub());
+            quote!(#error #stub)
+        }
+    }
+}
+
+/// The name of what `#[differentiable]` adds to a trait and to each of its `impl`s: an `impl`
+/// without the attribute could change a method and keep the derivative of the provided one.
+const MARK: &str = "this_impl_needs_the_attribute_differentiable";
+
+fn impl_derivatives(mut block: ItemImpl, options: &Options) -> TokenStream {
     let generics = block.generics.clone();
-    let place = Place::Impl(&generics);
+    let place = match &block.trait_ {
+        None => Place::Impl(&generics),
+        Some((path, _)) if is_standard(path) => {
+            let error = syn::Error::new_spanned(
+                path,
+                "a trait of the standard library has no derivatives: put the computation into a method of your own, and call that",
+            );
+            return with_error(&quote!(#block), &error);
+        }
+        Some(_) => Place::TraitImpl(&generics),
+    };
     let mut siblings = Vec::new();
     for item in &mut block.items {
         let ImplItem::Fn(method) = item else { continue };
@@ -143,22 +166,79 @@ fn impl_derivatives(mut block: ItemImpl, options: Options) -> TokenStream {
         if method.sig.inputs.is_empty() {
             continue;
         }
-        let sibling = own_options(&method.attrs)
-            .and_then(|own| {
-                method.attrs.retain(|attribute| !is_own(attribute));
-                let options = Options { checkpoint: options.checkpoint || own.checkpoint };
-                derivative(&place, &method.attrs, &method.vis, &method.sig, &method.block, options)
-            })
-            .unwrap_or_else(|error| {
-                let stub = stub(&place, &method.vis, &method.sig);
-                let error = error.into_compile_error();
-                quote!(#error #stub)
-            });
+        let ImplItemFn { attrs, vis, sig, block, .. } = method;
+        let sibling = method_derivative(place, attrs, vis, sig, Some(block), options);
         siblings.push(ImplItem::Verbatim(sibling));
-        Clean.visit_block_mut(&mut method.block);
-        // Its gradient may be all that is used of it.
-        method.attrs.push(parse_quote!(#[allow(dead_code)]));
+        Clean.visit_block_mut(block);
+        if let Place::Impl(_) = place {
+            // Its gradient may be all that is used of it.
+            attrs.push(parse_quote!(#[allow(dead_code)]));
+        }
+    }
+    if block.trait_.is_some() {
+        let mark = format_ident!("{MARK}");
+        siblings.push(parse_quote!(fn #mark() {}));
     }
     block.items.extend(siblings);
     quote!(#block)
+}
+
+/// The traits of the standard library by which numerical types get their operators.
+const STANDARD: [&str; 24] = [
+    "Add",
+    "AddAssign",
+    "AsMut",
+    "AsRef",
+    "Clone",
+    "Default",
+    "Deref",
+    "DerefMut",
+    "Div",
+    "DivAssign",
+    "From",
+    "Index",
+    "IndexMut",
+    "Into",
+    "Iterator",
+    "Mul",
+    "MulAssign",
+    "Neg",
+    "PartialEq",
+    "PartialOrd",
+    "Product",
+    "Sub",
+    "SubAssign",
+    "Sum",
+];
+
+fn is_standard(path: &Path) -> bool {
+    path.segments.last().is_some_and(|last| STANDARD.iter().any(|name| last.ident == name))
+}
+
+fn trait_derivatives(mut definition: ItemTrait, options: &Options) -> TokenStream {
+    let generics = definition.generics.clone();
+    let visibility = Visibility::Inherited;
+    let mut siblings = Vec::new();
+    for item in &mut definition.items {
+        let TraitItem::Fn(method) = item else { continue };
+        if method.sig.inputs.is_empty() {
+            continue;
+        }
+        let TraitItemFn { attrs, sig, default, .. } = method;
+        let place = Place::Trait(&generics);
+        let sibling = method_derivative(place, attrs, &visibility, sig, default.as_ref(), options);
+        siblings.push(TraitItem::Verbatim(sibling));
+        if let Some(body) = default {
+            Clean.visit_block_mut(body);
+        }
+    }
+    let mark = format_ident!("{MARK}");
+    siblings.push(parse_quote! {
+        #[doc(hidden)]
+        fn #mark()
+        where
+            Self: ::core::marker::Sized;
+    });
+    definition.items.extend(siblings);
+    quote!(#definition)
 }

@@ -9,10 +9,9 @@
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::{ToTokens, format_ident, quote, quote_spanned};
 use syn::spanned::Spanned;
-use syn::{ReceiverKind, Signature, Type};
+use syn::{ReceiverKind, Type};
 
-use crate::errors::Errors;
-use crate::expand::{Place, turbofish};
+use crate::expand::{Function, Place, turbofish};
 use crate::signature::Parameter;
 
 /// The name of the function that holds both sweeps, which the pullback calls.
@@ -20,29 +19,20 @@ pub fn stored_name(vjp: &Ident) -> Ident {
     format_ident!("{vjp}_stored")
 }
 
-/// Refuses parameters that the function may change: what they were is not kept.
-pub fn refuse_exclusive(parameters: &[Parameter], errors: &mut Errors) {
-    for parameter in parameters.iter().filter(|parameter| parameter.is_exclusive) {
-        errors.at(
-            &parameter.ty,
-            "a function with checkpoints cannot take `&mut`: take the value and return the changed one",
-        );
-    }
-}
-
 /// The body of a `vjp` whose pullback starts from the arguments; `closure` writes a pullback with
 /// a body.
 pub fn body(
-    place: &Place<'_>,
+    function: &Function<'_>,
     vjp: &Ident,
-    signature: &Signature,
     parameters: &[Parameter],
-    closure: impl FnOnce(TokenStream, &Ident) -> TokenStream,
+    closure: impl FnOnce(TokenStream, &Ident, &[Ident]) -> TokenStream,
 ) -> TokenStream {
+    let signature = function.signature;
     let own = |name: &str| Ident::new(name, Span::mixed_site());
     let (value, pullback, cotangent) = (own("value"), own("pullback"), own("result_bar"));
     let mut keeps = TokenStream::new();
     let mut kept_arguments = Vec::new();
+    let mut incoming = Vec::new();
     for (index, parameter) in parameters.iter().enumerate() {
         let ident = &parameter.ident;
         let kept = format_ident!("kept_{index}", span = Span::mixed_site());
@@ -54,6 +44,10 @@ pub fn body(
                 .is_some_and(|receiver| matches!(receiver.kind, ReceiverKind::Reference(..))),
         };
         let (keep, argument) = match is_reference {
+            true if parameter.is_exclusive => (
+                quote_spanned!(span=> ::std::borrow::ToOwned::to_owned(&*#ident)),
+                quote!(::core::borrow::BorrowMut::borrow_mut(&mut #kept)),
+            ),
             true => (
                 quote_spanned!(span=> ::std::borrow::ToOwned::to_owned(#ident)),
                 quote!(::core::borrow::Borrow::borrow(&#kept)),
@@ -63,20 +57,24 @@ pub fn body(
                 kept.to_token_stream(),
             ),
         };
-        keeps.extend(quote!(let #kept = #keep;));
+        let mutability = parameter.is_exclusive.then(|| quote!(mut));
+        keeps.extend(quote!(let #mutability #kept = #keep;));
+        if parameter.is_exclusive {
+            incoming.push(format_ident!("{kept}_bar", span = Span::mixed_site()));
+        }
         kept_arguments.push(argument);
     }
     let arguments = parameters.iter().map(|parameter| &parameter.ident);
     let (name, stored, turbofish) = (&signature.ident, stored_name(vjp), turbofish(signature));
-    let primal = match place {
+    let primal = match function.place {
         Place::Free => quote!(#name),
-        Place::Impl(_) => quote!(Self::#name),
+        _ => quote!(Self::#name),
     };
     let again = quote! {
         let (_, #pullback) = Self::#stored #turbofish (#(#kept_arguments),*);
-        #pullback(#cotangent)
+        #pullback(#cotangent #(, #incoming)*)
     };
-    let closure = closure(again, &cotangent);
+    let closure = closure(again, &cotangent, &incoming);
     quote! {
         {
             #keeps

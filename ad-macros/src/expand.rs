@@ -5,248 +5,348 @@ use quote::{ToTokens, format_ident, quote, quote_spanned};
 use syn::spanned::Spanned;
 use syn::{Attribute, FnArg, GenericParam, Generics, Signature, Type, Visibility};
 
-use crate::attribute::Options;
-use crate::checkpoint;
 use crate::errors::Errors;
 use crate::lower;
 use crate::names::Names;
+use crate::options::Options;
 use crate::signature::{self, Parameter, pointee};
 use crate::sweep::{self, tuple_or_one};
+use crate::{checkpoint, recursion};
 
-/// Where the function stands.
+/// Where a function stands.
+#[derive(Clone, Copy)]
 pub enum Place<'a> {
     /// Outside of an `impl`: the derivative is the associated function `vjp` of a type that has the
     /// function's name.
     Free,
     /// In an `impl` with these generics: the derivative is the sibling `name_vjp`.
     Impl(&'a Generics),
+    /// In a trait with these generics.
+    Trait(&'a Generics),
+    /// In an `impl` of a trait with these generics.
+    TraitImpl(&'a Generics),
 }
 
-/// The derivative of a function: items to put beside it.
-pub fn derivative(
-    place: &Place<'_>,
-    attributes: &[Attribute],
-    visibility: &Visibility,
-    signature: &Signature,
-    body: &syn::Block,
-    options: Options,
-) -> syn::Result<TokenStream> {
-    let mut errors = Errors::default();
-    let parameters = signature::parameters(signature, &mut errors);
-    let result = signature::result(signature, &mut errors);
-
-    let idents = parameters.iter().map(|parameter| parameter.ident.clone());
-    let mut names = Names::new(quote!(#signature #body), idents);
-    let lowered =
-        lower::lower(&signature.ident, &parameters, &result, body, &mut names, &mut errors);
-    signature::refuse_cfg(signature, body, &mut errors);
-    if options.checkpoint {
-        checkpoint::refuse_exclusive(&parameters, &mut errors);
-    }
-    errors.finish()?;
-
-    let seed = names.fresh("result_bar", Span::call_site());
-    let sweeps = sweep::sweep(&lowered, &parameters, &seed, &mut names);
-    let sweep::Sweeps { forward, value, pullback, incoming } = sweeps;
-    let (result_tangent, gradient) = (tangent(&result), gradient(&parameters));
-    let exclusive_tangents = exclusive_tangents(&parameters);
-    let body = quote! {
-        {
-            #[allow(unused_imports)]
-            use ::ad::rt::methods::*;
-            #forward
-            (#value, move |#seed: #result_tangent #(, mut #incoming: #exclusive_tangents)*| -> #gradient {
-                #pullback
-            })
-        }
-    };
-    Ok(functions(place, attributes, visibility, signature, &parameters, &result, &body, options))
+/// A function to be differentiated.
+pub struct Function<'a> {
+    pub place: Place<'a>,
+    pub attributes: &'a [Attribute],
+    pub visibility: &'a Visibility,
+    pub signature: &'a Signature,
+    /// `None` for a method that a trait requires.
+    pub body: Option<&'a syn::Block>,
+    pub options: Options,
 }
 
-/// What stands in for the derivative of a function that was refused, so that its callers do not
-/// add errors of their own.
-pub fn stub(place: &Place<'_>, visibility: &Visibility, signature: &Signature) -> TokenStream {
-    let mut errors = Errors::default();
-    let parameters = signature::parameters(signature, &mut errors);
-    let result = signature::result(signature, &mut errors);
-    if errors.finish().is_err() {
-        return TokenStream::new();
-    }
-    let (result_tangent, gradient) = (tangent(&result), gradient(&parameters));
-    let exclusive_tangents = exclusive_tangents(&parameters);
-    let body = quote! {
-        {
-            fn refused<T>() -> T {
-                ::core::unreachable!()
+/// What a function says of itself.
+struct Header {
+    parameters: Vec<Parameter>,
+    result: Type,
+    /// The type of the cotangent of the result.
+    result_tangent: TokenStream,
+    /// The types of the cotangents that the pullback takes for `&mut` parameters.
+    exclusive_tangents: Vec<TokenStream>,
+    /// The type of what the pullback returns.
+    gradient: TokenStream,
+    /// Whether the pullback is a boxed closure.
+    boxed: bool,
+}
+
+impl Header {
+    fn pullback(&self, cotangent: &Ident, incoming: &[Ident], body: &TokenStream) -> TokenStream {
+        let Self { result_tangent, exclusive_tangents, gradient, .. } = self;
+        let closure = quote! {
+            move |#cotangent: #result_tangent #(, mut #incoming: #exclusive_tangents)*| -> #gradient {
+                #body
             }
-            (refused(), |_: #result_tangent #(, _: #exclusive_tangents)*| -> #gradient { refused() })
+        };
+        match self.boxed {
+            true => quote!(::std::boxed::Box::new(#closure)),
+            false => closure,
         }
-    };
-    let options = Options::default();
-    functions(place, &[], visibility, signature, &parameters, &result, &body, options)
+    }
 }
 
-fn tangent(ty: &Type) -> TokenStream {
-    let ty = pointee(ty);
-    quote_spanned!(ty.span()=> ::ad::Tangent<#ty>)
-}
-
-/// The type of what the pullback returns.
-fn gradient(parameters: &[Parameter]) -> TokenStream {
-    let tangents: Vec<_> = parameters.iter().map(|parameter| tangent(&parameter.ty)).collect();
-    tuple_or_one(&tangents)
-}
-
-/// The types of the cotangents that the pullback takes for `&mut` parameters.
-fn exclusive_tangents(parameters: &[Parameter]) -> Vec<TokenStream> {
-    let exclusive = parameters.iter().filter(|parameter| parameter.is_exclusive);
-    exclusive.map(|parameter| tangent(&parameter.ty)).collect()
-}
-
-#[allow(clippy::too_many_arguments, reason = "they are the parts of one function")]
-fn functions(
-    place: &Place<'_>,
-    attributes: &[Attribute],
-    visibility: &Visibility,
-    signature: &Signature,
-    parameters: &[Parameter],
-    result: &Type,
-    body: &TokenStream,
-    options: Options,
-) -> TokenStream {
-    let name = &signature.ident;
-    let (vjp, value_and_grad, grad) = match place {
-        Place::Free => (
-            Ident::new("vjp", name.span()),
-            Ident::new("value_and_grad", name.span()),
-            Ident::new("grad", name.span()),
-        ),
-        Place::Impl(_) => (
-            format_ident!("{name}_vjp"),
-            format_ident!("{name}_value_and_grad"),
-            format_ident!("{name}_grad"),
-        ),
-    };
-    let call_vjp = match (place, &signature.inputs.first()) {
-        (Place::Impl(_), Some(FnArg::Receiver(_))) => quote!(self.#vjp),
-        _ => quote!(Self::#vjp),
-    };
-    let inputs = inputs(signature, parameters);
-    let arguments = parameters.iter().filter_map(|p| p.pattern.as_ref().map(|_| &p.ident));
-    let turbofish = turbofish(signature);
-    let call_vjp = quote!(#call_vjp #turbofish (#(#arguments),*));
-
-    let outer = match place {
-        Place::Free => None,
-        Place::Impl(generics) => Some(*generics),
-    };
-    let captured = signature::captured(signature, outer);
-    let (result_tangent, gradient) = (tangent(result), gradient(parameters));
-    let exclusive_tangents = exclusive_tangents(parameters);
-    let zeros = vec![quote!(::ad::Additive::zero()); exclusive_tangents.len()];
-    let (generics, _, where_clause) = signature.generics.split_for_impl();
-    let generics = generics.to_token_stream();
-    let generics = if generics.is_empty() { None } else { Some(&signature.generics) };
-    let bounds = where_clause.map(|clause| &clause.predicates).into_iter().flatten();
-    let bounds: Vec<_> = bounds.collect();
-    let cfgs: Vec<_> = attributes.iter().filter(|a| a.path().is_ident("cfg")).collect();
-
-    let vjp_doc = format!(
-        "The value of `{name}`, and its pullback: from the cotangent of the value{} to {}.",
-        match exclusive_tangents.is_empty() {
-            true => "",
-            false => " and those of what the `&mut` parameters hold afterwards",
-        },
-        match parameters.len() {
-            1 => "that of the parameter",
-            _ => "those of the parameters, in order",
+impl Function<'_> {
+    /// The derivative: items to put beside the function.
+    pub fn derivative(&self) -> syn::Result<TokenStream> {
+        let mut errors = Errors::default();
+        let header = self.header(&mut errors);
+        if self.options.checkpoint && matches!(self.place, Place::Trait(_) | Place::TraitImpl(_)) {
+            errors.at(
+                &self.signature.ident,
+                "`checkpoint` is not supported on the methods of a trait: put the computation into a function, and call that",
+            );
         }
-    );
-    let value_and_grad_doc = format!("The value of `{name}` and its gradient.");
-    let grad_doc = format!("The gradient of `{name}`.");
-    let lints = quote! {
-        #[allow(unused, non_snake_case, clippy::all, clippy::pedantic, clippy::nursery)]
-    };
-    let derivative_visibility = match place {
-        Place::Free => quote!(pub),
-        Place::Impl(_) => quote!(#visibility),
-    };
-    let pullback_type = quote! {
-        (#result, impl ::core::ops::FnOnce(#result_tangent #(, #exclusive_tangents)*) -> #gradient + #captured)
-    };
-    let (stored, checkpointed);
-    let (stored, body) = match options.checkpoint {
-        false => (None, body),
-        true => {
+        if let (Some(rule), Some(_)) = (&self.options.vjp, self.body) {
+            errors.finish()?;
+            return Ok(self.functions(&header, Some(&self.delegated(&header, rule))));
+        }
+        let Some(body) = self.body else {
+            errors.finish()?;
+            return Ok(self.functions(&header, None));
+        };
+
+        let (signature, parameters) = (self.signature, &header.parameters);
+        let idents = parameters.iter().map(|parameter| parameter.ident.clone());
+        let mut names = Names::new(quote!(#signature #body), idents);
+        let lowered = lower::lower(parameters, &header.result, body, &mut names, &mut errors);
+        signature::refuse_cfg(signature, body, &mut errors);
+        errors.finish()?;
+
+        let seed = names.fresh("result_bar", Span::call_site());
+        let sweeps = sweep::sweep(&lowered, parameters, &seed, &mut names);
+        let sweep::Sweeps { forward, value, pullback, incoming } = sweeps;
+        let pullback = header.pullback(&seed, &incoming, &pullback);
+        let body = quote! {
+            {
+                #[allow(unused_imports)]
+                use ::ad::rt::methods::*;
+                #forward
+                (#value, #pullback)
+            }
+        };
+        Ok(self.functions(&header, Some(&body)))
+    }
+
+    /// What stands in for the derivative of a function that was refused, so that its callers do
+    /// not add errors of their own.
+    pub fn stub(&self) -> TokenStream {
+        let mut errors = Errors::default();
+        let header = self.header(&mut errors);
+        if errors.finish().is_err() {
+            return TokenStream::new();
+        }
+        let incoming = vec![own("_incoming"); header.exclusive_tangents.len()];
+        let incoming: Vec<_> = incoming
+            .iter()
+            .enumerate()
+            .map(|(index, ident)| format_ident!("{ident}_{index}"))
+            .collect();
+        let pullback = header.pullback(&own("_cotangent"), &incoming, &quote!(refused()));
+        let body = quote! {
+            {
+                fn refused<T>() -> T {
+                    ::core::unreachable!()
+                }
+                (refused(), #pullback)
+            }
+        };
+        let plain = Options { boxed: self.options.boxed, ..Options::default() };
+        Function { attributes: &[], options: plain, ..*self }.functions(&header, Some(&body))
+    }
+
+    fn header(&self, errors: &mut Errors) -> Header {
+        let parameters = signature::parameters(self.signature, errors);
+        let result = signature::result(self.signature, errors);
+        let tangents: Vec<_> = parameters.iter().map(|parameter| tangent(&parameter.ty)).collect();
+        let exclusive = parameters.iter().zip(&tangents);
+        let exclusive = exclusive.filter(|(parameter, _)| parameter.is_exclusive);
+        Header {
+            result_tangent: tangent(&result),
+            exclusive_tangents: exclusive.map(|(_, tangent)| tangent.clone()).collect(),
+            gradient: tuple_or_one(&tangents),
+            boxed: self.options.boxed
+                || self.body.is_some_and(|body| recursion::is_recursive(self.signature, body)),
+            parameters,
+            result,
+        }
+    }
+
+    /// The body of a `vjp` that a rule written by hand gives.
+    fn delegated(&self, header: &Header, rule: &syn::Path) -> TokenStream {
+        let arguments = header.parameters.iter().map(|parameter| &parameter.ident);
+        let call = quote_spanned!(rule.span()=> #rule(#(#arguments),*));
+        match header.boxed {
+            true => {
+                let (value, pullback) = (own("value"), own("pullback"));
+                quote!({
+                    let (#value, #pullback) = #call;
+                    (#value, ::std::boxed::Box::new(#pullback))
+                })
+            }
+            false => quote!({ #call }),
+        }
+    }
+
+    fn functions(&self, header: &Header, body: Option<&TokenStream>) -> TokenStream {
+        let Self { place, visibility, signature, .. } = self;
+        let Header { parameters, result, result_tangent, exclusive_tangents, gradient, .. } =
+            header;
+        let name = &signature.ident;
+        let (vjp, value_and_grad, grad) = match place {
+            Place::Free => (
+                Ident::new("vjp", name.span()),
+                Ident::new("value_and_grad", name.span()),
+                Ident::new("grad", name.span()),
+            ),
+            _ => (
+                format_ident!("{name}_vjp"),
+                format_ident!("{name}_value_and_grad"),
+                format_ident!("{name}_grad"),
+            ),
+        };
+        let call_vjp = match (place, signature.receiver()) {
+            (Place::Free, _) | (_, None) => quote!(Self::#vjp),
+            (_, Some(_)) => quote!(self.#vjp),
+        };
+        let inputs = inputs(signature, parameters);
+        let arguments = parameters.iter().filter_map(|p| p.pattern.as_ref().map(|_| &p.ident));
+        let turbofish = turbofish(signature);
+        let call_vjp = quote!(#call_vjp #turbofish (#(#arguments),*));
+
+        let zeros = vec![quote!(::ad::Additive::zero()); exclusive_tangents.len()];
+        let (generics, _, where_clause) = signature.generics.split_for_impl();
+        let generics = generics.to_token_stream();
+        let generics = if generics.is_empty() { None } else { Some(&signature.generics) };
+        let bounds = where_clause.map(|clause| &clause.predicates).into_iter().flatten();
+        let mut bounds: Vec<_> = bounds.map(ToTokens::to_token_stream).collect();
+        if let Place::Trait(_) = place {
+            // The trait stays fit for `dyn`, and for types that no derivative flows through.
+            bounds.push(quote!(Self: ::core::marker::Sized));
+            if parameters.iter().any(|p| signature::names_self(&p.ty))
+                || signature::names_self(result)
+            {
+                bounds.push(quote!(Self: ::ad::Differentiable));
+            }
+        }
+        let cfgs: Vec<_> = self.attributes.iter().filter(|a| a.path().is_ident("cfg")).collect();
+
+        let vjp_doc = format!(
+            "The value of `{name}`, and its pullback: from the cotangent of the value{} to {}.",
+            match exclusive_tangents.is_empty() {
+                true => "",
+                false => " and those of what the `&mut` parameters hold afterwards",
+            },
+            match parameters.len() {
+                1 => "that of the parameter",
+                _ => "those of the parameters, in order",
+            }
+        );
+        let value_and_grad_doc = format!("The value of `{name}` and its gradient.");
+        let grad_doc = format!("The gradient of `{name}`.");
+        let lints = quote! {
+            #[allow(unused, non_snake_case, refining_impl_trait, clippy::all, clippy::pedantic, clippy::nursery)]
+        };
+        let derivative_visibility = match place {
+            Place::Free => quote!(pub),
+            Place::Impl(_) => quote!(#visibility),
+            Place::Trait(_) | Place::TraitImpl(_) => quote!(),
+        };
+        let pullback_type = self.pullback_type(header);
+        let (mut stored, mut checkpointed) = (None, None);
+        if let (Some(body), true) = (body, self.options.checkpoint) {
             let name = checkpoint::stored_name(&vjp);
-            stored = quote! {
+            stored = Some(quote! {
                 #(#cfgs)*
                 #lints
                 fn #name #generics (#inputs) -> #pullback_type
                 where #(#bounds),*
                 #body
-            };
-            let closure = |body, cotangent: &Ident| quote!(move |#cotangent: #result_tangent| -> #gradient { #body });
-            checkpointed = checkpoint::body(place, &vjp, signature, parameters, closure);
-            (Some(&stored), &checkpointed)
+            });
+            checkpointed =
+                Some(checkpoint::body(self, &vjp, parameters, |body, seed, incoming| {
+                    header.pullback(seed, incoming, &body)
+                }));
         }
-    };
-    let functions = quote! {
-        #stored
+        let body = match (checkpointed.as_ref().or(body), place) {
+            (Some(body), _) => body.clone(),
+            (None, _) => quote!(;),
+        };
+        let vjp = quote! {
+            #stored
 
-        #(#cfgs)*
-        #[doc = #vjp_doc]
-        #lints
-        #[inline]
-        #derivative_visibility fn #vjp #generics (#inputs) -> #pullback_type
-        where #(#bounds),*
-        #body
-
-        #(#cfgs)*
-        #[doc = #value_and_grad_doc]
-        #lints
-        #[inline]
-        #derivative_visibility fn #value_and_grad #generics (#inputs) -> (#result, #gradient)
-        where
-            #(#bounds,)*
-            for<'__scalar> #result: ::ad::rt::ScalarResult<'__scalar, #result_tangent>,
-        {
-            let (value, pullback) = #call_vjp;
-            let one = <#result as ::ad::rt::ScalarResult<'_, #result_tangent>>::one();
-            (value, pullback(one #(, #zeros)*))
+            #(#cfgs)*
+            #[doc = #vjp_doc]
+            #lints
+            #[inline]
+            #derivative_visibility fn #vjp #generics (#inputs) -> #pullback_type
+            where #(#bounds),*
+            #body
+        };
+        if let Place::TraitImpl(_) = place {
+            return vjp;
         }
+        let functions = quote! {
+            #vjp
 
-        #(#cfgs)*
-        #[doc = #grad_doc]
-        #lints
-        #[inline]
-        #derivative_visibility fn #grad #generics (#inputs) -> #gradient
-        where
-            #(#bounds,)*
-            for<'__scalar> #result: ::ad::rt::ScalarResult<'__scalar, #result_tangent>,
-        {
-            let (_, pullback) = #call_vjp;
-            let one = <#result as ::ad::rt::ScalarResult<'_, #result_tangent>>::one();
-            pullback(one #(, #zeros)*)
+            #(#cfgs)*
+            #[doc = #value_and_grad_doc]
+            #lints
+            #[inline]
+            #derivative_visibility fn #value_and_grad #generics (#inputs) -> (#result, #gradient)
+            where
+                #(#bounds,)*
+                for<'__scalar> #result: ::ad::rt::ScalarResult<'__scalar, #result_tangent>,
+            {
+                let (value, pullback) = #call_vjp;
+                let one = <#result as ::ad::rt::ScalarResult<'_, #result_tangent>>::one();
+                (value, pullback(one #(, #zeros)*))
+            }
+
+            #(#cfgs)*
+            #[doc = #grad_doc]
+            #lints
+            #[inline]
+            #derivative_visibility fn #grad #generics (#inputs) -> #gradient
+            where
+                #(#bounds,)*
+                for<'__scalar> #result: ::ad::rt::ScalarResult<'__scalar, #result_tangent>,
+            {
+                let (_, pullback) = #call_vjp;
+                let one = <#result as ::ad::rt::ScalarResult<'_, #result_tangent>>::one();
+                pullback(one #(, #zeros)*)
+            }
+        };
+        if !matches!(place, Place::Free) {
+            return functions;
         }
-    };
-    match place {
-        Place::Impl(_) => functions,
-        Place::Free => {
-            let doc = format!("The derivatives of the function `{name}`.");
-            quote! {
-                #(#cfgs)*
-                #[doc = #doc]
-                #[allow(non_camel_case_types)]
-                #visibility enum #name {}
+        let doc = format!("The derivatives of the function `{name}`.");
+        quote! {
+            #(#cfgs)*
+            #[doc = #doc]
+            #[allow(non_camel_case_types)]
+            #visibility enum #name {}
 
-                #(#cfgs)*
-                impl #name {
-                    #functions
-                }
+            #(#cfgs)*
+            impl #name {
+                #functions
             }
         }
     }
+
+    /// The type of what `vjp` returns.
+    fn pullback_type(&self, header: &Header) -> TokenStream {
+        let Header { result, result_tangent, exclusive_tangents, gradient, .. } = header;
+        let outer = match self.place {
+            Place::Free => None,
+            Place::Impl(generics) | Place::Trait(generics) | Place::TraitImpl(generics) => {
+                Some(generics)
+            }
+        };
+        let signature::Captured { lifetimes, mut others } =
+            signature::captured(self.signature, outer);
+        let closure = quote! {
+            ::core::ops::FnOnce(#result_tangent #(, #exclusive_tangents)*) -> #gradient
+        };
+        if header.boxed {
+            return quote!((#result, ::std::boxed::Box<dyn #closure #(+ #lifetimes)*>));
+        }
+        if let Place::Trait(_) = self.place {
+            others.insert(0, quote!(Self));
+        }
+        quote!((#result, impl #closure + use<#(#lifetimes,)* #(#others),*>))
+    }
+}
+
+/// A name that users cannot write.
+fn own(name: &str) -> Ident {
+    Ident::new(name, Span::mixed_site())
+}
+
+fn tangent(ty: &Type) -> TokenStream {
+    let ty = pointee(ty);
+    quote_spanned!(ty.span()=> ::ad::Tangent<#ty>)
 }
 
 /// The type arguments of a call of the function itself. The types of the parameters need not tell

@@ -232,16 +232,22 @@ pub enum Head {
     Loop,
 }
 
-/// A block that is run for each element of a new array, and has it as its value.
+/// A block that is run for each element of a new array or `Vec`, and has it as its value.
 pub struct Build {
-    /// Takes the array.
+    /// Takes what is built.
     pub result: VarId,
-    /// The index of the element.
-    pub index: VarId,
-    /// An array of the same length, if there is one.
-    pub like: Option<TokenStream>,
+    pub source: BuildSource,
     pub ty: Option<Type>,
     pub body: Block,
     /// The name of the tape.
     pub record: Ident,
+}
+
+/// What elements are made from.
+pub enum BuildSource {
+    /// An array, from the index of each element, which is the variable. It has as many elements as
+    /// another array, if there is one.
+    Index { index: VarId, like: Option<TokenStream> },
+    /// A `Vec`, from the items of an iterator of constants.
+    Items { pattern: TokenStream, defines: Vec<VarId>, iterator: TokenStream },
 }

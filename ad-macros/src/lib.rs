@@ -31,6 +31,8 @@ mod expand;
 mod ir;
 mod lower;
 mod names;
+mod options;
+mod recursion;
 mod signature;
 #[cfg(test)]
 mod snapshots;

@@ -1,6 +1,6 @@
 //! What a function says of itself before its body: parameters, result, generics.
 
-use proc_macro2::Span;
+use proc_macro2::{Span, TokenStream};
 use quote::{format_ident, quote};
 use syn::{
     FnArg, GenericParam, Generics, Ident, Lifetime, Pat, ReceiverKind, ReturnType, Safety,
@@ -185,7 +185,7 @@ fn refuse_type(ty: &Type, errors: &mut Errors) {
 /// The generic parameters that a pullback may hold on to: every type and constant, and the
 /// lifetimes inside parameter types. The lifetime of a reference is not among them: pullbacks hold
 /// copies, so that a function may call another one on its own local variables.
-pub fn captured(signature: &Signature, outer: Option<&Generics>) -> proc_macro2::TokenStream {
+pub fn captured(signature: &Signature, outer: Option<&Generics>) -> Captured {
     let mut inner_lifetimes = InnerLifetimes::default();
     for input in &signature.inputs {
         if let FnArg::Typed(typed) = input {
@@ -219,8 +219,21 @@ pub fn captured(signature: &Signature, outer: Option<&Generics>) -> proc_macro2:
             Some(quote!(#ident))
         }
     });
-    let parameters = lifetimes.chain(others);
-    quote!(use<#(#parameters),*>)
+    Captured { lifetimes: lifetimes.collect(), others: others.collect() }
+}
+
+/// The generic parameters that a pullback may hold on to.
+pub struct Captured {
+    pub lifetimes: Vec<TokenStream>,
+    /// Types and constants.
+    pub others: Vec<TokenStream>,
+}
+
+/// Whether a type is or names `Self`.
+pub fn names_self(ty: &Type) -> bool {
+    let mut named = std::collections::HashSet::new();
+    crate::names::collect(quote!(#ty), &mut named);
+    named.contains("Self")
 }
 
 #[derive(Default)]

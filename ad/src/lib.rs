@@ -35,12 +35,12 @@
 //! `continue` and `return` from anywhere, `?`, calls of differentiable functions and of the methods
 //! listed in [`rules`].
 //!
-//! Iterators: `iter`, `iter_mut`, `into_iter`, `windows`, `chunks` and `chunks_exact` of arrays, under
+//! Iterators: `iter`, `iter_mut`, `into_iter`, `windows`, `chunks` and `chunks_exact`, under
 //! `enumerate`, `zip`, `rev`, `skip`, `take`, `step_by`, `cycle`, `copied`, `map`, `filter` and
-//! `take_while`; in a `for` loop or used up by `sum`, `product`, `fold`, `for_each`, `min_by` or
-//! `max_by`; `array::from_fn`, `map` of arrays and options. Closures can be bound to a variable and
-//! called, and may change what they capture. Macros: `assert!` and its kin, `panic!`, `unreachable!`,
-//! `vec!`, `matches!`, `dbg!`.
+//! `take_while`; in a `for` loop or used up by `sum`, `product`, `fold`, `for_each`, `collect` into
+//! a `Vec`, `min_by` or `max_by`; `array::from_fn`, `map` of arrays and options. Closures can be
+//! bound to a variable and called, and may change what they capture. Macros: `assert!` and its kin,
+//! `panic!`, `unreachable!`, `vec!`, `matches!`, `dbg!`.
 //!
 //! The gradient by a slice or a `Vec` is a `Vec` of the same length. Reading or writing an element
 //! costs the reverse sweep a constant time, as it does the function. A call costs it the length of
@@ -104,8 +104,10 @@
 //! Everything else is refused at compile time, at its place, with what to write instead: a gradient
 //! that compiles is right. In particular:
 //!
-//! - A function that is called has to be `#[differentiable]` itself. If it is not, the compiler
-//!   says that it finds no *module, crate or type* of that name, or no method `.._vjp`.
+//! - A function that is called needs a derivative. If it has none, the compiler says that the
+//!   function *is not a crate or module*, or that there is no method `.._vjp`. Three ways out: put
+//!   `#[differentiable]` on it, write a [rule](#rules-written-by-hand) for it, or say that nothing
+//!   is to flow through it: [`stop_gradient`]`(f(stop_gradient(x)))`.
 //! - Integers, booleans and comparisons carry no derivative. A cast from a float to an integer would
 //!   cut one off, so it has to be said: `stop_gradient(x) as usize`.
 //! - A field that carries no derivative is marked `#[constant]`, and so is a type that carries none.
@@ -114,6 +116,94 @@
 //!
 //! At points without a derivative (`|x|` at 0, a vector of length 0) the rules return a finite
 //! subgradient: see the [table](rules#singular-points).
+//!
+//! # Methods, traits, recursion
+//!
+//! On an `impl` block the attribute differentiates every method. On a trait it adds `m_vjp` to each
+//! method `m`, and has to stand on each `impl` of the trait, too; an `impl` without it does not
+//! compile. Generic code asks for `T: Trait + Differentiable`.
+//!
+//! ```
+//! use ad::{Differentiable, differentiable};
+//!
+//! #[differentiable]
+//! trait Potential {
+//!     fn energy(&self, x: f64) -> f64;
+//! }
+//!
+//! #[derive(Differentiable)]
+//! struct Spring {
+//!     stiffness: f64,
+//! }
+//!
+//! #[differentiable]
+//! impl Potential for Spring {
+//!     fn energy(&self, x: f64) -> f64 {
+//!         0.5 * self.stiffness * x * x
+//!     }
+//! }
+//!
+//! #[differentiable]
+//! fn total<P: Potential + Differentiable>(potential: &P, xs: &[f64]) -> f64 {
+//!     let mut sum = 0.0;
+//!     for x in xs {
+//!         sum += potential.energy(*x);
+//!     }
+//!     sum
+//! }
+//!
+//! let (by_spring, by_xs) = total::grad(&Spring { stiffness: 3.0 }, &[1.0, 2.0]);
+//! assert_eq!((by_spring.stiffness, by_xs), (2.5, vec![3.0, 6.0]));
+//! ```
+//!
+//! A function that calls itself has its pullback boxed, since its type would hold itself: one
+//! allocation for each call. Where functions call each other in a circle, or a method calls itself
+//! on something else than `self`, one of them says so with `#[differentiable(boxed)]`; else the
+//! compiler speaks of a *recursive opaque type*.
+//!
+//! # Rules written by hand
+//!
+//! `#[differentiable(vjp = rule)]` takes the derivative from a function that returns the value and
+//! the pullback. On the `use` of a function it gives a derivative to what another crate computes:
+//!
+//! ```
+//! use ad::differentiable;
+//!
+//! mod special {
+//!     pub fn softplus(x: f64) -> f64 {
+//!         x.exp().ln_1p()
+//!     }
+//! }
+//!
+//! #[differentiable(vjp = softplus_vjp)]
+//! use special::softplus;
+//!
+//! fn softplus_vjp(x: f64) -> (f64, impl FnOnce(f64) -> f64) {
+//!     (special::softplus(x), move |cotangent| cotangent / (1.0 + (-x).exp()))
+//! }
+//!
+//! #[differentiable(vjp = cube_root_vjp)]
+//! fn cube_root(x: f64) -> f64 {
+//!     x.powf(1.0 / 3.0)
+//! }
+//!
+//! fn cube_root_vjp(x: f64) -> (f64, impl FnOnce(f64) -> f64) {
+//!     let root = cube_root(x);
+//!     (root, move |cotangent| cotangent / (3.0 * root * root))
+//! }
+//!
+//! #[differentiable]
+//! fn f(x: f64) -> f64 {
+//!     softplus(x) * cube_root(x)
+//! }
+//!
+//! fn main() {
+//!     assert!((f::grad(1.0) - 1.1688).abs() < 1e-4);
+//! }
+//! ```
+//!
+//! A rule for a function of references returns `impl FnOnce(..) -> .. + use<>`: its pullback holds
+//! copies. An imported function gets its rule in a module, not within a function. One for a method `m` of another crate's type is a method `m_vjp` of a trait of yours.
 //!
 //! # Options, results and enums
 //!

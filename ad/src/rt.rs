@@ -20,7 +20,7 @@ mod iterate;
 
 pub use iterate::{
     build_like, chunks_exact, empty_product, empty_sum, held, record, record_like, segments,
-    windows,
+    windows, with_cotangents,
 };
 
 /// The traits whose methods generated code calls. They come without names, which could hide those
@@ -31,6 +31,31 @@ pub mod methods {
         GlamRules as _, RealRules as _, ScalarRules as _, SequenceRules as _, Vec2Rules as _,
         Vec4Rules as _, VecRules as _, Vector3Rules as _, VectorRules as _,
     };
+    pub use crate::vector::{Vector as _, Vector3 as _};
+}
+
+/// Methods with the names of those of vectors that glam has not, by reference: a trait of the user's
+/// with such a method is ambiguous beside them.
+pub mod by_reference {
+    use crate::vector::Vector3;
+
+    /// The elements of a vector.
+    pub trait Coordinates: Vector3 {
+        /// The first element.
+        fn x(&self) -> Self::Scalar {
+            Vector3::x(*self)
+        }
+        /// The second element.
+        fn y(&self) -> Self::Scalar {
+            Vector3::y(*self)
+        }
+        /// The third element.
+        fn z(&self) -> Self::Scalar {
+            Vector3::z(*self)
+        }
+    }
+
+    impl<V: Vector3> Coordinates for V {}
 }
 
 /// The space `T` of cotangents, as a value: lets the forward sweep tell the reverse sweep, which
@@ -216,6 +241,11 @@ impl propagate {
     ) -> (F, impl FnOnce(Tangent<F>) -> Tangent<E> + use<E, F>) {
         (F::from(error), |_| Additive::zero())
     }
+}
+
+/// A value of the type of another, where only the type counts.
+pub fn like<T>(_: &T) -> T {
+    never()
 }
 
 /// The value of a block whose end is never reached.

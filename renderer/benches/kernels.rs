@@ -1,17 +1,19 @@
-//! The cost of a gradient at kernel level: intersect and shade one pixel, 32 inputs.
-//!
-//! `cargo bench -p renderer --bench kernels` prints nanoseconds per call and the ratio to the
-//! primal, medians over interleaved repetitions.
+//! The cost of a gradient at kernel level: intersect and shade one pixel, 32 inputs. Nanoseconds
+//! per pixel, the ratio to the primal and to an adjoint written by hand, medians over interleaved
+//! repetitions.
 
 use std::hint::black_box;
-use std::time::Instant;
 
 use ad::lanes::Lanes;
-use ad::{Additive, Real, Vec3, differentiable};
+use ad::vector::Vector3;
+use ad::{Additive, Real, Scalar, Vec3, differentiable};
 use renderer::kernels::camera::Ray;
 use renderer::kernels::light::PointLight;
 use renderer::kernels::material::{Material, reflection_of_point_light};
 use renderer::kernels::triangle::triangle_surface;
+
+use super::adjoint::{self, Cotangents};
+use super::timing::{median, seconds};
 
 #[differentiable]
 fn pixel<S: Real>(
@@ -69,75 +71,86 @@ impl<S: Real> Inputs<S> {
     }
 }
 
-fn seconds(mut run: impl FnMut()) -> f64 {
-    let start = Instant::now();
-    for _ in 0..20 {
-        run();
-    }
-    start.elapsed().as_secs_f64() / 20.0
-}
-
-fn median(mut samples: Vec<f64>) -> f64 {
-    samples.sort_by(f64::total_cmp);
-    samples[samples.len() / 2]
-}
-
 fn measure<S: Lanes>(name: &str) {
     let inputs = Inputs::<S>::new();
     let Inputs { rays, a, b, c, material, light } = &inputs;
     let seed = vector::<S>(1.0, 0.5, 0.25);
+    let primal = || {
+        let mut sum = <Vec3<S>>::zero();
+        for &ray in rays {
+            sum.accumulate(pixel::<S>(black_box(ray), *a, *b, *c, *material, *light));
+        }
+        sum
+    };
+    let generated = || {
+        sum_up(rays, |ray| {
+            let (value, pullback) = pixel::vjp::<S>(ray, *a, *b, *c, *material, *light);
+            (value, pullback(seed))
+        })
+    };
+    let by_hand =
+        || sum_up(rays, |ray| adjoint::pixel::<S>(ray, *a, *b, *c, *material, *light, seed));
     let mut samples = [Vec::new(), Vec::new(), Vec::new()];
     for _ in 0..51 {
-        samples[0].push(seconds(|| {
-            let mut sum = <Vec3<S>>::zero();
-            for &ray in rays {
-                let ray = black_box(ray);
-                sum.accumulate(pixel::<S>(ray, *a, *b, *c, *material, *light));
-            }
-            black_box(sum);
-        }));
-        samples[1].push(seconds(|| {
-            let mut sum = <Vec3<S>>::zero();
-            let mut gradient = ad::Additive::zero();
-            for &ray in rays {
-                let ray = black_box(ray);
-                let (value, pullback) = pixel::vjp::<S>(ray, *a, *b, *c, *material, *light);
-                sum.accumulate(value);
-                add(&mut gradient, pullback(seed));
-            }
-            black_box((sum, gradient));
-        }));
-        samples[2].push(seconds(|| {
-            let mut sum = <Vec3<S>>::zero();
-            let mut gradient = ad::Additive::zero();
-            for &ray in rays {
-                let ray = black_box(ray);
-                let (value, pullback) = pixel::vjp::<S>(ray, *a, *b, *c, *material, *light);
-                sum.accumulate(value);
-                add(&mut gradient, pullback(seed).5);
-            }
-            black_box((sum, gradient));
-        }));
+        samples[0].push(often(primal));
+        samples[1].push(often(generated));
+        samples[2].push(often(by_hand));
     }
-    let [primal, all, light_only] = samples.map(median);
-    let per_call = 1e9 / (rays.len() * S::COUNT) as f64;
+    let per_pixel = 1e9 / (20 * rays.len() * S::COUNT) as f64;
+    let [primal, generated_time, hand] = samples.map(|samples| median(samples) * per_pixel);
     println!(
-        "{name}: primal {:.1} ns, value and all 32 derivatives {:.1} ns ({:.2} x), value and light {:.1} ns ({:.2} x)",
-        primal * per_call,
-        all * per_call,
-        all / primal,
-        light_only * per_call,
-        light_only / primal,
+        "{name:7} value {primal:6.1} ns; with all 32 derivatives {generated_time:6.1} ns ({:.2} x), by hand {hand:6.1} ns: generated / by hand {:.2}, derivatives differ by {:.1e}",
+        generated_time / primal,
+        generated_time / hand,
+        difference(&generated().1, &by_hand().1),
     );
 }
 
-fn add<T: Additive>(sum: &mut T, term: T) {
-    sum.accumulate(term);
+/// The time of twenty runs.
+fn often<T>(run: impl Fn() -> T) -> f64 {
+    seconds(|| (0..20).map(|_| black_box(run())).last())
 }
 
-fn main() {
+/// The sums of values and cotangents over rays.
+fn sum_up<S: Lanes>(
+    rays: &[Ray<S>],
+    vjp: impl Fn(Ray<S>) -> (Vec3<S>, Cotangents<S>),
+) -> (Vec3<S>, Cotangents<S>) {
+    let mut sums: (Vec3<S>, Cotangents<S>) = Additive::zero();
+    for &ray in rays {
+        sums.accumulate(vjp(black_box(ray)));
+    }
+    sums
+}
+
+/// The greatest difference between two sums, relative to the greatest number.
+fn difference<S: Lanes>(a: &Cotangents<S>, b: &Cotangents<S>) -> f64 {
+    let numbers = |(ray, a, b, c, material, light): &Cotangents<S>| -> Vec<f64> {
+        let vectors = [
+            ray.origin,
+            ray.direction,
+            *a,
+            *b,
+            *c,
+            material.diffuse,
+            material.specular,
+            light.position,
+            light.color,
+        ];
+        let of_vectors = vectors.into_iter().flat_map(|v| [v.x(), v.y(), v.z()]);
+        let all = of_vectors.chain([material.exponent, light.intensity]);
+        all.flat_map(|x| x.lanes().as_ref().to_vec()).map(|x| x.to_f64()).collect()
+    };
+    let (a, b) = (numbers(a), numbers(b));
+    let greatest = a.iter().fold(0.0, |greatest: f64, x| greatest.max(x.abs()));
+    a.iter().zip(&b).fold(0.0, |most: f64, (a, b)| most.max((a - b).abs())) / greatest
+}
+
+/// Measures every scalar.
+pub fn run() {
     measure::<f32>("f32");
     measure::<f64>("f64");
     measure::<wide::f32x8>("f32x8");
     measure::<wide::f32x16>("f32x16");
+    measure::<wide::f64x8>("f64x8");
 }

@@ -1,13 +1,11 @@
-//! The rate of rays: packets, single rays, and the binary tree of the acceleration crate with its
-//! own triangle test.
-//!
-//! `cargo bench -p renderer --bench rays [-- OBJ|RINGS ..]` takes OBJ files, and numbers of rings of
-//! bumpy spheres; without any it uses spheres of 6,400, 69,696 and 1,000,000 triangles. It prints millions of rays per second, on one thread and on all, and the
+//! The rate of rays: packets, single rays, and the binary tree of the acceleration crate with its own
+//! triangle test. OBJ files, and numbers of rings of bumpy spheres; without any, spheres of 6,400,
+//! 69,696 and 1,000,000 triangles. Millions of rays per second, on one thread and on all, and the
 //! ratio to the binary tree; medians over interleaved repetitions.
 
 use std::hint::black_box;
 use std::path::Path;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use glam::{Vec3, vec3};
 use obvhs::BvhBuildParams;
@@ -21,19 +19,22 @@ use renderer::acceleration::{
 };
 use renderer::files::obj::load_obj;
 
+use super::sphere::bumpy_sphere;
+use super::timing::{median, seconds};
+
 const REPETITIONS: usize = 9;
 /// The edge of the image in tiles of 8 x 8 pixels.
 const TILES: usize = 128;
 
-fn main() {
-    let mut arguments: Vec<String> =
-        std::env::args().skip(1).filter(|argument| !argument.starts_with("--")).collect();
-    if arguments.is_empty() {
-        arguments = ["40", "132", "500"].map(String::from).into();
-    }
-    for argument in &arguments {
+/// Measures meshes.
+pub fn run(arguments: &[String]) {
+    let spheres = ["40", "132", "500"].map(String::from);
+    for argument in if arguments.is_empty() { &spheres } else { arguments } {
         if let Ok(rings) = argument.parse() {
-            measure("bumpy sphere", &bumpy_sphere(rings, 0.05));
+            let (vertices, triangles) = bumpy_sphere(rings);
+            let corner = |index: u32| Vec3::from(vertices[index as usize].map(|x| x as f32));
+            let corners: Vec<_> = triangles.iter().map(|t| t.map(corner)).collect();
+            measure("bumpy sphere", &corners);
             continue;
         }
         match load_obj(Path::new(argument)) {
@@ -94,17 +95,17 @@ fn measure(name: &str, corners: &[[Vec3; 3]]) {
     let shadow_rays = subject.shadow.iter().map(|(_, active, _)| active.count_ones() as usize);
     let rays = [TILES * TILES * PACKET_RAYS, shadow_rays.sum(), subject.random.len()];
     for group in &cases {
-        let mut seconds = vec![[Vec::new(), Vec::new()]; group.len()];
+        let mut samples_of = vec![[Vec::new(), Vec::new()]; group.len()];
         for _ in 0..REPETITIONS {
-            for ((_, _, run), samples) in group.iter().zip(&mut seconds) {
+            for ((_, _, run), samples) in group.iter().zip(&mut samples_of) {
                 for (pool, samples) in pools.iter().zip(samples) {
-                    samples.push(pool.install(|| time(|| run(&subject))));
+                    samples.push(pool.install(|| seconds(|| run(&subject))));
                 }
             }
         }
         let rates: Vec<_> = group
             .iter()
-            .zip(seconds)
+            .zip(samples_of)
             .map(|((_, kind, _), samples)| {
                 samples.map(|samples| rays[*kind] as f64 / median(samples) / 1e6)
             })
@@ -129,9 +130,9 @@ fn measure_build(corners: &[[Vec3; 3]], shapes: &[Shape]) {
     let mut tree = Acceleration::new(shapes);
     let (mut build, mut update) = (Vec::new(), Vec::new());
     for _ in 0..REPETITIONS {
-        build.push(time(|| drop(black_box(Acceleration::new(shapes)))));
-        update.push(time(|| tree.update(&moved)));
-        update.push(time(|| tree.update(shapes)));
+        build.push(seconds(|| Acceleration::new(shapes)));
+        update.push(seconds(|| tree.update(&moved)));
+        update.push(seconds(|| tree.update(shapes)));
     }
     println!("  build {:.2} ms, update {:.2} ms", median(build) * 1e3, median(update) * 1e3);
 }
@@ -274,35 +275,4 @@ impl Subject {
         self.binary.ray_traverse(ray, &mut hit, |ray, index| self.triangles[index].intersect(ray));
         black_box(hit.t);
     }
-}
-
-fn time(run: impl FnOnce()) -> f64 {
-    let start = Instant::now();
-    run();
-    start.elapsed().as_secs_f64()
-}
-
-fn median(mut samples: Vec<f64>) -> f64 {
-    samples.sort_by(f64::total_cmp);
-    samples[samples.len() / 2]
-}
-
-/// A sphere with bumps, `rings` by `2 rings` quadrilaterals.
-fn bumpy_sphere(rings: u32, bump: f32) -> Vec<[Vec3; 3]> {
-    use std::f32::consts::{PI, TAU};
-    let vertex = |ring: u32, column: u32| {
-        let latitude = PI * ring as f32 / rings as f32;
-        let longitude = TAU * (column % (2 * rings)) as f32 / (2 * rings) as f32;
-        let radius = 1.0 + bump * (9.0 * latitude).sin() * (11.0 * longitude).cos();
-        let around = latitude.sin();
-        radius * vec3(around * longitude.cos(), latitude.cos(), around * longitude.sin())
-    };
-    (0..rings)
-        .flat_map(|ring| (0..2 * rings).map(move |column| (ring, column)))
-        .flat_map(|(r, c)| {
-            let (a, b) = (vertex(r, c), vertex(r, c + 1));
-            let (d, e) = (vertex(r + 1, c), vertex(r + 1, c + 1));
-            [[a, b, d], [b, e, d]]
-        })
-        .collect()
 }

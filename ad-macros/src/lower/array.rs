@@ -1,4 +1,5 @@
-//! Arrays built element by element: `array::from_fn` and `array::map`; `Option::map`.
+//! Arrays and `Vec`s built element by element: `array::from_fn`, `array::map`, `collect`; and
+//! `Option::map`.
 
 use quote::{ToTokens, quote};
 use syn::spanned::Spanned;
@@ -10,7 +11,7 @@ use super::Lowerer;
 use super::chain::is_chain;
 use super::flow::strip_parens;
 use super::item::Item;
-use crate::ir::{Build, Operand, Place, Statement};
+use crate::ir::{Block, Build, BuildSource, Operand, Operation, Place, Statement};
 
 /// What the form of an expression tells of its type.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -133,14 +134,82 @@ impl Lowerer<'_> {
             };
             lowerer.apply(function, vec![item])
         });
-        let active = matches!(body.value, Operand::Var(_));
-        let ident = self.names.fresh(hint, function.span());
-        let result = self.var(ident, false, active);
-        self.containers.insert(result, Container::Array);
-        let record = self.names.fresh("tape", function.span());
         let like = source.map(|place| self.place_tokens(&place));
         let index = index.expect("set by the block");
-        self.push(Statement::Build(Build { result, index, like, ty, body, record }));
+        let result = self.built(BuildSource::Index { index, like }, ty, body, hint);
+        if let Operand::Var(var) = result {
+            self.containers.insert(var, Container::Array);
+        }
+        result
+    }
+
+    /// `.collect::<Vec<_>>()`
+    pub(super) fn collected(&mut self, call: &ExprMethodCall, hint: &str) -> Operand {
+        let ty = super::consume::type_argument(call);
+        let is_vec = ty.as_ref().is_none_or(|ty| {
+            matches!(ty, Type::Path(path)
+                if path.path.segments.last().is_some_and(|last| last.ident == "Vec"))
+        });
+        if !is_vec {
+            return self.refuse(&call.turbofish, "`collect` is supported into a `Vec`");
+        }
+        let chain = self.chain(&call.receiver);
+        if chain.is_filtered() {
+            return self.pushed(call, ty, hint);
+        }
+        let mut source = None;
+        let body = self.block(|lowerer| {
+            let items = lowerer.items(&chain, None);
+            let item = lowerer.staged(items.item, items.stages);
+            let (pattern, defines, iterator) = (items.pattern, items.defines, items.iterator);
+            source = Some(BuildSource::Items { pattern, defines, iterator });
+            lowerer.owned(item, call)
+        });
+        self.built(source.expect("set by the block"), ty, body, hint)
+    }
+
+    /// `.collect::<Vec<_>>()` of a filtered iterator: one by one.
+    fn pushed(&mut self, call: &ExprMethodCall, ty: Option<Type>, hint: &str) -> Operand {
+        let hint = if hint == "value" { "collected" } else { hint };
+        let ident = self.names.fresh(hint, call.span());
+        let var = self.var(ident, true, true);
+        let empty = Operation::Use(Operand::Constant(quote!(::std::vec::Vec::new())));
+        let ty = ty.or_else(|| Some(parse_quote!(::std::vec::Vec<_>)));
+        self.push(Statement::Define { var, ty, operation: empty });
+        let [vec, item_name] = ["collected", "item"].map(|name| self.names.unwritten(name));
+        self.run_chain(&call.receiver, &mut |lowerer, item, end| {
+            let item = Item::Value(lowerer.owned(item, call));
+            lowerer.scope(|lowerer| {
+                lowerer.alias(&vec, var);
+                lowerer.bind_item(&parse_quote!(#item_name), item);
+                lowerer.expression_statement(&parse_quote!(#vec.push(#item_name)));
+            });
+            lowerer.normal_end(Self::unit(), end)
+        });
+        self.read_place(Place { root: var, path: Vec::new() }, hint)
+    }
+
+    /// An item that does not refer to a place.
+    fn owned(&mut self, item: Item, call: &ExprMethodCall) -> Operand {
+        if item.refers() {
+            return self.refuse(
+                &call.method,
+                format!(
+                    "`{}` of references is not supported: put `.copied()` before it",
+                    call.method
+                ),
+            );
+        }
+        self.item_value(item)
+    }
+
+    fn built(&mut self, source: BuildSource, ty: Option<Type>, body: Block, hint: &str) -> Operand {
+        let active = matches!(body.value, Operand::Var(_));
+        let span = proc_macro2::Span::call_site();
+        let ident = self.names.fresh(hint, span);
+        let result = self.var(ident, false, active);
+        let record = self.names.fresh("tape", span);
+        self.push(Statement::Build(Build { result, source, ty, body, record }));
         match active {
             true => Operand::Var(result),
             false => Operand::Constant(self.ident(result).to_token_stream()),

@@ -64,8 +64,29 @@ impl Chain {
         }
     }
 
+    /// The functions that items go through.
+    fn functions(&self) -> Vec<&Expr> {
+        match self {
+            Self::Map(inner, function)
+            | Self::Filter(inner, function)
+            | Self::TakeWhile(inner, function) => {
+                let mut functions = inner.functions();
+                functions.push(function);
+                functions
+            }
+            Self::Enumerate(inner)
+            | Self::Copied(inner)
+            | Self::Count(inner, _)
+            | Self::Order { inner, .. } => inner.functions(),
+            Self::Zip(left, right) => [left.functions(), right.functions()].concat(),
+            Self::Constant { .. } | Self::Elements { .. } | Self::Runs { .. } | Self::Refused => {
+                Vec::new()
+            }
+        }
+    }
+
     /// Whether the body of the loop decides which items there are.
-    fn is_filtered(&self) -> bool {
+    pub fn is_filtered(&self) -> bool {
         match self {
             Self::Filter(..) | Self::TakeWhile(..) | Self::Count(..) => true,
             Self::Map(inner, _) | Self::Copied(inner) => inner.is_filtered(),
@@ -189,6 +210,9 @@ impl Lowerer<'_> {
     }
 
     fn elements(&mut self, expr: &Expr, by_reference: bool) -> Chain {
+        if let (Expr::Reference(reference), true) = (strip_parens(expr), by_reference) {
+            return self.elements(&reference.expr, true);
+        }
         let place = self.place(expr);
         let active = place.as_ref().is_some_and(|place| self.vars[place.root].active);
         if !by_reference && place.is_some() && !active {
@@ -244,10 +268,8 @@ impl Lowerer<'_> {
         let inner = Box::new(self.chain(&call.receiver));
         let name = call.method.to_string();
         let filtered = inner.is_filtered();
-        if let (Chain::Map(_, function), "zip" | "rev" | "take" | "skip" | "step_by" | "cycle") =
-            (&*inner, &*name)
-        {
-            self.refuse_changes(function);
+        if matches!(&*name, "zip" | "rev" | "take" | "skip" | "step_by" | "cycle") {
+            inner.functions().into_iter().for_each(|function| self.refuse_changes(function));
         }
         match (&*name, call.args.first()) {
             ("copied" | "cloned", None) => Chain::Copied(inner),

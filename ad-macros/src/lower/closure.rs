@@ -164,10 +164,14 @@ impl Lowerer<'_> {
 
     /// Refuses a closure that changes what it captures, where its calls may be left out.
     pub(super) fn refuse_changes(&mut self, function: &Expr) {
-        let Expr::Closure(closure) = strip_parens(function) else { return };
-        if changes_captured(closure) {
+        let changes = match (self.named_closure(function), strip_parens(function)) {
+            (Some(closure), _) => changes_captured(&closure.body),
+            (None, Expr::Closure(closure)) => changes_captured(closure),
+            _ => false,
+        };
+        if changes {
             self.refuse(
-                closure,
+                function,
                 "a closure that changes a variable cannot stand before this adapter: write a `for` loop",
             );
         }

@@ -27,6 +27,7 @@ impl Lowerer<'_> {
                 });
                 Self::unit()
             }
+            ("collect", []) => self.collected(call, hint),
             ("count", []) | ("any" | "all" | "position" | "rposition", [_]) => {
                 self.discrete(&Expr::MethodCall(call.clone()))
             }
@@ -199,7 +200,7 @@ fn plain_arm(body: crate::ir::Block) -> Arm {
 }
 
 /// `T` of `.method::<T>()`
-fn type_argument(call: &ExprMethodCall) -> Option<Type> {
+pub(super) fn type_argument(call: &ExprMethodCall) -> Option<Type> {
     match call.turbofish.as_ref()?.args.first()? {
         GenericArgument::Type(ty) => Some(ty.clone()),
         _ => None,

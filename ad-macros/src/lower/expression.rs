@@ -251,17 +251,8 @@ impl Lowerer<'_> {
                     "calls of function pointers and of closures that are parameters are not supported: write a `#[differentiable]` function",
                 );
             }
-            if name == self.function {
-                return self.refuse_recursion(name);
-            }
         }
         let last = path.segments.last().expect("a path has a segment");
-        if path.segments.len() == 2
-            && path.segments[0].ident == "Self"
-            && last.ident == *self.function
-        {
-            return self.refuse_recursion(path);
-        }
         if last.ident == "stop_gradient" {
             let expr = Expr::Call(call.clone());
             let tokens = self.plain(&expr);
@@ -282,10 +273,6 @@ impl Lowerer<'_> {
         let vjp = known_vjp(path).unwrap_or_else(|| vjp_of(function));
         let hint = if hint == "value" { last.ident.to_string() } else { hint.to_owned() };
         self.finish_call(primal, vjp, false, arguments, &hint, call.span())
-    }
-
-    fn refuse_recursion(&mut self, at: impl quote::ToTokens) -> Operand {
-        self.refuse(at, "recursion is not supported: write a loop over a range")
     }
 
     /// `Some(x)`, `Name(x, y)`
@@ -324,15 +311,14 @@ impl Lowerer<'_> {
         if is_predicate(&name) {
             return self.discrete(&Expr::MethodCall(call.clone()));
         }
-        let on_self = matches!(&*call.receiver, Expr::Path(path) if path.path.is_ident("self"));
-        if on_self && call.method == *self.function {
-            return self.refuse_recursion(&call.method);
-        }
         let receiver = self.receiver(call);
         let called_on = match &receiver {
             Argument::Receiver(place) if self.vars[place.root].mutable => Some(place.root),
             _ => None,
         };
+        if matches!(&*name, "x" | "y" | "z") && call.args.is_empty() {
+            self.check_element(&call.method, &receiver);
+        }
         let mut arguments = vec![receiver];
         self.called_on.extend(called_on);
         arguments.extend(call.args.iter().map(|arg| self.argument(arg)));
@@ -350,6 +336,21 @@ impl Lowerer<'_> {
             &hint,
             call.span(),
         )
+    }
+
+    /// `x`, `y`, `z`: vectors of glam have no such methods but those of `ad`, so another trait could
+    /// lend them others than those that the rules differentiate. With `ad`'s own in scope the
+    /// compiler does not know which to call then.
+    fn check_element(&mut self, method: &syn::Ident, receiver: &Argument) {
+        let receiver = self.argument_tokens(receiver);
+        let code = quote_spanned! {method.span()=>
+            let _ = || ::ad::rt::like(&#receiver).#method();
+            let _ = || {
+                use ::ad::rt::by_reference::*;
+                (&::ad::rt::like(&#receiver)).#method()
+            };
+        };
+        self.push(Statement::Plain { code, defines: Vec::new() });
     }
 
     fn finish_call(

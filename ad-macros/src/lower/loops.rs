@@ -12,9 +12,9 @@ use super::ends::{End, JumpKind, Target};
 use super::exits::Exit;
 use super::item::Item;
 use super::{Lowerer, exits};
-use crate::attribute::own_options;
 use crate::ir::{Head, Loop, Operand, Statement};
 use crate::names;
+use crate::options::own_options;
 
 /// What a loop leaves behind: a chain of the targets where control goes next.
 pub(super) struct LoopResult {

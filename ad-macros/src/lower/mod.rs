@@ -3,10 +3,10 @@
 //! [`desugar`] makes branches plainer; [`flow`] lowers statements and turns every early exit into
 //! the end of a block, whose meaning [`ends`] keeps; [`loops`] lowers loops, [`chain`], [`stage`]
 //! and [`item`] what they run over, [`consume`] what iterators are used up by; [`array`] builds
-//! arrays element by element; [`closure`] puts closures in place of their calls; [`expression`] names intermediate results; [`pattern`] and
-//! [`place`] tell which part of a value is meant; [`sequence`] makes vectors and boxes; [`macros`]
-//! knows the macros of the standard library; [`plain`] passes on code through which no derivative
-//! flows, with variables renamed.
+//! arrays by element; [`closure`] puts closures in place of their calls; [`expression`] names
+//! intermediate results; [`pattern`] and [`place`] tell which part of a value is meant;
+//! [`sequence`] makes vectors and boxes; [`macros`] knows the macros of the standard library;
+//! [`plain`] passes on code through which no derivative flows, with variables renamed.
 
 mod array;
 mod chain;
@@ -48,7 +48,7 @@ pub struct Lowered {
     pub vars: Vec<Var>,
     /// The parameters.
     pub parameters: Vec<LoweredParameter>,
-    /// The parameters that are references, and the types that they refer to.
+    /// The parameters that are shared references, and the types that they refer to.
     pub references: Vec<(VarId, Type)>,
     /// The body.
     pub body: Block,
@@ -64,7 +64,6 @@ pub struct LoweredParameter {
 
 /// Lowers a function body.
 pub fn lower(
-    name: &Ident,
     parameters: &[Parameter],
     result: &Type,
     body: &syn::Block,
@@ -72,7 +71,6 @@ pub fn lower(
     errors: &mut Errors,
 ) -> Lowered {
     let mut lowerer = Lowerer {
-        function: name,
         on_failure: OnFailure::of(result),
         vars: Vec::new(),
         scopes: vec![HashMap::new()],
@@ -103,13 +101,13 @@ pub fn lower(
     });
     let references = parameters.iter().zip(&parameter_vars).filter_map(|(parameter, &var)| {
         match &parameter.ty {
-            Type::Reference(reference) if reference.mutability.is_none() => {
+            Type::Reference(reference) if !parameter.is_exclusive => {
                 Some((var, (*reference.elem).clone()))
             }
             _ => None,
         }
     });
-    let references: Vec<_> = references.collect();
+    let references = references.collect();
     let parameters = parameters.iter().zip(parameter_vars).map(|(parameter, var)| {
         LoweredParameter { var, has_shape: !has_fixed_size(&parameter.ty) }
     });
@@ -140,7 +138,6 @@ impl OnFailure {
 }
 
 struct Lowerer<'a> {
-    function: &'a Ident,
     on_failure: OnFailure,
     vars: Vec<Var>,
     /// What the user's names mean, innermost scope last.
@@ -221,9 +218,10 @@ impl Lowerer<'_> {
         self.vars.len() - 1
     }
 
-    /// Makes a variable that has no definition in generated code: a name of the user's.
+    /// Makes a variable for a name of the user's that generated code never names.
     fn unwritten_var(&mut self, name: &Ident, mutable: bool, active: bool) -> VarId {
-        let [ident, cotangent, space, record] = std::array::from_fn(|_| name.clone());
+        let ident = self.names.fresh(&format!("{name}_alias"), name.span());
+        let [cotangent, space, record] = std::array::from_fn(|_| ident.clone());
         let block = self.open_blocks.last().expect("a block is open").0;
         self.vars.push(Var {
             ident,

@@ -4,10 +4,11 @@
 use proc_macro2::TokenStream;
 use quote::{ToTokens, quote, quote_spanned};
 use syn::spanned::Spanned;
-use syn::visit::{self, Visit};
+use syn::visit::Visit;
 use syn::visit_mut::{self, VisitMut};
 use syn::{Expr, Macro, Pat, Type, parse_quote, parse_quote_spanned};
 
+use super::expression::is_type_name;
 use super::macros::{Matches, standard_macro};
 use super::{Lowerer, exits};
 use crate::ir::{Operand, Operation};
@@ -129,13 +130,13 @@ impl Plain<'_, '_> {
 
     /// `matches!(expr, pattern if guard)`
     fn visit_matches(&mut self, call: &mut Macro) {
-        let Matches { mut expr, pat, guard } = match call.parse_body() {
+        let Matches { mut expr, mut pat, guard } = match call.parse_body() {
             Ok(parts) => parts,
             Err(error) => return self.lowerer.errors.add(error),
         };
         self.visit_expr_mut(&mut expr);
         self.lowerer.scopes.push(Default::default());
-        self.visit_parameter(&pat);
+        self.rename_bound(&mut pat);
         let guard = guard.map(|mut guard| {
             self.visit_expr_mut(&mut guard);
             quote!(if #guard)
@@ -144,19 +145,31 @@ impl Plain<'_, '_> {
         call.tokens = quote!(#expr, #pat #guard);
     }
 
-    /// Lets the names in a pattern mean themselves.
-    fn visit_parameter(&mut self, pat: &Pat) {
+    /// Gives generated names to what a pattern binds.
+    fn rename_bound(&mut self, pat: &mut Pat) {
         struct Binder<'l, 'a>(&'l mut Lowerer<'a>);
 
-        impl<'ast> Visit<'ast> for Binder<'_, '_> {
-            fn visit_pat_ident(&mut self, pat: &'ast syn::PatIdent) {
-                let var = self.0.unwritten_var(&pat.ident, false, false);
-                self.0.alias(&pat.ident, var);
-                visit::visit_pat_ident(self, pat);
+        impl VisitMut for Binder<'_, '_> {
+            fn visit_pat_ident_mut(&mut self, pat: &mut syn::PatIdent) {
+                if !is_type_name(&pat.ident) {
+                    // In the alternatives of a pattern a name stands several times.
+                    let here = self.0.scopes.last().expect("a scope is open");
+                    let var = match here.get(&pat.ident.to_string()) {
+                        Some(&var) => var,
+                        None => self.0.bind(&pat.ident, false, false),
+                    };
+                    pat.ident = self.0.ident(var).clone();
+                }
+                visit_mut::visit_pat_ident_mut(self, pat);
+            }
+
+            fn visit_field_pat_mut(&mut self, field: &mut syn::FieldPat) {
+                field.colon_token.get_or_insert_with(Default::default);
+                visit_mut::visit_field_pat_mut(self, field);
             }
         }
 
-        Binder(self.lowerer).visit_pat(pat);
+        Binder(self.lowerer).visit_pat_mut(pat);
     }
 }
 
@@ -214,8 +227,8 @@ impl VisitMut for Plain<'_, '_> {
             Expr::Closure(closure) if closure.asyncness.is_none() => {
                 // Its parameters hide what else has their names.
                 self.lowerer.scopes.push(Default::default());
-                for input in &closure.inputs {
-                    self.visit_parameter(input);
+                for input in &mut closure.inputs {
+                    self.rename_bound(input);
                 }
                 self.visit_expr_mut(&mut closure.body);
                 self.lowerer.scopes.pop();

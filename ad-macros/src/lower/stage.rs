@@ -209,7 +209,7 @@ impl Lowerer<'_> {
     }
 
     /// The item behind those of its stages that change no number of items.
-    fn staged(&mut self, item: Item, stages: Vec<Stage>) -> Item {
+    pub(super) fn staged(&mut self, item: Item, stages: Vec<Stage>) -> Item {
         let mut item = item;
         for stage in stages {
             item = match stage {

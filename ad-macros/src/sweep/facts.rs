@@ -7,7 +7,8 @@ use quote::ToTokens;
 use syn::Type;
 
 use crate::ir::{
-    Argument, Block, Head, Operand, Operation, Place, Projection, Statement, Var, VarId,
+    Argument, Block, BuildSource, Head, Operand, Operation, Place, Projection, Statement, Var,
+    VarId,
 };
 use crate::lower::{Lowered, LoweredParameter};
 use crate::signature::{Parameter, is_discrete};
@@ -95,7 +96,16 @@ impl<'a> Facts<'a> {
                     self.block(&a_loop.body);
                 }
                 Statement::Build(build) => {
-                    self.integers.insert(build.index);
+                    match &build.source {
+                        BuildSource::Index { index, .. } => {
+                            self.integers.insert(*index);
+                        }
+                        BuildSource::Items { defines, iterator, .. } => {
+                            if self.is_range(iterator) {
+                                self.integers.extend(defines);
+                            }
+                        }
+                    }
                     self.block(&build.body);
                 }
                 Statement::Plain { .. }

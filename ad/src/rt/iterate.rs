@@ -3,6 +3,8 @@
 use core::iter::{Product, StepBy, Sum, empty};
 use core::ops::Range;
 
+use crate::Additive;
+
 /// The starts of the windows of `size` elements, as `slice::windows` has them.
 ///
 /// Panics where `size` is 0.
@@ -31,6 +33,17 @@ pub fn empty_sum<T: Sum>() -> T {
 #[inline(always)]
 pub fn empty_product<T: Product>() -> T {
     empty().product()
+}
+
+/// What was saved for each element of a `Vec`, with the cotangent of the element: zero where that
+/// of the `Vec` is shorter.
+#[inline]
+pub fn with_cotangents<R, T: Additive>(
+    records: Vec<R>,
+    mut cotangents: Vec<T>,
+) -> impl DoubleEndedIterator<Item = (R, T)> {
+    cotangents.resize_with(records.len(), T::zero);
+    records.into_iter().zip(cotangents)
 }
 
 /// The best item so far, of the type of `_candidate`.

@@ -16,11 +16,13 @@
 
 mod checkpoint;
 mod closures;
+mod collections;
 mod data;
 mod enums;
 mod exclusive;
 mod exits;
 mod flow;
+mod functions;
 mod iterators;
 mod jumps;
 mod macros;

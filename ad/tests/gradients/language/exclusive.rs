@@ -251,3 +251,32 @@ fn passing_on_costs_nothing() {
     let (by_xs, ()) = pullback((), vec![1.0; n]);
     assert_eq!((by_xs[0], by_xs[n - 1], xs[n - 1]), (2.0, 2.0, 2.0));
 }
+
+#[differentiable(checkpoint)]
+fn recomputed(xs: &mut [f64], state: &mut (f64, f64), y: f64) -> f64 {
+    for i in 1..xs.len() {
+        xs[i] *= xs[i - 1] * y;
+        state.0 += xs[i] * state.1;
+    }
+    state.1 *= state.0;
+    xs[0] * y
+}
+
+#[differentiable]
+fn recomputed_steps(x: f64, y: f64) -> f64 {
+    let mut xs = [x, y, x * y];
+    let (mut a, mut b) = (x, y);
+    let mut state = (y, 1.0);
+    let mut sum = 0.0;
+    #[differentiable(checkpoint)]
+    for _ in 0..5 {
+        sum += recomputed(&mut xs, &mut state, y);
+        advance(&mut a, &mut b, 0.1 * y);
+    }
+    sum * a + state.1 * xs[2] + b
+}
+
+#[test]
+fn changed_in_place_under_checkpoints() {
+    check!(recomputed_steps(x, y) at [1.3, 0.7], [-0.4, 1.1]);
+}

@@ -71,6 +71,29 @@ fn shadowed_in_loop(x: f64, y: f64) -> f64 {
     acc * i * x
 }
 
+/// Names of elements and of parameters of closures that are also names of variables, which a loop
+/// changes.
+#[differentiable]
+fn elements_called_like_variables(x: f64, y: f64) -> f64 {
+    let values = [x, y, x * y];
+    let mut total = x;
+    let mut count = 0;
+    for i in 0..3 {
+        let before = total * y;
+        for total in values.iter() {
+            if values.iter().any(|x| *x > *total && *x > y) {
+                count += 1;
+            }
+        }
+        let scaled = |count: f64| count * total;
+        total = scaled(values[i]) + before * count as f64;
+        if matches!(Some(count), Some(x) if x > 5) {
+            total *= x;
+        }
+    }
+    total * count as f64
+}
+
 /// Names begin with a capital letter in mathematics.
 #[differentiable]
 #[allow(non_snake_case)]
@@ -148,6 +171,7 @@ fn scopes() {
     check!(if_let_name_ends_with_branch(x, y) at [1.3, 0.7], [1.3, -0.7]);
     check!(let_else_name_goes_on(x, y) at [1.3, 0.7], [1.3, -0.7]);
     check!(shadowed_across_branches(x, y) at [1.3, 0.7], [1.3, 1.7], [1.1, 0.95]);
+    check!(elements_called_like_variables(x, y) at [1.3, 0.7], [-0.4, 2.1], [0.4, 0.3]);
     check!(shadowed_in_loop(x, y) at [1.3, 0.7], [-0.4, 2.1]);
 }
 

@@ -3,7 +3,7 @@
 use ad::{Differentiable, differentiable, select, stop_gradient};
 use glam::DVec3;
 
-use crate::oracle::{assert_gradient, check};
+use crate::oracle::{assert_close, assert_gradient, check};
 
 #[differentiable]
 fn nested_bounded_loops(x: f64, y: f64) -> f64 {
@@ -72,6 +72,59 @@ fn early_exit_of_product(x: f64, y: f64) -> f64 {
     product
 }
 
+/// The product is left before a factor that would end it at zero.
+#[differentiable]
+fn early_break_of_product(x: f64, y: f64) -> f64 {
+    let factors = [x, y, x * y, x - 1.3, y];
+    let mut product = 1.0;
+    let mut used = 0;
+    for factor in factors.iter() {
+        if *factor == 0.0 || product > 3.0 {
+            break;
+        }
+        product *= factor;
+        used += 1;
+    }
+    while product < 0.5 {
+        product *= 1.0 + x * x;
+        if used > 4 {
+            break;
+        }
+        used += 1;
+    }
+    product * used as f64
+}
+
+/// A loop within a loop, each left and continued from within the other's iterations, with what
+/// follows depending on where.
+#[differentiable]
+fn code_after_nested_breaks(x: f64, y: f64) -> f64 {
+    let mut total = x;
+    let mut i = 0;
+    'outer: loop {
+        i += 1;
+        if i > 12 {
+            break;
+        }
+        let mut row = y;
+        for j in 0..i {
+            row = row * x + total * 0.1;
+            if row > 3.0 {
+                total += row;
+                continue 'outer;
+            }
+            if i + j > 8 {
+                break 'outer;
+            }
+        }
+        if total > 6.0 {
+            return total * row;
+        }
+        total = total * 1.2 + row;
+    }
+    total * y + x
+}
+
 /// What the arm not taken computes is infinite or not a number.
 #[differentiable]
 fn arm_not_taken(x: f64, y: f64) -> f64 {
@@ -130,6 +183,11 @@ fn loops() {
     check!(code_after_loop_with_return(x, y) at [1.3, 0.7], [1.3, 1.7], [1.3, 0.4], [2.3, 0.95]);
     check!(newton(x, y) at [1.3, 0.7], [3.0, 2.0], [1.4143, 2.0]);
     check!(early_exit_of_product(x, y) at [1.3, 0.7], [1.3, -0.7], [-1.3, 0.7], [1.3, 4.0]);
+    check!(early_break_of_product(x, y) at [1.2, 0.7], [0.4, 0.3], [2.1, 1.6], [-0.4, 0.9]);
+    check!(code_after_nested_breaks(x, y) at [1.3, 0.7], [0.4, 0.2], [-0.9, 0.3], [0.2, 2.5]);
+    let (by_x, by_y) = early_break_of_product::grad(1.3, 0.7);
+    assert_close("product before a zero", by_x, 3.0 * 2.0 * 1.3 * 0.7 * 0.7, 1e-14);
+    assert_close("product before a zero", by_y, 3.0 * 2.0 * 1.3 * 1.3 * 0.7, 1e-14);
     let (value, pullback) = vector_from_loop::vjp(1.3, 0.7);
     assert_eq!(value, vector_from_loop(1.3, 0.7));
     let cotangent = DVec3::new(0.3, -2.0, 0.9);

@@ -1,0 +1,102 @@
+//! The adjoint of intersect-and-shade, written by hand: what generated code is measured by.
+
+use ad::vector::{Vector, Vector3};
+use ad::{Additive, Real, Vec3, select};
+use renderer::kernels::camera::{Ray, RayTangent};
+use renderer::kernels::light::{PointLight, PointLightTangent};
+use renderer::kernels::material::{Material, MaterialTangent};
+
+/// The cotangents of ray, corners, material and light: what the generated pullback returns.
+pub type Cotangents<S> =
+    (RayTangent<S>, Vec3<S>, Vec3<S>, Vec3<S>, MaterialTangent<S>, PointLightTangent<S>);
+
+/// The radiance of a triangle under a point light, and its pullback at `seed`.
+pub fn pixel<S: Real>(
+    ray: Ray<S>,
+    a: Vec3<S>,
+    b: Vec3<S>,
+    c: Vec3<S>,
+    material: Material<S>,
+    light: PointLight<S>,
+    seed: Vec3<S>,
+) -> (Vec3<S>, Cotangents<S>) {
+    let Ray { origin, direction } = ray;
+    let (u, v) = (b - a, c - a);
+    let normal = exact_cross::<S>(u, v);
+    let slope = direction.dot(normal);
+    let from_origin = a - origin;
+    let inverse_slope = slope.recip();
+    let distance = from_origin.dot(normal) * inverse_slope;
+    let inverse_length = normal.length_recip();
+    let unit = normal * inverse_length;
+    let behind = slope.cmpgt(S::ZERO);
+    let facing = select(behind, -unit, unit);
+
+    let to_light = light.position - (origin + direction * distance);
+    let distance_squared = to_light.length_squared();
+    let inverse_distance = to_light.length_recip();
+    let towards = to_light * inverse_distance;
+    let per_flux = (S::from_f64(4.0) * S::PI * distance_squared).recip();
+    let flux_density = light.intensity * per_flux;
+    let irradiance = light.color * flux_density;
+    let cosine = facing.dot(towards).max(S::ZERO);
+    let sum = towards - direction;
+    let inverse_sum = sum.length_recip();
+    let half_way = sum * inverse_sum;
+    let alignment = facing.dot(half_way).max(S::ZERO);
+    let highlight = alignment.powf(material.exponent);
+    let albedo = material.diffuse + material.specular * highlight;
+    let value = albedo * irradiance * cosine;
+
+    let albedo_bar = seed * irradiance * cosine;
+    let lit = seed * albedo;
+    let irradiance_bar = lit * cosine;
+    let cosine_bar = select(cosine.cmpgt(S::ZERO), lit.dot(irradiance), S::ZERO);
+    let highlight_bar = albedo_bar.dot(material.specular);
+    let aligned = alignment.cmpgt(S::ZERO);
+    let power = highlight_bar * highlight;
+    let alignment_bar = select(aligned, power * material.exponent / alignment, S::ZERO);
+    let exponent_bar = select(aligned, power * alignment.ln(), S::ZERO);
+    let half_way_bar = facing * alignment_bar;
+    let sum_bar = (half_way_bar - half_way * half_way.dot(half_way_bar)) * inverse_sum;
+    let facing_bar = half_way * alignment_bar + towards * cosine_bar;
+    let towards_bar = sum_bar + facing * cosine_bar;
+    let flux_density_bar = irradiance_bar.dot(light.color);
+    let radial = S::TWO * flux_density_bar * flux_density * inverse_distance * inverse_distance;
+    let to_light_bar =
+        (towards_bar - towards * towards.dot(towards_bar)) * inverse_distance - to_light * radial;
+
+    let point_bar = -to_light_bar;
+    let distance_bar = point_bar.dot(direction) * inverse_slope;
+    let slope_bar = -distance_bar * distance;
+    let unit_bar = select(behind, -facing_bar, facing_bar);
+    let normal_bar = (unit_bar - unit * unit.dot(unit_bar)) * inverse_length
+        + from_origin * distance_bar
+        + direction * slope_bar;
+    let (u_bar, v_bar) = (v.cross(normal_bar), normal_bar.cross(u));
+    let along = normal * distance_bar;
+    let ray = RayTangent {
+        origin: point_bar - along,
+        direction: point_bar * distance + normal * slope_bar - sum_bar,
+    };
+    let material = MaterialTangent {
+        ambient: Additive::zero(),
+        diffuse: albedo_bar,
+        specular: albedo_bar * highlight,
+        exponent: exponent_bar,
+    };
+    let light = PointLightTangent {
+        position: to_light_bar,
+        color: irradiance_bar * flux_density,
+        intensity: flux_density_bar * per_flux,
+    };
+    (value, (ray, along - u_bar - v_bar, u_bar, v_bar, material, light))
+}
+
+fn exact_cross<S: Real>(u: Vec3<S>, v: Vec3<S>) -> Vec3<S> {
+    <Vec3<S>>::new(
+        S::difference_of_products(u.y(), v.z(), v.y(), u.z()),
+        S::difference_of_products(u.z(), v.x(), v.z(), u.x()),
+        S::difference_of_products(u.x(), v.y(), v.x(), u.y()),
+    )
+}

@@ -1,0 +1,116 @@
+//! How the cost grows with pixels, triangles, lights and derivatives.
+//!
+//! Prints CSV, one row for each size: the series, the size, milliseconds of an image, of a gradient
+//! by everything, of an update of all vertices, and of the first preparation. An argument names an SVG
+//! file to draw.
+
+use std::hint::black_box;
+use std::path::Path;
+
+use plotters::prelude::*;
+use renderer::integrator::{Prepared, Wanted, gradient, render, render_into};
+use renderer::loss::{ImageLoss, LossKind};
+use renderer::scene::Scene;
+
+use super::sphere::scene;
+use super::timing::{median, seconds};
+
+const REPETITIONS: usize = 5;
+
+/// What was measured of one size.
+struct Row {
+    series: &'static str,
+    size: f64,
+    /// In milliseconds.
+    image: f64,
+    gradient: f64,
+    update: f64,
+    preparation: f64,
+}
+
+/// Measures all series.
+pub fn run(arguments: &[String]) {
+    println!("series,size,image_ms,gradient_ms,update_ms,preparation_ms");
+    let mut rows = Vec::new();
+    let mut add = |series, size: f64, scene: Scene| {
+        let row = measure(series, size, &scene);
+        let Row { image, gradient, update, preparation, .. } = row;
+        println!("{series},{size},{image:.3},{gradient:.3},{update:.3},{preparation:.3}");
+        rows.push(row);
+    };
+    for size in [64, 128, 256, 512, 1024, 2048, 4096] {
+        add("pixels", f64::from(size * size), scene(140, size, 1));
+    }
+    for rings in [16, 50, 158, 500, 1581] {
+        add("triangles", f64::from(4 * rings * rings), scene(rings, 512, 1));
+    }
+    for lights in [1, 2, 4, 8, 16] {
+        add("lights", f64::from(lights), scene(140, 512, lights));
+    }
+    if let Some(path) = arguments.first() {
+        match draw(&rows, Path::new(path)) {
+            Ok(()) => println!("{path}"),
+            Err(error) => eprintln!("error: {path}: {error}"),
+        }
+    }
+}
+
+fn measure(series: &'static str, size: f64, scene: &Scene) -> Row {
+    let preparation = seconds(|| Prepared::<wide::f32x16>::new(scene));
+    let mut prepared = Prepared::<wide::f32x16>::new(scene);
+    let mut image = render(&prepared);
+    let mut target = image.clone();
+    target.pixels.as_flattened_mut().iter_mut().for_each(|value| *value *= 0.9);
+    let loss = ImageLoss::new(LossKind::MeanSquared, &target, false);
+    let wanted =
+        Wanted { camera: true, lights: true, materials: true, spheres: true, vertices: true };
+    let mut samples = [Vec::new(), Vec::new(), Vec::new()];
+    let mut parameters = scene.parameters.clone();
+    for repetition in 0..REPETITIONS {
+        samples[0].push(seconds(|| render_into(&prepared, &mut image)));
+        samples[1].push(seconds(|| gradient(&prepared, &loss, wanted)));
+        let factor = 1.0 + 1e-9 * (repetition + 1) as f64;
+        let vertices = parameters.vertices.iter_mut().flatten().flatten();
+        vertices.for_each(|coordinate| *coordinate *= factor);
+        samples[2].push(seconds(|| prepared.set_parameters(&parameters)));
+    }
+    let [image, gradient, update] = samples.map(|samples| 1e3 * median(samples));
+    Row { series, size, image, gradient, update, preparation: 1e3 * preparation }
+}
+
+/// Milliseconds against size, both logarithmic, one panel for each series.
+fn draw(rows: &[Row], path: &Path) -> Result<(), Box<dyn std::error::Error>> {
+    let mut names: Vec<_> = rows.iter().map(|row| row.series).collect();
+    names.dedup();
+    let area = SVGBackend::new(path, (1200, 400)).into_drawing_area();
+    area.fill(&WHITE)?;
+    let panels = area.split_evenly((1, names.len()));
+    for (name, panel) in names.into_iter().zip(&panels) {
+        let rows: Vec<_> = rows.iter().filter(|row| row.series == name).collect();
+        let sizes = rows[0].size..rows[rows.len() - 1].size;
+        let times = rows.iter().flat_map(|row| [row.image, row.gradient]);
+        let (least, most) = times
+            .fold((f64::MAX, 0.0_f64), |(least, most), time| (least.min(time), most.max(time)));
+        let mut chart = ChartBuilder::on(panel)
+            .margin(12)
+            .caption(format!("milliseconds against {name}"), ("sans-serif", 16))
+            .x_label_area_size(36)
+            .y_label_area_size(56)
+            .build_cartesian_2d(sizes.log_scale(), (least / 1.5..most * 1.5).log_scale())?;
+        chart.configure_mesh().x_labels(6).y_labels(6).draw()?;
+        let series: [(&str, fn(&Row) -> f64, RGBColor); 2] = [
+            ("image", |row| row.image, RGBColor(31, 119, 180)),
+            ("gradient", |row| row.gradient, RGBColor(214, 39, 40)),
+        ];
+        for (label, time, color) in series {
+            let points = rows.iter().map(|row| (row.size, time(row)));
+            chart
+                .draw_series(LineSeries::new(points, color.stroke_width(2)).point_size(3))?
+                .label(label)
+                .legend(move |(x, y)| PathElement::new([(x, y), (x + 16, y)], color));
+        }
+        chart.configure_series_labels().background_style(WHITE).border_style(BLACK).draw()?;
+    }
+    area.present()?;
+    Ok(())
+}
