@@ -13,4 +13,5 @@ mod aliasing;
 mod closures;
 mod names;
 mod order;
+mod recompute;
 mod structure;
