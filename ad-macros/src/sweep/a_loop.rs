@@ -99,7 +99,7 @@ impl Sweeper<'_> {
     /// Whether the loop runs over the whole of a range that can be written once more.
     fn runs_all(&self, a_loop: &Loop) -> bool {
         !a_loop.breaks
-            && matches!(&a_loop.head, Head::For { iterator, .. } if self.facts.is_range(iterator))
+            && matches!(&a_loop.head, Head::For { iterator, reversible: true, .. } if self.facts.is_range(iterator))
     }
 
     /// The loop in the forward sweep.
