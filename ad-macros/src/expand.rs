@@ -10,7 +10,7 @@ use crate::lower;
 use crate::names::Names;
 use crate::options::Options;
 use crate::signature::{self, Parameter, pointee};
-use crate::sweep;
+use crate::sweep::{self, tuple_or_one};
 use crate::{checkpoint, recursion};
 
 /// Where a function stands.
@@ -95,10 +95,9 @@ impl Function<'_> {
         errors.finish()?;
 
         let seed = names.fresh("result_bar", Span::call_site());
-        let sweeps = sweep::sweep(&lowered, &seed, &mut names);
-        let sweep::Sweeps { forward, value, reverse, incoming, cotangents } = sweeps;
-        let cotangents = tuple_or_one(&cotangents);
-        let pullback = header.pullback(&seed, &incoming, &quote!(#reverse #cotangents));
+        let sweeps = sweep::sweep(&lowered, parameters, &seed, &mut names);
+        let sweep::Sweeps { forward, value, pullback, incoming } = sweeps;
+        let pullback = header.pullback(&seed, &incoming, &pullback);
         let body = quote! {
             {
                 #[allow(unused_imports)]
@@ -348,13 +347,6 @@ fn own(name: &str) -> Ident {
 fn tangent(ty: &Type) -> TokenStream {
     let ty = pointee(ty);
     quote_spanned!(ty.span()=> ::ad::Tangent<#ty>)
-}
-
-fn tuple_or_one(parts: &[TokenStream]) -> TokenStream {
-    match parts {
-        [part] => part.clone(),
-        parts => quote!((#(#parts),*)),
-    }
 }
 
 /// The type arguments of a call of the function itself. The types of the parameters need not tell

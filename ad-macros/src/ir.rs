@@ -225,6 +225,8 @@ pub enum Head {
         /// The variables of the pattern.
         defines: Vec<VarId>,
         iterator: TokenStream,
+        /// Whether the iterator can be run from its end to its start, and is made of integers.
+        reversible: bool,
         /// The number of iterations, where it is a literal.
         trip_count: Option<usize>,
     },

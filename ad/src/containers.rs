@@ -122,6 +122,11 @@ impl<T: Differentiable, const N: usize> Differentiable for [T; N] {
     fn shape(&self) -> Self::Shape {
         self.each_ref().map(T::shape)
     }
+
+    #[inline(always)]
+    fn known_finite(&self) -> bool {
+        self.iter().fold(true, |finite, element| finite & element.known_finite())
+    }
 }
 
 impl<T, S: Shape<T>, const N: usize> Shape<[T; N]> for [S; N] {

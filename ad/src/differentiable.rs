@@ -44,6 +44,15 @@ pub trait Differentiable {
 
     /// The shape of this value.
     fn shape(&self) -> Self::Shape;
+
+    /// Whether this certainly holds neither infinity nor NaN, so that products with it need no care
+    /// (see the last of the [singular points](crate::rules#singular-points)). `false` is always
+    /// right.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn known_finite(&self) -> bool {
+        false
+    }
 }
 
 /// The size of the tangents `T` of some value.
@@ -196,6 +205,11 @@ macro_rules! own_tangent {
 
             #[inline(always)]
             fn shape(&self) {}
+
+            #[inline(always)]
+            fn known_finite(&self) -> bool {
+                self.is_finite()
+            }
         }
 
         impl Additive for $type {
@@ -239,6 +253,11 @@ macro_rules! no_derivative {
 
             #[inline(always)]
             fn shape(&self) {}
+
+            #[inline(always)]
+            fn known_finite(&self) -> bool {
+                true
+            }
         }
 
         impl NoDerivative for $type {}

@@ -48,6 +48,11 @@ impl<S: Real> Differentiable for Dual<S> {
 
     #[inline(always)]
     fn shape(&self) {}
+
+    #[inline(always)]
+    fn known_finite(&self) -> bool {
+        self.value.known_finite() && self.derivative.known_finite()
+    }
 }
 
 impl<S: Real> Additive for Dual<S> {

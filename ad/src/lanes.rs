@@ -81,6 +81,11 @@ macro_rules! lanes {
 
             #[inline(always)]
             fn shape(&self) {}
+
+            #[inline(always)]
+            fn known_finite(&self) -> bool {
+                Real::is_finite(*self).all()
+            }
         }
 
         impl Additive for $type {

@@ -361,6 +361,9 @@
 //! calls name it: `shade::<S>(..)`. And a comparison is a [`Mask`], with which
 //! [`select`](fn@select) chooses, so that the scalar may also be several numbers side by side.
 //!
+//! The same functions run on the variables of a [`tape`] that is recorded at run time: for a
+//! gradient without the attribute, and to compare with.
+//!
 //! # Checking a gradient
 //!
 //! [`check::gradient`] differentiates numerically, with step control, and shares no code with the
@@ -380,6 +383,7 @@ mod real;
 #[doc(hidden)]
 pub mod rt;
 pub mod rules;
+pub mod tape;
 pub mod vector;
 
 pub use ad_macros::{Differentiable, differentiable};

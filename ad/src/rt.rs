@@ -11,9 +11,11 @@ use crate::{Additive, Differentiable, NoDerivative, Shape, Tangent};
 pub use crate::differentiable::Parts;
 
 mod cotangent;
+mod products;
 mod pullback;
 
 pub use cotangent::{Absorb, At, Constant, Content, Enter, Length, Same, Take, at, sum, take};
+pub use products::{Products, ProductsOfFinite, rarely};
 pub use pullback::MethodPullback;
 
 mod iterate;
@@ -27,9 +29,10 @@ pub use iterate::{
 /// of the user.
 pub mod methods {
     pub use crate::rules::{
-        CloneRules as _, DVec2Rules as _, DVec4Rules as _, OptionRules as _, RealRules as _,
-        ResultRules as _, ScalarRules as _, SequenceRules as _, Vec2Rules as _, Vec4Rules as _,
-        VecRules as _, Vector3Rules as _, VectorRules as _,
+        CloneRules as _, DVec2Rules as _, DVec4Rules as _, FloatRules as _, FromRules as _,
+        GlamRules as _, OptionRules as _, RealRules as _, ResultRules as _, ScalarRules as _,
+        SequenceRules as _, Vec2Rules as _, Vec4Rules as _, VecRules as _, Vector3Rules as _,
+        VectorRules as _,
     };
     pub use crate::vector::{Vector as _, Vector3 as _};
 }
@@ -71,6 +74,17 @@ impl<T> Clone for Space<T> {
 impl<T> Copy for Space<T> {}
 
 impl<T: Additive> Space<T> {
+    /// The space of a variable that comes to be within a loop, which tells by
+    /// [`is_of`](Self::is_of).
+    #[inline(always)]
+    pub fn of_unknown() -> Self {
+        Self(PhantomData)
+    }
+
+    /// Says of what this is the space.
+    #[inline(always)]
+    pub fn is_of<V: Differentiable<Tangent = T> + ?Sized>(self, _value: &V) {}
+
     /// The zero of the space.
     #[inline(always)]
     pub fn zero(self) -> T {
@@ -113,6 +127,18 @@ impl<A, B> Clone for Linear<A, B> {
 }
 
 impl<A, B> Copy for Linear<A, B> {}
+
+impl<A, B> Linear<A, B> {
+    /// The types of operands within a loop, which tells by [`is_of`](Self::is_of).
+    #[inline(always)]
+    pub fn of_unknown() -> Self {
+        Self(PhantomData)
+    }
+
+    /// Says of what operands these are the types.
+    #[inline(always)]
+    pub fn is_of(self, _: &A, _: &B) {}
+}
 
 impl<A, B: Differentiable> Linear<A, B> {
     /// The pullback of `a + b`.
@@ -229,6 +255,12 @@ pub fn like<T>(_: &T) -> T {
 #[cold]
 pub fn never<T>() -> T {
     unreachable!("control does not come here")
+}
+
+/// A tape with room for what all iterations save.
+#[inline(always)]
+pub fn tape<T>(iterations: &impl Iterator) -> Vec<T> {
+    Vec::with_capacity(iterations.size_hint().0)
 }
 
 /// What the iterations of a loop saved, on the stack: for loops whose trip count is a literal.

@@ -227,6 +227,11 @@ impl<S: Real> Differentiable for Xyz<S> {
 
     #[inline(always)]
     fn shape(&self) {}
+
+    #[inline(always)]
+    fn known_finite(&self) -> bool {
+        self.x.known_finite() && self.y.known_finite() && self.z.known_finite()
+    }
 }
 
 impl<S: Real> Additive for Xyz<S> {

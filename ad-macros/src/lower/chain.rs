@@ -22,7 +22,7 @@ use crate::ir::{Operand, Operation, Place, Projection, VarId};
 /// An iterator, before its items have names.
 pub(super) enum Chain {
     /// Items without derivative.
-    Constant { iterator: TokenStream, length: Option<usize> },
+    Constant { iterator: TokenStream, length: Option<usize>, is_range: bool },
     /// Elements of a place, by their index.
     Elements { place: Place, by_reference: bool, length: Option<usize> },
     /// Runs of elements, by the index of the first.
@@ -179,7 +179,9 @@ impl Lowerer<'_> {
         let limits = &range.limits;
         let from = self.plain_constant(from);
         let to = range.end.as_ref().map(|to| self.plain_constant(to));
-        Chain::Constant { iterator: quote!(#from #limits #to), length }
+        // A range without end cannot be run backwards.
+        let is_range = to.is_some();
+        Chain::Constant { iterator: quote!(#from #limits #to), length, is_range }
     }
 
     fn source(&mut self, call: &ExprMethodCall) -> Chain {
@@ -216,11 +218,13 @@ impl Lowerer<'_> {
         let place = self.place(expr);
         let active = place.as_ref().is_some_and(|place| self.vars[place.root].active);
         if !by_reference && place.is_some() && !active {
-            return Chain::Constant { iterator: self.plain(expr), length: None };
+            return Chain::Constant { iterator: self.plain(expr), length: None, is_range: false };
         }
         if !by_reference && place.is_none() {
             return match self.operand(expr, "source") {
-                Operand::Constant(iterator) => Chain::Constant { iterator, length: None },
+                Operand::Constant(iterator) => {
+                    Chain::Constant { iterator, length: None, is_range: false }
+                }
                 Operand::Var(root) => {
                     let place = Place { root, path: Vec::new() };
                     Chain::Elements { place, by_reference, length: array_length(expr) }

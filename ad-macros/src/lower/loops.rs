@@ -175,6 +175,7 @@ impl Lowerer<'_> {
                 Driver::Chain(chain, pat) => {
                     let items = lowerer.items(chain, *pat);
                     head = Some(Head::For {
+                        reversible: items.is_reversible(),
                         pattern: items.pattern,
                         defines: items.defines,
                         iterator: items.iterator,

@@ -18,6 +18,8 @@ pub(super) struct Items {
     pub iterator: TokenStream,
     /// Whether the iterator is a range, which has to stand in parentheses before an adapter.
     is_range: bool,
+    /// How it can be run from its end to its start.
+    reversal: Reversal,
     pub pattern: TokenStream,
     pub defines: Vec<VarId>,
     pub item: Item,
@@ -25,7 +27,23 @@ pub(super) struct Items {
     pub stages: Vec<Stage>,
 }
 
+/// How an iterator can be run from its end to its start.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Reversal {
+    /// Not, or not for sure.
+    No,
+    /// As it is, for it is a range of integers of some type.
+    Plain,
+    /// Under adapters too, for it runs over `usize`.
+    Exact,
+}
+
 impl Items {
+    /// Whether the iterator can be run from its end to its start, and is made of integers.
+    pub fn is_reversible(&self) -> bool {
+        self.reversal != Reversal::No
+    }
+
     fn adapt(&mut self, adapter: &TokenStream) {
         let iterator = &self.iterator;
         self.iterator = match self.is_range {
@@ -33,6 +51,16 @@ impl Items {
             false => quote!(#iterator #adapter),
         };
         self.is_range = false;
+        let keeps = match adapter.to_string().trim_start_matches(['.', ' ']) {
+            adapter if adapter.starts_with("rev") => true,
+            adapter if ["take", "skip", "step_by"].iter().any(|name| adapter.starts_with(name)) => {
+                self.reversal == Reversal::Exact
+            }
+            _ => false,
+        };
+        if !keeps {
+            self.reversal = Reversal::No;
+        }
     }
 }
 
@@ -62,19 +90,22 @@ impl Lowerer<'_> {
             Chain::Refused => Items {
                 iterator: quote!(0..0),
                 is_range: true,
+                reversal: Reversal::No,
                 pattern: quote!(_),
                 defines: Vec::new(),
                 item: Item::Value(Self::unit()),
                 stages: Vec::new(),
             },
-            Chain::Constant { iterator, .. } => {
+            Chain::Constant { iterator, is_range, .. } => {
                 let name = pat.and_then(simple_name).map(Ident::to_string);
                 let (var, ident) = self.loop_variable(name.as_deref().unwrap_or("item"));
                 let pattern = match pat {
                     Some(Pat::Wild(_)) => quote!(_),
                     _ => ident,
                 };
-                leaf(iterator.clone(), pattern, Item::Constant(var), var)
+                let reversal = if *is_range { Reversal::Plain } else { Reversal::No };
+                let items = leaf(iterator.clone(), pattern, Item::Constant(var), var);
+                Items { reversal, ..items }
             }
             Chain::Runs { place, iterator, size, cut_short } => {
                 let (var, ident) = self.loop_variable("start");
@@ -311,6 +342,6 @@ fn parameter(function: &Expr) -> Option<&Pat> {
 }
 
 fn leaf(iterator: TokenStream, pattern: TokenStream, item: Item, var: VarId) -> Items {
-    let is_range = true;
-    Items { iterator, is_range, pattern, defines: vec![var], item, stages: Vec::new() }
+    let (is_range, reversal) = (true, Reversal::Exact);
+    Items { iterator, is_range, reversal, pattern, defines: vec![var], item, stages: Vec::new() }
 }

@@ -10,19 +10,21 @@ impl dot {
     ) {
         #[allow(unused_imports)]
         use ::ad::rt::methods::*;
+        let total_1_pullback = ::ad::rt::Linear::of_unknown();
+        let xs_kept = *xs;
+        let ys_kept = *ys;
         let xs_space = ::ad::rt::space(&xs);
         let ys_space = ::ad::rt::space(&ys);
         let mut total = ::ad::rt::empty_sum();
-        let mut tape = ::ad::rt::ArrayTape::<_, 8usize>::new();
-        for index in 0..xs.len().min(ys.len()) {
+        let range = 0..xs.len().min(ys.len());
+        for index in range.clone() {
             let x = xs[index];
             let y = ys[index];
             let product = x * y;
             let partial = total;
             let total_1 = partial + product;
-            let total_1_pullback = ::ad::rt::linear(&partial, &product);
+            total_1_pullback.is_of(&partial, &product);
             total = total_1;
-            tape.push((index, x, y, total_1_pullback));
         }
         let total_2 = total;
         (
@@ -34,7 +36,9 @@ impl dot {
                 let mut total_bar = total_2_bar;
                 let mut xs_bar = xs_space.zero();
                 let mut ys_bar = ys_space.zero();
-                for (index, x, y, total_1_pullback) in tape.into_iter().rev() {
+                for index in range.clone().rev() {
+                    let x = xs_kept[index];
+                    let y = ys_kept[index];
                     let total_part = ::ad::rt::take(&mut total_bar);
                     let mut total_1_bar = total_part;
                     let (mut partial_bar, mut product_bar) = total_1_pullback

@@ -7,6 +7,8 @@ impl newton {
     ) {
         #[allow(unused_imports)]
         use ::ad::rt::methods::*;
+        let constant = 0.5;
+        let sum_pullback = ::ad::rt::Linear::of_unknown();
         let a_space = ::ad::rt::space(&a);
         let mut x = a;
         let mut tape = ::ad::rt::ArrayTape::<_, 5usize>::new();
@@ -15,11 +17,10 @@ impl newton {
             let x_2 = x;
             let quotient = a / x_2;
             let sum = x_1 + quotient;
-            let sum_pullback = ::ad::rt::linear(&x_1, &quotient);
-            let constant = 0.5;
+            sum_pullback.is_of(&x_1, &quotient);
             let product = constant * sum;
             x = product;
-            tape.push((x_2, sum, sum_pullback, constant));
+            tape.push((x_2, sum));
         }
         let x_3 = x;
         (
@@ -28,7 +29,7 @@ impl newton {
                 let mut x_3_bar = result_bar;
                 let mut x_bar = x_3_bar;
                 let mut a_bar = a_space.zero();
-                for (x_2, sum, sum_pullback, constant) in tape.into_iter().rev() {
+                for (x_2, sum) in tape.into_iter().rev() {
                     let x_part = ::ad::rt::take(&mut x_bar);
                     let mut product_bar = x_part;
                     let (_, mut sum_bar) = ::ad::rules::MulPullback::mul_pullback(

@@ -10,6 +10,7 @@ impl search {
     ) {
         #[allow(unused_imports)]
         use ::ad::rt::methods::*;
+        let sum_pullback = ::ad::rt::Linear::of_unknown();
         let x_space = ::ad::rt::space(&x);
         let mut a = x;
         let mut i = 0;
@@ -19,14 +20,14 @@ impl search {
             let a_1 = a;
             let product = a_1 * step;
             let sum = product + x;
-            let sum_pullback = ::ad::rt::linear(&product, &x);
+            sum_pullback.is_of(&product, &x);
             a = sum;
             let value = if a > 10.0 {
                 ::core::ops::ControlFlow::Break(())
             } else {
                 ::core::ops::ControlFlow::Continue(())
             };
-            tape.push((a_1, sum_pullback));
+            tape.push((a_1,));
             if value.is_break() {
                 break;
             }
@@ -46,7 +47,7 @@ impl search {
                 );
                 let mut a_bar = a_2_bar;
                 let mut x_bar = x_space.zero();
-                for (a_1, sum_pullback) in tape.into_iter().rev() {
+                for (a_1,) in tape.into_iter().rev() {
                     let a_part = ::ad::rt::take(&mut a_bar);
                     let mut sum_bar = a_part;
                     let (mut product_bar, x_part) = sum_pullback.pull_back_sum(sum_bar);

@@ -1,55 +1,117 @@
 //! The sweeps of a loop: what an iteration saves goes on a tape, which the reverse sweep reads
 //! backwards.
+//!
+//! A loop within a loop pushes on one tape for all of its runs, and keeps the place where a run
+//! began: a tape for each run would be an allocation for each. A loop from which nothing is saved
+//! (see [`recompute`](super::recompute)) has no tape: the reverse sweep counts down the range.
 
-use proc_macro2::TokenStream;
+use std::collections::HashSet;
+
+use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
 use super::{Sides, Sweeper, Written};
 use crate::ir::{Head, Loop};
+use crate::names;
 
 /// Up to this number of iterations, what a loop saves is kept on the stack.
 const LONGEST_ARRAY_TAPE: usize = 64;
 
+/// What the reverse sweep of a loop runs over.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Backwards {
+    /// Nothing: no derivative flows back.
+    Nothing,
+    /// The range that the forward sweep ran over.
+    Range,
+    /// What the iterations saved.
+    Tape,
+    /// Both.
+    RangeAndTape,
+}
+
 impl Sweeper<'_> {
     pub(super) fn a_loop(&mut self, a_loop: &Loop) -> Sides {
         let mut sides = Sides::default();
-        let result = a_loop.result.map(|result| &self.vars[result]);
         // Only the last iteration left the loop: the others find nothing.
         let seed = a_loop.result.filter(|result| self.started.contains(result)).map(|result| {
             let cotangent = &self.vars[result].cotangent;
             quote!((::ad::rt::take(&mut #cotangent), ()))
         });
+        self.loop_depth += 1;
         let mut body = self.block(&a_loop.body, seed);
+        self.loop_depth -= 1;
         self.leave(&mut sides.reverse, &body.outer);
-        if let Head::For { defines, .. } = &a_loop.head {
-            let defined = defines.iter().map(|&var| self.vars[var].ident.clone());
-            body.defines.splice(0..0, defined);
-        }
 
+        let backwards = self.backwards(a_loop, &mut body);
+        let saved = body.saved();
+        let tape = matches!(backwards, Backwards::Tape | Backwards::RangeAndTape)
+            .then(|| self.tape(a_loop, &mut sides));
+        let range = matches!(backwards, Backwards::Range | Backwards::RangeAndTape)
+            .then(|| self.range(a_loop, &mut sides));
         let record = &a_loop.record;
-        let records = !body.reverse.is_empty();
-        if records {
-            let tape = new_tape(&a_loop.head);
-            sides.forward.extend(quote!(let mut #record = #tape;));
-        }
-        sides.forward.extend(self.iterations(a_loop, &body));
+        let push = tape.is_some().then(|| quote!(#record.push(#saved);));
+        let tests = self.tests_after(a_loop);
+        sides.forward.extend(self.iterations(a_loop, &body, push, range.as_ref()));
+        sides.forward.extend(tests);
         if let Some(result) = a_loop.result {
             sides.forward.extend(self.space_definition(result));
+            sides.defines.extend(self.names_of(result));
         }
-        sides.defines.extend(result.into_iter().flat_map(|v| [v.ident.clone(), v.space.clone()]));
-        if records {
-            sides.defines.push(record.clone());
-            let (saved, reverse) = (body.saved(), &body.reverse);
-            sides.reverse.extend(quote!(for #saved in #record.into_iter().rev() { #reverse }));
-        }
+
+        let (reverse, range) = (&body.reverse, range.map(|range| quote!(#range.clone().rev())));
+        sides.reverse.extend(match (&a_loop.head, range, tape) {
+            (Head::For { pattern, .. }, Some(range), None) => {
+                quote!(for #pattern in #range { #reverse })
+            }
+            (Head::For { pattern, .. }, Some(range), Some(tape)) => {
+                quote!(for (#pattern, #saved) in #range.zip(#tape) { #reverse })
+            }
+            (_, _, Some(tape)) => quote!(for #saved in #tape { #reverse }),
+            (_, _, None) => TokenStream::new(),
+        });
         sides
     }
 
+    /// Finds out what the reverse sweep runs over. The variables of a loop come from its range, if
+    /// that is known to the end, else they have to be saved.
+    fn backwards(&self, a_loop: &Loop, body: &mut Written) -> Backwards {
+        let mut named = HashSet::new();
+        names::collect_variables(body.reverse.clone(), &mut named);
+        let mut names_variable = false;
+        let runs_all = self.runs_all(a_loop);
+        if let Head::For { defines, .. } = &a_loop.head {
+            let variables = defines.iter().map(|&var| self.vars[var].ident.clone());
+            let variables: Vec<_> = variables.collect();
+            names_variable = variables.iter().any(|name| named.contains(&name.to_string()));
+            if !runs_all {
+                body.defines.splice(0..0, variables);
+            }
+        }
+        match body.saved_names().is_empty() {
+            _ if body.reverse.is_empty() => Backwards::Nothing,
+            true if runs_all => Backwards::Range,
+            false if runs_all && names_variable => Backwards::RangeAndTape,
+            _ => Backwards::Tape,
+        }
+    }
+
+    /// Whether the loop runs over the whole of a range that can be written once more.
+    fn runs_all(&self, a_loop: &Loop) -> bool {
+        !a_loop.breaks
+            && matches!(&a_loop.head, Head::For { iterator, reversible: true, .. } if self.facts.is_range(iterator))
+    }
+
     /// The loop in the forward sweep.
-    fn iterations(&self, a_loop: &Loop, body: &Written) -> TokenStream {
-        let Loop { head, record, natural_end, .. } = a_loop;
-        let (forward, value, saved) = (&body.forward, &body.value, body.saved());
-        let push = (!body.reverse.is_empty()).then(|| quote!(#record.push(#saved);));
+    fn iterations(
+        &self,
+        a_loop: &Loop,
+        body: &Written,
+        push: Option<TokenStream>,
+        range: Option<&Ident>,
+    ) -> TokenStream {
+        let Loop { head, natural_end, .. } = a_loop;
+        let (forward, value) = (&body.forward, &body.value);
         let result = a_loop.result.map(|result| &self.vars[result].ident);
         // A body that always leaves does not tell the type of `Continue`.
         let content = quote!(::core::ops::ControlFlow::<_, ()>::Break(content));
@@ -68,7 +130,10 @@ impl Sweeper<'_> {
             (head, result) => {
                 let result = result.map(|result| quote!(let mut #result = #natural_end;));
                 let head = match head {
-                    Head::For { pattern, iterator, .. } => quote!(for #pattern in #iterator),
+                    Head::For { pattern, iterator, .. } => match range {
+                        Some(range) => quote!(for #pattern in #range.clone()),
+                        None => quote!(for #pattern in #iterator),
+                    },
                     Head::While(condition) => quote!(while #condition),
                     Head::Loop => unreachable!("handled above"),
                 };
@@ -76,13 +141,46 @@ impl Sweeper<'_> {
             }
         }
     }
-}
 
-fn new_tape(head: &Head) -> TokenStream {
-    match head {
-        Head::For { trip_count: Some(count), .. } if *count <= LONGEST_ARRAY_TAPE => {
-            quote!(::ad::rt::ArrayTape::<_, #count>::new())
+    /// Gives the range a name, so that both sweeps run over the same integers.
+    fn range(&mut self, a_loop: &Loop, sides: &mut Sides) -> Ident {
+        let record = &a_loop.record;
+        let range = self.names.fresh("range", record.span());
+        let Head::For { iterator, .. } = &a_loop.head else {
+            unreachable!("other loops have no range");
+        };
+        let definition = quote!(let #range = #iterator;);
+        if self.facts.uses(iterator).is_empty() {
+            self.top.extend(definition);
+        } else {
+            sides.forward.extend(definition);
+            sides.defines.push(range.clone());
+            self.ranges.insert(record.to_string(), range.clone());
         }
-        _ => quote!(::std::vec::Vec::new()),
+        range
+    }
+
+    /// Makes a tape; returns what it holds, last to first.
+    fn tape(&mut self, a_loop: &Loop, sides: &mut Sides) -> TokenStream {
+        let record = &a_loop.record;
+        if self.loop_depth > 0 {
+            let start = self.names.fresh(&format!("{record}_start"), record.span());
+            self.top.extend(quote!(let mut #record = ::std::vec::Vec::new();));
+            sides.forward.extend(quote!(let #start = #record.len();));
+            sides.defines.push(start.clone());
+            return quote!(#record.drain(#start..).rev());
+        }
+        let tape = match &a_loop.head {
+            Head::For { trip_count: Some(count), .. } if *count <= LONGEST_ARRAY_TAPE => {
+                quote!(::ad::rt::ArrayTape::<_, #count>::new())
+            }
+            Head::For { iterator, .. } if self.runs_all(a_loop) => {
+                quote!(::ad::rt::tape(&(#iterator)))
+            }
+            _ => quote!(::std::vec::Vec::new()),
+        };
+        sides.forward.extend(quote!(let mut #record = #tape;));
+        sides.defines.push(record.clone());
+        quote!(#record.into_iter().rev())
     }
 }

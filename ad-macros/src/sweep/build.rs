@@ -62,7 +62,7 @@ impl Sweeper<'_> {
         let ty = ty.map(|ty| quote!(: #ty));
         sides.forward.extend(quote!(let #pattern #ty = #built;));
         sides.forward.extend(self.space_definition(*result));
-        sides.defines.extend([ident, self.vars[*result].space.clone()]);
+        sides.defines.extend(self.names_of(*result));
         if records {
             sides.defines.push(record.clone());
             let (reverse, cotangent) = (&body.reverse, &self.vars[*result].cotangent);

@@ -7,9 +7,13 @@
 mod a_loop;
 mod build;
 mod checkpoint;
+mod cut;
+mod facts;
 mod operation;
+mod products;
+mod recompute;
 
-use std::collections::{BTreeSet, HashSet};
+use std::collections::{BTreeSet, HashMap, HashSet};
 
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
@@ -19,6 +23,9 @@ use crate::ir::{
 };
 use crate::lower::{Lowered, LoweredParameter};
 use crate::names::{self, Names};
+use crate::signature::Parameter;
+use facts::Facts;
+use products::Products;
 
 /// The sweeps of a function.
 pub struct Sweeps {
@@ -26,24 +33,34 @@ pub struct Sweeps {
     pub forward: TokenStream,
     /// The value of the function.
     pub value: TokenStream,
-    /// The statements of the reverse sweep.
-    pub reverse: TokenStream,
+    /// The body of the pullback: the reverse sweep, and the cotangents of the parameters.
+    pub pullback: TokenStream,
     /// The names of the cotangents that come in for `&mut` parameters.
     pub incoming: Vec<Ident>,
-    /// The cotangent of each parameter.
-    pub cotangents: Vec<TokenStream>,
 }
 
 /// Writes both sweeps; `seed` is the name of the cotangent of the result.
-pub fn sweep(lowered: &Lowered, seed: &Ident, names: &mut Names) -> Sweeps {
+pub fn sweep(
+    lowered: &Lowered,
+    parameters: &[Parameter],
+    seed: &Ident,
+    names: &mut Names,
+) -> Sweeps {
+    let facts = Facts::new(lowered, parameters);
     let mut sweeper = Sweeper {
         vars: &lowered.vars,
         references: &lowered.references,
         is_primal: false,
+        products: Products::new(lowered, &facts, names),
+        facts,
         names,
         started: HashSet::new(),
         spaces: HashSet::new(),
         frames: Vec::new(),
+        loop_depth: 0,
+        top: TokenStream::new(),
+        kept_copies: HashMap::new(),
+        ranges: HashMap::new(),
     };
     let exclusive = lowered.parameters.iter().map(|parameter| parameter.var);
     let exclusive: Vec<_> = exclusive.filter(|&var| lowered.vars[var].exclusive).collect();
@@ -68,14 +85,24 @@ pub fn sweep(lowered: &Lowered, seed: &Ident, names: &mut Names) -> Sweeps {
             shapes.extend(quote!(let #shape = ::ad::rt::shape(&#ident);));
             quote!(::ad::rt::fit(#shape, #cotangent))
         });
-    let cotangents: Vec<_> = cotangents.collect();
-    let (forward, reverse) = (body.forward, body.reverse);
+    let cotangents = tuple_or_one(&cotangents.collect::<Vec<_>>());
+    let pullback = sweeper.choose_products(body.reverse, cotangents);
+    let regular = sweeper.products.as_ref().map(|products| &products.regular);
+    let regular = regular.map(|regular| quote!(let mut #regular = true;));
+    let (top, forward) = (&sweeper.top, body.forward);
     Sweeps {
-        forward: quote!(#(#spaces)* #shapes #forward),
+        forward: quote!(#regular #top #(#spaces)* #shapes #forward),
         value: body.value,
-        reverse,
+        pullback,
         incoming: exclusive.iter().map(|&var| lowered.vars[var].cotangent.clone()).collect(),
-        cotangents,
+    }
+}
+
+/// The cotangents of one parameter or of several.
+pub fn tuple_or_one(parts: &[TokenStream]) -> TokenStream {
+    match parts {
+        [part] => part.clone(),
+        parts => quote!((#(#parts),*)),
     }
 }
 
@@ -109,12 +136,23 @@ struct Sweeper<'a> {
     references: &'a [(VarId, syn::Type)],
     /// Whether code is written from which nothing is saved.
     is_primal: bool,
+    facts: Facts<'a>,
+    /// Where products have plain pullbacks if their factors are finite.
+    products: Option<Products>,
     names: &'a mut Names,
     /// The variables whose cotangents have a value at this point of the reverse sweep.
     started: HashSet<VarId>,
     /// The variables whose spaces the reverse sweep names.
     spaces: HashSet<VarId>,
     frames: Vec<Frame>,
+    /// In how many loops the block being written lies.
+    loop_depth: usize,
+    /// Definitions that stand before all others: what loops do not change.
+    top: TokenStream,
+    /// The copies that the pullback keeps of arrays behind references.
+    kept_copies: HashMap<VarId, Ident>,
+    /// The names of the ranges of loops, by those of their tapes.
+    ranges: HashMap<String, Ident>,
 }
 
 /// A block being written.
@@ -122,6 +160,8 @@ struct Frame {
     block: BlockId,
     /// Variables of surrounding blocks whose cotangents the block changes.
     outer: BTreeSet<VarId>,
+    /// Variables that the statement being written or a later one assigns to.
+    assigned_later: HashSet<VarId>,
 }
 
 /// What has been written of a block.
@@ -135,11 +175,17 @@ struct Written {
 }
 
 impl Written {
-    /// The names that have to outlive the forward sweep of the block, as a tuple.
-    fn saved(&self) -> TokenStream {
+    /// The names that have to outlive the forward sweep of the block.
+    fn saved_names(&self) -> Vec<Ident> {
         let mut named = HashSet::new();
         names::collect_variables(self.reverse.clone(), &mut named);
         let saved = self.defines.iter().filter(|name| named.contains(&name.to_string()));
+        saved.cloned().collect()
+    }
+
+    /// The same as a tuple.
+    fn saved(&self) -> TokenStream {
+        let saved = self.saved_names();
         quote!((#(#saved,)*))
     }
 }
@@ -165,9 +211,15 @@ struct Sides {
     defines: Vec<Ident>,
 }
 
+impl Frame {
+    fn new(block: BlockId, outer: BTreeSet<VarId>) -> Self {
+        Self { block, outer, assigned_later: HashSet::new() }
+    }
+}
+
 impl Sweeper<'_> {
     fn block(&mut self, block: &Block, seed: Option<TokenStream>) -> Written {
-        self.frames.push(Frame { block: block.id, outer: BTreeSet::new() });
+        self.frames.push(Frame::new(block.id, BTreeSet::new()));
         let mut reverse = TokenStream::new();
         if let (Operand::Var(var), Some(seed)) = (&block.value, seed) {
             self.contribute(&mut reverse, *var, &[], seed);
@@ -175,19 +227,26 @@ impl Sweeper<'_> {
         let mut forward = Vec::new();
         let mut defines = Vec::new();
         for statement in block.statements.iter().rev() {
+            let mut assigned = HashSet::new();
+            self.facts.assigned(statement, &mut assigned);
+            self.frame().assigned_later.extend(assigned);
             let sides = self.statement(statement);
             forward.push(sides.forward);
             reverse.extend(sides.reverse);
             defines.push(sides.defines);
         }
-        let frame = self.frames.pop().expect("pushed above");
-        Written {
+        let mut written = Written {
             forward: forward.into_iter().rev().collect(),
             value: self.tokens(&block.value),
             reverse,
             defines: defines.into_iter().rev().flatten().collect(),
-            outer: frame.outer,
+            outer: BTreeSet::new(),
+        };
+        if self.loop_depth > 0 {
+            self.recompute(block, &mut written);
         }
+        written.outer = self.frames.pop().expect("pushed above").outer;
+        written
     }
 
     fn tokens(&self, operand: &Operand) -> TokenStream {
@@ -211,12 +270,26 @@ impl Sweeper<'_> {
     }
 
     /// Defines the space of a variable, if the reverse sweep names it.
-    fn space_definition(&self, var: VarId) -> TokenStream {
+    fn space_definition(&mut self, var: VarId) -> TokenStream {
         if !self.spaces.contains(&var) {
             return TokenStream::new();
         }
         let Var { ident, space, .. } = &self.vars[var];
-        quote!(let #space = ::ad::rt::space(&#ident);)
+        if self.loop_depth == 0 {
+            return quote!(let #space = ::ad::rt::space(&#ident););
+        }
+        self.top.extend(quote!(let #space = ::ad::rt::Space::of_unknown();));
+        quote!(#space.is_of(&#ident);)
+    }
+
+    /// The names under which the forward sweep knows a variable and its space. What tells types
+    /// alone stands outside of loops.
+    fn names_of(&self, var: VarId) -> Vec<Ident> {
+        let Var { ident, space, .. } = &self.vars[var];
+        match self.loop_depth {
+            0 => vec![ident.clone(), space.clone()],
+            _ => vec![ident.clone()],
+        }
     }
 
     /// Makes sure that the cotangent of `var` has a value; says whether the variable lives in this
@@ -360,7 +433,7 @@ impl Sweeper<'_> {
                 self.contribute(&mut sides.reverse, source.root, &path, quote!(#cotangent));
             }
             sides.forward.extend(self.space_definition(binding.var));
-            sides.defines.extend([var.ident.clone(), var.space.clone()]);
+            sides.defines.extend(self.names_of(binding.var));
         }
     }
 
@@ -469,8 +542,8 @@ impl Sweeper<'_> {
         });
         if let Some(result) = branch.result {
             sides.forward.extend(self.space_definition(result));
+            sides.defines.extend(self.names_of(result));
         }
-        sides.defines.extend(result.into_iter().flat_map(|v| [v.ident.clone(), v.space.clone()]));
 
         if records {
             sides.defines.push(record.clone());
@@ -486,7 +559,7 @@ impl Sweeper<'_> {
     fn arm(&mut self, arm: &Arm, source: Option<&Place>, seed: Option<&Ident>) -> Written {
         let mut written = self.block(&arm.body, seed.map(|seed| quote!(#seed)));
         // The bindings are the first thing the arm does, so the last on the way back.
-        self.frames.push(Frame { block: arm.body.id, outer: written.outer });
+        self.frames.push(Frame::new(arm.body.id, written.outer));
         let mut sides = Sides::default();
         self.bindings(&arm.bindings, source, &mut sides);
         written.outer = self.frames.pop().expect("pushed above").outer;

@@ -4,6 +4,7 @@ use proc_macro2::{Ident, TokenStream};
 use quote::{quote, quote_spanned};
 use syn::{Member, Type};
 
+use super::products::Products;
 use super::{Sides, Sweeper, Target, cotangent_of, project};
 use crate::ir::{
     Argument, BinaryOperator, Operand, Operation, Place, Projection, Shape, Var, VarId,
@@ -17,7 +18,13 @@ impl Sweeper<'_> {
             self.start(&mut reverse, var);
             self.pull_back(&mut reverse, var, operation);
         }
-        let Var { ident, space, record, mutable, .. } = &self.vars[var];
+        if self.loop_depth > 0 && self.is_fixed(var, operation) {
+            let (ident, value) = (&self.vars[var].ident, self.primal(operation, self.span(var)));
+            let ty = ty.map(|ty| quote!(: #ty));
+            self.top.extend(quote!(let #ident #ty = #value;));
+            return Sides::default();
+        }
+        let Var { ident, record, mutable, .. } = &self.vars[var];
         let mutability = mutable.then(|| quote!(mut));
         let ty = ty.map(|ty| quote!(: #ty));
         let forward = match operation {
@@ -43,25 +50,45 @@ impl Sweeper<'_> {
                 quote!(let #mutability #ident #ty = #value; #types)
             }
         };
-        let space_definition = self.space_definition(var);
-        Sides {
-            forward: quote!(#forward #space_definition),
-            reverse,
-            defines: vec![ident.clone(), space.clone(), record.clone()],
+        let (space_definition, test) = (self.space_definition(var), self.test(var));
+        let mut defines = self.names_of(var);
+        if self.loop_depth == 0 || matches!(operation, Operation::Call { .. }) {
+            defines.push(record.clone());
         }
+        Sides { forward: quote!(#forward #space_definition #test), reverse, defines }
+    }
+
+    /// Whether the operation is a constant that is the same in every iteration.
+    fn is_fixed(&self, var: VarId, operation: &Operation) -> bool {
+        matches!(operation, Operation::Use(Operand::Constant(code))
+            if self.facts.is_number(var)
+                && self.facts.is_cheap(code)
+                && self.facts.uses(code).is_empty())
+            && !self.vars[var].mutable
     }
 
     /// Keeps the types of the operands of a linear operator for its pullback.
-    fn linear(&self, record: &Ident, left: VarId, right: VarId) -> TokenStream {
+    fn linear(&mut self, record: &Ident, left: VarId, right: VarId) -> TokenStream {
+        if self.loop_depth > 0 {
+            self.top.extend(quote!(let #record = ::ad::rt::Linear::of_unknown();));
+        }
         let (left, right) = (self.ident(left), self.ident(right));
-        quote!(let #record = ::ad::rt::linear(&#left, &#right);)
+        match self.loop_depth {
+            0 => quote!(let #record = ::ad::rt::linear(&#left, &#right);),
+            _ => quote!(#record.is_of(&#left, &#right);),
+        }
     }
 
     fn ident(&self, var: VarId) -> &Ident {
         &self.vars[var].ident
     }
 
-    fn call(&self, function: &TokenStream, method: bool, arguments: &[Argument]) -> TokenStream {
+    pub(super) fn call(
+        &self,
+        function: &TokenStream,
+        method: bool,
+        arguments: &[Argument],
+    ) -> TokenStream {
         let mut tokens: Vec<_> = arguments
             .iter()
             .map(|argument| match argument {
@@ -94,7 +121,7 @@ impl Sweeper<'_> {
     }
 
     /// The operation as the user wrote it.
-    fn primal(&self, operation: &Operation, span: proc_macro2::Span) -> TokenStream {
+    pub(super) fn primal(&self, operation: &Operation, span: proc_macro2::Span) -> TokenStream {
         match operation {
             Operation::Use(operand) => self.tokens(operand),
             Operation::Read(place) => self.place(place),
@@ -156,9 +183,15 @@ impl Sweeper<'_> {
                 self.contribute(reverse, *value, &[], pulled);
             }
             Operation::Binary(operator, left, right) => {
-                let pulled =
-                    self.binary_pullback(*operator, record, [*left, *right], cotangent, span);
-                let targets = [*left, *right].map(|root| Some(Target::whole(root)));
+                let operands = [*left, *right];
+                let pulled = match (operator, &self.products) {
+                    (BinaryOperator::Mul, Some(Products { rules, .. })) => {
+                        let [left, right] = operands.map(|operand| self.ident(operand));
+                        quote_spanned!(span=> #rules.mul_pullback(#left, #right, #cotangent))
+                    }
+                    _ => self.binary_pullback(*operator, record, operands, cotangent, span),
+                };
+                let targets = operands.map(|root| Some(Target::whole(root)));
                 self.contribute_all(reverse, &targets, pulled, false);
             }
             Operation::Cast(value, ty) => {

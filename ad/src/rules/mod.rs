@@ -16,19 +16,24 @@
 //! | function | where | cotangent |
 //! |---|---|---|
 //! | `sqrt` | 0 | 0 |
+//! | `cbrt` | 0 | 0 |
 //! | `abs` | 0 | 0 |
-//! | `ln`, `recip` | 0 | 0 |
+//! | `ln`, `log2`, `log10`, `recip` | 0 | 0 |
+//! | `ln_1p` | -1 | 0 |
+//! | `log(x, b)` | `x = 0`, `b = 0`, `b = 1` | 0 to both |
 //! | `a / b` | `b = 0` | 0 to both |
-//! | `asin`, `acos` | -1 and 1 | 0 |
-//! | `atan2` | (0, 0) | 0 to both |
+//! | `asin`, `acos`, `atanh` | -1 and 1 | 0 |
+//! | `acosh` | 1 | 0 |
+//! | `atan2`, `hypot` | (0, 0) | 0 to both |
 //! | `powf(x, y)` | `x = 0` | to `x`: the derivative where it is finite (`y >= 1`), else 0; to `y`: 0 |
 //! | `powf(x, y)` | `x < 0` | to `x`: the derivative where `y` is an integer; to `y`: 0 |
 //! | `powi(x, n)` | `x = 0` | 1 if `n = 1`, else 0 |
 //! | `min`, `max` | a tie | all to the receiver |
 //! | `clamp` | on a bound | all to the receiver |
 //! | `min_element`, `max_element` | a tie | all to the first |
-//! | `signum`, `floor`, `copysign` to the sign | everywhere | 0 |
-//! | `length`, `distance`, `length_recip`, `normalize`, `normalize_or_zero` | zero vector | 0 |
+//! | `signum`, `floor`, `ceil`, `round`, `round_ties_even`, `trunc`, `div_euclid`, `copysign` to the sign | everywhere | 0 |
+//! | `%`, `rem_euclid`, `fract` | a jump | as beside it |
+//! | `length`, `distance`, `length_recip`, `normalize`, `normalize_or_zero`, `project_onto` | zero vector | 0 |
 //! | any | the cotangent of the result is 0 | 0, even if the partial derivative is infinite or NaN |
 //!
 //! The last row keeps the arm that [`select`](fn@crate::select) did not take from poisoning the
@@ -36,6 +41,8 @@
 
 mod cast;
 mod choose;
+mod float;
+mod glam_only;
 mod operators;
 mod outcome;
 #[doc(hidden)]
@@ -46,6 +53,8 @@ mod vector;
 
 pub use cast::CastPullback;
 pub use choose::{no_diff, select, stop_gradient};
+pub use float::{FloatRules, FromRules};
+pub use glam_only::{GlamRules, construct};
 pub use operators::{AddPullback, DivPullback, MulPullback, NegPullback, RemPullback, SubPullback};
 pub use outcome::{OptionRules, ResultRules};
 pub use scalar::{RealRules, ScalarRules};

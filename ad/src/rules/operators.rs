@@ -5,6 +5,7 @@ use core::ops::{Add, Div, Mul, Neg, Rem, Sub};
 use glam::{DVec2, DVec3, DVec4, Vec2, Vec3, Vec4};
 
 use super::{scale, scale_elements};
+use crate::tape::Var;
 use crate::vector::{Vector, Xyz};
 use crate::{Differentiable, Dual, Real, Tangent};
 
@@ -40,7 +41,7 @@ macro_rules! linear_operator {
 
 /// The pullbacks of operators whose partial derivatives are the operands.
 macro_rules! bilinear_operator {
-    ($name:ident, $method:ident, $operator:ident, $symbol:literal) => {
+    ($name:ident, $method:ident, $operator:ident, $symbol:literal $(, $more:item)?) => {
         #[doc = concat!("The pullback of `", $symbol, "`.")]
         #[diagnostic::on_unimplemented(
             message = "no derivative rule for an operator between `{Self}` and `{Rhs}`",
@@ -55,13 +56,30 @@ macro_rules! bilinear_operator {
                 rhs: Rhs,
                 cotangent: Tangent<<Self as $operator<Rhs>>::Output>,
             ) -> (Tangent<Self>, Tangent<Rhs>);
+
+            $($more)?
         }
     };
 }
 
 linear_operator!(AddPullback, add_pullback, Add, "+");
 linear_operator!(SubPullback, sub_pullback, Sub, "-");
-bilinear_operator!(MulPullback, mul_pullback, Mul, "*");
+bilinear_operator!(
+    MulPullback,
+    mul_pullback,
+    Mul,
+    "*",
+    /// As [`mul_pullback`](Self::mul_pullback), where both operands are finite: then no cotangent
+    /// of zero can meet an infinite partial derivative.
+    #[inline(always)]
+    fn mul_pullback_of_finite(
+        self,
+        rhs: Rhs,
+        cotangent: Tangent<<Self as Mul<Rhs>>::Output>,
+    ) -> (Tangent<Self>, Tangent<Rhs>) {
+        self.mul_pullback(rhs, cotangent)
+    }
+);
 bilinear_operator!(DivPullback, div_pullback, Div, "/");
 bilinear_operator!(RemPullback, rem_pullback, Rem, "%");
 
@@ -98,6 +116,7 @@ linear_operators!(
     [] f32,
     [] f64,
     [S: Real] Dual<S>,
+    [] Var,
     [] Vec2,
     [] Vec3,
     [] Vec4,
@@ -129,6 +148,11 @@ macro_rules! scalar_operators {
             fn mul_pullback(self, rhs: Self, cotangent: Self) -> (Self, Self) {
                 (scale(cotangent, rhs), scale(cotangent, self))
             }
+
+            #[inline(always)]
+            fn mul_pullback_of_finite(self, rhs: Self, cotangent: Self) -> (Self, Self) {
+                (cotangent * rhs, cotangent * self)
+            }
         }
 
         impl<$($generics)*> DivPullback for $type {
@@ -143,7 +167,7 @@ macro_rules! scalar_operators {
 #[cfg(feature = "lanes")]
 scalar_operators!([] wide::f32x8, [] wide::f32x16, [] wide::f64x8);
 
-scalar_operators!([] f32, [] f64, [S: Real] Dual<S>);
+scalar_operators!([] f32, [] f64, [S: Real] Dual<S>, [] Var);
 
 macro_rules! remainder {
     ($($type:ty),*) => {$(
@@ -166,6 +190,11 @@ macro_rules! vector_operators {
             fn mul_pullback(self, rhs: Self, cotangent: Self) -> (Self, Self) {
                 (scale_elements(cotangent, rhs), scale_elements(cotangent, self))
             }
+
+            #[inline(always)]
+            fn mul_pullback_of_finite(self, rhs: Self, cotangent: Self) -> (Self, Self) {
+                (cotangent * rhs, cotangent * self)
+            }
         }
 
         impl<$($generics)*> MulPullback<$scalar> for $type {
@@ -175,6 +204,11 @@ macro_rules! vector_operators {
                     cotangent.map_elements(|g| scale(g, rhs)),
                     scale_elements(cotangent, self).element_sum(),
                 )
+            }
+
+            #[inline(always)]
+            fn mul_pullback_of_finite(self, rhs: $scalar, cotangent: Self) -> (Self, $scalar) {
+                (cotangent * rhs, (cotangent * self).element_sum())
             }
         }
 
@@ -206,6 +240,12 @@ macro_rules! glam_operators {
             #[inline(always)]
             fn mul_pullback(self, rhs: $type, cotangent: $type) -> ($scalar, $type) {
                 let (to_vector, to_scalar) = rhs.mul_pullback(self, cotangent);
+                (to_scalar, to_vector)
+            }
+
+            #[inline(always)]
+            fn mul_pullback_of_finite(self, rhs: $type, cotangent: $type) -> ($scalar, $type) {
+                let (to_vector, to_scalar) = rhs.mul_pullback_of_finite(self, cotangent);
                 (to_scalar, to_vector)
             }
         }

@@ -224,7 +224,7 @@ fn route<S: Real>(first: S::Mask, cotangent: S) -> (S, S) {
 
 /// `cotangent * partial` where the partial is defined, else 0.
 #[inline(always)]
-fn regular<S: Real>(defined: S::Mask, cotangent: S, partial: S) -> S {
+pub(super) fn regular<S: Real>(defined: S::Mask, cotangent: S, partial: S) -> S {
     S::select(defined & !cotangent.vanishes(), cotangent * partial, S::zero())
 }
 

@@ -8,4 +8,5 @@ mod oracle;
 mod rules;
 mod second_order;
 mod singular;
+mod tape;
 mod traps;

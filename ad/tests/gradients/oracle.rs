@@ -1,6 +1,7 @@
-//! Comparison of a generated gradient with finite differences and with dual numbers.
+//! Comparison of a generated gradient with finite differences, with dual numbers and with a tape.
 
 use ad::Dual;
+use ad::tape::Var;
 
 /// The first step of the finite differences. Points of evaluation lie farther from any branch.
 pub const STEP: f64 = 1e-3;
@@ -48,6 +49,16 @@ pub fn assert_dual_gradient(
     }
 }
 
+/// Asserts that `gradient` holds what a tape gives for `f` at `x`.
+#[track_caller]
+pub fn assert_tape_gradient(what: &str, f: impl Fn(&[Var]) -> Var, x: &[f64], gradient: &[f64]) {
+    let (_, taped) = ad::tape::gradient(f, x);
+    for (i, (&got, taped)) in gradient.iter().zip(taped).enumerate() {
+        let what = format!("{what} at {x:?}, by parameter {i}, against a tape");
+        assert_close(&what, got, taped, 1e-12);
+    }
+}
+
 /// Checks the gradient of a function of `f64`s at each of several points: the value bit for bit,
 /// each derivative against finite differences.
 macro_rules! check {
@@ -90,6 +101,12 @@ macro_rules! check_generic {
                 $f::<ad::Dual<f64>>($($x),+)
             };
             $crate::oracle::assert_dual_gradient(name, dual, &point, &gradient);
+
+            let tape = |x: &[ad::tape::Var]| {
+                let [$($x),+] = *x else { unreachable!() };
+                $f::<ad::tape::Var>($($x),+)
+            };
+            $crate::oracle::assert_tape_gradient(name, tape, &point, &gradient);
 
             let [$($x),+] = point.map(|x| x as f32);
             let (value, single) = $f::value_and_grad::<f32>($($x),+);

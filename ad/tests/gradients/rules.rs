@@ -124,6 +124,8 @@ fn scalar_rules() {
     rules_on_duals(&scalars::cases(), &scalars::cases());
     against_double(&scalars::cases(), &scalars::cases());
     against_double(&scalars::single_number_cases(), &scalars::single_number_cases());
+    against_differences(&scalars::double_float_cases());
+    against_double(&scalars::single_float_cases(), &scalars::double_float_cases());
 }
 
 #[test]

@@ -19,6 +19,8 @@ macro_rules! assert_slope {
         let single = (x as f32).$vjp().1(1.0);
         assert_eq!(single, expected as f32, "{} at {x}", stringify!($vjp));
         assert_eq!(dual(Real::$method, x), expected, "dual {} at {x}", stringify!($method));
+        let (_, taped) = ad::tape::gradient(|v| Real::$method(v[0]), &[x]);
+        assert_eq!(taped[0], expected, "tape {} at {x}", stringify!($method));
     };
 }
 
@@ -39,6 +41,95 @@ fn functions_of_one_number() {
     }
 }
 
+/// What the rules of the methods of `f64` alone say of a function of one variable at a point.
+macro_rules! assert_float_slope {
+    ($($vjp:ident at $x:expr;)*) => {$(
+        for x in $x {
+            assert_eq!(FloatRules::$vjp(x).1(1.0), 0.0, "{} at {x}", stringify!($vjp));
+            assert_eq!(FloatRules::$vjp(x as f32).1(1.0), 0.0, "{} at {x}", stringify!($vjp));
+        }
+    )*};
+}
+
+#[test]
+fn functions_of_one_float() {
+    assert_float_slope! {
+        cbrt_vjp at [0.0_f64, -0.0];
+        log2_vjp at [0.0_f64, -0.0];
+        log10_vjp at [0.0_f64, -0.0];
+        ln_1p_vjp at [-1.0_f64];
+        acosh_vjp at [1.0_f64];
+        atanh_vjp at [-1.0_f64, 1.0];
+        ceil_vjp at [0.0_f64, 1.0, 1.5];
+        round_vjp at [0.5_f64, 1.0];
+        round_ties_even_vjp at [0.5_f64, 1.0];
+        trunc_vjp at [0.0_f64, 1.0];
+    }
+    assert_eq!(0.0_f64.hypot_vjp(-0.0).1(1.0), (0.0, 0.0));
+    assert_eq!(1.0_f64.hypot_vjp(0.0).1(1.0), (1.0, 0.0));
+    assert_eq!(0.0_f64.log_vjp(2.0).1(1.0), (0.0, 0.0));
+    assert_eq!(2.0_f64.log_vjp(1.0).1(1.0), (0.0, 0.0));
+    assert_eq!(2.0_f64.log_vjp(0.0).1(1.0), (0.0, 0.0));
+    assert_eq!(2.0_f64.fract_vjp().1(1.0), 1.0);
+    assert_eq!(4.0_f64.rem_euclid_vjp(2.0).1(1.0), (1.0, -2.0));
+    assert_eq!(f64::MAX.hypot_vjp(f64::MAX).1(0.0), (0.0, 0.0));
+    for bad in [f64::INFINITY, f64::NAN] {
+        for pulled in [
+            bad.cbrt_vjp().1(0.0),
+            bad.sinh_vjp().1(0.0),
+            bad.cosh_vjp().1(0.0),
+            bad.asinh_vjp().1(0.0),
+            bad.acosh_vjp().1(0.0),
+            bad.atanh_vjp().1(0.0),
+            bad.exp2_vjp().1(0.0),
+            bad.exp_m1_vjp().1(0.0),
+            bad.ln_1p_vjp().1(0.0),
+            bad.log2_vjp().1(0.0),
+            bad.log10_vjp().1(0.0),
+        ] {
+            assert_eq!(pulled, 0.0, "{bad}");
+        }
+        for pulled in
+            [bad.hypot_vjp(bad).1(0.0), bad.log_vjp(bad).1(0.0), bad.rem_euclid_vjp(bad).1(0.0)]
+        {
+            assert_eq!(pulled, (0.0, 0.0), "{bad}");
+        }
+    }
+}
+
+#[differentiable]
+fn built(x: f64, y: f64) -> f64 {
+    let v = ad::rules::construct::dvec3(x, y * x, 2.0).project_onto(DVec3::new(y, 1.0, x));
+    v.element_product() + v.fract().x
+}
+
+#[test]
+fn vectors_by_function() {
+    crate::oracle::check!(built(x, y) at [0.7, 1.3], [-1.1, 0.4]);
+    let (zero, g) = (DVec3::ZERO, DVec3::new(1.0, -2.0, 3.0));
+    assert_eq!(DVec3::new(2.0, 0.0, 0.0).element_product_vjp().1(1.0), zero);
+    assert_eq!(DVec3::new(2.0, 0.0, 3.0).element_product_vjp().1(1.0), DVec3::new(0.0, 6.0, 0.0));
+    let bad = DVec3::splat(f64::INFINITY);
+    assert_eq!(bad.element_product_vjp().1(0.0), zero);
+    assert_eq!(bad.mul_add_vjp(bad, bad).1(zero), (zero, zero, zero));
+    assert_eq!(bad.fract_vjp().1(zero), zero);
+    assert_eq!(g.signum_vjp().1(g), zero);
+}
+
+#[differentiable]
+fn conversions(x: f32, n: i32) -> f64 {
+    let wide = f64::from(x);
+    wide.cosh() * f64::from(n) + f64::hypot(wide, 2.0)
+}
+
+#[test]
+fn conversions_of_floats_and_integers() {
+    let (by_x, ()) = conversions::grad(0.5, 3);
+    let x = 0.5_f64;
+    let expected = 3.0 * x.sinh() + x / x.hypot(2.0);
+    assert!((f64::from(by_x) - expected).abs() < 1e-6, "{by_x} is not {expected}");
+}
+
 #[test]
 fn quotients() {
     for numerator in [0.0, 1.0, -1e300, f64::INFINITY] {
@@ -49,6 +140,8 @@ fn quotients() {
                 dual(|x| Dual::constant(numerator) / x, zero),
             );
             assert_eq!((by_numerator, by_denominator), (0.0, 0.0));
+            let (_, taped) = ad::tape::gradient(|v| v[0] / v[1], &[numerator, zero]);
+            assert_eq!(taped, [0.0, 0.0]);
         }
     }
     let v = DVec3::new(1.0, 0.0, -2.0);
@@ -64,6 +157,8 @@ fn angles_at_the_origin() {
     for (y, x) in [(0.0, 0.0), (-0.0, 0.0), (0.0, -0.0), (-0.0, -0.0)] {
         assert_eq!(y.atan2_vjp(x).1(1.0), (0.0, 0.0));
         assert_eq!(Dual::new(y, 1.0).atan2(Dual::new(x, 1.0)).derivative, 0.0);
+        let (_, taped) = ad::tape::gradient(|v| v[0].atan2(v[1]), &[y, x]);
+        assert_eq!(taped, [0.0, 0.0]);
     }
 }
 
@@ -83,10 +178,14 @@ fn powers() {
         assert_eq!(base.powf_vjp(exponent).1(1.0), (to_base, to_exponent), "{at}");
         assert_eq!(dual(|x| x.powf(Dual::constant(exponent)), base), to_base, "{at}");
         assert_eq!(dual(|y| Dual::constant(base).powf(y), exponent), to_exponent, "{at}");
+        let (_, taped) = ad::tape::gradient(|v| v[0].powf(v[1]), &[base, exponent]);
+        assert_eq!(taped, [to_base, to_exponent], "{at}");
     }
     for (exponent, expected) in [(1, 1.0), (0, 0.0), (2, 0.0), (-1, 0.0), (i32::MIN, 0.0)] {
         assert_eq!(0.0.powi_vjp(exponent).1(1.0).0, expected, "0 to the {exponent}");
         assert_eq!(dual(|x| x.powi(exponent), 0.0), expected, "0 to the {exponent}");
+        let (_, taped) = ad::tape::gradient(|v| v[0].powi(exponent), &[0.0]);
+        assert_eq!(taped[0], expected, "0 to the {exponent}");
     }
 }
 
@@ -319,4 +418,80 @@ fn select_keeps_the_other_arm_out() {
             _ => assert!(!slope.is_nan(), "at {x}: {slope}"),
         }
     }
+}
+
+/// Enough products that the reverse sweep is written for finite factors too.
+#[differentiable]
+fn overflowing(x: f64, y: f64) -> f64 {
+    // Infinite at x = 0, and for large x; neither reaches the value.
+    let quotient = y / x;
+    let scaled = quotient * y * x + quotient * quotient * y;
+    let grown = x * x * x * x * y * y;
+    let squashed = 1.0 / (1.0 + grown * grown);
+    let mut sum = select(x == 0.0, y * y, scaled * x * y);
+    for i in 0..3 {
+        let unused = grown * grown * y * i as f64;
+        if x < 1.0 && x > -1.0 {
+            sum += unused * x * y;
+        }
+    }
+    sum + squashed * y
+}
+
+/// The product of no iteration but the last overflows, and nothing reads it.
+#[differentiable]
+fn overflowing_at_the_end(x: f64, y: f64) -> f64 {
+    let mut states = [x; 6];
+    let mut read = 0.0;
+    for i in 0..5 {
+        read += states[i] * y * x + x * x * y;
+        states[i + 1] = states[i] * states[i] * y * x;
+    }
+    read
+}
+
+/// A variable is read, overwritten, and assigned what was read before.
+#[differentiable]
+#[allow(unused_assignments)]
+fn stale_sum(x: f64, y: f64) -> f64 {
+    let mut sum = y;
+    for i in 0..3 {
+        let before = sum;
+        sum = before + x * x * x * y * y * i as f64;
+        sum = before + x * y * 0.5 + y * y * x * 0.25 + x * x * y * 0.125;
+    }
+    sum
+}
+
+/// Zero cotangents annihilate infinite factors of inlined products.
+#[test]
+fn products_that_are_not_finite() {
+    let slope = |f: fn(f64, f64) -> f64, x: f64, y: f64| {
+        let along_x = ad::check::derivative(|x| f(x, y), x, 1e-3 * x.abs());
+        let along_y = ad::check::derivative(|y| f(x, y), y, 1e-3 * y.abs());
+        [along_x.value, along_y.value]
+    };
+    for (x, y) in [(0.5, 0.7), (-2.0, 1.5), (3.0, -0.5)] {
+        let (by_x, by_y) = overflowing::grad(x, y);
+        let expected = slope(overflowing, x, y);
+        crate::oracle::assert_close("overflowing", by_x, expected[0], 1e-7);
+        crate::oracle::assert_close("overflowing", by_y, expected[1], 1e-7);
+    }
+    assert_eq!(overflowing::grad(0.0, 3.0), (0.0, 7.0));
+    for x in [1e80, -1e100] {
+        let (by_x, by_y) = overflowing::grad(x, 1.0);
+        assert!(by_x.is_finite() && by_y.is_finite(), "{by_x} {by_y}");
+    }
+
+    // The last state would be 1e378.
+    let (by_x, by_y) = overflowing_at_the_end::grad(1e6, 1.0);
+    assert!(by_x.is_finite() && by_y.is_finite(), "{by_x} {by_y}");
+
+    let (x, y) = (1e70, 1e60);
+    let (by_x, by_y) = stale_sum::grad(x, y);
+    let (small_x, small_y) = stale_sum::grad(1e10, 1e-3);
+    assert!(by_x.is_finite() && by_y.is_finite(), "{by_x} {by_y}");
+    let expected = slope(stale_sum, 1e10, 1e-3);
+    assert!((small_x / expected[0] - 1.0).abs() < 1e-6, "{small_x} is not {}", expected[0]);
+    assert!((small_y / expected[1] - 1.0).abs() < 1e-6, "{small_y} is not {}", expected[1]);
 }

@@ -14,4 +14,5 @@ mod closures;
 mod exclusive;
 mod names;
 mod order;
+mod recompute;
 mod structure;

@@ -168,7 +168,7 @@ tuples!((A, B)(A, B, C)(A, B, C, D));
 
 /// A case from the form of its arguments, its value and its pullback.
 macro_rules! rule {
-    ($name:literal $domain:expr, ($($x:ident: $type:ty),*) -> $result:ty,
+    (($name:expr) $domain:expr, ($($x:ident: $type:ty),*) -> $result:ty,
      $primal:expr, |$g:ident| $vjp:expr) => {
         $crate::rules::case::case(
             $name,
@@ -177,6 +177,7 @@ macro_rules! rule {
             |rule!(@pattern $($x),*): rule!(@type $($type),*), $g: $result| $vjp,
         )
     };
+    ($name:literal $($rest:tt)*) => { rule!(($name) $($rest)*) };
     (@pattern $x:ident) => { $x };
     (@pattern $($x:ident),*) => { ($($x),*) };
     (@type $type:ty) => { $type };

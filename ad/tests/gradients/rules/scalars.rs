@@ -120,6 +120,52 @@ macro_rules! primitive {
 
 primitive!(f32 f64);
 
+/// The rules of the methods of primitive types, each with the plain method of the same name.
+macro_rules! float_cases {
+    ($function:ident $type:ident: $($name:ident $vjp:ident $domain:ident ($($x:ident),*);)*) => {
+        pub fn $function() -> Vec<Case<$type>> {
+            type S = $type;
+            vec![$(
+                rule!((stringify!($name)) $domain, ($($x: S),*) -> S,
+                    $type::$name($($x),*), |g| call!($type::$vjp($($x),*), g)),
+            )*]
+        }
+    };
+}
+
+macro_rules! all_float_cases {
+    ($($function:ident $type:ident)*) => {$(
+        float_cases! {
+            $function $type:
+            hypot hypot_vjp not_small (a, b);
+            cbrt cbrt_vjp not_small (a);
+            sinh sinh_vjp anywhere (a);
+            cosh cosh_vjp anywhere (a);
+            asinh asinh_vjp anywhere (a);
+            acosh acosh_vjp above_one (a);
+            atanh atanh_vjp half (a);
+            exp2 exp2_vjp anywhere (a);
+            exp_m1 exp_m1_vjp anywhere (a);
+            ln_1p ln_1p_vjp half (a);
+            log2 log2_vjp positive (a);
+            log10 log10_vjp positive (a);
+            log log_vjp above_one (a, b);
+            rem_euclid rem_euclid_vjp away_from_jumps (a, b);
+            div_euclid div_euclid_vjp away_from_jumps (a, b);
+            ceil ceil_vjp off_integers (a);
+            round round_vjp off_integers (a);
+            round_ties_even round_ties_even_vjp off_integers (a);
+            trunc trunc_vjp off_integers (a);
+            fract fract_vjp off_integers (a);
+        }
+    )*};
+}
+
+all_float_cases! {
+    single_float_cases f32
+    double_float_cases f64
+}
+
 fn ordered_bounds(x: &mut [f64]) -> bool {
     let (low, high) = (x[1].min(x[2]), x[1].max(x[2]));
     (x[1], x[2]) = (low, high);
@@ -142,4 +188,15 @@ fn away_from_jumps(x: &mut [f64]) -> bool {
     let quotient = x[0] / x[1];
     let slack = 0.05 * (1.0 + quotient.abs()) / x[1].abs();
     moved && (quotient - quotient.round()).abs() > slack
+}
+
+fn above_one(x: &mut [f64]) -> bool {
+    x.iter_mut().for_each(|x| *x = x.abs() + 1.2);
+    true
+}
+
+/// Off the integers and the halves between them.
+fn off_integers(x: &mut [f64]) -> bool {
+    x[0] = x[0].floor() + 0.25;
+    true
 }

@@ -1,0 +1,339 @@
+//! What the body of a function tells about its variables without their types.
+
+use std::collections::{HashMap, HashSet};
+
+use proc_macro2::{Delimiter, Ident, TokenStream, TokenTree};
+use quote::ToTokens;
+use syn::Type;
+
+use crate::ir::{
+    Argument, Block, BuildSource, Head, Operand, Operation, Place, Projection, Statement, Var,
+    VarId,
+};
+use crate::lower::{Lowered, LoweredParameter};
+use crate::signature::{Parameter, is_discrete};
+
+/// Functions of constants that cost next to nothing and return a number, a small vector or a range.
+const CHEAP_FUNCTIONS: [&str; 6] =
+    ["from_f64", "splat", "stop_gradient", "constant", "windows", "chunks_exact"];
+
+/// Methods of integers, arrays and ranges that cost next to nothing.
+const CHEAP_METHODS: [&str; 7] = ["len", "min", "max", "rev", "step_by", "skip", "take"];
+
+/// See the module.
+pub struct Facts<'a> {
+    vars: &'a [Var],
+    by_name: HashMap<String, VarId>,
+    operations: HashMap<VarId, &'a Operation>,
+    /// Operands of arithmetic: numbers and vectors, since rules exist for these only.
+    arithmetic: HashSet<VarId>,
+    /// The variables of loops over ranges, and integer parameters.
+    integers: HashSet<VarId>,
+    /// Parameters of type `[T; N]`, and with `true` of type `&[T; N]`.
+    array_parameters: HashMap<VarId, bool>,
+}
+
+impl<'a> Facts<'a> {
+    /// Gathers the facts.
+    pub fn new(lowered: &'a Lowered, parameters: &[Parameter]) -> Self {
+        let vars = &lowered.vars;
+        let by_name = vars.iter().enumerate().map(|(id, var)| (var.ident.to_string(), id));
+        let mut facts = Self {
+            vars,
+            by_name: by_name.collect(),
+            operations: HashMap::new(),
+            arithmetic: HashSet::new(),
+            integers: HashSet::new(),
+            array_parameters: HashMap::new(),
+        };
+        for (parameter, &LoweredParameter { var, .. }) in parameters.iter().zip(&lowered.parameters)
+        {
+            match &parameter.ty {
+                ty @ Type::Path(_) if is_discrete(ty) => {
+                    facts.integers.insert(var);
+                }
+                Type::Array(_) => {
+                    facts.array_parameters.insert(var, false);
+                }
+                Type::Reference(reference)
+                    if reference.mutability.is_none()
+                        && matches!(*reference.elem, Type::Array(_)) =>
+                {
+                    facts.array_parameters.insert(var, true);
+                }
+                _ => {}
+            }
+        }
+        facts.block(&lowered.body);
+        facts
+    }
+
+    fn block(&mut self, block: &'a Block) {
+        for statement in &block.statements {
+            match statement {
+                Statement::Define { var, operation, .. } => {
+                    self.operations.insert(*var, operation);
+                    match operation {
+                        Operation::Negate(value) => self.arithmetic.extend([*value]),
+                        Operation::Binary(_, left, right) => {
+                            self.arithmetic.extend([*left, *right]);
+                        }
+                        _ => {}
+                    }
+                }
+                Statement::Update { value, previous, .. } => {
+                    self.arithmetic.extend([*value, *previous]);
+                }
+                Statement::Branch(branch) => {
+                    branch.arms.iter().for_each(|arm| self.block(&arm.body));
+                }
+                Statement::Loop(a_loop) => {
+                    if let Head::For { defines, iterator, .. } = &a_loop.head
+                        && self.is_range(iterator)
+                    {
+                        self.integers.extend(defines);
+                    }
+                    self.block(&a_loop.body);
+                }
+                Statement::Build(build) => {
+                    match &build.source {
+                        BuildSource::Index { index, .. } => {
+                            self.integers.insert(*index);
+                        }
+                        BuildSource::Items { defines, iterator, .. } => {
+                            if self.is_range(iterator) {
+                                self.integers.extend(defines);
+                            }
+                        }
+                    }
+                    self.block(&build.body);
+                }
+                Statement::Plain { .. }
+                | Statement::Destructure { .. }
+                | Statement::Assign { .. } => {}
+            }
+        }
+    }
+
+    /// The variable of a name.
+    pub fn named(&self, name: &Ident) -> Option<VarId> {
+        self.by_name.get(&name.to_string()).copied()
+    }
+
+    /// Whether the variable certainly holds no reference, so that the pullback may keep it, and is
+    /// certainly `Copy`, so that naming it once more does no harm.
+    pub fn is_number(&self, var: VarId) -> bool {
+        if self.arithmetic.contains(&var) || self.integers.contains(&var) {
+            return true;
+        }
+        match self.operations.get(&var) {
+            Some(
+                Operation::Negate(_)
+                | Operation::Binary(..)
+                | Operation::Cast(..)
+                | Operation::Value(_),
+            ) => true,
+            Some(Operation::Use(Operand::Constant(tokens))) if !self.vars[var].mutable => {
+                // A constant by its path alone might be anything.
+                let is_path = |token| match token {
+                    TokenTree::Ident(name) => self.named(&name).is_none(),
+                    TokenTree::Punct(punct) => punct.as_char() == ':',
+                    _ => false,
+                };
+                !tokens.clone().into_iter().all(is_path) && self.is_cheap_before(tokens, var)
+            }
+            _ => false,
+        }
+    }
+
+    /// Whether the variable is an array, and whether behind a reference.
+    pub fn array(&self, var: VarId) -> Option<bool> {
+        if let Some(&by_reference) = self.array_parameters.get(&var) {
+            return Some(by_reference);
+        }
+        let is_array = match self.operations.get(&var)? {
+            Operation::Use(Operand::Constant(tokens)) => {
+                let mut tokens = tokens.clone().into_iter();
+                let first = tokens.next();
+                matches!(first, Some(TokenTree::Group(group))
+                    if group.delimiter() == Delimiter::Bracket)
+                    && tokens.next().is_none()
+            }
+            Operation::Repeat { is_vec, .. } => !is_vec,
+            Operation::Read(place) if place.path.is_empty() => {
+                self.array(place.root) == Some(false)
+            }
+            Operation::Use(Operand::Var(source)) => self.array(*source) == Some(false),
+            _ => false,
+        };
+        is_array.then_some(false)
+    }
+
+    /// Whether code without derivative is arithmetic on numbers, which costs less than memory and
+    /// always has the same value: literals, constants, operators, elements of arrays.
+    pub fn is_cheap(&self, code: &TokenStream) -> bool {
+        self.is_cheap_before(code, VarId::MAX)
+    }
+
+    /// The same for code that defines a variable. What looks like a later one is a name of the
+    /// user's, of a function or a module.
+    fn is_cheap_before(&self, code: &TokenStream, defined: VarId) -> bool {
+        let mut tokens = code.clone().into_iter().peekable();
+        let (mut dots, mut dots_before) = (0, 0);
+        while let Some(token) = tokens.next() {
+            std::mem::swap(&mut dots, &mut dots_before);
+            dots = 0;
+            let next = tokens.peek();
+            let next_group = match next {
+                Some(TokenTree::Group(group)) => Some(group.delimiter()),
+                _ => None,
+            };
+            let fine = match &token {
+                TokenTree::Literal(_) => true,
+                TokenTree::Punct(punct) => {
+                    dots = if punct.as_char() == '.' { dots_before + 1 } else { 0 };
+                    punct.as_char() != '&'
+                }
+                TokenTree::Group(group) => {
+                    group.delimiter() != Delimiter::Brace
+                        && self.is_cheap_before(&group.stream(), defined)
+                }
+                // A field or a method; two dots are a range.
+                TokenTree::Ident(name) if dots_before == 1 => {
+                    next_group == Some(Delimiter::Parenthesis)
+                        && CHEAP_METHODS.iter().any(|cheap| name == cheap)
+                }
+                TokenTree::Ident(name) => match self.named(name) {
+                    Some(var) if var >= defined => false,
+                    Some(var) if self.array(var).is_some() => {
+                        let is_indexed = next_group == Some(Delimiter::Bracket);
+                        (is_indexed && !self.vars[var].mutable) || is_length(tokens.clone())
+                    }
+                    Some(var) => !self.vars[var].mutable && self.is_number(var),
+                    None => {
+                        let is_macro = matches!(next,
+                            Some(TokenTree::Punct(punct)) if punct.as_char() == '!');
+                        let is_call = next_group == Some(Delimiter::Parenthesis);
+                        !is_macro && (!is_call || CHEAP_FUNCTIONS.iter().any(|cheap| name == cheap))
+                    }
+                },
+            };
+            if !fine {
+                return false;
+            }
+        }
+        true
+    }
+
+    /// Whether an iterator is a range of integers, or some of one, that can be run over backwards.
+    pub fn is_range(&self, iterator: &TokenStream) -> bool {
+        let has_dots = |tokens: TokenStream| {
+            let tokens: Vec<_> = tokens.into_iter().collect();
+            let is_dot = |token: &TokenTree| matches!(token, TokenTree::Punct(punct) if punct.as_char() == '.');
+            tokens.windows(2).any(|pair| pair.iter().all(is_dot))
+        };
+        let is_range = has_dots(iterator.clone())
+            || match iterator.clone().into_iter().next() {
+                Some(TokenTree::Group(group)) => {
+                    group.delimiter() == Delimiter::Parenthesis && has_dots(group.stream())
+                }
+                // One of `ad::rt`.
+                Some(TokenTree::Punct(_)) => true,
+                _ => false,
+            };
+        is_range && self.is_cheap(iterator)
+    }
+
+    /// The variables that code names.
+    pub fn uses(&self, code: &TokenStream) -> Vec<VarId> {
+        let mut names = HashSet::new();
+        crate::names::collect_variables(code.clone(), &mut names);
+        let mut uses: Vec<_> =
+            names.iter().filter_map(|name| self.by_name.get(name).copied()).collect();
+        uses.sort_unstable();
+        uses
+    }
+
+    /// The operation that defines a variable.
+    pub fn operation(&self, var: VarId) -> Option<&'a Operation> {
+        self.operations.get(&var).copied()
+    }
+
+    /// Equal for places that are the same as long as nothing is assigned: an index stands for what
+    /// it was computed from.
+    pub fn key(&self, place: &Place) -> (VarId, String) {
+        let step = |step: &Projection| match step {
+            Projection::Field(member) => format!(".{}", member.to_token_stream()),
+            Projection::Deref => "*".to_owned(),
+            Projection::Index(index) => {
+                let mut index = index.clone();
+                while let Some(origin) = self.immutable_origin(&index) {
+                    index = origin;
+                }
+                format!("[{index}]")
+            }
+        };
+        (place.root, place.path.iter().map(step).collect())
+    }
+
+    /// What the variable that an index consists of was computed from, if that never changes.
+    fn immutable_origin(&self, index: &TokenStream) -> Option<TokenStream> {
+        let name: Ident = syn::parse2(index.clone()).ok()?;
+        let index = self.named(&name)?;
+        match self.operations.get(&index)? {
+            Operation::Use(Operand::Constant(tokens))
+                if self.uses(tokens).iter().all(|&var| var < index && !self.vars[var].mutable) =>
+            {
+                Some(tokens.clone())
+            }
+            _ => None,
+        }
+    }
+
+    /// Collects the variables that a statement may assign to, at any depth.
+    pub fn assigned(&self, statement: &Statement, into: &mut HashSet<VarId>) {
+        let mut block = |block: &Block| {
+            block.statements.iter().for_each(|statement| self.assigned(statement, into));
+        };
+        match statement {
+            Statement::Assign { place, .. } | Statement::Update { place, .. } => {
+                into.insert(place.root);
+            }
+            Statement::Branch(branch) => branch.arms.iter().for_each(|arm| block(&arm.body)),
+            Statement::Loop(a_loop) => block(&a_loop.body),
+            Statement::Build(build) => block(&build.body),
+            Statement::Plain { code, .. } => {
+                into.extend(self.uses(code).into_iter().filter(|&var| self.vars[var].mutable));
+            }
+            Statement::Define { operation: Operation::Call { arguments, .. }, .. } => {
+                for argument in arguments {
+                    match argument {
+                        Argument::Exclusive(place) => {
+                            into.insert(place.root);
+                        }
+                        // A method may change its receiver.
+                        Argument::Receiver(place) if self.vars[place.root].mutable => {
+                            into.insert(place.root);
+                        }
+                        Argument::Value(_) | Argument::Borrow(_) | Argument::Receiver(_) => {}
+                    }
+                }
+            }
+            Statement::Define { .. } | Statement::Destructure { .. } => {}
+        }
+    }
+}
+
+/// Whether the path leads to an element of an array through indices alone.
+pub fn is_element(path: &[Projection]) -> bool {
+    let mut steps = path.iter().filter(|step| !matches!(step, Projection::Deref)).peekable();
+    // An index of several tokens is a range.
+    let is_index = |step: &Projection| matches!(step, Projection::Index(index) if index.clone().into_iter().count() == 1);
+    steps.peek().is_some() && steps.all(is_index)
+}
+
+/// Whether `.len()` follows.
+fn is_length(mut following: impl Iterator<Item = TokenTree>) -> bool {
+    matches!(following.next(), Some(TokenTree::Punct(punct)) if punct.as_char() == '.')
+        && matches!(following.next(), Some(TokenTree::Ident(name)) if name == "len")
+}

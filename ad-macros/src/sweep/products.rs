@@ -1,0 +1,288 @@
+//! Where the pullback of a product may be a plain product.
+//!
+//! A cotangent of zero has to annihilate a partial derivative that is infinite or NaN (the arm that
+//! a `select` did not take), so the pullback of `a * b` compares each cotangent with zero. That
+//! costs up to half of a reverse sweep, and is needed only if a factor is not finite. The forward
+//! sweep therefore finds out whether all factors of all products were finite, and the reverse sweep
+//! is written twice: with plain products, and, out of line, with the comparison.
+//!
+//! Few values need to be tested: what is not finite stays so in sums, differences, products and
+//! negations, so if the result of such an operation is finite, all that entered it in the same
+//! block was. Tested are the results that enter no other such operation; and a variable that a loop
+//! changes by such operations alone is tested once, after the loop.
+//!
+//! Turned down: leaving out the comparison where no `select` is in sight (an overflow vanishes in
+//! `1 / (1 + exp(-x))` too, and a caller may drop a result); searching the gradient for NaN and
+//! computing it once more (a pullback can run only once); a branch at each product (it would keep
+//! loops from being vectorised).
+
+use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};
+
+use proc_macro2::{Ident, TokenStream};
+use quote::quote;
+
+use super::Sweeper;
+use super::facts::{Facts, is_element};
+use crate::ir::{BinaryOperator, Block, Loop, Operand, Operation, Place, Statement, Var, VarId};
+use crate::lower::Lowered;
+use crate::names::Names;
+
+/// Of fewer products the tests would cost what they save. One in a loop counts for several.
+const MANY_PRODUCTS: usize = 12;
+const WEIGHT_IN_LOOP: usize = 2;
+
+/// The products of a function with plain pullbacks.
+pub struct Products {
+    /// The results to be tested.
+    tested: HashSet<VarId>,
+    /// The variables to be tested after loops, by the names of the tapes.
+    tested_after: HashMap<String, Vec<VarId>>,
+    /// The name of whether all were finite so far.
+    pub regular: Ident,
+    /// The name of the rules of products.
+    pub rules: Ident,
+}
+
+impl Products {
+    /// Finds the results to be tested; `None` where there are too few products.
+    pub fn new(lowered: &Lowered, facts: &Facts<'_>, names: &mut Names) -> Option<Self> {
+        let mut search = Search {
+            vars: &lowered.vars,
+            facts,
+            tested: HashSet::new(),
+            tested_after: HashMap::new(),
+            weight: 0,
+        };
+        search.block(&lowered.body, 1);
+        (search.weight >= MANY_PRODUCTS).then(|| Self {
+            tested: search.tested,
+            tested_after: search.tested_after,
+            regular: names.fresh("regular", proc_macro2::Span::call_site()),
+            rules: names.fresh("products", proc_macro2::Span::call_site()),
+        })
+    }
+}
+
+struct Search<'a> {
+    vars: &'a [Var],
+    facts: &'a Facts<'a>,
+    tested: HashSet<VarId>,
+    tested_after: HashMap<String, Vec<VarId>>,
+    weight: usize,
+}
+
+/// How a loop changes a variable.
+#[derive(Default)]
+struct Changes {
+    /// The results that enter it.
+    results: Vec<VarId>,
+    /// Whether something takes its place.
+    overwrites: bool,
+    /// How often it is read.
+    reads: usize,
+}
+
+impl Search<'_> {
+    fn block(&mut self, block: &Block, weight: usize) {
+        for statement in &block.statements {
+            match statement {
+                Statement::Define { var, operation, .. } => self.define(*var, operation, weight),
+                Statement::Branch(branch) => {
+                    branch.arms.iter().for_each(|arm| self.block(&arm.body, weight));
+                }
+                Statement::Loop(a_loop) => {
+                    self.block(&a_loop.body, weight * WEIGHT_IN_LOOP);
+                    if !a_loop.checkpoint {
+                        self.after(a_loop, block);
+                    }
+                }
+                Statement::Build(build) => self.block(&build.body, weight * WEIGHT_IN_LOOP),
+                Statement::Plain { .. }
+                | Statement::Destructure { .. }
+                | Statement::Assign { .. }
+                | Statement::Update { .. } => {}
+            }
+        }
+    }
+
+    fn define(&mut self, var: VarId, operation: &Operation, weight: usize) {
+        let (operands, is_product) = match operation {
+            Operation::Binary(BinaryOperator::Mul, left, right) => {
+                self.weight += weight;
+                (vec![*left, *right], true)
+            }
+            Operation::Binary(BinaryOperator::Add | BinaryOperator::Sub, left, right) => {
+                (vec![*left, *right], false)
+            }
+            Operation::Negate(value) => (vec![*value], false),
+            _ => return,
+        };
+        // A test of this result tells of the operands too, unless they were computed in a block
+        // that may run without this one.
+        let mut tells = is_product;
+        for operand in operands {
+            if self.vars[operand].block == self.vars[var].block {
+                tells |= self.tested.remove(&operand);
+            }
+        }
+        if tells {
+            self.tested.insert(var);
+        }
+    }
+
+    /// Finds the variables of `block` that are tested after a loop in it instead of within.
+    fn after(&mut self, a_loop: &Loop, block: &Block) {
+        let mut changes = BTreeMap::new();
+        self.changes(&a_loop.body, &mut changes);
+        let mut tested = Vec::new();
+        for (var, Changes { results, overwrites, reads }) in changes {
+            if overwrites || self.vars[var].block != block.id {
+                continue;
+            }
+            let assignments = results.len();
+            let results: BTreeSet<_> = results.into_iter().collect();
+            let results: Vec<_> =
+                results.into_iter().filter(|result| self.tested.remove(result)).collect();
+            match reads > assignments {
+                // The loop goes on with it.
+                true if !results.is_empty() => tested.push(var),
+                true => {}
+                // A mere sum: it may not be asked for, and its terms can be tested side by side.
+                false => results.into_iter().for_each(|result| self.test_terms(var, result)),
+            }
+        }
+        self.tested_after.insert(a_loop.record.to_string(), tested);
+    }
+
+    /// Tests the terms that were added to what was read from `sum`.
+    fn test_terms(&mut self, sum: VarId, result: VarId) {
+        match self.facts.operation(result) {
+            Some(Operation::Read(place)) if place.root == sum => {}
+            Some(Operation::Negate(inner)) => self.test_terms(sum, *inner),
+            Some(Operation::Binary(BinaryOperator::Add | BinaryOperator::Sub, left, right)) => {
+                self.test_terms(sum, *left);
+                self.test_terms(sum, *right);
+            }
+            Some(Operation::Binary(BinaryOperator::Mul, ..)) => {
+                self.tested.insert(result);
+            }
+            _ => {}
+        }
+    }
+
+    /// Collects what is assigned to in a block, at any depth.
+    fn changes(&self, block: &Block, into: &mut BTreeMap<VarId, Changes>) {
+        // What was read from places in this block and has not been overwritten.
+        let mut current: HashMap<VarId, &Place> = HashMap::new();
+        for statement in &block.statements {
+            if let Statement::Define { var, operation: Operation::Read(place), .. } = statement {
+                current.insert(*var, place);
+                into.entry(place.root).or_default().reads += 1;
+            }
+            let mut assigned = HashSet::new();
+            self.facts.assigned(statement, &mut assigned);
+            match statement {
+                Statement::Assign { place, value } => {
+                    let result = match value {
+                        Operand::Var(value) if self.enters(&current, place, *value) => Some(*value),
+                        _ => None,
+                    };
+                    self.change(place, result, into);
+                }
+                Statement::Update { place, operator, value, .. } => {
+                    let enters = !matches!(operator, BinaryOperator::Div | BinaryOperator::Rem);
+                    self.change(place, enters.then_some(*value), into);
+                }
+                Statement::Branch(branch) => {
+                    branch.arms.iter().for_each(|arm| self.changes(&arm.body, into));
+                }
+                Statement::Loop(a_loop) => self.changes(&a_loop.body, into),
+                Statement::Build(build) => self.changes(&build.body, into),
+                Statement::Define { .. }
+                | Statement::Plain { .. }
+                | Statement::Destructure { .. } => {
+                    for &var in &assigned {
+                        into.entry(var).or_default().overwrites = true;
+                    }
+                }
+            }
+            current.retain(|_, place| !assigned.contains(&place.root));
+        }
+    }
+
+    /// A change of a place; `result` has entered it.
+    fn change(&self, place: &Place, result: Option<VarId>, into: &mut BTreeMap<VarId, Changes>) {
+        let is_number = place.path.is_empty()
+            || (is_element(&place.path) && self.facts.array(place.root) == Some(false));
+        let changes = into.entry(place.root).or_default();
+        changes.overwrites |= result.is_none() || !is_number;
+        changes.results.extend(result);
+        // An array is no mere sum.
+        changes.reads += usize::from(!place.path.is_empty());
+    }
+
+    /// Whether `value` is made of what `place` held by operations that keep what is not finite.
+    fn enters(&self, current: &HashMap<VarId, &Place>, place: &Place, value: VarId) -> bool {
+        match self.facts.operation(value) {
+            Some(Operation::Read(_)) => current
+                .get(&value)
+                .is_some_and(|read| self.facts.key(read) == self.facts.key(place)),
+            Some(Operation::Negate(inner)) => self.enters(current, place, *inner),
+            Some(Operation::Binary(
+                BinaryOperator::Add | BinaryOperator::Sub | BinaryOperator::Mul,
+                left,
+                right,
+            )) => self.enters(current, place, *left) || self.enters(current, place, *right),
+            _ => false,
+        }
+    }
+}
+
+impl Sweeper<'_> {
+    /// The test of a result, where it needs one.
+    pub(super) fn test(&self, var: VarId) -> TokenStream {
+        let Some(Products { tested, regular, .. }) = &self.products else {
+            return TokenStream::new();
+        };
+        if !tested.contains(&var) {
+            return TokenStream::new();
+        }
+        let ident = &self.vars[var].ident;
+        quote!(#regular &= ::ad::Differentiable::known_finite(&#ident);)
+    }
+
+    /// The tests that stand after a loop.
+    pub(super) fn tests_after(&self, a_loop: &Loop) -> TokenStream {
+        let Some(Products { tested_after, regular, .. }) = &self.products else {
+            return TokenStream::new();
+        };
+        let vars = tested_after.get(&a_loop.record.to_string()).into_iter().flatten();
+        let idents = vars.map(|&var| &self.vars[var].ident);
+        quote!(#(#regular &= ::ad::Differentiable::known_finite(&#idents);)*)
+    }
+
+    /// The pullback's body: the reverse sweep, with rules of products as the forward sweep found
+    /// them to be needed.
+    pub(super) fn choose_products(
+        &self,
+        reverse: TokenStream,
+        cotangents: TokenStream,
+    ) -> TokenStream {
+        let Some(Products { regular, rules, .. }) = &self.products else {
+            return quote!(#reverse #cotangents);
+        };
+        quote! {
+            if #regular {
+                let #rules = ::ad::rt::ProductsOfFinite;
+                #reverse
+                #cotangents
+            } else {
+                ::ad::rt::rarely(move || {
+                    let #rules = ::ad::rt::Products;
+                    #reverse
+                    #cotangents
+                })
+            }
+        }
+    }
+}

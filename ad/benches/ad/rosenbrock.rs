@@ -1,0 +1,60 @@
+//! The Rosenbrock function of 1000 variables.
+
+use ad::{Real, differentiable};
+
+use crate::peers::Peers;
+use crate::problem::Problem;
+use crate::random::Random;
+
+pub const N: usize = 1000;
+
+#[differentiable]
+pub fn rosenbrock<S: Real>(x: &[S; N]) -> S {
+    let mut sum = S::ZERO;
+    for i in 0..N - 1 {
+        let a = S::ONE - x[i];
+        let b = x[i + 1] - x[i] * x[i];
+        sum = sum + a * a + S::from_f64(100.0) * b * b;
+    }
+    sum
+}
+
+/// The gradient, written by hand.
+pub fn adjoint(x: &[f64; N]) -> [f64; N] {
+    let mut gradient = [0.0; N];
+    for i in 0..N - 1 {
+        let a = 1.0 - x[i];
+        let b = x[i + 1] - x[i] * x[i];
+        let b_bar = 200.0 * b;
+        gradient[i] -= 2.0 * a + 2.0 * x[i] * b_bar;
+        gradient[i + 1] += b_bar;
+    }
+    gradient
+}
+
+pub struct Rosenbrock;
+
+impl Problem for Rosenbrock {
+    const NAME: &'static str = "Rosenbrock 1000";
+    const OUTPUTS: usize = 1;
+
+    fn point(&self) -> Vec<f64> {
+        Random::new(1).numbers::<N>().to_vec()
+    }
+
+    fn value<S: Real<Mask = bool>>(&self, x: &[S], outputs: &mut [S]) {
+        outputs[0] = rosenbrock(x.first_chunk().expect("N numbers"));
+    }
+
+    fn generated(&self, x: &[f64], jacobian: &mut [f64]) {
+        jacobian.copy_from_slice(&rosenbrock::grad(x.first_chunk().expect("N numbers")));
+    }
+
+    fn by_hand(&self, x: &[f64], jacobian: &mut [f64]) {
+        jacobian.copy_from_slice(&adjoint(x.first_chunk().expect("N numbers")));
+    }
+
+    fn peers(&self) -> Option<&dyn Peers> {
+        Some(self)
+    }
+}

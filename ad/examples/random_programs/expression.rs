@@ -1,0 +1,139 @@
+//! Random expressions. Their values stay moderate, and no function leaves its domain.
+
+use crate::statement::{Kind, Writer};
+
+/// Text for `f64`, and for any scalar `S`.
+#[derive(Clone)]
+pub struct Both {
+    pub plain: String,
+    pub generic: String,
+}
+
+impl Both {
+    pub fn same(text: impl Into<String>) -> Self {
+        let text = text.into();
+        Self { plain: text.clone(), generic: text }
+    }
+
+    /// A number that is a constant.
+    pub fn number(plain: impl std::fmt::Display) -> Self {
+        Self { plain: format!("{plain}"), generic: format!("S::from_f64({plain})") }
+    }
+}
+
+/// Puts parts into a text in place of `{}`, one after the other.
+pub fn put(text: &str, parts: &[&Both]) -> Both {
+    let fill = |part: fn(&Both) -> &str| {
+        let mut pieces = text.split("{}");
+        let mut filled = pieces.next().unwrap_or_default().to_owned();
+        for (piece, both) in pieces.zip(parts) {
+            filled += part(both);
+            filled += piece;
+        }
+        filled
+    };
+    Both { plain: fill(|both| &both.plain), generic: fill(|both| &both.generic) }
+}
+
+impl Writer {
+    /// An expression of moderate size.
+    pub fn expression(&mut self, depth: usize) -> Both {
+        if depth == 0 || self.random.chance(15) {
+            return self.leaf();
+        }
+        let a = self.expression(depth - 1);
+        let constant = self.literal();
+        match self.random.below(14) {
+            0 | 1 => put("({} + {})", &[&a, &self.expression(depth - 1)]),
+            2 => put("({} - {})", &[&a, &self.expression(depth - 1)]),
+            3..=5 => put("({} * {})", &[&a, &self.expression(depth - 1)]),
+            6 => {
+                let b = self.expression(depth - 1);
+                put("({} / ({} + {} * {}))", &[&a, &Both::number(1.5), &b, &b])
+            }
+            7 => put("({}).sin()", &[&put("{} + {}", &[&a, &constant])]),
+            8 => put("({}).cos()", &[&put("{} * {}", &[&a, &constant])]),
+            9 => put("({}).tanh()", &[&put("{} - {}", &[&a, &constant])]),
+            10 => put("({} * {} + {}).sqrt()", &[&a, &a, &Both::number(0.25)]),
+            11 => put("({}).max({})", &[&put("{} * {}", &[&a, &constant]), &self.leaf()]),
+            12 => put("(-({}))", &[&a]),
+            _ => put("({} * {}).abs()", &[&a, &constant]),
+        }
+    }
+
+    /// A variable, an element, a constant, or what an integer is worth.
+    fn leaf(&mut self) -> Both {
+        let (scalars, arrays, integers) =
+            (self.visible(Kind::is_scalar), self.visible(Kind::is_array), self.integers());
+        match self.random.below(10) {
+            0 if !integers.is_empty() => {
+                let integer = self.random.pick(&integers);
+                put(
+                    "({} * {})",
+                    &[
+                        &Both::number(format!("{integer} as f64")).parenthesised(),
+                        &Both::number(0.25),
+                    ],
+                )
+            }
+            1..=3 if !arrays.is_empty() => {
+                let array = self.random.pick(&arrays);
+                let index = self.index(array.length());
+                Both::same(format!("{}[{index}]", array.name))
+            }
+            4 => self.literal(),
+            _ => Both::same(self.random.pick(&scalars).name),
+        }
+    }
+
+    pub fn literal(&mut self) -> Both {
+        let quarters = self.random.below(9) as f64;
+        Both::number(format!("{:?}_f64", quarters / 4.0 - 1.125))
+    }
+
+    /// An index into an array.
+    pub fn index(&mut self, length: usize) -> String {
+        let integers = self.integers();
+        if integers.is_empty() || self.random.chance(30) {
+            return self.random.below(length).to_string();
+        }
+        let integer = self.random.pick(&integers);
+        match self.random.below(3) {
+            0 => format!("{integer} % {length}"),
+            1 => format!("({integer} + {}) % {length}", self.random.below(length)),
+            _ => format!("({integer} * {integer} + 1) % {length}"),
+        }
+    }
+
+    /// A comparison of numbers or of integers.
+    pub fn condition(&mut self) -> Both {
+        let integers = self.integers();
+        if !integers.is_empty() && self.random.chance(40) {
+            let (integer, modulus) = (self.random.pick(&integers), 2 + self.random.below(3));
+            return Both::same(format!("{integer} % {modulus} == {}", self.random.below(modulus)));
+        }
+        let (a, b) = (self.expression(1), self.expression(1));
+        let (operator, name) =
+            self.random.pick(&[("<", "cmplt"), (">", "cmpgt"), ("<=", "cmple"), (">=", "cmpge")]);
+        Both {
+            plain: format!("{} {operator} {}", a.plain, b.plain),
+            generic: format!("{}.{name}({})", a.generic, b.generic),
+        }
+    }
+
+    /// An expression that stays bounded however often it is repeated.
+    pub fn bounded(&mut self, depth: usize) -> Both {
+        let value = self.expression(depth);
+        match self.random.chance(50) {
+            true => put("({}).sin()", &[&put("{} * {}", &[&value, &Both::number(0.75)])]),
+            false => put("({}).tanh()", &[&put("{} + {}", &[&value, &Both::number(0.125)])]),
+        }
+    }
+}
+
+impl Both {
+    /// In parentheses for `f64`, where a cast could run into what follows.
+    fn parenthesised(self) -> Self {
+        Self { plain: format!("({})", self.plain), generic: self.generic }
+    }
+}

@@ -1,0 +1,384 @@
+//! Random statements: declarations, shadowing, mutation, branches, loops with jumps, calls.
+
+use crate::expression::{Both, put};
+use crate::random::Random;
+
+const NAMES: [&str; 6] = ["a", "b", "c", "d", "e", "f"];
+
+/// What a name stands for.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub enum Kind {
+    Scalar { mutable: bool },
+    Array { length: usize, mutable: bool },
+    Integer,
+}
+
+impl Kind {
+    pub fn is_scalar(self) -> bool {
+        matches!(self, Self::Scalar { .. })
+    }
+
+    pub fn is_array(self) -> bool {
+        matches!(self, Self::Array { .. })
+    }
+
+    fn is_mutable(self) -> bool {
+        matches!(self, Self::Scalar { mutable: true } | Self::Array { mutable: true, .. })
+    }
+}
+
+#[derive(Clone)]
+pub struct Variable {
+    pub name: String,
+    kind: Kind,
+}
+
+impl Variable {
+    pub fn length(&self) -> usize {
+        match self.kind {
+            Kind::Array { length, .. } => length,
+            Kind::Scalar { .. } | Kind::Integer => 1,
+        }
+    }
+}
+
+pub struct Writer {
+    pub random: Random,
+    /// The number of the program: it may call earlier ones.
+    index: u64,
+    plain: String,
+    generic: String,
+    indent: usize,
+    scopes: Vec<Vec<Variable>>,
+    /// The labels of the loops around, innermost last.
+    loops: Vec<String>,
+    /// How many names were made that are not shadowed.
+    fresh: usize,
+    /// How many more statements the program may have.
+    budget: usize,
+}
+
+impl Writer {
+    pub fn new(random: Random, index: u64) -> Self {
+        let parameter =
+            |name: &str| Variable { name: name.to_owned(), kind: Kind::Scalar { mutable: false } };
+        Self {
+            random,
+            index,
+            plain: String::new(),
+            generic: String::new(),
+            indent: 1,
+            scopes: vec![vec![parameter("x"), parameter("y")]],
+            loops: Vec::new(),
+            fresh: 0,
+            budget: 14,
+        }
+    }
+
+    pub fn finish(self) -> (String, String) {
+        (self.plain, self.generic)
+    }
+
+    /// The body of a function of `x` and `y`.
+    pub fn body(&mut self) {
+        self.declare_mutable();
+        self.array();
+        while self.budget > 0 {
+            self.statement(3);
+        }
+        let value = self.expression(2);
+        let rest: Vec<_> = self.visible(Kind::is_scalar).into_iter().map(|v| v.name).collect();
+        let sum =
+            rest.iter().fold(value, |sum, name| put("{} + {}", &[&sum, &Both::same(name.clone())]));
+        self.line(&sum);
+    }
+
+    fn line(&mut self, line: &Both) {
+        let indent = "    ".repeat(self.indent);
+        for (text, part) in [(&mut self.plain, &line.plain), (&mut self.generic, &line.generic)] {
+            *text += &indent;
+            *text += part;
+            text.push('\n');
+        }
+    }
+
+    /// The variables that names stand for here, of some kind.
+    pub fn visible(&self, wanted: fn(Kind) -> bool) -> Vec<Variable> {
+        let mut seen = Vec::new();
+        for variable in self.scopes.iter().rev().flat_map(|scope| scope.iter().rev()) {
+            if !seen.iter().any(|seen: &Variable| seen.name == variable.name) {
+                seen.push(variable.clone());
+            }
+        }
+        seen.retain(|variable| wanted(variable.kind));
+        seen
+    }
+
+    pub fn integers(&self) -> Vec<String> {
+        let integers = self.visible(|kind| kind == Kind::Integer);
+        integers.into_iter().map(|variable| variable.name).collect()
+    }
+
+    fn declare(&mut self, name: &str, kind: Kind) {
+        let variable = Variable { name: name.to_owned(), kind };
+        self.scopes.last_mut().expect("a scope is open").push(variable);
+    }
+
+    fn fresh(&mut self, base: &str) -> String {
+        self.fresh += 1;
+        format!("{base}{}", self.fresh)
+    }
+
+    /// A block in braces; `head` stands before it.
+    fn block(&mut self, head: &Both, fill: impl FnOnce(&mut Self), end: &str) {
+        self.line(&put("{} {", &[head]));
+        self.indent += 1;
+        self.scopes.push(Vec::new());
+        fill(self);
+        self.scopes.pop();
+        self.indent -= 1;
+        self.line(&Both::same(format!("}}{end}")));
+    }
+
+    fn statement(&mut self, depth: usize) {
+        self.budget = self.budget.saturating_sub(1);
+        let in_loop = !self.loops.is_empty();
+        match self.random.below(if depth > 0 { 22 } else { 11 }) {
+            0 => self.declare_scalar(),
+            1 => self.declare_mutable(),
+            2..=4 => self.assign(),
+            5 => self.array(),
+            6..=8 => self.assign_element(),
+            9 => self.tuple(),
+            10 => self.call(),
+            11 | 12 => self.branch(depth),
+            13 => self.branch_value(),
+            14..=17 => self.range_loop(depth),
+            18 => self.while_loop(depth),
+            19 => self.loop_over_elements(),
+            20 => self.closure(),
+            _ if in_loop => self.jump(),
+            _ => self.early_return(),
+        }
+    }
+
+    fn declare_scalar(&mut self) {
+        let (name, value) = (self.random.pick(&NAMES), self.expression(2));
+        self.line(&put(&format!("let {name} = {{}};"), &[&value]));
+        self.declare(name, Kind::Scalar { mutable: false });
+    }
+
+    fn declare_mutable(&mut self) {
+        let (name, value) = (self.random.pick(&NAMES), self.bounded(1));
+        self.line(&put(&format!("let mut {name} = {{}};"), &[&value]));
+        self.declare(name, Kind::Scalar { mutable: true });
+    }
+
+    fn array(&mut self) {
+        let (name, length) = (self.fresh("r"), 2 + self.random.below(4));
+        let value = match self.random.chance(50) {
+            true => put(&format!("[{{}}; {length}]"), &[&self.bounded(1)]),
+            false => {
+                let elements: Vec<_> = (0..length).map(|_| self.bounded(1)).collect();
+                let list = vec!["{}"; length].join(", ");
+                put(&format!("[{list}]"), &elements.iter().collect::<Vec<_>>())
+            }
+        };
+        let mutable = self.random.chance(70);
+        let keyword = if mutable { "mut " } else { "" };
+        self.line(&put(&format!("let {keyword}{name} = {{}};"), &[&value]));
+        self.declare(&name, Kind::Array { length, mutable });
+    }
+
+    /// `place op= value` for `f64`, `place = place op value` for other scalars.
+    fn change(&mut self, place: &str) {
+        let value = self.bounded(2);
+        if self.random.chance(40) {
+            self.line(&put(&format!("{place} = {{}};"), &[&value]));
+            return;
+        }
+        let operator = self.random.pick(&["+", "-", "*"]);
+        self.line(&Both {
+            plain: format!("{place} {operator}= {};", value.plain),
+            generic: format!("{place} = {place} {operator} {};", value.generic),
+        });
+    }
+
+    fn assign(&mut self) {
+        let targets = self.visible(|kind| kind.is_scalar() && kind.is_mutable());
+        if targets.is_empty() {
+            return self.declare_mutable();
+        }
+        let target = self.random.pick(&targets).name;
+        self.change(&target);
+    }
+
+    fn assign_element(&mut self) {
+        let targets = self.visible(|kind| kind.is_array() && kind.is_mutable());
+        if targets.is_empty() {
+            return self.assign();
+        }
+        let target = self.random.pick(&targets);
+        let index = self.index(target.length());
+        self.change(&format!("{}[{index}]", target.name));
+    }
+
+    fn tuple(&mut self) {
+        let (first, second) = (self.bounded(1), self.expression(1));
+        self.line(&put("let (a, mut b) = ({}, {});", &[&first, &second]));
+        self.declare("a", Kind::Scalar { mutable: false });
+        self.declare("b", Kind::Scalar { mutable: true });
+    }
+
+    /// A call of an earlier program.
+    fn call(&mut self) {
+        if self.index == 0 {
+            return self.declare_scalar();
+        }
+        let callee = self.random.below(self.index.min(1000) as usize);
+        let (name, first, second) = (self.random.pick(&NAMES), self.bounded(1), self.bounded(1));
+        let call = |function: &str, part: fn(&Both) -> &str| {
+            let value = format!("{function}({}, {})", part(&first), part(&second));
+            format!("let {name} = {value}.tanh();")
+        };
+        self.line(&Both {
+            plain: call(&format!("program_{callee}"), |both| &both.plain),
+            generic: call(&format!("program_{callee}_of"), |both| &both.generic),
+        });
+        self.declare(name, Kind::Scalar { mutable: false });
+    }
+
+    fn statements(&mut self, depth: usize) {
+        for _ in 0..1 + self.random.below(3) {
+            self.statement(depth - 1);
+        }
+    }
+
+    fn branch(&mut self, depth: usize) {
+        let condition = self.condition();
+        let has_else = self.random.chance(50);
+        let end = if has_else { " else {" } else { "" };
+        self.block(&put("if {}", &[&condition]), |writer| writer.statements(depth), end);
+        if has_else {
+            self.indent += 1;
+            self.scopes.push(Vec::new());
+            self.statements(depth);
+            self.scopes.pop();
+            self.indent -= 1;
+            self.line(&Both::same("}"));
+        }
+    }
+
+    fn branch_value(&mut self) {
+        let (name, condition) = (self.random.pick(&NAMES), self.condition());
+        let (then, otherwise) = (self.expression(2), self.expression(2));
+        let text = format!("let {name} = ") + "if {} { {} } else { {} };";
+        self.line(&put(&text, &[&condition, &then, &otherwise]));
+        self.declare(name, Kind::Scalar { mutable: false });
+    }
+
+    fn range_loop(&mut self, depth: usize) {
+        let (label, index) = (self.fresh("'l"), self.fresh("i"));
+        let integers = self.integers();
+        let from = match integers.is_empty() || self.random.chance(60) {
+            true => self.random.below(3).to_string(),
+            false => self.random.pick(&integers),
+        };
+        let to = self.random.below(6);
+        let range = match self.random.below(4) {
+            0 => format!("({from}..{to}_usize).rev()"),
+            1 => format!("{from}..={to}_usize"),
+            2 => format!("({from}..{to}_usize).step_by(2)"),
+            _ => format!("{from}..{to}_usize"),
+        };
+        let head = Both::same(format!("{label}: for {index} in {range}"));
+        self.loops.push(label);
+        self.block(
+            &head,
+            |writer| {
+                writer.declare(&index, Kind::Integer);
+                writer.statements(depth);
+            },
+            "",
+        );
+        self.loops.pop();
+    }
+
+    fn while_loop(&mut self, depth: usize) {
+        let (label, counter, limit) = (self.fresh("'l"), self.fresh("n"), 1 + self.random.below(5));
+        self.line(&Both::same(format!("let mut {counter} = 0_usize;")));
+        let head = Both::same(format!("{label}: while {counter} < {limit}"));
+        self.loops.push(label);
+        self.block(
+            &head,
+            |writer| {
+                writer.line(&Both::same(format!("{counter} += 1;")));
+                writer.declare(&counter, Kind::Integer);
+                writer.statements(depth);
+            },
+            "",
+        );
+        self.loops.pop();
+    }
+
+    fn loop_over_elements(&mut self) {
+        let arrays = self.visible(Kind::is_array);
+        let targets = self.visible(|kind| kind.is_scalar() && kind.is_mutable());
+        if arrays.is_empty() || targets.is_empty() {
+            return self.declare_mutable();
+        }
+        let (array, target) = (self.random.pick(&arrays).name, self.random.pick(&targets).name);
+        let factor = self.bounded(1);
+        if self.random.chance(50) {
+            let head = Both::same(format!("for v in {array}.iter()"));
+            let change =
+                put(&format!("{target} = {target} * {{}} + *v * {{}};"), &[&factor, &factor]);
+            self.block(&head, |writer| writer.line(&change), "");
+            return;
+        }
+        let name = self.random.pick(&NAMES);
+        self.line(&Both {
+            plain: format!("let {name}: f64 = {array}.iter().map(|v| v * {}).sum();", factor.plain),
+            generic: format!(
+                "let {name} = {array}.iter().fold(S::from_f64(-0.0), |s, v| s + *v * {});",
+                factor.generic
+            ),
+        });
+        self.declare(name, Kind::Scalar { mutable: false });
+    }
+
+    fn closure(&mut self) {
+        let (closure, name) = (self.fresh("g"), self.random.pick(&NAMES));
+        self.scopes
+            .push(vec![Variable { name: "t".into(), kind: Kind::Scalar { mutable: false } }]);
+        let body = self.expression(2);
+        self.scopes.pop();
+        let (first, second) = (self.expression(1), self.expression(1));
+        self.line(&Both {
+            plain: format!("let {closure} = |t: f64| {} * t;", body.plain),
+            generic: format!("let {closure} = |t: S| {} * t;", body.generic),
+        });
+        let call = format!("let {name} = ({closure}({{}}) + {closure}({{}})).sin();");
+        self.line(&put(&call, &[&first, &second]));
+        self.declare(name, Kind::Scalar { mutable: false });
+    }
+
+    /// `break` or `continue`, of a loop around, if a condition holds.
+    fn jump(&mut self) {
+        let (condition, label) = (self.condition(), self.random.pick(&self.loops.clone()));
+        let jump = match self.random.below(4) {
+            0 => "break".to_owned(),
+            1 => "continue".to_owned(),
+            2 => format!("break {label}"),
+            _ => format!("continue {label}"),
+        };
+        let line = Both::same(format!("{jump};"));
+        self.block(&put("if {}", &[&condition]), |writer| writer.line(&line), "");
+    }
+
+    fn early_return(&mut self) {
+        let (condition, value) = (self.condition(), self.expression(2));
+        let line = put("return {};", &[&value]);
+        self.block(&put("if {}", &[&condition]), |writer| writer.line(&line), "");
+    }
+}
