@@ -238,6 +238,9 @@
 //! assert_eq!(by_shape.Disc.0, 0.0);
 //! ```
 //!
+//! The tangent of a `Box` is a [`Boxed`] one, made when something flows to it, so that types may
+//! hold themselves in boxes: trees of formulas, of bodies, of scenes.
+//!
 //! # Changing things in place
 //!
 //! A `&mut` parameter goes both ways, and so does its cotangent: the pullback takes, after that of
@@ -368,6 +371,7 @@
 
 extern crate self as ad;
 
+mod boxed;
 pub mod check;
 mod containers;
 mod differentiable;
@@ -382,6 +386,7 @@ pub mod tape;
 pub mod vector;
 
 pub use ad_macros::{Differentiable, differentiable};
+pub use boxed::Boxed;
 pub use differentiable::{Additive, Differentiable, NoDerivative, NoTangent, Shape, Tangent};
 pub use dual::Dual;
 pub use real::{Mask, Real, Scalar, Select};

@@ -14,7 +14,7 @@ mod cotangent;
 mod products;
 mod pullback;
 
-pub use cotangent::{Absorb, At, Constant, Enter, Length, Same, Take, at, sum, take};
+pub use cotangent::{Absorb, At, Constant, Content, Enter, Length, Same, Take, at, sum, take};
 pub use products::{Products, ProductsOfFinite, rarely};
 pub use pullback::MethodPullback;
 

@@ -534,12 +534,22 @@ pub(super) fn is_type_name(ident: &syn::Ident) -> bool {
 
 /// `Some`
 pub(super) fn is_transparent(path: &Path) -> bool {
-    path.segments.last().is_some_and(|last| last.ident == "Some")
+    is_standard_variant(path, "Option")
+        && path.segments.last().is_some_and(|last| last.ident == "Some")
+}
+
+/// Whether a path may lead to a variant of the standard library's `owner`.
+fn is_standard_variant(path: &Path, owner: &str) -> bool {
+    let named = path.segments.iter().rev().nth(1);
+    named.is_none_or(|segment| segment.ident == owner)
 }
 
 /// `Ok`, `Err`: the member of the cotangent of a `Result`.
 pub(super) fn outcome(path: &Path) -> Option<Member> {
     let last = &path.segments.last()?.ident;
+    if !is_standard_variant(path, "Result") {
+        return None;
+    }
     match () {
         () if last == "Ok" => Some(Member::from(0)),
         () if last == "Err" => Some(Member::from(1)),

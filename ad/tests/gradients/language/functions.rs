@@ -300,6 +300,93 @@ fn no_diff() {
     assert!((gradient.0 - a * y * y).abs() < 1e-12 && (gradient.1 - by_y).abs() < 1e-12);
 }
 
+/// A tree of formulas.
+#[derive(Clone, Differentiable)]
+enum Formula {
+    X,
+    Number(f64),
+    Add(Box<Formula>, Box<Formula>),
+    Scale { by: f64, of: Box<Formula> },
+    Sum(Vec<Formula>),
+}
+
+#[differentiable(boxed)]
+fn evaluate(formula: &Formula, x: f64) -> f64 {
+    match formula {
+        Formula::X => x,
+        Formula::Number(number) => *number,
+        Formula::Add(a, b) => evaluate(a, x) + evaluate(b, x) * evaluate(a, x),
+        Formula::Scale { by, of } => by * evaluate(of, x),
+        Formula::Sum(terms) => {
+            let mut sum = 0.0;
+            for term in terms.iter() {
+                sum += evaluate(term, x) * x;
+            }
+            sum
+        }
+    }
+}
+
+#[differentiable]
+fn of_formula(x: f64, y: f64) -> f64 {
+    let sum = Formula::Add(Box::new(Formula::X), Box::new(Formula::Number(y)));
+    let scaled = Formula::Scale { by: x * y, of: Box::new(sum.clone()) };
+    evaluate(&scaled, x) * evaluate(&Formula::Sum(vec![sum, Formula::X, scaled.clone()]), y)
+}
+
+#[derive(Clone, Copy, Differentiable)]
+struct Point {
+    at: [f64; 2],
+}
+
+#[differentiable]
+impl Point {
+    fn product(&self) -> f64 {
+        self.at[0] * self.at[1]
+    }
+
+    fn shift(&mut self, by: f64) {
+        self.at[0] += by;
+    }
+}
+
+#[differentiable]
+fn move_point(point: &mut Point, by: f64) {
+    point.at[1] *= by;
+}
+
+#[differentiable]
+fn boxed_points(mut point: Box<Point>, y: f64) -> f64 {
+    let copy = *point;
+    point.shift(y);
+    point.at[1] += y;
+    (*point).at[0] *= 2.0;
+    move_point(&mut point, y);
+    let other = Box::new(copy);
+    point.product() * other.at[0] + copy.product() + (*other).at[1]
+}
+
+#[differentiable]
+fn unboxed(point: Box<Point>) -> f64 {
+    point.product()
+}
+
+#[differentiable]
+fn in_boxes(x: f64, y: f64) -> f64 {
+    let first = Box::new(Point { at: [x, y] });
+    boxed_points(first, y) * unboxed(Box::new(Point { at: [y, x] }))
+}
+
+#[test]
+fn recursive_data() {
+    check!(of_formula(x, y) at [1.3, 0.7], [-0.4, 2.1]);
+    check!(in_boxes(x, y) at [1.3, 0.7], [-0.4, 2.1]);
+    let formula = Formula::Scale { by: 3.0, of: Box::new(Formula::Number(5.0)) };
+    let (by_formula, by_x) = evaluate::grad(&formula, 2.0);
+    assert_eq!((by_formula.Scale.by, by_formula.Scale.of.Number.0, by_x), (5.0, 3.0, 0.0));
+    assert_eq!(unboxed::grad(Box::new(Point { at: [2.0, 3.0] })).at, [3.0, 2.0]);
+}
+
 #[test]
 fn recursion() {
     check!(recursive(x, y) at [1.3, 0.7], [-0.4, 2.1]);
