@@ -44,7 +44,8 @@
 //!
 //! The gradient by a slice or a `Vec` is a `Vec` of the same length. Reading or writing an element
 //! costs the reverse sweep a constant time, as it does the function. A call costs it the length of
-//! what is passed: a function that looks at a few elements of many is best given `&xs[a..b]`.
+//! what is passed, or held by the receiver: a function that looks at a few elements of many is best
+//! given `&xs[a..b]`. What is passed as `&mut` is lent, at no cost.
 //!
 //! ```
 //! use ad::differentiable;
