@@ -104,7 +104,9 @@ pub enum Shape {
     Vec,
     /// `Name { a, b }` or `Name(a, b)`; a field may be `#[constant]`.
     Struct,
-    /// `Some(a)`, `Box::new(a)`: the cotangent of the whole is that of its content.
+    /// `Box::new(a)`: the cotangent of the whole is a box of that of its content.
+    Boxed,
+    /// `Some(a)`: the cotangent of the whole is that of its content.
     Transparent,
     /// `ControlFlow::Break(a)` (member 0) or `Continue(a)` (member 1); `Ok(a)` (member 0) or
     /// `Err(a)` (member 1).

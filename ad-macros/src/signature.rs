@@ -21,6 +21,8 @@ pub struct Parameter {
     pub is_exclusive: bool,
     /// Whether it is a `&`.
     pub is_shared: bool,
+    /// Whether it is `mut self`.
+    pub is_mutable_receiver: bool,
 }
 
 /// The type whose tangent is the cotangent of something of type `ty`: that of a reference is that
@@ -42,6 +44,12 @@ pub fn is_discrete(ty: &Type) -> bool {
     ];
     matches!(pointee(ty), Type::Path(path)
         if path.qself.is_none() && DISCRETE.iter().any(|name| path.path.is_ident(name)))
+}
+
+/// Whether the type is a box or a reference to one.
+pub fn is_box(ty: &Type) -> bool {
+    matches!(pointee(ty), Type::Path(path)
+        if path.path.segments.last().is_some_and(|last| last.ident == "Box"))
 }
 
 /// Whether the type is `&mut T`.
@@ -97,15 +105,14 @@ pub fn parameters(signature: &Signature, errors: &mut Errors) -> Vec<Parameter> 
             if let ReceiverKind::Typed(..) = receiver.kind {
                 errors.at(receiver, "write `self` or `&self`: other receivers are not supported");
             }
-            if let (ReceiverKind::Value, Some(token)) = (&receiver.kind, &receiver.mutability) {
-                errors.at(token, "write `self` and `let mut this = self;`");
-            }
             Parameter {
                 ident: Ident::new("self", receiver.self_token.span),
                 pattern: None,
                 ty: syn::parse_quote!(Self),
                 is_exclusive: matches!(receiver.kind, ReceiverKind::Reference(_, _, Some(_))),
                 is_shared: matches!(receiver.kind, ReceiverKind::Reference(_, _, None)),
+                is_mutable_receiver: matches!(receiver.kind, ReceiverKind::Value)
+                    && receiver.mutability.is_some(),
             }
         }
         FnArg::Typed(typed) => {
@@ -127,7 +134,14 @@ pub fn parameters(signature: &Signature, errors: &mut Errors) -> Vec<Parameter> 
             }
             let pattern = Some((*typed.pat).clone());
             let is_shared = !is_exclusive && matches!(&*typed.ty, Type::Reference(_));
-            Parameter { ident, pattern, ty: (*typed.ty).clone(), is_exclusive, is_shared }
+            Parameter {
+                ident,
+                pattern,
+                ty: (*typed.ty).clone(),
+                is_exclusive,
+                is_shared,
+                is_mutable_receiver: false,
+            }
         }
     });
     parameters.collect()

@@ -1,5 +1,11 @@
 //! Finite differences with step control: a check of gradients that shares no code with them.
 
+mod coordinates;
+mod rule;
+
+pub use coordinates::Coordinates;
+pub use rule::{Component, Function, Rule, Settings, assert_rule, worst};
+
 /// A numerical derivative.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Estimate {

@@ -3,7 +3,7 @@
 use core::marker::PhantomData;
 use core::ops::ControlFlow;
 
-use crate::{Additive, Differentiable, NoTangent, Shape, Tangent};
+use crate::{Additive, Boxed, Differentiable, NoTangent, Shape, Tangent};
 
 impl<T: Differentiable + ?Sized> Differentiable for &T {
     type Tangent = Tangent<T>;
@@ -25,15 +25,14 @@ impl<T: Differentiable + ?Sized> Differentiable for &mut T {
     }
 }
 
-/// The cotangent of a box is that of its content.
+/// The cotangent of a box is a box that is made when something flows to it. Its content is not
+/// brought to the size of the value: that could take a walk through a whole tree for each call.
 impl<T: Differentiable + ?Sized> Differentiable for Box<T> {
-    type Tangent = Tangent<T>;
-    type Shape = T::Shape;
+    type Tangent = Boxed<Tangent<T>>;
+    type Shape = ();
 
     #[inline(always)]
-    fn shape(&self) -> T::Shape {
-        T::shape(self)
-    }
+    fn shape(&self) {}
 }
 
 /// The cotangent of an option is that of its content; nothing flows into a `None`.
@@ -223,6 +222,15 @@ macro_rules! tuples {
             }
         }
 
+        impl<$($name),*> Parts for ($($name,)*) {
+            type Parts = ($(NoTangent<$name>,)*);
+
+            #[inline(always)]
+            fn parts() -> Self::Parts {
+                ($(NoTangent::<$name>::new(),)*)
+            }
+        }
+
         // The unit type is the shape of everything that has one size.
         tuples!(@shape $($name $shape $index),*);
 
@@ -243,7 +251,8 @@ macro_rules! tuples {
 
 #[allow(clippy::unused_unit)]
 mod tuples {
-    use super::{Additive, Differentiable, Shape, Tangent};
+    use super::{Additive, Differentiable, NoTangent, Shape, Tangent};
+    use crate::differentiable::Parts;
 
     tuples! {
         ()

@@ -91,13 +91,76 @@ impl<T: ?Sized> NoTangent<T> {
         Self(PhantomData)
     }
 
-    /// The only value, to write to. It takes no room, so there is no allocation.
+    /// The only value, to write to.
     pub(crate) fn anywhere<'a>() -> &'a mut Self
     where
         T: 'a,
     {
-        Box::leak(Box::new(Self::new()))
+        anywhere(Self::new())
     }
+}
+
+/// A value that takes no room, wherever it may live: there is no allocation.
+fn anywhere<'a, T>(value: T) -> &'a mut T {
+    const { assert!(size_of::<T>() == 0) };
+    Box::leak(Box::new(value))
+}
+
+/// A type whose parts have names: what the cotangent of a `#[constant]` field shows of them.
+/// `#[derive(Differentiable)]` implements it.
+pub trait Parts {
+    /// A struct of the same fields, each a [`NoTangent`].
+    type Parts;
+
+    /// The only value.
+    fn parts() -> Self::Parts;
+}
+
+/// The parts of what carries no derivative carry none.
+impl<T: Parts> core::ops::Deref for NoTangent<T> {
+    type Target = T::Parts;
+
+    #[inline(always)]
+    fn deref(&self) -> &T::Parts {
+        anywhere(T::parts())
+    }
+}
+
+impl<T: Parts> core::ops::DerefMut for NoTangent<T> {
+    #[inline(always)]
+    fn deref_mut(&mut self) -> &mut T::Parts {
+        anywhere(T::parts())
+    }
+}
+
+macro_rules! vector_parts {
+    ($($parts:ident { $($element:ident)* }: $($vector:ident $scalar:ty),*;)*) => {$(
+        /// The elements of a vector that carries no derivative.
+        #[derive(Default)]
+        pub struct $parts<S> {
+            $(
+                #[allow(missing_docs)]
+                pub $element: NoTangent<S>,
+            )*
+        }
+
+        $(
+            impl Parts for $vector {
+                type Parts = $parts<$scalar>;
+
+                #[inline(always)]
+                fn parts() -> Self::Parts {
+                    Self::Parts::default()
+                }
+            }
+        )*
+    )*};
+}
+
+vector_parts! {
+    Parts2 { x y }: Vec2 f32, DVec2 f64;
+    Parts3 { x y z }: Vec3 f32, DVec3 f64;
+    Parts4 { x y z w }: Vec4 f32, DVec4 f64;
 }
 
 impl<T: ?Sized> Default for NoTangent<T> {

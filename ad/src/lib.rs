@@ -44,7 +44,8 @@
 //!
 //! The gradient by a slice or a `Vec` is a `Vec` of the same length. Reading or writing an element
 //! costs the reverse sweep a constant time, as it does the function. A call costs it the length of
-//! what is passed: a function that looks at a few elements of many is best given `&xs[a..b]`.
+//! what is passed, or held by the receiver: a function that looks at a few elements of many is best
+//! given `&xs[a..b]`. What is passed as `&mut` is lent, at no cost.
 //!
 //! ```
 //! use ad::differentiable;
@@ -107,7 +108,7 @@
 //! - A function that is called needs a derivative. If it has none, the compiler says that the
 //!   function *is not a crate or module*, or that there is no method `.._vjp`. Three ways out: put
 //!   `#[differentiable]` on it, write a [rule](#rules-written-by-hand) for it, or say that nothing
-//!   is to flow through it: [`stop_gradient`]`(f(stop_gradient(x)))`.
+//!   is to flow through it: [`no_diff`]`(|| f(x))`.
 //! - Integers, booleans and comparisons carry no derivative. A cast from a float to an integer would
 //!   cut one off, so it has to be said: `stop_gradient(x) as usize`.
 //! - A field that carries no derivative is marked `#[constant]`, and so is a type that carries none.
@@ -202,6 +203,8 @@
 //! }
 //! ```
 //!
+//! One call of [`check::assert_rule`] holds a rule against finite differences.
+//!
 //! A rule for a function of references returns `impl FnOnce(..) -> .. + use<>`: its pullback holds
 //! copies. An imported function gets its rule in a module, not within a function. One for a method `m` of another crate's type is a method `m_vjp` of a trait of yours.
 //!
@@ -235,6 +238,9 @@
 //! assert_eq!((by_shape.Box.width, by_shape.Box.height), (3.0, 2.0));
 //! assert_eq!(by_shape.Disc.0, 0.0);
 //! ```
+//!
+//! The tangent of a `Box` is a [`Boxed`] one, made when something flows to it, so that types may
+//! hold themselves in boxes: trees of formulas, of bodies, of scenes.
 //!
 //! # Changing things in place
 //!
@@ -361,10 +367,12 @@
 //! # Checking a gradient
 //!
 //! [`check::gradient`] differentiates numerically, with step control, and shares no code with the
-//! rules.
+//! rules. [`check::assert_rule`] compares a pullback with it, of any function, and
+//! [`check::worst`] tells the component with the greatest error.
 
 extern crate self as ad;
 
+mod boxed;
 pub mod check;
 mod containers;
 mod differentiable;
@@ -379,10 +387,11 @@ pub mod tape;
 pub mod vector;
 
 pub use ad_macros::{Differentiable, differentiable};
+pub use boxed::Boxed;
 pub use differentiable::{Additive, Differentiable, NoDerivative, NoTangent, Shape, Tangent};
 pub use dual::Dual;
 pub use real::{Mask, Real, Scalar, Select};
-pub use rules::{select, stop_gradient};
+pub use rules::{no_diff, select, stop_gradient};
 
 /// The vector of three scalars `S`.
 pub type Vec3<S> = <S as Real>::Vec3;

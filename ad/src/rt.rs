@@ -8,11 +8,13 @@ use glam::{DVec2, DVec3, DVec4, Vec2, Vec3, Vec4};
 use crate::rules::{AddPullback, NegPullback, SubPullback};
 use crate::{Additive, Differentiable, NoDerivative, Shape, Tangent};
 
+pub use crate::differentiable::Parts;
+
 mod cotangent;
 mod products;
 mod pullback;
 
-pub use cotangent::{Absorb, At, Constant, Enter, Length, Same, Take, at, sum, take};
+pub use cotangent::{Absorb, At, Constant, Content, Enter, Length, Same, Take, at, sum, take};
 pub use products::{Products, ProductsOfFinite, rarely};
 pub use pullback::MethodPullback;
 
@@ -28,8 +30,9 @@ pub use iterate::{
 pub mod methods {
     pub use crate::rules::{
         CloneRules as _, DVec2Rules as _, DVec4Rules as _, FloatRules as _, FromRules as _,
-        GlamRules as _, RealRules as _, ScalarRules as _, SequenceRules as _, Vec2Rules as _,
-        Vec4Rules as _, VecRules as _, Vector3Rules as _, VectorRules as _,
+        GlamRules as _, OptionRules as _, RealRules as _, ResultRules as _, ScalarRules as _,
+        SequenceRules as _, Vec2Rules as _, Vec4Rules as _, VecRules as _, Vector3Rules as _,
+        VectorRules as _,
     };
     pub use crate::vector::{Vector as _, Vector3 as _};
 }

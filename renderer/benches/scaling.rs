@@ -4,7 +4,6 @@
 //! by everything, of an update of all vertices, and of the first preparation. An argument names an SVG
 //! file to draw.
 
-use std::hint::black_box;
 use std::path::Path;
 
 use plotters::prelude::*;

@@ -3,9 +3,10 @@
 use ad::check;
 use glam::DVec3;
 use renderer::image::Image;
-use renderer::integrator::{PixelLoss, Prepared, Wanted, gradient, loss, render};
+use renderer::integrator::{PixelLoss, Prepared, Rays, Wanted, gradient, loss, render, trace};
 use renderer::loss::{ImageLoss, LossKind};
 use renderer::scene::{ParameterId, Scene};
+use wide::{f32x8, f32x16, f64x8};
 
 use crate::scenes::small_scene;
 
@@ -130,19 +131,35 @@ fn lanes_agree_with_single_numbers() {
     let target = target(&scene);
     let loss = ImageLoss::new(LossKind::MeanSquared, &target, false);
     let ids = scene.parameter_ids();
-    let single = gradient(&Prepared::<f32>::new(&scene), &loss, Wanted::by(&ids));
-    for lanes in [
-        gradient(&Prepared::<wide::f32x8>::new(&scene), &loss, Wanted::by(&ids)),
-        gradient(&Prepared::<wide::f32x16>::new(&scene), &loss, Wanted::by(&ids)),
+    let wanted = Wanted::by(&ids);
+    let single = gradient(&Prepared::<f32>::new(&scene), &loss, wanted);
+    let double = gradient(&Prepared::<f64>::new(&scene), &loss, wanted);
+    for (lanes, single, tolerance) in [
+        (gradient(&Prepared::<f32x8>::new(&scene), &loss, wanted), &single, 1e-4),
+        (gradient(&Prepared::<f32x16>::new(&scene), &loss, wanted), &single, 1e-4),
+        (gradient(&Prepared::<f64x8>::new(&scene), &loss, wanted), &double, 1e-12),
     ] {
-        assert!((lanes.loss - single.loss).abs() <= 1e-5 * single.loss);
+        assert!((lanes.loss - single.loss).abs() <= 0.1 * tolerance * single.loss);
         for &id in &ids {
             let (lanes, single) = (lanes.gradient.get(id), single.gradient.get(id));
             let scale = single.iter().fold(0.0_f64, |scale, x| scale.max(x.abs()));
             for (l, s) in lanes.iter().zip(single) {
                 let error = (l - s).abs() / scale;
-                assert!(error <= 1e-4, "{}: {l} instead of {s}", scene.path(id));
+                assert!(error <= tolerance, "{}: {l} instead of {s}", scene.path(id));
             }
         }
     }
+}
+
+#[test]
+fn rays_are_counted() {
+    let scene = small_scene(37);
+    let prepared = Prepared::<f32x16>::new(&scene);
+    let pixels = u64::from(scene.width * scene.height);
+    assert_eq!(trace(&prepared, false), Rays { primary: pixels, shadow: 0 });
+    let with_shadows = trace(&prepared, true);
+    assert_eq!(with_shadows.primary, pixels);
+    let lights = scene.parameters.lights.len() as u64;
+    assert!(with_shadows.shadow > 0 && with_shadows.shadow < lights * pixels, "{with_shadows:?}");
+    assert_eq!(with_shadows, trace(&Prepared::<f64>::new(&scene), true));
 }

@@ -40,7 +40,8 @@ pub fn expand(item: TokenStream) -> syn::Result<TokenStream> {
             };
             let definition = definition.expand();
             let shape = shape::of_struct(name, &tangent, &input.generics, &fields);
-            return Ok(quote!(#definition #shape));
+            let parts = parts(name, &input.generics, &data.fields);
+            return Ok(quote!(#definition #shape #parts));
         }
         Data::Enum(data) => data.variants.iter().collect(),
         Data::Union(data) => {
@@ -147,6 +148,43 @@ fn fields(fields: &Fields) -> Vec<ActiveField> {
 
 fn is_constant(attributes: &[Attribute]) -> bool {
     attributes.iter().any(|attribute| attribute.path().is_ident("constant"))
+}
+
+/// The parts of a `#[constant]` field of the type.
+fn parts(name: &Ident, generics: &Generics, fields: &Fields) -> TokenStream {
+    let (impl_generics, type_generics, where_clause) = generics.split_for_impl();
+    let types = fields.iter().map(|field| {
+        let (visibility, ident, ty) = (&field.vis, &field.ident, &field.ty);
+        let colon = &field.colon_token;
+        quote!(#visibility #ident #colon ::ad::NoTangent<#ty>)
+    });
+    let definition = match fields {
+        Fields::Named(_) => quote! {
+            pub struct __TangentParts #impl_generics #where_clause { #(#types),* }
+        },
+        Fields::Unnamed(_) => quote! {
+            pub struct __TangentParts #impl_generics (#(#types),*) #where_clause;
+        },
+        Fields::Unit => quote! {
+            pub struct __TangentParts #impl_generics #where_clause {}
+        },
+    };
+    let members = fields.members();
+    quote! {
+        const _: () = {
+            #definition
+
+            #[automatically_derived]
+            impl #impl_generics ::ad::rt::Parts for #name #type_generics #where_clause {
+                type Parts = __TangentParts #type_generics;
+
+                #[inline(always)]
+                fn parts() -> Self::Parts {
+                    __TangentParts { #(#members: ::ad::NoTangent::new()),* }
+                }
+            }
+        };
+    }
 }
 
 /// What holds no data to differentiate by is like an integer.

@@ -59,14 +59,18 @@ impl Lowerer<'_> {
             _ => quote!(::ad::rt::empty_product #asked ()),
         };
         let hint = if hint == "value" { "total" } else { hint };
+        let name = hint.to_owned();
         let total = self.changing(hint, Operand::Constant(start), call);
         self.each(&call.receiver, &mut |lowerer, item| {
             let value = lowerer.plain_item(item);
             let value = lowerer.named(value, "term", call.method.span());
             let place = Place { root: total, path: Vec::new() };
             let read = Operation::Read(place.clone());
-            let previous = lowerer.define("partial", call.method.span(), true, read);
-            lowerer.push(Statement::Update { place, operator, previous, value });
+            let before = lowerer.define("partial", call.method.span(), true, read);
+            // Not `+=`: the standard library asks for a sum of values, not for that.
+            let sum = Operation::Binary(operator, before, value);
+            let sum = lowerer.define(&name, call.method.span(), true, sum);
+            lowerer.store(place, Operand::Var(sum));
         });
         self.read_place(Place { root: total, path: Vec::new() }, hint)
     }

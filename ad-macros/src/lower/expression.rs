@@ -8,6 +8,7 @@ use syn::{BinOp, Expr, ExprBinary, ExprPath, Member, Path, PathArguments, Type, 
 use super::Lowerer;
 use super::array::is_from_fn;
 use super::ends::End;
+use super::no_diff::undifferentiated;
 use crate::ir::{Argument, BinaryOperator, Operand, Operation, Projection, Shape, Statement};
 
 impl Lowerer<'_> {
@@ -257,6 +258,9 @@ impl Lowerer<'_> {
             let expr = Expr::Call(call.clone());
             let tokens = self.plain(&expr);
             return self.settled(&expr, tokens);
+        }
+        if let Some(closure) = undifferentiated(call) {
+            return Operand::Constant(self.no_diff(&call.func, closure));
         }
         if is_from_fn(path) {
             return self.array_from_fn(call, path, hint);
@@ -530,12 +534,22 @@ pub(super) fn is_type_name(ident: &syn::Ident) -> bool {
 
 /// `Some`
 pub(super) fn is_transparent(path: &Path) -> bool {
-    path.segments.last().is_some_and(|last| last.ident == "Some")
+    is_standard_variant(path, "Option")
+        && path.segments.last().is_some_and(|last| last.ident == "Some")
+}
+
+/// Whether a path may lead to a variant of the standard library's `owner`.
+fn is_standard_variant(path: &Path, owner: &str) -> bool {
+    let named = path.segments.iter().rev().nth(1);
+    named.is_none_or(|segment| segment.ident == owner)
 }
 
 /// `Ok`, `Err`: the member of the cotangent of a `Result`.
 pub(super) fn outcome(path: &Path) -> Option<Member> {
     let last = &path.segments.last()?.ident;
+    if !is_standard_variant(path, "Result") {
+        return None;
+    }
     match () {
         () if last == "Ok" => Some(Member::from(0)),
         () if last == "Err" => Some(Member::from(1)),

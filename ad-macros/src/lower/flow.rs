@@ -5,7 +5,7 @@
 //! go on, or a loop may exit, the statement becomes a `ControlFlow` (see [`ends`](super::ends)),
 //! and the rest the `Continue` arm of a match on it. `e?` becomes a match on `e`.
 
-use proc_macro2::{Ident, TokenStream};
+use proc_macro2::Ident;
 use quote::{quote, quote_spanned};
 use syn::spanned::Spanned;
 use syn::visit::Visit;
@@ -16,9 +16,8 @@ use super::closure::simple_name;
 use super::ends::{End, JumpKind, Target};
 use super::exits::Exit;
 use super::macros::macro_diverges;
-use super::pattern::Matched;
 use super::{Lowerer, OnFailure, desugar, exits};
-use crate::ir::{Arm, Branch, BranchKind, Operand, Statement};
+use crate::ir::{Operand, Statement};
 
 impl Lowerer<'_> {
     pub(super) fn function_body(&mut self, stmts: &[Stmt]) -> Operand {
@@ -347,106 +346,6 @@ impl Lowerer<'_> {
             end.here.push(Target::Leave(id));
             lowerer.scope(|lowerer| lowerer.statements(stmts, &end))
         })
-    }
-
-    /// An `if` or `match`; `lower_arm` gives the value of each arm's body.
-    pub(super) fn branch_value(
-        &mut self,
-        expr: &Expr,
-        lower_arm: &mut dyn FnMut(&mut Self, &Expr) -> Operand,
-    ) -> Operand {
-        let (kind, arms) = self.branch_arms(expr, lower_arm);
-        self.branch(kind, arms, true, expr.span())
-    }
-
-    /// An `if` or `match` whose value nobody asks for.
-    fn branch_statement(
-        &mut self,
-        expr: &Expr,
-        lower_arm: &mut dyn FnMut(&mut Self, &Expr) -> Operand,
-    ) {
-        let (kind, arms) = self.branch_arms(expr, lower_arm);
-        self.branch(kind, arms, false, expr.span());
-    }
-
-    pub(super) fn branch(
-        &mut self,
-        kind: BranchKind,
-        arms: Vec<Arm>,
-        wants_value: bool,
-        span: proc_macro2::Span,
-    ) -> Operand {
-        let record = self.names.fresh("path", span);
-        let result = wants_value.then(|| {
-            let active = arms.iter().any(|arm| matches!(arm.body.value, Operand::Var(_)));
-            let ident = self.names.fresh("value", span);
-            self.var(ident, false, active)
-        });
-        self.push(Statement::Branch(Branch { result, record, kind, arms }));
-        match result {
-            Some(var) if self.vars[var].active => Operand::Var(var),
-            Some(var) => {
-                let ident = self.ident(var);
-                Operand::Constant(quote!(#ident))
-            }
-            None => Self::unit(),
-        }
-    }
-
-    fn branch_arms(
-        &mut self,
-        expr: &Expr,
-        lower_arm: &mut dyn FnMut(&mut Self, &Expr) -> Operand,
-    ) -> (BranchKind, Vec<Arm>) {
-        match &desugar::branch(expr.clone()) {
-            Expr::If(branch) => {
-                let then = &branch.then_branch;
-                let then: Expr = parse_quote!(#then);
-                let otherwise = desugar::otherwise(branch);
-                if let Expr::Let(condition) = strip_parens(&branch.cond) {
-                    let (pat, matched) = (&condition.pat, &condition.expr);
-                    let as_match: Expr =
-                        parse_quote!(match #matched { #pat => #then, _ => #otherwise });
-                    return self.branch_arms(&as_match, lower_arm);
-                }
-                let condition = self.plain(&branch.cond);
-                let arms = [then, otherwise].map(|body| Arm {
-                    pattern: TokenStream::new(),
-                    guard: None,
-                    bindings: Vec::new(),
-                    body: self.block(|lowerer| lower_arm(lowerer, &body)),
-                });
-                (BranchKind::If(condition), arms.into())
-            }
-            Expr::Match(branch) => {
-                let (matched, source) = self.scrutinee(&branch.expr);
-                let reference = match &source {
-                    _ if matches!(*branch.expr, Expr::Reference(_)) => true,
-                    Some(place) => place.path.is_empty() && self.may_refer(place.root),
-                    None => false,
-                };
-                let matched_value =
-                    Matched { active: source.is_some(), refutable: true, reference };
-                let arms = branch.arms.iter().map(|arm| {
-                    let (pat, guard) = match &arm.pat {
-                        Pat::Guard(guarded) => (&*guarded.pat, Some(&guarded.guard)),
-                        pat => (pat, None),
-                    };
-                    let mut pattern = TokenStream::new();
-                    let mut bindings = Vec::new();
-                    let mut guard_tokens = None;
-                    let body = self.block(|lowerer| {
-                        (pattern, bindings) = lowerer.pattern(pat, matched_value);
-                        guard_tokens = guard.map(|guard| lowerer.plain(guard));
-                        lower_arm(lowerer, &arm.body)
-                    });
-                    Arm { pattern, guard: guard_tokens, bindings, body }
-                });
-                let arms = arms.collect();
-                (BranchKind::Match(matched, source), arms)
-            }
-            other => unreachable!("not a branch: {}", quote!(#other)),
-        }
     }
 }
 

@@ -74,12 +74,12 @@ impl Lowerer<'_> {
             }
             Expr::While(a_loop) => {
                 let syn::ExprWhile { label, cond, body, .. } = a_loop;
-                if exits::expr_exits(cond) || has_let(cond) {
+                if exits::expr_exits(cond) || has_let(cond) || self.calls_closure(cond) {
                     return self.a_loop(&parse_quote!(
                         #label loop { if #cond #body else { break; } }
                     ));
                 }
-                let condition = self.plain(cond);
+                let condition = self.plain_in_place(cond);
                 self.run_block(label.as_ref(), body, &Driver::While(condition))
             }
             Expr::Loop(a_loop) => {

@@ -117,11 +117,11 @@ impl Lowerer<'_> {
         for argument in arguments {
             tokens.push(match argument {
                 Expr::Assign(assign) => {
-                    let (name, value) = (&assign.left, self.plain(&assign.right));
+                    let (name, value) = (&assign.left, self.plain_in_place(&assign.right));
                     named.push(name.to_token_stream().to_string());
                     quote!(#name = #value)
                 }
-                argument => self.plain(argument),
+                argument => self.plain_in_place(argument),
             });
         }
         if let Some(Expr::Lit(literal)) = arguments.first().map(|first| strip_parens(first))

@@ -1,14 +1,16 @@
 //! From the user's syntax to [`ir`](crate::ir).
 //!
-//! [`desugar`] makes branches plainer; [`flow`] lowers statements and turns every early exit into
-//! the end of a block, whose meaning [`ends`] keeps; [`loops`] lowers loops, [`chain`], [`stage`]
-//! and [`item`] what they run over, [`consume`] what iterators are used up by; [`array`] builds
-//! arrays by element; [`closure`] puts closures in place of their calls; [`expression`] names
-//! intermediate results; [`pattern`] and [`place`] tell which part of a value is meant;
-//! [`sequence`] makes vectors and boxes; [`macros`] knows the macros of the standard library;
-//! [`plain`] passes on code through which no derivative flows, with variables renamed.
+//! [`flow`] lowers statements and turns every early exit into the end of a block, whose meaning
+//! [`ends`] keeps; [`branch`] lowers branches, which [`desugar`] makes plainer; [`loops`] lowers
+//! loops, [`chain`], [`stage`] and [`item`] what they run over, [`consume`] what iterators are used
+//! up by; [`array`] builds arrays by element; [`closure`] puts closures in place of their calls;
+//! [`expression`] names intermediate results; [`pattern`] and [`place`] tell which part of a value
+//! is meant; [`sequence`] makes vectors and boxes; [`macros`] knows the macros of the standard
+//! library; [`no_diff`] and [`plain`] pass on code through which no derivative flows, with variables
+//! renamed.
 
 mod array;
+mod branch;
 mod chain;
 mod closure;
 mod consume;
@@ -20,6 +22,7 @@ mod flow;
 mod item;
 mod loops;
 mod macros;
+mod no_diff;
 mod pattern;
 mod place;
 mod plain;
@@ -40,7 +43,7 @@ use self::item::Alias;
 use crate::errors::Errors;
 use crate::ir::{Block, BlockId, Operand, Operation, Statement, Var, VarId};
 use crate::names::Names;
-use crate::signature::{Parameter, has_fixed_size, is_discrete, pointee};
+use crate::signature::{Parameter, has_fixed_size, is_box, is_discrete, pointee};
 
 /// A function body in lowered form.
 pub struct Lowered {
@@ -60,6 +63,8 @@ pub struct LoweredParameter {
     pub var: VarId,
     /// Whether its tangents may differ in size.
     pub has_shape: bool,
+    /// Whether it is a box, whose cotangent may have been gathered as that of the content.
+    pub is_box: bool,
 }
 
 /// Lowers a function body.
@@ -108,9 +113,12 @@ pub fn lower(
         }
     });
     let references = references.collect();
-    let parameters = parameters.iter().zip(parameter_vars).map(|(parameter, var)| {
-        LoweredParameter { var, has_shape: !has_fixed_size(&parameter.ty) }
-    });
+    let parameters =
+        parameters.iter().zip(parameter_vars).map(|(parameter, var)| LoweredParameter {
+            var,
+            has_shape: !has_fixed_size(&parameter.ty),
+            is_box: is_box(&parameter.ty),
+        });
     let parameters = parameters.collect();
     Lowered { vars: lowerer.vars, parameters, references, body }
 }
@@ -269,7 +277,8 @@ impl Lowerer<'_> {
 
     fn parameter(&mut self, parameter: &Parameter) -> VarId {
         let exclusive = parameter.is_exclusive;
-        let var = self.var(parameter.ident.clone(), exclusive, !is_discrete(&parameter.ty));
+        let mutable = exclusive || parameter.is_mutable_receiver;
+        let var = self.var(parameter.ident.clone(), mutable, !is_discrete(&parameter.ty));
         self.vars[var].exclusive = exclusive;
         if parameter.is_shared {
             self.references.insert(var);

@@ -7,6 +7,7 @@ use syn::visit::{self, Visit};
 use syn::{Expr, Member, Pat, Type};
 
 use super::Lowerer;
+use super::chain::is_chain;
 use super::expression::{is_transparent, is_type_name, outcome, variant};
 use crate::ir::{Binding, Operand, Operation, Place, Projection, Statement, VarId};
 
@@ -232,12 +233,15 @@ impl Lowerer<'_> {
 
     /// A variable declared with an integer or boolean type.
     pub(super) fn discrete_local(&mut self, pat: &Pat, ty: Option<&Type>, value: &Expr) {
-        let value = match value {
-            Expr::If(_) | Expr::Match(_) | Expr::Block(_) | Expr::Loop(_) => {
-                let chosen = self.operand(value, "value");
-                self.without_derivative(&chosen)
+        let is_control =
+            matches!(value, Expr::If(_) | Expr::Match(_) | Expr::Block(_) | Expr::Loop(_));
+        let uses_iterator = matches!(value, Expr::MethodCall(call) if is_chain(&call.receiver));
+        let value = match is_control || uses_iterator {
+            true => {
+                let value = self.operand(value, "value");
+                self.without_derivative(&value)
             }
-            _ => self.plain_constant(value),
+            false => self.plain_constant(value),
         };
         match pat {
             Pat::Ident(ident) if ident.subpat.is_none() && ident.by_ref.is_none() => {

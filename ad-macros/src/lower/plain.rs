@@ -4,12 +4,13 @@
 use proc_macro2::TokenStream;
 use quote::{ToTokens, quote, quote_spanned};
 use syn::spanned::Spanned;
-use syn::visit::Visit;
+use syn::visit::{self, Visit};
 use syn::visit_mut::{self, VisitMut};
-use syn::{Expr, Macro, Pat, Type, parse_quote, parse_quote_spanned};
+use syn::{BinOp, Expr, Macro, Pat, Type, parse_quote, parse_quote_spanned};
 
 use super::expression::is_type_name;
 use super::macros::{Matches, standard_macro};
+use super::no_diff::undifferentiated;
 use super::{Lowerer, exits};
 use crate::ir::{Operand, Operation};
 
@@ -18,8 +19,31 @@ impl Lowerer<'_> {
     /// derivative (a condition, a comparison).
     pub(super) fn plain(&mut self, expr: &Expr) -> TokenStream {
         let mut expr = expr.clone();
-        Plain { lowerer: self }.visit_expr_mut(&mut expr);
+        Plain { lowerer: self, is_conditional: false }.visit_expr_mut(&mut expr);
         expr.to_token_stream()
+    }
+
+    /// The same for what is not evaluated here, once, whatever comes: nothing is put before it.
+    pub(super) fn plain_in_place(&mut self, expr: &Expr) -> TokenStream {
+        let mut expr = expr.clone();
+        Plain { lowerer: self, is_conditional: true }.visit_expr_mut(&mut expr);
+        expr.to_token_stream()
+    }
+
+    /// Whether a closure that has a name is called somewhere in an expression.
+    pub(super) fn calls_closure(&self, expr: &Expr) -> bool {
+        struct Finder<'l, 'a>(&'l Lowerer<'a>, bool);
+
+        impl<'ast> Visit<'ast> for Finder<'_, '_> {
+            fn visit_expr_call(&mut self, call: &'ast syn::ExprCall) {
+                self.1 |= self.0.named_closure(&call.func).is_some();
+                visit::visit_expr_call(self, call);
+            }
+        }
+
+        let mut finder = Finder(self, false);
+        finder.visit_expr(expr);
+        finder.1
     }
 
     /// As [`plain`](Self::plain), where the value is used: checked by its type to have no
@@ -65,8 +89,14 @@ impl Lowerer<'_> {
                 Some(var) => !self.vars[var].active,
                 None => true,
             },
-            Expr::Call(call) => matches!(&*call.func, Expr::Path(path)
-                if path.path.segments.last().is_some_and(|last| last.ident == "stop_gradient")),
+            Expr::Call(call) => {
+                undifferentiated(call).is_some()
+                    || matches!(&*call.func, Expr::Path(path) if path
+                        .path
+                        .segments
+                        .last()
+                        .is_some_and(|last| last.ident == "stop_gradient"))
+            }
             _ => false,
         }
     }
@@ -117,6 +147,8 @@ impl<'ast> Visit<'ast> for MutableReader<'_, '_> {
 
 struct Plain<'l, 'a> {
     lowerer: &'l mut Lowerer<'a>,
+    /// Whether the part being visited may not be evaluated, or more than once.
+    is_conditional: bool,
 }
 
 impl Plain<'_, '_> {
@@ -137,10 +169,12 @@ impl Plain<'_, '_> {
         self.visit_expr_mut(&mut expr);
         self.lowerer.scopes.push(Default::default());
         self.rename_bound(&mut pat);
+        let was_conditional = std::mem::replace(&mut self.is_conditional, true);
         let guard = guard.map(|mut guard| {
             self.visit_expr_mut(&mut guard);
             quote!(if #guard)
         });
+        self.is_conditional = was_conditional;
         self.lowerer.scopes.pop();
         call.tokens = quote!(#expr, #pat #guard);
     }
@@ -182,21 +216,15 @@ impl VisitMut for Plain<'_, '_> {
                     if self.lowerer.closures.contains_key(&var) {
                         self.lowerer.refuse(&*path, "bind the value of this closure to a variable with `let` before the condition or the index that uses it");
                     }
-                    *expr = match self.lowerer.aliases.get(&var).cloned() {
-                        Some(alias) => {
-                            let place = self.lowerer.place_tokens(&alias.place);
-                            (0..alias.depth).fold(
-                                parse_quote!(#place),
-                                |inner: Expr, _| parse_quote!((&#inner)),
-                            )
-                        }
-                        None => {
-                            let ident = self.lowerer.ident_at(var, path.span());
-                            parse_quote!(#ident)
-                        }
-                    };
+                    *expr = self.lowerer.value_of(var, path.span());
                 } else {
                     self.lowerer.check_capital(path);
+                }
+            }
+            Expr::Call(call) if undifferentiated(call).is_some() => {
+                if let Some(closure) = undifferentiated(call) {
+                    let value = self.lowerer.no_diff(&call.func, closure);
+                    *expr = parse_quote!(#value);
                 }
             }
             Expr::MethodCall(call) => {
@@ -230,7 +258,9 @@ impl VisitMut for Plain<'_, '_> {
                 for input in &mut closure.inputs {
                     self.rename_bound(input);
                 }
+                let was_conditional = std::mem::replace(&mut self.is_conditional, true);
                 self.visit_expr_mut(&mut closure.body);
+                self.is_conditional = was_conditional;
                 self.lowerer.scopes.pop();
             }
             Expr::Binary(binary) if exits::is_update(&binary.op) => {
@@ -238,6 +268,23 @@ impl VisitMut for Plain<'_, '_> {
                     &*expr,
                     "an assignment is not supported in a condition or an index: put it before",
                 );
+            }
+            Expr::Call(call) if self.lowerer.named_closure(&call.func).is_some() => {
+                if self.is_conditional {
+                    self.lowerer.refuse(
+                        &*call,
+                        "a closure is called here under a condition: bind its value to a variable with `let` before",
+                    );
+                    return;
+                }
+                let value = self.lowerer.operand(&Expr::Call(call.clone()), "value");
+                *expr = Expr::Verbatim(self.lowerer.tokens(&value));
+            }
+            Expr::Binary(binary) if matches!(binary.op, BinOp::And(_) | BinOp::Or(_)) => {
+                self.visit_expr_mut(&mut binary.left);
+                let was_conditional = std::mem::replace(&mut self.is_conditional, true);
+                self.visit_expr_mut(&mut binary.right);
+                self.is_conditional = was_conditional;
             }
             Expr::Macro(call) if standard_macro(&call.mac.path).as_deref() == Some("matches") => {
                 self.visit_matches(&mut call.mac);

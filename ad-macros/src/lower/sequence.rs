@@ -66,8 +66,7 @@ impl Lowerer<'_> {
         let parts = self.operands(&call.args);
         let tokens: TokenStream = parts.iter().map(|part| self.tokens(part)).collect();
         let expression = quote!(#function(#tokens));
-        let value =
-            self.aggregate(expression, Shape::Transparent, numbered(parts), hint, call.span());
+        let value = self.aggregate(expression, Shape::Boxed, numbered(parts), hint, call.span());
         // It could be somebody else's `Box`.
         if let Operand::Var(var) = value {
             let ident = self.ident(var).to_token_stream();

@@ -10,7 +10,7 @@ impl dot {
     ) {
         #[allow(unused_imports)]
         use ::ad::rt::methods::*;
-        let partial_pullback = ::ad::rt::Linear::of_unknown();
+        let total_1_pullback = ::ad::rt::Linear::of_unknown();
         let xs_kept = *xs;
         let ys_kept = *ys;
         let xs_space = ::ad::rt::space(&xs);
@@ -22,26 +22,28 @@ impl dot {
             let y = ys[index];
             let product = x * y;
             let partial = total;
-            total += product;
-            partial_pullback.is_of(&partial, &product);
+            let total_1 = partial + product;
+            total_1_pullback.is_of(&partial, &product);
+            total = total_1;
         }
-        let total_1 = total;
+        let total_2 = total;
         (
-            total_1,
+            total_2,
             move |
                 result_bar: ::ad::Tangent<f64>,
             | -> (::ad::Tangent<[f64; 8]>, ::ad::Tangent<[f64; 8]>) {
-                let mut total_1_bar = result_bar;
-                let mut total_bar = total_1_bar;
+                let mut total_2_bar = result_bar;
+                let mut total_bar = total_2_bar;
                 let mut xs_bar = xs_space.zero();
                 let mut ys_bar = ys_space.zero();
                 for index in range.clone().rev() {
                     let x = xs_kept[index];
                     let y = ys_kept[index];
-                    let (total_part, product_part) = partial_pullback
-                        .pull_back_sum(::ad::rt::take(&mut total_bar));
-                    ::ad::rt::Absorb::absorb(&mut total_bar, total_part);
-                    let mut product_bar = product_part;
+                    let total_part = ::ad::rt::take(&mut total_bar);
+                    let mut total_1_bar = total_part;
+                    let (mut partial_bar, mut product_bar) = total_1_pullback
+                        .pull_back_sum(total_1_bar);
+                    ::ad::rt::Absorb::absorb(&mut total_bar, partial_bar);
                     let (mut x_bar, mut y_bar) = ::ad::rules::MulPullback::mul_pullback(
                         x,
                         y,

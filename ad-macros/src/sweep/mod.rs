@@ -69,20 +69,22 @@ pub fn sweep(
     let spaces = lowered.parameters.iter().map(|parameter| sweeper.space_definition(parameter.var));
     let spaces: Vec<_> = spaces.collect();
     let mut shapes = TokenStream::new();
-    let cotangents = lowered.parameters.iter().map(|&LoweredParameter { var, has_shape }| {
-        let Var { ident, cotangent, active, .. } = &lowered.vars[var];
-        let cotangent = match (active, sweeper.started.contains(&var)) {
-            (false, _) => return quote!(()),
-            (true, true) => quote!(#cotangent),
-            (true, false) => quote!(::ad::Additive::zero()),
-        };
-        if !has_shape {
-            return cotangent;
-        }
-        let shape = sweeper.names.fresh(&format!("{ident}_shape"), ident.span());
-        shapes.extend(quote!(let #shape = ::ad::rt::shape(&#ident);));
-        quote!(::ad::rt::fit(#shape, #cotangent))
-    });
+    let cotangents =
+        lowered.parameters.iter().map(|&LoweredParameter { var, has_shape, is_box }| {
+            let Var { ident, cotangent, active, .. } = &lowered.vars[var];
+            let cotangent = match (active, sweeper.started.contains(&var)) {
+                (false, _) => return quote!(()),
+                (true, true) if is_box => return quote!(::ad::rt::Enter::enter(#cotangent)),
+                (true, true) => quote!(#cotangent),
+                (true, false) => quote!(::ad::Additive::zero()),
+            };
+            if !has_shape {
+                return cotangent;
+            }
+            let shape = sweeper.names.fresh(&format!("{ident}_shape"), ident.span());
+            shapes.extend(quote!(let #shape = ::ad::rt::shape(&#ident);));
+            quote!(::ad::rt::fit(#shape, #cotangent))
+        });
     let cotangents = tuple_or_one(&cotangents.collect::<Vec<_>>());
     let pullback = sweeper.choose_products(body.reverse, cotangents);
     let regular = sweeper.products.as_ref().map(|products| &products.regular);
@@ -316,6 +318,14 @@ impl Sweeper<'_> {
         let whole = path.iter().all(|step| matches!(step, Projection::Deref));
         if whole && self.is_unstarted_local(var) {
             self.started.insert(var);
+            // Behind a `*` may be the content of a box.
+            let value = match path.is_empty() {
+                true => value,
+                false => {
+                    let space = self.space(var);
+                    quote!(#space.enter(#value))
+                }
+            };
             let cotangent = &self.vars[var].cotangent;
             reverse.extend(quote!(let mut #cotangent = #value;));
         } else {
@@ -463,9 +473,10 @@ impl Sweeper<'_> {
     }
 
     /// The cotangent of `place`, as that of the variable it was made from: `place` may lie in a
-    /// `#[constant]` field.
+    /// `#[constant]` field or in a box.
     fn entered(&mut self, var: VarId, place: &Place, cotangent: TokenStream) -> TokenStream {
-        if !self.vars[var].active || !place.path.iter().any(is_field) {
+        let is_plain = |step: &Projection| matches!(step, Projection::Index(_));
+        if !self.vars[var].active || place.path.iter().all(is_plain) {
             return cotangent;
         }
         let space = self.space(var);
@@ -559,10 +570,6 @@ impl Sweeper<'_> {
         written.defines.splice(0..0, sides.defines);
         written
     }
-}
-
-fn is_field(step: &Projection) -> bool {
-    matches!(step, Projection::Field(_))
 }
 
 /// The largest of the enums `ad::rt::Branch1`, `Branch2`, ..

@@ -205,6 +205,14 @@ impl Sweeper<'_> {
                 let targets: Vec<_> = arguments.iter().map(argument_target).collect();
                 self.contribute_all(reverse, &targets, pulled, false);
             }
+            Operation::Aggregate { shape: Shape::Boxed, parts, .. } => {
+                for (_, part) in parts {
+                    if let Operand::Var(part) = part {
+                        let space = self.space(*part);
+                        self.contribute(reverse, *part, &[], quote!(#space.enter(#cotangent)));
+                    }
+                }
+            }
             Operation::Aggregate { shape: Shape::Transparent, parts, .. } => {
                 for (_, part) in parts {
                     if let Operand::Var(part) = part {

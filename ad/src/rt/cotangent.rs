@@ -7,7 +7,7 @@ use core::ops::{Index, Range, RangeInclusive};
 
 use glam::{DVec2, DVec3, DVec4, Vec2, Vec3, Vec4};
 
-use crate::{Additive, NoTangent};
+use crate::{Additive, Boxed, NoTangent};
 
 /// Both sides of a conversion are of one kind.
 pub enum Same {}
@@ -17,6 +17,9 @@ pub enum Constant {}
 
 /// One side is the tangent of a slice, the other that of an array.
 pub enum Length {}
+
+/// One side is the tangent of a box, the other that of its content.
+pub enum Content {}
 
 /// Adds a contribution to a cotangent. What flows to a `#[constant]` field is dropped.
 pub trait Absorb<C, Kind> {
@@ -52,6 +55,20 @@ impl<T: Additive, const N: usize> Absorb<Vec<T>, Length> for [T; N] {
     }
 }
 
+impl<T: Additive> Absorb<T, Content> for Boxed<T> {
+    #[inline]
+    fn absorb(&mut self, contribution: T) {
+        self.accumulate(Boxed::new(contribution));
+    }
+}
+
+impl<T: Additive> Absorb<Boxed<T>, Content> for T {
+    #[inline]
+    fn absorb(&mut self, contribution: Boxed<T>) {
+        self.accumulate(contribution.into_inner());
+    }
+}
+
 /// The cotangent that a value has which went into a field or an argument. Nothing comes out of a
 /// `#[constant]` field; an array may have been passed as a slice.
 pub trait Enter<T, Kind> {
@@ -78,6 +95,20 @@ impl<T: Additive, const N: usize> Enter<[T; N], Length> for Vec<T> {
     fn enter(self) -> [T; N] {
         let mut elements = self.into_iter();
         core::array::from_fn(|_| elements.next().unwrap_or_else(T::zero))
+    }
+}
+
+impl<T: Additive> Enter<T, Content> for Boxed<T> {
+    #[inline]
+    fn enter(self) -> T {
+        self.into_inner()
+    }
+}
+
+impl<T: Additive> Enter<Boxed<T>, Content> for T {
+    #[inline]
+    fn enter(self) -> Boxed<T> {
+        Boxed::new(self)
     }
 }
 
@@ -112,6 +143,13 @@ impl<T: Additive, const N: usize> Take<Vec<T>, Length> for [T; N] {
     #[inline]
     fn take(&mut self) -> Vec<T> {
         self.as_mut_slice().take()
+    }
+}
+
+impl<T: Additive> Take<T, Content> for Boxed<T> {
+    #[inline]
+    fn take(&mut self) -> T {
+        core::mem::replace(self, Boxed::zero()).into_inner()
     }
 }
 
@@ -185,6 +223,15 @@ impl<T: Additive> At<RangeInclusive<usize>> for Vec<T> {
     }
 }
 
+impl<I, T: At<I> + Additive> At<I> for Boxed<T> {
+    type Part = T::Part;
+
+    #[inline]
+    fn at(&mut self, index: I) -> &mut T::Part {
+        (**self).at(index)
+    }
+}
+
 macro_rules! at_by_index {
     ($([$($generics:tt)*] $type:ty, $index:ty, $part:ty;)*) => {$(
         impl<$($generics)*> At<$index> for $type {
@@ -213,12 +260,18 @@ at_by_index! {
     [] DVec4, usize, f64;
 }
 
-/// What flows to a part of a `#[constant]` field is dropped too.
-impl<I: 'static, T: Index<I> + ?Sized> At<I> for NoTangent<T> {
-    type Part = NoTangent<T::Output>;
+macro_rules! at_constant {
+    ($($index:ty)*) => {$(
+        /// What flows to a part of a `#[constant]` field is dropped too.
+        impl<T: Index<$index> + ?Sized> At<$index> for NoTangent<T> {
+            type Part = NoTangent<T::Output>;
 
-    #[inline(always)]
-    fn at(&mut self, _: I) -> &mut NoTangent<T::Output> {
-        NoTangent::anywhere()
-    }
+            #[inline(always)]
+            fn at(&mut self, _: $index) -> &mut NoTangent<T::Output> {
+                NoTangent::anywhere()
+            }
+        }
+    )*};
 }
+
+at_constant!(usize Range<usize> RangeInclusive<usize>);

@@ -48,6 +48,26 @@ impl select {
     }
 }
 
+/// The value of `f`, as a constant: no derivative passes. Inside of a differentiable function the
+/// closure may hold any Rust, also what cannot be differentiated; it may read the variables around
+/// it and change none.
+///
+/// ```
+/// use ad::{differentiable, no_diff};
+///
+/// #[differentiable]
+/// fn f(x: f64) -> f64 {
+///     let digits = no_diff(|| format!("{x:.0}", x = x).len());
+///     x * x * digits as f64
+/// }
+///
+/// assert_eq!(f::value_and_grad(12.0), (288.0, 48.0));
+/// ```
+#[inline(always)]
+pub fn no_diff<R>(f: impl Fn() -> R) -> R {
+    f()
+}
+
 /// `x`, as a constant: no derivative passes. The way to say that a cast to an integer, a
 /// comparison or a part of a formula is meant not to be differentiated.
 #[inline(always)]

@@ -44,6 +44,7 @@ mod choose;
 mod float;
 mod glam_only;
 mod operators;
+mod outcome;
 #[doc(hidden)]
 pub mod replace;
 mod scalar;
@@ -51,10 +52,11 @@ mod sequence;
 mod vector;
 
 pub use cast::CastPullback;
-pub use choose::{select, stop_gradient};
+pub use choose::{no_diff, select, stop_gradient};
 pub use float::{FloatRules, FromRules};
 pub use glam_only::{GlamRules, construct};
 pub use operators::{AddPullback, DivPullback, MulPullback, NegPullback, RemPullback, SubPullback};
+pub use outcome::{OptionRules, ResultRules};
 pub use scalar::{RealRules, ScalarRules};
 pub use sequence::{CloneRules, Elements, SequenceRules, VecRules};
 pub use vector::{DVec2Rules, DVec4Rules, Vec2Rules, Vec4Rules, Vector3Rules, VectorRules};

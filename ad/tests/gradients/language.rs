@@ -6,6 +6,7 @@
     clippy::needless_range_loop,
     clippy::needless_return,
     clippy::boxed_local,
+    clippy::explicit_auto_deref,
     clippy::redundant_slicing,
     clippy::toplevel_ref_arg,
     clippy::useless_vec,
@@ -26,5 +27,7 @@ mod functions;
 mod iterators;
 mod jumps;
 mod macros;
+mod mixtures;
+mod programs;
 mod slices;
 mod statements;

@@ -11,6 +11,7 @@
 
 mod aliasing;
 mod closures;
+mod exclusive;
 mod names;
 mod order;
 mod recompute;

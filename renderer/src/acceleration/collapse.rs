@@ -5,14 +5,14 @@ use obvhs::aabb::Aabb;
 use obvhs::bvh2::Bvh2;
 use obvhs::bvh2::builder::build_bvh2;
 
-use super::Shape;
+use super::Shapes;
 use super::bounds::bounds;
 use super::tree::{Child, Leaf, Node};
 
 /// Builds the nodes, without their boxes, and the leaves, not loaded yet, over the shapes with
 /// these indices.
-pub fn collapse<L: Leaf>(shapes: &[Shape], members: &[u32]) -> (Vec<Node>, Vec<L>) {
-    let boxes: Vec<Aabb> = members.iter().map(|&id| bounds(&shapes[id as usize])).collect();
+pub fn collapse<L: Leaf>(shapes: &(impl Shapes + ?Sized), members: &[u32]) -> (Vec<Node>, Vec<L>) {
+    let boxes: Vec<Aabb> = members.iter().map(|&id| bounds(&shapes.shape(id))).collect();
     let mut build_time = std::time::Duration::ZERO;
     let mut binary = build_bvh2(&boxes, BvhBuildParams::fastest_build(), &mut build_time);
     if !binary.children_are_ordered_after_parents {

@@ -39,6 +39,25 @@ pub enum Shape {
     Sphere(Vec3, f32),
 }
 
+/// The primitives of a scene, wherever they are kept.
+pub trait Shapes: Sync {
+    /// How many there are.
+    fn count(&self) -> usize;
+    /// One of them.
+    fn shape(&self, index: u32) -> Shape;
+}
+
+impl<T: AsRef<[Shape]> + Sync + ?Sized> Shapes for T {
+    fn count(&self) -> usize {
+        self.as_ref().len()
+    }
+
+    #[inline]
+    fn shape(&self, index: u32) -> Shape {
+        self.as_ref()[index as usize]
+    }
+}
+
 /// The first primitive that a ray meets.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Hit {
@@ -63,11 +82,11 @@ pub struct Acceleration {
 
 impl Acceleration {
     /// Builds the tree. Every coordinate has to be finite.
-    pub fn new(shapes: &[Shape]) -> Self {
-        let (triangles, spheres): (Vec<u32>, Vec<u32>) = (0..shapes.len() as u32)
-            .partition(|&id| matches!(shapes[id as usize], Shape::Triangle(_)));
+    pub fn new(shapes: &(impl Shapes + ?Sized)) -> Self {
+        let (triangles, spheres): (Vec<u32>, Vec<u32>) = (0..shapes.count() as u32)
+            .partition(|&id| matches!(shapes.shape(id), Shape::Triangle(_)));
         Self {
-            count: shapes.len(),
+            count: shapes.count(),
             triangles: Tree::build(shapes, &triangles),
             spheres: Tree::build(shapes, &spheres),
         }
@@ -78,8 +97,8 @@ impl Acceleration {
     /// Boxes are fitted to the shapes again, which takes a fraction of the time of a new tree; once
     /// this tree has become too much worse than when it was built, or the number or kinds of the
     /// shapes are others, a new one is built.
-    pub fn update(&mut self, shapes: &[Shape]) {
-        let fits = shapes.len() == self.count
+    pub fn update(&mut self, shapes: &(impl Shapes + ?Sized)) {
+        let fits = shapes.count() == self.count
             && self.triangles.refit(shapes)
             && self.spheres.refit(shapes);
         let worse = || self.triangles.degradation().max(self.spheres.degradation());

@@ -3,9 +3,9 @@
 use glam::Vec3;
 use obvhs::aabb::Aabb;
 
-use super::Shape;
 use super::bounds::bounds;
 use super::tree::Leaf;
+use super::{Shape, Shapes};
 
 /// A sphere, alone in its leaf.
 pub struct SphereLeaf {
@@ -30,8 +30,8 @@ impl Leaf for SphereLeaf {
         Self { id: members[0], center: Vec3::ZERO, radius: 0.0 }
     }
 
-    fn load(&mut self, shapes: &[Shape]) -> bool {
-        let Shape::Sphere(center, radius) = shapes[self.id as usize] else { return false };
+    fn load(&mut self, shapes: &(impl Shapes + ?Sized)) -> bool {
+        let Shape::Sphere(center, radius) = shapes.shape(self.id) else { return false };
         (self.center, self.radius) = (center, radius);
         true
     }

@@ -4,7 +4,7 @@ use obvhs::aabb::Aabb;
 use rayon::prelude::*;
 use wide::f32x8;
 
-use super::Shape;
+use super::Shapes;
 use super::collapse::collapse;
 
 /// What the tree holds at its ends.
@@ -14,7 +14,7 @@ pub trait Leaf: Send + Sync {
     /// A leaf of the shapes with these indices, yet to be loaded.
     fn new(members: &[u32]) -> Self;
     /// Takes the shapes over; false if one of them is of another kind.
-    fn load(&mut self, shapes: &[Shape]) -> bool;
+    fn load(&mut self, shapes: &(impl Shapes + ?Sized)) -> bool;
     /// The box around all members.
     fn bounds(&self) -> Aabb;
 }
@@ -118,7 +118,7 @@ pub struct Tree<L> {
 
 impl<L: Leaf> Tree<L> {
     /// Builds a tree over the shapes with these indices, which have to be of the leaf's kind.
-    pub fn build(shapes: &[Shape], members: &[u32]) -> Self {
+    pub fn build(shapes: &(impl Shapes + ?Sized), members: &[u32]) -> Self {
         let (nodes, leaves) = collapse(shapes, members);
         let mut tree = Self { nodes, leaves, cost: 0.0 };
         tree.refit(shapes);
@@ -133,7 +133,7 @@ impl<L: Leaf> Tree<L> {
     }
 
     /// Takes shapes over that have moved; false if one of them is of another kind.
-    pub fn refit(&mut self, shapes: &[Shape]) -> bool {
+    pub fn refit(&mut self, shapes: &(impl Shapes + ?Sized)) -> bool {
         let fits = self.leaves.par_iter_mut().with_min_len(64).all(|leaf| leaf.load(shapes));
         if !fits {
             return false;

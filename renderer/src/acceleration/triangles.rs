@@ -4,9 +4,9 @@ use glam::{Vec3, Vec3A};
 use obvhs::aabb::Aabb;
 use wide::f32x8;
 
-use super::Shape;
 use super::bounds::widened;
 use super::tree::Leaf;
+use super::{Shape, Shapes};
 
 /// Up to eight triangles, side by side.
 pub struct TriangleLeaf {
@@ -37,10 +37,10 @@ impl Leaf for TriangleLeaf {
         Self { corners: [[f32x8::ZERO; 3]; 3], ids, mask: (1 << members.len()) - 1 }
     }
 
-    fn load(&mut self, shapes: &[Shape]) -> bool {
+    fn load(&mut self, shapes: &(impl Shapes + ?Sized)) -> bool {
         let count = self.mask.count_ones() as usize;
         for (lane, &id) in self.ids[..count].iter().enumerate() {
-            let Shape::Triangle(triangle) = shapes[id as usize] else { return false };
+            let Shape::Triangle(triangle) = shapes.shape(id) else { return false };
             for (corner, place) in triangle.iter().zip(&mut self.corners) {
                 for (axis, place) in place.iter_mut().enumerate() {
                     place.as_mut_array()[lane] = corner[axis];

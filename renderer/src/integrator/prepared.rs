@@ -3,9 +3,10 @@
 use ad::lanes::Lanes;
 use ad::{Scalar, Vec3};
 use glam::DVec3;
+use rayon::prelude::*;
 
 use super::view::film_offsets;
-use crate::acceleration::{Acceleration, Shape};
+use crate::acceleration::{Acceleration, Shape, Shapes};
 use crate::kernels::camera::{Frame, frame};
 use crate::kernels::light::PointLight;
 use crate::kernels::material::Material;
@@ -77,7 +78,7 @@ impl<'a, L: Lanes> Prepared<'a, L> {
             triangles,
             material_of,
             film_offsets: film_offsets(),
-            acceleration: Acceleration::new(&[]),
+            acceleration: Acceleration::new(&[][..]),
         };
         prepared.load_appearance();
         prepared.load_geometry();
@@ -127,24 +128,19 @@ impl<'a, L: Lanes> Prepared<'a, L> {
     }
 
     fn load_geometry(&mut self) {
-        let vertices = self.parameters.vertices.iter().flatten();
-        self.vertices =
-            vertices.map(|&v| narrow::<L::Element>(DVec3::from(v) - self.middle)).collect();
+        let middle = self.middle;
+        self.vertices.clear();
+        for vertices in &self.parameters.vertices {
+            let relative =
+                vertices.par_iter().map(|&v| narrow::<L::Element>(DVec3::from(v) - middle));
+            self.vertices.par_extend(relative);
+        }
         let spheres = self.parameters.spheres.iter();
         self.spheres = spheres
-            .map(|sphere| Sphere { center: sphere.center - self.middle, ..*sphere }.narrow())
+            .map(|sphere| Sphere { center: sphere.center - middle, ..*sphere }.narrow())
             .collect();
-
-        let vertex = |index: u32| widen::<L::Element>(self.vertices[index as usize]).as_vec3();
-        let triangles = self.triangles.iter().map(|t| Shape::Triangle(t.map(vertex)));
-        let spheres = self.spheres.iter().map(|sphere| {
-            Shape::Sphere(
-                widen::<L::Element>(sphere.center).as_vec3(),
-                sphere.radius.to_f64() as f32,
-            )
-        });
-        let shapes: Vec<_> = triangles.chain(spheres).collect();
-        self.acceleration.update(&shapes);
+        let Self { vertices, triangles, spheres, .. } = self;
+        self.acceleration.update(&Geometry { vertices, triangles, spheres });
     }
 
     /// The mesh of a vertex, and its index there.
@@ -156,5 +152,33 @@ impl<'a, L: Lanes> Prepared<'a, L> {
     /// The index of a sphere among the spheres.
     pub(super) fn sphere_of(&self, primitive: usize) -> usize {
         primitive - self.triangles.len()
+    }
+}
+
+/// The primitives as traversal takes them: the triangles, then the spheres.
+struct Geometry<'a, S: Scalar> {
+    vertices: &'a [Vec3<S>],
+    triangles: &'a [[u32; 3]],
+    spheres: &'a [Sphere<S>],
+}
+
+impl<S: Scalar> Shapes for Geometry<'_, S> {
+    fn count(&self) -> usize {
+        self.triangles.len() + self.spheres.len()
+    }
+
+    #[inline]
+    fn shape(&self, index: u32) -> Shape {
+        let index = index as usize;
+        match self.triangles.get(index) {
+            Some(corners) => {
+                let corner = |vertex: u32| widen::<S>(self.vertices[vertex as usize]).as_vec3();
+                Shape::Triangle(corners.map(corner))
+            }
+            None => {
+                let Sphere { center, radius } = self.spheres[index - self.triangles.len()];
+                Shape::Sphere(widen::<S>(center).as_vec3(), radius.to_f64() as f32)
+            }
+        }
     }
 }

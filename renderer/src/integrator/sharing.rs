@@ -75,3 +75,25 @@ impl Sharing {
         gathered
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use ad::lanes::{Lanes, f32x8};
+
+    use super::Sharing;
+
+    #[test]
+    fn lanes_are_sorted_by_what_they_share() {
+        let indices = [5, 9, 5, 5, 9, 7, 7, 1];
+        let sharing = Sharing::new(&indices, 0b0111_1110);
+        let shares: Vec<_> = sharing.iter().collect();
+        assert_eq!(shares, [(9, 0b0001_0010), (5, 0b0000_1100), (7, 0b0110_0000)]);
+
+        let merged = sharing.map(|index| u32::from(index > 6));
+        assert_eq!(merged.iter().collect::<Vec<_>>(), [(1, 0b0111_0010), (0, 0b0000_1100)]);
+
+        // Lanes that do not count get what the first share gets.
+        let gathered = sharing.gather::<f32x8, f32x8>(|index| f32x8::splat(index as f32));
+        assert_eq!(gathered.lanes().as_ref(), [9.0, 9.0, 5.0, 5.0, 9.0, 7.0, 7.0, 9.0]);
+    }
+}

@@ -100,3 +100,22 @@ impl StripSums {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::Slots;
+
+    /// What a slot still says of an earlier list does not count.
+    #[test]
+    fn sums_stand_in_the_order_of_their_first_terms_list_after_list() {
+        let mut slots = Slots::new(100);
+        for offset in [0, 3, 50] {
+            let mut sums = Vec::new();
+            for (index, term) in [(7, 1.0), (2, 10.0), (7, 2.0), (40, 5.0), (2, 0.5)] {
+                slots.add(&mut sums, index + offset, term);
+            }
+            let at = |index: usize| (index + offset) as u32;
+            assert_eq!(sums, [(at(7), 3.0), (at(2), 10.5), (at(40), 5.0)]);
+        }
+    }
+}

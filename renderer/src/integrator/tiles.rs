@@ -119,3 +119,56 @@ pub fn fill_strips<W>(
         .zip(pixels)
         .for_each_init(start, |state, (strip, mut rows)| work(state, strip, &mut rows));
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{Strip, fill_strips, for_each_strip};
+    use crate::acceleration::{ray_at, rays, tile_position};
+    use crate::image::Image;
+
+    fn pixels(strip: Strip) -> Vec<(u32, u32)> {
+        let of_tile = |tile: super::Tile| rays(tile.rays()).map(move |ray| tile.pixel(ray));
+        strip.tiles().flat_map(of_tile).collect()
+    }
+
+    #[test]
+    fn every_pixel_is_in_one_tile() {
+        for (width, height) in [(1, 1), (8, 8), (7, 9), (64, 16), (65, 17), (200, 3), (3, 200)] {
+            let strips = for_each_strip(width, height, || (), |(), strip| pixels(strip));
+            let mut all = strips.concat();
+            all.sort_unstable();
+            let expected = (0..width).flat_map(|x| (0..height).map(move |y| (x, y)));
+            assert_eq!(all, expected.collect::<Vec<_>>(), "{width} x {height}");
+        }
+    }
+
+    #[test]
+    fn strips_get_the_rows_of_their_own_pixels() {
+        let mut image = Image::black(133, 21);
+        fill_strips(
+            &mut image,
+            || (),
+            |(), strip, rows| {
+                for tile in strip.tiles() {
+                    for (row, pixels) in rows.iter_mut().enumerate() {
+                        for (column, pixel) in pixels[strip.columns(&tile)].iter_mut().enumerate() {
+                            let (x, y) = tile.pixel(ray_at(column, row));
+                            *pixel = [x as f32, y as f32, 1.0];
+                        }
+                    }
+                }
+            },
+        );
+        for (i, pixel) in image.pixels.iter().enumerate() {
+            assert_eq!(*pixel, [(i % 133) as f32, (i / 133) as f32, 1.0]);
+        }
+    }
+
+    #[test]
+    fn rays_have_one_position_each() {
+        for ray in 0..64 {
+            let (column, row) = tile_position(ray);
+            assert_eq!(ray_at(column, row), ray);
+        }
+    }
+}

@@ -1,6 +1,7 @@
 //! The binary as people run it: files in, files and tables out, one clear line for bad input.
 
 mod bad_input;
+mod bench;
 mod defaults;
 mod extremes;
 mod gradient;

@@ -66,6 +66,29 @@ fn function_names(x: f64, y: f64) -> f64 {
 }
 
 #[differentiable]
+fn in_conditions(target: f64, y: f64) -> f64 {
+    let f = |x: f64| x * x * y - target;
+    let (mut low, mut high) = (0.0, 4.0);
+    while f(high) > 0.5 && high - low > 0.3 {
+        let middle = 0.5 * (low + high);
+        if f(middle) > 0.0 {
+            high = middle * y;
+        } else {
+            low = middle + 0.01 * target;
+        }
+    }
+    let index = |k: usize| k % 2;
+    [low, high][index(3)] + f(low) * f(high)
+}
+
+#[differentiable]
+fn contents(x: f64, y: f64) -> f64 {
+    let nearest = [x, y, x * y].iter().map(|t| (t - 1.0) * (t - 1.0)).min_by(|a, b| a.total_cmp(b));
+    let a = half(y).unwrap_or(x * x);
+    nearest.unwrap() * a + half(x + 10.0).expect("it is large") * half(-1.0).unwrap_or(y)
+}
+
+#[differentiable]
 fn closures_in_closures(x: f64, y: f64) -> f64 {
     let inner = |t: f64| t * y;
     let outer = |t: f64| {
@@ -82,6 +105,8 @@ fn closures() {
     check_generic!(called(x, y) at [1.3, 0.7], [-0.4, 2.1]);
     check!(exits_of_its_own(x, y) at [1.3, 0.7], [-0.4, 2.1], [4.0, -3.2], [0.2, 0.3]);
     check!(question_mark_in_closure(x, y) at [5.0, 6.0], [5.0, 1.1], [1.1, 5.0]);
+    check!(in_conditions(x, y) at [1.3, 0.7], [2.4, 0.9], [0.2, 0.5]);
+    check!(contents(x, y) at [1.3, 0.7], [-0.4, 2.1], [1.6, 2.3]);
     check!(in_loops(x, y) at [1.3, 0.7], [-0.4, 2.1]);
     check!(function_names(x, y) at [1.3, 0.7], [-0.4, 2.1]);
     check!(closures_in_closures(x, y) at [1.3, 0.7], [-0.4, 2.1]);

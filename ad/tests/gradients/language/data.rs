@@ -141,8 +141,31 @@ fn constant_start(x: f64, y: f64) -> f64 {
     a * b + c
 }
 
+#[derive(Clone, Copy, Differentiable)]
+struct Camera {
+    #[constant]
+    up: DVec3,
+    #[constant]
+    frame: Cell,
+    #[constant]
+    table: [(f64, f64); 3],
+    zoom: f64,
+}
+
+#[differentiable]
+fn parts_of_constants(x: f64, y: f64) -> f64 {
+    let cell = Cell { pair: Pair(1.0, 2.0), row: [Pair(3.0, 4.0); 2], id: 7 };
+    let mut camera = Camera { up: DVec3::X, frame: cell, table: [(2.0, 3.0); 3], zoom: x };
+    let i = camera.frame.id % 3;
+    let Camera { frame: Cell { pair: Pair(a, _), .. }, table: [(b, _), ..], .. } = camera;
+    camera.zoom *= camera.up.x + camera.frame.row[1].1 * y;
+    camera.zoom += camera.table[i].1 * a * b;
+    camera.up.dot(DVec3::splat(y)) * camera.zoom
+}
+
 #[test]
 fn structs() {
+    check!(parts_of_constants(x, y) at [1.3, 0.7], [-0.4, 2.1]);
     check!(rays(x, y) at [1.3, 0.7], [-0.4, 2.1]);
     check!(tuple_structs(x, y) at [1.3, 0.7], [-0.4, 2.1]);
     check!(nested_places(x, y) at [1.3, 0.7], [-0.4, 2.1]);

@@ -254,6 +254,139 @@ fn by_hand(x: f64, y: f64) -> f64 {
     sum * cube_root(y * y + x)
 }
 
+#[derive(Clone, Copy)]
+struct Unknown {
+    x: f64,
+    n: usize,
+}
+
+impl Unknown {
+    fn rounded(self) -> f64 {
+        (self.x * 8.0).round() / 8.0 * self.n as f64
+    }
+}
+
+/// What cannot be differentiated, wherever it stands.
+#[differentiable]
+fn not_differentiated(x: f64, y: f64) -> f64 {
+    let mut sum = 0.0;
+    let n = 3;
+    for a in [x, y].iter() {
+        let rounded = ad::no_diff(|| {
+            let unknown = Unknown { x: *a, n };
+            let mut total = unknown.rounded();
+            while total > 10.0 {
+                total /= 2.0;
+            }
+            println!("{} {}", total, sum);
+            total
+        });
+        sum += rounded * a;
+        if ad::no_diff(|| vec![x, y].len() == 2) {
+            sum *= y;
+        }
+    }
+    sum
+}
+
+#[test]
+fn no_diff() {
+    let (value, gradient) = not_differentiated::value_and_grad(1.3, 0.7);
+    // 1.3 and 0.7 to eighths, times 3.
+    let (a, b) = (1.25 * 3.0, 0.75 * 3.0);
+    let (x, y) = (1.3, 0.7);
+    assert_eq!(value, (a * x * y + b * y) * y);
+    let by_y = 2.0 * a * x * y + 2.0 * b * y;
+    assert!((gradient.0 - a * y * y).abs() < 1e-12 && (gradient.1 - by_y).abs() < 1e-12);
+}
+
+/// A tree of formulas.
+#[derive(Clone, Differentiable)]
+enum Formula {
+    X,
+    Number(f64),
+    Add(Box<Formula>, Box<Formula>),
+    Scale { by: f64, of: Box<Formula> },
+    Sum(Vec<Formula>),
+}
+
+#[differentiable(boxed)]
+fn evaluate(formula: &Formula, x: f64) -> f64 {
+    match formula {
+        Formula::X => x,
+        Formula::Number(number) => *number,
+        Formula::Add(a, b) => evaluate(a, x) + evaluate(b, x) * evaluate(a, x),
+        Formula::Scale { by, of } => by * evaluate(of, x),
+        Formula::Sum(terms) => {
+            let mut sum = 0.0;
+            for term in terms.iter() {
+                sum += evaluate(term, x) * x;
+            }
+            sum
+        }
+    }
+}
+
+#[differentiable]
+fn of_formula(x: f64, y: f64) -> f64 {
+    let sum = Formula::Add(Box::new(Formula::X), Box::new(Formula::Number(y)));
+    let scaled = Formula::Scale { by: x * y, of: Box::new(sum.clone()) };
+    evaluate(&scaled, x) * evaluate(&Formula::Sum(vec![sum, Formula::X, scaled.clone()]), y)
+}
+
+#[derive(Clone, Copy, Differentiable)]
+struct Point {
+    at: [f64; 2],
+}
+
+#[differentiable]
+impl Point {
+    fn product(&self) -> f64 {
+        self.at[0] * self.at[1]
+    }
+
+    fn shift(&mut self, by: f64) {
+        self.at[0] += by;
+    }
+}
+
+#[differentiable]
+fn move_point(point: &mut Point, by: f64) {
+    point.at[1] *= by;
+}
+
+#[differentiable]
+fn boxed_points(mut point: Box<Point>, y: f64) -> f64 {
+    let copy = *point;
+    point.shift(y);
+    point.at[1] += y;
+    (*point).at[0] *= 2.0;
+    move_point(&mut point, y);
+    let other = Box::new(copy);
+    point.product() * other.at[0] + copy.product() + (*other).at[1]
+}
+
+#[differentiable]
+fn unboxed(point: Box<Point>) -> f64 {
+    point.product()
+}
+
+#[differentiable]
+fn in_boxes(x: f64, y: f64) -> f64 {
+    let first = Box::new(Point { at: [x, y] });
+    boxed_points(first, y) * unboxed(Box::new(Point { at: [y, x] }))
+}
+
+#[test]
+fn recursive_data() {
+    check!(of_formula(x, y) at [1.3, 0.7], [-0.4, 2.1]);
+    check!(in_boxes(x, y) at [1.3, 0.7], [-0.4, 2.1]);
+    let formula = Formula::Scale { by: 3.0, of: Box::new(Formula::Number(5.0)) };
+    let (by_formula, by_x) = evaluate::grad(&formula, 2.0);
+    assert_eq!((by_formula.Scale.by, by_formula.Scale.of.Number.0, by_x), (5.0, 3.0, 0.0));
+    assert_eq!(unboxed::grad(Box::new(Point { at: [2.0, 3.0] })).at, [3.0, 2.0]);
+}
+
 #[test]
 fn recursion() {
     check!(recursive(x, y) at [1.3, 0.7], [-0.4, 2.1]);
@@ -269,6 +402,32 @@ fn trait_methods() {
     let (area, by_square) = square.area_value_and_grad();
     assert_eq!((area, by_square.side), (9.0, 6.0));
     assert_eq!(square.doubled_grad(2.0).1, 36.0);
+}
+
+#[test]
+fn rules_are_checked() {
+    ad::check::assert_rule(special::softplus, softplus_vjp, (0.7,));
+    ad::check::assert_rule(cube_root, cube_root::vjp, (0.7,));
+    let norm = |xs: Vec<f64>| special::norm(&xs);
+    ad::check::assert_rule(norm, |xs: Vec<f64>| norm_vjp(&xs), (vec![1.0, 2.0, 0.5],));
+    let pairs = |x: f64, y: [f64; 2], n: usize| vec![x * y[0], y[1].sin() * n as f64];
+    let wrong = |x: f64, y: [f64; 2], n: usize| {
+        let pullback = move |bar: Vec<f64>| {
+            (bar[0] * y[0], [bar[0] * x, bar[1] * y[1].cos() * n as f64 + 0.5 * bar[0]], ())
+        };
+        (pairs(x, y, n), pullback)
+    };
+    let settings = ad::check::Settings::default();
+    let worst = ad::check::worst(pairs, wrong, (0.3, [0.4, 0.5], 2), settings);
+    let worst = worst.expect("there are components");
+    assert_eq!((worst.result, worst.parameter), (0, 2));
+    assert!((worst.error() - 0.5).abs() < 1e-9);
+}
+
+#[test]
+#[should_panic(expected = "coordinate 0 of the result by coordinate 0 of the parameters")]
+fn wrong_rules_are_found() {
+    ad::check::assert_rule(|x: f64| x * x, |x: f64| (x * x, move |bar: f64| bar * x), (1.5,));
 }
 
 #[test]

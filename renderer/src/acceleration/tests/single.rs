@@ -47,7 +47,7 @@ proptest! {
 
 #[test]
 fn an_empty_scene_is_never_hit() {
-    let tree = Acceleration::new(&[]);
+    let tree = Acceleration::new(&[][..]);
     assert_eq!(tree.nearest(Vec3::ZERO, Vec3::X), None);
     assert!(!tree.is_occluded(Vec3::ZERO, Vec3::X, f32::INFINITY, None));
 }

@@ -1,0 +1,138 @@
+//! `no_diff(|| ..)`: any Rust, of which nothing is differentiated.
+//!
+//! The closure stays as it is, with variables renamed. It may read them all; that it changes none
+//! behind the reverse sweep's back the compiler sees to, for `no_diff` takes an `Fn`.
+
+use proc_macro2::{Ident, Span, TokenStream, TokenTree};
+use quote::{ToTokens, quote};
+use syn::spanned::Spanned;
+use syn::visit::{self, Visit};
+use syn::visit_mut::{self, VisitMut};
+use syn::{Expr, ExprCall, ExprClosure, FieldValue, Macro, parse_quote};
+
+use super::Lowerer;
+use crate::ir::{Operand, Operation, VarId};
+
+/// `no_diff(|| ..)`
+pub(super) fn undifferentiated(call: &ExprCall) -> Option<&ExprClosure> {
+    let Expr::Path(function) = &*call.func else { return None };
+    let is_named = function.path.segments.last().is_some_and(|last| last.ident == "no_diff");
+    match call.args.first() {
+        Some(Expr::Closure(closure)) if is_named && call.args.len() == 1 => Some(closure),
+        _ => None,
+    }
+}
+
+impl Lowerer<'_> {
+    /// The value of `no_diff(|| ..)`, as it is here and now.
+    pub(super) fn no_diff(&mut self, function: &Expr, closure: &ExprClosure) -> TokenStream {
+        let mut bound = Bound { lowerer: self, again: None };
+        bound.visit_expr(&closure.body);
+        if let Some(name) = bound.again {
+            self.refuse(
+                &name,
+                format!(
+                    "`{name}` has a meaning outside of `no_diff` too: choose another name here"
+                ),
+            );
+        }
+        let mut closure = closure.clone();
+        Renamed { lowerer: self }.visit_expr_mut(&mut closure.body);
+        let value = Operation::Use(Operand::Constant(quote!(#function(#closure))));
+        let var = self.define("constant", closure.span(), false, value);
+        self.ident(var).to_token_stream()
+    }
+
+    /// What the user's name for a variable stands for.
+    pub(super) fn value_of(&self, var: VarId, span: Span) -> Expr {
+        match self.aliases.get(&var) {
+            Some(alias) => {
+                let place = self.place_tokens(&alias.place);
+                let place: Expr = parse_quote!(#place);
+                (0..alias.depth).fold(place, |inner, _| parse_quote!((&#inner)))
+            }
+            None => {
+                let ident = self.ident_at(var, span);
+                parse_quote!(#ident)
+            }
+        }
+    }
+}
+
+/// Looks for names that are bound again.
+struct Bound<'l, 'a> {
+    lowerer: &'l Lowerer<'a>,
+    again: Option<Ident>,
+}
+
+impl<'ast> Visit<'ast> for Bound<'_, '_> {
+    fn visit_pat_ident(&mut self, pat: &'ast syn::PatIdent) {
+        if self.again.is_none() && self.lowerer.lookup(&pat.ident).is_some() {
+            self.again = Some(pat.ident.clone());
+        }
+        visit::visit_pat_ident(self, pat);
+    }
+}
+
+struct Renamed<'l, 'a> {
+    lowerer: &'l mut Lowerer<'a>,
+}
+
+impl Renamed<'_, '_> {
+    fn lookup(&self, ident: &Ident) -> Option<VarId> {
+        self.lowerer.lookup(ident)
+    }
+}
+
+impl VisitMut for Renamed<'_, '_> {
+    fn visit_expr_mut(&mut self, expr: &mut Expr) {
+        let Expr::Path(path) = expr else {
+            return visit_mut::visit_expr_mut(self, expr);
+        };
+        let Some(var) = path.path.get_ident().and_then(|name| self.lookup(name)) else { return };
+        if self.lowerer.closures.contains_key(&var) {
+            self.lowerer.refuse(
+                &*path,
+                "bind the value of this closure to a variable with `let` before `no_diff`",
+            );
+        }
+        *expr = self.lowerer.value_of(var, path.span());
+    }
+
+    fn visit_field_value_mut(&mut self, field: &mut FieldValue) {
+        // `S { x }` becomes `S { x: renamed }`.
+        field.colon_token.get_or_insert_default();
+        visit_mut::visit_field_value_mut(self, field);
+    }
+
+    fn visit_macro_mut(&mut self, call: &mut Macro) {
+        call.tokens = self.renamed_tokens(call.tokens.clone());
+    }
+}
+
+impl Renamed<'_, '_> {
+    /// The arguments of a macro, whose grammar is its own.
+    fn renamed_tokens(&self, tokens: TokenStream) -> TokenStream {
+        let tokens: Vec<_> = tokens.into_iter().collect();
+        let is_punct = |index: usize, mark: char| matches!(tokens.get(index), Some(TokenTree::Punct(punct)) if punct.as_char() == mark);
+        let renamed = |(index, token): (usize, &TokenTree)| match token {
+            TokenTree::Ident(ident) => {
+                // `a.name`, but not `a..name`; `name = value`, but not `name == value`.
+                let is_part = index > 0
+                    && is_punct(index - 1, '.')
+                    && !(index > 1 && is_punct(index - 2, '.'));
+                let is_label = is_punct(index + 1, '=') && !is_punct(index + 2, '=');
+                match self.lookup(ident).filter(|_| !is_part && !is_label) {
+                    Some(var) => self.lowerer.value_of(var, ident.span()).into_token_stream(),
+                    None => ident.to_token_stream(),
+                }
+            }
+            TokenTree::Group(group) => {
+                let inner = self.renamed_tokens(group.stream());
+                proc_macro2::Group::new(group.delimiter(), inner).into_token_stream()
+            }
+            token => token.to_token_stream(),
+        };
+        tokens.iter().enumerate().map(renamed).collect()
+    }
+}
