@@ -14,11 +14,10 @@ use crate::lower::{Lowered, LoweredParameter};
 use crate::signature::{Parameter, is_discrete};
 
 /// Functions of constants that cost next to nothing and return a number, a small vector or a range.
-const CHEAP_FUNCTIONS: [&str; 6] =
-    ["from_f64", "splat", "stop_gradient", "constant", "windows", "chunks_exact"];
+const CHEAP_FUNCTIONS: [&str; 5] = ["from_f64", "splat", "stop_gradient", "constant", "windows"];
 
 /// Methods of integers, arrays and ranges that cost next to nothing.
-const CHEAP_METHODS: [&str; 7] = ["len", "min", "max", "rev", "step_by", "skip", "take"];
+const CHEAP_METHODS: [&str; 4] = ["len", "min", "max", "rev"];
 
 /// See the module.
 pub struct Facts<'a> {
