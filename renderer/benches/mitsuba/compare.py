@@ -5,9 +5,9 @@
     VENV/bin/python renderer/benches/mitsuba/compare.py target/release/renderer SCENE.toml [PARAM ..]
         [--threads N] [--rounds N]
 
-SCENE.toml is a scene file of the renderer: point lights, OBJ meshes and matt materials. PARAM are the paths of
-the parameters to differentiate by (light positions and intensities, diffuse colours, vertices); without any, those of
-the scene file. `sphere.py` beside this file writes a mesh of a million triangles.
+SCENE.toml is a scene file of the renderer: point lights, OBJ meshes and matt materials; `tree.toml`, `teapot.toml` and
+`sphere.toml` beside this file are three. PARAM are the paths of the parameters to differentiate by (light positions and
+intensities, diffuse colours, vertices); without any, those of the scene file.
 
 A round starts one process of each. Both repeat each figure for a second; printed are the medians and the minima
 over the rounds of their medians and minima, in milliseconds, and the ratio Mitsuba / ours. An iteration is:
