@@ -175,7 +175,7 @@ impl<'a, L: Lanes, P: PixelLoss> Sweep<'a, L, P> {
         for tile in strip.tiles() {
             self.add_tile(&tile);
         }
-        std::mem::replace(&mut self.sums, StripSums::zero(&self.prepared.lights))
+        mem::replace(&mut self.sums, StripSums::zero(&self.prepared.lights))
     }
 
     fn add_tile(&mut self, tile: &Tile) {
