@@ -11,7 +11,7 @@
 //! lanes better at silhouettes, but taking single pixels out of lanes and putting them into others
 //! took longer than tracing and shading them (27 ms instead of 9 for a teapot of 512 x 512 pixels).
 //! What lanes share, such as the triangle that neighbours show, is fetched once, and what flows back
-//! to it is added once ([`sharing`]); sums by vertex, material and sphere are kept sparse ([`sums`]),
+//! to it is added once (`sharing`); sums by vertex, material and sphere are kept sparse (`sums`),
 //! so that a strip costs what it touches, however large the scene is.
 
 mod gradient;
