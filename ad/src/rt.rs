@@ -232,7 +232,7 @@ pub fn propagate<E: NoDerivative, F: From<E>>(error: E) -> F {
     F::from(error)
 }
 
-/// The derivative of [`propagate`]: there is none.
+/// The derivative of `propagate`: there is none.
 #[allow(non_camel_case_types)]
 pub enum propagate {}
 

@@ -5,15 +5,15 @@
 use std::hint::black_box;
 
 use ad::lanes::Lanes;
-use ad::vector::Vector3;
-use ad::{Additive, Real, Scalar, Vec3, differentiable};
+use ad::vector::{Vector, Vector3};
+use ad::{Additive, Real, Scalar, Vec3, differentiable, tape};
 use renderer::kernels::camera::Ray;
 use renderer::kernels::light::PointLight;
 use renderer::kernels::material::{Material, reflection_of_point_light};
 use renderer::kernels::triangle::triangle_surface;
 
 use super::adjoint::{self, Cotangents};
-use super::timing::{median, seconds};
+use super::timing::{median, repeated};
 
 #[differentiable]
 fn pixel<S: Real>(
@@ -92,9 +92,9 @@ fn measure<S: Lanes>(name: &str) {
         || sum_up(rays, |ray| adjoint::pixel::<S>(ray, *a, *b, *c, *material, *light, seed));
     let mut samples = [Vec::new(), Vec::new(), Vec::new()];
     for _ in 0..51 {
-        samples[0].push(often(primal));
-        samples[1].push(often(generated));
-        samples[2].push(often(by_hand));
+        samples[0].push(repeated(20, primal));
+        samples[1].push(repeated(20, generated));
+        samples[2].push(repeated(20, by_hand));
     }
     let per_pixel = 1e9 / (20 * rays.len() * S::COUNT) as f64;
     let [primal, generated_time, hand] = samples.map(|samples| median(samples) * per_pixel);
@@ -104,11 +104,6 @@ fn measure<S: Lanes>(name: &str) {
         generated_time / hand,
         difference(&generated().1, &by_hand().1),
     );
-}
-
-/// The time of twenty runs.
-fn often<T>(run: impl Fn() -> T) -> f64 {
-    seconds(|| (0..20).map(|_| black_box(run())).last())
 }
 
 /// The sums of values and cotangents over rays.
@@ -153,4 +148,50 @@ pub fn run() {
     measure::<wide::f32x8>("f32x8");
     measure::<wide::f32x16>("f32x16");
     measure::<wide::f64x8>("f64x8");
+    other_ways();
+}
+
+/// The same pixel as a function of its 32 inputs.
+fn brightness<S: Real>(x: &[S]) -> S {
+    let v = |first: usize| <Vec3<S>>::new(x[first], x[first + 1], x[first + 2]);
+    let material = Material { ambient: v(15), diffuse: v(18), specular: v(21), exponent: x[24] };
+    let light = PointLight { position: v(25), color: v(28), intensity: x[31] };
+    let ray = Ray { origin: v(0), direction: v(3) };
+    pixel::<S>(ray, v(6), v(9), v(12), material, light).element_sum()
+}
+
+/// The gradient on a tape and by finite differences.
+fn other_ways() {
+    let x = [
+        0.1, 0.2, 3.0, 0.1, -0.05, -0.99, -5.0, -5.0, 0.1, 5.0, -5.0, 0.0, 0.0, 7.0, -0.2, 0.0,
+        0.0, 0.0, 0.7, 0.5, 0.3, 0.2, 0.2, 0.2, 20.0, 1.0, 2.0, 4.0, 1.0, 0.9, 0.8, 100.0,
+    ];
+    let differences = |x: &[f64; 32]| -> [f64; 32] {
+        std::array::from_fn(|i| {
+            let at = |offset: f64| {
+                let mut moved = *x;
+                moved[i] += offset;
+                brightness(&moved)
+            };
+            (at(1e-6) - at(-1e-6)) / 2e-6
+        })
+    };
+    let mut samples = [Vec::new(), Vec::new(), Vec::new()];
+    for _ in 0..51 {
+        let times = [
+            repeated(1000, || brightness(black_box(&x))),
+            repeated(1000, || tape::gradient(brightness, black_box(&x))),
+            repeated(1000, || differences(black_box(&x))),
+        ];
+        for (samples, time) in samples.iter_mut().zip(times) {
+            samples.push(time);
+        }
+    }
+    let [value, tape, differences] = samples.map(median);
+    println!(
+        "f64     value {:6.1} ns; on a tape {:.1} x, by central differences {:.1} x",
+        value * 1e6,
+        tape / value,
+        differences / value
+    );
 }

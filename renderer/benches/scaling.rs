@@ -97,11 +97,10 @@ fn draw(rows: &[Row], path: &Path) -> Result<(), Box<dyn std::error::Error>> {
             .y_label_area_size(56)
             .build_cartesian_2d(sizes.log_scale(), (least / 1.5..most * 1.5).log_scale())?;
         chart.configure_mesh().x_labels(6).y_labels(6).draw()?;
-        let series: [(&str, fn(&Row) -> f64, RGBColor); 2] = [
-            ("image", |row| row.image, RGBColor(31, 119, 180)),
-            ("gradient", |row| row.gradient, RGBColor(214, 39, 40)),
-        ];
-        for (label, time, color) in series {
+        for (label, color, is_gradient) in
+            [("image", RGBColor(31, 119, 180), false), ("gradient", RGBColor(214, 39, 40), true)]
+        {
+            let time = |row: &Row| if is_gradient { row.gradient } else { row.image };
             let points = rows.iter().map(|row| (row.size, time(row)));
             chart
                 .draw_series(LineSeries::new(points, color.stroke_width(2)).point_size(3))?

@@ -1,5 +1,7 @@
 //! Traversal with a packet.
 
+use std::array;
+
 use wide::{f32x8, f32x16};
 
 use super::packet::{GROUPS, Packet, Rays};
@@ -63,7 +65,7 @@ impl Frustum {
     fn any_ray_enters(
         &self,
         packet: &Packet,
-        inverse: &[Rays<f32x16>; 2],
+        inverse: &Rays<[f32x16; 2]>,
         node: &Node,
         slot: usize,
     ) -> bool {
@@ -75,12 +77,11 @@ impl Frustum {
         let (near, end) = if self.forward { (low(0), high(0)) } else { (-high(0), -low(0)) };
         let (a_low, a_high, b_low, b_high) = (low(1), high(1), low(2), high(2));
         let near = near.fast_max(f32x16::ZERO);
-        for g in 0..GROUPS {
-            let [a, b] = [inverse[0][g], inverse[1][g]];
+        for (&[a, b], &depth) in inverse.iter().zip(&packet.depth) {
             let (a0, a1, b0, b1) = (a_low * a, a_high * a, b_low * b, b_high * b);
             let entered = near.fast_max(a0.fast_min(a1)).fast_max(b0.fast_min(b1));
             let left = end.fast_min(a0.fast_max(a1)).fast_min(b0.fast_max(b1));
-            let left = (left * f32x16::splat(1.0 + SLAB_ERROR)).fast_min(packet.depth[g]);
+            let left = (left * f32x16::splat(1.0 + SLAB_ERROR)).fast_min(depth);
             if entered.simd_le(left).any() {
                 return true;
             }
@@ -99,13 +100,12 @@ impl Frustum {
 
 /// 1 over the slopes of the rays, finite.
 #[inline]
-fn inverse_slopes(packet: &Packet) -> [Rays<f32x16>; 2] {
-    let mut inverse = packet.slope;
-    for slope in inverse.iter_mut().flatten() {
+fn inverse_slopes(packet: &Packet) -> Rays<[f32x16; 2]> {
+    let inverse = |slope: f32x16| {
         let steep = slope.abs().fast_max(f32x16::splat(1e-12));
-        *slope = f32x16::ONE / steep.copysign(*slope);
-    }
-    inverse
+        f32x16::ONE / steep.copysign(slope)
+    };
+    array::from_fn(|g| [inverse(packet.slope[0][g]), inverse(packet.slope[1][g])])
 }
 
 impl<L: Leaf> Tree<L> {
@@ -121,7 +121,7 @@ impl<L: Leaf> Tree<L> {
             return;
         }
         let frustum = Frustum::new(packet);
-        let inverse = if SPARSE { inverse_slopes(packet) } else { [[f32x16::ZERO; GROUPS]; 2] };
+        let inverse = if SPARSE { inverse_slopes(packet) } else { [[f32x16::ZERO; 2]; GROUPS] };
         let mut stack = Stack::new();
         let mut current = Child::node(0);
         loop {

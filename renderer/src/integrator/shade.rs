@@ -30,6 +30,9 @@ pub(super) struct Pulled<L: Lanes> {
     pub surface: Tangent<SurfacePoint<L>>,
 }
 
+/// What flows back to what is shown, and to one light.
+type Cotangents<L> = (Pulled<L>, LightCotangent<L>);
+
 /// A group under its lights.
 #[derive(Clone, Copy)]
 pub(super) struct Shaded<'a, L: Lanes> {
@@ -138,7 +141,7 @@ trait Reflected<L: Lanes> {
     fn reflect_vjp(
         &self,
         shaded: &Shaded<'_, L>,
-    ) -> (Vec3<L>, impl FnOnce(Vec3<L>) -> (Pulled<L>, LightCotangent<L>));
+    ) -> (Vec3<L>, impl FnOnce(Vec3<L>) -> Cotangents<L>);
 }
 
 macro_rules! reflected {
@@ -159,7 +162,7 @@ macro_rules! reflected {
             fn reflect_vjp(
                 &self,
                 shaded: &Shaded<'_, L>,
-            ) -> (Vec3<L>, impl FnOnce(Vec3<L>) -> (Pulled<L>, LightCotangent<L>)) {
+            ) -> (Vec3<L>, impl FnOnce(Vec3<L>) -> Cotangents<L>) {
                 let (value, pullback) =
                     $kernel::vjp::<L>(shaded.material, shaded.group.surface, self.narrow());
                 let pullback = move |cotangent| {

@@ -64,7 +64,7 @@ pub fn reflection_of_distant_light<S: Real>(
     reflection::<S>(material, surface, distant_illumination::<S>(light))
 }
 
-/// [`reflection`] of a material whose `specular` is zero.
+/// [`reflection()`] of a material whose `specular` is zero.
 pub fn matte_reflection<S: Real>(
     diffuse: Vec3<S>,
     surface: SurfacePoint<S>,
