@@ -15,6 +15,7 @@ pub fn collapse<L: Leaf>(shapes: &(impl Shapes + ?Sized), members: &[u32]) -> (V
     let boxes: Vec<Aabb> = members.iter().map(|&id| bounds(&shapes.shape(id))).collect();
     let mut build_time = std::time::Duration::ZERO;
     let mut binary = build_bvh2(&boxes, BvhBuildParams::fastest_build(), &mut build_time);
+    drop(boxes);
     if !binary.children_are_ordered_after_parents {
         binary.reorder_in_stack_traversal_order();
     }

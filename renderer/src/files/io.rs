@@ -25,7 +25,8 @@ pub(super) fn read(path: &Path) -> Result<Vec<u8>, Error> {
 /// Bytes that are not UTF-8 are replaced: they stand in comments and names of old files, which
 /// should not make a mesh unreadable.
 pub(super) fn read_text(path: &Path) -> Result<String, Error> {
-    let text = String::from_utf8_lossy(&read(path)?).into_owned();
+    let text = String::from_utf8(read(path)?)
+        .unwrap_or_else(|error| String::from_utf8_lossy(error.as_bytes()).into_owned());
     Ok(match text.strip_prefix('\u{feff}') {
         Some(rest) => rest.to_owned(),
         None => text,

@@ -91,6 +91,8 @@ pub fn load_obj(path: &Path) -> Result<Model, Error> {
     let stem = path.file_stem().map_or("mesh".into(), |stem| stem.to_string_lossy());
     let stem = stem.replace(char::is_control, "_");
     let prepared = prepare(&text, &path.display().to_string(), &stem)?;
+    // tobj is about to need as much memory again.
+    drop(text);
 
     // Colours matter only where a face wears them.
     let mut library = Vec::new();
