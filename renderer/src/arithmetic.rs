@@ -35,7 +35,8 @@ impl Arithmetic {
             .find(|arithmetic| (arithmetic.precision(), arithmetic.lanes()) == (precision, lanes))
     }
 
-    /// The fastest of the given precision.
+    /// The fastest of the given precision. In single precision that is 16 lanes even where a register
+    /// holds 8: with AVX2 alone an image takes as long and a gradient 0.9 times as long as with 8.
     pub fn fastest(precision: Precision) -> Self {
         match precision {
             Precision::F32 => Self::F32x16,
