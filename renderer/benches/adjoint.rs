@@ -5,6 +5,7 @@ use ad::{Additive, Real, Vec3, select};
 use renderer::kernels::camera::{Ray, RayTangent};
 use renderer::kernels::light::{PointLight, PointLightTangent};
 use renderer::kernels::material::{Material, MaterialTangent};
+use renderer::kernels::triangle::exact_cross;
 
 /// The cotangents of ray, corners, material and light: what the generated pullback returns.
 pub type Cotangents<S> =
@@ -91,12 +92,4 @@ pub fn pixel<S: Real>(
         intensity: flux_density_bar * per_flux,
     };
     (value, (ray, along - u_bar - v_bar, u_bar, v_bar, material, light))
-}
-
-fn exact_cross<S: Real>(u: Vec3<S>, v: Vec3<S>) -> Vec3<S> {
-    <Vec3<S>>::new(
-        S::difference_of_products(u.y(), v.z(), v.y(), u.z()),
-        S::difference_of_products(u.z(), v.x(), v.z(), u.x()),
-        S::difference_of_products(u.x(), v.y(), v.x(), u.y()),
-    )
 }

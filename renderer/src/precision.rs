@@ -38,24 +38,26 @@ pub fn splat_vector<L: Lanes>(v: Vec3<L::Element>) -> Vec3<L> {
     Vector3::new(splat(v.x()), splat(v.y()), splat(v.z()))
 }
 
+/// What `convert` makes of the number in each lane; those beyond the last lane are zero.
+#[inline]
+fn each_lane<L: Lanes, T: Copy + Default>(x: L, convert: impl Fn(f64) -> T) -> [T; MOST_LANES] {
+    let mut numbers = [T::default(); MOST_LANES];
+    for (number, x) in numbers.iter_mut().zip(x.lanes().as_ref()) {
+        *number = convert(x.to_f64());
+    }
+    numbers
+}
+
 /// The number in each lane, in single precision; those beyond the last lane are zero.
 #[inline]
 pub fn singles_of_lanes<L: Lanes>(x: L) -> [f32; MOST_LANES] {
-    let mut numbers = [0.0; MOST_LANES];
-    for (number, x) in numbers.iter_mut().zip(x.lanes().as_ref()) {
-        *number = x.to_f64() as f32;
-    }
-    numbers
+    each_lane(x, |x| x as f32)
 }
 
 /// The number in each lane, in double precision; those beyond the last lane are zero.
 #[inline]
 pub fn numbers_of_lanes<L: Lanes>(x: L) -> [f64; MOST_LANES] {
-    let mut numbers = [0.0; MOST_LANES];
-    for (number, x) in numbers.iter_mut().zip(x.lanes().as_ref()) {
-        *number = x.to_f64();
-    }
-    numbers
+    each_lane(x, |x| x)
 }
 
 /// The vector in each lane, in double precision; those beyond the last lane are zero.

@@ -148,7 +148,6 @@ struct Sweep<'a, L: Lanes, P> {
     loss: &'a P,
     wanted: Wanted,
     view: View<L>,
-    lit: Vec<Lit>,
     sums: StripSums,
     materials: Slots,
     spheres: Slots,
@@ -163,7 +162,6 @@ impl<'a, L: Lanes, P: PixelLoss> Sweep<'a, L, P> {
             loss,
             wanted,
             view: View::default(),
-            lit: Vec::new(),
             sums: StripSums::zero(&prepared.lights),
             materials: slots(wanted.materials, prepared.materials.len()),
             spheres: slots(wanted.spheres, prepared.spheres.len()),
@@ -179,18 +177,18 @@ impl<'a, L: Lanes, P: PixelLoss> Sweep<'a, L, P> {
     }
 
     fn add_tile(&mut self, tile: &Tile) {
-        let (mut view, mut lit) = (mem::take(&mut self.view), mem::take(&mut self.lit));
+        let mut view = mem::take(&mut self.view);
         self.prepared.look(tile, &mut view);
-        self.prepared.light_up(&view, &mut lit);
+        self.prepared.light_up(&mut view);
         self.sums.loss += black_pixels(tile, view.missed, self.loss);
         let mut to_frame = Tangent::<Frame<L>>::zero();
         for group in &view.groups {
-            self.add_group(tile, group, &lit, &mut to_frame);
+            self.add_group(tile, group, &view.lit, &mut to_frame);
         }
         if self.wanted.camera {
             self.sums.frame.accumulate(to_frame.sum(Mask::splat(true)));
         }
-        (self.view, self.lit) = (view, lit);
+        self.view = view;
     }
 
     #[inline]

@@ -40,13 +40,6 @@ pub struct Prepared<'a, L: Lanes> {
     pub(super) acceleration: Acceleration,
 }
 
-/// The kinds of primitives.
-#[derive(Clone, Copy, PartialEq, Eq)]
-pub(super) enum Kind {
-    Triangle,
-    Sphere,
-}
-
 impl<'a, L: Lanes> Prepared<'a, L> {
     /// Prepares a scene. The scene has to be valid (see [`Scene::validate`]).
     pub fn new(scene: &'a Scene) -> Self {

@@ -6,7 +6,6 @@ use glam::DVec3;
 
 use super::prepared::Prepared;
 use super::shade::Shaded;
-use super::shadows::Lit;
 use super::tiles::{TILE, Tile, fill_strips, for_each_strip};
 use super::view::{Group, View, set_vectors};
 use crate::acceleration::{PacketVectors, ray_at, rays};
@@ -36,10 +35,10 @@ pub fn render<L: Lanes>(prepared: &Prepared<'_, L>) -> Image {
 pub fn render_into<L: Lanes>(prepared: &Prepared<'_, L>, image: &mut Image) {
     let size = (prepared.scene.width, prepared.scene.height);
     assert_eq!((image.width, image.height), size, "the image has the size of the scene's");
-    fill_strips(image, Visitor::new, |visitor, strip, rows| {
+    fill_strips(image, View::default, |view, strip, rows| {
         for tile in strip.tiles() {
             let mut colors = PacketVectors::ZERO;
-            visitor.visit(prepared, &tile, |group, radiance| {
+            visit(prepared, &tile, view, |group, radiance| {
                 set_vectors::<L>(&mut colors, group.first, group.alive, radiance);
             });
             let pixels = by_rows(&colors);
@@ -65,17 +64,17 @@ fn by_rows(colors: &PacketVectors) -> [[[f32; 3]; TILE]; TILE] {
 /// The loss of the image, in double precision from the radiance on.
 pub fn loss<L: Lanes>(prepared: &Prepared<'_, L>, loss: &impl PixelLoss) -> f64 {
     let (width, height) = (prepared.scene.width, prepared.scene.height);
-    let strips = for_each_strip(width, height, Visitor::new, |visitor, strip| {
+    let strips = for_each_strip(width, height, View::default, |view, strip| {
         let mut sum = 0.0;
         for tile in strip.tiles() {
-            visitor.visit(prepared, &tile, |group, radiance: Vec3<L>| {
+            visit(prepared, &tile, view, |group, radiance: Vec3<L>| {
                 let radiance = vectors_of_lanes::<L>(radiance);
                 for (lane, ray) in group.rays() {
                     let (x, y) = tile.pixel(ray);
                     sum += loss.evaluate(x, y, radiance[lane]).0;
                 }
             });
-            sum += black_pixels(&tile, visitor.view.missed, loss);
+            sum += black_pixels(&tile, view.missed, loss);
         }
         sum
     });
@@ -92,29 +91,17 @@ pub(super) fn black_pixels(tile: &Tile, missed: u64, loss: &impl PixelLoss) -> f
         .sum()
 }
 
-/// What is looked at, and how it is lit.
-struct Visitor<L: Lanes> {
-    view: View<L>,
-    lit: Vec<Lit>,
-}
-
-impl<L: Lanes> Visitor<L> {
-    fn new() -> Self {
-        Self { view: View::default(), lit: Vec::new() }
-    }
-
-    /// Calls `use_radiance` with the radiance of every group of a tile.
-    fn visit(
-        &mut self,
-        prepared: &Prepared<'_, L>,
-        tile: &Tile,
-        mut use_radiance: impl FnMut(&Group<L>, Vec3<L>),
-    ) {
-        prepared.look(tile, &mut self.view);
-        prepared.light_up(&self.view, &mut self.lit);
-        for group in &self.view.groups {
-            let shaded = Shaded::new(prepared, group, &prepared.materials(group), &self.lit);
-            use_radiance(group, shaded.radiance());
-        }
+/// Calls `use_radiance` with the radiance of every group of a tile.
+fn visit<L: Lanes>(
+    prepared: &Prepared<'_, L>,
+    tile: &Tile,
+    view: &mut View<L>,
+    mut use_radiance: impl FnMut(&Group<L>, Vec3<L>),
+) {
+    prepared.look(tile, view);
+    prepared.light_up(view);
+    for group in &view.groups {
+        let shaded = Shaded::new(prepared, group, &prepared.materials(group), &view.lit);
+        use_radiance(group, shaded.radiance());
     }
 }

@@ -1,5 +1,7 @@
 //! Which rays end at points that a light reaches.
 
+use std::mem;
+
 use ad::Vec3;
 use ad::lanes::Lanes;
 use ad::vector::Vector;
@@ -38,13 +40,15 @@ const FARTHEST: f64 = 100.0;
 const SURFACE_ERROR: f64 = 8.0 * f32::EPSILON as f64;
 
 impl<L: Lanes> Prepared<'_, L> {
-    /// What each light reaches.
-    pub(super) fn light_up(&self, view: &View<L>, lit: &mut Vec<Lit>) {
+    /// Finds what each light reaches of a view.
+    pub(super) fn light_up(&self, view: &mut View<L>) {
+        let mut lit = mem::take(&mut view.lit);
         lit.clear();
         lit.extend(self.lights.iter().map(|light| match light {
             Light::Point(light) => self.lit_from(light.position, view),
             Light::Distant(light) => self.lit_along(light.direction.normalize(), view),
         }));
+        view.lit = lit;
     }
 
     /// Shadow rays of a point light start at the light: from there they are coherent.

@@ -18,16 +18,15 @@ pub struct Rays {
 /// Traces the rays of an image, those of shadows if they are wanted, and shades nothing.
 pub fn trace<L: Lanes>(prepared: &Prepared<'_, L>, shadows: bool) -> Rays {
     let (width, height) = (prepared.scene.width, prepared.scene.height);
-    let start = || (View::<L>::default(), Vec::new());
-    let strips = for_each_strip(width, height, start, |(view, lit), strip| {
+    let strips = for_each_strip(width, height, View::<L>::default, |view, strip| {
         let mut rays = Rays::default();
         for tile in strip.tiles() {
             prepared.look(&tile, view);
             rays.primary += u64::from(tile.rays().count_ones());
             if shadows {
-                prepared.light_up(view, lit);
+                prepared.light_up(view);
                 rays.shadow +=
-                    lit.iter().map(|lit| u64::from(lit.facing.count_ones())).sum::<u64>();
+                    view.lit.iter().map(|lit| u64::from(lit.facing.count_ones())).sum::<u64>();
             }
         }
         rays

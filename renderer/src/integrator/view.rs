@@ -4,7 +4,8 @@ use ad::lanes::Lanes;
 use ad::vector::{Vector, Vector3};
 use ad::{Real, Vec3, select};
 
-use super::prepared::{Kind, Prepared};
+use super::prepared::Prepared;
+use super::shadows::Lit;
 use super::sharing::Sharing;
 use super::tiles::Tile;
 use crate::acceleration::{PACKET_RAYS, PacketHits, PacketVectors, rays, tile_position};
@@ -23,6 +24,8 @@ pub(super) struct View<L: Lanes> {
     pub missed: u64,
     /// The rays that meet something.
     pub groups: Vec<Group<L>>,
+    /// By light: the rays that end where it shines.
+    pub lit: Vec<Lit>,
 }
 
 /// Rays that meet primitives of one kind, one in each lane.
@@ -56,10 +59,10 @@ impl<L: Lanes> Group<L> {
     }
 }
 
-/// To be filled by [`Prepared::look`].
+/// To be filled by [`Prepared::look`], then by [`Prepared::light_up`].
 impl<L: Lanes> Default for View<L> {
     fn default() -> Self {
-        Self { hits: PacketHits::NONE, missed: 0, groups: Vec::new() }
+        Self { hits: PacketHits::NONE, missed: 0, groups: Vec::new(), lit: Vec::new() }
     }
 }
 
@@ -86,8 +89,11 @@ impl<L: Lanes> Prepared<'_, L> {
         view.groups.clear();
         let triangles = met & self.triangles_among(&hits.primitive);
         for first in (0..PACKET_RAYS).step_by(L::COUNT) {
-            for (kind, rays) in [(Kind::Triangle, triangles), (Kind::Sphere, met & !triangles)] {
-                let lanes = |rays: u64| (rays >> first) as u32 & all_lanes::<L>();
+            let lanes = |rays: u64| (rays >> first) as u32 & all_lanes::<L>();
+            let leaves = L::mask_from_bits(lanes(hits.leaves));
+            for (shape, rays) in
+                [(Shape::Triangles, triangles), (Shape::Spheres(leaves), met & !triangles)]
+            {
                 let alive = lanes(rays);
                 if alive == 0 {
                     continue;
@@ -95,10 +101,6 @@ impl<L: Lanes> Prepared<'_, L> {
                 let primitives = Sharing::new(&hits.primitive[first..], alive);
                 let film = repeated(self.film(tile, first), alive);
                 let ray = primary_ray::<L>(self.frame, film.0, film.1);
-                let shape = match kind {
-                    Kind::Triangle => Shape::Triangles,
-                    Kind::Sphere => Shape::Spheres(L::mask_from_bits(lanes(hits.leaves))),
-                };
                 let surface = match shape {
                     Shape::Triangles => {
                         let [a, b, c] = self.corners(&primitives);

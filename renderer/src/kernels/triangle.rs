@@ -32,7 +32,7 @@ pub fn triangle_surface<S: Real>(
 /// The vector product without cancellation, for the normals of needles.
 #[differentiable]
 #[inline]
-fn exact_cross<S: Real>(u: Vec3<S>, v: Vec3<S>) -> Vec3<S> {
+pub fn exact_cross<S: Real>(u: Vec3<S>, v: Vec3<S>) -> Vec3<S> {
     <Vec3<S>>::new(
         S::difference_of_products(u.y(), v.z(), v.y(), u.z()),
         S::difference_of_products(u.z(), v.x(), v.z(), u.x()),
