@@ -6,7 +6,7 @@ use ad::vector::Vector3;
 use ad::{Real, Scalar, Select, Vec3, select};
 use glam::DVec3;
 
-use crate::kernels::camera::{Camera, CameraTangent, Frame, FrameTangent};
+use crate::kernels::camera::{Camera, CameraTangent, Frame, FrameTangent, Ray, RayTangent};
 use crate::kernels::light::{DistantLight, DistantLightTangent, PointLight, PointLightTangent};
 use crate::kernels::material::{Material, MaterialTangent};
 use crate::kernels::sphere::{Sphere, SphereTangent};
@@ -36,6 +36,13 @@ pub fn splat<L: Lanes>(x: L::Element) -> L {
 #[inline]
 pub fn splat_vector<L: Lanes>(v: Vec3<L::Element>) -> Vec3<L> {
     Vector3::new(splat(v.x()), splat(v.y()), splat(v.z()))
+}
+
+/// The vector in one lane.
+#[inline]
+pub fn vector_in_lane<L: Lanes>(v: Vec3<L>, lane: usize) -> Vec3<L::Element> {
+    let [x, y, z] = [v.x(), v.y(), v.z()].map(|x| x.lanes().as_ref()[lane]);
+    Vector3::new(x, y, z)
 }
 
 /// What `convert` makes of the number in each lane; those beyond the last lane are zero.
@@ -129,6 +136,17 @@ macro_rules! parameters {
             }
         }
 
+        impl<L: Lanes> $type<L> {
+            /// The parameters in one lane.
+            #[inline]
+            pub fn lane(&self, lane: usize) -> $type<L::Element> {
+                $type {
+                    $($vector: vector_in_lane::<L>(self.$vector, lane),)*
+                    $($scalar: self.$scalar.lanes().as_ref()[lane],)*
+                }
+            }
+        }
+
         impl<S: Real> Select for $type<S> {
             type Mask = S::Mask;
 
@@ -157,8 +175,9 @@ macro_rules! parameters {
 parameters! {
     Camera, CameraTangent { look_from look_at up } { vfov focus }
     Frame, FrameTangent { origin forward right up } {}
+    Ray, RayTangent { origin direction } {}
     PointLight, PointLightTangent { position color } { intensity }
     DistantLight, DistantLightTangent { direction color } { intensity }
-    Material, MaterialTangent { ambient diffuse specular } { exponent }
+    Material, MaterialTangent { ambient diffuse specular reflection } { exponent }
     Sphere, SphereTangent { center } { radius }
 }

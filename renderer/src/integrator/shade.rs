@@ -6,7 +6,7 @@ use ad::{Additive, Tangent, Vec3, select};
 use super::prepared::Prepared;
 use super::shadows::Lit;
 use super::sharing::Sharing;
-use super::view::Group;
+use super::view::{Group, View};
 use crate::kernels::light::{
     DistantLight, DistantLightTangent, PointLight, PointLightTangent, distant_illumination,
     point_illumination,
@@ -28,6 +28,8 @@ pub(super) enum LightCotangent<L: Lanes> {
 pub(super) struct Pulled<L: Lanes> {
     pub material: Tangent<Material<L>>,
     pub surface: Tangent<SurfacePoint<L>>,
+    /// Of the radiance from the mirror direction.
+    pub mirrored: Vec3<L>,
 }
 
 /// What flows back to what is shown, and to one light.
@@ -43,6 +45,8 @@ pub(super) struct Shaded<'a, L: Lanes> {
     lights: &'a [Light<f64>],
     /// The rays that each light reaches.
     lit: &'a [Lit],
+    /// The radiance from the mirror direction, where it was traced.
+    mirrored: Option<Vec3<L>>,
 }
 
 impl<'a, L: Lanes> Shaded<'a, L> {
@@ -51,6 +55,7 @@ impl<'a, L: Lanes> Shaded<'a, L> {
         group: &'a Group<L>,
         materials: &Sharing,
         lit: &'a [Lit],
+        mirrored: Option<&View<L>>,
     ) -> Self {
         Self {
             group,
@@ -58,13 +63,14 @@ impl<'a, L: Lanes> Shaded<'a, L> {
             matte: materials.iter().all(|(material, _)| prepared.is_matte(material)),
             lights: &prepared.lights,
             lit,
+            mirrored: mirrored.map(|view| view.radiance[group.first / L::COUNT]),
         }
     }
 
     /// The radiance of the pixels.
     #[inline]
     pub fn radiance(&self) -> Vec3<L> {
-        let mut total = self.material.ambient;
+        let mut total = self.own_radiance();
         for (light, &lit) in self.lights.iter().zip(self.lit) {
             let reflected = match light {
                 Light::Point(light) => light.reflect(self),
@@ -73,6 +79,25 @@ impl<'a, L: Lanes> Shaded<'a, L> {
             total = total + self.where_lit(lit, reflected);
         }
         total
+    }
+
+    /// What shows without any light.
+    #[inline]
+    fn own_radiance(&self) -> Vec3<L> {
+        match self.mirrored {
+            Some(mirrored) => self.material.ambient + self.material.reflection * mirrored,
+            None => self.material.ambient,
+        }
+    }
+
+    /// The cotangents of what goes into [`own_radiance`](Self::own_radiance).
+    #[inline]
+    fn pull_back_own(&self, cotangent: Vec3<L>, pulled: &mut Pulled<L>) {
+        pulled.material.ambient = cotangent;
+        if let Some(mirrored) = self.mirrored {
+            pulled.material.reflection = cotangent * mirrored;
+            pulled.mirrored = cotangent * self.material.reflection;
+        }
     }
 
     /// Pulls the cotangent back that `respond` gives for the [radiance](Self::radiance), if any.
@@ -90,9 +115,15 @@ impl<'a, L: Lanes> Shaded<'a, L> {
             Some(Light::Point(last)) => self.pull_back_from(last, respond, to_light),
             Some(Light::Distant(last)) => self.pull_back_from(last, respond, to_light),
             None => {
-                let mut material = Tangent::<Material<L>>::zero();
-                material.ambient = respond(self.material.ambient)?;
-                Some(Pulled { material, surface: Additive::zero() })
+                let cotangent = respond(self.own_radiance())?;
+                let zero = Additive::zero();
+                let mut pulled = Pulled {
+                    material: zero,
+                    surface: Additive::zero(),
+                    mirrored: Additive::zero(),
+                };
+                self.pull_back_own(cotangent, &mut pulled);
+                Some(pulled)
             }
         }
     }
@@ -110,7 +141,7 @@ impl<'a, L: Lanes> Shaded<'a, L> {
         let lit = self.lit[index];
         let cotangent = respond(others.radiance() + self.where_lit(lit, reflected))?;
         let (mut pulled, light) = pullback(self.where_lit(lit, cotangent));
-        pulled.material.ambient = cotangent;
+        self.pull_back_own(cotangent, &mut pulled);
         to_light(index, light);
 
         for (index, (light, &lit)) in others.lights.iter().zip(self.lit).enumerate() {
@@ -167,7 +198,7 @@ macro_rules! reflected {
                     $kernel::vjp::<L>(shaded.material, shaded.group.surface, self.narrow());
                 let pullback = move |cotangent| {
                     let (material, surface, light) = pullback(cotangent);
-                    (Pulled { material, surface }, LightCotangent::$variant(light))
+                    (Pulled { material, surface, mirrored: Additive::zero() }, LightCotangent::$variant(light))
                 };
                 (value, pullback)
             }
