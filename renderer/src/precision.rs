@@ -38,13 +38,6 @@ pub fn splat_vector<L: Lanes>(v: Vec3<L::Element>) -> Vec3<L> {
     Vector3::new(splat(v.x()), splat(v.y()), splat(v.z()))
 }
 
-/// The vector in one lane.
-#[inline]
-pub fn vector_in_lane<L: Lanes>(v: Vec3<L>, lane: usize) -> Vec3<L::Element> {
-    let [x, y, z] = [v.x(), v.y(), v.z()].map(|x| x.lanes().as_ref()[lane]);
-    Vector3::new(x, y, z)
-}
-
 /// What `convert` makes of the number in each lane; those beyond the last lane are zero.
 #[inline]
 fn each_lane<L: Lanes, T: Copy + Default>(x: L, convert: impl Fn(f64) -> T) -> [T; MOST_LANES] {
@@ -132,17 +125,6 @@ macro_rules! parameters {
                 $type {
                     $($vector: splat_vector::<L>(self.$vector),)*
                     $($scalar: splat::<L>(self.$scalar),)*
-                }
-            }
-        }
-
-        impl<L: Lanes> $type<L> {
-            /// The parameters in one lane.
-            #[inline]
-            pub fn lane(&self, lane: usize) -> $type<L::Element> {
-                $type {
-                    $($vector: vector_in_lane::<L>(self.$vector, lane),)*
-                    $($scalar: self.$scalar.lanes().as_ref()[lane],)*
                 }
             }
         }

@@ -3,14 +3,16 @@
 use std::mem;
 
 use ad::lanes::Lanes;
-use ad::{Additive, select};
+use ad::vector::Vector3;
+use ad::{Additive, Vec3, select};
 
 use super::prepared::Prepared;
 use super::shade::Shaded;
 use super::sharing::Sharing;
 use super::tiles::Tile;
-use super::view::View;
+use super::view::{View, repeated};
 use crate::acceleration::{PACKET_RAYS, PacketHits, rays};
+use crate::kernels::camera::Ray;
 use crate::kernels::surface::mirrored_ray;
 use crate::precision::vectors_of_lanes;
 
@@ -77,9 +79,10 @@ impl<L: Lanes> Prepared<'_, L> {
 
     /// Traces what the mirrors in a view show. Whether there are any.
     fn look_into_mirrors(&self, from: &View<L>, mirrors: Mirrors, to: &mut View<L>) -> bool {
-        let mut directions = mem::take(&mut to.rays);
-        directions.clear();
-        directions.resize(blocks::<L>(), None);
+        let mut sent_on = mem::take(&mut to.rays);
+        sent_on.clear();
+        sent_on
+            .resize(blocks::<L>(), Ray { origin: Additive::zero(), direction: Additive::zero() });
         to.hits = PacketHits::NONE;
         let mut sent = 0;
         for group in &from.groups {
@@ -89,11 +92,8 @@ impl<L: Lanes> Prepared<'_, L> {
             }
             sent |= u64::from(lanes) << group.first;
             let ray = mirrored_ray::<L>(group.surface);
-            let block = &mut directions[group.first / L::COUNT];
-            *block = Some(match *block {
-                Some(other) => select(L::mask_from_bits(lanes), ray, other),
-                None => ray,
-            });
+            let block = &mut sent_on[group.first / L::COUNT];
+            *block = select(L::mask_from_bits(lanes), ray, *block);
             let (origins, directions) = (group.origins(), vectors_of_lanes::<L>(ray.direction));
             for lane in rays(lanes.into()) {
                 let ray = group.first + lane;
@@ -104,10 +104,15 @@ impl<L: Lanes> Prepared<'_, L> {
                 }
             }
         }
-        let ray =
-            |first: usize| directions[first / L::COUNT].expect("only sent rays meet something");
-        self.group(to, sent, ray);
-        to.rays = directions;
+        self.group(to, sent, |first, alive| {
+            let Ray { origin, direction } = sent_on[first / L::COUNT];
+            let repeated = |v: Vec3<L>| {
+                let [x, y, z] = [v.x(), v.y(), v.z()].map(|x| repeated(x, alive));
+                Vector3::new(x, y, z)
+            };
+            Ray { origin: repeated(origin), direction: repeated(direction) }
+        });
+        to.rays = sent_on;
         sent != 0
     }
 

@@ -28,8 +28,16 @@ pub(super) enum LightCotangent<L: Lanes> {
 pub(super) struct Pulled<L: Lanes> {
     pub material: Tangent<Material<L>>,
     pub surface: Tangent<SurfacePoint<L>>,
+    /// Of what the mirror does, where the ray that it sends on was traced.
+    pub mirror: Option<PulledMirror<L>>,
+}
+
+/// The cotangents of what is seen in mirrors.
+pub(super) struct PulledMirror<L: Lanes> {
+    /// Of the materials' reflection.
+    pub reflection: Vec3<L>,
     /// Of the radiance from the mirror direction.
-    pub mirrored: Vec3<L>,
+    pub radiance: Vec3<L>,
 }
 
 /// What flows back to what is shown, and to one light.
@@ -46,7 +54,7 @@ pub(super) struct Shaded<'a, L: Lanes> {
     /// The rays that each light reaches.
     lit: &'a [Lit],
     /// The radiance from the mirror direction, where it was traced.
-    mirrored: Option<Vec3<L>>,
+    mirrored: Option<&'a Vec3<L>>,
 }
 
 impl<'a, L: Lanes> Shaded<'a, L> {
@@ -55,7 +63,7 @@ impl<'a, L: Lanes> Shaded<'a, L> {
         group: &'a Group<L>,
         materials: &Sharing,
         lit: &'a [Lit],
-        mirrored: Option<&View<L>>,
+        mirrored: Option<&'a View<L>>,
     ) -> Self {
         Self {
             group,
@@ -63,7 +71,7 @@ impl<'a, L: Lanes> Shaded<'a, L> {
             matte: materials.iter().all(|(material, _)| prepared.is_matte(material)),
             lights: &prepared.lights,
             lit,
-            mirrored: mirrored.map(|view| view.radiance[group.first / L::COUNT]),
+            mirrored: mirrored.map(|view| &view.radiance[group.first / L::COUNT]),
         }
     }
 
@@ -85,7 +93,7 @@ impl<'a, L: Lanes> Shaded<'a, L> {
     #[inline]
     fn own_radiance(&self) -> Vec3<L> {
         match self.mirrored {
-            Some(mirrored) => self.material.ambient + self.material.reflection * mirrored,
+            Some(mirrored) => self.material.ambient + self.material.reflection * *mirrored,
             None => self.material.ambient,
         }
     }
@@ -94,10 +102,10 @@ impl<'a, L: Lanes> Shaded<'a, L> {
     #[inline]
     fn pull_back_own(&self, cotangent: Vec3<L>, pulled: &mut Pulled<L>) {
         pulled.material.ambient = cotangent;
-        if let Some(mirrored) = self.mirrored {
-            pulled.material.reflection = cotangent * mirrored;
-            pulled.mirrored = cotangent * self.material.reflection;
-        }
+        pulled.mirror = self.mirrored.map(|&mirrored| PulledMirror {
+            reflection: cotangent * mirrored,
+            radiance: cotangent * self.material.reflection,
+        });
     }
 
     /// Pulls the cotangent back that `respond` gives for the [radiance](Self::radiance), if any.
@@ -116,12 +124,8 @@ impl<'a, L: Lanes> Shaded<'a, L> {
             Some(Light::Distant(last)) => self.pull_back_from(last, respond, to_light),
             None => {
                 let cotangent = respond(self.own_radiance())?;
-                let zero = Additive::zero();
-                let mut pulled = Pulled {
-                    material: zero,
-                    surface: Additive::zero(),
-                    mirrored: Additive::zero(),
-                };
+                let mut pulled =
+                    Pulled { material: Additive::zero(), surface: Additive::zero(), mirror: None };
                 self.pull_back_own(cotangent, &mut pulled);
                 Some(pulled)
             }
@@ -198,7 +202,7 @@ macro_rules! reflected {
                     $kernel::vjp::<L>(shaded.material, shaded.group.surface, self.narrow());
                 let pullback = move |cotangent| {
                     let (material, surface, light) = pullback(cotangent);
-                    (Pulled { material, surface, mirrored: Additive::zero() }, LightCotangent::$variant(light))
+                    (Pulled { material, surface, mirror: None }, LightCotangent::$variant(light))
                 };
                 (value, pullback)
             }

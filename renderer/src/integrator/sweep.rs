@@ -10,11 +10,12 @@ use super::gradient::Wanted;
 use super::mirrors::{Mirrors, Sight, blocks};
 use super::prepared::Prepared;
 use super::radiance::{PixelLoss, black_pixels};
-use super::shade::{LightCotangent, Pulled, Shaded};
+use super::shade::{LightCotangent, Pulled, PulledMirror, Shaded};
 use super::sums::{Slots, StripSums};
 use super::tiles::{Strip, Tile, for_each_strip};
 use super::view::{Group, Shape, View};
 use crate::kernels::camera::{Frame, Ray, RayTangent, primary_ray};
+use crate::kernels::material::MaterialTangent;
 use crate::kernels::sphere::sphere_surface;
 use crate::kernels::surface::{SurfacePoint, mirrored_ray};
 use crate::kernels::triangle::triangle_surface;
@@ -38,7 +39,7 @@ struct Sweep<'a, L: Lanes, P> {
     wanted: Wanted,
     mirrors: Mirrors,
     sight: Sight<L>,
-    back: Back<L>,
+    flows: Vec<Flow<L>>,
     sums: StripSums,
     materials: Slots,
     spheres: Slots,
@@ -54,7 +55,7 @@ impl<'a, L: Lanes, P: PixelLoss> Sweep<'a, L, P> {
             wanted,
             mirrors: if wanted.mirrors { Mirrors::All } else { Mirrors::Bright },
             sight: Sight::default(),
-            back: Back::default(),
+            flows: Vec::new(),
             sums: StripSums::zero(&prepared.lights),
             materials: slots(wanted.materials, prepared.materials.len()),
             spheres: slots(wanted.spheres, prepared.spheres.len()),
@@ -70,88 +71,136 @@ impl<'a, L: Lanes, P: PixelLoss> Sweep<'a, L, P> {
     }
 
     fn add_tile(&mut self, tile: &Tile) {
-        let (mut sight, mut back) = (mem::take(&mut self.sight), mem::take(&mut self.back));
+        let (mut sight, mut flows) = (mem::take(&mut self.sight), mem::take(&mut self.flows));
         self.prepared.see(tile, self.mirrors, &mut sight);
         let views = sight.views();
+        flows.resize_with(views.len().max(flows.len()), Flow::default);
         self.sums.loss += black_pixels(tile, views[0].missed, self.loss);
-        back.start(views);
-        for depth in 0..views.len() {
-            self.pull_shading(tile, views, depth, &mut back);
+
+        let (first, deeper) = flows.split_at_mut(1);
+        let (loss, mut sum) = (self.loss, 0.0);
+        let respond = |group: &Group<L>, radiance| {
+            let (loss, cotangent) = respond(loss, tile, group, radiance);
+            sum += loss;
+            cotangent
+        };
+        let mirrored = views.get(1).zip(deeper.first_mut());
+        self.pull_shading(&views[0], mirrored, &mut first[0].surfaces, respond);
+        self.sums.loss += sum;
+        for depth in 1..views.len() {
+            let (flows, deeper) = flows.split_at_mut(depth + 1);
+            let Flow { radiance, surfaces, .. } = &mut flows[depth];
+            let respond = |group: &Group<L>, _| {
+                let cotangent = radiance[group.first / L::COUNT];
+                Some(select(L::mask_from_bits(group.alive), cotangent, Additive::zero()))
+            };
+            let mirrored = views.get(depth + 1).zip(deeper.first_mut());
+            self.pull_shading(&views[depth], mirrored, surfaces, respond);
         }
+
         if self.wanted.surface() {
-            for (depth, view) in views.iter().enumerate().rev() {
-                self.pull_surfaces(tile, view, depth, &mut back);
+            for depth in (1..views.len()).rev() {
+                let (flows, deeper) = flows.split_at_mut(depth + 1);
+                let Flow { rays, surfaces, .. } = &mut flows[depth];
+                let mirrored = (depth + 1 < views.len()).then_some(&deeper[0]);
+                self.pull_surfaces(&views[depth], mirrored, surfaces, |group, to_ray| {
+                    rays[group.first / L::COUNT].accumulate(to_ray);
+                });
+            }
+            let (first, deeper) = flows.split_at_mut(1);
+            let mirrored = (views.len() > 1).then_some(&deeper[0]);
+            let mut to_frame = Tangent::<Frame<L>>::zero();
+            let Self { prepared, wanted, .. } = *self;
+            self.pull_surfaces(&views[0], mirrored, &first[0].surfaces, |group, to_ray| {
+                if wanted.camera {
+                    let (x, y) = prepared.film(tile, group.first);
+                    let (_, pullback) = primary_ray::vjp::<L>(prepared.frame, x, y);
+                    to_frame.accumulate(pullback(to_ray).0);
+                }
+            });
+            if wanted.camera {
+                self.sums.frame.accumulate(to_frame.sum(Mask::splat(true)));
             }
         }
-        (self.sight, self.back) = (sight, back);
+        (self.sight, self.flows) = (sight, flows);
     }
 
-    /// From the radiance of a view to its materials, lights and surface points, and to the radiance
-    /// that mirrors in it show.
-    fn pull_shading(&mut self, tile: &Tile, views: &[View<L>], depth: usize, back: &mut Back<L>) {
-        let Self { prepared, loss, wanted, sums, materials: slots, .. } = self;
-        let view = &views[depth];
+    /// From the radiance of a view, whose cotangents `respond` gives, to its materials and lights,
+    /// to its surface points, and to the radiance that mirrors in it show.
+    #[inline]
+    fn pull_shading(
+        &mut self,
+        view: &View<L>,
+        mirrored: Option<(&View<L>, &mut Flow<L>)>,
+        surfaces: &mut Vec<Option<Tangent<SurfacePoint<L>>>>,
+        mut respond: impl FnMut(&Group<L>, Vec3<L>) -> Option<Vec3<L>>,
+    ) {
+        let Self { prepared, wanted, sums, materials: slots, .. } = self;
+        let (shown, mut to_mirrored) = mirrored.unzip();
+        if let Some(flow) = &mut to_mirrored {
+            flow.start();
+        }
+        surfaces.clear();
         for group in &view.groups {
-            let block = group.first / L::COUNT;
-            let respond = |radiance| match depth {
-                0 => {
-                    let (loss, cotangent) = respond(*loss, tile, group, radiance);
-                    sums.loss += loss;
-                    cotangent
-                }
-                _ => {
-                    let alive = L::mask_from_bits(group.alive);
-                    Some(select(alive, back.radiance[depth][block], Additive::zero()))
-                }
-            };
             let to_light = |light: usize, cotangent: LightCotangent<L>| {
                 if wanted.lights {
                     sums.lights[light].add(&cotangent);
                 }
             };
             let materials = prepared.materials(group);
-            let shaded = Shaded::new(prepared, group, &materials, &view.lit, views.get(depth + 1));
-            let pulled = shaded.pull_back(respond, to_light);
-            if let (true, Some(Pulled { material, .. })) = (wanted.materials, &pulled) {
+            let shaded = Shaded::new(prepared, group, &materials, &view.lit, shown);
+            let pulled = shaded.pull_back(|radiance| respond(group, radiance), to_light);
+            let Some(Pulled { material, surface, mirror }) = pulled else {
+                surfaces.push(None);
+                continue;
+            };
+            if wanted.materials {
                 for (index, lanes) in materials.iter() {
                     let sum = material.sum(L::mask_from_bits(lanes));
                     slots.add(&mut sums.materials, index, sum);
                 }
             }
-            if let (Some(mirrored), Some(pulled)) = (back.radiance.get_mut(depth + 1), &pulled) {
-                mirrored[block].accumulate(pulled.mirrored);
+            if let (Some(flow), Some(PulledMirror { reflection, radiance })) =
+                (&mut to_mirrored, mirror)
+            {
+                flow.radiance[group.first / L::COUNT].accumulate(radiance);
+                if wanted.mirrors {
+                    for (index, lanes) in materials.iter() {
+                        let reflection = sum_of_vectors::<L>(reflection, L::mask_from_bits(lanes));
+                        let sum = MaterialTangent { reflection, ..Additive::zero() };
+                        slots.add(&mut sums.materials, index, sum);
+                    }
+                }
             }
-            back.surfaces[depth].push(pulled.map(|pulled| pulled.surface));
+            if wanted.surface() {
+                surfaces.push(Some(surface));
+            }
         }
     }
 
-    /// From the surface points of a view to its primitives, and to where its rays come from: the
-    /// mirrors in the view before, or the camera.
-    fn pull_surfaces(&mut self, tile: &Tile, view: &View<L>, depth: usize, back: &mut Back<L>) {
-        let mut to_frame = Tangent::<Frame<L>>::zero();
-        for (index, group) in view.groups.iter().enumerate() {
-            let Some(mut surface) = back.surfaces[depth][index] else { continue };
-            let block = group.first / L::COUNT;
-            if let Some(rays) = back.rays.get(depth + 1) {
-                let alive = L::mask_from_bits(group.alive);
+    /// From the surface points of a view to its primitives, and to its rays, whose cotangents
+    /// `to_ray` takes. `mirrored` is what flows back from the rays that mirrors in the view send on.
+    #[inline]
+    fn pull_surfaces(
+        &mut self,
+        view: &View<L>,
+        mirrored: Option<&Flow<L>>,
+        surfaces: &[Option<Tangent<SurfacePoint<L>>>],
+        mut to_ray: impl FnMut(&Group<L>, Tangent<Ray<L>>),
+    ) {
+        for (group, surface) in view.groups.iter().zip(surfaces) {
+            let Some(mut surface) = *surface else { continue };
+            if let Some(flow) = mirrored {
+                let RayTangent { origin, direction } = flow.rays[group.first / L::COUNT];
+                let alive =
+                    |v: Vec3<L>| select(L::mask_from_bits(group.alive), v, Additive::zero());
                 let (_, pullback) = mirrored_ray::vjp::<L>(group.surface);
-                let RayTangent { origin, direction } = rays[block];
                 surface.accumulate(pullback(RayTangent {
-                    origin: select(alive, origin, Additive::zero()),
-                    direction: select(alive, direction, Additive::zero()),
+                    origin: alive(origin),
+                    direction: alive(direction),
                 }));
             }
-            let to_ray = self.pull_surface(group, surface);
-            if depth > 0 {
-                back.rays[depth][block].accumulate(to_ray);
-            } else if self.wanted.camera {
-                let (x, y) = self.prepared.film(tile, group.first);
-                let (_, pullback) = primary_ray::vjp::<L>(self.prepared.frame, x, y);
-                to_frame.accumulate(pullback(to_ray).0);
-            }
-        }
-        if depth == 0 && self.wanted.camera {
-            self.sums.frame.accumulate(to_frame.sum(Mask::splat(true)));
+            to_ray(group, self.pull_surface(group, surface));
         }
     }
 
@@ -220,35 +269,28 @@ fn respond<L: Lanes>(
     (sum, matters.then(|| lanes_of_vectors::<L>(&cotangents)))
 }
 
-/// What flows back through the views of a tile.
-struct Back<L: Lanes> {
-    /// By view, in vectors of lanes: the cotangents of the radiance that rays from mirrors bring.
-    radiance: Vec<Vec<Vec3<L>>>,
-    /// By view and group: the cotangents of the surface points, unless they are zero.
-    surfaces: Vec<Vec<Option<Tangent<SurfacePoint<L>>>>>,
-    /// By view, in vectors of lanes: the cotangents of the rays from mirrors.
-    rays: Vec<Vec<Tangent<Ray<L>>>>,
+/// What flows back to a view.
+struct Flow<L: Lanes> {
+    /// By group: the cotangents of the surface points, unless they are zero.
+    surfaces: Vec<Option<Tangent<SurfacePoint<L>>>>,
+    /// The cotangents of the radiance that rays from mirrors bring, in vectors of lanes.
+    radiance: Vec<Vec3<L>>,
+    /// The cotangents of the rays from mirrors, in vectors of lanes.
+    rays: Vec<Tangent<Ray<L>>>,
 }
 
-impl<L: Lanes> Default for Back<L> {
+impl<L: Lanes> Default for Flow<L> {
     fn default() -> Self {
-        Self { radiance: Vec::new(), surfaces: Vec::new(), rays: Vec::new() }
+        Self { surfaces: Vec::new(), radiance: Vec::new(), rays: Vec::new() }
     }
 }
 
-impl<L: Lanes> Back<L> {
-    /// Nothing flows yet.
-    fn start(&mut self, views: &[View<L>]) {
-        let Self { radiance, surfaces, rays } = self;
-        surfaces.resize_with(views.len(), Vec::new);
-        surfaces.iter_mut().for_each(Vec::clear);
-        radiance.resize_with(views.len(), Vec::new);
-        rays.resize_with(views.len(), Vec::new);
-        for (radiance, rays) in radiance.iter_mut().zip(rays).skip(1) {
-            radiance.clear();
-            radiance.resize(blocks::<L>(), Additive::zero());
-            rays.clear();
-            rays.resize(blocks::<L>(), Additive::zero());
-        }
+impl<L: Lanes> Flow<L> {
+    /// Nothing flows yet to a view of rays from mirrors.
+    fn start(&mut self) {
+        self.radiance.clear();
+        self.radiance.resize(blocks::<L>(), Additive::zero());
+        self.rays.clear();
+        self.rays.resize(blocks::<L>(), Additive::zero());
     }
 }

@@ -14,7 +14,7 @@ use crate::kernels::material::Material;
 use crate::kernels::sphere::{Sphere, sphere_surface};
 use crate::kernels::surface::SurfacePoint;
 use crate::kernels::triangle::triangle_surface;
-use crate::precision::{singles_of_lanes, splat_vector};
+use crate::precision::{singles_of_lanes, splat, splat_vector};
 
 /// What the rays of a tile meet: those of the camera, or those that mirrors send on.
 pub(super) struct View<L: Lanes> {
@@ -27,7 +27,7 @@ pub(super) struct View<L: Lanes> {
     /// By light: the rays that end where it shines.
     pub lit: Vec<Lit>,
     /// Of rays from mirrors: the rays, in vectors of lanes.
-    pub rays: Vec<Option<Ray<L>>>,
+    pub rays: Vec<Ray<L>>,
     /// Of rays from mirrors: the radiance that they bring, in vectors of lanes.
     pub radiance: Vec<Vec3<L>>,
 }
@@ -94,16 +94,22 @@ impl<L: Lanes> Prepared<'_, L> {
         let hits = &mut view.hits;
         self.acceleration.nearest_packet_into(origin, &directions, wanted, hits);
 
-        let ray = |first: usize| {
+        let ray = |first: usize, alive: u32| {
             let (x, y) = self.film(tile, first);
-            primary_ray::<L>(self.frame, x, y)
+            primary_ray::<L>(self.frame, repeated(x, alive), repeated(y, alive))
         };
         self.group(view, wanted, ray);
     }
 
-    /// Gathers what the wanted rays of a packet meet. `ray` gives those from an index on.
+    /// Gathers what the wanted rays of a packet meet. `ray` gives those from an index on; in lanes
+    /// that do not count it repeats one that does.
     #[inline]
-    pub(super) fn group(&self, view: &mut View<L>, wanted: u64, ray: impl Fn(usize) -> Ray<L>) {
+    pub(super) fn group(
+        &self,
+        view: &mut View<L>,
+        wanted: u64,
+        ray: impl Fn(usize, u32) -> Ray<L>,
+    ) {
         let hits = &view.hits;
         let met = wanted & hits.met();
         view.missed = wanted & !met;
@@ -120,7 +126,7 @@ impl<L: Lanes> Prepared<'_, L> {
                     continue;
                 }
                 let primitives = Sharing::new(&hits.primitive[first..], alive);
-                let ray = repeated(ray(first), alive);
+                let ray = ray(first, alive);
                 let surface = match shape {
                     Shape::Triangles => {
                         let [a, b, c] = self.corners(&primitives);
@@ -199,12 +205,12 @@ impl<L: Lanes> Prepared<'_, L> {
 
 /// Puts that of the first living lane into the lanes that do not count.
 #[inline]
-fn repeated<L: Lanes>(ray: Ray<L>, alive: u32) -> Ray<L> {
+pub(super) fn repeated<L: Lanes>(x: L, alive: u32) -> L {
     if alive == all_lanes::<L>() {
-        return ray;
+        return x;
     }
     let first = alive.trailing_zeros() as usize;
-    select(L::mask_from_bits(alive), ray, ray.lane(first).splat())
+    select(L::mask_from_bits(alive), x, splat::<L>(x.lanes().as_ref()[first]))
 }
 
 /// A bit for each lane.
