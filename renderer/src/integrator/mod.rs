@@ -23,6 +23,7 @@ mod shadows;
 mod sharing;
 mod sums;
 mod sweep;
+mod textures;
 mod tiles;
 mod trace;
 mod view;

@@ -6,6 +6,7 @@ use ad::{Additive, Tangent, Vec3, select};
 use super::prepared::Prepared;
 use super::shadows::Lit;
 use super::sharing::Sharing;
+use super::textures::Textured;
 use super::view::{Group, View};
 use crate::kernels::light::{
     DistantLight, DistantLightTangent, PointLight, PointLightTangent, distant_illumination,
@@ -62,12 +63,13 @@ impl<'a, L: Lanes> Shaded<'a, L> {
         prepared: &'a Prepared<'_, L>,
         group: &'a Group<L>,
         materials: &Sharing,
+        textured: Option<&Textured<L>>,
         lit: &'a [Lit],
         mirrored: Option<&'a View<L>>,
     ) -> Self {
         Self {
             group,
-            material: prepared.material(materials),
+            material: textured.map_or_else(|| prepared.material(materials), Textured::material),
             matte: materials.iter().all(|(material, _)| prepared.is_matte(material)),
             lights: &prepared.lights,
             lit,
