@@ -9,6 +9,7 @@ use syn::{
     parse_quote,
 };
 
+use crate::callable::Callables;
 use crate::expand::{Function, Place};
 use crate::options::{Options, is_own, own_options};
 
@@ -78,6 +79,7 @@ fn function_derivative(mut function: ItemFn, options: Options) -> TokenStream {
         attributes: &function.attrs,
         visibility: &function.vis,
         signature: &function.sig,
+        callables: &Callables::new(&function.sig),
         body: Some(&function.block),
         options,
     });
@@ -132,7 +134,9 @@ fn method_derivative(
 ) -> TokenStream {
     let own = own_options(attributes);
     attributes.retain(|attribute| !is_own(attribute));
-    let function = |options| Function { place, attributes, visibility, signature, body, options };
+    let callables = &Callables::new(signature);
+    let function =
+        |options| Function { place, attributes, visibility, signature, callables, body, options };
     match own {
         Ok(own) => derivative_or_errors(&function(options.with(own))),
         Err(error) => {

@@ -7,9 +7,11 @@ use syn::{
     Signature, Type, visit::Visit,
 };
 
+use crate::callable::Callables;
 use crate::errors::Errors;
 
 /// A parameter.
+#[derive(Clone)]
 pub struct Parameter {
     /// Its name in the generated signature.
     pub ident: Ident,
@@ -23,6 +25,8 @@ pub struct Parameter {
     pub is_shared: bool,
     /// Whether it is `mut self`.
     pub is_mutable_receiver: bool,
+    /// The number of its arguments, if it is a function.
+    pub arity: Option<usize>,
 }
 
 /// The type whose tangent is the cotangent of something of type `ty`: that of a reference is that
@@ -85,7 +89,9 @@ pub fn has_fixed_size(ty: &Type) -> bool {
 }
 
 /// The parameters, in order. Refuses what has no derivative.
-pub fn parameters(signature: &Signature, errors: &mut Errors) -> Vec<Parameter> {
+pub fn parameters(callables: &Callables, errors: &mut Errors) -> Vec<Parameter> {
+    let signature = &callables.signature;
+    callables.refuse(errors);
     if let Some(token) = &signature.asyncness {
         errors.at(token, "an `async fn` has no derivative: differentiate the computation apart from waiting for its input");
     }
@@ -113,6 +119,7 @@ pub fn parameters(signature: &Signature, errors: &mut Errors) -> Vec<Parameter> 
                 is_shared: matches!(receiver.kind, ReceiverKind::Reference(_, _, None)),
                 is_mutable_receiver: matches!(receiver.kind, ReceiverKind::Value)
                     && receiver.mutability.is_some(),
+                arity: None,
             }
         }
         FnArg::Typed(typed) => {
@@ -141,6 +148,7 @@ pub fn parameters(signature: &Signature, errors: &mut Errors) -> Vec<Parameter> 
                 is_exclusive,
                 is_shared,
                 is_mutable_receiver: false,
+                arity: callables.arity(&typed.ty),
             }
         }
     });
@@ -182,10 +190,16 @@ fn refuse_type(ty: &Type, errors: &mut Errors) {
             errors.at(ty, "a reference to a `&mut` is not supported: take the `&mut` itself")
         }
         Type::ImplTrait(_) => {
-            errors.at(ty, "write a type parameter `T: ..` instead of `impl Trait`")
+            errors.at(ty, "`impl Trait` stands for a parameter itself or for what it refers to: write a type parameter `T: ..` instead")
         }
         Type::Ptr(_) => errors.at(ty, "a raw pointer has no derivative: take a reference"),
         _ => {
+            if let Type::FnPtr(_) = pointee(ty) {
+                errors.at(
+                    ty,
+                    "a call through a pointer cannot be differentiated: write a type parameter `F: Fn(..) -> ..`, and pass a closure",
+                );
+            }
             if let Type::TraitObject(_) = pointee(ty) {
                 errors.at(
                     ty,

@@ -104,7 +104,7 @@ impl Lowerer<'_> {
             Expr::MethodCall(call) if call.method == "map" => self.container(&call.receiver),
             Expr::Call(call) => match strip_parens(&call.func) {
                 Expr::Path(path) if is_from_fn(&path.path) => Some(Container::Array),
-                Expr::Path(path) if super::expression::is_transparent(&path.path) => {
+                Expr::Path(path) if super::construct::is_transparent(&path.path) => {
                     Some(Container::Option)
                 }
                 _ => None,

@@ -147,7 +147,7 @@ impl Lowerer<'_> {
             let keep = lowerer.block(|_| Self::unit());
             let replace = lowerer.block(|lowerer| {
                 let expression = quote!(::core::option::Option::Some(#candidate));
-                let parts = super::expression::numbered(vec![Operand::Var(value)]);
+                let parts = super::construct::numbered(vec![Operand::Var(value)]);
                 let shape = crate::ir::Shape::Transparent;
                 let operation = Operation::Aggregate { expression, shape, parts };
                 let new = Operand::Var(lowerer.define("best", span, true, operation));

@@ -9,7 +9,7 @@ use syn::visit::{self, Visit};
 use syn::visit_mut::{self, VisitMut};
 use syn::{Arm, BinOp, Expr, ExprIf, Pat, Token, parse_quote};
 
-use super::expression::is_type_name;
+use super::construct::is_type_name;
 
 /// An `if` or `match` in plainer form.
 pub fn branch(expr: Expr) -> Expr {

@@ -43,6 +43,12 @@ impl Lowerer<'_> {
                 let exits = exits::block_exits(&a_loop.body);
                 let driver = Driver::Chain(&chain, Some(&a_loop.pat));
                 let checkpoint = self.is_checkpointed(&a_loop.attrs);
+                if checkpoint && self.is_object {
+                    self.refuse(
+                        expr,
+                        "a loop with checkpoints cannot stand in a closure that is passed to a function: put it into a function that the closure calls",
+                    );
+                }
                 if checkpoint {
                     self.refuse_borrowed_state(expr, &a_loop.body);
                 }

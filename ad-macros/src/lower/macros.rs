@@ -166,7 +166,7 @@ impl Lowerer<'_> {
 }
 
 /// The names that a format string takes from around it: `{name}`, `{:width$}`.
-fn captured_names(format: &str) -> Vec<String> {
+pub(super) fn captured_names(format: &str) -> Vec<String> {
     let mut names = Vec::new();
     let unescaped = format.replace("{{", "");
     for part in unescaped.split('{').skip(1) {

@@ -8,7 +8,7 @@ use syn::{Expr, Member, Pat, Type};
 
 use super::Lowerer;
 use super::chain::is_chain;
-use super::expression::{is_transparent, is_type_name, outcome, variant};
+use super::construct::{is_transparent, is_type_name, outcome, variant};
 use crate::ir::{Binding, Operand, Operation, Place, Projection, Statement, VarId};
 
 /// What a pattern is matched against.

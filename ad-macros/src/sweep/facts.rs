@@ -314,7 +314,10 @@ impl<'a> Facts<'a> {
                         Argument::Receiver(place) if self.vars[place.root].mutable => {
                             into.insert(place.root);
                         }
-                        Argument::Value(_) | Argument::Borrow(_) | Argument::Receiver(_) => {}
+                        Argument::Value(_)
+                        | Argument::Borrow(_)
+                        | Argument::Function(_)
+                        | Argument::Receiver(_) => {}
                     }
                 }
             }

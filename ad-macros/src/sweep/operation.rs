@@ -28,13 +28,13 @@ impl Sweeper<'_> {
         let mutability = mutable.then(|| quote!(mut));
         let ty = ty.map(|ty| quote!(: #ty));
         let forward = match operation {
-            Operation::Call { primal, vjp, method, arguments } => {
-                let function = if pulls_back { vjp } else { primal };
-                let call = self.call(function, *method, arguments);
-                match pulls_back {
-                    true => quote!(let (#ident, #record) = #call;),
-                    false => quote!(let #ident = #call;),
-                }
+            Operation::Call { vjp, method, arguments, .. } if pulls_back => {
+                let call = self.call(vjp, *method, arguments);
+                quote!(let (#ident, #record) = #call;)
+            }
+            Operation::Closure(closure) => {
+                let object = self.object(closure);
+                quote!(let #ident #ty = #object;)
             }
             operation => {
                 let value = self.primal(operation, ident.span());
@@ -101,6 +101,10 @@ impl Sweeper<'_> {
                     let place = self.place(place);
                     quote!(&mut #place)
                 }
+                Argument::Function(var) => {
+                    let ident = self.ident(*var);
+                    quote!(#ident)
+                }
                 Argument::Receiver(place) => self.place(place),
             })
             .collect();
@@ -151,9 +155,17 @@ impl Sweeper<'_> {
                 let value = self.ident(*value);
                 quote!(#value as #ty)
             }
+            // What takes an object is a derivative.
+            Operation::Call { vjp, method, arguments, .. }
+                if arguments.iter().any(|argument| matches!(argument, Argument::Function(_))) =>
+            {
+                let call = self.call(vjp, *method, arguments);
+                quote!(#call.0)
+            }
             Operation::Call { primal, method, arguments, .. } => {
                 self.call(primal, *method, arguments)
             }
+            Operation::Closure(_) => unreachable!("is written where it is defined"),
             Operation::Aggregate { expression, .. }
             | Operation::UpdateStruct { expression, .. } => expression.clone(),
             Operation::Repeat { value, length, is_vec } => {
@@ -252,6 +264,13 @@ impl Sweeper<'_> {
                 }
                 self.contribute(reverse, *rest, &[], cotangent);
             }
+            Operation::Closure(closure) => {
+                for (index, (_, place)) in closure.captures.iter().enumerate() {
+                    let part = Member::from(index);
+                    let part = quote!(#cotangent.#part);
+                    self.contribute(reverse, place.root, &place.path, part);
+                }
+            }
             Operation::Repeat { value, .. } => {
                 self.contribute(reverse, *value, &[], quote!(::ad::rt::sum(#cotangent)));
             }
@@ -282,7 +301,10 @@ impl Sweeper<'_> {
                     self.start(reverse, place.root);
                     receiver = Some(cotangent_of(&self.vars[place.root].cotangent, &place.path));
                 }
-                Argument::Value(_) | Argument::Borrow(_) | Argument::Receiver(_) => {}
+                Argument::Value(_)
+                | Argument::Borrow(_)
+                | Argument::Function(_)
+                | Argument::Receiver(_) => {}
             }
         }
         match receiver {
@@ -301,7 +323,7 @@ impl Sweeper<'_> {
                 let root = &self.vars[place.root];
                 root.active && root.mutable && self.is_live(place)
             }
-            Argument::Value(_) | Argument::Borrow(_) => false,
+            Argument::Value(_) | Argument::Borrow(_) | Argument::Function(_) => false,
         })
     }
 
@@ -404,6 +426,7 @@ fn operand_target(operand: &Operand) -> Option<Target> {
 fn argument_target(argument: &Argument) -> Option<Target> {
     match argument {
         Argument::Value(operand) => operand_target(operand),
+        Argument::Function(var) => Some(Target::whole(*var)),
         Argument::Borrow(place) | Argument::Exclusive(place) | Argument::Receiver(place) => {
             let is_part = |step: &Projection| !matches!(step, Projection::Deref);
             let path = place.path.iter().filter(|step| is_part(step)).cloned().collect();
