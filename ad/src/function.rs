@@ -195,6 +195,7 @@ macro_rules! arities {
         /// The value of a function for these arguments.
         #[doc(hidden)]
         #[inline(always)]
+        #[allow(clippy::extra_unused_lifetimes, reason = "used where there are arguments")]
         pub fn $call<'a, F: DifferentiableFn<($($parameter,)*)>, $($parameter: Parameter),*>(
             function: &F,
             $($argument: $parameter::Of<'a>),*
@@ -206,6 +207,7 @@ macro_rules! arities {
         #[doc(hidden)]
         #[inline(always)]
         #[allow(clippy::type_complexity)]
+        #[allow(clippy::extra_unused_lifetimes, reason = "used where there are arguments")]
         pub fn $call_vjp<'a, F: DifferentiableFn<($($parameter,)*)>, $($parameter: Parameter),*>(
             function: &F,
             $($argument: $parameter::Of<'a>),*

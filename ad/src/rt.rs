@@ -21,7 +21,7 @@ pub use pullback::MethodPullback;
 mod iterate;
 
 pub use iterate::{
-    build_like, chunks_exact, empty_product, empty_sum, held, record, record_like, segments,
+    Side, build_like, chunks_exact, empty_product, empty_sum, held, record, record_like, segments,
     windows, with_cotangents,
 };
 

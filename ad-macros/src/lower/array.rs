@@ -1,5 +1,4 @@
-//! Arrays and `Vec`s built element by element: `array::from_fn`, `array::map`, `collect`; and
-//! `Option::map`.
+//! Arrays and `Vec`s built element by element: `array::from_fn`, `array::map`, `collect`.
 
 use quote::{ToTokens, quote};
 use syn::spanned::Spanned;
@@ -58,7 +57,7 @@ impl Lowerer<'_> {
         self.build(function, None, ty, hint)
     }
 
-    /// `array.map(function)`, `option.map(function)`, if `call` is one.
+    /// `array.map(function)`, if `call` is one.
     pub(super) fn mapped(&mut self, call: &ExprMethodCall, hint: &str) -> Option<Operand> {
         if call.method != "map" || call.args.len() != 1 || is_chain(&call.receiver) {
             return None;
@@ -72,21 +71,7 @@ impl Lowerer<'_> {
                 let place = self.source_place(&call.receiver, false);
                 self.build(function, Some(place), None, hint)
             }
-            Some(Container::Option) => {
-                let (receiver, name) = (&call.receiver, self.names.unwritten("content"));
-                let some: Expr = match self.named_closure(function) {
-                    Some(_) => parse_quote!(#function(#name)),
-                    None => parse_quote!((#function)(#name)),
-                };
-                self.operand(
-                    &parse_quote!(match #receiver {
-                        ::core::option::Option::Some(#name) => ::core::option::Option::Some(#some),
-                        ::core::option::Option::None => ::core::option::Option::None,
-                    }),
-                    hint,
-                )
-            }
-            None => self.refuse(
+            _ => self.refuse(
                 &call.method,
                 "what this maps over may be an array or an option: give it a name and a type with `let` before",
             ),
@@ -190,7 +175,7 @@ impl Lowerer<'_> {
     }
 
     /// An item that does not refer to a place.
-    fn owned(&mut self, item: Item, call: &ExprMethodCall) -> Operand {
+    pub(super) fn owned(&mut self, item: Item, call: &ExprMethodCall) -> Operand {
         if item.refers() {
             return self.refuse(
                 &call.method,

@@ -139,7 +139,11 @@ impl Lowerer<'_> {
     }
 
     pub(super) fn method_call(&mut self, call: &syn::ExprMethodCall, hint: &str) -> Operand {
-        if let Some(value) = self.consumed(call, hint).or_else(|| self.mapped(call, hint)) {
+        let special = self
+            .consumed(call, hint)
+            .or_else(|| self.optional(call, hint))
+            .or_else(|| self.mapped(call, hint));
+        if let Some(value) = special {
             return value;
         }
         let name = call.method.to_string();

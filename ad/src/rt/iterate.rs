@@ -23,6 +23,15 @@ pub fn chunks_exact(len: usize, size: usize) -> StepBy<Range<usize>> {
     (0..len - len % size).step_by(size)
 }
 
+/// An item of `left.chain(right)`.
+#[derive(Clone, Copy)]
+pub enum Side<L, R> {
+    /// One of the first iterator.
+    Left(L),
+    /// One of the second.
+    Right(R),
+}
+
 /// The sum of nothing, bit for bit that of the standard library.
 #[inline(always)]
 pub fn empty_sum<T: Sum>() -> T {
