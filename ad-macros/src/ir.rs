@@ -95,6 +95,9 @@ pub enum Argument {
     Borrow(Place),
     /// `&mut place`: the cotangent goes in and comes out.
     Exclusive(Place),
+    /// What a `&mut` parameter refers to, passed by its name alone: as `&mut`, or as `&` if that is
+    /// what the function takes. The types tell.
+    Reborrow(Place),
     /// A function, as it is passed to another one: a variable that an [`Operation::Closure`] or a
     /// copy of a parameter defines. There is a derivative of such a call only.
     Function(VarId),

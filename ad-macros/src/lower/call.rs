@@ -23,7 +23,10 @@ impl Lowerer<'_> {
         match self.argument(&Expr::Reference(reference.clone())) {
             Argument::Value(operand) => operand,
             Argument::Function(var) => Operand::Var(var),
-            Argument::Borrow(place) | Argument::Exclusive(place) | Argument::Receiver(place) => {
+            Argument::Borrow(place)
+            | Argument::Exclusive(place)
+            | Argument::Reborrow(place)
+            | Argument::Receiver(place) => {
                 let operation = Operation::Borrow(place);
                 let var = self.define(hint, reference.span(), true, operation);
                 self.references.insert(var);
@@ -49,7 +52,7 @@ impl Lowerer<'_> {
             return match self.place(expr) {
                 Some(mut place) if place.path.is_empty() && self.vars[place.root].exclusive => {
                     place.path.push(Projection::Deref);
-                    Argument::Exclusive(place)
+                    Argument::Reborrow(place)
                 }
                 _ => Argument::Value(self.operand(expr, "argument")),
             };
@@ -76,7 +79,7 @@ impl Lowerer<'_> {
                 let place = self.place_tokens(place);
                 quote!(&#place)
             }
-            Argument::Exclusive(place) => {
+            Argument::Exclusive(place) | Argument::Reborrow(place) => {
                 let place = self.place_tokens(place);
                 quote!(&mut #place)
             }
@@ -203,7 +206,9 @@ impl Lowerer<'_> {
     ) -> Operand {
         let constant = arguments.iter().all(|argument| match argument {
             Argument::Value(operand) => matches!(operand, Operand::Constant(_)),
-            Argument::Exclusive(place) => !self.vars[place.root].active,
+            Argument::Exclusive(place) | Argument::Reborrow(place) => {
+                !self.vars[place.root].active
+            }
             Argument::Borrow(_) | Argument::Receiver(_) | Argument::Function(_) => false,
         });
         if constant {
@@ -214,7 +219,9 @@ impl Lowerer<'_> {
                 }
                 (_, arguments) => quote!(#primal(#(#arguments),*)),
             };
-            let changes = |argument: &Argument| matches!(argument, Argument::Exclusive(_));
+            let changes = |argument: &Argument| {
+                matches!(argument, Argument::Exclusive(_) | Argument::Reborrow(_))
+            };
             if !arguments.iter().any(changes) {
                 return Operand::Constant(value);
             }

@@ -64,9 +64,7 @@ impl Lowerer<'_> {
     fn statement(&mut self, stmt: &Stmt) {
         match stmt {
             Stmt::Local(local) => self.local(local),
-            Stmt::Item(item) => {
-                self.refuse(item, "move this item out of the differentiable function");
-            }
+            Stmt::Item(item) => self.local_item(item),
             Stmt::Macro(call) => {
                 self.macro_call(&call.mac, "value");
             }

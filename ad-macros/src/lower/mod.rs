@@ -4,7 +4,7 @@
 //! [`ends`] keeps; [`branch`] lowers branches, which [`desugar`] makes plainer; [`loops`] lowers
 //! loops, [`chain`], [`source`], [`stage`], [`several`] and [`item`] what they run over, [`consume`] what iterators are used
 //! up by; [`array`] builds arrays by element; [`option`] writes out methods of options; [`closure`] puts closures in place of their calls, and [`function`] passes them to functions;
-//! [`expression`], [`call`] and [`construct`] name intermediate results; [`pattern`] and [`place`] tell which part of a value
+//! [`expression`], [`call`] and [`construct`] name intermediate results; [`pattern`], [`slice_pattern`] and [`place`] tell which part of a value
 //! is meant; [`sequence`] makes vectors and boxes; [`macros`] knows the macros of the standard
 //! library; [`no_diff`] and [`plain`] pass on code through which no derivative flows, with variables
 //! renamed.
@@ -32,6 +32,7 @@ mod place;
 mod plain;
 mod sequence;
 mod several;
+mod slice_pattern;
 mod source;
 mod stage;
 
@@ -123,6 +124,8 @@ struct Lowerer<'a> {
     functions: HashMap<VarId, usize>,
     /// Whether this is the body of a closure that is passed to a function.
     is_object: bool,
+    /// The items in the function, by their names.
+    items: HashSet<String>,
     /// The names in refutable patterns that were taken for constants, for their capital letter.
     capitals: HashSet<String>,
     /// The variables on which methods are being called whose arguments are being written. An
@@ -151,6 +154,7 @@ impl<'a> Lowerer<'a> {
             closures: HashMap::new(),
             functions: HashMap::new(),
             is_object: false,
+            items: HashSet::new(),
             capitals: HashSet::new(),
             called_on: Vec::new(),
             names,
@@ -202,6 +206,31 @@ impl Lowerer<'_> {
     /// Whether a variable is or may be a reference.
     fn may_refer(&self, var: VarId) -> bool {
         self.vars[var].reference || self.references.contains(&var)
+    }
+
+    /// An item in the function: it stands before all else, so that both sweeps see it.
+    fn local_item(&mut self, item: &syn::Item) {
+        let name = match item {
+            syn::Item::Const(item) => Some(&item.ident),
+            syn::Item::Static(item) => Some(&item.ident),
+            syn::Item::Fn(item) => Some(&item.sig.ident),
+            syn::Item::Struct(item) => Some(&item.ident),
+            syn::Item::Enum(item) => Some(&item.ident),
+            syn::Item::Type(item) => Some(&item.ident),
+            syn::Item::Use(_) => None,
+            _ => {
+                self.refuse(item, "move this item out of the differentiable function");
+                return;
+            }
+        };
+        if self.is_object {
+            self.refuse(item, "move this item out of the closure that is passed to a function");
+        } else if name.is_some_and(|name| !self.items.insert(name.to_string())) {
+            self.refuse(item, "another item of the function has this name: give it one of its own");
+        }
+        let code = item.to_token_stream();
+        let (_, statements) = self.open_blocks.first_mut().expect("a block is open");
+        statements.insert(0, Statement::Plain { code, defines: Vec::new() });
     }
 
     fn push(&mut self, statement: Statement) {

@@ -307,7 +307,7 @@ impl<'a> Facts<'a> {
             Statement::Define { operation: Operation::Call { arguments, .. }, .. } => {
                 for argument in arguments {
                     match argument {
-                        Argument::Exclusive(place) => {
+                        Argument::Exclusive(place) | Argument::Reborrow(place) => {
                             into.insert(place.root);
                         }
                         // A method may change its receiver.

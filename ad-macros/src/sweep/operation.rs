@@ -97,7 +97,7 @@ impl Sweeper<'_> {
                     let place = self.place(place);
                     quote!(&#place)
                 }
-                Argument::Exclusive(place) => {
+                Argument::Exclusive(place) | Argument::Reborrow(place) => {
                     let place = self.place(place);
                     quote!(&mut #place)
                 }
@@ -287,12 +287,25 @@ impl Sweeper<'_> {
     ) -> TokenStream {
         let mut lent = Vec::new();
         let mut receiver = None;
+        // Which of several were borrowed as `&` no type could tell.
+        let is_lent = |argument: &&Argument| match argument {
+            Argument::Exclusive(_) | Argument::Reborrow(_) => true,
+            Argument::Receiver(place) => self.vars[place.root].mutable,
+            Argument::Value(_) | Argument::Borrow(_) | Argument::Function(_) => false,
+        };
+        let is_only_one = arguments.iter().filter(is_lent).count() == 1;
         for argument in arguments {
             match argument {
-                Argument::Exclusive(place) if !self.vars[place.root].active => {
+                Argument::Reborrow(place) if is_only_one && self.vars[place.root].active => {
+                    self.start(reverse, place.root);
+                    receiver = Some(cotangent_of(&self.vars[place.root].cotangent, &place.path));
+                }
+                Argument::Exclusive(place) | Argument::Reborrow(place)
+                    if !self.vars[place.root].active =>
+                {
                     lent.push(quote!(()));
                 }
-                Argument::Exclusive(place) => {
+                Argument::Exclusive(place) | Argument::Reborrow(place) => {
                     self.start(reverse, place.root);
                     let lender = cotangent_of(&self.vars[place.root].cotangent, &place.path);
                     lent.push(quote!(::ad::rt::Take::take(#lender)));
@@ -319,7 +332,9 @@ impl Sweeper<'_> {
     fn changes_live_place(&mut self, operation: &Operation) -> bool {
         let Operation::Call { arguments, .. } = operation else { return false };
         arguments.iter().any(|argument| match argument {
-            Argument::Exclusive(place) | Argument::Receiver(place) => {
+            Argument::Exclusive(place)
+            | Argument::Reborrow(place)
+            | Argument::Receiver(place) => {
                 let root = &self.vars[place.root];
                 root.active && root.mutable && self.is_live(place)
             }
@@ -427,7 +442,10 @@ fn argument_target(argument: &Argument) -> Option<Target> {
     match argument {
         Argument::Value(operand) => operand_target(operand),
         Argument::Function(var) => Some(Target::whole(*var)),
-        Argument::Borrow(place) | Argument::Exclusive(place) | Argument::Receiver(place) => {
+        Argument::Borrow(place)
+        | Argument::Exclusive(place)
+        | Argument::Reborrow(place)
+        | Argument::Receiver(place) => {
             let is_part = |step: &Projection| !matches!(step, Projection::Deref);
             let path = place.path.iter().filter(|step| is_part(step)).cloned().collect();
             let is_coerced = !matches!(argument, Argument::Receiver(_));

@@ -264,3 +264,55 @@ fn scaled_sum(xs: &[f64]) -> f64 {
 fn loops_over_elements() {
     check_slices!(iterated, scaled_sum at [1.3, 0.7], [0.4, -2.1, 1.1], [0.9, 1.2, -0.7, 0.3, 1.5]);
 }
+
+#[differentiable]
+fn ends(xs: &[f64]) -> f64 {
+    match xs {
+        [] => 0.0,
+        [only] => only * only,
+        [first, .., last] if first > last => first / last,
+        [first, middle @ .., last] => first * last.sin() + ends(middle),
+    }
+}
+
+#[differentiable]
+fn polynomial(coefficients: &[f64], x: f64) -> f64 {
+    let [lowest, higher @ ..] = coefficients else { return 0.0 };
+    lowest + x * polynomial(higher, x)
+}
+
+#[differentiable]
+fn ends_of_array(xs: [f64; 4], y: f64) -> f64 {
+    let [first, rest @ ..] = xs;
+    let [.., before, last] = rest;
+    let mut total = first * last;
+    for x in rest {
+        total += x * before * y;
+    }
+    let [.., mut end] = [y, total, before];
+    end *= y;
+    total + end
+}
+
+#[test]
+fn patterns() {
+    for xs in [&[][..], &[1.3], &[2.0, 0.7], &[0.3, 1.5, 0.7, 1.1], &[0.3, 1.5, 0.2, 0.7, 1.2]] {
+        let (value, gradient) = ends::value_and_grad(xs);
+        assert_eq!(value, ends(xs));
+        crate::oracle::assert_gradient("ends", ends, xs, &gradient);
+    }
+    let point = [0.3, -1.2, 1.5, 0.7];
+    let primal = |p: &[f64]| polynomial(&p[..3], p[3]);
+    let (to_coefficients, to_x) = polynomial::grad(&point[..3], point[3]);
+    crate::oracle::assert_gradient(
+        "polynomial",
+        primal,
+        &point,
+        &[&to_coefficients[..], &[to_x]].concat(),
+    );
+    let point = [0.3, -1.2, 1.5, 0.7, 1.4];
+    let primal = |p: &[f64]| ends_of_array(p[..4].try_into().unwrap(), p[4]);
+    let (to_xs, to_y) = ends_of_array::grad(point[..4].try_into().unwrap(), point[4]);
+    let gradient = [&to_xs[..], &[to_y]].concat();
+    crate::oracle::assert_gradient("ends_of_array", primal, &point, &gradient);
+}
