@@ -10,7 +10,7 @@ use crate::errors::Errors;
 use crate::lower;
 use crate::names::Names;
 use crate::options::Options;
-use crate::signature::{self, Parameter, pointee};
+use crate::signature::{self, Parameter};
 use crate::sweep::{self, tuple_or_one};
 use crate::{checkpoint, recursion};
 
@@ -358,7 +358,7 @@ fn own(name: &str) -> Ident {
 }
 
 fn tangent(ty: &Type) -> TokenStream {
-    let ty = pointee(ty);
+    let ty = signature::owned(ty);
     quote_spanned!(ty.span()=> ::ad::Tangent<#ty>)
 }
 

@@ -4,7 +4,10 @@ use proc_macro2::{Span, TokenStream};
 use quote::{format_ident, quote};
 use syn::{
     FnArg, GenericParam, Generics, Ident, Lifetime, Pat, ReceiverKind, ReturnType, Safety,
-    Signature, Type, visit::Visit,
+    Signature, Type, parse_quote_spanned,
+    spanned::Spanned,
+    visit::Visit,
+    visit_mut::{self, VisitMut},
 };
 
 use crate::callable::Callables;
@@ -38,6 +41,42 @@ pub fn pointee(ty: &Type) -> &Type {
         Type::Group(group) => pointee(&group.elem),
         _ => ty,
     }
+}
+
+/// A type without references that has the tangent of `ty`: the result of a closure type cannot leave
+/// out lifetimes.
+pub fn owned(ty: &Type) -> Type {
+    struct Owner;
+
+    impl VisitMut for Owner {
+        fn visit_type_mut(&mut self, ty: &mut Type) {
+            match ty {
+                Type::Reference(reference) => {
+                    let target = match &*reference.elem {
+                        Type::Slice(slice) => {
+                            let element = &slice.elem;
+                            parse_quote_spanned!(element.span()=> ::std::vec::Vec<#element>)
+                        }
+                        Type::Path(path) if path.path.is_ident("str") => {
+                            parse_quote_spanned!(path.span()=> ::std::string::String)
+                        }
+                        target => target.clone(),
+                    };
+                    *ty = target;
+                    self.visit_type_mut(ty);
+                }
+                Type::Path(path)
+                    if !path.path.segments.last().is_some_and(|last| {
+                        ["Option", "Result", "Vec", "Box"].iter().any(|name| last.ident == name)
+                    }) => {}
+                ty => visit_mut::visit_type_mut(self, ty),
+            }
+        }
+    }
+
+    let mut ty = pointee(ty).clone();
+    Owner.visit_type_mut(&mut ty);
+    ty
 }
 
 /// Whether a value of this type certainly has no derivative.

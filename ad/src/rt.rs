@@ -21,18 +21,18 @@ pub use pullback::MethodPullback;
 mod iterate;
 
 pub use iterate::{
-    Side, build_like, chunks_exact, empty_product, empty_sum, held, record, record_like, segments,
-    windows, with_cotangents,
+    Side, build_like, chunks_exact, empty_product, empty_sum, held, is_sequence, record,
+    record_like, segments, windows, with_cotangents,
 };
 
 /// The traits whose methods generated code calls. They come without names, which could hide those
 /// of the user.
 pub mod methods {
     pub use crate::rules::{
-        CloneRules as _, DVec2Rules as _, DVec4Rules as _, FloatRules as _, FromRules as _,
-        GlamRules as _, OptionRules as _, RealRules as _, ResultRules as _, ScalarRules as _,
-        SequenceRules as _, Vec2Rules as _, Vec4Rules as _, VecRules as _, Vector3Rules as _,
-        VectorRules as _,
+        CloneRules as _, CopiedRules as _, DVec2Rules as _, DVec4Rules as _, FloatRules as _,
+        FromRules as _, GlamRules as _, OptionRules as _, RealRules as _, ResultRules as _,
+        ScalarRules as _, SequenceRules as _, Vec2Rules as _, Vec4Rules as _, VecRules as _,
+        Vector3Rules as _, VectorRules as _,
     };
     pub use crate::vector::{Vector as _, Vector3 as _};
 }

@@ -174,6 +174,27 @@ impl Lowerer<'_> {
         self.read_place(Place { root: var, path: Vec::new() }, hint)
     }
 
+    /// `vec.extend(iterator)`, if `call` is that.
+    pub(super) fn extended(&mut self, call: &ExprMethodCall) -> Option<Operand> {
+        let [items] = &call.args.iter().collect::<Vec<_>>()[..] else { return None };
+        if call.method != "extend" || !is_chain(items) {
+            return None;
+        }
+        let (vec, item_name) = (&call.receiver, self.names.unwritten("item"));
+        self.run_chain(items, &mut |lowerer, item, end| {
+            let item = Item::Value(match item {
+                Item::Reference(alias) => lowerer.read_place(alias.place, "item"),
+                item => lowerer.owned(item, call),
+            });
+            lowerer.scope(|lowerer| {
+                lowerer.bind_item(&parse_quote!(#item_name), item);
+                lowerer.expression_statement(&parse_quote!(#vec.push(#item_name)));
+            });
+            lowerer.normal_end(Self::unit(), end)
+        });
+        Some(Self::unit())
+    }
+
     /// An item that does not refer to a place.
     pub(super) fn owned(&mut self, item: Item, call: &ExprMethodCall) -> Operand {
         if item.refers() {

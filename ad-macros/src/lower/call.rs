@@ -145,7 +145,9 @@ impl Lowerer<'_> {
         let special = self
             .consumed(call, hint)
             .or_else(|| self.optional(call, hint))
-            .or_else(|| self.mapped(call, hint));
+            .or_else(|| self.mapped(call, hint))
+            .or_else(|| self.lent(call, hint))
+            .or_else(|| self.extended(call));
         if let Some(value) = special {
             return value;
         }
@@ -163,21 +165,19 @@ impl Lowerer<'_> {
         }
         let mut arguments = vec![receiver];
         self.called_on.extend(called_on);
-        arguments.extend(call.args.iter().map(|arg| self.argument(arg)));
+        arguments.extend(call.args.iter().map(|argument| match is_comparing(&name) {
+            // What it is given decides, and computes nothing.
+            true => Argument::Value(Operand::Constant(self.plain_in_place(argument))),
+            false => self.argument(argument),
+        }));
         if called_on.is_some() {
             self.called_on.pop();
         }
         let (method, turbofish) = (&call.method, &call.turbofish);
         let vjp = format_ident!("{}_vjp", method);
         let hint = if hint == "value" { name } else { hint.to_owned() };
-        self.finish_call(
-            quote!(#method #turbofish),
-            quote!(#vjp #turbofish),
-            true,
-            arguments,
-            &hint,
-            call.span(),
-        )
+        let (primal, vjp) = (quote!(#method #turbofish), quote!(#vjp #turbofish));
+        self.finish_call(primal, vjp, true, arguments, &hint, call.span())
     }
 
     /// `x`, `y`, `z`: vectors of glam have no such methods but those of `ad`, so another trait could
@@ -206,9 +206,7 @@ impl Lowerer<'_> {
     ) -> Operand {
         let constant = arguments.iter().all(|argument| match argument {
             Argument::Value(operand) => matches!(operand, Operand::Constant(_)),
-            Argument::Exclusive(place) | Argument::Reborrow(place) => {
-                !self.vars[place.root].active
-            }
+            Argument::Exclusive(place) | Argument::Reborrow(place) => !self.vars[place.root].active,
             Argument::Borrow(_) | Argument::Receiver(_) | Argument::Function(_) => false,
         });
         if constant {
@@ -251,6 +249,11 @@ pub(super) fn is_predicate(name: &str) -> bool {
         || matches!(name, "cmplt" | "cmple" | "cmpgt" | "cmpge" | "cmpeq" | "cmpne")
         || matches!(name, "cmp" | "partial_cmp" | "total_cmp")
         || matches!(name, "lt" | "le" | "gt" | "ge" | "eq" | "ne" | "all" | "any")
+}
+
+/// Methods that are given a comparison.
+fn is_comparing(name: &str) -> bool {
+    matches!(name, "sort_by" | "sort_unstable_by")
 }
 
 /// The derivative of a function of the standard library.

@@ -86,7 +86,9 @@ impl Chain {
             | Self::Count(inner, _)
             | Self::Flat(inner, None)
             | Self::Order { inner, .. } => inner.functions(),
-            Self::Zip(left, right) | Self::Chained(left, right) => [left.functions(), right.functions()].concat(),
+            Self::Zip(left, right) | Self::Chained(left, right) => {
+                [left.functions(), right.functions()].concat()
+            }
             Self::Constant { .. } | Self::Elements { .. } | Self::Runs { .. } | Self::Refused => {
                 Vec::new()
             }

@@ -61,7 +61,7 @@ impl Lowerer<'_> {
     }
 
     /// A statement without exits.
-    fn statement(&mut self, stmt: &Stmt) {
+    pub(super) fn statement(&mut self, stmt: &Stmt) {
         match stmt {
             Stmt::Local(local) => self.local(local),
             Stmt::Item(item) => self.local_item(item),

@@ -3,7 +3,8 @@
 //! [`flow`] lowers statements and turns every early exit into the end of a block, whose meaning
 //! [`ends`] keeps; [`branch`] lowers branches, which [`desugar`] makes plainer; [`loops`] lowers
 //! loops, [`chain`], [`source`], [`stage`], [`several`] and [`item`] what they run over, [`consume`] what iterators are used
-//! up by; [`array`] builds arrays by element; [`option`] writes out methods of options; [`closure`] puts closures in place of their calls, and [`function`] passes them to functions;
+//! up by; [`array`] builds arrays by element; [`option`] writes out methods of options,
+//! [`part`] those that lend parts of slices; [`closure`] puts closures in place of their calls, and [`function`] passes them to functions;
 //! [`expression`], [`call`] and [`construct`] name intermediate results; [`pattern`], [`slice_pattern`] and [`place`] tell which part of a value
 //! is meant; [`sequence`] makes vectors and boxes; [`macros`] knows the macros of the standard
 //! library; [`no_diff`] and [`plain`] pass on code through which no derivative flows, with variables
@@ -27,6 +28,7 @@ mod loops;
 mod macros;
 mod no_diff;
 mod option;
+mod part;
 mod pattern;
 mod place;
 mod plain;

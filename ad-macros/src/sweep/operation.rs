@@ -332,9 +332,7 @@ impl Sweeper<'_> {
     fn changes_live_place(&mut self, operation: &Operation) -> bool {
         let Operation::Call { arguments, .. } = operation else { return false };
         arguments.iter().any(|argument| match argument {
-            Argument::Exclusive(place)
-            | Argument::Reborrow(place)
-            | Argument::Receiver(place) => {
+            Argument::Exclusive(place) | Argument::Reborrow(place) | Argument::Receiver(place) => {
                 let root = &self.vars[place.root];
                 root.active && root.mutable && self.is_live(place)
             }

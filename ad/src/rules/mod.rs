@@ -56,7 +56,7 @@ pub use choose::{no_diff, select, stop_gradient};
 pub use float::{FloatRules, FromRules};
 pub use glam_only::{GlamRules, construct};
 pub use operators::{AddPullback, DivPullback, MulPullback, NegPullback, RemPullback, SubPullback};
-pub use outcome::{OptionRules, ResultRules};
+pub use outcome::{CopiedRules, OptionRules, ResultRules};
 pub use scalar::{RealRules, ScalarRules};
 pub use sequence::{CloneRules, Elements, SequenceRules, VecRules};
 pub use vector::{DVec2Rules, DVec4Rules, Vec2Rules, Vec4Rules, Vector3Rules, VectorRules};

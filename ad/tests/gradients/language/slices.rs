@@ -294,6 +294,59 @@ fn ends_of_array(xs: [f64; 4], y: f64) -> f64 {
     total + end
 }
 
+#[differentiable]
+fn lent_parts(xs: &[f64], y: f64) -> f64 {
+    let mut total = xs.first().unwrap() * y + *xs.last().expect("there are some");
+    if let Some(third) = xs.get(2) {
+        total += third * third * y;
+    }
+    total += xs.get(17).map_or(y, |x| *x) + xs.last().copied().unwrap_or(0.0).sin();
+    let (left, right) = xs.split_at(2);
+    for (a, b) in left.iter().zip(right) {
+        total += a * b;
+    }
+    let own = [y, total];
+    total * own.first().copied().unwrap() + left.iter().sum::<f64>() * right.len() as f64
+}
+
+#[differentiable]
+fn median(xs: &[f64], y: f64) -> f64 {
+    let mut sorted: Vec<f64> = xs.iter().map(|x| x * y).collect();
+    sorted.sort_by(|a, b| a.partial_cmp(b).unwrap());
+    let n = sorted.len();
+    let middle = if n % 2 == 1 { sorted[n / 2] } else { 0.5 * (sorted[n / 2 - 1] + sorted[n / 2]) };
+    let mut rest = vec![middle];
+    rest.extend(sorted.iter().map(|x| (x - middle).abs()));
+    rest.extend([y, middle * y]);
+    rest.extend(sorted);
+    rest.sort_unstable_by(|a, b| b.total_cmp(a));
+    rest.iter().enumerate().map(|(i, x)| x * i as f64).sum::<f64>() * middle
+}
+
+#[differentiable]
+fn optional_reference(x: Option<&f64>, rows: (&[f64], f64)) -> f64 {
+    x.copied().unwrap_or(2.0) * rows.1 + rows.0[0] * rows.0[1]
+}
+
+#[test]
+fn parts_and_order() {
+    for n in [3, 4, 6] {
+        let xs = &[0.3, -1.2, 1.5, 0.7, 1.4, 0.9][..n];
+        let point = [xs, &[1.3]].concat();
+        let checks: [(fn(&[f64], f64) -> f64, _); 2] =
+            [(lent_parts, lent_parts::grad(xs, 1.3)), (median, median::grad(xs, 1.3))];
+        for (f, (to_xs, to_y)) in checks {
+            let gradient = [&to_xs[..], &[to_y]].concat();
+            let primal = |p: &[f64]| f(&p[..n], p[n]);
+            crate::oracle::assert_gradient("parts", primal, &point, &gradient);
+        }
+    }
+    let (to_x, (to_row, to_y)) = optional_reference::grad(Some(&3.0), (&[0.5, 0.25], 2.0));
+    assert_eq!((to_x, to_row, to_y), (2.0, vec![0.25, 0.5], 3.0));
+    let (to_x, (_, to_y)) = optional_reference::grad(None, (&[0.5, 0.25], 2.0));
+    assert_eq!((to_x, to_y), (0.0, 2.0));
+}
+
 #[test]
 fn patterns() {
     for xs in [&[][..], &[1.3], &[2.0, 0.7], &[0.3, 1.5, 0.7, 1.1], &[0.3, 1.5, 0.2, 0.7, 1.2]] {

@@ -147,7 +147,8 @@ fn convolve(signal: &[f64], kernel: &[f64]) -> Vec<f64> {
 fn matched_filter(x: f64, y: f64) -> f64 {
     let signal = [x, y, x * y, 0.3, -y];
     let response = convolve(&signal, &[0.5, x, -0.25]);
-    response.iter().copied().fold(f64::MIN, f64::max) + response.iter().map(|r| r * r).sum::<f64>().sqrt()
+    response.iter().copied().fold(f64::MIN, f64::max)
+        + response.iter().map(|r| r * r).sum::<f64>().sqrt()
 }
 
 /// A gated recurrent unit over a sequence.
@@ -170,10 +171,8 @@ fn attention(q: &[Vec<f64>], k: &[Vec<f64>], v: &[Vec<f64>]) -> Vec<Vec<f64>> {
     let scale = 1.0 / (q[0].len() as f64).sqrt();
     let mut out = Vec::new();
     for qi in q {
-        let scores: Vec<f64> = k
-            .iter()
-            .map(|kj| qi.iter().zip(kj).map(|(a, b)| a * b).sum::<f64>() * scale)
-            .collect();
+        let scores: Vec<f64> =
+            k.iter().map(|kj| qi.iter().zip(kj).map(|(a, b)| a * b).sum::<f64>() * scale).collect();
         let max = scores.iter().cloned().fold(f64::NEG_INFINITY, f64::max);
         let exps: Vec<f64> = scores.iter().map(|s| (s - max).exp()).collect();
         let total: f64 = exps.iter().sum();

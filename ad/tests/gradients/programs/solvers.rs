@@ -54,7 +54,10 @@ struct State {
 #[differentiable]
 fn derivative(s: &State, k: f64, coupling: f64) -> State {
     let stretch = s.q[1] - s.q[0];
-    State { q: s.p, p: [-k * s.q[0] + coupling * stretch, -k * s.q[1] - coupling * stretch.powi(3)] }
+    State {
+        q: s.p,
+        p: [-k * s.q[0] + coupling * stretch, -k * s.q[1] - coupling * stretch.powi(3)],
+    }
 }
 
 #[differentiable]
@@ -74,8 +77,7 @@ fn rk4_step(s: &State, k: f64, c: f64, h: f64) -> State {
     let k3 = derivative(&axpy(s, &k2, 0.5 * h), k, c);
     let k4 = derivative(&axpy(s, &k3, h), k, c);
     let mut out = *s;
-    for ((q, a), ((b, c), d)) in
-        out.q.iter_mut().zip(&k1.q).zip(k2.q.iter().zip(&k3.q).zip(&k4.q))
+    for ((q, a), ((b, c), d)) in out.q.iter_mut().zip(&k1.q).zip(k2.q.iter().zip(&k3.q).zip(&k4.q))
     {
         *q += h / 6.0 * (a + 2.0 * b + 2.0 * c + d);
     }
