@@ -148,7 +148,11 @@ impl Function<'_> {
     fn header(&self, errors: &mut Errors) -> Header {
         let parameters = signature::parameters(self.callables, errors);
         let result = signature::result(self.signature, errors);
-        let tangents: Vec<_> = parameters.iter().map(|parameter| tangent(&parameter.ty)).collect();
+        let tangents = parameters.iter().map(|parameter| match parameter.is_constant {
+            true => quote!(()),
+            false => tangent(&parameter.ty),
+        });
+        let tangents: Vec<_> = tangents.collect();
         let exclusive = parameters.iter().zip(&tangents);
         let exclusive = exclusive.filter(|(parameter, _)| parameter.is_exclusive);
         Header {

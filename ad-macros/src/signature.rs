@@ -30,6 +30,13 @@ pub struct Parameter {
     pub is_mutable_receiver: bool,
     /// The number of its arguments, if it is a function.
     pub arity: Option<usize>,
+    /// Whether it is marked `#[constant]`: no derivative is asked for.
+    pub is_constant: bool,
+}
+
+/// Whether an attribute of a parameter says that no derivative by it is asked for.
+pub fn is_constant_mark(attribute: &syn::Attribute) -> bool {
+    attribute.path().is_ident("constant")
 }
 
 /// The type whose tangent is the cotangent of something of type `ty`: that of a reference is that
@@ -159,11 +166,19 @@ pub fn parameters(callables: &Callables, errors: &mut Errors) -> Vec<Parameter> 
                 is_mutable_receiver: matches!(receiver.kind, ReceiverKind::Value)
                     && receiver.mutability.is_some(),
                 arity: None,
+                is_constant: receiver.attrs.iter().any(is_constant_mark),
             }
         }
         FnArg::Typed(typed) => {
             refuse_type(&typed.ty, errors);
             let is_exclusive = is_exclusive(&typed.ty);
+            let is_constant = typed.attrs.iter().any(is_constant_mark);
+            if is_constant && is_exclusive {
+                errors.at(
+                    typed,
+                    "what a `&mut` parameter holds afterwards may have a derivative: only other parameters are `#[constant]`",
+                );
+            }
             let ident = match &*typed.pat {
                 Pat::Ident(pat) if pat.by_ref.is_none() && pat.subpat.is_none() => {
                     pat.ident.clone()
@@ -188,6 +203,7 @@ pub fn parameters(callables: &Callables, errors: &mut Errors) -> Vec<Parameter> 
                 is_shared,
                 is_mutable_receiver: false,
                 arity: callables.arity(&typed.ty),
+                is_constant,
             }
         }
     });

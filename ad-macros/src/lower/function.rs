@@ -165,6 +165,7 @@ impl Lowerer<'_> {
                 is_shared: true,
                 is_mutable_receiver: false,
                 arity: None,
+                is_constant: false,
             });
         }
         let function = self.object_function(closure, scopes, &captured, &parameters, &arguments);
@@ -270,6 +271,7 @@ impl Lowerer<'_> {
             is_shared,
             is_mutable_receiver: false,
             arity: None,
+            is_constant: false,
         };
         (parameter, (*typed.pat).clone())
     }

@@ -316,7 +316,11 @@ impl Lowerer<'_> {
     fn parameter_var(&mut self, parameter: &Parameter) -> VarId {
         let exclusive = parameter.is_exclusive;
         let mutable = exclusive || parameter.is_mutable_receiver;
-        let var = self.var(parameter.ident.clone(), mutable, !is_discrete(&parameter.ty));
+        let var = self.var(
+            parameter.ident.clone(),
+            mutable,
+            !parameter.is_constant && !is_discrete(&parameter.ty),
+        );
         self.vars[var].exclusive = exclusive;
         if parameter.is_shared {
             self.references.insert(var);

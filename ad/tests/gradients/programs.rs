@@ -11,5 +11,6 @@
 
 mod geometry;
 mod networks;
+mod poses;
 mod solvers;
 mod statistics;
