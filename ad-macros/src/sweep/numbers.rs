@@ -90,7 +90,7 @@ impl Number {
 #[derive(Clone)]
 enum Known {
     /// A type that the user wrote, or a part of one.
-    Type(Type),
+    Type(Box<Type>),
     /// A number.
     Number(Number),
     /// It was a literal at first, and is of the type of the number it is computed with. Whether it
@@ -162,7 +162,7 @@ impl<'a> Numbers<'a> {
     fn know_type(&mut self, var: VarId, ty: &Type) {
         let known = match number(ty) {
             Some(number) => Known::Number(number),
-            None => Known::Type(ty.clone()),
+            None => Known::Type(Box::new(ty.clone())),
         };
         self.known.insert(var, known);
     }
@@ -271,7 +271,8 @@ impl<'a> Numbers<'a> {
         if place.path.is_empty() {
             return Some(root.clone());
         }
-        let Known::Type(mut ty) = root.clone() else { return None };
+        let Known::Type(ty) = root else { return None };
+        let mut ty = (**ty).clone();
         for step in &place.path {
             ty = match (step, ty) {
                 (Projection::Deref, Type::Reference(reference)) => *reference.elem,
@@ -281,7 +282,7 @@ impl<'a> Numbers<'a> {
                 _ => return None,
             };
         }
-        Some(number(&ty).map_or(Known::Type(ty), Known::Number))
+        Some(number(&ty).map_or(Known::Type(Box::new(ty)), Known::Number))
     }
 }
 
