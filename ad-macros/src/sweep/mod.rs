@@ -10,6 +10,7 @@ mod assign;
 mod branch;
 mod build;
 mod checkpoint;
+mod closure;
 mod contribute;
 mod cut;
 mod facts;
@@ -52,22 +53,8 @@ pub fn sweep(
 ) -> Sweeps {
     let facts = Facts::new(lowered, parameters);
     let numbers = Numbers::new(lowered, parameters);
-    let mut sweeper = Sweeper {
-        vars: &lowered.vars,
-        references: &lowered.references,
-        is_primal: false,
-        products: Products::new(lowered, &facts, &numbers, names),
-        facts,
-        numbers,
-        names,
-        started: HashSet::new(),
-        spaces: HashSet::new(),
-        frames: Vec::new(),
-        loop_depth: 0,
-        top: TokenStream::new(),
-        kept_copies: HashMap::new(),
-        ranges: HashMap::new(),
-    };
+    let products = Products::new(lowered, &facts, &numbers, names);
+    let mut sweeper = Sweeper { products, ..Sweeper::new(lowered, facts, numbers, names) };
     let exclusive = lowered.parameters.iter().map(|parameter| parameter.var);
     let exclusive: Vec<_> = exclusive.filter(|&var| lowered.vars[var].exclusive).collect();
     sweeper.started.extend(&exclusive);
@@ -101,6 +88,20 @@ pub fn sweep(
         pullback,
         incoming: exclusive.iter().map(|&var| lowered.vars[var].cotangent.clone()).collect(),
     }
+}
+
+/// The statements and the value of a function, as the user wrote them.
+pub fn primal(
+    lowered: &Lowered,
+    parameters: &[Parameter],
+    names: &mut Names,
+) -> (TokenStream, TokenStream) {
+    let facts = Facts::new(lowered, parameters);
+    let numbers = Numbers::new(lowered, parameters);
+    let mut sweeper = Sweeper { is_primal: true, ..Sweeper::new(lowered, facts, numbers, names) };
+    let Written { forward, value, .. } = sweeper.block(&lowered.body, None);
+    let top = &sweeper.top;
+    (quote!(#top #forward), value)
 }
 
 /// The cotangents of one parameter or of several.
@@ -192,6 +193,32 @@ struct Sides {
 impl Frame {
     fn new(block: BlockId, outer: BTreeSet<VarId>) -> Self {
         Self { block, outer, assigned_later: HashSet::new() }
+    }
+}
+
+impl<'a> Sweeper<'a> {
+    fn new(
+        lowered: &'a Lowered,
+        facts: Facts<'a>,
+        numbers: Numbers<'a>,
+        names: &'a mut Names,
+    ) -> Self {
+        Self {
+            vars: &lowered.vars,
+            references: &lowered.references,
+            is_primal: false,
+            products: None,
+            facts,
+            numbers,
+            names,
+            started: HashSet::new(),
+            spaces: HashSet::new(),
+            frames: Vec::new(),
+            loop_depth: 0,
+            top: TokenStream::new(),
+            kept_copies: HashMap::new(),
+            ranges: HashMap::new(),
+        }
     }
 }
 

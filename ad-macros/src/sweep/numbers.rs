@@ -248,6 +248,7 @@ impl<'a> Numbers<'a> {
             Operation::Repeat { .. }
             | Operation::Borrow(_)
             | Operation::Call { .. }
+            | Operation::Closure(_)
             | Operation::Aggregate { .. }
             | Operation::UpdateStruct { .. } => None,
         }
