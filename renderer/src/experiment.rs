@@ -42,6 +42,8 @@
 //! [optimize]                  # optional, and so is everything in it
 //! target = "photo.png"        # or [optimize.target_values], below
 //! loss = "mean_squared"       # or "sum_squared", "l1"
+//! optimizer = "adam"          # or "adamw", "sgd" (needs a learning rate), "rmsprop"
+//! schedule = "constant"       # of the learning rates; or "exponential", "step", "cosine"
 //! learning_rate = 0.05
 //! iterations = 500
 //! tolerance = 1e-8            # on the loss
@@ -52,6 +54,15 @@
 //! learning_rate = 0.1
 //! min = -20.0                 # one number, or one for each of the parameter's
 //! max = [20.0, 20.0, 20.0]
+//! ```
+//!
+//! An optimizer or a schedule whose numbers are not the default ones is a table; their fields are
+//! those of [`Optimizer`] and [`Schedule`]:
+//!
+//! ```toml
+//! [optimize]
+//! optimizer = { type = "sgd", momentum = 0.5 }
+//! schedule = { type = "exponential", end = 0.1 }
 //! ```
 //!
 //! Instead of an image, `[optimize.target_values]` may give the true values of some parameters; the
@@ -68,6 +79,7 @@ use std::path::{Path, PathBuf};
 use crate::Error;
 use crate::files::scene_file;
 use crate::loss::LossKind;
+use crate::optimize::{Optimizer, Schedule};
 use crate::scene::{ParameterId, Scene};
 
 /// A scene and, if its file says so, an optimisation.
@@ -89,6 +101,10 @@ pub struct OptimizeSection {
     pub parameters: Vec<TunedParameter>,
     /// How to measure the distance to the target.
     pub loss: Option<LossKind>,
+    /// The method.
+    pub optimizer: Option<Optimizer>,
+    /// How the learning rates change in the course of the run.
+    pub schedule: Option<Schedule>,
     /// The learning rate of parameters that name none; above 0.
     pub learning_rate: Option<f64>,
     /// Stop after so many steps.

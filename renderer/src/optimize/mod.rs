@@ -38,36 +38,39 @@
 //! | a finished run    | starts, and replaces it          | returns its result at once        |
 //! | a damaged file    | error                            | error                             |
 //!
-//! A resumed run must have the same problem, variables and Adam settings. Its stopping criteria may
-//! differ, so that a finished run can be given more iterations, unless a run with the new criteria
-//! would have stopped before: then the error says where.
+//! A resumed run must have the same problem, variables, [`Optimizer`] and [`Schedule`]. Its stopping
+//! criteria may differ, so that a finished run can be given more iterations, unless a run with the
+//! new criteria would have stopped before: then the error says where. A schedule that is not
+//! constant spans the run, so with one the number of iterations must stay the same too.
 
-mod adam;
 mod checkpoint;
 mod fingerprint;
 mod history;
 mod loss_axis;
 mod loss_plot;
 mod observer;
+mod optimizer;
 mod problem;
 mod progress;
 mod report;
 mod run;
+pub mod schedule;
 mod settings;
 mod stop;
 #[cfg(test)]
 mod tests;
 mod variable;
 
-pub use adam::Adam;
 pub use fingerprint::Fingerprint;
 pub use history::{Point, Record};
 pub use loss_plot::loss_svg;
 pub use observer::{Observer, Quiet, Start, Step};
+pub use optimizer::{Adam, AdamW, Optimizer, RmsProp, Sgd};
 pub use problem::{Evaluation, Objective};
 pub use progress::{Bar, Lines, progress};
 pub use report::{history_csv, summary, write_report};
 pub use run::{Optimization, Outcome};
+pub use schedule::Schedule;
 pub use settings::{CHECKPOINT_FILE, Checkpointing, Settings};
 pub use stop::{Stop, StopReason};
 pub use variable::Variable;

@@ -56,7 +56,7 @@ impl<'a> Optimization<'a> {
         let mut file = None;
         if let Some(checkpointing) = &settings.checkpointing {
             let fingerprint = variable::fingerprint(variables);
-            let found = CheckpointFile::new(checkpointing, fingerprint, settings.adam);
+            let found = CheckpointFile::new(checkpointing, fingerprint, settings);
             stored = found.load(flat.x.len(), settings, checkpointing.resume)?;
             file = Some(found);
         }
@@ -65,7 +65,7 @@ impl<'a> Optimization<'a> {
             Some(state) if state.is_finished() => Start::Finished { iteration: state.iteration },
             Some(state) => Start::Resumed { iteration: state.iteration },
         };
-        let state = stored.unwrap_or_else(|| State::new(flat.x.clone()));
+        let state = stored.unwrap_or_else(|| State::new(flat.x.clone(), settings));
         Ok(Self { variables, settings, flat, file, state, start })
     }
 
@@ -114,7 +114,7 @@ impl<'a> Optimization<'a> {
         let seconds_before = self.state.seconds;
         let mut last_saved: Option<Instant> = None;
         loop {
-            let evaluation = objective.evaluate(&self.state.x);
+            let mut evaluation = objective.evaluate(&self.state.x);
             assert_eq!(
                 evaluation.gradient.len(),
                 self.state.x.len(),
@@ -141,8 +141,10 @@ impl<'a> Optimization<'a> {
             }
 
             // From here to the next evaluation the state is one that a checkpoint can hold.
-            let State { moments, x, .. } = &mut self.state;
-            self.settings.adam.step(moments, x, &evaluation.gradient, &self.flat);
+            let State { method, x, .. } = &mut self.state;
+            method.direction(x, &mut evaluation.gradient);
+            let factor = self.settings.schedule.factor(iteration, self.settings.iterations);
+            self.flat.step(x, &evaluation.gradient, factor);
             self.state.iteration += 1;
             if interrupted {
                 return self.stop(Stop::interrupted(iteration));

@@ -120,6 +120,37 @@ fn the_command_line_goes_before_the_scene_file() {
 }
 
 #[test]
+fn methods_and_schedules_are_chosen_by_name() {
+    let sandbox = Sandbox::new();
+    let mut finals = Vec::new();
+    for more in [
+        &["--optimizer", "adam"][..],
+        &["--optimizer", "adamw"],
+        &["--optimizer", "rmsprop", "--schedule", "cosine"],
+        &["--optimizer", "sgd", "--learning-rate", "20", "--schedule", "step"],
+    ] {
+        let arguments = ["optimize", "experiment.toml", "--out", "out"];
+        sandbox.succeed(&[&arguments[..], more].concat());
+        let summary = sandbox.json("out/summary.json");
+        assert!(summary["loss"]["ratio"].as_f64().unwrap() < 0.5, "{more:?}: {summary:#}");
+        finals.push(summary["loss"]["final"].to_string());
+    }
+    finals.dedup();
+    assert_eq!(finals.len(), 4, "{finals:?}");
+
+    // A method that the scene file gives numbers keeps them.
+    let scene = String::from_utf8(sandbox.read("experiment.toml")).unwrap();
+    let optimizer = "[optimize]\noptimizer = { type = \"sgd\", momentum = 0.0 }";
+    sandbox.write("sgd.toml", scene.replace("[optimize]", optimizer));
+    let losses = [&["--optimizer", "sgd"][..], &[]].map(|more| {
+        let arguments = ["optimize", "sgd.toml", "--out", "out", "--learning-rate", "2"];
+        sandbox.succeed(&[&arguments[..], more].concat());
+        sandbox.json("out/summary.json")["loss"].clone()
+    });
+    assert_eq!(losses[0], losses[1]);
+}
+
+#[test]
 fn the_demo_recovers_the_light() {
     let sandbox = Sandbox::new();
     // It starts from the beginning, whatever an earlier one left.

@@ -6,6 +6,7 @@ use crate::experiment::{OptimizeSection, Target, TunedParameter};
 use crate::kernels::light::DistantLight;
 use crate::kernels::sphere::Sphere;
 use crate::loss::LossKind;
+use crate::optimize::{Optimizer, Schedule, Sgd};
 use crate::scene::{Light, ParameterId, Scene, SphereObject};
 use glam::DVec3;
 
@@ -101,6 +102,7 @@ fn the_optimise_section_is_read() {
     let text = format!(
         "{CAMERA}{LIGHT}[optimize]\nloss = \"l1\"\nlearning_rate = 0.1\niterations = 7\n\
          tolerance = 0\ngradient_tolerance = 1e-9\n\
+         optimizer = {{ type = \"sgd\", momentum = 0.5 }}\nschedule = \"cosine\"\n\
          [optimize.target_values]\n\"light.key.position\" = [3, 2, 1]\n\
          \"light.key.intensity\" = 9\n\
          [[optimize.parameter]]\npath = \"light.key.position\"\nmin = -5\nmax = [1, inf, 3]\n\
@@ -126,6 +128,8 @@ fn the_optimise_section_is_read() {
             },
         ],
         loss: Some(LossKind::L1),
+        optimizer: Some(Optimizer::Sgd(Sgd { momentum: 0.5 })),
+        schedule: Some(Schedule::named("cosine").unwrap()),
         learning_rate: Some(0.1),
         iterations: Some(7),
         tolerance: Some(0.0),
@@ -187,6 +191,26 @@ fn mistakes_in_the_file_are_placed() {
             "s.toml:11: mesh.m.name: another mesh has this name",
         ),
         ("[optimize]\nloss = \"l2\"\n", "s.toml:7: unknown variant `l2`"),
+        (
+            "[optimize]\noptimizer = \"adan\"\n",
+            "s.toml:7: unknown variant `adan`, expected one of `adam`",
+        ),
+        (
+            "[optimize]\noptimizer = 3\n",
+            "s.toml:7: invalid type: integer `3`, expected a name or a table",
+        ),
+        (
+            "[optimize]\noptimizer = { type = \"sgd\", beta1 = 0.5 }\n",
+            "s.toml:7: unknown field `beta1`, expected `momentum`",
+        ),
+        (
+            "[optimize]\noptimizer = { type = \"sgd\", momentum = 2 }\n",
+            "s.toml:7: optimize.optimizer.momentum: is 2; it must be at least 0 and below 1",
+        ),
+        (
+            "[optimize]\n[optimize.schedule]\ntype = \"step\"\nstages = 0\n",
+            "s.toml:9: optimize.schedule.stages: is 0; it must be at least 1",
+        ),
         ("[optimize]\niterations = -1\n", "s.toml:7: invalid value: integer `-1`"),
         ("[optimize]\ntolerance = nan\n", "s.toml:7: optimize.tolerance: must not be negative"),
         ("[optimize]\nlearning_rate = 0\n", "s.toml:7: optimize.learning_rate: must be above 0"),
@@ -351,13 +375,16 @@ fn the_documented_scene_file_is_read() {
         lines.map(|line| format!("{}\n", line.strip_prefix(' ').unwrap_or(line))).collect();
     let blocks: Vec<&str> =
         text.split("```toml").skip(1).filter_map(|b| b.split("```").next()).collect();
-    let [whole, values] = blocks[..] else { panic!("two blocks") };
+    let [whole, tables, values] = blocks[..] else { panic!("three blocks") };
 
     let folder = folder();
     fs::rename(folder.path().join("a.obj"), folder.path().join("tree.obj")).unwrap();
     let experiment = Experiment::parse(whole, folder.path(), "s.toml").unwrap();
     assert_eq!(experiment.scene.parameters.spheres.len(), 1);
     assert_eq!(experiment.optimize.unwrap().parameters[0].min, Some(vec![-20.0; 3]));
+    let text = format!("{}{tables}", whole.split("[optimize]").next().unwrap());
+    let section = Experiment::parse(&text, folder.path(), "s.toml").unwrap().optimize.unwrap();
+    assert_eq!(section.optimizer, Some(Optimizer::Sgd(Sgd { momentum: 0.5 })));
     let values = whole.replace("target = ", "# ") + values;
     let experiment = Experiment::parse(&values, folder.path(), "s.toml").unwrap();
     assert!(matches!(experiment.optimize.unwrap().target, Some(Target::Values(v)) if v.len() == 2));
