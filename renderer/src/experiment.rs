@@ -42,7 +42,7 @@
 //! [optimize]                  # optional, and so is everything in it
 //! target = "photo.png"        # or [optimize.target_values], below
 //! loss = "mean_squared"       # or "sum_squared", "l1"
-//! optimizer = "adam"          # or "adamw", "sgd" (needs a learning rate), "rmsprop"
+//! optimizer = "adam"          # or "adamw", "sgd" (needs a learning rate), "rmsprop", "lbfgs"
 //! schedule = "constant"       # of the learning rates; or "exponential", "step", "cosine"
 //! learning_rate = 0.05
 //! iterations = 500

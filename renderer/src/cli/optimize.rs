@@ -35,8 +35,8 @@ pub(super) struct Arguments {
     #[arg(long, value_name = "X", value_parser = tolerance)]
     tolerance: Option<f64>,
 
-    /// The method: adam, adamw, sgd (needs a learning rate) or rmsprop; one that the scene file names
-    /// too keeps the numbers given there
+    /// The method: adam, adamw, sgd (needs a learning rate), rmsprop or lbfgs; one that the scene
+    /// file names too keeps the numbers given there
     #[arg(long, value_name = "NAME", value_parser = Optimizer::named)]
     optimizer: Option<Optimizer>,
 

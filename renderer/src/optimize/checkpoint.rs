@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 use serde::{Deserialize, Serialize};
 
-use super::optimizer::FirstOrder;
+use super::optimizer::Method;
 use super::{
     CHECKPOINT_FILE, Checkpointing, Fingerprint, Point, Record, Settings, Stop, StopReason,
 };
@@ -17,15 +17,17 @@ use crate::atomic_file::write_atomically;
 const FORMAT: u32 = 2;
 
 /// Everything a run needs to continue. All numbers are finite, since JSON has no others.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Serialize, Deserialize)]
 pub(super) struct State {
     /// Steps taken.
     pub iteration: u64,
+    /// Evaluations made, over all parts of the run.
+    pub evaluations: u64,
     /// Seconds of work.
     pub seconds: f64,
     /// Where the next evaluation takes place; for a finished run, where the last one did.
     pub x: Vec<f64>,
-    pub method: FirstOrder,
+    pub method: Method,
     /// The lowest loss so far; the first of them.
     pub best: Option<Point>,
     /// The latest usable evaluation.
@@ -39,8 +41,9 @@ impl State {
     pub fn new(x: Vec<f64>, settings: &Settings) -> Self {
         Self {
             iteration: 0,
+            evaluations: 0,
             seconds: 0.0,
-            method: FirstOrder::new(&settings.optimizer, x.len()),
+            method: Method::new(&settings.optimizer, x.len()),
             x,
             best: None,
             last: None,
@@ -71,7 +74,10 @@ impl State {
         let evaluated_here = match &self.stop {
             Some(Stop { reason, .. }) => matches!(
                 reason,
-                StopReason::Tolerance | StopReason::GradientTolerance | StopReason::Iterations
+                StopReason::Tolerance
+                    | StopReason::GradientTolerance
+                    | StopReason::Iterations
+                    | StopReason::LineSearch
             ),
             None => false,
         };
@@ -99,6 +105,8 @@ impl State {
         let stopped_by_criterion = evaluated_here.is_some();
         if let Some(stop) = evaluated_here.and_then(stops) {
             self.stop = Some(stop);
+        } else if self.stop.as_ref().is_some_and(|stop| stop.reason == StopReason::LineSearch) {
+            // No criterion changes what the line search would find.
         } else if stopped_by_criterion || !self.is_finished() {
             // The evaluation that met the old criterion is repeated, to step from it.
             self.stop = None;

@@ -20,9 +20,10 @@
 //! # Iterations
 //!
 //! Iteration `k` is the evaluation at the parameters that `k` steps have led to. `iterations: N`
-//! is thus `N` steps and `N + 1` evaluations at the most, and every loss that is reported was
-//! evaluated at the parameters reported with it. The parameters recovered are the best ones: those
-//! with the lowest loss, not those seen last.
+//! is thus `N` steps, and with a first-order method `N + 1` evaluations, at the most (a step of
+//! L-BFGS takes one evaluation or several). Every loss that is reported was evaluated at the
+//! parameters reported with it. The parameters recovered are the best ones: those with the lowest
+//! loss, not those seen last.
 //!
 //! # Checkpoints
 //!
@@ -43,7 +44,11 @@
 //! new criteria would have stopped before: then the error says where. A schedule that is not
 //! constant spans the run, so with one the number of iterations must stay the same too.
 
+#[cfg(feature = "argmin")]
+mod argmin_problem;
 mod checkpoint;
+#[cfg(feature = "argmin")]
+mod coordinates;
 mod fingerprint;
 mod history;
 mod loss_axis;
@@ -61,10 +66,16 @@ mod stop;
 mod tests;
 mod variable;
 
+#[cfg(feature = "argmin")]
+pub use argmin_problem::ArgminProblem;
+#[cfg(feature = "argmin")]
+pub use coordinates::Coordinates;
 pub use fingerprint::Fingerprint;
 pub use history::{Point, Record};
 pub use loss_plot::loss_svg;
 pub use observer::{Observer, Quiet, Start, Step};
+#[cfg(feature = "argmin")]
+pub use optimizer::Lbfgs;
 pub use optimizer::{Adam, AdamW, Optimizer, RmsProp, Sgd};
 pub use problem::{Evaluation, Objective};
 pub use progress::{Bar, Lines, progress};

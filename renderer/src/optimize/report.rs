@@ -53,7 +53,7 @@ pub fn history_csv(history: &[Record]) -> String {
 ///   `last`, the loss of the latest iteration. The final loss is the lowest, which the recovered
 ///   parameters have.
 /// - `iterations`: the steps taken; `best_iteration`: the one that recovered the parameters.
-/// - `seconds` of work, and `seconds_per_iteration`, over the evaluations.
+/// - `evaluations` of the objective, `seconds` of work, and `seconds_per_iteration`.
 /// - `stop_reason` (see [`StopReason`](super::StopReason)) and `stop_detail`, for people.
 /// - `parameters`: for each path `initial`, `final` and, where it is known, `target`.
 ///
@@ -64,7 +64,7 @@ pub fn summary(
     outcome: &Outcome,
     extra: Map<String, Value>,
 ) -> Map<String, Value> {
-    let Outcome { best, last, history, stop, seconds, .. } = outcome;
+    let Outcome { best, last, history, stop, evaluations, seconds, .. } = outcome;
     let initial = outcome.initial_loss();
     let mut parameters = Map::new();
     for (variable, found) in split(variables, &best.x) {
@@ -88,6 +88,7 @@ pub fn summary(
         ),
         ("iterations", json!(last.iteration)),
         ("best_iteration", json!(best.iteration)),
+        ("evaluations", json!(evaluations)),
         ("seconds", json!(seconds)),
         ("seconds_per_iteration", json!(seconds / history.len() as f64)),
         ("stop_reason", json!(stop.reason)),
@@ -128,6 +129,7 @@ mod tests {
             last: Point { iteration: 2, loss: 0.3, x: vec![9.0; 3] },
             history: vec![record(0, 0.4), record(1, 0.1), record(2, 0.1 + 0.2)],
             stop: Stop { reason: StopReason::GradientTolerance, detail: "flat".to_owned() },
+            evaluations: 4,
             seconds: 6.0,
             start: Start::Fresh,
         }
@@ -162,6 +164,7 @@ mod tests {
                 "loss": {"initial": 0.4, "final": 0.1, "ratio": 0.25, "last": 0.3},
                 "iterations": 2,
                 "best_iteration": 1,
+                "evaluations": 4,
                 "seconds": 6.0,
                 "seconds_per_iteration": 2.0,
                 "stop_reason": "gradient_tolerance",

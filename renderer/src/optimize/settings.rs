@@ -71,7 +71,8 @@ impl Settings {
         ];
         check_fields("optimize", tolerances.to_vec())?;
         self.optimizer.check()?;
-        self.schedule.check()
+        self.schedule.check()?;
+        self.optimizer.check_schedule(&self.schedule)
     }
 }
 

@@ -60,6 +60,7 @@ fn optimize_sections() {
         ("loss = \"l2\"", &["bad.toml:31", "unknown variant `l2`"]),
         ("optimizer = \"adan\"", &["bad.toml:31", "unknown variant `adan`", "adamw"]),
         ("optimizer = \"sgd\"", &["bad.toml: light.key.intensity", "give one", "learning_rate"]),
+        ("optimizer = \"lbfgs\"\nschedule = \"step\"", &["optimize.schedule", "leave it out"]),
         ("schedule = { type = \"cosine\", end = 2 }", &["bad.toml:31", "end", "from 0 to 1"]),
         ("step = 1", &["bad.toml:31", "unknown field `step`"]),
         ("target_values = { \"light.kee.color\" = 1 }", &["light.kee.color", "light.key.color"]),

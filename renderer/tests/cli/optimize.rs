@@ -128,6 +128,7 @@ fn methods_and_schedules_are_chosen_by_name() {
         &["--optimizer", "adamw"],
         &["--optimizer", "rmsprop", "--schedule", "cosine"],
         &["--optimizer", "sgd", "--learning-rate", "20", "--schedule", "step"],
+        &["--optimizer", "lbfgs", "--precision", "f64"],
     ] {
         let arguments = ["optimize", "experiment.toml", "--out", "out"];
         sandbox.succeed(&[&arguments[..], more].concat());
@@ -136,7 +137,7 @@ fn methods_and_schedules_are_chosen_by_name() {
         finals.push(summary["loss"]["final"].to_string());
     }
     finals.dedup();
-    assert_eq!(finals.len(), 4, "{finals:?}");
+    assert_eq!(finals.len(), 5, "{finals:?}");
 
     // A method that the scene file gives numbers keeps them.
     let scene = String::from_utf8(sandbox.read("experiment.toml")).unwrap();

@@ -38,8 +38,11 @@ pub(super) fn read(
     let gradient_tolerance = entry.gradient_tolerance;
     check("optimize.gradient_tolerance", gradient_tolerance, not_negative, "must not be negative")?;
     let at_field = |Error { place, problem }| Problem::new(place, problem);
-    entry.optimizer.map_or(Ok(()), |optimizer| optimizer.check()).map_err(at_field)?;
-    entry.schedule.map_or(Ok(()), |schedule| schedule.check()).map_err(at_field)?;
+    entry.optimizer.unwrap_or_default().check().map_err(at_field)?;
+    if let Some(schedule) = &entry.schedule {
+        schedule.check().map_err(at_field)?;
+        entry.optimizer.unwrap_or_default().check_schedule(schedule).map_err(at_field)?;
+    }
     Ok(OptimizeSection {
         target,
         parameters,

@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::adam::Moments;
-use super::{Adam, AdamW, Optimizer, RmsProp, Sgd};
+use super::{Adam, AdamW, RmsProp, Sgd};
 
 /// A method and what it remembers from step to step, one number or more for each element.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -17,14 +17,12 @@ pub(in crate::optimize) enum FirstOrder {
 }
 
 impl FirstOrder {
-    /// `optimizer` without a memory yet, for `len` elements.
-    pub fn new(optimizer: &Optimizer, len: usize) -> Self {
-        match *optimizer {
-            Optimizer::Adam(adam) => Self::Adam(adam, Moments::new(len)),
-            Optimizer::AdamW(adam_w) => Self::AdamW(adam_w, Moments::new(len)),
-            Optimizer::Sgd(sgd) => Self::Sgd(sgd, vec![0.0; len]),
-            Optimizer::RmsProp(rms_prop) => Self::RmsProp(rms_prop, vec![0.0; len]),
-        }
+    pub fn adam(adam: Adam, len: usize) -> Self {
+        Self::Adam(adam, Moments::new(len))
+    }
+
+    pub fn adam_w(adam_w: AdamW, len: usize) -> Self {
+        Self::AdamW(adam_w, Moments::new(len))
     }
 
     /// Whether this is the memory of `len` elements.

@@ -3,26 +3,34 @@
 //! A first-order method is a small pure stepper: its memory of earlier gradients, and a function
 //! from gradient to *direction*, the step per unit of learning rate. What all of them share
 //! happens once, outside of them: the learning rate of each element, the
-//! [`Schedule`](super::Schedule), and the projection onto the bounds.
+//! [`Schedule`](super::Schedule), and the projection onto the bounds. L-BFGS is another thing: it
+//! evaluates the loss several times in a step, and lives in coordinates without bounds.
 //!
 //! The methods are a closed enum, not a trait: a checkpoint has to name the one that wrote it and
 //! to read back its memory.
 
 mod adam;
 mod first_order;
+#[cfg(feature = "argmin")]
+mod lbfgs;
 mod rms_prop;
 mod sgd;
 
 pub use adam::{Adam, AdamW};
+#[cfg(feature = "argmin")]
+pub use lbfgs::Lbfgs;
 pub use rms_prop::RmsProp;
 pub use sgd::Sgd;
 
-pub(super) use first_order::FirstOrder;
+use first_order::FirstOrder;
+#[cfg(feature = "argmin")]
+use lbfgs::LbfgsState;
 
 use serde::{Deserialize, Serialize};
 
-use super::Fingerprint;
 use super::settings::check_fields;
+use super::variable::Flat;
+use super::{Evaluation, Fingerprint, Objective, Schedule};
 use crate::Error;
 
 /// A method, with its hyper-parameters. Learning rates belong to the variables.
@@ -39,6 +47,9 @@ pub enum Optimizer {
     Sgd(Sgd),
     /// The gradient over its root mean square.
     RmsProp(RmsProp),
+    /// A quasi-Newton method with a line search; with the feature `argmin`.
+    #[cfg(feature = "argmin")]
+    Lbfgs(Lbfgs),
 }
 
 impl Default for Optimizer {
@@ -58,6 +69,8 @@ impl Optimizer {
             Self::AdamW(AdamW::default()),
             Self::Sgd(Sgd::default()),
             Self::RmsProp(RmsProp::default()),
+            #[cfg(feature = "argmin")]
+            Self::Lbfgs(Lbfgs::default()),
         ]
     }
 
@@ -81,6 +94,8 @@ impl Optimizer {
             Self::AdamW(_) => "adamw",
             Self::Sgd(_) => "sgd",
             Self::RmsProp(_) => "rmsprop",
+            #[cfg(feature = "argmin")]
+            Self::Lbfgs(_) => "lbfgs",
         }
     }
 
@@ -89,6 +104,30 @@ impl Optimizer {
     /// learning rate says.
     pub fn follows_gradient_length(&self) -> bool {
         matches!(self, Self::Sgd(_))
+    }
+
+    /// Whether it finds the lengths of its steps by itself, so that a schedule has no say.
+    pub fn finds_step_lengths(&self) -> bool {
+        match self {
+            Self::Adam(_) | Self::AdamW(_) | Self::Sgd(_) | Self::RmsProp(_) => false,
+            #[cfg(feature = "argmin")]
+            Self::Lbfgs(_) => true,
+        }
+    }
+
+    /// # Errors
+    ///
+    /// If the method has no use for `schedule`.
+    pub fn check_schedule(&self, schedule: &Schedule) -> Result<(), Error> {
+        if !self.finds_step_lengths() || *schedule == Schedule::Constant {
+            return Ok(());
+        }
+        let problem = format!(
+            "is {}, but {} finds the lengths of its steps itself; leave it out",
+            schedule.name(),
+            self.name()
+        );
+        Err(Error::new("optimize.schedule", problem))
     }
 
     /// # Errors
@@ -105,6 +144,8 @@ impl Optimizer {
             Self::AdamW(method) => method.fields(),
             Self::Sgd(method) => method.fields(),
             Self::RmsProp(method) => method.fields(),
+            #[cfg(feature = "argmin")]
+            Self::Lbfgs(method) => method.fields(),
         }
     }
 
@@ -112,6 +153,63 @@ impl Optimizer {
     pub(super) fn mark(&self, fingerprint: Fingerprint) -> Fingerprint {
         let values: Vec<f64> = self.fields().iter().map(|(_, value, ..)| *value).collect();
         fingerprint.text(self.name()).numbers(&values)
+    }
+}
+
+/// A method at work: itself, and what it remembers from step to step.
+#[derive(Clone, Serialize, Deserialize)]
+pub(super) enum Method {
+    FirstOrder(FirstOrder),
+    #[cfg(feature = "argmin")]
+    Lbfgs(Box<LbfgsState>),
+}
+
+impl Method {
+    /// `optimizer` without a memory yet, for `len` elements.
+    pub fn new(optimizer: &Optimizer, len: usize) -> Self {
+        Self::FirstOrder(match *optimizer {
+            Optimizer::Adam(adam) => FirstOrder::adam(adam, len),
+            Optimizer::AdamW(adam_w) => FirstOrder::adam_w(adam_w, len),
+            Optimizer::Sgd(sgd) => FirstOrder::Sgd(sgd, vec![0.0; len]),
+            Optimizer::RmsProp(rms_prop) => FirstOrder::RmsProp(rms_prop, vec![0.0; len]),
+            #[cfg(feature = "argmin")]
+            Optimizer::Lbfgs(lbfgs) => return Self::Lbfgs(Box::new(LbfgsState::new(&lbfgs))),
+        })
+    }
+
+    /// Whether this is the memory of `len` elements.
+    pub fn fits(&self, len: usize) -> bool {
+        match self {
+            Self::FirstOrder(method) => method.fits(len),
+            #[cfg(feature = "argmin")]
+            Self::Lbfgs(method) => method.fits(len),
+        }
+    }
+
+    /// Moves `x`, where `evaluation` took place. Returns the evaluation at the new `x` if that was
+    /// needed to choose it.
+    ///
+    /// # Errors
+    ///
+    /// If a line search finds no lower loss; the text says why.
+    #[cfg_attr(not(feature = "argmin"), expect(unused_variables, reason = "for L-BFGS"))]
+    pub fn step(
+        &mut self,
+        flat: &Flat,
+        factor: f64,
+        x: &mut [f64],
+        mut evaluation: Evaluation,
+        objective: &mut dyn Objective,
+    ) -> Result<Option<Evaluation>, String> {
+        match self {
+            Self::FirstOrder(method) => {
+                method.direction(x, &mut evaluation.gradient);
+                flat.step(x, &evaluation.gradient, factor);
+                Ok(None)
+            }
+            #[cfg(feature = "argmin")]
+            Self::Lbfgs(method) => method.step(flat, x, &evaluation, objective).map(Some),
+        }
     }
 }
 

@@ -47,7 +47,7 @@ fn every_method_and_schedule_finds_the_minimum() {
         Variable::new("b", vec![0.9], 0.1),
     ];
     for optimizer in Optimizer::all() {
-        for schedule in Schedule::all() {
+        for schedule in schedules(&optimizer) {
             let settings = Settings { optimizer, schedule, ..iterations(400) };
             let outcome = run(&variables, &settings, quadratic).unwrap();
             // Weight decay holds the minimum of Adam's direction off by a little, and RMSProp at
@@ -166,6 +166,7 @@ fn stop_reasons_are_snake_case() {
         (StopReason::Tolerance, "tolerance"),
         (StopReason::GradientTolerance, "gradient_tolerance"),
         (StopReason::Iterations, "iterations"),
+        (StopReason::LineSearch, "line_search"),
         (StopReason::NonFiniteLoss, "non_finite_loss"),
         (StopReason::NonFiniteGradient, "non_finite_gradient"),
         (StopReason::Interrupted, "interrupted"),
