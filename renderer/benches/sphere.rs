@@ -44,6 +44,7 @@ pub fn scene(rings: u32, size: u32, lights: u32) -> Scene {
     Scene {
         width: size,
         height: size,
+        bounces: 0,
         parameters: Parameters {
             camera: Camera {
                 look_from: dvec3(1.0, 1.0, 3.0),
@@ -58,6 +59,7 @@ pub fn scene(rings: u32, size: u32, lights: u32) -> Scene {
                 diffuse: dvec3(0.7, 0.6, 0.5),
                 specular: DVec3::splat(0.1),
                 exponent: 20.0,
+                reflection: DVec3::ZERO,
             }],
             spheres: Vec::new(),
             vertices: vec![vertices],

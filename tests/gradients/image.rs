@@ -8,7 +8,7 @@ use renderer::loss::{ImageLoss, LossKind};
 use renderer::scene::{ParameterId, Scene};
 use wide::{f32x8, f32x16, f64x8};
 
-use crate::scenes::small_scene;
+use crate::scenes::{mirror_scene, small_scene};
 
 /// A loss over the pixels that see the same thing, in the same light, all around the point at which
 /// the derivative is checked: where visibility changes, finite differences measure a jump that the
@@ -94,6 +94,27 @@ fn every_parameter_agrees_with_finite_differences() {
 }
 
 #[test]
+fn every_parameter_agrees_with_finite_differences_in_mirrors() {
+    let scene = mirror_scene(20);
+    let target = target(&scene);
+    for id in scene.parameter_ids() {
+        check_parameter(&scene, &target, LossKind::MeanSquared, id);
+    }
+}
+
+/// The derivative by the reflection of a mirror that is still dark.
+#[test]
+fn dark_mirrors_have_a_gradient() {
+    let mut scene = mirror_scene(20);
+    for material in &mut scene.parameters.materials {
+        material.reflection = DVec3::ZERO;
+    }
+    let target = target(&scene);
+    check_parameter(&scene, &target, LossKind::MeanSquared, ParameterId::Reflection(0));
+    check_parameter(&scene, &target, LossKind::MeanSquared, ParameterId::Reflection(1));
+}
+
+#[test]
 fn every_loss_agrees_with_finite_differences() {
     let scene = small_scene(16);
     let target = target(&scene);
@@ -127,17 +148,21 @@ fn single_precision_is_close_to_double() {
 /// Lanes compute the same, but for the rounding of `powf`.
 #[test]
 fn lanes_agree_with_single_numbers() {
-    let scene = small_scene(37);
-    let target = target(&scene);
+    lanes_agree_on(&small_scene(37));
+    lanes_agree_on(&mirror_scene(37));
+}
+
+fn lanes_agree_on(scene: &Scene) {
+    let target = target(scene);
     let loss = ImageLoss::new(LossKind::MeanSquared, &target, false);
     let ids = scene.parameter_ids();
     let wanted = Wanted::by(&ids);
-    let single = gradient(&Prepared::<f32>::new(&scene), &loss, wanted);
-    let double = gradient(&Prepared::<f64>::new(&scene), &loss, wanted);
+    let single = gradient(&Prepared::<f32>::new(scene), &loss, wanted);
+    let double = gradient(&Prepared::<f64>::new(scene), &loss, wanted);
     for (lanes, single, tolerance) in [
-        (gradient(&Prepared::<f32x8>::new(&scene), &loss, wanted), &single, 1e-4),
-        (gradient(&Prepared::<f32x16>::new(&scene), &loss, wanted), &single, 1e-4),
-        (gradient(&Prepared::<f64x8>::new(&scene), &loss, wanted), &double, 1e-12),
+        (gradient(&Prepared::<f32x8>::new(scene), &loss, wanted), &single, 1e-4),
+        (gradient(&Prepared::<f32x16>::new(scene), &loss, wanted), &single, 1e-4),
+        (gradient(&Prepared::<f64x8>::new(scene), &loss, wanted), &double, 1e-12),
     ] {
         assert!((lanes.loss - single.loss).abs() <= 0.1 * tolerance * single.loss);
         for &id in &ids {

@@ -15,10 +15,12 @@ pub fn small_scene(size: u32) -> Scene {
         diffuse,
         specular: DVec3::splat(specular),
         exponent,
+        reflection: DVec3::ZERO,
     };
     Scene {
         width: size,
         height: size / 2 + 3,
+        bounces: 3,
         parameters: Parameters {
             camera: Camera {
                 look_from: dvec3(0.3, 2.5, 6.0),
@@ -65,4 +67,13 @@ pub fn small_scene(size: u32) -> Scene {
             },
         ],
     }
+}
+
+/// The small scene with floor and sphere as mirrors: the sphere shows the floor, which shows the
+/// sphere again.
+pub fn mirror_scene(size: u32) -> Scene {
+    let mut scene = small_scene(size);
+    scene.parameters.materials[0].reflection = dvec3(0.3, 0.2, 0.1);
+    scene.parameters.materials[1].reflection = dvec3(0.4, 0.5, 0.3);
+    scene
 }

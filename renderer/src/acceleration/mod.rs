@@ -109,6 +109,11 @@ impl Acceleration {
 
     /// The nearest primitive along the ray.
     pub fn nearest(&self, origin: Vec3, direction: Vec3) -> Option<Hit> {
+        self.nearest_but(None, origin, direction)
+    }
+
+    /// The nearest primitive along the ray but `from`, the flat one that it starts on.
+    pub fn nearest_but(&self, from: Option<u32>, origin: Vec3, direction: Vec3) -> Option<Hit> {
         let test = TriangleTest::new(origin, direction)?;
         let boxes = BoxTest::new(&test);
         let mut found = None;
@@ -120,7 +125,7 @@ impl Acceleration {
                 let lane = bits.trailing_zeros() as usize & 7;
                 bits &= bits - 1;
                 let depth = depths.as_array()[lane];
-                if depth < nearest {
+                if depth < nearest && from != Some(leaf.ids[lane]) {
                     nearest = depth;
                     let distance = depth * test.scale;
                     found = Some(Hit { primitive: leaf.ids[lane], distance, leaves: false });

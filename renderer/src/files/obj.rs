@@ -25,7 +25,7 @@ pub use write::save_obj;
 /// The name of the material of faces that no `usemtl` gives another one.
 pub const DEFAULT_MATERIAL: &str = "default";
 
-/// A grey, matt material: ambient 0, diffuse 0.7, specular 0, exponent 1. Also what a material
+/// A grey, matt material: ambient 0, diffuse 0.7, specular 0, exponent 1, no mirror. Also what a material
 /// library leaves open.
 pub fn default_material() -> Material<f64> {
     Material {
@@ -33,6 +33,7 @@ pub fn default_material() -> Material<f64> {
         diffuse: DVec3::splat(0.7),
         specular: DVec3::ZERO,
         exponent: 1.0,
+        reflection: DVec3::ZERO,
     }
 }
 

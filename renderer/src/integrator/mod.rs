@@ -15,12 +15,14 @@
 //! sparse (`sums`), so that a strip costs what it touches, however large the scene is.
 
 mod gradient;
+mod mirrors;
 mod prepared;
 mod radiance;
 mod shade;
 mod shadows;
 mod sharing;
 mod sums;
+mod sweep;
 mod tiles;
 mod trace;
 mod view;
@@ -30,4 +32,5 @@ pub use prepared::Prepared;
 pub use radiance::{PixelLoss, loss, render, render_into};
 pub use trace::{Rays, trace};
 
-pub(crate) use gradient::{reduce, sweep};
+pub(crate) use gradient::reduce;
+pub(crate) use sweep::sweep;

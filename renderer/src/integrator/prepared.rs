@@ -27,6 +27,8 @@ pub struct Prepared<'a, L: Lanes> {
     pub(super) frame: Frame<L>,
     pub(super) lights: Vec<Light<f64>>,
     pub(super) materials: Vec<Material<L::Element>>,
+    /// Whether any of them reflects like a mirror.
+    pub(super) has_mirrors: bool,
     pub(super) spheres: Vec<Sphere<L::Element>>,
     /// The vertices of all meshes, one mesh after the other.
     pub(super) vertices: Vec<Vec3<L::Element>>,
@@ -65,6 +67,7 @@ impl<'a, L: Lanes> Prepared<'a, L> {
             frame: Frame::zero().narrow(),
             lights: Vec::new(),
             materials: Vec::new(),
+            has_mirrors: false,
             spheres: Vec::new(),
             vertices: Vec::new(),
             first_vertices,
@@ -118,6 +121,7 @@ impl<'a, L: Lanes> Prepared<'a, L> {
             })
             .collect();
         self.materials = self.parameters.materials.iter().map(Material::narrow).collect();
+        self.has_mirrors = (0..self.materials.len()).any(|material| self.is_mirror(material));
     }
 
     fn load_geometry(&mut self) {

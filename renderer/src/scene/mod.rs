@@ -20,6 +20,8 @@ pub struct Scene {
     pub width: u32,
     /// The height of the image in pixels.
     pub height: u32,
+    /// How many mirrors light meets on its way to the camera at most.
+    pub bounces: u32,
     /// Everything continuous.
     pub parameters: Parameters,
     /// The names of `parameters.lights`.

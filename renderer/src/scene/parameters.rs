@@ -74,6 +74,8 @@ pub enum ParameterId {
     Specular(usize),
     /// `material.NAME.exponent`
     Exponent(usize),
+    /// `material.NAME.reflection`
+    Reflection(usize),
     /// `sphere.NAME.center`
     SphereCenter(usize),
     /// `sphere.NAME.radius`
@@ -88,7 +90,7 @@ impl ParameterId {
         use ParameterId::*;
         match self {
             LightColor(_) | LightIntensity(_) | Ambient(_) | Diffuse(_) | Specular(_)
-            | Exponent(_) => Differentiability::Smooth,
+            | Exponent(_) | Reflection(_) => Differentiability::Smooth,
             LookFrom | LookAt | Up | Vfov | Focus | LightPosition(_) | LightDirection(_)
             | SphereCenter(_) | SphereRadius(_) | Vertices(_) => Differentiability::Interior,
         }
@@ -108,7 +110,7 @@ impl Scene {
             ids.extend([LightColor(i), LightIntensity(i)]);
         }
         for i in 0..self.parameters.materials.len() {
-            ids.extend([Ambient(i), Diffuse(i), Specular(i), Exponent(i)]);
+            ids.extend([Ambient(i), Diffuse(i), Specular(i), Exponent(i), Reflection(i)]);
         }
         for i in 0..self.parameters.spheres.len() {
             ids.extend([SphereCenter(i), SphereRadius(i)]);
@@ -163,6 +165,7 @@ impl fmt::Display for ParameterPath<'_> {
             Diffuse(i) => write!(f, "material.{}.diffuse", material(i)),
             Specular(i) => write!(f, "material.{}.specular", material(i)),
             Exponent(i) => write!(f, "material.{}.exponent", material(i)),
+            Reflection(i) => write!(f, "material.{}.reflection", material(i)),
             SphereCenter(i) => write!(f, "sphere.{}.center", scene.spheres[i].name),
             SphereRadius(i) => write!(f, "sphere.{}.radius", scene.spheres[i].name),
             Vertices(i) => write!(f, "mesh.{}.vertices", scene.meshes[i].name),
@@ -201,6 +204,7 @@ macro_rules! reach {
             Diffuse(i) => materials[i].diffuse.$as_slice(),
             Specular(i) => materials[i].specular.$as_slice(),
             Exponent(i) => $one($($reference)+ materials[i].exponent),
+            Reflection(i) => materials[i].reflection.$as_slice(),
             SphereCenter(i) => spheres[i].center.$as_slice(),
             SphereRadius(i) => $one($($reference)+ spheres[i].radius),
             Vertices(i) => vertices[i].$flatten(),

@@ -110,7 +110,13 @@ impl Scene {
         }
         let not_negative = matches!(
             id,
-            LightColor(_) | LightIntensity(_) | Ambient(_) | Diffuse(_) | Specular(_) | Exponent(_)
+            LightColor(_)
+                | LightIntensity(_)
+                | Ambient(_)
+                | Diffuse(_)
+                | Specular(_)
+                | Exponent(_)
+                | Reflection(_)
         );
         match (id, values) {
             _ if not_negative => match values.iter().find(|v| **v < 0.0) {

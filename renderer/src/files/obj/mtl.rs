@@ -45,6 +45,7 @@ fn load_library(path: &Path) -> Result<Vec<(String, Material<f64>)>, Error> {
             diffuse: material.diffuse.map_or(default.diffuse, DVec3::from_array),
             specular: material.specular.map_or(default.specular, DVec3::from_array),
             exponent: material.shininess.unwrap_or(default.exponent),
+            reflection: default.reflection,
         };
         (material.name, value)
     };

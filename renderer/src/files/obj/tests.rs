@@ -52,6 +52,7 @@ fn objects_materials_and_groups() {
         diffuse: DVec3::new(0.5, 0.25, 0.125),
         specular: DVec3::new(0.1, 0.2, 0.3),
         exponent: 10.0,
+        reflection: DVec3::ZERO,
     };
     assert_eq!(model.materials[0].material, Some(red));
     assert_eq!(model.materials[1].name, "blue");

@@ -12,12 +12,17 @@ use serde::{Deserialize, Serialize, Serializer};
 use crate::loss::LossKind;
 use crate::optimize::{Optimizer, Schedule};
 
+/// How many mirrors light meets at most, if a scene does not say.
+pub(super) const DEFAULT_BOUNCES: u32 = 4;
+
 /// A table whose order is kept.
 pub(super) type Ordered<T> = Vec<(String, T)>;
 
 #[derive(Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct SceneFile {
+    #[serde(default = "default_bounces")]
+    pub bounces: u32,
     pub camera: CameraEntry,
     #[serde(default, rename = "light", skip_serializing_if = "Vec::is_empty")]
     pub lights: Vec<LightEntry>,
@@ -104,6 +109,8 @@ pub(super) struct MaterialEntry {
     pub specular: Option<[f64; 3]>,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub exponent: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub reflection: Option<[f64; 3]>,
 }
 
 #[derive(Default, Serialize, Deserialize)]
@@ -161,6 +168,10 @@ fn white() -> [f64; 3] {
 
 fn one() -> f64 {
     1.0
+}
+
+fn default_bounces() -> u32 {
+    DEFAULT_BOUNCES
 }
 
 fn default_vfov() -> f64 {

@@ -94,6 +94,7 @@ fn overridden(base: Material<f64>, entry: &MaterialEntry) -> Material<f64> {
         diffuse: entry.diffuse.map_or(base.diffuse, DVec3::from_array),
         specular: entry.specular.map_or(base.specular, DVec3::from_array),
         exponent: entry.exponent.unwrap_or(base.exponent),
+        reflection: entry.reflection.map_or(base.reflection, DVec3::from_array),
     }
 }
 

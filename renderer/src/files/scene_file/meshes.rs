@@ -5,7 +5,7 @@ use std::path::Path;
 use glam::DVec3;
 
 use super::Problem;
-use super::format::MeshEntry;
+use super::format::{DEFAULT_BOUNCES, MeshEntry};
 use super::materials::MaterialTable;
 use crate::Error;
 use crate::files::obj::{Mesh, Model, load_obj, unique};
@@ -26,6 +26,7 @@ pub(super) fn empty_scene() -> Scene {
     Scene {
         width: 1,
         height: 1,
+        bounces: DEFAULT_BOUNCES,
         parameters,
         light_names: Vec::new(),
         material_names: Vec::new(),

@@ -26,6 +26,7 @@ pub(super) fn experiment(file: &SceneFile, folder: &Path) -> Result<Experiment, 
 
 fn scene(file: &SceneFile, folder: &Path) -> Result<Scene, Problem> {
     let mut scene = meshes::empty_scene();
+    scene.bounces = file.bounces;
     scene.width = file.camera.width;
     scene.height = file.camera.height;
     scene.parameters.camera = camera(&file.camera);

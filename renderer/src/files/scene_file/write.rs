@@ -47,6 +47,7 @@ fn save(
     create_folder(folder)?;
     // The scene file comes last: once it stands, all that it names does.
     let file = SceneFile {
+        bounces: scene.bounces,
         camera: camera(scene),
         lights: lights(scene),
         meshes: save_meshes(scene, folder)?,
@@ -116,6 +117,7 @@ fn materials(scene: &Scene) -> Vec<(String, MaterialEntry)> {
             diffuse: Some(material.diffuse.to_array()),
             specular: Some(material.specular.to_array()),
             exponent: Some(material.exponent),
+            reflection: Some(material.reflection.to_array()),
         };
         (name.clone(), entry)
     };
