@@ -25,7 +25,7 @@
 //! intensity = 900.0
 //!
 //! [[mesh]]
-//! path = "tree.obj"
+//! path = "tree.obj"           # or .ply, .stl, .gltf, .glb (of which only the meshes are taken)
 //! name = "tree"               # optional: makes all objects of the file one mesh of this name
 //! material = "bark"           # optional: replaces the file's materials
 //!
@@ -80,7 +80,7 @@
 use std::path::{Path, PathBuf};
 
 use crate::Error;
-use crate::files::scene_file;
+use crate::files::{MeshFormat, scene_file};
 use crate::loss::LossKind;
 use crate::optimize::{Optimizer, Schedule};
 use crate::scene::{ParameterId, Scene};
@@ -141,18 +141,18 @@ pub struct TunedParameter {
 }
 
 impl Experiment {
-    /// Reads a scene file, or an `.obj`, which is then framed and lit by default: the camera looks
-    /// at the centre of the bounding box from the front, to the right and above; a point light
-    /// `key` stands above the camera.
+    /// Reads a scene file, or a mesh ([`load_mesh`](crate::files::load_mesh)), which is then framed
+    /// and lit by default: the camera looks at the centre of the bounding box from the front, to the
+    /// right and above; a point light `key` stands above the camera. A camera and lights that a glTF
+    /// file brings along replace these.
     ///
     /// # Errors
     ///
     /// If a file cannot be read, is broken, or describes what cannot be rendered. The message names
     /// the file and, where it can, the line and the field.
     pub fn load(path: &Path) -> Result<Self, Error> {
-        let is_obj = path.extension().is_some_and(|e| e.eq_ignore_ascii_case("obj"));
-        if is_obj {
-            let scene = scene_file::load_obj_scene(path)?;
+        if MeshFormat::of(path).is_some() {
+            let scene = scene_file::load_mesh_scene(path)?;
             return Ok(Self { scene, optimize: None });
         }
         scene_file::load(path)

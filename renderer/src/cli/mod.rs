@@ -82,7 +82,7 @@ enum Command {
 /// What to match and what may vary, for the commands that need both.
 #[derive(Args)]
 struct Problem {
-    /// A scene file (TOML), or an OBJ, which is framed and lit by default
+    /// A scene file (TOML), or a mesh (OBJ, PLY, STL, glTF), which is framed and lit by default
     scene: PathBuf,
 
     /// The image to match; replaces the target in the scene file

@@ -11,7 +11,7 @@ use crate::recovery::render_at;
 
 #[derive(clap::Args)]
 pub(super) struct Arguments {
-    /// A scene file (TOML), or an OBJ, which is framed and lit by default
+    /// A scene file (TOML), or a mesh (OBJ, PLY, STL, glTF), which is framed and lit by default
     scene: PathBuf,
 
     /// Where to write the image: .png (sRGB, clipped to 0..1) or .exr (linear, as rendered)

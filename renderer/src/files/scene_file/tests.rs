@@ -156,7 +156,10 @@ fn mistakes_in_the_file_are_placed() {
         ("vfov = 1e400\n", "s.toml:6: "),
         ("vfov = 180\n", "s.toml:6: camera.vfov: must lie between 0 and 180 degrees, is 180"),
         ("\nup = [0, 0, 2]\n", "s.toml:7: camera.up: must not be parallel"),
-        ("[lights]\n", "s.toml:6: unknown field `lights`, expected one of `camera`, `light`"),
+        (
+            "[lights]\n",
+            "s.toml:6: unknown field `lights`, expected one of `bounces`, `camera`, `light`",
+        ),
         ("[[light]]\nname = \"k\"\ntype = \"spot\"\n", "s.toml:8: unknown variant `spot`"),
         ("[[light]]\nname = \"k\"\n", "s.toml:6: missing field `type` in `light`"),
         (
@@ -297,7 +300,7 @@ fn files_that_are_no_scene_are_refused() {
     fs::write(&binary, [0x66, 0xff, 0x00]).unwrap();
     assert!(
         refused(&binary)
-            .contains("b.toml: is neither a scene file (TOML) nor an .obj: byte 1 is not UTF-8")
+            .contains("b.toml: is neither a scene file (TOML) nor a mesh (.obj, .ply, .stl, .gltf, .glb): byte 1 is not UTF-8")
     );
 }
 
