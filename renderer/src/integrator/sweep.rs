@@ -102,13 +102,13 @@ impl<'a, L: Lanes, P: PixelLoss> Sweep<'a, L, P> {
             for depth in (1..views.len()).rev() {
                 let (flows, deeper) = flows.split_at_mut(depth + 1);
                 let Flow { rays, surfaces, .. } = &mut flows[depth];
-                let mirrored = (depth + 1 < views.len()).then_some(&deeper[0]);
+                let mirrored = deeper.first().filter(|_| depth + 1 < views.len());
                 self.pull_surfaces(&views[depth], mirrored, surfaces, |group, to_ray| {
                     rays[group.first / L::COUNT].accumulate(to_ray);
                 });
             }
             let (first, deeper) = flows.split_at_mut(1);
-            let mirrored = (views.len() > 1).then_some(&deeper[0]);
+            let mirrored = deeper.first().filter(|_| views.len() > 1);
             let mut to_frame = Tangent::<Frame<L>>::zero();
             let Self { prepared, wanted, .. } = *self;
             self.pull_surfaces(&views[0], mirrored, &first[0].surfaces, |group, to_ray| {
