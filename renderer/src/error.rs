@@ -22,7 +22,8 @@ fn escaped(text: String) -> String {
     if !text.contains(char::is_control) {
         return text;
     }
-    let escape = |c: char| if c.is_control() { c.escape_default().collect() } else { c.to_string() };
+    let escape =
+        |c: char| if c.is_control() { c.escape_default().collect() } else { c.to_string() };
     text.chars().map(escape).collect::<Vec<String>>().concat()
 }
 

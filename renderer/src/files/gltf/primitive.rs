@@ -37,8 +37,10 @@ pub(super) fn load(
         4 => indices.as_chunks().0.to_vec(),
         // Every second triangle of a strip turns the other way.
         5 => {
-            let corners = indices.array_windows().enumerate();
-            corners.map(|(i, &[a, b, c])| if i % 2 == 0 { [a, b, c] } else { [b, a, c] }).collect()
+            let turned = |(i, t): (usize, &[u32])| {
+                if i % 2 == 0 { [t[0], t[1], t[2]] } else { [t[1], t[0], t[2]] }
+            };
+            indices.windows(3).enumerate().map(turned).collect()
         }
         6 => indices.windows(2).skip(1).map(|edge| [indices[0], edge[0], edge[1]]).collect(),
         mode => return Err(format!("mode {mode} is none; there are 0 to 6")),

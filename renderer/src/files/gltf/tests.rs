@@ -1,5 +1,6 @@
 //! glTF files, good and bad.
 
+use std::f64::consts::FRAC_1_SQRT_2;
 use std::fs;
 
 use serde_json::{Value, json};
@@ -27,7 +28,7 @@ fn square() -> Value {
             { "translation": [1.0, 2.0, 3.0],
               "extensions": { "KHR_lights_punctual": { "light": 0 } } },
             // A quarter turn about x: it shines along +y.
-            { "name": "sun", "rotation": [0.70710678118654752, 0.0, 0.0, 0.70710678118654752],
+            { "name": "sun", "rotation": [FRAC_1_SQRT_2, 0.0, 0.0, FRAC_1_SQRT_2],
               "extensions": { "KHR_lights_punctual": { "light": 1 } } },
         ],
         "meshes": [{ "name": "quad", "primitives": [

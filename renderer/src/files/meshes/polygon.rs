@@ -24,7 +24,7 @@ pub(in crate::files) fn triangulate(corners: &[DVec3]) -> Vec<[usize; 3]> {
         let is_ear = |&i: &usize| {
             let ear = triangle(i);
             let inside = |&p: &usize| !ear.contains(&p) && within(corners, ear, normal, p);
-            turns_left(ear) && !left.iter().any(|p| inside(p))
+            turns_left(ear) && !left.iter().any(inside)
         };
         // Every simple polygon has an ear; of another one any corner will do.
         let ear = (0..m).find(is_ear).unwrap_or(1);

@@ -8,10 +8,10 @@ use super::Problem;
 use super::format::{DEFAULT_BOUNCES, MeshEntry};
 use super::materials::MaterialTable;
 use crate::Error;
-#[cfg(feature = "gltf")]
-use crate::files::gltf::{GltfFile, load_gltf};
-use crate::files::meshes::{MeshFormat, load_mesh};
+use crate::files::meshes::load_mesh;
 use crate::files::obj::{Mesh, Model, unique};
+#[cfg(feature = "gltf")]
+use crate::files::{GltfFile, MeshFormat, load_gltf};
 use crate::kernels::camera::Camera;
 use crate::scene::{MeshObject, Parameters, Scene};
 
