@@ -16,6 +16,7 @@ pub mod arithmetic;
 pub mod atomic_file;
 pub mod cli;
 pub mod demo;
+pub mod display;
 mod error;
 pub mod experiment;
 pub mod files;

@@ -122,3 +122,30 @@ fn meshes_of_every_format_are_rendered() {
         &["floor.fbx: is no mesh file: one of .obj, .ply, .stl, .gltf, .glb"],
     );
 }
+
+#[test]
+fn exposure_tone_and_range_are_those_asked_for() {
+    let sandbox = Sandbox::new();
+    let render = |more: &[&str]| {
+        sandbox.succeed(&[&["render", "scene.toml", "-o", "a.exr"], more].concat());
+        load_image(&sandbox.path("a.exr")).unwrap().image.pixels.as_flattened().to_vec()
+    };
+    let plain = render(&[]);
+    let exposed = render(&["--exposure", "-1"]);
+    assert!(plain.iter().zip(&exposed).all(|(plain, exposed)| 0.5 * plain == *exposed));
+    let toned = render(&["--tone", "reinhard", "--exposure", "10"]);
+    let brightest = toned.iter().copied().fold(0.0, f32::max);
+    assert!((0.9..2.0).contains(&brightest), "{brightest}");
+    let normalized = render(&["--normalize"]);
+    let ends = |values: &[f32]| {
+        let low = values.iter().copied().fold(f32::INFINITY, f32::min);
+        (low, values.iter().copied().fold(0.0, f32::max))
+    };
+    assert_eq!(ends(&normalized), (0.0, 1.0));
+    for more in
+        [&["--exposure", "nan"][..], &["--tone", "aces"], &["--normalize", "--exposure", "1"]]
+    {
+        let output = sandbox.run(&[&["render", "scene.toml", "-o", "b.exr"], more].concat());
+        assert_eq!(output.status.code(), Some(2), "{more:?}");
+    }
+}
