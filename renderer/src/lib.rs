@@ -27,6 +27,7 @@ pub mod loss;
 pub mod optimize;
 pub mod precision;
 pub mod recovery;
+pub mod report;
 pub mod scene;
 
 pub use error::Error;

@@ -7,6 +7,7 @@ use serde_json::Map;
 
 use super::out_folder::check_out_folder;
 use super::output::{abbreviate, print, short};
+use super::strip::save_strip;
 use super::{Problem, stem};
 use crate::Error;
 use crate::arithmetic::Arithmetic;
@@ -133,7 +134,9 @@ pub(super) fn recover(
         save_png(&difference, &out.join("difference.png"))?;
     }
     save_scene(&recovered, out)?;
-    write_report(out, recovery.variables(), &outcome, Map::new())?;
+    let strip = save_strip(recovery, &outcome.trajectory, out, arithmetic)?;
+    let extra = Map::from_iter([("strip".to_owned(), strip)]);
+    write_report(out, recovery.variables(), &outcome, extra)?;
     Ok(outcome)
 }
 

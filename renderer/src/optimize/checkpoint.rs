@@ -7,6 +7,7 @@ use std::path::{Path, PathBuf};
 use serde::{Deserialize, Serialize};
 
 use super::optimizer::Method;
+use super::trajectory::Trajectory;
 use super::{
     CHECKPOINT_FILE, Checkpointing, Fingerprint, Point, Record, Settings, Stop, StopReason,
 };
@@ -34,6 +35,7 @@ pub(super) struct State {
     pub last: Option<Point>,
     /// One entry per usable evaluation.
     pub history: Vec<Record>,
+    pub trajectory: Trajectory,
     pub stop: Option<Stop>,
 }
 
@@ -48,6 +50,7 @@ impl State {
             best: None,
             last: None,
             history: Vec::new(),
+            trajectory: Trajectory::new(),
             stop: None,
         }
     }
@@ -59,6 +62,7 @@ impl State {
         if self.best.as_ref().is_none_or(|best| loss < best.loss) {
             self.best = Some(point.clone());
         }
+        self.trajectory.record(&point);
         self.last = Some(point);
         self.history.push(record);
     }

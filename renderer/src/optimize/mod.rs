@@ -64,6 +64,7 @@ mod settings;
 mod stop;
 #[cfg(test)]
 mod tests;
+mod trajectory;
 mod variable;
 
 #[cfg(feature = "argmin")]

@@ -29,6 +29,9 @@ pub struct Outcome {
     pub last: Point,
     /// One entry per iteration, from 0 on; never empty.
     pub history: Vec<Record>,
+    /// Some of the points it went through, from the first to the last, evenly spaced; empty if they
+    /// have too many numbers to be kept.
+    pub trajectory: Vec<Point>,
     /// Why it stopped.
     pub stop: Stop,
     /// How often the objective was evaluated, over all resumed parts of the run.
@@ -99,13 +102,15 @@ impl<'a> Optimization<'a> {
             Some(stop) => stop,
             None => self.iterate(objective, observer)?,
         };
-        let State { best, last, history, evaluations, seconds, .. } = self.state;
+        let State { best, last, history, trajectory, evaluations, seconds, .. } = self.state;
         let (Some(best), Some(last)) = (best, last) else {
             // Nothing was evaluated, and the only reason for that is the initial point.
             return Err(Error::new("optimize", stop.detail));
         };
+        let trajectory = trajectory.finish(&last);
+        let start = self.start;
         let outcome =
-            Outcome { best, last, history, stop, evaluations, seconds, start: self.start };
+            Outcome { best, last, history, trajectory, stop, evaluations, seconds, start };
         observer.finish(&outcome);
         Ok(outcome)
     }

@@ -20,8 +20,10 @@ fn leaves_every_result() {
             "loss.svg",
             "meshes",
             "scene.toml",
+            "strip",
             "summary.json",
-            "target.png"
+            "target.png",
+            "trajectory.json"
         ]
     );
     for name in ["target", "initial", "final", "difference"] {
@@ -56,6 +58,21 @@ fn leaves_every_result() {
     let first = progress.lines().next().unwrap();
     assert!(first.starts_with("iteration 0/40  loss "), "{progress}");
     assert!(!progress.contains(['\r', '\u{1b}']), "{progress:?}");
+}
+
+#[test]
+fn a_report_is_one_page_that_needs_nothing_else() {
+    let sandbox = Sandbox::new();
+    sandbox.succeed(&["optimize", "experiment.toml", "--out", "out"]);
+    assert_eq!(sandbox.succeed(&["report", "out"]), "out/report.html\n");
+    let page = String::from_utf8(sandbox.read("out/report.html")).unwrap();
+    let strip = sandbox.json("out/summary.json")["strip"].as_array().unwrap().len();
+    assert_eq!(page.matches("class=\"frame\"").count(), strip);
+    assert!(strip > 10 && page.contains("<h2>Trajectories</h2>"));
+    assert_eq!(page.matches("class=\"truth\"").count(), 4);
+    assert_eq!(page.matches("src=").count(), 4 + strip);
+    assert_eq!(page.matches("src=\"data:image/png;base64,").count(), 4 + strip);
+    sandbox.refuse_with(&["report", "none"], &["none/summary.json: no such file"]);
 }
 
 #[test]
