@@ -42,6 +42,14 @@
 //! exponent = 1.0
 //! reflection = [0.0, 0.0, 0.0] # above 0: a mirror
 //!
+//! diffuse_texture = "wood"    # optional: multiplies the colour; also ambient_ and specular_texture
+//!
+//! [texture.wood]
+//! path = "wood.png"           # PNG and JPEG (sRGB), or EXR (linear); or, for a texture to recover:
+//! # size = [64, 64]           # width and height, and
+//! # color = [0.5, 0.5, 0.5]   # one colour everywhere
+//! wrap = "repeat"             # the default; or "clamp", "mirror"
+//!
 //! [optimize]                  # optional, and so is everything in it
 //! target = "photo.png"        # or [optimize.target_values], below
 //! loss = "mean_squared"       # or "sum_squared", "l1"

@@ -10,6 +10,7 @@ use crate::kernels::camera::{Camera, CameraTangent, Frame, FrameTangent, Ray, Ra
 use crate::kernels::light::{DistantLight, DistantLightTangent, PointLight, PointLightTangent};
 use crate::kernels::material::{Material, MaterialTangent};
 use crate::kernels::sphere::{Sphere, SphereTangent};
+use crate::kernels::texture::{Uv, UvTangent};
 
 /// A vector in the precision of the kernels.
 #[inline]
@@ -162,4 +163,5 @@ parameters! {
     DistantLight, DistantLightTangent { direction color } { intensity }
     Material, MaterialTangent { ambient diffuse specular reflection } { exponent }
     Sphere, SphereTangent { center } { radius }
+    Uv, UvTangent {} { u v }
 }

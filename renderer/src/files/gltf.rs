@@ -20,8 +20,10 @@ use std::path::Path;
 use glam::{DMat4, DVec3};
 
 use super::io::read;
-use super::meshes::{clean_name, file_stem};
-use super::obj::{DEFAULT_MATERIAL, Mesh, Model, ModelMaterial, default_material, unique};
+use super::meshes::{clean_name, file_stem, plain_material};
+use super::obj::{
+    DEFAULT_MATERIAL, Mesh, Model, ModelMaps, ModelMaterial, default_material, unique,
+};
 use crate::Error;
 use crate::kernels::camera::Camera;
 use crate::kernels::light::{DistantLight, PointLight};
@@ -47,8 +49,8 @@ pub struct GltfFile {
 ///
 /// - Every node with a mesh is a mesh, named after the node (or the mesh), its vertices transformed
 ///   by the node and those above it. Skins, morph targets and animations are not read.
-/// - The base colour of a material is the diffuse colour. Metalness, roughness and the rest are not
-///   read. Primitives without a material wear [`DEFAULT_MATERIAL`](super::obj::DEFAULT_MATERIAL).
+/// - The base colour of a material is the diffuse colour. Its textures, metalness, roughness and the
+///   rest are not read. Primitives without a material wear [`DEFAULT_MATERIAL`](super::obj::DEFAULT_MATERIAL).
 /// - The first camera counts; it has to be a perspective one.
 /// - Lights are those of `KHR_lights_punctual`, without a range; spot lights are refused. Candela
 ///   and lux are taken as watts per steradian and per square metre, and divided by pi: a diffuse
@@ -136,11 +138,16 @@ fn materials(document: &Document, place: &str) -> Materials {
         let [r, g, b, _] = definition.pbr_metallic_roughness.base_color_factor;
         let material = Material { diffuse: DVec3::new(r, g, b), ..default_material() };
         let place = format!("{place}: materials[{i}]");
-        all.push(ModelMaterial { name, material: Some(material), place });
+        all.push(ModelMaterial {
+            name,
+            material: Some(material),
+            maps: ModelMaps::default(),
+            place,
+        });
     }
     let name =
         unique(DEFAULT_MATERIAL.to_owned(), |name| all.iter().any(|other| other.name == name));
-    all.push(ModelMaterial { name, material: Some(default_material()), place: place.to_owned() });
+    all.push(ModelMaterial { name, ..plain_material(place.to_owned()) });
     Materials { places: vec![None; all.len()], all, used: Vec::new() }
 }
 

@@ -12,7 +12,7 @@ use std::collections::HashMap;
 use std::path::Path;
 
 use super::io::read;
-use super::meshes::{default_model, file_stem};
+use super::meshes::{default_model, file_stem, plain_mesh};
 use super::obj::{Mesh, Model};
 use crate::Error;
 
@@ -127,6 +127,6 @@ impl Builder {
 
     fn finish(self, name: String) -> Mesh {
         let materials = vec![0; self.triangles.len()];
-        Mesh { name, vertices: self.vertices, triangles: self.triangles, materials }
+        plain_mesh(name, self.vertices, self.triangles, materials)
     }
 }

@@ -27,6 +27,10 @@ pub struct Wanted {
     pub spheres: bool,
     /// Vertices.
     pub vertices: bool,
+    /// Texture coordinates.
+    pub texture_coordinates: bool,
+    /// Texels.
+    pub texels: bool,
     /// What materials reflect as mirrors: rays are then traced where they reflect nothing, too.
     pub mirrors: bool,
 }
@@ -49,6 +53,8 @@ impl Wanted {
                 }
                 SphereCenter(_) | SphereRadius(_) => &mut wanted.spheres,
                 Vertices(_) => &mut wanted.vertices,
+                TextureCoordinates(_) => &mut wanted.texture_coordinates,
+                Texels(_) => &mut wanted.texels,
             } = true;
         }
         wanted
@@ -56,7 +62,7 @@ impl Wanted {
 
     /// Whether the point that is seen depends on any of them.
     pub(super) fn surface(self) -> bool {
-        self.camera || self.spheres || self.vertices
+        self.camera || self.spheres || self.vertices || self.texture_coordinates
     }
 }
 
@@ -106,6 +112,17 @@ pub(crate) fn reduce<L: Lanes>(
             let vertex = &mut gradient.vertices[mesh][vertex];
             *vertex = (DVec3::from(*vertex) + sum).into();
         }
+        for (uv, sum) in strip.uvs {
+            let (mesh, index) = prepared.uv_of_mesh(uv);
+            let [u, v] = &mut gradient.texture_coordinates[mesh][index];
+            *u += sum.u;
+            *v += sum.v;
+        }
+        for (texel, sum) in strip.texels {
+            let (texture, index) = prepared.texel_of_texture(texel);
+            let texel = &mut gradient.textures[texture][index];
+            *texel = (DVec3::from(*texel) + sum).into();
+        }
     }
     if wanted.camera {
         let (_, pullback) = frame::vjp::<f64>(prepared.parameters.camera, prepared.aspect());
@@ -126,5 +143,11 @@ fn zero(parameters: &Parameters) -> Parameters {
         materials: vec![Material::zero(); parameters.materials.len()],
         spheres: vec![Sphere::zero(); parameters.spheres.len()],
         vertices: parameters.vertices.iter().map(|mesh| vec![[0.0; 3]; mesh.len()]).collect(),
+        texture_coordinates: parameters
+            .texture_coordinates
+            .iter()
+            .map(|mesh| vec![[0.0; 2]; mesh.len()])
+            .collect(),
+        textures: parameters.textures.iter().map(|texels| vec![[0.0; 3]; texels.len()]).collect(),
     }
 }

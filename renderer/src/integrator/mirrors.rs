@@ -123,7 +123,9 @@ impl<L: Lanes> Prepared<'_, L> {
         radiance.resize(blocks::<L>(), Additive::zero());
         for group in &view.groups {
             let materials = self.materials(group);
-            let shaded = Shaded::new(self, group, &materials, &view.lit, mirrored);
+            let textured = self.textured(group, &materials);
+            let shaded =
+                Shaded::new(self, group, &materials, textured.as_ref(), &view.lit, mirrored);
             let block = &mut radiance[group.first / L::COUNT];
             *block = select(L::mask_from_bits(group.alive), shaded.radiance(), *block);
         }

@@ -103,7 +103,9 @@ fn visit<L: Lanes>(
     let (view, mirrored) = (&sight.views()[0], sight.views().get(1));
     for group in &view.groups {
         let materials = prepared.materials(group);
-        let shaded = Shaded::new(prepared, group, &materials, &view.lit, mirrored);
+        let textured = prepared.textured(group, &materials);
+        let shaded =
+            Shaded::new(prepared, group, &materials, textured.as_ref(), &view.lit, mirrored);
         use_radiance(group, shaded.radiance());
     }
 }

@@ -10,14 +10,16 @@ use super::gradient::Wanted;
 use super::mirrors::{Mirrors, Sight, blocks};
 use super::prepared::Prepared;
 use super::radiance::{PixelLoss, black_pixels};
+use super::settings::Pass;
 use super::shade::{LightCotangent, Pulled, PulledMirror, Shaded};
 use super::sums::{Slots, StripSums};
 use super::tiles::{Strip, Tile, for_each_strip};
 use super::view::{Group, Shape, View};
 use crate::kernels::camera::{Frame, Ray, RayTangent, primary_ray};
 use crate::kernels::material::MaterialTangent;
-use crate::kernels::sphere::sphere_surface;
+use crate::kernels::sphere::{Sphere, sphere_surface};
 use crate::kernels::surface::{SurfacePoint, mirrored_ray};
+use crate::kernels::texture::{Uv, sphere_uv, triangle_uv};
 use crate::kernels::triangle::triangle_surface;
 use crate::precision::{MOST_LANES, lanes_of_vectors, sum_of_vectors, vectors_of_lanes};
 
@@ -44,6 +46,8 @@ struct Sweep<'a, L: Lanes, P> {
     materials: Slots,
     spheres: Slots,
     vertices: Slots,
+    uvs: Slots,
+    texels: Slots,
 }
 
 impl<'a, L: Lanes, P: PixelLoss> Sweep<'a, L, P> {
@@ -53,13 +57,18 @@ impl<'a, L: Lanes, P: PixelLoss> Sweep<'a, L, P> {
             prepared,
             loss,
             wanted,
-            mirrors: if wanted.mirrors { Mirrors::All } else { Mirrors::Bright },
+            mirrors: match wanted.mirrors && prepared.pass == Pass::Radiance {
+                true => Mirrors::All,
+                false => Mirrors::Bright,
+            },
             sight: Sight::default(),
             flows: Vec::new(),
             sums: StripSums::zero(&prepared.lights),
             materials: slots(wanted.materials, prepared.materials.len()),
             spheres: slots(wanted.spheres, prepared.spheres.len()),
             vertices: slots(wanted.vertices, prepared.vertices.len()),
+            uvs: slots(wanted.texture_coordinates, prepared.uvs.len()),
+            texels: slots(wanted.texels, prepared.texels.len()),
         }
     }
 
@@ -132,10 +141,10 @@ impl<'a, L: Lanes, P: PixelLoss> Sweep<'a, L, P> {
         &mut self,
         view: &View<L>,
         mirrored: Option<(&View<L>, &mut Flow<L>)>,
-        surfaces: &mut Vec<Option<Tangent<SurfacePoint<L>>>>,
+        surfaces: &mut Vec<Option<ToSurface<L>>>,
         mut respond: impl FnMut(&Group<L>, Vec3<L>) -> Option<Vec3<L>>,
     ) {
-        let Self { prepared, wanted, sums, materials: slots, .. } = self;
+        let Self { prepared, wanted, sums, materials: slots, texels, .. } = self;
         let (shown, mut to_mirrored) = mirrored.unzip();
         if let Some(flow) = &mut to_mirrored {
             flow.start();
@@ -148,12 +157,21 @@ impl<'a, L: Lanes, P: PixelLoss> Sweep<'a, L, P> {
                 }
             };
             let materials = prepared.materials(group);
-            let shaded = Shaded::new(prepared, group, &materials, &view.lit, shown);
+            let textured = prepared.textured(group, &materials);
+            let shaded =
+                Shaded::new(prepared, group, &materials, textured.as_ref(), &view.lit, shown);
             let pulled = shaded.pull_back(|radiance| respond(group, radiance), to_light);
-            let Some(Pulled { material, surface, mirror }) = pulled else {
+            let Some(Pulled { mut material, surface, mirror }) = pulled else {
                 surfaces.push(None);
                 continue;
             };
+            let uv = textured.map(|textured| {
+                textured.pull_back(&mut material, |texel, cotangent| {
+                    if wanted.texels {
+                        texels.add(&mut sums.texels, texel as usize, cotangent);
+                    }
+                })
+            });
             if wanted.materials {
                 for (index, lanes) in materials.iter() {
                     let sum = material.sum(L::mask_from_bits(lanes));
@@ -173,7 +191,7 @@ impl<'a, L: Lanes, P: PixelLoss> Sweep<'a, L, P> {
                 }
             }
             if wanted.surface() {
-                surfaces.push(Some(surface));
+                surfaces.push(Some(ToSurface { surface, uv }));
             }
         }
     }
@@ -185,11 +203,11 @@ impl<'a, L: Lanes, P: PixelLoss> Sweep<'a, L, P> {
         &mut self,
         view: &View<L>,
         mirrored: Option<&Flow<L>>,
-        surfaces: &[Option<Tangent<SurfacePoint<L>>>],
+        surfaces: &[Option<ToSurface<L>>],
         mut to_ray: impl FnMut(&Group<L>, Tangent<Ray<L>>),
     ) {
         for (group, surface) in view.groups.iter().zip(surfaces) {
-            let Some(mut surface) = *surface else { continue };
+            let Some(ToSurface { mut surface, uv }) = *surface else { continue };
             if let Some(flow) = mirrored {
                 let RayTangent { origin, direction } = flow.rays[group.first / L::COUNT];
                 let alive =
@@ -200,28 +218,38 @@ impl<'a, L: Lanes, P: PixelLoss> Sweep<'a, L, P> {
                     direction: alive(direction),
                 }));
             }
-            to_ray(group, self.pull_surface(group, surface));
+            to_ray(group, self.pull_surface(group, surface, uv));
         }
     }
 
-    /// Pulls the cotangent of surface points back to primitives; returns that of the rays.
+    /// Pulls the cotangents of surface points, and of their places on textures, back to primitives;
+    /// returns that of the rays.
     #[inline]
     fn pull_surface(
         &mut self,
         group: &Group<L>,
-        cotangent: Tangent<SurfacePoint<L>>,
+        mut surface: Tangent<SurfacePoint<L>>,
+        uv: Option<Tangent<Uv<L>>>,
     ) -> Tangent<Ray<L>> {
-        let Self { prepared, wanted, sums, .. } = self;
+        let prepared = self.prepared;
         match group.shape {
             Shape::Triangles => {
-                let [a, b, c] = prepared.corners(&group.primitives);
+                let corners @ [a, b, c] = prepared.corners(&group.primitives);
+                let mut to_corners = [Vec3::<L>::zero(); 3];
+                if let Some(uv) = uv {
+                    let (to_point, corners) = self.pull_uv(group, corners, uv);
+                    surface.point.accumulate(to_point);
+                    to_corners = corners;
+                }
+                let Self { prepared, wanted, sums, .. } = self;
                 let (_, pullback) = triangle_surface::vjp::<L>(group.ray, a, b, c);
-                let (ray, a, b, c) = pullback(cotangent);
+                let (ray, a, b, c) = pullback(surface);
+                to_corners.accumulate([a, b, c]);
                 if wanted.vertices {
                     for (triangle, lanes) in group.primitives.iter() {
                         let mask = L::mask_from_bits(lanes);
-                        for (&vertex, corner) in prepared.triangles[triangle].iter().zip([a, b, c])
-                        {
+                        let corners = prepared.triangles[triangle].iter().zip(to_corners);
+                        for (&vertex, corner) in corners {
                             let sum = sum_of_vectors::<L>(corner, mask);
                             self.vertices.add(&mut sums.vertices, vertex as usize, sum);
                         }
@@ -231,11 +259,20 @@ impl<'a, L: Lanes, P: PixelLoss> Sweep<'a, L, P> {
             }
             Shape::Spheres(leaves) => {
                 let spheres = prepared.spheres(&group.primitives);
+                let mut to_sphere = Tangent::<Sphere<L>>::zero();
+                if let Some(uv) = uv {
+                    let (_, pullback) = sphere_uv::vjp::<L>(group.surface.point, spheres);
+                    let (point, sphere) = pullback(uv);
+                    surface.point.accumulate(point);
+                    to_sphere = sphere;
+                }
+                let Self { prepared, wanted, sums, .. } = self;
                 let (_, pullback) = sphere_surface::vjp::<L>(group.ray, spheres, leaves);
-                let (ray, sphere, ()) = pullback(cotangent);
+                let (ray, sphere, ()) = pullback(surface);
+                to_sphere.accumulate(sphere);
                 if wanted.spheres {
                     for (primitive, lanes) in group.primitives.iter() {
-                        let sum = sphere.sum(L::mask_from_bits(lanes));
+                        let sum = to_sphere.sum(L::mask_from_bits(lanes));
                         let index = prepared.sphere_of(primitive);
                         self.spheres.add(&mut sums.spheres, index, sum);
                     }
@@ -243,6 +280,30 @@ impl<'a, L: Lanes, P: PixelLoss> Sweep<'a, L, P> {
                 ray
             }
         }
+    }
+
+    /// Pulls the cotangent of places on textures back to texture coordinates; returns those of the
+    /// surface points and of the corners of their triangles.
+    fn pull_uv(
+        &mut self,
+        group: &Group<L>,
+        [a, b, c]: [Vec3<L>; 3],
+        cotangent: Tangent<Uv<L>>,
+    ) -> (Vec3<L>, [Vec3<L>; 3]) {
+        let Self { prepared, wanted, sums, .. } = self;
+        let corners = prepared.uv_of_corners(&group.primitives);
+        let (_, pullback) = triangle_uv::vjp::<L>(group.surface.point, a, b, c, corners);
+        let (point, a, b, c, corners) = pullback(cotangent);
+        if wanted.texture_coordinates {
+            for (triangle, lanes) in group.primitives.iter() {
+                let mask = L::mask_from_bits(lanes);
+                let indices = prepared.uv_triangles[triangle].into_iter().flatten();
+                for (uv, corner) in indices.zip(&corners) {
+                    self.uvs.add(&mut sums.uvs, uv as usize, corner.sum(mask));
+                }
+            }
+        }
+        (point, [a, b, c])
     }
 }
 
@@ -269,10 +330,18 @@ fn respond<L: Lanes>(
     (sum, matters.then(|| lanes_of_vectors::<L>(&cotangents)))
 }
 
+/// What flows back to surface points.
+#[derive(Clone, Copy)]
+struct ToSurface<L: Lanes> {
+    surface: Tangent<SurfacePoint<L>>,
+    /// To their places on textures, if they have any.
+    uv: Option<Tangent<Uv<L>>>,
+}
+
 /// What flows back to a view.
 struct Flow<L: Lanes> {
     /// By group: the cotangents of the surface points, unless they are zero.
-    surfaces: Vec<Option<Tangent<SurfacePoint<L>>>>,
+    surfaces: Vec<Option<ToSurface<L>>>,
     /// The cotangents of the radiance that rays from mirrors bring, in vectors of lanes.
     radiance: Vec<Vec3<L>>,
     /// The cotangents of the rays from mirrors, in vectors of lanes.

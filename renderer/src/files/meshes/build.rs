@@ -1,7 +1,7 @@
 //! From what files hold to meshes.
 
 use super::{Mesh, Model};
-use crate::files::obj::{DEFAULT_MATERIAL, ModelMaterial, default_material};
+use crate::files::obj::{DEFAULT_MATERIAL, ModelMaps, ModelMaterial, default_material};
 
 /// A mesh of `triangles` over `vertices`, all of them in range: it keeps the vertices that are
 /// used, in the order of their first use. `materials` has one index for each triangle.
@@ -20,15 +20,31 @@ pub(in crate::files) fn build_mesh(
         });
         *index = *place;
     }
-    Mesh { name, vertices: used, triangles, materials }
+    plain_mesh(name, used, triangles, materials)
+}
+
+/// A mesh without texture coordinates.
+pub(in crate::files) fn plain_mesh(
+    name: String,
+    vertices: Vec<[f64; 3]>,
+    triangles: Vec<[u32; 3]>,
+    materials: Vec<u32>,
+) -> Mesh {
+    let (texture_coordinates, texture_triangles) = (Vec::new(), Vec::new());
+    Mesh { name, vertices, triangles, materials, texture_coordinates, texture_triangles }
+}
+
+/// The default material; `place` is where it is first worn.
+pub(in crate::files) fn plain_material(place: String) -> ModelMaterial {
+    ModelMaterial {
+        name: DEFAULT_MATERIAL.to_owned(),
+        material: Some(default_material()),
+        maps: ModelMaps::default(),
+        place,
+    }
 }
 
 /// A model of meshes that all wear the default material; `place` is where that is said.
 pub(in crate::files) fn default_model(meshes: Vec<Mesh>, place: String) -> Model {
-    let material = ModelMaterial {
-        name: DEFAULT_MATERIAL.to_owned(),
-        material: Some(default_material()),
-        place,
-    };
-    Model { meshes, materials: vec![material] }
+    Model { meshes, materials: vec![plain_material(place)] }
 }

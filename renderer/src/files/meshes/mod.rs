@@ -16,7 +16,7 @@ use std::path::Path;
 use super::obj::{Mesh, Model, load_obj};
 use crate::Error;
 
-pub(super) use build::{build_mesh, default_model};
+pub(super) use build::{build_mesh, default_model, plain_material, plain_mesh};
 pub(super) use polygon::triangulate;
 
 /// A format of mesh files.
