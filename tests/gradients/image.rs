@@ -3,7 +3,9 @@
 use ad::check;
 use glam::DVec3;
 use renderer::image::Image;
-use renderer::integrator::{PixelLoss, Prepared, Rays, Wanted, gradient, loss, render, trace};
+use renderer::integrator::{
+    Pass, PixelLoss, Prepared, Rays, Settings, Visibility, Wanted, gradient, loss, render, trace,
+};
 use renderer::loss::{ImageLoss, LossKind};
 use renderer::scene::{ParameterId, Scene};
 use wide::{f32x8, f32x16, f64x8};
@@ -64,7 +66,17 @@ fn target(scene: &Scene) -> Image {
 }
 
 fn check_parameter(scene: &Scene, target: &Image, kind: LossKind, id: ParameterId) {
-    let prepared = Prepared::<f64>::new(scene);
+    check_parameter_with(Settings::default(), scene, target, kind, id);
+}
+
+fn check_parameter_with(
+    settings: Settings,
+    scene: &Scene,
+    target: &Image,
+    kind: LossKind,
+    id: ParameterId,
+) {
+    let prepared = Prepared::<f64>::with_settings(scene, settings);
     let step = 1e-3;
     // A texture bends from texel to texel: there is no derivative there, though no jump.
     let jump = if scene.textures.is_empty() { 2e-3 } else { 3e-5 };
@@ -81,7 +93,7 @@ fn check_parameter(scene: &Scene, target: &Image, kind: LossKind, id: ParameterI
         let expected = check::derivative(
             |x| {
                 moved.parameters.get_mut(id)[element] = x;
-                loss(&Prepared::<f64>::new(&moved), &loss_of_smooth)
+                loss(&Prepared::<f64>::with_settings(&moved, settings), &loss_of_smooth)
             },
             scene.parameters.get(id)[element],
             step / 10.0,
@@ -116,6 +128,16 @@ fn every_parameter_agrees_with_finite_differences_under_textures() {
     let target = target(&scene);
     for id in scene.parameter_ids() {
         check_parameter(&scene, &target, LossKind::MeanSquared, id);
+    }
+}
+
+#[test]
+fn the_rasterized_albedo_agrees_with_finite_differences() {
+    let scene = textured_scene(16);
+    let target = target(&scene);
+    let settings = Settings { visibility: Visibility::Raster, pass: Pass::Albedo };
+    for id in scene.parameter_ids() {
+        check_parameter_with(settings, &scene, &target, LossKind::MeanSquared, id);
     }
 }
 

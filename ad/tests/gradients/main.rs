@@ -5,6 +5,7 @@
 mod lanes;
 mod language;
 mod oracle;
+mod programs;
 mod rules;
 mod second_order;
 mod singular;

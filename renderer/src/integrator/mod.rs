@@ -18,6 +18,8 @@ mod gradient;
 mod mirrors;
 mod prepared;
 mod radiance;
+mod raster;
+mod settings;
 mod shade;
 mod shadows;
 mod sharing;
@@ -31,6 +33,7 @@ mod view;
 pub use gradient::{GradientResult, Wanted, gradient};
 pub use prepared::Prepared;
 pub use radiance::{PixelLoss, loss, render, render_into};
+pub use settings::{Pass, Settings, Visibility};
 pub use trace::{Rays, trace};
 
 pub(crate) use gradient::reduce;

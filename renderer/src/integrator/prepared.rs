@@ -7,9 +7,12 @@ use ad::{Scalar, Vec3};
 use glam::DVec3;
 use rayon::prelude::*;
 
+use super::raster::Raster;
+use super::settings::{Pass, Settings, Visibility};
 use super::textures::Texture;
+use super::tiles::Tile;
 use super::view::film_offsets;
-use crate::acceleration::{Acceleration, Shape, Shapes};
+use crate::acceleration::{Acceleration, PacketHits, PacketVectors, Shape, Shapes};
 use crate::kernels::camera::{Frame, frame};
 use crate::kernels::light::PointLight;
 use crate::kernels::material::Material;
@@ -54,11 +57,19 @@ pub struct Prepared<'a, L: Lanes> {
     pub(super) uv_triangles: Vec<Option<[u32; 3]>>,
     pub(super) film_offsets: Vec<(L, L)>,
     pub(super) acceleration: Acceleration,
+    pub(super) pass: Pass,
+    /// Whether, and from where, primitives are drawn instead of being found by rays.
+    raster: Option<Raster>,
 }
 
 impl<'a, L: Lanes> Prepared<'a, L> {
     /// Prepares a scene. The scene has to be valid (see [`Scene::validate`]).
     pub fn new(scene: &'a Scene) -> Self {
+        Self::with_settings(scene, Settings::default())
+    }
+
+    /// Prepares a scene to be rendered in a certain way.
+    pub fn with_settings(scene: &'a Scene, settings: Settings) -> Self {
         let bounding_box = scene.parameters.bounding_box();
         let middle = bounding_box.map_or(DVec3::ZERO, |(low, high)| low.midpoint(high));
         let mut triangles = Vec::new();
@@ -94,10 +105,18 @@ impl<'a, L: Lanes> Prepared<'a, L> {
             first_uvs,
             uv_triangles,
             film_offsets: film_offsets(),
-            acceleration: Acceleration::new(&[][..]),
+            acceleration: match settings.visibility {
+                Visibility::List => Acceleration::list(&[][..]),
+                Visibility::Tree | Visibility::Raster => Acceleration::new(&[][..]),
+            },
+            pass: settings.pass,
+            raster: None,
         };
         prepared.load_appearance();
         prepared.load_geometry();
+        if settings.visibility == Visibility::Raster {
+            prepared.raster = Some(prepared.rasterize());
+        }
         prepared
     }
 
@@ -115,6 +134,45 @@ impl<'a, L: Lanes> Prepared<'a, L> {
         if moved {
             self.load_geometry();
         }
+        if self.raster.is_some() {
+            self.raster = Some(self.rasterize());
+        }
+    }
+
+    /// Finds what the wanted rays of a tile meet first.
+    #[inline]
+    pub(super) fn nearest_into(
+        &self,
+        tile: &Tile,
+        directions: &PacketVectors,
+        wanted: u64,
+        hits: &mut PacketHits,
+    ) {
+        let origin = self.pinhole.as_vec3();
+        match &self.raster {
+            None => self.acceleration.nearest_packet_into(origin, directions, wanted, hits),
+            Some(raster) => {
+                raster.nearest_into(&self.geometry(), tile, origin, directions, wanted, hits);
+            }
+        }
+    }
+
+    fn rasterize(&self) -> Raster {
+        let Scene { width, height, .. } = *self.scene;
+        Raster::new(&self.geometry(), &self.exact_frame(), width, height)
+    }
+
+    fn geometry(&self) -> Geometry<'_, L::Element> {
+        let Self { vertices, triangles, spheres, .. } = self;
+        Geometry { vertices, triangles, spheres }
+    }
+
+    /// The frame of the camera, relative to the middle of the scene.
+    fn exact_frame(&self) -> Frame<f64> {
+        let mut camera = self.parameters.camera;
+        camera.look_from -= self.middle;
+        camera.look_at -= self.middle;
+        frame::<f64>(camera, self.aspect())
     }
 
     /// The width divided by the height of the image.
@@ -123,14 +181,14 @@ impl<'a, L: Lanes> Prepared<'a, L> {
     }
 
     fn load_appearance(&mut self) {
-        let mut camera = self.parameters.camera;
-        camera.look_from -= self.middle;
-        camera.look_at -= self.middle;
-        self.pinhole = camera.look_from;
-        self.frame = frame::<f64>(camera, self.aspect()).narrow();
-        self.lights = self
-            .parameters
-            .lights
+        let frame = self.exact_frame();
+        self.pinhole = frame.origin;
+        self.frame = frame.narrow();
+        let lights = match self.pass {
+            Pass::Radiance => &self.parameters.lights[..],
+            Pass::Albedo => &[],
+        };
+        self.lights = lights
             .iter()
             .map(|light| match light {
                 Light::Point(light) => {
@@ -149,7 +207,8 @@ impl<'a, L: Lanes> Prepared<'a, L> {
         let coordinates = self.parameters.texture_coordinates.iter().flatten();
         self.uvs.clear();
         self.uvs.extend(coordinates.map(|&[u, v]| Uv { u, v }.narrow()));
-        self.has_mirrors = (0..self.materials.len()).any(|material| self.is_mirror(material));
+        self.has_mirrors = self.pass == Pass::Radiance
+            && (0..self.materials.len()).any(|material| self.is_mirror(material));
     }
 
     fn load_geometry(&mut self) {

@@ -4,6 +4,7 @@ use ad::lanes::Lanes;
 use ad::{Additive, Tangent, Vec3, select};
 
 use super::prepared::Prepared;
+use super::settings::Pass;
 use super::shadows::Lit;
 use super::sharing::Sharing;
 use super::textures::Textured;
@@ -47,6 +48,7 @@ type Cotangents<L> = (Pulled<L>, LightCotangent<L>);
 /// A group under its lights.
 #[derive(Clone, Copy)]
 pub(super) struct Shaded<'a, L: Lanes> {
+    pass: Pass,
     group: &'a Group<L>,
     material: Material<L>,
     /// Whether no material of the group has a highlight.
@@ -68,6 +70,7 @@ impl<'a, L: Lanes> Shaded<'a, L> {
         mirrored: Option<&'a View<L>>,
     ) -> Self {
         Self {
+            pass: prepared.pass,
             group,
             material: textured.map_or_else(|| prepared.material(materials), Textured::material),
             matte: materials.iter().all(|(material, _)| prepared.is_matte(material)),
@@ -94,6 +97,9 @@ impl<'a, L: Lanes> Shaded<'a, L> {
     /// What shows without any light.
     #[inline]
     fn own_radiance(&self) -> Vec3<L> {
+        if self.pass == Pass::Albedo {
+            return self.material.diffuse;
+        }
         match self.mirrored {
             Some(mirrored) => self.material.ambient + self.material.reflection * *mirrored,
             None => self.material.ambient,
@@ -103,6 +109,10 @@ impl<'a, L: Lanes> Shaded<'a, L> {
     /// The cotangents of what goes into [`own_radiance`](Self::own_radiance).
     #[inline]
     fn pull_back_own(&self, cotangent: Vec3<L>, pulled: &mut Pulled<L>) {
+        if self.pass == Pass::Albedo {
+            pulled.material.diffuse = cotangent;
+            return;
+        }
         pulled.material.ambient = cotangent;
         pulled.mirror = self.mirrored.map(|&mirrored| PulledMirror {
             reflection: cotangent * mirrored,

@@ -10,6 +10,7 @@ use super::gradient::Wanted;
 use super::mirrors::{Mirrors, Sight, blocks};
 use super::prepared::Prepared;
 use super::radiance::{PixelLoss, black_pixels};
+use super::settings::Pass;
 use super::shade::{LightCotangent, Pulled, PulledMirror, Shaded};
 use super::sums::{Slots, StripSums};
 use super::tiles::{Strip, Tile, for_each_strip};
@@ -56,7 +57,10 @@ impl<'a, L: Lanes, P: PixelLoss> Sweep<'a, L, P> {
             prepared,
             loss,
             wanted,
-            mirrors: if wanted.mirrors { Mirrors::All } else { Mirrors::Bright },
+            mirrors: match wanted.mirrors && prepared.pass == Pass::Radiance {
+                true => Mirrors::All,
+                false => Mirrors::Bright,
+            },
             sight: Sight::default(),
             flows: Vec::new(),
             sums: StripSums::zero(&prepared.lights),

@@ -89,10 +89,8 @@ impl<L: Lanes> Prepared<'_, L> {
                 film_point::<L>(self.frame, x, y),
             );
         }
-        let origin = self.pinhole.as_vec3();
         let wanted = tile.rays();
-        let hits = &mut view.hits;
-        self.acceleration.nearest_packet_into(origin, &directions, wanted, hits);
+        self.nearest_into(tile, &directions, wanted, &mut view.hits);
 
         let ray = |first: usize, alive: u32| {
             let (x, y) = self.film(tile, first);
