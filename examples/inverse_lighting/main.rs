@@ -21,6 +21,7 @@ use renderer::files::save_png;
 use renderer::optimize::write_report;
 use renderer::recovery::render_at;
 use serde_json::Map;
+use strip::{brightest, strip};
 
 /// The iterations of the paper's repository.
 const PAPER_ITERATIONS: u64 = 401;
@@ -62,7 +63,7 @@ fn main() -> Result<(), Error> {
         images.push(render_at(Arithmetic::default(), &recovery.scene_at(&x)));
     }
     images.push(render_at(Arithmetic::default(), &found));
-    save_png(&strip::strip(&images, 1.0), &out.join("strip.png"))?;
+    save_png(&strip(&images, 1.0 / brightest(recovery.target())), &out.join("strip.png"))?;
     save_png(recovery.target(), &out.join("target.png"))?;
     println!("pictures and curve in {}", out.display());
     Ok(())

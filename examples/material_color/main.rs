@@ -19,10 +19,10 @@ use std::path::Path;
 use renderer::Error;
 use renderer::arithmetic::Arithmetic;
 use renderer::files::save_png;
-use renderer::image::Image;
 use renderer::optimize::write_report;
 use renderer::recovery::render_at;
 use serde_json::Map;
+use strip::{brightest, strip};
 
 /// The iterations that the paper shows: the guess, one step, 35; then what follows.
 const STEPS: [u64; 4] = [0, 1, 35, 200];
@@ -53,12 +53,7 @@ fn main() -> Result<(), Error> {
     }
     images.push(recovery.target().clone());
     // The light is so strong that pictures have to be darkened.
-    save_png(&strip::strip(&images, 1.0 / brightest(recovery.target())), &out.join("strip.png"))?;
+    save_png(&strip(&images, 1.0 / brightest(recovery.target())), &out.join("strip.png"))?;
     println!("pictures and curve in {}", out.display());
     Ok(())
-}
-
-/// The largest value of an image.
-fn brightest(image: &Image) -> f32 {
-    image.pixels.as_flattened().iter().copied().fold(0.0, f32::max)
 }

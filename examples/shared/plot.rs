@@ -81,18 +81,22 @@ where
 {
     let heights = curves.iter().flat_map(|curve| &curve.points).map(|point| point.y);
     let (low, high) = extent(heights.filter(|&y| y > 0.0));
+    // Room for the legend above the curves.
+    let top = 1.5 * high * (high / low).powf(0.07 * curves.len() as f64);
     area.fill(&WHITE)?;
     let mut chart = ChartBuilder::on(area)
         .margin(16)
+        .margin_right(48)
         .caption(caption, ("sans-serif", 18))
         .x_label_area_size(44)
         .y_label_area_size(84)
-        .build_cartesian_2d(horizontal, (low / 1.5..high * 1.5).log_scale())?;
+        .build_cartesian_2d(horizontal, (low / 1.5..top).log_scale())?;
     chart
         .configure_mesh()
         .x_desc(title)
         .y_desc(vertical)
-        .y_label_formatter(&|y| format!("{y:e}"))
+        .x_label_formatter(&|x| format!("{x}"))
+        .y_label_formatter(&|y| format!("{y:.0e}"))
         .label_style(("sans-serif", 14))
         .axis_desc_style(("sans-serif", 15))
         .bold_line_style(RGBColor(220, 220, 220))

@@ -1,4 +1,4 @@
-//! Images side by side.
+//! Images side by side, brightened or darkened to be seen.
 
 use renderer::image::Image;
 
@@ -27,4 +27,9 @@ pub fn strip(images: &[Image], exposure: f32) -> Image {
         left += (image.width + GAP) as usize;
     }
     strip
+}
+
+/// The largest value of an image. One over it as exposure makes that white.
+pub fn brightest(image: &Image) -> f32 {
+    image.pixels.as_flattened().iter().copied().fold(0.0, f32::max)
 }
