@@ -54,10 +54,14 @@ pub fn small_scene(size: u32) -> Scene {
             ],
             texture_coordinates: vec![Vec::new(); 2],
             textures: Vec::new(),
+            shapes: Vec::new(),
+            custom_lights: Vec::new(),
         },
         light_names: vec!["key".into(), "sky".into()],
         materials: vec![MaterialObject::new("ground"), MaterialObject::new("object")],
         textures: Vec::new(),
+        shapes: Vec::new(),
+        custom_lights: Vec::new(),
         spheres: vec![SphereObject { name: "ball".into(), material: 1 }],
         meshes: vec![
             MeshObject {

@@ -53,7 +53,7 @@ impl Scene {
             let vertices = vertices.iter().map(|&v| (DVec3::from_array(v), 0.0));
             vertices.chain(spheres.iter().map(|s| (s.center, s.radius)))
         };
-        let bounding_box = self.parameters.bounding_box();
+        let bounding_box = self.bounding_box();
         let center = bounding_box.map_or(DVec3::ZERO, |(low, high)| low.midpoint(high));
         let radius = parts().map(|(c, r)| c.distance(center) + r).fold(0.0, f64::max);
         // A single point has no size of its own.

@@ -5,12 +5,14 @@
 //! gradient is a `Parameters` too, and one set of paths reaches into both. Values are `f64`
 //! whatever the renderer computes in, so that small steps of an optimiser are not lost.
 
+mod custom;
 mod framing;
 mod lookup;
 mod parameters;
 mod texture;
 mod validate;
 
+pub use custom::{CustomLight, CustomLightObject, CustomShape, CustomShapeObject};
 pub use parameters::{Differentiability, Light, ParameterId, Parameters};
 pub use texture::{MaterialObject, MaterialTextures, TextureObject, Wrap};
 pub use validate::Invalid;
@@ -36,6 +38,10 @@ pub struct Scene {
     pub spheres: Vec<SphereObject>,
     /// One entry for each of `parameters.vertices`.
     pub meshes: Vec<MeshObject>,
+    /// One entry for each of `parameters.shapes`. Scene files do not know them.
+    pub shapes: Vec<CustomShapeObject>,
+    /// One entry for each of `parameters.custom_lights`. Scene files do not know them.
+    pub custom_lights: Vec<CustomLightObject>,
 }
 
 /// The discrete part of a sphere.

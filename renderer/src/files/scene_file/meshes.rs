@@ -24,6 +24,8 @@ pub(super) fn empty_scene() -> Scene {
         vertices: Vec::new(),
         texture_coordinates: Vec::new(),
         textures: Vec::new(),
+        shapes: Vec::new(),
+        custom_lights: Vec::new(),
     };
     Scene {
         width: 1,
@@ -35,6 +37,8 @@ pub(super) fn empty_scene() -> Scene {
         textures: Vec::new(),
         spheres: Vec::new(),
         meshes: Vec::new(),
+        shapes: Vec::new(),
+        custom_lights: Vec::new(),
     }
 }
 
