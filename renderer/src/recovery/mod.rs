@@ -157,10 +157,13 @@ impl<'a> Recovery<'a> {
     /// If the settings cannot be used, or a checkpoint cannot be read or written.
     pub fn run(&self, settings: &Settings, observer: &mut dyn Observer) -> Result<Outcome, Error> {
         let optimization = Optimization::start(&self.variables, settings)?;
-        with_arithmetic!(self.arithmetic, S => {
-            let mut objective = ImageObjective::<S>::new(self);
-            optimization.run(&mut objective, observer)
-        })
+        optimization.run(self.objective().as_mut(), observer)
+    }
+
+    /// Loss and gradient as a function of the parameters that vary: what [`run`](Self::run)
+    /// minimises, for who adds up several of them or brings another method.
+    pub fn objective(&self) -> Box<dyn Objective + '_> {
+        with_arithmetic!(self.arithmetic, S => Box::new(ImageObjective::<S>::new(self)))
     }
 
     /// Loss and gradient at the scene as it stands.
@@ -170,8 +173,7 @@ impl<'a> Recovery<'a> {
     /// If one of them is not finite.
     pub fn evaluate(&self) -> Result<Evaluation, Error> {
         let x: Vec<f64> = self.variables.iter().flat_map(|v| v.initial.clone()).collect();
-        let evaluation =
-            with_arithmetic!(self.arithmetic, S => ImageObjective::<S>::new(self).evaluate(&x));
+        let evaluation = self.objective().evaluate(&x);
         let Evaluation { loss, gradient } = &evaluation;
         if !loss.is_finite() {
             return Err(Error::new("loss", format_args!("is {loss}, not a finite number")));
