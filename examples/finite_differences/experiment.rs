@@ -66,6 +66,7 @@ pub fn scene(count: usize, size: u32, random: &mut Random) -> Scene {
         materials: indices.collect(),
         texture_triangles: Vec::new(),
     };
+    let empty = Scene::empty();
     Scene {
         width: size,
         height: size,
@@ -84,16 +85,14 @@ pub fn scene(count: usize, size: u32, random: &mut Random) -> Scene {
                 intensity: 900.0,
             })],
             materials,
-            spheres: Vec::new(),
             vertices: vec![vertices],
             texture_coordinates: vec![Vec::new()],
-            textures: Vec::new(),
+            ..empty.parameters
         },
         light_names: vec!["light".to_owned()],
         materials: (0..count).map(|index| MaterialObject::new(format!("paint{index}"))).collect(),
-        textures: Vec::new(),
-        spheres: Vec::new(),
         meshes: vec![mesh],
+        ..empty
     }
 }
 

@@ -25,6 +25,7 @@ pub fn scene(n: u32, size: u32) -> Scene {
         triangles,
         texture_triangles: Vec::new(),
     };
+    let empty = Scene::empty();
     Scene {
         width: size,
         height: size,
@@ -50,15 +51,13 @@ pub fn scene(n: u32, size: u32) -> Scene {
                 exponent: 50.0,
                 reflection: DVec3::ZERO,
             }],
-            spheres: Vec::new(),
             vertices: vec![vertices],
             texture_coordinates: vec![Vec::new()],
-            textures: Vec::new(),
+            ..empty.parameters
         },
         light_names: vec!["light".to_owned()],
         materials: vec![MaterialObject::new("porcelain")],
-        textures: Vec::new(),
-        spheres: Vec::new(),
         meshes: vec![mesh],
+        ..empty
     }
 }

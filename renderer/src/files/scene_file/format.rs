@@ -11,10 +11,7 @@ use serde::{Deserialize, Serialize, Serializer};
 
 use crate::loss::LossKind;
 use crate::optimize::{Optimizer, Schedule};
-use crate::scene::Wrap;
-
-/// How many mirrors light meets at most, if a scene does not say.
-pub(super) const DEFAULT_BOUNCES: u32 = 4;
+use crate::scene::{DEFAULT_BOUNCES, Wrap};
 
 /// A table whose order is kept.
 pub(super) type Ordered<T> = Vec<(String, T)>;

@@ -2,48 +2,15 @@
 
 use std::path::Path;
 
-use glam::DVec3;
-
 use super::Problem;
-use super::format::{DEFAULT_BOUNCES, MeshEntry};
+use super::format::MeshEntry;
 use super::materials::MaterialTable;
 use crate::Error;
 use crate::files::meshes::load_mesh;
 use crate::files::obj::{Mesh, Model, unique};
 #[cfg(feature = "gltf")]
 use crate::files::{GltfFile, MeshFormat, load_gltf};
-use crate::kernels::camera::Camera;
-use crate::scene::{MeshObject, Parameters, Scene};
-
-/// A scene of one black pixel: nothing stands before the camera.
-pub(super) fn empty_scene() -> Scene {
-    let camera =
-        Camera { look_from: DVec3::Z, look_at: DVec3::ZERO, up: DVec3::Y, vfov: 45.0, focus: 1.0 };
-    let parameters = Parameters {
-        camera,
-        lights: Vec::new(),
-        materials: Vec::new(),
-        spheres: Vec::new(),
-        vertices: Vec::new(),
-        texture_coordinates: Vec::new(),
-        textures: Vec::new(),
-        shapes: Vec::new(),
-        custom_lights: Vec::new(),
-    };
-    Scene {
-        width: 1,
-        height: 1,
-        bounces: DEFAULT_BOUNCES,
-        parameters,
-        light_names: Vec::new(),
-        materials: Vec::new(),
-        textures: Vec::new(),
-        spheres: Vec::new(),
-        meshes: Vec::new(),
-        shapes: Vec::new(),
-        custom_lights: Vec::new(),
-    }
-}
+use crate::scene::{MeshObject, Scene};
 
 /// The scene that a mesh file alone gives, framed and lit by default.
 pub(crate) fn load_mesh_scene(path: &Path) -> Result<Scene, Error> {
@@ -72,7 +39,7 @@ fn load_gltf_scene(path: &Path) -> Result<Scene, Error> {
 /// The scene of a model from the file `path`, framed and lit by default.
 fn framed(model: Model, path: &Path) -> Result<Scene, Error> {
     let Model { meshes, materials } = model;
-    let mut scene = empty_scene();
+    let mut scene = Scene::empty();
     let mut table = MaterialTable::of_models();
     let indices: Result<Vec<u32>, Problem> = materials.iter().map(|m| table.add(m)).collect();
     let indices = indices.map_err(|problem| problem.at(path))?;
