@@ -7,7 +7,7 @@ use image::codecs::openexr::OpenExrEncoder;
 use image::codecs::png::PngEncoder;
 use image::{
     DynamicImage, ExtendedColorType, ImageDecoder, ImageEncoder, ImageFormat, ImageReader,
-    ImageResult, metadata::Orientation,
+    ImageResult, Limits, metadata::Orientation,
 };
 
 use super::io::read;
@@ -133,8 +133,15 @@ fn output_format(path: &Path) -> Result<OutputFormat, Error> {
     }
 }
 
+/// The most memory that the pixels of a file may take: 128 million pixels of four floats.
+const MOST_BYTES: u64 = 1 << 31;
+
 fn decode(reader: ImageReader<Cursor<&Vec<u8>>>) -> ImageResult<DynamicImage> {
     let mut decoder = reader.into_decoder()?;
+    // A broken header may announce any size; memory is taken before the pixels are there.
+    let mut limits = Limits::no_limits();
+    limits.max_alloc = Some(MOST_BYTES);
+    limits.reserve(decoder.total_bytes())?;
     // An orientation that cannot be read is none.
     let orientation = decoder.orientation().unwrap_or(Orientation::NoTransforms);
     let mut decoded = DynamicImage::from_decoder(decoder)?;

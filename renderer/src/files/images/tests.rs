@@ -145,3 +145,20 @@ fn an_unknown_extension_is_refused() {
     let error = save_image(&Image::black(1, 1), Path::new("out.bmp")).unwrap_err();
     assert!(error.to_string().starts_with("out.bmp: images are written as .png"), "{error}");
 }
+
+/// A few bytes may announce more pixels than there is memory.
+#[test]
+fn an_image_that_claims_to_be_huge_is_refused() {
+    let folder = folder();
+    let path = folder.path().join("huge.exr");
+    let small = DynamicImage::ImageRgb32F(image::Rgb32FImage::new(4, 3));
+    let mut bytes = encode(small, ImageFormat::OpenExr);
+    // Left, top, right and bottom of the pixels that there are.
+    let name = b"dataWindow\0box2i\0";
+    let header = bytes.windows(name.len()).position(|window| window == name).unwrap();
+    let right = header + name.len() + 4 + 8;
+    bytes[right..right + 4].copy_from_slice(&30_000_000_i32.to_le_bytes());
+    fs::write(&path, bytes).unwrap();
+    let error = error_of(&path);
+    assert!(error.contains("cannot be decoded"), "{error}");
+}
