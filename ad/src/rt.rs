@@ -13,10 +13,17 @@ pub use crate::differentiable::Parts;
 mod cotangent;
 mod products;
 mod pullback;
+mod tangent;
+mod through;
 
 pub use cotangent::{Absorb, At, Constant, Content, Enter, Length, Same, Take, at, sum, take};
 pub use products::{Products, ProductsOfFinite, rarely};
 pub use pullback::MethodPullback;
+pub use tangent::{
+    Pass, Slot, copy, pass, pass_part, read, repeated, same_length, still, tangent_of, target, with_zero,
+    zero_like, zero_of,
+};
+pub use through::{ByPullback, Through, WithoutRule};
 
 mod iterate;
 
@@ -33,6 +40,12 @@ pub mod methods {
         GlamRules as _, OptionRules as _, RealRules as _, ResultRules as _, ScalarRules as _,
         SequenceRules as _, Vec2Rules as _, Vec4Rules as _, VecRules as _, Vector3Rules as _,
         VectorRules as _,
+    };
+    pub use crate::rules::forward::{
+        CloneForward as _, DVec2Forward as _, DVec4Forward as _, FloatForward as _,
+        FromForward as _, GlamForward as _, OptionForward as _, RealForward as _,
+        ResultForward as _, ScalarForward as _, SequenceForward as _, Vec2Forward as _,
+        Vec4Forward as _, VecForward as _, Vector3Forward as _, VectorForward as _,
     };
     pub use crate::vector::{Vector as _, Vector3 as _};
 }
@@ -243,6 +256,12 @@ impl propagate {
         error: E,
     ) -> (F, impl FnOnce(Tangent<F>) -> Tangent<E> + use<E, F>) {
         (F::from(error), |_| Additive::zero())
+    }
+
+    /// An error carries no tangent.
+    #[inline(always)]
+    pub fn jvp<E: NoDerivative, F: From<E> + Differentiable>(error: E, _: ()) -> (F, Tangent<F>) {
+        tangent::with_zero(F::from(error))
     }
 }
 

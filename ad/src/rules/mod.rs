@@ -42,6 +42,7 @@
 mod cast;
 mod choose;
 mod float;
+pub mod forward;
 mod glam_only;
 mod operators;
 mod outcome;
