@@ -5,6 +5,7 @@ use quote::quote;
 
 use super::{Tangent, Writer};
 use crate::ir::{Argument, Operand, Place, Projection, VarId};
+use crate::lower::is_scalar_method;
 
 /// An argument and its tangent.
 struct Passed {
@@ -16,19 +17,21 @@ impl Writer<'_> {
     pub(super) fn call(
         &mut self,
         var: VarId,
+        primal: &TokenStream,
         vjp: &TokenStream,
         method: bool,
         arguments: &[Argument],
     ) -> TokenStream {
         let mut before = TokenStream::new();
-        let passed: Vec<_> = arguments
-            .iter()
-            .enumerate()
-            .map(|(index, argument)| {
-                self.argument(argument, method && index == 0, &mut before)
-            })
-            .collect();
         let jvp = jvp_of(vjp);
+        let takes_number = method && takes_number(primal);
+        let passed = arguments.iter().enumerate().map(|(index, argument)| match argument {
+            Argument::Receiver(place) if takes_number && self.is_number_at(place) => {
+                Passed { value: self.primal_place(place), tangent: self.owned(place.root) }
+            }
+            argument => self.argument(argument, method && index == 0, &mut before),
+        });
+        let passed: Vec<_> = passed.collect();
         let values: Vec<_> = passed.iter().map(|passed| &passed.value).collect();
         let tangents = passed.iter().map(|passed| &passed.tangent);
         let call = match (method, &values[..]) {
@@ -75,12 +78,17 @@ impl Writer<'_> {
                 let tangent = match self.tangents[*var] {
                     Tangent::Still => self.still(quote!(&#ident), before),
                     // A method may borrow its receiver.
-                    Tangent::Owned if !is_receiver || self.numbers.contains(var) => {
+                    Tangent::Owned if !is_receiver => self.owned(*var),
+                    Tangent::OwnedTarget if !is_receiver && self.numbers.contains(var) => {
                         self.owned(*var)
                     }
                     Tangent::Owned | Tangent::OwnedTarget => {
                         let dot = self.dot(*var);
                         quote!(::ad::rt::pass(&#dot))
+                    }
+                    Tangent::Shared if self.is_own(*var) => {
+                        let dot = self.dot(*var);
+                        quote!(::ad::rt::pass(#dot))
                     }
                     Tangent::Shared => {
                         let dot = self.dot(*var);
@@ -140,6 +148,13 @@ impl Writer<'_> {
         }
     }
 
+    /// Whether a place is a variable that certainly is a number, with a tangent of its own.
+    fn is_number_at(&self, place: &Place) -> bool {
+        place.path.is_empty()
+            && self.numbers.contains(&place.root)
+            && matches!(self.tangents[place.root], Tangent::Owned | Tangent::OwnedTarget)
+    }
+
     /// Whether the tangent of a variable is that of a parameter or a value, not of a field.
     fn is_own(&self, root: VarId) -> bool {
         self.tangents[root] != Tangent::Shared
@@ -175,6 +190,11 @@ impl Writer<'_> {
         let mut fresh = |name| self.names.fresh(name, Span::call_site());
         (fresh("slot"), fresh("argument_dot"))
     }
+}
+
+/// Whether a method certainly takes its receiver, a number, by value.
+fn takes_number(method: &TokenStream) -> bool {
+    syn::parse2::<Ident>(method.clone()).is_ok_and(|method| is_scalar_method(&method))
 }
 
 /// Whether every step leads to what certainly has a tangent.

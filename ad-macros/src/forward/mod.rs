@@ -214,6 +214,15 @@ impl Writer<'_> {
         let mut tokens = TokenStream::new();
         let Some(source) = source.filter(|place| self.tangents[place.root] != Tangent::Still)
         else {
+            for var in bindings.iter().map(|binding| binding.var) {
+                // What starts from a constant may be given a tangent later.
+                if self.lowered.vars[var].mutable && self.lowered.vars[var].active {
+                    let ident = self.ident(var).clone();
+                    self.tangents[var] = Tangent::OwnedTarget;
+                    let dot = self.dot(var);
+                    tokens.extend(quote!(let mut #dot = ::ad::rt::zero_like(&#ident);));
+                }
+            }
             return tokens;
         };
         let takes = source.path.is_empty()

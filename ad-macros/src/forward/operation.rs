@@ -19,8 +19,8 @@ impl Writer<'_> {
         let mutability = self.lowered.vars[var].mutable.then(|| quote!(mut));
         let span = ident.span();
         match operation {
-            Operation::Call { vjp, method, arguments, .. } => {
-                return self.call(var, vjp, *method, arguments);
+            Operation::Call { primal, vjp, method, arguments } => {
+                return self.call(var, primal, vjp, *method, arguments);
             }
             Operation::Binary(operator, left, right) => {
                 let moves =
