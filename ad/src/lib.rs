@@ -377,12 +377,14 @@ pub mod check;
 mod containers;
 mod differentiable;
 mod dual;
+mod jacobian;
 #[cfg(feature = "lanes")]
 pub mod lanes;
 mod real;
 #[doc(hidden)]
 pub mod rt;
 pub mod rules;
+mod second_order;
 pub mod tape;
 pub mod vector;
 
@@ -390,8 +392,10 @@ pub use ad_macros::{Differentiable, differentiable};
 pub use boxed::Boxed;
 pub use differentiable::{Additive, Differentiable, NoDerivative, NoTangent, Shape, Tangent};
 pub use dual::Dual;
+pub use jacobian::{Pushforward, jacobian_forward, jacobian_reverse};
 pub use real::{Mask, Real, Scalar, Select};
 pub use rules::{no_diff, select, stop_gradient};
+pub use second_order::{Lift, Split, hessian, hvp};
 
 /// The vector of three scalars `S`.
 pub type Vec3<S> = <S as Real>::Vec3;

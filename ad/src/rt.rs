@@ -20,8 +20,8 @@ pub use cotangent::{Absorb, At, Constant, Content, Enter, Length, Same, Take, at
 pub use products::{Products, ProductsOfFinite, rarely};
 pub use pullback::MethodPullback;
 pub use tangent::{
-    Pass, Slot, copy, pass, pass_part, read, repeated, same_length, still, tangent_of, target, with_zero,
-    zero_like, zero_of,
+    Pass, Slot, copy, pass, pass_part, read, repeated, same_length, still, tangent_of, target,
+    with_zero, zero_like, zero_of,
 };
 pub use through::{ByPullback, Through, WithoutRule};
 
@@ -35,17 +35,17 @@ pub use iterate::{
 /// The traits whose methods generated code calls. They come without names, which could hide those
 /// of the user.
 pub mod methods {
-    pub use crate::rules::{
-        CloneRules as _, DVec2Rules as _, DVec4Rules as _, FloatRules as _, FromRules as _,
-        GlamRules as _, OptionRules as _, RealRules as _, ResultRules as _, ScalarRules as _,
-        SequenceRules as _, Vec2Rules as _, Vec4Rules as _, VecRules as _, Vector3Rules as _,
-        VectorRules as _,
-    };
     pub use crate::rules::forward::{
         CloneForward as _, DVec2Forward as _, DVec4Forward as _, FloatForward as _,
         FromForward as _, GlamForward as _, OptionForward as _, RealForward as _,
         ResultForward as _, ScalarForward as _, SequenceForward as _, Vec2Forward as _,
         Vec4Forward as _, VecForward as _, Vector3Forward as _, VectorForward as _,
+    };
+    pub use crate::rules::{
+        CloneRules as _, DVec2Rules as _, DVec4Rules as _, FloatRules as _, FromRules as _,
+        GlamRules as _, OptionRules as _, RealRules as _, ResultRules as _, ScalarRules as _,
+        SequenceRules as _, Vec2Rules as _, Vec4Rules as _, VecRules as _, Vector3Rules as _,
+        VectorRules as _,
     };
     pub use crate::vector::{Vector as _, Vector3 as _};
 }
@@ -258,9 +258,12 @@ impl propagate {
         (F::from(error), |_| Additive::zero())
     }
 
-    /// An error carries no tangent.
+    /// An error carries no tangent, which [`vjp`](Self::vjp) asks for.
     #[inline(always)]
-    pub fn jvp<E: NoDerivative, F: From<E> + Differentiable>(error: E, _: ()) -> (F, Tangent<F>) {
+    pub fn jvp<E: Differentiable, F: From<E> + Differentiable>(
+        error: E,
+        _: Tangent<E>,
+    ) -> (F, Tangent<F>) {
         tangent::with_zero(F::from(error))
     }
 }

@@ -228,9 +228,7 @@ fn is_name(tokens: &TokenStream) -> bool {
 /// The path of the forward mode, from that of the reverse mode.
 fn jvp_of(vjp: &TokenStream) -> TokenStream {
     let mut tokens: Vec<_> = vjp.clone().into_iter().collect();
-    let is_name = |token: &TokenTree| {
-        matches!(token, TokenTree::Ident(ident) if ident.to_string().ends_with("vjp"))
-    };
+    let is_name = |token: &TokenTree| matches!(token, TokenTree::Ident(ident) if ident.to_string().ends_with("vjp"));
     if let Some(position) = tokens.iter().rposition(is_name) {
         let text = tokens[position].to_string();
         let stem = text.strip_suffix("vjp").expect("found by its end");

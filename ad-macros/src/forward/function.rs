@@ -3,9 +3,7 @@
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::{ToTokens, format_ident, quote, quote_spanned};
 use syn::spanned::Spanned;
-use syn::visit::{self, Visit};
-use syn::visit_mut::{self, VisitMut};
-use syn::{FnArg, Lifetime, ReturnType, Signature, Type, TypeReference, parse_quote};
+use syn::{FnArg, Type};
 
 use super::Tangent;
 use crate::expand::{Function, Place};
@@ -141,12 +139,6 @@ pub fn item(
 ) -> TokenStream {
     let Function { place, visibility, signature, attributes, .. } = function;
     let jvp = name(function);
-    let mut signature = (*signature).clone();
-    name_lifetimes(&mut signature);
-    let result = match (&signature.output, result) {
-        (ReturnType::Type(_, ty), _) => (**ty).clone(),
-        (ReturnType::Default, result) => result.clone(),
-    };
     let inputs = signature.inputs.iter().zip(parameters).map(|(input, parameter)| match input {
         FnArg::Receiver(receiver) => quote!(#receiver),
         FnArg::Typed(typed) => {
@@ -159,11 +151,9 @@ pub fn item(
         let mutability = parameter.is_mutable_receiver.then(|| quote!(mut));
         quote!(#mutability #ident: #ty)
     });
-    let generics = (!signature.generics.params.is_empty()).then(|| {
-        let parameters = &signature.generics.params;
-        quote!(<#parameters>)
-    });
-    let target = pointee(&result);
+    let parameters = &signature.generics.params;
+    let generics = (!parameters.is_empty()).then(|| quote!(<#parameters>));
+    let target = pointee(result);
     let tangent = quote_spanned!(target.span()=> ::ad::Tangent<#target>);
     let cfgs = attributes.iter().filter(|attribute| attribute.path().is_ident("cfg"));
     let doc = format!(
@@ -184,64 +174,5 @@ pub fn item(
         #visibility fn #jvp #generics (#(#inputs,)* #(#tangents),*) -> (#result, #tangent)
         where #(#bounds),*
         #body
-    }
-}
-
-/// Gives the lifetime that the result takes over from the only reference among the parameters a
-/// name: with the tangents there are two references.
-fn name_lifetimes(signature: &mut Signature) {
-    let has_receiver = signature.receiver().is_some_and(|receiver| {
-        matches!(receiver.kind, syn::ReceiverKind::Reference(..))
-    });
-    let mut elided = Elided::default();
-    if let ReturnType::Type(_, ty) = &signature.output {
-        elided.visit_type(ty);
-    }
-    if has_receiver || !elided.found {
-        return;
-    }
-    let mut named = Named(Lifetime::new("'__primal", Span::mixed_site()));
-    for input in &mut signature.inputs {
-        if let FnArg::Typed(typed) = input {
-            named.visit_type_mut(&mut typed.ty);
-        }
-    }
-    if let ReturnType::Type(_, ty) = &mut signature.output {
-        named.visit_type_mut(ty);
-    }
-    let lifetime = &named.0;
-    signature.generics.params.insert(0, parse_quote!(#lifetime));
-}
-
-/// Looks for references without a lifetime.
-#[derive(Default)]
-struct Elided {
-    found: bool,
-}
-
-impl<'ast> Visit<'ast> for Elided {
-    fn visit_type_reference(&mut self, reference: &'ast TypeReference) {
-        self.found |= reference.lifetime.is_none();
-        visit::visit_type_reference(self, reference);
-    }
-
-    fn visit_lifetime(&mut self, lifetime: &'ast Lifetime) {
-        self.found |= lifetime.ident == "_";
-    }
-}
-
-/// Gives them one.
-struct Named(Lifetime);
-
-impl VisitMut for Named {
-    fn visit_type_reference_mut(&mut self, reference: &mut TypeReference) {
-        reference.lifetime.get_or_insert_with(|| self.0.clone());
-        visit_mut::visit_type_reference_mut(self, reference);
-    }
-
-    fn visit_lifetime_mut(&mut self, lifetime: &mut Lifetime) {
-        if lifetime.ident == "_" {
-            *lifetime = self.0.clone();
-        }
     }
 }

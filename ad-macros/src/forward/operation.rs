@@ -23,8 +23,7 @@ impl Writer<'_> {
                 return self.call(var, primal, vjp, *method, arguments);
             }
             Operation::Binary(operator, left, right) => {
-                let moves =
-                    [left, right].iter().any(|&&var| self.tangents[var] != Tangent::Still);
+                let moves = [left, right].iter().any(|&&var| self.tangents[var] != Tangent::Still);
                 if moves {
                     self.numbers.insert(var);
                     let pushed = self.binary(*operator, *left, *right);
@@ -101,9 +100,7 @@ impl Writer<'_> {
                 is_still(*value)
             }
             Operation::Binary(_, left, right) => is_still(*left) && is_still(*right),
-            Operation::Aggregate { parts, .. } => {
-                parts.iter().all(|(_, part)| self.is_still(part))
-            }
+            Operation::Aggregate { parts, .. } => parts.iter().all(|(_, part)| self.is_still(part)),
             Operation::UpdateStruct { parts, rest, .. } => {
                 is_still(*rest) && parts.iter().all(|(_, part)| self.is_still(part))
             }
@@ -286,17 +283,11 @@ impl Writer<'_> {
         }
     }
 
-    fn aggregate(
-        &mut self,
-        var: VarId,
-        shape: &Shape,
-        parts: &[(Member, Operand)],
-    ) -> TokenStream {
+    fn aggregate(&mut self, var: VarId, shape: &Shape, parts: &[(Member, Operand)]) -> TokenStream {
         let ident = self.ident(var).clone();
         let by_member = |writer: &mut Self| -> Vec<TokenStream> {
-            let part = |(member, part): &(Member, Operand)| {
-                writer.part(var, part, quote!(.#member))
-            };
+            let part =
+                |(member, part): &(Member, Operand)| writer.part(var, part, quote!(.#member));
             parts.iter().map(part).collect()
         };
         match shape {

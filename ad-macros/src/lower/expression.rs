@@ -8,6 +8,7 @@ use syn::{BinOp, Expr, ExprBinary, ExprPath, Member, Path, PathArguments, Type, 
 use super::Lowerer;
 use super::array::is_from_fn;
 use super::ends::End;
+use super::higher::{refused_function, refused_method};
 use super::no_diff::undifferentiated;
 use crate::ir::{Argument, BinaryOperator, Operand, Operation, Projection, Shape, Statement};
 
@@ -253,6 +254,9 @@ impl Lowerer<'_> {
                 );
             }
         }
+        if let Some(message) = refused_function(path) {
+            return self.refuse(path, message);
+        }
         let last = path.segments.last().expect("a path has a segment");
         if last.ident == "stop_gradient" {
             let expr = Expr::Call(call.clone());
@@ -314,6 +318,9 @@ impl Lowerer<'_> {
         let name = call.method.to_string();
         if is_predicate(&name) {
             return self.discrete(&Expr::MethodCall(call.clone()));
+        }
+        if let Some(message) = refused_method(&call.method) {
+            return self.refuse(&call.method, message);
         }
         let receiver = self.receiver(call);
         let called_on = match &receiver {

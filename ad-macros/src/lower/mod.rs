@@ -6,7 +6,7 @@
 //! up by; [`array`] builds arrays by element; [`closure`] puts closures in place of their calls;
 //! [`expression`] names intermediate results; [`pattern`] and [`place`] tell which part of a value
 //! is meant; [`sequence`] makes vectors and boxes; [`macros`] knows the macros of the standard
-//! library; [`no_diff`] and [`plain`] pass on code through which no derivative flows, with variables
+//! library; [`higher`] refuses derivatives of derivatives; [`no_diff`] and [`plain`] pass on code through which no derivative flows, with variables
 //! renamed.
 
 mod array;
@@ -19,6 +19,7 @@ mod ends;
 mod exits;
 mod expression;
 mod flow;
+mod higher;
 mod item;
 mod loops;
 mod macros;

@@ -5,14 +5,12 @@
 //! through the parameter `Kind` of these traits, which is inferred.
 
 use super::cotangent::{Constant, Content, Length, Same};
-use crate::{Additive, Boxed, Differentiable, NoTangent, Shape, Tangent};
+use crate::{Additive, Boxed, Differentiable, NoTangent, Tangent};
 
 /// The zero tangent of a value, of its size.
 #[inline(always)]
 pub fn zero_like<T: Differentiable + ?Sized>(value: &T) -> Tangent<T> {
-    let mut zero = Tangent::<T>::zero();
-    value.shape().fit(&mut zero);
-    zero
+    value.zero_tangent()
 }
 
 /// A zero of the tangents of a value, whose parts are all to be replaced.
@@ -66,6 +64,10 @@ pub enum LentExclusively {}
 pub struct FromConstant<Kind>(Kind);
 
 /// A tangent, as the function it is passed to takes it, or the place that it is assigned to.
+#[diagnostic::on_unimplemented(
+    message = "forward mode cannot pass a tangent on here: `{Self}` is not what is expected",
+    note = "to leave forward mode out, write `#[differentiable(reverse)]`"
+)]
 pub trait Pass<T, Kind>: Sized {
     /// The conversion.
     fn pass(self) -> T;
@@ -209,6 +211,20 @@ impl<'a, T: Additive> Pass<&'a T, (Lent, Content)> for &'a mut Boxed<T> {
     }
 }
 
+impl<'a, T: Additive> Pass<&'a [T], (Lent, Content)> for &'a Boxed<Vec<T>> {
+    #[inline(always)]
+    fn pass(self) -> &'a [T] {
+        self
+    }
+}
+
+impl<'a, T: Additive> Pass<&'a mut [T], (LentExclusively, Content)> for &'a mut Boxed<Vec<T>> {
+    #[inline(always)]
+    fn pass(self) -> &'a mut [T] {
+        self
+    }
+}
+
 impl<'a, T: ?Sized> Pass<&'a mut T, LentExclusively> for &'a mut T {
     #[inline(always)]
     fn pass(self) -> &'a mut T {
@@ -244,6 +260,10 @@ pub fn target<T: ToOwned + ?Sized>(tangent: &T) -> T::Owned {
 }
 
 /// The tangent of a value that was read from a place, of whose tangent this is a reference.
+#[diagnostic::on_unimplemented(
+    message = "forward mode cannot pass a tangent on here: `{Self}` is not what is expected",
+    note = "to leave forward mode out, write `#[differentiable(reverse)]`"
+)]
 pub trait Read<V: ?Sized, T, Kind> {
     /// The tangent of `value`.
     fn read(self, value: &V) -> T;
@@ -308,6 +328,10 @@ impl<T> Slot<T> {
 }
 
 /// A zero tangent of a value of type `V`, as the function it is passed to takes it.
+#[diagnostic::on_unimplemented(
+    message = "forward mode cannot pass a tangent on here: `{Self}` is not what is expected",
+    note = "to leave forward mode out, write `#[differentiable(reverse)]`"
+)]
 pub trait Still<'s, V: Differentiable + ?Sized, Kind> {
     /// The zero.
     fn still(value: &V, slot: &'s mut Slot<Tangent<V>>) -> Self;
@@ -366,6 +390,10 @@ where
 
 /// The tangent of a part of a struct that is passed to a function: zero, where the part is a
 /// `#[constant]` field.
+#[diagnostic::on_unimplemented(
+    message = "forward mode cannot pass a tangent on here: `{Self}` is not what is expected",
+    note = "to leave forward mode out, write `#[differentiable(reverse)]`"
+)]
 pub trait PassPart<'s, V: Differentiable + ?Sized, T, Kind> {
     /// The conversion.
     fn pass_part(self, value: &V, slot: &'s mut Slot<Tangent<V>>) -> T;

@@ -7,7 +7,7 @@ use glam::{DVec2, DVec3, DVec4, Vec2, Vec3, Vec4};
 use super::{scale, scale_elements, scale_vector};
 use crate::tape::Var;
 use crate::vector::{Vector, Xyz};
-use crate::{Differentiable, Dual, Real, Tangent};
+use crate::{Differentiable, Dual, Mask, Real, Tangent};
 
 /// The pullback of unary minus.
 #[diagnostic::on_unimplemented(
@@ -181,9 +181,45 @@ fn denominator_cotangent<S: Real>(to_numerator: S, quotient: S) -> S {
     S::select(quotient.vanishes(), S::zero(), -scale(to_numerator, quotient))
 }
 
-/// The tangent of `quotient = numerator / denominator`.
+/// The tangent of `a * b`.
+///
+/// Where a tangent of zero meets a factor that is infinite or NaN the plain formula gives NaN, so a
+/// look at its result spares the comparisons of both tangents with zero.
+#[inline(always)]
+fn product_tangent<S: Real>(a: S, b: S, a_tangent: S, b_tangent: S) -> S {
+    let tangent = a_tangent * b + b_tangent * a;
+    match tangent.is_finite().all() {
+        true => tangent,
+        false => rare_product_tangent(a, b, a_tangent, b_tangent),
+    }
+}
+
+/// The same, with the comparisons.
+#[cold]
+#[inline(never)]
+fn rare_product_tangent<S: Real>(a: S, b: S, a_tangent: S, b_tangent: S) -> S {
+    scale(a_tangent, b) + scale(b_tangent, a)
+}
+
+/// The tangent of `quotient = numerator / denominator`, with the same look at the result.
 #[inline(always)]
 fn quotient_tangent<S: Real>(quotient: S, denominator: S, tangent: S, denominator_tangent: S) -> S {
+    let slope = (tangent - quotient * denominator_tangent) / denominator;
+    match slope.is_finite().all() {
+        true => slope,
+        false => rare_quotient_tangent(quotient, denominator, tangent, denominator_tangent),
+    }
+}
+
+/// The same, with every case told apart.
+#[cold]
+#[inline(never)]
+fn rare_quotient_tangent<S: Real>(
+    quotient: S,
+    denominator: S,
+    tangent: S,
+    denominator_tangent: S,
+) -> S {
     let by_denominator =
         S::select(quotient.vanishes(), S::zero(), scale(denominator_tangent, quotient));
     let numerator = tangent - by_denominator;
@@ -206,7 +242,7 @@ macro_rules! scalar_operators {
 
             #[inline(always)]
             fn mul_jvp(self, rhs: Self, tangent: Self, rhs_tangent: Self) -> (Self, Self) {
-                (self * rhs, scale(tangent, rhs) + scale(rhs_tangent, self))
+                (self * rhs, product_tangent(self, rhs, tangent, rhs_tangent))
             }
         }
 

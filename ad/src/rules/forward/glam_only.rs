@@ -34,8 +34,8 @@ pub trait GlamForward: GlamRules {
         let share = self.dot(onto) / norm;
         let rest = self - onto * (share + share);
         let share_tangent = (inner(tangent, onto) + inner(onto_tangent, rest)) / norm;
-        let along = scale_vector(share_tangent, onto)
-            + scale_elements(onto_tangent, Self::splat(share));
+        let along =
+            scale_vector(share_tangent, onto) + scale_elements(onto_tangent, Self::splat(share));
         let zero = Self::Scalar::zero();
         (value, along.map_elements(|t| crate::Select::select(defined, t, zero)))
     }

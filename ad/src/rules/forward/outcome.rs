@@ -8,7 +8,8 @@ use crate::{Differentiable, Tangent};
 /// The `_jvp` siblings of the methods of options. The tangent of an option is that of its content.
 pub trait OptionForward: OptionRules {
     /// Panics on `None`, as `unwrap` does.
-    fn unwrap_jvp(self, tangent: Tangent<Self::Content>) -> (Self::Content, Tangent<Self::Content>);
+    fn unwrap_jvp(self, tangent: Tangent<Self::Content>)
+    -> (Self::Content, Tangent<Self::Content>);
 
     /// Panics on `None`, as `expect` does.
     fn expect_jvp(

@@ -1,9 +1,9 @@
 //! Methods of vectors.
 
 use super::symmetric;
+use crate::Real;
 use crate::rules::{RealRules, Vector3Rules, VectorRules, scale, scale_elements, scale_vector};
 use crate::vector::{Vector, Vector3};
-use crate::Real;
 
 /// The inner product of a tangent with partial derivatives.
 #[inline(always)]
