@@ -98,14 +98,14 @@ impl<T: Split, const N: usize> Split for [T; N] {
     type Part = [T::Part; N];
 
     fn split(self) -> (Self::Part, Self::Part) {
-        let mut parts = self.map(|element| {
+        let mut derivatives = [const { None }; N];
+        let mut next = derivatives.iter_mut();
+        let values = self.map(|element| {
             let (value, derivative) = element.split();
-            (Some(value), Some(derivative))
+            *next.next().expect("one for each element") = Some(derivative);
+            value
         });
-        let mut take = |of: fn(&mut (Option<T::Part>, Option<T::Part>)) -> Option<T::Part>| {
-            parts.each_mut().map(|part| of(part).expect("each part is taken once"))
-        };
-        (take(|part| part.0.take()), take(|part| part.1.take()))
+        (values, derivatives.map(|derivative| derivative.expect("every element was split")))
     }
 }
 

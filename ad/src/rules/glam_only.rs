@@ -143,6 +143,7 @@ pub mod construct {
 
                 /// The vector, and that of the tangents of its elements.
                 #[inline(always)]
+                #[allow(clippy::too_many_arguments)]
                 pub fn jvp(
                     $($element: $scalar,)* $($dot: $scalar),*
                 ) -> (glam::$type, glam::$type) {
