@@ -4,15 +4,17 @@ use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 use syn::visit_mut::{self, VisitMut};
 use syn::{
-    Attribute, Block, Expr, ExprForLoop, ExprLoop, ExprWhile, ImplItem, ImplItemFn, ItemFn,
-    ItemImpl, ItemTrait, ItemUse, Path, Signature, TraitItem, TraitItemFn, UseTree, Visibility,
-    parse_quote,
+    Attribute, Block, Expr, ExprForLoop, ExprLoop, ExprWhile, FnArg, ImplItem, ImplItemFn, ItemFn,
+    ItemImpl, ItemTrait, ItemUse, PatType, Path, Receiver, Signature, TraitItem, TraitItemFn,
+    UseTree, Visibility, parse_quote,
 };
 
+use crate::callable::Callables;
 use crate::expand::{Function, Place};
 use crate::options::{Options, is_own, own_options};
+use crate::signature::is_constant_mark;
 
-/// Takes this crate's attributes off the loops in a body: the compiler knows none there.
+/// Takes this crate's attributes off loops and parameters: the compiler knows none there.
 struct Clean;
 
 impl VisitMut for Clean {
@@ -24,6 +26,12 @@ impl VisitMut for Clean {
             attrs.retain(|attribute| !is_own(attribute));
         }
         visit_mut::visit_expr_mut(self, expr);
+    }
+
+    fn visit_fn_arg_mut(&mut self, argument: &mut FnArg) {
+        let (FnArg::Receiver(Receiver { attrs, .. }) | FnArg::Typed(PatType { attrs, .. })) =
+            argument;
+        attrs.retain(|attribute| !is_constant_mark(attribute));
     }
 }
 
@@ -78,10 +86,11 @@ fn function_derivative(mut function: ItemFn, options: Options) -> TokenStream {
         attributes: &function.attrs,
         visibility: &function.vis,
         signature: &function.sig,
+        callables: &Callables::new(&function.sig),
         body: Some(&function.block),
         options,
     });
-    Clean.visit_block_mut(&mut function.block);
+    Clean.visit_item_fn_mut(&mut function);
     quote! {
         // Its gradient may be all that is used of it.
         #[allow(dead_code)]
@@ -134,7 +143,9 @@ fn method_derivative(
 ) -> TokenStream {
     let own = own_options(attributes);
     attributes.retain(|attribute| !is_own(attribute));
-    let function = |options| Function { place, attributes, visibility, signature, body, options };
+    let callables = &Callables::new(signature);
+    let function =
+        |options| Function { place, attributes, visibility, signature, callables, body, options };
     match own {
         Ok(own) => derivative_or_errors(&function(options.with(own))),
         Err(error) => {
@@ -171,6 +182,7 @@ fn impl_derivatives(mut block: ItemImpl, options: &Options) -> TokenStream {
         let ImplItemFn { attrs, vis, sig, block, .. } = method;
         let sibling = method_derivative(place, attrs, vis, sig, Some(block), options);
         siblings.push(ImplItem::Verbatim(sibling));
+        Clean.visit_signature_mut(sig);
         Clean.visit_block_mut(block);
         if let Place::Impl(_) = place {
             // Its gradient may be all that is used of it.
@@ -230,6 +242,7 @@ fn trait_derivatives(mut definition: ItemTrait, options: &Options) -> TokenStrea
         let place = Place::Trait(&generics);
         let sibling = method_derivative(place, attrs, &visibility, sig, default.as_ref(), options);
         siblings.push(TraitItem::Verbatim(sibling));
+        Clean.visit_signature_mut(sig);
         if let Some(body) = default {
             Clean.visit_block_mut(body);
         }

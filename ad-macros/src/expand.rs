@@ -5,12 +5,13 @@ use quote::{ToTokens, format_ident, quote, quote_spanned};
 use syn::spanned::Spanned;
 use syn::{Attribute, FnArg, GenericParam, Generics, Signature, Type, Visibility};
 
+use crate::callable::Callables;
 use crate::errors::Errors;
 use crate::forward::{self, Forward};
 use crate::lower;
 use crate::names::Names;
 use crate::options::Options;
-use crate::signature::{self, Parameter, pointee};
+use crate::signature::{self, Parameter};
 use crate::sweep::{self, tuple_or_one};
 use crate::{checkpoint, recursion};
 
@@ -34,6 +35,8 @@ pub struct Function<'a> {
     pub attributes: &'a [Attribute],
     pub visibility: &'a Visibility,
     pub signature: &'a Signature,
+    /// The signature for the derivative, which is the same but for functions among the parameters.
+    pub callables: &'a Callables,
     /// `None` for a method that a trait requires.
     pub body: Option<&'a syn::Block>,
     pub options: Options,
@@ -77,6 +80,12 @@ impl Function<'_> {
             errors.at(
                 &self.signature.ident,
                 "`checkpoint` is not supported on the methods of a trait: put the computation into a function, and call that",
+            );
+        }
+        if self.options.checkpoint && self.callables.any() {
+            errors.at(
+                &self.signature.ident,
+                "`checkpoint` is not supported on a function that takes functions: put what it computes between two calls of them into a function with `checkpoint`",
             );
         }
         if let (Some(rule), Some(_)) = (&self.options.vjp, self.body) {
@@ -129,7 +138,7 @@ impl Function<'_> {
         bounds: &[TokenStream],
         forward: Option<&Forward>,
     ) -> TokenStream {
-        if self.options.reverse {
+        if self.options.reverse || self.callables.any() {
             return TokenStream::new();
         }
         let Header { parameters, result, .. } = header;
@@ -191,9 +200,13 @@ impl Function<'_> {
     }
 
     fn header(&self, errors: &mut Errors) -> Header {
-        let parameters = signature::parameters(self.signature, errors);
+        let parameters = signature::parameters(self.callables, errors);
         let result = signature::result(self.signature, errors);
-        let tangents: Vec<_> = parameters.iter().map(|parameter| tangent(&parameter.ty)).collect();
+        let tangents = parameters.iter().map(|parameter| match parameter.is_constant {
+            true => quote!(()),
+            false => tangent(&parameter.ty),
+        });
+        let tangents: Vec<_> = tangents.collect();
         let exclusive = parameters.iter().zip(&tangents);
         let exclusive = exclusive.filter(|(parameter, _)| parameter.is_exclusive);
         Header {
@@ -229,7 +242,8 @@ impl Function<'_> {
         body: Option<&TokenStream>,
         forward: Option<&Forward>,
     ) -> TokenStream {
-        let Self { place, visibility, signature, .. } = self;
+        let Self { place, visibility, .. } = self;
+        let signature = &self.callables.signature;
         let Header { parameters, result, result_tangent, exclusive_tangents, gradient, .. } =
             header;
         let name = &signature.ident;
@@ -260,6 +274,9 @@ impl Function<'_> {
         let generics = if generics.is_empty() { None } else { Some(&signature.generics) };
         let bounds = where_clause.map(|clause| &clause.predicates).into_iter().flatten();
         let mut bounds: Vec<_> = bounds.map(ToTokens::to_token_stream).collect();
+        if header.boxed {
+            bounds.extend(self.callables.types().map(|function| quote!(#function: 'static)));
+        }
         if let Place::Trait(_) = place {
             // The trait stays fit for `dyn`, and for types that no derivative flows through.
             bounds.push(quote!(Self: ::core::marker::Sized));
@@ -387,7 +404,7 @@ impl Function<'_> {
             }
         };
         let signature::Captured { lifetimes, mut others } =
-            signature::captured(self.signature, outer);
+            signature::captured(&self.callables.signature, outer);
         let closure = quote! {
             ::core::ops::FnOnce(#result_tangent #(, #exclusive_tangents)*) -> #gradient
         };
@@ -407,7 +424,7 @@ fn own(name: &str) -> Ident {
 }
 
 fn tangent(ty: &Type) -> TokenStream {
-    let ty = pointee(ty);
+    let ty = signature::owned(ty);
     quote_spanned!(ty.span()=> ::ad::Tangent<#ty>)
 }
 

@@ -4,6 +4,30 @@
 use proc_macro2::{Ident, TokenStream};
 use syn::{Member, Type};
 
+use crate::signature::Parameter;
+
+/// A function body in lowered form.
+pub struct Lowered {
+    /// Every variable.
+    pub vars: Vec<Var>,
+    /// The parameters.
+    pub parameters: Vec<LoweredParameter>,
+    /// The parameters that are shared references, and the types that they refer to.
+    pub references: Vec<(VarId, Type)>,
+    /// The body.
+    pub body: Block,
+}
+
+/// A parameter of a function.
+pub struct LoweredParameter {
+    /// Its variable.
+    pub var: VarId,
+    /// Whether its tangents may differ in size.
+    pub has_shape: bool,
+    /// Whether it is a box, whose cotangent may have been gathered as that of the content.
+    pub is_box: bool,
+}
+
 /// Index of a [`Var`].
 pub type VarId = usize;
 
@@ -71,6 +95,12 @@ pub enum Argument {
     Borrow(Place),
     /// `&mut place`: the cotangent goes in and comes out.
     Exclusive(Place),
+    /// What a `&mut` parameter refers to, passed by its name alone: as `&mut`, or as `&` if that is
+    /// what the function takes. The types tell.
+    Reborrow(Place),
+    /// A function, as it is passed to another one: a variable that an [`Operation::Closure`] or a
+    /// copy of a parameter defines. There is a derivative of such a call only.
+    Function(VarId),
     /// The receiver of a method: a place, which the method borrows or copies. If the place may be
     /// assigned to, the method may change it: the types tell.
     Receiver(Place),
@@ -138,8 +168,20 @@ pub enum Operation {
     Aggregate { expression: TokenStream, shape: Shape, parts: Vec<(Member, Operand)> },
     /// A struct made of parts and, for the rest, of another struct.
     UpdateStruct { expression: TokenStream, parts: Vec<(Member, Operand)>, rest: VarId },
+    /// A closure, as an object with a derivative.
+    Closure(Box<Closure>),
     /// `[x; N]` or `vec![x; n]`
     Repeat { value: VarId, length: TokenStream, is_vec: bool },
+}
+
+/// A closure that is passed to a function.
+pub struct Closure {
+    /// Copies of what it captures, as expressions in the function around it, and the places there.
+    pub captures: Vec<(TokenStream, Place)>,
+    /// Its parameters: references to what it captures, then its arguments.
+    pub parameters: Vec<Parameter>,
+    /// Its body, as that of a function of these parameters.
+    pub function: Lowered,
 }
 
 /// A variable that a pattern binds to a part of the matched value.

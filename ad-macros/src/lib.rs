@@ -25,6 +25,7 @@
 //! would copy arrays); a closure for each operation (operands used twice would be saved twice).
 
 mod attribute;
+mod callable;
 mod checkpoint;
 mod derive;
 mod errors;

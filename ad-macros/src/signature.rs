@@ -4,12 +4,17 @@ use proc_macro2::{Span, TokenStream};
 use quote::{format_ident, quote};
 use syn::{
     FnArg, GenericParam, Generics, Ident, Lifetime, Pat, ReceiverKind, ReturnType, Safety,
-    Signature, Type, visit::Visit,
+    Signature, Type, parse_quote_spanned,
+    spanned::Spanned,
+    visit::Visit,
+    visit_mut::{self, VisitMut},
 };
 
+use crate::callable::Callables;
 use crate::errors::Errors;
 
 /// A parameter.
+#[derive(Clone)]
 pub struct Parameter {
     /// Its name in the generated signature.
     pub ident: Ident,
@@ -23,6 +28,15 @@ pub struct Parameter {
     pub is_shared: bool,
     /// Whether it is `mut self`.
     pub is_mutable_receiver: bool,
+    /// The number of its arguments, if it is a function.
+    pub arity: Option<usize>,
+    /// Whether it is marked `#[constant]`: no derivative is asked for.
+    pub is_constant: bool,
+}
+
+/// Whether an attribute of a parameter says that no derivative by it is asked for.
+pub fn is_constant_mark(attribute: &syn::Attribute) -> bool {
+    attribute.path().is_ident("constant")
 }
 
 /// The type whose tangent is the cotangent of something of type `ty`: that of a reference is that
@@ -34,6 +48,42 @@ pub fn pointee(ty: &Type) -> &Type {
         Type::Group(group) => pointee(&group.elem),
         _ => ty,
     }
+}
+
+/// A type without references that has the tangent of `ty`: the result of a closure type cannot leave
+/// out lifetimes.
+pub fn owned(ty: &Type) -> Type {
+    struct Owner;
+
+    impl VisitMut for Owner {
+        fn visit_type_mut(&mut self, ty: &mut Type) {
+            match ty {
+                Type::Reference(reference) => {
+                    let target = match &*reference.elem {
+                        Type::Slice(slice) => {
+                            let element = &slice.elem;
+                            parse_quote_spanned!(element.span()=> ::std::vec::Vec<#element>)
+                        }
+                        Type::Path(path) if path.path.is_ident("str") => {
+                            parse_quote_spanned!(path.span()=> ::std::string::String)
+                        }
+                        target => target.clone(),
+                    };
+                    *ty = target;
+                    self.visit_type_mut(ty);
+                }
+                Type::Path(path)
+                    if !path.path.segments.last().is_some_and(|last| {
+                        ["Option", "Result", "Vec", "Box"].iter().any(|name| last.ident == name)
+                    }) => {}
+                ty => visit_mut::visit_type_mut(self, ty),
+            }
+        }
+    }
+
+    let mut ty = pointee(ty).clone();
+    Owner.visit_type_mut(&mut ty);
+    ty
 }
 
 /// Whether a value of this type certainly has no derivative.
@@ -85,7 +135,9 @@ pub fn has_fixed_size(ty: &Type) -> bool {
 }
 
 /// The parameters, in order. Refuses what has no derivative.
-pub fn parameters(signature: &Signature, errors: &mut Errors) -> Vec<Parameter> {
+pub fn parameters(callables: &Callables, errors: &mut Errors) -> Vec<Parameter> {
+    let signature = &callables.signature;
+    callables.refuse(errors);
     if let Some(token) = &signature.asyncness {
         errors.at(token, "an `async fn` has no derivative: differentiate the computation apart from waiting for its input");
     }
@@ -113,11 +165,20 @@ pub fn parameters(signature: &Signature, errors: &mut Errors) -> Vec<Parameter> 
                 is_shared: matches!(receiver.kind, ReceiverKind::Reference(_, _, None)),
                 is_mutable_receiver: matches!(receiver.kind, ReceiverKind::Value)
                     && receiver.mutability.is_some(),
+                arity: None,
+                is_constant: receiver.attrs.iter().any(is_constant_mark),
             }
         }
         FnArg::Typed(typed) => {
             refuse_type(&typed.ty, errors);
             let is_exclusive = is_exclusive(&typed.ty);
+            let is_constant = typed.attrs.iter().any(is_constant_mark);
+            if is_constant && is_exclusive {
+                errors.at(
+                    typed,
+                    "what a `&mut` parameter holds afterwards may have a derivative: only other parameters are `#[constant]`",
+                );
+            }
             let ident = match &*typed.pat {
                 Pat::Ident(pat) if pat.by_ref.is_none() && pat.subpat.is_none() => {
                     pat.ident.clone()
@@ -141,6 +202,8 @@ pub fn parameters(signature: &Signature, errors: &mut Errors) -> Vec<Parameter> 
                 is_exclusive,
                 is_shared,
                 is_mutable_receiver: false,
+                arity: callables.arity(&typed.ty),
+                is_constant,
             }
         }
     });
@@ -182,10 +245,16 @@ fn refuse_type(ty: &Type, errors: &mut Errors) {
             errors.at(ty, "a reference to a `&mut` is not supported: take the `&mut` itself")
         }
         Type::ImplTrait(_) => {
-            errors.at(ty, "write a type parameter `T: ..` instead of `impl Trait`")
+            errors.at(ty, "`impl Trait` stands for a parameter itself or for what it refers to: write a type parameter `T: ..` instead")
         }
         Type::Ptr(_) => errors.at(ty, "a raw pointer has no derivative: take a reference"),
         _ => {
+            if let Type::FnPtr(_) = pointee(ty) {
+                errors.at(
+                    ty,
+                    "a call through a pointer cannot be differentiated: write a type parameter `F: Fn(..) -> ..`, and pass a closure",
+                );
+            }
             if let Type::TraitObject(_) = pointee(ty) {
                 errors.at(
                     ty,

@@ -33,7 +33,8 @@ use glam::{DVec2, DVec3, DVec4, Vec2, Vec3, Vec4};
     message = "`{Self}` has no derivative",
     label = "no derivative passes through a `{Self}`",
     note = "put `#[derive(Differentiable)]` on your own struct or enum, and `#[constant]` below it if no derivative is to pass",
-    note = "mark a struct field that carries no derivative with `#[constant]`"
+    note = "mark a struct field that carries no derivative with `#[constant]`",
+    note = "a number of any type is an `S: ad::Real`"
 )]
 pub trait Differentiable {
     /// The space of its tangents and cotangents.

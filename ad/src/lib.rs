@@ -40,7 +40,8 @@
 //! `enumerate`, `zip`, `rev`, `skip`, `take`, `step_by`, `cycle`, `copied`, `map`, `filter` and
 //! `take_while`; in a `for` loop or used up by `sum`, `product`, `fold`, `for_each`, `collect` into
 //! a `Vec`, `min_by` or `max_by`; `array::from_fn`, `map` of arrays and options. Closures can be
-//! bound to a variable and called, and may change what they capture. Macros: `assert!` and its kin,
+//! bound to a variable and called, and may change what they capture, or be passed to
+//! [functions of functions](#functions-of-functions). Macros: `assert!` and its kin,
 //! `panic!`, `unreachable!`, `vec!`, `matches!`, `dbg!`.
 //!
 //! The gradient by a slice or a `Vec` is a `Vec` of the same length. Reading or writing an element
@@ -164,6 +165,36 @@
 //! allocation for each call. Where functions call each other in a circle, or a method calls itself
 //! on something else than `self`, one of them says so with `#[differentiable(boxed)]`; else the
 //! compiler speaks of a *recursive opaque type*.
+//!
+//! # Functions of functions
+//!
+//! A parameter may be a function of up to four arguments, by its bound `F: Fn(..) -> ..` or as
+//! `impl Fn(..) -> ..`. What is passed is a closure, whose parameters have types; it is
+//! differentiated by what it captures, too.
+//!
+//! ```
+//! use ad::differentiable;
+//!
+//! /// Newton's method.
+//! #[differentiable]
+//! fn root<F: Fn(f64) -> f64, G: Fn(f64) -> f64>(f: F, slope: G, start: f64) -> f64 {
+//!     let mut x = start;
+//!     while f(x).abs() > 1e-12 {
+//!         x -= f(x) / slope(x);
+//!     }
+//!     x
+//! }
+//!
+//! #[differentiable]
+//! fn square_root(a: f64) -> f64 {
+//!     root(|x: f64| x * x - a, |x: f64| 2.0 * x, 1.0)
+//! }
+//!
+//! assert!((square_root::grad(2.0) - 0.5 / 2.0_f64.sqrt()).abs() < 1e-9);
+//! ```
+//!
+//! A closure that changes what it captures can be called where it was written, but not passed; see
+//! [`function`] for how this works and what it costs.
 //!
 //! # Rules written by hand
 //!
@@ -454,6 +485,7 @@ pub mod check;
 mod containers;
 mod differentiable;
 mod dual;
+pub mod function;
 mod jacobian;
 #[cfg(feature = "lanes")]
 pub mod lanes;
@@ -469,6 +501,7 @@ pub use ad_macros::{Differentiable, differentiable};
 pub use boxed::Boxed;
 pub use differentiable::{Additive, Differentiable, NoDerivative, NoTangent, Shape, Tangent};
 pub use dual::Dual;
+pub use function::DifferentiableFn;
 pub use jacobian::{Pushforward, jacobian_forward, jacobian_reverse};
 pub use real::{Mask, Real, Scalar, Select};
 pub use rules::{no_diff, select, stop_gradient};

@@ -3,7 +3,8 @@
 use core::marker::PhantomData;
 use core::ops::{Add, Neg, Sub};
 
-use glam::{DVec2, DVec3, DVec4, Vec2, Vec3, Vec4};
+use glam::{DMat2, DMat3, DMat4, DQuat, DVec2, DVec3, DVec4};
+use glam::{Mat2, Mat3, Mat4, Quat, Vec2, Vec3, Vec4};
 
 use crate::rules::{AddPullback, NegPullback, SubPullback};
 use crate::{Additive, Differentiable, NoDerivative, Shape, Tangent};
@@ -23,28 +24,35 @@ pub use tangent::{
     Pass, Slot, copy, pass, pass_part, read, repeated, same_length, still, tangent_of, target,
     with_zero, zero_like, zero_of,
 };
-pub use through::{ByPullback, Through, WithoutRule};
+pub use through::{ByPullback, Through, WithoutRule, without_forward_mode};
 
 mod iterate;
 
 pub use iterate::{
-    build_like, chunks_exact, empty_product, empty_sum, held, record, record_like, segments,
-    windows, with_cotangents,
+    Side, build_like, chunks_exact, empty_product, empty_sum, held, is_sequence, record,
+    record_like, segments, windows, with_cotangents,
 };
 
 /// The traits whose methods generated code calls. They come without names, which could hide those
 /// of the user.
 pub mod methods {
     pub use crate::rules::forward::{
-        CloneForward as _, DVec2Forward as _, DVec4Forward as _, FloatForward as _,
-        FromForward as _, GlamForward as _, OptionForward as _, RealForward as _,
-        ResultForward as _, ScalarForward as _, SequenceForward as _, Vec2Forward as _,
-        Vec4Forward as _, VecForward as _, Vector3Forward as _, VectorForward as _,
+        AngleForward as _, CloneForward as _, CopiedForward as _, DMat2Forward as _,
+        DMat3Forward as _, DMat4Forward as _, DVec2Forward as _, DVec4Forward as _,
+        ExtendForward as _, FloatForward as _, FromForward as _, GlamForward as _,
+        Mat2Forward as _, Mat3Forward as _, Mat4Forward as _, MatrixForward as _,
+        OptionForward as _, QuaternionForward as _, RealForward as _, ResultForward as _,
+        RotationForward as _, ScalarForward as _, SequenceForward as _, TransformForward as _,
+        TruncateForward as _, Vec2Forward as _, Vec4Forward as _, VecForward as _,
+        Vector3Forward as _, VectorForward as _,
     };
     pub use crate::rules::{
-        CloneRules as _, DVec2Rules as _, DVec4Rules as _, FloatRules as _, FromRules as _,
-        GlamRules as _, OptionRules as _, RealRules as _, ResultRules as _, ScalarRules as _,
-        SequenceRules as _, Vec2Rules as _, Vec4Rules as _, VecRules as _, Vector3Rules as _,
+        AngleRules as _, CloneRules as _, CopiedRules as _, DMat2Rules as _, DMat3Rules as _,
+        DMat4Rules as _, DVec2Rules as _, DVec4Rules as _, ExtendRules as _, FloatRules as _,
+        FromRules as _, GlamRules as _, Mat2Rules as _, Mat3Rules as _, Mat4Rules as _,
+        MatrixRules as _, OptionRules as _, QuaternionRules as _, RealRules as _, ResultRules as _,
+        RotationRules as _, ScalarRules as _, SequenceRules as _, TransformRules as _,
+        TruncateRules as _, Vec2Rules as _, Vec4Rules as _, VecRules as _, Vector3Rules as _,
         VectorRules as _,
     };
     pub use crate::vector::{Vector as _, Vector3 as _};
@@ -231,6 +239,7 @@ macro_rules! by_value {
 }
 
 by_value!(f32 f64 Vec2 Vec3 Vec4 DVec2 DVec3 DVec4);
+by_value!(Mat2 Mat3 Mat4 DMat2 DMat3 DMat4 Quat DQuat);
 by_value!(i8 i16 i32 i64 i128 isize u8 u16 u32 u64 u128 usize);
 
 /// Passes on what has no derivative, and nothing else.

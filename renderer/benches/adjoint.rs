@@ -85,6 +85,7 @@ pub fn pixel<S: Real>(
         diffuse: albedo_bar,
         specular: albedo_bar * highlight,
         exponent: exponent_bar,
+        reflection: Additive::zero(),
     };
     let light = PointLightTangent {
         position: to_light_bar,

@@ -52,7 +52,14 @@ fn measure(name: &str, scene: &Scene) {
         ("vertices", Wanted { vertices: true, ..Wanted::default() }),
         (
             "everything",
-            Wanted { camera: true, lights: true, materials: true, spheres: true, vertices: true },
+            Wanted {
+                camera: true,
+                lights: true,
+                materials: true,
+                spheres: true,
+                vertices: true,
+                ..Wanted::default()
+            },
         ),
     ];
     let mut primal = Vec::new();

@@ -61,6 +61,7 @@ impl<S: Real> Inputs<S> {
                 diffuse: vector::<S>(0.7, 0.5, 0.3),
                 specular: vector::<S>(0.2, 0.2, 0.2),
                 exponent: S::from_f64(20.0),
+                reflection: Vector::splat(S::ZERO),
             },
             light: PointLight {
                 position: vector::<S>(1.0, 2.0, 4.0),
@@ -154,7 +155,9 @@ pub fn run() {
 /// The same pixel as a function of its 32 inputs.
 fn brightness<S: Real>(x: &[S]) -> S {
     let v = |first: usize| <Vec3<S>>::new(x[first], x[first + 1], x[first + 2]);
-    let material = Material { ambient: v(15), diffuse: v(18), specular: v(21), exponent: x[24] };
+    let (ambient, diffuse, specular) = (v(15), v(18), v(21));
+    let reflection = Vector::splat(S::ZERO);
+    let material = Material { ambient, diffuse, specular, exponent: x[24], reflection };
     let light = PointLight { position: v(25), color: v(28), intensity: x[31] };
     let ray = Ray { origin: v(0), direction: v(3) };
     pixel::<S>(ray, v(6), v(9), v(12), material, light).element_sum()

@@ -6,7 +6,7 @@ use glam::{DVec3, dvec3};
 use renderer::kernels::camera::Camera;
 use renderer::kernels::light::PointLight;
 use renderer::kernels::material::Material;
-use renderer::scene::{Light, MeshObject, Parameters, Scene};
+use renderer::scene::{Light, MaterialObject, MeshObject, Parameters, Scene};
 
 /// `rings` by `2 rings` quadrilaterals: vertices and triangles.
 pub fn bumpy_sphere(rings: u32) -> (Vec<[f64; 3]>, Vec<[u32; 3]>) {
@@ -44,6 +44,7 @@ pub fn scene(rings: u32, size: u32, lights: u32) -> Scene {
     Scene {
         width: size,
         height: size,
+        bounces: 0,
         parameters: Parameters {
             camera: Camera {
                 look_from: dvec3(1.0, 1.0, 3.0),
@@ -58,17 +59,22 @@ pub fn scene(rings: u32, size: u32, lights: u32) -> Scene {
                 diffuse: dvec3(0.7, 0.6, 0.5),
                 specular: DVec3::splat(0.1),
                 exponent: 20.0,
+                reflection: DVec3::ZERO,
             }],
             spheres: Vec::new(),
             vertices: vec![vertices],
+            texture_coordinates: vec![Vec::new()],
+            textures: Vec::new(),
         },
         light_names: (0..lights).map(|index| format!("light_{index}")).collect(),
-        material_names: vec!["clay".into()],
+        materials: vec![MaterialObject::new("clay")],
+        textures: Vec::new(),
         spheres: Vec::new(),
         meshes: vec![MeshObject {
             name: "sphere".into(),
             materials: vec![0; triangles.len()],
             triangles,
+            texture_triangles: Vec::new(),
         }],
     }
 }

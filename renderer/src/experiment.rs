@@ -6,6 +6,8 @@
 //! degrees; unknown fields are refused.
 //!
 //! ```toml
+//! bounces = 4                 # the default: how many mirrors light meets at most
+//!
 //! [camera]
 //! look_from = [0.0, 2.0, 8.0]
 //! look_at = [0.0, 1.0, 0.0]
@@ -38,6 +40,15 @@
 //! diffuse = [0.7, 0.7, 0.7]
 //! specular = [0.0, 0.0, 0.0]
 //! exponent = 1.0
+//! reflection = [0.0, 0.0, 0.0] # above 0: a mirror
+//!
+//! diffuse_texture = "wood"    # optional: multiplies the colour; also ambient_ and specular_texture
+//!
+//! [texture.wood]
+//! path = "wood.png"           # PNG and JPEG (sRGB), or EXR (linear); or, for a texture to recover:
+//! # size = [64, 64]           # width and height, and
+//! # color = [0.5, 0.5, 0.5]   # one colour everywhere
+//! wrap = "repeat"             # the default; or "clamp", "mirror"
 //!
 //! [optimize]                  # optional, and so is everything in it
 //! target = "photo.png"        # or [optimize.target_values], below

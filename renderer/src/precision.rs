@@ -6,10 +6,11 @@ use ad::vector::Vector3;
 use ad::{Real, Scalar, Select, Vec3, select};
 use glam::DVec3;
 
-use crate::kernels::camera::{Camera, CameraTangent, Frame, FrameTangent};
+use crate::kernels::camera::{Camera, CameraTangent, Frame, FrameTangent, Ray, RayTangent};
 use crate::kernels::light::{DistantLight, DistantLightTangent, PointLight, PointLightTangent};
 use crate::kernels::material::{Material, MaterialTangent};
 use crate::kernels::sphere::{Sphere, SphereTangent};
+use crate::kernels::texture::{Uv, UvTangent};
 
 /// A vector in the precision of the kernels.
 #[inline]
@@ -157,8 +158,10 @@ macro_rules! parameters {
 parameters! {
     Camera, CameraTangent { look_from look_at up } { vfov focus }
     Frame, FrameTangent { origin forward right up } {}
+    Ray, RayTangent { origin direction } {}
     PointLight, PointLightTangent { position color } { intensity }
     DistantLight, DistantLightTangent { direction color } { intensity }
-    Material, MaterialTangent { ambient diffuse specular } { exponent }
+    Material, MaterialTangent { ambient diffuse specular reflection } { exponent }
     Sphere, SphereTangent { center } { radius }
+    Uv, UvTangent {} { u v }
 }

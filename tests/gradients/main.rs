@@ -3,3 +3,4 @@
 mod image;
 mod scenes;
 mod threads;
+mod visibility;

@@ -3,11 +3,11 @@
 use renderer::integrator::{Prepared, Wanted, gradient, render};
 use renderer::loss::{ImageLoss, LossKind};
 
-use crate::scenes::small_scene;
+use crate::scenes::textured_scene;
 
 #[test]
 fn image_and_gradient_are_bit_identical_on_any_number_of_threads() {
-    let scene = small_scene(70);
+    let scene = textured_scene(70);
     let run = |threads: usize| {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
         pool.install(|| {

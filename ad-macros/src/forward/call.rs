@@ -57,7 +57,11 @@ impl Writer<'_> {
         before: &mut TokenStream,
     ) -> Passed {
         match argument {
-            Argument::Value(Operand::Constant(tokens)) if is_number(tokens) => {
+            // Neither has a tangent that its type would not tell; a closure's parameters get their
+            // types from where it is passed.
+            Argument::Value(Operand::Constant(tokens))
+                if is_number(tokens) || is_closure(tokens) =>
+            {
                 Passed { value: tokens.clone(), tangent: quote!(::ad::Additive::zero()) }
             }
             Argument::Value(Operand::Constant(tokens)) => {
@@ -106,11 +110,12 @@ impl Writer<'_> {
                 let value = quote!(&#tokens);
                 Passed { tangent: self.lent(place, before), value }
             }
-            Argument::Exclusive(place) => {
+            Argument::Exclusive(place) | Argument::Reborrow(place) => {
                 let tokens = self.primal_place(place);
                 let value = quote!(&mut #tokens);
                 Passed { tangent: self.lent_exclusively(place, before), value }
             }
+            Argument::Function(_) => unreachable!("is not supported"),
             Argument::Receiver(place) => {
                 let value = self.primal_place(place);
                 let tangent = match self.lowered.vars[place.root].mutable {
@@ -218,6 +223,11 @@ fn is_number(tokens: &TokenStream) -> bool {
         }
         _ => false,
     }
+}
+
+/// Whether the tokens are a closure.
+fn is_closure(tokens: &TokenStream) -> bool {
+    matches!(syn::parse2::<syn::Expr>(tokens.clone()), Ok(syn::Expr::Closure(_)))
 }
 
 /// Whether the tokens are the name of something.

@@ -4,7 +4,9 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 use super::{Tangent, Writer};
-use crate::ir::{Branch, BranchKind, Build, BuildSource, Head, Loop, Operand};
+use crate::ir::{
+    Branch, BranchKind, Build, BuildSource, Head, Loop, Operand, Operation, Statement,
+};
 
 impl Writer<'_> {
     pub(super) fn branch(&mut self, branch: &Branch) -> TokenStream {
@@ -16,9 +18,19 @@ impl Writer<'_> {
             .arms
             .iter()
             .map(|arm| {
+                // Positions that count from the end are computed first.
+                let is_position = |statement: &Statement| match statement {
+                    Statement::Define { var, operation: Operation::Use(operand), .. } => {
+                        matches!(operand, Operand::Constant(_)) && !self.lowered.vars[*var].active
+                    }
+                    _ => false,
+                };
+                let first = arm.body.statements.iter().take_while(|s| is_position(s)).count();
+                let (positions, rest) = arm.body.statements.split_at(first);
+                let positions = self.statements(positions);
                 let bound = self.bindings(&arm.bindings, source);
-                let statements = self.block(&arm.body);
-                quote!(#bound #statements)
+                let statements = self.statements(rest);
+                quote!(#positions #bound #statements)
             })
             .collect();
         let result = branch.result;

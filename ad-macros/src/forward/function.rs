@@ -12,7 +12,7 @@ use crate::signature::{Parameter, is_discrete, pointee};
 /// What the tangent of a parameter is.
 pub(super) fn tangent_of_parameter(parameter: &Parameter) -> Tangent {
     match parameter {
-        _ if is_still(&parameter.ty) => Tangent::Still,
+        _ if parameter.is_constant || is_still(&parameter.ty) => Tangent::Still,
         Parameter { is_exclusive: true, .. } => Tangent::Exclusive,
         Parameter { is_shared: true, .. } => Tangent::Shared,
         _ => Tangent::Owned,
@@ -65,6 +65,9 @@ pub(super) fn has_length(ty: &Type) -> bool {
 fn tangent_type(parameter: &Parameter) -> TokenStream {
     let ty = pointee(&parameter.ty);
     let span = ty.span();
+    if parameter.is_constant {
+        return quote_spanned!(span=> ::ad::NoTangent<#ty>);
+    }
     let tangent = match ty {
         Type::Slice(slice) => {
             let element = &slice.elem;
@@ -137,7 +140,8 @@ pub fn item(
     tangents: &[Ident],
     body: Option<&TokenStream>,
 ) -> TokenStream {
-    let Function { place, visibility, signature, attributes, .. } = function;
+    let Function { place, visibility, attributes, callables, .. } = function;
+    let signature = &callables.signature;
     let jvp = name(function);
     let inputs = signature.inputs.iter().zip(parameters).map(|(input, parameter)| match input {
         FnArg::Receiver(receiver) => quote!(#receiver),

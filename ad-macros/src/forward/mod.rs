@@ -23,6 +23,7 @@ mod flow;
 mod function;
 mod operation;
 mod place;
+mod support;
 mod uses;
 
 use std::collections::{HashMap, HashSet};
@@ -65,6 +66,13 @@ enum Tangent {
 
 /// Writes the forward mode.
 pub fn forward(lowered: &Lowered, parameters: &[Parameter], names: &mut Names) -> Forward {
+    if !support::is_supported(lowered, parameters) {
+        return Forward {
+            tangents: function::names_of_tangents(parameters),
+            statements: TokenStream::new(),
+            result: quote!(::ad::rt::without_forward_mode()),
+        };
+    }
     let mut writer = Writer {
         lowered,
         names,
@@ -115,8 +123,11 @@ struct Writer<'a> {
 impl Writer<'_> {
     /// The statements of a block.
     fn block(&mut self, block: &Block) -> TokenStream {
-        let statements = block.statements.iter().map(|statement| self.statement(statement));
-        statements.collect()
+        self.statements(&block.statements)
+    }
+
+    fn statements(&mut self, statements: &[Statement]) -> TokenStream {
+        statements.iter().map(|statement| self.statement(statement)).collect()
     }
 
     fn statement(&mut self, statement: &Statement) -> TokenStream {

@@ -105,7 +105,7 @@ impl Writer<'_> {
                 is_still(*rest) && parts.iter().all(|(_, part)| self.is_still(part))
             }
             Operation::Repeat { value, .. } => is_still(*value),
-            Operation::Call { .. } => false,
+            Operation::Call { .. } | Operation::Closure(_) => false,
         };
         operands_are && !var.mutable
     }
@@ -142,6 +142,7 @@ impl Writer<'_> {
                 quote!(#value as #ty)
             }
             Operation::Call { .. } => unreachable!("calls are written apart"),
+            Operation::Closure(_) => unreachable!("is not supported"),
             Operation::Aggregate { expression, .. }
             | Operation::UpdateStruct { expression, .. } => expression.clone(),
             Operation::Repeat { value, length, is_vec } => {
@@ -232,9 +233,10 @@ impl Writer<'_> {
                 };
                 (repeated, Tangent::Owned)
             }
-            Operation::Binary(..) | Operation::Negate(_) | Operation::Call { .. } => {
-                (zero, Tangent::Owned)
-            }
+            Operation::Binary(..)
+            | Operation::Negate(_)
+            | Operation::Call { .. }
+            | Operation::Closure(_) => (zero, Tangent::Owned),
         }
     }
 

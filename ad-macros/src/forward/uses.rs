@@ -137,7 +137,9 @@ impl Walk<'_> {
                         Argument::Value(operand) => self.operand(operand),
                         Argument::Borrow(place)
                         | Argument::Exclusive(place)
+                        | Argument::Reborrow(place)
                         | Argument::Receiver(place) => self.place(place),
+                        Argument::Function(_) => {}
                     }
                 }
             }
@@ -149,6 +151,7 @@ impl Walk<'_> {
                 self.var(*rest);
             }
             Operation::Repeat { value, .. } => self.var(*value),
+            Operation::Closure(_) => {}
         }
     }
 }

@@ -1,5 +1,4 @@
-//! Arrays and `Vec`s built element by element: `array::from_fn`, `array::map`, `collect`; and
-//! `Option::map`.
+//! Arrays and `Vec`s built element by element: `array::from_fn`, `array::map`, `collect`.
 
 use quote::{ToTokens, quote};
 use syn::spanned::Spanned;
@@ -58,7 +57,7 @@ impl Lowerer<'_> {
         self.build(function, None, ty, hint)
     }
 
-    /// `array.map(function)`, `option.map(function)`, if `call` is one.
+    /// `array.map(function)`, if `call` is one.
     pub(super) fn mapped(&mut self, call: &ExprMethodCall, hint: &str) -> Option<Operand> {
         if call.method != "map" || call.args.len() != 1 || is_chain(&call.receiver) {
             return None;
@@ -72,21 +71,7 @@ impl Lowerer<'_> {
                 let place = self.source_place(&call.receiver, false);
                 self.build(function, Some(place), None, hint)
             }
-            Some(Container::Option) => {
-                let (receiver, name) = (&call.receiver, self.names.unwritten("content"));
-                let some: Expr = match self.named_closure(function) {
-                    Some(_) => parse_quote!(#function(#name)),
-                    None => parse_quote!((#function)(#name)),
-                };
-                self.operand(
-                    &parse_quote!(match #receiver {
-                        ::core::option::Option::Some(#name) => ::core::option::Option::Some(#some),
-                        ::core::option::Option::None => ::core::option::Option::None,
-                    }),
-                    hint,
-                )
-            }
-            None => self.refuse(
+            _ => self.refuse(
                 &call.method,
                 "what this maps over may be an array or an option: give it a name and a type with `let` before",
             ),
@@ -104,7 +89,7 @@ impl Lowerer<'_> {
             Expr::MethodCall(call) if call.method == "map" => self.container(&call.receiver),
             Expr::Call(call) => match strip_parens(&call.func) {
                 Expr::Path(path) if is_from_fn(&path.path) => Some(Container::Array),
-                Expr::Path(path) if super::expression::is_transparent(&path.path) => {
+                Expr::Path(path) if super::construct::is_transparent(&path.path) => {
                     Some(Container::Option)
                 }
                 _ => None,
@@ -189,8 +174,29 @@ impl Lowerer<'_> {
         self.read_place(Place { root: var, path: Vec::new() }, hint)
     }
 
+    /// `vec.extend(iterator)`, if `call` is that.
+    pub(super) fn extended(&mut self, call: &ExprMethodCall) -> Option<Operand> {
+        let [items] = &call.args.iter().collect::<Vec<_>>()[..] else { return None };
+        if call.method != "extend" || !is_chain(items) {
+            return None;
+        }
+        let (vec, item_name) = (&call.receiver, self.names.unwritten("item"));
+        self.run_chain(items, &mut |lowerer, item, end| {
+            let item = Item::Value(match item {
+                Item::Reference(alias) => lowerer.read_place(alias.place, "item"),
+                item => lowerer.owned(item, call),
+            });
+            lowerer.scope(|lowerer| {
+                lowerer.bind_item(&parse_quote!(#item_name), item);
+                lowerer.expression_statement(&parse_quote!(#vec.push(#item_name)));
+            });
+            lowerer.normal_end(Self::unit(), end)
+        });
+        Some(Self::unit())
+    }
+
     /// An item that does not refer to a place.
-    fn owned(&mut self, item: Item, call: &ExprMethodCall) -> Operand {
+    pub(super) fn owned(&mut self, item: Item, call: &ExprMethodCall) -> Operand {
         if item.refers() {
             return self.refuse(
                 &call.method,

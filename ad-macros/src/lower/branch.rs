@@ -87,8 +87,10 @@ impl Lowerer<'_> {
                     Some(place) => place.path.is_empty() && self.may_refer(place.root),
                     None => false,
                 };
-                let matched_value =
-                    Matched { active: source.is_some(), refutable: true, reference };
+                let patterns = branch.arms.iter().map(|arm| &arm.pat);
+                let length = self.length_for(patterns, &matched);
+                let active = source.is_some();
+                let matched_value = Matched { active, refutable: true, reference, length };
                 let arms = branch.arms.iter().map(|arm| {
                     let (pat, guard) = match &arm.pat {
                         Pat::Guard(guarded) => (&*guarded.pat, Some(&guarded.guard)),

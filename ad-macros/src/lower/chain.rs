@@ -11,13 +11,10 @@
 //! would borrow from variables that the pullback owns).
 
 use proc_macro2::TokenStream;
-use quote::{format_ident, quote};
-use syn::spanned::Spanned;
-use syn::{Expr, ExprMethodCall, Ident, Lit};
+use syn::{Expr, Ident, Lit};
 
-use super::Lowerer;
 use super::flow::strip_parens;
-use crate::ir::{Operand, Operation, Place, Projection, VarId};
+use crate::ir::{Place, VarId};
 
 /// An iterator, before its items have names.
 pub(super) enum Chain {
@@ -37,6 +34,12 @@ pub(super) enum Chain {
     Copied(Box<Chain>),
     /// `.map(function)`
     Map(Box<Chain>, Expr),
+    /// `.chain(other)`
+    Chained(Box<Chain>, Box<Chain>),
+    /// `.filter_map(function)`, and with `stops` `.map_while(function)`.
+    FilterMap { inner: Box<Chain>, function: Expr, stops: bool },
+    /// `.flat_map(function)`, `.flatten()`
+    Flat(Box<Chain>, Option<Expr>),
     /// `.filter(predicate)`; what follows runs only where it holds.
     Filter(Box<Chain>, Expr),
     /// `.take_while(predicate)`
@@ -52,7 +55,9 @@ impl Chain {
     pub fn length(&self) -> Option<usize> {
         match self {
             Self::Constant { length, .. } | Self::Elements { length, .. } => *length,
-            Self::Runs { .. } | Self::Refused => None,
+            Self::Runs { .. } | Self::Refused | Self::Flat(..) => None,
+            Self::Chained(left, right) => Some(left.length()? + right.length()?),
+            Self::FilterMap { inner, .. } => inner.length(),
             Self::Enumerate(inner)
             | Self::Copied(inner)
             | Self::Map(inner, _)
@@ -65,9 +70,11 @@ impl Chain {
     }
 
     /// The functions that items go through.
-    fn functions(&self) -> Vec<&Expr> {
+    pub fn functions(&self) -> Vec<&Expr> {
         match self {
             Self::Map(inner, function)
+            | Self::FilterMap { inner, function, .. }
+            | Self::Flat(inner, Some(function))
             | Self::Filter(inner, function)
             | Self::TakeWhile(inner, function) => {
                 let mut functions = inner.functions();
@@ -77,8 +84,11 @@ impl Chain {
             Self::Enumerate(inner)
             | Self::Copied(inner)
             | Self::Count(inner, _)
+            | Self::Flat(inner, None)
             | Self::Order { inner, .. } => inner.functions(),
-            Self::Zip(left, right) => [left.functions(), right.functions()].concat(),
+            Self::Zip(left, right) | Self::Chained(left, right) => {
+                [left.functions(), right.functions()].concat()
+            }
             Self::Constant { .. } | Self::Elements { .. } | Self::Runs { .. } | Self::Refused => {
                 Vec::new()
             }
@@ -88,7 +98,11 @@ impl Chain {
     /// Whether the body of the loop decides which items there are.
     pub fn is_filtered(&self) -> bool {
         match self {
-            Self::Filter(..) | Self::TakeWhile(..) | Self::Count(..) => true,
+            Self::Filter(..)
+            | Self::FilterMap { .. }
+            | Self::Flat(..)
+            | Self::TakeWhile(..)
+            | Self::Count(..) => true,
             Self::Map(inner, _) | Self::Copied(inner) => inner.is_filtered(),
             _ => false,
         }
@@ -97,8 +111,10 @@ impl Chain {
     /// Whether the loop may end before its iterator does.
     pub fn stops(&self) -> bool {
         match self {
-            Self::TakeWhile(..) => true,
-            Self::Filter(inner, _)
+            Self::TakeWhile(..) | Self::FilterMap { stops: true, .. } => true,
+            Self::FilterMap { inner, .. }
+            | Self::Flat(inner, _)
+            | Self::Filter(inner, _)
             | Self::Count(inner, _)
             | Self::Map(inner, _)
             | Self::Copied(inner) => inner.stops(),
@@ -122,14 +138,14 @@ pub(super) fn is_chain(expr: &Expr) -> bool {
     }
 }
 
-fn is_source(method: &Ident) -> bool {
+pub(super) fn is_source(method: &Ident) -> bool {
     ["iter", "iter_mut", "into_iter", "windows", "chunks", "chunks_exact"]
         .iter()
         .any(|name| method == name)
 }
 
 fn is_adapter(method: &Ident) -> bool {
-    const ADAPTERS: [&str; 21] = [
+    const ADAPTERS: [&str; 22] = [
         "enumerate",
         "zip",
         "rev",
@@ -149,194 +165,11 @@ fn is_adapter(method: &Ident) -> bool {
         "flatten",
         "scan",
         "inspect",
+        "fuse",
         "peekable",
         "map_while",
     ];
     ADAPTERS.iter().any(|name| method == name)
-}
-
-impl Lowerer<'_> {
-    /// What a `for` loop runs over.
-    pub(super) fn chain(&mut self, expr: &Expr) -> Chain {
-        match strip_parens(expr) {
-            Expr::Range(range) => self.range(range),
-            Expr::Reference(reference) => self.elements(&reference.expr, true),
-            Expr::MethodCall(call) if is_source(&call.method) => self.source(call),
-            Expr::MethodCall(call) if is_chain(expr) => self.adapter(call),
-            expr => {
-                let by_reference = self.is_reference(expr);
-                self.elements(expr, by_reference)
-            }
-        }
-    }
-
-    fn range(&mut self, range: &syn::ExprRange) -> Chain {
-        let Some(from) = &range.start else {
-            self.refuse(range, "the range of a differentiable loop needs a start");
-            return Chain::Refused;
-        };
-        let length = range.end.as_ref().and_then(|to| literal_length(from, to, &range.limits));
-        let limits = &range.limits;
-        let from = self.plain_constant(from);
-        let to = range.end.as_ref().map(|to| self.plain_constant(to));
-        // A range without end cannot be run backwards.
-        let is_range = to.is_some();
-        Chain::Constant { iterator: quote!(#from #limits #to), length, is_range }
-    }
-
-    fn source(&mut self, call: &ExprMethodCall) -> Chain {
-        let (method, receiver) = (&call.method, &call.receiver);
-        match (&*method.to_string(), call.args.first()) {
-            ("iter" | "iter_mut", None) => self.elements(receiver, true),
-            ("into_iter", None) if is_chain(receiver) => self.chain(receiver),
-            ("into_iter", None) => self.chain(strip_parens(receiver)),
-            ("windows" | "chunks" | "chunks_exact", Some(size)) => {
-                let place = self.source_place(receiver, true);
-                let size = self.fixed(size);
-                let whole = self.place_tokens(&place);
-                let starts = match method == "windows" {
-                    true => quote!(::ad::rt::windows(#whole.len(), #size)),
-                    false if method == "chunks" => quote!((0..#whole.len()).step_by(#size)),
-                    false => quote!(::ad::rt::chunks_exact(#whole.len(), #size)),
-                };
-                Chain::Runs { place, iterator: starts, size, cut_short: method == "chunks" }
-            }
-            _ => {
-                self.refuse(
-                    call,
-                    "this is not the standard library's iterator: loop over an index",
-                );
-                Chain::Refused
-            }
-        }
-    }
-
-    fn elements(&mut self, expr: &Expr, by_reference: bool) -> Chain {
-        if let (Expr::Reference(reference), true) = (strip_parens(expr), by_reference) {
-            return self.elements(&reference.expr, true);
-        }
-        let place = self.place(expr);
-        let active = place.as_ref().is_some_and(|place| self.vars[place.root].active);
-        if !by_reference && place.is_some() && !active {
-            return Chain::Constant { iterator: self.plain(expr), length: None, is_range: false };
-        }
-        if !by_reference && place.is_none() {
-            return match self.operand(expr, "source") {
-                Operand::Constant(iterator) => {
-                    Chain::Constant { iterator, length: None, is_range: false }
-                }
-                Operand::Var(root) => {
-                    let place = Place { root, path: Vec::new() };
-                    Chain::Elements { place, by_reference, length: array_length(expr) }
-                }
-            };
-        }
-        let place = self.source_place(expr, by_reference);
-        let length = match place.path.is_empty() {
-            true => self.lengths.get(&place.root).copied(),
-            false => None,
-        };
-        Chain::Elements { place, by_reference, length }
-    }
-
-    /// The place whose elements are run over: a copy of it, where the loop may change it.
-    pub(super) fn source_place(&mut self, expr: &Expr, by_reference: bool) -> Place {
-        if let Some(place) = self.place(expr)
-            && (by_reference || !self.vars[place.root].mutable)
-        {
-            return place;
-        }
-        let root = match self.operand(expr, "source") {
-            Operand::Var(var) => var,
-            Operand::Constant(tokens) => {
-                let value = Operation::Use(Operand::Constant(quote!(&#tokens)));
-                self.define("source", expr.span(), false, value)
-            }
-        };
-        Place { root, path: Vec::new() }
-    }
-
-    /// A number that keeps its value until the reverse sweep.
-    fn fixed(&mut self, expr: &Expr) -> TokenStream {
-        if let Expr::Lit(literal) = expr {
-            return quote!(#literal);
-        }
-        let tokens = self.plain_constant(expr);
-        let value = Operation::Use(Operand::Constant(tokens));
-        let var = self.define("size", expr.span(), false, value);
-        let ident = self.ident(var);
-        quote!(#ident)
-    }
-
-    fn adapter(&mut self, call: &ExprMethodCall) -> Chain {
-        let inner = Box::new(self.chain(&call.receiver));
-        let name = call.method.to_string();
-        let filtered = inner.is_filtered();
-        if matches!(&*name, "zip" | "rev" | "take" | "skip" | "step_by" | "cycle") {
-            inner.functions().into_iter().for_each(|function| self.refuse_changes(function));
-        }
-        match (&*name, call.args.first()) {
-            ("copied" | "cloned", None) => Chain::Copied(inner),
-            ("enumerate", None) if filtered => {
-                let zero = Operation::Use(Operand::Constant(quote!(0usize)));
-                let ident = self.names.fresh("count", call.method.span());
-                let counter = self.var(ident, true, false);
-                self.push(crate::ir::Statement::Define { var: counter, ty: None, operation: zero });
-                Chain::Count(inner, counter)
-            }
-            ("enumerate", None) => Chain::Enumerate(inner),
-            ("zip", Some(other)) if !filtered => {
-                let other = self.chain(other);
-                if other.is_filtered() {
-                    self.refuse(
-                        call,
-                        "`zip` with a filtered iterator is not supported: write a loop",
-                    );
-                    return Chain::Refused;
-                }
-                Chain::Zip(inner, Box::new(other))
-            }
-            ("map", Some(function)) => Chain::Map(inner, function.clone()),
-            ("filter", Some(function)) => Chain::Filter(inner, function.clone()),
-            ("take_while", Some(function)) => Chain::TakeWhile(inner, function.clone()),
-            ("rev" | "cycle", None) if !filtered => {
-                Chain::Order { inner, adapter: call_of(&name, None), limit: None }
-            }
-            ("take" | "skip" | "step_by", Some(count)) if !filtered => {
-                let limit = match (&*name, literal(count)) {
-                    ("take", Some(count)) => Some(count),
-                    _ => None,
-                };
-                let count = self.plain_constant(count);
-                Chain::Order { inner, adapter: call_of(&name, Some(count)), limit }
-            }
-            _ if filtered => {
-                self.refuse(
-                    &call.method,
-                    format!("`{name}` behind a filter is not supported: put it before, or write a `for` loop with an `if`"),
-                );
-                Chain::Refused
-            }
-            _ => {
-                self.refuse(
-                    &call.method,
-                    format!("the iterator adapter `{name}` is not supported: write a `for` loop"),
-                );
-                Chain::Refused
-            }
-        }
-    }
-
-    /// The place of element `index`.
-    pub(super) fn element(place: &Place, index: TokenStream) -> Place {
-        let path = [&place.path[..], &[Projection::Index(index)]].concat();
-        Place { root: place.root, path }
-    }
-}
-
-fn call_of(adapter: &str, argument: Option<TokenStream>) -> TokenStream {
-    let adapter = format_ident!("{adapter}");
-    quote!(.#adapter(#argument))
 }
 
 pub(super) fn literal(expr: &Expr) -> Option<usize> {
@@ -359,7 +192,7 @@ pub(super) fn array_length(expr: &Expr) -> Option<usize> {
 }
 
 /// The length of a range between two literals.
-fn literal_length(from: &Expr, to: &Expr, limits: &syn::RangeLimits) -> Option<usize> {
+pub(super) fn literal_length(from: &Expr, to: &Expr, limits: &syn::RangeLimits) -> Option<usize> {
     let (from, to) = (literal(from)?, literal(to)?);
     Some(match limits {
         syn::RangeLimits::HalfOpen(_) => to.saturating_sub(from),

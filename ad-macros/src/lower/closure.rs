@@ -5,9 +5,9 @@
 //! changed where it lives, and gets its cotangent there. A `move` closure takes copies of the
 //! variables that may change.
 //!
-//! Turned down: lifting a closure into a value with a pullback (its captures would have to be
-//! threaded through every call as further parameters, and a captured variable that the closure
-//! changes has no place there).
+//! Turned down: making every closure a value with a pullback, as one is that a function is given
+//! (see [`function`](super::function)): it would copy what it captures, and a captured variable that
+//! the closure changes has no place there.
 
 use std::collections::{HashMap, HashSet};
 use std::rc::Rc;
@@ -26,9 +26,9 @@ use crate::names;
 
 /// A closure that has a name.
 pub(super) struct Closure {
-    body: ExprClosure,
+    pub body: ExprClosure,
     /// What names mean where it was written.
-    scopes: Vec<HashMap<String, VarId>>,
+    pub scopes: Vec<HashMap<String, VarId>>,
 }
 
 impl Lowerer<'_> {
@@ -127,7 +127,7 @@ impl Lowerer<'_> {
     }
 
     /// A value whose type the user gave.
-    fn typed(&mut self, value: Operand, ty: &syn::Type) -> Operand {
+    pub(super) fn typed(&mut self, value: Operand, ty: &syn::Type) -> Operand {
         let active = matches!(value, Operand::Var(_));
         let ident = self.names.fresh("returned", proc_macro2::Span::call_site());
         let var = self.var(ident.clone(), false, active);
@@ -158,7 +158,7 @@ impl Lowerer<'_> {
     pub(super) fn refuse_closure(&mut self, expr: &Expr) -> Operand {
         self.refuse(
             expr,
-            "a closure can be called, or given to an adapter of an iterator, and nothing else: write out what the function that takes it computes",
+            "a closure can be called, passed to a function, or given to an adapter of an iterator, and nothing else",
         )
     }
 
@@ -179,7 +179,7 @@ impl Lowerer<'_> {
 }
 
 /// Whether a closure assigns to a variable that it does not declare.
-fn changes_captured(closure: &ExprClosure) -> bool {
+pub(super) fn changes_captured(closure: &ExprClosure) -> bool {
     #[derive(Default)]
     struct Finder {
         declared: HashSet<String>,

@@ -3,7 +3,7 @@
 use proc_macro2::TokenStream;
 use quote::{ToTokens, quote};
 use syn::spanned::Spanned;
-use syn::{Expr, ExprMethodCall, GenericArgument, Type};
+use syn::{Expr, ExprMethodCall, GenericArgument, Type, parse_quote};
 
 use super::Lowerer;
 use super::chain::is_chain;
@@ -21,6 +21,8 @@ impl Lowerer<'_> {
             ("sum", []) => self.accumulated(call, BinaryOperator::Add, hint),
             ("product", []) => self.accumulated(call, BinaryOperator::Mul, hint),
             ("fold", [start, function]) => self.folded(&call.receiver, start, function, hint),
+            ("reduce", [function]) => self.reduced(call, Some(function), hint),
+            ("last", []) => self.reduced(call, None, hint),
             ("for_each", [function]) => {
                 self.each(&call.receiver, &mut |lowerer, item| {
                     lowerer.apply(function, vec![item]);
@@ -88,6 +90,32 @@ impl Lowerer<'_> {
         self.read_place(Place { root: state, path: Vec::new() }, hint)
     }
 
+    /// `.reduce(function)`, and without a function `.last()`.
+    fn reduced(&mut self, call: &ExprMethodCall, function: Option<&Expr>, hint: &str) -> Operand {
+        let none = Operand::Constant(quote!(::core::option::Option::None));
+        let state = self.changing(hint, none, call);
+        let [so_far, before, value] =
+            ["so_far", "before", "item"].map(|name| self.names.unwritten(name));
+        self.each(&call.receiver, &mut |lowerer, item| {
+            let item = Item::Value(lowerer.owned(item, call));
+            lowerer.scope(|lowerer| {
+                lowerer.alias(&so_far, state);
+                lowerer.bind_item(&parse_quote!(#value), item);
+                let next: Expr = match function {
+                    Some(function) => parse_quote!(match #so_far {
+                        ::core::option::Option::Some(#before) => {
+                            ::core::option::Option::Some((#function)(#before, #value))
+                        }
+                        ::core::option::Option::None => ::core::option::Option::Some(#value),
+                    }),
+                    None => parse_quote!(::core::option::Option::Some(#value)),
+                };
+                lowerer.expression_statement(&parse_quote!(#so_far = #next));
+            });
+        });
+        self.read_place(Place { root: state, path: Vec::new() }, hint)
+    }
+
     /// `.max_by(compare)`, `.min_by(compare)`: of equal items the last is the greatest, the first
     /// the least, as in the standard library.
     fn extreme(
@@ -147,7 +175,7 @@ impl Lowerer<'_> {
             let keep = lowerer.block(|_| Self::unit());
             let replace = lowerer.block(|lowerer| {
                 let expression = quote!(::core::option::Option::Some(#candidate));
-                let parts = super::expression::numbered(vec![Operand::Var(value)]);
+                let parts = super::construct::numbered(vec![Operand::Var(value)]);
                 let shape = crate::ir::Shape::Transparent;
                 let operation = Operation::Aggregate { expression, shape, parts };
                 let new = Operand::Var(lowerer.define("best", span, true, operation));
@@ -186,6 +214,7 @@ impl Lowerer<'_> {
     fn plain_item(&mut self, item: Item) -> Operand {
         match item {
             Item::Reference(alias) => self.read_place(alias.place, "term"),
+            Item::Value(Operand::Var(var)) => Operand::Var(self.number(var)),
             item => self.item_value(item),
         }
     }

@@ -7,9 +7,10 @@
 use proc_macro2::Ident;
 use syn::visit::{self, Visit};
 use syn::visit_mut::{self, VisitMut};
-use syn::{Arm, BinOp, Expr, ExprIf, Pat, Token, parse_quote};
+use syn::{Arm, BinOp, Expr, ExprIf, Pat, Stmt, Token, parse_quote};
 
-use super::expression::is_type_name;
+use super::construct::is_type_name;
+use crate::names::Names;
 
 /// An `if` or `match` in plainer form.
 pub fn branch(expr: Expr) -> Expr {
@@ -89,6 +90,54 @@ fn chain(branch: ExprIf) -> Expr {
         ::core::option::Option::Some((#(#mutabilities #names,)*)) => #then,
         ::core::option::Option::None => #otherwise,
     })
+}
+
+/// An assignment to several places, as a `let` and assignments to one each.
+pub fn assignment(assign: &syn::ExprAssign, names: &mut Names) -> Option<Vec<Stmt>> {
+    if !matches!(&*assign.left, Expr::Tuple(_) | Expr::Array(_) | Expr::Struct(_) | Expr::Call(_)) {
+        return None;
+    }
+    let mut assignments = Vec::new();
+    let pattern = parts(&assign.left, names, &mut assignments);
+    let value = &assign.right;
+    let mut statements = vec![parse_quote!(let #pattern = #value;)];
+    statements.extend(assignments);
+    Some(statements)
+}
+
+/// The pattern that gives a name to each place in `target`, and the assignments of the names.
+fn parts(target: &Expr, names: &mut Names, into: &mut Vec<Stmt>) -> Pat {
+    match target {
+        Expr::Tuple(tuple) => {
+            let parts: Vec<_> = tuple.elems.iter().map(|part| parts(part, names, into)).collect();
+            parse_quote!((#(#parts,)*))
+        }
+        Expr::Array(array) => {
+            let parts: Vec<_> = array.elems.iter().map(|part| parts(part, names, into)).collect();
+            parse_quote!([#(#parts),*])
+        }
+        Expr::Call(call) => {
+            let constructor = &call.func;
+            let parts: Vec<_> = call.args.iter().map(|part| parts(part, names, into)).collect();
+            parse_quote!(#constructor(#(#parts),*))
+        }
+        Expr::Struct(literal) => {
+            let path = &literal.path;
+            let members = literal.fields.iter().map(|field| &field.member);
+            let parts: Vec<_> =
+                literal.fields.iter().map(|field| parts(&field.expr, names, into)).collect();
+            let rest = &literal.dot2_token;
+            parse_quote!(#path { #(#members: #parts,)* #rest })
+        }
+        Expr::Infer(_) => parse_quote!(_),
+        Expr::Range(range) if range.start.is_none() && range.end.is_none() => parse_quote!(..),
+        Expr::Paren(inner) => parts(&inner.expr, names, into),
+        place => {
+            let name = names.unwritten("part");
+            into.push(parse_quote!(#place = #name;));
+            parse_quote!(#name)
+        }
+    }
 }
 
 /// The names that a pattern binds.

@@ -61,12 +61,10 @@ impl Lowerer<'_> {
     }
 
     /// A statement without exits.
-    fn statement(&mut self, stmt: &Stmt) {
+    pub(super) fn statement(&mut self, stmt: &Stmt) {
         match stmt {
             Stmt::Local(local) => self.local(local),
-            Stmt::Item(item) => {
-                self.refuse(item, "move this item out of the differentiable function");
-            }
+            Stmt::Item(item) => self.local_item(item),
             Stmt::Macro(call) => {
                 self.macro_call(&call.mac, "value");
             }

@@ -197,7 +197,7 @@ impl Lowerer<'_> {
                 if parts.iter().all(|part| matches!(part, Operand::Constant(_))) {
                     return Operand::Constant(expression);
                 }
-                let parts = super::expression::numbered(parts);
+                let parts = super::construct::numbered(parts);
                 let operation = Operation::Aggregate { expression, shape: Shape::Tuple, parts };
                 let span = proc_macro2::Span::call_site();
                 Operand::Var(self.define("item", span, true, operation))

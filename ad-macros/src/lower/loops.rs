@@ -43,6 +43,12 @@ impl Lowerer<'_> {
                 let exits = exits::block_exits(&a_loop.body);
                 let driver = Driver::Chain(&chain, Some(&a_loop.pat));
                 let checkpoint = self.is_checkpointed(&a_loop.attrs);
+                if checkpoint && self.is_object {
+                    self.refuse(
+                        expr,
+                        "a loop with checkpoints cannot stand in a closure that is passed to a function: put it into a function that the closure calls",
+                    );
+                }
                 if checkpoint {
                     self.refuse_borrowed_state(expr, &a_loop.body);
                 }
@@ -133,7 +139,12 @@ impl Lowerer<'_> {
     /// Runs `body` for each item of an iterator.
     pub(super) fn run_chain(&mut self, chain: &Expr, body: &mut Body<'_>) {
         let chain = self.chain(chain);
-        self.run(None, &[], &Driver::Chain(&chain, None), body);
+        self.run_over(&chain, body);
+    }
+
+    /// The same, for a chain that has been read.
+    pub(super) fn run_over(&mut self, chain: &Chain, body: &mut Body<'_>) {
+        self.run(None, &[], &Driver::Chain(chain, None), body);
     }
 
     fn run_block(
@@ -181,7 +192,8 @@ impl Lowerer<'_> {
                         iterator: items.iterator,
                         trip_count: chain.length(),
                     });
-                    let body = &mut |lowerer: &mut Self, item: Item| body(lowerer, item, &end);
+                    let body =
+                        &mut |lowerer: &mut Lowerer<'_>, item: Item| body(lowerer, item, &end);
                     lowerer.run_stages(items.item, &items.stages, own, &end, body)
                 }
                 Driver::While(condition) => {

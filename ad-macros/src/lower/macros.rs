@@ -10,7 +10,7 @@ use syn::{Expr, Lit, Macro, Pat, Path, Token};
 
 use super::flow::strip_parens;
 use super::{Lowerer, exits};
-use crate::ir::{Operand, Statement};
+use crate::ir::{Operand, Operation, Statement};
 
 /// `expression, pattern if guard`, as in `matches!`.
 pub(super) struct Matches {
@@ -55,6 +55,8 @@ impl Lowerer<'_> {
             "assert" | "debug_assert" => 1,
             "assert_eq" | "assert_ne" | "debug_assert_eq" | "debug_assert_ne" => 2,
             "panic" | "unreachable" => 0,
+            "print" | "println" | "eprint" | "eprintln" => 0,
+            "format" => return self.formatted(call),
             "dbg" => return self.debugged(call, hint),
             "vec" => return self.vec(call, hint),
             "matches" => {
@@ -81,12 +83,22 @@ impl Lowerer<'_> {
         let message: Vec<_> = arguments.iter().skip(shown).collect();
         tokens.extend(self.message(&message));
         let ident = format_ident!("{name}");
-        let code = quote_spanned!(call.span()=> ::core::#ident!(#(#tokens),*););
+        let code = quote_spanned!(call.span()=> ::std::#ident!(#(#tokens),*););
         self.push(Statement::Plain { code, defines: Vec::new() });
         match macro_diverges(call) {
             true => Operand::Constant(quote!(::ad::rt::never())),
             false => Self::unit(),
         }
+    }
+
+    /// `format!(..)`: text has no derivative.
+    fn formatted(&mut self, call: &Macro) -> Operand {
+        let Some(arguments) = self.arguments_of(call) else { return Self::unit() };
+        let arguments: Vec<_> = arguments.iter().collect();
+        let message = self.message(&arguments);
+        let text = Operand::Constant(quote_spanned!(call.span()=> ::std::format!(#(#message),*)));
+        let var = self.define("text", call.span(), false, Operation::Use(text));
+        Operand::Constant(self.ident(var).to_token_stream())
     }
 
     fn arguments_of(&mut self, call: &Macro) -> Option<Vec<Expr>> {
@@ -166,7 +178,7 @@ impl Lowerer<'_> {
 }
 
 /// The names that a format string takes from around it: `{name}`, `{:width$}`.
-fn captured_names(format: &str) -> Vec<String> {
+pub(super) fn captured_names(format: &str) -> Vec<String> {
     let mut names = Vec::new();
     let unescaped = format.replace("{{", "");
     for part in unescaped.split('{').skip(1) {

@@ -2,32 +2,41 @@
 //!
 //! [`flow`] lowers statements and turns every early exit into the end of a block, whose meaning
 //! [`ends`] keeps; [`branch`] lowers branches, which [`desugar`] makes plainer; [`loops`] lowers
-//! loops, [`chain`], [`stage`] and [`item`] what they run over, [`consume`] what iterators are used
-//! up by; [`array`] builds arrays by element; [`closure`] puts closures in place of their calls;
-//! [`expression`] names intermediate results; [`pattern`] and [`place`] tell which part of a value
+//! loops, [`chain`], [`source`], [`stage`], [`several`] and [`item`] what they run over, [`consume`] what iterators are used
+//! up by; [`array`] builds arrays by element; [`option`] writes out methods of options,
+//! [`part`] those that lend parts of slices; [`closure`] puts closures in place of their calls, and [`function`] passes them to functions;
+//! [`expression`], [`call`] and [`construct`] name intermediate results; [`pattern`], [`slice_pattern`] and [`place`] tell which part of a value
 //! is meant; [`sequence`] makes vectors and boxes; [`macros`] knows the macros of the standard
 //! library; [`higher`] refuses derivatives of derivatives; [`no_diff`] and [`plain`] pass on code through which no derivative flows, with variables
 //! renamed.
 
 mod array;
 mod branch;
+mod call;
 mod chain;
 mod closure;
+mod construct;
 mod consume;
 mod desugar;
 mod ends;
 mod exits;
 mod expression;
 mod flow;
+mod function;
 mod higher;
 mod item;
 mod loops;
 mod macros;
 mod no_diff;
+mod option;
+mod part;
 mod pattern;
 mod place;
 mod plain;
 mod sequence;
+mod several;
+mod slice_pattern;
+mod source;
 mod stage;
 
 use std::collections::{HashMap, HashSet};
@@ -44,30 +53,9 @@ use self::item::Alias;
 pub use self::place::is_scalar_method;
 use crate::errors::Errors;
 use crate::ir::{Block, BlockId, Operand, Operation, Statement, Var, VarId};
+pub use crate::ir::{Lowered, LoweredParameter};
 use crate::names::Names;
 use crate::signature::{Parameter, has_fixed_size, is_box, is_discrete, pointee};
-
-/// A function body in lowered form.
-pub struct Lowered {
-    /// Every variable.
-    pub vars: Vec<Var>,
-    /// The parameters.
-    pub parameters: Vec<LoweredParameter>,
-    /// The parameters that are shared references, and the types that they refer to.
-    pub references: Vec<(VarId, Type)>,
-    /// The body.
-    pub body: Block,
-}
-
-/// A parameter of a function.
-pub struct LoweredParameter {
-    /// Its variable.
-    pub var: VarId,
-    /// Whether its tangents may differ in size.
-    pub has_shape: bool,
-    /// Whether it is a box, whose cotangent may have been gathered as that of the content.
-    pub is_box: bool,
-}
 
 /// Lowers a function body.
 pub fn lower(
@@ -77,25 +65,7 @@ pub fn lower(
     names: &mut Names,
     errors: &mut Errors,
 ) -> Lowered {
-    let mut lowerer = Lowerer {
-        on_failure: OnFailure::of(result),
-        vars: Vec::new(),
-        scopes: vec![HashMap::new()],
-        open_blocks: Vec::new(),
-        block_count: 0,
-        jumps: Vec::new(),
-        jump_count: 0,
-        aliases: HashMap::new(),
-        exclusive_aliases: HashSet::new(),
-        references: HashSet::new(),
-        lengths: HashMap::new(),
-        containers: HashMap::new(),
-        closures: HashMap::new(),
-        capitals: HashSet::new(),
-        called_on: Vec::new(),
-        names,
-        errors,
-    };
+    let mut lowerer = Lowerer::new(OnFailure::of(result), names, errors);
     let mut parameter_vars = Vec::new();
     let body = lowerer.block(|lowerer| {
         parameter_vars = parameters.iter().map(|p| lowerer.parameter(p)).collect();
@@ -106,23 +76,7 @@ pub fn lower(
         }
         lowerer.function_body(&body.stmts)
     });
-    let references = parameters.iter().zip(&parameter_vars).filter_map(|(parameter, &var)| {
-        match &parameter.ty {
-            Type::Reference(reference) if !parameter.is_exclusive => {
-                Some((var, (*reference.elem).clone()))
-            }
-            _ => None,
-        }
-    });
-    let references = references.collect();
-    let parameters =
-        parameters.iter().zip(parameter_vars).map(|(parameter, var)| LoweredParameter {
-            var,
-            has_shape: !has_fixed_size(&parameter.ty),
-            is_box: is_box(&parameter.ty),
-        });
-    let parameters = parameters.collect();
-    Lowered { vars: lowerer.vars, parameters, references, body }
+    lowerer.finished(parameters, &parameter_vars, body)
 }
 
 /// What `?` returns.
@@ -170,6 +124,12 @@ struct Lowerer<'a> {
     containers: HashMap<VarId, Container>,
     /// The names that stand for closures.
     closures: HashMap<VarId, Rc<Closure>>,
+    /// The parameters that are functions, and their numbers of arguments.
+    functions: HashMap<VarId, usize>,
+    /// Whether this is the body of a closure that is passed to a function.
+    is_object: bool,
+    /// The items in the function, by their names.
+    items: HashSet<String>,
     /// The names in refutable patterns that were taken for constants, for their capital letter.
     capitals: HashSet<String>,
     /// The variables on which methods are being called whose arguments are being written. An
@@ -180,7 +140,53 @@ struct Lowerer<'a> {
     errors: &'a mut Errors,
 }
 
+impl<'a> Lowerer<'a> {
+    fn new(on_failure: OnFailure, names: &'a mut Names, errors: &'a mut Errors) -> Self {
+        Self {
+            on_failure,
+            vars: Vec::new(),
+            scopes: vec![HashMap::new()],
+            open_blocks: Vec::new(),
+            block_count: 0,
+            jumps: Vec::new(),
+            jump_count: 0,
+            aliases: HashMap::new(),
+            exclusive_aliases: HashSet::new(),
+            references: HashSet::new(),
+            lengths: HashMap::new(),
+            containers: HashMap::new(),
+            closures: HashMap::new(),
+            functions: HashMap::new(),
+            is_object: false,
+            items: HashSet::new(),
+            capitals: HashSet::new(),
+            called_on: Vec::new(),
+            names,
+            errors,
+        }
+    }
+}
+
 impl Lowerer<'_> {
+    /// The function whose parameters are `vars`.
+    fn finished(self, parameters: &[Parameter], vars: &[VarId], body: Block) -> Lowered {
+        let both = parameters.iter().zip(vars);
+        let references = both.clone().filter_map(|(parameter, &var)| match &parameter.ty {
+            Type::Reference(reference) if !parameter.is_exclusive => {
+                Some((var, (*reference.elem).clone()))
+            }
+            _ => None,
+        });
+        let references = references.collect();
+        let parameters = both.map(|(parameter, &var)| LoweredParameter {
+            var,
+            has_shape: !has_fixed_size(&parameter.ty),
+            is_box: is_box(&parameter.ty),
+        });
+        let parameters = parameters.collect();
+        Lowered { vars: self.vars, parameters, references, body }
+    }
+
     /// Writes a block; `fill` returns its value.
     fn block(&mut self, fill: impl FnOnce(&mut Self) -> Operand) -> Block {
         let id = self.block_count;
@@ -204,6 +210,31 @@ impl Lowerer<'_> {
     /// Whether a variable is or may be a reference.
     fn may_refer(&self, var: VarId) -> bool {
         self.vars[var].reference || self.references.contains(&var)
+    }
+
+    /// An item in the function: it stands before all else, so that both sweeps see it.
+    fn local_item(&mut self, item: &syn::Item) {
+        let name = match item {
+            syn::Item::Const(item) => Some(&item.ident),
+            syn::Item::Static(item) => Some(&item.ident),
+            syn::Item::Fn(item) => Some(&item.sig.ident),
+            syn::Item::Struct(item) => Some(&item.ident),
+            syn::Item::Enum(item) => Some(&item.ident),
+            syn::Item::Type(item) => Some(&item.ident),
+            syn::Item::Use(_) => None,
+            _ => {
+                self.refuse(item, "move this item out of the differentiable function");
+                return;
+            }
+        };
+        if self.is_object {
+            self.refuse(item, "move this item out of the closure that is passed to a function");
+        } else if name.is_some_and(|name| !self.items.insert(name.to_string())) {
+            self.refuse(item, "another item of the function has this name: give it one of its own");
+        }
+        let code = item.to_token_stream();
+        let (_, statements) = self.open_blocks.first_mut().expect("a block is open");
+        statements.insert(0, Statement::Plain { code, defines: Vec::new() });
     }
 
     fn push(&mut self, statement: Statement) {
@@ -278,15 +309,26 @@ impl Lowerer<'_> {
     }
 
     fn parameter(&mut self, parameter: &Parameter) -> VarId {
+        let var = self.parameter_var(parameter);
+        self.alias(&parameter.ident, var);
+        var
+    }
+
+    /// The variable of a parameter, without a name for users.
+    fn parameter_var(&mut self, parameter: &Parameter) -> VarId {
         let exclusive = parameter.is_exclusive;
         let mutable = exclusive || parameter.is_mutable_receiver;
-        let var = self.var(parameter.ident.clone(), mutable, !is_discrete(&parameter.ty));
+        let var = self.var(
+            parameter.ident.clone(),
+            mutable,
+            !parameter.is_constant && !is_discrete(&parameter.ty),
+        );
         self.vars[var].exclusive = exclusive;
         if parameter.is_shared {
             self.references.insert(var);
         }
-        self.alias(&parameter.ident, var);
         self.note_type(var, &parameter.ty);
+        self.functions.extend(parameter.arity.map(|arity| (var, arity)));
         var
     }
 

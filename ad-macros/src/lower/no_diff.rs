@@ -11,6 +11,7 @@ use syn::visit_mut::{self, VisitMut};
 use syn::{Expr, ExprCall, ExprClosure, FieldValue, Macro, parse_quote};
 
 use super::Lowerer;
+use super::plain::visit_arguments;
 use crate::ir::{Operand, Operation, VarId};
 
 /// `no_diff(|| ..)`
@@ -86,6 +87,13 @@ impl Renamed<'_, '_> {
 
 impl VisitMut for Renamed<'_, '_> {
     fn visit_expr_mut(&mut self, expr: &mut Expr) {
+        if let Expr::Call(call) = expr
+            && self.lowerer.function_parameter(&call.func).is_some()
+        {
+            visit_arguments(self, call);
+            *expr = self.lowerer.plain_call_of_parameter(call);
+            return;
+        }
         let Expr::Path(path) = expr else {
             return visit_mut::visit_expr_mut(self, expr);
         };

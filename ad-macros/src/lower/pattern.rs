@@ -8,7 +8,7 @@ use syn::{Expr, Member, Pat, Type};
 
 use super::Lowerer;
 use super::chain::is_chain;
-use super::expression::{is_transparent, is_type_name, outcome, variant};
+use super::construct::{is_transparent, is_type_name, outcome, variant};
 use crate::ir::{Binding, Operand, Operation, Place, Projection, Statement, VarId};
 
 /// What a pattern is matched against.
@@ -20,6 +20,8 @@ pub(super) struct Matched {
     pub refutable: bool,
     /// Whether it may be a reference: names are bound to references then.
     pub reference: bool,
+    /// Its length, where a pattern counts elements from the end.
+    pub length: Option<VarId>,
 }
 
 impl Lowerer<'_> {
@@ -30,7 +32,7 @@ impl Lowerer<'_> {
         (tokens, bindings)
     }
 
-    fn subpattern(
+    pub(super) fn subpattern(
         &mut self,
         pat: &Pat,
         path: &[Projection],
@@ -85,13 +87,7 @@ impl Lowerer<'_> {
                 quote!((#(#elements,)*))
             }
             Pat::Slice(slice) => {
-                let elements = slice.elems.iter().enumerate().map(|(index, element)| {
-                    let index = syn::Index::from(index);
-                    let path = [path, &[Projection::Index(quote!(#index))]].concat();
-                    self.subpattern(element, &path, matched, bindings)
-                });
-                let elements: Vec<_> = elements.collect();
-                self.check_rest(&slice.elems);
+                let elements = self.slice_pattern(slice, path, matched, bindings);
                 quote!([#(#elements),*])
             }
             Pat::TupleStruct(pattern) => {
@@ -167,7 +163,7 @@ impl Lowerer<'_> {
         {
             self.refuse(
                 elements,
-                "`..` is supported at the end of a pattern only: write `_` for each element",
+                "`..` is supported at the end of this pattern only: write `_` for each element",
             );
         }
     }
@@ -208,21 +204,27 @@ impl Lowerer<'_> {
         match value {
             Operand::Var(source) => {
                 let reference = self.may_refer(source);
-                let (pattern, bindings) =
-                    self.pattern(pat, Matched { active: true, refutable: false, reference });
+                let ident = self.ident(source).to_token_stream();
+                let length = self.length_for([pat], &ident);
+                let matched = Matched { active: true, refutable: false, reference, length };
+                let (pattern, bindings) = self.pattern(pat, matched);
                 let ty = ty.cloned();
                 self.push(Statement::Destructure { pattern, ty, source, bindings });
             }
             // What is assigned to later may get a derivative then.
             Operand::Constant(value) if binds_mutably(pat) => {
                 let source = self.named(Operand::Constant(value), "value", pat.span());
-                let matched = Matched { active: true, refutable: false, reference: false };
+                let ident = self.ident(source).to_token_stream();
+                let length = self.length_for([pat], &ident);
+                let matched = Matched { active: true, refutable: false, reference: false, length };
                 let (pattern, bindings) = self.pattern(pat, matched);
                 let ty = ty.cloned();
                 self.push(Statement::Destructure { pattern, ty, source, bindings });
             }
             Operand::Constant(value) => {
-                let matched = Matched { active: false, refutable: false, reference: false };
+                // Of what has no derivative no position is asked for.
+                let length = None;
+                let matched = Matched { active: false, refutable: false, reference: false, length };
                 let (pattern, bindings) = self.pattern(pat, matched);
                 let ty = ty.map(|ty| quote!(: #ty));
                 let defines = bindings.iter().map(|binding| binding.var).collect();

@@ -267,13 +267,7 @@ impl Lowerer<'_> {
             return None;
         }
         let Some(place) = self.place(expr) else {
-            let message = match expr {
-                Expr::Tuple(_) | Expr::Array(_) | Expr::Struct(_) => {
-                    "assign to one variable at a time"
-                }
-                _ => "only local variables and their parts can be assigned to",
-            };
-            self.refuse(expr, message);
+            self.refuse(expr, "only local variables and their parts can be assigned to");
             return None;
         };
         // Behind a variable that may be assigned to is a box, which owns its content.
@@ -293,6 +287,11 @@ impl Lowerer<'_> {
         if let Expr::Infer(_) = &*assign.left {
             self.operand(&assign.right, "value");
             return;
+        }
+        if let Some(desugared) = super::desugar::assignment(assign, self.names) {
+            return self.scope(|lowerer| {
+                desugared.iter().for_each(|statement| lowerer.statement(statement));
+            });
         }
         let value = self.operand(&assign.right, "value");
         let Some(place) = self.target(&assign.left) else { return };

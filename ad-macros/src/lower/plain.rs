@@ -8,7 +8,7 @@ use syn::visit::{self, Visit};
 use syn::visit_mut::{self, VisitMut};
 use syn::{BinOp, Expr, Macro, Pat, Type, parse_quote, parse_quote_spanned};
 
-use super::expression::is_type_name;
+use super::construct::is_type_name;
 use super::macros::{Matches, standard_macro};
 use super::no_diff::undifferentiated;
 use super::{Lowerer, exits};
@@ -132,6 +132,11 @@ impl Lowerer<'_> {
     }
 }
 
+/// Visits what a call is given.
+pub(super) fn visit_arguments(visitor: &mut impl VisitMut, call: &mut syn::ExprCall) {
+    call.args.iter_mut().for_each(|argument| visitor.visit_expr_mut(argument));
+}
+
 /// Looks for variables that may be assigned to.
 struct MutableReader<'l, 'a> {
     lowerer: &'l Lowerer<'a>,
@@ -216,6 +221,9 @@ impl VisitMut for Plain<'_, '_> {
                     if self.lowerer.closures.contains_key(&var) {
                         self.lowerer.refuse(&*path, "bind the value of this closure to a variable with `let` before the condition or the index that uses it");
                     }
+                    if self.lowerer.functions.contains_key(&var) {
+                        self.lowerer.refuse(&*path, "bind the value of the call that is given this function to a variable with `let` before the condition or the index that uses it");
+                    }
                     *expr = self.lowerer.value_of(var, path.span());
                 } else {
                     self.lowerer.check_capital(path);
@@ -268,6 +276,10 @@ impl VisitMut for Plain<'_, '_> {
                     &*expr,
                     "an assignment is not supported in a condition or an index: put it before",
                 );
+            }
+            Expr::Call(call) if self.lowerer.function_parameter(&call.func).is_some() => {
+                visit_arguments(self, call);
+                *expr = self.lowerer.plain_call_of_parameter(call);
             }
             Expr::Call(call) if self.lowerer.named_closure(&call.func).is_some() => {
                 if self.is_conditional {

@@ -7,7 +7,7 @@ use syn::spanned::Spanned;
 use syn::{Expr, ExprCall, Macro, Token};
 
 use super::Lowerer;
-use super::expression::numbered;
+use super::construct::numbered;
 use crate::ir::{Operand, Operation, Shape, Statement};
 
 /// What stands in `vec![..]`: a list, or one element and how often it is repeated.

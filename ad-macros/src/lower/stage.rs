@@ -10,6 +10,7 @@ use super::chain::Chain;
 use super::closure::simple_name;
 use super::ends::{End, Target};
 use super::item::{Alias, Item};
+use super::several::Rest;
 use crate::ir::{Arm, BranchKind, Operand, Operation, Statement, VarId};
 
 /// A chain whose items have names.
@@ -17,9 +18,9 @@ pub(super) struct Items {
     /// Of what `pattern` takes apart.
     pub iterator: TokenStream,
     /// Whether the iterator is a range, which has to stand in parentheses before an adapter.
-    is_range: bool,
+    pub(super) is_range: bool,
     /// How it can be run from its end to its start.
-    reversal: Reversal,
+    pub(super) reversal: Reversal,
     pub pattern: TokenStream,
     pub defines: Vec<VarId>,
     pub item: Item,
@@ -29,7 +30,7 @@ pub(super) struct Items {
 
 /// How an iterator can be run from its end to its start.
 #[derive(Clone, Copy, PartialEq, Eq)]
-enum Reversal {
+pub(super) enum Reversal {
     /// Not, or not for sure.
     No,
     /// As it is, for it is a range of integers of some type.
@@ -44,7 +45,7 @@ impl Items {
         self.reversal != Reversal::No
     }
 
-    fn adapt(&mut self, adapter: &TokenStream) {
+    pub(super) fn adapt(&mut self, adapter: &TokenStream) {
         let iterator = &self.iterator;
         self.iterator = match self.is_range {
             true => quote!((#iterator) #adapter),
@@ -68,6 +69,8 @@ impl Items {
 pub(super) enum Stage {
     Map(Expr),
     Copied,
+    FilterMap { function: Expr, stops: bool },
+    Flat(Option<Expr>),
     Filter(Expr),
     TakeWhile(Expr),
     Count(VarId),
@@ -157,6 +160,15 @@ impl Lowerer<'_> {
             Chain::Map(inner, function) => {
                 let pat = parameter(function);
                 self.with_stage(inner, Stage::Map(function.clone()), pat)
+            }
+            Chain::Chained(left, right) => self.chained(left, right, pat),
+            Chain::FilterMap { inner, function, stops } => {
+                let stage = Stage::FilterMap { function: function.clone(), stops: *stops };
+                self.with_stage(inner, stage, parameter(function))
+            }
+            Chain::Flat(inner, function) => {
+                let pat = function.as_ref().and_then(parameter);
+                self.with_stage(inner, Stage::Flat(function.clone()), pat)
             }
             Chain::Filter(inner, function) => {
                 self.with_stage(inner, Stage::Filter(function.clone()), pat)
@@ -259,7 +271,7 @@ impl Lowerer<'_> {
         stages: &[Stage],
         own: Target,
         end: &End,
-        body: &mut dyn FnMut(&mut Self, Item) -> Operand,
+        body: &mut Rest<'_>,
     ) -> Operand {
         let Some((stage, rest)) = stages.split_first() else { return body(self, item) };
         match stage {
@@ -279,6 +291,19 @@ impl Lowerer<'_> {
                 self.push(Statement::Plain { code, defines: Vec::new() });
                 let pair = Item::Tuple(vec![Item::Constant(position), item]);
                 self.run_stages(pair, rest, own, end, body)
+            }
+            Stage::FilterMap { function, stops } => {
+                let content = self.apply(function, vec![item]);
+                let mut rest = |lowerer: &mut Lowerer<'_>, item: Item| {
+                    lowerer.run_stages(item, rest, own, end, body)
+                };
+                self.run_some(content, *stops, own, end, &mut rest)
+            }
+            Stage::Flat(function) => {
+                let mut rest = |lowerer: &mut Lowerer<'_>, item: Item| {
+                    lowerer.run_stages(item, rest, own, end, body)
+                };
+                self.run_flat(item, function.as_ref(), end, &mut rest)
             }
             Stage::Filter(function) | Stage::TakeWhile(function) => {
                 // What it looks at and what the body uses is evaluated once.

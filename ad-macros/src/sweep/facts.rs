@@ -307,14 +307,17 @@ impl<'a> Facts<'a> {
             Statement::Define { operation: Operation::Call { arguments, .. }, .. } => {
                 for argument in arguments {
                     match argument {
-                        Argument::Exclusive(place) => {
+                        Argument::Exclusive(place) | Argument::Reborrow(place) => {
                             into.insert(place.root);
                         }
                         // A method may change its receiver.
                         Argument::Receiver(place) if self.vars[place.root].mutable => {
                             into.insert(place.root);
                         }
-                        Argument::Value(_) | Argument::Borrow(_) | Argument::Receiver(_) => {}
+                        Argument::Value(_)
+                        | Argument::Borrow(_)
+                        | Argument::Function(_)
+                        | Argument::Receiver(_) => {}
                     }
                 }
             }

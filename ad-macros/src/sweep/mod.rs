@@ -7,6 +7,7 @@
 mod a_loop;
 mod build;
 mod checkpoint;
+mod closure;
 mod cut;
 mod facts;
 mod operation;
@@ -47,21 +48,8 @@ pub fn sweep(
     names: &mut Names,
 ) -> Sweeps {
     let facts = Facts::new(lowered, parameters);
-    let mut sweeper = Sweeper {
-        vars: &lowered.vars,
-        references: &lowered.references,
-        is_primal: false,
-        products: Products::new(lowered, &facts, names),
-        facts,
-        names,
-        started: HashSet::new(),
-        spaces: HashSet::new(),
-        frames: Vec::new(),
-        loop_depth: 0,
-        top: TokenStream::new(),
-        kept_copies: HashMap::new(),
-        ranges: HashMap::new(),
-    };
+    let products = Products::new(lowered, &facts, names);
+    let mut sweeper = Sweeper { products, ..Sweeper::new(lowered, facts, names) };
     let exclusive = lowered.parameters.iter().map(|parameter| parameter.var);
     let exclusive: Vec<_> = exclusive.filter(|&var| lowered.vars[var].exclusive).collect();
     sweeper.started.extend(&exclusive);
@@ -96,6 +84,19 @@ pub fn sweep(
         pullback,
         incoming: exclusive.iter().map(|&var| lowered.vars[var].cotangent.clone()).collect(),
     }
+}
+
+/// The statements and the value of a function, as the user wrote them.
+pub fn primal(
+    lowered: &Lowered,
+    parameters: &[Parameter],
+    names: &mut Names,
+) -> (TokenStream, TokenStream) {
+    let facts = Facts::new(lowered, parameters);
+    let mut sweeper = Sweeper { is_primal: true, ..Sweeper::new(lowered, facts, names) };
+    let Written { forward, value, .. } = sweeper.block(&lowered.body, None);
+    let top = &sweeper.top;
+    (quote!(#top #forward), value)
 }
 
 /// The cotangents of one parameter or of several.
@@ -214,6 +215,26 @@ struct Sides {
 impl Frame {
     fn new(block: BlockId, outer: BTreeSet<VarId>) -> Self {
         Self { block, outer, assigned_later: HashSet::new() }
+    }
+}
+
+impl<'a> Sweeper<'a> {
+    fn new(lowered: &'a Lowered, facts: Facts<'a>, names: &'a mut Names) -> Self {
+        Self {
+            vars: &lowered.vars,
+            references: &lowered.references,
+            is_primal: false,
+            products: None,
+            facts,
+            names,
+            started: HashSet::new(),
+            spaces: HashSet::new(),
+            frames: Vec::new(),
+            loop_depth: 0,
+            top: TokenStream::new(),
+            kept_copies: HashMap::new(),
+            ranges: HashMap::new(),
+        }
     }
 }
 

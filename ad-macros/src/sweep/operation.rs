@@ -28,13 +28,13 @@ impl Sweeper<'_> {
         let mutability = mutable.then(|| quote!(mut));
         let ty = ty.map(|ty| quote!(: #ty));
         let forward = match operation {
-            Operation::Call { primal, vjp, method, arguments } => {
-                let function = if pulls_back { vjp } else { primal };
-                let call = self.call(function, *method, arguments);
-                match pulls_back {
-                    true => quote!(let (#ident, #record) = #call;),
-                    false => quote!(let #ident = #call;),
-                }
+            Operation::Call { vjp, method, arguments, .. } if pulls_back => {
+                let call = self.call(vjp, *method, arguments);
+                quote!(let (#ident, #record) = #call;)
+            }
+            Operation::Closure(closure) => {
+                let object = self.object(closure);
+                quote!(let #ident #ty = #object;)
             }
             operation => {
                 let value = self.primal(operation, ident.span());
@@ -97,9 +97,13 @@ impl Sweeper<'_> {
                     let place = self.place(place);
                     quote!(&#place)
                 }
-                Argument::Exclusive(place) => {
+                Argument::Exclusive(place) | Argument::Reborrow(place) => {
                     let place = self.place(place);
                     quote!(&mut #place)
+                }
+                Argument::Function(var) => {
+                    let ident = self.ident(*var);
+                    quote!(#ident)
                 }
                 Argument::Receiver(place) => self.place(place),
             })
@@ -151,9 +155,17 @@ impl Sweeper<'_> {
                 let value = self.ident(*value);
                 quote!(#value as #ty)
             }
+            // What takes an object is a derivative.
+            Operation::Call { vjp, method, arguments, .. }
+                if arguments.iter().any(|argument| matches!(argument, Argument::Function(_))) =>
+            {
+                let call = self.call(vjp, *method, arguments);
+                quote!(#call.0)
+            }
             Operation::Call { primal, method, arguments, .. } => {
                 self.call(primal, *method, arguments)
             }
+            Operation::Closure(_) => unreachable!("is written where it is defined"),
             Operation::Aggregate { expression, .. }
             | Operation::UpdateStruct { expression, .. } => expression.clone(),
             Operation::Repeat { value, length, is_vec } => {
@@ -252,6 +264,13 @@ impl Sweeper<'_> {
                 }
                 self.contribute(reverse, *rest, &[], cotangent);
             }
+            Operation::Closure(closure) => {
+                for (index, (_, place)) in closure.captures.iter().enumerate() {
+                    let part = Member::from(index);
+                    let part = quote!(#cotangent.#part);
+                    self.contribute(reverse, place.root, &place.path, part);
+                }
+            }
             Operation::Repeat { value, .. } => {
                 self.contribute(reverse, *value, &[], quote!(::ad::rt::sum(#cotangent)));
             }
@@ -268,12 +287,25 @@ impl Sweeper<'_> {
     ) -> TokenStream {
         let mut lent = Vec::new();
         let mut receiver = None;
+        // Which of several were borrowed as `&` no type could tell.
+        let is_lent = |argument: &&Argument| match argument {
+            Argument::Exclusive(_) | Argument::Reborrow(_) => true,
+            Argument::Receiver(place) => self.vars[place.root].mutable,
+            Argument::Value(_) | Argument::Borrow(_) | Argument::Function(_) => false,
+        };
+        let is_only_one = arguments.iter().filter(is_lent).count() == 1;
         for argument in arguments {
             match argument {
-                Argument::Exclusive(place) if !self.vars[place.root].active => {
+                Argument::Reborrow(place) if is_only_one && self.vars[place.root].active => {
+                    self.start(reverse, place.root);
+                    receiver = Some(cotangent_of(&self.vars[place.root].cotangent, &place.path));
+                }
+                Argument::Exclusive(place) | Argument::Reborrow(place)
+                    if !self.vars[place.root].active =>
+                {
                     lent.push(quote!(()));
                 }
-                Argument::Exclusive(place) => {
+                Argument::Exclusive(place) | Argument::Reborrow(place) => {
                     self.start(reverse, place.root);
                     let lender = cotangent_of(&self.vars[place.root].cotangent, &place.path);
                     lent.push(quote!(::ad::rt::Take::take(#lender)));
@@ -282,7 +314,10 @@ impl Sweeper<'_> {
                     self.start(reverse, place.root);
                     receiver = Some(cotangent_of(&self.vars[place.root].cotangent, &place.path));
                 }
-                Argument::Value(_) | Argument::Borrow(_) | Argument::Receiver(_) => {}
+                Argument::Value(_)
+                | Argument::Borrow(_)
+                | Argument::Function(_)
+                | Argument::Receiver(_) => {}
             }
         }
         match receiver {
@@ -297,11 +332,11 @@ impl Sweeper<'_> {
     fn changes_live_place(&mut self, operation: &Operation) -> bool {
         let Operation::Call { arguments, .. } = operation else { return false };
         arguments.iter().any(|argument| match argument {
-            Argument::Exclusive(place) | Argument::Receiver(place) => {
+            Argument::Exclusive(place) | Argument::Reborrow(place) | Argument::Receiver(place) => {
                 let root = &self.vars[place.root];
                 root.active && root.mutable && self.is_live(place)
             }
-            Argument::Value(_) | Argument::Borrow(_) => false,
+            Argument::Value(_) | Argument::Borrow(_) | Argument::Function(_) => false,
         })
     }
 
@@ -404,7 +439,11 @@ fn operand_target(operand: &Operand) -> Option<Target> {
 fn argument_target(argument: &Argument) -> Option<Target> {
     match argument {
         Argument::Value(operand) => operand_target(operand),
-        Argument::Borrow(place) | Argument::Exclusive(place) | Argument::Receiver(place) => {
+        Argument::Function(var) => Some(Target::whole(*var)),
+        Argument::Borrow(place)
+        | Argument::Exclusive(place)
+        | Argument::Reborrow(place)
+        | Argument::Receiver(place) => {
             let is_part = |step: &Projection| !matches!(step, Projection::Deref);
             let path = place.path.iter().filter(|step| is_part(step)).cloned().collect();
             let is_coerced = !matches!(argument, Argument::Receiver(_));

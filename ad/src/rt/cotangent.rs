@@ -48,6 +48,15 @@ impl<T: Additive> Absorb<Vec<T>, Length> for [T] {
     }
 }
 
+impl<T: Additive, const N: usize> Absorb<[T; N], Length> for [T] {
+    #[inline]
+    fn absorb(&mut self, contribution: [T; N]) {
+        for (mine, theirs) in self.iter_mut().zip(contribution) {
+            mine.accumulate(theirs);
+        }
+    }
+}
+
 impl<T: Additive, const N: usize> Absorb<Vec<T>, Length> for [T; N] {
     #[inline]
     fn absorb(&mut self, contribution: Vec<T>) {

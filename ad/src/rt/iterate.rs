@@ -23,6 +23,34 @@ pub fn chunks_exact(len: usize, size: usize) -> StepBy<Range<usize>> {
     (0..len - len % size).step_by(size)
 }
 
+/// An item of `left.chain(right)`.
+#[derive(Clone, Copy)]
+pub enum Side<L, R> {
+    /// One of the first iterator.
+    Left(L),
+    /// One of the second.
+    Right(R),
+}
+
+/// Compiles for sequences of the standard library.
+#[inline(always)]
+pub fn is_sequence<S: Sequence + ?Sized>(_: &S) {}
+
+/// A sequence of the standard library, whose methods are known.
+#[diagnostic::on_unimplemented(
+    message = "the method of this name is known for slices, arrays and `Vec`s only",
+    label = "this is a `{Self}`",
+    note = "call your own method by another name"
+)]
+pub trait Sequence {}
+
+impl<T> Sequence for [T] {}
+impl<T> Sequence for Vec<T> {}
+impl<T, const N: usize> Sequence for [T; N] {}
+impl<S: Sequence + ?Sized> Sequence for &S {}
+impl<S: Sequence + ?Sized> Sequence for &mut S {}
+impl<S: Sequence + ?Sized> Sequence for Box<S> {}
+
 /// The sum of nothing, bit for bit that of the standard library.
 #[inline(always)]
 pub fn empty_sum<T: Sum>() -> T {

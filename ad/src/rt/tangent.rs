@@ -144,6 +144,13 @@ macro_rules! from_references {
             }
         }
 
+        impl<T: Additive, const N: usize> Pass<[T; N], (Copied, Length)> for $($reference)* [T] {
+            #[inline(always)]
+            fn pass(self) -> [T; N] {
+                core::array::from_fn(|index| self[index].clone())
+            }
+        }
+
         impl<T: Additive, const N: usize> Pass<Vec<T>, (Copied, Length)> for $($reference)* [T; N] {
             #[inline(always)]
             fn pass(self) -> Vec<T> {
@@ -332,33 +339,43 @@ impl<T> Slot<T> {
     message = "forward mode cannot pass a tangent on here: `{Self}` is not what is expected",
     note = "to leave forward mode out, write `#[differentiable(reverse)]`"
 )]
-pub trait Still<'s, V: Differentiable + ?Sized, Kind> {
+pub trait Still<'s, V: ?Sized, S, Kind> {
     /// The zero.
-    fn still(value: &V, slot: &'s mut Slot<Tangent<V>>) -> Self;
+    fn still(value: &V, slot: &'s mut Slot<S>) -> Self;
 }
 
-impl<'s, V: Differentiable<Tangent = T> + ?Sized, T: Additive> Still<'s, V, Same> for T {
+impl<'s, V: Differentiable<Tangent = T> + ?Sized, T: Additive> Still<'s, V, T, Same> for T {
     #[inline(always)]
     fn still(value: &V, _: &'s mut Slot<T>) -> T {
         zero_like(value)
     }
 }
 
-impl<'s, V: Differentiable<Tangent = T> + ?Sized, T> Still<'s, V, Lent> for &'s T {
+/// What is marked `#[constant]` takes no tangent.
+impl<'s, V: ?Sized, U: ?Sized> Still<'s, V, (), Constant> for NoTangent<U> {
+    #[inline(always)]
+    fn still(_: &V, _: &'s mut Slot<()>) -> Self {
+        Self::new()
+    }
+}
+
+impl<'s, V: Differentiable<Tangent = T> + ?Sized, T> Still<'s, V, T, Lent> for &'s T {
     #[inline(always)]
     fn still(value: &V, slot: &'s mut Slot<T>) -> &'s T {
         slot.fill(zero_like(value))
     }
 }
 
-impl<'s, V: Differentiable<Tangent = T> + ?Sized, T> Still<'s, V, LentExclusively> for &'s mut T {
+impl<'s, V: Differentiable<Tangent = T> + ?Sized, T> Still<'s, V, T, LentExclusively>
+    for &'s mut T
+{
     #[inline(always)]
     fn still(value: &V, slot: &'s mut Slot<T>) -> &'s mut T {
         slot.fill(zero_like(value))
     }
 }
 
-impl<'s, V, T> Still<'s, V, (Lent, Length)> for &'s [T]
+impl<'s, V, T> Still<'s, V, Tangent<V>, (Lent, Length)> for &'s [T]
 where
     V: Differentiable<Tangent: AsMut<[T]> + 's> + ?Sized,
 {
@@ -368,7 +385,7 @@ where
     }
 }
 
-impl<'s, V, T> Still<'s, V, (LentExclusively, Length)> for &'s mut [T]
+impl<'s, V, T> Still<'s, V, Tangent<V>, (LentExclusively, Length)> for &'s mut [T]
 where
     V: Differentiable<Tangent: AsMut<[T]> + 's> + ?Sized,
 {
@@ -380,10 +397,10 @@ where
 
 /// The zero tangent of `value` in the form that is wanted.
 #[inline(always)]
-pub fn still<'s, V, T, Kind>(value: &V, slot: &'s mut Slot<Tangent<V>>) -> T
+pub fn still<'s, V, S, T, Kind>(value: &V, slot: &'s mut Slot<S>) -> T
 where
-    V: Differentiable + ?Sized,
-    T: Still<'s, V, Kind>,
+    V: ?Sized,
+    T: Still<'s, V, S, Kind>,
 {
     T::still(value, slot)
 }
@@ -411,7 +428,7 @@ macro_rules! from_constants {
         impl<'s, V, T, U, Kind> PassPart<'s, V, T, FromConstant<Kind>> for $reference
         where
             V: Differentiable + ?Sized,
-            T: Still<'s, V, Kind>,
+            T: Still<'s, V, Tangent<V>, Kind>,
             U: ?Sized,
         {
             #[inline(always)]

@@ -113,6 +113,59 @@ glam_rules! {
     DVec4 f64;
 }
 
+/// The `_vjp` sibling of `extend`.
+pub trait ExtendRules: Vector {
+    /// A vector of one element more.
+    type Longer;
+
+    /// The cotangents of the vector and of the element.
+    fn extend_vjp(
+        self,
+        last: Self::Scalar,
+    ) -> (Self::Longer, impl FnOnce(Self::Longer) -> (Self, Self::Scalar));
+}
+
+/// The `_vjp` sibling of `truncate`.
+pub trait TruncateRules: Vector {
+    /// A vector of one element less.
+    type Shorter;
+
+    /// Nothing to the last element.
+    fn truncate_vjp(self) -> (Self::Shorter, impl FnOnce(Self::Shorter) -> Self);
+}
+
+macro_rules! lengths {
+    ($($shorter:ident $longer:ident $scalar:ident $last:ident;)*) => {$(
+        impl ExtendRules for $shorter {
+            type Longer = $longer;
+
+            #[inline(always)]
+            fn extend_vjp(
+                self,
+                last: $scalar,
+            ) -> ($longer, impl FnOnce($longer) -> (Self, $scalar)) {
+                (self.extend(last), |g: $longer| (g.truncate(), g.$last))
+            }
+        }
+
+        impl TruncateRules for $longer {
+            type Shorter = $shorter;
+
+            #[inline(always)]
+            fn truncate_vjp(self) -> ($shorter, impl FnOnce($shorter) -> Self) {
+                (self.truncate(), |g: $shorter| g.extend(<$scalar>::zero()))
+            }
+        }
+    )*};
+}
+
+lengths! {
+    Vec2 Vec3 f32 z;
+    Vec3 Vec4 f32 w;
+    DVec2 DVec3 f64 z;
+    DVec3 DVec4 f64 w;
+}
+
 /// glam's functions that make vectors, with derivatives.
 ///
 /// `glam::vec3` is a function without one; these are the same to call, and

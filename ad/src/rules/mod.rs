@@ -34,6 +34,9 @@
 //! | `signum`, `floor`, `ceil`, `round`, `round_ties_even`, `trunc`, `div_euclid`, `copysign` to the sign | everywhere | 0 |
 //! | `%`, `rem_euclid`, `fract` | a jump | as beside it |
 //! | `length`, `distance`, `length_recip`, `normalize`, `normalize_or_zero`, `project_onto` | zero vector | 0 |
+//! | `inverse` of a matrix | determinant 0 | 0 |
+//! | `Quat::normalize`, `Quat::length` | 0 | 0 |
+//! | `Quat::slerp` | ends that coincide or are opposite | as `Quat::lerp` |
 //! | any | the cotangent of the result is 0 | 0, even if the partial derivative is infinite or NaN |
 //!
 //! The last row keeps the arm that [`select`](fn@crate::select) did not take from poisoning the
@@ -44,30 +47,59 @@ mod choose;
 mod float;
 pub mod forward;
 mod glam_only;
+mod matrix;
 mod operators;
 mod outcome;
+mod quaternion;
 #[doc(hidden)]
 pub mod replace;
+mod rotation;
 mod scalar;
 mod sequence;
+mod transform;
 mod vector;
 
 pub use cast::CastPullback;
 pub use choose::{no_diff, select, stop_gradient};
 pub use float::{FloatRules, FromRules};
-pub use glam_only::{GlamRules, construct};
+pub use glam_only::{ExtendRules, GlamRules, TruncateRules, construct};
+pub use matrix::{
+    DMat2Rules, DMat3Rules, DMat4Rules, Mat2Rules, Mat3Rules, Mat4Rules, MatrixRules,
+};
 pub use operators::{AddPullback, DivPullback, MulPullback, NegPullback, RemPullback, SubPullback};
-pub use outcome::{OptionRules, ResultRules};
+pub use outcome::{CopiedRules, OptionRules, ResultRules};
+pub use quaternion::QuaternionRules;
 pub use scalar::{RealRules, ScalarRules};
 pub use sequence::{CloneRules, Elements, SequenceRules, VecRules};
+pub use transform::{AngleRules, RotationRules, TransformRules};
 pub use vector::{DVec2Rules, DVec4Rules, Vec2Rules, Vec4Rules, Vector3Rules, VectorRules};
 
-use crate::{Real, vector::Vector};
+use crate::{Additive, Real, vector::Vector};
 
 /// `cotangent * partial`, and 0 where the cotangent is 0, whatever the partial is.
 #[inline(always)]
 fn scale<S: Real>(cotangent: S, partial: S) -> S {
     S::select(cotangent.vanishes(), S::zero(), cotangent * partial)
+}
+
+/// The tangent of a product of what is made of several numbers. A factor whose tangent is zero does
+/// not count, whatever the other factor is.
+#[inline(always)]
+fn bilinear<A, B, C>(product: impl Fn(A, B) -> C, factors: (A, B), tangents: (A, B)) -> C
+where
+    A: Additive + PartialEq,
+    B: Additive + PartialEq,
+    C: Additive,
+{
+    let ((a, b), (a_tangent, b_tangent)) = (factors, tangents);
+    let mut along = C::zero();
+    if a_tangent != A::zero() {
+        along.accumulate(product(a_tangent, b));
+    }
+    if b_tangent != B::zero() {
+        along.accumulate(product(a, b_tangent));
+    }
+    along
 }
 
 /// [`scale`] of every element of `partial` by one cotangent.

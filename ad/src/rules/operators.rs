@@ -32,7 +32,8 @@ macro_rules! linear_operator {
         #[doc = concat!("The pullback of `", $symbol, "`.")]
         #[diagnostic::on_unimplemented(
             message = "no derivative rule for an operator between `{Self}` and `{Rhs}`",
-            note = "rules exist for f32, f64 and glam's float vectors, by value: dereference a reference with `*`"
+            note = "rules exist for f32, f64 and glam's float vectors, by value: dereference a reference with `*`",
+            note = "operators of your own type: put the computation into a method under `#[differentiable]`, and call that"
         )]
         pub trait $name<Rhs: Differentiable = Self>:
             Differentiable + $operator<Rhs, Output: Differentiable> + Sized
@@ -60,7 +61,8 @@ macro_rules! bilinear_operator {
         #[doc = concat!("The pullback of `", $symbol, "`.")]
         #[diagnostic::on_unimplemented(
             message = "no derivative rule for an operator between `{Self}` and `{Rhs}`",
-            note = "rules exist for f32, f64 and glam's float vectors, by value: dereference a reference with `*`"
+            note = "rules exist for f32, f64 and glam's float vectors, by value: dereference a reference with `*`",
+            note = "operators of your own type: put the computation into a method under `#[differentiable]`, and call that"
         )]
         pub trait $name<Rhs: Differentiable = Self>:
             Differentiable + $operator<Rhs, Output: Differentiable> + Sized

@@ -63,6 +63,47 @@ impl<T: Differentiable> OptionRules for Option<T> {
     }
 }
 
+/// The `_vjp` siblings of the methods of options of references, whose tangents are those of what is
+/// referred to.
+pub trait CopiedRules: Sized {
+    /// What is referred to.
+    type Target: Differentiable;
+
+    /// The cotangent of the copy.
+    fn copied_vjp(
+        self,
+    ) -> (Option<Self::Target>, fn(Tangent<Self::Target>) -> Tangent<Self::Target>)
+    where
+        Self::Target: Copy;
+
+    /// The cotangent of the clone.
+    fn cloned_vjp(
+        self,
+    ) -> (Option<Self::Target>, fn(Tangent<Self::Target>) -> Tangent<Self::Target>)
+    where
+        Self::Target: Clone;
+}
+
+impl<T: Differentiable> CopiedRules for Option<&T> {
+    type Target = T;
+
+    #[inline(always)]
+    fn copied_vjp(self) -> (Option<T>, fn(Tangent<T>) -> Tangent<T>)
+    where
+        T: Copy,
+    {
+        (self.copied(), core::convert::identity)
+    }
+
+    #[inline(always)]
+    fn cloned_vjp(self) -> (Option<T>, fn(Tangent<T>) -> Tangent<T>)
+    where
+        T: Clone,
+    {
+        (self.cloned(), core::convert::identity)
+    }
+}
+
 /// The `_vjp` siblings of the methods of results.
 pub trait ResultRules:
     Differentiable<Tangent = (Tangent<Self::Value>, Tangent<Self::Error>)>

@@ -99,6 +99,40 @@ pub trait SequenceRules: Differentiable<Tangent: Elements<Tangent<Self::Element>
         })
     }
 
+    /// To the places where the elements came from.
+    #[inline]
+    fn sort_by_vjp<F>(
+        &mut self,
+        mut compare: F,
+    ) -> ((), impl FnOnce((), Self::Tangent) -> (Self::Tangent, ()) + use<Self, F>)
+    where
+        F: FnMut(&Self::Element, &Self::Element) -> core::cmp::Ordering,
+    {
+        let from = sorted_from(self.sequence(), &mut compare);
+        ((), move |(), mut cotangent: Self::Tangent| {
+            let mut before = Self::Tangent::zero();
+            let elements = cotangent.elements(from.len());
+            let places = before.elements(from.len());
+            for (&place, element) in from.iter().zip(elements) {
+                places[place].accumulate(element.clone());
+            }
+            (before, ())
+        })
+    }
+
+    /// As [`sort_by_vjp`](Self::sort_by_vjp), which keeps the order of equal elements: an order that
+    /// the unstable sort may give them, too.
+    #[inline]
+    fn sort_unstable_by_vjp<F>(
+        &mut self,
+        compare: F,
+    ) -> ((), impl FnOnce((), Self::Tangent) -> (Self::Tangent, ()) + use<Self, F>)
+    where
+        F: FnMut(&Self::Element, &Self::Element) -> core::cmp::Ordering,
+    {
+        self.sort_by_vjp(compare)
+    }
+
     /// To the value, the sum; nothing to what it overwrote.
     #[inline]
     fn fill_vjp(
@@ -129,6 +163,28 @@ pub trait SequenceRules: Differentiable<Tangent: Elements<Tangent<Self::Element>
         self.sequence().copy_from_slice(source);
         ((), |(), cotangent: Self::Tangent| (Additive::zero(), cotangent.into_source()))
     }
+}
+
+/// Sorts, and returns where each element came from.
+pub(super) fn sorted_from<T>(
+    elements: &mut [T],
+    compare: &mut dyn FnMut(&T, &T) -> core::cmp::Ordering,
+) -> Vec<usize> {
+    let mut from: Vec<usize> = (0..elements.len()).collect();
+    from.sort_by(|&i, &j| compare(&elements[i], &elements[j]));
+    // Follows each cycle of the permutation: place `i` gets what lies at `from[i]`.
+    let mut pending = from.clone();
+    for start in 0..pending.len() {
+        let mut place = start;
+        while pending[place] != start {
+            let next = pending[place];
+            elements.swap(place, next);
+            pending[place] = place;
+            place = next;
+        }
+        pending[place] = place;
+    }
+    from
 }
 
 impl<T: Differentiable> SequenceRules for [T] {
@@ -201,6 +257,19 @@ pub trait VecRules {
     )
     where
         Self::Element: Clone;
+
+    /// The same for elements that are handed over.
+    fn extend_vjp<I>(
+        &mut self,
+        items: I,
+    ) -> (
+        (),
+        impl FnOnce((), Vec<Tangent<Self::Element>>) -> (Vec<Tangent<Self::Element>>, Tangent<I>)
+        + use<Self, I>,
+    )
+    where
+        I: IntoIterator<Item = Self::Element>
+            + Differentiable<Tangent: Elements<Tangent<Self::Element>>>;
 }
 
 impl<T: Differentiable> VecRules for Vec<T> {
@@ -253,10 +322,31 @@ impl<T: Differentiable> VecRules for Vec<T> {
         let len = self.len();
         self.extend_from_slice(source);
         ((), move |(), mut cotangent: Vec<Tangent<T>>| {
-            let new = if cotangent.len() > len { cotangent.split_off(len) } else { Vec::new() };
+            let new = split_off(&mut cotangent, len);
             (cotangent, new)
         })
     }
+
+    #[inline]
+    fn extend_vjp<I>(
+        &mut self,
+        items: I,
+    ) -> ((), impl FnOnce((), Vec<Tangent<T>>) -> (Vec<Tangent<T>>, Tangent<I>) + use<T, I>)
+    where
+        I: IntoIterator<Item = T> + Differentiable<Tangent: Elements<Tangent<T>>>,
+    {
+        let len = self.len();
+        self.extend(items);
+        ((), move |(), mut cotangent: Vec<Tangent<T>>| {
+            let new = split_off(&mut cotangent, len);
+            (cotangent, Elements::from_copy(new))
+        })
+    }
+}
+
+/// The cotangents of the elements from `len` on, which the sequence did not have before.
+fn split_off<T>(cotangent: &mut Vec<T>, len: usize) -> Vec<T> {
+    if cotangent.len() > len { cotangent.split_off(len) } else { Vec::new() }
 }
 
 /// The `_vjp` sibling of `clone`.

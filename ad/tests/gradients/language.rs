@@ -23,6 +23,7 @@ mod enums;
 mod exclusive;
 mod exits;
 mod flow;
+mod function_parameters;
 mod functions;
 mod iterators;
 mod jumps;

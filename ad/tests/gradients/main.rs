@@ -6,6 +6,7 @@ mod forward;
 mod lanes;
 mod language;
 mod oracle;
+mod programs;
 mod rules;
 mod second_order;
 mod singular;

@@ -1,11 +1,12 @@
 //! Every rule over random inputs, against finite differences, dual numbers, and itself at another
 //! precision.
 //!
-//! [`scalars`], [`vectors`] and [`glam_only`] list the rules, generic over the scalar; this file
+//! [`scalars`], [`vectors`], [`glam_only`] and [`matrices`] list the rules, generic over the scalar; this file
 //! runs the lists.
 
 mod case;
 mod glam_only;
+mod matrices;
 mod scalars;
 mod vectors;
 
@@ -16,7 +17,7 @@ use crate::oracle::assert_close;
 use case::Case;
 
 /// Upper bounds of the number of elements that a rule takes and gives.
-const MOST: usize = 16;
+const MOST: usize = 32;
 
 /// Runs `check` on every case of `cases` with random inputs, cotangents and directions. The seed
 /// is fixed: the suite is the same on every run.
@@ -148,6 +149,18 @@ fn operators_that_only_glam_has() {
     against_double(&glam_only::single2(), &glam_only::double2());
     against_double(&glam_only::single3(), &glam_only::double3());
     against_double(&glam_only::single4(), &glam_only::double4());
+}
+
+#[test]
+fn matrices_and_quaternions() {
+    against_differences(&matrices::double2());
+    against_differences(&matrices::double3());
+    against_differences(&matrices::double4());
+    against_differences(&matrices::double_motions());
+    against_double(&matrices::single2(), &matrices::double2());
+    against_double(&matrices::single3(), &matrices::double3());
+    against_double(&matrices::single4(), &matrices::double4());
+    against_double(&matrices::single_motions(), &matrices::double_motions());
 }
 
 #[test]

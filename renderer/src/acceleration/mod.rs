@@ -25,7 +25,7 @@ pub use packet::{
 };
 
 use single::BoxTest;
-use spheres::SphereLeaf;
+use spheres::{SphereLeaf, sphere_distance};
 use tree::Tree;
 use triangle_test::TriangleTest;
 use triangles::TriangleLeaf;
@@ -69,13 +69,45 @@ pub struct Hit {
     pub leaves: bool,
 }
 
+/// A ray, prepared to be tested against single shapes, with what traversal finds.
+pub struct ShapeTest {
+    origin: Vec3,
+    direction: Vec3,
+    test: TriangleTest,
+}
+
+impl ShapeTest {
+    /// Prepares a ray; nothing if its direction is zero or not finite.
+    pub fn new(origin: Vec3, direction: Vec3) -> Option<Self> {
+        Some(Self { origin, direction, test: TriangleTest::new(origin, direction)? })
+    }
+
+    /// The distance at which the ray meets a shape, infinite if it does not, and whether it comes from
+    /// inside of a sphere.
+    pub fn distance(&self, shape: &Shape) -> (f32, bool) {
+        match *shape {
+            Shape::Triangle(corners) => (self.test.depth(corners) * self.test.scale, false),
+            Shape::Sphere(center, radius) => {
+                sphere_distance(self.origin, self.direction, center, radius)
+            }
+        }
+    }
+}
+
+/// The indices of triangles and of spheres.
+fn by_kind(shapes: &(impl Shapes + ?Sized)) -> (Vec<u32>, Vec<u32>) {
+    let is_triangle = |&id: &u32| matches!(shapes.shape(id), Shape::Triangle(_));
+    (0..shapes.count() as u32).partition(is_triangle)
+}
+
 /// By what factor a ray may become dearer because shapes have moved before the tree is rebuilt.
 const REBUILD_ABOVE: f64 = 1.5;
 
-/// A bounding volume hierarchy over primitives.
+/// A bounding volume hierarchy over primitives, or a plain list of them.
 pub struct Acceleration {
     /// How many primitives there are.
     count: usize,
+    is_list: bool,
     triangles: Tree<TriangleLeaf>,
     spheres: Tree<SphereLeaf>,
 }
@@ -83,12 +115,24 @@ pub struct Acceleration {
 impl Acceleration {
     /// Builds the tree. Every coordinate has to be finite.
     pub fn new(shapes: &(impl Shapes + ?Sized)) -> Self {
-        let (triangles, spheres): (Vec<u32>, Vec<u32>) = (0..shapes.count() as u32)
-            .partition(|&id| matches!(shapes.shape(id), Shape::Triangle(_)));
+        let (triangles, spheres) = by_kind(shapes);
         Self {
             count: shapes.count(),
+            is_list: false,
             triangles: Tree::build(shapes, &triangles),
             spheres: Tree::build(shapes, &spheres),
+        }
+    }
+
+    /// A plain list, to compare with: every ray is tested against every primitive. Every coordinate
+    /// has to be finite.
+    pub fn list(shapes: &(impl Shapes + ?Sized)) -> Self {
+        let (triangles, spheres) = by_kind(shapes);
+        Self {
+            count: shapes.count(),
+            is_list: true,
+            triangles: Tree::list(shapes, &triangles),
+            spheres: Tree::list(shapes, &spheres),
         }
     }
 
@@ -103,12 +147,17 @@ impl Acceleration {
             && self.spheres.refit(shapes);
         let worse = || self.triangles.degradation().max(self.spheres.degradation());
         if !fits || worse() > REBUILD_ABOVE {
-            *self = Self::new(shapes);
+            *self = if self.is_list { Self::list(shapes) } else { Self::new(shapes) };
         }
     }
 
     /// The nearest primitive along the ray.
     pub fn nearest(&self, origin: Vec3, direction: Vec3) -> Option<Hit> {
+        self.nearest_but(None, origin, direction)
+    }
+
+    /// The nearest primitive along the ray but `from`, the flat one that it starts on.
+    pub fn nearest_but(&self, from: Option<u32>, origin: Vec3, direction: Vec3) -> Option<Hit> {
         let test = TriangleTest::new(origin, direction)?;
         let boxes = BoxTest::new(&test);
         let mut found = None;
@@ -120,7 +169,7 @@ impl Acceleration {
                 let lane = bits.trailing_zeros() as usize & 7;
                 bits &= bits - 1;
                 let depth = depths.as_array()[lane];
-                if depth < nearest {
+                if depth < nearest && from != Some(leaf.ids[lane]) {
                     nearest = depth;
                     let distance = depth * test.scale;
                     found = Some(Hit { primitive: leaf.ids[lane], distance, leaves: false });

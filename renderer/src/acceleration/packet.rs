@@ -121,7 +121,9 @@ impl PacketHits {
         bits(&load(&self.primitive).map(|ids: u32x16| f32x16::from_bits(ids.simd_ne(none))))
     }
 
-    pub(super) fn set(&mut self, ray: usize, hit: Hit) {
+    /// Notes what one ray meets.
+    #[inline]
+    pub fn set(&mut self, ray: usize, hit: Hit) {
         self.distance[ray] = hit.distance;
         self.primitive[ray] = hit.primitive;
         self.leaves = self.leaves & !(1 << ray) | u64::from(hit.leaves) << ray;

@@ -118,6 +118,12 @@ impl<L: Leaf> Tree<L> {
         mut visit: impl FnMut(&L, &mut Packet),
     ) {
         if self.nodes.is_empty() {
+            for leaf in &self.leaves {
+                visit(leaf, packet);
+                if packet.far < 0.0 {
+                    return;
+                }
+            }
             return;
         }
         let frustum = Frustum::new(packet);

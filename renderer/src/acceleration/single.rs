@@ -73,6 +73,12 @@ impl<L: Leaf> Tree<L> {
     #[inline]
     pub fn visit(&self, ray: &BoxTest, mut limit: f32, mut visit: impl FnMut(&L, f32) -> f32) {
         if self.nodes.is_empty() {
+            for leaf in &self.leaves {
+                limit = visit(leaf, limit);
+                if limit < 0.0 {
+                    return;
+                }
+            }
             return;
         }
         let mut stack = Stack::new();

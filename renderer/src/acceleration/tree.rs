@@ -109,7 +109,7 @@ impl Node {
 
 /// A hierarchy over leaves of one kind.
 pub struct Tree<L> {
-    /// The root first, children after their parents. Empty if there are no leaves.
+    /// The root first, children after their parents. Without nodes every leaf is visited.
     pub nodes: Vec<Node>,
     pub leaves: Vec<L>,
     /// The cost when the tree was built.
@@ -124,6 +124,14 @@ impl<L: Leaf> Tree<L> {
         tree.refit(shapes);
         tree.cost = tree.cost();
         tree
+    }
+
+    /// Leaves without a tree over them.
+    pub fn list(shapes: &(impl Shapes + ?Sized), members: &[u32]) -> Self {
+        let leaves = members.chunks(L::CAPACITY).map(L::new).collect();
+        let mut list = Self { nodes: Vec::new(), leaves, cost: 0.0 };
+        list.refit(shapes);
+        list
     }
 
     /// How much dearer a ray has become since the tree was built: the expected number of boxes that

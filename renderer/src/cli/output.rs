@@ -61,7 +61,10 @@ pub(super) fn short(value: f64) -> String {
 pub(super) fn json_numbers(values: &[f64], shape: &[usize]) -> Value {
     match shape {
         [] => values.first().copied().into(),
-        [_, width] => values.chunks(*width).map(|row| json_numbers(row, &[*width])).collect(),
-        _ => values.iter().copied().collect(),
+        [_] => values.iter().copied().collect(),
+        [_, row @ ..] => {
+            let width = row.iter().product();
+            values.chunks(width).map(|values| json_numbers(values, row)).collect()
+        }
     }
 }

@@ -23,7 +23,7 @@ pub fn demo_experiment() -> Result<Experiment, Error> {
     let mut experiment = Experiment::parse(EXPERIMENT, Path::new(""), "demo.toml")?;
     let scene = &mut experiment.scene;
     let material = |name: &str| {
-        let position = scene.material_names.iter().position(|other| other == name);
+        let position = scene.materials.iter().position(|other| other.name == name);
         position.map(|index| index as u32).ok_or_else(|| {
             Error::new("demo.toml", format!("defines no material `{name}` for the tree"))
         })
@@ -32,8 +32,11 @@ pub fn demo_experiment() -> Result<Experiment, Error> {
     let LowPolyTree { vertices, triangles, trunk } = low_poly_tree();
     let materials = (0..triangles.len()).map(|i| if i < trunk { bark } else { leaves });
     let materials = materials.collect();
-    scene.meshes.push(MeshObject { name: "tree".to_owned(), triangles, materials });
+    let texture_triangles = Vec::new();
+    let name = "tree".to_owned();
+    scene.meshes.push(MeshObject { name, triangles, materials, texture_triangles });
     scene.parameters.vertices.push(vertices);
+    scene.parameters.texture_coordinates.push(Vec::new());
     scene.validate("demo.toml")?;
     Ok(experiment)
 }

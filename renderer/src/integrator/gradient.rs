@@ -1,25 +1,17 @@
 //! The gradient of a loss by every parameter.
 
-use std::mem;
-
 use ad::lanes::Lanes;
-use ad::{Additive, Mask, Tangent, Vec3};
+use ad::{Additive, Tangent};
 use glam::DVec3;
 
 use super::prepared::Prepared;
-use super::radiance::{PixelLoss, black_pixels};
-use super::shade::{LightCotangent, Pulled, Shaded};
-use super::shadows::Lit;
-use super::sums::{Slots, StripSums};
-use super::tiles::{Strip, Tile, for_each_strip};
-use super::view::{Group, Shape, View};
-use crate::kernels::camera::{Camera, Frame, Ray, frame, primary_ray};
+use super::radiance::PixelLoss;
+use super::sums::StripSums;
+use super::sweep::sweep;
+use crate::kernels::camera::{Camera, Frame, frame};
 use crate::kernels::light::{DistantLight, PointLight};
 use crate::kernels::material::Material;
-use crate::kernels::sphere::{Sphere, sphere_surface};
-use crate::kernels::surface::SurfacePoint;
-use crate::kernels::triangle::triangle_surface;
-use crate::precision::{MOST_LANES, lanes_of_vectors, sum_of_vectors, vectors_of_lanes};
+use crate::kernels::sphere::Sphere;
 use crate::scene::{Light, ParameterId, Parameters};
 
 /// The kinds of parameters by which a gradient is wanted. Others cost nothing and stay zero.
@@ -35,6 +27,12 @@ pub struct Wanted {
     pub spheres: bool,
     /// Vertices.
     pub vertices: bool,
+    /// Texture coordinates.
+    pub texture_coordinates: bool,
+    /// Texels.
+    pub texels: bool,
+    /// What materials reflect as mirrors: rays are then traced where they reflect nothing, too.
+    pub mirrors: bool,
 }
 
 impl Wanted {
@@ -49,16 +47,22 @@ impl Wanted {
                     &mut wanted.lights
                 }
                 Ambient(_) | Diffuse(_) | Specular(_) | Exponent(_) => &mut wanted.materials,
+                Reflection(_) => {
+                    wanted.mirrors = true;
+                    &mut wanted.materials
+                }
                 SphereCenter(_) | SphereRadius(_) => &mut wanted.spheres,
                 Vertices(_) => &mut wanted.vertices,
+                TextureCoordinates(_) => &mut wanted.texture_coordinates,
+                Texels(_) => &mut wanted.texels,
             } = true;
         }
         wanted
     }
 
     /// Whether the point that is seen depends on any of them.
-    fn surface(self) -> bool {
-        self.camera || self.spheres || self.vertices
+    pub(super) fn surface(self) -> bool {
+        self.camera || self.spheres || self.vertices || self.texture_coordinates
     }
 }
 
@@ -80,17 +84,6 @@ pub fn gradient<L: Lanes>(
     wanted: Wanted,
 ) -> GradientResult {
     reduce(prepared, sweep(prepared, loss, wanted), wanted)
-}
-
-/// What the strips of the image add up to, each by itself.
-pub(crate) fn sweep<L: Lanes>(
-    prepared: &Prepared<'_, L>,
-    loss: &impl PixelLoss,
-    wanted: Wanted,
-) -> Vec<StripSums> {
-    let (width, height) = (prepared.scene.width, prepared.scene.height);
-    let start = || Sweep::new(prepared, loss, wanted);
-    for_each_strip(width, height, start, Sweep::strip)
 }
 
 /// Puts strips together, always in the same order.
@@ -119,6 +112,17 @@ pub(crate) fn reduce<L: Lanes>(
             let vertex = &mut gradient.vertices[mesh][vertex];
             *vertex = (DVec3::from(*vertex) + sum).into();
         }
+        for (uv, sum) in strip.uvs {
+            let (mesh, index) = prepared.uv_of_mesh(uv);
+            let [u, v] = &mut gradient.texture_coordinates[mesh][index];
+            *u += sum.u;
+            *v += sum.v;
+        }
+        for (texel, sum) in strip.texels {
+            let (texture, index) = prepared.texel_of_texture(texel);
+            let texel = &mut gradient.textures[texture][index];
+            *texel = (DVec3::from(*texel) + sum).into();
+        }
     }
     if wanted.camera {
         let (_, pullback) = frame::vjp::<f64>(prepared.parameters.camera, prepared.aspect());
@@ -139,158 +143,11 @@ fn zero(parameters: &Parameters) -> Parameters {
         materials: vec![Material::zero(); parameters.materials.len()],
         spheres: vec![Sphere::zero(); parameters.spheres.len()],
         vertices: parameters.vertices.iter().map(|mesh| vec![[0.0; 3]; mesh.len()]).collect(),
+        texture_coordinates: parameters
+            .texture_coordinates
+            .iter()
+            .map(|mesh| vec![[0.0; 2]; mesh.len()])
+            .collect(),
+        textures: parameters.textures.iter().map(|texels| vec![[0.0; 3]; texels.len()]).collect(),
     }
-}
-
-/// The work on strips that follow each other on a thread.
-struct Sweep<'a, L: Lanes, P> {
-    prepared: &'a Prepared<'a, L>,
-    loss: &'a P,
-    wanted: Wanted,
-    view: View<L>,
-    sums: StripSums,
-    materials: Slots,
-    spheres: Slots,
-    vertices: Slots,
-}
-
-impl<'a, L: Lanes, P: PixelLoss> Sweep<'a, L, P> {
-    fn new(prepared: &'a Prepared<'a, L>, loss: &'a P, wanted: Wanted) -> Self {
-        let slots = |wanted: bool, count: usize| Slots::new(if wanted { count } else { 0 });
-        Self {
-            prepared,
-            loss,
-            wanted,
-            view: View::default(),
-            sums: StripSums::zero(&prepared.lights),
-            materials: slots(wanted.materials, prepared.materials.len()),
-            spheres: slots(wanted.spheres, prepared.spheres.len()),
-            vertices: slots(wanted.vertices, prepared.vertices.len()),
-        }
-    }
-
-    fn strip(&mut self, strip: Strip) -> StripSums {
-        for tile in strip.tiles() {
-            self.add_tile(&tile);
-        }
-        mem::replace(&mut self.sums, StripSums::zero(&self.prepared.lights))
-    }
-
-    fn add_tile(&mut self, tile: &Tile) {
-        let mut view = mem::take(&mut self.view);
-        self.prepared.look(tile, &mut view);
-        self.prepared.light_up(&mut view);
-        self.sums.loss += black_pixels(tile, view.missed, self.loss);
-        let mut to_frame = Tangent::<Frame<L>>::zero();
-        for group in &view.groups {
-            self.add_group(tile, group, &view.lit, &mut to_frame);
-        }
-        if self.wanted.camera {
-            self.sums.frame.accumulate(to_frame.sum(Mask::splat(true)));
-        }
-        self.view = view;
-    }
-
-    #[inline]
-    fn add_group(
-        &mut self,
-        tile: &Tile,
-        group: &Group<L>,
-        lit: &[Lit],
-        to_frame: &mut Tangent<Frame<L>>,
-    ) {
-        let Self { prepared, wanted, sums, .. } = self;
-        let respond = |radiance| {
-            let (loss, cotangent) = respond(self.loss, tile, group, radiance);
-            sums.loss += loss;
-            cotangent
-        };
-        let to_light = |light: usize, cotangent: LightCotangent<L>| {
-            if wanted.lights {
-                sums.lights[light].add(&cotangent);
-            }
-        };
-        let materials = prepared.materials(group);
-        let shaded = Shaded::new(prepared, group, &materials, lit);
-        let pulled = shaded.pull_back(respond, to_light);
-        let Some(Pulled { material, surface }) = pulled else { return };
-        if wanted.materials {
-            for (index, lanes) in materials.iter() {
-                let sum = material.sum(L::mask_from_bits(lanes));
-                self.materials.add(&mut sums.materials, index, sum);
-            }
-        }
-        if wanted.surface() {
-            let to_ray = self.pull_surface(group, surface);
-            if self.wanted.camera {
-                let (x, y) = group.film;
-                let (_, pullback) = primary_ray::vjp::<L>(self.prepared.frame, x, y);
-                to_frame.accumulate(pullback(to_ray).0);
-            }
-        }
-    }
-
-    /// Pulls the cotangent of surface points back to primitives; returns that of the rays.
-    #[inline]
-    fn pull_surface(
-        &mut self,
-        group: &Group<L>,
-        cotangent: Tangent<SurfacePoint<L>>,
-    ) -> Tangent<Ray<L>> {
-        let Self { prepared, wanted, sums, .. } = self;
-        match group.shape {
-            Shape::Triangles => {
-                let [a, b, c] = prepared.corners(&group.primitives);
-                let (_, pullback) = triangle_surface::vjp::<L>(group.ray, a, b, c);
-                let (ray, a, b, c) = pullback(cotangent);
-                if wanted.vertices {
-                    for (triangle, lanes) in group.primitives.iter() {
-                        let mask = L::mask_from_bits(lanes);
-                        for (&vertex, corner) in prepared.triangles[triangle].iter().zip([a, b, c])
-                        {
-                            let sum = sum_of_vectors::<L>(corner, mask);
-                            self.vertices.add(&mut sums.vertices, vertex as usize, sum);
-                        }
-                    }
-                }
-                ray
-            }
-            Shape::Spheres(leaves) => {
-                let spheres = prepared.spheres(&group.primitives);
-                let (_, pullback) = sphere_surface::vjp::<L>(group.ray, spheres, leaves);
-                let (ray, sphere, ()) = pullback(cotangent);
-                if wanted.spheres {
-                    for (primitive, lanes) in group.primitives.iter() {
-                        let sum = sphere.sum(L::mask_from_bits(lanes));
-                        let index = prepared.sphere_of(primitive);
-                        self.spheres.add(&mut sums.spheres, index, sum);
-                    }
-                }
-                ray
-            }
-        }
-    }
-}
-
-/// The loss of the pixels of a group, and the cotangent of their radiance, unless it is zero: what
-/// the loss does not care about has no gradient.
-#[inline]
-fn respond<L: Lanes>(
-    loss: &impl PixelLoss,
-    tile: &Tile,
-    group: &Group<L>,
-    radiance: Vec3<L>,
-) -> (f64, Option<Vec3<L>>) {
-    let radiance = vectors_of_lanes::<L>(radiance);
-    let mut sum = 0.0;
-    // The lanes that do not count keep a cotangent of zero.
-    let mut cotangents = [DVec3::ZERO; MOST_LANES];
-    for (lane, ray) in group.rays() {
-        let (x, y) = tile.pixel(ray);
-        let (value, derivative) = loss.evaluate(x, y, radiance[lane]);
-        sum += value;
-        cotangents[lane] = derivative;
-    }
-    let matters = cotangents.iter().any(|&cotangent| cotangent != DVec3::ZERO);
-    (sum, matters.then(|| lanes_of_vectors::<L>(&cotangents)))
 }

@@ -15,12 +15,17 @@
 //! sparse (`sums`), so that a strip costs what it touches, however large the scene is.
 
 mod gradient;
+mod mirrors;
 mod prepared;
 mod radiance;
+mod raster;
+mod settings;
 mod shade;
 mod shadows;
 mod sharing;
 mod sums;
+mod sweep;
+mod textures;
 mod tiles;
 mod trace;
 mod view;
@@ -28,6 +33,8 @@ mod view;
 pub use gradient::{GradientResult, Wanted, gradient};
 pub use prepared::Prepared;
 pub use radiance::{PixelLoss, loss, render, render_into};
+pub use settings::{Pass, Settings, Visibility};
 pub use trace::{Rays, trace};
 
-pub(crate) use gradient::{reduce, sweep};
+pub(crate) use gradient::reduce;
+pub(crate) use sweep::sweep;

@@ -1,18 +1,25 @@
 //! A scene in the form that is rendered.
 
+use std::iter;
+
 use ad::lanes::Lanes;
 use ad::{Scalar, Vec3};
 use glam::DVec3;
 use rayon::prelude::*;
 
+use super::raster::Raster;
+use super::settings::{Pass, Settings, Visibility};
+use super::textures::Texture;
+use super::tiles::Tile;
 use super::view::film_offsets;
-use crate::acceleration::{Acceleration, Shape, Shapes};
+use crate::acceleration::{Acceleration, PacketHits, PacketVectors, Shape, Shapes};
 use crate::kernels::camera::{Frame, frame};
 use crate::kernels::light::PointLight;
 use crate::kernels::material::Material;
 use crate::kernels::sphere::Sphere;
+use crate::kernels::texture::Uv;
 use crate::precision::{narrow, widen};
-use crate::scene::{Light, Parameters, Scene};
+use crate::scene::{Light, Parameters, Scene, TextureObject};
 
 /// A scene in the precision of the kernels, with its acceleration structure.
 ///
@@ -27,6 +34,8 @@ pub struct Prepared<'a, L: Lanes> {
     pub(super) frame: Frame<L>,
     pub(super) lights: Vec<Light<f64>>,
     pub(super) materials: Vec<Material<L::Element>>,
+    /// Whether any of them reflects like a mirror.
+    pub(super) has_mirrors: bool,
     pub(super) spheres: Vec<Sphere<L::Element>>,
     /// The vertices of all meshes, one mesh after the other.
     pub(super) vertices: Vec<Vec3<L::Element>>,
@@ -36,13 +45,31 @@ pub struct Prepared<'a, L: Lanes> {
     pub(super) triangles: Vec<[u32; 3]>,
     /// The material of each primitive: of the triangles, then of the spheres.
     pub(super) material_of: Vec<u32>,
+    pub(super) textures: Vec<Texture>,
+    /// The texels of all textures, one texture after the other.
+    pub(super) texels: Vec<Vec3<L::Element>>,
+    /// The texture coordinates of all meshes, one mesh after the other.
+    pub(super) uvs: Vec<Uv<L::Element>>,
+    /// The first texture coordinates of each mesh.
+    first_uvs: Vec<u32>,
+    /// The texture coordinates of all triangles, by index into `uvs`; empty if the scene has no
+    /// textures.
+    pub(super) uv_triangles: Vec<Option<[u32; 3]>>,
     pub(super) film_offsets: Vec<(L, L)>,
     pub(super) acceleration: Acceleration,
+    pub(super) pass: Pass,
+    /// Whether, and from where, primitives are drawn instead of being found by rays.
+    raster: Option<Raster>,
 }
 
 impl<'a, L: Lanes> Prepared<'a, L> {
     /// Prepares a scene. The scene has to be valid (see [`Scene::validate`]).
     pub fn new(scene: &'a Scene) -> Self {
+        Self::with_settings(scene, Settings::default())
+    }
+
+    /// Prepares a scene to be rendered in a certain way.
+    pub fn with_settings(scene: &'a Scene, settings: Settings) -> Self {
         let bounding_box = scene.parameters.bounding_box();
         let middle = bounding_box.map_or(DVec3::ZERO, |(low, high)| low.midpoint(high));
         let mut triangles = Vec::new();
@@ -56,6 +83,7 @@ impl<'a, L: Lanes> Prepared<'a, L> {
             first_vertex += vertices.len() as u32;
         }
         material_of.extend(scene.spheres.iter().map(|sphere| sphere.material));
+        let (first_uvs, uv_triangles) = texture_triangles(scene);
 
         let mut prepared = Self {
             scene,
@@ -65,16 +93,30 @@ impl<'a, L: Lanes> Prepared<'a, L> {
             frame: Frame::zero().narrow(),
             lights: Vec::new(),
             materials: Vec::new(),
+            has_mirrors: false,
             spheres: Vec::new(),
             vertices: Vec::new(),
             first_vertices,
             triangles,
             material_of,
+            textures: textures(scene),
+            texels: Vec::new(),
+            uvs: Vec::new(),
+            first_uvs,
+            uv_triangles,
             film_offsets: film_offsets(),
-            acceleration: Acceleration::new(&[][..]),
+            acceleration: match settings.visibility {
+                Visibility::List => Acceleration::list(&[][..]),
+                Visibility::Tree | Visibility::Raster => Acceleration::new(&[][..]),
+            },
+            pass: settings.pass,
+            raster: None,
         };
         prepared.load_appearance();
         prepared.load_geometry();
+        if settings.visibility == Visibility::Raster {
+            prepared.raster = Some(prepared.rasterize());
+        }
         prepared
     }
 
@@ -92,6 +134,45 @@ impl<'a, L: Lanes> Prepared<'a, L> {
         if moved {
             self.load_geometry();
         }
+        if self.raster.is_some() {
+            self.raster = Some(self.rasterize());
+        }
+    }
+
+    /// Finds what the wanted rays of a tile meet first.
+    #[inline]
+    pub(super) fn nearest_into(
+        &self,
+        tile: &Tile,
+        directions: &PacketVectors,
+        wanted: u64,
+        hits: &mut PacketHits,
+    ) {
+        let origin = self.pinhole.as_vec3();
+        match &self.raster {
+            None => self.acceleration.nearest_packet_into(origin, directions, wanted, hits),
+            Some(raster) => {
+                raster.nearest_into(&self.geometry(), tile, origin, directions, wanted, hits);
+            }
+        }
+    }
+
+    fn rasterize(&self) -> Raster {
+        let Scene { width, height, .. } = *self.scene;
+        Raster::new(&self.geometry(), &self.exact_frame(), width, height)
+    }
+
+    fn geometry(&self) -> Geometry<'_, L::Element> {
+        let Self { vertices, triangles, spheres, .. } = self;
+        Geometry { vertices, triangles, spheres }
+    }
+
+    /// The frame of the camera, relative to the middle of the scene.
+    fn exact_frame(&self) -> Frame<f64> {
+        let mut camera = self.parameters.camera;
+        camera.look_from -= self.middle;
+        camera.look_at -= self.middle;
+        frame::<f64>(camera, self.aspect())
     }
 
     /// The width divided by the height of the image.
@@ -100,14 +181,14 @@ impl<'a, L: Lanes> Prepared<'a, L> {
     }
 
     fn load_appearance(&mut self) {
-        let mut camera = self.parameters.camera;
-        camera.look_from -= self.middle;
-        camera.look_at -= self.middle;
-        self.pinhole = camera.look_from;
-        self.frame = frame::<f64>(camera, self.aspect()).narrow();
-        self.lights = self
-            .parameters
-            .lights
+        let frame = self.exact_frame();
+        self.pinhole = frame.origin;
+        self.frame = frame.narrow();
+        let lights = match self.pass {
+            Pass::Radiance => &self.parameters.lights[..],
+            Pass::Albedo => &[],
+        };
+        self.lights = lights
             .iter()
             .map(|light| match light {
                 Light::Point(light) => {
@@ -118,6 +199,16 @@ impl<'a, L: Lanes> Prepared<'a, L> {
             })
             .collect();
         self.materials = self.parameters.materials.iter().map(Material::narrow).collect();
+        self.texels.clear();
+        for texels in &self.parameters.textures {
+            let texels = texels.par_iter().map(|&texel| narrow::<L::Element>(texel.into()));
+            self.texels.par_extend(texels);
+        }
+        let coordinates = self.parameters.texture_coordinates.iter().flatten();
+        self.uvs.clear();
+        self.uvs.extend(coordinates.map(|&[u, v]| Uv { u, v }.narrow()));
+        self.has_mirrors = self.pass == Pass::Radiance
+            && (0..self.materials.len()).any(|material| self.is_mirror(material));
     }
 
     fn load_geometry(&mut self) {
@@ -138,14 +229,59 @@ impl<'a, L: Lanes> Prepared<'a, L> {
 
     /// The mesh of a vertex, and its index there.
     pub(super) fn vertex_of_mesh(&self, vertex: u32) -> (usize, usize) {
-        let mesh = self.first_vertices.partition_point(|&first| first <= vertex) - 1;
-        (mesh, (vertex - self.first_vertices[mesh]) as usize)
+        part_and_index(vertex, self.first_vertices.iter().copied())
+    }
+
+    /// The mesh of texture coordinates, and their index there.
+    pub(super) fn uv_of_mesh(&self, uv: u32) -> (usize, usize) {
+        part_and_index(uv, self.first_uvs.iter().copied())
+    }
+
+    /// The texture of a texel, and its index there.
+    pub(super) fn texel_of_texture(&self, texel: u32) -> (usize, usize) {
+        part_and_index(texel, self.textures.iter().map(|texture| texture.first_texel as u32))
     }
 
     /// The index of a sphere among the spheres.
     pub(super) fn sphere_of(&self, primitive: usize) -> usize {
         primitive - self.triangles.len()
     }
+}
+
+/// Which part of a list an index is in, and its index there, by the first index of each part.
+fn part_and_index(index: u32, firsts: impl Iterator<Item = u32>) -> (usize, usize) {
+    let parts = firsts.enumerate().take_while(|&(_, first)| first <= index);
+    parts.last().map_or((0, 0), |(part, first)| (part, (index - first) as usize))
+}
+
+/// Where the texels of each texture are, among those of all.
+fn textures(scene: &Scene) -> Vec<Texture> {
+    let mut first_texel = 0;
+    let texture = |texture: &TextureObject| {
+        let &TextureObject { width, height, wrap, .. } = texture;
+        let placed = Texture { first_texel, width, height, wrap };
+        first_texel += width as usize * height as usize;
+        placed
+    };
+    scene.textures.iter().map(texture).collect()
+}
+
+/// The first texture coordinates of each mesh among those of all, and the texture coordinates of all
+/// triangles.
+fn texture_triangles(scene: &Scene) -> (Vec<u32>, Vec<Option<[u32; 3]>>) {
+    let (mut firsts, mut triangles, mut first) = (Vec::new(), Vec::new(), 0);
+    if scene.textures.is_empty() {
+        return (firsts, triangles);
+    }
+    for (mesh, coordinates) in scene.meshes.iter().zip(&scene.parameters.texture_coordinates) {
+        let moved = |corners: &Option<[u32; 3]>| corners.map(|c| c.map(|corner| corner + first));
+        triangles.extend(mesh.texture_triangles.iter().map(moved));
+        let bare = mesh.triangles.len() - mesh.texture_triangles.len();
+        triangles.extend(iter::repeat_n(None, bare));
+        firsts.push(first);
+        first += coordinates.len() as u32;
+    }
+    (firsts, triangles)
 }
 
 /// The primitives as traversal takes them: the triangles, then the spheres.

@@ -4,10 +4,11 @@ use ad::Vec3;
 use ad::lanes::Lanes;
 use glam::DVec3;
 
+use super::mirrors::{Mirrors, Sight};
 use super::prepared::Prepared;
 use super::shade::Shaded;
 use super::tiles::{TILE, Tile, fill_strips, for_each_strip};
-use super::view::{Group, View, set_vectors};
+use super::view::{Group, set_vectors};
 use crate::acceleration::{PacketVectors, ray_at, rays};
 use crate::image::Image;
 use crate::precision::vectors_of_lanes;
@@ -35,10 +36,10 @@ pub fn render<L: Lanes>(prepared: &Prepared<'_, L>) -> Image {
 pub fn render_into<L: Lanes>(prepared: &Prepared<'_, L>, image: &mut Image) {
     let size = (prepared.scene.width, prepared.scene.height);
     assert_eq!((image.width, image.height), size, "the image has the size of the scene's");
-    fill_strips(image, View::default, |view, strip, rows| {
+    fill_strips(image, Sight::default, |sight, strip, rows| {
         for tile in strip.tiles() {
             let mut colors = PacketVectors::ZERO;
-            visit(prepared, &tile, view, |group, radiance| {
+            visit(prepared, &tile, sight, |group, radiance| {
                 set_vectors::<L>(&mut colors, group.first, group.alive, radiance);
             });
             let pixels = by_rows(&colors);
@@ -64,17 +65,17 @@ fn by_rows(colors: &PacketVectors) -> [[[f32; 3]; TILE]; TILE] {
 /// The loss of the image, in double precision from the radiance on.
 pub fn loss<L: Lanes>(prepared: &Prepared<'_, L>, loss: &impl PixelLoss) -> f64 {
     let (width, height) = (prepared.scene.width, prepared.scene.height);
-    let strips = for_each_strip(width, height, View::default, |view, strip| {
+    let strips = for_each_strip(width, height, Sight::default, |sight, strip| {
         let mut sum = 0.0;
         for tile in strip.tiles() {
-            visit(prepared, &tile, view, |group, radiance: Vec3<L>| {
+            visit(prepared, &tile, sight, |group, radiance: Vec3<L>| {
                 let radiance = vectors_of_lanes::<L>(radiance);
                 for (lane, ray) in group.rays() {
                     let (x, y) = tile.pixel(ray);
                     sum += loss.evaluate(x, y, radiance[lane]).0;
                 }
             });
-            sum += black_pixels(&tile, view.missed, loss);
+            sum += black_pixels(&tile, sight.views()[0].missed, loss);
         }
         sum
     });
@@ -95,13 +96,16 @@ pub(super) fn black_pixels(tile: &Tile, missed: u64, loss: &impl PixelLoss) -> f
 fn visit<L: Lanes>(
     prepared: &Prepared<'_, L>,
     tile: &Tile,
-    view: &mut View<L>,
+    sight: &mut Sight<L>,
     mut use_radiance: impl FnMut(&Group<L>, Vec3<L>),
 ) {
-    prepared.look(tile, view);
-    prepared.light_up(view);
+    prepared.see(tile, Mirrors::Bright, sight);
+    let (view, mirrored) = (&sight.views()[0], sight.views().get(1));
     for group in &view.groups {
-        let shaded = Shaded::new(prepared, group, &prepared.materials(group), &view.lit);
+        let materials = prepared.materials(group);
+        let textured = prepared.textured(group, &materials);
+        let shaded =
+            Shaded::new(prepared, group, &materials, textured.as_ref(), &view.lit, mirrored);
         use_radiance(group, shaded.radiance());
     }
 }

@@ -4,9 +4,11 @@ use ad::lanes::Lanes;
 use ad::{Additive, Tangent, Vec3, select};
 
 use super::prepared::Prepared;
+use super::settings::Pass;
 use super::shadows::Lit;
 use super::sharing::Sharing;
-use super::view::Group;
+use super::textures::Textured;
+use super::view::{Group, View};
 use crate::kernels::light::{
     DistantLight, DistantLightTangent, PointLight, PointLightTangent, distant_illumination,
     point_illumination,
@@ -28,6 +30,16 @@ pub(super) enum LightCotangent<L: Lanes> {
 pub(super) struct Pulled<L: Lanes> {
     pub material: Tangent<Material<L>>,
     pub surface: Tangent<SurfacePoint<L>>,
+    /// Of what the mirror does, where the ray that it sends on was traced.
+    pub mirror: Option<PulledMirror<L>>,
+}
+
+/// The cotangents of what is seen in mirrors.
+pub(super) struct PulledMirror<L: Lanes> {
+    /// Of the materials' reflection.
+    pub reflection: Vec3<L>,
+    /// Of the radiance from the mirror direction.
+    pub radiance: Vec3<L>,
 }
 
 /// What flows back to what is shown, and to one light.
@@ -36,6 +48,7 @@ type Cotangents<L> = (Pulled<L>, LightCotangent<L>);
 /// A group under its lights.
 #[derive(Clone, Copy)]
 pub(super) struct Shaded<'a, L: Lanes> {
+    pass: Pass,
     group: &'a Group<L>,
     material: Material<L>,
     /// Whether no material of the group has a highlight.
@@ -43,6 +56,8 @@ pub(super) struct Shaded<'a, L: Lanes> {
     lights: &'a [Light<f64>],
     /// The rays that each light reaches.
     lit: &'a [Lit],
+    /// The radiance from the mirror direction, where it was traced.
+    mirrored: Option<&'a Vec3<L>>,
 }
 
 impl<'a, L: Lanes> Shaded<'a, L> {
@@ -50,21 +65,25 @@ impl<'a, L: Lanes> Shaded<'a, L> {
         prepared: &'a Prepared<'_, L>,
         group: &'a Group<L>,
         materials: &Sharing,
+        textured: Option<&Textured<L>>,
         lit: &'a [Lit],
+        mirrored: Option<&'a View<L>>,
     ) -> Self {
         Self {
+            pass: prepared.pass,
             group,
-            material: prepared.material(materials),
+            material: textured.map_or_else(|| prepared.material(materials), Textured::material),
             matte: materials.iter().all(|(material, _)| prepared.is_matte(material)),
             lights: &prepared.lights,
             lit,
+            mirrored: mirrored.map(|view| &view.radiance[group.first / L::COUNT]),
         }
     }
 
     /// The radiance of the pixels.
     #[inline]
     pub fn radiance(&self) -> Vec3<L> {
-        let mut total = self.material.ambient;
+        let mut total = self.own_radiance();
         for (light, &lit) in self.lights.iter().zip(self.lit) {
             let reflected = match light {
                 Light::Point(light) => light.reflect(self),
@@ -73,6 +92,32 @@ impl<'a, L: Lanes> Shaded<'a, L> {
             total = total + self.where_lit(lit, reflected);
         }
         total
+    }
+
+    /// What shows without any light.
+    #[inline]
+    fn own_radiance(&self) -> Vec3<L> {
+        if self.pass == Pass::Albedo {
+            return self.material.diffuse;
+        }
+        match self.mirrored {
+            Some(mirrored) => self.material.ambient + self.material.reflection * *mirrored,
+            None => self.material.ambient,
+        }
+    }
+
+    /// The cotangents of what goes into [`own_radiance`](Self::own_radiance).
+    #[inline]
+    fn pull_back_own(&self, cotangent: Vec3<L>, pulled: &mut Pulled<L>) {
+        if self.pass == Pass::Albedo {
+            pulled.material.diffuse = cotangent;
+            return;
+        }
+        pulled.material.ambient = cotangent;
+        pulled.mirror = self.mirrored.map(|&mirrored| PulledMirror {
+            reflection: cotangent * mirrored,
+            radiance: cotangent * self.material.reflection,
+        });
     }
 
     /// Pulls the cotangent back that `respond` gives for the [radiance](Self::radiance), if any.
@@ -90,9 +135,11 @@ impl<'a, L: Lanes> Shaded<'a, L> {
             Some(Light::Point(last)) => self.pull_back_from(last, respond, to_light),
             Some(Light::Distant(last)) => self.pull_back_from(last, respond, to_light),
             None => {
-                let mut material = Tangent::<Material<L>>::zero();
-                material.ambient = respond(self.material.ambient)?;
-                Some(Pulled { material, surface: Additive::zero() })
+                let cotangent = respond(self.own_radiance())?;
+                let mut pulled =
+                    Pulled { material: Additive::zero(), surface: Additive::zero(), mirror: None };
+                self.pull_back_own(cotangent, &mut pulled);
+                Some(pulled)
             }
         }
     }
@@ -110,7 +157,7 @@ impl<'a, L: Lanes> Shaded<'a, L> {
         let lit = self.lit[index];
         let cotangent = respond(others.radiance() + self.where_lit(lit, reflected))?;
         let (mut pulled, light) = pullback(self.where_lit(lit, cotangent));
-        pulled.material.ambient = cotangent;
+        self.pull_back_own(cotangent, &mut pulled);
         to_light(index, light);
 
         for (index, (light, &lit)) in others.lights.iter().zip(self.lit).enumerate() {
@@ -167,7 +214,7 @@ macro_rules! reflected {
                     $kernel::vjp::<L>(shaded.material, shaded.group.surface, self.narrow());
                 let pullback = move |cotangent| {
                     let (material, surface, light) = pullback(cotangent);
-                    (Pulled { material, surface }, LightCotangent::$variant(light))
+                    (Pulled { material, surface, mirror: None }, LightCotangent::$variant(light))
                 };
                 (value, pullback)
             }

@@ -10,7 +10,7 @@ use glam::DVec3;
 use super::prepared::Prepared;
 use super::view::{Group, Shape, View, set_vectors};
 use crate::acceleration::{NO_PRIMITIVE, PacketVectors};
-use crate::precision::{narrow, numbers_of_lanes, vectors_of_lanes};
+use crate::precision::{MOST_LANES, narrow, vectors_of_lanes};
 use crate::scene::Light;
 
 /// The rays of a tile under a light, a bit for each.
@@ -112,17 +112,11 @@ impl<L: Lanes> Prepared<'_, L> {
         let mut lit = rays;
         for group in &view.groups {
             let points = vectors_of_lanes::<L>(group.surface.point);
-            let normals = vectors_of_lanes::<L>(group.surface.normal);
-            let reach = numbers_of_lanes(group.reach());
+            let origins = group.origins();
             for (lane, ray) in group.rays().filter(|(_, ray)| rays >> ray & 1 == 1) {
-                let origin = points[lane] + normals[lane] * (SURFACE_ERROR * reach[lane]);
                 let (direction, distance) = to_light(points[lane]);
-                // A ray that leaves a flat primitive cannot come back to it.
-                let from = match group.shape {
-                    Shape::Triangles => Some(view.hits.primitive[ray]),
-                    Shape::Spheres(_) => None,
-                };
-                let (origin, direction) = (origin.as_vec3(), direction.as_vec3());
+                let from = group.start(view, ray);
+                let (origin, direction) = (origins[lane].as_vec3(), direction.as_vec3());
                 if self.acceleration.is_occluded(origin, direction, distance as f32, from) {
                     lit &= !(1 << ray);
                 }
@@ -138,6 +132,22 @@ impl<L: Lanes> Group<L> {
     #[inline]
     fn facing(&self, to_light: Vec3<L>) -> u32 {
         L::mask_bits(self.surface.normal.dot(to_light).cmpgt(L::ZERO)) & self.alive
+    }
+
+    /// Where rays that leave the surface points start: far enough outside not to meet the surface
+    /// that they leave.
+    pub(super) fn origins(&self) -> [DVec3; MOST_LANES] {
+        let offset = self.surface.normal * (self.reach() * L::from_f64(SURFACE_ERROR));
+        vectors_of_lanes::<L>(self.surface.point + offset)
+    }
+
+    /// The flat primitive that a ray of the group ends on: one that leaves it cannot come back to
+    /// it.
+    pub(super) fn start(&self, view: &View<L>, ray: usize) -> Option<u32> {
+        match self.shape {
+            Shape::Triangles => Some(view.hits.primitive[ray]),
+            Shape::Spheres(_) => None,
+        }
     }
 
     /// The largest numbers that went into the surface points.

@@ -9,6 +9,7 @@ use crate::kernels::camera::FrameTangent;
 use crate::kernels::light::{DistantLightTangent, PointLightTangent};
 use crate::kernels::material::MaterialTangent;
 use crate::kernels::sphere::SphereTangent;
+use crate::kernels::texture::UvTangent;
 use crate::scene::Light;
 
 /// Where the sum of each index stands in a list of sums.
@@ -86,6 +87,10 @@ pub struct StripSums {
     pub spheres: Vec<(u32, SphereTangent<f64>)>,
     /// By vertex, counted through all meshes.
     pub vertices: Vec<(u32, DVec3)>,
+    /// By texture coordinates, counted through all meshes.
+    pub uvs: Vec<(u32, UvTangent<f64>)>,
+    /// By texel, counted through all textures.
+    pub texels: Vec<(u32, DVec3)>,
 }
 
 impl StripSums {
@@ -97,6 +102,8 @@ impl StripSums {
             materials: Vec::new(),
             spheres: Vec::new(),
             vertices: Vec::new(),
+            uvs: Vec::new(),
+            texels: Vec::new(),
         }
     }
 }

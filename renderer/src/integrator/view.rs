@@ -1,4 +1,4 @@
-//! What the camera sees in a tile, gathered into lanes.
+//! What the rays of a tile meet, gathered into lanes.
 
 use ad::lanes::Lanes;
 use ad::vector::{Vector, Vector3};
@@ -16,7 +16,7 @@ use crate::kernels::surface::SurfacePoint;
 use crate::kernels::triangle::triangle_surface;
 use crate::precision::{singles_of_lanes, splat, splat_vector};
 
-/// What the camera sees in a tile.
+/// What the rays of a tile meet: those of the camera, or those that mirrors send on.
 pub(super) struct View<L: Lanes> {
     /// What each ray meets first.
     pub hits: PacketHits,
@@ -26,6 +26,10 @@ pub(super) struct View<L: Lanes> {
     pub groups: Vec<Group<L>>,
     /// By light: the rays that end where it shines.
     pub lit: Vec<Lit>,
+    /// Of rays from mirrors: the rays, in vectors of lanes.
+    pub rays: Vec<Ray<L>>,
+    /// Of rays from mirrors: the radiance that they bring, in vectors of lanes.
+    pub radiance: Vec<Vec3<L>>,
 }
 
 /// Rays that meet primitives of one kind, one in each lane.
@@ -36,7 +40,6 @@ pub(super) struct Group<L: Lanes> {
     pub alive: u32,
     /// The lanes by primitive.
     pub primitives: Sharing,
-    pub film: (L, L),
     pub ray: Ray<L>,
     pub shape: Shape<L>,
     pub surface: SurfacePoint<L>,
@@ -62,7 +65,14 @@ impl<L: Lanes> Group<L> {
 /// To be filled by [`Prepared::look`], then by [`Prepared::light_up`].
 impl<L: Lanes> Default for View<L> {
     fn default() -> Self {
-        Self { hits: PacketHits::NONE, missed: 0, groups: Vec::new(), lit: Vec::new() }
+        Self {
+            hits: PacketHits::NONE,
+            missed: 0,
+            groups: Vec::new(),
+            lit: Vec::new(),
+            rays: Vec::new(),
+            radiance: Vec::new(),
+        }
     }
 }
 
@@ -79,12 +89,27 @@ impl<L: Lanes> Prepared<'_, L> {
                 film_point::<L>(self.frame, x, y),
             );
         }
-        let origin = self.pinhole.as_vec3();
         let wanted = tile.rays();
-        let hits = &mut view.hits;
-        self.acceleration.nearest_packet_into(origin, &directions, wanted, hits);
+        self.nearest_into(tile, &directions, wanted, &mut view.hits);
 
-        let met = hits.met();
+        let ray = |first: usize, alive: u32| {
+            let (x, y) = self.film(tile, first);
+            primary_ray::<L>(self.frame, repeated(x, alive), repeated(y, alive))
+        };
+        self.group(view, wanted, ray);
+    }
+
+    /// Gathers what the wanted rays of a packet meet. `ray` gives those from an index on; in lanes
+    /// that do not count it repeats one that does.
+    #[inline]
+    pub(super) fn group(
+        &self,
+        view: &mut View<L>,
+        wanted: u64,
+        ray: impl Fn(usize, u32) -> Ray<L>,
+    ) {
+        let hits = &view.hits;
+        let met = wanted & hits.met();
         view.missed = wanted & !met;
         view.groups.clear();
         let triangles = met & self.triangles_among(&hits.primitive);
@@ -99,8 +124,7 @@ impl<L: Lanes> Prepared<'_, L> {
                     continue;
                 }
                 let primitives = Sharing::new(&hits.primitive[first..], alive);
-                let film = repeated(self.film(tile, first), alive);
-                let ray = primary_ray::<L>(self.frame, film.0, film.1);
+                let ray = ray(first, alive);
                 let surface = match shape {
                     Shape::Triangles => {
                         let [a, b, c] = self.corners(&primitives);
@@ -110,7 +134,7 @@ impl<L: Lanes> Prepared<'_, L> {
                         sphere_surface::<L>(ray, self.spheres(&primitives), leaves)
                     }
                 };
-                view.groups.push(Group { first, alive, primitives, film, ray, shape, surface });
+                view.groups.push(Group { first, alive, primitives, ray, shape, surface });
             }
         }
     }
@@ -143,6 +167,11 @@ impl<L: Lanes> Prepared<'_, L> {
         materials.gather::<L, _>(|material| self.materials[material].splat())
     }
 
+    /// Whether a material reflects like a mirror.
+    pub(super) fn is_mirror(&self, material: usize) -> bool {
+        self.materials[material].reflection != Vec3::<L::Element>::splat(Real::ZERO)
+    }
+
     /// Whether a material has no highlight.
     pub(super) fn is_matte(&self, material: usize) -> bool {
         self.materials[material].specular == Vec3::<L::Element>::splat(Real::ZERO)
@@ -160,7 +189,7 @@ impl<L: Lanes> Prepared<'_, L> {
 
     /// Where the rays from `first` on meet the image plane.
     #[inline]
-    fn film(&self, tile: &Tile, first: usize) -> (L, L) {
+    pub(super) fn film(&self, tile: &Tile, first: usize) -> (L, L) {
         // Whole numbers up to the multiplication, so exact.
         let position = |offset: L, start: usize, size: u32| {
             let start = 2.0 * start as f64 + 1.0 - f64::from(size);
@@ -174,14 +203,12 @@ impl<L: Lanes> Prepared<'_, L> {
 
 /// Puts that of the first living lane into the lanes that do not count.
 #[inline]
-fn repeated<L: Lanes>((x, y): (L, L), alive: u32) -> (L, L) {
+pub(super) fn repeated<L: Lanes>(x: L, alive: u32) -> L {
     if alive == all_lanes::<L>() {
-        return (x, y);
+        return x;
     }
-    let lane = alive.trailing_zeros() as usize;
-    let mask = L::mask_from_bits(alive);
-    let repeat = |x: L| select(mask, x, splat::<L>(x.lanes().as_ref()[lane]));
-    (repeat(x), repeat(y))
+    let first = alive.trailing_zeros() as usize;
+    select(L::mask_from_bits(alive), x, splat::<L>(x.lanes().as_ref()[first]))
 }
 
 /// A bit for each lane.

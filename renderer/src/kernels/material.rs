@@ -19,6 +19,8 @@ pub struct Material<S: Real> {
     pub specular: Vec3<S>,
     /// How sharp the highlight is; 0 or more.
     pub exponent: S,
+    /// The part of the radiance from the mirror direction that is added; 0 is no mirror.
+    pub reflection: Vec3<S>,
 }
 
 /// The radiance that a surface reflects towards the viewer:

@@ -16,9 +16,10 @@ use crate::scene::{Light, ParameterId, Scene};
 fn relative_rate(id: ParameterId) -> f64 {
     use ParameterId::*;
     match id {
-        LookFrom | LookAt | Up | Vfov | Focus | Vertices(_) => 0.01,
+        LookFrom | LookAt | Up | Vfov | Focus | Vertices(_) | TextureCoordinates(_) => 0.01,
         LightPosition(_) | LightDirection(_) | LightColor(_) | LightIntensity(_) | Ambient(_)
-        | Diffuse(_) | Specular(_) | Exponent(_) | SphereCenter(_) | SphereRadius(_) => 0.04,
+        | Diffuse(_) | Specular(_) | Exponent(_) | Reflection(_) | SphereCenter(_)
+        | SphereRadius(_) | Texels(_) => 0.04,
     }
 }
 
@@ -55,11 +56,16 @@ fn domain(id: ParameterId) -> (f64, f64) {
     match id {
         Vfov => (1e-3, 179.999),
         Focus | SphereRadius(_) => above_zero,
-        LightColor(_) | LightIntensity(_) | Ambient(_) | Diffuse(_) | Specular(_) | Exponent(_) => {
-            (0.0, f64::INFINITY)
-        }
-        LookFrom | LookAt | Up | LightPosition(_) | LightDirection(_) | SphereCenter(_)
-        | Vertices(_) => (f64::NEG_INFINITY, f64::INFINITY),
+        LightColor(_) | LightIntensity(_) | Ambient(_) | Diffuse(_) | Specular(_) | Exponent(_)
+        | Reflection(_) | Texels(_) => (0.0, f64::INFINITY),
+        LookFrom
+        | LookAt
+        | Up
+        | LightPosition(_)
+        | LightDirection(_)
+        | SphereCenter(_)
+        | Vertices(_)
+        | TextureCoordinates(_) => (f64::NEG_INFINITY, f64::INFINITY),
     }
 }
 
@@ -90,7 +96,13 @@ pub fn natural_scale(scene: &Scene, id: ParameterId) -> f64 {
         },
         Exponent(_) => size.max(10.0),
         Up | LightDirection(_) | Vfov | Focus => size,
-        LightColor(_) | Ambient(_) | Diffuse(_) | Specular(_) => 1.0,
+        LightColor(_)
+        | Ambient(_)
+        | Diffuse(_)
+        | Specular(_)
+        | Reflection(_)
+        | TextureCoordinates(_)
+        | Texels(_) => 1.0,
         SphereCenter(i) => parameters.spheres[i].radius,
         SphereRadius(_) => size,
         Vertices(i) => {

@@ -8,9 +8,11 @@
 mod framing;
 mod lookup;
 mod parameters;
+mod texture;
 mod validate;
 
 pub use parameters::{Differentiability, Light, ParameterId, Parameters};
+pub use texture::{MaterialObject, MaterialTextures, TextureObject, Wrap};
 pub use validate::Invalid;
 
 /// A scene, complete: it needs no file to be rendered.
@@ -20,12 +22,16 @@ pub struct Scene {
     pub width: u32,
     /// The height of the image in pixels.
     pub height: u32,
+    /// How many mirrors light meets on its way to the camera at most.
+    pub bounces: u32,
     /// Everything continuous.
     pub parameters: Parameters,
     /// The names of `parameters.lights`.
     pub light_names: Vec<String>,
-    /// The names of `parameters.materials`.
-    pub material_names: Vec<String>,
+    /// One entry for each of `parameters.materials`.
+    pub materials: Vec<MaterialObject>,
+    /// One entry for each of `parameters.textures`.
+    pub textures: Vec<TextureObject>,
     /// One entry for each of `parameters.spheres`.
     pub spheres: Vec<SphereObject>,
     /// One entry for each of `parameters.vertices`.
@@ -50,4 +56,7 @@ pub struct MeshObject {
     pub triangles: Vec<[u32; 3]>,
     /// The index of each triangle's material.
     pub materials: Vec<u32>,
+    /// For each triangle three indices into the mesh's texture coordinates, if it has any; empty if
+    /// no triangle has.
+    pub texture_triangles: Vec<Option<[u32; 3]>>,
 }

@@ -24,6 +24,11 @@ pub struct Parameters {
     pub spheres: Vec<Sphere<f64>>,
     /// The vertices of each mesh.
     pub vertices: Vec<Vec<[f64; 3]>>,
+    /// The texture coordinates of each mesh: to the right and upwards, from 0 to 1 over the texture.
+    /// None if the mesh wears no texture.
+    pub texture_coordinates: Vec<Vec<[f64; 2]>>,
+    /// The texels of each texture, linear RGB, row by row from the top left.
+    pub textures: Vec<Vec<[f64; 3]>>,
 }
 
 /// A light of one of the known kinds.
@@ -74,12 +79,18 @@ pub enum ParameterId {
     Specular(usize),
     /// `material.NAME.exponent`
     Exponent(usize),
+    /// `material.NAME.reflection`
+    Reflection(usize),
     /// `sphere.NAME.center`
     SphereCenter(usize),
     /// `sphere.NAME.radius`
     SphereRadius(usize),
     /// `mesh.NAME.vertices`
     Vertices(usize),
+    /// `mesh.NAME.texture_coordinates`
+    TextureCoordinates(usize),
+    /// `texture.NAME.texels`
+    Texels(usize),
 }
 
 impl ParameterId {
@@ -87,8 +98,15 @@ impl ParameterId {
     pub fn differentiability(self) -> Differentiability {
         use ParameterId::*;
         match self {
-            LightColor(_) | LightIntensity(_) | Ambient(_) | Diffuse(_) | Specular(_)
-            | Exponent(_) => Differentiability::Smooth,
+            LightColor(_)
+            | LightIntensity(_)
+            | Ambient(_)
+            | Diffuse(_)
+            | Specular(_)
+            | Exponent(_)
+            | Reflection(_)
+            | TextureCoordinates(_)
+            | Texels(_) => Differentiability::Smooth,
             LookFrom | LookAt | Up | Vfov | Focus | LightPosition(_) | LightDirection(_)
             | SphereCenter(_) | SphereRadius(_) | Vertices(_) => Differentiability::Interior,
         }
@@ -108,19 +126,28 @@ impl Scene {
             ids.extend([LightColor(i), LightIntensity(i)]);
         }
         for i in 0..self.parameters.materials.len() {
-            ids.extend([Ambient(i), Diffuse(i), Specular(i), Exponent(i)]);
+            ids.extend([Ambient(i), Diffuse(i), Specular(i), Exponent(i), Reflection(i)]);
         }
         for i in 0..self.parameters.spheres.len() {
             ids.extend([SphereCenter(i), SphereRadius(i)]);
         }
         ids.extend((0..self.parameters.vertices.len()).map(Vertices));
+        let coordinates = self.parameters.texture_coordinates.iter().enumerate();
+        let given = coordinates.filter(|(_, coordinates)| !coordinates.is_empty());
+        ids.extend(given.map(|(i, _)| TextureCoordinates(i)));
+        ids.extend((0..self.parameters.textures.len()).map(Texels));
         ids
     }
 
-    /// The shape of a parameter: empty for a number, `[3]` for a vector, `[n, 3]` for vertices.
+    /// The shape of a parameter: empty for a number, `[3]` for a vector, `[n, 3]` for vertices,
+    /// `[n, 2]` for texture coordinates, `[height, width, 3]` for texels.
     pub fn shape(&self, id: ParameterId) -> Vec<usize> {
         match (id, self.parameters.get(id).len()) {
             (ParameterId::Vertices(_), numbers) => vec![numbers / 3, 3],
+            (ParameterId::TextureCoordinates(_), numbers) => vec![numbers / 2, 2],
+            (ParameterId::Texels(i), _) => {
+                vec![self.textures[i].height as usize, self.textures[i].width as usize, 3]
+            }
             (_, 1) => Vec::new(),
             (_, numbers) => vec![numbers],
         }
@@ -148,7 +175,7 @@ impl fmt::Display for ParameterPath<'_> {
         use ParameterId::*;
         let scene = self.scene;
         let light = |i: usize| &scene.light_names[i];
-        let material = |i: usize| &scene.material_names[i];
+        let material = |i: usize| &scene.materials[i].name;
         match self.id {
             LookFrom => write!(f, "camera.look_from"),
             LookAt => write!(f, "camera.look_at"),
@@ -163,9 +190,14 @@ impl fmt::Display for ParameterPath<'_> {
             Diffuse(i) => write!(f, "material.{}.diffuse", material(i)),
             Specular(i) => write!(f, "material.{}.specular", material(i)),
             Exponent(i) => write!(f, "material.{}.exponent", material(i)),
+            Reflection(i) => write!(f, "material.{}.reflection", material(i)),
             SphereCenter(i) => write!(f, "sphere.{}.center", scene.spheres[i].name),
             SphereRadius(i) => write!(f, "sphere.{}.radius", scene.spheres[i].name),
             Vertices(i) => write!(f, "mesh.{}.vertices", scene.meshes[i].name),
+            TextureCoordinates(i) => {
+                write!(f, "mesh.{}.texture_coordinates", scene.meshes[i].name)
+            }
+            Texels(i) => write!(f, "texture.{}.texels", scene.textures[i].name),
         }
     }
 }
@@ -174,7 +206,15 @@ impl fmt::Display for ParameterPath<'_> {
 macro_rules! reach {
     ($parameters:ident, $id:ident, $one:path, $as_slice:ident, $flatten:ident, $($reference:tt)+) => {{
         use ParameterId::*;
-        let Parameters { camera, lights, materials, spheres, vertices } = $parameters;
+        let Parameters {
+            camera,
+            lights,
+            materials,
+            spheres,
+            vertices,
+            texture_coordinates,
+            textures,
+        } = $parameters;
         match $id {
             LookFrom => camera.look_from.$as_slice(),
             LookAt => camera.look_at.$as_slice(),
@@ -201,9 +241,12 @@ macro_rules! reach {
             Diffuse(i) => materials[i].diffuse.$as_slice(),
             Specular(i) => materials[i].specular.$as_slice(),
             Exponent(i) => $one($($reference)+ materials[i].exponent),
+            Reflection(i) => materials[i].reflection.$as_slice(),
             SphereCenter(i) => spheres[i].center.$as_slice(),
             SphereRadius(i) => $one($($reference)+ spheres[i].radius),
             Vertices(i) => vertices[i].$flatten(),
+            TextureCoordinates(i) => texture_coordinates[i].$flatten(),
+            Texels(i) => textures[i].$flatten(),
         }
     }};
 }

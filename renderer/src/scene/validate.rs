@@ -4,7 +4,7 @@ use std::collections::HashSet;
 
 use glam::DVec3;
 
-use super::{ParameterId, Scene};
+use super::{MeshObject, ParameterId, Scene};
 use crate::Error;
 
 #[cfg(test)]
@@ -16,6 +16,8 @@ const LARGEST_LENGTH: f64 = 1e18;
 const SMALLEST_LENGTH: f64 = 1e-18;
 /// Other numbers beyond this leave the range of an `f32`.
 const LARGEST_NUMBER: f64 = 1e38;
+/// Texture coordinates beyond this do not tell texels apart in an `f32`.
+const LARGEST_COORDINATE: f64 = 1e6;
 /// The sine of the angle below which two directions count as parallel.
 const PARALLEL: f64 = 1e-6;
 /// The most pixels of an image.
@@ -56,17 +58,20 @@ impl Scene {
             self.check_numbers(id)?;
         }
         self.check_camera()?;
+        self.check_textures()?;
         self.check_surfaces()
     }
 
     /// The parallel arrays and the names.
     fn check_structure(&self) -> Result<(), Invalid> {
-        let Scene { parameters, light_names, material_names, spheres, meshes, .. } = self;
+        let Scene { parameters, light_names, materials, textures, spheres, meshes, .. } = self;
         let counts = [
             ("light", light_names.len(), parameters.lights.len()),
-            ("material", material_names.len(), parameters.materials.len()),
+            ("material", materials.len(), parameters.materials.len()),
+            ("texture", textures.len(), parameters.textures.len()),
             ("sphere", spheres.len(), parameters.spheres.len()),
             ("mesh", meshes.len(), parameters.vertices.len()),
+            ("mesh", meshes.len(), parameters.texture_coordinates.len()),
         ];
         for (kind, names, values) in counts {
             if names != values {
@@ -74,7 +79,8 @@ impl Scene {
             }
         }
         check_names("light", light_names.iter().map(String::as_str))?;
-        check_names("material", material_names.iter().map(String::as_str))?;
+        check_names("material", materials.iter().map(|m| m.name.as_str()))?;
+        check_names("texture", textures.iter().map(|t| t.name.as_str()))?;
         check_names("sphere", spheres.iter().map(|s| s.name.as_str()))?;
         check_names("mesh", meshes.iter().map(|m| m.name.as_str()))
     }
@@ -95,10 +101,15 @@ impl Scene {
                 | SphereRadius(_)
                 | Vertices(_)
         );
-        let bound = if is_length { LARGEST_LENGTH } else { LARGEST_NUMBER };
+        let bound = match id {
+            _ if is_length => LARGEST_LENGTH,
+            TextureCoordinates(_) => LARGEST_COORDINATE,
+            _ => LARGEST_NUMBER,
+        };
         for (i, &value) in values.iter().enumerate() {
             let element = || match id {
-                Vertices(_) => format!("{}[{}]", path(), i / 3),
+                Vertices(_) | Texels(_) => format!("{}[{}]", path(), i / 3),
+                TextureCoordinates(_) => format!("{}[{}]", path(), i / 2),
                 _ => path(),
             };
             if !value.is_finite() {
@@ -110,7 +121,14 @@ impl Scene {
         }
         let not_negative = matches!(
             id,
-            LightColor(_) | LightIntensity(_) | Ambient(_) | Diffuse(_) | Specular(_) | Exponent(_)
+            LightColor(_)
+                | LightIntensity(_)
+                | Ambient(_)
+                | Diffuse(_)
+                | Specular(_)
+                | Exponent(_)
+                | Reflection(_)
+                | Texels(_)
         );
         match (id, values) {
             _ if not_negative => match values.iter().find(|v| **v < 0.0) {
@@ -160,9 +178,71 @@ impl Scene {
         Ok(())
     }
 
+    /// The sizes of textures, and who wears which.
+    fn check_textures(&self) -> Result<(), Invalid> {
+        for (texture, texels) in self.textures.iter().zip(&self.parameters.textures) {
+            let (width, height) = (texture.width as usize, texture.height as usize);
+            let path = format!("texture.{}", texture.name);
+            if width == 0 || height == 0 {
+                return invalid(path, format!("has no area: {width} x {height} texels"));
+            }
+            if width.checked_mul(height) != Some(texels.len()) {
+                let count = texels.len();
+                return invalid(path, format!("{count} texels for {width} x {height}"));
+            }
+        }
+        let texels = self.parameters.textures.iter().map(Vec::len).sum::<usize>() as u64;
+        if texels > MOST_PIXELS {
+            let problem = format!("{texels} texels; all textures may have up to {MOST_PIXELS}");
+            return invalid("texture", problem);
+        }
+        let textures = self.textures.len();
+        for material in &self.materials {
+            if let Some(index) = material.textures.iter().find(|&t| t as usize >= textures) {
+                let path = format!("material.{}", material.name);
+                return invalid(path, format!("names texture {index} of {textures}"));
+            }
+        }
+        Ok(())
+    }
+
+    /// The texture coordinates of a mesh: there where a texture needs them.
+    fn check_texture_coordinates(
+        &self,
+        mesh: &MeshObject,
+        coordinates: &[[f64; 2]],
+    ) -> Result<(), Invalid> {
+        let path = || format!("mesh.{}", mesh.name);
+        let (given, triangles) = (mesh.texture_triangles.len(), mesh.triangles.len());
+        if given != 0 && given != triangles {
+            let problem = format!("texture coordinates of {given} triangles for {triangles}");
+            return invalid(path(), problem);
+        }
+        let indices = mesh.texture_triangles.iter().flatten().flatten();
+        if let Some(index) = indices.copied().find(|&i| i as usize >= coordinates.len()) {
+            let count = coordinates.len();
+            return invalid(path(), format!("names texture coordinate {index} of {count}"));
+        }
+        let bare = mesh.materials.iter().enumerate().find(|&(triangle, &material)| {
+            self.materials[material as usize].textures.any()
+                && mesh.texture_triangles.get(triangle).copied().flatten().is_none()
+        });
+        match bare {
+            Some((triangle, &material)) => {
+                let material = &self.materials[material as usize].name;
+                let problem = format!(
+                    "triangle {triangle} wears the material `{material}`, which has a texture, but \
+                     has no texture coordinates"
+                );
+                invalid(path(), problem)
+            }
+            None => Ok(()),
+        }
+    }
+
     /// The indices of spheres and meshes.
     fn check_surfaces(&self) -> Result<(), Invalid> {
-        let materials = self.material_names.len();
+        let materials = self.materials.len();
         let no_material = |path: String, index: u32| {
             invalid(path, format!("names material {index} of {materials}"))
         };
@@ -171,7 +251,8 @@ impl Scene {
                 return no_material(format!("sphere.{}.material", sphere.name), sphere.material);
             }
         }
-        for (mesh, vertices) in self.meshes.iter().zip(&self.parameters.vertices) {
+        let meshes = self.meshes.iter().zip(&self.parameters.vertices).enumerate();
+        for (index, (mesh, vertices)) in meshes {
             let path = format!("mesh.{}", mesh.name);
             if mesh.materials.len() != mesh.triangles.len() {
                 let (materials, triangles) = (mesh.materials.len(), mesh.triangles.len());
@@ -180,6 +261,7 @@ impl Scene {
             if let Some(&index) = mesh.materials.iter().find(|&&m| m as usize >= materials) {
                 return no_material(path, index);
             }
+            self.check_texture_coordinates(mesh, &self.parameters.texture_coordinates[index])?;
             let indices = mesh.triangles.as_flattened();
             if let Some(index) = indices.iter().find(|&&i| i as usize >= vertices.len()) {
                 return invalid(path, format!("names vertex {index} of {}", vertices.len()));

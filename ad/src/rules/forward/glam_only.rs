@@ -4,7 +4,7 @@ use glam::{DVec2, DVec3, DVec4, Vec2, Vec3, Vec4};
 
 use super::symmetric;
 use super::vector::{inner, scalar_result};
-use crate::rules::{GlamRules, scale_elements, scale_vector};
+use crate::rules::{ExtendRules, GlamRules, TruncateRules, scale_elements, scale_vector};
 use crate::{Additive, Real};
 
 /// The `_jvp` siblings of methods that all of glam's float vectors have.
@@ -48,3 +48,50 @@ macro_rules! glam_forward {
 }
 
 glam_forward!(Vec2 Vec3 Vec4 DVec2 DVec3 DVec4);
+
+/// The `_jvp` sibling of `extend`.
+pub trait ExtendForward: ExtendRules {
+    /// The tangent, extended by that of the element.
+    fn extend_jvp(
+        self,
+        last: Self::Scalar,
+        tangent: Self,
+        last_tangent: Self::Scalar,
+    ) -> (Self::Longer, Self::Longer);
+}
+
+/// The `_jvp` sibling of `truncate`.
+pub trait TruncateForward: TruncateRules {
+    /// The tangent without its last element.
+    fn truncate_jvp(self, tangent: Self) -> (Self::Shorter, Self::Shorter);
+}
+
+macro_rules! lengths {
+    ($($shorter:ident $longer:ident $scalar:ident;)*) => {$(
+        impl ExtendForward for $shorter {
+            #[inline(always)]
+            fn extend_jvp(
+                self,
+                last: $scalar,
+                tangent: Self,
+                last_tangent: $scalar,
+            ) -> ($longer, $longer) {
+                (self.extend(last), tangent.extend(last_tangent))
+            }
+        }
+
+        impl TruncateForward for $longer {
+            #[inline(always)]
+            fn truncate_jvp(self, tangent: Self) -> ($shorter, $shorter) {
+                (self.truncate(), tangent.truncate())
+            }
+        }
+    )*};
+}
+
+lengths! {
+    Vec2 Vec3 f32;
+    Vec3 Vec4 f32;
+    DVec2 DVec3 f64;
+    DVec3 DVec4 f64;
+}

@@ -16,14 +16,21 @@
 
 mod float;
 mod glam_only;
+mod matrix;
 mod outcome;
+mod quaternion;
 mod scalar;
 mod sequence;
 mod vector;
 
 pub use float::{FloatForward, FromForward};
-pub use glam_only::GlamForward;
-pub use outcome::{OptionForward, ResultForward};
+pub use glam_only::{ExtendForward, GlamForward, TruncateForward};
+pub use matrix::{
+    AngleForward, DMat2Forward, DMat3Forward, DMat4Forward, Mat2Forward, Mat3Forward, Mat4Forward,
+    MatrixForward, RotationForward, TransformForward,
+};
+pub use outcome::{CopiedForward, OptionForward, ResultForward};
+pub use quaternion::QuaternionForward;
 pub use scalar::{RealForward, ScalarForward};
 pub use sequence::{CloneForward, SequenceForward, VecForward};
 pub use vector::{
@@ -72,3 +79,9 @@ macro_rules! symmetric {
 }
 
 use symmetric;
+
+/// Sine and cosine of an angle, times its tangent.
+#[inline(always)]
+fn rotated<S: crate::Real>(angle: S, tangent: S) -> (S, S) {
+    (super::scale(tangent, angle.sin()), super::scale(tangent, angle.cos()))
+}

@@ -2,7 +2,7 @@
 
 use core::fmt::Debug;
 
-use crate::rules::{OptionRules, ResultRules};
+use crate::rules::{CopiedRules, OptionRules, ResultRules};
 use crate::{Differentiable, Tangent};
 
 /// The `_jvp` siblings of the methods of options. The tangent of an option is that of its content.
@@ -90,5 +90,42 @@ impl<T: Differentiable, E: Differentiable> ResultForward for Result<T, E> {
         E: Debug,
     {
         (self.expect(message), tangent.0)
+    }
+}
+
+/// The `_jvp` siblings of the methods of options of references.
+pub trait CopiedForward: CopiedRules {
+    /// The tangent of what is referred to.
+    fn copied_jvp(
+        self,
+        tangent: Tangent<Self::Target>,
+    ) -> (Option<Self::Target>, Tangent<Self::Target>)
+    where
+        Self::Target: Copy;
+
+    /// The tangent of what is referred to.
+    fn cloned_jvp(
+        self,
+        tangent: Tangent<Self::Target>,
+    ) -> (Option<Self::Target>, Tangent<Self::Target>)
+    where
+        Self::Target: Clone;
+}
+
+impl<T: Differentiable> CopiedForward for Option<&T> {
+    #[inline(always)]
+    fn copied_jvp(self, tangent: Tangent<T>) -> (Option<T>, Tangent<T>)
+    where
+        T: Copy,
+    {
+        (self.copied(), tangent)
+    }
+
+    #[inline(always)]
+    fn cloned_jvp(self, tangent: Tangent<T>) -> (Option<T>, Tangent<T>)
+    where
+        T: Clone,
+    {
+        (self.cloned(), tangent)
     }
 }

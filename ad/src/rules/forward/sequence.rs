@@ -1,6 +1,6 @@
 //! Methods of slices, arrays and vectors. What changes a sequence changes its tangent alike.
 
-use crate::rules::{SequenceRules, VecRules};
+use crate::rules::{SequenceRules, VecRules, sequence::sorted_from};
 use crate::{Differentiable, Tangent};
 
 /// The `_jvp` siblings of the methods of slices and arrays.
@@ -56,6 +56,37 @@ pub trait SequenceForward: SequenceRules {
         ((), ())
     }
 
+    /// The tangents follow their elements.
+    #[inline]
+    fn sort_by_jvp<F>(
+        &mut self,
+        mut compare: F,
+        tangent: &mut [Tangent<Self::Element>],
+        (): (),
+    ) -> ((), ())
+    where
+        F: FnMut(&Self::Element, &Self::Element) -> core::cmp::Ordering,
+    {
+        let from = sorted_from(self.sequence(), &mut compare);
+        let sorted: Vec<_> = from.into_iter().map(|place| tangent[place].clone()).collect();
+        tangent.clone_from_slice(&sorted);
+        ((), ())
+    }
+
+    /// As [`sort_by_jvp`](Self::sort_by_jvp).
+    #[inline]
+    fn sort_unstable_by_jvp<F>(
+        &mut self,
+        compare: F,
+        tangent: &mut [Tangent<Self::Element>],
+        (): (),
+    ) -> ((), ())
+    where
+        F: FnMut(&Self::Element, &Self::Element) -> core::cmp::Ordering,
+    {
+        self.sort_by_jvp(compare, tangent, ())
+    }
+
     /// The tangents of the source.
     #[inline]
     fn copy_from_slice_jvp(
@@ -78,6 +109,17 @@ impl<T: Differentiable, const N: usize> SequenceForward for [T; N] {}
 
 /// The `_jvp` siblings of the methods that change the length of a `Vec`.
 pub trait VecForward: VecRules {
+    /// Appends the tangents of elements that are handed over.
+    fn extend_jvp<I>(
+        &mut self,
+        items: I,
+        tangent: &mut Vec<Tangent<Self::Element>>,
+        items_tangent: Tangent<I>,
+    ) -> ((), ())
+    where
+        I: IntoIterator<Item = Self::Element>
+            + Differentiable<Tangent: IntoIterator<Item = Tangent<Self::Element>>>;
+
     /// Appends the tangent.
     fn push_jvp(
         &mut self,
@@ -107,6 +149,21 @@ pub trait VecForward: VecRules {
 }
 
 impl<T: Differentiable> VecForward for Vec<T> {
+    #[inline]
+    fn extend_jvp<I>(
+        &mut self,
+        items: I,
+        tangent: &mut Vec<Tangent<T>>,
+        items_tangent: Tangent<I>,
+    ) -> ((), ())
+    where
+        I: IntoIterator<Item = T> + Differentiable<Tangent: IntoIterator<Item = Tangent<T>>>,
+    {
+        self.extend(items);
+        tangent.extend(items_tangent);
+        ((), ())
+    }
+
     #[inline]
     fn push_jvp(
         &mut self,

@@ -461,3 +461,48 @@ fn rules_by_hand() {
     let (value, pullback) = softplus::vjp(0.0);
     assert_eq!((value, pullback(2.0)), (2.0_f64.ln(), 1.0));
 }
+
+/// Of no interest to derivatives: it has none.
+struct Table {
+    rows: Vec<[f64; 2]>,
+    scale: f64,
+}
+
+impl Table {
+    fn at(&self, row: usize) -> f64 {
+        self.rows[row][1] * self.scale
+    }
+}
+
+#[differentiable]
+fn looked_up(#[constant] table: &Table, x: f64, #[constant] (power, shift): (i32, f64)) -> f64 {
+    let mut total = shift;
+    for (i, row) in table.rows.iter().enumerate() {
+        total += row[0] * x.powi(power) * table.at(i);
+    }
+    total * table.scale
+}
+
+#[differentiable]
+impl Spring {
+    fn stretched(&self, x: f64, #[constant] rest: f64) -> f64 {
+        looked_up(&Table { rows: vec![[rest, 0.5]], scale: 2.0 }, x * self.stiffness, (2, rest))
+    }
+}
+
+#[derive(Clone, Copy, Differentiable)]
+struct Spring {
+    stiffness: f64,
+}
+
+#[test]
+fn constant_parameters() {
+    let table = Table { rows: vec![[1.0, 2.0], [-0.5, 3.0]], scale: 0.7 };
+    let primal = |p: &[f64]| looked_up(&table, p[0], (3, 0.4));
+    let ((), by_x, ()) = looked_up::grad(&table, 1.3, (3, 0.4));
+    crate::oracle::assert_gradient("looked_up", primal, &[1.3], &[by_x]);
+    let primal = |p: &[f64]| Spring { stiffness: p[0] }.stretched(p[1], 0.3);
+    let (by_self, by_x, ()) = Spring { stiffness: 2.0 }.stretched_grad(1.3, 0.3);
+    let gradient = [by_self.stiffness, by_x];
+    crate::oracle::assert_gradient("stretched", primal, &[2.0, 1.3], &gradient);
+}

@@ -244,6 +244,73 @@ fn extremes(xs: &[f64; 7], y: f64) -> f64 {
 }
 
 #[differentiable]
+fn chained(xs: &[f64; 5], y: f64) -> f64 {
+    let other = [y, y * y];
+    let mut total = 0.0;
+    for (i, x) in xs.iter().chain(&other).enumerate() {
+        if i == 6 {
+            total *= y;
+            continue;
+        }
+        total += x * x * (i as f64 + y);
+    }
+    for (k, x) in (0..2).chain(3..4).zip(xs.iter().map(|x| x * y).chain([total])) {
+        total += x * k as f64;
+    }
+    let sum: f64 = other.into_iter().chain(xs.iter().copied()).rev().map(f64::sin).sum();
+    for (a, b) in xs.iter().zip(&other).chain(other.iter().zip(xs)) {
+        total += *a / *b;
+    }
+    total * sum + xs.iter().take(2).chain(xs.iter().skip(3)).product::<f64>()
+}
+
+#[differentiable]
+fn filter_mapped(xs: &[f64; 7], y: f64) -> f64 {
+    let root = |x: &f64| if *x > 1.0 { Some((x - 1.0).sqrt() * y) } else { None };
+    let mut total: f64 = xs.iter().filter_map(root).sum();
+    for (i, x) in xs.iter().filter_map(|x| (*x < 2.0).then_some(*x)).enumerate() {
+        total += x * i as f64;
+    }
+    total += xs
+        .iter()
+        .map_while(|&x| if x < 1.9 { Some(x * y) } else { None })
+        .fold(1.0, |product, x| product * x);
+    let indices: usize = (0..7).filter_map(|i| if xs[i] > y { Some(i) } else { None }).sum();
+    total * indices as f64
+}
+
+#[differentiable]
+fn nested(xs: &[f64; 5], y: f64) -> f64 {
+    let rows = [[xs[0], y], [xs[1], xs[2] * y], [xs[3], xs[4]]];
+    let sum: f64 = rows.iter().flatten().map(|x| x * x).sum();
+    let x = 2.0 * y;
+    let mut total = sum;
+    for (i, product) in (0..4).flat_map(|i| xs.iter().skip(i).map(move |x| x * xs[i])).enumerate() {
+        total += product * x * i as f64;
+    }
+    let pairs: Vec<f64> =
+        rows.iter().flat_map(|row| row.iter().map(|entry| entry * row[0])).collect();
+    for p in &pairs {
+        total += p.sin();
+    }
+    total + rows.into_iter().flatten().filter(|x| *x > 1.0).fold(0.0, |a, x| a * y + x)
+}
+
+#[differentiable]
+fn reduced(xs: &[f64; 5], y: f64) -> f64 {
+    let most = xs.iter().map(|x| x * y).reduce(f64::max).unwrap();
+    let product = xs.iter().copied().reduce(|a, b| a * b + y);
+    let last = xs.iter().copied().filter(|x| *x < 2.0).last();
+    let nothing = xs.iter().take(0).copied().reduce(|a, b| a + b);
+    let least = xs.iter().cloned().min_by(|a, b| a.total_cmp(b)).expect("there are some");
+    let sum = most * product.unwrap_or(1.0) + last.unwrap_or(y) * least;
+    match nothing {
+        Some(x) => x,
+        None => sum,
+    }
+}
+
+#[differentiable]
 fn built(xs: &[f64; 5], y: f64) -> f64 {
     let powers: [f64; 4] = std::array::from_fn(|i| y.powi(i as i32) + xs[i]);
     let mut running = 1.0;
@@ -278,6 +345,33 @@ fn mapped_options(x: Option<f64>, y: f64) -> f64 {
     }
 }
 
+#[differentiable]
+fn methods_of_options(x: f64, y: f64) -> f64 {
+    let above = (x > 1.0).then_some(x * y);
+    let root = root_of(y).and_then(|r| root_of(r - 0.5)).or_else(|| root_of(x * x));
+    let half = |t: f64| t * 0.5 * y;
+    let a = above.unwrap_or_else(|| y * y);
+    let b = root.map_or(x, |r| r * a);
+    let c = above.map_or_else(|| x + y, half);
+    let d = checked(x).unwrap_or_else(|error: usize| y * error as f64);
+    a * b + c * d
+}
+
+#[differentiable]
+fn root_of(x: f64) -> Option<f64> {
+    (x >= 0.0).then(|| x.sqrt())
+}
+
+#[differentiable]
+fn checked(x: f64) -> Result<f64, usize> {
+    if x > 0.0 { Ok(x * x) } else { Err(3) }
+}
+
+#[test]
+fn options_by_method() {
+    crate::oracle::check!(methods_of_options(x, y) at [1.3, 0.7], [-0.4, 2.1], [0.3, 0.1], [1.2, -0.4]);
+}
+
 #[test]
 fn arrays_by_element() {
     check_array!(built, 5);
@@ -306,6 +400,10 @@ fn chains() {
     check_array!(folds, 7);
     check_array!(filtered, 7);
     check_array!(extremes, 7);
+    check_array!(chained, 5);
+    check_array!(filter_mapped, 7);
+    check_array!(nested, 5);
+    check_array!(reduced, 5);
 }
 
 #[test]

@@ -264,3 +264,108 @@ fn scaled_sum(xs: &[f64]) -> f64 {
 fn loops_over_elements() {
     check_slices!(iterated, scaled_sum at [1.3, 0.7], [0.4, -2.1, 1.1], [0.9, 1.2, -0.7, 0.3, 1.5]);
 }
+
+#[differentiable]
+fn ends(xs: &[f64]) -> f64 {
+    match xs {
+        [] => 0.0,
+        [only] => only * only,
+        [first, .., last] if first > last => first / last,
+        [first, middle @ .., last] => first * last.sin() + ends(middle),
+    }
+}
+
+#[differentiable]
+fn polynomial(coefficients: &[f64], x: f64) -> f64 {
+    let [lowest, higher @ ..] = coefficients else { return 0.0 };
+    lowest + x * polynomial(higher, x)
+}
+
+#[differentiable]
+fn ends_of_array(xs: [f64; 4], y: f64) -> f64 {
+    let [first, rest @ ..] = xs;
+    let [.., before, last] = rest;
+    let mut total = first * last;
+    for x in rest {
+        total += x * before * y;
+    }
+    let [.., mut end] = [y, total, before];
+    end *= y;
+    total + end
+}
+
+#[differentiable]
+fn lent_parts(xs: &[f64], y: f64) -> f64 {
+    let mut total = xs.first().unwrap() * y + *xs.last().expect("there are some");
+    if let Some(third) = xs.get(2) {
+        total += third * third * y;
+    }
+    total += xs.get(17).map_or(y, |x| *x) + xs.last().copied().unwrap_or(0.0).sin();
+    let (left, right) = xs.split_at(2);
+    for (a, b) in left.iter().zip(right) {
+        total += a * b;
+    }
+    let own = [y, total];
+    total * own.first().copied().unwrap() + left.iter().sum::<f64>() * right.len() as f64
+}
+
+#[differentiable]
+fn median(xs: &[f64], y: f64) -> f64 {
+    let mut sorted: Vec<f64> = xs.iter().map(|x| x * y).collect();
+    sorted.sort_by(|a, b| a.partial_cmp(b).unwrap());
+    let n = sorted.len();
+    let middle = if n % 2 == 1 { sorted[n / 2] } else { 0.5 * (sorted[n / 2 - 1] + sorted[n / 2]) };
+    let mut rest = vec![middle];
+    rest.extend(sorted.iter().map(|x| (x - middle).abs()));
+    rest.extend([y, middle * y]);
+    rest.extend(sorted);
+    rest.sort_unstable_by(|a, b| b.total_cmp(a));
+    rest.iter().enumerate().map(|(i, x)| x * i as f64).sum::<f64>() * middle
+}
+
+#[differentiable]
+fn optional_reference(x: Option<&f64>, rows: (&[f64], f64)) -> f64 {
+    x.copied().unwrap_or(2.0) * rows.1 + rows.0[0] * rows.0[1]
+}
+
+#[test]
+fn parts_and_order() {
+    for n in [3, 4, 6] {
+        let xs = &[0.35, -1.2, 1.5, 0.72, 1.41, 0.9][..n];
+        let point = [xs, &[1.3]].concat();
+        let checks: [(fn(&[f64], f64) -> f64, _); 2] =
+            [(lent_parts, lent_parts::grad(xs, 1.3)), (median, median::grad(xs, 1.3))];
+        for (f, (to_xs, to_y)) in checks {
+            let gradient = [&to_xs[..], &[to_y]].concat();
+            let primal = |p: &[f64]| f(&p[..n], p[n]);
+            crate::oracle::assert_gradient("parts", primal, &point, &gradient);
+        }
+    }
+    let (to_x, (to_row, to_y)) = optional_reference::grad(Some(&3.0), (&[0.5, 0.25], 2.0));
+    assert_eq!((to_x, to_row, to_y), (2.0, vec![0.25, 0.5], 3.0));
+    let (to_x, (_, to_y)) = optional_reference::grad(None, (&[0.5, 0.25], 2.0));
+    assert_eq!((to_x, to_y), (0.0, 2.0));
+}
+
+#[test]
+fn patterns() {
+    for xs in [&[][..], &[1.3], &[2.0, 0.7], &[0.3, 1.5, 0.7, 1.1], &[0.3, 1.5, 0.2, 0.7, 1.2]] {
+        let (value, gradient) = ends::value_and_grad(xs);
+        assert_eq!(value, ends(xs));
+        crate::oracle::assert_gradient("ends", ends, xs, &gradient);
+    }
+    let point = [0.3, -1.2, 1.5, 0.7];
+    let primal = |p: &[f64]| polynomial(&p[..3], p[3]);
+    let (to_coefficients, to_x) = polynomial::grad(&point[..3], point[3]);
+    crate::oracle::assert_gradient(
+        "polynomial",
+        primal,
+        &point,
+        &[&to_coefficients[..], &[to_x]].concat(),
+    );
+    let point = [0.3, -1.2, 1.5, 0.7, 1.4];
+    let primal = |p: &[f64]| ends_of_array(p[..4].try_into().unwrap(), p[4]);
+    let (to_xs, to_y) = ends_of_array::grad(point[..4].try_into().unwrap(), point[4]);
+    let gradient = [&to_xs[..], &[to_y]].concat();
+    crate::oracle::assert_gradient("ends_of_array", primal, &point, &gradient);
+}

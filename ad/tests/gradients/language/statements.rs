@@ -224,3 +224,46 @@ fn single_precision_vectors() {
         crate::oracle::assert_close("single_precision", got.into(), expected.value, 1e-5);
     }
 }
+
+#[derive(Clone, Copy, ad::Differentiable)]
+struct Pair {
+    left: f64,
+    right: f64,
+}
+
+#[differentiable]
+fn several_places(x: f64, y: f64) -> f64 {
+    const STEPS: usize = 4;
+    let (mut a, mut b) = (x, y);
+    let mut state = [x, 0.0];
+    for _ in 0..STEPS {
+        (a, b) = (b, a * 0.5 + b);
+        [state[1], state[0]] = state;
+    }
+    let mut rest = 0.0;
+    (_, (rest, state[0])) = (a, (rest + b, a * state[1]));
+    Pair { left: a, right: state[1] } = Pair { left: rest, right: state[0] * y };
+    fn unrelated() -> [f64; STEPS] {
+        [2.0; STEPS]
+    }
+    a * b + state[0] * state[1] + rest * unrelated()[0]
+}
+
+/// What is printed carries no derivative.
+#[differentiable]
+fn reporting(x: f64) -> Result<f64, String> {
+    if x < -100.0 {
+        println!("{x} is very small");
+        eprintln!("{} is {what}", x, what = "very small");
+    }
+    if x < 0.0 { Err(format!("{x:.1} is negative")) } else { Ok(x.sqrt()) }
+}
+
+#[test]
+fn assignments_and_items() {
+    check!(several_places(x, y) at [1.3, 0.7], [-0.4, 2.1]);
+    let (value, pullback) = reporting::vjp(4.0);
+    assert_eq!((value, pullback((1.0, ()))), (Ok(2.0), 0.25));
+    let (value, pullback) = reporting::vjp(-4.0);
+    assert_eq!((value, pullback((1.0, ()))), (Err("-4.0 is negative".to_owned()), 0.0));
+}

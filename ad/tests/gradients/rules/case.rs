@@ -2,7 +2,8 @@
 
 use ad::vector::Xyz;
 use ad::{Dual, Real};
-use glam::{DVec2, DVec3, DVec4, Vec2, Vec3, Vec4};
+use glam::{DMat2, DMat3, DMat4, DQuat, DVec2, DVec3, DVec4};
+use glam::{Mat2, Mat3, Mat4, Quat, Vec2, Vec3, Vec4};
 
 /// A function of scalars to scalars.
 type Primal<S> = Box<dyn Fn(&[S]) -> Vec<S>>;
@@ -131,6 +132,36 @@ vectors! {
     DVec2 f64, 2;
     DVec3 f64, 3;
     DVec4 f64, 4;
+}
+
+macro_rules! matrices {
+    ($($type:ident $scalar:ty, $len:literal $from:ident $to:ident;)*) => {$(
+        impl Flat<$scalar> for $type {
+            const LEN: usize = $len;
+
+            fn read(scalars: &mut dyn Iterator<Item = $scalar>) -> Self {
+                let numbers: [$scalar; $len] = std::array::from_fn(|_| scalars.next().unwrap());
+                matrices!(@$from $type numbers)
+            }
+
+            fn write(self, scalars: &mut Vec<$scalar>) {
+                scalars.extend(self.$to());
+            }
+        }
+    )*};
+    (@from_array $type:ident $numbers:ident) => { $type::from_array($numbers) };
+    (@from_cols_array $type:ident $numbers:ident) => { $type::from_cols_array(&$numbers) };
+}
+
+matrices! {
+    Mat2 f32, 4 from_cols_array to_cols_array;
+    Mat3 f32, 9 from_cols_array to_cols_array;
+    Mat4 f32, 16 from_cols_array to_cols_array;
+    Quat f32, 4 from_array to_array;
+    DMat2 f64, 4 from_cols_array to_cols_array;
+    DMat3 f64, 9 from_cols_array to_cols_array;
+    DMat4 f64, 16 from_cols_array to_cols_array;
+    DQuat f64, 4 from_array to_array;
 }
 
 impl<S: Real> Flat<S> for Xyz<S> {

@@ -1,10 +1,41 @@
 use ad::differentiable;
 
 #[differentiable]
-fn f<F: Fn(f64) -> f64>(x: f64, g: F) -> f64 {
-    g(x)
+fn twice<F: Fn(f64) -> f64>(f: F, x: f64) -> f64 {
+    f(f(x))
 }
 
-fn main() {
-    f(1.0, f64::sin);
+#[differentiable]
+fn changing(x: f64, mut f: impl FnMut(f64) -> f64) -> f64 {
+    f(x)
 }
+
+#[differentiable]
+fn without_types(x: f64) -> f64 {
+    twice(|t| t * x, x)
+}
+
+#[differentiable]
+fn counting(x: f64) -> f64 {
+    let mut count = 0.0;
+    let y = twice(
+        |t: f64| {
+            count += 1.0;
+            t * x
+        },
+        x,
+    );
+    y * count
+}
+
+#[differentiable(checkpoint)]
+fn recomputed(f: impl Fn(f64) -> f64, x: f64) -> f64 {
+    f(x)
+}
+
+#[differentiable]
+fn pointer(f: fn(f64) -> f64, x: f64) -> f64 {
+    f(x)
+}
+
+fn main() {}

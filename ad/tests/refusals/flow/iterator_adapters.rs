@@ -3,7 +3,7 @@ use ad::differentiable;
 #[differentiable]
 fn f(xs: [f64; 3]) -> f64 {
     let mut total = 0.0;
-    for x in xs.iter().chain(&[1.0]) {
+    for x in xs.iter().skip_while(|x| **x < 1.0) {
         total += x;
     }
     for (x, _) in xs.iter().filter(|x| **x > 0.0).zip(0..) {
@@ -22,7 +22,23 @@ fn f(xs: [f64; 3]) -> f64 {
         })
         .rev()
         .sum::<f64>();
-    total + xs.iter().map(|x| x * 2.0).reduce(f64::max).unwrap()
+    let sums = xs.iter().scan(0.0, |sum, x| {
+        *sum += x;
+        Some(*sum)
+    });
+    for row in [xs, xs].iter().flat_map(|row| {
+        let first = row[0];
+        row.iter().map(move |x| x * first)
+    }) {
+        total += row;
+    }
+    for x in [xs, xs].into_iter().flatten() {
+        if x > total {
+            break;
+        }
+        total += x;
+    }
+    total + xs.iter().map(|x| x * 2.0).max_by_key(|x| *x as i32).unwrap()
 }
 
 #[differentiable]

@@ -14,6 +14,11 @@ pub(super) struct Prepared {
     pub text: String,
     /// For each triangle, in the order of the file, an index into `materials`.
     pub triangle_materials: Vec<u32>,
+    /// The texture coordinates of the file.
+    pub texture_coordinates: Vec<[f64; 2]>,
+    /// For each triangle, in the order of the file, indices into `texture_coordinates`, if all three
+    /// corners have some.
+    pub texture_triangles: Vec<Option<[u32; 3]>>,
     /// The names of the materials in order of their first use, and the line of that.
     pub materials: Vec<(String, usize)>,
     /// What stands after each `mtllib`, and its line.
@@ -26,6 +31,8 @@ pub(super) fn prepare(text: &str, file: &str, stem: &str) -> Result<Prepared, Er
     let mut prepared = Prepared {
         text: format!("o {stem}\n"),
         triangle_materials: Vec::new(),
+        texture_coordinates: Vec::new(),
+        texture_triangles: Vec::new(),
         materials: Vec::new(),
         libraries: Vec::new(),
     };
@@ -40,10 +47,13 @@ pub(super) fn prepare(text: &str, file: &str, stem: &str) -> Result<Prepared, Er
                 let numbers = vertex(&rest).map_err(refuse)?;
                 prepared.text.push_str(&format!("v {numbers}\n"));
             }
-            "vt" => counts.texture_coordinates += 1,
+            "vt" => {
+                counts.texture_coordinates += 1;
+                prepared.texture_coordinates.push(texture_coordinates(&rest).map_err(refuse)?);
+            }
             "vn" => counts.normals += 1,
             "f" => {
-                let corners = face(&rest, &counts).map_err(refuse)?;
+                let Face { vertices: corners, texture } = face(&rest, &counts).map_err(refuse)?;
                 let next = material_indices.len() as u32;
                 let index = *material_indices.entry(material.clone()).or_insert_with(|| {
                     prepared.materials.push((material.clone(), line));
@@ -51,6 +61,11 @@ pub(super) fn prepare(text: &str, file: &str, stem: &str) -> Result<Prepared, Er
                 });
                 let triangles = corners.len() - 2;
                 prepared.triangle_materials.extend(std::iter::repeat_n(index, triangles));
+                // A fan, as tobj makes one of the vertices.
+                prepared.texture_triangles.extend((0..triangles).map(|i| {
+                    let corner = |corner: usize| texture.get(corner).copied().flatten();
+                    Some([corner(0)?, corner(i + 1)?, corner(i + 2)?])
+                }));
                 prepared.text.push_str(&format!("f {}\n", corners.join(" ")));
             }
             "usemtl" if rest.is_empty() => {
@@ -132,8 +147,26 @@ fn vertex(rest: &str) -> Result<String, String> {
     Ok(used.join(" "))
 }
 
-/// The vertex indices of a face, counted from 1.
-fn face(rest: &str, counts: &Counts) -> Result<Vec<String>, String> {
+/// The first two texture coordinates; a third one is for textures that fill space.
+fn texture_coordinates(rest: &str) -> Result<[f64; 2], String> {
+    let values = words(rest).take(2).map(number).collect::<Result<Vec<_>, _>>()?;
+    match values[..] {
+        [u, v] => Ok([u, v]),
+        // By the standard v may be left out.
+        [u] => Ok([u, 0.0]),
+        _ => Err("vt holds no texture coordinates".to_owned()),
+    }
+}
+
+/// The corners of a face.
+struct Face {
+    /// Indices of vertices, counted from 1.
+    vertices: Vec<String>,
+    /// Indices of texture coordinates, counted from 0, where a corner has any.
+    texture: Vec<Option<u32>>,
+}
+
+fn face(rest: &str, counts: &Counts) -> Result<Face, String> {
     let corners: Vec<&str> = words(rest).collect();
     if corners.len() < 3 {
         return Err(format!("a face has at least 3 vertices, this one {}", corners.len()));
@@ -144,19 +177,21 @@ fn face(rest: &str, counts: &Counts) -> Result<Vec<String>, String> {
         ("normal", counts.normals),
     ];
     let mut vertices = Vec::with_capacity(corners.len());
+    let mut texture = Vec::with_capacity(corners.len());
     for corner in corners {
         let parts: Vec<&str> = corner.split('/').collect();
         if parts.len() > 3 {
             return Err(format!("`{corner}` is not vertex/texture/normal"));
         }
         vertices.push(index(parts[0], kinds[0])?.to_string());
-        for (part, kind) in parts[1..].iter().zip(&kinds[1..]) {
-            if !part.is_empty() {
-                index(part, *kind)?;
-            }
-        }
+        let given = |part: usize| match parts.get(part) {
+            None | Some(&"") => Ok(None),
+            Some(word) => index(word, kinds[part]).map(Some),
+        };
+        texture.push(given(1)?.map(|index| (index - 1) as u32));
+        given(2)?;
     }
-    Ok(vertices)
+    Ok(Face { vertices, texture })
 }
 
 /// An index, counted from 1; in the file it may count from the end as -1, -2, ...

@@ -1,7 +1,7 @@
 use std::fs;
 
 use super::*;
-use crate::scene::MeshObject;
+use crate::scene::{MaterialObject, MeshObject};
 
 /// A folder with the given files.
 fn folder(files: &[(&str, &str)]) -> tempfile::TempDir {
@@ -52,6 +52,7 @@ fn objects_materials_and_groups() {
         diffuse: DVec3::new(0.5, 0.25, 0.125),
         specular: DVec3::new(0.1, 0.2, 0.3),
         exponent: 10.0,
+        reflection: DVec3::ZERO,
     };
     assert_eq!(model.materials[0].material, Some(red));
     assert_eq!(model.materials[1].name, "blue");
@@ -175,14 +176,20 @@ fn a_written_mesh_is_read_back_bit_for_bit() {
         name: "Cube.001 #b".to_owned(),
         triangles: vec![[0, 1, 2], [2, 1, 0], [0, 0, 1]],
         materials: vec![1, 0, 1],
+        texture_triangles: vec![Some([1, 0, 1]), None, Some([1, 1, 0])],
     };
-    let names = ["a b".to_owned(), "c".to_owned()];
+    let coordinates = [[0.1, -2.0 / 3.0], [1e-300, 5.0]];
+    let names = ["a b", "c"].map(MaterialObject::new);
     let folder = folder(&[]);
     let path = folder.path().join("m.obj");
-    save_obj(&mesh, &vertices, &names, &path).unwrap();
+    save_obj(&mesh, &vertices, &coordinates, &names, &path).unwrap();
     let model = load_obj(&path).unwrap();
     assert_eq!(model.meshes[0].name, mesh.name);
     assert_eq!(model.meshes[0].triangles, mesh.triangles);
+    // In the order of their first use.
+    assert_eq!(model.meshes[0].texture_coordinates, [coordinates[1], coordinates[0]]);
+    let swapped = [Some([0, 1, 0]), None, Some([0, 0, 1])];
+    assert_eq!(model.meshes[0].texture_triangles, swapped);
     let bits = |v: &[[f64; 3]]| v.as_flattened().iter().map(|x| x.to_bits()).collect::<Vec<_>>();
     assert_eq!(bits(&model.meshes[0].vertices), bits(&vertices));
     let worn: Vec<&str> = (model.meshes[0].materials.iter())
@@ -190,6 +197,6 @@ fn a_written_mesh_is_read_back_bit_for_bit() {
         .collect();
     assert_eq!(worn, ["c", "a b", "c"]);
 
-    let error = save_obj(&mesh, &vertices[..2], &names, &path).unwrap_err();
+    let error = save_obj(&mesh, &vertices[..2], &coordinates, &names, &path).unwrap_err();
     assert!(error.problem.contains("Cube.001 #b is inconsistent"), "{error}");
 }

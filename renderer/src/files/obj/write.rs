@@ -5,12 +5,12 @@ use std::path::Path;
 
 use crate::Error;
 use crate::atomic_file::write_atomically;
-use crate::scene::MeshObject;
+use crate::scene::{MaterialObject, MeshObject};
 
 /// Writes one mesh as an OBJ file, its materials by name without a library. Coordinates are written
 /// with as many digits as it takes to read the same numbers back.
 ///
-/// `vertices` and `material_names` are what the indices of `mesh` refer to.
+/// `vertices`, `texture_coordinates` and `materials` are what the indices of `mesh` refer to.
 ///
 /// # Errors
 ///
@@ -18,11 +18,14 @@ use crate::scene::MeshObject;
 pub fn save_obj(
     mesh: &MeshObject,
     vertices: &[[f64; 3]],
-    material_names: &[String],
+    texture_coordinates: &[[f64; 2]],
+    materials: &[MaterialObject],
     path: &Path,
 ) -> Result<(), Error> {
     let out_of_range = || Error::new(path.display(), format!("mesh {} is inconsistent", mesh.name));
-    if mesh.triangles.as_flattened().iter().any(|&i| i as usize >= vertices.len())
+    let textured = mesh.texture_triangles.iter().flatten().flatten();
+    if textured.copied().any(|i| i as usize >= texture_coordinates.len())
+        || mesh.triangles.as_flattened().iter().any(|&i| i as usize >= vertices.len())
         || mesh.materials.len() != mesh.triangles.len()
     {
         return Err(out_of_range());
@@ -31,15 +34,25 @@ pub fn save_obj(
     for [x, y, z] in vertices {
         push(&mut text, format_args!("v {x:?} {y:?} {z:?}\n"));
     }
+    for [u, v] in texture_coordinates {
+        push(&mut text, format_args!("vt {u:?} {v:?}\n"));
+    }
     let mut worn = None;
-    for (&material, corners) in mesh.materials.iter().zip(&mesh.triangles) {
+    let triangles = mesh.materials.iter().zip(&mesh.triangles).enumerate();
+    for (triangle, (&material, corners)) in triangles {
         if worn != Some(material) {
-            let name = material_names.get(material as usize).ok_or_else(out_of_range)?;
+            let name = &materials.get(material as usize).ok_or_else(out_of_range)?.name;
             push(&mut text, format_args!("usemtl {name}\n"));
             worn = Some(material);
         }
         let [a, b, c] = corners.map(|i| u64::from(i) + 1);
-        push(&mut text, format_args!("f {a} {b} {c}\n"));
+        match mesh.texture_triangles.get(triangle).copied().flatten() {
+            None => push(&mut text, format_args!("f {a} {b} {c}\n")),
+            Some(corners) => {
+                let [u, v, w] = corners.map(|i| u64::from(i) + 1);
+                push(&mut text, format_args!("f {a}/{u} {b}/{v} {c}/{w}\n"));
+            }
+        }
     }
     write_atomically(path, text.as_bytes())
 }

@@ -7,6 +7,10 @@ use serde::de::{self, Deserializer, SeqAccess, Visitor};
 use serde::{Deserialize, Serialize, Serializer};
 
 use crate::loss::LossKind;
+use crate::scene::Wrap;
+
+/// How many mirrors light meets at most, if a scene does not say.
+pub(super) const DEFAULT_BOUNCES: u32 = 4;
 
 /// A table whose order is kept.
 pub(super) type Ordered<T> = Vec<(String, T)>;
@@ -14,6 +18,8 @@ pub(super) type Ordered<T> = Vec<(String, T)>;
 #[derive(Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct SceneFile {
+    #[serde(default = "default_bounces")]
+    pub bounces: u32,
     pub camera: CameraEntry,
     #[serde(default, rename = "light", skip_serializing_if = "Vec::is_empty")]
     pub lights: Vec<LightEntry>,
@@ -21,6 +27,8 @@ pub(super) struct SceneFile {
     pub meshes: Vec<MeshEntry>,
     #[serde(default, rename = "sphere", skip_serializing_if = "Vec::is_empty")]
     pub spheres: Vec<SphereEntry>,
+    #[serde(default, rename = "texture", with = "ordered", skip_serializing_if = "Vec::is_empty")]
+    pub textures: Ordered<TextureEntry>,
     #[serde(default, rename = "material", with = "ordered", skip_serializing_if = "Vec::is_empty")]
     pub materials: Ordered<MaterialEntry>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -100,6 +108,60 @@ pub(super) struct MaterialEntry {
     pub specular: Option<[f64; 3]>,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub exponent: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub reflection: Option<[f64; 3]>,
+    /// Names of textures.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub ambient_texture: Option<String>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub diffuse_texture: Option<String>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub specular_texture: Option<String>,
+}
+
+#[derive(Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct TextureEntry {
+    /// An image file, relative to the scene file.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub path: Option<PathBuf>,
+    /// Width and height of a texture without file.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub size: Option<[u32; 2]>,
+    /// The colour of a texture without file.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub color: Option<[f64; 3]>,
+    #[serde(default)]
+    pub wrap: WrapEntry,
+}
+
+#[derive(Clone, Copy, Default, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub(super) enum WrapEntry {
+    #[default]
+    Repeat,
+    Clamp,
+    Mirror,
+}
+
+impl From<WrapEntry> for Wrap {
+    fn from(entry: WrapEntry) -> Self {
+        match entry {
+            WrapEntry::Repeat => Self::Repeat,
+            WrapEntry::Clamp => Self::Clamp,
+            WrapEntry::Mirror => Self::Mirror,
+        }
+    }
+}
+
+impl From<Wrap> for WrapEntry {
+    fn from(wrap: Wrap) -> Self {
+        match wrap {
+            Wrap::Repeat => Self::Repeat,
+            Wrap::Clamp => Self::Clamp,
+            Wrap::Mirror => Self::Mirror,
+        }
+    }
 }
 
 #[derive(Default, Serialize, Deserialize)]
@@ -153,6 +215,10 @@ fn white() -> [f64; 3] {
 
 fn one() -> f64 {
     1.0
+}
+
+fn default_bounces() -> u32 {
+    DEFAULT_BOUNCES
 }
 
 fn default_vfov() -> f64 {

@@ -3,16 +3,19 @@
 
 use glam::DVec3;
 
+use super::Problem;
 use super::format::{MaterialEntry, Ordered};
+use super::textures::TextureTable;
 use crate::Error;
 use crate::files::obj::{ModelMaterial, default_material, unique};
 use crate::kernels::material::Material;
-use crate::scene::Scene;
+use crate::scene::{MaterialObject, MaterialTextures, Scene};
 
 /// Names and values, first those of the scene file, in its order.
 pub(super) struct MaterialTable<'a> {
-    names: Vec<String>,
+    objects: Vec<MaterialObject>,
     materials: Vec<Material<f64>>,
+    textures: TextureTable,
     entries: &'a [(String, MaterialEntry)],
     /// For each entry of the scene file, whether a mesh's library has filled in what it left out.
     filled: Vec<bool>,
@@ -21,13 +24,33 @@ pub(super) struct MaterialTable<'a> {
 impl<'a> MaterialTable<'a> {
     /// The materials that the scene file names. What an entry leaves out is as in the default
     /// material, until a library says otherwise.
-    pub fn new(entries: &'a Ordered<MaterialEntry>) -> Self {
+    pub fn new(
+        entries: &'a Ordered<MaterialEntry>,
+        textures: TextureTable,
+    ) -> Result<Self, Problem> {
         let material = |(_, entry): &(_, _)| overridden(default_material(), entry);
-        Self {
-            names: entries.iter().map(|(name, _)| name.clone()).collect(),
+        let object = |(name, entry): &(String, MaterialEntry)| {
+            let none = MaterialTextures::default();
+            let textures = overridden_textures(none, name, entry, &textures)?;
+            Ok(MaterialObject { name: name.clone(), textures })
+        };
+        Ok(Self {
+            objects: entries.iter().map(object).collect::<Result<_, Problem>>()?,
             materials: entries.iter().map(material).collect(),
+            textures,
             filled: vec![false; entries.len()],
             entries,
+        })
+    }
+
+    /// Without a scene file.
+    pub fn of_models() -> Self {
+        Self {
+            objects: Vec::new(),
+            materials: Vec::new(),
+            textures: TextureTable::default(),
+            entries: &[],
+            filled: Vec::new(),
         }
     }
 
@@ -37,15 +60,16 @@ impl<'a> MaterialTable<'a> {
     ///
     /// If there is none; the text says which there are.
     pub fn index(&self, name: &str) -> Result<u32, String> {
-        let position = self.names.iter().position(|other| other == name);
+        let position = self.objects.iter().position(|object| object.name == name);
         position.map(|index| index as u32).ok_or_else(|| {
-            let known = if self.names.is_empty() { "none".into() } else { self.names.join(", ") };
+            let names: Vec<&str> = self.objects.iter().map(|o| o.name.as_str()).collect();
+            let known = if names.is_empty() { "none".to_owned() } else { names.join(", ") };
             format!("no material `{name}`; the scene has {known}; define it as [material.{name}]")
         })
     }
 
     /// The index of a model's material, which is added if the scene does not have it yet.
-    pub fn add(&mut self, model: &ModelMaterial) -> Result<u32, Error> {
+    pub fn add(&mut self, model: &ModelMaterial) -> Result<u32, Problem> {
         let entry = self.entries.iter().position(|(name, _)| *name == model.name);
         let value = match (entry, model.material) {
             (Some(entry), None) => return Ok(entry as u32),
@@ -57,33 +81,40 @@ impl<'a> MaterialTable<'a> {
                      defines it",
                     model.name
                 );
-                return Err(Error::new(&model.place, problem));
+                return Err(Error::new(&model.place, problem).into());
             }
         };
-        if let Some(entry) = entry
-            && !self.filled[entry]
-        {
-            self.filled[entry] = true;
-            self.materials[entry] = value;
+        let mut textures = self.textures.add(&model.maps)?;
+        if let Some(entry) = entry {
+            let (name, fields) = &self.entries[entry];
+            textures = overridden_textures(textures, name, fields, &self.textures)?;
+            if !self.filled[entry] {
+                self.filled[entry] = true;
+                self.materials[entry] = value;
+                self.objects[entry].textures = textures;
+            }
         }
         // Files may give one name to one material, or to different ones.
-        let same = self.names.iter().zip(&self.materials).position(|(name, material)| {
-            *material == value && (*name == model.name || is_numbered(name, &model.name))
+        let same = self.objects.iter().zip(&self.materials).position(|(object, material)| {
+            let MaterialObject { name, textures: worn } = object;
+            (*material, *worn) == (value, textures)
+                && (*name == model.name || is_numbered(name, &model.name))
         });
         if let Some(index) = same {
             return Ok(index as u32);
         }
-        let taken = |name: &str| self.names.iter().any(|other| other == name);
+        let taken = |name: &str| self.objects.iter().any(|other| other.name == name);
         let name = unique(model.name.clone(), taken);
-        self.names.push(name);
+        self.objects.push(MaterialObject { name, textures });
         self.materials.push(value);
-        Ok((self.names.len() - 1) as u32)
+        Ok((self.objects.len() - 1) as u32)
     }
 
-    /// Hands all materials to the scene.
+    /// Hands all materials and textures to the scene.
     pub fn move_into(self, scene: &mut Scene) {
-        scene.material_names = self.names;
+        scene.materials = self.objects;
         scene.parameters.materials = self.materials;
+        self.textures.move_into(scene);
     }
 }
 
@@ -94,7 +125,29 @@ fn overridden(base: Material<f64>, entry: &MaterialEntry) -> Material<f64> {
         diffuse: entry.diffuse.map_or(base.diffuse, DVec3::from_array),
         specular: entry.specular.map_or(base.specular, DVec3::from_array),
         exponent: entry.exponent.unwrap_or(base.exponent),
+        reflection: entry.reflection.map_or(base.reflection, DVec3::from_array),
     }
+}
+
+/// `base` with the textures that `entry`, the material `name`, gives.
+fn overridden_textures(
+    base: MaterialTextures,
+    name: &str,
+    entry: &MaterialEntry,
+    textures: &TextureTable,
+) -> Result<MaterialTextures, Problem> {
+    let texture = |field: &str, given: &Option<String>, base: Option<u32>| match given {
+        None => Ok(base),
+        Some(texture) => textures
+            .index(texture)
+            .map(Some)
+            .map_err(|problem| Problem::new(format!("material.{name}.{field}"), problem)),
+    };
+    Ok(MaterialTextures {
+        ambient: texture("ambient_texture", &entry.ambient_texture, base.ambient)?,
+        diffuse: texture("diffuse_texture", &entry.diffuse_texture, base.diffuse)?,
+        specular: texture("specular_texture", &entry.specular_texture, base.specular)?,
+    })
 }
 
 /// Whether `name` is `base_2` or the like.

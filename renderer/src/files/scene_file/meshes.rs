@@ -5,7 +5,7 @@ use std::path::Path;
 use glam::DVec3;
 
 use super::Problem;
-use super::format::MeshEntry;
+use super::format::{DEFAULT_BOUNCES, MeshEntry};
 use super::materials::MaterialTable;
 use crate::Error;
 use crate::files::obj::{Mesh, Model, load_obj, unique};
@@ -22,13 +22,17 @@ pub(super) fn empty_scene() -> Scene {
         materials: Vec::new(),
         spheres: Vec::new(),
         vertices: Vec::new(),
+        texture_coordinates: Vec::new(),
+        textures: Vec::new(),
     };
     Scene {
         width: 1,
         height: 1,
+        bounces: DEFAULT_BOUNCES,
         parameters,
         light_names: Vec::new(),
-        material_names: Vec::new(),
+        materials: Vec::new(),
+        textures: Vec::new(),
         spheres: Vec::new(),
         meshes: Vec::new(),
     }
@@ -38,11 +42,12 @@ pub(super) fn empty_scene() -> Scene {
 pub(crate) fn load_obj_scene(path: &Path) -> Result<Scene, Error> {
     let Model { meshes, materials } = load_obj(path)?;
     let mut scene = empty_scene();
-    let no_entries = Vec::new();
-    let mut table = MaterialTable::new(&no_entries);
-    let indices: Result<Vec<u32>, Error> = materials.iter().map(|m| table.add(m)).collect();
-    add_meshes(&mut scene, meshes, &indices?);
+    let mut table = MaterialTable::of_models();
+    let indices: Result<Vec<u32>, Problem> = materials.iter().map(|m| table.add(m)).collect();
+    let indices = indices.map_err(|problem| problem.at(path))?;
+    add_meshes(&mut scene, meshes, &indices);
     table.move_into(&mut scene);
+    drop_unused_coordinates(&mut scene);
     // First the mesh by itself: what is wrong with it would show in the camera too.
     scene.validate(path.display())?;
     scene.frame();
@@ -66,7 +71,7 @@ pub(super) fn add_entry(
             })?;
             vec![index; materials.len()]
         }
-        None => materials.iter().map(|m| table.add(m)).collect::<Result<Vec<u32>, Error>>()?,
+        None => materials.iter().map(|m| table.add(m)).collect::<Result<Vec<u32>, Problem>>()?,
     };
     if let Some(name) = &entry.name {
         meshes = vec![join(meshes, name.clone())];
@@ -86,18 +91,51 @@ fn add_meshes(scene: &mut Scene, meshes: Vec<Mesh>, materials: &[u32]) {
             name: unique(mesh.name, taken),
             triangles: mesh.triangles,
             materials: mesh.materials.iter().map(|&index| materials[index as usize]).collect(),
+            texture_triangles: mesh.texture_triangles,
         };
         scene.meshes.push(object);
         scene.parameters.vertices.push(mesh.vertices);
+        scene.parameters.texture_coordinates.push(mesh.texture_coordinates);
+    }
+}
+
+/// Forgets the texture coordinates of meshes that wear no texture: they would be parameters that
+/// nothing depends on.
+pub(super) fn drop_unused_coordinates(scene: &mut Scene) {
+    let coordinates = &mut scene.parameters.texture_coordinates;
+    for (mesh, coordinates) in scene.meshes.iter_mut().zip(coordinates) {
+        let is_textured = |&material: &u32| {
+            scene.materials.get(material as usize).is_some_and(|worn| worn.textures.any())
+        };
+        if !mesh.materials.iter().any(is_textured) {
+            mesh.texture_triangles = Vec::new();
+            *coordinates = Vec::new();
+        }
     }
 }
 
 /// All meshes as one.
 fn join(meshes: Vec<Mesh>, name: String) -> Mesh {
-    let mut joined =
-        Mesh { name, vertices: Vec::new(), triangles: Vec::new(), materials: Vec::new() };
+    let mut joined = Mesh {
+        name,
+        vertices: Vec::new(),
+        triangles: Vec::new(),
+        materials: Vec::new(),
+        texture_coordinates: Vec::new(),
+        texture_triangles: Vec::new(),
+    };
+    let textured = meshes.iter().any(|mesh| !mesh.texture_triangles.is_empty());
     for mesh in meshes {
         let first = joined.vertices.len() as u32;
+        let first_coordinates = joined.texture_coordinates.len() as u32;
+        if textured {
+            let moved = |corners: &Option<[u32; 3]>| {
+                corners.map(|corners| corners.map(|i| i + first_coordinates))
+            };
+            joined.texture_triangles.extend(mesh.texture_triangles.iter().map(moved));
+            joined.texture_triangles.resize(joined.triangles.len() + mesh.triangles.len(), None);
+        }
+        joined.texture_coordinates.extend(mesh.texture_coordinates);
         joined.triangles.extend(mesh.triangles.iter().map(|corners| corners.map(|i| i + first)));
         joined.vertices.extend(mesh.vertices);
         joined.materials.extend(mesh.materials);

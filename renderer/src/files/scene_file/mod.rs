@@ -9,6 +9,7 @@ mod materials;
 mod meshes;
 mod optimize;
 mod read;
+mod textures;
 mod write;
 
 #[cfg(test)]
@@ -59,6 +60,18 @@ enum Problem {
 impl Problem {
     fn new(path: impl ToString, problem: impl ToString) -> Self {
         Self::Here(Invalid { path: path.to_string(), problem: problem.to_string() })
+    }
+}
+
+impl Problem {
+    /// The error where there is no scene file, but a mesh at `path`.
+    fn at(self, path: &Path) -> Error {
+        match self {
+            Self::Here(Invalid { path: field, problem }) => {
+                Error::new(format!("{}: {field}", path.display()), problem)
+            }
+            Self::Elsewhere(error) => error,
+        }
     }
 }
 

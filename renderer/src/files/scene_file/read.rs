@@ -6,6 +6,7 @@ use glam::DVec3;
 
 use super::format::{CameraEntry, LightEntry, LightKind, SceneFile};
 use super::materials::MaterialTable;
+use super::textures::TextureTable;
 use super::{Problem, meshes, optimize};
 use crate::experiment::Experiment;
 use crate::kernels::camera::Camera;
@@ -26,6 +27,7 @@ pub(super) fn experiment(file: &SceneFile, folder: &Path) -> Result<Experiment, 
 
 fn scene(file: &SceneFile, folder: &Path) -> Result<Scene, Problem> {
     let mut scene = meshes::empty_scene();
+    scene.bounces = file.bounces;
     scene.width = file.camera.width;
     scene.height = file.camera.height;
     scene.parameters.camera = camera(&file.camera);
@@ -33,7 +35,8 @@ fn scene(file: &SceneFile, folder: &Path) -> Result<Scene, Problem> {
         scene.light_names.push(entry.name.clone());
         scene.parameters.lights.push(light(entry)?);
     }
-    let mut materials = MaterialTable::new(&file.materials);
+    let textures = TextureTable::new(&file.textures, folder)?;
+    let mut materials = MaterialTable::new(&file.materials, textures)?;
     for entry in &file.meshes {
         meshes::add_entry(&mut scene, &mut materials, entry, folder)?;
     }
@@ -46,6 +49,7 @@ fn scene(file: &SceneFile, folder: &Path) -> Result<Scene, Problem> {
         scene.parameters.spheres.push(Sphere { center, radius: entry.radius });
     }
     materials.move_into(&mut scene);
+    meshes::drop_unused_coordinates(&mut scene);
     Ok(scene)
 }
 

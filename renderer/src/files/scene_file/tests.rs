@@ -3,10 +3,14 @@ use std::fs;
 use super::*;
 use crate::demo::demo_experiment;
 use crate::experiment::{OptimizeSection, Target, TunedParameter};
+use crate::files::images::{save_exr, save_png};
+use crate::image::Image;
 use crate::kernels::light::DistantLight;
 use crate::kernels::sphere::Sphere;
 use crate::loss::LossKind;
-use crate::scene::{Light, ParameterId, Scene, SphereObject};
+use crate::scene::{
+    Light, MaterialObject, MaterialTextures, ParameterId, Scene, SphereObject, TextureObject, Wrap,
+};
 use glam::DVec3;
 
 const MESH: &str = "o one\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl red\nf 1 2 3\n\
@@ -23,6 +27,10 @@ fn folder() -> tempfile::TempDir {
     fs::write(folder.path().join("a.obj"), format!("mtllib a.mtl\n{MESH}")).unwrap();
     fs::write(folder.path().join("a.mtl"), LIBRARY).unwrap();
     folder
+}
+
+fn material_names(scene: &Scene) -> Vec<&str> {
+    scene.materials.iter().map(|material| material.name.as_str()).collect()
 }
 
 fn parse_text(text: &str) -> Result<Experiment, Error> {
@@ -64,7 +72,7 @@ fn materials_are_overridden_defined_and_shared() {
     let names: Vec<&str> = scene.meshes.iter().map(|mesh| mesh.name.as_str()).collect();
     assert_eq!(names, ["one", "two", "joined", "gold one"]);
     // First those of the scene file, in its order, then what the meshes bring.
-    assert_eq!(scene.material_names, ["red", "gold", "blue"]);
+    assert_eq!(material_names(&scene), ["red", "gold", "blue"]);
     let [red, gold, blue] = &scene.parameters.materials[..] else { panic!("three materials") };
     assert_eq!((red.diffuse, red.exponent), (DVec3::splat(0.5), 7.0));
     assert_eq!((gold.diffuse, gold.exponent), (DVec3::splat(0.7), 20.0));
@@ -83,14 +91,14 @@ fn one_name_for_two_materials_is_told_apart() {
         .unwrap();
     let text = format!("{CAMERA}[[mesh]]\npath = \"a.obj\"\n[[mesh]]\npath = \"b.obj\"\n");
     let scene = Experiment::parse(&text, folder.path(), "s.toml").unwrap().scene;
-    assert_eq!(scene.material_names, ["red", "blue", "red_2"]);
+    assert_eq!(material_names(&scene), ["red", "blue", "red_2"]);
     let materials: Vec<u32> = scene.meshes.iter().map(|mesh| mesh.materials[0]).collect();
     assert_eq!(materials, [0, 1, 2, 1]);
     assert_eq!(scene.meshes[2].name, "one_2");
     // An override holds for both.
     let text = format!("{text}[material.red]\nexponent = 3\n");
     let scene = Experiment::parse(&text, folder.path(), "s.toml").unwrap().scene;
-    assert_eq!(scene.material_names, ["red", "blue", "red_2"]);
+    assert_eq!(material_names(&scene), ["red", "blue", "red_2"]);
     let [red, _, other] = &scene.parameters.materials[..] else { panic!("three materials") };
     assert_eq!((red.diffuse, red.exponent), (DVec3::X, 3.0));
     assert_eq!((other.diffuse, other.exponent), (DVec3::Y, 3.0));
@@ -152,7 +160,10 @@ fn mistakes_in_the_file_are_placed() {
         ("vfov = 1e400\n", "s.toml:6: "),
         ("vfov = 180\n", "s.toml:6: camera.vfov: must lie between 0 and 180 degrees, is 180"),
         ("\nup = [0, 0, 2]\n", "s.toml:7: camera.up: must not be parallel"),
-        ("[lights]\n", "s.toml:6: unknown field `lights`, expected one of `camera`, `light`"),
+        (
+            "[lights]\n",
+            "s.toml:6: unknown field `lights`, expected one of `bounces`, `camera`, `light`",
+        ),
         ("[[light]]\nname = \"k\"\ntype = \"spot\"\n", "s.toml:8: unknown variant `spot`"),
         ("[[light]]\nname = \"k\"\n", "s.toml:6: missing field `type` in `light`"),
         (
@@ -214,6 +225,14 @@ fn mistakes_in_the_file_are_placed() {
             "[[optimize.parameter]]\npath = \"camera.fov\"\n",
             "s.toml:7: optimize.parameter.camera.fov.path: no parameter `camera.fov`; closest: camera.vfov",
         ),
+        (
+            "[material.m]\ndiffuse_texture = \"w\"\n",
+            "s.toml:7: material.m.diffuse_texture: no texture",
+        ),
+        ("[texture.w]\nsize = [0, 4]\n", "s.toml:7: texture.w.size: must be at least"),
+        ("[texture.w]\ncolor = [0, 4, 1]\n", "s.toml:6: texture.w.path: is missing"),
+        ("[texture.w]\nsize = [1, 1]\ncolor = [0, -1, 0]\n", "s.toml:6: texture.w.texels"),
+        ("[texture.w]\npath = \"a\"\nsize = [4, 4]\n", "s.toml:8: texture.w.size: a texture from"),
         (
             "[[optimize.parameter]]\npath = \"camera.vfov\"\nmin = nan\n",
             "s.toml:8: optimize.parameter.camera.vfov.min: is not a number",
@@ -295,9 +314,26 @@ fn rich_experiment() -> Experiment {
         scene.meshes.push(mesh);
         let vertices = scene.parameters.vertices[0].iter().map(|v| v.map(|x| x / 3.0)).collect();
         scene.parameters.vertices.push(vertices);
+        scene.parameters.texture_coordinates.push(Vec::new());
     }
-    scene.material_names[1] = "Leaves.001 [x]".to_owned();
+    add_texture(scene);
+    scene.materials[1].name = "Leaves.001 [x]".to_owned();
     experiment
+}
+
+/// A texture on the mesh `Tree`.
+fn add_texture(scene: &mut Scene) {
+    let (name, wrap) = ("Wood/2".to_owned(), Wrap::Mirror);
+    scene.textures.push(TextureObject { name, width: 2, height: 1, wrap });
+    scene.parameters.textures.push(vec![[0.25, 0.5, 1.0], [0.0, f64::from(0.1_f32), 7.0]]);
+    let textures = MaterialTextures { specular: Some(0), ..MaterialTextures::default() };
+    scene.materials.push(MaterialObject { name: "planks".to_owned(), textures });
+    let planks = scene.parameters.materials[0];
+    scene.parameters.materials.push(planks);
+    let triangles = scene.meshes[1].triangles.len();
+    scene.meshes[1].materials = vec![2; triangles];
+    scene.meshes[1].texture_triangles = vec![Some([0, 1, 2]); triangles];
+    scene.parameters.texture_coordinates[1] = vec![[0.1, 1.0 / 3.0], [-2.0, 1e5], [1e-300, -0.0]];
 }
 
 #[test]
@@ -334,6 +370,40 @@ fn a_target_image_is_taken_along() {
 }
 
 #[test]
+fn textures_are_read_once_and_named() {
+    let folder = folder();
+    let image = Image { width: 1, height: 1, pixels: vec![[1.0, 0.5, 0.25]] };
+    save_exr(&image, &folder.path().join("my wood.exr")).unwrap();
+    let mesh = "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0.5\nvt 1 0 0\n\
+        usemtl red\nf 1/1 2/2 3/-1\nusemtl blue\nf 1 2 3\n";
+    fs::write(folder.path().join("a.obj"), mesh).unwrap();
+    let library = "newmtl red\nmap_Kd -s 2 2 -clamp off my wood.exr\n\
+        map_Ks -mm 0 1 my wood.exr\nillum 3\nKs 0.5 0.4 0.3\nnewmtl blue\n";
+    fs::write(folder.path().join("a.mtl"), library).unwrap();
+    let text = format!("{CAMERA}[[mesh]]\npath = \"a.obj\"\n");
+    let scene = Experiment::parse(&text, folder.path(), "s.toml").unwrap().scene;
+    assert_eq!(scene.textures.len(), 1);
+    assert_eq!(scene.textures[0].name, "my wood");
+    assert_eq!(scene.parameters.textures, [[[1.0, 0.5, 0.25]]]);
+    let red = scene.materials.iter().position(|material| material.name == "red").unwrap();
+    let textures = scene.materials[red].textures;
+    assert_eq!((textures.diffuse, textures.specular), (Some(0), Some(0)));
+    assert_eq!(scene.parameters.materials[red].reflection, DVec3::new(0.5, 0.4, 0.3));
+    assert_eq!(scene.meshes[0].texture_triangles, [Some([0, 1, 1]), None]);
+    assert_eq!(scene.parameters.texture_coordinates, [[[0.5, 0.0], [1.0, 0.0]]]);
+
+    // The material may get, or change, its texture in the scene file.
+    let text =
+        format!("{text}[material.blue]\ndiffuse_texture = \"new\"\n[texture.new]\nsize = [2, 3]\n");
+    let error = Experiment::parse(&text, folder.path(), "s.toml").unwrap_err().to_string();
+    assert!(error.contains("triangle 1 wears the material `blue`"), "{error}");
+
+    fs::remove_file(folder.path().join("my wood.exr")).unwrap();
+    let error = Experiment::load(&folder.path().join("a.obj")).unwrap_err().to_string();
+    assert!(error.contains("a.mtl:2: the texture "), "{error}");
+}
+
+#[test]
 fn an_invalid_scene_is_not_written() {
     let folder = tempfile::tempdir().unwrap();
     let mut scene = rich_experiment().scene;
@@ -354,7 +424,12 @@ fn the_documented_scene_file_is_read() {
     let [whole, values] = blocks[..] else { panic!("two blocks") };
 
     let folder = folder();
-    fs::rename(folder.path().join("a.obj"), folder.path().join("tree.obj")).unwrap();
+    // The mesh of the documentation wears a texture, so it needs texture coordinates.
+    let mesh =
+        MESH.replace("usemtl", "vt 0 0\nvt 1 0\nvt 0 1\nusemtl").replace("1 2 3", "1/1 2/2 3/3");
+    let mesh = mesh.replace("4 5 6", "4/4 5/5 6/6");
+    fs::write(folder.path().join("tree.obj"), mesh).unwrap();
+    save_png(&Image::black(3, 2), &folder.path().join("wood.png")).unwrap();
     let experiment = Experiment::parse(whole, folder.path(), "s.toml").unwrap();
     assert_eq!(experiment.scene.parameters.spheres.len(), 1);
     assert_eq!(experiment.optimize.unwrap().parameters[0].min, Some(vec![-20.0; 3]));

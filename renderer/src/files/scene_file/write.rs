@@ -4,19 +4,22 @@ use std::path::{Path, PathBuf};
 
 use super::format::{
     CameraEntry, LightEntry, LightKind, MaterialEntry, MeshEntry, Numbers, OptimizeEntry,
-    ParameterEntry, SceneFile, SphereEntry,
+    ParameterEntry, SceneFile, SphereEntry, TextureEntry,
 };
 use crate::Error;
 use crate::atomic_file::write_atomically;
 use crate::experiment::{Experiment, OptimizeSection, Target, TunedParameter};
+use crate::files::images::save_exr;
 use crate::files::io::{create_folder, read};
 use crate::files::obj::{save_obj, unique};
+use crate::image::Image;
 use crate::kernels::material::Material;
 use crate::kernels::sphere::Sphere;
-use crate::scene::{Light, Scene, SphereObject};
+use crate::scene::{Light, MaterialObject, Parameters, Scene, SphereObject};
 
-/// Writes `scene.toml` and the meshes that it names, `meshes/*.obj`, into `folder`, which is made
-/// if it does not exist; the path of the scene file. Every number is read back as it was.
+/// Writes `scene.toml` and what it names, `meshes/*.obj` and `textures/*.exr`, into `folder`, which
+/// is made if it does not exist; the path of the scene file. Every number is read back as it was, but
+/// for texels, which are kept in single precision.
 ///
 /// A mesh is read back with its vertices in the order in which its triangles first use them, and
 /// without unused ones; those of every scene that came from files are in this order.
@@ -47,10 +50,12 @@ fn save(
     create_folder(folder)?;
     // The scene file comes last: once it stands, all that it names does.
     let file = SceneFile {
+        bounces: scene.bounces,
         camera: camera(scene),
         lights: lights(scene),
         meshes: save_meshes(scene, folder)?,
         spheres: spheres(scene),
+        textures: save_textures(scene, folder)?,
         materials: materials(scene),
         optimize: optimize.map(|section| optimize_entry(section, scene, folder)).transpose()?,
     };
@@ -103,19 +108,25 @@ fn spheres(scene: &Scene) -> Vec<SphereEntry> {
         name: object.name.clone(),
         center: sphere.center.to_array(),
         radius: sphere.radius,
-        material: scene.material_names[object.material as usize].clone(),
+        material: scene.materials[object.material as usize].name.clone(),
     };
     spheres.map(entry).collect()
 }
 
 fn materials(scene: &Scene) -> Vec<(String, MaterialEntry)> {
-    let materials = scene.material_names.iter().zip(&scene.parameters.materials);
-    let entry = |(name, material): (&String, &Material<f64>)| {
+    let materials = scene.materials.iter().zip(&scene.parameters.materials);
+    let texture = |index: Option<u32>| index.map(|i| scene.textures[i as usize].name.clone());
+    let entry = |(object, material): (&MaterialObject, &Material<f64>)| {
+        let MaterialObject { name, textures } = object;
         let entry = MaterialEntry {
             ambient: Some(material.ambient.to_array()),
             diffuse: Some(material.diffuse.to_array()),
             specular: Some(material.specular.to_array()),
             exponent: Some(material.exponent),
+            reflection: Some(material.reflection.to_array()),
+            ambient_texture: texture(textures.ambient),
+            diffuse_texture: texture(textures.diffuse),
+            specular_texture: texture(textures.specular),
         };
         (name.clone(), entry)
     };
@@ -128,17 +139,44 @@ fn save_meshes(scene: &Scene, folder: &Path) -> Result<Vec<MeshEntry>, Error> {
     }
     let mut entries: Vec<MeshEntry> = Vec::new();
     let mut stems: Vec<String> = Vec::new();
-    for (mesh, vertices) in scene.meshes.iter().zip(&scene.parameters.vertices) {
-        // Names may hold what file names may not, and differ only in case.
-        let allowed = |c: char| if c.is_alphanumeric() || "-_".contains(c) { c } else { '_' };
-        let stem: String = mesh.name.chars().map(allowed).collect::<String>().to_lowercase();
-        let stem = unique(stem, |stem| stems.iter().any(|other| other == stem));
+    let Parameters { vertices, texture_coordinates, .. } = &scene.parameters;
+    let meshes = scene.meshes.iter().zip(vertices.iter().zip(texture_coordinates));
+    for (mesh, (vertices, coordinates)) in meshes {
+        let stem = file_stem(&mesh.name, &stems);
         let path = Path::new("meshes").join(format!("{stem}.obj"));
-        save_obj(mesh, vertices, &scene.material_names, &folder.join(&path))?;
+        save_obj(mesh, vertices, coordinates, &scene.materials, &folder.join(&path))?;
         stems.push(stem);
         entries.push(MeshEntry { path, name: Some(mesh.name.clone()), material: None });
     }
     Ok(entries)
+}
+
+/// Textures are written as they are, in single precision.
+fn save_textures(scene: &Scene, folder: &Path) -> Result<Vec<(String, TextureEntry)>, Error> {
+    if !scene.textures.is_empty() {
+        create_folder(&folder.join("textures"))?;
+    }
+    let mut entries: Vec<(String, TextureEntry)> = Vec::new();
+    let mut stems: Vec<String> = Vec::new();
+    for (texture, texels) in scene.textures.iter().zip(&scene.parameters.textures) {
+        let stem = file_stem(&texture.name, &stems);
+        let path = Path::new("textures").join(format!("{stem}.exr"));
+        let pixels = texels.iter().map(|texel| texel.map(|value| value as f32)).collect();
+        let image = Image { width: texture.width, height: texture.height, pixels };
+        save_exr(&image, &folder.join(&path))?;
+        stems.push(stem);
+        let wrap = texture.wrap.into();
+        let entry = TextureEntry { path: Some(path), size: None, color: None, wrap };
+        entries.push((texture.name.clone(), entry));
+    }
+    Ok(entries)
+}
+
+/// A file name for an object. Names may hold what file names may not, and differ only in case.
+fn file_stem(name: &str, taken: &[String]) -> String {
+    let allowed = |c: char| if c.is_alphanumeric() || "-_".contains(c) { c } else { '_' };
+    let stem = name.chars().map(allowed).collect::<String>().to_lowercase();
+    unique(stem, |stem| taken.iter().any(|other| other == stem))
 }
 
 fn optimize_entry(

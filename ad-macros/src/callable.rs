@@ -1,0 +1,179 @@
+//! Parameters that are functions: `f: F` with `F: Fn(f64) -> f64`, or `f: impl Fn(f64) -> f64`.
+//!
+//! The function keeps the signature that the user wrote. Its derivative asks for
+//! `F: DifferentiableFn<(Value<f64>,), Output = f64>` instead (see `ad::function`).
+
+use std::collections::BTreeMap;
+
+use proc_macro2::TokenStream;
+use quote::{format_ident, quote};
+use syn::punctuated::Punctuated;
+use syn::spanned::Spanned;
+use syn::{
+    FnArg, GenericParam, Ident, Path, PathArguments, ReturnType, Signature, Token, Type,
+    TypeParamBound, WherePredicate, parse_quote, parse_quote_spanned,
+};
+
+use crate::errors::Errors;
+use crate::signature::pointee;
+
+/// The largest number of arguments of a function that is passed.
+pub const MOST_ARGUMENTS: usize = 4;
+
+/// The signature of a derivative.
+pub struct Callables {
+    /// The signature, with the bounds of functions replaced, and a type parameter for each
+    /// `impl Trait`.
+    pub signature: Signature,
+    /// The numbers of arguments of functions, by the names of their types.
+    arities: BTreeMap<Ident, usize>,
+    /// What cannot be differentiated.
+    refused: Vec<syn::Error>,
+}
+
+impl Callables {
+    /// Looks for functions among the parameters.
+    pub fn new(signature: &Signature) -> Self {
+        let mut callables =
+            Self { signature: signature.clone(), arities: BTreeMap::new(), refused: Vec::new() };
+        let mut signature = signature.clone();
+        name_impl_traits(&mut signature);
+        for parameter in &mut signature.generics.params {
+            if let GenericParam::Type(parameter) = parameter {
+                callables.bounds(Some(&parameter.ident), &mut parameter.bounds);
+            }
+        }
+        for predicate in signature.generics.where_clause.iter_mut().flat_map(|c| &mut c.predicates)
+        {
+            if let WherePredicate::Type(predicate) = predicate {
+                let name = type_name(&predicate.bounded_ty).cloned();
+                callables.bounds(name.as_ref(), &mut predicate.bounds);
+            }
+        }
+        callables.signature = signature;
+        callables
+    }
+
+    /// The number of arguments of a parameter of this type, if it is a function.
+    pub fn arity(&self, ty: &Type) -> Option<usize> {
+        match pointee(ty) {
+            Type::FnPtr(pointer) => Some(pointer.inputs.len()),
+            Type::TraitObject(object) => object.bounds.iter().find_map(|bound| match bound {
+                TypeParamBound::Trait(bound) => match &bound.path.segments.last()?.arguments {
+                    PathArguments::Parenthesized(arguments) => Some(arguments.inputs.len()),
+                    _ => None,
+                },
+                _ => None,
+            }),
+            ty => self.arities.get(type_name(ty)?).copied(),
+        }
+    }
+
+    /// Whether there are functions among the parameters.
+    pub fn any(&self) -> bool {
+        !self.arities.is_empty()
+    }
+
+    /// The types of the functions.
+    pub fn types(&self) -> impl Iterator<Item = &Ident> {
+        self.arities.keys()
+    }
+
+    /// Reports what cannot be differentiated.
+    pub fn refuse(&self, errors: &mut Errors) {
+        self.refused.iter().for_each(|error| errors.add(error.clone()));
+    }
+
+    fn bounds(&mut self, name: Option<&Ident>, bounds: &mut Punctuated<TypeParamBound, Token![+]>) {
+        for bound in bounds {
+            let TypeParamBound::Trait(function) = bound else { continue };
+            let Some(kind) = function_trait(&function.path) else { continue };
+            let Some(last) = function.path.segments.last() else { continue };
+            let PathArguments::Parenthesized(arguments) = &last.arguments else { continue };
+            self.arities.extend(name.map(|name| (name.clone(), arguments.inputs.len())));
+            if kind != "Fn" {
+                self.refused.push(syn::Error::new_spanned(
+                    &function.path,
+                    format!("a function that may change what it captures has no derivative here: write `Fn` instead of `{kind}`"),
+                ));
+                continue;
+            }
+            if arguments.inputs.len() > MOST_ARGUMENTS {
+                self.refused.push(syn::Error::new_spanned(
+                    &function.path,
+                    format!("functions of up to {MOST_ARGUMENTS} arguments can be passed: put some into a tuple or a struct"),
+                ));
+                continue;
+            }
+            let parameters: Vec<_> =
+                arguments.inputs.iter().map(|i| self.parameter(&i.ty)).collect();
+            let output = match &arguments.output {
+                ReturnType::Default => quote!(()),
+                ReturnType::Type(_, ty) => quote!(#ty),
+            };
+            let span = function.path.span();
+            *bound = parse_quote_spanned! {span=>
+                ::ad::DifferentiableFn<(#(#parameters,)*), Output = #output>
+            };
+        }
+    }
+
+    /// How a parameter of a function is passed.
+    fn parameter(&mut self, ty: &Type) -> TokenStream {
+        match ty {
+            Type::Reference(reference) if reference.mutability.is_some() => {
+                self.refused.push(syn::Error::new_spanned(
+                    ty,
+                    "a function that is passed cannot take a `&mut`: let it return what it computes",
+                ));
+                quote!(::ad::function::Value<()>)
+            }
+            Type::Reference(reference) => {
+                let target = &reference.elem;
+                quote!(::ad::function::Reference<#target>)
+            }
+            ty => quote!(::ad::function::Value<#ty>),
+        }
+    }
+}
+
+/// `Fn`, `FnMut`, `FnOnce`
+fn function_trait(path: &Path) -> Option<String> {
+    let last = path.segments.last()?;
+    let is_function = matches!(last.arguments, PathArguments::Parenthesized(_));
+    is_function.then(|| last.ident.to_string())
+}
+
+fn type_name(ty: &Type) -> Option<&Ident> {
+    match ty {
+        Type::Path(path) if path.qself.is_none() => path.path.get_ident(),
+        Type::Paren(inner) => type_name(&inner.elem),
+        Type::Group(inner) => type_name(&inner.elem),
+        _ => None,
+    }
+}
+
+/// Gives names to the types of `impl Trait` parameters: a derivative names their tangents.
+fn name_impl_traits(signature: &mut Signature) {
+    let mut named: Vec<GenericParam> = Vec::new();
+    for (index, input) in signature.inputs.iter_mut().enumerate() {
+        let FnArg::Typed(typed) = input else { continue };
+        let mut ty = &mut *typed.ty;
+        while let Type::Reference(reference) = ty {
+            ty = &mut reference.elem;
+        }
+        if let Type::ImplTrait(anonymous) = ty {
+            let name = format_ident!("Parameter{index}", span = anonymous.span());
+            let bounds = &anonymous.bounds;
+            // Users cannot ask for it of a type without a name.
+            let is_function = |bound: &TypeParamBound| matches!(bound, TypeParamBound::Trait(bound) if function_trait(&bound.path).is_some());
+            let differentiable = match bounds.iter().any(is_function) {
+                true => None,
+                false => Some(quote!(+ ::ad::Differentiable)),
+            };
+            named.push(parse_quote!(#name: #bounds #differentiable));
+            *ty = parse_quote!(#name);
+        }
+    }
+    signature.generics.params.extend(named);
+}

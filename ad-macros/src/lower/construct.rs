@@ -1,0 +1,145 @@
+//! Values made of parts: structs, tuples, variants, options, results.
+
+use proc_macro2::TokenStream;
+use quote::quote;
+use syn::spanned::Spanned;
+use syn::{ExprPath, Member, Path};
+
+use super::Lowerer;
+use crate::ir::{Operand, Operation, Shape, Statement};
+
+impl Lowerer<'_> {
+    /// `Some(x)`, `Name(x, y)`
+    pub(super) fn construct(
+        &mut self,
+        call: &syn::ExprCall,
+        function: &ExprPath,
+        hint: &str,
+    ) -> Operand {
+        let parts = self.operands(&call.args);
+        let tokens = parts.iter().map(|part| self.tokens(part));
+        let expression = quote!(#function(#(#tokens),*));
+        let (shape, parts) = if is_transparent(&function.path) {
+            (Shape::Transparent, numbered(parts))
+        } else if let Some(member) = outcome(&function.path) {
+            (Shape::Flow, parts.into_iter().map(|part| (member.clone(), part)).collect())
+        } else if let Some(variant) = variant(&function.path) {
+            (Shape::Variant(variant.clone()), numbered(parts))
+        } else {
+            (Shape::Struct, numbered(parts))
+        };
+        let value = self.aggregate(expression, shape.clone(), parts, hint, call.span());
+        // A function whose name begins with a capital letter is no pattern.
+        if let Operand::Var(var) = &value {
+            let ident = self.ident(*var);
+            let code = match shape {
+                Shape::Struct => quote!(let #function(..) = &#ident;),
+                Shape::Variant(_) => quote!(match &#ident { #function(..) => {} _ => {} }),
+                _ => return value,
+            };
+            self.push(Statement::Plain { code, defines: Vec::new() });
+        }
+        value
+    }
+
+    pub(super) fn struct_literal(&mut self, literal: &syn::ExprStruct, hint: &str) -> Operand {
+        let shape = match variant(&literal.path) {
+            Some(variant) => Shape::Variant(variant.clone()),
+            None => Shape::Struct,
+        };
+        let parts: Vec<_> = literal
+            .fields
+            .iter()
+            .map(|field| (field.member.clone(), self.operand(&field.expr, "field")))
+            .collect();
+        let fields = parts.iter().map(|(member, value)| {
+            let value = self.tokens(value);
+            quote!(#member: #value)
+        });
+        let path = &literal.path;
+        let Some(rest) = &literal.rest else {
+            let expression = quote!(#path { #(#fields),* });
+            return self.aggregate(expression, shape, parts, hint, literal.span());
+        };
+        let fields: Vec<_> = fields.collect();
+        let rest = self.operand(rest, "rest");
+        let rest_tokens = self.tokens(&rest);
+        let expression = quote!(#path { #(#fields,)* ..#rest_tokens });
+        match rest {
+            Operand::Constant(_) => self.aggregate(expression, shape, parts, hint, literal.span()),
+            Operand::Var(rest) => {
+                let operation = Operation::UpdateStruct { expression, parts, rest };
+                Operand::Var(self.define(hint, literal.span(), true, operation))
+            }
+        }
+    }
+
+    pub(super) fn aggregate(
+        &mut self,
+        expression: TokenStream,
+        shape: Shape,
+        parts: Vec<(Member, Operand)>,
+        hint: &str,
+        span: proc_macro2::Span,
+    ) -> Operand {
+        if parts.iter().all(|(_, part)| matches!(part, Operand::Constant(_))) {
+            return Operand::Constant(expression);
+        }
+        // A pattern that takes it apart may reach into what a part refers to.
+        let is_reference = |(_, part): &(Member, Operand)| match part {
+            Operand::Var(var) => self.may_refer(*var),
+            Operand::Constant(_) => false,
+        };
+        let reference = parts.iter().any(is_reference);
+        let operation = Operation::Aggregate { expression, shape, parts };
+        let var = self.define(hint, span, true, operation);
+        self.vars[var].reference = reference;
+        Operand::Var(var)
+    }
+}
+
+pub(super) fn numbered(parts: Vec<Operand>) -> Vec<(Member, Operand)> {
+    parts.into_iter().enumerate().map(|(index, part)| (Member::from(index), part)).collect()
+}
+
+/// Types, variants and constants begin with a capital letter.
+pub(super) fn is_type_name(ident: &syn::Ident) -> bool {
+    ident
+        .to_string()
+        .trim_start_matches("r#")
+        .trim_start_matches('_')
+        .starts_with(char::is_uppercase)
+}
+
+/// `Some`
+pub(super) fn is_transparent(path: &Path) -> bool {
+    is_standard_variant(path, "Option")
+        && path.segments.last().is_some_and(|last| last.ident == "Some")
+}
+
+/// Whether a path may lead to a variant of the standard library's `owner`.
+fn is_standard_variant(path: &Path, owner: &str) -> bool {
+    let named = path.segments.iter().rev().nth(1);
+    named.is_none_or(|segment| segment.ident == owner)
+}
+
+/// `Ok`, `Err`: the member of the cotangent of a `Result`.
+pub(super) fn outcome(path: &Path) -> Option<Member> {
+    let last = &path.segments.last()?.ident;
+    if !is_standard_variant(path, "Result") {
+        return None;
+    }
+    match () {
+        () if last == "Ok" => Some(Member::from(0)),
+        () if last == "Err" => Some(Member::from(1)),
+        () => None,
+    }
+}
+
+/// `Enum::Variant`, told from `module::Type` by the capital letter.
+pub(super) fn variant(path: &Path) -> Option<&syn::Ident> {
+    let mut segments = path.segments.iter().rev();
+    let last = segments.next().filter(|last| is_type_name(&last.ident))?;
+    segments.next().filter(|owner| is_type_name(&owner.ident))?;
+    Some(&last.ident)
+}

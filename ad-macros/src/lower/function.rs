@@ -1,0 +1,340 @@
+//! Functions as values: closures that are passed to functions, and parameters that are functions.
+//!
+//! A closure that is passed is a function of its own, whose first parameters are references to what
+//! it captures. It is lowered as such, into a [`Closure`](crate::ir::Closure) that the sweep makes an
+//! object of (see `ad::function`).
+
+use std::collections::{HashMap, HashSet};
+use std::rc::Rc;
+
+use proc_macro2::{TokenStream, TokenTree};
+use quote::{ToTokens, format_ident, quote};
+use syn::spanned::Spanned;
+use syn::{Expr, ExprClosure, Pat, PatType, ReturnType, Type, parse_quote};
+
+use super::closure::{Closure, changes_captured, simple_name};
+use super::flow::{as_statements, strip_parens};
+use super::item::Alias;
+use super::macros::captured_names;
+use super::{Lowerer, OnFailure};
+use crate::ir::{self, Argument, Operand, Operation, Place, Projection, VarId};
+use crate::names;
+use crate::signature::Parameter;
+
+/// What names mean, innermost scope last.
+type Scopes = Vec<HashMap<String, VarId>>;
+
+/// What a closure uses of the function around it.
+#[derive(Default)]
+struct Captured {
+    vars: Vec<VarId>,
+    closures: Vec<(VarId, Rc<Closure>)>,
+}
+
+impl Lowerer<'_> {
+    /// What a call is given, if it is a function.
+    pub(super) fn function_argument(&mut self, expr: &Expr) -> Option<Argument> {
+        let (value, is_borrowed) = match strip_parens(expr) {
+            Expr::Reference(reference) if reference.mutability.is_none() => {
+                (strip_parens(&reference.expr), true)
+            }
+            expr => (expr, false),
+        };
+        let object = match (self.named_closure(value), value) {
+            (Some(closure), _) => self.object(&closure.body, &closure.scopes),
+            (None, Expr::Closure(closure)) => {
+                let scopes = self.scopes.clone();
+                self.object(closure, &scopes)
+            }
+            (None, Expr::Path(path)) if !is_borrowed => {
+                let function = self.lookup(path.path.get_ident()?)?;
+                if !self.functions.contains_key(&function) || self.may_refer(function) {
+                    return None;
+                }
+                let (primal, vjp) =
+                    (quote!(::ad::function::again), quote!(::ad::function::again_vjp));
+                let whole = Place { root: function, path: Vec::new() };
+                let arguments = vec![Argument::Borrow(whole)];
+                let operation = Operation::Call { primal, vjp, method: false, arguments };
+                self.define("function", path.span(), true, operation)
+            }
+            _ => return None,
+        };
+        Some(match is_borrowed {
+            true => Argument::Borrow(Place { root: object, path: Vec::new() }),
+            false => Argument::Function(object),
+        })
+    }
+
+    /// The call of a parameter that is a function.
+    pub(super) fn call_of_parameter(
+        &mut self,
+        call: &syn::ExprCall,
+        function: VarId,
+        arity: usize,
+        hint: &str,
+    ) -> Operand {
+        if call.args.len() != arity {
+            return self.refuse(call, "the function is given another number of arguments");
+        }
+        let mut arguments = vec![Argument::Borrow(self.function_place(function))];
+        arguments.extend(call.args.iter().map(|argument| self.argument(argument)));
+        let primal = call_of(arity);
+        let vjp = format_ident!("call_{arity}_vjp");
+        let hint = match hint {
+            "value" => self.ident(function).to_string(),
+            hint => hint.to_owned(),
+        };
+        let vjp = quote!(::ad::function::#vjp);
+        self.finish_call(primal, vjp, false, arguments, &hint, call.span())
+    }
+
+    /// The number of arguments of a parameter that is a function, and a reference to it.
+    pub(super) fn function_parameter(&self, expr: &Expr) -> Option<(usize, TokenStream)> {
+        let Expr::Path(path) = strip_parens(expr) else { return None };
+        let var = self.lookup(path.path.get_ident()?)?;
+        let arity = *self.functions.get(&var)?;
+        let place = self.place_tokens(&self.function_place(var));
+        Some((arity, quote!(&#place)))
+    }
+
+    /// The same where no derivative flows; the arguments have been renamed.
+    pub(super) fn plain_call_of_parameter(&mut self, call: &syn::ExprCall) -> Expr {
+        let Some((arity, function)) = self.function_parameter(&call.func) else {
+            unreachable!("the caller has asked for it");
+        };
+        let (primal, arguments) = (call_of(arity), &call.args);
+        if arguments.len() != arity {
+            self.refuse(call, "the function is given another number of arguments");
+        }
+        parse_quote!(#primal(#function, #arguments))
+    }
+
+    fn function_place(&self, function: VarId) -> Place {
+        match (self.aliases.get(&function), self.may_refer(function)) {
+            (Some(alias), _) => alias.place.clone(),
+            (None, true) => Place { root: function, path: vec![Projection::Deref] },
+            (None, false) => Place { root: function, path: Vec::new() },
+        }
+    }
+
+    /// A closure as an object with a derivative.
+    fn object(&mut self, closure: &ExprClosure, scopes: &Scopes) -> VarId {
+        if let Some(token) = &closure.asyncness {
+            self.refuse(token, "asynchronous code has no derivative");
+        }
+        if changes_captured(closure) {
+            self.refuse(
+                closure,
+                "a closure that changes a variable cannot be passed to a function: let it return what it computes",
+            );
+        }
+        let mut arguments = Vec::new();
+        for input in &closure.inputs {
+            match typed(input) {
+                Some(input) => arguments.push(self.closure_argument(input)),
+                None => {
+                    self.refuse(
+                        input,
+                        "the parameters of a closure that is passed to a function need types: `|x: f64|`",
+                    );
+                }
+            }
+        }
+        let mut captured = Captured::default();
+        self.capture(closure, scopes, &mut captured);
+        // A closure calls those that were written before it.
+        captured.closures.sort_by_key(|(var, _)| *var);
+
+        let mut captures = Vec::new();
+        let mut parameters = Vec::new();
+        for &var in &captured.vars {
+            let outer = self.ident(var).clone();
+            let ident = self.names.fresh(&outer.to_string(), outer.span());
+            let place = match self.aliases.get(&var) {
+                Some(alias) => alias.place.clone(),
+                None => Place { root: var, path: Vec::new() },
+            };
+            let copy = self.place_tokens(&place);
+            captures.push((quote!((#copy).to_owned()), place));
+            parameters.push(Parameter {
+                ident,
+                pattern: None,
+                ty: parse_quote!(&_),
+                is_exclusive: false,
+                is_shared: true,
+                is_mutable_receiver: false,
+                arity: None,
+                is_constant: false,
+            });
+        }
+        let function = self.object_function(closure, scopes, &captured, &parameters, &arguments);
+        parameters.extend(arguments.into_iter().map(|(parameter, _)| parameter));
+        let object = ir::Closure { captures, parameters, function };
+        self.define("function", closure.span(), true, Operation::Closure(Box::new(object)))
+    }
+
+    /// The body of a closure, as that of a function of what it captures and its arguments.
+    fn object_function(
+        &mut self,
+        closure: &ExprClosure,
+        scopes: &Scopes,
+        captured: &Captured,
+        parameters: &[Parameter],
+        arguments: &[(Parameter, Pat)],
+    ) -> ir::Lowered {
+        let on_failure = match &closure.output {
+            ReturnType::Default => OnFailure::None,
+            ReturnType::Type(_, ty) => OnFailure::of(ty),
+        };
+        // What was a reference is one within, too; a value is the place behind one.
+        let depth = |var: &VarId| match self.aliases.get(var) {
+            Some(alias) => alias.depth,
+            None => usize::from(self.vars[*var].exclusive || self.may_refer(*var)),
+        };
+        let depths: Vec<_> = captured.vars.iter().map(depth).collect();
+        let mut inner = Lowerer::new(on_failure, self.names, self.errors);
+        inner.is_object = true;
+        let mut vars = Vec::new();
+        let body = inner.block(|inner| {
+            let mut meanings = HashMap::new();
+            for ((parameter, &outer), depth) in parameters.iter().zip(&captured.vars).zip(depths) {
+                let var = inner.parameter_var(parameter);
+                let is_active = match self.aliases.get(&outer) {
+                    Some(alias) => self.vars[alias.place.root].active,
+                    None => self.vars[outer].active,
+                };
+                inner.vars[var].active = is_active;
+                vars.push(var);
+                let place = Place { root: var, path: vec![Projection::Deref] };
+                let alias = inner.unwritten_var(&parameter.ident, false, is_active);
+                inner.aliases.insert(alias, Alias { place, depth });
+                inner.functions.extend(self.functions.get(&outer).map(|&arity| (alias, arity)));
+                inner.lengths.extend(self.lengths.get(&outer).map(|&length| (alias, length)));
+                inner.containers.extend(self.containers.get(&outer).map(|&c| (alias, c)));
+                meanings.insert(outer, alias);
+            }
+            for (outer, closure) in &captured.closures {
+                let scopes = vec![renamed(&closure.scopes, &meanings)];
+                let body = closure.body.clone();
+                let var = inner.unwritten_var(&format_ident!("closure"), false, false);
+                inner.closures.insert(var, Rc::new(Closure { body, scopes }));
+                meanings.insert(*outer, var);
+            }
+            inner.scopes.push(renamed(scopes, &meanings));
+            for (argument, pattern) in arguments {
+                let var = inner.parameter_var(argument);
+                vars.push(var);
+                let value = match inner.vars[var].active {
+                    true => Operand::Var(var),
+                    false => Operand::Constant(inner.ident(var).to_token_stream()),
+                };
+                inner.bind_pattern(pattern, None, value);
+            }
+            let value = inner.function_body(&as_statements(&closure.body));
+            inner.scopes.pop();
+            match &closure.output {
+                ReturnType::Default => value,
+                ReturnType::Type(_, ty) => inner.typed(value, ty),
+            }
+        });
+        let all: Vec<_> = parameters
+            .iter()
+            .chain(arguments.iter().map(|(argument, _)| argument))
+            .cloned()
+            .collect();
+        let mut function = inner.finished(&all, &vars, body);
+        // The function around it brings what has gathered to its size.
+        function.parameters.iter_mut().take(parameters.len()).for_each(|p| p.has_shape = false);
+        function
+    }
+
+    fn closure_argument(&mut self, typed: &PatType) -> (Parameter, Pat) {
+        let name = simple_name(&typed.pat).map_or("argument".to_owned(), ToString::to_string);
+        let is_shared = match &*typed.ty {
+            Type::Reference(reference) => {
+                if let Some(token) = &reference.mutability {
+                    self.refuse(
+                        token,
+                        "a function that is passed cannot take a `&mut`: let it return what it computes",
+                    );
+                }
+                true
+            }
+            _ => false,
+        };
+        let parameter = Parameter {
+            ident: self.names.fresh(&name, typed.pat.span()),
+            pattern: None,
+            ty: (*typed.ty).clone(),
+            is_exclusive: false,
+            is_shared,
+            is_mutable_receiver: false,
+            arity: None,
+            is_constant: false,
+        };
+        (parameter, (*typed.pat).clone())
+    }
+
+    /// Looks for the variables that a closure uses, and those that closures use which it calls.
+    fn capture(&self, closure: &ExprClosure, scopes: &Scopes, into: &mut Captured) {
+        let mut used = HashSet::new();
+        names::collect(closure.to_token_stream(), &mut used);
+        collect_captured(closure.to_token_stream(), &mut used);
+        let mut used: Vec<_> = used.into_iter().collect();
+        used.sort();
+        for name in used {
+            let found = scopes.iter().rev().find_map(|scope| scope.get(&name).copied());
+            let Some(var) = found else { continue };
+            if let Some(called) = self.closures.get(&var) {
+                if into.closures.iter().all(|(known, _)| *known != var) {
+                    into.closures.push((var, called.clone()));
+                    self.capture(&called.body, &called.scopes, into);
+                }
+            } else if !into.vars.contains(&var) {
+                into.vars.push(var);
+            }
+        }
+    }
+}
+
+/// `f` of the value of a parameter that is a function.
+fn call_of(arity: usize) -> TokenStream {
+    let call = format_ident!("call_{arity}");
+    quote!(::ad::function::#call)
+}
+
+fn typed(pat: &Pat) -> Option<&PatType> {
+    match pat {
+        Pat::Type(typed) => Some(typed),
+        Pat::Paren(inner) => typed(&inner.pat),
+        _ => None,
+    }
+}
+
+/// The names that have a new meaning, with that.
+fn renamed(scopes: &Scopes, meanings: &HashMap<VarId, VarId>) -> HashMap<String, VarId> {
+    let mut names = HashMap::new();
+    for (name, var) in scopes.iter().flatten() {
+        match meanings.get(var) {
+            Some(&meaning) => names.insert(name.clone(), meaning),
+            None => names.remove(name),
+        };
+    }
+    names
+}
+
+/// The names that format strings name.
+fn collect_captured(tokens: TokenStream, into: &mut HashSet<String>) {
+    for token in tokens {
+        match token {
+            TokenTree::Group(group) => collect_captured(group.stream(), into),
+            TokenTree::Literal(literal) => {
+                if let syn::Lit::Str(text) = syn::Lit::new(literal) {
+                    into.extend(captured_names(&text.value()));
+                }
+            }
+            TokenTree::Ident(_) | TokenTree::Punct(_) => {}
+        }
+    }
+}

@@ -1,0 +1,107 @@
+//! Methods of options, results and truth values that are given closures: each is a `match` or `if`.
+//!
+//! They are told by name alone. A method of the user's with such a name does not compile then, for
+//! its receiver is not matched by the patterns.
+
+use syn::{Expr, ExprMethodCall, parse_quote};
+
+use super::Lowerer;
+use super::array::Container;
+use super::flow::strip_parens;
+use crate::ir::Operand;
+
+impl Lowerer<'_> {
+    /// The value of a method of an option, a result or a truth value, if `call` is one.
+    pub(super) fn optional(&mut self, call: &ExprMethodCall, hint: &str) -> Option<Operand> {
+        let arguments: Vec<_> = call.args.iter().collect();
+        let receiver = &call.receiver;
+        let [content, error] = ["content", "error"].map(|name| self.names.unwritten(name));
+        let desugared: Expr = match (&*call.method.to_string(), &arguments[..]) {
+            ("then_some", [value]) => parse_quote!(if #receiver {
+                ::core::option::Option::Some(#value)
+            } else {
+                ::core::option::Option::None
+            }),
+            ("then", [function]) => {
+                let value = self.called(function, &[])?;
+                parse_quote!(if #receiver {
+                    ::core::option::Option::Some(#value)
+                } else {
+                    ::core::option::Option::None
+                })
+            }
+            ("unwrap_or_else", [function]) => match self.called(function, &[]) {
+                Some(otherwise) => parse_quote!(match #receiver {
+                    ::core::option::Option::Some(#content) => #content,
+                    ::core::option::Option::None => #otherwise,
+                }),
+                None => {
+                    let otherwise = self.called(function, &[parse_quote!(#error)])?;
+                    parse_quote!(match #receiver {
+                        ::core::result::Result::Ok(#content) => #content,
+                        ::core::result::Result::Err(#error) => #otherwise,
+                    })
+                }
+            },
+            ("map_or", [otherwise, function]) => {
+                let value = self.called(function, &[parse_quote!(#content)])?;
+                parse_quote!(match #receiver {
+                    ::core::option::Option::Some(#content) => #value,
+                    ::core::option::Option::None => #otherwise,
+                })
+            }
+            ("map_or_else", [otherwise, function]) => {
+                let value = self.called(function, &[parse_quote!(#content)])?;
+                let otherwise = self.called(otherwise, &[])?;
+                parse_quote!(match #receiver {
+                    ::core::option::Option::Some(#content) => #value,
+                    ::core::option::Option::None => #otherwise,
+                })
+            }
+            ("and_then", [function]) => {
+                let value = self.called(function, &[parse_quote!(#content)])?;
+                parse_quote!(match #receiver {
+                    ::core::option::Option::Some(#content) => #value,
+                    ::core::option::Option::None => ::core::option::Option::None,
+                })
+            }
+            ("or_else", [function]) => {
+                let otherwise = self.called(function, &[])?;
+                parse_quote!(match #receiver {
+                    ::core::option::Option::Some(#content) => {
+                        ::core::option::Option::Some(#content)
+                    }
+                    ::core::option::Option::None => #otherwise,
+                })
+            }
+            ("map", [function]) if self.container(receiver) == Some(Container::Option) => {
+                let value = self.called(function, &[parse_quote!(#content)])?;
+                parse_quote!(match #receiver {
+                    ::core::option::Option::Some(#content) => {
+                        ::core::option::Option::Some(#value)
+                    }
+                    ::core::option::Option::None => ::core::option::Option::None,
+                })
+            }
+            _ => return None,
+        };
+        Some(self.operand(&desugared, hint))
+    }
+
+    /// The call of a closure or a function with these arguments; `None` if it takes another number
+    /// of them, or is neither.
+    fn called(&self, function: &Expr, arguments: &[Expr]) -> Option<Expr> {
+        let named = self.named_closure(function);
+        let inputs = match (&named, strip_parens(function)) {
+            (Some(closure), _) => closure.body.inputs.len(),
+            (None, Expr::Closure(closure)) => closure.inputs.len(),
+            (None, Expr::Path(_)) => arguments.len(),
+            _ => return None,
+        };
+        let is_name = matches!(strip_parens(function), Expr::Path(_));
+        (inputs == arguments.len()).then(|| match is_name {
+            true => parse_quote!(#function(#(#arguments),*)),
+            false => parse_quote!((#function)(#(#arguments),*)),
+        })
+    }
+}

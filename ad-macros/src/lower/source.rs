@@ -1,0 +1,217 @@
+//! What an iterator runs over, and the adapters on it.
+
+use proc_macro2::TokenStream;
+use quote::{format_ident, quote};
+use syn::spanned::Spanned;
+use syn::{Expr, ExprMethodCall};
+
+use super::Lowerer;
+use super::chain::{Chain, array_length, is_chain, is_source, literal, literal_length};
+use super::flow::strip_parens;
+use crate::ir::{Operand, Operation, Place, Projection};
+
+impl Lowerer<'_> {
+    /// What a `for` loop runs over.
+    pub(super) fn chain(&mut self, expr: &Expr) -> Chain {
+        match strip_parens(expr) {
+            Expr::Range(range) => self.range(range),
+            Expr::Reference(reference) => self.elements(&reference.expr, true),
+            Expr::MethodCall(call) if is_source(&call.method) => self.source(call),
+            Expr::MethodCall(call) if is_chain(expr) => self.adapter(call),
+            expr => {
+                let by_reference = self.is_reference(expr);
+                self.elements(expr, by_reference)
+            }
+        }
+    }
+
+    fn range(&mut self, range: &syn::ExprRange) -> Chain {
+        let Some(from) = &range.start else {
+            self.refuse(range, "the range of a differentiable loop needs a start");
+            return Chain::Refused;
+        };
+        let length = range.end.as_ref().and_then(|to| literal_length(from, to, &range.limits));
+        let limits = &range.limits;
+        let from = self.plain_constant(from);
+        let to = range.end.as_ref().map(|to| self.plain_constant(to));
+        // A range without end cannot be run backwards.
+        let is_range = to.is_some();
+        Chain::Constant { iterator: quote!(#from #limits #to), length, is_range }
+    }
+
+    fn source(&mut self, call: &ExprMethodCall) -> Chain {
+        let (method, receiver) = (&call.method, &call.receiver);
+        match (&*method.to_string(), call.args.first()) {
+            ("iter" | "iter_mut", None) => self.elements(receiver, true),
+            ("into_iter", None) if is_chain(receiver) => self.chain(receiver),
+            ("into_iter", None) => self.chain(strip_parens(receiver)),
+            ("windows" | "chunks" | "chunks_exact", Some(size)) => {
+                let place = self.source_place(receiver, true);
+                let size = self.fixed(size);
+                let whole = self.place_tokens(&place);
+                let starts = match method == "windows" {
+                    true => quote!(::ad::rt::windows(#whole.len(), #size)),
+                    false if method == "chunks" => quote!((0..#whole.len()).step_by(#size)),
+                    false => quote!(::ad::rt::chunks_exact(#whole.len(), #size)),
+                };
+                Chain::Runs { place, iterator: starts, size, cut_short: method == "chunks" }
+            }
+            _ => {
+                self.refuse(
+                    call,
+                    "this is not the standard library's iterator: loop over an index",
+                );
+                Chain::Refused
+            }
+        }
+    }
+
+    fn elements(&mut self, expr: &Expr, by_reference: bool) -> Chain {
+        if let (Expr::Reference(reference), true) = (strip_parens(expr), by_reference) {
+            return self.elements(&reference.expr, true);
+        }
+        let place = self.place(expr);
+        let active = place.as_ref().is_some_and(|place| self.vars[place.root].active);
+        if !by_reference && place.is_some() && !active {
+            return Chain::Constant { iterator: self.plain(expr), length: None, is_range: false };
+        }
+        if !by_reference && place.is_none() {
+            return match self.operand(expr, "source") {
+                Operand::Constant(iterator) => {
+                    Chain::Constant { iterator, length: None, is_range: false }
+                }
+                Operand::Var(root) => {
+                    let place = Place { root, path: Vec::new() };
+                    Chain::Elements { place, by_reference, length: array_length(expr) }
+                }
+            };
+        }
+        let place = self.source_place(expr, by_reference);
+        let length = match place.path.is_empty() {
+            true => self.lengths.get(&place.root).copied(),
+            false => None,
+        };
+        Chain::Elements { place, by_reference, length }
+    }
+
+    /// The place whose elements are run over: a copy of it, where the loop may change it.
+    pub(super) fn source_place(&mut self, expr: &Expr, by_reference: bool) -> Place {
+        if let Some(place) = self.place(expr)
+            && (by_reference || !self.vars[place.root].mutable)
+        {
+            return place;
+        }
+        let root = match self.operand(expr, "source") {
+            Operand::Var(var) => var,
+            Operand::Constant(tokens) => {
+                let value = Operation::Use(Operand::Constant(quote!(&#tokens)));
+                self.define("source", expr.span(), false, value)
+            }
+        };
+        Place { root, path: Vec::new() }
+    }
+
+    /// A number that keeps its value until the reverse sweep.
+    fn fixed(&mut self, expr: &Expr) -> TokenStream {
+        if let Expr::Lit(literal) = expr {
+            return quote!(#literal);
+        }
+        let tokens = self.plain_constant(expr);
+        let value = Operation::Use(Operand::Constant(tokens));
+        let var = self.define("size", expr.span(), false, value);
+        let ident = self.ident(var);
+        quote!(#ident)
+    }
+
+    fn adapter(&mut self, call: &ExprMethodCall) -> Chain {
+        let inner = Box::new(self.chain(&call.receiver));
+        let name = call.method.to_string();
+        let filtered = inner.is_filtered();
+        if matches!(&*name, "zip" | "rev" | "take" | "skip" | "step_by" | "cycle") {
+            inner.functions().into_iter().for_each(|function| self.refuse_changes(function));
+        }
+        match (&*name, call.args.first()) {
+            ("copied" | "cloned", None) => Chain::Copied(inner),
+            ("enumerate", None) if filtered => {
+                let zero = Operation::Use(Operand::Constant(quote!(0usize)));
+                let ident = self.names.fresh("count", call.method.span());
+                let counter = self.var(ident, true, false);
+                self.push(crate::ir::Statement::Define { var: counter, ty: None, operation: zero });
+                Chain::Count(inner, counter)
+            }
+            ("enumerate", None) => Chain::Enumerate(inner),
+            ("zip", Some(other)) if !filtered => {
+                let other = self.chain(other);
+                if other.is_filtered() {
+                    self.refuse(
+                        call,
+                        "`zip` with a filtered iterator is not supported: write a loop",
+                    );
+                    return Chain::Refused;
+                }
+                Chain::Zip(inner, Box::new(other))
+            }
+            ("map", Some(function)) => Chain::Map(inner, function.clone()),
+            ("filter", Some(function)) => Chain::Filter(inner, function.clone()),
+            ("filter_map" | "map_while", Some(function)) => {
+                let (function, stops) = (function.clone(), name == "map_while");
+                Chain::FilterMap { inner, function, stops }
+            }
+            ("flat_map", Some(function)) => Chain::Flat(inner, Some(function.clone())),
+            ("flatten", None) => Chain::Flat(inner, None),
+            ("chain", Some(other)) if !filtered => {
+                let other = self.chain(other);
+                if other.is_filtered() {
+                    self.refuse(
+                        call,
+                        "`chain` with a filtered iterator is not supported: write two loops",
+                    );
+                    return Chain::Refused;
+                }
+                Chain::Chained(inner, Box::new(other))
+            }
+            ("take_while", Some(function)) => Chain::TakeWhile(inner, function.clone()),
+            ("rev" | "cycle", None) if !filtered => {
+                Chain::Order { inner, adapter: call_of(&name, None), limit: None }
+            }
+            ("take" | "skip" | "step_by", Some(count)) if !filtered => {
+                let limit = match (&*name, literal(count)) {
+                    ("take", Some(count)) => Some(count),
+                    _ => None,
+                };
+                let count = self.plain_constant(count);
+                Chain::Order { inner, adapter: call_of(&name, Some(count)), limit }
+            }
+            _ if filtered => {
+                self.refuse(
+                    &call.method,
+                    format!("`{name}` behind a filter is not supported: put it before, or write a `for` loop with an `if`"),
+                );
+                Chain::Refused
+            }
+            _ => {
+                self.refuse(
+                    &call.method,
+                    match &*name {
+                        "scan" => "the iterator adapter `scan` is not supported: write a `for` loop that changes a variable".to_owned(),
+                        _ => format!(
+                            "the iterator adapter `{name}` is not supported: write a `for` loop"
+                        ),
+                    },
+                );
+                Chain::Refused
+            }
+        }
+    }
+
+    /// The place of element `index`.
+    pub(super) fn element(place: &Place, index: TokenStream) -> Place {
+        let path = [&place.path[..], &[Projection::Index(index)]].concat();
+        Place { root: place.root, path }
+    }
+}
+
+fn call_of(adapter: &str, argument: Option<TokenStream>) -> TokenStream {
+    let adapter = format_ident!("{adapter}");
+    quote!(.#adapter(#argument))
+}

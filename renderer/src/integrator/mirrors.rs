@@ -1,0 +1,146 @@
+//! What mirrors show.
+
+use std::mem;
+
+use ad::lanes::Lanes;
+use ad::vector::Vector3;
+use ad::{Additive, Vec3, select};
+
+use super::prepared::Prepared;
+use super::shade::Shaded;
+use super::sharing::Sharing;
+use super::tiles::Tile;
+use super::view::{View, repeated};
+use crate::acceleration::{PACKET_RAYS, PacketHits, rays};
+use crate::kernels::camera::Ray;
+use crate::kernels::surface::mirrored_ray;
+use crate::precision::vectors_of_lanes;
+
+/// Which materials are taken for mirrors.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Mirrors {
+    /// Those that reflect.
+    Bright,
+    /// All: the derivative by `reflection` is that of the radiance from the mirror direction, even
+    /// where the mirror is dark.
+    All,
+}
+
+/// What the camera sees in a tile: directly, by one mirror, by two mirrors, and so on. A pixel has
+/// the same ray in every view.
+pub(super) struct Sight<L: Lanes> {
+    views: Vec<View<L>>,
+    /// How many of the views are of this tile.
+    depth: usize,
+}
+
+impl<L: Lanes> Sight<L> {
+    /// The views, from the camera on.
+    pub fn views(&self) -> &[View<L>] {
+        &self.views[..self.depth]
+    }
+}
+
+/// To be filled by [`Prepared::see`].
+impl<L: Lanes> Default for Sight<L> {
+    fn default() -> Self {
+        Self { views: vec![View::default()], depth: 1 }
+    }
+}
+
+impl<L: Lanes> Prepared<'_, L> {
+    /// Looks through the middle of every pixel of a tile and finds what lights reach; then the same
+    /// in what mirrors show.
+    pub(super) fn see(&self, tile: &Tile, mirrors: Mirrors, sight: &mut Sight<L>) {
+        let Sight { views, depth } = sight;
+        self.look(tile, &mut views[0]);
+        self.light_up(&mut views[0]);
+        *depth = 1;
+        if mirrors == Mirrors::Bright && !self.has_mirrors {
+            return;
+        }
+        while *depth <= self.scene.bounces as usize {
+            if views.len() == *depth {
+                views.push(View::default());
+            }
+            let (before, after) = views.split_at_mut(*depth);
+            let mirrored = &mut after[0];
+            if !self.look_into_mirrors(&before[*depth - 1], mirrors, mirrored) {
+                break;
+            }
+            self.light_up(mirrored);
+            *depth += 1;
+        }
+        for depth in (1..*depth).rev() {
+            let (views, deeper) = views[..sight.depth].split_at_mut(depth + 1);
+            self.shade(&mut views[depth], deeper.first());
+        }
+    }
+
+    /// Traces what the mirrors in a view show. Whether there are any.
+    fn look_into_mirrors(&self, from: &View<L>, mirrors: Mirrors, to: &mut View<L>) -> bool {
+        let mut sent_on = mem::take(&mut to.rays);
+        sent_on.clear();
+        sent_on
+            .resize(blocks::<L>(), Ray { origin: Additive::zero(), direction: Additive::zero() });
+        to.hits = PacketHits::NONE;
+        let mut sent = 0;
+        for group in &from.groups {
+            let lanes = self.mirrors_among(&self.materials(group), mirrors) & group.alive;
+            if lanes == 0 {
+                continue;
+            }
+            sent |= u64::from(lanes) << group.first;
+            let ray = mirrored_ray::<L>(group.surface);
+            let block = &mut sent_on[group.first / L::COUNT];
+            *block = select(L::mask_from_bits(lanes), ray, *block);
+            let (origins, directions) = (group.origins(), vectors_of_lanes::<L>(ray.direction));
+            for lane in rays(lanes.into()) {
+                let ray = group.first + lane;
+                let start = group.start(from, ray);
+                let (origin, direction) = (origins[lane].as_vec3(), directions[lane].as_vec3());
+                if let Some(hit) = self.acceleration.nearest_but(start, origin, direction) {
+                    to.hits.set(ray, hit);
+                }
+            }
+        }
+        self.group(to, sent, |first, alive| {
+            let Ray { origin, direction } = sent_on[first / L::COUNT];
+            let repeated = |v: Vec3<L>| {
+                let [x, y, z] = [v.x(), v.y(), v.z()].map(|x| repeated(x, alive));
+                Vector3::new(x, y, z)
+            };
+            Ray { origin: repeated(origin), direction: repeated(direction) }
+        });
+        to.rays = sent_on;
+        sent != 0
+    }
+
+    /// Finds the radiance that the rays of a view bring, from what mirrors in it show.
+    fn shade(&self, view: &mut View<L>, mirrored: Option<&View<L>>) {
+        let mut radiance = mem::take(&mut view.radiance);
+        radiance.clear();
+        radiance.resize(blocks::<L>(), Additive::zero());
+        for group in &view.groups {
+            let materials = self.materials(group);
+            let textured = self.textured(group, &materials);
+            let shaded =
+                Shaded::new(self, group, &materials, textured.as_ref(), &view.lit, mirrored);
+            let block = &mut radiance[group.first / L::COUNT];
+            *block = select(L::mask_from_bits(group.alive), shaded.radiance(), *block);
+        }
+        view.radiance = radiance;
+    }
+
+    /// A bit for each lane whose material is a mirror.
+    fn mirrors_among(&self, materials: &Sharing, mirrors: Mirrors) -> u32 {
+        let is_mirror = |material: usize| mirrors == Mirrors::All || self.is_mirror(material);
+        let mirrors = materials.iter().filter(|&(material, _)| is_mirror(material));
+        mirrors.fold(0, |bits, (_, lanes)| bits | lanes)
+    }
+}
+
+/// How many vectors of lanes the rays of a packet make.
+pub(super) fn blocks<L: Lanes>() -> usize {
+    PACKET_RAYS / L::COUNT
+}

@@ -1,0 +1,365 @@
+//! The work of a gradient on the tiles of the image.
+
+use std::mem;
+
+use ad::lanes::Lanes;
+use ad::{Additive, Mask, Tangent, Vec3, select};
+use glam::DVec3;
+
+use super::gradient::Wanted;
+use super::mirrors::{Mirrors, Sight, blocks};
+use super::prepared::Prepared;
+use super::radiance::{PixelLoss, black_pixels};
+use super::settings::Pass;
+use super::shade::{LightCotangent, Pulled, PulledMirror, Shaded};
+use super::sums::{Slots, StripSums};
+use super::tiles::{Strip, Tile, for_each_strip};
+use super::view::{Group, Shape, View};
+use crate::kernels::camera::{Frame, Ray, RayTangent, primary_ray};
+use crate::kernels::material::MaterialTangent;
+use crate::kernels::sphere::{Sphere, sphere_surface};
+use crate::kernels::surface::{SurfacePoint, mirrored_ray};
+use crate::kernels::texture::{Uv, sphere_uv, triangle_uv};
+use crate::kernels::triangle::triangle_surface;
+use crate::precision::{MOST_LANES, lanes_of_vectors, sum_of_vectors, vectors_of_lanes};
+
+/// What the strips of the image add up to, each by itself.
+pub(crate) fn sweep<L: Lanes>(
+    prepared: &Prepared<'_, L>,
+    loss: &impl PixelLoss,
+    wanted: Wanted,
+) -> Vec<StripSums> {
+    let (width, height) = (prepared.scene.width, prepared.scene.height);
+    let start = || Sweep::new(prepared, loss, wanted);
+    for_each_strip(width, height, start, Sweep::strip)
+}
+
+/// The work on strips that follow each other on a thread.
+struct Sweep<'a, L: Lanes, P> {
+    prepared: &'a Prepared<'a, L>,
+    loss: &'a P,
+    wanted: Wanted,
+    mirrors: Mirrors,
+    sight: Sight<L>,
+    flows: Vec<Flow<L>>,
+    sums: StripSums,
+    materials: Slots,
+    spheres: Slots,
+    vertices: Slots,
+    uvs: Slots,
+    texels: Slots,
+}
+
+impl<'a, L: Lanes, P: PixelLoss> Sweep<'a, L, P> {
+    fn new(prepared: &'a Prepared<'a, L>, loss: &'a P, wanted: Wanted) -> Self {
+        let slots = |wanted: bool, count: usize| Slots::new(if wanted { count } else { 0 });
+        Self {
+            prepared,
+            loss,
+            wanted,
+            mirrors: match wanted.mirrors && prepared.pass == Pass::Radiance {
+                true => Mirrors::All,
+                false => Mirrors::Bright,
+            },
+            sight: Sight::default(),
+            flows: Vec::new(),
+            sums: StripSums::zero(&prepared.lights),
+            materials: slots(wanted.materials, prepared.materials.len()),
+            spheres: slots(wanted.spheres, prepared.spheres.len()),
+            vertices: slots(wanted.vertices, prepared.vertices.len()),
+            uvs: slots(wanted.texture_coordinates, prepared.uvs.len()),
+            texels: slots(wanted.texels, prepared.texels.len()),
+        }
+    }
+
+    fn strip(&mut self, strip: Strip) -> StripSums {
+        for tile in strip.tiles() {
+            self.add_tile(&tile);
+        }
+        mem::replace(&mut self.sums, StripSums::zero(&self.prepared.lights))
+    }
+
+    fn add_tile(&mut self, tile: &Tile) {
+        let (mut sight, mut flows) = (mem::take(&mut self.sight), mem::take(&mut self.flows));
+        self.prepared.see(tile, self.mirrors, &mut sight);
+        let views = sight.views();
+        flows.resize_with(views.len().max(flows.len()), Flow::default);
+        self.sums.loss += black_pixels(tile, views[0].missed, self.loss);
+
+        let (first, deeper) = flows.split_at_mut(1);
+        let (loss, mut sum) = (self.loss, 0.0);
+        let respond = |group: &Group<L>, radiance| {
+            let (loss, cotangent) = respond(loss, tile, group, radiance);
+            sum += loss;
+            cotangent
+        };
+        let mirrored = views.get(1).zip(deeper.first_mut());
+        self.pull_shading(&views[0], mirrored, &mut first[0].surfaces, respond);
+        self.sums.loss += sum;
+        for depth in 1..views.len() {
+            let (flows, deeper) = flows.split_at_mut(depth + 1);
+            let Flow { radiance, surfaces, .. } = &mut flows[depth];
+            let respond = |group: &Group<L>, _| {
+                let cotangent = radiance[group.first / L::COUNT];
+                Some(select(L::mask_from_bits(group.alive), cotangent, Additive::zero()))
+            };
+            let mirrored = views.get(depth + 1).zip(deeper.first_mut());
+            self.pull_shading(&views[depth], mirrored, surfaces, respond);
+        }
+
+        if self.wanted.surface() {
+            for depth in (1..views.len()).rev() {
+                let (flows, deeper) = flows.split_at_mut(depth + 1);
+                let Flow { rays, surfaces, .. } = &mut flows[depth];
+                let mirrored = deeper.first().filter(|_| depth + 1 < views.len());
+                self.pull_surfaces(&views[depth], mirrored, surfaces, |group, to_ray| {
+                    rays[group.first / L::COUNT].accumulate(to_ray);
+                });
+            }
+            let (first, deeper) = flows.split_at_mut(1);
+            let mirrored = deeper.first().filter(|_| views.len() > 1);
+            let mut to_frame = Tangent::<Frame<L>>::zero();
+            let Self { prepared, wanted, .. } = *self;
+            self.pull_surfaces(&views[0], mirrored, &first[0].surfaces, |group, to_ray| {
+                if wanted.camera {
+                    let (x, y) = prepared.film(tile, group.first);
+                    let (_, pullback) = primary_ray::vjp::<L>(prepared.frame, x, y);
+                    to_frame.accumulate(pullback(to_ray).0);
+                }
+            });
+            if wanted.camera {
+                self.sums.frame.accumulate(to_frame.sum(Mask::splat(true)));
+            }
+        }
+        (self.sight, self.flows) = (sight, flows);
+    }
+
+    /// From the radiance of a view, whose cotangents `respond` gives, to its materials and lights,
+    /// to its surface points, and to the radiance that mirrors in it show.
+    #[inline]
+    fn pull_shading(
+        &mut self,
+        view: &View<L>,
+        mirrored: Option<(&View<L>, &mut Flow<L>)>,
+        surfaces: &mut Vec<Option<ToSurface<L>>>,
+        mut respond: impl FnMut(&Group<L>, Vec3<L>) -> Option<Vec3<L>>,
+    ) {
+        let Self { prepared, wanted, sums, materials: slots, texels, .. } = self;
+        let (shown, mut to_mirrored) = mirrored.unzip();
+        if let Some(flow) = &mut to_mirrored {
+            flow.start();
+        }
+        surfaces.clear();
+        for group in &view.groups {
+            let to_light = |light: usize, cotangent: LightCotangent<L>| {
+                if wanted.lights {
+                    sums.lights[light].add(&cotangent);
+                }
+            };
+            let materials = prepared.materials(group);
+            let textured = prepared.textured(group, &materials);
+            let shaded =
+                Shaded::new(prepared, group, &materials, textured.as_ref(), &view.lit, shown);
+            let pulled = shaded.pull_back(|radiance| respond(group, radiance), to_light);
+            let Some(Pulled { mut material, surface, mirror }) = pulled else {
+                surfaces.push(None);
+                continue;
+            };
+            let uv = textured.map(|textured| {
+                textured.pull_back(&mut material, |texel, cotangent| {
+                    if wanted.texels {
+                        texels.add(&mut sums.texels, texel as usize, cotangent);
+                    }
+                })
+            });
+            if wanted.materials {
+                for (index, lanes) in materials.iter() {
+                    let sum = material.sum(L::mask_from_bits(lanes));
+                    slots.add(&mut sums.materials, index, sum);
+                }
+            }
+            if let (Some(flow), Some(PulledMirror { reflection, radiance })) =
+                (&mut to_mirrored, mirror)
+            {
+                flow.radiance[group.first / L::COUNT].accumulate(radiance);
+                if wanted.mirrors {
+                    for (index, lanes) in materials.iter() {
+                        let reflection = sum_of_vectors::<L>(reflection, L::mask_from_bits(lanes));
+                        let sum = MaterialTangent { reflection, ..Additive::zero() };
+                        slots.add(&mut sums.materials, index, sum);
+                    }
+                }
+            }
+            if wanted.surface() {
+                surfaces.push(Some(ToSurface { surface, uv }));
+            }
+        }
+    }
+
+    /// From the surface points of a view to its primitives, and to its rays, whose cotangents
+    /// `to_ray` takes. `mirrored` is what flows back from the rays that mirrors in the view send on.
+    #[inline]
+    fn pull_surfaces(
+        &mut self,
+        view: &View<L>,
+        mirrored: Option<&Flow<L>>,
+        surfaces: &[Option<ToSurface<L>>],
+        mut to_ray: impl FnMut(&Group<L>, Tangent<Ray<L>>),
+    ) {
+        for (group, surface) in view.groups.iter().zip(surfaces) {
+            let Some(ToSurface { mut surface, uv }) = *surface else { continue };
+            if let Some(flow) = mirrored {
+                let RayTangent { origin, direction } = flow.rays[group.first / L::COUNT];
+                let alive =
+                    |v: Vec3<L>| select(L::mask_from_bits(group.alive), v, Additive::zero());
+                let (_, pullback) = mirrored_ray::vjp::<L>(group.surface);
+                surface.accumulate(pullback(RayTangent {
+                    origin: alive(origin),
+                    direction: alive(direction),
+                }));
+            }
+            to_ray(group, self.pull_surface(group, surface, uv));
+        }
+    }
+
+    /// Pulls the cotangents of surface points, and of their places on textures, back to primitives;
+    /// returns that of the rays.
+    #[inline]
+    fn pull_surface(
+        &mut self,
+        group: &Group<L>,
+        mut surface: Tangent<SurfacePoint<L>>,
+        uv: Option<Tangent<Uv<L>>>,
+    ) -> Tangent<Ray<L>> {
+        let prepared = self.prepared;
+        match group.shape {
+            Shape::Triangles => {
+                let corners @ [a, b, c] = prepared.corners(&group.primitives);
+                let mut to_corners = [Vec3::<L>::zero(); 3];
+                if let Some(uv) = uv {
+                    let (to_point, corners) = self.pull_uv(group, corners, uv);
+                    surface.point.accumulate(to_point);
+                    to_corners = corners;
+                }
+                let Self { prepared, wanted, sums, .. } = self;
+                let (_, pullback) = triangle_surface::vjp::<L>(group.ray, a, b, c);
+                let (ray, a, b, c) = pullback(surface);
+                to_corners.accumulate([a, b, c]);
+                if wanted.vertices {
+                    for (triangle, lanes) in group.primitives.iter() {
+                        let mask = L::mask_from_bits(lanes);
+                        let corners = prepared.triangles[triangle].iter().zip(to_corners);
+                        for (&vertex, corner) in corners {
+                            let sum = sum_of_vectors::<L>(corner, mask);
+                            self.vertices.add(&mut sums.vertices, vertex as usize, sum);
+                        }
+                    }
+                }
+                ray
+            }
+            Shape::Spheres(leaves) => {
+                let spheres = prepared.spheres(&group.primitives);
+                let mut to_sphere = Tangent::<Sphere<L>>::zero();
+                if let Some(uv) = uv {
+                    let (_, pullback) = sphere_uv::vjp::<L>(group.surface.point, spheres);
+                    let (point, sphere) = pullback(uv);
+                    surface.point.accumulate(point);
+                    to_sphere = sphere;
+                }
+                let Self { prepared, wanted, sums, .. } = self;
+                let (_, pullback) = sphere_surface::vjp::<L>(group.ray, spheres, leaves);
+                let (ray, sphere, ()) = pullback(surface);
+                to_sphere.accumulate(sphere);
+                if wanted.spheres {
+                    for (primitive, lanes) in group.primitives.iter() {
+                        let sum = to_sphere.sum(L::mask_from_bits(lanes));
+                        let index = prepared.sphere_of(primitive);
+                        self.spheres.add(&mut sums.spheres, index, sum);
+                    }
+                }
+                ray
+            }
+        }
+    }
+
+    /// Pulls the cotangent of places on textures back to texture coordinates; returns those of the
+    /// surface points and of the corners of their triangles.
+    fn pull_uv(
+        &mut self,
+        group: &Group<L>,
+        [a, b, c]: [Vec3<L>; 3],
+        cotangent: Tangent<Uv<L>>,
+    ) -> (Vec3<L>, [Vec3<L>; 3]) {
+        let Self { prepared, wanted, sums, .. } = self;
+        let corners = prepared.uv_of_corners(&group.primitives);
+        let (_, pullback) = triangle_uv::vjp::<L>(group.surface.point, a, b, c, corners);
+        let (point, a, b, c, corners) = pullback(cotangent);
+        if wanted.texture_coordinates {
+            for (triangle, lanes) in group.primitives.iter() {
+                let mask = L::mask_from_bits(lanes);
+                let indices = prepared.uv_triangles[triangle].into_iter().flatten();
+                for (uv, corner) in indices.zip(&corners) {
+                    self.uvs.add(&mut sums.uvs, uv as usize, corner.sum(mask));
+                }
+            }
+        }
+        (point, [a, b, c])
+    }
+}
+
+/// The loss of the pixels of a group, and the cotangent of their radiance, unless it is zero: what
+/// the loss does not care about has no gradient.
+#[inline]
+fn respond<L: Lanes>(
+    loss: &impl PixelLoss,
+    tile: &Tile,
+    group: &Group<L>,
+    radiance: Vec3<L>,
+) -> (f64, Option<Vec3<L>>) {
+    let radiance = vectors_of_lanes::<L>(radiance);
+    let mut sum = 0.0;
+    // The lanes that do not count keep a cotangent of zero.
+    let mut cotangents = [DVec3::ZERO; MOST_LANES];
+    for (lane, ray) in group.rays() {
+        let (x, y) = tile.pixel(ray);
+        let (value, derivative) = loss.evaluate(x, y, radiance[lane]);
+        sum += value;
+        cotangents[lane] = derivative;
+    }
+    let matters = cotangents.iter().any(|&cotangent| cotangent != DVec3::ZERO);
+    (sum, matters.then(|| lanes_of_vectors::<L>(&cotangents)))
+}
+
+/// What flows back to surface points.
+#[derive(Clone, Copy)]
+struct ToSurface<L: Lanes> {
+    surface: Tangent<SurfacePoint<L>>,
+    /// To their places on textures, if they have any.
+    uv: Option<Tangent<Uv<L>>>,
+}
+
+/// What flows back to a view.
+struct Flow<L: Lanes> {
+    /// By group: the cotangents of the surface points, unless they are zero.
+    surfaces: Vec<Option<ToSurface<L>>>,
+    /// The cotangents of the radiance that rays from mirrors bring, in vectors of lanes.
+    radiance: Vec<Vec3<L>>,
+    /// The cotangents of the rays from mirrors, in vectors of lanes.
+    rays: Vec<Tangent<Ray<L>>>,
+}
+
+impl<L: Lanes> Default for Flow<L> {
+    fn default() -> Self {
+        Self { surfaces: Vec::new(), radiance: Vec::new(), rays: Vec::new() }
+    }
+}
+
+impl<L: Lanes> Flow<L> {
+    /// Nothing flows yet to a view of rays from mirrors.
+    fn start(&mut self) {
+        self.radiance.clear();
+        self.radiance.resize(blocks::<L>(), Additive::zero());
+        self.rays.clear();
+        self.rays.resize(blocks::<L>(), Additive::zero());
+    }
+}
