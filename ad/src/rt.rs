@@ -18,7 +18,7 @@ mod tangent;
 mod through;
 
 pub use cotangent::{Absorb, At, Constant, Content, Enter, Length, Same, Take, at, sum, take};
-pub use products::{Products, ProductsOfFinite, rarely};
+pub use products::{Products, ProductsOfFinite, ProductsOutOfLine, rarely, scale};
 pub use pullback::MethodPullback;
 pub use tangent::{
     Pass, Slot, copy, pass, pass_part, read, repeated, same_length, still, tangent_of, target,

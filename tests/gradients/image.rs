@@ -69,6 +69,10 @@ fn check_parameter(scene: &Scene, target: &Image, kind: LossKind, id: ParameterI
     check_parameter_with(Settings::default(), scene, target, kind, id);
 }
 
+pub fn agrees_with_finite_differences(scene: &Scene, id: ParameterId) {
+    check_parameter(scene, &target(scene), LossKind::MeanSquared, id);
+}
+
 fn check_parameter_with(
     settings: Settings,
     scene: &Scene,
@@ -191,7 +195,7 @@ fn lanes_agree_with_single_numbers() {
     lanes_agree_on(&textured_scene(37));
 }
 
-fn lanes_agree_on(scene: &Scene) {
+pub fn lanes_agree_on(scene: &Scene) {
     let target = target(scene);
     let loss = ImageLoss::new(LossKind::MeanSquared, &target, false);
     let ids = scene.parameter_ids();

@@ -1,5 +1,6 @@
 //! Gradients against independent oracles.
 
+mod custom;
 mod image;
 mod scenes;
 mod threads;

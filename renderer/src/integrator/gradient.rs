@@ -27,6 +27,8 @@ pub struct Wanted {
     pub spheres: bool,
     /// Vertices.
     pub vertices: bool,
+    /// Parameters of shapes that users add.
+    pub shapes: bool,
     /// Texture coordinates.
     pub texture_coordinates: bool,
     /// Texels.
@@ -43,9 +45,9 @@ impl Wanted {
         for id in ids {
             *match id {
                 LookFrom | LookAt | Up | Vfov | Focus => &mut wanted.camera,
-                LightPosition(_) | LightDirection(_) | LightColor(_) | LightIntensity(_) => {
-                    &mut wanted.lights
-                }
+                LightPosition(_) | LightDirection(_) | LightColor(_) | LightIntensity(_)
+                | LightParameters(_) => &mut wanted.lights,
+                ShapeParameters(_) => &mut wanted.shapes,
                 Ambient(_) | Diffuse(_) | Specular(_) | Exponent(_) => &mut wanted.materials,
                 Reflection(_) => {
                     wanted.mirrors = true;
@@ -62,7 +64,7 @@ impl Wanted {
 
     /// Whether the point that is seen depends on any of them.
     pub(super) fn surface(self) -> bool {
-        self.camera || self.spheres || self.vertices || self.texture_coordinates
+        self.camera || self.spheres || self.vertices || self.shapes || self.texture_coordinates
     }
 }
 
@@ -118,6 +120,12 @@ pub(crate) fn reduce<L: Lanes>(
             *u += sum.u;
             *v += sum.v;
         }
+        for (total, sum) in gradient.shapes.iter_mut().zip(strip.shapes) {
+            total.accumulate(sum);
+        }
+        for (total, sum) in gradient.custom_lights.iter_mut().zip(strip.custom_lights) {
+            total.accumulate(sum);
+        }
         for (texel, sum) in strip.texels {
             let (texture, index) = prepared.texel_of_texture(texel);
             let texel = &mut gradient.textures[texture][index];
@@ -148,6 +156,8 @@ fn zero(parameters: &Parameters) -> Parameters {
             .iter()
             .map(|mesh| vec![[0.0; 2]; mesh.len()])
             .collect(),
+        shapes: parameters.shapes.iter().map(|list| vec![0.0; list.len()]).collect(),
+        custom_lights: parameters.custom_lights.iter().map(|list| vec![0.0; list.len()]).collect(),
         textures: parameters.textures.iter().map(|texels| vec![[0.0; 3]; texels.len()]).collect(),
     }
 }

@@ -99,7 +99,8 @@ impl<L: Lanes> Prepared<'_, L> {
                 let ray = group.first + lane;
                 let start = group.start(from, ray);
                 let (origin, direction) = (origins[lane].as_vec3(), directions[lane].as_vec3());
-                if let Some(hit) = self.acceleration.nearest_but(start, origin, direction) {
+                let hit = self.acceleration.nearest_but(start, origin, direction);
+                if let Some(hit) = self.nearer_custom_shape(origin, direction, hit) {
                     to.hits.set(ray, hit);
                 }
             }
@@ -122,10 +123,8 @@ impl<L: Lanes> Prepared<'_, L> {
         radiance.clear();
         radiance.resize(blocks::<L>(), Additive::zero());
         for group in &view.groups {
-            let materials = self.materials(group);
-            let textured = self.textured(group, &materials);
-            let shaded =
-                Shaded::new(self, group, &materials, textured.as_ref(), &view.lit, mirrored);
+            let appearance = self.appearance(group);
+            let shaded = Shaded::new(self, group, &appearance, &view.lit, mirrored);
             let block = &mut radiance[group.first / L::COUNT];
             *block = select(L::mask_from_bits(group.alive), shaded.radiance(), *block);
         }

@@ -29,7 +29,7 @@ use crate::scene::{Light, Parameters, Scene, TextureObject};
 pub struct Prepared<'a, L: Lanes> {
     pub(super) scene: &'a Scene,
     pub(super) parameters: Parameters,
-    middle: DVec3,
+    pub(super) middle: DVec3,
     pub(super) pinhole: DVec3,
     pub(super) frame: Frame<L>,
     pub(super) lights: Vec<Light<f64>>,
@@ -70,7 +70,7 @@ impl<'a, L: Lanes> Prepared<'a, L> {
 
     /// Prepares a scene to be rendered in a certain way.
     pub fn with_settings(scene: &'a Scene, settings: Settings) -> Self {
-        let bounding_box = scene.parameters.bounding_box();
+        let bounding_box = scene.bounding_box();
         let middle = bounding_box.map_or(DVec3::ZERO, |(low, high)| low.midpoint(high));
         let mut triangles = Vec::new();
         let mut material_of = Vec::new();
@@ -83,6 +83,7 @@ impl<'a, L: Lanes> Prepared<'a, L> {
             first_vertex += vertices.len() as u32;
         }
         material_of.extend(scene.spheres.iter().map(|sphere| sphere.material));
+        material_of.extend(scene.shapes.iter().map(|shape| shape.material));
         let (first_uvs, uv_triangles) = texture_triangles(scene);
 
         let mut prepared = Self {
@@ -155,6 +156,7 @@ impl<'a, L: Lanes> Prepared<'a, L> {
                 raster.nearest_into(&self.geometry(), tile, origin, directions, wanted, hits);
             }
         }
+        self.nearer_custom_shapes(origin, directions, wanted, hits);
     }
 
     fn rasterize(&self) -> Raster {

@@ -102,10 +102,8 @@ fn visit<L: Lanes>(
     prepared.see(tile, Mirrors::Bright, sight);
     let (view, mirrored) = (&sight.views()[0], sight.views().get(1));
     for group in &view.groups {
-        let materials = prepared.materials(group);
-        let textured = prepared.textured(group, &materials);
-        let shaded =
-            Shaded::new(prepared, group, &materials, textured.as_ref(), &view.lit, mirrored);
+        let appearance = prepared.appearance(group);
+        let shaded = Shaded::new(prepared, group, &appearance, &view.lit, mirrored);
         use_radiance(group, shaded.radiance());
     }
 }

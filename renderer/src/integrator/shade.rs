@@ -10,11 +10,11 @@ use super::sharing::Sharing;
 use super::textures::Textured;
 use super::view::{Group, View};
 use crate::kernels::light::{
-    DistantLight, DistantLightTangent, PointLight, PointLightTangent, distant_illumination,
-    point_illumination,
+    DistantLight, DistantLightTangent, Illumination, PointLight, PointLightTangent,
+    distant_illumination, point_illumination,
 };
 use crate::kernels::material::{
-    Material, matte_reflection, reflection_of_distant_light, reflection_of_point_light,
+    Material, matte_reflection, reflection, reflection_of_distant_light, reflection_of_point_light,
 };
 use crate::kernels::surface::SurfacePoint;
 use crate::scene::Light;
@@ -32,6 +32,8 @@ pub(super) struct Pulled<L: Lanes> {
     pub surface: Tangent<SurfacePoint<L>>,
     /// Of what the mirror does, where the ray that it sends on was traced.
     pub mirror: Option<PulledMirror<L>>,
+    /// Of what comes from lights that users add.
+    pub illuminations: Vec<Tangent<Illumination<L>>>,
 }
 
 /// The cotangents of what is seen in mirrors.
@@ -45,6 +47,26 @@ pub(super) struct PulledMirror<L: Lanes> {
 /// What flows back to what is shown, and to one light.
 type Cotangents<L> = (Pulled<L>, LightCotangent<L>);
 
+/// What a group is made of, and what comes from lights that users add.
+pub(super) struct Appearance<L: Lanes> {
+    /// The lanes by material.
+    pub materials: Sharing,
+    pub textured: Option<Textured<L>>,
+    illuminations: Vec<Illumination<L>>,
+}
+
+impl<L: Lanes> Prepared<'_, L> {
+    #[inline]
+    pub(super) fn appearance(&self, group: &Group<L>) -> Appearance<L> {
+        let materials = self.materials(group);
+        Appearance {
+            materials,
+            textured: self.textured(group, &materials),
+            illuminations: self.custom_illuminations(group),
+        }
+    }
+}
+
 /// A group under its lights.
 #[derive(Clone, Copy)]
 pub(super) struct Shaded<'a, L: Lanes> {
@@ -54,7 +76,9 @@ pub(super) struct Shaded<'a, L: Lanes> {
     /// Whether no material of the group has a highlight.
     matte: bool,
     lights: &'a [Light<f64>],
-    /// The rays that each light reaches.
+    /// What comes from lights that users add.
+    illuminations: &'a [Illumination<L>],
+    /// The rays that each light reaches, those of users last.
     lit: &'a [Lit],
     /// The radiance from the mirror direction, where it was traced.
     mirrored: Option<&'a Vec3<L>>,
@@ -64,15 +88,19 @@ impl<'a, L: Lanes> Shaded<'a, L> {
     pub fn new(
         prepared: &'a Prepared<'_, L>,
         group: &'a Group<L>,
-        materials: &Sharing,
-        textured: Option<&Textured<L>>,
+        appearance: &'a Appearance<L>,
         lit: &'a [Lit],
         mirrored: Option<&'a View<L>>,
     ) -> Self {
+        let Appearance { materials, textured, illuminations } = appearance;
         Self {
             pass: prepared.pass,
             group,
-            material: textured.map_or_else(|| prepared.material(materials), Textured::material),
+            material: match textured {
+                Some(textured) => textured.material(),
+                None => prepared.material(materials),
+            },
+            illuminations,
             matte: materials.iter().all(|(material, _)| prepared.is_matte(material)),
             lights: &prepared.lights,
             lit,
@@ -100,24 +128,41 @@ impl<'a, L: Lanes> Shaded<'a, L> {
         if self.pass == Pass::Albedo {
             return self.material.diffuse;
         }
-        match self.mirrored {
-            Some(mirrored) => self.material.ambient + self.material.reflection * *mirrored,
-            None => self.material.ambient,
+        let mut total = self.material.ambient;
+        if let Some(mirrored) = self.mirrored {
+            total = total + self.material.reflection * *mirrored;
         }
+        for (&illumination, lit) in self.illuminations.iter().zip(self.lit_by_custom_lights()) {
+            let reflected = reflection::<L>(self.material, self.group.surface, illumination);
+            total = total + self.where_lit(*lit, reflected);
+        }
+        total
+    }
+
+    fn lit_by_custom_lights(&self) -> &'a [Lit] {
+        &self.lit[self.lit.len() - self.illuminations.len()..]
     }
 
     /// The cotangents of what goes into [`own_radiance`](Self::own_radiance).
     #[inline]
     fn pull_back_own(&self, cotangent: Vec3<L>, pulled: &mut Pulled<L>) {
         if self.pass == Pass::Albedo {
-            pulled.material.diffuse = cotangent;
+            pulled.material.diffuse.accumulate(cotangent);
             return;
         }
-        pulled.material.ambient = cotangent;
+        pulled.material.ambient.accumulate(cotangent);
         pulled.mirror = self.mirrored.map(|&mirrored| PulledMirror {
             reflection: cotangent * mirrored,
             radiance: cotangent * self.material.reflection,
         });
+        for (&illumination, lit) in self.illuminations.iter().zip(self.lit_by_custom_lights()) {
+            let (_, pullback) =
+                reflection::vjp::<L>(self.material, self.group.surface, illumination);
+            let (material, surface, illumination) = pullback(self.where_lit(*lit, cotangent));
+            pulled.material.accumulate(material);
+            pulled.surface.accumulate(surface);
+            pulled.illuminations.push(illumination);
+        }
     }
 
     /// Pulls the cotangent back that `respond` gives for the [radiance](Self::radiance), if any.
@@ -136,8 +181,12 @@ impl<'a, L: Lanes> Shaded<'a, L> {
             Some(Light::Distant(last)) => self.pull_back_from(last, respond, to_light),
             None => {
                 let cotangent = respond(self.own_radiance())?;
-                let mut pulled =
-                    Pulled { material: Additive::zero(), surface: Additive::zero(), mirror: None };
+                let mut pulled = Pulled {
+                    material: Additive::zero(),
+                    surface: Additive::zero(),
+                    mirror: None,
+                    illuminations: Vec::new(),
+                };
                 self.pull_back_own(cotangent, &mut pulled);
                 Some(pulled)
             }
@@ -214,7 +263,7 @@ macro_rules! reflected {
                     $kernel::vjp::<L>(shaded.material, shaded.group.surface, self.narrow());
                 let pullback = move |cotangent| {
                     let (material, surface, light) = pullback(cotangent);
-                    (Pulled { material, surface, mirror: None }, LightCotangent::$variant(light))
+                    (Pulled { material, surface, mirror: None, illuminations: Vec::new() }, LightCotangent::$variant(light))
                 };
                 (value, pullback)
             }

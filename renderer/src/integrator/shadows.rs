@@ -8,10 +8,11 @@ use ad::vector::Vector;
 use glam::DVec3;
 
 use super::prepared::Prepared;
+use super::settings::Pass;
 use super::view::{Group, Shape, View, set_vectors};
-use crate::acceleration::{NO_PRIMITIVE, PacketVectors};
+use crate::acceleration::{NO_PRIMITIVE, PacketVectors, rays};
 use crate::precision::{MOST_LANES, narrow, vectors_of_lanes};
-use crate::scene::Light;
+use crate::scene::{CustomLight, Light};
 
 /// The rays of a tile under a light, a bit for each.
 #[derive(Clone, Copy)]
@@ -48,7 +49,30 @@ impl<L: Lanes> Prepared<'_, L> {
             Light::Point(light) => self.lit_from(light.position, view),
             Light::Distant(light) => self.lit_along(light.direction.normalize(), view),
         }));
+        if self.pass == Pass::Radiance {
+            let custom = self.scene.custom_lights.iter().zip(&self.parameters.custom_lights);
+            lit.extend(
+                custom.map(|(object, parameters)| self.lit_by(&*object.light, parameters, view)),
+            );
+        }
         view.lit = lit;
+    }
+
+    fn lit_by(&self, light: &dyn CustomLight, parameters: &[f64], view: &View<L>) -> Lit {
+        let direction =
+            |point: DVec3| light.illumination(parameters, point + self.middle).direction;
+        let mut facing = 0;
+        for group in &view.groups {
+            let points = vectors_of_lanes::<L>(group.surface.point);
+            let normals = vectors_of_lanes::<L>(group.surface.normal);
+            let faces =
+                |&(lane, _): &(usize, usize)| normals[lane].dot(direction(points[lane])) > 0.0;
+            facing |= group.rays().filter(faces).fold(0, |bits, (_, ray)| bits | 1 << ray);
+        }
+        let to_light =
+            |point: DVec3| (direction(point), light.distance(parameters, point + self.middle));
+        let reached = self.unshadowed(view, facing, to_light);
+        Lit { reached, facing }
     }
 
     /// Shadow rays of a point light start at the light: from there they are coherent.
@@ -71,14 +95,19 @@ impl<L: Lanes> Prepared<'_, L> {
             let error = reach.max(distance) * L::from_f64(SURFACE_ERROR);
             let end = group.surface.normal * error - to_light;
             set_vectors::<L>(&mut directions, group.first, group.alive, end);
-            if let Shape::Spheres(_) = group.shape {
+            if !matches!(group.shape, Shape::Triangles) {
                 for (_, ray) in group.rays() {
                     from[ray] = NO_PRIMITIVE;
                 }
             }
         }
         let (origin, near) = (light.as_vec3(), facing & !far);
-        let occluded = self.acceleration.occluded_packet(origin, &directions, 1.0, &from, near);
+        let mut occluded = self.acceleration.occluded_packet(origin, &directions, 1.0, &from, near);
+        if !self.scene.shapes.is_empty() {
+            let behind =
+                |&ray: &usize| self.is_behind_custom_shape(origin, directions.get(ray), 1.0);
+            occluded |= rays(near & !occluded).filter(behind).fold(0, |bits, ray| bits | 1 << ray);
+        }
         let straight = |point: DVec3| {
             let to_light = light - point;
             let distance = to_light.length();
@@ -117,7 +146,10 @@ impl<L: Lanes> Prepared<'_, L> {
                 let (direction, distance) = to_light(points[lane]);
                 let from = group.start(view, ray);
                 let (origin, direction) = (origins[lane].as_vec3(), direction.as_vec3());
-                if self.acceleration.is_occluded(origin, direction, distance as f32, from) {
+                let limit = distance as f32;
+                if self.acceleration.is_occluded(origin, direction, limit, from)
+                    || self.is_behind_custom_shape(origin, direction, limit)
+                {
                     lit &= !(1 << ray);
                 }
             }
@@ -146,7 +178,7 @@ impl<L: Lanes> Group<L> {
     pub(super) fn start(&self, view: &View<L>, ray: usize) -> Option<u32> {
         match self.shape {
             Shape::Triangles => Some(view.hits.primitive[ray]),
-            Shape::Spheres(_) => None,
+            Shape::Spheres(_) | Shape::Custom => None,
         }
     }
 

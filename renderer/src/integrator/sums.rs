@@ -4,6 +4,7 @@ use ad::lanes::Lanes;
 use ad::{Additive, Mask};
 use glam::DVec3;
 
+use super::prepared::Prepared;
 use super::shade::LightCotangent;
 use crate::kernels::camera::FrameTangent;
 use crate::kernels::light::{DistantLightTangent, PointLightTangent};
@@ -91,19 +92,26 @@ pub struct StripSums {
     pub uvs: Vec<(u32, UvTangent<f64>)>,
     /// By texel, counted through all textures.
     pub texels: Vec<(u32, DVec3)>,
+    /// By shape that a user adds.
+    pub shapes: Vec<Vec<f64>>,
+    /// By light that a user adds.
+    pub custom_lights: Vec<Vec<f64>>,
 }
 
 impl StripSums {
-    pub fn zero(lights: &[Light<f64>]) -> Self {
+    pub fn zero<L: Lanes>(prepared: &Prepared<'_, L>) -> Self {
+        let zeros = |lists: &[Vec<f64>]| lists.iter().map(|list| vec![0.0; list.len()]).collect();
         Self {
             loss: 0.0,
             frame: Additive::zero(),
-            lights: lights.iter().map(LightSum::zero).collect(),
+            lights: prepared.lights.iter().map(LightSum::zero).collect(),
             materials: Vec::new(),
             spheres: Vec::new(),
             vertices: Vec::new(),
             uvs: Vec::new(),
             texels: Vec::new(),
+            shapes: zeros(&prepared.parameters.shapes),
+            custom_lights: zeros(&prepared.parameters.custom_lights),
         }
     }
 }

@@ -11,7 +11,7 @@ use super::mirrors::{Mirrors, Sight, blocks};
 use super::prepared::Prepared;
 use super::radiance::{PixelLoss, black_pixels};
 use super::settings::Pass;
-use super::shade::{LightCotangent, Pulled, PulledMirror, Shaded};
+use super::shade::{Appearance, LightCotangent, Pulled, PulledMirror, Shaded};
 use super::sums::{Slots, StripSums};
 use super::tiles::{Strip, Tile, for_each_strip};
 use super::view::{Group, Shape, View};
@@ -63,7 +63,7 @@ impl<'a, L: Lanes, P: PixelLoss> Sweep<'a, L, P> {
             },
             sight: Sight::default(),
             flows: Vec::new(),
-            sums: StripSums::zero(&prepared.lights),
+            sums: StripSums::zero(prepared),
             materials: slots(wanted.materials, prepared.materials.len()),
             spheres: slots(wanted.spheres, prepared.spheres.len()),
             vertices: slots(wanted.vertices, prepared.vertices.len()),
@@ -76,7 +76,7 @@ impl<'a, L: Lanes, P: PixelLoss> Sweep<'a, L, P> {
         for tile in strip.tiles() {
             self.add_tile(&tile);
         }
-        mem::replace(&mut self.sums, StripSums::zero(&self.prepared.lights))
+        mem::replace(&mut self.sums, StripSums::zero(self.prepared))
     }
 
     fn add_tile(&mut self, tile: &Tile) {
@@ -156,16 +156,20 @@ impl<'a, L: Lanes, P: PixelLoss> Sweep<'a, L, P> {
                     sums.lights[light].add(&cotangent);
                 }
             };
-            let materials = prepared.materials(group);
-            let textured = prepared.textured(group, &materials);
-            let shaded =
-                Shaded::new(prepared, group, &materials, textured.as_ref(), &view.lit, shown);
+            let appearance = prepared.appearance(group);
+            let shaded = Shaded::new(prepared, group, &appearance, &view.lit, shown);
             let pulled = shaded.pull_back(|radiance| respond(group, radiance), to_light);
-            let Some(Pulled { mut material, surface, mirror }) = pulled else {
+            let Some(Pulled { mut material, mut surface, mirror, illuminations }) = pulled else {
                 surfaces.push(None);
                 continue;
             };
-            let uv = textured.map(|textured| {
+            for (light, cotangent) in illuminations.into_iter().enumerate() {
+                let to_light = &mut sums.custom_lights[light];
+                let point = prepared.pull_custom_illumination(group, light, cotangent, to_light);
+                surface.point.accumulate(point);
+            }
+            let Appearance { materials, textured, .. } = &appearance;
+            let uv = textured.as_ref().map(|textured| {
                 textured.pull_back(&mut material, |texel, cotangent| {
                     if wanted.texels {
                         texels.add(&mut sums.texels, texel as usize, cotangent);
@@ -257,6 +261,7 @@ impl<'a, L: Lanes, P: PixelLoss> Sweep<'a, L, P> {
                 }
                 ray
             }
+            Shape::Custom => prepared.pull_custom_surface(group, surface, &mut self.sums.shapes),
             Shape::Spheres(leaves) => {
                 let spheres = prepared.spheres(&group.primitives);
                 let mut to_sphere = Tangent::<Sphere<L>>::zero();

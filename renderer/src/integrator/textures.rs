@@ -144,6 +144,8 @@ impl<L: Lanes> Prepared<'_, L> {
                     self.uv_of_corners(&group.primitives),
                 )
             }
+            // Their materials have no textures.
+            Shape::Custom => return None,
             Shape::Spheres(_) => {
                 sphere_uv::<L>(group.surface.point, self.spheres(&group.primitives))
             }

@@ -51,6 +51,8 @@ pub(super) enum Shape<L: Lanes> {
     Triangles,
     /// With a mask that holds where the ray leaves the sphere instead of entering it.
     Spheres(L::Mask),
+    /// Shapes that users add.
+    Custom,
 }
 
 impl<L: Lanes> Group<L> {
@@ -112,13 +114,20 @@ impl<L: Lanes> Prepared<'_, L> {
         let met = wanted & hits.met();
         view.missed = wanted & !met;
         view.groups.clear();
-        let triangles = met & self.triangles_among(&hits.primitive);
+        let (triangles, others) = (self.triangles.len(), self.spheres.len());
+        let triangles = met & below(triangles, &hits.primitive, others + self.scene.shapes.len());
+        let spheres = met
+            & !triangles
+            & below(self.triangles.len() + others, &hits.primitive, self.scene.shapes.len());
+        let custom = met & !triangles & !spheres;
         for first in (0..PACKET_RAYS).step_by(L::COUNT) {
             let lanes = |rays: u64| (rays >> first) as u32 & all_lanes::<L>();
             let leaves = L::mask_from_bits(lanes(hits.leaves));
-            for (shape, rays) in
-                [(Shape::Triangles, triangles), (Shape::Spheres(leaves), met & !triangles)]
-            {
+            for (shape, rays) in [
+                (Shape::Triangles, triangles),
+                (Shape::Spheres(leaves), spheres),
+                (Shape::Custom, custom),
+            ] {
                 let alive = lanes(rays);
                 if alive == 0 {
                     continue;
@@ -133,6 +142,7 @@ impl<L: Lanes> Prepared<'_, L> {
                     Shape::Spheres(leaves) => {
                         sphere_surface::<L>(ray, self.spheres(&primitives), leaves)
                     }
+                    Shape::Custom => self.custom_surface(&primitives, ray, alive),
                 };
                 view.groups.push(Group { first, alive, primitives, ray, shape, surface });
             }
@@ -175,16 +185,6 @@ impl<L: Lanes> Prepared<'_, L> {
     /// Whether a material has no highlight.
     pub(super) fn is_matte(&self, material: usize) -> bool {
         self.materials[material].specular == Vec3::<L::Element>::splat(Real::ZERO)
-    }
-
-    /// A bit for each ray whose primitive is a triangle.
-    fn triangles_among(&self, primitives: &[u32; PACKET_RAYS]) -> u64 {
-        if self.spheres.is_empty() {
-            return u64::MAX;
-        }
-        let is_triangle = |primitive: u32| (primitive as usize) < self.triangles.len();
-        let bits = primitives.iter().enumerate();
-        bits.fold(0, |bits, (ray, &primitive)| bits | u64::from(is_triangle(primitive)) << ray)
     }
 
     /// Where the rays from `first` on meet the image plane.
@@ -243,4 +243,13 @@ pub(super) fn set_vectors<L: Lanes>(to: &mut PacketVectors, first: usize, lanes:
             rays(lanes.into()).for_each(|lane| to[lane] = from[lane]);
         }
     }
+}
+
+/// A bit for each ray whose primitive has an index below `end`, beyond which there are `rest` more.
+fn below(end: usize, primitives: &[u32; PACKET_RAYS], rest: usize) -> u64 {
+    if rest == 0 {
+        return u64::MAX;
+    }
+    let bits = primitives.iter().enumerate();
+    bits.fold(0, |bits, (ray, &primitive)| bits | u64::from((primitive as usize) < end) << ray)
 }

@@ -8,7 +8,7 @@ use crate::experiment::TunedParameter;
 use crate::optimize::Variable;
 use crate::scene::{Light, ParameterId, Scene};
 
-/// The first Adam step of a parameter, in its natural scale.
+/// The learning rate of a parameter, the length of the first Adam step, in its natural scale.
 ///
 /// Large enough to get anywhere within the default number of iterations; the steps get smaller
 /// where the gradient does. Camera and vertices have to be close to begin with, because only the
@@ -16,7 +16,15 @@ use crate::scene::{Light, ParameterId, Scene};
 fn relative_rate(id: ParameterId) -> f64 {
     use ParameterId::*;
     match id {
-        LookFrom | LookAt | Up | Vfov | Focus | Vertices(_) | TextureCoordinates(_) => 0.01,
+        LookFrom
+        | LookAt
+        | Up
+        | Vfov
+        | Focus
+        | Vertices(_)
+        | TextureCoordinates(_)
+        | ShapeParameters(_)
+        | LightParameters(_) => 0.01,
         LightPosition(_) | LightDirection(_) | LightColor(_) | LightIntensity(_) | Ambient(_)
         | Diffuse(_) | Specular(_) | Exponent(_) | Reflection(_) | SphereCenter(_)
         | SphereRadius(_) | Texels(_) => 0.04,
@@ -65,7 +73,9 @@ fn domain(id: ParameterId) -> (f64, f64) {
         | LightDirection(_)
         | SphereCenter(_)
         | Vertices(_)
-        | TextureCoordinates(_) => (f64::NEG_INFINITY, f64::INFINITY),
+        | TextureCoordinates(_)
+        | ShapeParameters(_)
+        | LightParameters(_) => (f64::NEG_INFINITY, f64::INFINITY),
     }
 }
 
@@ -105,6 +115,7 @@ pub fn natural_scale(scene: &Scene, id: ParameterId) -> f64 {
         | Texels(_) => 1.0,
         SphereCenter(i) => parameters.spheres[i].radius,
         SphereRadius(_) => size,
+        ShapeParameters(_) | LightParameters(_) => positive_or(size, 1.0),
         Vertices(i) => {
             positive_or(mean_edge(&scene.meshes[i].triangles, &parameters.vertices[i]), view)
         }

@@ -22,13 +22,14 @@ use ad::lanes::{Lanes, f64x8};
 
 use crate::Error;
 use crate::arithmetic::{Arithmetic, with_arithmetic};
-use crate::experiment::{Experiment, OptimizeSection, Target};
+use crate::experiment::{Experiment, OptimizeSection, Target, TunedParameter};
 use crate::files::{LoadedImage, load_image};
 use crate::image::Image;
 use crate::integrator::{Prepared, Wanted, gradient, loss, render};
 use crate::loss::{ImageLoss, LossKind};
 use crate::optimize::{
-    Evaluation, Fingerprint, Objective, Observer, Optimization, Outcome, Settings, Variable,
+    Evaluation, Fingerprint, Objective, Observer, Optimization, Optimizer, Outcome, Settings,
+    Variable,
 };
 use crate::scene::{ParameterId, Parameters, Scene};
 
@@ -68,6 +69,7 @@ impl<'a> Recovery<'a> {
                 "no parameter to optimise: name one (`renderer params` lists them)",
             ));
         }
+        check_learning_rates(scene, &section, place)?;
         let (target, truth) = load_target(scene, &section, place, arithmetic)?;
         let ids: Vec<_> = section.parameters.iter().map(|tuned| tuned.id).collect();
         let variables = section
@@ -91,6 +93,8 @@ impl<'a> Recovery<'a> {
                 .section
                 .gradient_tolerance
                 .unwrap_or(default.gradient_tolerance),
+            optimizer: self.section.optimizer.unwrap_or(default.optimizer),
+            schedule: self.section.schedule.unwrap_or(default.schedule),
             ..default
         }
     }
@@ -153,10 +157,13 @@ impl<'a> Recovery<'a> {
     /// If the settings cannot be used, or a checkpoint cannot be read or written.
     pub fn run(&self, settings: &Settings, observer: &mut dyn Observer) -> Result<Outcome, Error> {
         let optimization = Optimization::start(&self.variables, settings)?;
-        with_arithmetic!(self.arithmetic, S => {
-            let mut objective = ImageObjective::<S>::new(self);
-            optimization.run(&mut objective, observer)
-        })
+        optimization.run(self.objective().as_mut(), observer)
+    }
+
+    /// Loss and gradient as a function of the parameters that vary: what [`run`](Self::run)
+    /// minimises, for who adds up several of them or brings another method.
+    pub fn objective(&self) -> Box<dyn Objective + '_> {
+        with_arithmetic!(self.arithmetic, S => Box::new(ImageObjective::<S>::new(self)))
     }
 
     /// Loss and gradient at the scene as it stands.
@@ -166,8 +173,7 @@ impl<'a> Recovery<'a> {
     /// If one of them is not finite.
     pub fn evaluate(&self) -> Result<Evaluation, Error> {
         let x: Vec<f64> = self.variables.iter().flat_map(|v| v.initial.clone()).collect();
-        let evaluation =
-            with_arithmetic!(self.arithmetic, S => ImageObjective::<S>::new(self).evaluate(&x));
+        let evaluation = self.objective().evaluate(&x);
         let Evaluation { loss, gradient } = &evaluation;
         if !loss.is_finite() {
             return Err(Error::new("loss", format_args!("is {loss}, not a finite number")));
@@ -207,6 +213,31 @@ impl<'a> Recovery<'a> {
 
     fn loss(&self) -> ImageLoss<'_> {
         ImageLoss::new(self.loss_kind(), &self.target.image, self.target.saturates)
+    }
+}
+
+/// Whether an optimiser whose steps are as long as the gradient has a learning rate for every
+/// parameter.
+fn check_learning_rates(
+    scene: &Scene,
+    section: &OptimizeSection,
+    place: &str,
+) -> Result<(), Error> {
+    let Some(optimizer) = section.optimizer.filter(Optimizer::follows_gradient_length) else {
+        return Ok(());
+    };
+    let unrated =
+        |tuned: &&TunedParameter| section.learning_rate.is_none() && tuned.learning_rate.is_none();
+    match section.parameters.iter().find(unrated) {
+        None => Ok(()),
+        Some(tuned) => Err(Error::new(
+            format_args!("{place}: {}", scene.path(tuned.id)),
+            format_args!(
+                "has no learning rate; the steps of {} are the gradient times it, so none suits \
+                 every scene: give one (`learning_rate`, --learning-rate)",
+                optimizer.name()
+            ),
+        )),
     }
 }
 

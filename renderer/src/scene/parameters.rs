@@ -29,6 +29,10 @@ pub struct Parameters {
     pub texture_coordinates: Vec<Vec<[f64; 2]>>,
     /// The texels of each texture, linear RGB, row by row from the top left.
     pub textures: Vec<Vec<[f64; 3]>>,
+    /// The numbers of each shape that a user adds.
+    pub shapes: Vec<Vec<f64>>,
+    /// The numbers of each light that a user adds.
+    pub custom_lights: Vec<Vec<f64>>,
 }
 
 /// A light of one of the known kinds.
@@ -91,6 +95,10 @@ pub enum ParameterId {
     TextureCoordinates(usize),
     /// `texture.NAME.texels`
     Texels(usize),
+    /// `shape.NAME.parameters`, of a shape that a user adds
+    ShapeParameters(usize),
+    /// `light.NAME.parameters`, of a light that a user adds
+    LightParameters(usize),
 }
 
 impl ParameterId {
@@ -108,7 +116,8 @@ impl ParameterId {
             | TextureCoordinates(_)
             | Texels(_) => Differentiability::Smooth,
             LookFrom | LookAt | Up | Vfov | Focus | LightPosition(_) | LightDirection(_)
-            | SphereCenter(_) | SphereRadius(_) | Vertices(_) => Differentiability::Interior,
+            | SphereCenter(_) | SphereRadius(_) | Vertices(_) | ShapeParameters(_)
+            | LightParameters(_) => Differentiability::Interior,
         }
     }
 }
@@ -136,7 +145,20 @@ impl Scene {
         let given = coordinates.filter(|(_, coordinates)| !coordinates.is_empty());
         ids.extend(given.map(|(i, _)| TextureCoordinates(i)));
         ids.extend((0..self.parameters.textures.len()).map(Texels));
+        ids.extend((0..self.parameters.shapes.len()).map(ShapeParameters));
+        ids.extend((0..self.parameters.custom_lights.len()).map(LightParameters));
         ids
+    }
+
+    /// The lowest and the highest corner of the box around all geometry; nothing if there is none.
+    pub fn bounding_box(&self) -> Option<(DVec3, DVec3)> {
+        let Parameters { vertices, spheres, shapes, .. } = &self.parameters;
+        // A vertex is a sphere without extent.
+        let vertices = vertices.iter().flatten().map(|&v| (DVec3::from_array(v), 0.0));
+        let spheres = spheres.iter().map(|sphere| (sphere.center, sphere.radius));
+        let boxes = vertices.chain(spheres).map(|(center, r)| (center - r, center + r));
+        let custom = self.shapes.iter().zip(shapes).map(|(object, p)| object.shape.bounds(p));
+        boxes.chain(custom).reduce(|(low, high), (a, b)| (low.min(a), high.max(b)))
     }
 
     /// The shape of a parameter: empty for a number, `[3]` for a vector, `[n, 3]` for vertices,
@@ -147,6 +169,9 @@ impl Scene {
             (ParameterId::TextureCoordinates(_), numbers) => vec![numbers / 2, 2],
             (ParameterId::Texels(i), _) => {
                 vec![self.textures[i].height as usize, self.textures[i].width as usize, 3]
+            }
+            (ParameterId::ShapeParameters(_) | ParameterId::LightParameters(_), numbers) => {
+                vec![numbers]
             }
             (_, 1) => Vec::new(),
             (_, numbers) => vec![numbers],
@@ -198,6 +223,8 @@ impl fmt::Display for ParameterPath<'_> {
                 write!(f, "mesh.{}.texture_coordinates", scene.meshes[i].name)
             }
             Texels(i) => write!(f, "texture.{}.texels", scene.textures[i].name),
+            ShapeParameters(i) => write!(f, "shape.{}.parameters", scene.shapes[i].name),
+            LightParameters(i) => write!(f, "light.{}.parameters", scene.custom_lights[i].name),
         }
     }
 }
@@ -214,6 +241,8 @@ macro_rules! reach {
             vertices,
             texture_coordinates,
             textures,
+            shapes,
+            custom_lights,
         } = $parameters;
         match $id {
             LookFrom => camera.look_from.$as_slice(),
@@ -247,22 +276,13 @@ macro_rules! reach {
             Vertices(i) => vertices[i].$flatten(),
             TextureCoordinates(i) => texture_coordinates[i].$flatten(),
             Texels(i) => textures[i].$flatten(),
+            ShapeParameters(i) => $($reference)+ shapes[i][..],
+            LightParameters(i) => $($reference)+ custom_lights[i][..],
         }
     }};
 }
 
 impl Parameters {
-    /// The lowest and the highest corner of the box around all geometry; nothing if there is none.
-    pub fn bounding_box(&self) -> Option<(DVec3, DVec3)> {
-        // A vertex is a sphere without extent.
-        let vertices = self.vertices.iter().flatten().map(|&v| (DVec3::from_array(v), 0.0));
-        let spheres = self.spheres.iter().map(|sphere| (sphere.center, sphere.radius));
-        vertices
-            .chain(spheres)
-            .map(|(center, radius)| (center - radius, center + radius))
-            .reduce(|(low, high), (a, b)| (low.min(a), high.max(b)))
-    }
-
     /// The numbers of one parameter.
     ///
     /// # Panics

@@ -65,11 +65,14 @@ impl Scene {
     /// The parallel arrays and the names.
     fn check_structure(&self) -> Result<(), Invalid> {
         let Scene { parameters, light_names, materials, textures, spheres, meshes, .. } = self;
+        let Scene { shapes, custom_lights, .. } = self;
         let counts = [
             ("light", light_names.len(), parameters.lights.len()),
             ("material", materials.len(), parameters.materials.len()),
             ("texture", textures.len(), parameters.textures.len()),
             ("sphere", spheres.len(), parameters.spheres.len()),
+            ("shape", shapes.len(), parameters.shapes.len()),
+            ("light", custom_lights.len(), parameters.custom_lights.len()),
             ("mesh", meshes.len(), parameters.vertices.len()),
             ("mesh", meshes.len(), parameters.texture_coordinates.len()),
         ];
@@ -78,7 +81,9 @@ impl Scene {
                 return invalid(kind, format!("{names} names for {values} objects"));
             }
         }
-        check_names("light", light_names.iter().map(String::as_str))?;
+        let custom = custom_lights.iter().map(|light| &light.name);
+        check_names("light", light_names.iter().chain(custom).map(String::as_str))?;
+        check_names("shape", shapes.iter().map(|s| s.name.as_str()))?;
         check_names("material", materials.iter().map(|m| m.name.as_str()))?;
         check_names("texture", textures.iter().map(|t| t.name.as_str()))?;
         check_names("sphere", spheres.iter().map(|s| s.name.as_str()))?;
@@ -249,6 +254,15 @@ impl Scene {
         for sphere in &self.spheres {
             if sphere.material as usize >= materials {
                 return no_material(format!("sphere.{}.material", sphere.name), sphere.material);
+            }
+        }
+        for shape in &self.shapes {
+            let path = || format!("shape.{}.material", shape.name);
+            let Some(material) = self.materials.get(shape.material as usize) else {
+                return no_material(path(), shape.material);
+            };
+            if material.textures.any() {
+                return invalid(path(), "has a texture, for which this shape has no coordinates");
             }
         }
         let meshes = self.meshes.iter().zip(&self.parameters.vertices).enumerate();

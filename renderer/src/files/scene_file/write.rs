@@ -26,7 +26,7 @@ use crate::scene::{Light, MaterialObject, Parameters, Scene, SphereObject};
 ///
 /// # Errors
 ///
-/// If the scene is not valid, or a file cannot be written.
+/// If the scene is not valid, holds shapes or lights that a user adds, or a file cannot be written.
 pub fn save_scene(scene: &Scene, folder: &Path) -> Result<PathBuf, Error> {
     save(scene, None, folder)
 }
@@ -47,6 +47,12 @@ fn save(
 ) -> Result<PathBuf, Error> {
     let path = folder.join("scene.toml");
     scene.validate(path.display())?;
+    let shapes = scene.shapes.iter().map(|shape| format!("shape.{}", shape.name));
+    let custom_lights = scene.custom_lights.iter().map(|light| format!("light.{}", light.name));
+    if let Some(custom) = shapes.chain(custom_lights).next() {
+        let problem = "is defined in Rust: a scene file cannot hold it";
+        return Err(Error::new(format!("{}: {custom}", path.display()), problem));
+    }
     create_folder(folder)?;
     // The scene file comes last: once it stands, all that it names does.
     let file = SceneFile {
@@ -186,6 +192,8 @@ fn optimize_entry(
 ) -> Result<OptimizeEntry, Error> {
     let mut entry = OptimizeEntry {
         loss: section.loss,
+        optimizer: section.optimizer,
+        schedule: section.schedule,
         learning_rate: section.learning_rate,
         iterations: section.iterations,
         tolerance: section.tolerance,

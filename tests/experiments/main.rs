@@ -1,0 +1,9 @@
+//! The experiments of `examples/` at reduced size: each must come to what it claims.
+
+mod bvh;
+mod camera_calibration;
+mod finite_differences;
+mod inverse_lighting;
+mod material_color;
+mod teapot;
+mod texture_recovery;
