@@ -84,7 +84,7 @@ pub fn assert_forward(
 
 /// Checks the gradient of a function of `f64`s at each of several points: the value bit for bit,
 /// each derivative against finite differences.
-macro_rules! check {
+macro_rules! check_reverse {
     ($f:ident($($x:ident),+) at $([$($value:expr),+]),+ $(,)?) => {
         for point in [$([$($value as f64),+]),+] {
             let [$($x),+] = point;
@@ -98,6 +98,19 @@ macro_rules! check {
             let bits = |value: f64| value.to_bits();
             assert_eq!(bits(value), bits(primal(&point)), "{} at {point:?}", stringify!($f));
             $crate::oracle::assert_gradient(stringify!($f), primal, &point, &gradient);
+        }
+    };
+}
+
+/// [`check_reverse`], and the same for forward mode.
+macro_rules! check {
+    ($f:ident($($x:ident),+) at $([$($value:expr),+]),+ $(,)?) => {
+        $crate::oracle::check_reverse!($f($($x),+) at $([$($value),+]),+);
+        for point in [$([$($value as f64),+]),+] {
+            let [$($x),+] = point;
+            let (value, gradient) = $f::value_and_grad($($x),+);
+            let ($($x),+) = gradient;
+            let gradient = [$($x),+];
             let forward = |x: &[f64], direction: &[f64]| {
                 let [$($x),+] = *x else { unreachable!() };
                 let mut direction = direction.iter().copied();
@@ -110,7 +123,7 @@ macro_rules! check {
 
 /// [`check`] of a function generic over `S: Real`, which runs on dual numbers too, and in single
 /// precision.
-macro_rules! check_generic {
+macro_rules! check_generic_reverse {
     ($f:ident($($x:ident),+) at $([$($value:expr),+]),+ $(,)?) => {
         for point in [$([$($value as f64),+]),+] {
             let name = stringify!($f);
@@ -124,13 +137,6 @@ macro_rules! check_generic {
             };
             assert_eq!(value.to_bits(), primal(&point).to_bits(), "{name} at {point:?}");
             $crate::oracle::assert_gradient(name, primal, &point, &gradient);
-
-            let forward = |x: &[f64], direction: &[f64]| {
-                let [$($x),+] = *x else { unreachable!() };
-                let mut direction = direction.iter().copied();
-                $f::jvp::<f64>($($x,)+ $({ let $x = direction.next().unwrap(); $x }),+)
-            };
-            $crate::oracle::assert_forward(name, forward, &point, value, &gradient);
 
             let dual = |x: &[ad::Dual<f64>]| {
                 let [$($x),+] = *x else { unreachable!() };
@@ -156,4 +162,24 @@ macro_rules! check_generic {
     };
 }
 
-pub(crate) use {check, check_generic};
+/// [`check_generic_reverse`], and the same for forward mode.
+macro_rules! check_generic {
+    ($f:ident($($x:ident),+) at $([$($value:expr),+]),+ $(,)?) => {
+        $crate::oracle::check_generic_reverse!($f($($x),+) at $([$($value),+]),+);
+        for point in [$([$($value as f64),+]),+] {
+            let name = stringify!($f);
+            let [$($x),+] = point;
+            let (value, gradient) = $f::value_and_grad::<f64>($($x),+);
+            let ($($x),+) = gradient;
+            let gradient = [$($x),+];
+            let forward = |x: &[f64], direction: &[f64]| {
+                let [$($x),+] = *x else { unreachable!() };
+                let mut direction = direction.iter().copied();
+                $f::jvp::<f64>($($x,)+ $({ let $x = direction.next().unwrap(); $x }),+)
+            };
+            $crate::oracle::assert_forward(name, forward, &point, value, &gradient);
+        }
+    };
+}
+
+pub(crate) use {check, check_generic, check_generic_reverse, check_reverse};
