@@ -51,7 +51,7 @@ pub fn expand(arguments: TokenStream, item: TokenStream) -> TokenStream {
         return trait_derivatives(definition, &options);
     }
     if let (Ok(import), Some(rule)) = (syn::parse2::<ItemUse>(item.clone()), &options.vjp) {
-        return imported_derivative(&import, rule);
+        return imported_derivative(&import, rule, options.jvp.as_ref());
     }
     let error = syn::Error::new(
         proc_macro2::Span::call_site(),
@@ -100,7 +100,7 @@ fn function_derivative(mut function: ItemFn, options: Options) -> TokenStream {
 }
 
 /// A rule for an imported function: the module that bears the function's name.
-fn imported_derivative(import: &ItemUse, rule: &Path) -> TokenStream {
+fn imported_derivative(import: &ItemUse, rule: &Path, forward: Option<&Path>) -> TokenStream {
     let mut tree = &import.tree;
     let name = loop {
         match tree {
@@ -120,12 +120,14 @@ fn imported_derivative(import: &ItemUse, rule: &Path) -> TokenStream {
         visibility => quote!(#visibility),
     };
     let doc = format!("The derivative of the function `{name}`.");
+    let forward = forward.map(|rule| quote!(#inner use super::#rule as jvp;));
     quote! {
         #import
 
         #[doc = #doc]
         #visibility mod #name {
             #inner use super::#rule as vjp;
+            #forward
         }
     }
 }

@@ -7,6 +7,7 @@ use syn::{Attribute, FnArg, GenericParam, Generics, Signature, Type, Visibility}
 
 use crate::callable::Callables;
 use crate::errors::Errors;
+use crate::forward::{self, Forward};
 use crate::lower;
 use crate::names::Names;
 use crate::options::Options;
@@ -89,11 +90,11 @@ impl Function<'_> {
         }
         if let (Some(rule), Some(_)) = (&self.options.vjp, self.body) {
             errors.finish()?;
-            return Ok(self.functions(&header, Some(&self.delegated(&header, rule))));
+            return Ok(self.functions(&header, Some(&self.delegated(&header, rule)), None));
         }
         let Some(body) = self.body else {
             errors.finish()?;
-            return Ok(self.functions(&header, None));
+            return Ok(self.functions(&header, None, None));
         };
 
         let (signature, parameters) = (self.signature, &header.parameters);
@@ -106,6 +107,7 @@ impl Function<'_> {
         let seed = names.fresh("result_bar", Span::call_site());
         let sweeps = sweep::sweep(&lowered, parameters, &seed, &mut names);
         let sweep::Sweeps { forward, value, pullback, incoming } = sweeps;
+        let jvp = self.forward(&header, &lowered, &mut names);
         let pullback = header.pullback(&seed, &incoming, &pullback);
         let body = quote! {
             {
@@ -115,7 +117,49 @@ impl Function<'_> {
                 (#value, #pullback)
             }
         };
-        Ok(self.functions(&header, Some(&body)))
+        Ok(self.functions(&header, Some(&body), jvp.as_ref()))
+    }
+
+    /// The forward mode, unless it is not wanted or given by hand.
+    fn forward(
+        &self,
+        header: &Header,
+        lowered: &lower::Lowered,
+        names: &mut Names,
+    ) -> Option<Forward> {
+        let is_written = !self.options.reverse && self.options.jvp.is_none();
+        is_written.then(|| forward::forward(lowered, &header.parameters, names))
+    }
+
+    /// The function `jvp`.
+    fn jvp(
+        &self,
+        header: &Header,
+        bounds: &[TokenStream],
+        forward: Option<&Forward>,
+    ) -> TokenStream {
+        if self.options.reverse || self.callables.any() {
+            return TokenStream::new();
+        }
+        let Header { parameters, result, .. } = header;
+        let (tangents, body) = match forward {
+            Some(Forward { tangents, statements, result }) => {
+                let body = quote! {
+                    {
+                        #[allow(unused_imports)]
+                        use ::ad::rt::methods::*;
+                        #statements
+                        #result
+                    }
+                };
+                (tangents.clone(), Some(body))
+            }
+            None => {
+                let body = self.body.and_then(|_| forward::delegated(self, parameters));
+                (forward::names_of_tangents(parameters), body)
+            }
+        };
+        forward::item(self, parameters, result, bounds, &tangents, body.as_ref())
     }
 
     /// What stands in for the derivative of a function that was refused, so that its callers do
@@ -142,7 +186,17 @@ impl Function<'_> {
             }
         };
         let plain = Options { boxed: self.options.boxed, ..Options::default() };
-        Function { attributes: &[], options: plain, ..*self }.functions(&header, Some(&body))
+        let forward = Forward {
+            tangents: forward::names_of_tangents(&header.parameters),
+            statements: quote! {
+                fn refused<T>() -> T {
+                    ::core::unreachable!()
+                }
+            },
+            result: quote!(refused()),
+        };
+        let function = Function { attributes: &[], options: plain, ..*self };
+        function.functions(&header, Some(&body), Some(&forward))
     }
 
     fn header(&self, errors: &mut Errors) -> Header {
@@ -182,7 +236,12 @@ impl Function<'_> {
         }
     }
 
-    fn functions(&self, header: &Header, body: Option<&TokenStream>) -> TokenStream {
+    fn functions(
+        &self,
+        header: &Header,
+        body: Option<&TokenStream>,
+        forward: Option<&Forward>,
+    ) -> TokenStream {
         let Self { place, visibility, .. } = self;
         let signature = &self.callables.signature;
         let Header { parameters, result, result_tangent, exclusive_tangents, gradient, .. } =
@@ -281,11 +340,14 @@ impl Function<'_> {
             where #(#bounds),*
             #body
         };
+        let jvp = self.jvp(header, &bounds, forward);
         if let Place::TraitImpl(_) = place {
-            return vjp;
+            return quote!(#vjp #jvp);
         }
         let functions = quote! {
             #vjp
+
+            #jvp
 
             #(#cfgs)*
             #[doc = #value_and_grad_doc]

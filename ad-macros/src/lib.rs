@@ -6,7 +6,8 @@
 //! 2. `lower` rewrites the body to the few forms of `ir`: every operation has a name, every
 //!    exit is the end of a block. What has no right derivative is refused here, at its span.
 //! 3. `sweep` writes the forward and the reverse sweep of the lowered body.
-//! 4. `expand` wraps both into the functions that users call.
+//! 4. `forward` writes the forward mode of the same lowered body.
+//! 5. `expand` wraps them into the functions that users call.
 //!
 //! `derive` stands apart: it gives structs and enums their tangents.
 //!
@@ -29,6 +30,7 @@ mod checkpoint;
 mod derive;
 mod errors;
 mod expand;
+mod forward;
 mod ir;
 mod lower;
 mod names;

@@ -14,6 +14,10 @@ pub struct Options {
     pub boxed: bool,
     /// `vjp = path`: the function that is the derivative, written by hand.
     pub vjp: Option<Path>,
+    /// `jvp = path`: the function that is the forward mode, written by hand.
+    pub jvp: Option<Path>,
+    /// `reverse`: there is no forward mode.
+    pub reverse: bool,
 }
 
 impl Parse for Options {
@@ -28,10 +32,15 @@ impl Parse for Options {
                     input.parse::<Token![=]>()?;
                     options.vjp = Some(input.parse()?);
                 }
+                () if name == "jvp" => {
+                    input.parse::<Token![=]>()?;
+                    options.jvp = Some(input.parse()?);
+                }
+                () if name == "reverse" => options.reverse = true,
                 () => {
                     return Err(syn::Error::new_spanned(
                         name,
-                        "the arguments of `#[differentiable]` are: `boxed`, `checkpoint`, `vjp = path`",
+                        "the arguments of `#[differentiable]` are: `boxed`, `checkpoint`, `reverse`, `vjp = path`, `jvp = path`",
                     ));
                 }
             }
@@ -50,6 +59,8 @@ impl Options {
             checkpoint: self.checkpoint || own.checkpoint,
             boxed: self.boxed || own.boxed,
             vjp: own.vjp,
+            jvp: own.jvp,
+            reverse: self.reverse || own.reverse,
         }
     }
 }

@@ -45,6 +45,12 @@ impl<T: Additive> DerefMut for Boxed<T> {
     }
 }
 
+impl<T: Additive + AsMut<[E]>, E> AsMut<[E]> for Boxed<T> {
+    fn as_mut(&mut self) -> &mut [E] {
+        (**self).as_mut()
+    }
+}
+
 impl<T: Clone> Clone for Boxed<T> {
     fn clone(&self) -> Self {
         Self(self.0.clone())

@@ -1,9 +1,11 @@
 //! Finite differences with step control: a check of gradients that shares no code with them.
 
 mod coordinates;
+mod forward;
 mod rule;
 
 pub use coordinates::Coordinates;
+pub use forward::{assert_forward, worst_forward};
 pub use rule::{Component, Function, Rule, Settings, assert_rule, worst};
 
 /// A numerical derivative.

@@ -13,6 +13,11 @@ impl<T: Differentiable + ?Sized> Differentiable for &T {
     fn shape(&self) -> T::Shape {
         T::shape(self)
     }
+
+    #[inline(always)]
+    fn zero_tangent(&self) -> Tangent<T> {
+        T::zero_tangent(self)
+    }
 }
 
 impl<T: Differentiable + ?Sized> Differentiable for &mut T {
@@ -22,6 +27,11 @@ impl<T: Differentiable + ?Sized> Differentiable for &mut T {
     #[inline(always)]
     fn shape(&self) -> T::Shape {
         T::shape(self)
+    }
+
+    #[inline(always)]
+    fn zero_tangent(&self) -> Tangent<T> {
+        T::zero_tangent(self)
     }
 }
 
@@ -33,6 +43,12 @@ impl<T: Differentiable + ?Sized> Differentiable for Box<T> {
 
     #[inline(always)]
     fn shape(&self) {}
+
+    /// Of the size of the content, in which boxes are left to be made.
+    #[inline]
+    fn zero_tangent(&self) -> Self::Tangent {
+        Boxed::new(T::zero_tangent(self))
+    }
 }
 
 /// The cotangent of an option is that of its content; nothing flows into a `None`.

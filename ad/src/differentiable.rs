@@ -46,6 +46,15 @@ pub trait Differentiable {
     /// The shape of this value.
     fn shape(&self) -> Self::Shape;
 
+    /// The zero tangent of this value, of its size.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn zero_tangent(&self) -> Self::Tangent {
+        let mut zero = Self::Tangent::zero();
+        self.shape().fit(&mut zero);
+        zero
+    }
+
     /// Whether this certainly holds neither infinity nor NaN, so that products with it need no care
     /// (see the last of the [singular points](crate::rules#singular-points)). `false` is always
     /// right.

@@ -14,10 +14,17 @@ pub use crate::differentiable::Parts;
 mod cotangent;
 mod products;
 mod pullback;
+mod tangent;
+mod through;
 
 pub use cotangent::{Absorb, At, Constant, Content, Enter, Length, Same, Take, at, sum, take};
 pub use products::{Products, ProductsOfFinite, ProductsOutOfLine, rarely, scale};
 pub use pullback::MethodPullback;
+pub use tangent::{
+    Pass, Slot, copy, pass, pass_part, read, repeated, same_length, still, tangent_of, target,
+    with_zero, zero_like, zero_of,
+};
+pub use through::{ByPullback, Through, WithoutRule, without_forward_mode};
 
 mod iterate;
 
@@ -29,6 +36,16 @@ pub use iterate::{
 /// The traits whose methods generated code calls. They come without names, which could hide those
 /// of the user.
 pub mod methods {
+    pub use crate::rules::forward::{
+        AngleForward as _, CloneForward as _, CopiedForward as _, DMat2Forward as _,
+        DMat3Forward as _, DMat4Forward as _, DVec2Forward as _, DVec4Forward as _,
+        ExtendForward as _, FloatForward as _, FromForward as _, GlamForward as _,
+        Mat2Forward as _, Mat3Forward as _, Mat4Forward as _, MatrixForward as _,
+        OptionForward as _, QuaternionForward as _, RealForward as _, ResultForward as _,
+        RotationForward as _, ScalarForward as _, SequenceForward as _, TransformForward as _,
+        TruncateForward as _, Vec2Forward as _, Vec4Forward as _, VecForward as _,
+        Vector3Forward as _, VectorForward as _,
+    };
     pub use crate::rules::{
         AngleRules as _, CloneRules as _, CopiedRules as _, DMat2Rules as _, DMat3Rules as _,
         DMat4Rules as _, DVec2Rules as _, DVec4Rules as _, ExtendRules as _, FloatRules as _,
@@ -248,6 +265,15 @@ impl propagate {
         error: E,
     ) -> (F, impl FnOnce(Tangent<F>) -> Tangent<E> + use<E, F>) {
         (F::from(error), |_| Additive::zero())
+    }
+
+    /// An error carries no tangent, which [`vjp`](Self::vjp) asks for.
+    #[inline(always)]
+    pub fn jvp<E: Differentiable, F: From<E> + Differentiable>(
+        error: E,
+        _: Tangent<E>,
+    ) -> (F, Tangent<F>) {
+        tangent::with_zero(F::from(error))
     }
 }
 

@@ -8,6 +8,7 @@ use syn::{Expr, ExprPath, Path, PathArguments};
 use super::Lowerer;
 use super::array::is_from_fn;
 use super::construct::is_type_name;
+use super::higher::{refused_function, refused_method};
 use super::no_diff::undifferentiated;
 use crate::ir::{Argument, Operand, Operation, Projection, Statement};
 
@@ -115,6 +116,9 @@ impl Lowerer<'_> {
                 };
             }
         }
+        if let Some(message) = refused_function(path) {
+            return self.refuse(path, message);
+        }
         let last = path.segments.last().expect("a path has a segment");
         if last.ident == "stop_gradient" {
             let expr = Expr::Call(call.clone());
@@ -154,6 +158,9 @@ impl Lowerer<'_> {
         let name = call.method.to_string();
         if is_predicate(&name) {
             return self.discrete(&Expr::MethodCall(call.clone()));
+        }
+        if let Some(message) = refused_method(&call.method) {
+            return self.refuse(&call.method, message);
         }
         let receiver = self.receiver(call);
         let called_on = match &receiver {

@@ -7,7 +7,7 @@
 //! [`part`] those that lend parts of slices; [`closure`] puts closures in place of their calls, and [`function`] passes them to functions;
 //! [`expression`], [`call`] and [`construct`] name intermediate results; [`pattern`], [`slice_pattern`] and [`place`] tell which part of a value
 //! is meant; [`sequence`] makes vectors and boxes; [`macros`] knows the macros of the standard
-//! library; [`no_diff`] and [`plain`] pass on code through which no derivative flows, with variables
+//! library; [`higher`] refuses derivatives of derivatives; [`no_diff`] and [`plain`] pass on code through which no derivative flows, with variables
 //! renamed.
 
 mod array;
@@ -23,6 +23,7 @@ mod exits;
 mod expression;
 mod flow;
 mod function;
+mod higher;
 mod item;
 mod loops;
 mod macros;
@@ -49,6 +50,7 @@ use self::array::Container;
 use self::closure::Closure;
 use self::ends::{Jump, JumpId};
 use self::item::Alias;
+pub use self::place::is_scalar_method;
 use crate::errors::Errors;
 use crate::ir::{Block, BlockId, Operand, Operation, Statement, Var, VarId};
 pub use crate::ir::{Lowered, LoweredParameter};

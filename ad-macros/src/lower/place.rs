@@ -58,7 +58,8 @@ const SCALAR_METHODS: [&str; 44] = [
     "trunc",
 ];
 
-fn is_scalar_method(method: &syn::Ident) -> bool {
+/// Whether a method of this name takes a number by value.
+pub fn is_scalar_method(method: &syn::Ident) -> bool {
     SCALAR_METHODS.iter().any(|name| method == name)
 }
 

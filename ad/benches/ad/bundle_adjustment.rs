@@ -144,6 +144,12 @@ impl Problem for BundleAdjustment {
         }
     }
 
+    fn forward(&self, x: &[f64], direction: &[f64], tangents: &mut [f64]) {
+        let [p, direction] = [x, direction].map(|x| *x.first_chunk().expect("15 numbers"));
+        let (_, (first, second)) = residuals::jvp(p, FEATURE, direction, [0.0; 2]);
+        tangents.copy_from_slice(&[first, second]);
+    }
+
     fn by_hand(&self, x: &[f64], jacobian: &mut [f64]) {
         let rows = adjoint(*x.first_chunk().expect("15 numbers"), FEATURE);
         jacobian.copy_from_slice(rows.as_flattened());

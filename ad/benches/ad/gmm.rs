@@ -238,6 +238,20 @@ impl Problem for Gmm {
         Mixture { weights, means, factors }.write(jacobian);
     }
 
+    fn forward(&self, x: &[f64], direction: &[f64], tangents: &mut [f64]) {
+        let (m, d) = (Mixture::read(x), Mixture::read(direction));
+        (_, tangents[0]) = log_likelihood::jvp(
+            &m.weights,
+            &m.means,
+            &m.factors,
+            &self.points,
+            &d.weights,
+            &d.means,
+            &d.factors,
+            &[[0.0; D]; N],
+        );
+    }
+
     fn by_hand(&self, x: &[f64], jacobian: &mut [f64]) {
         adjoint(&Mixture::read(x), &self.points).write(jacobian);
     }

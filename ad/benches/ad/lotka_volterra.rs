@@ -106,6 +106,11 @@ impl Problem for LotkaVolterra {
         jacobian.copy_from_slice(&simulate::grad(*x.first_chunk().expect("6 numbers")));
     }
 
+    fn forward(&self, x: &[f64], direction: &[f64], tangents: &mut [f64]) {
+        let [x, direction] = [x, direction].map(|x| *x.first_chunk().expect("6 numbers"));
+        tangents[0] = simulate::jvp(x, direction).1;
+    }
+
     fn by_hand(&self, x: &[f64], jacobian: &mut [f64]) {
         jacobian.copy_from_slice(&adjoint(*x.first_chunk().expect("6 numbers")));
     }

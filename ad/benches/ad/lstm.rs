@@ -225,6 +225,14 @@ impl Problem for Lstm {
         write(&main, &extra, jacobian);
     }
 
+    fn forward(&self, x: &[f64], direction: &[f64], tangents: &mut [f64]) {
+        let ((main, extra), (main_dot, extra_dot)) = (read(x), read(direction));
+        let still = ([[0.0; B]; 2 * LAYERS], [[0.0; B]; T]);
+        let (start, sequence) = (&self.start, &self.sequence);
+        (_, tangents[0]) =
+            loss::jvp(&main, &extra, start, sequence, &main_dot, &extra_dot, &still.0, &still.1);
+    }
+
     fn by_hand(&self, x: &[f64], jacobian: &mut [f64]) {
         let (main, extra) = read(x);
         let (main, extra) = adjoint(&main, &extra, &self.start, &self.sequence);

@@ -2,8 +2,8 @@
 //!
 //! `cargo bench -p ad --bench ad [-- NAME ..]` prints a line for each function whose name contains
 //! one of the arguments: the generated adjoint and a good one by hand, which are checked to be
-//! equal, and the other ways to a gradient; for two functions also the crates `reverse` and `num-dual`. Medians over interleaved repetitions, one thread. Dual
-//! numbers are measured in one direction and multiplied by the number of inputs.
+//! equal, and the other ways to a gradient; for two functions also the crates `reverse` and `num-dual`. Medians over interleaved repetitions, one thread. Forward
+//! mode and dual numbers are measured in one direction, and multiplied by the number of inputs.
 
 #![allow(clippy::needless_range_loop, reason = "the functions are written with indices throughout")]
 

@@ -29,6 +29,10 @@ pub trait Problem {
     /// The Jacobian that `#[differentiable]` writes.
     fn generated(&self, x: &[f64], jacobian: &mut [f64]);
 
+    /// The derivatives of the outputs along a direction, by the forward mode that
+    /// `#[differentiable]` writes.
+    fn forward(&self, x: &[f64], direction: &[f64], tangents: &mut [f64]);
+
     /// The Jacobian by hand.
     fn by_hand(&self, x: &[f64], jacobian: &mut [f64]);
 
@@ -60,11 +64,18 @@ pub fn run<P: Problem>(problem: &P) {
     }
     let mut moving: Vec<Dual<f64>> = x.iter().map(|&x| Dual::constant(x)).collect();
     let mut duals = vec![Dual::constant(0.0); P::OUTPUTS];
+    let (mut direction, mut tangents) = (vec![0.0; x.len()], vec![0.0; P::OUTPUTS]);
     // Some directions of many: the oracles go over the whole function for each.
     for i in (0..x.len()).step_by(x.len().div_ceil(20)) {
         moving[i].derivative = 1.0;
         problem.value(&moving, &mut duals);
         moving[i].derivative = 0.0;
+        direction[i] = 1.0;
+        problem.forward(&x, &direction, &mut tangents);
+        direction[i] = 0.0;
+        for (row, &tangent) in tangents.iter().enumerate() {
+            compare("forward mode", row * x.len() + i, tangent, TOLERANCE);
+        }
         for (row, dual) in duals.iter().enumerate() {
             let at = row * x.len() + i;
             compare("dual numbers", at, dual.derivative, TOLERANCE);
@@ -83,6 +94,7 @@ pub fn run<P: Problem>(problem: &P) {
     let mut jacobians = [generated, by_hand];
     let [first, second] = &mut jacobians;
     moving[0].derivative = 1.0;
+    direction[0] = 1.0;
     let times = medians(
         ROUNDS,
         SAMPLE,
@@ -107,12 +119,18 @@ pub fn run<P: Problem>(problem: &P) {
                 problem.value(black_box(&moving), &mut duals);
                 black_box(&duals);
             },
+            &mut || {
+                problem.forward(black_box(&x), black_box(&direction), &mut tangents);
+                black_box(&tangents);
+            },
         ],
     );
-    let [primal, generated, by_hand, tape, dual] = times[..] else { unreachable!("five cases") };
+    let [primal, generated, by_hand, tape, dual, forward] = times[..] else {
+        unreachable!("six cases")
+    };
     let directions = x.len() as f64;
     println!(
-        "{:<28} {:>8.2} us | generated {:>5.2}  by hand {:>5.2}  generated / by hand {:>4.2} | tape {:>6.2}  tape / generated {:>5.1} | dual numbers {:>7.1}  finite differences {:>4}",
+        "{:<28} {:>8.2} us | generated {:>5.2}  by hand {:>5.2}  generated / by hand {:>4.2} | tape {:>6.2}  tape / generated {:>5.1} | one direction: forward {:>5.2}  dual numbers {:>5.2} | all: forward {:>7.1}  dual numbers {:>7.1}  finite differences {:>4}",
         P::NAME,
         primal * 1e6,
         generated / primal,
@@ -120,6 +138,9 @@ pub fn run<P: Problem>(problem: &P) {
         generated / by_hand,
         tape / primal,
         tape / generated,
+        forward / primal,
+        dual / primal,
+        directions * forward / primal,
         directions * dual / primal,
         2 * x.len(),
     );

@@ -50,6 +50,11 @@ impl Problem for Rosenbrock {
         jacobian.copy_from_slice(&rosenbrock::grad(x.first_chunk().expect("N numbers")));
     }
 
+    fn forward(&self, x: &[f64], direction: &[f64], tangents: &mut [f64]) {
+        let [x, direction] = [x, direction].map(|x| x.first_chunk().expect("N numbers"));
+        tangents[0] = rosenbrock::jvp(x, direction).1;
+    }
+
     fn by_hand(&self, x: &[f64], jacobian: &mut [f64]) {
         jacobian.copy_from_slice(&adjoint(x.first_chunk().expect("N numbers")));
     }

@@ -126,6 +126,15 @@ impl Problem for Shading {
         jacobian.copy_from_slice(&flat([normal, light, view, albedo, specular], exponent));
     }
 
+    fn forward(&self, x: &[f64], direction: &[f64], tangents: &mut [f64]) {
+        let [i, d] =
+            [x, direction].map(|x| Inputs::<f64>::new(x.first_chunk().expect("16 numbers")));
+        (_, tangents[0]) = shade::jvp::<f64>(
+            i.normal, i.light, i.view, i.albedo, i.specular, i.exponent, //
+            d.normal, d.light, d.view, d.albedo, d.specular, d.exponent,
+        );
+    }
+
     fn by_hand(&self, x: &[f64], jacobian: &mut [f64]) {
         let inputs = Inputs::new(x.first_chunk().expect("16 numbers"));
         jacobian.copy_from_slice(&adjoint(inputs));

@@ -30,8 +30,8 @@ pub struct Component {
     pub result: usize,
     /// The number of the coordinate, of all those of the parameters in their order.
     pub parameter: usize,
-    /// What the pullback returned.
-    pub pulled_back: f64,
+    /// What the derivative under test says.
+    pub found: f64,
     /// What finite differences of the function give.
     pub estimate: Estimate,
 }
@@ -41,8 +41,8 @@ impl Component {
     /// that is greater than 1. Infinite where one of the two is no number.
     pub fn error(&self) -> f64 {
         let Estimate { value, error } = self.estimate;
-        let difference = ((self.pulled_back - value).abs() - error).max(0.0);
-        match difference.is_nan() || !self.pulled_back.is_finite() || !value.is_finite() {
+        let difference = ((self.found - value).abs() - error).max(0.0);
+        match difference.is_nan() || !self.found.is_finite() || !value.is_finite() {
             true => f64::INFINITY,
             false => difference / value.abs().max(1.0),
         }
@@ -51,11 +51,11 @@ impl Component {
 
 impl fmt::Display for Component {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { result, parameter, pulled_back, estimate } = self;
+        let Self { result, parameter, found, estimate } = self;
         write!(
             f,
             "coordinate {result} of the result by coordinate {parameter} of the parameters: \
-             pulled back {pulled_back:e}, finite differences {:e} ± {:e}",
+             found {found:e}, finite differences {:e} ± {:e}",
             estimate.value, estimate.error
         )
     }
@@ -156,14 +156,14 @@ where
         );
         let gradient = gradient.coordinates();
         assert_eq!(gradient.len(), point.len(), "the coordinates of the gradient");
-        for (parameter, &pulled_back) in gradient.iter().enumerate() {
+        for (parameter, &found) in gradient.iter().enumerate() {
             let mut moved = point.clone();
             let along = |x| {
                 moved[parameter] = x;
                 function.at(copy(&moved)).coordinates().get(result).copied().unwrap_or(f64::NAN)
             };
             let estimate = derivative(along, point[parameter], settings.step);
-            let component = Component { result, parameter, pulled_back, estimate };
+            let component = Component { result, parameter, found, estimate };
             if worst.is_none_or(|worst| worst.error() < component.error()) {
                 worst = Some(component);
             }

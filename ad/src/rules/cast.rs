@@ -1,6 +1,6 @@
 //! Pullbacks of `as`.
 
-use crate::{Differentiable, Tangent};
+use crate::{Additive, Differentiable, Tangent};
 
 /// The pullback of `self as To`.
 ///
@@ -14,6 +14,9 @@ use crate::{Differentiable, Tangent};
 pub trait CastPullback<To: Differentiable>: Differentiable {
     /// The cotangent of the number before the cast.
     fn cast_pullback(self, cotangent: Tangent<To>) -> Tangent<Self>;
+
+    /// The tangent of the number after the cast.
+    fn cast_pushforward(self, tangent: Tangent<Self>) -> Tangent<To>;
 }
 
 macro_rules! between_floats {
@@ -22,6 +25,11 @@ macro_rules! between_floats {
             #[inline(always)]
             fn cast_pullback(self, cotangent: $to) -> $from {
                 cotangent as $from
+            }
+
+            #[inline(always)]
+            fn cast_pushforward(self, tangent: $from) -> $to {
+                tangent as $to
             }
         }
     )*};
@@ -34,6 +42,11 @@ macro_rules! from_integer {
         impl<To: Differentiable> CastPullback<To> for $from {
             #[inline(always)]
             fn cast_pullback(self, _: Tangent<To>) {}
+
+            #[inline(always)]
+            fn cast_pushforward(self, (): ()) -> Tangent<To> {
+                Additive::zero()
+            }
         }
     )*};
 }

@@ -46,6 +46,22 @@ impl select {
             ((), Select::select(mask, cotangent, zero), Select::select(mask, zero, cotangent))
         })
     }
+
+    /// The value, and the tangent of the chosen one.
+    #[inline(always)]
+    pub fn jvp<T>(
+        mask: T::Mask,
+        if_true: T,
+        if_false: T,
+        _: (),
+        if_true_dot: Tangent<T>,
+        if_false_dot: Tangent<T>,
+    ) -> (T, Tangent<T>)
+    where
+        T: Select + Differentiable<Tangent: Select<Mask = T::Mask>>,
+    {
+        (T::select(mask, if_true, if_false), Select::select(mask, if_true_dot, if_false_dot))
+    }
 }
 
 /// The value of `f`, as a constant: no derivative passes. Inside of a differentiable function the

@@ -174,7 +174,8 @@ lengths! {
 /// `use ad::rules::construct::vec3` brings the derivative along.
 pub mod construct {
     macro_rules! constructors {
-        ($($name:ident $type:ident $scalar:ident ($($element:ident),*) ($($tuple:ident),*);)*) => {$(
+        ($($name:ident $type:ident $scalar:ident
+            ($($element:ident $dot:ident),*) ($($tuple:ident),*);)*) => {$(
             #[doc = concat!("The vector of these elements, as `glam::", stringify!($name), "`.")]
             #[inline(always)]
             pub const fn $name($($element: $scalar),*) -> glam::$type {
@@ -194,16 +195,25 @@ pub mod construct {
                 ) -> (glam::$type, impl FnOnce(glam::$type) -> ($($tuple),*)) {
                     (glam::$type::new($($element),*), |g: glam::$type| ($(g.$element),*))
                 }
+
+                /// The vector, and that of the tangents of its elements.
+                #[inline(always)]
+                #[allow(clippy::too_many_arguments)]
+                pub fn jvp(
+                    $($element: $scalar,)* $($dot: $scalar),*
+                ) -> (glam::$type, glam::$type) {
+                    (glam::$type::new($($element),*), glam::$type::new($($dot),*))
+                }
             }
         )*};
     }
 
     constructors! {
-        vec2 Vec2 f32 (x, y) (f32, f32);
-        vec3 Vec3 f32 (x, y, z) (f32, f32, f32);
-        vec4 Vec4 f32 (x, y, z, w) (f32, f32, f32, f32);
-        dvec2 DVec2 f64 (x, y) (f64, f64);
-        dvec3 DVec3 f64 (x, y, z) (f64, f64, f64);
-        dvec4 DVec4 f64 (x, y, z, w) (f64, f64, f64, f64);
+        vec2 Vec2 f32 (x x_dot, y y_dot) (f32, f32);
+        vec3 Vec3 f32 (x x_dot, y y_dot, z z_dot) (f32, f32, f32);
+        vec4 Vec4 f32 (x x_dot, y y_dot, z z_dot, w w_dot) (f32, f32, f32, f32);
+        dvec2 DVec2 f64 (x x_dot, y y_dot) (f64, f64);
+        dvec3 DVec3 f64 (x x_dot, y y_dot, z z_dot) (f64, f64, f64);
+        dvec4 DVec4 f64 (x x_dot, y y_dot, z z_dot, w w_dot) (f64, f64, f64, f64);
     }
 }

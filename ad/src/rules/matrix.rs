@@ -7,7 +7,7 @@ use core::array;
 use glam::{DMat2, DMat3, DMat4, DVec2, DVec3, DVec4, Mat2, Mat3, Mat4, Vec2, Vec3, Vec4};
 
 use super::scale_vector;
-use super::{AddPullback, MulPullback, NegPullback, SubPullback, scale, scale_elements};
+use super::{AddPullback, MulPullback, NegPullback, SubPullback, bilinear, scale, scale_elements};
 use crate::vector::Vector;
 use crate::{Additive, Differentiable, Mask, Real};
 
@@ -174,12 +174,22 @@ macro_rules! matrices {
             fn neg_pullback(cotangent: Self) -> Self {
                 -cotangent
             }
+
+            #[inline(always)]
+            fn neg_jvp(self, tangent: Self) -> (Self, Self) {
+                (-self, -tangent)
+            }
         }
 
         impl AddPullback for $matrix {
             #[inline(always)]
             fn add_pullback(cotangent: Self) -> (Self, Self) {
                 (cotangent, cotangent)
+            }
+
+            #[inline(always)]
+            fn add_jvp(self, rhs: Self, tangent: Self, rhs_tangent: Self) -> (Self, Self) {
+                (self + rhs, tangent + rhs_tangent)
             }
         }
 
@@ -188,12 +198,28 @@ macro_rules! matrices {
             fn sub_pullback(cotangent: Self) -> (Self, Self) {
                 (cotangent, -cotangent)
             }
+
+            #[inline(always)]
+            fn sub_jvp(self, rhs: Self, tangent: Self, rhs_tangent: Self) -> (Self, Self) {
+                (self - rhs, tangent - rhs_tangent)
+            }
         }
 
         impl MulPullback for $matrix {
             #[inline(always)]
             fn mul_pullback(self, rhs: Self, cotangent: Self) -> (Self, Self) {
                 times_matrix(self, rhs, cotangent)
+            }
+
+            #[inline(always)]
+            fn mul_jvp(
+                self,
+                rhs: Self,
+                tangent: Self,
+                rhs_tangent: Self,
+            ) -> (Self, Self) {
+                let along = bilinear(|a: Self, b: Self| a * b, (self, rhs), (tangent, rhs_tangent));
+                (self * rhs, along)
             }
         }
 
@@ -202,6 +228,17 @@ macro_rules! matrices {
             fn mul_pullback(self, rhs: $column, cotangent: $column) -> (Self, $column) {
                 let (to_matrix, to_vector) = times_vector(self, rhs.to_array(), cotangent);
                 (to_matrix, $column::from_array(to_vector))
+            }
+
+            #[inline(always)]
+            fn mul_jvp(
+                self,
+                rhs: $column,
+                tangent: Self,
+                rhs_tangent: $column,
+            ) -> ($column, $column) {
+                let along = bilinear(|a: Self, b: $column| a * b, (self, rhs), (tangent, rhs_tangent));
+                (self * rhs, along)
             }
         }
 
@@ -214,6 +251,17 @@ macro_rules! matrices {
                 let to_scalar = parts.map(|(&g, column)| scale_elements(g, column).element_sum());
                 (Self::of_columns(to_matrix), to_scalar.sum())
             }
+
+            #[inline(always)]
+            fn mul_jvp(
+                self,
+                rhs: $scalar,
+                tangent: Self,
+                rhs_tangent: $scalar,
+            ) -> (Self, Self) {
+                let along = bilinear(|a: Self, b: $scalar| a * b, (self, rhs), (tangent, rhs_tangent));
+                (self * rhs, along)
+            }
         }
 
         impl MulPullback<$matrix> for $scalar {
@@ -221,6 +269,16 @@ macro_rules! matrices {
             fn mul_pullback(self, rhs: $matrix, cotangent: $matrix) -> ($scalar, $matrix) {
                 let (to_matrix, to_scalar) = rhs.mul_pullback(self, cotangent);
                 (to_scalar, to_matrix)
+            }
+
+            #[inline(always)]
+            fn mul_jvp(
+                self,
+                rhs: $matrix,
+                tangent: $scalar,
+                rhs_tangent: $matrix,
+            ) -> ($matrix, $matrix) {
+                rhs.mul_jvp(self, rhs_tangent, tangent)
             }
         }
 

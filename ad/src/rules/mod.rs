@@ -45,6 +45,7 @@
 mod cast;
 mod choose;
 mod float;
+pub mod forward;
 mod glam_only;
 mod matrix;
 mod operators;
@@ -73,13 +74,33 @@ pub use sequence::{CloneRules, Elements, SequenceRules, VecRules};
 pub use transform::{AngleRules, RotationRules, TransformRules};
 pub use vector::{DVec2Rules, DVec4Rules, Vec2Rules, Vec4Rules, Vector3Rules, VectorRules};
 
-use crate::{Real, vector::Vector};
+use crate::{Additive, Real, vector::Vector};
 
 /// `cotangent * partial`, and 0 where the cotangent is 0, whatever the partial is.
 #[inline(always)]
 #[doc(hidden)]
 pub fn scale<S: Real>(cotangent: S, partial: S) -> S {
     S::select(cotangent.vanishes(), S::zero(), cotangent * partial)
+}
+
+/// The tangent of a product of what is made of several numbers. A factor whose tangent is zero does
+/// not count, whatever the other factor is.
+#[inline(always)]
+fn bilinear<A, B, C>(product: impl Fn(A, B) -> C, factors: (A, B), tangents: (A, B)) -> C
+where
+    A: Additive + PartialEq,
+    B: Additive + PartialEq,
+    C: Additive,
+{
+    let ((a, b), (a_tangent, b_tangent)) = (factors, tangents);
+    let mut along = C::zero();
+    if a_tangent != A::zero() {
+        along.accumulate(product(a_tangent, b));
+    }
+    if b_tangent != B::zero() {
+        along.accumulate(product(a, b_tangent));
+    }
+    along
 }
 
 /// [`scale`] of every element of `partial` by one cotangent.

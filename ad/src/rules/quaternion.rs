@@ -6,7 +6,7 @@
 use glam::{DQuat, DVec3, DVec4, Quat, Vec3, Vec4};
 
 use super::rotation::{self, lerp, product, rotated, slerp};
-use super::{AddPullback, MulPullback, NegPullback, SubPullback, VectorRules, scale};
+use super::{AddPullback, MulPullback, NegPullback, SubPullback, VectorRules, bilinear, scale};
 use crate::{Additive, Differentiable, Real};
 
 /// The `_vjp` siblings of the methods of quaternions.
@@ -103,6 +103,11 @@ macro_rules! quaternions {
             fn neg_pullback(cotangent: Self) -> Self {
                 -cotangent
             }
+
+            #[inline(always)]
+            fn neg_jvp(self, tangent: Self) -> (Self, Self) {
+                (-self, -tangent)
+            }
         }
 
         impl AddPullback for $quat {
@@ -110,12 +115,22 @@ macro_rules! quaternions {
             fn add_pullback(cotangent: Self) -> (Self, Self) {
                 (cotangent, cotangent)
             }
+
+            #[inline(always)]
+            fn add_jvp(self, rhs: Self, tangent: Self, rhs_tangent: Self) -> (Self, Self) {
+                (self + rhs, tangent + rhs_tangent)
+            }
         }
 
         impl SubPullback for $quat {
             #[inline(always)]
             fn sub_pullback(cotangent: Self) -> (Self, Self) {
                 (cotangent, -cotangent)
+            }
+
+            #[inline(always)]
+            fn sub_jvp(self, rhs: Self, tangent: Self, rhs_tangent: Self) -> (Self, Self) {
+                (self - rhs, tangent - rhs_tangent)
             }
         }
 
@@ -126,6 +141,17 @@ macro_rules! quaternions {
                 let (left, right) = pullback(cotangent.to_array());
                 (Self::from_array(left), Self::from_array(right))
             }
+
+            #[inline(always)]
+            fn mul_jvp(
+                self,
+                rhs: Self,
+                tangent: Self,
+                rhs_tangent: Self,
+            ) -> (Self, Self) {
+                let along = bilinear(|a: Self, b: Self| a * b, (self, rhs), (tangent, rhs_tangent));
+                (self * rhs, along)
+            }
         }
 
         impl MulPullback<$vector> for $quat {
@@ -135,6 +161,22 @@ macro_rules! quaternions {
                 let (left, right) = pullback(cotangent.to_array());
                 (Self::from_array(left), $vector::from_array(right))
             }
+
+            #[inline(always)]
+            fn mul_jvp(
+                self,
+                rhs: $vector,
+                tangent: Self,
+                rhs_tangent: $vector,
+            ) -> ($vector, $vector) {
+                let (_, along) = rotated::jvp(
+                    self.to_array(),
+                    rhs.to_array(),
+                    tangent.to_array(),
+                    rhs_tangent.to_array(),
+                );
+                (self * rhs, $vector::from_array(along))
+            }
         }
 
         impl MulPullback<$scalar> for $quat {
@@ -142,6 +184,17 @@ macro_rules! quaternions {
             fn mul_pullback(self, rhs: $scalar, cotangent: Self) -> (Self, $scalar) {
                 let (left, right) = $vector4::from(self).mul_pullback(rhs, cotangent.into());
                 (Self::from_vec4(left), right)
+            }
+
+            #[inline(always)]
+            fn mul_jvp(
+                self,
+                rhs: $scalar,
+                tangent: Self,
+                rhs_tangent: $scalar,
+            ) -> (Self, Self) {
+                let along = bilinear(|a: Self, b: $scalar| a * b, (self, rhs), (tangent, rhs_tangent));
+                (self * rhs, along)
             }
         }
 

@@ -21,6 +21,19 @@ impl swap {
         core::mem::swap(a, b);
         ((), |(), a, b| (b, a))
     }
+
+    /// The tangents change places too.
+    #[inline(always)]
+    pub fn jvp<T: Differentiable>(
+        a: &mut T,
+        b: &mut T,
+        a_dot: &mut Tangent<T>,
+        b_dot: &mut Tangent<T>,
+    ) -> ((), ()) {
+        core::mem::swap(a, b);
+        core::mem::swap(a_dot, b_dot);
+        ((), ())
+    }
 }
 
 /// The derivative of `core::mem::replace`.
@@ -36,6 +49,17 @@ impl replace {
     ) -> (T, impl FnOnce(Tangent<T>, Tangent<T>) -> (Tangent<T>, Tangent<T>) + use<T>) {
         (core::mem::replace(place, value), |before, after| (before, after))
     }
+
+    /// The tangent of what was there; that of the new value takes its place.
+    #[inline(always)]
+    pub fn jvp<T: Differentiable>(
+        place: &mut T,
+        value: T,
+        place_dot: &mut Tangent<T>,
+        value_dot: Tangent<T>,
+    ) -> (T, Tangent<T>) {
+        (core::mem::replace(place, value), core::mem::replace(place_dot, value_dot))
+    }
 }
 
 /// The derivative of `core::mem::take`.
@@ -48,5 +72,15 @@ impl take {
         place: &mut T,
     ) -> (T, impl FnOnce(Tangent<T>, Tangent<T>) -> Tangent<T> + use<T>) {
         (core::mem::take(place), |before, _| before)
+    }
+
+    /// The tangent of what was there.
+    #[inline(always)]
+    pub fn jvp<T: Differentiable + Default>(
+        place: &mut T,
+        place_dot: &mut Tangent<T>,
+    ) -> (T, Tangent<T>) {
+        let value = core::mem::take(place);
+        (value, core::mem::replace(place_dot, crate::rt::zero_like(place)))
     }
 }

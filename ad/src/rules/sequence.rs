@@ -166,7 +166,7 @@ pub trait SequenceRules: Differentiable<Tangent: Elements<Tangent<Self::Element>
 }
 
 /// Sorts, and returns where each element came from.
-fn sorted_from<T>(
+pub(super) fn sorted_from<T>(
     elements: &mut [T],
     compare: &mut dyn FnMut(&T, &T) -> core::cmp::Ordering,
 ) -> Vec<usize> {

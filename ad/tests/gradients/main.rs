@@ -1,6 +1,7 @@
 //! Gradients written at compile time against two oracles that share no code with them: finite
 //! differences with step control, and dual numbers.
 
+mod forward;
 #[cfg(feature = "lanes")]
 mod lanes;
 mod language;

@@ -59,9 +59,32 @@ pub fn assert_tape_gradient(what: &str, f: impl Fn(&[Var]) -> Var, x: &[f64], gr
     }
 }
 
+/// Asserts that `forward`, a function of point and direction, gives the value and the products of
+/// the gradient with directions: each coordinate, and one across.
+#[track_caller]
+pub fn assert_forward(
+    what: &str,
+    forward: impl Fn(&[f64], &[f64]) -> (f64, f64),
+    x: &[f64],
+    value: f64,
+    gradient: &[f64],
+) {
+    let unit = |i: usize| (0..x.len()).map(|k| if k == i { 1.0 } else { 0.0 }).collect();
+    let across = (0..x.len()).map(|k| 0.7 - 1.3 * (k as f64).sin()).collect();
+    let directions = (0..x.len()).map(unit).chain([across]).collect::<Vec<Vec<f64>>>();
+    for direction in directions {
+        let (pushed_value, pushed) = forward(x, &direction);
+        let what = format!("{what} at {x:?}, forward along {direction:?}");
+        assert_eq!(pushed_value.to_bits(), value.to_bits(), "{what}: the value");
+        let products = gradient.iter().zip(&direction).filter(|(_, d)| **d != 0.0);
+        let expected = products.map(|(g, d)| g * d).sum::<f64>();
+        assert_close(&what, pushed, expected, 1e-10);
+    }
+}
+
 /// Checks the gradient of a function of `f64`s at each of several points: the value bit for bit,
 /// each derivative against finite differences.
-macro_rules! check {
+macro_rules! check_reverse {
     ($f:ident($($x:ident),+) at $([$($value:expr),+]),+ $(,)?) => {
         for point in [$([$($value as f64),+]),+] {
             let [$($x),+] = point;
@@ -79,9 +102,28 @@ macro_rules! check {
     };
 }
 
+/// [`check_reverse`], and the same for forward mode.
+macro_rules! check {
+    ($f:ident($($x:ident),+) at $([$($value:expr),+]),+ $(,)?) => {
+        $crate::oracle::check_reverse!($f($($x),+) at $([$($value),+]),+);
+        for point in [$([$($value as f64),+]),+] {
+            let [$($x),+] = point;
+            let (value, gradient) = $f::value_and_grad($($x),+);
+            let ($($x),+) = gradient;
+            let gradient = [$($x),+];
+            let forward = |x: &[f64], direction: &[f64]| {
+                let [$($x),+] = *x else { unreachable!() };
+                let mut direction = direction.iter().copied();
+                $f::jvp($($x,)+ $({ let $x = direction.next().unwrap(); $x }),+)
+            };
+            $crate::oracle::assert_forward(stringify!($f), forward, &point, value, &gradient);
+        }
+    };
+}
+
 /// [`check`] of a function generic over `S: Real`, which runs on dual numbers too, and in single
 /// precision.
-macro_rules! check_generic {
+macro_rules! check_generic_reverse {
     ($f:ident($($x:ident),+) at $([$($value:expr),+]),+ $(,)?) => {
         for point in [$([$($value as f64),+]),+] {
             let name = stringify!($f);
@@ -120,4 +162,24 @@ macro_rules! check_generic {
     };
 }
 
-pub(crate) use {check, check_generic};
+/// [`check_generic_reverse`], and the same for forward mode.
+macro_rules! check_generic {
+    ($f:ident($($x:ident),+) at $([$($value:expr),+]),+ $(,)?) => {
+        $crate::oracle::check_generic_reverse!($f($($x),+) at $([$($value),+]),+);
+        for point in [$([$($value as f64),+]),+] {
+            let name = stringify!($f);
+            let [$($x),+] = point;
+            let (value, gradient) = $f::value_and_grad::<f64>($($x),+);
+            let ($($x),+) = gradient;
+            let gradient = [$($x),+];
+            let forward = |x: &[f64], direction: &[f64]| {
+                let [$($x),+] = *x else { unreachable!() };
+                let mut direction = direction.iter().copied();
+                $f::jvp::<f64>($($x,)+ $({ let $x = direction.next().unwrap(); $x }),+)
+            };
+            $crate::oracle::assert_forward(name, forward, &point, value, &gradient);
+        }
+    };
+}
+
+pub(crate) use {check, check_generic, check_generic_reverse, check_reverse};

@@ -21,7 +21,7 @@ fn gradients_are_those_of_the_oracles() {
     let (mut smooth, mut checked) = (0, 0);
     for program in programs::PROGRAMS {
         for (x, y) in POINTS {
-            let Program { name, plain, gradient, dual, taped } = program;
+            let Program { name, plain, gradient, forward, dual, taped } = program;
             let (value, (by_x, by_y)) = gradient(x, y);
             assert_eq!(value.to_bits(), plain(x, y).to_bits(), "{name} at ({x}, {y})");
             if !value.is_finite() {
@@ -42,6 +42,12 @@ fn gradients_are_those_of_the_oracles() {
             let (_, on_tape) = tape::gradient(|v| taped(v[0], v[1]), &[x, y]);
             check("tape", by_x, on_tape[0], TOLERANCE);
             check("tape", by_y, on_tape[1], TOLERANCE);
+
+            for (along, expected) in [((1.0, 0.0), by_x), ((0.0, 1.0), by_y)] {
+                let (pushed, slope) = forward(x, y, along.0, along.1);
+                assert_eq!(pushed.to_bits(), value.to_bits(), "{name} at ({x}, {y})");
+                check("reverse mode", slope, expected, TOLERANCE);
+            }
 
             // Between two steps the program may take another path.
             for (got, estimate) in [

@@ -8,6 +8,7 @@ pub struct Program {
     pub name: &'static str,
     pub plain: fn(f64, f64) -> f64,
     pub gradient: fn(f64, f64) -> (f64, (f64, f64)),
+    pub forward: fn(f64, f64, f64, f64) -> (f64, f64),
     /// The oracles: the same function, written without the attribute.
     pub dual: fn(Dual<f64>, Dual<f64>) -> Dual<f64>,
     pub taped: fn(Var, Var) -> Var,
@@ -19,6 +20,7 @@ macro_rules! program {
             name: stringify!($name),
             plain: $name,
             gradient: $name::value_and_grad,
+            forward: $name::jvp,
             dual: $generic,
             taped: $generic,
         }

@@ -2,7 +2,7 @@
 
 use ad::{Differentiable, Real, differentiable};
 
-use crate::oracle::{assert_gradient, check, check_generic};
+use crate::oracle::{assert_gradient, check_generic_reverse, check_reverse};
 
 /// Simpson's rule.
 #[differentiable]
@@ -189,15 +189,15 @@ fn adaptive(x: f64, y: f64) -> f64 {
 
 #[test]
 fn closures_as_arguments() {
-    check!(captured_numbers(x, y) at [1.3, 0.7], [-0.4, 2.1]);
-    check!(roots(x, y) at [1.3, 0.7], [0.4, 2.1]);
-    check!(oscillator(x, y) at [1.3, 0.7], [0.4, 2.1]);
-    check!(outermost(x, y) at [1.3, 0.7], [-0.4, 2.1]);
-    check!(within_loops(x, y) at [1.3, 0.7], [-0.4, 2.1]);
-    check!(partial(x, y) at [0.3, 0.7], [0.9, 0.4], [0.4, 2.1]);
-    check!(nothing_captured(x, y) at [1.3, 0.7], [-0.4, 2.1]);
-    check!(adaptive(x, y) at [1.3, 0.7], [-0.4, 2.1]);
-    check_generic!(generic_call(x, y) at [1.3, 0.7], [-0.4, 2.1]);
+    check_reverse!(captured_numbers(x, y) at [1.3, 0.7], [-0.4, 2.1]);
+    check_reverse!(roots(x, y) at [1.3, 0.7], [0.4, 2.1]);
+    check_reverse!(oscillator(x, y) at [1.3, 0.7], [0.4, 2.1]);
+    check_reverse!(outermost(x, y) at [1.3, 0.7], [-0.4, 2.1]);
+    check_reverse!(within_loops(x, y) at [1.3, 0.7], [-0.4, 2.1]);
+    check_reverse!(partial(x, y) at [0.3, 0.7], [0.9, 0.4], [0.4, 2.1]);
+    check_reverse!(nothing_captured(x, y) at [1.3, 0.7], [-0.4, 2.1]);
+    check_reverse!(adaptive(x, y) at [1.3, 0.7], [-0.4, 2.1]);
+    check_generic_reverse!(generic_call(x, y) at [1.3, 0.7], [-0.4, 2.1]);
 }
 
 #[test]

@@ -202,15 +202,24 @@ mod special {
     }
 }
 
-#[differentiable(vjp = softplus_vjp)]
+#[differentiable(vjp = softplus_vjp, jvp = softplus_jvp)]
 use special::softplus;
 
 fn softplus_vjp(x: f64) -> (f64, impl FnOnce(f64) -> f64) {
     (special::softplus(x), move |cotangent| cotangent / (1.0 + (-x).exp()))
 }
 
-#[differentiable(vjp = norm_vjp)]
+fn softplus_jvp(x: f64, x_dot: f64) -> (f64, f64) {
+    (special::softplus(x), x_dot / (1.0 + (-x).exp()))
+}
+
+#[differentiable(vjp = norm_vjp, jvp = norm_jvp)]
 pub(crate) use special::norm as length;
+
+pub(crate) fn norm_jvp(xs: &[f64], xs_dot: &[f64]) -> (f64, f64) {
+    let norm = special::norm(xs);
+    (norm, xs.iter().zip(xs_dot).map(|(x, x_dot)| x * x_dot / norm).sum())
+}
 
 pub(crate) fn norm_vjp(xs: &[f64]) -> (f64, impl FnOnce(f64) -> Vec<f64> + use<>) {
     let (norm, xs) = (special::norm(xs), xs.to_vec());
@@ -219,12 +228,12 @@ pub(crate) fn norm_vjp(xs: &[f64]) -> (f64, impl FnOnce(f64) -> Vec<f64> + use<>
 
 #[differentiable]
 impl Series {
-    #[differentiable(vjp = Self::sum_rule)]
+    #[differentiable(vjp = Self::sum_rule, jvp = Self::sum_forward)]
     fn sum(&self, by: f64) -> f64 {
         self.x + self.y * by
     }
 
-    #[differentiable(boxed, vjp = product_rule)]
+    #[differentiable(boxed, vjp = product_rule, jvp = product_forward)]
     fn product(&mut self, by: f64) {
         self.x *= by;
     }
@@ -235,6 +244,21 @@ impl Series {
         let y = self.y;
         (self.sum(by), move |bar| (SeriesTangent { x: bar, y: by * bar }, y * bar))
     }
+
+    fn sum_forward(&self, by: f64, self_dot: &SeriesTangent, by_dot: f64) -> (f64, f64) {
+        (self.sum(by), self_dot.x + self_dot.y * by + self.y * by_dot)
+    }
+}
+
+fn product_forward(
+    series: &mut Series,
+    by: f64,
+    series_dot: &mut SeriesTangent,
+    by_dot: f64,
+) -> ((), ()) {
+    series_dot.x = series_dot.x * by + series.x * by_dot;
+    series.product(by);
+    ((), ())
 }
 
 fn product_rule(

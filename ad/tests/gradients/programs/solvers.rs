@@ -169,10 +169,10 @@ fn spline(x: f64, y: f64) -> f64 {
 
 #[test]
 fn solvers() {
-    use crate::oracle::check;
+    use crate::oracle::{check, check_reverse};
     check!(orbit(mean, eccentricity) at [0.7, 0.3], [2.4, 0.9], [-1.1, 0.05]);
-    check!(implied(a, b) at [0.9, 2.0], [0.5, 3.0]);
-    check!(pendulums(k, c) at [1.3, 0.7], [0.4, 2.1]);
+    check_reverse!(implied(a, b) at [0.9, 2.0], [0.5, 3.0]);
+    check_reverse!(pendulums(k, c) at [1.3, 0.7], [0.4, 2.1]);
     check!(heat(alpha, source) at [1.3, 0.7], [0.4, 2.1]);
     check!(spline(x, y) at [1.3, 0.7], [2.4, -0.9], [0.2, 1.9]);
 }

@@ -1,0 +1,182 @@
+//! Branches, loops and builds.
+
+use proc_macro2::TokenStream;
+use quote::quote;
+
+use super::{Tangent, Writer};
+use crate::ir::{
+    Branch, BranchKind, Build, BuildSource, Head, Loop, Operand, Operation, Statement,
+};
+
+impl Writer<'_> {
+    pub(super) fn branch(&mut self, branch: &Branch) -> TokenStream {
+        let source = match &branch.kind {
+            BranchKind::If(_) => None,
+            BranchKind::Match(_, source) => source.as_ref(),
+        };
+        let arms: Vec<_> = branch
+            .arms
+            .iter()
+            .map(|arm| {
+                // Positions that count from the end are computed first.
+                let is_position = |statement: &Statement| match statement {
+                    Statement::Define { var, operation: Operation::Use(operand), .. } => {
+                        matches!(operand, Operand::Constant(_)) && !self.lowered.vars[*var].active
+                    }
+                    _ => false,
+                };
+                let first = arm.body.statements.iter().take_while(|s| is_position(s)).count();
+                let (positions, rest) = arm.body.statements.split_at(first);
+                let positions = self.statements(positions);
+                let bound = self.bindings(&arm.bindings, source);
+                let statements = self.statements(rest);
+                quote!(#positions #bound #statements)
+            })
+            .collect();
+        let result = branch.result;
+        let moves = result.is_some_and(|result| self.lowered.vars[result].active)
+            && branch.arms.iter().any(|arm| !self.is_still(&arm.body.value));
+        let bodies = branch.arms.iter().zip(arms).map(|(arm, statements)| {
+            let value = match (result, moves) {
+                (None, _) => TokenStream::new(),
+                (Some(_), true) => self.pair(&arm.body.value),
+                (Some(_), false) => self.tokens(&arm.body.value),
+            };
+            quote!({ #statements #value })
+        });
+        let bodies: Vec<_> = bodies.collect();
+        let choice = match &branch.kind {
+            BranchKind::If(condition) => {
+                let (then, otherwise) = (&bodies[0], &bodies[1]);
+                quote!(if #condition #then else #otherwise)
+            }
+            BranchKind::Match(matched, _) => {
+                let arms = branch.arms.iter().zip(bodies).map(|(arm, body)| {
+                    let pattern = &arm.pattern;
+                    let guard = arm.guard.as_ref().map(|guard| quote!(if #guard));
+                    quote!(#pattern #guard => #body)
+                });
+                quote!(match #matched { #(#arms)* })
+            }
+        };
+        match result {
+            None => choice,
+            Some(result) if moves => {
+                let ident = self.ident(result).clone();
+                let dot = self.new_dot(result, Tangent::OwnedTarget);
+                quote!(let (#ident, #dot) = #choice;)
+            }
+            Some(result) => {
+                let ident = self.ident(result);
+                quote!(let #ident = #choice;)
+            }
+        }
+    }
+
+    pub(super) fn a_loop(&mut self, a_loop: &Loop) -> TokenStream {
+        let Loop { head, body, natural_end, .. } = a_loop;
+        let statements = self.block(body);
+        let value = self.tokens(&body.value);
+        let flow = match &body.value {
+            Operand::Var(flow) if !self.is_still(&body.value) => Some(*flow),
+            _ => None,
+        };
+        let result = a_loop.result.map(|result| self.ident(result).clone());
+        let moves = a_loop.result.zip(flow);
+        // A body that always leaves does not tell the type of `Continue`.
+        let content = quote!(::core::ops::ControlFlow::<_, ()>::Break(content));
+        let exit = match (a_loop.breaks, &result, head, moves) {
+            (false, ..) => None,
+            (true, _, Head::Loop, Some((_, flow))) => {
+                let dot = self.dot(flow);
+                Some(quote!(if let #content = #value { break (content, #dot.0); }))
+            }
+            (true, _, Head::Loop, None) => {
+                Some(quote!(if let #content = #value { break content; }))
+            }
+            (true, None, ..) => Some(quote!(if #value.is_break() { break; })),
+            (true, Some(result), _, Some((target, flow))) => {
+                let (dot, from) = (self.dot(target), self.dot(flow));
+                Some(quote! {
+                    if let #content = #value {
+                        #result = content;
+                        #dot = #from.0;
+                        break;
+                    }
+                })
+            }
+            (true, Some(result), _, None) => {
+                Some(quote!(if let #content = #value { #result = content; break; }))
+            }
+        };
+        let iteration = quote!({ #statements #exit });
+        let dot = moves.map(|(target, _)| self.new_dot(target, Tangent::OwnedTarget));
+        match (head, result, dot) {
+            (Head::Loop, Some(result), Some(dot)) => {
+                quote!(let (#result, #dot) = loop #iteration;)
+            }
+            (Head::Loop, Some(result), None) => quote!(let #result = loop #iteration;),
+            (Head::Loop, None, _) => quote!(loop #iteration),
+            (head, result, dot) => {
+                let result = result.map(|result| match &dot {
+                    Some(dot) => quote! {
+                        let (mut #result, mut #dot) = ::ad::rt::with_zero(#natural_end);
+                    },
+                    None => quote!(let mut #result = #natural_end;),
+                });
+                let head = match head {
+                    Head::For { pattern, iterator, .. } => quote!(for #pattern in #iterator),
+                    Head::While(condition) => quote!(while #condition),
+                    Head::Loop => unreachable!("handled above"),
+                };
+                quote!(#result #head #iteration)
+            }
+        }
+    }
+
+    pub(super) fn build(&mut self, build: &Build) -> TokenStream {
+        let Build { result, source, ty, body, .. } = build;
+        let statements = self.block(body);
+        let moves = self.lowered.vars[*result].active && !self.is_still(&body.value);
+        let element = match moves {
+            true => self.pair(&body.value),
+            false => self.tokens(&body.value),
+        };
+        let element = quote!({ #statements #element });
+        let built = match (source, moves) {
+            (BuildSource::Index { index, like }, _) => {
+                let index = self.ident(*index);
+                let function = quote!(|#index: usize| #element);
+                match (like, moves) {
+                    (Some(like), true) => quote!(::ad::rt::record_like(&#like, #function)),
+                    (Some(like), false) => quote!(::ad::rt::build_like(&#like, #function)),
+                    (None, true) => quote!(::ad::rt::record(#function)),
+                    (None, false) => quote!(::core::array::from_fn(#function)),
+                }
+            }
+            (BuildSource::Items { pattern, iterator, .. }, true) => {
+                quote!((#iterator).map(|#pattern| #element).unzip())
+            }
+            (BuildSource::Items { pattern, iterator, .. }, false) => {
+                quote!((#iterator).map(|#pattern| #element).collect())
+            }
+        };
+        let ident = self.ident(*result).clone();
+        let is_vec = matches!(source, BuildSource::Items { .. });
+        let ty = match (ty, is_vec) {
+            (Some(ty), _) => Some(quote!(#ty)),
+            (None, true) => Some(quote!(::std::vec::Vec<_>)),
+            (None, false) => None,
+        };
+        if !moves {
+            let ty = ty.map(|ty| quote!(: #ty));
+            return quote!(let #ident #ty = #built;);
+        }
+        let dot = self.new_dot(*result, Tangent::Owned);
+        let ty = match is_vec {
+            true => Some(quote!(: (#ty, ::std::vec::Vec<_>))),
+            false => ty.map(|ty| quote!(: (#ty, _))),
+        };
+        quote!(let (#ident, #dot) #ty = #built;)
+    }
+}

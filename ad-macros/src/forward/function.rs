@@ -1,0 +1,182 @@
+//! The function `jvp` around the forward mode.
+
+use proc_macro2::{Ident, Span, TokenStream};
+use quote::{ToTokens, format_ident, quote, quote_spanned};
+use syn::spanned::Spanned;
+use syn::{FnArg, Type};
+
+use super::Tangent;
+use crate::expand::{Function, Place};
+use crate::signature::{Parameter, is_discrete, pointee};
+
+/// What the tangent of a parameter is.
+pub(super) fn tangent_of_parameter(parameter: &Parameter) -> Tangent {
+    match parameter {
+        _ if parameter.is_constant || is_still(&parameter.ty) => Tangent::Still,
+        Parameter { is_exclusive: true, .. } => Tangent::Exclusive,
+        Parameter { is_shared: true, .. } => Tangent::Shared,
+        _ => Tangent::Owned,
+    }
+}
+
+/// Whether a value of this type, or each of its elements, certainly has no derivative.
+fn is_still(ty: &Type) -> bool {
+    match pointee(ty) {
+        Type::Array(array) => is_still(&array.elem),
+        Type::Slice(slice) => is_still(&slice.elem),
+        ty => is_discrete(ty) || element_of_vec(ty).is_some_and(is_still),
+    }
+}
+
+/// Whether the type is that of a number or a vector.
+pub(super) fn is_number(ty: &Type) -> bool {
+    const NUMBERS: [&str; 8] = ["f32", "f64", "Vec2", "Vec3", "Vec4", "DVec2", "DVec3", "DVec4"];
+    matches!(ty, Type::Path(path)
+        if path.path.get_ident().is_some_and(|ident| NUMBERS.iter().any(|name| ident == name)))
+}
+
+/// Whether the type is that of a sequence of numbers, or a reference to one.
+pub(super) fn is_made_of_numbers(ty: &Type) -> bool {
+    match pointee(ty) {
+        Type::Array(array) => is_number(&array.elem),
+        Type::Slice(slice) => is_number(&slice.elem),
+        ty => element_of_vec(ty).is_some_and(is_number),
+    }
+}
+
+/// `T` of `Vec<T>`
+fn element_of_vec(ty: &Type) -> Option<&Type> {
+    let Type::Path(path) = ty else { return None };
+    let last = path.path.segments.last().filter(|last| last.ident == "Vec")?;
+    let syn::PathArguments::AngleBracketed(arguments) = &last.arguments else { return None };
+    match arguments.args.first()? {
+        syn::GenericArgument::Type(element) => Some(element),
+        _ => None,
+    }
+}
+
+/// Whether the type is that of a slice or a `Vec`, or a reference to one.
+pub(super) fn has_length(ty: &Type) -> bool {
+    let ty = pointee(ty);
+    matches!(ty, Type::Slice(_)) || element_of_vec(ty).is_some()
+}
+
+/// The type of the tangent of a parameter: a reference where the parameter is one.
+fn tangent_type(parameter: &Parameter) -> TokenStream {
+    let ty = pointee(&parameter.ty);
+    let span = ty.span();
+    if parameter.is_constant {
+        return quote_spanned!(span=> ::ad::NoTangent<#ty>);
+    }
+    let tangent = match ty {
+        Type::Slice(slice) => {
+            let element = &slice.elem;
+            quote_spanned!(span=> [::ad::Tangent<#element>])
+        }
+        ty => quote_spanned!(span=> ::ad::Tangent<#ty>),
+    };
+    match parameter {
+        Parameter { is_exclusive: true, .. } => quote!(&mut #tangent),
+        Parameter { is_shared: true, .. } => quote!(&#tangent),
+        _ => tangent,
+    }
+}
+
+/// The name of the forward mode of a function.
+fn name(function: &Function<'_>) -> Ident {
+    let name = &function.signature.ident;
+    match function.place {
+        Place::Free => Ident::new("jvp", name.span()),
+        _ => format_ident!("{name}_jvp"),
+    }
+}
+
+/// Names for the tangents of parameters, where no body tells of any.
+pub fn names_of_tangents(parameters: &[Parameter]) -> Vec<Ident> {
+    let taken = |name: &Ident| parameters.iter().any(|parameter| parameter.ident == *name);
+    let name = |parameter: &Parameter| {
+        let mut dot = format_ident!("{}_dot", parameter.ident, span = Span::mixed_site());
+        while taken(&dot) {
+            dot = format_ident!("{dot}_", span = Span::mixed_site());
+        }
+        dot
+    };
+    parameters.iter().map(name).collect()
+}
+
+/// The forward mode of a function as a rule written by hand gives it: as `jvp` itself, or by way of
+/// the pullback.
+pub fn delegated(function: &Function<'_>, parameters: &[Parameter]) -> Option<TokenStream> {
+    let arguments = parameters.iter().map(|parameter| &parameter.ident);
+    let tangents = names_of_tangents(parameters);
+    match (&function.options.jvp, &function.options.vjp) {
+        (Some(rule), _) => {
+            Some(quote_spanned!(rule.span()=> { #rule(#(#arguments,)* #(#tangents),*) }))
+        }
+        (None, Some(rule)) => {
+            let call = quote_spanned!(rule.span()=> #rule(#(#arguments),*));
+            let tangents = crate::sweep::tuple_or_one(
+                &tangents.iter().map(ToTokens::to_token_stream).collect::<Vec<_>>(),
+            );
+            Some(quote! {
+                {
+                    #[allow(unused_imports)]
+                    use ::ad::rt::{ByPullback as _, WithoutRule as _};
+                    let (value, pullback) = #call;
+                    (&&::ad::rt::Through::new(value, pullback, #tangents)).push_forward()
+                }
+            })
+        }
+        (None, None) => None,
+    }
+}
+
+/// The forward mode as a function.
+pub fn item(
+    function: &Function<'_>,
+    parameters: &[Parameter],
+    result: &Type,
+    bounds: &[TokenStream],
+    tangents: &[Ident],
+    body: Option<&TokenStream>,
+) -> TokenStream {
+    let Function { place, visibility, attributes, callables, .. } = function;
+    let signature = &callables.signature;
+    let jvp = name(function);
+    let inputs = signature.inputs.iter().zip(parameters).map(|(input, parameter)| match input {
+        FnArg::Receiver(receiver) => quote!(#receiver),
+        FnArg::Typed(typed) => {
+            let (ident, ty) = (&parameter.ident, &typed.ty);
+            quote!(#ident: #ty)
+        }
+    });
+    let tangents = tangents.iter().zip(parameters).map(|(ident, parameter)| {
+        let ty = tangent_type(parameter);
+        let mutability = parameter.is_mutable_receiver.then(|| quote!(mut));
+        quote!(#mutability #ident: #ty)
+    });
+    let parameters = &signature.generics.params;
+    let generics = (!parameters.is_empty()).then(|| quote!(<#parameters>));
+    let target = pointee(result);
+    let tangent = quote_spanned!(target.span()=> ::ad::Tangent<#target>);
+    let cfgs = attributes.iter().filter(|attribute| attribute.path().is_ident("cfg"));
+    let doc = format!(
+        "The value of `{}` and its derivative along the tangents of the parameters.",
+        signature.ident
+    );
+    let visibility = match place {
+        Place::Free => quote!(pub),
+        Place::Impl(_) => quote!(#visibility),
+        Place::Trait(_) | Place::TraitImpl(_) => quote!(),
+    };
+    let body = body.map_or_else(|| quote!(;), ToTokens::to_token_stream);
+    quote! {
+        #(#cfgs)*
+        #[doc = #doc]
+        #[allow(unused, non_snake_case, refining_impl_trait, clippy::all, clippy::pedantic, clippy::nursery)]
+        #[inline]
+        #visibility fn #jvp #generics (#(#inputs,)* #(#tangents),*) -> (#result, #tangent)
+        where #(#bounds),*
+        #body
+    }
+}

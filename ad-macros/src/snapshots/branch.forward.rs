@@ -1,0 +1,30 @@
+impl softened {
+    pub fn jvp(
+        x: f32,
+        limit: f32,
+        x_dot: ::ad::Tangent<f32>,
+        limit_dot: ::ad::Tangent<f32>,
+    ) -> (f32, ::ad::Tangent<f32>) {
+        #[allow(unused_imports)]
+        use ::ad::rt::methods::*;
+        let (value, value_dot) = if x > limit {
+            let (receiver, receiver_dot) = ::ad::rules::SubPullback::sub_jvp(
+                x,
+                limit,
+                x_dot,
+                limit_dot,
+            );
+            let (ln_1p, ln_1p_dot) = receiver.ln_1p_jvp(::ad::rt::pass(&receiver_dot));
+            let (sum, sum_dot) = ::ad::rules::AddPullback::add_jvp(
+                limit,
+                ln_1p,
+                limit_dot,
+                ln_1p_dot,
+            );
+            (sum, sum_dot)
+        } else {
+            (x, x_dot)
+        };
+        (value, value_dot)
+    }
+}

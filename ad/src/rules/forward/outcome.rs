@@ -1,0 +1,131 @@
+//! Methods that take the content out of an `Option` or a `Result`.
+
+use core::fmt::Debug;
+
+use crate::rules::{CopiedRules, OptionRules, ResultRules};
+use crate::{Differentiable, Tangent};
+
+/// The `_jvp` siblings of the methods of options. The tangent of an option is that of its content.
+pub trait OptionForward: OptionRules {
+    /// Panics on `None`, as `unwrap` does.
+    fn unwrap_jvp(self, tangent: Tangent<Self::Content>)
+    -> (Self::Content, Tangent<Self::Content>);
+
+    /// Panics on `None`, as `expect` does.
+    fn expect_jvp(
+        self,
+        message: &str,
+        tangent: Tangent<Self::Content>,
+        _: &(),
+    ) -> (Self::Content, Tangent<Self::Content>);
+
+    /// The tangent of what was taken.
+    fn unwrap_or_jvp(
+        self,
+        default: Self::Content,
+        tangent: Tangent<Self::Content>,
+        default_tangent: Tangent<Self::Content>,
+    ) -> (Self::Content, Tangent<Self::Content>);
+}
+
+impl<T: Differentiable> OptionForward for Option<T> {
+    #[inline(always)]
+    #[track_caller]
+    fn unwrap_jvp(self, tangent: Tangent<T>) -> (T, Tangent<T>) {
+        (self.unwrap(), tangent)
+    }
+
+    #[inline(always)]
+    #[track_caller]
+    fn expect_jvp(self, message: &str, tangent: Tangent<T>, _: &()) -> (T, Tangent<T>) {
+        (self.expect(message), tangent)
+    }
+
+    #[inline(always)]
+    fn unwrap_or_jvp(
+        self,
+        default: T,
+        tangent: Tangent<T>,
+        default_tangent: Tangent<T>,
+    ) -> (T, Tangent<T>) {
+        match self {
+            Some(content) => (content, tangent),
+            None => (default, default_tangent),
+        }
+    }
+}
+
+/// The `_jvp` siblings of the methods of results.
+pub trait ResultForward: ResultRules {
+    /// Panics on `Err`, as `unwrap` does.
+    fn unwrap_jvp(self, tangent: Tangent<Self>) -> (Self::Value, Tangent<Self::Value>)
+    where
+        Self::Error: Debug;
+
+    /// Panics on `Err`, as `expect` does.
+    fn expect_jvp(
+        self,
+        message: &str,
+        tangent: Tangent<Self>,
+        _: &(),
+    ) -> (Self::Value, Tangent<Self::Value>)
+    where
+        Self::Error: Debug;
+}
+
+impl<T: Differentiable, E: Differentiable> ResultForward for Result<T, E> {
+    #[inline(always)]
+    #[track_caller]
+    fn unwrap_jvp(self, tangent: Tangent<Self>) -> (T, Tangent<T>)
+    where
+        E: Debug,
+    {
+        (self.unwrap(), tangent.0)
+    }
+
+    #[inline(always)]
+    #[track_caller]
+    fn expect_jvp(self, message: &str, tangent: Tangent<Self>, _: &()) -> (T, Tangent<T>)
+    where
+        E: Debug,
+    {
+        (self.expect(message), tangent.0)
+    }
+}
+
+/// The `_jvp` siblings of the methods of options of references.
+pub trait CopiedForward: CopiedRules {
+    /// The tangent of what is referred to.
+    fn copied_jvp(
+        self,
+        tangent: Tangent<Self::Target>,
+    ) -> (Option<Self::Target>, Tangent<Self::Target>)
+    where
+        Self::Target: Copy;
+
+    /// The tangent of what is referred to.
+    fn cloned_jvp(
+        self,
+        tangent: Tangent<Self::Target>,
+    ) -> (Option<Self::Target>, Tangent<Self::Target>)
+    where
+        Self::Target: Clone;
+}
+
+impl<T: Differentiable> CopiedForward for Option<&T> {
+    #[inline(always)]
+    fn copied_jvp(self, tangent: Tangent<T>) -> (Option<T>, Tangent<T>)
+    where
+        T: Copy,
+    {
+        (self.copied(), tangent)
+    }
+
+    #[inline(always)]
+    fn cloned_jvp(self, tangent: Tangent<T>) -> (Option<T>, Tangent<T>)
+    where
+        T: Clone,
+    {
+        (self.cloned(), tangent)
+    }
+}

@@ -1,0 +1,7 @@
+//! Forward mode, where the checks of gradients do not reach: rules written for it alone, singular
+//! points, the forms of parameters and results, and what is built on it.
+
+mod higher;
+mod parameters;
+mod rules;
+mod singular;
