@@ -8,7 +8,7 @@ use std::time::Instant;
 #[test]
 fn the_backward_pass_agrees_with_differences_and_is_faster() {
     let mut random = random::Random(1);
-    let scene = experiment::scene(8, 32, &mut random);
+    let scene = experiment::scene(8, 32, &mut random).unwrap();
     let problem = experiment::experiment(scene, &mut random);
     let recovery = experiment::recovery(&problem).unwrap();
     let mut objective = recovery.objective();
