@@ -1,6 +1,6 @@
 //! Names for generated variables: readable, and each used once.
 
-use std::collections::HashSet;
+use std::collections::{HashMap, HashSet};
 
 use proc_macro2::{Ident, Span, TokenStream, TokenTree};
 
@@ -8,6 +8,9 @@ use proc_macro2::{Ident, Span, TokenStream, TokenTree};
 pub struct Names {
     /// The names of the variables there are.
     variables: HashSet<String>,
+    /// How often a name was asked for by its start, so that the search for a free one need not start
+    /// from the first.
+    counts: HashMap<String, usize>,
     /// Whatever the user wrote.
     written: HashSet<String>,
 }
@@ -18,7 +21,7 @@ impl Names {
         let mut written = HashSet::new();
         collect(function, &mut written);
         let variables = parameters.into_iter().map(|ident| ident.to_string()).collect();
-        Self { variables, written }
+        Self { variables, counts: HashMap::new(), written }
     }
 
     /// A name that starts with `base`, for a generated variable. It is unique among these, and its
@@ -31,11 +34,12 @@ impl Names {
             None => (base, false),
         };
         let mut name = if is_raw { format!("{base}_0") } else { base.to_owned() };
-        let mut count = 1;
-        while !self.variables.insert(name.clone()) {
+        while self.variables.contains(&name) {
+            let count = self.counts.entry(base.to_owned()).or_insert(0);
+            *count += 1;
             name = format!("{base}_{count}");
-            count += 1;
         }
+        self.variables.insert(name.clone());
         Ident::new(&name, Span::mixed_site().located_at(span))
     }
 

@@ -16,7 +16,7 @@ mod products;
 mod pullback;
 
 pub use cotangent::{Absorb, At, Constant, Content, Enter, Length, Same, Take, at, sum, take};
-pub use products::{Products, ProductsOfFinite, rarely};
+pub use products::{Products, ProductsOfFinite, ProductsOutOfLine, rarely, scale};
 pub use pullback::MethodPullback;
 
 mod iterate;

@@ -41,6 +41,7 @@ pub fn scene(rings: u32, size: u32, lights: u32) -> Scene {
             intensity: 400.0 / f64::from(lights),
         })
     };
+    let empty = Scene::empty();
     Scene {
         width: size,
         height: size,
@@ -61,24 +62,18 @@ pub fn scene(rings: u32, size: u32, lights: u32) -> Scene {
                 exponent: 20.0,
                 reflection: DVec3::ZERO,
             }],
-            spheres: Vec::new(),
             vertices: vec![vertices],
             texture_coordinates: vec![Vec::new()],
-            textures: Vec::new(),
-            shapes: Vec::new(),
-            custom_lights: Vec::new(),
+            ..empty.parameters
         },
         light_names: (0..lights).map(|index| format!("light_{index}")).collect(),
         materials: vec![MaterialObject::new("clay")],
-        textures: Vec::new(),
-        spheres: Vec::new(),
-        shapes: Vec::new(),
-        custom_lights: Vec::new(),
         meshes: vec![MeshObject {
             name: "sphere".into(),
             materials: vec![0; triangles.len()],
             triangles,
             texture_triangles: Vec::new(),
         }],
+        ..empty
     }
 }

@@ -11,8 +11,29 @@ pub struct Error {
 }
 
 impl Error {
-    /// An error at `place`.
+    /// An error at `place`. Control characters, which names and broken files may bring along, are
+    /// written as escapes, so that it stays one line.
     pub fn new(place: impl ToString, problem: impl ToString) -> Self {
-        Self { place: place.to_string(), problem: problem.to_string() }
+        Self { place: escaped(place.to_string()), problem: escaped(problem.to_string()) }
+    }
+}
+
+fn escaped(text: String) -> String {
+    if !text.contains(char::is_control) {
+        return text;
+    }
+    let escape =
+        |c: char| if c.is_control() { c.escape_default().collect() } else { c.to_string() };
+    text.chars().map(escape).collect::<Vec<String>>().concat()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Error;
+
+    #[test]
+    fn every_error_is_one_line() {
+        let error = Error::new("a\nb.obj", "`\u{1b}[31m\r` is no täxt");
+        assert_eq!(error.to_string(), "a\\nb.obj: `\\u{1b}[31m\\r` is no täxt");
     }
 }

@@ -25,7 +25,7 @@
 //! intensity = 900.0
 //!
 //! [[mesh]]
-//! path = "tree.obj"
+//! path = "tree.obj"           # or .ply, .stl, .gltf, .glb (of which only the meshes are taken)
 //! name = "tree"               # optional: makes all objects of the file one mesh of this name
 //! material = "bark"           # optional: replaces the file's materials
 //!
@@ -53,6 +53,8 @@
 //! [optimize]                  # optional, and so is everything in it
 //! target = "photo.png"        # or [optimize.target_values], below
 //! loss = "mean_squared"       # or "sum_squared", "l1"
+//! optimizer = "adam"          # or "adamw", "sgd" (needs a learning rate), "rmsprop", "lbfgs"
+//! schedule = "constant"       # of the learning rates; or "exponential", "step", "cosine"
 //! learning_rate = 0.05
 //! iterations = 500
 //! tolerance = 1e-8            # on the loss
@@ -63,6 +65,15 @@
 //! learning_rate = 0.1
 //! min = -20.0                 # one number, or one for each of the parameter's
 //! max = [20.0, 20.0, 20.0]
+//! ```
+//!
+//! An optimizer or a schedule whose numbers are not the default ones is a table; their fields are
+//! those of [`Optimizer`] and [`Schedule`]:
+//!
+//! ```toml
+//! [optimize]
+//! optimizer = { type = "sgd", momentum = 0.5 }
+//! schedule = { type = "exponential", end = 0.1 }
 //! ```
 //!
 //! Instead of an image, `[optimize.target_values]` may give the true values of some parameters; the
@@ -77,8 +88,9 @@
 use std::path::{Path, PathBuf};
 
 use crate::Error;
-use crate::files::scene_file;
+use crate::files::{MeshFormat, scene_file};
 use crate::loss::LossKind;
+use crate::optimize::{Optimizer, Schedule};
 use crate::scene::{ParameterId, Scene};
 
 /// A scene and, if its file says so, an optimisation.
@@ -100,6 +112,10 @@ pub struct OptimizeSection {
     pub parameters: Vec<TunedParameter>,
     /// How to measure the distance to the target.
     pub loss: Option<LossKind>,
+    /// The method.
+    pub optimizer: Option<Optimizer>,
+    /// How the learning rates change in the course of the run.
+    pub schedule: Option<Schedule>,
     /// The learning rate of parameters that name none; above 0.
     pub learning_rate: Option<f64>,
     /// Stop after so many steps.
@@ -133,18 +149,18 @@ pub struct TunedParameter {
 }
 
 impl Experiment {
-    /// Reads a scene file, or an `.obj`, which is then framed and lit by default: the camera looks
-    /// at the centre of the bounding box from the front, to the right and above; a point light
-    /// `key` stands above the camera.
+    /// Reads a scene file, or a mesh ([`load_mesh`](crate::files::load_mesh)), which is then framed
+    /// and lit by default: the camera looks at the centre of the bounding box from the front, to the
+    /// right and above; a point light `key` stands above the camera. A camera and lights that a glTF
+    /// file brings along replace these.
     ///
     /// # Errors
     ///
     /// If a file cannot be read, is broken, or describes what cannot be rendered. The message names
     /// the file and, where it can, the line and the field.
     pub fn load(path: &Path) -> Result<Self, Error> {
-        let is_obj = path.extension().is_some_and(|e| e.eq_ignore_ascii_case("obj"));
-        if is_obj {
-            let scene = scene_file::load_obj_scene(path)?;
+        if MeshFormat::of(path).is_some() {
+            let scene = scene_file::load_mesh_scene(path)?;
             return Ok(Self { scene, optimize: None });
         }
         scene_file::load(path)

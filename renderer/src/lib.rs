@@ -16,6 +16,7 @@ pub mod arithmetic;
 pub mod atomic_file;
 pub mod cli;
 pub mod demo;
+pub mod display;
 mod error;
 pub mod experiment;
 pub mod files;
@@ -26,6 +27,7 @@ pub mod loss;
 pub mod optimize;
 pub mod precision;
 pub mod recovery;
+pub mod report;
 pub mod scene;
 
 pub use error::Error;

@@ -19,6 +19,7 @@ pub fn small_scene(size: u32) -> Scene {
         exponent,
         reflection: DVec3::ZERO,
     };
+    let empty = Scene::empty();
     Scene {
         width: size,
         height: size / 2 + 3,
@@ -53,15 +54,10 @@ pub fn small_scene(size: u32) -> Scene {
                 vec![[0.4, 0.0, 0.6], [1.6, 0.1, 0.5], [1.0, 1.3, 0.2], [1.8, 0.9, -0.6]],
             ],
             texture_coordinates: vec![Vec::new(); 2],
-            textures: Vec::new(),
-            shapes: Vec::new(),
-            custom_lights: Vec::new(),
+            ..empty.parameters
         },
         light_names: vec!["key".into(), "sky".into()],
         materials: vec![MaterialObject::new("ground"), MaterialObject::new("object")],
-        textures: Vec::new(),
-        shapes: Vec::new(),
-        custom_lights: Vec::new(),
         spheres: vec![SphereObject { name: "ball".into(), material: 1 }],
         meshes: vec![
             MeshObject {
@@ -77,6 +73,7 @@ pub fn small_scene(size: u32) -> Scene {
                 texture_triangles: Vec::new(),
             },
         ],
+        ..empty
     }
 }
 

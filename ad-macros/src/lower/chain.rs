@@ -39,7 +39,7 @@ pub(super) enum Chain {
     /// `.filter_map(function)`, and with `stops` `.map_while(function)`.
     FilterMap { inner: Box<Chain>, function: Expr, stops: bool },
     /// `.flat_map(function)`, `.flatten()`
-    Flat(Box<Chain>, Option<Expr>),
+    Flat { inner: Box<Chain>, function: Option<Expr>, method: Ident },
     /// `.filter(predicate)`; what follows runs only where it holds.
     Filter(Box<Chain>, Expr),
     /// `.take_while(predicate)`
@@ -55,7 +55,7 @@ impl Chain {
     pub fn length(&self) -> Option<usize> {
         match self {
             Self::Constant { length, .. } | Self::Elements { length, .. } => *length,
-            Self::Runs { .. } | Self::Refused | Self::Flat(..) => None,
+            Self::Runs { .. } | Self::Refused | Self::Flat { .. } => None,
             Self::Chained(left, right) => Some(left.length()? + right.length()?),
             Self::FilterMap { inner, .. } => inner.length(),
             Self::Enumerate(inner)
@@ -74,7 +74,7 @@ impl Chain {
         match self {
             Self::Map(inner, function)
             | Self::FilterMap { inner, function, .. }
-            | Self::Flat(inner, Some(function))
+            | Self::Flat { inner, function: Some(function), .. }
             | Self::Filter(inner, function)
             | Self::TakeWhile(inner, function) => {
                 let mut functions = inner.functions();
@@ -84,7 +84,7 @@ impl Chain {
             Self::Enumerate(inner)
             | Self::Copied(inner)
             | Self::Count(inner, _)
-            | Self::Flat(inner, None)
+            | Self::Flat { inner, function: None, .. }
             | Self::Order { inner, .. } => inner.functions(),
             Self::Zip(left, right) | Self::Chained(left, right) => {
                 [left.functions(), right.functions()].concat()
@@ -100,7 +100,7 @@ impl Chain {
         match self {
             Self::Filter(..)
             | Self::FilterMap { .. }
-            | Self::Flat(..)
+            | Self::Flat { .. }
             | Self::TakeWhile(..)
             | Self::Count(..) => true,
             Self::Map(inner, _) | Self::Copied(inner) => inner.is_filtered(),
@@ -113,7 +113,7 @@ impl Chain {
         match self {
             Self::TakeWhile(..) | Self::FilterMap { stops: true, .. } => true,
             Self::FilterMap { inner, .. }
-            | Self::Flat(inner, _)
+            | Self::Flat { inner, .. }
             | Self::Filter(inner, _)
             | Self::Count(inner, _)
             | Self::Map(inner, _)

@@ -72,6 +72,7 @@ pub fn lower(
                 lowerer.parameter_pattern(pattern, var);
             }
         }
+        lowerer.local_items(&body.stmts);
         lowerer.function_body(&body.stmts)
     });
     lowerer.finished(parameters, &parameter_vars, body)
@@ -126,7 +127,7 @@ struct Lowerer<'a> {
     functions: HashMap<VarId, usize>,
     /// Whether this is the body of a closure that is passed to a function.
     is_object: bool,
-    /// The items in the function, by their names.
+    /// The items of the outermost block, as they are written.
     items: HashSet<String>,
     /// The names in refutable patterns that were taken for constants, for their capital letter.
     capitals: HashSet<String>,
@@ -210,29 +211,27 @@ impl Lowerer<'_> {
         self.vars[var].reference || self.references.contains(&var)
     }
 
-    /// An item in the function: it stands before all else, so that both sweeps see it.
-    fn local_item(&mut self, item: &syn::Item) {
-        let name = match item {
-            syn::Item::Const(item) => Some(&item.ident),
-            syn::Item::Static(item) => Some(&item.ident),
-            syn::Item::Fn(item) => Some(&item.sig.ident),
-            syn::Item::Struct(item) => Some(&item.ident),
-            syn::Item::Enum(item) => Some(&item.ident),
-            syn::Item::Type(item) => Some(&item.ident),
-            syn::Item::Use(_) => None,
-            _ => {
-                self.refuse(item, "move this item out of the differentiable function");
-                return;
+    /// The items of the outermost block: they are seen in the whole of it, so they stand before all
+    /// else, where both sweeps see them.
+    fn local_items(&mut self, stmts: &[syn::Stmt]) {
+        for stmt in stmts {
+            if let syn::Stmt::Item(item) = stmt {
+                let code = item.to_token_stream();
+                self.items.insert(code.to_string());
+                self.push(Statement::Plain { code, defines: Vec::new() });
             }
-        };
-        if self.is_object {
-            self.refuse(item, "move this item out of the closure that is passed to a function");
-        } else if name.is_some_and(|name| !self.items.insert(name.to_string())) {
-            self.refuse(item, "another item of the function has this name: give it one of its own");
         }
-        let code = item.to_token_stream();
-        let (_, statements) = self.open_blocks.first_mut().expect("a block is open");
-        statements.insert(0, Statement::Plain { code, defines: Vec::new() });
+    }
+
+    /// An item where it stands.
+    fn local_item(&mut self, item: &syn::Item) {
+        // One of an inner block would have another meaning outside of that.
+        if self.is_object || !self.items.contains(&item.to_token_stream().to_string()) {
+            self.refuse(
+                item,
+                "an item in an inner block is not supported: move it out of the block, or out of the differentiable function",
+            );
+        }
     }
 
     fn push(&mut self, statement: Statement) {

@@ -1,7 +1,7 @@
 //! Adapters that make one iterator of several, or several items of one: `chain`, `filter_map`,
 //! `flat_map`.
 
-use proc_macro2::{Span, TokenStream};
+use proc_macro2::{Ident, Span, TokenStream};
 use quote::quote;
 use syn::{Expr, Pat, Stmt};
 
@@ -103,15 +103,17 @@ impl Lowerer<'_> {
         &mut self,
         item: Item,
         function: Option<&Expr>,
+        method: &Ident,
         end: &End,
         rest: &mut Rest<'_>,
     ) -> Operand {
         if !end.exits.is_empty() {
-            let message = "a loop over `flat_map` or `flatten` cannot be left early: write two loops, one in the other";
-            return match function {
-                Some(function) => self.refuse(function, message),
-                None => self.refuse(TokenStream::new(), message),
-            };
+            return self.refuse(
+                method,
+                format!(
+                    "a loop over `{method}` cannot be left early: write two loops, one in the other"
+                ),
+            );
         }
         let outside = self.scopes.clone();
         let mut body = |lowerer: &mut Lowerer<'_>, item: Item, end: &End| {

@@ -157,8 +157,10 @@ impl Lowerer<'_> {
                 let (function, stops) = (function.clone(), name == "map_while");
                 Chain::FilterMap { inner, function, stops }
             }
-            ("flat_map", Some(function)) => Chain::Flat(inner, Some(function.clone())),
-            ("flatten", None) => Chain::Flat(inner, None),
+            ("flat_map", Some(_)) | ("flatten", None) => {
+                let (function, method) = (call.args.first().cloned(), call.method.clone());
+                Chain::Flat { inner, function, method }
+            }
             ("chain", Some(other)) if !filtered => {
                 let other = self.chain(other);
                 if other.is_filtered() {

@@ -70,7 +70,7 @@ pub(super) enum Stage {
     Map(Expr),
     Copied,
     FilterMap { function: Expr, stops: bool },
-    Flat(Option<Expr>),
+    Flat { function: Option<Expr>, method: Ident },
     Filter(Expr),
     TakeWhile(Expr),
     Count(VarId),
@@ -166,9 +166,10 @@ impl Lowerer<'_> {
                 let stage = Stage::FilterMap { function: function.clone(), stops: *stops };
                 self.with_stage(inner, stage, parameter(function))
             }
-            Chain::Flat(inner, function) => {
+            Chain::Flat { inner, function, method } => {
                 let pat = function.as_ref().and_then(parameter);
-                self.with_stage(inner, Stage::Flat(function.clone()), pat)
+                let (function, method) = (function.clone(), method.clone());
+                self.with_stage(inner, Stage::Flat { function, method }, pat)
             }
             Chain::Filter(inner, function) => {
                 self.with_stage(inner, Stage::Filter(function.clone()), pat)
@@ -299,11 +300,11 @@ impl Lowerer<'_> {
                 };
                 self.run_some(content, *stops, own, end, &mut rest)
             }
-            Stage::Flat(function) => {
+            Stage::Flat { function, method } => {
                 let mut rest = |lowerer: &mut Lowerer<'_>, item: Item| {
                     lowerer.run_stages(item, rest, own, end, body)
                 };
-                self.run_flat(item, function.as_ref(), end, &mut rest)
+                self.run_flat(item, function.as_ref(), method, end, &mut rest)
             }
             Stage::Filter(function) | Stage::TakeWhile(function) => {
                 // What it looks at and what the body uses is evaluated once.

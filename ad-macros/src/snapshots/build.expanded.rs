@@ -11,7 +11,6 @@ impl build {
         #[allow(unused_imports)]
         use ::ad::rt::methods::*;
         let xs_space = ::ad::rt::space(&xs);
-        let y_space = ::ad::rt::space(&y);
         let (value, tape) = ::ad::rt::record_like(
             &xs,
             |index: usize| {
@@ -27,17 +26,13 @@ impl build {
             | -> (::ad::Tangent<[f64; 3]>, ::ad::Tangent<f64>) {
                 let mut value_bar = result_bar;
                 let mut xs_bar = xs_space.zero();
-                let mut y_bar = y_space.zero();
+                let mut y_bar = -0.0_f64;
                 for ((index, item), element_bar) in tape.into_iter().zip(value_bar).rev()
                 {
                     let mut product_bar = element_bar;
-                    let (mut item_bar, y_part) = ::ad::rules::MulPullback::mul_pullback(
-                        item,
-                        y,
-                        product_bar,
-                    );
-                    ::ad::rt::Absorb::absorb(&mut y_bar, y_part);
-                    ::ad::rt::Absorb::absorb(::ad::rt::at(&mut xs_bar, index), item_bar);
+                    let mut item_bar = ::ad::rt::scale(product_bar, y);
+                    y_bar += ::ad::rt::scale(product_bar, item);
+                    xs_bar[index] += item_bar;
                 }
                 (xs_bar, y_bar)
             },

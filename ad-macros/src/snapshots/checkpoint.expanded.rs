@@ -11,7 +11,6 @@ impl checkpoint {
     ) {
         #[allow(unused_imports)]
         use ::ad::rt::methods::*;
-        let rate_space = ::ad::rt::space(&rate);
         let mut x = start;
         let mut items = ::core::iter::IntoIterator::into_iter(0..n);
         let (segment_count, segment_length) = ::ad::rt::segments(&items);
@@ -34,7 +33,7 @@ impl checkpoint {
             | -> (::ad::Tangent<f64>, ::ad::Tangent<f64>, ::ad::Tangent<usize>) {
                 let mut x_2_bar = result_bar;
                 let mut x_bar = x_2_bar;
-                let mut rate_bar = rate_space.zero();
+                let mut rate_bar = -0.0_f64;
                 for (items, mut x) in checkpoints.into_iter().rev() {
                     let mut tape = ::std::vec::Vec::with_capacity(segment_length);
                     for _ in items.take(segment_length) {
@@ -43,22 +42,14 @@ impl checkpoint {
                         let product = rate * sin;
                         let x_1 = x;
                         x += product;
-                        let x_1_pullback = ::ad::rt::linear(&x_1, &product);
-                        tape.push((sin, sin_pullback, x_1_pullback));
+                        tape.push((sin, sin_pullback));
                     }
-                    for (sin, sin_pullback, x_1_pullback) in tape.into_iter().rev() {
-                        let (x_part, product_part) = x_1_pullback
-                            .pull_back_sum(::ad::rt::take(&mut x_bar));
-                        ::ad::rt::Absorb::absorb(&mut x_bar, x_part);
-                        let mut product_bar = product_part;
-                        let (rate_part, mut sin_bar) = ::ad::rules::MulPullback::mul_pullback(
-                            rate,
-                            sin,
-                            product_bar,
-                        );
-                        ::ad::rt::Absorb::absorb(&mut rate_bar, rate_part);
+                    for (sin, sin_pullback) in tape.into_iter().rev() {
+                        let mut product_bar = x_bar;
+                        rate_bar += ::ad::rt::scale(product_bar, sin);
+                        let mut sin_bar = ::ad::rt::scale(product_bar, rate);
                         let mut receiver_bar = sin_pullback(sin_bar);
-                        ::ad::rt::Absorb::absorb(&mut x_bar, receiver_bar);
+                        x_bar += receiver_bar;
                     }
                 }
                 let mut start_bar = x_bar;

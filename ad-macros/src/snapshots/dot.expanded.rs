@@ -44,13 +44,10 @@ impl dot {
                     let (mut partial_bar, mut product_bar) = total_1_pullback
                         .pull_back_sum(total_1_bar);
                     ::ad::rt::Absorb::absorb(&mut total_bar, partial_bar);
-                    let (mut x_bar, mut y_bar) = ::ad::rules::MulPullback::mul_pullback(
-                        x,
-                        y,
-                        product_bar,
-                    );
-                    ::ad::rt::Absorb::absorb(::ad::rt::at(&mut ys_bar, index), y_bar);
-                    ::ad::rt::Absorb::absorb(::ad::rt::at(&mut xs_bar, index), x_bar);
+                    let mut x_bar = ::ad::rt::scale(product_bar, y);
+                    let mut y_bar = ::ad::rt::scale(product_bar, x);
+                    ys_bar[index] += y_bar;
+                    xs_bar[index] += x_bar;
                 }
                 (xs_bar, ys_bar)
             },

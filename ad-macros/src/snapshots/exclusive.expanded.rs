@@ -42,10 +42,7 @@ impl deposit {
                 let (mut total_bar, mut amounts_3_bar) = difference_pullback
                     .pull_back_difference(difference_bar);
                 let mut amounts_bar = amounts_space.zero();
-                ::ad::rt::Absorb::absorb(
-                    ::ad::rt::at(&mut amounts_bar, index_2),
-                    amounts_3_bar,
-                );
+                *::ad::rt::at(&mut amounts_bar, index_2) += amounts_3_bar;
                 ::ad::rt::Absorb::absorb(&mut account_bar.total, total_bar);
                 let mut close_bar = close_space.zero();
                 let (account_part, mut amounts_2_bar) = ::ad::rt::MethodPullback::pull_back(
@@ -55,10 +52,7 @@ impl deposit {
                     (),
                 );
                 ::ad::rt::Absorb::absorb(&mut account_bar, account_part);
-                ::ad::rt::Absorb::absorb(
-                    ::ad::rt::at(&mut amounts_bar, 0),
-                    amounts_2_bar,
-                );
+                *::ad::rt::at(&mut amounts_bar, 0) += amounts_2_bar;
                 let mut fee_bar = fee_space.zero();
                 let (account_part_1, amounts_part) = fee_pullback(
                     fee_bar,
@@ -75,10 +69,7 @@ impl deposit {
                     );
                 ::ad::rt::Absorb::absorb(&mut account_bar.total, account_part_2);
                 let mut amounts_1_bar = amounts_1_part;
-                ::ad::rt::Absorb::absorb(
-                    ::ad::rt::at(&mut amounts_bar, index),
-                    amounts_1_bar,
-                );
+                *::ad::rt::at(&mut amounts_bar, index) += amounts_1_bar;
                 (
                     ::ad::rt::fit(account_shape, account_bar),
                     ::ad::rt::fit(amounts_shape, amounts_bar),

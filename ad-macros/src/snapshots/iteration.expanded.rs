@@ -8,8 +8,6 @@ impl newton {
         #[allow(unused_imports)]
         use ::ad::rt::methods::*;
         let constant = 0.5;
-        let sum_pullback = ::ad::rt::Linear::of_unknown();
-        let a_space = ::ad::rt::space(&a);
         let mut x = a;
         let mut tape = ::ad::rt::ArrayTape::<_, 5usize>::new();
         for _ in 0..5 {
@@ -17,10 +15,9 @@ impl newton {
             let x_2 = x;
             let quotient = a / x_2;
             let sum = x_1 + quotient;
-            sum_pullback.is_of(&x_1, &quotient);
             let product = constant * sum;
             x = product;
-            tape.push((x_2, sum));
+            tape.push((x_2,));
         }
         let x_3 = x;
         (
@@ -28,27 +25,23 @@ impl newton {
             move |result_bar: ::ad::Tangent<f64>| -> ::ad::Tangent<f64> {
                 let mut x_3_bar = result_bar;
                 let mut x_bar = x_3_bar;
-                let mut a_bar = a_space.zero();
-                for (x_2, sum) in tape.into_iter().rev() {
+                let mut a_bar = -0.0_f64;
+                for (x_2,) in tape.into_iter().rev() {
                     let x_part = ::ad::rt::take(&mut x_bar);
                     let mut product_bar = x_part;
-                    let (_, mut sum_bar) = ::ad::rules::MulPullback::mul_pullback(
-                        constant,
-                        sum,
-                        product_bar,
-                    );
-                    let (mut x_1_bar, mut quotient_bar) = sum_pullback
-                        .pull_back_sum(sum_bar);
+                    let mut sum_bar = product_bar * constant;
+                    let mut x_1_bar = sum_bar;
+                    let mut quotient_bar = sum_bar;
                     let (a_part, mut x_2_bar) = ::ad::rules::DivPullback::div_pullback(
                         a,
                         x_2,
                         quotient_bar,
                     );
                     ::ad::rt::Absorb::absorb(&mut a_bar, a_part);
-                    ::ad::rt::Absorb::absorb(&mut x_bar, x_2_bar);
-                    ::ad::rt::Absorb::absorb(&mut x_bar, x_1_bar);
+                    x_bar += x_2_bar;
+                    x_bar += x_1_bar;
                 }
-                ::ad::rt::Absorb::absorb(&mut a_bar, x_bar);
+                a_bar += x_bar;
                 a_bar
             },
         )

@@ -10,8 +10,6 @@ impl search {
     ) {
         #[allow(unused_imports)]
         use ::ad::rt::methods::*;
-        let sum_pullback = ::ad::rt::Linear::of_unknown();
-        let x_space = ::ad::rt::space(&x);
         let mut a = x;
         let mut i = 0;
         let mut tape = ::std::vec::Vec::new();
@@ -20,7 +18,6 @@ impl search {
             let a_1 = a;
             let product = a_1 * step;
             let sum = product + x;
-            sum_pullback.is_of(&product, &x);
             a = sum;
             let value = if a > 10.0 {
                 ::core::ops::ControlFlow::Break(())
@@ -40,27 +37,20 @@ impl search {
                 result_bar: ::ad::Tangent<f64>,
             | -> (::ad::Tangent<f64>, ::ad::Tangent<f64>) {
                 let mut product_1_bar = result_bar;
-                let (mut a_2_bar, mut step_bar) = ::ad::rules::MulPullback::mul_pullback(
-                    a_2,
-                    step,
-                    product_1_bar,
-                );
+                let mut a_2_bar = ::ad::rt::scale(product_1_bar, step);
+                let mut step_bar = ::ad::rt::scale(product_1_bar, a_2);
                 let mut a_bar = a_2_bar;
-                let mut x_bar = x_space.zero();
+                let mut x_bar = -0.0_f64;
                 for (a_1,) in tape.into_iter().rev() {
                     let a_part = ::ad::rt::take(&mut a_bar);
                     let mut sum_bar = a_part;
-                    let (mut product_bar, x_part) = sum_pullback.pull_back_sum(sum_bar);
-                    ::ad::rt::Absorb::absorb(&mut x_bar, x_part);
-                    let (mut a_1_bar, step_part) = ::ad::rules::MulPullback::mul_pullback(
-                        a_1,
-                        step,
-                        product_bar,
-                    );
-                    ::ad::rt::Absorb::absorb(&mut step_bar, step_part);
-                    ::ad::rt::Absorb::absorb(&mut a_bar, a_1_bar);
+                    let mut product_bar = sum_bar;
+                    x_bar += sum_bar;
+                    let mut a_1_bar = ::ad::rt::scale(product_bar, step);
+                    step_bar += ::ad::rt::scale(product_bar, a_1);
+                    a_bar += a_1_bar;
                 }
-                ::ad::rt::Absorb::absorb(&mut x_bar, a_bar);
+                x_bar += a_bar;
                 (x_bar, step_bar)
             },
         )

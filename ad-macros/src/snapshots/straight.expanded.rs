@@ -13,21 +13,18 @@ impl f {
         let p = x * y;
         let (sin, sin_pullback) = p.sin_vjp();
         let sum = sin + p;
-        let sum_pullback = ::ad::rt::linear(&sin, &p);
         (
             sum,
             move |
                 result_bar: ::ad::Tangent<f64>,
             | -> (::ad::Tangent<f64>, ::ad::Tangent<f64>) {
                 let mut sum_bar = result_bar;
-                let (mut sin_bar, mut p_bar) = sum_pullback.pull_back_sum(sum_bar);
+                let mut sin_bar = sum_bar;
+                let mut p_bar = sum_bar;
                 let p_part = sin_pullback(sin_bar);
                 ::ad::rt::Absorb::absorb(&mut p_bar, p_part);
-                let (mut x_bar, mut y_bar) = ::ad::rules::MulPullback::mul_pullback(
-                    x,
-                    y,
-                    p_bar,
-                );
+                let mut x_bar = ::ad::rt::scale(p_bar, y);
+                let mut y_bar = ::ad::rt::scale(p_bar, x);
                 (x_bar, y_bar)
             },
         )

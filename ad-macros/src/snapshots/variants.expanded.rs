@@ -11,7 +11,6 @@ impl size {
         #[allow(unused_imports)]
         use ::ad::rt::methods::*;
         let shape_space = ::ad::rt::space(&shape);
-        let by_space = ::ad::rt::space(&by);
         let shape_shape = ::ad::rt::shape(&shape);
         let (value_5, path_1) = match shape {
             Shape::Disc(radius) => {
@@ -62,7 +61,7 @@ impl size {
             | -> (::ad::Tangent<Shape>, ::ad::Tangent<f64>) {
                 let mut value_5_bar = result_bar;
                 let mut shape_bar = shape_space.zero();
-                let mut by_bar = by_space.zero();
+                let mut by_bar = -0.0_f64;
                 match path_1 {
                     ::ad::rt::Branch3::Arm0((sum_pullback,)) => {
                         let mut value_bar = value_5_bar;

@@ -28,6 +28,9 @@ pub struct Facts<'a> {
     arithmetic: HashSet<VarId>,
     /// The variables of loops over ranges, and integer parameters.
     integers: HashSet<VarId>,
+    /// What variables are that are defined several at once and without derivative, as in
+    /// `let (i, j) = (2 * n, 2 * n + 1)`.
+    members: HashMap<VarId, TokenStream>,
     /// Parameters of type `[T; N]`, and with `true` of type `&[T; N]`.
     array_parameters: HashMap<VarId, bool>,
 }
@@ -43,6 +46,7 @@ impl<'a> Facts<'a> {
             operations: HashMap::new(),
             arithmetic: HashSet::new(),
             integers: HashSet::new(),
+            members: HashMap::new(),
             array_parameters: HashMap::new(),
         };
         for (parameter, &LoweredParameter { var, .. }) in parameters.iter().zip(&lowered.parameters)
@@ -107,11 +111,36 @@ impl<'a> Facts<'a> {
                     }
                     self.block(&build.body);
                 }
-                Statement::Plain { .. }
-                | Statement::Destructure { .. }
-                | Statement::Assign { .. } => {}
+                Statement::Plain { code, .. } => self.tuple(code),
+                Statement::Destructure { .. } | Statement::Assign { .. } => {}
             }
         }
+    }
+
+    /// Takes a definition of several variables apart.
+    fn tuple(&mut self, code: &TokenStream) {
+        let Ok(syn::Stmt::Local(local)) = syn::parse2(code.clone()) else { return };
+        let (syn::Pat::Tuple(pattern), Some(init)) = (&local.pat, &local.init) else { return };
+        let syn::Expr::Tuple(values) = &*init.expr else { return };
+        if pattern.elems.len() != values.elems.len() {
+            return;
+        }
+        for (pattern, value) in pattern.elems.iter().zip(&values.elems) {
+            if let syn::Pat::Ident(pattern) = pattern
+                && pattern.by_ref.is_none()
+                && pattern.subpat.is_none()
+                && let Some(var) = self.named(&pattern.ident)
+                && !self.vars[var].mutable
+            {
+                self.members.insert(var, value.to_token_stream());
+            }
+        }
+    }
+
+    /// What a variable is that was defined together with others and without derivative, if it is
+    /// cheap arithmetic on numbers.
+    pub fn member(&self, var: VarId) -> Option<&TokenStream> {
+        self.members.get(&var).filter(|tokens| self.is_number_before(tokens, var))
     }
 
     /// The variable of a name.
@@ -125,6 +154,9 @@ impl<'a> Facts<'a> {
         if self.arithmetic.contains(&var) || self.integers.contains(&var) {
             return true;
         }
+        if self.member(var).is_some() {
+            return true;
+        }
         match self.operations.get(&var) {
             Some(
                 Operation::Negate(_)
@@ -133,16 +165,21 @@ impl<'a> Facts<'a> {
                 | Operation::Value(_),
             ) => true,
             Some(Operation::Use(Operand::Constant(tokens))) if !self.vars[var].mutable => {
-                // A constant by its path alone might be anything.
-                let is_path = |token| match token {
-                    TokenTree::Ident(name) => self.named(&name).is_none(),
-                    TokenTree::Punct(punct) => punct.as_char() == ':',
-                    _ => false,
-                };
-                !tokens.clone().into_iter().all(is_path) && self.is_cheap_before(tokens, var)
+                self.is_number_before(tokens, var)
             }
             _ => false,
         }
+    }
+
+    /// Whether the code that defines a variable is cheap arithmetic on numbers.
+    fn is_number_before(&self, tokens: &TokenStream, defined: VarId) -> bool {
+        // A constant by its path alone might be anything.
+        let is_path = |token| match token {
+            TokenTree::Ident(name) => self.named(&name).is_none(),
+            TokenTree::Punct(punct) => punct.as_char() == ':',
+            _ => false,
+        };
+        !tokens.clone().into_iter().all(is_path) && self.is_cheap_before(tokens, defined)
     }
 
     /// Whether the variable is an array, and whether behind a reference.

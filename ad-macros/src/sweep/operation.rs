@@ -4,8 +4,8 @@ use proc_macro2::{Ident, TokenStream};
 use quote::{quote, quote_spanned};
 use syn::{Member, Type};
 
-use super::products::Products;
-use super::{Sides, Sweeper, Target, cotangent_of, project};
+use super::contribute::{Target, cotangent_of};
+use super::{Sides, Sweeper, project};
 use crate::ir::{
     Argument, BinaryOperator, Operand, Operation, Place, Projection, Shape, Var, VarId,
 };
@@ -67,19 +67,7 @@ impl Sweeper<'_> {
             && !self.vars[var].mutable
     }
 
-    /// Keeps the types of the operands of a linear operator for its pullback.
-    fn linear(&mut self, record: &Ident, left: VarId, right: VarId) -> TokenStream {
-        if self.loop_depth > 0 {
-            self.top.extend(quote!(let #record = ::ad::rt::Linear::of_unknown();));
-        }
-        let (left, right) = (self.ident(left), self.ident(right));
-        match self.loop_depth {
-            0 => quote!(let #record = ::ad::rt::linear(&#left, &#right);),
-            _ => quote!(#record.is_of(&#left, &#right);),
-        }
-    }
-
-    fn ident(&self, var: VarId) -> &Ident {
+    pub(super) fn ident(&self, var: VarId) -> &Ident {
         &self.vars[var].ident
     }
 
@@ -119,7 +107,7 @@ impl Sweeper<'_> {
         }
     }
 
-    fn place(&self, place: &Place) -> TokenStream {
+    pub(super) fn place(&self, place: &Place) -> TokenStream {
         let root = self.ident(place.root);
         project(quote!(#root), &place.path)
     }
@@ -184,27 +172,21 @@ impl Sweeper<'_> {
         let (cotangent, span) = (quote!(#cotangent), ident.span());
         match operation {
             Operation::Use(Operand::Constant(_)) => {}
+            Operation::Use(Operand::Var(source)) if self.numbers.number(var).is_some() => {
+                self.add(reverse, *source, &[], cotangent);
+            }
             Operation::Use(Operand::Var(source)) | Operation::Value(source) => {
                 self.contribute(reverse, *source, &[], cotangent);
+            }
+            Operation::Read(place) if self.numbers.number(var).is_some() => {
+                self.add(reverse, place.root, &place.path, cotangent);
             }
             Operation::Read(place) | Operation::Borrow(place) => {
                 self.contribute(reverse, place.root, &place.path, cotangent);
             }
-            Operation::Negate(value) => {
-                let pulled = quote_spanned!(span=> #record.pull_back_negation(#cotangent));
-                self.contribute(reverse, *value, &[], pulled);
-            }
+            Operation::Negate(value) => self.pull_back_negation(reverse, record, *value, cotangent),
             Operation::Binary(operator, left, right) => {
-                let operands = [*left, *right];
-                let pulled = match (operator, &self.products) {
-                    (BinaryOperator::Mul, Some(Products { rules, .. })) => {
-                        let [left, right] = operands.map(|operand| self.ident(operand));
-                        quote_spanned!(span=> #rules.mul_pullback(#left, #right, #cotangent))
-                    }
-                    _ => self.binary_pullback(*operator, record, operands, cotangent, span),
-                };
-                let targets = operands.map(|root| Some(Target::whole(root)));
-                self.contribute_all(reverse, &targets, pulled, false);
+                self.pull_back_binary(reverse, record, *operator, [*left, *right], cotangent, span);
             }
             Operation::Cast(value, ty) => {
                 let source = self.ident(*value);
@@ -356,76 +338,6 @@ impl Sweeper<'_> {
                 self.contribute(reverse, *part, &[], quote!(#space.enter(#taken)));
             }
         }
-    }
-
-    /// The cotangents of two operands; `record` holds the types of those of a linear operator.
-    fn binary_pullback(
-        &self,
-        operator: BinaryOperator,
-        record: &Ident,
-        operands: [VarId; 2],
-        cotangent: TokenStream,
-        span: proc_macro2::Span,
-    ) -> TokenStream {
-        let [left, right] = operands.map(|operand| self.ident(operand));
-        match operator {
-            BinaryOperator::Add => quote_spanned!(span=> #record.pull_back_sum(#cotangent)),
-            BinaryOperator::Sub => {
-                quote_spanned!(span=> #record.pull_back_difference(#cotangent))
-            }
-            BinaryOperator::Mul => quote_spanned!(span=>
-                ::ad::rules::MulPullback::mul_pullback(#left, #right, #cotangent)),
-            BinaryOperator::Div => quote_spanned!(span=>
-                ::ad::rules::DivPullback::div_pullback(#left, #right, #cotangent)),
-            BinaryOperator::Rem => quote_spanned!(span=>
-                ::ad::rules::RemPullback::rem_pullback(#left, #right, #cotangent)),
-        }
-    }
-
-    pub(super) fn update(
-        &mut self,
-        place: &Place,
-        operator: BinaryOperator,
-        previous: VarId,
-        value: VarId,
-    ) -> Sides {
-        let mut sides = Sides::default();
-        let (target, operand) = (self.place(place), self.ident(value));
-        let token = match operator {
-            BinaryOperator::Add => quote!(+=),
-            BinaryOperator::Sub => quote!(-=),
-            BinaryOperator::Mul => quote!(*=),
-            BinaryOperator::Div => quote!(/=),
-            BinaryOperator::Rem => quote!(%=),
-        };
-        sides.forward.extend(quote!(#target #token #operand;));
-        if !self.is_live(place) {
-            return sides;
-        }
-
-        self.start(&mut sides.reverse, place.root);
-        let root = &self.vars[place.root];
-        let span = root.ident.span();
-        let cotangent = cotangent_of(&root.cotangent, &place.path);
-        let taken = quote!(::ad::rt::take(#cotangent));
-        let taken = self.entered(previous, place, taken);
-        let record = &self.vars[previous].record;
-        if operator.is_linear() {
-            let types = self.linear(record, previous, value);
-            sides.forward.extend(types);
-        }
-        let pulled = self.binary_pullback(operator, record, [previous, value], taken, span);
-        let (to_previous, to_value) = (self.part_name(place.root), self.part_name(value));
-        let value_pattern = match self.vars[value].active {
-            true => quote!(#to_value),
-            false => quote!(_),
-        };
-        sides.reverse.extend(quote! {
-            let (#to_previous, #value_pattern) = #pulled;
-            ::ad::rt::Absorb::absorb(#cotangent, #to_previous);
-        });
-        self.contribute(&mut sides.reverse, value, &[], quote!(#to_value));
-        sides
     }
 }
 

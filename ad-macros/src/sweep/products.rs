@@ -23,6 +23,7 @@ use quote::quote;
 
 use super::Sweeper;
 use super::facts::{Facts, is_element};
+use super::numbers::Numbers;
 use crate::ir::{BinaryOperator, Block, Loop, Operand, Operation, Place, Statement, Var, VarId};
 use crate::lower::Lowered;
 use crate::names::Names;
@@ -31,8 +32,14 @@ use crate::names::Names;
 const MANY_PRODUCTS: usize = 12;
 const WEIGHT_IN_LOOP: usize = 2;
 
+/// Of more products a second reverse sweep, and the comparisons in it, would cost more at compile
+/// time than they are worth: there is one sweep, and the rules are called.
+const TOO_MANY_PRODUCTS: usize = 200;
+
 /// The products of a function with plain pullbacks.
 pub struct Products {
+    /// Whether there are two sweeps.
+    pub is_chosen: bool,
     /// The results to be tested.
     tested: HashSet<VarId>,
     /// The variables to be tested after loops, by the names of the tapes.
@@ -45,16 +52,24 @@ pub struct Products {
 
 impl Products {
     /// Finds the results to be tested; `None` where there are too few products.
-    pub fn new(lowered: &Lowered, facts: &Facts<'_>, names: &mut Names) -> Option<Self> {
+    pub fn new(
+        lowered: &Lowered,
+        facts: &Facts<'_>,
+        numbers: &Numbers<'_>,
+        names: &mut Names,
+    ) -> Option<Self> {
         let mut search = Search {
             vars: &lowered.vars,
             facts,
+            numbers,
+            count: 0,
             tested: HashSet::new(),
             tested_after: HashMap::new(),
             weight: 0,
         };
         search.block(&lowered.body, 1);
         (search.weight >= MANY_PRODUCTS).then(|| Self {
+            is_chosen: search.count <= TOO_MANY_PRODUCTS,
             tested: search.tested,
             tested_after: search.tested_after,
             regular: names.fresh("regular", proc_macro2::Span::call_site()),
@@ -66,8 +81,11 @@ impl Products {
 struct Search<'a> {
     vars: &'a [Var],
     facts: &'a Facts<'a>,
+    numbers: &'a Numbers<'a>,
     tested: HashSet<VarId>,
     tested_after: HashMap<String, Vec<VarId>>,
+    /// How many products were seen.
+    count: usize,
     weight: usize,
 }
 
@@ -107,13 +125,21 @@ impl Search<'_> {
 
     fn define(&mut self, var: VarId, operation: &Operation, weight: usize) {
         let (operands, is_product) = match operation {
-            Operation::Binary(BinaryOperator::Mul, left, right) => {
+            // The partial derivative of a product with a literal is finite.
+            Operation::Binary(BinaryOperator::Mul, left, right)
+                if ![left, right]
+                    .iter()
+                    .any(|factor| self.numbers.is_regular_literal(**factor)) =>
+            {
+                self.count += 1;
                 self.weight += weight;
                 (vec![*left, *right], true)
             }
-            Operation::Binary(BinaryOperator::Add | BinaryOperator::Sub, left, right) => {
-                (vec![*left, *right], false)
-            }
+            Operation::Binary(
+                BinaryOperator::Add | BinaryOperator::Sub | BinaryOperator::Mul,
+                left,
+                right,
+            ) => (vec![*left, *right], false),
             Operation::Negate(value) => (vec![*value], false),
             _ => return,
         };
@@ -241,24 +267,37 @@ impl Search<'_> {
 impl Sweeper<'_> {
     /// The test of a result, where it needs one.
     pub(super) fn test(&self, var: VarId) -> TokenStream {
-        let Some(Products { tested, regular, .. }) = &self.products else {
-            return TokenStream::new();
-        };
-        if !tested.contains(&var) {
-            return TokenStream::new();
+        match &self.products {
+            Some(products) if products.is_chosen && products.tested.contains(&var) => {
+                self.finiteness(products, var)
+            }
+            _ => TokenStream::new(),
         }
-        let ident = &self.vars[var].ident;
-        quote!(#regular &= ::ad::Differentiable::known_finite(&#ident);)
+    }
+
+    fn finiteness(&self, products: &Products, var: VarId) -> TokenStream {
+        let (regular, ident) = (&products.regular, &self.vars[var].ident);
+        match self.numbers.number(var) {
+            Some(_) => quote!(#regular &= #ident.is_finite();),
+            None => quote!(#regular &= ::ad::Differentiable::known_finite(&#ident);),
+        }
     }
 
     /// The tests that stand after a loop.
     pub(super) fn tests_after(&self, a_loop: &Loop) -> TokenStream {
-        let Some(Products { tested_after, regular, .. }) = &self.products else {
+        let Some(products) = self.products.as_ref().filter(|products| products.is_chosen) else {
             return TokenStream::new();
         };
-        let vars = tested_after.get(&a_loop.record.to_string()).into_iter().flatten();
-        let idents = vars.map(|&var| &self.vars[var].ident);
-        quote!(#(#regular &= ::ad::Differentiable::known_finite(&#idents);)*)
+        let vars = products.tested_after.get(&a_loop.record.to_string()).into_iter().flatten();
+        vars.map(|&var| self.finiteness(products, var)).collect()
+    }
+
+    /// What the forward sweep starts with.
+    pub(super) fn start_of_tests(&self) -> TokenStream {
+        match &self.products {
+            Some(Products { is_chosen: true, regular, .. }) => quote!(let mut #regular = true;),
+            _ => TokenStream::new(),
+        }
     }
 
     /// The pullback's body: the reverse sweep, with rules of products as the forward sweep found
@@ -268,9 +307,16 @@ impl Sweeper<'_> {
         reverse: TokenStream,
         cotangents: TokenStream,
     ) -> TokenStream {
-        let Some(Products { regular, rules, .. }) = &self.products else {
+        let Some(Products { is_chosen, regular, rules, .. }) = &self.products else {
             return quote!(#reverse #cotangents);
         };
+        if !is_chosen {
+            return quote! {
+                let #rules = ::ad::rt::ProductsOutOfLine;
+                #reverse
+                #cotangents
+            };
+        }
         quote! {
             if #regular {
                 let #rules = ::ad::rt::ProductsOfFinite;

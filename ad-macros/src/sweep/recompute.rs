@@ -125,6 +125,15 @@ impl Sweeper<'_> {
                     again.insert(record.to_string(), (quote!(let (_, #record) = #pair;), uses));
                 }
             }
+            if let Statement::Plain { defines, .. } = statement {
+                for &var in defines {
+                    if let Some(code) = self.facts.member(var).cloned() {
+                        let (code, uses) = self.code_again(&code);
+                        let ident = &self.vars[var].ident;
+                        again.insert(ident.to_string(), (quote!(let #ident = #code;), uses));
+                    }
+                }
+            }
             if let Statement::Loop(Loop { head: Head::For { iterator, .. }, record, .. }) =
                 statement
                 && let Some(range) = self.ranges.get(&record.to_string()).cloned()

@@ -5,6 +5,8 @@
 //! folders `gmm`, `ba`, `lstm` and `hand` in FOLDER: each `NAME.txt` beside `NAME.manual.json`, and
 //! the hand model from `hand/model`.
 
+#![allow(clippy::needless_range_loop, reason = "formulas with indices, as people write them")]
+
 mod bundle;
 mod gmm;
 mod hand;
@@ -21,12 +23,15 @@ struct Comparison {
     expected: Vec<f64>,
 }
 
+/// Reads an input and differentiates its objective.
+type Compare = fn(&Path) -> Comparison;
+
 fn main() {
     let Some(folder) = std::env::args().nth(1) else {
         eprintln!("name the folder of the inputs");
         std::process::exit(2);
     };
-    let problems: [(&str, fn(&Path) -> Comparison); 4] = [
+    let problems: [(&str, Compare); 4] = [
         ("gmm", gmm::compare),
         ("ba", bundle::compare),
         ("lstm", lstm::compare),

@@ -119,6 +119,7 @@ pub trait ExtendRules: Vector {
     type Longer;
 
     /// The cotangents of the vector and of the element.
+    #[allow(clippy::type_complexity)]
     fn extend_vjp(
         self,
         last: Self::Scalar,
@@ -140,6 +141,7 @@ macro_rules! lengths {
             type Longer = $longer;
 
             #[inline(always)]
+            #[allow(clippy::type_complexity)]
             fn extend_vjp(
                 self,
                 last: $scalar,

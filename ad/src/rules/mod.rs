@@ -77,7 +77,8 @@ use crate::{Real, vector::Vector};
 
 /// `cotangent * partial`, and 0 where the cotangent is 0, whatever the partial is.
 #[inline(always)]
-fn scale<S: Real>(cotangent: S, partial: S) -> S {
+#[doc(hidden)]
+pub fn scale<S: Real>(cotangent: S, partial: S) -> S {
     S::select(cotangent.vanishes(), S::zero(), cotangent * partial)
 }
 

@@ -94,7 +94,7 @@ macro_rules! quaternions {
 
             #[inline(always)]
             fn accumulate(&mut self, other: Self) {
-                *self = *self + other;
+                *self += other;
             }
         }
 

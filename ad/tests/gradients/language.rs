@@ -10,6 +10,11 @@
     clippy::redundant_slicing,
     clippy::toplevel_ref_arg,
     clippy::useless_vec,
+    clippy::unnecessary_filter_map,
+    clippy::double_ended_iterator_last,
+    clippy::unnecessary_lazy_evaluations,
+    clippy::multiple_bound_locations,
+    clippy::type_complexity,
     clippy::never_loop,
     clippy::reversed_empty_ranges,
     reason = "these forms are what is tested"

@@ -13,6 +13,7 @@ mod aliasing;
 mod closures;
 mod exclusive;
 mod names;
+mod numbers;
 mod order;
 mod recompute;
 mod structure;

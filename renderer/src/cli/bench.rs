@@ -16,7 +16,7 @@ use crate::scene::{ParameterId, Parameters, Scene};
 
 #[derive(clap::Args)]
 pub(super) struct Arguments {
-    /// A scene file (TOML), or an OBJ, which is framed and lit by default
+    /// A scene file (TOML), or a mesh (OBJ, PLY, STL, glTF), which is framed and lit by default
     scene: PathBuf,
 
     /// A parameter to differentiate by (can be repeated); without any, those of the scene file, or

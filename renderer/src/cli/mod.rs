@@ -8,6 +8,8 @@ mod out_folder;
 mod output;
 mod params;
 mod render;
+mod report;
+mod strip;
 
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
@@ -75,6 +77,8 @@ enum Command {
     Gradient(gradient::Arguments),
     /// Recover parameters from a target image
     Optimize(optimize::Arguments),
+    /// Turn the folder of an optimisation into one HTML page
+    Report(report::Arguments),
     /// Measure how long images and gradients of a scene take, and which part of it is what
     Bench(bench::Arguments),
 }
@@ -82,7 +86,7 @@ enum Command {
 /// What to match and what may vary, for the commands that need both.
 #[derive(Args)]
 struct Problem {
-    /// A scene file (TOML), or an OBJ, which is framed and lit by default
+    /// A scene file (TOML), or a mesh (OBJ, PLY, STL, glTF), which is framed and lit by default
     scene: PathBuf,
 
     /// The image to match; replaces the target in the scene file
@@ -157,6 +161,7 @@ fn run(arguments: &Arguments) -> Result<(), Error> {
         Some(Command::Params(arguments)) => params::run(arguments),
         Some(Command::Gradient(arguments)) => gradient::run(arguments, arithmetic),
         Some(Command::Optimize(arguments)) => optimize::run(arguments, arithmetic),
+        Some(Command::Report(arguments)) => report::run(arguments),
         Some(Command::Bench(arguments)) => bench::run(arguments, arithmetic),
     }
 }

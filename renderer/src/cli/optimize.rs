@@ -7,13 +7,15 @@ use serde_json::Map;
 
 use super::out_folder::check_out_folder;
 use super::output::{abbreviate, print, short};
+use super::strip::save_strip;
 use super::{Problem, stem};
 use crate::Error;
 use crate::arithmetic::Arithmetic;
 use crate::experiment::{Experiment, Target};
 use crate::files::{save_png, save_scene};
 use crate::optimize::{
-    Checkpointing, Optimization, Outcome, Quiet, Settings, Start, progress, write_report,
+    Checkpointing, Optimization, Optimizer, Outcome, Quiet, Schedule, Settings, Start, progress,
+    write_report,
 };
 use crate::recovery::{Recovery, render_at};
 
@@ -34,6 +36,19 @@ pub(super) struct Arguments {
     #[arg(long, value_name = "X", value_parser = tolerance)]
     tolerance: Option<f64>,
 
+    /// The method: adam, adamw, sgd (needs a learning rate), rmsprop or lbfgs; one that the scene
+    /// file names too keeps the numbers given there
+    #[arg(long, value_name = "NAME", value_parser = Optimizer::named)]
+    optimizer: Option<Optimizer>,
+
+    /// How the learning rates change in the course of the run: constant, exponential, step or cosine
+    #[arg(long, value_name = "NAME", value_parser = Schedule::named)]
+    schedule: Option<Schedule>,
+
+    /// The learning rate of parameters that the scene file gives none of their own
+    #[arg(long, value_name = "X", value_parser = learning_rate)]
+    learning_rate: Option<f64>,
+
     /// Continue a run that was interrupted
     #[arg(long)]
     resume: bool,
@@ -44,6 +59,9 @@ pub(super) fn run(arguments: &Arguments, arithmetic: Arithmetic) -> Result<(), E
     if let Some(section) = &mut experiment.optimize {
         section.iterations = arguments.iterations.or(section.iterations);
         section.tolerance = arguments.tolerance.or(section.tolerance);
+        section.learning_rate = arguments.learning_rate.or(section.learning_rate);
+        section.optimizer = chosen(arguments.optimizer, section.optimizer, Optimizer::name);
+        section.schedule = chosen(arguments.schedule, section.schedule, Schedule::name);
     }
     let scene_path = &arguments.problem.scene;
     let out = arguments.out.clone().unwrap_or_else(|| Path::new("out").join(stem(scene_path)));
@@ -57,6 +75,20 @@ pub(super) fn run(arguments: &Arguments, arithmetic: Arithmetic) -> Result<(), E
     let recovery = Recovery::new(&experiment, &place, arithmetic)?;
     let outcome = recover(&experiment, &recovery, &out, arguments.resume, arithmetic)?;
     print(report(&recovery, &outcome, &out))
+}
+
+/// What the command line names, with the numbers of the scene file if it names the same.
+fn chosen<T>(named: Option<T>, listed: Option<T>, name: fn(&T) -> &'static str) -> Option<T> {
+    match (named, listed) {
+        (Some(named), Some(listed)) if name(&named) == name(&listed) => Some(listed),
+        (named, listed) => named.or(listed),
+    }
+}
+
+/// What a learning rate may be: a number above 0.
+fn learning_rate(text: &str) -> Result<f64, String> {
+    let value: f64 = text.parse().map_err(|_| "not a number".to_owned())?;
+    if value > 0.0 && value.is_finite() { Ok(value) } else { Err("must be above 0".to_owned()) }
 }
 
 /// A loss to reach: a number, 0 or more.
@@ -102,7 +134,9 @@ pub(super) fn recover(
         save_png(&difference, &out.join("difference.png"))?;
     }
     save_scene(&recovered, out)?;
-    write_report(out, recovery.variables(), &outcome, Map::new())?;
+    let strip = save_strip(recovery, &outcome.trajectory, out, arithmetic)?;
+    let extra = Map::from_iter([("strip".to_owned(), strip)]);
+    write_report(out, recovery.variables(), &outcome, extra)?;
     Ok(outcome)
 }
 

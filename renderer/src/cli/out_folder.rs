@@ -2,11 +2,19 @@
 
 use std::path::Path;
 
+use super::strip::STRIP_FOLDER;
 use crate::Error;
 
 /// What an optimisation writes that could also be what it reads.
-const RESULTS: [&str; 6] =
-    ["scene.toml", "meshes", "target.png", "initial.png", "final.png", "difference.png"];
+const RESULTS: [&str; 7] = [
+    "scene.toml",
+    "meshes",
+    "target.png",
+    "initial.png",
+    "final.png",
+    "difference.png",
+    STRIP_FOLDER,
+];
 
 /// Whether the results may go to `out`: it is no file, and no file that is read would be replaced.
 ///

@@ -18,14 +18,10 @@ pub(super) fn print(text: impl Display) -> Result<(), Error> {
     }
 }
 
-/// One line on the standard error stream, whatever the names of files in it hold.
+/// One line on the standard error stream.
 pub(super) fn print_error(error: &Error) {
-    let line: String = format!("error: {error}")
-        .chars()
-        .map(|c| if c.is_control() { char::REPLACEMENT_CHARACTER } else { c })
-        .collect();
     // There is nobody left to tell about a failure here.
-    let _ = writeln!(io::stderr().lock(), "{line}");
+    let _ = writeln!(io::stderr().lock(), "error: {error}");
 }
 
 /// Numbers as people read them: at most a handful, six digits each.

@@ -11,7 +11,7 @@ use crate::scene::Differentiability;
 
 #[derive(clap::Args)]
 pub(super) struct Arguments {
-    /// A scene file (TOML), or an OBJ, which is framed and lit by default
+    /// A scene file (TOML), or a mesh (OBJ, PLY, STL, glTF), which is framed and lit by default
     scene: PathBuf,
 
     /// Print an object: path -> numbers

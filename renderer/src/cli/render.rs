@@ -2,26 +2,71 @@
 
 use std::path::PathBuf;
 
+use clap::ValueEnum;
+
 use super::output::print;
 use crate::Error;
 use crate::arithmetic::Arithmetic;
+use crate::display::{ToneMapping, expose, normalize};
 use crate::experiment::Experiment;
 use crate::files::{check_image_path, save_image};
 use crate::recovery::render_at;
 
 #[derive(clap::Args)]
 pub(super) struct Arguments {
-    /// A scene file (TOML), or an OBJ, which is framed and lit by default
+    /// A scene file (TOML), or a mesh (OBJ, PLY, STL, glTF), which is framed and lit by default
     scene: PathBuf,
 
     /// Where to write the image: .png (sRGB, clipped to 0..1) or .exr (linear, as rendered)
     #[arg(short, long, value_name = "IMAGE")]
     output: PathBuf,
+
+    /// Make the image brighter by so many stops, each a factor of two; negative for darker
+    #[arg(long, value_name = "STOPS", allow_negative_numbers = true, value_parser = stops)]
+    exposure: Option<f64>,
+
+    /// How to show what is brighter than white: clipped, or compressed (Reinhard)
+    #[arg(long, value_enum, default_value_t = Tone::Clamp)]
+    tone: Tone,
+
+    /// Map the darkest channel to 0 and the brightest to 1
+    #[arg(long, conflicts_with_all = ["exposure", "tone"])]
+    normalize: bool,
+}
+
+#[derive(Clone, Copy, ValueEnum)]
+enum Tone {
+    Clamp,
+    Reinhard,
+}
+
+impl From<Tone> for ToneMapping {
+    fn from(tone: Tone) -> Self {
+        match tone {
+            Tone::Clamp => Self::Clamp,
+            Tone::Reinhard => Self::Reinhard,
+        }
+    }
+}
+
+/// A number of stops: as many as lead from the faintest to the brightest number.
+fn stops(text: &str) -> Result<f64, String> {
+    let stops: f64 = text.parse().map_err(|_| "not a number".to_owned())?;
+    let in_range = (-300.0..=300.0).contains(&stops);
+    in_range.then_some(stops).ok_or_else(|| "must be from -300 to 300".to_owned())
 }
 
 pub(super) fn run(arguments: &Arguments, arithmetic: Arithmetic) -> Result<(), Error> {
     check_image_path(&arguments.output)?;
     let experiment = Experiment::load(&arguments.scene)?;
-    save_image(&render_at(arithmetic, &experiment.scene), &arguments.output)?;
+    let mut image = render_at(arithmetic, &experiment.scene);
+    if let Some(stops) = arguments.exposure {
+        expose(&mut image, stops);
+    }
+    ToneMapping::from(arguments.tone).apply(&mut image);
+    if arguments.normalize {
+        normalize(&mut image);
+    }
+    save_image(&image, &arguments.output)?;
     print(arguments.output.display())
 }

@@ -3,11 +3,27 @@
 //! Reading checks everything: what leaves this room is finite, in range and consistent. Writing is
 //! atomic: a reader finds the old file or the new one, never half of one.
 
+#[cfg(feature = "gltf")]
+mod gltf;
 pub mod images;
 mod io;
+mod meshes;
 pub mod obj;
+#[cfg(feature = "ply")]
+mod ply;
+#[cfg(test)]
+mod robustness;
 pub(crate) mod scene_file;
+#[cfg(feature = "stl")]
+mod stl;
 
+#[cfg(feature = "gltf")]
+pub use gltf::{GltfFile, load_gltf};
 pub use images::{LoadedImage, check_image_path, load_image, save_exr, save_image, save_png};
+pub use meshes::{MeshFormat, load_mesh};
 pub use obj::{Mesh, Model, load_obj, save_obj};
+#[cfg(feature = "ply")]
+pub use ply::load_ply;
 pub use scene_file::{save_experiment, save_scene};
+#[cfg(feature = "stl")]
+pub use stl::load_stl;

@@ -6,45 +6,51 @@ use std::path::{Path, PathBuf};
 
 use serde::{Deserialize, Serialize};
 
-use super::adam::Moments;
+use super::optimizer::Method;
+use super::trajectory::Trajectory;
 use super::{
-    Adam, CHECKPOINT_FILE, Checkpointing, Fingerprint, Point, Record, Settings, Stop, StopReason,
+    CHECKPOINT_FILE, Checkpointing, Fingerprint, Point, Record, Settings, Stop, StopReason,
 };
 use crate::Error;
 use crate::atomic_file::write_atomically;
 
 /// Changes whenever the file or the arithmetic of the optimiser does.
-const FORMAT: u32 = 1;
+const FORMAT: u32 = 2;
 
 /// Everything a run needs to continue. All numbers are finite, since JSON has no others.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Serialize, Deserialize)]
 pub(super) struct State {
     /// Steps taken.
     pub iteration: u64,
+    /// Evaluations made, over all parts of the run.
+    pub evaluations: u64,
     /// Seconds of work.
     pub seconds: f64,
     /// Where the next evaluation takes place; for a finished run, where the last one did.
     pub x: Vec<f64>,
-    pub moments: Moments,
+    pub method: Method,
     /// The lowest loss so far; the first of them.
     pub best: Option<Point>,
     /// The latest usable evaluation.
     pub last: Option<Point>,
     /// One entry per usable evaluation.
     pub history: Vec<Record>,
+    pub trajectory: Trajectory,
     pub stop: Option<Stop>,
 }
 
 impl State {
-    pub fn new(x: Vec<f64>) -> Self {
+    pub fn new(x: Vec<f64>, settings: &Settings) -> Self {
         Self {
             iteration: 0,
+            evaluations: 0,
             seconds: 0.0,
-            moments: Moments::new(x.len()),
+            method: Method::new(&settings.optimizer, x.len()),
             x,
             best: None,
             last: None,
             history: Vec::new(),
+            trajectory: Trajectory::new(),
             stop: None,
         }
     }
@@ -56,6 +62,7 @@ impl State {
         if self.best.as_ref().is_none_or(|best| loss < best.loss) {
             self.best = Some(point.clone());
         }
+        self.trajectory.record(&point);
         self.last = Some(point);
         self.history.push(record);
     }
@@ -71,12 +78,15 @@ impl State {
         let evaluated_here = match &self.stop {
             Some(Stop { reason, .. }) => matches!(
                 reason,
-                StopReason::Tolerance | StopReason::GradientTolerance | StopReason::Iterations
+                StopReason::Tolerance
+                    | StopReason::GradientTolerance
+                    | StopReason::Iterations
+                    | StopReason::LineSearch
             ),
             None => false,
         };
         self.x.len() == len
-            && self.moments.fits(len)
+            && self.method.fits(len)
             && point(&self.best)
             && point(&self.last)
             && self.history.len() as u64 == self.iteration + u64::from(evaluated_here)
@@ -99,6 +109,8 @@ impl State {
         let stopped_by_criterion = evaluated_here.is_some();
         if let Some(stop) = evaluated_here.and_then(stops) {
             self.stop = Some(stop);
+        } else if self.stop.as_ref().is_some_and(|stop| stop.reason == StopReason::LineSearch) {
+            // No criterion changes what the line search would find.
         } else if stopped_by_criterion || !self.is_finished() {
             // The evaluation that met the old criterion is repeated, to step from it.
             self.stop = None;
@@ -114,7 +126,7 @@ struct Checkpoint<S> {
     format: u32,
     /// Fingerprint of the problem.
     problem: String,
-    /// Fingerprint of the variables and of Adam's settings.
+    /// Fingerprint of the variables, the optimiser and the schedule.
     method: String,
     /// Fingerprint of the state as JSON: tells a disk that lost bits.
     checksum: String,
@@ -129,12 +141,14 @@ pub(super) struct CheckpointFile {
 }
 
 impl CheckpointFile {
-    pub fn new(checkpointing: &Checkpointing, variables: Fingerprint, adam: Adam) -> Self {
-        let Adam { beta1, beta2, epsilon } = adam;
+    /// `variables` is the fingerprint of the variables.
+    pub fn new(checkpointing: &Checkpointing, variables: Fingerprint, settings: &Settings) -> Self {
+        let method = settings.optimizer.mark(variables);
+        let method = settings.schedule.mark(settings.iterations, method);
         Self {
             path: checkpointing.folder.join(CHECKPOINT_FILE),
             problem: checkpointing.problem.to_string(),
-            method: variables.numbers(&[beta1, beta2, epsilon]).to_string(),
+            method: method.to_string(),
         }
     }
 
@@ -202,8 +216,8 @@ impl CheckpointFile {
         } else if problem != self.problem {
             "belongs to another problem: the scene, the target or the loss has changed".to_owned()
         } else if method != self.method {
-            "belongs to a run with other parameters, initial values, learning rates, bounds or \
-             Adam settings"
+            "belongs to a run with other parameters, initial values, learning rates, bounds, \
+             optimizer or schedule (which spans the iterations)"
                 .to_owned()
         } else {
             return Ok(());

@@ -20,9 +20,10 @@
 //! # Iterations
 //!
 //! Iteration `k` is the evaluation at the parameters that `k` steps have led to. `iterations: N`
-//! is thus `N` steps and `N + 1` evaluations at the most, and every loss that is reported was
-//! evaluated at the parameters reported with it. The parameters recovered are the best ones: those
-//! with the lowest loss, not those seen last.
+//! is thus `N` steps, and with a first-order method `N + 1` evaluations, at the most (a step of
+//! L-BFGS takes one evaluation or several). Every loss that is reported was evaluated at the
+//! parameters reported with it. The parameters recovered are the best ones: those with the lowest
+//! loss, not those seen last.
 //!
 //! # Checkpoints
 //!
@@ -38,36 +39,50 @@
 //! | a finished run    | starts, and replaces it          | returns its result at once        |
 //! | a damaged file    | error                            | error                             |
 //!
-//! A resumed run must have the same problem, variables and Adam settings. Its stopping criteria may
-//! differ, so that a finished run can be given more iterations, unless a run with the new criteria
-//! would have stopped before: then the error says where.
+//! A resumed run must have the same problem, variables, [`Optimizer`] and [`Schedule`]. Its stopping
+//! criteria may differ, so that a finished run can be given more iterations, unless a run with the
+//! new criteria would have stopped before: then the error says where. A schedule that is not
+//! constant spans the run, so with one the number of iterations must stay the same too.
 
-mod adam;
+#[cfg(feature = "argmin")]
+mod argmin_problem;
 mod checkpoint;
+#[cfg(feature = "argmin")]
+mod coordinates;
 mod fingerprint;
 mod history;
 mod loss_axis;
 mod loss_plot;
 mod observer;
+mod optimizer;
 mod problem;
 mod progress;
 mod report;
 mod run;
+pub mod schedule;
 mod settings;
 mod stop;
 #[cfg(test)]
 mod tests;
+mod trajectory;
 mod variable;
 
-pub use adam::Adam;
+#[cfg(feature = "argmin")]
+pub use argmin_problem::ArgminProblem;
+#[cfg(feature = "argmin")]
+pub use coordinates::Coordinates;
 pub use fingerprint::Fingerprint;
 pub use history::{Point, Record};
 pub use loss_plot::loss_svg;
 pub use observer::{Observer, Quiet, Start, Step};
+#[cfg(feature = "argmin")]
+pub use optimizer::Lbfgs;
+pub use optimizer::{Adam, AdamW, Optimizer, RmsProp, Sgd};
 pub use problem::{Evaluation, Objective};
 pub use progress::{Bar, Lines, progress};
 pub use report::{history_csv, summary, write_report};
 pub use run::{Optimization, Outcome};
+pub use schedule::Schedule;
 pub use settings::{CHECKPOINT_FILE, Checkpointing, Settings};
 pub use stop::{Stop, StopReason};
 pub use variable::Variable;

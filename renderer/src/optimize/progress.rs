@@ -180,7 +180,16 @@ mod tests {
         let best = Point { iteration: 4, loss: 0.25, x: vec![1.0] };
         let stop = Stop { reason: StopReason::Iterations, detail: "all done".to_owned() };
         let (last, history) = (best.clone(), vec![step(0, 0.0).record]);
-        Outcome { best, last, history, stop, seconds: 5.0, start: Start::Fresh }
+        Outcome {
+            best,
+            last,
+            history,
+            trajectory: vec![],
+            stop,
+            evaluations: 1,
+            seconds: 5.0,
+            start: Start::Fresh,
+        }
     }
 
     #[test]

@@ -6,12 +6,17 @@ use std::path::Path;
 
 use serde_json::{Map, Value, json};
 
+use super::trajectory::trajectory_json;
 use super::variable::split;
 use super::{Outcome, Record, Variable, loss_svg};
 use crate::Error;
 use crate::atomic_file::write_atomically;
 
-/// Writes `history.csv`, `loss.svg` and `summary.json` into `folder`, which is made if need be.
+/// Writes `history.csv`, `loss.svg`, `trajectory.json` and `summary.json` into `folder`, which is
+/// made if need be.
+///
+/// `trajectory.json` holds `paths`, one for each element of the parameters, `target`, its true value
+/// or null, and one entry of `iterations`, `losses` and `values` for each point of the trajectory.
 ///
 /// `extra` goes into the summary as it is; see [`summary`].
 ///
@@ -31,6 +36,7 @@ pub fn write_report(
     let files = [
         ("history.csv", history_csv(&outcome.history)),
         ("loss.svg", loss_svg(&outcome.history)?),
+        ("trajectory.json", format!("{}\n", trajectory_json(variables, &outcome.trajectory))),
         ("summary.json", format!("{summary:#}\n")),
     ];
     files.iter().try_for_each(|(name, text)| write_atomically(&folder.join(name), text.as_bytes()))
@@ -53,7 +59,7 @@ pub fn history_csv(history: &[Record]) -> String {
 ///   `last`, the loss of the latest iteration. The final loss is the lowest, which the recovered
 ///   parameters have.
 /// - `iterations`: the steps taken; `best_iteration`: the one that recovered the parameters.
-/// - `seconds` of work, and `seconds_per_iteration`, over the evaluations.
+/// - `evaluations` of the objective, `seconds` of work, and `seconds_per_iteration`.
 /// - `stop_reason` (see [`StopReason`](super::StopReason)) and `stop_detail`, for people.
 /// - `parameters`: for each path `initial`, `final` and, where it is known, `target`.
 ///
@@ -64,7 +70,7 @@ pub fn summary(
     outcome: &Outcome,
     extra: Map<String, Value>,
 ) -> Map<String, Value> {
-    let Outcome { best, last, history, stop, seconds, .. } = outcome;
+    let Outcome { best, last, history, stop, evaluations, seconds, .. } = outcome;
     let initial = outcome.initial_loss();
     let mut parameters = Map::new();
     for (variable, found) in split(variables, &best.x) {
@@ -88,6 +94,7 @@ pub fn summary(
         ),
         ("iterations", json!(last.iteration)),
         ("best_iteration", json!(best.iteration)),
+        ("evaluations", json!(evaluations)),
         ("seconds", json!(seconds)),
         ("seconds_per_iteration", json!(seconds / history.len() as f64)),
         ("stop_reason", json!(stop.reason)),
@@ -127,7 +134,9 @@ mod tests {
             best: Point { iteration: 1, loss: 0.1, x: vec![1.0, 2.0, 3.0] },
             last: Point { iteration: 2, loss: 0.3, x: vec![9.0; 3] },
             history: vec![record(0, 0.4), record(1, 0.1), record(2, 0.1 + 0.2)],
+            trajectory: vec![Point { iteration: 0, loss: 0.4, x: vec![5.0, 6.0, 7.0] }],
             stop: Stop { reason: StopReason::GradientTolerance, detail: "flat".to_owned() },
+            evaluations: 4,
             seconds: 6.0,
             start: Start::Fresh,
         }
@@ -162,6 +171,7 @@ mod tests {
                 "loss": {"initial": 0.4, "final": 0.1, "ratio": 0.25, "last": 0.3},
                 "iterations": 2,
                 "best_iteration": 1,
+                "evaluations": 4,
                 "seconds": 6.0,
                 "seconds_per_iteration": 2.0,
                 "stop_reason": "gradient_tolerance",
@@ -188,7 +198,7 @@ mod tests {
     }
 
     #[test]
-    fn report_leaves_three_files() {
+    fn report_leaves_four_files() {
         let folder = tempfile::tempdir().unwrap();
         let out = folder.path().join("new/out");
         let variables = [Variable::new("x", vec![0.0; 3], 0.1)];
@@ -197,6 +207,6 @@ mod tests {
         assert!(fs::read_to_string(out.join("loss.svg")).unwrap().contains("<svg"));
         let summary = fs::read_to_string(out.join("summary.json")).unwrap();
         assert!(serde_json::from_str::<Value>(&summary).unwrap().is_object());
-        assert_eq!(fs::read_dir(&out).unwrap().count(), 3);
+        assert_eq!(fs::read_dir(&out).unwrap().count(), 4);
     }
 }

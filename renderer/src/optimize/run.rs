@@ -1,10 +1,13 @@
 //! The loop.
 
+use std::cell::Cell;
 use std::time::Instant;
 
 use super::checkpoint::{CheckpointFile, State};
 use super::variable::{self, Flat};
-use super::{Objective, Observer, Point, Record, Settings, Start, Step, Stop, Variable};
+use super::{
+    Evaluation, Objective, Observer, Point, Record, Settings, Start, Step, Stop, Variable,
+};
 use crate::Error;
 
 /// An optimisation that is ready to run: its input is checked and its checkpoint, if any, is read.
@@ -26,8 +29,13 @@ pub struct Outcome {
     pub last: Point,
     /// One entry per iteration, from 0 on; never empty.
     pub history: Vec<Record>,
+    /// Some of the points it went through, from the first to the last, evenly spaced; empty if they
+    /// have too many numbers to be kept.
+    pub trajectory: Vec<Point>,
     /// Why it stopped.
     pub stop: Stop,
+    /// How often the objective was evaluated, over all resumed parts of the run.
+    pub evaluations: u64,
     /// Seconds of work, over all resumed parts of the run.
     pub seconds: f64,
     /// How this part of the run began.
@@ -56,7 +64,7 @@ impl<'a> Optimization<'a> {
         let mut file = None;
         if let Some(checkpointing) = &settings.checkpointing {
             let fingerprint = variable::fingerprint(variables);
-            let found = CheckpointFile::new(checkpointing, fingerprint, settings.adam);
+            let found = CheckpointFile::new(checkpointing, fingerprint, settings);
             stored = found.load(flat.x.len(), settings, checkpointing.resume)?;
             file = Some(found);
         }
@@ -65,7 +73,7 @@ impl<'a> Optimization<'a> {
             Some(state) if state.is_finished() => Start::Finished { iteration: state.iteration },
             Some(state) => Start::Resumed { iteration: state.iteration },
         };
-        let state = stored.unwrap_or_else(|| State::new(flat.x.clone()));
+        let state = stored.unwrap_or_else(|| State::new(flat.x.clone(), settings));
         Ok(Self { variables, settings, flat, file, state, start })
     }
 
@@ -94,12 +102,15 @@ impl<'a> Optimization<'a> {
             Some(stop) => stop,
             None => self.iterate(objective, observer)?,
         };
-        let State { best, last, history, seconds, .. } = self.state;
+        let State { best, last, history, trajectory, evaluations, seconds, .. } = self.state;
         let (Some(best), Some(last)) = (best, last) else {
             // Nothing was evaluated, and the only reason for that is the initial point.
             return Err(Error::new("optimize", stop.detail));
         };
-        let outcome = Outcome { best, last, history, stop, seconds, start: self.start };
+        let trajectory = trajectory.finish(&last);
+        let start = self.start;
+        let outcome =
+            Outcome { best, last, history, trajectory, stop, evaluations, seconds, start };
         observer.finish(&outcome);
         Ok(outcome)
     }
@@ -113,14 +124,19 @@ impl<'a> Optimization<'a> {
         let clock = Instant::now();
         let seconds_before = self.state.seconds;
         let mut last_saved: Option<Instant> = None;
+        let evaluations = Cell::new(self.state.evaluations);
+        let mut objective = |x: &[f64]| {
+            evaluations.set(evaluations.get() + 1);
+            let evaluation = objective.evaluate(x);
+            let gradient = evaluation.gradient.len();
+            assert_eq!(gradient, x.len(), "the gradient must have one element per parameter");
+            evaluation
+        };
+        let mut known: Option<Evaluation> = None;
         loop {
-            let evaluation = objective.evaluate(&self.state.x);
-            assert_eq!(
-                evaluation.gradient.len(),
-                self.state.x.len(),
-                "the gradient must have one element per parameter"
-            );
+            let evaluation = known.take().unwrap_or_else(|| objective(&self.state.x));
             self.state.seconds = seconds_before + clock.elapsed().as_secs_f64();
+            self.state.evaluations = evaluations.get();
             let iteration = self.state.iteration;
             if let Some(stop) = Stop::at_non_finite(&evaluation, iteration, self.variables) {
                 return self.stop(stop);
@@ -141,8 +157,12 @@ impl<'a> Optimization<'a> {
             }
 
             // From here to the next evaluation the state is one that a checkpoint can hold.
-            let State { moments, x, .. } = &mut self.state;
-            self.settings.adam.step(moments, x, &evaluation.gradient, &self.flat);
+            let State { method, x, .. } = &mut self.state;
+            let factor = self.settings.schedule.factor(iteration, self.settings.iterations);
+            match method.step(&self.flat, factor, x, evaluation, &mut objective) {
+                Ok(evaluation) => known = evaluation,
+                Err(why) => return self.stop(Stop::line_search(iteration, &why)),
+            }
             self.state.iteration += 1;
             if interrupted {
                 return self.stop(Stop::interrupted(iteration));

@@ -3,7 +3,8 @@
 use std::path::PathBuf;
 use std::time::Duration;
 
-use super::{Adam, Fingerprint};
+use super::optimizer::Field;
+use super::{Fingerprint, Optimizer, Schedule};
 use crate::Error;
 
 /// The file in the output folder that holds the state of the run.
@@ -19,20 +20,23 @@ pub struct Settings {
     /// Stop when the Euclidean norm of the gradient is at most this, not counting elements that a
     /// bound holds back. At the default 0, only a gradient that vanished stops.
     pub gradient_tolerance: f64,
-    /// The hyper-parameters of the optimiser. Learning rates belong to the variables.
-    pub adam: Adam,
+    /// The method. Learning rates belong to the variables.
+    pub optimizer: Optimizer,
+    /// How the learning rates change in the course of the run.
+    pub schedule: Schedule,
     /// Where the run is kept safe; nothing for a run that leaves no trace.
     pub checkpointing: Option<Checkpointing>,
 }
 
 impl Default for Settings {
-    /// 200 iterations, tolerances 0, no checkpoints.
+    /// 200 iterations, tolerances 0, Adam at constant learning rates, no checkpoints.
     fn default() -> Self {
         Self {
             iterations: 200,
             tolerance: 0.0,
             gradient_tolerance: 0.0,
-            adam: Adam::default(),
+            optimizer: Optimizer::default(),
+            schedule: Schedule::default(),
             checkpointing: None,
         }
     }
@@ -56,9 +60,7 @@ impl Settings {
     ///
     /// If a number is out of its range; the place is its field.
     pub(super) fn check(&self) -> Result<(), Error> {
-        let unit = 0.0..1.0;
-        let Adam { beta1, beta2, epsilon } = self.adam;
-        let fields = [
+        let tolerances: [Field; 2] = [
             ("tolerance", self.tolerance, !self.tolerance.is_nan(), "a number"),
             (
                 "gradient_tolerance",
@@ -66,16 +68,21 @@ impl Settings {
                 self.gradient_tolerance >= 0.0,
                 "0 or more",
             ),
-            ("beta1", beta1, unit.contains(&beta1), "at least 0 and below 1"),
-            ("beta2", beta2, unit.contains(&beta2), "at least 0 and below 1"),
-            ("epsilon", epsilon, epsilon > 0.0 && epsilon.is_finite(), "a positive number"),
         ];
-        match fields.into_iter().find(|&(_, _, good, _)| !good) {
-            Some((name, value, _, right)) => Err(Error::new(
-                format_args!("optimize.{name}"),
-                format!("is {value}; it must be {right}"),
-            )),
-            None => Ok(()),
-        }
+        check_fields("optimize", tolerances.to_vec())?;
+        self.optimizer.check()?;
+        self.schedule.check()?;
+        self.optimizer.check_schedule(&self.schedule)
+    }
+}
+
+/// The first number that is out of its range, as an error whose place is `place` and its name.
+pub(super) fn check_fields(place: &str, fields: Vec<Field>) -> Result<(), Error> {
+    match fields.into_iter().find(|(_, _, good, _)| !good) {
+        Some((name, value, _, right)) => Err(Error::new(
+            format_args!("{place}.{name}"),
+            format_args!("is {value}; it must be {right}"),
+        )),
+        None => Ok(()),
     }
 }

@@ -15,6 +15,9 @@ pub enum StopReason {
     GradientTolerance,
     /// All the iterations that were asked for are done.
     Iterations,
+    /// A line search found no lower loss: a minimum, as far as the precision of the loss tells, or
+    /// an edge of it.
+    LineSearch,
     /// The loss was infinite or not a number.
     NonFiniteLoss,
     /// An element of the gradient was infinite or not a number.
@@ -71,6 +74,11 @@ impl Stop {
         let value = evaluation.gradient[index];
         let detail = format!("the gradient of {path} is {value} at iteration {iteration}");
         Some(Self { reason: StopReason::NonFiniteGradient, detail })
+    }
+
+    pub(super) fn line_search(iteration: u64, why: &str) -> Self {
+        let detail = format!("the line search of iteration {iteration} found no lower loss: {why}");
+        Self { reason: StopReason::LineSearch, detail }
     }
 
     pub(super) fn interrupted(iteration: u64) -> Self {

@@ -12,7 +12,8 @@ pub struct Variable {
     pub path: String,
     /// Where the optimisation starts.
     pub initial: Vec<f64>,
-    /// About how far each element moves per step, in the element's own unit.
+    /// About how far each element moves per step, in the element's own unit. For
+    /// [`Sgd`](super::Sgd), what the gradient is multiplied with.
     pub learning_rate: Vec<f64>,
     /// The least value of each element; negative infinity for no bound.
     pub min: Vec<f64>,
@@ -124,6 +125,19 @@ impl Flat {
         })
     }
 
+    /// Moves `x` against `direction` by `factor` times the learning rate of each element, and
+    /// projects it onto the bounds. A finite `x` stays finite.
+    pub fn step(&self, x: &mut [f64], direction: &[f64], factor: f64) {
+        for (i, (x, direction)) in x.iter_mut().zip(direction).enumerate() {
+            // A rate that underflows to 0 must not meet an infinite direction.
+            let step = self.learning_rate[i] * factor * direction.clamp(f64::MIN, f64::MAX);
+            // No bound means the largest finite number.
+            let lowest = self.min[i].max(f64::MIN);
+            let highest = self.max[i].min(f64::MAX);
+            *x = (*x - step).clamp(lowest, highest);
+        }
+    }
+
     /// The length of the gradient of the variables at `x`, leaving out what points out of bounds:
     /// at a minimum on a bound the gradient itself never vanishes.
     pub fn projected_norm(&self, x: &[f64], gradient: &[f64]) -> f64 {
@@ -168,4 +182,29 @@ pub(super) fn fingerprint(variables: &[Variable]) -> Fingerprint {
             .numbers(&variable.min)
             .numbers(&variable.max)
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn steps_stay_within_bounds_and_finite() {
+        let mut flat = Flat {
+            x: vec![0.0; 3],
+            learning_rate: vec![0.3, 1e308, 1e-300],
+            min: vec![-0.5, f64::NEG_INFINITY, f64::NEG_INFINITY],
+            max: vec![f64::INFINITY; 3],
+        };
+        let mut x = std::mem::take(&mut flat.x);
+        flat.step(&mut x, &[1.0, -2.0, f64::INFINITY], 0.25);
+        assert_eq!(x[..2], [-0.075, 0.5e308]);
+        flat.step(&mut x, &[0.0, 0.0, f64::INFINITY], 1e-30);
+        assert!(x[2].is_finite());
+        for _ in 0..10 {
+            flat.step(&mut x, &[1.0, 1e308, f64::INFINITY], 1.0);
+        }
+        assert_eq!(x[..2], [-0.5, f64::MIN]);
+        assert!(x[2].is_finite());
+    }
 }

@@ -8,7 +8,7 @@ use crate::experiment::TunedParameter;
 use crate::optimize::Variable;
 use crate::scene::{Light, ParameterId, Scene};
 
-/// The first Adam step of a parameter, in its natural scale.
+/// The learning rate of a parameter, the length of the first Adam step, in its natural scale.
 ///
 /// Large enough to get anywhere within the default number of iterations; the steps get smaller
 /// where the gradient does. Camera and vertices have to be close to begin with, because only the

@@ -22,13 +22,14 @@ use ad::lanes::{Lanes, f64x8};
 
 use crate::Error;
 use crate::arithmetic::{Arithmetic, with_arithmetic};
-use crate::experiment::{Experiment, OptimizeSection, Target};
+use crate::experiment::{Experiment, OptimizeSection, Target, TunedParameter};
 use crate::files::{LoadedImage, load_image};
 use crate::image::Image;
 use crate::integrator::{Prepared, Wanted, gradient, loss, render};
 use crate::loss::{ImageLoss, LossKind};
 use crate::optimize::{
-    Evaluation, Fingerprint, Objective, Observer, Optimization, Outcome, Settings, Variable,
+    Evaluation, Fingerprint, Objective, Observer, Optimization, Optimizer, Outcome, Settings,
+    Variable,
 };
 use crate::scene::{ParameterId, Parameters, Scene};
 
@@ -68,6 +69,7 @@ impl<'a> Recovery<'a> {
                 "no parameter to optimise: name one (`renderer params` lists them)",
             ));
         }
+        check_learning_rates(scene, &section, place)?;
         let (target, truth) = load_target(scene, &section, place, arithmetic)?;
         let ids: Vec<_> = section.parameters.iter().map(|tuned| tuned.id).collect();
         let variables = section
@@ -91,6 +93,8 @@ impl<'a> Recovery<'a> {
                 .section
                 .gradient_tolerance
                 .unwrap_or(default.gradient_tolerance),
+            optimizer: self.section.optimizer.unwrap_or(default.optimizer),
+            schedule: self.section.schedule.unwrap_or(default.schedule),
             ..default
         }
     }
@@ -209,6 +213,31 @@ impl<'a> Recovery<'a> {
 
     fn loss(&self) -> ImageLoss<'_> {
         ImageLoss::new(self.loss_kind(), &self.target.image, self.target.saturates)
+    }
+}
+
+/// Whether an optimiser whose steps are as long as the gradient has a learning rate for every
+/// parameter.
+fn check_learning_rates(
+    scene: &Scene,
+    section: &OptimizeSection,
+    place: &str,
+) -> Result<(), Error> {
+    let Some(optimizer) = section.optimizer.filter(Optimizer::follows_gradient_length) else {
+        return Ok(());
+    };
+    let unrated =
+        |tuned: &&TunedParameter| section.learning_rate.is_none() && tuned.learning_rate.is_none();
+    match section.parameters.iter().find(unrated) {
+        None => Ok(()),
+        Some(tuned) => Err(Error::new(
+            format_args!("{place}: {}", scene.path(tuned.id)),
+            format_args!(
+                "has no learning rate; the steps of {} are the gradient times it, so none suits \
+                 every scene: give one (`learning_rate`, --learning-rate)",
+                optimizer.name()
+            ),
+        )),
     }
 }
 

@@ -44,6 +44,23 @@ impl Scene {
             vec![Light::Point(PointLight { position, color: DVec3::ONE, intensity })];
     }
 
+    /// Gives the framed scene another camera, whose image has `aspect_ratio` times its height as its
+    /// width. The point that it looks at is moved along the view to the depth of the objects, so that
+    /// the distance to it says something.
+    #[cfg(feature = "gltf")]
+    pub(crate) fn set_camera(&mut self, mut camera: Camera<f64>, aspect_ratio: Option<f64>) {
+        let (center, _) = self.bounding_sphere();
+        let forward = camera.look_at - camera.look_from;
+        let depth = (center - camera.look_from).dot(forward);
+        if depth > 0.0 {
+            camera.look_at = camera.look_from + forward * depth;
+        }
+        self.parameters.camera = camera;
+        if let Some(ratio) = aspect_ratio {
+            self.width = ((f64::from(SIZE) * ratio).round() as u32).max(1);
+        }
+    }
+
     /// The centre of the bounding box, and the radius around it that holds everything.
     fn bounding_sphere(&self) -> (DVec3, f64) {
         let vertices = self.parameters.vertices.as_slice().concat();

@@ -5,6 +5,10 @@
 //! gradient is a `Parameters` too, and one set of paths reaches into both. Values are `f64`
 //! whatever the renderer computes in, so that small steps of an optimiser are not lost.
 
+use glam::DVec3;
+
+use crate::kernels::camera::Camera;
+
 mod custom;
 mod framing;
 mod lookup;
@@ -16,6 +20,9 @@ pub use custom::{CustomLight, CustomLightObject, CustomShape, CustomShapeObject}
 pub use parameters::{Differentiability, Light, ParameterId, Parameters};
 pub use texture::{MaterialObject, MaterialTextures, TextureObject, Wrap};
 pub use validate::Invalid;
+
+/// How many mirrors light meets at most, if a scene file does not say.
+pub(crate) const DEFAULT_BOUNCES: u32 = 4;
 
 /// A scene, complete: it needs no file to be rendered.
 #[derive(Clone, Debug, PartialEq)]
@@ -42,6 +49,44 @@ pub struct Scene {
     pub shapes: Vec<CustomShapeObject>,
     /// One entry for each of `parameters.custom_lights`. Scene files do not know them.
     pub custom_lights: Vec<CustomLightObject>,
+}
+
+impl Scene {
+    /// A scene of one black pixel: nothing stands before the camera, which looks from +z to the origin.
+    /// To be filled.
+    pub fn empty() -> Self {
+        let camera = Camera {
+            look_from: DVec3::Z,
+            look_at: DVec3::ZERO,
+            up: DVec3::Y,
+            vfov: 45.0,
+            focus: 1.0,
+        };
+        let parameters = Parameters {
+            camera,
+            lights: Vec::new(),
+            materials: Vec::new(),
+            spheres: Vec::new(),
+            vertices: Vec::new(),
+            texture_coordinates: Vec::new(),
+            textures: Vec::new(),
+            shapes: Vec::new(),
+            custom_lights: Vec::new(),
+        };
+        Self {
+            width: 1,
+            height: 1,
+            bounces: DEFAULT_BOUNCES,
+            parameters,
+            light_names: Vec::new(),
+            materials: Vec::new(),
+            textures: Vec::new(),
+            spheres: Vec::new(),
+            meshes: Vec::new(),
+            shapes: Vec::new(),
+            custom_lights: Vec::new(),
+        }
+    }
 }
 
 /// The discrete part of a sphere.

@@ -20,8 +20,10 @@ fn leaves_every_result() {
             "loss.svg",
             "meshes",
             "scene.toml",
+            "strip",
             "summary.json",
-            "target.png"
+            "target.png",
+            "trajectory.json"
         ]
     );
     for name in ["target", "initial", "final", "difference"] {
@@ -56,6 +58,21 @@ fn leaves_every_result() {
     let first = progress.lines().next().unwrap();
     assert!(first.starts_with("iteration 0/40  loss "), "{progress}");
     assert!(!progress.contains(['\r', '\u{1b}']), "{progress:?}");
+}
+
+#[test]
+fn a_report_is_one_page_that_needs_nothing_else() {
+    let sandbox = Sandbox::new();
+    sandbox.succeed(&["optimize", "experiment.toml", "--out", "out"]);
+    assert_eq!(sandbox.succeed(&["report", "out"]), "out/report.html\n");
+    let page = String::from_utf8(sandbox.read("out/report.html")).unwrap();
+    let strip = sandbox.json("out/summary.json")["strip"].as_array().unwrap().len();
+    assert_eq!(page.matches("class=\"frame\"").count(), strip);
+    assert!(strip > 10 && page.contains("<h2>Trajectories</h2>"));
+    assert_eq!(page.matches("class=\"truth\"").count(), 4);
+    assert_eq!(page.matches("src=").count(), 4 + strip);
+    assert_eq!(page.matches("src=\"data:image/png;base64,").count(), 4 + strip);
+    sandbox.refuse_with(&["report", "none"], &["none/summary.json: no such file"]);
 }
 
 #[test]
@@ -117,6 +134,38 @@ fn the_command_line_goes_before_the_scene_file() {
     assert_eq!((&summary["iterations"], &summary["stop_reason"]), (&0.into(), &"tolerance".into()));
     let parameters = summary["parameters"].as_object().unwrap();
     assert_eq!(parameters.keys().collect::<Vec<_>>(), ["light.key.intensity"]);
+}
+
+#[test]
+fn methods_and_schedules_are_chosen_by_name() {
+    let sandbox = Sandbox::new();
+    let mut finals = Vec::new();
+    for more in [
+        &["--optimizer", "adam"][..],
+        &["--optimizer", "adamw"],
+        &["--optimizer", "rmsprop", "--schedule", "cosine"],
+        &["--optimizer", "sgd", "--learning-rate", "20", "--schedule", "step"],
+        &["--optimizer", "lbfgs", "--precision", "f64"],
+    ] {
+        let arguments = ["optimize", "experiment.toml", "--out", "out"];
+        sandbox.succeed(&[&arguments[..], more].concat());
+        let summary = sandbox.json("out/summary.json");
+        assert!(summary["loss"]["ratio"].as_f64().unwrap() < 0.5, "{more:?}: {summary:#}");
+        finals.push(summary["loss"]["final"].to_string());
+    }
+    finals.dedup();
+    assert_eq!(finals.len(), 5, "{finals:?}");
+
+    // A method that the scene file gives numbers keeps them.
+    let scene = String::from_utf8(sandbox.read("experiment.toml")).unwrap();
+    let optimizer = "[optimize]\noptimizer = { type = \"sgd\", momentum = 0.0 }";
+    sandbox.write("sgd.toml", scene.replace("[optimize]", optimizer));
+    let losses = [&["--optimizer", "sgd"][..], &[]].map(|more| {
+        let arguments = ["optimize", "sgd.toml", "--out", "out", "--learning-rate", "2"];
+        sandbox.succeed(&[&arguments[..], more].concat());
+        sandbox.json("out/summary.json")["loss"].clone()
+    });
+    assert_eq!(losses[0], losses[1]);
 }
 
 #[test]

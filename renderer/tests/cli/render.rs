@@ -82,3 +82,70 @@ fn help_and_version_are_no_errors() {
     }
     assert!(sandbox.succeed(&["--version"]).starts_with("renderer "));
 }
+
+#[test]
+fn meshes_of_every_format_are_rendered() {
+    let sandbox = Sandbox::new();
+    let triangle = "0 0 0\n1 0 0\n0 1 0\n";
+    sandbox.write("a.obj", format!("v {}f 1 2 3\n", triangle.trim().replace('\n', "\nv ") + "\n"));
+    sandbox.write(
+        "a.ply",
+        format!(
+            "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n\
+             property float z\nelement face 1\nproperty list uchar int vertex_index\nend_header\n\
+             {triangle}3 0 1 2\n"
+        ),
+    );
+    let vertices = triangle.trim().replace('\n', "\nvertex ");
+    sandbox.write(
+        "a.stl",
+        format!("solid a\nfacet normal 0 0 1\nouter loop\nvertex {vertices}\nendloop\nendfacet\n"),
+    );
+    sandbox.write(
+        "a.gltf",
+        r#"{"asset":{"version":"2.0"},"nodes":[{"mesh":0,"name":"a"}],"meshes":[{"primitives":[
+        {"attributes":{"POSITION":0}}]}],"accessors":[{"bufferView":0,"componentType":5126,"count":3,
+        "type":"VEC3"}],"bufferViews":[{"buffer":0,"byteLength":36}],"buffers":[{"byteLength":36,
+        "uri":"data:;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"}]}"#,
+    );
+    let images = ["obj", "ply", "stl", "gltf"].map(|extension| {
+        let mesh = format!("a.{extension}");
+        sandbox.succeed(&["render", &mesh, "-o", "alone.png"]);
+        sandbox.write_changed("with.toml", "floor.obj", &mesh);
+        sandbox.succeed(&["render", "with.toml", "-o", "within.png"]);
+        (sandbox.read("alone.png"), sandbox.read("within.png"))
+    });
+    assert!(images.iter().all(|image| *image == images[0]));
+    sandbox.write_changed("with.toml", "floor.obj", "floor.fbx");
+    sandbox.refuse_with(
+        &["render", "with.toml", "-o", "x.png"],
+        &["floor.fbx: is no mesh file: one of .obj, .ply, .stl, .gltf, .glb"],
+    );
+}
+
+#[test]
+fn exposure_tone_and_range_are_those_asked_for() {
+    let sandbox = Sandbox::new();
+    let render = |more: &[&str]| {
+        sandbox.succeed(&[&["render", "scene.toml", "-o", "a.exr"], more].concat());
+        load_image(&sandbox.path("a.exr")).unwrap().image.pixels.as_flattened().to_vec()
+    };
+    let plain = render(&[]);
+    let exposed = render(&["--exposure", "-1"]);
+    assert!(plain.iter().zip(&exposed).all(|(plain, exposed)| 0.5 * plain == *exposed));
+    let toned = render(&["--tone", "reinhard", "--exposure", "10"]);
+    let brightest = toned.iter().copied().fold(0.0, f32::max);
+    assert!((0.9..2.0).contains(&brightest), "{brightest}");
+    let normalized = render(&["--normalize"]);
+    let ends = |values: &[f32]| {
+        let low = values.iter().copied().fold(f32::INFINITY, f32::min);
+        (low, values.iter().copied().fold(0.0, f32::max))
+    };
+    assert_eq!(ends(&normalized), (0.0, 1.0));
+    for more in
+        [&["--exposure", "nan"][..], &["--tone", "aces"], &["--normalize", "--exposure", "1"]]
+    {
+        let output = sandbox.run(&[&["render", "scene.toml", "-o", "b.exr"], more].concat());
+        assert_eq!(output.status.code(), Some(2), "{more:?}");
+    }
+}

@@ -254,7 +254,8 @@ fn several_places(x: f64, y: f64) -> f64 {
 fn reporting(x: f64) -> Result<f64, String> {
     if x < -100.0 {
         println!("{x} is very small");
-        eprintln!("{} is {what}", x, what = "very small");
+        let what = "very small";
+        eprintln!("{} is {what} {count}", x, count = 2.0 * x);
     }
     if x < 0.0 { Err(format!("{x:.1} is negative")) } else { Ok(x.sqrt()) }
 }

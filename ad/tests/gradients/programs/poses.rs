@@ -15,7 +15,7 @@ struct Joint {
 fn world(joints: &[Joint]) -> DMat4 {
     let mut pose = DMat4::IDENTITY;
     for joint in joints {
-        pose = pose * DMat4::from_rotation_translation(joint.rotation, joint.offset);
+        pose *= DMat4::from_rotation_translation(joint.rotation, joint.offset);
     }
     pose
 }

@@ -237,3 +237,23 @@ fn trip_counts() {
         crate::oracle::assert_close("trips", slope, expected, 1e-12);
     }
 }
+
+/// Indices that are defined together are computed again, each from what it was then.
+#[differentiable]
+fn indices_defined_together(x: f64, y: f64) -> f64 {
+    let rows = [x, y, x * y, x - y, 2.0 * y, x * x];
+    let mut n = 0;
+    let mut total = 1.0;
+    for i in 0..3 {
+        let (w, b) = (2 * i, 2 * i + 1);
+        let (last, next) = (n, n + 1);
+        n = next;
+        total += (rows[w] * total + rows[b]) * rows[last] * rows[next];
+    }
+    total
+}
+
+#[test]
+fn several_at_once() {
+    check!(indices_defined_together(x, y) at [0.5, 0.7], [-1.1, 0.4]);
+}

@@ -6,7 +6,8 @@ fn f(mut x: f64, y: &mut f64) -> f64 {
         x /= t;
     }
     std::mem::swap(&mut x, y);
-    println!("{x}");
+    let line = line!();
+    let later = async { line };
     [x].map(|t| t * t)[0]
 }
 

@@ -1,16 +1,17 @@
 //! The scene file as it is written down.
 
+use std::collections::HashMap;
 use std::fmt;
+use std::marker::PhantomData;
 use std::path::PathBuf;
 
-use serde::de::{self, Deserializer, SeqAccess, Visitor};
+use serde::de::value::MapAccessDeserializer;
+use serde::de::{self, Deserializer, IntoDeserializer, MapAccess, SeqAccess, Visitor};
 use serde::{Deserialize, Serialize, Serializer};
 
 use crate::loss::LossKind;
-use crate::scene::Wrap;
-
-/// How many mirrors light meets at most, if a scene does not say.
-pub(super) const DEFAULT_BOUNCES: u32 = 4;
+use crate::optimize::{Optimizer, Schedule};
+use crate::scene::{DEFAULT_BOUNCES, Wrap};
 
 /// A table whose order is kept.
 pub(super) type Ordered<T> = Vec<(String, T)>;
@@ -180,6 +181,10 @@ pub(super) struct OptimizeEntry {
     pub tolerance: Option<f64>,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub gradient_tolerance: Option<f64>,
+    #[serde(default, deserialize_with = "name_or_table", skip_serializing_if = "Option::is_none")]
+    pub optimizer: Option<Optimizer>,
+    #[serde(default, deserialize_with = "name_or_table", skip_serializing_if = "Option::is_none")]
+    pub schedule: Option<Schedule>,
     #[serde(default, with = "ordered", skip_serializing_if = "Vec::is_empty")]
     pub target_values: Ordered<Numbers>,
     #[serde(default, rename = "parameter", skip_serializing_if = "Vec::is_empty")]
@@ -264,6 +269,33 @@ impl<'de> Deserialize<'de> for Numbers {
 
         deserializer.deserialize_any(NumbersVisitor)
     }
+}
+
+/// A table with a `type`, or that type alone.
+fn name_or_table<'de, T, D>(deserializer: D) -> Result<Option<T>, D::Error>
+where
+    T: Deserialize<'de>,
+    D: Deserializer<'de>,
+{
+    struct NameOrTable<T>(PhantomData<T>);
+
+    impl<'de, T: Deserialize<'de>> Visitor<'de> for NameOrTable<T> {
+        type Value = T;
+
+        fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+            write!(f, "a name or a table with a `type`")
+        }
+
+        fn visit_str<E: de::Error>(self, name: &str) -> Result<T, E> {
+            T::deserialize(HashMap::from([("type", name)]).into_deserializer())
+        }
+
+        fn visit_map<A: MapAccess<'de>>(self, table: A) -> Result<T, A::Error> {
+            T::deserialize(MapAccessDeserializer::new(table))
+        }
+    }
+
+    deserializer.deserialize_any(NameOrTable(PhantomData)).map(Some)
 }
 
 /// Tables as a list of their entries, in the order of the file.

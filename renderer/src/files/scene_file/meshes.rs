@@ -1,51 +1,45 @@
-//! Puts the meshes of OBJ files into a scene.
+//! Puts the meshes of files into a scene.
 
 use std::path::Path;
 
-use glam::DVec3;
-
 use super::Problem;
-use super::format::{DEFAULT_BOUNCES, MeshEntry};
+use super::format::MeshEntry;
 use super::materials::MaterialTable;
 use crate::Error;
-use crate::files::obj::{Mesh, Model, load_obj, unique};
-use crate::kernels::camera::Camera;
-use crate::scene::{MeshObject, Parameters, Scene};
+use crate::files::meshes::load_mesh;
+use crate::files::obj::{Mesh, Model, unique};
+#[cfg(feature = "gltf")]
+use crate::files::{GltfFile, MeshFormat, load_gltf};
+use crate::scene::{MeshObject, Scene};
 
-/// A scene of one black pixel: nothing stands before the camera.
-pub(super) fn empty_scene() -> Scene {
-    let camera =
-        Camera { look_from: DVec3::Z, look_at: DVec3::ZERO, up: DVec3::Y, vfov: 45.0, focus: 1.0 };
-    let parameters = Parameters {
-        camera,
-        lights: Vec::new(),
-        materials: Vec::new(),
-        spheres: Vec::new(),
-        vertices: Vec::new(),
-        texture_coordinates: Vec::new(),
-        textures: Vec::new(),
-        shapes: Vec::new(),
-        custom_lights: Vec::new(),
-    };
-    Scene {
-        width: 1,
-        height: 1,
-        bounces: DEFAULT_BOUNCES,
-        parameters,
-        light_names: Vec::new(),
-        materials: Vec::new(),
-        textures: Vec::new(),
-        spheres: Vec::new(),
-        meshes: Vec::new(),
-        shapes: Vec::new(),
-        custom_lights: Vec::new(),
+/// The scene that a mesh file alone gives, framed and lit by default.
+pub(crate) fn load_mesh_scene(path: &Path) -> Result<Scene, Error> {
+    #[cfg(feature = "gltf")]
+    if MeshFormat::of(path) == Some(MeshFormat::Gltf) {
+        return load_gltf_scene(path);
     }
+    framed(load_mesh(path)?, path)
 }
 
-/// The scene that an `.obj` alone gives, framed and lit by default.
-pub(crate) fn load_obj_scene(path: &Path) -> Result<Scene, Error> {
-    let Model { meshes, materials } = load_obj(path)?;
-    let mut scene = empty_scene();
+/// The scene of a glTF file: what it brings of camera and lights replaces the default ones.
+#[cfg(feature = "gltf")]
+fn load_gltf_scene(path: &Path) -> Result<Scene, Error> {
+    let GltfFile { model, camera, lights } = load_gltf(path)?;
+    let mut scene = framed(model, path)?;
+    if let Some((camera, aspect_ratio)) = camera {
+        scene.set_camera(camera, aspect_ratio);
+    }
+    if !lights.is_empty() {
+        (scene.light_names, scene.parameters.lights) = lights.into_iter().unzip();
+    }
+    scene.validate(path.display())?;
+    Ok(scene)
+}
+
+/// The scene of a model from the file `path`, framed and lit by default.
+fn framed(model: Model, path: &Path) -> Result<Scene, Error> {
+    let Model { meshes, materials } = model;
+    let mut scene = Scene::empty();
     let mut table = MaterialTable::of_models();
     let indices: Result<Vec<u32>, Problem> = materials.iter().map(|m| table.add(m)).collect();
     let indices = indices.map_err(|problem| problem.at(path))?;
@@ -66,7 +60,7 @@ pub(super) fn add_entry(
     entry: &MeshEntry,
     folder: &Path,
 ) -> Result<(), Problem> {
-    let Model { mut meshes, materials } = load_obj(&folder.join(&entry.path))?;
+    let Model { mut meshes, materials } = load_mesh(&folder.join(&entry.path))?;
     let indices = match &entry.material {
         Some(name) => {
             let index = table.index(name).map_err(|problem| {

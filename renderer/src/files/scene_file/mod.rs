@@ -23,7 +23,7 @@ use crate::experiment::Experiment;
 use crate::scene::Invalid;
 use locate::Locator;
 
-pub(crate) use meshes::load_obj_scene;
+pub(crate) use meshes::load_mesh_scene;
 pub use write::{save_experiment, save_scene};
 
 /// Reads a scene file.
@@ -31,7 +31,7 @@ pub(crate) fn load(path: &Path) -> Result<Experiment, Error> {
     let text = String::from_utf8(read_bytes(path)?).map_err(|error| {
         let position = error.utf8_error().valid_up_to();
         let problem = format!(
-            "is neither a scene file (TOML) nor an .obj: byte {position} is not UTF-8 text"
+            "is neither a scene file (TOML) nor a mesh (.obj, .ply, .stl, .gltf, .glb): byte {position} is not UTF-8 text"
         );
         Error::new(path.display(), problem)
     })?;

@@ -4,6 +4,7 @@ use std::path::Path;
 
 use super::Problem;
 use super::format::{Numbers, OptimizeEntry, Ordered, ParameterEntry};
+use crate::Error;
 use crate::experiment::{OptimizeSection, Target, TunedParameter};
 use crate::scene::{Invalid, ParameterId, Scene};
 
@@ -36,10 +37,18 @@ pub(super) fn read(
     check("optimize.tolerance", entry.tolerance, not_negative, "must not be negative")?;
     let gradient_tolerance = entry.gradient_tolerance;
     check("optimize.gradient_tolerance", gradient_tolerance, not_negative, "must not be negative")?;
+    let at_field = |Error { place, problem }| Problem::new(place, problem);
+    entry.optimizer.unwrap_or_default().check().map_err(at_field)?;
+    if let Some(schedule) = &entry.schedule {
+        schedule.check().map_err(at_field)?;
+        entry.optimizer.unwrap_or_default().check_schedule(schedule).map_err(at_field)?;
+    }
     Ok(OptimizeSection {
         target,
         parameters,
         loss: entry.loss,
+        optimizer: entry.optimizer,
+        schedule: entry.schedule,
         learning_rate: entry.learning_rate,
         iterations: entry.iterations,
         tolerance: entry.tolerance,

@@ -26,7 +26,7 @@ pub(super) fn experiment(file: &SceneFile, folder: &Path) -> Result<Experiment, 
 }
 
 fn scene(file: &SceneFile, folder: &Path) -> Result<Scene, Problem> {
-    let mut scene = meshes::empty_scene();
+    let mut scene = Scene::empty();
     scene.bounces = file.bounces;
     scene.width = file.camera.width;
     scene.height = file.camera.height;

@@ -8,6 +8,7 @@ use crate::image::Image;
 use crate::kernels::light::DistantLight;
 use crate::kernels::sphere::Sphere;
 use crate::loss::LossKind;
+use crate::optimize::{Optimizer, Schedule, Sgd};
 use crate::scene::{
     Light, MaterialObject, MaterialTextures, ParameterId, Scene, SphereObject, TextureObject, Wrap,
 };
@@ -109,6 +110,7 @@ fn the_optimise_section_is_read() {
     let text = format!(
         "{CAMERA}{LIGHT}[optimize]\nloss = \"l1\"\nlearning_rate = 0.1\niterations = 7\n\
          tolerance = 0\ngradient_tolerance = 1e-9\n\
+         optimizer = {{ type = \"sgd\", momentum = 0.5 }}\nschedule = \"cosine\"\n\
          [optimize.target_values]\n\"light.key.position\" = [3, 2, 1]\n\
          \"light.key.intensity\" = 9\n\
          [[optimize.parameter]]\npath = \"light.key.position\"\nmin = -5\nmax = [1, inf, 3]\n\
@@ -134,6 +136,8 @@ fn the_optimise_section_is_read() {
             },
         ],
         loss: Some(LossKind::L1),
+        optimizer: Some(Optimizer::Sgd(Sgd { momentum: 0.5 })),
+        schedule: Some(Schedule::named("cosine").unwrap()),
         learning_rate: Some(0.1),
         iterations: Some(7),
         tolerance: Some(0.0),
@@ -198,6 +202,26 @@ fn mistakes_in_the_file_are_placed() {
             "s.toml:11: mesh.m.name: another mesh has this name",
         ),
         ("[optimize]\nloss = \"l2\"\n", "s.toml:7: unknown variant `l2`"),
+        (
+            "[optimize]\noptimizer = \"adan\"\n",
+            "s.toml:7: unknown variant `adan`, expected one of `adam`",
+        ),
+        (
+            "[optimize]\noptimizer = 3\n",
+            "s.toml:7: invalid type: integer `3`, expected a name or a table",
+        ),
+        (
+            "[optimize]\noptimizer = { type = \"sgd\", beta1 = 0.5 }\n",
+            "s.toml:7: unknown field `beta1`, expected `momentum`",
+        ),
+        (
+            "[optimize]\noptimizer = { type = \"sgd\", momentum = 2 }\n",
+            "s.toml:7: optimize.optimizer.momentum: is 2; it must be at least 0 and below 1",
+        ),
+        (
+            "[optimize]\n[optimize.schedule]\ntype = \"step\"\nstages = 0\n",
+            "s.toml:9: optimize.schedule.stages: is 0; it must be at least 1",
+        ),
         ("[optimize]\niterations = -1\n", "s.toml:7: invalid value: integer `-1`"),
         ("[optimize]\ntolerance = nan\n", "s.toml:7: optimize.tolerance: must not be negative"),
         ("[optimize]\nlearning_rate = 0\n", "s.toml:7: optimize.learning_rate: must be above 0"),
@@ -292,7 +316,7 @@ fn files_that_are_no_scene_are_refused() {
     fs::write(&binary, [0x66, 0xff, 0x00]).unwrap();
     assert!(
         refused(&binary)
-            .contains("b.toml: is neither a scene file (TOML) nor an .obj: byte 1 is not UTF-8")
+            .contains("b.toml: is neither a scene file (TOML) nor a mesh (.obj, .ply, .stl, .gltf, .glb): byte 1 is not UTF-8")
     );
 }
 
@@ -421,7 +445,7 @@ fn the_documented_scene_file_is_read() {
         lines.map(|line| format!("{}\n", line.strip_prefix(' ').unwrap_or(line))).collect();
     let blocks: Vec<&str> =
         text.split("```toml").skip(1).filter_map(|b| b.split("```").next()).collect();
-    let [whole, values] = blocks[..] else { panic!("two blocks") };
+    let [whole, tables, values] = blocks[..] else { panic!("three blocks") };
 
     let folder = folder();
     // The mesh of the documentation wears a texture, so it needs texture coordinates.
@@ -433,6 +457,9 @@ fn the_documented_scene_file_is_read() {
     let experiment = Experiment::parse(whole, folder.path(), "s.toml").unwrap();
     assert_eq!(experiment.scene.parameters.spheres.len(), 1);
     assert_eq!(experiment.optimize.unwrap().parameters[0].min, Some(vec![-20.0; 3]));
+    let text = format!("{}{tables}", whole.split("[optimize]").next().unwrap());
+    let section = Experiment::parse(&text, folder.path(), "s.toml").unwrap().optimize.unwrap();
+    assert_eq!(section.optimizer, Some(Optimizer::Sgd(Sgd { momentum: 0.5 })));
     let values = whole.replace("target = ", "# ") + values;
     let experiment = Experiment::parse(&values, folder.path(), "s.toml").unwrap();
     assert!(matches!(experiment.optimize.unwrap().target, Some(Target::Values(v)) if v.len() == 2));

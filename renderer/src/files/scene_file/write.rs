@@ -192,6 +192,8 @@ fn optimize_entry(
 ) -> Result<OptimizeEntry, Error> {
     let mut entry = OptimizeEntry {
         loss: section.loss,
+        optimizer: section.optimizer,
+        schedule: section.schedule,
         learning_rate: section.learning_rate,
         iterations: section.iterations,
         tolerance: section.tolerance,

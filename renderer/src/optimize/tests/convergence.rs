@@ -41,6 +41,29 @@ fn rosenbrock_reaches_the_gradient_tolerance() {
 }
 
 #[test]
+fn every_method_and_schedule_finds_the_minimum() {
+    let variables = [
+        Variable::new("a", vec![5.0], 0.1).bounded(-10.0, 10.0),
+        Variable::new("b", vec![0.9], 0.1),
+    ];
+    for optimizer in Optimizer::all() {
+        for schedule in schedules(&optimizer) {
+            let settings = Settings { optimizer, schedule, ..iterations(400) };
+            let outcome = run(&variables, &settings, quadratic).unwrap();
+            // Weight decay holds the minimum of Adam's direction off by a little, and RMSProp at
+            // a constant rate goes to and fro across it.
+            let off = match (optimizer, schedule) {
+                (Optimizer::AdamW(_), _) => 0.05,
+                (Optimizer::RmsProp(_), Schedule::Constant) => 0.06,
+                _ => 0.02,
+            };
+            let x = &outcome.best.x;
+            assert!(x.iter().all(|x| (x - 1.0).abs() < off), "{optimizer:?} {schedule:?}: {x:?}");
+        }
+    }
+}
+
+#[test]
 fn iterations_count_steps() {
     let variables = [Variable::new("x", vec![5.0], 0.1)];
     for n in [0, 1, 7] {
@@ -143,6 +166,7 @@ fn stop_reasons_are_snake_case() {
         (StopReason::Tolerance, "tolerance"),
         (StopReason::GradientTolerance, "gradient_tolerance"),
         (StopReason::Iterations, "iterations"),
+        (StopReason::LineSearch, "line_search"),
         (StopReason::NonFiniteLoss, "non_finite_loss"),
         (StopReason::NonFiniteGradient, "non_finite_gradient"),
         (StopReason::Interrupted, "interrupted"),

@@ -1,6 +1,8 @@
 //! Whole optimisations.
 
 mod convergence;
+#[cfg(feature = "argmin")]
+mod lbfgs;
 mod resume;
 mod validation;
 
@@ -26,6 +28,13 @@ fn rosenbrock(x: &[f64]) -> Evaluation {
 
 fn iterations(iterations: u64) -> Settings {
     Settings { iterations, ..Settings::default() }
+}
+
+/// The schedules that a method can have.
+fn schedules(optimizer: &Optimizer) -> Vec<Schedule> {
+    let mut schedules = Schedule::all().to_vec();
+    schedules.truncate(if optimizer.finds_step_lengths() { 1 } else { schedules.len() });
+    schedules
 }
 
 fn in_folder(folder: &Path, resume: bool, settings: Settings) -> Settings {

@@ -54,6 +54,43 @@ fn interrupted_run_continues_bit_for_bit() {
     }
 }
 
+/// The rates are small enough for plain gradient descent, too.
+#[test]
+fn every_method_continues_bit_for_bit() {
+    for optimizer in Optimizer::all() {
+        for schedule in schedules(&optimizer) {
+            let settings = Settings { optimizer, schedule, ..iterations(30) };
+            let variables = variables().map(|mut variable| {
+                variable.learning_rate[0] *= 0.01;
+                variable
+            });
+            let expected = run(&variables, &settings, rosenbrock).unwrap();
+            assert!(expected.best.loss < expected.initial_loss(), "{optimizer:?} {schedule:?}");
+            let folder = tempfile::tempdir().unwrap();
+            let settings = in_folder(folder.path(), true, settings);
+            for k in [0, 1, 12] {
+                Optimization::start(&variables, &settings)
+                    .unwrap()
+                    .run(&mut rosenbrock, &mut InterruptAt(k))
+                    .unwrap();
+            }
+            let outcome = run(&variables, &settings, rosenbrock).unwrap();
+            assert_eq!(outcome.start, Start::Resumed { iteration: 13 });
+            assert_same(&outcome, &expected);
+        }
+    }
+}
+
+#[test]
+fn schedule_spans_the_run() {
+    let folder = tempfile::tempdir().unwrap();
+    let cosine = Settings { schedule: Schedule::named("cosine").unwrap(), ..iterations(10) };
+    interrupt(folder.path(), 4, cosine.clone());
+    let error = resume(folder.path(), Settings { iterations: 20, ..cosine.clone() }).unwrap_err();
+    assert!(error.problem.contains("schedule (which spans the iterations)"), "{error}");
+    assert!(resume(folder.path(), cosine).is_ok());
+}
+
 #[test]
 fn run_interrupted_many_times_continues_bit_for_bit() {
     let expected = run(&variables(), &iterations(60), rosenbrock).unwrap();
@@ -185,15 +222,22 @@ fn other_run_is_refused() {
     let problem = refused(&variables(), &other);
     assert!(problem.contains("belongs to another problem"), "{problem}");
 
-    let mut other = settings.clone();
-    other.adam.beta1 = 0.8;
+    let other_optimizer =
+        Settings { optimizer: Optimizer::Sgd(Sgd::default()), ..settings.clone() };
+    let other_number = Optimizer::Adam(Adam { beta1: 0.8, ..Adam::default() });
+    let other_number = Settings { optimizer: other_number, ..settings.clone() };
+    let other_schedule =
+        Settings { schedule: Schedule::named("step").unwrap(), ..settings.clone() };
     let changes: [fn(&mut Variable); 4] = [
         |x| x.initial[0] = -1.1,
         |x| x.learning_rate[0] = 0.02,
         |x| x.max[0] = 3.0,
         |x| x.path = "z".to_owned(),
     ];
-    let mut problems = vec![refused(&variables(), &other), refused(&variables()[..1], &settings)];
+    let mut problems = vec![refused(&variables()[..1], &settings)];
+    problems.extend(
+        [other_optimizer, other_number, other_schedule].map(|other| refused(&variables(), &other)),
+    );
     for change in changes {
         let mut variables = variables();
         change(&mut variables[0]);

@@ -46,14 +46,32 @@ fn unusable_variables() {
 #[test]
 fn unusable_settings() {
     let variables = [Variable::new("x", vec![0.0], 0.1)];
-    let cases: [Case<Settings>; 5] = [
+    let cases: [Case<Settings>; 9] = [
         ("optimize.tolerance: is NaN; it must be a number", |s| s.tolerance = f64::NAN),
         ("optimize.gradient_tolerance: is -1; it must be 0 or more", |s| {
             s.gradient_tolerance = -1.0
         }),
-        ("optimize.beta1: is 1; it must be at least 0 and below 1", |s| s.adam.beta1 = 1.0),
-        ("optimize.beta2: is NaN; it must be at least 0 and below 1", |s| s.adam.beta2 = f64::NAN),
-        ("optimize.epsilon: is 0; it must be a positive number", |s| s.adam.epsilon = 0.0),
+        ("optimize.optimizer.beta1: is 1; it must be at least 0 and below 1", |s| {
+            s.optimizer = Optimizer::Adam(Adam { beta1: 1.0, ..Adam::default() });
+        }),
+        ("optimize.optimizer.beta2: is NaN; it must be at least 0 and below 1", |s| {
+            s.optimizer = Optimizer::AdamW(AdamW { beta2: f64::NAN, ..AdamW::default() });
+        }),
+        ("optimize.optimizer.epsilon: is 0; it must be a positive number", |s| {
+            s.optimizer = Optimizer::RmsProp(RmsProp { epsilon: 0.0, ..RmsProp::default() });
+        }),
+        ("optimize.optimizer.momentum: is -0.1; it must be at least 0 and below 1", |s| {
+            s.optimizer = Optimizer::Sgd(Sgd { momentum: -0.1 });
+        }),
+        ("optimize.schedule.end: is 0; it must be above 0 and at most 1", |s| {
+            s.schedule = Schedule::Exponential(schedule::Exponential { end: 0.0 });
+        }),
+        ("optimize.schedule.stages: is 0; it must be at least 1", |s| {
+            s.schedule = Schedule::Step(schedule::Step { stages: 0, decay: 0.5 });
+        }),
+        ("optimize.schedule.end: is NaN; it must be from 0 to 1", |s| {
+            s.schedule = Schedule::Cosine(schedule::Cosine { end: f64::NAN });
+        }),
     ];
     for (message, change) in cases {
         let mut settings = Settings::default();

@@ -1,0 +1,140 @@
+//! The pullbacks of the arithmetic operators.
+
+use proc_macro2::{Ident, Span, TokenStream};
+use quote::{quote, quote_spanned};
+
+use super::Sweeper;
+use super::contribute::Target;
+use super::products::Products;
+use crate::ir::{BinaryOperator, VarId};
+
+impl Sweeper<'_> {
+    /// Gives the cotangent of `-value` to `value`.
+    pub(super) fn pull_back_negation(
+        &mut self,
+        reverse: &mut TokenStream,
+        record: &Ident,
+        value: VarId,
+        cotangent: TokenStream,
+    ) {
+        if self.numbers.number(value).is_some() {
+            return self.subtract(reverse, value, cotangent);
+        }
+        let span = self.span(value);
+        let pulled = quote_spanned!(span=> #record.pull_back_negation(#cotangent));
+        self.contribute(reverse, value, &[], pulled);
+    }
+
+    /// Gives the cotangent of the result of an operator to its operands.
+    pub(super) fn pull_back_binary(
+        &mut self,
+        reverse: &mut TokenStream,
+        record: &Ident,
+        operator: BinaryOperator,
+        operands: [VarId; 2],
+        cotangent: TokenStream,
+        span: Span,
+    ) {
+        let [left, right] = operands;
+        if self.are_numbers(left, right) {
+            match operator {
+                BinaryOperator::Add => {
+                    self.add(reverse, left, &[], cotangent.clone());
+                    return self.add(reverse, right, &[], cotangent);
+                }
+                BinaryOperator::Sub => {
+                    self.add(reverse, left, &[], cotangent.clone());
+                    return self.subtract(reverse, right, cotangent);
+                }
+                BinaryOperator::Mul if !self.calls_for(operands) => {
+                    let to_left = self.scaled(&cotangent, right);
+                    let to_right = self.scaled(&cotangent, left);
+                    self.add(reverse, left, &[], to_left);
+                    return self.add(reverse, right, &[], to_right);
+                }
+                BinaryOperator::Div if self.numbers.is_regular_literal(right) => {
+                    let denominator = self.ident(right);
+                    let to_left = quote!(#cotangent / #denominator);
+                    return self.add(reverse, left, &[], to_left);
+                }
+                BinaryOperator::Mul | BinaryOperator::Div | BinaryOperator::Rem => {}
+            }
+        }
+        let pulled = match (operator, &self.products) {
+            (BinaryOperator::Mul, Some(Products { rules, .. })) => {
+                let [left, right] = operands.map(|operand| self.ident(operand));
+                quote_spanned!(span=> #rules.mul_pullback(#left, #right, #cotangent))
+            }
+            (BinaryOperator::Div, Some(Products { rules, is_chosen: false, .. }))
+                if self.are_numbers(left, right) =>
+            {
+                let [left, right] = operands.map(|operand| self.ident(operand));
+                quote_spanned!(span=> #rules.div_pullback(#left, #right, #cotangent))
+            }
+            _ => self.binary_pullback(operator, record, operands, cotangent, span),
+        };
+        let targets = operands.map(|root| Some(Target::whole(root)));
+        self.contribute_all(reverse, &targets, pulled, false);
+    }
+
+    /// Keeps the types of the operands of a linear operator for its pullback.
+    pub(super) fn linear(&mut self, record: &Ident, left: VarId, right: VarId) -> TokenStream {
+        if self.are_numbers(left, right) {
+            return TokenStream::new();
+        }
+        if self.loop_depth > 0 {
+            self.top.extend(quote!(let #record = ::ad::rt::Linear::of_unknown();));
+        }
+        let (left, right) = (self.ident(left), self.ident(right));
+        match self.loop_depth {
+            0 => quote!(let #record = ::ad::rt::linear(&#left, &#right);),
+            _ => quote!(#record.is_of(&#left, &#right);),
+        }
+    }
+
+    /// Whether both operands of an operator are numbers.
+    pub(super) fn are_numbers(&self, left: VarId, right: VarId) -> bool {
+        self.numbers.are_numbers([left, right])
+    }
+
+    /// Whether the pullback of a product is one call instead of two products.
+    fn calls_for(&self, factors: [VarId; 2]) -> bool {
+        let is_called = self.products.as_ref().is_some_and(|products| !products.is_chosen);
+        is_called && factors.iter().all(|&factor| self.vars[factor].active)
+    }
+
+    /// A cotangent times a factor, which annihilates a factor that is not finite if it is zero. A
+    /// literal needs no such care.
+    fn scaled(&self, cotangent: &TokenStream, factor: VarId) -> TokenStream {
+        let ident = self.ident(factor);
+        match &self.products {
+            _ if self.numbers.is_regular_literal(factor) => quote!(#cotangent * #ident),
+            Some(Products { rules, .. }) => quote!(#rules.scale(#cotangent, #ident)),
+            None => quote!(::ad::rt::scale(#cotangent, #ident)),
+        }
+    }
+
+    /// The cotangents of two operands; `record` holds the types of those of a linear operator.
+    pub(super) fn binary_pullback(
+        &self,
+        operator: BinaryOperator,
+        record: &Ident,
+        operands: [VarId; 2],
+        cotangent: TokenStream,
+        span: Span,
+    ) -> TokenStream {
+        let [left, right] = operands.map(|operand| self.ident(operand));
+        match operator {
+            BinaryOperator::Add => quote_spanned!(span=> #record.pull_back_sum(#cotangent)),
+            BinaryOperator::Sub => {
+                quote_spanned!(span=> #record.pull_back_difference(#cotangent))
+            }
+            BinaryOperator::Mul => quote_spanned!(span=>
+                ::ad::rules::MulPullback::mul_pullback(#left, #right, #cotangent)),
+            BinaryOperator::Div => quote_spanned!(span=>
+                ::ad::rules::DivPullback::div_pullback(#left, #right, #cotangent)),
+            BinaryOperator::Rem => quote_spanned!(span=>
+                ::ad::rules::RemPullback::rem_pullback(#left, #right, #cotangent)),
+        }
+    }
+}

@@ -1,0 +1,116 @@
+//! The sweeps of assignments: the cotangent of a place leaves it for what was assigned.
+
+use proc_macro2::TokenStream;
+use quote::quote;
+
+use super::contribute::cotangent_of;
+use super::{Sides, Sweeper, project};
+use crate::ir::{BinaryOperator, Operand, Place, Projection, VarId};
+
+impl Sweeper<'_> {
+    /// Whether anything flows back to a place that is assigned to here.
+    pub(super) fn is_live(&mut self, place: &Place) -> bool {
+        !self.is_primal && !self.is_unstarted_local(place.root)
+    }
+
+    pub(super) fn assign(&mut self, place: &Place, value: &Operand) -> Sides {
+        let mut sides = Sides::default();
+        let root = &self.vars[place.root];
+        let target = project(
+            {
+                let ident = &root.ident;
+                quote!(#ident)
+            },
+            &place.path,
+        );
+        let tokens = self.tokens(value);
+        sides.forward.extend(quote!(#target = #tokens;));
+        if !self.is_live(place) {
+            return sides;
+        }
+        self.start(&mut sides.reverse, place.root);
+        let cotangent = cotangent_of(&root.cotangent, &place.path);
+        let taken = quote!(::ad::rt::take(#cotangent));
+        match value {
+            Operand::Constant(_) => sides.reverse.extend(quote!(#taken;)),
+            Operand::Var(var) => {
+                let part = self.part_name(place.root);
+                let taken = self.entered(*var, place, taken);
+                sides.reverse.extend(quote!(let #part = #taken;));
+                self.contribute(&mut sides.reverse, *var, &[], quote!(#part));
+            }
+        }
+        sides
+    }
+
+    /// The cotangent of `place`, as that of the variable it was made from: `place` may lie in a
+    /// `#[constant]` field or in a box.
+    pub(super) fn entered(
+        &mut self,
+        var: VarId,
+        place: &Place,
+        cotangent: TokenStream,
+    ) -> TokenStream {
+        let is_plain = |step: &Projection| matches!(step, Projection::Index(_));
+        if !self.vars[var].active || place.path.iter().all(is_plain) {
+            return cotangent;
+        }
+        let space = self.space(var);
+        quote!(#space.enter(#cotangent))
+    }
+
+    pub(super) fn update(
+        &mut self,
+        place: &Place,
+        operator: BinaryOperator,
+        previous: VarId,
+        value: VarId,
+    ) -> Sides {
+        let mut sides = Sides::default();
+        let (target, operand) = (self.place(place), self.ident(value));
+        let token = match operator {
+            BinaryOperator::Add => quote!(+=),
+            BinaryOperator::Sub => quote!(-=),
+            BinaryOperator::Mul => quote!(*=),
+            BinaryOperator::Div => quote!(/=),
+            BinaryOperator::Rem => quote!(%=),
+        };
+        sides.forward.extend(quote!(#target #token #operand;));
+        if !self.is_live(place) {
+            return sides;
+        }
+
+        self.start(&mut sides.reverse, place.root);
+        let root = &self.vars[place.root];
+        let span = root.ident.span();
+        let cotangent = cotangent_of(&root.cotangent, &place.path);
+        if operator.is_linear() && self.are_numbers(previous, value) {
+            // The place keeps its cotangent.
+            let part = self.number_at(place.root, &place.path);
+            match operator {
+                BinaryOperator::Sub => self.subtract(&mut sides.reverse, value, part),
+                _ => self.add(&mut sides.reverse, value, &[], part),
+            }
+            return sides;
+        }
+        let taken = quote!(::ad::rt::take(#cotangent));
+        let taken = self.entered(previous, place, taken);
+        let record = &self.vars[previous].record;
+        if operator.is_linear() {
+            let types = self.linear(record, previous, value);
+            sides.forward.extend(types);
+        }
+        let pulled = self.binary_pullback(operator, record, [previous, value], taken, span);
+        let (to_previous, to_value) = (self.part_name(place.root), self.part_name(value));
+        let value_pattern = match self.vars[value].active {
+            true => quote!(#to_value),
+            false => quote!(_),
+        };
+        sides.reverse.extend(quote! {
+            let (#to_previous, #value_pattern) = #pulled;
+            ::ad::rt::Absorb::absorb(#cotangent, #to_previous);
+        });
+        self.contribute(&mut sides.reverse, value, &[], quote!(#to_value));
+        sides
+    }
+}

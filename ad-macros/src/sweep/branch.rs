@@ -1,0 +1,130 @@
+//! The sweeps of a branch: what the arm that was taken saved is a variant, whose reverse sweep runs.
+
+use proc_macro2::{Ident, TokenStream};
+use quote::{format_ident, quote};
+
+use super::{Frame, Sides, Sweeper, Written};
+use crate::ir::{Arm, Binding, Branch, BranchKind, Place};
+
+impl Sweeper<'_> {
+    /// What a pattern bound flows back to the matched place.
+    pub(super) fn bindings(
+        &mut self,
+        bindings: &[Binding],
+        source: Option<&Place>,
+        sides: &mut Sides,
+    ) {
+        for binding in bindings {
+            let var = &self.vars[binding.var];
+            if let Some(source) = source
+                && self.started.contains(&binding.var)
+            {
+                let path = [&source.path[..], &binding.path].concat();
+                let cotangent = &var.cotangent;
+                self.contribute(&mut sides.reverse, source.root, &path, quote!(#cotangent));
+            }
+            sides.forward.extend(self.space_definition(binding.var));
+            sides.defines.extend(self.names_of(binding.var));
+        }
+    }
+
+    pub(super) fn branch(&mut self, branch: &Branch) -> Sides {
+        let mut sides = Sides::default();
+        let seed = branch.result.filter(|result| self.started.contains(result));
+        let seed = seed.map(|result| self.vars[result].cotangent.clone());
+        let source = match &branch.kind {
+            BranchKind::If(_) => None,
+            BranchKind::Match(_, source) => source.as_ref(),
+        };
+        let arms: Vec<_> =
+            branch.arms.iter().map(|arm| self.arm(arm, source, seed.as_ref())).collect();
+        for arm in &arms {
+            self.leave(&mut sides.reverse, &arm.outer);
+        }
+
+        // Where nothing flows back through any arm, the path taken need not be known.
+        let records = arms.iter().any(|arm| !arm.reverse.is_empty());
+        let (record, count) = (&branch.record, arms.len());
+        let bodies = arms.iter().enumerate().map(|(index, arm)| {
+            let (forward, value, saved) = (&arm.forward, &arm.value, arm.saved());
+            let saved = in_variant(count, index, &saved);
+            match (branch.result.is_some(), records) {
+                (true, true) => quote!({ #forward (#value, #saved) }),
+                (true, false) => quote!({ #forward #value }),
+                (false, true) => quote!({ #forward #saved }),
+                (false, false) => quote!({ #forward }),
+            }
+        });
+        let choice = match &branch.kind {
+            BranchKind::If(condition) => {
+                let bodies: Vec<_> = bodies.collect();
+                let (then, otherwise) = (&bodies[0], &bodies[1]);
+                quote!(if #condition #then else #otherwise)
+            }
+            BranchKind::Match(matched, _) => {
+                let arms = branch.arms.iter().zip(bodies).map(|(arm, body)| {
+                    let pattern = &arm.pattern;
+                    let guard = arm.guard.as_ref().map(|guard| quote!(if #guard));
+                    quote!(#pattern #guard => #body)
+                });
+                quote!(match #matched { #(#arms)* })
+            }
+        };
+        let result = branch.result.map(|result| &self.vars[result]);
+        sides.forward.extend(match (result.map(|var| &var.ident), records) {
+            (Some(ident), true) => quote!(let (#ident, #record) = #choice;),
+            (Some(ident), false) => quote!(let #ident = #choice;),
+            (None, true) => quote!(let #record = #choice;),
+            (None, false) => quote!(#choice),
+        });
+        if let Some(result) = branch.result {
+            sides.forward.extend(self.space_definition(result));
+            sides.defines.extend(self.names_of(result));
+        }
+
+        if records {
+            sides.defines.push(record.clone());
+            let arms = arms.iter().enumerate().map(|(index, arm)| {
+                let (saved, reverse) = (in_variant(count, index, &arm.saved()), &arm.reverse);
+                quote!(#saved => { #reverse })
+            });
+            sides.reverse.extend(quote!(match #record { #(#arms)* }));
+        }
+        sides
+    }
+
+    pub(super) fn arm(
+        &mut self,
+        arm: &Arm,
+        source: Option<&Place>,
+        seed: Option<&Ident>,
+    ) -> Written {
+        let mut written = self.block(&arm.body, seed.map(|seed| quote!(#seed)));
+        // The bindings are the first thing the arm does, so the last on the way back.
+        self.frames.push(Frame::new(arm.body.id, written.outer));
+        let mut sides = Sides::default();
+        self.bindings(&arm.bindings, source, &mut sides);
+        written.outer = self.frames.pop().expect("pushed above").outer;
+        written.reverse.extend(sides.reverse);
+        let forward = &written.forward;
+        let bound = sides.forward;
+        written.forward = quote!(#bound #forward);
+        written.defines.splice(0..0, sides.defines);
+        written
+    }
+}
+
+/// The largest of the enums `ad::rt::Branch1`, `Branch2`, ..
+const MOST_ARMS: usize = 12;
+
+/// What an arm saved, as a variant. Arms beyond those of the largest enum share its last variant.
+fn in_variant(arms: usize, index: usize, saved: &TokenStream) -> TokenStream {
+    let last = MOST_ARMS - 1;
+    let (name, variant, saved) = match arms > MOST_ARMS {
+        true if index >= last => (MOST_ARMS, last, in_variant(arms - last, index - last, saved)),
+        true => (MOST_ARMS, index, saved.clone()),
+        false => (arms, index, saved.clone()),
+    };
+    let (name, variant) = (format_ident!("Branch{name}"), format_ident!("Arm{variant}"));
+    quote!(::ad::rt::#name::#variant(#saved))
+}

@@ -1,0 +1,219 @@
+//! The document, as far as it is read.
+
+use serde::Deserialize;
+
+/// Extensions that a file may require: those that are read, and those that only change looks.
+const EXTENSIONS: [&str; 3] =
+    ["KHR_lights_punctual", "KHR_mesh_quantization", "KHR_texture_transform"];
+
+#[derive(Deserialize)]
+#[serde(rename_all = "camelCase")]
+pub(super) struct Document {
+    asset: Asset,
+    #[serde(default)]
+    extensions_required: Vec<String>,
+    pub scene: Option<usize>,
+    #[serde(default)]
+    pub scenes: Vec<Scene>,
+    #[serde(default)]
+    pub nodes: Vec<Node>,
+    #[serde(default)]
+    pub meshes: Vec<Mesh>,
+    #[serde(default)]
+    pub materials: Vec<Material>,
+    #[serde(default)]
+    pub cameras: Vec<Camera>,
+    #[serde(default)]
+    pub accessors: Vec<Accessor>,
+    #[serde(default)]
+    pub buffer_views: Vec<BufferView>,
+    #[serde(default)]
+    pub buffers: Vec<Buffer>,
+    #[serde(default)]
+    pub extensions: Extensions,
+}
+
+#[derive(Deserialize)]
+struct Asset {
+    version: String,
+}
+
+#[derive(Deserialize)]
+pub(super) struct Scene {
+    #[serde(default)]
+    pub nodes: Vec<usize>,
+}
+
+#[derive(Deserialize)]
+pub(super) struct Node {
+    pub name: Option<String>,
+    pub mesh: Option<usize>,
+    pub camera: Option<usize>,
+    #[serde(default)]
+    pub children: Vec<usize>,
+    /// By columns.
+    pub matrix: Option<[f64; 16]>,
+    pub translation: Option<[f64; 3]>,
+    /// A quaternion, its real part last.
+    pub rotation: Option<[f64; 4]>,
+    pub scale: Option<[f64; 3]>,
+    #[serde(default)]
+    pub extensions: NodeExtensions,
+}
+
+#[derive(Default, Deserialize)]
+pub(super) struct NodeExtensions {
+    #[serde(rename = "KHR_lights_punctual")]
+    pub light: Option<LightReference>,
+}
+
+#[derive(Deserialize)]
+pub(super) struct LightReference {
+    pub light: usize,
+}
+
+#[derive(Default, Deserialize)]
+pub(super) struct Extensions {
+    #[serde(default, rename = "KHR_lights_punctual")]
+    pub lights: Lights,
+}
+
+#[derive(Default, Deserialize)]
+pub(super) struct Lights {
+    #[serde(default)]
+    pub lights: Vec<LightDefinition>,
+}
+
+#[derive(Deserialize)]
+pub(super) struct LightDefinition {
+    pub name: Option<String>,
+    #[serde(rename = "type")]
+    pub kind: String,
+    #[serde(default = "white")]
+    pub color: [f64; 3],
+    #[serde(default = "one")]
+    pub intensity: f64,
+}
+
+#[derive(Deserialize)]
+pub(super) struct Mesh {
+    pub name: Option<String>,
+    pub primitives: Vec<Primitive>,
+}
+
+#[derive(Deserialize)]
+pub(super) struct Primitive {
+    #[serde(default)]
+    pub attributes: Attributes,
+    pub indices: Option<usize>,
+    pub material: Option<usize>,
+    #[serde(default = "triangles")]
+    pub mode: u32,
+}
+
+#[derive(Default, Deserialize)]
+pub(super) struct Attributes {
+    #[serde(rename = "POSITION")]
+    pub position: Option<usize>,
+}
+
+#[derive(Deserialize)]
+#[serde(rename_all = "camelCase")]
+pub(super) struct Material {
+    pub name: Option<String>,
+    #[serde(default)]
+    pub pbr_metallic_roughness: Pbr,
+}
+
+#[derive(Deserialize)]
+#[serde(rename_all = "camelCase", default)]
+pub(super) struct Pbr {
+    /// Linear.
+    pub base_color_factor: [f64; 4],
+}
+
+impl Default for Pbr {
+    fn default() -> Self {
+        Self { base_color_factor: [1.0; 4] }
+    }
+}
+
+#[derive(Deserialize)]
+pub(super) struct Camera {
+    pub perspective: Option<Perspective>,
+}
+
+#[derive(Deserialize)]
+#[serde(rename_all = "camelCase")]
+pub(super) struct Perspective {
+    /// In radians.
+    pub yfov: f64,
+    pub aspect_ratio: Option<f64>,
+}
+
+#[derive(Deserialize)]
+#[serde(rename_all = "camelCase")]
+pub(super) struct Accessor {
+    pub buffer_view: Option<usize>,
+    #[serde(default)]
+    pub byte_offset: usize,
+    pub component_type: u32,
+    #[serde(default)]
+    pub normalized: bool,
+    pub count: usize,
+    #[serde(rename = "type")]
+    pub shape: String,
+    pub sparse: Option<serde::de::IgnoredAny>,
+}
+
+#[derive(Deserialize)]
+#[serde(rename_all = "camelCase")]
+pub(super) struct BufferView {
+    pub buffer: usize,
+    #[serde(default)]
+    pub byte_offset: usize,
+    pub byte_length: usize,
+    pub byte_stride: Option<usize>,
+}
+
+#[derive(Deserialize)]
+#[serde(rename_all = "camelCase")]
+pub(super) struct Buffer {
+    pub uri: Option<String>,
+    pub byte_length: usize,
+}
+
+fn white() -> [f64; 3] {
+    [1.0; 3]
+}
+
+fn one() -> f64 {
+    1.0
+}
+
+fn triangles() -> u32 {
+    4
+}
+
+impl Document {
+    /// Parses a document of version 2 that requires no extension but known ones.
+    pub fn parse(json: &[u8]) -> Result<Self, String> {
+        let json = json.strip_prefix("\u{feff}".as_bytes()).unwrap_or(json);
+        let document: Self =
+            serde_json::from_slice(json).map_err(|error| format!("is not glTF: {error}"))?;
+        let version = &document.asset.version;
+        if version.split('.').next() != Some("2") {
+            return Err(format!("is glTF of version {version}; version 2 is read"));
+        }
+        let known = |name: &str| EXTENSIONS.contains(&name) || name.starts_with("KHR_materials_");
+        match document.extensions_required.iter().find(|name| !known(name)) {
+            Some(name) => Err(format!("requires the extension {name}, which is not read")),
+            None => Ok(document),
+        }
+    }
+}
+
+/// An element of one of the document's arrays.
+pub(super) fn get<'a, T>(array: &'a [T], index: usize, name: &str) -> Result<&'a T, String> {
+    array.get(index).ok_or_else(|| format!("there is no {name}[{index}], of {}", array.len()))
+}

@@ -1,0 +1,256 @@
+//! glTF files, good and bad.
+
+use std::f64::consts::FRAC_1_SQRT_2;
+use std::fs;
+
+use serde_json::{Value, json};
+
+use super::*;
+
+/// Four positions and six indices of two bytes: a square.
+const BUFFER: &str =
+    "AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAACAPwAAgD8AAAAAAAAAAAAAgD8AAAAAAAABAAIAAAACAAMA";
+
+fn square() -> Value {
+    json!({
+        "asset": { "version": "2.0" },
+        "extensionsUsed": ["KHR_lights_punctual"],
+        "extensions": { "KHR_lights_punctual": { "lights": [
+            { "type": "point", "intensity": 5.0, "name": "lamp" },
+            { "type": "directional", "color": [1.0, 0.5, 0.25], "intensity": 2.0 },
+        ] } },
+        "scene": 0,
+        "scenes": [{ "nodes": [0, 2, 3, 4] }],
+        "nodes": [
+            { "name": "parent", "translation": [0.0, 0.0, -1.0], "children": [1] },
+            { "name": "square", "mesh": 0, "scale": [2.0, 2.0, 2.0] },
+            { "camera": 0, "translation": [0.5, 0.5, 3.0] },
+            { "translation": [1.0, 2.0, 3.0],
+              "extensions": { "KHR_lights_punctual": { "light": 0 } } },
+            // A quarter turn about x: it shines along +y.
+            { "name": "sun", "rotation": [FRAC_1_SQRT_2, 0.0, 0.0, FRAC_1_SQRT_2],
+              "extensions": { "KHR_lights_punctual": { "light": 1 } } },
+        ],
+        "meshes": [{ "name": "quad", "primitives": [
+            { "attributes": { "POSITION": 0 }, "indices": 1, "material": 1 },
+        ] }],
+        "materials": [
+            { "name": "unused" },
+            { "name": "red", "pbrMetallicRoughness": { "baseColorFactor": [0.5, 0.25, 0.125, 1.0] } },
+        ],
+        "cameras": [
+            { "type": "perspective", "perspective": { "yfov": 0.5, "znear": 0.1, "aspectRatio": 1.5 } },
+        ],
+        "accessors": [
+            { "bufferView": 0, "componentType": 5126, "count": 4, "type": "VEC3" },
+            { "bufferView": 1, "componentType": 5123, "count": 6, "type": "SCALAR" },
+        ],
+        "bufferViews": [
+            { "buffer": 0, "byteLength": 48 },
+            { "buffer": 0, "byteOffset": 48, "byteLength": 12 },
+        ],
+        "buffers": [{ "byteLength": 60, "uri": format!("data:application/octet-stream;base64,{BUFFER}") }],
+    })
+}
+
+fn load_bytes(name: &str, bytes: &[u8]) -> Result<GltfFile, Error> {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join(name);
+    fs::write(&path, bytes).unwrap();
+    load_gltf(&path)
+}
+
+fn load(document: &Value) -> Result<GltfFile, Error> {
+    load_bytes("model.gltf", document.to_string().as_bytes())
+}
+
+/// A `.glb` whose first buffer is its binary chunk.
+fn glb(mut document: Value, binary: &[u8]) -> Vec<u8> {
+    document["buffers"][0].as_object_mut().unwrap().remove("uri");
+    let mut json = document.to_string().into_bytes();
+    json.resize(json.len().next_multiple_of(4), b' ');
+    let mut bytes = b"glTF\x02\0\0\0".to_vec();
+    bytes.extend((12 + 8 + json.len() as u32 + 8 + binary.len() as u32).to_le_bytes());
+    for (kind, chunk) in [(b"JSON", &json[..]), (b"BIN\0", binary)] {
+        bytes.extend((chunk.len() as u32).to_le_bytes());
+        bytes.extend(kind);
+        bytes.extend(chunk);
+    }
+    bytes
+}
+
+fn square_bytes() -> Vec<u8> {
+    let positions: [f32; 12] = [0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 1.0, 0.0];
+    let indices: [u16; 6] = [0, 1, 2, 0, 2, 3];
+    let positions = positions.iter().flat_map(|x| x.to_le_bytes());
+    positions.chain(indices.iter().flat_map(|i| i.to_le_bytes())).collect()
+}
+
+#[test]
+fn meshes_are_placed_in_the_world() {
+    let GltfFile { model, .. } = load(&square()).unwrap();
+    let [mesh] = &model.meshes[..] else { panic!("one mesh") };
+    assert_eq!(mesh.name, "square");
+    let vertices = [[0.0, 0.0, -1.0], [2.0, 0.0, -1.0], [2.0, 2.0, -1.0], [0.0, 2.0, -1.0]];
+    assert_eq!(mesh.vertices, vertices);
+    assert_eq!(mesh.triangles, [[0, 1, 2], [0, 2, 3]]);
+    let [red] = &model.materials[..] else { panic!("one material") };
+    assert_eq!((red.name.as_str(), &mesh.materials[..]), ("red", &[0, 0][..]));
+    assert_eq!(red.material.unwrap().diffuse, DVec3::new(0.5, 0.25, 0.125));
+}
+
+#[test]
+fn cameras_and_lights_are_converted() {
+    let GltfFile { camera, lights, .. } = load(&square()).unwrap();
+    let (camera, aspect_ratio) = camera.unwrap();
+    assert_eq!(camera.look_from, DVec3::new(0.5, 0.5, 3.0));
+    assert_eq!((camera.look_at, camera.up), (DVec3::new(0.5, 0.5, 2.0), DVec3::Y));
+    assert_eq!((camera.vfov, aspect_ratio), (0.5_f64.to_degrees(), Some(1.5)));
+    let [(lamp, Light::Point(point)), (sun, Light::Distant(distant))] = &lights[..] else {
+        panic!("two lights")
+    };
+    assert_eq!((lamp.as_str(), sun.as_str()), ("lamp", "sun"));
+    assert_eq!((point.position, point.intensity), (DVec3::new(1.0, 2.0, 3.0), 20.0));
+    assert!(distant.direction.distance(DVec3::NEG_Y) < 1e-12, "{}", distant.direction);
+    assert_eq!((distant.color.y, distant.intensity), (0.5, 2.0 / PI));
+}
+
+/// The radiance of a white surface that faces a light of one candela at distance one is 1 / pi in
+/// glTF; ours has to be the same.
+#[test]
+fn a_white_surface_is_as_bright_as_gltf_says() {
+    let definition =
+        LightDefinition { name: None, kind: "point".into(), color: [1.0; 3], intensity: 1.0 };
+    let Light::Point(light) = light(&definition, DMat4::IDENTITY).unwrap() else { panic!() };
+    let irradiance = light.intensity / (4.0 * PI);
+    assert!((irradiance - 1.0 / PI).abs() < 1e-15);
+}
+
+#[test]
+fn a_file_alone_is_a_scene() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("model.gltf");
+    fs::write(&path, square().to_string()).unwrap();
+    let scene = crate::experiment::Experiment::load(&path).unwrap().scene;
+    assert_eq!((scene.width, scene.height), (768, 512));
+    assert_eq!(scene.light_names, ["lamp", "sun"]);
+    // The point looked at is as far as the mesh.
+    assert_eq!(scene.parameters.camera.look_at, DVec3::new(0.5, 0.5, -1.0));
+
+    let mut bare = square();
+    bare["nodes"] = json!([{ "mesh": 0 }]);
+    bare["scenes"] = json!([{ "nodes": [0] }]);
+    fs::write(&path, bare.to_string()).unwrap();
+    let scene = crate::experiment::Experiment::load(&path).unwrap().scene;
+    assert_eq!((scene.light_names[0].as_str(), scene.width), ("key", 512));
+}
+
+#[test]
+fn binary_and_files_of_their_own_hold_the_same() {
+    let expected = load(&square()).unwrap();
+    let binary = load_bytes("model.glb", &glb(square(), &square_bytes())).unwrap();
+    assert_eq!((&binary.model.meshes, &binary.lights), (&expected.model.meshes, &expected.lights));
+
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("model.gltf");
+    fs::write(folder.path().join("my data.bin"), square_bytes()).unwrap();
+    let mut document = square();
+    document["buffers"][0]["uri"] = json!("my%20data.bin");
+    fs::write(&path, document.to_string()).unwrap();
+    assert_eq!(load_gltf(&path).unwrap().model.meshes, expected.model.meshes);
+}
+
+#[test]
+fn strips_fans_and_plain_lists_are_triangles() {
+    let triangles = |mode: u32, indexed: bool| {
+        let mut document = square();
+        let primitive = &mut document["meshes"][0]["primitives"][0];
+        primitive["mode"] = json!(mode);
+        if !indexed {
+            primitive.as_object_mut().unwrap().remove("indices");
+        }
+        load(&document).map(|file| file.model.meshes[0].triangles.clone())
+    };
+    assert_eq!(triangles(4, false).unwrap(), [[0, 1, 2]]);
+    // The second triangle of a strip is turned: 2, 1, 3.
+    assert_eq!(triangles(5, false).unwrap(), [[0, 1, 2], [2, 1, 3]]);
+    assert_eq!(triangles(6, false).unwrap(), [[0, 1, 2], [0, 2, 3]]);
+    assert!(triangles(1, true).unwrap_err().problem.contains("no triangles"));
+}
+
+#[test]
+fn broken_documents_are_refused() {
+    let cases: [(&str, Value, &str); 22] = [
+        ("/asset/version", json!("1.0"), "is glTF of version 1.0; version 2 is read"),
+        ("/scene", json!(1), "there is no scenes[1], of 1"),
+        ("/scenes/0/nodes/0", json!(9), "there is no nodes[9], of 5"),
+        ("/nodes/0/children/0", json!(0), "nodes[0] has two parents, or is its own ancestor"),
+        ("/nodes/1/mesh", json!(1), "there is no meshes[1], of 1"),
+        ("/nodes/2/camera", json!(1), "there is no cameras[1], of 1"),
+        ("/nodes/1/scale/0", json!(1e300), "mesh.square.vertices"),
+        ("/cameras/0", json!({ "type": "orthographic" }), "cameras[0]: is not a perspective"),
+        ("/cameras/0/perspective/aspectRatio", json!(0), "cameras[0]: its aspectRatio must be"),
+        ("/cameras/0/perspective/yfov", json!(4), "camera.vfov: must lie between"),
+        (
+            "/extensions/KHR_lights_punctual/lights/0/type",
+            json!("spot"),
+            "KHR_lights_punctual.lights[0]: is a spot light",
+        ),
+        ("/meshes/0/primitives/0/material", json!(2), "there is no materials[2], of 2"),
+        (
+            "/meshes/0/primitives/0",
+            json!({ "attributes": { "POSITION": 0 }, "mode": 7 }),
+            "primitives[0]: mode 7 is none",
+        ),
+        (
+            "/meshes/0/primitives/0/attributes",
+            json!({}),
+            "meshes[0].primitives[0]: has no attribute POSITION",
+        ),
+        ("/accessors/0/count", json!(5), "accessors[0]: 5 elements from byte 0 on do not fit"),
+        ("/accessors/0/count", json!(u64::MAX), "accessors[0]: 18446744073709551615 elements"),
+        ("/accessors/0/count", json!(2), "names vertex 2 of 2, counted from 0"),
+        ("/accessors/0/type", json!("VEC2"), "accessors[0]: its type is VEC2, not VEC3"),
+        ("/accessors/1/componentType", json!(5122), "accessors[1]: indices must be unsigned"),
+        ("/bufferViews/0/byteLength", json!(61), "bufferViews[0]: 61 bytes from byte 0 on are not"),
+        ("/buffers/0/byteLength", json!(61), "says that it has 61 bytes; it has 60"),
+        ("/buffers/0/uri", json!("data:,x"), "its data is not base64"),
+    ];
+    for (pointer, value, expected) in cases {
+        let mut document = square();
+        *document.pointer_mut(pointer).unwrap() = value.clone();
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("model.gltf");
+        fs::write(&path, document.to_string()).unwrap();
+        let error = crate::experiment::Experiment::load(&path).unwrap_err().to_string();
+        assert!(error.contains("model.gltf") && error.contains(expected), "{pointer}: {error}");
+        assert!(!error.contains('\n'), "{error}");
+    }
+    let mut document = square();
+    document["extensionsRequired"] = json!(["KHR_draco_mesh_compression"]);
+    let error = load(&document).unwrap_err();
+    assert!(error.problem.contains("requires the extension KHR_draco"), "{error}");
+    let error = load_bytes("model.gltf", b"{").unwrap_err();
+    assert!(error.problem.starts_with("is not glTF: EOF"), "{error}");
+}
+
+#[test]
+fn broken_binaries_are_refused() {
+    let whole = glb(square(), &square_bytes());
+    for (bytes, expected) in [
+        (&whole[..6], "is cut short"),
+        (&whole[..100], "it has 100"),
+        (&whole[..whole.len() - 1], "says that it has"),
+        (&glb(square(), &[])[..], "says that it has 60 bytes; it has 0"),
+        (b"glTF\x01\0\0\0\x0c\0\0\0", "is binary glTF of version 1"),
+        (b"glTF\x02\0\0\0\x0c\0\0\0", "has no chunk of JSON"),
+        (b"glTF\x02\0\0\0\x03\0\0\0", "says that it has 3 bytes"),
+    ] {
+        let error = load_bytes("model.glb", bytes).unwrap_err();
+        assert!(error.problem.contains(expected), "{expected}: {error}");
+    }
+    let mut nan = square_bytes();
+    nan[12..16].copy_from_slice(&f32::NAN.to_le_bytes());
+    let error = load_bytes("model.glb", &glb(square(), &nan)).unwrap_err();
+    assert!(error.problem.ends_with("accessors[0]: vertex 1 is not finite"), "{error}");
+}

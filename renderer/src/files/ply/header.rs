@@ -1,0 +1,124 @@
+//! The header of a PLY file: what stands in the data, and how.
+
+use super::source::{Format, Scalar, Source};
+use crate::Error;
+
+pub(super) struct Header {
+    /// In the order of the data.
+    pub elements: Vec<Element>,
+    /// The count of the element `vertex`.
+    pub vertices: u64,
+}
+
+pub(super) struct Element {
+    pub name: String,
+    pub count: u64,
+    pub properties: Vec<Property>,
+}
+
+pub(super) struct Property {
+    pub name: String,
+    pub kind: Kind,
+}
+
+#[derive(Clone, Copy)]
+pub(super) enum Kind {
+    Scalar(Scalar),
+    List { count: Scalar, item: Scalar },
+}
+
+/// Whether a property of a face is the list of its corners.
+pub(super) fn is_corner_list(property: &Property) -> bool {
+    let named = matches!(property.name.as_str(), "vertex_indices" | "vertex_index");
+    named && matches!(property.kind, Kind::List { .. })
+}
+
+/// Reads the header; the data follows it.
+pub(super) fn read<'a>(bytes: &'a [u8], place: &str) -> Result<(Header, Source<'a>), Error> {
+    let bytes = bytes.strip_prefix("\u{feff}".as_bytes()).unwrap_or(bytes);
+    let mut rest = bytes;
+    let mut line_number = 0;
+    let mut format = None;
+    let mut elements: Vec<Element> = Vec::new();
+    loop {
+        let Some(end) = rest.iter().position(|&byte| byte == b'\n') else {
+            let problem = if line_number == 0 {
+                "is no PLY file: its first line is not `ply`"
+            } else {
+                "ends within the header; `end_header` is missing"
+            };
+            return Err(Error::new(place, problem));
+        };
+        let line = String::from_utf8_lossy(&rest[..end]);
+        rest = &rest[end + 1..];
+        line_number += 1;
+        let refuse = |problem: String| Error::new(format!("{place}:{line_number}"), problem);
+        let words: Vec<&str> = line.split_whitespace().collect();
+        match words[..] {
+            ["ply"] if line_number == 1 => {}
+            _ if line_number == 1 => {
+                return Err(Error::new(place, "is no PLY file: its first line is not `ply`"));
+            }
+            [] | ["comment" | "obj_info", ..] => {}
+            ["format", name, "1.0"] => format = Some(Format::named(name).map_err(refuse)?),
+            ["element", name, count] => {
+                let count = count
+                    .parse()
+                    .map_err(|_| refuse(format!("the count of {name} is `{count}`")))?;
+                if elements.iter().any(|element| element.name == name) {
+                    return Err(refuse(format!("the element {name} is defined twice")));
+                }
+                elements.push(Element { name: name.to_owned(), count, properties: Vec::new() });
+            }
+            ["property", ref words @ ..] => {
+                let property = property(words).map_err(refuse)?;
+                let element = elements.last_mut();
+                let element = element
+                    .ok_or_else(|| refuse("a property stands before any element".to_owned()))?;
+                element.properties.push(property);
+            }
+            ["end_header"] => break,
+            _ => return Err(refuse(format!("`{}` is no line of a header", line.trim()))),
+        }
+    }
+    let format = format.ok_or_else(|| Error::new(place, "names no format; `format` is missing"))?;
+    let header = check(elements).map_err(|problem| Error::new(place, problem))?;
+    Ok((header, Source::new(rest, format, line_number)))
+}
+
+fn property(words: &[&str]) -> Result<Property, String> {
+    let (name, kind) = match words {
+        ["list", count, item, name] => {
+            let (count, item) = (Scalar::named(count)?, Scalar::named(item)?);
+            if !count.is_integer() {
+                return Err(format!("the count of the list {name} is no integer"));
+            }
+            (name, Kind::List { count, item })
+        }
+        [scalar, name] => (name, Kind::Scalar(Scalar::named(scalar)?)),
+        _ => return Err("a property is a type and a name, or `list` with two types".to_owned()),
+    };
+    Ok(Property { name: (*name).to_owned(), kind })
+}
+
+/// Whether the elements are those of a mesh.
+fn check(elements: Vec<Element>) -> Result<Header, String> {
+    let find = |name: &str| elements.iter().find(|element| element.name == name);
+    let vertex = find("vertex").ok_or("has no element vertex")?;
+    for axis in ["x", "y", "z"] {
+        let is_axis = |p: &&Property| p.name == axis && matches!(p.kind, Kind::Scalar(_));
+        match vertex.properties.iter().filter(is_axis).count() {
+            1 => {}
+            0 => return Err(format!("its vertices have no property {axis}")),
+            _ => return Err(format!("its vertices have the property {axis} twice")),
+        }
+    }
+    let face = find("face").ok_or("has no element face; a mesh needs one")?;
+    match face.properties.iter().filter(|property| is_corner_list(property)).count() {
+        1 => {}
+        0 => return Err("its faces have no list vertex_indices".to_owned()),
+        _ => return Err("its faces have the list vertex_indices twice".to_owned()),
+    }
+    let vertices = vertex.count;
+    Ok(Header { elements, vertices })
+}

@@ -1,0 +1,172 @@
+//! PLY files, good and bad.
+
+use std::fs;
+
+use super::*;
+
+const HEADER: &str = "\
+ply
+format ascii 1.0
+comment a square and a triangle
+element vertex 5
+property float x
+property float y
+property uchar red
+property double z
+element face 2
+property list uchar int vertex_indices
+property float quality
+end_header
+";
+const DATA: &str = "0 0 255 0\n1 0 0 0\n1 1 0 0\n0 1 0 0\n9 9 9 9\n4 0 1 2 3 0.5\n3 2 0 1 0.5\n";
+
+fn load(bytes: impl AsRef<[u8]>) -> Result<Model, Error> {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("scan.ply");
+    fs::write(&path, bytes).unwrap();
+    load_ply(&path)
+}
+
+fn refused(bytes: impl AsRef<[u8]>) -> String {
+    let error = load(bytes).unwrap_err();
+    let place = error.place.rsplit('/').next().unwrap().to_owned();
+    format!("{place}: {}", error.problem)
+}
+
+/// The file in binary, each number by `f32`, `u8`, `f64` or `i32` to its bytes.
+fn binary(format: &str, big: bool) -> Vec<u8> {
+    let mut bytes = HEADER.replace("ascii", format).into_bytes();
+    let mut push = |little: &[u8]| {
+        let mut number = little.to_vec();
+        if big {
+            number.reverse();
+        }
+        bytes.extend(number);
+    };
+    for [x, y, z] in [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0], [9, 9, 9]] {
+        push(&(x as f32).to_le_bytes());
+        push(&(y as f32).to_le_bytes());
+        push(&[255]);
+        push(&f64::from(z).to_le_bytes());
+    }
+    for face in [&[0_i32, 1, 2, 3][..], &[2, 0, 1]] {
+        push(&[face.len() as u8]);
+        face.iter().for_each(|index| push(&index.to_le_bytes()));
+        push(&0.5_f32.to_le_bytes());
+    }
+    bytes
+}
+
+#[test]
+fn every_format_is_the_same_mesh() {
+    let ascii = load(format!("{HEADER}{DATA}")).unwrap();
+    let [mesh] = &ascii.meshes[..] else { panic!("one mesh") };
+    assert_eq!(mesh.name, "scan");
+    assert_eq!(mesh.vertices, [[0.0; 3], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.0]]);
+    assert_eq!(mesh.triangles, [[0, 1, 2], [0, 2, 3], [2, 0, 1]]);
+    assert_eq!(mesh.materials, [0; 3]);
+    let binaries = [binary("binary_little_endian", false), binary("binary_big_endian", true)];
+    for bytes in binaries {
+        assert_eq!(load(bytes).unwrap().meshes, ascii.meshes);
+    }
+}
+
+#[test]
+fn odd_but_clear_files_are_read() {
+    let whole = load(format!("{HEADER}{DATA}")).unwrap().meshes;
+    let odd = [
+        format!("{HEADER}{DATA}").replace('\n', "\r\n"),
+        format!("\u{feff}{HEADER}{DATA}"),
+        format!("{HEADER}{}", DATA.replace(['\n', ' '], "\t\n")),
+        format!("{}{DATA}", HEADER.replace("float", "float32").replace("uchar int", "int8 uint32")),
+        format!("{}{DATA}", HEADER.replace("vertex_indices", "vertex_index")),
+        format!(
+            "{}{DATA}",
+            HEADER.replace("element face", "obj_info x\nelement none 9\nelement face")
+        ),
+        format!("{HEADER}{DATA}and more that nobody asked for"),
+        format!(
+            "{}7\n{DATA}",
+            HEADER.replace("element vertex", "element a 1\nproperty int b\nelement vertex")
+        ),
+        format!("{HEADER}{}", DATA.replace("1 0 0 0\n", "1e0 0 0 -0.0\n")),
+    ];
+    for text in odd {
+        assert_eq!(load(&text).unwrap().meshes, whole, "{text}");
+    }
+    // Faces may stand first; one of two corners is a line.
+    let text = "ply\nformat ascii 1.0\nelement face 2\nproperty list uchar int vertex_indices\n\
+                element vertex 3\nproperty int x\nproperty int y\nproperty int z\nend_header\n\
+                3 2 1 0\n2 0 1\n0 0 0\n1 0 0\n0 1 0\n";
+    assert_eq!(load(text).unwrap().meshes[0].triangles, [[0, 1, 2]]);
+    // An arrow head is cut at its notch.
+    let notch = DATA.replace("1 1 0 0", "0.2 0.2 0 0");
+    assert_eq!(load(format!("{HEADER}{notch}")).unwrap().meshes[0].triangles[..2].len(), 2);
+}
+
+#[test]
+fn broken_headers_are_refused() {
+    let cases = [
+        ("ply\n", "plx\n", "scan.ply: is no PLY file"),
+        ("ascii 1.0", "ascii 2.0", "scan.ply:2: `format ascii 2.0` is no line of a header"),
+        ("ascii", "utf8", "scan.ply:2: no format `utf8`"),
+        ("format ascii 1.0\n", "", "scan.ply: names no format"),
+        ("vertex 5", "vertex -5", "scan.ply:4: the count of vertex is `-5`"),
+        ("vertex 5", "vertex", "scan.ply:4: `element vertex` is no line"),
+        ("element vertex 5\n", "", "scan.ply:4: a property stands before any element"),
+        ("float x", "half x", "scan.ply:5: no type `half`"),
+        ("float x", "float x y", "scan.ply:5: a property is a type and a name"),
+        ("list uchar", "list float", "scan.ply:10: the count of the list vertex_indices is no int"),
+        ("float x\n", "float w\n", "scan.ply: its vertices have no property x"),
+        ("float y\n", "float x\n", "scan.ply: its vertices have the property x twice"),
+        ("element face", "element fase", "scan.ply: has no element face"),
+        ("element face", "element vertex", "scan.ply:9: the element vertex is defined twice"),
+        ("element vertex", "element vertices", "scan.ply: has no element vertex"),
+        ("vertex_indices", "corners", "scan.ply: its faces have no list vertex_indices"),
+        ("end_header\n", "", "scan.ply:12: `0 0 255 0` is no line"),
+    ];
+    for (from, to, expected) in cases {
+        assert!(HEADER.contains(from), "{from}");
+        let refused = refused(format!("{}{DATA}", HEADER.replacen(from, to, 1)));
+        assert!(refused.starts_with(expected), "{from} -> {to}: {refused}");
+    }
+    assert!(refused("").starts_with("scan.ply: is no PLY file"));
+    assert!(refused("ply\n").starts_with("scan.ply: ends within the header"));
+}
+
+#[test]
+fn broken_data_is_refused() {
+    let cases = [
+        ("1 1 0 0", "1 nan 0 0", "scan.ply:15: vertex 3: y is NaN, not a finite number"),
+        ("1 1 0 0", "1 1e999 0 0", "scan.ply:15: vertex 3: y is inf, not a finite number"),
+        ("1 1 0 0", "1 x 0 0", "scan.ply:15: vertex 3: `x` is not a number"),
+        ("4 0 1 2 3", "4 0 1 2 5", "scan.ply:18: face 1: names vertex 5 of 5"),
+        ("4 0 1 2 3", "4 0 1 2 -1", "scan.ply:18: face 1: names vertex -1 of 5"),
+        ("4 0 1 2 3", "4 0 1 2 1.5", "scan.ply:18: face 1: `1.5` is not an integer"),
+        ("4 0 1 2 3", "nan 0 1 2 3", "scan.ply:18: face 1: `nan` is not an integer"),
+        ("4 0 1 2 3", "-4 0 1 2 3", "scan.ply:18: face 1: a list has -4 items"),
+        ("4 0 1 2 3", "1e18 0 1 2 3", "scan.ply:18: face 1: `0.5` is not an integer"),
+        ("3 2 0 1 0.5\n", "", "scan.ply:19: face 2: the file ends before its data does"),
+    ];
+    for (from, to, expected) in cases {
+        let refused = refused(format!("{HEADER}{}", DATA.replacen(from, to, 1)));
+        assert!(refused.starts_with(expected), "{from} -> {to}: {refused}");
+    }
+    // Counts that nothing stands behind.
+    for (from, to) in [("vertex 5", "vertex 18446744073709551615"), ("face 2", "face 99999999999")]
+    {
+        let refused = refused(format!("{}{DATA}", HEADER.replace(from, to)));
+        assert!(
+            refused.ends_with("`0.5` is not an integer") || refused.contains("ends before"),
+            "{refused}"
+        );
+    }
+    let many = format!("1001{}", " 0".repeat(1001));
+    let refusal = refused(format!("{HEADER}{}", DATA.replace("4 0 1 2 3", &many)));
+    assert!(refusal.contains("face 1: has 1001 corners; at most 1000 are read"), "{refusal}");
+    let none = HEADER.replace("face 2", "face 0");
+    assert!(refused(format!("{none}{DATA}")).contains("holds no triangles"));
+    let whole = binary("binary_little_endian", false);
+    let refusal = refused(&whole[..whole.len() - 1]);
+    assert_eq!(refusal, "scan.ply: face 2: the file ends before its data does");
+}

@@ -1,0 +1,239 @@
+//! Files that are broken at random: whatever they hold, reading them ends in a result or in one
+//! clear line.
+//!
+//! `PROPTEST_CASES=100000 cargo test --release -p renderer robustness` looks longer.
+
+use std::fs;
+use std::path::Path;
+
+use proptest::prelude::*;
+
+use super::load_image;
+use crate::Error;
+use crate::experiment::Experiment;
+
+/// A file that is read without an error: its name, and its content.
+type Seed = (&'static str, Vec<u8>);
+
+const OBJ: &str = "mtllib seed.mtl\no a\nv 0 0 0\nv 1 0 0.5\nv 1 1 -1e0\nv 0 1 0\nvt 0 0\nvn 0 0 1\n\
+                   usemtl red\nf 1/1/1 2/1/1 3/1/1 4/1/1\ng b\nusemtl blue\nf -1 -2 -3\n";
+const MTL: &str = "newmtl red\nKd 0.5 0.25 0.125\nKs 0.1\nNs 10\nillum 2\nnewmtl blue\nKd 0 0 1\n";
+const PLY: &str = "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\n\
+                   property float z\nelement face 1\nproperty list uchar int vertex_indices\n\
+                   end_header\n0 0 0\n1 0 0\n0.2 0.2 0\n0 1 0\n4 0 1 2 3\n";
+const STL: &str = "solid s\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\n\
+                   endloop\nendfacet\nendsolid s\n";
+const GLTF: &str = r#"{"asset":{"version":"2.0"},"extensions":{"KHR_lights_punctual":{"lights":[
+{"type":"point"}]}},"nodes":[{"mesh":0,"children":[1,2]},{"camera":0,"translation":[0,0,3]},
+{"extensions":{"KHR_lights_punctual":{"light":0}}}],"meshes":[{"primitives":[{"attributes":
+{"POSITION":0},"indices":1,"material":0}]}],"materials":[{"pbrMetallicRoughness":{
+"baseColorFactor":[1,0.5,0,1]}}],"cameras":[{"perspective":{"yfov":0.5}}],"accessors":[
+{"bufferView":0,"componentType":5126,"count":4,"type":"VEC3"},
+{"bufferView":1,"componentType":5123,"count":6,"type":"SCALAR"}],"bufferViews":[
+{"buffer":0,"byteLength":48},{"buffer":0,"byteOffset":48,"byteLength":12}],"buffers":[
+{"byteLength":60,"uri":"data:;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAACAPwAAgD8AAAAAAAAAAAAAgD8AAAAAAAABAAIAAAACAAMA"}]}"#;
+const TOML: &str = "[camera]\nlook_from = [0, 0, 5]\nlook_at = [0, 0, 0]\nwidth = 8\nheight = 6\n\
+                    [[light]]\nname = \"key\"\ntype = \"point\"\nposition = [1, 2, 3]\n\
+                    intensity = 9.0\n[[sphere]]\nname = \"ball\"\ncenter = [0, 0, 0]\nradius = 1\n\
+                    material = \"paint\"\n[material.paint]\ndiffuse = [0.5, 0.5, 0.5]\n[optimize]\n\
+                    optimizer = { type = \"adam\", beta1 = 0.8 }\nschedule = \"cosine\"\n\
+                    target_values = { \"light.key.color\" = [1, 0, 0] }\n\
+                    [[optimize.parameter]]\npath = \"light.key.color\"\nmin = 0\nmax = [2, 2, 2]\n";
+
+fn binary_ply(format: &str, bytes: fn(f32) -> [u8; 4], index: fn(i32) -> [u8; 4]) -> Vec<u8> {
+    let header = PLY.split("0 0 0\n").next().unwrap().replace("ascii", format);
+    let vertices = [0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.2, 0.2, 0.0, 0.0, 1.0, 0.0].map(bytes);
+    let mut file = header.into_bytes();
+    file.extend(vertices.as_flattened());
+    file.push(4);
+    file.extend([0, 1, 2, 3].map(index).as_flattened());
+    file
+}
+
+fn binary_stl() -> Vec<u8> {
+    let mut file = vec![b' '; 80];
+    file.extend(1_u32.to_le_bytes());
+    let numbers = [0.0_f32, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0];
+    file.extend(numbers.map(f32::to_le_bytes).as_flattened());
+    file.extend([0, 0]);
+    file
+}
+
+fn glb() -> Vec<u8> {
+    let json = GLTF.as_bytes();
+    let mut file = b"glTF\x02\0\0\0".to_vec();
+    file.extend((20 + json.len() as u32).to_le_bytes());
+    file.extend((json.len() as u32).to_le_bytes());
+    file.extend(b"JSON");
+    file.extend(json);
+    file
+}
+
+fn image(name: &str) -> Vec<u8> {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join(name);
+    let pixels = (0..12).map(|i| [i as f32 / 12.0, 0.5, 0.1]).collect();
+    let image = crate::image::Image { width: 4, height: 3, pixels };
+    super::save_image(&image, &path).unwrap();
+    fs::read(&path).unwrap()
+}
+
+fn seeds() -> Vec<Seed> {
+    vec![
+        ("seed.obj", OBJ.into()),
+        ("seed.mtl", MTL.into()),
+        ("seed.toml", TOML.into()),
+        ("seed.png", image("a.png")),
+        ("seed.exr", image("a.exr")),
+        #[cfg(feature = "ply")]
+        ("seed.ply", PLY.into()),
+        #[cfg(feature = "ply")]
+        ("seed.ply", binary_ply("binary_little_endian", f32::to_le_bytes, i32::to_le_bytes)),
+        #[cfg(feature = "ply")]
+        ("seed.ply", binary_ply("binary_big_endian", f32::to_be_bytes, i32::to_be_bytes)),
+        #[cfg(feature = "stl")]
+        ("seed.stl", STL.into()),
+        #[cfg(feature = "stl")]
+        ("seed.stl", binary_stl()),
+        #[cfg(feature = "gltf")]
+        ("seed.gltf", GLTF.into()),
+        #[cfg(feature = "gltf")]
+        ("seed.glb", glb()),
+    ]
+}
+
+/// Reads `content` as the file `name`; beside it stands what a mesh may need.
+fn load(folder: &Path, name: &str, content: &[u8]) -> Result<(), Error> {
+    let path = folder.join(name);
+    if !folder.join("seed.obj").exists() {
+        fs::write(folder.join("seed.obj"), OBJ).unwrap();
+        fs::write(folder.join("seed.mtl"), MTL).unwrap();
+    }
+    fs::write(&path, content).unwrap();
+    let result = match path.extension().and_then(|extension| extension.to_str()) {
+        Some("png" | "exr") => load_image(&path).map(|_| ()),
+        Some("mtl") => Experiment::load(&folder.join("seed.obj")).map(|_| ()),
+        _ => Experiment::load(&path).map(|_| ()),
+    };
+    if name.ends_with("mtl") {
+        fs::write(&path, MTL).unwrap();
+    }
+    result
+}
+
+/// Whether a result is one that a person can use.
+fn is_clear(result: &Result<(), Error>) -> bool {
+    match result {
+        Ok(()) => true,
+        Err(error) => {
+            let line = error.to_string();
+            !error.problem.trim().is_empty() && !line.contains(['\n', '\r']) && line.len() < 2000
+        }
+    }
+}
+
+#[test]
+fn seeds_are_read() {
+    let folder = tempfile::tempdir().unwrap();
+    for (name, content) in seeds() {
+        assert_eq!(load(folder.path(), name, &content), Ok(()), "{name}");
+    }
+}
+
+#[test]
+fn files_cut_short_anywhere_are_read_or_refused() {
+    let folder = tempfile::tempdir().unwrap();
+    for (name, content) in seeds() {
+        for end in 0..content.len() {
+            let result = load(folder.path(), name, &content[..end]);
+            assert!(is_clear(&result), "{name} {end}: {result:?}");
+        }
+    }
+}
+
+/// One change of a file.
+#[derive(Clone, Debug)]
+enum Change {
+    Replace { at: usize, by: u8 },
+    Insert { at: usize, text: &'static str },
+    Remove { at: usize, count: usize },
+    Double { at: usize, count: usize },
+    Swap { a: usize, b: usize },
+}
+
+/// What breaks parsers, as text.
+const TROUBLE: [&str; 22] = [
+    "-1",
+    "0",
+    "nan",
+    "inf",
+    "-inf",
+    "1e999",
+    "-1e-999",
+    "1e38",
+    "1e18",
+    "4294967295",
+    "18446744073709551616",
+    "9999999999",
+    "\n",
+    "\r\n",
+    "\\\n",
+    "\t",
+    " ",
+    "\u{feff}",
+    "\u{0}",
+    "#",
+    "\"",
+    "é",
+];
+
+fn change() -> impl Strategy<Value = Change> {
+    let at = any::<usize>;
+    prop_oneof![
+        (at(), any::<u8>()).prop_map(|(at, by)| Change::Replace { at, by }),
+        (at(), prop::sample::select(&TROUBLE[..]))
+            .prop_map(|(at, text)| Change::Insert { at, text }),
+        (at(), 1_usize..20).prop_map(|(at, count)| Change::Remove { at, count }),
+        (at(), 1_usize..40).prop_map(|(at, count)| Change::Double { at, count }),
+        (at(), at()).prop_map(|(a, b)| Change::Swap { a, b }),
+    ]
+}
+
+fn apply(content: &mut Vec<u8>, change: &Change) {
+    let len = content.len();
+    if len == 0 {
+        return;
+    }
+    match *change {
+        Change::Replace { at, by } => content[at % len] = by,
+        Change::Insert { at, text } => {
+            let at = at % len;
+            content.splice(at..at, text.bytes());
+        }
+        Change::Remove { at, count } => {
+            let at = at % len;
+            content.drain(at..(at + count).min(len));
+        }
+        Change::Double { at, count } => {
+            let at = at % len;
+            let piece = content[at..(at + count).min(len)].to_vec();
+            content.splice(at..at, piece);
+        }
+        Change::Swap { a, b } => content.swap(a % len, b % len),
+    }
+}
+
+proptest! {
+    #[test]
+    fn changed_files_are_read_or_refused(
+        seed in any::<prop::sample::Index>(),
+        changes in prop::collection::vec(change(), 1..6),
+    ) {
+        let seeds = seeds();
+        let (name, mut content) = seeds[seed.index(seeds.len())].clone();
+        changes.iter().for_each(|change| apply(&mut content, change));
+        let folder = tempfile::tempdir().unwrap();
+        let result = load(folder.path(), name, &content);
+        prop_assert!(is_clear(&result), "{}: {:?}", name, result);
+    }
+}

@@ -1,0 +1,135 @@
+//! What a run has left in its folder.
+
+use std::fs;
+use std::io::ErrorKind;
+use std::path::{Path, PathBuf};
+
+use serde::Deserialize;
+use serde::de::DeserializeOwned;
+use serde_json::Value;
+
+use crate::Error;
+use crate::optimize::Record;
+
+pub(super) struct RunFolder {
+    pub summary: Value,
+    pub history: Vec<Record>,
+    pub trajectory: Option<Trajectory>,
+    /// Names and contents of the images.
+    pub images: Vec<(&'static str, Vec<u8>)>,
+    pub frames: Vec<Frame>,
+    pub scene: Option<String>,
+}
+
+/// `trajectory.json`.
+#[derive(Deserialize)]
+pub(super) struct Trajectory {
+    pub paths: Vec<String>,
+    pub target: Vec<Option<f64>>,
+    pub iterations: Vec<u64>,
+    pub values: Vec<Vec<f64>>,
+}
+
+/// An image of the run on its way.
+pub(super) struct Frame {
+    pub iteration: u64,
+    pub loss: f64,
+    pub png: Vec<u8>,
+}
+
+/// An entry of `strip` in the summary.
+#[derive(Deserialize)]
+struct FrameEntry {
+    iteration: u64,
+    loss: f64,
+    file: PathBuf,
+}
+
+impl RunFolder {
+    pub fn read(folder: &Path) -> Result<Self, Error> {
+        let file = folder.join("summary.json");
+        let Some(bytes) = optional(&file)? else {
+            let problem =
+                "no such file; a report needs a folder that `renderer optimize` has filled";
+            return Err(Error::new(file.display(), problem));
+        };
+        let summary: Value = parse(&file, &bytes)?;
+        let mut images = Vec::new();
+        for name in ["target", "initial", "final", "difference"] {
+            images
+                .extend(optional(&folder.join(name).with_extension("png"))?.map(|png| (name, png)));
+        }
+        let scene = optional(&folder.join("scene.toml"))?;
+        Ok(Self {
+            history: history(&folder.join("history.csv"))?,
+            trajectory: trajectory(&folder.join("trajectory.json"))?,
+            frames: frames(folder, &file, &summary)?,
+            images,
+            scene: scene.map(|bytes| String::from_utf8_lossy(&bytes).into_owned()),
+            summary,
+        })
+    }
+}
+
+/// The content of a file that need not be there.
+fn optional(path: &Path) -> Result<Option<Vec<u8>>, Error> {
+    match fs::read(path) {
+        Ok(bytes) => Ok(Some(bytes)),
+        Err(error) if error.kind() == ErrorKind::NotFound => Ok(None),
+        Err(error) => Err(Error::new(path.display(), format_args!("cannot be read: {error}"))),
+    }
+}
+
+fn parse<T: DeserializeOwned>(path: &Path, bytes: &[u8]) -> Result<T, Error> {
+    serde_json::from_slice(bytes)
+        .map_err(|error| Error::new(path.display(), format_args!("is broken: {error}")))
+}
+
+fn history(path: &Path) -> Result<Vec<Record>, Error> {
+    let Some(bytes) = optional(path)? else { return Ok(Vec::new()) };
+    let text = String::from_utf8_lossy(&bytes);
+    let rows = text.lines().zip(1..).skip(1);
+    rows.map(|(row, line)| {
+        record(row).ok_or_else(|| {
+            Error::new(
+                format_args!("{}:{line}", path.display()),
+                "must be an iteration and three finite numbers",
+            )
+        })
+    })
+    .collect()
+}
+
+fn record(row: &str) -> Option<Record> {
+    let mut cells = row.split(',');
+    let iteration = cells.next()?.parse().ok()?;
+    let mut number = || cells.next()?.parse().ok().filter(|value: &f64| value.is_finite());
+    Some(Record { iteration, loss: number()?, gradient_norm: number()?, seconds: number()? })
+}
+
+fn trajectory(path: &Path) -> Result<Option<Trajectory>, Error> {
+    let Some(bytes) = optional(path)? else { return Ok(None) };
+    let trajectory: Trajectory = parse(path, &bytes)?;
+    let Trajectory { paths, target, iterations, values } = &trajectory;
+    let fits = target.len() == paths.len()
+        && values.len() == iterations.len()
+        && values.iter().all(|point| point.len() == paths.len());
+    if !fits {
+        return Err(Error::new(path.display(), "is broken: its parts differ in length"));
+    }
+    Ok((!paths.is_empty()).then_some(trajectory))
+}
+
+/// The images of the strip that the summary lists.
+fn frames(folder: &Path, file: &Path, summary: &Value) -> Result<Vec<Frame>, Error> {
+    let Some(strip) = summary.get("strip") else { return Ok(Vec::new()) };
+    let entries: Vec<FrameEntry> = serde_json::from_value(strip.clone())
+        .map_err(|error| Error::new(file.display(), format_args!("strip is broken: {error}")))?;
+    let mut frames = Vec::new();
+    for FrameEntry { iteration, loss, file } in entries {
+        if let Some(png) = optional(&folder.join(file))? {
+            frames.push(Frame { iteration, loss, png });
+        }
+    }
+    Ok(frames)
+}

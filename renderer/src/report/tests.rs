@@ -1,0 +1,83 @@
+//! Pages of whole and of broken folders.
+
+use std::fs;
+
+use super::*;
+
+fn folder(files: &[(&str, &str)]) -> tempfile::TempDir {
+    let folder = tempfile::tempdir().unwrap();
+    for (name, content) in files {
+        fs::write(folder.path().join(name), content).unwrap();
+    }
+    folder
+}
+
+const SUMMARY: &str = r#"{
+    "loss": {"initial": 0.5, "final": 1e-9, "ratio": 2e-9}, "iterations": 12, "seconds": 1.25,
+    "stop_detail": "<done>", "parameters": {"light.<b>.position": {"initial": [1, 2, 3],
+    "final": [4, 5, 6]}}, "strip": [{"iteration": 0, "loss": 0.5, "file": "a.png"},
+    {"iteration": 12, "loss": 1e-9, "file": "b.png"}]
+}"#;
+
+#[test]
+fn what_is_there_is_on_the_page() {
+    let folder = folder(&[
+        ("summary.json", SUMMARY),
+        ("history.csv", "iteration,loss,gradient_norm,seconds\n0,0.5,1,0\n1,1e-9,1,0.1\n"),
+        (
+            "trajectory.json",
+            r#"{"paths": ["x"], "target": [null], "iterations": [0, 12], "values": [[1], [2]]}"#,
+        ),
+        ("target.png", "not looked into"),
+        ("a.png", "a"),
+        ("b.png", "b"),
+        ("scene.toml", "# </pre><script>alert(1)</script>"),
+    ]);
+    let page = report_page(folder.path()).unwrap();
+    for part in [
+        "<th>final over initial</th><td>2.00e-9</td>",
+        "&lt;done&gt;",
+        "light.&lt;b&gt;.position",
+        "<td>4, 5, 6</td>",
+        "initial loss 5.000e-1, lowest 1.000e-9",
+        "class=\"curve\"",
+        "max=\"1\" value=\"1\"",
+        "iteration 12, loss 1.000e-9",
+        "&lt;script&gt;alert(1)",
+    ] {
+        assert!(page.contains(part), "{part}: {page}");
+    }
+    // Nothing on it is fetched: every address is data.
+    assert_eq!(page.matches("src=").count(), page.matches("src=\"data:").count());
+    assert!(!page.contains("href=") && !page.contains("<link") && !page.contains("url("));
+    assert_eq!(page.matches("<script>").count(), 1);
+}
+
+#[test]
+fn a_summary_is_enough_and_needed() {
+    let bare = folder(&[("summary.json", "{}")]);
+    assert!(report_page(bare.path()).unwrap().contains("<h2>Result</h2>"));
+    let empty = folder(&[]);
+    let error = report_page(empty.path()).unwrap_err();
+    assert!(error.place.ends_with("summary.json") && error.problem.contains("renderer optimize"));
+}
+
+#[test]
+fn broken_files_are_named() {
+    for (name, content, expected) in [
+        ("summary.json", "{", "summary.json: is broken: EOF"),
+        ("history.csv", "a\n0,1,2,3\n1,nan,2,3\n", "history.csv:3: must be an iteration and three"),
+        ("history.csv", "a\n0,1\n", "history.csv:2: must be"),
+        ("trajectory.json", "[]", "trajectory.json: is broken: "),
+        (
+            "trajectory.json",
+            r#"{"paths": ["x"], "target": [], "iterations": [], "values": []}"#,
+            "trajectory.json: is broken: its parts differ in length",
+        ),
+        ("summary.json", r#"{"strip": 3}"#, "summary.json: strip is broken: "),
+    ] {
+        let folder = folder(&[("summary.json", "{}"), (name, content)]);
+        let error = report_page(folder.path()).unwrap_err().to_string();
+        assert!(error.contains(expected), "{error}");
+    }
+}
