@@ -83,7 +83,6 @@ pub fn scene(count: usize, size: u32, random: &mut Random) -> Result<Scene, Erro
         materials: indices.collect(),
         texture_triangles: Vec::new(),
     };
-<<<<<<< HEAD
     let mut scene = Experiment::parse(SCENE, Path::new(""), "the scene")?.scene;
     (scene.width, scene.height) = (size, size);
     scene.materials = (0..count).map(|i| MaterialObject::new(format!("paint{i}"))).collect();
@@ -93,36 +92,6 @@ pub fn scene(count: usize, size: u32, random: &mut Random) -> Result<Scene, Erro
     scene.parameters.texture_coordinates.push(Vec::new());
     scene.validate("the scene")?;
     Ok(scene)
-=======
-    let empty = Scene::empty();
-    Scene {
-        width: size,
-        height: size,
-        bounces: 1,
-        parameters: Parameters {
-            camera: Camera {
-                look_from: dvec3(0.0, 0.0, 6.0),
-                look_at: DVec3::ZERO,
-                up: DVec3::Y,
-                vfov: 40.0,
-                focus: 1.0,
-            },
-            lights: vec![Light::Point(PointLight {
-                position: dvec3(3.0, 4.0, 8.0),
-                color: DVec3::ONE,
-                intensity: 900.0,
-            })],
-            materials,
-            vertices: vec![vertices],
-            texture_coordinates: vec![Vec::new()],
-            ..empty.parameters
-        },
-        light_names: vec!["light".to_owned()],
-        materials: (0..count).map(|index| MaterialObject::new(format!("paint{index}"))).collect(),
-        meshes: vec![mesh],
-        ..empty
-    }
->>>>>>> main
 }
 
 /// The scene with all of its triangles' parameters to vary. The loss is the mean squared difference

@@ -89,7 +89,7 @@ pub fn by_dual_numbers(scene: &Scene, id: ParameterId, element: usize) -> Vec<DV
             (value(surface.point), value(light.position) - value(surface.point));
         let (origin, from) = (point.as_vec3(), Some(hit.primitive));
         if !acceleration.is_occluded(origin, to_light.as_vec3(), 1.0, from) {
-            radiance = radiance + reflection_of_point_light::<Number>(material, surface, light);
+            radiance += reflection_of_point_light::<Number>(material, surface, light);
         }
         DVec3::new(radiance.x().derivative, radiance.y().derivative, radiance.z().derivative)
     };
