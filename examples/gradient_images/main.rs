@@ -1,7 +1,7 @@
 //! The derivative of an image by one number of its scene, in false colours: forward mode beside finite
 //! differences.
 //!
-//! `cargo run --release --example gradient_images [light.key.position [0]]`
+//! `cargo run --release --example gradient_images [camera.look_at [0]]`
 //!
 //! Arguments name another parameter and which of its numbers. Forward mode runs the renderer's generic
 //! kernels on dual numbers. Red is brighter as the number grows, blue darker, white the same. At
@@ -24,7 +24,7 @@ use strip::{brightest, strip};
 
 fn main() -> Result<(), Error> {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
-    let path = arguments.first().map_or("light.key.position", String::as_str);
+    let path = arguments.first().map_or("camera.look_at", String::as_str);
     let scene = experiment::scene(256)?;
     let id = scene.find_parameter(path).map_err(|problem| Error::new("parameter", problem))?;
     let count = scene.parameters.get(id).len();
