@@ -1,5 +1,6 @@
 //! Images of a sphere of triangles, found through the tree and through the list of all triangles.
 
+use glam::DVec3;
 use renderer::integrator::{Prepared, Settings, Visibility};
 use renderer::scene::Scene;
 use wide::f32x16;
@@ -9,12 +10,17 @@ use super::sphere;
 /// A sphere of `triangles` triangles around the origin, with a hole where a whole one would have
 /// more, in an image of `size` by `size` pixels.
 pub fn scene(triangles: usize, size: u32) -> Scene {
-    let mut rings = 1;
-    while 4 * (rings * rings) as usize <= triangles {
+    // A sphere of `n` rings has `4 n (n - 1)` triangles, and some without area at its poles.
+    let mut rings = 2;
+    while 4 * (rings * (rings - 1)) as usize <= triangles {
         rings += 1;
     }
     let mut scene = sphere::scene(rings, size, 1);
-    let mesh = &mut scene.meshes[0];
+    let (mesh, vertices) = (&mut scene.meshes[0], &scene.parameters.vertices[0]);
+    mesh.triangles.retain(|corners| {
+        let [a, b, c] = corners.map(|corner| DVec3::from_array(vertices[corner as usize]));
+        (b - a).cross(c - a).length() > 1e-12
+    });
     mesh.triangles.truncate(triangles);
     mesh.materials.truncate(triangles);
     scene

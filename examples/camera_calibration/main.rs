@@ -4,7 +4,7 @@
 //! `cargo run --release --example camera_calibration`
 //!
 //! Adam with a learning rate of 0.1 as in the paper, which stops when the loss has fallen from 5705.98
-//! to 100; then other learning rates. Before a rectangle that the camera faces, standing further away
+//! to 100; then other learning rates and other optimisers. Before a rectangle that the camera faces, standing further away
 //! and zooming in cannot be told from each other: what the image tells is focus times distance.
 //! `out/camera_calibration/` gets a strip of images (guess, result, target, difference) and the loss
 //! curves.
@@ -22,32 +22,45 @@ use renderer::Error;
 use renderer::arithmetic::Arithmetic;
 use renderer::files::save_png;
 use renderer::image::Image;
-use renderer::optimize::{Outcome, Record, write_report};
+use renderer::optimize::{Optimizer, Outcome, Record, Settings, write_report};
 use renderer::recovery::render_at;
 use serde_json::Map;
 use strip::{brightest, strip};
 
-/// The learning rate of the paper.
-const LEARNING_RATE: f64 = 0.1;
-/// The others.
-const RATES: [f64; 4] = [0.02, 0.05, 0.2, 0.5];
+/// The optimiser and the learning rate of the paper.
+const PAPER: (&str, f64) = ("adam", 0.1);
+/// The others. A step of gradient descent is as long as the gradient; L-BFGS finds the lengths of its
+/// steps, and its learning rates are the scales of its coordinates.
+const OTHERS: [(&str, f64); 7] = [
+    ("adam", 0.02),
+    ("adam", 0.5),
+    ("adamw", 0.1),
+    ("rmsprop", 0.1),
+    ("sgd", 0.1),
+    ("sgd", 0.01),
+    ("lbfgs", 0.1),
+];
 
 fn main() -> Result<(), Error> {
     let experiment = experiment::experiment(400, 300)?;
     let recovery = experiment::recovery(&experiment)?;
     let out = Path::new("out/camera_calibration");
-    let settings = recovery.settings();
+    let settings = |name| -> Result<Settings, Error> {
+        let optimizer =
+            Optimizer::named(name).map_err(|problem| Error::new("optimizer", problem))?;
+        Ok(Settings { optimizer, ..recovery.settings() })
+    };
 
-    let outcome = experiment::run(&experiment, LEARNING_RATE, &settings)?;
+    let outcome = experiment::run(&experiment, PAPER.1, &settings(PAPER.0)?)?;
     write_report(out, recovery.variables(), &outcome, Map::new())?;
     let found = recovery.scene_at(&outcome.best.x);
     let camera = &found.parameters.camera;
     println!("position {:.5}, focus {:.5}", camera.look_from, camera.focus);
     println!("focus x distance {:.6}, true 30", experiment::magnification(camera));
-    let mut curves = vec![describe("Adam, 0.1", &outcome)];
-    for rate in RATES {
-        let outcome = experiment::run(&experiment, rate, &settings)?;
-        curves.push(describe(&format!("Adam, {rate}"), &outcome));
+    let mut curves = vec![describe(PAPER, &outcome)];
+    for (name, rate) in OTHERS {
+        let outcome = experiment::run(&experiment, rate, &settings(name)?)?;
+        curves.push(describe((name, rate), &outcome));
     }
 
     let guess = render_at(Arithmetic::default(), &experiment.scene);
@@ -63,7 +76,8 @@ fn main() -> Result<(), Error> {
 }
 
 /// Prints how a run went, and makes a curve of it.
-fn describe(label: &str, outcome: &Outcome) -> Curve {
+fn describe((name, rate): (&str, f64), outcome: &Outcome) -> Curve {
+    let label = format!("{name}, {rate}");
     let reached = match experiment::first_below(outcome, experiment::PAPER_RATIO) {
         Some(iteration) => format!("below the paper's tolerance after {iteration} iterations"),
         None => "above the paper's tolerance".to_owned(),
@@ -72,5 +86,5 @@ fn describe(label: &str, outcome: &Outcome) -> Curve {
     println!("{label:>14}: {reached}; loss ratio {ratio:.1e} after {}", outcome.best.iteration);
     let point =
         |record: &Record| Point { x: record.iteration as f64, y: record.loss, deviation: 0.0 };
-    Curve { label: label.to_owned(), points: outcome.history.iter().map(point).collect() }
+    Curve { label, points: outcome.history.iter().map(point).collect() }
 }

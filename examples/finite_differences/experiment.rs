@@ -2,23 +2,40 @@
 
 use std::iter;
 use std::ops::Range;
+use std::path::Path;
 
 use glam::{DVec3, dvec3};
 use renderer::Error;
 use renderer::arithmetic::{Arithmetic, Precision};
 use renderer::experiment::{Experiment, OptimizeSection, Target, TunedParameter};
 use renderer::integrator::{Prepared, loss};
-use renderer::kernels::camera::Camera;
-use renderer::kernels::light::PointLight;
 use renderer::kernels::material::Material;
 use renderer::loss::{ImageLoss, LossKind};
 use renderer::optimize::Objective;
 use renderer::recovery::Recovery;
-use renderer::scene::{Light, MaterialObject, MeshObject, ParameterId, Parameters, Scene};
+use renderer::scene::{MaterialObject, MeshObject, ParameterId, Scene};
 
 use wide::f64x8;
 
 use super::random::Random;
+
+/// Camera and light, which stay.
+const SCENE: &str = r#"
+bounces = 1
+
+[camera]
+look_from = [0.0, 0.0, 6.0]
+look_at = [0.0, 0.0, 0.0]
+vfov = 40.0
+width = 64
+height = 64
+
+[[light]]
+name = "light"
+type = "point"
+position = [3.0, 4.0, 8.0]
+intensity = 900.0
+"#;
 
 /// The parameters of a triangle: three vertices, three colours, the exponent, the reflection.
 pub const PER_TRIANGLE: usize = 20;
@@ -29,7 +46,7 @@ const STEP: f64 = 1e-5;
 
 /// A mesh of `count` random triangles that share no vertex, each of a material of its own, before a fixed camera and
 /// light, in an image of `size` by `size` pixels.
-pub fn scene(count: usize, size: u32, random: &mut Random) -> Scene {
+pub fn scene(count: usize, size: u32, random: &mut Random) -> Result<Scene, Error> {
     let mut point = |reach: f64| {
         dvec3(
             random.between(-reach, reach),
@@ -66,34 +83,15 @@ pub fn scene(count: usize, size: u32, random: &mut Random) -> Scene {
         materials: indices.collect(),
         texture_triangles: Vec::new(),
     };
-    let empty = Scene::empty();
-    Scene {
-        width: size,
-        height: size,
-        bounces: 1,
-        parameters: Parameters {
-            camera: Camera {
-                look_from: dvec3(0.0, 0.0, 6.0),
-                look_at: DVec3::ZERO,
-                up: DVec3::Y,
-                vfov: 40.0,
-                focus: 1.0,
-            },
-            lights: vec![Light::Point(PointLight {
-                position: dvec3(3.0, 4.0, 8.0),
-                color: DVec3::ONE,
-                intensity: 900.0,
-            })],
-            materials,
-            vertices: vec![vertices],
-            texture_coordinates: vec![Vec::new()],
-            ..empty.parameters
-        },
-        light_names: vec!["light".to_owned()],
-        materials: (0..count).map(|index| MaterialObject::new(format!("paint{index}"))).collect(),
-        meshes: vec![mesh],
-        ..empty
-    }
+    let mut scene = Experiment::parse(SCENE, Path::new(""), "the scene")?.scene;
+    (scene.width, scene.height) = (size, size);
+    scene.materials = (0..count).map(|i| MaterialObject::new(format!("paint{i}"))).collect();
+    scene.parameters.materials = materials;
+    scene.meshes.push(mesh);
+    scene.parameters.vertices.push(vertices);
+    scene.parameters.texture_coordinates.push(Vec::new());
+    scene.validate("the scene")?;
+    Ok(scene)
 }
 
 /// The scene with all of its triangles' parameters to vary. The loss is the mean squared difference

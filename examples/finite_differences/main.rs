@@ -82,7 +82,7 @@ struct Trial {
 
 fn measure(triangles: usize, seed: u64) -> Result<Trial, Error> {
     let mut random = Random(seed);
-    let scene = experiment::scene(triangles, SIZE, &mut random);
+    let scene = experiment::scene(triangles, SIZE, &mut random)?;
     let experiment = experiment::experiment(scene, &mut random);
     let recovery = experiment::recovery(&experiment)?;
     let mut objective = recovery.objective();

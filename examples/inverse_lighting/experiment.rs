@@ -4,7 +4,7 @@ use renderer::Error;
 use renderer::arithmetic::Arithmetic;
 use renderer::demo::demo_experiment;
 use renderer::experiment::Experiment;
-use renderer::optimize::{Outcome, Quiet, Settings};
+use renderer::optimize::{Optimizer, Outcome, Quiet, Settings};
 use renderer::recovery::Recovery;
 use renderer::scene::{Light, Scene};
 
@@ -17,8 +17,8 @@ pub fn experiment(size: u32) -> Result<Experiment, Error> {
 }
 
 /// Where `steps` steps lead, whatever the loss is.
-pub fn run(recovery: &Recovery<'_>, steps: u64) -> Result<Outcome, Error> {
-    recovery.run(&Settings { iterations: steps, ..recovery.settings() }, &mut Quiet)
+pub fn run(recovery: &Recovery<'_>, optimizer: Optimizer, steps: u64) -> Result<Outcome, Error> {
+    recovery.run(&Settings { iterations: steps, optimizer, ..recovery.settings() }, &mut Quiet)
 }
 
 /// The problem, ready to run.

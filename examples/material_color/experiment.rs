@@ -6,7 +6,7 @@ use renderer::demo::demo_experiment;
 use renderer::experiment::{Experiment, OptimizeSection, Target, TunedParameter};
 use renderer::kernels::light::PointLight;
 use renderer::loss::LossKind;
-use renderer::optimize::{Outcome, Quiet, Settings};
+use renderer::optimize::{Optimizer, Outcome, Quiet, Settings};
 use renderer::recovery::Recovery;
 use renderer::scene::{Light, ParameterId, Scene};
 
@@ -64,6 +64,6 @@ pub fn recovery(experiment: &Experiment) -> Result<Recovery<'_>, Error> {
 }
 
 /// Where `steps` steps lead.
-pub fn run(recovery: &Recovery<'_>, steps: u64) -> Result<Outcome, Error> {
-    recovery.run(&Settings { iterations: steps, ..recovery.settings() }, &mut Quiet)
+pub fn run(recovery: &Recovery<'_>, optimizer: Optimizer, steps: u64) -> Result<Outcome, Error> {
+    recovery.run(&Settings { iterations: steps, optimizer, ..recovery.settings() }, &mut Quiet)
 }

@@ -19,7 +19,7 @@ use std::path::Path;
 use renderer::Error;
 use renderer::arithmetic::Arithmetic;
 use renderer::files::save_png;
-use renderer::optimize::write_report;
+use renderer::optimize::{Lbfgs, Optimizer, write_report};
 use renderer::recovery::render_at;
 use serde_json::Map;
 use strip::{brightest, strip};
@@ -36,7 +36,7 @@ fn main() -> Result<(), Error> {
 
     let mut images = Vec::new();
     for steps in STEPS {
-        let outcome = experiment::run(&recovery, steps)?;
+        let outcome = experiment::run(&recovery, Optimizer::default(), steps)?;
         let mut x = &outcome.last.x[..];
         println!("{steps} steps: loss ratio {:.1e}", outcome.last.loss / outcome.initial_loss());
         for variable in recovery.variables() {
@@ -50,6 +50,12 @@ fn main() -> Result<(), Error> {
         }
         images.push(render_at(Arithmetic::default(), &recovery.scene_at(&outcome.last.x)));
         write_report(out, recovery.variables(), &outcome, Map::new())?;
+    }
+    // The loss is quadratic in the colours: made for a method that learns the curvature.
+    let outcome = experiment::run(&recovery, Optimizer::Lbfgs(Lbfgs::default()), 50)?;
+    for record in outcome.history.iter().skip(1).take(5) {
+        let ratio = record.loss / outcome.initial_loss();
+        println!("L-BFGS, {} steps: loss ratio {ratio:.1e}", record.iteration);
     }
     images.push(recovery.target().clone());
     // The light is so strong that pictures have to be darkened.

@@ -1,12 +1,38 @@
 //! The teapot before the camera and under the light of the paper's listing.
 
+use std::path::Path;
+
 use glam::{DVec3, dvec3};
-use renderer::kernels::camera::Camera;
-use renderer::kernels::light::DistantLight;
-use renderer::kernels::material::Material;
-use renderer::scene::{Light, MaterialObject, MeshObject, Parameters, Scene};
+use renderer::Error;
+use renderer::experiment::Experiment;
+use renderer::scene::{MeshObject, Scene};
 
 use super::patches::{patches, tessellate};
+
+/// Camera and light of the listing. What is in the shadow shows a little, too.
+const SCENE: &str = r#"
+bounces = 2
+
+[camera]
+look_from = [1.0, 10.0, -1.0]
+look_at = [0.0, 0.0, 0.0]
+vfov = 45.0
+focus = 1.0
+width = 512
+height = 512
+
+[[light]]
+name = "light"
+type = "distant"
+direction = [0.0, 1.0, 0.0]
+intensity = 100.0
+
+[material.porcelain]
+ambient = [10.0, 10.0, 10.0]
+diffuse = [0.7, 0.7, 0.7]
+specular = [0.3, 0.3, 0.3]
+exponent = 50.0
+"#;
 
 /// Where the camera stands and what it looks at: in the listing, from the front, and from the side
 /// of the spout.
@@ -17,47 +43,18 @@ pub const VIEWS: [(DVec3, DVec3); 3] = [
 ];
 
 /// The scene, with every patch in `n` by `n` quadrilaterals, in an image of `size` by `size` pixels.
-pub fn scene(n: u32, size: u32) -> Scene {
+pub fn scene(n: u32, size: u32) -> Result<Scene, Error> {
+    let mut scene = Experiment::parse(SCENE, Path::new(""), "the scene")?.scene;
+    (scene.width, scene.height) = (size, size);
     let (vertices, triangles) = tessellate(&patches(), n);
-    let mesh = MeshObject {
+    scene.meshes.push(MeshObject {
         name: "teapot".to_owned(),
         materials: vec![0; triangles.len()],
         triangles,
         texture_triangles: Vec::new(),
-    };
-    let empty = Scene::empty();
-    Scene {
-        width: size,
-        height: size,
-        bounces: 2,
-        parameters: Parameters {
-            camera: Camera {
-                look_from: VIEWS[0].0,
-                look_at: VIEWS[0].1,
-                up: DVec3::Y,
-                vfov: 45.0,
-                focus: 1.0,
-            },
-            lights: vec![Light::Distant(DistantLight {
-                direction: DVec3::Y,
-                color: DVec3::ONE,
-                intensity: 100.0,
-            })],
-            materials: vec![Material {
-                // What is in the shadow shows, too.
-                ambient: DVec3::splat(10.0),
-                diffuse: DVec3::splat(0.7),
-                specular: DVec3::splat(0.3),
-                exponent: 50.0,
-                reflection: DVec3::ZERO,
-            }],
-            vertices: vec![vertices],
-            texture_coordinates: vec![Vec::new()],
-            ..empty.parameters
-        },
-        light_names: vec!["light".to_owned()],
-        materials: vec![MaterialObject::new("porcelain")],
-        meshes: vec![mesh],
-        ..empty
-    }
+    });
+    scene.parameters.vertices.push(vertices);
+    scene.parameters.texture_coordinates.push(Vec::new());
+    scene.validate("the scene")?;
+    Ok(scene)
 }

@@ -22,7 +22,7 @@ use renderer::recovery::render_at;
 use strip::{brightest, strip};
 
 fn main() -> Result<(), Error> {
-    let mut scene = experiment::scene(16, 512);
+    let mut scene = experiment::scene(16, 512)?;
     mesh_argument::apply(&mut scene)?;
     println!("{} triangles", scene.meshes.iter().map(|mesh| mesh.triangles.len()).sum::<usize>());
     let out = Path::new("out/teapot");

@@ -101,7 +101,8 @@ fn pattern(texels: u32) -> Vec<[f64; 3]> {
         let place = |index: u32| 2.0 * (f64::from(index) + 0.5) / f64::from(texels) - 1.0;
         let (x, y) = (place(column), place(row));
         let wave = |phase: f64| 0.5 + 0.35 * (9.0 * x.hypot(y) + phase).cos();
-        let checker = if (8 * column / texels + 8 * row / texels) % 2 == 0 { 1.0 } else { 0.6 };
+        let checker =
+            if (8 * column / texels + 8 * row / texels).is_multiple_of(2) { 1.0 } else { 0.6 };
         [0.0, 2.0, 4.0].map(|phase| checker * wave(phase))
     };
     places.map(texel).collect()

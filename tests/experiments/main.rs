@@ -3,7 +3,9 @@
 mod bvh;
 mod camera_calibration;
 mod finite_differences;
+mod gradient_images;
 mod inverse_lighting;
 mod material_color;
+mod tape;
 mod teapot;
 mod texture_recovery;

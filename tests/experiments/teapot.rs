@@ -46,7 +46,7 @@ fn neighbouring_patches_meet() {
 
 #[test]
 fn the_teapot_is_seen_from_every_view() {
-    let mut scene = experiment::scene(4, 64);
+    let mut scene = experiment::scene(4, 64).unwrap();
     for (look_from, look_at) in experiment::VIEWS {
         scene.parameters.camera.look_from = look_from;
         scene.parameters.camera.look_at = look_at;

@@ -1,0 +1,73 @@
+//! The derivative of an image by one number of its scene, in false colours: forward mode beside finite
+//! differences.
+//!
+//! `cargo run --release --example gradient_images [camera.look_at [0]]`
+//!
+//! Arguments name another parameter and which of its numbers. Forward mode runs the renderer's generic
+//! kernels on dual numbers. Red is brighter as the number grows, blue darker, white the same. At
+//! silhouettes and shadow edges differences see what moves there; forward mode has the interior term.
+//! `out/gradient_images/` gets the image, both derivatives, and a strip of the three.
+
+mod experiment;
+#[path = "../shared/strip.rs"]
+mod strip;
+
+use std::path::Path;
+
+use glam::{DVec3, Vec3};
+use renderer::Error;
+use renderer::arithmetic::Arithmetic;
+use renderer::files::save_png;
+use renderer::image::Image;
+use renderer::recovery::render_at;
+use strip::{brightest, strip};
+
+fn main() -> Result<(), Error> {
+    let arguments: Vec<String> = std::env::args().skip(1).collect();
+    let path = arguments.first().map_or("camera.look_at", String::as_str);
+    let scene = experiment::scene(256)?;
+    let id = scene.find_parameter(path).map_err(|problem| Error::new("parameter", problem))?;
+    let count = scene.parameters.get(id).len();
+    let element = match arguments.get(1) {
+        None => 0,
+        Some(text) => text.parse().ok().filter(|&element| element < count).ok_or_else(|| {
+            Error::new(path, format_args!("has {count} numbers; `{text}` is the index of none"))
+        })?,
+    };
+
+    let forward = experiment::by_dual_numbers(&scene, id, element);
+    let differences = experiment::by_differences(&scene, id, element);
+    println!("largest derivative by {path}[{element}]: {:.3e}", experiment::largest(&forward));
+    for tolerance in [1e-1, 1e-2, 1e-3] {
+        println!(
+            "differences off by more than {tolerance} of that at {:.2} % of the pixels",
+            100.0 * experiment::different(&forward, &differences, tolerance)
+        );
+    }
+
+    let out = Path::new("out/gradient_images");
+    std::fs::create_dir_all(out).map_err(|error| Error::new(out.display(), error))?;
+    let image = render_at(Arithmetic::default(), &scene);
+    let picture = strip(std::slice::from_ref(&image), 1.0 / brightest(&image));
+    let scale = experiment::largest(&forward);
+    let colored =
+        |derivatives: &[DVec3]| false_colors(derivatives, scene.width, scene.height, scale);
+    let (forward, differences) = (colored(&forward), colored(&differences));
+    save_png(&picture, &out.join("image.png"))?;
+    save_png(&forward, &out.join("forward.png"))?;
+    save_png(&differences, &out.join("differences.png"))?;
+    save_png(&strip(&[picture, forward, differences], 1.0), &out.join("strip.png"))?;
+    println!("pictures in {}", out.display());
+    Ok(())
+}
+
+/// The mean over channels in colours from blue at `-scale` over white to red at `scale`.
+fn false_colors(derivatives: &[DVec3], width: u32, height: u32, scale: f64) -> Image {
+    let color = |derivative: &DVec3| {
+        let signed = (derivative.element_sum() / 3.0 / scale).clamp(-1.0, 1.0) as f32;
+        let end = if signed > 0.0 { Vec3::new(0.7, 0.0, 0.02) } else { Vec3::new(0.02, 0.05, 0.7) };
+        // The root tells small derivatives from none.
+        Vec3::ONE.lerp(end, signed.abs().sqrt()).to_array()
+    };
+    Image { width, height, pixels: derivatives.iter().map(color).collect() }
+}

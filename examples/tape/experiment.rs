@@ -1,0 +1,61 @@
+//! The loss of a small image of one triangle, as one function of everything that it depends on.
+
+use ad::vector::{Vector, Vector3};
+use ad::{Real, Vec3, differentiable};
+use renderer::kernels::camera::{Camera, frame, primary_ray};
+use renderer::kernels::light::PointLight;
+use renderer::kernels::material::{Material, reflection_of_point_light};
+use renderer::kernels::triangle::triangle_surface;
+
+/// Camera, the corners of a triangle that fills the image, material and light: 43 numbers.
+pub const INPUTS: [f64; 43] = [
+    0.1, 0.2, 3.0, 0.0, 0.1, 0.0, 0.0, 1.0, 0.0, 40.0,
+    1.0, // look_from, look_at, up, vfov, focus
+    -9.0, -8.0, 0.1, 9.0, -8.0, 0.0, 0.0, 9.0, -0.2, // corners
+    0.02, 0.03, 0.04, 0.7, 0.5, 0.3, 0.2, 0.25, 0.3, 0.0, 0.0, 0.0, 20.0, // material
+    1.0, 2.0, 4.0, 1.0, 0.9, 0.8, 100.0, // light: position, colour, intensity
+    0.3, 0.2, 0.1, // the colour that every pixel should have
+];
+
+/// What pixels share, from the numbers.
+#[differentiable]
+fn vector<S: Real>(x: &[S], first: usize) -> Vec3<S> {
+    <Vec3<S>>::new(x[first], x[first + 1], x[first + 2])
+}
+
+/// The sum over pixels of the squared difference between their radiance and the wanted colour.
+#[differentiable]
+pub fn image_loss<S: Real>(x: &[S], size: usize) -> S {
+    let camera = Camera {
+        look_from: vector::<S>(x, 0),
+        look_at: vector::<S>(x, 3),
+        up: vector::<S>(x, 6),
+        vfov: x[9],
+        focus: x[10],
+    };
+    let frame = frame::<S>(camera, S::ONE);
+    let (a, b, c) = (vector::<S>(x, 11), vector::<S>(x, 14), vector::<S>(x, 17));
+    let material = Material {
+        ambient: vector::<S>(x, 20),
+        diffuse: vector::<S>(x, 23),
+        specular: vector::<S>(x, 26),
+        reflection: vector::<S>(x, 29),
+        exponent: x[32],
+    };
+    let light =
+        PointLight { position: vector::<S>(x, 33), color: vector::<S>(x, 36), intensity: x[39] };
+    let wanted = vector::<S>(x, 40);
+    let mut loss = S::ZERO;
+    for row in 0..size {
+        for column in 0..size {
+            let place = |index: usize| S::from_f64((2 * index + 1) as f64 / size as f64 - 1.0);
+            let ray = primary_ray::<S>(frame, place(column), place(row));
+            let surface = triangle_surface::<S>(ray, a, b, c);
+            let radiance =
+                material.ambient + reflection_of_point_light::<S>(material, surface, light);
+            let difference = radiance - wanted;
+            loss = loss + difference.dot(difference);
+        }
+    }
+    loss
+}
