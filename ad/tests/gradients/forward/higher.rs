@@ -1,5 +1,7 @@
 //! Jacobians, Hessians, checks; rules by hand without a forward mode.
 
+#![allow(clippy::needless_range_loop, reason = "rows and columns")]
+
 use ad::check::{assert_forward, worst_forward};
 use ad::{Differentiable, Real, differentiable, hessian, hvp, jacobian_forward, jacobian_reverse};
 use glam::DVec3;
