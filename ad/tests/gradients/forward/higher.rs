@@ -1,6 +1,6 @@
 //! Jacobians, Hessians, checks; rules by hand without a forward mode.
 
-#![allow(clippy::needless_range_loop, reason = "rows and columns")]
+#![allow(clippy::needless_range_loop, clippy::type_complexity, reason = "rows and columns, rules")]
 
 use ad::check::{assert_forward, worst_forward};
 use ad::{Differentiable, Real, differentiable, hessian, hvp, jacobian_forward, jacobian_reverse};
