@@ -6,6 +6,7 @@ use syn::spanned::Spanned;
 use syn::{Attribute, FnArg, GenericParam, Generics, Signature, Type, Visibility};
 
 use crate::callable::Callables;
+use crate::elision;
 use crate::errors::Errors;
 use crate::forward::{self, Forward};
 use crate::lower;
@@ -344,6 +345,19 @@ impl Function<'_> {
         if let Place::TraitImpl(_) = place {
             return quote!(#vjp #jvp);
         }
+        // Bounds do not let lifetimes be left out.
+        let is_scalar = match elision::named(result) {
+            (_, false) => quote! {
+                for<'__scalar> #result: ::ad::rt::ScalarResult<'__scalar, #result_tangent>
+            },
+            (named, true) => {
+                let lifetime = elision::lifetime();
+                quote! {
+                    for<'__scalar, #lifetime> #named:
+                        ::ad::rt::ScalarResult<'__scalar, #result_tangent>
+                }
+            }
+        };
         let functions = quote! {
             #vjp
 
@@ -356,7 +370,7 @@ impl Function<'_> {
             #derivative_visibility fn #value_and_grad #generics (#inputs) -> (#result, #gradient)
             where
                 #(#bounds,)*
-                for<'__scalar> #result: ::ad::rt::ScalarResult<'__scalar, #result_tangent>,
+                #is_scalar,
             {
                 let (value, pullback) = #call_vjp;
                 let one = <#result as ::ad::rt::ScalarResult<'_, #result_tangent>>::one();
@@ -370,7 +384,7 @@ impl Function<'_> {
             #derivative_visibility fn #grad #generics (#inputs) -> #gradient
             where
                 #(#bounds,)*
-                for<'__scalar> #result: ::ad::rt::ScalarResult<'__scalar, #result_tangent>,
+                #is_scalar,
             {
                 let (_, pullback) = #call_vjp;
                 let one = <#result as ::ad::rt::ScalarResult<'_, #result_tangent>>::one();

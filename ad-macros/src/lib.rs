@@ -28,6 +28,7 @@ mod attribute;
 mod callable;
 mod checkpoint;
 mod derive;
+mod elision;
 mod errors;
 mod expand;
 mod forward;

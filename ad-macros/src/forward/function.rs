@@ -3,9 +3,10 @@
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::{ToTokens, format_ident, quote, quote_spanned};
 use syn::spanned::Spanned;
-use syn::{FnArg, Type};
+use syn::{FnArg, ReceiverKind, Type};
 
 use super::Tangent;
+use crate::elision;
 use crate::expand::{Function, Place};
 use crate::signature::{Parameter, is_discrete, pointee};
 
@@ -143,20 +144,32 @@ pub fn item(
     let Function { place, visibility, attributes, callables, .. } = function;
     let signature = &callables.signature;
     let jvp = name(function);
+    // What the result leaves out is the lifetime of `&self`, if there is one.
+    let borrows_self = signature
+        .receiver()
+        .is_some_and(|receiver| matches!(receiver.kind, ReceiverKind::Reference(..)));
+    let (named_result, borrows) = elision::named(result);
+    let is_named = borrows && !borrows_self;
     let inputs = signature.inputs.iter().zip(parameters).map(|(input, parameter)| match input {
         FnArg::Receiver(receiver) => quote!(#receiver),
         FnArg::Typed(typed) => {
-            let (ident, ty) = (&parameter.ident, &typed.ty);
+            let ident = &parameter.ident;
+            let ty = if is_named { elision::named(&typed.ty).0 } else { (*typed.ty).clone() };
             quote!(#ident: #ty)
         }
     });
+    let lifetime = is_named.then(elision::lifetime);
     let tangents = tangents.iter().zip(parameters).map(|(ident, parameter)| {
         let ty = tangent_type(parameter);
         let mutability = parameter.is_mutable_receiver.then(|| quote!(mut));
         quote!(#mutability #ident: #ty)
     });
     let parameters = &signature.generics.params;
-    let generics = (!parameters.is_empty()).then(|| quote!(<#parameters>));
+    let generics = match &lifetime {
+        Some(lifetime) => Some(quote!(<#lifetime, #parameters>)),
+        None => (!parameters.is_empty()).then(|| quote!(<#parameters>)),
+    };
+    let returned = if is_named { &named_result } else { result };
     let target = pointee(result);
     let tangent = quote_spanned!(target.span()=> ::ad::Tangent<#target>);
     let cfgs = attributes.iter().filter(|attribute| attribute.path().is_ident("cfg"));
@@ -175,7 +188,7 @@ pub fn item(
         #[doc = #doc]
         #[allow(unused, non_snake_case, refining_impl_trait, clippy::all, clippy::pedantic, clippy::nursery)]
         #[inline]
-        #visibility fn #jvp #generics (#(#inputs,)* #(#tangents),*) -> (#result, #tangent)
+        #visibility fn #jvp #generics (#(#inputs,)* #(#tangents),*) -> (#returned, #tangent)
         where #(#bounds),*
         #body
     }

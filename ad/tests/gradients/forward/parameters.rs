@@ -35,7 +35,7 @@ fn larger<'a>(a: &'a f64, b: &'a f64) -> &'a f64 {
 }
 
 #[differentiable]
-fn first<'a>(xs: &'a [f64]) -> &'a f64 {
+fn first(xs: &[f64]) -> &f64 {
     &xs[0]
 }
 
