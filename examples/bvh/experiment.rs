@@ -1,7 +1,7 @@
 //! Images of a sphere of triangles, found through the tree and through the list of all triangles.
 
 use glam::DVec3;
-use renderer::integrator::{Prepared, Settings, Visibility};
+use renderer::integrator::{Prepared, RenderSettings, Visibility};
 use renderer::scene::Scene;
 use wide::f32x16;
 
@@ -28,5 +28,5 @@ pub fn scene(triangles: usize, size: u32) -> Scene {
 
 /// The scene, to be rendered with or without a tree.
 pub fn prepared(scene: &Scene, visibility: Visibility) -> Prepared<'_, f32x16> {
-    Prepared::with_settings(scene, Settings { visibility, ..Settings::default() })
+    Prepared::with_settings(scene, RenderSettings { visibility, ..RenderSettings::default() })
 }

@@ -4,7 +4,8 @@ use ad::check;
 use glam::DVec3;
 use renderer::image::Image;
 use renderer::integrator::{
-    Pass, PixelLoss, Prepared, Rays, Settings, Visibility, Wanted, gradient, loss, render, trace,
+    Pass, PixelLoss, Prepared, Rays, RenderSettings, Visibility, Wanted, gradient, loss, render,
+    trace,
 };
 use renderer::loss::{ImageLoss, LossKind};
 use renderer::scene::{ParameterId, Scene};
@@ -66,7 +67,7 @@ fn target(scene: &Scene) -> Image {
 }
 
 fn check_parameter(scene: &Scene, target: &Image, kind: LossKind, id: ParameterId) {
-    check_parameter_with(Settings::default(), scene, target, kind, id);
+    check_parameter_with(RenderSettings::default(), scene, target, kind, id);
 }
 
 pub fn agrees_with_finite_differences(scene: &Scene, id: ParameterId) {
@@ -74,7 +75,7 @@ pub fn agrees_with_finite_differences(scene: &Scene, id: ParameterId) {
 }
 
 fn check_parameter_with(
-    settings: Settings,
+    settings: RenderSettings,
     scene: &Scene,
     target: &Image,
     kind: LossKind,
@@ -139,7 +140,7 @@ fn every_parameter_agrees_with_finite_differences_under_textures() {
 fn the_rasterized_albedo_agrees_with_finite_differences() {
     let scene = textured_scene(16);
     let target = target(&scene);
-    let settings = Settings { visibility: Visibility::Raster, pass: Pass::Albedo };
+    let settings = RenderSettings { visibility: Visibility::Raster, pass: Pass::Albedo };
     for id in scene.parameter_ids() {
         check_parameter_with(settings, &scene, &target, LossKind::MeanSquared, id);
     }

@@ -1,14 +1,14 @@
 //! The ways to find what a pixel shows agree.
 
 use glam::DVec3;
-use renderer::integrator::{Pass, Prepared, Settings, Visibility, render};
+use renderer::integrator::{Pass, Prepared, RenderSettings, Visibility, render};
 use renderer::scene::Scene;
 use wide::f32x16;
 
 use crate::scenes::textured_scene;
 
 fn image(scene: &Scene, visibility: Visibility, pass: Pass) -> Vec<[f32; 3]> {
-    render(&Prepared::<f32x16>::with_settings(scene, Settings { visibility, pass })).pixels
+    render(&Prepared::<f32x16>::with_settings(scene, RenderSettings { visibility, pass })).pixels
 }
 
 /// Wide and high images; a camera among the geometry, with parts behind it and across its plane;

@@ -10,7 +10,8 @@ use crate::arithmetic::Arithmetic;
 use crate::display::{ToneMapping, expose, normalize};
 use crate::experiment::Experiment;
 use crate::files::{check_image_path, save_image};
-use crate::recovery::render_at;
+use crate::integrator::{Pass, RenderSettings, Visibility};
+use crate::recovery::render_with;
 
 #[derive(clap::Args)]
 pub(super) struct Arguments {
@@ -28,6 +29,15 @@ pub(super) struct Arguments {
     /// How to show what is brighter than white: clipped, or compressed (Reinhard)
     #[arg(long, value_enum, default_value_t = Tone::Clamp)]
     tone: Tone,
+
+    /// What to show of surfaces: the light they send to the camera, or their diffuse colour
+    #[arg(long, value_enum, default_value_t = PassName::Radiance)]
+    pass: PassName,
+
+    /// How to find what pixels show: rays through a tree of boxes, rays against a list of all
+    /// primitives, or primitives drawn into the image
+    #[arg(long, value_enum, default_value_t = VisibilityName::Tree)]
+    visibility: VisibilityName,
 
     /// Map the darkest channel to 0 and the brightest to 1
     #[arg(long, conflicts_with_all = ["exposure", "tone"])]
@@ -49,6 +59,38 @@ impl From<Tone> for ToneMapping {
     }
 }
 
+#[derive(Clone, Copy, ValueEnum)]
+enum PassName {
+    Radiance,
+    Albedo,
+}
+
+impl From<PassName> for Pass {
+    fn from(pass: PassName) -> Self {
+        match pass {
+            PassName::Radiance => Self::Radiance,
+            PassName::Albedo => Self::Albedo,
+        }
+    }
+}
+
+#[derive(Clone, Copy, ValueEnum)]
+enum VisibilityName {
+    Tree,
+    List,
+    Raster,
+}
+
+impl From<VisibilityName> for Visibility {
+    fn from(visibility: VisibilityName) -> Self {
+        match visibility {
+            VisibilityName::Tree => Self::Tree,
+            VisibilityName::List => Self::List,
+            VisibilityName::Raster => Self::Raster,
+        }
+    }
+}
+
 /// A number of stops: as many as lead from the faintest to the brightest number.
 fn stops(text: &str) -> Result<f64, String> {
     let stops: f64 = text.parse().map_err(|_| "not a number".to_owned())?;
@@ -59,7 +101,9 @@ fn stops(text: &str) -> Result<f64, String> {
 pub(super) fn run(arguments: &Arguments, arithmetic: Arithmetic) -> Result<(), Error> {
     check_image_path(&arguments.output)?;
     let experiment = Experiment::load(&arguments.scene)?;
-    let mut image = render_at(arithmetic, &experiment.scene);
+    let settings =
+        RenderSettings { visibility: arguments.visibility.into(), pass: arguments.pass.into() };
+    let mut image = render_with(arithmetic, &experiment.scene, settings);
     if let Some(stops) = arguments.exposure {
         expose(&mut image, stops);
     }

@@ -34,7 +34,7 @@ mod view;
 pub use gradient::{GradientResult, Wanted, gradient};
 pub use prepared::Prepared;
 pub use radiance::{PixelLoss, loss, render, render_into};
-pub use settings::{Pass, Settings, Visibility};
+pub use settings::{Pass, RenderSettings, Visibility};
 pub use trace::{Rays, trace};
 
 pub(crate) use gradient::reduce;

@@ -8,7 +8,7 @@ use glam::DVec3;
 use rayon::prelude::*;
 
 use super::raster::Raster;
-use super::settings::{Pass, Settings, Visibility};
+use super::settings::{Pass, RenderSettings, Visibility};
 use super::textures::Texture;
 use super::tiles::Tile;
 use super::view::film_offsets;
@@ -65,11 +65,11 @@ pub struct Prepared<'a, L: Lanes> {
 impl<'a, L: Lanes> Prepared<'a, L> {
     /// Prepares a scene. The scene has to be valid (see [`Scene::validate`]).
     pub fn new(scene: &'a Scene) -> Self {
-        Self::with_settings(scene, Settings::default())
+        Self::with_settings(scene, RenderSettings::default())
     }
 
     /// Prepares a scene to be rendered in a certain way.
-    pub fn with_settings(scene: &'a Scene, settings: Settings) -> Self {
+    pub fn with_settings(scene: &'a Scene, settings: RenderSettings) -> Self {
         let bounding_box = scene.bounding_box();
         let middle = bounding_box.map_or(DVec3::ZERO, |(low, high)| low.midpoint(high));
         let mut triangles = Vec::new();

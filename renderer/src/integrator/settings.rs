@@ -2,7 +2,7 @@
 
 /// How a scene is rendered.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Settings {
+pub struct RenderSettings {
     /// How what pixels show is found.
     pub visibility: Visibility,
     /// What of it is shown.

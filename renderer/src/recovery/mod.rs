@@ -25,7 +25,7 @@ use crate::arithmetic::{Arithmetic, with_arithmetic};
 use crate::experiment::{Experiment, OptimizeSection, Target, TunedParameter};
 use crate::files::{LoadedImage, load_image};
 use crate::image::Image;
-use crate::integrator::{Prepared, Wanted, gradient, loss, render};
+use crate::integrator::{Prepared, RenderSettings, Wanted, gradient, loss, render};
 use crate::loss::{ImageLoss, LossKind};
 use crate::optimize::{
     Evaluation, Fingerprint, Objective, Observer, Optimization, Optimizer, Outcome, Settings,
@@ -35,7 +35,12 @@ use crate::scene::{ParameterId, Parameters, Scene};
 
 /// Renders a scene, which has to be valid.
 pub fn render_at(arithmetic: Arithmetic, scene: &Scene) -> Image {
-    with_arithmetic!(arithmetic, S => render(&Prepared::<S>::new(scene)))
+    render_with(arithmetic, scene, RenderSettings::default())
+}
+
+/// Renders a scene, which has to be valid, in a certain way.
+pub fn render_with(arithmetic: Arithmetic, scene: &Scene, settings: RenderSettings) -> Image {
+    with_arithmetic!(arithmetic, S => render(&Prepared::<S>::with_settings(scene, settings)))
 }
 
 /// An optimisation of scene parameters against an image.
