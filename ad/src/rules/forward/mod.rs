@@ -43,7 +43,7 @@ macro_rules! symmetric {
         symmetric!(@one $jvp $vjp $($argument $tangent $index),*);
     )*};
     (@one $jvp:ident $vjp:ident) => {
-        #[doc = concat!("From [`", stringify!($vjp), "`].")]
+        #[doc = concat!("From `", stringify!($vjp), "`.")]
         #[inline(always)]
         fn $jvp(self, tangent: Self) -> (Self, Self) {
             let (value, pullback) = self.$vjp();
@@ -51,7 +51,7 @@ macro_rules! symmetric {
         }
     };
     (@one $jvp:ident $vjp:ident $a:ident $a_tangent:ident 1) => {
-        #[doc = concat!("From [`", stringify!($vjp), "`].")]
+        #[doc = concat!("From `", stringify!($vjp), "`.")]
         #[inline(always)]
         fn $jvp(self, $a: Self, tangent: Self, $a_tangent: Self) -> (Self, Self) {
             let (value, pullback) = self.$vjp($a);
@@ -59,7 +59,7 @@ macro_rules! symmetric {
         }
     };
     (@one $jvp:ident $vjp:ident $a:ident $a_tangent:ident 1, $b:ident $b_tangent:ident 2) => {
-        #[doc = concat!("From [`", stringify!($vjp), "`].")]
+        #[doc = concat!("From `", stringify!($vjp), "`.")]
         #[inline(always)]
         fn $jvp(
             self,

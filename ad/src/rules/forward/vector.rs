@@ -17,7 +17,7 @@ macro_rules! scalar_result {
         scalar_result!(@one $jvp $vjp $($other)?);
     )*};
     (@one $jvp:ident $vjp:ident) => {
-        #[doc = concat!("From [`", stringify!($vjp), "`].")]
+        #[doc = concat!("From `", stringify!($vjp), "`.")]
         #[inline(always)]
         fn $jvp(self, tangent: Self) -> (Self::Scalar, Self::Scalar) {
             let (value, pullback) = self.$vjp();
@@ -25,7 +25,7 @@ macro_rules! scalar_result {
         }
     };
     (@one $jvp:ident $vjp:ident $other:ident) => {
-        #[doc = concat!("From [`", stringify!($vjp), "`].")]
+        #[doc = concat!("From `", stringify!($vjp), "`.")]
         #[inline(always)]
         fn $jvp(
             self,
