@@ -159,15 +159,17 @@ impl<'a, L: Lanes, P: PixelLoss> Sweep<'a, L, P> {
             let appearance = prepared.appearance(group);
             let shaded = Shaded::new(prepared, group, &appearance, &view.lit, shown);
             let pulled = shaded.pull_back(|radiance| respond(group, radiance), to_light);
-            let Some(Pulled { mut material, mut surface, mirror, illuminations }) = pulled else {
+            let Some(mut pulled) = pulled else {
                 surfaces.push(None);
                 continue;
             };
-            for (light, cotangent) in illuminations.into_iter().enumerate() {
-                let to_light = &mut sums.custom_lights[light];
-                let point = prepared.pull_custom_illumination(group, light, cotangent, to_light);
-                surface.point.accumulate(point);
+            if !sums.custom_lights.is_empty() {
+                shaded.pull_back_custom_lights(&mut pulled, |light, cotangent| {
+                    let to_light = &mut sums.custom_lights[light];
+                    prepared.pull_custom_illumination(group, light, cotangent, to_light)
+                });
             }
+            let Pulled { mut material, surface, mirror, .. } = pulled;
             let Appearance { materials, textured, .. } = &appearance;
             let uv = textured.as_ref().map(|textured| {
                 textured.pull_back(&mut material, |texel, cotangent| {
