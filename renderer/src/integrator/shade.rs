@@ -30,10 +30,6 @@ pub(super) enum LightCotangent<L: Lanes> {
 pub(super) struct Pulled<L: Lanes> {
     pub material: Tangent<Material<L>>,
     pub surface: Tangent<SurfacePoint<L>>,
-    /// Of what the mirror does, where the ray that it sends on was traced.
-    pub mirror: Option<PulledMirror<L>>,
-    /// Of the radiance.
-    pub radiance: Vec3<L>,
 }
 
 /// The cotangents of what is seen in mirrors.
@@ -143,25 +139,34 @@ impl<'a, L: Lanes> Shaded<'a, L> {
         &self.lit[self.lit.len() - self.illuminations.len()..]
     }
 
-    /// The cotangents of what goes into [`own_radiance`](Self::own_radiance).
+    /// Pulls the cotangent of [`own_radiance`](Self::own_radiance) back to the colour that shows.
+    /// To mirrors and lights that users add it flows apart: where a scene has none, that costs
+    /// nothing.
     #[inline]
     fn pull_back_own(&self, cotangent: Vec3<L>, pulled: &mut Pulled<L>) {
-        pulled.radiance = cotangent;
-        if self.pass == Pass::Albedo {
-            pulled.material.diffuse.accumulate(cotangent);
-            return;
-        }
-        pulled.material.ambient.accumulate(cotangent);
-        pulled.mirror = self.mirrored.map(|&mirrored| PulledMirror {
+        let material = &mut pulled.material;
+        let shown = match self.pass {
+            Pass::Albedo => &mut material.diffuse,
+            Pass::Radiance => &mut material.ambient,
+        };
+        shown.accumulate(cotangent);
+    }
+
+    /// Pulls the cotangent of the radiance back to what is seen in mirrors, where the rays that they
+    /// send on were traced.
+    pub fn pull_back_mirror(&self, cotangent: Vec3<L>) -> Option<PulledMirror<L>> {
+        let mirrored = self.mirrored.filter(|_| self.pass == Pass::Radiance);
+        mirrored.map(|&mirrored| PulledMirror {
             reflection: cotangent * mirrored,
             radiance: cotangent * self.material.reflection,
-        });
+        })
     }
 
     /// Pulls the cotangent of the radiance back to what comes from lights that users add, and adds to
-    /// the rest. Apart from [`pull_back`](Self::pull_back), which is the faster for it.
+    /// the rest.
     pub fn pull_back_custom_lights(
         &self,
+        cotangent: Vec3<L>,
         pulled: &mut Pulled<L>,
         mut to_light: impl FnMut(usize, Tangent<Illumination<L>>) -> Vec3<L>,
     ) {
@@ -169,7 +174,7 @@ impl<'a, L: Lanes> Shaded<'a, L> {
         for (index, (&illumination, lit)) in lights.enumerate() {
             let (_, pullback) =
                 reflection::vjp::<L>(self.material, self.group.surface, illumination);
-            let cotangent = self.where_lit(*lit, pulled.radiance);
+            let cotangent = self.where_lit(*lit, cotangent);
             let (material, surface, illumination) = pullback(cotangent);
             pulled.material.accumulate(material);
             pulled.surface.accumulate(surface);
@@ -193,12 +198,7 @@ impl<'a, L: Lanes> Shaded<'a, L> {
             Some(Light::Distant(last)) => self.pull_back_from(last, respond, to_light),
             None => {
                 let cotangent = respond(self.own_radiance())?;
-                let mut pulled = Pulled {
-                    material: Additive::zero(),
-                    surface: Additive::zero(),
-                    mirror: None,
-                    radiance: Additive::zero(),
-                };
+                let mut pulled = Pulled { material: Additive::zero(), surface: Additive::zero() };
                 self.pull_back_own(cotangent, &mut pulled);
                 Some(pulled)
             }
@@ -275,7 +275,7 @@ macro_rules! reflected {
                     $kernel::vjp::<L>(shaded.material, shaded.group.surface, self.narrow());
                 let pullback = move |cotangent| {
                     let (material, surface, light) = pullback(cotangent);
-                    (Pulled { material, surface, mirror: None, radiance: Additive::zero() }, LightCotangent::$variant(light))
+                    (Pulled { material, surface }, LightCotangent::$variant(light))
                 };
                 (value, pullback)
             }

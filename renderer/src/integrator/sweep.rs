@@ -158,18 +158,22 @@ impl<'a, L: Lanes, P: PixelLoss> Sweep<'a, L, P> {
             };
             let appearance = prepared.appearance(group);
             let shaded = Shaded::new(prepared, group, &appearance, &view.lit, shown);
-            let pulled = shaded.pull_back(|radiance| respond(group, radiance), to_light);
-            let Some(mut pulled) = pulled else {
+            let mut cotangent = Additive::zero();
+            let respond = |radiance| {
+                cotangent = respond(group, radiance)?;
+                Some(cotangent)
+            };
+            let Some(mut pulled) = shaded.pull_back(respond, to_light) else {
                 surfaces.push(None);
                 continue;
             };
             if !sums.custom_lights.is_empty() {
-                shaded.pull_back_custom_lights(&mut pulled, |light, cotangent| {
+                shaded.pull_back_custom_lights(cotangent, &mut pulled, |light, cotangent| {
                     let to_light = &mut sums.custom_lights[light];
                     prepared.pull_custom_illumination(group, light, cotangent, to_light)
                 });
             }
-            let Pulled { mut material, surface, mirror, .. } = pulled;
+            let Pulled { mut material, surface } = pulled;
             let Appearance { materials, textured, .. } = &appearance;
             let uv = textured.as_ref().map(|textured| {
                 textured.pull_back(&mut material, |texel, cotangent| {
@@ -184,9 +188,10 @@ impl<'a, L: Lanes, P: PixelLoss> Sweep<'a, L, P> {
                     slots.add(&mut sums.materials, index, sum);
                 }
             }
-            if let (Some(flow), Some(PulledMirror { reflection, radiance })) =
-                (&mut to_mirrored, mirror)
+            if let Some(flow) = &mut to_mirrored
+                && let Some(mirror) = shaded.pull_back_mirror(cotangent)
             {
+                let PulledMirror { reflection, radiance } = mirror;
                 flow.radiance[group.first / L::COUNT].accumulate(radiance);
                 if wanted.mirrors {
                     for (index, lanes) in materials.iter() {
