@@ -64,7 +64,6 @@ impl<L: Lanes> Prepared<'_, L> {
 }
 
 /// A group under its lights.
-#[derive(Clone, Copy)]
 pub(super) struct Shaded<'a, L: Lanes> {
     pass: Pass,
     group: &'a Group<L>,
@@ -107,8 +106,14 @@ impl<'a, L: Lanes> Shaded<'a, L> {
     /// The radiance of the pixels.
     #[inline]
     pub fn radiance(&self) -> Vec3<L> {
+        self.radiance_by(self.lights)
+    }
+
+    /// The radiance under the first of the lights alone.
+    #[inline]
+    fn radiance_by(&self, lights: &[Light<f64>]) -> Vec3<L> {
         let mut total = self.own_radiance();
-        for (light, &lit) in self.lights.iter().zip(self.lit) {
+        for (light, &lit) in lights.iter().zip(self.lit) {
             let reflected = match light {
                 Light::Point(light) => light.reflect(self),
                 Light::Distant(light) => light.reflect(self),
@@ -213,15 +218,15 @@ impl<'a, L: Lanes> Shaded<'a, L> {
         mut to_light: impl FnMut(usize, LightCotangent<L>),
     ) -> Option<Pulled<L>> {
         let index = self.lights.len() - 1;
-        let others = Self { lights: &self.lights[..index], ..*self };
+        let others = &self.lights[..index];
         let (reflected, pullback) = last.reflect_vjp(self);
         let lit = self.lit[index];
-        let cotangent = respond(others.radiance() + self.where_lit(lit, reflected))?;
+        let cotangent = respond(self.radiance_by(others) + self.where_lit(lit, reflected))?;
         let (mut pulled, light) = pullback(self.where_lit(lit, cotangent));
         self.pull_back_own(cotangent, &mut pulled);
         to_light(index, light);
 
-        for (index, (light, &lit)) in others.lights.iter().zip(self.lit).enumerate() {
+        for (index, (light, &lit)) in others.iter().zip(self.lit).enumerate() {
             let cotangent = self.where_lit(lit, cotangent);
             let (other, light) = match light {
                 Light::Point(light) => light.reflect_vjp(self).1(cotangent),
