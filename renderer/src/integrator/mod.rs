@@ -37,7 +37,7 @@ pub use prepared::Prepared;
 pub use radiance::{PixelLoss, loss, render, render_into};
 pub use sampling::{GradientSamples, Samples, Sampling};
 pub use settings::{Pass, RenderSettings, Visibility};
-pub use trace::{Rays, trace};
+pub use trace::trace;
 
 #[cfg(feature = "cli")]
 pub(crate) use {gradient::reduce, sweep::sweep};
