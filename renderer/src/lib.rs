@@ -29,5 +29,6 @@ pub mod precision;
 pub mod recovery;
 pub mod report;
 pub mod scene;
+pub mod tradeoff;
 
 pub use error::Error;

@@ -10,6 +10,7 @@ mod params;
 mod render;
 mod report;
 mod strip;
+mod tradeoff;
 
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
@@ -81,6 +82,8 @@ enum Command {
     Report(report::Arguments),
     /// Measure how long images and gradients of a scene take, and which part of it is what
     Bench(bench::Arguments),
+    /// Measure speed against accuracy: what each setting costs on this scene, and what it is worth
+    Tradeoff(tradeoff::Arguments),
 }
 
 /// What to match and what may vary, for the commands that need both.
@@ -163,6 +166,7 @@ fn run(arguments: &Arguments) -> Result<(), Error> {
         Some(Command::Optimize(arguments)) => optimize::run(arguments, arithmetic),
         Some(Command::Report(arguments)) => report::run(arguments),
         Some(Command::Bench(arguments)) => bench::run(arguments, arithmetic),
+        Some(Command::Tradeoff(arguments)) => tradeoff::run(arguments),
     }
 }
 

@@ -17,6 +17,7 @@
 mod custom;
 mod gradient;
 mod mirrors;
+mod paths;
 mod prepared;
 mod radiance;
 mod raster;
@@ -38,4 +39,6 @@ pub use settings::{Pass, RenderSettings, Visibility};
 pub use trace::{Rays, trace};
 
 pub(crate) use gradient::reduce;
+pub(crate) use paths::{Path, paths};
 pub(crate) use sweep::sweep;
+pub(crate) use textures::Texture;

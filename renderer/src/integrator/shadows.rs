@@ -24,6 +24,11 @@ pub(super) struct Lit {
 }
 
 impl Lit {
+    /// Whether the light reaches the point at which a ray ends.
+    pub fn reaches(self, ray: usize) -> bool {
+        self.reached >> ray & 1 == 1
+    }
+
     /// The lanes of a group that the light reaches.
     #[inline]
     pub fn of<L: Lanes>(self, group: &Group<L>) -> L::Mask {

@@ -133,6 +133,11 @@ impl<'a> Recovery<'a> {
         &self.variables
     }
 
+    /// The scene as it stands: the initial guess.
+    pub fn scene(&self) -> &'a Scene {
+        self.scene
+    }
+
     /// The image to be matched.
     pub fn target(&self) -> &Image {
         &self.target.image
@@ -216,7 +221,8 @@ impl<'a> Recovery<'a> {
         self.section.loss.unwrap_or_default()
     }
 
-    fn loss(&self) -> ImageLoss<'_> {
+    /// The loss that is minimised.
+    pub(crate) fn loss(&self) -> ImageLoss<'_> {
         ImageLoss::new(self.loss_kind(), &self.target.image, self.target.saturates)
     }
 }

@@ -1,0 +1,60 @@
+//! What pixels show, written down, for who evaluates the kernels in another way.
+
+use ad::lanes::Lanes;
+
+use super::gradient::Wanted;
+use super::mirrors::{Mirrors, Sight};
+use super::prepared::Prepared;
+use super::tiles::for_each_strip;
+use crate::acceleration::rays;
+
+/// What the ray through the middle of a pixel meets: directly, by one mirror, by two mirrors, and so
+/// on.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Path {
+    /// The column of the pixel.
+    pub x: u32,
+    /// The row of the pixel.
+    pub y: u32,
+    /// From the camera on; empty if it sees nothing.
+    pub meetings: Vec<Meeting>,
+}
+
+/// One meeting of a ray with a surface.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Meeting {
+    /// The index of the primitive: of a triangle, counted through all meshes, then of a sphere.
+    pub primitive: usize,
+    /// For a sphere: whether the ray comes from its inside.
+    pub leaves: bool,
+    /// The lights that reach the point.
+    pub lit: Vec<usize>,
+}
+
+/// The paths of all pixels, in a fixed order: what a gradient by the wanted parameters depends on.
+pub(crate) fn paths<L: Lanes>(prepared: &Prepared<'_, L>, wanted: Wanted) -> Vec<Path> {
+    let (width, height) = (prepared.scene.width, prepared.scene.height);
+    let mirrors = if wanted.mirrors { Mirrors::All } else { Mirrors::Bright };
+    let strips = for_each_strip(width, height, Sight::default, |sight, strip| {
+        let mut paths = Vec::new();
+        for tile in strip.tiles() {
+            prepared.see(&tile, mirrors, sight);
+            for ray in rays(tile.rays()) {
+                let (x, y) = tile.pixel(ray);
+                let seen = sight.views().iter().map_while(|view| {
+                    let hit = view.hits.get(ray)?;
+                    let lights = view.lit.iter().enumerate();
+                    let lit = lights.filter(|(_, lit)| lit.reaches(ray)).map(|(light, _)| light);
+                    Some(Meeting {
+                        primitive: hit.primitive as usize,
+                        leaves: hit.leaves,
+                        lit: lit.collect(),
+                    })
+                });
+                paths.push(Path { x, y, meetings: seen.collect() });
+            }
+        }
+        paths
+    });
+    strips.concat()
+}
