@@ -30,10 +30,6 @@ pub(super) enum LightCotangent<L: Lanes> {
 pub(super) struct Pulled<L: Lanes> {
     pub material: Tangent<Material<L>>,
     pub surface: Tangent<SurfacePoint<L>>,
-    /// Of what the mirror does, where the ray that it sends on was traced.
-    pub mirror: Option<PulledMirror<L>>,
-    /// Of the radiance.
-    pub radiance: Vec3<L>,
 }
 
 /// The cotangents of what is seen in mirrors.
@@ -68,7 +64,6 @@ impl<L: Lanes> Prepared<'_, L> {
 }
 
 /// A group under its lights.
-#[derive(Clone, Copy)]
 pub(super) struct Shaded<'a, L: Lanes> {
     pass: Pass,
     group: &'a Group<L>,
@@ -111,8 +106,14 @@ impl<'a, L: Lanes> Shaded<'a, L> {
     /// The radiance of the pixels.
     #[inline]
     pub fn radiance(&self) -> Vec3<L> {
+        self.radiance_by(self.lights)
+    }
+
+    /// The radiance under the first of the lights alone.
+    #[inline]
+    fn radiance_by(&self, lights: &[Light<f64>]) -> Vec3<L> {
         let mut total = self.own_radiance();
-        for (light, &lit) in self.lights.iter().zip(self.lit) {
+        for (light, &lit) in lights.iter().zip(self.lit) {
             let reflected = match light {
                 Light::Point(light) => light.reflect(self),
                 Light::Distant(light) => light.reflect(self),
@@ -143,25 +144,34 @@ impl<'a, L: Lanes> Shaded<'a, L> {
         &self.lit[self.lit.len() - self.illuminations.len()..]
     }
 
-    /// The cotangents of what goes into [`own_radiance`](Self::own_radiance).
+    /// Pulls the cotangent of [`own_radiance`](Self::own_radiance) back to the colour that shows.
+    /// To mirrors and lights that users add it flows apart: where a scene has none, that costs
+    /// nothing.
     #[inline]
     fn pull_back_own(&self, cotangent: Vec3<L>, pulled: &mut Pulled<L>) {
-        pulled.radiance = cotangent;
-        if self.pass == Pass::Albedo {
-            pulled.material.diffuse.accumulate(cotangent);
-            return;
-        }
-        pulled.material.ambient.accumulate(cotangent);
-        pulled.mirror = self.mirrored.map(|&mirrored| PulledMirror {
+        let material = &mut pulled.material;
+        let shown = match self.pass {
+            Pass::Albedo => &mut material.diffuse,
+            Pass::Radiance => &mut material.ambient,
+        };
+        shown.accumulate(cotangent);
+    }
+
+    /// Pulls the cotangent of the radiance back to what is seen in mirrors, where the rays that they
+    /// send on were traced.
+    pub fn pull_back_mirror(&self, cotangent: Vec3<L>) -> Option<PulledMirror<L>> {
+        let mirrored = self.mirrored.filter(|_| self.pass == Pass::Radiance);
+        mirrored.map(|&mirrored| PulledMirror {
             reflection: cotangent * mirrored,
             radiance: cotangent * self.material.reflection,
-        });
+        })
     }
 
     /// Pulls the cotangent of the radiance back to what comes from lights that users add, and adds to
-    /// the rest. Apart from [`pull_back`](Self::pull_back), which is the faster for it.
+    /// the rest.
     pub fn pull_back_custom_lights(
         &self,
+        cotangent: Vec3<L>,
         pulled: &mut Pulled<L>,
         mut to_light: impl FnMut(usize, Tangent<Illumination<L>>) -> Vec3<L>,
     ) {
@@ -169,7 +179,7 @@ impl<'a, L: Lanes> Shaded<'a, L> {
         for (index, (&illumination, lit)) in lights.enumerate() {
             let (_, pullback) =
                 reflection::vjp::<L>(self.material, self.group.surface, illumination);
-            let cotangent = self.where_lit(*lit, pulled.radiance);
+            let cotangent = self.where_lit(*lit, cotangent);
             let (material, surface, illumination) = pullback(cotangent);
             pulled.material.accumulate(material);
             pulled.surface.accumulate(surface);
@@ -193,12 +203,7 @@ impl<'a, L: Lanes> Shaded<'a, L> {
             Some(Light::Distant(last)) => self.pull_back_from(last, respond, to_light),
             None => {
                 let cotangent = respond(self.own_radiance())?;
-                let mut pulled = Pulled {
-                    material: Additive::zero(),
-                    surface: Additive::zero(),
-                    mirror: None,
-                    radiance: Additive::zero(),
-                };
+                let mut pulled = Pulled { material: Additive::zero(), surface: Additive::zero() };
                 self.pull_back_own(cotangent, &mut pulled);
                 Some(pulled)
             }
@@ -213,15 +218,15 @@ impl<'a, L: Lanes> Shaded<'a, L> {
         mut to_light: impl FnMut(usize, LightCotangent<L>),
     ) -> Option<Pulled<L>> {
         let index = self.lights.len() - 1;
-        let others = Self { lights: &self.lights[..index], ..*self };
+        let others = &self.lights[..index];
         let (reflected, pullback) = last.reflect_vjp(self);
         let lit = self.lit[index];
-        let cotangent = respond(others.radiance() + self.where_lit(lit, reflected))?;
+        let cotangent = respond(self.radiance_by(others) + self.where_lit(lit, reflected))?;
         let (mut pulled, light) = pullback(self.where_lit(lit, cotangent));
         self.pull_back_own(cotangent, &mut pulled);
         to_light(index, light);
 
-        for (index, (light, &lit)) in others.lights.iter().zip(self.lit).enumerate() {
+        for (index, (light, &lit)) in others.iter().zip(self.lit).enumerate() {
             let cotangent = self.where_lit(lit, cotangent);
             let (other, light) = match light {
                 Light::Point(light) => light.reflect_vjp(self).1(cotangent),
@@ -275,7 +280,7 @@ macro_rules! reflected {
                     $kernel::vjp::<L>(shaded.material, shaded.group.surface, self.narrow());
                 let pullback = move |cotangent| {
                     let (material, surface, light) = pullback(cotangent);
-                    (Pulled { material, surface, mirror: None, radiance: Additive::zero() }, LightCotangent::$variant(light))
+                    (Pulled { material, surface }, LightCotangent::$variant(light))
                 };
                 (value, pullback)
             }
