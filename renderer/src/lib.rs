@@ -12,6 +12,7 @@
 //! so itself.
 
 pub mod acceleration;
+pub mod accuracy;
 pub mod arithmetic;
 pub mod atomic_file;
 pub mod cli;

@@ -140,7 +140,11 @@ fn every_parameter_agrees_with_finite_differences_under_textures() {
 fn the_rasterized_albedo_agrees_with_finite_differences() {
     let scene = textured_scene(16);
     let target = target(&scene);
-    let settings = RenderSettings { visibility: Visibility::Raster, pass: Pass::Albedo };
+    let settings = RenderSettings {
+        visibility: Visibility::Raster,
+        pass: Pass::Albedo,
+        ..RenderSettings::default()
+    };
     for id in scene.parameter_ids() {
         check_parameter_with(settings, &scene, &target, LossKind::MeanSquared, id);
     }

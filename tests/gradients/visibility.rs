@@ -8,7 +8,11 @@ use wide::f32x16;
 use crate::scenes::textured_scene;
 
 fn image(scene: &Scene, visibility: Visibility, pass: Pass) -> Vec<[f32; 3]> {
-    render(&Prepared::<f32x16>::with_settings(scene, RenderSettings { visibility, pass })).pixels
+    render(&Prepared::<f32x16>::with_settings(
+        scene,
+        RenderSettings { visibility, pass, ..RenderSettings::default() },
+    ))
+    .pixels
 }
 
 /// Wide and high images; a camera among the geometry, with parts behind it and across its plane;

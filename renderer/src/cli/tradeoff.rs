@@ -9,8 +9,11 @@ use crate::arithmetic::{Arithmetic, Precision};
 use crate::atomic_file::write_atomically;
 use crate::experiment::{Experiment, Target};
 use crate::recovery::{Recovery, natural_scale};
-use crate::scene::Differentiability;
-use crate::tradeoff::{best_steps, csv, measure, plot_svg, table};
+use crate::scene::{Differentiability, ParameterId};
+use crate::tradeoff::{
+    Curve, Measurement, ScheduleRun, Titles, Tradeoff, best_step, csv, curves_svg, measure,
+    measure_schedules, steps, table, tradeoff_svg,
+};
 
 #[derive(clap::Args)]
 pub(super) struct Arguments {
@@ -32,43 +35,91 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Error> {
     let out = arguments.out.clone().unwrap_or_else(|| Path::new("out").join("tradeoff"));
     let invented = invent_target(&mut experiment);
     let recovery = Recovery::new(&experiment, &place, Arithmetic::fastest(Precision::F64))?;
+    recovery.evaluate()?;
     let scene = &experiment.scene;
     print(format_args!(
         "{place}: {} x {} pixels, {} derivatives, {} threads{}",
         scene.width,
         scene.height,
-        recovery.ids().iter().map(|&id| scene.parameters.get(id).len()).sum::<usize>(),
+        recovery.initial().len(),
         rayon::current_num_threads(),
-        if invented { "; the target is the image with these parameters moved a little" } else { "" },
+        if invented {
+            "; the target is the image with these parameters moved a little"
+        } else {
+            ""
+        },
     ))?;
     let tradeoff = measure(&recovery, arguments.seconds);
-    print(table(&tradeoff.measurements))?;
+    print_tradeoff(&recovery, &tradeoff)?;
+    let runs = measure_schedules(&recovery, &recovery.settings())?;
+    print_schedules(&runs)?;
+    save(&out, &stem(&arguments.problem.scene), &tradeoff.measurements, &runs)?;
+    print(format_args!("table and plots in {}", out.display()))
+}
+
+fn print_tradeoff(recovery: &Recovery<'_>, tradeoff: &Tradeoff) -> Result<(), Error> {
+    let Tradeoff { measurements, remarks } = tradeoff;
+    print(table(measurements))?;
     print("*: no other setting is both faster and more accurate. Errors are relative to f64.")?;
-    for sentence in best_steps(&tradeoff.measurements) {
-        print(sentence)?;
+    for curve in steps(measurements) {
+        if let Some((step, error)) = best_step(&curve) {
+            let Curve { label, .. } = curve;
+            print(format_args!("{label}: the best step is {step:.0e}, off by {error:.1e}"))?;
+        }
     }
-    let interior =
-        |id: &crate::scene::ParameterId| id.differentiability() == Differentiability::Interior;
-    if recovery.ids().iter().any(interior) {
+    let is_interior = |id: &ParameterId| id.differentiability() == Differentiability::Interior;
+    if recovery.ids().iter().any(is_interior) {
         print(
             "Differences also see silhouettes and shadow edges move; the reference is the interior term.",
         )?;
     }
-    for remark in &tradeoff.remarks {
-        print(remark)?;
-    }
+    remarks.iter().try_for_each(print)
+}
 
-    std::fs::create_dir_all(&out)
+fn print_schedules(runs: &[ScheduleRun]) -> Result<(), Error> {
+    if runs.is_empty() {
+        return print("No optimisations were compared: the true parameters are not known.");
+    }
+    print(format_args!("{:<20} {:>9} {:>16}", "sizes of images", "seconds", "parameters off"))?;
+    runs.iter().try_for_each(|run| {
+        let (seconds, error) = run.way.last().copied().unwrap_or((0.0, 1.0));
+        print(format_args!("{:<20} {seconds:>9.3} {error:>16.1e}", run.name()))
+    })?;
+    print("All take the same number of steps; the distance at the start is 1.")
+}
+
+/// Writes the table and the plots.
+fn save(
+    out: &Path,
+    name: &str,
+    measurements: &[Measurement],
+    runs: &[ScheduleRun],
+) -> Result<(), Error> {
+    std::fs::create_dir_all(out)
         .map_err(|error| Error::new(out.display(), format_args!("cannot be made: {error}")))?;
-    let write = |name: &str, text: &str| {
-        let path = out.join(name);
-        write_atomically(&path, text.as_bytes()).map(|()| path)
+    let write = |suffix: &str, text: &str| {
+        write_atomically(&out.join(format!("{name}{suffix}")), text.as_bytes())
     };
-    let name = stem(&arguments.problem.scene);
+    write(".csv", &csv(measurements))?;
     let caption = format!("{name}: the time of a gradient against its error");
-    let csv = write(&format!("{name}.csv"), &csv(&tradeoff.measurements))?;
-    let svg = write(&format!("{name}.svg"), &plot_svg(&caption, &tradeoff.measurements)?)?;
-    print(format_args!("{}, {}", csv.display(), svg.display()))
+    write(".svg", &tradeoff_svg(&caption, measurements)?)?;
+    let titles = Titles {
+        caption: &format!("{name}: central differences"),
+        horizontal: "step, in the natural scale of each parameter",
+        vertical: "relative error of the gradient",
+    };
+    write("-steps.svg", &curves_svg(&titles, &steps(measurements))?)?;
+    if runs.is_empty() {
+        return Ok(());
+    }
+    let titles = Titles {
+        caption: &format!("{name}: optimisations with images of these sizes"),
+        horizontal: "seconds",
+        vertical: "distance of the parameters, 1 at the start",
+    };
+    let curve = |run: &ScheduleRun| Curve { label: run.name(), points: run.way.clone() };
+    let curves: Vec<Curve> = runs.iter().map(curve).collect();
+    write("-schedules.svg", &curves_svg(&titles, &curves)?)
 }
 
 /// How far parameters are moved for a target, in their natural scale.

@@ -63,7 +63,7 @@ impl<L: Lanes> Prepared<'_, L> {
         if mirrors == Mirrors::Bright && !self.has_mirrors {
             return;
         }
-        while *depth <= self.scene.bounces as usize {
+        while *depth <= self.bounces as usize {
             if views.len() == *depth {
                 views.push(View::default());
             }

@@ -58,6 +58,8 @@ pub struct Prepared<'a, L: Lanes> {
     pub(super) film_offsets: Vec<(L, L)>,
     pub(super) acceleration: Acceleration,
     pub(super) pass: Pass,
+    /// How many mirrors light meets at most.
+    pub(super) bounces: u32,
     /// Whether, and from where, primitives are drawn instead of being found by rays.
     raster: Option<Raster>,
 }
@@ -111,6 +113,7 @@ impl<'a, L: Lanes> Prepared<'a, L> {
                 Visibility::Tree | Visibility::Raster => Acceleration::new(&[][..]),
             },
             pass: settings.pass,
+            bounces: settings.bounces.unwrap_or(scene.bounces),
             raster: None,
         };
         prepared.load_appearance();

@@ -7,6 +7,8 @@ pub struct RenderSettings {
     pub visibility: Visibility,
     /// What of it is shown.
     pub pass: Pass,
+    /// How many mirrors light meets at most, if not as many as the scene says.
+    pub bounces: Option<u32>,
 }
 
 /// How it is found what a pixel shows. The images are the same, but for pixels on edges at which two

@@ -1,15 +1,16 @@
 //! The settings that a scene gives a choice of.
 
 use ad::lanes::{f32x16, f64x8};
+use glam::DVec3;
 
 use super::axis::Axis;
-use super::engine::{Adjoint, Differences, Question, ReplayMode, Replayed};
-use super::error::GradientMetric;
+use super::engine::{Adjoint, Differences, Engine, Question, ReplayMode, Replayed};
 use super::measurement::Case;
+use crate::accuracy::GradientMetric;
 use crate::arithmetic::{Arithmetic, with_arithmetic};
-use crate::integrator::{RenderSettings, Visibility, Wanted};
+use crate::integrator::{RenderSettings, Visibility};
 use crate::recovery::Recovery;
-use crate::scene::{ParameterId, Scene};
+use crate::scene::ParameterId;
 
 /// Engines that go derivative by derivative are asked for so many at most, evenly spaced.
 const MOST_ELEMENTS: usize = 12;
@@ -20,39 +21,23 @@ const MOST_PIXELS_ON_TAPE: usize = 1 << 16;
 /// The steps of differences: 10 to the power of minus these, times the natural scale.
 const STEP_EXPONENTS: std::ops::RangeInclusive<i32> = 1..=12;
 
-/// The scenes that cases are about, apart from the scene as it stands.
-pub(super) struct Variants {
-    /// By number of bounces, from 0 up to one less than the scene has.
-    bounces: Vec<Scene>,
-}
-
-impl Variants {
-    pub fn new(scene: &Scene) -> Self {
-        let is_mirror = |i: usize| scene.parameters.materials[i].reflection != glam::DVec3::ZERO;
-        let has_mirrors = (0..scene.materials.len()).any(is_mirror);
-        let depths = if has_mirrors { 0..scene.bounces } else { 0..0 };
-        Self { bounces: depths.map(|bounces| Scene { bounces, ..scene.clone() }).collect() }
-    }
-}
-
 /// All settings for a recovery, and remarks on those that there are not.
 pub(super) fn cases<'a>(
     recovery: &'a Recovery<'a>,
-    variants: &'a Variants,
     metric: &GradientMetric,
 ) -> (Vec<Case<'a>>, Vec<String>) {
     let scene = recovery.scene();
     let settings = RenderSettings::default();
-    let question = Question { recovery, scene, settings };
+    let question = Question { recovery, settings };
     let (mut cases, mut remarks) = (Vec::new(), Vec::new());
     let mut push = |axis, setting: String, engine, elements| {
-        cases.push(Case { axis, setting, engine, elements });
+        cases.push(Case { axis, setting, step: None, engine, elements });
     };
 
     for arithmetic in Arithmetic::ALL {
-        let engine: Box<dyn super::engine::Engine + 'a> =
+        let engine: Box<dyn Engine + 'a> =
             with_arithmetic!(arithmetic, L => Box::new(Adjoint::<L>::new(question, false)));
-        push(Axis::Arithmetic, format!("adjoint, {}", arithmetic.name()), engine, None);
+        push(Axis::Arithmetic, arithmetic.name().to_owned(), engine, None);
     }
 
     let pixels = scene.width as usize * scene.height as usize;
@@ -85,14 +70,6 @@ pub(super) fn cases<'a>(
         );
     }
 
-    for exponent in STEP_EXPONENTS {
-        let steps = steps(recovery, metric, &elements, 10f64.powi(-exponent));
-        let single = Box::new(Differences::<f32x16>::new(question, steps.clone()));
-        push(Axis::Differences, format!("f32, step 1e-{exponent}"), single, among.clone());
-        let double = Box::new(Differences::<f64x8>::new(question, steps));
-        push(Axis::Differences, format!("f64, step 1e-{exponent}"), double, among.clone());
-    }
-
     let triangles: usize = scene.meshes.iter().map(|mesh| mesh.triangles.len()).sum();
     let tests = pixels as f64 * (triangles + scene.spheres.len()) as f64;
     for (name, visibility) in [("list", Visibility::List), ("rasteriser", Visibility::Raster)] {
@@ -104,17 +81,50 @@ pub(super) fn cases<'a>(
         let engine = Box::new(Adjoint::<f32x16>::new(Question { settings, ..question }, false));
         push(Axis::Visibility, format!("{name}, f32x16"), engine, None);
     }
-    let Wanted { vertices, spheres, .. } = Wanted::by(recovery.ids());
-    if vertices || spheres {
+    let moves = |id: &ParameterId| {
+        use ParameterId::*;
+        matches!(id, Vertices(_) | SphereCenter(_) | SphereRadius(_))
+    };
+    if recovery.ids().iter().any(moves) {
         let engine = Box::new(Adjoint::<f32x16>::new(question, true));
         push(Axis::Tree, "built anew, f32x16".into(), engine, None);
     }
-    for scene in &variants.bounces {
-        let question = Question { scene, ..question };
-        let engine = Box::new(Adjoint::<f32x16>::new(question, false));
-        push(Axis::Bounces, format!("{} bounces, f32x16", scene.bounces), engine, None);
+    let is_mirror = |i: usize| scene.parameters.materials[i].reflection != DVec3::ZERO;
+    let has_mirrors = (0..scene.materials.len()).any(is_mirror);
+    for bounces in if has_mirrors { 0..scene.bounces } else { 0..0 } {
+        let settings = RenderSettings { bounces: Some(bounces), ..settings };
+        let engine = Box::new(Adjoint::<f32x16>::new(Question { settings, ..question }, false));
+        push(Axis::Bounces, format!("{bounces} bounces, f32x16"), engine, None);
     }
+    cases.extend(differences(question, metric, &elements, among.as_ref()));
     (cases, remarks)
+}
+
+/// Central differences in both precisions, over all steps.
+fn differences<'a>(
+    question: Question<'a>,
+    metric: &GradientMetric,
+    elements: &[usize],
+    among: Option<&Vec<usize>>,
+) -> Vec<Case<'a>> {
+    let mut cases = Vec::new();
+    for exponent in STEP_EXPONENTS {
+        let step = 10f64.powi(-exponent);
+        let steps = steps(question.recovery, metric, elements, step);
+        let single = Box::new(Differences::<f32x16>::new(question, steps.clone()));
+        let double = Box::new(Differences::<f64x8>::new(question, steps));
+        let engines: [(Axis, Box<dyn Engine + 'a>); 2] =
+            [(Axis::SingleDifferences, single), (Axis::DoubleDifferences, double)];
+        cases.extend(engines.map(|(axis, engine)| Case {
+            axis,
+            setting: format!("step 1e-{exponent}"),
+            step: Some(step),
+            engine,
+            elements: among.cloned(),
+        }));
+    }
+    cases.sort_by_key(|case| case.axis == Axis::DoubleDifferences);
+    cases
 }
 
 /// The indices that stand for `count` numbers.

@@ -28,12 +28,14 @@ pub(super) trait Engine {
 #[derive(Clone, Copy)]
 pub(super) struct Question<'a> {
     pub recovery: &'a Recovery<'a>,
-    /// The scene of the recovery, or one that differs from it in discrete settings.
-    pub scene: &'a Scene,
     pub settings: RenderSettings,
 }
 
 impl<'a> Question<'a> {
+    fn scene(&self) -> &'a Scene {
+        self.recovery.scene()
+    }
+
     fn ids(&self) -> &'a [ParameterId] {
         self.recovery.ids()
     }
@@ -43,12 +45,12 @@ impl<'a> Question<'a> {
     }
 
     fn prepared<L: Lanes>(&self) -> Prepared<'a, L> {
-        Prepared::with_settings(self.scene, self.settings)
+        Prepared::with_settings(self.scene(), self.settings)
     }
 
     /// The parameters, each by a hair away from where it is.
     fn moved(&self) -> Parameters {
-        let mut parameters = self.scene.parameters.clone();
+        let mut parameters = self.scene().parameters.clone();
         for &id in self.ids() {
             parameters.get_mut(id).iter_mut().for_each(|value| *value *= 1.0 + 1e-9);
         }
@@ -77,7 +79,8 @@ impl<L: Lanes> Engine for Adjoint<'_, L> {
     }
 
     fn gradient(&mut self) -> Vec<f64> {
-        let Question { recovery, scene, .. } = self.question;
+        let Question { recovery, .. } = self.question;
+        let scene = recovery.scene();
         match self.rebuilds {
             true => self.prepared = self.question.prepared(),
             false => self.prepared.set_parameters(&scene.parameters),
@@ -102,7 +105,7 @@ pub(super) struct Differences<'a, L: Lanes> {
 
 impl<'a, L: Lanes> Differences<'a, L> {
     pub fn new(question: Question<'a>, steps: Vec<(ParameterId, usize, f64)>) -> Self {
-        let parameters = question.scene.parameters.clone();
+        let parameters = question.scene().parameters.clone();
         Self { question, prepared: question.prepared(), parameters, steps }
     }
 }
@@ -150,7 +153,7 @@ impl<'a, L: Lanes> Replayed<'a, L> {
 
 impl<L: Lanes> Engine for Replayed<'_, L> {
     fn gradient(&mut self) -> Vec<f64> {
-        let Question { scene, .. } = self.question;
+        let scene = self.question.scene();
         let ids = self.question.ids();
         let paths: Vec<Path> = crate::integrator::paths(&self.prepared, Wanted::by(ids));
         let replay = Replay { scene, ids, paths: &paths, loss: &self.question.loss() };

@@ -6,7 +6,7 @@ use peakmem_alloc::{INSTRUMENTED_SYSTEM, PeakMemAllocTrait};
 
 use super::axis::Axis;
 use super::engine::Engine;
-use super::error::{GradientMetric, image_error};
+use crate::accuracy::{GradientMetric, image_error};
 use crate::image::Image;
 
 /// What one setting costs, and what it is worth.
@@ -16,6 +16,8 @@ pub struct Measurement {
     pub axis: Axis,
     /// The choice.
     pub setting: String,
+    /// Of differences: the step.
+    pub step: Option<f64>,
     /// Seconds from changed parameters to their gradient: the median of the runs.
     pub seconds: f64,
     /// How often it was timed.
@@ -33,6 +35,8 @@ pub struct Measurement {
 pub(super) struct Case<'a> {
     pub axis: Axis,
     pub setting: String,
+    /// Of differences: the step.
+    pub step: Option<f64>,
     pub engine: Box<dyn Engine + 'a>,
     /// The numbers whose derivatives the engine gives, if not all.
     pub elements: Option<Vec<usize>>,
@@ -81,9 +85,10 @@ pub(super) fn measure_in_turns(
     for ((measurement, case), mut times) in measured.iter_mut().zip(cases).zip(times) {
         times.sort_by(f64::total_cmp);
         // An engine that goes derivative by derivative was asked for some of them.
-        let part = case.elements.as_ref().map_or(1.0, |elements| {
-            reference.gradient.len() as f64 / elements.len() as f64
-        });
+        let part = case
+            .elements
+            .as_ref()
+            .map_or(1.0, |elements| reference.gradient.len() as f64 / elements.len() as f64);
         measurement.seconds = part * times[times.len() / 2];
         measurement.runs = times.len();
     }
@@ -103,6 +108,7 @@ fn measure_once(case: &mut Case<'_>, reference: &Reference) -> Measurement {
     Measurement {
         axis: case.axis,
         setting: case.setting.clone(),
+        step: case.step,
         seconds: 0.0,
         runs: 0,
         // Every gradient is allocated, so a program that counts has counted something.

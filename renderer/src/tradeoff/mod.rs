@@ -2,24 +2,29 @@
 mod axis;
 mod cases;
 mod engine;
-mod error;
 mod measurement;
 mod numbers;
 mod plot;
 mod replay;
+mod schedules;
 mod table;
+#[cfg(test)]
+mod tests;
 
 use ad::lanes::f64x8;
-use cases::{Variants, cases};
+use cases::cases;
 use engine::{Adjoint, Engine, Question};
 use measurement::{Reference, measure_in_turns};
 
 pub use axis::Axis;
-pub use error::GradientMetric;
 pub use measurement::Measurement;
-pub use plot::plot_svg;
-pub use table::{best_steps, csv, pareto_front, table};
+pub use plot::{Curve, Titles, curves_svg, tradeoff_svg};
+pub use schedules::{ScheduleRun, measure_schedules};
+pub use table::{best_step, csv, pareto_front, steps, table};
+#[cfg(test)]
+pub(crate) use tests::{gradient_on_tapes, random_experiment};
 
+use crate::accuracy::GradientMetric;
 use crate::integrator::{RenderSettings, Visibility};
 use crate::recovery::Recovery;
 
@@ -43,11 +48,10 @@ pub fn measure(recovery: &Recovery<'_>, seconds: f64) -> Tradeoff {
     let scene = recovery.scene();
     let metric = GradientMetric::new(scene, recovery.ids());
     let settings = RenderSettings { visibility: Visibility::Tree, ..RenderSettings::default() };
-    let mut exact = Adjoint::<f64x8>::new(Question { recovery, scene, settings }, false);
+    let mut exact = Adjoint::<f64x8>::new(Question { recovery, settings }, false);
     let gradient = exact.gradient();
     let image = exact.image().expect("the adjoint has an image");
-    let variants = Variants::new(scene);
-    let (mut cases, remarks) = cases(recovery, &variants, &metric);
+    let (mut cases, remarks) = cases(recovery, &metric);
     let reference = Reference { metric, gradient, image };
     let measurements = measure_in_turns(&mut cases, &reference, seconds);
     Tradeoff { measurements, remarks }

@@ -13,9 +13,7 @@ use rayon::prelude::*;
 use super::numbers::{Number, Numbers};
 use crate::integrator::{Path, PixelLoss, Texture};
 use crate::kernels::camera::{Frame, Ray, frame, primary_ray};
-use crate::kernels::material::{
-    Material, reflection_of_distant_light, reflection_of_point_light,
-};
+use crate::kernels::material::{Material, reflection_of_distant_light, reflection_of_point_light};
 use crate::kernels::sphere::sphere_surface;
 use crate::kernels::surface::{SurfacePoint, mirrored_ray};
 use crate::kernels::texture::{Uv, bilinear, sphere_uv, texel_position, triangle_uv};

@@ -1,6 +1,8 @@
 //! Measurements as text.
 
+use super::axis::Axis;
 use super::measurement::Measurement;
+use super::plot::Curve;
 
 /// The measurements that no other one beats in both time and error of the gradient, by index.
 pub fn pareto_front(measurements: &[Measurement]) -> Vec<usize> {
@@ -20,17 +22,18 @@ pub fn pareto_front(measurements: &[Measurement]) -> Vec<usize> {
 pub fn table(measurements: &[Measurement]) -> String {
     let front = pareto_front(measurements);
     let mut lines = vec![format!(
-        "{:<12} {:<26} {:>12} {:>5} {:>11} {:>11} {:>13}",
+        "{:<17} {:<24} {:>12} {:>5} {:>11} {:>11} {:>13}",
         "", "", "gradient, ms", "runs", "memory, kB", "image off", "gradient off"
     )];
     for (index, measurement) in measurements.iter().enumerate() {
-        let Measurement { axis, setting, seconds, runs, bytes, image_error, gradient_error } =
-            measurement;
+        let Measurement {
+            axis, setting, seconds, runs, bytes, image_error, gradient_error, ..
+        } = measurement;
         let bytes = bytes.map_or("-".into(), |bytes| format!("{:.1}", bytes as f64 / 1e3));
         let image_error = image_error.map_or("-".into(), |error| format!("{error:.1e}"));
         let star = if front.contains(&index) { " *" } else { "" };
         lines.push(format!(
-            "{:<12} {setting:<26} {:>12.4} {runs:>5} {bytes:>11} {image_error:>11} {gradient_error:>13.1e}{star}",
+            "{:<17} {setting:<24} {:>12.4} {runs:>5} {bytes:>11} {image_error:>11} {gradient_error:>13.1e}{star}",
             axis.name(),
             1e3 * seconds,
         ));
@@ -44,8 +47,9 @@ pub fn csv(measurements: &[Measurement]) -> String {
     let mut lines =
         vec!["axis,setting,seconds,runs,bytes,image_error,gradient_error,pareto".to_owned()];
     for (index, measurement) in measurements.iter().enumerate() {
-        let Measurement { axis, setting, seconds, runs, bytes, image_error, gradient_error } =
-            measurement;
+        let Measurement {
+            axis, setting, seconds, runs, bytes, image_error, gradient_error, ..
+        } = measurement;
         let bytes = bytes.map_or(String::new(), |bytes| bytes.to_string());
         let image_error = image_error.map_or(String::new(), |error| format!("{error:e}"));
         lines.push(format!(
@@ -57,17 +61,18 @@ pub fn csv(measurements: &[Measurement]) -> String {
     lines.join("\n") + "\n"
 }
 
-/// The best step of differences in each precision, in words: the bottom of the V between the error
-/// of the formula and that of rounding.
-pub fn best_steps(measurements: &[Measurement]) -> Vec<String> {
-    let of = |precision: &str| {
-        measurements
-            .iter()
-            .filter(|m| m.axis == super::Axis::Differences && m.setting.starts_with(precision))
-            .min_by(|a, b| a.gradient_error.total_cmp(&b.gradient_error))
+/// The error of differences over their steps, in single and in double precision: a V between the error
+/// of the formula, which falls with the step, and that of rounding, which grows.
+pub fn steps(measurements: &[Measurement]) -> Vec<Curve> {
+    let of = |axis: Axis| {
+        let points = measurements.iter().filter(|m| m.axis == axis);
+        let points = points.filter_map(|m| Some((m.step?, m.gradient_error)));
+        Curve { label: axis.name().to_owned(), points: points.collect() }
     };
-    let sentence = |best: &Measurement| {
-        format!("the best differences: {}, off by {:.1e}", best.setting, best.gradient_error)
-    };
-    ["f32", "f64"].into_iter().filter_map(of).map(sentence).collect()
+    [Axis::SingleDifferences, Axis::DoubleDifferences].map(of).into()
+}
+
+/// The step and the error at the bottom of a V.
+pub fn best_step(curve: &Curve) -> Option<(f64, f64)> {
+    curve.points.iter().copied().min_by(|a, b| a.1.total_cmp(&b.1))
 }

@@ -34,7 +34,7 @@ impl GradientMetric {
     }
 
     /// The natural scale of one number.
-    pub(super) fn scale(&self, index: usize) -> f64 {
+    pub(crate) fn scale(&self, index: usize) -> f64 {
         self.scales[index]
     }
 
@@ -50,7 +50,7 @@ impl GradientMetric {
     }
 
     /// The relative error of the elements with these indices; `gradient` has them alone.
-    pub(super) fn error_among(
+    pub(crate) fn error_among(
         &self,
         elements: &[usize],
         gradient: &[f64],
@@ -68,7 +68,7 @@ impl GradientMetric {
 
 /// The relative error of an image of the same size: the Euclidean length of the difference of all
 /// channels over that of the reference.
-pub(super) fn image_error(image: &Image, reference: &Image) -> f64 {
+pub(crate) fn image_error(image: &Image, reference: &Image) -> f64 {
     let pairs = image.pixels.as_flattened().iter().zip(reference.pixels.as_flattened());
     let (difference, size) = pairs.fold((0.0, 0.0), |(difference, size), (&a, &b)| {
         let (a, b) = (f64::from(a), f64::from(b));
