@@ -2,13 +2,14 @@
 
 use std::path::{Path, PathBuf};
 
+use super::out_folder::check_out_folder;
 use super::output::print;
 use super::{Problem, stem};
 use crate::Error;
 use crate::arithmetic::{Arithmetic, Precision};
 use crate::atomic_file::write_atomically;
 use crate::experiment::{Experiment, Target};
-use crate::recovery::{Recovery, natural_scale};
+use crate::recovery::{Recovery, domain, natural_scale};
 use crate::scene::{Differentiability, ParameterId};
 use crate::tradeoff::{
     Curve, Measurement, ScheduleRun, Titles, Tradeoff, best_step, csv, curves_svg, measure,
@@ -33,6 +34,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Error> {
     let mut experiment = arguments.problem.load()?;
     let place = arguments.problem.scene.display().to_string();
     let out = arguments.out.clone().unwrap_or_else(|| Path::new("out").join("tradeoff"));
+    check_out_folder(&out, std::iter::empty())?;
     let invented = invent_target(&mut experiment);
     let recovery = Recovery::new(&experiment, &place, Arithmetic::fastest(Precision::F64))?;
     recovery.evaluate()?;
@@ -134,10 +136,13 @@ fn invent_target(experiment: &mut Experiment) -> bool {
         return false;
     }
     let moved = |id| {
-        let step = MOVED * natural_scale(scene, id);
+        let (step, (low, high)) = (MOVED * natural_scale(scene, id), domain(id));
         // Every other number goes the other way, so that they do not make up for each other.
-        let numbers = scene.parameters.get(id).iter().enumerate();
-        (id, numbers.map(|(i, value)| value + if i % 2 == 0 { step } else { -step }).collect())
+        let values = scene.parameters.get(id).iter().enumerate().map(|(index, value)| {
+            let step = if index % 2 == 0 { step } else { -step };
+            (value + step).clamp(low, high)
+        });
+        (id, values.collect())
     };
     let values = section.parameters.iter().map(|tuned| moved(tuned.id)).collect();
     section.target = Some(Target::Values(values));

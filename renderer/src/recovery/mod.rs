@@ -16,6 +16,7 @@
 
 mod defaults;
 
+pub(crate) use defaults::domain;
 pub use defaults::natural_scale;
 
 use ad::lanes::{Lanes, f64x8};

@@ -11,3 +11,4 @@ mod params;
 mod render;
 mod resume;
 mod sandbox;
+mod tradeoff;
