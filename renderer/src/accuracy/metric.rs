@@ -1,5 +1,6 @@
 //! How far a gradient or an image is from another.
 
+#[cfg(feature = "cli")]
 use crate::image::Image;
 use crate::recovery::natural_scale;
 use crate::scene::{ParameterId, Scene};
@@ -34,7 +35,7 @@ impl GradientMetric {
     }
 
     /// The natural scale of one number.
-    pub(crate) fn scale(&self, index: usize) -> f64 {
+    pub fn scale(&self, index: usize) -> f64 {
         self.scales[index]
     }
 
@@ -68,6 +69,7 @@ impl GradientMetric {
 
 /// The relative error of an image of the same size: the Euclidean length of the difference of all
 /// channels over that of the reference.
+#[cfg(feature = "cli")]
 pub(crate) fn image_error(image: &Image, reference: &Image) -> f64 {
     let pairs = image.pixels.as_flattened().iter().zip(reference.pixels.as_flattened());
     let (difference, size) = pairs.fold((0.0, 0.0), |(difference, size), (&a, &b)| {

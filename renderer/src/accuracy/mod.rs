@@ -16,12 +16,13 @@
 
 mod metric;
 mod pilots;
-#[cfg(test)]
+#[cfg(all(test, feature = "cli"))]
 mod tests;
 
 use std::fmt;
 
 pub use metric::GradientMetric;
+#[cfg(feature = "cli")]
 pub(crate) use metric::image_error;
 
 use crate::arithmetic::Arithmetic;

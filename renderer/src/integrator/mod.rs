@@ -17,6 +17,7 @@
 mod custom;
 mod gradient;
 mod mirrors;
+#[cfg(feature = "files")]
 mod paths;
 mod prepared;
 mod radiance;
@@ -38,7 +39,7 @@ pub use radiance::{PixelLoss, loss, render, render_into};
 pub use settings::{Pass, RenderSettings, Visibility};
 pub use trace::{Rays, trace};
 
-pub(crate) use gradient::reduce;
-pub(crate) use paths::{Path, paths};
-pub(crate) use sweep::sweep;
-pub(crate) use textures::Texture;
+#[cfg(feature = "files")]
+pub(crate) use paths::paths;
+#[cfg(feature = "cli")]
+pub(crate) use {gradient::reduce, paths::Path, sweep::sweep, textures::Texture};

@@ -25,6 +25,7 @@ pub(super) struct Lit {
 
 impl Lit {
     /// Whether the light reaches the point at which a ray ends.
+    #[cfg(feature = "files")]
     pub fn reaches(self, ray: usize) -> bool {
         self.reached >> ray & 1 == 1
     }

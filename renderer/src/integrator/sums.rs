@@ -59,7 +59,7 @@ impl LightSum {
 
     /// Adds what flows back from a group.
     #[inline]
-    pub(super) fn add<L: Lanes>(&mut self, cotangent: &LightCotangent<L>, wanted: Wanted) {
+    pub(super) fn add<L: Lanes>(&mut self, cotangent: &LightCotangent<'_, L>, wanted: Wanted) {
         let all = Mask::splat(true);
         let vectors = |wanted, v| vector_if::<L>(wanted, v, all);
         let (sum_of_place, sum_of_color, sum_of_intensity) = match self {

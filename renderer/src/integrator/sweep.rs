@@ -11,7 +11,7 @@ use super::mirrors::{Mirrors, Sight, blocks};
 use super::prepared::Prepared;
 use super::radiance::{PixelLoss, black_pixels};
 use super::settings::Pass;
-use super::shade::{Appearance, LightCotangent, Shaded};
+use super::shade::{Appearance, LightCotangent, Pulled, Shaded};
 use super::sums::{Slots, StripSums, material_sum};
 use super::tiles::{Strip, Tile, for_each_strip};
 use super::view::{Group, Shape, View};
@@ -150,54 +150,53 @@ impl<'a, L: Lanes, P: PixelLoss> Sweep<'a, L, P> {
         }
         surfaces.clear();
         for group in &view.groups {
-            let to_light = |light: usize, cotangent: LightCotangent<L>| {
-                if wanted.lights() {
-                    sums.lights[light].add(&cotangent, *wanted);
-                }
-            };
             let appearance = prepared.appearance(group);
-            let shaded = Shaded::new(prepared, group, &appearance, &view.lit, shown);
-            let mut cotangent = Additive::zero();
-            let respond = |radiance| {
-                cotangent = respond(group, radiance)?;
-                Some(cotangent)
-            };
-            let Some(mut pulled) = shaded.pull_back(respond, to_light) else {
-                surfaces.push(None);
-                continue;
-            };
-            if !sums.custom_lights.is_empty() {
-                shaded.pull_back_custom_lights(cotangent, &mut pulled, |light, cotangent| {
-                    let to_light = &mut sums.custom_lights[light];
-                    prepared.pull_custom_illumination(group, light, cotangent, to_light)
-                });
-            }
             let Appearance { materials, textured, .. } = &appearance;
-            let uv = textured.as_ref().map(|textured| {
-                textured.pull_back(&mut pulled.material, |texel, cotangent| {
-                    if wanted.texels {
-                        texels.add(&mut sums.texels, texel as usize, cotangent);
-                    }
-                })
-            });
-            let mirror = to_mirrored.as_mut().and_then(|flow| {
-                let mirror = shaded.pull_back_mirror(cotangent)?;
-                flow.radiance[group.first / L::COUNT].accumulate(mirror.radiance);
-                Some(mirror)
-            });
-            if wanted.materials() {
-                for (index, lanes) in materials.iter() {
-                    let mask = L::mask_from_bits(lanes);
-                    let mut sum = material_sum(&pulled.material, mask, *wanted);
-                    if let Some(mirror) = mirror.as_ref().filter(|_| wanted.mirrors) {
-                        sum.reflection = sum_of_vectors::<L>(mirror.reflection, mask);
-                    }
-                    slots.add(&mut sums.materials, index, sum);
+            let shaded = Shaded::new(prepared, group, &appearance, &view.lit, shown);
+            let StripSums { lights, custom_lights, materials: of_materials, .. } = sums;
+            let to_light = |light: usize, cotangent: LightCotangent<'_, L>| {
+                if wanted.lights() {
+                    lights[light].add(&cotangent, *wanted);
                 }
-            }
+            };
             if wanted.surface() {
-                surfaces.push(Some(ToSurface { surface: pulled.surface, uv }));
+                surfaces.push(None);
             }
+            let to_shown = |cotangent, mut pulled: Pulled<'_, L>| {
+                if !custom_lights.is_empty() {
+                    shaded.pull_back_custom_lights(cotangent, &mut pulled, |light, cotangent| {
+                        let to_light = &mut custom_lights[light];
+                        prepared.pull_custom_illumination(group, light, cotangent, to_light)
+                    });
+                }
+                let Pulled { material, surface } = pulled;
+                let uv = textured.as_ref().map(|textured| {
+                    textured.pull_back(material, |texel, cotangent| {
+                        if wanted.texels {
+                            texels.add(&mut sums.texels, texel as usize, cotangent);
+                        }
+                    })
+                });
+                let mirror = to_mirrored.as_mut().and_then(|flow| {
+                    let mirror = shaded.pull_back_mirror(cotangent)?;
+                    flow.radiance[group.first / L::COUNT].accumulate(mirror.radiance);
+                    Some(mirror)
+                });
+                if wanted.materials() {
+                    for (index, lanes) in materials.iter() {
+                        let mask = L::mask_from_bits(lanes);
+                        let mut sum = material_sum(material, mask, *wanted);
+                        if let Some(mirror) = mirror.as_ref().filter(|_| wanted.mirrors) {
+                            sum.reflection = sum_of_vectors::<L>(mirror.reflection, mask);
+                        }
+                        slots.add(of_materials, index, sum);
+                    }
+                }
+                if let Some(last) = surfaces.last_mut() {
+                    *last = Some(ToSurface { surface: *surface, uv });
+                }
+            };
+            shaded.pull_back(|radiance| respond(group, radiance), to_light, to_shown);
         }
     }
 

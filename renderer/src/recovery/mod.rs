@@ -16,6 +16,7 @@
 
 mod defaults;
 
+#[cfg(feature = "cli")]
 pub(crate) use defaults::domain;
 pub use defaults::natural_scale;
 
