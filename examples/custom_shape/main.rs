@@ -42,7 +42,7 @@ exponent = 30.0
 
 /// The true parameters: centre and radii; place, aim, intensity and sharpness.
 const EGG: [f64; 6] = [0.3, 0.2, 0.0, 0.9, 0.6, 0.5];
-const SPOT: [f64; 8] = [2.0, 4.0, 3.0, 0.2, 0.0, 0.2, 40.0, 20.0];
+const SPOT: [f64; 8] = [2.0, 4.0, 3.0, 0.2, 0.0, 0.2, 0.4, 2.0];
 
 fn main() -> Result<(), Error> {
     let folder = Path::new("out/custom_shape");
@@ -55,7 +55,7 @@ fn main() -> Result<(), Error> {
 
     let mut guess = truth.clone();
     guess.parameters.shapes[0] = vec![0.25, 0.15, 0.1, 0.85, 0.65, 0.55];
-    guess.parameters.custom_lights[0] = vec![1.5, 4.2, 3.2, 0.0, 0.0, 0.0, 30.0, 15.0];
+    guess.parameters.custom_lights[0] = vec![1.5, 4.2, 3.2, 0.0, 0.0, 0.0, 0.3, 1.5];
     let experiment = Experiment { scene: guess, optimize: Some(problem()) };
     let guess = &experiment.scene;
     save_png(&render_at(arithmetic, guess), &folder.join("initial.png"))?;
