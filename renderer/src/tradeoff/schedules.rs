@@ -47,7 +47,8 @@ pub fn measure_schedules(
 ) -> Result<Vec<ScheduleRun>, Error> {
     let Some(distance) = Distance::new(recovery) else { return Ok(Vec::new()) };
     let scene = recovery.scene();
-    let divides = |&factor: &u32| scene.width % factor == 0 && scene.height % factor == 0;
+    let divides =
+        |&factor: &u32| scene.width.is_multiple_of(factor) && scene.height.is_multiple_of(factor);
     let possible = SCHEDULES.into_iter().filter(|factors| factors.iter().all(divides));
     possible.map(|factors| run(recovery, settings, &distance, factors)).collect()
 }
