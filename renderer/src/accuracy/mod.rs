@@ -54,7 +54,7 @@ pub struct Pilot {
     pub setting: Setting,
     /// The estimated relative error of its gradient.
     pub error: f64,
-    /// What a gradient costs: shaded points and shadow rays, as if in single precision.
+    /// What a gradient costs, in units of one ray from the camera in single precision.
     pub work: f64,
 }
 

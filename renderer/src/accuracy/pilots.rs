@@ -28,13 +28,19 @@ pub(super) fn pilots(recovery: &Recovery<'_>, metric: &GradientMetric) -> Vec<Pi
         for bounces in bounces.clone() {
             let setting = Setting { arithmetic, bounces };
             let error = metric.error(&gradient(&setting), &reference).max(rounding);
-            pilots.push(Pilot { setting, error, work: counts.work(&setting) });
+            pilots.push(Pilot { setting, error, work: counts.of(&setting) });
         }
     }
     pilots
 }
 
-/// How many shaded points, and shadow rays of them, light that meets so many mirrors brings, at most.
+/// What a ray that a mirror sends on costs: it goes through the tree by itself, where those of the
+/// camera go in packets (measured on `docs/tradeoff/glossy.toml`, a shaded point with its light being
+/// 2).
+const WORK_OF_MIRRORED_RAY: f64 = 4.0;
+
+/// The work that light brings which meets so many mirrors, by that number: rays, shaded points, and
+/// their lights.
 struct Counts(Vec<f64>);
 
 impl Counts {
@@ -42,26 +48,28 @@ impl Counts {
         let scene = recovery.scene();
         let prepared = Prepared::<f32x16>::with_settings(scene, *recovery.render_settings());
         let lights = scene.light_names.len() + scene.custom_lights.len();
-        let mut points = vec![0.0];
-        for path in paths(&prepared, Wanted::by(recovery.ids())) {
-            for depth in 0..path.meetings.len() {
-                if points.len() <= depth {
-                    points.push(0.0);
+        let paths = paths(&prepared, Wanted::by(recovery.ids()));
+        // More mirrors show nothing more.
+        let deepest = paths.iter().map(|path| path.meetings.len()).max().unwrap_or(0);
+        let mut work = vec![0.0; deepest.max(1)];
+        for path in paths {
+            for (depth, work) in work.iter_mut().enumerate() {
+                if depth < path.rays {
+                    *work += if depth == 0 { 1.0 } else { WORK_OF_MIRRORED_RAY };
                 }
-                points[depth] += 1.0 + lights as f64;
+                if depth < path.meetings.len() {
+                    *work += 1.0 + lights as f64;
+                }
             }
         }
-        // Every pixel has a ray, whatever it meets.
-        points[0] += f64::from(scene.width) * f64::from(scene.height);
-        Self(points)
+        Self(work)
     }
 
-    /// More mirrors show nothing more.
     fn most_bounces(&self) -> u32 {
         self.0.len() as u32 - 1
     }
 
-    fn work(&self, setting: &Setting) -> f64 {
+    fn of(&self, setting: &Setting) -> f64 {
         let factor = match setting.arithmetic.precision() {
             Precision::F32 => 1.0,
             Precision::F64 => WORK_IN_DOUBLE_PRECISION,

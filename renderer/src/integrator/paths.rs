@@ -18,6 +18,8 @@ pub(crate) struct Path {
     pub y: u32,
     /// From the camera on; empty if it sees nothing.
     pub meetings: Vec<Meeting>,
+    /// How many rays that takes: the camera's, and those that mirrors send on.
+    pub rays: usize,
 }
 
 /// One meeting of a ray with a surface.
@@ -51,7 +53,11 @@ pub(crate) fn paths<L: Lanes>(prepared: &Prepared<'_, L>, wanted: Wanted) -> Vec
                         lit: lit.collect(),
                     })
                 });
-                paths.push(Path { x, y, meetings: seen.collect() });
+                let meetings: Vec<Meeting> = seen.collect();
+                let into_nothing =
+                    sight.views().get(meetings.len()).is_some_and(|v| v.missed >> ray & 1 == 1);
+                let rays = meetings.len() + usize::from(into_nothing);
+                paths.push(Path { x, y, meetings, rays });
             }
         }
         paths
