@@ -1,4 +1,5 @@
-//! Speed against accuracy, measured on a scene.
+#![doc = include_str!("../../docs/tradeoff.md")]
+
 mod axis;
 mod cases;
 mod engine;

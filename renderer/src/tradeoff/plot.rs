@@ -69,7 +69,7 @@ pub fn tradeoff_svg(caption: &str, measurements: &[Measurement]) -> Result<Strin
         let points: Vec<_> = measurements.iter().map(place).collect();
         let mut chart = axes(area, &titles, &points)?;
         draw_measurements(&mut chart, measurements)?;
-        legend(&mut chart)
+        legend(&mut chart, SeriesLabelPosition::UpperMiddle)
     })
 }
 
@@ -88,7 +88,7 @@ pub fn curves_svg(titles: &Titles<'_>, curves: &[Curve]) -> Result<String, Error
                 PathElement::new([(x, y), (x + 18, y)], color.stroke_width(2))
             });
         }
-        legend(&mut chart)
+        legend(&mut chart, SeriesLabelPosition::UpperRight)
     })
 }
 
@@ -123,7 +123,11 @@ fn axes<'a, 'b>(
             (left / 1.5..right * 1.5).log_scale(),
             (low / 3.0..high * (high / low).powf(0.25) * 3.0).log_scale(),
         )?;
-    let label = |x: &f64| if (1e-3..1e4).contains(x) { format!("{x}") } else { format!("{x:.0e}") };
+    // Places on logarithmic axes are powers of ten but for rounding.
+    let label = |x: &f64| match *x {
+        0.5..1e4 => format!("{}", (x * 1e3).round() / 1e3),
+        x => format!("{x:.0e}"),
+    };
     chart
         .configure_mesh()
         .x_desc(titles.horizontal)
@@ -138,10 +142,10 @@ fn axes<'a, 'b>(
     Ok(chart)
 }
 
-fn legend<'a, 'b: 'a>(chart: &mut Chart<'a, 'b>) -> Drawn<()> {
+fn legend<'a, 'b: 'a>(chart: &mut Chart<'a, 'b>, position: SeriesLabelPosition) -> Drawn<()> {
     chart
         .configure_series_labels()
-        .position(SeriesLabelPosition::UpperRight)
+        .position(position)
         .background_style(WHITE.mix(0.8))
         .border_style(RGBColor(180, 180, 180))
         .label_font(("sans-serif", 14))
