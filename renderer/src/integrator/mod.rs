@@ -22,6 +22,7 @@ mod paths;
 mod prepared;
 mod radiance;
 mod raster;
+mod sampling;
 mod settings;
 mod shade;
 mod shadows;
@@ -36,6 +37,7 @@ mod view;
 pub use gradient::{GradientResult, Wanted, gradient};
 pub use prepared::Prepared;
 pub use radiance::{PixelLoss, loss, render, render_into};
+pub use sampling::{GradientSamples, Samples, Sampling};
 pub use settings::{Pass, RenderSettings, Visibility};
 pub use trace::{Rays, trace};
 

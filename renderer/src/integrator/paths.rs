@@ -5,11 +5,10 @@ use ad::lanes::Lanes;
 use super::gradient::Wanted;
 use super::mirrors::{Mirrors, Sight};
 use super::prepared::Prepared;
-use super::tiles::for_each_strip;
+use super::tiles::{Tile, for_each_strip};
 use crate::acceleration::rays;
 
-/// What the ray through the middle of a pixel meets: directly, by one mirror, by two mirrors, and so
-/// on.
+/// What a ray through a pixel meets: directly, by one mirror, by two mirrors, and so on.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Path {
     /// The column of the pixel.
@@ -33,34 +32,35 @@ pub(crate) struct Meeting {
     pub lit: Vec<usize>,
 }
 
-/// The paths of all pixels, in a fixed order: what a gradient by the wanted parameters depends on.
+/// The paths of all rays through pixels, in a fixed order: what a gradient by the wanted parameters depends on.
 pub(crate) fn paths<L: Lanes>(prepared: &Prepared<'_, L>, wanted: Wanted) -> Vec<Path> {
     let (width, height) = (prepared.scene.width, prepared.scene.height);
     let mirrors = if wanted.mirrors { Mirrors::All } else { Mirrors::Bright };
     let strips = for_each_strip(width, height, Sight::default, |sight, strip| {
         let mut paths = Vec::new();
         for tile in strip.tiles() {
-            prepared.see(&tile, mirrors, sight);
-            for ray in rays(tile.rays()) {
-                let (x, y) = tile.pixel(ray);
-                let seen = sight.views().iter().map_while(|view| {
-                    let hit = view.hits.get(ray)?;
-                    let lights = view.lit.iter().enumerate();
-                    let lit = lights.filter(|(_, lit)| lit.reaches(ray)).map(|(light, _)| light);
-                    Some(Meeting {
-                        primitive: hit.primitive as usize,
-                        leaves: hit.leaves,
-                        lit: lit.collect(),
-                    })
-                });
-                let meetings: Vec<Meeting> = seen.collect();
-                let into_nothing =
-                    sight.views().get(meetings.len()).is_some_and(|v| v.missed >> ray & 1 == 1);
-                let rays = meetings.len() + usize::from(into_nothing);
-                paths.push(Path { x, y, meetings, rays });
+            for sample in prepared.samples(&tile) {
+                prepared.see(&sample, mirrors, sight);
+                paths.extend(rays(tile.rays()).map(|ray| path(&tile, sight, ray)));
             }
         }
         paths
     });
     strips.concat()
+}
+
+/// What one ray of a tile has met.
+fn path<L: Lanes>(tile: &Tile, sight: &Sight<L>, ray: usize) -> Path {
+    let (x, y) = tile.pixel(ray);
+    let met = sight.views().iter().map_while(|view| {
+        let hit = view.hits.get(ray)?;
+        let lights = view.lit.iter().enumerate();
+        let lit = lights.filter(|(_, lit)| lit.reaches(ray)).map(|(light, _)| light).collect();
+        Some(Meeting { primitive: hit.primitive as usize, leaves: hit.leaves, lit })
+    });
+    let meetings: Vec<Meeting> = met.collect();
+    let next = sight.views().get(meetings.len());
+    let into_nothing = next.is_some_and(|view| view.missed >> ray & 1 == 1);
+    let rays = meetings.len() + usize::from(into_nothing);
+    Path { x, y, meetings, rays }
 }

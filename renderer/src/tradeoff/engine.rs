@@ -4,7 +4,7 @@ use ad::lanes::Lanes;
 
 use super::replay::Replay;
 use crate::image::Image;
-use crate::integrator::{Path, Prepared, RenderSettings, Wanted, gradient, loss, render};
+use crate::integrator::{Path, Prepared, RenderSettings, Sampling, Wanted, gradient, loss, render};
 use crate::loss::ImageLoss;
 use crate::recovery::Recovery;
 use crate::scene::{ParameterId, Parameters, Scene};
@@ -146,7 +146,9 @@ pub(super) struct Replayed<'a, L: Lanes> {
 }
 
 impl<'a, L: Lanes> Replayed<'a, L> {
+    /// One ray through the middle of each pixel.
     pub fn new(question: Question<'a>, mode: ReplayMode) -> Self {
+        assert_eq!(question.settings.sampling, Sampling::Center, "paths lead through the middle");
         Self { question, prepared: question.prepared(), mode }
     }
 }

@@ -7,6 +7,7 @@ mod measurement;
 mod numbers;
 mod plot;
 mod replay;
+mod sampling;
 mod schedules;
 mod table;
 #[cfg(test)]
@@ -20,6 +21,7 @@ use measurement::{Reference, measure_in_turns};
 pub use axis::Axis;
 pub use measurement::Measurement;
 pub use plot::{Curve, Titles, curves_svg, tradeoff_svg};
+pub use sampling::{SamplingRun, measure_sampling, sampling_table};
 pub use schedules::{ScheduleRun, measure_schedules};
 pub use table::{best_step, csv, pareto_front, steps, table};
 #[cfg(test)]

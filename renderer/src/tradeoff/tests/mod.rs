@@ -7,6 +7,7 @@ use ad::lanes::f64x8;
 use super::engine::{Adjoint, Engine, Question, ReplayMode, Replayed};
 use super::*;
 use crate::arithmetic::{Arithmetic, Precision};
+use crate::experiment::Experiment;
 
 pub use scenes::random_experiment;
 
@@ -17,7 +18,7 @@ pub fn gradient_on_tapes(recovery: &Recovery<'_>) -> Vec<f64> {
     Replayed::<f64x8>::new(question, ReplayMode::Tape(64)).gradient()
 }
 
-fn recovery(experiment: &crate::experiment::Experiment) -> Recovery<'_> {
+fn recovery(experiment: &Experiment) -> Recovery<'_> {
     Recovery::new(experiment, "a generated scene", Arithmetic::fastest(Precision::F64)).unwrap()
 }
 
@@ -60,7 +61,7 @@ fn a_scene_is_measured_along_every_axis_that_it_has() {
     let experiment = (0..).map(random_experiment).find(|e| e.scene.bounces == 2).unwrap();
     let mut scene = experiment.scene.clone();
     scene.parameters.materials[0].reflection = glam::DVec3::splat(0.3);
-    let experiment = crate::experiment::Experiment { scene, ..experiment };
+    let experiment = Experiment { scene, ..experiment };
     let recovery = recovery(&experiment);
     let Tradeoff { measurements, .. } = measure(&recovery, 0.0);
     let settings = |axis: Axis| -> Vec<&Measurement> {
@@ -90,32 +91,16 @@ fn a_scene_is_measured_along_every_axis_that_it_has() {
 /// in double precision.
 #[test]
 fn differences_have_a_best_step() {
-    let path = std::path::Path::new("");
-    let text = r#"
-        [camera]
-        look_from = [0.0, 0.0, 4.0]
-        look_at = [0.0, 0.0, 0.0]
-        width = 32
-        height = 32
-        [[light]]
-        name = "key"
-        type = "point"
-        position = [1.0, 2.0, 4.0]
-        intensity = 300.0
-        [[sphere]]
-        name = "ball"
-        center = [0.0, 0.0, 0.0]
-        radius = 1.0
-        material = "paint"
-        [material.paint]
+    let experiment = ball(
+        r#"
         specular = [0.5, 0.5, 0.5]
         exponent = 12.0
         [[optimize.parameter]]
         path = "material.paint.exponent"
         [optimize.target_values]
         "material.paint.exponent" = 14.0
-    "#;
-    let experiment = crate::experiment::Experiment::parse(text, path, "a ball").unwrap();
+        "#,
+    );
     let Tradeoff { measurements, .. } = measure(&recovery(&experiment), 0.0);
     let [single, double] = &steps(&measurements)[..] else { panic!("two curves") };
     let ((single_step, single_error), (double_step, double_error)) =
@@ -176,31 +161,15 @@ fn the_error_of_a_gradient_weighs_derivatives_by_their_scales() {
 
 #[test]
 fn optimisations_approach_the_truth_whatever_their_sizes() {
-    let path = std::path::Path::new("");
-    let text = r#"
-        [camera]
-        look_from = [0.0, 0.0, 4.0]
-        look_at = [0.0, 0.0, 0.0]
-        width = 32
-        height = 32
-        [[light]]
-        name = "key"
-        type = "distant"
-        direction = [1.0, 2.0, 4.0]
-        intensity = 1.0
-        [[sphere]]
-        name = "ball"
-        center = [0.0, 0.0, 0.0]
-        radius = 1.0
-        material = "paint"
-        [material.paint]
+    let experiment = ball(
+        r#"
         diffuse = [0.2, 0.3, 0.4]
         [[optimize.parameter]]
         path = "material.paint.diffuse"
         [optimize.target_values]
         "material.paint.diffuse" = [0.5, 0.5, 0.5]
-    "#;
-    let experiment = crate::experiment::Experiment::parse(text, path, "a ball").unwrap();
+        "#,
+    );
     let recovery = recovery(&experiment);
     let runs = measure_schedules(&recovery, &recovery.settings()).unwrap();
     assert_eq!(runs.len(), 4);
@@ -210,4 +179,59 @@ fn optimisations_approach_the_truth_whatever_their_sizes() {
         assert!(last < 0.05, "{}: {last}", run.name());
         assert!(run.way.is_sorted_by(|a, b| a.0 <= b.0), "{}", run.name());
     }
+}
+
+#[test]
+fn more_rays_are_less_off_and_what_is_off_is_bias_and_spread() {
+    let experiment = ball(
+        r#"
+        diffuse = [0.2, 0.3, 0.4]
+        [[optimize.parameter]]
+        path = "material.paint.diffuse"
+        [[optimize.parameter]]
+        path = "light.key.intensity"
+        [optimize.target_values]
+        "material.paint.diffuse" = [0.5, 0.5, 0.5]
+        "#,
+    );
+    let runs = measure_sampling(&recovery(&experiment));
+    assert_eq!(runs.len(), 2 * 2 * 5);
+    for run in &runs {
+        let both = run.bias.hypot(run.spread);
+        assert!((run.error - both).abs() < 1e-6 * both, "{run:?}");
+        assert!(run.seconds > 0.0 && run.bias > 0.0, "{run:?}");
+    }
+    for way in runs.chunks(5) {
+        let (few, many) = (&way[1], &way[3]);
+        assert_eq!((few.count, many.count), (4, 64));
+        assert!(many.spread < 0.5 * few.spread, "{few:?} {many:?}");
+        assert!(many.image_error < 0.5 * few.image_error, "{few:?} {many:?}");
+    }
+    assert_eq!(sampling_table(&runs).lines().count(), 21);
+}
+
+/// A ball under a light, in an image of 32 x 32 pixels; `rest` is its material, and what follows.
+fn ball(rest: &str) -> Experiment {
+    let text = format!(
+        r#"
+        [camera]
+        look_from = [0.0, 0.0, 4.0]
+        look_at = [0.0, 0.0, 0.0]
+        width = 32
+        height = 32
+        [[light]]
+        name = "key"
+        type = "point"
+        position = [1.0, 2.0, 4.0]
+        intensity = 300.0
+        [[sphere]]
+        name = "ball"
+        center = [0.0, 0.0, 0.0]
+        radius = 1.0
+        material = "paint"
+        [material.paint]
+        {rest}
+        "#
+    );
+    Experiment::parse(&text, std::path::Path::new(""), "a ball").unwrap()
 }
