@@ -12,6 +12,8 @@
 //! so itself.
 
 pub mod acceleration;
+#[cfg(feature = "files")]
+pub mod accuracy;
 pub mod arithmetic;
 #[cfg(feature = "files")]
 pub mod atomic_file;
@@ -38,5 +40,7 @@ pub mod recovery;
 #[cfg(feature = "cli")]
 pub mod report;
 pub mod scene;
+#[cfg(feature = "cli")]
+pub mod tradeoff;
 
 pub use error::Error;

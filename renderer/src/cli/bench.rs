@@ -30,7 +30,7 @@ pub(super) struct Arguments {
     seconds: f64,
 }
 
-fn seconds(text: &str) -> Result<f64, String> {
+pub(super) fn seconds(text: &str) -> Result<f64, String> {
     match text.parse() {
         Ok(seconds) if (0.0..=3600.0).contains(&seconds) => Ok(seconds),
         _ => Err("has to be a number from 0 to 3600".into()),

@@ -30,6 +30,12 @@ pub(super) fn print_stats() {
     let _ = write!(io::stderr().lock(), "{}", Counts::total());
 }
 
+/// What a user should know beside the results, on the standard error stream.
+pub(super) fn print_note(note: impl Display) {
+    // Whoever closed the stream does not want to know.
+    let _ = writeln!(io::stderr().lock(), "{note}");
+}
+
 /// Numbers as people read them: at most a handful, six digits each.
 pub(super) fn abbreviate(values: &[f64]) -> String {
     const MOST: usize = 6;

@@ -6,7 +6,9 @@ use ad::lanes::Lanes;
 use ad::vector::Vector3;
 use ad::{Additive, Vec3, select};
 
+use super::gradient::Wanted;
 use super::prepared::Prepared;
+use super::settings::Pass;
 use super::shade::Shaded;
 use super::sharing::Sharing;
 use super::view::{Sample, View, repeated};
@@ -24,6 +26,13 @@ pub(super) struct Dark {
     pub mirrors: bool,
     /// Lights that send nothing are followed.
     pub lights: bool,
+}
+
+impl Dark {
+    /// What a gradient by the wanted parameters depends on.
+    pub fn of_gradient(wanted: Wanted, pass: Pass) -> Self {
+        Self { mirrors: wanted.mirrors && pass == Pass::Radiance, lights: wanted.lights() }
+    }
 }
 
 /// What the camera sees in a tile: directly, by one mirror, by two mirrors, and so on. A pixel has
@@ -63,7 +72,7 @@ impl<L: Lanes> Prepared<'_, L> {
         if !dark.mirrors && !self.has_mirrors {
             return;
         }
-        while *depth <= self.scene.bounces as usize {
+        while *depth <= self.bounces as usize {
             if views.len() == *depth {
                 views.push(View::default());
             }

@@ -23,6 +23,12 @@ pub(super) struct Lit {
 }
 
 impl Lit {
+    /// Whether the light reaches the point at which a ray ends.
+    #[cfg(feature = "files")]
+    pub fn reaches(self, ray: usize) -> bool {
+        self.reached >> ray & 1 == 1
+    }
+
     /// The lanes of a group that the light reaches.
     #[inline]
     pub fn of<L: Lanes>(self, group: &Group<L>) -> L::Mask {

@@ -10,7 +10,6 @@ use super::gradient::Wanted;
 use super::mirrors::{Dark, Sight, blocks};
 use super::prepared::Prepared;
 use super::radiance::{PixelLoss, mean_radiance};
-use super::settings::Pass;
 use super::shade::{Appearance, LightCotangent, Pulled, Shaded};
 use super::sums::{Slots, StripSums, material_sum};
 use super::tiles::{Strip, Tile, for_each_strip};
@@ -58,10 +57,7 @@ impl<'a, L: Lanes, P: PixelLoss> Sweep<'a, L, P> {
             prepared,
             loss,
             wanted,
-            dark: Dark {
-                mirrors: wanted.mirrors && prepared.pass == Pass::Radiance,
-                lights: wanted.lights(),
-            },
+            dark: Dark::of_gradient(wanted, prepared.pass),
             sight: Sight::default(),
             flows: Vec::new(),
             sums: StripSums::zero(prepared),

@@ -19,7 +19,7 @@ use crate::scene::{MaterialTextures, Wrap};
 
 /// A texture among the texels of all.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Texture {
+pub(crate) struct Texture {
     pub first_texel: usize,
     pub width: u32,
     pub height: u32,
@@ -29,7 +29,7 @@ pub(super) struct Texture {
 impl Texture {
     /// The indices of the texels around a position: those of [`bilinear`].
     #[inline]
-    fn around(&self, x: f64, y: f64) -> [u32; 4] {
+    pub fn around(&self, x: f64, y: f64) -> [u32; 4] {
         let (column, row) = (x.floor() as i64, y.floor() as i64);
         let columns = [column, column.saturating_add(1)].map(|c| self.wrap.index(c, self.width));
         let rows = [row, row.saturating_add(1)].map(|r| self.wrap.index(r, self.height));

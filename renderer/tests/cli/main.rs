@@ -12,3 +12,4 @@ mod render;
 mod resume;
 mod sandbox;
 mod stats;
+mod tradeoff;
