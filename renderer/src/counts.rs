@@ -17,8 +17,6 @@ macro_rules! counts {
         }
 
         impl Counts {
-            const ZERO: Self = Self { $($name: 0,)* };
-
             /// The work of this process so far.
             pub fn total() -> Self {
                 Self { $($name: TOTAL.$name.load(Relaxed),)* }
@@ -31,10 +29,20 @@ macro_rules! counts {
 
         static TOTAL: Total = Total { $($name: AtomicU64::new(0),)* };
 
+        /// What one thread counts.
+        pub(crate) struct Local {
+            $(pub $name: Cell<u64>,)*
+        }
+
+        thread_local! {
+            static LOCAL: Local = const { Local { $($name: Cell::new(0),)* } };
+        }
+
         /// Adds what this thread has counted to the total, and begins anew.
         pub(crate) fn flush() {
-            let counts = COUNTS.take();
-            $(TOTAL.$name.fetch_add(counts.$name, Relaxed);)*
+            LOCAL.with(|counts| {
+                $(TOTAL.$name.fetch_add(counts.$name.take(), Relaxed);)*
+            });
         }
 
         impl fmt::Display for Counts {
@@ -65,34 +73,11 @@ counts! {
     surface_pullbacks: "surface pullbacks           ",
 }
 
-thread_local! {
-    static COUNTS: Cell<Counts> = const { Cell::new(Counts::ZERO) };
-}
-
-/// Counts work of this thread.
+/// Counts `more` work of this thread.
 #[inline]
-pub(crate) fn count(add: impl FnOnce(&mut Counts)) {
-    COUNTS.with(|counts| {
-        let mut sum = counts.get();
-        add(&mut sum);
-        counts.set(sum);
+pub(crate) fn count(which: impl FnOnce(&Local) -> &Cell<u64>, more: u64) {
+    LOCAL.with(|counts| {
+        let count = which(counts);
+        count.set(count.get() + more);
     });
-}
-
-/// The nodes that one traversal visits: counted in a register, added up when it ends.
-#[derive(Default)]
-pub(crate) struct VisitedNodes(Cell<u64>);
-
-impl VisitedNodes {
-    #[inline]
-    pub fn add(&self) {
-        self.0.set(self.0.get() + 1);
-    }
-}
-
-impl Drop for VisitedNodes {
-    #[inline]
-    fn drop(&mut self) {
-        count(|counts| counts.nodes += self.0.get());
-    }
 }

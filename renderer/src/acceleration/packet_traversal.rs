@@ -9,7 +9,7 @@ use super::single::SLAB_ERROR;
 use super::stack::{Entry, Sorted, Stack};
 use super::tree::{Child, Kind, Leaf, Node, Tree};
 use super::triangle_test::minor_axes;
-use crate::counts::VisitedNodes;
+use crate::counts::count;
 
 /// By how much the frustum is wider than its rays, relative to depth: several rounding errors of
 /// the products that a box is tested with.
@@ -131,17 +131,17 @@ impl<L: Leaf> Tree<L> {
         let inverse = if SPARSE { inverse_slopes(packet) } else { [[f32x16::ZERO; 2]; GROUPS] };
         let mut stack = Stack::new();
         let mut current = Child::node(0);
-        let nodes = VisitedNodes::default();
-        loop {
+        let mut nodes = 0;
+        'traversal: loop {
             match current.kind() {
                 Kind::Leaf(leaf) => {
                     visit(&self.leaves[leaf], packet);
                     if packet.far < 0.0 {
-                        return;
+                        break 'traversal;
                     }
                 }
                 Kind::Node(index) => {
-                    nodes.add();
+                    nodes += 1;
                     let (near, bits) = frustum.enter(&self.nodes[index], packet.far);
                     let sorted = Sorted::new(bits, |slot| Entry {
                         near: near.as_array()[slot],
@@ -151,7 +151,7 @@ impl<L: Leaf> Tree<L> {
                 }
             }
             current = loop {
-                let Some(entry) = stack.pop() else { return };
+                let Some(entry) = stack.pop() else { break 'traversal };
                 if entry.near > packet.far {
                     continue;
                 }
@@ -163,5 +163,6 @@ impl<L: Leaf> Tree<L> {
                 }
             };
         }
+        count(|counts| &counts.nodes, nodes);
     }
 }

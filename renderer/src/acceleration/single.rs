@@ -6,7 +6,7 @@ use wide::f32x8;
 use super::stack::{Entry, Sorted, Stack};
 use super::tree::{Child, Kind, Leaf, Node, Tree};
 use super::triangle_test::{TriangleTest, minor_axes};
-use crate::counts::VisitedNodes;
+use crate::counts::count;
 
 /// Rounding errors of a slab test, relative to the depth that it finds.
 pub const SLAB_ERROR: f32 = 4.0 * f32::EPSILON;
@@ -84,17 +84,17 @@ impl<L: Leaf> Tree<L> {
         }
         let mut stack = Stack::new();
         let mut current = Child::node(0);
-        let nodes = VisitedNodes::default();
-        loop {
+        let mut nodes = 0;
+        'traversal: loop {
             match current.kind() {
                 Kind::Leaf(leaf) => {
                     limit = visit(&self.leaves[leaf], limit);
                     if limit < 0.0 {
-                        return;
+                        break 'traversal;
                     }
                 }
                 Kind::Node(index) => {
-                    nodes.add();
+                    nodes += 1;
                     let node = &self.nodes[index];
                     let (near, bits) = ray.enter(node, limit);
                     let sorted = Sorted::new(bits, |slot| Entry {
@@ -110,11 +110,12 @@ impl<L: Leaf> Tree<L> {
             }
             current = loop {
                 match stack.pop() {
-                    None => return,
+                    None => break 'traversal,
                     Some(entry) if entry.near <= limit => break Child::from_bits(entry.target),
                     Some(_) => {}
                 }
             };
         }
+        count(|counts| &counts.nodes, nodes);
     }
 }

@@ -104,7 +104,7 @@ impl<L: Lanes> Prepared<'_, L> {
                 continue;
             }
             sent |= u64::from(lanes) << group.first;
-            count(|counts| counts.mirrored_rays += u64::from(lanes.count_ones()));
+            count(|counts| &counts.mirrored_rays, u64::from(lanes.count_ones()));
             let ray = mirrored_ray::<L>(group.surface);
             let block = &mut sent_on[group.first / L::COUNT];
             *block = select(L::mask_from_bits(lanes), ray, *block);

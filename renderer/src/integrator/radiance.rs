@@ -90,6 +90,7 @@ pub fn loss<L: Lanes>(prepared: &Prepared<'_, L>, loss: &impl PixelLoss) -> f64 
 }
 
 /// The radiance of the pixels of a tile, in double precision from that of each ray on.
+#[inline(never)]
 pub(super) fn mean_radiance<L: Lanes>(
     prepared: &Prepared<'_, L>,
     tile: &Tile,
@@ -109,6 +110,7 @@ pub(super) fn mean_radiance<L: Lanes>(
 }
 
 /// Calls `use_radiance` with the radiance of every group of rays.
+#[inline]
 fn visit<L: Lanes>(
     prepared: &Prepared<'_, L>,
     sample: &Sample<'_>,

@@ -87,7 +87,7 @@ impl<'a, L: Lanes> Shaded<'a, L> {
         mirrored: Option<&'a View<L>>,
     ) -> Self {
         let Appearance { materials, textured, illuminations } = appearance;
-        count(|counts| counts.shaded += u64::from(group.alive.count_ones()));
+        count(|counts| &counts.shaded, u64::from(group.alive.count_ones()));
         Self {
             pass: prepared.pass,
             group,

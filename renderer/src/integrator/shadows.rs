@@ -112,7 +112,7 @@ impl<L: Lanes> Prepared<'_, L> {
             return Lit { reached: facing };
         }
         let (origin, near) = (light.as_vec3(), facing & !far);
-        count(|counts| counts.shadow_rays += u64::from(near.count_ones()));
+        count(|counts| &counts.shadow_rays, u64::from(near.count_ones()));
         let mut occluded = self.acceleration.occluded_packet(origin, &directions, 1.0, &from, near);
         if !self.scene.shapes.is_empty() {
             let behind =
@@ -155,7 +155,7 @@ impl<L: Lanes> Prepared<'_, L> {
         if rays == 0 || self.is_alone(view) {
             return rays;
         }
-        count(|counts| counts.shadow_rays += u64::from(rays.count_ones()));
+        count(|counts| &counts.shadow_rays, u64::from(rays.count_ones()));
         let mut lit = rays;
         for group in &view.groups {
             let points = vectors_of_lanes::<L>(group.surface.point);

@@ -191,7 +191,7 @@ impl<'a, L: Lanes, P: PixelLoss> Sweep<'a, L, P> {
                 surfaces.push(None);
             }
             let to_shown = |cotangent, mut pulled: Pulled<'_, L>| {
-                count(|counts| counts.shading_pullbacks += u64::from(group.alive.count_ones()));
+                count(|counts| &counts.shading_pullbacks, u64::from(group.alive.count_ones()));
                 if !custom_lights.is_empty() {
                     shaded.pull_back_custom_lights(cotangent, &mut pulled, |light, cotangent| {
                         let to_light = &mut custom_lights[light];
@@ -241,7 +241,7 @@ impl<'a, L: Lanes, P: PixelLoss> Sweep<'a, L, P> {
     ) {
         for (group, surface) in view.groups.iter().zip(surfaces) {
             let Some(ToSurface { mut surface, uv }) = *surface else { continue };
-            count(|counts| counts.surface_pullbacks += u64::from(group.alive.count_ones()));
+            count(|counts| &counts.surface_pullbacks, u64::from(group.alive.count_ones()));
             if let Some(flow) = mirrored {
                 let RayTangent { origin, direction } = flow.rays[group.first / L::COUNT];
                 let alive =

@@ -189,7 +189,7 @@ impl<L: Lanes> Prepared<'_, L> {
         if lanes == 0 {
             return None;
         }
-        count(|counts| counts.texture_lookups += u64::from(lanes.count_ones()));
+        count(|counts| &counts.texture_lookups, u64::from(lanes.count_ones()));
         let size = |of: fn(&Texture) -> u32| {
             L::from_lanes(|lane| {
                 let size = textures[lane].as_ref().map_or(1, of);

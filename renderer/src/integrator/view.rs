@@ -130,7 +130,7 @@ impl<L: Lanes> Prepared<'_, L> {
             );
         }
         let wanted = tile.rays();
-        count(|counts| counts.primary_rays += u64::from(wanted.count_ones()));
+        count(|counts| &counts.primary_rays, u64::from(wanted.count_ones()));
         self.nearest_into(tile, &directions, wanted, &mut view.hits);
 
         let ray = |first: usize, alive: u32| {
