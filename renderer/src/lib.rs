@@ -19,6 +19,7 @@ pub mod arithmetic;
 pub mod atomic_file;
 #[cfg(feature = "cli")]
 pub mod cli;
+pub mod counts;
 #[cfg(feature = "files")]
 pub mod demo;
 pub mod display;

@@ -10,6 +10,7 @@ mod output;
 mod params;
 mod render;
 mod report;
+mod sampling;
 mod strip;
 mod tradeoff;
 
@@ -17,7 +18,7 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
-use output::print_error;
+use output::{print_error, print_stats};
 
 use crate::Error;
 use crate::arithmetic::{Arithmetic, Precision};
@@ -44,6 +45,10 @@ struct Arguments {
     /// Pixels that go through the kernels side by side: 1, 8, or 16 (f32 alone) [default: the most]
     #[arg(long, global = true, value_name = "N")]
     lanes: Option<usize>,
+
+    /// Print afterwards how much work it was: rays, nodes, lookups, pullbacks
+    #[arg(long, global = true)]
+    stats: bool,
 }
 
 impl Arguments {
@@ -147,7 +152,11 @@ const MOST_THREADS: i64 = 1024;
 /// Runs the command line of this process.
 pub fn main() -> ExitCode {
     let arguments = Arguments::parse();
-    match run(&arguments) {
+    let result = run(&arguments);
+    if arguments.stats && result.is_ok() {
+        print_stats();
+    }
+    match result {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {
             print_error(&error);

@@ -39,7 +39,7 @@ pub use prepared::Prepared;
 pub use radiance::{PixelLoss, loss, render, render_into};
 pub use sampling::{GradientSamples, Samples, Sampling};
 pub use settings::{Pass, RenderSettings, Visibility};
-pub use trace::{Rays, trace};
+pub use trace::trace;
 
 #[cfg(feature = "files")]
 pub(crate) use paths::paths;

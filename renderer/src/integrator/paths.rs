@@ -3,7 +3,7 @@
 use ad::lanes::Lanes;
 
 use super::gradient::Wanted;
-use super::mirrors::{Mirrors, Sight};
+use super::mirrors::{Dark, Sight};
 use super::prepared::Prepared;
 use super::tiles::{Tile, for_each_strip};
 use crate::acceleration::rays;
@@ -35,12 +35,12 @@ pub(crate) struct Meeting {
 /// The paths of all rays through pixels, in a fixed order: what a gradient by the wanted parameters depends on.
 pub(crate) fn paths<L: Lanes>(prepared: &Prepared<'_, L>, wanted: Wanted) -> Vec<Path> {
     let (width, height) = (prepared.scene.width, prepared.scene.height);
-    let mirrors = if wanted.mirrors { Mirrors::All } else { Mirrors::Bright };
+    let dark = Dark::of_gradient(wanted, prepared.pass);
     let strips = for_each_strip(width, height, Sight::default, |sight, strip| {
         let mut paths = Vec::new();
         for tile in strip.tiles() {
             for sample in prepared.samples(&tile) {
-                prepared.see(&sample, mirrors, sight);
+                prepared.see(&sample, dark, sight);
                 paths.extend(rays(tile.rays()).map(|ray| path(&tile, sight, ray)));
             }
         }

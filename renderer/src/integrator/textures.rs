@@ -11,6 +11,7 @@ use super::prepared::Prepared;
 use super::sharing::Sharing;
 use super::view::{Group, Shape};
 use crate::acceleration::rays;
+use crate::counts::count;
 use crate::kernels::material::{Material, MaterialTangent};
 use crate::kernels::texture::{Uv, bilinear, sphere_uv, texel_position, triangle_uv};
 use crate::precision::{MOST_LANES, numbers_of_lanes, vectors_of_lanes};
@@ -188,6 +189,7 @@ impl<L: Lanes> Prepared<'_, L> {
         if lanes == 0 {
             return None;
         }
+        count(|counts| counts.texture_lookups += u64::from(lanes.count_ones()));
         let size = |of: fn(&Texture) -> u32| {
             L::from_lanes(|lane| {
                 let size = textures[lane].as_ref().map_or(1, of);
