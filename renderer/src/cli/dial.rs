@@ -1,10 +1,12 @@
 //! `--accuracy`
 
 use super::output::print_note;
+use super::sampling::SamplingArguments;
 use crate::Error;
 use crate::accuracy::pick;
 use crate::arithmetic::{Arithmetic, Precision};
 use crate::experiment::Experiment;
+use crate::integrator::RenderSettings;
 use crate::recovery::Recovery;
 
 /// How accurate a gradient has to be.
@@ -14,6 +16,9 @@ pub(super) struct Dial {
     /// tried on the scene itself, in place of --precision and --lanes
     #[arg(long, value_name = "E", value_parser = accuracy)]
     accuracy: Option<f64>,
+
+    #[command(flatten)]
+    sampling: SamplingArguments,
 }
 
 fn accuracy(text: &str) -> Result<f64, String> {
@@ -32,14 +37,22 @@ impl Dial {
         place: &str,
         chosen: Option<Arithmetic>,
     ) -> Result<Recovery<'a>, Error> {
+        let settings =
+            RenderSettings { sampling: self.sampling.sampling(), ..RenderSettings::default() };
         let Some(accuracy) = self.accuracy else {
-            return Recovery::new(experiment, place, chosen.unwrap_or_default());
+            return Recovery::with_settings(
+                experiment,
+                place,
+                chosen.unwrap_or_default(),
+                settings,
+            );
         };
         if chosen.is_some() {
             let problem = "picks precision and lanes itself; leave out --precision and --lanes";
             return Err(Error::new("--accuracy", problem));
         }
-        let exact = Recovery::new(experiment, place, Arithmetic::fastest(Precision::F64))?;
+        let double = Arithmetic::fastest(Precision::F64);
+        let exact = Recovery::with_settings(experiment, place, double, settings)?;
         exact.evaluate()?;
         let pick = pick(&exact, accuracy);
         print_note(&pick);

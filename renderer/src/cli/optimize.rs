@@ -18,7 +18,7 @@ use crate::optimize::{
     Checkpointing, Optimization, Optimizer, Outcome, Quiet, Schedule, Settings, Start, progress,
     write_report,
 };
-use crate::recovery::{Recovery, render_at};
+use crate::recovery::Recovery;
 
 #[derive(clap::Args)]
 pub(super) struct Arguments {
@@ -108,7 +108,6 @@ pub(super) fn recover(
     out: &Path,
     resume: bool,
 ) -> Result<Outcome, Error> {
-    let arithmetic = recovery.arithmetic();
     let mut settings = recovery.settings();
     settings.checkpointing = Some(Checkpointing {
         folder: out.to_owned(),
@@ -127,18 +126,18 @@ pub(super) fn recover(
         .map_err(|error| Error::new(out.display(), format_args!("cannot be made: {error}")))?;
     let target = recovery.target();
     save_png(target, &out.join("target.png"))?;
-    save_png(&render_at(arithmetic, &experiment.scene), &out.join("initial.png"))?;
+    save_png(&recovery.image(&experiment.scene), &out.join("initial.png"))?;
 
     let outcome = recovery.run(&settings, progress().as_mut())?;
 
     let recovered = recovery.scene_at(&outcome.best.x);
-    let image = render_at(arithmetic, &recovered);
+    let image = recovery.image(&recovered);
     save_png(&image, &out.join("final.png"))?;
     if let Some(difference) = recovery.difference(&image) {
         save_png(&difference, &out.join("difference.png"))?;
     }
     save_scene(&recovered, out)?;
-    let strip = save_strip(recovery, &outcome.trajectory, out, arithmetic)?;
+    let strip = save_strip(recovery, &outcome.trajectory, out)?;
     let extra = Map::from_iter([("strip".to_owned(), strip)]);
     write_report(out, recovery.variables(), &outcome, extra)?;
     Ok(outcome)

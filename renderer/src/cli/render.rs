@@ -60,6 +60,7 @@ pub(super) fn run(arguments: &Arguments, arithmetic: Arithmetic) -> Result<(), E
         visibility: arguments.visibility,
         pass: arguments.pass,
         sampling: arguments.sampling.sampling(),
+        bounces: None,
     };
     let mut image = render_with(arithmetic, &experiment.scene, settings);
     if let Some(stops) = arguments.exposure {

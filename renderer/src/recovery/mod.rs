@@ -70,6 +70,20 @@ impl<'a> Recovery<'a> {
         place: &str,
         arithmetic: Arithmetic,
     ) -> Result<Self, Error> {
+        Self::with_settings(experiment, place, arithmetic, RenderSettings::default())
+    }
+
+    /// The same, rendered in a certain way; so is a target that is given by values.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`new`](Self::new).
+    pub fn with_settings(
+        experiment: &'a Experiment,
+        place: &str,
+        arithmetic: Arithmetic,
+        settings: RenderSettings,
+    ) -> Result<Self, Error> {
         let scene = &experiment.scene;
         let section = experiment.optimize.clone().unwrap_or_default();
         if section.parameters.is_empty() {
@@ -79,7 +93,8 @@ impl<'a> Recovery<'a> {
             ));
         }
         check_learning_rates(scene, &section, place)?;
-        let (target, truth) = load_target(scene, &section, place, arithmetic)?;
+        let (target, truth) =
+            load_target(scene, &section, place, |truth| render_with(arithmetic, truth, settings))?;
         let ids: Vec<_> = section.parameters.iter().map(|tuned| tuned.id).collect();
         let variables = section
             .parameters
@@ -89,7 +104,6 @@ impl<'a> Recovery<'a> {
                 defaults::variable(scene, tuned, section.learning_rate, target)
             })
             .collect();
-        let settings = RenderSettings::default();
         Ok(Self { scene, section, arithmetic, settings, target, ids, variables })
     }
 
@@ -110,6 +124,11 @@ impl<'a> Recovery<'a> {
     /// How the scene is rendered.
     pub fn render_settings(&self) -> &RenderSettings {
         &self.settings
+    }
+
+    /// The image of a scene, rendered as those of the problem are.
+    pub fn image(&self, scene: &Scene) -> Image {
+        render_with(self.arithmetic, scene, self.settings)
     }
 
     /// The scalar of the kernels.
@@ -238,7 +257,7 @@ impl<'a> Recovery<'a> {
     /// differences. The scene is prepared once for all values.
     pub fn loss_along(&self, id: ParameterId, element: usize) -> impl FnMut(f64) -> f64 {
         let mut parameters = self.scene.parameters.clone();
-        let mut prepared = Prepared::<f64x8>::new(self.scene);
+        let mut prepared = Prepared::<f64x8>::with_settings(self.scene, self.settings);
         move |value| {
             parameters.get_mut(id)[element] = value;
             prepared.set_parameters(&parameters);
@@ -291,7 +310,7 @@ fn load_target(
     scene: &Scene,
     section: &OptimizeSection,
     place: &str,
-    arithmetic: Arithmetic,
+    render: impl FnOnce(&Scene) -> Image,
 ) -> Result<(LoadedImage, Option<Parameters>), Error> {
     match &section.target {
         None => Err(Error::new(
@@ -318,7 +337,7 @@ fn load_target(
                 truth.parameters.get_mut(*id).copy_from_slice(values);
             }
             truth.validate(format_args!("{place}: optimize.target_values"))?;
-            let image = render_at(arithmetic, &truth);
+            let image = render(&truth);
             Ok((LoadedImage { image, saturates: false }, Some(truth.parameters)))
         }
     }

@@ -29,8 +29,9 @@ fn sandbox() -> Sandbox {
 #[test]
 fn check_agrees_with_finite_differences() {
     let sandbox = sandbox();
-    for precision in ["f32", "f64"] {
-        let text = sandbox.succeed(&arguments(&SMOOTH, &["--check", "--precision", precision]));
+    for (precision, samples) in [("f32", "1"), ("f64", "1"), ("f64", "5")] {
+        let options = ["--check", "--precision", precision, "--samples", samples];
+        let text = sandbox.succeed(&arguments(&SMOOTH, &options));
         let errors = text.lines().filter_map(|line| line.split_whitespace().last()?.parse().ok());
         // The loss comes first.
         let errors: Vec<f64> = errors.skip(1).collect();
