@@ -6,6 +6,7 @@ use std::io::{self, ErrorKind, Write};
 use serde_json::Value;
 
 use crate::Error;
+use crate::files::Warning;
 
 /// Writes a text and a line break to the standard output. Whoever reads it may have heard enough,
 /// as `head` does: that is no error.
@@ -22,6 +23,13 @@ pub(super) fn print(text: impl Display) -> Result<(), Error> {
 pub(super) fn print_error(error: &Error) {
     // There is nobody left to tell about a failure here.
     let _ = writeln!(io::stderr().lock(), "error: {error}");
+}
+
+/// One line for each warning on the standard error stream.
+pub(super) fn print_warnings(warnings: &[Warning]) {
+    for warning in warnings {
+        let _ = writeln!(io::stderr().lock(), "warning: {warning}");
+    }
 }
 
 /// Numbers as people read them: at most a handful, six digits each.

@@ -4,11 +4,11 @@ use std::path::PathBuf;
 
 use clap::ValueEnum;
 
+use super::load;
 use super::output::print;
 use crate::Error;
 use crate::arithmetic::Arithmetic;
 use crate::display::{ToneMapping, expose, normalize};
-use crate::experiment::Experiment;
 use crate::files::{check_image_path, save_image};
 use crate::integrator::{Pass, RenderSettings, Visibility};
 use crate::recovery::render_with;
@@ -100,7 +100,7 @@ fn stops(text: &str) -> Result<f64, String> {
 
 pub(super) fn run(arguments: &Arguments, arithmetic: Arithmetic) -> Result<(), Error> {
     check_image_path(&arguments.output)?;
-    let experiment = Experiment::load(&arguments.scene)?;
+    let experiment = load(&arguments.scene)?;
     let settings =
         RenderSettings { visibility: arguments.visibility.into(), pass: arguments.pass.into() };
     let mut image = render_with(arithmetic, &experiment.scene, settings);
