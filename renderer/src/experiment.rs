@@ -162,7 +162,8 @@ impl Experiment {
     /// Reads a scene file, or a mesh ([`load_mesh`](crate::files::load_mesh)), which is then framed
     /// and lit by default: the camera looks at the centre of the bounding box from the front, to the
     /// right and above; a point light `key` stands above the camera. A camera and lights that a glTF
-    /// file brings along replace these.
+    /// file brings along replace these. What the files hold that nothing here shows is left out, and
+    /// said in [`warnings`](Self::warnings).
     ///
     /// # Errors
     ///

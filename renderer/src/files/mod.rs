@@ -1,7 +1,8 @@
 //! Files: images, meshes and scenes, read and written.
 //!
 //! Reading checks everything: what leaves this room is finite, in range and consistent. What a file
-//! holds that nothing here shows comes back as a [`Warning`]. Writing is atomic: a reader finds the old file or the new one, never half of one.
+//! holds that nothing here shows comes back as a [`Warning`]. Writing is atomic: a reader finds the
+//! old file or the new one, never half of one.
 
 #[cfg(feature = "gltf")]
 mod gltf;
