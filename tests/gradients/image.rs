@@ -4,8 +4,7 @@ use ad::check;
 use glam::DVec3;
 use renderer::image::Image;
 use renderer::integrator::{
-    Pass, PixelLoss, Prepared, Rays, RenderSettings, Visibility, Wanted, gradient, loss, render,
-    trace,
+    Pass, PixelLoss, Prepared, RenderSettings, Visibility, Wanted, gradient, loss, render,
 };
 use renderer::loss::{ImageLoss, LossKind};
 use renderer::scene::{ParameterId, Scene};
@@ -225,17 +224,4 @@ pub fn lanes_agree_on(scene: &Scene) {
             }
         }
     }
-}
-
-#[test]
-fn rays_are_counted() {
-    let scene = small_scene(37);
-    let prepared = Prepared::<f32x16>::new(&scene);
-    let pixels = u64::from(scene.width * scene.height);
-    assert_eq!(trace(&prepared, false), Rays { primary: pixels, shadow: 0 });
-    let with_shadows = trace(&prepared, true);
-    assert_eq!(with_shadows.primary, pixels);
-    let lights = scene.parameters.lights.len() as u64;
-    assert!(with_shadows.shadow > 0 && with_shadows.shadow < lights * pixels, "{with_shadows:?}");
-    assert_eq!(with_shadows, trace(&Prepared::<f64>::new(&scene), true));
 }

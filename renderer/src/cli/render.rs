@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 use super::load;
 use super::output::print;
+use super::sampling::SamplingArguments;
 use crate::Error;
 use crate::arithmetic::Arithmetic;
 use crate::display::{ToneMapping, expose, normalize};
@@ -37,6 +38,9 @@ pub(super) struct Arguments {
     #[arg(long, value_enum, default_value_t = Visibility::Tree)]
     visibility: Visibility,
 
+    #[command(flatten)]
+    sampling: SamplingArguments,
+
     /// Map the darkest channel to 0 and the brightest to 1
     #[arg(long, conflicts_with_all = ["exposure", "tone"])]
     normalize: bool,
@@ -55,7 +59,8 @@ pub(super) fn run(arguments: &Arguments, arithmetic: Arithmetic) -> Result<(), E
     let settings = RenderSettings {
         visibility: arguments.visibility,
         pass: arguments.pass,
-        ..RenderSettings::default()
+        sampling: arguments.sampling.sampling(),
+        bounces: None,
     };
     let mut image = render_with(arithmetic, &experiment.scene, settings);
     if let Some(stops) = arguments.exposure {

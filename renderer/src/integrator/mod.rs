@@ -17,6 +17,8 @@
 mod custom;
 mod gradient;
 mod mirrors;
+#[cfg(feature = "files")]
+mod paths;
 mod prepared;
 mod radiance;
 mod raster;
@@ -37,7 +39,9 @@ pub use prepared::Prepared;
 pub use radiance::{PixelLoss, loss, render, render_into};
 pub use sampling::{GradientSamples, Samples, Sampling};
 pub use settings::{Pass, RenderSettings, Visibility};
-pub use trace::{Rays, trace};
+pub use trace::trace;
 
+#[cfg(feature = "files")]
+pub(crate) use paths::paths;
 #[cfg(feature = "cli")]
-pub(crate) use {gradient::reduce, sweep::sweep};
+pub(crate) use {gradient::reduce, paths::Path, sweep::sweep, textures::Texture};

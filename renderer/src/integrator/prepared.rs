@@ -60,6 +60,8 @@ pub struct Prepared<'a, L: Lanes> {
     pub(super) acceleration: Acceleration,
     pub(super) pass: Pass,
     pub(super) sampling: Sampling,
+    /// How many mirrors light meets at most.
+    pub(super) bounces: u32,
     /// Whether, and from where, primitives are drawn instead of being found by rays.
     raster: Option<Raster>,
 }
@@ -114,6 +116,7 @@ impl<'a, L: Lanes> Prepared<'a, L> {
             },
             pass: settings.pass,
             sampling: settings.sampling,
+            bounces: settings.bounces.unwrap_or(scene.bounces),
             raster: None,
         };
         prepared.load_appearance();

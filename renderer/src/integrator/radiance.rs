@@ -4,7 +4,7 @@ use ad::Vec3;
 use ad::lanes::Lanes;
 use glam::DVec3;
 
-use super::mirrors::{Mirrors, Sight};
+use super::mirrors::{Dark, Sight};
 use super::prepared::Prepared;
 use super::shade::Shaded;
 use super::tiles::{TILE, Tile, fill_strips, for_each_strip};
@@ -115,7 +115,7 @@ fn visit<L: Lanes>(
     sight: &mut Sight<L>,
     mut use_radiance: impl FnMut(&Group<L>, Vec3<L>),
 ) {
-    prepared.see(sample, Mirrors::Bright, sight);
+    prepared.see(sample, Dark::default(), sight);
     let (view, mirrored) = (&sight.views()[0], sight.views().get(1));
     for group in &view.groups {
         let appearance = prepared.appearance(group);

@@ -11,6 +11,8 @@ pub struct RenderSettings {
     pub pass: Pass,
     /// Where within pixels rays go.
     pub sampling: Sampling,
+    /// How many mirrors light meets at most, if not as many as the scene says.
+    pub bounces: Option<u32>,
 }
 
 /// How it is found what a pixel shows. The images are the same, but for pixels on edges at which two

@@ -7,15 +7,15 @@ use ad::{Additive, Mask, Tangent, Vec3, select};
 use glam::DVec3;
 
 use super::gradient::Wanted;
-use super::mirrors::{Mirrors, Sight, blocks};
+use super::mirrors::{Dark, Sight, blocks};
 use super::prepared::Prepared;
 use super::radiance::{PixelLoss, mean_radiance};
-use super::settings::Pass;
 use super::shade::{Appearance, LightCotangent, Pulled, Shaded};
 use super::sums::{Slots, StripSums, material_sum};
 use super::tiles::{Strip, Tile, for_each_strip};
 use super::view::{Group, Sample, Shape, View};
 use crate::acceleration::{PACKET_RAYS, rays};
+use crate::counts::count;
 use crate::kernels::camera::{Frame, Ray, RayTangent, primary_ray};
 use crate::kernels::sphere::{Sphere, sphere_surface};
 use crate::kernels::surface::{SurfacePoint, mirrored_ray};
@@ -39,7 +39,7 @@ struct Sweep<'a, L: Lanes, P> {
     prepared: &'a Prepared<'a, L>,
     loss: &'a P,
     wanted: Wanted,
-    mirrors: Mirrors,
+    dark: Dark,
     sight: Sight<L>,
     flows: Vec<Flow<L>>,
     sums: StripSums,
@@ -57,10 +57,7 @@ impl<'a, L: Lanes, P: PixelLoss> Sweep<'a, L, P> {
             prepared,
             loss,
             wanted,
-            mirrors: match wanted.mirrors && prepared.pass == Pass::Radiance {
-                true => Mirrors::All,
-                false => Mirrors::Bright,
-            },
+            dark: Dark::of_gradient(wanted, prepared.pass),
             sight: Sight::default(),
             flows: Vec::new(),
             sums: StripSums::zero(prepared),
@@ -121,7 +118,7 @@ impl<'a, L: Lanes, P: PixelLoss> Sweep<'a, L, P> {
         flows: &mut Vec<Flow<L>>,
         respond: &mut Respond<'_, L>,
     ) {
-        self.prepared.see(sample, self.mirrors, sight);
+        self.prepared.see(sample, self.dark, sight);
         let views = sight.views();
         flows.resize_with(views.len().max(flows.len()), Flow::default);
 
@@ -194,6 +191,7 @@ impl<'a, L: Lanes, P: PixelLoss> Sweep<'a, L, P> {
                 surfaces.push(None);
             }
             let to_shown = |cotangent, mut pulled: Pulled<'_, L>| {
+                count(|counts| counts.shading_pullbacks += u64::from(group.alive.count_ones()));
                 if !custom_lights.is_empty() {
                     shaded.pull_back_custom_lights(cotangent, &mut pulled, |light, cotangent| {
                         let to_light = &mut custom_lights[light];
@@ -243,6 +241,7 @@ impl<'a, L: Lanes, P: PixelLoss> Sweep<'a, L, P> {
     ) {
         for (group, surface) in view.groups.iter().zip(surfaces) {
             let Some(ToSurface { mut surface, uv }) = *surface else { continue };
+            count(|counts| counts.surface_pullbacks += u64::from(group.alive.count_ones()));
             if let Some(flow) = mirrored {
                 let RayTangent { origin, direction } = flow.rays[group.first / L::COUNT];
                 let alive =

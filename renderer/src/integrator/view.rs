@@ -12,6 +12,7 @@ use super::shadows::Lit;
 use super::sharing::Sharing;
 use super::tiles::Tile;
 use crate::acceleration::{PACKET_RAYS, PacketHits, PacketVectors, rays, tile_position};
+use crate::counts::count;
 use crate::kernels::camera::{Ray, film_point, primary_ray};
 use crate::kernels::material::Material;
 use crate::kernels::sphere::{Sphere, sphere_surface};
@@ -129,6 +130,7 @@ impl<L: Lanes> Prepared<'_, L> {
             );
         }
         let wanted = tile.rays();
+        count(|counts| counts.primary_rays += u64::from(wanted.count_ones()));
         self.nearest_into(tile, &directions, wanted, &mut view.hits);
 
         let ray = |first: usize, alive: u32| {
