@@ -56,7 +56,7 @@ fn main() -> Result<(), Error> {
     let mut guess = truth.clone();
     guess.parameters.shapes[0] = vec![0.25, 0.15, 0.1, 0.85, 0.65, 0.55];
     guess.parameters.custom_lights[0] = vec![1.5, 4.2, 3.2, 0.0, 0.0, 0.0, 0.3, 1.5];
-    let experiment = Experiment { scene: guess, optimize: Some(problem()) };
+    let experiment = Experiment::new(guess, Some(problem()));
     let guess = &experiment.scene;
     save_png(&render_at(arithmetic, guess), &folder.join("initial.png"))?;
 

@@ -111,7 +111,7 @@ pub fn experiment(scene: Scene, random: &mut Random) -> Experiment {
         parameters: ids.map(tuned).collect(),
         ..OptimizeSection::default()
     };
-    Experiment { scene, optimize: Some(optimize) }
+    Experiment::new(scene, Some(optimize))
 }
 
 /// The problem in double precision, which finite differences need.

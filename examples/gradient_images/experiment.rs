@@ -1,22 +1,17 @@
-//! The derivative of every pixel by one number of a scene: by dual numbers, and by differences.
+//! The derivative of every pixel by one number of a scene: by forward mode, and by differences.
 
-use ad::vector::Vector3;
-use ad::{Dual, Vec3};
 use glam::DVec3;
 use renderer::Error;
 use renderer::acceleration::{Acceleration, Shape};
 use renderer::arithmetic::{Arithmetic, Precision};
 use renderer::demo::demo_experiment;
 use renderer::experiment::Target;
-use renderer::kernels::camera::{Camera, Ray, frame, primary_ray};
-use renderer::kernels::light::PointLight;
-use renderer::kernels::material::{Material, reflection_of_point_light};
+use renderer::kernels::camera::{Camera, CameraTangent, frame, primary_ray};
+use renderer::kernels::light::{PointLight, PointLightTangent};
+use renderer::kernels::material::{Material, MaterialTangent, reflection_of_point_light};
 use renderer::kernels::triangle::triangle_surface;
 use renderer::recovery::{natural_scale, render_at};
 use renderer::scene::{Light, MeshObject, ParameterId, Parameters, Scene};
-
-/// A number, and its derivative by the chosen one.
-type Number = Dual<f64>;
 
 /// The tree of the demo under its true light, in an image of `size` by `size` pixels.
 pub fn scene(size: u32) -> Result<Scene, Error> {
@@ -46,11 +41,11 @@ pub fn by_differences(scene: &Scene, id: ParameterId, element: usize) -> Vec<DVe
     pairs.map(|(above, below)| (pixel(above) - pixel(below)) / (2.0 * step)).collect()
 }
 
-/// By one run of the renderer's kernels on dual numbers for each pixel. Which triangle a pixel shows,
-/// and whether it lies in the shadow, does not change: the interior term.
+/// By the forward mode of the renderer's kernels, which comes with their gradients. Which triangle a pixel
+/// shows, and whether it lies in the shadow, does not change: the interior term.
 ///
 /// The scene has one point light, meshes and no mirrors.
-pub fn by_dual_numbers(scene: &Scene, id: ParameterId, element: usize) -> Vec<DVec3> {
+pub fn by_forward_mode(scene: &Scene, id: ParameterId, element: usize) -> Vec<DVec3> {
     let values = &scene.parameters;
     let mut direction = values.clone();
     for other in scene.parameter_ids() {
@@ -67,31 +62,42 @@ pub fn by_dual_numbers(scene: &Scene, id: ParameterId, element: usize) -> Vec<DV
         .map(|triangle| Shape::Triangle(corners(triangle, values).map(|v| v.as_vec3())))
         .collect();
     let acceleration = Acceleration::new(&shapes[..]);
-    let camera = camera(&values.camera, &direction.camera);
-    let aspect = Dual::constant(f64::from(scene.width) / f64::from(scene.height));
-    let frame = frame::<Number>(camera, aspect);
-    let light = point_light(&values.lights[0], &direction.lights[0]);
+    let aspect = f64::from(scene.width) / f64::from(scene.height);
+    let Camera { look_from, look_at, up, vfov, focus } = direction.camera;
+    let camera_dot = CameraTangent { look_from, look_at, up, vfov, focus };
+    let (frame, frame_dot) = frame::jvp::<f64>(values.camera, aspect, camera_dot, 0.0);
+    let (light, light_dot) = (point_light(&values.lights[0]), point_light(&direction.lights[0]));
+    let PointLight { position, color, intensity } = light_dot;
+    let light_dot = PointLightTangent { position, color, intensity };
 
     let derivative = |x: f64, y: f64| {
-        let ray: Ray<Number> = primary_ray::<Number>(frame, Dual::constant(x), Dual::constant(y));
-        let Some(hit) =
-            acceleration.nearest(value(ray.origin).as_vec3(), value(ray.direction).as_vec3())
-        else {
+        let (ray, ray_dot) = primary_ray::jvp::<f64>(frame, x, y, frame_dot, 0.0, 0.0);
+        let Some(hit) = acceleration.nearest(ray.origin.as_vec3(), ray.direction.as_vec3()) else {
             return DVec3::ZERO;
         };
         let triangle = &triangles[hit.primitive as usize];
-        let (at, along) = (corners(triangle, values), corners(triangle, &direction));
-        let [a, b, c] = [0, 1, 2].map(|corner| lift(at[corner], along[corner]));
-        let surface = triangle_surface::<Number>(ray, a, b, c);
-        let material = material(&values.materials[triangle.2], &direction.materials[triangle.2]);
-        let mut radiance = material.ambient;
-        let (point, to_light) =
-            (value(surface.point), value(light.position) - value(surface.point));
-        let (origin, from) = (point.as_vec3(), Some(hit.primitive));
-        if !acceleration.is_occluded(origin, to_light.as_vec3(), 1.0, from) {
-            radiance += reflection_of_point_light::<Number>(material, surface, light);
+        let ([a, b, c], [a_dot, b_dot, c_dot]) =
+            (corners(triangle, values), corners(triangle, &direction));
+        let (surface, surface_dot) =
+            triangle_surface::jvp::<f64>(ray, a, b, c, ray_dot, a_dot, b_dot, c_dot);
+        let material = values.materials[triangle.2];
+        let Material { ambient, diffuse, specular, exponent, reflection } =
+            direction.materials[triangle.2];
+        let material_dot = MaterialTangent { ambient, diffuse, specular, exponent, reflection };
+        let to_light = light.position - surface.point;
+        let (origin, from) = (surface.point.as_vec3(), Some(hit.primitive));
+        if acceleration.is_occluded(origin, to_light.as_vec3(), 1.0, from) {
+            return ambient;
         }
-        DVec3::new(radiance.x().derivative, radiance.y().derivative, radiance.z().derivative)
+        let (_, reflected_dot) = reflection_of_point_light::jvp::<f64>(
+            material,
+            surface,
+            light,
+            material_dot,
+            surface_dot,
+            light_dot,
+        );
+        ambient + reflected_dot
     };
     let (width, height) = (scene.width, scene.height);
     let place = |index: u32, count: u32| f64::from(2 * index + 1) / f64::from(count) - 1.0;
@@ -110,48 +116,10 @@ fn triangles(scene: &Scene) -> Vec<Triangle> {
     scene.meshes.iter().enumerate().flat_map(of_mesh).collect()
 }
 
-/// Dual numbers of values and their derivatives.
-fn lift(values: DVec3, derivatives: DVec3) -> Vec3<Number> {
-    <Vec3<Number>>::new(
-        Dual::new(values.x, derivatives.x),
-        Dual::new(values.y, derivatives.y),
-        Dual::new(values.z, derivatives.z),
-    )
-}
-
-/// The values alone.
-fn value(v: Vec3<Number>) -> DVec3 {
-    DVec3::new(v.x().value, v.y().value, v.z().value)
-}
-
-fn camera(at: &Camera<f64>, along: &Camera<f64>) -> Camera<Number> {
-    Camera {
-        look_from: lift(at.look_from, along.look_from),
-        look_at: lift(at.look_at, along.look_at),
-        up: lift(at.up, along.up),
-        vfov: Dual::new(at.vfov, along.vfov),
-        focus: Dual::new(at.focus, along.focus),
-    }
-}
-
-fn point_light(at: &Light<f64>, along: &Light<f64>) -> PointLight<Number> {
-    let (Light::Point(at), Light::Point(along)) = (at, along) else {
-        panic!("the light is a point light");
-    };
-    PointLight {
-        position: lift(at.position, along.position),
-        color: lift(at.color, along.color),
-        intensity: Dual::new(at.intensity, along.intensity),
-    }
-}
-
-fn material(at: &Material<f64>, along: &Material<f64>) -> Material<Number> {
-    Material {
-        ambient: lift(at.ambient, along.ambient),
-        diffuse: lift(at.diffuse, along.diffuse),
-        specular: lift(at.specular, along.specular),
-        exponent: Dual::new(at.exponent, along.exponent),
-        reflection: lift(at.reflection, along.reflection),
+fn point_light(light: &Light<f64>) -> PointLight<f64> {
+    match light {
+        Light::Point(light) => *light,
+        Light::Distant(_) => panic!("the light is a point light"),
     }
 }
 

@@ -3,8 +3,8 @@
 //!
 //! `cargo run --release --example gradient_images [camera.look_at [0]]`
 //!
-//! Arguments name another parameter and which of its numbers. Forward mode runs the renderer's generic
-//! kernels on dual numbers. Red is brighter as the number grows, blue darker, white the same. At
+//! Arguments name another parameter and which of its numbers. Forward mode runs `f::jvp` of
+//! the renderer's kernels. Red is brighter as the number grows, blue darker, white the same. At
 //! silhouettes and shadow edges differences see what moves there; forward mode has the interior term.
 //! `out/gradient_images/` gets the image, both derivatives, and a strip of the three.
 
@@ -35,7 +35,7 @@ fn main() -> Result<(), Error> {
         })?,
     };
 
-    let forward = experiment::by_dual_numbers(&scene, id, element);
+    let forward = experiment::by_forward_mode(&scene, id, element);
     let differences = experiment::by_differences(&scene, id, element);
     println!("largest derivative by {path}[{element}]: {:.3e}", experiment::largest(&forward));
     for tolerance in [1e-1, 1e-2, 1e-3] {

@@ -55,7 +55,7 @@ pub fn experiment(mut scene: Scene) -> Experiment {
         learning_rate: Some(LEARNING_RATE),
         ..OptimizeSection::default()
     };
-    Experiment { scene, optimize: Some(optimize) }
+    Experiment::new(scene, Some(optimize))
 }
 
 /// The problem, ready to run.

@@ -17,7 +17,7 @@ use rayon::prelude::*;
 use renderer::acceleration::{
     Acceleration, NO_PRIMITIVE, PACKET_RAYS, PacketHits, PacketVectors, Shape, tile_position,
 };
-use renderer::files::obj::load_obj;
+use renderer::files::load_obj;
 
 use super::sphere::bumpy_sphere;
 use super::timing::{median, seconds};

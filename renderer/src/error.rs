@@ -15,7 +15,7 @@ impl Error {
     /// An error at `place`. Control characters, which names and broken files may bring along, are
     /// written as escapes, so that it stays one line.
     pub fn new(place: impl ToString, problem: impl ToString) -> Self {
-        Self { place: escaped(place.to_string()), problem: escaped(problem.to_string()) }
+        Self { place: one_line(place), problem: one_line(problem) }
     }
 }
 
@@ -27,13 +27,23 @@ impl fmt::Display for Error {
 
 impl std::error::Error for Error {}
 
-fn escaped(text: String) -> String {
-    if !text.contains(char::is_control) {
+/// The most letters of a place or a problem: broken files hold long words.
+const MOST: usize = 1000;
+
+/// A text as part of a message: control characters are written as escapes, and what is too long to
+/// be read is cut.
+pub(crate) fn one_line(text: impl ToString) -> String {
+    let text = text.to_string();
+    if text.len() <= MOST && !text.contains(char::is_control) {
         return text;
     }
     let escape =
         |c: char| if c.is_control() { c.escape_default().collect() } else { c.to_string() };
-    text.chars().map(escape).collect::<Vec<String>>().concat()
+    let mut line: String = text.chars().take(MOST).map(escape).collect();
+    if text.chars().nth(MOST).is_some() {
+        line.push_str(" ...");
+    }
+    line
 }
 
 #[cfg(test)]
@@ -44,5 +54,7 @@ mod tests {
     fn every_error_is_one_line() {
         let error = Error::new("a\nb.obj", "`\u{1b}[31m\r` is no täxt");
         assert_eq!(error.to_string(), "a\\nb.obj: `\\u{1b}[31m\\r` is no täxt");
+        let long = Error::new("a.obj", "ä".repeat(2000)).problem;
+        assert!(long.ends_with("ä ...") && long.chars().count() == 1004, "{long}");
     }
 }

@@ -67,6 +67,9 @@
 //! max = [20.0, 20.0, 20.0]
 //! ```
 //!
+//! Without `max`, the diffuse, specular and reflected part of the light stays at most 1 (or what it is to
+//! begin with, or in the target): a surface reflects no more than it receives.
+//!
 //! An optimizer or a schedule whose numbers are not the default ones is a table; their fields are
 //! those of [`Optimizer`] and [`Schedule`]:
 //!
@@ -88,7 +91,7 @@
 use std::path::{Path, PathBuf};
 
 use crate::Error;
-use crate::files::{MeshFormat, scene_file};
+use crate::files::{MeshFormat, Warning, scene_file};
 use crate::loss::LossKind;
 use crate::optimize::{Optimizer, Schedule};
 use crate::scene::{ParameterId, Scene};
@@ -100,6 +103,8 @@ pub struct Experiment {
     pub scene: Scene,
     /// What to optimise.
     pub optimize: Option<OptimizeSection>,
+    /// What was left out of the files that it is from, because nothing here shows it.
+    pub warnings: Vec<Warning>,
 }
 
 /// The section `[optimize]` of a scene file. What it leaves open is for the command line or the
@@ -149,10 +154,16 @@ pub struct TunedParameter {
 }
 
 impl Experiment {
+    /// An experiment that is from no file.
+    pub fn new(scene: Scene, optimize: Option<OptimizeSection>) -> Self {
+        Self { scene, optimize, warnings: Vec::new() }
+    }
+
     /// Reads a scene file, or a mesh ([`load_mesh`](crate::files::load_mesh)), which is then framed
     /// and lit by default: the camera looks at the centre of the bounding box from the front, to the
     /// right and above; a point light `key` stands above the camera. A camera and lights that a glTF
-    /// file brings along replace these.
+    /// file brings along replace these. What the files hold that nothing here shows is left out, and
+    /// said in [`warnings`](Self::warnings).
     ///
     /// # Errors
     ///
@@ -160,8 +171,8 @@ impl Experiment {
     /// the file and, where it can, the line and the field.
     pub fn load(path: &Path) -> Result<Self, Error> {
         if MeshFormat::of(path).is_some() {
-            let scene = scene_file::load_mesh_scene(path)?;
-            return Ok(Self { scene, optimize: None });
+            let (scene, warnings) = scene_file::load_mesh_scene(path)?;
+            return Ok(Self { scene, optimize: None, warnings });
         }
         scene_file::load(path)
     }

@@ -13,7 +13,7 @@ fn forward_mode_agrees_with_differences() {
         ("camera.look_from", 0, 0.05),
     ] {
         let id = scene.find_parameter(path).unwrap();
-        let forward = experiment::by_dual_numbers(&scene, id, element);
+        let forward = experiment::by_forward_mode(&scene, id, element);
         let differences = experiment::by_differences(&scene, id, element);
         assert!(experiment::largest(&forward) > 0.0, "{path}");
         let different = experiment::different(&forward, &differences, 1e-2);

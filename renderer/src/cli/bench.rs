@@ -6,11 +6,11 @@ use std::time::{Duration, Instant};
 
 use ad::lanes::Lanes;
 
+use super::load;
 use super::output::print;
 use crate::Error;
 use crate::arithmetic::{Arithmetic, with_arithmetic};
 use crate::counts::Counts;
-use crate::experiment::Experiment;
 use crate::integrator::{Prepared, Wanted, gradient, reduce, render, render_into, sweep, trace};
 use crate::loss::{ImageLoss, LossKind};
 use crate::scene::{ParameterId, Parameters, Scene};
@@ -39,7 +39,7 @@ pub(super) fn seconds(text: &str) -> Result<f64, String> {
 
 pub(super) fn run(arguments: &Arguments, arithmetic: Arithmetic) -> Result<(), Error> {
     let start = Instant::now();
-    let experiment = Experiment::load(&arguments.scene)?;
+    let experiment = load(&arguments.scene)?;
     let load = start.elapsed();
     let scene = &experiment.scene;
     let mut ids = Vec::new();

@@ -10,7 +10,7 @@ use crate::Error;
 use crate::arithmetic::Arithmetic;
 use crate::optimize::Evaluation;
 use crate::recovery::natural_scale;
-use crate::scene::{Differentiability, Scene};
+use crate::scene::{Differentiability, ParameterId, Scene};
 
 /// Elements of one parameter that `--check` compares; more would take minutes on a mesh.
 const MOST_CHECKED: usize = 24;
@@ -71,9 +71,9 @@ pub(super) fn run(arguments: &Arguments, chosen: Option<Arithmetic>) -> Result<(
             "", "gradient", "finite difference", "off by"
         ))?;
         let largest = block.iter().fold(0.0_f64, |largest, value| largest.max(value.abs()));
-        let stride = block.len().div_ceil(MOST_CHECKED);
+        let stride = stride(block.len(), scene.shape(id).last().copied().unwrap_or(1));
         for (i, &value) in block.iter().enumerate().step_by(stride) {
-            let step = 1e-3 * natural_scale(scene, id);
+            let step = step(scene, id);
             let at = scene.parameters.get(id)[i];
             let expected = check::derivative(recovery.loss_along(id, i), at, step).value;
             let error =
@@ -88,7 +88,11 @@ pub(super) fn run(arguments: &Arguments, chosen: Option<Arithmetic>) -> Result<(
             ))?;
         }
         if stride > 1 {
-            print(format_args!("  (every {stride}th of {} numbers)", block.len()))?;
+            let (checked, all) = (block.len().div_ceil(stride), block.len());
+            print(format_args!(
+                "  ({checked} of {all} numbers, evenly spaced: every {stride}th; what lies between \
+                 was not checked)"
+            ))?;
         }
     }
     if missed {
@@ -99,12 +103,64 @@ pub(super) fn run(arguments: &Arguments, chosen: Option<Arithmetic>) -> Result<(
     Ok(())
 }
 
-/// Which number of a parameter: `y`, or for a vertex `17.y`.
-fn position(scene: &Scene, id: crate::scene::ParameterId, index: usize) -> String {
-    let axis = |i: usize| ["x", "y", "z"][i % 3];
-    match scene.shape(id)[..] {
+/// The first step of the differences. A bilinear texture has a kink at every texel: places on it move by
+/// so little that few pixels come across one.
+fn step(scene: &Scene, id: ParameterId) -> f64 {
+    match id {
+        ParameterId::TextureCoordinates(_) => 1e-6,
+        _ => 1e-3 * natural_scale(scene, id),
+    }
+}
+
+/// The distance between elements of a parameter of `count` numbers, `row` in each row, that are
+/// compared. Not a multiple of the row, of which it would only see one column: the x of all vertices.
+fn stride(count: usize, row: usize) -> usize {
+    let stride = count.div_ceil(MOST_CHECKED).max(1);
+    if stride > 1 && row > 1 && stride.is_multiple_of(row) { stride + 1 } else { stride }
+}
+
+/// Which number of a parameter: `y`, for a vertex `17.y`, for a texel `row.column.r`.
+fn position(scene: &Scene, id: ParameterId, index: usize) -> String {
+    let shape = scene.shape(id);
+    let names = match id {
+        ParameterId::TextureCoordinates(_) => "uv",
+        ParameterId::Texels(_)
+        | ParameterId::LightColor(_)
+        | ParameterId::Ambient(_)
+        | ParameterId::Diffuse(_)
+        | ParameterId::Specular(_)
+        | ParameterId::Reflection(_) => "rgb",
+        ParameterId::ShapeParameters(_) | ParameterId::LightParameters(_) => "",
+        _ => "xyz",
+    };
+    let column = |i: usize| names.get(i..=i).map_or(i.to_string(), str::to_owned);
+    match shape[..] {
         [] => String::new(),
-        [_] => axis(index).into(),
-        _ => format!("{}.{}", index / 3, axis(index)),
+        [_] => column(index),
+        [_, width] => format!("{}.{}", index / width, column(index % width)),
+        [_, width, depth, ..] => {
+            let texel = index / depth;
+            format!("{}.{}.{}", texel / width, texel % width, column(index % depth))
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_column_is_compared() {
+        for (row, counts) in [(3, [9, 72, 75, 144, 864, 900_003]), (2, [6, 48, 50, 96, 480, 1000])]
+        {
+            for count in counts {
+                let stride = stride(count, row);
+                let compared: Vec<usize> = (0..count).step_by(stride).collect();
+                assert!((1..=MOST_CHECKED).contains(&compared.len()), "{count} {stride}");
+                let columns = (0..row).filter(|column| compared.iter().any(|i| i % row == *column));
+                assert_eq!(columns.count(), row, "{count} {stride}");
+            }
+        }
+        assert_eq!((stride(1, 1), stride(3, 3)), (1, 1));
     }
 }

@@ -18,7 +18,7 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
-use output::{print_error, print_stats};
+use output::{print_error, print_stats, print_warnings};
 
 use crate::Error;
 use crate::arithmetic::{Arithmetic, Precision};
@@ -116,7 +116,7 @@ impl Problem {
     /// Loads the scene, with target and parameters as the command line wants them. A parameter that
     /// the scene file lists too keeps its learning rate and bounds.
     fn load(&self) -> Result<Experiment, Error> {
-        let mut experiment = Experiment::load(&self.scene)?;
+        let mut experiment = load(&self.scene)?;
         let mut section = experiment.optimize.take().unwrap_or_default();
         if let Some(target) = &self.target {
             section.target = Some(Target::Image(target.clone()));
@@ -184,6 +184,13 @@ fn run(arguments: &Arguments) -> Result<(), Error> {
         Some(Command::Bench(arguments)) => bench::run(arguments, arithmetic),
         Some(Command::Tradeoff(arguments)) => tradeoff::run(arguments),
     }
+}
+
+/// Loads an experiment, and prints what is left out of it.
+fn load(path: &Path) -> Result<Experiment, Error> {
+    let experiment = Experiment::load(path)?;
+    print_warnings(&experiment.warnings);
+    Ok(experiment)
 }
 
 /// The name of a file without folder and extension, to name results after.

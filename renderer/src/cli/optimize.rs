@@ -6,7 +6,7 @@ use std::time::Duration;
 use serde_json::Map;
 
 use super::dial::Dial;
-use super::out_folder::check_out_folder;
+use super::out_folder::{check_out_folder, remove_earlier_results};
 use super::output::{abbreviate, print, short};
 use super::strip::save_strip;
 use super::{Problem, stem};
@@ -118,12 +118,17 @@ pub(super) fn recover(
 
     // Whatever is wrong shows before anything is written: the settings, the checkpoint, and a loss
     // or a gradient that is not finite.
-    if Optimization::start(recovery.variables(), &settings)?.beginning() == Start::Fresh {
+    let is_fresh =
+        Optimization::start(recovery.variables(), &settings)?.beginning() == Start::Fresh;
+    if is_fresh {
         let only_evaluate = Settings { iterations: 0, checkpointing: None, ..settings.clone() };
         recovery.run(&only_evaluate, &mut Quiet)?;
     }
     std::fs::create_dir_all(out)
         .map_err(|error| Error::new(out.display(), format_args!("cannot be made: {error}")))?;
+    if is_fresh {
+        remove_earlier_results(out)?;
+    }
     let target = recovery.target();
     save_png(target, &out.join("target.png"))?;
     save_png(&recovery.image(&experiment.scene), &out.join("initial.png"))?;

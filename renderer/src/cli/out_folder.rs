@@ -1,5 +1,7 @@
 //! The folder for the results.
 
+use std::fs;
+use std::io::ErrorKind;
 use std::path::Path;
 
 use super::strip::STRIP_FOLDER;
@@ -35,6 +37,30 @@ pub(super) fn check_out_folder<'a>(
                  folder with --out"
             );
             return Err(Error::new(input.display(), problem));
+        }
+    }
+    Ok(())
+}
+
+/// What a run writes at its end and [`report`](super::report) reads, but for the scene, which may be
+/// read again.
+const AT_THE_END: [&str; 6] =
+    ["summary.json", "history.csv", "trajectory.json", "loss.svg", "final.png", "difference.png"];
+
+/// Removes what an earlier run has left in `out`: until this one ends, it would be taken for its result.
+///
+/// # Errors
+///
+/// If a file cannot be removed.
+pub(super) fn remove_earlier_results(out: &Path) -> Result<(), Error> {
+    for name in AT_THE_END {
+        let path = out.join(name);
+        match fs::remove_file(&path) {
+            Err(error) if error.kind() != ErrorKind::NotFound => {
+                let problem = format!("the result of an earlier run cannot be removed: {error}");
+                return Err(Error::new(path.display(), problem));
+            }
+            _ => {}
         }
     }
     Ok(())

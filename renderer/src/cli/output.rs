@@ -7,6 +7,7 @@ use serde_json::Value;
 
 use crate::Error;
 use crate::counts::Counts;
+use crate::files::Warning;
 
 /// Writes a text and a line break to the standard output. Whoever reads it may have heard enough,
 /// as `head` does: that is no error.
@@ -23,6 +24,13 @@ pub(super) fn print(text: impl Display) -> Result<(), Error> {
 pub(super) fn print_error(error: &Error) {
     // There is nobody left to tell about a failure here.
     let _ = writeln!(io::stderr().lock(), "error: {error}");
+}
+
+/// One line for each warning on the standard error stream.
+pub(super) fn print_warnings(warnings: &[Warning]) {
+    for warning in warnings {
+        let _ = writeln!(io::stderr().lock(), "warning: {warning}");
+    }
 }
 
 /// Prints how much work the process has done so far, beside what the command prints.

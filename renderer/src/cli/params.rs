@@ -4,9 +4,9 @@ use std::path::PathBuf;
 
 use serde_json::{Map, Value};
 
+use super::load;
 use super::output::{abbreviate, json_numbers, print};
 use crate::Error;
-use crate::experiment::Experiment;
 use crate::scene::Differentiability;
 
 #[derive(clap::Args)]
@@ -20,7 +20,7 @@ pub(super) struct Arguments {
 }
 
 pub(super) fn run(arguments: &Arguments) -> Result<(), Error> {
-    let scene = Experiment::load(&arguments.scene)?.scene;
+    let scene = load(&arguments.scene)?.scene;
     let size = [("camera.width", scene.width), ("camera.height", scene.height)];
     if arguments.json {
         let mut object = Map::new();

@@ -2,12 +2,12 @@
 
 use std::path::PathBuf;
 
+use super::load;
 use super::output::print;
 use super::sampling::SamplingArguments;
 use crate::Error;
 use crate::arithmetic::Arithmetic;
 use crate::display::{ToneMapping, expose, normalize};
-use crate::experiment::Experiment;
 use crate::files::{check_image_path, save_image};
 use crate::integrator::{Pass, RenderSettings, Visibility};
 use crate::recovery::render_with;
@@ -55,7 +55,7 @@ fn stops(text: &str) -> Result<f64, String> {
 
 pub(super) fn run(arguments: &Arguments, arithmetic: Arithmetic) -> Result<(), Error> {
     check_image_path(&arguments.output)?;
-    let experiment = Experiment::load(&arguments.scene)?;
+    let experiment = load(&arguments.scene)?;
     let settings = RenderSettings {
         visibility: arguments.visibility,
         pass: arguments.pass,

@@ -135,7 +135,7 @@ const MOVED: f64 = 0.05;
 /// Gives an experiment without target one: the image that the scene has with its parameters moved a
 /// little. Whether it had none.
 fn invent_target(experiment: &mut Experiment) -> bool {
-    let Experiment { scene, optimize } = experiment;
+    let Experiment { scene, optimize, .. } = experiment;
     let Some(section) = optimize else { return false };
     if section.target.is_some() {
         return false;

@@ -49,7 +49,7 @@ mod tests {
 
     #[test]
     fn the_demo_is_whole() {
-        let Experiment { scene, optimize } = demo_experiment().unwrap();
+        let Experiment { scene, optimize, .. } = demo_experiment().unwrap();
         assert_eq!(scene.check(), Ok(()));
         let (position, intensity) = (ParameterId::LightPosition(0), ParameterId::LightIntensity(0));
         assert_eq!(scene.parameters.get(position), [-1.0, -10.0, -50.0]);

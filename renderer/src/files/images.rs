@@ -1,13 +1,14 @@
 //! Images: PNG and JPEG (sRGB), OpenEXR (linear).
 
+use std::fmt::Display;
 use std::io::Cursor;
 use std::path::Path;
 
 use image::codecs::openexr::OpenExrEncoder;
 use image::codecs::png::PngEncoder;
 use image::{
-    DynamicImage, ExtendedColorType, ImageDecoder, ImageEncoder, ImageFormat, ImageReader,
-    ImageResult, Limits, metadata::Orientation,
+    DynamicImage, ExtendedColorType, GenericImageView, ImageDecoder, ImageEncoder, ImageFormat,
+    ImageReader, ImageResult, Limits, metadata::Orientation,
 };
 
 use super::io::read;
@@ -39,24 +40,31 @@ pub struct LoadedImage {
 ///
 /// If the file cannot be read or decoded, or a pixel of it is infinite or not a number.
 pub fn load_image(path: &Path) -> Result<LoadedImage, Error> {
-    let bytes = read(path)?;
-    let refuse = |problem: String| Error::new(path.display(), problem);
-    if bytes.is_empty() {
-        return Err(refuse("is empty, not an image".to_owned()));
-    }
-    let reader = ImageReader::new(Cursor::new(&bytes))
-        .with_guessed_format()
-        .map_err(|error| refuse(format!("cannot be read: {error}")))?;
-    let saturates = match reader.format() {
-        Some(ImageFormat::Png | ImageFormat::Jpeg) => true,
-        Some(ImageFormat::OpenExr) => false,
-        _ => return Err(refuse("is not a PNG, JPEG or OpenEXR image".to_owned())),
+    let (decoded, saturates) = decode(&read(path)?, path.display())?;
+    let image = if saturates {
+        from_srgb(decoded, |color, coverage| color * coverage)
+    } else {
+        from_linear(decoded)
     };
-    let decoded = decode(reader)
-        .map_err(|error| refuse(format!("cannot be decoded: {}", one_line(error))))?;
-    let image = if saturates { from_srgb(decoded) } else { from_linear(decoded) };
-    check(&image, path)?;
+    check(&image, path.display())?;
     Ok(LoadedImage { image, saturates })
+}
+
+/// The texels of a texture, and whether its file says that some of them are transparent.
+pub(super) struct TextureFile {
+    pub image: Image,
+    pub is_transparent: bool,
+}
+
+/// Decodes the bytes of an image file at `place` as [`load_image`] does, but for alpha: the colours of
+/// a texture are what the file says, whatever covers them.
+pub(super) fn decode_texture(bytes: &[u8], place: impl Display) -> Result<TextureFile, Error> {
+    let (decoded, is_srgb) = decode(bytes, &place)?;
+    let is_transparent =
+        decoded.color().has_alpha() && decoded.pixels().any(|(_, _, pixel)| pixel.0[3] < u8::MAX);
+    let image = if is_srgb { from_srgb(decoded, |color, _| color) } else { from_linear(decoded) };
+    check(&image, place)?;
+    Ok(TextureFile { image, is_transparent })
 }
 
 /// Writes an 8 bit sRGB PNG. Values are clamped to `[0, 1]`, encoded and rounded to the nearest
@@ -66,7 +74,7 @@ pub fn load_image(path: &Path) -> Result<LoadedImage, Error> {
 ///
 /// If the image has no area, a pixel is infinite or not a number, or the file cannot be written.
 pub fn save_png(image: &Image, path: &Path) -> Result<(), Error> {
-    check(image, path)?;
+    check(image, path.display())?;
     let levels: Vec<u8> = image.pixels.as_flattened().iter().map(|&v| srgb_level(v)).collect();
     let mut bytes = Vec::new();
     PngEncoder::new(&mut bytes)
@@ -81,7 +89,7 @@ pub fn save_png(image: &Image, path: &Path) -> Result<(), Error> {
 ///
 /// If the image has no area, a pixel is infinite or not a number, or the file cannot be written.
 pub fn save_exr(image: &Image, path: &Path) -> Result<(), Error> {
-    check(image, path)?;
+    check(image, path.display())?;
     let samples: Vec<u8> =
         image.pixels.as_flattened().iter().flat_map(|v| v.to_ne_bytes()).collect();
     let mut bytes = Cursor::new(Vec::new());
@@ -136,7 +144,27 @@ fn output_format(path: &Path) -> Result<OutputFormat, Error> {
 /// The most memory that the pixels of a file may take: 128 million pixels of four floats.
 const MOST_BYTES: u64 = 1 << 31;
 
-fn decode(reader: ImageReader<Cursor<&Vec<u8>>>) -> ImageResult<DynamicImage> {
+/// The pixels of a file, and whether they are sRGB and clipped at 1.
+fn decode(bytes: &[u8], place: impl Display) -> Result<(DynamicImage, bool), Error> {
+    let refuse = |problem: String| Error::new(&place, problem);
+    if bytes.is_empty() {
+        return Err(refuse("is empty, not an image".to_owned()));
+    }
+    let reader = ImageReader::new(Cursor::new(bytes))
+        .with_guessed_format()
+        .map_err(|error| refuse(format!("cannot be read: {error}")))?;
+    let is_srgb = match reader.format() {
+        Some(ImageFormat::Png | ImageFormat::Jpeg) => true,
+        Some(ImageFormat::OpenExr) => false,
+        _ => return Err(refuse("is not a PNG, JPEG or OpenEXR image".to_owned())),
+    };
+    match pixels(reader) {
+        Ok(decoded) => Ok((decoded, is_srgb)),
+        Err(error) => Err(refuse(format!("cannot be decoded: {}", one_line(error)))),
+    }
+}
+
+fn pixels(reader: ImageReader<Cursor<&[u8]>>) -> ImageResult<DynamicImage> {
     let mut decoder = reader.into_decoder()?;
     // A broken header may announce any size; memory is taken before the pixels are there.
     let mut limits = Limits::no_limits();
@@ -149,7 +177,8 @@ fn decode(reader: ImageReader<Cursor<&Vec<u8>>>) -> ImageResult<DynamicImage> {
     Ok(decoded)
 }
 
-fn from_srgb(decoded: DynamicImage) -> Image {
+/// Linear colours, each `covered` by alpha.
+fn from_srgb(decoded: DynamicImage, covered: impl Fn(f64, f64) -> f64) -> Image {
     // Every 8 and 16 bit format maps to 16 bits without loss: 255 to 65535, grey to three channels.
     let decoded = decoded.into_rgba16();
     let linear: Vec<f64> = (0..=u16::MAX).map(|v| srgb_decode(f64::from(v) / 65535.0)).collect();
@@ -158,7 +187,7 @@ fn from_srgb(decoded: DynamicImage) -> Image {
         .map(|pixel| {
             let [r, g, b, alpha] = pixel.0;
             let coverage = f64::from(alpha) / 65535.0;
-            [r, g, b].map(|v| (linear[usize::from(v)] * coverage) as f32)
+            [r, g, b].map(|v| covered(linear[usize::from(v)], coverage) as f32)
         })
         .collect();
     Image { width: decoded.width(), height: decoded.height(), pixels }
@@ -184,11 +213,11 @@ fn srgb_level(linear: f32) -> u8 {
 }
 
 /// Whether the image has as many pixels as it says, at least one, and all are finite.
-fn check(image: &Image, path: &Path) -> Result<(), Error> {
+fn check(image: &Image, place: impl Display) -> Result<(), Error> {
     let (width, height, pixels) = (image.width, image.height, image.pixels.len());
     if pixels == 0 || pixels as u64 != u64::from(width) * u64::from(height) {
         let problem = format!("{pixels} pixels are no image of {width} by {height}");
-        return Err(Error::new(path.display(), problem));
+        return Err(Error::new(place, problem));
     }
     let channels = image.pixels.as_flattened();
     let Some(first) = channels.iter().position(|v| !v.is_finite()) else { return Ok(()) };
@@ -196,7 +225,7 @@ fn check(image: &Image, path: &Path) -> Result<(), Error> {
     let (x, y) = (pixel % image.width as usize, pixel / image.width as usize);
     let channel = ["red", "green", "blue"][channel];
     Err(Error::new(
-        path.display(),
+        place,
         format!("{channel} at column {x}, row {y} is {}, not a finite number", channels[first]),
     ))
 }

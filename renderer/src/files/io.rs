@@ -25,7 +25,11 @@ pub(super) fn read(path: &Path) -> Result<Vec<u8>, Error> {
 /// Bytes that are not UTF-8 are replaced: they stand in comments and names of old files, which
 /// should not make a mesh unreadable.
 pub(super) fn read_text(path: &Path) -> Result<String, Error> {
-    let text = String::from_utf8(read(path)?)
+    let bytes = read(path)?;
+    if bytes.starts_with(&[0xff, 0xfe]) || bytes.starts_with(&[0xfe, 0xff]) {
+        return Err(Error::new(path.display(), "is text in UTF-16; save it as UTF-8"));
+    }
+    let text = String::from_utf8(bytes)
         .unwrap_or_else(|error| String::from_utf8_lossy(error.as_bytes()).into_owned());
     Ok(match text.strip_prefix('\u{feff}') {
         Some(rest) => rest.to_owned(),

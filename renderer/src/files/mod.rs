@@ -1,14 +1,17 @@
 //! Files: images, meshes and scenes, read and written.
 //!
-//! Reading checks everything: what leaves this room is finite, in range and consistent. Writing is
-//! atomic: a reader finds the old file or the new one, never half of one.
+//! Reading checks everything: what leaves this room is finite, in range and consistent. What a file
+//! holds that nothing here shows comes back as a [`Warning`]. Writing is atomic: a reader finds the
+//! old file or the new one, never half of one.
 
 #[cfg(feature = "gltf")]
 mod gltf;
 pub mod images;
 mod io;
 mod meshes;
-pub mod obj;
+mod model;
+mod names;
+mod obj;
 #[cfg(feature = "ply")]
 mod ply;
 #[cfg(test)]
@@ -16,14 +19,20 @@ mod robustness;
 pub(crate) mod scene_file;
 #[cfg(feature = "stl")]
 mod stl;
+mod warnings;
 
 #[cfg(feature = "gltf")]
 pub use gltf::{GltfFile, load_gltf};
 pub use images::{LoadedImage, check_image_path, load_image, save_exr, save_image, save_png};
 pub use meshes::{MeshFormat, load_mesh};
-pub use obj::{Mesh, Model, load_obj, save_obj};
+pub use model::{
+    DEFAULT_MATERIAL, Mesh, Model, ModelMaps, ModelMaterial, TextureImage, TextureSource,
+    default_material,
+};
+pub use obj::{load_obj, save_obj};
 #[cfg(feature = "ply")]
 pub use ply::load_ply;
 pub use scene_file::{save_experiment, save_scene};
 #[cfg(feature = "stl")]
 pub use stl::load_stl;
+pub use warnings::Warning;

@@ -15,22 +15,23 @@ use std::path::Path;
 use glam::DVec3;
 
 use super::io::read;
-use super::meshes::{build_mesh, default_model, file_stem, triangulate};
-use super::obj::Model;
+use super::meshes::{MeshBuilder, default_model, file_stem, triangulate};
+use super::model::Model;
+use super::warnings::Warnings;
 use crate::Error;
 use header::{Element, Header, Kind};
 use source::Source;
 
-/// A face may have so many corners: cutting up one that is not convex takes long.
-const MOST_CORNERS: usize = 1000;
-
 /// Reads a PLY file: one mesh, named after the file.
 ///
 /// - Vertices are the properties `x`, `y` and `z` of the element `vertex`; faces the list
-///   `vertex_indices` (or `vertex_index`) of the element `face`. Everything else, colours, normals
-///   and texture coordinates among it, is skipped.
+///   `vertex_indices` (or `vertex_index`) of the element `face`.
+/// - The properties `u` and `v` of a vertex (or `s` and `t`, `texture_u` and `texture_v`) are its
+///   texture coordinates; a scene file may give the mesh a material with a texture.
 /// - Polygons are cut into triangles, concave ones too. A vertex that no face uses is left out.
-/// - All triangles wear [`DEFAULT_MATERIAL`](super::obj::DEFAULT_MATERIAL).
+/// - All triangles wear [`DEFAULT_MATERIAL`](super::DEFAULT_MATERIAL).
+/// - Colours, texture coordinates of faces, the comment `TextureFile` and other elements are left out
+///   with a warning; normals and whatever else there is without one.
 ///
 /// # Errors
 ///
@@ -40,35 +41,52 @@ const MOST_CORNERS: usize = 1000;
 pub fn load_ply(path: &Path) -> Result<Model, Error> {
     let bytes = read(path)?;
     let place = path.display().to_string();
-    let (vertices, faces) = contents(&bytes, &place)?;
+    let mut warnings = Warnings::default();
+    let Contents { vertices, texture_coordinates, faces } =
+        contents(&bytes, &place, &mut warnings)?;
     let mut triangles: Vec<[u32; 3]> = Vec::new();
-    for face in &faces {
+    for (index, face) in faces {
         let corners: Vec<DVec3> =
             face.iter().map(|&i| DVec3::from_array(vertices[i as usize])).collect();
-        triangles.extend(triangulate(&corners).iter().map(|t| t.map(|corner| face[corner])));
+        let cut = triangulate(&corners)
+            .map_err(|problem| Error::new(&place, format!("face {index}: {problem}")))?;
+        triangles.extend(cut.iter().map(|t| t.map(|corner| face[corner])));
     }
     if triangles.is_empty() {
         return Err(Error::new(place, "holds no triangles; its faces have fewer than 3 corners"));
     }
+    let texture_triangles = if texture_coordinates.is_empty() {
+        Vec::new()
+    } else {
+        triangles.iter().copied().map(Some).collect()
+    };
     let materials = vec![0; triangles.len()];
-    let mesh = build_mesh(file_stem(path), &vertices, triangles, materials);
-    Ok(default_model(vec![mesh], place))
+    let mut builder = MeshBuilder::new(&vertices, &texture_coordinates);
+    let mesh = builder.build(file_stem(path), triangles, texture_triangles, materials);
+    Ok(default_model(vec![mesh], warnings))
 }
 
-type Contents = (Vec<[f64; 3]>, Vec<Vec<u32>>);
+#[derive(Default)]
+struct Contents {
+    vertices: Vec<[f64; 3]>,
+    /// One for each vertex, or none at all.
+    texture_coordinates: Vec<[f64; 2]>,
+    /// Which face it is, counted from 1, and its corners, all of them in range.
+    faces: Vec<(u64, Vec<u32>)>,
+}
 
-/// The vertices, and the indices of each face, all of them in range.
-fn contents(bytes: &[u8], place: &str) -> Result<Contents, Error> {
-    let (header, mut source) = header::read(bytes, place)?;
+fn contents(bytes: &[u8], place: &str, warnings: &mut Warnings) -> Result<Contents, Error> {
+    let (header, mut source) = header::read(bytes, place, warnings)?;
     let Header { elements, vertices: announced } = header;
-    let mut vertices = Vec::new();
-    let mut faces = Vec::new();
+    let mut contents = Contents::default();
     // A row of nothing takes no data, and its count may be anything.
     for element in elements.iter().filter(|element| !element.properties.is_empty()) {
+        let texture_names = element.texture_names();
         for row in 1..=element.count {
             let read = match element.name.as_str() {
-                "vertex" => vertex(element, &mut source).map(|vertex| vertices.push(vertex)),
-                "face" => face(element, &mut source, announced).map(|face| faces.extend(face)),
+                "vertex" => vertex(element, texture_names, &mut source, &mut contents),
+                "face" => face(element, &mut source, announced)
+                    .map(|face| contents.faces.extend(face.map(|face| (row, face)))),
                 _ => skip(element, &mut source),
             };
             read.map_err(|problem| {
@@ -76,25 +94,40 @@ fn contents(bytes: &[u8], place: &str) -> Result<Contents, Error> {
             })?;
         }
     }
-    Ok((vertices, faces))
+    Ok(contents)
 }
 
-fn vertex(element: &Element, source: &mut Source<'_>) -> Result<[f64; 3], String> {
-    let mut vertex = [0.0; 3];
+/// Reads a vertex, and its texture coordinates if the names of these are given.
+fn vertex(
+    element: &Element,
+    texture_names: Option<[&str; 2]>,
+    source: &mut Source<'_>,
+    contents: &mut Contents,
+) -> Result<(), String> {
+    let (mut position, mut coordinates) = ([0.0; 3], [0.0; 2]);
     for property in &element.properties {
         let Kind::Scalar(scalar) = property.kind else {
             source.list(property.kind)?;
             continue;
         };
         let value = source.number(scalar)?;
-        if let Some(axis) = ["x", "y", "z"].iter().position(|axis| *axis == property.name) {
-            if !value.is_finite() {
-                return Err(format!("{} is {value}, not a finite number", property.name));
-            }
-            vertex[axis] = value;
+        let index = |names: &[&str]| names.iter().position(|name| *name == property.name);
+        let texture_axis = texture_names.and_then(|names| index(&names));
+        let target = match (index(&["x", "y", "z"]), texture_axis) {
+            (Some(axis), _) => &mut position[axis],
+            (None, Some(axis)) => &mut coordinates[axis],
+            (None, None) => continue,
+        };
+        if !value.is_finite() {
+            return Err(format!("{} is {value}, not a finite number", property.name));
         }
+        *target = value;
     }
-    Ok(vertex)
+    contents.vertices.push(position);
+    if texture_names.is_some() {
+        contents.texture_coordinates.push(coordinates);
+    }
+    Ok(())
 }
 
 /// The corners of a face; nothing if there are fewer than three, which is a point or a line.
@@ -108,9 +141,6 @@ fn face(
         let values = source.list(property.kind)?;
         if !header::is_corner_list(property) {
             continue;
-        }
-        if values.len() > MOST_CORNERS {
-            return Err(format!("has {} corners; at most {MOST_CORNERS} are read", values.len()));
         }
         let index = |value: f64| {
             let in_range = value >= 0.0 && value < vertices as f64 && value <= f64::from(u32::MAX);

@@ -1,12 +1,16 @@
 //! Files that are broken at random: whatever they hold, reading them ends in a result or in one
 //! clear line.
 //!
-//! `PROPTEST_CASES=100000 cargo test --release -p renderer robustness` looks longer.
+//! `PROPTEST_CASES=100000 cargo test --release -p renderer robustness` looks longer: at so many changed
+//! files of each format.
 
 use std::fs;
+use std::io::Cursor;
 use std::path::Path;
 
 use proptest::prelude::*;
+use proptest::sample::Index;
+use proptest::test_runner::TestRunner;
 
 use super::load_image;
 use crate::Error;
@@ -15,21 +19,30 @@ use crate::experiment::Experiment;
 /// A file that is read without an error: its name, and its content.
 type Seed = (&'static str, Vec<u8>);
 
-const OBJ: &str = "mtllib seed.mtl\no a\nv 0 0 0\nv 1 0 0.5\nv 1 1 -1e0\nv 0 1 0\nvt 0 0\nvn 0 0 1\n\
-                   usemtl red\nf 1/1/1 2/1/1 3/1/1 4/1/1\ng b\nusemtl blue\nf -1 -2 -3\n";
-const MTL: &str = "newmtl red\nKd 0.5 0.25 0.125\nKs 0.1\nNs 10\nillum 2\nnewmtl blue\nKd 0 0 1\n";
-const PLY: &str = "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\n\
-                   property float z\nelement face 1\nproperty list uchar int vertex_indices\n\
-                   end_header\n0 0 0\n1 0 0\n0.2 0.2 0\n0 1 0\n4 0 1 2 3\n";
+const OBJ: &str = "mtllib seed.mtl\no a\nv 0 0 0 1.0\nv 1 0 0.5\nv 1 1 -1e0 0.5 0.5 0.5\nv 0 1 0\n\
+                   v 0.2 0.5 0\nvt 0 0\nvt 1 0.5\nvn 0 0 1\nusemtl red\n\
+                   f 1/1/1 2/2/1 3/1/1 4/-1/1 5/1\nl 1 2\ns off\ng b\nusemtl blue\nf -1 -2 \\\n-3\n";
+const MTL: &str = "newmtl red\nKa 1 1 1\nKd 0.5 0.25 0.125\nKs 0.1\nNs 10\nillum 2\nd 0.5\n\
+                   map_Kd -s 2 2 1 -o 0.5 -clamp on -bm 1 seed.png\nnewmtl blue\nKd 0 0 1\nKe 0.5\n\
+                   illum 3\nbump x.png\n";
+const PLY: &str = "ply\nformat ascii 1.0\ncomment TextureFile a.png\nelement vertex 4\n\
+                   property float x\nproperty float y\nproperty float z\nproperty float u\n\
+                   property float v\nelement face 1\nproperty list uchar int vertex_indices\n\
+                   end_header\n0 0 0 0 0\n1 0 0 1 0\n0.2 0.2 0 0 0\n0 1 0 0 1\n4 0 1 2 3\n";
 const STL: &str = "solid s\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\n\
                    endloop\nendfacet\nendsolid s\n";
 const GLTF: &str = r#"{"asset":{"version":"2.0"},"extensions":{"KHR_lights_punctual":{"lights":[
 {"type":"point"}]}},"nodes":[{"mesh":0,"children":[1,2]},{"camera":0,"translation":[0,0,3]},
 {"extensions":{"KHR_lights_punctual":{"light":0}}}],"meshes":[{"primitives":[{"attributes":
-{"POSITION":0},"indices":1,"material":0}]}],"materials":[{"pbrMetallicRoughness":{
-"baseColorFactor":[1,0.5,0,1]}}],"cameras":[{"perspective":{"yfov":0.5}}],"accessors":[
+{"POSITION":0,"TEXCOORD_1":2},"indices":1,"material":0}]}],"materials":[{"pbrMetallicRoughness":{
+"baseColorFactor":[1,0.5,0,1],"baseColorTexture":{"index":0,"texCoord":1,"extensions":{
+"KHR_texture_transform":{"offset":[0.5,0],"rotation":1,"scale":[2,1]}}}},"emissiveFactor":[1,0,0],
+"alphaMode":"MASK"}],"textures":[{"source":0,"sampler":0}],"samplers":[{"wrapS":33071}],"images":[{
+"uri":"data:image/png;base64,iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAAAAAA6fptVAAAACklEQVR4nGP4DwABAQEAsTj2FAAAAABJRU5ErkJggg=="}],
+"cameras":[{"perspective":{"yfov":0.5}}],"accessors":[
 {"bufferView":0,"componentType":5126,"count":4,"type":"VEC3"},
-{"bufferView":1,"componentType":5123,"count":6,"type":"SCALAR"}],"bufferViews":[
+{"bufferView":1,"componentType":5123,"count":6,"type":"SCALAR"},
+{"bufferView":0,"componentType":5126,"count":4,"type":"VEC2"}],"bufferViews":[
 {"buffer":0,"byteLength":48},{"buffer":0,"byteOffset":48,"byteLength":12}],"buffers":[
 {"byteLength":60,"uri":"data:;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAACAPwAAgD8AAAAAAAAAAAAAgD8AAAAAAAABAAIAAAACAAMA"}]}"#;
 const TOML: &str = "[camera]\nlook_from = [0, 0, 5]\nlook_at = [0, 0, 0]\nwidth = 8\nheight = 6\n\
@@ -41,10 +54,11 @@ const TOML: &str = "[camera]\nlook_from = [0, 0, 5]\nlook_at = [0, 0, 0]\nwidth 
                     [[optimize.parameter]]\npath = \"light.key.color\"\nmin = 0\nmax = [2, 2, 2]\n";
 
 fn binary_ply(format: &str, bytes: fn(f32) -> [u8; 4], index: fn(i32) -> [u8; 4]) -> Vec<u8> {
-    let header = PLY.split("0 0 0\n").next().unwrap().replace("ascii", format);
-    let vertices = [0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.2, 0.2, 0.0, 0.0, 1.0, 0.0].map(bytes);
+    let header = PLY.split("0 0 0 0 0\n").next().unwrap().replace("ascii", format);
     let mut file = header.into_bytes();
-    file.extend(vertices.as_flattened());
+    for [x, y, u] in [[0.0, 0.0, 0.0], [1.0, 0.0, 1.0], [0.2, 0.2, 0.0], [0.0, 1.0, 0.0]] {
+        file.extend([x, y, 0.0, u, y].map(bytes).as_flattened());
+    }
     file.push(4);
     file.extend([0, 1, 2, 3].map(index).as_flattened());
     file
@@ -59,14 +73,30 @@ fn binary_stl() -> Vec<u8> {
     file
 }
 
+/// The file in binary, its buffer in a chunk of its own.
 fn glb() -> Vec<u8> {
-    let json = GLTF.as_bytes();
+    let (before, data) = GLTF.split_once("\"byteLength\":60,\"uri\":").unwrap();
+    let (_, after) = data.split_once("\"}").unwrap();
+    let mut json = format!("{before}\"byteLength\":60}}{after}").into_bytes();
+    json.resize(json.len().next_multiple_of(4), b' ');
+    let positions = [0.0_f32, 0.0, 0.0, 1.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 1.0, 0.0];
+    let mut binary = positions.map(f32::to_le_bytes).as_flattened().to_vec();
+    binary.extend([0_u16, 1, 2, 0, 2, 3].map(u16::to_le_bytes).as_flattened());
     let mut file = b"glTF\x02\0\0\0".to_vec();
-    file.extend((20 + json.len() as u32).to_le_bytes());
-    file.extend((json.len() as u32).to_le_bytes());
-    file.extend(b"JSON");
-    file.extend(json);
+    file.extend((28 + json.len() as u32 + binary.len() as u32).to_le_bytes());
+    for (kind, chunk) in [(b"JSON", json), (b"BIN\0", binary)] {
+        file.extend((chunk.len() as u32).to_le_bytes());
+        file.extend(kind);
+        file.extend(chunk);
+    }
     file
+}
+
+fn jpeg() -> Vec<u8> {
+    let grey = image::GrayImage::from_fn(9, 7, |x, y| image::Luma([(20 * x + 9 * y) as u8]));
+    let mut bytes = Cursor::new(Vec::new());
+    grey.write_to(&mut bytes, image::ImageFormat::Jpeg).unwrap();
+    bytes.into_inner()
 }
 
 fn image(name: &str) -> Vec<u8> {
@@ -85,6 +115,7 @@ fn seeds() -> Vec<Seed> {
         ("seed.toml", TOML.into()),
         ("seed.png", image("a.png")),
         ("seed.exr", image("a.exr")),
+        ("seed.jpg", jpeg()),
         #[cfg(feature = "ply")]
         ("seed.ply", PLY.into()),
         #[cfg(feature = "ply")]
@@ -102,21 +133,32 @@ fn seeds() -> Vec<Seed> {
     ]
 }
 
-/// Reads `content` as the file `name`; beside it stands what a mesh may need.
+/// A folder with what files may name.
+fn folder() -> tempfile::TempDir {
+    let folder = tempfile::tempdir().unwrap();
+    for (name, content) in
+        [("seed.obj", OBJ.into()), ("seed.mtl", MTL.into()), ("seed.png", image("a.png"))]
+    {
+        fs::write(folder.path().join(name), content).unwrap();
+    }
+    folder
+}
+
+/// Reads `content` as the file `name`, which a mesh that stands beside it may name.
 fn load(folder: &Path, name: &str, content: &[u8]) -> Result<(), Error> {
     let path = folder.join(name);
-    if !folder.join("seed.obj").exists() {
-        fs::write(folder.join("seed.obj"), OBJ).unwrap();
-        fs::write(folder.join("seed.mtl"), MTL).unwrap();
-    }
+    let before = fs::read(&path).ok();
     fs::write(&path, content).unwrap();
     let result = match path.extension().and_then(|extension| extension.to_str()) {
-        Some("png" | "exr") => load_image(&path).map(|_| ()),
+        Some("png" | "exr" | "jpg") => {
+            let texture = Experiment::load(&folder.join("seed.obj")).map(|_| ());
+            load_image(&path).map(|_| ()).and(texture)
+        }
         Some("mtl") => Experiment::load(&folder.join("seed.obj")).map(|_| ()),
         _ => Experiment::load(&path).map(|_| ()),
     };
-    if name.ends_with("mtl") {
-        fs::write(&path, MTL).unwrap();
+    if let Some(before) = before {
+        fs::write(&path, before).unwrap();
     }
     result
 }
@@ -134,7 +176,7 @@ fn is_clear(result: &Result<(), Error>) -> bool {
 
 #[test]
 fn seeds_are_read() {
-    let folder = tempfile::tempdir().unwrap();
+    let folder = folder();
     for (name, content) in seeds() {
         assert_eq!(load(folder.path(), name, &content), Ok(()), "{name}");
     }
@@ -142,7 +184,7 @@ fn seeds_are_read() {
 
 #[test]
 fn files_cut_short_anywhere_are_read_or_refused() {
-    let folder = tempfile::tempdir().unwrap();
+    let folder = folder();
     for (name, content) in seeds() {
         for end in 0..content.len() {
             let result = load(folder.path(), name, &content[..end]);
@@ -223,17 +265,48 @@ fn apply(content: &mut Vec<u8>, change: &Change) {
     }
 }
 
-proptest! {
-    #[test]
-    fn changed_files_are_read_or_refused(
-        seed in any::<prop::sample::Index>(),
-        changes in prop::collection::vec(change(), 1..6),
-    ) {
-        let seeds = seeds();
-        let (name, mut content) = seeds[seed.index(seeds.len())].clone();
+/// Reads as many changed files of a format as `PROPTEST_CASES` says.
+fn read_changed(extensions: &[&str]) {
+    let is_meant = |name: &str| extensions.iter().any(|extension| name.ends_with(extension));
+    let seeds: Vec<Seed> = seeds().into_iter().filter(|(name, _)| is_meant(name)).collect();
+    let folder = folder();
+    let config = ProptestConfig { source_file: Some(file!()), ..ProptestConfig::default() };
+    let cases = (any::<Index>(), prop::collection::vec(change(), 1..6));
+    let result = TestRunner::new(config).run(&cases, |(seed, changes)| {
+        let (name, mut content) = seed.get(&seeds).clone();
         changes.iter().for_each(|change| apply(&mut content, change));
-        let folder = tempfile::tempdir().unwrap();
         let result = load(folder.path(), name, &content);
         prop_assert!(is_clear(&result), "{}: {:?}", name, result);
+        Ok(())
+    });
+    if let Err(error) = result {
+        panic!("{error}");
     }
+}
+
+macro_rules! changed_files_are_read_or_refused {
+    ($($(#[$feature:meta])* $format:ident: $extensions:expr,)*) => {
+        $(
+            $(#[$feature])*
+            #[test]
+            fn $format() {
+                read_changed(&$extensions);
+            }
+        )*
+    };
+}
+
+changed_files_are_read_or_refused! {
+    changed_obj: ["obj"],
+    changed_mtl: ["mtl"],
+    changed_scene_files: ["toml"],
+    changed_png: ["png"],
+    changed_exr: ["exr"],
+    changed_jpeg: ["jpg"],
+    #[cfg(feature = "ply")]
+    changed_ply: ["ply"],
+    #[cfg(feature = "stl")]
+    changed_stl: ["stl"],
+    #[cfg(feature = "gltf")]
+    changed_gltf: ["gltf", "glb"],
 }

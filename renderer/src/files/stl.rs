@@ -12,8 +12,9 @@ use std::collections::HashMap;
 use std::path::Path;
 
 use super::io::read;
-use super::meshes::{default_model, file_stem, plain_mesh};
-use super::obj::{Mesh, Model};
+use super::meshes::{MeshBuilder, default_model, file_stem};
+use super::model::{Mesh, Model};
+use super::warnings::Warnings;
 use crate::Error;
 
 /// The bytes of the header of a binary file, with the number of triangles.
@@ -27,7 +28,7 @@ const TRIANGLE: usize = 50;
 /// - Every solid of an ASCII file is a mesh; a binary file is one, named after the file.
 /// - Vertices with the same coordinates are one vertex. Normals are not read: the order of the
 ///   vertices says the same.
-/// - All triangles wear [`DEFAULT_MATERIAL`](super::obj::DEFAULT_MATERIAL).
+/// - All triangles wear [`DEFAULT_MATERIAL`](super::DEFAULT_MATERIAL).
 ///
 /// # Errors
 ///
@@ -44,7 +45,7 @@ pub fn load_stl(path: &Path) -> Result<Model, Error> {
     if meshes.is_empty() {
         return Err(Error::new(place, "holds no triangles"));
     }
-    Ok(default_model(meshes, place))
+    Ok(default_model(meshes, Warnings::default()))
 }
 
 fn is_ascii(bytes: &[u8]) -> bool {
@@ -127,6 +128,6 @@ impl Builder {
 
     fn finish(self, name: String) -> Mesh {
         let materials = vec![0; self.triangles.len()];
-        plain_mesh(name, self.vertices, self.triangles, materials)
+        MeshBuilder::new(&self.vertices, &[]).build(name, self.triangles, Vec::new(), materials)
     }
 }

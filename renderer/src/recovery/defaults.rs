@@ -53,8 +53,26 @@ pub(super) fn variable(
     };
     narrow(&mut variable.min, &tuned.min, f64::max);
     narrow(&mut variable.max, &tuned.max, f64::min);
+    if tuned.max.is_none() {
+        for (i, max) in variable.max.iter_mut().enumerate() {
+            // What is above it to begin with, or is known to be, may stay there.
+            let truth = target.as_ref().map_or(f64::NEG_INFINITY, |target| target[i]);
+            *max = max.min(usual_max(tuned.id).max(variable.initial[i]).max(truth));
+        }
+    }
     variable.target = target;
     variable
+}
+
+/// The most that a parameter is where nobody says otherwise: a surface reflects no more light than it
+/// receives. Beyond that, a bright spot could as well be explained by a surface that makes light as by a
+/// stronger lamp.
+fn usual_max(id: ParameterId) -> f64 {
+    use ParameterId::*;
+    match id {
+        Diffuse(_) | Specular(_) | Reflection(_) => 1.0,
+        _ => f64::INFINITY,
+    }
 }
 
 /// The values for which a parameter means something, ends included.

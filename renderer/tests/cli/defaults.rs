@@ -1,6 +1,6 @@
 //! Without learning rates, within the default number of iterations.
 
-use crate::sandbox::{SCENE, Sandbox};
+use crate::sandbox::{SCENE, Sandbox, numbers};
 
 /// The loss of the recovered parameters over that of the initial ones.
 fn ratio(scene: &str, truth: &[(&str, &str)]) -> f64 {
@@ -60,4 +60,30 @@ fn the_unit_of_length_and_the_origin_do_not_matter() {
         let ratio = ratio(&scene, &[("light.key.position", &at([-1.5, 3.0, 3.5]))]);
         assert!(ratio < 1e-4, "{scale} {shift}: {ratio:e}");
     }
+}
+
+/// The target is three times as bright as a white ball under this light: the colour stays at 1, unless
+/// someone says otherwise.
+#[test]
+fn surfaces_reflect_no_more_than_they_receive_by_default() {
+    let sandbox = Sandbox::new();
+    let dim = SCENE.replace("intensity = 120.0", "intensity = 12.0");
+    let found = |initial: &str, bound: &str| {
+        let scene = dim.replace("diffuse = [0.6, 0.3, 0.2]", &format!("diffuse = {initial}"));
+        let experiment = format!(
+            "{scene}\n[optimize]\niterations = 200\n[optimize.target_values]\n\
+             \"light.key.intensity\" = 120.0\n\
+             [[optimize.parameter]]\npath = \"material.paint.diffuse\"\n{bound}"
+        );
+        sandbox.write("experiment.toml", experiment);
+        sandbox.succeed(&["optimize", "experiment.toml", "--out", "out"]);
+        let summary = sandbox.json("out/summary.json");
+        numbers(&summary["parameters"]["material.paint.diffuse"]["final"])
+    };
+    let initial = "[0.6, 0.3, 0.2]";
+    assert_eq!(found(initial, ""), [1.0; 3]);
+    assert!(found(initial, "max = 2.5")[0] > 2.0);
+    // What is brighter to begin with may stay so.
+    let bright = found("[1.5, 0.3, 0.2]", "");
+    assert!(bright[0] <= 1.5 && bright[0] > 1.2 && bright[1] == 1.0, "{bright:?}");
 }

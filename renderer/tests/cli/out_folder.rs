@@ -38,3 +38,24 @@ fn a_recovered_scene_can_be_optimised_further() {
     sandbox.succeed(&optimize("out/experiment/scene.toml"));
     assert!(sandbox.path("out/scene/summary.json").exists());
 }
+
+/// A run that does not come to its end leaves nothing that could be taken for its result.
+#[test]
+fn the_results_of_an_earlier_run_are_gone_once_another_begins() {
+    let sandbox = Sandbox::new();
+    let optimize = ["optimize", "experiment.toml", "--out", "out", "--iterations", "3"];
+    sandbox.succeed(&optimize);
+    assert!(sandbox.path("out/summary.json").exists());
+    // It cannot write its images.
+    fs::remove_dir_all(sandbox.path("out/strip")).unwrap();
+    sandbox.write("out/strip", "a file");
+    let output = sandbox.run(&optimize);
+    assert_eq!(output.status.code(), Some(2), "{output:?}");
+    for name in ["summary.json", "history.csv", "trajectory.json", "loss.svg"] {
+        assert!(!sandbox.path("out").join(name).exists(), "{name}");
+    }
+    // Whoever resumes it gets all of them.
+    fs::remove_file(sandbox.path("out/strip")).unwrap();
+    sandbox.succeed(&[&optimize[..], &["--resume"]].concat());
+    assert!(sandbox.path("out/summary.json").exists());
+}

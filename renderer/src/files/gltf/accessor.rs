@@ -3,25 +3,19 @@
 use super::Buffers;
 use super::document::{Accessor, Document, get};
 
-/// The positions of vertices.
-pub(super) fn positions(
+/// Vectors of numbers, all of them finite: positions of vertices, texture coordinates.
+pub(super) fn vectors<const N: usize>(
     document: &Document,
     buffers: &Buffers,
     index: usize,
-) -> Result<Vec<[f64; 3]>, String> {
+) -> Result<Vec<[f64; N]>, String> {
     let read = || {
-        let elements = Elements::of(document, buffers, index, "VEC3")?;
-        let position = |element: &[u8]| {
-            let mut position = [0.0; 3];
-            for (i, value) in position.iter_mut().enumerate() {
-                *value = elements.number(element, i);
-            }
-            position
-        };
-        let positions: Vec<[f64; 3]> = elements.iter().map(position).collect();
-        match positions.iter().position(|p| p.iter().any(|x| !x.is_finite())) {
+        let elements = Elements::of(document, buffers, index, N)?;
+        let vector = |element: &[u8]| std::array::from_fn(|i| elements.number(element, i));
+        let vectors: Vec<[f64; N]> = elements.iter().map(vector).collect();
+        match vectors.iter().position(|v| v.iter().any(|x| !x.is_finite())) {
             Some(vertex) => Err(format!("vertex {vertex} is not finite")),
-            None => Ok(positions),
+            None => Ok(vectors),
         }
     };
     read().map_err(|problem| format!("accessors[{index}]: {problem}"))
@@ -34,7 +28,7 @@ pub(super) fn indices(
     index: usize,
 ) -> Result<Vec<u32>, String> {
     let read = || {
-        let elements = Elements::of(document, buffers, index, "SCALAR")?;
+        let elements = Elements::of(document, buffers, index, 1)?;
         match elements.component {
             Component::U8 | Component::U16 | Component::U32 if !elements.normalized => {
                 Ok(elements.iter().map(|element| elements.number(element, 0) as u32).collect())
@@ -92,10 +86,11 @@ impl<'a> Elements<'a> {
         document: &Document,
         buffers: &'a Buffers,
         index: usize,
-        shape: &str,
+        components: usize,
     ) -> Result<Self, String> {
         let accessor = get(&document.accessors, index, "accessors")?;
         let &Accessor { component_type, normalized, byte_offset, count, .. } = accessor;
+        let shape = if components == 1 { "SCALAR".to_owned() } else { format!("VEC{components}") };
         if accessor.shape != shape {
             return Err(format!("its type is {}, not {shape}", accessor.shape));
         }
@@ -103,7 +98,7 @@ impl<'a> Elements<'a> {
             return Err("sparse accessors and those without a bufferView are not read".to_owned());
         };
         let component = Component::of(component_type)?;
-        let size = component.size() * if shape == "VEC3" { 3 } else { 1 };
+        let size = component.size() * components;
         let definition = get(&document.buffer_views, view, "bufferViews")?;
         let stride = definition.byte_stride.unwrap_or(size);
         if stride < size {

@@ -54,11 +54,8 @@ impl Buffers {
             let content = match buffer.uri.as_deref() {
                 None if i == 0 => binary.ok_or_else(|| refuse("has no uri"))?.to_vec(),
                 None => return Err(refuse("has no uri")),
-                Some(uri) => match uri.strip_prefix("data:") {
-                    Some(data) => {
-                        let data = data.split_once(";base64,").and_then(|(_, data)| base64(data));
-                        data.ok_or_else(|| refuse("its data is not base64"))?
-                    }
+                Some(uri) => match embedded(uri) {
+                    Some(data) => data.map_err(|problem| refuse(&problem))?,
                     None => read(&folder.join(percent_decoded(uri)))?,
                 },
             };
@@ -84,6 +81,13 @@ impl Buffers {
             )
         })
     }
+}
+
+/// The bytes that a URI holds; nothing if it names a file instead.
+pub(super) fn embedded(uri: &str) -> Option<Result<Vec<u8>, String>> {
+    let data = uri.strip_prefix("data:")?.split_once(";base64,");
+    let bytes = data.and_then(|(_, data)| base64(data));
+    Some(bytes.ok_or_else(|| "its data is not base64".to_owned()))
 }
 
 /// Decodes base64 (RFC 4648), with or without padding.
@@ -112,7 +116,7 @@ fn base64(text: &str) -> Option<Vec<u8>> {
 }
 
 /// A relative path, its `%20` and the like decoded.
-fn percent_decoded(uri: &str) -> String {
+pub(super) fn percent_decoded(uri: &str) -> String {
     let mut bytes = Vec::with_capacity(uri.len());
     let mut rest = uri.as_bytes();
     while let Some((&byte, after)) = rest.split_first() {

@@ -1,8 +1,11 @@
 //! The document, as far as it is read.
 
-use serde::Deserialize;
+use std::collections::HashMap;
 
-/// Extensions that a file may require: those that are read, and those that only change looks.
+use serde::Deserialize;
+use serde::de::IgnoredAny;
+
+/// The extensions that are read.
 const EXTENSIONS: [&str; 3] =
     ["KHR_lights_punctual", "KHR_mesh_quantization", "KHR_texture_transform"];
 
@@ -12,6 +15,8 @@ pub(super) struct Document {
     asset: Asset,
     #[serde(default)]
     extensions_required: Vec<String>,
+    #[serde(default)]
+    extensions_used: Vec<String>,
     pub scene: Option<usize>,
     #[serde(default)]
     pub scenes: Vec<Scene>,
@@ -21,6 +26,14 @@ pub(super) struct Document {
     pub meshes: Vec<Mesh>,
     #[serde(default)]
     pub materials: Vec<Material>,
+    #[serde(default)]
+    pub textures: Vec<Texture>,
+    #[serde(default)]
+    pub images: Vec<Image>,
+    #[serde(default)]
+    pub samplers: Vec<Sampler>,
+    #[serde(default)]
+    pub animations: Vec<IgnoredAny>,
     #[serde(default)]
     pub cameras: Vec<Camera>,
     #[serde(default)]
@@ -48,6 +61,7 @@ pub(super) struct Scene {
 pub(super) struct Node {
     pub name: Option<String>,
     pub mesh: Option<usize>,
+    pub skin: Option<IgnoredAny>,
     pub camera: Option<usize>,
     #[serde(default)]
     pub children: Vec<usize>,
@@ -103,18 +117,14 @@ pub(super) struct Mesh {
 
 #[derive(Deserialize)]
 pub(super) struct Primitive {
+    /// Accessors by name: `POSITION`, `TEXCOORD_0`, ...
     #[serde(default)]
-    pub attributes: Attributes,
+    pub attributes: HashMap<String, usize>,
     pub indices: Option<usize>,
     pub material: Option<usize>,
     #[serde(default = "triangles")]
     pub mode: u32,
-}
-
-#[derive(Default, Deserialize)]
-pub(super) struct Attributes {
-    #[serde(rename = "POSITION")]
-    pub position: Option<usize>,
+    pub targets: Option<IgnoredAny>,
 }
 
 #[derive(Deserialize)]
@@ -123,6 +133,13 @@ pub(super) struct Material {
     pub name: Option<String>,
     #[serde(default)]
     pub pbr_metallic_roughness: Pbr,
+    /// Linear.
+    #[serde(default)]
+    pub emissive_factor: [f64; 3],
+    pub emissive_texture: Option<TextureInfo>,
+    pub normal_texture: Option<IgnoredAny>,
+    pub occlusion_texture: Option<IgnoredAny>,
+    pub alpha_mode: Option<String>,
 }
 
 #[derive(Deserialize)]
@@ -130,12 +147,74 @@ pub(super) struct Material {
 pub(super) struct Pbr {
     /// Linear.
     pub base_color_factor: [f64; 4],
+    pub base_color_texture: Option<TextureInfo>,
+    pub metallic_factor: Option<f64>,
+    pub metallic_roughness_texture: Option<IgnoredAny>,
 }
 
 impl Default for Pbr {
     fn default() -> Self {
-        Self { base_color_factor: [1.0; 4] }
+        Self {
+            base_color_factor: [1.0; 4],
+            base_color_texture: None,
+            metallic_factor: None,
+            metallic_roughness_texture: None,
+        }
     }
+}
+
+/// Which texture, and where on it.
+#[derive(Deserialize)]
+#[serde(rename_all = "camelCase")]
+pub(super) struct TextureInfo {
+    pub index: usize,
+    /// Which of the sets of texture coordinates.
+    #[serde(default)]
+    pub tex_coord: usize,
+    #[serde(default)]
+    pub extensions: TextureInfoExtensions,
+}
+
+#[derive(Default, Deserialize)]
+pub(super) struct TextureInfoExtensions {
+    #[serde(rename = "KHR_texture_transform")]
+    pub transform: Option<TextureTransform>,
+}
+
+#[derive(Deserialize)]
+#[serde(rename_all = "camelCase")]
+pub(super) struct TextureTransform {
+    #[serde(default)]
+    pub offset: [f64; 2],
+    /// In radians.
+    #[serde(default)]
+    pub rotation: f64,
+    #[serde(default = "ones")]
+    pub scale: [f64; 2],
+    /// Replaces that of the texture.
+    pub tex_coord: Option<usize>,
+}
+
+#[derive(Deserialize)]
+pub(super) struct Texture {
+    pub source: Option<usize>,
+    pub sampler: Option<usize>,
+}
+
+#[derive(Deserialize)]
+#[serde(rename_all = "camelCase")]
+pub(super) struct Image {
+    pub name: Option<String>,
+    pub uri: Option<String>,
+    pub buffer_view: Option<usize>,
+}
+
+#[derive(Deserialize)]
+#[serde(rename_all = "camelCase")]
+pub(super) struct Sampler {
+    pub wrap_s: Option<u32>,
+    pub wrap_t: Option<u32>,
+    pub mag_filter: Option<u32>,
 }
 
 #[derive(Deserialize)]
@@ -163,7 +242,7 @@ pub(super) struct Accessor {
     pub count: usize,
     #[serde(rename = "type")]
     pub shape: String,
-    pub sparse: Option<serde::de::IgnoredAny>,
+    pub sparse: Option<IgnoredAny>,
 }
 
 #[derive(Deserialize)]
@@ -191,6 +270,10 @@ fn one() -> f64 {
     1.0
 }
 
+fn ones() -> [f64; 2] {
+    [1.0; 2]
+}
+
 fn triangles() -> u32 {
     4
 }
@@ -205,12 +288,20 @@ impl Document {
         if version.split('.').next() != Some("2") {
             return Err(format!("is glTF of version {version}; version 2 is read"));
         }
-        let known = |name: &str| EXTENSIONS.contains(&name) || name.starts_with("KHR_materials_");
-        match document.extensions_required.iter().find(|name| !known(name)) {
+        match document.extensions_required.iter().find(|name| !is_read(name)) {
             Some(name) => Err(format!("requires the extension {name}, which is not read")),
             None => Ok(document),
         }
     }
+
+    /// The extensions that it can do without, and has to here.
+    pub fn unread_extensions(&self) -> impl Iterator<Item = &str> {
+        self.extensions_used.iter().map(String::as_str).filter(|name| !is_read(name))
+    }
+}
+
+fn is_read(extension: &str) -> bool {
+    EXTENSIONS.contains(&extension)
 }
 
 /// An element of one of the document's arrays.

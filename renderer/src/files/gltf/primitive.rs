@@ -3,28 +3,46 @@
 use glam::{DMat4, DVec3};
 
 use super::document::{Document, Primitive, get};
-use super::{Buffers, Materials, Mesh, accessor};
-use crate::files::meshes::build_mesh;
+use super::materials::Materials;
+use super::{Buffers, accessor};
+use crate::files::meshes::MeshBuilder;
+use crate::files::model::Mesh;
 
 /// What a primitive draws, in the coordinates of its mesh.
 pub(super) struct Part {
     vertices: Vec<[f64; 3]>,
+    /// One for each vertex, or none at all.
+    texture_coordinates: Vec<[f64; 2]>,
     triangles: Vec<[u32; 3]>,
     material: Option<usize>,
 }
 
-/// Reads a primitive. One of points or lines has no triangles.
+/// Reads a primitive, with the set of texture coordinates that its material uses. One of points or
+/// lines has no triangles.
 pub(super) fn load(
     document: &Document,
     buffers: &Buffers,
+    materials: &Materials,
     primitive: &Primitive,
 ) -> Result<Part, String> {
     if let Some(material) = primitive.material {
         get(&document.materials, material, "materials")?;
     }
-    let position = primitive.attributes.position.ok_or("has no attribute POSITION")?;
-    let vertices = accessor::positions(document, buffers, position)?;
+    let position = *primitive.attributes.get("POSITION").ok_or("has no attribute POSITION")?;
+    let vertices: Vec<[f64; 3]> = accessor::vectors(document, buffers, position)?;
     let count = vertices.len();
+    let set = format!("TEXCOORD_{}", materials.texture_set(primitive.material));
+    let texture_coordinates = match primitive.attributes.get(&set) {
+        None => Vec::new(),
+        Some(&index) => {
+            let coordinates: Vec<[f64; 2]> = accessor::vectors(document, buffers, index)?;
+            if coordinates.len() != count {
+                return Err(format!("has {} {set} for {count} vertices", coordinates.len()));
+            }
+            // In glTF the upper edge of a texture is at v = 0.
+            coordinates.into_iter().map(|[u, v]| [u, 1.0 - v]).collect()
+        }
+    };
     let indices = match primitive.indices {
         Some(index) => accessor::indices(document, buffers, index)?,
         None => (0..count).map(|i| i as u32).collect(),
@@ -45,7 +63,7 @@ pub(super) fn load(
         6 => indices.windows(2).skip(1).map(|edge| [indices[0], edge[0], edge[1]]).collect(),
         mode => return Err(format!("mode {mode} is none; there are 0 to 6")),
     };
-    Ok(Part { vertices, triangles, material: primitive.material })
+    Ok(Part { vertices, texture_coordinates, triangles, material: primitive.material })
 }
 
 /// All parts as one mesh, in the world; nothing if they have no triangles.
@@ -55,13 +73,22 @@ pub(super) fn join(
     to_world: DMat4,
     materials: &mut Materials,
 ) -> Option<Mesh> {
-    let (mut vertices, mut triangles, mut worn) = (Vec::new(), Vec::new(), Vec::new());
+    let (mut vertices, mut coordinates) = (Vec::new(), Vec::new());
+    let (mut triangles, mut texture_triangles, mut worn) = (Vec::new(), Vec::new(), Vec::new());
     for part in parts.into_iter().filter(|part| !part.triangles.is_empty()) {
-        let first = vertices.len() as u32;
+        let (first, first_coordinates) = (vertices.len() as u32, coordinates.len() as u32);
         let place = |&v: &[f64; 3]| to_world.transform_point3(DVec3::from_array(v)).to_array();
         vertices.extend(part.vertices.iter().map(place));
         worn.resize(worn.len() + part.triangles.len(), materials.place(part.material));
+        let is_textured = !part.texture_coordinates.is_empty();
+        coordinates.extend(part.texture_coordinates);
+        texture_triangles.extend(
+            part.triangles.iter().map(|triangle| {
+                is_textured.then(|| triangle.map(|index| index + first_coordinates))
+            }),
+        );
         triangles.extend(part.triangles.into_iter().map(|t| t.map(|index| index + first)));
     }
-    (!triangles.is_empty()).then(|| build_mesh(name, &vertices, triangles, worn))
+    let mut builder = MeshBuilder::new(&vertices, &coordinates);
+    (!triangles.is_empty()).then(|| builder.build(name, triangles, texture_triangles, worn))
 }

@@ -1,17 +1,19 @@
 //! glTF files, good and bad.
 
-use std::f64::consts::FRAC_1_SQRT_2;
+use std::f64::consts::{FRAC_1_SQRT_2, PI};
 use std::fs;
 
+use glam::{DMat4, DVec3};
 use serde_json::{Value, json};
 
+use super::document::LightDefinition;
 use super::*;
 
 /// Four positions and six indices of two bytes: a square.
 const BUFFER: &str =
     "AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAACAPwAAgD8AAAAAAAAAAAAAgD8AAAAAAAABAAIAAAACAAMA";
 
-fn square() -> Value {
+pub(super) fn square() -> Value {
     json!({
         "asset": { "version": "2.0" },
         "extensionsUsed": ["KHR_lights_punctual"],
@@ -53,19 +55,19 @@ fn square() -> Value {
     })
 }
 
-fn load_bytes(name: &str, bytes: &[u8]) -> Result<GltfFile, Error> {
+pub(super) fn load_bytes(name: &str, bytes: &[u8]) -> Result<GltfFile, Error> {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join(name);
     fs::write(&path, bytes).unwrap();
     load_gltf(&path)
 }
 
-fn load(document: &Value) -> Result<GltfFile, Error> {
+pub(super) fn load(document: &Value) -> Result<GltfFile, Error> {
     load_bytes("model.gltf", document.to_string().as_bytes())
 }
 
 /// A `.glb` whose first buffer is its binary chunk.
-fn glb(mut document: Value, binary: &[u8]) -> Vec<u8> {
+pub(super) fn glb(mut document: Value, binary: &[u8]) -> Vec<u8> {
     document["buffers"][0].as_object_mut().unwrap().remove("uri");
     let mut json = document.to_string().into_bytes();
     json.resize(json.len().next_multiple_of(4), b' ');
@@ -79,7 +81,7 @@ fn glb(mut document: Value, binary: &[u8]) -> Vec<u8> {
     bytes
 }
 
-fn square_bytes() -> Vec<u8> {
+pub(super) fn square_bytes() -> Vec<u8> {
     let positions: [f32; 12] = [0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 1.0, 0.0];
     let indices: [u16; 6] = [0, 1, 2, 0, 2, 3];
     let positions = positions.iter().flat_map(|x| x.to_le_bytes());
@@ -96,7 +98,7 @@ fn meshes_are_placed_in_the_world() {
     assert_eq!(mesh.triangles, [[0, 1, 2], [0, 2, 3]]);
     let [red] = &model.materials[..] else { panic!("one material") };
     assert_eq!((red.name.as_str(), &mesh.materials[..]), ("red", &[0, 0][..]));
-    assert_eq!(red.material.unwrap().diffuse, DVec3::new(0.5, 0.25, 0.125));
+    assert_eq!(red.material.as_ref().unwrap().diffuse, DVec3::new(0.5, 0.25, 0.125));
 }
 
 #[test]
@@ -121,7 +123,9 @@ fn cameras_and_lights_are_converted() {
 fn a_white_surface_is_as_bright_as_gltf_says() {
     let definition =
         LightDefinition { name: None, kind: "point".into(), color: [1.0; 3], intensity: 1.0 };
-    let Light::Point(light) = light(&definition, DMat4::IDENTITY).unwrap() else { panic!() };
+    let Light::Point(light) = lights::light(&definition, DMat4::IDENTITY).unwrap() else {
+        panic!()
+    };
     let irradiance = light.intensity / (4.0 * PI);
     assert!((irradiance - 1.0 / PI).abs() < 1e-15);
 }

@@ -100,6 +100,82 @@ fn sixteen_bit_grey_is_finer_than_eight() {
     assert_eq!(load_image(&path).unwrap().image.pixels, expected);
 }
 
+/// A PNG of `width` pixels in one row.
+fn png(
+    width: u32,
+    color: png::ColorType,
+    depth: png::BitDepth,
+    palette: Option<(&[u8], &[u8])>,
+    row: &[u8],
+) -> Vec<u8> {
+    let mut bytes = Vec::new();
+    let mut encoder = png::Encoder::new(&mut bytes, width, 1);
+    encoder.set_color(color);
+    encoder.set_depth(depth);
+    if let Some((colors, alphas)) = palette {
+        encoder.set_palette(colors);
+        encoder.set_trns(alphas);
+    }
+    encoder.write_header().unwrap().write_image_data(row).unwrap();
+    bytes
+}
+
+/// Every kind of PNG, as an image and as a texture: the colours of a texture are whole where it is
+/// transparent.
+#[test]
+fn every_kind_of_png_is_read() {
+    use png::{BitDepth, ColorType};
+
+    let half = srgb_decode(128.0 / 255.0) as f32;
+    let covered = |coverage: f64| (srgb_decode(128.0 / 255.0) * coverage) as f32;
+    let palette: (&[u8], &[u8]) = (&[255, 0, 0, 0, 128, 0, 128, 128, 128], &[255, 255, 51]);
+    let rgba = [128, 0, 255, 51];
+    let cases = [
+        (png(1, ColorType::Grayscale, BitDepth::Eight, None, &[128]), [half; 3], [half; 3]),
+        (png(1, ColorType::Grayscale, BitDepth::One, None, &[0x80]), [1.0; 3], [1.0; 3]),
+        (png(1, ColorType::Grayscale, BitDepth::Sixteen, None, &[128, 128]), [half; 3], [half; 3]),
+        (
+            png(1, ColorType::GrayscaleAlpha, BitDepth::Eight, None, &[128, 51]),
+            [covered(0.2); 3],
+            [half; 3],
+        ),
+        (
+            png(1, ColorType::Rgb, BitDepth::Eight, None, &[255, 0, 128]),
+            [1.0, 0.0, half],
+            [1.0, 0.0, half],
+        ),
+        (
+            png(1, ColorType::Rgba, BitDepth::Eight, None, &rgba),
+            [covered(0.2), 0.0, 0.2],
+            [half, 0.0, 1.0],
+        ),
+        // Two bits are an index; of the third colour a fifth is covered.
+        (
+            png(1, ColorType::Indexed, BitDepth::Two, Some(palette), &[0x40]),
+            [0.0, half, 0.0],
+            [0.0, half, 0.0],
+        ),
+        (
+            png(1, ColorType::Indexed, BitDepth::Two, Some(palette), &[0x80]),
+            [covered(0.2); 3],
+            [half; 3],
+        ),
+    ];
+    let folder = folder();
+    let path = folder.path().join("a.png");
+    for (index, (bytes, image, texture)) in cases.into_iter().enumerate() {
+        fs::write(&path, &bytes).unwrap();
+        assert_eq!(load_image(&path).unwrap().image.pixels, [image], "{index}");
+        let decoded = decode_texture(&bytes, "a.png").unwrap();
+        assert_eq!(decoded.image.pixels, [texture], "{index}");
+        assert_eq!(decoded.is_transparent, image != texture, "{index}");
+    }
+    // An index beyond the palette.
+    let bytes = png(1, ColorType::Indexed, BitDepth::Two, Some(palette), &[0xc0]);
+    fs::write(&path, bytes).unwrap();
+    assert_eq!(load_image(&path).unwrap().image.pixels, [[0.0; 3]]);
+}
+
 #[test]
 fn jpeg_is_read() {
     let folder = folder();

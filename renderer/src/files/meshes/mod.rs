@@ -13,10 +13,11 @@ mod polygon;
 
 use std::path::Path;
 
-use super::obj::{Mesh, Model, load_obj};
+use super::model::Model;
+use super::obj::load_obj;
 use crate::Error;
 
-pub(super) use build::{build_mesh, default_model, plain_material, plain_mesh};
+pub(super) use build::{MeshBuilder, default_model, plain_material};
 pub(super) use polygon::triangulate;
 
 /// A format of mesh files.
@@ -80,10 +81,10 @@ pub(super) fn left_out(path: &Path, format: MeshFormat) -> Error {
     Error::new(path.display(), problem)
 }
 
-/// The name of a mesh whose file gives none: that of the file.
+/// The name of an object whose file gives none: that of the file.
 pub(super) fn file_stem(path: &Path) -> String {
-    let stem = path.file_stem().map_or("mesh".into(), |stem| stem.to_string_lossy());
-    clean_name(&stem)
+    let stem = path.file_stem().map(|stem| clean_name(&stem.to_string_lossy()));
+    stem.filter(|stem| !stem.is_empty()).unwrap_or_else(|| "mesh".to_owned())
 }
 
 /// A name without what names may not hold: control characters, spaces at the ends. It may be

@@ -4,12 +4,23 @@ use std::path::{Path, PathBuf};
 
 use glam::DVec3;
 
-use super::prepare::{number, statements, words};
-use super::{ModelMaps, TextureSource, default_material};
+use super::map::Map;
+use super::statements::{number, statements, words};
 use crate::Error;
+use crate::files::Warning;
 use crate::files::io::read_text;
+use crate::files::model::{ModelMaps, default_material};
+use crate::files::warnings::Warnings;
 use crate::kernels::material::Material;
-use crate::scene::Wrap;
+
+/// The materials of libraries.
+#[derive(Default)]
+pub(super) struct Library {
+    pub materials: Vec<LibraryMaterial>,
+    pub warnings: Vec<Warning>,
+    /// The first library that there is not.
+    pub missing: Option<Error>,
+}
 
 /// A material of a library.
 pub(super) struct LibraryMaterial {
@@ -18,173 +29,213 @@ pub(super) struct LibraryMaterial {
     pub maps: ModelMaps,
 }
 
-/// The materials of the libraries that one `mtllib` at `place` names, relative to `folder`.
-pub(super) fn load_libraries(
-    names: &str,
-    folder: &Path,
-    place: &str,
-) -> Result<Vec<LibraryMaterial>, Error> {
-    // By the standard several names may follow; in practice one with spaces in it does.
-    let whole = folder.join(names);
-    let paths: Vec<PathBuf> = if whole.is_file() || names.is_empty() {
-        vec![whole]
-    } else {
-        names.split_whitespace().map(|name| folder.join(name)).collect()
-    };
-    let mut materials = Vec::new();
-    for path in paths {
-        if !path.is_file() {
-            let problem = format!("the material library {} is missing", path.display());
-            return Err(Error::new(place, problem));
-        }
-        materials.extend(load_library(&path)?);
-    }
-    Ok(materials)
-}
-
-fn load_library(path: &Path) -> Result<Vec<LibraryMaterial>, Error> {
-    let text = read_text(path)?;
-    let Prepared { text, extras } = prepare(&text, path)?;
-    let materials = tobj::load_mtl_buf(&mut text.as_bytes());
-    let (materials, _) = materials.map_err(|error| Error::new(path.display(), error))?;
-    let default = default_material();
-    // tobj keeps the order of the materials.
-    let convert = |(material, Extra { mirror, maps }): (tobj::Material, Extra)| {
-        let specular = material.specular.map_or(default.specular, DVec3::from_array);
-        let value = Material {
-            ambient: default.ambient,
-            diffuse: material.diffuse.map_or(default.diffuse, DVec3::from_array),
-            specular,
-            exponent: material.shininess.unwrap_or(default.exponent),
-            reflection: if mirror { specular } else { default.reflection },
+impl Library {
+    /// Adds the libraries that one `mtllib` at `place` names, relative to `folder`.
+    pub fn add(&mut self, names: &str, folder: &Path, place: &str) -> Result<(), Error> {
+        // By the standard several names may follow; in practice one with spaces in it does.
+        let whole = folder.join(names);
+        let paths: Vec<PathBuf> = if whole.is_file() || names.is_empty() {
+            vec![whole]
+        } else {
+            names.split_whitespace().map(|name| folder.join(name)).collect()
         };
-        LibraryMaterial { name: material.name, material: value, maps }
-    };
-    Ok(materials.into_iter().zip(extras).map(convert).collect())
-}
+        for path in paths {
+            if path.is_file() {
+                self.load(&path)?;
+            } else {
+                let problem = format!("the material library {} is missing", path.display());
+                let Error { place, problem } = Error::new(place, problem);
+                self.warnings.push(Warning { place: place.clone(), problem: problem.clone() });
+                self.missing.get_or_insert(Error { place, problem });
+            }
+        }
+        Ok(())
+    }
 
-/// Checks a library and keeps what a material is made of; tobj would panic on a colour of one
-/// number, which the standard allows for grey.
-fn prepare(text: &str, path: &Path) -> Result<Prepared, Error> {
-    let mut prepared = String::new();
-    let mut extras: Vec<Extra> = Vec::new();
-    let folder = path.parent().unwrap_or(Path::new(""));
-    for statement in statements(text) {
-        let refuse =
-            |problem: String| Error::new(format!("{}:{}", path.display(), statement.line), problem);
-        let keyword = statement.keyword;
-        match keyword {
-            "newmtl" if statement.rest.is_empty() => {
-                return Err(refuse("newmtl names no material".to_owned()));
-            }
-            "newmtl" => {
-                extras.push(Extra::default());
-                prepared.push_str(&format!("newmtl {}\n", statement.rest));
-            }
-            "Kd" | "Ks" | "Ns" | "illum" | "map_Kd" | "map_Ks" if extras.is_empty() => {
-                return Err(refuse(format!("{keyword} stands before the first newmtl")));
-            }
-            "Kd" | "Ks" => {
-                let [r, g, b] = color(keyword, &statement.rest).map_err(refuse)?;
-                prepared.push_str(&format!("{keyword} {r:?} {g:?} {b:?}\n"));
-            }
-            "Ns" => {
-                let word = words(&statement.rest).next().unwrap_or("");
-                let exponent = not_negative(keyword, word).map_err(refuse)?;
-                prepared.push_str(&format!("Ns {exponent:?}\n"));
-            }
-            "illum" | "map_Kd" | "map_Ks" => {
-                let Some(extra) = extras.last_mut() else { continue };
-                let place = format!("{}:{}", path.display(), statement.line);
-                let map = || texture(keyword, &statement.rest, folder, place);
-                match keyword {
-                    "illum" => {
-                        let model = words(&statement.rest).next().unwrap_or("");
-                        extra.mirror = matches!(model, "3" | "5");
-                    }
-                    "map_Kd" => extra.maps.diffuse = Some(map().map_err(refuse)?),
-                    _ => extra.maps.specular = Some(map().map_err(refuse)?),
+    fn load(&mut self, path: &Path) -> Result<(), Error> {
+        let text = read_text(path)?;
+        let folder = path.parent().unwrap_or(Path::new(""));
+        let file = path.display().to_string();
+        let mut warnings = Warnings::default();
+        let mut definition: Option<Definition> = None;
+        for statement in statements(&text) {
+            let place = format!("{file}:{}", statement.line);
+            let refuse = |problem: String| Error::new(&place, problem);
+            let (keyword, rest) = (statement.keyword, &*statement.rest);
+            match (keyword.to_ascii_lowercase().as_str(), &mut definition) {
+                ("newmtl", _) if rest.is_empty() => {
+                    return Err(refuse("newmtl names no material".to_owned()));
                 }
+                ("newmtl", _) => {
+                    let next = Definition { name: rest.to_owned(), ..Definition::default() };
+                    let done = definition.replace(next);
+                    self.materials.extend(done.map(Definition::finish));
+                }
+                (lower, Some(definition)) => definition
+                    .read(lower, keyword, rest, folder, &place, &mut warnings)
+                    .map_err(refuse)?,
+                (lower, None) if OF_MATERIALS.contains(&lower) => {
+                    return Err(refuse(format!("{keyword} stands before the first newmtl")));
+                }
+                (lower, None) => warnings.add(lower, &place, unknown(keyword)),
             }
-            _ => {}
         }
+        self.materials.extend(definition.map(Definition::finish));
+        self.warnings.append(&mut warnings.finish());
+        Ok(())
     }
-    Ok(Prepared { text: prepared, extras })
 }
 
-/// A library, checked.
-struct Prepared {
-    /// For tobj.
-    text: String,
-    /// What tobj does not read, by material.
-    extras: Vec<Extra>,
-}
-
-/// What a material is made of beside its colours.
+/// A material whose statements are being read.
 #[derive(Default)]
-struct Extra {
-    /// Whether `Ks` is the reflection of a mirror.
-    mirror: bool,
-    maps: ModelMaps,
+struct Definition {
+    name: String,
+    ambient: Option<DVec3>,
+    diffuse: Option<DVec3>,
+    specular: Option<DVec3>,
+    exponent: Option<f64>,
+    illumination: Option<u8>,
+    ambient_map: Option<Map>,
+    diffuse_map: Option<Map>,
+    specular_map: Option<Map>,
 }
 
-/// The options of a texture statement, and how many words follow each at most; numbers may be fewer.
-const OPTIONS: [(&str, usize); 13] = [
-    ("-blendu", 1),
-    ("-blendv", 1),
-    ("-boost", 1),
-    ("-bm", 1),
-    ("-cc", 1),
-    ("-clamp", 1),
-    ("-imfchan", 1),
-    ("-mm", 2),
-    ("-o", 3),
-    ("-s", 3),
-    ("-t", 3),
-    ("-texres", 1),
-    ("-type", 1),
+/// The statements that materials are made of.
+const OF_MATERIALS: [&str; 8] = ["ke", "kd", "ks", "ns", "illum", "map_ke", "map_kd", "map_ks"];
+
+/// Statements that nothing here stands for: the number that leaves the image as it is, not a number
+/// if there is none, and why there is no other one.
+const LEFT_OUT: [(&str, f64, &str); 6] = [
+    ("d", 1.0, OPAQUE),
+    ("tr", 0.0, OPAQUE),
+    ("tf", 1.0, OPAQUE),
+    ("ni", 1.0, OPAQUE),
+    ("ka", 0.0, NO_AMBIENT_LIGHT),
+    ("map_ka", f64::NAN, NO_AMBIENT_LIGHT),
 ];
+const OPAQUE: &str = "every surface is opaque";
+const NO_AMBIENT_LIGHT: &str =
+    "there is no ambient light; `ambient` in a scene file is what a surface shows by itself";
 
-/// The texture that a statement names: options, then the path, which may hold spaces.
-fn texture(
-    keyword: &str,
-    rest: &str,
-    folder: &Path,
-    place: String,
-) -> Result<TextureSource, String> {
-    let mut rest = rest.trim();
-    let mut wrap = Wrap::Repeat;
-    while let Some(&(option, most)) =
-        OPTIONS.iter().find(|(option, _)| rest.split_whitespace().next() == Some(option))
-    {
-        rest = rest[option.len()..].trim_start();
-        let three = most == 3;
-        for _ in 0..most {
-            let (word, others) = rest.split_once(char::is_whitespace).unwrap_or((rest, ""));
-            // Of three numbers the last two may be left out.
-            if three && word.parse::<f64>().is_err() {
-                break;
-            }
-            if option == "-clamp" && word == "on" {
-                wrap = Wrap::Clamp;
-            }
-            rest = others.trim_start();
-        }
-    }
-    if rest.is_empty() {
-        return Err(format!("{keyword} names no image"));
-    }
-    // Exporters for Windows write its separators.
-    let path = folder.join(rest.replace('\\', "/"));
-    Ok(TextureSource { path, wrap, place })
+/// What is said of a statement that is not known.
+fn unknown(keyword: &str) -> String {
+    format!("`{keyword}` is left out: nothing here stands for it")
 }
 
-fn color(keyword: &str, rest: &str) -> Result<[f64; 3], String> {
+impl Definition {
+    /// Reads the statement `keyword`, `lower` in small letters.
+    fn read(
+        &mut self,
+        lower: &str,
+        keyword: &str,
+        rest: &str,
+        folder: &Path,
+        place: &str,
+        warnings: &mut Warnings,
+    ) -> Result<(), String> {
+        let mut map = || {
+            let map = Map::read(keyword, rest, folder, place.to_owned())?;
+            for option in &map.left_out {
+                let subject = format!("{lower} {option}");
+                warnings.add(&subject, place, format_args!("{option} of {keyword} is left out"));
+            }
+            Ok::<_, String>(Some(map))
+        };
+        match lower {
+            "ke" => self.ambient = Some(color(keyword, rest)?),
+            "kd" => self.diffuse = Some(color(keyword, rest)?),
+            "ks" => self.specular = Some(color(keyword, rest)?),
+            "ns" => {
+                let word = words(rest).next().unwrap_or("");
+                self.exponent = Some(not_negative(keyword, word)?);
+            }
+            "map_ke" => self.ambient_map = map()?,
+            "map_kd" => self.diffuse_map = map()?,
+            "map_ks" => self.specular_map = map()?,
+            "illum" => {
+                let word = words(rest).next().unwrap_or("");
+                let model = word.parse().ok().filter(|model| *model <= 10);
+                let model =
+                    model.ok_or_else(|| format!("illum is a number from 0 to 10, not `{word}`"))?;
+                let problem = match model {
+                    0 => "a colour without light; it is lit as by `illum 1`",
+                    4 | 6 | 7 | 9 => "glass; it is shown as by `illum 2`",
+                    10 => "a surface for shadows alone; it is shown as by `illum 2`",
+                    _ => "",
+                };
+                if !problem.is_empty() {
+                    let subject = format!("illum {model}");
+                    warnings.add(&subject, place, format_args!("{subject} is {problem}"));
+                }
+                self.illumination = Some(model);
+            }
+            _ => match LEFT_OUT.iter().find(|(left_out, ..)| *left_out == lower) {
+                Some((_, neutral, _)) if all_are(rest, *neutral) => {}
+                Some((_, _, reason)) => {
+                    warnings.add(lower, place, format_args!("{keyword} is left out: {reason}"));
+                }
+                None => warnings.add(lower, place, unknown(keyword)),
+            },
+        }
+        let mut placements = self.maps().map(|map| map.placement);
+        let first = placements.next();
+        if placements.any(|placement| Some(placement) != first) {
+            let problem =
+                "-s and -o are those of the first of map_Kd, map_Ke, map_Ks, for all of them";
+            warnings.add("placements", place, problem);
+        }
+        if self.is_mirror() && self.specular_map.is_some() {
+            let problem = "map_Ks varies the highlight alone, not the mirror";
+            warnings.add("varied mirror", place, problem);
+        }
+        Ok(())
+    }
+
+    fn maps(&self) -> impl Iterator<Item = &Map> {
+        [&self.diffuse_map, &self.ambient_map, &self.specular_map].into_iter().flatten()
+    }
+
+    fn is_mirror(&self) -> bool {
+        matches!(self.illumination, Some(3 | 5 | 8))
+    }
+
+    fn finish(mut self) -> LibraryMaterial {
+        let has_highlight = !matches!(self.illumination, Some(0 | 1));
+        if !has_highlight {
+            self.specular = Some(DVec3::ZERO);
+            self.specular_map = None;
+        }
+        let default = default_material();
+        // What a texture varies is white where nothing else is said.
+        let color = |given: Option<DVec3>, map: &Option<Map>, default: DVec3| {
+            given.unwrap_or(if map.is_some() { DVec3::ONE } else { default })
+        };
+        let specular = color(self.specular, &self.specular_map, default.specular);
+        let material = Material {
+            ambient: color(self.ambient, &self.ambient_map, default.ambient),
+            diffuse: color(self.diffuse, &self.diffuse_map, default.diffuse),
+            specular,
+            exponent: self.exponent.unwrap_or(default.exponent),
+            reflection: if self.is_mirror() { specular } else { default.reflection },
+        };
+        let placement = self.maps().next().map(|map| map.placement).unwrap_or_default();
+        let source = |map: Option<Map>| map.map(|map| map.source);
+        let maps = ModelMaps {
+            ambient: source(self.ambient_map),
+            diffuse: source(self.diffuse_map),
+            specular: source(self.specular_map),
+            placement,
+        };
+        LibraryMaterial { name: self.name, material, maps }
+    }
+}
+
+fn color(keyword: &str, rest: &str) -> Result<DVec3, String> {
     let values: Result<Vec<f64>, String> =
         words(rest).map(|word| not_negative(keyword, word)).collect();
     match values?[..] {
-        [grey] => Ok([grey; 3]),
-        [r, g, b] => Ok([r, g, b]),
+        [grey] => Ok(DVec3::splat(grey)),
+        [r, g, b] => Ok(DVec3::new(r, g, b)),
         _ => Err(format!("{keyword} is a colour of 3 numbers")),
     }
 }
@@ -194,4 +245,9 @@ fn not_negative(keyword: &str, word: &str) -> Result<f64, String> {
         value if value < 0.0 => Err(format!("{keyword} must not be negative, is {value}")),
         value => Ok(value),
     }
+}
+
+/// Whether all words are one number.
+fn all_are(rest: &str, value: f64) -> bool {
+    words(rest).all(|word| word.parse() == Ok(value))
 }

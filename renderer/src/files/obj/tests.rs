@@ -1,10 +1,15 @@
+//! OBJ files, good and bad.
+
 use std::fs;
 
+use glam::DVec3;
+
 use super::*;
+use crate::kernels::material::Material;
 use crate::scene::{MaterialObject, MeshObject};
 
 /// A folder with the given files.
-fn folder(files: &[(&str, &str)]) -> tempfile::TempDir {
+pub(super) fn folder(files: &[(&str, &str)]) -> tempfile::TempDir {
     let folder = tempfile::tempdir().unwrap();
     for (name, text) in files {
         fs::write(folder.path().join(name), text).unwrap();
@@ -16,16 +21,18 @@ fn load(text: &str) -> Model {
     load_obj(&folder(&[("a.obj", text)]).path().join("a.obj")).unwrap()
 }
 
-/// What is said of `a.obj`, from the name of the file on.
-fn refused(files: &[(&str, &str)]) -> String {
+/// What is said of `a.obj`, or of one of its materials, from the name of the file on.
+pub(super) fn refused(files: &[(&str, &str)]) -> String {
     let folder = folder(files);
-    let error = load_obj(&folder.path().join("a.obj")).unwrap_err().to_string();
+    let loaded = load_obj(&folder.path().join("a.obj"));
+    let undefined = |model: Model| model.materials.into_iter().find_map(|m| m.material.err());
+    let error = loaded.map_or_else(Some, undefined).unwrap().to_string();
     assert!(!error.contains('\n'), "{error}");
     let prefix = format!("{}/", folder.path().display());
     error.strip_prefix(&prefix).unwrap_or_else(|| panic!("names no file: {error}")).to_owned()
 }
 
-const TRIANGLE: &str = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+pub(super) const TRIANGLE: &str = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
 
 #[test]
 fn objects_materials_and_groups() {
@@ -54,9 +61,9 @@ fn objects_materials_and_groups() {
         exponent: 10.0,
         reflection: DVec3::ZERO,
     };
-    assert_eq!(model.materials[0].material, Some(red));
+    assert_eq!(model.materials[0].material, Ok(red));
     assert_eq!(model.materials[1].name, "blue");
-    assert_eq!(model.materials[1].material.unwrap().diffuse, DVec3::splat(0.5));
+    assert_eq!(model.materials[1].material.as_ref().unwrap().diffuse, DVec3::splat(0.5));
 }
 
 #[test]
@@ -66,16 +73,33 @@ fn groups_are_meshes_where_there_are_no_objects() {
     assert_eq!(names, ["a", "one", "one_2", "a_2"]);
     assert_eq!(model.materials.len(), 1);
     assert_eq!(model.materials[0].name, DEFAULT_MATERIAL);
-    assert_eq!(model.materials[0].material, Some(default_material()));
+    assert_eq!(model.materials[0].material, Ok(default_material()));
 }
 
 #[test]
-fn polygons_become_fans() {
+fn polygons_become_triangles() {
     let model = load(
         "v 0 0 0\nv 1 0 0\nv 2 1 0\nv 1 2 0\nv 0 1 0\nusemtl default\nf 1 2 3 4 5\nf 1 1 1\nf 1 1 1\n",
     );
     let mesh = &model.meshes[0];
     assert_eq!(mesh.triangles[..3], [[0, 1, 2], [0, 2, 3], [0, 3, 4]]);
+    // An arrow head, whose notch is its third corner: a fan around the first corner would leave it.
+    let arrow = load(
+        "v 0 0 0\nv 2 -1 0\nv 0.5 0 0\nv 2 1 0\nvt 0 0\nvt 1 0\nvt 0.3 0.5\nvt 1 1\n\
+        f 2/2 3/3 4/4 1/1\n",
+    );
+    let [arrow] = &arrow.meshes[..] else { panic!("one mesh") };
+    assert_eq!(arrow.texture_coordinates.len(), 4);
+    let corner = |&i: &u32| DVec3::from_array(arrow.vertices[i as usize]);
+    for (triangle, texture) in arrow.triangles.iter().zip(&arrow.texture_triangles) {
+        let [a, b, c] = [0, 1, 2].map(|i| corner(&triangle[i]));
+        assert_eq!(0.5 * (b - a).cross(c - a).z, 0.25, "{triangle:?}");
+        // Corners keep their texture coordinates: u is 0 at the tail and 1 at the tips.
+        for (vertex, coordinate) in triangle.iter().zip(texture.unwrap()) {
+            let u = arrow.texture_coordinates[coordinate as usize][0];
+            assert_eq!(corner(vertex).x, if u == 0.3 { 0.5 } else { 2.0 * u });
+        }
+    }
     // Triangles without area and repeated ones are kept.
     assert_eq!(mesh.triangles[3..], [[0, 0, 0]; 2]);
     assert_eq!(mesh.materials, [0; 5]);
@@ -98,11 +122,52 @@ fn odd_but_whole_files_are_read() {
 }
 
 #[test]
+fn indices_are_relative_to_what_stands_before() {
+    let text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nf -3/-3 -2/-2 -1/-1\n\
+        v 0 0 5\nv 1 0 5\nv 0 1 5\nvt 0.5 0.5\nf -3/-1 -2/-1 -1/-1\n";
+    let mesh = &load(text).meshes[0];
+    assert_eq!(mesh.vertices[3..], [[0.0, 0.0, 5.0], [1.0, 0.0, 5.0], [0.0, 1.0, 5.0]]);
+    assert_eq!(mesh.triangles, [[0, 1, 2], [3, 4, 5]]);
+    assert_eq!(mesh.texture_triangles, [Some([0, 1, 2]), Some([3, 3, 3])]);
+    assert_eq!(mesh.texture_coordinates[3], [0.5, 0.5]);
+}
+
+#[test]
+fn what_is_left_out_is_told_once() {
+    let text = format!(
+        "s 1\nvn 0 0 1\n{TRIANGLE}v 0 0 0 1 0 0\nv 0 0 0 1 0 0\nl 1 2\nl 1 2\np 1\n\
+         surf 0 1\nf 1 2 3\n"
+    );
+    let folder = folder(&[("a.obj", &text)]);
+    let path = folder.path().join("a.obj");
+    let warnings = load_obj(&path).unwrap().warnings;
+    let expected = [
+        (6, "the colours of vertices are left out"),
+        (8, "`l` is left out: only faces (`f`) are shown"),
+        (10, "`p` is left out: only faces (`f`) are shown"),
+        (11, "`surf` is left out: it is no statement that is read here"),
+    ];
+    let expected = expected.map(|(line, problem)| format!("{}:{line}: {problem}", path.display()));
+    assert_eq!(warnings.iter().map(ToString::to_string).collect::<Vec<_>>(), expected);
+}
+
+/// Files with many groups of one name are read in a time that grows with their length.
+#[test]
+fn many_groups_of_one_name_are_numbered() {
+    let groups = "g\nf 1 2 3\n".repeat(20_000);
+    let model = load(&format!("{TRIANGLE}{groups}"));
+    assert_eq!(model.meshes.len(), 20_000);
+    assert_eq!(model.meshes[19_999].name, "a_20000");
+}
+
+#[test]
 fn bytes_that_are_no_text_are_read_over() {
     let folder = folder(&[]);
     let path = folder.path().join("a.obj");
     fs::write(&path, b"# caf\xe9\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n").unwrap();
     assert_eq!(load_obj(&path).unwrap().meshes[0].triangles, [[0, 1, 2]]);
+    fs::write(&path, b"\xff\xfev\x000\x00").unwrap();
+    assert_eq!(load_obj(&path).unwrap_err().problem, "is text in UTF-16; save it as UTF-8");
 }
 
 #[test]
@@ -135,37 +200,6 @@ fn broken_files_are_refused_with_their_line() {
     }
     assert!(refused(&[("a.obj", "")]).starts_with("a.obj: holds no triangles"));
     assert!(refused(&[]).starts_with("a.obj: no such file"));
-}
-
-#[test]
-fn libraries_are_found_and_checked() {
-    let obj = format!("mtllib\ta.mtl\n{TRIANGLE}usemtl red\nf 1 2 3\n");
-    for (library, expected) in [
-        ("newmtl red\nKd 1 2\n", "a.mtl:2: Kd is a colour of 3 numbers"),
-        ("newmtl red\nKs nan 0 0\n", "a.mtl:2: Ks: `nan` is not a finite number"),
-        ("newmtl red\nKd 0 -1 0\n", "a.mtl:2: Kd must not be negative, is -1"),
-        ("newmtl red\nNs\n", "a.mtl:2: Ns: `` is not a number"),
-        ("newmtl\n", "a.mtl:1: newmtl names no material"),
-        ("Kd 1 1 1\n", "a.mtl:1: Kd stands before the first newmtl"),
-    ] {
-        let error = refused(&[("a.obj", &obj), ("a.mtl", library)]);
-        assert!(error.starts_with(expected), "{library:?}: {error}");
-    }
-    let error = refused(&[("a.obj", &obj)]);
-    assert!(error.starts_with("a.obj:1: the material library"), "{error}");
-    assert!(error.ends_with("a.mtl is missing"), "{error}");
-
-    // Nobody wears a material of the missing library.
-    let plain = format!("mtllib a.mtl\n{TRIANGLE}f 1 2 3\n");
-    assert_eq!(load(&plain).materials[0].material, Some(default_material()));
-
-    // Two libraries in one line; a material that is in neither is left to the scene file.
-    let two = format!("mtllib a.mtl b.mtl\n{TRIANGLE}usemtl red\nf 1 2 3\nusemtl no\nf 1 2 3\n");
-    let files = [("a.obj", &two[..]), ("a.mtl", ""), ("b.mtl", "newmtl red\r\nKd 1 0 0\r\n")];
-    let model = load_obj(&folder(&files).path().join("a.obj")).unwrap();
-    assert_eq!(model.materials[0].material.unwrap().diffuse, DVec3::X);
-    assert_eq!(model.materials[1].material, None);
-    assert!(model.materials[1].place.ends_with("a.obj:8"), "{}", model.materials[1].place);
 }
 
 #[test]

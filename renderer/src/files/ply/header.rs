@@ -2,6 +2,7 @@
 
 use super::source::{Format, Scalar, Source};
 use crate::Error;
+use crate::files::warnings::Warnings;
 
 pub(super) struct Header {
     /// In the order of the data.
@@ -27,6 +28,30 @@ pub(super) enum Kind {
     List { count: Scalar, item: Scalar },
 }
 
+/// Names of texture coordinates, the ones that programs write.
+const TEXTURE_NAMES: [[&str; 2]; 4] =
+    [["u", "v"], ["s", "t"], ["texture_u", "texture_v"], ["texture_s", "texture_t"]];
+
+impl Element {
+    /// The names of its texture coordinates, if it has some.
+    pub fn texture_names(&self) -> Option<[&'static str; 2]> {
+        let has = |name: &str| {
+            let mut properties = self.properties.iter();
+            properties.any(|p| p.name == name && matches!(p.kind, Kind::Scalar(_)))
+        };
+        TEXTURE_NAMES.into_iter().find(|names| names.iter().all(|name| has(name)))
+    }
+}
+
+/// What is said of a property that would change the image, and is left out.
+fn left_out(element: &str, property: &str) -> Option<&'static str> {
+    match (element, property) {
+        ("face", "texcoord") => Some("texture coordinates of faces are left out"),
+        ("vertex" | "face", "red" | "diffuse_red") => Some("colours are left out"),
+        _ => None,
+    }
+}
+
 /// Whether a property of a face is the list of its corners.
 pub(super) fn is_corner_list(property: &Property) -> bool {
     let named = matches!(property.name.as_str(), "vertex_indices" | "vertex_index");
@@ -34,7 +59,11 @@ pub(super) fn is_corner_list(property: &Property) -> bool {
 }
 
 /// Reads the header; the data follows it.
-pub(super) fn read<'a>(bytes: &'a [u8], place: &str) -> Result<(Header, Source<'a>), Error> {
+pub(super) fn read<'a>(
+    bytes: &'a [u8],
+    place: &str,
+    warnings: &mut Warnings,
+) -> Result<(Header, Source<'a>), Error> {
     let bytes = bytes.strip_prefix("\u{feff}".as_bytes()).unwrap_or(bytes);
     let mut rest = bytes;
     let mut line_number = 0;
@@ -54,10 +83,16 @@ pub(super) fn read<'a>(bytes: &'a [u8], place: &str) -> Result<(Header, Source<'
         line_number += 1;
         let refuse = |problem: String| Error::new(format!("{place}:{line_number}"), problem);
         let words: Vec<&str> = line.split_whitespace().collect();
+        let mut warn = |problem: &str| {
+            warnings.add(problem, format_args!("{place}:{line_number}"), problem);
+        };
         match words[..] {
             ["ply"] if line_number == 1 => {}
             _ if line_number == 1 => {
                 return Err(Error::new(place, "is no PLY file: its first line is not `ply`"));
+            }
+            ["comment", "TextureFile", ..] => {
+                warn("the texture is left out; a material of a scene file may have one");
             }
             [] | ["comment" | "obj_info", ..] => {}
             ["format", name, "1.0"] => format = Some(Format::named(name).map_err(refuse)?),
@@ -68,6 +103,9 @@ pub(super) fn read<'a>(bytes: &'a [u8], place: &str) -> Result<(Header, Source<'
                 if elements.iter().any(|element| element.name == name) {
                     return Err(refuse(format!("the element {name} is defined twice")));
                 }
+                if count > 0 && !matches!(name, "vertex" | "face") {
+                    warn(&format!("the element {name} is left out"));
+                }
                 elements.push(Element { name: name.to_owned(), count, properties: Vec::new() });
             }
             ["property", ref words @ ..] => {
@@ -75,6 +113,9 @@ pub(super) fn read<'a>(bytes: &'a [u8], place: &str) -> Result<(Header, Source<'
                 let element = elements.last_mut();
                 let element = element
                     .ok_or_else(|| refuse("a property stands before any element".to_owned()))?;
+                if let Some(problem) = left_out(&element.name, &property.name) {
+                    warn(problem);
+                }
                 element.properties.push(property);
             }
             ["end_header"] => break,

@@ -161,12 +161,58 @@ fn broken_data_is_refused() {
             "{refused}"
         );
     }
-    let many = format!("1001{}", " 0".repeat(1001));
-    let refusal = refused(format!("{HEADER}{}", DATA.replace("4 0 1 2 3", &many)));
-    assert!(refusal.contains("face 1: has 1001 corners; at most 1000 are read"), "{refusal}");
+    // A polygon that goes around the notch again and again.
+    let header = HEADER.replace("uchar int", "ushort int");
+    let many = format!("1004{}", " 0 1 2 3".repeat(251));
+    let notch = DATA.replace("1 1 0 0", "0.2 0.2 0 0");
+    let refusal = refused(format!("{header}{}", notch.replace("4 0 1 2 3", &many)));
+    assert!(refusal.contains("face 1: a face of 1004 corners is not convex"), "{refusal}");
     let none = HEADER.replace("face 2", "face 0");
     assert!(refused(format!("{none}{DATA}")).contains("holds no triangles"));
     let whole = binary("binary_little_endian", false);
     let refusal = refused(&whole[..whole.len() - 1]);
     assert_eq!(refusal, "scan.ply: face 2: the file ends before its data does");
+}
+
+#[test]
+fn texture_coordinates_are_read() {
+    for [u, v] in [["s", "t"], ["u", "v"], ["texture_u", "texture_v"]] {
+        let header = HEADER
+            .replace("double z", &format!("double z\nproperty float {u}\nproperty float {v}"));
+        let rows = "0 0 255 0 0 0\n1 0 0 0 1 0\n1 1 0 0 1 1\n0 1 0 0 0 1\n9 9 9 9 9 9\n";
+        let faces = DATA.split("9 9 9 9\n").nth(1).unwrap();
+        let mesh = &load(format!("{header}{rows}{faces}")).unwrap().meshes[0];
+        assert_eq!(mesh.texture_coordinates, [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]]);
+        let corners = mesh.triangles.iter().map(|corners| Some(*corners));
+        assert_eq!(mesh.texture_triangles, corners.collect::<Vec<_>>());
+        let broken =
+            refused(format!("{header}{}{faces}", rows.replace("1 0 0 0 1 0", "1 0 0 0 1 nan")));
+        assert!(
+            broken.ends_with(&format!("vertex 2: {v} is NaN, not a finite number")),
+            "{broken}"
+        );
+    }
+    // One of the two is none.
+    let header = HEADER.replace("property uchar red", "property uchar u");
+    assert_eq!(load(format!("{header}{DATA}")).unwrap().meshes[0].texture_triangles, []);
+}
+
+#[test]
+fn what_is_left_out_is_told() {
+    let header = HEADER
+        .replace("comment a", "comment TextureFile a.png\ncomment a")
+        .replace("float quality", "list uchar float texcoord")
+        .replace("element face", "element edge 1\nproperty int vertex1\nelement face");
+    let data = DATA.replace(" 0.5", " 0").replace("4 0 1 2 3", "7\n4 0 1 2 3");
+    let warnings = load(format!("{header}{data}")).unwrap().warnings;
+    let after_file = |warning: &crate::files::Warning| {
+        warning.to_string().split_once("scan.ply:").unwrap().1.to_owned()
+    };
+    let expected = [
+        "3: the texture is left out; a material of a scene file may have one",
+        "8: colours are left out",
+        "10: the element edge is left out",
+        "14: texture coordinates of faces are left out",
+    ];
+    assert_eq!(warnings.iter().map(after_file).collect::<Vec<_>>(), expected);
 }

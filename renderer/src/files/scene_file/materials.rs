@@ -1,13 +1,14 @@
 //! The materials of a scene while its file is read: those of the scene file, and those that meshes
 //! bring along.
 
-use glam::DVec3;
+use glam::{DAffine2, DVec3};
 
 use super::Problem;
 use super::format::{MaterialEntry, Ordered};
 use super::textures::TextureTable;
-use crate::Error;
-use crate::files::obj::{ModelMaterial, default_material, unique};
+use crate::files::Warning;
+use crate::files::model::{ModelMaterial, default_material};
+use crate::files::names::Names;
 use crate::kernels::material::Material;
 use crate::scene::{MaterialObject, MaterialTextures, Scene};
 
@@ -15,6 +16,7 @@ use crate::scene::{MaterialObject, MaterialTextures, Scene};
 pub(super) struct MaterialTable<'a> {
     objects: Vec<MaterialObject>,
     materials: Vec<Material<f64>>,
+    names: Names,
     textures: TextureTable,
     entries: &'a [(String, MaterialEntry)],
     /// For each entry of the scene file, whether a mesh's library has filled in what it left out.
@@ -37,6 +39,7 @@ impl<'a> MaterialTable<'a> {
         Ok(Self {
             objects: entries.iter().map(object).collect::<Result<_, Problem>>()?,
             materials: entries.iter().map(material).collect(),
+            names: entries.iter().map(|(name, _)| name.as_str()).collect(),
             textures,
             filled: vec![false; entries.len()],
             entries,
@@ -48,6 +51,7 @@ impl<'a> MaterialTable<'a> {
         Self {
             objects: Vec::new(),
             materials: Vec::new(),
+            names: Names::default(),
             textures: TextureTable::default(),
             entries: &[],
             filled: Vec::new(),
@@ -68,25 +72,24 @@ impl<'a> MaterialTable<'a> {
         })
     }
 
-    /// The index of a model's material, which is added if the scene does not have it yet.
-    pub fn add(&mut self, model: &ModelMaterial) -> Result<u32, Problem> {
+    /// The index of a model's material, which is added if the scene does not have it yet; and from the
+    /// texture coordinates of the model's meshes to those at which it looks textures up.
+    pub fn add(&mut self, model: &ModelMaterial) -> Result<(u32, DAffine2), Problem> {
         let entry = self.entries.iter().position(|(name, _)| *name == model.name);
-        let value = match (entry, model.material) {
-            (Some(entry), None) => return Ok(entry as u32),
-            (Some(entry), Some(material)) => overridden(material, &self.entries[entry].1),
-            (None, Some(material)) => material,
-            (None, None) => {
-                let problem = format!(
-                    "no material `{}`: neither a material library of the mesh nor a scene file \
-                     defines it",
-                    model.name
-                );
-                return Err(Error::new(&model.place, problem).into());
-            }
+        let value = match (entry, &model.material) {
+            (Some(entry), Err(_)) => return Ok((entry as u32, DAffine2::IDENTITY)),
+            (Some(entry), Ok(material)) => overridden(*material, &self.entries[entry].1),
+            (None, Ok(material)) => *material,
+            (None, Err(undefined)) => return Err(undefined.clone().into()),
         };
-        let mut textures = self.textures.add(&model.maps)?;
+        let own = self.textures.add(&model.maps)?;
+        let (mut textures, mut placement) = (own, model.maps.placement);
         if let Some(entry) = entry {
             let (name, fields) = &self.entries[entry];
+            // What is said of textures that the scene file replaces is not said of the new ones.
+            if !keeps_texture(own, fields) {
+                placement = DAffine2::IDENTITY;
+            }
             textures = overridden_textures(textures, name, fields, &self.textures)?;
             if !self.filled[entry] {
                 self.filled[entry] = true;
@@ -101,20 +104,19 @@ impl<'a> MaterialTable<'a> {
                 && (*name == model.name || is_numbered(name, &model.name))
         });
         if let Some(index) = same {
-            return Ok(index as u32);
+            return Ok((index as u32, placement));
         }
-        let taken = |name: &str| self.objects.iter().any(|other| other.name == name);
-        let name = unique(model.name.clone(), taken);
+        let name = self.names.take(model.name.clone());
         self.objects.push(MaterialObject { name, textures });
         self.materials.push(value);
-        Ok((self.objects.len() - 1) as u32)
+        Ok(((self.objects.len() - 1) as u32, placement))
     }
 
-    /// Hands all materials and textures to the scene.
-    pub fn move_into(self, scene: &mut Scene) {
+    /// Hands all materials and textures to the scene; the warnings about the images of textures.
+    pub fn move_into(self, scene: &mut Scene) -> Vec<Warning> {
         scene.materials = self.objects;
         scene.parameters.materials = self.materials;
-        self.textures.move_into(scene);
+        self.textures.move_into(scene)
     }
 }
 
@@ -148,6 +150,16 @@ fn overridden_textures(
         diffuse: texture("diffuse_texture", &entry.diffuse_texture, base.diffuse)?,
         specular: texture("specular_texture", &entry.specular_texture, base.specular)?,
     })
+}
+
+/// Whether one of the textures `own` is not replaced by `entry`.
+fn keeps_texture(own: MaterialTextures, entry: &MaterialEntry) -> bool {
+    let pairs = [
+        (own.ambient, &entry.ambient_texture),
+        (own.diffuse, &entry.diffuse_texture),
+        (own.specular, &entry.specular_texture),
+    ];
+    pairs.iter().any(|(own, replaced)| own.is_some() && replaced.is_none())
 }
 
 /// Whether `name` is `base_2` or the like.

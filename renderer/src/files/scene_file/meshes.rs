@@ -1,19 +1,25 @@
 //! Puts the meshes of files into a scene.
 
+use std::collections::HashMap;
 use std::path::Path;
+
+use glam::{DAffine2, DVec2};
 
 use super::Problem;
 use super::format::MeshEntry;
 use super::materials::MaterialTable;
 use crate::Error;
+use crate::files::Warning;
 use crate::files::meshes::load_mesh;
-use crate::files::obj::{Mesh, Model, unique};
+use crate::files::model::{Mesh, Model};
+use crate::files::names::Names;
 #[cfg(feature = "gltf")]
 use crate::files::{GltfFile, MeshFormat, load_gltf};
 use crate::scene::{MeshObject, Scene};
 
-/// The scene that a mesh file alone gives, framed and lit by default.
-pub(crate) fn load_mesh_scene(path: &Path) -> Result<Scene, Error> {
+/// The scene that a mesh file alone gives, framed and lit by default, and what was left out of the
+/// file.
+pub(crate) fn load_mesh_scene(path: &Path) -> Result<(Scene, Vec<Warning>), Error> {
     #[cfg(feature = "gltf")]
     if MeshFormat::of(path) == Some(MeshFormat::Gltf) {
         return load_gltf_scene(path);
@@ -23,9 +29,9 @@ pub(crate) fn load_mesh_scene(path: &Path) -> Result<Scene, Error> {
 
 /// The scene of a glTF file: what it brings of camera and lights replaces the default ones.
 #[cfg(feature = "gltf")]
-fn load_gltf_scene(path: &Path) -> Result<Scene, Error> {
+fn load_gltf_scene(path: &Path) -> Result<(Scene, Vec<Warning>), Error> {
     let GltfFile { model, camera, lights } = load_gltf(path)?;
-    let mut scene = framed(model, path)?;
+    let (mut scene, warnings) = framed(model, path)?;
     if let Some((camera, aspect_ratio)) = camera {
         scene.set_camera(camera, aspect_ratio);
     }
@@ -33,60 +39,91 @@ fn load_gltf_scene(path: &Path) -> Result<Scene, Error> {
         (scene.light_names, scene.parameters.lights) = lights.into_iter().unzip();
     }
     scene.validate(path.display())?;
-    Ok(scene)
+    Ok((scene, warnings))
 }
 
 /// The scene of a model from the file `path`, framed and lit by default.
-fn framed(model: Model, path: &Path) -> Result<Scene, Error> {
-    let Model { meshes, materials } = model;
+fn framed(model: Model, path: &Path) -> Result<(Scene, Vec<Warning>), Error> {
     let mut scene = Scene::empty();
     let mut table = MaterialTable::of_models();
-    let indices: Result<Vec<u32>, Problem> = materials.iter().map(|m| table.add(m)).collect();
-    let indices = indices.map_err(|problem| problem.at(path))?;
-    add_meshes(&mut scene, meshes, &indices);
-    table.move_into(&mut scene);
+    let mut warnings =
+        add_model(&mut scene, &mut table, model).map_err(|problem| problem.at(path))?;
+    warnings.append(&mut table.move_into(&mut scene));
     drop_unused_coordinates(&mut scene);
     // First the mesh by itself: what is wrong with it would show in the camera too.
     scene.validate(path.display())?;
     scene.frame();
     scene.validate(path.display())?;
-    Ok(scene)
+    Ok((scene, warnings))
 }
 
-/// Adds what one `[[mesh]]` names.
+/// Adds what one `[[mesh]]` names; what was left out of its file.
 pub(super) fn add_entry(
     scene: &mut Scene,
     table: &mut MaterialTable<'_>,
     entry: &MeshEntry,
     folder: &Path,
-) -> Result<(), Problem> {
-    let Model { mut meshes, materials } = load_mesh(&folder.join(&entry.path))?;
-    let indices = match &entry.material {
-        Some(name) => {
-            let index = table.index(name).map_err(|problem| {
-                let mesh = entry.name.clone().unwrap_or(entry.path.display().to_string());
-                Problem::new(format!("mesh.{mesh}.material"), problem)
-            })?;
-            vec![index; materials.len()]
-        }
-        None => materials.iter().map(|m| table.add(m)).collect::<Result<Vec<u32>, Problem>>()?,
-    };
+) -> Result<Vec<Warning>, Problem> {
+    let mut model = load_mesh(&folder.join(&entry.path))?;
     if let Some(name) = &entry.name {
-        meshes = vec![join(meshes, name.clone())];
         if scene.meshes.iter().any(|other| other.name == *name) {
             return Err(Problem::new(format!("mesh.{name}.name"), "another mesh has this name"));
         }
+        model.meshes = vec![join(model.meshes, name.clone())];
     }
+    let Some(material) = &entry.material else { return add_model(scene, table, model) };
+    let index = table.index(material).map_err(|problem| {
+        let mesh = entry.name.clone().unwrap_or(entry.path.display().to_string());
+        Problem::new(format!("mesh.{mesh}.material"), problem)
+    })?;
+    add_meshes(scene, model.meshes, &vec![index; model.materials.len()]);
+    Ok(model.warnings)
+}
+
+/// Adds the meshes of a model and their materials; what was left out of its file.
+fn add_model(
+    scene: &mut Scene,
+    table: &mut MaterialTable<'_>,
+    model: Model,
+) -> Result<Vec<Warning>, Problem> {
+    let Model { mut meshes, materials, warnings } = model;
+    let added = materials.iter().map(|material| table.add(material));
+    let added: Vec<(u32, DAffine2)> = added.collect::<Result<_, _>>()?;
+    let (indices, placements): (Vec<u32>, Vec<DAffine2>) = added.into_iter().unzip();
+    meshes.iter_mut().for_each(|mesh| place_textures(mesh, &placements));
     add_meshes(scene, meshes, &indices);
-    Ok(())
+    Ok(warnings)
+}
+
+/// Moves the texture coordinates of a mesh to where each material looks its textures up.
+fn place_textures(mesh: &mut Mesh, placements: &[DAffine2]) {
+    if placements.iter().all(|placement| *placement == DAffine2::IDENTITY) {
+        return;
+    }
+    // Triangles share coordinates, but for those whose placements differ.
+    let first_equal = |placement| placements.iter().position(|other| other == placement);
+    let kinds: Vec<_> = placements.iter().map(first_equal).collect();
+    let (mut placed, mut places) = (Vec::new(), HashMap::new());
+    for (corners, &material) in mesh.texture_triangles.iter_mut().zip(&mesh.materials) {
+        for corner in corners.iter_mut().flatten() {
+            let place = places.entry((*corner, kinds[material as usize])).or_insert_with(|| {
+                let coordinates = DVec2::from_array(mesh.texture_coordinates[*corner as usize]);
+                let moved = placements[material as usize].transform_point2(coordinates);
+                placed.push(moved.to_array());
+                placed.len() as u32 - 1
+            });
+            *corner = *place;
+        }
+    }
+    mesh.texture_coordinates = placed;
 }
 
 /// Adds meshes whose materials are `materials` of the scene.
 fn add_meshes(scene: &mut Scene, meshes: Vec<Mesh>, materials: &[u32]) {
+    let mut names: Names = scene.meshes.iter().map(|mesh| mesh.name.as_str()).collect();
     for mesh in meshes {
-        let taken = |name: &str| scene.meshes.iter().any(|other| other.name == name);
         let object = MeshObject {
-            name: unique(mesh.name, taken),
+            name: names.take(mesh.name),
             triangles: mesh.triangles,
             materials: mesh.materials.iter().map(|&index| materials[index as usize]).collect(),
             texture_triangles: mesh.texture_triangles,

@@ -14,6 +14,8 @@ mod write;
 
 #[cfg(test)]
 mod tests;
+#[cfg(test)]
+mod texture_tests;
 
 use std::path::Path;
 

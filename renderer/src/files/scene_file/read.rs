@@ -9,6 +9,7 @@ use super::materials::MaterialTable;
 use super::textures::TextureTable;
 use super::{Problem, meshes, optimize};
 use crate::experiment::Experiment;
+use crate::files::Warning;
 use crate::kernels::camera::Camera;
 use crate::kernels::light::{DistantLight, PointLight};
 use crate::kernels::sphere::Sphere;
@@ -16,16 +17,17 @@ use crate::scene::{Light, Scene, SphereObject};
 
 /// The experiment that a file in `folder` describes.
 pub(super) fn experiment(file: &SceneFile, folder: &Path) -> Result<Experiment, Problem> {
-    let scene = scene(file, folder)?;
+    let (scene, warnings) = scene(file, folder)?;
     scene.check()?;
     let optimize = match &file.optimize {
         Some(entry) => Some(optimize::read(entry, &scene, folder)?),
         None => None,
     };
-    Ok(Experiment { scene, optimize })
+    Ok(Experiment { scene, optimize, warnings })
 }
 
-fn scene(file: &SceneFile, folder: &Path) -> Result<Scene, Problem> {
+/// The scene, and what was left out of the files that it names.
+fn scene(file: &SceneFile, folder: &Path) -> Result<(Scene, Vec<Warning>), Problem> {
     let mut scene = Scene::empty();
     scene.bounces = file.bounces;
     scene.width = file.camera.width;
@@ -37,8 +39,9 @@ fn scene(file: &SceneFile, folder: &Path) -> Result<Scene, Problem> {
     }
     let textures = TextureTable::new(&file.textures, folder)?;
     let mut materials = MaterialTable::new(&file.materials, textures)?;
+    let mut warnings = Vec::new();
     for entry in &file.meshes {
-        meshes::add_entry(&mut scene, &mut materials, entry, folder)?;
+        warnings.extend(meshes::add_entry(&mut scene, &mut materials, entry, folder)?);
     }
     for entry in &file.spheres {
         let material = materials
@@ -48,9 +51,9 @@ fn scene(file: &SceneFile, folder: &Path) -> Result<Scene, Problem> {
         let center = DVec3::from_array(entry.center);
         scene.parameters.spheres.push(Sphere { center, radius: entry.radius });
     }
-    materials.move_into(&mut scene);
+    warnings.extend(materials.move_into(&mut scene));
     meshes::drop_unused_coordinates(&mut scene);
-    Ok(scene)
+    Ok((scene, warnings))
 }
 
 fn camera(entry: &CameraEntry) -> Camera<f64> {

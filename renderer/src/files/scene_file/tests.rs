@@ -3,7 +3,7 @@ use std::fs;
 use super::*;
 use crate::demo::demo_experiment;
 use crate::experiment::{OptimizeSection, Target, TunedParameter};
-use crate::files::images::{save_exr, save_png};
+use crate::files::images::save_png;
 use crate::image::Image;
 use crate::kernels::light::DistantLight;
 use crate::kernels::sphere::Sphere;
@@ -16,14 +16,14 @@ use glam::DVec3;
 
 const MESH: &str = "o one\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl red\nf 1 2 3\n\
     o two\nv 0 0 1\nv 1 0 1\nv 0 1 1\nusemtl blue\nf 4 5 6\n";
-const LIBRARY: &str = "newmtl red\nKd 1 0 0\nNs 7\nnewmtl blue\nKd 0 0 1\n";
-const CAMERA: &str =
+pub(super) const LIBRARY: &str = "newmtl red\nKd 1 0 0\nNs 7\nnewmtl blue\nKd 0 0 1\n";
+pub(super) const CAMERA: &str =
     "[camera]\nlook_from = [0, 0, 5]\nlook_at = [0, 0, 0]\nwidth = 8\nheight = 4\n";
 const LIGHT: &str =
     "[[light]]\nname = \"key\"\ntype = \"point\"\nposition = [1, 2, 3]\nintensity = 4\n";
 
 /// A folder with `a.obj` and its library.
-fn folder() -> tempfile::TempDir {
+pub(super) fn folder() -> tempfile::TempDir {
     let folder = tempfile::tempdir().unwrap();
     fs::write(folder.path().join("a.obj"), format!("mtllib a.mtl\n{MESH}")).unwrap();
     fs::write(folder.path().join("a.mtl"), LIBRARY).unwrap();
@@ -391,40 +391,6 @@ fn a_target_image_is_taken_along() {
     let optimize = Experiment::load(&path).unwrap().optimize.unwrap();
     let Some(Target::Image(image)) = optimize.target else { panic!("an image") };
     assert_eq!(fs::read(image).unwrap(), b"an image");
-}
-
-#[test]
-fn textures_are_read_once_and_named() {
-    let folder = folder();
-    let image = Image { width: 1, height: 1, pixels: vec![[1.0, 0.5, 0.25]] };
-    save_exr(&image, &folder.path().join("my wood.exr")).unwrap();
-    let mesh = "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0.5\nvt 1 0 0\n\
-        usemtl red\nf 1/1 2/2 3/-1\nusemtl blue\nf 1 2 3\n";
-    fs::write(folder.path().join("a.obj"), mesh).unwrap();
-    let library = "newmtl red\nmap_Kd -s 2 2 -clamp off my wood.exr\n\
-        map_Ks -mm 0 1 my wood.exr\nillum 3\nKs 0.5 0.4 0.3\nnewmtl blue\n";
-    fs::write(folder.path().join("a.mtl"), library).unwrap();
-    let text = format!("{CAMERA}[[mesh]]\npath = \"a.obj\"\n");
-    let scene = Experiment::parse(&text, folder.path(), "s.toml").unwrap().scene;
-    assert_eq!(scene.textures.len(), 1);
-    assert_eq!(scene.textures[0].name, "my wood");
-    assert_eq!(scene.parameters.textures, [[[1.0, 0.5, 0.25]]]);
-    let red = scene.materials.iter().position(|material| material.name == "red").unwrap();
-    let textures = scene.materials[red].textures;
-    assert_eq!((textures.diffuse, textures.specular), (Some(0), Some(0)));
-    assert_eq!(scene.parameters.materials[red].reflection, DVec3::new(0.5, 0.4, 0.3));
-    assert_eq!(scene.meshes[0].texture_triangles, [Some([0, 1, 1]), None]);
-    assert_eq!(scene.parameters.texture_coordinates, [[[0.5, 0.0], [1.0, 0.0]]]);
-
-    // The material may get, or change, its texture in the scene file.
-    let text =
-        format!("{text}[material.blue]\ndiffuse_texture = \"new\"\n[texture.new]\nsize = [2, 3]\n");
-    let error = Experiment::parse(&text, folder.path(), "s.toml").unwrap_err().to_string();
-    assert!(error.contains("triangle 1 wears the material `blue`"), "{error}");
-
-    fs::remove_file(folder.path().join("my wood.exr")).unwrap();
-    let error = Experiment::load(&folder.path().join("a.obj")).unwrap_err().to_string();
-    assert!(error.contains("a.mtl:2: the texture "), "{error}");
 }
 
 #[test]

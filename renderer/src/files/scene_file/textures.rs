@@ -1,13 +1,17 @@
 //! The textures of a scene while its file is read: those of the scene file, and those that the
 //! materials of meshes bring along.
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use super::Problem;
 use super::format::{Ordered, TextureEntry};
 use crate::Error;
-use crate::files::images::load_image;
-use crate::files::obj::{ModelMaps, TextureSource, unique};
+use crate::files::Warning;
+use crate::files::images::{TextureFile, decode_texture};
+use crate::files::io::read;
+use crate::files::meshes::{clean_name, file_stem};
+use crate::files::model::{ModelMaps, TextureImage, TextureSource};
+use crate::files::names::Names;
 use crate::image::Image;
 use crate::scene::{MOST_PIXELS, MaterialTextures, Scene, TextureObject, Wrap};
 
@@ -16,14 +20,18 @@ use crate::scene::{MOST_PIXELS, MaterialTextures, Scene, TextureObject, Wrap};
 pub(super) struct TextureTable {
     textures: Vec<TextureObject>,
     texels: Vec<Vec<[f64; 3]>>,
-    /// The file of each texture, if it has one.
-    files: Vec<Option<PathBuf>>,
+    /// Where the texels of each texture are from, if they are not from the scene file.
+    images: Vec<Option<TextureImage>>,
+    names: Names,
+    /// About the images.
+    warnings: Vec<Warning>,
 }
 
 impl TextureTable {
     /// The textures that a scene file in `folder` names.
     pub fn new(entries: &Ordered<TextureEntry>, folder: &Path) -> Result<Self, Problem> {
-        let mut table = Self::default();
+        let names = entries.iter().map(|(name, _)| name.as_str()).collect();
+        let mut table = Self { names, ..Self::default() };
         for (name, entry) in entries {
             let refuse = |field: &str, problem: &str| {
                 Err(Problem::new(format!("texture.{name}.{field}"), problem))
@@ -36,9 +44,9 @@ impl TextureTable {
                     return refuse("color", "a texture from a file has the colours of the image");
                 }
                 (Some(path), None, None) => {
-                    let path = folder.join(path);
-                    let image = load_image(&path)?.image;
-                    table.push(name.clone(), &image, entry.wrap.into(), Some(path));
+                    let image = TextureImage::File(folder.join(path));
+                    let texels = table.load(&image, "")?;
+                    table.push(name.clone(), &texels, entry.wrap.into(), image);
                 }
                 (None, Some([0, _] | [_, 0]), _) => {
                     return refuse("size", "must be at least 1 x 1");
@@ -54,7 +62,7 @@ impl TextureTable {
                     let wrap = entry.wrap.into();
                     table.textures.push(TextureObject { name: name.clone(), width, height, wrap });
                     table.texels.push(vec![color.unwrap_or([1.0; 3]); count]);
-                    table.files.push(None);
+                    table.images.push(None);
                 }
                 (None, None, _) => {
                     return refuse(
@@ -67,11 +75,29 @@ impl TextureTable {
         Ok(table)
     }
 
-    fn push(&mut self, name: String, image: &Image, wrap: Wrap, file: Option<PathBuf>) {
-        let &Image { width, height, ref pixels } = image;
+    fn push(&mut self, name: String, texels: &Image, wrap: Wrap, image: TextureImage) {
+        let &Image { width, height, ref pixels } = texels;
         self.textures.push(TextureObject { name, width, height, wrap });
         self.texels.push(pixels.iter().map(|pixel| pixel.map(f64::from)).collect());
-        self.files.push(file);
+        self.images.push(Some(image));
+    }
+
+    /// The texels of an image, which an embedding file has at `place`.
+    fn load(&mut self, image: &TextureImage, place: &str) -> Result<Image, Error> {
+        let (texture, place) = match image {
+            TextureImage::File(path) => {
+                (decode_texture(&read(path)?, path.display())?, path.display().to_string())
+            }
+            TextureImage::Embedded { bytes, .. } => {
+                (decode_texture(bytes, place)?, place.to_owned())
+            }
+        };
+        let TextureFile { image, is_transparent } = texture;
+        if is_transparent {
+            let problem = "has transparent texels; they are shown opaque".to_owned();
+            self.warnings.push(Warning { place, problem });
+        }
+        Ok(image)
     }
 
     /// The index of the texture `name`.
@@ -94,34 +120,40 @@ impl TextureTable {
             source.as_ref().map(|source| self.add_source(source)).transpose()
         };
         Ok(MaterialTextures {
-            ambient: None,
+            ambient: add(&maps.ambient)?,
             diffuse: add(&maps.diffuse)?,
             specular: add(&maps.specular)?,
         })
     }
 
     fn add_source(&mut self, source: &TextureSource) -> Result<u32, Error> {
-        let TextureSource { path, wrap, place } = source;
-        let known = self.files.iter().zip(&self.textures);
-        let mut known = known.map(|(file, texture)| (file.as_ref(), texture.wrap));
-        if let Some(index) = known.position(|known| known == (Some(path), *wrap)) {
+        let TextureSource { image, wrap, place } = source;
+        let known = self.images.iter().zip(&self.textures);
+        let mut known = known.map(|(image, texture)| (image.as_ref(), texture.wrap));
+        if let Some(index) = known.position(|known| known == (Some(image), *wrap)) {
             return Ok(index as u32);
         }
-        if !path.is_file() {
-            return Err(Error::new(place, format!("the texture {} is missing", path.display())));
-        }
-        let image = load_image(path)?.image;
-        let stem = path.file_stem().map_or("texture".into(), |stem| stem.to_string_lossy());
-        let stem = stem.trim().replace(char::is_control, "_");
-        let taken = |name: &str| self.textures.iter().any(|other| other.name == name);
-        let name = unique(stem, taken);
-        self.push(name, &image, *wrap, Some(path.clone()));
+        let name = match image {
+            TextureImage::File(path) if !path.is_file() => {
+                let problem = format!("the texture {} is missing", path.display());
+                return Err(Error::new(place, problem));
+            }
+            TextureImage::File(path) => file_stem(path),
+            TextureImage::Embedded { name, .. } => match clean_name(name) {
+                name if name.is_empty() => "texture".to_owned(),
+                name => name,
+            },
+        };
+        let name = self.names.take(name);
+        let texels = self.load(image, place)?;
+        self.push(name, &texels, *wrap, image.clone());
         Ok((self.textures.len() - 1) as u32)
     }
 
-    /// Hands all textures to the scene.
-    pub fn move_into(self, scene: &mut Scene) {
+    /// Hands all textures to the scene; the warnings about their images.
+    pub fn move_into(self, scene: &mut Scene) -> Vec<Warning> {
         scene.textures = self.textures;
         scene.parameters.textures = self.texels;
+        self.warnings
     }
 }

@@ -11,7 +11,8 @@ use crate::atomic_file::write_atomically;
 use crate::experiment::{Experiment, OptimizeSection, Target, TunedParameter};
 use crate::files::images::save_exr;
 use crate::files::io::{create_folder, read};
-use crate::files::obj::{save_obj, unique};
+use crate::files::names::Names;
+use crate::files::obj::save_obj;
 use crate::image::Image;
 use crate::kernels::material::Material;
 use crate::kernels::sphere::Sphere;
@@ -144,14 +145,13 @@ fn save_meshes(scene: &Scene, folder: &Path) -> Result<Vec<MeshEntry>, Error> {
         create_folder(&folder.join("meshes"))?;
     }
     let mut entries: Vec<MeshEntry> = Vec::new();
-    let mut stems: Vec<String> = Vec::new();
+    let mut stems = Names::default();
     let Parameters { vertices, texture_coordinates, .. } = &scene.parameters;
     let meshes = scene.meshes.iter().zip(vertices.iter().zip(texture_coordinates));
     for (mesh, (vertices, coordinates)) in meshes {
-        let stem = file_stem(&mesh.name, &stems);
+        let stem = stems.take(file_stem(&mesh.name));
         let path = Path::new("meshes").join(format!("{stem}.obj"));
         save_obj(mesh, vertices, coordinates, &scene.materials, &folder.join(&path))?;
-        stems.push(stem);
         entries.push(MeshEntry { path, name: Some(mesh.name.clone()), material: None });
     }
     Ok(entries)
@@ -163,14 +163,13 @@ fn save_textures(scene: &Scene, folder: &Path) -> Result<Vec<(String, TextureEnt
         create_folder(&folder.join("textures"))?;
     }
     let mut entries: Vec<(String, TextureEntry)> = Vec::new();
-    let mut stems: Vec<String> = Vec::new();
+    let mut stems = Names::default();
     for (texture, texels) in scene.textures.iter().zip(&scene.parameters.textures) {
-        let stem = file_stem(&texture.name, &stems);
+        let stem = stems.take(file_stem(&texture.name));
         let path = Path::new("textures").join(format!("{stem}.exr"));
         let pixels = texels.iter().map(|texel| texel.map(|value| value as f32)).collect();
         let image = Image { width: texture.width, height: texture.height, pixels };
         save_exr(&image, &folder.join(&path))?;
-        stems.push(stem);
         let wrap = texture.wrap.into();
         let entry = TextureEntry { path: Some(path), size: None, color: None, wrap };
         entries.push((texture.name.clone(), entry));
@@ -179,10 +178,9 @@ fn save_textures(scene: &Scene, folder: &Path) -> Result<Vec<(String, TextureEnt
 }
 
 /// A file name for an object. Names may hold what file names may not, and differ only in case.
-fn file_stem(name: &str, taken: &[String]) -> String {
+fn file_stem(name: &str) -> String {
     let allowed = |c: char| if c.is_alphanumeric() || "-_".contains(c) { c } else { '_' };
-    let stem = name.chars().map(allowed).collect::<String>().to_lowercase();
-    unique(stem, |stem| taken.iter().any(|other| other == stem))
+    name.chars().map(allowed).collect::<String>().to_lowercase()
 }
 
 fn optimize_entry(

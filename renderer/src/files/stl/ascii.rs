@@ -3,13 +3,13 @@
 use super::{Builder, Mesh};
 use crate::Error;
 use crate::files::meshes::clean_name;
-use crate::files::obj::unique;
+use crate::files::names::Names;
 
 /// The solids of a file that have triangles.
 pub(super) fn meshes(bytes: &[u8], file: &str, stem: &str) -> Result<Vec<Mesh>, Error> {
     let text = String::from_utf8_lossy(bytes);
     let text = text.strip_prefix('\u{feff}').unwrap_or(&text);
-    let mut meshes: Vec<Mesh> = Vec::new();
+    let (mut meshes, mut names) = (Vec::new(), Names::default());
     let mut builder = Builder::default();
     let mut name = String::new();
     let mut facet: Option<Vec<[f64; 3]>> = None;
@@ -21,7 +21,7 @@ pub(super) fn meshes(bytes: &[u8], file: &str, stem: &str) -> Result<Vec<Mesh>, 
         let Some(keyword) = words.next() else { continue };
         match (keyword.to_ascii_lowercase().as_str(), &mut facet) {
             ("solid", None) => {
-                finish(&mut meshes, std::mem::take(&mut builder), &name, stem);
+                meshes.extend(finish(std::mem::take(&mut builder), &name, stem, &mut names));
                 name = clean_name(line.trim_start()[keyword.len()..].trim());
             }
             ("endsolid", None) => {}
@@ -47,17 +47,14 @@ pub(super) fn meshes(bytes: &[u8], file: &str, stem: &str) -> Result<Vec<Mesh>, 
     if facet.is_some() {
         return Err(Error::new(format!("{file}:{last_line}"), "ends within a facet"));
     }
-    finish(&mut meshes, builder, &name, stem);
+    meshes.extend(finish(builder, &name, stem, &mut names));
     Ok(meshes)
 }
 
-fn finish(meshes: &mut Vec<Mesh>, builder: Builder, name: &str, stem: &str) {
-    if builder.is_empty() {
-        return;
-    }
+/// The solid `name`, if it has triangles.
+fn finish(builder: Builder, name: &str, stem: &str, names: &mut Names) -> Option<Mesh> {
     let name = if name.is_empty() { stem } else { name };
-    let name = unique(name.to_owned(), |name| meshes.iter().any(|mesh| mesh.name == name));
-    meshes.push(builder.finish(name));
+    (!builder.is_empty()).then(|| builder.finish(names.take(name.to_owned())))
 }
 
 fn vertex<'a>(words: impl Iterator<Item = &'a str>) -> Result<[f64; 3], String> {

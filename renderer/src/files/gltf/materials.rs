@@ -1,0 +1,219 @@
+//! Materials and their textures.
+
+use std::collections::HashMap;
+use std::path::Path;
+
+use glam::{DAffine2, DMat2, DVec2, DVec3};
+
+use super::Buffers;
+use super::buffers::{embedded, percent_decoded};
+use super::document::{self, Document, Sampler, TextureInfo, TextureTransform, get};
+use crate::Error;
+use crate::files::meshes::{clean_name, plain_material};
+use crate::files::model::{
+    DEFAULT_MATERIAL, ModelMaps, ModelMaterial, TextureImage, TextureSource, default_material,
+};
+use crate::files::names::Names;
+use crate::files::warnings::Warnings;
+use crate::kernels::material::Material;
+use crate::scene::Wrap;
+
+/// The materials of a document, and of these the ones that something wears.
+pub(super) struct Materials {
+    /// The last is that of primitives without one.
+    all: Vec<ModelMaterial>,
+    /// For each of `all` the set of texture coordinates that it uses.
+    texture_sets: Vec<usize>,
+    /// For each of `all`, where it is in `used`.
+    places: Vec<Option<u32>>,
+    pub used: Vec<ModelMaterial>,
+}
+
+impl Materials {
+    /// All materials of a document at `place`, whose files are in `folder`.
+    pub fn load(
+        document: &Document,
+        buffers: &Buffers,
+        folder: &Path,
+        place: &str,
+        warnings: &mut Warnings,
+    ) -> Result<Self, Error> {
+        let mut textures = Textures { document, buffers, folder, place, read: HashMap::new() };
+        let (mut all, mut texture_sets) = (Vec::new(), Vec::new());
+        let mut names = Names::default();
+        for (i, definition) in document.materials.iter().enumerate() {
+            let name = definition.name.as_deref().map(clean_name).filter(|name| !name.is_empty());
+            let name = names.take(name.unwrap_or_else(|| format!("material_{i}")));
+            let place = format!("{place}: materials[{i}]");
+            let (material, texture_set) =
+                convert(definition, name, &place, &mut textures, warnings)?;
+            all.push(material);
+            texture_sets.push(texture_set);
+        }
+        let name = names.take(DEFAULT_MATERIAL.to_owned());
+        all.push(ModelMaterial { name, ..plain_material() });
+        texture_sets.push(0);
+        Ok(Self { places: vec![None; all.len()], all, texture_sets, used: Vec::new() })
+    }
+
+    /// The set of texture coordinates that one of the document's materials uses.
+    pub fn texture_set(&self, index: Option<usize>) -> usize {
+        self.texture_sets[index.unwrap_or(self.all.len() - 1)]
+    }
+
+    /// The index among the materials that are used of one of the document.
+    pub fn place(&mut self, index: Option<usize>) -> u32 {
+        let index = index.unwrap_or(self.all.len() - 1);
+        *self.places[index].get_or_insert_with(|| {
+            self.used.push(self.all[index].clone());
+            self.used.len() as u32 - 1
+        })
+    }
+}
+
+/// A material, and the set of texture coordinates that it uses.
+fn convert(
+    definition: &document::Material,
+    name: String,
+    place: &str,
+    textures: &mut Textures<'_>,
+    warnings: &mut Warnings,
+) -> Result<(ModelMaterial, usize), Error> {
+    warn_of_left_out(definition, place, warnings);
+    let pbr = &definition.pbr_metallic_roughness;
+    let [r, g, b, _] = pbr.base_color_factor;
+    let material = Material {
+        ambient: DVec3::from_array(definition.emissive_factor),
+        diffuse: DVec3::new(r, g, b),
+        ..default_material()
+    };
+    let infos = [&pbr.base_color_texture, &definition.emissive_texture];
+    let mut placements = infos.into_iter().flatten().map(placement);
+    let (texture_set, first) = placements.next().unwrap_or_default();
+    if placements.any(|other| other != (texture_set, first)) {
+        let problem = "emissiveTexture has other texture coordinates than baseColorTexture; it \
+                       gets the same";
+        warnings.add("placements", place, problem);
+    }
+    let mut source = |info: &Option<TextureInfo>| {
+        info.as_ref().map(|info| textures.source(info.index, warnings)).transpose()
+    };
+    let maps = ModelMaps {
+        ambient: source(&definition.emissive_texture)?,
+        diffuse: source(&pbr.base_color_texture)?,
+        specular: None,
+        placement: first,
+    };
+    Ok((ModelMaterial { name, material: Ok(material), maps }, texture_set))
+}
+
+fn warn_of_left_out(definition: &document::Material, place: &str, warnings: &mut Warnings) {
+    let pbr = &definition.pbr_metallic_roughness;
+    let alpha_mode = definition.alpha_mode.as_deref().unwrap_or("OPAQUE");
+    let left_out = [
+        (definition.normal_texture.is_some(), "normalTexture is left out"),
+        (definition.occlusion_texture.is_some(), "occlusionTexture is left out"),
+        (pbr.metallic_roughness_texture.is_some(), "metallicRoughnessTexture is left out"),
+        (
+            pbr.metallic_factor.is_some_and(|factor| factor > 0.0),
+            "metallicFactor is left out: metals are shown as matt surfaces",
+        ),
+        (alpha_mode != "OPAQUE", "alphaMode is left out: every surface is opaque"),
+    ];
+    for (_, problem) in left_out.into_iter().filter(|(is_given, _)| *is_given) {
+        warnings.add(problem, place, problem);
+    }
+}
+
+/// The set of texture coordinates, and from these, whose v is turned upwards, to where the texture is
+/// looked up.
+fn placement(info: &TextureInfo) -> (usize, DAffine2) {
+    let Some(transform) = &info.extensions.transform else {
+        return (info.tex_coord, DAffine2::IDENTITY);
+    };
+    let &TextureTransform { offset, rotation, scale, tex_coord } = transform;
+    // To the right and downwards, counter-clockwise is from u towards -v.
+    let turn = DMat2::from_angle(-rotation) * DMat2::from_diagonal(DVec2::from_array(scale));
+    let downwards = DAffine2::from_mat2_translation(turn, DVec2::from_array(offset));
+    let flip = DAffine2::from_mat2_translation(
+        DMat2::from_diagonal(DVec2::new(1.0, -1.0)),
+        DVec2::new(0.0, 1.0),
+    );
+    (tex_coord.unwrap_or(info.tex_coord), flip * downwards * flip)
+}
+
+/// The textures of a document.
+struct Textures<'a> {
+    document: &'a Document,
+    buffers: &'a Buffers,
+    folder: &'a Path,
+    place: &'a str,
+    /// By index of the image.
+    read: HashMap<usize, TextureImage>,
+}
+
+impl Textures<'_> {
+    fn source(&mut self, index: usize, warnings: &mut Warnings) -> Result<TextureSource, Error> {
+        let refuse = |problem: String| Error::new(self.place, problem);
+        let texture = get(&self.document.textures, index, "textures").map_err(refuse)?;
+        let sampler = match texture.sampler {
+            None => None,
+            Some(sampler) => {
+                Some(get(&self.document.samplers, sampler, "samplers").map_err(refuse)?)
+            }
+        };
+        let texture_place = format!("{}: textures[{index}]", self.place);
+        let wrap = wrap(sampler, &texture_place, warnings)
+            .map_err(|problem| Error::new(&texture_place, problem))?;
+        let Some(image) = texture.source else {
+            return Err(Error::new(texture_place, "has no source"));
+        };
+        let place = format!("{}: images[{image}]", self.place);
+        let image = match self.read.get(&image) {
+            Some(known) => known.clone(),
+            None => {
+                let new = self.image(image).map_err(|problem| Error::new(&place, problem))?;
+                self.read.insert(image, new.clone());
+                new
+            }
+        };
+        Ok(TextureSource { image, wrap, place })
+    }
+
+    fn image(&self, index: usize) -> Result<TextureImage, String> {
+        let image = get(&self.document.images, index, "images")?;
+        let bytes = match (image.uri.as_deref(), image.buffer_view) {
+            (Some(uri), _) => match embedded(uri) {
+                None => return Ok(TextureImage::File(self.folder.join(percent_decoded(uri)))),
+                Some(bytes) => bytes?,
+            },
+            (None, Some(view)) => {
+                let view = get(&self.document.buffer_views, view, "bufferViews")?;
+                self.buffers.view(view)?.to_vec()
+            }
+            (None, None) => return Err("has neither a uri nor a bufferView".to_owned()),
+        };
+        let name = image.name.clone().unwrap_or_default();
+        Ok(TextureImage::Embedded { name, bytes: bytes.into() })
+    }
+}
+
+/// How a texture goes on beyond its edges.
+fn wrap(sampler: Option<&Sampler>, place: &str, warnings: &mut Warnings) -> Result<Wrap, String> {
+    let Some(sampler) = sampler else { return Ok(Wrap::Repeat) };
+    let mode = |code: Option<u32>| match code {
+        None | Some(10497) => Ok(Wrap::Repeat),
+        Some(33071) => Ok(Wrap::Clamp),
+        Some(33648) => Ok(Wrap::Mirror),
+        Some(code) => Err(format!("a wrap mode of its sampler is {code}, which is none")),
+    };
+    let (along_u, along_v) = (mode(sampler.wrap_s)?, mode(sampler.wrap_t)?);
+    if along_u != along_v {
+        let problem = "its sampler wraps u and v in different ways; v is wrapped as u is";
+        warnings.add("wrap", place, problem);
+    }
+    if sampler.mag_filter == Some(9728) {
+        warnings.add("filter", place, "its sampler takes the nearest texel; all are bilinear here");
+    }
+    Ok(along_u)
+}

@@ -1,0 +1,209 @@
+//! Textures of glTF files, and what is left out.
+
+use std::fs;
+use std::io::Cursor;
+
+use glam::{DVec2, DVec3};
+use image::{DynamicImage, ImageFormat};
+use serde_json::{Value, json};
+
+use super::tests::{glb, load, load_bytes, square, square_bytes};
+use super::*;
+use crate::experiment::Experiment;
+use crate::files::model::TextureImage;
+use crate::scene::{Scene, Wrap};
+
+/// Two texels side by side, the right one transparent.
+fn png() -> Vec<u8> {
+    let pixels = vec![255, 0, 0, 255, 0, 255, 0, 0];
+    let image = image::RgbaImage::from_raw(2, 1, pixels).unwrap();
+    let mut bytes = Cursor::new(Vec::new());
+    DynamicImage::from(image).write_to(&mut bytes, ImageFormat::Png).unwrap();
+    bytes.into_inner()
+}
+
+const UV: [[f32; 2]; 4] = [[0.0, 1.0], [1.0, 1.0], [1.0, 0.25], [0.0, 0.25]];
+
+/// The square with texture coordinates and a texture, and the bytes of its buffer; the image is
+/// embedded.
+fn textured() -> (Value, Vec<u8>) {
+    let mut document = square();
+    let mut bytes = square_bytes();
+    bytes.extend(UV.as_flattened().iter().flat_map(|x| x.to_le_bytes()));
+    let png = png();
+    bytes.extend(&png);
+    document["buffers"][0]["byteLength"] = json!(bytes.len());
+    let views = document["bufferViews"].as_array_mut().unwrap();
+    views.push(json!({ "buffer": 0, "byteOffset": 60, "byteLength": 32 }));
+    views.push(json!({ "buffer": 0, "byteOffset": 92, "byteLength": png.len() }));
+    let accessors = document["accessors"].as_array_mut().unwrap();
+    accessors.push(json!({ "bufferView": 2, "componentType": 5126, "count": 4, "type": "VEC2" }));
+    document["images"] = json!([{ "name": "paint", "bufferView": 3, "mimeType": "image/png" }]);
+    document["samplers"] = json!([{ "wrapS": 33648, "wrapT": 33648, "magFilter": 9729 }]);
+    document["textures"] = json!([{ "source": 0, "sampler": 0 }]);
+    document["materials"][1]["pbrMetallicRoughness"]["baseColorTexture"] = json!({ "index": 0 });
+    document["meshes"][0]["primitives"][0]["attributes"]["TEXCOORD_0"] = json!(2);
+    (document, bytes)
+}
+
+fn scene((document, bytes): (Value, Vec<u8>)) -> Result<Scene, Error> {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("model.glb");
+    fs::write(&path, glb(document, &bytes)).unwrap();
+    Experiment::load(&path).map(|experiment| experiment.scene)
+}
+
+#[test]
+fn textures_multiply_the_base_colour() {
+    let scene = scene(textured()).unwrap();
+    let [texture] = &scene.textures[..] else { panic!("one texture") };
+    assert_eq!((texture.name.as_str(), texture.wrap), ("paint", Wrap::Mirror));
+    // The right texel is transparent, but green all the same.
+    assert_eq!(scene.parameters.textures, [[[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]]]);
+    assert_eq!(scene.parameters.materials[0].diffuse, DVec3::new(0.5, 0.25, 0.125));
+    assert_eq!(scene.materials[0].textures.diffuse, Some(0));
+    // Upwards: what is at the lower edge in the file, v = 1, is at 0.
+    let upwards = [[0.0, 0.0], [1.0, 0.0], [1.0, 0.75], [0.0, 0.75]];
+    assert_eq!(scene.parameters.texture_coordinates, [upwards]);
+    assert_eq!(scene.meshes[0].texture_triangles, [Some([0, 1, 2]), Some([0, 2, 3])]);
+}
+
+#[test]
+fn images_may_be_files_or_data() {
+    let embedded = scene(textured()).unwrap();
+    let (mut document, bytes) = textured();
+    document["images"][0] = json!({ "uri": "my%20paint.png" });
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("model.glb");
+    fs::write(&path, glb(document.clone(), &bytes)).unwrap();
+    let error = Experiment::load(&path).unwrap_err().to_string();
+    assert!(error.contains("model.glb: images[0]: the texture "), "{error}");
+    assert!(error.ends_with("my paint.png is missing"), "{error}");
+    fs::write(folder.path().join("my paint.png"), png()).unwrap();
+    let experiment = Experiment::load(&path).unwrap();
+    assert_eq!(experiment.scene.parameters.textures, embedded.parameters.textures);
+    assert_eq!(experiment.scene.textures[0].name, "my paint");
+    let [transparent] = &experiment.warnings[..] else { panic!("one warning") };
+    assert!(transparent.place.ends_with("my paint.png"), "{transparent}");
+    assert_eq!(transparent.problem, "has transparent texels; they are shown opaque");
+
+    // A PNG of one white texel, grey in its format.
+    let grey = "iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAAAAAA6fptVAAAACklEQVR4nGP4DwABAQEAsTj2FAAAAABJRU5ErkJggg==";
+    document["images"][0] = json!({ "uri": format!("data:image/png;base64,{grey}") });
+    assert_eq!(scene((document, bytes)).unwrap().parameters.textures, [[[1.0; 3]]]);
+}
+
+/// The corners of the square, moved by `transform`, in the file's own coordinates.
+fn moved(transform: Value) -> Vec<DVec2> {
+    let (mut document, bytes) = textured();
+    document["materials"][1]["pbrMetallicRoughness"]["baseColorTexture"]["extensions"] =
+        json!({ "KHR_texture_transform": transform });
+    document["extensionsRequired"] = json!(["KHR_texture_transform"]);
+    let scene = scene((document, bytes)).unwrap();
+    let down = |&[u, v]: &[f64; 2]| DVec2::new(u, 1.0 - v);
+    scene.parameters.texture_coordinates[0].iter().map(down).collect()
+}
+
+#[test]
+fn textures_are_moved_scaled_and_turned() {
+    let corners = UV.map(|[u, v]| DVec2::new(u.into(), v.into()));
+    let shifted = moved(json!({ "offset": [0.25, 0.5], "scale": [2.0, 4.0] }));
+    let expected = corners.map(|uv| uv * DVec2::new(2.0, 4.0) + DVec2::new(0.25, 0.5));
+    assert_eq!(shifted, expected);
+    // A quarter turn, counter-clockwise where v goes downwards: from u to -v, from v to u.
+    let turned = moved(json!({ "rotation": std::f64::consts::FRAC_PI_2 }));
+    for (turned, uv) in turned.iter().zip(corners) {
+        assert!(turned.distance(DVec2::new(uv.y, -uv.x)) < 1e-12, "{uv} {turned}");
+    }
+}
+
+#[test]
+fn materials_may_use_another_set_of_coordinates() {
+    let (mut document, bytes) = textured();
+    let attributes = &mut document["meshes"][0]["primitives"][0]["attributes"];
+    attributes["TEXCOORD_3"] = attributes.as_object_mut().unwrap().remove("TEXCOORD_0").unwrap();
+    let error = scene((document.clone(), bytes.clone())).unwrap_err().to_string();
+    assert!(error.contains("which has a texture, but has no texture coordinates"), "{error}");
+    document["materials"][1]["pbrMetallicRoughness"]["baseColorTexture"]["texCoord"] = json!(3);
+    assert_eq!(scene((document, bytes)).unwrap().parameters.texture_coordinates[0].len(), 4);
+}
+
+#[test]
+fn what_surfaces_emit_is_ambient() {
+    let (mut document, bytes) = textured();
+    document["materials"][1]["emissiveFactor"] = json!([1.0, 2.0, 3.0]);
+    document["materials"][1]["emissiveTexture"] = json!({ "index": 0 });
+    let scene = scene((document, bytes)).unwrap();
+    assert_eq!(scene.parameters.materials[0].ambient, DVec3::new(1.0, 2.0, 3.0));
+    assert_eq!(scene.textures.len(), 1);
+    assert_eq!(scene.materials[0].textures.ambient, Some(0));
+}
+
+#[test]
+fn broken_textures_are_refused() {
+    let texture = "/materials/1/pbrMetallicRoughness/baseColorTexture";
+    for (pointer, value, expected) in [
+        (texture, json!({ "index": 1 }), "there is no textures[1], of 1"),
+        ("/textures/0", json!({ "source": 1 }), "images[1]: there is no images[1], of 1"),
+        ("/textures/0", json!({}), "textures[0]: has no source"),
+        ("/textures/0/sampler", json!(1), "there is no samplers[1], of 1"),
+        ("/samplers/0/wrapS", json!(1), "textures[0]: a wrap mode of its sampler is 1"),
+        ("/images/0", json!({}), "images[0]: has neither a uri nor a bufferView"),
+        ("/images/0/bufferView", json!(9), "images[0]: there is no bufferViews[9], of 4"),
+        ("/images/0/bufferView", json!(2), "images[0]: is not a PNG, JPEG or OpenEXR image"),
+        ("/images/0", json!({ "uri": "data:,x" }), "images[0]: its data is not base64"),
+        ("/accessors/2/count", json!(3), "primitives[0]: has 3 TEXCOORD_0 for 4 vertices"),
+        ("/accessors/2/type", json!("VEC3"), "accessors[2]: its type is VEC3, not VEC2"),
+    ] {
+        let (mut document, bytes) = textured();
+        *document.pointer_mut(pointer).unwrap() = value.clone();
+        let error = scene((document, bytes)).unwrap_err().to_string();
+        assert!(error.contains("model.glb") && error.contains(expected), "{value}: {error}");
+    }
+}
+
+#[test]
+fn what_is_left_out_is_told() {
+    let mut document = square();
+    assert_eq!(load(&document).unwrap().model.warnings, []);
+    document["extensionsUsed"] = json!(["KHR_lights_punctual", "KHR_materials_unlit"]);
+    document["animations"] = json!([{}]);
+    document["materials"][0]["normalTexture"] = json!({ "index": 0 });
+    document["materials"][1]["alphaMode"] = json!("BLEND");
+    document["materials"][1]["pbrMetallicRoughness"]["metallicFactor"] = json!(0.5);
+    let primitives = document["meshes"][0]["primitives"].as_array_mut().unwrap();
+    let mut line = primitives[0].clone();
+    line["mode"] = json!(1);
+    primitives[0]["attributes"]["COLOR_0"] = json!(0);
+    primitives.extend([line.clone(), line]);
+    let warnings = load(&document).unwrap().model.warnings;
+    let after_file = |warning: &crate::files::Warning| {
+        warning.to_string().split_once("model.gltf: ").unwrap().1.to_owned()
+    };
+    let expected = [
+        "the extension KHR_materials_unlit is left out",
+        "animations are left out",
+        "materials[0]: normalTexture is left out",
+        "materials[1]: metallicFactor is left out: metals are shown as matt surfaces",
+        "materials[1]: alphaMode is left out: every surface is opaque",
+        "meshes[0].primitives[0]: the colours of vertices are left out",
+        "meshes[0].primitives[1]: points and lines are left out",
+    ];
+    assert_eq!(warnings.iter().map(after_file).collect::<Vec<_>>(), expected);
+
+    let (mut document, bytes) = textured();
+    document["samplers"][0] = json!({ "wrapS": 33071, "magFilter": 9728 });
+    let model = load_bytes("model.glb", &glb(document.clone(), &bytes)).unwrap().model;
+    let source = model.materials[0].maps.diffuse.as_ref().unwrap();
+    assert_eq!(source.wrap, Wrap::Clamp);
+    assert!(matches!(&source.image, TextureImage::Embedded { name, .. } if name == "paint"));
+    let problems: Vec<&str> = model.warnings.iter().map(|w| w.problem.as_str()).collect();
+    let expected = [
+        "its sampler wraps u and v in different ways; v is wrapped as u is",
+        "its sampler takes the nearest texel; all are bilinear here",
+    ];
+    assert_eq!(problems, expected);
+    document["extensionsRequired"] = json!(["KHR_materials_unlit"]);
+    let error = load_bytes("model.glb", &glb(document, &bytes)).unwrap_err();
+    assert!(error.problem.contains("requires the extension KHR_materials_unlit"), "{error}");
+}

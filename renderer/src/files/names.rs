@@ -1,0 +1,48 @@
+//! Names that no two objects share.
+
+use std::collections::{HashMap, HashSet};
+
+/// Names that are taken.
+#[derive(Default)]
+pub(super) struct Names {
+    taken: HashSet<String>,
+    /// For each name that was asked for more than once, the number of the latest one.
+    numbers: HashMap<String, u64>,
+}
+
+impl Names {
+    /// Takes `name`, or the first of `name_2`, `name_3`, ... that is free.
+    pub fn take(&mut self, name: String) -> String {
+        if self.taken.insert(name.clone()) {
+            return name;
+        }
+        let number = self.numbers.entry(name.clone()).or_insert(1);
+        loop {
+            *number += 1;
+            let numbered = format!("{name}_{number}");
+            if self.taken.insert(numbered.clone()) {
+                return numbered;
+            }
+        }
+    }
+}
+
+impl<'a> FromIterator<&'a str> for Names {
+    /// All of them are taken.
+    fn from_iter<I: IntoIterator<Item = &'a str>>(names: I) -> Self {
+        let taken = names.into_iter().map(str::to_owned).collect();
+        Self { taken, numbers: HashMap::new() }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn equal_names_are_numbered() {
+        let mut names: Names = ["b_2"].into_iter().collect();
+        let given = ["a", "b", "a", "b", "a_2", "a"].map(|name| names.take(name.to_owned()));
+        assert_eq!(given, ["a", "b", "a_2", "b_3", "a_2_2", "a_3"]);
+    }
+}

@@ -1,0 +1,194 @@
+//! Material libraries, good and bad.
+
+use std::fs;
+
+use glam::{DAffine2, DVec2, DVec3};
+
+use super::tests::{TRIANGLE, folder, refused};
+use super::*;
+use crate::files::Warning;
+use crate::files::model::{TextureImage, TextureSource};
+use crate::kernels::material::Material;
+use crate::scene::Wrap;
+
+/// The model of `a.obj`, one of the given files.
+fn load(files: &[(&str, &str)]) -> Model {
+    load_obj(&folder(files).path().join("a.obj")).unwrap()
+}
+
+/// The material that a library defines as `m`, and what is said of the library from its line on.
+fn defined(library: &str) -> (ModelMaterial, Vec<String>) {
+    let obj = format!("mtllib a.mtl\n{TRIANGLE}usemtl m\nf 1 2 3\n");
+    let mut model = load(&[("a.obj", &obj), ("a.mtl", &format!("newmtl m\n{library}"))]);
+    let after_name = |warning: &Warning| {
+        warning.to_string().split_once("a.mtl:").map(|(_, rest)| rest.to_owned()).unwrap()
+    };
+    (model.materials.remove(0), model.warnings.iter().map(after_name).collect())
+}
+
+#[test]
+fn libraries_are_found_and_checked() {
+    let obj = format!("mtllib\ta.mtl\n{TRIANGLE}usemtl red\nf 1 2 3\n");
+    for (library, expected) in [
+        ("newmtl red\nKd 1 2\n", "a.mtl:2: Kd is a colour of 3 numbers"),
+        ("newmtl red\nKs nan 0 0\n", "a.mtl:2: Ks: `nan` is not a finite number"),
+        ("newmtl red\nKd 0 -1 0\n", "a.mtl:2: Kd must not be negative, is -1"),
+        ("newmtl red\nNs\n", "a.mtl:2: Ns: `` is not a number"),
+        ("newmtl\n", "a.mtl:1: newmtl names no material"),
+        ("Kd 1 1 1\n", "a.mtl:1: Kd stands before the first newmtl"),
+        ("newmtl red\nillum 11\n", "a.mtl:2: illum is a number from 0 to 10, not `11`"),
+        ("newmtl red\nmap_Kd -s 2\n", "a.mtl:2: map_Kd names no image"),
+        ("newmtl red\nmap_Kd -s a.png\n", "a.mtl:2: map_Kd: -s: is followed by no number"),
+        ("newmtl red\nmap_Kd -o inf a.png\n", "a.mtl:2: map_Kd: -o: `inf` is not a finite"),
+    ] {
+        let error = refused(&[("a.obj", &obj), ("a.mtl", library)]);
+        assert!(error.starts_with(expected), "{library:?}: {error}");
+    }
+    let error = refused(&[("a.obj", &obj)]);
+    assert!(error.starts_with("a.obj:1: the material library"), "{error}");
+    assert!(error.ends_with("a.mtl is missing"), "{error}");
+
+    // Nobody wears a material of the missing library.
+    let plain = format!("mtllib a.mtl\n{TRIANGLE}f 1 2 3\n");
+    let model = load(&[("a.obj", &plain)]);
+    assert_eq!(model.materials[0].material, Ok(default_material()));
+    assert_eq!(model.warnings, []);
+
+    // Two libraries in one line; a material that is in neither is left to the scene file.
+    let two = format!("mtllib a.mtl b.mtl\n{TRIANGLE}usemtl red\nf 1 2 3\nusemtl no\nf 1 2 3\n");
+    let files = [("a.obj", &two[..]), ("a.mtl", ""), ("b.mtl", "newmtl red\r\nKd 1 0 0\r\n")];
+    let model = load(&files);
+    assert_eq!(model.materials[0].material.as_ref().unwrap().diffuse, DVec3::X);
+    let undefined = model.materials[1].material.as_ref().unwrap_err();
+    assert!(undefined.place.ends_with("a.obj:8"), "{undefined}");
+    assert!(undefined.problem.starts_with("no material `no`: neither"), "{undefined}");
+}
+
+#[test]
+fn colours_are_read() {
+    let (material, warnings) = defined(
+        "Ka 0 0 0\nkd 0.5 0.25 0.125\nKs 0.1 0.2 0.3\nKe 4\nNs 10\nNi 1.0\nTf 1 1 1\nd 1.0\n\
+         Tr 0\nillum 2\n",
+    );
+    assert_eq!(warnings, [""; 0]);
+    let expected = Material {
+        ambient: DVec3::splat(4.0),
+        diffuse: DVec3::new(0.5, 0.25, 0.125),
+        specular: DVec3::new(0.1, 0.2, 0.3),
+        exponent: 10.0,
+        reflection: DVec3::ZERO,
+    };
+    assert_eq!(material.material, Ok(expected));
+    // What is not said is as in the default material.
+    assert_eq!(defined("").0.material, Ok(default_material()));
+}
+
+#[test]
+fn illumination_models_are_told_apart() {
+    let reflectances = |model: &str| {
+        let (material, warnings) = defined(&format!("Ks 0.5\n{model}\n"));
+        let material = material.material.unwrap();
+        (material.specular.x, material.reflection.x, warnings)
+    };
+    assert_eq!(reflectances(""), (0.5, 0.0, vec![]));
+    assert_eq!(reflectances("illum 1"), (0.0, 0.0, vec![]));
+    assert_eq!(reflectances("illum 2"), (0.5, 0.0, vec![]));
+    for mirror in ["illum 3", "illum 5 # Fresnel", "illum 8"] {
+        assert_eq!(reflectances(mirror), (0.5, 0.5, vec![]));
+    }
+    let unlit = "3: illum 0 is a colour without light; it is lit as by `illum 1`".to_owned();
+    assert_eq!(reflectances("illum 0"), (0.0, 0.0, vec![unlit]));
+    let glass = "3: illum 7 is glass; it is shown as by `illum 2`".to_owned();
+    assert_eq!(reflectances("illum 7"), (0.5, 0.0, vec![glass]));
+}
+
+#[test]
+fn what_is_left_out_is_told_once() {
+    let (material, warnings) = defined(
+        "Ka 1 1 1\nKd 1 0 0\nd 0.5\nTr 0.5\nNi 1.45\nTf 0 1 0\nmap_Ka a.png\nmap_d b.png\n\
+         bump c.png\nsharpness 60\nnewmtl n\nKa 1 1 1\nd 0.1\nbump d.png\n",
+    );
+    assert_eq!(material.material.unwrap().ambient, DVec3::ZERO);
+    assert_eq!(material.maps, ModelMaps::default());
+    let ambient =
+        "there is no ambient light; `ambient` in a scene file is what a surface shows by itself";
+    let expected = [
+        format!("2: Ka is left out: {ambient}"),
+        "4: d is left out: every surface is opaque".to_owned(),
+        "5: Tr is left out: every surface is opaque".to_owned(),
+        "6: Ni is left out: every surface is opaque".to_owned(),
+        "7: Tf is left out: every surface is opaque".to_owned(),
+        format!("8: map_Ka is left out: {ambient}"),
+        "9: `map_d` is left out: nothing here stands for it".to_owned(),
+        "10: `bump` is left out: nothing here stands for it".to_owned(),
+        "11: `sharpness` is left out: nothing here stands for it".to_owned(),
+    ];
+    assert_eq!(warnings, expected);
+}
+
+#[test]
+fn textures_and_their_options_are_read() {
+    let obj = format!("mtllib a.mtl\n{TRIANGLE}usemtl m\nf 1 2 3\n");
+    let library = "newmtl m\nKd 0.5 0.5 0.5\nmap_Kd -s 2 3 1 -o 0.25 -clamp on a b#1.png\n\
+        map_Ks -o 0.25 0 -s 2 3 -mm 0 1 tex\\c.png\nmap_Ke -s 2 3 -o 0.25 d.png\n";
+    let folder = folder(&[("a.obj", &obj), ("a.mtl", library)]);
+    let model = load_obj(&folder.path().join("a.obj")).unwrap();
+    assert_eq!(model.warnings, []);
+    let source = |name: &str, wrap, line| {
+        let place = format!("{}:{line}", folder.path().join("a.mtl").display());
+        Some(TextureSource { image: TextureImage::File(folder.path().join(name)), wrap, place })
+    };
+    let expected = ModelMaps {
+        diffuse: source("a b#1.png", Wrap::Clamp, 3),
+        specular: source("tex/c.png", Wrap::Repeat, 4),
+        ambient: source("d.png", Wrap::Repeat, 5),
+        placement: DAffine2::from_scale_angle_translation(
+            DVec2::new(2.0, 3.0),
+            0.0,
+            DVec2::new(0.25, 0.0),
+        ),
+    };
+    assert_eq!(model.materials[0].maps, expected);
+    let material = model.materials[0].material.as_ref().unwrap();
+    // A colour that only a texture gives is white.
+    assert_eq!(material.diffuse, DVec3::splat(0.5));
+    assert_eq!((material.specular, material.ambient), (DVec3::ONE, DVec3::ONE));
+}
+
+#[test]
+fn texture_options_that_are_left_out_are_told() {
+    let (material, warnings) = defined(
+        "map_Kd -blendu on -blendv off -t 0 0 0 -boost 2 -bm 1 -imfchan m -texres 512 a.png\n\
+         map_Ks -s 2 -t 1 b.png\nillum 3\n",
+    );
+    let image = material.maps.diffuse.unwrap().image;
+    assert!(matches!(image, TextureImage::File(path) if path.ends_with("a.png")));
+    assert_eq!(material.maps.placement, DAffine2::IDENTITY);
+    let expected = [
+        "2: -blendv of map_Kd is left out",
+        "2: -boost of map_Kd is left out",
+        "3: -t of map_Ks is left out",
+        "3: -s and -o are those of the first of map_Kd, map_Ke, map_Ks, for all of them",
+        "4: map_Ks varies the highlight alone, not the mirror",
+    ];
+    assert_eq!(warnings, expected);
+}
+
+/// A file that names itself, and a link that leads to itself.
+#[test]
+fn circles_end() {
+    let own = format!("mtllib a.obj\n{TRIANGLE}usemtl m\nf 1 2 3\n");
+    let error = refused(&[("a.obj", &own)]);
+    assert!(error.starts_with("a.obj:6: no material `m`"), "{error}");
+    #[cfg(unix)]
+    {
+        let obj = format!("mtllib a.mtl\n{TRIANGLE}usemtl m\nf 1 2 3\n");
+        let folder = folder(&[("a.obj", &obj)]);
+        let link = folder.path().join("a.mtl");
+        std::os::unix::fs::symlink(&link, &link).unwrap();
+        let model = load_obj(&folder.path().join("a.obj")).unwrap();
+        let missing = model.materials[0].material.as_ref().unwrap_err();
+        assert!(missing.problem.ends_with("a.mtl is missing"), "{missing}");
+        fs::remove_file(link).unwrap();
+    }
+}

@@ -1,0 +1,92 @@
+//! Textures that scene files and the materials of meshes bring along.
+
+use std::fs;
+
+use glam::DVec3;
+
+use super::tests::{CAMERA, LIBRARY, folder};
+use super::*;
+use crate::files::images::save_exr;
+use crate::image::Image;
+
+#[test]
+fn textures_are_read_once_and_named() {
+    let folder = folder();
+    let image = Image { width: 1, height: 1, pixels: vec![[1.0, 0.5, 0.25]] };
+    save_exr(&image, &folder.path().join("my wood.exr")).unwrap();
+    let mesh = "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0.5\nvt 1 0 0\n\
+        usemtl red\nf 1/1 2/2 3/-1\nusemtl blue\nf 1 2 3\n";
+    fs::write(folder.path().join("a.obj"), mesh).unwrap();
+    let library = "newmtl red\nmap_Kd -s 2 2 -clamp off my wood.exr\n\
+        map_Ks -s 2 2 -mm 0 1 my wood.exr\nillum 3\nKs 0.5 0.4 0.3\nnewmtl blue\n";
+    fs::write(folder.path().join("a.mtl"), library).unwrap();
+    let text = format!("{CAMERA}[[mesh]]\npath = \"a.obj\"\n");
+    let scene = Experiment::parse(&text, folder.path(), "s.toml").unwrap().scene;
+    assert_eq!(scene.textures.len(), 1);
+    assert_eq!(scene.textures[0].name, "my wood");
+    assert_eq!(scene.parameters.textures, [[[1.0, 0.5, 0.25]]]);
+    let red = scene.materials.iter().position(|material| material.name == "red").unwrap();
+    let textures = scene.materials[red].textures;
+    assert_eq!((textures.diffuse, textures.specular), (Some(0), Some(0)));
+    assert_eq!(scene.parameters.materials[red].reflection, DVec3::new(0.5, 0.4, 0.3));
+    assert_eq!(scene.meshes[0].texture_triangles, [Some([0, 1, 1]), None]);
+    // As both `map_Kd` and `map_Ks` say, twice as large.
+    assert_eq!(scene.parameters.texture_coordinates, [[[1.0, 0.0], [2.0, 0.0]]]);
+
+    // The material may get, or change, its texture in the scene file.
+    let text =
+        format!("{text}[material.blue]\ndiffuse_texture = \"new\"\n[texture.new]\nsize = [2, 3]\n");
+    let error = Experiment::parse(&text, folder.path(), "s.toml").unwrap_err().to_string();
+    assert!(error.contains("triangle 1 wears the material `blue`"), "{error}");
+
+    fs::remove_file(folder.path().join("my wood.exr")).unwrap();
+    let error = Experiment::load(&folder.path().join("a.obj")).unwrap_err().to_string();
+    assert!(error.contains("a.mtl:2: the texture "), "{error}");
+}
+
+/// Materials that share texture coordinates may place their textures in different ways.
+#[test]
+fn each_material_places_its_textures() {
+    let folder = folder();
+    let image = Image { width: 1, height: 1, pixels: vec![[1.0; 3]] };
+    save_exr(&image, &folder.path().join("w.exr")).unwrap();
+    let mesh = "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\n\
+        usemtl red\nf 1/1 2/2 3/3\nusemtl blue\nf 1/1 2/2 3/3\nusemtl green\nf 1/1 2/2 3/3\n";
+    fs::write(folder.path().join("a.obj"), mesh).unwrap();
+    let library = "newmtl red\nmap_Kd w.exr\nnewmtl blue\nmap_Kd -s 2 3 -o 0.5 0.25 w.exr\n\
+        newmtl green\nmap_Kd w.exr\n";
+    fs::write(folder.path().join("a.mtl"), library).unwrap();
+    let text = format!("{CAMERA}[[mesh]]\npath = \"a.obj\"\n");
+    let load = |rest: &str| {
+        Experiment::parse(&format!("{text}{rest}"), folder.path(), "s.toml").unwrap().scene
+    };
+    let scene = load("");
+    let plain = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]];
+    let placed = [[0.5, 0.25], [2.5, 0.25], [0.5, 3.25]];
+    assert_eq!(scene.parameters.texture_coordinates, [[plain, placed].concat()]);
+    let corners = [[0, 1, 2], [3, 4, 5], [0, 1, 2]].map(Some);
+    assert_eq!(scene.meshes[0].texture_triangles, corners);
+    // Saved and read again, the coordinates are what they are.
+    let saved = tempfile::tempdir().unwrap();
+    let again = Experiment::load(&save_scene(&scene, saved.path()).unwrap()).unwrap();
+    assert_eq!(again.scene, scene);
+    // Options say where the texture of the library lies, not where another one does.
+    let other = "[material.blue]\ndiffuse_texture = \"x\"\n[texture.x]\nsize = [1, 1]\n";
+    assert_eq!(load(other).parameters.texture_coordinates, [plain]);
+    // A mesh whose materials are replaced needs no library.
+    fs::remove_file(folder.path().join("a.mtl")).unwrap();
+    let paint = "material = \"p\"\n[material.p]\ndiffuse = [1, 0, 0]\n";
+    assert_eq!(load(paint).parameters.texture_coordinates, [[[0.0; 2]; 0]]);
+}
+
+#[test]
+fn what_files_leave_out_is_told() {
+    let folder = folder();
+    fs::write(folder.path().join("a.mtl"), format!("{LIBRARY}d 0.5\nd 0.4\n")).unwrap();
+    let text = format!("{CAMERA}[[mesh]]\npath = \"a.obj\"\n");
+    let warnings = Experiment::parse(&text, folder.path(), "s.toml").unwrap().warnings;
+    assert_eq!(warnings, Experiment::load(&folder.path().join("a.obj")).unwrap().warnings);
+    let [warning] = &warnings[..] else { panic!("one warning") };
+    assert!(warning.place.ends_with("a.mtl:6"), "{warning}");
+    assert_eq!(warning.problem, "d is left out: every surface is opaque");
+}
