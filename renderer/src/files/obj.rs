@@ -1,16 +1,17 @@
 //! Meshes: Wavefront OBJ and its material libraries (MTL).
 //!
-//! `tobj` reads the numbers, resolves the indices and gives each object its own vertices. What it would
-//! read wrongly or in silence never reaches it: `prepare` checks a file statement by statement, so that
-//! errors name lines, and hands on plain vertices, texture coordinates, faces and object names. tobj
-//! 4.0 alone would overflow on an index before the first, draw lines as triangles, split objects by
-//! material, make up the texture coordinates of corners that have none, and refuse colours of one
-//! or two numbers. It hands faces over whole, because it would cut every one as a fan, which is wrong where
-//! a polygon is not convex.
+//! `tobj` reads the numbers, resolves the indices and gives each object its own vertices. What it
+//! would read wrongly or in silence never reaches it: `prepare` checks a file statement by statement,
+//! so that errors name lines, and hands on plain vertices, texture coordinates, faces and object
+//! names. Alone tobj 4.0 would overflow on an index before the first, draw lines as triangles, split
+//! objects by material, make up the texture coordinates of corners that have none, and refuse colours
+//! of one or two numbers. It hands faces over whole: cut by tobj every one would be a fan, which is
+//! wrong where a polygon is not convex. A parser of our own was turned down: it saves reading numbers
+//! twice, at the price of a second implementation of a format that a library reads.
 //!
-//! Material libraries are read without tobj: it panics on a `Kd` of one number, which is grey, and
-//! tells neither the line of a statement nor statements in small letters. To warn of what is left out
-//! and to refuse negative colours, every statement would have to be read before it and after it.
+//! Material libraries are read without tobj: it panics on a `Kd` of one number, which is grey, tells no
+//! lines, and keeps what it does not know without order. To warn of what is left out and to refuse
+//! negative colours, every statement would have to be read beside it.
 
 mod face;
 mod map;
