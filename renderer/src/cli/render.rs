@@ -52,7 +52,11 @@ fn stops(text: &str) -> Result<f64, String> {
 pub(super) fn run(arguments: &Arguments, arithmetic: Arithmetic) -> Result<(), Error> {
     check_image_path(&arguments.output)?;
     let experiment = load(&arguments.scene)?;
-    let settings = RenderSettings { visibility: arguments.visibility, pass: arguments.pass };
+    let settings = RenderSettings {
+        visibility: arguments.visibility,
+        pass: arguments.pass,
+        ..RenderSettings::default()
+    };
     let mut image = render_with(arithmetic, &experiment.scene, settings);
     if let Some(stops) = arguments.exposure {
         expose(&mut image, stops);

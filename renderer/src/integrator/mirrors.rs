@@ -9,8 +9,7 @@ use ad::{Additive, Vec3, select};
 use super::prepared::Prepared;
 use super::shade::Shaded;
 use super::sharing::Sharing;
-use super::tiles::Tile;
-use super::view::{View, repeated};
+use super::view::{Sample, View, repeated};
 use crate::acceleration::{PACKET_RAYS, PacketHits, rays};
 use crate::kernels::camera::Ray;
 use crate::kernels::surface::mirrored_ray;
@@ -50,14 +49,14 @@ impl<L: Lanes> Default for Sight<L> {
 }
 
 impl<L: Lanes> Prepared<'_, L> {
-    /// Looks through the middle of every pixel of a tile and finds what lights reach; then the same
+    /// Looks through one point of every pixel of a tile and finds what lights reach; then the same
     /// in what mirrors show.
-    pub(super) fn see(&self, tile: &Tile, mirrors: Mirrors, sight: &mut Sight<L>) {
+    pub(super) fn see(&self, sample: &Sample<'_>, mirrors: Mirrors, sight: &mut Sight<L>) {
         let Sight { views, depth } = sight;
         if views.is_empty() {
             views.push(View::default());
         }
-        self.look(tile, &mut views[0]);
+        self.look(sample, &mut views[0]);
         self.light_up(&mut views[0]);
         *depth = 1;
         if mirrors == Mirrors::Bright && !self.has_mirrors {

@@ -20,6 +20,7 @@ mod mirrors;
 mod prepared;
 mod radiance;
 mod raster;
+mod sampling;
 mod settings;
 mod shade;
 mod shadows;
@@ -34,6 +35,7 @@ mod view;
 pub use gradient::{GradientResult, Wanted, gradient};
 pub use prepared::Prepared;
 pub use radiance::{PixelLoss, loss, render, render_into};
+pub use sampling::{GradientSamples, Samples, Sampling};
 pub use settings::{Pass, RenderSettings, Visibility};
 pub use trace::{Rays, trace};
 

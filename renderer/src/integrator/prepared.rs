@@ -8,6 +8,7 @@ use glam::DVec3;
 use rayon::prelude::*;
 
 use super::raster::Raster;
+use super::sampling::Sampling;
 use super::settings::{Pass, RenderSettings, Visibility};
 use super::textures::Texture;
 use super::tiles::Tile;
@@ -58,6 +59,7 @@ pub struct Prepared<'a, L: Lanes> {
     pub(super) film_offsets: Vec<(L, L)>,
     pub(super) acceleration: Acceleration,
     pub(super) pass: Pass,
+    pub(super) sampling: Sampling,
     /// Whether, and from where, primitives are drawn instead of being found by rays.
     raster: Option<Raster>,
 }
@@ -111,6 +113,7 @@ impl<'a, L: Lanes> Prepared<'a, L> {
                 Visibility::Tree | Visibility::Raster => Acceleration::new(&[][..]),
             },
             pass: settings.pass,
+            sampling: settings.sampling,
             raster: None,
         };
         prepared.load_appearance();

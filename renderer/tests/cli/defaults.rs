@@ -78,7 +78,7 @@ fn surfaces_reflect_no_more_than_they_receive_by_default() {
         sandbox.write("experiment.toml", experiment);
         sandbox.succeed(&["optimize", "experiment.toml", "--out", "out"]);
         let summary = sandbox.json("out/summary.json");
-        numbers(&summary["parameters"]["material.paint.diffuse"]["recovered"])
+        numbers(&summary["parameters"]["material.paint.diffuse"]["final"])
     };
     let initial = "[0.6, 0.3, 0.2]";
     assert_eq!(found(initial, ""), [1.0; 3]);

@@ -40,6 +40,29 @@ fn check_agrees_with_finite_differences() {
     }
 }
 
+/// Scaled and shifted by options of the library; the differences of places on a texture are taken
+/// between its kinks.
+#[test]
+fn textures_agree_with_finite_differences() {
+    let sandbox = Sandbox::new();
+    let light = sandbox.succeed(&["render", "scene.toml", "-o", "noise.png"]);
+    assert_eq!(light, "noise.png\n");
+    let floor = crate::sandbox::FLOOR
+        .replace("f 4 3 2 1", "vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nusemtl wood\nf 4/4 3/3 2/2 1/1");
+    sandbox.write("floor.obj", format!("mtllib wood.mtl\n{floor}"));
+    sandbox.write("wood.mtl", "newmtl wood\nmap_Kd -s 1.5 2 -o 0.25 -0.5 noise.png\n");
+    sandbox.write_changed("truth.toml", "intensity = 120.0", "intensity = 90.0");
+    sandbox.succeed(&["render", "truth.toml", "-o", "target.exr"]);
+    let parameters = ["mesh.floor.texture_coordinates", "texture.noise.texels"];
+    let text = sandbox.succeed(&arguments(&parameters, &["--check", "--precision", "f64"]));
+    assert!(text.contains("of 1152 numbers, evenly spaced: every 49th"), "{text}");
+    let errors = text.lines().filter_map(|line| line.split_whitespace().last()?.parse().ok());
+    // The loss comes first.
+    let errors: Vec<f64> = errors.skip(1).collect();
+    assert_eq!(errors.len(), 8 + 24, "{text}");
+    assert!(errors.iter().all(|&error| error < 1e-5), "{text}");
+}
+
 #[test]
 fn json_maps_paths_to_the_numbers_of_the_table() {
     let sandbox = sandbox();
