@@ -1,14 +1,23 @@
 //! Meshes: Wavefront OBJ and its material libraries (MTL).
 //!
-//! The parser is our own. The crate `tobj` (4.0.5) was turned down: it cuts every polygon as a fan,
-//! which is wrong where one is not convex, splits objects by material, draws lines as triangles,
-//! overflows on an index before the first and panics on a grey `Kd` of one number; and it tells no
-//! line. What had to stand around it to check a file first read the file as well.
+//! `tobj` reads the numbers, resolves the indices and gives each object its own vertices. What it
+//! would read wrongly or in silence never reaches it: `prepare` checks a file statement by statement,
+//! so that errors name lines, and hands on plain vertices, texture coordinates, faces and object
+//! names. Alone tobj 4.0 would overflow on an index before the first, draw lines as triangles, split
+//! objects by material, make up the texture coordinates of corners that have none, and refuse colours
+//! of one or two numbers. It hands faces over whole: cut by tobj every one would be a fan, which is
+//! wrong where a polygon is not convex. A parser of our own was turned down: it saves reading numbers
+//! twice, at the price of a second implementation of a format that a library reads.
+//!
+//! Material libraries are read without tobj: it panics on a `Kd` of one number, which is grey, tells no
+//! lines, and keeps what it does not know without order. To warn of what is left out and to refuse
+//! negative colours, every statement would have to be read beside it.
 
 mod face;
-mod geometry;
 mod map;
+mod meshes;
 mod mtl;
+mod prepare;
 mod statements;
 mod write;
 
@@ -20,13 +29,13 @@ mod tests;
 use std::path::Path;
 
 use super::io::read_text;
-use super::meshes::{MeshBuilder, file_stem};
-use super::model::{DEFAULT_MATERIAL, Mesh, Model, ModelMaps, ModelMaterial, default_material};
-use super::names::Names;
+use super::meshes::file_stem;
+use super::model::{DEFAULT_MATERIAL, Model, ModelMaps, ModelMaterial, default_material};
 use super::warnings::Warnings;
 use crate::Error;
-use geometry::Geometry;
+use meshes::meshes;
 use mtl::Library;
+use prepare::prepare;
 
 pub use write::save_obj;
 
@@ -66,15 +75,16 @@ pub fn load_obj(path: &Path) -> Result<Model, Error> {
     let text = read_text(path)?;
     let file = path.display().to_string();
     let mut warnings = Warnings::default();
-    let geometry = geometry::read(&text, &file, &file_stem(path), &mut warnings)?;
+    let prepared = prepare(&text, &file, &file_stem(path), &mut warnings)?;
+    // tobj is about to need as much memory again.
     drop(text);
 
     let mut warnings = warnings.finish();
     // Colours matter only where a face wears them.
     let mut library = Library::default();
-    if geometry.materials.iter().any(|(name, _)| name != DEFAULT_MATERIAL) {
+    if prepared.materials.iter().any(|(name, _)| name != DEFAULT_MATERIAL) {
         let folder = path.parent().unwrap_or(Path::new(""));
-        for (names, line) in &geometry.libraries {
+        for (names, line) in &prepared.libraries {
             library.add(names, folder, &format!("{file}:{line}"))?;
         }
     }
@@ -99,24 +109,10 @@ pub fn load_obj(path: &Path) -> Result<Model, Error> {
             maps: defined.map_or_else(ModelMaps::default, |defined| defined.maps.clone()),
         }
     };
-    let materials = geometry.materials.iter().map(material).collect();
-    let meshes = meshes(geometry);
+    let materials = prepared.materials.iter().map(material).collect();
+    let meshes = meshes(prepared, &file)?;
     if meshes.is_empty() {
         return Err(Error::new(file, "holds no triangles; a mesh needs faces (`f`)"));
     }
     Ok(Model { meshes, materials, warnings })
-}
-
-/// The objects that have triangles.
-fn meshes(geometry: Geometry) -> Vec<Mesh> {
-    let Geometry { vertices, texture_coordinates, objects, .. } = geometry;
-    let mut builder = MeshBuilder::new(&vertices, &texture_coordinates);
-    let mut names = Names::default();
-    let solid = objects.into_iter().filter(|object| !object.triangles.is_empty());
-    solid
-        .map(|object| {
-            let name = names.take(object.name);
-            builder.build(name, object.triangles, object.texture_triangles, object.materials)
-        })
-        .collect()
 }

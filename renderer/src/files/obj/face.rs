@@ -10,63 +10,56 @@ pub(super) struct Counts {
     pub normals: u32,
 }
 
-/// The corners of a face.
-#[derive(Default)]
-pub(super) struct Face {
-    /// Indices of vertices, counted from 0.
-    pub vertices: Vec<u32>,
-    /// For each corner the index of its texture coordinates, counted from 0, if it has any.
-    pub texture: Vec<Option<u32>>,
-}
-
-impl Face {
-    /// Reads what follows `f`: for each corner vertex, texture coordinates and normal. What stood
-    /// here before is forgotten.
-    pub fn read(&mut self, rest: &str, counts: &Counts) -> Result<(), String> {
-        self.vertices.clear();
-        self.texture.clear();
-        let kinds = [
-            ("vertex", counts.vertices),
-            ("texture coordinate", counts.texture_coordinates),
-            ("normal", counts.normals),
-        ];
-        for corner in words(rest) {
-            if corner.split('/').count() > 3 {
-                return Err(format!("`{corner}` is not vertex/texture/normal"));
-            }
-            let mut parts = corner.split('/');
-            let mut indices = [None; 3];
-            for (i, index) in indices.iter_mut().enumerate() {
-                *index = match parts.next() {
-                    // Only the vertex has to be there.
-                    None | Some("") if i > 0 => None,
-                    word => Some(resolved(word.unwrap_or(""), kinds[i])?),
-                };
-            }
-            let [vertex, texture, _] = indices;
-            self.vertices.extend(vertex);
-            self.texture.push(texture);
+/// Checks what follows `f`: for each corner vertex, texture coordinates and normal. Appends to `text`
+/// the face without normals, and to `textured` for each corner whether it has texture coordinates.
+pub(super) fn prepare_face(
+    rest: &str,
+    counts: &Counts,
+    text: &mut String,
+    textured: &mut Vec<bool>,
+) -> Result<(), String> {
+    let kinds = [
+        ("vertex", counts.vertices),
+        ("texture coordinate", counts.texture_coordinates),
+        ("normal", counts.normals),
+    ];
+    let mut corners = 0;
+    text.push('f');
+    for corner in words(rest) {
+        let mut parts = corner.split('/');
+        let [vertex, texture, normal] = [(); 3].map(|()| parts.next().unwrap_or(""));
+        if parts.next().is_some() {
+            return Err(format!("`{corner}` is not vertex/texture/normal"));
         }
-        match self.vertices.len() {
-            0..3 => {
-                let count = self.vertices.len();
-                Err(format!("a face has at least 3 vertices, this one {count}"))
-            }
-            _ => Ok(()),
+        check_index(vertex, kinds[0])?;
+        text.extend([" ", vertex]);
+        // Only the vertex has to be there.
+        if !texture.is_empty() {
+            check_index(texture, kinds[1])?;
+            text.extend(["/", texture]);
         }
+        if !normal.is_empty() {
+            check_index(normal, kinds[2])?;
+        }
+        textured.push(!texture.is_empty());
+        corners += 1;
+    }
+    text.push('\n');
+    match corners {
+        0..3 => Err(format!("a face has at least 3 vertices, this one {corners}")),
+        _ => Ok(()),
     }
 }
 
-/// An index, counted from 0; in the file it counts from 1, or from the end as -1, -2, ...
-fn resolved(word: &str, (kind, count): (&str, u32)) -> Result<u32, String> {
+/// An index counts from 1, or from the end as -1, -2, ...
+fn check_index(word: &str, (kind, count): (&str, u32)) -> Result<(), String> {
     let Ok(value) = word.parse::<i64>() else {
         return Err(format!("`{word}` is not the index of a {kind}"));
     };
-    let index = if value < 0 { i64::from(count).checked_add(value) } else { value.checked_sub(1) };
-    match index.and_then(|index| u32::try_from(index).ok()).filter(|&index| index < count) {
-        Some(index) => Ok(index),
-        None => {
-            Err(format!("{kind} {value} is out of range: {count} are defined before this line"))
-        }
+    if value == 0 || value.unsigned_abs() > u64::from(count) {
+        let problem =
+            format!("{kind} {value} is out of range: {count} are defined before this line");
+        return Err(problem);
     }
+    Ok(())
 }

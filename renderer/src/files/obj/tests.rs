@@ -132,6 +132,19 @@ fn indices_are_relative_to_what_stands_before() {
     assert_eq!(mesh.texture_coordinates[3], [0.5, 0.5]);
 }
 
+/// What has no texture coordinates gets none of others.
+#[test]
+fn corners_without_texture_coordinates_are_kept_apart() {
+    let text = format!(
+        "{TRIANGLE}v 1 1 0\nvt 0.1 0.2\nvt 0.3 0.4\nvt 0.5 0.6\no plain\nf 1 2 3\n\
+         o mixed\nf 1 2 3\nf 1/2 2/3 4/3 3\n"
+    );
+    let [plain, mixed] = &load(&text).meshes[..] else { panic!("two meshes") };
+    assert_eq!((plain.texture_coordinates.len(), plain.texture_triangles.len()), (0, 0));
+    assert_eq!(mixed.texture_coordinates, [[0.3, 0.4], [0.5, 0.6]]);
+    assert_eq!(mixed.texture_triangles, [None, Some([0, 1, 1]), None]);
+}
+
 #[test]
 fn what_is_left_out_is_told_once() {
     let text = format!(
@@ -198,6 +211,12 @@ fn broken_files_are_refused_with_their_line() {
         let error = refused(&[("a.obj", &format!("{TRIANGLE}{rest}"))]);
         assert!(error.starts_with(expected), "{rest:?}: {error}");
     }
+    let point = |i: i32| (1.0 + f64::from(i % 2)) * glam::DVec2::from_angle(f64::from(i) / 200.0);
+    let points = (0..1002).map(point).map(|p| format!("v {} {} 0\n", p.x, p.y));
+    let corners: String = (1..=1002).map(|i| format!(" {i}")).collect();
+    let star = format!("{}f 1 2 3\n\nf{corners}\n", points.collect::<String>());
+    let error = refused(&[("a.obj", &star)]);
+    assert_eq!(error, "a.obj:1005: a face of 1002 corners is not convex; such ones may have 1000");
     assert!(refused(&[("a.obj", "")]).starts_with("a.obj: holds no triangles"));
     assert!(refused(&[]).starts_with("a.obj: no such file"));
 }
