@@ -259,7 +259,7 @@ exponent = 5.0
     #[test]
     fn what_cannot_be_rendered_is_refused() {
         let layer = layer();
-        let message = |rows: &[[f32; 7]]| {
+        let message = |rows: &[[f32; 7]; 2]| {
             let rows = Tensor::new(rows, &Device::Cpu).unwrap();
             layer.images(&rows).unwrap_err().to_string()
         };
