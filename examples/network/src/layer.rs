@@ -265,7 +265,7 @@ exponent = 5.0
         };
         let mut values = VALUES;
         values[1][5] = f32::NAN;
-        let expected = "input of the layer that renders: light.lamp.position: is NaN";
+        let expected = "input of the layer that renders: light.lamp.position: NaN is not";
         assert!(message(&values).starts_with(expected), "{}", message(&values));
         let short = Tensor::zeros((2, 3), candle_core::DType::F32, &Device::Cpu).unwrap();
         let expected = "input of the layer that renders: 3 numbers for each image, not 7";
