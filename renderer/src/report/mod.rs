@@ -77,25 +77,23 @@ fn figures(summary: &Value) -> String {
     format!("<table class=\"figures\">\n{rows}</table>\n")
 }
 
-/// Initial, final and true values.
+/// Initial and final values, and where they are known the true ones.
 fn parameters(summary: &Value) -> String {
     let Some(parameters) = summary["parameters"].as_object().filter(|p| !p.is_empty()) else {
         return String::new();
     };
+    let mut columns = vec![("initial", "initial"), ("recovered", "final")];
+    if parameters.values().any(|values| !values["target"].is_null()) {
+        columns.push(("true", "target"));
+    }
     let row = |(path, values): (&String, &Value)| {
-        let cells = ["initial", "final", "target"].map(|name| numbers(&values[name]));
-        format!(
-            "<tr><th>{}</th><td>{}</td><td>{}</td><td>{}</td></tr>\n",
-            escape(path),
-            cells[0],
-            cells[1],
-            cells[2]
-        )
+        let cell = |(_, name): &(_, &str)| format!("<td>{}</td>", numbers(&values[*name]));
+        let cells: String = columns.iter().map(cell).collect();
+        format!("<tr><th>{}</th>{cells}</tr>\n", escape(path))
     };
     let rows: String = parameters.iter().map(row).collect();
-    format!(
-        "<table>\n<tr><th>path</th><th>initial</th><th>recovered</th><th>true</th></tr>\n{rows}</table>\n"
-    )
+    let titles: String = columns.iter().map(|(title, _)| format!("<th>{title}</th>")).collect();
+    format!("<table>\n<tr><th>path</th>{titles}</tr>\n{rows}</table>\n")
 }
 
 fn images(run: &RunFolder) -> String {
@@ -141,7 +139,10 @@ fn trajectories(trajectory: &Trajectory) -> String {
     let more = trajectory.paths.len() - shown;
     let note =
         if more > 0 { format!("<p>{more} more are not drawn.</p>\n") } else { String::new() };
-    format!(
-        "<p>The dashed line is the true value.</p>\n<div class=\"charts\">\n{charts}</div>\n{note}"
-    )
+    let legend = if trajectory.target.iter().any(Option::is_some) {
+        "<p>The dashed line is the true value.</p>\n"
+    } else {
+        ""
+    };
+    format!("{legend}<div class=\"charts\">\n{charts}</div>\n{note}")
 }

@@ -47,10 +47,32 @@ fn what_is_there_is_on_the_page() {
     ] {
         assert!(page.contains(part), "{part}: {page}");
     }
+    for part in ["<th>true</th>", "The dashed line"] {
+        assert!(!page.contains(part), "the truth is not known, but the page has {part}");
+    }
     // Nothing on it is fetched: every address is data.
     assert_eq!(page.matches("src=").count(), page.matches("src=\"data:").count());
     assert!(!page.contains("href=") && !page.contains("<link") && !page.contains("url("));
     assert_eq!(page.matches("<script>").count(), 1);
+}
+
+#[test]
+fn the_truth_stands_where_it_is_known() {
+    let folder = folder(&[
+        (
+            "summary.json",
+            r#"{"parameters": {"a": {"initial": [1], "final": [2]},
+            "b": {"initial": [3], "final": [4], "target": [5.5]}}}"#,
+        ),
+        (
+            "trajectory.json",
+            r#"{"paths": ["a", "b"], "target": [null, 5.5], "iterations": [0], "values": [[1, 3]]}"#,
+        ),
+    ]);
+    let page = report_page(folder.path()).unwrap();
+    for part in ["<th>recovered</th><th>true</th>", "<td>4</td><td>5.5</td>", "The dashed line"] {
+        assert!(page.contains(part), "{part}: {page}");
+    }
 }
 
 #[test]

@@ -203,7 +203,9 @@ fn usage() {
         (&["optimize", "experiment.toml", "--iterations", "many"], "--iterations"),
         (&["optimize", "experiment.toml", "--iterations=-1"], "--iterations"),
         (&["optimize", "experiment.toml", "--tolerance", "nan"], "--tolerance"),
-        (&["optimize", "experiment.toml", "--tolerance=-1"], "--tolerance"),
+        (&["optimize", "experiment.toml", "--tolerance", "-1"], "<X>': must"),
+        (&["optimize", "experiment.toml", "--learning-rate", "-1"], "<X>': must be above 0"),
+        (&["bench", "scene.toml", "--seconds", "-1"], "<SECONDS>': has to"),
         (&["gradient", "experiment.toml", "--check", "--json"], "--json"),
     ];
     for (arguments, part) in cases {
