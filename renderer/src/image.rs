@@ -17,6 +17,11 @@ impl Image {
         Self { width, height, pixels: vec![[0.0; 3]; width as usize * height as usize] }
     }
 
+    /// Whether every channel of every pixel is.
+    pub fn is_finite(&self) -> bool {
+        self.pixels.as_flattened().iter().all(|value| value.is_finite())
+    }
+
     /// The absolute difference of every channel; nothing if the sizes differ.
     pub fn absolute_difference(&self, other: &Self) -> Option<Self> {
         if (self.width, self.height) != (other.width, other.height) {

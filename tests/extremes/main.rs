@@ -1,11 +1,15 @@
 //! The renderer at the extremes.
 
+mod camera;
+mod error_growth;
 mod extended;
 mod images;
 mod kernels;
 mod meshes;
+mod non_finite;
+mod optimisation;
 mod oracle;
-mod camera;
+mod random_bits;
 mod scale;
 #[path = "../gradients/scenes.rs"]
 mod scenes;

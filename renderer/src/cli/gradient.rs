@@ -4,11 +4,11 @@ use ad::check;
 use serde_json::{Map, Value};
 
 use super::Problem;
-use super::output::{json_numbers, print, short};
+use super::output::{json_numbers, print, print_warning, short};
 use crate::Error;
 use crate::arithmetic::Arithmetic;
 use crate::optimize::Evaluation;
-use crate::recovery::{Recovery, natural_scale};
+use crate::recovery::natural_scale;
 use crate::scene::{Differentiability, Scene};
 
 /// Elements of one parameter that `--check` compares; more would take minutes on a mesh.
@@ -31,9 +31,10 @@ pub(super) struct Arguments {
 pub(super) fn run(arguments: &Arguments, arithmetic: Arithmetic) -> Result<(), Error> {
     let experiment = arguments.problem.load()?;
     let place = arguments.problem.scene.display().to_string();
-    let recovery = Recovery::new(&experiment, &place, arithmetic)?;
+    let recovery = arguments.problem.recovery(&experiment, &place, arithmetic)?;
     let scene = &experiment.scene;
     let Evaluation { loss, gradient } = recovery.evaluate()?;
+    recovery.left_out().iter().for_each(print_warning);
 
     let mut rest = &gradient[..];
     let blocks: Vec<_> = recovery

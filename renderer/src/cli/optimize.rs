@@ -6,7 +6,7 @@ use std::time::Duration;
 use serde_json::Map;
 
 use super::out_folder::check_out_folder;
-use super::output::{abbreviate, print, short};
+use super::output::{abbreviate, print, print_warning, short};
 use super::strip::save_strip;
 use super::{Problem, stem};
 use crate::Error;
@@ -72,8 +72,9 @@ pub(super) fn run(arguments: &Arguments, arithmetic: Arithmetic) -> Result<(), E
     };
     check_out_folder(&out, [Some(scene_path.as_path()), target].into_iter().flatten())?;
     let place = scene_path.display().to_string();
-    let recovery = Recovery::new(&experiment, &place, arithmetic)?;
+    let recovery = arguments.problem.recovery(&experiment, &place, arithmetic)?;
     let outcome = recover(&experiment, &recovery, &out, arguments.resume, arithmetic)?;
+    recovery.left_out().iter().for_each(print_warning);
     print(report(&recovery, &outcome, &out))
 }
 

@@ -24,6 +24,11 @@ pub(super) fn print_error(error: &Error) {
     let _ = writeln!(io::stderr().lock(), "error: {error}");
 }
 
+/// One line on the standard error stream, about what went on.
+pub(super) fn print_warning(warning: impl Display) {
+    let _ = writeln!(io::stderr().lock(), "warning: {warning}");
+}
+
 /// Numbers as people read them: at most a handful, six digits each.
 pub(super) fn abbreviate(values: &[f64]) -> String {
     const MOST: usize = 6;

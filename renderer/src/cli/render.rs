@@ -4,14 +4,14 @@ use std::path::PathBuf;
 
 use clap::ValueEnum;
 
-use super::output::print;
+use super::output::{print, print_warning};
 use crate::Error;
 use crate::arithmetic::Arithmetic;
 use crate::display::{ToneMapping, expose, normalize};
 use crate::experiment::Experiment;
 use crate::files::{check_image_path, save_image};
 use crate::integrator::{Pass, RenderSettings, Visibility};
-use crate::recovery::render_with;
+use crate::recovery::{find_non_finite_pixels, render_with};
 
 #[derive(clap::Args)]
 pub(super) struct Arguments {
@@ -38,6 +38,10 @@ pub(super) struct Arguments {
     /// primitives, or primitives drawn into the image
     #[arg(long, value_enum, default_value_t = VisibilityName::Tree)]
     visibility: VisibilityName,
+
+    /// Make pixels black that are not finite, and say how many they are, instead of stopping at them
+    #[arg(long)]
+    allow_non_finite: bool,
 
     /// Map the darkest channel to 0 and the brightest to 1
     #[arg(long, conflicts_with_all = ["exposure", "tone"])]
@@ -104,6 +108,16 @@ pub(super) fn run(arguments: &Arguments, arithmetic: Arithmetic) -> Result<(), E
     let settings =
         RenderSettings { visibility: arguments.visibility.into(), pass: arguments.pass.into() };
     let mut image = render_with(arithmetic, &experiment.scene, settings);
+    if !image.is_finite() {
+        let found = find_non_finite_pixels(arithmetic, &experiment.scene, settings);
+        let found = found.map_or_else(String::new, |found| found.to_string());
+        if !arguments.allow_non_finite {
+            return Err(Error::new(arguments.scene.display(), found));
+        }
+        print_warning(format_args!("{}: {found}", arguments.scene.display()));
+        let finite = |pixel: &&mut [f32; 3]| pixel.iter().all(|value| value.is_finite());
+        image.pixels.iter_mut().filter(|pixel| !finite(pixel)).for_each(|pixel| *pixel = [0.0; 3]);
+    }
     if let Some(stops) = arguments.exposure {
         expose(&mut image, stops);
     }

@@ -17,8 +17,10 @@
 mod custom;
 mod gradient;
 mod mirrors;
+mod non_finite;
 mod prepared;
 mod radiance;
+mod range;
 mod raster;
 mod settings;
 mod shade;
@@ -32,6 +34,9 @@ mod trace;
 mod view;
 
 pub use gradient::{GradientResult, Wanted, gradient};
+pub use non_finite::{
+    NonFinite, find_non_finite, find_non_finite_radiance, gradient_of_finite,
+};
 pub use prepared::Prepared;
 pub use radiance::{PixelLoss, loss, render, render_into};
 pub use settings::{Pass, RenderSettings, Visibility};
