@@ -22,6 +22,12 @@ impl Image {
         self.pixels.as_flattened().iter().all(|value| value.is_finite())
     }
 
+    /// Makes pixels black that are not finite.
+    pub fn blacken_non_finite(&mut self) {
+        let finite = |pixel: &&mut [f32; 3]| pixel.iter().all(|value| value.is_finite());
+        self.pixels.iter_mut().filter(|pixel| !finite(pixel)).for_each(|pixel| *pixel = [0.0; 3]);
+    }
+
     /// The absolute difference of every channel; nothing if the sizes differ.
     pub fn absolute_difference(&self, other: &Self) -> Option<Self> {
         if (self.width, self.height) != (other.width, other.height) {

@@ -33,8 +33,15 @@ fn is_smooth(id: ParameterId) -> bool {
     use ParameterId::*;
     matches!(
         id,
-        LightColor(_) | LightIntensity(_) | Ambient(_) | Diffuse(_) | Specular(_) | Exponent(_)
-            | Reflection(_) | LightPosition(_) | LightDirection(_)
+        LightColor(_)
+            | LightIntensity(_)
+            | Ambient(_)
+            | Diffuse(_)
+            | Specular(_)
+            | Exponent(_)
+            | Reflection(_)
+            | LightPosition(_)
+            | LightDirection(_)
     )
 }
 
@@ -77,7 +84,8 @@ fn triangles(subdivisions: &[u32]) {
             materials: vec![2; mesh.triangles.len()],
             ..object
         });
-        let vertices = mesh.vertices.iter().map(|&v| (v * 0.8 + glam::dvec3(-0.5, 1.2, -0.8)).into());
+        let vertices =
+            mesh.vertices.iter().map(|&v| (v * 0.8 + glam::dvec3(-0.5, 1.2, -0.8)).into());
         scene.parameters.vertices.push(vertices.collect());
         scene.parameters.texture_coordinates.push(Vec::new());
         check(&format!("{} triangles", mesh.triangles.len()), &scene);

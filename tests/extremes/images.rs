@@ -51,7 +51,8 @@ pub fn evaluate(scene: &Scene, arithmetic: Arithmetic) -> (f64, Vec<(ParameterId
     let ids = scene.parameter_ids();
     let dimmed = ids.iter().filter(|id| matches!(id, ParameterId::LightIntensity(_)));
     let values = dimmed.map(|&id| (id, vec![0.7 * scene.parameters.get(id)[0]])).collect();
-    let tuned = |&id: &ParameterId| TunedParameter { id, learning_rate: None, min: None, max: None };
+    let tuned =
+        |&id: &ParameterId| TunedParameter { id, learning_rate: None, min: None, max: None };
     let optimize = OptimizeSection {
         target: Some(Target::Values(values)),
         parameters: ids.iter().map(tuned).collect(),

@@ -149,11 +149,7 @@ fn sphere_left<S: Real>(x: &[S]) -> [S; 6] {
 
 #[differentiable]
 fn triangle_place<S: Real>(x: &[S]) -> [S; 2] {
-    let corners = [
-        Uv { u: x[12], v: x[13] },
-        Uv { u: x[14], v: x[15] },
-        Uv { u: x[16], v: x[17] },
-    ];
+    let corners = [Uv { u: x[12], v: x[13] }, Uv { u: x[14], v: x[15] }, Uv { u: x[16], v: x[17] }];
     let uv = triangle_uv::<S>(
         vector::<S>(x, 0),
         vector::<S>(x, 3),
@@ -185,29 +181,19 @@ fn material<S: Real>(x: &[S]) -> Material<S> {
 
 #[differentiable]
 fn surface<S: Real>(x: &[S]) -> SurfacePoint<S> {
-    SurfacePoint {
-        point: vector::<S>(x, 14),
-        normal: vector::<S>(x, 17),
-        view: vector::<S>(x, 20),
-    }
+    SurfacePoint { point: vector::<S>(x, 14), normal: vector::<S>(x, 17), view: vector::<S>(x, 20) }
 }
 
 #[differentiable]
 fn point_lit<S: Real>(x: &[S]) -> [S; 3] {
-    let light = PointLight {
-        position: vector::<S>(x, 0),
-        color: vector::<S>(x, 3),
-        intensity: x[6],
-    };
+    let light =
+        PointLight { position: vector::<S>(x, 0), color: vector::<S>(x, 3), intensity: x[6] };
     three::<S>(reflection_of_point_light::<S>(material::<S>(x), surface::<S>(x), light))
 }
 
 #[differentiable]
 fn distant_lit<S: Real>(x: &[S]) -> [S; 3] {
-    let light = DistantLight {
-        direction: vector::<S>(x, 0),
-        color: vector::<S>(x, 3),
-        intensity: x[6],
-    };
+    let light =
+        DistantLight { direction: vector::<S>(x, 0), color: vector::<S>(x, 3), intensity: x[6] };
     three::<S>(reflection_of_distant_light::<S>(material::<S>(x), surface::<S>(x), light))
 }

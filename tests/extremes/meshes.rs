@@ -11,8 +11,7 @@ pub struct Mesh {
 impl Mesh {
     /// With `8 * 4^subdivisions` triangles.
     pub fn sphere(subdivisions: u32) -> Self {
-        let vertices =
-            vec![DVec3::X, DVec3::Y, DVec3::Z, DVec3::NEG_X, DVec3::NEG_Y, DVec3::NEG_Z];
+        let vertices = vec![DVec3::X, DVec3::Y, DVec3::Z, DVec3::NEG_X, DVec3::NEG_Y, DVec3::NEG_Z];
         let (up, down) = ([[0, 1], [1, 3], [3, 4], [4, 0]], 5);
         let mut triangles = Vec::new();
         for [a, b] in up {

@@ -57,7 +57,10 @@ pub fn check<K: Kernel>(case: &Case<'_>) {
     let double = expected.errors::<K, f64>(case);
     let double_lanes = expected.errors::<K, f64x8>(case);
     let (value, gradient) = (case.value, case.gradient);
-    println!("| {} | {single} | {lanes} | {double} | {double_lanes} | {value:.0e} | {gradient:.0e} |", case.name);
+    println!(
+        "| {} | {single} | {lanes} | {double} | {double_lanes} | {value:.0e} | {gradient:.0e} |",
+        case.name
+    );
     for (errors, scalar) in
         [(single, "f32"), (lanes, "f32x16"), (double, "f64"), (double_lanes, "f64x8")]
     {
@@ -123,9 +126,8 @@ impl Expected {
             start += size;
             let largest = self.values[results.clone()].iter().fold(0.0_f64, |m, v| m.max(v.abs()));
             for result in results.clone() {
-                let unit: Vec<L> = (0..values.len())
-                    .map(|i| if i == result { L::ONE } else { L::ZERO })
-                    .collect();
+                let unit: Vec<L> =
+                    (0..values.len()).map(|i| if i == result { L::ONE } else { L::ZERO }).collect();
                 let found: Vec<f64> = K::pull_back::<L>(&x, &unit).iter().map(first).collect();
                 let mut offset = 0;
                 for (&(_, size), length) in K::INPUTS.iter().zip(case.lengths) {
@@ -136,7 +138,8 @@ impl Expected {
                         .flat_map(|gradient| &gradient[block.clone()]);
                     let size = of_vector.fold(0.1 * largest / length, |size, g| size.max(g.abs()));
                     let expected = &self.gradients[result][block.clone()];
-                    let error = worst(&found[block.clone()], expected, [block.len()].into_iter(), size);
+                    let error =
+                        worst(&found[block.clone()], expected, [block.len()].into_iter(), size);
                     gradient = gradient.max(error / epsilon);
                 }
             }
@@ -147,12 +150,7 @@ impl Expected {
 
 /// The largest error relative to the largest number of its block, or to `least` if that is larger.
 /// Infinite where a number is not finite, or should be zero and is not.
-fn worst(
-    found: &[f64],
-    expected: &[f64],
-    blocks: impl Iterator<Item = usize>,
-    least: f64,
-) -> f64 {
+fn worst(found: &[f64], expected: &[f64], blocks: impl Iterator<Item = usize>, least: f64) -> f64 {
     assert_eq!(found.len(), expected.len());
     let (mut worst, mut start) = (0.0_f64, 0);
     for size in blocks {

@@ -81,9 +81,8 @@ fn traversal_is_total() {
                 break v;
             }
         };
-        let mut shapes: Vec<Shape> = (0..20)
-            .map(|_| Shape::Triangle([vector(true), vector(true), vector(true)]))
-            .collect();
+        let mut shapes: Vec<Shape> =
+            (0..20).map(|_| Shape::Triangle([vector(true), vector(true), vector(true)])).collect();
         shapes.extend((0..10).map(|_| Shape::Sphere(vector(true), vector(true).x.abs())));
         let tree = Acceleration::new(&shapes);
         for _ in 0..30 {

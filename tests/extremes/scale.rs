@@ -51,10 +51,13 @@ fn check(scene: &Scene, name: &str, arithmetics: &[Arithmetic]) {
                     worst = worst.max(error);
                 }
             }
-            println!("| {name}, times {scale:e}, moved by {:e} | {arithmetic:?} | {off_by:.1e} | {worst:.1e} |", offset.abs().max_element());
+            println!(
+                "| {name}, times {scale:e}, moved by {:e} | {arithmetic:?} | {off_by:.1e} | {worst:.1e} |",
+                offset.abs().max_element()
+            );
             let bound = match arithmetic.precision() {
-                Precision::F32 => 1e-4,
-                Precision::F64 => 1e-6,
+                Precision::F32 => 1e-5,
+                Precision::F64 => 1e-7,
             };
             assert!(off_by <= bound, "{name}, {arithmetic:?}: images differ by {off_by:e}");
             assert!(worst <= 10.0 * bound, "{name}, {arithmetic:?}: gradients differ by {worst:e}");

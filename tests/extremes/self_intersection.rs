@@ -60,8 +60,7 @@ impl Surface {
             let normal = (b - a).cross(c - a);
             let distance = (a - origin).dot(normal) / direction.dot(normal);
             let point = origin + direction * distance;
-            let inside =
-                |p: DVec3, q: DVec3| (q - p).cross(point - p).dot(normal) >= 0.0;
+            let inside = |p: DVec3, q: DVec3| (q - p).cross(point - p).dot(normal) >= 0.0;
             let hit = distance > 0.0 && inside(a, b) && inside(b, c) && inside(c, a);
             hit.then(|| (distance, normal.normalize()))
         };
@@ -104,7 +103,11 @@ impl Lights {
         let light = |_| {
             if self == Self::Distant {
                 let direction = random.direction();
-                return Light::Distant(DistantLight { direction, color: DVec3::ONE, intensity: 1.0 });
+                return Light::Distant(DistantLight {
+                    direction,
+                    color: DVec3::ONE,
+                    intensity: 1.0,
+                });
             }
             let offset = match self {
                 Self::Inside => random.in_ball() * 0.9,
@@ -225,10 +228,9 @@ fn concentric_spheres_keep_their_light_apart() {
         let (inner, outer) = (scale, (1.0 + 4e-5) * scale);
         let eye = |offset: f64| (DVec3::X + DVec3::Y * offset) * scale;
         for which in [Lights::Distant, Lights::Outside, Lights::Inside] {
-            for (name, seen, behind, offset) in [
-                ("from outside", outer, inner, 3.0),
-                ("from inside", inner, outer, 0.4),
-            ] {
+            for (name, seen, behind, offset) in
+                [("from outside", outer, inner, 3.0), ("from inside", inner, outer, 0.4)]
+            {
                 let name = format!("concentric spheres of size {scale:e} {name}");
                 check(&name, vec![sphere(seen), sphere(behind)], eye(offset), which, 100);
             }

@@ -46,7 +46,13 @@ impl Shading {
         let name = format!("{name}, from infinitely far");
         let power = self.power();
         let lengths = [length, 1.0, power, 1.0, 1.0, 0.1, 1.0, angle, angle];
-        check::<DistantLit>(&Case { name: &name, x: &self.numbers(), lengths: &lengths, value, gradient });
+        check::<DistantLit>(&Case {
+            name: &name,
+            x: &self.numbers(),
+            lengths: &lengths,
+            value,
+            gradient,
+        });
     }
 
     #[track_caller]
@@ -65,8 +71,15 @@ impl Shading {
     fn numbers(&self) -> Vec<f64> {
         let Self { position, color, intensity, diffuse, specular, exponent, view, .. } = *self;
         let numbers = [
-            &position[..], &color, &[intensity], &diffuse, &specular, &[exponent], &[0.0; 3],
-            &[0.0, 0.0, 1.0], &view,
+            &position[..],
+            &color,
+            &[intensity],
+            &diffuse,
+            &specular,
+            &[exponent],
+            &[0.0; 3],
+            &[0.0, 0.0, 1.0],
+            &view,
         ];
         numbers.concat().into_iter().map(|x| f64::from(x as f32)).collect()
     }

@@ -45,9 +45,16 @@ impl Look {
 #[test]
 fn near_and_far_and_tiny_and_huge() {
     let towards = dvec3(0.6, -0.3, 0.74).normalize();
-    for (radius, distance) in
-        [(1.0, 3.0), (1e-6, 1e-5), (1e-6, 1.0), (1.0, 1e6), (1e6, 1e7), (1e6, 1e6 + 10.0), (1e-18, 1e-17), (1e17, 3e17)]
-    {
+    for (radius, distance) in [
+        (1.0, 3.0),
+        (1e-6, 1e-5),
+        (1e-6, 1.0),
+        (1.0, 1e6),
+        (1e6, 1e7),
+        (1e6, 1e6 + 10.0),
+        (1e-18, 1e-17),
+        (1e17, 3e17),
+    ] {
         let look = Look { origin: DVec3::ZERO, center: towards * distance, radius, pass: 0.4 };
         let name = format!("sphere of radius {radius:e} seen from {distance:e}");
         let bound = 20.0 * (distance / radius).max(radius / (distance - radius));
@@ -60,7 +67,10 @@ fn from_inside_and_from_the_surface() {
     for exponent in [0, -6, 6, -18, 17] {
         let radius = 10.0_f64.powi(exponent);
         for (place, name) in [
-            (0.0, "its centre"), (0.3, "inside"), (1.0 - 1e-6, "just inside"), (1.0, "the surface"),
+            (0.0, "its centre"),
+            (0.3, "inside"),
+            (1.0 - 1e-6, "just inside"),
+            (1.0, "the surface"),
         ] {
             let look = Look {
                 origin: dvec3(0.48, 0.6, 0.64) * radius * place,

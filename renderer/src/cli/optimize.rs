@@ -17,7 +17,7 @@ use crate::optimize::{
     Checkpointing, Optimization, Optimizer, Outcome, Quiet, Schedule, Settings, Start, progress,
     write_report,
 };
-use crate::recovery::{Recovery, render_at};
+use crate::recovery::Recovery;
 
 #[derive(clap::Args)]
 pub(super) struct Arguments {
@@ -73,7 +73,7 @@ pub(super) fn run(arguments: &Arguments, arithmetic: Arithmetic) -> Result<(), E
     check_out_folder(&out, [Some(scene_path.as_path()), target].into_iter().flatten())?;
     let place = scene_path.display().to_string();
     let recovery = arguments.problem.recovery(&experiment, &place, arithmetic)?;
-    let outcome = recover(&experiment, &recovery, &out, arguments.resume, arithmetic)?;
+    let outcome = recover(&experiment, &recovery, &out, arguments.resume)?;
     recovery.left_out().iter().for_each(print_warning);
     print(report(&recovery, &outcome, &out))
 }
@@ -104,7 +104,6 @@ pub(super) fn recover(
     recovery: &Recovery<'_>,
     out: &Path,
     resume: bool,
-    arithmetic: Arithmetic,
 ) -> Result<Outcome, Error> {
     let mut settings = recovery.settings();
     settings.checkpointing = Some(Checkpointing {
@@ -124,18 +123,18 @@ pub(super) fn recover(
         .map_err(|error| Error::new(out.display(), format_args!("cannot be made: {error}")))?;
     let target = recovery.target();
     save_png(target, &out.join("target.png"))?;
-    save_png(&render_at(arithmetic, &experiment.scene), &out.join("initial.png"))?;
+    save_png(&recovery.render(&experiment.scene), &out.join("initial.png"))?;
 
     let outcome = recovery.run(&settings, progress().as_mut())?;
 
     let recovered = recovery.scene_at(&outcome.best.x);
-    let image = render_at(arithmetic, &recovered);
+    let image = recovery.render(&recovered);
     save_png(&image, &out.join("final.png"))?;
     if let Some(difference) = recovery.difference(&image) {
         save_png(&difference, &out.join("difference.png"))?;
     }
     save_scene(&recovered, out)?;
-    let strip = save_strip(recovery, &outcome.trajectory, out, arithmetic)?;
+    let strip = save_strip(recovery, &outcome.trajectory, out)?;
     let extra = Map::from_iter([("strip".to_owned(), strip)]);
     write_report(out, recovery.variables(), &outcome, extra)?;
     Ok(outcome)

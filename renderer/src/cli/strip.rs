@@ -5,10 +5,9 @@ use std::path::Path;
 use serde_json::{Value, json};
 
 use crate::Error;
-use crate::arithmetic::Arithmetic;
 use crate::files::save_png;
 use crate::optimize::Point;
-use crate::recovery::{Recovery, render_at};
+use crate::recovery::Recovery;
 
 /// The folder of the images, in the folder of the results.
 pub(super) const STRIP_FOLDER: &str = "strip";
@@ -23,7 +22,6 @@ pub(super) fn save_strip(
     recovery: &Recovery<'_>,
     trajectory: &[Point],
     out: &Path,
-    arithmetic: Arithmetic,
 ) -> Result<Value, Error> {
     let pixels = recovery.target().pixels.len();
     let most = (MOST_PIXELS / pixels.max(1)).clamp(2, MOST_IMAGES);
@@ -36,7 +34,7 @@ pub(super) fn save_strip(
     }
     for (i, point) in chosen(trajectory, most).into_iter().enumerate() {
         let file = format!("{STRIP_FOLDER}/{i:02}.png");
-        let image = render_at(arithmetic, &recovery.scene_at(&point.x));
+        let image = recovery.render(&recovery.scene_at(&point.x));
         save_png(&image, &out.join(&file))?;
         entries.push(json!({ "iteration": point.iteration, "loss": point.loss, "file": file }));
     }

@@ -34,13 +34,11 @@ mod trace;
 mod view;
 
 pub use gradient::{GradientResult, Wanted, gradient};
-pub use non_finite::{
-    NonFinite, find_non_finite, find_non_finite_radiance, gradient_of_finite,
-};
+pub use non_finite::{NonFinite, find_non_finite, find_non_finite_radiance, gradient_of_finite};
 pub use prepared::Prepared;
 pub use radiance::{PixelLoss, loss, render, render_into};
 pub use settings::{Pass, RenderSettings, Visibility};
 pub use trace::{Rays, trace};
 
-pub(crate) use gradient::reduce;
-pub(crate) use sweep::sweep;
+#[cfg(feature = "cli")]
+pub(crate) use {gradient::reduce, sweep::sweep};

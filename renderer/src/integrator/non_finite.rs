@@ -9,8 +9,8 @@ use std::fmt;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use ad::lanes::Lanes;
 use ad::Vec3;
+use ad::lanes::Lanes;
 use glam::DVec3;
 
 use super::gradient::{GradientResult, Wanted, gradient};
@@ -20,7 +20,6 @@ use super::radiance::{PixelLoss, loss};
 use super::sweep::sweep;
 use super::tiles::{strip_index, tile_of};
 use super::view::{Group, Shape};
-use crate::Error;
 use crate::precision::vectors_of_lanes;
 use crate::scene::{ParameterId, Scene};
 
@@ -42,19 +41,6 @@ impl fmt::Display for NonFinite {
         let ((x, y), pixels) = (self.first, self.finite.len());
         let Self { count, cause, .. } = self;
         write!(f, "{count} of {pixels} pixels are not finite; at column {x}, row {y} {cause}")
-    }
-}
-
-impl From<NonFinite> for Error {
-    fn from(found: NonFinite) -> Self {
-        Self::new("render", found)
-    }
-}
-
-impl NonFinite {
-    /// By pixel, row by row: whether it is finite.
-    pub fn finite(&self) -> &[bool] {
-        &self.finite
     }
 }
 

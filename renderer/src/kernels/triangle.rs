@@ -40,10 +40,10 @@ pub fn triangle_surface<S: Real>(
 #[differentiable]
 #[inline]
 pub fn edge_scale<S: Real>(u: Vec3<S>, v: Vec3<S>) -> S {
-    let size = u.abs().max(v.abs()).max_element();
+    let squared = u.length_squared() + v.length_squared();
     let power = |exponent: i32| S::from_f64(2.0_f64.powi(exponent));
-    let up = select(size.cmplt(power(-20)), power(45), S::ONE);
-    select(size.cmpgt(power(20)), power(-40), up)
+    let up = select(squared.cmplt(power(-40)), power(45), S::ONE);
+    select(squared.cmpgt(power(40)), power(-40), up)
 }
 
 /// The vector product without cancellation, for the normals of needles.

@@ -17,6 +17,9 @@ const LARGEST_LENGTH: f64 = 1e18;
 const SMALLEST_LENGTH: f64 = 1e-18;
 /// Other numbers beyond this leave the range of an `f32`.
 const LARGEST_NUMBER: f64 = 1e38;
+/// The power of a rounding error next to 1 is far from 1 beyond this exponent, and the highlight is
+/// smaller than any pixel.
+pub(crate) const LARGEST_EXPONENT: f64 = 1e6;
 /// Texture coordinates beyond this do not tell texels apart in an `f32`.
 const LARGEST_COORDINATE: f64 = 1e6;
 /// The sine of the angle below which two directions count as parallel.
@@ -26,8 +29,8 @@ const DIRECTION: f64 = 1e-9;
 /// The least angle between pixels: four units in the last place of a direction. Rays go through the
 /// scene in single precision, whatever the kernels compute in, so closer ones would be the same.
 const SMALLEST_ANGLE: f64 = 4.0 * f32::EPSILON as f64;
-/// The most pixels of an image.
-const MOST_PIXELS: u64 = 1 << 28;
+/// The most pixels of an image, and the most texels of all textures.
+pub const MOST_PIXELS: u64 = 1 << 28;
 
 /// What is wrong with a scene.
 #[derive(Clone, Debug, PartialEq)]
@@ -128,6 +131,7 @@ impl Scene {
         let bound = match id {
             _ if is_length => LARGEST_LENGTH,
             TextureCoordinates(_) => LARGEST_COORDINATE,
+            Exponent(_) => LARGEST_EXPONENT,
             _ => LARGEST_NUMBER,
         };
         for (i, &value) in values.iter().enumerate() {
