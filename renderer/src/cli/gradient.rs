@@ -4,6 +4,7 @@ use ad::check;
 use serde_json::{Map, Value};
 
 use super::Problem;
+use super::dial::Dial;
 use super::output::{json_numbers, print, print_warning, short};
 use crate::Error;
 use crate::arithmetic::Arithmetic;
@@ -19,6 +20,9 @@ pub(super) struct Arguments {
     #[command(flatten)]
     problem: Problem,
 
+    #[command(flatten)]
+    dial: Dial,
+
     /// Compare with finite differences of the renderer in double arithmetic
     #[arg(long)]
     check: bool,
@@ -28,10 +32,11 @@ pub(super) struct Arguments {
     json: bool,
 }
 
-pub(super) fn run(arguments: &Arguments, arithmetic: Arithmetic) -> Result<(), Error> {
+pub(super) fn run(arguments: &Arguments, chosen: Option<Arithmetic>) -> Result<(), Error> {
     let experiment = arguments.problem.load()?;
     let place = arguments.problem.scene.display().to_string();
-    let recovery = arguments.problem.recovery(&experiment, &place, arithmetic)?;
+    let recovery = arguments.dial.recovery(&experiment, &place, chosen)?;
+    let recovery = arguments.problem.allowing(recovery);
     let scene = &experiment.scene;
     let Evaluation { loss, gradient } = recovery.evaluate()?;
     recovery.left_out().iter().for_each(print_warning);

@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 
 use super::output::{print, print_warning};
+use super::sampling::SamplingArguments;
 use crate::Error;
 use crate::arithmetic::Arithmetic;
 use crate::display::{ToneMapping, expose, normalize};
@@ -41,6 +42,9 @@ pub(super) struct Arguments {
     #[arg(long)]
     allow_non_finite: bool,
 
+    #[command(flatten)]
+    sampling: SamplingArguments,
+
     /// Map the darkest channel to 0 and the brightest to 1
     #[arg(long, conflicts_with_all = ["exposure", "tone"])]
     normalize: bool,
@@ -56,7 +60,12 @@ fn stops(text: &str) -> Result<f64, String> {
 pub(super) fn run(arguments: &Arguments, arithmetic: Arithmetic) -> Result<(), Error> {
     check_image_path(&arguments.output)?;
     let experiment = Experiment::load(&arguments.scene)?;
-    let settings = RenderSettings { visibility: arguments.visibility, pass: arguments.pass };
+    let settings = RenderSettings {
+        visibility: arguments.visibility,
+        pass: arguments.pass,
+        sampling: arguments.sampling.sampling(),
+        ..RenderSettings::default()
+    };
     let mut image = render_with(arithmetic, &experiment.scene, settings);
     if !image.is_finite() {
         let found = find_non_finite_pixels(arithmetic, &experiment.scene, settings);

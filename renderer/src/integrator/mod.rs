@@ -18,10 +18,13 @@ mod custom;
 mod gradient;
 mod mirrors;
 mod non_finite;
+#[cfg(feature = "files")]
+mod paths;
 mod prepared;
 mod radiance;
 mod range;
 mod raster;
+mod sampling;
 mod settings;
 mod shade;
 mod shadows;
@@ -37,8 +40,11 @@ pub use gradient::{GradientResult, Wanted, gradient};
 pub use non_finite::{NonFinite, find_non_finite, find_non_finite_radiance, gradient_of_finite};
 pub use prepared::Prepared;
 pub use radiance::{PixelLoss, loss, render, render_into};
+pub use sampling::{GradientSamples, Samples, Sampling};
 pub use settings::{Pass, RenderSettings, Visibility};
-pub use trace::{Rays, trace};
+pub use trace::trace;
 
+#[cfg(feature = "files")]
+pub(crate) use paths::paths;
 #[cfg(feature = "cli")]
-pub(crate) use {gradient::reduce, sweep::sweep};
+pub(crate) use {gradient::reduce, paths::Path, sweep::sweep, textures::Texture};

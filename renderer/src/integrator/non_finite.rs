@@ -14,12 +14,12 @@ use ad::lanes::Lanes;
 use glam::DVec3;
 
 use super::gradient::{GradientResult, Wanted, gradient};
-use super::mirrors::{Mirrors, Sight};
+use super::mirrors::{Dark, Sight};
 use super::prepared::Prepared;
 use super::radiance::{PixelLoss, loss};
 use super::sweep::sweep;
 use super::tiles::{strip_index, tile_of};
-use super::view::{Group, Shape};
+use super::view::{Group, Sample, Shape};
 use crate::precision::vectors_of_lanes;
 use crate::scene::{ParameterId, Scene};
 
@@ -181,7 +181,8 @@ fn cause<L: Lanes>(
     let Scene { width, height, .. } = *prepared.scene;
     let (tile, ray) = tile_of(width, height, x, y);
     let mut sight = Sight::default();
-    prepared.see(&tile, Mirrors::Bright, &mut sight);
+    let sample = Sample { tile: &tile, sampling: prepared.sampling, index: 0 };
+    prepared.see(&sample, Dark::default(), &mut sight);
     let mut shown = "nothing".to_owned();
     for view in sight.views() {
         let shows = |group: &&Group<L>| group.rays().any(|(_, of_group)| of_group == ray);

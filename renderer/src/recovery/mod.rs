@@ -16,8 +16,10 @@
 
 mod defaults;
 
-use std::sync::Mutex;
+use std::sync::{Arc, Mutex};
 
+#[cfg(feature = "cli")]
+pub(crate) use defaults::domain;
 pub use defaults::natural_scale;
 
 use ad::lanes::{Lanes, f64x8};
@@ -60,15 +62,17 @@ pub fn find_non_finite_pixels(
 }
 
 /// An optimisation of scene parameters against an image.
+#[derive(Clone)]
 pub struct Recovery<'a> {
     scene: &'a Scene,
     section: OptimizeSection,
     arithmetic: Arithmetic,
+    settings: RenderSettings,
     target: LoadedImage,
     ids: Vec<ParameterId>,
     variables: Vec<Variable>,
     allow_non_finite: bool,
-    left_out: Mutex<Option<String>>,
+    left_out: Arc<Mutex<Option<String>>>,
 }
 
 impl<'a> Recovery<'a> {
@@ -103,8 +107,48 @@ impl<'a> Recovery<'a> {
                 defaults::variable(scene, tuned, section.learning_rate, target)
             })
             .collect();
-        let (allow_non_finite, left_out) = (false, Mutex::default());
-        Ok(Self { scene, section, arithmetic, target, ids, variables, allow_non_finite, left_out })
+        let settings = RenderSettings::default();
+        let (allow_non_finite, left_out) = (false, Arc::default());
+        Ok(Self {
+            scene,
+            section,
+            arithmetic,
+            settings,
+            target,
+            ids,
+            variables,
+            allow_non_finite,
+            left_out,
+        })
+    }
+
+    /// The same problem, with the same target, computed in another way.
+    pub fn computed(&self, arithmetic: Arithmetic, settings: RenderSettings) -> Self {
+        Self { arithmetic, settings, ..self.clone() }
+    }
+
+    /// The same problem with a smaller image: `scene` is that of this problem but for the size, which
+    /// divides this one's. A pixel of the target is the mean of those that it covers.
+    pub fn coarser<'b>(&self, scene: &'b Scene) -> Recovery<'b> {
+        let copy = self.clone();
+        let image = copy.target.image.reduced(scene.width, scene.height);
+        let target = LoadedImage { image, ..copy.target };
+        Recovery { scene, target, ..copy }
+    }
+
+    /// How the scene is rendered.
+    pub fn render_settings(&self) -> &RenderSettings {
+        &self.settings
+    }
+
+    /// The scalar of the kernels.
+    pub fn arithmetic(&self) -> Arithmetic {
+        self.arithmetic
+    }
+
+    /// The values of the parameters that vary as they stand, one after the other.
+    pub fn initial(&self) -> Vec<f64> {
+        self.variables.iter().flat_map(|variable| variable.initial.clone()).collect()
     }
 
     /// Leaves pixels out whose radiance, loss or gradient is not finite, instead of stopping at them.
@@ -140,6 +184,7 @@ impl<'a> Recovery<'a> {
         let scene = self.scene;
         let mut fingerprint = Fingerprint::new()
             .text(&format!("{:?} {:?}", self.arithmetic.precision(), self.loss_kind()))
+            .text(&format!("{:?}", self.settings))
             .text(&format!("{} {}", scene.width, scene.height))
             .text(&format!("{:?}", scene.spheres));
         for id in scene.parameter_ids() {
@@ -172,6 +217,11 @@ impl<'a> Recovery<'a> {
     /// The parameters that vary.
     pub fn variables(&self) -> &[Variable] {
         &self.variables
+    }
+
+    /// The scene as it stands: the initial guess.
+    pub fn scene(&self) -> &'a Scene {
+        self.scene
     }
 
     /// The image to be matched.
@@ -219,7 +269,7 @@ impl<'a> Recovery<'a> {
     /// If one of them is not finite: what is behind it, unless that is
     /// [allowed](Self::allowing_non_finite).
     pub fn evaluate(&self) -> Result<Evaluation, Error> {
-        let x: Vec<f64> = self.variables.iter().flat_map(|v| v.initial.clone()).collect();
+        let x = self.initial();
         let mut objective = self.objective();
         let evaluation = objective.evaluate(&x);
         if evaluation.is_finite() {
@@ -250,7 +300,8 @@ impl<'a> Recovery<'a> {
         self.section.loss.unwrap_or_default()
     }
 
-    fn loss(&self) -> ImageLoss<'_> {
+    /// The loss that is minimised.
+    pub(crate) fn loss(&self) -> ImageLoss<'_> {
         ImageLoss::new(self.loss_kind(), &self.target.image, self.target.saturates)
     }
 }
@@ -339,7 +390,7 @@ impl<'a, S: Lanes> ImageObjective<'a, S> {
     fn new(recovery: &'a Recovery<'a>) -> Self {
         Self {
             recovery,
-            prepared: Prepared::new(recovery.scene),
+            prepared: Prepared::with_settings(recovery.scene, recovery.settings),
             parameters: recovery.scene.parameters.clone(),
             wanted: Wanted::by(&recovery.ids),
         }
