@@ -17,6 +17,17 @@ impl Image {
         Self { width, height, pixels: vec![[0.0; 3]; width as usize * height as usize] }
     }
 
+    /// Whether every channel of every pixel is.
+    pub fn is_finite(&self) -> bool {
+        self.pixels.as_flattened().iter().all(|value| value.is_finite())
+    }
+
+    /// Makes pixels black that are not finite.
+    pub fn blacken_non_finite(&mut self) {
+        let finite = |pixel: &&mut [f32; 3]| pixel.iter().all(|value| value.is_finite());
+        self.pixels.iter_mut().filter(|pixel| !finite(pixel)).for_each(|pixel| *pixel = [0.0; 3]);
+    }
+
     /// A smaller image, whose pixels are the means of those that they cover.
     ///
     /// # Panics

@@ -26,6 +26,7 @@ pub mod display;
 mod error;
 #[cfg(feature = "files")]
 pub mod experiment;
+pub mod extremes;
 #[cfg(feature = "files")]
 pub mod files;
 pub mod image;

@@ -139,6 +139,13 @@ macro_rules! parameters {
             }
         }
 
+        impl $tangent<f64> {
+            /// Whether every number of it is.
+            pub fn is_finite(&self) -> bool {
+                $(self.$vector.is_finite() &&)* $(self.$scalar.is_finite() &&)* true
+            }
+        }
+
         impl<L: Lanes> $tangent<L> {
             /// The sum of the cotangents in the lanes in which `mask` holds.
             #[inline]

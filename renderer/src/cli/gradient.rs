@@ -5,7 +5,7 @@ use serde_json::{Map, Value};
 
 use super::Problem;
 use super::dial::Dial;
-use super::output::{json_numbers, print, short};
+use super::output::{json_numbers, print, print_warning, short};
 use crate::Error;
 use crate::arithmetic::Arithmetic;
 use crate::optimize::Evaluation;
@@ -36,8 +36,10 @@ pub(super) fn run(arguments: &Arguments, chosen: Option<Arithmetic>) -> Result<(
     let experiment = arguments.problem.load()?;
     let place = arguments.problem.scene.display().to_string();
     let recovery = arguments.dial.recovery(&experiment, &place, chosen)?;
+    let recovery = arguments.problem.allowing(recovery);
     let scene = &experiment.scene;
     let Evaluation { loss, gradient } = recovery.evaluate()?;
+    recovery.left_out().iter().for_each(print_warning);
 
     let mut rest = &gradient[..];
     let blocks: Vec<_> = recovery

@@ -23,6 +23,7 @@ use output::{print_error, print_stats, print_warnings};
 use crate::Error;
 use crate::arithmetic::{Arithmetic, Precision};
 use crate::experiment::{Experiment, Target, TunedParameter};
+use crate::recovery::Recovery;
 
 /// Renders scenes, and recovers cameras, lights and materials from images.
 ///
@@ -110,9 +111,19 @@ struct Problem {
     /// A parameter that may vary (can be repeated); replaces those in the scene file
     #[arg(long = "param", value_name = "PATH")]
     parameters: Vec<String>,
+
+    /// Leave pixels out whose radiance, loss or gradient is not finite, and say so, instead of
+    /// stopping at them
+    #[arg(long)]
+    allow_non_finite: bool,
 }
 
 impl Problem {
+    /// The optimisation, with what the command line allows.
+    fn allowing<'a>(&self, recovery: Recovery<'a>) -> Recovery<'a> {
+        if self.allow_non_finite { recovery.allowing_non_finite() } else { recovery }
+    }
+
     /// Loads the scene, with target and parameters as the command line wants them. A parameter that
     /// the scene file lists too keeps its learning rate and bounds.
     fn load(&self) -> Result<Experiment, Error> {

@@ -7,7 +7,7 @@ use serde_json::Map;
 
 use super::dial::Dial;
 use super::out_folder::{check_out_folder, remove_earlier_results};
-use super::output::{abbreviate, print, short};
+use super::output::{abbreviate, print, print_warning, short};
 use super::strip::save_strip;
 use super::{Problem, stem};
 use crate::Error;
@@ -77,7 +77,9 @@ pub(super) fn run(arguments: &Arguments, chosen: Option<Arithmetic>) -> Result<(
     check_out_folder(&out, [Some(scene_path.as_path()), target].into_iter().flatten())?;
     let place = scene_path.display().to_string();
     let recovery = arguments.dial.recovery(&experiment, &place, chosen)?;
+    let recovery = arguments.problem.allowing(recovery);
     let outcome = recover(&experiment, &recovery, &out, arguments.resume)?;
+    recovery.left_out().iter().for_each(print_warning);
     print(report(&recovery, &outcome, &out))
 }
 
@@ -131,12 +133,12 @@ pub(super) fn recover(
     }
     let target = recovery.target();
     save_png(target, &out.join("target.png"))?;
-    save_png(&recovery.image(&experiment.scene), &out.join("initial.png"))?;
+    save_png(&recovery.render(&experiment.scene), &out.join("initial.png"))?;
 
     let outcome = recovery.run(&settings, progress().as_mut())?;
 
     let recovered = recovery.scene_at(&outcome.best.x);
-    let image = recovery.image(&recovered);
+    let image = recovery.render(&recovered);
     save_png(&image, &out.join("final.png"))?;
     if let Some(difference) = recovery.difference(&image) {
         save_png(&difference, &out.join("difference.png"))?;

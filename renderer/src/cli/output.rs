@@ -28,9 +28,12 @@ pub(super) fn print_error(error: &Error) {
 
 /// One line for each warning on the standard error stream.
 pub(super) fn print_warnings(warnings: &[Warning]) {
-    for warning in warnings {
-        let _ = writeln!(io::stderr().lock(), "warning: {warning}");
-    }
+    warnings.iter().for_each(print_warning);
+}
+
+/// One line on the standard error stream, about what went on.
+pub(super) fn print_warning(warning: impl Display) {
+    let _ = writeln!(io::stderr().lock(), "warning: {warning}");
 }
 
 /// Prints how much work the process has done so far, beside what the command prints.

@@ -3,14 +3,14 @@
 use std::path::PathBuf;
 
 use super::load;
-use super::output::print;
+use super::output::{print, print_warning};
 use super::sampling::SamplingArguments;
 use crate::Error;
 use crate::arithmetic::Arithmetic;
 use crate::display::{ToneMapping, expose, normalize};
 use crate::files::{check_image_path, save_image};
 use crate::integrator::{Pass, RenderSettings, Visibility};
-use crate::recovery::render_with;
+use crate::recovery::{find_non_finite_pixels, render_with};
 
 #[derive(clap::Args)]
 pub(super) struct Arguments {
@@ -38,6 +38,10 @@ pub(super) struct Arguments {
     #[arg(long, value_enum, default_value_t = Visibility::Tree)]
     visibility: Visibility,
 
+    /// Make pixels black that are not finite, and say how many they are, instead of stopping at them
+    #[arg(long)]
+    allow_non_finite: bool,
+
     #[command(flatten)]
     sampling: SamplingArguments,
 
@@ -63,6 +67,15 @@ pub(super) fn run(arguments: &Arguments, arithmetic: Arithmetic) -> Result<(), E
         bounces: None,
     };
     let mut image = render_with(arithmetic, &experiment.scene, settings);
+    if !image.is_finite() {
+        let found = find_non_finite_pixels(arithmetic, &experiment.scene, settings);
+        let found = found.map_or_else(String::new, |found| found.to_string());
+        if !arguments.allow_non_finite {
+            return Err(Error::new(arguments.scene.display(), found));
+        }
+        print_warning(format_args!("{}: {found}", arguments.scene.display()));
+        image.blacken_non_finite();
+    }
     if let Some(stops) = arguments.exposure {
         expose(&mut image, stops);
     }

@@ -6,6 +6,7 @@ use glam::DVec3;
 
 use super::prepared::Prepared;
 use super::radiance::PixelLoss;
+use super::range::with_range;
 use super::sums::StripSums;
 use super::sweep::sweep;
 use crate::kernels::camera::{Camera, Frame, frame};
@@ -95,7 +96,8 @@ pub fn gradient<L: Lanes>(
     loss: &impl PixelLoss,
     wanted: Wanted,
 ) -> GradientResult {
-    reduce(prepared, sweep(prepared, loss, wanted), wanted)
+    let result = reduce(prepared, sweep(prepared, loss, wanted), wanted);
+    with_range(prepared, loss, wanted, result)
 }
 
 /// Puts strips together, always in the same order.

@@ -17,10 +17,12 @@
 mod custom;
 mod gradient;
 mod mirrors;
+mod non_finite;
 #[cfg(feature = "files")]
 mod paths;
 mod prepared;
 mod radiance;
+mod range;
 mod raster;
 mod sampling;
 mod settings;
@@ -35,6 +37,7 @@ mod trace;
 mod view;
 
 pub use gradient::{GradientResult, Wanted, gradient};
+pub use non_finite::{NonFinite, find_non_finite, find_non_finite_radiance, gradient_of_finite};
 pub use prepared::Prepared;
 pub use radiance::{PixelLoss, loss, render, render_into};
 pub use sampling::{GradientSamples, Samples, Sampling};

@@ -178,10 +178,11 @@ impl<L: Lanes> Prepared<'_, L> {
 
 impl<L: Lanes> Group<L> {
     /// A bit for each lane whose surface is seen from the side that faces a light: from behind, a
-    /// light brings nothing, whatever is in its way.
+    /// light brings nothing, whatever is in its way. A normal that is not a number faces every light,
+    /// so that it shows in the image.
     #[inline]
     fn facing(&self, to_light: Vec3<L>) -> u32 {
-        L::mask_bits(self.surface.normal.dot(to_light).cmpgt(L::ZERO)) & self.alive
+        !L::mask_bits(self.surface.normal.dot(to_light).cmple(L::ZERO)) & self.alive
     }
 
     /// Where rays that leave the surface points start: far enough outside not to meet the surface

@@ -75,6 +75,13 @@ impl LightSum {
         *sum_of_intensity += number_if(wanted.light_intensities, intensity, all);
     }
 
+    fn is_finite(&self) -> bool {
+        match self {
+            Self::Point(sum) => sum.is_finite(),
+            Self::Distant(sum) => sum.is_finite(),
+        }
+    }
+
     /// Adds the sum to a gradient.
     pub fn add_to(&self, gradient: &mut Light<f64>) {
         match (self, gradient) {
@@ -150,6 +157,20 @@ impl StripSums {
             shapes: zeros(&prepared.parameters.shapes),
             custom_lights: zeros(&prepared.parameters.custom_lights),
         }
+    }
+
+    /// Whether all of it is.
+    pub fn is_finite(&self) -> bool {
+        let numbers = self.shapes.iter().chain(&self.custom_lights).flatten();
+        self.loss.is_finite()
+            && self.frame.is_finite()
+            && self.lights.iter().all(LightSum::is_finite)
+            && self.materials.iter().all(|(_, sum)| sum.is_finite())
+            && self.spheres.iter().all(|(_, sum)| sum.is_finite())
+            && self.vertices.iter().all(|(_, sum)| sum.is_finite())
+            && self.uvs.iter().all(|(_, sum)| sum.is_finite())
+            && self.texels.iter().all(|(_, sum)| sum.is_finite())
+            && numbers.copied().all(f64::is_finite)
     }
 }
 

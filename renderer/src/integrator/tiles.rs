@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use rayon::prelude::*;
 
-use crate::acceleration::{PACKET_RAYS, tile_position};
+use crate::acceleration::{PACKET_RAYS, ray_at, tile_position};
 use crate::counts::flush;
 use crate::image::Image;
 
@@ -70,6 +70,19 @@ impl Strip {
         let first = tile.left - self.0.left;
         first..first + tile.columns
     }
+}
+
+/// Which of the strips of an image a pixel is in.
+pub fn strip_index(width: u32, x: usize, y: usize) -> usize {
+    y / TILE * (width as usize).div_ceil(STRIP) + x / STRIP
+}
+
+/// The tile of an image that a pixel is in, and the ray that goes through it.
+pub fn tile_of(width: u32, height: u32, x: u32, y: u32) -> (Tile, usize) {
+    let [x, y, width, height] = [x, y, width, height].map(|n| n as usize);
+    let (left, top) = (x / TILE * TILE, y / TILE * TILE);
+    let (columns, rows) = (TILE.min(width - left), TILE.min(height - top));
+    (Tile { left, top, columns, rows }, ray_at(x - left, y - top))
 }
 
 /// The strips of an image, row by row.

@@ -1,7 +1,9 @@
 //! Point and distant lights, and what they bring to a point.
 
+use std::f64::consts::PI;
+
 use ad::vector::Vector;
-use ad::{Differentiable, Real, Vec3, differentiable};
+use ad::{Differentiable, Real, Vec3, differentiable, select};
 
 /// A light that shines from a point in all directions.
 ///
@@ -39,14 +41,18 @@ pub struct Illumination<S: Real> {
     pub irradiance: Vec3<S>,
 }
 
-/// What a point light brings to `point`.
+/// What a point light brings to `point`. In the light itself, where it has no direction, it brings
+/// nothing.
 #[differentiable]
 #[inline]
 pub fn point_illumination<S: Real>(light: PointLight<S>, point: Vec3<S>) -> Illumination<S> {
     let to_light = light.position - point;
-    let distance_squared = to_light.length_squared();
-    let flux_density = light.intensity / (S::from_f64(4.0) * S::PI * distance_squared);
-    Illumination { direction: to_light.normalize(), irradiance: light.color * flux_density }
+    // Its square, and no other power, is a part of a derivative: the range of distances is the largest
+    // that single precision has.
+    let length_recip = to_light.length_recip();
+    let recip = select(length_recip.is_finite(), length_recip, S::ZERO);
+    let flux_density = light.intensity * S::from_f64(0.25 / PI) * recip * recip;
+    Illumination { direction: to_light.normalize_or_zero(), irradiance: light.color * flux_density }
 }
 
 /// What a distant light brings everywhere.

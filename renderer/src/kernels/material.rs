@@ -6,7 +6,7 @@ use ad::{Differentiable, Real, Vec3, differentiable};
 use super::light::{
     DistantLight, Illumination, PointLight, distant_illumination, point_illumination,
 };
-use super::surface::SurfacePoint;
+use super::surface::{SurfacePoint, positive_part};
 
 /// A Blinn-Phong material; colours are linear RGB.
 #[derive(Clone, Copy, Debug, PartialEq, Differentiable)]
@@ -37,9 +37,9 @@ pub fn reflection<S: Real>(
     surface: SurfacePoint<S>,
     light: Illumination<S>,
 ) -> Vec3<S> {
-    let cosine = surface.normal.dot(light.direction).max(S::ZERO);
+    let cosine = positive_part::<S>(surface.normal.dot(light.direction));
     let half_way = (light.direction + surface.view).normalize_or_zero();
-    let alignment = surface.normal.dot(half_way).max(S::ZERO);
+    let alignment = positive_part::<S>(surface.normal.dot(half_way));
     let highlight = alignment.powf(material.exponent);
     (material.diffuse + material.specular * highlight) * light.irradiance * cosine
 }
@@ -72,5 +72,5 @@ pub fn matte_reflection<S: Real>(
     surface: SurfacePoint<S>,
     light: Illumination<S>,
 ) -> Vec3<S> {
-    diffuse * light.irradiance * surface.normal.dot(light.direction).max(S::ZERO)
+    diffuse * light.irradiance * positive_part::<S>(surface.normal.dot(light.direction))
 }

@@ -4,7 +4,7 @@ use ad::vector::Vector;
 use ad::{Differentiable, Real, Vec3, differentiable, select};
 
 use super::camera::Ray;
-use super::surface::SurfacePoint;
+use super::surface::{SurfacePoint, positive_part};
 
 /// A sphere, seen from outside or inside.
 #[derive(Clone, Copy, Debug, PartialEq, Differentiable)]
@@ -28,10 +28,11 @@ pub fn sphere_surface<S: Real>(ray: Ray<S>, sphere: Sphere<S>, leaves: S::Mask) 
     let along = -from_center.dot(ray.direction);
     let offset = from_center + ray.direction * along;
     let radius = sphere.radius;
-    let discriminant = (radius * radius - offset.length_squared()).max(S::ZERO);
+    let discriminant = positive_part::<S>(radius * radius - offset.length_squared());
     let far = along + discriminant.sqrt().copysign(along);
     let product = from_center.length_squared() - radius * radius;
-    let near = product / far;
+    // Both roots are zero where the ray starts at the point in which it touches the sphere.
+    let near = select(far.cmpeq(S::ZERO), S::ZERO, product / far);
     let distance = select(leaves, near.max(far), near.min(far));
 
     // Back onto the sphere, which the distance misses by its rounding error.

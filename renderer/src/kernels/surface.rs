@@ -1,7 +1,7 @@
 //! The point where a ray meets a surface.
 
 use ad::vector::Vector;
-use ad::{Differentiable, Real, Vec3, differentiable};
+use ad::{Differentiable, Real, Vec3, differentiable, select};
 
 use super::camera::Ray;
 
@@ -14,6 +14,14 @@ pub struct SurfacePoint<S: Real> {
     pub normal: Vec3<S>,
     /// The unit vector towards the viewer.
     pub view: Vec3<S>,
+}
+
+/// `x`, or 0 where it is negative. Unlike `max` it keeps what is not a number, so that it shows in
+/// the image.
+#[differentiable]
+#[inline]
+pub fn positive_part<S: Real>(x: S) -> S {
+    select(x.cmplt(S::ZERO), S::ZERO, x)
 }
 
 /// The ray whose radiance a mirror sends to the viewer.

@@ -4,7 +4,7 @@ use ad::vector::{Vector, Vector3};
 use ad::{Differentiable, Real, Vec3, differentiable};
 
 use super::sphere::Sphere;
-use super::triangle::exact_cross;
+use super::triangle::{edge_scale, exact_cross};
 
 /// A place on a texture: `u` goes from the left edge to the right one, `v` from the lower edge to
 /// the upper one, both from 0 to 1.
@@ -27,7 +27,8 @@ pub fn triangle_uv<S: Real>(
     c: Vec3<S>,
     uv: [Uv<S>; 3],
 ) -> Uv<S> {
-    let (to_b, to_c, to_point) = (b - a, c - a, point - a);
+    let scale = edge_scale::<S>(b - a, c - a);
+    let (to_b, to_c, to_point) = ((b - a) * scale, (c - a) * scale, (point - a) * scale);
     let normal = exact_cross::<S>(to_b, to_c);
     let area_squared = normal.length_squared();
     let at_b = normal.dot(to_point.cross(to_c)) / area_squared;
@@ -47,7 +48,9 @@ pub fn triangle_uv<S: Real>(
 pub fn sphere_uv<S: Real>(point: Vec3<S>, sphere: Sphere<S>) -> Uv<S> {
     let outward = (point - sphere.center) / sphere.radius;
     let longitude = outward.x().atan2(outward.z());
-    let latitude = outward.y().clamp(-S::ONE, S::ONE).asin();
+    // Not the arc sine of y, which loses half of the digits near the poles.
+    let from_axis = (outward.x() * outward.x() + outward.z() * outward.z()).sqrt();
+    let latitude = outward.y().atan2(from_axis);
     Uv { u: S::HALF + longitude / (S::PI + S::PI), v: S::HALF + latitude / S::PI }
 }
 

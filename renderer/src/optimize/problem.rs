@@ -6,6 +6,12 @@ pub trait Objective {
     ///
     /// A resumed run is bit for bit the uninterrupted one only if this depends on nothing but `x`.
     fn evaluate(&mut self, x: &[f64]) -> Evaluation;
+
+    /// What makes loss or gradient at `x` infinite or no number, for people; asked after
+    /// [`evaluate`](Self::evaluate) gave such a result.
+    fn explain(&mut self, _x: &[f64]) -> Option<String> {
+        None
+    }
 }
 
 impl<F: FnMut(&[f64]) -> Evaluation> Objective for F {
@@ -21,4 +27,11 @@ pub struct Evaluation {
     pub loss: f64,
     /// The derivative of the loss with respect to each element of `x`.
     pub gradient: Vec<f64>,
+}
+
+impl Evaluation {
+    /// Whether loss and gradient are.
+    pub fn is_finite(&self) -> bool {
+        self.loss.is_finite() && self.gradient.iter().all(|derivative| derivative.is_finite())
+    }
 }

@@ -1,6 +1,6 @@
 //! The loop.
 
-use std::cell::Cell;
+use std::cell::{Cell, RefCell};
 use std::time::Instant;
 
 use super::checkpoint::{CheckpointFile, State};
@@ -125,9 +125,10 @@ impl<'a> Optimization<'a> {
         let seconds_before = self.state.seconds;
         let mut last_saved: Option<Instant> = None;
         let evaluations = Cell::new(self.state.evaluations);
+        let problem = RefCell::new(objective);
         let mut objective = |x: &[f64]| {
             evaluations.set(evaluations.get() + 1);
-            let evaluation = objective.evaluate(x);
+            let evaluation = problem.borrow_mut().evaluate(x);
             let gradient = evaluation.gradient.len();
             assert_eq!(gradient, x.len(), "the gradient must have one element per parameter");
             evaluation
@@ -139,7 +140,8 @@ impl<'a> Optimization<'a> {
             self.state.evaluations = evaluations.get();
             let iteration = self.state.iteration;
             if let Some(stop) = Stop::at_non_finite(&evaluation, iteration, self.variables) {
-                return self.stop(stop);
+                let why = problem.borrow_mut().explain(&self.state.x);
+                return self.stop(stop.explained(why));
             }
 
             let record = Record {

@@ -76,6 +76,13 @@ impl Stop {
         Some(Self { reason: StopReason::NonFiniteGradient, detail })
     }
 
+    /// With what is behind it, if that is known.
+    pub(super) fn explained(self, why: Option<String>) -> Self {
+        let Self { reason, detail } = self;
+        let detail = why.map_or(detail.clone(), |why| format!("{detail}: {why}"));
+        Self { reason, detail }
+    }
+
     pub(super) fn line_search(iteration: u64, why: &str) -> Self {
         let detail = format!("the line search of iteration {iteration} found no lower loss: {why}");
         Self { reason: StopReason::LineSearch, detail }

@@ -6,7 +6,7 @@ use glam::DVec3;
 
 use crate::experiment::TunedParameter;
 use crate::optimize::Variable;
-use crate::scene::{Light, ParameterId, Scene};
+use crate::scene::{LARGEST_EXPONENT, Light, ParameterId, Scene};
 
 /// The learning rate of a parameter, the length of the first Adam step, in its natural scale.
 ///
@@ -82,7 +82,8 @@ pub(crate) fn domain(id: ParameterId) -> (f64, f64) {
     match id {
         Vfov => (1e-3, 179.999),
         Focus | SphereRadius(_) => above_zero,
-        LightColor(_) | LightIntensity(_) | Ambient(_) | Diffuse(_) | Specular(_) | Exponent(_)
+        Exponent(_) => (0.0, LARGEST_EXPONENT),
+        LightColor(_) | LightIntensity(_) | Ambient(_) | Diffuse(_) | Specular(_)
         | Reflection(_) | Texels(_) => (0.0, f64::INFINITY),
         LookFrom
         | LookAt

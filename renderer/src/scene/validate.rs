@@ -4,8 +4,9 @@ use std::collections::HashSet;
 
 use glam::DVec3;
 
-use super::{MeshObject, ParameterId, Scene};
+use super::{MeshObject, ParameterId, Parameters, Scene};
 use crate::Error;
+use crate::kernels::camera::Camera;
 
 #[cfg(test)]
 mod tests;
@@ -16,10 +17,18 @@ const LARGEST_LENGTH: f64 = 1e18;
 const SMALLEST_LENGTH: f64 = 1e-18;
 /// Other numbers beyond this leave the range of an `f32`.
 const LARGEST_NUMBER: f64 = 1e38;
+/// The power of a rounding error next to 1 is far from 1 beyond this exponent, and the highlight is
+/// smaller than any pixel.
+pub(crate) const LARGEST_EXPONENT: f64 = 1e6;
 /// Texture coordinates beyond this do not tell texels apart in an `f32`.
 const LARGEST_COORDINATE: f64 = 1e6;
 /// The sine of the angle below which two directions count as parallel.
 const PARALLEL: f64 = 1e-6;
+/// The precision that the direction of the view has to have: that of the rays.
+const DIRECTION: f64 = 1e-9;
+/// The least angle between pixels: four units in the last place of a direction. Rays go through the
+/// scene in single precision, whatever the kernels compute in, so closer ones would be the same.
+const SMALLEST_ANGLE: f64 = 4.0 * f32::EPSILON as f64;
 /// The most pixels of an image, and the most texels of all textures.
 pub const MOST_PIXELS: u64 = 1 << 28;
 
@@ -54,12 +63,25 @@ impl Scene {
     /// The first thing that is wrong.
     pub fn check(&self) -> Result<(), Invalid> {
         self.check_structure()?;
-        for id in self.parameter_ids() {
-            self.check_numbers(id)?;
-        }
-        self.check_camera()?;
+        self.check_values(&self.parameters, &self.parameter_ids())?;
         self.check_textures()?;
         self.check_surfaces()
+    }
+
+    /// Checks that the scene can be rendered with other values of some of its parameters.
+    ///
+    /// # Errors
+    ///
+    /// The first thing that is wrong.
+    pub fn check_values(
+        &self,
+        parameters: &Parameters,
+        changed: &[ParameterId],
+    ) -> Result<(), Invalid> {
+        for &id in changed {
+            self.check_numbers(parameters, id)?;
+        }
+        self.check_camera(&parameters.camera)
     }
 
     /// The parallel arrays and the names.
@@ -91,9 +113,9 @@ impl Scene {
     }
 
     /// Each number of a parameter by itself.
-    fn check_numbers(&self, id: ParameterId) -> Result<(), Invalid> {
+    fn check_numbers(&self, parameters: &Parameters, id: ParameterId) -> Result<(), Invalid> {
         use ParameterId::*;
-        let values = self.parameters.get(id);
+        let values = parameters.get(id);
         let path = || self.path(id).to_string();
         let is_length = matches!(
             id,
@@ -109,6 +131,7 @@ impl Scene {
         let bound = match id {
             _ if is_length => LARGEST_LENGTH,
             TextureCoordinates(_) => LARGEST_COORDINATE,
+            Exponent(_) => LARGEST_EXPONENT,
             _ => LARGEST_NUMBER,
         };
         for (i, &value) in values.iter().enumerate() {
@@ -156,8 +179,7 @@ impl Scene {
         }
     }
 
-    fn check_camera(&self) -> Result<(), Invalid> {
-        let camera = &self.parameters.camera;
+    fn check_camera(&self, camera: &Camera<f64>) -> Result<(), Invalid> {
         if self.width == 0 || self.height == 0 {
             let size = if self.width == 0 { "camera.width" } else { "camera.height" };
             return invalid(size, "must be at least 1 pixel, is 0");
@@ -167,10 +189,10 @@ impl Scene {
             let problem = format!("{pixels} pixels; an image may have up to {MOST_PIXELS}");
             return invalid("camera.width", problem);
         }
-        // What f64 tells apart may still be one point to an f32.
+        // The direction is taken in double precision, wherever the camera stands.
         let view = camera.look_at - camera.look_from;
-        if camera.look_at.as_vec3() == camera.look_from.as_vec3() || view.length() < SMALLEST_LENGTH
-        {
+        let rounding = DIRECTION * camera.look_at.abs().max(camera.look_from.abs()).max_element();
+        if view.length() < rounding.max(SMALLEST_LENGTH) {
             return invalid("camera.look_from", "must differ from camera.look_at");
         }
         let sine = view.normalize().cross(camera.up.normalize()).length();
@@ -179,6 +201,16 @@ impl Scene {
                 "camera.up",
                 "must not be parallel to the view from camera.look_from to camera.look_at",
             );
+        }
+        // From one pixel to the next, in radians where they are closest together.
+        let half_height = (0.5 * camera.vfov).to_radians().tan() * camera.focus;
+        let pixel = 2.0 * half_height / f64::from(self.height);
+        if pixel < SMALLEST_ANGLE {
+            let problem = format!(
+                "pixels are {pixel:.1e} rad apart, too close for rays in single precision: a wider \
+                 view or fewer pixels ({SMALLEST_ANGLE:.1e} rad or more) would do"
+            );
+            return invalid("camera.vfov", problem);
         }
         Ok(())
     }

@@ -129,20 +129,45 @@ fn a_black_target_puts_the_light_out() {
     assert_eq!(summary["loss"]["final"], 0.0);
 }
 
-#[test]
-fn what_overflows_is_refused_before_anything_is_written() {
+/// A scene whose lit pixels overflow, and a target for it.
+fn bright() -> Sandbox {
     let sandbox = Sandbox::new();
     sandbox.write_changed("bright.toml", "intensity = 120.0", "intensity = 1e38");
-    sandbox.write_changed("bad.toml", "intensity = 120.0", "intensity = 1e38");
     let scene = String::from_utf8(sandbox.read("bright.toml")).unwrap();
     let scene = scene.replace("diffuse = [0.6, 0.3, 0.2]", "diffuse = [1e30, 0.3, 0.2]");
     sandbox.write("bright.toml", scene);
-    sandbox.refuse_with(&["render", "bright.toml", "-o", "out.exr"], &["not a finite number"]);
     save_exr(&Image::black(24, 16), &sandbox.path("black.exr")).unwrap();
-    let tune = ["--target", "black.exr", "--param", "light.key.color"];
-    let commands = ["optimize", "gradient"];
-    for command in commands {
-        let line = sandbox.refuse(&[&[command, "bright.toml"], &tune[..]].concat());
-        assert!(line.contains("inf") || line.contains("NaN"), "{line}");
+    sandbox
+}
+
+const TUNE_BRIGHT: [&str; 5] =
+    ["bright.toml", "--target", "black.exr", "--param", "material.paint.ambient"];
+
+#[test]
+fn what_overflows_is_refused_before_anything_is_written() {
+    let sandbox = bright();
+    let parts =
+        ["bright.toml", "of 384 pixels are not finite", "the radiance is [inf", "sphere.ball"];
+    sandbox.refuse_with(&["render", "bright.toml", "-o", "out.exr"], &parts);
+    for command in ["optimize", "gradient"] {
+        sandbox.refuse_with(&[&[command], &TUNE_BRIGHT[..]].concat(), &parts[1..]);
     }
+}
+
+#[test]
+fn what_overflows_may_be_left_out() {
+    let sandbox = bright();
+    for arguments in [
+        vec!["render", "bright.toml", "-o", "out.exr"],
+        [&["gradient"], &TUNE_BRIGHT[..]].concat(),
+        [&["optimize", "--out", "out", "--iterations", "2"], &TUNE_BRIGHT[..]].concat(),
+    ] {
+        let output = sandbox.run(&[&arguments[..], &["--allow-non-finite"]].concat());
+        let warnings = String::from_utf8(output.stderr).unwrap();
+        assert_eq!(output.status.code(), Some(0), "{arguments:?}: {warnings}");
+        assert!(warnings.contains("warning: "), "{arguments:?}: {warnings}");
+        assert!(warnings.contains("of 384 pixels are not finite"), "{arguments:?}: {warnings}");
+    }
+    let image = load_image(&sandbox.path("out.exr")).unwrap().image;
+    assert!(image.pixels.contains(&[0.0; 3]) && image.pixels.iter().any(|p| *p != [0.0; 3]));
 }

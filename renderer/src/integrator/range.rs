@@ -1,0 +1,80 @@
+//! Gradients whose cotangents do not fit into single precision.
+//!
+//! A squared difference of two radiances of 1e-30 has derivatives of 1e-60, which an `f32` takes for
+//! zero; one of 1e30 has some of 1e60, which are infinite. A pullback is linear in its cotangent, so
+//! these are divided by a power of two and the sums, in double precision, are multiplied by it. Only a
+//! loss that is far from 1 says that this may be needed, and only then it is done: all over again.
+
+use std::ops::RangeInclusive;
+use std::sync::atomic::{AtomicU64, Ordering};
+
+use ad::lanes::Lanes;
+use ad::{Real, Scalar};
+use glam::DVec3;
+
+use super::gradient::{GradientResult, Wanted, reduce};
+use super::prepared::Prepared;
+use super::radiance::{PixelLoss, loss};
+use super::sweep::sweep;
+
+/// Losses between these leave enough range on both sides.
+const ORDINARY: RangeInclusive<f64> = 1e-20..=1e20;
+
+/// The gradient again, if it may have left the range of the kernels' scalar.
+pub(super) fn with_range<L: Lanes>(
+    prepared: &Prepared<'_, L>,
+    pixel_loss: &impl PixelLoss,
+    wanted: Wanted,
+    result: GradientResult,
+) -> GradientResult {
+    let has_range = L::Element::MIN_POSITIVE.to_f64() < 1e-100;
+    if has_range || result.loss == 0.0 || ORDINARY.contains(&result.loss) {
+        return result;
+    }
+    let largest = largest_derivative(prepared, pixel_loss);
+    if largest == 0.0 || !largest.is_finite() {
+        return result;
+    }
+    let factor = 2.0_f64.powi(largest.log2().floor() as i32);
+    let scaled = Scaled { loss: pixel_loss, factor };
+    let mut again = reduce(prepared, sweep(prepared, &scaled, wanted), wanted);
+    for id in prepared.scene.parameter_ids() {
+        again.gradient.get_mut(id).iter_mut().for_each(|value| *value *= factor);
+    }
+    GradientResult { loss: result.loss, ..again }
+}
+
+/// A loss divided by a factor.
+struct Scaled<'a, P> {
+    loss: &'a P,
+    factor: f64,
+}
+
+impl<P: PixelLoss> PixelLoss for Scaled<'_, P> {
+    fn evaluate(&self, x: u32, y: u32, radiance: DVec3) -> (f64, DVec3) {
+        let (value, derivative) = self.loss.evaluate(x, y, radiance);
+        (value / self.factor, derivative / self.factor)
+    }
+}
+
+/// The largest derivative of the loss by a channel of a pixel.
+fn largest_derivative<L: Lanes>(prepared: &Prepared<'_, L>, pixel_loss: &impl PixelLoss) -> f64 {
+    struct Largest<'a, P> {
+        loss: &'a P,
+        /// Its bits, which are in the order of the numbers where these are not negative.
+        bits: AtomicU64,
+    }
+
+    impl<P: PixelLoss> PixelLoss for Largest<'_, P> {
+        fn evaluate(&self, x: u32, y: u32, radiance: DVec3) -> (f64, DVec3) {
+            let (_, derivative) = self.loss.evaluate(x, y, radiance);
+            let size = derivative.abs().max_element();
+            self.bits.fetch_max(size.to_bits(), Ordering::Relaxed);
+            (0.0, DVec3::ZERO)
+        }
+    }
+
+    let largest = Largest { loss: pixel_loss, bits: AtomicU64::new(0) };
+    loss(prepared, &largest);
+    f64::from_bits(largest.bits.into_inner())
+}

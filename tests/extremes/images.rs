@@ -1,0 +1,80 @@
+//! Images and gradients of whole scenes.
+
+use glam::DVec3;
+use renderer::arithmetic::Arithmetic;
+use renderer::experiment::{Experiment, OptimizeSection, Target, TunedParameter};
+use renderer::image::Image;
+use renderer::optimize::Evaluation;
+use renderer::recovery::{Recovery, render_at};
+use renderer::scene::{Light, ParameterId, Scene};
+
+pub const ARITHMETICS: [Arithmetic; 4] =
+    [Arithmetic::F32, Arithmetic::F32x16, Arithmetic::F64, Arithmetic::F64x8];
+
+/// The scene `scale` times as large, then moved. The light that arrives stays the same.
+pub fn placed(scene: &Scene, scale: f64, offset: DVec3) -> Scene {
+    let mut scene = scene.clone();
+    let place = |v: &mut DVec3| *v = *v * scale + offset;
+    let parameters = &mut scene.parameters;
+    place(&mut parameters.camera.look_from);
+    place(&mut parameters.camera.look_at);
+    for light in &mut parameters.lights {
+        if let Light::Point(light) = light {
+            place(&mut light.position);
+            light.intensity *= scale * scale;
+        }
+    }
+    for sphere in &mut parameters.spheres {
+        place(&mut sphere.center);
+        sphere.radius *= scale;
+    }
+    for vertex in parameters.vertices.iter_mut().flatten() {
+        let mut moved = DVec3::from(*vertex);
+        place(&mut moved);
+        *vertex = moved.into();
+    }
+    scene
+}
+
+/// The scene has to be valid.
+#[track_caller]
+pub fn render(scene: &Scene, arithmetic: Arithmetic) -> Image {
+    scene.validate("scene").unwrap();
+    let image = render_at(arithmetic, scene);
+    assert!(image.pixels.as_flattened().iter().all(|x| x.is_finite()), "not finite");
+    image
+}
+
+/// The mean squared difference to an image with other light, and its gradient by every parameter.
+#[track_caller]
+pub fn evaluate(scene: &Scene, arithmetic: Arithmetic) -> (f64, Vec<(ParameterId, Vec<f64>)>) {
+    let ids = scene.parameter_ids();
+    let dimmed = ids.iter().filter(|id| matches!(id, ParameterId::LightIntensity(_)));
+    let values = dimmed.map(|&id| (id, vec![0.7 * scene.parameters.get(id)[0]])).collect();
+    let tuned =
+        |&id: &ParameterId| TunedParameter { id, learning_rate: None, min: None, max: None };
+    let optimize = OptimizeSection {
+        target: Some(Target::Values(values)),
+        parameters: ids.iter().map(tuned).collect(),
+        ..OptimizeSection::default()
+    };
+    let experiment = Experiment { scene: scene.clone(), optimize: Some(optimize) };
+    let recovery = Recovery::new(&experiment, "scene", arithmetic).unwrap();
+    let Evaluation { loss, gradient } = recovery.evaluate().unwrap();
+    let mut rest = &gradient[..];
+    let blocks = ids.into_iter().map(|id| {
+        let (block, others) = rest.split_at(scene.parameters.get(id).len());
+        rest = others;
+        (id, block.to_vec())
+    });
+    let blocks = blocks.collect();
+    (loss, blocks)
+}
+
+/// The largest difference of a channel, relative to the brightest one of both images.
+pub fn difference(a: &Image, b: &Image) -> f64 {
+    let channels = |image: &Image| image.pixels.as_flattened().to_vec();
+    let brightest = channels(a).into_iter().chain(channels(b)).fold(0.0_f32, f32::max);
+    let differences = channels(a).into_iter().zip(channels(b)).map(|(a, b)| (a - b).abs());
+    f64::from(differences.fold(0.0, f32::max) / brightest)
+}

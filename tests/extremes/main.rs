@@ -1,0 +1,20 @@
+//! The renderer at the extremes.
+
+mod camera;
+mod error_growth;
+mod extended;
+mod images;
+mod kernels;
+mod meshes;
+mod non_finite;
+mod optimisation;
+mod oracle;
+mod random_bits;
+mod scale;
+#[path = "../gradients/scenes.rs"]
+mod scenes;
+mod self_intersection;
+mod shading;
+mod spheres;
+mod triangles;
+mod watertight;

@@ -1,0 +1,156 @@
+//! Lights and materials at their ends.
+
+use ad::Scalar;
+
+use crate::kernels::{DistantLit, Kernel, PointLit};
+use crate::oracle::{Case, check};
+
+/// A surface point, a material and a light.
+#[derive(Clone, Copy)]
+struct Shading {
+    position: [f64; 3],
+    color: [f64; 3],
+    intensity: f64,
+    diffuse: [f64; 3],
+    specular: [f64; 3],
+    exponent: f64,
+    view: [f64; 3],
+    /// A length over which the radiance changes when the light moves.
+    length: f64,
+    /// An angle over which it changes when directions turn.
+    angle: f64,
+    value: f64,
+    gradient: f64,
+}
+
+/// The surface lies at the origin and faces +z.
+const ORDINARY: Shading = Shading {
+    position: [0.75, -0.5, 2.0],
+    color: [1.0, 0.75, 0.5],
+    intensity: 30.0,
+    diffuse: [0.5, 0.25, 0.75],
+    specular: [0.25, 0.5, 0.125],
+    exponent: 20.0,
+    view: [-0.36, 0.48, 0.8],
+    length: 0.1,
+    angle: 0.01,
+    value: 50.0,
+    gradient: 100.0,
+};
+
+impl Shading {
+    #[track_caller]
+    fn check(self, name: &str) {
+        self.check_point(name);
+        let Self { length, angle, value, gradient, .. } = self;
+        let name = format!("{name}, from infinitely far");
+        let power = self.power();
+        let lengths = [length, 1.0, power, 1.0, 1.0, 0.1, 1.0, angle, angle];
+        check::<DistantLit>(&Case {
+            name: &name,
+            x: &self.numbers(),
+            lengths: &lengths,
+            value,
+            gradient,
+        });
+    }
+
+    #[track_caller]
+    fn check_point(self, name: &str) {
+        let Self { length, angle, value, gradient, .. } = self;
+        let power = self.power();
+        let lengths = [length, 1.0, power, 1.0, 1.0, 0.1, length, angle, angle];
+        check::<PointLit>(&Case { name, x: &self.numbers(), lengths: &lengths, value, gradient });
+    }
+
+    /// A change of the intensity that changes the radiance.
+    fn power(&self) -> f64 {
+        if self.intensity > 0.0 { self.intensity } else { 1.0 }
+    }
+
+    fn numbers(&self) -> Vec<f64> {
+        let Self { position, color, intensity, diffuse, specular, exponent, view, .. } = *self;
+        let numbers = [
+            &position[..],
+            &color,
+            &[intensity],
+            &diffuse,
+            &specular,
+            &[exponent],
+            &[0.0; 3],
+            &[0.0, 0.0, 1.0],
+            &view,
+        ];
+        numbers.concat().into_iter().map(|x| f64::from(x as f32)).collect()
+    }
+}
+
+#[test]
+fn intensities_and_exponents() {
+    for intensity in [1e-30, 1e-10, 1.0, 1e10, 1e30] {
+        Shading { intensity, ..ORDINARY }.check(&format!("light of intensity {intensity:e}"));
+    }
+    for exponent in [0.0, 1.0, 100.0, 1e4] {
+        // Next to where the mirror direction is.
+        Shading {
+            position: [0.73, -0.95, 1.6],
+            exponent,
+            length: 0.1 / exponent.max(1.0),
+            angle: 0.1 / exponent.max(1.0),
+            value: 50.0 + 10.0 * exponent,
+            gradient: 100.0 + 100.0 * exponent,
+            ..ORDINARY
+        }
+        .check(&format!("highlight with exponent {exponent}"));
+    }
+}
+
+#[test]
+fn albedos() {
+    let black = [0.0; 3];
+    let white = [1.0; 3];
+    Shading { diffuse: black, specular: black, ..ORDINARY }.check("black albedo");
+    Shading { diffuse: white, specular: black, ..ORDINARY }.check("white albedo");
+    Shading { diffuse: black, specular: white, ..ORDINARY }.check("white highlight");
+    Shading { color: black, ..ORDINARY }.check("black light");
+    Shading { intensity: 0.0, ..ORDINARY }.check("light of intensity zero");
+}
+
+#[test]
+fn directions() {
+    for sine in [1e-3, 1e-7] {
+        Shading { position: [2.0, 0.0, 2.0 * sine], length: sine, ..ORDINARY }
+            .check(&format!("light {sine:e} rad above the surface"));
+        Shading { position: [2.0, 0.0, -2.0 * sine], length: sine, ..ORDINARY }
+            .check(&format!("light {sine:e} rad below the surface"));
+    }
+    Shading { position: [0.5, 0.25, -2.0], ..ORDINARY }.check("light behind the surface");
+    let [x, y, z] = ORDINARY.view;
+    for exponent in [0.0, 1.0, 20.0] {
+        Shading { position: [-x, -y, -z], exponent, ..ORDINARY }
+            .check(&format!("half vector zero, exponent {exponent}"));
+    }
+    Shading { position: [2.0 * x, 2.0 * y, 2.0 * z], ..ORDINARY }.check("light behind the camera");
+}
+
+#[test]
+fn distances() {
+    for distance in [1e-10, 1e-6, 1e6, 1e10] {
+        let position = ORDINARY.position.map(|x| x * distance);
+        Shading { position, length: 0.1 * distance, ..ORDINARY }
+            .check_point(&format!("light at distance {distance:e}"));
+    }
+}
+
+/// A light in the surface point has no direction: it brings nothing, and neither does a derivative.
+#[test]
+fn a_light_in_the_surface_is_dark() {
+    fn darkness<S: Scalar>() {
+        let numbers = Shading { position: [0.0; 3], ..ORDINARY }.numbers();
+        let x: Vec<S> = numbers.into_iter().map(S::from_f64).collect();
+        assert!(PointLit::value(&x).iter().all(|radiance| radiance.vanishes()));
+        assert!(PointLit::pull_back(&x, &[S::ONE; 3]).iter().all(|gradient| gradient.vanishes()));
+    }
+    darkness::<f32>();
+    darkness::<f64>();
+}
