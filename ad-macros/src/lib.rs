@@ -31,6 +31,7 @@ mod derive;
 mod elision;
 mod errors;
 mod expand;
+mod floats;
 mod forward;
 mod ir;
 mod lower;

@@ -50,7 +50,6 @@ use self::array::Container;
 use self::closure::Closure;
 use self::ends::{Jump, JumpId};
 use self::item::Alias;
-pub use self::place::is_scalar_method;
 use crate::errors::Errors;
 use crate::ir::{Block, BlockId, Operand, Operation, Statement, Var, VarId};
 pub use crate::ir::{Lowered, LoweredParameter};
