@@ -37,6 +37,7 @@ mod ir;
 mod lower;
 mod names;
 mod options;
+mod primal;
 mod recursion;
 mod signature;
 #[cfg(test)]

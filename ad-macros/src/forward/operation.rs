@@ -6,6 +6,7 @@ use syn::{Member, Type};
 
 use super::{Tangent, Writer};
 use crate::ir::{BinaryOperator, Operand, Operation, Place, Projection, Shape, VarId};
+use crate::primal::Primal;
 
 impl Writer<'_> {
     pub(super) fn define(
@@ -41,7 +42,7 @@ impl Writer<'_> {
             _ => {}
         }
 
-        let value = self.primal(operation, span);
+        let value = Primal(&self.lowered.vars).operation(operation, span);
         let definition = quote!(let #mutability #ident #ty = #value;);
         if self.stays_still(var, operation) {
             return definition;
@@ -108,51 +109,6 @@ impl Writer<'_> {
             Operation::Call { .. } | Operation::Closure(_) => false,
         };
         operands_are && !var.mutable
-    }
-
-    /// The operation as the user wrote it.
-    fn primal(&self, operation: &Operation, span: proc_macro2::Span) -> TokenStream {
-        match operation {
-            Operation::Use(operand) => self.tokens(operand),
-            Operation::Read(place) => self.primal_place(place),
-            Operation::Borrow(place) => {
-                let place = self.primal_place(place);
-                quote!(&#place)
-            }
-            Operation::Value(value) => {
-                let value = self.ident(*value);
-                quote_spanned!(span=> ::ad::rt::ByValue::by_value(#value))
-            }
-            Operation::Negate(value) => {
-                let value = self.ident(*value);
-                quote_spanned!(span=> -#value)
-            }
-            Operation::Binary(operator, left, right) => {
-                let (left, right) = (self.ident(*left), self.ident(*right));
-                match operator {
-                    BinaryOperator::Add => quote_spanned!(span=> #left + #right),
-                    BinaryOperator::Sub => quote_spanned!(span=> #left - #right),
-                    BinaryOperator::Mul => quote_spanned!(span=> #left * #right),
-                    BinaryOperator::Div => quote_spanned!(span=> #left / #right),
-                    BinaryOperator::Rem => quote_spanned!(span=> #left % #right),
-                }
-            }
-            Operation::Cast(value, ty) => {
-                let value = self.ident(*value);
-                quote!(#value as #ty)
-            }
-            Operation::Call { .. } => unreachable!("calls are written apart"),
-            Operation::Closure(_) => unreachable!("is not supported"),
-            Operation::Aggregate { expression, .. }
-            | Operation::UpdateStruct { expression, .. } => expression.clone(),
-            Operation::Repeat { value, length, is_vec } => {
-                let value = self.ident(*value);
-                match is_vec {
-                    true => quote!(::std::vec![#value; #length]),
-                    false => quote!([#value; #length]),
-                }
-            }
-        }
     }
 
     /// Value and tangent of an operator.

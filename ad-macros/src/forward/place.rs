@@ -5,7 +5,7 @@ use quote::quote;
 
 use super::{Tangent, Writer};
 use crate::ir::{BinaryOperator, Operand, Place, Projection, VarId};
-use crate::sweep::project;
+use crate::primal::{Primal, project};
 
 impl Writer<'_> {
     /// The tangent of a place, as a place; a reference, where the path is empty and the tangent of
@@ -56,8 +56,7 @@ impl Writer<'_> {
 
     /// The place itself.
     pub(super) fn primal_place(&self, place: &Place) -> TokenStream {
-        let root = self.ident(place.root);
-        project(quote!(#root), &place.path)
+        Primal(&self.lowered.vars).place(place)
     }
 
     /// `place = value`
@@ -107,13 +106,7 @@ impl Writer<'_> {
         value: VarId,
     ) -> TokenStream {
         let (target, operand) = (self.primal_place(place), self.ident(value).clone());
-        let token = match operator {
-            BinaryOperator::Add => quote!(+=),
-            BinaryOperator::Sub => quote!(-=),
-            BinaryOperator::Mul => quote!(*=),
-            BinaryOperator::Div => quote!(/=),
-            BinaryOperator::Rem => quote!(%=),
-        };
+        let token = Primal::assigning(operator);
         if self.tangents[place.root] == Tangent::Still {
             return quote!(#target #token #operand;);
         }

@@ -10,6 +10,7 @@ use super::item::Alias;
 use super::{Lowerer, exits};
 use crate::floats;
 use crate::ir::{Argument, BinaryOperator, Operand, Operation, Place, Projection, Statement};
+use crate::primal::Primal;
 
 impl Lowerer<'_> {
     /// The place that an expression names or refers to, if it is one of a local variable.
@@ -202,8 +203,7 @@ impl Lowerer<'_> {
     }
 
     pub(super) fn place_tokens(&self, place: &Place) -> TokenStream {
-        let root = self.ident(place.root);
-        crate::sweep::project(quote!(#root), &place.path)
+        Primal(&self.vars).place(place)
     }
 
     /// The place that is assigned to.

@@ -4,8 +4,9 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 use super::contribute::cotangent_of;
-use super::{Sides, Sweeper, project};
+use super::{Sides, Sweeper};
 use crate::ir::{BinaryOperator, Operand, Place, Projection, VarId};
+use crate::primal::Primal;
 
 impl Sweeper<'_> {
     /// Whether anything flows back to a place that is assigned to here.
@@ -16,13 +17,7 @@ impl Sweeper<'_> {
     pub(super) fn assign(&mut self, place: &Place, value: &Operand) -> Sides {
         let mut sides = Sides::default();
         let root = &self.vars[place.root];
-        let target = project(
-            {
-                let ident = &root.ident;
-                quote!(#ident)
-            },
-            &place.path,
-        );
+        let target = self.place(place);
         let tokens = self.tokens(value);
         sides.forward.extend(quote!(#target = #tokens;));
         if !self.is_live(place) {
@@ -68,13 +63,7 @@ impl Sweeper<'_> {
     ) -> Sides {
         let mut sides = Sides::default();
         let (target, operand) = (self.place(place), self.ident(value));
-        let token = match operator {
-            BinaryOperator::Add => quote!(+=),
-            BinaryOperator::Sub => quote!(-=),
-            BinaryOperator::Mul => quote!(*=),
-            BinaryOperator::Div => quote!(/=),
-            BinaryOperator::Rem => quote!(%=),
-        };
+        let token = Primal::assigning(operator);
         sides.forward.extend(quote!(#target #token #operand;));
         if !self.is_live(place) {
             return sides;
