@@ -2,7 +2,8 @@
 
 use core::ops::{Add, Div, Mul, Neg, Rem, Sub};
 
-use glam::{DVec2, DVec3, DVec4, Vec2, Vec3, Vec4};
+use glam::{DMat2, DMat3, DMat4, DQuat, DVec2, DVec3, DVec4};
+use glam::{Mat2, Mat3, Mat4, Quat, Vec2, Vec3, Vec4};
 
 use super::{scale, scale_elements, scale_vector};
 use crate::tape::Var;
@@ -166,6 +167,14 @@ linear_operators!(
     [] DVec3,
     [] DVec4,
     [S: Real] Xyz<S>,
+    [] Mat2,
+    [] Mat3,
+    [] Mat4,
+    [] DMat2,
+    [] DMat3,
+    [] DMat4,
+    [] Quat,
+    [] DQuat,
 );
 
 /// The cotangents of numerator and denominator of `quotient = numerator / denominator`.
