@@ -24,6 +24,7 @@
 //! variables that a block assigns would have to be threaded through tuples, and element access
 //! would copy arrays); a closure for each operation (operands used twice would be saved twice).
 
+mod accumulation;
 mod attribute;
 mod callable;
 mod checkpoint;
@@ -36,6 +37,7 @@ mod forward;
 mod ir;
 mod lower;
 mod names;
+mod operator;
 mod options;
 mod primal;
 mod recursion;

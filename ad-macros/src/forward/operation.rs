@@ -27,7 +27,7 @@ impl Writer<'_> {
                 let moves = [left, right].iter().any(|&&var| self.tangents[var] != Tangent::Still);
                 if moves {
                     self.numbers.insert(var);
-                    let pushed = self.binary(*operator, *left, *right);
+                    let pushed = self.operator(rule(*operator), *left, *right);
                     let dot = self.new_dot(var, Tangent::Owned);
                     return quote!(let (#ident, #dot) = #pushed;);
                 }
@@ -111,26 +111,14 @@ impl Writer<'_> {
         operands_are && !var.mutable
     }
 
-    /// Value and tangent of an operator.
-    pub(super) fn binary(
-        &mut self,
-        operator: BinaryOperator,
-        left: VarId,
-        right: VarId,
-    ) -> TokenStream {
+    /// What the rule of an operator makes of the operands and their tangents.
+    pub(super) fn operator(&mut self, rule: TokenStream, left: VarId, right: VarId) -> TokenStream {
         let span = self.ident(left).span();
         let operands = [left, right].map(|operand| self.ident(operand).clone());
         let tangents = [left, right].map(|operand| match self.tangents[operand] {
             Tangent::Still => quote!(::ad::Additive::zero()),
             _ => self.owned(operand),
         });
-        let rule = match operator {
-            BinaryOperator::Add => quote!(AddPullback::add_jvp),
-            BinaryOperator::Sub => quote!(SubPullback::sub_jvp),
-            BinaryOperator::Mul => quote!(MulPullback::mul_jvp),
-            BinaryOperator::Div => quote!(DivPullback::div_jvp),
-            BinaryOperator::Rem => quote!(RemPullback::rem_jvp),
-        };
         quote_spanned!(span=> ::ad::rules::#rule(#(#operands,)* #(#tangents),*))
     }
 
@@ -316,5 +304,16 @@ impl Writer<'_> {
             tokens.extend(quote!(#dot #variant.#member = ::ad::rt::pass(#tangent);));
         }
         tokens
+    }
+}
+
+/// The rule of an operator, for its value and its tangent.
+fn rule(operator: BinaryOperator) -> TokenStream {
+    match operator {
+        BinaryOperator::Add => quote!(AddPullback::add_jvp),
+        BinaryOperator::Sub => quote!(SubPullback::sub_jvp),
+        BinaryOperator::Mul => quote!(MulPullback::mul_jvp),
+        BinaryOperator::Div => quote!(DivPullback::div_jvp),
+        BinaryOperator::Rem => quote!(RemPullback::rem_jvp),
     }
 }

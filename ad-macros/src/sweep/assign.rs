@@ -85,11 +85,17 @@ impl Sweeper<'_> {
         let taken = quote!(::ad::rt::take(#cotangent));
         let taken = self.entered(previous, place, taken);
         let record = &self.vars[previous].record;
-        if operator.is_linear() {
-            let types = self.linear(record, previous, value);
-            sides.forward.extend(types);
+        let operands = [previous, value];
+        let operation = match operator {
+            BinaryOperator::Add => Some("Increase"),
+            BinaryOperator::Sub => Some("Decrease"),
+            BinaryOperator::Mul | BinaryOperator::Div | BinaryOperator::Rem => None,
+        };
+        if let Some(operation) = operation {
+            let kept = self.kept(record, operation, &operands);
+            sides.forward.extend(kept);
         }
-        let pulled = self.binary_pullback(operator, record, [previous, value], taken, span);
+        let pulled = self.assigning_pullback(operator, record, operands, taken, span);
         let (to_previous, to_value) = (self.part_name(place.root), self.part_name(value));
         let value_pattern = match self.vars[value].active {
             true => quote!(#to_value),

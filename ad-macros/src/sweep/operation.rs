@@ -6,7 +6,9 @@ use syn::{Member, Type};
 
 use super::contribute::{Target, cotangent_of};
 use super::{Sides, Sweeper};
-use crate::ir::{Argument, Operand, Operation, Place, Projection, Shape, Var, VarId};
+use crate::ir::{
+    Argument, BinaryOperator, Operand, Operation, Place, Projection, Shape, Var, VarId,
+};
 use crate::primal::Primal;
 
 impl Sweeper<'_> {
@@ -37,16 +39,19 @@ impl Sweeper<'_> {
             }
             operation => {
                 let value = self.primal(operation, ident.span());
-                let types = match operation {
-                    Operation::Negate(value) if pulls_back => self.linear(record, *value, *value),
-                    Operation::Binary(operator, left, right)
-                        if pulls_back && operator.is_linear() =>
-                    {
-                        self.linear(record, *left, *right)
+                let kept = match operation {
+                    Operation::Negate(value) if pulls_back => {
+                        self.kept(record, "Negation", &[*value])
+                    }
+                    Operation::Binary(BinaryOperator::Add, left, right) if pulls_back => {
+                        self.kept(record, "Sum", &[*left, *right])
+                    }
+                    Operation::Binary(BinaryOperator::Sub, left, right) if pulls_back => {
+                        self.kept(record, "Difference", &[*left, *right])
                     }
                     _ => TokenStream::new(),
                 };
-                quote!(let #mutability #ident #ty = #value; #types)
+                quote!(let #mutability #ident #ty = #value; #kept)
             }
         };
         let (space_definition, test) = (self.space_definition(var), self.test(var));
