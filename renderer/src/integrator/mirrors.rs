@@ -29,6 +29,7 @@ pub(super) enum Mirrors {
 /// What the camera sees in a tile: directly, by one mirror, by two mirrors, and so on. A pixel has
 /// the same ray in every view.
 pub(super) struct Sight<L: Lanes> {
+    /// None before the first tile, so that an empty sight takes no memory.
     views: Vec<View<L>>,
     /// How many of the views are of this tile.
     depth: usize,
@@ -44,7 +45,7 @@ impl<L: Lanes> Sight<L> {
 /// To be filled by [`Prepared::see`].
 impl<L: Lanes> Default for Sight<L> {
     fn default() -> Self {
-        Self { views: vec![View::default()], depth: 1 }
+        Self { views: Vec::new(), depth: 0 }
     }
 }
 
@@ -53,6 +54,9 @@ impl<L: Lanes> Prepared<'_, L> {
     /// in what mirrors show.
     pub(super) fn see(&self, tile: &Tile, mirrors: Mirrors, sight: &mut Sight<L>) {
         let Sight { views, depth } = sight;
+        if views.is_empty() {
+            views.push(View::default());
+        }
         self.look(tile, &mut views[0]);
         self.light_up(&mut views[0]);
         *depth = 1;

@@ -11,12 +11,11 @@ use super::mirrors::{Mirrors, Sight, blocks};
 use super::prepared::Prepared;
 use super::radiance::{PixelLoss, black_pixels};
 use super::settings::Pass;
-use super::shade::{Appearance, LightCotangent, Pulled, PulledMirror, Shaded};
-use super::sums::{Slots, StripSums};
+use super::shade::{Appearance, LightCotangent, Pulled, Shaded};
+use super::sums::{Slots, StripSums, material_sum};
 use super::tiles::{Strip, Tile, for_each_strip};
 use super::view::{Group, Shape, View};
 use crate::kernels::camera::{Frame, Ray, RayTangent, primary_ray};
-use crate::kernels::material::MaterialTangent;
 use crate::kernels::sphere::{Sphere, sphere_surface};
 use crate::kernels::surface::{SurfacePoint, mirrored_ray};
 use crate::kernels::texture::{Uv, sphere_uv, triangle_uv};
@@ -64,7 +63,7 @@ impl<'a, L: Lanes, P: PixelLoss> Sweep<'a, L, P> {
             sight: Sight::default(),
             flows: Vec::new(),
             sums: StripSums::zero(prepared),
-            materials: slots(wanted.materials, prepared.materials.len()),
+            materials: slots(wanted.materials(), prepared.materials.len()),
             spheres: slots(wanted.spheres, prepared.spheres.len()),
             vertices: slots(wanted.vertices, prepared.vertices.len()),
             uvs: slots(wanted.texture_coordinates, prepared.uvs.len()),
@@ -151,54 +150,53 @@ impl<'a, L: Lanes, P: PixelLoss> Sweep<'a, L, P> {
         }
         surfaces.clear();
         for group in &view.groups {
-            let to_light = |light: usize, cotangent: LightCotangent<L>| {
-                if wanted.lights {
-                    sums.lights[light].add(&cotangent);
-                }
-            };
             let appearance = prepared.appearance(group);
-            let shaded = Shaded::new(prepared, group, &appearance, &view.lit, shown);
-            let pulled = shaded.pull_back(|radiance| respond(group, radiance), to_light);
-            let Some(mut pulled) = pulled else {
-                surfaces.push(None);
-                continue;
-            };
-            if !sums.custom_lights.is_empty() {
-                shaded.pull_back_custom_lights(&mut pulled, |light, cotangent| {
-                    let to_light = &mut sums.custom_lights[light];
-                    prepared.pull_custom_illumination(group, light, cotangent, to_light)
-                });
-            }
-            let Pulled { mut material, surface, mirror, .. } = pulled;
             let Appearance { materials, textured, .. } = &appearance;
-            let uv = textured.as_ref().map(|textured| {
-                textured.pull_back(&mut material, |texel, cotangent| {
-                    if wanted.texels {
-                        texels.add(&mut sums.texels, texel as usize, cotangent);
-                    }
-                })
-            });
-            if wanted.materials {
-                for (index, lanes) in materials.iter() {
-                    let sum = material.sum(L::mask_from_bits(lanes));
-                    slots.add(&mut sums.materials, index, sum);
+            let shaded = Shaded::new(prepared, group, &appearance, &view.lit, shown);
+            let StripSums { lights, custom_lights, materials: of_materials, .. } = sums;
+            let to_light = |light: usize, cotangent: LightCotangent<'_, L>| {
+                if wanted.lights() {
+                    lights[light].add(&cotangent, *wanted);
                 }
-            }
-            if let (Some(flow), Some(PulledMirror { reflection, radiance })) =
-                (&mut to_mirrored, mirror)
-            {
-                flow.radiance[group.first / L::COUNT].accumulate(radiance);
-                if wanted.mirrors {
-                    for (index, lanes) in materials.iter() {
-                        let reflection = sum_of_vectors::<L>(reflection, L::mask_from_bits(lanes));
-                        let sum = MaterialTangent { reflection, ..Additive::zero() };
-                        slots.add(&mut sums.materials, index, sum);
-                    }
-                }
-            }
+            };
             if wanted.surface() {
-                surfaces.push(Some(ToSurface { surface, uv }));
+                surfaces.push(None);
             }
+            let to_shown = |cotangent, mut pulled: Pulled<'_, L>| {
+                if !custom_lights.is_empty() {
+                    shaded.pull_back_custom_lights(cotangent, &mut pulled, |light, cotangent| {
+                        let to_light = &mut custom_lights[light];
+                        prepared.pull_custom_illumination(group, light, cotangent, to_light)
+                    });
+                }
+                let Pulled { material, surface } = pulled;
+                let uv = textured.as_ref().map(|textured| {
+                    textured.pull_back(material, |texel, cotangent| {
+                        if wanted.texels {
+                            texels.add(&mut sums.texels, texel as usize, cotangent);
+                        }
+                    })
+                });
+                let mirror = to_mirrored.as_mut().and_then(|flow| {
+                    let mirror = shaded.pull_back_mirror(cotangent)?;
+                    flow.radiance[group.first / L::COUNT].accumulate(mirror.radiance);
+                    Some(mirror)
+                });
+                if wanted.materials() {
+                    for (index, lanes) in materials.iter() {
+                        let mask = L::mask_from_bits(lanes);
+                        let mut sum = material_sum(material, mask, *wanted);
+                        if let Some(mirror) = mirror.as_ref().filter(|_| wanted.mirrors) {
+                            sum.reflection = sum_of_vectors::<L>(mirror.reflection, mask);
+                        }
+                        slots.add(of_materials, index, sum);
+                    }
+                }
+                if let Some(last) = surfaces.last_mut() {
+                    *last = Some(ToSurface { surface: *surface, uv });
+                }
+            };
+            shaded.pull_back(|radiance| respond(group, radiance), to_light, to_shown);
         }
     }
 
