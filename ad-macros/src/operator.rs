@@ -7,7 +7,7 @@
 //!
 //! A rule pulls back from the operands: what the operator computes on its way is computed once more.
 
-use proc_macro2::{Group, Ident, Span, TokenStream, TokenTree};
+use proc_macro2::{Ident, Span, TokenStream};
 use quote::{ToTokens, format_ident, quote, quote_spanned};
 use syn::spanned::Spanned;
 use syn::visit_mut::{self, VisitMut};
@@ -144,34 +144,9 @@ fn without_receiver(signature: &Signature, body: &Block) -> Option<(Signature, B
         syn::ReceiverKind::Reference(_, _, Some(_)) => parse_quote!(#this: &mut Self),
         _ => parse_quote!(#mutability #this: Self),
     };
-    let body = renamed(body.to_token_stream(), &this);
+    let body = names::without_self(body.to_token_stream(), &this);
     let body = syn::parse2(body).expect("a block stays one when a name changes");
     Some((signature, body))
-}
-
-/// The tokens with `this` in place of `self`, where that is not the start of a path.
-fn renamed(tokens: TokenStream, this: &Ident) -> TokenStream {
-    let mut tokens = tokens.into_iter().peekable();
-    let mut renamed = Vec::new();
-    while let Some(token) = tokens.next() {
-        let begins_path =
-            matches!(tokens.peek(), Some(TokenTree::Punct(punct)) if punct.as_char() == ':');
-        renamed.push(match token {
-            TokenTree::Ident(ident) if ident == "self" && !begins_path => {
-                let mut this = this.clone();
-                this.set_span(ident.span());
-                TokenTree::Ident(this)
-            }
-            TokenTree::Group(group) => {
-                let stream = self::renamed(group.stream(), this);
-                let mut renamed = Group::new(group.delimiter(), stream);
-                renamed.set_span(group.span());
-                TokenTree::Group(renamed)
-            }
-            other => other,
-        });
-    }
-    renamed.into_iter().collect()
 }
 
 /// The type that is called `Self::Output`, if it has a name.

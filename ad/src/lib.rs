@@ -483,8 +483,9 @@
 //! | a function, or a method of an `impl` block | its arguments | its value is computed twice |
 //! | a `for` loop of n iterations in a differentiable function | about √n times the variables that the loop changes, and in the reverse sweep what √n iterations need | its body is computed twice |
 //!
-//! A loop so marked is not left early, and works on variables of its own, not on what is borrowed as
-//! `&mut` or on `self`. Checkpoints of loops within checkpointed functions multiply:
+//! A loop so marked that is left early does nothing in the iterations that are left. What it uses of
+//! `self`, and of what is borrowed as `&mut`, is copied before the loop and written back after it, so
+//! that has to be `Clone`. Checkpoints of loops within checkpointed functions multiply:
 //! each level computes its part once more.
 //!
 //! ```
