@@ -67,7 +67,11 @@ pub fn expand(item: TokenStream) -> syn::Result<TokenStream> {
         let ident = &variant.ident;
         let tangent = format_ident!("{name}{ident}Tangent");
         // Each holds what it says of the parameters in types of fields; not every variant does.
-        let mut fields: Vec<_> = fields.iter().map(ActiveField::tangent).collect();
+        let visibility = &input.vis;
+        // What a variant holds is as visible as the enum.
+        let as_visible =
+            |field| TangentField { visibility: quote!(#visibility), ..ActiveField::tangent(field) };
+        let mut fields: Vec<_> = fields.iter().map(as_visible).collect();
         let unused = unused_parameters(&generics, &fields);
         if let Some(unused) = unused {
             fields.push(TangentField {
