@@ -37,5 +37,5 @@ pub use radiance::{PixelLoss, loss, render, render_into};
 pub use settings::{Pass, RenderSettings, Visibility};
 pub use trace::{Rays, trace};
 
-pub(crate) use gradient::reduce;
-pub(crate) use sweep::sweep;
+#[cfg(feature = "cli")]
+pub(crate) use {gradient::reduce, sweep::sweep};

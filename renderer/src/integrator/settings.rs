@@ -12,6 +12,7 @@ pub struct RenderSettings {
 /// How it is found what a pixel shows. The images are the same, but for pixels on edges at which two
 /// primitives are equally near.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "cli", derive(clap::ValueEnum))]
 pub enum Visibility {
     /// A ray goes through a tree of bounding boxes.
     #[default]
@@ -25,6 +26,7 @@ pub enum Visibility {
 
 /// What is shown of a surface.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "cli", derive(clap::ValueEnum))]
 pub enum Pass {
     /// What light it sends to the camera.
     #[default]

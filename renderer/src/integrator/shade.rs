@@ -211,9 +211,9 @@ impl<'a, L: Lanes> Shaded<'a, L> {
     }
 
     #[inline]
-    fn pull_back_from(
+    fn pull_back_from<K: Reflected<L>>(
         &self,
-        last: &impl Reflected<L>,
+        last: &K,
         respond: impl FnOnce(Vec3<L>) -> Option<Vec3<L>>,
         mut to_light: impl FnMut(usize, LightCotangent<'_, L>),
         to_shown: impl FnOnce(Vec3<L>, Pulled<'_, L>),
@@ -224,43 +224,35 @@ impl<'a, L: Lanes> Shaded<'a, L> {
         let lit = self.lit[index];
         let radiance = self.radiance_by(others) + self.where_lit(lit, reflected);
         let Some(cotangent) = respond(radiance) else { return };
-        let mut pulled = pullback(self.where_lit(lit, cotangent));
-        let (material, surface, light) = &mut pulled;
-        self.pull_back_own(cotangent, material);
-        to_light(index, last.of_kind(light));
+        let mut cotangents = pullback(self.where_lit(lit, cotangent));
+        let (mut pulled, light) = K::parts(&mut cotangents);
+        self.pull_back_own(cotangent, pulled.material);
+        to_light(index, light);
 
         for (index, (light, &lit)) in others.iter().zip(self.lit).enumerate() {
             let cotangent = self.where_lit(lit, cotangent);
-            let pulled = Pulled { material: &mut *material, surface: &mut *surface };
+            let to_light = |light: LightCotangent<'_, L>| to_light(index, light);
             match light {
-                Light::Point(light) => {
-                    self.pull_back_further(light, cotangent, pulled, |light| {
-                        to_light(index, light)
-                    });
-                }
-                Light::Distant(light) => {
-                    self.pull_back_further(light, cotangent, pulled, |light| {
-                        to_light(index, light)
-                    });
-                }
+                Light::Point(light) => self.pull_back_to(light, cotangent, &mut pulled, to_light),
+                Light::Distant(light) => self.pull_back_to(light, cotangent, &mut pulled, to_light),
             }
         }
-        to_shown(cotangent, Pulled { material, surface });
+        to_shown(cotangent, pulled);
     }
 
     /// Adds what flows back through one more light.
-    fn pull_back_further(
+    fn pull_back_to<K: Reflected<L>>(
         &self,
-        light: &impl Reflected<L>,
+        light: &K,
         cotangent: Vec3<L>,
-        pulled: Pulled<'_, L>,
+        pulled: &mut Pulled<'_, L>,
         to_light: impl FnOnce(LightCotangent<'_, L>),
     ) {
-        let (_, pullback) = light.reflect_vjp(self);
-        let (material, surface, to_this_light) = &pullback(cotangent);
+        let mut cotangents = light.reflect_vjp(self).1(cotangent);
+        let (Pulled { material, surface }, light) = K::parts(&mut cotangents);
         pulled.material.accumulate(*material);
         pulled.surface.accumulate(*surface);
-        to_light(light.of_kind(to_this_light));
+        to_light(light);
     }
 
     /// `value` where a light reaches the surface.
@@ -272,26 +264,23 @@ impl<'a, L: Lanes> Shaded<'a, L> {
 
 /// A light of one kind, as it is reflected.
 trait Reflected<L: Lanes> {
-    type Cotangent;
+    /// What flows back to material, surface and light.
+    type Cotangents;
 
     fn reflect(&self, shaded: &Shaded<'_, L>) -> Vec3<L>;
 
-    /// With the pullback to material, surface and light.
     fn reflect_vjp(
         &self,
         shaded: &Shaded<'_, L>,
-    ) -> (Vec3<L>, impl FnOnce(Vec3<L>) -> Cotangents<L, Self::Cotangent>);
+    ) -> (Vec3<L>, impl FnOnce(Vec3<L>) -> Self::Cotangents);
 
-    fn of_kind<'a>(&self, cotangent: &'a Self::Cotangent) -> LightCotangent<'a, L>;
+    fn parts(cotangents: &mut Self::Cotangents) -> (Pulled<'_, L>, LightCotangent<'_, L>);
 }
-
-/// What flows back to a material, to a surface and to a light.
-type Cotangents<L, Light> = (Tangent<Material<L>>, Tangent<SurfacePoint<L>>, Light);
 
 macro_rules! reflected {
     ($($light:ident, $tangent:ident, $kernel:ident, $illumination:expr, $variant:ident;)*) => {$(
         impl<L: Lanes> Reflected<L> for $light<f64> {
-            type Cotangent = $tangent<L>;
+            type Cotangents = (Tangent<Material<L>>, Tangent<SurfacePoint<L>>, $tangent<L>);
 
             #[inline]
             fn reflect(&self, shaded: &Shaded<'_, L>) -> Vec3<L> {
@@ -308,13 +297,15 @@ macro_rules! reflected {
             fn reflect_vjp(
                 &self,
                 shaded: &Shaded<'_, L>,
-            ) -> (Vec3<L>, impl FnOnce(Vec3<L>) -> Cotangents<L, Self::Cotangent>) {
+            ) -> (Vec3<L>, impl FnOnce(Vec3<L>) -> Self::Cotangents) {
                 $kernel::vjp::<L>(shaded.material, shaded.group.surface, self.narrow())
             }
 
             #[inline]
-            fn of_kind<'a>(&self, cotangent: &'a Self::Cotangent) -> LightCotangent<'a, L> {
-                LightCotangent::$variant(cotangent)
+            fn parts(
+                (material, surface, light): &mut Self::Cotangents,
+            ) -> (Pulled<'_, L>, LightCotangent<'_, L>) {
+                (Pulled { material, surface }, LightCotangent::$variant(light))
             }
         }
     )*};
