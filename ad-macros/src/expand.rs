@@ -473,7 +473,7 @@ fn forward_body(Forward { statements, result, .. }: &Forward) -> TokenStream {
 }
 
 /// A name that users cannot write.
-fn own(name: &str) -> Ident {
+pub fn own(name: &str) -> Ident {
     Ident::new(name, Span::mixed_site())
 }
 

@@ -9,7 +9,8 @@
 //! 4. `forward` writes the forward mode of the same lowered body.
 //! 5. `expand` wraps them into the functions that users call.
 //!
-//! `derive` stands apart: it gives structs and enums their tangents.
+//! `derive` stands apart: it gives structs and enums their tangents. `operator` and `accumulation`
+//! give the operators and the sums of such types their rules.
 //!
 //! # The shape of generated code
 //!

@@ -7,7 +7,7 @@
 //!
 //! A rule pulls back from the operands: what the operator computes on its way is computed once more.
 
-use proc_macro2::{Ident, Span, TokenStream};
+use proc_macro2::{Ident, TokenStream};
 use quote::{ToTokens, format_ident, quote, quote_spanned};
 use syn::spanned::Spanned;
 use syn::visit_mut::{self, VisitMut};
@@ -17,7 +17,7 @@ use syn::{
 };
 
 use crate::callable::Callables;
-use crate::expand::{Differentiated, Function, Place};
+use crate::expand::{Differentiated, Function, Place, own};
 use crate::names;
 use crate::options::Options;
 
@@ -325,9 +325,4 @@ impl Rule<'_> {
             })
             .collect()
     }
-}
-
-/// A name that users cannot write.
-fn own(name: &str) -> Ident {
-    Ident::new(name, Span::mixed_site())
 }

@@ -326,6 +326,27 @@ fn borrowed(x: f64, y: f64) -> f64 {
     body.clone().settled(4) + body.weighed(5) * total + values[3]
 }
 
+/// A field that has the name of a variable that is not there yet.
+#[differentiable]
+fn names_of_fields(x: f64, y: f64) -> f64 {
+    let mut sum = x;
+    #[differentiable(checkpoint)]
+    for i in 0..3 {
+        let state = Oscillator { position: sum, velocity: y };
+        sum += state.position * state.velocity * i as f64;
+    }
+    let mut position = sum * x;
+    position *= y;
+    let mut velocity = position;
+    velocity += sum;
+    velocity * position
+}
+
+#[test]
+fn names_of_fields_are_no_variables() {
+    check!(names_of_fields(x, y) at [1.3, 0.7], [-0.4, 1.1]);
+}
+
 #[test]
 fn loops_that_are_left_early() {
     for n in [0, 1, 2, 4, 5, 6, 9] {
