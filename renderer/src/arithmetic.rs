@@ -28,9 +28,23 @@ pub enum Precision {
 }
 
 impl Arithmetic {
+    /// All of them.
+    pub const ALL: [Self; 5] = [Self::F32, Self::F32x8, Self::F32x16, Self::F64, Self::F64x8];
+
+    /// Its scalar and its lanes in a word: `f32x16`.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::F32 => "f32",
+            Self::F32x8 => "f32x8",
+            Self::F32x16 => "f32x16",
+            Self::F64 => "f64",
+            Self::F64x8 => "f64x8",
+        }
+    }
+
     /// That of the given precision and number of lanes, if there is one.
     pub fn new(precision: Precision, lanes: usize) -> Option<Self> {
-        [Self::F32, Self::F32x8, Self::F32x16, Self::F64, Self::F64x8]
+        Self::ALL
             .into_iter()
             .find(|arithmetic| (arithmetic.precision(), arithmetic.lanes()) == (precision, lanes))
     }

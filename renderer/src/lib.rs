@@ -12,11 +12,14 @@
 //! so itself.
 
 pub mod acceleration;
+#[cfg(feature = "files")]
+pub mod accuracy;
 pub mod arithmetic;
 #[cfg(feature = "files")]
 pub mod atomic_file;
 #[cfg(feature = "cli")]
 pub mod cli;
+pub mod counts;
 #[cfg(feature = "files")]
 pub mod demo;
 pub mod display;
@@ -37,5 +40,7 @@ pub mod recovery;
 #[cfg(feature = "cli")]
 pub mod report;
 pub mod scene;
+#[cfg(feature = "cli")]
+pub mod tradeoff;
 
 pub use error::Error;

@@ -4,8 +4,7 @@ use ad::check;
 use glam::DVec3;
 use renderer::image::Image;
 use renderer::integrator::{
-    Pass, PixelLoss, Prepared, Rays, RenderSettings, Visibility, Wanted, gradient, loss, render,
-    trace,
+    Pass, PixelLoss, Prepared, RenderSettings, Visibility, Wanted, gradient, loss, render,
 };
 use renderer::loss::{ImageLoss, LossKind};
 use renderer::scene::{ParameterId, Scene};
@@ -33,6 +32,7 @@ impl PixelLoss for AwayFromEdges<'_> {
 
 /// The pixels whose neighbourhood is smooth: small moves of the parameter change them by little.
 fn smooth_pixels(
+    settings: RenderSettings,
     scene: &Scene,
     id: ParameterId,
     element: usize,
@@ -43,7 +43,7 @@ fn smooth_pixels(
     for offset in [-step, -step / 2.0, 0.0, step / 2.0, step] {
         let mut moved = scene.clone();
         moved.parameters.get_mut(id)[element] += offset;
-        images.push(render(&Prepared::<f64>::new(&moved)));
+        images.push(render(&Prepared::<f64>::with_settings(&moved, settings)));
     }
     (0..images[0].pixels.len())
         .map(|pixel| {
@@ -56,7 +56,7 @@ fn smooth_pixels(
         .collect()
 }
 
-fn target(scene: &Scene) -> Image {
+pub fn target(scene: &Scene) -> Image {
     let mut image = render(&Prepared::<f64>::new(scene));
     for (i, pixel) in image.pixels.iter_mut().enumerate() {
         for (channel, value) in pixel.iter_mut().enumerate() {
@@ -74,7 +74,7 @@ pub fn agrees_with_finite_differences(scene: &Scene, id: ParameterId) {
     check_parameter(scene, &target(scene), LossKind::MeanSquared, id);
 }
 
-fn check_parameter_with(
+pub fn check_parameter_with(
     settings: RenderSettings,
     scene: &Scene,
     target: &Image,
@@ -85,8 +85,10 @@ fn check_parameter_with(
     let step = 1e-3;
     // A texture bends from texel to texel: there is no derivative there, though no jump.
     let jump = if scene.textures.is_empty() { 2e-3 } else { 3e-5 };
+    // Of one ray among several.
+    let jump = jump / f64::from(settings.sampling.count());
     for element in 0..scene.parameters.get(id).len() {
-        let keep = smooth_pixels(scene, id, element, step, jump);
+        let keep = smooth_pixels(settings, scene, id, element, step, jump);
         let kept = keep.iter().filter(|keep| **keep).count();
         assert!(kept * 10 > keep.len() * 7, "{kept} of {} pixels are smooth", keep.len());
         let loss_of_smooth =
@@ -140,7 +142,11 @@ fn every_parameter_agrees_with_finite_differences_under_textures() {
 fn the_rasterized_albedo_agrees_with_finite_differences() {
     let scene = textured_scene(16);
     let target = target(&scene);
-    let settings = RenderSettings { visibility: Visibility::Raster, pass: Pass::Albedo };
+    let settings = RenderSettings {
+        visibility: Visibility::Raster,
+        pass: Pass::Albedo,
+        ..RenderSettings::default()
+    };
     for id in scene.parameter_ids() {
         check_parameter_with(settings, &scene, &target, LossKind::MeanSquared, id);
     }
@@ -218,17 +224,4 @@ pub fn lanes_agree_on(scene: &Scene) {
             }
         }
     }
-}
-
-#[test]
-fn rays_are_counted() {
-    let scene = small_scene(37);
-    let prepared = Prepared::<f32x16>::new(&scene);
-    let pixels = u64::from(scene.width * scene.height);
-    assert_eq!(trace(&prepared, false), Rays { primary: pixels, shadow: 0 });
-    let with_shadows = trace(&prepared, true);
-    assert_eq!(with_shadows.primary, pixels);
-    let lights = scene.parameters.lights.len() as u64;
-    assert!(with_shadows.shadow > 0 && with_shadows.shadow < lights * pixels, "{with_shadows:?}");
-    assert_eq!(with_shadows, trace(&Prepared::<f64>::new(&scene), true));
 }

@@ -9,6 +9,7 @@ use super::single::SLAB_ERROR;
 use super::stack::{Entry, Sorted, Stack};
 use super::tree::{Child, Kind, Leaf, Node, Tree};
 use super::triangle_test::minor_axes;
+use crate::counts::VisitedNodes;
 
 /// By how much the frustum is wider than its rays, relative to depth: several rounding errors of
 /// the products that a box is tested with.
@@ -130,6 +131,7 @@ impl<L: Leaf> Tree<L> {
         let inverse = if SPARSE { inverse_slopes(packet) } else { [[f32x16::ZERO; 2]; GROUPS] };
         let mut stack = Stack::new();
         let mut current = Child::node(0);
+        let nodes = VisitedNodes::default();
         loop {
             match current.kind() {
                 Kind::Leaf(leaf) => {
@@ -139,6 +141,7 @@ impl<L: Leaf> Tree<L> {
                     }
                 }
                 Kind::Node(index) => {
+                    nodes.add();
                     let (near, bits) = frustum.enter(&self.nodes[index], packet.far);
                     let sorted = Sorted::new(bits, |slot| Entry {
                         near: near.as_array()[slot],

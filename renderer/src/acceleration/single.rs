@@ -6,6 +6,7 @@ use wide::f32x8;
 use super::stack::{Entry, Sorted, Stack};
 use super::tree::{Child, Kind, Leaf, Node, Tree};
 use super::triangle_test::{TriangleTest, minor_axes};
+use crate::counts::VisitedNodes;
 
 /// Rounding errors of a slab test, relative to the depth that it finds.
 pub const SLAB_ERROR: f32 = 4.0 * f32::EPSILON;
@@ -83,6 +84,7 @@ impl<L: Leaf> Tree<L> {
         }
         let mut stack = Stack::new();
         let mut current = Child::node(0);
+        let nodes = VisitedNodes::default();
         loop {
             match current.kind() {
                 Kind::Leaf(leaf) => {
@@ -92,6 +94,7 @@ impl<L: Leaf> Tree<L> {
                     }
                 }
                 Kind::Node(index) => {
+                    nodes.add();
                     let node = &self.nodes[index];
                     let (near, bits) = ray.enter(node, limit);
                     let sorted = Sorted::new(bits, |slot| Entry {

@@ -9,6 +9,7 @@ use ad::lanes::Lanes;
 use super::output::print;
 use crate::Error;
 use crate::arithmetic::{Arithmetic, with_arithmetic};
+use crate::counts::Counts;
 use crate::experiment::Experiment;
 use crate::integrator::{Prepared, Wanted, gradient, reduce, render, render_into, sweep, trace};
 use crate::loss::{ImageLoss, LossKind};
@@ -29,7 +30,7 @@ pub(super) struct Arguments {
     seconds: f64,
 }
 
-fn seconds(text: &str) -> Result<f64, String> {
+pub(super) fn seconds(text: &str) -> Result<f64, String> {
     match text.parse() {
         Ok(seconds) if (0.0..=3600.0).contains(&seconds) => Ok(seconds),
         _ => Err("has to be a number from 0 to 3600".into()),
@@ -126,7 +127,9 @@ impl<'a, L: Lanes> Bench<'a, L> {
         once("first gradient", first_gradient)?;
 
         let mut image = render(&self.prepared);
-        let rays = trace(&self.prepared, true);
+        let before = Counts::total();
+        trace(&self.prepared, true);
+        let after = Counts::total();
         let primary = self.repeat(|bench| timed(|| trace(&bench.prepared, false)));
         let all_rays = self.repeat(|bench| timed(|| trace(&bench.prepared, true)));
         let primal = self.repeat(|bench| timed(|| render_into(&bench.prepared, &mut image)));
@@ -152,14 +155,15 @@ impl<'a, L: Lanes> Bench<'a, L> {
         print(format_args!(
             "{:<36} {:>10.1}",
             "primary rays, millions per second",
-            rate(rays.primary, &primary)
+            rate(after.primary_rays - before.primary_rays, &primary)
         ))?;
-        if rays.shadow > 0 {
+        let shadow_rays = after.shadow_rays - before.shadow_rays;
+        if shadow_rays > 0 {
             let shadow = all_rays.minus(&primary);
             print(format_args!(
                 "{:<36} {:>10.1}",
                 "shadow rays, millions per second",
-                rate(rays.shadow, &shadow)
+                rate(shadow_rays, &shadow)
             ))?;
         }
         match peak_memory() {

@@ -25,7 +25,7 @@ pub(super) fn run(arithmetic: Arithmetic) -> Result<(), Error> {
     print("Recovering the light of a scene from one image of it.")?;
     let experiment = demo_experiment()?;
     let recovery = Recovery::new(&experiment, "the embedded demo", arithmetic)?;
-    let outcome = recover(&experiment, &recovery, out, false, arithmetic)?;
+    let outcome = recover(&experiment, &recovery, out, false)?;
     print(report(&recovery, &outcome, out))?;
 
     let truth: Vec<f64> =

@@ -4,11 +4,12 @@ use ad::check;
 use serde_json::{Map, Value};
 
 use super::Problem;
+use super::dial::Dial;
 use super::output::{json_numbers, print, short};
 use crate::Error;
 use crate::arithmetic::Arithmetic;
 use crate::optimize::Evaluation;
-use crate::recovery::{Recovery, natural_scale};
+use crate::recovery::natural_scale;
 use crate::scene::{Differentiability, Scene};
 
 /// Elements of one parameter that `--check` compares; more would take minutes on a mesh.
@@ -19,6 +20,9 @@ pub(super) struct Arguments {
     #[command(flatten)]
     problem: Problem,
 
+    #[command(flatten)]
+    dial: Dial,
+
     /// Compare with finite differences of the renderer in double arithmetic
     #[arg(long)]
     check: bool,
@@ -28,10 +32,10 @@ pub(super) struct Arguments {
     json: bool,
 }
 
-pub(super) fn run(arguments: &Arguments, arithmetic: Arithmetic) -> Result<(), Error> {
+pub(super) fn run(arguments: &Arguments, chosen: Option<Arithmetic>) -> Result<(), Error> {
     let experiment = arguments.problem.load()?;
     let place = arguments.problem.scene.display().to_string();
-    let recovery = Recovery::new(&experiment, &place, arithmetic)?;
+    let recovery = arguments.dial.recovery(&experiment, &place, chosen)?;
     let scene = &experiment.scene;
     let Evaluation { loss, gradient } = recovery.evaluate()?;
 

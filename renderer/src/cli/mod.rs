@@ -2,6 +2,7 @@
 
 mod bench;
 mod demo;
+mod dial;
 mod gradient;
 mod optimize;
 mod out_folder;
@@ -9,13 +10,15 @@ mod output;
 mod params;
 mod render;
 mod report;
+mod sampling;
 mod strip;
+mod tradeoff;
 
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
-use output::print_error;
+use output::{print_error, print_stats};
 
 use crate::Error;
 use crate::arithmetic::{Arithmetic, Precision};
@@ -35,23 +38,32 @@ struct Arguments {
     #[arg(long, global = true, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=MOST_THREADS))]
     threads: Option<u16>,
 
-    /// The scalar that the kernels compute in
-    #[arg(long, global = true, value_enum, default_value_t = PrecisionArgument::F32)]
-    precision: PrecisionArgument,
+    /// The scalar that the kernels compute in [default: f32]
+    #[arg(long, global = true, value_enum)]
+    precision: Option<PrecisionArgument>,
 
     /// Pixels that go through the kernels side by side: 1, 8, or 16 (f32 alone) [default: the most]
     #[arg(long, global = true, value_name = "N")]
     lanes: Option<usize>,
+
+    /// Print afterwards how much work it was: rays, nodes, lookups, pullbacks
+    #[arg(long, global = true)]
+    stats: bool,
 }
 
 impl Arguments {
-    fn arithmetic(&self) -> Result<Arithmetic, Error> {
+    /// What the kernels are to compute in, if anything is said of it.
+    fn arithmetic(&self) -> Result<Option<Arithmetic>, Error> {
+        if self.precision.is_none() && self.lanes.is_none() {
+            return Ok(None);
+        }
         let precision = match self.precision {
-            PrecisionArgument::F32 => Precision::F32,
-            PrecisionArgument::F64 => Precision::F64,
+            None | Some(PrecisionArgument::F32) => Precision::F32,
+            Some(PrecisionArgument::F64) => Precision::F64,
         };
-        let Some(lanes) = self.lanes else { return Ok(Arithmetic::fastest(precision)) };
-        Arithmetic::new(precision, lanes).ok_or_else(|| {
+        let Some(lanes) = self.lanes else { return Ok(Some(Arithmetic::fastest(precision))) };
+        let arithmetic = Arithmetic::new(precision, lanes);
+        arithmetic.map(Some).ok_or_else(|| {
             let possible = match precision {
                 Precision::F32 => "1, 8 or 16 with --precision f32",
                 Precision::F64 => "1 or 8 with --precision f64",
@@ -81,6 +93,8 @@ enum Command {
     Report(report::Arguments),
     /// Measure how long images and gradients of a scene take, and which part of it is what
     Bench(bench::Arguments),
+    /// Measure speed against accuracy: what each setting costs on this scene, and what it is worth
+    Tradeoff(tradeoff::Arguments),
 }
 
 /// What to match and what may vary, for the commands that need both.
@@ -138,7 +152,11 @@ const MOST_THREADS: i64 = 1024;
 /// Runs the command line of this process.
 pub fn main() -> ExitCode {
     let arguments = Arguments::parse();
-    match run(&arguments) {
+    let result = run(&arguments);
+    if arguments.stats && result.is_ok() {
+        print_stats();
+    }
+    match result {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {
             print_error(&error);
@@ -154,15 +172,17 @@ fn run(arguments: &Arguments) -> Result<(), Error> {
             .build_global()
             .map_err(|error| Error::new("--threads", error))?;
     }
-    let arithmetic = arguments.arithmetic()?;
+    let chosen = arguments.arithmetic()?;
+    let arithmetic = chosen.unwrap_or_default();
     match &arguments.command {
         None => demo::run(arithmetic),
         Some(Command::Render(arguments)) => render::run(arguments, arithmetic),
         Some(Command::Params(arguments)) => params::run(arguments),
-        Some(Command::Gradient(arguments)) => gradient::run(arguments, arithmetic),
-        Some(Command::Optimize(arguments)) => optimize::run(arguments, arithmetic),
+        Some(Command::Gradient(arguments)) => gradient::run(arguments, chosen),
+        Some(Command::Optimize(arguments)) => optimize::run(arguments, chosen),
         Some(Command::Report(arguments)) => report::run(arguments),
         Some(Command::Bench(arguments)) => bench::run(arguments, arithmetic),
+        Some(Command::Tradeoff(arguments)) => tradeoff::run(arguments),
     }
 }
 

@@ -5,6 +5,7 @@ use std::time::Duration;
 
 use serde_json::Map;
 
+use super::dial::Dial;
 use super::out_folder::check_out_folder;
 use super::output::{abbreviate, print, short};
 use super::strip::save_strip;
@@ -23,6 +24,9 @@ use crate::recovery::{Recovery, render_at};
 pub(super) struct Arguments {
     #[command(flatten)]
     problem: Problem,
+
+    #[command(flatten)]
+    dial: Dial,
 
     /// Folder for the results [default: out/NAME-OF-SCENE]
     #[arg(long, value_name = "DIR")]
@@ -54,14 +58,14 @@ pub(super) struct Arguments {
     resume: bool,
 }
 
-pub(super) fn run(arguments: &Arguments, arithmetic: Arithmetic) -> Result<(), Error> {
+pub(super) fn run(arguments: &Arguments, chosen: Option<Arithmetic>) -> Result<(), Error> {
     let mut experiment = arguments.problem.load()?;
     if let Some(section) = &mut experiment.optimize {
         section.iterations = arguments.iterations.or(section.iterations);
         section.tolerance = arguments.tolerance.or(section.tolerance);
         section.learning_rate = arguments.learning_rate.or(section.learning_rate);
-        section.optimizer = chosen(arguments.optimizer, section.optimizer, Optimizer::name);
-        section.schedule = chosen(arguments.schedule, section.schedule, Schedule::name);
+        section.optimizer = method(arguments.optimizer, section.optimizer, Optimizer::name);
+        section.schedule = method(arguments.schedule, section.schedule, Schedule::name);
     }
     let scene_path = &arguments.problem.scene;
     let out = arguments.out.clone().unwrap_or_else(|| Path::new("out").join(stem(scene_path)));
@@ -72,13 +76,13 @@ pub(super) fn run(arguments: &Arguments, arithmetic: Arithmetic) -> Result<(), E
     };
     check_out_folder(&out, [Some(scene_path.as_path()), target].into_iter().flatten())?;
     let place = scene_path.display().to_string();
-    let recovery = Recovery::new(&experiment, &place, arithmetic)?;
-    let outcome = recover(&experiment, &recovery, &out, arguments.resume, arithmetic)?;
+    let recovery = arguments.dial.recovery(&experiment, &place, chosen)?;
+    let outcome = recover(&experiment, &recovery, &out, arguments.resume)?;
     print(report(&recovery, &outcome, &out))
 }
 
 /// What the command line names, with the numbers of the scene file if it names the same.
-fn chosen<T>(named: Option<T>, listed: Option<T>, name: fn(&T) -> &'static str) -> Option<T> {
+fn method<T>(named: Option<T>, listed: Option<T>, name: fn(&T) -> &'static str) -> Option<T> {
     match (named, listed) {
         (Some(named), Some(listed)) if name(&named) == name(&listed) => Some(listed),
         (named, listed) => named.or(listed),
@@ -103,8 +107,8 @@ pub(super) fn recover(
     recovery: &Recovery<'_>,
     out: &Path,
     resume: bool,
-    arithmetic: Arithmetic,
 ) -> Result<Outcome, Error> {
+    let arithmetic = recovery.arithmetic();
     let mut settings = recovery.settings();
     settings.checkpointing = Some(Checkpointing {
         folder: out.to_owned(),

@@ -6,6 +6,7 @@ use std::io::{self, ErrorKind, Write};
 use serde_json::Value;
 
 use crate::Error;
+use crate::counts::Counts;
 
 /// Writes a text and a line break to the standard output. Whoever reads it may have heard enough,
 /// as `head` does: that is no error.
@@ -22,6 +23,17 @@ pub(super) fn print(text: impl Display) -> Result<(), Error> {
 pub(super) fn print_error(error: &Error) {
     // There is nobody left to tell about a failure here.
     let _ = writeln!(io::stderr().lock(), "error: {error}");
+}
+
+/// Prints how much work the process has done so far, beside what the command prints.
+pub(super) fn print_stats() {
+    let _ = write!(io::stderr().lock(), "{}", Counts::total());
+}
+
+/// What a user should know beside the results, on the standard error stream.
+pub(super) fn print_note(note: impl Display) {
+    // Whoever closed the stream does not want to know.
+    let _ = writeln!(io::stderr().lock(), "{note}");
 }
 
 /// Numbers as people read them: at most a handful, six digits each.

@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 
 use super::output::print;
+use super::sampling::SamplingArguments;
 use crate::Error;
 use crate::arithmetic::Arithmetic;
 use crate::display::{ToneMapping, expose, normalize};
@@ -37,6 +38,9 @@ pub(super) struct Arguments {
     #[arg(long, value_enum, default_value_t = Visibility::Tree)]
     visibility: Visibility,
 
+    #[command(flatten)]
+    sampling: SamplingArguments,
+
     /// Map the darkest channel to 0 and the brightest to 1
     #[arg(long, conflicts_with_all = ["exposure", "tone"])]
     normalize: bool,
@@ -52,7 +56,11 @@ fn stops(text: &str) -> Result<f64, String> {
 pub(super) fn run(arguments: &Arguments, arithmetic: Arithmetic) -> Result<(), Error> {
     check_image_path(&arguments.output)?;
     let experiment = Experiment::load(&arguments.scene)?;
-    let settings = RenderSettings { visibility: arguments.visibility, pass: arguments.pass };
+    let settings = RenderSettings {
+        visibility: arguments.visibility,
+        pass: arguments.pass,
+        sampling: arguments.sampling.sampling(),
+    };
     let mut image = render_with(arithmetic, &experiment.scene, settings);
     if let Some(stops) = arguments.exposure {
         expose(&mut image, stops);

@@ -6,24 +6,33 @@ use ad::lanes::Lanes;
 use ad::vector::Vector3;
 use ad::{Additive, Vec3, select};
 
+use super::gradient::Wanted;
 use super::prepared::Prepared;
+use super::settings::Pass;
 use super::shade::Shaded;
 use super::sharing::Sharing;
-use super::tiles::Tile;
-use super::view::{View, repeated};
+use super::view::{Sample, View, repeated};
 use crate::acceleration::{PACKET_RAYS, PacketHits, rays};
+use crate::counts::count;
 use crate::kernels::camera::Ray;
 use crate::kernels::surface::mirrored_ray;
 use crate::precision::vectors_of_lanes;
 
-/// Which materials are taken for mirrors.
-#[derive(Clone, Copy, PartialEq, Eq)]
-pub(super) enum Mirrors {
-    /// Those that reflect.
-    Bright,
-    /// All: the derivative by `reflection` is that of the radiance from the mirror direction, even
-    /// where the mirror is dark.
-    All,
+/// Whether what is black is looked at: the derivative by what a mirror reflects, or by what a light
+/// sends, does not vanish where these do.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(super) struct Dark {
+    /// Every material is taken for a mirror.
+    pub mirrors: bool,
+    /// Lights that send nothing are followed.
+    pub lights: bool,
+}
+
+impl Dark {
+    /// What a gradient by the wanted parameters depends on.
+    pub fn of_gradient(wanted: Wanted, pass: Pass) -> Self {
+        Self { mirrors: wanted.mirrors && pass == Pass::Radiance, lights: wanted.lights() }
+    }
 }
 
 /// What the camera sees in a tile: directly, by one mirror, by two mirrors, and so on. A pixel has
@@ -50,29 +59,29 @@ impl<L: Lanes> Default for Sight<L> {
 }
 
 impl<L: Lanes> Prepared<'_, L> {
-    /// Looks through the middle of every pixel of a tile and finds what lights reach; then the same
+    /// Looks through one point of every pixel of a tile and finds what lights reach; then the same
     /// in what mirrors show.
-    pub(super) fn see(&self, tile: &Tile, mirrors: Mirrors, sight: &mut Sight<L>) {
+    pub(super) fn see(&self, sample: &Sample<'_>, dark: Dark, sight: &mut Sight<L>) {
         let Sight { views, depth } = sight;
         if views.is_empty() {
             views.push(View::default());
         }
-        self.look(tile, &mut views[0]);
-        self.light_up(&mut views[0]);
+        self.look(sample, &mut views[0]);
+        self.light_up(dark, &mut views[0]);
         *depth = 1;
-        if mirrors == Mirrors::Bright && !self.has_mirrors {
+        if !dark.mirrors && !self.has_mirrors {
             return;
         }
-        while *depth <= self.scene.bounces as usize {
+        while *depth <= self.bounces as usize {
             if views.len() == *depth {
                 views.push(View::default());
             }
             let (before, after) = views.split_at_mut(*depth);
             let mirrored = &mut after[0];
-            if !self.look_into_mirrors(&before[*depth - 1], mirrors, mirrored) {
+            if !self.look_into_mirrors(&before[*depth - 1], dark, mirrored) {
                 break;
             }
-            self.light_up(mirrored);
+            self.light_up(dark, mirrored);
             *depth += 1;
         }
         for depth in (1..*depth).rev() {
@@ -82,7 +91,7 @@ impl<L: Lanes> Prepared<'_, L> {
     }
 
     /// Traces what the mirrors in a view show. Whether there are any.
-    fn look_into_mirrors(&self, from: &View<L>, mirrors: Mirrors, to: &mut View<L>) -> bool {
+    fn look_into_mirrors(&self, from: &View<L>, dark: Dark, to: &mut View<L>) -> bool {
         let mut sent_on = mem::take(&mut to.rays);
         sent_on.clear();
         sent_on
@@ -90,11 +99,12 @@ impl<L: Lanes> Prepared<'_, L> {
         to.hits = PacketHits::NONE;
         let mut sent = 0;
         for group in &from.groups {
-            let lanes = self.mirrors_among(&self.materials(group), mirrors) & group.alive;
+            let lanes = self.mirrors_among(&self.materials(group), dark) & group.alive;
             if lanes == 0 {
                 continue;
             }
             sent |= u64::from(lanes) << group.first;
+            count(|counts| counts.mirrored_rays += u64::from(lanes.count_ones()));
             let ray = mirrored_ray::<L>(group.surface);
             let block = &mut sent_on[group.first / L::COUNT];
             *block = select(L::mask_from_bits(lanes), ray, *block);
@@ -136,8 +146,8 @@ impl<L: Lanes> Prepared<'_, L> {
     }
 
     /// A bit for each lane whose material is a mirror.
-    fn mirrors_among(&self, materials: &Sharing, mirrors: Mirrors) -> u32 {
-        let is_mirror = |material: usize| mirrors == Mirrors::All || self.is_mirror(material);
+    fn mirrors_among(&self, materials: &Sharing, dark: Dark) -> u32 {
+        let is_mirror = |material: usize| dark.mirrors || self.is_mirror(material);
         let mirrors = materials.iter().filter(|&(material, _)| is_mirror(material));
         mirrors.fold(0, |bits, (_, lanes)| bits | lanes)
     }

@@ -17,9 +17,12 @@
 mod custom;
 mod gradient;
 mod mirrors;
+#[cfg(feature = "files")]
+mod paths;
 mod prepared;
 mod radiance;
 mod raster;
+mod sampling;
 mod settings;
 mod shade;
 mod shadows;
@@ -34,8 +37,11 @@ mod view;
 pub use gradient::{GradientResult, Wanted, gradient};
 pub use prepared::Prepared;
 pub use radiance::{PixelLoss, loss, render, render_into};
+pub use sampling::{GradientSamples, Samples, Sampling};
 pub use settings::{Pass, RenderSettings, Visibility};
-pub use trace::{Rays, trace};
+pub use trace::trace;
 
+#[cfg(feature = "files")]
+pub(crate) use paths::paths;
 #[cfg(feature = "cli")]
-pub(crate) use {gradient::reduce, sweep::sweep};
+pub(crate) use {gradient::reduce, paths::Path, sweep::sweep, textures::Texture};

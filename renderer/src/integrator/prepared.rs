@@ -8,6 +8,7 @@ use glam::DVec3;
 use rayon::prelude::*;
 
 use super::raster::Raster;
+use super::sampling::Sampling;
 use super::settings::{Pass, RenderSettings, Visibility};
 use super::textures::Texture;
 use super::tiles::Tile;
@@ -58,6 +59,9 @@ pub struct Prepared<'a, L: Lanes> {
     pub(super) film_offsets: Vec<(L, L)>,
     pub(super) acceleration: Acceleration,
     pub(super) pass: Pass,
+    pub(super) sampling: Sampling,
+    /// How many mirrors light meets at most.
+    pub(super) bounces: u32,
     /// Whether, and from where, primitives are drawn instead of being found by rays.
     raster: Option<Raster>,
 }
@@ -111,6 +115,8 @@ impl<'a, L: Lanes> Prepared<'a, L> {
                 Visibility::Tree | Visibility::Raster => Acceleration::new(&[][..]),
             },
             pass: settings.pass,
+            sampling: settings.sampling,
+            bounces: settings.bounces.unwrap_or(scene.bounces),
             raster: None,
         };
         prepared.load_appearance();

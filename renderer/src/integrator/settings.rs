@@ -1,5 +1,7 @@
 //! What is rendered of a scene, and how it is found.
 
+use super::sampling::Sampling;
+
 /// How a scene is rendered.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct RenderSettings {
@@ -7,6 +9,10 @@ pub struct RenderSettings {
     pub visibility: Visibility,
     /// What of it is shown.
     pub pass: Pass,
+    /// Where within pixels rays go.
+    pub sampling: Sampling,
+    /// How many mirrors light meets at most, if not as many as the scene says.
+    pub bounces: Option<u32>,
 }
 
 /// How it is found what a pixel shows. The images are the same, but for pixels on edges at which two

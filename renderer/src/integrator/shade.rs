@@ -9,6 +9,7 @@ use super::shadows::Lit;
 use super::sharing::Sharing;
 use super::textures::Textured;
 use super::view::{Group, View};
+use crate::counts::count;
 use crate::kernels::light::{
     DistantLight, DistantLightTangent, Illumination, PointLight, PointLightTangent,
     distant_illumination, point_illumination,
@@ -86,6 +87,7 @@ impl<'a, L: Lanes> Shaded<'a, L> {
         mirrored: Option<&'a View<L>>,
     ) -> Self {
         let Appearance { materials, textured, illuminations } = appearance;
+        count(|counts| counts.shaded += u64::from(group.alive.count_ones()));
         Self {
             pass: prepared.pass,
             group,

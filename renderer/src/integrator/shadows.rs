@@ -7,23 +7,28 @@ use ad::lanes::Lanes;
 use ad::vector::Vector;
 use glam::DVec3;
 
+use super::mirrors::Dark;
 use super::prepared::Prepared;
 use super::settings::Pass;
 use super::view::{Group, Shape, View, set_vectors};
 use crate::acceleration::{NO_PRIMITIVE, PacketVectors, rays};
+use crate::counts::count;
 use crate::precision::{MOST_LANES, narrow, vectors_of_lanes};
 use crate::scene::{CustomLight, Light};
 
-/// The rays of a tile under a light, a bit for each.
+/// The rays of a tile that end at points which a light reaches, a bit for each.
 #[derive(Clone, Copy)]
 pub(super) struct Lit {
-    /// Those that end at points which the light reaches.
     reached: u64,
-    /// Those that end at surfaces which face the light: each takes a shadow ray.
-    pub facing: u64,
 }
 
 impl Lit {
+    /// Whether the light reaches the point at which a ray ends.
+    #[cfg(feature = "files")]
+    pub fn reaches(self, ray: usize) -> bool {
+        self.reached >> ray & 1 == 1
+    }
+
     /// The lanes of a group that the light reaches.
     #[inline]
     pub fn of<L: Lanes>(self, group: &Group<L>) -> L::Mask {
@@ -41,11 +46,13 @@ const FARTHEST: f64 = 100.0;
 const SURFACE_ERROR: f64 = 8.0 * f32::EPSILON as f64;
 
 impl<L: Lanes> Prepared<'_, L> {
-    /// Finds what each light reaches of a view.
-    pub(super) fn light_up(&self, view: &mut View<L>) {
+    /// Finds what each light reaches of a view. Nothing is traced for lights that send nothing, unless
+    /// `dark` wants to know what they would reach.
+    pub(super) fn light_up(&self, dark: Dark, view: &mut View<L>) {
         let mut lit = mem::take(&mut view.lit);
         lit.clear();
         lit.extend(self.lights.iter().map(|light| match light {
+            _ if light.is_black() && !dark.lights => Lit { reached: 0 },
             Light::Point(light) => self.lit_from(light.position, view),
             Light::Distant(light) => self.lit_along(light.direction.normalize(), view),
         }));
@@ -72,7 +79,7 @@ impl<L: Lanes> Prepared<'_, L> {
         let to_light =
             |point: DVec3| (direction(point), light.distance(parameters, point + self.middle));
         let reached = self.unshadowed(view, facing, to_light);
-        Lit { reached, facing }
+        Lit { reached }
     }
 
     /// Shadow rays of a point light start at the light: from there they are coherent.
@@ -101,7 +108,11 @@ impl<L: Lanes> Prepared<'_, L> {
                 }
             }
         }
+        if self.is_alone(view) {
+            return Lit { reached: facing };
+        }
         let (origin, near) = (light.as_vec3(), facing & !far);
+        count(|counts| counts.shadow_rays += u64::from(near.count_ones()));
         let mut occluded = self.acceleration.occluded_packet(origin, &directions, 1.0, &from, near);
         if !self.scene.shapes.is_empty() {
             let behind =
@@ -114,7 +125,7 @@ impl<L: Lanes> Prepared<'_, L> {
             (to_light / distance, distance)
         };
         let reached = near & !occluded | self.unshadowed(view, facing & far, straight);
-        Lit { reached, facing }
+        Lit { reached }
     }
 
     fn lit_along(&self, direction: DVec3, view: &View<L>) -> Lit {
@@ -124,7 +135,13 @@ impl<L: Lanes> Prepared<'_, L> {
             .iter()
             .fold(0, |facing, group| facing | u64::from(group.facing(towards)) << group.first);
         let reached = self.unshadowed(view, facing, |_| (direction, f64::INFINITY));
-        Lit { reached, facing }
+        Lit { reached }
+    }
+
+    /// Whether a view shows the only primitive there is, from outside: nothing casts a shadow on it.
+    fn is_alone(&self, view: &View<L>) -> bool {
+        let primitives = self.triangles.len() + self.spheres.len();
+        primitives == 1 && self.scene.shapes.is_empty() && view.hits.leaves == 0
     }
 
     /// Those among `rays` that end at points from which nothing stands in the way to the light:
@@ -135,9 +152,10 @@ impl<L: Lanes> Prepared<'_, L> {
         rays: u64,
         to_light: impl Fn(DVec3) -> (DVec3, f64),
     ) -> u64 {
-        if rays == 0 {
-            return 0;
+        if rays == 0 || self.is_alone(view) {
+            return rays;
         }
+        count(|counts| counts.shadow_rays += u64::from(rays.count_ones()));
         let mut lit = rays;
         for group in &view.groups {
             let points = vectors_of_lanes::<L>(group.surface.point);

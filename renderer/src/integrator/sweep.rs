@@ -7,14 +7,15 @@ use ad::{Additive, Mask, Tangent, Vec3, select};
 use glam::DVec3;
 
 use super::gradient::Wanted;
-use super::mirrors::{Mirrors, Sight, blocks};
+use super::mirrors::{Dark, Sight, blocks};
 use super::prepared::Prepared;
-use super::radiance::{PixelLoss, black_pixels};
-use super::settings::Pass;
+use super::radiance::{PixelLoss, mean_radiance};
 use super::shade::{Appearance, LightCotangent, Pulled, Shaded};
 use super::sums::{Slots, StripSums, material_sum};
 use super::tiles::{Strip, Tile, for_each_strip};
-use super::view::{Group, Shape, View};
+use super::view::{Group, Sample, Shape, View};
+use crate::acceleration::{PACKET_RAYS, rays};
+use crate::counts::count;
 use crate::kernels::camera::{Frame, Ray, RayTangent, primary_ray};
 use crate::kernels::sphere::{Sphere, sphere_surface};
 use crate::kernels::surface::{SurfacePoint, mirrored_ray};
@@ -38,7 +39,7 @@ struct Sweep<'a, L: Lanes, P> {
     prepared: &'a Prepared<'a, L>,
     loss: &'a P,
     wanted: Wanted,
-    mirrors: Mirrors,
+    dark: Dark,
     sight: Sight<L>,
     flows: Vec<Flow<L>>,
     sums: StripSums,
@@ -56,10 +57,7 @@ impl<'a, L: Lanes, P: PixelLoss> Sweep<'a, L, P> {
             prepared,
             loss,
             wanted,
-            mirrors: match wanted.mirrors && prepared.pass == Pass::Radiance {
-                true => Mirrors::All,
-                false => Mirrors::Bright,
-            },
+            dark: Dark::of_gradient(wanted, prepared.pass),
             sight: Sight::default(),
             flows: Vec::new(),
             sums: StripSums::zero(prepared),
@@ -80,30 +78,61 @@ impl<'a, L: Lanes, P: PixelLoss> Sweep<'a, L, P> {
 
     fn add_tile(&mut self, tile: &Tile) {
         let (mut sight, mut flows) = (mem::take(&mut self.sight), mem::take(&mut self.flows));
-        self.prepared.see(tile, self.mirrors, &mut sight);
+        let Self { prepared, loss, .. } = *self;
+        if prepared.sampling.is_single() {
+            // The radiance of the ray is that of the pixel: no need to look twice.
+            for sample in prepared.samples(tile) {
+                let mut sum = 0.0;
+                self.add_sample(&sample, &mut sight, &mut flows, &mut |group, radiance| {
+                    let (loss, cotangent) = respond(loss, tile, group, radiance);
+                    sum += loss;
+                    cotangent
+                });
+                self.sums.loss += sum + loss_of_black(loss, tile, sight.views()[0].missed);
+            }
+        } else {
+            let radiance = mean_radiance(prepared, tile, &mut sight);
+            let mut cotangents = [DVec3::ZERO; PACKET_RAYS];
+            let part = 1.0 / f64::from(prepared.sampling.count());
+            for ray in rays(tile.rays()) {
+                let (x, y) = tile.pixel(ray);
+                let (value, derivative) = loss.evaluate(x, y, radiance[ray]);
+                self.sums.loss += value;
+                cotangents[ray] = derivative * part;
+            }
+            for sample in prepared.gradient_samples(tile) {
+                self.add_sample(&sample, &mut sight, &mut flows, &mut |group, _| {
+                    lanes_that_matter::<L>(group.rays().map(|(lane, ray)| (lane, cotangents[ray])))
+                });
+            }
+        }
+        (self.sight, self.flows) = (sight, flows);
+    }
+
+    /// Adds what flows back from one ray through each pixel of a tile. `respond` gives the cotangent
+    /// of the radiance of a group, unless it is zero.
+    fn add_sample(
+        &mut self,
+        sample: &Sample<'_>,
+        sight: &mut Sight<L>,
+        flows: &mut Vec<Flow<L>>,
+        respond: &mut Respond<'_, L>,
+    ) {
+        self.prepared.see(sample, self.dark, sight);
         let views = sight.views();
         flows.resize_with(views.len().max(flows.len()), Flow::default);
-        self.sums.loss += black_pixels(tile, views[0].missed, self.loss);
 
         let (first, deeper) = flows.split_at_mut(1);
-        let (loss, mut sum) = (self.loss, 0.0);
-        let respond = |group: &Group<L>, radiance| {
-            let (loss, cotangent) = respond(loss, tile, group, radiance);
-            sum += loss;
-            cotangent
-        };
         let mirrored = views.get(1).zip(deeper.first_mut());
         self.pull_shading(&views[0], mirrored, &mut first[0].surfaces, respond);
-        self.sums.loss += sum;
         for depth in 1..views.len() {
             let (flows, deeper) = flows.split_at_mut(depth + 1);
             let Flow { radiance, surfaces, .. } = &mut flows[depth];
-            let respond = |group: &Group<L>, _| {
+            let mirrored = views.get(depth + 1).zip(deeper.first_mut());
+            self.pull_shading(&views[depth], mirrored, surfaces, &mut |group, _| {
                 let cotangent = radiance[group.first / L::COUNT];
                 Some(select(L::mask_from_bits(group.alive), cotangent, Additive::zero()))
-            };
-            let mirrored = views.get(depth + 1).zip(deeper.first_mut());
-            self.pull_shading(&views[depth], mirrored, surfaces, respond);
+            });
         }
 
         if self.wanted.surface() {
@@ -121,7 +150,7 @@ impl<'a, L: Lanes, P: PixelLoss> Sweep<'a, L, P> {
             let Self { prepared, wanted, .. } = *self;
             self.pull_surfaces(&views[0], mirrored, &first[0].surfaces, |group, to_ray| {
                 if wanted.camera {
-                    let (x, y) = prepared.film(tile, group.first);
+                    let (x, y) = views[0].film[group.first / L::COUNT];
                     let (_, pullback) = primary_ray::vjp::<L>(prepared.frame, x, y);
                     to_frame.accumulate(pullback(to_ray).0);
                 }
@@ -130,7 +159,6 @@ impl<'a, L: Lanes, P: PixelLoss> Sweep<'a, L, P> {
                 self.sums.frame.accumulate(to_frame.sum(Mask::splat(true)));
             }
         }
-        (self.sight, self.flows) = (sight, flows);
     }
 
     /// From the radiance of a view, whose cotangents `respond` gives, to its materials and lights,
@@ -141,7 +169,7 @@ impl<'a, L: Lanes, P: PixelLoss> Sweep<'a, L, P> {
         view: &View<L>,
         mirrored: Option<(&View<L>, &mut Flow<L>)>,
         surfaces: &mut Vec<Option<ToSurface<L>>>,
-        mut respond: impl FnMut(&Group<L>, Vec3<L>) -> Option<Vec3<L>>,
+        respond: &mut Respond<'_, L>,
     ) {
         let Self { prepared, wanted, sums, materials: slots, texels, .. } = self;
         let (shown, mut to_mirrored) = mirrored.unzip();
@@ -163,6 +191,7 @@ impl<'a, L: Lanes, P: PixelLoss> Sweep<'a, L, P> {
                 surfaces.push(None);
             }
             let to_shown = |cotangent, mut pulled: Pulled<'_, L>| {
+                count(|counts| counts.shading_pullbacks += u64::from(group.alive.count_ones()));
                 if !custom_lights.is_empty() {
                     shaded.pull_back_custom_lights(cotangent, &mut pulled, |light, cotangent| {
                         let to_light = &mut custom_lights[light];
@@ -212,6 +241,7 @@ impl<'a, L: Lanes, P: PixelLoss> Sweep<'a, L, P> {
     ) {
         for (group, surface) in view.groups.iter().zip(surfaces) {
             let Some(ToSurface { mut surface, uv }) = *surface else { continue };
+            count(|counts| counts.surface_pullbacks += u64::from(group.alive.count_ones()));
             if let Some(flow) = mirrored {
                 let RayTangent { origin, direction } = flow.rays[group.first / L::COUNT];
                 let alive =
@@ -323,17 +353,33 @@ fn respond<L: Lanes>(
 ) -> (f64, Option<Vec3<L>>) {
     let radiance = vectors_of_lanes::<L>(radiance);
     let mut sum = 0.0;
-    // The lanes that do not count keep a cotangent of zero.
-    let mut cotangents = [DVec3::ZERO; MOST_LANES];
-    for (lane, ray) in group.rays() {
+    let cotangents = group.rays().map(|(lane, ray)| {
         let (x, y) = tile.pixel(ray);
         let (value, derivative) = loss.evaluate(x, y, radiance[lane]);
         sum += value;
-        cotangents[lane] = derivative;
-    }
-    let matters = cotangents.iter().any(|&cotangent| cotangent != DVec3::ZERO);
-    (sum, matters.then(|| lanes_of_vectors::<L>(&cotangents)))
+        (lane, derivative)
+    });
+    let cotangents = lanes_that_matter::<L>(cotangents);
+    (sum, cotangents)
 }
+
+/// The loss of the pixels of a tile that show nothing.
+fn loss_of_black(loss: &impl PixelLoss, tile: &Tile, missed: u64) -> f64 {
+    let pixels = rays(missed).map(|ray| tile.pixel(ray));
+    pixels.map(|(x, y)| loss.evaluate(x, y, DVec3::ZERO).0).sum()
+}
+
+/// Vectors, by lane; the other lanes are zero. Nothing if all are zero.
+#[inline]
+fn lanes_that_matter<L: Lanes>(vectors: impl Iterator<Item = (usize, DVec3)>) -> Option<Vec3<L>> {
+    let mut lanes = [DVec3::ZERO; MOST_LANES];
+    vectors.for_each(|(lane, vector)| lanes[lane] = vector);
+    let matters = lanes.iter().any(|&vector| vector != DVec3::ZERO);
+    matters.then(|| lanes_of_vectors::<L>(&lanes))
+}
+
+/// From the radiance of a group to its cotangent, unless that is zero.
+type Respond<'a, L> = dyn FnMut(&Group<L>, Vec3<L>) -> Option<Vec3<L>> + 'a;
 
 /// What flows back to surface points.
 #[derive(Clone, Copy)]

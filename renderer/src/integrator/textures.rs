@@ -11,6 +11,7 @@ use super::prepared::Prepared;
 use super::sharing::Sharing;
 use super::view::{Group, Shape};
 use crate::acceleration::rays;
+use crate::counts::count;
 use crate::kernels::material::{Material, MaterialTangent};
 use crate::kernels::texture::{Uv, bilinear, sphere_uv, texel_position, triangle_uv};
 use crate::precision::{MOST_LANES, numbers_of_lanes, vectors_of_lanes};
@@ -18,7 +19,7 @@ use crate::scene::{MaterialTextures, Wrap};
 
 /// A texture among the texels of all.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Texture {
+pub(crate) struct Texture {
     pub first_texel: usize,
     pub width: u32,
     pub height: u32,
@@ -28,7 +29,7 @@ pub(super) struct Texture {
 impl Texture {
     /// The indices of the texels around a position: those of [`bilinear`].
     #[inline]
-    fn around(&self, x: f64, y: f64) -> [u32; 4] {
+    pub fn around(&self, x: f64, y: f64) -> [u32; 4] {
         let (column, row) = (x.floor() as i64, y.floor() as i64);
         let columns = [column, column.saturating_add(1)].map(|c| self.wrap.index(c, self.width));
         let rows = [row, row.saturating_add(1)].map(|r| self.wrap.index(r, self.height));
@@ -188,6 +189,7 @@ impl<L: Lanes> Prepared<'_, L> {
         if lanes == 0 {
             return None;
         }
+        count(|counts| counts.texture_lookups += u64::from(lanes.count_ones()));
         let size = |of: fn(&Texture) -> u32| {
             L::from_lanes(|lane| {
                 let size = textures[lane].as_ref().map_or(1, of);

@@ -5,6 +5,7 @@ use std::ops::Range;
 use rayon::prelude::*;
 
 use crate::acceleration::{PACKET_RAYS, tile_position};
+use crate::counts::flush;
 use crate::image::Image;
 
 /// The edge of a tile in pixels: its rays make one packet.
@@ -92,6 +93,11 @@ pub fn for_each_strip<W, R: Send>(
     start: impl Fn() -> W + Send + Sync,
     work: impl Fn(&mut W, Strip) -> R + Send + Sync,
 ) -> Vec<R> {
+    let work = |state: &mut W, strip| {
+        let result = work(state, strip);
+        flush();
+        result
+    };
     strips(width, height).into_par_iter().map_init(start, work).collect()
 }
 
@@ -114,10 +120,10 @@ pub fn fill_strips<W>(
             }
         }
     }
-    strips
-        .into_par_iter()
-        .zip(pixels)
-        .for_each_init(start, |state, (strip, mut rows)| work(state, strip, &mut rows));
+    strips.into_par_iter().zip(pixels).for_each_init(start, |state, (strip, mut rows)| {
+        work(state, strip, &mut rows);
+        flush();
+    });
 }
 
 #[cfg(test)]

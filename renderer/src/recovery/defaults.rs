@@ -58,7 +58,7 @@ pub(super) fn variable(
 }
 
 /// The values for which a parameter means something, ends included.
-fn domain(id: ParameterId) -> (f64, f64) {
+pub(crate) fn domain(id: ParameterId) -> (f64, f64) {
     use ParameterId::*;
     let above_zero = (1e-18, f64::INFINITY);
     match id {

@@ -16,6 +16,8 @@
 
 mod defaults;
 
+#[cfg(feature = "cli")]
+pub(crate) use defaults::domain;
 pub use defaults::natural_scale;
 
 use ad::lanes::{Lanes, f64x8};
@@ -44,10 +46,12 @@ pub fn render_with(arithmetic: Arithmetic, scene: &Scene, settings: RenderSettin
 }
 
 /// An optimisation of scene parameters against an image.
+#[derive(Clone)]
 pub struct Recovery<'a> {
     scene: &'a Scene,
     section: OptimizeSection,
     arithmetic: Arithmetic,
+    settings: RenderSettings,
     target: LoadedImage,
     ids: Vec<ParameterId>,
     variables: Vec<Variable>,
@@ -85,7 +89,37 @@ impl<'a> Recovery<'a> {
                 defaults::variable(scene, tuned, section.learning_rate, target)
             })
             .collect();
-        Ok(Self { scene, section, arithmetic, target, ids, variables })
+        let settings = RenderSettings::default();
+        Ok(Self { scene, section, arithmetic, settings, target, ids, variables })
+    }
+
+    /// The same problem, with the same target, computed in another way.
+    pub fn computed(&self, arithmetic: Arithmetic, settings: RenderSettings) -> Self {
+        Self { arithmetic, settings, ..self.clone() }
+    }
+
+    /// The same problem with a smaller image: `scene` is that of this problem but for the size, which
+    /// divides this one's. A pixel of the target is the mean of those that it covers.
+    pub fn coarser<'b>(&self, scene: &'b Scene) -> Recovery<'b> {
+        let Self { section, arithmetic, settings, target, ids, variables, .. } = self.clone();
+        let image = target.image.reduced(scene.width, scene.height);
+        let target = LoadedImage { image, ..target };
+        Recovery { scene, section, arithmetic, settings, target, ids, variables }
+    }
+
+    /// How the scene is rendered.
+    pub fn render_settings(&self) -> &RenderSettings {
+        &self.settings
+    }
+
+    /// The scalar of the kernels.
+    pub fn arithmetic(&self) -> Arithmetic {
+        self.arithmetic
+    }
+
+    /// The values of the parameters that vary as they stand, one after the other.
+    pub fn initial(&self) -> Vec<f64> {
+        self.variables.iter().flat_map(|variable| variable.initial.clone()).collect()
     }
 
     /// The settings of the section `[optimize]`, without checkpoints.
@@ -109,6 +143,7 @@ impl<'a> Recovery<'a> {
         let scene = self.scene;
         let mut fingerprint = Fingerprint::new()
             .text(&format!("{:?} {:?}", self.arithmetic.precision(), self.loss_kind()))
+            .text(&format!("{:?}", self.settings))
             .text(&format!("{} {}", scene.width, scene.height))
             .text(&format!("{:?}", scene.spheres));
         for id in scene.parameter_ids() {
@@ -131,6 +166,11 @@ impl<'a> Recovery<'a> {
     /// The parameters that vary.
     pub fn variables(&self) -> &[Variable] {
         &self.variables
+    }
+
+    /// The scene as it stands: the initial guess.
+    pub fn scene(&self) -> &'a Scene {
+        self.scene
     }
 
     /// The image to be matched.
@@ -177,8 +217,7 @@ impl<'a> Recovery<'a> {
     ///
     /// If one of them is not finite.
     pub fn evaluate(&self) -> Result<Evaluation, Error> {
-        let x: Vec<f64> = self.variables.iter().flat_map(|v| v.initial.clone()).collect();
-        let evaluation = self.objective().evaluate(&x);
+        let evaluation = self.objective().evaluate(&self.initial());
         let Evaluation { loss, gradient } = &evaluation;
         if !loss.is_finite() {
             return Err(Error::new("loss", format_args!("is {loss}, not a finite number")));
@@ -216,7 +255,8 @@ impl<'a> Recovery<'a> {
         self.section.loss.unwrap_or_default()
     }
 
-    fn loss(&self) -> ImageLoss<'_> {
+    /// The loss that is minimised.
+    pub(crate) fn loss(&self) -> ImageLoss<'_> {
         ImageLoss::new(self.loss_kind(), &self.target.image, self.target.saturates)
     }
 }
@@ -305,7 +345,7 @@ impl<'a, S: Lanes> ImageObjective<'a, S> {
     fn new(recovery: &'a Recovery<'a>) -> Self {
         Self {
             recovery,
-            prepared: Prepared::new(recovery.scene),
+            prepared: Prepared::with_settings(recovery.scene, recovery.settings),
             parameters: recovery.scene.parameters.clone(),
             wanted: Wanted::by(&recovery.ids),
         }

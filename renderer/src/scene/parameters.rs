@@ -44,6 +44,17 @@ pub enum Light<S: ad::Real> {
     Distant(DistantLight<S>),
 }
 
+impl Light<f64> {
+    /// Whether it sends nothing.
+    pub fn is_black(&self) -> bool {
+        let (color, intensity) = match self {
+            Self::Point(light) => (light.color, light.intensity),
+            Self::Distant(light) => (light.color, light.intensity),
+        };
+        color * intensity == DVec3::ZERO
+    }
+}
+
 /// What the gradient of a parameter is worth.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Differentiability {

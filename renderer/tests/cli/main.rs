@@ -11,3 +11,5 @@ mod params;
 mod render;
 mod resume;
 mod sandbox;
+mod stats;
+mod tradeoff;

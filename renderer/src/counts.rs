@@ -1,0 +1,98 @@
+//! How much work images and gradients take.
+//!
+//! The work is counted where it is done: each thread counts for itself, and the counts of a strip of
+//! the image are added to those of the process when it is done, so that counting costs nothing that
+//! can be measured.
+
+use std::cell::Cell;
+use std::fmt;
+use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
+
+macro_rules! counts {
+    ($($(#[$doc:meta])* $name:ident: $label:literal,)*) => {
+        /// Counts of work.
+        #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+        pub struct Counts {
+            $($(#[$doc])* pub $name: u64,)*
+        }
+
+        impl Counts {
+            const ZERO: Self = Self { $($name: 0,)* };
+
+            /// The work of this process so far.
+            pub fn total() -> Self {
+                Self { $($name: TOTAL.$name.load(Relaxed),)* }
+            }
+        }
+
+        struct Total {
+            $($name: AtomicU64,)*
+        }
+
+        static TOTAL: Total = Total { $($name: AtomicU64::new(0),)* };
+
+        /// Adds what this thread has counted to the total, and begins anew.
+        pub(crate) fn flush() {
+            let counts = COUNTS.take();
+            $(TOTAL.$name.fetch_add(counts.$name, Relaxed);)*
+        }
+
+        impl fmt::Display for Counts {
+            fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                $(writeln!(f, concat!($label, "{:>15}"), self.$name)?;)*
+                Ok(())
+            }
+        }
+    };
+}
+
+counts! {
+    /// Rays from the camera.
+    primary_rays: "primary rays                ",
+    /// Rays between surfaces and lights.
+    shadow_rays: "shadow rays                 ",
+    /// Rays that mirrors send on.
+    mirrored_rays: "mirrored rays               ",
+    /// Nodes of the trees that were visited, by a ray or by a packet of up to 64.
+    nodes: "nodes visited               ",
+    /// Colours looked up in textures.
+    texture_lookups: "texture lookups             ",
+    /// Surface points that were shaded.
+    shaded: "points shaded               ",
+    /// Surface points whose shading was pulled back.
+    shading_pullbacks: "shading pullbacks           ",
+    /// Surface points that were pulled back to their primitives and to the camera.
+    surface_pullbacks: "surface pullbacks           ",
+}
+
+thread_local! {
+    static COUNTS: Cell<Counts> = const { Cell::new(Counts::ZERO) };
+}
+
+/// Counts work of this thread.
+#[inline]
+pub(crate) fn count(add: impl FnOnce(&mut Counts)) {
+    COUNTS.with(|counts| {
+        let mut sum = counts.get();
+        add(&mut sum);
+        counts.set(sum);
+    });
+}
+
+/// The nodes that one traversal visits: counted in a register, added up when it ends.
+#[derive(Default)]
+pub(crate) struct VisitedNodes(Cell<u64>);
+
+impl VisitedNodes {
+    #[inline]
+    pub fn add(&self) {
+        self.0.set(self.0.get() + 1);
+    }
+}
+
+impl Drop for VisitedNodes {
+    #[inline]
+    fn drop(&mut self) {
+        count(|counts| counts.nodes += self.0.get());
+    }
+}

@@ -1,0 +1,61 @@
+#![doc = include_str!("../../docs/tradeoff.md")]
+
+mod axis;
+mod cases;
+mod engine;
+mod measurement;
+mod numbers;
+mod plot;
+mod replay;
+mod sampling;
+mod schedules;
+mod table;
+#[cfg(test)]
+mod tests;
+
+use ad::lanes::f64x8;
+use cases::cases;
+use engine::{Adjoint, Engine, Question};
+use measurement::{Reference, measure_in_turns};
+
+pub use axis::Axis;
+pub use measurement::Measurement;
+pub use plot::{Curve, Titles, curves_svg, tradeoff_svg};
+pub use sampling::{SamplingRun, measure_sampling, sampling_table};
+pub use schedules::{ScheduleRun, measure_schedules};
+pub use table::{best_step, csv, pareto_front, steps, table};
+#[cfg(test)]
+pub(crate) use tests::{gradient_on_tapes, random_experiment};
+
+use crate::accuracy::GradientMetric;
+use crate::integrator::{RenderSettings, Visibility};
+use crate::recovery::Recovery;
+
+/// What was measured on a scene.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Tradeoff {
+    /// By axis.
+    pub measurements: Vec<Measurement>,
+    /// What was not measured, and why; what to know of what was.
+    pub remarks: Vec<String>,
+}
+
+/// Measures what the choices of a recovery cost and what they are worth, each setting for about
+/// `seconds`.
+///
+/// Errors are those against the gradient in double precision through a tree.
+///
+/// Memory is counted if the program's allocator is `peakmem_alloc::INSTRUMENTED_SYSTEM`, as in the
+/// command line.
+pub fn measure(recovery: &Recovery<'_>, seconds: f64) -> Tradeoff {
+    let scene = recovery.scene();
+    let metric = GradientMetric::new(scene, recovery.ids());
+    let settings = RenderSettings { visibility: Visibility::Tree, ..RenderSettings::default() };
+    let mut exact = Adjoint::<f64x8>::new(Question { recovery, settings }, false);
+    let gradient = exact.gradient();
+    let image = exact.image().expect("the adjoint has an image");
+    let (mut cases, remarks) = cases(recovery, &metric);
+    let reference = Reference { metric, gradient, image };
+    let measurements = measure_in_turns(&mut cases, &reference, seconds);
+    Tradeoff { measurements, remarks }
+}

@@ -1,0 +1,237 @@
+//! What engines give, on generated scenes.
+
+mod scenes;
+
+use ad::lanes::f64x8;
+
+use super::engine::{Adjoint, Engine, Question, ReplayMode, Replayed};
+use super::*;
+use crate::arithmetic::{Arithmetic, Precision};
+use crate::experiment::Experiment;
+
+pub use scenes::random_experiment;
+
+/// The gradient of a problem on tapes, in double precision and with all mirrors that the scene asks
+/// for.
+pub fn gradient_on_tapes(recovery: &Recovery<'_>) -> Vec<f64> {
+    let question = Question { recovery, settings: RenderSettings::default() };
+    Replayed::<f64x8>::new(question, ReplayMode::Tape(64)).gradient()
+}
+
+fn recovery(experiment: &Experiment) -> Recovery<'_> {
+    Recovery::new(experiment, "a generated scene", Arithmetic::fastest(Precision::F64)).unwrap()
+}
+
+/// Three ways that share the kernels and what pixels show, and nothing else.
+#[test]
+fn adjoint_tape_and_dual_numbers_agree() {
+    for number in 0..30 {
+        let experiment = random_experiment(number);
+        let recovery = recovery(&experiment);
+        let question = Question { recovery: &recovery, settings: RenderSettings::default() };
+        let adjoint = Adjoint::<f64x8>::new(question, false).gradient();
+        let metric = GradientMetric::new(recovery.scene(), recovery.ids());
+        assert!(adjoint.iter().any(|&derivative| derivative != 0.0), "{number}");
+
+        let by_tape = gradient_on_tapes(&recovery);
+        let error = metric.error(&by_tape, &adjoint);
+        assert!(error < 1e-10, "{number}: tape and adjoint differ by {error:e}");
+
+        let some: Vec<usize> = (0..metric.count()).step_by(metric.count().div_ceil(8)).collect();
+        let mode = ReplayMode::Forward(some.clone());
+        let forward = Replayed::<f64x8>::new(question, mode).gradient();
+        let error = metric.error_among(&some, &forward, &adjoint);
+        assert!(error < 1e-10, "{number}: dual numbers and adjoint differ by {error:e}");
+    }
+}
+
+/// One tape or many: the same sums in another order.
+#[test]
+fn the_length_of_tapes_does_not_matter() {
+    let experiment = random_experiment(3);
+    let recovery = recovery(&experiment);
+    let question = Question { recovery: &recovery, settings: RenderSettings::default() };
+    let of = |chunk| Replayed::<f64x8>::new(question, ReplayMode::Tape(chunk)).gradient();
+    let metric = GradientMetric::new(recovery.scene(), recovery.ids());
+    assert!(metric.error(&of(7), &of(1 << 20)) < 1e-12);
+}
+
+#[test]
+fn a_scene_is_measured_along_every_axis_that_it_has() {
+    let experiment = (0..).map(random_experiment).find(|e| e.scene.bounces == 2).unwrap();
+    let mut scene = experiment.scene.clone();
+    scene.parameters.materials[0].reflection = glam::DVec3::splat(0.3);
+    let experiment = Experiment { scene, ..experiment };
+    let recovery = recovery(&experiment);
+    let Tradeoff { measurements, .. } = measure(&recovery, 0.0);
+    let settings = |axis: Axis| -> Vec<&Measurement> {
+        measurements.iter().filter(|measurement| measurement.axis == axis).collect()
+    };
+    assert_eq!(settings(Axis::Arithmetic).len(), 5);
+    assert_eq!(settings(Axis::Engine).len(), 3);
+    assert_eq!(settings(Axis::Visibility).len(), 2);
+    assert_eq!(settings(Axis::Bounces).len(), 2);
+    assert_eq!(settings(Axis::SingleDifferences).len(), 12);
+    assert!(measurements.iter().all(|m| m.seconds > 0.0 && m.runs >= 1));
+    // Single precision is off by rounding, and by much more than double precision.
+    for measurement in settings(Axis::Arithmetic) {
+        let range = match measurement.setting.starts_with("f32") {
+            true => 1e-9..1e-2,
+            false => 0.0..1e-10,
+        };
+        assert!(range.contains(&measurement.gradient_error), "{measurement:?}");
+    }
+    // Fewer mirrors are further off.
+    let bounces = settings(Axis::Bounces);
+    assert!(bounces[0].gradient_error > bounces[1].gradient_error, "{bounces:?}");
+    assert!(bounces[1].image_error > Some(1e-5), "{bounces:?}");
+}
+
+/// Where no edge moves, the error of differences has a bottom between large and small steps, lower
+/// in double precision.
+#[test]
+fn differences_have_a_best_step() {
+    let experiment = ball(
+        r#"
+        specular = [0.5, 0.5, 0.5]
+        exponent = 12.0
+        [[optimize.parameter]]
+        path = "material.paint.exponent"
+        [optimize.target_values]
+        "material.paint.exponent" = 14.0
+        "#,
+    );
+    let Tradeoff { measurements, .. } = measure(&recovery(&experiment), 0.0);
+    let [single, double] = &steps(&measurements)[..] else { panic!("two curves") };
+    let ((single_step, single_error), (double_step, double_error)) =
+        (best_step(single).unwrap(), best_step(double).unwrap());
+    // The cube root of the rounding unit, give or take the curvature.
+    assert!((1e-4..1e-1).contains(&single_step), "{single:?}");
+    assert!((1e-7..1e-3).contains(&double_step), "{double:?}");
+    assert!(double_error < 1e-8 && single_error > 100.0 * double_error, "{single:?} {double:?}");
+    for curve in [single, double] {
+        let (first, last) = (curve.points[0].1, curve.points[11].1);
+        let (_, least) = best_step(curve).unwrap();
+        assert!(first > 10.0 * least && last > 10.0 * least, "{curve:?}");
+    }
+}
+
+#[test]
+fn the_front_holds_what_nothing_beats() {
+    let measurement = |seconds: f64, gradient_error: f64| Measurement {
+        axis: Axis::Arithmetic,
+        setting: String::new(),
+        step: None,
+        seconds,
+        runs: 1,
+        bytes: None,
+        image_error: None,
+        gradient_error,
+    };
+    let measurements = [
+        measurement(1.0, 1e-3),
+        measurement(2.0, 1e-3),
+        measurement(2.0, 1e-6),
+        measurement(3.0, 1e-5),
+        measurement(0.5, f64::INFINITY),
+        measurement(4.0, 0.0),
+    ];
+    assert_eq!(pareto_front(&measurements), [0, 2, 5]);
+    let csv = csv(&measurements);
+    assert_eq!(csv.lines().count(), 7);
+    assert_eq!(csv.lines().filter(|line| line.ends_with(",true")).count(), 3);
+    let svg = tradeoff_svg("a plot", &measurements).unwrap();
+    assert!(svg.contains("a plot") && !svg.contains("NaN") && !svg.contains("inf"), "{svg}");
+}
+
+#[test]
+fn the_error_of_a_gradient_weighs_derivatives_by_their_scales() {
+    let experiment = random_experiment(0);
+    let scene = &experiment.scene;
+    let ids = [crate::scene::ParameterId::LightIntensity(0), crate::scene::ParameterId::Vfov];
+    let metric = GradientMetric::new(scene, &ids);
+    let scales = ids.map(|id| crate::recovery::natural_scale(scene, id));
+    let reference = [3.0 / scales[0], 4.0 / scales[1]];
+    let gradient = [3.0 / scales[0], 4.5 / scales[1]];
+    assert!((metric.error(&gradient, &reference) - 0.1).abs() < 1e-12);
+    assert_eq!(metric.error(&reference, &reference), 0.0);
+    assert_eq!(metric.error(&gradient, &[0.0; 2]), f64::INFINITY);
+    assert_eq!(metric.error(&[f64::NAN, 0.0], &reference), f64::INFINITY);
+}
+
+#[test]
+fn optimisations_approach_the_truth_whatever_their_sizes() {
+    let experiment = ball(
+        r#"
+        diffuse = [0.2, 0.3, 0.4]
+        [[optimize.parameter]]
+        path = "material.paint.diffuse"
+        [optimize.target_values]
+        "material.paint.diffuse" = [0.5, 0.5, 0.5]
+        "#,
+    );
+    let recovery = recovery(&experiment);
+    let runs = measure_schedules(&recovery, &recovery.settings()).unwrap();
+    assert_eq!(runs.len(), 4);
+    for run in runs {
+        let (&(_, first), &(_, last)) = (run.way.first().unwrap(), run.way.last().unwrap());
+        assert_eq!(first, 1.0);
+        assert!(last < 0.05, "{}: {last}", run.name());
+        assert!(run.way.is_sorted_by(|a, b| a.0 <= b.0), "{}", run.name());
+    }
+}
+
+#[test]
+fn more_rays_are_less_off_and_what_is_off_is_bias_and_spread() {
+    let experiment = ball(
+        r#"
+        diffuse = [0.2, 0.3, 0.4]
+        [[optimize.parameter]]
+        path = "material.paint.diffuse"
+        [[optimize.parameter]]
+        path = "light.key.intensity"
+        [optimize.target_values]
+        "material.paint.diffuse" = [0.5, 0.5, 0.5]
+        "#,
+    );
+    let runs = measure_sampling(&recovery(&experiment));
+    assert_eq!(runs.len(), 2 * 2 * 5);
+    for run in &runs {
+        let both = run.bias.hypot(run.spread);
+        assert!((run.error - both).abs() < 1e-6 * both, "{run:?}");
+        assert!(run.seconds > 0.0 && run.bias > 0.0, "{run:?}");
+    }
+    for way in runs.chunks(5) {
+        let (few, many) = (&way[1], &way[3]);
+        assert_eq!((few.count, many.count), (4, 64));
+        assert!(many.spread < 0.5 * few.spread, "{few:?} {many:?}");
+        assert!(many.image_error < 0.5 * few.image_error, "{few:?} {many:?}");
+    }
+    assert_eq!(sampling_table(&runs).lines().count(), 21);
+}
+
+/// A ball under a light, in an image of 32 x 32 pixels; `rest` is its material, and what follows.
+fn ball(rest: &str) -> Experiment {
+    let text = format!(
+        r#"
+        [camera]
+        look_from = [0.0, 0.0, 4.0]
+        look_at = [0.0, 0.0, 0.0]
+        width = 32
+        height = 32
+        [[light]]
+        name = "key"
+        type = "point"
+        position = [1.0, 2.0, 4.0]
+        intensity = 300.0
+        [[sphere]]
+        name = "ball"
+        center = [0.0, 0.0, 0.0]
+        radius = 1.0
+        material = "paint"
+        [material.paint]
+        {rest}
+        "#
+    );
+    Experiment::parse(&text, std::path::Path::new(""), "a ball").unwrap()
+}
