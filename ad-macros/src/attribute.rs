@@ -9,8 +9,10 @@ use syn::{
     UseTree, Visibility, parse_quote,
 };
 
+use crate::accumulation;
 use crate::callable::Callables;
 use crate::expand::{Function, Place};
+use crate::operator;
 use crate::options::{Options, is_own, own_options};
 use crate::signature::is_constant_mark;
 
@@ -163,6 +165,14 @@ fn impl_derivatives(mut block: ItemImpl, options: &Options) -> TokenStream {
     let generics = block.generics.clone();
     let place = match &block.trait_ {
         None => Place::Impl(&generics),
+        Some((path, _)) if let Some(operator) = operator::of(path) => {
+            let rule = operator::rule(operator, &block, options);
+            return beside(block, rule);
+        }
+        Some((path, _)) if let Some(accumulation) = accumulation::of(path) => {
+            let mark = accumulation::mark(accumulation, &block);
+            return beside(block, mark);
+        }
         Some((path, _)) if is_standard(path) => {
             let error = syn::Error::new_spanned(
                 path,
@@ -197,32 +207,34 @@ fn impl_derivatives(mut block: ItemImpl, options: &Options) -> TokenStream {
     quote!(#block)
 }
 
-/// The traits of the standard library by which numerical types get their operators.
-const STANDARD: [&str; 24] = [
-    "Add",
-    "AddAssign",
+/// A block as it is, and what was made for it.
+fn beside(mut block: ItemImpl, made: syn::Result<TokenStream>) -> TokenStream {
+    for item in &mut block.items {
+        if let ImplItem::Fn(method) = item {
+            method.attrs.retain(|attribute| !is_own(attribute));
+            Clean.visit_signature_mut(&mut method.sig);
+            Clean.visit_block_mut(&mut method.block);
+        }
+    }
+    let made = made.unwrap_or_else(syn::Error::into_compile_error);
+    quote!(#block #made)
+}
+
+/// Traits of the standard library that numerical types have, and for which there are no rules.
+const STANDARD: [&str; 13] = [
     "AsMut",
     "AsRef",
     "Clone",
     "Default",
     "Deref",
     "DerefMut",
-    "Div",
-    "DivAssign",
     "From",
     "Index",
     "IndexMut",
     "Into",
     "Iterator",
-    "Mul",
-    "MulAssign",
-    "Neg",
     "PartialEq",
     "PartialOrd",
-    "Product",
-    "Sub",
-    "SubAssign",
-    "Sum",
 ];
 
 fn is_standard(path: &Path) -> bool {

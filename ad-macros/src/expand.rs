@@ -43,6 +43,18 @@ pub struct Function<'a> {
     pub options: Options,
 }
 
+/// Both modes of a function without the functions around them.
+pub struct Differentiated {
+    /// The names of the parameters.
+    pub names: Vec<Ident>,
+    /// Value and pullback.
+    pub vjp: TokenStream,
+    /// The names of the tangents of the parameters.
+    pub tangents: Vec<Ident>,
+    /// The value and its tangent.
+    pub jvp: TokenStream,
+}
+
 /// What a function says of itself.
 struct Header {
     parameters: Vec<Parameter>,
@@ -98,6 +110,32 @@ impl Function<'_> {
             return Ok(self.functions(&header, None, None));
         };
 
+        let (sweeps, jvp) = self.written(&header, body, errors)?;
+        Ok(self.functions(&header, Some(&sweeps), jvp.as_ref()))
+    }
+
+    /// Both modes as expressions of the parameters and of their tangents.
+    pub fn differentiated(&self) -> syn::Result<Differentiated> {
+        let mut errors = Errors::default();
+        let header = self.header(&mut errors);
+        let Some(body) = self.body else { unreachable!("is asked for where there is a body") };
+        let (vjp, forward) = self.written(&header, body, errors)?;
+        let forward = forward.expect("is wanted by default");
+        Ok(Differentiated {
+            names: header.parameters.iter().map(|parameter| parameter.ident.clone()).collect(),
+            vjp,
+            jvp: forward_body(&forward),
+            tangents: forward.tangents,
+        })
+    }
+
+    /// Value and pullback as an expression, and the forward mode, if it is wanted.
+    fn written(
+        &self,
+        header: &Header,
+        body: &syn::Block,
+        mut errors: Errors,
+    ) -> syn::Result<(TokenStream, Option<Forward>)> {
         let (signature, parameters) = (self.signature, &header.parameters);
         let idents = parameters.iter().map(|parameter| parameter.ident.clone());
         let mut names = Names::new(quote!(#signature #body), idents);
@@ -108,7 +146,7 @@ impl Function<'_> {
         let seed = names.fresh("result_bar", Span::call_site());
         let sweeps = sweep::sweep(&lowered, parameters, &seed, &mut names);
         let sweep::Sweeps { forward, value, pullback, incoming } = sweeps;
-        let jvp = self.forward(&header, &lowered, &mut names);
+        let jvp = self.forward(header, &lowered, &mut names);
         let pullback = header.pullback(&seed, &incoming, &pullback);
         let body = quote! {
             {
@@ -118,7 +156,7 @@ impl Function<'_> {
                 (#value, #pullback)
             }
         };
-        Ok(self.functions(&header, Some(&body), jvp.as_ref()))
+        Ok((body, jvp))
     }
 
     /// The forward mode, unless it is not wanted or given by hand.
@@ -144,17 +182,7 @@ impl Function<'_> {
         }
         let Header { parameters, result, .. } = header;
         let (tangents, body) = match forward {
-            Some(Forward { tangents, statements, result }) => {
-                let body = quote! {
-                    {
-                        #[allow(unused_imports)]
-                        use ::ad::rt::methods::*;
-                        #statements
-                        #result
-                    }
-                };
-                (tangents.clone(), Some(body))
-            }
+            Some(forward) => (forward.tangents.clone(), Some(forward_body(forward))),
             None => {
                 let body = self.body.and_then(|_| forward::delegated(self, parameters));
                 (forward::names_of_tangents(parameters), body)
@@ -432,8 +460,20 @@ impl Function<'_> {
     }
 }
 
+/// The forward mode as an expression.
+fn forward_body(Forward { statements, result, .. }: &Forward) -> TokenStream {
+    quote! {
+        {
+            #[allow(unused_imports)]
+            use ::ad::rt::methods::*;
+            #statements
+            #result
+        }
+    }
+}
+
 /// A name that users cannot write.
-fn own(name: &str) -> Ident {
+pub fn own(name: &str) -> Ident {
     Ident::new(name, Span::mixed_site())
 }
 

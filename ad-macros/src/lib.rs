@@ -9,7 +9,8 @@
 //! 4. `forward` writes the forward mode of the same lowered body.
 //! 5. `expand` wraps them into the functions that users call.
 //!
-//! `derive` stands apart: it gives structs and enums their tangents.
+//! `derive` stands apart: it gives structs and enums their tangents. `operator` and `accumulation`
+//! give the operators and the sums of such types their rules.
 //!
 //! # The shape of generated code
 //!
@@ -24,6 +25,7 @@
 //! variables that a block assigns would have to be threaded through tuples, and element access
 //! would copy arrays); a closure for each operation (operands used twice would be saved twice).
 
+mod accumulation;
 mod attribute;
 mod callable;
 mod checkpoint;
@@ -31,11 +33,14 @@ mod derive;
 mod elision;
 mod errors;
 mod expand;
+mod floats;
 mod forward;
 mod ir;
 mod lower;
 mod names;
+mod operator;
 mod options;
+mod primal;
 mod recursion;
 mod signature;
 #[cfg(test)]

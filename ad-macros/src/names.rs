@@ -2,7 +2,7 @@
 
 use std::collections::{HashMap, HashSet};
 
-use proc_macro2::{Ident, Span, TokenStream, TokenTree};
+use proc_macro2::{Group, Ident, Span, TokenStream, TokenTree};
 
 /// Every name that is taken.
 pub struct Names {
@@ -86,4 +86,29 @@ pub fn collect(tokens: TokenStream, into: &mut HashSet<String>) {
             TokenTree::Punct(_) | TokenTree::Literal(_) => {}
         }
     }
+}
+
+/// The tokens with `this` in place of `self`, where that is not the start of a path.
+pub fn without_self(tokens: TokenStream, this: &Ident) -> TokenStream {
+    let mut tokens = tokens.into_iter().peekable();
+    let mut renamed = Vec::new();
+    while let Some(token) = tokens.next() {
+        let begins_path =
+            matches!(tokens.peek(), Some(TokenTree::Punct(punct)) if punct.as_char() == ':');
+        renamed.push(match token {
+            TokenTree::Ident(ident) if ident == "self" && !begins_path => {
+                let mut this = this.clone();
+                this.set_span(ident.span());
+                TokenTree::Ident(this)
+            }
+            TokenTree::Group(group) => {
+                let stream = without_self(group.stream(), this);
+                let mut renamed = Group::new(group.delimiter(), stream);
+                renamed.set_span(group.span());
+                TokenTree::Group(renamed)
+            }
+            other => other,
+        });
+    }
+    renamed.into_iter().collect()
 }

@@ -122,8 +122,8 @@
 //! - A field that carries no derivative is marked `#[constant]`, and so is a type that carries none.
 //!   So is a parameter by which no derivative is asked for, `fn f(#[constant] table: &Table, x: f64)`:
 //!   its place in the gradient holds `()`, and its type needs no tangent.
-//! - Operators of your own types (`impl Mul for Complex`) have no derivative: put the computation
-//!   into a method under the attribute, and call that.
+//! - Operators of your own types have a derivative where their `impl` carries the attribute: see
+//!   [below](#operators-of-your-own-types).
 //! - A pattern for a variant of an enum names the enum (`Shape::Disc(r)`, `Self::Disc(r)`), which
 //!   tells it from a tuple struct.
 //!
@@ -173,6 +173,59 @@
 //! allocation for each call. Where functions call each other in a circle, or a method calls itself
 //! on something else than `self`, one of them says so with `#[differentiable(boxed)]`; else the
 //! compiler speaks of a *recursive opaque type*.
+//!
+//! # Operators of your own types
+//!
+//! `#[differentiable]` on the `impl` of an operator (`+`, `-`, `*`, `/`, `%`, the negative, and their
+//! assigning forms) differentiates it wherever it is written, in both modes. The type is `Copy`.
+//!
+//! ```
+//! use std::ops::{Add, Mul};
+//!
+//! use ad::{Differentiable, differentiable};
+//!
+//! #[derive(Clone, Copy, Differentiable)]
+//! struct Complex {
+//!     re: f64,
+//!     im: f64,
+//! }
+//!
+//! #[differentiable]
+//! impl Add for Complex {
+//!     type Output = Self;
+//!
+//!     fn add(self, other: Self) -> Self {
+//!         Self { re: self.re + other.re, im: self.im + other.im }
+//!     }
+//! }
+//!
+//! #[differentiable]
+//! impl Mul for Complex {
+//!     type Output = Self;
+//!
+//!     fn mul(self, other: Self) -> Self {
+//!         Self {
+//!             re: self.re * other.re - self.im * other.im,
+//!             im: self.re * other.im + self.im * other.re,
+//!         }
+//!     }
+//! }
+//!
+//! #[differentiable]
+//! fn step(z: Complex, c: Complex) -> f64 {
+//!     (z * z + c).re
+//! }
+//!
+//! let z = Complex { re: 1.0, im: 2.0 };
+//! let (by_z, by_c) = step::grad(z, z);
+//! assert_eq!((by_z.re, by_z.im, by_c.re), (2.0, -4.0, 1.0));
+//! ```
+//!
+//! `a += b` is differentiated as the `AddAssign` that it calls. Operators between references
+//! (`&a * &b`) count as those of the values. `sum()` and `product()` need the attribute on
+//! `impl Sum`, whose body is `iter.fold(start, |sum, x| sum + x)`. The pullback of an operator starts
+//! from its operands; a sum in a loop keeps copies of them until then. `Index` has no derivative: call
+//! a method, or index a field.
 //!
 //! # Functions of functions
 //!
@@ -430,8 +483,9 @@
 //! | a function, or a method of an `impl` block | its arguments | its value is computed twice |
 //! | a `for` loop of n iterations in a differentiable function | about √n times the variables that the loop changes, and in the reverse sweep what √n iterations need | its body is computed twice |
 //!
-//! A loop so marked is not left early, and works on variables of its own, not on what is borrowed as
-//! `&mut` or on `self`. Checkpoints of loops within checkpointed functions multiply:
+//! A loop so marked that is left early does nothing in the iterations that are left. What it uses of
+//! `self`, and of what is borrowed as `&mut`, is copied before the loop and written back after it, so
+//! that has to be `Clone`. Checkpoints of loops within checkpointed functions multiply:
 //! each level computes its part once more.
 //!
 //! ```

@@ -11,7 +11,7 @@
 use core::fmt::Debug;
 use core::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 
-use crate::rules::{AddPullback, DivPullback, MulPullback, NegPullback, SubPullback};
+use crate::rules::{AddPullback, Arithmetic, DivPullback, MulPullback, NegPullback, SubPullback};
 use crate::vector::Vector3;
 use crate::{Additive, Differentiable, NoDerivative};
 
@@ -107,6 +107,7 @@ pub trait Real:
     + PartialEq
     + Send
     + Sync
+    + Arithmetic
     + Neg<Output = Self>
     + NegPullback
     + Add<Output = Self>

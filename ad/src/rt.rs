@@ -1,23 +1,23 @@
 //! What generated code calls. Not for use by hand: it may change with every release.
 
 use core::marker::PhantomData;
-use core::ops::{Add, Neg, Sub};
 
 use glam::{DMat2, DMat3, DMat4, DQuat, DVec2, DVec3, DVec4};
 use glam::{Mat2, Mat3, Mat4, Quat, Vec2, Vec3, Vec4};
 
-use crate::rules::{AddPullback, NegPullback, SubPullback};
 use crate::{Additive, Differentiable, NoDerivative, Shape, Tangent};
 
 pub use crate::differentiable::Parts;
 
 mod cotangent;
+mod kept;
 mod products;
 mod pullback;
 mod tangent;
 mod through;
 
 pub use cotangent::{Absorb, At, Constant, Content, Enter, Length, Same, Take, at, sum, take};
+pub use kept::{Decrease, Difference, Increase, Negation, Sum};
 pub use products::{Products, ProductsOfFinite, ProductsOutOfLine, rarely, scale};
 pub use pullback::MethodPullback;
 pub use tangent::{
@@ -29,8 +29,8 @@ pub use through::{ByPullback, Through, WithoutRule, without_forward_mode};
 mod iterate;
 
 pub use iterate::{
-    Side, build_like, chunks_exact, empty_product, empty_sum, held, is_sequence, record,
-    record_like, segments, windows, with_cotangents,
+    AddsUp, MultipliesUp, Side, build_like, chunks_exact, empty_product, empty_sum, held,
+    is_sequence, record, record_like, segments, windows, with_cotangents,
 };
 
 /// The traits whose methods generated code calls. They come without names, which could hide those
@@ -138,70 +138,6 @@ pub fn fit<T, S: Shape<T>>(shape: S, mut cotangent: T) -> T {
     cotangent
 }
 
-/// An operator whose pullback needs no operand, only their types.
-pub struct Linear<A, B>(PhantomData<fn(A, B)>);
-
-impl<A, B> Clone for Linear<A, B> {
-    fn clone(&self) -> Self {
-        *self
-    }
-}
-
-impl<A, B> Copy for Linear<A, B> {}
-
-impl<A, B> Linear<A, B> {
-    /// The types of operands within a loop, which tells by [`is_of`](Self::is_of).
-    #[inline(always)]
-    pub fn of_unknown() -> Self {
-        Self(PhantomData)
-    }
-
-    /// Says of what operands these are the types.
-    #[inline(always)]
-    pub fn is_of(self, _: &A, _: &B) {}
-}
-
-impl<A, B: Differentiable> Linear<A, B> {
-    /// The pullback of `a + b`.
-    #[inline(always)]
-    pub fn pull_back_sum(
-        self,
-        cotangent: Tangent<<A as Add<B>>::Output>,
-    ) -> (Tangent<A>, Tangent<B>)
-    where
-        A: AddPullback<B>,
-    {
-        A::add_pullback(cotangent)
-    }
-
-    /// The pullback of `a - b`.
-    #[inline(always)]
-    pub fn pull_back_difference(
-        self,
-        cotangent: Tangent<<A as Sub<B>>::Output>,
-    ) -> (Tangent<A>, Tangent<B>)
-    where
-        A: SubPullback<B>,
-    {
-        A::sub_pullback(cotangent)
-    }
-
-    /// The pullback of `-a`.
-    #[inline(always)]
-    pub fn pull_back_negation(self, cotangent: Tangent<<A as Neg>::Output>) -> Tangent<A>
-    where
-        A: NegPullback,
-    {
-        A::neg_pullback(cotangent)
-    }
-}
-
-/// The types of two operands.
-#[inline(always)]
-pub fn linear<A, B>(_: &A, _: &B) -> Linear<A, B> {
-    Linear(PhantomData)
-}
-
 /// The operand of an operator: a number, or what a reference to one refers to.
 #[diagnostic::on_unimplemented(
     message = "a reference to `{Self}` cannot be an operand here",
@@ -241,6 +177,20 @@ macro_rules! by_value {
 by_value!(f32 f64 Vec2 Vec3 Vec4 DVec2 DVec3 DVec4);
 by_value!(Mat2 Mat3 Mat4 DMat2 DMat3 DMat4 Quat DQuat);
 by_value!(i8 i16 i32 i64 i128 isize u8 u16 u32 u64 u128 usize);
+
+/// Compiles for the types whose operators have rules.
+#[inline(always)]
+pub fn operand<T: Operand>() {}
+
+/// What an operator can be pulled back from: its operands, which have to be there still.
+#[diagnostic::on_unimplemented(
+    message = "the operators of `{Self}` use up their operands, which their derivatives need",
+    label = "not `Copy`",
+    note = "derive `Copy`, or put the computation into a method that takes `&self`, and call that"
+)]
+pub trait Operand {}
+
+impl<T: Copy> Operand for T {}
 
 /// Passes on what has no derivative, and nothing else.
 #[inline(always)]

@@ -6,7 +6,7 @@ use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub};
 
 use glam::{DVec2, DVec3, DVec4, Vec2, Vec3, Vec4};
 
-use crate::rules::{AddPullback, DivPullback, MulPullback, NegPullback, SubPullback};
+use crate::rules::{AddPullback, Arithmetic, DivPullback, MulPullback, NegPullback, SubPullback};
 use crate::{Additive, Differentiable, Real, Select};
 
 /// A vector over [`Scalar`](Vector::Scalar), with glam's names and glam's values.
@@ -22,6 +22,7 @@ pub trait Vector:
     + PartialEq
     + Send
     + Sync
+    + Arithmetic
     + Neg<Output = Self>
     + NegPullback
     + Add<Output = Self>

@@ -41,7 +41,8 @@ pub fn expand(item: TokenStream) -> syn::Result<TokenStream> {
             let definition = definition.expand();
             let shape = shape::of_struct(name, &tangent, &input.generics, &fields);
             let parts = parts(name, &input.generics, &data.fields);
-            return Ok(quote!(#definition #shape #parts));
+            let operand = operand(name, &input.generics);
+            return Ok(quote!(#definition #shape #parts #operand));
         }
         Data::Enum(data) => data.variants.iter().collect(),
         Data::Union(data) => {
@@ -66,7 +67,11 @@ pub fn expand(item: TokenStream) -> syn::Result<TokenStream> {
         let ident = &variant.ident;
         let tangent = format_ident!("{name}{ident}Tangent");
         // Each holds what it says of the parameters in types of fields; not every variant does.
-        let mut fields: Vec<_> = fields.iter().map(ActiveField::tangent).collect();
+        let visibility = &input.vis;
+        // What a variant holds is as visible as the enum.
+        let as_visible =
+            |field| TangentField { visibility: quote!(#visibility), ..ActiveField::tangent(field) };
+        let mut fields: Vec<_> = fields.iter().map(as_visible).collect();
         let unused = unused_parameters(&generics, &fields);
         if let Some(unused) = unused {
             fields.push(TangentField {
@@ -107,6 +112,7 @@ pub fn expand(item: TokenStream) -> syn::Result<TokenStream> {
     };
     definitions.extend(definition.expand());
     definitions.extend(shape::of_enum(name, &tangent, &generics, &variants));
+    definitions.extend(operand(name, &generics));
     Ok(definitions)
 }
 
@@ -187,9 +193,31 @@ fn parts(name: &Ident, generics: &Generics, fields: &Fields) -> TokenStream {
     }
 }
 
+/// Lets an operator take what a reference to the type refers to, if that can be copied.
+fn operand(name: &Ident, generics: &Generics) -> TokenStream {
+    let (impl_generics, type_generics, where_clause) = generics.split_for_impl();
+    let bounds: Vec<_> = where_clause.iter().flat_map(|clause| &clause.predicates).collect();
+    quote! {
+        #[automatically_derived]
+        impl #impl_generics ::ad::rt::ByValue for #name #type_generics
+        where
+            #(#bounds,)*
+            #name #type_generics: for<'__copy> ::ad::rt::CopyIf<'__copy>,
+        {
+            type Value = Self;
+
+            #[inline(always)]
+            fn by_value(self) -> Self {
+                self
+            }
+        }
+    }
+}
+
 /// What holds no data to differentiate by is like an integer.
 fn without_derivative(name: &Ident, generics: &Generics) -> TokenStream {
     let (impl_generics, type_generics, where_clause) = generics.split_for_impl();
+    let operand = operand(name, generics);
     quote! {
         #[automatically_derived]
         impl #impl_generics ::ad::Differentiable for #name #type_generics #where_clause {
@@ -202,6 +230,8 @@ fn without_derivative(name: &Ident, generics: &Generics) -> TokenStream {
 
         #[automatically_derived]
         impl #impl_generics ::ad::NoDerivative for #name #type_generics #where_clause {}
+
+        #operand
     }
 }
 

@@ -4,8 +4,8 @@ use proc_macro2::{Ident, Span, TokenStream, TokenTree};
 use quote::quote;
 
 use super::{Tangent, Writer};
+use crate::floats;
 use crate::ir::{Argument, Operand, Place, Projection, VarId};
-use crate::lower::is_scalar_method;
 
 /// An argument and its tangent.
 struct Passed {
@@ -24,7 +24,7 @@ impl Writer<'_> {
     ) -> TokenStream {
         let mut before = TokenStream::new();
         let jvp = jvp_of(vjp);
-        let takes_number = method && takes_number(primal);
+        let takes_number = method && floats::takes_number(&primal.to_string());
         let passed = arguments.iter().enumerate().map(|(index, argument)| match argument {
             Argument::Receiver(place) if takes_number && self.is_number_at(place) => {
                 Passed { value: self.primal_place(place), tangent: self.owned(place.root) }
@@ -195,11 +195,6 @@ impl Writer<'_> {
         let mut fresh = |name| self.names.fresh(name, Span::call_site());
         (fresh("slot"), fresh("argument_dot"))
     }
-}
-
-/// Whether a method certainly takes its receiver, a number, by value.
-fn takes_number(method: &TokenStream) -> bool {
-    syn::parse2::<Ident>(method.clone()).is_ok_and(|method| is_scalar_method(&method))
 }
 
 /// Whether every step leads to what certainly has a tangent.

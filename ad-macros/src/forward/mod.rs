@@ -34,6 +34,7 @@ use quote::quote;
 use crate::ir::{Binding, Block, Operand, Place, Statement, VarId};
 use crate::lower::Lowered;
 use crate::names::Names;
+use crate::primal::Primal;
 use crate::signature::Parameter;
 use uses::Uses;
 
@@ -176,13 +177,7 @@ impl Writer<'_> {
     }
 
     fn tokens(&self, operand: &Operand) -> TokenStream {
-        match operand {
-            Operand::Constant(tokens) => tokens.clone(),
-            Operand::Var(var) => {
-                let ident = self.ident(*var);
-                quote!(#ident)
-            }
-        }
+        Primal(&self.lowered.vars).tokens(operand)
     }
 
     /// A value and its tangent, as a tuple.

@@ -6,6 +6,7 @@ use syn::{Member, Type};
 
 use super::{Tangent, Writer};
 use crate::ir::{BinaryOperator, Operand, Operation, Place, Projection, Shape, VarId};
+use crate::primal::Primal;
 
 impl Writer<'_> {
     pub(super) fn define(
@@ -26,7 +27,7 @@ impl Writer<'_> {
                 let moves = [left, right].iter().any(|&&var| self.tangents[var] != Tangent::Still);
                 if moves {
                     self.numbers.insert(var);
-                    let pushed = self.binary(*operator, *left, *right);
+                    let pushed = self.operator(rule(*operator), *left, *right);
                     let dot = self.new_dot(var, Tangent::Owned);
                     return quote!(let (#ident, #dot) = #pushed;);
                 }
@@ -41,7 +42,7 @@ impl Writer<'_> {
             _ => {}
         }
 
-        let value = self.primal(operation, span);
+        let value = Primal(&self.lowered.vars).operation(operation, span);
         let definition = quote!(let #mutability #ident #ty = #value;);
         if self.stays_still(var, operation) {
             return definition;
@@ -110,71 +111,14 @@ impl Writer<'_> {
         operands_are && !var.mutable
     }
 
-    /// The operation as the user wrote it.
-    fn primal(&self, operation: &Operation, span: proc_macro2::Span) -> TokenStream {
-        match operation {
-            Operation::Use(operand) => self.tokens(operand),
-            Operation::Read(place) => self.primal_place(place),
-            Operation::Borrow(place) => {
-                let place = self.primal_place(place);
-                quote!(&#place)
-            }
-            Operation::Value(value) => {
-                let value = self.ident(*value);
-                quote_spanned!(span=> ::ad::rt::ByValue::by_value(#value))
-            }
-            Operation::Negate(value) => {
-                let value = self.ident(*value);
-                quote_spanned!(span=> -#value)
-            }
-            Operation::Binary(operator, left, right) => {
-                let (left, right) = (self.ident(*left), self.ident(*right));
-                match operator {
-                    BinaryOperator::Add => quote_spanned!(span=> #left + #right),
-                    BinaryOperator::Sub => quote_spanned!(span=> #left - #right),
-                    BinaryOperator::Mul => quote_spanned!(span=> #left * #right),
-                    BinaryOperator::Div => quote_spanned!(span=> #left / #right),
-                    BinaryOperator::Rem => quote_spanned!(span=> #left % #right),
-                }
-            }
-            Operation::Cast(value, ty) => {
-                let value = self.ident(*value);
-                quote!(#value as #ty)
-            }
-            Operation::Call { .. } => unreachable!("calls are written apart"),
-            Operation::Closure(_) => unreachable!("is not supported"),
-            Operation::Aggregate { expression, .. }
-            | Operation::UpdateStruct { expression, .. } => expression.clone(),
-            Operation::Repeat { value, length, is_vec } => {
-                let value = self.ident(*value);
-                match is_vec {
-                    true => quote!(::std::vec![#value; #length]),
-                    false => quote!([#value; #length]),
-                }
-            }
-        }
-    }
-
-    /// Value and tangent of an operator.
-    pub(super) fn binary(
-        &mut self,
-        operator: BinaryOperator,
-        left: VarId,
-        right: VarId,
-    ) -> TokenStream {
+    /// What the rule of an operator makes of the operands and their tangents.
+    pub(super) fn operator(&mut self, rule: TokenStream, left: VarId, right: VarId) -> TokenStream {
         let span = self.ident(left).span();
         let operands = [left, right].map(|operand| self.ident(operand).clone());
         let tangents = [left, right].map(|operand| match self.tangents[operand] {
             Tangent::Still => quote!(::ad::Additive::zero()),
             _ => self.owned(operand),
         });
-        let rule = match operator {
-            BinaryOperator::Add => quote!(AddPullback::add_jvp),
-            BinaryOperator::Sub => quote!(SubPullback::sub_jvp),
-            BinaryOperator::Mul => quote!(MulPullback::mul_jvp),
-            BinaryOperator::Div => quote!(DivPullback::div_jvp),
-            BinaryOperator::Rem => quote!(RemPullback::rem_jvp),
-        };
         quote_spanned!(span=> ::ad::rules::#rule(#(#operands,)* #(#tangents),*))
     }
 
@@ -360,5 +304,16 @@ impl Writer<'_> {
             tokens.extend(quote!(#dot #variant.#member = ::ad::rt::pass(#tangent);));
         }
         tokens
+    }
+}
+
+/// The rule of an operator, for its value and its tangent.
+fn rule(operator: BinaryOperator) -> TokenStream {
+    match operator {
+        BinaryOperator::Add => quote!(AddPullback::add_jvp),
+        BinaryOperator::Sub => quote!(SubPullback::sub_jvp),
+        BinaryOperator::Mul => quote!(MulPullback::mul_jvp),
+        BinaryOperator::Div => quote!(DivPullback::div_jvp),
+        BinaryOperator::Rem => quote!(RemPullback::rem_jvp),
     }
 }

@@ -5,7 +5,7 @@ use quote::quote;
 
 use super::{Tangent, Writer};
 use crate::ir::{BinaryOperator, Operand, Place, Projection, VarId};
-use crate::sweep::project;
+use crate::primal::{Primal, project};
 
 impl Writer<'_> {
     /// The tangent of a place, as a place; a reference, where the path is empty and the tangent of
@@ -56,8 +56,7 @@ impl Writer<'_> {
 
     /// The place itself.
     pub(super) fn primal_place(&self, place: &Place) -> TokenStream {
-        let root = self.ident(place.root);
-        project(quote!(#root), &place.path)
+        Primal(&self.lowered.vars).place(place)
     }
 
     /// `place = value`
@@ -107,26 +106,31 @@ impl Writer<'_> {
         value: VarId,
     ) -> TokenStream {
         let (target, operand) = (self.primal_place(place), self.ident(value).clone());
-        let token = match operator {
-            BinaryOperator::Add => quote!(+=),
-            BinaryOperator::Sub => quote!(-=),
-            BinaryOperator::Mul => quote!(*=),
-            BinaryOperator::Div => quote!(/=),
-            BinaryOperator::Rem => quote!(%=),
-        };
+        let token = Primal::assigning(operator);
         if self.tangents[place.root] == Tangent::Still {
             return quote!(#target #token #operand;);
         }
-        let pushed = self.binary(operator, previous, value);
+        let pushed = self.operator(assigning_rule(operator), previous, value);
         let tangent = self.target(place);
         if place.path.iter().all(|step| matches!(step, Projection::Index(_))) {
-            return quote!((_, #tangent) = #pushed; #target #token #operand;);
+            return quote!(#tangent = #pushed; #target #token #operand;);
         }
         let dot = self.names.fresh("tangent", self.ident(previous).span());
         quote! {
-            let (_, #dot) = #pushed;
+            let #dot = #pushed;
             #target #token #operand;
             #tangent = ::ad::rt::pass(#dot);
         }
+    }
+}
+
+/// The rule of an assigning operator.
+fn assigning_rule(operator: BinaryOperator) -> TokenStream {
+    match operator {
+        BinaryOperator::Add => quote!(AddAssignPullback::add_assign_jvp),
+        BinaryOperator::Sub => quote!(SubAssignPullback::sub_assign_jvp),
+        BinaryOperator::Mul => quote!(MulAssignPullback::mul_assign_jvp),
+        BinaryOperator::Div => quote!(DivAssignPullback::div_assign_jvp),
+        BinaryOperator::Rem => quote!(RemAssignPullback::rem_assign_jvp),
     }
 }

@@ -180,6 +180,13 @@ impl Lowerer<'_> {
         if called_on.is_some() {
             self.called_on.pop();
         }
+        // What an argument refers to, the method cannot change.
+        let is_shared = |argument: &Argument| matches!(argument, Argument::Borrow(place) if called_on == Some(place.root));
+        if arguments[1..].iter().any(is_shared)
+            && let Argument::Receiver(place) = &arguments[0]
+        {
+            arguments[0] = Argument::Borrow(place.clone());
+        }
         let (method, turbofish) = (&call.method, &call.turbofish);
         let vjp = format_ident!("{}_vjp", method);
         let hint = if hint == "value" { name } else { hint.to_owned() };

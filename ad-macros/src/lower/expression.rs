@@ -220,7 +220,7 @@ impl Lowerer<'_> {
     fn part(&mut self, base: &Expr, step: Projection, hint: &str, whole: &Expr) -> Operand {
         match self.operand(base, "whole") {
             Operand::Constant(base) => {
-                Operand::Constant(crate::sweep::project(base, std::slice::from_ref(&step)))
+                Operand::Constant(crate::primal::project(base, std::slice::from_ref(&step)))
             }
             Operand::Var(root) => {
                 let place = crate::ir::Place { root, path: vec![step] };

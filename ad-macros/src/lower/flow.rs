@@ -35,6 +35,7 @@ impl Lowerer<'_> {
     pub(super) fn statements(&mut self, stmts: Vec<Stmt>, end: &End) -> Operand {
         let mut stmts = stmts.into_iter();
         while let Some(stmt) = stmts.next() {
+            let stmt = self.plainer_loop(&stmt).unwrap_or(stmt);
             if exits::stmt_exits(&stmt) {
                 return self.exiting(stmt, stmts.collect(), end);
             }
@@ -324,7 +325,10 @@ impl Lowerer<'_> {
             Expr::If(_) | Expr::Match(_) => self.branch_value(&expr, &mut |lowerer, body| {
                 lowerer.scope(|lowerer| lowerer.statements(as_statements(body), &flow_end))
             }),
-            Expr::Block(block) if is_value => return self.a_block(block, end),
+            // Nothing follows a block that always jumps.
+            Expr::Block(block) if is_value || exits::expr_diverges(&expr) => {
+                return self.a_block(block, end);
+            }
             Expr::Block(block) => self.a_block(block, &flow_end),
             Expr::ForLoop(_) | Expr::While(_) | Expr::Loop(_) => {
                 let result = self.a_loop(&expr);

@@ -1,9 +1,7 @@
 //! Loops: a block, run again and again, whose end says whether to go on.
 
-use std::collections::HashSet;
-
 use proc_macro2::TokenStream;
-use quote::{ToTokens, quote};
+use quote::quote;
 use syn::visit::{self, Visit};
 use syn::{Expr, Label, Pat, parse_quote};
 
@@ -13,7 +11,6 @@ use super::exits::Exit;
 use super::item::Item;
 use super::{Lowerer, exits};
 use crate::ir::{Head, Loop, Operand, Statement};
-use crate::names;
 use crate::options::own_options;
 
 /// What a loop leaves behind: a chain of the targets where control goes next.
@@ -48,9 +45,6 @@ impl Lowerer<'_> {
                         expr,
                         "a loop with checkpoints cannot stand in a closure that is passed to a function: put it into a function that the closure calls",
                     );
-                }
-                if checkpoint {
-                    self.refuse_borrowed_state(expr, &a_loop.body);
                 }
                 let result =
                     self.run(a_loop.label.as_ref(), &exits, &driver, &mut |lowerer, item, end| {
@@ -92,26 +86,6 @@ impl Lowerer<'_> {
                 self.run_block(a_loop.label.as_ref(), &a_loop.body, &Driver::Endless)
             }
             other => unreachable!("not a loop: {}", quote!(#other)),
-        }
-    }
-
-    /// Refuses, for a loop with checkpoints, what its body uses and the pullback cannot own.
-    fn refuse_borrowed_state(&mut self, a_loop: &Expr, body: &syn::Block) {
-        let mut named = HashSet::new();
-        names::collect(body.to_token_stream(), &mut named);
-        let in_scope = self.scopes.iter().flatten();
-        let exclusive = in_scope.filter(|(_, var)| self.vars[**var].exclusive);
-        let uses_exclusive = exclusive.into_iter().any(|(name, _)| named.contains(name));
-        if uses_exclusive {
-            self.refuse(
-                a_loop,
-                "a loop with checkpoints cannot use what is borrowed as `&mut`: work on a copy, and assign it after the loop",
-            );
-        } else if named.contains("self") {
-            self.refuse(
-                a_loop,
-                "a loop with checkpoints cannot use `self`: bind the parts that it needs to variables with `let` before",
-            );
         }
     }
 

@@ -2,7 +2,7 @@
 //!
 //! [`flow`] lowers statements and turns every early exit into the end of a block, whose meaning
 //! [`ends`] keeps; [`branch`] lowers branches, which [`desugar`] makes plainer; [`loops`] lowers
-//! loops, [`chain`], [`source`], [`stage`], [`several`] and [`item`] what they run over, [`consume`] what iterators are used
+//! loops, [`checkpoint`] makes those with checkpoints plainer, [`chain`], [`source`], [`stage`], [`several`] and [`item`] what they run over, [`consume`] what iterators are used
 //! up by; [`array`] builds arrays by element; [`option`] writes out methods of options,
 //! [`part`] those that lend parts of slices; [`closure`] puts closures in place of their calls, and [`function`] passes them to functions;
 //! [`expression`], [`call`] and [`construct`] name intermediate results; [`pattern`], [`slice_pattern`] and [`place`] tell which part of a value
@@ -14,6 +14,7 @@ mod array;
 mod branch;
 mod call;
 mod chain;
+mod checkpoint;
 mod closure;
 mod construct;
 mod consume;
@@ -50,7 +51,6 @@ use self::array::Container;
 use self::closure::Closure;
 use self::ends::{Jump, JumpId};
 use self::item::Alias;
-pub use self::place::is_scalar_method;
 use crate::errors::Errors;
 use crate::ir::{Block, BlockId, Operand, Operation, Statement, Var, VarId};
 pub use crate::ir::{Lowered, LoweredParameter};
@@ -121,6 +121,8 @@ struct Lowerer<'a> {
     references: HashSet<VarId>,
     /// The lengths of arrays, where they are literals.
     lengths: HashMap<VarId, usize>,
+    /// The parameters that are slices.
+    slices: HashSet<VarId>,
     /// What variables are known to hold.
     containers: HashMap<VarId, Container>,
     /// The names that stand for closures.
@@ -155,6 +157,7 @@ impl<'a> Lowerer<'a> {
             exclusive_aliases: HashSet::new(),
             references: HashSet::new(),
             lengths: HashMap::new(),
+            slices: HashSet::new(),
             containers: HashMap::new(),
             closures: HashMap::new(),
             functions: HashMap::new(),
@@ -335,6 +338,9 @@ impl Lowerer<'_> {
     fn note_type(&mut self, var: VarId, ty: &Type) {
         if let Type::Reference(_) = ty {
             self.references.insert(var);
+        }
+        if let Type::Slice(_) = pointee(ty) {
+            self.slices.insert(var);
         }
         if let Some(container) = Container::of(ty) {
             self.containers.insert(var, container);

@@ -8,60 +8,9 @@ use syn::{BinOp, Expr, ExprAssign, ExprBinary, Lit, UnOp};
 use super::flow::strip_parens;
 use super::item::Alias;
 use super::{Lowerer, exits};
+use crate::floats;
 use crate::ir::{Argument, BinaryOperator, Operand, Operation, Place, Projection, Statement};
-
-/// The methods of floats, which take their receiver by value.
-const SCALAR_METHODS: [&str; 44] = [
-    "abs",
-    "acos",
-    "acosh",
-    "asin",
-    "asinh",
-    "atan",
-    "atan2",
-    "atanh",
-    "cbrt",
-    "ceil",
-    "clamp",
-    "copysign",
-    "cos",
-    "cosh",
-    "div_euclid",
-    "exp",
-    "exp2",
-    "exp_m1",
-    "floor",
-    "fract",
-    "hypot",
-    "ln",
-    "ln_1p",
-    "log",
-    "log10",
-    "log2",
-    "max",
-    "min",
-    "mul_add",
-    "powf",
-    "powi",
-    "recip",
-    "rem_euclid",
-    "round",
-    "signum",
-    "sin",
-    "sin_cos",
-    "sinh",
-    "sqrt",
-    "tan",
-    "tanh",
-    "to_degrees",
-    "to_radians",
-    "trunc",
-];
-
-/// Whether a method of this name takes a number by value.
-pub fn is_scalar_method(method: &syn::Ident) -> bool {
-    SCALAR_METHODS.iter().any(|name| method == name)
-}
+use crate::primal::Primal;
 
 impl Lowerer<'_> {
     /// The place that an expression names or refers to, if it is one of a local variable.
@@ -218,7 +167,8 @@ impl Lowerer<'_> {
     /// variable it must be, since a reference would not have compiled.
     fn is_copied(&self, place: &Place, call: &syn::ExprMethodCall) -> bool {
         self.vars[place.root].mutable
-            && (is_scalar_method(&call.method) || call.args.iter().any(exits::may_change_variables))
+            && (floats::takes_number(&call.method.to_string())
+                || call.args.iter().any(exits::may_change_variables))
     }
 
     /// An index into `whole`, or a range of them, that keeps its value until the reverse sweep.
@@ -253,8 +203,7 @@ impl Lowerer<'_> {
     }
 
     pub(super) fn place_tokens(&self, place: &Place) -> TokenStream {
-        let root = self.ident(place.root);
-        crate::sweep::project(quote!(#root), &place.path)
+        Primal(&self.vars).place(place)
     }
 
     /// The place that is assigned to.

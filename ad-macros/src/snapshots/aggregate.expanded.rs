@@ -18,7 +18,7 @@ impl reflect {
         let product = constant * cosine;
         let product_1 = product * normal;
         let field = direction - product_1;
-        let field_pullback = ::ad::rt::linear(&direction, &product_1);
+        let field_pullback = ::ad::rt::Difference::of(&direction, &product_1);
         let field_space = ::ad::rt::space(&field);
         let value = Ray { direction: field, ..ray };
         (
@@ -32,7 +32,7 @@ impl reflect {
                     .enter(::ad::rt::take(&mut value_bar.direction));
                 let mut ray_bar = value_bar;
                 let (mut direction_bar, mut product_1_bar) = field_pullback
-                    .pull_back_difference(field_bar);
+                    .pull_back(field_bar);
                 let (mut product_bar, mut normal_bar) = ::ad::rules::MulPullback::mul_pullback(
                     product,
                     normal,

@@ -23,7 +23,7 @@ impl checkpoint {
             );
             let x_1 = x;
             let x_1_dot = x_dot;
-            (_, x_dot) = ::ad::rules::AddPullback::add_jvp(
+            x_dot = ::ad::rules::AddAssignPullback::add_assign_jvp(
                 x_1,
                 product,
                 x_1_dot,

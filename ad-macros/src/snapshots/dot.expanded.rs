@@ -10,7 +10,7 @@ impl dot {
     ) {
         #[allow(unused_imports)]
         use ::ad::rt::methods::*;
-        let total_1_pullback = ::ad::rt::Linear::of_unknown();
+        let total_1_pullback = ::ad::rt::Sum::of_unknown();
         let xs_kept = *xs;
         let ys_kept = *ys;
         let xs_space = ::ad::rt::space(&xs);
@@ -23,7 +23,7 @@ impl dot {
             let product = x * y;
             let partial = total;
             let total_1 = partial + product;
-            total_1_pullback.is_of(&partial, &product);
+            total_1_pullback.keep(&partial, &product);
             total = total_1;
         }
         let total_2 = total;
@@ -42,7 +42,7 @@ impl dot {
                     let total_part = ::ad::rt::take(&mut total_bar);
                     let mut total_1_bar = total_part;
                     let (mut partial_bar, mut product_bar) = total_1_pullback
-                        .pull_back_sum(total_1_bar);
+                        .pull_back(total_1_bar);
                     ::ad::rt::Absorb::absorb(&mut total_bar, partial_bar);
                     let mut x_bar = ::ad::rt::scale(product_bar, y);
                     let mut y_bar = ::ad::rt::scale(product_bar, x);

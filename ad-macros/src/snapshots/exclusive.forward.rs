@@ -15,7 +15,7 @@ impl deposit {
         let amounts_1_dot = amounts_dot[index];
         let account_1 = account.total;
         let account_1_dot = ::ad::rt::read(&account_1, &account_dot.total);
-        let (_, tangent) = ::ad::rules::AddPullback::add_jvp(
+        let tangent = ::ad::rules::AddAssignPullback::add_assign_jvp(
             account_1,
             amounts_1,
             account_1_dot,

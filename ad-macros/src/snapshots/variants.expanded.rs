@@ -16,7 +16,7 @@ impl size {
             Shape::Disc(radius) => {
                 let radius_1 = ::ad::rt::ByValue::by_value(radius);
                 let sum = radius_1 + by;
-                let sum_pullback = ::ad::rt::linear(&radius_1, &by);
+                let sum_pullback = ::ad::rt::Sum::of(&radius_1, &by);
                 let value = Ok(sum);
                 (value, ::ad::rt::Branch3::Arm0((sum_pullback,)))
             }
@@ -24,13 +24,16 @@ impl size {
                 let width_1 = ::ad::rt::ByValue::by_value(width);
                 let height_1 = ::ad::rt::ByValue::by_value(height);
                 let argument = width_1 + height_1;
-                let argument_pullback = ::ad::rt::linear(&width_1, &height_1);
+                let argument_pullback = ::ad::rt::Sum::of(&width_1, &height_1);
                 let (matched, matched_pullback) = bounded::vjp(argument);
                 let matched_space = ::ad::rt::space(&matched);
                 let (value_4, path) = match matched {
                     ::core::result::Result::Ok(value_1) => {
                         let difference = value_1 - by;
-                        let difference_pullback = ::ad::rt::linear(&value_1, &by);
+                        let difference_pullback = ::ad::rt::Difference::of(
+                            &value_1,
+                            &by,
+                        );
                         let value_2 = Ok(difference);
                         (value_2, ::ad::rt::Branch2::Arm0((difference_pullback,)))
                     }
@@ -67,7 +70,7 @@ impl size {
                         let mut value_bar = value_5_bar;
                         let mut sum_bar = value_bar.0;
                         let (mut radius_1_bar, by_part) = sum_pullback
-                            .pull_back_sum(sum_bar);
+                            .pull_back(sum_bar);
                         ::ad::rt::Absorb::absorb(&mut by_bar, by_part);
                         let mut radius_bar = radius_1_bar;
                         ::ad::rt::Absorb::absorb(&mut shape_bar.Disc.0, radius_bar);
@@ -82,7 +85,7 @@ impl size {
                                 let mut value_2_bar = value_4_bar;
                                 let mut difference_bar = value_2_bar.0;
                                 let (mut value_1_bar, by_part_1) = difference_pullback
-                                    .pull_back_difference(difference_bar);
+                                    .pull_back(difference_bar);
                                 ::ad::rt::Absorb::absorb(&mut by_bar, by_part_1);
                                 ::ad::rt::Absorb::absorb(&mut matched_bar.0, value_1_bar);
                             }
@@ -95,7 +98,7 @@ impl size {
                         }
                         let mut argument_bar = matched_pullback(matched_bar);
                         let (mut width_1_bar, mut height_1_bar) = argument_pullback
-                            .pull_back_sum(argument_bar);
+                            .pull_back(argument_bar);
                         let mut height_bar = height_1_bar;
                         let mut width_bar = width_1_bar;
                         ::ad::rt::Absorb::absorb(&mut shape_bar.Box.width, width_bar);

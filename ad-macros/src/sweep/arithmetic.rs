@@ -21,7 +21,7 @@ impl Sweeper<'_> {
             return self.subtract(reverse, value, cotangent);
         }
         let span = self.span(value);
-        let pulled = quote_spanned!(span=> #record.pull_back_negation(#cotangent));
+        let pulled = quote_spanned!(span=> #record.pull_back(#cotangent));
         self.contribute(reverse, value, &[], pulled);
     }
 
@@ -77,18 +77,29 @@ impl Sweeper<'_> {
         self.contribute_all(reverse, &targets, pulled, false);
     }
 
-    /// Keeps the types of the operands of a linear operator for its pullback.
-    pub(super) fn linear(&mut self, record: &Ident, left: VarId, right: VarId) -> TokenStream {
-        if self.are_numbers(left, right) {
+    /// Keeps what the pullback of a sum, a difference or a negation needs of the operands: in most
+    /// cases their types. `record` is named after the operation.
+    pub(super) fn kept(
+        &mut self,
+        record: &Ident,
+        operation: &str,
+        operands: &[VarId],
+    ) -> TokenStream {
+        if operands.iter().all(|&operand| self.numbers.number(operand).is_some())
+            || matches!(*operands, [left, right] if self.are_numbers(left, right))
+        {
             return TokenStream::new();
         }
+        let span = self.span(operands[0]);
+        let operation = Ident::new(operation, span);
         if self.loop_depth > 0 {
-            self.top.extend(quote!(let #record = ::ad::rt::Linear::of_unknown();));
+            self.top.extend(quote_spanned!(span=>
+                let #record = ::ad::rt::#operation::of_unknown();));
         }
-        let (left, right) = (self.ident(left), self.ident(right));
+        let operands = operands.iter().map(|&operand| self.ident(operand));
         match self.loop_depth {
-            0 => quote!(let #record = ::ad::rt::linear(&#left, &#right);),
-            _ => quote!(#record.is_of(&#left, &#right);),
+            0 => quote_spanned!(span=> let #record = ::ad::rt::#operation::of(#(&#operands),*);),
+            _ => quote!(#record.keep(#(&#operands),*);),
         }
     }
 
@@ -114,8 +125,29 @@ impl Sweeper<'_> {
         }
     }
 
-    /// The cotangents of two operands; `record` holds the types of those of a linear operator.
-    pub(super) fn binary_pullback(
+    /// The cotangents of what a place held before an assigning operator and of its right operand.
+    pub(super) fn assigning_pullback(
+        &self,
+        operator: BinaryOperator,
+        record: &Ident,
+        operands: [VarId; 2],
+        cotangent: TokenStream,
+        span: Span,
+    ) -> TokenStream {
+        let [before, right] = operands.map(|operand| self.ident(operand));
+        let rule = match operator {
+            BinaryOperator::Add | BinaryOperator::Sub => {
+                return quote_spanned!(span=> #record.pull_back(#cotangent));
+            }
+            BinaryOperator::Mul => quote!(MulAssignPullback::mul_assign_pullback),
+            BinaryOperator::Div => quote!(DivAssignPullback::div_assign_pullback),
+            BinaryOperator::Rem => quote!(RemAssignPullback::rem_assign_pullback),
+        };
+        quote_spanned!(span=> ::ad::rules::#rule(#before, #right, #cotangent))
+    }
+
+    /// The cotangents of two operands; `record` holds what is kept of those of a linear operator.
+    fn binary_pullback(
         &self,
         operator: BinaryOperator,
         record: &Ident,
@@ -125,9 +157,8 @@ impl Sweeper<'_> {
     ) -> TokenStream {
         let [left, right] = operands.map(|operand| self.ident(operand));
         match operator {
-            BinaryOperator::Add => quote_spanned!(span=> #record.pull_back_sum(#cotangent)),
-            BinaryOperator::Sub => {
-                quote_spanned!(span=> #record.pull_back_difference(#cotangent))
+            BinaryOperator::Add | BinaryOperator::Sub => {
+                quote_spanned!(span=> #record.pull_back(#cotangent))
             }
             BinaryOperator::Mul => quote_spanned!(span=>
                 ::ad::rules::MulPullback::mul_pullback(#left, #right, #cotangent)),

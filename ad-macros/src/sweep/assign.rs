@@ -4,8 +4,9 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 use super::contribute::cotangent_of;
-use super::{Sides, Sweeper, project};
+use super::{Sides, Sweeper};
 use crate::ir::{BinaryOperator, Operand, Place, Projection, VarId};
+use crate::primal::Primal;
 
 impl Sweeper<'_> {
     /// Whether anything flows back to a place that is assigned to here.
@@ -16,13 +17,7 @@ impl Sweeper<'_> {
     pub(super) fn assign(&mut self, place: &Place, value: &Operand) -> Sides {
         let mut sides = Sides::default();
         let root = &self.vars[place.root];
-        let target = project(
-            {
-                let ident = &root.ident;
-                quote!(#ident)
-            },
-            &place.path,
-        );
+        let target = self.place(place);
         let tokens = self.tokens(value);
         sides.forward.extend(quote!(#target = #tokens;));
         if !self.is_live(place) {
@@ -68,13 +63,7 @@ impl Sweeper<'_> {
     ) -> Sides {
         let mut sides = Sides::default();
         let (target, operand) = (self.place(place), self.ident(value));
-        let token = match operator {
-            BinaryOperator::Add => quote!(+=),
-            BinaryOperator::Sub => quote!(-=),
-            BinaryOperator::Mul => quote!(*=),
-            BinaryOperator::Div => quote!(/=),
-            BinaryOperator::Rem => quote!(%=),
-        };
+        let token = Primal::assigning(operator);
         sides.forward.extend(quote!(#target #token #operand;));
         if !self.is_live(place) {
             return sides;
@@ -96,11 +85,17 @@ impl Sweeper<'_> {
         let taken = quote!(::ad::rt::take(#cotangent));
         let taken = self.entered(previous, place, taken);
         let record = &self.vars[previous].record;
-        if operator.is_linear() {
-            let types = self.linear(record, previous, value);
-            sides.forward.extend(types);
+        let operands = [previous, value];
+        let operation = match operator {
+            BinaryOperator::Add => Some("Increase"),
+            BinaryOperator::Sub => Some("Decrease"),
+            BinaryOperator::Mul | BinaryOperator::Div | BinaryOperator::Rem => None,
+        };
+        if let Some(operation) = operation {
+            let kept = self.kept(record, operation, &operands);
+            sides.forward.extend(kept);
         }
-        let pulled = self.binary_pullback(operator, record, [previous, value], taken, span);
+        let pulled = self.assigning_pullback(operator, record, operands, taken, span);
         let (to_previous, to_value) = (self.part_name(place.root), self.part_name(value));
         let value_pattern = match self.vars[value].active {
             true => quote!(#to_value),

@@ -80,8 +80,12 @@ impl Sweeper<'_> {
         let mut inner = HashSet::new();
         blocks(body, &mut inner);
         let mut named = HashSet::new();
-        names::collect(forward.clone(), &mut named);
-        let outer = self.vars.iter().filter(|var| var.mutable && !inner.contains(&var.block));
+        names::collect_variables(forward.clone(), &mut named);
+        // A field may have the name of a variable that is not there, or not yet.
+        let first = self.vars.iter().position(|var| inner.contains(&var.block));
+        let before = &self.vars[..first.unwrap_or(self.vars.len())];
+        let is_open = |block| self.frames.iter().any(|frame| frame.block == block);
+        let outer = before.iter().filter(|var| var.mutable && is_open(var.block));
         let state = outer.filter(|var| named.contains(&var.ident.to_string()));
         state.map(|var| var.ident.clone()).collect()
     }

@@ -9,8 +9,9 @@ use std::collections::BTreeSet;
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
-use super::{Sweeper, project};
+use super::Sweeper;
 use crate::ir::{Place, Projection, Var, VarId};
+use crate::primal::project;
 
 /// The cotangent of a place, as `&mut`. That of a reference is that of its target.
 pub(super) fn cotangent_of(root: &Ident, path: &[Projection]) -> TokenStream {

@@ -24,9 +24,10 @@ use std::collections::{BTreeSet, HashMap, HashSet};
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
-use crate::ir::{Block, BlockId, Operand, Place, Projection, Statement, Var, VarId};
+use crate::ir::{Block, BlockId, Operand, Place, Statement, Var, VarId};
 use crate::lower::{Lowered, LoweredParameter};
 use crate::names::{self, Names};
+use crate::primal::Primal;
 use crate::signature::Parameter;
 use facts::Facts;
 use numbers::Numbers;
@@ -110,15 +111,6 @@ pub fn tuple_or_one(parts: &[TokenStream]) -> TokenStream {
         [part] => part.clone(),
         parts => quote!((#(#parts),*)),
     }
-}
-
-/// A place as an expression.
-pub fn project(root: TokenStream, path: &[Projection]) -> TokenStream {
-    path.iter().fold(root, |place, step| match step {
-        Projection::Field(member) => quote!(#place.#member),
-        Projection::Index(index) => quote!(#place[#index]),
-        Projection::Deref => quote!((*#place)),
-    })
 }
 
 struct Sweeper<'a> {
@@ -255,13 +247,7 @@ impl Sweeper<'_> {
     }
 
     fn tokens(&self, operand: &Operand) -> TokenStream {
-        match operand {
-            Operand::Constant(tokens) => tokens.clone(),
-            Operand::Var(var) => {
-                let ident = &self.vars[*var].ident;
-                quote!(#ident)
-            }
-        }
+        Primal(self.vars).tokens(operand)
     }
 
     fn frame(&mut self) -> &mut Frame {

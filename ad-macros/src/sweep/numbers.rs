@@ -17,57 +17,10 @@ use proc_macro2::{Delimiter, TokenStream, TokenTree};
 use quote::quote;
 use syn::{GenericArgument, PathArguments, Type};
 
+use crate::floats;
 use crate::ir::{Argument, Block, Operand, Operation, Place, Projection, Statement, Var, VarId};
 use crate::lower::Lowered;
 use crate::signature::Parameter;
-
-/// The inherent methods of `f32` and `f64` that return a number of the same type.
-const METHODS: [&str; 44] = [
-    "abs",
-    "acos",
-    "acosh",
-    "asin",
-    "asinh",
-    "atan",
-    "atan2",
-    "atanh",
-    "cbrt",
-    "ceil",
-    "clamp",
-    "copysign",
-    "cos",
-    "cosh",
-    "div_euclid",
-    "exp",
-    "exp2",
-    "exp_m1",
-    "floor",
-    "fract",
-    "hypot",
-    "ln",
-    "ln_1p",
-    "log",
-    "log10",
-    "log2",
-    "max",
-    "min",
-    "mul_add",
-    "powf",
-    "powi",
-    "recip",
-    "rem_euclid",
-    "round",
-    "round_ties_even",
-    "signum",
-    "sin",
-    "sinh",
-    "sqrt",
-    "tan",
-    "tanh",
-    "to_degrees",
-    "to_radians",
-    "trunc",
-];
 
 /// A type of numbers.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -242,7 +195,7 @@ impl<'a> Numbers<'a> {
                     Argument::Value(Operand::Var(var)) => self.known.get(var)?.clone(),
                     _ => return None,
                 };
-                let is_known = METHODS.contains(&primal.to_string().as_str());
+                let is_known = floats::returns_number(&primal.to_string());
                 (is_known && matches!(receiver, Known::Number(_))).then_some(receiver)
             }
             Operation::Repeat { .. }

@@ -5,10 +5,11 @@ use quote::{quote, quote_spanned};
 use syn::{Member, Type};
 
 use super::contribute::{Target, cotangent_of};
-use super::{Sides, Sweeper, project};
+use super::{Sides, Sweeper};
 use crate::ir::{
     Argument, BinaryOperator, Operand, Operation, Place, Projection, Shape, Var, VarId,
 };
+use crate::primal::Primal;
 
 impl Sweeper<'_> {
     pub(super) fn define(&mut self, var: VarId, ty: Option<&Type>, operation: &Operation) -> Sides {
@@ -38,16 +39,19 @@ impl Sweeper<'_> {
             }
             operation => {
                 let value = self.primal(operation, ident.span());
-                let types = match operation {
-                    Operation::Negate(value) if pulls_back => self.linear(record, *value, *value),
-                    Operation::Binary(operator, left, right)
-                        if pulls_back && operator.is_linear() =>
-                    {
-                        self.linear(record, *left, *right)
+                let kept = match operation {
+                    Operation::Negate(value) if pulls_back => {
+                        self.kept(record, "Negation", &[*value])
+                    }
+                    Operation::Binary(BinaryOperator::Add, left, right) if pulls_back => {
+                        self.kept(record, "Sum", &[*left, *right])
+                    }
+                    Operation::Binary(BinaryOperator::Sub, left, right) if pulls_back => {
+                        self.kept(record, "Difference", &[*left, *right])
                     }
                     _ => TokenStream::new(),
                 };
-                quote!(let #mutability #ident #ty = #value; #types)
+                quote!(let #mutability #ident #ty = #value; #kept)
             }
         };
         let (space_definition, test) = (self.space_definition(var), self.test(var));
@@ -77,93 +81,16 @@ impl Sweeper<'_> {
         method: bool,
         arguments: &[Argument],
     ) -> TokenStream {
-        let mut tokens: Vec<_> = arguments
-            .iter()
-            .map(|argument| match argument {
-                Argument::Value(operand) => self.tokens(operand),
-                Argument::Borrow(place) => {
-                    let place = self.place(place);
-                    quote!(&#place)
-                }
-                Argument::Exclusive(place) | Argument::Reborrow(place) => {
-                    let place = self.place(place);
-                    quote!(&mut #place)
-                }
-                Argument::Function(var) => {
-                    let ident = self.ident(*var);
-                    quote!(#ident)
-                }
-                Argument::Receiver(place) => self.place(place),
-            })
-            .collect();
-        if method {
-            let mut receiver = tokens.remove(0);
-            if let Argument::Borrow(_) = arguments[0] {
-                receiver = quote!((#receiver));
-            }
-            quote!(#receiver.#function(#(#tokens),*))
-        } else {
-            quote!(#function(#(#tokens),*))
-        }
+        Primal(self.vars).call(function, method, arguments)
     }
 
     pub(super) fn place(&self, place: &Place) -> TokenStream {
-        let root = self.ident(place.root);
-        project(quote!(#root), &place.path)
+        Primal(self.vars).place(place)
     }
 
     /// The operation as the user wrote it.
     pub(super) fn primal(&self, operation: &Operation, span: proc_macro2::Span) -> TokenStream {
-        match operation {
-            Operation::Use(operand) => self.tokens(operand),
-            Operation::Read(place) => self.place(place),
-            Operation::Borrow(place) => {
-                let place = self.place(place);
-                quote!(&#place)
-            }
-            Operation::Value(value) => {
-                let value = self.ident(*value);
-                quote_spanned!(span=> ::ad::rt::ByValue::by_value(#value))
-            }
-            Operation::Negate(value) => {
-                let value = self.ident(*value);
-                quote_spanned!(span=> -#value)
-            }
-            Operation::Binary(operator, left, right) => {
-                let (left, right) = (self.ident(*left), self.ident(*right));
-                match operator {
-                    BinaryOperator::Add => quote_spanned!(span=> #left + #right),
-                    BinaryOperator::Sub => quote_spanned!(span=> #left - #right),
-                    BinaryOperator::Mul => quote_spanned!(span=> #left * #right),
-                    BinaryOperator::Div => quote_spanned!(span=> #left / #right),
-                    BinaryOperator::Rem => quote_spanned!(span=> #left % #right),
-                }
-            }
-            Operation::Cast(value, ty) => {
-                let value = self.ident(*value);
-                quote!(#value as #ty)
-            }
-            // What takes an object is a derivative.
-            Operation::Call { vjp, method, arguments, .. }
-                if arguments.iter().any(|argument| matches!(argument, Argument::Function(_))) =>
-            {
-                let call = self.call(vjp, *method, arguments);
-                quote!(#call.0)
-            }
-            Operation::Call { primal, method, arguments, .. } => {
-                self.call(primal, *method, arguments)
-            }
-            Operation::Closure(_) => unreachable!("is written where it is defined"),
-            Operation::Aggregate { expression, .. }
-            | Operation::UpdateStruct { expression, .. } => expression.clone(),
-            Operation::Repeat { value, length, is_vec } => {
-                let value = self.ident(*value);
-                match is_vec {
-                    true => quote!(::std::vec![#value; #length]),
-                    false => quote!([#value; #length]),
-                }
-            }
-        }
+        Primal(self.vars).operation(operation, span)
     }
 
     /// Gives the cotangent of `var` to what it was made from.

@@ -23,12 +23,13 @@ use quote::quote;
 
 use super::cut::Graph;
 use super::facts::is_element;
-use super::{Sweeper, Written, project};
+use super::{Sweeper, Written};
 use crate::ir::{
     Argument, BinaryOperator, Block, Head, Loop, Operand, Operation, Place, Projection, Statement,
     VarId,
 };
 use crate::names;
+use crate::primal::project;
 
 /// Methods that cost no more than a few multiplications.
 const CHEAP_METHODS: [&str; 21] = [

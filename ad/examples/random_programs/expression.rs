@@ -62,9 +62,10 @@ impl Writer {
     }
 
     /// A variable, an element, a constant, or what an integer is worth.
-    fn leaf(&mut self) -> Both {
+    pub fn leaf(&mut self) -> Both {
         let (scalars, arrays, integers) =
             (self.visible(Kind::is_scalar), self.visible(Kind::is_array), self.integers());
+        let pairs = self.visible(|kind| kind == Kind::Pair);
         match self.random.below(10) {
             0 if !integers.is_empty() => {
                 let integer = self.random.pick(&integers);
@@ -82,6 +83,10 @@ impl Writer {
                 Both::same(format!("{}[{index}]", array.name))
             }
             4 => self.literal(),
+            5 if !pairs.is_empty() => {
+                let pair = self.random.pick(&pairs).name;
+                Both::same(format!("{pair}.{}", self.random.pick(&["a", "b"])))
+            }
             _ => Both::same(self.random.pick(&scalars).name),
         }
     }

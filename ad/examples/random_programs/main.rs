@@ -5,6 +5,7 @@
 //! `f64`, with the attribute, and without it for any scalar, which is the oracle on dual numbers and
 //! on a tape.
 
+mod data;
 mod expression;
 mod random;
 mod statement;
@@ -48,6 +49,7 @@ fn {name}_of<S: Real<Mask = bool>>(x: S, y: S) -> S {{
 use ad::{{Real, differentiable}};
 
 use crate::program::{{Program, program}};
+use crate::types::{{Pair, Shape, mixed, root, roots, shape, shifted}};
 
 /// Every program.
 pub const PROGRAMS: &[Program] = &[

@@ -3,7 +3,7 @@
 use crate::expression::{Both, put};
 use crate::random::Random;
 
-const NAMES: [&str; 6] = ["a", "b", "c", "d", "e", "f"];
+pub const NAMES: [&str; 6] = ["a", "b", "c", "d", "e", "f"];
 
 /// What a name stands for.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -11,6 +11,7 @@ pub enum Kind {
     Scalar { mutable: bool },
     Array { length: usize, mutable: bool },
     Integer,
+    Pair,
 }
 
 impl Kind {
@@ -22,7 +23,7 @@ impl Kind {
         matches!(self, Self::Array { .. })
     }
 
-    fn is_mutable(self) -> bool {
+    pub fn is_mutable(self) -> bool {
         matches!(self, Self::Scalar { mutable: true } | Self::Array { mutable: true, .. })
     }
 }
@@ -37,7 +38,7 @@ impl Variable {
     pub fn length(&self) -> usize {
         match self.kind {
             Kind::Array { length, .. } => length,
-            Kind::Scalar { .. } | Kind::Integer => 1,
+            Kind::Scalar { .. } | Kind::Integer | Kind::Pair => 1,
         }
     }
 }
@@ -93,7 +94,7 @@ impl Writer {
         self.line(&sum);
     }
 
-    fn line(&mut self, line: &Both) {
+    pub fn line(&mut self, line: &Both) {
         let indent = "    ".repeat(self.indent);
         for (text, part) in [(&mut self.plain, &line.plain), (&mut self.generic, &line.generic)] {
             *text += &indent;
@@ -119,14 +120,22 @@ impl Writer {
         integers.into_iter().map(|variable| variable.name).collect()
     }
 
-    fn declare(&mut self, name: &str, kind: Kind) {
+    pub fn declare(&mut self, name: &str, kind: Kind) {
         let variable = Variable { name: name.to_owned(), kind };
         self.scopes.last_mut().expect("a scope is open").push(variable);
     }
 
-    fn fresh(&mut self, base: &str) -> String {
+    pub fn fresh(&mut self, base: &str) -> String {
         self.fresh += 1;
         format!("{base}{}", self.fresh)
+    }
+
+    pub fn open_scope(&mut self) {
+        self.scopes.push(Vec::new());
+    }
+
+    pub fn close_scope(&mut self) {
+        self.scopes.pop();
     }
 
     /// A block in braces; `head` stands before it.
@@ -143,6 +152,9 @@ impl Writer {
     fn statement(&mut self, depth: usize) {
         self.budget = self.budget.saturating_sub(1);
         let in_loop = !self.loops.is_empty();
+        if self.random.chance(30) {
+            return self.data();
+        }
         match self.random.below(if depth > 0 { 22 } else { 11 }) {
             0 => self.declare_scalar(),
             1 => self.declare_mutable(),
@@ -174,7 +186,7 @@ impl Writer {
         self.declare(name, Kind::Scalar { mutable: true });
     }
 
-    fn array(&mut self) {
+    pub fn array(&mut self) {
         let (name, length) = (self.fresh("r"), 2 + self.random.below(4));
         let value = match self.random.chance(50) {
             true => put(&format!("[{{}}; {length}]"), &[&self.bounded(1)]),
@@ -292,6 +304,10 @@ impl Writer {
             _ => format!("{from}..{to}_usize"),
         };
         let head = Both::same(format!("{label}: for {index} in {range}"));
+        if self.random.chance(20) {
+            let attribute = "#[differentiable(checkpoint)]".to_owned();
+            self.line(&Both { plain: attribute, generic: String::new() });
+        }
         self.loops.push(label);
         self.block(
             &head,

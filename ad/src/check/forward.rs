@@ -1,8 +1,7 @@
 //! Checks forward mode against finite differences.
 
 use super::coordinates::Coordinates;
-use super::derivative;
-use super::rule::{Component, Function, Settings};
+use super::rule::{Component, Function, Settings, are_same, compare};
 use crate::Differentiable;
 use crate::jacobian::{Pushforward, tangent_like, unit};
 
@@ -28,7 +27,6 @@ where
     let point = arguments.coordinates();
     let copy = |point: &[f64]| arguments.read(&mut point.iter().copied());
     let value = function.at(copy(&point)).coordinates();
-    let bits = |value: &[f64]| value.iter().map(|x| x.to_bits()).collect::<Vec<_>>();
 
     let mut worst: Option<Component> = None;
     for parameter in 0..point.len() {
@@ -36,22 +34,15 @@ where
         let (returned, tangent) = jvp.at(copy(&point), tangents);
         let returned = returned.coordinates();
         assert!(
-            bits(&returned) == bits(&value),
+            are_same(&returned, &value),
             "forward mode returns the value {returned:?}, the function {value:?}"
         );
         let tangent = tangent.coordinates();
         assert_eq!(tangent.len(), value.len(), "the coordinates of the tangent");
         for (result, &found) in tangent.iter().enumerate() {
-            let mut moved = point.clone();
-            let along = |x| {
-                moved[parameter] = x;
-                function.at(copy(&moved)).coordinates().get(result).copied().unwrap_or(f64::NAN)
-            };
-            let estimate = derivative(along, point[parameter], settings.step);
-            let component = Component { result, parameter, found, estimate };
-            if worst.is_none_or(|worst| worst.error() < component.error()) {
-                worst = Some(component);
-            }
+            let at = |point: &[f64]| function.at(copy(point)).coordinates();
+            let component = compare(at, &point, (result, parameter), found, settings);
+            worst = component.or_worse(worst);
         }
     }
     worst

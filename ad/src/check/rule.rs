@@ -47,6 +47,37 @@ impl Component {
             false => difference / value.abs().max(1.0),
         }
     }
+
+    /// The one with the greater error, of two the earlier one.
+    pub(super) fn or_worse(self, earlier: Option<Self>) -> Option<Self> {
+        match earlier {
+            Some(earlier) if earlier.error() >= self.error() => Some(earlier),
+            _ => Some(self),
+        }
+    }
+}
+
+/// Compares `found`, said to be the derivative of coordinate `result` of the function `at` by
+/// coordinate `parameter` of its point, with finite differences.
+pub(super) fn compare(
+    at: impl Fn(&[f64]) -> Vec<f64>,
+    point: &[f64],
+    (result, parameter): (usize, usize),
+    found: f64,
+    settings: Settings,
+) -> Component {
+    let mut moved = point.to_vec();
+    let along = |x| {
+        moved[parameter] = x;
+        at(&moved).get(result).copied().unwrap_or(f64::NAN)
+    };
+    let estimate = derivative(along, point[parameter], settings.step);
+    Component { result, parameter, found, estimate }
+}
+
+/// Whether two values have the same coordinates, bit for bit.
+pub(super) fn are_same(left: &[f64], right: &[f64]) -> bool {
+    left.iter().map(|x| x.to_bits()).eq(right.iter().map(|x| x.to_bits()))
 }
 
 impl fmt::Display for Component {
@@ -148,25 +179,17 @@ where
     for result in 0..count {
         let unit = (0..count).map(|k| if k == result { 1.0 } else { 0.0 });
         let (returned, gradient) = rule.at(copy(&point), cotangent.read(&mut unit.into_iter()));
-        let bits = |value: &[f64]| value.iter().map(|x| x.to_bits()).collect::<Vec<_>>();
         let returned = returned.coordinates();
         assert!(
-            bits(&returned) == bits(&value),
+            are_same(&returned, &value),
             "the rule returns the value {returned:?}, the function {value:?}"
         );
         let gradient = gradient.coordinates();
         assert_eq!(gradient.len(), point.len(), "the coordinates of the gradient");
         for (parameter, &found) in gradient.iter().enumerate() {
-            let mut moved = point.clone();
-            let along = |x| {
-                moved[parameter] = x;
-                function.at(copy(&moved)).coordinates().get(result).copied().unwrap_or(f64::NAN)
-            };
-            let estimate = derivative(along, point[parameter], settings.step);
-            let component = Component { result, parameter, found, estimate };
-            if worst.is_none_or(|worst| worst.error() < component.error()) {
-                worst = Some(component);
-            }
+            let at = |point: &[f64]| function.at(copy(point)).coordinates();
+            let component = compare(at, &point, (result, parameter), found, settings);
+            worst = component.or_worse(worst);
         }
     }
     worst

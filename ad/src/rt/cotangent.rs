@@ -179,6 +179,12 @@ pub fn sum<T: Additive>(cotangents: impl IntoIterator<Item = T>) -> T {
 }
 
 /// The cotangent of an element or of a range of elements, to be changed in place.
+#[diagnostic::on_unimplemented(
+    message = "there is no derivative by what `[..]` of this type gives",
+    label = "indexed here",
+    note = "slices, arrays, `Vec`s and vectors are indexed by `usize` and ranges",
+    note = "of your own type call a method under `#[differentiable]` instead, or index a field"
+)]
 pub trait At<I> {
     /// The cotangent of the part.
     type Part: ?Sized;

@@ -4,6 +4,7 @@ use core::iter::{Product, StepBy, Sum, empty};
 use core::ops::Range;
 
 use crate::Additive;
+use crate::rules::Arithmetic;
 
 /// The starts of the windows of `size` elements, as `slice::windows` has them.
 ///
@@ -51,15 +52,35 @@ impl<S: Sequence + ?Sized> Sequence for &S {}
 impl<S: Sequence + ?Sized> Sequence for &mut S {}
 impl<S: Sequence + ?Sized> Sequence for Box<S> {}
 
+/// A type whose sums are folds with `+`.
+#[diagnostic::on_unimplemented(
+    message = "how values of `{Self}` are summed up is not known",
+    label = "the sum of these",
+    note = "put `#[differentiable]` on `impl Sum for {Self}`"
+)]
+pub trait AddsUp {}
+
+impl<T: Arithmetic> AddsUp for T {}
+
+/// A type whose products are folds with `*`.
+#[diagnostic::on_unimplemented(
+    message = "how values of `{Self}` are multiplied is not known",
+    label = "the product of these",
+    note = "put `#[differentiable]` on `impl Product for {Self}`"
+)]
+pub trait MultipliesUp {}
+
+impl<T: Arithmetic> MultipliesUp for T {}
+
 /// The sum of nothing, bit for bit that of the standard library.
 #[inline(always)]
-pub fn empty_sum<T: Sum>() -> T {
+pub fn empty_sum<T: Sum + AddsUp>() -> T {
     empty().sum()
 }
 
 /// The product of nothing.
 #[inline(always)]
-pub fn empty_product<T: Product>() -> T {
+pub fn empty_product<T: Product + MultipliesUp>() -> T {
     empty().product()
 }
 

@@ -7,7 +7,7 @@ use core::array;
 use glam::{DMat2, DMat3, DMat4, DVec2, DVec3, DVec4, Mat2, Mat3, Mat4, Vec2, Vec3, Vec4};
 
 use super::scale_vector;
-use super::{AddPullback, MulPullback, NegPullback, SubPullback, bilinear, scale, scale_elements};
+use super::{MulPullback, bilinear, scale, scale_elements};
 use crate::vector::Vector;
 use crate::{Additive, Differentiable, Mask, Real};
 
@@ -166,42 +166,6 @@ macro_rules! matrices {
             #[inline(always)]
             fn accumulate(&mut self, other: Self) {
                 *self += other;
-            }
-        }
-
-        impl NegPullback for $matrix {
-            #[inline(always)]
-            fn neg_pullback(cotangent: Self) -> Self {
-                -cotangent
-            }
-
-            #[inline(always)]
-            fn neg_jvp(self, tangent: Self) -> (Self, Self) {
-                (-self, -tangent)
-            }
-        }
-
-        impl AddPullback for $matrix {
-            #[inline(always)]
-            fn add_pullback(cotangent: Self) -> (Self, Self) {
-                (cotangent, cotangent)
-            }
-
-            #[inline(always)]
-            fn add_jvp(self, rhs: Self, tangent: Self, rhs_tangent: Self) -> (Self, Self) {
-                (self + rhs, tangent + rhs_tangent)
-            }
-        }
-
-        impl SubPullback for $matrix {
-            #[inline(always)]
-            fn sub_pullback(cotangent: Self) -> (Self, Self) {
-                (cotangent, -cotangent)
-            }
-
-            #[inline(always)]
-            fn sub_jvp(self, rhs: Self, tangent: Self, rhs_tangent: Self) -> (Self, Self) {
-                (self - rhs, tangent - rhs_tangent)
             }
         }
 

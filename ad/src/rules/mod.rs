@@ -66,7 +66,11 @@ pub use glam_only::{ExtendRules, GlamRules, TruncateRules, construct};
 pub use matrix::{
     DMat2Rules, DMat3Rules, DMat4Rules, Mat2Rules, Mat3Rules, Mat4Rules, MatrixRules,
 };
-pub use operators::{AddPullback, DivPullback, MulPullback, NegPullback, RemPullback, SubPullback};
+pub use operators::{
+    AddAssignPullback, AddPullback, Arithmetic, DivAssignPullback, DivPullback, Kept,
+    MulAssignPullback, MulPullback, NegPullback, Nothing, Operands, RemAssignPullback, RemPullback,
+    SubAssignPullback, SubPullback,
+};
 pub use outcome::{CopiedRules, OptionRules, ResultRules};
 pub use quaternion::QuaternionRules;
 pub use scalar::{RealRules, ScalarRules};

@@ -6,7 +6,7 @@
 use glam::{DQuat, DVec3, DVec4, Quat, Vec3, Vec4};
 
 use super::rotation::{self, lerp, product, rotated, slerp};
-use super::{AddPullback, MulPullback, NegPullback, SubPullback, VectorRules, bilinear, scale};
+use super::{MulPullback, VectorRules, bilinear, scale};
 use crate::{Additive, Differentiable, Real};
 
 /// The `_vjp` siblings of the methods of quaternions.
@@ -95,42 +95,6 @@ macro_rules! quaternions {
             #[inline(always)]
             fn accumulate(&mut self, other: Self) {
                 *self += other;
-            }
-        }
-
-        impl NegPullback for $quat {
-            #[inline(always)]
-            fn neg_pullback(cotangent: Self) -> Self {
-                -cotangent
-            }
-
-            #[inline(always)]
-            fn neg_jvp(self, tangent: Self) -> (Self, Self) {
-                (-self, -tangent)
-            }
-        }
-
-        impl AddPullback for $quat {
-            #[inline(always)]
-            fn add_pullback(cotangent: Self) -> (Self, Self) {
-                (cotangent, cotangent)
-            }
-
-            #[inline(always)]
-            fn add_jvp(self, rhs: Self, tangent: Self, rhs_tangent: Self) -> (Self, Self) {
-                (self + rhs, tangent + rhs_tangent)
-            }
-        }
-
-        impl SubPullback for $quat {
-            #[inline(always)]
-            fn sub_pullback(cotangent: Self) -> (Self, Self) {
-                (cotangent, -cotangent)
-            }
-
-            #[inline(always)]
-            fn sub_jvp(self, rhs: Self, tangent: Self, rhs_tangent: Self) -> (Self, Self) {
-                (self - rhs, tangent - rhs_tangent)
             }
         }
 

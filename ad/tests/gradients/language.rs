@@ -34,6 +34,7 @@ mod iterators;
 mod jumps;
 mod macros;
 mod mixtures;
+mod operators;
 mod programs;
 mod slices;
 mod statements;

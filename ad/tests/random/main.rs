@@ -6,6 +6,7 @@
 
 mod program;
 mod programs;
+mod types;
 
 use ad::tape::Var;
 use ad::{Dual, tape};

@@ -81,7 +81,7 @@ fn of_sum<A: AddPullback<B>, B: Differentiable>(
     _: &B,
     g: ad::Tangent<<A as core::ops::Add<B>>::Output>,
 ) -> (A::Tangent, B::Tangent) {
-    A::add_pullback(g)
+    A::add_pullback(&Default::default(), g)
 }
 
 fn of_difference<A: SubPullback<B>, B: Differentiable>(
@@ -89,7 +89,7 @@ fn of_difference<A: SubPullback<B>, B: Differentiable>(
     _: &B,
     g: ad::Tangent<<A as core::ops::Sub<B>>::Output>,
 ) -> (A::Tangent, B::Tangent) {
-    A::sub_pullback(g)
+    A::sub_pullback(&Default::default(), g)
 }
 
 #[test]
@@ -110,7 +110,12 @@ fn operators() {
         v, 1.0;
         1.0, v;
     }
-    compare("-x", v, |a, g| (-a, DVec3::neg_pullback(g)), |a, dot| a.neg_jvp(dot));
+    compare(
+        "-x",
+        v,
+        |a, g| (-a, DVec3::neg_pullback(&Default::default(), g)),
+        |a, dot| a.neg_jvp(dot),
+    );
 }
 
 /// A call of a `_vjp` and of a `_jvp`.

@@ -154,3 +154,217 @@ fn memory() {
     let (_, pullback) = weighted::vjp(&[0.0; 100], (0.7, 2));
     assert_eq!(size_of_val(&pullback), 102 * size_of::<f64>());
 }
+
+/// Left early, in every way.
+#[differentiable]
+pub fn left_early(x: f64, y: f64, n: usize) -> f64 {
+    let mut a = x;
+    let mut b = y;
+    #[differentiable(checkpoint)]
+    for i in 0..n {
+        a = (a * y + 0.3 * b).sin();
+        if i == 4 {
+            a *= 3.0;
+            break;
+        }
+        b += a * x;
+    }
+    'outer: for k in 0..3 {
+        #[differentiable(checkpoint)]
+        for i in 0..n {
+            b = b * 0.9 + a * (k + i) as f64;
+            let mut c = b;
+            for j in 0..3 {
+                if j == 1 && i == 2 {
+                    continue 'outer;
+                }
+                if j == 2 && k == 2 && i == 1 {
+                    break 'outer;
+                }
+                if j == 2 {
+                    break;
+                }
+                c += a;
+            }
+            a = c.cos();
+        }
+        a += 0.1;
+    }
+    #[differentiable(checkpoint)]
+    'own: for i in 0..n {
+        let mut k = 0;
+        loop {
+            b *= 1.0 + 0.5 * x * x;
+            k += 1;
+            if i > 1 {
+                break 'own;
+            }
+            if k > i {
+                continue 'own;
+            }
+        }
+    }
+    a * b + a
+}
+
+#[differentiable]
+fn returned(x: f64, y: f64, n: usize) -> f64 {
+    let mut a = x;
+    for k in 0..2 {
+        #[differentiable(checkpoint)]
+        for i in 0..n {
+            a = a * y + 0.1;
+            if i + k == 4 {
+                return a * a;
+            }
+            let Some(root) = positive(x + 1.0 + a * 0.01) else { return a };
+            a += root;
+        }
+    }
+    a + y
+}
+
+#[differentiable]
+fn positive(x: f64) -> Option<f64> {
+    if x > 0.0 { Some(x.sqrt()) } else { None }
+}
+
+#[differentiable]
+fn attempted(x: f64, y: f64) -> Option<f64> {
+    let mut a = x;
+    #[differentiable(checkpoint)]
+    for _ in 0..6 {
+        let next = positive(a * y)? + positive(a - 0.2)? * x;
+        a = next;
+    }
+    Some(a * y)
+}
+
+#[differentiable]
+fn tried(x: f64, y: f64) -> f64 {
+    match attempted(x, y) {
+        Some(a) => a * x,
+        None => x * y * y,
+    }
+}
+
+/// States that are borrowed.
+#[derive(Clone, Differentiable)]
+struct Body {
+    position: [f64; 2],
+    rates: Vec<f64>,
+}
+
+#[differentiable]
+impl Body {
+    fn advance(&mut self, dt: f64, steps: usize) -> f64 {
+        let mut path = 0.0;
+        #[differentiable(checkpoint)]
+        for i in 0..steps {
+            self.position[0] += dt * self.rates[i % 2] * self.position[1].cos();
+            self.position[1] -= dt * self.position[0] * self.rates[1];
+            self.rates[0] *= 1.0 - dt;
+            if self.energy(1) > 30.0 {
+                break;
+            }
+            path += self.position[0];
+        }
+        path + self.position[1]
+    }
+
+    fn energy(&self, steps: usize) -> f64 {
+        let mut sum = 0.0;
+        #[differentiable(checkpoint)]
+        for i in 0..steps {
+            sum += self.position[i % 2] * self.rates[0];
+        }
+        sum * self.position[0]
+    }
+
+    fn settled(mut self, steps: usize) -> f64 {
+        #[differentiable(checkpoint)]
+        for _ in 0..steps {
+            self.position[0] = self.position[0].sin() * self.rates[1];
+            self.rates[1] += self.position[0];
+        }
+        self.rates[1] * self.position[0]
+    }
+
+    fn weighed(self, steps: usize) -> f64 {
+        let mut sum = 0.0;
+        #[differentiable(checkpoint)]
+        for i in 0..steps {
+            sum = sum * self.rates[i % 2] + self.position[0];
+        }
+        sum
+    }
+}
+
+#[differentiable]
+fn smooth(values: &mut [f64], total: &mut f64, by: f64) {
+    #[differentiable(checkpoint)]
+    for i in 1..values.len() {
+        values[i] = values[i] * by + values[i - 1];
+        *total += values[i] * *total;
+        doubled(total, &values[i - 1..i + 1]);
+    }
+    *total *= by;
+}
+
+#[differentiable]
+fn doubled(total: &mut f64, values: &[f64]) {
+    *total += 0.1 * values[0] * values[1];
+}
+
+#[differentiable]
+fn borrowed(x: f64, y: f64) -> f64 {
+    let mut body = Body { position: [x, y], rates: vec![y, x] };
+    let path = body.advance(0.1, 9) + body.energy(3);
+    let mut values = [x, y, x * y, path];
+    let mut total = y;
+    smooth(&mut values, &mut total, 0.7);
+    body.clone().settled(4) + body.weighed(5) * total + values[3]
+}
+
+/// A field that has the name of a variable that is not there yet.
+#[differentiable]
+fn names_of_fields(x: f64, y: f64) -> f64 {
+    let mut sum = x;
+    #[differentiable(checkpoint)]
+    for i in 0..3 {
+        let state = Oscillator { position: sum, velocity: y };
+        sum += state.position * state.velocity * i as f64;
+    }
+    let mut position = sum * x;
+    position *= y;
+    let mut velocity = position;
+    velocity += sum;
+    velocity * position
+}
+
+#[test]
+fn names_of_fields_are_no_variables() {
+    check!(names_of_fields(x, y) at [1.3, 0.7], [-0.4, 1.1]);
+}
+
+#[test]
+fn loops_that_are_left_early() {
+    for n in [0, 1, 2, 4, 5, 6, 9] {
+        let (value, (to_x, to_y, ())) = left_early::value_and_grad(1.3, 0.7, n);
+        assert_eq!(value, left_early(1.3, 0.7, n));
+        let primal = |p: &[f64]| left_early(p[0], p[1], n);
+        assert_gradient("left_early", primal, &[1.3, 0.7], &[to_x, to_y]);
+        for x in [1.3, -1.05] {
+            let (value, (to_x, to_y, ())) = returned::value_and_grad(x, 0.7, n);
+            assert_eq!(value, returned(x, 0.7, n));
+            let primal = |p: &[f64]| returned(p[0], p[1], n);
+            assert_gradient("returned", primal, &[x, 0.7], &[to_x, to_y]);
+        }
+    }
+    check!(tried(x, y) at [1.3, 0.7], [0.5, 0.2], [-0.3, 0.4], [2.1, 1.2]);
+}
+
+#[test]
+fn loops_on_what_is_borrowed() {
+    check!(borrowed(x, y) at [1.3, 0.7], [-0.4, 1.1]);
+}

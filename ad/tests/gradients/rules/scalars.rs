@@ -8,9 +8,9 @@ use super::case::{Case, Flat, anywhere, apart, call, not_small, positive, rule};
 /// The rules of every scalar.
 pub fn cases<S: Real + Flat<S>>() -> Vec<Case<S>> {
     vec![
-        rule!("neg" anywhere, (a: S) -> S, -a, |g| (-a, S::neg_pullback(g))),
-        rule!("add" anywhere, (a: S, b: S) -> S, a + b, |g| (a + b, S::add_pullback(g))),
-        rule!("sub" anywhere, (a: S, b: S) -> S, a - b, |g| (a - b, S::sub_pullback(g))),
+        rule!("neg" anywhere, (a: S) -> S, -a, |g| (-a, S::neg_pullback(&Default::default(), g))),
+        rule!("add" anywhere, (a: S, b: S) -> S, a + b, |g| (a + b, S::add_pullback(&Default::default(), g))),
+        rule!("sub" anywhere, (a: S, b: S) -> S, a - b, |g| (a - b, S::sub_pullback(&Default::default(), g))),
         rule!("mul" anywhere, (a: S, b: S) -> S, a * b, |g| (a * b, a.mul_pullback(b, g))),
         rule!("div" not_small, (a: S, b: S) -> S, a / b, |g| (a / b, a.div_pullback(b, g))),
         rule!("min" apart, (a: S, b: S) -> S, a.min(b), |g| call!(a.min_vjp(b), g)),

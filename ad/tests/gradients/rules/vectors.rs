@@ -15,11 +15,11 @@ macro_rules! every_vector {
             type S = $scalar;
             type V = $vector;
             vec![
-                rule!("neg" anywhere, (a: V) -> V, -a, |g| (-a, V::neg_pullback(g))),
+                rule!("neg" anywhere, (a: V) -> V, -a, |g| (-a, V::neg_pullback(&Default::default(), g))),
                 rule!("add" anywhere, (a: V, b: V) -> V,
-                    a + b, |g| (a + b, <V as AddPullback>::add_pullback(g))),
+                    a + b, |g| (a + b, <V as AddPullback>::add_pullback(&Default::default(), g))),
                 rule!("sub" anywhere, (a: V, b: V) -> V,
-                    a - b, |g| (a - b, <V as SubPullback>::sub_pullback(g))),
+                    a - b, |g| (a - b, <V as SubPullback>::sub_pullback(&Default::default(), g))),
                 rule!("mul" anywhere, (a: V, b: V) -> V,
                     a * b, |g| (a * b, MulPullback::<V>::mul_pullback(a, b, g))),
                 rule!("mul by scalar" anywhere, (a: V, b: S) -> V,

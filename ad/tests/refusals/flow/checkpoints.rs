@@ -4,13 +4,6 @@ use ad::differentiable;
 fn f(x: f64, n: usize) -> f64 {
     let mut a = x;
     #[differentiable(checkpoint)]
-    for i in 0..n {
-        if i == 7 {
-            break;
-        }
-        a *= x;
-    }
-    #[differentiable(checkpoint)]
     while a > 1.0 {
         a *= 0.5;
     }

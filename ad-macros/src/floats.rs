@@ -1,0 +1,59 @@
+//! The inherent methods of `f32` and `f64`, which take their receiver by value.
+
+/// Those that return a number of the same type.
+const TO_NUMBER: [&str; 44] = [
+    "abs",
+    "acos",
+    "acosh",
+    "asin",
+    "asinh",
+    "atan",
+    "atan2",
+    "atanh",
+    "cbrt",
+    "ceil",
+    "clamp",
+    "copysign",
+    "cos",
+    "cosh",
+    "div_euclid",
+    "exp",
+    "exp2",
+    "exp_m1",
+    "floor",
+    "fract",
+    "hypot",
+    "ln",
+    "ln_1p",
+    "log",
+    "log10",
+    "log2",
+    "max",
+    "min",
+    "mul_add",
+    "powf",
+    "powi",
+    "recip",
+    "rem_euclid",
+    "round",
+    "round_ties_even",
+    "signum",
+    "sin",
+    "sinh",
+    "sqrt",
+    "tan",
+    "tanh",
+    "to_degrees",
+    "to_radians",
+    "trunc",
+];
+
+/// Whether a method of numbers of this name returns a number of the same type.
+pub fn returns_number(method: &str) -> bool {
+    TO_NUMBER.contains(&method)
+}
+
+/// Whether a method of this name takes a number by value.
+pub fn takes_number(method: &str) -> bool {
+    returns_number(method) || method == "sin_cos"
+}

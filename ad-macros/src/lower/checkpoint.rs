@@ -1,0 +1,319 @@
+//! Loops with checkpoints, in the plainer form that the sweeps know: no exits, and no state but
+//! variables of the function's own.
+//!
+//! An exit becomes a variable that says that the loop is over, upon which the iterations that are left
+//! do nothing; the jump itself stands behind the loop. (How many iterations there will be has to be
+//! known before the first one, to choose how many states are stored.) What is borrowed as `&mut` is
+//! copied before the loop and written back after it, and so is what the loop uses of `self`.
+
+use std::collections::HashSet;
+
+use proc_macro2::Ident;
+use quote::{ToTokens, quote};
+use syn::visit::Visit;
+use syn::visit_mut::{self, VisitMut};
+use syn::{Expr, ExprForLoop, Label, Lifetime, Stmt, parse_quote};
+
+use super::exits::{self, Exit};
+use super::{Lowerer, OnFailure};
+use crate::ir::VarId;
+use crate::names::{self, Names};
+use crate::options::own_options;
+
+impl Lowerer<'_> {
+    /// What stands for a loop with checkpoints that has exits, or works on what is borrowed.
+    pub(super) fn plainer_loop(&mut self, stmt: &Stmt) -> Option<Stmt> {
+        let Stmt::Expr(Expr::ForLoop(a_loop), _) = stmt else { return None };
+        if !own_options(&a_loop.attrs).is_ok_and(|options| options.checkpoint) || self.is_object {
+            return None;
+        }
+        let plainer = self.without_exits(a_loop).or_else(|| self.with_own_state(a_loop))?;
+        Some(Stmt::Expr(plainer, Some(Default::default())))
+    }
+
+    /// The jumps of a loop behind it.
+    fn without_exits(&mut self, a_loop: &ExprForLoop) -> Option<Expr> {
+        let own = a_loop.label.as_ref().map(|label| label.name.clone());
+        let is_exit = |exit: &Exit| match exit {
+            Exit::Continue(label) => label.is_some() && *label != own,
+            Exit::Break(_) | Exit::Return => true,
+        };
+        let exits: Vec<_> = exits::block_exits(&a_loop.body).into_iter().filter(is_exit).collect();
+        if exits.is_empty() || (has_question_mark(a_loop) && self.on_failure == OnFailure::Unknown)
+        {
+            return None;
+        }
+        let fresh = ["is_running", "returned", "jump"].map(|name| self.names.unwritten(name));
+        let [is_running, returned, jump] = &fresh;
+        let own = own.unwrap_or_else(|| {
+            let name = self.names.unwritten("checkpointed");
+            Lifetime::new(&format!("'{name}"), name.span())
+        });
+        // Jumps to labels of loops and blocks around it, by their numbers from 1.
+        let outward: Vec<_> = exits
+            .iter()
+            .filter(|exit| match exit {
+                Exit::Break(label) => label.as_ref().is_some_and(|label| *label != own),
+                Exit::Continue(_) => true,
+                Exit::Return => false,
+            })
+            .cloned()
+            .collect();
+
+        let mut body = a_loop.body.clone();
+        let has_return = exits.contains(&Exit::Return);
+        let mut rewriting = Rewriting {
+            own: &own,
+            is_running,
+            returned,
+            jump,
+            outward: &outward,
+            on_failure: self.on_failure,
+            depth: 0,
+            names: &mut *self.names,
+        };
+        rewriting.visit_block_mut(&mut body);
+
+        let (attributes, pattern, iterator) = (&a_loop.attrs, &a_loop.pat, &a_loop.expr);
+        let label = Label { name: own.clone(), colon_token: Default::default() };
+        let mut before: Vec<Stmt> = vec![parse_quote!(let mut #is_running = true;)];
+        let mut after: Vec<Stmt> = Vec::new();
+        if has_return {
+            let value = self.names.unwritten("value");
+            before.push(parse_quote!(let mut #returned = ::core::option::Option::None;));
+            after.push(parse_quote! {
+                if let ::core::option::Option::Some(#value) = #returned {
+                    return #value;
+                }
+            });
+        }
+        if !outward.is_empty() {
+            before.push(parse_quote!(let mut #jump = 0_usize;));
+        }
+        for (index, exit) in outward.iter().enumerate() {
+            let number = index + 1;
+            let outward: Expr = match exit {
+                Exit::Break(label) => parse_quote!(break #label),
+                Exit::Continue(label) => parse_quote!(continue #label),
+                Exit::Return => unreachable!("leads out of the function"),
+            };
+            after.push(parse_quote!(if #jump == #number { #outward; }));
+        }
+        Some(parse_quote!({
+            #(#before)*
+            #(#attributes)*
+            #label for #pattern in #iterator {
+                if #is_running #body
+            }
+            #(#after)*
+        }))
+    }
+
+    /// A loop on copies of what it uses that is borrowed.
+    fn with_own_state(&mut self, a_loop: &ExprForLoop) -> Option<Expr> {
+        let mut named = HashSet::new();
+        names::collect(quote!(#a_loop), &mut named);
+        let mut named: Vec<_> = named.into_iter().collect();
+        named.sort();
+        for name in named {
+            let Some(var) = self.scopes.iter().rev().find_map(|scope| scope.get(&name)) else {
+                continue;
+            };
+            let (var, span) = (*var, self.ident(*var).span());
+            if name == "self" {
+                return self.with_own_receiver(a_loop, var);
+            }
+            if !self.vars[var].exclusive {
+                continue;
+            }
+            let mut ident: Ident = syn::parse_str(&name).ok()?;
+            ident.set_span(span);
+            let copy = self.names.unwritten("copy");
+            let (copied, back): (Expr, Stmt) = match self.slices.contains(&var) {
+                true => {
+                    (parse_quote!(#ident.to_vec()), parse_quote!(#ident.copy_from_slice(&#copy);))
+                }
+                false => (parse_quote!((*#ident).clone()), parse_quote!(*#ident = #copy;)),
+            };
+            return Some(parse_quote!({
+                let mut #copy = #copied;
+                {
+                    let #ident = &mut #copy;
+                    #a_loop
+                }
+                #back
+            }));
+        }
+        None
+    }
+
+    /// A loop on a copy of `self`, which cannot be the name of a variable.
+    fn with_own_receiver(&mut self, a_loop: &ExprForLoop, receiver: VarId) -> Option<Expr> {
+        let [copy, this] = ["copy", "this"].map(|name| self.names.unwritten(name));
+        let renamed = names::without_self(a_loop.to_token_stream(), &this);
+        let renamed: ExprForLoop = syn::parse2(renamed).ok()?;
+        Some(if self.vars[receiver].exclusive {
+            parse_quote!({
+                let mut #copy = (*self).clone();
+                {
+                    let #this = &mut #copy;
+                    #renamed
+                }
+                *self = #copy;
+            })
+        } else if self.vars[receiver].mutable {
+            parse_quote!({
+                let mut #this = self;
+                #renamed
+                self = #this;
+            })
+        } else if self.may_refer(receiver) {
+            parse_quote!({
+                let #this = (*self).clone();
+                #renamed
+            })
+        } else {
+            return None;
+        })
+    }
+}
+
+/// Whether `?` may leave the loop.
+fn has_question_mark(a_loop: &ExprForLoop) -> bool {
+    struct Finder(bool);
+
+    impl<'ast> Visit<'ast> for Finder {
+        fn visit_expr_try(&mut self, _: &'ast syn::ExprTry) {
+            self.0 = true;
+        }
+
+        fn visit_expr_closure(&mut self, _: &'ast syn::ExprClosure) {}
+    }
+
+    let mut finder = Finder(false);
+    finder.visit_block(&a_loop.body);
+    finder.0
+}
+
+/// Puts the end of the iteration in place of each jump out of the loop, and notes where it leads.
+struct Rewriting<'a> {
+    own: &'a Lifetime,
+    is_running: &'a Ident,
+    returned: &'a Ident,
+    jump: &'a Ident,
+    outward: &'a [Exit],
+    on_failure: OnFailure,
+    /// In how many loops within the loop.
+    depth: usize,
+    names: &'a mut Names,
+}
+
+impl Rewriting<'_> {
+    fn leave(&self, note: Option<Stmt>) -> Expr {
+        let Self { own, is_running, .. } = self;
+        parse_quote!({
+            #note
+            #is_running = false;
+            continue #own;
+        })
+    }
+
+    fn leave_with(&self, value: &Expr) -> Expr {
+        let returned = self.returned;
+        self.leave(Some(parse_quote!(#returned = ::core::option::Option::Some(#value);)))
+    }
+
+    /// What stands for a jump to a label, or to the loop itself.
+    fn jump_to(&self, exit: &Exit) -> Option<Expr> {
+        if let Some(index) = self.outward.iter().position(|outward| outward == exit) {
+            let (jump, number) = (self.jump, index + 1);
+            return Some(self.leave(Some(parse_quote!(#jump = #number;))));
+        }
+        let leaves_own = match exit {
+            Exit::Break(None) => self.depth == 0,
+            Exit::Break(Some(label)) => label == self.own,
+            _ => false,
+        };
+        leaves_own.then(|| self.leave(None))
+    }
+}
+
+impl Rewriting<'_> {
+    /// A statement, and before it what `?` may leave in the middle of it.
+    fn apart(&mut self, mut stmt: Stmt) -> Vec<Stmt> {
+        let mut parts = Vec::new();
+        let expr = match &mut stmt {
+            Stmt::Local(syn::Local { init: Some(init), .. }) => &mut *init.expr,
+            Stmt::Expr(expr, _) => expr,
+            _ => return vec![stmt],
+        };
+        loop {
+            let evaluated = match &mut *expr {
+                Expr::If(branch) => &mut *branch.cond,
+                Expr::Match(branch) => &mut *branch.expr,
+                Expr::Block(_) | Expr::ForLoop(_) | Expr::While(_) | Expr::Loop(_) => break,
+                expr => expr,
+            };
+            match exits::hoist(evaluated, self.names) {
+                Some((name, part)) => parts.push(parse_quote!(let #name = #part;)),
+                None => break,
+            }
+        }
+        parts.push(stmt);
+        parts
+    }
+}
+
+impl VisitMut for Rewriting<'_> {
+    fn visit_block_mut(&mut self, block: &mut syn::Block) {
+        let statements = std::mem::take(&mut block.stmts);
+        block.stmts = statements.into_iter().flat_map(|stmt| self.apart(stmt)).collect();
+        visit_mut::visit_block_mut(self, block);
+    }
+
+    fn visit_expr_mut(&mut self, expr: &mut Expr) {
+        let is_loop = matches!(expr, Expr::ForLoop(_) | Expr::While(_) | Expr::Loop(_));
+        self.depth += usize::from(is_loop);
+        visit_mut::visit_expr_mut(self, expr);
+        self.depth -= usize::from(is_loop);
+        let rewritten = match &*expr {
+            Expr::Return(jump) => {
+                let unit = parse_quote!(());
+                Some(self.leave_with(jump.expr.as_deref().unwrap_or(&unit)))
+            }
+            Expr::Try(attempt) => {
+                let (value, error) = (&attempt.expr, &self.names.unwritten("error"));
+                let (failure, content): (syn::Pat, Expr) = match self.on_failure {
+                    OnFailure::Err => (
+                        parse_quote!(::core::result::Result::Err(#error)),
+                        parse_quote!(::core::result::Result::Err(::ad::rt::propagate(#error))),
+                    ),
+                    _ => (
+                        parse_quote!(::core::option::Option::None),
+                        parse_quote!(::core::option::Option::None),
+                    ),
+                };
+                let success: syn::Path = match self.on_failure {
+                    OnFailure::Err => parse_quote!(::core::result::Result::Ok),
+                    _ => parse_quote!(::core::option::Option::Some),
+                };
+                let leave = self.leave_with(&content);
+                Some(parse_quote!(match #value {
+                    #success(#error) => #error,
+                    #failure => #leave,
+                }))
+            }
+            Expr::Break(jump) => self.jump_to(&Exit::Break(jump.label.clone())),
+            Expr::Continue(jump) => self.jump_to(&Exit::Continue(jump.label.clone())),
+            _ => None,
+        };
+        if let Some(rewritten) = rewritten {
+            *expr = rewritten;
+        }
+    }
+
+    // Jumps in closures and items are theirs.
+    fn visit_expr_closure_mut(&mut self, _: &mut syn::ExprClosure) {}
+
+    fn visit_item_mut(&mut self, _: &mut syn::Item) {}
+}

@@ -1,0 +1,137 @@
+//! Operations as the user wrote them, for both modes.
+
+use proc_macro2::{Ident, Span, TokenStream};
+use quote::{quote, quote_spanned};
+
+use crate::ir::{Argument, BinaryOperator, Operand, Operation, Place, Projection, Var, VarId};
+
+/// A place as an expression.
+pub fn project(root: TokenStream, path: &[Projection]) -> TokenStream {
+    path.iter().fold(root, |place, step| match step {
+        Projection::Field(member) => quote!(#place.#member),
+        Projection::Index(index) => quote!(#place[#index]),
+        Projection::Deref => quote!((*#place)),
+    })
+}
+
+/// Writes operations on these variables.
+#[derive(Clone, Copy)]
+pub struct Primal<'a>(pub &'a [Var]);
+
+impl<'a> Primal<'a> {
+    fn ident(self, var: VarId) -> &'a Ident {
+        &self.0[var].ident
+    }
+
+    /// An operand.
+    pub fn tokens(self, operand: &Operand) -> TokenStream {
+        match operand {
+            Operand::Constant(tokens) => tokens.clone(),
+            Operand::Var(var) => {
+                let ident = self.ident(*var);
+                quote!(#ident)
+            }
+        }
+    }
+
+    /// A place.
+    pub fn place(self, place: &Place) -> TokenStream {
+        let root = self.ident(place.root);
+        project(quote!(#root), &place.path)
+    }
+
+    /// An operator that changes the place to its left.
+    pub fn assigning(operator: BinaryOperator) -> TokenStream {
+        match operator {
+            BinaryOperator::Add => quote!(+=),
+            BinaryOperator::Sub => quote!(-=),
+            BinaryOperator::Mul => quote!(*=),
+            BinaryOperator::Div => quote!(/=),
+            BinaryOperator::Rem => quote!(%=),
+        }
+    }
+
+    /// A call of a function, or of a method, whose receiver is the first argument.
+    pub fn call(self, function: &TokenStream, method: bool, arguments: &[Argument]) -> TokenStream {
+        let tokens = arguments.iter().map(|argument| match argument {
+            Argument::Value(operand) => self.tokens(operand),
+            Argument::Borrow(place) => {
+                let place = self.place(place);
+                quote!(&#place)
+            }
+            Argument::Exclusive(place) | Argument::Reborrow(place) => {
+                let place = self.place(place);
+                quote!(&mut #place)
+            }
+            Argument::Function(var) => {
+                let ident = self.ident(*var);
+                quote!(#ident)
+            }
+            Argument::Receiver(place) => self.place(place),
+        });
+        let mut tokens: Vec<_> = tokens.collect();
+        if method {
+            let mut receiver = tokens.remove(0);
+            if let Argument::Borrow(_) = arguments[0] {
+                receiver = quote!((#receiver));
+            }
+            quote!(#receiver.#function(#(#tokens),*))
+        } else {
+            quote!(#function(#(#tokens),*))
+        }
+    }
+
+    /// An operation, except for a closure, which has a name where it is defined only.
+    pub fn operation(self, operation: &Operation, span: Span) -> TokenStream {
+        match operation {
+            Operation::Use(operand) => self.tokens(operand),
+            Operation::Read(place) => self.place(place),
+            Operation::Borrow(place) => {
+                let place = self.place(place);
+                quote!(&#place)
+            }
+            Operation::Value(value) => {
+                let value = self.ident(*value);
+                quote_spanned!(span=> ::ad::rt::ByValue::by_value(#value))
+            }
+            Operation::Negate(value) => {
+                let value = self.ident(*value);
+                quote_spanned!(span=> -#value)
+            }
+            Operation::Binary(operator, left, right) => {
+                let (left, right) = (self.ident(*left), self.ident(*right));
+                match operator {
+                    BinaryOperator::Add => quote_spanned!(span=> #left + #right),
+                    BinaryOperator::Sub => quote_spanned!(span=> #left - #right),
+                    BinaryOperator::Mul => quote_spanned!(span=> #left * #right),
+                    BinaryOperator::Div => quote_spanned!(span=> #left / #right),
+                    BinaryOperator::Rem => quote_spanned!(span=> #left % #right),
+                }
+            }
+            Operation::Cast(value, ty) => {
+                let value = self.ident(*value);
+                quote!(#value as #ty)
+            }
+            // What takes an object is a derivative.
+            Operation::Call { vjp, method, arguments, .. }
+                if arguments.iter().any(|argument| matches!(argument, Argument::Function(_))) =>
+            {
+                let call = self.call(vjp, *method, arguments);
+                quote!(#call.0)
+            }
+            Operation::Call { primal, method, arguments, .. } => {
+                self.call(primal, *method, arguments)
+            }
+            Operation::Closure(_) => unreachable!("is written where it is defined"),
+            Operation::Aggregate { expression, .. }
+            | Operation::UpdateStruct { expression, .. } => expression.clone(),
+            Operation::Repeat { value, length, is_vec } => {
+                let value = self.ident(*value);
+                match is_vec {
+                    true => quote!(::std::vec![#value; #length]),
+                    false => quote!([#value; #length]),
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,139 @@
+//! The arithmetic operators.
+//!
+//! Each has a pullback trait, which the types of both operands choose. A rule either needs the
+//! operands, as those of products do, and gets them from the reverse sweep, which finds out what it
+//! has to save; or it says by its [`Kept`] type what it keeps of them: the rules of sums of numbers
+//! and vectors [`Nothing`], those that `#[differentiable]` makes from an operator of one's own the
+//! [`Operands`], since such an `Add` may be any function.
+//!
+//! What changes the place to its left (`+=` and its kin) has traits of its own, for an `AddAssign` of
+//! one's own need not be an `Add`; that of numbers and vectors is.
+//!
+//! Turned down: one pullback from both operands for all operators (a loop would save the terms of each
+//! sum); giving the pullback of a sum as a closure (it has no name by which a loop could hold one
+//! for each iteration without a tape for those that hold nothing).
+
+mod assigning;
+mod integers;
+mod kept;
+mod numbers;
+mod vectors;
+
+pub use assigning::{
+    AddAssignPullback, Arithmetic, DivAssignPullback, MulAssignPullback, RemAssignPullback,
+    SubAssignPullback,
+};
+pub use kept::{Kept, Nothing, Operands};
+
+use core::ops::{Add, Div, Mul, Neg, Rem, Sub};
+
+use crate::{Differentiable, Tangent};
+
+/// The pullback of unary minus.
+#[diagnostic::on_unimplemented(
+    message = "no derivative rule for unary minus on `{Self}`",
+    note = "rules exist for f32, f64 and glam's float vectors, by value: dereference a reference with `*`",
+    note = "an operator of your own type: put `#[differentiable]` on its `impl`"
+)]
+pub trait NegPullback: Differentiable + Neg<Output: Differentiable> + Sized {
+    /// What is kept of the operand, which counts as both.
+    type Kept: Kept<Self, Self>;
+
+    /// The cotangent of the operand.
+    fn neg_pullback(kept: &Self::Kept, cotangent: Tangent<<Self as Neg>::Output>) -> Tangent<Self>;
+
+    /// The negative and its tangent.
+    fn neg_jvp(
+        self,
+        tangent: Tangent<Self>,
+    ) -> (<Self as Neg>::Output, Tangent<<Self as Neg>::Output>);
+}
+
+/// The pullbacks of operators whose partial derivatives are constants for numbers and vectors: they
+/// need no operand, so nothing is saved for them.
+macro_rules! linear_operator {
+    ($name:ident, $method:ident, $jvp:ident, $operator:ident, $symbol:literal) => {
+        #[doc = concat!("The pullback of `", $symbol, "`.")]
+        #[diagnostic::on_unimplemented(
+            message = "no derivative rule for an operator between `{Self}` and `{Rhs}`",
+            note = "rules exist for f32, f64 and glam's float vectors, by value: dereference a reference with `*`",
+            note = "operators of your own type: put `#[differentiable]` on the `impl` of the operator"
+        )]
+        pub trait $name<Rhs: Differentiable = Self>:
+            Differentiable + $operator<Rhs, Output: Differentiable> + Sized
+        {
+            /// What is kept of the operands.
+            type Kept: Kept<Self, Rhs>;
+
+            /// The cotangents of the left and the right operand.
+            fn $method(
+                kept: &Self::Kept,
+                cotangent: Tangent<<Self as $operator<Rhs>>::Output>,
+            ) -> (Tangent<Self>, Tangent<Rhs>);
+
+            /// The result and its tangent, from the operands and theirs.
+            #[allow(clippy::type_complexity)]
+            fn $jvp(
+                self,
+                rhs: Rhs,
+                tangent: Tangent<Self>,
+                rhs_tangent: Tangent<Rhs>,
+            ) -> (<Self as $operator<Rhs>>::Output, Tangent<<Self as $operator<Rhs>>::Output>);
+        }
+    };
+}
+
+/// The pullbacks of operators whose partial derivatives are the operands.
+macro_rules! bilinear_operator {
+    ($name:ident, $method:ident, $jvp:ident, $operator:ident, $symbol:literal $(, $more:item)?) => {
+        #[doc = concat!("The pullback of `", $symbol, "`.")]
+        #[diagnostic::on_unimplemented(
+            message = "no derivative rule for an operator between `{Self}` and `{Rhs}`",
+            note = "rules exist for f32, f64 and glam's float vectors, by value: dereference a reference with `*`",
+            note = "operators of your own type: put `#[differentiable]` on the `impl` of the operator"
+        )]
+        pub trait $name<Rhs: Differentiable = Self>:
+            Differentiable + $operator<Rhs, Output: Differentiable> + Sized
+        {
+            /// The cotangents of the left and the right operand.
+            fn $method(
+                self,
+                rhs: Rhs,
+                cotangent: Tangent<<Self as $operator<Rhs>>::Output>,
+            ) -> (Tangent<Self>, Tangent<Rhs>);
+
+            /// The result and its tangent, from the operands and theirs.
+            #[allow(clippy::type_complexity)]
+            fn $jvp(
+                self,
+                rhs: Rhs,
+                tangent: Tangent<Self>,
+                rhs_tangent: Tangent<Rhs>,
+            ) -> (<Self as $operator<Rhs>>::Output, Tangent<<Self as $operator<Rhs>>::Output>);
+
+            $($more)?
+        }
+    };
+}
+
+linear_operator!(AddPullback, add_pullback, add_jvp, Add, "+");
+linear_operator!(SubPullback, sub_pullback, sub_jvp, Sub, "-");
+bilinear_operator!(
+    MulPullback,
+    mul_pullback,
+    mul_jvp,
+    Mul,
+    "*",
+    /// As [`mul_pullback`](Self::mul_pullback), where both operands are finite: then no cotangent
+    /// of zero can meet an infinite partial derivative.
+    #[inline(always)]
+    fn mul_pullback_of_finite(
+        self,
+        rhs: Rhs,
+        cotangent: Tangent<<Self as Mul<Rhs>>::Output>,
+    ) -> (Tangent<Self>, Tangent<Rhs>) {
+        self.mul_pullback(rhs, cotangent)
+    }
+);
+bilinear_operator!(DivPullback, div_pullback, div_jvp, Div, "/");
+bilinear_operator!(RemPullback, rem_pullback, rem_jvp, Rem, "%");

@@ -1,0 +1,211 @@
+//! The operators of numbers, and sums of everything else.
+
+use glam::{DMat2, DMat3, DMat4, DQuat, DVec2, DVec3, DVec4};
+use glam::{Mat2, Mat3, Mat4, Quat, Vec2, Vec3, Vec4};
+
+use super::{
+    AddPullback, Arithmetic, DivPullback, MulPullback, NegPullback, Nothing, RemPullback,
+    SubPullback,
+};
+use crate::rules::scale;
+use crate::tape::Var;
+use crate::vector::Xyz;
+use crate::{Dual, Mask, Real};
+
+/// Sums of two values of the same kind, and negation.
+macro_rules! linear_operators {
+    ($([$($generics:tt)*] $type:ty),* $(,)?) => {$(
+        impl<$($generics)*> Arithmetic for $type {}
+
+        impl<$($generics)*> NegPullback for $type {
+            type Kept = Nothing;
+
+            #[inline(always)]
+            fn neg_pullback(_: &Nothing, cotangent: Self) -> Self {
+                -cotangent
+            }
+
+            #[inline(always)]
+            fn neg_jvp(self, tangent: Self) -> (Self, Self) {
+                (-self, -tangent)
+            }
+        }
+
+        impl<$($generics)*> AddPullback for $type {
+            type Kept = Nothing;
+
+            #[inline(always)]
+            fn add_pullback(_: &Nothing, cotangent: Self) -> (Self, Self) {
+                (cotangent, cotangent)
+            }
+
+            #[inline(always)]
+            fn add_jvp(self, rhs: Self, tangent: Self, rhs_tangent: Self) -> (Self, Self) {
+                (self + rhs, tangent + rhs_tangent)
+            }
+        }
+
+        impl<$($generics)*> SubPullback for $type {
+            type Kept = Nothing;
+
+            #[inline(always)]
+            fn sub_pullback(_: &Nothing, cotangent: Self) -> (Self, Self) {
+                (cotangent, -cotangent)
+            }
+
+            #[inline(always)]
+            fn sub_jvp(self, rhs: Self, tangent: Self, rhs_tangent: Self) -> (Self, Self) {
+                (self - rhs, tangent - rhs_tangent)
+            }
+        }
+    )*};
+}
+
+#[cfg(feature = "lanes")]
+linear_operators!([] wide::f32x8, [] wide::f32x16, [] wide::f64x8);
+
+linear_operators!(
+    [] f32,
+    [] f64,
+    [S: Real] Dual<S>,
+    [] Var,
+    [] Vec2,
+    [] Vec3,
+    [] Vec4,
+    [] DVec2,
+    [] DVec3,
+    [] DVec4,
+    [S: Real] Xyz<S>,
+    [] Mat2,
+    [] Mat3,
+    [] Mat4,
+    [] DMat2,
+    [] DMat3,
+    [] DMat4,
+    [] Quat,
+    [] DQuat,
+);
+
+/// The cotangents of numerator and denominator of `quotient = numerator / denominator`.
+#[inline(always)]
+pub(super) fn quotient_pullback<S: Real>(numerator: S, denominator: S, cotangent: S) -> (S, S) {
+    let singular = denominator.cmpeq(S::ZERO) | cotangent.vanishes();
+    let to_numerator = S::select(singular, S::zero(), cotangent / denominator);
+    (to_numerator, denominator_cotangent(to_numerator, numerator / denominator))
+}
+
+/// The cotangent of a denominator. That of the numerator overflows where the denominator is tiny:
+/// a quotient of zero annihilates it.
+#[inline(always)]
+pub(super) fn denominator_cotangent<S: Real>(to_numerator: S, quotient: S) -> S {
+    S::select(quotient.vanishes(), S::zero(), -scale(to_numerator, quotient))
+}
+
+/// The tangent of `a * b`.
+///
+/// Where a tangent of zero meets a factor that is infinite or NaN the plain formula gives NaN, so a
+/// look at its result spares the comparisons of both tangents with zero.
+#[inline(always)]
+fn product_tangent<S: Real>(a: S, b: S, a_tangent: S, b_tangent: S) -> S {
+    let tangent = a_tangent * b + b_tangent * a;
+    match tangent.is_finite().all() {
+        true => tangent,
+        false => rare_product_tangent(a, b, a_tangent, b_tangent),
+    }
+}
+
+/// The same, with the comparisons.
+#[cold]
+#[inline(never)]
+fn rare_product_tangent<S: Real>(a: S, b: S, a_tangent: S, b_tangent: S) -> S {
+    scale(a_tangent, b) + scale(b_tangent, a)
+}
+
+/// The tangent of `quotient = numerator / denominator`, with the same look at the result.
+#[inline(always)]
+pub(super) fn quotient_tangent<S: Real>(
+    quotient: S,
+    denominator: S,
+    tangent: S,
+    denominator_tangent: S,
+) -> S {
+    let slope = (tangent - quotient * denominator_tangent) / denominator;
+    match slope.is_finite().all() {
+        true => slope,
+        false => rare_quotient_tangent(quotient, denominator, tangent, denominator_tangent),
+    }
+}
+
+/// The same, with every case told apart.
+#[cold]
+#[inline(never)]
+fn rare_quotient_tangent<S: Real>(
+    quotient: S,
+    denominator: S,
+    tangent: S,
+    denominator_tangent: S,
+) -> S {
+    let by_denominator =
+        S::select(quotient.vanishes(), S::zero(), scale(denominator_tangent, quotient));
+    let numerator = tangent - by_denominator;
+    let singular = denominator.cmpeq(S::ZERO) | numerator.vanishes();
+    S::select(singular, S::zero(), numerator / denominator)
+}
+
+macro_rules! scalar_operators {
+    ($([$($generics:tt)*] $type:ty),* $(,)?) => {$(
+        impl<$($generics)*> MulPullback for $type {
+            #[inline(always)]
+            fn mul_pullback(self, rhs: Self, cotangent: Self) -> (Self, Self) {
+                (scale(cotangent, rhs), scale(cotangent, self))
+            }
+
+            #[inline(always)]
+            fn mul_pullback_of_finite(self, rhs: Self, cotangent: Self) -> (Self, Self) {
+                (cotangent * rhs, cotangent * self)
+            }
+
+            #[inline(always)]
+            fn mul_jvp(self, rhs: Self, tangent: Self, rhs_tangent: Self) -> (Self, Self) {
+                (self * rhs, product_tangent(self, rhs, tangent, rhs_tangent))
+            }
+        }
+
+        impl<$($generics)*> DivPullback for $type {
+            #[inline(always)]
+            fn div_pullback(self, rhs: Self, cotangent: Self) -> (Self, Self) {
+                quotient_pullback(self, rhs, cotangent)
+            }
+
+            #[inline(always)]
+            fn div_jvp(self, rhs: Self, tangent: Self, rhs_tangent: Self) -> (Self, Self) {
+                let quotient = self / rhs;
+                (quotient, quotient_tangent(quotient, rhs, tangent, rhs_tangent))
+            }
+        }
+    )*};
+}
+
+#[cfg(feature = "lanes")]
+scalar_operators!([] wide::f32x8, [] wide::f32x16, [] wide::f64x8);
+
+scalar_operators!([] f32, [] f64, [S: Real] Dual<S>, [] Var);
+
+macro_rules! remainder {
+    ($($type:ty),*) => {$(
+        impl RemPullback for $type {
+            /// `a % b` is `a - b * trunc(a / b)`; its jumps carry no derivative.
+            #[inline(always)]
+            fn rem_pullback(self, rhs: Self, cotangent: Self) -> (Self, Self) {
+                (cotangent, -scale(cotangent, (self / rhs).trunc()))
+            }
+
+            #[inline(always)]
+            fn rem_jvp(self, rhs: Self, tangent: Self, rhs_tangent: Self) -> (Self, Self) {
+                (self % rhs, tangent - scale(rhs_tangent, (self / rhs).trunc()))
+            }
+        }
+    )*};
+}
+
+remainder!(f32, f64);

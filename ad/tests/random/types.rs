@@ -1,0 +1,153 @@
+//! What random programs use beside numbers and arrays: a type with operators and methods, an enum,
+//! and functions of options, slices and `&mut`.
+
+use std::ops::{Add, AddAssign, Mul, Neg, Sub};
+
+use ad::{Differentiable, Real, differentiable};
+
+#[derive(Clone, Copy, Differentiable)]
+pub struct Pair<S> {
+    pub a: S,
+    pub b: S,
+}
+
+#[differentiable]
+impl<S: Real<Mask = bool>> Pair<S> {
+    /// Keeps it bounded.
+    pub fn tamed(self) -> Self {
+        Self { a: self.a.sin(), b: self.b.tanh() }
+    }
+
+    pub fn turn(&mut self, by: S) {
+        let a = self.a;
+        self.a = a * by.cos() - self.b * by.sin();
+        self.b = a * by.sin() + self.b * by.cos();
+    }
+
+    pub fn dot(&self, other: &Self) -> S {
+        self.a * other.a + self.b * other.b
+    }
+}
+
+#[differentiable]
+impl<S: Real<Mask = bool>> Add for Pair<S> {
+    type Output = Self;
+
+    fn add(self, other: Self) -> Self {
+        Self { a: self.a + other.a, b: self.b + other.b }
+    }
+}
+
+/// Not linear.
+#[differentiable]
+impl<S: Real<Mask = bool>> Sub for Pair<S> {
+    type Output = Self;
+
+    fn sub(self, other: Self) -> Self {
+        Self { a: self.a * other.b - other.a, b: self.b - other.b * self.a }
+    }
+}
+
+#[differentiable]
+impl<S: Real<Mask = bool>> Mul for Pair<S> {
+    type Output = Self;
+
+    fn mul(self, other: Self) -> Self {
+        Self { a: self.a * other.a - self.b * other.b, b: self.a * other.b + self.b * other.a }
+    }
+}
+
+#[differentiable]
+impl<S: Real<Mask = bool>> Mul<S> for Pair<S> {
+    type Output = Self;
+
+    fn mul(self, by: S) -> Self {
+        Self { a: self.a * by, b: self.b * by }
+    }
+}
+
+#[differentiable]
+impl<S: Real<Mask = bool>> Neg for Pair<S> {
+    type Output = Self;
+
+    fn neg(self) -> Self {
+        Self { a: -self.a, b: self.b }
+    }
+}
+
+#[differentiable]
+impl<S: Real<Mask = bool>> AddAssign for Pair<S> {
+    fn add_assign(&mut self, other: Self) {
+        self.a = self.a + other.a * self.b;
+        self.b = self.b + other.b;
+    }
+}
+
+#[derive(Clone, Copy, Differentiable)]
+pub enum Shape<S> {
+    Point,
+    Disc(S),
+    Box { w: S, h: S },
+}
+
+#[differentiable]
+pub fn shape<S: Real<Mask = bool>>(w: S, h: S) -> Shape<S> {
+    if w.cmplt(S::from_f64(-0.5)) {
+        Shape::Point
+    } else if h.cmplt(w) {
+        Shape::Disc(w * h)
+    } else {
+        Shape::Box { w, h }
+    }
+}
+
+/// `None` below 0.
+#[differentiable]
+pub fn root<S: Real<Mask = bool>>(x: S) -> Option<S> {
+    if x.cmplt(S::ZERO) { None } else { Some((x + S::from_f64(0.25)).sqrt()) }
+}
+
+#[differentiable]
+pub fn roots<S: Real<Mask = bool>>(x: S, y: S) -> Result<S, bool> {
+    let Some(first) = root(x) else { return Err(y.cmplt(x)) };
+    let second = checked(y)?;
+    Ok(first - second * both(x, y).unwrap_or(y))
+}
+
+#[differentiable]
+fn checked<S: Real<Mask = bool>>(x: S) -> Result<S, bool> {
+    match root(x) {
+        Some(root) => Ok(root),
+        None => Err(false),
+    }
+}
+
+#[differentiable]
+fn both<S: Real<Mask = bool>>(x: S, y: S) -> Option<S> {
+    Some(root(x - S::HALF)? * root(y)?)
+}
+
+#[differentiable]
+pub fn mixed<S: Real<Mask = bool>>(values: &[S]) -> S {
+    let mut sum = S::ZERO;
+    for (i, pair) in values.windows(2).enumerate() {
+        sum = sum + pair[0] * pair[1] * S::from_f64(0.5 + i as f64);
+    }
+    match values {
+        [first, .., last] => sum + *first - *last,
+        [only] => *only,
+        [] => sum,
+    }
+}
+
+/// Changes the values in place, and returns what fell out.
+#[differentiable]
+pub fn shifted<S: Real<Mask = bool>>(values: &mut [S], by: S) -> S {
+    let mut carried = by;
+    for value in values.iter_mut() {
+        let next = *value * by;
+        *value = (carried + *value * S::HALF).sin();
+        carried = next;
+    }
+    carried.tanh()
+}
