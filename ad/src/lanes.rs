@@ -83,8 +83,8 @@ macro_rules! lanes {
             fn shape(&self) {}
 
             #[inline(always)]
-            fn known_finite(&self) -> bool {
-                Real::is_finite(*self).all()
+            fn irregularity(&self) -> u64 {
+                (!Real::is_finite(*self).all()).into()
             }
         }
 

@@ -1,5 +1,6 @@
 //! What the body of a function tells about its variables without their types.
 
+use std::collections::hash_map::Entry;
 use std::collections::{HashMap, HashSet};
 
 use proc_macro2::{Delimiter, Ident, TokenStream, TokenTree};
@@ -324,6 +325,31 @@ impl<'a> Facts<'a> {
             }
             _ => None,
         }
+    }
+
+    /// The variables of a block that are read from a place which an earlier one was read from, and
+    /// which has not been assigned to since: the two are equal, and so they are one variable to the
+    /// reverse sweep, which then changes the cotangent of the place once.
+    pub fn earlier_reads(&self, block: &Block) -> HashMap<VarId, VarId> {
+        let mut reads: HashMap<_, VarId> = HashMap::new();
+        let mut earlier = HashMap::new();
+        for statement in &block.statements {
+            if let Statement::Define { var, operation: Operation::Read(place), .. } = statement {
+                match reads.entry(self.key(place)) {
+                    Entry::Occupied(first) => {
+                        earlier.insert(*var, *first.get());
+                    }
+                    Entry::Vacant(vacant) if !self.vars[*var].mutable => {
+                        vacant.insert(*var);
+                    }
+                    Entry::Vacant(_) => {}
+                }
+            }
+            let mut assigned = HashSet::new();
+            self.assigned(statement, &mut assigned);
+            reads.retain(|(root, _), _| !assigned.contains(root));
+        }
+        earlier
     }
 
     /// Collects the variables that a statement may assign to, at any depth.

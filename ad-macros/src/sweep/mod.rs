@@ -18,19 +18,21 @@ mod numbers;
 mod operation;
 mod products;
 mod recompute;
+mod tape;
 
 use std::collections::{BTreeSet, HashMap, HashSet};
 
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
-use crate::ir::{Block, BlockId, Operand, Place, Projection, Statement, Var, VarId};
+use crate::ir::{Block, BlockId, Operand, Operation, Place, Projection, Statement, Var, VarId};
 use crate::lower::{Lowered, LoweredParameter};
 use crate::names::{self, Names};
 use crate::signature::Parameter;
 use facts::Facts;
 use numbers::Numbers;
 use products::Products;
+use tape::Tapes;
 
 /// The sweeps of a function.
 pub struct Sweeps {
@@ -143,6 +145,8 @@ struct Sweeper<'a> {
     top: TokenStream,
     /// The copies that the pullback keeps of arrays behind references.
     kept_copies: HashMap<VarId, Ident>,
+    /// How often the block being written runs, and the tapes of the loops in it.
+    tapes: Tapes,
     /// The names of the ranges of loops, by those of their tapes.
     ranges: HashMap<String, Ident>,
 }
@@ -217,6 +221,7 @@ impl<'a> Sweeper<'a> {
             loop_depth: 0,
             top: TokenStream::new(),
             kept_copies: HashMap::new(),
+            tapes: Tapes::default(),
             ranges: HashMap::new(),
         }
     }
@@ -231,11 +236,18 @@ impl Sweeper<'_> {
         }
         let mut forward = Vec::new();
         let mut defines = Vec::new();
+        let earlier = self.facts.earlier_reads(block);
         for statement in block.statements.iter().rev() {
             let mut assigned = HashSet::new();
             self.facts.assigned(statement, &mut assigned);
             self.frame().assigned_later.extend(assigned);
-            let sides = self.statement(statement);
+            let sides = match statement {
+                Statement::Define { var, ty, .. } if earlier.contains_key(var) => {
+                    let same = Operation::Use(Operand::Var(earlier[var]));
+                    self.define(*var, ty.as_ref(), &same)
+                }
+                statement => self.statement(statement),
+            };
             forward.push(sides.forward);
             reverse.extend(sides.reverse);
             defines.push(sides.defines);
@@ -248,7 +260,7 @@ impl Sweeper<'_> {
             outer: BTreeSet::new(),
         };
         if self.loop_depth > 0 {
-            self.recompute(block, &mut written);
+            self.recompute(block, &earlier, &mut written);
         }
         written.outer = self.frames.pop().expect("pushed above").outer;
         written

@@ -152,8 +152,8 @@ macro_rules! matrices {
             fn shape(&self) {}
 
             #[inline(always)]
-            fn known_finite(&self) -> bool {
-                self.is_finite()
+            fn irregularity(&self) -> u64 {
+                (!self.is_finite()).into()
             }
         }
 
