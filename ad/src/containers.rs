@@ -140,8 +140,8 @@ impl<T: Differentiable, const N: usize> Differentiable for [T; N] {
     }
 
     #[inline(always)]
-    fn irregularity(&self) -> u64 {
-        self.iter().fold(0, |bits, element| bits | element.irregularity())
+    fn irregularity(&self) -> f64 {
+        self.iter().map(T::irregularity).sum()
     }
 }
 

@@ -50,8 +50,8 @@ impl<S: Real> Differentiable for Dual<S> {
     fn shape(&self) {}
 
     #[inline(always)]
-    fn irregularity(&self) -> u64 {
-        self.value.irregularity() | self.derivative.irregularity()
+    fn irregularity(&self) -> f64 {
+        self.value.irregularity() + self.derivative.irregularity()
     }
 }
 

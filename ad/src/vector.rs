@@ -229,8 +229,8 @@ impl<S: Real> Differentiable for Xyz<S> {
     fn shape(&self) {}
 
     #[inline(always)]
-    fn irregularity(&self) -> u64 {
-        self.x.irregularity() | self.y.irregularity() | self.z.irregularity()
+    fn irregularity(&self) -> f64 {
+        self.x.irregularity() + self.y.irregularity() + self.z.irregularity()
     }
 }
 

@@ -277,7 +277,7 @@ impl Sweeper<'_> {
 
     fn finiteness(&self, products: &Products, var: VarId) -> TokenStream {
         let (irregular, ident) = (&products.irregular, &self.vars[var].ident);
-        quote!(#irregular |= ::ad::Differentiable::irregularity(&#ident);)
+        quote!(#irregular += ::ad::Differentiable::irregularity(&#ident);)
     }
 
     /// The tests that stand after a loop.
@@ -293,7 +293,7 @@ impl Sweeper<'_> {
     pub(super) fn start_of_tests(&self) -> TokenStream {
         match &self.products {
             Some(Products { is_chosen: true, irregular, .. }) => {
-                quote!(let mut #irregular = 0;)
+                quote!(let mut #irregular = 0.0;)
             }
             _ => TokenStream::new(),
         }
@@ -317,7 +317,7 @@ impl Sweeper<'_> {
             };
         }
         quote! {
-            if #irregular == 0 {
+            if #irregular == 0.0 {
                 let #rules = ::ad::rt::ProductsOfFinite;
                 #reverse
                 #cotangents

@@ -152,8 +152,8 @@ macro_rules! matrices {
             fn shape(&self) {}
 
             #[inline(always)]
-            fn irregularity(&self) -> u64 {
-                (!self.is_finite()).into()
+            fn irregularity(&self) -> f64 {
+                if self.is_finite() { 0.0 } else { f64::NAN }
             }
         }
 
