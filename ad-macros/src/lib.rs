@@ -33,6 +33,7 @@ mod errors;
 mod expand;
 mod forward;
 mod ir;
+mod lending;
 mod lower;
 mod names;
 mod options;

@@ -17,9 +17,11 @@ mod pullback;
 mod tangent;
 mod through;
 
-pub use cotangent::{Absorb, At, Constant, Content, Enter, Length, Same, Take, at, sum, take};
+pub use cotangent::{
+    Absorb, At, Constant, Content, Enter, Length, Lent, NotLent, Nothing, Same, Take, at, sum, take,
+};
 pub use products::{Products, ProductsOfFinite, ProductsOutOfLine, rarely, scale};
-pub use pullback::MethodPullback;
+pub use pullback::{MethodPullback, PullbackOnto};
 pub use tangent::{
     Pass, Slot, copy, pass, pass_part, read, repeated, same_length, still, tangent_of, target,
     with_zero, zero_like, zero_of,

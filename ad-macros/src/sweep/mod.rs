@@ -44,12 +44,16 @@ pub struct Sweeps {
     pub pullback: TokenStream,
     /// The names of the cotangents that come in for `&mut` parameters.
     pub incoming: Vec<Ident>,
+    /// For each parameter the pattern that takes its cotangent so far, where callers lend it.
+    pub lent: Vec<TokenStream>,
 }
 
-/// Writes both sweeps; `seed` is the name of the cotangent of the result.
+/// Writes both sweeps; `seed` is the name of the cotangent of the result, `lent` says of each
+/// parameter whether callers lend its cotangent.
 pub fn sweep(
     lowered: &Lowered,
     parameters: &[Parameter],
+    lent: &[bool],
     seed: &Ident,
     names: &mut Names,
 ) -> Sweeps {
@@ -60,6 +64,12 @@ pub fn sweep(
     let exclusive = lowered.parameters.iter().map(|parameter| parameter.var);
     let exclusive: Vec<_> = exclusive.filter(|&var| lowered.vars[var].exclusive).collect();
     sweeper.started.extend(&exclusive);
+    let is_lent = |var: VarId| {
+        let mut all = lowered.parameters.iter().zip(lent);
+        lowered.vars[var].active && all.any(|(parameter, lent)| parameter.var == var && *lent)
+    };
+    let parameter_vars = || lowered.parameters.iter().map(|parameter| parameter.var);
+    sweeper.started.extend(parameter_vars().filter(|&var| is_lent(var)));
     let body = sweeper.block(&lowered.body, Some(quote!(#seed)));
     let spaces = lowered.parameters.iter().map(|parameter| sweeper.space_definition(parameter.var));
     let spaces: Vec<_> = spaces.collect();
@@ -73,7 +83,7 @@ pub fn sweep(
                 (true, true) => quote!(#cotangent),
                 (true, false) => quote!(::ad::Additive::zero()),
             };
-            if !has_shape {
+            if !has_shape || is_lent(var) {
                 return cotangent;
             }
             let shape = sweeper.names.fresh(&format!("{ident}_shape"), ident.span());
@@ -84,7 +94,12 @@ pub fn sweep(
     let pullback = sweeper.choose_products(body.reverse, cotangents);
     let regular = sweeper.start_of_tests();
     let (top, forward) = (&sweeper.top, body.forward);
+    let patterns = parameter_vars().map(|var| {
+        let cotangent = &lowered.vars[var].cotangent;
+        if is_lent(var) { quote!(mut #cotangent) } else { quote!(_) }
+    });
     Sweeps {
+        lent: patterns.collect(),
         forward: quote!(#regular #top #(#spaces)* #shapes #forward),
         value: body.value,
         pullback,
