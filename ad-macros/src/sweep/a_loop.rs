@@ -53,7 +53,10 @@ impl Sweeper<'_> {
         if self.loop_depth == 0 {
             self.nested_tapes(&mut sides);
         }
-        sides.forward.extend(self.iterations(a_loop, &body, push, range.as_ref()));
+        let items = self.tapes.items.take();
+        let items = items.map(|items| quote!(#items));
+        let items = range.as_ref().map(|range| quote!(#range.clone())).or(items);
+        sides.forward.extend(self.iterations(a_loop, &body, push, items));
         sides.forward.extend(tests);
         if let Some(result) = a_loop.result {
             sides.forward.extend(self.space_definition(result));
@@ -109,7 +112,7 @@ impl Sweeper<'_> {
         a_loop: &Loop,
         body: &Written,
         push: Option<TokenStream>,
-        range: Option<&Ident>,
+        items: Option<TokenStream>,
     ) -> TokenStream {
         let Loop { head, natural_end, .. } = a_loop;
         let (forward, value) = (&body.forward, &body.value);
@@ -131,10 +134,10 @@ impl Sweeper<'_> {
             (head, result) => {
                 let result = result.map(|result| quote!(let mut #result = #natural_end;));
                 let head = match head {
-                    Head::For { pattern, iterator, .. } => match range {
-                        Some(range) => quote!(for #pattern in #range.clone()),
-                        None => quote!(for #pattern in #iterator),
-                    },
+                    Head::For { pattern, iterator, .. } => {
+                        let items = items.unwrap_or_else(|| iterator.clone());
+                        quote!(for #pattern in #items)
+                    }
                     Head::While(condition) => quote!(while #condition),
                     Head::Loop => unreachable!("handled above"),
                 };
@@ -151,7 +154,7 @@ impl Sweeper<'_> {
             unreachable!("other loops have no range");
         };
         let definition = quote!(let #range = #iterator;);
-        if self.facts.uses(iterator).is_empty() {
+        if self.facts.is_known_at_start(iterator) {
             self.top.extend(definition);
         } else {
             sides.forward.extend(definition);

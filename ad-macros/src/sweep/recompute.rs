@@ -146,6 +146,7 @@ impl Sweeper<'_> {
             if let Statement::Loop(Loop { head: Head::For { iterator, .. }, record, .. }) =
                 statement
                 && let Some(range) = self.ranges.get(&record.to_string()).cloned()
+                && !self.facts.names_sequence(iterator)
             {
                 let (iterator, uses) = self.code_again(iterator);
                 again.insert(range.to_string(), (quote!(let #range = #iterator;), uses));

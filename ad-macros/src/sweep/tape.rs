@@ -22,6 +22,8 @@ pub(super) struct Tapes {
     runs: Vec<Runs>,
     /// The tapes that are to be made before the outermost loop, and how.
     nested: Vec<(Ident, TokenStream)>,
+    /// The iterator of the loop being written, if that has a name.
+    pub(super) items: Option<Ident>,
     /// The blocks around the outermost loop.
     outside: Vec<BlockId>,
 }
@@ -109,11 +111,27 @@ impl Sweeper<'_> {
             Head::For { iterator, .. } if self.runs_all(a_loop) => {
                 quote!(::ad::rt::tape(&(#iterator)))
             }
+            Head::For { .. } if !a_loop.breaks => {
+                let items = self.items(a_loop, sides);
+                quote!(::ad::rt::tape(&#items))
+            }
             _ => quote!(::std::vec::Vec::new()),
         };
         sides.forward.extend(quote!(let mut #record = #tape;));
         sides.defines.push(record.clone());
         quote!(#record.into_iter().rev())
+    }
+
+    /// Names the iterator of a loop, which then tells how many items are left.
+    fn items(&mut self, a_loop: &Loop, sides: &mut Sides) -> Ident {
+        let Head::For { iterator, .. } = &a_loop.head else {
+            unreachable!("other loops have no iterator");
+        };
+        let items = self.names.fresh("items", a_loop.record.span());
+        let definition = quote!(let #items = ::core::iter::IntoIterator::into_iter(#iterator););
+        sides.forward.extend(definition);
+        self.tapes.items = Some(items.clone());
+        items
     }
 
     /// Makes the tapes of the loops within an outermost loop.
