@@ -71,7 +71,8 @@ impl CustomShape for Ellipsoid {
 }
 
 /// A point light that shines mostly one way. Parameters: where it stands, where it shines to, its
-/// radiant intensity straight ahead, and how sharp its cone is.
+/// radiant intensity straight ahead, in hundreds, and how sharp its cone is, in tens: optimisers
+/// take one learning rate for all numbers of a light, so these are of like size.
 #[derive(Debug)]
 pub struct Spotlight;
 
@@ -81,8 +82,8 @@ fn spotlight_illumination(parameters: &[f64], point: DVec3) -> Illumination<f64>
     let to_light = position - point;
     let direction = to_light.normalize();
     let axis = (position - vector(parameters, 3)).normalize();
-    let cone = axis.dot(direction).max(0.0).powf(parameters[7]);
-    let irradiance = parameters[6] * cone / to_light.length_squared();
+    let cone = axis.dot(direction).max(0.0).powf(10.0 * parameters[7]);
+    let irradiance = 100.0 * parameters[6] * cone / to_light.length_squared();
     Illumination { direction, irradiance: DVec3::ONE * irradiance }
 }
 

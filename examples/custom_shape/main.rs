@@ -10,10 +10,12 @@ use std::sync::Arc;
 
 use kinds::{Ellipsoid, Spotlight};
 use renderer::Error;
-use renderer::experiment::Experiment;
+use renderer::arithmetic::Arithmetic;
+use renderer::experiment::{Experiment, OptimizeSection, Target, TunedParameter};
 use renderer::files::save_png;
-use renderer::integrator::{Prepared, Wanted, gradient, render};
-use renderer::loss::{ImageLoss, LossKind};
+use renderer::optimize::Quiet;
+use renderer::optimize::schedule::{Cosine, Schedule};
+use renderer::recovery::{Recovery, render_at};
 use renderer::scene::{CustomLightObject, CustomShapeObject, ParameterId, Scene};
 
 const SCENE: &str = r#"
@@ -40,7 +42,7 @@ exponent = 30.0
 
 /// The true parameters: centre and radii; place, aim, intensity and sharpness.
 const EGG: [f64; 6] = [0.3, 0.2, 0.0, 0.9, 0.6, 0.5];
-const SPOT: [f64; 8] = [2.0, 4.0, 3.0, 0.2, 0.0, 0.2, 40.0, 20.0];
+const SPOT: [f64; 8] = [2.0, 4.0, 3.0, 0.2, 0.0, 0.2, 0.4, 2.0];
 
 fn main() -> Result<(), Error> {
     let folder = Path::new("out/custom_shape");
@@ -48,16 +50,21 @@ fn main() -> Result<(), Error> {
     let mut truth = Experiment::parse(SCENE, Path::new(""), "scene")?.scene;
     add_own_kinds(&mut truth);
     truth.validate("scene")?;
-    let target = render(&Prepared::<wide::f32x16>::new(&truth));
-    save_png(&target, &folder.join("target.png"))?;
+    let arithmetic = Arithmetic::default();
+    save_png(&render_at(arithmetic, &truth), &folder.join("target.png"))?;
 
     let mut guess = truth.clone();
     guess.parameters.shapes[0] = vec![0.25, 0.15, 0.1, 0.85, 0.65, 0.55];
-    guess.parameters.custom_lights[0] = vec![1.5, 4.2, 3.2, 0.0, 0.0, 0.0, 30.0, 15.0];
-    save_png(&render(&Prepared::<wide::f32x16>::new(&guess)), &folder.join("initial.png"))?;
+    guess.parameters.custom_lights[0] = vec![1.5, 4.2, 3.2, 0.0, 0.0, 0.0, 0.3, 1.5];
+    let experiment = Experiment { scene: guess, optimize: Some(problem()) };
+    let guess = &experiment.scene;
+    save_png(&render_at(arithmetic, guess), &folder.join("initial.png"))?;
 
-    let recovered = recover(&guess, &ImageLoss::new(LossKind::MeanSquared, &target, false), 400);
-    save_png(&render(&Prepared::<wide::f32x16>::new(&recovered)), &folder.join("final.png"))?;
+    let recovery = Recovery::new(&experiment, "custom shape", arithmetic)?;
+    let outcome = recovery.run(&recovery.settings(), &mut Quiet)?;
+    println!("loss {:.2e} -> {:.2e}", outcome.initial_loss(), outcome.best.loss);
+    let recovered = recovery.scene_at(&outcome.best.x);
+    save_png(&render_at(arithmetic, &recovered), &folder.join("final.png"))?;
     for (id, truth) in
         [(ParameterId::ShapeParameters(0), &EGG[..]), (ParameterId::LightParameters(0), &SPOT[..])]
     {
@@ -82,30 +89,16 @@ fn add_own_kinds(scene: &mut Scene) {
     scene.parameters.custom_lights.push(SPOT.to_vec());
 }
 
-/// Descends by Adam (Kingma & Ba 2015), with steps relative to the size of each number.
-fn recover(guess: &Scene, loss: &ImageLoss<'_>, iterations: i32) -> Scene {
-    let ids = [ParameterId::ShapeParameters(0), ParameterId::LightParameters(0)];
-    let mut scene = guess.clone();
-    let mut prepared = Prepared::<wide::f32x16>::new(guess);
-    let mut moments = ids.map(|id| vec![(0.0, 0.0); guess.parameters.get(id).len()]);
-    for iteration in 1..=iterations {
-        prepared.set_parameters(&scene.parameters);
-        let result = gradient(&prepared, loss, Wanted::by(&ids));
-        if iteration == 1 || iteration == iterations {
-            println!("iteration {iteration}: loss {:.2e}", result.loss);
-        }
-        let rate = 0.01 * (1.0 - f64::from(iteration) / f64::from(iterations + 1));
-        for (&id, moments) in ids.iter().zip(&mut moments) {
-            let slopes = result.gradient.get(id);
-            let values = scene.parameters.get_mut(id).iter_mut();
-            for ((value, slope), (mean, square)) in values.zip(slopes).zip(moments) {
-                *mean = 0.9 * *mean + 0.1 * slope;
-                *square = 0.999 * *square + 0.001 * slope * slope;
-                let mean = *mean / (1.0 - 0.9_f64.powi(iteration));
-                let square: f64 = *square / (1.0 - 0.999_f64.powi(iteration));
-                *value -= rate * value.abs().max(0.2) * mean / (square.sqrt() + 1e-12);
-            }
-        }
+/// To find shape and light again, from the image that they make.
+fn problem() -> OptimizeSection {
+    let truth =
+        [(ParameterId::ShapeParameters(0), &EGG[..]), (ParameterId::LightParameters(0), &SPOT)];
+    let tuned = |id| TunedParameter { id, learning_rate: None, min: None, max: None };
+    OptimizeSection {
+        parameters: truth.iter().map(|&(id, _)| tuned(id)).collect(),
+        target: Some(Target::Values(truth.map(|(id, values)| (id, values.to_vec())).into())),
+        schedule: Some(Schedule::Cosine(Cosine::default())),
+        iterations: Some(400),
+        ..OptimizeSection::default()
     }
-    scene
 }

@@ -45,22 +45,17 @@ fn measure(name: &str, scene: &Scene) {
     target.pixels.iter_mut().flatten().for_each(|value| *value *= 0.9);
     let loss = ImageLoss::new(LossKind::MeanSquared, &target, false);
 
+    let ids = scene.parameter_ids();
+    let beginning = |start: &str| {
+        let ids = ids.iter().filter(|&&id| scene.path(id).to_string().starts_with(start));
+        Wanted::by(&ids.copied().collect::<Vec<_>>())
+    };
     let cases = [
-        ("lights", Wanted { lights: true, ..Wanted::default() }),
-        ("materials", Wanted { materials: true, ..Wanted::default() }),
-        ("camera", Wanted { camera: true, ..Wanted::default() }),
-        ("vertices", Wanted { vertices: true, ..Wanted::default() }),
-        (
-            "everything",
-            Wanted {
-                camera: true,
-                lights: true,
-                materials: true,
-                spheres: true,
-                vertices: true,
-                ..Wanted::default()
-            },
-        ),
+        ("lights", beginning("light.")),
+        ("materials", beginning("material.")),
+        ("camera", beginning("camera.")),
+        ("vertices", beginning("mesh.")),
+        ("everything", beginning("")),
     ];
     let mut primal = Vec::new();
     let mut gradients = vec![Vec::new(); cases.len()];

@@ -70,6 +70,7 @@ impl Default for Arithmetic {
 }
 
 /// Runs `$body` with the type `$scalar` standing for that of an [`Arithmetic`].
+#[cfg(feature = "files")]
 macro_rules! with_arithmetic {
     ($arithmetic:expr, $scalar:ident => $body:expr) => {
         match $arithmetic {
@@ -97,4 +98,5 @@ macro_rules! with_arithmetic {
     };
 }
 
+#[cfg(feature = "files")]
 pub(crate) use with_arithmetic;

@@ -1,8 +1,9 @@
 //! The one error that bad input leads to.
 
+use std::fmt;
+
 /// Input that cannot be used. Displays as one line: where, then what is wrong.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
-#[error("{place}: {problem}")]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Error {
     /// The file, and within it the line, field or parameter path.
     pub place: String,
@@ -17,6 +18,14 @@ impl Error {
         Self { place: escaped(place.to_string()), problem: escaped(problem.to_string()) }
     }
 }
+
+impl fmt::Display for Error {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}: {}", self.place, self.problem)
+    }
+}
+
+impl std::error::Error for Error {}
 
 fn escaped(text: String) -> String {
     if !text.contains(char::is_control) {

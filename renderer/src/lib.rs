@@ -13,20 +13,28 @@
 
 pub mod acceleration;
 pub mod arithmetic;
+#[cfg(feature = "files")]
 pub mod atomic_file;
+#[cfg(feature = "cli")]
 pub mod cli;
+#[cfg(feature = "files")]
 pub mod demo;
 pub mod display;
 mod error;
+#[cfg(feature = "files")]
 pub mod experiment;
+#[cfg(feature = "files")]
 pub mod files;
 pub mod image;
 pub mod integrator;
 pub mod kernels;
 pub mod loss;
+#[cfg(feature = "files")]
 pub mod optimize;
 pub mod precision;
+#[cfg(feature = "files")]
 pub mod recovery;
+#[cfg(feature = "cli")]
 pub mod report;
 pub mod scene;
 

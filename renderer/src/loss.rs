@@ -1,14 +1,14 @@
 //! How far an image is from another: the losses that are minimised.
 
 use glam::DVec3;
-use serde::{Deserialize, Serialize};
 
 use crate::image::Image;
 use crate::integrator::PixelLoss;
 
 /// How the difference between two images becomes one number.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "files", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "files", serde(rename_all = "snake_case"))]
 pub enum LossKind {
     /// The mean over pixels and channels of the squared difference.
     #[default]

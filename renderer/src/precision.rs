@@ -5,6 +5,7 @@ use ad::lanes::Lanes;
 use ad::vector::Vector3;
 use ad::{Real, Scalar, Select, Vec3, select};
 use glam::DVec3;
+use wide::f64x8;
 
 use crate::kernels::camera::{Camera, CameraTangent, Frame, FrameTangent, Ray, RayTangent};
 use crate::kernels::light::{DistantLight, DistantLightTangent, PointLight, PointLightTangent};
@@ -78,16 +79,12 @@ pub fn lanes_of_vectors<L: Lanes>(vectors: &[DVec3; MOST_LANES]) -> Vec3<L> {
 /// The sum of the lanes in which `mask` holds, in double precision.
 #[inline]
 pub fn sum_of_lanes<L: Lanes>(x: L, mask: L::Mask) -> f64 {
-    let mut sums = numbers_of_lanes(select(mask, x, L::ZERO));
-    // By halves: no chain of additions that wait for each other.
-    let mut width = L::COUNT / 2;
-    while width > 0 {
-        for lane in 0..width {
-            sums[lane] += sums[lane + width];
-        }
-        width /= 2;
+    let numbers = numbers_of_lanes(select(mask, x, L::ZERO));
+    if L::COUNT == 1 {
+        return numbers[0];
     }
-    sums[0]
+    let (low, high) = numbers.split_at(MOST_LANES / 2);
+    (f64x8::from(low) + f64x8::from(high)).reduce_add()
 }
 
 /// The sum of the vectors in the lanes in which `mask` holds, in double precision.

@@ -20,7 +20,7 @@ fn scene(size: u32) -> Scene {
     scene.parameters.shapes.push(vec![0.25, 0.45, 0.9, 0.3, 0.4, 0.25]);
     let light = Arc::new(Spotlight);
     scene.custom_lights.push(CustomLightObject { name: "spot".into(), light });
-    scene.parameters.custom_lights.push(vec![-2.0, 4.0, 4.0, 0.0, 0.3, 0.0, 9.0, 12.0]);
+    scene.parameters.custom_lights.push(vec![-2.0, 4.0, 4.0, 0.0, 0.3, 0.0, 0.09, 1.2]);
     scene
 }
 

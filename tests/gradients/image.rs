@@ -33,6 +33,7 @@ impl PixelLoss for AwayFromEdges<'_> {
 
 /// The pixels whose neighbourhood is smooth: small moves of the parameter change them by little.
 fn smooth_pixels(
+    settings: RenderSettings,
     scene: &Scene,
     id: ParameterId,
     element: usize,
@@ -43,7 +44,7 @@ fn smooth_pixels(
     for offset in [-step, -step / 2.0, 0.0, step / 2.0, step] {
         let mut moved = scene.clone();
         moved.parameters.get_mut(id)[element] += offset;
-        images.push(render(&Prepared::<f64>::new(&moved)));
+        images.push(render(&Prepared::<f64>::with_settings(&moved, settings)));
     }
     (0..images[0].pixels.len())
         .map(|pixel| {
@@ -56,7 +57,7 @@ fn smooth_pixels(
         .collect()
 }
 
-fn target(scene: &Scene) -> Image {
+pub fn target(scene: &Scene) -> Image {
     let mut image = render(&Prepared::<f64>::new(scene));
     for (i, pixel) in image.pixels.iter_mut().enumerate() {
         for (channel, value) in pixel.iter_mut().enumerate() {
@@ -74,7 +75,7 @@ pub fn agrees_with_finite_differences(scene: &Scene, id: ParameterId) {
     check_parameter(scene, &target(scene), LossKind::MeanSquared, id);
 }
 
-fn check_parameter_with(
+pub fn check_parameter_with(
     settings: RenderSettings,
     scene: &Scene,
     target: &Image,
@@ -85,8 +86,10 @@ fn check_parameter_with(
     let step = 1e-3;
     // A texture bends from texel to texel: there is no derivative there, though no jump.
     let jump = if scene.textures.is_empty() { 2e-3 } else { 3e-5 };
+    // Of one ray among several.
+    let jump = jump / f64::from(settings.sampling.count());
     for element in 0..scene.parameters.get(id).len() {
-        let keep = smooth_pixels(scene, id, element, step, jump);
+        let keep = smooth_pixels(settings, scene, id, element, step, jump);
         let kept = keep.iter().filter(|keep| **keep).count();
         assert!(kept * 10 > keep.len() * 7, "{kept} of {} pixels are smooth", keep.len());
         let loss_of_smooth =
@@ -140,7 +143,11 @@ fn every_parameter_agrees_with_finite_differences_under_textures() {
 fn the_rasterized_albedo_agrees_with_finite_differences() {
     let scene = textured_scene(16);
     let target = target(&scene);
-    let settings = RenderSettings { visibility: Visibility::Raster, pass: Pass::Albedo };
+    let settings = RenderSettings {
+        visibility: Visibility::Raster,
+        pass: Pass::Albedo,
+        ..RenderSettings::default()
+    };
     for id in scene.parameter_ids() {
         check_parameter_with(settings, &scene, &target, LossKind::MeanSquared, id);
     }

@@ -2,6 +2,7 @@
 
 mod custom;
 mod image;
+mod sampling;
 mod scenes;
 mod threads;
 mod visibility;

@@ -1,14 +1,17 @@
 //! The ways to find what a pixel shows agree.
 
 use glam::DVec3;
-use renderer::integrator::{Pass, Prepared, RenderSettings, Visibility, render};
+use renderer::integrator::{
+    GradientSamples, Pass, Prepared, RenderSettings, Samples, Sampling, Visibility, render,
+};
 use renderer::scene::Scene;
 use wide::f32x16;
 
 use crate::scenes::textured_scene;
 
 fn image(scene: &Scene, visibility: Visibility, pass: Pass) -> Vec<[f32; 3]> {
-    render(&Prepared::<f32x16>::with_settings(scene, RenderSettings { visibility, pass })).pixels
+    let settings = RenderSettings { visibility, pass, ..RenderSettings::default() };
+    render(&Prepared::<f32x16>::with_settings(scene, settings)).pixels
 }
 
 /// Wide and high images; a camera among the geometry, with parts behind it and across its plane;
@@ -31,4 +34,18 @@ fn tree_list_and_raster_show_the_same() {
             assert_eq!(tree, image(&scene, Visibility::Raster, pass));
         }
     }
+}
+
+/// Rays through any point of a pixel, not through its middle alone.
+#[test]
+fn so_they_do_with_several_rays_per_pixel() {
+    let scene = textured_scene(50);
+    let samples = Samples { count: 5, seed: 1, gradient: GradientSamples::Same };
+    let image = |visibility| {
+        let sampling = Sampling::Stratified(samples);
+        let settings = RenderSettings { visibility, sampling, ..RenderSettings::default() };
+        render(&Prepared::<f32x16>::with_settings(&scene, settings))
+    };
+    assert_eq!(image(Visibility::Tree), image(Visibility::List));
+    assert_eq!(image(Visibility::Tree), image(Visibility::Raster));
 }

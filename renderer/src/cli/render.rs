@@ -2,8 +2,6 @@
 
 use std::path::PathBuf;
 
-use clap::ValueEnum;
-
 use super::output::print;
 use crate::Error;
 use crate::arithmetic::Arithmetic;
@@ -27,68 +25,21 @@ pub(super) struct Arguments {
     exposure: Option<f64>,
 
     /// How to show what is brighter than white: clipped, or compressed (Reinhard)
-    #[arg(long, value_enum, default_value_t = Tone::Clamp)]
-    tone: Tone,
+    #[arg(long, value_enum, default_value_t = ToneMapping::Clamp)]
+    tone: ToneMapping,
 
     /// What to show of surfaces: the light they send to the camera, or their diffuse colour
-    #[arg(long, value_enum, default_value_t = PassName::Radiance)]
-    pass: PassName,
+    #[arg(long, value_enum, default_value_t = Pass::Radiance)]
+    pass: Pass,
 
     /// How to find what pixels show: rays through a tree of boxes, rays against a list of all
     /// primitives, or primitives drawn into the image
-    #[arg(long, value_enum, default_value_t = VisibilityName::Tree)]
-    visibility: VisibilityName,
+    #[arg(long, value_enum, default_value_t = Visibility::Tree)]
+    visibility: Visibility,
 
     /// Map the darkest channel to 0 and the brightest to 1
     #[arg(long, conflicts_with_all = ["exposure", "tone"])]
     normalize: bool,
-}
-
-#[derive(Clone, Copy, ValueEnum)]
-enum Tone {
-    Clamp,
-    Reinhard,
-}
-
-impl From<Tone> for ToneMapping {
-    fn from(tone: Tone) -> Self {
-        match tone {
-            Tone::Clamp => Self::Clamp,
-            Tone::Reinhard => Self::Reinhard,
-        }
-    }
-}
-
-#[derive(Clone, Copy, ValueEnum)]
-enum PassName {
-    Radiance,
-    Albedo,
-}
-
-impl From<PassName> for Pass {
-    fn from(pass: PassName) -> Self {
-        match pass {
-            PassName::Radiance => Self::Radiance,
-            PassName::Albedo => Self::Albedo,
-        }
-    }
-}
-
-#[derive(Clone, Copy, ValueEnum)]
-enum VisibilityName {
-    Tree,
-    List,
-    Raster,
-}
-
-impl From<VisibilityName> for Visibility {
-    fn from(visibility: VisibilityName) -> Self {
-        match visibility {
-            VisibilityName::Tree => Self::Tree,
-            VisibilityName::List => Self::List,
-            VisibilityName::Raster => Self::Raster,
-        }
-    }
 }
 
 /// A number of stops: as many as lead from the faintest to the brightest number.
@@ -101,13 +52,16 @@ fn stops(text: &str) -> Result<f64, String> {
 pub(super) fn run(arguments: &Arguments, arithmetic: Arithmetic) -> Result<(), Error> {
     check_image_path(&arguments.output)?;
     let experiment = Experiment::load(&arguments.scene)?;
-    let settings =
-        RenderSettings { visibility: arguments.visibility.into(), pass: arguments.pass.into() };
+    let settings = RenderSettings {
+        visibility: arguments.visibility,
+        pass: arguments.pass,
+        ..RenderSettings::default()
+    };
     let mut image = render_with(arithmetic, &experiment.scene, settings);
     if let Some(stops) = arguments.exposure {
         expose(&mut image, stops);
     }
-    ToneMapping::from(arguments.tone).apply(&mut image);
+    arguments.tone.apply(&mut image);
     if arguments.normalize {
         normalize(&mut image);
     }

@@ -14,27 +14,26 @@ use crate::kernels::material::Material;
 use crate::kernels::sphere::Sphere;
 use crate::scene::{Light, ParameterId, Parameters};
 
-/// The kinds of parameters by which a gradient is wanted. Others cost nothing and stay zero.
+/// The kinds of parameters by which a gradient is wanted. Others cost nothing.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Wanted {
-    /// Camera parameters.
-    pub camera: bool,
-    /// Light parameters.
-    pub lights: bool,
-    /// Material parameters.
-    pub materials: bool,
-    /// Sphere parameters.
-    pub spheres: bool,
-    /// Vertices.
-    pub vertices: bool,
-    /// Parameters of shapes that users add.
-    pub shapes: bool,
-    /// Texture coordinates.
-    pub texture_coordinates: bool,
-    /// Texels.
-    pub texels: bool,
+    pub(super) camera: bool,
+    /// Where lights are, or where they come from.
+    pub(super) light_places: bool,
+    pub(super) light_colors: bool,
+    pub(super) light_intensities: bool,
+    pub(super) custom_lights: bool,
+    pub(super) ambient: bool,
+    pub(super) diffuse: bool,
+    pub(super) specular: bool,
+    pub(super) exponents: bool,
     /// What materials reflect as mirrors: rays are then traced where they reflect nothing, too.
-    pub mirrors: bool,
+    pub(super) mirrors: bool,
+    pub(super) spheres: bool,
+    pub(super) vertices: bool,
+    pub(super) shapes: bool,
+    pub(super) texture_coordinates: bool,
+    pub(super) texels: bool,
 }
 
 impl Wanted {
@@ -45,14 +44,16 @@ impl Wanted {
         for id in ids {
             *match id {
                 LookFrom | LookAt | Up | Vfov | Focus => &mut wanted.camera,
-                LightPosition(_) | LightDirection(_) | LightColor(_) | LightIntensity(_)
-                | LightParameters(_) => &mut wanted.lights,
+                LightPosition(_) | LightDirection(_) => &mut wanted.light_places,
+                LightColor(_) => &mut wanted.light_colors,
+                LightIntensity(_) => &mut wanted.light_intensities,
+                LightParameters(_) => &mut wanted.custom_lights,
                 ShapeParameters(_) => &mut wanted.shapes,
-                Ambient(_) | Diffuse(_) | Specular(_) | Exponent(_) => &mut wanted.materials,
-                Reflection(_) => {
-                    wanted.mirrors = true;
-                    &mut wanted.materials
-                }
+                Ambient(_) => &mut wanted.ambient,
+                Diffuse(_) => &mut wanted.diffuse,
+                Specular(_) => &mut wanted.specular,
+                Exponent(_) => &mut wanted.exponents,
+                Reflection(_) => &mut wanted.mirrors,
                 SphereCenter(_) | SphereRadius(_) => &mut wanted.spheres,
                 Vertices(_) => &mut wanted.vertices,
                 TextureCoordinates(_) => &mut wanted.texture_coordinates,
@@ -66,6 +67,14 @@ impl Wanted {
     pub(super) fn surface(self) -> bool {
         self.camera || self.spheres || self.vertices || self.shapes || self.texture_coordinates
     }
+
+    pub(super) fn materials(self) -> bool {
+        self.ambient || self.diffuse || self.specular || self.exponents || self.mirrors
+    }
+
+    pub(super) fn lights(self) -> bool {
+        self.light_places || self.light_colors || self.light_intensities
+    }
 }
 
 /// A loss and its gradient.
@@ -73,8 +82,9 @@ impl Wanted {
 pub struct GradientResult {
     /// The loss.
     pub loss: f64,
-    /// Its derivative by each parameter; the shape is that of the scene's parameters. For parameters
-    /// that move edges it is the interior term, see
+    /// Its derivative by each wanted parameter, in the shape of the scene's parameters. What was not
+    /// wanted is zero, or, where a scene may have many of them (vertices, texels, texture
+    /// coordinates), empty. For parameters that move edges it is the interior term, see
     /// [`Differentiability`](crate::scene::Differentiability).
     pub gradient: Parameters,
 }
@@ -94,7 +104,7 @@ pub(crate) fn reduce<L: Lanes>(
     strips: Vec<StripSums>,
     wanted: Wanted,
 ) -> GradientResult {
-    let mut total = GradientResult { loss: 0.0, gradient: zero(&prepared.parameters) };
+    let mut total = GradientResult { loss: 0.0, gradient: zero(&prepared.parameters, wanted) };
     let mut frame = Tangent::<Frame<f64>>::zero();
     let gradient = &mut total.gradient;
     for strip in strips {
@@ -120,11 +130,11 @@ pub(crate) fn reduce<L: Lanes>(
             *u += sum.u;
             *v += sum.v;
         }
-        for (total, sum) in gradient.shapes.iter_mut().zip(strip.shapes) {
-            total.accumulate(sum);
+        if wanted.shapes {
+            gradient.shapes.accumulate(strip.shapes);
         }
-        for (total, sum) in gradient.custom_lights.iter_mut().zip(strip.custom_lights) {
-            total.accumulate(sum);
+        if wanted.custom_lights {
+            gradient.custom_lights.accumulate(strip.custom_lights);
         }
         for (texel, sum) in strip.texels {
             let (texture, index) = prepared.texel_of_texture(texel);
@@ -139,8 +149,8 @@ pub(crate) fn reduce<L: Lanes>(
     total
 }
 
-/// Zero, in the shape of `parameters`.
-fn zero(parameters: &Parameters) -> Parameters {
+/// Zero, in the shape of `parameters`; nothing where there may be many and they are not wanted.
+fn zero(parameters: &Parameters, wanted: Wanted) -> Parameters {
     let zero_light = |light: &Light<f64>| match light {
         Light::Point(_) => Light::Point(PointLight::zero()),
         Light::Distant(_) => Light::Distant(DistantLight::zero()),
@@ -150,14 +160,19 @@ fn zero(parameters: &Parameters) -> Parameters {
         lights: parameters.lights.iter().map(zero_light).collect(),
         materials: vec![Material::zero(); parameters.materials.len()],
         spheres: vec![Sphere::zero(); parameters.spheres.len()],
-        vertices: parameters.vertices.iter().map(|mesh| vec![[0.0; 3]; mesh.len()]).collect(),
-        texture_coordinates: parameters
-            .texture_coordinates
-            .iter()
-            .map(|mesh| vec![[0.0; 2]; mesh.len()])
-            .collect(),
-        shapes: parameters.shapes.iter().map(|list| vec![0.0; list.len()]).collect(),
-        custom_lights: parameters.custom_lights.iter().map(|list| vec![0.0; list.len()]).collect(),
-        textures: parameters.textures.iter().map(|texels| vec![[0.0; 3]; texels.len()]).collect(),
+        vertices: zeros_if(wanted.vertices, &parameters.vertices, [0.0; 3]),
+        texture_coordinates: zeros_if(
+            wanted.texture_coordinates,
+            &parameters.texture_coordinates,
+            [0.0; 2],
+        ),
+        shapes: zeros_if(wanted.shapes, &parameters.shapes, 0.0),
+        custom_lights: zeros_if(wanted.custom_lights, &parameters.custom_lights, 0.0),
+        textures: zeros_if(wanted.texels, &parameters.textures, [0.0; 3]),
     }
+}
+
+fn zeros_if<T: Clone>(wanted: bool, lists: &[Vec<T>], zero: T) -> Vec<Vec<T>> {
+    let length = |list: &Vec<T>| if wanted { list.len() } else { 0 };
+    lists.iter().map(|list| vec![zero.clone(); length(list)]).collect()
 }

@@ -9,8 +9,7 @@ use ad::{Additive, Vec3, select};
 use super::prepared::Prepared;
 use super::shade::Shaded;
 use super::sharing::Sharing;
-use super::tiles::Tile;
-use super::view::{View, repeated};
+use super::view::{Sample, View, repeated};
 use crate::acceleration::{PACKET_RAYS, PacketHits, rays};
 use crate::kernels::camera::Ray;
 use crate::kernels::surface::mirrored_ray;
@@ -29,6 +28,7 @@ pub(super) enum Mirrors {
 /// What the camera sees in a tile: directly, by one mirror, by two mirrors, and so on. A pixel has
 /// the same ray in every view.
 pub(super) struct Sight<L: Lanes> {
+    /// None before the first tile, so that an empty sight takes no memory.
     views: Vec<View<L>>,
     /// How many of the views are of this tile.
     depth: usize,
@@ -44,16 +44,19 @@ impl<L: Lanes> Sight<L> {
 /// To be filled by [`Prepared::see`].
 impl<L: Lanes> Default for Sight<L> {
     fn default() -> Self {
-        Self { views: vec![View::default()], depth: 1 }
+        Self { views: Vec::new(), depth: 0 }
     }
 }
 
 impl<L: Lanes> Prepared<'_, L> {
-    /// Looks through the middle of every pixel of a tile and finds what lights reach; then the same
+    /// Looks through one point of every pixel of a tile and finds what lights reach; then the same
     /// in what mirrors show.
-    pub(super) fn see(&self, tile: &Tile, mirrors: Mirrors, sight: &mut Sight<L>) {
+    pub(super) fn see(&self, sample: &Sample<'_>, mirrors: Mirrors, sight: &mut Sight<L>) {
         let Sight { views, depth } = sight;
-        self.look(tile, &mut views[0]);
+        if views.is_empty() {
+            views.push(View::default());
+        }
+        self.look(sample, &mut views[0]);
         self.light_up(&mut views[0]);
         *depth = 1;
         if mirrors == Mirrors::Bright && !self.has_mirrors {

@@ -20,6 +20,7 @@ mod mirrors;
 mod prepared;
 mod radiance;
 mod raster;
+mod sampling;
 mod settings;
 mod shade;
 mod shadows;
@@ -34,8 +35,9 @@ mod view;
 pub use gradient::{GradientResult, Wanted, gradient};
 pub use prepared::Prepared;
 pub use radiance::{PixelLoss, loss, render, render_into};
+pub use sampling::{GradientSamples, Samples, Sampling};
 pub use settings::{Pass, RenderSettings, Visibility};
 pub use trace::{Rays, trace};
 
-pub(crate) use gradient::reduce;
-pub(crate) use sweep::sweep;
+#[cfg(feature = "cli")]
+pub(crate) use {gradient::reduce, sweep::sweep};

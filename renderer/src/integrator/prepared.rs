@@ -8,6 +8,7 @@ use glam::DVec3;
 use rayon::prelude::*;
 
 use super::raster::Raster;
+use super::sampling::Sampling;
 use super::settings::{Pass, RenderSettings, Visibility};
 use super::textures::Texture;
 use super::tiles::Tile;
@@ -58,6 +59,7 @@ pub struct Prepared<'a, L: Lanes> {
     pub(super) film_offsets: Vec<(L, L)>,
     pub(super) acceleration: Acceleration,
     pub(super) pass: Pass,
+    pub(super) sampling: Sampling,
     /// Whether, and from where, primitives are drawn instead of being found by rays.
     raster: Option<Raster>,
 }
@@ -111,9 +113,12 @@ impl<'a, L: Lanes> Prepared<'a, L> {
                 Visibility::Tree | Visibility::Raster => Acceleration::new(&[][..]),
             },
             pass: settings.pass,
+            sampling: settings.sampling,
             raster: None,
         };
         prepared.load_appearance();
+        prepared.load_texels();
+        prepared.load_texture_coordinates();
         prepared.load_geometry();
         if settings.visibility == Visibility::Raster {
             prepared.raster = Some(prepared.rasterize());
@@ -128,10 +133,18 @@ impl<'a, L: Lanes> Prepared<'a, L> {
     ///
     /// If `parameters` has another shape than the scene's.
     pub fn set_parameters(&mut self, parameters: &Parameters) {
-        let moved = self.parameters.vertices != parameters.vertices
-            || self.parameters.spheres != parameters.spheres;
+        let old = &self.parameters;
+        let moved = old.vertices != parameters.vertices || old.spheres != parameters.spheres;
+        let repainted = old.textures != parameters.textures;
+        let remapped = old.texture_coordinates != parameters.texture_coordinates;
         self.parameters.clone_from(parameters);
         self.load_appearance();
+        if repainted {
+            self.load_texels();
+        }
+        if remapped {
+            self.load_texture_coordinates();
+        }
         if moved {
             self.load_geometry();
         }
@@ -201,16 +214,22 @@ impl<'a, L: Lanes> Prepared<'a, L> {
             })
             .collect();
         self.materials = self.parameters.materials.iter().map(Material::narrow).collect();
+        self.has_mirrors = self.pass == Pass::Radiance
+            && (0..self.materials.len()).any(|material| self.is_mirror(material));
+    }
+
+    fn load_texels(&mut self) {
         self.texels.clear();
         for texels in &self.parameters.textures {
             let texels = texels.par_iter().map(|&texel| narrow::<L::Element>(texel.into()));
             self.texels.par_extend(texels);
         }
+    }
+
+    fn load_texture_coordinates(&mut self) {
         let coordinates = self.parameters.texture_coordinates.iter().flatten();
         self.uvs.clear();
         self.uvs.extend(coordinates.map(|&[u, v]| Uv { u, v }.narrow()));
-        self.has_mirrors = self.pass == Pass::Radiance
-            && (0..self.materials.len()).any(|material| self.is_mirror(material));
     }
 
     fn load_geometry(&mut self) {
@@ -231,17 +250,17 @@ impl<'a, L: Lanes> Prepared<'a, L> {
 
     /// The mesh of a vertex, and its index there.
     pub(super) fn vertex_of_mesh(&self, vertex: u32) -> (usize, usize) {
-        part_and_index(vertex, self.first_vertices.iter().copied())
+        part_and_index(vertex, &self.first_vertices, |&first| first)
     }
 
     /// The mesh of texture coordinates, and their index there.
     pub(super) fn uv_of_mesh(&self, uv: u32) -> (usize, usize) {
-        part_and_index(uv, self.first_uvs.iter().copied())
+        part_and_index(uv, &self.first_uvs, |&first| first)
     }
 
     /// The texture of a texel, and its index there.
     pub(super) fn texel_of_texture(&self, texel: u32) -> (usize, usize) {
-        part_and_index(texel, self.textures.iter().map(|texture| texture.first_texel as u32))
+        part_and_index(texel, &self.textures, |texture| texture.first_texel as u32)
     }
 
     /// The index of a sphere among the spheres.
@@ -251,9 +270,10 @@ impl<'a, L: Lanes> Prepared<'a, L> {
 }
 
 /// Which part of a list an index is in, and its index there, by the first index of each part.
-fn part_and_index(index: u32, firsts: impl Iterator<Item = u32>) -> (usize, usize) {
-    let parts = firsts.enumerate().take_while(|&(_, first)| first <= index);
-    parts.last().map_or((0, 0), |(part, first)| (part, (index - first) as usize))
+fn part_and_index<T>(index: u32, parts: &[T], first: impl Fn(&T) -> u32) -> (usize, usize) {
+    // The last of those that begin no later: parts without members begin where the next one does.
+    let part = parts.partition_point(|part| first(part) <= index) - 1;
+    (part, (index - first(&parts[part])) as usize)
 }
 
 /// Where the texels of each texture are, among those of all.

@@ -8,8 +8,8 @@ use super::mirrors::{Mirrors, Sight};
 use super::prepared::Prepared;
 use super::shade::Shaded;
 use super::tiles::{TILE, Tile, fill_strips, for_each_strip};
-use super::view::{Group, set_vectors};
-use crate::acceleration::{PacketVectors, ray_at, rays};
+use super::view::{Group, Sample, set_vectors};
+use crate::acceleration::{PACKET_RAYS, PacketVectors, ray_at, rays};
 use crate::image::Image;
 use crate::precision::vectors_of_lanes;
 
@@ -20,8 +20,8 @@ pub trait PixelLoss: Sync {
     fn evaluate(&self, x: u32, y: u32, radiance: DVec3) -> (f64, DVec3);
 }
 
-/// Renders the image: one ray through the middle of each pixel. Where the camera sees nothing, the
-/// image is black.
+/// Renders the image: the mean of what the rays through each pixel bring. Where the camera sees
+/// nothing, the image is black.
 pub fn render<L: Lanes>(prepared: &Prepared<'_, L>) -> Image {
     let mut image = Image::black(prepared.scene.width, prepared.scene.height);
     render_into(prepared, &mut image);
@@ -39,9 +39,19 @@ pub fn render_into<L: Lanes>(prepared: &Prepared<'_, L>, image: &mut Image) {
     fill_strips(image, Sight::default, |sight, strip, rows| {
         for tile in strip.tiles() {
             let mut colors = PacketVectors::ZERO;
-            visit(prepared, &tile, sight, |group, radiance| {
-                set_vectors::<L>(&mut colors, group.first, group.alive, radiance);
-            });
+            if prepared.sampling.count() == 1 {
+                for sample in prepared.samples(&tile) {
+                    visit(prepared, &sample, sight, |group, radiance| {
+                        set_vectors::<L>(&mut colors, group.first, group.alive, radiance);
+                    });
+                }
+            } else {
+                let radiance = mean_radiance(prepared, &tile, sight);
+                radiance
+                    .iter()
+                    .enumerate()
+                    .for_each(|(ray, color)| colors.set(ray, color.as_vec3()));
+            }
             let pixels = by_rows(&colors);
             for (row, pixels) in rows.iter_mut().zip(&pixels) {
                 row[strip.columns(&tile)].copy_from_slice(&pixels[..tile.columns]);
@@ -68,38 +78,44 @@ pub fn loss<L: Lanes>(prepared: &Prepared<'_, L>, loss: &impl PixelLoss) -> f64 
     let strips = for_each_strip(width, height, Sight::default, |sight, strip| {
         let mut sum = 0.0;
         for tile in strip.tiles() {
-            visit(prepared, &tile, sight, |group, radiance: Vec3<L>| {
-                let radiance = vectors_of_lanes::<L>(radiance);
-                for (lane, ray) in group.rays() {
-                    let (x, y) = tile.pixel(ray);
-                    sum += loss.evaluate(x, y, radiance[lane]).0;
-                }
-            });
-            sum += black_pixels(&tile, sight.views()[0].missed, loss);
+            let radiance = mean_radiance(prepared, &tile, sight);
+            for ray in rays(tile.rays()) {
+                let (x, y) = tile.pixel(ray);
+                sum += loss.evaluate(x, y, radiance[ray]).0;
+            }
         }
         sum
     });
     strips.into_iter().sum()
 }
 
-/// The loss of the pixels of a tile that show nothing.
-pub(super) fn black_pixels(tile: &Tile, missed: u64, loss: &impl PixelLoss) -> f64 {
-    rays(missed)
-        .map(|ray| {
-            let (x, y) = tile.pixel(ray);
-            loss.evaluate(x, y, DVec3::ZERO).0
-        })
-        .sum()
-}
-
-/// Calls `use_radiance` with the radiance of every group of a tile.
-fn visit<L: Lanes>(
+/// The radiance of the pixels of a tile, in double precision from that of each ray on.
+pub(super) fn mean_radiance<L: Lanes>(
     prepared: &Prepared<'_, L>,
     tile: &Tile,
     sight: &mut Sight<L>,
+) -> [DVec3; PACKET_RAYS] {
+    let mut total = [DVec3::ZERO; PACKET_RAYS];
+    for sample in prepared.samples(tile) {
+        visit(prepared, &sample, sight, |group, radiance| {
+            let radiance = vectors_of_lanes::<L>(radiance);
+            for (lane, ray) in group.rays() {
+                total[ray] += radiance[lane];
+            }
+        });
+    }
+    let count = f64::from(prepared.sampling.count());
+    total.map(|radiance| radiance / count)
+}
+
+/// Calls `use_radiance` with the radiance of every group of rays.
+fn visit<L: Lanes>(
+    prepared: &Prepared<'_, L>,
+    sample: &Sample<'_>,
+    sight: &mut Sight<L>,
     mut use_radiance: impl FnMut(&Group<L>, Vec3<L>),
 ) {
-    prepared.see(tile, Mirrors::Bright, sight);
+    prepared.see(sample, Mirrors::Bright, sight);
     let (view, mirrored) = (&sight.views()[0], sight.views().get(1));
     for group in &view.groups {
         let appearance = prepared.appearance(group);

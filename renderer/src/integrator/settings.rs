@@ -1,5 +1,7 @@
 //! What is rendered of a scene, and how it is found.
 
+use super::sampling::Sampling;
+
 /// How a scene is rendered.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct RenderSettings {
@@ -7,11 +9,14 @@ pub struct RenderSettings {
     pub visibility: Visibility,
     /// What of it is shown.
     pub pass: Pass,
+    /// Where within pixels rays go.
+    pub sampling: Sampling,
 }
 
 /// How it is found what a pixel shows. The images are the same, but for pixels on edges at which two
 /// primitives are equally near.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "cli", derive(clap::ValueEnum))]
 pub enum Visibility {
     /// A ray goes through a tree of bounding boxes.
     #[default]
@@ -25,6 +30,7 @@ pub enum Visibility {
 
 /// What is shown of a surface.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "cli", derive(clap::ValueEnum))]
 pub enum Pass {
     /// What light it sends to the camera.
     #[default]

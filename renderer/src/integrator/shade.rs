@@ -21,19 +21,16 @@ use crate::scene::Light;
 
 /// The cotangent of a light of either kind.
 #[derive(Clone, Copy)]
-pub(super) enum LightCotangent<L: Lanes> {
-    Point(PointLightTangent<L>),
-    Distant(DistantLightTangent<L>),
+pub(super) enum LightCotangent<'a, L: Lanes> {
+    Point(&'a PointLightTangent<L>),
+    Distant(&'a DistantLightTangent<L>),
 }
 
-/// The cotangents of what a group shows.
-pub(super) struct Pulled<L: Lanes> {
-    pub material: Tangent<Material<L>>,
-    pub surface: Tangent<SurfacePoint<L>>,
-    /// Of what the mirror does, where the ray that it sends on was traced.
-    pub mirror: Option<PulledMirror<L>>,
-    /// Of the radiance.
-    pub radiance: Vec3<L>,
+/// The cotangents of what a group shows. They are large: they stay where pullbacks leave them, and
+/// references to them go round.
+pub(super) struct Pulled<'a, L: Lanes> {
+    pub material: &'a mut Tangent<Material<L>>,
+    pub surface: &'a mut Tangent<SurfacePoint<L>>,
 }
 
 /// The cotangents of what is seen in mirrors.
@@ -43,9 +40,6 @@ pub(super) struct PulledMirror<L: Lanes> {
     /// Of the radiance from the mirror direction.
     pub radiance: Vec3<L>,
 }
-
-/// What flows back to what is shown, and to one light.
-type Cotangents<L> = (Pulled<L>, LightCotangent<L>);
 
 /// What a group is made of, and what comes from lights that users add.
 pub(super) struct Appearance<L: Lanes> {
@@ -68,7 +62,6 @@ impl<L: Lanes> Prepared<'_, L> {
 }
 
 /// A group under its lights.
-#[derive(Clone, Copy)]
 pub(super) struct Shaded<'a, L: Lanes> {
     pass: Pass,
     group: &'a Group<L>,
@@ -111,8 +104,14 @@ impl<'a, L: Lanes> Shaded<'a, L> {
     /// The radiance of the pixels.
     #[inline]
     pub fn radiance(&self) -> Vec3<L> {
+        self.radiance_by(self.lights)
+    }
+
+    /// The radiance under the first of the lights alone.
+    #[inline]
+    fn radiance_by(&self, lights: &[Light<f64>]) -> Vec3<L> {
         let mut total = self.own_radiance();
-        for (light, &lit) in self.lights.iter().zip(self.lit) {
+        for (light, &lit) in lights.iter().zip(self.lit) {
             let reflected = match light {
                 Light::Point(light) => light.reflect(self),
                 Light::Distant(light) => light.reflect(self),
@@ -143,33 +142,41 @@ impl<'a, L: Lanes> Shaded<'a, L> {
         &self.lit[self.lit.len() - self.illuminations.len()..]
     }
 
-    /// The cotangents of what goes into [`own_radiance`](Self::own_radiance).
+    /// Pulls the cotangent of [`own_radiance`](Self::own_radiance) back to the colour that shows.
+    /// To mirrors and lights that users add it flows apart: where a scene has none, that costs
+    /// nothing.
     #[inline]
-    fn pull_back_own(&self, cotangent: Vec3<L>, pulled: &mut Pulled<L>) {
-        pulled.radiance = cotangent;
-        if self.pass == Pass::Albedo {
-            pulled.material.diffuse.accumulate(cotangent);
-            return;
-        }
-        pulled.material.ambient.accumulate(cotangent);
-        pulled.mirror = self.mirrored.map(|&mirrored| PulledMirror {
+    fn pull_back_own(&self, cotangent: Vec3<L>, material: &mut Tangent<Material<L>>) {
+        let shown = match self.pass {
+            Pass::Albedo => &mut material.diffuse,
+            Pass::Radiance => &mut material.ambient,
+        };
+        shown.accumulate(cotangent);
+    }
+
+    /// Pulls the cotangent of the radiance back to what is seen in mirrors, where the rays that they
+    /// send on were traced.
+    pub fn pull_back_mirror(&self, cotangent: Vec3<L>) -> Option<PulledMirror<L>> {
+        let mirrored = self.mirrored.filter(|_| self.pass == Pass::Radiance);
+        mirrored.map(|&mirrored| PulledMirror {
             reflection: cotangent * mirrored,
             radiance: cotangent * self.material.reflection,
-        });
+        })
     }
 
     /// Pulls the cotangent of the radiance back to what comes from lights that users add, and adds to
-    /// the rest. Apart from [`pull_back`](Self::pull_back), which is the faster for it.
+    /// the rest.
     pub fn pull_back_custom_lights(
         &self,
-        pulled: &mut Pulled<L>,
+        cotangent: Vec3<L>,
+        pulled: &mut Pulled<'_, L>,
         mut to_light: impl FnMut(usize, Tangent<Illumination<L>>) -> Vec3<L>,
     ) {
         let lights = self.illuminations.iter().zip(self.lit_by_custom_lights());
         for (index, (&illumination, lit)) in lights.enumerate() {
             let (_, pullback) =
                 reflection::vjp::<L>(self.material, self.group.surface, illumination);
-            let cotangent = self.where_lit(*lit, pulled.radiance);
+            let cotangent = self.where_lit(*lit, cotangent);
             let (material, surface, illumination) = pullback(cotangent);
             pulled.material.accumulate(material);
             pulled.surface.accumulate(surface);
@@ -177,8 +184,8 @@ impl<'a, L: Lanes> Shaded<'a, L> {
         }
     }
 
-    /// Pulls the cotangent back that `respond` gives for the [radiance](Self::radiance), if any.
-    /// That of each light goes to `to_light`, with its index.
+    /// Pulls the cotangent back that `respond` gives for the [radiance](Self::radiance), if any: that
+    /// of each light goes to `to_light`, with its index, the rest to `to_shown`.
     ///
     /// Of the last light, mostly the only one, the pullback is kept while `respond` is asked; that
     /// of the others is computed afterwards, because there is no saying how many there are.
@@ -186,52 +193,66 @@ impl<'a, L: Lanes> Shaded<'a, L> {
     pub fn pull_back(
         &self,
         respond: impl FnOnce(Vec3<L>) -> Option<Vec3<L>>,
-        to_light: impl FnMut(usize, LightCotangent<L>),
-    ) -> Option<Pulled<L>> {
+        to_light: impl FnMut(usize, LightCotangent<'_, L>),
+        to_shown: impl FnOnce(Vec3<L>, Pulled<'_, L>),
+    ) {
         match self.lights.last() {
-            Some(Light::Point(last)) => self.pull_back_from(last, respond, to_light),
-            Some(Light::Distant(last)) => self.pull_back_from(last, respond, to_light),
+            Some(Light::Point(last)) => self.pull_back_from(last, respond, to_light, to_shown),
+            Some(Light::Distant(last)) => self.pull_back_from(last, respond, to_light, to_shown),
             None => {
-                let cotangent = respond(self.own_radiance())?;
-                let mut pulled = Pulled {
-                    material: Additive::zero(),
-                    surface: Additive::zero(),
-                    mirror: None,
-                    radiance: Additive::zero(),
-                };
-                self.pull_back_own(cotangent, &mut pulled);
-                Some(pulled)
+                if let Some(cotangent) = respond(self.own_radiance()) {
+                    let (mut material, mut surface) = (Additive::zero(), Additive::zero());
+                    self.pull_back_own(cotangent, &mut material);
+                    let pulled = Pulled { material: &mut material, surface: &mut surface };
+                    to_shown(cotangent, pulled);
+                }
             }
         }
     }
 
     #[inline]
-    fn pull_back_from(
+    fn pull_back_from<K: Reflected<L>>(
         &self,
-        last: &impl Reflected<L>,
+        last: &K,
         respond: impl FnOnce(Vec3<L>) -> Option<Vec3<L>>,
-        mut to_light: impl FnMut(usize, LightCotangent<L>),
-    ) -> Option<Pulled<L>> {
+        mut to_light: impl FnMut(usize, LightCotangent<'_, L>),
+        to_shown: impl FnOnce(Vec3<L>, Pulled<'_, L>),
+    ) {
         let index = self.lights.len() - 1;
-        let others = Self { lights: &self.lights[..index], ..*self };
+        let others = &self.lights[..index];
         let (reflected, pullback) = last.reflect_vjp(self);
         let lit = self.lit[index];
-        let cotangent = respond(others.radiance() + self.where_lit(lit, reflected))?;
-        let (mut pulled, light) = pullback(self.where_lit(lit, cotangent));
-        self.pull_back_own(cotangent, &mut pulled);
+        let radiance = self.radiance_by(others) + self.where_lit(lit, reflected);
+        let Some(cotangent) = respond(radiance) else { return };
+        let mut cotangents = pullback(self.where_lit(lit, cotangent));
+        let (mut pulled, light) = K::parts(&mut cotangents);
+        self.pull_back_own(cotangent, pulled.material);
         to_light(index, light);
 
-        for (index, (light, &lit)) in others.lights.iter().zip(self.lit).enumerate() {
+        for (index, (light, &lit)) in others.iter().zip(self.lit).enumerate() {
             let cotangent = self.where_lit(lit, cotangent);
-            let (other, light) = match light {
-                Light::Point(light) => light.reflect_vjp(self).1(cotangent),
-                Light::Distant(light) => light.reflect_vjp(self).1(cotangent),
-            };
-            pulled.material.accumulate(other.material);
-            pulled.surface.accumulate(other.surface);
-            to_light(index, light);
+            let to_light = |light: LightCotangent<'_, L>| to_light(index, light);
+            match light {
+                Light::Point(light) => self.pull_back_to(light, cotangent, &mut pulled, to_light),
+                Light::Distant(light) => self.pull_back_to(light, cotangent, &mut pulled, to_light),
+            }
         }
-        Some(pulled)
+        to_shown(cotangent, pulled);
+    }
+
+    /// Adds what flows back through one more light.
+    fn pull_back_to<K: Reflected<L>>(
+        &self,
+        light: &K,
+        cotangent: Vec3<L>,
+        pulled: &mut Pulled<'_, L>,
+        to_light: impl FnOnce(LightCotangent<'_, L>),
+    ) {
+        let mut cotangents = light.reflect_vjp(self).1(cotangent);
+        let (Pulled { material, surface }, light) = K::parts(&mut cotangents);
+        pulled.material.accumulate(*material);
+        pulled.surface.accumulate(*surface);
+        to_light(light);
     }
 
     /// `value` where a light reaches the surface.
@@ -243,18 +264,24 @@ impl<'a, L: Lanes> Shaded<'a, L> {
 
 /// A light of one kind, as it is reflected.
 trait Reflected<L: Lanes> {
+    /// What flows back to material, surface and light.
+    type Cotangents;
+
     fn reflect(&self, shaded: &Shaded<'_, L>) -> Vec3<L>;
 
-    /// With the pullback to what is shown and to the light.
     fn reflect_vjp(
         &self,
         shaded: &Shaded<'_, L>,
-    ) -> (Vec3<L>, impl FnOnce(Vec3<L>) -> Cotangents<L>);
+    ) -> (Vec3<L>, impl FnOnce(Vec3<L>) -> Self::Cotangents);
+
+    fn parts(cotangents: &mut Self::Cotangents) -> (Pulled<'_, L>, LightCotangent<'_, L>);
 }
 
 macro_rules! reflected {
-    ($($light:ident, $kernel:ident, $illumination:expr, $variant:ident;)*) => {$(
+    ($($light:ident, $tangent:ident, $kernel:ident, $illumination:expr, $variant:ident;)*) => {$(
         impl<L: Lanes> Reflected<L> for $light<f64> {
+            type Cotangents = (Tangent<Material<L>>, Tangent<SurfacePoint<L>>, $tangent<L>);
+
             #[inline]
             fn reflect(&self, shaded: &Shaded<'_, L>) -> Vec3<L> {
                 let Shaded { material, group: &Group { surface, .. }, matte, .. } = *shaded;
@@ -270,20 +297,22 @@ macro_rules! reflected {
             fn reflect_vjp(
                 &self,
                 shaded: &Shaded<'_, L>,
-            ) -> (Vec3<L>, impl FnOnce(Vec3<L>) -> Cotangents<L>) {
-                let (value, pullback) =
-                    $kernel::vjp::<L>(shaded.material, shaded.group.surface, self.narrow());
-                let pullback = move |cotangent| {
-                    let (material, surface, light) = pullback(cotangent);
-                    (Pulled { material, surface, mirror: None, radiance: Additive::zero() }, LightCotangent::$variant(light))
-                };
-                (value, pullback)
+            ) -> (Vec3<L>, impl FnOnce(Vec3<L>) -> Self::Cotangents) {
+                $kernel::vjp::<L>(shaded.material, shaded.group.surface, self.narrow())
+            }
+
+            #[inline]
+            fn parts(
+                (material, surface, light): &mut Self::Cotangents,
+            ) -> (Pulled<'_, L>, LightCotangent<'_, L>) {
+                (Pulled { material, surface }, LightCotangent::$variant(light))
             }
         }
     )*};
 }
 
 reflected! {
-    PointLight, reflection_of_point_light, point_illumination::<L>, Point;
-    DistantLight, reflection_of_distant_light, |light, _| distant_illumination::<L>(light), Distant;
+    PointLight, PointLightTangent, reflection_of_point_light, point_illumination::<L>, Point;
+    DistantLight, DistantLightTangent, reflection_of_distant_light,
+        |light, _| distant_illumination::<L>(light), Distant;
 }

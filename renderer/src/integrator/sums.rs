@@ -1,9 +1,10 @@
 //! What the pixels of a strip add up to, in double precision.
 
 use ad::lanes::Lanes;
-use ad::{Additive, Mask};
+use ad::{Additive, Mask, Vec3};
 use glam::DVec3;
 
+use super::gradient::Wanted;
 use super::prepared::Prepared;
 use super::shade::LightCotangent;
 use crate::kernels::camera::FrameTangent;
@@ -11,6 +12,7 @@ use crate::kernels::light::{DistantLightTangent, PointLightTangent};
 use crate::kernels::material::MaterialTangent;
 use crate::kernels::sphere::SphereTangent;
 use crate::kernels::texture::UvTangent;
+use crate::precision::{sum_of_lanes, sum_of_vectors};
 use crate::scene::Light;
 
 /// Where the sum of each index stands in a list of sums.
@@ -57,13 +59,20 @@ impl LightSum {
 
     /// Adds what flows back from a group.
     #[inline]
-    pub(super) fn add<L: Lanes>(&mut self, cotangent: &LightCotangent<L>) {
+    pub(super) fn add<L: Lanes>(&mut self, cotangent: &LightCotangent<'_, L>, wanted: Wanted) {
         let all = Mask::splat(true);
-        match (self, cotangent) {
-            (Self::Point(sum), LightCotangent::Point(light)) => sum.accumulate(light.sum(all)),
-            (Self::Distant(sum), LightCotangent::Distant(light)) => sum.accumulate(light.sum(all)),
-            _ => unreachable!("the sums have the shape of the lights"),
-        }
+        let vectors = |wanted, v| vector_if::<L>(wanted, v, all);
+        let (sum_of_place, sum_of_color, sum_of_intensity) = match self {
+            Self::Point(sum) => (&mut sum.position, &mut sum.color, &mut sum.intensity),
+            Self::Distant(sum) => (&mut sum.direction, &mut sum.color, &mut sum.intensity),
+        };
+        let (place, color, intensity) = match cotangent {
+            LightCotangent::Point(light) => (light.position, light.color, light.intensity),
+            LightCotangent::Distant(light) => (light.direction, light.color, light.intensity),
+        };
+        *sum_of_place += vectors(wanted.light_places, place);
+        *sum_of_color += vectors(wanted.light_colors, color);
+        *sum_of_intensity += number_if(wanted.light_intensities, intensity, all);
     }
 
     /// Adds the sum to a gradient.
@@ -74,6 +83,34 @@ impl LightSum {
             _ => unreachable!("the sums have the shape of the lights"),
         }
     }
+}
+
+/// What the wanted cotangents of a material add up to in the lanes in which `mask` holds, but for its
+/// reflection.
+#[inline]
+pub(super) fn material_sum<L: Lanes>(
+    cotangent: &MaterialTangent<L>,
+    mask: L::Mask,
+    wanted: Wanted,
+) -> MaterialTangent<f64> {
+    let vectors = |wanted, v| vector_if::<L>(wanted, v, mask);
+    MaterialTangent {
+        ambient: vectors(wanted.ambient, cotangent.ambient),
+        diffuse: vectors(wanted.diffuse, cotangent.diffuse),
+        specular: vectors(wanted.specular, cotangent.specular),
+        exponent: number_if(wanted.exponents, cotangent.exponent, mask),
+        reflection: DVec3::ZERO,
+    }
+}
+
+#[inline]
+fn vector_if<L: Lanes>(wanted: bool, v: Vec3<L>, mask: L::Mask) -> DVec3 {
+    if wanted { sum_of_vectors::<L>(v, mask) } else { DVec3::ZERO }
+}
+
+#[inline]
+fn number_if<L: Lanes>(wanted: bool, x: L, mask: L::Mask) -> f64 {
+    if wanted { sum_of_lanes(x, mask) } else { 0.0 }
 }
 
 /// The loss of a strip, and what flows back from it. Sums by index are in the order in which the

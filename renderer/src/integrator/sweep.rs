@@ -9,14 +9,14 @@ use glam::DVec3;
 use super::gradient::Wanted;
 use super::mirrors::{Mirrors, Sight, blocks};
 use super::prepared::Prepared;
-use super::radiance::{PixelLoss, black_pixels};
+use super::radiance::{PixelLoss, mean_radiance};
 use super::settings::Pass;
-use super::shade::{Appearance, LightCotangent, Pulled, PulledMirror, Shaded};
-use super::sums::{Slots, StripSums};
+use super::shade::{Appearance, LightCotangent, Pulled, Shaded};
+use super::sums::{Slots, StripSums, material_sum};
 use super::tiles::{Strip, Tile, for_each_strip};
-use super::view::{Group, Shape, View};
+use super::view::{Group, Sample, Shape, View};
+use crate::acceleration::{PACKET_RAYS, rays};
 use crate::kernels::camera::{Frame, Ray, RayTangent, primary_ray};
-use crate::kernels::material::MaterialTangent;
 use crate::kernels::sphere::{Sphere, sphere_surface};
 use crate::kernels::surface::{SurfacePoint, mirrored_ray};
 use crate::kernels::texture::{Uv, sphere_uv, triangle_uv};
@@ -64,7 +64,7 @@ impl<'a, L: Lanes, P: PixelLoss> Sweep<'a, L, P> {
             sight: Sight::default(),
             flows: Vec::new(),
             sums: StripSums::zero(prepared),
-            materials: slots(wanted.materials, prepared.materials.len()),
+            materials: slots(wanted.materials(), prepared.materials.len()),
             spheres: slots(wanted.spheres, prepared.spheres.len()),
             vertices: slots(wanted.vertices, prepared.vertices.len()),
             uvs: slots(wanted.texture_coordinates, prepared.uvs.len()),
@@ -81,30 +81,61 @@ impl<'a, L: Lanes, P: PixelLoss> Sweep<'a, L, P> {
 
     fn add_tile(&mut self, tile: &Tile) {
         let (mut sight, mut flows) = (mem::take(&mut self.sight), mem::take(&mut self.flows));
-        self.prepared.see(tile, self.mirrors, &mut sight);
+        let Self { prepared, loss, .. } = *self;
+        if prepared.sampling.is_single() {
+            // The radiance of the ray is that of the pixel: no need to look twice.
+            for sample in prepared.samples(tile) {
+                let mut sum = 0.0;
+                self.add_sample(&sample, &mut sight, &mut flows, &mut |group, radiance| {
+                    let (loss, cotangent) = respond(loss, tile, group, radiance);
+                    sum += loss;
+                    cotangent
+                });
+                self.sums.loss += sum + loss_of_black(loss, tile, sight.views()[0].missed);
+            }
+        } else {
+            let radiance = mean_radiance(prepared, tile, &mut sight);
+            let mut cotangents = [DVec3::ZERO; PACKET_RAYS];
+            let part = 1.0 / f64::from(prepared.sampling.count());
+            for ray in rays(tile.rays()) {
+                let (x, y) = tile.pixel(ray);
+                let (value, derivative) = loss.evaluate(x, y, radiance[ray]);
+                self.sums.loss += value;
+                cotangents[ray] = derivative * part;
+            }
+            for sample in prepared.gradient_samples(tile) {
+                self.add_sample(&sample, &mut sight, &mut flows, &mut |group, _| {
+                    lanes_that_matter::<L>(group.rays().map(|(lane, ray)| (lane, cotangents[ray])))
+                });
+            }
+        }
+        (self.sight, self.flows) = (sight, flows);
+    }
+
+    /// Adds what flows back from one ray through each pixel of a tile. `respond` gives the cotangent
+    /// of the radiance of a group, unless it is zero.
+    fn add_sample(
+        &mut self,
+        sample: &Sample<'_>,
+        sight: &mut Sight<L>,
+        flows: &mut Vec<Flow<L>>,
+        respond: &mut Respond<'_, L>,
+    ) {
+        self.prepared.see(sample, self.mirrors, sight);
         let views = sight.views();
         flows.resize_with(views.len().max(flows.len()), Flow::default);
-        self.sums.loss += black_pixels(tile, views[0].missed, self.loss);
 
         let (first, deeper) = flows.split_at_mut(1);
-        let (loss, mut sum) = (self.loss, 0.0);
-        let respond = |group: &Group<L>, radiance| {
-            let (loss, cotangent) = respond(loss, tile, group, radiance);
-            sum += loss;
-            cotangent
-        };
         let mirrored = views.get(1).zip(deeper.first_mut());
         self.pull_shading(&views[0], mirrored, &mut first[0].surfaces, respond);
-        self.sums.loss += sum;
         for depth in 1..views.len() {
             let (flows, deeper) = flows.split_at_mut(depth + 1);
             let Flow { radiance, surfaces, .. } = &mut flows[depth];
-            let respond = |group: &Group<L>, _| {
+            let mirrored = views.get(depth + 1).zip(deeper.first_mut());
+            self.pull_shading(&views[depth], mirrored, surfaces, &mut |group, _| {
                 let cotangent = radiance[group.first / L::COUNT];
                 Some(select(L::mask_from_bits(group.alive), cotangent, Additive::zero()))
-            };
-            let mirrored = views.get(depth + 1).zip(deeper.first_mut());
-            self.pull_shading(&views[depth], mirrored, surfaces, respond);
+            });
         }
 
         if self.wanted.surface() {
@@ -122,7 +153,7 @@ impl<'a, L: Lanes, P: PixelLoss> Sweep<'a, L, P> {
             let Self { prepared, wanted, .. } = *self;
             self.pull_surfaces(&views[0], mirrored, &first[0].surfaces, |group, to_ray| {
                 if wanted.camera {
-                    let (x, y) = prepared.film(tile, group.first);
+                    let (x, y) = views[0].film[group.first / L::COUNT];
                     let (_, pullback) = primary_ray::vjp::<L>(prepared.frame, x, y);
                     to_frame.accumulate(pullback(to_ray).0);
                 }
@@ -131,7 +162,6 @@ impl<'a, L: Lanes, P: PixelLoss> Sweep<'a, L, P> {
                 self.sums.frame.accumulate(to_frame.sum(Mask::splat(true)));
             }
         }
-        (self.sight, self.flows) = (sight, flows);
     }
 
     /// From the radiance of a view, whose cotangents `respond` gives, to its materials and lights,
@@ -142,7 +172,7 @@ impl<'a, L: Lanes, P: PixelLoss> Sweep<'a, L, P> {
         view: &View<L>,
         mirrored: Option<(&View<L>, &mut Flow<L>)>,
         surfaces: &mut Vec<Option<ToSurface<L>>>,
-        mut respond: impl FnMut(&Group<L>, Vec3<L>) -> Option<Vec3<L>>,
+        respond: &mut Respond<'_, L>,
     ) {
         let Self { prepared, wanted, sums, materials: slots, texels, .. } = self;
         let (shown, mut to_mirrored) = mirrored.unzip();
@@ -151,54 +181,53 @@ impl<'a, L: Lanes, P: PixelLoss> Sweep<'a, L, P> {
         }
         surfaces.clear();
         for group in &view.groups {
-            let to_light = |light: usize, cotangent: LightCotangent<L>| {
-                if wanted.lights {
-                    sums.lights[light].add(&cotangent);
-                }
-            };
             let appearance = prepared.appearance(group);
-            let shaded = Shaded::new(prepared, group, &appearance, &view.lit, shown);
-            let pulled = shaded.pull_back(|radiance| respond(group, radiance), to_light);
-            let Some(mut pulled) = pulled else {
-                surfaces.push(None);
-                continue;
-            };
-            if !sums.custom_lights.is_empty() {
-                shaded.pull_back_custom_lights(&mut pulled, |light, cotangent| {
-                    let to_light = &mut sums.custom_lights[light];
-                    prepared.pull_custom_illumination(group, light, cotangent, to_light)
-                });
-            }
-            let Pulled { mut material, surface, mirror, .. } = pulled;
             let Appearance { materials, textured, .. } = &appearance;
-            let uv = textured.as_ref().map(|textured| {
-                textured.pull_back(&mut material, |texel, cotangent| {
-                    if wanted.texels {
-                        texels.add(&mut sums.texels, texel as usize, cotangent);
-                    }
-                })
-            });
-            if wanted.materials {
-                for (index, lanes) in materials.iter() {
-                    let sum = material.sum(L::mask_from_bits(lanes));
-                    slots.add(&mut sums.materials, index, sum);
+            let shaded = Shaded::new(prepared, group, &appearance, &view.lit, shown);
+            let StripSums { lights, custom_lights, materials: of_materials, .. } = sums;
+            let to_light = |light: usize, cotangent: LightCotangent<'_, L>| {
+                if wanted.lights() {
+                    lights[light].add(&cotangent, *wanted);
                 }
-            }
-            if let (Some(flow), Some(PulledMirror { reflection, radiance })) =
-                (&mut to_mirrored, mirror)
-            {
-                flow.radiance[group.first / L::COUNT].accumulate(radiance);
-                if wanted.mirrors {
-                    for (index, lanes) in materials.iter() {
-                        let reflection = sum_of_vectors::<L>(reflection, L::mask_from_bits(lanes));
-                        let sum = MaterialTangent { reflection, ..Additive::zero() };
-                        slots.add(&mut sums.materials, index, sum);
-                    }
-                }
-            }
+            };
             if wanted.surface() {
-                surfaces.push(Some(ToSurface { surface, uv }));
+                surfaces.push(None);
             }
+            let to_shown = |cotangent, mut pulled: Pulled<'_, L>| {
+                if !custom_lights.is_empty() {
+                    shaded.pull_back_custom_lights(cotangent, &mut pulled, |light, cotangent| {
+                        let to_light = &mut custom_lights[light];
+                        prepared.pull_custom_illumination(group, light, cotangent, to_light)
+                    });
+                }
+                let Pulled { material, surface } = pulled;
+                let uv = textured.as_ref().map(|textured| {
+                    textured.pull_back(material, |texel, cotangent| {
+                        if wanted.texels {
+                            texels.add(&mut sums.texels, texel as usize, cotangent);
+                        }
+                    })
+                });
+                let mirror = to_mirrored.as_mut().and_then(|flow| {
+                    let mirror = shaded.pull_back_mirror(cotangent)?;
+                    flow.radiance[group.first / L::COUNT].accumulate(mirror.radiance);
+                    Some(mirror)
+                });
+                if wanted.materials() {
+                    for (index, lanes) in materials.iter() {
+                        let mask = L::mask_from_bits(lanes);
+                        let mut sum = material_sum(material, mask, *wanted);
+                        if let Some(mirror) = mirror.as_ref().filter(|_| wanted.mirrors) {
+                            sum.reflection = sum_of_vectors::<L>(mirror.reflection, mask);
+                        }
+                        slots.add(of_materials, index, sum);
+                    }
+                }
+                if let Some(last) = surfaces.last_mut() {
+                    *last = Some(ToSurface { surface: *surface, uv });
+                }
+            };
+            shaded.pull_back(|radiance| respond(group, radiance), to_light, to_shown);
         }
     }
 
@@ -325,17 +354,33 @@ fn respond<L: Lanes>(
 ) -> (f64, Option<Vec3<L>>) {
     let radiance = vectors_of_lanes::<L>(radiance);
     let mut sum = 0.0;
-    // The lanes that do not count keep a cotangent of zero.
-    let mut cotangents = [DVec3::ZERO; MOST_LANES];
-    for (lane, ray) in group.rays() {
+    let cotangents = group.rays().map(|(lane, ray)| {
         let (x, y) = tile.pixel(ray);
         let (value, derivative) = loss.evaluate(x, y, radiance[lane]);
         sum += value;
-        cotangents[lane] = derivative;
-    }
-    let matters = cotangents.iter().any(|&cotangent| cotangent != DVec3::ZERO);
-    (sum, matters.then(|| lanes_of_vectors::<L>(&cotangents)))
+        (lane, derivative)
+    });
+    let cotangents = lanes_that_matter::<L>(cotangents);
+    (sum, cotangents)
 }
+
+/// The loss of the pixels of a tile that show nothing.
+fn loss_of_black(loss: &impl PixelLoss, tile: &Tile, missed: u64) -> f64 {
+    let pixels = rays(missed).map(|ray| tile.pixel(ray));
+    pixels.map(|(x, y)| loss.evaluate(x, y, DVec3::ZERO).0).sum()
+}
+
+/// Vectors, by lane; the other lanes are zero. Nothing if all are zero.
+#[inline]
+fn lanes_that_matter<L: Lanes>(vectors: impl Iterator<Item = (usize, DVec3)>) -> Option<Vec3<L>> {
+    let mut lanes = [DVec3::ZERO; MOST_LANES];
+    vectors.for_each(|(lane, vector)| lanes[lane] = vector);
+    let matters = lanes.iter().any(|&vector| vector != DVec3::ZERO);
+    matters.then(|| lanes_of_vectors::<L>(&lanes))
+}
+
+/// From the radiance of a group to its cotangent, unless that is zero.
+type Respond<'a, L> = dyn FnMut(&Group<L>, Vec3<L>) -> Option<Vec3<L>> + 'a;
 
 /// What flows back to surface points.
 #[derive(Clone, Copy)]

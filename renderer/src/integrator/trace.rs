@@ -21,12 +21,14 @@ pub fn trace<L: Lanes>(prepared: &Prepared<'_, L>, shadows: bool) -> Rays {
     let strips = for_each_strip(width, height, View::<L>::default, |view, strip| {
         let mut rays = Rays::default();
         for tile in strip.tiles() {
-            prepared.look(&tile, view);
-            rays.primary += u64::from(tile.rays().count_ones());
-            if shadows {
-                prepared.light_up(view);
-                rays.shadow +=
-                    view.lit.iter().map(|lit| u64::from(lit.facing.count_ones())).sum::<u64>();
+            for sample in prepared.samples(&tile) {
+                prepared.look(&sample, view);
+                rays.primary += u64::from(tile.rays().count_ones());
+                if shadows {
+                    prepared.light_up(view);
+                    rays.shadow +=
+                        view.lit.iter().map(|lit| u64::from(lit.facing.count_ones())).sum::<u64>();
+                }
             }
         }
         rays

@@ -1,10 +1,13 @@
 //! What the rays of a tile meet, gathered into lanes.
 
+use std::mem;
+
 use ad::lanes::Lanes;
 use ad::vector::{Vector, Vector3};
 use ad::{Real, Vec3, select};
 
 use super::prepared::Prepared;
+use super::sampling::Sampling;
 use super::shadows::Lit;
 use super::sharing::Sharing;
 use super::tiles::Tile;
@@ -26,10 +29,25 @@ pub(super) struct View<L: Lanes> {
     pub groups: Vec<Group<L>>,
     /// By light: the rays that end where it shines.
     pub lit: Vec<Lit>,
+    /// Of rays from the camera: where they meet the film, in vectors of lanes.
+    pub film: Vec<(L, L)>,
     /// Of rays from mirrors: the rays, in vectors of lanes.
     pub rays: Vec<Ray<L>>,
     /// Of rays from mirrors: the radiance that they bring, in vectors of lanes.
     pub radiance: Vec<Vec3<L>>,
+}
+
+/// One ray for each pixel of a tile.
+#[derive(Clone, Copy)]
+pub(super) struct Sample<'a> {
+    pub tile: &'a Tile,
+    pub sampling: Sampling,
+    /// Which of its rays, from 0 on.
+    pub index: u32,
+}
+
+fn samples(tile: &Tile, sampling: Sampling) -> impl Iterator<Item = Sample<'_>> {
+    (0..sampling.count()).map(move |index| Sample { tile, sampling, index })
 }
 
 /// Rays that meet primitives of one kind, one in each lane.
@@ -72,6 +90,7 @@ impl<L: Lanes> Default for View<L> {
             missed: 0,
             groups: Vec::new(),
             lit: Vec::new(),
+            film: Vec::new(),
             rays: Vec::new(),
             radiance: Vec::new(),
         }
@@ -79,11 +98,29 @@ impl<L: Lanes> Default for View<L> {
 }
 
 impl<L: Lanes> Prepared<'_, L> {
-    /// Looks through the middle of every pixel of a tile.
-    pub(super) fn look(&self, tile: &Tile, view: &mut View<L>) {
+    /// The rays through the pixels of a tile, one for each at a time.
+    pub(super) fn samples<'t>(
+        &self,
+        tile: &'t Tile,
+    ) -> impl Iterator<Item = Sample<'t>> + use<'t, L> {
+        samples(tile, self.sampling)
+    }
+
+    /// Those that the derivative of the radiance is computed from.
+    pub(super) fn gradient_samples<'t>(
+        &self,
+        tile: &'t Tile,
+    ) -> impl Iterator<Item = Sample<'t>> + use<'t, L> {
+        samples(tile, self.sampling.of_gradient())
+    }
+
+    /// Looks through one point of every pixel of a tile.
+    pub(super) fn look(&self, sample: &Sample<'_>, view: &mut View<L>) {
+        let tile = sample.tile;
+        let mut film = mem::take(&mut view.film);
+        self.film_into(sample, &mut film);
         let mut directions = PacketVectors::ZERO;
-        for first in (0..PACKET_RAYS).step_by(L::COUNT) {
-            let (x, y) = self.film(tile, first);
+        for (first, &(x, y)) in (0..PACKET_RAYS).step_by(L::COUNT).zip(&film) {
             set_vectors::<L>(
                 &mut directions,
                 first,
@@ -95,10 +132,11 @@ impl<L: Lanes> Prepared<'_, L> {
         self.nearest_into(tile, &directions, wanted, &mut view.hits);
 
         let ray = |first: usize, alive: u32| {
-            let (x, y) = self.film(tile, first);
+            let (x, y) = film[first / L::COUNT];
             primary_ray::<L>(self.frame, repeated(x, alive), repeated(y, alive))
         };
         self.group(view, wanted, ray);
+        view.film = film;
     }
 
     /// Gathers what the wanted rays of a packet meet. `ray` gives those from an index on; in lanes
@@ -187,17 +225,32 @@ impl<L: Lanes> Prepared<'_, L> {
         self.materials[material].specular == Vec3::<L::Element>::splat(Real::ZERO)
     }
 
-    /// Where the rays from `first` on meet the image plane.
+    /// Finds where rays meet the image plane.
     #[inline]
-    pub(super) fn film(&self, tile: &Tile, first: usize) -> (L, L) {
-        // Whole numbers up to the multiplication, so exact.
-        let position = |offset: L, start: usize, size: u32| {
-            let start = 2.0 * start as f64 + 1.0 - f64::from(size);
-            (offset + L::from_f64(start)) * L::from_f64(1.0 / f64::from(size))
-        };
-        let (x, y) = self.film_offsets[first / L::COUNT];
-        let (width, height) = (self.scene.width, self.scene.height);
-        (position(x, tile.left, width), -position(y, tile.top, height))
+    fn film_into(&self, sample: &Sample<'_>, film: &mut Vec<(L, L)>) {
+        let (tile, width, height) = (sample.tile, self.scene.width, self.scene.height);
+        // In halves of pixels from the middle of the image: whole numbers for middles of pixels, so
+        // exact.
+        let start =
+            |start: usize, size: u32| L::from_f64(2.0 * start as f64 + 1.0 - f64::from(size));
+        let (left, top) = (start(tile.left, width), start(tile.top, height));
+        let [to_width, to_height] = [width, height].map(|size| L::from_f64(1.0 / f64::from(size)));
+        film.clear();
+        film.extend(self.film_offsets.iter().map(|&(x, y)| (x + left, y + top)));
+        if sample.sampling != Sampling::Center {
+            let [right, down] = sample.sampling.offsets(tile, sample.index);
+            for (block, (x, y)) in film.iter_mut().enumerate() {
+                let twice = |offsets: &[f32; PACKET_RAYS]| {
+                    L::from_lanes(|lane| {
+                        let offset = offsets[block * L::COUNT + lane];
+                        <L::Element as Real>::from_f64(2.0 * f64::from(offset))
+                    })
+                };
+                *x = *x + twice(&right);
+                *y = *y + twice(&down);
+            }
+        }
+        film.iter_mut().for_each(|(x, y)| (*x, *y) = (*x * to_width, -(*y * to_height)));
     }
 }
 

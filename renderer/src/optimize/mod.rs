@@ -51,12 +51,16 @@ mod checkpoint;
 mod coordinates;
 mod fingerprint;
 mod history;
+#[cfg(feature = "cli")]
 mod loss_axis;
+#[cfg(feature = "cli")]
 mod loss_plot;
 mod observer;
 mod optimizer;
 mod problem;
+#[cfg(feature = "cli")]
 mod progress;
+#[cfg(feature = "cli")]
 mod report;
 mod run;
 pub mod schedule;
@@ -73,13 +77,16 @@ pub use argmin_problem::ArgminProblem;
 pub use coordinates::Coordinates;
 pub use fingerprint::Fingerprint;
 pub use history::{Point, Record};
+#[cfg(feature = "cli")]
 pub use loss_plot::loss_svg;
 pub use observer::{Observer, Quiet, Start, Step};
 #[cfg(feature = "argmin")]
 pub use optimizer::Lbfgs;
 pub use optimizer::{Adam, AdamW, Optimizer, RmsProp, Sgd};
 pub use problem::{Evaluation, Objective};
+#[cfg(feature = "cli")]
 pub use progress::{Bar, Lines, progress};
+#[cfg(feature = "cli")]
 pub use report::{history_csv, summary, write_report};
 pub use run::{Optimization, Outcome};
 pub use schedule::Schedule;

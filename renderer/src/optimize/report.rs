@@ -6,9 +6,8 @@ use std::path::Path;
 
 use serde_json::{Map, Value, json};
 
-use super::trajectory::trajectory_json;
-use super::variable::split;
-use super::{Outcome, Record, Variable, loss_svg};
+use super::variable::{element_path, split};
+use super::{Outcome, Point, Record, Variable, loss_svg};
 use crate::Error;
 use crate::atomic_file::write_atomically;
 
@@ -118,10 +117,28 @@ fn merge(into: &mut Map<String, Value>, from: Map<String, Value>) {
     }
 }
 
+/// A trajectory as JSON: `paths`, one for each element, `target`, the true value of each element
+/// or null, and `iterations`, `losses` and `values`, one entry for each point.
+fn trajectory_json(variables: &[Variable], trajectory: &[Point]) -> Value {
+    let len = trajectory.first().map_or(0, |point| point.x.len());
+    let paths: Vec<String> = (0..len).map(|i| element_path(variables, i)).collect();
+    let target = |variable: &Variable| match &variable.target {
+        Some(target) => target.iter().map(|&value| Some(value)).collect(),
+        None => vec![None; variable.initial.len()],
+    };
+    json!({
+        "paths": paths,
+        "target": variables.iter().flat_map(target).take(len).collect::<Vec<Option<f64>>>(),
+        "iterations": trajectory.iter().map(|point| point.iteration).collect::<Vec<_>>(),
+        "losses": trajectory.iter().map(|point| point.loss).collect::<Vec<_>>(),
+        "values": trajectory.iter().map(|point| &point.x[..]).collect::<Vec<_>>(),
+    })
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::optimize::{Point, Start, Stop, StopReason};
+    use crate::optimize::{Start, Stop, StopReason};
 
     fn outcome() -> Outcome {
         let record = |iteration, loss| Record {
@@ -208,5 +225,24 @@ mod tests {
         let summary = fs::read_to_string(out.join("summary.json")).unwrap();
         assert!(serde_json::from_str::<Value>(&summary).unwrap().is_object());
         assert_eq!(fs::read_dir(&out).unwrap().count(), 4);
+    }
+
+    #[test]
+    fn json_names_every_element() {
+        let mut position = Variable::new("p", vec![0.0, 0.0], 0.1);
+        position.target = Some(vec![5.0, 6.0]);
+        let variables = [position, Variable::new("q", vec![0.0], 0.1)];
+        let point = |iteration: u64| Point { iteration, loss: 1.0, x: vec![iteration as f64; 3] };
+        let json = trajectory_json(&variables, &[point(0), point(7)]);
+        assert_eq!(
+            json,
+            json!({
+                "paths": ["p[0]", "p[1]", "q"],
+                "target": [5.0, 6.0, null],
+                "iterations": [0, 7],
+                "losses": [1.0, 1.0],
+                "values": [[0.0, 0.0, 0.0], [7.0, 7.0, 7.0]],
+            })
+        );
     }
 }

@@ -1,10 +1,8 @@
 //! The way of the parameters through a run.
 
 use serde::{Deserialize, Serialize};
-use serde_json::{Value, json};
 
-use super::variable::element_path;
-use super::{Point, Variable};
+use super::Point;
 
 /// Points are kept up to this many.
 const MOST_POINTS: usize = 200;
@@ -49,24 +47,6 @@ impl Trajectory {
     }
 }
 
-/// A trajectory as JSON: `paths`, one for each element, `target`, the true value of each element
-/// or null, and `iterations`, `losses` and `values`, one entry for each point.
-pub(super) fn trajectory_json(variables: &[Variable], trajectory: &[Point]) -> Value {
-    let len = trajectory.first().map_or(0, |point| point.x.len());
-    let paths: Vec<String> = (0..len).map(|i| element_path(variables, i)).collect();
-    let target = |variable: &Variable| match &variable.target {
-        Some(target) => target.iter().map(|&value| Some(value)).collect(),
-        None => vec![None; variable.initial.len()],
-    };
-    json!({
-        "paths": paths,
-        "target": variables.iter().flat_map(target).take(len).collect::<Vec<Option<f64>>>(),
-        "iterations": trajectory.iter().map(|point| point.iteration).collect::<Vec<_>>(),
-        "losses": trajectory.iter().map(|point| point.loss).collect::<Vec<_>>(),
-        "values": trajectory.iter().map(|point| &point.x[..]).collect::<Vec<_>>(),
-    })
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -99,23 +79,5 @@ mod tests {
         assert!(points(1000) > 100);
         assert!((8..=21).contains(&points(10_000)), "{}", points(10_000));
         assert_eq!(points(25_001), 0);
-    }
-
-    #[test]
-    fn json_names_every_element() {
-        let mut position = Variable::new("p", vec![0.0, 0.0], 0.1);
-        position.target = Some(vec![5.0, 6.0]);
-        let variables = [position, Variable::new("q", vec![0.0], 0.1)];
-        let json = trajectory_json(&variables, &[point(0, 3), point(7, 3)]);
-        assert_eq!(
-            json,
-            json!({
-                "paths": ["p[0]", "p[1]", "q"],
-                "target": [5.0, 6.0, null],
-                "iterations": [0, 7],
-                "losses": [1.0, 1.0],
-                "values": [[0.0, 0.0, 0.0], [7.0, 7.0, 7.0]],
-            })
-        );
     }
 }

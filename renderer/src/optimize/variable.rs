@@ -161,6 +161,7 @@ pub(super) fn element_path(variables: &[Variable], mut index: usize) -> String {
 }
 
 /// The part of `x` that belongs to each of the variables.
+#[cfg(feature = "cli")]
 pub(super) fn split<'a>(
     variables: &'a [Variable],
     mut x: &'a [f64],

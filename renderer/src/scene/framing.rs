@@ -27,7 +27,7 @@ impl Scene {
     /// it, such that the sphere around all vertices fits the square image. The light stands above
     /// the camera; where that sphere is closest to it, a surface that faces it receives an
     /// irradiance of 1.4, the most that any surface can.
-    pub(crate) fn frame(&mut self) {
+    pub fn frame(&mut self) {
         let (center, radius) = self.bounding_sphere();
         // A sphere fits a cone of this half angle when it touches the cone's side.
         let distance = MARGIN * radius / (VFOV / 2.0).to_radians().sin();

@@ -20,6 +20,8 @@ pub use custom::{CustomLight, CustomLightObject, CustomShape, CustomShapeObject}
 pub use parameters::{Differentiability, Light, ParameterId, Parameters};
 pub use texture::{MaterialObject, MaterialTextures, TextureObject, Wrap};
 pub use validate::Invalid;
+#[cfg(feature = "files")]
+pub(crate) use validate::MOST_PIXELS;
 
 /// How many mirrors light meets at most, if a scene file does not say.
 pub(crate) const DEFAULT_BOUNCES: u32 = 4;

@@ -20,8 +20,8 @@ const LARGEST_NUMBER: f64 = 1e38;
 const LARGEST_COORDINATE: f64 = 1e6;
 /// The sine of the angle below which two directions count as parallel.
 const PARALLEL: f64 = 1e-6;
-/// The most pixels of an image.
-const MOST_PIXELS: u64 = 1 << 28;
+/// The most pixels of an image, and the most texels of all textures.
+pub const MOST_PIXELS: u64 = 1 << 28;
 
 /// What is wrong with a scene.
 #[derive(Clone, Debug, PartialEq)]

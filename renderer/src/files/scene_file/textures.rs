@@ -9,7 +9,7 @@ use crate::Error;
 use crate::files::images::load_image;
 use crate::files::obj::{ModelMaps, TextureSource, unique};
 use crate::image::Image;
-use crate::scene::{MaterialTextures, Scene, TextureObject, Wrap};
+use crate::scene::{MOST_PIXELS, MaterialTextures, Scene, TextureObject, Wrap};
 
 /// First the textures of the scene file, in its order.
 #[derive(Default)]
@@ -45,8 +45,11 @@ impl TextureTable {
                 }
                 (None, Some([width, height]), color) => {
                     let count = width as usize * height as usize;
-                    if count > MOST_TEXELS {
-                        return refuse("size", "a texture may have up to 2^28 texels");
+                    if count as u64 > MOST_PIXELS {
+                        return refuse(
+                            "size",
+                            &format!("{count} texels; a texture may have up to {MOST_PIXELS}"),
+                        );
                     }
                     let wrap = entry.wrap.into();
                     table.textures.push(TextureObject { name: name.clone(), width, height, wrap });
@@ -122,6 +125,3 @@ impl TextureTable {
         scene.parameters.textures = self.texels;
     }
 }
-
-/// The most texels of a texture without file.
-const MOST_TEXELS: usize = 1 << 28;
