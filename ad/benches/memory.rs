@@ -62,10 +62,7 @@ fn bytes<R>(f: impl FnOnce() -> R) -> usize {
 fn main() {
     let (p, start) = ([1.1, 0.4, 0.1, 0.4], [10.0, 5.0]);
     for steps in [10_000, 1_000_000] {
-        let [with, without] = [
-            checkpointed::grad(p, start, steps),
-            stored::grad(p, start, steps),
-        ];
+        let [with, without] = [checkpointed::grad(p, start, steps), stored::grad(p, start, steps)];
         assert_eq!(with, without, "both are the same computation");
         let times = timing::medians(
             ROUNDS,
@@ -82,10 +79,8 @@ fn main() {
                 },
             ],
         );
-        let held = [
-            bytes(|| stored::vjp(p, start, steps)),
-            bytes(|| checkpointed::vjp(p, start, steps)),
-        ];
+        let held =
+            [bytes(|| stored::vjp(p, start, steps)), bytes(|| checkpointed::vjp(p, start, steps))];
         println!(
             "{steps:>9} steps: stored {:.2} times the value, {} kB | checkpoints {:.2} times, {} kB",
             times[1] / times[0],
