@@ -129,6 +129,10 @@ fn imported_derivative(import: &ItemUse, rule: &Path, forward: Option<&Path>) ->
         #[doc = #doc]
         #visibility mod #name {
             #inner use super::#rule as vjp;
+            // Nothing is lent to it.
+            #[doc(hidden)]
+            #[allow(unused_imports)]
+            #inner use super::#rule as vjp_onto;
             #forward
         }
     }

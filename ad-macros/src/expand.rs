@@ -14,7 +14,7 @@ use crate::names::Names;
 use crate::options::Options;
 use crate::signature::{self, Parameter};
 use crate::sweep::{self, tuple_or_one};
-use crate::{checkpoint, recursion};
+use crate::{checkpoint, lending, recursion};
 
 /// Where a function stands.
 #[derive(Clone, Copy)]
@@ -56,13 +56,15 @@ pub struct Differentiated {
 }
 
 /// What a function says of itself.
-struct Header {
-    parameters: Vec<Parameter>,
+pub struct Header {
+    pub parameters: Vec<Parameter>,
     result: Type,
     /// The type of the cotangent of the result.
     result_tangent: TokenStream,
     /// The types of the cotangents that the pullback takes for `&mut` parameters.
-    exclusive_tangents: Vec<TokenStream>,
+    pub exclusive_tangents: Vec<TokenStream>,
+    /// For each parameter the type of its cotangent, if callers lend theirs (see [`lending`]).
+    pub lent: Vec<Option<TokenStream>>,
     /// The type of what the pullback returns.
     gradient: TokenStream,
     /// Whether the pullback is a boxed closure.
@@ -70,10 +72,21 @@ struct Header {
 }
 
 impl Header {
-    fn pullback(&self, cotangent: &Ident, incoming: &[Ident], body: &TokenStream) -> TokenStream {
+    /// A pullback; `lent` are the patterns of the cotangents that callers lend, if it takes such.
+    pub fn pullback(
+        &self,
+        cotangent: &Ident,
+        incoming: &[Ident],
+        lent: Option<&[TokenStream]>,
+        body: &TokenStream,
+    ) -> TokenStream {
         let Self { result_tangent, exclusive_tangents, gradient, .. } = self;
+        let lent = lent.map(|patterns| {
+            let types = self.lent_types();
+            quote!(, (#(#patterns,)*): #types)
+        });
         let closure = quote! {
-            move |#cotangent: #result_tangent #(, mut #incoming: #exclusive_tangents)*| -> #gradient {
+            move |#cotangent: #result_tangent #(, mut #incoming: #exclusive_tangents)* #lent| -> #gradient {
                 #body
             }
         };
@@ -81,6 +94,20 @@ impl Header {
             true => quote!(::std::boxed::Box::new(#closure)),
             false => closure,
         }
+    }
+
+    /// Whether callers lend cotangents.
+    pub fn lends(&self) -> bool {
+        self.lent.iter().any(Option::is_some)
+    }
+
+    /// The type of what callers lend, as a tuple with a member for each parameter.
+    fn lent_types(&self) -> TokenStream {
+        let types = self.lent.iter().map(|lent| match lent {
+            Some(ty) => ty.clone(),
+            None => quote!(::ad::rt::NotLent),
+        });
+        quote!((#(#types,)*))
     }
 }
 
@@ -144,10 +171,12 @@ impl Function<'_> {
         errors.finish()?;
 
         let seed = names.fresh("result_bar", Span::call_site());
-        let sweeps = sweep::sweep(&lowered, parameters, &seed, &mut names);
-        let sweep::Sweeps { forward, value, pullback, incoming } = sweeps;
+        let lent: Vec<_> = header.lent.iter().map(Option::is_some).collect();
+        let sweeps = sweep::sweep(&lowered, parameters, &lent, &seed, &mut names);
+        let sweep::Sweeps { forward, value, pullback, incoming, lent } = sweeps;
         let jvp = self.forward(header, &lowered, &mut names);
-        let pullback = header.pullback(&seed, &incoming, &pullback);
+        let lent = header.lends().then_some(&lent[..]);
+        let pullback = header.pullback(&seed, &incoming, lent, &pullback);
         let body = quote! {
             {
                 #[allow(unused_imports)]
@@ -205,7 +234,7 @@ impl Function<'_> {
             .enumerate()
             .map(|(index, ident)| format_ident!("{ident}_{index}"))
             .collect();
-        let pullback = header.pullback(&own("_cotangent"), &incoming, &quote!(refused()));
+        let pullback = header.pullback(&own("_cotangent"), &incoming, None, &quote!(refused()));
         let body = quote! {
             {
                 fn refused<T>() -> T {
@@ -238,7 +267,12 @@ impl Function<'_> {
         let tangents: Vec<_> = tangents.collect();
         let exclusive = parameters.iter().zip(&tangents);
         let exclusive = exclusive.filter(|(parameter, _)| parameter.is_exclusive);
+        let lends = self.body.is_some() && lending::is_possible(self);
+        let lent = parameters.iter().zip(&tangents).map(|(parameter, tangent)| {
+            (lends && lending::is_lent(parameter)).then(|| tangent.clone())
+        });
         Header {
+            lent: lent.collect(),
             result_tangent: tangent(&result),
             exclusive_tangents: exclusive.map(|(_, tangent)| tangent.clone()).collect(),
             gradient: tuple_or_one(&tangents),
@@ -338,7 +372,7 @@ impl Function<'_> {
             Place::Impl(_) => quote!(#visibility),
             Place::Trait(_) | Place::TraitImpl(_) => quote!(),
         };
-        let pullback_type = self.pullback_type(header);
+        let pullback_type = self.pullback_type(header, false);
         let (mut stored, mut checkpointed) = (None, None);
         if let (Some(body), true) = (body, self.options.checkpoint) {
             let name = checkpoint::stored_name(&vjp);
@@ -351,15 +385,24 @@ impl Function<'_> {
             });
             checkpointed =
                 Some(checkpoint::body(self, &vjp, parameters, |body, seed, incoming| {
-                    header.pullback(seed, incoming, &body)
+                    header.pullback(seed, incoming, None, &body)
                 }));
         }
         let body = match (checkpointed.as_ref().or(body), place) {
             (Some(body), _) => body.clone(),
             (None, _) => quote!(;),
         };
+        let (body, onto) = match lending::is_asked_for(self, header) {
+            true => {
+                let functions = lending::Functions::new(self, header, &inputs, &bounds);
+                functions.vjp_and_onto(&body)
+            }
+            false => (body, TokenStream::new()),
+        };
         let vjp = quote! {
             #stored
+
+            #onto
 
             #(#cfgs)*
             #[doc = #vjp_doc]
@@ -437,8 +480,10 @@ impl Function<'_> {
     }
 
     /// The type of what `vjp` returns.
-    fn pullback_type(&self, header: &Header) -> TokenStream {
+    pub fn pullback_type(&self, header: &Header, takes_lent: bool) -> TokenStream {
         let Header { result, result_tangent, exclusive_tangents, gradient, .. } = header;
+        let lent = takes_lent.then(|| header.lent_types());
+        let lent = lent.into_iter();
         let outer = match self.place {
             Place::Free => None,
             Place::Impl(generics) | Place::Trait(generics) | Place::TraitImpl(generics) => {
@@ -448,7 +493,7 @@ impl Function<'_> {
         let signature::Captured { lifetimes, mut others } =
             signature::captured(&self.callables.signature, outer);
         let closure = quote! {
-            ::core::ops::FnOnce(#result_tangent #(, #exclusive_tangents)*) -> #gradient
+            ::core::ops::FnOnce(#result_tangent #(, #exclusive_tangents)* #(, #lent)*) -> #gradient
         };
         if header.boxed {
             return quote!((#result, ::std::boxed::Box<dyn #closure #(+ #lifetimes)*>));

@@ -36,6 +36,7 @@ mod expand;
 mod floats;
 mod forward;
 mod ir;
+mod lending;
 mod lower;
 mod names;
 mod operator;

@@ -1,8 +1,8 @@
 //! What the attribute writes, as a reader of `cargo expand` sees it.
 //!
-//! Each file `snapshots/NAME.rs` holds a function; `snapshots/NAME.expanded.rs` its `vjp`,
-//! `snapshots/NAME.forward.rs` its `jvp`. With the environment variable `UPDATE_SNAPSHOTS` set the
-//! test writes the latter two anew.
+//! Each file `snapshots/NAME.rs` holds a function; `snapshots/NAME.expanded.rs` its `vjp` and
+//! `vjp_onto`, `snapshots/NAME.forward.rs` its `jvp`. With the environment variable
+//! `UPDATE_SNAPSHOTS` set the test writes the latter two anew.
 
 use std::path::Path;
 
@@ -18,7 +18,9 @@ fn expanded(source: &str, name: &str) -> String {
             block.items.retain_mut(|item| match item {
                 ImplItem::Fn(function) => {
                     function.attrs.clear();
+                    // One of `vjp` and `vjp_onto` has the sweeps in it.
                     function.sig.ident == name
+                        || (name == "vjp" && function.sig.ident == "vjp_onto")
                 }
                 _ => false,
             });

@@ -140,8 +140,8 @@ impl<T: Differentiable, const N: usize> Differentiable for [T; N] {
     }
 
     #[inline(always)]
-    fn known_finite(&self) -> bool {
-        self.iter().fold(true, |finite, element| finite & element.known_finite())
+    fn irregularity(&self) -> f64 {
+        self.iter().map(T::irregularity).sum()
     }
 }
 

@@ -50,8 +50,8 @@ impl<S: Real> Differentiable for Dual<S> {
     fn shape(&self) {}
 
     #[inline(always)]
-    fn known_finite(&self) -> bool {
-        self.value.known_finite() && self.derivative.known_finite()
+    fn irregularity(&self) -> f64 {
+        self.value.irregularity() + self.derivative.irregularity()
     }
 }
 

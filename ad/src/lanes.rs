@@ -83,8 +83,8 @@ macro_rules! lanes {
             fn shape(&self) {}
 
             #[inline(always)]
-            fn known_finite(&self) -> bool {
-                Real::is_finite(*self).all()
+            fn irregularity(&self) -> f64 {
+                if Real::is_finite(*self).all() { 0.0 } else { f64::NAN }
             }
         }
 

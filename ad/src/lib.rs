@@ -404,8 +404,14 @@
 //! ```
 //!
 //! What the closure names, it captures: the compiler decides what is saved. There is no tape and no
-//! allocation, except for loops whose length is not a literal. Calls are inlined like any others, and
-//! cotangents that a caller drops are not computed.
+//! allocation, except for loops that do not have a small literal for their length: these have one
+//! tape each, made once where the number of iterations is known before the first. Calls are inlined
+//! like any others, and cotangents that a caller drops are not computed.
+//!
+//! A call that is passed `&xs`, or a struct by reference, goes to `vjp_onto` in place of `vjp`, whose
+//! pullback takes the cotangent of `xs` so far and returns it with its own part added: a loop of n
+//! calls with a slice of n elements costs n, not n². (Methods, and functions that take functions,
+//! return a cotangent of their own for each call.)
 //!
 //! # Forward mode
 //!

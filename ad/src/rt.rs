@@ -16,10 +16,12 @@ mod pullback;
 mod tangent;
 mod through;
 
-pub use cotangent::{Absorb, At, Constant, Content, Enter, Length, Same, Take, at, sum, take};
+pub use cotangent::{
+    Absorb, At, Constant, Content, Enter, Length, Lent, NotLent, Nothing, Same, Take, at, sum, take,
+};
 pub use kept::{Decrease, Difference, Increase, Negation, Sum};
 pub use products::{Products, ProductsOfFinite, ProductsOutOfLine, rarely, scale};
-pub use pullback::MethodPullback;
+pub use pullback::{MethodPullback, PullbackOnto};
 pub use tangent::{
     Pass, Slot, copy, pass, pass_part, read, repeated, same_length, still, tangent_of, target,
     with_zero, zero_like, zero_of,
@@ -238,10 +240,23 @@ pub fn never<T>() -> T {
     unreachable!("control does not come here")
 }
 
-/// A tape with room for what all iterations save.
+/// A tape with room for what all iterations of a loop over a range save.
 #[inline(always)]
-pub fn tape<T>(iterations: &impl Iterator) -> Vec<T> {
-    Vec::with_capacity(iterations.size_hint().0)
+pub fn tape<T>(range: &impl Iterator) -> Vec<T> {
+    Vec::with_capacity(iterations(range))
+}
+
+/// The number of iterations of a loop over a range.
+#[inline(always)]
+pub fn iterations(range: &impl Iterator) -> usize {
+    range.size_hint().0
+}
+
+/// A tape for all runs of a loop within loops, with room for what all iterations save. The loops
+/// have these numbers of iterations.
+#[inline(always)]
+pub fn nested_tape<T, const N: usize>(iterations: [usize; N]) -> Vec<T> {
+    Vec::with_capacity(iterations.iter().product())
 }
 
 /// What the iterations of a loop saved, on the stack: for loops whose trip count is a literal.
@@ -263,6 +278,23 @@ impl<T, const N: usize> ArrayTape<T, N> {
     pub fn push(&mut self, saved: T) {
         self.iterations[self.len] = Some(saved);
         self.len += 1;
+    }
+
+    /// How many are recorded.
+    #[inline(always)]
+    #[allow(clippy::len_without_is_empty)]
+    pub fn len(&self) -> usize {
+        self.len
+    }
+
+    /// Takes out those from a position on.
+    #[inline(always)]
+    pub fn drain(
+        &mut self,
+        range: core::ops::RangeFrom<usize>,
+    ) -> impl DoubleEndedIterator<Item = T> {
+        let end = core::mem::replace(&mut self.len, range.start);
+        self.iterations[range.start..end].iter_mut().filter_map(Option::take)
     }
 
     /// The recorded iterations, first to last.

@@ -230,8 +230,8 @@ impl<S: Real> Differentiable for Xyz<S> {
     fn shape(&self) {}
 
     #[inline(always)]
-    fn known_finite(&self) -> bool {
-        self.x.known_finite() && self.y.known_finite() && self.z.known_finite()
+    fn irregularity(&self) -> f64 {
+        self.x.irregularity() + self.y.irregularity() + self.z.irregularity()
     }
 }
 

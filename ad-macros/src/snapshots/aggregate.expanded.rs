@@ -1,4 +1,15 @@
 impl reflect {
+    pub fn vjp_onto(
+        ray: Ray,
+        normal: Vec3,
+    ) -> (
+        Ray,
+        impl ::core::ops::FnOnce(
+            ::ad::Tangent<Ray>,
+        ) -> (::ad::Tangent<Ray>, ::ad::Tangent<Vec3>) + use<>,
+    ) {
+        Self::vjp(ray, normal)
+    }
     pub fn vjp(
         ray: Ray,
         normal: Vec3,

@@ -21,7 +21,7 @@ impl checkpoint {
                 let receiver = x;
                 let sin = receiver.sin();
                 let product = rate * sin;
-                let x_1 = x;
+                let x_1 = receiver;
                 x += product;
             }
         }
@@ -40,7 +40,7 @@ impl checkpoint {
                         let receiver = x;
                         let (sin, sin_pullback) = receiver.sin_vjp();
                         let product = rate * sin;
-                        let x_1 = x;
+                        let x_1 = receiver;
                         x += product;
                         tape.push((sin, sin_pullback));
                     }

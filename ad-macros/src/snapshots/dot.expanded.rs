@@ -1,4 +1,15 @@
 impl dot {
+    pub fn vjp_onto(
+        xs: &[f64; 8],
+        ys: &[f64; 8],
+    ) -> (
+        f64,
+        impl ::core::ops::FnOnce(
+            ::ad::Tangent<f64>,
+        ) -> (::ad::Tangent<[f64; 8]>, ::ad::Tangent<[f64; 8]>) + use<>,
+    ) {
+        Self::vjp(xs, ys)
+    }
     pub fn vjp(
         xs: &[f64; 8],
         ys: &[f64; 8],
@@ -13,10 +24,10 @@ impl dot {
         let total_1_pullback = ::ad::rt::Sum::of_unknown();
         let xs_kept = *xs;
         let ys_kept = *ys;
+        let range = 0..xs.len().min(ys.len());
         let xs_space = ::ad::rt::space(&xs);
         let ys_space = ::ad::rt::space(&ys);
         let mut total = ::ad::rt::empty_sum();
-        let range = 0..xs.len().min(ys.len());
         for index in range.clone() {
             let x = xs[index];
             let y = ys[index];

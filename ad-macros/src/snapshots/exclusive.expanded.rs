@@ -1,5 +1,5 @@
 impl deposit {
-    pub fn vjp(
+    pub fn vjp_onto(
         account: &mut Account,
         amounts: &[f64],
         i: usize,
@@ -8,41 +8,44 @@ impl deposit {
         impl ::core::ops::FnOnce(
             ::ad::Tangent<f64>,
             ::ad::Tangent<Account>,
+            (::ad::rt::NotLent, ::ad::Tangent<[f64]>, ::ad::rt::NotLent),
         ) -> (::ad::Tangent<Account>, ::ad::Tangent<[f64]>, ::ad::Tangent<usize>) + use<>,
     ) {
         #[allow(unused_imports)]
         use ::ad::rt::methods::*;
-        let amounts_space = ::ad::rt::space(&amounts);
         let account_shape = ::ad::rt::shape(&account);
-        let amounts_shape = ::ad::rt::shape(&amounts);
         let index = i;
         let amounts_1 = amounts[index];
         let account_1 = account.total;
         let account_1_space = ::ad::rt::space(&account_1);
         account.total += amounts_1;
-        let account_1_pullback = ::ad::rt::Increase::of(&account_1, &amounts_1);
+        let account_1_pullback = ::ad::rt::linear(&account_1, &amounts_1);
         let index_1 = i;
-        let (fee, fee_pullback) = fee::vjp(&mut account.fees[index_1], amounts);
+        let (fee, fee_pullback) = fee::vjp_onto(&mut account.fees[index_1], amounts);
         let fee_space = ::ad::rt::space(&fee);
         let amounts_2 = amounts[0];
         let (close, close_pullback) = account.close_vjp(amounts_2);
         let close_space = ::ad::rt::space(&close);
         let total = account.total;
         let index_2 = i;
-        let amounts_3 = amounts[index_2];
+        let amounts_3 = amounts_1;
         let difference = total - amounts_3;
-        let difference_pullback = ::ad::rt::Difference::of(&total, &amounts_3);
+        let difference_pullback = ::ad::rt::linear(&total, &amounts_3);
         (
             difference,
             move |
                 result_bar: ::ad::Tangent<f64>,
                 mut account_bar: ::ad::Tangent<Account>,
+                (
+                    _,
+                    mut amounts_bar,
+                    _,
+                ): (::ad::rt::NotLent, ::ad::Tangent<[f64]>, ::ad::rt::NotLent),
             | -> (::ad::Tangent<Account>, ::ad::Tangent<[f64]>, ::ad::Tangent<usize>) {
                 let mut difference_bar = result_bar;
                 let (mut total_bar, mut amounts_3_bar) = difference_pullback
-                    .pull_back(difference_bar);
-                let mut amounts_bar = amounts_space.zero();
-                *::ad::rt::at(&mut amounts_bar, index_2) += amounts_3_bar;
+                    .pull_back_difference(difference_bar);
+                let mut amounts_1_bar = amounts_3_bar;
                 ::ad::rt::Absorb::absorb(&mut account_bar.total, total_bar);
                 let mut close_bar = close_space.zero();
                 let (account_part, mut amounts_2_bar) = ::ad::rt::MethodPullback::pull_back(
@@ -54,9 +57,15 @@ impl deposit {
                 ::ad::rt::Absorb::absorb(&mut account_bar, account_part);
                 *::ad::rt::at(&mut amounts_bar, 0) += amounts_2_bar;
                 let mut fee_bar = fee_space.zero();
-                let (account_part_1, amounts_part) = fee_pullback(
+                let (account_part_1, amounts_part) = ::ad::rt::PullbackOnto::pull_back(
+                    fee_pullback,
                     fee_bar,
-                    ::ad::rt::Take::take(::ad::rt::at(&mut account_bar.fees, index_1)),
+                    (
+                        ::ad::rt::Take::take(
+                            ::ad::rt::at(&mut account_bar.fees, index_1),
+                        ),
+                    ),
+                    (::ad::rt::Lent::nothing(), ::ad::rt::Take::take(&mut amounts_bar)),
                 );
                 ::ad::rt::Absorb::absorb(
                     ::ad::rt::at(&mut account_bar.fees, index_1),
@@ -64,17 +73,45 @@ impl deposit {
                 );
                 ::ad::rt::Absorb::absorb(&mut amounts_bar, amounts_part);
                 let (account_part_2, amounts_1_part) = account_1_pullback
-                    .pull_back(
+                    .pull_back_sum(
                         account_1_space.enter(::ad::rt::take(&mut account_bar.total)),
                     );
                 ::ad::rt::Absorb::absorb(&mut account_bar.total, account_part_2);
-                let mut amounts_1_bar = amounts_1_part;
+                ::ad::rt::Absorb::absorb(&mut amounts_1_bar, amounts_1_part);
                 *::ad::rt::at(&mut amounts_bar, index) += amounts_1_bar;
-                (
-                    ::ad::rt::fit(account_shape, account_bar),
-                    ::ad::rt::fit(amounts_shape, amounts_bar),
-                    (),
-                )
+                (::ad::rt::fit(account_shape, account_bar), amounts_bar, ())
+            },
+        )
+    }
+    pub fn vjp(
+        account: &mut Account,
+        amounts: &[f64],
+        i: usize,
+    ) -> (
+        f64,
+        impl ::core::ops::FnOnce(
+            ::ad::Tangent<f64>,
+            ::ad::Tangent<Account>,
+        ) -> (::ad::Tangent<Account>, ::ad::Tangent<[f64]>, ::ad::Tangent<usize>) + use<>,
+    ) {
+        let shape_1 = ::ad::rt::shape(&amounts);
+        let (value, pullback) = Self::vjp_onto(account, amounts, i);
+        (
+            value,
+            move |
+                result_bar: ::ad::Tangent<f64>,
+                mut incoming_0: ::ad::Tangent<Account>,
+            | -> (::ad::Tangent<Account>, ::ad::Tangent<[f64]>, ::ad::Tangent<usize>) {
+                let (part_0, part_1, part_2) = pullback(
+                    result_bar,
+                    incoming_0,
+                    (
+                        ::ad::rt::Lent::nothing(),
+                        ::ad::rt::Lent::nothing(),
+                        ::ad::rt::Lent::nothing(),
+                    ),
+                );
+                (part_0, ::ad::rt::fit(shape_1, part_1), part_2)
             },
         )
     }

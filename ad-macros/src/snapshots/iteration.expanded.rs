@@ -12,7 +12,7 @@ impl newton {
         let mut tape = ::ad::rt::ArrayTape::<_, 5usize>::new();
         for _ in 0..5 {
             let x_1 = x;
-            let x_2 = x;
+            let x_2 = x_1;
             let quotient = a / x_2;
             let sum = x_1 + quotient;
             let product = constant * sum;
@@ -38,7 +38,7 @@ impl newton {
                         quotient_bar,
                     );
                     ::ad::rt::Absorb::absorb(&mut a_bar, a_part);
-                    x_bar += x_2_bar;
+                    x_1_bar += x_2_bar;
                     x_bar += x_1_bar;
                 }
                 a_bar += x_bar;

@@ -1,17 +1,16 @@
 impl size {
-    pub fn vjp(
+    pub fn vjp_onto(
         shape: &Shape,
         by: f64,
     ) -> (
         Result<f64, Failure>,
         impl ::core::ops::FnOnce(
             ::ad::Tangent<Result<f64, Failure>>,
+            (::ad::Tangent<Shape>, ::ad::rt::NotLent),
         ) -> (::ad::Tangent<Shape>, ::ad::Tangent<f64>) + use<>,
     ) {
         #[allow(unused_imports)]
         use ::ad::rt::methods::*;
-        let shape_space = ::ad::rt::space(&shape);
-        let shape_shape = ::ad::rt::shape(&shape);
         let (value_5, path_1) = match shape {
             Shape::Disc(radius) => {
                 let radius_1 = ::ad::rt::ByValue::by_value(radius);
@@ -61,9 +60,9 @@ impl size {
             value_5,
             move |
                 result_bar: ::ad::Tangent<Result<f64, Failure>>,
+                (mut shape_bar, _): (::ad::Tangent<Shape>, ::ad::rt::NotLent),
             | -> (::ad::Tangent<Shape>, ::ad::Tangent<f64>) {
                 let mut value_5_bar = result_bar;
-                let mut shape_bar = shape_space.zero();
                 let mut by_bar = -0.0_f64;
                 match path_1 {
                     ::ad::rt::Branch3::Arm0((sum_pullback,)) => {
@@ -106,7 +105,31 @@ impl size {
                     }
                     ::ad::rt::Branch3::Arm2(()) => {}
                 }
-                (::ad::rt::fit(shape_shape, shape_bar), by_bar)
+                (shape_bar, by_bar)
+            },
+        )
+    }
+    pub fn vjp(
+        shape: &Shape,
+        by: f64,
+    ) -> (
+        Result<f64, Failure>,
+        impl ::core::ops::FnOnce(
+            ::ad::Tangent<Result<f64, Failure>>,
+        ) -> (::ad::Tangent<Shape>, ::ad::Tangent<f64>) + use<>,
+    ) {
+        let shape_0 = ::ad::rt::shape(&shape);
+        let (value, pullback) = Self::vjp_onto(shape, by);
+        (
+            value,
+            move |
+                result_bar: ::ad::Tangent<Result<f64, Failure>>,
+            | -> (::ad::Tangent<Shape>, ::ad::Tangent<f64>) {
+                let (part_0, part_1) = pullback(
+                    result_bar,
+                    (::ad::rt::Lent::nothing(), ::ad::rt::Lent::nothing()),
+                );
+                (::ad::rt::fit(shape_0, part_0), part_1)
             },
         )
     }

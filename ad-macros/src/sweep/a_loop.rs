@@ -1,9 +1,8 @@
 //! The sweeps of a loop: what an iteration saves goes on a tape, which the reverse sweep reads
 //! backwards.
 //!
-//! A loop within a loop pushes on one tape for all of its runs, and keeps the place where a run
-//! began: a tape for each run would be an allocation for each. A loop from which nothing is saved
-//! (see [`recompute`](super::recompute)) has no tape: the reverse sweep counts down the range.
+//! A loop from which nothing is saved (see [`recompute`](super::recompute)) has no tape: the reverse
+//! sweep counts down the range.
 
 use std::collections::HashSet;
 
@@ -13,9 +12,6 @@ use quote::quote;
 use super::{Sides, Sweeper, Written};
 use crate::ir::{Head, Loop};
 use crate::names;
-
-/// Up to this number of iterations, what a loop saves is kept on the stack.
-const LONGEST_ARRAY_TAPE: usize = 64;
 
 /// What the reverse sweep of a loop runs over.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -39,7 +35,9 @@ impl Sweeper<'_> {
             quote!((::ad::rt::take(&mut #cotangent), ()))
         });
         self.loop_depth += 1;
+        self.enter_loop(a_loop);
         let mut body = self.block(&a_loop.body, seed);
+        self.tapes.leave();
         self.loop_depth -= 1;
         self.leave(&mut sides.reverse, &body.outer);
 
@@ -52,7 +50,13 @@ impl Sweeper<'_> {
         let record = &a_loop.record;
         let push = tape.is_some().then(|| quote!(#record.push(#saved);));
         let tests = self.tests_after(a_loop);
-        sides.forward.extend(self.iterations(a_loop, &body, push, range.as_ref()));
+        if self.loop_depth == 0 {
+            self.nested_tapes(&mut sides);
+        }
+        let items = self.tapes.items.take();
+        let items = items.map(|items| quote!(#items));
+        let items = range.as_ref().map(|range| quote!(#range.clone())).or(items);
+        sides.forward.extend(self.iterations(a_loop, &body, push, items));
         sides.forward.extend(tests);
         if let Some(result) = a_loop.result {
             sides.forward.extend(self.space_definition(result));
@@ -97,7 +101,7 @@ impl Sweeper<'_> {
     }
 
     /// Whether the loop runs over the whole of a range that can be written once more.
-    fn runs_all(&self, a_loop: &Loop) -> bool {
+    pub(super) fn runs_all(&self, a_loop: &Loop) -> bool {
         !a_loop.breaks
             && matches!(&a_loop.head, Head::For { iterator, reversible: true, .. } if self.facts.is_range(iterator))
     }
@@ -108,7 +112,7 @@ impl Sweeper<'_> {
         a_loop: &Loop,
         body: &Written,
         push: Option<TokenStream>,
-        range: Option<&Ident>,
+        items: Option<TokenStream>,
     ) -> TokenStream {
         let Loop { head, natural_end, .. } = a_loop;
         let (forward, value) = (&body.forward, &body.value);
@@ -130,10 +134,10 @@ impl Sweeper<'_> {
             (head, result) => {
                 let result = result.map(|result| quote!(let mut #result = #natural_end;));
                 let head = match head {
-                    Head::For { pattern, iterator, .. } => match range {
-                        Some(range) => quote!(for #pattern in #range.clone()),
-                        None => quote!(for #pattern in #iterator),
-                    },
+                    Head::For { pattern, iterator, .. } => {
+                        let items = items.unwrap_or_else(|| iterator.clone());
+                        quote!(for #pattern in #items)
+                    }
                     Head::While(condition) => quote!(while #condition),
                     Head::Loop => unreachable!("handled above"),
                 };
@@ -150,7 +154,7 @@ impl Sweeper<'_> {
             unreachable!("other loops have no range");
         };
         let definition = quote!(let #range = #iterator;);
-        if self.facts.uses(iterator).is_empty() {
+        if self.facts.is_known_at_start(iterator) {
             self.top.extend(definition);
         } else {
             sides.forward.extend(definition);
@@ -158,29 +162,5 @@ impl Sweeper<'_> {
             self.ranges.insert(record.to_string(), range.clone());
         }
         range
-    }
-
-    /// Makes a tape; returns what it holds, last to first.
-    fn tape(&mut self, a_loop: &Loop, sides: &mut Sides) -> TokenStream {
-        let record = &a_loop.record;
-        if self.loop_depth > 0 {
-            let start = self.names.fresh(&format!("{record}_start"), record.span());
-            self.top.extend(quote!(let mut #record = ::std::vec::Vec::new();));
-            sides.forward.extend(quote!(let #start = #record.len();));
-            sides.defines.push(start.clone());
-            return quote!(#record.drain(#start..).rev());
-        }
-        let tape = match &a_loop.head {
-            Head::For { trip_count: Some(count), .. } if *count <= LONGEST_ARRAY_TAPE => {
-                quote!(::ad::rt::ArrayTape::<_, #count>::new())
-            }
-            Head::For { iterator, .. } if self.runs_all(a_loop) => {
-                quote!(::ad::rt::tape(&(#iterator)))
-            }
-            _ => quote!(::std::vec::Vec::new()),
-        };
-        sides.forward.extend(quote!(let mut #record = #tape;));
-        sides.defines.push(record.clone());
-        quote!(#record.into_iter().rev())
     }
 }

@@ -36,8 +36,10 @@ impl Sweeper<'_> {
             BranchKind::If(_) => None,
             BranchKind::Match(_, source) => source.as_ref(),
         };
+        self.tapes.enter_sometimes();
         let arms: Vec<_> =
             branch.arms.iter().map(|arm| self.arm(arm, source, seed.as_ref())).collect();
+        self.tapes.leave();
         for arm in &arms {
             self.leave(&mut sides.reverse, &arm.outer);
         }

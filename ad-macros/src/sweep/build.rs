@@ -11,7 +11,9 @@ impl Sweeper<'_> {
         let mut sides = Sides::default();
         let is_pulled_back = self.started.contains(result);
         let element = self.names.fresh("element_bar", record.span());
+        self.tapes.enter_unknown();
         let mut body = self.block(body, is_pulled_back.then(|| quote!(#element)));
+        self.tapes.leave();
         self.leave(&mut sides.reverse, &body.outer);
         let variables = match source {
             BuildSource::Index { index, .. } => std::slice::from_ref(index),

@@ -17,7 +17,7 @@ impl Sweeper<'_> {
         let (captured, seed) = (fresh(self, "captured"), fresh(self, "result_bar"));
         let (pulls_back, result) = (fresh(self, "pulls_back"), fresh(self, "result"));
         let Sweeps { forward, value, pullback, .. } =
-            sweep(function, parameters, &seed, self.names);
+            sweep(function, parameters, &[], &seed, self.names);
         let (plain, plain_value) = primal(function, parameters, self.names);
 
         let (references, arguments) = parameters.split_at(captures.len());

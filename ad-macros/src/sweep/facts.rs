@@ -1,5 +1,6 @@
 //! What the body of a function tells about its variables without their types.
 
+use std::collections::hash_map::Entry;
 use std::collections::{HashMap, HashSet};
 
 use proc_macro2::{Delimiter, Ident, TokenStream, TokenTree};
@@ -11,13 +12,16 @@ use crate::ir::{
     VarId,
 };
 use crate::lower::{Lowered, LoweredParameter};
-use crate::signature::{Parameter, is_discrete};
+use crate::signature::{Parameter, is_discrete, pointee};
 
 /// Functions of constants that cost next to nothing and return a number, a small vector or a range.
 const CHEAP_FUNCTIONS: [&str; 5] = ["from_f64", "splat", "stop_gradient", "constant", "windows"];
 
 /// Methods of integers, arrays and ranges that cost next to nothing.
 const CHEAP_METHODS: [&str; 4] = ["len", "min", "max", "rev"];
+
+/// Functions and methods of which, beside these, ranges of integers are made.
+const OF_RANGES: [&str; 4] = ["chunks_exact", "skip", "step_by", "take"];
 
 /// See the module.
 pub struct Facts<'a> {
@@ -33,6 +37,17 @@ pub struct Facts<'a> {
     members: HashMap<VarId, TokenStream>,
     /// Parameters of type `[T; N]`, and with `true` of type `&[T; N]`.
     array_parameters: HashMap<VarId, bool>,
+    /// Parameters that are slices or `Vec`s and stay as they are.
+    sequences: HashSet<VarId>,
+}
+
+/// What code may be made of to count as cheap.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Cheap {
+    /// What may be computed once more.
+    Again,
+    /// What tells the range of a loop, which is kept: lengths of slices too.
+    Range,
 }
 
 impl<'a> Facts<'a> {
@@ -48,6 +63,7 @@ impl<'a> Facts<'a> {
             integers: HashSet::new(),
             members: HashMap::new(),
             array_parameters: HashMap::new(),
+            sequences: HashSet::new(),
         };
         for (parameter, &LoweredParameter { var, .. }) in parameters.iter().zip(&lowered.parameters)
         {
@@ -63,6 +79,9 @@ impl<'a> Facts<'a> {
                         && matches!(*reference.elem, Type::Array(_)) =>
                 {
                     facts.array_parameters.insert(var, true);
+                }
+                ty if is_sequence(ty) && !vars[var].mutable && !parameter.is_exclusive => {
+                    facts.sequences.insert(var);
                 }
                 _ => {}
             }
@@ -179,7 +198,8 @@ impl<'a> Facts<'a> {
             TokenTree::Punct(punct) => punct.as_char() == ':',
             _ => false,
         };
-        !tokens.clone().into_iter().all(is_path) && self.is_cheap_before(tokens, defined)
+        !tokens.clone().into_iter().all(is_path)
+            && self.is_cheap_before(tokens, defined, Cheap::Again)
     }
 
     /// Whether the variable is an array, and whether behind a reference.
@@ -208,14 +228,17 @@ impl<'a> Facts<'a> {
     /// Whether code without derivative is arithmetic on numbers, which costs less than memory and
     /// always has the same value: literals, constants, operators, elements of arrays.
     pub fn is_cheap(&self, code: &TokenStream) -> bool {
-        self.is_cheap_before(code, VarId::MAX)
+        self.is_cheap_before(code, VarId::MAX, Cheap::Again)
     }
 
     /// The same for code that defines a variable. What looks like a later one is a name of the
     /// user's, of a function or a module.
-    fn is_cheap_before(&self, code: &TokenStream, defined: VarId) -> bool {
+    fn is_cheap_before(&self, code: &TokenStream, defined: VarId, cheap: Cheap) -> bool {
         let mut tokens = code.clone().into_iter().peekable();
         let (mut dots, mut dots_before) = (0, 0);
+        let is_of_range = |name: &Ident| {
+            cheap == Cheap::Range && OF_RANGES.iter().any(|of_ranges| name == of_ranges)
+        };
         while let Some(token) = tokens.next() {
             std::mem::swap(&mut dots, &mut dots_before);
             dots = 0;
@@ -232,12 +255,12 @@ impl<'a> Facts<'a> {
                 }
                 TokenTree::Group(group) => {
                     group.delimiter() != Delimiter::Brace
-                        && self.is_cheap_before(&group.stream(), defined)
+                        && self.is_cheap_before(&group.stream(), defined, cheap)
                 }
                 // A field or a method; two dots are a range.
                 TokenTree::Ident(name) if dots_before == 1 => {
                     next_group == Some(Delimiter::Parenthesis)
-                        && CHEAP_METHODS.iter().any(|cheap| name == cheap)
+                        && (CHEAP_METHODS.iter().any(|cheap| name == cheap) || is_of_range(name))
                 }
                 TokenTree::Ident(name) => match self.named(name) {
                     Some(var) if var >= defined => false,
@@ -245,12 +268,17 @@ impl<'a> Facts<'a> {
                         let is_indexed = next_group == Some(Delimiter::Bracket);
                         (is_indexed && !self.vars[var].mutable) || is_length(tokens.clone())
                     }
+                    Some(var) if cheap == Cheap::Range && self.sequences.contains(&var) => {
+                        is_length(tokens.clone())
+                    }
                     Some(var) => !self.vars[var].mutable && self.is_number(var),
                     None => {
                         let is_macro = matches!(next,
                             Some(TokenTree::Punct(punct)) if punct.as_char() == '!');
                         let is_call = next_group == Some(Delimiter::Parenthesis);
-                        !is_macro && (!is_call || CHEAP_FUNCTIONS.iter().any(|cheap| name == cheap))
+                        let is_cheap_function =
+                            CHEAP_FUNCTIONS.iter().any(|cheap| name == cheap) || is_of_range(name);
+                        !is_macro && (!is_call || is_cheap_function)
                     }
                 },
             };
@@ -277,7 +305,23 @@ impl<'a> Facts<'a> {
                 Some(TokenTree::Punct(_)) => true,
                 _ => false,
             };
-        is_range && self.is_cheap(iterator)
+        is_range && self.is_cheap_before(iterator, VarId::MAX, Cheap::Range)
+    }
+
+    /// Whether a range can be computed where the function begins: it is made of literals and the
+    /// lengths of parameters.
+    pub fn is_known_at_start(&self, range: &TokenStream) -> bool {
+        let is_parameter =
+            |var: &VarId| self.sequences.contains(var) || self.array_parameters.contains_key(var);
+        // Where a loop is not reached, arithmetic for its range could fail.
+        let mut tokens = range.clone().into_iter();
+        self.uses(range).iter().all(is_parameter)
+            && (self.uses(range).is_empty() || !tokens.any(|token| has_arithmetic(&token)))
+    }
+
+    /// Whether code names a slice or a `Vec`, of which the reverse sweep knows nothing.
+    pub fn names_sequence(&self, code: &TokenStream) -> bool {
+        self.uses(code).iter().any(|var| self.sequences.contains(var))
     }
 
     /// The variables that code names.
@@ -324,6 +368,31 @@ impl<'a> Facts<'a> {
             }
             _ => None,
         }
+    }
+
+    /// The variables of a block that are read from a place which an earlier one was read from, and
+    /// which has not been assigned to since: the two are equal, and so they are one variable to the
+    /// reverse sweep, which then changes the cotangent of the place once.
+    pub fn earlier_reads(&self, block: &Block) -> HashMap<VarId, VarId> {
+        let mut reads: HashMap<_, VarId> = HashMap::new();
+        let mut earlier = HashMap::new();
+        for statement in &block.statements {
+            if let Statement::Define { var, operation: Operation::Read(place), .. } = statement {
+                match reads.entry(self.key(place)) {
+                    Entry::Occupied(first) => {
+                        earlier.insert(*var, *first.get());
+                    }
+                    Entry::Vacant(vacant) if !self.vars[*var].mutable => {
+                        vacant.insert(*var);
+                    }
+                    Entry::Vacant(_) => {}
+                }
+            }
+            let mut assigned = HashSet::new();
+            self.assigned(statement, &mut assigned);
+            reads.retain(|(root, _), _| !assigned.contains(root));
+        }
+        earlier
     }
 
     /// Collects the variables that a statement may assign to, at any depth.
@@ -375,4 +444,26 @@ pub fn is_element(path: &[Projection]) -> bool {
 fn is_length(mut following: impl Iterator<Item = TokenTree>) -> bool {
     matches!(following.next(), Some(TokenTree::Punct(punct)) if punct.as_char() == '.')
         && matches!(following.next(), Some(TokenTree::Ident(name)) if name == "len")
+}
+
+/// A slice or a `Vec`, or a reference to one.
+fn is_sequence(ty: &Type) -> bool {
+    match pointee(ty) {
+        Type::Slice(_) => true,
+        Type::Path(path) => path.path.segments.last().is_some_and(|last| last.ident == "Vec"),
+        _ => false,
+    }
+}
+
+/// Whether there is an operator in the token that may fail.
+fn has_arithmetic(token: &TokenTree) -> bool {
+    match token {
+        TokenTree::Group(group) => group.stream().into_iter().any(|token| has_arithmetic(&token)),
+        TokenTree::Punct(punct) => "+-*/%<>&|^!".contains(punct.as_char()),
+        // Steps, windows and chunks of size zero fail.
+        TokenTree::Ident(name) => {
+            name == "windows" || OF_RANGES.iter().any(|of_ranges| name == of_ranges)
+        }
+        TokenTree::Literal(_) => false,
+    }
 }

@@ -18,13 +18,14 @@ mod numbers;
 mod operation;
 mod products;
 mod recompute;
+mod tape;
 
 use std::collections::{BTreeSet, HashMap, HashSet};
 
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
-use crate::ir::{Block, BlockId, Operand, Place, Statement, Var, VarId};
+use crate::ir::{Block, BlockId, Operand, Operation, Place, Statement, Var, VarId};
 use crate::lower::{Lowered, LoweredParameter};
 use crate::names::{self, Names};
 use crate::primal::Primal;
@@ -32,6 +33,7 @@ use crate::signature::Parameter;
 use facts::Facts;
 use numbers::Numbers;
 use products::Products;
+use tape::Tapes;
 
 /// The sweeps of a function.
 pub struct Sweeps {
@@ -43,12 +45,16 @@ pub struct Sweeps {
     pub pullback: TokenStream,
     /// The names of the cotangents that come in for `&mut` parameters.
     pub incoming: Vec<Ident>,
+    /// For each parameter the pattern that takes its cotangent so far, where callers lend it.
+    pub lent: Vec<TokenStream>,
 }
 
-/// Writes both sweeps; `seed` is the name of the cotangent of the result.
+/// Writes both sweeps; `seed` is the name of the cotangent of the result, `lent` says of each
+/// parameter whether callers lend its cotangent.
 pub fn sweep(
     lowered: &Lowered,
     parameters: &[Parameter],
+    lent: &[bool],
     seed: &Ident,
     names: &mut Names,
 ) -> Sweeps {
@@ -59,6 +65,12 @@ pub fn sweep(
     let exclusive = lowered.parameters.iter().map(|parameter| parameter.var);
     let exclusive: Vec<_> = exclusive.filter(|&var| lowered.vars[var].exclusive).collect();
     sweeper.started.extend(&exclusive);
+    let is_lent = |var: VarId| {
+        let mut all = lowered.parameters.iter().zip(lent);
+        lowered.vars[var].active && all.any(|(parameter, lent)| parameter.var == var && *lent)
+    };
+    let parameter_vars = || lowered.parameters.iter().map(|parameter| parameter.var);
+    sweeper.started.extend(parameter_vars().filter(|&var| is_lent(var)));
     let body = sweeper.block(&lowered.body, Some(quote!(#seed)));
     let spaces = lowered.parameters.iter().map(|parameter| sweeper.space_definition(parameter.var));
     let spaces: Vec<_> = spaces.collect();
@@ -72,7 +84,7 @@ pub fn sweep(
                 (true, true) => quote!(#cotangent),
                 (true, false) => quote!(::ad::Additive::zero()),
             };
-            if !has_shape {
+            if !has_shape || is_lent(var) {
                 return cotangent;
             }
             let shape = sweeper.names.fresh(&format!("{ident}_shape"), ident.span());
@@ -83,7 +95,12 @@ pub fn sweep(
     let pullback = sweeper.choose_products(body.reverse, cotangents);
     let regular = sweeper.start_of_tests();
     let (top, forward) = (&sweeper.top, body.forward);
+    let patterns = parameter_vars().map(|var| {
+        let cotangent = &lowered.vars[var].cotangent;
+        if is_lent(var) { quote!(mut #cotangent) } else { quote!(_) }
+    });
     Sweeps {
+        lent: patterns.collect(),
         forward: quote!(#regular #top #(#spaces)* #shapes #forward),
         value: body.value,
         pullback,
@@ -135,6 +152,8 @@ struct Sweeper<'a> {
     top: TokenStream,
     /// The copies that the pullback keeps of arrays behind references.
     kept_copies: HashMap<VarId, Ident>,
+    /// How often the block being written runs, and the tapes of the loops in it.
+    tapes: Tapes,
     /// The names of the ranges of loops, by those of their tapes.
     ranges: HashMap<String, Ident>,
 }
@@ -209,6 +228,7 @@ impl<'a> Sweeper<'a> {
             loop_depth: 0,
             top: TokenStream::new(),
             kept_copies: HashMap::new(),
+            tapes: Tapes::default(),
             ranges: HashMap::new(),
         }
     }
@@ -223,11 +243,18 @@ impl Sweeper<'_> {
         }
         let mut forward = Vec::new();
         let mut defines = Vec::new();
+        let earlier = self.facts.earlier_reads(block);
         for statement in block.statements.iter().rev() {
             let mut assigned = HashSet::new();
             self.facts.assigned(statement, &mut assigned);
             self.frame().assigned_later.extend(assigned);
-            let sides = self.statement(statement);
+            let sides = match statement {
+                Statement::Define { var, ty, .. } if earlier.contains_key(var) => {
+                    let same = Operation::Use(Operand::Var(earlier[var]));
+                    self.define(*var, ty.as_ref(), &same)
+                }
+                statement => self.statement(statement),
+            };
             forward.push(sides.forward);
             reverse.extend(sides.reverse);
             defines.push(sides.defines);
@@ -240,7 +267,7 @@ impl Sweeper<'_> {
             outer: BTreeSet::new(),
         };
         if self.loop_depth > 0 {
-            self.recompute(block, &mut written);
+            self.recompute(block, &earlier, &mut written);
         }
         written.outer = self.frames.pop().expect("pushed above").outer;
         written

@@ -1,6 +1,6 @@
 //! The pullback of each operation.
 
-use proc_macro2::{Ident, TokenStream};
+use proc_macro2::{Ident, TokenStream, TokenTree};
 use quote::{quote, quote_spanned};
 use syn::{Member, Type};
 
@@ -10,6 +10,9 @@ use crate::ir::{
     Argument, BinaryOperator, Operand, Operation, Place, Projection, Shape, Var, VarId,
 };
 use crate::primal::Primal;
+
+/// To a function of more parameters nothing is lent.
+const MOST_LENT: usize = 12;
 
 impl Sweeper<'_> {
     pub(super) fn define(&mut self, var: VarId, ty: Option<&Type>, operation: &Operation) -> Sides {
@@ -30,7 +33,11 @@ impl Sweeper<'_> {
         let ty = ty.map(|ty| quote!(: #ty));
         let forward = match operation {
             Operation::Call { vjp, method, arguments, .. } if pulls_back => {
-                let call = self.call(vjp, *method, arguments);
+                let vjp = match self.lends(operation) {
+                    true => onto(vjp),
+                    false => vjp.clone(),
+                };
+                let call = self.call(&vjp, *method, arguments);
                 quote!(let (#ident, #record) = #call;)
             }
             Operation::Closure(closure) => {
@@ -122,7 +129,8 @@ impl Sweeper<'_> {
                 self.contribute(reverse, *value, &[], pulled);
             }
             Operation::Call { arguments, .. } => {
-                let pulled = self.call_pullback(reverse, record, cotangent, arguments);
+                let lends = self.lends(operation);
+                let pulled = self.call_pullback(reverse, record, cotangent, arguments, lends);
                 let targets: Vec<_> = arguments.iter().map(argument_target).collect();
                 self.contribute_all(reverse, &targets, pulled, false);
             }
@@ -193,6 +201,7 @@ impl Sweeper<'_> {
         record: &Ident,
         cotangent: TokenStream,
         arguments: &[Argument],
+        lends: bool,
     ) -> TokenStream {
         let mut lent = Vec::new();
         let mut receiver = None;
@@ -229,12 +238,57 @@ impl Sweeper<'_> {
                 | Argument::Receiver(_) => {}
             }
         }
+        if lends {
+            let onto: Vec<_> =
+                arguments.iter().map(|argument| self.lend(reverse, argument)).collect();
+            return quote! {
+                ::ad::rt::PullbackOnto::pull_back(#record, #cotangent, (#(#lent,)*), (#(#onto,)*))
+            };
+        }
         match receiver {
             None => quote!(#record(#cotangent #(, #lent)*)),
             Some(receiver) => quote! {
                 ::ad::rt::MethodPullback::pull_back(#record, #cotangent, #receiver, (#(#lent,)*))
             },
         }
+    }
+
+    /// Whether an operation is a call that is lent cotangents (see [`lending`](crate::lending)).
+    fn lends(&self, operation: &Operation) -> bool {
+        let Operation::Call { vjp, method: false, arguments, .. } = operation else {
+            return false;
+        };
+        // Of these the types have to tell something else.
+        let is_reborrow = |argument| matches!(argument, &Argument::Reborrow(_));
+        has_onto(vjp)
+            && arguments.len() <= MOST_LENT
+            && !arguments.iter().any(is_reborrow)
+            && arguments.iter().any(|argument| self.lent_place(argument).is_some())
+    }
+
+    /// The place to which an argument certainly is a reference.
+    fn lent_place(&self, argument: &Argument) -> Option<Place> {
+        let place = match argument {
+            Argument::Borrow(place) => place.clone(),
+            Argument::Value(Operand::Var(var))
+                if self.references.iter().any(|(reference, _)| reference == var)
+                    || matches!(self.facts.operation(*var), Some(Operation::Borrow(_))) =>
+            {
+                Place { root: *var, path: Vec::new() }
+            }
+            _ => return None,
+        };
+        self.vars[place.root].active.then_some(place)
+    }
+
+    /// The cotangent so far, for the function that is given this argument.
+    fn lend(&mut self, reverse: &mut TokenStream, argument: &Argument) -> TokenStream {
+        let Some(place) = self.lent_place(argument) else {
+            return quote!(::ad::rt::Lent::nothing());
+        };
+        self.start(reverse, place.root);
+        let lender = cotangent_of(&self.vars[place.root].cotangent, &place.path);
+        quote!(::ad::rt::Take::take(#lender))
     }
 
     /// Whether an operation may change something whose cotangent is not zero.
@@ -266,6 +320,23 @@ impl Sweeper<'_> {
             }
         }
     }
+}
+
+/// Whether the path of a derivative is that of a `vjp` that this crate writes.
+fn has_onto(vjp: &TokenStream) -> bool {
+    let mut tokens = vjp.clone().into_iter();
+    let is_own = vjp.to_string().starts_with(":: ad ::");
+    !is_own && tokens.any(|token| matches!(token, TokenTree::Ident(name) if name == "vjp"))
+}
+
+/// The path of `vjp_onto` beside `vjp`.
+fn onto(vjp: &TokenStream) -> TokenStream {
+    let mut tokens: Vec<_> = vjp.clone().into_iter().collect();
+    let is_vjp = |token: &TokenTree| matches!(token, TokenTree::Ident(name) if name == "vjp");
+    if let Some(last) = tokens.iter().rposition(is_vjp) {
+        tokens[last] = Ident::new("vjp_onto", tokens[last].span()).into();
+    }
+    tokens.into_iter().collect()
 }
 
 fn operand_target(operand: &Operand) -> Option<Target> {

@@ -44,8 +44,8 @@ pub struct Products {
     tested: HashSet<VarId>,
     /// The variables to be tested after loops, by the names of the tapes.
     tested_after: HashMap<String, Vec<VarId>>,
-    /// The name of whether all were finite so far.
-    pub regular: Ident,
+    /// The name of what is 0 as long as all were finite.
+    pub irregular: Ident,
     /// The name of the rules of products.
     pub rules: Ident,
 }
@@ -72,7 +72,7 @@ impl Products {
             is_chosen: search.count <= TOO_MANY_PRODUCTS,
             tested: search.tested,
             tested_after: search.tested_after,
-            regular: names.fresh("regular", proc_macro2::Span::call_site()),
+            irregular: names.fresh("irregular", proc_macro2::Span::call_site()),
             rules: names.fresh("products", proc_macro2::Span::call_site()),
         })
     }
@@ -276,11 +276,8 @@ impl Sweeper<'_> {
     }
 
     fn finiteness(&self, products: &Products, var: VarId) -> TokenStream {
-        let (regular, ident) = (&products.regular, &self.vars[var].ident);
-        match self.numbers.number(var) {
-            Some(_) => quote!(#regular &= #ident.is_finite();),
-            None => quote!(#regular &= ::ad::Differentiable::known_finite(&#ident);),
-        }
+        let (irregular, ident) = (&products.irregular, &self.vars[var].ident);
+        quote!(#irregular += ::ad::Differentiable::irregularity(&#ident);)
     }
 
     /// The tests that stand after a loop.
@@ -295,7 +292,9 @@ impl Sweeper<'_> {
     /// What the forward sweep starts with.
     pub(super) fn start_of_tests(&self) -> TokenStream {
         match &self.products {
-            Some(Products { is_chosen: true, regular, .. }) => quote!(let mut #regular = true;),
+            Some(Products { is_chosen: true, irregular, .. }) => {
+                quote!(let mut #irregular = 0.0;)
+            }
             _ => TokenStream::new(),
         }
     }
@@ -307,7 +306,7 @@ impl Sweeper<'_> {
         reverse: TokenStream,
         cotangents: TokenStream,
     ) -> TokenStream {
-        let Some(Products { is_chosen, regular, rules, .. }) = &self.products else {
+        let Some(Products { is_chosen, irregular, rules, .. }) = &self.products else {
             return quote!(#reverse #cotangents);
         };
         if !is_chosen {
@@ -318,7 +317,7 @@ impl Sweeper<'_> {
             };
         }
         quote! {
-            if #regular {
+            if #irregular == 0.0 {
                 let #rules = ::ad::rt::ProductsOfFinite;
                 #reverse
                 #cotangents

@@ -68,8 +68,13 @@ struct Definition {
 
 impl Sweeper<'_> {
     /// Lets the reverse sweep of a block compute again what it can, so that less is saved.
-    pub(super) fn recompute(&mut self, block: &Block, written: &mut Written) {
-        let definitions = self.definitions(block, written);
+    pub(super) fn recompute(
+        &mut self,
+        block: &Block,
+        earlier: &HashMap<VarId, VarId>,
+        written: &mut Written,
+    ) {
+        let definitions = self.definitions(block, earlier, written);
         let mut needed = HashSet::new();
         names::collect_variables(written.reverse.clone(), &mut needed);
 
@@ -107,12 +112,16 @@ impl Sweeper<'_> {
     }
 
     /// What the block defines, in order.
-    fn definitions(&mut self, block: &Block, written: &Written) -> Vec<Definition> {
+    fn definitions(
+        &mut self,
+        block: &Block,
+        earlier: &HashMap<VarId, VarId>,
+        written: &Written,
+    ) -> Vec<Definition> {
         let mut again = HashMap::new();
-        let mut reads = HashMap::new();
         for statement in &block.statements {
             if let Statement::Define { var, ty, operation } = statement {
-                let value = match self.earlier_read(&mut reads, *var, operation) {
+                let value = match earlier.get(var).map(|&earlier| self.ident(earlier).clone()) {
                     Some(earlier) => Some((quote!(#earlier), vec![earlier])),
                     None => self.value_again(operation),
                 };
@@ -138,37 +147,16 @@ impl Sweeper<'_> {
             if let Statement::Loop(Loop { head: Head::For { iterator, .. }, record, .. }) =
                 statement
                 && let Some(range) = self.ranges.get(&record.to_string()).cloned()
+                && !self.facts.names_sequence(iterator)
             {
                 let (iterator, uses) = self.code_again(iterator);
                 again.insert(range.to_string(), (quote!(let #range = #iterator;), uses));
             }
-            let mut assigned = HashSet::new();
-            self.facts.assigned(statement, &mut assigned);
-            reads.retain(|(root, _), _| !assigned.contains(root));
         }
         let defines = written.defines.iter();
         defines
             .map(|name| Definition { name: name.clone(), again: again.remove(&name.to_string()) })
             .collect()
-    }
-
-    /// A variable that was read from the same place, if that has not been assigned to since.
-    fn earlier_read(
-        &self,
-        reads: &mut HashMap<(VarId, String), VarId>,
-        var: VarId,
-        operation: &Operation,
-    ) -> Option<Ident> {
-        let Operation::Read(place) = operation else { return None };
-        match reads.entry(self.facts.key(place)) {
-            std::collections::hash_map::Entry::Occupied(earlier) => {
-                Some(self.vars[*earlier.get()].ident.clone())
-            }
-            std::collections::hash_map::Entry::Vacant(vacant) => {
-                vacant.insert(var);
-                None
-            }
-        }
     }
 
     /// A cheap operation, and the variables that it names.

@@ -130,7 +130,7 @@ pub fn run<P: Problem>(problem: &P) {
     };
     let directions = x.len() as f64;
     println!(
-        "{:<28} {:>8.2} us | generated {:>5.2}  by hand {:>5.2}  generated / by hand {:>4.2} | tape {:>6.2}  tape / generated {:>5.1} | one direction: forward {:>5.2}  dual numbers {:>5.2} | all: forward {:>7.1}  dual numbers {:>7.1}  finite differences {:>4}",
+        "{:<28} {:>8.2} us | generated {:>5.2}  by hand {:>5.2}  generated / by hand {:>4.2} | tape {:>6.2}  tape / generated {:>5.1} | one direction: forward {:>5.2}  dual numbers {:>5.2} | reverse is faster from {:>3.1} inputs on | all: forward {:>7.1}  dual numbers {:>7.1}  finite differences {:>4}",
         P::NAME,
         primal * 1e6,
         generated / primal,
@@ -140,6 +140,7 @@ pub fn run<P: Problem>(problem: &P) {
         tape / generated,
         forward / primal,
         dual / primal,
+        generated / forward,
         directions * forward / primal,
         directions * dual / primal,
         2 * x.len(),

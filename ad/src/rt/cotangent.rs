@@ -162,6 +162,39 @@ impl<T: Additive> Take<T, Content> for Boxed<T> {
     }
 }
 
+/// Stands for the cotangent of a parameter that callers do not lend.
+pub struct NotLent;
+
+/// Lends nothing.
+pub enum Nothing {}
+
+impl<T: ?Sized> Take<NotLent, Nothing> for T {
+    #[inline(always)]
+    fn take(&mut self) -> NotLent {
+        NotLent
+    }
+}
+
+/// What a caller lends of which there is no cotangent yet.
+pub trait Lent {
+    /// A zero.
+    fn nothing() -> Self;
+}
+
+impl Lent for NotLent {
+    #[inline(always)]
+    fn nothing() -> Self {
+        Self
+    }
+}
+
+impl<T: Additive> Lent for T {
+    #[inline(always)]
+    fn nothing() -> Self {
+        T::zero()
+    }
+}
+
 /// The cotangent of a variable before it was overwritten: moves out what has gathered.
 #[inline(always)]
 pub fn take<T: Additive>(cotangent: &mut T) -> T {

@@ -1,6 +1,6 @@
 //! Calls of pullbacks whose signature depends on the method that was called.
 
-use super::Take;
+use super::{NotLent, Take};
 
 /// The method took `self` or `&self`: its pullback wants the cotangent of the result alone.
 pub enum Shared {}
@@ -70,3 +70,76 @@ method_pullbacks! {
     (O0, O1)
     (O0, O1, O2)
 }
+
+/// The function has a parameter whose cotangent callers lend.
+pub enum Lending {}
+
+/// The function has none.
+pub enum NotLending {}
+
+/// The pullback of a function to which cotangents are offered, in the tuple `Offered` with a member
+/// for each parameter. `Others` are the cotangents of `&mut` arguments.
+///
+/// Which of them are taken the signature of the pullback tells; the others are [`NotLent`].
+pub trait PullbackOnto<Cotangent, Others, Offered, Kind> {
+    /// The cotangents of the arguments.
+    type Parts;
+
+    /// Calls the pullback. What it returns for a cotangent that was lent is to be added to what the
+    /// lender has left, which is zero.
+    fn pull_back(self, cotangent: Cotangent, others: Others, offered: Offered) -> Self::Parts;
+}
+
+macro_rules! pullbacks_onto {
+    (lending $(($($other:ident),*))*) => {$(
+        impl<F, C, L, P, $($other),*> PullbackOnto<C, ($($other,)*), L, Lending> for F
+        where
+            F: FnOnce(C $(, $other)*, L) -> P,
+        {
+            type Parts = P;
+
+            #[inline(always)]
+            #[allow(non_snake_case)]
+            fn pull_back(self, cotangent: C, ($($other,)*): ($($other,)*), offered: L) -> P {
+                self(cotangent $(, $other)*, offered)
+            }
+        }
+    )*};
+    (not_lending $others:tt $(($($member:ident)*))*) => {$(
+        pullbacks_onto!(@ $others ($($member,)*));
+    )*};
+    (@ ($($other:ident),*) $members:ty) => {
+        impl<F, C, P, $($other),*> PullbackOnto<C, ($($other,)*), $members, NotLending> for F
+        where
+            F: FnOnce(C $(, $other)*) -> P,
+        {
+            type Parts = P;
+
+            #[inline(always)]
+            #[allow(non_snake_case)]
+            fn pull_back(self, cotangent: C, ($($other,)*): ($($other,)*), _: $members) -> P {
+                self(cotangent $(, $other)*)
+            }
+        }
+    };
+    (each $($others:tt)*) => {$(
+        pullbacks_onto! {
+            not_lending $others
+            (NotLent)
+            (NotLent NotLent)
+            (NotLent NotLent NotLent)
+            (NotLent NotLent NotLent NotLent)
+            (NotLent NotLent NotLent NotLent NotLent)
+            (NotLent NotLent NotLent NotLent NotLent NotLent)
+            (NotLent NotLent NotLent NotLent NotLent NotLent NotLent)
+            (NotLent NotLent NotLent NotLent NotLent NotLent NotLent NotLent)
+            (NotLent NotLent NotLent NotLent NotLent NotLent NotLent NotLent NotLent)
+            (NotLent NotLent NotLent NotLent NotLent NotLent NotLent NotLent NotLent NotLent)
+            (NotLent NotLent NotLent NotLent NotLent NotLent NotLent NotLent NotLent NotLent NotLent)
+            (NotLent NotLent NotLent NotLent NotLent NotLent NotLent NotLent NotLent NotLent NotLent NotLent)
+        }
+    )*};
+}
+
+pullbacks_onto!(lending()(O0)(O0, O1)(O0, O1, O2));
+pullbacks_onto!(each()(O0)(O0, O1)(O0, O1, O2));

@@ -152,8 +152,8 @@ macro_rules! matrices {
             fn shape(&self) {}
 
             #[inline(always)]
-            fn known_finite(&self) -> bool {
-                self.is_finite()
+            fn irregularity(&self) -> f64 {
+                if self.is_finite() { 0.0 } else { f64::NAN }
             }
         }
 

@@ -32,6 +32,7 @@ mod function_parameters;
 mod functions;
 mod iterators;
 mod jumps;
+mod lending;
 mod macros;
 mod mixtures;
 mod operators;
