@@ -14,7 +14,9 @@ mod tests;
 use std::cmp::Ordering;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-use ad::rules::{AddPullback, DivPullback, MulPullback, NegPullback, SubPullback};
+use ad::rules::{
+    AddPullback, Arithmetic, DivPullback, MulPullback, NegPullback, Nothing, SubPullback,
+};
 use ad::{Additive, Differentiable, Real, Select};
 
 /// `high + low`, where `low` is at most half a unit in the last place of `high`.
@@ -181,8 +183,12 @@ impl Select for Extended {
     }
 }
 
+impl Arithmetic for Extended {}
+
 impl NegPullback for Extended {
-    fn neg_pullback(cotangent: Self) -> Self {
+    type Kept = Nothing;
+
+    fn neg_pullback(_: &Nothing, cotangent: Self) -> Self {
         -cotangent
     }
 
@@ -192,7 +198,9 @@ impl NegPullback for Extended {
 }
 
 impl AddPullback for Extended {
-    fn add_pullback(cotangent: Self) -> (Self, Self) {
+    type Kept = Nothing;
+
+    fn add_pullback(_: &Nothing, cotangent: Self) -> (Self, Self) {
         (cotangent, cotangent)
     }
 
@@ -202,7 +210,9 @@ impl AddPullback for Extended {
 }
 
 impl SubPullback for Extended {
-    fn sub_pullback(cotangent: Self) -> (Self, Self) {
+    type Kept = Nothing;
+
+    fn sub_pullback(_: &Nothing, cotangent: Self) -> (Self, Self) {
         (cotangent, -cotangent)
     }
 

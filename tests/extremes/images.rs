@@ -58,7 +58,7 @@ pub fn evaluate(scene: &Scene, arithmetic: Arithmetic) -> (f64, Vec<(ParameterId
         parameters: ids.iter().map(tuned).collect(),
         ..OptimizeSection::default()
     };
-    let experiment = Experiment { scene: scene.clone(), optimize: Some(optimize) };
+    let experiment = Experiment::new(scene.clone(), Some(optimize));
     let recovery = Recovery::new(&experiment, "scene", arithmetic).unwrap();
     let Evaluation { loss, gradient } = recovery.evaluate().unwrap();
     let mut rest = &gradient[..];

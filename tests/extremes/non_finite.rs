@@ -31,7 +31,7 @@ fn experiment(scene: Scene, ids: &[ParameterId], target: &[ParameterId]) -> Expe
         parameters: ids.iter().map(tuned).collect(),
         ..OptimizeSection::default()
     };
-    Experiment { scene, optimize: Some(optimize) }
+    Experiment::new(scene, Some(optimize))
 }
 
 #[test]

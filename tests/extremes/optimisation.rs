@@ -25,7 +25,7 @@ fn section(
 
 #[track_caller]
 fn run(scene: Scene, section: OptimizeSection, iterations: u64) -> Outcome {
-    let experiment = Experiment { scene, optimize: Some(section) };
+    let experiment = Experiment::new(scene, Some(section));
     let recovery = Recovery::new(&experiment, "scene", Arithmetic::default()).unwrap();
     let settings = Settings { iterations, ..recovery.settings() };
     let outcome = recovery.run(&settings, &mut Quiet).unwrap();
