@@ -19,7 +19,7 @@ impl deposit {
         let account_1 = account.total;
         let account_1_space = ::ad::rt::space(&account_1);
         account.total += amounts_1;
-        let account_1_pullback = ::ad::rt::linear(&account_1, &amounts_1);
+        let account_1_pullback = ::ad::rt::Increase::of(&account_1, &amounts_1);
         let index_1 = i;
         let (fee, fee_pullback) = fee::vjp_onto(&mut account.fees[index_1], amounts);
         let fee_space = ::ad::rt::space(&fee);
@@ -30,7 +30,7 @@ impl deposit {
         let index_2 = i;
         let amounts_3 = amounts_1;
         let difference = total - amounts_3;
-        let difference_pullback = ::ad::rt::linear(&total, &amounts_3);
+        let difference_pullback = ::ad::rt::Difference::of(&total, &amounts_3);
         (
             difference,
             move |
@@ -44,7 +44,7 @@ impl deposit {
             | -> (::ad::Tangent<Account>, ::ad::Tangent<[f64]>, ::ad::Tangent<usize>) {
                 let mut difference_bar = result_bar;
                 let (mut total_bar, mut amounts_3_bar) = difference_pullback
-                    .pull_back_difference(difference_bar);
+                    .pull_back(difference_bar);
                 let mut amounts_1_bar = amounts_3_bar;
                 ::ad::rt::Absorb::absorb(&mut account_bar.total, total_bar);
                 let mut close_bar = close_space.zero();
@@ -73,7 +73,7 @@ impl deposit {
                 );
                 ::ad::rt::Absorb::absorb(&mut amounts_bar, amounts_part);
                 let (account_part_2, amounts_1_part) = account_1_pullback
-                    .pull_back_sum(
+                    .pull_back(
                         account_1_space.enter(::ad::rt::take(&mut account_bar.total)),
                     );
                 ::ad::rt::Absorb::absorb(&mut account_bar.total, account_part_2);

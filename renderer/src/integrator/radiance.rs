@@ -40,11 +40,10 @@ pub fn render_into<L: Lanes>(prepared: &Prepared<'_, L>, image: &mut Image) {
         for tile in strip.tiles() {
             let mut colors = PacketVectors::ZERO;
             if prepared.sampling.count() == 1 {
-                for sample in prepared.samples(&tile) {
-                    visit(prepared, &sample, sight, |group, radiance| {
-                        set_vectors::<L>(&mut colors, group.first, group.alive, radiance);
-                    });
-                }
+                let sample = Sample { tile: &tile, sampling: prepared.sampling, index: 0 };
+                visit(prepared, &sample, sight, |group, radiance| {
+                    set_vectors::<L>(&mut colors, group.first, group.alive, radiance);
+                });
             } else {
                 let radiance = mean_radiance(prepared, &tile, sight);
                 radiance

@@ -14,7 +14,7 @@ fn settings_are_measured_into_a_table_and_plots() {
     // The last columns: memory, the errors of image and gradient.
     let memory: f64 = row("adjoint           f64x8")[4].parse().unwrap();
     assert!(memory > 0.0, "{text}");
-    let error: f64 = row("other engines     tape per 64 pixels")[9].parse().unwrap();
+    let error: f64 = row("other engines     tape per 64 pixels")[11].parse().unwrap();
     assert!(error < 1e-10, "{text}");
     assert!(text.contains("differences, f64: the best step is"), "{text}");
     assert!(text.contains("1/4, 1/2, full"), "{text}");
@@ -77,5 +77,5 @@ fn contradictions_are_refused() {
     sandbox.refuse_with(&["tradeoff", "scene.toml"], &["scene.toml", "no parameter"]);
     sandbox.write("file", "");
     let tradeoff = ["tradeoff", "experiment.toml", "--out", "file"];
-    sandbox.refuse_with(&tradeoff, &["file", "needs a folder"]);
+    sandbox.refuse_with(&tradeoff, &["file", "need a folder"]);
 }

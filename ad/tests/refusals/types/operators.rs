@@ -69,11 +69,4 @@ impl Mul<f64> for Polynomial {
     }
 }
 
-#[differentiable]
-fn without_rules(a: Complex, b: Complex) -> f64 {
-    let mut c = a + b;
-    c += b;
-    (-c).0
-}
-
 fn main() {}
