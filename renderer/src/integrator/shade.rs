@@ -104,13 +104,14 @@ impl<'a, L: Lanes> Shaded<'a, L> {
     }
 
     /// The radiance of the pixels.
-    #[inline]
+    #[inline(always)]
     pub fn radiance(&self) -> Vec3<L> {
         self.radiance_by(self.lights)
     }
 
     /// The radiance under the first of the lights alone.
-    #[inline]
+    // A call would move more than it computes.
+    #[inline(always)]
     fn radiance_by(&self, lights: &[Light<f64>]) -> Vec3<L> {
         let mut total = self.own_radiance();
         for (light, &lit) in lights.iter().zip(self.lit) {
