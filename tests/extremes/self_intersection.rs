@@ -197,7 +197,8 @@ fn check_pixels(name: &str, arithmetic: Arithmetic, expected: &[f64], found: &[[
 fn check_everywhere(lights: usize) {
     let sphere = |center: DVec3, radius: f64| Surface::Sphere { center, radius };
     let mesh = |center: DVec3, radius: f64| Surface::Mesh { mesh: Mesh::sphere(2), center, radius };
-    let kinds: [(&str, &dyn Fn(DVec3, f64) -> Surface); 2] = [("sphere", &sphere), ("mesh", &mesh)];
+    type Make = fn(DVec3, f64) -> Surface;
+    let kinds: [(&str, Make); 2] = [("sphere", sphere), ("mesh", mesh)];
     for (kind, surface) in kinds {
         for exponent in [-8, 0, 8] {
             let size = 10.0_f64.powi(exponent);

@@ -248,6 +248,8 @@ fn sums_and_products_of_ones_own_type() {
     check!(sums_and_products(x, y) at [0.3, -0.4], [-0.5, 0.6]);
 }
 
+// References on both sides are what it is about.
+#[allow(clippy::op_ref)]
 #[differentiable]
 fn by_reference(x: f64, y: f64) -> f64 {
     let zs = [Complex::new(x, y), Complex::new(y, 1.0), Complex::new(x * y, x)];
