@@ -20,6 +20,7 @@ pub use custom::{CustomLight, CustomLightObject, CustomShape, CustomShapeObject}
 pub use parameters::{Differentiability, Light, ParameterId, Parameters};
 pub use texture::{MaterialObject, MaterialTextures, TextureObject, Wrap};
 pub use validate::Invalid;
+#[cfg(feature = "files")]
 pub(crate) use validate::LARGEST_EXPONENT;
 #[cfg(feature = "files")]
 pub(crate) use validate::MOST_PIXELS;
