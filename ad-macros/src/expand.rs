@@ -59,6 +59,8 @@ pub struct Differentiated {
 pub struct Header {
     pub parameters: Vec<Parameter>,
     result: Type,
+    /// Whether the result is of a type that does not tell what it is.
+    is_hidden: bool,
     /// The type of the cotangent of the result.
     result_tangent: TokenStream,
     /// The types of the cotangents that the pullback takes for `&mut` parameters.
@@ -164,6 +166,10 @@ impl Function<'_> {
         mut errors: Errors,
     ) -> syn::Result<(TokenStream, Option<Forward>)> {
         let (signature, parameters) = (self.signature, &header.parameters);
+        if header.is_hidden {
+            errors.finish()?;
+            errors = Errors::default();
+        }
         let idents = parameters.iter().map(|parameter| parameter.ident.clone());
         let mut names = Names::new(quote!(#signature #body), idents);
         let lowered = lower::lower(parameters, &header.result, body, &mut names, &mut errors);
@@ -259,7 +265,7 @@ impl Function<'_> {
 
     fn header(&self, errors: &mut Errors) -> Header {
         let parameters = signature::parameters(self.callables, errors);
-        let result = signature::result(self.signature, errors);
+        let (result, is_hidden) = signature::result(self.signature, errors);
         let tangents = parameters.iter().map(|parameter| match parameter.is_constant {
             true => quote!(()),
             false => tangent(&parameter.ty),
@@ -280,6 +286,7 @@ impl Function<'_> {
                 || self.body.is_some_and(|body| recursion::is_recursive(self.signature, body)),
             parameters,
             result,
+            is_hidden,
         }
     }
 

@@ -43,6 +43,7 @@ mod operator;
 mod options;
 mod primal;
 mod recursion;
+mod refused;
 mod signature;
 #[cfg(test)]
 mod snapshots;

@@ -31,7 +31,7 @@
 //! Functions and inherent methods on `f32`, `f64`, glam's float vectors, matrices and quaternions,
 //! tuples, arrays, slices, `Vec`, `Box`, `Option`, `Result`, references to these, and structs and
 //! enums with `#[derive(Differentiable)]`; generic ones too. In a body: `let` with patterns,
-//! arithmetic, assignment to local variables and parts of them, to several at once, too, `if`,
+//! variables that get their value later, arithmetic, assignment to local variables and parts of them, to several at once, too, `if`,
 //! `match`, `if let` and chains of it, `let else`, `for` over ranges and over elements, `while`,
 //! `while let`, `loop`, labels, `break`, `continue` and `return` from anywhere, `?`, constants and
 //! other items, calls of differentiable functions and of the methods listed in [`rules`].
@@ -124,8 +124,11 @@
 //!   its place in the gradient holds `()`, and its type needs no tangent.
 //! - Operators of your own types have a derivative where their `impl` carries the attribute: see
 //!   [below](#operators-of-your-own-types).
-//! - A pattern for a variant of an enum names the enum (`Shape::Disc(r)`, `Self::Disc(r)`), which
-//!   tells it from a tuple struct.
+//! - A variant of an enum is told from a struct by the name of the enum (`Shape::Disc(r)`,
+//!   `Self::Disc(r)`). Behind `use Shape::*` it is told by the other variants that the same `match`
+//!   asks for, or by what is done where it is none (`let Disc(r) = shape else ..`); where nothing
+//!   tells it, name the enum.
+//! - A type that has lifetimes names them in a signature: `View<'_>`, not `View`.
 //!
 //! At points without a derivative (`|x|` at 0, a vector of length 0) the rules return a finite
 //! subgradient: see the [table](rules#singular-points).

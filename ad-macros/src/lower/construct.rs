@@ -23,7 +23,7 @@ impl Lowerer<'_> {
             (Shape::Transparent, numbered(parts))
         } else if let Some(member) = outcome(&function.path) {
             (Shape::Flow, parts.into_iter().map(|part| (member.clone(), part)).collect())
-        } else if let Some(variant) = variant(&function.path) {
+        } else if let Some(variant) = self.variant(&function.path) {
             (Shape::Variant(variant.clone()), numbered(parts))
         } else {
             (Shape::Struct, numbered(parts))
@@ -43,7 +43,7 @@ impl Lowerer<'_> {
     }
 
     pub(super) fn struct_literal(&mut self, literal: &syn::ExprStruct, hint: &str) -> Operand {
-        let shape = match variant(&literal.path) {
+        let shape = match self.variant(&literal.path) {
             Some(variant) => Shape::Variant(variant.clone()),
             None => Shape::Struct,
         };
@@ -72,6 +72,18 @@ impl Lowerer<'_> {
                 Operand::Var(self.define(hint, literal.span(), true, operation))
             }
         }
+    }
+
+    /// `Enum::Variant`, told from `module::Type` by the capital letter; `Variant`, where what stands
+    /// around it tells (see [`variants`](super::variants)).
+    pub(super) fn variant<'p>(&self, path: &'p Path) -> Option<&'p syn::Ident> {
+        let mut segments = path.segments.iter().rev();
+        let last = &segments.next().filter(|last| is_type_name(&last.ident))?.ident;
+        let is_variant = match segments.next() {
+            Some(owner) => is_type_name(&owner.ident),
+            None => self.variants.contains(&last.to_string()),
+        };
+        is_variant.then_some(last)
     }
 
     pub(super) fn aggregate(
@@ -134,12 +146,4 @@ pub(super) fn outcome(path: &Path) -> Option<Member> {
         () if last == "Err" => Some(Member::from(1)),
         () => None,
     }
-}
-
-/// `Enum::Variant`, told from `module::Type` by the capital letter.
-pub(super) fn variant(path: &Path) -> Option<&syn::Ident> {
-    let mut segments = path.segments.iter().rev();
-    let last = segments.next().filter(|last| is_type_name(&last.ident))?;
-    segments.next().filter(|owner| is_type_name(&owner.ident))?;
-    Some(&last.ident)
 }

@@ -195,6 +195,7 @@ impl Lowerer<'_> {
         let depths: Vec<_> = captured.vars.iter().map(depth).collect();
         let mut inner = Lowerer::new(on_failure, self.names, self.errors);
         inner.is_object = true;
+        inner.variants = self.variants.clone();
         let mut vars = Vec::new();
         let body = inner.block(|inner| {
             let mut meanings = HashMap::new();
