@@ -14,7 +14,7 @@ use crate::names::Names;
 use crate::options::Options;
 use crate::signature::{self, Parameter};
 use crate::sweep::{self, tuple_or_one};
-use crate::{checkpoint, lending, recursion};
+use crate::{checkpoint, lending, passing, recursion};
 
 /// Where a function stands.
 #[derive(Clone, Copy)]
@@ -205,14 +205,25 @@ impl Function<'_> {
         is_written.then(|| forward::forward(lowered, &header.parameters, names))
     }
 
+    /// What a derivative with this signature asks of types.
+    fn bounds(&self, header: &Header, signature: &Signature) -> Vec<TokenStream> {
+        let bounds = signature.generics.where_clause.iter().flat_map(|clause| &clause.predicates);
+        let mut bounds: Vec<_> = bounds.map(ToTokens::to_token_stream).collect();
+        if let Place::Trait(_) = self.place {
+            // The trait stays fit for `dyn`, and for types that no derivative flows through.
+            bounds.push(quote!(Self: ::core::marker::Sized));
+            if header.parameters.iter().any(|p| signature::names_self(&p.ty))
+                || signature::names_self(&header.result)
+            {
+                bounds.push(quote!(Self: ::ad::Differentiable));
+            }
+        }
+        bounds
+    }
+
     /// The function `jvp`.
-    fn jvp(
-        &self,
-        header: &Header,
-        bounds: &[TokenStream],
-        forward: Option<&Forward>,
-    ) -> TokenStream {
-        if self.options.reverse || self.callables.any() {
+    fn jvp(&self, header: &Header, forward: Option<&Forward>) -> TokenStream {
+        if self.options.reverse {
             return TokenStream::new();
         }
         let Header { parameters, result, .. } = header;
@@ -223,7 +234,8 @@ impl Function<'_> {
                 (forward::names_of_tangents(parameters), body)
             }
         };
-        forward::item(self, parameters, result, bounds, &tangents, body.as_ref())
+        let bounds = self.bounds(header, &self.callables.forward);
+        forward::item(self, parameters, result, &bounds, &tangents, body.as_ref())
     }
 
     /// What stands in for the derivative of a function that was refused, so that its callers do
@@ -339,22 +351,12 @@ impl Function<'_> {
         let call_vjp = quote!(#call_vjp #turbofish (#(#arguments),*));
 
         let zeros = vec![quote!(::ad::Additive::zero()); exclusive_tangents.len()];
-        let (generics, _, where_clause) = signature.generics.split_for_impl();
+        let (generics, _, _) = signature.generics.split_for_impl();
         let generics = generics.to_token_stream();
         let generics = if generics.is_empty() { None } else { Some(&signature.generics) };
-        let bounds = where_clause.map(|clause| &clause.predicates).into_iter().flatten();
-        let mut bounds: Vec<_> = bounds.map(ToTokens::to_token_stream).collect();
+        let mut bounds = self.bounds(header, signature);
         if header.boxed {
             bounds.extend(self.callables.types().map(|function| quote!(#function: 'static)));
-        }
-        if let Place::Trait(_) = place {
-            // The trait stays fit for `dyn`, and for types that no derivative flows through.
-            bounds.push(quote!(Self: ::core::marker::Sized));
-            if parameters.iter().any(|p| signature::names_self(&p.ty))
-                || signature::names_self(result)
-            {
-                bounds.push(quote!(Self: ::ad::Differentiable));
-            }
         }
         let cfgs: Vec<_> = self.attributes.iter().filter(|a| a.path().is_ident("cfg")).collect();
 
@@ -419,7 +421,7 @@ impl Function<'_> {
             where #(#bounds),*
             #body
         };
-        let jvp = self.jvp(header, &bounds, forward);
+        let jvp = self.jvp(header, forward);
         if let Place::TraitImpl(_) = place {
             return quote!(#vjp #jvp);
         }
@@ -436,10 +438,13 @@ impl Function<'_> {
                 }
             }
         };
+        let passing = matches!(place, Place::Free).then(|| passing::functions(self, parameters));
         let functions = quote! {
             #vjp
 
             #jvp
+
+            #passing
 
             #(#cfgs)*
             #[doc = #value_and_grad_doc]

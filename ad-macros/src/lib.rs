@@ -41,6 +41,7 @@ mod lower;
 mod names;
 mod operator;
 mod options;
+mod passing;
 mod primal;
 mod recursion;
 mod refused;

@@ -51,9 +51,9 @@ impl<'a> Primal<'a> {
         }
     }
 
-    /// A call of a function, or of a method, whose receiver is the first argument.
-    pub fn call(self, function: &TokenStream, method: bool, arguments: &[Argument]) -> TokenStream {
-        let tokens = arguments.iter().map(|argument| match argument {
+    /// What a call is given.
+    pub fn argument(self, argument: &Argument) -> TokenStream {
+        match argument {
             Argument::Value(operand) => self.tokens(operand),
             Argument::Borrow(place) => {
                 let place = self.place(place);
@@ -68,7 +68,12 @@ impl<'a> Primal<'a> {
                 quote!(#ident)
             }
             Argument::Receiver(place) => self.place(place),
-        });
+        }
+    }
+
+    /// A call of a function, or of a method, whose receiver is the first argument.
+    pub fn call(self, function: &TokenStream, method: bool, arguments: &[Argument]) -> TokenStream {
+        let tokens = arguments.iter().map(|argument| self.argument(argument));
         let mut tokens: Vec<_> = tokens.collect();
         if method {
             let mut receiver = tokens.remove(0);
@@ -123,6 +128,7 @@ impl<'a> Primal<'a> {
                 self.call(primal, *method, arguments)
             }
             Operation::Closure(_) => unreachable!("is written where it is defined"),
+            Operation::Named { primal, vjp } => quote!(::ad::function::named(#primal, #vjp)),
             Operation::Aggregate { expression, .. }
             | Operation::UpdateStruct { expression, .. } => expression.clone(),
             Operation::Repeat { value, length, is_vec } => {

@@ -1,6 +1,6 @@
 //! Types that a signature may not name: what they hide decides what the derivative is.
 
-use syn::visit::{self, Visit};
+use syn::visit::Visit;
 use syn::{Type, TypeFnPtr, TypeImplTrait, TypePtr, TypeTraitObject};
 
 use crate::errors::Errors;

@@ -233,8 +233,11 @@
 //! # Functions of functions
 //!
 //! A parameter may be a function of up to four arguments, by its bound `F: Fn(..) -> ..` or as
-//! `impl Fn(..) -> ..`. What is passed is a closure, whose parameters have types; it is
-//! differentiated by what it captures, too.
+//! `impl Fn(..) -> ..`. What is passed is a closure, which is differentiated by what it captures, too,
+//! or the name of a differentiable function: `integrate(square, a, b)`, `integrate(f64::sin, a, b)`.
+//! A function tells a closure the types of its parameters; to a method, or where the function is
+//! generic over them, it is passed with types, `|x: f64| ..`. In forward mode `()` stands at the place
+//! of a function's tangent: an object holds those of what it captures.
 //!
 //! ```
 //! use ad::differentiable;
@@ -251,7 +254,7 @@
 //!
 //! #[differentiable]
 //! fn square_root(a: f64) -> f64 {
-//!     root(|x: f64| x * x - a, |x: f64| 2.0 * x, 1.0)
+//!     root(|x| x * x - a, |x| 2.0 * x, 1.0)
 //! }
 //!
 //! assert!((square_root::grad(2.0) - 0.5 / 2.0_f64.sqrt()).abs() < 1e-9);
@@ -490,9 +493,9 @@
 //! | on | holds | time |
 //! |---|---|---|
 //! | a function, or a method of an `impl` block | its arguments | its value is computed twice |
-//! | a `for` loop of n iterations in a differentiable function | about √n times the variables that the loop changes, and in the reverse sweep what √n iterations need | its body is computed twice |
+//! | a loop of n iterations in a differentiable function | about √n times the variables that the loop changes (up to 2√n, where n is not known before), and in the reverse sweep what √n iterations need | its body is computed twice |
 //!
-//! A loop so marked that is left early does nothing in the iterations that are left. What it uses of
+//! A `for` loop so marked that is left early does nothing in the iterations that are left. What it uses of
 //! `self`, and of what is borrowed as `&mut`, is copied before the loop and written back after it, so
 //! that has to be `Clone`. Checkpoints of loops within checkpointed functions multiply:
 //! each level computes its part once more.
@@ -586,7 +589,7 @@ pub use ad_macros::{Differentiable, differentiable};
 pub use boxed::Boxed;
 pub use differentiable::{Additive, Differentiable, NoDerivative, NoTangent, Shape, Tangent};
 pub use dual::Dual;
-pub use function::DifferentiableFn;
+pub use function::{DifferentiableFn, ForwardFn};
 pub use jacobian::{Pushforward, jacobian_forward, jacobian_reverse};
 pub use real::{Mask, Real, Scalar, Select};
 pub use rules::{no_diff, select, stop_gradient};

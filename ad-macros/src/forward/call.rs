@@ -6,6 +6,7 @@ use quote::quote;
 use super::{Tangent, Writer};
 use crate::floats;
 use crate::ir::{Argument, Operand, Place, Projection, VarId};
+use crate::primal::Primal;
 
 /// An argument and its tangent.
 struct Passed {
@@ -46,6 +47,9 @@ impl Writer<'_> {
         };
         let ident = self.ident(var).clone();
         let mutability = self.lowered.vars[var].mutable.then(|| quote!(mut));
+        if vjp.to_string().ends_with("again_vjp") {
+            self.functions.insert(var);
+        }
         let dot = self.new_dot(var, Tangent::OwnedTarget);
         quote!(#before let (#mutability #ident, #mutability #dot) = #call;)
     }
@@ -56,6 +60,16 @@ impl Writer<'_> {
         is_receiver: bool,
         before: &mut TokenStream,
     ) -> Passed {
+        let is_function = match argument {
+            Argument::Function(_) => true,
+            Argument::Value(Operand::Var(var)) => self.functions.contains(var),
+            Argument::Borrow(place) => self.functions.contains(&place.root),
+            _ => false,
+        };
+        if is_function {
+            let value = Primal(&self.lowered.vars).argument(argument);
+            return Passed { value, tangent: quote!(()) };
+        }
         match argument {
             // Neither has a tangent that its type would not tell; a closure's parameters get their
             // types from where it is passed.
@@ -115,7 +129,7 @@ impl Writer<'_> {
                 let value = quote!(&mut #tokens);
                 Passed { tangent: self.lent_exclusively(place, before), value }
             }
-            Argument::Function(_) => unreachable!("is not supported"),
+            Argument::Function(_) => unreachable!("is a function"),
             Argument::Receiver(place) => {
                 let value = self.primal_place(place);
                 let tangent = match self.lowered.vars[place.root].mutable {
@@ -231,7 +245,7 @@ fn is_name(tokens: &TokenStream) -> bool {
 }
 
 /// The path of the forward mode, from that of the reverse mode.
-fn jvp_of(vjp: &TokenStream) -> TokenStream {
+pub(super) fn jvp_of(vjp: &TokenStream) -> TokenStream {
     let mut tokens: Vec<_> = vjp.clone().into_iter().collect();
     let is_name = |token: &TokenTree| matches!(token, TokenTree::Ident(ident) if ident.to_string().ends_with("vjp"));
     if let Some(position) = tokens.iter().rposition(is_name) {

@@ -24,9 +24,9 @@ impl Lowerer<'_> {
         } else if let Some(member) = outcome(&function.path) {
             (Shape::Flow, parts.into_iter().map(|part| (member.clone(), part)).collect())
         } else if let Some(variant) = self.variant(&function.path) {
-            (Shape::Variant(variant.clone()), numbered(parts))
+            (Shape::Variant(variant.clone()), numbered_at(parts, call.span()))
         } else {
-            (Shape::Struct, numbered(parts))
+            (Shape::Struct, numbered_at(parts, call.span()))
         };
         let value = self.aggregate(expression, shape.clone(), parts, hint, call.span());
         // A function whose name begins with a capital letter is no pattern.
@@ -111,7 +111,13 @@ impl Lowerer<'_> {
 }
 
 pub(super) fn numbered(parts: Vec<Operand>) -> Vec<(Member, Operand)> {
-    parts.into_iter().enumerate().map(|(index, part)| (Member::from(index), part)).collect()
+    numbered_at(parts, proc_macro2::Span::call_site())
+}
+
+/// The same, with errors about the parts at `span`.
+fn numbered_at(parts: Vec<Operand>, span: proc_macro2::Span) -> Vec<(Member, Operand)> {
+    let member = |index| Member::Unnamed(syn::Index { index, span });
+    (0..).map(member).zip(parts).collect()
 }
 
 /// Types, variants and constants begin with a capital letter.

@@ -68,7 +68,8 @@ pub fn lower(
     errors: &mut Errors,
 ) -> Lowered {
     let mut lowerer = Lowerer::new(OnFailure::of(result), names, errors);
-    lowerer.variants = variants::of(body);
+    let types = parameters.iter().map(|parameter| &parameter.ty).chain([result]);
+    lowerer.variants = variants::of(types, body);
     let mut parameter_vars = Vec::new();
     let body = lowerer.block(|lowerer| {
         parameter_vars = parameters.iter().map(|p| lowerer.parameter(p)).collect();

@@ -8,19 +8,35 @@
 use std::collections::HashSet;
 
 use syn::visit::{self, Visit};
-use syn::{Block, ExprLet, Local, Pat, Path, UseTree};
+use syn::{Block, Expr, ExprLet, Local, Pat, Path, Type, UseTree};
 
 use super::construct::is_type_name;
 
-/// The names that mean variants in a function with this body.
-pub fn of(body: &Block) -> HashSet<String> {
+/// The names that mean variants in a function with this body, and these types in its signature.
+pub fn of<'t>(types: impl IntoIterator<Item = &'t Type>, body: &Block) -> HashSet<String> {
     let mut variants = Variants::default();
+    types.into_iter().for_each(|ty| variants.visit_type(ty));
     variants.visit_block(body);
-    variants.0
+    let Variants { mut known, constructors, types, imports_all } = variants;
+    if imports_all {
+        known.extend(constructors);
+    }
+    // A variant is no type.
+    known.retain(|name| !types.contains(name));
+    known
 }
 
 #[derive(Default)]
-struct Variants(HashSet<String>);
+struct Variants {
+    /// The names found.
+    known: HashSet<String>,
+    /// The constructors that are used without an enum.
+    constructors: HashSet<String>,
+    /// The names of types.
+    types: HashSet<String>,
+    /// Whether there is a `use Enum::*` in the function.
+    imports_all: bool,
+}
 
 impl Variants {
     /// Looks through the patterns that one value is matched against, in their order. `is_partial`
@@ -34,7 +50,7 @@ impl Variants {
             if is_whole(pat, &mut names) {
                 names.dedup();
                 if let [name] = &names[..] {
-                    self.0.insert(name.clone());
+                    self.known.insert(name.clone());
                 }
             }
         }
@@ -50,7 +66,7 @@ impl Variants {
         names.dedup();
         if names.len() > 1 {
             let bare = constructors.iter().filter(|(_, is_bare)| *is_bare);
-            self.0.extend(bare.map(|(name, _)| name.clone()));
+            self.known.extend(bare.map(|(name, _)| name.clone()));
         }
         for (name, _) in &constructors {
             let same = alternatives.iter().filter_map(|pat| match pat {
@@ -81,12 +97,22 @@ impl Variants {
         }
     }
 
+    /// Notes a constructor in an expression.
+    fn used(&mut self, path: &Path) {
+        if let Some(name) = path.get_ident()
+            && is_type_name(name)
+        {
+            self.constructors.insert(name.to_string());
+        }
+    }
+
     fn imported(&mut self, tree: &UseTree) {
         match tree {
             UseTree::Path(path) => self.imported(&path.tree),
             UseTree::Group(group) => group.items.iter().for_each(|tree| self.imported(tree)),
-            UseTree::Name(name) => self.0.extend([name.ident.to_string()]),
-            UseTree::Rename(_) | UseTree::Glob(_) => {}
+            UseTree::Name(name) => self.known.extend([name.ident.to_string()]),
+            UseTree::Glob(_) => self.imports_all = true,
+            UseTree::Rename(_) => {}
         }
     }
 }
@@ -106,6 +132,30 @@ impl<'ast> Visit<'ast> for Variants {
         let is_partial = local.init.as_ref().is_some_and(|init| init.diverge.is_some());
         self.patterns(&[&local.pat], is_partial);
         visit::visit_local(self, local);
+    }
+
+    fn visit_type_path(&mut self, path: &'ast syn::TypePath) {
+        self.types.insert(last_name(&path.path));
+        visit::visit_type_path(self, path);
+    }
+
+    fn visit_expr_call(&mut self, call: &'ast syn::ExprCall) {
+        if let Expr::Path(path) = &*call.func {
+            self.used(&path.path);
+        }
+        visit::visit_expr_call(self, call);
+    }
+
+    fn visit_expr_struct(&mut self, literal: &'ast syn::ExprStruct) {
+        self.used(&literal.path);
+        visit::visit_expr_struct(self, literal);
+    }
+
+    fn visit_pat(&mut self, pat: &'ast Pat) {
+        if let Some((name, true)) = constructor(pat) {
+            self.constructors.insert(name);
+        }
+        visit::visit_pat(self, pat);
     }
 
     fn visit_item_use(&mut self, import: &'ast syn::ItemUse) {

@@ -31,6 +31,7 @@ mod exits;
 mod flow;
 mod function_parameters;
 mod functions;
+mod functions_by_name;
 mod iterators;
 mod jumps;
 mod lending;
