@@ -56,6 +56,9 @@ pub struct Var {
     pub reference: bool,
     /// Whether a derivative may flow through it. One that is not active is a constant.
     pub active: bool,
+    /// Whether it is a function, or a reference to one: an object with a derivative, which only
+    /// derivatives take.
+    pub is_function: bool,
 }
 
 /// A step from a value into a part of it.

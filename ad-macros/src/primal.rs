@@ -71,6 +71,16 @@ impl<'a> Primal<'a> {
         }
     }
 
+    /// Whether a call is given a function.
+    pub fn is_function(self, argument: &Argument) -> bool {
+        match argument {
+            Argument::Function(_) => true,
+            Argument::Value(Operand::Var(var)) => self.0[*var].is_function,
+            Argument::Borrow(place) => self.0[place.root].is_function,
+            _ => false,
+        }
+    }
+
     /// A call of a function, or of a method, whose receiver is the first argument.
     pub fn call(self, function: &TokenStream, method: bool, arguments: &[Argument]) -> TokenStream {
         let tokens = arguments.iter().map(|argument| self.argument(argument));
@@ -117,9 +127,10 @@ impl<'a> Primal<'a> {
                 let value = self.ident(*value);
                 quote!(#value as #ty)
             }
-            // What takes an object is a derivative.
-            Operation::Call { vjp, method, arguments, .. }
-                if arguments.iter().any(|argument| matches!(argument, Argument::Function(_))) =>
+            // What takes an object is a derivative, but for the calls of it.
+            Operation::Call { primal, vjp, method, arguments }
+                if arguments.iter().any(|argument| self.is_function(argument))
+                    && !primal.to_string().starts_with(":: ad :: function") =>
             {
                 let call = self.call(vjp, *method, arguments);
                 quote!(#call.0)

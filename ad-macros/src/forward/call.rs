@@ -47,9 +47,6 @@ impl Writer<'_> {
         };
         let ident = self.ident(var).clone();
         let mutability = self.lowered.vars[var].mutable.then(|| quote!(mut));
-        if vjp.to_string().ends_with("again_vjp") {
-            self.functions.insert(var);
-        }
         let dot = self.new_dot(var, Tangent::OwnedTarget);
         quote!(#before let (#mutability #ident, #mutability #dot) = #call;)
     }
@@ -60,14 +57,9 @@ impl Writer<'_> {
         is_receiver: bool,
         before: &mut TokenStream,
     ) -> Passed {
-        let is_function = match argument {
-            Argument::Function(_) => true,
-            Argument::Value(Operand::Var(var)) => self.functions.contains(var),
-            Argument::Borrow(place) => self.functions.contains(&place.root),
-            _ => false,
-        };
-        if is_function {
-            let value = Primal(&self.lowered.vars).argument(argument);
+        let primal = Primal(&self.lowered.vars);
+        if primal.is_function(argument) {
+            let value = primal.argument(argument);
             return Passed { value, tangent: quote!(()) };
         }
         match argument {

@@ -74,7 +74,6 @@ pub fn forward(lowered: &Lowered, parameters: &[Parameter], names: &mut Names) -
         idents: HashMap::new(),
         numbers: HashSet::new(),
         of_numbers: HashSet::new(),
-        functions: HashSet::new(),
         tangents: vec![Tangent::Still; lowered.vars.len()],
         position: 0,
     };
@@ -84,7 +83,6 @@ pub fn forward(lowered: &Lowered, parameters: &[Parameter], names: &mut Names) -
         if lowered.vars[var].active {
             writer.tangents[var] = function::tangent_of_parameter(parameter);
         }
-        writer.functions.extend(parameter.arity.map(|_| var));
         if function::is_number(&parameter.ty) {
             writer.numbers.insert(var);
         }
@@ -112,8 +110,6 @@ struct Writer<'a> {
     numbers: HashSet<VarId>,
     /// The parameters whose elements are.
     of_numbers: HashSet<VarId>,
-    /// The variables that are functions: at the place of their tangents `()` is passed.
-    functions: HashSet<VarId>,
     /// What the tangents of the variables are, as far as these have been defined.
     tangents: Vec<Tangent>,
     /// The number of the statement being written.

@@ -41,12 +41,10 @@ impl Writer<'_> {
                     let (#ident, #dot) = ::ad::rules::NegPullback::neg_jvp(#value, #tangent););
             }
             Operation::Closure(closure) => {
-                self.functions.insert(var);
                 let object = self.object(closure);
                 return quote!(let #ident #ty = #object;);
             }
             Operation::Named { primal, vjp } => {
-                self.functions.insert(var);
                 let jvp = jvp_of(vjp);
                 return quote!(let #ident = ::ad::function::named(#primal, #jvp););
             }

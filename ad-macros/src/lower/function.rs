@@ -71,6 +71,7 @@ impl Lowerer<'_> {
             }
             _ => return None,
         };
+        self.vars[object].is_function = true;
         Some(match is_borrowed {
             true => Argument::Borrow(Place { root: object, path: Vec::new() }),
             false => Argument::Function(object),

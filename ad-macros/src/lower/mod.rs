@@ -264,6 +264,7 @@ impl Lowerer<'_> {
             exclusive: false,
             reference: false,
             active,
+            is_function: false,
         });
         self.vars.len() - 1
     }
@@ -283,6 +284,7 @@ impl Lowerer<'_> {
             exclusive: false,
             reference: false,
             active,
+            is_function: false,
         });
         self.vars.len() - 1
     }
@@ -338,6 +340,7 @@ impl Lowerer<'_> {
         }
         self.note_type(var, &parameter.ty);
         self.functions.extend(parameter.arity.map(|arity| (var, arity)));
+        self.vars[var].is_function = parameter.arity.is_some();
         var
     }
 

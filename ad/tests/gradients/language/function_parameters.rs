@@ -187,8 +187,32 @@ fn adaptive(x: f64, y: f64) -> f64 {
     recursive(|t: f64| (x * t * t).sin() * y, 0.0, y, 5)
 }
 
+/// Functions that are passed where no derivative flows back.
+#[differentiable]
+fn unused<F: Fn(f64) -> f64 + Copy>(f: &F, x: f64, y: f64) -> f64 {
+    let g = |t: f64| t * y;
+    let _ = twice(&g, x) + twice(f, y) + integrate(*f, x, y);
+    let mut sum = twice(f, x);
+    #[differentiable(checkpoint)]
+    for i in 0..3 {
+        let h = |t: f64| (t + y * i as f64).sin();
+        let unread = twice(&h, sum);
+        if unread > 10.0 {
+            break;
+        }
+        sum += twice(&h, x) * integrate(h, 0.0, y);
+    }
+    sum
+}
+
+#[differentiable]
+fn uses_unused(x: f64, y: f64) -> f64 {
+    unused(&|t: f64| t * t * x, x, y)
+}
+
 #[test]
 fn closures_as_arguments() {
+    check!(uses_unused(x, y) at [1.3, 0.7], [0.4, 2.1]);
     check!(captured_numbers(x, y) at [1.3, 0.7], [-0.4, 2.1]);
     check!(roots(x, y) at [1.3, 0.7], [0.4, 2.1]);
     check!(oscillator(x, y) at [1.3, 0.7], [0.4, 2.1]);
