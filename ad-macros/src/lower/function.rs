@@ -10,7 +10,7 @@ use std::rc::Rc;
 use proc_macro2::{TokenStream, TokenTree};
 use quote::{ToTokens, format_ident, quote};
 use syn::spanned::Spanned;
-use syn::{Expr, ExprClosure, Pat, PatType, ReturnType, Type, parse_quote};
+use syn::{Expr, ExprClosure, Pat, PatType, ReturnType, Type, UnOp, parse_quote};
 
 use super::call::vjp_of;
 use super::closure::{Closure, changes_captured, simple_name};
@@ -62,12 +62,18 @@ impl Lowerer<'_> {
                 if !self.functions.contains_key(&function) || self.may_refer(function) {
                     return None;
                 }
-                let (primal, vjp) =
-                    (quote!(::ad::function::again), quote!(::ad::function::again_vjp));
                 let whole = Place { root: function, path: Vec::new() };
-                let arguments = vec![Argument::Borrow(whole)];
-                let operation = Operation::Call { primal, vjp, method: false, arguments };
-                self.define("function", path.span(), true, operation)
+                self.again(whole, path.span())
+            }
+            // A copy of what is behind a reference.
+            (None, Expr::Unary(unary)) if matches!(unary.op, UnOp::Deref(_)) && !is_borrowed => {
+                let Expr::Path(path) = strip_parens(&unary.expr) else { return None };
+                let function = self.lookup(path.path.get_ident()?)?;
+                if !self.functions.contains_key(&function) {
+                    return None;
+                }
+                let place = self.function_place(function);
+                self.again(place, path.span())
             }
             _ => return None,
         };
@@ -76,6 +82,14 @@ impl Lowerer<'_> {
             true => Argument::Borrow(Place { root: object, path: Vec::new() }),
             false => Argument::Function(object),
         })
+    }
+
+    /// A parameter that is a function, to be passed on.
+    fn again(&mut self, function: Place, span: proc_macro2::Span) -> VarId {
+        let (primal, vjp) = (quote!(::ad::function::again), quote!(::ad::function::again_vjp));
+        let arguments = vec![Argument::Borrow(function)];
+        let operation = Operation::Call { primal, vjp, method: false, arguments };
+        self.define("function", span, true, operation)
     }
 
     /// Whether a path that is passed leads to a function: what else is no variable has a name in
