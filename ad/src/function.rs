@@ -225,6 +225,7 @@ macro_rules! arities {
         /// The value and its tangent; a function that is passed has none of its own.
         #[doc(hidden)]
         #[inline(always)]
+        #[allow(clippy::too_many_arguments, reason = "those of the function, and their tangents")]
         pub fn $call_jvp<'a, F: ForwardFn<($($parameter,)*)>, $($parameter: Parameter),*>(
             function: &F,
             $($argument: $parameter::Of<'a>,)*

@@ -17,6 +17,8 @@
     clippy::type_complexity,
     clippy::never_loop,
     clippy::reversed_empty_ranges,
+    clippy::needless_late_init,
+    clippy::unnecessary_map_on_constructor,
     reason = "these forms are what is tested"
 )]
 
