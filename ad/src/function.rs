@@ -14,7 +14,7 @@
 //! In forward mode the bound reads `F: ForwardFn<..>`, a call is
 //! [`call_jvp`](ForwardFn::call_jvp), and the object holds the tangents of what it captures too: at its
 //! place among the tangents that are passed stands `()`. A function that is passed by its name becomes
-//! an object of it and its derivative, [`named`].
+//! an object of it and its derivative, [`Named`].
 //!
 //! A closure whose parameters have no types gets them from the function that it is passed to, which
 //! brings a function for each such parameter that makes the object (`f::argument_0`): the compiler takes
