@@ -10,7 +10,7 @@ use super::gradient::Wanted;
 use super::mirrors::{Dark, Sight, blocks};
 use super::prepared::Prepared;
 use super::radiance::{PixelLoss, mean_radiance};
-use super::shade::{Appearance, LightCotangent, Pulled, Shaded};
+use super::shade::{LightCotangent, Pulled, Shaded};
 use super::sums::{Slots, StripSums, material_sum};
 use super::tiles::{Strip, Tile, for_each_strip};
 use super::view::{Group, Sample, Shape, View};
@@ -178,8 +178,9 @@ impl<'a, L: Lanes, P: PixelLoss> Sweep<'a, L, P> {
         }
         surfaces.clear();
         for group in &view.groups {
-            let appearance = prepared.appearance(group);
-            let Appearance { materials, textured, .. } = &appearance;
+            let materials = prepared.materials(group);
+            let appearance = prepared.appearance(group, &materials);
+            let textured = &appearance.textured;
             let shaded = Shaded::new(prepared, group, &appearance, &view.lit, shown);
             let StripSums { lights, custom_lights, materials: of_materials, .. } = sums;
             let to_light = |light: usize, cotangent: LightCotangent<'_, L>| {
