@@ -111,7 +111,8 @@ impl<L: Lanes> Prepared<'_, L> {
         (0..views.len()).rev().find_map(|depth| {
             let view = &views[depth];
             let group = group_of(&view.groups, ray)?;
-            let appearance = self.appearance(group);
+            let materials = self.materials(group);
+            let appearance = self.appearance(group, &materials);
             let mirrored = views.get(depth + 1);
             let shaded = Shaded::new(self, group, &appearance, &view.lit, mirrored);
             let radiance = vectors_of_lanes::<L>(shaded.radiance())[ray - group.first];
