@@ -107,14 +107,13 @@ impl<'a, L: Lanes> Shaded<'a, L> {
     }
 
     /// The radiance of the pixels.
-    #[inline(always)]
+    #[inline]
     pub fn radiance(&self) -> Vec3<L> {
         self.radiance_by(self.lights)
     }
 
     /// The radiance under the first of the lights alone.
-    // A call would move more than it computes.
-    #[inline(always)]
+    #[inline]
     fn radiance_by(&self, lights: &[Light<L>]) -> Vec3<L> {
         let mut total = self.own_radiance();
         for (light, &lit) in lights.iter().zip(self.lit) {
