@@ -103,8 +103,7 @@ impl<S: Real, D: Along<S>> Add for Dual<S, D> {
 
     #[inline(always)]
     fn add(self, other: Self) -> Self {
-        let along = D::zip(self.derivative, other.derivative, |a, b| a + b);
-        Self::new(self.value + other.value, along)
+        Self::new(self.value + other.value, self.derivative.plus(other.derivative))
     }
 }
 
@@ -125,7 +124,7 @@ impl<S: Real, D: Along<S>> Mul for Dual<S, D> {
     fn mul(self, other: Self) -> Self {
         let from_self = self.chain(self.value, other.value).derivative;
         let from_other = other.chain(other.value, self.value).derivative;
-        Self::new(self.value * other.value, D::zip(from_self, from_other, |a, b| a + b))
+        Self::new(self.value * other.value, from_self.plus(from_other))
     }
 }
 
@@ -136,9 +135,7 @@ impl<S: Real, D: Along<S>> Div for Dual<S, D> {
     fn div(self, other: Self) -> Self {
         let quotient = self.value / other.value;
         let slope = D::zip(self.derivative, other.derivative, |along_self, along_other| {
-            let slope = (along_self - quotient * along_other) / other.value;
-            let still = along_self.vanishes() & along_other.vanishes();
-            S::select(still | other.value.cmpeq(S::ZERO), S::ZERO, slope)
+            quotient_slope(quotient, other.value, along_self, along_other)
         });
         Self::new(quotient, slope)
     }
@@ -278,7 +275,7 @@ impl<S: Real, D: Along<S>> Real for Dual<S, D> {
         let by_exponent = S::select(x.cmpgt(S::ZERO), x.ln() * value, S::ZERO);
         let along_base = self.chain(value, by_base).derivative;
         let along_exponent = exponent.chain(value, by_exponent).derivative;
-        Self::new(value, D::zip(along_base, along_exponent, |a, b| a + b))
+        Self::new(value, along_base.plus(along_exponent))
     }
 
     #[inline(always)]
@@ -339,6 +336,15 @@ impl<S: Real, D: Along<S>> Real for Dual<S, D> {
         let value = self.value.tanh();
         self.chain(value, S::ONE - value * value)
     }
+}
+
+/// The derivative of a quotient by those of numerator and denominator; 0 where both are, and where
+/// the denominator is.
+#[inline(always)]
+fn quotient_slope<S: Real>(quotient: S, denominator: S, along: S, along_denominator: S) -> S {
+    let slope = (along - quotient * along_denominator) / denominator;
+    let still = along.vanishes() & along_denominator.vanishes();
+    S::select(still | denominator.cmpeq(S::ZERO), S::ZERO, slope)
 }
 
 /// The derivative of `asin`, 0 at -1 and 1.

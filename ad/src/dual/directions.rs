@@ -25,6 +25,12 @@ pub trait Along<S: Real>: Copy + Debug + Default + PartialEq + Send + Sync + 'st
         Self::ZERO.map(|_| S::zero())
     }
 
+    /// The derivatives of a sum.
+    #[inline(always)]
+    fn plus(self, other: Self) -> Self {
+        self.zip(other, |a, b| a + b)
+    }
+
     /// The derivatives times `slope`; 0 stays 0, whatever the slope is.
     #[inline(always)]
     fn times(self, slope: S) -> Self {
