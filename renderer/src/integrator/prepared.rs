@@ -34,6 +34,8 @@ pub struct Prepared<'a, L: Lanes> {
     pub(super) pinhole: DVec3,
     pub(super) frame: Frame<L>,
     pub(super) lights: Vec<Light<f64>>,
+    /// The lights as surfaces are shaded by them.
+    pub(super) shining: Vec<Light<L>>,
     pub(super) materials: Vec<Material<L::Element>>,
     /// Whether any of them reflects like a mirror.
     pub(super) has_mirrors: bool,
@@ -97,6 +99,7 @@ impl<'a, L: Lanes> Prepared<'a, L> {
             pinhole: DVec3::ZERO,
             frame: Frame::zero().narrow(),
             lights: Vec::new(),
+            shining: Vec::new(),
             materials: Vec::new(),
             has_mirrors: false,
             spheres: Vec::new(),
@@ -112,7 +115,9 @@ impl<'a, L: Lanes> Prepared<'a, L> {
             film_offsets: film_offsets(),
             acceleration: match settings.visibility {
                 Visibility::List => Acceleration::list(&[][..]),
-                Visibility::Tree | Visibility::Raster => Acceleration::new(&[][..]),
+                Visibility::Tree | Visibility::Raster => {
+                    Acceleration::with_effort(&[][..], settings.effort)
+                }
             },
             pass: settings.pass,
             sampling: settings.sampling,
@@ -216,6 +221,7 @@ impl<'a, L: Lanes> Prepared<'a, L> {
                 Light::Distant(light) => Light::Distant(*light),
             })
             .collect();
+        self.shining = self.lights.iter().map(Light::narrow).collect();
         self.materials = self.parameters.materials.iter().map(Material::narrow).collect();
         self.has_mirrors = self.pass == Pass::Radiance
             && (0..self.materials.len()).any(|material| self.is_mirror(material));

@@ -43,20 +43,23 @@ pub(super) struct PulledMirror<L: Lanes> {
 }
 
 /// What a group is made of, and what comes from lights that users add.
-pub(super) struct Appearance<L: Lanes> {
+pub(super) struct Appearance<'a, L: Lanes> {
     /// The lanes by material.
-    pub materials: Sharing,
+    pub materials: &'a Sharing,
     pub textured: Option<Textured<L>>,
     illuminations: Vec<Illumination<L>>,
 }
 
 impl<L: Lanes> Prepared<'_, L> {
     #[inline]
-    pub(super) fn appearance(&self, group: &Group<L>) -> Appearance<L> {
-        let materials = self.materials(group);
+    pub(super) fn appearance<'a>(
+        &self,
+        group: &Group<L>,
+        materials: &'a Sharing,
+    ) -> Appearance<'a, L> {
         Appearance {
             materials,
-            textured: self.textured(group, &materials),
+            textured: self.textured(group, materials),
             illuminations: self.custom_illuminations(group),
         }
     }
@@ -69,7 +72,7 @@ pub(super) struct Shaded<'a, L: Lanes> {
     material: Material<L>,
     /// Whether no material of the group has a highlight.
     matte: bool,
-    lights: &'a [Light<f64>],
+    lights: &'a [Light<L>],
     /// What comes from lights that users add.
     illuminations: &'a [Illumination<L>],
     /// The rays that each light reaches, those of users last.
@@ -82,7 +85,7 @@ impl<'a, L: Lanes> Shaded<'a, L> {
     pub fn new(
         prepared: &'a Prepared<'_, L>,
         group: &'a Group<L>,
-        appearance: &'a Appearance<L>,
+        appearance: &'a Appearance<'_, L>,
         lit: &'a [Lit],
         mirrored: Option<&'a View<L>>,
     ) -> Self {
@@ -97,22 +100,21 @@ impl<'a, L: Lanes> Shaded<'a, L> {
             },
             illuminations,
             matte: materials.iter().all(|(material, _)| prepared.is_matte(material)),
-            lights: &prepared.lights,
+            lights: &prepared.shining,
             lit,
             mirrored: mirrored.map(|view| &view.radiance[group.first / L::COUNT]),
         }
     }
 
     /// The radiance of the pixels.
-    #[inline(always)]
+    #[inline]
     pub fn radiance(&self) -> Vec3<L> {
         self.radiance_by(self.lights)
     }
 
     /// The radiance under the first of the lights alone.
-    // A call would move more than it computes.
-    #[inline(always)]
-    fn radiance_by(&self, lights: &[Light<f64>]) -> Vec3<L> {
+    #[inline]
+    fn radiance_by(&self, lights: &[Light<L>]) -> Vec3<L> {
         let mut total = self.own_radiance();
         for (light, &lit) in lights.iter().zip(self.lit) {
             let reflected = match light {
@@ -282,17 +284,17 @@ trait Reflected<L: Lanes> {
 
 macro_rules! reflected {
     ($($light:ident, $tangent:ident, $kernel:ident, $illumination:expr, $variant:ident;)*) => {$(
-        impl<L: Lanes> Reflected<L> for $light<f64> {
+        impl<L: Lanes> Reflected<L> for $light<L> {
             type Cotangents = (Tangent<Material<L>>, Tangent<SurfacePoint<L>>, $tangent<L>);
 
             #[inline]
             fn reflect(&self, shaded: &Shaded<'_, L>) -> Vec3<L> {
                 let Shaded { material, group: &Group { surface, .. }, matte, .. } = *shaded;
                 if matte {
-                    let illumination = $illumination(self.narrow::<L>(), surface.point);
+                    let illumination = $illumination(*self, surface.point);
                     matte_reflection::<L>(material.diffuse, surface, illumination)
                 } else {
-                    $kernel::<L>(material, surface, self.narrow())
+                    $kernel::<L>(material, surface, *self)
                 }
             }
 
@@ -301,7 +303,7 @@ macro_rules! reflected {
                 &self,
                 shaded: &Shaded<'_, L>,
             ) -> (Vec3<L>, impl FnOnce(Vec3<L>) -> Self::Cotangents) {
-                $kernel::vjp::<L>(shaded.material, shaded.group.surface, self.narrow())
+                $kernel::vjp::<L>(shaded.material, shaded.group.surface, *self)
             }
 
             #[inline]

@@ -10,7 +10,7 @@ use super::gradient::Wanted;
 use super::mirrors::{Dark, Sight, blocks};
 use super::prepared::Prepared;
 use super::radiance::{PixelLoss, mean_radiance};
-use super::shade::{Appearance, LightCotangent, Pulled, Shaded};
+use super::shade::{LightCotangent, Pulled, Shaded};
 use super::sums::{Slots, StripSums, material_sum};
 use super::tiles::{Strip, Tile, for_each_strip};
 use super::view::{Group, Sample, Shape, View};
@@ -150,7 +150,7 @@ impl<'a, L: Lanes, P: PixelLoss> Sweep<'a, L, P> {
             let Self { prepared, wanted, .. } = *self;
             self.pull_surfaces(&views[0], mirrored, &first[0].surfaces, |group, to_ray| {
                 if wanted.camera {
-                    let (x, y) = views[0].film[group.first / L::COUNT];
+                    let (x, y) = prepared.film(sample.tile, views[0].offsets.as_ref(), group.first);
                     let (_, pullback) = primary_ray::vjp::<L>(prepared.frame, x, y);
                     to_frame.accumulate(pullback(to_ray).0);
                 }
@@ -178,8 +178,9 @@ impl<'a, L: Lanes, P: PixelLoss> Sweep<'a, L, P> {
         }
         surfaces.clear();
         for group in &view.groups {
-            let appearance = prepared.appearance(group);
-            let Appearance { materials, textured, .. } = &appearance;
+            let materials = prepared.materials(group);
+            let appearance = prepared.appearance(group, &materials);
+            let textured = &appearance.textured;
             let shaded = Shaded::new(prepared, group, &appearance, &view.lit, shown);
             let StripSums { lights, custom_lights, materials: of_materials, .. } = sums;
             let to_light = |light: usize, cotangent: LightCotangent<'_, L>| {
