@@ -51,7 +51,8 @@ pub struct GltfFile {
 ///   by the node and those above it.
 /// - The base colour of a material is the diffuse colour, and what it emits the ambient colour, each
 ///   with its texture: PNG or JPEG, embedded or in files; any set of texture coordinates, moved by
-///   `KHR_texture_transform`; wrapped as the sampler says. Primitives without a material wear
+///   `KHR_texture_transform`; wrapped as the sampler says, along v as along u. An image whose file is
+///   missing is warned of, and counts as white. Primitives without a material wear
 ///   [`DEFAULT_MATERIAL`](super::DEFAULT_MATERIAL).
 /// - Metalness, roughness, transparency and other textures, colours of vertices, points and lines,
 ///   skins, morph targets, animations and extensions that are not required are left out with a

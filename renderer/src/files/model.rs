@@ -6,7 +6,6 @@ use std::sync::Arc;
 use glam::{DAffine2, DVec3};
 
 use super::Warning;
-use crate::Error;
 use crate::kernels::material::Material;
 use crate::scene::Wrap;
 
@@ -61,8 +60,9 @@ pub struct Mesh {
 pub struct ModelMaterial {
     /// Its name, unique within its model.
     pub name: String,
-    /// Its numbers; or why the files do not say, which is an error unless a scene file does.
-    pub material: Result<Material<f64>, Error>,
+    /// Its numbers; or that the files do not say, to be warned of unless a scene file does. What stands
+    /// in for them is the [default material](default_material).
+    pub material: Result<Material<f64>, Warning>,
     /// The textures of its colours.
     pub maps: ModelMaps,
 }

@@ -31,7 +31,7 @@ use std::path::Path;
 use super::io::read_text;
 use super::meshes::file_stem;
 use super::model::{DEFAULT_MATERIAL, Model, ModelMaps, ModelMaterial, default_material};
-use super::warnings::Warnings;
+use super::warnings::{Warning, Warnings};
 use crate::Error;
 use meshes::meshes;
 use mtl::Library;
@@ -62,6 +62,7 @@ pub use write::save_obj;
 /// - `Ka` and `map_Ka` are left out with a warning: they scale an ambient light, which files do not
 ///   describe, and exporters write 1 for `Ka` whatever the scene; read as radiance it would make
 ///   every surface glow white. `ambient` and `ambient_texture` of a scene file say what is meant.
+/// - A texture whose file is missing is warned of, and counts as white.
 /// - Every other statement is left out, with a warning if it would change the image: transparency
 ///   (`d`, `Tr`, `Tf`, `map_d`, `Ni`, `illum 4`, `6`, `7`, `9`), bumps, `refl` and what is not
 ///   known at all.
@@ -69,8 +70,11 @@ pub use write::save_obj;
 /// # Errors
 ///
 /// If a file cannot be read, a line is broken, a number is not finite, an index is out of range, or
-/// there is no triangle. The message names file and line. A library that is missing is an error only
-/// of the materials that it might define ([`ModelMaterial::material`]).
+/// there is no triangle. The message names file and line.
+///
+/// A library that is missing is no error, nor is a material that none defines: files often come
+/// without their library, and their shapes are worth seeing. Such a material is left to a scene file,
+/// with a warning where that does not define it either ([`ModelMaterial::material`]).
 pub fn load_obj(path: &Path) -> Result<Model, Error> {
     let text = read_text(path)?;
     let file = path.display().to_string();
@@ -96,11 +100,8 @@ pub fn load_obj(path: &Path) -> Result<Model, Error> {
             _ if name == DEFAULT_MATERIAL => Ok(default_material()),
             Some(missing) => Err(missing.clone()),
             None => {
-                let problem = format!(
-                    "no material `{name}`: neither a material library of the mesh nor a scene file \
-                     defines it"
-                );
-                Err(Error::new(format!("{file}:{line}"), problem))
+                let problem = format!("no library defines the material `{name}`; it is shown grey");
+                Err(Warning::new(format_args!("{file}:{line}"), problem))
             }
         };
         ModelMaterial {

@@ -27,7 +27,8 @@ const TRIANGLE: usize = 50;
 ///
 /// - Every solid of an ASCII file is a mesh; a binary file is one, named after the file.
 /// - Vertices with the same coordinates are one vertex. Normals are not read: the order of the
-///   vertices says the same.
+///   vertices says the same. Of the two bytes after each triangle of a binary file, in which some
+///   programs keep colours, is warned unless they are 0.
 /// - All triangles wear [`DEFAULT_MATERIAL`](super::DEFAULT_MATERIAL).
 ///
 /// # Errors
@@ -37,15 +38,16 @@ const TRIANGLE: usize = 50;
 pub fn load_stl(path: &Path) -> Result<Model, Error> {
     let bytes = read(path)?;
     let place = path.display().to_string();
+    let mut warnings = Warnings::default();
     let meshes = if is_ascii(&bytes) {
         ascii::meshes(&bytes, &place, &file_stem(path))?
     } else {
-        vec![binary(&bytes, &place, file_stem(path))?]
+        vec![binary(&bytes, &place, file_stem(path), &mut warnings)?]
     };
     if meshes.is_empty() {
         return Err(Error::new(place, "holds no triangles"));
     }
-    Ok(default_model(meshes, Warnings::default()))
+    Ok(default_model(meshes, warnings))
 }
 
 fn is_ascii(bytes: &[u8]) -> bool {
@@ -66,7 +68,7 @@ fn announced(bytes: &[u8]) -> Option<u32> {
     Some(u32::from_le_bytes(count.try_into().ok()?))
 }
 
-fn binary(bytes: &[u8], place: &str, name: String) -> Result<Mesh, Error> {
+fn binary(bytes: &[u8], place: &str, name: String, warnings: &mut Warnings) -> Result<Mesh, Error> {
     let refuse = |problem: String| Error::new(place, problem);
     let Some(count) = announced(bytes) else {
         return Err(refuse(
@@ -95,6 +97,10 @@ fn binary(bytes: &[u8], place: &str, name: String) -> Result<Mesh, Error> {
                 return Err(refuse(problem));
             }
             *value = f64::from(float);
+        }
+        if record[48..] != [0, 0] {
+            let place = format_args!("{place}: triangle {}", index + 1);
+            warnings.add("attribute", place, "the attribute bytes, often a colour, are left out");
         }
         builder.push(corners);
     }

@@ -1,12 +1,12 @@
-//! What files hold that is left out.
+//! What files hold that is left out, and what they lack.
 
 use std::collections::HashSet;
 use std::fmt;
 
 use crate::error::one_line;
 
-/// A part of a file that is left out, because nothing here shows it. Displays as one line: where,
-/// then what.
+/// A part of a file that is left out, because nothing here shows it, or that something else stands in
+/// for, because it is missing. Displays as one line: where, then what.
 ///
 /// Loaders return warnings as values, with what they load: who asks for a file decides whether to
 /// print them. A logger for the whole process was turned down, which would decide that for every
@@ -15,8 +15,14 @@ use crate::error::one_line;
 pub struct Warning {
     /// The file, and within it the line or the part of the document.
     pub place: String,
-    /// What is left out, and where it helps what to do.
+    /// What is left out or missing, and where it helps what to do.
     pub problem: String,
+}
+
+impl Warning {
+    pub(super) fn new(place: impl fmt::Display, problem: impl fmt::Display) -> Self {
+        Self { place: one_line(place), problem: one_line(problem) }
+    }
 }
 
 impl fmt::Display for Warning {
@@ -44,18 +50,28 @@ impl Warnings {
             return;
         }
         self.subjects.insert(subject.to_owned());
-        let place = one_line(place);
+        self.push(Warning::new(place, problem));
+    }
+
+    /// Adds a warning, unless it has been given.
+    pub fn add_new(&mut self, warning: &Warning) {
+        if self.subjects.insert(warning.to_string()) {
+            self.push(warning.clone());
+        }
+    }
+
+    fn push(&mut self, warning: Warning) {
         if self.list.len() < MOST {
-            self.list.push(Warning { place, problem: one_line(problem) });
+            self.list.push(warning);
         } else {
-            self.unlisted.get_or_insert((place, 0)).1 += 1;
+            self.unlisted.get_or_insert((warning.place, 0)).1 += 1;
         }
     }
 
     /// In the order of the file.
     pub fn finish(mut self) -> Vec<Warning> {
         if let Some((place, count)) = self.unlisted {
-            let problem = format!("{count} more kinds of statements are left out");
+            let problem = format!("{count} more kinds of warnings");
             self.list.push(Warning { place, problem });
         }
         self.list
@@ -75,6 +91,6 @@ mod tests {
         let list = warnings.finish();
         assert_eq!(list.len(), MOST + 1);
         assert_eq!(list[1].to_string(), "a:1: a\\nb");
-        assert_eq!(list[MOST].to_string(), "a:20: 10 more kinds of statements are left out");
+        assert_eq!(list[MOST].to_string(), "a:20: 10 more kinds of warnings");
     }
 }

@@ -76,9 +76,12 @@ fn images_may_be_files_or_data() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("model.glb");
     fs::write(&path, glb(document.clone(), &bytes)).unwrap();
-    let error = Experiment::load(&path).unwrap_err().to_string();
-    assert!(error.contains("model.glb: images[0]: the texture "), "{error}");
-    assert!(error.ends_with("my paint.png is missing"), "{error}");
+    let experiment = Experiment::load(&path).unwrap();
+    assert!(experiment.scene.textures.is_empty());
+    assert_eq!(experiment.scene.parameters.materials, embedded.parameters.materials);
+    let [missing] = &experiment.warnings[..] else { panic!("one warning") };
+    assert!(missing.place.ends_with("model.glb: images[0]"), "{missing}");
+    assert!(missing.problem.ends_with("my paint.png is missing; white stands for it"), "{missing}");
     fs::write(folder.path().join("my paint.png"), png()).unwrap();
     let experiment = Experiment::load(&path).unwrap();
     assert_eq!(experiment.scene.parameters.textures, embedded.parameters.textures);

@@ -18,8 +18,8 @@ use crate::kernels::material::Material;
 pub(super) struct Library {
     pub materials: Vec<LibraryMaterial>,
     pub warnings: Vec<Warning>,
-    /// The first library that there is not.
-    pub missing: Option<Error>,
+    /// About the first library that there is not.
+    pub missing: Option<Warning>,
 }
 
 /// A material of a library.
@@ -43,10 +43,11 @@ impl Library {
             if path.is_file() {
                 self.load(&path)?;
             } else {
-                let problem = format!("the material library {} is missing", path.display());
-                let Error { place, problem } = Error::new(place, problem);
-                self.warnings.push(Warning { place: place.clone(), problem: problem.clone() });
-                self.missing.get_or_insert(Error { place, problem });
+                let problem = format_args!(
+                    "the material library {} is missing; its materials are shown grey",
+                    path.display()
+                );
+                self.missing.get_or_insert(Warning::new(place, problem));
             }
         }
         Ok(())

@@ -25,8 +25,7 @@ fn load(text: &str) -> Model {
 pub(super) fn refused(files: &[(&str, &str)]) -> String {
     let folder = folder(files);
     let loaded = load_obj(&folder.path().join("a.obj"));
-    let undefined = |model: Model| model.materials.into_iter().find_map(|m| m.material.err());
-    let error = loaded.map_or_else(Some, undefined).unwrap().to_string();
+    let error = loaded.unwrap_err().to_string();
     assert!(!error.contains('\n'), "{error}");
     let prefix = format!("{}/", folder.path().display());
     error.strip_prefix(&prefix).unwrap_or_else(|| panic!("names no file: {error}")).to_owned()

@@ -9,6 +9,7 @@ use super::textures::TextureTable;
 use crate::files::Warning;
 use crate::files::model::{ModelMaterial, default_material};
 use crate::files::names::Names;
+use crate::files::warnings::Warnings;
 use crate::kernels::material::Material;
 use crate::scene::{MaterialObject, MaterialTextures, Scene};
 
@@ -21,6 +22,8 @@ pub(super) struct MaterialTable<'a> {
     entries: &'a [(String, MaterialEntry)],
     /// For each entry of the scene file, whether a mesh's library has filled in what it left out.
     filled: Vec<bool>,
+    /// About materials of meshes that neither their files nor the scene file define.
+    undefined: Warnings,
 }
 
 impl<'a> MaterialTable<'a> {
@@ -43,6 +46,7 @@ impl<'a> MaterialTable<'a> {
             textures,
             filled: vec![false; entries.len()],
             entries,
+            undefined: Warnings::default(),
         })
     }
 
@@ -55,6 +59,7 @@ impl<'a> MaterialTable<'a> {
             textures: TextureTable::default(),
             entries: &[],
             filled: Vec::new(),
+            undefined: Warnings::default(),
         }
     }
 
@@ -80,7 +85,10 @@ impl<'a> MaterialTable<'a> {
             (Some(entry), Err(_)) => return Ok((entry as u32, DAffine2::IDENTITY)),
             (Some(entry), Ok(material)) => overridden(*material, &self.entries[entry].1),
             (None, Ok(material)) => *material,
-            (None, Err(undefined)) => return Err(undefined.clone().into()),
+            (None, Err(undefined)) => {
+                self.undefined.add_new(undefined);
+                default_material()
+            }
         };
         let own = self.textures.add(&model.maps)?;
         let (mut textures, mut placement) = (own, model.maps.placement);
@@ -112,11 +120,14 @@ impl<'a> MaterialTable<'a> {
         Ok(((self.objects.len() - 1) as u32, placement))
     }
 
-    /// Hands all materials and textures to the scene; the warnings about the images of textures.
+    /// Hands all materials and textures to the scene; the warnings about materials that nothing
+    /// defines and about the images of textures.
     pub fn move_into(self, scene: &mut Scene) -> Vec<Warning> {
         scene.materials = self.objects;
         scene.parameters.materials = self.materials;
-        self.textures.move_into(scene)
+        let mut warnings = self.undefined.finish();
+        warnings.append(&mut self.textures.move_into(scene));
+        warnings
     }
 }
 

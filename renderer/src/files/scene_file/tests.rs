@@ -281,22 +281,13 @@ fn mistakes_in_the_file_are_placed() {
 #[test]
 fn mistakes_in_a_mesh_are_placed_there() {
     let folder = folder();
-    fs::remove_file(folder.path().join("a.mtl")).unwrap();
+    fs::write(folder.path().join("a.obj"), "v 0 0 x\n").unwrap();
     let text = format!("{CAMERA}[[mesh]]\npath = \"a.obj\"\n");
     let error = Experiment::parse(&text, folder.path(), "s.toml").unwrap_err();
     assert!(error.place.ends_with("a.obj:1"), "{error}");
     let text = format!("{CAMERA}[[mesh]]\npath = \"b.obj\"\n");
     let error = Experiment::parse(&text, folder.path(), "s.toml").unwrap_err();
     assert!(error.place.ends_with("b.obj") && error.problem == "no such file", "{error}");
-}
-
-#[test]
-fn a_material_that_nothing_defines_is_refused() {
-    let folder = folder();
-    fs::write(folder.path().join("a.mtl"), "newmtl red\n").unwrap();
-    let error = Experiment::load(&folder.path().join("a.obj")).unwrap_err();
-    assert!(error.place.ends_with("a.obj:13"), "{error}");
-    assert!(error.problem.starts_with("no material `blue`"), "{error}");
 }
 
 #[test]

@@ -7,6 +7,7 @@ use glam::DVec3;
 use super::tests::{CAMERA, LIBRARY, folder};
 use super::*;
 use crate::files::images::save_exr;
+use crate::files::model::default_material;
 use crate::image::Image;
 
 #[test]
@@ -40,8 +41,46 @@ fn textures_are_read_once_and_named() {
     assert!(error.contains("triangle 1 wears the material `blue`"), "{error}");
 
     fs::remove_file(folder.path().join("my wood.exr")).unwrap();
-    let error = Experiment::load(&folder.path().join("a.obj")).unwrap_err().to_string();
-    assert!(error.contains("a.mtl:2: the texture "), "{error}");
+    let Experiment { scene, warnings, .. } =
+        Experiment::load(&folder.path().join("a.obj")).unwrap();
+    assert!(scene.textures.is_empty() && scene.parameters.texture_coordinates[0].is_empty());
+    assert_eq!(scene.parameters.materials[red].diffuse, DVec3::ONE);
+    let problems: Vec<String> = warnings.iter().map(ToString::to_string).collect();
+    assert!(problems[1].contains("a.mtl:2: the texture "), "{problems:?}");
+    assert!(problems[1].ends_with("my wood.exr is missing; white stands for it"), "{problems:?}");
+    assert!(problems[2].contains("a.mtl:3: the texture ") && problems.len() == 3, "{problems:?}");
+}
+
+/// A mesh without its library is seen; the scene file may say what its materials are.
+#[test]
+fn materials_that_nothing_defines_are_grey() {
+    let folder = folder();
+    fs::remove_file(folder.path().join("a.mtl")).unwrap();
+    let text = format!("{CAMERA}[[mesh]]\npath = \"a.obj\"\n");
+    let load =
+        |rest: &str| Experiment::parse(&format!("{text}{rest}"), folder.path(), "s.toml").unwrap();
+    let Experiment { scene, warnings, .. } = load("");
+    let names: Vec<&str> = scene.materials.iter().map(|material| &*material.name).collect();
+    assert_eq!(names, ["red", "blue"]);
+    assert_eq!(scene.parameters.materials, [default_material(); 2]);
+    let [missing] = &warnings[..] else { panic!("{warnings:?}") };
+    assert!(missing.place.ends_with("a.obj:1"), "{missing}");
+    assert!(
+        missing.problem.ends_with("a.mtl is missing; its materials are shown grey"),
+        "{missing}"
+    );
+
+    let red = "[material.red]\ndiffuse = [1, 0, 0]\n";
+    let blue = "[material.blue]\ndiffuse = [0, 0, 1]\n";
+    assert_eq!(load(red).scene.parameters.materials[0].diffuse, DVec3::X);
+    assert_eq!(load(red).warnings, warnings);
+    assert_eq!(load(&format!("{red}{blue}")).warnings, []);
+
+    fs::write(folder.path().join("a.mtl"), "newmtl blue\n").unwrap();
+    let warnings = load("").warnings;
+    let [undefined] = &warnings[..] else { panic!("{warnings:?}") };
+    assert!(undefined.place.ends_with("a.obj:7"), "{undefined}");
+    assert_eq!(undefined.problem, "no library defines the material `red`; it is shown grey");
 }
 
 /// Materials that share texture coordinates may place their textures in different ways.

@@ -94,8 +94,8 @@ impl TextureTable {
         };
         let TextureFile { image, is_transparent } = texture;
         if is_transparent {
-            let problem = "has transparent texels; they are shown opaque".to_owned();
-            self.warnings.push(Warning { place, problem });
+            let problem = "has transparent texels; they are shown opaque";
+            self.warnings.push(Warning::new(place, problem));
         }
         Ok(image)
     }
@@ -116,8 +116,9 @@ impl TextureTable {
 
     /// The textures of a model's material; those that are not known yet are read.
     pub fn add(&mut self, maps: &ModelMaps) -> Result<MaterialTextures, Error> {
-        let mut add = |source: &Option<TextureSource>| {
-            source.as_ref().map(|source| self.add_source(source)).transpose()
+        let mut add = |source: &Option<TextureSource>| match source {
+            Some(source) => self.add_source(source),
+            None => Ok(None),
         };
         Ok(MaterialTextures {
             ambient: add(&maps.ambient)?,
@@ -126,17 +127,24 @@ impl TextureTable {
         })
     }
 
-    fn add_source(&mut self, source: &TextureSource) -> Result<u32, Error> {
+    /// The index of a texture; none if its file is missing, of which is warned: files are often passed
+    /// on without their pictures. A picture that is there and broken is an error.
+    fn add_source(&mut self, source: &TextureSource) -> Result<Option<u32>, Error> {
         let TextureSource { image, wrap, place } = source;
         let known = self.images.iter().zip(&self.textures);
         let mut known = known.map(|(image, texture)| (image.as_ref(), texture.wrap));
         if let Some(index) = known.position(|known| known == (Some(image), *wrap)) {
-            return Ok(index as u32);
+            return Ok(Some(index as u32));
         }
         let name = match image {
             TextureImage::File(path) if !path.is_file() => {
-                let problem = format!("the texture {} is missing", path.display());
-                return Err(Error::new(place, problem));
+                let missing = path.display();
+                let problem = format_args!("the texture {missing} is missing; white stands for it");
+                let warning = Warning::new(place, problem);
+                if !self.warnings.contains(&warning) {
+                    self.warnings.push(warning);
+                }
+                return Ok(None);
             }
             TextureImage::File(path) => file_stem(path),
             TextureImage::Embedded { name, .. } => match clean_name(name) {
@@ -147,7 +155,7 @@ impl TextureTable {
         let name = self.names.take(name);
         let texels = self.load(image, place)?;
         self.push(name, &texels, *wrap, image.clone());
-        Ok((self.textures.len() - 1) as u32)
+        Ok(Some((self.textures.len() - 1) as u32))
     }
 
     /// Hands all textures to the scene; the warnings about their images.

@@ -124,3 +124,19 @@ fn broken_files_are_refused() {
     none[80..84].fill(0);
     assert_eq!(refused(&none), "part.stl: holds no triangles");
 }
+
+/// Colours, in some programs.
+#[test]
+fn attribute_bytes_are_told_once() {
+    let warnings = load(binary_square()).unwrap().warnings;
+    let [warning] = &warnings[..] else { panic!("{warnings:?}") };
+    assert!(warning.place.ends_with("part.stl: triangle 1"), "{warning}");
+    assert_eq!(warning.problem, "the attribute bytes, often a colour, are left out");
+
+    let mut plain = binary_square();
+    for attribute in plain[HEADER..].chunks_exact_mut(TRIANGLE) {
+        attribute[TRIANGLE - 2..].fill(0);
+    }
+    assert_eq!(load(plain).unwrap().warnings, []);
+    assert_eq!(load(SQUARE).unwrap().warnings, []);
+}

@@ -1,0 +1,13 @@
+//! STL, ASCII and binary.
+
+#![no_main]
+
+use std::path::PathBuf;
+use std::sync::LazyLock;
+
+use libfuzzer_sys::fuzz_target;
+use renderer_fuzz::{folder, read};
+
+static FOLDER: LazyLock<PathBuf> = LazyLock::new(folder);
+
+fuzz_target!(|content: &[u8]| read(&FOLDER, "a.stl", content, "a.stl"));
