@@ -5,6 +5,13 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 use crate::vector::Xyz;
 use crate::{Additive, Differentiable, Real, Select};
 
+mod directions;
+mod lift;
+
+pub use directions::{Along, Directions};
+pub(crate) use lift::along_each_coordinate;
+pub use lift::{AT_ONCE, Lift, Split};
+
 /// `value + derivative * e` with `e * e = 0`.
 ///
 /// A function generic over [`Real`] evaluated on `Dual { value: x, derivative: v }` gives its value
@@ -13,36 +20,38 @@ use crate::{Additive, Differentiable, Real, Select};
 ///
 /// The formulas here are written apart from those in [`rules`](crate::rules), so that each can be
 /// the check of the other; at singular points they follow the same table.
+///
+/// With [`Directions`] in the place of one derivative there are several directions at once, which
+/// share what the value costs.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Dual<S> {
+pub struct Dual<S, D = S> {
     /// The number.
     pub value: S,
-    /// Its derivative along the chosen direction.
-    pub derivative: S,
+    /// Its derivative along the chosen direction, or directions.
+    pub derivative: D,
 }
 
-impl<S: Real> Dual<S> {
+impl<S: Real, D: Along<S>> Dual<S, D> {
     /// A number that moves with the direction.
     #[inline(always)]
-    pub fn new(value: S, derivative: S) -> Self {
+    pub fn new(value: S, derivative: D) -> Self {
         Self { value, derivative }
     }
 
     /// A number that does not.
     #[inline(always)]
     pub fn constant(value: S) -> Self {
-        Self::new(value, S::ZERO)
+        Self::new(value, D::ZERO)
     }
 
     /// `f(self)` from the value and the derivative of `f`; a derivative of 0 stays 0.
     #[inline(always)]
     fn chain(self, value: S, slope: S) -> Self {
-        let still = self.derivative.vanishes();
-        Self::new(value, S::select(still, S::ZERO, self.derivative * slope))
+        Self::new(value, self.derivative.times(slope))
     }
 }
 
-impl<S: Real> Differentiable for Dual<S> {
+impl<S: Real, D: Along<S>> Differentiable for Dual<S, D> {
     type Tangent = Self;
     type Shape = ();
 
@@ -51,14 +60,15 @@ impl<S: Real> Differentiable for Dual<S> {
 
     #[inline(always)]
     fn irregularity(&self) -> f64 {
-        self.value.irregularity() + self.derivative.irregularity()
+        let value = self.value.irregularity();
+        self.derivative.fold(value, |sum, along| sum + along.irregularity())
     }
 }
 
-impl<S: Real> Additive for Dual<S> {
+impl<S: Real, D: Along<S>> Additive for Dual<S, D> {
     #[inline(always)]
     fn zero() -> Self {
-        Self::new(S::zero(), S::zero())
+        Self::new(S::zero(), D::neutral())
     }
 
     #[inline(always)]
@@ -67,79 +77,83 @@ impl<S: Real> Additive for Dual<S> {
     }
 }
 
-impl<S: Real> Select for Dual<S> {
+impl<S: Real, D: Along<S>> Select for Dual<S, D> {
     type Mask = S::Mask;
 
     #[inline(always)]
     fn select(mask: S::Mask, if_true: Self, if_false: Self) -> Self {
         Self::new(
             S::select(mask, if_true.value, if_false.value),
-            S::select(mask, if_true.derivative, if_false.derivative),
+            D::choose(mask, if_true.derivative, if_false.derivative),
         )
     }
 }
 
-impl<S: Real> Neg for Dual<S> {
+impl<S: Real, D: Along<S>> Neg for Dual<S, D> {
     type Output = Self;
 
     #[inline(always)]
     fn neg(self) -> Self {
-        Self::new(-self.value, -self.derivative)
+        Self::new(-self.value, self.derivative.map(|along| -along))
     }
 }
 
-impl<S: Real> Add for Dual<S> {
+impl<S: Real, D: Along<S>> Add for Dual<S, D> {
     type Output = Self;
 
     #[inline(always)]
     fn add(self, other: Self) -> Self {
-        Self::new(self.value + other.value, self.derivative + other.derivative)
+        let along = D::zip(self.derivative, other.derivative, |a, b| a + b);
+        Self::new(self.value + other.value, along)
     }
 }
 
-impl<S: Real> Sub for Dual<S> {
+impl<S: Real, D: Along<S>> Sub for Dual<S, D> {
     type Output = Self;
 
     #[inline(always)]
     fn sub(self, other: Self) -> Self {
-        Self::new(self.value - other.value, self.derivative - other.derivative)
+        let along = D::zip(self.derivative, other.derivative, |a, b| a - b);
+        Self::new(self.value - other.value, along)
     }
 }
 
-impl<S: Real> Mul for Dual<S> {
+impl<S: Real, D: Along<S>> Mul for Dual<S, D> {
     type Output = Self;
 
     #[inline(always)]
     fn mul(self, other: Self) -> Self {
         let from_self = self.chain(self.value, other.value).derivative;
         let from_other = other.chain(other.value, self.value).derivative;
-        Self::new(self.value * other.value, from_self + from_other)
+        Self::new(self.value * other.value, D::zip(from_self, from_other, |a, b| a + b))
     }
 }
 
-impl<S: Real> Div for Dual<S> {
+impl<S: Real, D: Along<S>> Div for Dual<S, D> {
     type Output = Self;
 
     #[inline(always)]
     fn div(self, other: Self) -> Self {
         let quotient = self.value / other.value;
-        let slope = (self.derivative - quotient * other.derivative) / other.value;
-        let still = self.derivative.vanishes() & other.derivative.vanishes();
-        let undefined = still | other.value.cmpeq(S::ZERO);
-        Self::new(quotient, S::select(undefined, S::ZERO, slope))
+        let slope = D::zip(self.derivative, other.derivative, |along_self, along_other| {
+            let slope = (along_self - quotient * along_other) / other.value;
+            let still = along_self.vanishes() & along_other.vanishes();
+            S::select(still | other.value.cmpeq(S::ZERO), S::ZERO, slope)
+        });
+        Self::new(quotient, slope)
     }
 }
 
-impl<S: Real> Real for Dual<S> {
+impl<S: Real, D: Along<S>> Real for Dual<S, D> {
     type Vec3 = Xyz<Self>;
 
-    const ZERO: Self = Self { value: S::ZERO, derivative: S::ZERO };
-    const ONE: Self = Self { value: S::ONE, derivative: S::ZERO };
-    const TWO: Self = Self { value: S::TWO, derivative: S::ZERO };
-    const HALF: Self = Self { value: S::HALF, derivative: S::ZERO };
-    const PI: Self = Self { value: S::PI, derivative: S::ZERO };
-    const EPSILON: Self = Self { value: S::EPSILON, derivative: S::ZERO };
-    const MIN_POSITIVE: Self = Self { value: S::MIN_POSITIVE, derivative: S::ZERO };
+    const ZERO: Self = Self { value: S::ZERO, derivative: D::ZERO };
+    const ONE: Self = Self { value: S::ONE, derivative: D::ZERO };
+    const TWO: Self = Self { value: S::TWO, derivative: D::ZERO };
+    const HALF: Self = Self { value: S::HALF, derivative: D::ZERO };
+    const PI: Self = Self { value: S::PI, derivative: D::ZERO };
+    const EPSILON: Self = Self { value: S::EPSILON, derivative: D::ZERO };
+    const MIN_POSITIVE: Self = Self { value: S::MIN_POSITIVE, derivative: D::ZERO };
 
     #[inline(always)]
     fn from_f64(value: f64) -> Self {
@@ -178,7 +192,7 @@ impl<S: Real> Real for Dual<S> {
 
     #[inline(always)]
     fn vanishes(self) -> S::Mask {
-        self.value.vanishes() & self.derivative.vanishes()
+        self.derivative.fold(self.value.vanishes(), |all, along| all & along.vanishes())
     }
 
     #[inline(always)]
@@ -264,7 +278,7 @@ impl<S: Real> Real for Dual<S> {
         let by_exponent = S::select(x.cmpgt(S::ZERO), x.ln() * value, S::ZERO);
         let along_base = self.chain(value, by_base).derivative;
         let along_exponent = exponent.chain(value, by_exponent).derivative;
-        Self::new(value, along_base + along_exponent)
+        Self::new(value, D::zip(along_base, along_exponent, |a, b| a + b))
     }
 
     #[inline(always)]
@@ -313,8 +327,10 @@ impl<S: Real> Real for Dual<S> {
     fn atan2(self, abscissa: Self) -> Self {
         let (y, x) = (self.value, abscissa.value);
         let norm = x * x + y * y;
-        let numerator = x * self.derivative - y * abscissa.derivative;
-        let slope = S::select(norm.cmpeq(S::ZERO), S::ZERO, numerator / norm);
+        let slope = D::zip(self.derivative, abscissa.derivative, |along_y, along_x| {
+            let slope = (x * along_y - y * along_x) / norm;
+            S::select(norm.cmpeq(S::ZERO), S::ZERO, slope)
+        });
         Self::new(y.atan2(x), slope)
     }
 

@@ -1,6 +1,7 @@
 //! Whole Jacobians, column by column or row by row.
 
-use crate::check::{Coordinates, Rule};
+use crate::check::{Coordinates, Function, Rule};
+use crate::dual::{AT_ONCE, Lift, Split, along_each_coordinate};
 use crate::{Additive, Differentiable, Shape, Tangent};
 
 /// The forward mode of a function of several arguments: what `f::jvp` is, for arguments by value.
@@ -80,7 +81,36 @@ where
         let (_, tangent) = jvp.at(arguments.read(&mut point.iter().copied()), tangents);
         tangent.coordinates()
     });
-    let columns: Vec<_> = columns.collect();
+    rows(&columns.collect::<Vec<_>>())
+}
+
+/// The Jacobian at `point`, a tuple, of a function that is generic over its scalar: as
+/// [`jacobian_forward`], but by dual numbers, which follow several coordinates at once and so share
+/// what the values cost.
+///
+/// ```
+/// use ad::Real;
+///
+/// fn polar<S: Real>(radius: S, angle: S) -> [S; 2] {
+///     [radius * angle.cos(), radius * angle.sin()]
+/// }
+///
+/// let jacobian = ad::jacobian(polar, (2.0, 0.0));
+/// assert_eq!(jacobian, [[1.0, 0.0], [0.0, 2.0]]);
+/// ```
+pub fn jacobian<P, R>(
+    function: impl Function<P::Lifted<AT_ONCE>, Output = R>,
+    point: P,
+) -> Vec<Vec<f64>>
+where
+    P: Lift,
+    R: Split<Part: Coordinates>,
+{
+    rows(&along_each_coordinate(function, &point))
+}
+
+/// The rows of a matrix from its columns.
+fn rows(columns: &[Vec<f64>]) -> Vec<Vec<f64>> {
     let count = columns.first().map_or(0, Vec::len);
     (0..count).map(|row| columns.iter().map(|column| column[row]).collect()).collect()
 }

@@ -12,6 +12,7 @@ use crate::kernels::light::{DistantLight, DistantLightTangent, PointLight, Point
 use crate::kernels::material::{Material, MaterialTangent};
 use crate::kernels::sphere::{Sphere, SphereTangent};
 use crate::kernels::texture::{Uv, UvTangent};
+use crate::scene::Light;
 
 /// A vector in the precision of the kernels.
 #[inline]
@@ -91,6 +92,16 @@ pub fn sum_of_lanes<L: Lanes>(x: L, mask: L::Mask) -> f64 {
 #[inline]
 pub fn sum_of_vectors<L: Lanes>(v: Vec3<L>, mask: L::Mask) -> DVec3 {
     DVec3::new(sum_of_lanes(v.x(), mask), sum_of_lanes(v.y(), mask), sum_of_lanes(v.z(), mask))
+}
+
+impl Light<f64> {
+    /// The parameters in the precision of the kernels.
+    pub fn narrow<S: Real>(&self) -> Light<S> {
+        match self {
+            Self::Point(light) => Light::Point(light.narrow()),
+            Self::Distant(light) => Light::Distant(light.narrow()),
+        }
+    }
 }
 
 macro_rules! parameters {

@@ -2,6 +2,7 @@
 
 use std::hint::black_box;
 
+use ad::dual::{AT_ONCE, Directions};
 use ad::tape::{Recording, Var};
 use ad::{Dual, Real};
 
@@ -90,6 +91,18 @@ pub fn run<P: Problem>(problem: &P) {
         compare("tape", at, got, TOLERANCE);
     }
 
+    let unit = |i: usize| Directions(std::array::from_fn(|k| if i == k { 1.0 } else { 0.0 }));
+    let in_several: Vec<Dual<f64, Directions<f64, AT_ONCE>>> =
+        x.iter().enumerate().map(|(i, &x)| Dual::new(x, unit(i))).collect();
+    let mut at_once = vec![Dual::constant(0.0); P::OUTPUTS];
+    problem.value(&in_several, &mut at_once);
+    for (row, dual) in at_once.iter().enumerate() {
+        for (k, &derivative) in dual.derivative.0.iter().enumerate().take(x.len()) {
+            let at = row * x.len() + k;
+            compare("several dual numbers at once", at, derivative, TOLERANCE);
+        }
+    }
+
     let mut outputs = vec![0.0; P::OUTPUTS];
     let mut jacobians = [generated, by_hand];
     let [first, second] = &mut jacobians;
@@ -123,14 +136,18 @@ pub fn run<P: Problem>(problem: &P) {
                 problem.forward(black_box(&x), black_box(&direction), &mut tangents);
                 black_box(&tangents);
             },
+            &mut || {
+                problem.value(black_box(&in_several), &mut at_once);
+                black_box(&at_once);
+            },
         ],
     );
-    let [primal, generated, by_hand, tape, dual, forward] = times[..] else {
-        unreachable!("six cases")
+    let [primal, generated, by_hand, tape, dual, forward, several] = times[..] else {
+        unreachable!("seven cases")
     };
     let directions = x.len() as f64;
     println!(
-        "{:<28} {:>8.2} us | generated {:>5.2}  by hand {:>5.2}  generated / by hand {:>4.2} | tape {:>6.2}  tape / generated {:>5.1} | one direction: forward {:>5.2}  dual numbers {:>5.2} | reverse is faster from {:>3.1} inputs on | all: forward {:>7.1}  dual numbers {:>7.1}  finite differences {:>4}",
+        "{:<28} {:>8.2} us | generated {:>5.2}  by hand {:>5.2}  generated / by hand {:>4.2} | tape {:>6.2}  tape / generated {:>5.1} | one direction: forward {:>5.2}  dual numbers {:>5.2} | reverse is faster from {:>3.1} inputs on | all: forward {:>7.1}  dual numbers {:>7.1}, {AT_ONCE} at once {:>7.1}  finite differences {:>4}",
         P::NAME,
         primal * 1e6,
         generated / primal,
@@ -143,6 +160,7 @@ pub fn run<P: Problem>(problem: &P) {
         generated / forward,
         directions * forward / primal,
         directions * dual / primal,
+        (directions / AT_ONCE as f64).ceil() * several / primal,
         2 * x.len(),
     );
     if let Some(peers) = problem.peers() {

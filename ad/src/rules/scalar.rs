@@ -57,11 +57,14 @@ pub trait RealRules: Real {
         })
     }
 
-    /// -1/x^2; 0 at 0.
+    /// -1/x^2; 0 where 1/x is infinite.
     #[inline(always)]
     fn recip_vjp(self) -> (Self, impl FnOnce(Self) -> Self) {
         let value = self.recip();
-        (value, move |g| regular(!self.cmpeq(Self::ZERO), g, -value * value))
+        (value, move |g| {
+            let is_infinite = value.cmpeq(value) & !value.is_finite();
+            regular(!is_infinite, g, -value * value)
+        })
     }
 
     /// The cotangents of both factors and the summand.

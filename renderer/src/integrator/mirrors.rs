@@ -142,7 +142,8 @@ impl<L: Lanes> Prepared<'_, L> {
         radiance.clear();
         radiance.resize(blocks::<L>(), Additive::zero());
         for group in &view.groups {
-            let appearance = self.appearance(group);
+            let materials = self.materials(group);
+            let appearance = self.appearance(group, &materials);
             let shaded = Shaded::new(self, group, &appearance, view, beyond);
             let block = &mut radiance[group.first / L::COUNT];
             *block = select(L::mask_from_bits(group.alive), shaded.radiance(), *block);

@@ -34,6 +34,8 @@ pub struct Prepared<'a, L: Lanes> {
     pub(super) pinhole: DVec3,
     pub(super) frame: Frame<L>,
     pub(super) lights: Vec<Light<f64>>,
+    /// The lights as surfaces are shaded by them.
+    pub(super) shining: Vec<Light<L>>,
     pub(super) materials: Vec<Material<L::Element>>,
     /// Whether any of them reflects like a mirror.
     pub(super) has_mirrors: bool,
@@ -101,6 +103,7 @@ impl<'a, L: Lanes> Prepared<'a, L> {
             pinhole: DVec3::ZERO,
             frame: Frame::zero().narrow(),
             lights: Vec::new(),
+            shining: Vec::new(),
             materials: Vec::new(),
             has_mirrors: false,
             opacities: Vec::new(),
@@ -223,6 +226,7 @@ impl<'a, L: Lanes> Prepared<'a, L> {
                 Light::Distant(light) => Light::Distant(*light),
             })
             .collect();
+        self.shining = self.lights.iter().map(Light::narrow).collect();
         self.materials = self.parameters.materials.iter().map(Material::narrow).collect();
         self.opacities.clear();
         self.opacities.extend(self.parameters.opacities.iter().map(|&x| L::Element::from_f64(x)));

@@ -119,7 +119,8 @@ fn visit<L: Lanes>(
     prepared.see(sample, Dark::default(), sight);
     let (view, beyond) = (&sight.views()[0], sight.views().get(1));
     for group in &view.groups {
-        let appearance = prepared.appearance(group);
+        let materials = prepared.materials(group);
+        let appearance = prepared.appearance(group, &materials);
         let shaded = Shaded::new(prepared, group, &appearance, view, beyond);
         use_radiance(group, shaded.radiance());
     }

@@ -45,9 +45,9 @@ pub(super) struct PulledMirror<L: Lanes> {
 }
 
 /// What a group is made of, and what comes from lights that users add.
-pub(super) struct Appearance<L: Lanes> {
+pub(super) struct Appearance<'a, L: Lanes> {
     /// The lanes by material.
-    pub materials: Sharing,
+    pub materials: &'a Sharing,
     pub textured: Option<Textured<L>>,
     /// If a surface is transparent.
     pub cover: Option<Cover<L>>,
@@ -56,12 +56,15 @@ pub(super) struct Appearance<L: Lanes> {
 
 impl<L: Lanes> Prepared<'_, L> {
     #[inline]
-    pub(super) fn appearance(&self, group: &Group<L>) -> Appearance<L> {
-        let materials = self.materials(group);
+    pub(super) fn appearance<'a>(
+        &self,
+        group: &Group<L>,
+        materials: &'a Sharing,
+    ) -> Appearance<'a, L> {
         Appearance {
             materials,
-            textured: self.textured(group, &materials),
-            cover: self.cover(&materials),
+            textured: self.textured(group, materials),
+            cover: self.cover(materials),
             illuminations: self.custom_illuminations(group),
         }
     }
@@ -74,7 +77,7 @@ pub(super) struct Shaded<'a, L: Lanes> {
     material: Material<L>,
     /// Whether no material of the group has a highlight.
     matte: bool,
-    lights: &'a [Light<f64>],
+    lights: &'a [Light<L>],
     /// What comes from lights that users add.
     illuminations: &'a [Illumination<L>],
     /// The rays that each light reaches, those of users last.
@@ -91,11 +94,11 @@ impl<'a, L: Lanes> Shaded<'a, L> {
     pub fn new(
         prepared: &'a Prepared<'_, L>,
         group: &'a Group<L>,
-        appearance: &'a Appearance<L>,
+        appearance: &'a Appearance<'_, L>,
         view: &'a View<L>,
         beyond: Option<&'a View<L>>,
     ) -> Self {
-        let &Appearance { ref materials, ref textured, cover, ref illuminations } = appearance;
+        let &Appearance { materials, ref textured, cover, ref illuminations } = appearance;
         count(|counts| &counts.shaded, u64::from(group.alive.count_ones()));
         Self {
             pass: prepared.pass,
@@ -106,7 +109,7 @@ impl<'a, L: Lanes> Shaded<'a, L> {
             },
             illuminations,
             matte: materials.iter().all(|(material, _)| prepared.is_matte(material)),
-            lights: &prepared.lights,
+            lights: &prepared.shining,
             lit: &view.lit,
             passed: &view.passed,
             cover,
@@ -149,7 +152,7 @@ impl<'a, L: Lanes> Shaded<'a, L> {
     /// The radiance of the surfaces themselves under the first of the lights alone.
     // A call would move more than it computes.
     #[inline(always)]
-    fn radiance_by(&self, lights: &[Light<f64>]) -> Vec3<L> {
+    fn radiance_by(&self, lights: &[Light<L>]) -> Vec3<L> {
         let mut total = self.own_radiance();
         for (index, light) in lights.iter().enumerate() {
             let reflected = match light {
@@ -337,17 +340,17 @@ trait Reflected<L: Lanes> {
 
 macro_rules! reflected {
     ($($light:ident, $tangent:ident, $kernel:ident, $illumination:expr, $variant:ident;)*) => {$(
-        impl<L: Lanes> Reflected<L> for $light<f64> {
+        impl<L: Lanes> Reflected<L> for $light<L> {
             type Cotangents = (Tangent<Material<L>>, Tangent<SurfacePoint<L>>, $tangent<L>);
 
             #[inline]
             fn reflect(&self, shaded: &Shaded<'_, L>) -> Vec3<L> {
                 let Shaded { material, group: &Group { surface, .. }, matte, .. } = *shaded;
                 if matte {
-                    let illumination = $illumination(self.narrow::<L>(), surface.point);
+                    let illumination = $illumination(*self, surface.point);
                     matte_reflection::<L>(material.diffuse, surface, illumination)
                 } else {
-                    $kernel::<L>(material, surface, self.narrow())
+                    $kernel::<L>(material, surface, *self)
                 }
             }
 
@@ -356,7 +359,7 @@ macro_rules! reflected {
                 &self,
                 shaded: &Shaded<'_, L>,
             ) -> (Vec3<L>, impl FnOnce(Vec3<L>) -> Self::Cotangents) {
-                $kernel::vjp::<L>(shaded.material, shaded.group.surface, self.narrow())
+                $kernel::vjp::<L>(shaded.material, shaded.group.surface, *self)
             }
 
             #[inline]

@@ -1,12 +1,11 @@
 //! Lanes that have something in common.
 
-use std::array;
-
 use ad::lanes::Lanes;
 use ad::{Select, select};
-use bytemuck::{bytes_of, pod_read_unaligned};
+use bytemuck::{cast_slice, pod_read_unaligned};
 use wide::{f32x16, u32x16};
 
+use crate::acceleration::PACKET_RAYS;
 use crate::precision::MOST_LANES;
 
 /// The lanes of a group by an index, such as that of the primitive they show: neighbours mostly
@@ -19,20 +18,20 @@ pub(super) struct Sharing {
 }
 
 impl Sharing {
-    /// Sorts the lanes in `alive` by their indices. What follows them is not looked at.
+    /// Sorts the lanes in `alive` by the indices of their rays, the first of which is that of lane 0.
     #[inline]
-    pub fn new(indices: &[u32], alive: u32) -> Self {
-        let indices: u32x16 = match indices.first_chunk::<MOST_LANES>() {
-            Some(indices) => pod_read_unaligned(bytes_of(indices)),
-            None => u32x16::new(array::from_fn(|lane| *indices.get(lane).unwrap_or(&0))),
-        };
+    pub fn new(indices: &[u32; PACKET_RAYS], first: usize, alive: u32) -> Self {
+        // As many as a vector holds: near the end of the packet, those before the lanes too.
+        let start = first.min(PACKET_RAYS - MOST_LANES);
+        let before = first - start;
+        let indices: u32x16 = pod_read_unaligned(cast_slice(&indices[start..start + MOST_LANES]));
         let mut sharing = Self { shares: [(0, 0); MOST_LANES], count: 0 };
-        let mut rest = alive;
+        let mut rest = alive << before;
         while rest != 0 {
             let index = indices.as_array()[rest.trailing_zeros() as usize % MOST_LANES];
             let same = f32x16::from_bits(indices.simd_eq(u32x16::splat(index)));
             let lanes = same.to_bitmask() & rest;
-            sharing.push(index, lanes);
+            sharing.push(index, lanes >> before);
             rest &= !lanes;
         }
         sharing
@@ -80,15 +79,20 @@ impl Sharing {
 mod tests {
     use ad::lanes::{Lanes, f32x8};
 
-    use super::Sharing;
+    use super::{PACKET_RAYS, Sharing};
 
     #[test]
     fn lanes_are_sorted_by_what_they_share() {
-        let indices = [5, 9, 5, 5, 9, 7, 7, 1];
-        let sharing = Sharing::new(&indices, 0b0111_1110);
-        let shares: Vec<_> = sharing.iter().collect();
-        assert_eq!(shares, [(9, 0b0001_0010), (5, 0b0000_1100), (7, 0b0110_0000)]);
+        let lanes = [5, 9, 5, 5, 9, 7, 7, 1];
+        let mut indices = [7; PACKET_RAYS];
+        for first in [0, 8, 40, PACKET_RAYS - lanes.len()] {
+            indices[first..first + lanes.len()].copy_from_slice(&lanes);
+            let sharing = Sharing::new(&indices, first, 0b0111_1110);
+            let shares: Vec<_> = sharing.iter().collect();
+            assert_eq!(shares, [(9, 0b0001_0010), (5, 0b0000_1100), (7, 0b0110_0000)]);
+        }
 
+        let sharing = Sharing::new(&indices, 0, 0b0111_1110);
         let merged = sharing.map(|index| u32::from(index > 6));
         assert_eq!(merged.iter().collect::<Vec<_>>(), [(1, 0b0111_0010), (0, 0b0000_1100)]);
 

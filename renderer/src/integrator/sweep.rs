@@ -11,7 +11,7 @@ use super::gradient::Wanted;
 use super::mirrors::{Dark, Sight, blocks, pull_next_ray};
 use super::prepared::Prepared;
 use super::radiance::{PixelLoss, mean_radiance};
-use super::shade::{Appearance, LightCotangent, Pulled, Shaded};
+use super::shade::{LightCotangent, Pulled, Shaded};
 use super::sums::{Slots, StripSums, material_sum};
 use super::tiles::{Strip, Tile, for_each_strip};
 use super::transparency::PulledCover;
@@ -180,8 +180,9 @@ impl<'a, L: Lanes, P: PixelLoss> Sweep<'a, L, P> {
         }
         surfaces.clear();
         for group in &view.groups {
-            let appearance = prepared.appearance(group);
-            let Appearance { materials, textured, .. } = &appearance;
+            let materials = prepared.materials(group);
+            let appearance = prepared.appearance(group, &materials);
+            let textured = &appearance.textured;
             let shaded = Shaded::new(prepared, group, &appearance, view, shown);
             let through = Cell::new(None);
             let StripSums { lights, custom_lights, materials: of_materials, .. } = sums;
@@ -221,7 +222,7 @@ impl<'a, L: Lanes, P: PixelLoss> Sweep<'a, L, P> {
                 if wanted.opacities {
                     let opacities = &mut sums.opacities;
                     if let Some(PulledCover { opacity, .. }) = through.get() {
-                        prepared.pull_opacity(materials, opacity, opacities);
+                        prepared.pull_opacity(&materials, opacity, opacities);
                     }
                     shaded.pull_back_passed(cotangent, |passed, left| {
                         prepared.pull_passed(group, passed, left, opacities);

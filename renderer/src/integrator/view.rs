@@ -177,7 +177,7 @@ impl<L: Lanes> Prepared<'_, L> {
                 if alive == 0 {
                     continue;
                 }
-                let primitives = Sharing::new(&hits.primitive[first..], alive);
+                let primitives = Sharing::new(&hits.primitive, first, alive);
                 let ray = ray(first, alive);
                 let surface = match shape {
                     Shape::Triangles => {

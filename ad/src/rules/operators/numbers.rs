@@ -7,6 +7,7 @@ use super::{
     AddPullback, Arithmetic, DivPullback, MulPullback, NegPullback, Nothing, RemPullback,
     SubPullback,
 };
+use crate::dual::Along;
 use crate::rules::scale;
 use crate::tape::Var;
 use crate::vector::Xyz;
@@ -67,7 +68,7 @@ linear_operators!([] wide::f32x8, [] wide::f32x16, [] wide::f64x8);
 linear_operators!(
     [] f32,
     [] f64,
-    [S: Real] Dual<S>,
+    [S: Real, D: Along<S>] Dual<S, D>,
     [] Var,
     [] Vec2,
     [] Vec3,
@@ -189,7 +190,7 @@ macro_rules! scalar_operators {
 #[cfg(feature = "lanes")]
 scalar_operators!([] wide::f32x8, [] wide::f32x16, [] wide::f64x8);
 
-scalar_operators!([] f32, [] f64, [S: Real] Dual<S>, [] Var);
+scalar_operators!([] f32, [] f64, [S: Real, D: Along<S>] Dual<S, D>, [] Var);
 
 macro_rules! remainder {
     ($($type:ty),*) => {$(

@@ -3,7 +3,10 @@
 #![allow(clippy::needless_range_loop, clippy::type_complexity, reason = "rows and columns, rules")]
 
 use ad::check::{assert_forward, worst_forward};
-use ad::{Differentiable, Real, differentiable, hessian, hvp, jacobian_forward, jacobian_reverse};
+use ad::{
+    Differentiable, Real, differentiable, hessian, hvp, jacobian, jacobian_forward,
+    jacobian_reverse,
+};
 use glam::DVec3;
 
 #[differentiable]
@@ -18,7 +21,9 @@ fn mixed<S: Real>(x: &[S], y: S) -> S {
 #[test]
 fn hessians() {
     let (x, y) = (vec![0.3, -0.7, 1.1], 0.4);
-    let gradient = |x: Vec<_>, y| mixed::grad(&x, y);
+    fn gradient<S: Real>(x: Vec<S>, y: S) -> (Vec<S>, S) {
+        mixed::grad(&x, y)
+    }
     let full = hessian(gradient, (x.clone(), y));
     for i in 0..4 {
         for j in 0..4 {
@@ -68,6 +73,30 @@ fn jacobians() {
         assert!((forward - reverse).abs() < 1e-13, "{forward} {reverse}");
     }
     assert_forward(curve, curve::jvp, arguments);
+}
+
+/// Branches, singular points, numbers and vectors: more coordinates than are followed at once.
+#[differentiable]
+fn features<S: Real<Mask = bool>>(x: [S; 5], length: S, weights: Vec<S>) -> (S, Vec<S>, [S; 2]) {
+    let total = if x[0].cmplt(x[1]) { x[0].atan2(x[1]) } else { x[1].powf(x[0]) };
+    let mut scaled = Vec::new();
+    for weight in weights {
+        scaled.push(weight / length + x[4] * x[2].max(x[3]));
+    }
+    (total * length.sqrt(), scaled, [x[3].abs() - x[4].sin(), (x[2] * x[2] + x[3]).tanh()])
+}
+
+#[test]
+fn jacobians_of_generic_functions() {
+    for x in [[0.3, 0.7, -1.0, 2.0, 0.5], [0.9, 0.2, 1.0, 0.0, -0.5]] {
+        let point = (x, 1.7, vec![0.4, -2.0, 0.0]);
+        let generated = jacobian_forward(features::jvp, point.clone());
+        let by_duals = jacobian(features, point);
+        assert_eq!((by_duals.len(), by_duals[0].len()), (6, 9));
+        for (generated, dual) in generated.iter().flatten().zip(by_duals.iter().flatten()) {
+            assert!((generated - dual).abs() <= 1e-14 * (1.0 + dual.abs()), "{generated} {dual}");
+        }
+    }
 }
 
 #[test]
