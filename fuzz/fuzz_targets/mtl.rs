@@ -10,4 +10,4 @@ use renderer_fuzz::{folder, read};
 
 static FOLDER: LazyLock<PathBuf> = LazyLock::new(folder);
 
-fuzz_target!(|content: &[u8]| { read(&FOLDER, "seed.mtl", content, "seed.obj") });
+fuzz_target!(|content: &[u8]| read(&FOLDER, "seed.mtl", content, "seed.obj"));

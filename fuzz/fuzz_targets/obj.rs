@@ -10,4 +10,4 @@ use renderer_fuzz::{folder, read};
 
 static FOLDER: LazyLock<PathBuf> = LazyLock::new(folder);
 
-fuzz_target!(|content: &[u8]| { read(&FOLDER, "a.obj", content, "a.obj") });
+fuzz_target!(|content: &[u8]| read(&FOLDER, "a.obj", content, "a.obj"));

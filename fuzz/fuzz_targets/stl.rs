@@ -10,4 +10,4 @@ use renderer_fuzz::{folder, read};
 
 static FOLDER: LazyLock<PathBuf> = LazyLock::new(folder);
 
-fuzz_target!(|content: &[u8]| { read(&FOLDER, "a.stl", content, "a.stl") });
+fuzz_target!(|content: &[u8]| read(&FOLDER, "a.stl", content, "a.stl"));
