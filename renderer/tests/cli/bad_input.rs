@@ -105,7 +105,6 @@ fn meshes() {
         ("f 4 3 2 1", "f 1 2", &["bad.obj:5"]),
         ("f 4 3 2 1", "f 1 2 99999999999999999999", &["bad.obj:5"]),
         ("f 4 3 2 1", "", &["bad.obj", "no triangles"]),
-        ("f 4 3 2 1", "mtllib none.mtl\nusemtl red\nf 4 3 2 1", &["none.mtl"]),
         ("v 2 0 -2", "v 2e30 0 -2", &["bad.obj", "vertices"]),
     ];
     for (from, to, parts) in cases {

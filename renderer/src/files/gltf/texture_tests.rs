@@ -221,21 +221,21 @@ fn alpha_is_the_opacity() {
         (json!("MASK"), 0.25, Some(0.0)),
         (json!("MASK"), 0.75, None),
     ] {
-        document["materials"][0]["alphaMode"] = mode;
-        document["materials"][0]["pbrMetallicRoughness"] = factor(alpha);
+        document["materials"][1]["alphaMode"] = mode;
+        document["materials"][1]["pbrMetallicRoughness"] = factor(alpha);
         let model = load(&document).unwrap().model;
         assert_eq!(model.materials[0].opacity, opacity);
     }
-    document["materials"][0]["alphaCutoff"] = json!(0.8);
+    document["materials"][1]["alphaCutoff"] = json!(0.8);
     assert_eq!(load(&document).unwrap().model.materials[0].opacity, Some(0.0));
-    document["materials"][0]["pbrMetallicRoughness"] = factor(1.5);
-    document["materials"][0]["alphaMode"] = json!("BLEND");
+    document["materials"][1]["pbrMetallicRoughness"] = factor(1.5);
+    document["materials"][1]["alphaMode"] = json!("BLEND");
     let error = load(&document).unwrap_err().to_string();
     assert!(
         error.ends_with("alpha of baseColorFactor must lie between 0 and 1, is 1.5"),
         "{error}"
     );
-    document["materials"][0]["alphaMode"] = json!("BLUR");
+    document["materials"][1]["alphaMode"] = json!("BLUR");
     let error = load(&document).unwrap_err().to_string();
-    assert!(error.ends_with("materials[0]: alphaMode is `BLUR`, which is none"), "{error}");
+    assert!(error.ends_with("materials[1]: alphaMode is `BLUR`, which is none"), "{error}");
 }
