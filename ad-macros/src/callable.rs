@@ -1,7 +1,8 @@
 //! Parameters that are functions: `f: F` with `F: Fn(f64) -> f64`, or `f: impl Fn(f64) -> f64`.
 //!
 //! The function keeps the signature that the user wrote. Its derivative asks for
-//! `F: DifferentiableFn<(Value<f64>,), Output = f64>` instead (see `ad::function`).
+//! `F: DifferentiableFn<(Value<f64>,), Output = f64>` instead, its forward mode for `F: ForwardFn<..>`
+//! (see `ad::function`).
 
 use std::collections::BTreeMap;
 
@@ -9,6 +10,7 @@ use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 use syn::punctuated::Punctuated;
 use syn::spanned::Spanned;
+use syn::visit_mut::{self, VisitMut};
 use syn::{
     FnArg, GenericParam, Ident, Path, PathArguments, ReturnType, Signature, Token, Type,
     TypeParamBound, WherePredicate, parse_quote, parse_quote_spanned,
@@ -25,6 +27,10 @@ pub struct Callables {
     /// The signature, with the bounds of functions replaced, and a type parameter for each
     /// `impl Trait`.
     pub signature: Signature,
+    /// The same for forward mode.
+    pub forward: Signature,
+    /// The types of the arguments of functions, by the names of their types.
+    arguments: BTreeMap<Ident, Vec<Type>>,
     /// The numbers of arguments of functions, by the names of their types.
     arities: BTreeMap<Ident, usize>,
     /// What cannot be differentiated.
@@ -34,8 +40,13 @@ pub struct Callables {
 impl Callables {
     /// Looks for functions among the parameters.
     pub fn new(signature: &Signature) -> Self {
-        let mut callables =
-            Self { signature: signature.clone(), arities: BTreeMap::new(), refused: Vec::new() };
+        let mut callables = Self {
+            signature: signature.clone(),
+            forward: signature.clone(),
+            arguments: BTreeMap::new(),
+            arities: BTreeMap::new(),
+            refused: Vec::new(),
+        };
         let mut signature = signature.clone();
         name_impl_traits(&mut signature);
         for parameter in &mut signature.generics.params {
@@ -50,8 +61,15 @@ impl Callables {
                 callables.bounds(name.as_ref(), &mut predicate.bounds);
             }
         }
+        callables.forward = signature.clone();
+        Forward.visit_signature_mut(&mut callables.forward);
         callables.signature = signature;
         callables
+    }
+
+    /// The types of the arguments of a parameter of this type, if it is a function that is passed.
+    pub fn arguments(&self, ty: &Type) -> Option<&[Type]> {
+        self.arguments.get(type_name(pointee(ty))?).map(Vec::as_slice)
     }
 
     /// The number of arguments of a parameter of this type, if it is a function.
@@ -105,6 +123,8 @@ impl Callables {
                 ));
                 continue;
             }
+            let types = arguments.inputs.iter().map(|input| input.ty.clone()).collect();
+            self.arguments.extend(name.map(|name| (name.clone(), types)));
             let parameters: Vec<_> =
                 arguments.inputs.iter().map(|i| self.parameter(&i.ty)).collect();
             let output = match &arguments.output {
@@ -134,6 +154,22 @@ impl Callables {
             }
             ty => quote!(::ad::function::Value<#ty>),
         }
+    }
+}
+
+/// Puts the bounds of forward mode in place of those of reverse mode.
+struct Forward;
+
+impl VisitMut for Forward {
+    fn visit_path_mut(&mut self, path: &mut Path) {
+        let is_own = path.segments.first().is_some_and(|first| first.ident == "ad");
+        if let Some(last) = path.segments.last_mut()
+            && is_own
+            && last.ident == "DifferentiableFn"
+        {
+            last.ident = Ident::new("ForwardFn", last.ident.span());
+        }
+        visit_mut::visit_path_mut(self, path);
     }
 }
 

@@ -1,12 +1,13 @@
-//! Wraps the sweeps into what users call: `f::vjp`, `f::value_and_grad`, `f::grad`.
+//! Wraps the sweeps into what users call: `f::vjp`, `f::value_and_grad`, `f::grad` (see [`items`]).
+
+mod items;
 
 use proc_macro2::{Ident, Span, TokenStream};
-use quote::{ToTokens, format_ident, quote, quote_spanned};
+use quote::{format_ident, quote, quote_spanned};
 use syn::spanned::Spanned;
-use syn::{Attribute, FnArg, GenericParam, Generics, Signature, Type, Visibility};
+use syn::{Attribute, GenericParam, Generics, Signature, Type, Visibility};
 
 use crate::callable::Callables;
-use crate::elision;
 use crate::errors::Errors;
 use crate::forward::{self, Forward};
 use crate::lower;
@@ -14,7 +15,7 @@ use crate::names::Names;
 use crate::options::Options;
 use crate::signature::{self, Parameter};
 use crate::sweep::{self, tuple_or_one};
-use crate::{checkpoint, lending, recursion};
+use crate::{lending, recursion};
 
 /// Where a function stands.
 #[derive(Clone, Copy)]
@@ -59,6 +60,8 @@ pub struct Differentiated {
 pub struct Header {
     pub parameters: Vec<Parameter>,
     result: Type,
+    /// Whether the result is of a type that does not tell what it is.
+    is_hidden: bool,
     /// The type of the cotangent of the result.
     result_tangent: TokenStream,
     /// The types of the cotangents that the pullback takes for `&mut` parameters.
@@ -164,6 +167,10 @@ impl Function<'_> {
         mut errors: Errors,
     ) -> syn::Result<(TokenStream, Option<Forward>)> {
         let (signature, parameters) = (self.signature, &header.parameters);
+        if header.is_hidden {
+            errors.finish()?;
+            errors = Errors::default();
+        }
         let idents = parameters.iter().map(|parameter| parameter.ident.clone());
         let mut names = Names::new(quote!(#signature #body), idents);
         let lowered = lower::lower(parameters, &header.result, body, &mut names, &mut errors);
@@ -200,13 +207,8 @@ impl Function<'_> {
     }
 
     /// The function `jvp`.
-    fn jvp(
-        &self,
-        header: &Header,
-        bounds: &[TokenStream],
-        forward: Option<&Forward>,
-    ) -> TokenStream {
-        if self.options.reverse || self.callables.any() {
+    fn jvp(&self, header: &Header, forward: Option<&Forward>) -> TokenStream {
+        if self.options.reverse {
             return TokenStream::new();
         }
         let Header { parameters, result, .. } = header;
@@ -217,7 +219,8 @@ impl Function<'_> {
                 (forward::names_of_tangents(parameters), body)
             }
         };
-        forward::item(self, parameters, result, bounds, &tangents, body.as_ref())
+        let bounds = self.bounds(header, &self.callables.forward);
+        forward::item(self, parameters, result, &bounds, &tangents, body.as_ref())
     }
 
     /// What stands in for the derivative of a function that was refused, so that its callers do
@@ -259,7 +262,7 @@ impl Function<'_> {
 
     fn header(&self, errors: &mut Errors) -> Header {
         let parameters = signature::parameters(self.callables, errors);
-        let result = signature::result(self.signature, errors);
+        let (result, is_hidden) = signature::result(self.signature, errors);
         let tangents = parameters.iter().map(|parameter| match parameter.is_constant {
             true => quote!(()),
             false => tangent(&parameter.ty),
@@ -280,6 +283,7 @@ impl Function<'_> {
                 || self.body.is_some_and(|body| recursion::is_recursive(self.signature, body)),
             parameters,
             result,
+            is_hidden,
         }
     }
 
@@ -297,211 +301,6 @@ impl Function<'_> {
             }
             false => quote!({ #call }),
         }
-    }
-
-    fn functions(
-        &self,
-        header: &Header,
-        body: Option<&TokenStream>,
-        forward: Option<&Forward>,
-    ) -> TokenStream {
-        let Self { place, visibility, .. } = self;
-        let signature = &self.callables.signature;
-        let Header { parameters, result, result_tangent, exclusive_tangents, gradient, .. } =
-            header;
-        let name = &signature.ident;
-        let (vjp, value_and_grad, grad) = match place {
-            Place::Free => (
-                Ident::new("vjp", name.span()),
-                Ident::new("value_and_grad", name.span()),
-                Ident::new("grad", name.span()),
-            ),
-            _ => (
-                format_ident!("{name}_vjp"),
-                format_ident!("{name}_value_and_grad"),
-                format_ident!("{name}_grad"),
-            ),
-        };
-        let call_vjp = match (place, signature.receiver()) {
-            (Place::Free, _) | (_, None) => quote!(Self::#vjp),
-            (_, Some(_)) => quote!(self.#vjp),
-        };
-        let inputs = inputs(signature, parameters);
-        let arguments = parameters.iter().filter_map(|p| p.pattern.as_ref().map(|_| &p.ident));
-        let turbofish = turbofish(signature);
-        let call_vjp = quote!(#call_vjp #turbofish (#(#arguments),*));
-
-        let zeros = vec![quote!(::ad::Additive::zero()); exclusive_tangents.len()];
-        let (generics, _, where_clause) = signature.generics.split_for_impl();
-        let generics = generics.to_token_stream();
-        let generics = if generics.is_empty() { None } else { Some(&signature.generics) };
-        let bounds = where_clause.map(|clause| &clause.predicates).into_iter().flatten();
-        let mut bounds: Vec<_> = bounds.map(ToTokens::to_token_stream).collect();
-        if header.boxed {
-            bounds.extend(self.callables.types().map(|function| quote!(#function: 'static)));
-        }
-        if let Place::Trait(_) = place {
-            // The trait stays fit for `dyn`, and for types that no derivative flows through.
-            bounds.push(quote!(Self: ::core::marker::Sized));
-            if parameters.iter().any(|p| signature::names_self(&p.ty))
-                || signature::names_self(result)
-            {
-                bounds.push(quote!(Self: ::ad::Differentiable));
-            }
-        }
-        let cfgs: Vec<_> = self.attributes.iter().filter(|a| a.path().is_ident("cfg")).collect();
-
-        let vjp_doc = format!(
-            "The value of `{name}`, and its pullback: from the cotangent of the value{} to {}.",
-            match exclusive_tangents.is_empty() {
-                true => "",
-                false => " and those of what the `&mut` parameters hold afterwards",
-            },
-            match parameters.len() {
-                1 => "that of the parameter",
-                _ => "those of the parameters, in order",
-            }
-        );
-        let value_and_grad_doc = format!("The value of `{name}` and its gradient.");
-        let grad_doc = format!("The gradient of `{name}`.");
-        let lints = quote! {
-            #[allow(unused, non_snake_case, refining_impl_trait, clippy::all, clippy::pedantic, clippy::nursery)]
-        };
-        let derivative_visibility = match place {
-            Place::Free => quote!(pub),
-            Place::Impl(_) => quote!(#visibility),
-            Place::Trait(_) | Place::TraitImpl(_) => quote!(),
-        };
-        let pullback_type = self.pullback_type(header, false);
-        let (mut stored, mut checkpointed) = (None, None);
-        if let (Some(body), true) = (body, self.options.checkpoint) {
-            let name = checkpoint::stored_name(&vjp);
-            stored = Some(quote! {
-                #(#cfgs)*
-                #lints
-                fn #name #generics (#inputs) -> #pullback_type
-                where #(#bounds),*
-                #body
-            });
-            checkpointed =
-                Some(checkpoint::body(self, &vjp, parameters, |body, seed, incoming| {
-                    header.pullback(seed, incoming, None, &body)
-                }));
-        }
-        let body = match (checkpointed.as_ref().or(body), place) {
-            (Some(body), _) => body.clone(),
-            (None, _) => quote!(;),
-        };
-        let (body, onto) = match lending::is_asked_for(self, header) {
-            true => {
-                let functions = lending::Functions::new(self, header, &inputs, &bounds);
-                functions.vjp_and_onto(&body)
-            }
-            false => (body, TokenStream::new()),
-        };
-        let vjp = quote! {
-            #stored
-
-            #onto
-
-            #(#cfgs)*
-            #[doc = #vjp_doc]
-            #lints
-            #[inline]
-            #derivative_visibility fn #vjp #generics (#inputs) -> #pullback_type
-            where #(#bounds),*
-            #body
-        };
-        let jvp = self.jvp(header, &bounds, forward);
-        if let Place::TraitImpl(_) = place {
-            return quote!(#vjp #jvp);
-        }
-        // Bounds do not let lifetimes be left out.
-        let is_scalar = match elision::named(result) {
-            (_, false) => quote! {
-                for<'__scalar> #result: ::ad::rt::ScalarResult<'__scalar, #result_tangent>
-            },
-            (named, true) => {
-                let lifetime = elision::lifetime();
-                quote! {
-                    for<'__scalar, #lifetime> #named:
-                        ::ad::rt::ScalarResult<'__scalar, #result_tangent>
-                }
-            }
-        };
-        let functions = quote! {
-            #vjp
-
-            #jvp
-
-            #(#cfgs)*
-            #[doc = #value_and_grad_doc]
-            #lints
-            #[inline]
-            #derivative_visibility fn #value_and_grad #generics (#inputs) -> (#result, #gradient)
-            where
-                #(#bounds,)*
-                #is_scalar,
-            {
-                let (value, pullback) = #call_vjp;
-                let one = <#result as ::ad::rt::ScalarResult<'_, #result_tangent>>::one();
-                (value, pullback(one #(, #zeros)*))
-            }
-
-            #(#cfgs)*
-            #[doc = #grad_doc]
-            #lints
-            #[inline]
-            #derivative_visibility fn #grad #generics (#inputs) -> #gradient
-            where
-                #(#bounds,)*
-                #is_scalar,
-            {
-                let (_, pullback) = #call_vjp;
-                let one = <#result as ::ad::rt::ScalarResult<'_, #result_tangent>>::one();
-                pullback(one #(, #zeros)*)
-            }
-        };
-        if !matches!(place, Place::Free) {
-            return functions;
-        }
-        let doc = format!("The derivatives of the function `{name}`.");
-        quote! {
-            #(#cfgs)*
-            #[doc = #doc]
-            #[allow(non_camel_case_types)]
-            #visibility enum #name {}
-
-            #(#cfgs)*
-            impl #name {
-                #functions
-            }
-        }
-    }
-
-    /// The type of what `vjp` returns.
-    pub fn pullback_type(&self, header: &Header, takes_lent: bool) -> TokenStream {
-        let Header { result, result_tangent, exclusive_tangents, gradient, .. } = header;
-        let lent = takes_lent.then(|| header.lent_types());
-        let lent = lent.into_iter();
-        let outer = match self.place {
-            Place::Free => None,
-            Place::Impl(generics) | Place::Trait(generics) | Place::TraitImpl(generics) => {
-                Some(generics)
-            }
-        };
-        let signature::Captured { lifetimes, mut others } =
-            signature::captured(&self.callables.signature, outer);
-        let closure = quote! {
-            ::core::ops::FnOnce(#result_tangent #(, #exclusive_tangents)* #(, #lent)*) -> #gradient
-        };
-        if header.boxed {
-            return quote!((#result, ::std::boxed::Box<dyn #closure #(+ #lifetimes)*>));
-        }
-        if let Place::Trait(_) = self.place {
-            others.insert(0, quote!(Self));
-        }
-        quote!((#result, impl #closure + use<#(#lifetimes,)* #(#others),*>))
     }
 }
 
@@ -536,16 +335,4 @@ pub fn turbofish(signature: &Signature) -> TokenStream {
         GenericParam::Const(constant) => Some(&constant.ident),
     });
     quote!(::<#(#arguments),*>)
-}
-
-/// The parameters as the generated functions take them: each under one name.
-fn inputs(signature: &Signature, parameters: &[Parameter]) -> TokenStream {
-    let inputs = signature.inputs.iter().zip(parameters).map(|(input, parameter)| match input {
-        FnArg::Receiver(receiver) => quote!(#receiver),
-        FnArg::Typed(typed) => {
-            let (ident, ty) = (&parameter.ident, &typed.ty);
-            quote!(#ident: #ty)
-        }
-    });
-    quote!(#(#inputs),*)
 }

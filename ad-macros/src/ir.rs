@@ -56,6 +56,9 @@ pub struct Var {
     pub reference: bool,
     /// Whether a derivative may flow through it. One that is not active is a constant.
     pub active: bool,
+    /// Whether it is a function, or a reference to one: an object with a derivative, which only
+    /// derivatives take.
+    pub is_function: bool,
 }
 
 /// A step from a value into a part of it.
@@ -170,6 +173,8 @@ pub enum Operation {
     UpdateStruct { expression: TokenStream, parts: Vec<(Member, Operand)>, rest: VarId },
     /// A closure, as an object with a derivative.
     Closure(Box<Closure>),
+    /// A function that has a name, as such an object; the path of its derivative.
+    Named { primal: TokenStream, vjp: TokenStream },
     /// `[x; N]` or `vec![x; n]`
     Repeat { value: VarId, length: TokenStream, is_vec: bool },
 }
@@ -182,6 +187,17 @@ pub struct Closure {
     pub parameters: Vec<Parameter>,
     /// Its body, as that of a function of these parameters.
     pub function: Lowered,
+    /// The parameter to which it is passed, where that tells the types of its own.
+    pub typed_by: Option<TypedBy>,
+}
+
+/// A parameter of a function that is called.
+#[derive(Clone)]
+pub struct TypedBy {
+    /// The path of the function.
+    pub function: TokenStream,
+    /// The number of the parameter.
+    pub index: usize,
 }
 
 /// A variable that a pattern binds to a part of the matched value.

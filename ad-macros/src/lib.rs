@@ -41,8 +41,10 @@ mod lower;
 mod names;
 mod operator;
 mod options;
+mod passing;
 mod primal;
 mod recursion;
+mod refused;
 mod signature;
 #[cfg(test)]
 mod snapshots;

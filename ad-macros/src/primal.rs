@@ -51,9 +51,9 @@ impl<'a> Primal<'a> {
         }
     }
 
-    /// A call of a function, or of a method, whose receiver is the first argument.
-    pub fn call(self, function: &TokenStream, method: bool, arguments: &[Argument]) -> TokenStream {
-        let tokens = arguments.iter().map(|argument| match argument {
+    /// What a call is given.
+    pub fn argument(self, argument: &Argument) -> TokenStream {
+        match argument {
             Argument::Value(operand) => self.tokens(operand),
             Argument::Borrow(place) => {
                 let place = self.place(place);
@@ -68,7 +68,22 @@ impl<'a> Primal<'a> {
                 quote!(#ident)
             }
             Argument::Receiver(place) => self.place(place),
-        });
+        }
+    }
+
+    /// Whether a call is given a function.
+    pub fn is_function(self, argument: &Argument) -> bool {
+        match argument {
+            Argument::Function(_) => true,
+            Argument::Value(Operand::Var(var)) => self.0[*var].is_function,
+            Argument::Borrow(place) => self.0[place.root].is_function,
+            _ => false,
+        }
+    }
+
+    /// A call of a function, or of a method, whose receiver is the first argument.
+    pub fn call(self, function: &TokenStream, method: bool, arguments: &[Argument]) -> TokenStream {
+        let tokens = arguments.iter().map(|argument| self.argument(argument));
         let mut tokens: Vec<_> = tokens.collect();
         if method {
             let mut receiver = tokens.remove(0);
@@ -112,9 +127,10 @@ impl<'a> Primal<'a> {
                 let value = self.ident(*value);
                 quote!(#value as #ty)
             }
-            // What takes an object is a derivative.
-            Operation::Call { vjp, method, arguments, .. }
-                if arguments.iter().any(|argument| matches!(argument, Argument::Function(_))) =>
+            // What takes an object is a derivative, but for the calls of it.
+            Operation::Call { primal, vjp, method, arguments }
+                if arguments.iter().any(|argument| self.is_function(argument))
+                    && !primal.to_string().starts_with(":: ad :: function") =>
             {
                 let call = self.call(vjp, *method, arguments);
                 quote!(#call.0)
@@ -123,6 +139,7 @@ impl<'a> Primal<'a> {
                 self.call(primal, *method, arguments)
             }
             Operation::Closure(_) => unreachable!("is written where it is defined"),
+            Operation::Named { primal, vjp } => quote!(::ad::function::named(#primal, #vjp)),
             Operation::Aggregate { expression, .. }
             | Operation::UpdateStruct { expression, .. } => expression.clone(),
             Operation::Repeat { value, length, is_vec } => {

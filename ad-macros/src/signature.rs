@@ -12,6 +12,7 @@ use syn::{
 
 use crate::callable::Callables;
 use crate::errors::Errors;
+use crate::refused;
 
 /// A parameter.
 #[derive(Clone)]
@@ -170,9 +171,11 @@ pub fn parameters(callables: &Callables, errors: &mut Errors) -> Vec<Parameter> 
             }
         }
         FnArg::Typed(typed) => {
-            refuse_type(&typed.ty, errors);
             let is_exclusive = is_exclusive(&typed.ty);
             let is_constant = typed.attrs.iter().any(is_constant_mark);
+            if !is_constant {
+                refused::parameter(&typed.ty, errors);
+            }
             if is_constant && is_exclusive {
                 errors.at(
                     typed,
@@ -210,58 +213,19 @@ pub fn parameters(callables: &Callables, errors: &mut Errors) -> Vec<Parameter> 
     parameters.collect()
 }
 
-/// The type of the result. Refuses what has no derivative.
-pub fn result(signature: &Signature, errors: &mut Errors) -> Type {
+/// The type of the result. Refuses what has no derivative, and what is hidden, upon which nothing is
+/// said of the body.
+pub fn result(signature: &Signature, errors: &mut Errors) -> (Type, bool) {
     match &signature.output {
-        ReturnType::Default if changes_something(signature) => syn::parse_quote!(()),
+        ReturnType::Default if changes_something(signature) => (syn::parse_quote!(()), false),
         ReturnType::Default => {
             errors.at(
                 &signature.ident,
                 "a function without a result has no derivative: return what it computes, or write it through a `&mut` parameter",
             );
-            syn::parse_quote!(())
+            (syn::parse_quote!(()), false)
         }
-        ReturnType::Type(_, ty) => {
-            if let Type::ImplTrait(_) = &**ty {
-                errors.at(ty, "the result needs a type that can be named: `impl Trait` cannot be differentiated");
-            }
-            (**ty).clone()
-        }
-    }
-}
-
-fn is_reference_to_exclusive(target: &Type) -> bool {
-    match target {
-        Type::Reference(reference) => {
-            reference.mutability.is_some() || is_reference_to_exclusive(&reference.elem)
-        }
-        _ => false,
-    }
-}
-
-fn refuse_type(ty: &Type, errors: &mut Errors) {
-    match ty {
-        Type::Reference(reference) if is_reference_to_exclusive(&reference.elem) => {
-            errors.at(ty, "a reference to a `&mut` is not supported: take the `&mut` itself")
-        }
-        Type::ImplTrait(_) => {
-            errors.at(ty, "`impl Trait` stands for a parameter itself or for what it refers to: write a type parameter `T: ..` instead")
-        }
-        Type::Ptr(_) => errors.at(ty, "a raw pointer has no derivative: take a reference"),
-        _ => {
-            if let Type::FnPtr(_) = pointee(ty) {
-                errors.at(
-                    ty,
-                    "a call through a pointer cannot be differentiated: write a type parameter `F: Fn(..) -> ..`, and pass a closure",
-                );
-            }
-            if let Type::TraitObject(_) = pointee(ty) {
-                errors.at(
-                    ty,
-                    "a call through `dyn` cannot be differentiated: write a type parameter",
-                );
-            }
-        }
+        ReturnType::Type(_, ty) => ((**ty).clone(), refused::result(ty, errors)),
     }
 }
 

@@ -31,7 +31,7 @@
 //! Functions and inherent methods on `f32`, `f64`, glam's float vectors, matrices and quaternions,
 //! tuples, arrays, slices, `Vec`, `Box`, `Option`, `Result`, references to these, and structs and
 //! enums with `#[derive(Differentiable)]`; generic ones too. In a body: `let` with patterns,
-//! arithmetic, assignment to local variables and parts of them, to several at once, too, `if`,
+//! variables that get their value later, arithmetic, assignment to local variables and parts of them, to several at once, too, `if`,
 //! `match`, `if let` and chains of it, `let else`, `for` over ranges and over elements, `while`,
 //! `while let`, `loop`, labels, `break`, `continue` and `return` from anywhere, `?`, constants and
 //! other items, calls of differentiable functions and of the methods listed in [`rules`].
@@ -124,8 +124,11 @@
 //!   its place in the gradient holds `()`, and its type needs no tangent.
 //! - Operators of your own types have a derivative where their `impl` carries the attribute: see
 //!   [below](#operators-of-your-own-types).
-//! - A pattern for a variant of an enum names the enum (`Shape::Disc(r)`, `Self::Disc(r)`), which
-//!   tells it from a tuple struct.
+//! - A variant of an enum is told from a struct by the name of the enum (`Shape::Disc(r)`,
+//!   `Self::Disc(r)`). Behind `use Shape::*` it is told by the other variants that the same `match`
+//!   asks for, or by what is done where it is none (`let Disc(r) = shape else ..`); where nothing
+//!   tells it, name the enum.
+//! - A type that has lifetimes names them in a signature: `View<'_>`, not `View`.
 //!
 //! At points without a derivative (`|x|` at 0, a vector of length 0) the rules return a finite
 //! subgradient: see the [table](rules#singular-points).
@@ -230,8 +233,11 @@
 //! # Functions of functions
 //!
 //! A parameter may be a function of up to four arguments, by its bound `F: Fn(..) -> ..` or as
-//! `impl Fn(..) -> ..`. What is passed is a closure, whose parameters have types; it is
-//! differentiated by what it captures, too.
+//! `impl Fn(..) -> ..`. What is passed is a closure, which is differentiated by what it captures, too,
+//! or the name of a differentiable function: `integrate(square, a, b)`, `integrate(f64::sin, a, b)`.
+//! A function tells a closure the types of its parameters; to a method, or where the function is
+//! generic over them, it is passed with types, `|x: f64| ..`. In forward mode `()` stands at the place
+//! of a function's tangent: an object holds those of what it captures.
 //!
 //! ```
 //! use ad::differentiable;
@@ -248,7 +254,7 @@
 //!
 //! #[differentiable]
 //! fn square_root(a: f64) -> f64 {
-//!     root(|x: f64| x * x - a, |x: f64| 2.0 * x, 1.0)
+//!     root(|x| x * x - a, |x| 2.0 * x, 1.0)
 //! }
 //!
 //! assert!((square_root::grad(2.0) - 0.5 / 2.0_f64.sqrt()).abs() < 1e-9);
@@ -490,9 +496,9 @@
 //! | on | holds | time |
 //! |---|---|---|
 //! | a function, or a method of an `impl` block | its arguments | its value is computed twice |
-//! | a `for` loop of n iterations in a differentiable function | about √n times the variables that the loop changes, and in the reverse sweep what √n iterations need | its body is computed twice |
+//! | a loop of n iterations in a differentiable function | about √n times the variables that the loop changes (up to 2√n, where n is not known before), and in the reverse sweep what √n iterations need | its body is computed twice |
 //!
-//! A loop so marked that is left early does nothing in the iterations that are left. What it uses of
+//! A `for` loop so marked that is left early does nothing in the iterations that are left. What it uses of
 //! `self`, and of what is borrowed as `&mut`, is copied before the loop and written back after it, so
 //! that has to be `Clone`. Checkpoints of loops within checkpointed functions multiply:
 //! each level computes its part once more.
@@ -586,7 +592,7 @@ pub use ad_macros::{Differentiable, differentiable};
 pub use boxed::Boxed;
 pub use differentiable::{Additive, Differentiable, NoDerivative, NoTangent, Shape, Tangent};
 pub use dual::Dual;
-pub use function::DifferentiableFn;
+pub use function::{DifferentiableFn, ForwardFn};
 pub use jacobian::{Pushforward, jacobian, jacobian_forward, jacobian_reverse};
 pub use real::{Mask, Real, Scalar, Select};
 pub use rules::{no_diff, select, stop_gradient};

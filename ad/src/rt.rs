@@ -26,13 +26,13 @@ pub use tangent::{
     Pass, Slot, copy, pass, pass_part, read, repeated, same_length, still, tangent_of, target,
     with_zero, zero_like, zero_of,
 };
-pub use through::{ByPullback, Through, WithoutRule, without_forward_mode};
+pub use through::{ByPullback, Through, WithoutRule};
 
 mod iterate;
 
 pub use iterate::{
-    AddsUp, MultipliesUp, Side, build_like, chunks_exact, empty_product, empty_sum, held,
-    is_sequence, record, record_like, segments, windows, with_cotangents,
+    AddsUp, MultipliesUp, Side, build_like, chunks_exact, empty_product, empty_sum, every_other,
+    held, is_sequence, record, record_like, segments, windows, with_cotangents,
 };
 
 /// The traits whose methods generated code calls. They come without names, which could hide those

@@ -6,6 +6,7 @@ use quote::quote;
 use super::{Tangent, Writer};
 use crate::floats;
 use crate::ir::{Argument, Operand, Place, Projection, VarId};
+use crate::primal::Primal;
 
 /// An argument and its tangent.
 struct Passed {
@@ -56,6 +57,11 @@ impl Writer<'_> {
         is_receiver: bool,
         before: &mut TokenStream,
     ) -> Passed {
+        let primal = Primal(&self.lowered.vars);
+        if primal.is_function(argument) {
+            let value = primal.argument(argument);
+            return Passed { value, tangent: quote!(()) };
+        }
         match argument {
             // Neither has a tangent that its type would not tell; a closure's parameters get their
             // types from where it is passed.
@@ -115,7 +121,7 @@ impl Writer<'_> {
                 let value = quote!(&mut #tokens);
                 Passed { tangent: self.lent_exclusively(place, before), value }
             }
-            Argument::Function(_) => unreachable!("is not supported"),
+            Argument::Function(_) => unreachable!("is a function"),
             Argument::Receiver(place) => {
                 let value = self.primal_place(place);
                 let tangent = match self.lowered.vars[place.root].mutable {
@@ -231,7 +237,7 @@ fn is_name(tokens: &TokenStream) -> bool {
 }
 
 /// The path of the forward mode, from that of the reverse mode.
-fn jvp_of(vjp: &TokenStream) -> TokenStream {
+pub(super) fn jvp_of(vjp: &TokenStream) -> TokenStream {
     let mut tokens: Vec<_> = vjp.clone().into_iter().collect();
     let is_name = |token: &TokenTree| matches!(token, TokenTree::Ident(ident) if ident.to_string().ends_with("vjp"));
     if let Some(position) = tokens.iter().rposition(is_name) {

@@ -14,6 +14,8 @@ use crate::signature::{Parameter, is_discrete, pointee};
 pub(super) fn tangent_of_parameter(parameter: &Parameter) -> Tangent {
     match parameter {
         _ if parameter.is_constant || is_still(&parameter.ty) => Tangent::Still,
+        // A function holds its own tangents.
+        Parameter { arity: Some(_), .. } => Tangent::Still,
         Parameter { is_exclusive: true, .. } => Tangent::Exclusive,
         Parameter { is_shared: true, .. } => Tangent::Shared,
         _ => Tangent::Owned,
@@ -63,23 +65,43 @@ pub(super) fn has_length(ty: &Type) -> bool {
 }
 
 /// The type of the tangent of a parameter: a reference where the parameter is one.
-fn tangent_type(parameter: &Parameter) -> TokenStream {
+pub(super) fn tangent_type(parameter: &Parameter) -> TokenStream {
     let ty = pointee(&parameter.ty);
-    let span = ty.span();
     if parameter.is_constant {
-        return quote_spanned!(span=> ::ad::NoTangent<#ty>);
+        return quote_spanned!(ty.span()=> ::ad::NoTangent<#ty>);
     }
-    let tangent = match ty {
+    if parameter.arity.is_some() {
+        return quote!(());
+    }
+    let tangent = tangent_of_target(ty);
+    match parameter {
+        Parameter { is_exclusive: true, .. } => quote!(&mut #tangent),
+        Parameter { is_shared: true, .. } => quote!(&#tangent),
+        _ => tangent,
+    }
+}
+
+/// The type of the tangent of what is no reference itself.
+fn tangent_of_target(ty: &Type) -> TokenStream {
+    let span = ty.span();
+    match ty {
+        Type::Infer(_) => quote!(_),
         Type::Slice(slice) => {
             let element = &slice.elem;
             quote_spanned!(span=> [::ad::Tangent<#element>])
         }
         ty => quote_spanned!(span=> ::ad::Tangent<#ty>),
-    };
-    match parameter {
-        Parameter { is_exclusive: true, .. } => quote!(&mut #tangent),
-        Parameter { is_shared: true, .. } => quote!(&#tangent),
-        _ => tangent,
+    }
+}
+
+/// The type of the tangent that is passed for an argument of this type.
+pub fn tangent_of_type(ty: &Type) -> TokenStream {
+    match ty {
+        Type::Reference(reference) => {
+            let (lifetime, target) = (&reference.lifetime, tangent_of_target(&reference.elem));
+            quote!(&#lifetime #target)
+        }
+        ty => tangent_of_target(ty),
     }
 }
 
@@ -142,7 +164,7 @@ pub fn item(
     body: Option<&TokenStream>,
 ) -> TokenStream {
     let Function { place, visibility, attributes, callables, .. } = function;
-    let signature = &callables.signature;
+    let signature = &callables.forward;
     let jvp = name(function);
     // What the result leaves out is the lifetime of `&self`, if there is one.
     let borrows_self = signature

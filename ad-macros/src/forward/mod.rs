@@ -19,11 +19,11 @@
 //! and most callers have one tangent).
 
 mod call;
+mod closure;
 mod flow;
 mod function;
 mod operation;
 mod place;
-mod support;
 mod uses;
 
 use std::collections::{HashMap, HashSet};
@@ -38,7 +38,7 @@ use crate::primal::Primal;
 use crate::signature::Parameter;
 use uses::Uses;
 
-pub use function::{delegated, item, names_of_tangents};
+pub use function::{delegated, item, names_of_tangents, tangent_of_type};
 
 /// The forward mode of a function.
 pub struct Forward {
@@ -67,13 +67,6 @@ enum Tangent {
 
 /// Writes the forward mode.
 pub fn forward(lowered: &Lowered, parameters: &[Parameter], names: &mut Names) -> Forward {
-    if !support::is_supported(lowered, parameters) {
-        return Forward {
-            tangents: function::names_of_tangents(parameters),
-            statements: TokenStream::new(),
-            result: quote!(::ad::rt::without_forward_mode()),
-        };
-    }
     let mut writer = Writer {
         lowered,
         names,
@@ -87,7 +80,9 @@ pub fn forward(lowered: &Lowered, parameters: &[Parameter], names: &mut Names) -
     let vars = lowered.parameters.iter().map(|parameter| parameter.var);
     let mut lengths = TokenStream::new();
     for (var, parameter) in vars.clone().zip(parameters) {
-        writer.tangents[var] = function::tangent_of_parameter(parameter);
+        if lowered.vars[var].active {
+            writer.tangents[var] = function::tangent_of_parameter(parameter);
+        }
         if function::is_number(&parameter.ty) {
             writer.numbers.insert(var);
         }

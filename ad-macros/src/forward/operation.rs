@@ -4,6 +4,7 @@ use proc_macro2::TokenStream;
 use quote::{quote, quote_spanned};
 use syn::{Member, Type};
 
+use super::call::jvp_of;
 use super::{Tangent, Writer};
 use crate::ir::{BinaryOperator, Operand, Operation, Place, Projection, Shape, VarId};
 use crate::primal::Primal;
@@ -38,6 +39,14 @@ impl Writer<'_> {
                 let dot = self.new_dot(var, Tangent::Owned);
                 return quote_spanned!(span=>
                     let (#ident, #dot) = ::ad::rules::NegPullback::neg_jvp(#value, #tangent););
+            }
+            Operation::Closure(closure) => {
+                let object = self.object(closure);
+                return quote!(let #ident #ty = #object;);
+            }
+            Operation::Named { primal, vjp } => {
+                let jvp = jvp_of(vjp);
+                return quote!(let #ident = ::ad::function::named(#primal, #jvp););
             }
             _ => {}
         }
@@ -106,7 +115,7 @@ impl Writer<'_> {
                 is_still(*rest) && parts.iter().all(|(_, part)| self.is_still(part))
             }
             Operation::Repeat { value, .. } => is_still(*value),
-            Operation::Call { .. } | Operation::Closure(_) => false,
+            Operation::Call { .. } | Operation::Closure(_) | Operation::Named { .. } => false,
         };
         operands_are && !var.mutable
     }
@@ -180,7 +189,8 @@ impl Writer<'_> {
             Operation::Binary(..)
             | Operation::Negate(_)
             | Operation::Call { .. }
-            | Operation::Closure(_) => (zero, Tangent::Owned),
+            | Operation::Closure(_)
+            | Operation::Named { .. } => (zero, Tangent::Owned),
         }
     }
 

@@ -151,7 +151,11 @@ impl Walk<'_> {
                 self.var(*rest);
             }
             Operation::Repeat { value, .. } => self.var(*value),
-            Operation::Closure(_) => {}
+            // What a closure captures it copies.
+            Operation::Closure(closure) => {
+                closure.captures.iter().for_each(|(_, place)| self.place(place));
+            }
+            Operation::Named { .. } => {}
         }
     }
 }

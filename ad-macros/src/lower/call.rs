@@ -1,7 +1,7 @@
 //! Calls of functions and methods, and what they are given.
 
 use proc_macro2::TokenStream;
-use quote::{ToTokens, format_ident, quote, quote_spanned};
+use quote::{format_ident, quote, quote_spanned};
 use syn::spanned::Spanned;
 use syn::{Expr, ExprPath, Path, PathArguments};
 
@@ -10,7 +10,8 @@ use super::array::is_from_fn;
 use super::construct::is_type_name;
 use super::higher::{refused_function, refused_method};
 use super::no_diff::undifferentiated;
-use crate::ir::{Argument, Operand, Operation, Projection, Statement};
+use crate::ir::{Argument, Operand, Operation, Projection, Statement, TypedBy};
+use crate::primal::Primal;
 
 impl Lowerer<'_> {
     /// `&e`
@@ -37,7 +38,12 @@ impl Lowerer<'_> {
     }
 
     pub(super) fn argument(&mut self, expr: &Expr) -> Argument {
-        if let Some(function) = self.function_argument(expr) {
+        self.argument_of(expr, None)
+    }
+
+    /// What a function is given for a parameter that may tell the type of a closure.
+    fn argument_of(&mut self, expr: &Expr, typed_by: Option<TypedBy>) -> Argument {
+        if let Some(function) = self.function_argument(expr, typed_by) {
             return function;
         }
         if self.depth(expr) > 0
@@ -74,19 +80,7 @@ impl Lowerer<'_> {
     }
 
     pub(super) fn argument_tokens(&self, argument: &Argument) -> TokenStream {
-        match argument {
-            Argument::Value(operand) => self.tokens(operand),
-            Argument::Borrow(place) => {
-                let place = self.place_tokens(place);
-                quote!(&#place)
-            }
-            Argument::Exclusive(place) | Argument::Reborrow(place) => {
-                let place = self.place_tokens(place);
-                quote!(&mut #place)
-            }
-            Argument::Function(var) => self.ident(*var).to_token_stream(),
-            Argument::Receiver(place) => self.place_tokens(place),
-        }
+        Primal(&self.vars).argument(argument)
     }
 
     pub(super) fn call(&mut self, call: &syn::ExprCall, hint: &str) -> Operand {
@@ -138,7 +132,12 @@ impl Lowerer<'_> {
             return self.boxed(call, hint);
         }
 
-        let arguments: Vec<_> = call.args.iter().map(|arg| self.argument(arg)).collect();
+        let twin = twin_of(function);
+        let arguments = call.args.iter().enumerate().map(|(index, argument)| {
+            let typed_by = twin.clone().map(|function| TypedBy { function, index });
+            self.argument_of(argument, typed_by)
+        });
+        let arguments: Vec<_> = arguments.collect();
         let primal = quote!(#function);
         let vjp = known_vjp(path).unwrap_or_else(|| vjp_of(function));
         let hint = if hint == "value" { last.ident.to_string() } else { hint.to_owned() };
@@ -279,17 +278,31 @@ fn known_vjp(path: &Path) -> Option<TokenStream> {
     is_known.then(|| quote!(::ad::rules::replace::#name::vjp))
 }
 
+/// Whether a path leads to a function of a type.
+fn is_associated(function: &ExprPath) -> bool {
+    function.qself.is_some()
+        || function.path.segments.iter().rev().nth(1).is_some_and(|owner| {
+            is_type_name(&owner.ident) || owner.ident == "f32" || owner.ident == "f64"
+        })
+}
+
+/// The type that has the derivatives of a function that is not associated.
+fn twin_of(function: &ExprPath) -> Option<TokenStream> {
+    if is_associated(function) {
+        return None;
+    }
+    let mut path = function.path.clone();
+    path.segments.last_mut()?.arguments = PathArguments::None;
+    Some(quote!(#path))
+}
+
 /// The path of the derivative: `Type::f_vjp` for an associated function, `f::vjp` for another.
-fn vjp_of(function: &ExprPath) -> TokenStream {
+pub(super) fn vjp_of(function: &ExprPath) -> TokenStream {
     let path = &function.path;
     let mut segments: Vec<_> = path.segments.iter().cloned().collect();
     let Some(last) = segments.last_mut() else { return quote!(#function) };
-    let associated = function.qself.is_some()
-        || path.segments.iter().rev().nth(1).is_some_and(|owner| {
-            is_type_name(&owner.ident) || owner.ident == "f32" || owner.ident == "f64"
-        });
     let arguments = std::mem::replace(&mut last.arguments, PathArguments::None);
-    if associated {
+    if is_associated(function) {
         last.ident = format_ident!("{}_vjp", last.ident);
         last.arguments = arguments;
         if let Some(qself) = &function.qself {

@@ -2,9 +2,9 @@
 //! variables of the function's own.
 //!
 //! An exit becomes a variable that says that the loop is over, upon which the iterations that are left
-//! do nothing; the jump itself stands behind the loop. (How many iterations there will be has to be
-//! known before the first one, to choose how many states are stored.) What is borrowed as `&mut` is
-//! copied before the loop and written back after it, and so is what the loop uses of `self`.
+//! do nothing; the jump itself stands behind the loop. A `loop` is a `while` that goes on until it is
+//! left. What is borrowed as `&mut` is copied before the loop and written back after it, and so is what
+//! the loop uses of `self`.
 
 use std::collections::HashSet;
 
@@ -12,7 +12,9 @@ use proc_macro2::Ident;
 use quote::{ToTokens, quote};
 use syn::visit::Visit;
 use syn::visit_mut::{self, VisitMut};
-use syn::{Expr, ExprForLoop, Label, Lifetime, Stmt, parse_quote};
+use syn::{
+    Attribute, Block, Expr, ExprForLoop, ExprLoop, ExprWhile, Label, Lifetime, Stmt, parse_quote,
+};
 
 use super::exits::{self, Exit};
 use super::{Lowerer, OnFailure};
@@ -20,27 +22,61 @@ use crate::ir::VarId;
 use crate::names::{self, Names};
 use crate::options::own_options;
 
+/// A loop, whatever makes it go on.
+#[derive(Clone, Copy)]
+struct Parts<'a> {
+    attributes: &'a [Attribute],
+    label: Option<&'a Label>,
+    body: &'a Block,
+}
+
+/// The parts of a loop with checkpoints.
+fn parts(expr: &Expr) -> Option<Parts<'_>> {
+    let (attributes, label, body) = match expr {
+        Expr::ForLoop(ExprForLoop { attrs, label, body, .. })
+        | Expr::While(ExprWhile { attrs, label, body, .. })
+        | Expr::Loop(ExprLoop { attrs, label, body, .. }) => (attrs, label, body),
+        _ => return None,
+    };
+    let is_checkpointed = own_options(attributes).is_ok_and(|options| options.checkpoint);
+    is_checkpointed.then_some(Parts { attributes, label: label.as_ref(), body })
+}
+
 impl Lowerer<'_> {
     /// What stands for a loop with checkpoints that has exits, or works on what is borrowed.
     pub(super) fn plainer_loop(&mut self, stmt: &Stmt) -> Option<Stmt> {
-        let Stmt::Expr(Expr::ForLoop(a_loop), _) = stmt else { return None };
-        if !own_options(&a_loop.attrs).is_ok_and(|options| options.checkpoint) || self.is_object {
+        let Stmt::Expr(a_loop, _) = stmt else { return None };
+        let parts = parts(a_loop)?;
+        if self.is_object {
             return None;
+        }
+        // A condition that is more than one.
+        if let Expr::While(ExprWhile { cond, .. }) = a_loop
+            && self.is_not_plain(cond)
+        {
+            let Parts { attributes, label, body } = parts;
+            let plainer = parse_quote!({
+                #(#attributes)*
+                #label loop {
+                    if #cond #body else { break; }
+                }
+            });
+            return Some(Stmt::Expr(plainer, Some(Default::default())));
         }
         let plainer = self.without_exits(a_loop).or_else(|| self.with_own_state(a_loop))?;
         Some(Stmt::Expr(plainer, Some(Default::default())))
     }
 
     /// The jumps of a loop behind it.
-    fn without_exits(&mut self, a_loop: &ExprForLoop) -> Option<Expr> {
-        let own = a_loop.label.as_ref().map(|label| label.name.clone());
+    fn without_exits(&mut self, a_loop: &Expr) -> Option<Expr> {
+        let Parts { attributes, label, body } = parts(a_loop)?;
+        let own = label.map(|label| label.name.clone());
         let is_exit = |exit: &Exit| match exit {
             Exit::Continue(label) => label.is_some() && *label != own,
             Exit::Break(_) | Exit::Return => true,
         };
-        let exits: Vec<_> = exits::block_exits(&a_loop.body).into_iter().filter(is_exit).collect();
-        if exits.is_empty() || (has_question_mark(a_loop) && self.on_failure == OnFailure::Unknown)
-        {
+        let exits: Vec<_> = exits::block_exits(body).into_iter().filter(is_exit).collect();
+        if exits.is_empty() || (has_question_mark(body) && self.on_failure == OnFailure::Unknown) {
             return None;
         }
         let fresh = ["is_running", "returned", "jump"].map(|name| self.names.unwritten(name));
@@ -60,7 +96,7 @@ impl Lowerer<'_> {
             .cloned()
             .collect();
 
-        let mut body = a_loop.body.clone();
+        let mut body = body.clone();
         let has_return = exits.contains(&Exit::Return);
         let mut rewriting = Rewriting {
             own: &own,
@@ -74,8 +110,20 @@ impl Lowerer<'_> {
         };
         rewriting.visit_block_mut(&mut body);
 
-        let (attributes, pattern, iterator) = (&a_loop.attrs, &a_loop.pat, &a_loop.expr);
         let label = Label { name: own.clone(), colon_token: Default::default() };
+        let plainer: Expr = match a_loop {
+            Expr::ForLoop(ExprForLoop { pat, expr, .. }) => parse_quote! {
+                #(#attributes)*
+                #label for #pat in #expr {
+                    if #is_running #body
+                }
+            },
+            Expr::While(ExprWhile { cond, .. }) => parse_quote! {
+                #(#attributes)*
+                #label while #is_running && (#cond) #body
+            },
+            _ => parse_quote!(#(#attributes)* #label while #is_running #body),
+        };
         let mut before: Vec<Stmt> = vec![parse_quote!(let mut #is_running = true;)];
         let mut after: Vec<Stmt> = Vec::new();
         if has_return {
@@ -101,16 +149,13 @@ impl Lowerer<'_> {
         }
         Some(parse_quote!({
             #(#before)*
-            #(#attributes)*
-            #label for #pattern in #iterator {
-                if #is_running #body
-            }
+            #plainer
             #(#after)*
         }))
     }
 
     /// A loop on copies of what it uses that is borrowed.
-    fn with_own_state(&mut self, a_loop: &ExprForLoop) -> Option<Expr> {
+    fn with_own_state(&mut self, a_loop: &Expr) -> Option<Expr> {
         let mut named = HashSet::new();
         names::collect(quote!(#a_loop), &mut named);
         let mut named: Vec<_> = named.into_iter().collect();
@@ -148,10 +193,10 @@ impl Lowerer<'_> {
     }
 
     /// A loop on a copy of `self`, which cannot be the name of a variable.
-    fn with_own_receiver(&mut self, a_loop: &ExprForLoop, receiver: VarId) -> Option<Expr> {
+    fn with_own_receiver(&mut self, a_loop: &Expr, receiver: VarId) -> Option<Expr> {
         let [copy, this] = ["copy", "this"].map(|name| self.names.unwritten(name));
         let renamed = names::without_self(a_loop.to_token_stream(), &this);
-        let renamed: ExprForLoop = syn::parse2(renamed).ok()?;
+        let renamed: Expr = syn::parse2(renamed).ok()?;
         Some(if self.vars[receiver].exclusive {
             parse_quote!({
                 let mut #copy = (*self).clone();
@@ -179,7 +224,7 @@ impl Lowerer<'_> {
 }
 
 /// Whether `?` may leave the loop.
-fn has_question_mark(a_loop: &ExprForLoop) -> bool {
+fn has_question_mark(body: &Block) -> bool {
     struct Finder(bool);
 
     impl<'ast> Visit<'ast> for Finder {
@@ -191,7 +236,7 @@ fn has_question_mark(a_loop: &ExprForLoop) -> bool {
     }
 
     let mut finder = Finder(false);
-    finder.visit_block(&a_loop.body);
+    finder.visit_block(body);
     finder.0
 }
 

@@ -202,7 +202,7 @@ pub(super) fn changes_captured(closure: &ExprClosure) -> bool {
                 _ => None,
             };
             if let Some(name) = target.and_then(root_name) {
-                self.assigned.insert(name);
+                self.assigned.insert(name.to_string());
             }
             visit::visit_expr(self, expr);
         }
@@ -216,9 +216,10 @@ pub(super) fn changes_captured(closure: &ExprClosure) -> bool {
     finder.assigned.difference(&finder.declared).next().is_some()
 }
 
-fn root_name(expr: &Expr) -> Option<String> {
+/// The name of the variable that a place is a part of.
+pub(super) fn root_name(expr: &Expr) -> Option<&Ident> {
     match expr {
-        Expr::Path(path) => path.path.get_ident().map(Ident::to_string),
+        Expr::Path(path) => path.path.get_ident(),
         Expr::Field(field) => root_name(&field.base),
         Expr::Index(index) => root_name(&index.expr),
         Expr::Paren(paren) => root_name(&paren.expr),

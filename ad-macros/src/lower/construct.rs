@@ -23,10 +23,10 @@ impl Lowerer<'_> {
             (Shape::Transparent, numbered(parts))
         } else if let Some(member) = outcome(&function.path) {
             (Shape::Flow, parts.into_iter().map(|part| (member.clone(), part)).collect())
-        } else if let Some(variant) = variant(&function.path) {
-            (Shape::Variant(variant.clone()), numbered(parts))
+        } else if let Some(variant) = self.variant(&function.path) {
+            (Shape::Variant(variant.clone()), numbered_at(parts, call.span()))
         } else {
-            (Shape::Struct, numbered(parts))
+            (Shape::Struct, numbered_at(parts, call.span()))
         };
         let value = self.aggregate(expression, shape.clone(), parts, hint, call.span());
         // A function whose name begins with a capital letter is no pattern.
@@ -43,7 +43,7 @@ impl Lowerer<'_> {
     }
 
     pub(super) fn struct_literal(&mut self, literal: &syn::ExprStruct, hint: &str) -> Operand {
-        let shape = match variant(&literal.path) {
+        let shape = match self.variant(&literal.path) {
             Some(variant) => Shape::Variant(variant.clone()),
             None => Shape::Struct,
         };
@@ -74,6 +74,18 @@ impl Lowerer<'_> {
         }
     }
 
+    /// `Enum::Variant`, told from `module::Type` by the capital letter; `Variant`, where what stands
+    /// around it tells (see [`variants`](super::variants)).
+    pub(super) fn variant<'p>(&self, path: &'p Path) -> Option<&'p syn::Ident> {
+        let mut segments = path.segments.iter().rev();
+        let last = &segments.next().filter(|last| is_type_name(&last.ident))?.ident;
+        let is_variant = match segments.next() {
+            Some(owner) => is_type_name(&owner.ident),
+            None => self.variants.contains(&last.to_string()),
+        };
+        is_variant.then_some(last)
+    }
+
     pub(super) fn aggregate(
         &mut self,
         expression: TokenStream,
@@ -99,7 +111,13 @@ impl Lowerer<'_> {
 }
 
 pub(super) fn numbered(parts: Vec<Operand>) -> Vec<(Member, Operand)> {
-    parts.into_iter().enumerate().map(|(index, part)| (Member::from(index), part)).collect()
+    numbered_at(parts, proc_macro2::Span::call_site())
+}
+
+/// The same, with errors about the parts at `span`.
+fn numbered_at(parts: Vec<Operand>, span: proc_macro2::Span) -> Vec<(Member, Operand)> {
+    let member = |index| Member::Unnamed(syn::Index { index, span });
+    (0..).map(member).zip(parts).collect()
 }
 
 /// Types, variants and constants begin with a capital letter.
@@ -134,12 +152,4 @@ pub(super) fn outcome(path: &Path) -> Option<Member> {
         () if last == "Err" => Some(Member::from(1)),
         () => None,
     }
-}
-
-/// `Enum::Variant`, told from `module::Type` by the capital letter.
-pub(super) fn variant(path: &Path) -> Option<&syn::Ident> {
-    let mut segments = path.segments.iter().rev();
-    let last = segments.next().filter(|last| is_type_name(&last.ident))?;
-    segments.next().filter(|owner| is_type_name(&owner.ident))?;
-    Some(&last.ident)
 }

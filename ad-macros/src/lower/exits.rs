@@ -66,23 +66,26 @@ pub fn assigns_within(expr: &Expr) -> bool {
     finder.0
 }
 
-/// Whether evaluating `expr` may change a variable, other than as the receiver of a method.
-pub fn may_change_variables(expr: &Expr) -> bool {
-    struct Changes(bool);
+/// The places that evaluating `expr` may change, other than as the receivers of methods.
+pub fn changed_places(expr: &Expr) -> Vec<&Expr> {
+    #[derive(Default)]
+    struct Changes<'ast>(Vec<&'ast Expr>);
 
-    impl<'ast> Visit<'ast> for Changes {
+    impl<'ast> Visit<'ast> for Changes<'ast> {
         fn visit_expr(&mut self, expr: &'ast Expr) {
-            self.0 |= match expr {
-                Expr::Assign(_) => true,
-                Expr::Binary(binary) => is_update(&binary.op),
-                Expr::Reference(reference) => reference.mutability.is_some(),
-                _ => false,
-            };
+            self.0.extend(match expr {
+                Expr::Assign(assign) => Some(&*assign.left),
+                Expr::Binary(binary) if is_update(&binary.op) => Some(&*binary.left),
+                Expr::Reference(reference) if reference.mutability.is_some() => {
+                    Some(&*reference.expr)
+                }
+                _ => None,
+            });
             visit::visit_expr(self, expr);
         }
     }
 
-    let mut finder = Changes(false);
+    let mut finder = Changes::default();
     finder.visit_expr(expr);
     finder.0
 }

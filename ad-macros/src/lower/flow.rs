@@ -16,7 +16,7 @@ use super::closure::simple_name;
 use super::ends::{End, JumpKind, Target};
 use super::exits::Exit;
 use super::macros::macro_diverges;
-use super::{Lowerer, OnFailure, desugar, exits};
+use super::{Lowerer, OnFailure, deferred, desugar, exits};
 use crate::ir::{Operand, Statement};
 
 impl Lowerer<'_> {
@@ -35,6 +35,20 @@ impl Lowerer<'_> {
     pub(super) fn statements(&mut self, stmts: Vec<Stmt>, end: &End) -> Operand {
         let mut stmts = stmts.into_iter();
         while let Some(stmt) = stmts.next() {
+            if let Some(names) = deferred::declared(&stmt) {
+                let all: Vec<_> = std::iter::once(stmt.clone()).chain(stmts.clone()).collect();
+                if let Some(initialised) = deferred::initialised(all) {
+                    return self.statements(initialised, end);
+                }
+                self.refuse(
+                    stmt,
+                    "what gives this variable its value is not seen from here: declare it with its value, `let r = if c { a } else { b };`",
+                );
+                names.iter().for_each(|name| {
+                    self.bind(name, true, true);
+                });
+                continue;
+            }
             let stmt = self.plainer_loop(&stmt).unwrap_or(stmt);
             if exits::stmt_exits(&stmt) {
                 return self.exiting(stmt, stmts.collect(), end);
@@ -102,8 +116,7 @@ impl Lowerer<'_> {
 
     fn local(&mut self, local: &Local) {
         let Some(init) = &local.init else {
-            self.refuse(local, "give the variable a value where it is declared");
-            return;
+            unreachable!("is declared where it gets its value");
         };
         let (pat, ty) = split_type(&local.pat);
         if let (Some(name), Expr::Closure(closure)) = (simple_name(pat), strip_parens(&init.expr)) {

@@ -10,14 +10,16 @@ use std::rc::Rc;
 use proc_macro2::{TokenStream, TokenTree};
 use quote::{ToTokens, format_ident, quote};
 use syn::spanned::Spanned;
-use syn::{Expr, ExprClosure, Pat, PatType, ReturnType, Type, parse_quote};
+use syn::{Expr, ExprClosure, Pat, PatType, ReturnType, Type, UnOp, parse_quote};
 
+use super::call::vjp_of;
 use super::closure::{Closure, changes_captured, simple_name};
+use super::construct::is_type_name;
 use super::flow::{as_statements, strip_parens};
 use super::item::Alias;
 use super::macros::captured_names;
 use super::{Lowerer, OnFailure};
-use crate::ir::{self, Argument, Operand, Operation, Place, Projection, VarId};
+use crate::ir::{self, Argument, Operand, Operation, Place, Projection, TypedBy, VarId};
 use crate::names;
 use crate::signature::Parameter;
 
@@ -33,7 +35,11 @@ struct Captured {
 
 impl Lowerer<'_> {
     /// What a call is given, if it is a function.
-    pub(super) fn function_argument(&mut self, expr: &Expr) -> Option<Argument> {
+    pub(super) fn function_argument(
+        &mut self,
+        expr: &Expr,
+        typed_by: Option<TypedBy>,
+    ) -> Option<Argument> {
         let (value, is_borrowed) = match strip_parens(expr) {
             Expr::Reference(reference) if reference.mutability.is_none() => {
                 (strip_parens(&reference.expr), true)
@@ -41,29 +47,57 @@ impl Lowerer<'_> {
             expr => (expr, false),
         };
         let object = match (self.named_closure(value), value) {
-            (Some(closure), _) => self.object(&closure.body, &closure.scopes),
+            (Some(closure), _) => self.object(&closure.body, &closure.scopes, typed_by),
             (None, Expr::Closure(closure)) => {
                 let scopes = self.scopes.clone();
-                self.object(closure, &scopes)
+                self.object(closure, &scopes, typed_by)
+            }
+            (None, Expr::Path(path)) if self.is_named_function(path) => {
+                let vjp = vjp_of(path);
+                let operation = Operation::Named { primal: quote!(#path), vjp };
+                self.define("function", path.span(), true, operation)
             }
             (None, Expr::Path(path)) if !is_borrowed => {
                 let function = self.lookup(path.path.get_ident()?)?;
                 if !self.functions.contains_key(&function) || self.may_refer(function) {
                     return None;
                 }
-                let (primal, vjp) =
-                    (quote!(::ad::function::again), quote!(::ad::function::again_vjp));
                 let whole = Place { root: function, path: Vec::new() };
-                let arguments = vec![Argument::Borrow(whole)];
-                let operation = Operation::Call { primal, vjp, method: false, arguments };
-                self.define("function", path.span(), true, operation)
+                self.again(whole, path.span())
+            }
+            // A copy of what is behind a reference.
+            (None, Expr::Unary(unary)) if matches!(unary.op, UnOp::Deref(_)) && !is_borrowed => {
+                let Expr::Path(path) = strip_parens(&unary.expr) else { return None };
+                let function = self.lookup(path.path.get_ident()?)?;
+                if !self.functions.contains_key(&function) {
+                    return None;
+                }
+                let place = self.function_place(function);
+                self.again(place, path.span())
             }
             _ => return None,
         };
+        self.vars[object].is_function = true;
         Some(match is_borrowed {
             true => Argument::Borrow(Place { root: object, path: Vec::new() }),
             false => Argument::Function(object),
         })
+    }
+
+    /// A parameter that is a function, to be passed on.
+    fn again(&mut self, function: Place, span: proc_macro2::Span) -> VarId {
+        let (primal, vjp) = (quote!(::ad::function::again), quote!(::ad::function::again_vjp));
+        let arguments = vec![Argument::Borrow(function)];
+        let operation = Operation::Call { primal, vjp, method: false, arguments };
+        self.define("function", span, true, operation)
+    }
+
+    /// Whether a path that is passed leads to a function: what else is no variable has a name in
+    /// capitals.
+    fn is_named_function(&self, path: &syn::ExprPath) -> bool {
+        let is_local = path.path.get_ident().is_some_and(|name| self.lookup(name).is_some());
+        let last = path.path.segments.last();
+        !is_local && last.is_some_and(|last| !is_type_name(&last.ident))
     }
 
     /// The call of a parameter that is a function.
@@ -119,7 +153,12 @@ impl Lowerer<'_> {
     }
 
     /// A closure as an object with a derivative.
-    fn object(&mut self, closure: &ExprClosure, scopes: &Scopes) -> VarId {
+    fn object(
+        &mut self,
+        closure: &ExprClosure,
+        scopes: &Scopes,
+        typed_by: Option<TypedBy>,
+    ) -> VarId {
         if let Some(token) = &closure.asyncness {
             self.refuse(token, "asynchronous code has no derivative");
         }
@@ -129,14 +168,18 @@ impl Lowerer<'_> {
                 "a closure that changes a variable cannot be passed to a function: let it return what it computes",
             );
         }
+        let is_typed = closure.inputs.iter().all(|input| typed(input).is_some());
         let mut arguments = Vec::new();
         for input in &closure.inputs {
             match typed(input) {
-                Some(input) => arguments.push(self.closure_argument(input)),
+                Some(input) => arguments.push(self.closure_argument(&input.pat, &input.ty)),
+                None if typed_by.is_some() => {
+                    arguments.push(self.closure_argument(input, &parse_quote!(_)));
+                }
                 None => {
                     self.refuse(
                         input,
-                        "the parameters of a closure that is passed to a function need types: `|x: f64|`",
+                        "the parameters of a closure that is passed to a method need types: `|x: f64|`",
                     );
                 }
             }
@@ -164,13 +207,14 @@ impl Lowerer<'_> {
                 is_exclusive: false,
                 is_shared: true,
                 is_mutable_receiver: false,
-                arity: None,
+                arity: self.functions.get(&var).copied(),
                 is_constant: false,
             });
         }
         let function = self.object_function(closure, scopes, &captured, &parameters, &arguments);
         parameters.extend(arguments.into_iter().map(|(parameter, _)| parameter));
-        let object = ir::Closure { captures, parameters, function };
+        let typed_by = typed_by.filter(|_| !is_typed);
+        let object = ir::Closure { captures, parameters, function, typed_by };
         self.define("function", closure.span(), true, Operation::Closure(Box::new(object)))
     }
 
@@ -195,6 +239,7 @@ impl Lowerer<'_> {
         let depths: Vec<_> = captured.vars.iter().map(depth).collect();
         let mut inner = Lowerer::new(on_failure, self.names, self.errors);
         inner.is_object = true;
+        inner.variants = self.variants.clone();
         let mut vars = Vec::new();
         let body = inner.block(|inner| {
             let mut meanings = HashMap::new();
@@ -249,9 +294,9 @@ impl Lowerer<'_> {
         function
     }
 
-    fn closure_argument(&mut self, typed: &PatType) -> (Parameter, Pat) {
-        let name = simple_name(&typed.pat).map_or("argument".to_owned(), ToString::to_string);
-        let is_shared = match &*typed.ty {
+    fn closure_argument(&mut self, pat: &Pat, ty: &Type) -> (Parameter, Pat) {
+        let name = simple_name(pat).map_or("argument".to_owned(), ToString::to_string);
+        let is_shared = match ty {
             Type::Reference(reference) => {
                 if let Some(token) = &reference.mutability {
                     self.refuse(
@@ -264,16 +309,16 @@ impl Lowerer<'_> {
             _ => false,
         };
         let parameter = Parameter {
-            ident: self.names.fresh(&name, typed.pat.span()),
+            ident: self.names.fresh(&name, pat.span()),
             pattern: None,
-            ty: (*typed.ty).clone(),
+            ty: ty.clone(),
             is_exclusive: false,
             is_shared,
             is_mutable_receiver: false,
             arity: None,
             is_constant: false,
         };
-        (parameter, (*typed.pat).clone())
+        (parameter, pat.clone())
     }
 
     /// Looks for the variables that a closure uses, and those that closures use which it calls.

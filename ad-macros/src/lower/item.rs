@@ -138,11 +138,13 @@ impl Lowerer<'_> {
                 self.bind_item(&reference.pat, Item::Tuple(items));
             }
             (Pat::Tuple(tuple), Item::Reference(alias)) => {
+                self.check_rest(&tuple.elems);
                 for (index, pat) in tuple.elems.iter().enumerate() {
                     self.bind_part(pat, &alias, Projection::Field(Member::from(index)));
                 }
             }
             (Pat::Slice(slice), Item::Reference(alias)) => {
+                self.check_rest(&slice.elems);
                 for (index, pat) in slice.elems.iter().enumerate() {
                     let index = syn::Index::from(index);
                     self.bind_part(pat, &alias, Projection::Index(quote!(#index)));
@@ -164,7 +166,7 @@ impl Lowerer<'_> {
 
     fn bind_part(&mut self, pat: &Pat, whole: &Alias, step: Projection) {
         if let Pat::Rest(_) = pat {
-            self.refuse(pat, "`..` is not supported here: name each part, or `_`");
+            return;
         }
         let place = &whole.place;
         let path = [&place.path[..], &[step]].concat();

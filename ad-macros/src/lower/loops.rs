@@ -39,54 +39,61 @@ impl Lowerer<'_> {
                 let chain = self.chain(&a_loop.expr);
                 let exits = exits::block_exits(&a_loop.body);
                 let driver = Driver::Chain(&chain, Some(&a_loop.pat));
-                let checkpoint = self.is_checkpointed(&a_loop.attrs);
-                if checkpoint && self.is_object {
-                    self.refuse(
-                        expr,
-                        "a loop with checkpoints cannot stand in a closure that is passed to a function: put it into a function that the closure calls",
-                    );
-                }
                 let result =
                     self.run(a_loop.label.as_ref(), &exits, &driver, &mut |lowerer, item, end| {
                         lowerer.bind_item(&a_loop.pat, item);
                         lowerer.statements(a_loop.body.stmts.clone(), end)
                     });
-                let statements = &mut self.open_blocks.last_mut().expect("a block is open").1;
-                if let Some(Statement::Loop(lowered)) = statements.last_mut() {
-                    lowered.checkpoint = checkpoint;
-                    if checkpoint && lowered.breaks {
-                        self.refuse(
-                            expr,
-                            "a loop with checkpoints cannot be left early: put what follows under an `if`, or take the attribute off",
-                        );
-                    }
-                }
+                self.keep_checkpoints(expr, &a_loop.attrs);
                 result
             }
-            Expr::While(syn::ExprWhile { attrs, .. }) | Expr::Loop(syn::ExprLoop { attrs, .. })
-                if self.is_checkpointed(attrs) =>
-            {
-                self.refuse(
-                    expr,
-                    "checkpoints need a number of iterations that is known before: write a `for` loop",
-                );
-                LoopResult { value: Self::unit(), targets: Vec::new(), own: None }
-            }
             Expr::While(a_loop) => {
-                let syn::ExprWhile { label, cond, body, .. } = a_loop;
-                if exits::expr_exits(cond) || has_let(cond) || self.calls_closure(cond) {
+                let syn::ExprWhile { attrs, label, cond, body, .. } = a_loop;
+                if self.is_not_plain(cond) {
                     return self.a_loop(&parse_quote!(
                         #label loop { if #cond #body else { break; } }
                     ));
                 }
                 let condition = self.plain_in_place(cond);
-                self.run_block(label.as_ref(), body, &Driver::While(condition))
+                let result = self.run_block(label.as_ref(), body, &Driver::While(condition));
+                self.keep_checkpoints(expr, attrs);
+                result
             }
             Expr::Loop(a_loop) => {
-                self.run_block(a_loop.label.as_ref(), &a_loop.body, &Driver::Endless)
+                let result = self.run_block(a_loop.label.as_ref(), &a_loop.body, &Driver::Endless);
+                self.keep_checkpoints(expr, &a_loop.attrs);
+                result
             }
             other => unreachable!("not a loop: {}", quote!(#other)),
         }
+    }
+
+    /// Marks the loop just written as one with checkpoints, if it has the attribute.
+    fn keep_checkpoints(&mut self, a_loop: &Expr, attributes: &[syn::Attribute]) {
+        if !self.is_checkpointed(attributes) {
+            return;
+        }
+        if self.is_object {
+            self.refuse(
+                a_loop,
+                "a loop with checkpoints cannot stand in a closure that is passed to a function: put it into a function that the closure calls",
+            );
+        }
+        let statements = &mut self.open_blocks.last_mut().expect("a block is open").1;
+        if let Some(Statement::Loop(lowered)) = statements.last_mut() {
+            lowered.checkpoint = true;
+            if lowered.breaks || matches!(lowered.head, Head::Loop) {
+                self.refuse(
+                    a_loop,
+                    "a loop with checkpoints cannot be left early with a value: give it to a variable, or take the attribute off",
+                );
+            }
+        }
+    }
+
+    /// Whether a condition cannot be evaluated as it stands before each iteration.
+    pub(super) fn is_not_plain(&self, condition: &Expr) -> bool {
+        exits::expr_exits(condition) || has_let(condition) || self.calls_closure(condition)
     }
 
     fn is_checkpointed(&mut self, attributes: &[syn::Attribute]) -> bool {

@@ -1,11 +1,11 @@
 //! From the user's syntax to [`ir`](crate::ir).
 //!
 //! [`flow`] lowers statements and turns every early exit into the end of a block, whose meaning
-//! [`ends`] keeps; [`branch`] lowers branches, which [`desugar`] makes plainer; [`loops`] lowers
+//! [`ends`] keeps; [`branch`] lowers branches, which [`desugar`] makes plainer; [`deferred`] declares variables where they get their value; [`loops`] lowers
 //! loops, [`checkpoint`] makes those with checkpoints plainer, [`chain`], [`source`], [`stage`], [`several`] and [`item`] what they run over, [`consume`] what iterators are used
 //! up by; [`array`] builds arrays by element; [`option`] writes out methods of options,
 //! [`part`] those that lend parts of slices; [`closure`] puts closures in place of their calls, and [`function`] passes them to functions;
-//! [`expression`], [`call`] and [`construct`] name intermediate results; [`pattern`], [`slice_pattern`] and [`place`] tell which part of a value
+//! [`expression`], [`call`] and [`construct`] name intermediate results; [`pattern`], [`slice_pattern`], [`variants`] and [`place`] tell which part of a value
 //! is meant; [`sequence`] makes vectors and boxes; [`macros`] knows the macros of the standard
 //! library; [`higher`] refuses derivatives of derivatives; [`no_diff`] and [`plain`] pass on code through which no derivative flows, with variables
 //! renamed.
@@ -18,6 +18,7 @@ mod checkpoint;
 mod closure;
 mod construct;
 mod consume;
+mod deferred;
 mod desugar;
 mod ends;
 mod exits;
@@ -39,6 +40,7 @@ mod several;
 mod slice_pattern;
 mod source;
 mod stage;
+mod variants;
 
 use std::collections::{HashMap, HashSet};
 use std::rc::Rc;
@@ -66,6 +68,8 @@ pub fn lower(
     errors: &mut Errors,
 ) -> Lowered {
     let mut lowerer = Lowerer::new(OnFailure::of(result), names, errors);
+    let types = parameters.iter().map(|parameter| &parameter.ty).chain([result]);
+    lowerer.variants = variants::of(types, body);
     let mut parameter_vars = Vec::new();
     let body = lowerer.block(|lowerer| {
         parameter_vars = parameters.iter().map(|p| lowerer.parameter(p)).collect();
@@ -135,6 +139,8 @@ struct Lowerer<'a> {
     items: HashSet<String>,
     /// The names in refutable patterns that were taken for constants, for their capital letter.
     capitals: HashSet<String>,
+    /// The constructors that are variants although their enum is not named.
+    variants: HashSet<String>,
     /// The variables on which methods are being called whose arguments are being written. An
     /// argument is evaluated before the call, although the receiver stands first: no method that
     /// an argument calls may change it.
@@ -164,6 +170,7 @@ impl<'a> Lowerer<'a> {
             is_object: false,
             items: HashSet::new(),
             capitals: HashSet::new(),
+            variants: HashSet::new(),
             called_on: Vec::new(),
             names,
             errors,
@@ -257,6 +264,7 @@ impl Lowerer<'_> {
             exclusive: false,
             reference: false,
             active,
+            is_function: false,
         });
         self.vars.len() - 1
     }
@@ -276,6 +284,7 @@ impl Lowerer<'_> {
             exclusive: false,
             reference: false,
             active,
+            is_function: false,
         });
         self.vars.len() - 1
     }
@@ -331,6 +340,7 @@ impl Lowerer<'_> {
         }
         self.note_type(var, &parameter.ty);
         self.functions.extend(parameter.arity.map(|arity| (var, arity)));
+        self.vars[var].is_function = parameter.arity.is_some();
         var
     }
 

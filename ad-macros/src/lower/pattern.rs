@@ -8,7 +8,7 @@ use syn::{Expr, Member, Pat, Type};
 
 use super::Lowerer;
 use super::chain::is_chain;
-use super::construct::{is_transparent, is_type_name, outcome, variant};
+use super::construct::{is_transparent, is_type_name, outcome};
 use crate::ir::{Binding, Operand, Operation, Place, Projection, Statement, VarId};
 
 /// What a pattern is matched against.
@@ -98,14 +98,14 @@ impl Lowerer<'_> {
                         elements.map(|e| self.subpattern(e, &path, matched, bindings)).collect()
                     }
                     None => {
-                        let path = variant_path(path, constructor);
+                        let path = self.variant_path(path, constructor);
                         self.numbered_patterns(&pattern.elems, &path, matched, bindings)
                     }
                 };
                 quote!(#constructor(#(#elements),*))
             }
             Pat::Struct(pattern) => {
-                let path = variant_path(path, &pattern.path);
+                let path = self.variant_path(path, &pattern.path);
                 let step = |member: Member| [&path[..], &[Projection::Field(member)]].concat();
                 let fields: Vec<_> = pattern
                     .fields
@@ -139,6 +139,13 @@ impl Lowerer<'_> {
         }
     }
 
+    /// The way into the cotangent of an enum, where `constructor` is one of its variants.
+    fn variant_path(&self, path: &[Projection], constructor: &syn::Path) -> Vec<Projection> {
+        let variant = self.variant(constructor);
+        let variant = variant.map(|ident| Projection::Field(ident.clone().into()));
+        path.iter().cloned().chain(variant).collect()
+    }
+
     fn numbered_patterns<'p>(
         &mut self,
         elements: &'p syn::punctuated::Punctuated<Pat, syn::Token![,]>,
@@ -156,7 +163,10 @@ impl Lowerer<'_> {
     }
 
     /// Behind `..` the position of an element is not known.
-    fn check_rest(&mut self, elements: &syn::punctuated::Punctuated<Pat, syn::Token![,]>) {
+    pub(super) fn check_rest(
+        &mut self,
+        elements: &syn::punctuated::Punctuated<Pat, syn::Token![,]>,
+    ) {
         let rest = elements.iter().position(|element| matches!(element, Pat::Rest(_)));
         if let Some(rest) = rest
             && rest + 1 < elements.len()
@@ -311,12 +321,6 @@ fn content_path(path: &[Projection], constructor: &syn::Path) -> Option<Vec<Proj
     }
     let member = outcome(constructor)?;
     Some(path.iter().cloned().chain([Projection::Field(member)]).collect())
-}
-
-/// The way into the cotangent of an enum, where `constructor` is one of its variants.
-fn variant_path(path: &[Projection], constructor: &syn::Path) -> Vec<Projection> {
-    let variant = variant(constructor).map(|ident| Projection::Field(ident.clone().into()));
-    path.iter().cloned().chain(variant).collect()
 }
 
 /// Whether the tokens are an integer or boolean literal: a variable that starts with one stays

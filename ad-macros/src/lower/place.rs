@@ -5,11 +5,14 @@ use quote::{ToTokens, quote, quote_spanned};
 use syn::spanned::Spanned;
 use syn::{BinOp, Expr, ExprAssign, ExprBinary, Lit, UnOp};
 
+use super::closure::root_name;
 use super::flow::strip_parens;
 use super::item::Alias;
 use super::{Lowerer, exits};
 use crate::floats;
-use crate::ir::{Argument, BinaryOperator, Operand, Operation, Place, Projection, Statement};
+use crate::ir::{
+    Argument, BinaryOperator, Operand, Operation, Place, Projection, Statement, VarId,
+};
 use crate::primal::Primal;
 
 impl Lowerer<'_> {
@@ -168,7 +171,17 @@ impl Lowerer<'_> {
     fn is_copied(&self, place: &Place, call: &syn::ExprMethodCall) -> bool {
         self.vars[place.root].mutable
             && (floats::takes_number(&call.method.to_string())
-                || call.args.iter().any(exits::may_change_variables))
+                || call
+                    .args
+                    .iter()
+                    .flat_map(exits::changed_places)
+                    .any(|changed| self.may_belong_to(changed, place.root)))
+    }
+
+    /// Whether a place may be a part of a variable.
+    fn may_belong_to(&self, part: &Expr, root: VarId) -> bool {
+        let Some(var) = root_name(part).and_then(|name| self.lookup(name)) else { return true };
+        self.aliases.get(&var).map_or(var, |alias| alias.place.root) == root
     }
 
     /// An index into `whole`, or a range of them, that keeps its value until the reverse sweep.

@@ -5,6 +5,10 @@
 //! The reverse sweep takes the segments from the last to the first: it runs one again, now with a
 //! tape, and then backwards.
 //!
+//! How many iterations a `while` will have is not known before: its segments begin with one iteration,
+//! and get twice as long, every other state being dropped, whenever there are twice as many states as
+//! a segment has iterations.
+//!
 //! For n iterations that is √n states and √n records instead of n records, for a second run of
 //! the body. Turned down: binomial checkpoints (Griewank & Walther 2000), which store log n states
 //! and run the body log n times: √n states of a loop with a million iterations are a thousand, and
@@ -15,52 +19,53 @@ use std::collections::HashSet;
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
-use super::{Sides, Sweeper};
+use super::{Sides, Sweeper, Written};
 use crate::ir::{Block, BlockId, Head, Loop, Statement, VarId};
 use crate::names;
 
 impl Sweeper<'_> {
     pub(super) fn checkpointed_loop(&mut self, a_loop: &Loop) -> Sides {
-        let Head::For { pattern, defines, iterator, .. } = &a_loop.head else {
-            unreachable!("other loops have been refused");
-        };
         let mut sides = Sides::default();
         let mut body = self.block(&a_loop.body, None);
         self.leave(&mut sides.reverse, &body.outer);
         let primal = self.primal_block(&a_loop.body);
         if body.reverse.is_empty() {
-            sides.forward.extend(quote!(for #pattern in #iterator { #primal }));
+            sides.forward.extend(match &a_loop.head {
+                Head::For { pattern, iterator, .. } => {
+                    quote!(for #pattern in #iterator { #primal })
+                }
+                Head::While(condition) => quote!(while #condition { #primal }),
+                Head::Loop => unreachable!("is a `while`"),
+            });
             return sides;
         }
-        let variables = defines.iter().map(|&var| self.vars[var].ident.clone());
-        body.defines.splice(0..0, variables);
-
-        let record = &a_loop.record;
-        let fresh = |sweeper: &mut Self, name: &str| sweeper.names.fresh(name, record.span());
-        let (items, length) = (fresh(self, "items"), fresh(self, "segment_length"));
-        let (count, checkpoints) = (fresh(self, "segment_count"), fresh(self, "checkpoints"));
+        if let Head::For { defines, .. } = &a_loop.head {
+            let variables = defines.iter().map(|&var| self.vars[var].ident.clone());
+            body.defines.splice(0..0, variables);
+        }
         let state = self.state(&a_loop.body, &body.forward);
         let references = self.kept_references(&body.forward, &mut sides);
-        sides.forward.extend(quote! {
-            let mut #items = ::core::iter::IntoIterator::into_iter(#iterator);
-            let (#count, #length) = ::ad::rt::segments(&#items);
-            let mut #checkpoints = ::std::vec::Vec::with_capacity(#count);
-            for _ in 0..#count {
-                #checkpoints.push((#items.clone(), #(::core::clone::Clone::clone(&#state),)*));
-                for #pattern in #items.by_ref().take(#length) { #primal }
+        sides.reverse.extend(references);
+        let names = ["items", "segment_length", "segment_count", "checkpoints", "iterations"];
+        let names = names.map(|name| self.names.fresh(name, a_loop.record.span()));
+        match &a_loop.head {
+            Head::For { pattern, iterator, .. } => {
+                let head = (pattern, iterator);
+                for_segments(head, &a_loop.record, &names, &state, &primal, &body, &mut sides);
             }
-        });
-        sides.defines.extend([length.clone(), checkpoints.clone()]);
-
-        let (forward, saved, reverse) = (&body.forward, body.saved(), &body.reverse);
-        sides.reverse.extend(quote! {
-            #references
-            for (#items, #(mut #state,)*) in #checkpoints.into_iter().rev() {
-                let mut #record = ::std::vec::Vec::with_capacity(#length);
-                for #pattern in #items.take(#length) { #forward #record.push(#saved); }
-                for #saved in #record.into_iter().rev() { #reverse }
+            Head::While(condition) => {
+                while_segments(
+                    condition,
+                    &a_loop.record,
+                    &names,
+                    &state,
+                    &primal,
+                    &body,
+                    &mut sides,
+                );
             }
-        });
+            Head::Loop => unreachable!("is a `while`"),
+        }
         sides
     }
 
@@ -108,6 +113,73 @@ impl Sweeper<'_> {
         }
         again
     }
+}
+
+/// The segments of a loop over an iterator, which are as long as they are many.
+fn for_segments(
+    (pattern, iterator): (&TokenStream, &TokenStream),
+    record: &Ident,
+    [items, length, count, checkpoints, _]: &[Ident; 5],
+    state: &[Ident],
+    primal: &TokenStream,
+    body: &Written,
+    sides: &mut Sides,
+) {
+    sides.forward.extend(quote! {
+        let mut #items = ::core::iter::IntoIterator::into_iter(#iterator);
+        let (#count, #length) = ::ad::rt::segments(&#items);
+        let mut #checkpoints = ::std::vec::Vec::with_capacity(#count);
+        for _ in 0..#count {
+            #checkpoints.push((#items.clone(), #(::core::clone::Clone::clone(&#state),)*));
+            for #pattern in #items.by_ref().take(#length) { #primal }
+        }
+    });
+    sides.defines.extend([length.clone(), checkpoints.clone()]);
+    let (forward, saved, reverse) = (&body.forward, body.saved(), &body.reverse);
+    sides.reverse.extend(quote! {
+        for (#items, #(mut #state,)*) in #checkpoints.into_iter().rev() {
+            let mut #record = ::std::vec::Vec::with_capacity(#length);
+            for #pattern in #items.take(#length) { #forward #record.push(#saved); }
+            for #saved in #record.into_iter().rev() { #reverse }
+        }
+    });
+}
+
+/// Those of a loop under a condition, which grow.
+fn while_segments(
+    condition: &TokenStream,
+    record: &Ident,
+    [_, length, count, checkpoints, iterations]: &[Ident; 5],
+    state: &[Ident],
+    primal: &TokenStream,
+    body: &Written,
+    sides: &mut Sides,
+) {
+    sides.forward.extend(quote! {
+        let (mut #iterations, mut #length) = (0_usize, 1_usize);
+        let mut #checkpoints = ::std::vec::Vec::new();
+        while #condition {
+            if #iterations % #length == 0 && #checkpoints.len() == 2 * #length {
+                ::ad::rt::every_other(&mut #checkpoints);
+                #length *= 2;
+            }
+            if #iterations % #length == 0 {
+                #checkpoints.push((#(::core::clone::Clone::clone(&#state),)*));
+            }
+            #iterations += 1;
+            #primal
+        }
+    });
+    sides.defines.extend([length.clone(), iterations.clone(), checkpoints.clone()]);
+    let (forward, saved, reverse) = (&body.forward, body.saved(), &body.reverse);
+    sides.reverse.extend(quote! {
+        for (#count, (#(mut #state,)*)) in #checkpoints.into_iter().enumerate().rev() {
+            let #count = #length.min(#iterations - #count * #length);
+            let mut #record = ::std::vec::Vec::with_capacity(#count);
+            for _ in 0..#count { #forward #record.push(#saved); }
+            for #saved in #record.into_iter().rev() { #reverse }
+        }
+    });
 }
 
 /// Collects a block and the blocks in it.

@@ -8,11 +8,12 @@ use quote::{ToTokens, quote};
 
 use super::{Sweeper, Sweeps, primal, sweep, tuple_or_one};
 use crate::ir::Closure;
+use crate::passing;
 
 impl Sweeper<'_> {
     /// A closure as an object.
     pub(super) fn object(&mut self, closure: &Closure) -> TokenStream {
-        let Closure { captures, parameters, function } = closure;
+        let Closure { captures, parameters, function, typed_by } = closure;
         let fresh = |sweeper: &mut Self, name: &str| sweeper.names.fresh(name, Span::mixed_site());
         let (captured, seed) = (fresh(self, "captured"), fresh(self, "result_bar"));
         let (pulls_back, result) = (fresh(self, "pulls_back"), fresh(self, "result"));
@@ -41,25 +42,34 @@ impl Sweeper<'_> {
         let bars: Vec<Ident> = bars.collect();
         let all = tuple_or_one(&bars.iter().map(ToTokens::to_token_stream).collect::<Vec<_>>());
         let (captured_bars, argument_bars) = bars.split_at(captures.len());
+        let function = quote! {
+            move |#pulls_back: bool, (#(#names,)*): (#(#types,)*)| {
+                let (#(#patterns,)*) = &#captured;
+                if !#pulls_back {
+                    #plain
+                    return (#plain_value, ::core::option::Option::None);
+                }
+                #forward
+                let #result = #value;
+                let pullback = ::ad::function::pullback(&#result, move |#seed| {
+                    let #all = { #pullback };
+                    ((#(#captured_bars,)*), (#(#argument_bars,)*))
+                });
+                (#result, pullback)
+            }
+        };
+        let tangents = quote!(::ad::function::Captured::of(&#captured));
+        let object = match typed_by {
+            Some(typed_by) => {
+                let make = passing::reverse(typed_by);
+                quote!(#make(#tangents, #function))
+            }
+            None => quote!(#tangents.closure(#function)),
+        };
         quote! {{
             use ::std::borrow::ToOwned as _;
             let #captured = (#(#copies,)*);
-            ::ad::function::Captured::of(&#captured).closure(
-                move |#pulls_back: bool, (#(#names,)*): (#(#types,)*)| {
-                    let (#(#patterns,)*) = &#captured;
-                    if !#pulls_back {
-                        #plain
-                        return (#plain_value, ::core::option::Option::None);
-                    }
-                    #forward
-                    let #result = #value;
-                    let pullback = ::ad::function::pullback(&#result, move |#seed| {
-                        let #all = { #pullback };
-                        ((#(#captured_bars,)*), (#(#argument_bars,)*))
-                    });
-                    (#result, pullback)
-                },
-            )
+            #object
         }}
     }
 }

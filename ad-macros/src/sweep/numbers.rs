@@ -202,6 +202,7 @@ impl<'a> Numbers<'a> {
             | Operation::Borrow(_)
             | Operation::Call { .. }
             | Operation::Closure(_)
+            | Operation::Named { .. }
             | Operation::Aggregate { .. }
             | Operation::UpdateStruct { .. } => None,
         }

@@ -105,7 +105,7 @@ impl Sweeper<'_> {
         let Var { cotangent, record, ident, .. } = &self.vars[var];
         let (cotangent, span) = (quote!(#cotangent), ident.span());
         match operation {
-            Operation::Use(Operand::Constant(_)) => {}
+            Operation::Use(Operand::Constant(_)) | Operation::Named { .. } => {}
             Operation::Use(Operand::Var(source)) if self.numbers.number(var).is_some() => {
                 self.add(reverse, *source, &[], cotangent);
             }

@@ -60,7 +60,7 @@ impl Writer {
     }
 
     /// An expression in which `names` stand for numbers.
-    fn with(&mut self, names: &[&str]) -> Both {
+    pub fn with(&mut self, names: &[&str]) -> Both {
         self.open_scope();
         for name in names {
             self.declare(name, Kind::Scalar { mutable: false });
@@ -101,6 +101,10 @@ impl Writer {
         let (point, disc, sides) = (self.expression(1), self.with(&["v"]), self.with(&["v", "h"]));
         let text = "match shape({}, {}) { Shape::Point => {}, Shape::Disc(v) => {}, \
                     Shape::Box { w: v, h } => {} };";
+        let text = match self.random.chance(50) {
+            true => text.to_owned(),
+            false => text.replace("Shape::Point", "Point").replace("Shape::Disc", "Disc"),
+        };
         let text = format!("let {name} = {text}");
         self.line(&put(&text, &[&first, &second, &point, &disc, &sides]));
         self.declare(name, Kind::Scalar { mutable: false });

@@ -7,6 +7,7 @@
 
 mod data;
 mod expression;
+mod function;
 mod random;
 mod statement;
 
@@ -49,7 +50,10 @@ fn {name}_of<S: Real<Mask = bool>>(x: S, y: S) -> S {{
 use ad::{{Real, differentiable}};
 
 use crate::program::{{Program, program}};
-use crate::types::{{Pair, Shape, mixed, root, roots, shape, shifted}};
+use crate::types::Shape::{{Disc, Point}};
+use crate::types::{{
+    Pair, Shape, bent, folded, mixed, root, roots, shape, shifted, summed,
+}};
 
 /// Every program.
 pub const PROGRAMS: &[Program] = &[

@@ -155,7 +155,7 @@ impl Writer {
         if self.random.chance(30) {
             return self.data();
         }
-        match self.random.below(if depth > 0 { 22 } else { 11 }) {
+        match self.random.below(if depth > 0 { 24 } else { 11 }) {
             0 => self.declare_scalar(),
             1 => self.declare_mutable(),
             2..=4 => self.assign(),
@@ -169,6 +169,8 @@ impl Writer {
             18 => self.while_loop(depth),
             19 => self.loop_over_elements(),
             20 => self.closure(),
+            21 => self.passed(),
+            22 => self.deferred(),
             _ if in_loop => self.jump(),
             _ => self.early_return(),
         }

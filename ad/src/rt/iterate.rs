@@ -128,6 +128,16 @@ pub fn build_like<S, T, const N: usize>(_source: &[S; N], f: impl FnMut(usize) -
     core::array::from_fn(f)
 }
 
+/// Drops every other element, and keeps the first.
+#[inline]
+pub fn every_other<T>(elements: &mut Vec<T>) {
+    let mut index = 0;
+    elements.retain(|_| {
+        index += 1;
+        index % 2 == 1
+    });
+}
+
 /// The number and the length of the segments into which the iterations of a loop with checkpoints
 /// fall: about as many as iterations in each.
 #[inline]

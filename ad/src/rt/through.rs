@@ -71,22 +71,6 @@ impl<P> Missing<P> {
     );
 }
 
-/// Fails when it is used.
-struct Functions<T>(PhantomData<T>);
-
-impl<T> Functions<T> {
-    const ARE_PASSED: () = panic!(
-        "forward mode reaches a function that passes functions on, for which there is reverse mode \
-         alone"
-    );
-}
-
-/// Stands in for the forward mode of a function that has none, and does not compile.
-pub fn without_forward_mode<T>() -> T {
-    let () = Functions::<T>::ARE_PASSED;
-    unreachable!("does not compile")
-}
-
 impl<R: Differentiable, P, D> WithoutRule for Through<R, P, D> {
     type Value = R;
 

@@ -99,17 +99,18 @@ pub trait SequenceRules: Differentiable<Tangent: Elements<Tangent<Self::Element>
         })
     }
 
-    /// To the places where the elements came from.
+    /// To the places where the elements came from. The pullback is boxed: an opaque type would hold on
+    /// to what the comparison borrows.
     #[inline]
     fn sort_by_vjp<F>(
         &mut self,
         mut compare: F,
-    ) -> ((), impl FnOnce((), Self::Tangent) -> (Self::Tangent, ()) + use<Self, F>)
+    ) -> ((), Box<dyn FnOnce((), Self::Tangent) -> (Self::Tangent, ())>)
     where
         F: FnMut(&Self::Element, &Self::Element) -> core::cmp::Ordering,
     {
         let from = sorted_from(self.sequence(), &mut compare);
-        ((), move |(), mut cotangent: Self::Tangent| {
+        let pullback = move |(), mut cotangent: Self::Tangent| {
             let mut before = Self::Tangent::zero();
             let elements = cotangent.elements(from.len());
             let places = before.elements(from.len());
@@ -117,7 +118,8 @@ pub trait SequenceRules: Differentiable<Tangent: Elements<Tangent<Self::Element>
                 places[place].accumulate(element.clone());
             }
             (before, ())
-        })
+        };
+        ((), Box::new(pullback))
     }
 
     /// As [`sort_by_vjp`](Self::sort_by_vjp), which keeps the order of equal elements: an order that
@@ -126,7 +128,7 @@ pub trait SequenceRules: Differentiable<Tangent: Elements<Tangent<Self::Element>
     fn sort_unstable_by_vjp<F>(
         &mut self,
         compare: F,
-    ) -> ((), impl FnOnce((), Self::Tangent) -> (Self::Tangent, ()) + use<Self, F>)
+    ) -> ((), Box<dyn FnOnce((), Self::Tangent) -> (Self::Tangent, ())>)
     where
         F: FnMut(&Self::Element, &Self::Element) -> core::cmp::Ordering,
     {

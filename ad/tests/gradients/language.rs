@@ -17,6 +17,8 @@
     clippy::type_complexity,
     clippy::never_loop,
     clippy::reversed_empty_ranges,
+    clippy::needless_late_init,
+    clippy::unnecessary_map_on_constructor,
     reason = "these forms are what is tested"
 )]
 
@@ -24,12 +26,14 @@ mod checkpoint;
 mod closures;
 mod collections;
 mod data;
+mod deferred;
 mod enums;
 mod exclusive;
 mod exits;
 mod flow;
 mod function_parameters;
 mod functions;
+mod functions_by_name;
 mod iterators;
 mod jumps;
 mod lending;
@@ -39,3 +43,4 @@ mod operators;
 mod programs;
 mod slices;
 mod statements;
+mod variants;

@@ -10,7 +10,9 @@
 )]
 
 mod geometry;
+mod methods;
 mod networks;
 mod poses;
+mod recipes;
 mod solvers;
 mod statistics;

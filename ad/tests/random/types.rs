@@ -151,3 +151,35 @@ pub fn shifted<S: Real<Mask = bool>>(values: &mut [S], by: S) -> S {
     }
     carried.tanh()
 }
+
+/// The sum of what a function makes of several numbers.
+#[differentiable]
+pub fn summed<S: Real<Mask = bool>, F: Fn(S) -> S>(f: F, start: S, n: usize) -> S {
+    let mut sum = S::ZERO;
+    for i in 0..n {
+        sum = sum + f(start + S::from_f64(i as f64)) * f(sum);
+        if sum.cmpgt(S::from_f64(4.0)) {
+            return sum;
+        }
+    }
+    sum
+}
+
+/// What a function makes of a number, again and again.
+#[differentiable]
+pub fn folded<S, F>(f: &F, start: S, values: &[S]) -> S
+where
+    S: Real<Mask = bool> + 'static,
+    F: Fn(S, &[S]) -> S,
+{
+    let mut state = start;
+    for i in 0..values.len().min(3) {
+        state = f(state, &values[i..]).tanh();
+    }
+    state
+}
+
+#[differentiable]
+pub fn bent<S: Real<Mask = bool>>(x: S) -> S {
+    if x.cmplt(S::ZERO) { x * x } else { (x + S::ONE).sin() }
+}

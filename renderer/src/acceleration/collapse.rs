@@ -1,20 +1,24 @@
 //! From a binary tree to an eight-wide one.
 
-use obvhs::BvhBuildParams;
 use obvhs::aabb::Aabb;
 use obvhs::bvh2::Bvh2;
 use obvhs::bvh2::builder::build_bvh2;
 
 use super::Shapes;
 use super::bounds::bounds;
+use super::effort::Effort;
 use super::tree::{Child, Leaf, Node};
 
 /// Builds the nodes, without their boxes, and the leaves, not loaded yet, over the shapes with
 /// these indices.
-pub fn collapse<L: Leaf>(shapes: &(impl Shapes + ?Sized), members: &[u32]) -> (Vec<Node>, Vec<L>) {
+pub fn collapse<L: Leaf>(
+    shapes: &(impl Shapes + ?Sized),
+    members: &[u32],
+    effort: Effort,
+) -> (Vec<Node>, Vec<L>) {
     let boxes: Vec<Aabb> = members.iter().map(|&id| bounds(&shapes.shape(id))).collect();
     let mut build_time = std::time::Duration::ZERO;
-    let mut binary = build_bvh2(&boxes, BvhBuildParams::fastest_build(), &mut build_time);
+    let mut binary = build_bvh2(&boxes, effort.parameters(), &mut build_time);
     drop(boxes);
     if !binary.children_are_ordered_after_parents {
         binary.reorder_in_stack_traversal_order();

@@ -5,6 +5,7 @@
 
 mod bounds;
 mod collapse;
+mod effort;
 mod packet;
 mod packet_queries;
 mod packet_traversal;
@@ -20,6 +21,7 @@ mod triangles;
 
 use glam::Vec3;
 
+pub use effort::Effort;
 pub use packet::{
     NO_PRIMITIVE, PACKET_RAYS, PacketHits, PacketVectors, ray_at, rays, tile_position,
 };
@@ -108,19 +110,26 @@ pub struct Acceleration {
     /// How many primitives there are.
     count: usize,
     is_list: bool,
+    effort: Effort,
     triangles: Tree<TriangleLeaf>,
     spheres: Tree<SphereLeaf>,
 }
 
 impl Acceleration {
-    /// Builds the tree. Every coordinate has to be finite.
+    /// Builds the tree with the least effort. Every coordinate has to be finite.
     pub fn new(shapes: &(impl Shapes + ?Sized)) -> Self {
+        Self::with_effort(shapes, Effort::default())
+    }
+
+    /// Builds the tree. Every coordinate has to be finite.
+    pub fn with_effort(shapes: &(impl Shapes + ?Sized), effort: Effort) -> Self {
         let (triangles, spheres) = by_kind(shapes);
         Self {
             count: shapes.count(),
             is_list: false,
-            triangles: Tree::build(shapes, &triangles),
-            spheres: Tree::build(shapes, &spheres),
+            effort,
+            triangles: Tree::build(shapes, &triangles, effort),
+            spheres: Tree::build(shapes, &spheres, effort),
         }
     }
 
@@ -131,6 +140,7 @@ impl Acceleration {
         Self {
             count: shapes.count(),
             is_list: true,
+            effort: Effort::default(),
             triangles: Tree::list(shapes, &triangles),
             spheres: Tree::list(shapes, &spheres),
         }
@@ -147,7 +157,10 @@ impl Acceleration {
             && self.spheres.refit(shapes);
         let worse = || self.triangles.degradation().max(self.spheres.degradation());
         if !fits || worse() > REBUILD_ABOVE {
-            *self = if self.is_list { Self::list(shapes) } else { Self::new(shapes) };
+            *self = match self.is_list {
+                true => Self::list(shapes),
+                false => Self::with_effort(shapes, self.effort),
+            };
         }
     }
 

@@ -6,6 +6,7 @@ use wide::f32x8;
 
 use super::Shapes;
 use super::collapse::collapse;
+use super::effort::Effort;
 
 /// What the tree holds at its ends.
 pub trait Leaf: Send + Sync {
@@ -118,8 +119,8 @@ pub struct Tree<L> {
 
 impl<L: Leaf> Tree<L> {
     /// Builds a tree over the shapes with these indices, which have to be of the leaf's kind.
-    pub fn build(shapes: &(impl Shapes + ?Sized), members: &[u32]) -> Self {
-        let (nodes, leaves) = collapse(shapes, members);
+    pub fn build(shapes: &(impl Shapes + ?Sized), members: &[u32], effort: Effort) -> Self {
+        let (nodes, leaves) = collapse(shapes, members, effort);
         let mut tree = Self { nodes, leaves, cost: 0.0 };
         tree.refit(shapes);
         tree.cost = tree.cost();

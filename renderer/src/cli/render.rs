@@ -64,7 +64,7 @@ pub(super) fn run(arguments: &Arguments, arithmetic: Arithmetic) -> Result<(), E
         visibility: arguments.visibility,
         pass: arguments.pass,
         sampling: arguments.sampling.sampling(),
-        bounces: None,
+        ..RenderSettings::default()
     };
     let mut image = render_with(arithmetic, &experiment.scene, settings);
     if !image.is_finite() {

@@ -14,6 +14,7 @@
 //! and what flows back to it is added once (`sharing`); sums by vertex, material and sphere are kept
 //! sparse (`sums`), so that a strip costs what it touches, however large the scene is.
 
+mod cause;
 mod custom;
 mod gradient;
 mod mirrors;

@@ -122,7 +122,9 @@ impl<'a, L: Lanes> Prepared<'a, L> {
             film_offsets: film_offsets(),
             acceleration: match settings.visibility {
                 Visibility::List => Acceleration::list(&[][..]),
-                Visibility::Tree | Visibility::Raster => Acceleration::new(&[][..]),
+                Visibility::Tree | Visibility::Raster => {
+                    Acceleration::with_effort(&[][..], settings.effort)
+                }
             },
             pass: settings.pass,
             sampling: settings.sampling,

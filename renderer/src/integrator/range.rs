@@ -27,27 +27,33 @@ pub(super) fn with_range<L: Lanes>(
     wanted: Wanted,
     result: GradientResult,
 ) -> GradientResult {
-    let has_range = L::Element::MIN_POSITIVE.to_f64() < 1e-100;
-    if has_range || result.loss == 0.0 || ORDINARY.contains(&result.loss) {
-        return result;
-    }
-    let largest = largest_derivative(prepared, pixel_loss);
-    if largest == 0.0 || !largest.is_finite() {
-        return result;
-    }
-    let factor = 2.0_f64.powi(largest.log2().floor() as i32);
-    let scaled = Scaled { loss: pixel_loss, factor };
+    let Some(scaled) = Scaled::to_fit(prepared, pixel_loss, result.loss) else { return result };
     let mut again = reduce(prepared, sweep(prepared, &scaled, wanted), wanted);
     for id in prepared.scene.parameter_ids() {
-        again.gradient.get_mut(id).iter_mut().for_each(|value| *value *= factor);
+        again.gradient.get_mut(id).iter_mut().for_each(|value| *value *= scaled.factor);
     }
     GradientResult { loss: result.loss, ..again }
 }
 
 /// A loss divided by a factor.
-struct Scaled<'a, P> {
-    loss: &'a P,
-    factor: f64,
+pub(super) struct Scaled<'a, P> {
+    pub loss: &'a P,
+    pub factor: f64,
+}
+
+impl<'a, P: PixelLoss> Scaled<'a, P> {
+    /// A loss whose sum over the pixels is `sum`, so that its largest derivative by a channel of a
+    /// pixel is between 1 and 2; nothing if it fits into the range of the kernels' scalar as it is.
+    pub fn to_fit<L: Lanes>(prepared: &Prepared<'_, L>, loss: &'a P, sum: f64) -> Option<Self> {
+        let has_range = L::Element::MIN_POSITIVE.to_f64() < 1e-100;
+        if has_range || sum == 0.0 || ORDINARY.contains(&sum) {
+            return None;
+        }
+        let largest = largest_derivative(prepared, loss);
+        let is_usable = largest > 0.0 && largest.is_finite();
+        let factor = || 2.0_f64.powi(largest.log2().floor() as i32);
+        is_usable.then(|| Self { loss, factor: factor() })
+    }
 }
 
 impl<P: PixelLoss> PixelLoss for Scaled<'_, P> {

@@ -51,6 +51,10 @@ pub enum GradientSamples {
     Independent,
 }
 
+/// By ray: how far to the right and downwards from the middle of its pixel it goes, in pixels, from
+/// -0.5 to 0.5.
+pub(super) type Offsets = [[f32; PACKET_RAYS]; 2];
+
 impl Sampling {
     /// How many rays go through a pixel.
     pub fn count(self) -> u32 {
@@ -78,12 +82,11 @@ impl Sampling {
         self
     }
 
-    /// Where the rays of a tile go: to the right and downwards from the middle of their pixels, in
-    /// pixels, from -0.5 to 0.5.
-    pub(super) fn offsets(self, tile: &Tile, sample: u32) -> [[f32; PACKET_RAYS]; 2] {
+    /// Where the rays of a tile go; `None` if through the middle of their pixels.
+    pub(super) fn offsets(self, tile: &Tile, sample: u32) -> Option<Offsets> {
         let mut offsets = [[0.0; PACKET_RAYS]; 2];
         match self {
-            Self::Center => {}
+            Self::Center => return None,
             Self::Stratified(samples) => {
                 let (columns, rows) = strata(samples.count.max(1));
                 let (column, row) = (sample % columns, sample / columns);
@@ -106,7 +109,7 @@ impl Sampling {
                 }
             }
         }
-        offsets
+        Some(offsets)
     }
 }
 
@@ -165,7 +168,7 @@ mod tests {
     /// The places of all rays of the first pixel.
     fn places(sampling: Sampling) -> Vec<[f32; 2]> {
         let offsets = (0..sampling.count()).map(|sample| sampling.offsets(&TILE, sample));
-        offsets.map(|[x, y]| [x[0] + 0.5, y[0] + 0.5]).collect()
+        offsets.flatten().map(|[x, y]| [x[0] + 0.5, y[0] + 0.5]).collect()
     }
 
     #[test]
@@ -202,7 +205,7 @@ mod tests {
     fn places_are_in_the_pixel_differ_between_pixels_and_average_to_the_middle() {
         for sampling in [Sampling::Stratified(samples(16)), Sampling::Sobol(samples(16))] {
             for sample in 0..16 {
-                let [x, y] = sampling.offsets(&TILE, sample);
+                let [x, y] = sampling.offsets(&TILE, sample).unwrap();
                 assert!(x.iter().chain(&y).all(|at| (-0.5..0.5).contains(at)));
                 assert!((0..PACKET_RAYS).any(|ray| x[ray] != x[0]));
                 let mean = x.iter().chain(&y).sum::<f32>() / (2.0 * PACKET_RAYS as f32);

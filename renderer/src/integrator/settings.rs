@@ -1,12 +1,15 @@
 //! What is rendered of a scene, and how it is found.
 
 use super::sampling::Sampling;
+use crate::acceleration::Effort;
 
 /// How a scene is rendered.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct RenderSettings {
     /// How what pixels show is found.
     pub visibility: Visibility,
+    /// How much work building the tree is.
+    pub effort: Effort,
     /// What of it is shown.
     pub pass: Pass,
     /// Where within pixels rays go.

@@ -152,7 +152,7 @@ impl<'a, L: Lanes, P: PixelLoss> Sweep<'a, L, P> {
             let Self { prepared, wanted, .. } = *self;
             self.pull_surfaces(&views[0], beyond, &first[0].surfaces, |group, to_ray| {
                 if wanted.camera {
-                    let (x, y) = views[0].film[group.first / L::COUNT];
+                    let (x, y) = prepared.film(sample.tile, views[0].offsets.as_ref(), group.first);
                     let (_, pullback) = primary_ray::vjp::<L>(prepared.frame, x, y);
                     to_frame.accumulate(pullback(to_ray).0);
                 }

@@ -1,13 +1,11 @@
 //! What the rays of a tile meet, gathered into lanes.
 
-use std::mem;
-
 use ad::lanes::Lanes;
 use ad::vector::{Vector, Vector3};
 use ad::{Real, Vec3, select};
 
 use super::prepared::Prepared;
-use super::sampling::Sampling;
+use super::sampling::{Offsets, Sampling};
 use super::shadows::Lit;
 use super::sharing::Sharing;
 use super::tiles::Tile;
@@ -32,11 +30,17 @@ pub(super) struct View<L: Lanes> {
     pub groups: Vec<Group<L>>,
     /// By light: the rays that end where it shines.
     pub lit: Vec<Lit>,
+<<<<<<< HEAD
     /// By light: what transparent surfaces leave of it; empty if there are none.
     pub passed: Vec<Passed<L>>,
     /// Of rays from the camera: where they meet the film, in vectors of lanes.
     pub film: Vec<(L, L)>,
     /// Of rays that go on: the rays, in vectors of lanes.
+=======
+    /// Of rays from the camera: where within their pixels they go.
+    pub offsets: Option<Offsets>,
+    /// Of rays from mirrors: the rays, in vectors of lanes.
+>>>>>>> files5
     pub rays: Vec<Ray<L>>,
     /// Of rays that go on: the radiance that they bring, in vectors of lanes.
     pub radiance: Vec<Vec3<L>>,
@@ -95,8 +99,12 @@ impl<L: Lanes> Default for View<L> {
             missed: 0,
             groups: Vec::new(),
             lit: Vec::new(),
+<<<<<<< HEAD
             passed: Vec::new(),
             film: Vec::new(),
+=======
+            offsets: None,
+>>>>>>> files5
             rays: Vec::new(),
             radiance: Vec::new(),
         }
@@ -123,10 +131,10 @@ impl<L: Lanes> Prepared<'_, L> {
     /// Looks through one point of every pixel of a tile.
     pub(super) fn look(&self, sample: &Sample<'_>, view: &mut View<L>) {
         let tile = sample.tile;
-        let mut film = mem::take(&mut view.film);
-        self.film_into(sample, &mut film);
+        let offsets = sample.sampling.offsets(tile, sample.index);
         let mut directions = PacketVectors::ZERO;
-        for (first, &(x, y)) in (0..PACKET_RAYS).step_by(L::COUNT).zip(&film) {
+        for first in (0..PACKET_RAYS).step_by(L::COUNT) {
+            let (x, y) = self.film(tile, offsets.as_ref(), first);
             set_vectors::<L>(
                 &mut directions,
                 first,
@@ -139,11 +147,11 @@ impl<L: Lanes> Prepared<'_, L> {
         self.nearest_into(tile, &directions, wanted, &mut view.hits);
 
         let ray = |first: usize, alive: u32| {
-            let (x, y) = film[first / L::COUNT];
+            let (x, y) = self.film(tile, offsets.as_ref(), first);
             primary_ray::<L>(self.frame, repeated(x, alive), repeated(y, alive))
         };
         self.group(view, wanted, ray);
-        view.film = film;
+        view.offsets = offsets;
     }
 
     /// Gathers what the wanted rays of a packet meet. `ray` gives those from an index on; in lanes
@@ -232,32 +240,24 @@ impl<L: Lanes> Prepared<'_, L> {
         self.materials[material].specular == Vec3::<L::Element>::splat(Real::ZERO)
     }
 
-    /// Finds where rays meet the image plane.
+    /// Where the rays from `first` on meet the image plane.
     #[inline]
-    fn film_into(&self, sample: &Sample<'_>, film: &mut Vec<(L, L)>) {
-        let (tile, width, height) = (sample.tile, self.scene.width, self.scene.height);
-        // In halves of pixels from the middle of the image: whole numbers for middles of pixels, so
-        // exact.
-        let start =
-            |start: usize, size: u32| L::from_f64(2.0 * start as f64 + 1.0 - f64::from(size));
-        let (left, top) = (start(tile.left, width), start(tile.top, height));
-        let [to_width, to_height] = [width, height].map(|size| L::from_f64(1.0 / f64::from(size)));
-        film.clear();
-        film.extend(self.film_offsets.iter().map(|&(x, y)| (x + left, y + top)));
-        if sample.sampling != Sampling::Center {
-            let [right, down] = sample.sampling.offsets(tile, sample.index);
-            for (block, (x, y)) in film.iter_mut().enumerate() {
-                let twice = |offsets: &[f32; PACKET_RAYS]| {
-                    L::from_lanes(|lane| {
-                        let offset = offsets[block * L::COUNT + lane];
-                        <L::Element as Real>::from_f64(2.0 * f64::from(offset))
-                    })
-                };
-                *x = *x + twice(&right);
-                *y = *y + twice(&down);
-            }
-        }
-        film.iter_mut().for_each(|(x, y)| (*x, *y) = (*x * to_width, -(*y * to_height)));
+    pub(super) fn film(&self, tile: &Tile, offsets: Option<&Offsets>, first: usize) -> (L, L) {
+        let position = |middle: L, axis: usize, start: usize, size: u32| {
+            // In halves of pixels from the middle of the image: whole numbers for middles of pixels,
+            // so exact.
+            let start = L::from_f64(2.0 * start as f64 + 1.0 - f64::from(size));
+            let within = offsets.map_or(L::ZERO, |offsets| {
+                L::from_lanes(|lane| {
+                    let offset = offsets[axis][first + lane];
+                    <L::Element as Real>::from_f64(2.0 * f64::from(offset))
+                })
+            });
+            (middle + start + within) * L::from_f64(1.0 / f64::from(size))
+        };
+        let (x, y) = self.film_offsets[first / L::COUNT];
+        let (width, height) = (self.scene.width, self.scene.height);
+        (position(x, 0, tile.left, width), -position(y, 1, tile.top, height))
     }
 }
 

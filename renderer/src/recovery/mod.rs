@@ -15,6 +15,7 @@
 //! ```
 
 mod defaults;
+mod objective;
 
 use std::sync::{Arc, Mutex};
 
@@ -22,7 +23,8 @@ use std::sync::{Arc, Mutex};
 pub(crate) use defaults::domain;
 pub use defaults::natural_scale;
 
-use ad::lanes::{Lanes, f64x8};
+use ad::lanes::f64x8;
+use objective::{ImageObjective, assign};
 
 use crate::Error;
 use crate::arithmetic::{Arithmetic, with_arithmetic};
@@ -30,15 +32,14 @@ use crate::experiment::{Experiment, OptimizeSection, Target, TunedParameter};
 use crate::files::{LoadedImage, load_image};
 use crate::image::Image;
 use crate::integrator::{
-    GradientResult, NonFinite, Prepared, RenderSettings, Wanted, find_non_finite,
-    find_non_finite_radiance, gradient, gradient_of_finite, loss, render,
+    NonFinite, Prepared, RenderSettings, find_non_finite_radiance, loss, render,
 };
 use crate::loss::{ImageLoss, LossKind};
 use crate::optimize::{
     Evaluation, Fingerprint, Objective, Observer, Optimization, Optimizer, Outcome, Settings,
     Variable,
 };
-use crate::scene::{Invalid, ParameterId, Parameters, Scene};
+use crate::scene::{ParameterId, Parameters, Scene};
 
 /// Renders a scene, which has to be valid.
 pub fn render_at(arithmetic: Arithmetic, scene: &Scene) -> Image {
@@ -380,80 +381,5 @@ fn load_target(
             let image = render(&truth);
             Ok((LoadedImage { image, saturates: false }, Some(truth.parameters)))
         }
-    }
-}
-
-fn assign(parameters: &mut Parameters, ids: &[ParameterId], mut x: &[f64]) {
-    for &id in ids {
-        let values = parameters.get_mut(id);
-        let (mine, rest) = x.split_at(values.len());
-        values.copy_from_slice(mine);
-        x = rest;
-    }
-}
-
-/// The loss of the rendered image as a function of the parameters that vary.
-struct ImageObjective<'a, S: Lanes> {
-    recovery: &'a Recovery<'a>,
-    prepared: Prepared<'a, S>,
-    parameters: Parameters,
-    wanted: Wanted,
-}
-
-impl<'a, S: Lanes> ImageObjective<'a, S> {
-    fn new(recovery: &'a Recovery<'a>) -> Self {
-        Self {
-            recovery,
-            prepared: Prepared::with_settings(recovery.scene, recovery.settings),
-            parameters: recovery.scene.parameters.clone(),
-            wanted: Wanted::by(&recovery.ids),
-        }
-    }
-}
-
-impl<S: Lanes> ImageObjective<'_, S> {
-    /// The wanted elements of a gradient, one after the other.
-    fn evaluation(&self, result: &GradientResult) -> Evaluation {
-        let elements = self.recovery.ids.iter().flat_map(|&id| result.gradient.get(id));
-        Evaluation { loss: result.loss, gradient: elements.copied().collect() }
-    }
-
-    /// What is wrong with the parameters as they stand.
-    fn invalid(&self) -> Option<Invalid> {
-        self.recovery.scene.check_values(&self.parameters, &self.recovery.ids).err()
-    }
-}
-
-impl<S: Lanes> Objective for ImageObjective<'_, S> {
-    fn evaluate(&mut self, x: &[f64]) -> Evaluation {
-        assign(&mut self.parameters, &self.recovery.ids, x);
-        if self.invalid().is_some() {
-            return Evaluation { loss: f64::NAN, gradient: vec![f64::NAN; x.len()] };
-        }
-        self.prepared.set_parameters(&self.parameters);
-        let (recovery, loss) = (self.recovery, self.recovery.loss());
-        let evaluation = self.evaluation(&gradient(&self.prepared, &loss, self.wanted));
-        if evaluation.is_finite() || !recovery.allow_non_finite {
-            return evaluation;
-        }
-        let Some(found) = find_non_finite(&self.prepared, &loss, &recovery.ids) else {
-            return evaluation;
-        };
-        let result = gradient_of_finite(&self.prepared, &loss, self.wanted, &found);
-        if let Ok(mut left_out) = recovery.left_out.lock() {
-            *left_out = Some(found.to_string());
-        }
-        self.evaluation(&result)
-    }
-
-    fn explain(&mut self, x: &[f64]) -> Option<String> {
-        assign(&mut self.parameters, &self.recovery.ids, x);
-        if let Some(Invalid { path, problem }) = self.invalid() {
-            return Some(format!("{path} {problem}"));
-        }
-        self.prepared.set_parameters(&self.parameters);
-        let recovery = self.recovery;
-        let found = find_non_finite(&self.prepared, &recovery.loss(), &recovery.ids)?;
-        Some(found.to_string())
     }
 }

@@ -9,7 +9,7 @@ pub enum Axis {
     Engine,
     /// How it is found what pixels show.
     Visibility,
-    /// What happens to the tree when geometry moves.
+    /// How much work building the tree is, and what happens to it when geometry moves.
     Tree,
     /// How many mirrors light meets at most.
     Bounces,

@@ -6,6 +6,7 @@ use glam::DVec3;
 use super::axis::Axis;
 use super::engine::{Adjoint, Differences, Engine, Question, ReplayMode, Replayed};
 use super::measurement::Case;
+use crate::acceleration::Effort;
 use crate::accuracy::GradientMetric;
 use crate::arithmetic::{Arithmetic, with_arithmetic};
 use crate::integrator::{RenderSettings, Visibility};
@@ -85,9 +86,20 @@ pub(super) fn cases<'a>(
         use ParameterId::*;
         matches!(id, Vertices(_) | SphereCenter(_) | SphereRadius(_))
     };
-    if recovery.ids().iter().any(moves) {
-        let engine = Box::new(Adjoint::<f32x16>::new(question, true));
-        push(Axis::Tree, "built anew, f32x16".into(), engine, None);
+    let is_moving = recovery.ids().iter().any(moves);
+    for effort in Effort::ALL {
+        let settings = RenderSettings { effort, ..settings };
+        let mut tree = |rebuilds: bool, when: &str| {
+            let question = Question { settings, ..question };
+            let engine = Box::new(Adjoint::<f32x16>::new(question, rebuilds));
+            push(Axis::Tree, format!("{} effort{when}, f32x16", effort.name()), engine, None);
+        };
+        if effort != Effort::default() {
+            tree(false, "");
+        }
+        if is_moving {
+            tree(true, ", anew");
+        }
     }
     let is_mirror = |i: usize| scene.parameters.materials[i].reflection != DVec3::ZERO;
     let goes_on = |i: usize| is_mirror(i) || scene.materials[i].opacity.is_some();

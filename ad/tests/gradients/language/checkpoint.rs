@@ -368,3 +368,104 @@ fn loops_that_are_left_early() {
 fn loops_on_what_is_borrowed() {
     check!(borrowed(x, y) at [1.3, 0.7], [-0.4, 1.1]);
 }
+
+#[differentiable]
+fn halved(x: f64, y: f64) -> f64 {
+    let (mut a, mut b, mut count) = (x, y, 0_usize);
+    #[differentiable(checkpoint)]
+    while a > 0.05 && count < 40 {
+        count += 1;
+        if count % 3 == 0 {
+            b *= a.cos();
+            continue;
+        }
+        a *= 0.9;
+        b += a * y;
+        a += 0.001 * b * b;
+    }
+    a * b + b
+}
+
+#[differentiable]
+fn left_loops(x: f64, y: f64, n: usize) -> Option<f64> {
+    let mut a = x;
+    let mut i = 0;
+    let mut history = vec![x];
+    #[differentiable(checkpoint)]
+    'outer: loop {
+        i += 1;
+        a = (a * y + 0.3).sin() + 1.0;
+        let mut j = 0;
+        while j < 3 {
+            j += 1;
+            if i % 7 == 6 {
+                continue 'outer;
+            }
+            a += 0.1 * y;
+        }
+        history.push(a * y);
+        if i == n {
+            break;
+        }
+        if a > 100.0 {
+            return Some(a * a);
+        }
+        history[i / 2] *= y;
+        (a - 1.0).is_finite().then_some(())?;
+    }
+    Some(history.iter().map(|h| h * a).sum())
+}
+
+#[differentiable]
+fn matched_loop(x: f64, y: f64) -> f64 {
+    let mut left = vec![x, y, x * y, 0.5];
+    let mut sum = y;
+    #[differentiable(checkpoint)]
+    while let Some(last) = left.pop() {
+        sum = (sum * last + x).sin();
+        if sum > 0.9 && last > 0.2 {
+            left.push(0.3 * last);
+            sum *= 0.5;
+        }
+    }
+    sum
+}
+
+#[differentiable]
+impl Oscillator {
+    fn settle(&mut self, values: &mut [f64], limit: f64) {
+        let mut steps = 0;
+        #[differentiable(checkpoint)]
+        while self.velocity.abs() > limit && steps < 20 {
+            self.position += 0.1 * self.velocity;
+            self.velocity *= 0.8 + 0.01 * values[steps % values.len()];
+            values[steps % 2] += self.position;
+            steps += 1;
+        }
+    }
+}
+
+#[differentiable]
+fn settled(x: f64, y: f64) -> f64 {
+    let mut state = Oscillator { position: x, velocity: y };
+    let mut values = [x, 0.2, y];
+    state.settle(&mut values, 0.05);
+    state.position * state.velocity + values[0] * values[1] * values[2]
+}
+
+#[differentiable]
+fn left(x: f64, y: f64) -> f64 {
+    let mut sum: f64 = 0.0;
+    for n in [1, 2, 5, 12, 33, 70] {
+        sum += left_loops(x, y, n).unwrap_or(x * y) * (1.0 + 0.01 * sum).cos() / n as f64;
+    }
+    sum
+}
+
+#[test]
+fn loops_under_conditions() {
+    check!(halved(x, y) at [1.3, 0.7], [0.4, -0.3], [0.01, 2.0]);
+    check!(left(x, y) at [1.3, 0.7], [0.4, -0.3]);
+    check!(matched_loop(x, y) at [1.3, 0.7], [0.4, -0.3]);
+    check!(settled(x, y) at [1.3, 0.7], [0.4, -0.3], [0.4, 0.01]);
+}

@@ -2,7 +2,7 @@
 
 use ad::{Differentiable, Real, differentiable};
 
-use crate::oracle::{assert_gradient, check_generic_reverse, check_reverse};
+use crate::oracle::{assert_forward, assert_gradient, check, check_generic};
 
 /// Simpson's rule.
 #[differentiable]
@@ -187,17 +187,41 @@ fn adaptive(x: f64, y: f64) -> f64 {
     recursive(|t: f64| (x * t * t).sin() * y, 0.0, y, 5)
 }
 
+/// Functions that are passed where no derivative flows back.
+#[differentiable]
+fn unused<F: Fn(f64) -> f64 + Copy>(f: &F, x: f64, y: f64) -> f64 {
+    let g = |t: f64| t * y;
+    let _ = twice(&g, x) + twice(f, y) + integrate(*f, x, y);
+    let mut sum = twice(f, x);
+    #[differentiable(checkpoint)]
+    for i in 0..3 {
+        let h = |t: f64| (t + y * i as f64).sin();
+        let unread = twice(&h, sum);
+        if unread > 10.0 {
+            break;
+        }
+        sum += twice(&h, x) * integrate(h, 0.0, y);
+    }
+    sum
+}
+
+#[differentiable]
+fn uses_unused(x: f64, y: f64) -> f64 {
+    unused(&|t: f64| t * t * x, x, y)
+}
+
 #[test]
 fn closures_as_arguments() {
-    check_reverse!(captured_numbers(x, y) at [1.3, 0.7], [-0.4, 2.1]);
-    check_reverse!(roots(x, y) at [1.3, 0.7], [0.4, 2.1]);
-    check_reverse!(oscillator(x, y) at [1.3, 0.7], [0.4, 2.1]);
-    check_reverse!(outermost(x, y) at [1.3, 0.7], [-0.4, 2.1]);
-    check_reverse!(within_loops(x, y) at [1.3, 0.7], [-0.4, 2.1]);
-    check_reverse!(partial(x, y) at [0.3, 0.7], [0.9, 0.4], [0.4, 2.1]);
-    check_reverse!(nothing_captured(x, y) at [1.3, 0.7], [-0.4, 2.1]);
-    check_reverse!(adaptive(x, y) at [1.3, 0.7], [-0.4, 2.1]);
-    check_generic_reverse!(generic_call(x, y) at [1.3, 0.7], [-0.4, 2.1]);
+    check!(uses_unused(x, y) at [1.3, 0.7], [0.4, 2.1]);
+    check!(captured_numbers(x, y) at [1.3, 0.7], [-0.4, 2.1]);
+    check!(roots(x, y) at [1.3, 0.7], [0.4, 2.1]);
+    check!(oscillator(x, y) at [1.3, 0.7], [0.4, 2.1]);
+    check!(outermost(x, y) at [1.3, 0.7], [-0.4, 2.1]);
+    check!(within_loops(x, y) at [1.3, 0.7], [-0.4, 2.1]);
+    check!(partial(x, y) at [0.3, 0.7], [0.9, 0.4], [0.4, 2.1]);
+    check!(nothing_captured(x, y) at [1.3, 0.7], [-0.4, 2.1]);
+    check!(adaptive(x, y) at [1.3, 0.7], [-0.4, 2.1]);
+    check_generic!(generic_call(x, y) at [1.3, 0.7], [-0.4, 2.1]);
 }
 
 #[test]
@@ -211,4 +235,11 @@ fn captured_structs() {
     let (by_spline, by_weights, by_y, ()) = of_methods::grad(&spline, &[0.9, 0.3], 1.1, 2);
     let gradient = [&by_spline.knots[..], &[by_spline.scale], &by_weights, &[by_y]].concat();
     assert_gradient("of_methods", primal, &point, &gradient);
+    let forward = |p: &[f64], d: &[f64]| {
+        let spline = |p: &[f64]| Spline { knots: p[..3].to_vec(), scale: p[3] };
+        let (along, [a, b, y]) = (spline(d), [d[4], d[5], d[6]]);
+        let along = SplineTangent { knots: along.knots, scale: along.scale };
+        of_methods::jvp(&spline(p), &[p[4], p[5]], p[6], 2, &along, &[a, b], y, ())
+    };
+    assert_forward("of_methods", forward, &point, primal(&point), &gradient);
 }

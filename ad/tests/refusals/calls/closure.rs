@@ -1,13 +1,19 @@
-use ad::differentiable;
+use ad::{Differentiable, differentiable};
+
+#[derive(Differentiable)]
+struct Scaled(f64);
+
+#[differentiable]
+impl Scaled {
+    fn applied(&self, g: impl Fn(f64) -> f64) -> f64 {
+        self.0 * g(self.0)
+    }
+}
 
 #[differentiable]
 fn f(x: f64) -> f64 {
     let square = |t: f64| t * t;
-    applied(square, x) + applied(|t| t + x, x)
-}
-
-fn applied(g: impl Fn(f64) -> f64, x: f64) -> f64 {
-    g(x)
+    Scaled(x).applied(square) + Scaled(x).applied(|t| t + x)
 }
 
 fn main() {

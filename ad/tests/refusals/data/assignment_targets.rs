@@ -5,7 +5,12 @@ fn f(x: f64, y: f64) -> f64 {
     let (mut a, mut b) = (x, y);
     (a, b) = (b, a);
     let c;
-    c = a * b;
+    'outer: loop {
+        loop {
+            c = a * b;
+            break 'outer;
+        }
+    }
     let part = [a, b, c];
     part[1]
 }

@@ -1,4 +1,4 @@
-use Shape::{Disc, Point};
+use Shape::Disc;
 use ad::{Differentiable, differentiable};
 
 #[derive(Clone, Copy, Differentiable)]
@@ -10,8 +10,17 @@ enum Shape {
 #[differentiable]
 fn f(shape: Shape) -> f64 {
     match shape {
+        Disc(1.0) => 2.0,
         Disc(radius) => radius * radius,
-        Point => 0.0,
+        Shape::Point => 0.0,
+    }
+}
+
+#[differentiable]
+fn one_name_alone(shapes: [Shape; 2]) -> f64 {
+    match shapes {
+        [Disc(radius), _] => radius * radius,
+        _ => 0.0,
     }
 }
 
@@ -20,6 +29,4 @@ union Bits {
     float: f64,
 }
 
-fn main() {
-    f::grad(Disc(1.0));
-}
+fn main() {}

@@ -33,14 +33,16 @@ proptest! {
         let scale = 10.0_f32.powi(exponent);
         let shapes: Vec<_> = shapes.into_iter().map(|shape| scaled(shape, scale)).collect();
         let (origin, limit) = (origin * scale, limit * scale);
-        let tree = Acceleration::new(&shapes);
+        let trees = Effort::ALL.map(|effort| Acceleration::with_effort(&shapes, effort));
         for direction in directions {
             let Some(direction) = direction.try_normalize() else { continue };
-            let expected = brute_force(&shapes, origin, direction);
-            let found = tree.nearest(origin, direction);
-            prop_assert_eq!(found.map(|hit| hit.distance), expected.map(|(_, distance)| distance));
-            let blocked = expected.is_some_and(|(_, distance)| distance < limit);
-            prop_assert_eq!(tree.is_occluded(origin, direction, limit, None), blocked);
+            let expected = brute_force(&shapes, origin, direction).map(|(_, distance)| distance);
+            let blocked = expected.is_some_and(|distance| distance < limit);
+            for tree in &trees {
+                let found = tree.nearest(origin, direction);
+                prop_assert_eq!(found.map(|hit| hit.distance), expected);
+                prop_assert_eq!(tree.is_occluded(origin, direction, limit, None), blocked);
+            }
         }
     }
 }

@@ -71,6 +71,17 @@ fn a_scene_is_measured_along_every_axis_that_it_has() {
     assert_eq!(settings(Axis::Engine).len(), 3);
     assert_eq!(settings(Axis::Visibility).len(), 2);
     assert_eq!(settings(Axis::Bounces).len(), 2);
+    let moves = recovery.ids().iter().any(|id| {
+        matches!(
+            id,
+            crate::scene::ParameterId::SphereCenter(_) | crate::scene::ParameterId::SphereRadius(_)
+        )
+    });
+    assert_eq!(settings(Axis::Tree).len(), if moves { 5 } else { 2 });
+    // Trees find the same, whatever they cost.
+    for tree in settings(Axis::Tree) {
+        assert_eq!(tree.gradient_error, settings(Axis::Arithmetic)[2].gradient_error, "{tree:?}");
+    }
     assert_eq!(settings(Axis::SingleDifferences).len(), 12);
     assert!(measurements.iter().all(|m| m.seconds > 0.0 && m.runs >= 1));
     // Single precision is off by rounding, and by much more than double precision.

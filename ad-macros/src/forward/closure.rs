@@ -1,0 +1,74 @@
+//! Closures that are passed to functions: objects that hold the tangents of what they capture (see
+//! `ad::function`).
+
+use proc_macro2::{Ident, Span, TokenStream};
+use quote::quote;
+use syn::Member;
+
+use super::function::tangent_type;
+use super::{Forward, Tangent, Writer, forward};
+use crate::ir::{Closure, Place};
+use crate::passing;
+use crate::sweep;
+
+impl Writer<'_> {
+    /// A closure as an object.
+    pub(super) fn object(&mut self, closure: &Closure) -> TokenStream {
+        let Closure { captures, parameters, function, typed_by } = closure;
+        let names = ["captured", "captured_dots", "dots", "result", "result_dot"];
+        let [captured, captured_dots, dots, value, dot] =
+            names.map(|name| self.names.fresh(name, Span::mixed_site()));
+        let Forward { tangents, statements, result } = forward(function, parameters, self.names);
+        let (plain, plain_value) = sweep::primal(function, parameters, self.names);
+
+        let (references, arguments) = parameters.split_at(captures.len());
+        let (reference_dots, argument_dots) = tangents.split_at(captures.len());
+        let copies = captures.iter().map(|(copy, _)| copy);
+        let held = captures.iter().enumerate().map(|(index, (_, place))| {
+            let is_active = function.vars[function.parameters[index].var].active;
+            match is_active && references[index].arity.is_none() {
+                true => self.captured_tangent(&captured, index, place),
+                false => quote!(()),
+            }
+        });
+        let held: Vec<_> = held.collect();
+        let idents = |parameters: &[crate::signature::Parameter]| -> Vec<Ident> {
+            parameters.iter().map(|parameter| parameter.ident.clone()).collect()
+        };
+        let (references, names) = (idents(references), idents(arguments));
+        let types = arguments.iter().map(|argument| &argument.ty);
+        let dot_types = arguments.iter().map(tangent_type);
+        let make = match typed_by {
+            Some(typed_by) => passing::forward(typed_by),
+            None => quote!(::ad::function::forward),
+        };
+        quote! {{
+            use ::std::borrow::ToOwned as _;
+            let #captured = (#(#copies,)*);
+            let #captured_dots = (#(#held,)*);
+            #make(
+                move |(#(#names,)*): (#(#types,)*), #dots: ::core::option::Option<(#(#dot_types,)*)>| {
+                    let (#(#references,)*) = &#captured;
+                    let ::core::option::Option::Some((#(#argument_dots,)*)) = #dots else {
+                        #plain
+                        return (#plain_value, ::core::option::Option::None);
+                    };
+                    let (#(#reference_dots,)*) = &#captured_dots;
+                    #statements
+                    let (#value, #dot) = #result;
+                    (#value, ::core::option::Option::Some(#dot))
+                },
+            )
+        }}
+    }
+
+    /// The tangent of what is captured, to be owned.
+    fn captured_tangent(&mut self, captured: &Ident, index: usize, place: &Place) -> TokenStream {
+        let member = Member::from(index);
+        if self.tangents[place.root] == Tangent::Still {
+            return quote!(::ad::rt::zero_like(&#captured.#member));
+        }
+        let tangent = self.shared(place);
+        quote!(::ad::rt::read(&#captured.#member, #tangent))
+    }
+}

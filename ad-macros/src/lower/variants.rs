@@ -1,0 +1,225 @@
+//! Which names of constructors mean variants of an enum where the enum is not named with them.
+//!
+//! `Disc(r)` may be a tuple struct or, behind `use Shape::*`, a variant of an enum, and the cotangent
+//! of `r` lies in another place then. What stands around it tells: a value that other constructors
+//! match too, or that may be none of this one, is that of an enum. A guess that is wrong does not
+//! compile, for the field of the tangent that it names is not there.
+
+use std::collections::HashSet;
+
+use syn::visit::{self, Visit};
+use syn::{Block, Expr, ExprLet, Local, Pat, Path, Type, UseTree};
+
+use super::construct::is_type_name;
+
+/// The names that mean variants in a function with this body, and these types in its signature.
+pub fn of<'t>(types: impl IntoIterator<Item = &'t Type>, body: &Block) -> HashSet<String> {
+    let mut variants = Variants::default();
+    types.into_iter().for_each(|ty| variants.visit_type(ty));
+    variants.visit_block(body);
+    let Variants { mut known, constructors, types, imports_all } = variants;
+    if imports_all {
+        known.extend(constructors);
+    }
+    // A variant is no type.
+    known.retain(|name| !types.contains(name));
+    known
+}
+
+#[derive(Default)]
+struct Variants {
+    /// The names found.
+    known: HashSet<String>,
+    /// The constructors that are used without an enum.
+    constructors: HashSet<String>,
+    /// The names of types.
+    types: HashSet<String>,
+    /// Whether there is a `use Enum::*` in the function.
+    imports_all: bool,
+}
+
+impl Variants {
+    /// Looks through the patterns that one value is matched against, in their order. `is_partial`
+    /// says that something follows for a value that none of them matches.
+    fn patterns(&mut self, pats: &[&Pat], is_partial: bool) {
+        self.column(pats);
+        // What matches every value if its constructors are those of structs, and yet is not the last.
+        let last = if is_partial { pats.len() } else { pats.len().saturating_sub(1) };
+        for pat in &pats[..last] {
+            let mut names = Vec::new();
+            if is_whole(pat, &mut names) {
+                names.dedup();
+                if let [name] = &names[..] {
+                    self.known.insert(name.clone());
+                }
+            }
+        }
+    }
+
+    /// Looks for values that several constructors match.
+    fn column(&mut self, pats: &[&Pat]) {
+        let mut alternatives = Vec::new();
+        pats.iter().for_each(|pat| flatten(pat, &mut alternatives));
+        let constructors: Vec<_> = alternatives.iter().filter_map(|pat| constructor(pat)).collect();
+        let mut names: Vec<_> = constructors.iter().map(|(name, _)| name).collect();
+        names.sort();
+        names.dedup();
+        if names.len() > 1 {
+            let bare = constructors.iter().filter(|(_, is_bare)| *is_bare);
+            self.known.extend(bare.map(|(name, _)| name.clone()));
+        }
+        for (name, _) in &constructors {
+            let same = alternatives.iter().filter_map(|pat| match pat {
+                Pat::TupleStruct(pattern) if last_name(&pattern.path) == *name => {
+                    Some(&pattern.elems)
+                }
+                _ => None,
+            });
+            self.columns(&same.collect::<Vec<_>>());
+        }
+        let tuples = alternatives.iter().filter_map(|pat| match pat {
+            Pat::Tuple(tuple) => Some(&tuple.elems),
+            _ => None,
+        });
+        self.columns(&tuples.collect::<Vec<_>>());
+    }
+
+    /// The same for the parts of a value.
+    fn columns(&mut self, rows: &[&syn::punctuated::Punctuated<Pat, syn::Token![,]>]) {
+        let Some(width) = rows.first().map(|row| row.len()) else { return };
+        let has_rest = |pat: &Pat| matches!(pat, Pat::Rest(_));
+        if rows.iter().any(|row| row.len() != width || row.iter().any(has_rest)) {
+            return;
+        }
+        for index in 0..width {
+            let column: Vec<_> = rows.iter().map(|row| &row[index]).collect();
+            self.column(&column);
+        }
+    }
+
+    /// Notes a constructor in an expression.
+    fn used(&mut self, path: &Path) {
+        if let Some(name) = path.get_ident()
+            && is_type_name(name)
+        {
+            self.constructors.insert(name.to_string());
+        }
+    }
+
+    fn imported(&mut self, tree: &UseTree) {
+        match tree {
+            UseTree::Path(path) => self.imported(&path.tree),
+            UseTree::Group(group) => group.items.iter().for_each(|tree| self.imported(tree)),
+            UseTree::Name(name) => self.known.extend([name.ident.to_string()]),
+            UseTree::Glob(_) => self.imports_all = true,
+            UseTree::Rename(_) => {}
+        }
+    }
+}
+
+impl<'ast> Visit<'ast> for Variants {
+    fn visit_expr_match(&mut self, branch: &'ast syn::ExprMatch) {
+        self.patterns(&branch.arms.iter().map(|arm| &arm.pat).collect::<Vec<_>>(), false);
+        visit::visit_expr_match(self, branch);
+    }
+
+    fn visit_expr_let(&mut self, condition: &'ast ExprLet) {
+        self.patterns(&[&condition.pat], true);
+        visit::visit_expr_let(self, condition);
+    }
+
+    fn visit_local(&mut self, local: &'ast Local) {
+        let is_partial = local.init.as_ref().is_some_and(|init| init.diverge.is_some());
+        self.patterns(&[&local.pat], is_partial);
+        visit::visit_local(self, local);
+    }
+
+    fn visit_type_path(&mut self, path: &'ast syn::TypePath) {
+        self.types.insert(last_name(&path.path));
+        visit::visit_type_path(self, path);
+    }
+
+    fn visit_expr_call(&mut self, call: &'ast syn::ExprCall) {
+        if let Expr::Path(path) = &*call.func {
+            self.used(&path.path);
+        }
+        visit::visit_expr_call(self, call);
+    }
+
+    fn visit_expr_struct(&mut self, literal: &'ast syn::ExprStruct) {
+        self.used(&literal.path);
+        visit::visit_expr_struct(self, literal);
+    }
+
+    fn visit_pat(&mut self, pat: &'ast Pat) {
+        if let Some((name, true)) = constructor(pat) {
+            self.constructors.insert(name);
+        }
+        visit::visit_pat(self, pat);
+    }
+
+    fn visit_item_use(&mut self, import: &'ast syn::ItemUse) {
+        // Of an enum, which has the name of a type.
+        if let UseTree::Path(path) = &import.tree {
+            let mut tree = &*path.tree;
+            let mut owner = &path.ident;
+            while let UseTree::Path(path) = tree {
+                (owner, tree) = (&path.ident, &*path.tree);
+            }
+            if is_type_name(owner) {
+                self.imported(tree);
+            }
+        }
+    }
+}
+
+/// The alternatives of a pattern, without what does not tell constructors apart.
+fn flatten<'p>(pat: &'p Pat, into: &mut Vec<&'p Pat>) {
+    match pat {
+        Pat::Paren(inner) => flatten(&inner.pat, into),
+        Pat::Reference(inner) => flatten(&inner.pat, into),
+        Pat::Type(inner) => flatten(&inner.pat, into),
+        Pat::Guard(inner) => flatten(&inner.pat, into),
+        Pat::Ident(syn::PatIdent { subpat: Some((_, inner)), .. }) => flatten(inner, into),
+        Pat::Or(or) => or.cases.iter().for_each(|case| flatten(case, into)),
+        pat => into.push(pat),
+    }
+}
+
+/// The name of the constructor that a pattern asks for, and whether it stands alone.
+fn constructor(pat: &Pat) -> Option<(String, bool)> {
+    let of_path = |path: &Path| (last_name(path), path.segments.len() == 1);
+    match pat {
+        Pat::TupleStruct(pattern) => Some(of_path(&pattern.path)),
+        Pat::Struct(pattern) => Some(of_path(&pattern.path)),
+        Pat::Path(path) => Some(of_path(&path.path)),
+        Pat::Ident(ident) if is_type_name(&ident.ident) => Some((ident.ident.to_string(), true)),
+        _ => None,
+    }
+}
+
+fn last_name(path: &Path) -> String {
+    path.segments.last().map(|last| last.ident.to_string()).unwrap_or_default()
+}
+
+/// Whether a pattern matches every value of its type, if its constructors, which are noted, are those
+/// of structs.
+fn is_whole(pat: &Pat, names: &mut Vec<String>) -> bool {
+    match pat {
+        Pat::Wild(_) | Pat::Rest(_) => true,
+        Pat::Ident(ident) => ident.subpat.is_none() && !is_type_name(&ident.ident),
+        Pat::Paren(inner) => is_whole(&inner.pat, names),
+        Pat::Reference(inner) => is_whole(&inner.pat, names),
+        Pat::Type(inner) => is_whole(&inner.pat, names),
+        Pat::Tuple(tuple) => tuple.elems.iter().all(|part| is_whole(part, names)),
+        Pat::TupleStruct(pattern) if pattern.path.segments.len() == 1 => {
+            names.push(last_name(&pattern.path));
+            pattern.elems.iter().all(|part| is_whole(part, names))
+        }
+        Pat::Struct(pattern) if pattern.path.segments.len() == 1 => {
+            names.push(last_name(&pattern.path));
+            pattern.fields.iter().all(|field| is_whole(&field.pat, names))
+        }
+        _ => false,
+    }
+}

@@ -1,0 +1,101 @@
+//! The functions that make objects of closures without types: `f::argument_0`.
+//!
+//! A closure gets the types of its parameters from a bound on what it is passed to, if the bound is one
+//! of `Fn` itself. So a function of functions brings one for each of these, with the types that it
+//! states, in each mode.
+
+use proc_macro2::{Ident, TokenStream};
+use quote::{ToTokens, format_ident, quote};
+use syn::spanned::Spanned;
+use syn::{GenericParam, Type, WherePredicate};
+
+use crate::elision;
+use crate::expand::{Function, own};
+use crate::forward;
+use crate::ir::TypedBy;
+use crate::signature::Parameter;
+
+/// The path of the function that makes an object of a closure for reverse mode.
+pub fn reverse(TypedBy { function, index }: &TypedBy) -> TokenStream {
+    let name = format_ident!("argument_{index}", span = function.span());
+    quote!(#function::#name)
+}
+
+/// The same for forward mode.
+pub fn forward(TypedBy { function, index }: &TypedBy) -> TokenStream {
+    let name = format_ident!("argument_{index}_forward", span = function.span());
+    quote!(#function::#name)
+}
+
+/// The functions for the parameters of `function` that are functions.
+pub fn functions(function: &Function<'_>, parameters: &[Parameter]) -> TokenStream {
+    let of_parameter = |(index, parameter): (usize, &Parameter)| {
+        let arguments = function.callables.arguments(&parameter.ty)?;
+        Some(for_parameter(function, index, arguments))
+    };
+    parameters.iter().enumerate().filter_map(of_parameter).collect()
+}
+
+fn for_parameter(function: &Function<'_>, index: usize, arguments: &[Type]) -> TokenStream {
+    let generics = &function.callables.signature.generics;
+    let is_function = |name: &Ident| function.callables.types().any(|function| function == name);
+    let plain: Vec<_> = generics
+        .params
+        .iter()
+        .filter(|parameter| !matches!(parameter, GenericParam::Type(ty) if is_function(&ty.ident)))
+        .collect();
+    let predicates = generics.where_clause.iter().flat_map(|clause| &clause.predicates);
+    let predicates: Vec<_> = predicates
+        .filter(|predicate| match predicate {
+            WherePredicate::Type(predicate) => match &predicate.bounded_ty {
+                Type::Path(path) => !path.path.get_ident().is_some_and(is_function),
+                _ => true,
+            },
+            _ => true,
+        })
+        .collect();
+    let lifetime = elision::lifetime();
+    let types: Vec<_> = arguments.iter().map(|ty| elision::named(ty).0).collect();
+    let dots = types.iter().map(forward::tangent_of_type);
+    let [reverse, forward] =
+        [format_ident!("argument_{index}"), format_ident!("argument_{index}_forward")];
+    let (captured, closure) = (own("captured"), own("closure"));
+    let cfgs = function.attributes.iter().filter(|attribute| attribute.path().is_ident("cfg"));
+    let cfgs: Vec<_> = cfgs.map(ToTokens::to_token_stream).collect();
+    let reverse_only = function.options.reverse || function.options.jvp.is_some();
+    let forward = (!reverse_only).then(|| {
+        quote! {
+            #(#cfgs)*
+            #[doc(hidden)]
+            #[inline(always)]
+            pub fn #forward<#(#plain,)* __Result, __Tangent, __Closure>(
+                #closure: __Closure,
+            ) -> ::ad::function::ForwardClosure<__Closure>
+            where
+                #(#predicates,)*
+                __Closure: for<#lifetime> Fn((#(#types,)*), ::core::option::Option<(#(#dots,)*)>)
+                    -> (__Result, ::core::option::Option<__Tangent>),
+            {
+                ::ad::function::forward(#closure)
+            }
+        }
+    });
+    quote! {
+        #(#cfgs)*
+        #[doc(hidden)]
+        #[inline(always)]
+        pub fn #reverse<#(#plain,)* __Tangents: ::ad::Additive, __Result, __Pullback, __Closure>(
+            #captured: ::ad::function::Captured<__Tangents>,
+            #closure: __Closure,
+        ) -> ::ad::function::Closure<__Tangents, __Closure>
+        where
+            #(#predicates,)*
+            __Closure: for<#lifetime> Fn(bool, (#(#types,)*))
+                -> (__Result, ::core::option::Option<__Pullback>),
+        {
+            #captured.closure(#closure)
+        }
+
+        #forward
+    }
+}

@@ -1,0 +1,127 @@
+//! Variants without the name of their enum, and structs that look like them.
+
+use ad::{Differentiable, differentiable};
+
+use self::Shape::*;
+use crate::oracle::check;
+
+#[derive(Clone, Copy, Differentiable)]
+enum Shape {
+    Disc(f64),
+    Rect { width: f64, height: f64 },
+    Ring(f64, f64),
+    Empty,
+}
+
+#[derive(Clone, Copy, Differentiable)]
+struct Point(f64, f64);
+
+#[derive(Clone, Copy, Differentiable)]
+struct Extent {
+    lo: f64,
+    hi: f64,
+}
+
+#[differentiable]
+fn area(shape: &Shape) -> f64 {
+    match shape {
+        Disc(r) => 3.0 * r * r,
+        Rect { width, height } => width * height,
+        Ring(outer, inner) => 3.0 * (outer * outer - inner * inner),
+        Empty => 0.0,
+    }
+}
+
+#[differentiable]
+fn grown(shape: Shape, by: f64) -> Shape {
+    match shape {
+        Disc(r) => Ring(r + by, r),
+        Rect { width, .. } => Rect { width: width * by, height: by },
+        Ring(outer, _) => Disc(outer * by),
+        empty @ Empty => empty,
+    }
+}
+
+#[differentiable]
+fn one_of_them(shape: Shape, y: f64) -> f64 {
+    let Disc(r) = shape else { return y * y };
+    let mut sum = r * y;
+    if let Disc(r) = shape
+        && r > 0.5
+    {
+        sum += r * r;
+    }
+    let mut shape = shape;
+    while let Disc(r) = shape {
+        shape = if r < 0.1 { Empty } else { Disc(r * 0.5 - 0.1) };
+        sum *= r;
+    }
+    sum
+}
+
+#[differentiable]
+fn pairs(a: Shape, b: Shape) -> f64 {
+    match (a, &b) {
+        (Disc(r) | Ring(r, _), Disc(s)) => r * s,
+        (Rect { width: w, .. }, Rect { height: h, .. }) => w * h * h,
+        (Disc(r), Empty) => r,
+        (Empty | Disc(_), _) => 1.0,
+        (a, b) => area(&a) * area(b),
+    }
+}
+
+#[differentiable]
+fn structs(x: f64, y: f64) -> f64 {
+    let Point(a, b) = Point(x * y, y);
+    let Extent { lo, .. } = Extent { lo: a, hi: b };
+    let nearer = match Point(a, lo) {
+        Point(x, y) if x > y => x,
+        Point(x, y) => x * y,
+    };
+    nearer * b
+}
+
+#[differentiable]
+fn imported_within(x: f64, y: f64) -> f64 {
+    use self::Shape::{Disc, Ring};
+    let shape = if x > y { Disc(x * y) } else { Ring(y, x) };
+    area(&shape) + area(&Disc(y))
+}
+
+#[differentiable]
+fn shapes(x: f64, y: f64) -> f64 {
+    let all =
+        [Shape::Disc(x), Shape::Rect { width: x, height: y }, Shape::Ring(x * y, y), Shape::Empty];
+    let mut sum = structs(x, y) + imported_within(x, y) * imported_within(y, x);
+    for (i, &a) in all.iter().enumerate() {
+        let b = grown(a, y);
+        sum += area(&b) * (i + 1) as f64 + one_of_them(b, x) + one_of_them(a, y);
+        for &c in &all {
+            sum *= 1.0 + 0.01 * pairs(a, c);
+        }
+    }
+    sum
+}
+
+/// What is left out at the end of patterns of items.
+#[differentiable]
+fn items(x: f64, y: f64) -> f64 {
+    let points = [(x, y, 1.0), (y, x * y, 2.0)];
+    let mut sum = 0.0;
+    for &(a, ..) in &points {
+        sum += a * a;
+    }
+    for (a, b, ..) in points.iter() {
+        sum += a * b;
+    }
+    let extents = [Extent { lo: x, hi: y }; 2];
+    sum * points.iter().map(|(a, ..)| a * x).sum::<f64>()
+        + extents.iter().map(|Extent { hi, .. }| hi * y).sum::<f64>()
+        + [[x, y, x], [y, y, x]].iter().map(|[a, b, ..]| a * b).sum::<f64>()
+}
+
+#[test]
+fn variants_by_their_name_alone() {
+    check!(shapes(x, y) at [1.3, 0.7], [0.47, 0.9]);
+    check!(items(x, y) at [1.3, 0.7]);
+}
