@@ -123,7 +123,6 @@ impl<'a, L: Lanes> Shaded<'a, L> {
         self.seen(self.radiance_by(self.lights))
     }
 
-<<<<<<< HEAD
     /// The radiance of the pixels whose surfaces show `own`, with what is seen through them.
     #[inline(always)]
     pub fn seen(&self, own: Vec3<L>) -> Vec3<L> {
@@ -151,12 +150,7 @@ impl<'a, L: Lanes> Shaded<'a, L> {
     }
 
     /// The radiance of the surfaces themselves under the first of the lights alone.
-    // A call would move more than it computes.
-    #[inline(always)]
-=======
-    /// The radiance under the first of the lights alone.
     #[inline]
->>>>>>> files5
     fn radiance_by(&self, lights: &[Light<L>]) -> Vec3<L> {
         let mut total = self.own_radiance();
         for (index, light) in lights.iter().enumerate() {

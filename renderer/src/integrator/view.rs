@@ -30,17 +30,11 @@ pub(super) struct View<L: Lanes> {
     pub groups: Vec<Group<L>>,
     /// By light: the rays that end where it shines.
     pub lit: Vec<Lit>,
-<<<<<<< HEAD
     /// By light: what transparent surfaces leave of it; empty if there are none.
     pub passed: Vec<Passed<L>>,
-    /// Of rays from the camera: where they meet the film, in vectors of lanes.
-    pub film: Vec<(L, L)>,
-    /// Of rays that go on: the rays, in vectors of lanes.
-=======
     /// Of rays from the camera: where within their pixels they go.
     pub offsets: Option<Offsets>,
-    /// Of rays from mirrors: the rays, in vectors of lanes.
->>>>>>> files5
+    /// Of rays that go on: the rays, in vectors of lanes.
     pub rays: Vec<Ray<L>>,
     /// Of rays that go on: the radiance that they bring, in vectors of lanes.
     pub radiance: Vec<Vec3<L>>,
@@ -99,12 +93,8 @@ impl<L: Lanes> Default for View<L> {
             missed: 0,
             groups: Vec::new(),
             lit: Vec::new(),
-<<<<<<< HEAD
             passed: Vec::new(),
-            film: Vec::new(),
-=======
             offsets: None,
->>>>>>> files5
             rays: Vec::new(),
             radiance: Vec::new(),
         }
