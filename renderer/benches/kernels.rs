@@ -13,7 +13,7 @@ use renderer::kernels::material::{Material, reflection_of_point_light};
 use renderer::kernels::triangle::triangle_surface;
 
 use super::adjoint::{self, Cotangents};
-use super::timing::{median, repeated};
+use super::timing::{median, seconds};
 
 #[differentiable]
 fn pixel<S: Real>(
@@ -197,4 +197,13 @@ fn other_ways() {
         tape / value,
         differences / value
     );
+}
+
+/// How long so many runs take.
+fn repeated<T>(times: u32, run: impl Fn() -> T) -> f64 {
+    seconds(|| {
+        for _ in 0..times {
+            black_box(run());
+        }
+    })
 }

@@ -1,7 +1,8 @@
 //! What things cost, as ratios within one run.
 //!
-//! `cargo bench -p renderer -- [kernels | images | rays | scaling] [ARGUMENT ..]`; without a subject
-//! all but `scaling`, which takes minutes.
+//! `cargo bench -p renderer -- [kernels | images | rays | scaling | requests] [ARGUMENT ..]`; without
+//! a subject all but `scaling`, which takes minutes. `requests` is in `features`, which is built
+//! without features of the crate, too.
 
 mod adjoint;
 mod images;
@@ -28,6 +29,10 @@ fn main() {
             images::run(&[]);
             rays::run(&[]);
         }
-        other => eprintln!("error: no subject `{other}`: kernels, images, rays or scaling"),
+        // Those of `features`.
+        "requests" | "plain" => {}
+        other => {
+            eprintln!("error: no subject `{other}`: kernels, images, rays, scaling or requests");
+        }
     }
 }

@@ -10,15 +10,6 @@ pub fn seconds<T>(run: impl FnOnce() -> T) -> f64 {
     start.elapsed().as_secs_f64()
 }
 
-/// How long so many runs take.
-pub fn repeated<T>(times: u32, run: impl Fn() -> T) -> f64 {
-    seconds(|| {
-        for _ in 0..times {
-            black_box(run());
-        }
-    })
-}
-
 /// The middle one.
 pub fn median(mut samples: Vec<f64>) -> f64 {
     samples.sort_by(f64::total_cmp);
