@@ -74,6 +74,7 @@ fn bytes(gradient: &Parameters) -> usize {
         camera,
         lights,
         materials,
+        opacities,
         spheres,
         vertices,
         texture_coordinates,
@@ -84,6 +85,7 @@ fn bytes(gradient: &Parameters) -> usize {
     size_of_val(camera)
         + size_of_val(&lights[..])
         + size_of_val(&materials[..])
+        + size_of_val(&opacities[..])
         + size_of_val(&spheres[..])
         + vertices.iter().map(|list| size_of_val(&list[..])).sum::<usize>()
         + texture_coordinates.iter().map(|list| size_of_val(&list[..])).sum::<usize>()
