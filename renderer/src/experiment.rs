@@ -6,7 +6,7 @@
 //! degrees; unknown fields are refused.
 //!
 //! ```toml
-//! bounces = 4                 # the default: how many mirrors light meets at most
+//! bounces = 4                 # the default: how many mirrors and transparent surfaces a ray meets at most
 //!
 //! [camera]
 //! look_from = [0.0, 2.0, 8.0]
@@ -41,6 +41,7 @@
 //! specular = [0.0, 0.0, 0.0]
 //! exponent = 1.0
 //! reflection = [0.0, 0.0, 0.0] # above 0: a mirror
+//! # opacity = 0.5             # if it is there, the material is transparent; a mirror is not
 //!
 //! diffuse_texture = "wood"    # optional: multiplies the colour; also ambient_ and specular_texture
 //!

@@ -5,4 +5,5 @@ mod image;
 mod sampling;
 mod scenes;
 mod threads;
+mod transparency;
 mod visibility;

@@ -33,23 +33,31 @@ PATCHES = {
     ]),
     "several lights": (("sphere", "triangle"), [
         ("shade.rs", "let others = &self.lights[..index];", "let others = &self.lights[..0];"),
-        ("shade.rs", "for (light, &lit) in lights.iter().zip(self.lit) {",
-         "if let Some((light, &lit)) = lights.iter().zip(self.lit).next() {"),
-        ("shadows.rs", "lit.extend(self.lights.iter().map(", "lit.extend(self.lights.iter().take(1).map("),
+        ("shade.rs", "for (index, light) in lights.iter().enumerate() {",
+         "if let Some((index, light)) = lights.iter().enumerate().next() {"),
+        ("shadows.rs", "lit.extend(self.lights.iter().enumerate().map(",
+         "lit.extend(self.lights.iter().enumerate().take(1).map("),
     ]),
     "shadows": (("triangle",), [
         ("shadows.rs", "if self.is_alone(view) {", "if true {"),
         ("shadows.rs", "if rays == 0 || self.is_alone(view) {", "if true {"),
     ]),
     "reflections": (("sphere", "triangle"), [
-        ("mirrors.rs", "if !dark.mirrors && !self.has_mirrors {", "if true {"),
+        ("mirrors.rs", "if !dark.mirrors && !self.has_mirrors && !self.has_transparency {", "if true {"),
         ("radiance.rs", "sight.views().get(1)", "None"),
-        ("sweep.rs", "let mirrored = views.get(1).zip(deeper.first_mut());",
-         "let mirrored: Option<(&View<L>, &mut Flow<L>)> = None;"),
-        ("sweep.rs", "let mirrored = deeper.first().filter(|_| views.len() > 1);",
-         "let mirrored: Option<&Flow<L>> = None;"),
+        ("sweep.rs", "let beyond = views.get(1).zip(deeper.first_mut());",
+         "let beyond: Option<(&View<L>, &mut Flow<L>)> = None;"),
+        ("sweep.rs", "let beyond = deeper.first().filter(|_| views.len() > 1);",
+         "let beyond: Option<&Flow<L>> = None;"),
         ("sweep.rs", "for depth in 1..views.len() {", "for depth in 1..1 {"),
         ("sweep.rs", "for depth in (1..views.len()).rev() {", "for depth in (1..1).rev() {"),
+    ]),
+    "transparency": (("sphere", "triangle"), [
+        ("transparency.rs", "if !self.has_transparency {", "if true {"),
+        ("shade.rs", "match &self.cover {", "match &None::<Cover<L>> {"),
+        ("shade.rs", "match self.passed.get(light) {", "match None::<&Passed<L>> {"),
+        ("shade.rs", "for (index, passed) in self.passed.iter().enumerate() {",
+         "for (index, passed) in self.passed.iter().take(0).enumerate() {"),
     ]),
     "distant lights": (("sphere", "triangle"), [
         ("shade.rs", "Light::Distant(light) => light.reflect(self),", "Light::Distant(_) => unreachable!(),"),
@@ -70,7 +78,7 @@ PATCHES = {
         ("custom.rs", "self.scene.custom_lights.is_empty()", "true"),
         ("custom.rs", "0..self.scene.shapes.len()", "0..0"),
         ("shadows.rs", "if !self.scene.shapes.is_empty() {", "if false {"),
-        ("shade.rs", "in self.illuminations.iter().zip(", "in self.illuminations.iter().take(0).zip("),
+        ("shade.rs", "in self.illuminations.iter().enumerate()", "in self.illuminations.iter().take(0).enumerate()"),
     ]),
 }
 # Everything that neither scene uses.

@@ -233,4 +233,39 @@ impl Acceleration {
         });
         occluded
     }
+
+    /// Visits what is met before `limit` but `from`, the flat primitive that the ray starts on, in no
+    /// order: a sphere as often as the ray goes through its surface. A visit returns whether to go on.
+    pub fn visit_met(
+        &self,
+        origin: Vec3,
+        direction: Vec3,
+        limit: f32,
+        from: Option<u32>,
+        mut visit: impl FnMut(u32) -> bool,
+    ) {
+        let Some(test) = TriangleTest::new(origin, direction) else { return };
+        let boxes = BoxTest::new(&test);
+        let depth_limit = limit / test.scale;
+        let mut goes_on = true;
+        self.triangles.visit(&boxes, depth_limit, |leaf, _| {
+            let depths = test.depths(leaf);
+            let mut bits = depths.simd_lt(depth_limit).to_bitmask() & leaf.mask;
+            while bits != 0 && goes_on {
+                let lane = bits.trailing_zeros() as usize & 7;
+                bits &= bits - 1;
+                goes_on = from == Some(leaf.ids[lane]) || visit(leaf.ids[lane]);
+            }
+            if goes_on { depth_limit } else { -1.0 }
+        });
+        if !goes_on {
+            return;
+        }
+        self.spheres.visit(&boxes, depth_limit, |leaf, _| {
+            for _ in 0..leaf.crossings(origin, direction, limit) {
+                goes_on &= visit(leaf.id);
+            }
+            if goes_on { depth_limit } else { -1.0 }
+        });
+    }
 }

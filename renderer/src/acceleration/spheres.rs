@@ -21,6 +21,14 @@ impl SphereLeaf {
     pub fn distance(&self, origin: Vec3, direction: Vec3) -> (f32, bool) {
         sphere_distance(origin, direction, self.center, self.radius)
     }
+
+    /// How often a ray goes through the surface of the sphere before `limit`, which is in lengths of
+    /// its direction.
+    pub fn crossings(&self, origin: Vec3, direction: Vec3, limit: f32) -> usize {
+        let distances = sphere_distances(origin, direction, self.center, self.radius);
+        let is_met = |&distance: &f64| distance > 0.0 && (distance as f32) < limit;
+        distances.map_or(0, |distances| distances.iter().copied().filter(is_met).count())
+    }
 }
 
 impl Leaf for SphereLeaf {
@@ -41,24 +49,27 @@ impl Leaf for SphereLeaf {
     }
 }
 
-/// See [`SphereLeaf::distance`]. Computed in double precision: a sphere that is small or far would
-/// lose its edge in single.
+/// See [`SphereLeaf::distance`].
 pub fn sphere_distance(origin: Vec3, direction: Vec3, center: Vec3, radius: f32) -> (f32, bool) {
+    match sphere_distances(origin, direction, center, radius) {
+        Some([near, _]) if near > 0.0 => (near as f32, false),
+        Some([_, far]) if far > 0.0 => (far as f32, true),
+        _ => (f32::INFINITY, false),
+    }
+}
+
+/// The distances at which a line enters and leaves a sphere, in lengths of its direction. Computed in
+/// double precision: a sphere that is small or far would lose its edge in single.
+#[inline]
+fn sphere_distances(origin: Vec3, direction: Vec3, center: Vec3, radius: f32) -> Option<[f64; 2]> {
     let (direction, radius) = (direction.as_dvec3(), f64::from(radius));
     let from_center = origin.as_dvec3() - center.as_dvec3();
     let along = -from_center.dot(direction) / direction.length_squared();
     let offset = from_center + direction * along;
     let discriminant = radius * radius - offset.length_squared();
     if discriminant < 0.0 {
-        return (f32::INFINITY, false);
+        return None;
     }
     let half_chord = (discriminant / direction.length_squared()).sqrt();
-    let (near, far) = (along - half_chord, along + half_chord);
-    if near > 0.0 {
-        (near as f32, false)
-    } else if far > 0.0 {
-        (far as f32, true)
-    } else {
-        (f32::INFINITY, false)
-    }
+    Some([along - half_chord, along + half_chord])
 }

@@ -144,6 +144,10 @@ fn output_format(path: &Path) -> Result<OutputFormat, Error> {
 /// The most memory that the pixels of a file may take: 128 million pixels of four floats.
 const MOST_BYTES: u64 = 1 << 31;
 
+/// More pixels no byte of a file stands for: a blank PNG, of one bit per pixel, has 8256, blank JPEG and
+/// OpenEXR images have 512. An OpenEXR header may announce millions around data of a few.
+const MOST_PIXELS_PER_BYTE: u64 = 10_000;
+
 /// The pixels of a file, and whether they are sRGB and clipped at 1.
 fn decode(bytes: &[u8], place: impl Display) -> Result<(DynamicImage, bool), Error> {
     let refuse = |problem: String| Error::new(&place, problem);
@@ -158,14 +162,19 @@ fn decode(bytes: &[u8], place: impl Display) -> Result<(DynamicImage, bool), Err
         Some(ImageFormat::OpenExr) => false,
         _ => return Err(refuse("is not a PNG, JPEG or OpenEXR image".to_owned())),
     };
-    match pixels(reader) {
-        Ok(decoded) => Ok((decoded, is_srgb)),
-        Err(error) => Err(refuse(format!("cannot be decoded: {}", one_line(error)))),
+    let not_decoded = |error| refuse(format!("cannot be decoded: {}", one_line(error)));
+    let decoder = reader.into_decoder().map_err(not_decoded)?;
+    let (width, height) = decoder.dimensions();
+    if u64::from(width) * u64::from(height) > MOST_PIXELS_PER_BYTE * bytes.len() as u64 {
+        let size = bytes.len();
+        return Err(refuse(format!(
+            "{size} bytes cannot hold the {width} x {height} pixels it has"
+        )));
     }
+    Ok((pixels(decoder).map_err(not_decoded)?, is_srgb))
 }
 
-fn pixels(reader: ImageReader<Cursor<&[u8]>>) -> ImageResult<DynamicImage> {
-    let mut decoder = reader.into_decoder()?;
+fn pixels(mut decoder: impl ImageDecoder) -> ImageResult<DynamicImage> {
     // A broken header may announce any size; memory is taken before the pixels are there.
     let mut limits = Limits::no_limits();
     limits.max_alloc = Some(MOST_BYTES);

@@ -63,6 +63,8 @@ pub struct ModelMaterial {
     /// Its numbers; or that the files do not say, to be warned of unless a scene file does. What stands
     /// in for them is the [default material](default_material).
     pub material: Result<Material<f64>, Warning>,
+    /// Its opacity, if it is transparent.
+    pub opacity: Option<f64>,
     /// The textures of its colours.
     pub maps: ModelMaps,
 }

@@ -13,6 +13,7 @@
 //! lines, and keeps what it does not know without order. To warn of what is left out and to refuse
 //! negative colours, every statement would have to be read beside it.
 
+mod chunks;
 mod face;
 mod map;
 mod meshes;
@@ -63,9 +64,10 @@ pub use write::save_obj;
 ///   describe, and exporters write 1 for `Ka` whatever the scene; read as radiance it would make
 ///   every surface glow white. `ambient` and `ambient_texture` of a scene file say what is meant.
 /// - A texture whose file is missing is warned of, and counts as white.
-/// - Every other statement is left out, with a warning if it would change the image: transparency
-///   (`d`, `Tr`, `Tf`, `map_d`, `Ni`, `illum 4`, `6`, `7`, `9`), bumps, `refl` and what is not
-///   known at all.
+/// - `d` is the opacity, or, where there is none, 1 - `Tr`; a mirror stays opaque, with a warning.
+/// - Every other statement is left out, with a warning if it would change the image: opacity that
+///   varies (`map_d`) or has a colour (`Tf`), refraction (`Ni`, `illum 4`, `6`, `7`, `9`), bumps, `refl`
+///   and what is not known at all.
 ///
 /// # Errors
 ///
@@ -107,6 +109,7 @@ pub fn load_obj(path: &Path) -> Result<Model, Error> {
         ModelMaterial {
             name: name.clone(),
             material: defined.map_or_else(undefined, |defined| Ok(defined.material)),
+            opacity: defined.and_then(|defined| defined.opacity),
             maps: defined.map_or_else(ModelMaps::default, |defined| defined.maps.clone()),
         }
     };

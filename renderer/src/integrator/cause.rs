@@ -114,7 +114,7 @@ impl<L: Lanes> Prepared<'_, L> {
             let materials = self.materials(group);
             let appearance = self.appearance(group, &materials);
             let mirrored = views.get(depth + 1);
-            let shaded = Shaded::new(self, group, &appearance, &view.lit, mirrored);
+            let shaded = Shaded::new(self, group, &appearance, view, mirrored);
             let radiance = vectors_of_lanes::<L>(shaded.radiance())[ray - group.first];
             let is_finite = radiance.as_vec3().is_finite();
             (!is_finite).then(|| view.hits.primitive[ray] as usize)

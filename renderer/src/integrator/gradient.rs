@@ -30,6 +30,7 @@ pub struct Wanted {
     pub(super) exponents: bool,
     /// What materials reflect as mirrors: rays are then traced where they reflect nothing, too.
     pub(super) mirrors: bool,
+    pub(super) opacities: bool,
     pub(super) spheres: bool,
     pub(super) vertices: bool,
     pub(super) shapes: bool,
@@ -55,6 +56,7 @@ impl Wanted {
                 Specular(_) => &mut wanted.specular,
                 Exponent(_) => &mut wanted.exponents,
                 Reflection(_) => &mut wanted.mirrors,
+                Opacity(_) => &mut wanted.opacities,
                 SphereCenter(_) | SphereRadius(_) => &mut wanted.spheres,
                 Vertices(_) => &mut wanted.vertices,
                 TextureCoordinates(_) => &mut wanted.texture_coordinates,
@@ -118,6 +120,9 @@ pub(crate) fn reduce<L: Lanes>(
         for (material, sum) in &strip.materials {
             gradient.materials[*material as usize].add(sum);
         }
+        if wanted.opacities {
+            gradient.opacities.accumulate(strip.opacities);
+        }
         for (sphere, sum) in &strip.spheres {
             gradient.spheres[*sphere as usize].add(sum);
         }
@@ -161,6 +166,7 @@ fn zero(parameters: &Parameters, wanted: Wanted) -> Parameters {
         camera: Camera::zero(),
         lights: parameters.lights.iter().map(zero_light).collect(),
         materials: vec![Material::zero(); parameters.materials.len()],
+        opacities: vec![0.0; parameters.opacities.len()],
         spheres: vec![Sphere::zero(); parameters.spheres.len()],
         vertices: zeros_if(wanted.vertices, &parameters.vertices, [0.0; 3]),
         texture_coordinates: zeros_if(

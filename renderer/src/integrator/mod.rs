@@ -35,6 +35,7 @@ mod sweep;
 mod textures;
 mod tiles;
 mod trace;
+mod transparency;
 mod view;
 
 pub use gradient::{GradientResult, Wanted, gradient};
@@ -48,4 +49,4 @@ pub use trace::trace;
 #[cfg(feature = "files")]
 pub(crate) use paths::paths;
 #[cfg(feature = "cli")]
-pub(crate) use {gradient::reduce, paths::Path, sweep::sweep, textures::Texture};
+pub(crate) use {gradient::reduce, paths::Path, paths::Reached, sweep::sweep, textures::Texture};

@@ -8,7 +8,8 @@ use super::prepared::Prepared;
 use super::tiles::{Tile, for_each_strip};
 use crate::acceleration::rays;
 
-/// What a ray through a pixel meets: directly, by one mirror, by two mirrors, and so on.
+/// What a ray through a pixel meets: directly, by one mirror or behind one transparent surface, by two,
+/// and so on.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Path {
     /// The column of the pixel.
@@ -17,7 +18,7 @@ pub(crate) struct Path {
     pub y: u32,
     /// From the camera on; empty if it sees nothing.
     pub meetings: Vec<Meeting>,
-    /// How many rays that takes: the camera's, and those that mirrors send on.
+    /// How many rays that takes: the camera's, and those that go on.
     pub rays: usize,
 }
 
@@ -29,7 +30,16 @@ pub(crate) struct Meeting {
     /// For a sphere: whether the ray comes from its inside.
     pub leaves: bool,
     /// The lights that reach the point.
-    pub lit: Vec<usize>,
+    pub lit: Vec<Reached>,
+}
+
+/// A light that reaches a point.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Reached {
+    /// Its index.
+    pub light: usize,
+    /// The indices of the opacities that it goes through.
+    pub crossed: Vec<usize>,
 }
 
 /// The paths of all rays through pixels, in a fixed order: what a gradient by the wanted parameters depends on.
@@ -55,7 +65,12 @@ fn path<L: Lanes>(tile: &Tile, sight: &Sight<L>, ray: usize) -> Path {
     let met = sight.views().iter().map_while(|view| {
         let hit = view.hits.get(ray)?;
         let lights = view.lit.iter().enumerate();
-        let lit = lights.filter(|(_, lit)| lit.reaches(ray)).map(|(light, _)| light).collect();
+        let reached = lights.filter(|(_, lit)| lit.reaches(ray)).map(|(light, _)| {
+            let passed = view.passed.get(light);
+            let crossed = passed.map_or(Vec::new(), |passed| passed.crossed(ray).collect());
+            Reached { light, crossed }
+        });
+        let lit = reached.collect();
         Some(Meeting { primitive: hit.primitive as usize, leaves: hit.leaves, lit })
     });
     let meetings: Vec<Meeting> = met.collect();

@@ -3,7 +3,7 @@
 use std::iter;
 
 use ad::lanes::Lanes;
-use ad::{Scalar, Vec3};
+use ad::{Real, Scalar, Vec3};
 use glam::DVec3;
 use rayon::prelude::*;
 
@@ -39,6 +39,10 @@ pub struct Prepared<'a, L: Lanes> {
     pub(super) materials: Vec<Material<L::Element>>,
     /// Whether any of them reflects like a mirror.
     pub(super) has_mirrors: bool,
+    /// Those of transparent materials.
+    pub(super) opacities: Vec<L::Element>,
+    /// Whether any material is transparent. Colours alone are seen as if none were.
+    pub(super) has_transparency: bool,
     pub(super) spheres: Vec<Sphere<L::Element>>,
     /// The vertices of all meshes, one mesh after the other.
     pub(super) vertices: Vec<Vec3<L::Element>>,
@@ -62,7 +66,7 @@ pub struct Prepared<'a, L: Lanes> {
     pub(super) acceleration: Acceleration,
     pub(super) pass: Pass,
     pub(super) sampling: Sampling,
-    /// How many mirrors light meets at most.
+    /// How many mirrors and transparent surfaces light meets at most.
     pub(super) bounces: u32,
     /// Whether, and from where, primitives are drawn instead of being found by rays.
     raster: Option<Raster>,
@@ -102,6 +106,9 @@ impl<'a, L: Lanes> Prepared<'a, L> {
             shining: Vec::new(),
             materials: Vec::new(),
             has_mirrors: false,
+            opacities: Vec::new(),
+            has_transparency: settings.pass == Pass::Radiance
+                && !scene.parameters.opacities.is_empty(),
             spheres: Vec::new(),
             vertices: Vec::new(),
             first_vertices,
@@ -223,6 +230,8 @@ impl<'a, L: Lanes> Prepared<'a, L> {
             .collect();
         self.shining = self.lights.iter().map(Light::narrow).collect();
         self.materials = self.parameters.materials.iter().map(Material::narrow).collect();
+        self.opacities.clear();
+        self.opacities.extend(self.parameters.opacities.iter().map(|&x| L::Element::from_f64(x)));
         self.has_mirrors = self.pass == Pass::Radiance
             && (0..self.materials.len()).any(|material| self.is_mirror(material));
     }

@@ -117,11 +117,11 @@ fn visit<L: Lanes>(
     mut use_radiance: impl FnMut(&Group<L>, Vec3<L>),
 ) {
     prepared.see(sample, Dark::default(), sight);
-    let (view, mirrored) = (&sight.views()[0], sight.views().get(1));
+    let (view, beyond) = (&sight.views()[0], sight.views().get(1));
     for group in &view.groups {
         let materials = prepared.materials(group);
         let appearance = prepared.appearance(group, &materials);
-        let shaded = Shaded::new(prepared, group, &appearance, &view.lit, mirrored);
+        let shaded = Shaded::new(prepared, group, &appearance, view, beyond);
         use_radiance(group, shaded.radiance());
     }
 }

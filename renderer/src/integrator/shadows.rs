@@ -2,9 +2,9 @@
 
 use std::mem;
 
-use ad::Vec3;
 use ad::lanes::Lanes;
 use ad::vector::Vector;
+use ad::{Vec3, select};
 use glam::DVec3;
 
 use super::mirrors::Dark;
@@ -14,7 +14,7 @@ use super::view::{Group, Shape, View, set_vectors};
 use crate::acceleration::{NO_PRIMITIVE, PacketVectors, rays};
 use crate::counts::count;
 use crate::precision::{MOST_LANES, narrow, vectors_of_lanes};
-use crate::scene::{CustomLight, Light};
+use crate::scene::Light;
 
 /// The rays of a tile that end at points which a light reaches, a bit for each.
 #[derive(Clone, Copy)]
@@ -24,9 +24,13 @@ pub(super) struct Lit {
 
 impl Lit {
     /// Whether the light reaches the point at which a ray ends.
-    #[cfg(feature = "files")]
     pub fn reaches(self, ray: usize) -> bool {
         self.reached >> ray & 1 == 1
+    }
+
+    /// The light reaches the point at which a ray ends.
+    pub fn add(&mut self, ray: usize) {
+        self.reached |= 1 << ray;
     }
 
     /// The lanes of a group that the light reaches.
@@ -51,39 +55,55 @@ impl<L: Lanes> Prepared<'_, L> {
     pub(super) fn light_up(&self, dark: Dark, view: &mut View<L>) {
         let mut lit = mem::take(&mut view.lit);
         lit.clear();
-        lit.extend(self.lights.iter().map(|light| match light {
+        lit.extend(self.lights.iter().enumerate().map(|(index, light)| match light {
             _ if light.is_black() && !dark.lights => Lit { reached: 0 },
-            Light::Point(light) => self.lit_from(light.position, view),
+            Light::Point(light) => self.lit_from(index, light.position, view),
             Light::Distant(light) => self.lit_along(light.direction.normalize(), view),
         }));
         if self.pass == Pass::Radiance {
-            let custom = self.scene.custom_lights.iter().zip(&self.parameters.custom_lights);
-            lit.extend(
-                custom.map(|(object, parameters)| self.lit_by(&*object.light, parameters, view)),
-            );
+            let custom = 0..self.scene.custom_lights.len();
+            lit.extend(custom.map(|custom| self.lit_by(self.lights.len() + custom, view)));
         }
         view.lit = lit;
+        self.light_through(dark, view);
     }
 
-    fn lit_by(&self, light: &dyn CustomLight, parameters: &[f64], view: &View<L>) -> Lit {
-        let direction =
-            |point: DVec3| light.illumination(parameters, point + self.middle).direction;
+    /// The unit vector from a point towards a light, those of users last, and the distance to it.
+    pub(super) fn towards_light(&self, light: usize, point: DVec3) -> (DVec3, f64) {
+        match self.lights.get(light) {
+            Some(Light::Point(light)) => {
+                let to_light = light.position - point;
+                let distance = to_light.length();
+                (to_light / distance, distance)
+            }
+            Some(Light::Distant(light)) => (light.direction.normalize(), f64::INFINITY),
+            None => {
+                let index = light - self.lights.len();
+                let parameters = &self.parameters.custom_lights[index];
+                let (light, point) = (&self.scene.custom_lights[index].light, point + self.middle);
+                let direction = light.illumination(parameters, point).direction;
+                (direction, light.distance(parameters, point))
+            }
+        }
+    }
+
+    /// What a light reaches that a user adds.
+    fn lit_by(&self, light: usize, view: &View<L>) -> Lit {
+        let to_light = |point: DVec3| self.towards_light(light, point);
         let mut facing = 0;
         for group in &view.groups {
             let points = vectors_of_lanes::<L>(group.surface.point);
             let normals = vectors_of_lanes::<L>(group.surface.normal);
             let faces =
-                |&(lane, _): &(usize, usize)| normals[lane].dot(direction(points[lane])) > 0.0;
+                |&(lane, _): &(usize, usize)| normals[lane].dot(to_light(points[lane]).0) > 0.0;
             facing |= group.rays().filter(faces).fold(0, |bits, (_, ray)| bits | 1 << ray);
         }
-        let to_light =
-            |point: DVec3| (direction(point), light.distance(parameters, point + self.middle));
         let reached = self.unshadowed(view, facing, to_light);
         Lit { reached }
     }
 
     /// Shadow rays of a point light start at the light: from there they are coherent.
-    fn lit_from(&self, light: DVec3, view: &View<L>) -> Lit {
+    fn lit_from(&self, index: usize, light: DVec3, view: &View<L>) -> Lit {
         let position = narrow::<L>(light);
         let mut directions = PacketVectors::ZERO;
         let mut from = view.hits.primitive;
@@ -119,11 +139,7 @@ impl<L: Lanes> Prepared<'_, L> {
                 |&ray: &usize| self.is_behind_custom_shape(origin, directions.get(ray), 1.0);
             occluded |= rays(near & !occluded).filter(behind).fold(0, |bits, ray| bits | 1 << ray);
         }
-        let straight = |point: DVec3| {
-            let to_light = light - point;
-            let distance = to_light.length();
-            (to_light / distance, distance)
-        };
+        let straight = |point: DVec3| self.towards_light(index, point);
         let reached = near & !occluded | self.unshadowed(view, facing & far, straight);
         Lit { reached }
     }
@@ -188,7 +204,14 @@ impl<L: Lanes> Group<L> {
     /// Where rays that leave the surface points start: far enough outside not to meet the surface
     /// that they leave.
     pub(super) fn origins(&self) -> [DVec3; MOST_LANES] {
+        self.origins_behind(0)
+    }
+
+    /// [`origins`](Self::origins), in the given lanes of rays that leave the surface on the side that
+    /// the viewer does not see.
+    pub(super) fn origins_behind(&self, lanes: u32) -> [DVec3; MOST_LANES] {
         let offset = self.surface.normal * (self.reach() * L::from_f64(SURFACE_ERROR));
+        let offset = select(L::mask_from_bits(lanes), -offset, offset);
         vectors_of_lanes::<L>(self.surface.point + offset)
     }
 

@@ -128,6 +128,8 @@ pub struct StripSums {
     pub lights: Vec<LightSum>,
     /// By material.
     pub materials: Vec<(u32, MaterialTangent<f64>)>,
+    /// By opacity.
+    pub opacities: Vec<f64>,
     /// By sphere.
     pub spheres: Vec<(u32, SphereTangent<f64>)>,
     /// By vertex, counted through all meshes.
@@ -150,6 +152,7 @@ impl StripSums {
             frame: Additive::zero(),
             lights: prepared.lights.iter().map(LightSum::zero).collect(),
             materials: Vec::new(),
+            opacities: vec![0.0; prepared.opacities.len()],
             spheres: Vec::new(),
             vertices: Vec::new(),
             uvs: Vec::new(),
@@ -170,7 +173,7 @@ impl StripSums {
             && self.vertices.iter().all(|(_, sum)| sum.is_finite())
             && self.uvs.iter().all(|(_, sum)| sum.is_finite())
             && self.texels.iter().all(|(_, sum)| sum.is_finite())
-            && numbers.copied().all(f64::is_finite)
+            && self.opacities.iter().chain(numbers).copied().all(f64::is_finite)
     }
 }
 

@@ -1,5 +1,6 @@
 //! The work of a gradient on the tiles of the image.
 
+use std::cell::Cell;
 use std::mem;
 
 use ad::lanes::Lanes;
@@ -7,18 +8,19 @@ use ad::{Additive, Mask, Tangent, Vec3, select};
 use glam::DVec3;
 
 use super::gradient::Wanted;
-use super::mirrors::{Dark, Sight, blocks};
+use super::mirrors::{Dark, Sight, blocks, pull_next_ray};
 use super::prepared::Prepared;
 use super::radiance::{PixelLoss, mean_radiance};
 use super::shade::{LightCotangent, Pulled, Shaded};
 use super::sums::{Slots, StripSums, material_sum};
 use super::tiles::{Strip, Tile, for_each_strip};
+use super::transparency::PulledCover;
 use super::view::{Group, Sample, Shape, View};
 use crate::acceleration::{PACKET_RAYS, rays};
 use crate::counts::count;
-use crate::kernels::camera::{Frame, Ray, RayTangent, primary_ray};
+use crate::kernels::camera::{Frame, Ray, primary_ray};
 use crate::kernels::sphere::{Sphere, sphere_surface};
-use crate::kernels::surface::{SurfacePoint, mirrored_ray};
+use crate::kernels::surface::SurfacePoint;
 use crate::kernels::texture::{Uv, sphere_uv, triangle_uv};
 use crate::kernels::triangle::triangle_surface;
 use crate::precision::{MOST_LANES, lanes_of_vectors, sum_of_vectors, vectors_of_lanes};
@@ -123,13 +125,13 @@ impl<'a, L: Lanes, P: PixelLoss> Sweep<'a, L, P> {
         flows.resize_with(views.len().max(flows.len()), Flow::default);
 
         let (first, deeper) = flows.split_at_mut(1);
-        let mirrored = views.get(1).zip(deeper.first_mut());
-        self.pull_shading(&views[0], mirrored, &mut first[0].surfaces, respond);
+        let beyond = views.get(1).zip(deeper.first_mut());
+        self.pull_shading(&views[0], beyond, &mut first[0].surfaces, respond);
         for depth in 1..views.len() {
             let (flows, deeper) = flows.split_at_mut(depth + 1);
             let Flow { radiance, surfaces, .. } = &mut flows[depth];
-            let mirrored = views.get(depth + 1).zip(deeper.first_mut());
-            self.pull_shading(&views[depth], mirrored, surfaces, &mut |group, _| {
+            let beyond = views.get(depth + 1).zip(deeper.first_mut());
+            self.pull_shading(&views[depth], beyond, surfaces, &mut |group, _| {
                 let cotangent = radiance[group.first / L::COUNT];
                 Some(select(L::mask_from_bits(group.alive), cotangent, Additive::zero()))
             });
@@ -139,16 +141,16 @@ impl<'a, L: Lanes, P: PixelLoss> Sweep<'a, L, P> {
             for depth in (1..views.len()).rev() {
                 let (flows, deeper) = flows.split_at_mut(depth + 1);
                 let Flow { rays, surfaces, .. } = &mut flows[depth];
-                let mirrored = deeper.first().filter(|_| depth + 1 < views.len());
-                self.pull_surfaces(&views[depth], mirrored, surfaces, |group, to_ray| {
+                let beyond = deeper.first().filter(|_| depth + 1 < views.len());
+                self.pull_surfaces(&views[depth], beyond, surfaces, |group, to_ray| {
                     rays[group.first / L::COUNT].accumulate(to_ray);
                 });
             }
             let (first, deeper) = flows.split_at_mut(1);
-            let mirrored = deeper.first().filter(|_| views.len() > 1);
+            let beyond = deeper.first().filter(|_| views.len() > 1);
             let mut to_frame = Tangent::<Frame<L>>::zero();
             let Self { prepared, wanted, .. } = *self;
-            self.pull_surfaces(&views[0], mirrored, &first[0].surfaces, |group, to_ray| {
+            self.pull_surfaces(&views[0], beyond, &first[0].surfaces, |group, to_ray| {
                 if wanted.camera {
                     let (x, y) = prepared.film(sample.tile, views[0].offsets.as_ref(), group.first);
                     let (_, pullback) = primary_ray::vjp::<L>(prepared.frame, x, y);
@@ -162,18 +164,18 @@ impl<'a, L: Lanes, P: PixelLoss> Sweep<'a, L, P> {
     }
 
     /// From the radiance of a view, whose cotangents `respond` gives, to its materials and lights,
-    /// to its surface points, and to the radiance that mirrors in it show.
+    /// to its surface points, and to the radiance of the rays that go on.
     #[inline]
     fn pull_shading(
         &mut self,
         view: &View<L>,
-        mirrored: Option<(&View<L>, &mut Flow<L>)>,
+        beyond: Option<(&View<L>, &mut Flow<L>)>,
         surfaces: &mut Vec<Option<ToSurface<L>>>,
         respond: &mut Respond<'_, L>,
     ) {
         let Self { prepared, wanted, sums, materials: slots, texels, .. } = self;
-        let (shown, mut to_mirrored) = mirrored.unzip();
-        if let Some(flow) = &mut to_mirrored {
+        let (shown, mut to_beyond) = beyond.unzip();
+        if let Some(flow) = &mut to_beyond {
             flow.start();
         }
         surfaces.clear();
@@ -181,7 +183,8 @@ impl<'a, L: Lanes, P: PixelLoss> Sweep<'a, L, P> {
             let materials = prepared.materials(group);
             let appearance = prepared.appearance(group, &materials);
             let textured = &appearance.textured;
-            let shaded = Shaded::new(prepared, group, &appearance, &view.lit, shown);
+            let shaded = Shaded::new(prepared, group, &appearance, view, shown);
+            let through = Cell::new(None);
             let StripSums { lights, custom_lights, materials: of_materials, .. } = sums;
             let to_light = |light: usize, cotangent: LightCotangent<'_, L>| {
                 if wanted.lights() {
@@ -207,16 +210,30 @@ impl<'a, L: Lanes, P: PixelLoss> Sweep<'a, L, P> {
                         }
                     })
                 });
-                let mirror = to_mirrored.as_mut().and_then(|flow| {
+                let mirror = to_beyond.as_mut().and_then(|flow| {
                     let mirror = shaded.pull_back_mirror(cotangent)?;
-                    flow.radiance[group.first / L::COUNT].accumulate(mirror.radiance);
+                    let radiance = &mut flow.radiance[group.first / L::COUNT];
+                    radiance.accumulate(mirror.radiance);
+                    if let Some(PulledCover { behind, .. }) = through.get() {
+                        radiance.accumulate(behind);
+                    }
                     Some(mirror)
                 });
+                if wanted.opacities {
+                    let opacities = &mut sums.opacities;
+                    if let Some(PulledCover { opacity, .. }) = through.get() {
+                        prepared.pull_opacity(&materials, opacity, opacities);
+                    }
+                    shaded.pull_back_passed(cotangent, |passed, left| {
+                        prepared.pull_passed(group, passed, left, opacities);
+                    });
+                }
                 if wanted.materials() {
                     for (index, lanes) in materials.iter() {
                         let mask = L::mask_from_bits(lanes);
                         let mut sum = material_sum(material, mask, *wanted);
-                        if let Some(mirror) = mirror.as_ref().filter(|_| wanted.mirrors) {
+                        let mirror = mirror.as_ref().filter(|_| wanted.mirrors);
+                        if let Some(mirror) = mirror.filter(|_| prepared.is_opaque(index)) {
                             sum.reflection = sum_of_vectors::<L>(mirror.reflection, mask);
                         }
                         slots.add(of_materials, index, sum);
@@ -226,32 +243,32 @@ impl<'a, L: Lanes, P: PixelLoss> Sweep<'a, L, P> {
                     *last = Some(ToSurface { surface: *surface, uv });
                 }
             };
-            shaded.pull_back(|radiance| respond(group, radiance), to_light, to_shown);
+            let respond = |own| {
+                let (own, pulled) = shaded.pull_back_seen(own, respond(group, shaded.seen(own))?);
+                through.set(pulled);
+                Some(own)
+            };
+            shaded.pull_back(respond, to_light, to_shown);
         }
     }
 
     /// From the surface points of a view to its primitives, and to its rays, whose cotangents
-    /// `to_ray` takes. `mirrored` is what flows back from the rays that mirrors in the view send on.
+    /// `to_ray` takes. `beyond` is what flows back from the rays that go on.
     #[inline]
     fn pull_surfaces(
         &mut self,
         view: &View<L>,
-        mirrored: Option<&Flow<L>>,
+        beyond: Option<&Flow<L>>,
         surfaces: &[Option<ToSurface<L>>],
         mut to_ray: impl FnMut(&Group<L>, Tangent<Ray<L>>),
     ) {
         for (group, surface) in view.groups.iter().zip(surfaces) {
             let Some(ToSurface { mut surface, uv }) = *surface else { continue };
             count(|counts| &counts.surface_pullbacks, u64::from(group.alive.count_ones()));
-            if let Some(flow) = mirrored {
-                let RayTangent { origin, direction } = flow.rays[group.first / L::COUNT];
-                let alive =
-                    |v: Vec3<L>| select(L::mask_from_bits(group.alive), v, Additive::zero());
-                let (_, pullback) = mirrored_ray::vjp::<L>(group.surface);
-                surface.accumulate(pullback(RayTangent {
-                    origin: alive(origin),
-                    direction: alive(direction),
-                }));
+            if let Some(flow) = beyond {
+                let transparent = self.prepared.transparent_among(&self.prepared.materials(group));
+                let cotangent = flow.rays[group.first / L::COUNT];
+                surface.accumulate(pull_next_ray(group, transparent, cotangent));
             }
             to_ray(group, self.pull_surface(group, surface, uv));
         }
@@ -394,9 +411,9 @@ struct ToSurface<L: Lanes> {
 struct Flow<L: Lanes> {
     /// By group: the cotangents of the surface points, unless they are zero.
     surfaces: Vec<Option<ToSurface<L>>>,
-    /// The cotangents of the radiance that rays from mirrors bring, in vectors of lanes.
+    /// The cotangents of the radiance that rays bring which go on, in vectors of lanes.
     radiance: Vec<Vec3<L>>,
-    /// The cotangents of the rays from mirrors, in vectors of lanes.
+    /// The cotangents of the rays that go on, in vectors of lanes.
     rays: Vec<Tangent<Ray<L>>>,
 }
 
@@ -407,7 +424,7 @@ impl<L: Lanes> Default for Flow<L> {
 }
 
 impl<L: Lanes> Flow<L> {
-    /// Nothing flows yet to a view of rays from mirrors.
+    /// Nothing flows yet to a view of rays that go on.
     fn start(&mut self) {
         self.radiance.clear();
         self.radiance.resize(blocks::<L>(), Additive::zero());

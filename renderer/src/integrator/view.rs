@@ -9,6 +9,7 @@ use super::sampling::{Offsets, Sampling};
 use super::shadows::Lit;
 use super::sharing::Sharing;
 use super::tiles::Tile;
+use super::transparency::Passed;
 use crate::acceleration::{PACKET_RAYS, PacketHits, PacketVectors, rays, tile_position};
 use crate::counts::count;
 use crate::kernels::camera::{Ray, film_point, primary_ray};
@@ -18,7 +19,8 @@ use crate::kernels::surface::SurfacePoint;
 use crate::kernels::triangle::triangle_surface;
 use crate::precision::{singles_of_lanes, splat, splat_vector};
 
-/// What the rays of a tile meet: those of the camera, or those that mirrors send on.
+/// What the rays of a tile meet: those of the camera, or those that go on from mirrors or behind
+/// transparent surfaces.
 pub(super) struct View<L: Lanes> {
     /// What each ray meets first.
     pub hits: PacketHits,
@@ -28,11 +30,13 @@ pub(super) struct View<L: Lanes> {
     pub groups: Vec<Group<L>>,
     /// By light: the rays that end where it shines.
     pub lit: Vec<Lit>,
+    /// By light: what transparent surfaces leave of it; empty if there are none.
+    pub passed: Vec<Passed<L>>,
     /// Of rays from the camera: where within their pixels they go.
     pub offsets: Option<Offsets>,
-    /// Of rays from mirrors: the rays, in vectors of lanes.
+    /// Of rays that go on: the rays, in vectors of lanes.
     pub rays: Vec<Ray<L>>,
-    /// Of rays from mirrors: the radiance that they bring, in vectors of lanes.
+    /// Of rays that go on: the radiance that they bring, in vectors of lanes.
     pub radiance: Vec<Vec3<L>>,
 }
 
@@ -89,6 +93,7 @@ impl<L: Lanes> Default for View<L> {
             missed: 0,
             groups: Vec::new(),
             lit: Vec::new(),
+            passed: Vec::new(),
             offsets: None,
             rays: Vec::new(),
             radiance: Vec::new(),

@@ -24,6 +24,21 @@ pub fn positive_part<S: Real>(x: S) -> S {
     select(x.cmplt(S::ZERO), S::ZERO, x)
 }
 
+/// The ray that goes straight on behind a surface.
+#[differentiable]
+#[inline]
+pub fn straight_ray<S: Real>(surface: SurfacePoint<S>) -> Ray<S> {
+    Ray { origin: surface.point, direction: -surface.view }
+}
+
+/// The radiance of a transparent surface that shows `own` by itself and has `behind` behind it. An
+/// opacity of 1 covers all of it.
+#[differentiable]
+#[inline]
+pub fn seen_through<S: Real>(opacity: S, own: Vec3<S>, behind: Vec3<S>) -> Vec3<S> {
+    own * opacity + behind * (S::ONE - opacity)
+}
+
 /// The ray whose radiance a mirror sends to the viewer.
 #[differentiable]
 #[inline]

@@ -26,7 +26,7 @@ fn relative_rate(id: ParameterId) -> f64 {
         | ShapeParameters(_)
         | LightParameters(_) => 0.01,
         LightPosition(_) | LightDirection(_) | LightColor(_) | LightIntensity(_) | Ambient(_)
-        | Diffuse(_) | Specular(_) | Exponent(_) | Reflection(_) | SphereCenter(_)
+        | Diffuse(_) | Specular(_) | Exponent(_) | Reflection(_) | Opacity(_) | SphereCenter(_)
         | SphereRadius(_) | Texels(_) => 0.04,
     }
 }
@@ -83,6 +83,7 @@ pub(crate) fn domain(id: ParameterId) -> (f64, f64) {
         Vfov => (1e-3, 179.999),
         Focus | SphereRadius(_) => above_zero,
         Exponent(_) => (0.0, LARGEST_EXPONENT),
+        Opacity(_) => (0.0, 1.0),
         LightColor(_) | LightIntensity(_) | Ambient(_) | Diffuse(_) | Specular(_)
         | Reflection(_) | Texels(_) => (0.0, f64::INFINITY),
         LookFrom
@@ -130,6 +131,7 @@ pub fn natural_scale(scene: &Scene, id: ParameterId) -> f64 {
         | Diffuse(_)
         | Specular(_)
         | Reflection(_)
+        | Opacity(_)
         | TextureCoordinates(_)
         | Texels(_) => 1.0,
         SphereCenter(i) => parameters.spheres[i].radius,

@@ -25,7 +25,7 @@ pub(crate) use validate::LARGEST_EXPONENT;
 #[cfg(feature = "files")]
 pub(crate) use validate::MOST_PIXELS;
 
-/// How many mirrors light meets at most, if a scene file does not say.
+/// How many mirrors and transparent surfaces light meets at most, if a scene file does not say.
 pub(crate) const DEFAULT_BOUNCES: u32 = 4;
 
 /// A scene, complete: it needs no file to be rendered.
@@ -35,7 +35,7 @@ pub struct Scene {
     pub width: u32,
     /// The height of the image in pixels.
     pub height: u32,
-    /// How many mirrors light meets on its way to the camera at most.
+    /// How many mirrors and transparent surfaces light meets on its way to the camera at most.
     pub bounces: u32,
     /// Everything continuous.
     pub parameters: Parameters,
@@ -70,6 +70,7 @@ impl Scene {
             camera,
             lights: Vec::new(),
             materials: Vec::new(),
+            opacities: Vec::new(),
             spheres: Vec::new(),
             vertices: Vec::new(),
             texture_coordinates: Vec::new(),

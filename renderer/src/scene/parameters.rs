@@ -5,7 +5,7 @@ use std::slice;
 
 use glam::DVec3;
 
-use super::Scene;
+use super::{MaterialObject, Scene};
 use crate::kernels::camera::Camera;
 use crate::kernels::light::{DistantLight, PointLight};
 use crate::kernels::material::Material;
@@ -20,6 +20,10 @@ pub struct Parameters {
     pub lights: Vec<Light<f64>>,
     /// The materials.
     pub materials: Vec<Material<f64>>,
+    /// The opacities of the materials that are transparent, see
+    /// [`MaterialObject::opacity`](super::MaterialObject::opacity): what a surface takes away of the light
+    /// that comes from behind it, and the part of its own that it shows; from 0 to 1.
+    pub opacities: Vec<f64>,
     /// The spheres.
     pub spheres: Vec<Sphere<f64>>,
     /// The vertices of each mesh.
@@ -94,8 +98,10 @@ pub enum ParameterId {
     Specular(usize),
     /// `material.NAME.exponent`
     Exponent(usize),
-    /// `material.NAME.reflection`
+    /// `material.NAME.reflection`, of an opaque material
     Reflection(usize),
+    /// `material.NAME.opacity`, of a transparent material; by index of the material's opacity
+    Opacity(usize),
     /// `sphere.NAME.center`
     SphereCenter(usize),
     /// `sphere.NAME.radius`
@@ -124,6 +130,7 @@ impl ParameterId {
             | Specular(_)
             | Exponent(_)
             | Reflection(_)
+            | Opacity(_)
             | TextureCoordinates(_)
             | Texels(_) => Differentiability::Smooth,
             LookFrom | LookAt | Up | Vfov | Focus | LightPosition(_) | LightDirection(_)
@@ -145,8 +152,12 @@ impl Scene {
             });
             ids.extend([LightColor(i), LightIntensity(i)]);
         }
-        for i in 0..self.parameters.materials.len() {
-            ids.extend([Ambient(i), Diffuse(i), Specular(i), Exponent(i), Reflection(i)]);
+        for (i, material) in self.materials.iter().enumerate() {
+            ids.extend([Ambient(i), Diffuse(i), Specular(i), Exponent(i)]);
+            ids.push(match material.opacity {
+                None => Reflection(i),
+                Some(opacity) => Opacity(opacity as usize),
+            });
         }
         for i in 0..self.parameters.spheres.len() {
             ids.extend([SphereCenter(i), SphereRadius(i)]);
@@ -227,6 +238,11 @@ impl fmt::Display for ParameterPath<'_> {
             Specular(i) => write!(f, "material.{}.specular", material(i)),
             Exponent(i) => write!(f, "material.{}.exponent", material(i)),
             Reflection(i) => write!(f, "material.{}.reflection", material(i)),
+            Opacity(i) => {
+                let wears = |material: &&MaterialObject| material.opacity == Some(i as u32);
+                let name = scene.materials.iter().find(wears).map_or("", |material| &material.name);
+                write!(f, "material.{name}.opacity")
+            }
             SphereCenter(i) => write!(f, "sphere.{}.center", scene.spheres[i].name),
             SphereRadius(i) => write!(f, "sphere.{}.radius", scene.spheres[i].name),
             Vertices(i) => write!(f, "mesh.{}.vertices", scene.meshes[i].name),
@@ -248,6 +264,7 @@ macro_rules! reach {
             camera,
             lights,
             materials,
+            opacities,
             spheres,
             vertices,
             texture_coordinates,
@@ -282,6 +299,7 @@ macro_rules! reach {
             Specular(i) => materials[i].specular.$as_slice(),
             Exponent(i) => $one($($reference)+ materials[i].exponent),
             Reflection(i) => materials[i].reflection.$as_slice(),
+            Opacity(i) => $one($($reference)+ opacities[i]),
             SphereCenter(i) => spheres[i].center.$as_slice(),
             SphereRadius(i) => $one($($reference)+ spheres[i].radius),
             Vertices(i) => vertices[i].$flatten(),

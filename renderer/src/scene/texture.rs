@@ -7,12 +7,15 @@ pub struct MaterialObject {
     pub name: String,
     /// What its colours vary by.
     pub textures: MaterialTextures,
+    /// The index of its opacity among [`Parameters::opacities`](super::Parameters::opacities); none if it
+    /// is opaque for good.
+    pub opacity: Option<u32>,
 }
 
 impl MaterialObject {
-    /// A material without textures.
+    /// An opaque material without textures.
     pub fn new(name: impl Into<String>) -> Self {
-        Self { name: name.into(), textures: MaterialTextures::default() }
+        Self { name: name.into(), textures: MaterialTextures::default(), opacity: None }
     }
 }
 

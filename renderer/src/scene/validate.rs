@@ -65,6 +65,7 @@ impl Scene {
         self.check_structure()?;
         self.check_values(&self.parameters, &self.parameter_ids())?;
         self.check_textures()?;
+        self.check_opacities()?;
         self.check_surfaces()
     }
 
@@ -156,13 +157,15 @@ impl Scene {
                 | Specular(_)
                 | Exponent(_)
                 | Reflection(_)
+                | Opacity(_)
                 | Texels(_)
         );
         match (id, values) {
-            _ if not_negative => match values.iter().find(|v| **v < 0.0) {
-                Some(value) => invalid(path(), format!("must not be negative, is {value}")),
-                None => Ok(()),
-            },
+            _ if not_negative && values.iter().any(|&v| v < 0.0) => {
+                let value = values.iter().copied().fold(0.0, f64::min);
+                invalid(path(), format!("must not be negative, is {value}"))
+            }
+            (Opacity(_), &[v]) if v > 1.0 => invalid(path(), format!("must be at most 1, is {v}")),
             (Vfov, &[v]) if v <= 0.0 || v >= 180.0 => {
                 invalid(path(), format!("must lie between 0 and 180 degrees, is {v}"))
             }
@@ -243,6 +246,25 @@ impl Scene {
         Ok(())
     }
 
+    /// Each opacity belongs to one material, which is no mirror: a ray goes on in one direction.
+    fn check_opacities(&self) -> Result<(), Invalid> {
+        let opacities = self.materials.iter().filter_map(|material| material.opacity);
+        let count = self.parameters.opacities.len();
+        if !opacities.clone().eq(0..count as u32) {
+            let problem =
+                format!("opacities {:?} for {count} of them", opacities.collect::<Vec<_>>());
+            return invalid("material", problem);
+        }
+        let materials = self.materials.iter().zip(&self.parameters.materials);
+        for (object, material) in materials.filter(|(object, _)| object.opacity.is_some()) {
+            if material.reflection != DVec3::ZERO {
+                let problem = "a mirror is opaque; leave out either opacity or reflection";
+                return invalid(format!("material.{}.opacity", object.name), problem);
+            }
+        }
+        Ok(())
+    }
+
     /// The texture coordinates of a mesh: there where a texture needs them.
     fn check_texture_coordinates(
         &self,
@@ -295,6 +317,9 @@ impl Scene {
             };
             if material.textures.any() {
                 return invalid(path(), "has a texture, for which this shape has no coordinates");
+            }
+            if material.opacity.is_some() {
+                return invalid(path(), "has an opacity; a shape of this kind is opaque");
             }
         }
         let meshes = self.meshes.iter().zip(&self.parameters.vertices).enumerate();

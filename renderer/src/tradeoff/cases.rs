@@ -102,8 +102,9 @@ pub(super) fn cases<'a>(
         }
     }
     let is_mirror = |i: usize| scene.parameters.materials[i].reflection != DVec3::ZERO;
-    let has_mirrors = (0..scene.materials.len()).any(is_mirror);
-    for bounces in if has_mirrors { 0..scene.bounces } else { 0..0 } {
+    let goes_on = |i: usize| is_mirror(i) || scene.materials[i].opacity.is_some();
+    let has_bounces = (0..scene.materials.len()).any(goes_on);
+    for bounces in if has_bounces { 0..scene.bounces } else { 0..0 } {
         let settings = RenderSettings { bounces: Some(bounces), ..settings };
         let engine = Box::new(Adjoint::<f32x16>::new(Question { settings, ..question }, false));
         push(Axis::Bounces, format!("{bounces} bounces, f32x16"), engine, None);

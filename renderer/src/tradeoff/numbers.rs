@@ -91,6 +91,10 @@ impl<S: Real> Numbers<'_, S> {
         }
     }
 
+    pub fn opacity(&self, index: usize) -> S {
+        self.number(ParameterId::Opacity(index))
+    }
+
     pub fn sphere(&self, index: usize) -> Sphere<S> {
         Sphere {
             center: self.vector(ParameterId::SphereCenter(index)),

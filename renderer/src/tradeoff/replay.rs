@@ -11,11 +11,11 @@ use glam::DVec3;
 use rayon::prelude::*;
 
 use super::numbers::{Number, Numbers};
-use crate::integrator::{Path, PixelLoss, Texture};
+use crate::integrator::{Path, PixelLoss, Reached, Texture};
 use crate::kernels::camera::{Frame, Ray, frame, primary_ray};
 use crate::kernels::material::{Material, reflection_of_distant_light, reflection_of_point_light};
 use crate::kernels::sphere::sphere_surface;
-use crate::kernels::surface::{SurfacePoint, mirrored_ray};
+use crate::kernels::surface::{SurfacePoint, mirrored_ray, straight_ray};
 use crate::kernels::texture::{Uv, bilinear, sphere_uv, texel_position, triangle_uv};
 use crate::kernels::triangle::triangle_surface;
 use crate::scene::{Light, ParameterId, Scene};
@@ -105,27 +105,38 @@ impl<P: PixelLoss> Replay<'_, P> {
         let y = S::from_f64(-place(path.y, self.scene.height));
         let mut ray = primary_ray::<S>(frame, x, y);
         let mut total = Vec3::<S>::splat(S::ZERO);
-        // What the mirrors so far leave of the radiance.
+        // What the mirrors and the transparent surfaces so far leave of the radiance.
         let mut left = Vec3::<S>::splat(S::ONE);
         for meeting in &path.meetings {
             let primitive = self.primitive(meeting.primitive);
             let surface = self.surface(numbers, &primitive, ray, meeting.leaves);
-            let material = self.material(numbers, &primitive, surface.point);
+            let index = self.material_index(&primitive);
+            let material = self.material(numbers, &primitive, index, surface.point);
             let mut radiance = material.ambient;
-            for &light in &meeting.lit {
-                radiance = radiance
-                    + match numbers.light(light) {
-                        Light::Point(light) => {
-                            reflection_of_point_light::<S>(material, surface, light)
-                        }
-                        Light::Distant(light) => {
-                            reflection_of_distant_light::<S>(material, surface, light)
-                        }
-                    };
+            for Reached { light, crossed } in &meeting.lit {
+                let passed = crossed.iter().map(|&opacity| S::ONE - numbers.opacity(opacity));
+                let passed = passed.fold(S::ONE, |product, factor| product * factor);
+                let reflected = match numbers.light(*light) {
+                    Light::Point(light) => reflection_of_point_light::<S>(material, surface, light),
+                    Light::Distant(light) => {
+                        reflection_of_distant_light::<S>(material, surface, light)
+                    }
+                };
+                radiance = radiance + reflected * passed;
             }
-            total = total + left * radiance;
-            left = left * material.reflection;
-            ray = mirrored_ray::<S>(surface);
+            match self.scene.materials[index].opacity {
+                None => {
+                    total = total + left * radiance;
+                    left = left * material.reflection;
+                    ray = mirrored_ray::<S>(surface);
+                }
+                Some(opacity) => {
+                    let opacity = numbers.opacity(opacity as usize);
+                    total = total + left * radiance * opacity;
+                    left = left * (S::ONE - opacity);
+                    ray = straight_ray::<S>(surface);
+                }
+            }
         }
         total
     }
@@ -160,17 +171,22 @@ impl<P: PixelLoss> Replay<'_, P> {
         }
     }
 
-    /// The material at a point, with its textures.
+    fn material_index(&self, primitive: &Primitive) -> usize {
+        let material = match *primitive {
+            Primitive::Triangle { mesh, triangle } => self.scene.meshes[mesh].materials[triangle],
+            Primitive::Sphere(sphere) => self.scene.spheres[sphere].material,
+        };
+        material as usize
+    }
+
+    /// The material of an index at a point, with its textures.
     fn material<S: Number>(
         &self,
         numbers: &Numbers<'_, S>,
         primitive: &Primitive,
+        index: usize,
         point: Vec3<S>,
     ) -> Material<S> {
-        let index = match *primitive {
-            Primitive::Triangle { mesh, triangle } => self.scene.meshes[mesh].materials[triangle],
-            Primitive::Sphere(sphere) => self.scene.spheres[sphere].material,
-        } as usize;
         let mut material = numbers.material(index);
         let textures = self.scene.materials[index].textures;
         if !textures.any() {

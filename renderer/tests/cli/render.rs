@@ -169,14 +169,15 @@ fn what_files_leave_out_is_told_on_the_error_stream() {
     let sandbox = Sandbox::new();
     let floor = crate::sandbox::FLOOR.replace("f 4", "usemtl glass\nf 4");
     sandbox.write("glass.obj", format!("mtllib glass.mtl\n{floor}l 1 2\nl 2 3\n"));
-    sandbox.write("glass.mtl", "newmtl glass\nKd 1 0 0\nd 0.5\nd 0.25\n");
+    sandbox.write("glass.mtl", "newmtl glass\nKd 1 0 0\nNi 1.5\nNi 1.4\n");
     sandbox.write_changed("glass.toml", "floor.obj", "glass.obj");
     for command in [&["render", "glass.toml", "-o", "out.png"][..], &["params", "glass.obj"]] {
         let output = sandbox.run(command);
         assert_eq!(output.status.code(), Some(0), "{output:?}");
         let lines = String::from_utf8(output.stderr).unwrap();
         let expected = "warning: glass.obj:8: `l` is left out: only faces (`f`) are shown\n\
-                        warning: glass.mtl:3: d is left out: every surface is opaque\n";
+                        warning: glass.mtl:3: Ni is left out: rays go straight on behind \
+                        transparent surfaces\n";
         assert_eq!(lines, expected);
         assert!(!String::from_utf8(output.stdout).unwrap().contains("warning"));
     }

@@ -37,7 +37,7 @@ fn an_image_takes_what_the_scene_requires() {
     assert_eq!(alone("primary rays"), 32 * 24);
     assert!(alone("points shaded") > 0 && alone("points shaded") < 32 * 24);
     // Nothing else is there to cast a shadow, reflect, or wear a texture.
-    for label in ["shadow rays", "mirrored rays", "texture lookups", "shading pullbacks"] {
+    for label in ["shadow rays", "rays that go on", "texture lookups", "shading pullbacks"] {
         assert_eq!(alone(label), 0, "{label}");
     }
 
@@ -53,7 +53,7 @@ fn an_image_takes_what_the_scene_requires() {
     let mirror =
         format!("bounces = 1\n{CAMERA}{LIGHT}{SPHERE}{OTHER}{PAINT}reflection = [0.5, 0.5, 0.5]\n");
     let mirror = image("mirror.toml", &mirror);
-    assert_eq!(mirror("mirrored rays"), two("points shaded"));
+    assert_eq!(mirror("rays that go on"), two("points shaded"));
     assert_eq!(mirror("primary rays"), 32 * 24);
 
     let samples = counts(&sandbox, &["render", "two.toml", "-o", "image.png", "--samples", "4"]);

@@ -140,6 +140,7 @@ pub(super) struct Material {
     pub normal_texture: Option<IgnoredAny>,
     pub occlusion_texture: Option<IgnoredAny>,
     pub alpha_mode: Option<String>,
+    pub alpha_cutoff: Option<f64>,
 }
 
 #[derive(Deserialize)]

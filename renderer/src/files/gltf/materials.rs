@@ -81,7 +81,8 @@ fn convert(
 ) -> Result<(ModelMaterial, usize), Error> {
     warn_of_left_out(definition, place, warnings);
     let pbr = &definition.pbr_metallic_roughness;
-    let [r, g, b, _] = pbr.base_color_factor;
+    let [r, g, b, alpha] = pbr.base_color_factor;
+    let opacity = opacity(definition, alpha).map_err(|problem| Error::new(place, problem))?;
     let material = Material {
         ambient: DVec3::from_array(definition.emissive_factor),
         diffuse: DVec3::new(r, g, b),
@@ -104,12 +105,11 @@ fn convert(
         specular: None,
         placement: first,
     };
-    Ok((ModelMaterial { name, material: Ok(material), maps }, texture_set))
+    Ok((ModelMaterial { name, material: Ok(material), opacity, maps }, texture_set))
 }
 
 fn warn_of_left_out(definition: &document::Material, place: &str, warnings: &mut Warnings) {
     let pbr = &definition.pbr_metallic_roughness;
-    let alpha_mode = definition.alpha_mode.as_deref().unwrap_or("OPAQUE");
     let left_out = [
         (definition.normal_texture.is_some(), "normalTexture is left out"),
         (definition.occlusion_texture.is_some(), "occlusionTexture is left out"),
@@ -118,11 +118,25 @@ fn warn_of_left_out(definition: &document::Material, place: &str, warnings: &mut
             pbr.metallic_factor.is_some_and(|factor| factor > 0.0),
             "metallicFactor is left out: metals are shown as matt surfaces",
         ),
-        (alpha_mode != "OPAQUE", "alphaMode is left out: every surface is opaque"),
     ];
     for (_, problem) in left_out.into_iter().filter(|(is_given, _)| *is_given) {
         warnings.add(problem, place, problem);
     }
+}
+
+/// The opacity of a material of this alpha, if it is transparent.
+fn opacity(definition: &document::Material, alpha: f64) -> Result<Option<f64>, String> {
+    let opacity = match definition.alpha_mode.as_deref() {
+        None | Some("OPAQUE") => 1.0,
+        Some("BLEND") => alpha,
+        Some("MASK") if alpha < definition.alpha_cutoff.unwrap_or(0.5) => 0.0,
+        Some("MASK") => 1.0,
+        Some(mode) => return Err(format!("alphaMode is `{mode}`, which is none")),
+    };
+    if !(0.0..=1.0).contains(&opacity) {
+        return Err(format!("the alpha of baseColorFactor must lie between 0 and 1, is {opacity}"));
+    }
+    Ok(Some(opacity).filter(|&opacity| opacity < 1.0))
 }
 
 /// The set of texture coordinates, and from these, whose v is turned upwards, to where the texture is

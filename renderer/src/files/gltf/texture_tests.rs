@@ -172,7 +172,6 @@ fn what_is_left_out_is_told() {
     document["extensionsUsed"] = json!(["KHR_lights_punctual", "KHR_materials_unlit"]);
     document["animations"] = json!([{}]);
     document["materials"][0]["normalTexture"] = json!({ "index": 0 });
-    document["materials"][1]["alphaMode"] = json!("BLEND");
     document["materials"][1]["pbrMetallicRoughness"]["metallicFactor"] = json!(0.5);
     let primitives = document["meshes"][0]["primitives"].as_array_mut().unwrap();
     let mut line = primitives[0].clone();
@@ -188,7 +187,6 @@ fn what_is_left_out_is_told() {
         "animations are left out",
         "materials[0]: normalTexture is left out",
         "materials[1]: metallicFactor is left out: metals are shown as matt surfaces",
-        "materials[1]: alphaMode is left out: every surface is opaque",
         "meshes[0].primitives[0]: the colours of vertices are left out",
         "meshes[0].primitives[1]: points and lines are left out",
     ];
@@ -209,4 +207,35 @@ fn what_is_left_out_is_told() {
     document["extensionsRequired"] = json!(["KHR_materials_unlit"]);
     let error = load_bytes("model.glb", &glb(document, &bytes)).unwrap_err();
     assert!(error.problem.contains("requires the extension KHR_materials_unlit"), "{error}");
+}
+
+/// By the alpha mode; the default one leaves alpha out.
+#[test]
+fn alpha_is_the_opacity() {
+    let mut document = square();
+    let factor = |alpha: f64| json!({ "baseColorFactor": [1, 0, 0, alpha] });
+    for (mode, alpha, opacity) in [
+        (json!("OPAQUE"), 0.25, None),
+        (json!("BLEND"), 0.25, Some(0.25)),
+        (json!("BLEND"), 1.0, None),
+        (json!("MASK"), 0.25, Some(0.0)),
+        (json!("MASK"), 0.75, None),
+    ] {
+        document["materials"][1]["alphaMode"] = mode;
+        document["materials"][1]["pbrMetallicRoughness"] = factor(alpha);
+        let model = load(&document).unwrap().model;
+        assert_eq!(model.materials[0].opacity, opacity);
+    }
+    document["materials"][1]["alphaCutoff"] = json!(0.8);
+    assert_eq!(load(&document).unwrap().model.materials[0].opacity, Some(0.0));
+    document["materials"][1]["pbrMetallicRoughness"] = factor(1.5);
+    document["materials"][1]["alphaMode"] = json!("BLEND");
+    let error = load(&document).unwrap_err().to_string();
+    assert!(
+        error.ends_with("alpha of baseColorFactor must lie between 0 and 1, is 1.5"),
+        "{error}"
+    );
+    document["materials"][1]["alphaMode"] = json!("BLUR");
+    let error = load(&document).unwrap_err().to_string();
+    assert!(error.ends_with("materials[1]: alphaMode is `BLUR`, which is none"), "{error}");
 }

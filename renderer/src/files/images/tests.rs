@@ -238,3 +238,22 @@ fn an_image_that_claims_to_be_huge_is_refused() {
     let error = error_of(&path);
     assert!(error.contains("cannot be decoded"), "{error}");
 }
+
+/// Few bytes of OpenEXR may announce a display window of any size around the data.
+#[test]
+fn images_larger_than_their_file_are_refused() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("a.exr");
+    save_exr(&Image { width: 2, height: 2, pixels: vec![[0.5; 3]; 4] }, &path).unwrap();
+    let mut bytes = std::fs::read(&path).unwrap();
+    let window = b"displayWindow\0box2i\0";
+    let place = bytes.windows(window.len()).position(|at| at == window).unwrap();
+    // After the length of the value come the least x and y, then the greatest x.
+    let greatest = place + window.len() + 4 + 8;
+    bytes[greatest..greatest + 4].copy_from_slice(&9_999_999_i32.to_le_bytes());
+    std::fs::write(&path, &bytes).unwrap();
+    let error = load_image(&path).unwrap_err();
+    let size = bytes.len();
+    let expected = format!("{size} bytes cannot hold the 10000000 x 2 pixels it has");
+    assert_eq!(error.problem, expected);
+}

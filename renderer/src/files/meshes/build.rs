@@ -74,6 +74,7 @@ pub(in crate::files) fn plain_material() -> ModelMaterial {
     ModelMaterial {
         name: DEFAULT_MATERIAL.to_owned(),
         material: Ok(default_material()),
+        opacity: None,
         maps: ModelMaps::default(),
     }
 }

@@ -16,9 +16,8 @@ pub(super) fn meshes(prepared: Prepared, file: &str) -> Result<Vec<Mesh>, Error>
     // By default polygons stay whole, and texture coordinates have indices of their own.
     let options = tobj::LoadOptions::default();
     let no_library = |_: &Path| Err(tobj::LoadError::OpenFileFailed);
-    let (models, _) = tobj::load_obj_buf(&mut text.as_bytes(), &options, no_library)
+    let (models, _) = tobj::load_obj_buf(&mut text.drain(), &options, no_library)
         .map_err(|error| Error::new(file, error))?;
-    drop(text);
 
     let mut meshes = Vec::new();
     let mut names = Names::default();

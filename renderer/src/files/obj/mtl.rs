@@ -26,6 +26,7 @@ pub(super) struct Library {
 pub(super) struct LibraryMaterial {
     pub name: String,
     pub material: Material<f64>,
+    pub opacity: Option<f64>,
     pub maps: ModelMaps,
 }
 
@@ -95,6 +96,9 @@ struct Definition {
     diffuse: Option<DVec3>,
     specular: Option<DVec3>,
     exponent: Option<f64>,
+    opacity: Option<f64>,
+    /// 1 - the opacity, in files of other programs.
+    transparency: Option<f64>,
     illumination: Option<u8>,
     ambient_map: Option<Map>,
     diffuse_map: Option<Map>,
@@ -102,19 +106,21 @@ struct Definition {
 }
 
 /// The statements that materials are made of.
-const OF_MATERIALS: [&str; 8] = ["ke", "kd", "ks", "ns", "illum", "map_ke", "map_kd", "map_ks"];
+const OF_MATERIALS: [&str; 10] =
+    ["ke", "kd", "ks", "ns", "d", "tr", "illum", "map_ke", "map_kd", "map_ks"];
 
 /// Statements that nothing here stands for: the number that leaves the image as it is, not a number
 /// if there is none, and why there is no other one.
-const LEFT_OUT: [(&str, f64, &str); 6] = [
-    ("d", 1.0, OPAQUE),
-    ("tr", 0.0, OPAQUE),
-    ("tf", 1.0, OPAQUE),
-    ("ni", 1.0, OPAQUE),
+const LEFT_OUT: [(&str, f64, &str); 5] = [
+    ("tf", 1.0, NO_FILTER),
+    ("ni", 1.0, NO_REFRACTION),
+    ("map_d", f64::NAN, NO_OPACITY_MAP),
     ("ka", 0.0, NO_AMBIENT_LIGHT),
     ("map_ka", f64::NAN, NO_AMBIENT_LIGHT),
 ];
-const OPAQUE: &str = "every surface is opaque";
+const NO_FILTER: &str = "opacity has no colour";
+const NO_REFRACTION: &str = "rays go straight on behind transparent surfaces";
+const NO_OPACITY_MAP: &str = "opacity does not vary over a surface";
 const NO_AMBIENT_LIGHT: &str =
     "there is no ambient light; `ambient` in a scene file is what a surface shows by itself";
 
@@ -150,6 +156,15 @@ impl Definition {
                 let word = words(rest).next().unwrap_or("");
                 self.exponent = Some(not_negative(keyword, word)?);
             }
+            "d" | "tr" => {
+                let word = words(rest).find(|word| *word != "-halo").unwrap_or("");
+                let value = not_negative(keyword, word)?;
+                if value > 1.0 {
+                    return Err(format!("{keyword} must be at most 1, is {value}"));
+                }
+                *(if lower == "d" { &mut self.opacity } else { &mut self.transparency }) =
+                    Some(value);
+            }
             "map_ke" => self.ambient_map = map()?,
             "map_kd" => self.diffuse_map = map()?,
             "map_ks" => self.specular_map = map()?,
@@ -160,7 +175,7 @@ impl Definition {
                     model.ok_or_else(|| format!("illum is a number from 0 to 10, not `{word}`"))?;
                 let problem = match model {
                     0 => "a colour without light; it is lit as by `illum 1`",
-                    4 | 6 | 7 | 9 => "glass; it is shown as by `illum 2`",
+                    4 | 6 | 7 | 9 => "glass that refracts; it is shown as by `illum 2`",
                     10 => "a surface for shadows alone; it is shown as by `illum 2`",
                     _ => "",
                 };
@@ -189,7 +204,16 @@ impl Definition {
             let problem = "map_Ks varies the highlight alone, not the mirror";
             warnings.add("varied mirror", place, problem);
         }
+        if self.is_mirror() && self.reduced_opacity().is_some() {
+            warnings.add("transparent mirror", place, "a mirror is shown opaque");
+        }
         Ok(())
+    }
+
+    /// The opacity, unless it is 1. Programs that write `Tr` and `d` mean different things by `Tr`.
+    fn reduced_opacity(&self) -> Option<f64> {
+        let opacity = self.opacity.or(self.transparency.map(|transparency| 1.0 - transparency));
+        opacity.filter(|&opacity| opacity < 1.0)
     }
 
     fn maps(&self) -> impl Iterator<Item = &Map> {
@@ -219,6 +243,7 @@ impl Definition {
             exponent: self.exponent.unwrap_or(default.exponent),
             reflection: if self.is_mirror() { specular } else { default.reflection },
         };
+        let opacity = self.reduced_opacity().filter(|_| !self.is_mirror());
         let placement = self.maps().next().map(|map| map.placement).unwrap_or_default();
         let source = |map: Option<Map>| map.map(|map| map.source);
         let maps = ModelMaps {
@@ -227,7 +252,7 @@ impl Definition {
             specular: source(self.specular_map),
             placement,
         };
-        LibraryMaterial { name: self.name, material, maps }
+        LibraryMaterial { name: self.name, material, opacity, maps }
     }
 }
 

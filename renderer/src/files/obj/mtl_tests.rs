@@ -33,6 +33,7 @@ fn libraries_are_found_and_checked() {
         ("newmtl red\nKd 1 2\n", "a.mtl:2: Kd is a colour of 3 numbers"),
         ("newmtl red\nKs nan 0 0\n", "a.mtl:2: Ks: `nan` is not a finite number"),
         ("newmtl red\nKd 0 -1 0\n", "a.mtl:2: Kd must not be negative, is -1"),
+        ("newmtl red\nd 1.5\n", "a.mtl:2: d must be at most 1, is 1.5"),
         ("newmtl red\nNs\n", "a.mtl:2: Ns: `` is not a number"),
         ("newmtl\n", "a.mtl:1: newmtl names no material"),
         ("Kd 1 1 1\n", "a.mtl:1: Kd stands before the first newmtl"),
@@ -105,15 +106,15 @@ fn illumination_models_are_told_apart() {
     }
     let unlit = "3: illum 0 is a colour without light; it is lit as by `illum 1`".to_owned();
     assert_eq!(reflectances("illum 0"), (0.0, 0.0, vec![unlit]));
-    let glass = "3: illum 7 is glass; it is shown as by `illum 2`".to_owned();
+    let glass = "3: illum 7 is glass that refracts; it is shown as by `illum 2`".to_owned();
     assert_eq!(reflectances("illum 7"), (0.5, 0.0, vec![glass]));
 }
 
 #[test]
 fn what_is_left_out_is_told_once() {
     let (material, warnings) = defined(
-        "Ka 1 1 1\nKd 1 0 0\nd 0.5\nTr 0.5\nNi 1.45\nTf 0 1 0\nmap_Ka a.png\nmap_d b.png\n\
-         bump c.png\nsharpness 60\nnewmtl n\nKa 1 1 1\nd 0.1\nbump d.png\n",
+        "Ka 1 1 1\nKd 1 0 0\nNi 1.45\nTf 0 1 0\nmap_Ka a.png\nmap_d b.png\nbump c.png\n\
+         sharpness 60\nnewmtl n\nKa 1 1 1\nNi 1.1\nbump d.png\n",
     );
     assert_eq!(material.material.unwrap().ambient, DVec3::ZERO);
     assert_eq!(material.maps, ModelMaps::default());
@@ -121,16 +122,33 @@ fn what_is_left_out_is_told_once() {
         "there is no ambient light; `ambient` in a scene file is what a surface shows by itself";
     let expected = [
         format!("2: Ka is left out: {ambient}"),
-        "4: d is left out: every surface is opaque".to_owned(),
-        "5: Tr is left out: every surface is opaque".to_owned(),
-        "6: Ni is left out: every surface is opaque".to_owned(),
-        "7: Tf is left out: every surface is opaque".to_owned(),
-        format!("8: map_Ka is left out: {ambient}"),
-        "9: `map_d` is left out: nothing here stands for it".to_owned(),
-        "10: `bump` is left out: nothing here stands for it".to_owned(),
-        "11: `sharpness` is left out: nothing here stands for it".to_owned(),
+        "4: Ni is left out: rays go straight on behind transparent surfaces".to_owned(),
+        "5: Tf is left out: opacity has no colour".to_owned(),
+        format!("6: map_Ka is left out: {ambient}"),
+        "7: map_d is left out: opacity does not vary over a surface".to_owned(),
+        "8: `bump` is left out: nothing here stands for it".to_owned(),
+        "9: `sharpness` is left out: nothing here stands for it".to_owned(),
     ];
     assert_eq!(warnings, expected);
+}
+
+#[test]
+fn opacity_is_read() {
+    for (library, opacity) in [
+        ("d 0.25\n", Some(0.25)),
+        ("Tr 0.25\n", Some(0.75)),
+        ("d -halo 0.5\n", Some(0.5)),
+        // Some programs write both, and mean by `Tr` what `d` is.
+        ("Tr 1\nd 1\n", None),
+        ("d 0.25\nTr 0.25\n", Some(0.25)),
+        ("d 0\n", Some(0.0)),
+    ] {
+        let (material, warnings) = defined(library);
+        assert_eq!((material.opacity, warnings), (opacity, Vec::new()), "{library}");
+    }
+    let (mirror, warnings) = defined("Ks 0.5\nd 0.5\nillum 3\n");
+    assert_eq!(mirror.opacity, None);
+    assert_eq!(warnings, ["4: a mirror is shown opaque"]);
 }
 
 #[test]

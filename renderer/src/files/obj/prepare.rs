@@ -2,6 +2,7 @@
 
 use std::collections::HashMap;
 
+use super::chunks::Chunks;
 use super::face::{Counts, prepare_face};
 use super::statements::{Statement, number, statements, words};
 use crate::Error;
@@ -12,7 +13,7 @@ use crate::files::warnings::Warnings;
 #[derive(Default)]
 pub(super) struct Prepared {
     /// For tobj: objects, vertices, texture coordinates and faces; no more.
-    pub text: String,
+    pub text: Chunks,
     /// The faces of the file in order.
     pub faces: Vec<Face>,
     /// For each corner of each face whether it has texture coordinates: where it has none, tobj makes
@@ -40,9 +41,8 @@ pub(super) fn prepare(
     warnings: &mut Warnings,
 ) -> Result<Prepared, Error> {
     let has_objects = statements(text).any(|statement| statement.keyword == "o");
-    let mut prepared = Prepared { text: format!("o {stem}\n"), ..Prepared::default() };
-    // What is handed on is seldom longer.
-    prepared.text.reserve(text.len());
+    let mut prepared = Prepared::default();
+    prepared.text.line().extend(["o ", stem, "\n"]);
     let mut counts = Counts::default();
     let mut worn = Worn::default();
     for Statement { line, keyword, rest } in statements(text) {
@@ -51,21 +51,21 @@ pub(super) fn prepare(
             |problem: &str| warnings.add(keyword, format_args!("{file}:{line}"), problem);
         match keyword {
             "v" => {
-                let has_color = prepare_vertex(&rest, &mut prepared.text).map_err(refuse)?;
+                let has_color = prepare_vertex(&rest, prepared.text.line()).map_err(refuse)?;
                 counts.vertices = one_more(counts.vertices).map_err(refuse)?;
                 if has_color {
                     warn("the colours of vertices are left out");
                 }
             }
             "vt" => {
-                prepare_texture_coordinates(&rest, &mut prepared.text).map_err(refuse)?;
+                prepare_texture_coordinates(&rest, prepared.text.line()).map_err(refuse)?;
                 counts.texture_coordinates =
                     one_more(counts.texture_coordinates).map_err(refuse)?;
             }
             "vn" => counts.normals = one_more(counts.normals).map_err(refuse)?,
             "f" => {
                 let Prepared { text, faces, textured, materials, .. } = &mut prepared;
-                prepare_face(&rest, &counts, text, textured).map_err(refuse)?;
+                prepare_face(&rest, &counts, text.line(), textured).map_err(refuse)?;
                 faces.push(Face { line, material: worn.index(materials, line) });
             }
             "usemtl" if rest.is_empty() => {
@@ -75,7 +75,7 @@ pub(super) fn prepare(
             "mtllib" => prepared.libraries.push((rest.into_owned(), line)),
             "o" | "g" if (keyword == "o") == has_objects => {
                 let name = if rest.is_empty() { stem } else { &rest };
-                prepared.text.extend(["o ", name, "\n"]);
+                prepared.text.line().extend(["o ", name, "\n"]);
             }
             // Triangles are flat shaded whatever their smoothing group.
             "o" | "g" | "s" => {}

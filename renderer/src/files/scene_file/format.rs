@@ -111,6 +111,9 @@ pub(super) struct MaterialEntry {
     pub exponent: Option<f64>,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub reflection: Option<[f64; 3]>,
+    /// If given, the material is transparent.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub opacity: Option<f64>,
     /// Names of textures.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub ambient_texture: Option<String>,

@@ -7,6 +7,9 @@ use toml::de::{DeArray, DeTable, DeValue};
 use crate::Error;
 use crate::scene::Invalid;
 
+/// What counts something.
+const WHOLE: &str = "a whole number, 0 or more";
+
 /// Knows where in the text of a scene file things stand.
 pub(super) struct Locator<'a> {
     text: &'a str,
@@ -25,8 +28,13 @@ impl<'a> Locator<'a> {
         // Without the text, the error prints its message and then the keys that lead to it.
         error.set_input(None);
         let message = error.to_string();
-        let problem = message.split('\n').filter(|part| !part.is_empty()).collect::<Vec<_>>();
-        Error::new(self.at(line), problem.join(" "))
+        let parts: Vec<&str> = message.split('\n').filter(|part| !part.is_empty()).collect();
+        let mut problem = parts.join(" ");
+        // What serde calls by the names of Rust.
+        for (name, meaning) in [("f64", "a number"), ("u32", WHOLE), ("u64", WHOLE)] {
+            problem = problem.replace(&format!("expected {name}"), &format!("expected {meaning}"));
+        }
+        Error::new(self.at(line), problem)
     }
 
     /// What is wrong with the scene.

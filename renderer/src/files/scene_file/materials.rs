@@ -17,6 +17,8 @@ use crate::scene::{MaterialObject, MaterialTextures, Scene};
 pub(super) struct MaterialTable<'a> {
     objects: Vec<MaterialObject>,
     materials: Vec<Material<f64>>,
+    /// Of those that are transparent.
+    opacities: Vec<Option<f64>>,
     names: Names,
     textures: TextureTable,
     entries: &'a [(String, MaterialEntry)],
@@ -37,11 +39,12 @@ impl<'a> MaterialTable<'a> {
         let object = |(name, entry): &(String, MaterialEntry)| {
             let none = MaterialTextures::default();
             let textures = overridden_textures(none, name, entry, &textures)?;
-            Ok(MaterialObject { name: name.clone(), textures })
+            Ok(MaterialObject { textures, ..MaterialObject::new(name) })
         };
         Ok(Self {
             objects: entries.iter().map(object).collect::<Result<_, Problem>>()?,
             materials: entries.iter().map(material).collect(),
+            opacities: entries.iter().map(|(_, entry)| entry.opacity).collect(),
             names: entries.iter().map(|(name, _)| name.as_str()).collect(),
             textures,
             filled: vec![false; entries.len()],
@@ -55,6 +58,7 @@ impl<'a> MaterialTable<'a> {
         Self {
             objects: Vec::new(),
             materials: Vec::new(),
+            opacities: Vec::new(),
             names: Names::default(),
             textures: TextureTable::default(),
             entries: &[],
@@ -90,6 +94,7 @@ impl<'a> MaterialTable<'a> {
                 default_material()
             }
         };
+        let opacity = entry.and_then(|entry| self.entries[entry].1.opacity).or(model.opacity);
         let own = self.textures.add(&model.maps)?;
         let (mut textures, mut placement) = (own, model.maps.placement);
         if let Some(entry) = entry {
@@ -103,20 +108,23 @@ impl<'a> MaterialTable<'a> {
                 self.filled[entry] = true;
                 self.materials[entry] = value;
                 self.objects[entry].textures = textures;
+                self.opacities[entry] = opacity;
             }
         }
         // Files may give one name to one material, or to different ones.
-        let same = self.objects.iter().zip(&self.materials).position(|(object, material)| {
-            let MaterialObject { name, textures: worn } = object;
-            (*material, *worn) == (value, textures)
+        let is_same = |&index: &usize| {
+            let MaterialObject { name, textures: worn, .. } = &self.objects[index];
+            (self.materials[index], self.opacities[index], *worn) == (value, opacity, textures)
                 && (*name == model.name || is_numbered(name, &model.name))
-        });
+        };
+        let same = (0..self.objects.len()).find(is_same);
         if let Some(index) = same {
             return Ok((index as u32, placement));
         }
         let name = self.names.take(model.name.clone());
-        self.objects.push(MaterialObject { name, textures });
+        self.objects.push(MaterialObject { textures, ..MaterialObject::new(name) });
         self.materials.push(value);
+        self.opacities.push(opacity);
         Ok(((self.objects.len() - 1) as u32, placement))
     }
 
@@ -125,6 +133,12 @@ impl<'a> MaterialTable<'a> {
     pub fn move_into(self, scene: &mut Scene) -> Vec<Warning> {
         scene.materials = self.objects;
         scene.parameters.materials = self.materials;
+        for (object, opacity) in scene.materials.iter_mut().zip(self.opacities) {
+            object.opacity = opacity.map(|opacity| {
+                scene.parameters.opacities.push(opacity);
+                scene.parameters.opacities.len() as u32 - 1
+            });
+        }
         let mut warnings = self.undefined.finish();
         warnings.append(&mut self.textures.move_into(scene));
         warnings

@@ -47,7 +47,7 @@ pub(crate) fn parse(text: &str, folder: &Path, name: &str) -> Result<Experiment,
     let locator = Locator::new(text, name);
     let file: format::SceneFile =
         toml::from_str(text).map_err(|error| locator.syntax_error(error))?;
-    read::experiment(&file, folder).map_err(|problem| match problem {
+    read::experiment(&file, folder, name).map_err(|problem| match problem {
         Problem::Here(invalid) => locator.place(invalid),
         Problem::Elsewhere(error) => error,
     })

@@ -12,13 +12,23 @@ use crate::experiment::Experiment;
 use crate::files::Warning;
 use crate::kernels::camera::Camera;
 use crate::kernels::light::{DistantLight, PointLight};
+use crate::kernels::material::Material;
 use crate::kernels::sphere::Sphere;
-use crate::scene::{Light, Scene, SphereObject};
+use crate::scene::{Light, Parameters, Scene, SphereObject};
 
-/// The experiment that a file in `folder` describes.
-pub(super) fn experiment(file: &SceneFile, folder: &Path) -> Result<Experiment, Problem> {
-    let (scene, warnings) = scene(file, folder)?;
+/// The experiment that the file `name` in `folder` describes.
+pub(super) fn experiment(
+    file: &SceneFile,
+    folder: &Path,
+    name: &str,
+) -> Result<Experiment, Problem> {
+    let (scene, mut warnings) = scene(file, folder)?;
     scene.check()?;
+    if is_black(&scene) {
+        let problem =
+            "has no light: add a [[light]], or an `ambient` to a material, or all is black";
+        warnings.push(Warning::new(name, problem));
+    }
     let optimize = match &file.optimize {
         Some(entry) => Some(optimize::read(entry, &scene, folder)?),
         None => None,
@@ -54,6 +64,13 @@ fn scene(file: &SceneFile, folder: &Path) -> Result<(Scene, Vec<Warning>), Probl
     warnings.extend(materials.move_into(&mut scene));
     meshes::drop_unused_coordinates(&mut scene);
     Ok((scene, warnings))
+}
+
+/// Whether a scene shows something, but nothing that lights it.
+fn is_black(scene: &Scene) -> bool {
+    let glows = |material: &Material<f64>| material.ambient != DVec3::ZERO;
+    let Parameters { lights, materials, .. } = &scene.parameters;
+    lights.is_empty() && !materials.is_empty() && !materials.iter().any(glows)
 }
 
 fn camera(entry: &CameraEntry) -> Camera<f64> {

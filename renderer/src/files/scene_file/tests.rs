@@ -19,7 +19,7 @@ const MESH: &str = "o one\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl red\nf 1 2 3\n\
 pub(super) const LIBRARY: &str = "newmtl red\nKd 1 0 0\nNs 7\nnewmtl blue\nKd 0 0 1\n";
 pub(super) const CAMERA: &str =
     "[camera]\nlook_from = [0, 0, 5]\nlook_at = [0, 0, 0]\nwidth = 8\nheight = 4\n";
-const LIGHT: &str =
+pub(super) const LIGHT: &str =
     "[[light]]\nname = \"key\"\ntype = \"point\"\nposition = [1, 2, 3]\nintensity = 4\n";
 
 /// A folder with `a.obj` and its library.
@@ -152,10 +152,22 @@ fn the_optimise_section_is_read() {
 #[test]
 fn mistakes_in_the_file_are_placed() {
     for (rest, expected) in [
+        (
+            "focus = 1\n[[light]]\nname = \"k\"\ntype = \"point\"\nintensity = \"much\"\n",
+            "s.toml:10: invalid type: string \"much\", expected a number in `light.intensity`",
+        ),
+        (
+            "[optimize]\niterations = -3\n",
+            "s.toml:7: invalid value: integer `-3`, expected a whole",
+        ),
+        (
+            "[optimize]\niterations = 2.5\n",
+            "s.toml:7: invalid type: floating point `2.5`, expected a w",
+        ),
         ("focuss = 1\n", "s.toml:6: unknown field `focuss`, expected one of `look_from`"),
         (
             "vfov = \"wide\"\n",
-            "s.toml:6: invalid type: string \"wide\", expected f64 in `camera.vfov`",
+            "s.toml:6: invalid type: string \"wide\", expected a number in `camera.vfov`",
         ),
         ("vfov = 45\nvfov = 46\n", "s.toml:7: duplicate key"),
         ("up = [0, 1]\n", "s.toml:6: invalid length 2"),
@@ -342,7 +354,12 @@ fn add_texture(scene: &mut Scene) {
     scene.textures.push(TextureObject { name, width: 2, height: 1, wrap });
     scene.parameters.textures.push(vec![[0.25, 0.5, 1.0], [0.0, f64::from(0.1_f32), 7.0]]);
     let textures = MaterialTextures { specular: Some(0), ..MaterialTextures::default() };
-    scene.materials.push(MaterialObject { name: "planks".to_owned(), textures });
+    scene.materials.push(MaterialObject {
+        textures,
+        opacity: Some(0),
+        ..MaterialObject::new("planks")
+    });
+    scene.parameters.opacities.push(0.1 + 0.2);
     let planks = scene.parameters.materials[0];
     scene.parameters.materials.push(planks);
     let triangles = scene.meshes[1].triangles.len();

@@ -4,7 +4,7 @@ use std::fs;
 
 use glam::DVec3;
 
-use super::tests::{CAMERA, LIBRARY, folder};
+use super::tests::{CAMERA, LIBRARY, LIGHT, folder};
 use super::*;
 use crate::files::images::save_exr;
 use crate::files::model::default_material;
@@ -56,7 +56,7 @@ fn textures_are_read_once_and_named() {
 fn materials_that_nothing_defines_are_grey() {
     let folder = folder();
     fs::remove_file(folder.path().join("a.mtl")).unwrap();
-    let text = format!("{CAMERA}[[mesh]]\npath = \"a.obj\"\n");
+    let text = format!("{CAMERA}{LIGHT}[[mesh]]\npath = \"a.obj\"\n");
     let load =
         |rest: &str| Experiment::parse(&format!("{text}{rest}"), folder.path(), "s.toml").unwrap();
     let Experiment { scene, warnings, .. } = load("");
@@ -95,7 +95,7 @@ fn each_material_places_its_textures() {
     let library = "newmtl red\nmap_Kd w.exr\nnewmtl blue\nmap_Kd -s 2 3 -o 0.5 0.25 w.exr\n\
         newmtl green\nmap_Kd w.exr\n";
     fs::write(folder.path().join("a.mtl"), library).unwrap();
-    let text = format!("{CAMERA}[[mesh]]\npath = \"a.obj\"\n");
+    let text = format!("{CAMERA}{LIGHT}[[mesh]]\npath = \"a.obj\"\n");
     let load = |rest: &str| {
         Experiment::parse(&format!("{text}{rest}"), folder.path(), "s.toml").unwrap().scene
     };
@@ -121,11 +121,62 @@ fn each_material_places_its_textures() {
 #[test]
 fn what_files_leave_out_is_told() {
     let folder = folder();
-    fs::write(folder.path().join("a.mtl"), format!("{LIBRARY}d 0.5\nd 0.4\n")).unwrap();
-    let text = format!("{CAMERA}[[mesh]]\npath = \"a.obj\"\n");
+    fs::write(folder.path().join("a.mtl"), format!("{LIBRARY}Ni 1.5\nNi 1.4\n")).unwrap();
+    let text = format!("{CAMERA}{LIGHT}[[mesh]]\npath = \"a.obj\"\n");
     let warnings = Experiment::parse(&text, folder.path(), "s.toml").unwrap().warnings;
     assert_eq!(warnings, Experiment::load(&folder.path().join("a.obj")).unwrap().warnings);
     let [warning] = &warnings[..] else { panic!("one warning") };
     assert!(warning.place.ends_with("a.mtl:6"), "{warning}");
-    assert_eq!(warning.problem, "d is left out: every surface is opaque");
+    assert_eq!(warning.problem, "Ni is left out: rays go straight on behind transparent surfaces");
+}
+
+/// A scene without light is black: of that is warned unless something shows by itself, or nothing is
+/// there.
+#[test]
+fn scenes_without_light_are_told() {
+    let folder = folder();
+    let warnings = |rest: &str| {
+        let text = format!("{CAMERA}[[mesh]]\npath = \"a.obj\"\n{rest}");
+        Experiment::parse(&text, folder.path(), "s.toml").unwrap().warnings
+    };
+    let [dark] = &warnings("")[..] else { panic!("one warning") };
+    assert!(dark.to_string().starts_with("s.toml: has no light: add a [[light]]"), "{dark}");
+    assert_eq!(warnings(LIGHT), []);
+    assert_eq!(warnings("[material.red]\nambient = [1, 0, 0]\n"), []);
+    let empty = Experiment::parse(CAMERA, folder.path(), "s.toml").unwrap();
+    assert_eq!(empty.warnings, []);
+}
+
+/// Opacity makes a material transparent, whatever its value; a mirror cannot be.
+#[test]
+fn opacity_is_of_the_scene_file_or_the_library() {
+    let folder = folder();
+    fs::write(folder.path().join("a.mtl"), format!("{LIBRARY}d 0.5\n")).unwrap();
+    let parse = |rest: &str| {
+        let text = format!("{CAMERA}{LIGHT}[[mesh]]\npath = \"a.obj\"\n{rest}");
+        Experiment::parse(&text, folder.path(), "s.toml").map(|experiment| experiment.scene)
+    };
+    let opacities = |rest: &str| {
+        let scene = parse(rest).unwrap();
+        let of = |name: &str| {
+            let id = scene.parameter(&format!("material.{name}.opacity"))?;
+            Some(scene.parameters.get(id)[0])
+        };
+        (of("red"), of("blue"))
+    };
+    assert_eq!(opacities(""), (None, Some(0.5)));
+    assert_eq!(opacities("[material.red]\nopacity = 1\n"), (Some(1.0), Some(0.5)));
+    assert_eq!(opacities("[material.blue]\nopacity = 0.25\n"), (None, Some(0.25)));
+    let refused = |rest: &str| parse(rest).unwrap_err().to_string();
+    let error = refused("[material.red]\nopacity = 1.5\n");
+    assert_eq!(error, "s.toml:14: material.red.opacity: must be at most 1, is 1.5");
+    let error = refused("[material.red]\nopacity = -1\n");
+    assert_eq!(error, "s.toml:14: material.red.opacity: must not be negative, is -1");
+    let error = refused("[material.red]\nopacity = 0.5\nreflection = [0.1, 0, 0]\n");
+    assert_eq!(
+        error,
+        "s.toml:14: material.red.opacity: a mirror is opaque; leave out either opacity or reflection"
+    );
+    let error = parse("").unwrap().find_parameter("material.blue.reflection").unwrap_err();
+    assert!(error.starts_with("no parameter `material.blue.reflection`"), "{error}");
 }

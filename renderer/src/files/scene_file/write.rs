@@ -124,13 +124,14 @@ fn materials(scene: &Scene) -> Vec<(String, MaterialEntry)> {
     let materials = scene.materials.iter().zip(&scene.parameters.materials);
     let texture = |index: Option<u32>| index.map(|i| scene.textures[i as usize].name.clone());
     let entry = |(object, material): (&MaterialObject, &Material<f64>)| {
-        let MaterialObject { name, textures } = object;
+        let MaterialObject { name, textures, opacity } = object;
         let entry = MaterialEntry {
             ambient: Some(material.ambient.to_array()),
             diffuse: Some(material.diffuse.to_array()),
             specular: Some(material.specular.to_array()),
             exponent: Some(material.exponent),
             reflection: Some(material.reflection.to_array()),
+            opacity: opacity.map(|index| scene.parameters.opacities[index as usize]),
             ambient_texture: texture(textures.ambient),
             diffuse_texture: texture(textures.diffuse),
             specular_texture: texture(textures.specular),

@@ -140,7 +140,7 @@ impl LbfgsState {
         let (u, problem) = found.ok_or("it lost its way")?;
         let lowered = Lowered { evaluation: problem.evaluation(&u).map_err(|e| e.to_string())?, u };
         if lowered.evaluation.loss >= evaluation.loss {
-            return Err("there is none along the gradient either".to_owned());
+            return Err("not even straight along the gradient".to_owned());
         }
         self.steps += 1;
         Ok(lowered)
