@@ -91,7 +91,8 @@ def copy_sources(to):
     shutil.rmtree(to, ignore_errors=True)
     for file in files:
         (to / file).parent.mkdir(parents=True, exist_ok=True)
-        shutil.copy2(file, to / file)
+        # With the time of now: what an earlier run patched is built anew.
+        shutil.copyfile(file, to / file)
 
 
 def patched(source, patches):
