@@ -154,44 +154,26 @@ fn textures_scale_opacities() {
 /// falls on the floor below.
 #[test]
 fn light_goes_through_holes() {
-    let mut scene = small_scene(8);
-    scene.spheres.clear();
-    scene.parameters.spheres.clear();
-    let corners = |y: f64, size: f64| [[-size, y, size], [size, y, size], [0.0, y, -size]];
-    scene.parameters.vertices = vec![corners(0.0, 90.0).to_vec(), corners(1.0, 4.0).to_vec()];
-    for mesh in &mut scene.meshes {
-        (mesh.triangles, mesh.materials) = (vec![[0, 1, 2]], vec![0]);
-    }
-    scene.meshes[1].materials = vec![1];
-    scene.meshes[1].texture_triangles = vec![Some([0, 1, 2])];
+    let mut scene = panes_above_a_floor(&[(1.0, 4.0)]);
+    scene.parameters.opacities = vec![1.0];
     // The middle of the texture lies above x = 0.
     scene.parameters.texture_coordinates[1] = vec![[-3.5, 0.0], [4.5, 0.0], [0.5, 1.0]];
+    scene.meshes[1].texture_triangles = vec![Some([0, 1, 2])];
     let wrap = Wrap::Clamp;
     scene.textures = vec![TextureObject { name: "half".into(), width: 2, height: 1, wrap }];
     scene.parameters.textures = vec![vec![[1.0; 3], [0.0; 3]]];
-    (scene.materials[1].opacity, scene.materials[1].textures.opacity) = (Some(0), Some(0));
-    scene.parameters.opacities = vec![1.0];
-    scene.parameters.lights = vec![Light::Distant(DistantLight {
-        direction: DVec3::Y,
-        color: DVec3::ONE,
-        intensity: 2.0,
-    })];
-    scene.light_names.truncate(1);
-    for material in &mut scene.parameters.materials {
-        (material.specular, material.ambient) = (DVec3::ZERO, DVec3::ZERO);
-    }
-    let floor = scene.parameters.materials[0].diffuse.as_vec3() * 2.0;
+    scene.materials[1].textures.opacity = Some(0);
+    let Material { ambient, diffuse, .. } = scene.parameters.materials[0];
     // From below the pane, so that only its shadow is seen.
     scene.parameters.camera.look_from = dvec3(0.0, 0.9, 1.0);
-    scene.parameters.camera.look_at = DVec3::ZERO;
     let image = render(&Prepared::<f32x16>::new(&scene));
     let row = image.height as usize / 2 * image.width as usize;
     for (column, pixel) in image.pixels[row..row + image.width as usize].iter().enumerate() {
         let x = (column as f64 + 0.5) / 8.0 - 0.5;
-        let expected = if x < 0.0 { 0.0 } else { 1.0 };
+        let expected = if x < 0.0 { ambient } else { ambient + diffuse * 2.0 };
         // Between the texels of the middle the shadow is soft.
         if x.abs() > 0.3 {
-            let error = (glam::Vec3::from(*pixel) - floor * expected).abs().max_element();
+            let error = (glam::Vec3::from(*pixel) - expected.as_vec3()).abs().max_element();
             assert!(error < 1e-6, "{column}: {pixel:?}");
         }
     }
@@ -204,18 +186,21 @@ fn is_same(a: &Scene, b: &Scene, tolerance: f32) {
     }
 }
 
-/// Two panes in parallel before a floor, each with its own radiance, lit from straight above: what is
-/// left of floor and light is known.
-#[test]
-fn panes_leave_what_they_do_not_cover() {
+/// Triangles at right angles to the y axis, given by their heights and sizes: a large floor at 0 of the
+/// material 0, and panes of the material 1 above it, under one light that shines from straight above.
+fn panes_above_a_floor(panes: &[(f64, f64)]) -> Scene {
     let mut scene = small_scene(8);
     scene.spheres.clear();
     scene.parameters.spheres.clear();
-    let corners = |y: f64| [[-90.0, y, 90.0], [90.0, y, 90.0], [0.0, y, -90.0]];
-    scene.parameters.vertices = vec![corners(0.0).to_vec(), [corners(1.0), corners(2.0)].concat()];
+    let corners = |&(y, size): &(f64, f64)| [[-size, y, size], [size, y, size], [0.0, y, -size]];
+    let vertices = panes.iter().flat_map(corners).collect();
+    scene.parameters.vertices = vec![corners(&(0.0, 90.0)).to_vec(), vertices];
     scene.meshes[0].triangles = vec![[0, 1, 2]];
     scene.meshes[0].materials = vec![0];
-    scene.meshes[1].triangles = vec![[0, 1, 2], [3, 4, 5]];
+    scene.meshes[1].triangles =
+        (0..panes.len() as u32).map(|i| [0, 1, 2].map(|v| v + 3 * i)).collect();
+    scene.meshes[1].materials = vec![1; panes.len()];
+    scene.materials[1].opacity = Some(0);
     scene.parameters.lights = vec![Light::Distant(DistantLight {
         direction: DVec3::Y,
         color: DVec3::ONE,
@@ -226,10 +211,17 @@ fn panes_leave_what_they_do_not_cover() {
         material.specular = DVec3::ZERO;
         material.ambient = dvec3(0.25, 0.5, 0.125);
     }
-    scene.materials[1].opacity = Some(0);
+    scene.parameters.camera.look_at = DVec3::ZERO;
+    scene
+}
+
+/// Two panes in parallel before a floor, each with its own radiance: what is left of floor and light is
+/// known.
+#[test]
+fn panes_leave_what_they_do_not_cover() {
+    let mut scene = panes_above_a_floor(&[(1.0, 90.0), (2.0, 90.0)]);
     scene.parameters.opacities = vec![0.3];
     scene.parameters.camera.look_from = dvec3(0.1, 5.0, 1.0);
-    scene.parameters.camera.look_at = DVec3::ZERO;
     let [floor, pane] = [0, 1].map(|i| scene.parameters.materials[i]);
     let lit = |material: Material<f64>, left: f64| material.ambient + material.diffuse * 2.0 * left;
     let (shown, left) = (0.3, 0.7);
