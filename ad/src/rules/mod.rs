@@ -71,6 +71,7 @@ pub use operators::{
     MulAssignPullback, MulPullback, NegPullback, Nothing, Operands, RemAssignPullback, RemPullback,
     SubAssignPullback, SubPullback,
 };
+pub(crate) use operators::quotient_pullback_of_finite;
 pub use outcome::{CopiedRules, OptionRules, ResultRules};
 pub use quaternion::QuaternionRules;
 pub use scalar::{RealRules, ScalarRules};
