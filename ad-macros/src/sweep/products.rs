@@ -25,10 +25,10 @@ use quote::quote;
 
 use super::Sweeper;
 use super::facts::{Facts, is_element};
-use super::numbers::Numbers;
 use crate::ir::{BinaryOperator, Block, Loop, Operand, Operation, Place, Statement, Var, VarId};
 use crate::lower::Lowered;
 use crate::names::Names;
+use crate::numbers::Numbers;
 
 /// Of fewer products the tests would cost what they save. One in a loop counts for several.
 const MANY_PRODUCTS: usize = 12;
@@ -38,10 +38,17 @@ const WEIGHT_IN_LOOP: usize = 2;
 /// time than they are worth: the sweep is compiled once, and the rules are called.
 const TOO_MANY_PRODUCTS: usize = 200;
 
+/// So many make a pullback that is too large to be inlined on the compiler's own account, and what
+/// it captures would go through memory, which takes the compiler as long as all else: it is told to.
+/// More in one body than this would take it longer still.
+const MOST_INLINED_PRODUCTS: usize = 600;
+
 /// The products of a function with plain pullbacks.
 pub struct Products {
     /// Whether the sweep is compiled twice.
     pub is_chosen: bool,
+    /// Whether the pullback is to be inlined wherever it is called.
+    pub is_inlined: bool,
     /// The results to be tested.
     tested: HashSet<VarId>,
     /// The variables to be tested after loops, by the names of the tapes.
@@ -72,6 +79,7 @@ impl Products {
         search.block(&lowered.body, 1);
         (search.weight >= MANY_PRODUCTS).then(|| Self {
             is_chosen: search.count <= TOO_MANY_PRODUCTS,
+            is_inlined: (TOO_MANY_PRODUCTS..MOST_INLINED_PRODUCTS).contains(&search.count),
             tested: search.tested,
             tested_after: search.tested_after,
             irregular: names.fresh("irregular", proc_macro2::Span::call_site()),

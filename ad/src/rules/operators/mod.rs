@@ -23,8 +23,8 @@ pub use assigning::{
     AddAssignPullback, Arithmetic, DivAssignPullback, MulAssignPullback, RemAssignPullback,
     SubAssignPullback,
 };
-pub(crate) use numbers::quotient_pullback_of_finite;
 pub use kept::{Kept, Nothing, Operands};
+pub(crate) use numbers::quotient_pullback_of_finite;
 
 use core::ops::{Add, Div, Mul, Neg, Rem, Sub};
 
