@@ -79,7 +79,7 @@ impl Products {
         search.block(&lowered.body, 1);
         (search.weight >= MANY_PRODUCTS).then(|| Self {
             is_chosen: search.count <= TOO_MANY_PRODUCTS,
-            is_inlined: (TOO_MANY_PRODUCTS..MOST_INLINED_PRODUCTS).contains(&search.count),
+            is_inlined: (TOO_MANY_PRODUCTS + 1..=MOST_INLINED_PRODUCTS).contains(&search.count),
             tested: search.tested,
             tested_after: search.tested_after,
             irregular: names.fresh("irregular", proc_macro2::Span::call_site()),
