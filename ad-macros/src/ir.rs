@@ -170,7 +170,7 @@ pub enum Operation {
     /// A value made of parts.
     Aggregate { expression: TokenStream, shape: Shape, parts: Vec<(Member, Operand)> },
     /// A struct made of parts and, for the rest, of another struct.
-    UpdateStruct { expression: TokenStream, parts: Vec<(Member, Operand)>, rest: VarId },
+    UpdateStruct { expression: TokenStream, parts: Vec<(Member, Operand)>, rest: Place },
     /// A closure, as an object with a derivative.
     Closure(Box<Closure>),
     /// A function that has a name, as such an object; the path of its derivative.

@@ -326,10 +326,11 @@ impl<S: crate::Real> ScalarResult<'_, S> for S {
     }
 }
 
-/// `Copy`, asked for in a way that may turn out false. See [`ScalarResult`].
-pub trait CopyIf<'a>: Copy {}
+/// `Copy`, asked for in a way that may turn out false. See [`ScalarResult`]. Of two fields whose
+/// tangents are the same type `INDEX` makes two questions: else it is not known which one answers.
+pub trait CopyIf<'a, const INDEX: usize = 0>: Copy {}
 
-impl<T: Copy> CopyIf<'_> for T {}
+impl<T: Copy, const INDEX: usize> CopyIf<'_, INDEX> for T {}
 
 macro_rules! branches {
     ($($name:ident: $($arm:ident)*;)*) => {$(

@@ -254,11 +254,11 @@ fn is_box_new(path: &Path) -> bool {
         && segments.next().is_some_and(|owner| owner.ident == "Box")
 }
 
-/// Comparisons and tests, by the names that glam and the standard library give them. That the
-/// result has no derivative is checked by its type.
+/// Comparisons, tests and what makes texts, by the names that glam and the standard library give
+/// them. That the result has no derivative is checked by its type.
 pub(super) fn is_predicate(name: &str) -> bool {
     name.starts_with("is_")
-        || name == "len"
+        || matches!(name, "len" | "to_string")
         || matches!(name, "cmplt" | "cmple" | "cmpgt" | "cmpge" | "cmpeq" | "cmpne")
         || matches!(name, "cmp" | "partial_cmp" | "total_cmp")
         || matches!(name, "lt" | "le" | "gt" | "ge" | "eq" | "ne" | "all" | "any")

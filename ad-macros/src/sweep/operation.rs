@@ -179,7 +179,7 @@ impl Sweeper<'_> {
                 for (member, part) in parts {
                     self.pull_field(reverse, &cotangent, member, part);
                 }
-                self.contribute(reverse, *rest, &[], cotangent);
+                self.contribute(reverse, rest.root, &rest.path, cotangent);
             }
             Operation::Closure(closure) => {
                 for (index, (_, place)) in closure.captures.iter().enumerate() {
