@@ -86,7 +86,7 @@ impl Header {
         let Self { result_tangent, exclusive_tangents, gradient, .. } = self;
         let lent = lent.map(|patterns| {
             let types = self.lent_types();
-            quote!(, (#(#patterns,)*): #types)
+            quote!(, ::ad::rt::Offered((#(#patterns,)*)): #types)
         });
         let closure = quote! {
             move |#cotangent: #result_tangent #(, mut #incoming: #exclusive_tangents)* #lent| -> #gradient {
@@ -110,7 +110,7 @@ impl Header {
             Some(ty) => ty.clone(),
             None => quote!(::ad::rt::NotLent),
         });
-        quote!((#(#types,)*))
+        quote!(::ad::rt::Offered<(#(#types,)*)>)
     }
 }
 

@@ -45,6 +45,7 @@ mod passing;
 mod primal;
 mod recursion;
 mod refused;
+mod rules;
 mod signature;
 #[cfg(test)]
 mod snapshots;

@@ -21,7 +21,9 @@ pub use cotangent::{
 };
 pub use kept::{Decrease, Difference, Increase, Negation, Sum};
 pub use products::{Products, ProductsOfFinite, ProductsOutOfLine, rarely, scale};
-pub use pullback::{MethodPullback, PullbackOnto};
+pub use pullback::{
+    Lends, LendsNothing, MethodPullback, MethodPullbackOnto, Offered, PullbackOnto,
+};
 pub use tangent::{
     Pass, Slot, copy, pass, pass_part, read, repeated, same_length, still, tangent_of, target,
     with_zero, zero_like, zero_of,

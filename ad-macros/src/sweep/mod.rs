@@ -25,6 +25,7 @@ use std::collections::{BTreeSet, HashMap, HashSet};
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
+use crate::lending::Method;
 use crate::ir::{Block, BlockId, Operand, Operation, Place, Statement, Var, VarId};
 use crate::lower::{Lowered, LoweredParameter};
 use crate::names::{self, Names};
@@ -95,13 +96,14 @@ pub fn sweep(
     let pullback = sweeper.choose_products(body.reverse, cotangents);
     let regular = sweeper.start_of_tests();
     let (top, forward) = (&sweeper.top, body.forward);
+    let defaults = sweeper.lending_methods.iter().map(Method::default_trait);
     let patterns = parameter_vars().map(|var| {
         let cotangent = &lowered.vars[var].cotangent;
         if is_lent(var) { quote!(mut #cotangent) } else { quote!(_) }
     });
     Sweeps {
         lent: patterns.collect(),
-        forward: quote!(#regular #top #(#spaces)* #shapes #forward),
+        forward: quote!(#(#defaults)* #regular #top #(#spaces)* #shapes #forward),
         value: body.value,
         pullback,
         incoming: exclusive.iter().map(|&var| lowered.vars[var].cotangent.clone()).collect(),
@@ -136,6 +138,8 @@ struct Sweeper<'a> {
     references: &'a [(VarId, syn::Type)],
     /// Whether code is written from which nothing is saved.
     is_primal: bool,
+    /// The methods that are called which may be lent cotangents.
+    lending_methods: BTreeSet<Method>,
     facts: Facts<'a>,
     numbers: Numbers<'a>,
     /// Where products have plain pullbacks if their factors are finite.
@@ -218,6 +222,7 @@ impl<'a> Sweeper<'a> {
             vars: &lowered.vars,
             references: &lowered.references,
             is_primal: false,
+            lending_methods: BTreeSet::new(),
             products: None,
             facts,
             numbers,
