@@ -39,7 +39,6 @@ pub fn is_possible(function: &Function<'_>) -> bool {
     };
     is_placed
         && function.options.vjp.is_none()
-        && !function.options.checkpoint
         && !function.callables.any()
 }
 
