@@ -139,6 +139,7 @@ pub fn has_own_type(constant: &TokenStream) -> bool {
                 !name.starts_with(char::is_uppercase) || name.to_uppercase() == name
             }),
             Expr::Paren(inner) => has(&inner.expr),
+            Expr::Tuple(tuple) => tuple.elems.iter().all(has),
             Expr::Group(inner) => has(&inner.expr),
             Expr::Cast(_) => true,
             Expr::Unary(inner) => has(&inner.expr),

@@ -139,7 +139,9 @@ impl Walk<'_> {
                         | Argument::Exclusive(place)
                         | Argument::Reborrow(place)
                         | Argument::Receiver(place) => self.place(place),
-                        Argument::Function(_) => {}
+                        Argument::Function(_)
+                        | Argument::Callee(_)
+                        | Argument::PassedOn(..) => {}
                     }
                 }
             }

@@ -231,7 +231,11 @@ impl Sweeper<'_> {
         let is_lent = |argument: &&Argument| match argument {
             Argument::Exclusive(_) | Argument::Reborrow(_) => true,
             Argument::Receiver(place) => self.vars[place.root].mutable,
-            Argument::Value(_) | Argument::Borrow(_) | Argument::Function(_) => false,
+            Argument::Value(_)
+            | Argument::Borrow(_)
+            | Argument::Function(_)
+            | Argument::Callee(_)
+            | Argument::PassedOn(..) => false,
         };
         let is_only_one = arguments.iter().filter(is_lent).count() == 1;
         for argument in arguments {
@@ -257,6 +261,8 @@ impl Sweeper<'_> {
                 Argument::Value(_)
                 | Argument::Borrow(_)
                 | Argument::Function(_)
+                | Argument::Callee(_)
+                | Argument::PassedOn(..)
                 | Argument::Receiver(_) => {}
             }
         }
@@ -314,7 +320,10 @@ impl Sweeper<'_> {
         !Primal(self.vars).is_function(argument)
             && match argument {
                 Argument::Value(Operand::Constant(tokens)) => lending::has_own_type(tokens),
-                Argument::Reborrow(_) | Argument::Function(_) => false,
+                Argument::Reborrow(_)
+                | Argument::Function(_)
+                | Argument::Callee(_)
+                | Argument::PassedOn(..) => false,
                 Argument::Value(Operand::Var(_))
                 | Argument::Borrow(_)
                 | Argument::Exclusive(_)
@@ -355,7 +364,11 @@ impl Sweeper<'_> {
                 let root = &self.vars[place.root];
                 root.active && root.mutable && self.is_live(place)
             }
-            Argument::Value(_) | Argument::Borrow(_) | Argument::Function(_) => false,
+            Argument::Value(_)
+            | Argument::Borrow(_)
+            | Argument::Function(_)
+            | Argument::Callee(_)
+            | Argument::PassedOn(..) => false,
         })
     }
 
@@ -416,6 +429,8 @@ fn argument_target(argument: &Argument) -> Option<Target> {
         Argument::Value(operand) => operand_target(operand),
         Argument::Function(var) => Some(Target::whole(*var)),
         Argument::Borrow(place)
+        | Argument::Callee(place)
+        | Argument::PassedOn(place, _)
         | Argument::Exclusive(place)
         | Argument::Reborrow(place)
         | Argument::Receiver(place) => {
