@@ -15,10 +15,11 @@
 //! is an array here may be a slice there); sparse cotangents (an indirection for each element in
 //! all other uses). Arrays are not lent, for moving them costs as much as adding them up.
 //!
-//! A method `m` of an `impl` block has `m_vjp_onto_2` beside `m_vjp` (2 is the number of arguments),
-//! if it takes `&self`. Rules of other crates and the methods of traits need not have one, so the
-//! caller asks first: `m_lends_2` says that there is one, and a trait in the body of the caller, which
-//! yields to the type's own method, says that there is none.
+//! A method `m` of an `impl` block has `lent_2_to_m` beside `m_vjp` (2 is the number of arguments), if
+//! it takes `&self`. Rules of other crates and the methods of traits need not have one, so the caller
+//! asks first: `lending_2_to_m` says that there is one, and a trait in the body of the caller, which
+//! yields to the type's own method, says that there is none. (The names do not begin with `m`, or the
+//! compiler would propose them where `m_vjp` is missing.)
 
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::{format_ident, quote};
@@ -66,12 +67,12 @@ pub fn is_asked_for(function: &Function<'_>, header: &Header) -> bool {
 
 /// The function that is lent cotangents, of a method with this number of arguments.
 pub fn method_onto(method: &Ident, arity: usize) -> Ident {
-    format_ident!("{method}_vjp_onto_{arity}")
+    format_ident!("lent_{arity}_to_{method}")
 }
 
 /// The function that says that there is [such a one](method_onto).
 fn method_lends(method: &Ident, arity: usize) -> Ident {
-    format_ident!("{method}_lends_{arity}")
+    format_ident!("lending_{arity}_to_{method}")
 }
 
 /// A method that may be lent cotangents, as it is called.

@@ -57,7 +57,7 @@ pub mod methods {
         MatrixRules as _, OptionRules as _, QuaternionRules as _, RealRules as _, ResultRules as _,
         RotationRules as _, ScalarRules as _, SequenceRules as _, TransformRules as _,
         TruncateRules as _, Vec2Rules as _, Vec4Rules as _, VecRules as _, Vector3Rules as _,
-        VectorRules as _,
+        VectorRules as _, IntegerRules as _, SignedRules as _,
     };
     pub use crate::vector::{Vector as _, Vector3 as _};
 }

@@ -128,6 +128,9 @@ impl Lowerer<'_> {
         {
             return self.exclusive_alias(name, &reference.expr);
         }
+        if self.split_exclusively(pat, &init.expr) {
+            return;
+        }
         if let (Pat::Ident(name), None, Expr::Reference(reference)) = (pat, ty, &*init.expr)
             && is_plain_name(name)
             && self.shared_alias(&name.ident, &reference.expr)

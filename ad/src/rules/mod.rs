@@ -47,6 +47,7 @@ mod choose;
 mod float;
 pub mod forward;
 mod glam_only;
+mod integer;
 mod matrix;
 mod operators;
 mod outcome;
@@ -71,6 +72,7 @@ pub use operators::{
     MulAssignPullback, MulPullback, NegPullback, Nothing, Operands, RemAssignPullback, RemPullback,
     SubAssignPullback, SubPullback,
 };
+pub use integer::{IntegerRules, SignedRules};
 pub use outcome::{CopiedRules, OptionRules, ResultRules};
 pub use quaternion::QuaternionRules;
 pub use scalar::{RealRules, ScalarRules};
