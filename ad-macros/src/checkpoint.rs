@@ -63,7 +63,8 @@ pub fn body(function: &Function<'_>, vjp: &Ident, header: &Header) -> TokenStrea
         Place::Free => quote!(#name),
         _ => quote!(Self::#name),
     };
-    let lent = (0..header.parameters.len()).map(|index| own(&format!("lent_{index}")).to_token_stream());
+    let lent =
+        (0..header.parameters.len()).map(|index| own(&format!("lent_{index}")).to_token_stream());
     let lent: Option<Vec<_>> = header.lends().then(|| lent.collect());
     let offered = lent.as_ref().map(|lent| quote!(, ::ad::rt::Offered((#(#lent,)*))));
     let again = quote! {

@@ -36,10 +36,9 @@ pub fn setter() -> Ident {
 pub fn method(block: &ItemImpl) -> syn::Result<ItemImpl> {
     let Some((path, _)) = &block.trait_ else { unreachable!("is asked for a trait") };
     let is_tuple = path.segments.last().is_some_and(|last| match &last.arguments {
-        PathArguments::AngleBracketed(arguments) => matches!(
-            arguments.args.first(),
-            Some(GenericArgument::Type(Type::Tuple(_)))
-        ),
+        PathArguments::AngleBracketed(arguments) => {
+            matches!(arguments.args.first(), Some(GenericArgument::Type(Type::Tuple(_))))
+        }
         _ => false,
     });
     if !is_tuple {
@@ -53,7 +52,11 @@ pub fn method(block: &ItemImpl) -> syn::Result<ItemImpl> {
         _ => None,
     });
     // The compiler says that it is missing.
-    let Some(method) = method else { return Ok(parse_quote!(impl () {})) };
+    let Some(method) = method else {
+        return Ok(parse_quote!(
+            impl () {}
+        ));
+    };
     let (place, before) = match method.block.stmts.split_last() {
         Some((Stmt::Expr(Expr::Reference(reference), None), before)) => (&reference.expr, before),
         Some((last, _)) => return Err(not_a_reference(last)),

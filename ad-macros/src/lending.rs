@@ -38,9 +38,7 @@ pub fn is_possible(function: &Function<'_>) -> bool {
         }
         _ => false,
     };
-    is_placed
-        && function.options.vjp.is_none()
-        && !function.callables.any()
+    is_placed && function.options.vjp.is_none() && !function.callables.any()
 }
 
 /// Whether callers lend the cotangent of a parameter.

@@ -139,9 +139,7 @@ impl Walk<'_> {
                         | Argument::Exclusive(place)
                         | Argument::Reborrow(place)
                         | Argument::Receiver(place) => self.place(place),
-                        Argument::Function(_)
-                        | Argument::Callee(_)
-                        | Argument::PassedOn(..) => {}
+                        Argument::Function(_) | Argument::Callee(_) | Argument::PassedOn(..) => {}
                     }
                 }
             }

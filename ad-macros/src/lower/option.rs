@@ -25,9 +25,10 @@ impl Lowerer<'_> {
                 quote!(::core::result::Result::Ok(#content)),
                 quote!(::core::result::Result::Err(#error)),
             ),
-            false => {
-                (quote!(::core::option::Option::Some(#content)), quote!(::core::option::Option::None))
-            }
+            false => (
+                quote!(::core::option::Option::Some(#content)),
+                quote!(::core::option::Option::None),
+            ),
         };
         let failure: Vec<Expr> = if is_result { vec![parse_quote!(#error)] } else { Vec::new() };
         let desugared: Expr = match (&*call.method.to_string(), &arguments[..]) {

@@ -92,22 +92,22 @@ impl Lowerer<'_> {
         let slice = &call.receiver;
         let index = self.names.unwritten("position");
         let arguments: Vec<_> = call.args.iter().collect();
-        let (position, parts): (Expr, [Expr; 2]) =
-            match (&*call.method.to_string(), &arguments[..]) {
-                ("split_at_mut", [position]) => (
-                    parse_quote!(#position),
-                    [parse_quote!(#slice[..#index]), parse_quote!(#slice[#index..])],
-                ),
-                ("split_first_mut", []) => (
-                    parse_quote!(0),
-                    [parse_quote!(#slice[#index]), parse_quote!(#slice[#index + 1..])],
-                ),
-                ("split_last_mut", []) => (
-                    parse_quote!(#slice.len() - 1),
-                    [parse_quote!(#slice[#index]), parse_quote!(#slice[..#index])],
-                ),
-                _ => return false,
-            };
+        let (position, parts): (Expr, [Expr; 2]) = match (&*call.method.to_string(), &arguments[..])
+        {
+            ("split_at_mut", [position]) => (
+                parse_quote!(#position),
+                [parse_quote!(#slice[..#index]), parse_quote!(#slice[#index..])],
+            ),
+            ("split_first_mut", []) => (
+                parse_quote!(0),
+                [parse_quote!(#slice[#index]), parse_quote!(#slice[#index + 1..])],
+            ),
+            ("split_last_mut", []) => (
+                parse_quote!(#slice.len() - 1),
+                [parse_quote!(#slice[#index]), parse_quote!(#slice[..#index])],
+            ),
+            _ => return false,
+        };
         let Some(place) = self.active_place(slice) else { return false };
         let place = self.place_tokens(&place);
         let code = quote_spanned!(call.method.span()=> ::ad::rt::is_sequence(&#place););

@@ -9,11 +9,11 @@ use super::closure::root_name;
 use super::flow::strip_parens;
 use super::item::Alias;
 use super::{Lowerer, exits};
-use crate::{element, floats};
 use crate::ir::{
     Argument, BinaryOperator, Operand, Operation, Place, Projection, Statement, VarId,
 };
 use crate::primal::Primal;
+use crate::{element, floats};
 
 impl Lowerer<'_> {
     /// The place that an expression names or refers to, if it is one of a local variable.

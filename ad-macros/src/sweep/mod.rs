@@ -25,8 +25,8 @@ use std::collections::{BTreeSet, HashMap, HashSet};
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
-use crate::lending::Method;
 use crate::ir::{Block, BlockId, Operand, Operation, Place, Statement, Var, VarId};
+use crate::lending::Method;
 use crate::lower::{Lowered, LoweredParameter};
 use crate::names::{self, Names};
 use crate::primal::Primal;

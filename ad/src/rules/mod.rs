@@ -64,6 +64,7 @@ pub use cast::CastPullback;
 pub use choose::{no_diff, select, stop_gradient};
 pub use float::{FloatRules, FromRules};
 pub use glam_only::{ExtendRules, GlamRules, TruncateRules, construct};
+pub use integer::{IntegerRules, SignedRules};
 pub use matrix::{
     DMat2Rules, DMat3Rules, DMat4Rules, Mat2Rules, Mat3Rules, Mat4Rules, MatrixRules,
 };
@@ -72,7 +73,6 @@ pub use operators::{
     MulAssignPullback, MulPullback, NegPullback, Nothing, Operands, RemAssignPullback, RemPullback,
     SubAssignPullback, SubPullback,
 };
-pub use integer::{IntegerRules, SignedRules};
 pub use outcome::{CopiedRules, OptionRules, ResultRules};
 pub use quaternion::QuaternionRules;
 pub use scalar::{RealRules, ScalarRules};

@@ -9,10 +9,16 @@
     reason = "these are the forms that people use"
 )]
 
+mod bodies;
+mod distances;
+mod filters;
 mod geometry;
+mod layers;
 mod methods;
 mod networks;
+mod pieces;
 mod poses;
 mod recipes;
+mod roots;
 mod solvers;
 mod statistics;
