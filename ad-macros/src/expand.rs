@@ -180,7 +180,8 @@ impl Function<'_> {
         let seed = names.fresh("result_bar", Span::call_site());
         let lent: Vec<_> = header.lent.iter().map(Option::is_some).collect();
         let sweeps = sweep::sweep(&lowered, parameters, &lent, &seed, &mut names);
-        let sweep::Sweeps { forward, value, pullback, incoming, lent } = sweeps;
+        let sweep::Sweeps { forward, value, pullback, incoming, lent, lending_methods } = sweeps;
+        let defaults = lending_methods.iter().map(lending::Method::default_trait);
         let jvp = self.forward(header, &lowered, &mut names);
         let lent = header.lends().then_some(&lent[..]);
         let pullback = header.pullback(&seed, &incoming, lent, &pullback);
@@ -188,6 +189,7 @@ impl Function<'_> {
             {
                 #[allow(unused_imports)]
                 use ::ad::rt::methods::*;
+                #(#defaults)*
                 #forward
                 (#value, #pullback)
             }
@@ -237,7 +239,9 @@ impl Function<'_> {
             .enumerate()
             .map(|(index, ident)| format_ident!("{ident}_{index}"))
             .collect();
-        let pullback = header.pullback(&own("_cotangent"), &incoming, None, &quote!(refused()));
+        let lent = vec![quote!(_); header.lent.len()];
+        let lent = header.lends().then_some(&lent[..]);
+        let pullback = header.pullback(&own("_cotangent"), &incoming, lent, &quote!(refused()));
         let body = quote! {
             {
                 fn refused<T>() -> T {

@@ -48,6 +48,8 @@ pub struct Sweeps {
     pub incoming: Vec<Ident>,
     /// For each parameter the pattern that takes its cotangent so far, where callers lend it.
     pub lent: Vec<TokenStream>,
+    /// The methods that are called which may be lent cotangents.
+    pub lending_methods: BTreeSet<Method>,
 }
 
 /// Writes both sweeps; `seed` is the name of the cotangent of the result, `lent` says of each
@@ -96,14 +98,14 @@ pub fn sweep(
     let pullback = sweeper.choose_products(body.reverse, cotangents);
     let regular = sweeper.start_of_tests();
     let (top, forward) = (&sweeper.top, body.forward);
-    let defaults = sweeper.lending_methods.iter().map(Method::default_trait);
     let patterns = parameter_vars().map(|var| {
         let cotangent = &lowered.vars[var].cotangent;
         if is_lent(var) { quote!(mut #cotangent) } else { quote!(_) }
     });
     Sweeps {
         lent: patterns.collect(),
-        forward: quote!(#(#defaults)* #regular #top #(#spaces)* #shapes #forward),
+        lending_methods: std::mem::take(&mut sweeper.lending_methods),
+        forward: quote!(#regular #top #(#spaces)* #shapes #forward),
         value: body.value,
         pullback,
         incoming: exclusive.iter().map(|&var| lowered.vars[var].cotangent.clone()).collect(),

@@ -89,6 +89,11 @@ fn generic<W: Weighted + Differentiable>(weighted: &W, xs: &[f64]) -> f64 {
     weighted.along(xs, 0) * weighted.along(xs, 1)
 }
 
+#[differentiable]
+fn summed(f: impl Fn(f64) -> f64) -> f64 {
+    f(0.3) + f(0.6)
+}
+
 #[differentiable(checkpoint)]
 fn local(xs: &[f64], y: f64, i: usize) -> f64 {
     let scaled = xs[i] * y;
@@ -112,6 +117,7 @@ fn mixture(x: f64, y: f64) -> f64 {
         }
         sum += grid.relax(&mut at, &own, i + 1) * local(&xs, y, i);
     }
+    sum += summed(|t: f64| pair.along(&own, 1) * t + grid.get(1, 1) * grid.along(&own, 2));
     let view = &grid;
     for i in 0..4 {
         sum += view.relax(&mut at, &xs, i) + view.recomputed(&xs, i);

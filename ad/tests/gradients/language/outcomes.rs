@@ -1,17 +1,6 @@
 //! Methods of options and results.
 
-use ad::{Differentiable, differentiable};
-#[derive(Clone, Copy, Debug, PartialEq)]
-enum Bad {
-    Negative,
-    Large(usize),
-}
-impl Differentiable for Bad {
-    type Tangent = ();
-    type Shape = ();
-    fn shape(&self) {}
-}
-
+use ad::differentiable;
 #[differentiable]
 fn root(x: f64) -> Result<f64, String> {
     if x < 0.0 {

@@ -126,6 +126,7 @@ fn simulate(mass: f64, speed: f64) -> f64 {
             step_split(&mut bodies, 0.01);
         }
     }
+    assert_eq!(bodies[0].name, "sun");
     energy(&bodies) + bodies[1].pos.0
 }
 
