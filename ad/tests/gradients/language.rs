@@ -4,6 +4,7 @@
     clippy::assign_op_pattern,
     clippy::let_and_return,
     clippy::needless_range_loop,
+    clippy::needless_borrows_for_generic_args,
     clippy::needless_return,
     clippy::boxed_local,
     clippy::explicit_auto_deref,

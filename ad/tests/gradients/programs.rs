@@ -1,6 +1,7 @@
 //! Programs as people write them, without a thought of this crate.
 
 #![allow(
+    clippy::needless_borrows_for_generic_args,
     clippy::needless_range_loop,
     clippy::excessive_precision,
     clippy::manual_memcpy,

@@ -9,7 +9,7 @@ fn weighted(pairs: &[(usize, f64)], x: f64) -> f64 {
         sum += n.pow(2) as f64 * weight;
     }
     for &(n, weight) in pairs {
-        let power = n.min(3).max(1);
+        let power = n.min(3) + n.max(2) - 1;
         let centred = (n as i32 - 3).abs().clamp(0, 2);
         sum += weight * x.powi(power as i32) + n.saturating_sub(2) as f64 * x * centred as f64;
     }
