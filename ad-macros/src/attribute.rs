@@ -11,6 +11,7 @@ use syn::{
 
 use crate::accumulation;
 use crate::callable::Callables;
+use crate::element;
 use crate::expand::{Function, Place};
 use crate::operator;
 use crate::options::{Options, is_own, own_options};
@@ -177,6 +178,10 @@ fn impl_derivatives(mut block: ItemImpl, options: &Options) -> TokenStream {
             let mark = accumulation::mark(accumulation, &block);
             return beside(block, mark);
         }
+        Some((path, _)) if element::is_index(path) => {
+            let element = element::method(&block).map(|element| impl_derivatives(element, options));
+            return beside(block, element);
+        }
         Some((path, _)) if is_standard(path) => {
             let error = syn::Error::new_spanned(
                 path,
@@ -225,7 +230,7 @@ fn beside(mut block: ItemImpl, made: syn::Result<TokenStream>) -> TokenStream {
 }
 
 /// Traits of the standard library that numerical types have, and for which there are no rules.
-const STANDARD: [&str; 13] = [
+const STANDARD: [&str; 11] = [
     "AsMut",
     "AsRef",
     "Clone",
@@ -233,8 +238,6 @@ const STANDARD: [&str; 13] = [
     "Deref",
     "DerefMut",
     "From",
-    "Index",
-    "IndexMut",
     "Into",
     "Iterator",
     "PartialEq",

@@ -11,29 +11,22 @@ use quote::{ToTokens, format_ident, quote, quote_spanned};
 use syn::spanned::Spanned;
 use syn::{ReceiverKind, Type};
 
-use crate::expand::{Function, Place, turbofish};
-use crate::signature::Parameter;
+use crate::expand::{Function, Header, Place, turbofish};
 
 /// The name of the function that holds both sweeps, which the pullback calls.
 pub fn stored_name(vjp: &Ident) -> Ident {
     format_ident!("{vjp}_stored")
 }
 
-/// The body of a `vjp` whose pullback starts from the arguments; `closure` writes a pullback with
-/// a body.
-pub fn body(
-    function: &Function<'_>,
-    vjp: &Ident,
-    parameters: &[Parameter],
-    closure: impl FnOnce(TokenStream, &Ident, &[Ident]) -> TokenStream,
-) -> TokenStream {
+/// The body of a `vjp` whose pullback starts from the arguments. What callers lend it lends on.
+pub fn body(function: &Function<'_>, vjp: &Ident, header: &Header) -> TokenStream {
     let signature = function.signature;
     let own = |name: &str| Ident::new(name, Span::mixed_site());
     let (value, pullback, cotangent) = (own("value"), own("pullback"), own("result_bar"));
     let mut keeps = TokenStream::new();
     let mut kept_arguments = Vec::new();
     let mut incoming = Vec::new();
-    for (index, parameter) in parameters.iter().enumerate() {
+    for (index, parameter) in header.parameters.iter().enumerate() {
         let ident = &parameter.ident;
         let kept = format_ident!("kept_{index}", span = Span::mixed_site());
         let span = parameter.ty.span();
@@ -64,17 +57,21 @@ pub fn body(
         }
         kept_arguments.push(argument);
     }
-    let arguments = parameters.iter().map(|parameter| &parameter.ident);
+    let arguments = header.parameters.iter().map(|parameter| &parameter.ident);
     let (name, stored, turbofish) = (&signature.ident, stored_name(vjp), turbofish(signature));
     let primal = match function.place {
         Place::Free => quote!(#name),
         _ => quote!(Self::#name),
     };
+    let lent =
+        (0..header.parameters.len()).map(|index| own(&format!("lent_{index}")).to_token_stream());
+    let lent: Option<Vec<_>> = header.lends().then(|| lent.collect());
+    let offered = lent.as_ref().map(|lent| quote!(, ::ad::rt::Offered((#(#lent,)*))));
     let again = quote! {
         let (_, #pullback) = Self::#stored #turbofish (#(#kept_arguments),*);
-        #pullback(#cotangent #(, #incoming)*)
+        #pullback(#cotangent #(, #incoming)* #offered)
     };
-    let closure = closure(again, &cotangent, &incoming);
+    let closure = header.pullback(&cotangent, &incoming, lent.as_deref(), &again);
     quote! {
         {
             #keeps

@@ -86,7 +86,7 @@ impl Header {
         let Self { result_tangent, exclusive_tangents, gradient, .. } = self;
         let lent = lent.map(|patterns| {
             let types = self.lent_types();
-            quote!(, (#(#patterns,)*): #types)
+            quote!(, ::ad::rt::Offered((#(#patterns,)*)): #types)
         });
         let closure = quote! {
             move |#cotangent: #result_tangent #(, mut #incoming: #exclusive_tangents)* #lent| -> #gradient {
@@ -110,7 +110,7 @@ impl Header {
             Some(ty) => ty.clone(),
             None => quote!(::ad::rt::NotLent),
         });
-        quote!((#(#types,)*))
+        quote!(::ad::rt::Offered<(#(#types,)*)>)
     }
 }
 
@@ -180,7 +180,9 @@ impl Function<'_> {
         let seed = names.fresh("result_bar", Span::call_site());
         let lent: Vec<_> = header.lent.iter().map(Option::is_some).collect();
         let sweeps = sweep::sweep(&lowered, parameters, &lent, &seed, &mut names);
-        let sweep::Sweeps { forward, value, pullback, is_inlined, incoming, lent } = sweeps;
+        let sweep::Sweeps { forward, value, pullback, is_inlined, incoming, lent, lending_methods } =
+            sweeps;
+        let defaults = lending_methods.iter().map(lending::Method::default_trait);
         let jvp = self.forward(header, &lowered, &mut names);
         let lent = header.lends().then_some(&lent[..]);
         let pullback = header.pullback(&seed, &incoming, lent, &pullback);
@@ -189,6 +191,7 @@ impl Function<'_> {
             {
                 #[allow(unused_imports)]
                 use ::ad::rt::methods::*;
+                #(#defaults)*
                 #forward
                 (#value, #inline #pullback)
             }
@@ -238,7 +241,9 @@ impl Function<'_> {
             .enumerate()
             .map(|(index, ident)| format_ident!("{ident}_{index}"))
             .collect();
-        let pullback = header.pullback(&own("_cotangent"), &incoming, None, &quote!(refused()));
+        let lent = vec![quote!(_); header.lent.len()];
+        let lent = header.lends().then_some(&lent[..]);
+        let pullback = header.pullback(&own("_cotangent"), &incoming, lent, &quote!(refused()));
         let body = quote! {
             {
                 fn refused<T>() -> T {

@@ -16,6 +16,9 @@ pub struct Lowered {
     pub references: Vec<(VarId, Type)>,
     /// The body.
     pub body: Block,
+    /// Whether the body passes functions to others: it takes a derivative to do so, of the mode of what
+    /// is passed.
+    pub passes_functions: bool,
 }
 
 /// A parameter of a function.
@@ -104,6 +107,11 @@ pub enum Argument {
     /// A function, as it is passed to another one: a variable that an [`Operation::Closure`] or a
     /// copy of a parameter defines. There is a derivative of such a call only.
     Function(VarId),
+    /// The function that is called, or copied to be passed on: values do without its derivative.
+    Callee(Place),
+    /// A reference to a function, passed on to a parameter that may take it by value: the function
+    /// that is called tells.
+    PassedOn(Place, TypedBy),
     /// The receiver of a method: a place, which the method borrows or copies. If the place may be
     /// assigned to, the method may change it: the types tell.
     Receiver(Place),
@@ -170,7 +178,7 @@ pub enum Operation {
     /// A value made of parts.
     Aggregate { expression: TokenStream, shape: Shape, parts: Vec<(Member, Operand)> },
     /// A struct made of parts and, for the rest, of another struct.
-    UpdateStruct { expression: TokenStream, parts: Vec<(Member, Operand)>, rest: VarId },
+    UpdateStruct { expression: TokenStream, parts: Vec<(Member, Operand)>, rest: Place },
     /// A closure, as an object with a derivative.
     Closure(Box<Closure>),
     /// A function that has a name, as such an object; the path of its derivative.

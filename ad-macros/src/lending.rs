@@ -13,12 +13,17 @@
 //!
 //! Turned down: `&mut` in place of moving there and back (a variable may be passed twice, and what
 //! is an array here may be a slice there); sparse cotangents (an indirection for each element in
-//! all other uses). Arrays are not lent, for moving them costs as much as adding them up. Methods
-//! have no `vjp_onto`: rules of other crates need not have one, and a trait would have to ask for it.
+//! all other uses). Arrays are not lent, for moving them costs as much as adding them up.
+//!
+//! A method `m` of an `impl` block has `lent_2_to_m` beside `m_vjp` (2 is the number of arguments), if
+//! it takes `&self`. Rules of other crates and the methods of traits need not have one, so the caller
+//! asks first: `lending_2_to_m` says that there is one, and a trait in the body of the caller, which
+//! yields to the type's own method, says that there is none. (The names do not begin with `m`, or the
+//! compiler would propose them where `m_vjp` is missing.)
 
 use proc_macro2::{Ident, Span, TokenStream};
-use quote::quote;
-use syn::Type;
+use quote::{format_ident, quote};
+use syn::{Expr, ReceiverKind, Type};
 
 use crate::expand::{Function, Header, Place, turbofish};
 use crate::signature::{Parameter, has_fixed_size, is_box, pointee};
@@ -26,10 +31,14 @@ use crate::sweep::tuple_or_one;
 
 /// Whether callers may lend cotangents to the function: its reverse sweep is written here.
 pub fn is_possible(function: &Function<'_>) -> bool {
-    matches!(function.place, Place::Free)
-        && function.options.vjp.is_none()
-        && !function.options.checkpoint
-        && !function.callables.any()
+    let is_placed = match (function.place, function.signature.receiver()) {
+        (Place::Free, _) => true,
+        (Place::Impl(_), Some(receiver)) => {
+            matches!(receiver.kind, ReceiverKind::Reference(_, _, None))
+        }
+        _ => false,
+    };
+    is_placed && function.options.vjp.is_none() && !function.callables.any()
 }
 
 /// Whether callers lend the cotangent of a parameter.
@@ -48,7 +57,104 @@ pub fn is_asked_for(function: &Function<'_>, header: &Header) -> bool {
         Type::Reference(_) => true,
         ty => !has_fixed_size(ty),
     };
-    matches!(function.place, Place::Free) && header.parameters.iter().any(may_be_reference)
+    match function.place {
+        Place::Free => header.parameters.iter().any(may_be_reference),
+        _ => header.lends(),
+    }
+}
+
+/// The function that is lent cotangents, of a method with this number of arguments.
+pub fn method_onto(method: &Ident, arity: usize) -> Ident {
+    format_ident!("lent_{arity}_to_{method}")
+}
+
+/// The function that says that there is [such a one](method_onto).
+fn method_lends(method: &Ident, arity: usize) -> Ident {
+    format_ident!("lending_{arity}_to_{method}")
+}
+
+/// A method that may be lent cotangents, as it is called.
+#[derive(PartialEq, Eq, PartialOrd, Ord, Clone)]
+pub struct Method {
+    pub name: Ident,
+    /// The number of its arguments.
+    pub arity: usize,
+}
+
+impl Method {
+    /// What says of types without a method that is lent cotangents that they have none.
+    pub fn default_trait(&self) -> TokenStream {
+        let Self { name, arity } = self;
+        let (onto, lends) = (method_onto(name, *arity), method_lends(name, *arity));
+        let types: Vec<_> = (0..*arity).map(|index| format_ident!("A{index}")).collect();
+        quote! {
+            trait #lends {
+                fn #lends(&self) -> ::ad::rt::LendsNothing {
+                    ::ad::rt::LendsNothing
+                }
+
+                fn #onto<#(#types),*>(&self #(, _: #types)*) {}
+            }
+            impl<T: ?::core::marker::Sized> #lends for T {}
+        }
+    }
+
+    /// Value and pullback: of the method that is lent cotangents, if there is one, or else of `vjp`.
+    pub fn call(
+        &self,
+        receiver: &TokenStream,
+        vjp: &TokenStream,
+        arguments: &[TokenStream],
+    ) -> TokenStream {
+        let (onto, lends) =
+            (method_onto(&self.name, self.arity), method_lends(&self.name, self.arity));
+        let names = ["lends", "onto", "own"].map(|name| Ident::new(name, Span::mixed_site()));
+        let [choice, lent, own] = &names;
+        quote! {{
+            let #choice = #receiver.#lends();
+            let (#lent, #own) = match #choice.lends() {
+                true => (
+                    ::core::option::Option::Some(#receiver.#onto(#(#arguments),*)),
+                    ::core::option::Option::None,
+                ),
+                false => (
+                    ::core::option::Option::None,
+                    ::core::option::Option::Some(#receiver.#vjp(#(#arguments),*)),
+                ),
+            };
+            #choice.choose(#lent, #own)
+        }}
+    }
+}
+
+/// Whether the type of a constant does not depend on what it is passed to: it is written down for
+/// either function, and one of them takes anything.
+pub fn has_own_type(constant: &TokenStream) -> bool {
+    fn has(expr: &Expr) -> bool {
+        match expr {
+            Expr::Lit(_) => true,
+            Expr::Path(path) => path.path.segments.last().is_some_and(|last| {
+                let name = last.ident.to_string();
+                !name.starts_with(char::is_uppercase) || name.to_uppercase() == name
+            }),
+            Expr::Paren(inner) => has(&inner.expr),
+            Expr::Tuple(tuple) => tuple.elems.iter().all(has),
+            Expr::Group(inner) => has(&inner.expr),
+            Expr::Cast(_) => true,
+            Expr::Unary(inner) => has(&inner.expr),
+            Expr::Reference(inner) => inner.mutability.is_none() && has(&inner.expr),
+            Expr::Field(field) => has(&field.base),
+            Expr::Index(index) => has(&index.expr),
+            Expr::Binary(binary) => has(&binary.left) && has(&binary.right),
+            Expr::MethodCall(call) => call.method == "len" && has(&call.receiver),
+            Expr::Call(call) => {
+                matches!(&*call.func, Expr::Path(path) if path.path.segments.last().is_some_and(|last| last.ident == "constant"))
+                    && call.args.iter().all(has)
+            }
+            _ => false,
+        }
+    }
+    syn::parse2::<Expr>(constant.clone()).is_ok_and(|expr| has(&expr))
 }
 
 /// Writes the two functions.
@@ -75,7 +181,7 @@ impl<'a> Functions<'a> {
         match self.header.lends() {
             true => (self.vjp_by_onto(), self.onto(sweeps)),
             false => {
-                let vjp = self.call(&quote!(vjp));
+                let vjp = self.call(&format_ident!("vjp"));
                 (sweeps.clone(), self.onto(&quote!({ #vjp })))
             }
         }
@@ -87,15 +193,48 @@ impl<'a> Functions<'a> {
         let generics = (!generics.params.is_empty()).then_some(generics);
         let pullback = function.pullback_type(header, header.lends());
         let cfgs = function.attributes.iter().filter(|a| a.path().is_ident("cfg"));
+        let cfgs: Vec<_> = cfgs.collect();
+        let (name, visibility) = (self.onto_name(), function.visibility);
+        let (visibility, lends) = match function.place {
+            Place::Free => (quote!(pub), None),
+            _ => {
+                let lends = method_lends(&function.signature.ident, self.arity());
+                let lends = quote! {
+                    #(#cfgs)*
+                    #[doc(hidden)]
+                    #[allow(unused, non_snake_case)]
+                    #[inline(always)]
+                    #visibility fn #lends(&self) -> ::ad::rt::Lends {
+                        ::ad::rt::Lends
+                    }
+                };
+                (quote!(#visibility), Some(lends))
+            }
+        };
         quote! {
             #(#cfgs)*
             #[doc(hidden)]
             #[allow(unused, non_snake_case, clippy::all, clippy::pedantic, clippy::nursery)]
             #[inline]
-            pub fn vjp_onto #generics (#inputs) -> #pullback
+            #visibility fn #name #generics (#inputs) -> #pullback
             where #(#bounds),*
             #body
+
+            #lends
         }
+    }
+
+    /// The name of the function that is lent cotangents.
+    fn onto_name(&self) -> Ident {
+        match self.function.place {
+            Place::Free => format_ident!("vjp_onto"),
+            _ => method_onto(&self.function.signature.ident, self.arity()),
+        }
+    }
+
+    /// The number of arguments but the receiver.
+    fn arity(&self) -> usize {
+        self.header.parameters.len() - 1
     }
 
     /// Lends zeros, and brings what comes back to the size of the parameters.
@@ -121,11 +260,11 @@ impl<'a> Functions<'a> {
         }
         let (parts, whole) = (tuple_or_one(&parts), tuple_or_one(&whole));
         let body = quote! {
-            let #parts = #pullback(#cotangent #(, #incoming)*, (#(#zeros,)*));
+            let #parts = #pullback(#cotangent #(, #incoming)*, ::ad::rt::Offered((#(#zeros,)*)));
             #whole
         };
         let closure = self.header.pullback(&cotangent, &incoming, None, &body);
-        let call = self.call(&quote!(vjp_onto));
+        let call = self.call(&self.onto_name());
         quote! {
             {
                 #shapes
@@ -136,7 +275,7 @@ impl<'a> Functions<'a> {
     }
 
     /// The call of the other function with the same arguments.
-    fn call(&self, other: &TokenStream) -> TokenStream {
+    fn call(&self, other: &Ident) -> TokenStream {
         let arguments = self.header.parameters.iter().map(|parameter| &parameter.ident);
         let turbofish = turbofish(&self.function.callables.signature);
         quote!(Self::#other #turbofish (#(#arguments),*))

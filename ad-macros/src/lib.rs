@@ -10,7 +10,7 @@
 //! 5. `expand` wraps them into the functions that users call.
 //!
 //! `derive` stands apart: it gives structs and enums their tangents. `operator` and `accumulation`
-//! give the operators and the sums of such types their rules.
+//! give the operators and the sums of such types their rules, `element` their elements.
 //!
 //! # The shape of generated code
 //!
@@ -30,6 +30,7 @@ mod attribute;
 mod callable;
 mod checkpoint;
 mod derive;
+mod element;
 mod elision;
 mod errors;
 mod expand;
@@ -46,6 +47,7 @@ mod passing;
 mod primal;
 mod recursion;
 mod refused;
+mod rules;
 mod signature;
 #[cfg(test)]
 mod snapshots;

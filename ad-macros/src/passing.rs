@@ -1,4 +1,5 @@
-//! The functions that make objects of closures without types: `f::argument_0`.
+//! The functions that make objects of closures without types, `f::argument_0`, and those that pass a
+//! reference to an object as the function takes it, `f::passed_0`.
 //!
 //! A closure gets the types of its parameters from a bound on what it is passed to, if the bound is one
 //! of `Fn` itself. So a function of functions brings one for each of these, with the types that it
@@ -27,13 +28,38 @@ pub fn forward(TypedBy { function, index }: &TypedBy) -> TokenStream {
     quote!(#function::#name)
 }
 
+/// The path of the function that passes what is referred to, or the reference itself.
+pub fn pass(TypedBy { function, index }: &TypedBy) -> TokenStream {
+    let name = format_ident!("passed_{index}", span = function.span());
+    quote!(#function::#name)
+}
+
 /// The functions for the parameters of `function` that are functions.
 pub fn functions(function: &Function<'_>, parameters: &[Parameter]) -> TokenStream {
     let of_parameter = |(index, parameter): (usize, &Parameter)| {
         let arguments = function.callables.arguments(&parameter.ty)?;
-        Some(for_parameter(function, index, arguments))
+        let (by_type, by_reference) =
+            (for_parameter(function, index, arguments), for_reference(function, index, parameter));
+        Some(quote!(#by_type #by_reference))
     };
     parameters.iter().enumerate().filter_map(of_parameter).collect()
+}
+
+fn for_reference(function: &Function<'_>, index: usize, parameter: &Parameter) -> TokenStream {
+    let (name, passed) = (format_ident!("passed_{index}"), own("function"));
+    let (result, value) = match parameter.is_shared {
+        true => (quote!(&__Function), quote!(#passed)),
+        false => (quote!(__Function), quote!(::core::clone::Clone::clone(#passed))),
+    };
+    let cfgs = function.attributes.iter().filter(|attribute| attribute.path().is_ident("cfg"));
+    quote! {
+        #(#cfgs)*
+        #[doc(hidden)]
+        #[inline(always)]
+        pub fn #name<__Function: ::core::clone::Clone>(#passed: &__Function) -> #result {
+            #value
+        }
+    }
 }
 
 fn for_parameter(function: &Function<'_>, index: usize, arguments: &[Type]) -> TokenStream {

@@ -4,6 +4,7 @@ use proc_macro2::{Ident, Span, TokenStream};
 use quote::{quote, quote_spanned};
 
 use crate::ir::{Argument, BinaryOperator, Operand, Operation, Place, Projection, Var, VarId};
+use crate::passing;
 
 /// A place as an expression.
 pub fn project(root: TokenStream, path: &[Projection]) -> TokenStream {
@@ -40,6 +41,17 @@ impl<'a> Primal<'a> {
         project(quote!(#root), &place.path)
     }
 
+    /// An operator.
+    pub fn operator(operator: BinaryOperator) -> TokenStream {
+        match operator {
+            BinaryOperator::Add => quote!(+),
+            BinaryOperator::Sub => quote!(-),
+            BinaryOperator::Mul => quote!(*),
+            BinaryOperator::Div => quote!(/),
+            BinaryOperator::Rem => quote!(%),
+        }
+    }
+
     /// An operator that changes the place to its left.
     pub fn assigning(operator: BinaryOperator) -> TokenStream {
         match operator {
@@ -55,9 +67,13 @@ impl<'a> Primal<'a> {
     pub fn argument(self, argument: &Argument) -> TokenStream {
         match argument {
             Argument::Value(operand) => self.tokens(operand),
-            Argument::Borrow(place) => {
+            Argument::Borrow(place) | Argument::Callee(place) => {
                 let place = self.place(place);
                 quote!(&#place)
+            }
+            Argument::PassedOn(place, by) => {
+                let (place, pass) = (self.place(place), passing::pass(by));
+                quote!(#pass(&#place))
             }
             Argument::Exclusive(place) | Argument::Reborrow(place) => {
                 let place = self.place(place);
@@ -74,7 +90,7 @@ impl<'a> Primal<'a> {
     /// Whether a call is given a function.
     pub fn is_function(self, argument: &Argument) -> bool {
         match argument {
-            Argument::Function(_) => true,
+            Argument::Function(_) | Argument::Callee(_) | Argument::PassedOn(..) => true,
             Argument::Value(Operand::Var(var)) => self.0[*var].is_function,
             Argument::Borrow(place) => self.0[place.root].is_function,
             _ => false,
@@ -128,9 +144,9 @@ impl<'a> Primal<'a> {
                 quote!(#value as #ty)
             }
             // What takes an object is a derivative, but for the calls of it.
-            Operation::Call { primal, vjp, method, arguments }
+            Operation::Call { vjp, method, arguments, .. }
                 if arguments.iter().any(|argument| self.is_function(argument))
-                    && !primal.to_string().starts_with(":: ad :: function") =>
+                    && !matches!(arguments.first(), Some(Argument::Callee(_))) =>
             {
                 let call = self.call(vjp, *method, arguments);
                 quote!(#call.0)

@@ -18,7 +18,9 @@
 //!
 //! A closure whose parameters have no types gets them from the function that it is passed to, which
 //! brings a function for each such parameter that makes the object (`f::argument_0`): the compiler takes
-//! the types of a closure from a bound `Fn(..)` at the place where it is written, and there alone.
+//! the types of a closure from a bound `Fn(..)` at the place where it is written, and there alone. Another
+//! (`f::passed_0`) turns a reference to an object into what `f` takes: a copy of the object, or the
+//! reference.
 //!
 //! The object owns what it captures, so passing a closure costs a copy of that; and each call of it
 //! gathers the cotangent of all that it captures, as each call of a function does of what is passed
@@ -119,7 +121,7 @@ pub trait Pullback<C, T, A> {
 #[diagnostic::on_unimplemented(
     message = "this function has no derivative that `#[differentiable]` could pass on",
     label = "has to be a closure, or the name of a differentiable function",
-    note = "pass a function by value, not `&f`, where the function called takes it by value",
+    note = "pass a function by value, not `&f`, where the method called takes it by value",
     note = "from code without derivatives, call a `#[differentiable]` function that passes the closure"
 )]
 pub trait DifferentiableFn<Args: Parameters>: Callable<Args> + Differentiable {
@@ -134,7 +136,7 @@ pub trait DifferentiableFn<Args: Parameters>: Callable<Args> + Differentiable {
 #[diagnostic::on_unimplemented(
     message = "this function has no derivative that `#[differentiable]` could pass on",
     label = "has to be a closure, or the name of a differentiable function",
-    note = "pass a function by value, not `&f`, where the function called takes it by value",
+    note = "pass a function by value, not `&f`, where the method called takes it by value",
     note = "from code without derivatives, call a `#[differentiable]` function that passes the closure"
 )]
 pub trait ForwardFn<Args: Parameters>: Callable<Args> {

@@ -41,17 +41,25 @@
 //! `filter`, `filter_map`, `flat_map`, `flatten`, `take_while` and `map_while`; in a `for` loop or
 //! used up by `sum`, `product`, `fold`, `reduce`, `last`, `for_each`, `collect` into a `Vec`,
 //! `extend`, `min_by` or `max_by`, and without derivative by `count`, `any`, `all` or `position`;
-//! `array::from_fn`, `map` of arrays. Options and truth values: `map`, `and_then`, `or_else`,
-//! `map_or`, `map_or_else`, `unwrap_or_else`, `then`, `then_some`. Slices: `first`, `last`, `get`,
-//! `split_at`, `sort_by`. Closures can be bound to a variable and called, and may change what they
+//! `array::from_fn`, `map` of arrays. Options, results and truth values: `map`, `and_then`, `or_else`,
+//! `map_or`, `map_or_else`, `map_err`, `ok`, `ok_or`, `ok_or_else`, `unwrap`, `expect`, `unwrap_or`,
+//! `unwrap_or_else`, `unwrap_or_default`, `then`, `then_some`. (Of those that options and results share
+//! `map`, `and_then`, `or_else`, `map_or` and `map_or_else` are taken for those of options, unless a
+//! type written down or what was called before tells a result.) Slices: `first`, `last`, `get`,
+//! `split_at`, `split_first`, `split_last`, in a `let` also `split_at_mut`, `split_first_mut` and
+//! `split_last_mut`, `sort_by`. Integers: their arithmetic, `min`, `max`, `clamp`, `pow`, `abs`,
+//! `saturating_sub` and the like. Closures can be bound to a variable and called, and may change what they
 //! capture, or be passed to [functions of functions](#functions-of-functions). Macros: `assert!`
 //! and its kin, `panic!`, `unreachable!`, `vec!`, `matches!`, `dbg!`, `println!` and its kin,
 //! `format!`.
 //!
 //! The gradient by a slice or a `Vec` is a `Vec` of the same length. Reading or writing an element
-//! costs the reverse sweep a constant time, as it does the function. A call costs it the length of
-//! what is passed, or held by the receiver: a function that looks at a few elements of many is best
-//! given `&xs[a..b]`. What is passed as `&mut` is lent, at no cost.
+//! costs the reverse sweep a constant time, as it does the function, and so does a call that passes a
+//! slice, a `Vec` or a struct on, or is made on one as `&self`. By the length of what is passed are
+//! charged: methods of traits, functions that take functions, closures that are passed, rules written
+//! by hand, and `checkpoint` on a function, which keeps copies of its arguments. There a function that
+//! looks at a few elements of many is best given `&xs[a..b]`. What is passed as `&mut` is lent, at no
+//! cost.
 //!
 //! ```
 //! use ad::differentiable;
@@ -227,14 +235,59 @@
 //! `a += b` is differentiated as the `AddAssign` that it calls. Operators between references
 //! (`&a * &b`) count as those of the values. `sum()` and `product()` need the attribute on
 //! `impl Sum`, whose body is `iter.fold(start, |sum, x| sum + x)`. The pullback of an operator starts
-//! from its operands; a sum in a loop keeps copies of them until then. `Index` has no derivative: call
-//! a method, or index a field.
+//! from its operands; a sum in a loop keeps copies of them until then. Of a type that is not `Copy`, as
+//! a matrix that holds a `Vec`, operators have no derivative: call a method.
+//!
+//! Elements of your own types have one where they are told by a tuple, `m[(i, j)]`: the attribute stands
+//! on `impl Index<(usize, usize)>` and, for elements that are assigned to, on `impl IndexMut`. What is
+//! indexed stands at the end of `index` as a reference, and is `Copy`.
+//!
+//! ```
+//! use std::ops::{Index, IndexMut};
+//!
+//! use ad::{Differentiable, differentiable};
+//!
+//! #[derive(Clone, Differentiable)]
+//! struct Matrix {
+//!     columns: usize,
+//!     data: Vec<f64>,
+//! }
+//!
+//! #[differentiable]
+//! impl Index<(usize, usize)> for Matrix {
+//!     type Output = f64;
+//!
+//!     fn index(&self, (i, j): (usize, usize)) -> &f64 {
+//!         &self.data[i * self.columns + j]
+//!     }
+//! }
+//!
+//! #[differentiable]
+//! impl IndexMut<(usize, usize)> for Matrix {
+//!     fn index_mut(&mut self, (i, j): (usize, usize)) -> &mut f64 {
+//!         &mut self.data[i * self.columns + j]
+//!     }
+//! }
+//!
+//! #[differentiable]
+//! fn eliminated(matrix: &Matrix) -> f64 {
+//!     let mut m = matrix.clone();
+//!     let factor = m[(1, 0)] / m[(0, 0)];
+//!     m[(1, 1)] -= factor * m[(0, 1)];
+//!     m[(0, 0)] * m[(1, 1)]
+//! }
+//!
+//! // The derivatives of a determinant are the cofactors.
+//! let by_matrix = eliminated::grad(&Matrix { columns: 2, data: vec![2.0, 3.0, 5.0, 7.0] });
+//! assert_eq!(by_matrix.data, [7.0, -5.0, -3.0, 2.0]);
+//! ```
 //!
 //! # Functions of functions
 //!
 //! A parameter may be a function of up to four arguments, by its bound `F: Fn(..) -> ..` or as
 //! `impl Fn(..) -> ..`. What is passed is a closure, which is differentiated by what it captures, too,
-//! or the name of a differentiable function: `integrate(square, a, b)`, `integrate(f64::sin, a, b)`.
+//! or the name of a differentiable function: `integrate(square, a, b)`, `integrate(f64::sin, a, b)`; to
+//! a function that takes it by value, also a reference to it, `integrate(&f, a, b)`.
 //! A function tells a closure the types of its parameters; to a method, or where the function is
 //! generic over them, it is passed with types, `|x: f64| ..`. In forward mode `()` stands at the place
 //! of a function's tangent: an object holds those of what it captures.
@@ -416,8 +469,8 @@
 //!
 //! A call that is passed `&xs`, or a struct by reference, goes to `vjp_onto` in place of `vjp`, whose
 //! pullback takes the cotangent of `xs` so far and returns it with its own part added: a loop of n
-//! calls with a slice of n elements costs n, not n². (Methods, and functions that take functions,
-//! return a cotangent of their own for each call.)
+//! calls with a slice of n elements costs n, not n². Methods that take `&self` have such a function, too.
+//! (Methods of traits, and functions that take functions, return a cotangent of their own for each call.)
 //!
 //! # Forward mode
 //!

@@ -21,7 +21,9 @@ pub use cotangent::{
 };
 pub use kept::{Decrease, Difference, Increase, Negation, Sum};
 pub use products::{Products, ProductsOutOfLine, scale, with_products};
-pub use pullback::{MethodPullback, PullbackOnto};
+pub use pullback::{
+    Lends, LendsNothing, MethodPullback, MethodPullbackOnto, Offered, PullbackOnto,
+};
 pub use tangent::{
     Pass, Slot, copy, pass, pass_part, read, repeated, same_length, still, tangent_of, target,
     with_zero, zero_like, zero_of,
@@ -51,11 +53,11 @@ pub mod methods {
     pub use crate::rules::{
         AngleRules as _, CloneRules as _, CopiedRules as _, DMat2Rules as _, DMat3Rules as _,
         DMat4Rules as _, DVec2Rules as _, DVec4Rules as _, ExtendRules as _, FloatRules as _,
-        FromRules as _, GlamRules as _, Mat2Rules as _, Mat3Rules as _, Mat4Rules as _,
-        MatrixRules as _, OptionRules as _, QuaternionRules as _, RealRules as _, ResultRules as _,
-        RotationRules as _, ScalarRules as _, SequenceRules as _, TransformRules as _,
-        TruncateRules as _, Vec2Rules as _, Vec4Rules as _, VecRules as _, Vector3Rules as _,
-        VectorRules as _,
+        FromRules as _, GlamRules as _, IntegerRules as _, Mat2Rules as _, Mat3Rules as _,
+        Mat4Rules as _, MatrixRules as _, OptionRules as _, QuaternionRules as _, RealRules as _,
+        ResultRules as _, RotationRules as _, ScalarRules as _, SequenceRules as _,
+        SignedRules as _, TransformRules as _, TruncateRules as _, Vec2Rules as _, Vec4Rules as _,
+        VecRules as _, Vector3Rules as _, VectorRules as _,
     };
     pub use crate::vector::{Vector as _, Vector3 as _};
 }
@@ -326,10 +328,11 @@ impl<S: crate::Real> ScalarResult<'_, S> for S {
     }
 }
 
-/// `Copy`, asked for in a way that may turn out false. See [`ScalarResult`].
-pub trait CopyIf<'a>: Copy {}
+/// `Copy`, asked for in a way that may turn out false. See [`ScalarResult`]. Of two fields whose
+/// tangents are the same type `INDEX` makes two questions: else it is not known which one answers.
+pub trait CopyIf<'a, const INDEX: usize = 0>: Copy {}
 
-impl<T: Copy> CopyIf<'_> for T {}
+impl<T: Copy, const INDEX: usize> CopyIf<'_, INDEX> for T {}
 
 macro_rules! branches {
     ($($name:ident: $($arm:ident)*;)*) => {$(

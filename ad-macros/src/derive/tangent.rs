@@ -31,6 +31,7 @@ impl TangentStruct<'_> {
         let bounds: Vec<_> = where_clause.iter().flat_map(|clause| &clause.predicates).collect();
         let members: Vec<_> = fields.iter().map(|field| &field.member).collect();
         let types: Vec<_> = fields.iter().map(|field| &field.ty).collect();
+        let indices = 0..fields.len();
         let tangent_name = name.to_string();
         let member_names = members.iter().map(|member| match member {
             Member::Named(ident) => ident.to_string(),
@@ -64,7 +65,7 @@ impl TangentStruct<'_> {
             impl #impl_generics ::core::marker::Copy for #name #type_generics
             where
                 #(#bounds,)*
-                #(for<'__copy> #types: ::ad::rt::CopyIf<'__copy>,)*
+                #(for<'__copy> #types: ::ad::rt::CopyIf<'__copy, #indices>,)*
             {
             }
 

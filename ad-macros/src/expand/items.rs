@@ -78,17 +78,15 @@ impl Function<'_> {
         let (mut stored, mut checkpointed) = (None, None);
         if let (Some(body), true) = (body, self.options.checkpoint) {
             let name = checkpoint::stored_name(&vjp);
+            let stored_type = self.pullback_type(header, header.lends());
             stored = Some(quote! {
                 #(#cfgs)*
                 #lints
-                fn #name #generics (#inputs) -> #pullback_type
+                fn #name #generics (#inputs) -> #stored_type
                 where #(#bounds),*
                 #body
             });
-            checkpointed =
-                Some(checkpoint::body(self, &vjp, parameters, |body, seed, incoming| {
-                    header.pullback(seed, incoming, None, &body)
-                }));
+            checkpointed = Some(checkpoint::body(self, &vjp, header));
         }
         let body = match (checkpointed.as_ref().or(body), place) {
             (Some(body), _) => body.clone(),

@@ -121,7 +121,9 @@ impl Writer<'_> {
                 let value = quote!(&mut #tokens);
                 Passed { tangent: self.lent_exclusively(place, before), value }
             }
-            Argument::Function(_) => unreachable!("is a function"),
+            Argument::Function(_) | Argument::Callee(_) | Argument::PassedOn(..) => {
+                unreachable!("is a function")
+            }
             Argument::Receiver(place) => {
                 let value = self.primal_place(place);
                 let tangent = match self.lowered.vars[place.root].mutable {

@@ -19,7 +19,6 @@ impl Writer<'_> {
         let [captured, captured_dots, dots, value, dot] =
             names.map(|name| self.names.fresh(name, Span::mixed_site()));
         let Forward { tangents, statements, result } = forward(function, parameters, self.names);
-        let (plain, plain_value) = sweep::primal(function, parameters, self.names);
 
         let (references, arguments) = parameters.split_at(captures.len());
         let (reference_dots, argument_dots) = tangents.split_at(captures.len());
@@ -37,7 +36,36 @@ impl Writer<'_> {
         };
         let (references, names) = (idents(references), idents(arguments));
         let types = arguments.iter().map(|argument| &argument.ty);
-        let dot_types = arguments.iter().map(tangent_type);
+        let dot_types: Vec<_> = arguments.iter().map(tangent_type).collect();
+        let (start, tangent) = match function.passes_functions {
+            // A function is passed with its tangents or not at all.
+            true => {
+                let slots = arguments.iter().map(|_| self.names.fresh("slot", Span::mixed_site()));
+                let slots: Vec<_> = slots.collect();
+                let is_wanted = self.names.fresh("is_wanted", Span::mixed_site());
+                let start = quote! {
+                    let #is_wanted = #dots.is_some();
+                    #(let mut #slots = ::ad::rt::Slot::new();)*
+                    let (#(#argument_dots,)*): (#(#dot_types,)*) = match #dots {
+                        ::core::option::Option::Some(dots) => dots,
+                        ::core::option::Option::None => {
+                            (#(::ad::rt::still(&#names, &mut #slots),)*)
+                        }
+                    };
+                };
+                (start, quote!(#is_wanted.then_some(#dot)))
+            }
+            false => {
+                let (plain, plain_value) = sweep::primal(function, parameters, self.names);
+                let start = quote! {
+                    let ::core::option::Option::Some((#(#argument_dots,)*)) = #dots else {
+                        #plain
+                        return (#plain_value, ::core::option::Option::None);
+                    };
+                };
+                (start, quote!(::core::option::Option::Some(#dot)))
+            }
+        };
         let make = match typed_by {
             Some(typed_by) => passing::forward(typed_by),
             None => quote!(::ad::function::forward),
@@ -49,14 +77,11 @@ impl Writer<'_> {
             #make(
                 move |(#(#names,)*): (#(#types,)*), #dots: ::core::option::Option<(#(#dot_types,)*)>| {
                     let (#(#references,)*) = &#captured;
-                    let ::core::option::Option::Some((#(#argument_dots,)*)) = #dots else {
-                        #plain
-                        return (#plain_value, ::core::option::Option::None);
-                    };
+                    #start
                     let (#(#reference_dots,)*) = &#captured_dots;
                     #statements
                     let (#value, #dot) = #result;
-                    (#value, ::core::option::Option::Some(#dot))
+                    (#value, #tangent)
                 },
             )
         }}

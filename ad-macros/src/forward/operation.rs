@@ -118,7 +118,7 @@ impl Writer<'_> {
             Operation::Binary(_, left, right) => is_still(*left) && is_still(*right),
             Operation::Aggregate { parts, .. } => parts.iter().all(|(_, part)| self.is_still(part)),
             Operation::UpdateStruct { parts, rest, .. } => {
-                is_still(*rest) && parts.iter().all(|(_, part)| self.is_still(part))
+                is_still(rest.root) && parts.iter().all(|(_, part)| self.is_still(part))
             }
             Operation::Repeat { value, .. } => is_still(*value),
             Operation::Call { .. } | Operation::Closure(_) | Operation::Named { .. } => false,
@@ -178,9 +178,17 @@ impl Writer<'_> {
                 (self.aggregate(var, shape, parts), Tangent::Owned)
             }
             Operation::UpdateStruct { rest, .. } => {
-                let rest = match self.tangents[*rest] {
-                    Tangent::Still => zero,
-                    _ => self.owned(*rest),
+                if self.tangents[rest.root] == Tangent::Still {
+                    return (zero, Tangent::Owned);
+                }
+                let is_whole = rest.path.is_empty()
+                    && !matches!(self.tangents[rest.root], Tangent::Shared | Tangent::Exclusive);
+                let rest = match is_whole {
+                    true => self.owned(rest.root),
+                    false => {
+                        let tangent = self.shared(rest);
+                        quote!(::ad::rt::read(&#ident, #tangent))
+                    }
                 };
                 (rest, Tangent::Owned)
             }

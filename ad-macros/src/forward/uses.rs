@@ -139,7 +139,7 @@ impl Walk<'_> {
                         | Argument::Exclusive(place)
                         | Argument::Reborrow(place)
                         | Argument::Receiver(place) => self.place(place),
-                        Argument::Function(_) => {}
+                        Argument::Function(_) | Argument::Callee(_) | Argument::PassedOn(..) => {}
                     }
                 }
             }
@@ -148,7 +148,7 @@ impl Walk<'_> {
             }
             Operation::UpdateStruct { parts, rest, .. } => {
                 parts.iter().for_each(|(_, part)| self.operand(part));
-                self.var(*rest);
+                self.place(rest);
             }
             Operation::Repeat { value, .. } => self.var(*value),
             // What a closure captures it copies.

@@ -17,6 +17,7 @@ use crate::ir::{Block, Build, BuildSource, Operand, Operation, Place, Statement}
 pub(super) enum Container {
     Array,
     Option,
+    Result,
 }
 
 impl Container {
@@ -26,6 +27,7 @@ impl Container {
             Type::Array(_) => Some(Self::Array),
             Type::Paren(inner) => Self::of(&inner.elem),
             Type::Path(path) if path.path.segments.last()?.ident == "Option" => Some(Self::Option),
+            Type::Path(path) if path.path.segments.last()?.ident == "Result" => Some(Self::Result),
             _ => None,
         }
     }
@@ -73,7 +75,7 @@ impl Lowerer<'_> {
             }
             _ => self.refuse(
                 &call.method,
-                "what this maps over may be an array or an option: give it a name and a type with `let` before",
+                "what this maps over may be an array, an option or a result: give it a name and a type with `let` before",
             ),
         })
     }
@@ -86,9 +88,17 @@ impl Lowerer<'_> {
                 let root = self.lookup(path.path.get_ident()?)?;
                 self.containers.get(&root).copied()
             }
-            Expr::MethodCall(call) if call.method == "map" => self.container(&call.receiver),
+            Expr::MethodCall(call) => match &*call.method.to_string() {
+                "map" | "and_then" | "or_else" => self.container(&call.receiver),
+                "ok_or" | "ok_or_else" | "map_err" => Some(Container::Result),
+                "ok" | "then" | "then_some" => Some(Container::Option),
+                _ => None,
+            },
             Expr::Call(call) => match strip_parens(&call.func) {
                 Expr::Path(path) if is_from_fn(&path.path) => Some(Container::Array),
+                Expr::Path(path) if super::construct::outcome(&path.path).is_some() => {
+                    Some(Container::Result)
+                }
                 Expr::Path(path) if super::construct::is_transparent(&path.path) => {
                     Some(Container::Option)
                 }

@@ -26,6 +26,8 @@ impl Lowerer<'_> {
             Argument::Value(operand) => operand,
             Argument::Function(var) => Operand::Var(var),
             Argument::Borrow(place)
+            | Argument::Callee(place)
+            | Argument::PassedOn(place, _)
             | Argument::Exclusive(place)
             | Argument::Reborrow(place)
             | Argument::Receiver(place) => {
@@ -220,7 +222,11 @@ impl Lowerer<'_> {
         let constant = arguments.iter().all(|argument| match argument {
             Argument::Value(operand) => matches!(operand, Operand::Constant(_)),
             Argument::Exclusive(place) | Argument::Reborrow(place) => !self.vars[place.root].active,
-            Argument::Borrow(_) | Argument::Receiver(_) | Argument::Function(_) => false,
+            Argument::Borrow(_)
+            | Argument::Receiver(_)
+            | Argument::Function(_)
+            | Argument::Callee(_)
+            | Argument::PassedOn(..) => false,
         });
         if constant {
             let tokens: Vec<_> = arguments.iter().map(|a| self.argument_tokens(a)).collect();
@@ -242,6 +248,9 @@ impl Lowerer<'_> {
             let ident = self.ident(value);
             return Operand::Constant(quote!(#ident));
         }
+        let called = usize::from(matches!(arguments.first(), Some(Argument::Callee(_))));
+        self.passes_functions |=
+            arguments[called..].iter().any(|argument| Primal(&self.vars).is_function(argument));
         let operation = Operation::Call { primal, vjp, method, arguments };
         Operand::Var(self.define(hint, span, true, operation))
     }
@@ -254,11 +263,11 @@ fn is_box_new(path: &Path) -> bool {
         && segments.next().is_some_and(|owner| owner.ident == "Box")
 }
 
-/// Comparisons and tests, by the names that glam and the standard library give them. That the
-/// result has no derivative is checked by its type.
+/// Comparisons, tests and what makes texts, by the names that glam and the standard library give
+/// them. That the result has no derivative is checked by its type.
 pub(super) fn is_predicate(name: &str) -> bool {
     name.starts_with("is_")
-        || name == "len"
+        || matches!(name, "len" | "to_string")
         || matches!(name, "cmplt" | "cmple" | "cmpgt" | "cmpge" | "cmpeq" | "cmpne")
         || matches!(name, "cmp" | "partial_cmp" | "total_cmp")
         || matches!(name, "lt" | "le" | "gt" | "ge" | "eq" | "ne" | "all" | "any")

@@ -6,7 +6,7 @@ use syn::spanned::Spanned;
 use syn::{ExprPath, Member, Path};
 
 use super::Lowerer;
-use crate::ir::{Operand, Operation, Shape, Statement};
+use crate::ir::{Operand, Operation, Place, Shape, Statement};
 
 impl Lowerer<'_> {
     /// `Some(x)`, `Name(x, y)`
@@ -62,16 +62,21 @@ impl Lowerer<'_> {
             return self.aggregate(expression, shape, parts, hint, literal.span());
         };
         let fields: Vec<_> = fields.collect();
-        let rest = self.operand(rest, "rest");
-        let rest_tokens = self.tokens(&rest);
-        let expression = quote!(#path { #(#fields,)* ..#rest_tokens });
-        match rest {
-            Operand::Constant(_) => self.aggregate(expression, shape, parts, hint, literal.span()),
-            Operand::Var(rest) => {
-                let operation = Operation::UpdateStruct { expression, parts, rest };
-                Operand::Var(self.define(hint, literal.span(), true, operation))
-            }
-        }
+        // Of a place the other fields alone are moved or copied.
+        let place = match self.active_place(rest) {
+            Some(place) => place,
+            None => match self.operand(rest, "rest") {
+                Operand::Var(root) => Place { root, path: Vec::new() },
+                Operand::Constant(rest) => {
+                    let expression = quote!(#path { #(#fields,)* ..#rest });
+                    return self.aggregate(expression, shape, parts, hint, literal.span());
+                }
+            },
+        };
+        let tokens = self.place_tokens(&place);
+        let expression = quote!(#path { #(#fields,)* ..#tokens });
+        let operation = Operation::UpdateStruct { expression, parts, rest: place };
+        Operand::Var(self.define(hint, literal.span(), true, operation))
     }
 
     /// `Enum::Variant`, told from `module::Type` by the capital letter; `Variant`, where what stands

@@ -7,6 +7,7 @@ use syn::{BinOp, Expr, ExprBinary, Member, Type, UnOp};
 use super::Lowerer;
 use super::construct::numbered;
 use super::ends::End;
+use crate::element;
 use crate::ir::{BinaryOperator, Operand, Operation, Projection, Shape};
 
 impl Lowerer<'_> {
@@ -17,6 +18,9 @@ impl Lowerer<'_> {
             Expr::Lit(literal) => Operand::Constant(quote!(#literal)),
             Expr::Paren(inner) => self.operand(&inner.expr, hint),
             Expr::Group(inner) => self.operand(&inner.expr, hint),
+            Expr::Index(index) if element::is_element(index) => {
+                self.method_call(&element::read(index), hint)
+            }
             Expr::Path(_) | Expr::Field(_) | Expr::Index(_) => self.read(expr, hint),
             Expr::Unary(unary) => match unary.op {
                 UnOp::Deref(_) => self.read(expr, hint),

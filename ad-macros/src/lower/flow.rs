@@ -15,6 +15,7 @@ use super::chain::array_length;
 use super::closure::simple_name;
 use super::ends::{End, JumpKind, Target};
 use super::exits::Exit;
+use super::item::is_plain_name;
 use super::macros::macro_diverges;
 use super::{Lowerer, OnFailure, deferred, desugar, exits};
 use crate::ir::{Operand, Statement};
@@ -126,6 +127,15 @@ impl Lowerer<'_> {
             && reference.mutability.is_some()
         {
             return self.exclusive_alias(name, &reference.expr);
+        }
+        if self.split_exclusively(pat, &init.expr) {
+            return;
+        }
+        if let (Pat::Ident(name), None, Expr::Reference(reference)) = (pat, ty, &*init.expr)
+            && is_plain_name(name)
+            && self.shared_alias(&name.ident, &reference.expr)
+        {
+            return;
         }
         if ty.is_some_and(crate::signature::is_discrete) {
             return self.discrete_local(pat, ty, &init.expr);

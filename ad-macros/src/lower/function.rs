@@ -47,23 +47,26 @@ impl Lowerer<'_> {
             expr => (expr, false),
         };
         let object = match (self.named_closure(value), value) {
-            (Some(closure), _) => self.object(&closure.body, &closure.scopes, typed_by),
+            (Some(closure), _) => self.object(&closure.body, &closure.scopes, typed_by.clone()),
             (None, Expr::Closure(closure)) => {
                 let scopes = self.scopes.clone();
-                self.object(closure, &scopes, typed_by)
+                self.object(closure, &scopes, typed_by.clone())
             }
             (None, Expr::Path(path)) if self.is_named_function(path) => {
                 let vjp = vjp_of(path);
                 let operation = Operation::Named { primal: quote!(#path), vjp };
                 self.define("function", path.span(), true, operation)
             }
-            (None, Expr::Path(path)) if !is_borrowed => {
+            (None, Expr::Path(path)) => {
                 let function = self.lookup(path.path.get_ident()?)?;
-                if !self.functions.contains_key(&function) || self.may_refer(function) {
+                if !self.functions.contains_key(&function) {
                     return None;
                 }
-                let whole = Place { root: function, path: Vec::new() };
-                self.again(whole, path.span())
+                let place = self.function_place(function);
+                if is_borrowed || self.is_reference(value) || self.may_refer(function) {
+                    return typed_by.map(|by| Argument::PassedOn(place, by));
+                }
+                self.again(place, path.span())
             }
             // A copy of what is behind a reference.
             (None, Expr::Unary(unary)) if matches!(unary.op, UnOp::Deref(_)) && !is_borrowed => {
@@ -78,16 +81,18 @@ impl Lowerer<'_> {
             _ => return None,
         };
         self.vars[object].is_function = true;
-        Some(match is_borrowed {
-            true => Argument::Borrow(Place { root: object, path: Vec::new() }),
-            false => Argument::Function(object),
+        let place = Place { root: object, path: Vec::new() };
+        Some(match (is_borrowed, typed_by) {
+            (true, Some(by)) => Argument::PassedOn(place, by),
+            (true, None) => Argument::Borrow(place),
+            (false, _) => Argument::Function(object),
         })
     }
 
     /// A parameter that is a function, to be passed on.
     fn again(&mut self, function: Place, span: proc_macro2::Span) -> VarId {
         let (primal, vjp) = (quote!(::ad::function::again), quote!(::ad::function::again_vjp));
-        let arguments = vec![Argument::Borrow(function)];
+        let arguments = vec![Argument::Callee(function)];
         let operation = Operation::Call { primal, vjp, method: false, arguments };
         self.define("function", span, true, operation)
     }
@@ -111,7 +116,7 @@ impl Lowerer<'_> {
         if call.args.len() != arity {
             return self.refuse(call, "the function is given another number of arguments");
         }
-        let mut arguments = vec![Argument::Borrow(self.function_place(function))];
+        let mut arguments = vec![Argument::Callee(self.function_place(function))];
         arguments.extend(call.args.iter().map(|argument| self.argument(argument)));
         let primal = call_of(arity);
         let vjp = format_ident!("call_{arity}_vjp");

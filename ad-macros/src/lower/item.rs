@@ -208,6 +208,6 @@ impl Lowerer<'_> {
     }
 }
 
-fn is_plain_name(pat: &syn::PatIdent) -> bool {
+pub(super) fn is_plain_name(pat: &syn::PatIdent) -> bool {
     pat.by_ref.is_none() && pat.subpat.is_none() && pat.mutability.is_none()
 }

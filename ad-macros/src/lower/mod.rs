@@ -135,6 +135,8 @@ struct Lowerer<'a> {
     functions: HashMap<VarId, usize>,
     /// Whether this is the body of a closure that is passed to a function.
     is_object: bool,
+    /// Whether a call was given a function.
+    passes_functions: bool,
     /// The items of the outermost block, as they are written.
     items: HashSet<String>,
     /// The names in refutable patterns that were taken for constants, for their capital letter.
@@ -168,6 +170,7 @@ impl<'a> Lowerer<'a> {
             closures: HashMap::new(),
             functions: HashMap::new(),
             is_object: false,
+            passes_functions: false,
             items: HashSet::new(),
             capitals: HashSet::new(),
             variants: HashSet::new(),
@@ -195,7 +198,8 @@ impl Lowerer<'_> {
             is_box: is_box(&parameter.ty),
         });
         let parameters = parameters.collect();
-        Lowered { vars: self.vars, parameters, references, body }
+        let passes_functions = self.passes_functions;
+        Lowered { vars: self.vars, parameters, references, body, passes_functions }
     }
 
     /// Writes a block; `fill` returns its value.

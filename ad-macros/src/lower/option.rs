@@ -1,8 +1,10 @@
 //! Methods of options, results and truth values that are given closures: each is a `match` or `if`.
 //!
-//! They are told by name alone. A method of the user's with such a name does not compile then, for
-//! its receiver is not matched by the patterns.
+//! They are told by name alone, and so are options from results where the method is one of both: what
+//! is not known to be a result is taken for an option. A method of the user's with such a name does
+//! not compile then, for its receiver is not matched by the patterns.
 
+use quote::quote;
 use syn::{Expr, ExprMethodCall, parse_quote};
 
 use super::Lowerer;
@@ -16,6 +18,19 @@ impl Lowerer<'_> {
         let arguments: Vec<_> = call.args.iter().collect();
         let receiver = &call.receiver;
         let [content, error] = ["content", "error"].map(|name| self.names.unwritten(name));
+        let is_result = self.container(receiver) == Some(Container::Result);
+        // Both as patterns and as expressions.
+        let (full, empty) = match is_result {
+            true => (
+                quote!(::core::result::Result::Ok(#content)),
+                quote!(::core::result::Result::Err(#error)),
+            ),
+            false => (
+                quote!(::core::option::Option::Some(#content)),
+                quote!(::core::option::Option::None),
+            ),
+        };
+        let failure: Vec<Expr> = if is_result { vec![parse_quote!(#error)] } else { Vec::new() };
         let desugared: Expr = match (&*call.method.to_string(), &arguments[..]) {
             ("then_some", [value]) => parse_quote!(if #receiver {
                 ::core::option::Option::Some(#value)
@@ -28,6 +43,33 @@ impl Lowerer<'_> {
                     ::core::option::Option::Some(#value)
                 } else {
                     ::core::option::Option::None
+                })
+            }
+            ("ok", []) => parse_quote!(match #receiver {
+                ::core::result::Result::Ok(#content) => ::core::option::Option::Some(#content),
+                ::core::result::Result::Err(_) => ::core::option::Option::None,
+            }),
+            ("ok_or", [otherwise]) => parse_quote!({
+                let #error = #otherwise;
+                match #receiver {
+                    ::core::option::Option::Some(#content) => ::core::result::Result::Ok(#content),
+                    ::core::option::Option::None => ::core::result::Result::Err(#error),
+                }
+            }),
+            ("ok_or_else", [function]) => {
+                let otherwise = self.called(function, &[])?;
+                parse_quote!(match #receiver {
+                    ::core::option::Option::Some(#content) => ::core::result::Result::Ok(#content),
+                    ::core::option::Option::None => ::core::result::Result::Err(#otherwise),
+                })
+            }
+            ("map_err", [function]) => {
+                let otherwise = self.called(function, &[parse_quote!(#error)])?;
+                parse_quote!(match #receiver {
+                    ::core::result::Result::Ok(#content) => ::core::result::Result::Ok(#content),
+                    ::core::result::Result::Err(#error) => {
+                        ::core::result::Result::Err(#otherwise)
+                    }
                 })
             }
             ("unwrap_or_else", [function]) => match self.called(function, &[]) {
@@ -45,43 +87,33 @@ impl Lowerer<'_> {
             },
             ("map_or", [otherwise, function]) => {
                 let value = self.called(function, &[parse_quote!(#content)])?;
-                parse_quote!(match #receiver {
-                    ::core::option::Option::Some(#content) => #value,
-                    ::core::option::Option::None => #otherwise,
-                })
+                parse_quote!(match #receiver { #full => #value, #empty => #otherwise })
             }
             ("map_or_else", [otherwise, function]) => {
                 let value = self.called(function, &[parse_quote!(#content)])?;
-                let otherwise = self.called(otherwise, &[])?;
-                parse_quote!(match #receiver {
-                    ::core::option::Option::Some(#content) => #value,
-                    ::core::option::Option::None => #otherwise,
-                })
+                let otherwise = self.called(otherwise, &failure)?;
+                parse_quote!(match #receiver { #full => #value, #empty => #otherwise })
             }
             ("and_then", [function]) => {
                 let value = self.called(function, &[parse_quote!(#content)])?;
-                parse_quote!(match #receiver {
-                    ::core::option::Option::Some(#content) => #value,
-                    ::core::option::Option::None => ::core::option::Option::None,
-                })
+                parse_quote!(match #receiver { #full => #value, #empty => #empty })
             }
             ("or_else", [function]) => {
-                let otherwise = self.called(function, &[])?;
-                parse_quote!(match #receiver {
-                    ::core::option::Option::Some(#content) => {
-                        ::core::option::Option::Some(#content)
-                    }
-                    ::core::option::Option::None => #otherwise,
-                })
+                let otherwise = self.called(function, &failure)?;
+                parse_quote!(match #receiver { #full => #full, #empty => #otherwise })
             }
-            ("map", [function]) if self.container(receiver) == Some(Container::Option) => {
+            ("map", [function])
+                if matches!(
+                    self.container(receiver),
+                    Some(Container::Option | Container::Result)
+                ) =>
+            {
                 let value = self.called(function, &[parse_quote!(#content)])?;
-                parse_quote!(match #receiver {
-                    ::core::option::Option::Some(#content) => {
-                        ::core::option::Option::Some(#value)
-                    }
-                    ::core::option::Option::None => ::core::option::Option::None,
-                })
+                let mapped = match is_result {
+                    true => quote!(::core::result::Result::Ok(#value)),
+                    false => quote!(::core::option::Option::Some(#value)),
+                };
+                parse_quote!(match #receiver { #full => #mapped, #empty => #empty })
             }
             _ => return None,
         };

@@ -1,11 +1,13 @@
-//! Methods that lend parts of a slice: `first`, `last`, `get`, `split_at`. Each is written with
-//! indices, so that a cotangent goes to the part it belongs to, in constant time.
+//! Methods that lend parts of a slice: `first`, `last`, `get`, `split_at`, `split_first`, and those
+//! that lend two parts to be changed, as `split_at_mut`. Each is written with indices, so that a
+//! cotangent goes to the part it belongs to, in constant time.
 
 use quote::quote_spanned;
-use syn::{Expr, ExprMethodCall, parse_quote};
+use syn::{Expr, ExprMethodCall, Pat, parse_quote};
 
 use super::Lowerer;
 use super::chain::is_chain;
+use super::closure::simple_name;
 use crate::ir::{Operand, Statement};
 
 impl Lowerer<'_> {
@@ -30,6 +32,13 @@ impl Lowerer<'_> {
             ("get", [position]) if !matches!(position, Expr::Range(_)) => {
                 (parse_quote!(#position), parse_quote!(&#slice[#index]))
             }
+            ("split_first", []) => {
+                (parse_quote!(0), parse_quote!((&#slice[#index], &#slice[#index + 1..])))
+            }
+            ("split_last", []) => (
+                parse_quote!(#slice.len().wrapping_sub(1)),
+                parse_quote!((&#slice[#index], &#slice[..#index])),
+            ),
             ("split_at", [position]) if unwrapped.is_none() => {
                 (parse_quote!(#position), parse_quote!((&#slice[..#index], &#slice[#index..])))
             }
@@ -57,5 +66,56 @@ impl Lowerer<'_> {
             self.vars[var].reference = true;
         }
         Some(part)
+    }
+
+    /// `let (left, right) = slice.split_at_mut(position)` and its kin: two names for parts. Says whether
+    /// it is that.
+    pub(super) fn split_exclusively(&mut self, pat: &Pat, value: &Expr) -> bool {
+        let Pat::Tuple(names) = pat else { return false };
+        let (Some(first), Some(second), 2) = (
+            names.elems.first().and_then(simple_name),
+            names.elems.last().and_then(simple_name),
+            names.elems.len(),
+        ) else {
+            return false;
+        };
+        let call = match value {
+            Expr::MethodCall(call) if call.method == "unwrap" || call.method == "expect" => {
+                match &*call.receiver {
+                    Expr::MethodCall(inner) if inner.method != "split_at_mut" => inner,
+                    _ => return false,
+                }
+            }
+            Expr::MethodCall(call) if call.method == "split_at_mut" => call,
+            _ => return false,
+        };
+        let slice = &call.receiver;
+        let index = self.names.unwritten("position");
+        let arguments: Vec<_> = call.args.iter().collect();
+        let (position, parts): (Expr, [Expr; 2]) = match (&*call.method.to_string(), &arguments[..])
+        {
+            ("split_at_mut", [position]) => (
+                parse_quote!(#position),
+                [parse_quote!(#slice[..#index]), parse_quote!(#slice[#index..])],
+            ),
+            ("split_first_mut", []) => (
+                parse_quote!(0),
+                [parse_quote!(#slice[#index]), parse_quote!(#slice[#index + 1..])],
+            ),
+            ("split_last_mut", []) => (
+                parse_quote!(#slice.len() - 1),
+                [parse_quote!(#slice[#index]), parse_quote!(#slice[..#index])],
+            ),
+            _ => return false,
+        };
+        let Some(place) = self.active_place(slice) else { return false };
+        let place = self.place_tokens(&place);
+        let code = quote_spanned!(call.method.span()=> ::ad::rt::is_sequence(&#place););
+        self.push(Statement::Plain { code, defines: Vec::new() });
+        self.statement(&parse_quote!(let #index: usize = #position;));
+        for (name, part) in [first, second].into_iter().zip(&parts) {
+            self.exclusive_alias(name, part);
+        }
+        true
     }
 }

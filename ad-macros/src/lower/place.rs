@@ -9,11 +9,11 @@ use super::closure::root_name;
 use super::flow::strip_parens;
 use super::item::Alias;
 use super::{Lowerer, exits};
-use crate::floats;
 use crate::ir::{
     Argument, BinaryOperator, Operand, Operation, Place, Projection, Statement, VarId,
 };
 use crate::primal::Primal;
+use crate::{element, floats};
 
 impl Lowerer<'_> {
     /// The place that an expression names or refers to, if it is one of a local variable.
@@ -39,6 +39,7 @@ impl Lowerer<'_> {
                 place.path.push(Projection::Field(field.member.clone()));
                 Some((place, 0))
             }
+            Expr::Index(index) if element::is_element(index) => None,
             Expr::Index(index) => {
                 let mut place = self.place(&index.expr)?;
                 let whole = self.place_tokens(&place);
@@ -90,6 +91,20 @@ impl Lowerer<'_> {
             let var = self.alias_place(name, Alias { place, depth: 1 });
             self.exclusive_aliases.insert(var);
         }
+    }
+
+    /// `let name = &place;`: while the name is used, nothing can change the place. Says whether it is
+    /// a place of which a part may be named.
+    pub(super) fn shared_alias(&mut self, name: &syn::Ident, target: &Expr) -> bool {
+        if self.depth(target) > 0 || self.is_reference(target) {
+            return false;
+        }
+        let Some(place) = self.active_place(target) else { return false };
+        if self.vars[place.root].is_function {
+            return false;
+        }
+        self.alias_place(name, Alias { place, depth: 1 });
+        true
     }
 
     /// Whether an expression is a name for a `&mut`.
@@ -255,6 +270,12 @@ impl Lowerer<'_> {
                 desugared.iter().for_each(|statement| lowerer.statement(statement));
             });
         }
+        if let Expr::Index(index) = strip_parens(&assign.left)
+            && element::is_element(index)
+        {
+            let call = element::replaced(index, &assign.right);
+            return self.expression_statement(&syn::parse_quote!(#call));
+        }
         let value = self.operand(&assign.right, "value");
         let Some(place) = self.target(&assign.left) else { return };
         if self.vars[place.root].active {
@@ -275,6 +296,11 @@ impl Lowerer<'_> {
             BinOp::RemAssign(_) => Some(BinaryOperator::Rem),
             _ => None,
         };
+        if let (Expr::Index(index), Some(operator)) = (strip_parens(&update.left), operator)
+            && element::is_element(index)
+        {
+            return self.update_element(index, operator, &update.right);
+        }
         let value = self.scalar(&update.right, "value");
         let Some(place) = self.target(&update.left) else { return };
         let token = &update.op;
@@ -296,6 +322,20 @@ impl Lowerer<'_> {
                 self.push_plain(quote!(#target #token #value;));
             }
         }
+    }
+
+    /// `whole[(i, j)] op= value`
+    fn update_element(&mut self, index: &syn::ExprIndex, operator: BinaryOperator, value: &Expr) {
+        let [position, term] = ["position", "term"].map(|name| self.names.unwritten(name));
+        let (whole, written) = (&index.expr, &index.index);
+        let element: syn::ExprIndex = syn::parse_quote!(#whole[#position]);
+        let (symbol, read) = (Primal::operator(operator), element::read(&element));
+        let replaced = element::replaced(&element, &syn::parse_quote!(#read #symbol #term));
+        self.scope(|lowerer| {
+            lowerer.statement(&syn::parse_quote!(let #term = #value;));
+            lowerer.statement(&syn::parse_quote!(let #position = #written;));
+            lowerer.statement(&syn::parse_quote!(#replaced;));
+        });
     }
 
     /// Tokens of an operand, checked by its type to have no derivative.

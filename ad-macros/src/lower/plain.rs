@@ -242,7 +242,7 @@ impl VisitMut for Plain<'_, '_> {
                 // sweep's back; through a shared reference it does not compile.
                 if changes && let Expr::Path(_) = &*call.receiver {
                     let receiver = &call.receiver;
-                    call.receiver = parse_quote!((&#receiver));
+                    call.receiver = parse_quote!((*&#receiver));
                 }
             }
             Expr::Cast(cast) => {

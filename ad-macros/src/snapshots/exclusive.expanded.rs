@@ -8,11 +8,20 @@ impl deposit {
         impl ::core::ops::FnOnce(
             ::ad::Tangent<f64>,
             ::ad::Tangent<Account>,
-            (::ad::rt::NotLent, ::ad::Tangent<[f64]>, ::ad::rt::NotLent),
+            ::ad::rt::Offered<
+                (::ad::rt::NotLent, ::ad::Tangent<[f64]>, ::ad::rt::NotLent),
+            >,
         ) -> (::ad::Tangent<Account>, ::ad::Tangent<[f64]>, ::ad::Tangent<usize>) + use<>,
     ) {
         #[allow(unused_imports)]
         use ::ad::rt::methods::*;
+        trait lending_1_to_close {
+            fn lending_1_to_close(&self) -> ::ad::rt::LendsNothing {
+                ::ad::rt::LendsNothing
+            }
+            fn lent_1_to_close<A0>(&self, _: A0) {}
+        }
+        impl<T: ?::core::marker::Sized> lending_1_to_close for T {}
         let account_shape = ::ad::rt::shape(&account);
         let index = i;
         let amounts_1 = amounts[index];
@@ -24,7 +33,24 @@ impl deposit {
         let (fee, fee_pullback) = fee::vjp_onto(&mut account.fees[index_1], amounts);
         let fee_space = ::ad::rt::space(&fee);
         let amounts_2 = amounts[0];
-        let (close, close_pullback) = account.close_vjp(amounts_2);
+        let (close, close_pullback) = {
+            let lends = account.lending_1_to_close();
+            let (onto, own) = match lends.lends() {
+                true => {
+                    (
+                        ::core::option::Option::Some(account.lent_1_to_close(amounts_2)),
+                        ::core::option::Option::None,
+                    )
+                }
+                false => {
+                    (
+                        ::core::option::Option::None,
+                        ::core::option::Option::Some(account.close_vjp(amounts_2)),
+                    )
+                }
+            };
+            lends.choose(onto, own)
+        };
         let close_space = ::ad::rt::space(&close);
         let total = account.total;
         let index_2 = i;
@@ -36,11 +62,11 @@ impl deposit {
             move |
                 result_bar: ::ad::Tangent<f64>,
                 mut account_bar: ::ad::Tangent<Account>,
-                (
-                    _,
-                    mut amounts_bar,
-                    _,
-                ): (::ad::rt::NotLent, ::ad::Tangent<[f64]>, ::ad::rt::NotLent),
+                ::ad::rt::Offered(
+                    (_, mut amounts_bar, _),
+                ): ::ad::rt::Offered<
+                    (::ad::rt::NotLent, ::ad::Tangent<[f64]>, ::ad::rt::NotLent),
+                >,
             | -> (::ad::Tangent<Account>, ::ad::Tangent<[f64]>, ::ad::Tangent<usize>) {
                 let mut difference_bar = result_bar;
                 let (mut total_bar, mut amounts_3_bar) = difference_pullback
@@ -48,12 +74,18 @@ impl deposit {
                 let mut amounts_1_bar = amounts_3_bar;
                 ::ad::rt::Absorb::absorb(&mut account_bar.total, total_bar);
                 let mut close_bar = close_space.zero();
-                let (account_part, mut amounts_2_bar) = ::ad::rt::MethodPullback::pull_back(
-                    close_pullback,
-                    close_bar,
-                    &mut account_bar,
-                    (),
-                );
+                let (account_part, mut amounts_2_bar) = {
+                    let offered = (
+                        ::ad::rt::Take::take(&mut account_bar),
+                        ::ad::rt::Lent::nothing(),
+                    );
+                    ::ad::rt::MethodPullbackOnto::pull_back(
+                        close_pullback,
+                        close_bar,
+                        &mut account_bar,
+                        offered,
+                    )
+                };
                 ::ad::rt::Absorb::absorb(&mut account_bar, account_part);
                 *::ad::rt::at(&mut amounts_bar, 0) += amounts_2_bar;
                 let mut fee_bar = fee_space.zero();
@@ -105,11 +137,11 @@ impl deposit {
                 let (part_0, part_1, part_2) = pullback(
                     result_bar,
                     incoming_0,
-                    (
+                    ::ad::rt::Offered((
                         ::ad::rt::Lent::nothing(),
                         ::ad::rt::Lent::nothing(),
                         ::ad::rt::Lent::nothing(),
-                    ),
+                    )),
                 );
                 (part_0, ::ad::rt::fit(shape_1, part_1), part_2)
             },

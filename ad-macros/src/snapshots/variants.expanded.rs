@@ -6,7 +6,7 @@ impl size {
         Result<f64, Failure>,
         impl ::core::ops::FnOnce(
             ::ad::Tangent<Result<f64, Failure>>,
-            (::ad::Tangent<Shape>, ::ad::rt::NotLent),
+            ::ad::rt::Offered<(::ad::Tangent<Shape>, ::ad::rt::NotLent)>,
         ) -> (::ad::Tangent<Shape>, ::ad::Tangent<f64>) + use<>,
     ) {
         #[allow(unused_imports)]
@@ -60,7 +60,9 @@ impl size {
             value_5,
             move |
                 result_bar: ::ad::Tangent<Result<f64, Failure>>,
-                (mut shape_bar, _): (::ad::Tangent<Shape>, ::ad::rt::NotLent),
+                ::ad::rt::Offered(
+                    (mut shape_bar, _),
+                ): ::ad::rt::Offered<(::ad::Tangent<Shape>, ::ad::rt::NotLent)>,
             | -> (::ad::Tangent<Shape>, ::ad::Tangent<f64>) {
                 let mut value_5_bar = result_bar;
                 let mut by_bar = -0.0_f64;
@@ -127,7 +129,10 @@ impl size {
             | -> (::ad::Tangent<Shape>, ::ad::Tangent<f64>) {
                 let (part_0, part_1) = pullback(
                     result_bar,
-                    (::ad::rt::Lent::nothing(), ::ad::rt::Lent::nothing()),
+                    ::ad::rt::Offered((
+                        ::ad::rt::Lent::nothing(),
+                        ::ad::rt::Lent::nothing(),
+                    )),
                 );
                 (::ad::rt::fit(shape_0, part_0), part_1)
             },

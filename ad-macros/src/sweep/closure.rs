@@ -17,8 +17,10 @@ impl Sweeper<'_> {
         let fresh = |sweeper: &mut Self, name: &str| sweeper.names.fresh(name, Span::mixed_site());
         let (captured, seed) = (fresh(self, "captured"), fresh(self, "result_bar"));
         let (pulls_back, result) = (fresh(self, "pulls_back"), fresh(self, "result"));
-        let Sweeps { forward, value, pullback, .. } =
+        let Sweeps { forward, value, pullback, lending_methods, .. } =
             sweep(function, parameters, &[], &seed, self.names);
+        // Said once for the whole function: of two traits none would be chosen.
+        self.lending_methods.extend(lending_methods);
         let (plain, plain_value) = primal(function, parameters, self.names);
 
         let (references, arguments) = parameters.split_at(captures.len());

@@ -423,6 +423,8 @@ impl<'a> Facts<'a> {
                         Argument::Value(_)
                         | Argument::Borrow(_)
                         | Argument::Function(_)
+                        | Argument::Callee(_)
+                        | Argument::PassedOn(..)
                         | Argument::Receiver(_) => {}
                     }
                 }

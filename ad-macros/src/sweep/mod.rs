@@ -25,6 +25,7 @@ use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
 use crate::ir::{Block, BlockId, Operand, Operation, Place, Statement, Var, VarId};
+use crate::lending::Method;
 use crate::lower::{Lowered, LoweredParameter};
 use crate::names::{self, Names};
 use crate::numbers::Numbers;
@@ -48,6 +49,8 @@ pub struct Sweeps {
     pub incoming: Vec<Ident>,
     /// For each parameter the pattern that takes its cotangent so far, where callers lend it.
     pub lent: Vec<TokenStream>,
+    /// The methods that are called which may be lent cotangents.
+    pub lending_methods: BTreeSet<Method>,
 }
 
 /// Writes both sweeps; `seed` is the name of the cotangent of the result, `lent` says of each
@@ -103,6 +106,7 @@ pub fn sweep(
     Sweeps {
         is_inlined: sweeper.products.as_ref().is_some_and(|products| products.is_inlined),
         lent: patterns.collect(),
+        lending_methods: std::mem::take(&mut sweeper.lending_methods),
         forward: quote!(#regular #top #(#spaces)* #shapes #forward),
         value: body.value,
         pullback,
@@ -138,6 +142,8 @@ struct Sweeper<'a> {
     references: &'a [(VarId, syn::Type)],
     /// Whether code is written from which nothing is saved.
     is_primal: bool,
+    /// The methods that are called which may be lent cotangents.
+    lending_methods: BTreeSet<Method>,
     facts: Facts<'a>,
     numbers: Numbers<'a>,
     /// Where products have plain pullbacks if their factors are finite.
@@ -220,6 +226,7 @@ impl<'a> Sweeper<'a> {
             vars: &lowered.vars,
             references: &lowered.references,
             is_primal: false,
+            lending_methods: BTreeSet::new(),
             products: None,
             facts,
             numbers,

@@ -1,6 +1,6 @@
 //! The pullback of each operation.
 
-use proc_macro2::{Ident, TokenStream, TokenTree};
+use proc_macro2::{Ident, Span, TokenStream, TokenTree};
 use quote::{quote, quote_spanned};
 use syn::{Member, Type};
 
@@ -10,6 +10,7 @@ use crate::ir::{
     Argument, BinaryOperator, Operand, Operation, Place, Projection, Shape, Var, VarId,
 };
 use crate::primal::Primal;
+use crate::{lending, rules};
 
 /// To a function of more parameters nothing is lent.
 const MOST_LENT: usize = 12;
@@ -33,11 +34,11 @@ impl Sweeper<'_> {
         let ty = ty.map(|ty| quote!(: #ty));
         let forward = match operation {
             Operation::Call { vjp, method, arguments, .. } if pulls_back => {
-                let vjp = match self.lends(operation) {
-                    true => onto(vjp),
-                    false => vjp.clone(),
+                let call = match (self.lends(operation), lent_method(operation)) {
+                    (true, Some(method)) => self.lent_call(method, vjp, arguments),
+                    (true, None) => self.call(&onto(vjp), *method, arguments),
+                    (false, _) => self.call(vjp, *method, arguments),
                 };
-                let call = self.call(&vjp, *method, arguments);
                 quote!(let (#ident, #record) = #call;)
             }
             Operation::Closure(closure) => {
@@ -67,6 +68,27 @@ impl Sweeper<'_> {
             defines.push(record.clone());
         }
         Sides { forward: quote!(#forward #space_definition #test), reverse, defines }
+    }
+
+    /// The call of a method that may be lent cotangents.
+    fn lent_call(
+        &mut self,
+        method: lending::Method,
+        vjp: &TokenStream,
+        arguments: &[Argument],
+    ) -> TokenStream {
+        let tokens = |argument| Primal(self.vars).argument(argument);
+        let receiver = match &arguments[0] {
+            Argument::Borrow(place) => {
+                let place = self.place(place);
+                quote!((&#place))
+            }
+            receiver => tokens(receiver),
+        };
+        let arguments: Vec<_> = arguments[1..].iter().map(tokens).collect();
+        let call = method.call(&receiver, vjp, &arguments);
+        self.lending_methods.insert(method);
+        call
     }
 
     /// Whether the operation is a constant that is the same in every iteration.
@@ -179,7 +201,7 @@ impl Sweeper<'_> {
                 for (member, part) in parts {
                     self.pull_field(reverse, &cotangent, member, part);
                 }
-                self.contribute(reverse, *rest, &[], cotangent);
+                self.contribute(reverse, rest.root, &rest.path, cotangent);
             }
             Operation::Closure(closure) => {
                 for (index, (_, place)) in closure.captures.iter().enumerate() {
@@ -209,7 +231,11 @@ impl Sweeper<'_> {
         let is_lent = |argument: &&Argument| match argument {
             Argument::Exclusive(_) | Argument::Reborrow(_) => true,
             Argument::Receiver(place) => self.vars[place.root].mutable,
-            Argument::Value(_) | Argument::Borrow(_) | Argument::Function(_) => false,
+            Argument::Value(_)
+            | Argument::Borrow(_)
+            | Argument::Function(_)
+            | Argument::Callee(_)
+            | Argument::PassedOn(..) => false,
         };
         let is_only_one = arguments.iter().filter(is_lent).count() == 1;
         for argument in arguments {
@@ -235,14 +261,25 @@ impl Sweeper<'_> {
                 Argument::Value(_)
                 | Argument::Borrow(_)
                 | Argument::Function(_)
+                | Argument::Callee(_)
+                | Argument::PassedOn(..)
                 | Argument::Receiver(_) => {}
             }
         }
         if lends {
             let onto: Vec<_> =
                 arguments.iter().map(|argument| self.lend(reverse, argument)).collect();
-            return quote! {
-                ::ad::rt::PullbackOnto::pull_back(#record, #cotangent, (#(#lent,)*), (#(#onto,)*))
+            return match receiver {
+                None => quote! {
+                    ::ad::rt::PullbackOnto::pull_back(#record, #cotangent, (#(#lent,)*), (#(#onto,)*))
+                },
+                Some(receiver) => {
+                    let offered = Ident::new("offered", Span::mixed_site());
+                    quote! {{
+                        let #offered = (#(#onto,)*);
+                        ::ad::rt::MethodPullbackOnto::pull_back(#record, #cotangent, #receiver, #offered)
+                    }}
+                }
             };
         }
         match receiver {
@@ -255,21 +292,49 @@ impl Sweeper<'_> {
 
     /// Whether an operation is a call that is lent cotangents (see [`lending`](crate::lending)).
     fn lends(&self, operation: &Operation) -> bool {
-        let Operation::Call { vjp, method: false, arguments, .. } = operation else {
+        let Operation::Call { vjp, method, arguments, .. } = operation else {
             return false;
         };
         // Of these the types have to tell something else.
         let is_reborrow = |argument| matches!(argument, &Argument::Reborrow(_));
-        has_onto(vjp)
+        let may_lend = match method {
+            true => {
+                // What a method may have changed, and what it was lent besides, no type would tell.
+                let may_change = matches!(&arguments[0],
+                    Argument::Receiver(place) if self.vars[place.root].mutable);
+                let changes = |argument: &Argument| matches!(argument, Argument::Exclusive(_));
+                lent_method(operation).is_some()
+                    && !(may_change && arguments.iter().any(changes))
+                    && arguments.iter().all(|argument| self.may_stand_beside_lent(argument))
+            }
+            false => has_onto(vjp),
+        };
+        may_lend
             && arguments.len() <= MOST_LENT
             && !arguments.iter().any(is_reborrow)
             && arguments.iter().any(|argument| self.lent_place(argument).is_some())
     }
 
+    /// Whether a method that is passed this may be one that is lent cotangents.
+    fn may_stand_beside_lent(&self, argument: &Argument) -> bool {
+        !Primal(self.vars).is_function(argument)
+            && match argument {
+                Argument::Value(Operand::Constant(tokens)) => lending::has_own_type(tokens),
+                Argument::Reborrow(_)
+                | Argument::Function(_)
+                | Argument::Callee(_)
+                | Argument::PassedOn(..) => false,
+                Argument::Value(Operand::Var(_))
+                | Argument::Borrow(_)
+                | Argument::Exclusive(_)
+                | Argument::Receiver(_) => true,
+            }
+    }
+
     /// The place to which an argument certainly is a reference.
     fn lent_place(&self, argument: &Argument) -> Option<Place> {
         let place = match argument {
-            Argument::Borrow(place) => place.clone(),
+            Argument::Borrow(place) | Argument::Receiver(place) => place.clone(),
             Argument::Value(Operand::Var(var))
                 if self.references.iter().any(|(reference, _)| reference == var)
                     || matches!(self.facts.operation(*var), Some(Operation::Borrow(_))) =>
@@ -299,7 +364,11 @@ impl Sweeper<'_> {
                 let root = &self.vars[place.root];
                 root.active && root.mutable && self.is_live(place)
             }
-            Argument::Value(_) | Argument::Borrow(_) | Argument::Function(_) => false,
+            Argument::Value(_)
+            | Argument::Borrow(_)
+            | Argument::Function(_)
+            | Argument::Callee(_)
+            | Argument::PassedOn(..) => false,
         })
     }
 
@@ -320,6 +389,15 @@ impl Sweeper<'_> {
             }
         }
     }
+}
+
+/// The method that is called, if it may be one that is lent cotangents: none that numbers and
+/// vectors have.
+fn lent_method(operation: &Operation) -> Option<lending::Method> {
+    let Operation::Call { primal, method: true, arguments, .. } = operation else { return None };
+    let name = syn::parse2::<Ident>(primal.clone()).ok()?;
+    let is_own = !rules::is_method(&name.to_string());
+    is_own.then(|| lending::Method { name, arity: arguments.len() - 1 })
 }
 
 /// Whether the path of a derivative is that of a `vjp` that this crate writes.
@@ -351,6 +429,8 @@ fn argument_target(argument: &Argument) -> Option<Target> {
         Argument::Value(operand) => operand_target(operand),
         Argument::Function(var) => Some(Target::whole(*var)),
         Argument::Borrow(place)
+        | Argument::Callee(place)
+        | Argument::PassedOn(place, _)
         | Argument::Exclusive(place)
         | Argument::Reborrow(place)
         | Argument::Receiver(place) => {

@@ -71,6 +71,10 @@ method_pullbacks! {
     (O0, O1, O2)
 }
 
+/// What callers lend: a tuple with a member for each parameter. Its type tells a function that is
+/// lent cotangents from one that takes the cotangent of a `&mut`.
+pub struct Offered<T>(pub T);
+
 /// The function has a parameter whose cotangent callers lend.
 pub enum Lending {}
 
@@ -90,25 +94,116 @@ pub trait PullbackOnto<Cotangent, Others, Offered, Kind> {
     fn pull_back(self, cotangent: Cotangent, others: Others, offered: Offered) -> Self::Parts;
 }
 
+/// Says that a method has a function beside it that is lent cotangents.
+pub struct Lends;
+
+/// Says that it has none.
+pub struct LendsNothing;
+
+impl Lends {
+    /// Which of the two functions is to be called.
+    #[inline(always)]
+    pub const fn lends(&self) -> bool {
+        true
+    }
+
+    /// What that function returned.
+    #[inline(always)]
+    pub fn choose<A, B>(self, onto: Option<A>, _own: Option<B>) -> A {
+        onto.expect("the function that is lent cotangents was called")
+    }
+}
+
+impl LendsNothing {
+    /// Which of the two functions is to be called.
+    #[inline(always)]
+    pub const fn lends(&self) -> bool {
+        false
+    }
+
+    /// What that function returned.
+    #[inline(always)]
+    pub fn choose<A, B>(self, _onto: Option<A>, own: Option<B>) -> B {
+        own.expect("the method's own derivative was called")
+    }
+}
+
+/// As [`PullbackOnto`], of a method that was called on something it may have changed.
+pub trait MethodPullbackOnto<Cotangent, Receiver: ?Sized, Offered, Kind> {
+    /// The cotangents of receiver and arguments.
+    type Parts;
+
+    /// Calls the pullback. See [`MethodPullback::pull_back`] and [`PullbackOnto::pull_back`].
+    fn pull_back(
+        self,
+        cotangent: Cotangent,
+        receiver: &mut Receiver,
+        offered: Offered,
+    ) -> Self::Parts;
+}
+
+impl<F, C, R: ?Sized, L, P> MethodPullbackOnto<C, R, L, Lending> for F
+where
+    F: FnOnce(C, Offered<L>) -> P,
+{
+    type Parts = P;
+
+    #[inline(always)]
+    fn pull_back(self, cotangent: C, _: &mut R, offered: L) -> P {
+        self(cotangent, Offered(offered))
+    }
+}
+
 macro_rules! pullbacks_onto {
     (lending $(($($other:ident),*))*) => {$(
         impl<F, C, L, P, $($other),*> PullbackOnto<C, ($($other,)*), L, Lending> for F
         where
-            F: FnOnce(C $(, $other)*, L) -> P,
+            F: FnOnce(C $(, $other)*, Offered<L>) -> P,
         {
             type Parts = P;
 
             #[inline(always)]
             #[allow(non_snake_case)]
             fn pull_back(self, cotangent: C, ($($other,)*): ($($other,)*), offered: L) -> P {
-                self(cotangent $(, $other)*, offered)
+                self(cotangent $(, $other)*, Offered(offered))
             }
         }
     )*};
     (not_lending $others:tt $(($($member:ident)*))*) => {$(
         pullbacks_onto!(@ $others ($($member,)*));
     )*};
-    (@ ($($other:ident),*) $members:ty) => {
+    (@ () $members:ty) => {
+        pullbacks_onto!(@of () $members);
+
+        impl<F, C, R: ?Sized, P> MethodPullbackOnto<C, R, $members, NotLending> for F
+        where
+            F: FnOnce(C) -> P,
+        {
+            type Parts = P;
+
+            #[inline(always)]
+            fn pull_back(self, cotangent: C, _: &mut R, _: $members) -> P {
+                self(cotangent)
+            }
+        }
+
+        impl<F, C, R: ?Sized, T, K, P> MethodPullbackOnto<C, R, $members, Exclusive<(T, K)>> for F
+        where
+            F: FnOnce(C, T) -> P,
+            R: Take<T, K>,
+        {
+            type Parts = P;
+
+            #[inline(always)]
+            fn pull_back(self, cotangent: C, receiver: &mut R, _: $members) -> P {
+                self(cotangent, receiver.take())
+            }
+        }
+    };
+    (@ ($($other:ident),+) $members:ty) => {
+        pullbacks_onto!(@of ($($other),+) $members);
+    };
+    (@of ($($other:ident),*) $members:ty) => {
         impl<F, C, P, $($other),*> PullbackOnto<C, ($($other,)*), $members, NotLending> for F
         where
             F: FnOnce(C $(, $other)*) -> P,

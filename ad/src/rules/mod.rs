@@ -47,6 +47,7 @@ mod choose;
 mod float;
 pub mod forward;
 mod glam_only;
+mod integer;
 mod matrix;
 mod operators;
 mod outcome;
@@ -63,6 +64,7 @@ pub use cast::CastPullback;
 pub use choose::{no_diff, select, stop_gradient};
 pub use float::{FloatRules, FromRules};
 pub use glam_only::{ExtendRules, GlamRules, TruncateRules, construct};
+pub use integer::{IntegerRules, SignedRules};
 pub use matrix::{
     DMat2Rules, DMat3Rules, DMat4Rules, Mat2Rules, Mat3Rules, Mat4Rules, MatrixRules,
 };

@@ -30,6 +30,13 @@ pub trait OptionRules: Differentiable<Tangent = Tangent<Self::Content>> {
         Self::Content,
         impl FnOnce(Tangent<Self::Content>) -> (Tangent<Self>, Tangent<Self::Content>) + use<Self>,
     );
+
+    /// The cotangent goes to what was taken; the default is a constant.
+    fn unwrap_or_default_vjp(
+        self,
+    ) -> (Self::Content, impl FnOnce(Tangent<Self::Content>) -> Tangent<Self> + use<Self>)
+    where
+        Self::Content: Default;
 }
 
 impl<T: Differentiable> OptionRules for Option<T> {
@@ -59,6 +66,18 @@ impl<T: Differentiable> OptionRules for Option<T> {
         (self.unwrap_or(default), move |cotangent| match is_some {
             true => (cotangent, Additive::zero()),
             false => (Additive::zero(), cotangent),
+        })
+    }
+
+    #[inline(always)]
+    fn unwrap_or_default_vjp(self) -> (T, impl FnOnce(Tangent<T>) -> Tangent<T> + use<T>)
+    where
+        T: Default,
+    {
+        let is_some = self.is_some();
+        (self.unwrap_or_default(), move |cotangent| match is_some {
+            true => cotangent,
+            false => Additive::zero(),
         })
     }
 }
@@ -127,6 +146,22 @@ pub trait ResultRules:
     ) -> (Self::Value, impl FnOnce(Tangent<Self::Value>) -> (Tangent<Self>, ()) + use<Self>)
     where
         Self::Error: Debug;
+
+    /// The cotangent goes to what was taken.
+    fn unwrap_or_vjp(
+        self,
+        default: Self::Value,
+    ) -> (
+        Self::Value,
+        impl FnOnce(Tangent<Self::Value>) -> (Tangent<Self>, Tangent<Self::Value>) + use<Self>,
+    );
+
+    /// The cotangent goes to what was taken; the default is a constant.
+    fn unwrap_or_default_vjp(
+        self,
+    ) -> (Self::Value, impl FnOnce(Tangent<Self::Value>) -> Tangent<Self> + use<Self>)
+    where
+        Self::Value: Default;
 }
 
 impl<T: Differentiable, E: Differentiable> ResultRules for Result<T, E> {
@@ -152,5 +187,29 @@ impl<T: Differentiable, E: Differentiable> ResultRules for Result<T, E> {
         E: Debug,
     {
         (self.expect(message), |cotangent| ((cotangent, Additive::zero()), ()))
+    }
+
+    #[inline(always)]
+    fn unwrap_or_vjp(
+        self,
+        default: T,
+    ) -> (T, impl FnOnce(Tangent<T>) -> (Tangent<Self>, Tangent<T>) + use<T, E>) {
+        let is_ok = self.is_ok();
+        (self.unwrap_or(default), move |cotangent| match is_ok {
+            true => ((cotangent, Additive::zero()), Additive::zero()),
+            false => (Additive::zero(), cotangent),
+        })
+    }
+
+    #[inline(always)]
+    fn unwrap_or_default_vjp(self) -> (T, impl FnOnce(Tangent<T>) -> Tangent<Self> + use<T, E>)
+    where
+        T: Default,
+    {
+        let is_ok = self.is_ok();
+        (self.unwrap_or_default(), move |cotangent| match is_ok {
+            true => (cotangent, Additive::zero()),
+            false => Additive::zero(),
+        })
     }
 }

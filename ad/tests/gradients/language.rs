@@ -4,6 +4,7 @@
     clippy::assign_op_pattern,
     clippy::let_and_return,
     clippy::needless_range_loop,
+    clippy::needless_borrows_for_generic_args,
     clippy::needless_return,
     clippy::boxed_local,
     clippy::explicit_auto_deref,
@@ -27,6 +28,7 @@ mod closures;
 mod collections;
 mod data;
 mod deferred;
+mod elements;
 mod enums;
 mod exclusive;
 mod exits;
@@ -34,13 +36,18 @@ mod flow;
 mod function_parameters;
 mod functions;
 mod functions_by_name;
+mod integers;
 mod iterators;
 mod jumps;
 mod lending;
+mod lent_methods;
 mod macros;
 mod mixtures;
 mod operators;
+mod outcomes;
+mod passing_on;
 mod programs;
 mod slices;
+mod splits;
 mod statements;
 mod variants;

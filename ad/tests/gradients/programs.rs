@@ -1,6 +1,7 @@
 //! Programs as people write them, without a thought of this crate.
 
 #![allow(
+    clippy::needless_borrows_for_generic_args,
     clippy::needless_range_loop,
     clippy::excessive_precision,
     clippy::manual_memcpy,
@@ -9,10 +10,16 @@
     reason = "these are the forms that people use"
 )]
 
+mod bodies;
+mod distances;
+mod filters;
 mod geometry;
+mod layers;
 mod methods;
 mod networks;
+mod pieces;
 mod poses;
 mod recipes;
+mod roots;
 mod solvers;
 mod statistics;

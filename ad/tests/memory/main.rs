@@ -38,6 +38,25 @@ fn cell(layer: &Layer, xs: &Vec<f64>, i: usize) -> f64 {
 }
 
 #[differentiable]
+impl Layer {
+    fn weight(&self, i: usize) -> f64 {
+        self.weights[i]
+    }
+
+    fn cell(&self, xs: &[f64], i: usize) -> f64 {
+        (self.weight(i) * xs[i] + self.biases[i]).tanh()
+    }
+
+    fn relax(&self, at: &mut f64, i: usize) {
+        *at = 0.5 * (*at + self.weights[i]);
+    }
+
+    fn set(&mut self, i: usize, weight: f64) {
+        self.weights[i] = weight;
+    }
+}
+
+#[differentiable]
 fn relax(at: &mut f64, xs: &[f64], i: usize) -> f64 {
     *at = 0.5 * (*at + xs[i]);
     *at * xs[i]
@@ -52,6 +71,20 @@ fn chain(xs: Vec<f64>, layer: &Layer) -> f64 {
         sum += neighbours(&xs, i) * xs[i];
         sum += cell(layer, &xs, i);
         sum += relax(&mut at, &xs, i);
+    }
+    sum
+}
+
+/// The same of methods, on what may change, and by way of another method.
+#[differentiable]
+fn methods(xs: &[f64], layer: &Layer) -> f64 {
+    let mut own = layer.clone();
+    let mut sum = 0.0;
+    let mut at = 0.0;
+    for i in 0..xs.len() {
+        sum += layer.cell(xs, i) * own.weight(i);
+        layer.relax(&mut at, i);
+        own.set(i, at * sum);
     }
     sum
 }
@@ -138,6 +171,12 @@ fn heap() {
         chain::grad(vec![0.125; n], &layer(n));
     };
     assert_linear("calls in a loop", per_element(100_000, gradients));
+    assert_linear(
+        "calls of methods in a loop",
+        per_element(100_000, |n| {
+            methods::grad(&vec![0.125; n], &layer(n));
+        }),
+    );
     // Each call has a place on the stack.
     assert_linear(
         "recursion",

@@ -26,6 +26,14 @@ pub trait OptionForward: OptionRules {
         tangent: Tangent<Self::Content>,
         default_tangent: Tangent<Self::Content>,
     ) -> (Self::Content, Tangent<Self::Content>);
+
+    /// The tangent of what was taken, zero for the default.
+    fn unwrap_or_default_jvp(
+        self,
+        tangent: Tangent<Self::Content>,
+    ) -> (Self::Content, Tangent<Self::Content>)
+    where
+        Self::Content: Default;
 }
 
 impl<T: Differentiable> OptionForward for Option<T> {
@@ -53,6 +61,23 @@ impl<T: Differentiable> OptionForward for Option<T> {
             None => (default, default_tangent),
         }
     }
+
+    #[inline(always)]
+    fn unwrap_or_default_jvp(self, tangent: Tangent<T>) -> (T, Tangent<T>)
+    where
+        T: Default,
+    {
+        match self {
+            Some(content) => (content, tangent),
+            None => still(T::default()),
+        }
+    }
+}
+
+/// A value that does not move.
+fn still<T: Differentiable>(value: T) -> (T, Tangent<T>) {
+    let tangent = value.zero_tangent();
+    (value, tangent)
 }
 
 /// The `_jvp` siblings of the methods of results.
@@ -71,6 +96,19 @@ pub trait ResultForward: ResultRules {
     ) -> (Self::Value, Tangent<Self::Value>)
     where
         Self::Error: Debug;
+
+    /// The tangent of what was taken.
+    fn unwrap_or_jvp(
+        self,
+        default: Self::Value,
+        tangent: Tangent<Self>,
+        default_tangent: Tangent<Self::Value>,
+    ) -> (Self::Value, Tangent<Self::Value>);
+
+    /// The tangent of what was taken, zero for the default.
+    fn unwrap_or_default_jvp(self, tangent: Tangent<Self>) -> (Self::Value, Tangent<Self::Value>)
+    where
+        Self::Value: Default;
 }
 
 impl<T: Differentiable, E: Differentiable> ResultForward for Result<T, E> {
@@ -90,6 +128,30 @@ impl<T: Differentiable, E: Differentiable> ResultForward for Result<T, E> {
         E: Debug,
     {
         (self.expect(message), tangent.0)
+    }
+
+    #[inline(always)]
+    fn unwrap_or_jvp(
+        self,
+        default: T,
+        tangent: Tangent<Self>,
+        default_tangent: Tangent<T>,
+    ) -> (T, Tangent<T>) {
+        match self {
+            Ok(content) => (content, tangent.0),
+            Err(_) => (default, default_tangent),
+        }
+    }
+
+    #[inline(always)]
+    fn unwrap_or_default_jvp(self, tangent: Tangent<Self>) -> (T, Tangent<T>)
+    where
+        T: Default,
+    {
+        match self {
+            Ok(content) => (content, tangent.0),
+            Err(_) => still(T::default()),
+        }
     }
 }
 

@@ -198,3 +198,50 @@ fn patterns_in_parameters() {
         parameter_patterns::grad((2.0, 3.0), [4.0, 5.0], Pair(6.0, 7.0), 8.0);
     assert_eq!([a, b, c, d, pair.0, pair.1, ignored], [3.0, 2.0, 30.0, 24.0, 20.0, 0.0, 0.0]);
 }
+
+#[derive(Clone, Differentiable)]
+struct Table {
+    rows: Vec<f64>,
+    scale: f64,
+    inner: Option<f64>,
+    #[constant]
+    name: String,
+}
+
+#[derive(Clone, Copy, Differentiable)]
+struct Tolerances {
+    absolute: f64,
+    relative: Option<f64>,
+}
+
+#[differentiable]
+impl Table {
+    /// What is behind the reference cannot move: only the scale is copied.
+    fn scaled(&self, by: f64) -> Table {
+        let rows = self.rows.iter().map(|row| row * by).collect();
+        Table { rows, inner: Some(by), name: self.name.clone(), ..*self }
+    }
+}
+
+/// The rest of a struct that is not `Copy`: behind a reference, in a part, in a variable that changed.
+#[differentiable]
+fn rest_of_tables(x: f64, y: f64) -> f64 {
+    let table = Table { rows: vec![x, y], scale: x * y, inner: None, name: "table".to_owned() };
+    let mut tables = vec![table.scaled(y), table];
+    tables[1].scale *= 3.0;
+    let limits = Tolerances { absolute: x, relative: Some(y) };
+    let limits = Tolerances { absolute: limits.absolute * x, ..limits };
+    let third = Table { rows: vec![y * y], name: String::new(), ..tables[1] };
+    let mut last = third.scaled(x);
+    last.scale += limits.relative.unwrap_or(1.0) * limits.absolute;
+    let last = Table { inner: Some(x), ..last };
+    let sum: f64 = tables.iter().map(|t| t.scale * t.rows[0] + t.inner.unwrap_or(y)).sum();
+    sum + last.rows[0] * last.scale
+        + last.inner.unwrap_or_default()
+        + third.inner.unwrap_or_default()
+}
+
+#[test]
+fn updates_of_what_is_not_copied() {
+    check!(rest_of_tables(x, y) at [1.3, 0.7], [-0.4, 2.1]);
+}

@@ -1,0 +1,110 @@
+//! Elements of one's own types: `#[differentiable]` on `impl Index<(usize, usize)> for Matrix`.
+//!
+//! The blocks stay as they are. Beside `index` stands a method that returns a copy of the element, and
+//! beside `index_mut` one that replaces it, both differentiated like any others: `m[(i, j)]` and
+//! `m[(i, j)] = x` in a differentiable function call them. That a type has its own `Index` the tuple
+//! tells, for arrays and `Vec`s have none by tuples.
+
+use proc_macro2::{Ident, Span, TokenStream};
+use quote::{ToTokens, quote};
+use syn::{
+    Expr, ExprIndex, FnArg, GenericArgument, ImplItem, ItemImpl, PathArguments, Stmt, Type,
+    parse_quote,
+};
+
+/// Whether a trait is `Index` or `IndexMut`.
+pub fn is_index(path: &syn::Path) -> bool {
+    path.segments.last().is_some_and(|last| last.ident == "Index" || last.ident == "IndexMut")
+}
+
+/// Whether an expression is an element of a type that is no array and no `Vec`.
+pub fn is_element(index: &ExprIndex) -> bool {
+    matches!(&*index.index, Expr::Tuple(_))
+}
+
+/// The method that returns an element.
+pub fn getter() -> Ident {
+    Ident::new("element_at_index", Span::call_site())
+}
+
+/// The method that replaces an element.
+pub fn setter() -> Ident {
+    Ident::new("set_element_at_index", Span::call_site())
+}
+
+/// The method beside `index` or `index_mut`, in a block of its own.
+pub fn method(block: &ItemImpl) -> syn::Result<ItemImpl> {
+    let Some((path, _)) = &block.trait_ else { unreachable!("is asked for a trait") };
+    let is_tuple = path.segments.last().is_some_and(|last| match &last.arguments {
+        PathArguments::AngleBracketed(arguments) => {
+            matches!(arguments.args.first(), Some(GenericArgument::Type(Type::Tuple(_))))
+        }
+        _ => false,
+    });
+    if !is_tuple {
+        return Err(syn::Error::new_spanned(
+            path,
+            "an element is differentiated where its index is a tuple, as in `Index<(usize, usize)>`: for any other put the attribute on a method that returns it",
+        ));
+    }
+    let method = block.items.iter().find_map(|item| match item {
+        ImplItem::Fn(method) => Some(method),
+        _ => None,
+    });
+    // The compiler says that it is missing.
+    let Some(method) = method else {
+        return Ok(parse_quote!(
+            impl () {}
+        ));
+    };
+    let (place, before) = match method.block.stmts.split_last() {
+        Some((Stmt::Expr(Expr::Reference(reference), None), before)) => (&reference.expr, before),
+        Some((last, _)) => return Err(not_a_reference(last)),
+        None => return Err(not_a_reference(&method.block)),
+    };
+    let (getter, setter) = (getter(), setter());
+    let (index, index_type) = match method.sig.inputs.last() {
+        Some(FnArg::Typed(typed)) => (&typed.pat, &typed.ty),
+        _ => return Err(not_a_reference(&method.sig)),
+    };
+    let attributes = quote!(#[doc(hidden)] #[allow(missing_docs, private_interfaces)] #[inline]);
+    let output: Type = parse_quote!(<Self as ::core::ops::Index<#index_type>>::Output);
+    let (generics, _, bounds) = block.generics.split_for_impl();
+    let self_ty = &block.self_ty;
+    let method = match method.sig.ident == "index" {
+        true => quote! {
+            #attributes
+            pub fn #getter(&self, #index: #index_type) -> #output {
+                #(#before)*
+                #place
+            }
+        },
+        false => quote! {
+            #attributes
+            pub fn #setter(&mut self, #index: #index_type, element: #output) {
+                #(#before)*
+                #place = element;
+            }
+        },
+    };
+    Ok(parse_quote!(impl #generics #self_ty #bounds { #method }))
+}
+
+fn not_a_reference(at: impl ToTokens) -> syn::Error {
+    syn::Error::new_spanned(
+        at,
+        "what an index leads to has to stand at the end, as `&self.data[..]`: compute the position before",
+    )
+}
+
+/// The element as a call.
+pub fn read(index: &ExprIndex) -> syn::ExprMethodCall {
+    let (whole, position, getter) = (&index.expr, &index.index, getter());
+    parse_quote!(#whole.#getter(#position))
+}
+
+/// The assignment to an element as a call.
+pub fn replaced(index: &ExprIndex, value: &Expr) -> TokenStream {
+    let (whole, position, setter) = (&index.expr, &index.index, setter());
+    quote!(#whole.#setter(#position, #value))
+}

@@ -1,0 +1,135 @@
+//! Methods that add to the cotangents of their caller in place.
+
+use ad::{Differentiable, differentiable};
+
+#[derive(Clone, Debug, Differentiable)]
+struct Grid {
+    n: usize,
+    data: Vec<f64>,
+}
+
+#[differentiable]
+impl Grid {
+    fn get(&self, i: usize, j: usize) -> f64 {
+        self.data[i * self.n + j]
+    }
+
+    fn set(&mut self, i: usize, j: usize, value: f64) {
+        self.data[i * self.n + j] = value;
+    }
+
+    fn along(&self, xs: &[f64], i: usize) -> f64 {
+        self.get(i, 0) * xs[i] + self.get(0, i)
+    }
+
+    fn relax(&self, at: &mut f64, weights: &[f64], i: usize) -> f64 {
+        *at = 0.5 * *at + self.data[i] * weights[i];
+        *at * self.data[0]
+    }
+
+    fn descending(&self, i: usize) -> f64 {
+        if i == 0 { self.data[0] } else { self.data[i] * self.descending(i - 1) }
+    }
+
+    fn with<T: Differentiable + Copy>(&self, _more: T, i: usize) -> f64 {
+        self.data[i]
+    }
+
+    #[differentiable(checkpoint)]
+    fn recomputed(&self, xs: &[f64], i: usize) -> f64 {
+        let mut sum = 0.0;
+        for k in i..i + 2 {
+            sum += (self.data[k] * xs[k]).sin();
+        }
+        sum
+    }
+
+    #[differentiable(checkpoint)]
+    fn moved(&self, value: &mut f64, xs: &[f64], i: usize) {
+        for k in i..i + 2 {
+            *value = (*value * self.data[k] + xs[k]).cos();
+        }
+    }
+
+    fn total(self) -> f64 {
+        self.data.iter().sum()
+    }
+}
+
+/// A type whose methods of these names are lent nothing.
+#[derive(Clone, Copy, Differentiable)]
+struct Pair(f64, f64);
+
+#[differentiable]
+impl Pair {
+    fn get(self, i: usize, j: usize) -> f64 {
+        if i == j { self.0 } else { self.1 * self.0 }
+    }
+
+    fn total(&mut self) -> f64 {
+        self.0 *= 0.5;
+        self.0 + self.1
+    }
+}
+
+#[differentiable]
+trait Weighted {
+    fn along(&self, xs: &[f64], i: usize) -> f64;
+}
+
+#[differentiable]
+impl Weighted for Pair {
+    fn along(&self, xs: &[f64], i: usize) -> f64 {
+        self.0 * xs[i] + self.1
+    }
+}
+
+#[differentiable]
+fn generic<W: Weighted + Differentiable>(weighted: &W, xs: &[f64]) -> f64 {
+    weighted.along(xs, 0) * weighted.along(xs, 1)
+}
+
+#[differentiable]
+fn summed(f: impl Fn(f64) -> f64) -> f64 {
+    f(0.3) + f(0.6)
+}
+
+#[differentiable(checkpoint)]
+fn local(xs: &[f64], y: f64, i: usize) -> f64 {
+    let scaled = xs[i] * y;
+    scaled.sin() * xs[i + 1]
+}
+
+/// Receivers that may change, references to them, parameters; arguments that are borrowed, changed, of
+/// any type; methods of the same names that are lent nothing.
+#[differentiable]
+fn mixture(x: f64, y: f64) -> f64 {
+    let xs = [0.3, x, 0.5, y, 0.1, x * y, 0.9, 0.25, -0.6];
+    let mut grid = Grid { n: 3, data: xs.to_vec() };
+    let own = xs.to_vec();
+    let mut pair = Pair(x, y);
+    let (mut sum, mut at) = (0.0, y);
+    for i in 0..3 {
+        for j in 0..3 {
+            sum += grid.get(i, j) * y + grid.along(&xs, i) * grid.along(&own, j);
+            sum += pair.get(i, j) * pair.along(&own, i);
+            grid.set(i, j, sum * 0.1 + grid.get(j, i));
+        }
+        sum += grid.relax(&mut at, &own, i + 1) * local(&xs, y, i);
+    }
+    sum += summed(|t: f64| pair.along(&own, 1) * t + grid.get(1, 1) * grid.along(&own, 2));
+    let view = &grid;
+    for i in 0..4 {
+        sum += view.relax(&mut at, &xs, i) + view.recomputed(&xs, i);
+        view.moved(&mut at, &own, i);
+    }
+    sum += view.get(1, 2) * view.descending(4) + grid.with(2.0, 1) + view.with((), 2);
+    sum + at + generic(&pair, &xs) + pair.total() + grid.total()
+}
+
+#[test]
+fn gradients_are_those_of_the_function() {
+    use crate::oracle::check;
+
+    check!(mixture(x, y) at [0.7, 0.4], [-0.4, 0.7], [1.3, -0.2]);
+}
