@@ -20,8 +20,11 @@ use measurement::{Reference, measure_in_turns};
 
 pub use axis::Axis;
 pub use measurement::Measurement;
-pub use plot::{Curve, Titles, curves_svg, tradeoff_svg};
-pub use sampling::{SamplingRun, measure_sampling, sampling_table};
+pub use plot::{Curve, CurveColors, Titles, curves_svg, tradeoff_svg};
+pub use sampling::{
+    RayPlaces, SamplingRun, SamplingRuns, measure_sampling, sampling_csv, sampling_curves,
+    sampling_table,
+};
 pub use schedules::{ScheduleRun, measure_schedules};
 pub use table::{best_step, csv, pareto_front, steps, table};
 #[cfg(test)]
@@ -51,7 +54,7 @@ pub fn measure(recovery: &Recovery<'_>, seconds: f64) -> Tradeoff {
     let scene = recovery.scene();
     let metric = GradientMetric::new(scene, recovery.ids());
     let settings = RenderSettings { visibility: Visibility::Tree, ..RenderSettings::default() };
-    let mut exact = Adjoint::<f64x8>::new(Question { recovery, settings }, false);
+    let mut exact = Adjoint::<f64x8>::new(Question { recovery, settings });
     let gradient = exact.gradient();
     let image = exact.image().expect("the adjoint has an image");
     let (mut cases, remarks) = cases(recovery, &metric);
