@@ -44,12 +44,14 @@
 //! # opacity = 0.5             # if it is there, the material is transparent; a mirror is not
 //!
 //! diffuse_texture = "wood"    # optional: multiplies the colour; also ambient_ and specular_texture
+//! # opacity_texture = "holes" # multiplies the opacity (1 if there is none): by the mean of its channels
 //!
 //! [texture.wood]
 //! path = "wood.png"           # PNG and JPEG (sRGB), or EXR (linear); or, for a texture to recover:
 //! # size = [64, 64]           # width and height, and
 //! # color = [0.5, 0.5, 0.5]   # one colour everywhere
 //! wrap = "repeat"             # the default; or "clamp", "mirror"
+//! # channel = "opacity"       # of the image its alpha, or, where it has none, its brightness as stored
 //!
 //! [optimize]                  # optional, and so is everything in it
 //! target = "photo.png"        # or [optimize.target_values], below

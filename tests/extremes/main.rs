@@ -1,5 +1,7 @@
 //! The renderer at the extremes.
 
+#[path = "../gradients/away_from_edges.rs"]
+mod away_from_edges;
 mod camera;
 mod error_growth;
 mod extended;

@@ -12,15 +12,20 @@ mod kinds;
 
 use kinds::{Ellipsoid, Spotlight};
 
+/// Adds a light that a user defines.
+pub fn add_spotlight(scene: &mut Scene) {
+    let light = Arc::new(Spotlight);
+    scene.custom_lights.push(CustomLightObject { name: "spot".into(), light });
+    scene.parameters.custom_lights.push(vec![-2.0, 4.0, 4.0, 0.0, 0.3, 0.0, 0.09, 1.2]);
+}
+
 /// The mirrors show the ellipsoid, which is a mirror too; shadows fall on it and from it.
 fn scene(size: u32) -> Scene {
     let mut scene = mirror_scene(size);
     let shape = Arc::new(Ellipsoid);
     scene.shapes.push(CustomShapeObject { name: "egg".into(), material: 1, shape });
     scene.parameters.shapes.push(vec![0.25, 0.45, 0.9, 0.3, 0.4, 0.25]);
-    let light = Arc::new(Spotlight);
-    scene.custom_lights.push(CustomLightObject { name: "spot".into(), light });
-    scene.parameters.custom_lights.push(vec![-2.0, 4.0, 4.0, 0.0, 0.3, 0.0, 0.09, 1.2]);
+    add_spotlight(&mut scene);
     scene
 }
 

@@ -4,31 +4,14 @@ use ad::check;
 use glam::DVec3;
 use renderer::image::Image;
 use renderer::integrator::{
-    Pass, PixelLoss, Prepared, RenderSettings, Visibility, Wanted, gradient, loss, render,
+    Pass, Prepared, RenderSettings, Visibility, Wanted, gradient, loss, render,
 };
 use renderer::loss::{ImageLoss, LossKind};
 use renderer::scene::{ParameterId, Scene};
 use wide::{f32x8, f32x16, f64x8};
 
+use crate::away_from_edges::AwayFromEdges;
 use crate::scenes::{mirror_scene, small_scene, textured_scene};
-
-/// A loss over the pixels that see the same thing, in the same light, all around the point at which
-/// the derivative is checked: where visibility changes, finite differences measure a jump that the
-/// interior term does not contain.
-struct AwayFromEdges<'a> {
-    loss: ImageLoss<'a>,
-    keep: Vec<bool>,
-    width: u32,
-}
-
-impl PixelLoss for AwayFromEdges<'_> {
-    fn evaluate(&self, x: u32, y: u32, radiance: DVec3) -> (f64, DVec3) {
-        match self.keep[(y * self.width + x) as usize] {
-            true => self.loss.evaluate(x, y, radiance),
-            false => (0.0, DVec3::ZERO),
-        }
-    }
-}
 
 /// The pixels whose neighbourhood is smooth: small moves of the parameter change them by little.
 fn smooth_pixels(

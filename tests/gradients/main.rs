@@ -1,5 +1,6 @@
 //! Gradients against independent oracles.
 
+mod away_from_edges;
 mod custom;
 mod image;
 mod sampling;

@@ -235,14 +235,15 @@ impl Acceleration {
     }
 
     /// Visits what is met before `limit` but `from`, the flat primitive that the ray starts on, in no
-    /// order: a sphere as often as the ray goes through its surface. A visit returns whether to go on.
+    /// order: a sphere as often as the ray goes through its surface, each time with whether it leaves it.
+    /// A visit returns whether to go on.
     pub fn visit_met(
         &self,
         origin: Vec3,
         direction: Vec3,
         limit: f32,
         from: Option<u32>,
-        mut visit: impl FnMut(u32) -> bool,
+        mut visit: impl FnMut(u32, bool) -> bool,
     ) {
         let Some(test) = TriangleTest::new(origin, direction) else { return };
         let boxes = BoxTest::new(&test);
@@ -254,7 +255,7 @@ impl Acceleration {
             while bits != 0 && goes_on {
                 let lane = bits.trailing_zeros() as usize & 7;
                 bits &= bits - 1;
-                goes_on = from == Some(leaf.ids[lane]) || visit(leaf.ids[lane]);
+                goes_on = from == Some(leaf.ids[lane]) || visit(leaf.ids[lane], false);
             }
             if goes_on { depth_limit } else { -1.0 }
         });
@@ -262,8 +263,8 @@ impl Acceleration {
             return;
         }
         self.spheres.visit(&boxes, depth_limit, |leaf, _| {
-            for _ in 0..leaf.crossings(origin, direction, limit) {
-                goes_on &= visit(leaf.id);
+            for leaves in leaf.crossings(origin, direction, limit) {
+                goes_on &= visit(leaf.id, leaves);
             }
             if goes_on { depth_limit } else { -1.0 }
         });

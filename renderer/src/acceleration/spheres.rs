@@ -22,12 +22,18 @@ impl SphereLeaf {
         sphere_distance(origin, direction, self.center, self.radius)
     }
 
-    /// How often a ray goes through the surface of the sphere before `limit`, which is in lengths of
-    /// its direction.
-    pub fn crossings(&self, origin: Vec3, direction: Vec3, limit: f32) -> usize {
+    /// The times that a ray goes through the surface of the sphere before `limit`, which is in lengths of
+    /// its direction: for each whether it leaves the sphere.
+    pub fn crossings(
+        &self,
+        origin: Vec3,
+        direction: Vec3,
+        limit: f32,
+    ) -> impl Iterator<Item = bool> {
         let distances = sphere_distances(origin, direction, self.center, self.radius);
-        let is_met = |&distance: &f64| distance > 0.0 && (distance as f32) < limit;
-        distances.map_or(0, |distances| distances.iter().copied().filter(is_met).count())
+        let times = distances.into_iter().flatten().zip([false, true]);
+        let is_met = move |distance: f64| distance > 0.0 && (distance as f32) < limit;
+        times.filter_map(move |(distance, leaves)| is_met(distance).then_some(leaves))
     }
 }
 

@@ -152,7 +152,7 @@ fn invent_target(experiment: &mut Experiment) -> bool {
         return false;
     }
     let moved = |id| {
-        let (step, (low, high)) = (MOVED * natural_scale(scene, id), domain(id));
+        let (step, (low, high)) = (MOVED * natural_scale(scene, id), domain(scene, id));
         // Every other number goes the other way, so that they do not make up for each other.
         let values = scene.parameters.get(id).iter().enumerate().map(|(index, value)| {
             let step = if index % 2 == 0 { step } else { -step };

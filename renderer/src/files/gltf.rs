@@ -54,8 +54,9 @@ pub struct GltfFile {
 ///   `KHR_texture_transform`; wrapped as the sampler says, along v as along u. An image whose file is
 ///   missing is warned of, and counts as white. Primitives without a material wear
 ///   [`DEFAULT_MATERIAL`](super::DEFAULT_MATERIAL).
-/// - The alpha of a base colour is the opacity where the alpha mode is `BLEND`, and on which side of the
-///   cutoff it is where that is `MASK`. The alpha of textures is left out with a warning.
+/// - The alpha of a base colour, with that of its texture, is the opacity where the alpha mode is `BLEND`;
+///   where that is `MASK`, it is 1 from the cutoff on and 0 below, by texel. Where it is `OPAQUE`, alpha is
+///   left out, that of a texture with a warning.
 /// - Metalness, roughness and other textures, colours of vertices, points and lines, skins, morph
 ///   targets, animations and extensions that are not required are left out with a warning.
 /// - The first camera counts; it has to be a perspective one.

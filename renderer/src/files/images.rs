@@ -8,7 +8,7 @@ use image::codecs::openexr::OpenExrEncoder;
 use image::codecs::png::PngEncoder;
 use image::{
     DynamicImage, ExtendedColorType, GenericImageView, ImageDecoder, ImageEncoder, ImageFormat,
-    ImageReader, ImageResult, Limits, metadata::Orientation,
+    ImageReader, ImageResult, Limits, Rgba, metadata::Orientation,
 };
 
 use super::io::read;
@@ -65,6 +65,27 @@ pub(super) fn decode_texture(bytes: &[u8], place: impl Display) -> Result<Textur
     let image = if is_srgb { from_srgb(decoded, |color, _| color) } else { from_linear(decoded) };
     check(&image, place)?;
     Ok(TextureFile { image, is_transparent })
+}
+
+/// Decodes how much the bytes of an image file at `place` cover, as grey texels: its alpha, or, where it
+/// has none and is a mask, the mean of its channels as they are stored, else everything.
+pub(super) fn decode_coverage(
+    bytes: &[u8],
+    place: impl Display,
+    is_mask: bool,
+) -> Result<Image, Error> {
+    let (decoded, _) = decode(bytes, &place)?;
+    let has_alpha = decoded.color().has_alpha();
+    let decoded = decoded.into_rgba32f();
+    let coverage = |&Rgba([r, g, b, alpha]): &Rgba<f32>| match (has_alpha, is_mask) {
+        (true, _) => [alpha; 3],
+        (false, true) => [(r + g + b) / 3.0; 3],
+        (false, false) => [1.0; 3],
+    };
+    let pixels = decoded.pixels().map(coverage).collect();
+    let image = Image { width: decoded.width(), height: decoded.height(), pixels };
+    check(&image, place)?;
+    Ok(image)
 }
 
 /// Writes an 8 bit sRGB PNG. Values are clamped to `[0, 1]`, encoded and rounded to the nearest

@@ -65,11 +65,11 @@ pub struct ModelMaterial {
     pub material: Result<Material<f64>, Warning>,
     /// Its opacity, if it is transparent.
     pub opacity: Option<f64>,
-    /// The textures of its colours.
+    /// The textures of its colours and of its opacity.
     pub maps: ModelMaps,
 }
 
-/// The textures of a material's colours.
+/// The textures of a material's colours and of its opacity.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct ModelMaps {
     /// That of `ambient`.
@@ -78,6 +78,8 @@ pub struct ModelMaps {
     pub diffuse: Option<TextureSource>,
     /// That of `specular`.
     pub specular: Option<TextureSource>,
+    /// That of the opacity.
+    pub opacity: Option<TextureSource>,
     /// From the texture coordinates of the mesh to those at which the textures are looked up.
     pub placement: DAffine2,
 }
@@ -87,10 +89,28 @@ pub struct ModelMaps {
 pub struct TextureSource {
     /// Where its texels are.
     pub image: TextureImage,
+    /// What of them counts.
+    pub channel: Channel,
     /// How it goes on beyond its edges.
     pub wrap: Wrap,
     /// The file, and the line or the part of it that names the texture.
     pub place: String,
+}
+
+/// What of an image a texture shows.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub enum Channel {
+    /// Its colours, whatever covers them.
+    #[default]
+    Color,
+    /// How much its alpha covers; everything, where it has none. Where there is a cutoff, alpha from there
+    /// on covers all, and nothing below.
+    Alpha {
+        /// See above.
+        cutoff: Option<f64>,
+    },
+    /// Its alpha, or, where it has none, its brightness as it is stored: a mask.
+    Mask,
 }
 
 /// An image that has not been read yet.

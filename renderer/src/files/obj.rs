@@ -55,9 +55,10 @@ pub use write::save_obj;
 /// - `Kd`, `Ks` and `Ns` are the diffuse colour, the specular colour and the exponent. `Ke`, the
 ///   radiance that a surface shows by itself, is the ambient colour. Colours are taken as linear.
 /// - `map_Kd`, `map_Ks` and `map_Ke` are the textures that multiply these colours, by paths relative
-///   to the library; a colour that has a texture but no statement is white. Of their options `-s`
+///   to the library; `map_d` is that of the opacity: the alpha of its image, or, where that has none, its
+///   brightness as it is stored. A colour that has a texture but no statement is white. Of their options `-s`
 ///   and `-o` scale and shift the texture coordinates (`uv s + o`, the same for all textures of a
-///   material: those of the first of `map_Kd`, `map_Ke`, `map_Ks`), and `-clamp on` is taken.
+///   material: those of the first of `map_Kd`, `map_Ke`, `map_Ks`, `map_d`), and `-clamp on` is taken.
 /// - `illum 0` and `illum 1` have no highlight; `illum 3`, `5` and `8` make `Ks` the reflection of a
 ///   mirror, too.
 /// - `Ka` and `map_Ka` are left out with a warning: they scale an ambient light, which files do not
@@ -66,7 +67,7 @@ pub use write::save_obj;
 /// - A texture whose file is missing is warned of, and counts as white.
 /// - `d` is the opacity, or, where there is none, 1 - `Tr`; a mirror stays opaque, with a warning.
 /// - Every other statement is left out, with a warning if it would change the image: opacity that
-///   varies (`map_d`) or has a colour (`Tf`), refraction (`Ni`, `illum 4`, `6`, `7`, `9`), bumps, `refl`
+///   has a colour (`Tf`), refraction (`Ni`, `illum 4`, `6`, `7`, `9`), bumps, `refl`
 ///   and what is not known at all.
 ///
 /// # Errors

@@ -92,20 +92,23 @@ impl<P: PixelLoss> PixelLoss for Probe<'_, P> {
 }
 
 impl<L: Lanes> Prepared<'_, L> {
-    /// The kernel that gives a ray of a packet, directly or by mirrors, what is not finite, with the
-    /// object.
+    /// The kernel that gives a ray of a packet, from the camera or where it goes on, what is not finite,
+    /// with the object.
     fn non_finite_kernel(&self, sight: &Sight<L>, ray: usize) -> Option<String> {
-        sight.views().iter().enumerate().find_map(|(depth, view)| {
+        let mut ray_kernel = "primary_ray";
+        sight.views().iter().find_map(|view| {
             let group = group_of(&view.groups, ray)?;
-            let ray_kernel = if depth == 0 { "primary_ray" } else { "mirrored_ray" };
-            let kernel = kernel_of_lane(ray_kernel, group, ray - group.first)?;
-            let path = self.path_of(view.hits.primitive[ray] as usize);
+            let lane = ray - group.first;
+            let kernel = kernel_of_lane(ray_kernel, group, lane);
+            let is_transparent = self.transparent_among(&self.materials(group)) >> lane & 1 == 1;
+            ray_kernel = if is_transparent { "straight_ray" } else { "mirrored_ray" };
+            let (kernel, path) = (kernel?, self.path_of(view.hits.primitive[ray] as usize));
             Some(format!("the kernel `{kernel}` is not, on {path}"))
         })
     }
 
-    /// The primitive, seen directly or by mirrors, whose radiance an image cannot hold: the last one
-    /// on the way of a ray, for in front of it infinities go on.
+    /// The primitive, seen directly, by mirrors or through others, whose radiance an image cannot hold: the
+    /// last one on the way of a ray, for in front of it infinities go on.
     fn non_finite_radiance(&self, sight: &Sight<L>, ray: usize) -> Option<usize> {
         let views = sight.views();
         (0..views.len()).rev().find_map(|depth| {

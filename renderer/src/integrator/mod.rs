@@ -15,6 +15,7 @@
 //! sparse (`sums`), so that a strip costs what it touches, however large the scene is.
 
 mod cause;
+mod crossings;
 mod custom;
 mod gradient;
 mod mirrors;
@@ -49,4 +50,7 @@ pub use trace::trace;
 #[cfg(feature = "files")]
 pub(crate) use paths::paths;
 #[cfg(feature = "cli")]
-pub(crate) use {gradient::reduce, paths::Path, paths::Reached, sweep::sweep, textures::Texture};
+pub(crate) use {
+    crossings::Crossing, gradient::reduce, paths::Path, paths::Reached, sweep::sweep,
+    textures::Texture,
+};

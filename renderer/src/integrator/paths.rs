@@ -2,6 +2,7 @@
 
 use ad::lanes::Lanes;
 
+use super::crossings::Crossing;
 use super::gradient::Wanted;
 use super::mirrors::{Dark, Sight};
 use super::prepared::Prepared;
@@ -38,8 +39,8 @@ pub(crate) struct Meeting {
 pub(crate) struct Reached {
     /// Its index.
     pub light: usize,
-    /// The indices of the opacities that it goes through.
-    pub crossed: Vec<usize>,
+    /// The transparent surfaces that it goes through.
+    pub crossed: Vec<Crossing>,
 }
 
 /// The paths of all rays through pixels, in a fixed order: what a gradient by the wanted parameters depends on.
@@ -67,7 +68,8 @@ fn path<L: Lanes>(tile: &Tile, sight: &Sight<L>, ray: usize) -> Path {
         let lights = view.lit.iter().enumerate();
         let reached = lights.filter(|(_, lit)| lit.reaches(ray)).map(|(light, _)| {
             let passed = view.passed.get(light);
-            let crossed = passed.map_or(Vec::new(), |passed| passed.crossed(ray).collect());
+            let crossed = passed.iter().flat_map(|passed| passed.crossed(ray));
+            let crossed = crossed.map(|(crossing, _)| crossing).collect();
             Reached { light, crossed }
         });
         let lit = reached.collect();

@@ -43,6 +43,8 @@ pub struct Prepared<'a, L: Lanes> {
     pub(super) opacities: Vec<L::Element>,
     /// Whether any material is transparent. Colours alone are seen as if none were.
     pub(super) has_transparency: bool,
+    /// Whether a texture varies the opacity of any of these.
+    pub(super) has_varied_opacity: bool,
     pub(super) spheres: Vec<Sphere<L::Element>>,
     /// The vertices of all meshes, one mesh after the other.
     pub(super) vertices: Vec<Vec3<L::Element>>,
@@ -95,6 +97,8 @@ impl<'a, L: Lanes> Prepared<'a, L> {
         material_of.extend(scene.spheres.iter().map(|sphere| sphere.material));
         material_of.extend(scene.shapes.iter().map(|shape| shape.material));
         let (first_uvs, uv_triangles) = texture_triangles(scene);
+        let has_transparency =
+            settings.pass == Pass::Radiance && !scene.parameters.opacities.is_empty();
 
         let mut prepared = Self {
             scene,
@@ -107,8 +111,9 @@ impl<'a, L: Lanes> Prepared<'a, L> {
             materials: Vec::new(),
             has_mirrors: false,
             opacities: Vec::new(),
-            has_transparency: settings.pass == Pass::Radiance
-                && !scene.parameters.opacities.is_empty(),
+            has_transparency,
+            has_varied_opacity: has_transparency
+                && scene.materials.iter().any(|material| material.textures.opacity.is_some()),
             spheres: Vec::new(),
             vertices: Vec::new(),
             first_vertices,

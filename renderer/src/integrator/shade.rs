@@ -4,12 +4,13 @@ use ad::lanes::Lanes;
 use ad::vector::Vector;
 use ad::{Additive, Tangent, Vec3, select};
 
+use super::crossings::Passed;
 use super::prepared::Prepared;
 use super::settings::Pass;
 use super::shadows::Lit;
 use super::sharing::Sharing;
 use super::textures::Textured;
-use super::transparency::{Cover, Passed, PulledCover};
+use super::transparency::{Cover, PulledCover};
 use super::view::{Group, View};
 use crate::counts::count;
 use crate::kernels::light::{
@@ -61,10 +62,11 @@ impl<L: Lanes> Prepared<'_, L> {
         group: &Group<L>,
         materials: &'a Sharing,
     ) -> Appearance<'a, L> {
+        let textured = self.textured(group, materials);
         Appearance {
             materials,
-            textured: self.textured(group, materials),
-            cover: self.cover(materials),
+            cover: self.cover(materials, textured.as_ref()),
+            textured,
             illuminations: self.custom_illuminations(group),
         }
     }
@@ -223,8 +225,8 @@ impl<'a, L: Lanes> Shaded<'a, L> {
     }
 
     /// Pulls the cotangent of the radiance of the surfaces themselves back to what transparent surfaces
-    /// leave of the lights, by index.
-    pub fn pull_back_passed(&self, cotangent: Vec3<L>, mut to_passed: impl FnMut(&Passed<L>, L)) {
+    /// leave of each light, by its index.
+    pub fn pull_back_passed(&self, cotangent: Vec3<L>, mut to_passed: impl FnMut(usize, L)) {
         for (index, passed) in self.passed.iter().enumerate() {
             if !passed.concerns(self.group) {
                 continue;
@@ -237,7 +239,7 @@ impl<'a, L: Lanes> Shaded<'a, L> {
                     reflection::<L>(self.material, self.group.surface, illumination)
                 }
             };
-            to_passed(passed, cotangent.dot(reflected));
+            to_passed(index, cotangent.dot(reflected));
         }
     }
 

@@ -75,6 +75,14 @@ impl LightSum {
         *sum_of_intensity += number_if(wanted.light_intensities, intensity, all);
     }
 
+    /// The cotangent of where the light is, or where it comes from.
+    pub fn place(&mut self) -> &mut DVec3 {
+        match self {
+            Self::Point(sum) => &mut sum.position,
+            Self::Distant(sum) => &mut sum.direction,
+        }
+    }
+
     fn is_finite(&self) -> bool {
         match self {
             Self::Point(sum) => sum.is_finite(),

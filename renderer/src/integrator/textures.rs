@@ -1,4 +1,4 @@
-//! The colours that textures give the pixels of a group.
+//! The colours and the opacities that textures give the pixels of a group.
 
 use std::array;
 
@@ -53,9 +53,10 @@ pub(super) struct Textured<L: Lanes> {
     ambient: Option<Lookup<L>>,
     diffuse: Option<Lookup<L>>,
     specular: Option<Lookup<L>>,
+    opacity: Option<Lookup<L>>,
 }
 
-/// What textures give for one colour of the materials.
+/// What textures give for one colour of the materials, or for their opacities.
 struct Lookup<L: Lanes> {
     /// A bit for each lane that has a texture.
     lanes: u32,
@@ -84,11 +85,18 @@ impl<L: Lanes> Textured<L> {
         }
     }
 
+    /// The colours that vary the opacities.
+    pub fn of_opacity(&self) -> Option<Vec3<L>> {
+        self.opacity.as_ref().map(|lookup| lookup.color)
+    }
+
     /// Turns the cotangent of the material with textures into that of the one without; those of
-    /// texels go to `to_texel`. Returns that of the place on the textures.
+    /// texels go to `to_texel`, also from `of_opacity`, the cotangent of [that](Self::of_opacity). Returns
+    /// that of the place on the textures.
     pub fn pull_back(
         &self,
         cotangent: &mut MaterialTangent<L>,
+        of_opacity: Option<Vec3<L>>,
         mut to_texel: impl FnMut(u32, DVec3),
     ) -> Tangent<Uv<L>> {
         let mut to_uv = Tangent::<Uv<L>>::zero();
@@ -101,6 +109,9 @@ impl<L: Lanes> Textured<L> {
         pull(&self.ambient, self.plain.ambient, &mut cotangent.ambient);
         pull(&self.diffuse, self.plain.diffuse, &mut cotangent.diffuse);
         pull(&self.specular, self.plain.specular, &mut cotangent.specular);
+        if let Some((lookup, cotangent)) = self.opacity.as_ref().zip(of_opacity) {
+            to_uv.accumulate(lookup.pull_back(self.uv, cotangent, &mut to_texel));
+        }
         to_uv
     }
 }
@@ -158,6 +169,10 @@ impl<L: Lanes> Prepared<'_, L> {
             ambient: lookup(|textures| textures.ambient),
             diffuse: lookup(|textures| textures.diffuse),
             specular: lookup(|textures| textures.specular),
+            opacity: match self.has_transparency {
+                true => lookup(|textures| textures.opacity),
+                false => None,
+            },
         })
     }
 
@@ -169,7 +184,8 @@ impl<L: Lanes> Prepared<'_, L> {
         })
     }
 
-    /// The colours at `uv` of the textures that materials have for one of their colours.
+    /// The colours at `uv` of the textures that materials have for one of their colours, or for their
+    /// opacities.
     fn look_up(
         &self,
         uv: Uv<L>,

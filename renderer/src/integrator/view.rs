@@ -4,12 +4,12 @@ use ad::lanes::Lanes;
 use ad::vector::{Vector, Vector3};
 use ad::{Real, Vec3, select};
 
+use super::crossings::Passed;
 use super::prepared::Prepared;
 use super::sampling::{Offsets, Sampling};
 use super::shadows::Lit;
 use super::sharing::Sharing;
 use super::tiles::Tile;
-use super::transparency::Passed;
 use crate::acceleration::{PACKET_RAYS, PacketHits, PacketVectors, rays, tile_position};
 use crate::counts::count;
 use crate::kernels::camera::{Ray, film_point, primary_ray};

@@ -5,6 +5,8 @@ use std::f64::consts::PI;
 use ad::vector::Vector;
 use ad::{Differentiable, Real, Vec3, differentiable, select};
 
+use super::camera::Ray;
+
 /// A light that shines from a point in all directions.
 ///
 /// The irradiance it brings to a surface that faces it at distance `r` is
@@ -63,4 +65,16 @@ pub fn distant_illumination<S: Real>(light: DistantLight<S>) -> Illumination<S> 
         direction: light.direction.normalize(),
         irradiance: light.color * light.intensity,
     }
+}
+
+/// The ray from a point towards a light that stands at `position`.
+#[differentiable]
+pub fn ray_to_position<S: Real>(position: Vec3<S>, point: Vec3<S>) -> Ray<S> {
+    Ray { origin: point, direction: (position - point).normalize_or_zero() }
+}
+
+/// The ray from a point towards a light that is infinitely far in a direction.
+#[differentiable]
+pub fn ray_along<S: Real>(direction: Vec3<S>, point: Vec3<S>) -> Ray<S> {
+    Ray { origin: point, direction: direction.normalize() }
 }

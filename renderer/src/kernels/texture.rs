@@ -3,8 +3,9 @@
 use ad::vector::{Vector, Vector3};
 use ad::{Differentiable, Real, Vec3, differentiable};
 
-use super::sphere::Sphere;
-use super::triangle::{edge_scale, exact_cross};
+use super::camera::Ray;
+use super::sphere::{Sphere, sphere_surface};
+use super::triangle::{edge_scale, exact_cross, triangle_surface};
 
 /// A place on a texture: `u` goes from the left edge to the right one, `v` from the lower edge to
 /// the upper one, both from 0 to 1.
@@ -75,4 +76,31 @@ pub fn bilinear<S: Real>(texels: [Vec3<S>; 4], uv: Uv<S>, width: S, height: S) -
     let upper = texels[0] + (texels[1] - texels[0]) * right;
     let lower = texels[2] + (texels[3] - texels[2]) * right;
     upper + (lower - upper) * down
+}
+
+/// An opacity where a texture that varies it has this colour: it counts by the mean of its channels.
+#[differentiable]
+#[inline]
+pub fn varied_opacity<S: Real>(opacity: S, color: Vec3<S>) -> S {
+    opacity * ((color.x() + color.y() + color.z()) / S::from_f64(3.0))
+}
+
+/// The place at which a ray goes through the triangle `a`, `b`, `c` whose corners have the places `uv`.
+#[differentiable]
+pub fn triangle_crossing<S: Real>(
+    ray: Ray<S>,
+    a: Vec3<S>,
+    b: Vec3<S>,
+    c: Vec3<S>,
+    uv: [Uv<S>; 3],
+) -> Uv<S> {
+    let surface = triangle_surface::<S>(ray, a, b, c);
+    triangle_uv::<S>(surface.point, a, b, c, uv)
+}
+
+/// The place at which a ray enters a sphere, or leaves it where `leaves` holds.
+#[differentiable]
+pub fn sphere_crossing<S: Real>(ray: Ray<S>, sphere: Sphere<S>, leaves: S::Mask) -> Uv<S> {
+    let surface = sphere_surface::<S>(ray, sphere, leaves);
+    sphere_uv::<S>(surface.point, sphere)
 }

@@ -44,7 +44,7 @@ pub(super) fn variable(
         .or(common_rate)
         .unwrap_or_else(|| relative_rate(tuned.id) * natural_scale(scene, tuned.id));
     let mut variable = Variable::new(scene.path(tuned.id).to_string(), initial, rate);
-    let (low, high) = domain(tuned.id);
+    let (low, high) = domain(scene, tuned.id);
     variable = variable.bounded(low, high);
     let narrow = |bounds: &mut [f64], given: &Option<Vec<f64>>, tighter: fn(f64, f64) -> f64| {
         for (bound, given) in bounds.iter_mut().zip(given.iter().flatten()) {
@@ -76,7 +76,7 @@ fn usual_max(id: ParameterId) -> f64 {
 }
 
 /// The values for which a parameter means something, ends included.
-pub(crate) fn domain(id: ParameterId) -> (f64, f64) {
+pub(crate) fn domain(scene: &Scene, id: ParameterId) -> (f64, f64) {
     use ParameterId::*;
     let above_zero = (1e-18, f64::INFINITY);
     match id {
@@ -84,6 +84,7 @@ pub(crate) fn domain(id: ParameterId) -> (f64, f64) {
         Focus | SphereRadius(_) => above_zero,
         Exponent(_) => (0.0, LARGEST_EXPONENT),
         Opacity(_) => (0.0, 1.0),
+        Texels(i) if scene.is_of_opacity(i) => (0.0, 1.0),
         LightColor(_) | LightIntensity(_) | Ambient(_) | Diffuse(_) | Specular(_)
         | Reflection(_) | Texels(_) => (0.0, f64::INFINITY),
         LookFrom

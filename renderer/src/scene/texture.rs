@@ -1,11 +1,13 @@
 //! The discrete part of materials and textures.
 
+use super::Scene;
+
 /// The discrete part of a material.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MaterialObject {
     /// Its name, unique among materials.
     pub name: String,
-    /// What its colours vary by.
+    /// What its colours and its opacity vary by.
     pub textures: MaterialTextures,
     /// The index of its opacity among [`Parameters::opacities`](super::Parameters::opacities); none if it
     /// is opaque for good.
@@ -19,7 +21,7 @@ impl MaterialObject {
     }
 }
 
-/// Indices of the textures that a material's colours are multiplied by.
+/// Indices of the textures that a material's colours, and its opacity, are multiplied by.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct MaterialTextures {
     /// That of `ambient`.
@@ -28,6 +30,9 @@ pub struct MaterialTextures {
     pub diffuse: Option<u32>,
     /// That of `specular`.
     pub specular: Option<u32>,
+    /// That of the [opacity](MaterialObject::opacity), which has to be there; the mean of the channels
+    /// counts.
+    pub opacity: Option<u32>,
 }
 
 impl MaterialTextures {
@@ -38,7 +43,14 @@ impl MaterialTextures {
 
     /// Those that there are.
     pub fn iter(&self) -> impl Iterator<Item = u32> {
-        [self.ambient, self.diffuse, self.specular].into_iter().flatten()
+        [self.ambient, self.diffuse, self.specular, self.opacity].into_iter().flatten()
+    }
+}
+
+impl Scene {
+    /// Whether a texture varies the opacity of a material.
+    pub(crate) fn is_of_opacity(&self, texture: usize) -> bool {
+        self.materials.iter().any(|material| material.textures.opacity == Some(texture as u32))
     }
 }
 

@@ -4,7 +4,7 @@ use std::collections::HashSet;
 
 use glam::DVec3;
 
-use super::{MeshObject, ParameterId, Parameters, Scene};
+use super::{MaterialObject, MeshObject, ParameterId, Parameters, Scene};
 use crate::Error;
 use crate::kernels::camera::Camera;
 
@@ -166,6 +166,10 @@ impl Scene {
                 invalid(path(), format!("must not be negative, is {value}"))
             }
             (Opacity(_), &[v]) if v > 1.0 => invalid(path(), format!("must be at most 1, is {v}")),
+            (Texels(i), _) if self.is_of_opacity(i) && values.iter().any(|&v| v > 1.0) => {
+                let value = values.iter().copied().fold(1.0, f64::max);
+                invalid(path(), format!("must be at most 1 where they vary opacity, is {value}"))
+            }
             (Vfov, &[v]) if v <= 0.0 || v >= 180.0 => {
                 invalid(path(), format!("must lie between 0 and 180 degrees, is {v}"))
             }
@@ -246,7 +250,8 @@ impl Scene {
         Ok(())
     }
 
-    /// Each opacity belongs to one material, which is no mirror: a ray goes on in one direction.
+    /// Each opacity belongs to one material, which is no mirror: a ray goes on in one direction. A texture
+    /// varies only an opacity that is there.
     fn check_opacities(&self) -> Result<(), Invalid> {
         let opacities = self.materials.iter().filter_map(|material| material.opacity);
         let count = self.parameters.opacities.len();
@@ -254,6 +259,11 @@ impl Scene {
             let problem =
                 format!("opacities {:?} for {count} of them", opacities.collect::<Vec<_>>());
             return invalid("material", problem);
+        }
+        let varied = |material: &&MaterialObject| material.textures.opacity.is_some();
+        if let Some(bare) = self.materials.iter().filter(varied).find(|m| m.opacity.is_none()) {
+            let problem = "is missing; opacity_texture varies it";
+            return invalid(format!("material.{}.opacity", bare.name), problem);
         }
         let materials = self.materials.iter().zip(&self.parameters.materials);
         for (object, material) in materials.filter(|(object, _)| object.opacity.is_some()) {

@@ -12,12 +12,15 @@ use rayon::prelude::*;
 
 use super::numbers::{Number, Numbers};
 use crate::arithmetic::Precision;
-use crate::integrator::{Path, PixelLoss, Reached, Texture};
+use crate::integrator::{Crossing, Path, PixelLoss, Reached, Texture};
 use crate::kernels::camera::{Frame, Ray, frame, primary_ray};
+use crate::kernels::light::{ray_along, ray_to_position};
 use crate::kernels::material::{Material, reflection_of_distant_light, reflection_of_point_light};
 use crate::kernels::sphere::sphere_surface;
 use crate::kernels::surface::{SurfacePoint, mirrored_ray, straight_ray};
-use crate::kernels::texture::{Uv, bilinear, sphere_uv, texel_position, triangle_uv};
+use crate::kernels::texture::{
+    Uv, bilinear, sphere_uv, texel_position, triangle_uv, varied_opacity,
+};
 use crate::kernels::triangle::triangle_surface;
 use crate::scene::{Light, ParameterId, Scene};
 
@@ -120,14 +123,19 @@ impl<P: PixelLoss> Replay<'_, P> {
             let material = self.material(numbers, &primitive, index, surface.point);
             let mut radiance = material.ambient;
             for Reached { light, crossed } in &meeting.lit {
-                let passed = crossed.iter().map(|&opacity| S::ONE - numbers.opacity(opacity));
-                let passed = passed.fold(S::ONE, |product, factor| product * factor);
-                let reflected = match numbers.light(*light) {
-                    Light::Point(light) => reflection_of_point_light::<S>(material, surface, light),
-                    Light::Distant(light) => {
-                        reflection_of_distant_light::<S>(material, surface, light)
-                    }
+                let (reflected, to_light) = match numbers.light(*light) {
+                    Light::Point(light) => (
+                        reflection_of_point_light::<S>(material, surface, light),
+                        ray_to_position::<S>(light.position, surface.point),
+                    ),
+                    Light::Distant(light) => (
+                        reflection_of_distant_light::<S>(material, surface, light),
+                        ray_along::<S>(light.direction, surface.point),
+                    ),
                 };
+                let left = |&crossing: &Crossing| self.left(numbers, to_light, crossing);
+                let passed =
+                    crossed.iter().map(left).fold(S::ONE, |product, factor| product * factor);
                 radiance = radiance + reflected * passed;
             }
             match self.scene.materials[index].opacity {
@@ -137,7 +145,8 @@ impl<P: PixelLoss> Replay<'_, P> {
                     ray = mirrored_ray::<S>(surface);
                 }
                 Some(opacity) => {
-                    let opacity = numbers.opacity(opacity as usize);
+                    let plain = numbers.opacity(opacity as usize);
+                    let opacity = self.opacity(numbers, &primitive, index, plain, surface.point);
                     total = total + left * radiance * opacity;
                     left = left * (S::ONE - opacity);
                     ray = straight_ray::<S>(surface);
@@ -209,6 +218,34 @@ impl<P: PixelLoss> Replay<'_, P> {
             }
         }
         material
+    }
+
+    /// What a transparent surface leaves of the light that goes through it to a point.
+    fn left<S: Number>(&self, numbers: &Numbers<'_, S>, to_light: Ray<S>, crossing: Crossing) -> S {
+        let primitive = self.primitive(crossing.primitive);
+        let index = self.material_index(&primitive);
+        let Some(opacity) = self.scene.materials[index].opacity else { return S::ZERO };
+        let point = self.surface(numbers, &primitive, to_light, crossing.leaves).point;
+        let plain = numbers.opacity(opacity as usize);
+        S::ONE - self.opacity(numbers, &primitive, index, plain, point)
+    }
+
+    /// The opacity `plain` of the material of an index, at a point, with its texture.
+    fn opacity<S: Number>(
+        &self,
+        numbers: &Numbers<'_, S>,
+        primitive: &Primitive,
+        index: usize,
+        plain: S,
+        point: Vec3<S>,
+    ) -> S {
+        match self.scene.materials[index].textures.opacity {
+            None => plain,
+            Some(texture) => {
+                let uv = self.uv(numbers, primitive, point);
+                varied_opacity::<S>(plain, self.texture(numbers, texture as usize, uv))
+            }
+        }
     }
 
     fn uv<S: Number>(

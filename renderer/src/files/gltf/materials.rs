@@ -11,7 +11,8 @@ use super::document::{self, Document, Sampler, TextureInfo, TextureTransform, ge
 use crate::Error;
 use crate::files::meshes::{clean_name, plain_material};
 use crate::files::model::{
-    DEFAULT_MATERIAL, ModelMaps, ModelMaterial, TextureImage, TextureSource, default_material,
+    Channel, DEFAULT_MATERIAL, ModelMaps, ModelMaterial, TextureImage, TextureSource,
+    default_material,
 };
 use crate::files::names::Names;
 use crate::files::warnings::Warnings;
@@ -99,9 +100,15 @@ fn convert(
     let mut source = |info: &Option<TextureInfo>| {
         info.as_ref().map(|info| textures.source(info.index, warnings)).transpose()
     };
+    let diffuse = source(&pbr.base_color_texture)?;
+    let covers = |source: &TextureSource| {
+        let channel = alpha_channel(definition, alpha)?;
+        Some(TextureSource { channel, ..source.clone() })
+    };
     let maps = ModelMaps {
         ambient: source(&definition.emissive_texture)?,
-        diffuse: source(&pbr.base_color_texture)?,
+        opacity: diffuse.as_ref().and_then(covers),
+        diffuse,
         specular: None,
         placement: first,
     };
@@ -124,12 +131,15 @@ fn warn_of_left_out(definition: &document::Material, place: &str, warnings: &mut
     }
 }
 
+/// The alpha from which on a surface is there, if a material does not say.
+const DEFAULT_CUTOFF: f64 = 0.5;
+
 /// The opacity of a material of this alpha, if it is transparent.
 fn opacity(definition: &document::Material, alpha: f64) -> Result<Option<f64>, String> {
     let opacity = match definition.alpha_mode.as_deref() {
         None | Some("OPAQUE") => 1.0,
         Some("BLEND") => alpha,
-        Some("MASK") if alpha < definition.alpha_cutoff.unwrap_or(0.5) => 0.0,
+        Some("MASK") if alpha < definition.alpha_cutoff.unwrap_or(DEFAULT_CUTOFF) => 0.0,
         Some("MASK") => 1.0,
         Some(mode) => return Err(format!("alphaMode is `{mode}`, which is none")),
     };
@@ -137,6 +147,19 @@ fn opacity(definition: &document::Material, alpha: f64) -> Result<Option<f64>, S
         return Err(format!("the alpha of baseColorFactor must lie between 0 and 1, is {opacity}"));
     }
     Ok(Some(opacity).filter(|&opacity| opacity < 1.0))
+}
+
+/// What the alpha of the texture of its base colour says, whose factor is `alpha`.
+fn alpha_channel(definition: &document::Material, alpha: f64) -> Option<Channel> {
+    match definition.alpha_mode.as_deref() {
+        Some("BLEND") => Some(Channel::Alpha { cutoff: None }),
+        Some("MASK") => {
+            let cutoff = definition.alpha_cutoff.unwrap_or(DEFAULT_CUTOFF);
+            // With a factor below it nothing is left that could vary.
+            (alpha >= cutoff).then(|| Channel::Alpha { cutoff: Some(cutoff / alpha) })
+        }
+        _ => None,
+    }
 }
 
 /// The set of texture coordinates, and from these, whose v is turned upwards, to where the texture is
@@ -191,7 +214,7 @@ impl Textures<'_> {
                 new
             }
         };
-        Ok(TextureSource { image, wrap, place })
+        Ok(TextureSource { image, channel: Channel::Color, wrap, place })
     }
 
     fn image(&self, index: usize) -> Result<TextureImage, String> {

@@ -209,6 +209,35 @@ fn what_is_left_out_is_told() {
     assert!(error.problem.contains("requires the extension KHR_materials_unlit"), "{error}");
 }
 
+/// The alpha of a texture varies the opacity where the alpha mode says so; only elsewhere it is warned of.
+#[test]
+fn the_alpha_of_textures_is_an_opacity() {
+    let opacity = |mode: Value, cutoff: f64, factor: f64| {
+        let (mut document, bytes) = textured();
+        let material = &mut document["materials"][1];
+        (material["alphaMode"], material["alphaCutoff"]) = (mode, json!(cutoff));
+        material["pbrMetallicRoughness"]["baseColorFactor"] = json!([1, 1, 1, factor]);
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("model.glb");
+        fs::write(&path, glb(document, &bytes)).unwrap();
+        let Experiment { scene, warnings, .. } = Experiment::load(&path).unwrap();
+        let warned = warnings.iter().any(|w| w.problem.contains("transparent texels"));
+        let worn = scene.materials[0].textures.opacity.map(|texture| texture as usize);
+        let texels = worn.map(|texture| {
+            assert_eq!(scene.textures[texture].name, "paint_opacity");
+            scene.parameters.textures[texture].iter().map(|texel| texel[0]).collect::<Vec<_>>()
+        });
+        (scene.parameters.opacities, texels, warned)
+    };
+    let texels = Some(vec![1.0, 0.0]);
+    assert_eq!(opacity(json!("OPAQUE"), 0.5, 0.75), (vec![], None, true));
+    assert_eq!(opacity(json!("BLEND"), 0.5, 0.75), (vec![0.75], texels.clone(), false));
+    assert_eq!(opacity(json!("MASK"), 0.5, 0.75), (vec![1.0], texels, false));
+    // Nothing reaches the cutoff; everything does.
+    assert_eq!(opacity(json!("MASK"), 0.8, 0.75), (vec![0.0], None, true));
+    assert_eq!(opacity(json!("MASK"), 0.0, 0.75), (vec![], None, false));
+}
+
 /// By the alpha mode; the default one leaves alpha out.
 #[test]
 fn alpha_is_the_opacity() {

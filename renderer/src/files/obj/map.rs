@@ -5,7 +5,7 @@ use std::path::Path;
 use glam::{DAffine2, DVec2};
 
 use super::statements::number;
-use crate::files::model::{TextureImage, TextureSource};
+use crate::files::model::{Channel, TextureImage, TextureSource};
 use crate::scene::Wrap;
 
 /// What a texture statement says.
@@ -65,10 +65,14 @@ impl Map {
         if rest.is_empty() {
             return Err(format!("{keyword} names no image"));
         }
+        let channel = match keyword.eq_ignore_ascii_case("map_d") {
+            true => Channel::Mask,
+            false => Channel::Color,
+        };
         // Exporters for Windows write its separators.
         let image = TextureImage::File(folder.join(rest.replace('\\', "/")));
         Ok(Self {
-            source: TextureSource { image, wrap, place },
+            source: TextureSource { image, channel, wrap, place },
             placement: DAffine2::from_scale_angle_translation(scale, 0.0, offset),
             left_out,
         })

@@ -103,24 +103,23 @@ struct Definition {
     ambient_map: Option<Map>,
     diffuse_map: Option<Map>,
     specular_map: Option<Map>,
+    opacity_map: Option<Map>,
 }
 
 /// The statements that materials are made of.
-const OF_MATERIALS: [&str; 10] =
-    ["ke", "kd", "ks", "ns", "d", "tr", "illum", "map_ke", "map_kd", "map_ks"];
+const OF_MATERIALS: [&str; 11] =
+    ["ke", "kd", "ks", "ns", "d", "tr", "illum", "map_ke", "map_kd", "map_ks", "map_d"];
 
 /// Statements that nothing here stands for: the number that leaves the image as it is, not a number
 /// if there is none, and why there is no other one.
-const LEFT_OUT: [(&str, f64, &str); 5] = [
+const LEFT_OUT: [(&str, f64, &str); 4] = [
     ("tf", 1.0, NO_FILTER),
     ("ni", 1.0, NO_REFRACTION),
-    ("map_d", f64::NAN, NO_OPACITY_MAP),
     ("ka", 0.0, NO_AMBIENT_LIGHT),
     ("map_ka", f64::NAN, NO_AMBIENT_LIGHT),
 ];
 const NO_FILTER: &str = "opacity has no colour";
 const NO_REFRACTION: &str = "rays go straight on behind transparent surfaces";
-const NO_OPACITY_MAP: &str = "opacity does not vary over a surface";
 const NO_AMBIENT_LIGHT: &str =
     "there is no ambient light; `ambient` in a scene file is what a surface shows by itself";
 
@@ -168,6 +167,7 @@ impl Definition {
             "map_ke" => self.ambient_map = map()?,
             "map_kd" => self.diffuse_map = map()?,
             "map_ks" => self.specular_map = map()?,
+            "map_d" => self.opacity_map = map()?,
             "illum" => {
                 let word = words(rest).next().unwrap_or("");
                 let model = word.parse().ok().filter(|model| *model <= 10);
@@ -196,15 +196,15 @@ impl Definition {
         let mut placements = self.maps().map(|map| map.placement);
         let first = placements.next();
         if placements.any(|placement| Some(placement) != first) {
-            let problem =
-                "-s and -o are those of the first of map_Kd, map_Ke, map_Ks, for all of them";
+            let problem = "-s and -o are those of the first of map_Kd, map_Ke, map_Ks, map_d, for all of them";
             warnings.add("placements", place, problem);
         }
         if self.is_mirror() && self.specular_map.is_some() {
             let problem = "map_Ks varies the highlight alone, not the mirror";
             warnings.add("varied mirror", place, problem);
         }
-        if self.is_mirror() && self.reduced_opacity().is_some() {
+        let is_transparent = self.opacity_map.is_some() || self.reduced_opacity().is_some();
+        if self.is_mirror() && is_transparent {
             warnings.add("transparent mirror", place, "a mirror is shown opaque");
         }
         Ok(())
@@ -217,7 +217,8 @@ impl Definition {
     }
 
     fn maps(&self) -> impl Iterator<Item = &Map> {
-        [&self.diffuse_map, &self.ambient_map, &self.specular_map].into_iter().flatten()
+        let maps = [&self.diffuse_map, &self.ambient_map, &self.specular_map, &self.opacity_map];
+        maps.into_iter().flatten()
     }
 
     fn is_mirror(&self) -> bool {
@@ -229,6 +230,9 @@ impl Definition {
         if !has_highlight {
             self.specular = Some(DVec3::ZERO);
             self.specular_map = None;
+        }
+        if self.is_mirror() {
+            (self.opacity, self.transparency, self.opacity_map) = (None, None, None);
         }
         let default = default_material();
         // What a texture varies is white where nothing else is said.
@@ -243,13 +247,14 @@ impl Definition {
             exponent: self.exponent.unwrap_or(default.exponent),
             reflection: if self.is_mirror() { specular } else { default.reflection },
         };
-        let opacity = self.reduced_opacity().filter(|_| !self.is_mirror());
+        let opacity = self.reduced_opacity();
         let placement = self.maps().next().map(|map| map.placement).unwrap_or_default();
         let source = |map: Option<Map>| map.map(|map| map.source);
         let maps = ModelMaps {
             ambient: source(self.ambient_map),
             diffuse: source(self.diffuse_map),
             specular: source(self.specular_map),
+            opacity: source(self.opacity_map),
             placement,
         };
         LibraryMaterial { name: self.name, material, opacity, maps }

@@ -7,7 +7,7 @@ use glam::{DAffine2, DVec2, DVec3};
 use super::tests::{TRIANGLE, folder, refused};
 use super::*;
 use crate::files::Warning;
-use crate::files::model::{TextureImage, TextureSource};
+use crate::files::model::{Channel, TextureImage, TextureSource};
 use crate::kernels::material::Material;
 use crate::scene::Wrap;
 
@@ -113,7 +113,7 @@ fn illumination_models_are_told_apart() {
 #[test]
 fn what_is_left_out_is_told_once() {
     let (material, warnings) = defined(
-        "Ka 1 1 1\nKd 1 0 0\nNi 1.45\nTf 0 1 0\nmap_Ka a.png\nmap_d b.png\nbump c.png\n\
+        "Ka 1 1 1\nKd 1 0 0\nNi 1.45\nTf 0 1 0\nmap_Ka a.png\nmap_refl b.png\nbump c.png\n\
          sharpness 60\nnewmtl n\nKa 1 1 1\nNi 1.1\nbump d.png\n",
     );
     assert_eq!(material.material.unwrap().ambient, DVec3::ZERO);
@@ -125,7 +125,7 @@ fn what_is_left_out_is_told_once() {
         "4: Ni is left out: rays go straight on behind transparent surfaces".to_owned(),
         "5: Tf is left out: opacity has no colour".to_owned(),
         format!("6: map_Ka is left out: {ambient}"),
-        "7: map_d is left out: opacity does not vary over a surface".to_owned(),
+        "7: `map_refl` is left out: nothing here stands for it".to_owned(),
         "8: `bump` is left out: nothing here stands for it".to_owned(),
         "9: `sharpness` is left out: nothing here stands for it".to_owned(),
     ];
@@ -149,24 +149,30 @@ fn opacity_is_read() {
     let (mirror, warnings) = defined("Ks 0.5\nd 0.5\nillum 3\n");
     assert_eq!(mirror.opacity, None);
     assert_eq!(warnings, ["4: a mirror is shown opaque"]);
+    let (mirror, warnings) = defined("illum 3\nmap_d a.png\n");
+    assert_eq!((mirror.opacity, mirror.maps), (None, ModelMaps::default()));
+    assert_eq!(warnings, ["3: a mirror is shown opaque"]);
 }
 
 #[test]
 fn textures_and_their_options_are_read() {
     let obj = format!("mtllib a.mtl\n{TRIANGLE}usemtl m\nf 1 2 3\n");
     let library = "newmtl m\nKd 0.5 0.5 0.5\nmap_Kd -s 2 3 1 -o 0.25 -clamp on a b#1.png\n\
-        map_Ks -o 0.25 0 -s 2 3 -mm 0 1 tex\\c.png\nmap_Ke -s 2 3 -o 0.25 d.png\n";
+        map_Ks -o 0.25 0 -s 2 3 -mm 0 1 tex\\c.png\nmap_Ke -s 2 3 -o 0.25 d.png\n\
+        MAP_D -s 2 3 -o 0.25 a b#1.png\n";
     let folder = folder(&[("a.obj", &obj), ("a.mtl", library)]);
     let model = load_obj(&folder.path().join("a.obj")).unwrap();
     assert_eq!(model.warnings, []);
-    let source = |name: &str, wrap, line| {
+    let source = |name: &str, channel, wrap, line| {
         let place = format!("{}:{line}", folder.path().join("a.mtl").display());
-        Some(TextureSource { image: TextureImage::File(folder.path().join(name)), wrap, place })
+        let image = TextureImage::File(folder.path().join(name));
+        Some(TextureSource { image, channel, wrap, place })
     };
     let expected = ModelMaps {
-        diffuse: source("a b#1.png", Wrap::Clamp, 3),
-        specular: source("tex/c.png", Wrap::Repeat, 4),
-        ambient: source("d.png", Wrap::Repeat, 5),
+        diffuse: source("a b#1.png", Channel::Color, Wrap::Clamp, 3),
+        specular: source("tex/c.png", Channel::Color, Wrap::Repeat, 4),
+        ambient: source("d.png", Channel::Color, Wrap::Repeat, 5),
+        opacity: source("a b#1.png", Channel::Mask, Wrap::Repeat, 6),
         placement: DAffine2::from_scale_angle_translation(
             DVec2::new(2.0, 3.0),
             0.0,
@@ -193,7 +199,7 @@ fn texture_options_that_are_left_out_are_told() {
         "2: -blendv of map_Kd is left out",
         "2: -boost of map_Kd is left out",
         "3: -t of map_Ks is left out",
-        "3: -s and -o are those of the first of map_Kd, map_Ke, map_Ks, for all of them",
+        "3: -s and -o are those of the first of map_Kd, map_Ke, map_Ks, map_d, for all of them",
         "4: map_Ks varies the highlight alone, not the mirror",
     ];
     assert_eq!(warnings, expected);

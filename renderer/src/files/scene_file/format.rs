@@ -9,6 +9,7 @@ use serde::de::value::MapAccessDeserializer;
 use serde::de::{self, Deserializer, IntoDeserializer, MapAccess, SeqAccess, Visitor};
 use serde::{Deserialize, Serialize, Serializer};
 
+use crate::files::model::Channel;
 use crate::loss::LossKind;
 use crate::optimize::{Optimizer, Schedule};
 use crate::scene::{DEFAULT_BOUNCES, Wrap};
@@ -114,13 +115,15 @@ pub(super) struct MaterialEntry {
     /// If given, the material is transparent.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub opacity: Option<f64>,
-    /// Names of textures.
+    /// Names of textures. One of the opacity makes the material transparent, too.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub ambient_texture: Option<String>,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub diffuse_texture: Option<String>,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub specular_texture: Option<String>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub opacity_texture: Option<String>,
 }
 
 #[derive(Serialize, Deserialize)]
@@ -137,6 +140,32 @@ pub(super) struct TextureEntry {
     pub color: Option<[f64; 3]>,
     #[serde(default)]
     pub wrap: WrapEntry,
+    /// What of an image file it shows.
+    #[serde(default, skip_serializing_if = "ChannelEntry::is_default")]
+    pub channel: ChannelEntry,
+}
+
+#[derive(Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub(super) enum ChannelEntry {
+    #[default]
+    Color,
+    Opacity,
+}
+
+impl ChannelEntry {
+    fn is_default(&self) -> bool {
+        *self == Self::default()
+    }
+}
+
+impl From<ChannelEntry> for Channel {
+    fn from(entry: ChannelEntry) -> Self {
+        match entry {
+            ChannelEntry::Color => Self::Color,
+            ChannelEntry::Opacity => Self::Mask,
+        }
+    }
 }
 
 #[derive(Clone, Copy, Default, Serialize, Deserialize)]

@@ -133,7 +133,9 @@ impl<'a> MaterialTable<'a> {
     pub fn move_into(self, scene: &mut Scene) -> Vec<Warning> {
         scene.materials = self.objects;
         scene.parameters.materials = self.materials;
-        for (object, opacity) in scene.materials.iter_mut().zip(self.opacities) {
+        for (object, given) in scene.materials.iter_mut().zip(self.opacities) {
+            // A texture varies it from 1 on where nothing else is said.
+            let opacity = given.or(object.textures.opacity.map(|_| 1.0));
             object.opacity = opacity.map(|opacity| {
                 scene.parameters.opacities.push(opacity);
                 scene.parameters.opacities.len() as u32 - 1
@@ -174,6 +176,7 @@ fn overridden_textures(
         ambient: texture("ambient_texture", &entry.ambient_texture, base.ambient)?,
         diffuse: texture("diffuse_texture", &entry.diffuse_texture, base.diffuse)?,
         specular: texture("specular_texture", &entry.specular_texture, base.specular)?,
+        opacity: texture("opacity_texture", &entry.opacity_texture, base.opacity)?,
     })
 }
 
@@ -183,6 +186,7 @@ fn keeps_texture(own: MaterialTextures, entry: &MaterialEntry) -> bool {
         (own.ambient, &entry.ambient_texture),
         (own.diffuse, &entry.diffuse_texture),
         (own.specular, &entry.specular_texture),
+        (own.opacity, &entry.opacity_texture),
     ];
     pairs.iter().any(|(own, replaced)| own.is_some() && replaced.is_none())
 }

@@ -348,12 +348,16 @@ fn rich_experiment() -> Experiment {
     experiment
 }
 
-/// A texture on the mesh `Tree`.
+/// Textures on the mesh `Tree`.
 fn add_texture(scene: &mut Scene) {
     let (name, wrap) = ("Wood/2".to_owned(), Wrap::Mirror);
     scene.textures.push(TextureObject { name, width: 2, height: 1, wrap });
     scene.parameters.textures.push(vec![[0.25, 0.5, 1.0], [0.0, f64::from(0.1_f32), 7.0]]);
-    let textures = MaterialTextures { specular: Some(0), ..MaterialTextures::default() };
+    let (name, wrap) = ("Holes".to_owned(), Wrap::Repeat);
+    scene.textures.push(TextureObject { name, width: 1, height: 1, wrap });
+    scene.parameters.textures.push(vec![[0.25, 0.5, 1.0]]);
+    let textures =
+        MaterialTextures { specular: Some(0), opacity: Some(1), ..MaterialTextures::default() };
     scene.materials.push(MaterialObject {
         textures,
         opacity: Some(0),

@@ -3,6 +3,7 @@
 use std::fs;
 
 use glam::DVec3;
+use image::ExtendedColorType;
 
 use super::tests::{CAMERA, LIBRARY, LIGHT, folder};
 use super::*;
@@ -179,4 +180,60 @@ fn opacity_is_of_the_scene_file_or_the_library() {
     );
     let error = parse("").unwrap().find_parameter("material.blue.reflection").unwrap_err();
     assert!(error.starts_with("no parameter `material.blue.reflection`"), "{error}");
+}
+
+/// The picture of a leaf gives its colours and, by its alpha, where it is; a grey picture is a mask.
+#[test]
+fn opacity_may_vary() {
+    let folder = folder();
+    let save = |name: &str, bytes: &[u8], color| {
+        let path = folder.path().join(name);
+        image::save_buffer(path, bytes, 2, 1, color).unwrap();
+    };
+    save("leaf.png", &[255, 0, 0, 255, 0, 255, 0, 51], ExtendedColorType::Rgba8);
+    save("mask.png", &[51, 255], ExtendedColorType::L8);
+    save("white.png", &[255, 255], ExtendedColorType::L8);
+    let mesh = "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nusemtl leaf\nf 1/1 2/1 3/1\n";
+    fs::write(folder.path().join("a.obj"), mesh).unwrap();
+    let scene = |library: &str, rest: &str| {
+        fs::write(folder.path().join("a.mtl"), format!("newmtl leaf\n{library}")).unwrap();
+        let text = format!("{CAMERA}{LIGHT}[[mesh]]\npath = \"a.obj\"\n{rest}");
+        Experiment::parse(&text, folder.path(), "s.toml")
+    };
+    let varied = |library: &str, rest: &str| {
+        let Experiment { scene, warnings, .. } = scene(library, rest).unwrap();
+        let worn = scene.materials[0].textures.opacity.map(|texture| texture as usize);
+        let name = worn.map(|texture| scene.textures[texture].name.clone()).unwrap_or_default();
+        let texels = worn.map_or(Vec::new(), |texture| {
+            scene.parameters.textures[texture].iter().map(|t| (t[0] * 255.0).round()).collect()
+        });
+        (scene.parameters.opacities, name, texels, warnings.len())
+    };
+    let own = |opacity: f64, name: &str, texels: [f64; 2]| {
+        (vec![opacity], name.to_owned(), texels.to_vec(), 0)
+    };
+    let leaf = "map_Kd leaf.png\nmap_d leaf.png\n";
+    assert_eq!(varied(leaf, ""), own(1.0, "leaf_opacity", [255.0, 51.0]));
+    assert_eq!(varied("d 0.5\nmap_d mask.png\n", ""), own(0.5, "mask_opacity", [51.0, 255.0]));
+    // What covers everything is opaque; a file that is missing counts as white.
+    assert_eq!(varied("map_d white.png\n", ""), (vec![], String::new(), vec![], 0));
+    assert_eq!(varied("map_d none.png\n", ""), (vec![], String::new(), vec![], 1));
+    // Its alpha is left out where nothing asks for it.
+    assert_eq!(varied("map_Kd leaf.png\n", ""), (vec![], String::new(), vec![], 1));
+
+    let chosen = "[material.leaf]\nopacity_texture = \"holes\"\n[texture.holes]\npath = \"leaf.png\"\n\
+        channel = \"opacity\"\n";
+    assert_eq!(varied("", chosen), own(1.0, "holes", [255.0, 51.0]));
+    let bright = "[material.leaf]\nopacity = 0.5\nopacity_texture = \"holes\"\n[texture.holes]\n\
+        size = [1, 1]\ncolor = [0.5, 1.5, 0]\n";
+    let error = scene("", bright).unwrap_err().to_string();
+    let expected = "texture.holes.texels: must be at most 1 where they vary opacity, is 1.5";
+    assert!(error.ends_with(expected), "{error}");
+    let error = scene("", "[texture.holes]\nsize = [1, 1]\nchannel = \"opacity\"\n").unwrap_err();
+    let expected = "texture.holes.channel: a texture of one colour has no channels to choose from";
+    assert!(error.to_string().ends_with(expected), "{error}");
+    let mirror = "[material.leaf]\nopacity_texture = \"t\"\nreflection = [1, 1, 1]\n\
+        [texture.t]\nsize = [1, 1]\n";
+    let error = scene("", mirror).unwrap_err().to_string();
+    assert!(error.contains("material.leaf.opacity: a mirror is opaque"), "{error}");
 }

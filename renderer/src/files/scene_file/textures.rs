@@ -4,13 +4,13 @@
 use std::path::Path;
 
 use super::Problem;
-use super::format::{Ordered, TextureEntry};
+use super::format::{ChannelEntry, Ordered, TextureEntry};
 use crate::Error;
 use crate::files::Warning;
-use crate::files::images::{TextureFile, decode_texture};
+use crate::files::images::{TextureFile, decode_coverage, decode_texture};
 use crate::files::io::read;
 use crate::files::meshes::{clean_name, file_stem};
-use crate::files::model::{ModelMaps, TextureImage, TextureSource};
+use crate::files::model::{Channel, ModelMaps, TextureImage, TextureSource};
 use crate::files::names::Names;
 use crate::image::Image;
 use crate::scene::{MOST_PIXELS, MaterialTextures, Scene, TextureObject, Wrap};
@@ -21,7 +21,9 @@ pub(super) struct TextureTable {
     textures: Vec<TextureObject>,
     texels: Vec<Vec<[f64; 3]>>,
     /// Where the texels of each texture are from, if they are not from the scene file.
-    images: Vec<Option<TextureImage>>,
+    images: Vec<Option<(TextureImage, Channel)>>,
+    /// What of images of models covers everything.
+    opaque: Vec<(TextureImage, Channel)>,
     names: Names,
     /// About the images.
     warnings: Vec<Warning>,
@@ -45,8 +47,18 @@ impl TextureTable {
                 }
                 (Some(path), None, None) => {
                     let image = TextureImage::File(folder.join(path));
-                    let texels = table.load(&image, "")?;
-                    table.push(name.clone(), &texels, entry.wrap.into(), image);
+                    let channel = Channel::from(entry.channel);
+                    let is_covered = |(_, other): &(_, TextureEntry)| {
+                        other.path == entry.path && other.channel == ChannelEntry::Opacity
+                    };
+                    let texels = table.load(&image, channel, "", entries.iter().any(is_covered))?;
+                    table.push(name.clone(), &texels, entry.wrap.into(), (image, channel));
+                }
+                (None, Some(_), _) if entry.channel == ChannelEntry::Opacity => {
+                    return refuse(
+                        "channel",
+                        "a texture of one colour has no channels to choose from",
+                    );
                 }
                 (None, Some([0, _] | [_, 0]), _) => {
                     return refuse("size", "must be at least 1 x 1");
@@ -75,29 +87,50 @@ impl TextureTable {
         Ok(table)
     }
 
-    fn push(&mut self, name: String, texels: &Image, wrap: Wrap, image: TextureImage) {
+    fn push(&mut self, name: String, texels: &Image, wrap: Wrap, image: (TextureImage, Channel)) {
         let &Image { width, height, ref pixels } = texels;
         self.textures.push(TextureObject { name, width, height, wrap });
         self.texels.push(pixels.iter().map(|pixel| pixel.map(f64::from)).collect());
         self.images.push(Some(image));
     }
 
-    /// The texels of an image, which an embedding file has at `place`.
-    fn load(&mut self, image: &TextureImage, place: &str) -> Result<Image, Error> {
-        let (texture, place) = match image {
+    /// The texels of an image, which an embedding file has at `place`. Where its alpha is shown by another
+    /// texture, it `is_covered`; else of alpha beside colours is warned.
+    fn load(
+        &mut self,
+        image: &TextureImage,
+        channel: Channel,
+        place: &str,
+        is_covered: bool,
+    ) -> Result<Image, Error> {
+        let read_bytes;
+        let (bytes, place): (&[u8], _) = match image {
             TextureImage::File(path) => {
-                (decode_texture(&read(path)?, path.display())?, path.display().to_string())
+                read_bytes = read(path)?;
+                (&read_bytes, path.display().to_string())
             }
-            TextureImage::Embedded { bytes, .. } => {
-                (decode_texture(bytes, place)?, place.to_owned())
-            }
+            TextureImage::Embedded { bytes, .. } => (bytes, place.to_owned()),
         };
-        let TextureFile { image, is_transparent } = texture;
-        if is_transparent {
-            let problem = "has transparent texels; they are shown opaque";
-            self.warnings.push(Warning::new(place, problem));
+        match channel {
+            Channel::Mask => decode_coverage(bytes, place, true),
+            Channel::Alpha { cutoff } => {
+                let mut coverage = decode_coverage(bytes, place, false)?;
+                if let Some(cutoff) = cutoff {
+                    for alpha in coverage.pixels.as_flattened_mut() {
+                        *alpha = if f64::from(*alpha) < cutoff { 0.0 } else { 1.0 };
+                    }
+                }
+                Ok(coverage)
+            }
+            Channel::Color => {
+                let TextureFile { image, is_transparent } = decode_texture(bytes, &place)?;
+                if is_transparent && !is_covered {
+                    let problem = "has transparent texels; they are shown opaque";
+                    self.warnings.push(Warning::new(place, problem));
+                }
+                Ok(image)
+            }
         }
-        Ok(image)
     }
 
     /// The index of the texture `name`.
@@ -116,25 +149,36 @@ impl TextureTable {
 
     /// The textures of a model's material; those that are not known yet are read.
     pub fn add(&mut self, maps: &ModelMaps) -> Result<MaterialTextures, Error> {
+        let covered = maps.opacity.as_ref().map(|source| &source.image);
         let mut add = |source: &Option<TextureSource>| match source {
-            Some(source) => self.add_source(source),
+            Some(source) => self.add_source(source, covered == Some(&source.image)),
             None => Ok(None),
         };
         Ok(MaterialTextures {
             ambient: add(&maps.ambient)?,
             diffuse: add(&maps.diffuse)?,
             specular: add(&maps.specular)?,
+            opacity: add(&maps.opacity)?,
         })
     }
 
     /// The index of a texture; none if its file is missing, of which is warned: files are often passed
-    /// on without their pictures. A picture that is there and broken is an error.
-    fn add_source(&mut self, source: &TextureSource) -> Result<Option<u32>, Error> {
-        let TextureSource { image, wrap, place } = source;
+    /// on without their pictures. A picture that is there and broken is an error. One that covers
+    /// everything is no texture of an opacity.
+    fn add_source(
+        &mut self,
+        source: &TextureSource,
+        is_covered: bool,
+    ) -> Result<Option<u32>, Error> {
+        let TextureSource { image, channel, wrap, place } = source;
+        let shown = (image.clone(), *channel);
         let known = self.images.iter().zip(&self.textures);
         let mut known = known.map(|(image, texture)| (image.as_ref(), texture.wrap));
-        if let Some(index) = known.position(|known| known == (Some(image), *wrap)) {
+        if let Some(index) = known.position(|known| known == (Some(&shown), *wrap)) {
             return Ok(Some(index as u32));
+        }
+        if self.opaque.contains(&shown) {
+            return Ok(None);
         }
         let name = match image {
             TextureImage::File(path) if !path.is_file() => {
@@ -152,9 +196,19 @@ impl TextureTable {
                 name => name,
             },
         };
+        let texels = self.load(image, *channel, place, is_covered)?;
+        let name = match channel {
+            Channel::Color => name,
+            Channel::Alpha { .. } | Channel::Mask => {
+                if texels.pixels.as_flattened().iter().all(|&x| x == 1.0) {
+                    self.opaque.push(shown);
+                    return Ok(None);
+                }
+                format!("{name}_opacity")
+            }
+        };
         let name = self.names.take(name);
-        let texels = self.load(image, place)?;
-        self.push(name, &texels, *wrap, image.clone());
+        self.push(name, &texels, *wrap, shown);
         Ok(Some((self.textures.len() - 1) as u32))
     }
 

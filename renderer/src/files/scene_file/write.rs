@@ -3,8 +3,8 @@
 use std::path::{Path, PathBuf};
 
 use super::format::{
-    CameraEntry, LightEntry, LightKind, MaterialEntry, MeshEntry, Numbers, OptimizeEntry,
-    ParameterEntry, SceneFile, SphereEntry, TextureEntry,
+    CameraEntry, ChannelEntry, LightEntry, LightKind, MaterialEntry, MeshEntry, Numbers,
+    OptimizeEntry, ParameterEntry, SceneFile, SphereEntry, TextureEntry,
 };
 use crate::Error;
 use crate::atomic_file::write_atomically;
@@ -135,6 +135,7 @@ fn materials(scene: &Scene) -> Vec<(String, MaterialEntry)> {
             ambient_texture: texture(textures.ambient),
             diffuse_texture: texture(textures.diffuse),
             specular_texture: texture(textures.specular),
+            opacity_texture: texture(textures.opacity),
         };
         (name.clone(), entry)
     };
@@ -171,8 +172,13 @@ fn save_textures(scene: &Scene, folder: &Path) -> Result<Vec<(String, TextureEnt
         let pixels = texels.iter().map(|texel| texel.map(|value| value as f32)).collect();
         let image = Image { width: texture.width, height: texture.height, pixels };
         save_exr(&image, &folder.join(&path))?;
-        let wrap = texture.wrap.into();
-        let entry = TextureEntry { path: Some(path), size: None, color: None, wrap };
+        let entry = TextureEntry {
+            path: Some(path),
+            size: None,
+            color: None,
+            wrap: texture.wrap.into(),
+            channel: ChannelEntry::Color,
+        };
         entries.push((texture.name.clone(), entry));
     }
     Ok(entries)

@@ -1,5 +1,9 @@
 //! The work of a gradient on the tiles of the image.
 
+mod crossings;
+mod flow;
+mod surfaces;
+
 use std::cell::Cell;
 use std::mem;
 
@@ -8,22 +12,19 @@ use ad::{Additive, Mask, Tangent, Vec3, select};
 use glam::DVec3;
 
 use super::gradient::Wanted;
-use super::mirrors::{Dark, Sight, blocks, pull_next_ray};
+use super::mirrors::{Dark, Sight};
 use super::prepared::Prepared;
 use super::radiance::{PixelLoss, mean_radiance};
 use super::shade::{LightCotangent, Pulled, Shaded};
 use super::sums::{Slots, StripSums, material_sum};
 use super::tiles::{Strip, Tile, for_each_strip};
 use super::transparency::PulledCover;
-use super::view::{Group, Sample, Shape, View};
+use super::view::{Group, Sample, View};
 use crate::acceleration::{PACKET_RAYS, rays};
 use crate::counts::count;
-use crate::kernels::camera::{Frame, Ray, primary_ray};
-use crate::kernels::sphere::{Sphere, sphere_surface};
-use crate::kernels::surface::SurfacePoint;
-use crate::kernels::texture::{Uv, sphere_uv, triangle_uv};
-use crate::kernels::triangle::triangle_surface;
+use crate::kernels::camera::{Frame, primary_ray};
 use crate::precision::{MOST_LANES, lanes_of_vectors, sum_of_vectors, vectors_of_lanes};
+use flow::{Flow, ToSurface};
 
 /// What the strips of the image add up to, each by itself.
 pub(crate) fn sweep<L: Lanes>(
@@ -173,7 +174,7 @@ impl<'a, L: Lanes, P: PixelLoss> Sweep<'a, L, P> {
         surfaces: &mut Vec<Option<ToSurface<L>>>,
         respond: &mut Respond<'_, L>,
     ) {
-        let Self { prepared, wanted, sums, materials: slots, texels, .. } = self;
+        let Self { prepared, wanted, .. } = *self;
         let (shown, mut to_beyond) = beyond.unzip();
         if let Some(flow) = &mut to_beyond {
             flow.start();
@@ -184,11 +185,12 @@ impl<'a, L: Lanes, P: PixelLoss> Sweep<'a, L, P> {
             let appearance = prepared.appearance(group, &materials);
             let textured = &appearance.textured;
             let shaded = Shaded::new(prepared, group, &appearance, view, shown);
-            let through = Cell::new(None);
+            let (own_cotangent, through) = (Cell::new(None), Cell::new(None));
+            let Self { sums, materials: slots, texels, .. } = self;
             let StripSums { lights, custom_lights, materials: of_materials, .. } = sums;
             let to_light = |light: usize, cotangent: LightCotangent<'_, L>| {
                 if wanted.lights() {
-                    lights[light].add(&cotangent, *wanted);
+                    lights[light].add(&cotangent, wanted);
                 }
             };
             if wanted.surface() {
@@ -204,7 +206,8 @@ impl<'a, L: Lanes, P: PixelLoss> Sweep<'a, L, P> {
                 }
                 let Pulled { material, surface } = pulled;
                 let uv = textured.as_ref().map(|textured| {
-                    textured.pull_back(material, |texel, cotangent| {
+                    let varied = through.get().and_then(|through: PulledCover<L>| through.varied);
+                    textured.pull_back(material, varied, |texel, cotangent| {
                         if wanted.texels {
                             texels.add(&mut sums.texels, texel as usize, cotangent);
                         }
@@ -219,19 +222,14 @@ impl<'a, L: Lanes, P: PixelLoss> Sweep<'a, L, P> {
                     }
                     Some(mirror)
                 });
-                if wanted.opacities {
-                    let opacities = &mut sums.opacities;
-                    if let Some(PulledCover { opacity, .. }) = through.get() {
-                        prepared.pull_opacity(&materials, opacity, opacities);
-                    }
-                    shaded.pull_back_passed(cotangent, |passed, left| {
-                        prepared.pull_passed(group, passed, left, opacities);
-                    });
+                if let Some(PulledCover { plain, .. }) = through.get().filter(|_| wanted.opacities)
+                {
+                    prepared.pull_opacity(&materials, plain, &mut sums.opacities);
                 }
                 if wanted.materials() {
                     for (index, lanes) in materials.iter() {
                         let mask = L::mask_from_bits(lanes);
-                        let mut sum = material_sum(material, mask, *wanted);
+                        let mut sum = material_sum(material, mask, wanted);
                         let mirror = mirror.as_ref().filter(|_| wanted.mirrors);
                         if let Some(mirror) = mirror.filter(|_| prepared.is_opaque(index)) {
                             sum.reflection = sum_of_vectors::<L>(mirror.reflection, mask);
@@ -246,117 +244,23 @@ impl<'a, L: Lanes, P: PixelLoss> Sweep<'a, L, P> {
             let respond = |own| {
                 let (own, pulled) = shaded.pull_back_seen(own, respond(group, shaded.seen(own))?);
                 through.set(pulled);
+                own_cotangent.set(Some(own));
                 Some(own)
             };
             shaded.pull_back(respond, to_light, to_shown);
-        }
-    }
-
-    /// From the surface points of a view to its primitives, and to its rays, whose cotangents
-    /// `to_ray` takes. `beyond` is what flows back from the rays that go on.
-    #[inline]
-    fn pull_surfaces(
-        &mut self,
-        view: &View<L>,
-        beyond: Option<&Flow<L>>,
-        surfaces: &[Option<ToSurface<L>>],
-        mut to_ray: impl FnMut(&Group<L>, Tangent<Ray<L>>),
-    ) {
-        for (group, surface) in view.groups.iter().zip(surfaces) {
-            let Some(ToSurface { mut surface, uv }) = *surface else { continue };
-            count(|counts| &counts.surface_pullbacks, u64::from(group.alive.count_ones()));
-            if let Some(flow) = beyond {
-                let transparent = self.prepared.transparent_among(&self.prepared.materials(group));
-                let cotangent = flow.rays[group.first / L::COUNT];
-                surface.accumulate(pull_next_ray(group, transparent, cotangent));
-            }
-            to_ray(group, self.pull_surface(group, surface, uv));
-        }
-    }
-
-    /// Pulls the cotangents of surface points, and of their places on textures, back to primitives;
-    /// returns that of the rays.
-    #[inline]
-    fn pull_surface(
-        &mut self,
-        group: &Group<L>,
-        mut surface: Tangent<SurfacePoint<L>>,
-        uv: Option<Tangent<Uv<L>>>,
-    ) -> Tangent<Ray<L>> {
-        let prepared = self.prepared;
-        match group.shape {
-            Shape::Triangles => {
-                let corners @ [a, b, c] = prepared.corners(&group.primitives);
-                let mut to_corners = [Vec3::<L>::zero(); 3];
-                if let Some(uv) = uv {
-                    let (to_point, corners) = self.pull_uv(group, corners, uv);
-                    surface.point.accumulate(to_point);
-                    to_corners = corners;
-                }
-                let Self { prepared, wanted, sums, .. } = self;
-                let (_, pullback) = triangle_surface::vjp::<L>(group.ray, a, b, c);
-                let (ray, a, b, c) = pullback(surface);
-                to_corners.accumulate([a, b, c]);
-                if wanted.vertices {
-                    for (triangle, lanes) in group.primitives.iter() {
-                        let mask = L::mask_from_bits(lanes);
-                        let corners = prepared.triangles[triangle].iter().zip(to_corners);
-                        for (&vertex, corner) in corners {
-                            let sum = sum_of_vectors::<L>(corner, mask);
-                            self.vertices.add(&mut sums.vertices, vertex as usize, sum);
-                        }
-                    }
-                }
-                ray
-            }
-            Shape::Custom => prepared.pull_custom_surface(group, surface, &mut self.sums.shapes),
-            Shape::Spheres(leaves) => {
-                let spheres = prepared.spheres(&group.primitives);
-                let mut to_sphere = Tangent::<Sphere<L>>::zero();
-                if let Some(uv) = uv {
-                    let (_, pullback) = sphere_uv::vjp::<L>(group.surface.point, spheres);
-                    let (point, sphere) = pullback(uv);
-                    surface.point.accumulate(point);
-                    to_sphere = sphere;
-                }
-                let Self { prepared, wanted, sums, .. } = self;
-                let (_, pullback) = sphere_surface::vjp::<L>(group.ray, spheres, leaves);
-                let (ray, sphere, ()) = pullback(surface);
-                to_sphere.accumulate(sphere);
-                if wanted.spheres {
-                    for (primitive, lanes) in group.primitives.iter() {
-                        let sum = to_sphere.sum(L::mask_from_bits(lanes));
-                        let index = prepared.sphere_of(primitive);
-                        self.spheres.add(&mut sums.spheres, index, sum);
-                    }
-                }
-                ray
-            }
-        }
-    }
-
-    /// Pulls the cotangent of places on textures back to texture coordinates; returns those of the
-    /// surface points and of the corners of their triangles.
-    fn pull_uv(
-        &mut self,
-        group: &Group<L>,
-        [a, b, c]: [Vec3<L>; 3],
-        cotangent: Tangent<Uv<L>>,
-    ) -> (Vec3<L>, [Vec3<L>; 3]) {
-        let Self { prepared, wanted, sums, .. } = self;
-        let corners = prepared.uv_of_corners(&group.primitives);
-        let (_, pullback) = triangle_uv::vjp::<L>(group.surface.point, a, b, c, corners);
-        let (point, a, b, c, corners) = pullback(cotangent);
-        if wanted.texture_coordinates {
-            for (triangle, lanes) in group.primitives.iter() {
-                let mask = L::mask_from_bits(lanes);
-                let indices = prepared.uv_triangles[triangle].into_iter().flatten();
-                for (uv, corner) in indices.zip(&corners) {
-                    self.uvs.add(&mut sums.uvs, uv as usize, corner.sum(mask));
+            let passed_matters = wanted.opacities || prepared.has_varied_opacity;
+            if let Some(cotangent) = own_cotangent.get().filter(|_| passed_matters) {
+                let mut to_points = Vec3::<L>::zero();
+                shaded.pull_back_passed(cotangent, |light, left| {
+                    to_points.accumulate(self.pull_passed(view, group, light, left));
+                });
+                if let Some(ToSurface { surface, .. }) =
+                    surfaces.last_mut().and_then(Option::as_mut)
+                {
+                    surface.point.accumulate(to_points);
                 }
             }
         }
-        (point, [a, b, c])
     }
 }
 
@@ -398,37 +302,3 @@ fn lanes_that_matter<L: Lanes>(vectors: impl Iterator<Item = (usize, DVec3)>) ->
 
 /// From the radiance of a group to its cotangent, unless that is zero.
 type Respond<'a, L> = dyn FnMut(&Group<L>, Vec3<L>) -> Option<Vec3<L>> + 'a;
-
-/// What flows back to surface points.
-#[derive(Clone, Copy)]
-struct ToSurface<L: Lanes> {
-    surface: Tangent<SurfacePoint<L>>,
-    /// To their places on textures, if they have any.
-    uv: Option<Tangent<Uv<L>>>,
-}
-
-/// What flows back to a view.
-struct Flow<L: Lanes> {
-    /// By group: the cotangents of the surface points, unless they are zero.
-    surfaces: Vec<Option<ToSurface<L>>>,
-    /// The cotangents of the radiance that rays bring which go on, in vectors of lanes.
-    radiance: Vec<Vec3<L>>,
-    /// The cotangents of the rays that go on, in vectors of lanes.
-    rays: Vec<Tangent<Ray<L>>>,
-}
-
-impl<L: Lanes> Default for Flow<L> {
-    fn default() -> Self {
-        Self { surfaces: Vec::new(), radiance: Vec::new(), rays: Vec::new() }
-    }
-}
-
-impl<L: Lanes> Flow<L> {
-    /// Nothing flows yet to a view of rays that go on.
-    fn start(&mut self) {
-        self.radiance.clear();
-        self.radiance.resize(blocks::<L>(), Additive::zero());
-        self.rays.clear();
-        self.rays.resize(blocks::<L>(), Additive::zero());
-    }
-}
