@@ -37,7 +37,7 @@ pub(super) fn pilots_with_rays(
     let pixels = u64::from(scene.width) * u64::from(scene.height);
     let most = most.min((MOST_IN_IMAGE / pixels.max(1)) as u32).max(1);
     let shared = sampler.sampling(RAYS_OF_PILOTS.min(most));
-    let kinds = worth_trying(pilots::pilots(recovery, metric, work, shared), accuracy);
+    let all = pilots::pilots(recovery, metric, work, shared);
     let reference =
         IntegralGradient::within(recovery, metric, sampler, work.most_bounces(), most, accuracy);
     let mut counts = sampler.counts(most);
@@ -46,8 +46,14 @@ pub(super) fn pilots_with_rays(
         counts.drain(..counts.len() - 1);
     }
     let with = |kind: &Setting, count: u32| Setting { sampling: sampler.sampling(count), ..*kind };
-    let mut settings: Vec<Setting> =
-        counts.iter().flat_map(|&count| kinds.iter().map(move |kind| with(kind, count))).collect();
+    let mut settings = Vec::new();
+    for count in counts {
+        match count {
+            // It is one gradient each, so there is no need to guess.
+            1 => settings.extend(all.iter().map(|pilot| with(&pilot.setting, 1))),
+            _ => settings.extend(worth_trying(&all, accuracy).iter().map(|kind| with(kind, count))),
+        }
+    }
     settings.sort_by(|a, b| work.of(a).total_cmp(&work.of(b)));
     let mut pilots = Vec::new();
     for setting in settings {
@@ -63,7 +69,8 @@ pub(super) fn pilots_with_rays(
 /// Which precisions and numbers of mirrors can be within the accuracy, the cheapest first; those left
 /// out that come closer than cheaper ones by less than a tenth of the accuracy. The most accurate if
 /// there is none.
-fn worth_trying(mut pilots: Vec<Pilot>, accuracy: f64) -> Vec<Setting> {
+fn worth_trying(pilots: &[Pilot], accuracy: f64) -> Vec<Setting> {
+    let mut pilots = pilots.to_vec();
     pilots.sort_by(|a, b| a.work.total_cmp(&b.work));
     let mut closest = f64::INFINITY;
     let mut settings = Vec::new();

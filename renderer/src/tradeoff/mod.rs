@@ -1,4 +1,11 @@
+// Where there are no files beside the text, its links lead to the plots below.
+#![doc = "[front]: #plots\n[steps]: #plots\n[rays]: #plots\n[schedules]: #plots\n"]
 #![doc = include_str!("../../docs/tradeoff.md")]
+#![doc = "\n# Plots\n"]
+#![doc = include_str!("../../docs/tradeoff/glossy.svg")]
+#![doc = include_str!("../../docs/tradeoff/glossy-steps.svg")]
+#![doc = include_str!("../../docs/tradeoff/glossy-rays.svg")]
+#![doc = include_str!("../../docs/tradeoff/glossy-schedules.svg")]
 
 mod axis;
 mod cases;

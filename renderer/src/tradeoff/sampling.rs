@@ -79,28 +79,30 @@ pub struct SamplingRuns {
 
 /// The rays per pixel that are compared.
 const COUNTS: [u32; 5] = [1, 4, 16, 64, 256];
-/// And those of the reference's image; its gradient has as many in eight parts.
+/// And those of the reference's image. Its gradient is the mean of as many as are compared, eight
+/// times.
 const REFERENCE_COUNT: u32 = 1024;
 /// Gradients of each setting, each with a seed of its own.
 const SEEDS: u32 = 8;
 /// Settings of more rays in an image are left out.
-const MOST_RAYS: u64 = 1 << 23;
+const MOST_RAYS: u64 = 1 << 21;
 
 /// Gradients with several rays for each pixel, against the one of pixels that are integrals.
 pub fn measure_sampling(recovery: &Recovery<'_>) -> SamplingRuns {
     let scene = recovery.scene();
     let pixels = u64::from(scene.width) * u64::from(scene.height);
-    let most = (MOST_RAYS / pixels.max(1)).clamp(1, u64::from(REFERENCE_COUNT)) as u32;
+    let most_of = |rays: u64, limit: u32| (rays / pixels.max(1)).clamp(1, limit.into()) as u32;
+    let most = most_of(MOST_RAYS, COUNTS[COUNTS.len() - 1]);
     let question = |sampling| {
         let settings = RenderSettings { sampling, ..*recovery.render_settings() };
         Question { recovery, settings }
     };
     let metric = GradientMetric::new(scene, recovery.ids());
     let sampler = Sampler::Sobol;
-    let count = most.min(REFERENCE_COUNT / 4);
-    let integral = IntegralGradient::new(recovery, &metric, sampler, scene.bounces, count);
+    let integral = IntegralGradient::new(recovery, &metric, sampler, scene.bounces, most);
     let image = {
-        let samples = Samples { count: most, seed: u32::MAX, gradient: GradientSamples::Same };
+        let count = most_of(4 * MOST_RAYS, REFERENCE_COUNT);
+        let samples = Samples { count, seed: u32::MAX, gradient: GradientSamples::Same };
         let exact = Adjoint::<f64x8>::new(question(sampler.random(samples)));
         exact.image().expect("the adjoint has an image")
     };

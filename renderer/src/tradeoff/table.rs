@@ -53,7 +53,7 @@ pub fn csv(measurements: &[Measurement]) -> String {
         let bytes = bytes.map_or(String::new(), |bytes| bytes.to_string());
         let image_error = image_error.map_or(String::new(), |error| format!("{error:e}"));
         lines.push(format!(
-            "{},\"{setting}\",{seconds:e},{runs},{bytes},{image_error},{gradient_error:e},{}",
+            "\"{}\",\"{setting}\",{seconds:e},{runs},{bytes},{image_error},{gradient_error:e},{}",
             axis.name(),
             front.contains(&index)
         ));

@@ -185,6 +185,8 @@ fn the_front_holds_what_nothing_beats() {
     let csv = csv(&measurements);
     assert_eq!(csv.lines().count(), 7);
     assert_eq!(csv.lines().filter(|line| line.ends_with(",true")).count(), 3);
+    // Names of axes have commas.
+    assert!(csv.contains("\n\"adjoint\",\"\",1e0,1,,,1e-3,true\n"), "{csv}");
     let svg = tradeoff_svg("a plot", &measurements).unwrap();
     assert!(svg.contains("a plot") && !svg.contains("NaN") && !svg.contains("inf"), "{svg}");
 }
