@@ -180,16 +180,17 @@ impl Function<'_> {
         let seed = names.fresh("result_bar", Span::call_site());
         let lent: Vec<_> = header.lent.iter().map(Option::is_some).collect();
         let sweeps = sweep::sweep(&lowered, parameters, &lent, &seed, &mut names);
-        let sweep::Sweeps { forward, value, pullback, incoming, lent } = sweeps;
+        let sweep::Sweeps { forward, value, pullback, is_inlined, incoming, lent } = sweeps;
         let jvp = self.forward(header, &lowered, &mut names);
         let lent = header.lends().then_some(&lent[..]);
         let pullback = header.pullback(&seed, &incoming, lent, &pullback);
+        let inline = (is_inlined && !header.boxed).then(|| quote!(#[inline(always)]));
         let body = quote! {
             {
                 #[allow(unused_imports)]
                 use ::ad::rt::methods::*;
                 #forward
-                (#value, #pullback)
+                (#value, #inline #pullback)
             }
         };
         Ok((body, jvp))

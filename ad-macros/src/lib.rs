@@ -39,6 +39,7 @@ mod ir;
 mod lending;
 mod lower;
 mod names;
+mod numbers;
 mod operator;
 mod options;
 mod passing;

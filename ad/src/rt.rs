@@ -20,7 +20,7 @@ pub use cotangent::{
     Absorb, At, Constant, Content, Enter, Length, Lent, NotLent, Nothing, Same, Take, at, sum, take,
 };
 pub use kept::{Decrease, Difference, Increase, Negation, Sum};
-pub use products::{Products, ProductsOfFinite, ProductsOutOfLine, rarely, scale};
+pub use products::{Products, ProductsOutOfLine, scale, with_products};
 pub use pullback::{MethodPullback, PullbackOnto};
 pub use tangent::{
     Pass, Slot, copy, pass, pass_part, read, repeated, same_length, still, tangent_of, target,

@@ -18,6 +18,7 @@
 //! scalar); a pushforward as a closure, the mirror of `vjp` (saves what no reverse sweep will read,
 //! and most callers have one tangent).
 
+mod arithmetic;
 mod call;
 mod closure;
 mod flow;
@@ -34,6 +35,7 @@ use quote::quote;
 use crate::ir::{Binding, Block, Operand, Place, Statement, VarId};
 use crate::lower::Lowered;
 use crate::names::Names;
+use crate::numbers::Numbers;
 use crate::primal::Primal;
 use crate::signature::Parameter;
 use uses::Uses;
@@ -72,6 +74,7 @@ pub fn forward(lowered: &Lowered, parameters: &[Parameter], names: &mut Names) -
         names,
         uses: Uses::of(lowered),
         idents: HashMap::new(),
+        scalars: Numbers::new(lowered, parameters),
         numbers: HashSet::new(),
         of_numbers: HashSet::new(),
         tangents: vec![Tangent::Still; lowered.vars.len()],
@@ -106,6 +109,8 @@ struct Writer<'a> {
     uses: Uses,
     /// The names of tangents.
     idents: HashMap<VarId, Ident>,
+    /// The types of those that certainly are numbers.
+    scalars: Numbers<'a>,
     /// The variables that certainly are numbers or vectors, whose tangents are copied by `Copy`.
     numbers: HashSet<VarId>,
     /// The parameters whose elements are.

@@ -25,6 +25,12 @@ impl Writer<'_> {
                 return self.call(var, primal, vjp, *method, arguments);
             }
             Operation::Binary(operator, left, right) => {
+                if let Some(tangent) = self.arithmetic(*operator, *left, *right) {
+                    let value = Primal(&self.lowered.vars).operation(operation, span);
+                    self.numbers.insert(var);
+                    let dot = self.new_dot(var, Tangent::Owned);
+                    return quote!(let #ident = #value; let #dot = #tangent;);
+                }
                 let moves = [left, right].iter().any(|&&var| self.tangents[var] != Tangent::Still);
                 if moves {
                     self.numbers.insert(var);

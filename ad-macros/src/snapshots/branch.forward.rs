@@ -8,19 +8,11 @@ impl softened {
         #[allow(unused_imports)]
         use ::ad::rt::methods::*;
         let (value, value_dot) = if x > limit {
-            let (receiver, receiver_dot) = ::ad::rules::SubPullback::sub_jvp(
-                x,
-                limit,
-                x_dot,
-                limit_dot,
-            );
+            let receiver = x - limit;
+            let receiver_dot = x_dot - limit_dot;
             let (ln_1p, ln_1p_dot) = receiver.ln_1p_jvp(::ad::rt::pass(&receiver_dot));
-            let (sum, sum_dot) = ::ad::rules::AddPullback::add_jvp(
-                limit,
-                ln_1p,
-                limit_dot,
-                ln_1p_dot,
-            );
+            let sum = limit + ln_1p;
+            let sum_dot = limit_dot + ln_1p_dot;
             (sum, sum_dot)
         } else {
             (x, x_dot)

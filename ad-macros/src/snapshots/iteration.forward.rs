@@ -15,19 +15,11 @@ impl newton {
                 a_dot,
                 x_2_dot,
             );
-            let (sum, sum_dot) = ::ad::rules::AddPullback::add_jvp(
-                x_1,
-                quotient,
-                x_1_dot,
-                quotient_dot,
-            );
+            let sum = x_1 + quotient;
+            let sum_dot = x_1_dot + quotient_dot;
             let constant = 0.5;
-            let (product, product_dot) = ::ad::rules::MulPullback::mul_jvp(
-                constant,
-                sum,
-                ::ad::Additive::zero(),
-                sum_dot,
-            );
+            let product = constant * sum;
+            let product_dot = constant * sum_dot;
             x = product;
             x_dot = product_dot;
         }

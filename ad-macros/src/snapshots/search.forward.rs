@@ -20,12 +20,8 @@ impl search {
                 a_1_dot,
                 step_dot,
             );
-            let (sum, sum_dot) = ::ad::rules::AddPullback::add_jvp(
-                product,
-                x,
-                product_dot,
-                x_dot,
-            );
+            let sum = product + x;
+            let sum_dot = product_dot + x_dot;
             a = sum;
             a_dot = sum_dot;
             let value = if a > 10.0 {

@@ -65,7 +65,7 @@ impl Sweeper<'_> {
                 let [left, right] = operands.map(|operand| self.ident(operand));
                 quote_spanned!(span=> #rules.mul_pullback(#left, #right, #cotangent))
             }
-            (BinaryOperator::Div, Some(Products { rules, is_chosen: false, .. }))
+            (BinaryOperator::Div, Some(Products { rules, .. }))
                 if self.are_numbers(left, right) =>
             {
                 let [left, right] = operands.map(|operand| self.ident(operand));

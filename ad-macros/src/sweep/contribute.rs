@@ -2,7 +2,7 @@
 //!
 //! A cotangent begins with the first that flows to it, or with a zero where something flows to a
 //! part of it or from another block. What has no known type goes through the traits of `ad::rt`;
-//! [numbers](super::numbers) are added up as such.
+//! [numbers](crate::numbers) are added up as such.
 
 use std::collections::BTreeSet;
 

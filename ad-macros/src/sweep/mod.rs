@@ -14,7 +14,6 @@ mod closure;
 mod contribute;
 mod cut;
 mod facts;
-mod numbers;
 mod operation;
 mod products;
 mod recompute;
@@ -28,10 +27,10 @@ use quote::quote;
 use crate::ir::{Block, BlockId, Operand, Operation, Place, Statement, Var, VarId};
 use crate::lower::{Lowered, LoweredParameter};
 use crate::names::{self, Names};
+use crate::numbers::Numbers;
 use crate::primal::Primal;
 use crate::signature::Parameter;
 use facts::Facts;
-use numbers::Numbers;
 use products::Products;
 use tape::Tapes;
 
@@ -43,6 +42,8 @@ pub struct Sweeps {
     pub value: TokenStream,
     /// The body of the pullback: the reverse sweep, and the cotangents of the parameters.
     pub pullback: TokenStream,
+    /// Whether the pullback is to be inlined wherever it is called.
+    pub is_inlined: bool,
     /// The names of the cotangents that come in for `&mut` parameters.
     pub incoming: Vec<Ident>,
     /// For each parameter the pattern that takes its cotangent so far, where callers lend it.
@@ -100,6 +101,7 @@ pub fn sweep(
         if is_lent(var) { quote!(mut #cotangent) } else { quote!(_) }
     });
     Sweeps {
+        is_inlined: sweeper.products.as_ref().is_some_and(|products| products.is_inlined),
         lent: patterns.collect(),
         forward: quote!(#regular #top #(#spaces)* #shapes #forward),
         value: body.value,

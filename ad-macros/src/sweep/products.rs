@@ -4,7 +4,9 @@
 //! a `select` did not take), so the pullback of `a * b` compares each cotangent with zero. That
 //! costs up to half of a reverse sweep, and is needed only if a factor is not finite. The forward
 //! sweep therefore finds out whether all factors of all products were finite, and the reverse sweep
-//! is written twice: with plain products, and, out of line, with the comparison.
+//! is compiled twice: with plain products, and, out of line, with the comparison.
+//!
+//! The same holds for quotients of numbers, whose general rule tells a zero denominator apart.
 //!
 //! Few values need to be tested: what is not finite stays so in sums, differences, products and
 //! negations, so if the result of such an operation is finite, all that entered it in the same
@@ -23,23 +25,30 @@ use quote::quote;
 
 use super::Sweeper;
 use super::facts::{Facts, is_element};
-use super::numbers::Numbers;
 use crate::ir::{BinaryOperator, Block, Loop, Operand, Operation, Place, Statement, Var, VarId};
 use crate::lower::Lowered;
 use crate::names::Names;
+use crate::numbers::Numbers;
 
 /// Of fewer products the tests would cost what they save. One in a loop counts for several.
 const MANY_PRODUCTS: usize = 12;
 const WEIGHT_IN_LOOP: usize = 2;
 
 /// Of more products a second reverse sweep, and the comparisons in it, would cost more at compile
-/// time than they are worth: there is one sweep, and the rules are called.
+/// time than they are worth: the sweep is compiled once, and the rules are called.
 const TOO_MANY_PRODUCTS: usize = 200;
+
+/// So many make a pullback that is too large to be inlined on the compiler's own account, and what
+/// it captures would go through memory, which takes the compiler as long as all else: it is told to.
+/// More in one body than this would take it longer still.
+const MOST_INLINED_PRODUCTS: usize = 600;
 
 /// The products of a function with plain pullbacks.
 pub struct Products {
-    /// Whether there are two sweeps.
+    /// Whether the sweep is compiled twice.
     pub is_chosen: bool,
+    /// Whether the pullback is to be inlined wherever it is called.
+    pub is_inlined: bool,
     /// The results to be tested.
     tested: HashSet<VarId>,
     /// The variables to be tested after loops, by the names of the tapes.
@@ -70,6 +79,7 @@ impl Products {
         search.block(&lowered.body, 1);
         (search.weight >= MANY_PRODUCTS).then(|| Self {
             is_chosen: search.count <= TOO_MANY_PRODUCTS,
+            is_inlined: (TOO_MANY_PRODUCTS + 1..=MOST_INLINED_PRODUCTS).contains(&search.count),
             tested: search.tested,
             tested_after: search.tested_after,
             irregular: names.fresh("irregular", proc_macro2::Span::call_site()),
@@ -124,7 +134,7 @@ impl Search<'_> {
     }
 
     fn define(&mut self, var: VarId, operation: &Operation, weight: usize) {
-        let (operands, is_product) = match operation {
+        let (operands, is_tested) = match operation {
             // The partial derivative of a product with a literal is finite.
             Operation::Binary(BinaryOperator::Mul, left, right)
                 if ![left, right]
@@ -141,11 +151,14 @@ impl Search<'_> {
                 right,
             ) => (vec![*left, *right], false),
             Operation::Negate(value) => (vec![*value], false),
+            // A denominator of zero, too, shows in the quotient; an infinite one does not, and does
+            // no harm here, but may do so in a product.
+            operation if self.is_quotient(operation) => (Vec::new(), true),
             _ => return,
         };
         // A test of this result tells of the operands too, unless they were computed in a block
         // that may run without this one.
-        let mut tells = is_product;
+        let mut tells = is_tested;
         for operand in operands {
             if self.vars[operand].block == self.vars[var].block {
                 tells |= self.tested.remove(&operand);
@@ -154,6 +167,13 @@ impl Search<'_> {
         if tells {
             self.tested.insert(var);
         }
+    }
+
+    /// Whether an operation is a quotient of numbers with a pullback of its own for finite ones.
+    fn is_quotient(&self, operation: &Operation) -> bool {
+        matches!(operation, Operation::Binary(BinaryOperator::Div, left, right)
+            if self.numbers.are_numbers([*left, *right])
+                && !self.numbers.is_regular_literal(*right))
     }
 
     /// Finds the variables of `block` that are tested after a loop in it instead of within.
@@ -190,6 +210,9 @@ impl Search<'_> {
                 self.test_terms(sum, *right);
             }
             Some(Operation::Binary(BinaryOperator::Mul, ..)) => {
+                self.tested.insert(result);
+            }
+            Some(operation) if self.is_quotient(operation) => {
                 self.tested.insert(result);
             }
             _ => {}
@@ -317,17 +340,11 @@ impl Sweeper<'_> {
             };
         }
         quote! {
-            if #irregular == 0.0 {
-                let #rules = ::ad::rt::ProductsOfFinite;
-                #reverse
-                #cotangents
-            } else {
-                ::ad::rt::rarely(move || {
-                    let #rules = ::ad::rt::Products;
-                    #reverse
-                    #cotangents
-                })
-            }
+            ::ad::rt::with_products(
+                #irregular,
+                #[inline(always)]
+                move |#rules: ::ad::rt::Products| { #reverse #cotangents },
+            )
         }
     }
 }

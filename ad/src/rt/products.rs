@@ -1,22 +1,36 @@
-//! The kinds of rules of products: a pullback chooses between two of them, that of a very large
-//! function calls the third.
+//! The rules of products and quotients: with the comparison of cotangents with zero, or without it, as a pullback
+//! chooses; a very large function calls them.
 //!
 //! `scale` is half of a rule, for numbers: a cotangent times one factor.
 
-use crate::rules::MulPullback;
+use crate::rules::{MulPullback, quotient_pullback_of_finite};
 use crate::{Differentiable, Real, Tangent};
 
 pub use crate::rules::scale;
 
-/// The rules of products of which some factor may be infinite or NaN.
+/// The rules of products within one reverse sweep.
 #[derive(Clone, Copy)]
-pub struct Products;
+pub struct Products {
+    are_finite: bool,
+}
 
 impl Products {
     /// `cotangent * factor`, and 0 where the cotangent is 0.
     #[inline(always)]
     pub fn scale<S: Real>(self, cotangent: S, factor: S) -> S {
-        scale(cotangent, factor)
+        match self.are_finite {
+            true => cotangent * factor,
+            false => scale(cotangent, factor),
+        }
+    }
+
+    /// The pullback of `a / b`, which is finite where factors are: then `b` is not 0.
+    #[inline(always)]
+    pub fn div_pullback<S: Real>(self, a: S, b: S, cotangent: S) -> (S, S) {
+        match self.are_finite {
+            true => quotient_pullback_of_finite(a, b, cotangent),
+            false => a.div_pullback(b, cotangent),
+        }
     }
 
     /// The pullback of `a * b`.
@@ -27,30 +41,23 @@ impl Products {
         b: B,
         cotangent: Tangent<A::Output>,
     ) -> (Tangent<A>, Tangent<B>) {
-        a.mul_pullback(b, cotangent)
+        match self.are_finite {
+            true => a.mul_pullback_of_finite(b, cotangent),
+            false => a.mul_pullback(b, cotangent),
+        }
     }
 }
 
-/// The rules of products whose factors are finite.
-#[derive(Clone, Copy)]
-pub struct ProductsOfFinite;
-
-impl ProductsOfFinite {
-    /// `cotangent * factor`
-    #[inline(always)]
-    pub fn scale<S: Real>(self, cotangent: S, factor: S) -> S {
-        cotangent * factor
-    }
-
-    /// The pullback of `a * b`.
-    #[inline(always)]
-    pub fn mul_pullback<A: MulPullback<B>, B: Differentiable>(
-        self,
-        a: A,
-        b: B,
-        cotangent: Tangent<A::Output>,
-    ) -> (Tangent<A>, Tangent<B>) {
-        a.mul_pullback_of_finite(b, cotangent)
+/// Runs a reverse sweep: with plain products if `irregular`, a sum over factors and quotients, is 0,
+/// which tells that they are finite, else, out of line, with the comparison.
+///
+/// A closure that is always inlined is written, and checked by the compiler, once, and compiled
+/// twice.
+#[inline(always)]
+pub fn with_products<R>(irregular: f64, reverse: impl FnOnce(Products) -> R) -> R {
+    match irregular == 0.0 {
+        true => reverse(Products { are_finite: true }),
+        false => rarely(move || reverse(Products { are_finite: false })),
     }
 }
 
@@ -83,9 +90,8 @@ impl ProductsOutOfLine {
     }
 }
 
-/// Runs `reverse` out of line.
 #[cold]
 #[inline(never)]
-pub fn rarely<R>(reverse: impl FnOnce() -> R) -> R {
+fn rarely<R>(reverse: impl FnOnce() -> R) -> R {
     reverse()
 }

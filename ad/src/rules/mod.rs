@@ -66,6 +66,7 @@ pub use glam_only::{ExtendRules, GlamRules, TruncateRules, construct};
 pub use matrix::{
     DMat2Rules, DMat3Rules, DMat4Rules, Mat2Rules, Mat3Rules, Mat4Rules, MatrixRules,
 };
+pub(crate) use operators::quotient_pullback_of_finite;
 pub use operators::{
     AddAssignPullback, AddPullback, Arithmetic, DivAssignPullback, DivPullback, Kept,
     MulAssignPullback, MulPullback, NegPullback, Nothing, Operands, RemAssignPullback, RemPullback,

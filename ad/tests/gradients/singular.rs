@@ -463,6 +463,60 @@ fn stale_sum(x: f64, y: f64) -> f64 {
     sum
 }
 
+/// The only infinity is a quotient in a block.
+#[differentiable]
+fn divided(x: f64, y: f64) -> f64 {
+    let many = x * y * y * x + y * y * y * x + x * x * x * y + x * x * y * y;
+    let quotient = y / x;
+    select(x == 0.0, many, quotient + y)
+}
+
+/// The only infinity is a term of a sum.
+#[differentiable]
+fn divided_in_a_sum(x: f64, y: f64) -> f64 {
+    let many = x * y * y * x + y * y * y * x + x * x * x * y + x * x * y * y;
+    let mut sum = 0.0;
+    for _ in 0..3 {
+        sum += y / x;
+    }
+    select(x == 0.0, many, sum)
+}
+
+/// The only infinity is what a loop goes on with.
+#[differentiable]
+fn divided_in_a_loop(x: f64, y: f64) -> f64 {
+    let many = x * y * y * x + y * y * y * x + x * x * x * y + x * x * y * y;
+    let mut state = y;
+    for _ in 0..3 {
+        state = state / x - state;
+    }
+    select(x == 0.0, many, state)
+}
+
+/// Zero cotangents annihilate what denominators of zero make.
+#[test]
+fn quotients_that_are_not_finite() {
+    for (f, grad) in [
+        (divided as fn(f64, f64) -> f64, divided::grad as fn(f64, f64) -> (f64, f64)),
+        (divided_in_a_sum, divided_in_a_sum::grad),
+        (divided_in_a_loop, divided_in_a_loop::grad),
+    ] {
+        assert_eq!(grad(0.0, 3.0), (27.0, 0.0));
+        assert_eq!(grad(-0.0, 3.0), (27.0, 0.0));
+        for (x, y) in [(0.5, 0.7), (-2.0, 1.5)] {
+            let (by_x, by_y) = grad(x, y);
+            let along_x = ad::check::derivative(|x| f(x, y), x, 1e-3);
+            let along_y = ad::check::derivative(|y| f(x, y), y, 1e-3);
+            crate::oracle::assert_close("divided", by_x, along_x.value, 1e-7);
+            crate::oracle::assert_close("divided", by_y, along_y.value, 1e-7);
+        }
+    }
+    // The cotangent of the numerator overflows, the quotient is zero.
+    for grad in [divided::grad, divided_in_a_sum::grad] {
+        assert_eq!(grad(1e-310, 0.0), (0.0, f64::INFINITY));
+    }
+}
+
 /// Zero cotangents annihilate infinite factors of inlined products.
 #[test]
 fn products_that_are_not_finite() {

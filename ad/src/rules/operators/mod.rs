@@ -24,6 +24,7 @@ pub use assigning::{
     SubAssignPullback,
 };
 pub use kept::{Kept, Nothing, Operands};
+pub(crate) use numbers::quotient_pullback_of_finite;
 
 use core::ops::{Add, Div, Mul, Neg, Rem, Sub};
 

@@ -95,6 +95,15 @@ pub(super) fn quotient_pullback<S: Real>(numerator: S, denominator: S, cotangent
     (to_numerator, denominator_cotangent(to_numerator, numerator / denominator))
 }
 
+/// The same, where the quotient is finite and its denominator no zero.
+#[inline(always)]
+pub fn quotient_pullback_of_finite<S: Real>(numerator: S, denominator: S, cotangent: S) -> (S, S) {
+    let quotient = numerator / denominator;
+    let to_numerator = cotangent / denominator;
+    let to_denominator = S::select(quotient.vanishes(), S::zero(), -(to_numerator * quotient));
+    (to_numerator, to_denominator)
+}
+
 /// The cotangent of a denominator. That of the numerator overflows where the denominator is tiny:
 /// a quotient of zero annihilates it.
 #[inline(always)]

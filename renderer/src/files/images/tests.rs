@@ -170,10 +170,8 @@ fn every_kind_of_png_is_read() {
         assert_eq!(decoded.image.pixels, [texture], "{index}");
         assert_eq!(decoded.is_transparent, image != texture, "{index}");
     }
-    let coverage = |color, bits, row: &[u8], is_mask| {
-        let bytes = png(1, color, bits, Some(palette), row);
-        decode_coverage(&bytes, "a.png", is_mask).unwrap().pixels[0]
-    };
+    let coverage =
+        |bytes: &[u8], is_mask| decode_coverage(bytes, "a.png", is_mask).unwrap().pixels[0];
     let level = |level: f64| (level / 255.0) as f32;
     for (color, row, alpha, mask) in [
         (ColorType::Grayscale, &[128][..], 1.0, level(128.0)),
@@ -182,11 +180,13 @@ fn every_kind_of_png_is_read() {
         (ColorType::GrayscaleAlpha, &[128, 51], level(51.0), level(51.0)),
     ] {
         for (is_mask, expected) in [(false, alpha), (true, mask)] {
-            let covered = coverage(color, BitDepth::Eight, row, is_mask);
+            let bytes = png(1, color, BitDepth::Eight, None, row);
+            let covered = coverage(&bytes, is_mask);
             assert!(covered.iter().all(|x| (x - expected).abs() < 1e-6), "{color:?}: {covered:?}");
         }
     }
-    assert_eq!(coverage(ColorType::Indexed, BitDepth::Two, &[0x80], true), [0.2; 3]);
+    let bytes = png(1, ColorType::Indexed, BitDepth::Two, Some(palette), &[0x80]);
+    assert_eq!(coverage(&bytes, true), [0.2; 3]);
     // An index beyond the palette.
     let bytes = png(1, ColorType::Indexed, BitDepth::Two, Some(palette), &[0xc0]);
     fs::write(&path, bytes).unwrap();

@@ -1,8 +1,8 @@
 //! Which variables are certainly a single number, `f32` or `f64`.
 //!
 //! What is a number is known from the types that the user wrote (parameters, annotations), from
-//! literals, and from operators and methods of numbers. The reverse sweep of arithmetic on numbers
-//! is then written as arithmetic (`x_bar += y_bar * c`), as by hand, where it would otherwise go
+//! literals, and from operators and methods of numbers. Both modes of arithmetic on numbers are then
+//! written as arithmetic (`x_bar += y_bar * c`, `y_dot = x_dot * c`), as by hand, where it would otherwise go
 //! through the traits that stand for all types: the reader sees what happens, the compiler has no
 //! obligations to prove, which take most of the time of a large function, and a build without
 //! optimisation calls nothing.
