@@ -6,21 +6,10 @@ use plotters::coord::Shift;
 use plotters::coord::ranged1d::{AsRangedCoord, ValueFormatter};
 use plotters::prelude::*;
 use renderer::Error;
+use renderer::tradeoff::CurveColors;
 
 /// Width and height in pixels.
 const SIZE: (u32, u32) = (900, 540);
-
-/// The colours of the curves, in turn.
-const COLORS: [RGBColor; 8] = [
-    RGBColor(31, 119, 180),
-    RGBColor(214, 39, 40),
-    RGBColor(44, 160, 44),
-    RGBColor(255, 127, 14),
-    RGBColor(148, 103, 189),
-    RGBColor(140, 86, 75),
-    RGBColor(23, 190, 207),
-    RGBColor(90, 90, 90),
-];
 
 /// One curve.
 pub struct Curve {
@@ -102,7 +91,8 @@ where
         .bold_line_style(RGBColor(220, 220, 220))
         .light_line_style(TRANSPARENT)
         .draw()?;
-    for (curve, color) in curves.iter().zip(COLORS.into_iter().cycle()) {
+    for (index, curve) in curves.iter().enumerate() {
+        let color = CurveColors::pick(index);
         let points = || curve.points.iter().filter(|point| point.y > 0.0);
         let line = LineSeries::new(points().map(|p| (p.x, p.y)), color.stroke_width(2));
         chart

@@ -10,23 +10,37 @@
 //! edges that move are missing from every gradient
 //! ([`Differentiability`](crate::scene::Differentiability)).
 //!
+//! Rays through pixels are as given, or chosen too ([`Rays`]). Which of it means something depends on
+//! the target. One that the same renderer made from the same rays is matched by these rays exactly,
+//! and more would aim at another image. The pixels of a photo are integrals: more rays come closer to
+//! their gradient. The error is then the root mean square over several seeds, against a gradient of
+//! far more rays.
+//!
 //! Work is counted, not timed: rays and shaded points, weighted by what the scalar costs. So the same
 //! scene always gets the same settings, and an optimisation that is resumed goes on with those it
 //! began with. Turned down: the time of the pilots, which another program on the machine changes.
 
 mod metric;
 mod pilots;
+mod rays;
+mod reference;
+mod sampler;
 #[cfg(all(test, feature = "cli"))]
 mod tests;
+mod work;
 
 use std::fmt;
 
 pub use metric::GradientMetric;
 #[cfg(feature = "cli")]
 pub(crate) use metric::image_error;
+#[cfg(feature = "cli")]
+pub(crate) use reference::IntegralGradient;
+pub use sampler::Sampler;
+use work::Work;
 
 use crate::arithmetic::Arithmetic;
-use crate::integrator::RenderSettings;
+use crate::integrator::{RenderSettings, Sampling};
 use crate::recovery::Recovery;
 
 /// What a gradient is computed with.
@@ -36,14 +50,37 @@ pub struct Setting {
     pub arithmetic: Arithmetic,
     /// How many mirrors light meets at most.
     pub bounces: u32,
+    /// The rays through a pixel.
+    pub sampling: Sampling,
+}
+
+/// Whether the dial chooses the rays through pixels.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Rays {
+    /// They are those of the problem's [settings](Recovery::render_settings), and so are those of the
+    /// gradient that errors are relative to.
+    Given,
+    /// One through the middle of each pixel, or so many as suit a sampler. Errors are relative to the
+    /// gradient of pixels that are integrals.
+    Chosen {
+        /// Where in the pixel they go.
+        sampler: Sampler,
+        /// More rays through a pixel are not tried, nor more than 2^24 in the image.
+        most: u32,
+    },
 }
 
 impl Setting {
     /// The same problem, with the same target, in this setting.
     pub fn apply<'a>(&self, recovery: &Recovery<'a>) -> Recovery<'a> {
-        let settings =
-            RenderSettings { bounces: Some(self.bounces), ..*recovery.render_settings() };
+        let (bounces, sampling) = (Some(self.bounces), self.sampling);
+        let settings = RenderSettings { bounces, sampling, ..*recovery.render_settings() };
         recovery.computed(self.arithmetic, settings)
+    }
+
+    /// The gradient of a problem as it stands, in this setting.
+    fn gradient(&self, recovery: &Recovery<'_>) -> Vec<f64> {
+        self.apply(recovery).objective().evaluate(&recovery.initial()).gradient
     }
 }
 
@@ -52,7 +89,8 @@ impl Setting {
 pub struct Pilot {
     /// The setting.
     pub setting: Setting,
-    /// The estimated relative error of its gradient.
+    /// The estimated relative error of its gradient. If rays were chosen: the root mean square over
+    /// seeds, plus its standard error.
     pub error: f64,
     /// What a gradient costs, in units of one ray from the camera in single precision.
     pub work: f64,
@@ -65,13 +103,14 @@ pub struct Pick {
     pub accuracy: f64,
     /// What was picked.
     pub best: Pilot,
-    /// All settings that were tried.
+    /// All settings that were tried; if rays were chosen, from the cheapest on to the first that is
+    /// within.
     pub pilots: Vec<Pilot>,
 }
 
 impl Pick {
-    /// Whether the estimated error is within what was asked for. If it is not, no setting has a
-    /// smaller one.
+    /// Whether the estimated error is within what was asked for. If it is not, no setting that was
+    /// tried has a smaller one.
     pub fn is_within(&self) -> bool {
         self.best.error <= self.accuracy
     }
@@ -80,8 +119,17 @@ impl Pick {
 /// The cheapest setting whose estimated relative error of the gradient is at most `accuracy`, or the
 /// most accurate one if there is none. `recovery` is the problem; its target should have been
 /// rendered in double precision, if it is rendered at all.
-pub fn pick(recovery: &Recovery<'_>, accuracy: f64) -> Pick {
-    let pilots = pilots::pilots(recovery, &GradientMetric::new(recovery.scene(), recovery.ids()));
+pub fn pick(recovery: &Recovery<'_>, accuracy: f64, rays: Rays) -> Pick {
+    let metric = GradientMetric::new(recovery.scene(), recovery.ids());
+    let work = Work::new(recovery);
+    let pilots = match rays {
+        Rays::Given => {
+            pilots::pilots(recovery, &metric, &work, recovery.render_settings().sampling)
+        }
+        Rays::Chosen { sampler, most } => {
+            rays::pilots_with_rays(recovery, &metric, &work, (sampler, most), accuracy)
+        }
+    };
     let within = pilots.iter().filter(|pilot| pilot.error <= accuracy);
     let cheapest = within.min_by(|a, b| a.work.total_cmp(&b.work));
     let most_accurate = pilots.iter().min_by(|a, b| a.error.total_cmp(&b.error));
@@ -91,7 +139,16 @@ pub fn pick(recovery: &Recovery<'_>, accuracy: f64) -> Pick {
 
 impl fmt::Display for Setting {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}, {} bounces", self.arithmetic.name(), self.bounces)
+        let Self { arithmetic, bounces, sampling } = self;
+        let rays = sampling.count();
+        let plural = |count: u32| if count == 1 { "" } else { "s" };
+        write!(
+            f,
+            "{}, {bounces} bounce{}, {rays} ray{} per pixel",
+            arithmetic.name(),
+            plural(*bounces),
+            plural(rays)
+        )
     }
 }
 
@@ -116,7 +173,7 @@ impl fmt::Display for Pick {
             let relative = work / best.work;
             write!(
                 f,
-                "  {:<24} error {error:>8.1e}  work {relative:>5.2}{end}",
+                "  {:<38} error {error:>8.1e}  work {relative:>5.2}{end}",
                 setting.to_string()
             )?;
         }

@@ -1,11 +1,12 @@
 //! `--accuracy`
 
+use super::Problem;
 use super::output::print_note;
 use super::sampling::SamplingArguments;
 use crate::Error;
-use crate::accuracy::pick;
+use crate::accuracy::{Rays, pick};
 use crate::arithmetic::{Arithmetic, Precision};
-use crate::experiment::Experiment;
+use crate::experiment::{Experiment, Target};
 use crate::integrator::RenderSettings;
 use crate::recovery::Recovery;
 
@@ -13,13 +14,17 @@ use crate::recovery::Recovery;
 #[derive(clap::Args)]
 pub(super) struct Dial {
     /// Take the cheapest settings whose gradient is off by so much at most, relative to its length:
-    /// tried on the scene itself, in place of --precision and --lanes
+    /// tried on the scene itself, in place of --precision and --lanes; if the target is an image file,
+    /// in place of --samples too
     #[arg(long, value_name = "E", value_parser = accuracy)]
     accuracy: Option<f64>,
 
     #[command(flatten)]
     sampling: SamplingArguments,
 }
+
+/// More rays through a pixel are not chosen.
+const MOST_RAYS: u32 = 256;
 
 fn accuracy(text: &str) -> Result<f64, String> {
     match text.parse() {
@@ -33,29 +38,40 @@ impl Dial {
     /// the default arithmetic.
     pub fn recovery<'a>(
         &self,
+        problem: &Problem,
         experiment: &'a Experiment,
-        place: &str,
         chosen: Option<Arithmetic>,
     ) -> Result<Recovery<'a>, Error> {
+        let place = problem.scene.display().to_string();
         let settings =
             RenderSettings { sampling: self.sampling.sampling(), ..RenderSettings::default() };
+        let in_arithmetic = |arithmetic| {
+            let recovery = Recovery::with_settings(experiment, &place, arithmetic, settings)?;
+            Ok::<_, Error>(problem.allowing(recovery))
+        };
         let Some(accuracy) = self.accuracy else {
-            return Recovery::with_settings(
-                experiment,
-                place,
-                chosen.unwrap_or_default(),
-                settings,
-            );
+            return in_arithmetic(chosen.unwrap_or_default());
         };
         if chosen.is_some() {
             let problem = "picks precision and lanes itself; leave out --precision and --lanes";
             return Err(Error::new("--accuracy", problem));
         }
-        let double = Arithmetic::fastest(Precision::F64);
-        let exact = Recovery::with_settings(experiment, place, double, settings)?;
+        let exact = in_arithmetic(Arithmetic::fastest(Precision::F64))?;
         exact.evaluate()?;
-        let pick = pick(&exact, accuracy);
+        let pick = pick(&exact, accuracy, self.rays(experiment));
         print_note(&pick);
         Ok(pick.best.setting.apply(&exact))
+    }
+
+    /// The pixels of a photo are integrals, so how many rays come close enough to them can be told.
+    /// A target that is rendered here has the rays that are given, and is matched by these.
+    fn rays(&self, experiment: &Experiment) -> Rays {
+        let target = experiment.optimize.as_ref().and_then(|section| section.target.as_ref());
+        match target {
+            Some(Target::Image(_)) if self.sampling.is_open() => {
+                Rays::Chosen { sampler: self.sampling.sampler, most: MOST_RAYS }
+            }
+            _ => Rays::Given,
+        }
     }
 }

@@ -34,9 +34,7 @@ pub(super) struct Arguments {
 
 pub(super) fn run(arguments: &Arguments, chosen: Option<Arithmetic>) -> Result<(), Error> {
     let experiment = arguments.problem.load()?;
-    let place = arguments.problem.scene.display().to_string();
-    let recovery = arguments.dial.recovery(&experiment, &place, chosen)?;
-    let recovery = arguments.problem.allowing(recovery);
+    let recovery = arguments.dial.recovery(&arguments.problem, &experiment, chosen)?;
     let scene = &experiment.scene;
     let Evaluation { loss, gradient } = recovery.evaluate()?;
     recovery.left_out().iter().for_each(print_warning);

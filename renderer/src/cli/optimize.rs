@@ -75,9 +75,7 @@ pub(super) fn run(arguments: &Arguments, chosen: Option<Arithmetic>) -> Result<(
         _ => None,
     };
     check_out_folder(&out, [Some(scene_path.as_path()), target].into_iter().flatten())?;
-    let place = scene_path.display().to_string();
-    let recovery = arguments.dial.recovery(&experiment, &place, chosen)?;
-    let recovery = arguments.problem.allowing(recovery);
+    let recovery = arguments.dial.recovery(&arguments.problem, &experiment, chosen)?;
     let outcome = recover(&experiment, &recovery, &out, arguments.resume)?;
     recovery.left_out().iter().for_each(print_warning);
     print(report(&recovery, &outcome, &out))

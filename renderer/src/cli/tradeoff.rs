@@ -12,8 +12,9 @@ use crate::experiment::{Experiment, Target};
 use crate::recovery::{Recovery, domain, natural_scale};
 use crate::scene::{Differentiability, ParameterId};
 use crate::tradeoff::{
-    Curve, Measurement, ScheduleRun, Titles, Tradeoff, best_step, csv, curves_svg, measure,
-    measure_sampling, measure_schedules, sampling_table, steps, table, tradeoff_svg,
+    Curve, Measurement, SamplingRuns, ScheduleRun, Titles, Tradeoff, best_step, csv, curves_svg,
+    measure, measure_sampling, measure_schedules, sampling_csv, sampling_curves, sampling_table,
+    steps, table, tradeoff_svg,
 };
 
 #[derive(clap::Args)]
@@ -25,7 +26,7 @@ pub(super) struct Arguments {
     #[arg(long, default_value_t = 0.3, value_name = "SECONDS", value_parser = super::bench::seconds)]
     seconds: f64,
 
-    /// Folder for the table (CSV) and the plot (SVG) [default: out/tradeoff]
+    /// Folder for tables (CSV) and plots (SVG) [default: out/tradeoff]
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
 }
@@ -55,12 +56,9 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Error> {
     print_tradeoff(&recovery, &tradeoff)?;
     let samplings = measure_sampling(&recovery);
     print(sampling_table(&samplings))?;
-    print(
-        "Against many more rays. Bias: the mean over 8 seeds; spread: single ones about that mean; off: both.",
-    )?;
     let runs = measure_schedules(&recovery, &recovery.settings())?;
     print_schedules(&runs)?;
-    save(&out, &stem(&arguments.problem.scene), &tradeoff.measurements, &runs)?;
+    save(&out, &stem(&arguments.problem.scene), &tradeoff.measurements, &samplings, &runs)?;
     print(format_args!("table and plots in {}", out.display()))
 }
 
@@ -100,6 +98,7 @@ fn save(
     out: &Path,
     name: &str,
     measurements: &[Measurement],
+    samplings: &SamplingRuns,
     runs: &[ScheduleRun],
 ) -> Result<(), Error> {
     std::fs::create_dir_all(out)
@@ -116,6 +115,13 @@ fn save(
         vertical: "relative error of the gradient",
     };
     write("-steps.svg", &curves_svg(&titles, &steps(measurements))?)?;
+    write("-rays.csv", &sampling_csv(samplings))?;
+    let titles = Titles {
+        caption: &format!("{name}: gradients from several rays per pixel"),
+        horizontal: "rays per pixel",
+        vertical: "relative error of the gradient",
+    };
+    write("-rays.svg", &curves_svg(&titles, &sampling_curves(samplings))?)?;
     if runs.is_empty() {
         return Ok(());
     }
@@ -124,8 +130,13 @@ fn save(
         horizontal: "seconds",
         vertical: "distance of the parameters, 1 at the start",
     };
-    let curve = |run: &ScheduleRun| Curve { label: run.name(), points: run.way.clone() };
-    let curves: Vec<Curve> = runs.iter().map(curve).collect();
+    let curve = |(color, run): (usize, &ScheduleRun)| Curve {
+        label: run.name(),
+        points: run.way.clone(),
+        color,
+        is_dashed: false,
+    };
+    let curves: Vec<Curve> = runs.iter().enumerate().map(curve).collect();
     write("-schedules.svg", &curves_svg(&titles, &curves)?)
 }
 

@@ -4,11 +4,13 @@ use ad::lanes::{f32x16, f64x8};
 use glam::DVec3;
 
 use super::axis::Axis;
-use super::engine::{Adjoint, Differences, Engine, Question, ReplayMode, Replayed};
+use super::engine::{
+    Adjoint, Differences, Engine, Geometry, ImageFirst, Question, ReplayMode, Replayed, is_geometry,
+};
 use super::measurement::Case;
 use crate::acceleration::Effort;
 use crate::accuracy::GradientMetric;
-use crate::arithmetic::{Arithmetic, with_arithmetic};
+use crate::arithmetic::{Arithmetic, Precision, with_arithmetic};
 use crate::integrator::{RenderSettings, Visibility};
 use crate::recovery::Recovery;
 use crate::scene::ParameterId;
@@ -37,9 +39,12 @@ pub(super) fn cases<'a>(
 
     for arithmetic in Arithmetic::ALL {
         let engine: Box<dyn Engine + 'a> =
-            with_arithmetic!(arithmetic, L => Box::new(Adjoint::<L>::new(question, false)));
+            with_arithmetic!(arithmetic, L => Box::new(Adjoint::<L>::new(question)));
         push(Axis::Arithmetic, arithmetic.name().to_owned(), engine, None);
     }
+
+    let image_first = Box::new(ImageFirst::<f32x16>::new(question));
+    push(Axis::Engine, "image, then adjoint, f32x16".into(), image_first, None);
 
     let pixels = scene.width as usize * scene.height as usize;
     let elements = sampled(metric.count());
@@ -65,6 +70,12 @@ pub(super) fn cases<'a>(
         }
         replay("tape per 64 pixels, f64", ReplayMode::Tape(64), None);
         replay("dual numbers, f64", ReplayMode::Forward(elements.clone()), among.clone());
+        for (setting, sums) in
+            [("dual numbers, f32", Precision::F64), ("the same, sums in f32", Precision::F32)]
+        {
+            let mode = ReplayMode::SingleForward(elements.clone(), sums);
+            replay(setting, mode, among.clone());
+        }
     } else {
         remarks.push(
             "no tape and no dual numbers: the scene has shapes or lights of its user's own".into(),
@@ -79,34 +90,31 @@ pub(super) fn cases<'a>(
             continue;
         }
         let settings = RenderSettings { visibility, ..settings };
-        let engine = Box::new(Adjoint::<f32x16>::new(Question { settings, ..question }, false));
+        let engine = Box::new(Adjoint::<f32x16>::new(Question { settings, ..question }));
         push(Axis::Visibility, format!("{name}, f32x16"), engine, None);
     }
-    let moves = |id: &ParameterId| {
-        use ParameterId::*;
-        matches!(id, Vertices(_) | SphereCenter(_) | SphereRadius(_))
-    };
-    let is_moving = recovery.ids().iter().any(moves);
+    let is_moving = recovery.ids().iter().any(is_geometry);
     for effort in Effort::ALL {
         let settings = RenderSettings { effort, ..settings };
-        let mut tree = |rebuilds: bool, when: &str| {
+        let mut tree = |geometry, when: &str| {
             let question = Question { settings, ..question };
-            let engine = Box::new(Adjoint::<f32x16>::new(question, rebuilds));
+            let engine = Box::new(Adjoint::<f32x16>::with_geometry(question, geometry));
             push(Axis::Tree, format!("{} effort{when}, f32x16", effort.name()), engine, None);
         };
         if effort != Effort::default() {
-            tree(false, "");
+            tree(Geometry::AsAsked, "");
         }
-        if is_moving {
-            tree(true, ", anew");
+        if !is_moving {
+            tree(Geometry::Fitted, ", fitted");
         }
+        tree(Geometry::Anew, ", anew");
     }
     let is_mirror = |i: usize| scene.parameters.materials[i].reflection != DVec3::ZERO;
     let goes_on = |i: usize| is_mirror(i) || scene.materials[i].opacity.is_some();
     let has_bounces = (0..scene.materials.len()).any(goes_on);
     for bounces in if has_bounces { 0..scene.bounces } else { 0..0 } {
         let settings = RenderSettings { bounces: Some(bounces), ..settings };
-        let engine = Box::new(Adjoint::<f32x16>::new(Question { settings, ..question }, false));
+        let engine = Box::new(Adjoint::<f32x16>::new(Question { settings, ..question }));
         push(Axis::Bounces, format!("{bounces} bounces, f32x16"), engine, None);
     }
     cases.extend(differences(question, metric, &elements, among.as_ref()));

@@ -1,10 +1,14 @@
 //! The ways to a gradient.
 
 use ad::lanes::Lanes;
+use glam::{DVec3, Vec3};
 
 use super::replay::Replay;
+use crate::arithmetic::Precision;
 use crate::image::Image;
-use crate::integrator::{Path, Prepared, RenderSettings, Sampling, Wanted, gradient, loss, render};
+use crate::integrator::{
+    Path, PixelLoss, Prepared, RenderSettings, Sampling, Wanted, gradient, loss, render,
+};
 use crate::loss::ImageLoss;
 use crate::recovery::Recovery;
 use crate::scene::{ParameterId, Parameters, Scene};
@@ -48,14 +52,36 @@ impl<'a> Question<'a> {
         Prepared::with_settings(self.scene(), self.settings)
     }
 
-    /// The parameters, each by a hair away from where it is.
-    fn moved(&self) -> Parameters {
+    /// The parameters, each by a hair away from where it is; if `geometry` says so, all spheres and
+    /// vertices, too.
+    fn moved(&self, geometry: Geometry) -> Parameters {
+        let mut ids = self.ids().to_vec();
+        if geometry != Geometry::AsAsked {
+            ids.extend(self.scene().parameter_ids().into_iter().filter(is_geometry));
+        }
         let mut parameters = self.scene().parameters.clone();
-        for &id in self.ids() {
+        for id in ids {
             parameters.get_mut(id).iter_mut().for_each(|value| *value *= 1.0 + 1e-9);
         }
         parameters
     }
+}
+
+/// Whether the tree depends on a parameter.
+pub(super) fn is_geometry(id: &ParameterId) -> bool {
+    use ParameterId::*;
+    matches!(id, Vertices(_) | SphereCenter(_) | SphereRadius(_))
+}
+
+/// What happens to spheres and meshes between gradients.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Geometry {
+    /// Those move that are asked for, and the tree is fitted to them.
+    AsAsked,
+    /// All move, and the tree is fitted to them.
+    Fitted,
+    /// All move, and the tree is built anew.
+    Anew,
 }
 
 /// The generated adjoint: one pass for all derivatives.
@@ -63,13 +89,17 @@ pub(super) struct Adjoint<'a, L: Lanes> {
     question: Question<'a>,
     prepared: Prepared<'a, L>,
     moved: Parameters,
-    /// Whether the tree is built anew for every gradient, instead of being fitted.
-    rebuilds: bool,
+    geometry: Geometry,
 }
 
 impl<'a, L: Lanes> Adjoint<'a, L> {
-    pub fn new(question: Question<'a>, rebuilds: bool) -> Self {
-        Self { question, prepared: question.prepared(), moved: question.moved(), rebuilds }
+    pub fn new(question: Question<'a>) -> Self {
+        Self::with_geometry(question, Geometry::AsAsked)
+    }
+
+    pub fn with_geometry(question: Question<'a>, geometry: Geometry) -> Self {
+        let moved = question.moved(geometry);
+        Self { question, prepared: question.prepared(), moved, geometry }
     }
 }
 
@@ -81,9 +111,9 @@ impl<L: Lanes> Engine for Adjoint<'_, L> {
     fn gradient(&mut self) -> Vec<f64> {
         let Question { recovery, .. } = self.question;
         let scene = recovery.scene();
-        match self.rebuilds {
-            true => self.prepared = self.question.prepared(),
-            false => self.prepared.set_parameters(&scene.parameters),
+        match self.geometry {
+            Geometry::Anew => self.prepared = self.question.prepared(),
+            _ => self.prepared.set_parameters(&scene.parameters),
         }
         let result = gradient(&self.prepared, &recovery.loss(), Wanted::by(recovery.ids()));
         recovery.ids().iter().flat_map(|&id| result.gradient.get(id)).copied().collect()
@@ -91,6 +121,54 @@ impl<L: Lanes> Engine for Adjoint<'_, L> {
 
     fn image(&self) -> Option<Image> {
         Some(render(&self.prepared))
+    }
+}
+
+/// The image first, then the derivative of the loss by it, then the adjoint along the same rays, which
+/// are traced again: what a loss takes that is no sum over pixels.
+pub(super) struct ImageFirst<'a, L: Lanes> {
+    question: Question<'a>,
+    prepared: Prepared<'a, L>,
+    moved: Parameters,
+}
+
+impl<'a, L: Lanes> ImageFirst<'a, L> {
+    pub fn new(question: Question<'a>) -> Self {
+        let moved = question.moved(Geometry::AsAsked);
+        Self { question, prepared: question.prepared(), moved }
+    }
+}
+
+impl<L: Lanes> Engine for ImageFirst<'_, L> {
+    fn leave(&mut self) {
+        self.prepared.set_parameters(&self.moved);
+    }
+
+    fn gradient(&mut self) -> Vec<f64> {
+        let Question { recovery, .. } = self.question;
+        self.prepared.set_parameters(&recovery.scene().parameters);
+        let image = render(&self.prepared);
+        let loss = recovery.loss();
+        let places = (0..image.height).flat_map(|y| (0..image.width).map(move |x| (x, y)));
+        let pixels = places.zip(&image.pixels);
+        let cotangents = pixels
+            .map(|((x, y), &pixel)| loss.evaluate(x, y, Vec3::from_array(pixel).as_dvec3()).1);
+        let cotangents = Cotangents { width: image.width, pixels: cotangents.collect() };
+        let result = gradient(&self.prepared, &cotangents, Wanted::by(recovery.ids()));
+        recovery.ids().iter().flat_map(|&id| result.gradient.get(id)).copied().collect()
+    }
+}
+
+/// The loss whose derivative by each pixel is given.
+struct Cotangents {
+    width: u32,
+    pixels: Vec<DVec3>,
+}
+
+impl PixelLoss for Cotangents {
+    fn evaluate(&self, x: u32, y: u32, radiance: DVec3) -> (f64, DVec3) {
+        let cotangent = self.pixels[(y * self.width + x) as usize];
+        (radiance.dot(cotangent), cotangent)
     }
 }
 
@@ -134,6 +212,8 @@ impl<L: Lanes> Engine for Differences<'_, L> {
 pub(super) enum ReplayMode {
     /// Dual numbers: all paths once for each of these numbers.
     Forward(Vec<usize>),
+    /// The same in single precision, with sums over pixels in the precision given.
+    SingleForward(Vec<usize>, Precision),
     /// A tape for each so many pixels.
     Tape(usize),
 }
@@ -160,7 +240,12 @@ impl<L: Lanes> Engine for Replayed<'_, L> {
         let paths: Vec<Path> = crate::integrator::paths(&self.prepared, Wanted::by(ids));
         let replay = Replay { scene, ids, paths: &paths, loss: &self.question.loss() };
         match &self.mode {
-            ReplayMode::Forward(elements) => replay.by_forward_mode(elements),
+            ReplayMode::Forward(elements) => {
+                replay.by_forward_mode::<f64>(elements, Precision::F64)
+            }
+            ReplayMode::SingleForward(elements, sums) => {
+                replay.by_forward_mode::<f32>(elements, *sums)
+            }
             ReplayMode::Tape(chunk) => replay.by_tape(*chunk),
         }
     }

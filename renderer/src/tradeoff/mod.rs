@@ -1,4 +1,11 @@
+// Where there are no files beside the text, its links lead to the plots below.
+#![doc = "[front]: #plots\n[steps]: #plots\n[rays]: #plots\n[schedules]: #plots\n"]
 #![doc = include_str!("../../docs/tradeoff.md")]
+#![doc = "\n# Plots\n"]
+#![doc = include_str!("../../docs/tradeoff/glossy.svg")]
+#![doc = include_str!("../../docs/tradeoff/glossy-steps.svg")]
+#![doc = include_str!("../../docs/tradeoff/glossy-rays.svg")]
+#![doc = include_str!("../../docs/tradeoff/glossy-schedules.svg")]
 
 mod axis;
 mod cases;
@@ -20,8 +27,11 @@ use measurement::{Reference, measure_in_turns};
 
 pub use axis::Axis;
 pub use measurement::Measurement;
-pub use plot::{Curve, Titles, curves_svg, tradeoff_svg};
-pub use sampling::{SamplingRun, measure_sampling, sampling_table};
+pub use plot::{Curve, CurveColors, Titles, curves_svg, tradeoff_svg};
+pub use sampling::{
+    RayPlaces, SamplingRun, SamplingRuns, measure_sampling, sampling_csv, sampling_curves,
+    sampling_table,
+};
 pub use schedules::{ScheduleRun, measure_schedules};
 pub use table::{best_step, csv, pareto_front, steps, table};
 #[cfg(test)]
@@ -51,7 +61,7 @@ pub fn measure(recovery: &Recovery<'_>, seconds: f64) -> Tradeoff {
     let scene = recovery.scene();
     let metric = GradientMetric::new(scene, recovery.ids());
     let settings = RenderSettings { visibility: Visibility::Tree, ..RenderSettings::default() };
-    let mut exact = Adjoint::<f64x8>::new(Question { recovery, settings }, false);
+    let mut exact = Adjoint::<f64x8>::new(Question { recovery, settings });
     let gradient = exact.gradient();
     let image = exact.image().expect("the adjoint has an image");
     let (mut cases, remarks) = cases(recovery, &metric);

@@ -2,6 +2,7 @@
 
 use plotters::coord::cartesian::Cartesian2d;
 use plotters::coord::combinators::LogCoord;
+use plotters::element::DashedPathElement;
 use plotters::prelude::*;
 
 use super::axis::Axis;
@@ -12,19 +13,30 @@ use crate::Error;
 /// Width and height in pixels.
 const SIZE: (u32, u32) = (900, 560);
 
+/// Pixels of a dash, between dashes, and of the line in a legend.
+const DASH: u32 = 5;
+const GAP: u32 = 4;
+const LEGEND_LINE: u32 = 18;
+
 /// Errors are drawn from rounding in double precision up to 1: what is beyond, is drawn there.
 const ERRORS: (f64, f64) = (1e-16, 1.0);
 
-const COLORS: [RGBColor; 8] = [
-    RGBColor(31, 119, 180),
-    RGBColor(214, 39, 40),
-    RGBColor(44, 160, 44),
-    RGBColor(255, 127, 14),
-    RGBColor(148, 103, 189),
-    RGBColor(150, 150, 150),
-    RGBColor(23, 190, 207),
-    RGBColor(140, 86, 75),
-];
+/// Colours of curves that can be told apart on white. Turned down: plotters' `Palette99`, of whose
+/// first eight colours yellow and cyan can hardly be seen there.
+pub struct CurveColors;
+
+impl Palette for CurveColors {
+    const COLORS: &'static [(u8, u8, u8)] = &[
+        (31, 119, 180),
+        (214, 39, 40),
+        (44, 160, 44),
+        (255, 127, 14),
+        (148, 103, 189),
+        (140, 86, 75),
+        (23, 190, 207),
+        (110, 110, 110),
+    ];
+}
 
 /// One line of a plot: errors over something.
 #[derive(Clone, Debug, PartialEq)]
@@ -33,10 +45,14 @@ pub struct Curve {
     pub label: String,
     /// Something, and the error there. What is not above 0 is left out of a plot.
     pub points: Vec<(f64, f64)>,
+    /// Which of the [`CurveColors`].
+    pub color: usize,
+    /// Whether the line is dashed.
+    pub is_dashed: bool,
 }
 
 impl Curve {
-    fn drawable(&self) -> impl Iterator<Item = (f64, f64)> {
+    fn drawable(&self) -> impl Iterator<Item = (f64, f64)> + Clone {
         let above = self.points.iter().filter(|(x, _)| *x > 0.0);
         above.map(|&(x, error)| (x, error.clamp(ERRORS.0, ERRORS.1)))
     }
@@ -82,10 +98,16 @@ pub fn curves_svg(titles: &Titles<'_>, curves: &[Curve]) -> Result<String, Error
     svg(|area| {
         let points: Vec<_> = curves.iter().flat_map(Curve::drawable).collect();
         let mut chart = axes(area, titles, &points)?;
-        for (curve, color) in curves.iter().zip(COLORS.into_iter().cycle()) {
-            let line = LineSeries::new(curve.drawable(), color.stroke_width(2));
-            chart.draw_series(line)?.label(&curve.label).legend(move |(x, y)| {
-                PathElement::new([(x, y), (x + 18, y)], color.stroke_width(2))
+        for curve in curves {
+            let style = CurveColors::pick(curve.color).stroke_width(2);
+            let series = if curve.is_dashed {
+                chart.draw_series(DashedLineSeries::new(curve.drawable(), DASH, GAP, style))?
+            } else {
+                chart.draw_series(LineSeries::new(curve.drawable(), style))?
+            };
+            let dash = if curve.is_dashed { DASH } else { LEGEND_LINE };
+            series.label(&curve.label).legend(move |(x, y)| {
+                DashedPathElement::new([(x, y), (x + LEGEND_LINE as i32, y)], dash, GAP, style)
             });
         }
         legend(&mut chart, SeriesLabelPosition::UpperRight)
@@ -166,7 +188,8 @@ fn draw_measurements<'a, 'b: 'a>(
     front.sort_by(|a, b| a.seconds.total_cmp(&b.seconds));
     let grey = RGBColor(90, 90, 90);
     chart.draw_series(LineSeries::new(front.iter().map(|m| place(m)), grey.stroke_width(1)))?;
-    for (axis, color) in Axis::ALL.into_iter().zip(COLORS) {
+    for (index, axis) in Axis::ALL.into_iter().enumerate() {
+        let color = CurveColors::pick(index);
         let points: Vec<_> = measurements.iter().filter(|m| m.axis == axis).map(place).collect();
         if !points.is_empty() {
             let dots = points.iter().map(|&point| Circle::new(point, 4, color.filled()));

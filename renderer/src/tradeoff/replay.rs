@@ -1,16 +1,17 @@
 //! The kernels of the renderer on other scalars: the gradient by forward mode and on a tape.
 //!
 //! What pixels show is taken from the renderer once ([`paths`]) and stays; the kernels are evaluated
-//! along these paths pixel by pixel, in double precision. That gives the interior term, as the
+//! along these paths pixel by pixel. That gives the interior term, as the
 //! generated adjoint does, by code that shares nothing with it but the kernels themselves.
 
-use ad::tape::Recording;
+use ad::tape::{Recording, Var};
 use ad::vector::{Vector, Vector3};
-use ad::{Dual, Vec3};
+use ad::{Dual, Real, Scalar, Vec3};
 use glam::DVec3;
 use rayon::prelude::*;
 
 use super::numbers::{Number, Numbers};
+use crate::arithmetic::Precision;
 use crate::integrator::{Crossing, Path, PixelLoss, Reached, Texture};
 use crate::kernels::camera::{Frame, Ray, frame, primary_ray};
 use crate::kernels::light::{ray_along, ray_to_position};
@@ -39,19 +40,21 @@ enum Primitive {
 }
 
 impl<P: PixelLoss> Replay<'_, P> {
-    /// The derivatives by the numbers with these indices, by dual numbers: all paths once for each.
-    pub fn by_forward_mode(&self, elements: &[usize]) -> Vec<f64> {
+    /// The derivatives by the numbers with these indices, by dual numbers of the scalar `S`: all
+    /// paths once for each. What paths bring is added up in the precision given.
+    pub fn by_forward_mode<S: Scalar>(&self, elements: &[usize], sums: Precision) -> Vec<f64> {
         let along = |&direction: &usize| {
             let pixels = self.paths.par_chunks(CHUNK).map(|paths| {
                 let mut index = 0;
                 let numbers = self.numbers(|value| {
                     let derivative = f64::from(u8::from(index == direction));
                     index += 1;
-                    Dual::new(value, derivative)
+                    Dual::new(S::from_f64(value), S::from_f64(derivative))
                 });
-                self.linear_loss(&numbers, paths).derivative
+                let terms = self.linear_loss(&numbers, paths);
+                sum(terms.map(|term| term.derivative.to_f64()), sums)
             });
-            pixels.collect::<Vec<f64>>().iter().sum()
+            sum(pixels.collect::<Vec<f64>>().into_iter(), sums)
         };
         elements.iter().map(along).collect()
     }
@@ -61,7 +64,8 @@ impl<P: PixelLoss> Replay<'_, P> {
         let chunks = self.paths.par_chunks(chunk).map(|paths| {
             let recording = Recording::start();
             let numbers = self.numbers(|value| recording.variable(value));
-            let cotangents = recording.cotangents(self.linear_loss(&numbers, paths));
+            let loss = self.linear_loss(&numbers, paths).fold(Var::ZERO, |sum, term| sum + term);
+            let cotangents = recording.cotangents(loss);
             let variables = numbers.varying.iter().flat_map(|(_, block)| block);
             variables.map(|&variable| cotangents.by(variable)).collect::<Vec<f64>>()
         });
@@ -81,20 +85,22 @@ impl<P: PixelLoss> Replay<'_, P> {
         Numbers { parameters, varying: self.ids.iter().map(block).collect() }
     }
 
-    /// The sum over paths of the radiance times the derivative of the loss by it: its derivatives
-    /// are those of the loss.
-    fn linear_loss<S: Number>(&self, numbers: &Numbers<'_, S>, paths: &[Path]) -> S {
+    /// By path, the radiance times the derivative of the loss by it: the derivatives of their sum are
+    /// those of the loss.
+    fn linear_loss<S: Number>(
+        &self,
+        numbers: &Numbers<'_, S>,
+        paths: &[Path],
+    ) -> impl Iterator<Item = S> {
         let aspect = f64::from(self.scene.width) / f64::from(self.scene.height);
         let frame = frame::<S>(numbers.camera(), S::from_f64(aspect));
-        let mut sum = S::ZERO;
-        for path in paths {
+        paths.iter().map(move |path| {
             let radiance = self.radiance(numbers, frame, path);
             let [x, y, z] = [radiance.x(), radiance.y(), radiance.z()].map(Number::number);
             let (_, derivative) = self.loss.evaluate(path.x, path.y, DVec3::new(x, y, z));
             let [x, y, z] = derivative.to_array().map(S::from_f64);
-            sum = sum + radiance.dot(Vector3::new(x, y, z));
-        }
-        sum
+            radiance.dot(Vector3::new(x, y, z))
+        })
     }
 
     fn radiance<S: Number>(
@@ -276,6 +282,14 @@ impl<P: PixelLoss> Replay<'_, P> {
         let texels = placed.around(x.number(), y.number());
         let texels = texels.map(|texel| numbers.texel(texture, texel));
         bilinear::<S>(texels, uv, width, height)
+    }
+}
+
+/// A sum, one number after the other.
+fn sum(terms: impl Iterator<Item = f64>, precision: Precision) -> f64 {
+    match precision {
+        Precision::F64 => terms.sum(),
+        Precision::F32 => terms.fold(0.0_f32, |sum, term| sum + term as f32).into(),
     }
 }
 

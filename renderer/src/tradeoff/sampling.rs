@@ -6,7 +6,8 @@ use ad::lanes::{f32x16, f64x8};
 
 use super::engine::{Adjoint, Engine, Question};
 use super::measurement::Reference;
-use crate::accuracy::{GradientMetric, image_error};
+use super::plot::Curve;
+use crate::accuracy::{GradientMetric, IntegralGradient, Sampler, image_error};
 use crate::integrator::{GradientSamples, RenderSettings, Samples, Sampling};
 use crate::recovery::Recovery;
 
@@ -14,9 +15,7 @@ use crate::recovery::Recovery;
 #[derive(Clone, Debug, PartialEq)]
 pub struct SamplingRun {
     /// Where rays go within pixels.
-    pub sampler: &'static str,
-    /// Whether the derivative of the radiance has rays of its own.
-    pub gradient: GradientSamples,
+    pub rays: RayPlaces,
     /// Rays for each pixel.
     pub count: u32,
     /// Seconds of a gradient: the median over the seeds.
@@ -31,57 +30,100 @@ pub struct SamplingRun {
     pub error: f64,
 }
 
-/// The rays per pixel that are compared.
-const COUNTS: [u32; 5] = [1, 4, 16, 64, 256];
-/// And those of the reference.
-const REFERENCE_COUNT: u32 = 1024;
-/// Gradients of each setting, each with a seed of its own.
-const SEEDS: u32 = 8;
-/// Settings of more rays in an image are left out, and the reference has so many at most.
-const MOST_RAYS: u64 = 1 << 23;
+/// Where rays go within pixels.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum RayPlaces {
+    /// One through the middle.
+    Middle,
+    /// Several; whether the derivative of the radiance has rays of its own.
+    Random(Sampler, GradientSamples),
+}
 
-/// A way to place rays.
-type Sampler = fn(Samples) -> Sampling;
+impl RayPlaces {
+    /// The middle, and both samplers with either rays for the derivative.
+    pub fn all() -> impl Iterator<Item = Self> {
+        let random = Sampler::ALL.into_iter().flat_map(|sampler| {
+            let derivatives = [GradientSamples::Same, GradientSamples::Independent];
+            derivatives.map(|gradient| Self::Random(sampler, gradient))
+        });
+        std::iter::once(Self::Middle).chain(random)
+    }
 
-/// Gradients with several rays for each pixel, against one in double precision with many more.
-pub fn measure_sampling(recovery: &Recovery<'_>) -> Vec<SamplingRun> {
-    let scene = recovery.scene();
-    let pixels = u64::from(scene.width) * u64::from(scene.height);
-    let possible = |count: u32| u64::from(count) * pixels <= MOST_RAYS;
-    let settings = |sampling| RenderSettings { sampling, ..*recovery.render_settings() };
-    let reference = {
-        let count = (1..=10).map(|k| 1 << k).take_while(|&count| possible(count)).last();
-        let count = count.unwrap_or(1).min(REFERENCE_COUNT);
-        let samples = Samples { count, seed: u32::MAX, gradient: GradientSamples::Same };
-        let question = Question { recovery, settings: settings(Sampling::Sobol(samples)) };
-        let mut exact = Adjoint::<f64x8>::new(question, false);
-        Reference {
-            metric: GradientMetric::new(scene, recovery.ids()),
-            gradient: exact.gradient(),
-            image: exact.image().expect("the adjoint has an image"),
-        }
-    };
-    let samplers: [(&str, Sampler); 2] =
-        [("stratified", Sampling::Stratified), ("Sobol'", Sampling::Sobol)];
-    let mut runs = Vec::new();
-    for (sampler, sampling) in samplers {
-        for gradient in [GradientSamples::Same, GradientSamples::Independent] {
-            for count in COUNTS.into_iter().filter(|&count| possible(4 * count)) {
-                let of_seed = |seed| settings(sampling(Samples { count, seed, gradient }));
-                let engines = (0..SEEDS).map(|seed| {
-                    let question = Question { recovery, settings: of_seed(seed) };
-                    Adjoint::<f32x16>::new(question, false)
-                });
-                runs.push(run(sampler, gradient, count, engines, &reference));
+    /// Words for tables and legends.
+    pub fn name(self) -> String {
+        match self {
+            Self::Middle => "the middle".into(),
+            Self::Random(sampler, GradientSamples::Same) => sampler.name().into(),
+            Self::Random(sampler, GradientSamples::Independent) => {
+                format!("{}, derivative's own", sampler.name())
             }
         }
     }
-    runs
+
+    fn sampling(self, count: u32, seed: u32) -> Sampling {
+        match self {
+            Self::Middle => Sampling::Center,
+            Self::Random(sampler, gradient) => sampler.random(Samples { count, seed, gradient }),
+        }
+    }
+}
+
+/// What came out for rays.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SamplingRuns {
+    /// By places, then by count.
+    pub runs: Vec<SamplingRun>,
+    /// The relative standard error of the gradient that they are measured against.
+    pub reference_error: f64,
+}
+
+/// The rays per pixel that are compared.
+const COUNTS: [u32; 5] = [1, 4, 16, 64, 256];
+/// And those of the reference's image. Its gradient is the mean of as many as are compared, eight
+/// times.
+const REFERENCE_COUNT: u32 = 1024;
+/// Gradients of each setting, each with a seed of its own.
+const SEEDS: u32 = 8;
+/// Settings of more rays in an image are left out.
+const MOST_RAYS: u64 = 1 << 21;
+
+/// Gradients with several rays for each pixel, against the one of pixels that are integrals.
+pub fn measure_sampling(recovery: &Recovery<'_>) -> SamplingRuns {
+    let scene = recovery.scene();
+    let pixels = u64::from(scene.width) * u64::from(scene.height);
+    let most_of = |rays: u64, limit: u32| (rays / pixels.max(1)).clamp(1, limit.into()) as u32;
+    let most = most_of(MOST_RAYS, COUNTS[COUNTS.len() - 1]);
+    let question = |sampling| {
+        let settings = RenderSettings { sampling, ..*recovery.render_settings() };
+        Question { recovery, settings }
+    };
+    let metric = GradientMetric::new(scene, recovery.ids());
+    let sampler = Sampler::Sobol;
+    let integral = IntegralGradient::new(recovery, &metric, sampler, scene.bounces, most);
+    let image = {
+        let count = most_of(4 * MOST_RAYS, REFERENCE_COUNT);
+        let samples = Samples { count, seed: u32::MAX, gradient: GradientSamples::Same };
+        let exact = Adjoint::<f64x8>::new(question(sampler.random(samples)));
+        exact.image().expect("the adjoint has an image")
+    };
+    let reference = Reference { metric, gradient: integral.gradient, image };
+    let mut runs = Vec::new();
+    for rays in RayPlaces::all() {
+        let (counts, seeds) = match rays {
+            RayPlaces::Middle => (&COUNTS[..1], 1),
+            RayPlaces::Random(..) => (&COUNTS[..], SEEDS),
+        };
+        for &count in counts.iter().filter(|&&count| count <= most) {
+            let engines =
+                (0..seeds).map(|seed| Adjoint::<f32x16>::new(question(rays.sampling(count, seed))));
+            runs.push(run(rays, count, engines, &reference));
+        }
+    }
+    SamplingRuns { runs, reference_error: integral.error }
 }
 
 fn run<'a>(
-    sampler: &'static str,
-    gradient: GradientSamples,
+    rays: RayPlaces,
     count: u32,
     engines: impl Iterator<Item = Adjoint<'a, f32x16>>,
     reference: &Reference,
@@ -107,8 +149,7 @@ fn run<'a>(
     };
     let off = |i: usize, gradient: &[f64]| truth[i] + gradient[i] - mean[i];
     SamplingRun {
-        sampler,
-        gradient,
+        rays,
         count,
         seconds: times[times.len() / 2],
         image_error: image_off.unwrap_or(0.0),
@@ -123,21 +164,50 @@ fn run<'a>(
 }
 
 /// A table for people.
-pub fn sampling_table(runs: &[SamplingRun]) -> String {
+pub fn sampling_table(SamplingRuns { runs, reference_error }: &SamplingRuns) -> String {
     let mut lines = vec![format!(
-        "{:<12} {:<12} {:>5} {:>12} {:>10} {:>10} {:>10} {:>10}",
-        "rays", "derivative's", "count", "gradient, ms", "image off", "bias", "spread", "off"
+        "{:<28} {:>5} {:>12} {:>10} {:>10} {:>10} {:>10}",
+        "rays", "count", "gradient, ms", "image off", "bias", "spread", "off"
     )];
     lines.extend(runs.iter().map(|run| {
-        let SamplingRun { sampler, gradient, count, seconds, image_error, bias, spread, error } = run;
-        let own = match gradient {
-            GradientSamples::Same => "the same",
-            GradientSamples::Independent => "its own",
-        };
+        let SamplingRun { rays, count, seconds, image_error, bias, spread, error } = run;
         format!(
-            "{sampler:<12} {own:<12} {count:>5} {:>12.3} {image_error:>10.1e} {bias:>10.1e} {spread:>10.1e} {error:>10.1e}",
+            "{:<28} {count:>5} {:>12.3} {image_error:>10.1e} {bias:>10.1e} {spread:>10.1e} {error:>10.1e}",
+            rays.name(),
             1e3 * seconds
         )
     }));
+    lines.push(format!(
+        "Against the gradient of pixels that are integrals, known to {reference_error:.0e}. Bias: \
+         the mean over {SEEDS} seeds; spread: single ones about that mean; off: both. A bias below a \
+         third of the spread is noise."
+    ));
     lines.join("\n")
+}
+
+/// The same as comma-separated values.
+pub fn sampling_csv(SamplingRuns { runs, .. }: &SamplingRuns) -> String {
+    let mut text = "rays,count,seconds,image_error,bias,spread,error\n".to_owned();
+    for run in runs {
+        let SamplingRun { rays, count, seconds, image_error, bias, spread, error } = run;
+        text += &format!(
+            "\"{}\",{count},{seconds:e},{image_error:e},{bias:e},{spread:e},{error:e}\n",
+            rays.name()
+        );
+    }
+    text
+}
+
+/// Bias and spread over rays per pixel.
+pub fn sampling_curves(SamplingRuns { runs, .. }: &SamplingRuns) -> Vec<Curve> {
+    let random = RayPlaces::all().filter(|&rays| rays != RayPlaces::Middle);
+    let curves = random.enumerate().flat_map(|(color, rays)| {
+        let curve = |what: &str, is_dashed, of: fn(&SamplingRun) -> f64| {
+            let points = runs.iter().filter(|run| run.rays == rays);
+            let points = points.map(|run| (f64::from(run.count), of(run))).collect();
+            Curve { label: format!("{what}, {}", rays.name()), points, color, is_dashed }
+        };
+        [curve("spread", false, |run| run.spread), curve("bias", true, |run| run.bias)]
+    });
+    curves.collect()
 }

@@ -22,7 +22,7 @@ pub fn pareto_front(measurements: &[Measurement]) -> Vec<usize> {
 pub fn table(measurements: &[Measurement]) -> String {
     let front = pareto_front(measurements);
     let mut lines = vec![format!(
-        "{:<17} {:<24} {:>12} {:>5} {:>11} {:>11} {:>13}",
+        "{:<17} {:<28} {:>12} {:>5} {:>11} {:>11} {:>13}",
         "", "", "gradient, ms", "runs", "memory, kB", "image off", "gradient off"
     )];
     for (index, measurement) in measurements.iter().enumerate() {
@@ -33,7 +33,7 @@ pub fn table(measurements: &[Measurement]) -> String {
         let image_error = image_error.map_or("-".into(), |error| format!("{error:.1e}"));
         let star = if front.contains(&index) { " *" } else { "" };
         lines.push(format!(
-            "{:<17} {setting:<24} {:>12.4} {runs:>5} {bytes:>11} {image_error:>11} {gradient_error:>13.1e}{star}",
+            "{:<17} {setting:<28} {:>12.4} {runs:>5} {bytes:>11} {image_error:>11} {gradient_error:>13.1e}{star}",
             axis.name(),
             1e3 * seconds,
         ));
@@ -53,7 +53,7 @@ pub fn csv(measurements: &[Measurement]) -> String {
         let bytes = bytes.map_or(String::new(), |bytes| bytes.to_string());
         let image_error = image_error.map_or(String::new(), |error| format!("{error:e}"));
         lines.push(format!(
-            "{},\"{setting}\",{seconds:e},{runs},{bytes},{image_error},{gradient_error:e},{}",
+            "\"{}\",\"{setting}\",{seconds:e},{runs},{bytes},{image_error},{gradient_error:e},{}",
             axis.name(),
             front.contains(&index)
         ));
@@ -64,12 +64,13 @@ pub fn csv(measurements: &[Measurement]) -> String {
 /// The error of differences over their steps, in single and in double precision: a V between the error
 /// of the formula, which falls with the step, and that of rounding, which grows.
 pub fn steps(measurements: &[Measurement]) -> Vec<Curve> {
-    let of = |axis: Axis| {
+    let of = |color, axis: Axis| {
         let points = measurements.iter().filter(|m| m.axis == axis);
         let points = points.filter_map(|m| Some((m.step?, m.gradient_error)));
-        Curve { label: axis.name().to_owned(), points: points.collect() }
+        let label = axis.name().to_owned();
+        Curve { label, points: points.collect(), color, is_dashed: false }
     };
-    [Axis::SingleDifferences, Axis::DoubleDifferences].map(of).into()
+    vec![of(0, Axis::SingleDifferences), of(1, Axis::DoubleDifferences)]
 }
 
 /// The step and the error at the bottom of a V.

@@ -20,7 +20,8 @@ fn settings_are_measured_into_a_table_and_plots() {
     assert!(text.contains("1/4, 1/2, full"), "{text}");
 
     let names = sandbox.names("out/tradeoff");
-    assert_eq!(names, ["scene-schedules.svg", "scene-steps.svg", "scene.csv", "scene.svg"]);
+    let expected = ["-rays.csv", "-rays.svg", "-schedules.svg", "-steps.svg", ".csv", ".svg"];
+    assert_eq!(names, expected.map(|suffix| format!("scene{suffix}")));
     let csv = String::from_utf8(sandbox.read("out/tradeoff/scene.csv")).unwrap();
     let columns = csv.lines().map(|line| line.split(',').count()).collect::<Vec<_>>();
     assert!(columns.len() > 30 && columns[0] == 8, "{csv}");
@@ -40,7 +41,10 @@ fn the_dial_picks_single_precision_where_it_is_enough() {
         let output = sandbox.run(&arguments(accuracy));
         assert!(output.status.success(), "{output:?}");
         let notes = String::from_utf8(output.stderr).unwrap();
-        assert!(notes.contains(&format!(": {setting}, 0 bounces, the cheapest")), "{notes}");
+        assert!(
+            notes.contains(&format!(": {setting}, 0 bounces, 1 ray per pixel, the cheapest")),
+            "{notes}"
+        );
         let shown = String::from_utf8(output.stdout).unwrap();
         assert!(shown.starts_with("loss "), "{shown}");
         if setting == "f64x8" {
@@ -51,6 +55,46 @@ fn the_dial_picks_single_precision_where_it_is_enough() {
     let output = sandbox.run(&arguments("1e-18"));
     let notes = String::from_utf8(output.stderr).unwrap();
     assert!(output.status.success() && notes.contains("cannot be met"), "{notes}");
+}
+
+/// The pixels of an image file are integrals, so their rays are chosen, unless somebody does.
+#[test]
+fn the_dial_chooses_rays_for_an_image_file() {
+    let sandbox = Sandbox::new();
+    sandbox.succeed(&["render", "scene.toml", "--samples", "64", "-o", "photo.png"]);
+    let gradient = |extra: &[&'static str]| {
+        let arguments = [
+            "gradient",
+            "scene.toml",
+            "--target",
+            "photo.png",
+            "--param",
+            "light.key.intensity",
+            "--accuracy",
+            "0.1",
+        ];
+        let output = sandbox.run(&[&arguments[..], extra].concat());
+        assert!(output.status.success(), "{output:?}");
+        let notes = String::from_utf8(output.stderr).unwrap();
+        (notes.lines().next().unwrap().to_owned(), String::from_utf8(output.stdout).unwrap())
+    };
+    let (chosen, shown) = gradient(&[]);
+    assert!(chosen.contains("rays per pixel, the cheapest within it"), "{chosen}");
+    let count = chosen.split(" rays").next().unwrap().rsplit(' ').next().unwrap();
+    let count: u32 = count.parse().unwrap();
+    assert!((2..=256).contains(&count), "{chosen}");
+
+    let (given, other) = gradient(&["--samples", "1"]);
+    assert!(given.contains("1 ray per pixel, the cheapest within it"), "{given}");
+    assert_ne!(shown, other);
+    let (stratified, _) = gradient(&["--sampler", "stratified"]);
+    assert!(stratified.contains("rays per pixel"), "{stratified}");
+
+    let unmet = ["--accuracy", "1e-12"];
+    let arguments = ["gradient", "scene.toml", "--target", "photo.png", "--param"];
+    let output = sandbox.run(&[&arguments[..], &["light.key.intensity"], &unmet].concat());
+    let notes = String::from_utf8(output.stderr).unwrap();
+    assert!(notes.contains("cannot be met") && notes.contains("256 rays per pixel"), "{notes}");
 }
 
 #[test]

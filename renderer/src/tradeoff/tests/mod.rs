@@ -4,7 +4,7 @@ mod scenes;
 
 use ad::lanes::f64x8;
 
-use super::engine::{Adjoint, Engine, Question, ReplayMode, Replayed};
+use super::engine::{Adjoint, Engine, ImageFirst, Question, ReplayMode, Replayed, is_geometry};
 use super::*;
 use crate::arithmetic::{Arithmetic, Precision};
 use crate::experiment::Experiment;
@@ -29,7 +29,7 @@ fn adjoint_tape_and_dual_numbers_agree() {
         let experiment = random_experiment(number);
         let recovery = recovery(&experiment);
         let question = Question { recovery: &recovery, settings: RenderSettings::default() };
-        let adjoint = Adjoint::<f64x8>::new(question, false).gradient();
+        let adjoint = Adjoint::<f64x8>::new(question).gradient();
         let metric = GradientMetric::new(recovery.scene(), recovery.ids());
         assert!(adjoint.iter().any(|&derivative| derivative != 0.0), "{number}");
 
@@ -43,6 +43,45 @@ fn adjoint_tape_and_dual_numbers_agree() {
         let error = metric.error_among(&some, &forward, &adjoint);
         assert!(error < 1e-10, "{number}: dual numbers and adjoint differ by {error:e}");
     }
+}
+
+/// The same gradient, with single precision in between.
+#[test]
+fn the_image_may_come_first() {
+    for number in 0..5 {
+        let experiment = random_experiment(number);
+        let recovery = recovery(&experiment);
+        let question = Question { recovery: &recovery, settings: RenderSettings::default() };
+        let metric = GradientMetric::new(recovery.scene(), recovery.ids());
+        let in_one_pass = Adjoint::<f64x8>::new(question).gradient();
+        let image_first = ImageFirst::<f64x8>::new(question).gradient();
+        let error = metric.error(&image_first, &in_one_pass);
+        assert!(error < 1e-4, "{number}: {error:e}");
+    }
+}
+
+/// What is added up in single precision is off by more than what is computed in it.
+#[test]
+fn sums_in_double_precision_are_closer() {
+    let experiment = ball(
+        r#"
+        specular = [0.5, 0.5, 0.5]
+        exponent = 12.0
+        [[optimize.parameter]]
+        path = "light.key.intensity"
+        [optimize.target_values]
+        "light.key.intensity" = 200.0
+        "#,
+    );
+    let recovery = recovery(&experiment);
+    let question = Question { recovery: &recovery, settings: RenderSettings::default() };
+    let metric = GradientMetric::new(recovery.scene(), recovery.ids());
+    let of = |mode| Replayed::<f64x8>::new(question, mode).gradient();
+    let reference = of(ReplayMode::Forward(vec![0]));
+    let [single, double] = [Precision::F32, Precision::F64]
+        .map(|sums| metric.error(&of(ReplayMode::SingleForward(vec![0], sums)), &reference));
+    assert!(0.0 < double && double < 1e-5 && single < 1e-4, "{double:e} {single:e}");
+    assert!(double != single, "{double:e} {single:e}");
 }
 
 /// One tape or many: the same sums in another order.
@@ -68,16 +107,11 @@ fn a_scene_is_measured_along_every_axis_that_it_has() {
         measurements.iter().filter(|measurement| measurement.axis == axis).collect()
     };
     assert_eq!(settings(Axis::Arithmetic).len(), 5);
-    assert_eq!(settings(Axis::Engine).len(), 3);
+    assert_eq!(settings(Axis::Engine).len(), 6);
     assert_eq!(settings(Axis::Visibility).len(), 2);
     assert_eq!(settings(Axis::Bounces).len(), 2);
-    let moves = recovery.ids().iter().any(|id| {
-        matches!(
-            id,
-            crate::scene::ParameterId::SphereCenter(_) | crate::scene::ParameterId::SphereRadius(_)
-        )
-    });
-    assert_eq!(settings(Axis::Tree).len(), if moves { 5 } else { 2 });
+    let moves = recovery.ids().iter().any(is_geometry);
+    assert_eq!(settings(Axis::Tree).len(), if moves { 5 } else { 8 });
     // Trees find the same, whatever they cost.
     for tree in settings(Axis::Tree) {
         assert_eq!(tree.gradient_error, settings(Axis::Arithmetic)[2].gradient_error, "{tree:?}");
@@ -151,6 +185,8 @@ fn the_front_holds_what_nothing_beats() {
     let csv = csv(&measurements);
     assert_eq!(csv.lines().count(), 7);
     assert_eq!(csv.lines().filter(|line| line.ends_with(",true")).count(), 3);
+    // Names of axes have commas.
+    assert!(csv.contains("\n\"adjoint\",\"\",1e0,1,,,1e-3,true\n"), "{csv}");
     let svg = tradeoff_svg("a plot", &measurements).unwrap();
     assert!(svg.contains("a plot") && !svg.contains("NaN") && !svg.contains("inf"), "{svg}");
 }
@@ -205,20 +241,28 @@ fn more_rays_are_less_off_and_what_is_off_is_bias_and_spread() {
         "material.paint.diffuse" = [0.5, 0.5, 0.5]
         "#,
     );
-    let runs = measure_sampling(&recovery(&experiment));
-    assert_eq!(runs.len(), 2 * 2 * 5);
-    for run in &runs {
+    let measured = measure_sampling(&recovery(&experiment));
+    let (middle, random) = measured.runs.split_first().unwrap();
+    assert_eq!((middle.rays, middle.count), (RayPlaces::Middle, 1));
+    assert!(middle.spread < 1e-12, "{middle:?}");
+    assert_eq!(random.len(), 2 * 2 * 5);
+    for run in random {
         let both = run.bias.hypot(run.spread);
         assert!((run.error - both).abs() < 1e-6 * both, "{run:?}");
         assert!(run.seconds > 0.0 && run.bias > 0.0, "{run:?}");
     }
-    for way in runs.chunks(5) {
+    for way in random.chunks(5) {
         let (few, many) = (&way[1], &way[3]);
         assert_eq!((few.count, many.count), (4, 64));
         assert!(many.spread < 0.5 * few.spread, "{few:?} {many:?}");
         assert!(many.image_error < 0.5 * few.image_error, "{few:?} {many:?}");
+        assert!(measured.reference_error < 0.5 * many.spread, "{measured:?}");
     }
-    assert_eq!(sampling_table(&runs).lines().count(), 21);
+    assert_eq!(sampling_table(&measured).lines().count(), 1 + 21 + 1);
+    assert_eq!(sampling_csv(&measured).lines().count(), 1 + 21);
+    let curves = sampling_curves(&measured);
+    assert_eq!(curves.len(), 2 * 2 * 2);
+    assert!(curves.iter().all(|curve| curve.points.len() == 5), "{curves:?}");
 }
 
 /// A ball under a light, in an image of 32 x 32 pixels; `rest` is its material, and what follows.

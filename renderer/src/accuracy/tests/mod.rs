@@ -1,5 +1,7 @@
 //! The dial on generated scenes.
 
+mod rays;
+
 use super::*;
 use crate::arithmetic::Precision;
 use crate::tradeoff::{gradient_on_tapes, random_experiment};
@@ -26,7 +28,7 @@ fn picks_are_as_accurate_as_asked_and_nearly_as_cheap_as_can_be() {
         };
 
         let accuracy = ACCURACIES[number as usize % ACCURACIES.len()];
-        let pick = pick(&recovery, accuracy);
+        let pick = pick(&recovery, accuracy, Rays::Given);
         assert!(pick.is_within(), "{number}: {pick}");
         within += u64::from(true_error(&pick.best) <= accuracy);
         let meeting = pick.pilots.iter().filter(|pilot| true_error(pilot) <= accuracy);
@@ -49,7 +51,7 @@ fn what_cannot_be_met_is_said_to() {
     let experiment = random_experiment(1);
     let exact = Arithmetic::fastest(Precision::F64);
     let recovery = Recovery::new(&experiment, "a generated scene", exact).unwrap();
-    let pick = pick(&recovery, 1e-18);
+    let pick = pick(&recovery, 1e-18, Rays::Given);
     assert!(!pick.is_within());
     assert_eq!(pick.best.setting.arithmetic, exact);
     assert!(pick.to_string().starts_with("accuracy 1e-18 cannot be met: f64x8"), "{pick}");

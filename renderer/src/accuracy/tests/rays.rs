@@ -1,0 +1,99 @@
+//! The dial where it chooses rays.
+
+use super::*;
+use crate::experiment::Experiment;
+use crate::integrator::{GradientSamples, Samples};
+
+/// What is asked for, in turns.
+const ACCURACIES: [f64; 4] = [0.3, 0.15, 0.1, 0.06];
+const SCENES: u64 = 20;
+/// More rays would take the test longer.
+const MOST: u32 = 25;
+
+/// A problem whose target is like a photo: its pixels are integrals.
+fn photo(experiment: &Experiment) -> Recovery<'_> {
+    let exact = Arithmetic::fastest(Precision::F64);
+    let sampling = Sampler::Stratified.sampling(144);
+    let settings = RenderSettings { sampling, ..RenderSettings::default() };
+    let recovery = Recovery::with_settings(experiment, "a generated scene", exact, settings);
+    recovery.unwrap().computed(exact, RenderSettings::default())
+}
+
+/// The true errors of settings: from seeds that the dial has not seen, against far more rays.
+struct Truth<'a> {
+    recovery: &'a Recovery<'a>,
+    metric: GradientMetric,
+    gradient: Vec<f64>,
+}
+
+impl<'a> Truth<'a> {
+    fn new(recovery: &'a Recovery<'a>) -> Self {
+        let samples = Samples { count: 324, seed: 77, gradient: GradientSamples::Independent };
+        let sampling = Sampling::Stratified(samples);
+        let settings = RenderSettings { sampling, ..RenderSettings::default() };
+        let exact = recovery.computed(Arithmetic::F64x8, settings);
+        let gradient = exact.evaluate().unwrap().gradient;
+        let metric = GradientMetric::new(recovery.scene(), recovery.ids());
+        Self { recovery, metric, gradient }
+    }
+
+    fn error(&self, setting: &Setting, seeds: u32) -> f64 {
+        let seeds = if setting.sampling.count() == 1 { 1 } else { seeds };
+        let squares = (0..seeds).map(|seed| {
+            let mut setting = *setting;
+            if let Sampling::Stratified(samples) | Sampling::Sobol(samples) = &mut setting.sampling
+            {
+                samples.seed = 1_000_000 + seed;
+            }
+            let gradient = setting.apply(self.recovery).evaluate().unwrap().gradient;
+            self.metric.error(&gradient, &self.gradient).powi(2)
+        });
+        (squares.sum::<f64>() / f64::from(seeds)).sqrt()
+    }
+
+    fn is_within(&self, setting: &Setting, accuracy: f64) -> bool {
+        // Most are far off, which few seeds tell.
+        self.error(setting, 4) <= 2.0 * accuracy && self.error(setting, 32) <= accuracy
+    }
+}
+
+#[test]
+fn chosen_rays_are_as_accurate_as_asked_and_nearly_as_cheap_as_can_be() {
+    let (mut unmet, mut counts) = (0, Vec::new());
+    let (mut wrong, mut dear) = (Vec::new(), Vec::new());
+    for number in 0..SCENES {
+        let experiment = random_experiment(200 + number);
+        let recovery = photo(&experiment);
+        let truth = Truth::new(&recovery);
+        let sampler = Sampler::ALL[number as usize % 2];
+        let accuracy = ACCURACIES[number as usize / 2 % ACCURACIES.len()];
+        let pick = pick(&recovery, accuracy, Rays::Chosen { sampler, most: MOST });
+        let best = &pick.best;
+        if !pick.is_within() {
+            unmet += 1;
+            continue;
+        }
+        counts.push(best.setting.sampling.count());
+        if !truth.is_within(&best.setting, accuracy) {
+            wrong.push(format!("{number}: {}: {pick}", truth.error(&best.setting, 32)));
+        }
+
+        let work = Work::new(&recovery);
+        let arithmetic = Arithmetic::fastest(Precision::F32);
+        let settings = sampler.counts(MOST).into_iter().flat_map(|count| {
+            let sampling = sampler.sampling(count);
+            let bounces = 0..=work.most_bounces();
+            bounces.map(move |bounces| Setting { arithmetic, bounces, sampling })
+        });
+        let mut cheaper = settings.filter(|setting| 1.5 * work.of(setting) < best.work);
+        if let Some(enough) = cheaper.find(|setting| truth.is_within(setting, accuracy)) {
+            dear.push(format!("{number}: {enough} is enough: {pick}"));
+        }
+    }
+    assert!(4 * unmet <= SCENES, "{unmet} of {SCENES} cannot be met");
+    assert!(20 * wrong.len() <= counts.len(), "{wrong:#?}");
+    // Where few rays bring most of the error, eight seeds may tell too much of it.
+    assert!(10 * dear.len() <= counts.len(), "{dear:#?}");
+    // The dial has something to choose.
+    assert!(counts.iter().any(|&count| count <= 4) && counts.iter().any(|&count| count > 8));
+}
