@@ -92,7 +92,7 @@ where
         .light_line_style(TRANSPARENT)
         .draw()?;
     for (index, curve) in curves.iter().enumerate() {
-        let color = CurveColors::pick(index);
+        let color = CurveColors::pick(index).to_rgba();
         let points = || curve.points.iter().filter(|point| point.y > 0.0);
         let line = LineSeries::new(points().map(|p| (p.x, p.y)), color.stroke_width(2));
         chart

@@ -61,7 +61,8 @@ fn the_dial_picks_single_precision_where_it_is_enough() {
 #[test]
 fn the_dial_chooses_rays_for_an_image_file() {
     let sandbox = Sandbox::new();
-    sandbox.succeed(&["render", "scene.toml", "--samples", "64", "-o", "photo.png"]);
+    sandbox.write_changed("dim.toml", "intensity = 120.0", "intensity = 80.0");
+    sandbox.succeed(&["render", "dim.toml", "--samples", "64", "-o", "photo.png"]);
     let gradient = |extra: &[&'static str]| {
         let arguments = [
             "gradient",
@@ -71,7 +72,7 @@ fn the_dial_chooses_rays_for_an_image_file() {
             "--param",
             "light.key.intensity",
             "--accuracy",
-            "0.1",
+            "0.01",
         ];
         let output = sandbox.run(&[&arguments[..], extra].concat());
         assert!(output.status.success(), "{output:?}");
