@@ -31,10 +31,11 @@
 //! Functions and inherent methods on `f32`, `f64`, glam's float vectors, matrices and quaternions,
 //! tuples, arrays, slices, `Vec`, `Box`, `Option`, `Result`, references to these, and structs and
 //! enums with `#[derive(Differentiable)]`; generic ones too. In a body: `let` with patterns,
-//! variables that get their value later, arithmetic, assignment to local variables and parts of them, to several at once, too, `if`,
-//! `match`, `if let` and chains of it, `let else`, `for` over ranges and over elements, `while`,
-//! `while let`, `loop`, labels, `break`, `continue` and `return` from anywhere, `?`, constants and
-//! other items, calls of differentiable functions and of the methods listed in [`rules`].
+//! variables that get their value later, arithmetic, assignment to local variables and parts of
+//! them, to several at once, too, `if`, `match`, `if let` and chains of it, `let else`, `for` over
+//! ranges and over elements, `while`, `while let`, `loop`, labels, `break`, `continue` and `return`
+//! from anywhere, `?`, constants and other items, calls of differentiable functions and of the
+//! methods listed in [`rules`].
 //!
 //! Iterators: `iter`, `iter_mut`, `into_iter`, `windows`, `chunks` and `chunks_exact`, under
 //! `enumerate`, `zip`, `chain`, `rev`, `skip`, `take`, `step_by`, `cycle`, `copied`, `map`,

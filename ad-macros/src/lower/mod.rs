@@ -1,14 +1,17 @@
 //! From the user's syntax to [`ir`](crate::ir).
 //!
 //! [`flow`] lowers statements and turns every early exit into the end of a block, whose meaning
-//! [`ends`] keeps; [`branch`] lowers branches, which [`desugar`] makes plainer; [`deferred`] declares variables where they get their value; [`loops`] lowers
-//! loops, [`checkpoint`] makes those with checkpoints plainer, [`chain`], [`source`], [`stage`], [`several`] and [`item`] what they run over, [`consume`] what iterators are used
-//! up by; [`array`] builds arrays by element; [`option`] writes out methods of options,
-//! [`part`] those that lend parts of slices; [`closure`] puts closures in place of their calls, and [`function`] passes them to functions;
-//! [`expression`], [`call`] and [`construct`] name intermediate results; [`pattern`], [`slice_pattern`], [`variants`] and [`place`] tell which part of a value
-//! is meant; [`sequence`] makes vectors and boxes; [`macros`] knows the macros of the standard
-//! library; [`higher`] refuses derivatives of derivatives; [`no_diff`] and [`plain`] pass on code through which no derivative flows, with variables
-//! renamed.
+//! [`ends`] keeps; [`branch`] lowers branches, which [`desugar`] makes plainer; [`deferred`]
+//! declares variables where they get their value; [`loops`] lowers loops, [`checkpoint`] makes
+//! those with checkpoints plainer, [`chain`], [`source`], [`stage`], [`several`] and [`item`] what
+//! they run over, [`consume`] what iterators are used up by; [`array`] builds arrays by element;
+//! [`option`] writes out methods of options, [`part`] those that lend parts of slices; [`closure`]
+//! puts closures in place of their calls, and [`function`] passes them to functions;
+//! [`expression`], [`call`] and [`construct`] name intermediate results; [`pattern`],
+//! [`slice_pattern`], [`variants`] and [`place`] tell which part of a value is meant; [`sequence`]
+//! makes vectors and boxes; [`macros`] knows the macros of the standard library; [`higher`] refuses
+//! derivatives of derivatives; [`no_diff`] and [`plain`] pass on code through which no derivative
+//! flows, with variables renamed.
 
 mod array;
 mod branch;

@@ -8,9 +8,9 @@ use crate::recovery::Recovery;
 /// Gradients whose mean the reference is.
 const SEEDS: u32 = 8;
 
-/// The gradient of pixels that are integrals, as well as it is known: the mean over several seeds, with rays for
-/// the derivative of the radiance that are not those of the radiance. So it has no bias if the loss
-/// is a square, and less than any number of rays that is measured if it is not.
+/// The gradient of pixels that are integrals, as well as it is known: the mean over several seeds,
+/// with rays for the derivative of the radiance that are not those of the radiance. So it has no
+/// bias if the loss is a square, and less than any number of rays that is measured if it is not.
 pub(crate) struct IntegralGradient {
     pub gradient: Vec<f64>,
     /// Its relative standard error.

@@ -1,10 +1,10 @@
 //! The light that goes through transparent surfaces.
 //!
-//! Every surface on the way leaves `1 - d` of it, where `d` is its opacity at the place where the light
-//! goes through. What shadow rays meet is looked for a second time, one by one, where the tree said that
-//! there is something: a scene without transparent materials is rendered as if there were none. How far
-//! light goes through is not limited by the depth of the scene. The places are computed in double
-//! precision, whatever the lanes are.
+//! Every surface on the way leaves `1 - d` of it, where `d` is its opacity at the place where the
+//! light goes through. What shadow rays meet is looked for a second time, one by one, where the
+//! tree said that there is something: a scene without transparent materials is rendered as if there
+//! were none. How far light goes through is not limited by the depth of the scene. The places are
+//! computed in double precision, whatever the lanes are.
 
 use ad::lanes::Lanes;
 use ad::{Real, Scalar};
