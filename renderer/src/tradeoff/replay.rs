@@ -123,19 +123,17 @@ impl<P: PixelLoss> Replay<'_, P> {
             let material = self.material(numbers, &primitive, index, surface.point);
             let mut radiance = material.ambient;
             for Reached { light, crossed } in &meeting.lit {
-                let (reflected, to_light) = match numbers.light(*light) {
-                    Light::Point(light) => (
-                        reflection_of_point_light::<S>(material, surface, light),
-                        ray_to_position::<S>(light.position, surface.point),
-                    ),
-                    Light::Distant(light) => (
-                        reflection_of_distant_light::<S>(material, surface, light),
-                        ray_along::<S>(light.direction, surface.point),
-                    ),
-                };
-                let left = |&crossing: &Crossing| self.left(numbers, to_light, crossing);
+                let light = numbers.light(*light);
+                let left =
+                    |&crossing: &Crossing| self.left(numbers, &light, surface.point, crossing);
                 let passed =
                     crossed.iter().map(left).fold(S::ONE, |product, factor| product * factor);
+                let reflected = match light {
+                    Light::Point(light) => reflection_of_point_light::<S>(material, surface, light),
+                    Light::Distant(light) => {
+                        reflection_of_distant_light::<S>(material, surface, light)
+                    }
+                };
                 radiance = radiance + reflected * passed;
             }
             match self.scene.materials[index].opacity {
@@ -221,10 +219,20 @@ impl<P: PixelLoss> Replay<'_, P> {
     }
 
     /// What a transparent surface leaves of the light that goes through it to a point.
-    fn left<S: Number>(&self, numbers: &Numbers<'_, S>, to_light: Ray<S>, crossing: Crossing) -> S {
+    fn left<S: Number>(
+        &self,
+        numbers: &Numbers<'_, S>,
+        light: &Light<S>,
+        lit: Vec3<S>,
+        crossing: Crossing,
+    ) -> S {
         let primitive = self.primitive(crossing.primitive);
         let index = self.material_index(&primitive);
         let Some(opacity) = self.scene.materials[index].opacity else { return S::ZERO };
+        let to_light = match light {
+            Light::Point(light) => ray_to_position::<S>(light.position, lit),
+            Light::Distant(light) => ray_along::<S>(light.direction, lit),
+        };
         let point = self.surface(numbers, &primitive, to_light, crossing.leaves).point;
         let plain = numbers.opacity(opacity as usize);
         S::ONE - self.opacity(numbers, &primitive, index, plain, point)
