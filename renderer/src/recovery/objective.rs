@@ -24,7 +24,7 @@ pub(super) struct ImageObjective<'a, S: Lanes> {
     recovery: &'a Recovery<'a>,
     prepared: Prepared<'a, S>,
     parameters: Parameters,
-    wanted: Wanted,
+    wanted: Wanted<'a>,
 }
 
 impl<'a, S: Lanes> ImageObjective<'a, S> {

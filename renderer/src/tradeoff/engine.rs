@@ -70,7 +70,7 @@ impl<'a> Question<'a> {
 /// Whether the tree depends on a parameter.
 pub(super) fn is_geometry(id: &ParameterId) -> bool {
     use ParameterId::*;
-    matches!(id, Vertices(_) | SphereCenter(_) | SphereRadius(_))
+    matches!(id, Vertices(_) | Vertex { .. } | SphereCenter(_) | SphereRadius(_))
 }
 
 /// What happens to spheres and meshes between gradients.
