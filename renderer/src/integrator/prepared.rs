@@ -174,6 +174,18 @@ impl<'a, L: Lanes> Prepared<'a, L> {
         }
     }
 
+    /// Changes how many mirrors and transparent surfaces light meets at most.
+    #[cfg(feature = "files")]
+    pub(crate) fn set_bounces(&mut self, bounces: u32) {
+        self.bounces = bounces;
+    }
+
+    /// Changes the rays through pixels.
+    #[cfg(feature = "files")]
+    pub(crate) fn set_sampling(&mut self, sampling: Sampling) {
+        self.sampling = sampling;
+    }
+
     /// Finds what the wanted rays of a tile meet first.
     #[inline]
     pub(super) fn nearest_into(

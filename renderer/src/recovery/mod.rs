@@ -22,6 +22,7 @@ use std::sync::{Arc, Mutex};
 #[cfg(feature = "cli")]
 pub(crate) use defaults::domain;
 pub use defaults::natural_scale;
+pub(crate) use objective::SteeredObjective;
 
 use ad::lanes::f64x8;
 use objective::{ImageObjective, assign};
@@ -277,6 +278,14 @@ impl<'a> Recovery<'a> {
     /// minimises, for who adds up several of them or brings another method.
     pub fn objective(&self) -> Box<dyn Objective + '_> {
         with_arithmetic!(self.arithmetic, S => Box::new(ImageObjective::<S>::new(self)))
+    }
+
+    /// The same in the given arithmetic, for who tries several kinds of rays.
+    pub(crate) fn steered_objective(
+        &self,
+        arithmetic: Arithmetic,
+    ) -> Box<dyn SteeredObjective + '_> {
+        with_arithmetic!(arithmetic, S => Box::new(ImageObjective::<S>::new(self)))
     }
 
     /// Loss and gradient at the scene as it stands.

@@ -54,7 +54,7 @@ fn the_image_may_come_first() {
         let question = Question { recovery: &recovery, settings: RenderSettings::default() };
         let metric = GradientMetric::new(recovery.scene(), recovery.ids());
         let in_one_pass = Adjoint::<f64x8>::new(question).gradient();
-        let image_first = ImageFirst::<f64x8>::new(question).gradient();
+        let image_first = ImageFirst(Adjoint::<f64x8>::new(question)).gradient();
         let error = metric.error(&image_first, &in_one_pass);
         assert!(error < 1e-4, "{number}: {error:e}");
     }
