@@ -13,8 +13,8 @@
 //! Rays through pixels are as given, or chosen too ([`Rays`]). Which of it means something depends on
 //! the target. One that the same renderer made from the same rays is matched by these rays exactly,
 //! and more would aim at another image. The pixels of a photo are integrals: more rays come closer to
-//! their gradient. The error is then the root mean square over several seeds, against a gradient of
-//! far more rays.
+//! their gradient. The error is then the root mean square over several seeds, against the mean of several
+//! gradients of more rays.
 //!
 //! Work is counted, not timed: rays and shaded points, weighted by what the scalar costs. So the same
 //! scene always gets the same settings, and an optimisation that is resumed goes on with those it

@@ -224,6 +224,8 @@ fn optimisations_approach_the_truth_whatever_their_sizes() {
     for run in runs {
         let (&(_, first), &(_, last)) = (run.way.first().unwrap(), run.way.last().unwrap());
         assert_eq!(first, 1.0);
+        // Each size goes on where the one before has ended.
+        assert_eq!(run.way.iter().filter(|(_, distance)| *distance == 1.0).count(), 1);
         assert!(last < 0.05, "{}: {last}", run.name());
         assert!(run.way.is_sorted_by(|a, b| a.0 <= b.0), "{}", run.name());
     }
