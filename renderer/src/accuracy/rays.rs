@@ -18,13 +18,12 @@ const MOST_IN_IMAGE: u64 = 1 << 24;
 /// The rays on which mirrors and precisions are compared.
 const RAYS_OF_PILOTS: u32 = 4;
 
-/// So many seeds may tell that a setting is not within the accuracy, since it is so many standard errors
-/// below; if they do not, so many more. Who is wrong in leaving a setting takes the next one, which costs
-/// half as much again at most.
-const SEEDS: [(u32, f64); 3] = [(8, 1.5), (16, 0.5), (32, 0.0)];
-/// Who is wrong in taking breaks a promise: before the last seed, the accuracy has to be so many standard
-/// errors above.
+/// So many seeds may tell whether a setting is within the accuracy; if they do not, so many more.
+const SEEDS: [u32; 4] = [8, 16, 32, 64];
+/// The accuracy is so many standard errors above what is taken, and so many below what is not. Who is
+/// wrong in taking breaks a promise, and who is wrong in leaving takes the next one.
 const TAKEN: f64 = 3.0;
+const LEFT: f64 = 1.5;
 
 /// What settings are worth, from the cheapest on to the first that is within the accuracy.
 pub(super) fn pilots_with_rays(
@@ -127,18 +126,18 @@ fn estimate(
         |setting: &Setting| metric.error(&trials.gradient(setting), &reference.gradient);
     if count == 1 {
         let error = error(setting);
-        return Estimate { error: error + reference.error, at_least: error - reference.error };
+        return Estimate { error: error.hypot(reference.error), at_least: 0.0 };
     }
     let mut errors = Vec::new();
     let mut estimate = Estimate { error: f64::INFINITY, at_least: 0.0 };
-    for (seeds, left) in SEEDS {
+    for seeds in SEEDS {
         errors.extend((errors.len() as u32..seeds).map(|seed| {
             let samples = Samples { count, seed, gradient: GradientSamples::Same };
             error(&Setting { sampling: sampler.random(samples), ..*setting })
         }));
         let (mean, uncertainty) = root_mean_square(&errors);
-        estimate = Estimate { error: mean + uncertainty, at_least: mean - left * uncertainty };
-        if mean + TAKEN * uncertainty <= accuracy || mean - left * uncertainty > accuracy {
+        estimate = Estimate { error: mean + uncertainty, at_least: mean - LEFT * uncertainty };
+        if mean + TAKEN * uncertainty <= accuracy || mean - LEFT * uncertainty > accuracy {
             break;
         }
     }

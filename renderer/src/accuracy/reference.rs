@@ -19,7 +19,7 @@ pub(crate) struct IntegralGradient {
 }
 
 impl IntegralGradient {
-    /// With about as many rays as it takes to be off by a third of the accuracy, but no more than
+    /// With about as many rays as it takes to be off by a quarter of the accuracy, but no more than
     /// `most_rays` through each pixel for a seed.
     pub fn within(
         trials: &mut Trials<'_>,
@@ -34,7 +34,7 @@ impl IntegralGradient {
         loop {
             let count = counts[index];
             let reference = Self::new(trials, metric, sampler, bounces, count);
-            let excess = 3.0 * reference.error / accuracy;
+            let excess = 4.0 * reference.error / accuracy;
             if excess <= 1.0 || index + 1 == counts.len() {
                 return reference;
             }
