@@ -202,7 +202,7 @@ impl Lowerer<'_> {
         let references = references.collect();
         let parameters = both.map(|(parameter, &var)| LoweredParameter {
             var,
-            has_shape: !has_fixed_size(&parameter.ty),
+            has_shape: !has_fixed_size(&parameter.ty, &self.scalars),
             is_box: is_box(&parameter.ty),
         });
         let parameters = parameters.collect();
