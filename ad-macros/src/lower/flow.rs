@@ -128,7 +128,7 @@ impl Lowerer<'_> {
         {
             return self.exclusive_alias(name, &reference.expr);
         }
-        if self.split_exclusively(pat, &init.expr) {
+        if self.split_exclusively(pat, &init.expr) || self.take_apart_exclusively(pat, &init.expr) {
             return;
         }
         if let (Pat::Ident(name), None, Expr::Reference(reference)) = (pat, ty, &*init.expr)
@@ -145,9 +145,13 @@ impl Lowerer<'_> {
             _ => "value".to_owned(),
         };
         let (container, length) = (self.container(&init.expr), array_length(&init.expr));
+        let is_own = self.is_borrowed_or_own(&init.expr);
         let value = self.operand(&init.expr, &hint);
         self.bind_pattern(pat, ty, value);
         if let Some(var) = simple_name(pat).and_then(|name| self.lookup(name)) {
+            if is_own {
+                self.own.insert(var);
+            }
             self.containers.extend(container.map(|container| (var, container)));
             self.lengths.extend(length.map(|length| (var, length)));
         }
