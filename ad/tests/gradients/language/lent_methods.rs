@@ -133,3 +133,21 @@ fn gradients_are_those_of_the_function() {
 
     check!(mixture(x, y) at [0.7, 0.4], [-0.4, 0.7], [1.3, -0.2]);
 }
+
+/// Both functions ask for methods of the same names, of a type of which the trait's is lent nothing.
+#[differentiable]
+fn with_a_function_within(x: f64, y: f64) -> f64 {
+    #[differentiable]
+    fn inner(pair: &Pair, xs: &[f64]) -> f64 {
+        pair.along(xs, 0) * pair.along(xs, 1)
+    }
+
+    let pair = Pair(y, x);
+    let xs = [x, y, x * y];
+    inner(&pair, &xs) + pair.along(&xs, 2)
+}
+
+#[test]
+fn functions_within_functions_ask_for_themselves() {
+    crate::oracle::check!(with_a_function_within(x, y) at [0.7, -1.2], [1.5, 0.4]);
+}
