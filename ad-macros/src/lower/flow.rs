@@ -17,6 +17,7 @@ use super::ends::{End, JumpKind, Target};
 use super::exits::Exit;
 use super::item::is_plain_name;
 use super::macros::macro_diverges;
+use super::operator::is_own_type;
 use super::{Lowerer, OnFailure, deferred, desugar, exits};
 use crate::ir::{Operand, Statement};
 
@@ -126,7 +127,13 @@ impl Lowerer<'_> {
         if let (Some(name), Expr::Reference(reference)) = (simple_name(pat), &*init.expr)
             && reference.mutability.is_some()
         {
-            return self.exclusive_alias(name, &reference.expr);
+            self.exclusive_alias(name, &reference.expr);
+            if ty.is_some_and(is_own_type)
+                && let Some(var) = self.lookup(name)
+            {
+                self.own.insert(var);
+            }
+            return;
         }
         if self.split_exclusively(pat, &init.expr) || self.take_apart_exclusively(pat, &init.expr) {
             return;

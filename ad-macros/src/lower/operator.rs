@@ -34,7 +34,8 @@ impl Lowerer<'_> {
                         || self.is_borrowed_or_own(&binary.right))
             }
             Expr::Unary(unary) => {
-                matches!(unary.op, UnOp::Neg(_)) && self.is_borrowed_or_own(&unary.expr)
+                matches!(unary.op, UnOp::Neg(_) | UnOp::Deref(_))
+                    && self.is_borrowed_or_own(&unary.expr)
             }
             Expr::MethodCall(call) => call.method == "clone" && call.args.is_empty(),
             Expr::Call(call) => {
@@ -46,10 +47,10 @@ impl Lowerer<'_> {
     }
 
     fn is_of_own_type(&self, var: crate::ir::VarId) -> bool {
-        match self.aliases.get(&var) {
-            Some(alias) => alias.place.path.is_empty() && self.own.contains(&alias.place.root),
-            None => self.own.contains(&var),
-        }
+        self.own.contains(&var)
+            || self.aliases.get(&var).is_some_and(|alias| {
+                alias.place.path.is_empty() && self.own.contains(&alias.place.root)
+            })
     }
 
     /// `a * b` as a call, if an operand is borrowed or of a type of one's own.

@@ -228,6 +228,8 @@ impl Layer {
     }
 
     fn step(&mut self, gradient: &Matrix<f64>, rate: f64) {
+        let weights: &mut Matrix<f64> = &mut self.weights;
+        *weights *= 1.0 - rate;
         let mut change: Matrix<f64> = gradient.transposed();
         change *= rate;
         self.weights -= change.clone();
@@ -238,6 +240,7 @@ impl Layer {
 #[differentiable]
 fn accumulate(total: &mut Matrix<f64>, m: &Matrix<f64>) {
     *total += m;
+    *total *= 0.5;
     *total = &*total * m;
 }
 
