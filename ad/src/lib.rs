@@ -32,12 +32,13 @@
 //! tuples, arrays, slices, `Vec`, `Box`, `Option`, `Result`, references to these, and structs and
 //! enums with `#[derive(Differentiable)]`; generic ones too. In a body: `let` with patterns,
 //! variables that get their value later, arithmetic, assignment to local variables and parts of
-//! them, to several at once, too, `if`, `match`, `if let` and chains of it, `let else`, `for` over
+//! them, to several at once, too, `let (a, b) = &mut pair` and `ref mut` in a `let`, `if`, `match`, `if let` and chains of it, `let else`, `for` over
 //! ranges and over elements, `while`, `while let`, `loop`, labels, `break`, `continue` and `return`
 //! from anywhere, `?`, constants and other items, calls of differentiable functions and of the
 //! methods listed in [`rules`].
 //!
-//! Iterators: `iter`, `iter_mut`, `into_iter`, `windows`, `chunks` and `chunks_exact`, under
+//! Iterators: `iter`, `iter_mut`, `into_iter`, `windows`, `chunks`, `chunks_exact`, `chunks_mut` and
+//! `chunks_exact_mut`, under
 //! `enumerate`, `zip`, `chain`, `rev`, `skip`, `take`, `step_by`, `cycle`, `copied`, `map`,
 //! `filter`, `filter_map`, `flat_map`, `flatten`, `take_while` and `map_while`; in a `for` loop or
 //! used up by `sum`, `product`, `fold`, `reduce`, `last`, `for_each`, `collect` into a `Vec`,

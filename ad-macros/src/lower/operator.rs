@@ -34,8 +34,7 @@ impl Lowerer<'_> {
                         || self.is_borrowed_or_own(&binary.right))
             }
             Expr::Unary(unary) => {
-                matches!(unary.op, UnOp::Neg(_) | UnOp::Deref(_))
-                    && self.is_borrowed_or_own(&unary.expr)
+                matches!(unary.op, UnOp::Neg(_)) && self.is_borrowed_or_own(&unary.expr)
             }
             Expr::MethodCall(call) => call.method == "clone" && call.args.is_empty(),
             Expr::Call(call) => {
@@ -81,7 +80,11 @@ impl Lowerer<'_> {
     /// `a += b` as a call; says whether it is one.
     pub(super) fn borrowed_update(&mut self, update: &ExprBinary) -> bool {
         let Some(function) = assigning_function_of(&update.op) else { return false };
-        if !self.is_borrowed_or_own(&update.left) && !self.is_borrowed_or_own(&update.right) {
+        let left = match strip_parens(&update.left) {
+            Expr::Unary(unary) if matches!(unary.op, UnOp::Deref(_)) => &unary.expr,
+            left => left,
+        };
+        if !self.is_borrowed_or_own(left) && !self.is_borrowed_or_own(&update.right) {
             return false;
         }
         if self.active_place(&update.left).is_none() {

@@ -51,6 +51,11 @@ impl Grid {
         }
     }
 
+    fn hashed(&self, seed: u64) -> f64 {
+        let state = seed.wrapping_mul(6364136223846793005);
+        self.data[(state >> 60) as usize % self.data.len()]
+    }
+
     fn total(self) -> f64 {
         self.data.iter().sum()
     }
@@ -124,6 +129,7 @@ fn mixture(x: f64, y: f64) -> f64 {
         view.moved(&mut at, &own, i);
     }
     sum += view.get(1, 2) * view.descending(4) + grid.with(2.0, 1) + view.with((), 2);
+    sum += view.hashed(2862933555777941757);
     sum + at + generic(&pair, &xs) + pair.total() + grid.total()
 }
 
