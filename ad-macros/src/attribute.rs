@@ -179,7 +179,9 @@ fn impl_derivatives(mut block: ItemImpl, options: &Options) -> TokenStream {
             return beside(block, mark);
         }
         Some((path, _)) if element::is_index(path) => {
-            let element = element::method(&block).map(|element| impl_derivatives(element, options));
+            let derivatives = |element| impl_derivatives(element, options);
+            let element =
+                element::method(&block).map(|element| element.map(derivatives).unwrap_or_default());
             return beside(block, element);
         }
         Some((path, _)) if is_standard(path) => {

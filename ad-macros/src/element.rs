@@ -32,8 +32,9 @@ pub fn setter() -> Ident {
     Ident::new("set_element_at_index", Span::call_site())
 }
 
-/// The method beside `index` or `index_mut`, in a block of its own.
-pub fn method(block: &ItemImpl) -> syn::Result<ItemImpl> {
+/// The method beside `index` or `index_mut`, in a block of its own; none if there is neither, of which
+/// the compiler complains.
+pub fn method(block: &ItemImpl) -> syn::Result<Option<ItemImpl>> {
     let Some((path, _)) = &block.trait_ else { unreachable!("is asked for a trait") };
     let is_tuple = path.segments.last().is_some_and(|last| match &last.arguments {
         PathArguments::AngleBracketed(arguments) => {
@@ -51,12 +52,7 @@ pub fn method(block: &ItemImpl) -> syn::Result<ItemImpl> {
         ImplItem::Fn(method) => Some(method),
         _ => None,
     });
-    // The compiler says that it is missing.
-    let Some(method) = method else {
-        return Ok(parse_quote!(
-            impl () {}
-        ));
-    };
+    let Some(method) = method else { return Ok(None) };
     let (place, before) = match method.block.stmts.split_last() {
         Some((Stmt::Expr(Expr::Reference(reference), None), before)) => (&reference.expr, before),
         Some((last, _)) => return Err(not_a_reference(last)),
@@ -87,7 +83,7 @@ pub fn method(block: &ItemImpl) -> syn::Result<ItemImpl> {
             }
         },
     };
-    Ok(parse_quote!(impl #generics #self_ty #bounds { #method }))
+    Ok(Some(parse_quote!(impl #generics #self_ty #bounds { #method })))
 }
 
 fn not_a_reference(at: impl ToTokens) -> syn::Error {

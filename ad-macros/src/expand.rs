@@ -15,7 +15,7 @@ use crate::names::Names;
 use crate::options::Options;
 use crate::signature::{self, Parameter};
 use crate::sweep::{self, tuple_or_one};
-use crate::{lending, recursion};
+use crate::{lending, numbers, recursion};
 
 /// Where a function stands.
 #[derive(Clone, Copy)]
@@ -173,7 +173,9 @@ impl Function<'_> {
         }
         let idents = parameters.iter().map(|parameter| parameter.ident.clone());
         let mut names = Names::new(quote!(#signature #body), idents);
-        let lowered = lower::lower(parameters, &header.result, body, &mut names, &mut errors);
+        let scalars = self.scalars();
+        let lowered =
+            lower::lower(parameters, &header.result, body, scalars, &mut names, &mut errors);
         signature::refuse_cfg(signature, body, &mut errors);
         errors.finish()?;
 
@@ -209,6 +211,17 @@ impl Function<'_> {
             }
         };
         Ok((body, jvp))
+    }
+
+    /// The type parameters that are scalars.
+    fn scalars(&self) -> Vec<Ident> {
+        let outer = match self.place {
+            Place::Free => None,
+            Place::Impl(generics) | Place::Trait(generics) | Place::TraitImpl(generics) => {
+                Some(generics)
+            }
+        };
+        outer.into_iter().chain([&self.signature.generics]).flat_map(numbers::scalars).collect()
     }
 
     /// The forward mode, unless it is not wanted or given by hand.

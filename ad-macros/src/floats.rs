@@ -1,4 +1,4 @@
-//! The inherent methods of `f32` and `f64`, which take their receiver by value.
+//! The inherent methods of `f32` and `f64`, and those of `Real`, which take their receiver by value.
 
 /// Those that return a number of the same type.
 const TO_NUMBER: [&str; 44] = [
@@ -47,6 +47,17 @@ const TO_NUMBER: [&str; 44] = [
     "to_radians",
     "trunc",
 ];
+
+/// Those that `Real` has, too.
+const OF_REAL: [&str; 22] = [
+    "abs", "acos", "asin", "atan", "atan2", "clamp", "copysign", "cos", "exp", "floor", "ln",
+    "max", "min", "mul_add", "powf", "powi", "recip", "signum", "sin", "sqrt", "tan", "tanh",
+];
+
+/// Whether a method of `Real` of this name returns a number of the same type.
+pub fn real_returns_number(method: &str) -> bool {
+    OF_REAL.contains(&method)
+}
 
 /// Whether a method of numbers of this name returns a number of the same type.
 pub fn returns_number(method: &str) -> bool {

@@ -14,6 +14,8 @@ pub struct Lowered {
     pub parameters: Vec<LoweredParameter>,
     /// The parameters that are shared references, and the types that they refer to.
     pub references: Vec<(VarId, Type)>,
+    /// The type parameters that are bounded by `Real`.
+    pub scalars: Vec<Ident>,
     /// The body.
     pub body: Block,
     /// Whether the body passes functions to others: it takes a derivative to do so, of the mode of what

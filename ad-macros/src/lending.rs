@@ -45,7 +45,7 @@ pub fn is_possible(function: &Function<'_>) -> bool {
 pub fn is_lent(parameter: &Parameter) -> bool {
     let may_be_large = match pointee(&parameter.ty) {
         Type::Slice(_) => true,
-        Type::Path(_) => !has_fixed_size(&parameter.ty) && !is_box(&parameter.ty),
+        Type::Path(_) => !has_fixed_size(&parameter.ty, &[]) && !is_box(&parameter.ty),
         _ => false,
     };
     parameter.is_shared && !parameter.is_constant && may_be_large
@@ -55,7 +55,7 @@ pub fn is_lent(parameter: &Parameter) -> bool {
 pub fn is_asked_for(function: &Function<'_>, header: &Header) -> bool {
     let may_be_reference = |parameter: &Parameter| match &parameter.ty {
         Type::Reference(_) => true,
-        ty => !has_fixed_size(ty),
+        ty => !has_fixed_size(ty, &[]),
     };
     match function.place {
         Place::Free => header.parameters.iter().any(may_be_reference),

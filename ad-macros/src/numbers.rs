@@ -1,4 +1,4 @@
-//! Which variables are certainly a single number, `f32` or `f64`.
+//! Which variables are certainly a single number: `f32`, `f64`, or of a type parameter `S: Real`.
 //!
 //! What is a number is known from the types that the user wrote (parameters, annotations), from
 //! literals, and from operators and methods of numbers. Both modes of arithmetic on numbers are then
@@ -7,15 +7,19 @@
 //! obligations to prove, which take most of the time of a large function, and a build without
 //! optimisation calls nothing.
 //!
-//! Where nothing is known (fields, results of calls, generic scalars) the traits remain. A guess is
-//! never made: a variable is either of a type that follows from the rules of the language, or
-//! unknown.
+//! Where nothing is known (fields, results of calls) the traits remain. A guess is never made: a
+//! variable is either of a type that follows from the rules of the language, or unknown. The one
+//! name that is taken for what it is elsewhere is that of the trait `Real`.
 
 use std::collections::HashMap;
 
-use proc_macro2::{Delimiter, TokenStream, TokenTree};
+use proc_macro2::{Ident, TokenStream};
 use quote::quote;
-use syn::{GenericArgument, PathArguments, Type};
+use syn::punctuated::Punctuated;
+use syn::{
+    Expr, ExprPath, GenericArgument, GenericParam, Generics, Lit, PathArguments, Token, Type,
+    TypeParamBound, UnOp, WherePredicate,
+};
 
 use crate::floats;
 use crate::ir::{Argument, Block, Operand, Operation, Place, Projection, Statement, Var, VarId};
@@ -23,20 +27,48 @@ use crate::lower::Lowered;
 use crate::signature::Parameter;
 
 /// A type of numbers.
-#[derive(Clone, Copy, PartialEq, Eq)]
+#[derive(Clone, PartialEq, Eq)]
 pub enum Number {
     F32,
     F64,
+    /// A type parameter that is bounded by `Real`.
+    Scalar(Ident),
 }
 
 impl Number {
     /// The neutral element of addition.
-    pub fn zero(self) -> TokenStream {
+    pub fn zero(&self) -> TokenStream {
         match self {
             Self::F32 => quote!(-0.0_f32),
             Self::F64 => quote!(-0.0_f64),
+            Self::Scalar(name) => quote!(<#name as ::ad::Additive>::zero()),
         }
     }
+}
+
+/// The type parameters that are bounded by `Real`.
+pub fn scalars(generics: &Generics) -> Vec<Ident> {
+    let is_real = |bounds: &Punctuated<TypeParamBound, Token![+]>| {
+        bounds.iter().any(|bound| match bound {
+            TypeParamBound::Trait(bound) => {
+                bound.path.segments.last().is_some_and(|last| last.ident == "Real")
+            }
+            _ => false,
+        })
+    };
+    let parameters = generics.params.iter().filter_map(|parameter| match parameter {
+        GenericParam::Type(ty) if is_real(&ty.bounds) => Some(ty.ident.clone()),
+        _ => None,
+    });
+    let clauses = generics.where_clause.iter().flat_map(|clause| &clause.predicates);
+    let clauses = clauses.filter_map(|predicate| match predicate {
+        WherePredicate::Type(bound) if is_real(&bound.bounds) => match &bound.bounded_ty {
+            Type::Path(path) if path.qself.is_none() => path.path.get_ident().cloned(),
+            _ => None,
+        },
+        _ => None,
+    });
+    parameters.chain(clauses).collect()
 }
 
 /// What is known of a variable.
@@ -45,22 +77,65 @@ enum Known {
     /// A type that the user wrote, or a part of one.
     Type(Box<Type>),
     /// A number.
-    Number(Number),
-    /// It was a literal at first, and is of the type of the number it is computed with. Whether it
-    /// still is, finite and not zero.
-    Literal { is_regular: bool },
+    Value(Value),
+    /// An array of what is known.
+    Array(Box<Known>),
+}
+
+/// What is known of a number.
+#[derive(Clone)]
+struct Value {
+    /// Its type; a literal is of the type of the number it is computed with.
+    number: Option<Number>,
+    /// Whether it is a constant, finite and not zero.
+    is_regular: bool,
+}
+
+impl Known {
+    /// A number of this type.
+    fn number(number: Number) -> Self {
+        Self::Value(Value { number: Some(number), is_regular: false })
+    }
+
+    /// Its type, if that is a number.
+    fn as_number(&self) -> Option<&Number> {
+        match self {
+            Self::Value(value) => value.number.as_ref(),
+            Self::Type(_) | Self::Array(_) => None,
+        }
+    }
+
+    /// Whether no type is known.
+    fn is_open(&self) -> bool {
+        match self {
+            Self::Type(_) => false,
+            Self::Value(value) => value.number.is_none(),
+            Self::Array(element) => element.is_open(),
+        }
+    }
+
+    /// The same of a variable that something else may be assigned to.
+    fn changing(self) -> Self {
+        match self {
+            Self::Type(ty) => Self::Type(ty),
+            Self::Value(value) => Self::Value(Value { is_regular: false, ..value }),
+            Self::Array(element) => Self::Array(Box::new(element.changing())),
+        }
+    }
 }
 
 /// See the module.
 pub struct Numbers<'a> {
     vars: &'a [Var],
+    scalars: &'a [Ident],
     known: HashMap<VarId, Known>,
 }
 
 impl<'a> Numbers<'a> {
     /// Finds the numbers.
     pub fn new(lowered: &'a Lowered, parameters: &[Parameter]) -> Self {
-        let mut numbers = Self { vars: &lowered.vars, known: HashMap::new() };
+        let mut numbers =
+            Self { vars: &lowered.vars, scalars: &lowered.scalars, known: HashMap::new() };
         for (parameter, lowered) in parameters.iter().zip(&lowered.parameters) {
             numbers.know_type(lowered.var, &parameter.ty);
         }
@@ -75,11 +150,8 @@ impl<'a> Numbers<'a> {
     }
 
     /// The type of a variable, if that is a number.
-    pub fn number(&self, var: VarId) -> Option<Number> {
-        match self.known.get(&var)? {
-            Known::Number(number) => Some(*number),
-            Known::Type(_) | Known::Literal { .. } => None,
-        }
+    pub fn number(&self, var: VarId) -> Option<&Number> {
+        self.known.get(&var)?.as_number()
     }
 
     /// Whether both operands of an operator are numbers.
@@ -87,21 +159,30 @@ impl<'a> Numbers<'a> {
         self.of_both(operands).is_some()
     }
 
-    /// Whether a variable is a literal, finite and not zero.
-    pub fn is_regular_literal(&self, var: VarId) -> bool {
-        matches!(self.known.get(&var), Some(Known::Literal { is_regular: true }))
+    /// Whether a variable is a constant, finite and not zero.
+    pub fn is_regular_constant(&self, var: VarId) -> bool {
+        matches!(self.known.get(&var), Some(Known::Value(Value { is_regular: true, .. })))
     }
 
     /// Whether the way from a variable into it leads through arrays alone, so that its cotangent
     /// has all of their elements.
     pub fn is_in_array(&self, root: VarId, path: &[Projection]) -> bool {
-        let Some(Known::Type(ty)) = self.known.get(&root) else { return false };
+        let Some(mut known) = self.known.get(&root) else { return false };
+        let mut path = path.iter();
+        let is_element =
+            |step: &Projection| matches!(step, Projection::Index(index) if is_index(index));
+        while let Known::Array(element) = known {
+            match path.next() {
+                None => return true,
+                Some(step) if is_element(step) => known = element,
+                Some(_) => return false,
+            }
+        }
+        let Known::Type(ty) = known else { return path.len() == 0 };
         let mut ty = without_references(ty);
         for step in path {
-            match (step, ty) {
-                (Projection::Index(index), Type::Array(array)) if is_index(index) => {
-                    ty = &array.elem;
-                }
+            match ty {
+                Type::Array(array) if is_element(step) => ty = &array.elem,
                 _ => return false,
             }
         }
@@ -109,15 +190,37 @@ impl<'a> Numbers<'a> {
     }
 
     fn count(&self) -> usize {
-        self.known.values().filter(|known| !matches!(known, Known::Literal { .. })).count()
+        self.known.values().filter(|known| !known.is_open()).count()
     }
 
     fn know_type(&mut self, var: VarId, ty: &Type) {
-        let known = match number(ty) {
-            Some(number) => Known::Number(number),
-            None => Known::Type(Box::new(ty.clone())),
-        };
+        let known = self.of_type(ty);
         self.known.insert(var, known);
+    }
+
+    fn of_type(&self, ty: &Type) -> Known {
+        match self.named(ty) {
+            Some(number) => Known::number(number),
+            None => Known::Type(Box::new(ty.clone())),
+        }
+    }
+
+    /// The number that a type is.
+    fn named(&self, ty: &Type) -> Option<Number> {
+        match ty {
+            Type::Path(path) if path.qself.is_none() => match path.path.get_ident()? {
+                name if name == "f32" => Some(Number::F32),
+                name if name == "f64" => Some(Number::F64),
+                name => self.scalar(name),
+            },
+            Type::Paren(paren) => self.named(&paren.elem),
+            Type::Group(group) => self.named(&group.elem),
+            _ => None,
+        }
+    }
+
+    fn scalar(&self, name: &Ident) -> Option<Number> {
+        self.scalars.contains(name).then(|| Number::Scalar(name.clone()))
     }
 
     fn block(&mut self, block: &Block) {
@@ -125,10 +228,12 @@ impl<'a> Numbers<'a> {
             match statement {
                 Statement::Define { var, ty: Some(ty), .. } => self.know_type(*var, ty),
                 Statement::Define { var, ty: None, operation } => {
-                    if self.is_open(*var)
+                    if self.known.get(var).is_none_or(Known::is_open)
                         && let Some(known) = self.result(operation)
                     {
-                        self.known.insert(*var, self.kept(*var, known));
+                        let is_constant = !self.vars[*var].mutable;
+                        let known = if is_constant { known } else { known.changing() };
+                        self.known.insert(*var, known);
                     }
                 }
                 Statement::Assign { place, value: Operand::Var(value) }
@@ -140,7 +245,7 @@ impl<'a> Numbers<'a> {
                             (branch.result, &arm.body.value)
                             && let Some(number) = self.number(*value)
                         {
-                            self.known.insert(result, Known::Number(number));
+                            self.known.insert(result, Known::number(number.clone()));
                         }
                     }
                 }
@@ -153,50 +258,53 @@ impl<'a> Numbers<'a> {
         }
     }
 
-    /// What stays known of a variable, whatever is assigned to it.
-    fn kept(&self, var: VarId, known: Known) -> Known {
-        match known {
-            Known::Literal { .. } if self.vars[var].mutable => Known::Literal { is_regular: false },
-            known => known,
-        }
-    }
-
-    /// Whether no type is known of a variable yet.
-    fn is_open(&self, var: VarId) -> bool {
-        matches!(self.known.get(&var), None | Some(Known::Literal { .. }))
-    }
-
-    /// A variable that began as a literal is of the type of what is assigned to it.
+    /// What began as a literal is of the type of what is assigned to it.
     fn assigned(&mut self, place: &Place, value: VarId) {
-        if place.path.is_empty()
-            && let Some(Known::Literal { .. }) = self.known.get(&place.root)
-            && let Some(number) = self.number(value)
-        {
-            self.known.insert(place.root, Known::Number(number));
+        let Some(number) = self.number(value).cloned() else { return };
+        let Some(mut known) = self.known.get_mut(&place.root) else { return };
+        for step in &place.path {
+            match (known, step) {
+                (Known::Array(element), Projection::Index(index)) if is_index(index) => {
+                    known = element;
+                }
+                _ => return,
+            }
+        }
+        if let Known::Value(value) = known {
+            value.number.get_or_insert(number);
         }
     }
 
     /// What is known of the result of an operation.
     fn result(&self, operation: &Operation) -> Option<Known> {
         match operation {
-            Operation::Use(Operand::Constant(tokens)) => constant(tokens),
+            Operation::Use(Operand::Constant(tokens)) => {
+                self.constant(&syn::parse2(tokens.clone()).ok()?)
+            }
             Operation::Use(Operand::Var(source)) => self.known.get(source).cloned(),
             Operation::Read(place) => self.part(place),
             Operation::Value(source) => match self.known.get(source)? {
-                Known::Type(ty) => number(without_references(ty)).map(Known::Number),
+                Known::Type(ty) => self.named(without_references(ty)).map(Known::number),
                 known => Some(known.clone()),
             },
-            Operation::Negate(value) => self.number(*value).map(Known::Number),
-            Operation::Binary(_, left, right) => self.of_both([*left, *right]).map(Known::Number),
-            Operation::Cast(_, ty) => number(ty).map(Known::Number),
+            Operation::Negate(value) => self.number(*value).cloned().map(Known::number),
+            Operation::Binary(_, left, right) => self.of_both([*left, *right]).map(Known::number),
+            Operation::Cast(_, ty) => self.named(ty).map(Known::number),
             Operation::Call { primal, method: true, arguments, .. } => {
                 let receiver = match arguments.first()? {
                     Argument::Receiver(place) => self.part(place)?,
                     Argument::Value(Operand::Var(var)) => self.known.get(var)?.clone(),
                     _ => return None,
                 };
-                let is_known = floats::returns_number(&primal.to_string());
-                (is_known && matches!(receiver, Known::Number(_))).then_some(receiver)
+                let number = receiver.as_number()?;
+                let returns_number = match number {
+                    Number::F32 | Number::F64 => floats::returns_number,
+                    Number::Scalar(_) => floats::real_returns_number,
+                };
+                returns_number(&primal.to_string()).then(|| Known::number(number.clone()))
+            }
+            Operation::Repeat { value, is_vec: false, .. } => {
+                self.known.get(value).cloned().map(|element| Known::Array(Box::new(element)))
             }
             Operation::Repeat { .. }
             | Operation::Borrow(_)
@@ -210,34 +318,78 @@ impl<'a> Numbers<'a> {
 
     /// The type of two operands, if that is a number.
     fn of_both(&self, operands: [VarId; 2]) -> Option<Number> {
-        match operands.map(|operand| self.known.get(&operand)) {
-            [Some(Known::Number(left)), Some(Known::Number(right))] => {
-                (left == right).then_some(*left)
+        let values = operands.map(|operand| match self.known.get(&operand) {
+            Some(Known::Value(value)) => Some(value.number.as_ref()),
+            _ => None,
+        });
+        match values {
+            [Some(Some(left)), Some(Some(right))] => (left == right).then(|| left.clone()),
+            // A literal is of no type parameter: what an operator between the two gives, only the
+            // bounds tell.
+            [Some(Some(number)), Some(None)] | [Some(None), Some(Some(number))] => {
+                Some(number.clone()).filter(|number| !matches!(number, Number::Scalar(_)))
             }
-            [Some(Known::Number(number)), Some(Known::Literal { .. })]
-            | [Some(Known::Literal { .. }), Some(Known::Number(number))] => Some(*number),
             _ => None,
         }
     }
 
     /// What is known of a part of a variable.
     fn part(&self, place: &Place) -> Option<Known> {
-        let root = self.known.get(&place.root)?;
-        if place.path.is_empty() {
-            return Some(root.clone());
-        }
-        let Known::Type(ty) = root else { return None };
-        let mut ty = (**ty).clone();
+        let mut known = self.known.get(&place.root)?.clone();
         for step in &place.path {
-            ty = match (step, ty) {
-                (Projection::Deref, Type::Reference(reference)) => *reference.elem,
-                (Projection::Index(index), ty) if is_index(index) => {
-                    element(without_references(&ty))?.clone()
+            known = match (known, step) {
+                (Known::Array(element), Projection::Index(index)) if is_index(index) => *element,
+                (Known::Type(ty), Projection::Deref) => match *ty {
+                    Type::Reference(reference) => self.of_type(&reference.elem),
+                    _ => return None,
+                },
+                (Known::Type(ty), Projection::Index(index)) if is_index(index) => {
+                    self.of_type(element(without_references(&ty))?)
                 }
                 _ => return None,
             };
         }
-        Some(number(&ty).map_or(Known::Type(Box::new(ty)), Known::Number))
+        Some(known)
+    }
+
+    /// What a constant tells by itself.
+    fn constant(&self, constant: &Expr) -> Option<Known> {
+        match constant {
+            Expr::Lit(literal) => of_literal(&literal.lit).map(Known::Value),
+            Expr::Paren(paren) => self.constant(&paren.expr),
+            Expr::Group(group) => self.constant(&group.expr),
+            Expr::Unary(unary) if matches!(unary.op, UnOp::Neg(_)) => self.constant(&unary.expr),
+            Expr::Cast(cast) => self.named(&cast.ty).map(Known::number),
+            Expr::Repeat(repeat) => {
+                Some(Known::Array(Box::new(self.constant(&repeat.expr)?.changing())))
+            }
+            Expr::Path(path) => {
+                let (number, name) = self.associated(path)?;
+                let is_regular = ["ONE", "TWO", "HALF", "PI"].iter().any(|regular| name == regular);
+                (is_regular || name == "ZERO")
+                    .then(|| Known::Value(Value { number: Some(number), is_regular }))
+            }
+            Expr::Call(call) => {
+                let Expr::Path(path) = &*call.func else { return None };
+                let (number, name) = self.associated(path)?;
+                let is_regular = match call.args.first()? {
+                    Expr::Lit(literal) => of_literal(&literal.lit)?.is_regular,
+                    _ => false,
+                };
+                (name == "from_f64")
+                    .then(|| Known::Value(Value { number: Some(number), is_regular }))
+            }
+            _ => None,
+        }
+    }
+
+    /// The scalar of `S::NAME`, and the name.
+    fn associated<'p>(&self, path: &'p ExprPath) -> Option<(Number, &'p Ident)> {
+        let segments = &path.path.segments;
+        match (path.qself.is_none(), segments.len()) {
+            (true, 2) => Some((self.scalar(&segments[0].ident)?, &segments[1].ident)),
+            _ => None,
+        }
     }
 }
 
@@ -253,16 +405,6 @@ fn without_references(ty: &Type) -> &Type {
         Type::Paren(paren) => without_references(&paren.elem),
         Type::Group(group) => without_references(&group.elem),
         ty => ty,
-    }
-}
-
-fn number(ty: &Type) -> Option<Number> {
-    match ty {
-        Type::Path(path) if path.qself.is_none() && path.path.is_ident("f32") => Some(Number::F32),
-        Type::Path(path) if path.qself.is_none() && path.path.is_ident("f64") => Some(Number::F64),
-        Type::Paren(paren) => number(&paren.elem),
-        Type::Group(group) => number(&group.elem),
-        _ => None,
     }
 }
 
@@ -283,46 +425,22 @@ fn element(ty: &Type) -> Option<&Type> {
     }
 }
 
-/// What a constant tells by itself: a literal, or a cast.
-fn constant(tokens: &TokenStream) -> Option<Known> {
-    let tokens: Vec<_> = tokens.clone().into_iter().collect();
-    match &tokens[..] {
-        [TokenTree::Literal(value)] => literal(&value.to_string()),
-        [TokenTree::Group(group)] if group.delimiter() == Delimiter::Parenthesis => {
-            constant(&group.stream())
+fn of_literal(literal: &Lit) -> Option<Value> {
+    let (number, value) = match literal {
+        Lit::Float(literal) => (literal.suffix(), literal.base10_parse::<f32>()),
+        // `1f64`
+        Lit::Int(literal) if !literal.suffix().is_empty() => {
+            (literal.suffix(), literal.base10_parse())
         }
-        [TokenTree::Punct(minus), value] if minus.as_char() == '-' => {
-            constant(&value.clone().into())
-        }
-        [value @ .., TokenTree::Ident(cast), TokenTree::Ident(ty)]
-            if cast == "as" && value.iter().all(is_part_of_path) =>
-        {
-            match () {
-                () if ty == "f32" => Some(Known::Number(Number::F32)),
-                () if ty == "f64" => Some(Known::Number(Number::F64)),
-                () => None,
-            }
-        }
-        _ => None,
-    }
-}
-
-/// Whether the token is none of an operator with two operands.
-fn is_part_of_path(token: &TokenTree) -> bool {
-    match token {
-        TokenTree::Punct(punct) => matches!(punct.as_char(), '.' | ':'),
-        TokenTree::Ident(_) | TokenTree::Literal(_) | TokenTree::Group(_) => true,
-    }
-}
-
-fn literal(text: &str) -> Option<Known> {
-    let text = text.replace('_', "");
-    if text.ends_with("f32") {
-        return Some(Known::Number(Number::F32));
-    }
-    if text.ends_with("f64") {
-        return Some(Known::Number(Number::F64));
-    }
-    let value: f32 = text.contains(['.', 'e', 'E']).then(|| text.parse().ok())??;
-    Some(Known::Literal { is_regular: value.is_finite() && value != 0.0 })
+        _ => return None,
+    };
+    let number = match number {
+        "" => None,
+        "f32" => Some(Number::F32),
+        "f64" => Some(Number::F64),
+        _ => return None,
+    };
+    // What is finite and not zero as an `f32` is so as an `f64`.
+    let is_regular = value.is_ok_and(|value| value.is_finite() && value != 0.0);
+    Some(Value { number, is_regular })
 }

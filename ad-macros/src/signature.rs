@@ -3,8 +3,8 @@
 use proc_macro2::{Span, TokenStream};
 use quote::{format_ident, quote};
 use syn::{
-    FnArg, GenericParam, Generics, Ident, Lifetime, Pat, ReceiverKind, ReturnType, Safety,
-    Signature, Type, parse_quote_spanned,
+    FnArg, GenericParam, Generics, Ident, Lifetime, Pat, Receiver, ReceiverKind, ReturnType,
+    Safety, Signature, Type, parse_quote_spanned,
     spanned::Spanned,
     visit::Visit,
     visit_mut::{self, VisitMut},
@@ -123,16 +123,25 @@ fn changes_something(signature: &Signature) -> bool {
     })
 }
 
-/// Whether all tangents of the type certainly have one size.
-pub fn has_fixed_size(ty: &Type) -> bool {
+/// Whether all tangents of the type, in which `scalars` are type parameters bounded by `Real`,
+/// certainly have one size.
+pub fn has_fixed_size(ty: &Type, scalars: &[Ident]) -> bool {
     match pointee(ty) {
-        Type::Array(array) => has_fixed_size(&array.elem),
-        Type::Tuple(tuple) => tuple.elems.iter().all(has_fixed_size),
+        Type::Array(array) => has_fixed_size(&array.elem, scalars),
+        Type::Tuple(tuple) => tuple.elems.iter().all(|ty| has_fixed_size(ty, scalars)),
         Type::Path(path) => {
-            is_discrete(ty) || path.path.is_ident("f32") || path.path.is_ident("f64")
+            let is_number = |name: &Ident| name == "f32" || name == "f64" || scalars.contains(name);
+            is_discrete(ty) || path.path.get_ident().is_some_and(is_number)
         }
         _ => false,
     }
+}
+
+const EXCLUSIVE_CONSTANT: &str = "what a `&mut` parameter holds afterwards may have a derivative: only other parameters are `#[constant]`";
+
+/// A receiver without its attributes.
+pub fn bare(receiver: &Receiver) -> Receiver {
+    Receiver { attrs: Vec::new(), ..receiver.clone() }
 }
 
 /// The parameters, in order. Refuses what has no derivative.
@@ -158,16 +167,21 @@ pub fn parameters(callables: &Callables, errors: &mut Errors) -> Vec<Parameter> 
             if let ReceiverKind::Typed(..) = receiver.kind {
                 errors.at(receiver, "write `self` or `&self`: other receivers are not supported");
             }
+            let is_exclusive = matches!(receiver.kind, ReceiverKind::Reference(_, _, Some(_)));
+            let is_constant = receiver.attrs.iter().any(is_constant_mark);
+            if is_constant && is_exclusive {
+                errors.at(receiver, EXCLUSIVE_CONSTANT);
+            }
             Parameter {
                 ident: Ident::new("self", receiver.self_token.span),
                 pattern: None,
                 ty: syn::parse_quote!(Self),
-                is_exclusive: matches!(receiver.kind, ReceiverKind::Reference(_, _, Some(_))),
+                is_exclusive,
                 is_shared: matches!(receiver.kind, ReceiverKind::Reference(_, _, None)),
                 is_mutable_receiver: matches!(receiver.kind, ReceiverKind::Value)
                     && receiver.mutability.is_some(),
                 arity: None,
-                is_constant: receiver.attrs.iter().any(is_constant_mark),
+                is_constant,
             }
         }
         FnArg::Typed(typed) => {
@@ -177,10 +191,7 @@ pub fn parameters(callables: &Callables, errors: &mut Errors) -> Vec<Parameter> 
                 refused::parameter(&typed.ty, errors);
             }
             if is_constant && is_exclusive {
-                errors.at(
-                    typed,
-                    "what a `&mut` parameter holds afterwards may have a derivative: only other parameters are `#[constant]`",
-                );
+                errors.at(typed, EXCLUSIVE_CONSTANT);
             }
             let ident = match &*typed.pat {
                 Pat::Ident(pat) if pat.by_ref.is_none() && pat.subpat.is_none() => {

@@ -2,6 +2,7 @@
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
+use crate::assigning::assigning;
 use crate::vector::Xyz;
 use crate::{Additive, Differentiable, Real, Select};
 
@@ -73,7 +74,7 @@ impl<S: Real, D: Along<S>> Additive for Dual<S, D> {
 
     #[inline(always)]
     fn accumulate(&mut self, other: Self) {
-        *self = *self + other;
+        *self += other;
     }
 }
 
@@ -140,6 +141,8 @@ impl<S: Real, D: Along<S>> Div for Dual<S, D> {
         Self::new(quotient, slope)
     }
 }
+
+assigning!([S: Real, D: Along<S>] Dual<S, D>);
 
 impl<S: Real, D: Along<S>> Real for Dual<S, D> {
     type Vec3 = Xyz<Self>;

@@ -675,6 +675,7 @@
 
 extern crate self as ad;
 
+mod assigning;
 mod boxed;
 pub mod check;
 mod containers;

@@ -9,7 +9,9 @@
 //! or `f64` and needs nothing of this.
 
 use core::fmt::Debug;
-use core::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
+use core::ops::{
+    Add, AddAssign, BitAnd, BitOr, Div, DivAssign, Mul, MulAssign, Neg, Not, Sub, SubAssign,
+};
 
 use crate::rules::{AddPullback, Arithmetic, DivPullback, MulPullback, NegPullback, SubPullback};
 use crate::vector::Vector3;
@@ -118,6 +120,10 @@ pub trait Real:
     + MulPullback
     + Div<Output = Self>
     + DivPullback
+    + AddAssign
+    + SubAssign
+    + MulAssign
+    + DivAssign
     + 'static
 {
     /// The vector of three of these.

@@ -20,7 +20,7 @@ pub use cotangent::{
     Absorb, At, Constant, Content, Enter, Length, Lent, NotLent, Nothing, Same, Take, at, sum, take,
 };
 pub use kept::{Decrease, Difference, Increase, Negation, Sum};
-pub use products::{Products, ProductsOutOfLine, scale, with_products};
+pub use products::{Products, ProductsOutOfLine, rarely, scale, with_products};
 pub use pullback::{
     Lends, LendsNothing, MethodPullback, MethodPullbackOnto, Offered, PullbackOnto,
 };

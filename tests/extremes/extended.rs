@@ -151,6 +151,23 @@ impl Div for Extended {
     }
 }
 
+macro_rules! assigning {
+    ($($name:ident $method:ident $operator:tt;)*) => {$(
+        impl std::ops::$name for Extended {
+            fn $method(&mut self, other: Self) {
+                *self = *self $operator other;
+            }
+        }
+    )*};
+}
+
+assigning! {
+    AddAssign add_assign +;
+    SubAssign sub_assign -;
+    MulAssign mul_assign *;
+    DivAssign div_assign /;
+}
+
 impl PartialOrd for Extended {
     fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
         let high = self.high.partial_cmp(&other.high)?;

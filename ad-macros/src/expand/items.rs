@@ -227,7 +227,7 @@ impl Function<'_> {
 /// The parameters as the generated functions take them: each under one name.
 fn inputs(signature: &Signature, parameters: &[Parameter]) -> TokenStream {
     let inputs = signature.inputs.iter().zip(parameters).map(|(input, parameter)| match input {
-        FnArg::Receiver(receiver) => quote!(#receiver),
+        FnArg::Receiver(receiver) => signature::bare(receiver).into_token_stream(),
         FnArg::Typed(typed) => {
             let (ident, ty) = (&parameter.ident, &typed.ty);
             quote!(#ident: #ty)

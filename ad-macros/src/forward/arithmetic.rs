@@ -35,15 +35,15 @@ impl Writer<'_> {
                 let right = self.owned(right);
                 Some(quote!(-#right))
             }
-            (BinaryOperator::Mul, [true, false]) if self.scalars.is_regular_literal(right) => {
+            (BinaryOperator::Mul, [true, false]) if self.scalars.is_regular_constant(right) => {
                 let (left, right) = (self.owned(left), self.ident(right).clone());
                 Some(quote!(#left * #right))
             }
-            (BinaryOperator::Mul, [false, true]) if self.scalars.is_regular_literal(left) => {
+            (BinaryOperator::Mul, [false, true]) if self.scalars.is_regular_constant(left) => {
                 let (left, right) = (self.ident(left).clone(), self.owned(right));
                 Some(quote!(#left * #right))
             }
-            (BinaryOperator::Div, [true, false]) if self.scalars.is_regular_literal(right) => {
+            (BinaryOperator::Div, [true, false]) if self.scalars.is_regular_constant(right) => {
                 let (left, right) = (self.owned(left), self.ident(right).clone());
                 Some(quote!(#left / #right))
             }

@@ -8,7 +8,7 @@ use syn::{FnArg, ReceiverKind, Type};
 use super::Tangent;
 use crate::elision;
 use crate::expand::{Function, Place};
-use crate::signature::{Parameter, is_discrete, pointee};
+use crate::signature::{Parameter, bare, is_discrete, pointee};
 
 /// What the tangent of a parameter is.
 pub(super) fn tangent_of_parameter(parameter: &Parameter) -> Tangent {
@@ -31,19 +31,19 @@ fn is_still(ty: &Type) -> bool {
     }
 }
 
-/// Whether the type is that of a number or a vector.
-pub(super) fn is_number(ty: &Type) -> bool {
+/// Whether the type is that of a number, which may be one of `scalars`, or a vector.
+pub(super) fn is_number(ty: &Type, scalars: &[Ident]) -> bool {
     const NUMBERS: [&str; 8] = ["f32", "f64", "Vec2", "Vec3", "Vec4", "DVec2", "DVec3", "DVec4"];
-    matches!(ty, Type::Path(path)
-        if path.path.get_ident().is_some_and(|ident| NUMBERS.iter().any(|name| ident == name)))
+    let is_number = |name| NUMBERS.iter().any(|number| name == number) || scalars.contains(name);
+    matches!(ty, Type::Path(path) if path.path.get_ident().is_some_and(is_number))
 }
 
 /// Whether the type is that of a sequence of numbers, or a reference to one.
-pub(super) fn is_made_of_numbers(ty: &Type) -> bool {
+pub(super) fn is_made_of_numbers(ty: &Type, scalars: &[Ident]) -> bool {
     match pointee(ty) {
-        Type::Array(array) => is_number(&array.elem),
-        Type::Slice(slice) => is_number(&slice.elem),
-        ty => element_of_vec(ty).is_some_and(is_number),
+        Type::Array(array) => is_number(&array.elem, scalars),
+        Type::Slice(slice) => is_number(&slice.elem, scalars),
+        ty => element_of_vec(ty).is_some_and(|element| is_number(element, scalars)),
     }
 }
 
@@ -173,7 +173,7 @@ pub fn item(
     let (named_result, borrows) = elision::named(result);
     let is_named = borrows && !borrows_self;
     let inputs = signature.inputs.iter().zip(parameters).map(|(input, parameter)| match input {
-        FnArg::Receiver(receiver) => quote!(#receiver),
+        FnArg::Receiver(receiver) => bare(receiver).into_token_stream(),
         FnArg::Typed(typed) => {
             let ident = &parameter.ident;
             let ty = if is_named { elision::named(&typed.ty).0 } else { (*typed.ty).clone() };

@@ -86,10 +86,10 @@ pub fn forward(lowered: &Lowered, parameters: &[Parameter], names: &mut Names) -
         if lowered.vars[var].active {
             writer.tangents[var] = function::tangent_of_parameter(parameter);
         }
-        if function::is_number(&parameter.ty) {
+        if function::is_number(&parameter.ty, &lowered.scalars) {
             writer.numbers.insert(var);
         }
-        if function::is_made_of_numbers(&parameter.ty) {
+        if function::is_made_of_numbers(&parameter.ty, &lowered.scalars) {
             writer.of_numbers.insert(var);
         }
         if writer.tangents[var] != Tangent::Still && function::has_length(&parameter.ty) {
@@ -209,7 +209,7 @@ impl Writer<'_> {
 
     /// A copy of the tangent of `var`.
     fn copy(&self, var: VarId, tangent: TokenStream) -> TokenStream {
-        match self.numbers.contains(&var) {
+        match self.numbers.contains(&var) || self.scalars.number(var).is_some() {
             true => tangent,
             false => quote!(::ad::rt::copy(&#tangent)),
         }

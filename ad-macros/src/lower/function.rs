@@ -250,6 +250,7 @@ impl Lowerer<'_> {
         let mut inner = Lowerer::new(on_failure, self.names, self.errors);
         inner.is_object = true;
         inner.variants = self.variants.clone();
+        inner.scalars = self.scalars.clone();
         let mut vars = Vec::new();
         let body = inner.block(|inner| {
             let mut meanings = HashMap::new();

@@ -69,10 +69,12 @@ pub fn lower(
     parameters: &[Parameter],
     result: &Type,
     body: &syn::Block,
+    scalars: Vec<Ident>,
     names: &mut Names,
     errors: &mut Errors,
 ) -> Lowered {
     let mut lowerer = Lowerer::new(OnFailure::of(result), names, errors);
+    lowerer.scalars = scalars;
     let types = parameters.iter().map(|parameter| &parameter.ty).chain([result]);
     lowerer.variants = variants::of(types, body);
     let mut parameter_vars = Vec::new();
@@ -159,6 +161,8 @@ struct Lowerer<'a> {
     capitals: HashSet<String>,
     /// The constructors that are variants although their enum is not named.
     variants: HashSet<String>,
+    /// The type parameters that are scalars.
+    scalars: Vec<Ident>,
     /// The variables on which methods are being called whose arguments are being written. An
     /// argument is evaluated before the call, although the receiver stands first: no method that
     /// an argument calls may change it.
@@ -191,6 +195,7 @@ impl<'a> Lowerer<'a> {
             items: HashSet::new(),
             capitals: HashSet::new(),
             variants: HashSet::new(),
+            scalars: Vec::new(),
             called_on: Vec::new(),
             names,
             errors,
@@ -211,12 +216,12 @@ impl Lowerer<'_> {
         let references = references.collect();
         let parameters = both.map(|(parameter, &var)| LoweredParameter {
             var,
-            has_shape: !has_fixed_size(&parameter.ty),
+            has_shape: !has_fixed_size(&parameter.ty, &self.scalars),
             is_box: is_box(&parameter.ty),
         });
         let parameters = parameters.collect();
-        let passes_functions = self.passes_functions;
-        Lowered { vars: self.vars, parameters, references, body, passes_functions }
+        let Self { vars, scalars, passes_functions, .. } = self;
+        Lowered { vars, parameters, references, scalars, body, passes_functions }
     }
 
     /// Writes a block; `fill` returns its value.

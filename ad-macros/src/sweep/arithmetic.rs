@@ -54,7 +54,7 @@ impl Sweeper<'_> {
                     self.add(reverse, left, &[], to_left);
                     return self.add(reverse, right, &[], to_right);
                 }
-                BinaryOperator::Div if self.numbers.is_regular_literal(right) => {
+                BinaryOperator::Div if self.numbers.is_regular_constant(right) => {
                     let denominator = self.ident(right);
                     let to_left = quote!(#cotangent / #denominator);
                     return self.add(reverse, left, &[], to_left);
@@ -63,15 +63,13 @@ impl Sweeper<'_> {
             }
         }
         let pulled = match (operator, &self.products) {
-            (BinaryOperator::Mul, Some(Products { rules, .. })) => {
+            (BinaryOperator::Mul, Some(Products { name, .. })) => {
                 let [left, right] = operands.map(|operand| self.ident(operand));
-                quote_spanned!(span=> #rules.mul_pullback(#left, #right, #cotangent))
+                quote_spanned!(span=> #name.mul_pullback(#left, #right, #cotangent))
             }
-            (BinaryOperator::Div, Some(Products { rules, .. }))
-                if self.are_numbers(left, right) =>
-            {
+            (BinaryOperator::Div, Some(Products { name, .. })) if self.are_numbers(left, right) => {
                 let [left, right] = operands.map(|operand| self.ident(operand));
-                quote_spanned!(span=> #rules.div_pullback(#left, #right, #cotangent))
+                quote_spanned!(span=> #name.div_pullback(#left, #right, #cotangent))
             }
             _ => self.binary_pullback(operator, record, operands, cotangent, span),
         };
@@ -137,7 +135,7 @@ impl Sweeper<'_> {
 
     /// Whether the pullback of a product is one call instead of two products.
     fn calls_for(&self, factors: [VarId; 2]) -> bool {
-        let is_called = self.products.as_ref().is_some_and(|products| !products.is_chosen);
+        let is_called = self.products.as_ref().is_some_and(|products| !products.are_chosen());
         is_called && factors.iter().all(|&factor| self.vars[factor].active)
     }
 
@@ -146,8 +144,8 @@ impl Sweeper<'_> {
     fn scaled(&self, cotangent: &TokenStream, factor: VarId) -> TokenStream {
         let ident = self.ident(factor);
         match &self.products {
-            _ if self.numbers.is_regular_literal(factor) => quote!(#cotangent * #ident),
-            Some(Products { rules, .. }) => quote!(#rules.scale(#cotangent, #ident)),
+            _ if self.numbers.is_regular_constant(factor) => quote!(#cotangent * #ident),
+            Some(Products { name, .. }) => quote!(#name.scale(#cotangent, #ident)),
             None => quote!(::ad::rt::scale(#cotangent, #ident)),
         }
     }

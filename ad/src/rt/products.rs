@@ -1,5 +1,5 @@
-//! The rules of products and quotients: with the comparison of cotangents with zero, or without it, as a pullback
-//! chooses; a very large function calls them.
+//! The rules of products and quotients: with the comparison of cotangents with zero, or without it,
+//! as a pullback chooses; a very large function calls them.
 //!
 //! `scale` is half of a rule, for numbers: a cotangent times one factor.
 
@@ -15,6 +15,11 @@ pub struct Products {
 }
 
 impl Products {
+    /// The rules where factors and quotients are finite.
+    pub const OF_FINITE: Self = Self { are_finite: true };
+    /// The rules where one may not be.
+    pub const OF_ANY: Self = Self { are_finite: false };
+
     /// `cotangent * factor`, and 0 where the cotangent is 0.
     #[inline(always)]
     pub fn scale<S: Real>(self, cotangent: S, factor: S) -> S {
@@ -56,8 +61,8 @@ impl Products {
 #[inline(always)]
 pub fn with_products<R>(irregular: f64, reverse: impl FnOnce(Products) -> R) -> R {
     match irregular == 0.0 {
-        true => reverse(Products { are_finite: true }),
-        false => rarely(move || reverse(Products { are_finite: false })),
+        true => reverse(Products::OF_FINITE),
+        false => rarely(move || reverse(Products::OF_ANY)),
     }
 }
 
@@ -90,8 +95,9 @@ impl ProductsOutOfLine {
     }
 }
 
+/// Runs a reverse sweep out of line.
 #[cold]
 #[inline(never)]
-fn rarely<R>(reverse: impl FnOnce() -> R) -> R {
+pub fn rarely<R>(reverse: impl FnOnce() -> R) -> R {
     reverse()
 }

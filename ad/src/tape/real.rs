@@ -7,6 +7,7 @@ use core::fmt;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
 use super::Var;
+use crate::assigning::assigning;
 use crate::vector::Xyz;
 use crate::{Additive, Differentiable, Real, Scalar, Select};
 
@@ -55,7 +56,7 @@ impl Additive for Var {
     }
 
     fn accumulate(&mut self, other: Self) {
-        *self = *self + other;
+        *self += other;
     }
 }
 
@@ -114,6 +115,8 @@ impl Div for Var {
         self.binary(other, value, [recip, guarded(defined && value != 0.0, -value * recip)])
     }
 }
+
+assigning!([] Var);
 
 /// The derivative of `asin`, 0 at -1 and 1.
 #[inline(always)]

@@ -49,6 +49,7 @@ mod operators;
 mod outcomes;
 mod passing_on;
 mod programs;
+mod scalars;
 mod slices;
 mod splits;
 mod statements;

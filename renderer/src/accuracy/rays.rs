@@ -46,12 +46,13 @@ pub(super) fn pilots_with_rays(
         counts.drain(..counts.len() - 1);
     }
     let with = |kind: &Setting, count: u32| Setting { sampling: sampler.sampling(count), ..*kind };
+    let worth_trying = worth_trying(&all, accuracy);
     let mut settings = Vec::new();
     for count in counts {
         match count {
             // It is one gradient each, so there is no need to guess.
             1 => settings.extend(all.iter().map(|pilot| with(&pilot.setting, 1))),
-            _ => settings.extend(worth_trying(&all, accuracy).iter().map(|kind| with(kind, count))),
+            _ => settings.extend(worth_trying.iter().map(|kind| with(kind, count))),
         }
     }
     settings.sort_by(|a, b| work.of(a).total_cmp(&work.of(b)));

@@ -62,7 +62,12 @@ impl<L: Lanes, P: PixelLoss> Sweep<'_, L, P> {
                 let (uv, pullback) = triangle_crossing::vjp::<f64>(ray, a, b, c, places);
                 let to_uv = self.pull_varied_opacity((index, plain), texture, uv, cotangent);
                 let (ray, a, b, c, places) = pullback(to_uv);
-                self.add_to_triangle(crossing.primitive, [a, b, c], places);
+                if self.wanted.vertices {
+                    self.add_to_corners(crossing.primitive, [a, b, c]);
+                }
+                if self.wanted.texture_coordinates {
+                    self.add_to_places(crossing.primitive, places);
+                }
                 ray
             }
             Crossed::Sphere(sphere) => {
@@ -101,27 +106,6 @@ impl<L: Lanes, P: PixelLoss> Sweep<'_, L, P> {
             }
         }
         uv
-    }
-
-    /// Adds the cotangents of corners and of their places on textures.
-    fn add_to_triangle(
-        &mut self,
-        triangle: usize,
-        corners: [DVec3; 3],
-        places: [UvTangent<f64>; 3],
-    ) {
-        let Self { prepared, wanted, sums, .. } = self;
-        if wanted.vertices {
-            for (vertex, corner) in prepared.triangles[triangle].into_iter().zip(corners) {
-                self.vertices.add(&mut sums.vertices, vertex as usize, corner);
-            }
-        }
-        if wanted.texture_coordinates {
-            let indices = prepared.uv_triangles[triangle].into_iter().flatten();
-            for (uv, place) in indices.zip(places) {
-                self.uvs.add(&mut sums.uvs, uv as usize, place);
-            }
-        }
     }
 
     /// Pulls the cotangent of the ray from a point to a light back to the light; returns that of the

@@ -2,6 +2,7 @@
 
 use ad::lanes::Lanes;
 use ad::{Additive, Tangent, Vec3};
+use glam::DVec3;
 
 use super::flow::{Flow, ToSurface};
 use super::{PixelLoss, Sweep};
@@ -11,7 +12,7 @@ use crate::integrator::view::{Group, Shape, View};
 use crate::kernels::camera::Ray;
 use crate::kernels::sphere::{Sphere, sphere_surface};
 use crate::kernels::surface::SurfacePoint;
-use crate::kernels::texture::{Uv, sphere_uv, triangle_uv};
+use crate::kernels::texture::{Uv, UvTangent, sphere_uv, triangle_uv};
 use crate::kernels::triangle::triangle_surface;
 use crate::precision::sum_of_vectors;
 
@@ -57,18 +58,14 @@ impl<L: Lanes, P: PixelLoss> Sweep<'_, L, P> {
                     surface.point.accumulate(to_point);
                     to_corners = corners;
                 }
-                let Self { prepared, wanted, sums, .. } = self;
                 let (_, pullback) = triangle_surface::vjp::<L>(group.ray, a, b, c);
                 let (ray, a, b, c) = pullback(surface);
                 to_corners.accumulate([a, b, c]);
-                if wanted.vertices {
+                if self.wanted.vertices {
                     for (triangle, lanes) in group.primitives.iter() {
                         let mask = L::mask_from_bits(lanes);
-                        let corners = prepared.triangles[triangle].iter().zip(to_corners);
-                        for (&vertex, corner) in corners {
-                            let sum = sum_of_vectors::<L>(corner, mask);
-                            self.vertices.add(&mut sums.vertices, vertex as usize, sum);
-                        }
+                        let sums = to_corners.map(|corner| sum_of_vectors::<L>(corner, mask));
+                        self.add_to_corners(triangle, sums);
                     }
                 }
                 ray
@@ -107,19 +104,32 @@ impl<L: Lanes, P: PixelLoss> Sweep<'_, L, P> {
         [a, b, c]: [Vec3<L>; 3],
         cotangent: Tangent<Uv<L>>,
     ) -> (Vec3<L>, [Vec3<L>; 3]) {
-        let Self { prepared, wanted, sums, .. } = self;
-        let corners = prepared.uv_of_corners(&group.primitives);
+        let corners = self.prepared.uv_of_corners(&group.primitives);
         let (_, pullback) = triangle_uv::vjp::<L>(group.surface.point, a, b, c, corners);
         let (point, a, b, c, corners) = pullback(cotangent);
-        if wanted.texture_coordinates {
+        if self.wanted.texture_coordinates {
             for (triangle, lanes) in group.primitives.iter() {
                 let mask = L::mask_from_bits(lanes);
-                let indices = prepared.uv_triangles[triangle].into_iter().flatten();
-                for (uv, corner) in indices.zip(&corners) {
-                    self.uvs.add(&mut sums.uvs, uv as usize, corner.sum(mask));
-                }
+                self.add_to_places(triangle, corners.map(|corner| corner.sum(mask)));
             }
         }
         (point, [a, b, c])
+    }
+
+    /// Adds the cotangents of the corners of a triangle to those of vertices.
+    #[inline]
+    pub(super) fn add_to_corners(&mut self, triangle: usize, corners: [DVec3; 3]) {
+        for (vertex, corner) in self.prepared.triangles[triangle].into_iter().zip(corners) {
+            self.vertices.add(&mut self.sums.vertices, vertex as usize, corner);
+        }
+    }
+
+    /// Adds the cotangents of the places on textures of the corners of a triangle.
+    #[inline]
+    pub(super) fn add_to_places(&mut self, triangle: usize, places: [UvTangent<f64>; 3]) {
+        let indices = self.prepared.uv_triangles[triangle].into_iter().flatten();
+        for (uv, place) in indices.zip(places) {
+            self.uvs.add(&mut self.sums.uvs, uv as usize, place);
+        }
     }
 }
