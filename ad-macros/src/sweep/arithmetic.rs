@@ -85,10 +85,15 @@ impl Sweeper<'_> {
         operands: [VarId; 2],
         span: Span,
     ) -> TokenStream {
+        let is_of_numbers = |function: &str| {
+            floats::takes_number(function)
+                || function.starts_with("f64 ::")
+                || function.starts_with("f32 ::")
+        };
         let is_returned = |operand: VarId| {
             self.numbers.number(operand).is_none()
-                && matches!(self.facts.operation(operand), Some(Operation::Call { primal, method, .. })
-                    if !method || !floats::takes_number(&primal.to_string()))
+                && matches!(self.facts.operation(operand), Some(Operation::Call { primal, .. })
+                    if !is_of_numbers(&primal.to_string()))
         };
         let is_returned = operands.into_iter().any(is_returned);
         let [left, right] = operands.map(|operand| {

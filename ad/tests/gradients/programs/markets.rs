@@ -89,7 +89,8 @@ fn price(
 fn portfolio(spot: f64, volatility: f64, rate: f64) -> f64 {
     let market = Market { spot, rate, volatility };
     let mut value = 0.0;
-    for (i, kind) in [Payoff::Call, Payoff::Put, Payoff::Asian { fixings: 3 }].into_iter().enumerate()
+    for (i, kind) in
+        [Payoff::Call, Payoff::Put, Payoff::Asian { fixings: 3 }].into_iter().enumerate()
     {
         let weight = 1.0 + 0.5 * i as f64;
         value += weight * price(&market, kind, 1.0, 0.75, 40, 5);

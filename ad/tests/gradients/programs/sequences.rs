@@ -87,11 +87,8 @@ fn likelihood(x: f64, y: f64) -> f64 {
 #[test]
 fn a_hidden_markov_model() {
     check!(likelihood(x, y) at [0.3, -0.7], [1.2, 0.4]);
-    let model = Model {
-        initial: vec![0.0],
-        transition: vec![vec![0.0]],
-        emission: vec![vec![0.0, 1.0]],
-    };
+    let model =
+        Model { initial: vec![0.0], transition: vec![vec![0.0]], emission: vec![vec![0.0, 1.0]] };
     assert_eq!(model.log_likelihood_vjp(&[]).0, Err(ModelError::Empty));
     let unknown = ModelError::UnknownSymbol { symbol: 4, at: 1 };
     assert_eq!(model.log_likelihood_vjp(&[1, 4]).0, Err(unknown));
@@ -123,7 +120,8 @@ fn fourier<S: Real>(re: &mut [S], im: &mut [S], #[constant] sign: f64) {
             for k in 0..half {
                 let (s, c) = (angle * k as f64).sin_cos();
                 let (s, c) = (S::from_f64(s), S::from_f64(c));
-                let (x, y) = (re[k + half] * c - im[k + half] * s, re[k + half] * s + im[k + half] * c);
+                let (x, y) =
+                    (re[k + half] * c - im[k + half] * s, re[k + half] * s + im[k + half] * c);
                 re[k + half] = re[k] - x;
                 im[k + half] = im[k] - y;
                 re[k] = re[k] + x;

@@ -85,8 +85,7 @@ fn simulate(stiffness: f64, damping: f64, wind: f64) -> f64 {
     }
     let count = x.len();
     let pinned = (0..count).map(|i| i == 0 || i == width - 1).collect::<Vec<bool>>();
-    let mut cloth =
-        Cloth { x, v: vec![[0.0; 2]; count], stiffness, damping, springs, pinned };
+    let mut cloth = Cloth { x, v: vec![[0.0; 2]; count], stiffness, damping, springs, pinned };
     for _ in 0..12 {
         cloth.step(wind, 0.01);
     }
