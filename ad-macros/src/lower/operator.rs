@@ -11,9 +11,9 @@ use syn::spanned::Spanned;
 use syn::{BinOp, Expr, ExprBinary, Path, Type, UnOp, parse_quote};
 
 use super::Lowerer;
-use super::construct::is_type_name;
+use super::construct::{is_transparent, is_type_name, outcome};
 use super::flow::strip_parens;
-use crate::ir::{Argument, Operand};
+use crate::ir::{Argument, Operand, Place};
 use crate::signature::{is_discrete, pointee};
 
 impl Lowerer<'_> {
@@ -38,11 +38,21 @@ impl Lowerer<'_> {
             }
             Expr::MethodCall(call) => call.method == "clone" && call.args.is_empty(),
             Expr::Call(call) => {
-                matches!(&*call.func, Expr::Path(function) if constructs(&function.path))
+                matches!(&*call.func, Expr::Path(function)
+                    if constructs(&function.path) || self.is_tuple_struct(&function.path))
             }
             Expr::Struct(_) => true,
             _ => false,
         }
+    }
+
+    /// `Polynomial(..)`
+    fn is_tuple_struct(&self, function: &Path) -> bool {
+        let last = function.segments.last();
+        last.is_some_and(|last| is_type_name(&last.ident) && is_own_name(&last.ident))
+            && !is_transparent(function)
+            && outcome(function).is_none()
+            && self.variant(function).is_none()
     }
 
     fn is_of_own_type(&self, var: crate::ir::VarId) -> bool {
@@ -138,11 +148,18 @@ impl Lowerer<'_> {
                 .is_some_and(|var| self.vars[var].reference),
             _ => false,
         };
-        match is_reference {
-            true => self.argument(&parse_quote!(&*#expr)),
-            // In parentheses: what follows `&` may be another operator.
-            false => self.argument(&parse_quote!(&(#expr))),
+        if is_reference {
+            return self.argument(&parse_quote!(&*#expr));
         }
+        // What may be changed is taken as it is now.
+        if let Some(place) = self.active_place(expr)
+            && self.vars[place.root].mutable
+            && let Operand::Var(root) = self.operand(expr, "operand")
+        {
+            return Argument::Borrow(Place { root, path: Vec::new() });
+        }
+        // In parentheses: what follows `&` may be another operator.
+        self.argument(&parse_quote!(&(#expr)))
     }
 }
 

@@ -76,8 +76,10 @@ impl Writer {
         }
         let (target, by) = (self.random.pick(&targets).name, self.expression(1));
         let method = self.random.pick(&["chunks_exact_mut", "chunks_mut"]);
+        let factor = self.fresh("k");
+        self.line(&put(&format!("let {factor} = {{}};"), &[&by]));
         self.line(&Both::same(format!("for part in {target}.{method}(2) {{")));
-        self.line(&put("    part[0] = (part[0] * {}).sin();", &[&by]));
+        self.line(&Both::same(format!("    part[0] = (part[0] * {factor}).sin();")));
         self.line(&Both::same("    part.reverse();"));
         self.line(&Both::same("}"));
     }
