@@ -23,7 +23,7 @@
 
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::{format_ident, quote};
-use syn::{Expr, ReceiverKind, Type};
+use syn::{Expr, Lit, ReceiverKind, Type};
 
 use crate::expand::{Function, Header, Place, turbofish};
 use crate::signature::{Parameter, has_fixed_size, is_box, pointee};
@@ -132,7 +132,13 @@ impl Method {
 pub fn has_own_type(constant: &TokenStream) -> bool {
     fn has(expr: &Expr) -> bool {
         match expr {
-            Expr::Lit(_) => true,
+            // Taken by what takes anything, a number without a type is an `i32`.
+            Expr::Lit(literal) => match &literal.lit {
+                Lit::Int(number) => {
+                    !number.suffix().is_empty() || number.base10_parse::<i32>().is_ok()
+                }
+                _ => true,
+            },
             Expr::Path(path) => path.path.segments.last().is_some_and(|last| {
                 let name = last.ident.to_string();
                 !name.starts_with(char::is_uppercase) || name.to_uppercase() == name
