@@ -3,7 +3,7 @@
 mod items;
 
 use proc_macro2::{Ident, Span, TokenStream};
-use quote::{format_ident, quote, quote_spanned};
+use quote::{ToTokens, format_ident, quote, quote_spanned};
 use syn::spanned::Spanned;
 use syn::{Attribute, GenericParam, Generics, Signature, Type, Visibility};
 
@@ -185,17 +185,29 @@ impl Function<'_> {
         let sweep::Sweeps { forward, value, pullback, is_inlined, incoming, lent, lending_methods } =
             sweeps;
         let defaults = lending_methods.iter().map(lending::Method::default_trait);
-        let jvp = self.forward(header, &lowered, &mut names);
+        let items: TokenStream = lower::items(body).map(ToTokens::to_token_stream).collect();
+        let jvp = self.forward(header, &lowered, &mut names).map(|forward| {
+            let statements = &forward.statements;
+            Forward { statements: quote!(#items #statements), ..forward }
+        });
         let lent = header.lends().then_some(&lent[..]);
         let pullback = header.pullback(&seed, &incoming, lent, &pullback);
         let inline = (is_inlined && !header.boxed).then(|| quote!(#[inline(always)]));
+        let sweeps = quote! {
+            #(#defaults)*
+            #forward
+            (#value, #inline #pullback)
+        };
+        // Functions within the function have traits of their own.
+        let sweeps = match items.is_empty() {
+            true => sweeps,
+            false => quote!(#items { #sweeps }),
+        };
         let body = quote! {
             {
                 #[allow(unused_imports)]
                 use ::ad::rt::methods::*;
-                #(#defaults)*
-                #forward
-                (#value, #inline #pullback)
+                #sweeps
             }
         };
         Ok((body, jvp))

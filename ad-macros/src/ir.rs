@@ -204,8 +204,10 @@ pub struct Closure {
 /// A parameter of a function that is called.
 #[derive(Clone)]
 pub struct TypedBy {
-    /// The path of the function.
+    /// The path of the function, or what a method is called on.
     pub function: TokenStream,
+    /// The name of the method.
+    pub method: Option<Ident>,
     /// The number of the parameter.
     pub index: usize,
 }

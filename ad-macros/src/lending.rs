@@ -23,7 +23,7 @@
 
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::{format_ident, quote};
-use syn::{Expr, ReceiverKind, Type};
+use syn::{Expr, Lit, ReceiverKind, Type};
 
 use crate::expand::{Function, Header, Place, turbofish};
 use crate::signature::{Parameter, has_fixed_size, is_box, pointee};
@@ -45,7 +45,7 @@ pub fn is_possible(function: &Function<'_>) -> bool {
 pub fn is_lent(parameter: &Parameter) -> bool {
     let may_be_large = match pointee(&parameter.ty) {
         Type::Slice(_) => true,
-        Type::Path(_) => !has_fixed_size(&parameter.ty) && !is_box(&parameter.ty),
+        Type::Path(_) => !has_fixed_size(&parameter.ty, &[]) && !is_box(&parameter.ty),
         _ => false,
     };
     parameter.is_shared && !parameter.is_constant && may_be_large
@@ -55,7 +55,7 @@ pub fn is_lent(parameter: &Parameter) -> bool {
 pub fn is_asked_for(function: &Function<'_>, header: &Header) -> bool {
     let may_be_reference = |parameter: &Parameter| match &parameter.ty {
         Type::Reference(_) => true,
-        ty => !has_fixed_size(ty),
+        ty => !has_fixed_size(ty, &[]),
     };
     match function.place {
         Place::Free => header.parameters.iter().any(may_be_reference),
@@ -132,7 +132,13 @@ impl Method {
 pub fn has_own_type(constant: &TokenStream) -> bool {
     fn has(expr: &Expr) -> bool {
         match expr {
-            Expr::Lit(_) => true,
+            // Taken by what takes anything, a number without a type is an `i32`.
+            Expr::Lit(literal) => match &literal.lit {
+                Lit::Int(number) => {
+                    !number.suffix().is_empty() || number.base10_parse::<i32>().is_ok()
+                }
+                _ => true,
+            },
             Expr::Path(path) => path.path.segments.last().is_some_and(|last| {
                 let name = last.ident.to_string();
                 !name.starts_with(char::is_uppercase) || name.to_uppercase() == name

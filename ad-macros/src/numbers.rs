@@ -324,8 +324,10 @@ impl<'a> Numbers<'a> {
         });
         match values {
             [Some(Some(left)), Some(Some(right))] => (left == right).then(|| left.clone()),
+            // A literal is of no type parameter: what an operator between the two gives, only the
+            // bounds tell.
             [Some(Some(number)), Some(None)] | [Some(None), Some(Some(number))] => {
-                Some(number.clone())
+                Some(number.clone()).filter(|number| !matches!(number, Number::Scalar(_)))
             }
             _ => None,
         }

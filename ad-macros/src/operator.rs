@@ -7,15 +7,18 @@
 //!
 //! A rule pulls back from the operands: what the operator computes on its way is computed once more.
 
-use proc_macro2::{Ident, TokenStream};
+mod borrowed;
+
+use proc_macro2::{Ident, Span, TokenStream};
 use quote::{ToTokens, format_ident, quote, quote_spanned};
 use syn::spanned::Spanned;
 use syn::visit_mut::{self, VisitMut};
 use syn::{
-    Attribute, Block, FnArg, ImplItem, ItemImpl, Path, PathArguments, ReturnType, Signature, Type,
-    Visibility, parse_quote,
+    Attribute, Block, FnArg, Generics, ImplItem, ItemImpl, Path, PathArguments, ReturnType,
+    Signature, Type, Visibility, parse_quote,
 };
 
+use self::borrowed::Borrowed;
 use crate::callable::Callables;
 use crate::expand::{Differentiated, Function, Place, own};
 use crate::names;
@@ -41,6 +44,13 @@ enum Kind {
     Increase,
     /// `a *= b`
     Scaling,
+}
+
+impl Operator {
+    /// Whether it changes what stands to its left.
+    fn changes(self) -> bool {
+        matches!(self.kind, Kind::Increase | Kind::Scaling)
+    }
 }
 
 const OPERATORS: [Operator; 11] = [
@@ -73,7 +83,11 @@ pub fn rule(operator: Operator, block: &ItemImpl, options: &Options) -> syn::Res
     // The compiler says that it is missing.
     let Some(method) = method else { return Ok(TokenStream::new()) };
     refuse_options(options, &method.attrs, path)?;
-    refuse_references(path, &block.self_ty)?;
+
+    if borrowed::is_of_references(block, path) {
+        let borrowed = Borrowed::new(operator, block, (&method.sig, &method.block));
+        return Ok(borrowed.as_ref().map(Borrowed::rule).unwrap_or_default());
+    }
 
     let Some((mut signature, mut body)) = without_receiver(&method.sig, &method.block) else {
         return Ok(TokenStream::new());
@@ -101,27 +115,6 @@ fn refuse_options(options: &Options, attributes: &[Attribute], path: &Path) -> s
         true => Err(syn::Error::new_spanned(
             path,
             "the attribute takes no arguments on an operator: put them on a method, and let the operator call that",
-        )),
-        false => Ok(()),
-    }
-}
-
-fn refuse_references(path: &Path, self_ty: &Type) -> syn::Result<()> {
-    let arguments = path.segments.last().map(|last| &last.arguments);
-    let is_reference = |ty: &Type| matches!(ty, Type::Reference(_));
-    let right = match arguments {
-        Some(PathArguments::AngleBracketed(arguments)) => {
-            arguments.args.iter().any(|argument| match argument {
-                syn::GenericArgument::Type(ty) => is_reference(ty),
-                _ => false,
-            })
-        }
-        _ => false,
-    };
-    match right || is_reference(self_ty) {
-        true => Err(syn::Error::new_spanned(
-            path,
-            "an operator of references has the derivative of that of the values: put the attribute on that one alone",
         )),
         false => Ok(()),
     }
@@ -183,6 +176,21 @@ impl VisitMut for Output {
     }
 }
 
+/// Says that an operator between values of these types has a derivative. A second one would stand in
+/// conflict with it.
+fn mark(
+    operator: Operator,
+    span: Span,
+    (generics, left, right): (&Generics, &Type, &Type),
+) -> TokenStream {
+    let operation = Ident::new(operator.name, span);
+    let (header, _, bounds) = generics.split_for_impl();
+    quote_spanned! {span=>
+        impl #header ::ad::rules::AttributeOnOneForm<::ad::rules::operation::#operation, #right>
+            for #left #bounds {}
+    }
+}
+
 struct Rule<'a> {
     operator: Operator,
     path: &'a Path,
@@ -240,7 +248,7 @@ impl Rule<'_> {
             Kind::Unary => quote!(::ad::Tangent<Self>),
             _ => quote!((::ad::Tangent<Self>, ::ad::Tangent<#right>)),
         };
-        let changes = matches!(operator.kind, Kind::Increase | Kind::Scaling);
+        let changes = operator.changes();
         let lent = |name: &Ident| match changes {
             true => quote!(&mut #name),
             false => quote!(#name),
@@ -293,7 +301,14 @@ impl Rule<'_> {
         let lints = quote! {
             #[allow(unused, non_snake_case, clippy::all, clippy::pedantic, clippy::nursery)]
         };
+        let marked = match operator.kind {
+            Kind::Unary => parse_quote!(()),
+            _ => right.clone(),
+        };
+        let mark = mark(*operator, span, (&block.generics, self_ty, &marked));
         quote_spanned! {span=>
+            #mark
+
             #[automatically_derived]
             impl #generics ::ad::rules::#name #arguments for #self_ty #bounds {
                 #items

@@ -1,4 +1,5 @@
-//! The functions that make objects of closures without types, `f::argument_0`, and those that pass a
+//! The functions that make objects of closures without types, `f::argument_0` (for a method `m`
+//! `m_argument_1`), and those that pass a
 //! reference to an object as the function takes it, `f::passed_0`.
 //!
 //! A closure gets the types of its parameters from a bound on what it is passed to, if the bound is one
@@ -11,35 +12,52 @@ use syn::spanned::Spanned;
 use syn::{GenericParam, Type, WherePredicate};
 
 use crate::elision;
-use crate::expand::{Function, own};
+use crate::expand::{Function, Place, own};
 use crate::forward;
 use crate::ir::TypedBy;
 use crate::signature::Parameter;
 
-/// The path of the function that makes an object of a closure for reverse mode.
-pub fn reverse(TypedBy { function, index }: &TypedBy) -> TokenStream {
-    let name = format_ident!("argument_{index}", span = function.span());
-    quote!(#function::#name)
+/// What makes an object of a closure for reverse mode, as it stands before the parenthesis.
+pub fn reverse(typed_by: &TypedBy) -> TokenStream {
+    made_by(typed_by, "")
 }
 
 /// The same for forward mode.
-pub fn forward(TypedBy { function, index }: &TypedBy) -> TokenStream {
-    let name = format_ident!("argument_{index}_forward", span = function.span());
-    quote!(#function::#name)
+pub fn forward(typed_by: &TypedBy) -> TokenStream {
+    made_by(typed_by, "_forward")
+}
+
+fn made_by(TypedBy { function, method, index }: &TypedBy, mode: &str) -> TokenStream {
+    match method {
+        Some(method) => {
+            let name = format_ident!("{method}_argument_{index}{mode}");
+            quote!(#function.#name)
+        }
+        None => {
+            let name = format_ident!("argument_{index}{mode}", span = function.span());
+            quote!(#function::#name)
+        }
+    }
 }
 
 /// The path of the function that passes what is referred to, or the reference itself.
-pub fn pass(TypedBy { function, index }: &TypedBy) -> TokenStream {
+pub fn pass(TypedBy { function, index, .. }: &TypedBy) -> TokenStream {
     let name = format_ident!("passed_{index}", span = function.span());
     quote!(#function::#name)
 }
 
 /// The functions for the parameters of `function` that are functions.
+///
+/// Methods have those for closures alone; they take `&self`, so that a call tells the type.
 pub fn functions(function: &Function<'_>, parameters: &[Parameter]) -> TokenStream {
+    let is_free = matches!(function.place, Place::Free);
+    if !is_free && function.signature.receiver().is_none() {
+        return TokenStream::new();
+    }
     let of_parameter = |(index, parameter): (usize, &Parameter)| {
         let arguments = function.callables.arguments(&parameter.ty)?;
-        let (by_type, by_reference) =
-            (for_parameter(function, index, arguments), for_reference(function, index, parameter));
+        let by_type = for_parameter(function, index, arguments);
+        let by_reference = is_free.then(|| for_reference(function, index, parameter));
         Some(quote!(#by_type #by_reference))
     };
     parameters.iter().enumerate().filter_map(of_parameter).collect()
@@ -83,8 +101,25 @@ fn for_parameter(function: &Function<'_>, index: usize, arguments: &[Type]) -> T
     let lifetime = elision::lifetime();
     let types: Vec<_> = arguments.iter().map(|ty| elision::named(ty).0).collect();
     let dots = types.iter().map(forward::tangent_of_type);
-    let [reverse, forward] =
-        [format_ident!("argument_{index}"), format_ident!("argument_{index}_forward")];
+    let (name, visibility) = (&function.signature.ident, function.visibility);
+    let ([reverse, forward], receiver, visibility) = match function.place {
+        Place::Free => (
+            [format_ident!("argument_{index}"), format_ident!("argument_{index}_forward")],
+            None,
+            quote!(pub),
+        ),
+        // The receiver is the first parameter.
+        _ => (
+            [
+                format_ident!("{name}_argument_{index}"),
+                format_ident!("{name}_argument_{index}_forward"),
+            ],
+            Some(quote!(&self,)),
+            quote!(#visibility),
+        ),
+    };
+    let is_sized =
+        matches!(function.place, Place::Trait(_)).then(|| quote!(Self: ::core::marker::Sized,));
     let (captured, closure) = (own("captured"), own("closure"));
     let cfgs = function.attributes.iter().filter(|attribute| attribute.path().is_ident("cfg"));
     let cfgs: Vec<_> = cfgs.map(ToTokens::to_token_stream).collect();
@@ -93,11 +128,14 @@ fn for_parameter(function: &Function<'_>, index: usize, arguments: &[Type]) -> T
         quote! {
             #(#cfgs)*
             #[doc(hidden)]
+            #[allow(dead_code)]
             #[inline(always)]
-            pub fn #forward<#(#plain,)* __Result, __Tangent, __Closure>(
+            #visibility fn #forward<#(#plain,)* __Result, __Tangent, __Closure>(
+                #receiver
                 #closure: __Closure,
             ) -> ::ad::function::ForwardClosure<__Closure>
             where
+                #is_sized
                 #(#predicates,)*
                 __Closure: for<#lifetime> Fn((#(#types,)*), ::core::option::Option<(#(#dots,)*)>)
                     -> (__Result, ::core::option::Option<__Tangent>),
@@ -109,12 +147,15 @@ fn for_parameter(function: &Function<'_>, index: usize, arguments: &[Type]) -> T
     quote! {
         #(#cfgs)*
         #[doc(hidden)]
+        #[allow(dead_code)]
         #[inline(always)]
-        pub fn #reverse<#(#plain,)* __Tangents: ::ad::Additive, __Result, __Pullback, __Closure>(
+        #visibility fn #reverse<#(#plain,)* __Tangents: ::ad::Additive, __Result, __Pullback, __Closure>(
+            #receiver
             #captured: ::ad::function::Captured<__Tangents>,
             #closure: __Closure,
         ) -> ::ad::function::Closure<__Tangents, __Closure>
         where
+            #is_sized
             #(#predicates,)*
             __Closure: for<#lifetime> Fn(bool, (#(#types,)*))
                 -> (__Result, ::core::option::Option<__Pullback>),

@@ -2,8 +2,8 @@
 
 use crate::floats;
 
-/// Those of vectors, matrices, quaternions, sequences and options, in alphabetical order.
-const METHODS: [&str; 51] = [
+/// Those of vectors, matrices, quaternions, sequences, options and integers, in alphabetical order.
+const METHODS: [&str; 57] = [
     "clear",
     "clone",
     "cloned",
@@ -39,6 +39,9 @@ const METHODS: [&str; 51] = [
     "push",
     "reflect",
     "reverse",
+    "saturating_add",
+    "saturating_mul",
+    "saturating_sub",
     "slerp",
     "sort_by",
     "sort_unstable_by",
@@ -51,6 +54,9 @@ const METHODS: [&str; 51] = [
     "unwrap",
     "unwrap_or",
     "unwrap_or_default",
+    "wrapping_add",
+    "wrapping_mul",
+    "wrapping_sub",
     "x",
     "xyz",
     "y",

@@ -123,13 +123,15 @@ fn changes_something(signature: &Signature) -> bool {
     })
 }
 
-/// Whether all tangents of the type certainly have one size.
-pub fn has_fixed_size(ty: &Type) -> bool {
+/// Whether all tangents of the type, in which `scalars` are type parameters bounded by `Real`,
+/// certainly have one size.
+pub fn has_fixed_size(ty: &Type, scalars: &[Ident]) -> bool {
     match pointee(ty) {
-        Type::Array(array) => has_fixed_size(&array.elem),
-        Type::Tuple(tuple) => tuple.elems.iter().all(has_fixed_size),
+        Type::Array(array) => has_fixed_size(&array.elem, scalars),
+        Type::Tuple(tuple) => tuple.elems.iter().all(|ty| has_fixed_size(ty, scalars)),
         Type::Path(path) => {
-            is_discrete(ty) || path.path.is_ident("f32") || path.path.is_ident("f64")
+            let is_number = |name: &Ident| name == "f32" || name == "f64" || scalars.contains(name);
+            is_discrete(ty) || path.path.get_ident().is_some_and(is_number)
         }
         _ => false,
     }

@@ -74,7 +74,7 @@ impl<S: Real, D: Along<S>> Additive for Dual<S, D> {
 
     #[inline(always)]
     fn accumulate(&mut self, other: Self) {
-        *self = *self + other;
+        *self += other;
     }
 }
 

@@ -32,12 +32,13 @@
 //! tuples, arrays, slices, `Vec`, `Box`, `Option`, `Result`, references to these, and structs and
 //! enums with `#[derive(Differentiable)]`; generic ones too. In a body: `let` with patterns,
 //! variables that get their value later, arithmetic, assignment to local variables and parts of
-//! them, to several at once, too, `if`, `match`, `if let` and chains of it, `let else`, `for` over
+//! them, to several at once, too, `let (a, b) = &mut pair` and `ref mut` in a `let`, `if`, `match`, `if let` and chains of it, `let else`, `for` over
 //! ranges and over elements, `while`, `while let`, `loop`, labels, `break`, `continue` and `return`
 //! from anywhere, `?`, constants and other items, calls of differentiable functions and of the
 //! methods listed in [`rules`].
 //!
-//! Iterators: `iter`, `iter_mut`, `into_iter`, `windows`, `chunks` and `chunks_exact`, under
+//! Iterators: `iter`, `iter_mut`, `into_iter`, `windows`, `chunks`, `chunks_exact`, `chunks_mut` and
+//! `chunks_exact_mut`, under
 //! `enumerate`, `zip`, `chain`, `rev`, `skip`, `take`, `step_by`, `cycle`, `copied`, `map`,
 //! `filter`, `filter_map`, `flat_map`, `flatten`, `take_while` and `map_while`; in a `for` loop or
 //! used up by `sum`, `product`, `fold`, `reduce`, `last`, `for_each`, `collect` into a `Vec`,
@@ -189,7 +190,7 @@
 //! # Operators of your own types
 //!
 //! `#[differentiable]` on the `impl` of an operator (`+`, `-`, `*`, `/`, `%`, the negative, and their
-//! assigning forms) differentiates it wherever it is written, in both modes. The type is `Copy`.
+//! assigning forms) differentiates it wherever it is written, in both modes.
 //!
 //! ```
 //! use std::ops::{Add, Mul};
@@ -233,11 +234,60 @@
 //! assert_eq!((by_z.re, by_z.im, by_c.re), (2.0, -4.0, 1.0));
 //! ```
 //!
-//! `a += b` is differentiated as the `AddAssign` that it calls. Operators between references
-//! (`&a * &b`) count as those of the values. `sum()` and `product()` need the attribute on
-//! `impl Sum`, whose body is `iter.fold(start, |sum, x| sum + x)`. The pullback of an operator starts
-//! from its operands; a sum in a loop keeps copies of them until then. Of a type that is not `Copy`, as
-//! a matrix that holds a `Vec`, operators have no derivative: call a method.
+//! `a += b` is differentiated as the `AddAssign` that it calls. Of the forms of an operator, those of
+//! values and of references, one carries the attribute, and all that are written are differentiated as
+//! that one. `sum()` and `product()` need the attribute on `impl Sum`, whose body is
+//! `iter.fold(start, |sum, x| sum + x)`; what they add up is `Copy`. The pullback of an operator of
+//! values starts from its operands, of which it keeps copies; that of an operator of references holds
+//! what that of a function does.
+//!
+//! ```
+//! use std::ops::{AddAssign, Mul};
+//!
+//! use ad::{Differentiable, differentiable};
+//!
+//! #[derive(Clone, Differentiable)]
+//! struct Polynomial(Vec<f64>);
+//!
+//! #[differentiable]
+//! impl Mul<&Polynomial> for &Polynomial {
+//!     type Output = Polynomial;
+//!
+//!     fn mul(self, other: &Polynomial) -> Polynomial {
+//!         let mut product = vec![0.0; self.0.len() + other.0.len() - 1];
+//!         for (i, a) in self.0.iter().enumerate() {
+//!             for (k, b) in other.0.iter().enumerate() {
+//!                 product[i + k] += a * b;
+//!             }
+//!         }
+//!         Polynomial(product)
+//!     }
+//! }
+//!
+//! #[differentiable]
+//! impl AddAssign<f64> for Polynomial {
+//!     fn add_assign(&mut self, constant: f64) {
+//!         self.0[0] += constant;
+//!     }
+//! }
+//!
+//! #[differentiable]
+//! fn middle(p: &Polynomial, x: f64) -> f64 {
+//!     let mut square = p * p;
+//!     square += x;
+//!     let fourth = &square * &square;
+//!     fourth.0[2]
+//! }
+//!
+//! let (by_p, by_x) = middle::grad(&Polynomial(vec![1.0, 2.0]), 3.0);
+//! assert_eq!((by_p.0, by_x), (vec![48.0, 48.0], 8.0));
+//! ```
+//!
+//! Of a type that is not `Copy` the attribute has to see that an operand is: by `&`, by a type that is
+//! declared (`let mut m: Matrix = f(x)`, a parameter), a constructor (`Matrix::new(..)`), `clone()` or
+//! another operator of it. Where it does not, the compiler says that `a` in `a *= b` or `a * b` *is moved*,
+//! or cannot be: write the type of `a`, or `&a * &b`. A field that an operator changes, `self.m *= x`, is
+//! given a name first: `let m: &mut Matrix = &mut self.m;`.
 //!
 //! Elements of your own types have one where they are told by a tuple, `m[(i, j)]`: the attribute stands
 //! on `impl Index<(usize, usize)>` and, for elements that are assigned to, on `impl IndexMut`. What is
@@ -289,8 +339,8 @@
 //! `impl Fn(..) -> ..`. What is passed is a closure, which is differentiated by what it captures, too,
 //! or the name of a differentiable function: `integrate(square, a, b)`, `integrate(f64::sin, a, b)`; to
 //! a function that takes it by value, also a reference to it, `integrate(&f, a, b)`.
-//! A function tells a closure the types of its parameters; to a method, or where the function is
-//! generic over them, it is passed with types, `|x: f64| ..`. In forward mode `()` stands at the place
+//! A function or a method tells a closure the types of its parameters; to an associated function, or
+//! where they are types for which the function is generic, it is passed with types, `|x: f64| ..`. In forward mode `()` stands at the place
 //! of a function's tangent: an object holds those of what it captures.
 //!
 //! ```

@@ -189,12 +189,18 @@ pub fn operand<T: Operand>() {}
 /// What an operator can be pulled back from: its operands, which have to be there still.
 #[diagnostic::on_unimplemented(
     message = "the operators of `{Self}` use up their operands, which their derivatives need",
-    label = "not `Copy`",
-    note = "derive `Copy`, or put the computation into a method that takes `&self`, and call that"
+    label = "not `Clone`",
+    note = "derive `Clone`, or put the attribute on the operator of references"
 )]
 pub trait Operand {}
 
-impl<T: Copy> Operand for T {}
+impl<T: Clone> Operand for T {}
+
+/// A copy, where the value is used once more later.
+#[inline(always)]
+pub fn again<T: Clone>(value: &T) -> T {
+    value.clone()
+}
 
 /// Passes on what has no derivative, and nothing else.
 #[inline(always)]

@@ -23,7 +23,12 @@ pub fn expand(item: TokenStream) -> syn::Result<TokenStream> {
     let mut input: DeriveInput = syn::parse2(item)?;
     let name = &input.ident;
     if is_constant(&input.attrs) {
-        return Ok(without_derivative(name, &input.generics));
+        let constant = without_derivative(name, &input.generics);
+        let parts = match &input.data {
+            Data::Struct(data) => parts(name, &input.generics, &data.fields),
+            _ => TokenStream::new(),
+        };
+        return Ok(quote!(#constant #parts));
     }
     let variants: Vec<_> = match &input.data {
         Data::Struct(data) => {

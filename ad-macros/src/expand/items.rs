@@ -129,7 +129,7 @@ impl Function<'_> {
                 }
             }
         };
-        let passing = matches!(place, Place::Free).then(|| passing::functions(self, parameters));
+        let passing = passing::functions(self, parameters);
         let functions = quote! {
             #vjp
 

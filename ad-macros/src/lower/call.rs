@@ -136,7 +136,7 @@ impl Lowerer<'_> {
 
         let twin = twin_of(function);
         let arguments = call.args.iter().enumerate().map(|(index, argument)| {
-            let typed_by = twin.clone().map(|function| TypedBy { function, index });
+            let typed_by = twin.clone().map(|function| TypedBy { function, method: None, index });
             self.argument_of(argument, typed_by)
         });
         let arguments: Vec<_> = arguments.collect();
@@ -173,10 +173,20 @@ impl Lowerer<'_> {
         }
         let mut arguments = vec![receiver];
         self.called_on.extend(called_on);
-        arguments.extend(call.args.iter().map(|argument| match is_comparing(&name) {
+        let called = self.argument_tokens(&arguments[0]);
+        arguments.extend(call.args.iter().enumerate().map(|(index, argument)| {
             // What it is given decides, and computes nothing.
-            true => Argument::Value(Operand::Constant(self.plain_in_place(argument))),
-            false => self.argument(argument),
+            if is_comparing(&name) {
+                return Argument::Value(Operand::Constant(self.plain_in_place(argument)));
+            }
+            self.argument_of(
+                argument,
+                Some(TypedBy {
+                    function: called.clone(),
+                    method: Some(call.method.clone()),
+                    index: index + 1,
+                }),
+            )
         }));
         if called_on.is_some() {
             self.called_on.pop();

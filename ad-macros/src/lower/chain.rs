@@ -28,8 +28,8 @@ pub(super) enum Chain {
     Enumerate(Box<Chain>),
     /// `.zip(other)`
     Zip(Box<Chain>, Box<Chain>),
-    /// An adapter that chooses items or changes their order.
-    Order { inner: Box<Chain>, adapter: TokenStream, limit: Option<usize> },
+    /// An adapter that chooses items or changes their order, or repeats them.
+    Order { inner: Box<Chain>, adapter: TokenStream, limit: Option<usize>, repeats: bool },
     /// `.copied()`, `.cloned()`
     Copied(Box<Chain>),
     /// `.map(function)`
@@ -65,6 +65,7 @@ impl Chain {
             | Self::TakeWhile(inner, _)
             | Self::Count(inner, _) => inner.length(),
             Self::Zip(left, right) => smaller(left.length(), right.length()),
+            Self::Order { limit, repeats: true, .. } => *limit,
             Self::Order { inner, limit, .. } => smaller(inner.length(), *limit),
         }
     }
@@ -139,9 +140,17 @@ pub(super) fn is_chain(expr: &Expr) -> bool {
 }
 
 pub(super) fn is_source(method: &Ident) -> bool {
-    ["iter", "iter_mut", "into_iter", "windows", "chunks", "chunks_exact"]
-        .iter()
-        .any(|name| method == name)
+    const SOURCES: [&str; 8] = [
+        "iter",
+        "iter_mut",
+        "into_iter",
+        "windows",
+        "chunks",
+        "chunks_mut",
+        "chunks_exact",
+        "chunks_exact_mut",
+    ];
+    SOURCES.iter().any(|name| method == name)
 }
 
 fn is_adapter(method: &Ident) -> bool {

@@ -85,6 +85,9 @@ impl Lowerer<'_> {
     }
 
     fn negate(&mut self, inner: &Expr, hint: &str, whole: &Expr) -> Operand {
+        if let Some(value) = self.borrowed_negation(inner, hint, whole) {
+            return value;
+        }
         match self.scalar(inner, "value") {
             Operand::Constant(tokens) => Operand::Constant(quote!((-#tokens))),
             Operand::Var(var) => {
@@ -120,6 +123,9 @@ impl Lowerer<'_> {
             | BinOp::Shr(_) => return self.discrete(&Expr::Binary(binary.clone())),
             _ => return self.unit_expression(&Expr::Binary(binary.clone())),
         };
+        if let Some(value) = self.borrowed_operator(binary, hint) {
+            return value;
+        }
         let left = self.scalar(&binary.left, "value");
         let right = self.scalar(&binary.right, "value");
         let token = &binary.op;

@@ -17,6 +17,7 @@ use super::ends::{End, JumpKind, Target};
 use super::exits::Exit;
 use super::item::is_plain_name;
 use super::macros::macro_diverges;
+use super::operator::is_own_type;
 use super::{Lowerer, OnFailure, deferred, desugar, exits};
 use crate::ir::{Operand, Statement};
 
@@ -126,9 +127,15 @@ impl Lowerer<'_> {
         if let (Some(name), Expr::Reference(reference)) = (simple_name(pat), &*init.expr)
             && reference.mutability.is_some()
         {
-            return self.exclusive_alias(name, &reference.expr);
+            self.exclusive_alias(name, &reference.expr);
+            if ty.is_some_and(is_own_type)
+                && let Some(var) = self.lookup(name)
+            {
+                self.own.insert(var);
+            }
+            return;
         }
-        if self.split_exclusively(pat, &init.expr) {
+        if self.split_exclusively(pat, &init.expr) || self.take_apart_exclusively(pat, &init.expr) {
             return;
         }
         if let (Pat::Ident(name), None, Expr::Reference(reference)) = (pat, ty, &*init.expr)
@@ -145,9 +152,13 @@ impl Lowerer<'_> {
             _ => "value".to_owned(),
         };
         let (container, length) = (self.container(&init.expr), array_length(&init.expr));
+        let is_own = self.is_borrowed_or_own(&init.expr);
         let value = self.operand(&init.expr, &hint);
         self.bind_pattern(pat, ty, value);
         if let Some(var) = simple_name(pat).and_then(|name| self.lookup(name)) {
+            if is_own {
+                self.own.insert(var);
+            }
             self.containers.extend(container.map(|container| (var, container)));
             self.lengths.extend(length.map(|length| (var, length)));
         }

@@ -23,6 +23,11 @@ use crate::ir::{self, Argument, Operand, Operation, Place, Projection, TypedBy, 
 use crate::names;
 use crate::signature::Parameter;
 
+/// The function that passes references on, which methods have none of.
+fn passed_on(typed_by: Option<TypedBy>) -> Option<TypedBy> {
+    typed_by.filter(|typed_by| typed_by.method.is_none())
+}
+
 /// What names mean, innermost scope last.
 type Scopes = Vec<HashMap<String, VarId>>;
 
@@ -64,7 +69,7 @@ impl Lowerer<'_> {
                 }
                 let place = self.function_place(function);
                 if is_borrowed || self.is_reference(value) || self.may_refer(function) {
-                    return typed_by.map(|by| Argument::PassedOn(place, by));
+                    return passed_on(typed_by).map(|by| Argument::PassedOn(place, by));
                 }
                 self.again(place, path.span())
             }
@@ -82,7 +87,7 @@ impl Lowerer<'_> {
         };
         self.vars[object].is_function = true;
         let place = Place { root: object, path: Vec::new() };
-        Some(match (is_borrowed, typed_by) {
+        Some(match (is_borrowed, passed_on(typed_by)) {
             (true, Some(by)) => Argument::PassedOn(place, by),
             (true, None) => Argument::Borrow(place),
             (false, _) => Argument::Function(object),
@@ -184,7 +189,7 @@ impl Lowerer<'_> {
                 None => {
                     self.refuse(
                         input,
-                        "the parameters of a closure that is passed to a method need types: `|x: f64|`",
+                        "the parameters of a closure that is passed to an associated function need types: `|x: f64|`",
                     );
                 }
             }

@@ -8,7 +8,8 @@
 //! [`option`] writes out methods of options, [`part`] those that lend parts of slices; [`closure`]
 //! puts closures in place of their calls, and [`function`] passes them to functions;
 //! [`expression`], [`call`] and [`construct`] name intermediate results; [`pattern`],
-//! [`slice_pattern`], [`variants`] and [`place`] tell which part of a value is meant; [`sequence`]
+//! [`slice_pattern`], [`variants`] and [`place`] tell which part of a value is meant; [`operator`]
+//! calls the operators of types that are not `Copy`; [`sequence`]
 //! makes vectors and boxes; [`macros`] knows the macros of the standard library; [`higher`] refuses
 //! derivatives of derivatives; [`no_diff`] and [`plain`] pass on code through which no derivative
 //! flows, with variables renamed.
@@ -33,6 +34,7 @@ mod item;
 mod loops;
 mod macros;
 mod no_diff;
+mod operator;
 mod option;
 mod part;
 mod pattern;
@@ -83,10 +85,19 @@ pub fn lower(
                 lowerer.parameter_pattern(pattern, var);
             }
         }
-        lowerer.local_items(&body.stmts);
+        lowerer.items = items(body).map(|item| item.to_token_stream().to_string()).collect();
         lowerer.function_body(&body.stmts)
     });
     lowerer.finished(parameters, &parameter_vars, body)
+}
+
+/// The items of the outermost block: they are seen in the whole of it, so they stand before all else,
+/// where both sweeps see them.
+pub fn items(body: &syn::Block) -> impl Iterator<Item = &syn::Item> {
+    body.stmts.iter().filter_map(|stmt| match stmt {
+        syn::Stmt::Item(item) => Some(item),
+        _ => None,
+    })
 }
 
 /// What `?` returns.
@@ -128,6 +139,8 @@ struct Lowerer<'a> {
     exclusive_aliases: HashSet<VarId>,
     /// The variables that are known to be references.
     references: HashSet<VarId>,
+    /// The variables of types that may not be `Copy`.
+    own: HashSet<VarId>,
     /// The lengths of arrays, where they are literals.
     lengths: HashMap<VarId, usize>,
     /// The parameters that are slices.
@@ -171,6 +184,7 @@ impl<'a> Lowerer<'a> {
             aliases: HashMap::new(),
             exclusive_aliases: HashSet::new(),
             references: HashSet::new(),
+            own: HashSet::new(),
             lengths: HashMap::new(),
             slices: HashSet::new(),
             containers: HashMap::new(),
@@ -202,7 +216,7 @@ impl Lowerer<'_> {
         let references = references.collect();
         let parameters = both.map(|(parameter, &var)| LoweredParameter {
             var,
-            has_shape: !has_fixed_size(&parameter.ty),
+            has_shape: !has_fixed_size(&parameter.ty, &self.scalars),
             is_box: is_box(&parameter.ty),
         });
         let parameters = parameters.collect();
@@ -233,18 +247,6 @@ impl Lowerer<'_> {
     /// Whether a variable is or may be a reference.
     fn may_refer(&self, var: VarId) -> bool {
         self.vars[var].reference || self.references.contains(&var)
-    }
-
-    /// The items of the outermost block: they are seen in the whole of it, so they stand before all
-    /// else, where both sweeps see them.
-    fn local_items(&mut self, stmts: &[syn::Stmt]) {
-        for stmt in stmts {
-            if let syn::Stmt::Item(item) = stmt {
-                let code = item.to_token_stream();
-                self.items.insert(code.to_string());
-                self.push(Statement::Plain { code, defines: Vec::new() });
-            }
-        }
     }
 
     /// An item where it stands.
@@ -351,6 +353,9 @@ impl Lowerer<'_> {
             self.references.insert(var);
         }
         self.note_type(var, &parameter.ty);
+        if operator::is_own_type(&parameter.ty) {
+            self.own.insert(var);
+        }
         self.functions.extend(parameter.arity.map(|arity| (var, arity)));
         self.vars[var].is_function = parameter.arity.is_some();
         var

@@ -118,4 +118,104 @@ impl Lowerer<'_> {
         }
         true
     }
+
+    /// `let (a, b) = &mut pair`, `let Pair { ref mut a, .. } = pair`: names for parts of a place. Says
+    /// whether it is that.
+    pub(super) fn take_apart_exclusively(&mut self, pat: &Pat, value: &Expr) -> bool {
+        let mut parts = Vec::new();
+        let is_exclusive = |name: &syn::Ident| {
+            self.lookup(name).is_some_and(|var| {
+                self.vars[var].exclusive || self.exclusive_aliases.contains(&var)
+            })
+        };
+        let whole: Option<Expr> = match value {
+            Expr::Reference(reference) if reference.mutability.is_some() => {
+                Some((*reference.expr).clone())
+            }
+            Expr::Path(path) if path.path.get_ident().is_some_and(is_exclusive) => {
+                Some(parse_quote!(*#value))
+            }
+            _ => None,
+        };
+        if simple_name(pat).is_some() {
+            return false;
+        }
+        let are_all = match &whole {
+            Some(whole) => self.exclusive_parts(pat, whole, true, &mut parts),
+            None => {
+                matches!(value, Expr::Path(_) | Expr::Field(_) | Expr::Index(_) | Expr::Unary(_))
+                    && self.exclusive_parts(pat, value, false, &mut parts)
+            }
+        };
+        if !are_all || parts.is_empty() {
+            return false;
+        }
+        for (name, part) in &parts {
+            self.exclusive_alias(name, part);
+        }
+        true
+    }
+
+    /// The names that a pattern gives to parts of a place that may be changed; says whether it does
+    /// nothing else. `is_behind` says that the place is behind a `&mut`.
+    fn exclusive_parts(
+        &self,
+        pat: &Pat,
+        place: &Expr,
+        is_behind: bool,
+        parts: &mut Vec<(syn::Ident, Expr)>,
+    ) -> bool {
+        let mut numbered = |elements: &mut dyn Iterator<Item = &Pat>, is_index: bool| {
+            for (index, element) in elements.enumerate() {
+                let index = syn::Index::from(index);
+                let part: Expr = match is_index {
+                    true => parse_quote!((#place)[#index]),
+                    false => parse_quote!((#place).#index),
+                };
+                if matches!(element, Pat::Rest(_)) {
+                    return elements_end(pat);
+                }
+                if !self.exclusive_parts(element, &part, is_behind, parts) {
+                    return false;
+                }
+            }
+            true
+        };
+        match pat {
+            Pat::Wild(_) => true,
+            Pat::Paren(inner) => self.exclusive_parts(&inner.pat, place, is_behind, parts),
+            Pat::Ident(name) if name.subpat.is_none() => {
+                let is_changed = match (&name.by_ref, &name.mutability) {
+                    (Some(_), mutability) => mutability.is_some() && !is_behind,
+                    (None, mutability) => mutability.is_none() && is_behind,
+                };
+                parts.push((name.ident.clone(), place.clone()));
+                is_changed
+            }
+            Pat::Tuple(tuple) => numbered(&mut tuple.elems.iter(), false),
+            Pat::Slice(slice) => numbered(&mut slice.elems.iter(), true),
+            Pat::TupleStruct(pattern) if self.variant(&pattern.path).is_none() => {
+                numbered(&mut pattern.elems.iter(), false)
+            }
+            Pat::Struct(pattern) if self.variant(&pattern.path).is_none() => {
+                pattern.fields.iter().all(|field| {
+                    let member = &field.member;
+                    let part = parse_quote!((#place).#member);
+                    self.exclusive_parts(&field.pat, &part, is_behind, parts)
+                })
+            }
+            _ => false,
+        }
+    }
+}
+
+/// Whether `..` ends the pattern: the positions of what stands behind it are not known.
+fn elements_end(pat: &Pat) -> bool {
+    let last = match pat {
+        Pat::Tuple(tuple) => tuple.elems.last(),
+        Pat::TupleStruct(pattern) => pattern.elems.last(),
+        Pat::Slice(slice) => slice.elems.last(),
+        _ => None,
+    };
+    matches!(last, Some(Pat::Rest(_)))
 }

@@ -6,9 +6,9 @@ use syn::spanned::Spanned;
 use syn::visit::{self, Visit};
 use syn::{Expr, Member, Pat, Type};
 
-use super::Lowerer;
 use super::chain::is_chain;
 use super::construct::{is_transparent, is_type_name, outcome};
+use super::{Lowerer, operator};
 use crate::ir::{Binding, Operand, Operation, Place, Projection, Statement, VarId};
 
 /// What a pattern is matched against.
@@ -203,6 +203,11 @@ impl Lowerer<'_> {
                 let var = self.bind(&ident.ident, mutable, active);
                 if let Some(ty) = ty {
                     self.note_type(var, ty);
+                }
+                if ty.is_some_and(operator::is_own_type)
+                    || matches!(&value, Operand::Var(source) if self.own.contains(source))
+                {
+                    self.own.insert(var);
                 }
                 let ty = ty.cloned();
                 self.push(Statement::Define { var, ty, operation: Operation::Use(value) });

@@ -301,6 +301,9 @@ impl Lowerer<'_> {
         {
             return self.update_element(index, operator, &update.right);
         }
+        if self.borrowed_update(update) {
+            return;
+        }
         let value = self.scalar(&update.right, "value");
         let Some(place) = self.target(&update.left) else { return };
         let token = &update.op;

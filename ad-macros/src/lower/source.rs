@@ -44,17 +44,29 @@ impl Lowerer<'_> {
         match (&*method.to_string(), call.args.first()) {
             ("iter" | "iter_mut", None) => self.elements(receiver, true),
             ("into_iter", None) if is_chain(receiver) => self.chain(receiver),
-            ("into_iter", None) => self.chain(strip_parens(receiver)),
-            ("windows" | "chunks" | "chunks_exact", Some(size)) => {
+            ("into_iter", None) => match self.chain(strip_parens(receiver)) {
+                // An array is no iterator, upon which adapters could be.
+                Chain::Constant { iterator, length, is_range: false } => Chain::Constant {
+                    iterator: quote!(::core::iter::IntoIterator::into_iter(#iterator)),
+                    length,
+                    is_range: false,
+                },
+                chain => chain,
+            },
+            (
+                "windows" | "chunks" | "chunks_mut" | "chunks_exact" | "chunks_exact_mut",
+                Some(size),
+            ) => {
                 let place = self.source_place(receiver, true);
                 let size = self.fixed(size);
                 let whole = self.place_tokens(&place);
+                let cut_short = method == "chunks" || method == "chunks_mut";
                 let starts = match method == "windows" {
                     true => quote!(::ad::rt::windows(#whole.len(), #size)),
-                    false if method == "chunks" => quote!((0..#whole.len()).step_by(#size)),
+                    false if cut_short => quote!((0..#whole.len()).step_by(#size)),
                     false => quote!(::ad::rt::chunks_exact(#whole.len(), #size)),
                 };
-                Chain::Runs { place, iterator: starts, size, cut_short: method == "chunks" }
+                Chain::Runs { place, iterator: starts, size, cut_short }
             }
             _ => {
                 self.refuse(
@@ -174,7 +186,8 @@ impl Lowerer<'_> {
             }
             ("take_while", Some(function)) => Chain::TakeWhile(inner, function.clone()),
             ("rev" | "cycle", None) if !filtered => {
-                Chain::Order { inner, adapter: call_of(&name, None), limit: None }
+                let repeats = name == "cycle";
+                Chain::Order { inner, adapter: call_of(&name, None), limit: None, repeats }
             }
             ("take" | "skip" | "step_by", Some(count)) if !filtered => {
                 let limit = match (&*name, literal(count)) {
@@ -182,7 +195,8 @@ impl Lowerer<'_> {
                     _ => None,
                 };
                 let count = self.plain_constant(count);
-                Chain::Order { inner, adapter: call_of(&name, Some(count)), limit }
+                let adapter = call_of(&name, Some(count));
+                Chain::Order { inner, adapter, limit, repeats: false }
             }
             _ if filtered => {
                 self.refuse(

@@ -26,10 +26,10 @@ impl reflect {
         let (cosine, cosine_pullback) = ray.direction.dot_vjp(normal);
         let direction = ray.direction;
         let constant = 2.0;
-        let product = constant * cosine;
+        let product = ::ad::rt::again(&constant) * ::ad::rt::again(&cosine);
         let product_1 = product * normal;
-        let field = direction - product_1;
         let field_pullback = ::ad::rt::Difference::of(&direction, &product_1);
+        let field = direction - product_1;
         let field_space = ::ad::rt::space(&field);
         let value = Ray { direction: field, ..ray };
         (

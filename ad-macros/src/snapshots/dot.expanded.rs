@@ -33,8 +33,8 @@ impl dot {
             let y = ys[index];
             let product = x * y;
             let partial = total;
-            let total_1 = partial + product;
             total_1_pullback.keep(&partial, &product);
+            let total_1 = partial + product;
             total = total_1;
         }
         let total_2 = total;

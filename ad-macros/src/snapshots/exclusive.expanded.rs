@@ -55,8 +55,8 @@ impl deposit {
         let total = account.total;
         let index_2 = i;
         let amounts_3 = amounts_1;
-        let difference = total - amounts_3;
         let difference_pullback = ::ad::rt::Difference::of(&total, &amounts_3);
+        let difference = total - amounts_3;
         (
             difference,
             move |

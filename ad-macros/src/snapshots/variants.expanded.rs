@@ -14,25 +14,25 @@ impl size {
         let (value_5, path_1) = match shape {
             Shape::Disc(radius) => {
                 let radius_1 = ::ad::rt::ByValue::by_value(radius);
-                let sum = radius_1 + by;
                 let sum_pullback = ::ad::rt::Sum::of(&radius_1, &by);
+                let sum = radius_1 + by;
                 let value = Ok(sum);
                 (value, ::ad::rt::Branch3::Arm0((sum_pullback,)))
             }
             Shape::Box { width: width, height: height } => {
                 let width_1 = ::ad::rt::ByValue::by_value(width);
                 let height_1 = ::ad::rt::ByValue::by_value(height);
-                let argument = width_1 + height_1;
                 let argument_pullback = ::ad::rt::Sum::of(&width_1, &height_1);
+                let argument = width_1 + height_1;
                 let (matched, matched_pullback) = bounded::vjp(argument);
                 let matched_space = ::ad::rt::space(&matched);
                 let (value_4, path) = match matched {
                     ::core::result::Result::Ok(value_1) => {
-                        let difference = value_1 - by;
                         let difference_pullback = ::ad::rt::Difference::of(
                             &value_1,
                             &by,
                         );
+                        let difference = value_1 - by;
                         let value_2 = Ok(difference);
                         (value_2, ::ad::rt::Branch2::Arm0((difference_pullback,)))
                     }

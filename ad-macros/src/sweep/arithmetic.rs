@@ -6,7 +6,9 @@ use quote::{quote, quote_spanned};
 use super::Sweeper;
 use super::contribute::Target;
 use super::products::Products;
-use crate::ir::{BinaryOperator, VarId};
+use crate::floats;
+use crate::ir::{BinaryOperator, Operation, VarId};
+use crate::primal::Primal;
 
 impl Sweeper<'_> {
     /// Gives the cotangent of `-value` to `value`.
@@ -73,6 +75,36 @@ impl Sweeper<'_> {
         };
         let targets = operands.map(|root| Some(Target::whole(root)));
         self.contribute_all(reverse, &targets, pulled, false);
+    }
+
+    /// A product, a quotient or a remainder, whose operands the reverse sweep names once more. What a
+    /// function returned may be of a type that is not `Copy`.
+    pub(super) fn product(
+        &self,
+        operator: BinaryOperator,
+        operands: [VarId; 2],
+        span: Span,
+    ) -> TokenStream {
+        let is_of_numbers = |function: &str| {
+            floats::takes_number(function)
+                || function.starts_with("f64 ::")
+                || function.starts_with("f32 ::")
+        };
+        let is_returned = |operand: VarId| {
+            self.numbers.number(operand).is_none()
+                && matches!(self.facts.operation(operand), Some(Operation::Call { primal, .. })
+                    if !is_of_numbers(&primal.to_string()))
+        };
+        let is_returned = operands.into_iter().any(is_returned);
+        let [left, right] = operands.map(|operand| {
+            let ident = self.ident(operand);
+            match is_returned && self.numbers.number(operand).is_none() {
+                true => quote_spanned!(span=> ::ad::rt::again(&#ident)),
+                false => quote!(#ident),
+            }
+        });
+        let operator = Primal::operator(operator);
+        quote_spanned!(span=> #left #operator #right)
     }
 
     /// Keeps what the pullback of a sum, a difference or a negation needs of the operands: in most

@@ -46,7 +46,14 @@ impl Sweeper<'_> {
                 quote!(let #ident #ty = #object;)
             }
             operation => {
-                let value = self.primal(operation, ident.span());
+                let value = match operation {
+                    Operation::Binary(operator, left, right)
+                        if pulls_back && !operator.is_linear() =>
+                    {
+                        self.product(*operator, [*left, *right], ident.span())
+                    }
+                    operation => self.primal(operation, ident.span()),
+                };
                 let kept = match operation {
                     Operation::Negate(value) if pulls_back => {
                         self.kept(record, "Negation", &[*value])
@@ -59,7 +66,7 @@ impl Sweeper<'_> {
                     }
                     _ => TokenStream::new(),
                 };
-                quote!(let #mutability #ident #ty = #value; #kept)
+                quote!(#kept let #mutability #ident #ty = #value;)
             }
         };
         let (space_definition, test) = (self.space_definition(var), self.test(var));

@@ -46,12 +46,12 @@ pub fn log_likelihood<S: Real>(
         let mut log_determinant = S::ZERO;
         for i in 0..D {
             let diagonal = factors[k][i].exp();
-            prior = prior + half * diagonal * diagonal;
+            prior += half * diagonal * diagonal;
             diagonals[k][i] = diagonal;
-            log_determinant = log_determinant + factors[k][i];
+            log_determinant += factors[k][i];
         }
         for i in D..FACTORS {
-            prior = prior + half * factors[k][i] * factors[k][i];
+            prior += half * factors[k][i] * factors[k][i];
         }
         offsets[k] = weights[k] + log_determinant;
     }
@@ -63,19 +63,19 @@ pub fn log_likelihood<S: Real>(
             let mut transformed = [S::ZERO; D];
             for i in 0..D {
                 let centered = S::from_f64(stop_gradient(points[n][i])) - means[k][i];
-                transformed[i] = transformed[i] + diagonals[k][i] * centered;
+                transformed[i] += diagonals[k][i] * centered;
                 for j in i + 1..D {
                     let at = D + i * (2 * D - i - 1) / 2 + j - i - 1;
-                    transformed[j] = transformed[j] + factors[k][at] * centered;
+                    transformed[j] += factors[k][at] * centered;
                 }
             }
             let mut square = S::ZERO;
             for i in 0..D {
-                square = square + transformed[i] * transformed[i];
+                square += transformed[i] * transformed[i];
             }
             terms[k] = offsets[k] - half * square;
         }
-        total = total + log_sum_exp::<S>(&terms);
+        total += log_sum_exp::<S>(&terms);
     }
     total - S::from_f64(N as f64) * log_sum_exp::<S>(weights) + prior + S::from_f64(constant())
 }
@@ -89,7 +89,7 @@ fn log_sum_exp<S: Real>(terms: &[S; K]) -> S {
     }
     let mut sum = S::ZERO;
     for k in 0..K {
-        sum = sum + (terms[k] - largest).exp();
+        sum += (terms[k] - largest).exp();
     }
     sum.ln() + largest
 }

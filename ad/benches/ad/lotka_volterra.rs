@@ -34,8 +34,8 @@ pub fn simulate<S: Real>(p: [S; 6]) -> S {
         let y4 = y + h * l3;
         let k4 = a * x4 - b * x4 * y4;
         let l4 = c * x4 * y4 - d * y4;
-        x = x + sixth * (k1 + S::TWO * k2 + S::TWO * k3 + k4);
-        y = y + sixth * (l1 + S::TWO * l2 + S::TWO * l3 + l4);
+        x += sixth * (k1 + S::TWO * k2 + S::TWO * k3 + k4);
+        y += sixth * (l1 + S::TWO * l2 + S::TWO * l3 + l4);
     }
     x
 }

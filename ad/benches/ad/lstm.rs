@@ -64,13 +64,13 @@ pub fn loss<S: Real>(
         let mut predictions = [S::ZERO; B];
         for i in 0..B {
             let prediction = signal[i] * extra[1][i] + extra[2][i];
-            sum = sum + prediction.exp();
+            sum += prediction.exp();
             predictions[i] = prediction;
         }
         let norm = sum.ln();
         for i in 0..B {
             let bit = S::from_f64(stop_gradient(sequence[t + 1][i]));
-            total = total + bit * (predictions[i] - norm);
+            total += bit * (predictions[i] - norm);
         }
     }
     -total / S::from_f64(((T - 1) * B) as f64)

@@ -8,6 +8,7 @@
 mod data;
 mod expression;
 mod function;
+mod list;
 mod random;
 mod statement;
 
@@ -52,7 +53,7 @@ use ad::{{Real, differentiable}};
 use crate::program::{{Program, program}};
 use crate::types::Shape::{{Disc, Point}};
 use crate::types::{{
-    Pair, Shape, bent, folded, mixed, root, roots, shape, shifted, summed,
+    List, Pair, Shape, bent, folded, mixed, root, roots, shape, shifted, summed,
 }};
 
 /// Every program.

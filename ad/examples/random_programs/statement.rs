@@ -155,6 +155,9 @@ impl Writer {
         if self.random.chance(30) {
             return self.data();
         }
+        if self.random.chance(10) {
+            return self.of_lists();
+        }
         match self.random.below(if depth > 0 { 24 } else { 11 }) {
             0 => self.declare_scalar(),
             1 => self.declare_mutable(),
@@ -182,7 +185,7 @@ impl Writer {
         self.declare(name, Kind::Scalar { mutable: false });
     }
 
-    fn declare_mutable(&mut self) {
+    pub fn declare_mutable(&mut self) {
         let (name, value) = (self.random.pick(&NAMES), self.bounded(1));
         self.line(&put(&format!("let mut {name} = {{}};"), &[&value]));
         self.declare(name, Kind::Scalar { mutable: true });

@@ -85,6 +85,11 @@ pub enum NotLending {}
 /// for each parameter. `Others` are the cotangents of `&mut` arguments.
 ///
 /// Which of them are taken the signature of the pullback tells; the others are [`NotLent`].
+#[diagnostic::on_unimplemented(
+    message = "this call changes what it is called on, or takes by `&mut`, where no change is expected",
+    label = "changes something",
+    note = "give the call a statement of its own before, `let value = object.method(..);`, and use `value` here"
+)]
 pub trait PullbackOnto<Cotangent, Others, Offered, Kind> {
     /// The cotangents of the arguments.
     type Parts;
@@ -129,6 +134,10 @@ impl LendsNothing {
 }
 
 /// As [`PullbackOnto`], of a method that was called on something it may have changed.
+#[diagnostic::on_unimplemented(
+    message = "what this call changes, and what its arguments refer to, cannot be told from each other",
+    note = "give each argument that is a call a statement of its own before, `let value = f(..);`, and pass `value`"
+)]
 pub trait MethodPullbackOnto<Cotangent, Receiver: ?Sized, Offered, Kind> {
     /// The cotangents of receiver and arguments.
     type Parts;

@@ -68,11 +68,14 @@ pub use integer::{IntegerRules, SignedRules};
 pub use matrix::{
     DMat2Rules, DMat3Rules, DMat4Rules, Mat2Rules, Mat3Rules, Mat4Rules, MatrixRules,
 };
+#[doc(hidden)]
+pub use operators::borrowed;
 pub(crate) use operators::quotient_pullback_of_finite;
 pub use operators::{
-    AddAssignPullback, AddPullback, Arithmetic, DivAssignPullback, DivPullback, Kept,
-    MulAssignPullback, MulPullback, NegPullback, Nothing, Operands, RemAssignPullback, RemPullback,
-    SubAssignPullback, SubPullback,
+    AddAssignPullback, AddPullback, Arithmetic, AttributeOnOneForm, BorrowedAssignment,
+    BorrowedOperator, DivAssignPullback, DivPullback, Kept, MulAssignPullback, MulPullback,
+    NegPullback, Nothing, OfReferences, OfValues, Operands, RemAssignPullback, RemPullback,
+    SubAssignPullback, SubPullback, operation,
 };
 pub use outcome::{CopiedRules, OptionRules, ResultRules};
 pub use quaternion::QuaternionRules;

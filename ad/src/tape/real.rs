@@ -56,7 +56,7 @@ impl Additive for Var {
     }
 
     fn accumulate(&mut self, other: Self) {
-        *self = *self + other;
+        *self += other;
     }
 }
 

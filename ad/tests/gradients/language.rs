@@ -25,6 +25,7 @@
 
 mod checkpoint;
 mod closures;
+mod closures_for_methods;
 mod collections;
 mod data;
 mod deferred;
@@ -42,6 +43,7 @@ mod jumps;
 mod lending;
 mod lent_methods;
 mod macros;
+mod matrices;
 mod mixtures;
 mod operators;
 mod outcomes;

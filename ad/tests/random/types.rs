@@ -83,6 +83,82 @@ impl<S: Real<Mask = bool>> AddAssign for Pair<S> {
     }
 }
 
+/// Not `Copy`; bounded by its operators.
+#[derive(Clone, Differentiable)]
+pub struct List<S>(pub Vec<S>);
+
+#[differentiable]
+impl<S: Real<Mask = bool>> List<S> {
+    pub fn total(&self) -> S {
+        let mut sum = S::ZERO;
+        for x in &self.0 {
+            sum = sum * S::HALF + *x;
+        }
+        sum.sin()
+    }
+
+    pub fn folded<F: Fn(S, S) -> S>(&self, start: S, f: F) -> S {
+        let mut state = start;
+        for x in &self.0 {
+            state = f(state, *x);
+        }
+        state
+    }
+}
+
+#[differentiable]
+impl<'a, S: Real<Mask = bool>> Mul<&'a List<S>> for &List<S> {
+    type Output = List<S>;
+
+    fn mul(self, other: &'a List<S>) -> List<S> {
+        let n = other.0.len();
+        let mut data = self.0.clone();
+        for (i, x) in data.iter_mut().enumerate() {
+            *x = (*x * other.0[(i + 1) % n] - other.0[i]).sin();
+        }
+        List(data)
+    }
+}
+
+#[differentiable]
+impl<S: Real<Mask = bool>> Add for List<S> {
+    type Output = Self;
+
+    fn add(self, other: Self) -> Self {
+        List(self.0.iter().zip(&other.0).map(|(a, b)| (*a + *b * *a).tanh()).collect())
+    }
+}
+
+#[differentiable]
+impl<S: Real<Mask = bool>> Mul<S> for List<S> {
+    type Output = Self;
+
+    fn mul(mut self, by: S) -> Self {
+        for x in &mut self.0 {
+            *x = *x * by;
+        }
+        self
+    }
+}
+
+#[differentiable]
+impl<S: Real<Mask = bool>> Neg for &List<S> {
+    type Output = List<S>;
+
+    fn neg(self) -> List<S> {
+        List(self.0.iter().map(|x| S::HALF - *x).collect())
+    }
+}
+
+#[differentiable]
+impl<S: Real<Mask = bool>> AddAssign<&List<S>> for List<S> {
+    fn add_assign(&mut self, other: &List<S>) {
+        for i in 0..self.0.len() {
+            self.0[i] = (self.0[i] + other.0[i] * self.0[0]).cos();
+        }
+    }
+}
+
 #[derive(Clone, Copy, Differentiable)]
 pub enum Shape<S> {
     Point,

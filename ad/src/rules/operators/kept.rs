@@ -33,10 +33,10 @@ impl<A, B> Default for Operands<A, B> {
     }
 }
 
-impl<A: Copy, B: Copy> Kept<A, B> for Operands<A, B> {
+impl<A: Clone, B: Clone> Kept<A, B> for Operands<A, B> {
     #[inline]
     fn keep(&self, left: &A, right: &B) {
-        if let Some(previous) = self.last.replace(Some((*left, *right))) {
+        if let Some(previous) = self.last.replace(Some((left.clone(), right.clone()))) {
             self.earlier.borrow_mut().push(previous);
         }
     }

@@ -14,6 +14,8 @@
 //! for each iteration without a tape for those that hold nothing).
 
 mod assigning;
+#[doc(hidden)]
+pub mod borrowed;
 mod integers;
 mod kept;
 mod numbers;
@@ -22,6 +24,9 @@ mod vectors;
 pub use assigning::{
     AddAssignPullback, Arithmetic, DivAssignPullback, MulAssignPullback, RemAssignPullback,
     SubAssignPullback,
+};
+pub use borrowed::{
+    AttributeOnOneForm, BorrowedAssignment, BorrowedOperator, OfReferences, OfValues, operation,
 };
 pub use kept::{Kept, Nothing, Operands};
 pub(crate) use numbers::quotient_pullback_of_finite;

@@ -51,6 +51,11 @@ impl Grid {
         }
     }
 
+    fn hashed(&self, seed: u64) -> f64 {
+        let state = seed.wrapping_mul(6364136223846793005);
+        self.data[(state >> 60) as usize % self.data.len()]
+    }
+
     fn total(self) -> f64 {
         self.data.iter().sum()
     }
@@ -124,6 +129,7 @@ fn mixture(x: f64, y: f64) -> f64 {
         view.moved(&mut at, &own, i);
     }
     sum += view.get(1, 2) * view.descending(4) + grid.with(2.0, 1) + view.with((), 2);
+    sum += view.hashed(2862933555777941757);
     sum + at + generic(&pair, &xs) + pair.total() + grid.total()
 }
 
@@ -132,4 +138,22 @@ fn gradients_are_those_of_the_function() {
     use crate::oracle::check;
 
     check!(mixture(x, y) at [0.7, 0.4], [-0.4, 0.7], [1.3, -0.2]);
+}
+
+/// Both functions ask for methods of the same names, of a type of which the trait's is lent nothing.
+#[differentiable]
+fn with_a_function_within(x: f64, y: f64) -> f64 {
+    #[differentiable]
+    fn inner(pair: &Pair, xs: &[f64]) -> f64 {
+        pair.along(xs, 0) * pair.along(xs, 1)
+    }
+
+    let pair = Pair(y, x);
+    let xs = [x, y, x * y];
+    inner(&pair, &xs) + pair.along(&xs, 2)
+}
+
+#[test]
+fn functions_within_functions_ask_for_themselves() {
+    crate::oracle::check!(with_a_function_within(x, y) at [0.7, -1.2], [1.5, 0.4]);
 }

@@ -1,5 +1,8 @@
 //! Arithmetic on a type parameter `S: Real`, which both modes write as arithmetic.
 
+use std::ops::Mul;
+
+use ad::rules::MulPullback;
 use ad::{Real, differentiable};
 
 use crate::oracle::{assert_close, assert_gradient, check_generic};
@@ -76,6 +79,18 @@ fn mixed<S: Real>(x: S, y: f64) -> S {
     sum
 }
 
+/// An operator between the type parameter and a literal.
+#[differentiable]
+fn by_literals<S>(x: S) -> S
+where
+    S: Real + Mul<f64, Output = S> + MulPullback<f64>,
+{
+    let doubled = x * 2.0;
+    let mut scaled = doubled * x;
+    scaled = scaled * 0.5;
+    scaled + doubled
+}
+
 #[test]
 fn arithmetic_of_a_type_parameter() {
     check_generic!(constants(x, y) at [0.7, -1.3], [2.0, 0.1]);
@@ -101,6 +116,8 @@ fn the_type_parameter_of_a_block() {
 
 #[test]
 fn operands_of_other_types() {
+    assert_eq!(by_literals::grad(3.0), 8.0);
+    assert_eq!(by_literals::jvp(3.0, 1.0), (15.0, 8.0));
     assert_eq!(mixed::grad(2.0, 3.0), (5.5, 0.0));
     assert_eq!(mixed::jvp(2.0, 3.0, 1.0, 1.0), (11.0, 5.5));
 }

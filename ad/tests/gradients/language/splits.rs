@@ -1,6 +1,6 @@
 //! Slices in two parts.
 
-use ad::differentiable;
+use ad::{Differentiable, differentiable};
 #[differentiable]
 fn total(xs: &[f64]) -> f64 {
     match xs.split_first() {
@@ -40,4 +40,52 @@ fn parts() {
     use crate::oracle::check;
 
     check!(split(x, y) at [0.7, 0.4], [-0.4, 0.7], [1.3, -0.2]);
+}
+
+#[derive(Clone, Copy, Differentiable)]
+struct Pair {
+    a: f64,
+    b: (f64, f64),
+}
+
+#[derive(Clone, Copy, Differentiable)]
+struct Newtype([f64; 3]);
+
+#[differentiable]
+fn shuffle(pair: &mut Pair, by: f64) {
+    let Pair { a, b: (c, _) } = pair;
+    *a *= by;
+    *c += *a * by;
+}
+
+/// Names for parts of a place, which are changed behind them.
+#[differentiable]
+fn taken_apart(x: f64, y: f64) -> f64 {
+    let mut pair = Pair { a: x, b: (y, x * y) };
+    {
+        let Pair { a, b: (c, _) } = &mut pair;
+        *a *= 2.0;
+        *c += *a;
+    }
+    let Pair { ref mut a, .. } = pair;
+    *a += y * *a;
+    let mut rows = [[x, y], [y, x]];
+    for i in 0..2 {
+        let [first, [_, last]] = &mut rows;
+        first[i] *= *last;
+        *last += first[0];
+    }
+    let mut list = vec![Newtype([x, y, 1.0]); 2];
+    let Newtype([one, _, three]) = list[1];
+    let Newtype([ref mut s, ..]) = list[0];
+    *s *= one * three;
+    let (ref mut p, _) = pair.b;
+    *p = p.sin();
+    shuffle(&mut pair, y);
+    pair.a * pair.b.0 + pair.b.1 + rows[0][0] * rows[1][1] + list[0].0[0] * list[1].0[0]
+}
+
+#[test]
+fn places_are_taken_apart() {
+    crate::oracle::check!(taken_apart(x, y) at [0.3, 0.7], [-0.4, 1.2]);
 }

@@ -5,15 +5,15 @@ struct Scaled(f64);
 
 #[differentiable]
 impl Scaled {
-    fn applied(&self, g: impl Fn(f64) -> f64) -> f64 {
-        self.0 * g(self.0)
+    fn applied(x: f64, g: impl Fn(f64) -> f64) -> f64 {
+        x * g(x)
     }
 }
 
 #[differentiable]
 fn f(x: f64) -> f64 {
     let square = |t: f64| t * t;
-    Scaled(x).applied(square) + Scaled(x).applied(|t| t + x)
+    Scaled::applied(x, square) + Scaled::applied(x, |t| t + x)
 }
 
 fn main() {

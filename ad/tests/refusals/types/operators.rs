@@ -22,15 +22,6 @@ impl AddAssign for Complex {
     }
 }
 
-#[differentiable]
-impl Mul<&Complex> for Complex {
-    type Output = Complex;
-
-    fn mul(self, other: &Complex) -> Complex {
-        self * *other
-    }
-}
-
 #[differentiable(checkpoint)]
 impl Mul for Complex {
     type Output = Complex;
@@ -57,7 +48,7 @@ impl Neg for Complex {
     }
 }
 
-#[derive(Clone, Differentiable)]
+#[derive(Differentiable)]
 struct Polynomial(Vec<f64>);
 
 #[differentiable]

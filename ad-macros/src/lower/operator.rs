@@ -1,0 +1,227 @@
+//! Operators between what is borrowed, `&a * &b`, and those of types that are not `Copy`.
+//!
+//! The operators of numbers use copies of their operands, which the reverse sweep names once more.
+//! Whether a type is `Copy` the macro does not see. So an operator is called as a function of
+//! references (`ad::rules::borrowed`) where an operand is written as one, or where what is written
+//! down tells a type of one's own: a declared type, a constructor, `clone()`, another such operator.
+
+use proc_macro2::{Ident, TokenStream};
+use quote::quote_spanned;
+use syn::spanned::Spanned;
+use syn::{BinOp, Expr, ExprBinary, Path, Type, UnOp, parse_quote};
+
+use super::Lowerer;
+use super::construct::{is_transparent, is_type_name, outcome};
+use super::flow::strip_parens;
+use crate::ir::{Argument, Operand, Place};
+use crate::signature::{is_discrete, pointee};
+
+impl Lowerer<'_> {
+    /// Whether an expression is a reference, or of a type that may not be `Copy`.
+    pub(super) fn is_borrowed_or_own(&self, expr: &Expr) -> bool {
+        match strip_parens(expr) {
+            Expr::Reference(reference) => {
+                reference.mutability.is_none() && !is_literal(&reference.expr)
+            }
+            Expr::Path(path) => path
+                .path
+                .get_ident()
+                .and_then(|name| self.lookup(name))
+                .is_some_and(|var| self.is_of_own_type(var)),
+            Expr::Binary(binary) => {
+                function_of(&binary.op).is_some()
+                    && (self.is_borrowed_or_own(&binary.left)
+                        || self.is_borrowed_or_own(&binary.right))
+            }
+            Expr::Unary(unary) => {
+                matches!(unary.op, UnOp::Neg(_)) && self.is_borrowed_or_own(&unary.expr)
+            }
+            Expr::MethodCall(call) => call.method == "clone" && call.args.is_empty(),
+            Expr::Call(call) => {
+                matches!(&*call.func, Expr::Path(function)
+                    if constructs(&function.path) || self.is_tuple_struct(&function.path))
+            }
+            Expr::Struct(_) => true,
+            _ => false,
+        }
+    }
+
+    /// `Polynomial(..)`
+    fn is_tuple_struct(&self, function: &Path) -> bool {
+        let last = function.segments.last();
+        last.is_some_and(|last| is_type_name(&last.ident) && is_own_name(&last.ident))
+            && !is_transparent(function)
+            && outcome(function).is_none()
+            && self.variant(function).is_none()
+    }
+
+    fn is_of_own_type(&self, var: crate::ir::VarId) -> bool {
+        self.own.contains(&var)
+            || self.aliases.get(&var).is_some_and(|alias| {
+                alias.place.path.is_empty() && self.own.contains(&alias.place.root)
+            })
+    }
+
+    /// `a * b` as a call, if an operand is borrowed or of a type of one's own.
+    pub(super) fn borrowed_operator(&mut self, binary: &ExprBinary, hint: &str) -> Option<Operand> {
+        let function = function_of(&binary.op)?;
+        if !self.is_borrowed_or_own(&binary.left) && !self.is_borrowed_or_own(&binary.right) {
+            return None;
+        }
+        let operands = [&binary.left, &binary.right].map(|operand| self.borrowed(operand));
+        let hint = if hint == "value" { function.1 } else { hint };
+        self.call_of_operator(function.0, operands.into(), hint, binary)
+    }
+
+    /// `-a` as a call.
+    pub(super) fn borrowed_negation(
+        &mut self,
+        inner: &Expr,
+        hint: &str,
+        whole: &Expr,
+    ) -> Option<Operand> {
+        if !self.is_borrowed_or_own(inner) {
+            return None;
+        }
+        let operand = self.borrowed(inner);
+        self.call_of_operator("neg", vec![operand], hint, whole)
+    }
+
+    /// `a += b` as a call; says whether it is one.
+    pub(super) fn borrowed_update(&mut self, update: &ExprBinary) -> bool {
+        let Some(function) = assigning_function_of(&update.op) else { return false };
+        let left = match strip_parens(&update.left) {
+            Expr::Unary(unary) if matches!(unary.op, UnOp::Deref(_)) => &unary.expr,
+            left => left,
+        };
+        if !self.is_borrowed_or_own(left) && !self.is_borrowed_or_own(&update.right) {
+            return false;
+        }
+        if self.active_place(&update.left).is_none() {
+            return false;
+        }
+        let Some(place) = self.target(&update.left) else { return true };
+        let right = self.borrowed(&update.right);
+        let operands = vec![Argument::Exclusive(place), right];
+        self.call_of_operator(function, operands, "changed", update);
+        true
+    }
+
+    fn call_of_operator(
+        &mut self,
+        function: &str,
+        operands: Vec<Argument>,
+        hint: &str,
+        at: &impl quote::ToTokens,
+    ) -> Option<Operand> {
+        // Of constants it is whatever their types say.
+        let is_constant =
+            |operand: &Argument| matches!(operand, Argument::Value(Operand::Constant(_)));
+        if operands.iter().all(is_constant) {
+            return None;
+        }
+        let span = at.span();
+        let function = Ident::new(function, span);
+        let primal = quote_spanned!(span=> ::ad::rules::borrowed::#function);
+        let vjp: TokenStream = quote_spanned!(span=> ::ad::rules::borrowed::#function::vjp);
+        let value = self.finish_call(primal, vjp, false, operands, hint, span);
+        if let Operand::Var(var) = value {
+            self.own.insert(var);
+        }
+        Some(value)
+    }
+
+    /// An operand as a reference.
+    fn borrowed(&mut self, expr: &Expr) -> Argument {
+        let expr = strip_parens(expr);
+        if let Expr::Reference(_) = expr {
+            return self.argument(expr);
+        }
+        if self.is_reference(expr) {
+            return self.argument(expr);
+        }
+        let is_reference = match expr {
+            Expr::Path(path) => path
+                .path
+                .get_ident()
+                .and_then(|name| self.lookup(name))
+                .is_some_and(|var| self.vars[var].reference),
+            _ => false,
+        };
+        if is_reference {
+            return self.argument(&parse_quote!(&*#expr));
+        }
+        // What may be changed is taken as it is now.
+        if let Some(place) = self.active_place(expr)
+            && self.vars[place.root].mutable
+            && let Operand::Var(root) = self.operand(expr, "operand")
+        {
+            return Argument::Borrow(Place { root, path: Vec::new() });
+        }
+        // In parentheses: what follows `&` may be another operator.
+        self.argument(&parse_quote!(&(#expr)))
+    }
+}
+
+fn is_literal(expr: &Expr) -> bool {
+    matches!(strip_parens(expr), Expr::Lit(_))
+}
+
+/// Whether a function by its name makes a value of the type to which it belongs: `Matrix::zeros`
+fn constructs(function: &Path) -> bool {
+    let mut segments = function.segments.iter().rev();
+    let (Some(name), Some(owner)) = (segments.next(), segments.next()) else { return false };
+    let name = name.ident.to_string();
+    let is_constructor = ["new", "zero", "zeros", "one", "ones", "identity", "eye", "default"]
+        .iter()
+        .any(|known| name == *known);
+    (is_constructor || name.starts_with("from_"))
+        && is_type_name(&owner.ident)
+        && is_own_name(&owner.ident)
+}
+
+/// Whether a variable declared with this type may be of a type that is not `Copy`.
+pub(super) fn is_own_type(ty: &Type) -> bool {
+    match pointee(ty) {
+        Type::Path(path) => path.path.segments.last().is_some_and(|last| {
+            is_type_name(&last.ident) && is_own_name(&last.ident) && !is_discrete(ty)
+        }),
+        _ => false,
+    }
+}
+
+/// Whether this is not known as the name of numbers, of vectors of them, or of a type that has no
+/// operators.
+fn is_own_name(name: &Ident) -> bool {
+    const KNOWN: [&str; 10] =
+        ["Box", "Float", "Num", "Number", "Option", "Quat", "Real", "Result", "Scalar", "Vec"];
+    let name = name.to_string();
+    let plain = name.trim_start_matches(['D', 'I', 'U']);
+    let numbered = |start: &str| {
+        plain.strip_prefix(start).is_some_and(|rest| rest.starts_with(|c: char| c.is_ascii_digit()))
+    };
+    name.len() > 1 && !KNOWN.contains(&plain) && !numbered("Vec") && !numbered("Mat")
+}
+
+/// The name of the function, and that of the result.
+fn function_of(operator: &BinOp) -> Option<(&'static str, &'static str)> {
+    Some(match operator {
+        BinOp::Add(_) => ("add", "sum"),
+        BinOp::Sub(_) => ("sub", "difference"),
+        BinOp::Mul(_) => ("mul", "product"),
+        BinOp::Div(_) => ("div", "quotient"),
+        BinOp::Rem(_) => ("rem", "remainder"),
+        _ => return None,
+    })
+}
+
+fn assigning_function_of(operator: &BinOp) -> Option<&'static str> {
+    Some(match operator {
+        BinOp::AddAssign(_) => "add_assign",
+        BinOp::SubAssign(_) => "sub_assign",
+        BinOp::MulAssign(_) => "mul_assign",
+        BinOp::DivAssign(_) => "div_assign",
+        BinOp::RemAssign(_) => "rem_assign",
+        _ => return None,
+    })
+}

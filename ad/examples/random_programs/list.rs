@@ -1,0 +1,118 @@
+//! Statements on a type that is not `Copy`, by its operators, and on parts of places.
+
+use crate::expression::{Both, put};
+use crate::statement::{Kind, NAMES, Writer};
+
+impl Writer {
+    /// A statement of one of these kinds, and the name that it declares.
+    pub fn of_lists(&mut self) {
+        match self.random.below(6) {
+            0 => self.list_operators(),
+            1 => self.list_in_loop(),
+            2 => self.closure_for_method(),
+            3 => self.chunks(),
+            4 => self.taken_apart(),
+            _ => self.cycled(),
+        }
+    }
+
+    fn list(&mut self) -> Both {
+        let elements = [self.bounded(1), self.expression(1), self.bounded(1)];
+        put("List(vec![{}, {}, {}])", &elements.iter().collect::<Vec<_>>())
+    }
+
+    fn list_operators(&mut self) {
+        let (l, m) = (self.fresh("l"), self.fresh("m"));
+        let (first, second) = (self.list(), self.list());
+        self.line(&put(&format!("let {l} = {{}};"), &[&first]));
+        self.line(&put(&format!("let {m} = &{l} * &{{}};"), &[&second]));
+        let name = self.random.pick(&NAMES);
+        let value = match self.random.below(4) {
+            0 => format!("(-&{m} + {l}).total()"),
+            1 => format!("({l}.clone() + {m}).total()"),
+            2 => format!("({m} * {l}.total()).total()"),
+            _ => format!("(&(&{l} * &{m}) * &{m}).total() * {l}.total()"),
+        };
+        self.line(&Both::same(format!("let {name} = ({value}).tanh();")));
+        self.declare(name, Kind::Scalar { mutable: false });
+    }
+
+    fn list_in_loop(&mut self) {
+        let (list, index) = (self.fresh("l"), self.fresh("i"));
+        let (start, step) = (self.list(), self.list());
+        self.line(&put(&format!("let mut {list} = {{}};"), &[&start]));
+        let to = self.random.below(5);
+        let (condition, factor) = (self.condition(), self.bounded(1));
+        self.line(&Both::same(format!("for {index} in 0..{to}_usize {{")));
+        let lines = [
+            put(&format!("    {list} += &{{}};"), &[&step]),
+            put("    if {} {", &[&condition]),
+            Both::same("        continue;"),
+            Both::same("    }"),
+            match self.random.chance(50) {
+                true => put(&format!("    {list} = &{list} * &{{}};"), &[&step]),
+                false => put(&format!("    {list} = {list} + {{}} * {{}};"), &[&step, &factor]),
+            },
+            Both::same("}"),
+        ];
+        lines.iter().for_each(|line| self.line(line));
+        let name = self.random.pick(&NAMES);
+        self.line(&Both::same(format!("let {name} = {list}.total();")));
+        self.declare(name, Kind::Scalar { mutable: false });
+    }
+
+    fn closure_for_method(&mut self) {
+        let (list, start, captured) = (self.list(), self.bounded(1), self.expression(1));
+        let name = self.random.pick(&NAMES);
+        let text = format!("let {name} = {{}}.folded({{}}, |s, v| (s * v + {{}}).sin());");
+        self.line(&put(&text, &[&list, &start, &captured]));
+        self.declare(name, Kind::Scalar { mutable: false });
+    }
+
+    fn chunks(&mut self) {
+        let targets = self.visible(|kind| kind.is_array() && kind.is_mutable());
+        if targets.is_empty() {
+            return self.array();
+        }
+        let (target, by) = (self.random.pick(&targets).name, self.expression(1));
+        let method = self.random.pick(&["chunks_exact_mut", "chunks_mut"]);
+        let factor = self.fresh("k");
+        self.line(&put(&format!("let {factor} = {{}};"), &[&by]));
+        self.line(&Both::same(format!("for part in {target}.{method}(2) {{")));
+        self.line(&Both::same(format!("    part[0] = (part[0] * {factor}).sin();")));
+        self.line(&Both::same("    part.reverse();"));
+        self.line(&Both::same("}"));
+    }
+
+    fn taken_apart(&mut self) {
+        let whole = self.fresh("w");
+        let (first, second) = (self.bounded(1), self.expression(1));
+        self.line(&put(&format!("let mut {whole} = ({{}}, [{{}}; 2]);"), &[&first, &second]));
+        self.line(&Both::same("{"));
+        let parts = match self.random.chance(50) {
+            true => format!("    let (p, [q, _]) = &mut {whole};"),
+            false => format!("    let (ref mut p, [ref mut q, _]) = {whole};"),
+        };
+        self.line(&Both::same(parts));
+        self.line(&Both::same("    *p = (*p * *q).sin();"));
+        self.line(&Both::same("    *q = *q * *p + *q;"));
+        self.line(&Both::same("}"));
+        let name = self.random.pick(&NAMES);
+        let value = format!("let {name} = ({whole}.0 + {whole}.1[0] * {whole}.1[1]).tanh();");
+        self.line(&Both::same(value));
+        self.declare(name, Kind::Scalar { mutable: false });
+    }
+
+    fn cycled(&mut self) {
+        let arrays = self.visible(Kind::is_array);
+        let targets = self.visible(|kind| kind.is_scalar() && kind.is_mutable());
+        if arrays.is_empty() || targets.is_empty() {
+            return self.declare_mutable();
+        }
+        let (array, target) = (self.random.pick(&arrays).name, self.random.pick(&targets).name);
+        let count = self.random.below(9);
+        self.line(&Both::same(format!("for v in {array}.iter().cycle().take({count}) {{")));
+        self.line(&Both::same(format!("    {target} = ({target} + *v).sin();")));
+        self.line(&Both::same("}"));
+    }
+}
