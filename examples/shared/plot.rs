@@ -6,7 +6,7 @@ use plotters::coord::Shift;
 use plotters::coord::ranged1d::{AsRangedCoord, ValueFormatter};
 use plotters::prelude::*;
 use renderer::Error;
-use renderer::tradeoff::CurveColors;
+use renderer::palette::CurveColors;
 
 /// Width and height in pixels.
 const SIZE: (u32, u32) = (900, 540);

@@ -48,7 +48,7 @@ fn measure(name: &str, scene: &Scene) {
     let ids = scene.parameter_ids();
     let beginning = |start: &str| {
         let ids = ids.iter().filter(|&&id| scene.path(id).to_string().starts_with(start));
-        Wanted::by(&ids.copied().collect::<Vec<_>>())
+        ids.copied().collect::<Vec<_>>()
     };
     let cases = [
         ("lights", beginning("light.")),
@@ -61,8 +61,8 @@ fn measure(name: &str, scene: &Scene) {
     let mut gradients = vec![Vec::new(); cases.len()];
     for _ in 0..REPETITIONS {
         primal.push(seconds(|| render(&prepared)));
-        for ((_, wanted), samples) in cases.iter().zip(&mut gradients) {
-            samples.push(seconds(|| gradient(&prepared, &loss, *wanted)));
+        for ((_, ids), samples) in cases.iter().zip(&mut gradients) {
+            samples.push(seconds(|| gradient(&prepared, &loss, Wanted::by(ids))));
         }
     }
     let primal = median(primal);

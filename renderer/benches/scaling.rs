@@ -61,7 +61,8 @@ fn measure(series: &'static str, size: f64, scene: &Scene) -> Row {
     let mut target = image.clone();
     target.pixels.as_flattened_mut().iter_mut().for_each(|value| *value *= 0.9);
     let loss = ImageLoss::new(LossKind::MeanSquared, &target, false);
-    let wanted = Wanted::by(&scene.parameter_ids());
+    let ids = scene.parameter_ids();
+    let wanted = Wanted::by(&ids);
     let mut samples = [Vec::new(), Vec::new(), Vec::new()];
     let mut parameters = scene.parameters.clone();
     for repetition in 0..REPETITIONS {

@@ -70,6 +70,9 @@
 //! max = [20.0, 20.0, 20.0]
 //! ```
 //!
+//! `mesh.tree.vertices[17]` is one vertex of a mesh: they are counted from 0, in the order in which its
+//! triangles first use them.
+//!
 //! Without `max`, the diffuse, specular and reflected part of the light stays at most 1 (or what it is to
 //! begin with, or in the target): a surface reflects no more than it receives.
 //!

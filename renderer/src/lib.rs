@@ -35,6 +35,8 @@ pub mod kernels;
 pub mod loss;
 #[cfg(feature = "files")]
 pub mod optimize;
+#[cfg(feature = "cli")]
+pub mod palette;
 pub mod precision;
 #[cfg(feature = "files")]
 pub mod recovery;

@@ -3,7 +3,7 @@
 use glam::DVec3;
 use renderer::scene::Scene;
 
-use crate::images::{ARITHMETICS, difference, evaluate, placed, render};
+use crate::images::{ARITHMETICS, check_agreement, difference, evaluate, placed, render};
 use crate::kernels::PrimaryRay;
 use crate::oracle::{Case, check};
 use crate::scenes::{mirror_scene, small_scene};
@@ -118,6 +118,15 @@ fn pixels_that_are_too_close_are_refused() {
     refused(&scene, ["scene: camera.vfov", "too close for rays in single precision"]);
     scene.parameters.camera.vfov = 179.99;
     render(&scene, ARITHMETICS[1]);
+}
+
+#[test]
+fn scenes_in_narrow_and_wide_views() {
+    for (vfov, bound) in [(1e-3, 1e-3), (1.0, 1e-4), (170.0, 1e-4), (179.99, 1e-3)] {
+        let mut scene = small_scene(24);
+        scene.parameters.camera.vfov = vfov;
+        check_agreement(&format!("scene in a view of {vfov} degrees"), &scene, bound);
+    }
 }
 
 /// Where the camera stands in the world does not matter to how far it may be from what it looks at.

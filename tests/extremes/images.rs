@@ -6,7 +6,7 @@ use renderer::experiment::{Experiment, OptimizeSection, Target, TunedParameter};
 use renderer::image::Image;
 use renderer::optimize::Evaluation;
 use renderer::recovery::{Recovery, render_at};
-use renderer::scene::{Light, ParameterId, Scene};
+use renderer::scene::{Differentiability, Light, ParameterId, Scene};
 
 pub const ARITHMETICS: [Arithmetic; 4] =
     [Arithmetic::F32, Arithmetic::F32x16, Arithmetic::F64, Arithmetic::F64x8];
@@ -71,10 +71,40 @@ pub fn evaluate(scene: &Scene, arithmetic: Arithmetic) -> (f64, Vec<(ParameterId
     (loss, blocks)
 }
 
+/// Checks that a scene shows the same in every arithmetic, and that the loss and its gradient by lights
+/// and materials, which move no edge, agree too: each within `bound`, relative to the largest element of
+/// its parameter. Every other derivative has to be finite.
+#[track_caller]
+pub fn check_agreement(name: &str, scene: &Scene, bound: f64) {
+    let exact = Arithmetic::F64x8;
+    let (image, (loss, gradient)) = (render(scene, exact), evaluate(scene, exact));
+    for arithmetic in ARITHMETICS {
+        let off_by = difference(&image, &render(scene, arithmetic));
+        let (other_loss, other_gradient) = evaluate(scene, arithmetic);
+        let mut worst = if other_loss == loss { 0.0 } else { (other_loss / loss - 1.0).abs() };
+        for ((id, block), (_, other)) in gradient.iter().zip(&other_gradient) {
+            let path = scene.path(*id);
+            assert!(
+                block.iter().chain(other).all(|x| x.is_finite()),
+                "{name}, {arithmetic:?}: {path}"
+            );
+            let largest = block.iter().fold(0.0_f64, |size, x| size.max(x.abs()));
+            if id.differentiability() == Differentiability::Smooth && largest > 0.0 {
+                let errors = block.iter().zip(other).map(|(a, b)| (a - b).abs() / largest);
+                worst = errors.fold(worst, f64::max);
+            }
+        }
+        println!("| {name} | {arithmetic:?} | {off_by:.1e} | {worst:.1e} |");
+        assert!(off_by <= bound, "{name}, {arithmetic:?}: images differ by {off_by:e}");
+        assert!(worst <= bound, "{name}, {arithmetic:?}: gradients differ by {worst:e}");
+    }
+}
+
 /// The largest difference of a channel, relative to the brightest one of both images.
 pub fn difference(a: &Image, b: &Image) -> f64 {
     let channels = |image: &Image| image.pixels.as_flattened().to_vec();
     let brightest = channels(a).into_iter().chain(channels(b)).fold(0.0_f32, f32::max);
     let differences = channels(a).into_iter().zip(channels(b)).map(|(a, b)| (a - b).abs());
-    f64::from(differences.fold(0.0, f32::max) / brightest)
+    let largest = differences.fold(0.0, f32::max);
+    if largest == 0.0 { 0.0 } else { f64::from(largest / brightest) }
 }

@@ -5,13 +5,13 @@ use std::array;
 use ad::vector::Vector3;
 use ad::{Real, Vec3, differentiable};
 use renderer::kernels::camera::{Camera, Ray, frame, primary_ray};
-use renderer::kernels::light::{DistantLight, PointLight};
+use renderer::kernels::light::{DistantLight, PointLight, ray_along, ray_to_position};
 use renderer::kernels::material::{
     Material, reflection_of_distant_light, reflection_of_point_light,
 };
 use renderer::kernels::sphere::{Sphere, sphere_surface};
-use renderer::kernels::surface::SurfacePoint;
-use renderer::kernels::texture::{Uv, sphere_uv, triangle_uv};
+use renderer::kernels::surface::{SurfacePoint, mirrored_ray, seen_through, straight_ray};
+use renderer::kernels::texture::{Uv, bilinear, sphere_uv, triangle_uv, varied_opacity};
 use renderer::kernels::triangle::triangle_surface;
 
 /// A kernel under test.
@@ -82,6 +82,18 @@ kernels! {
         ("diffuse", 3), ("specular", 3), ("exponent", 1),
         ("point", 3), ("normal", 3), ("view", 3),
     ] => [3];
+    /// A surface point; the ray that a mirror sends on.
+    Mirrored = mirrored [("point", 3), ("normal", 3), ("view", 3)] => [3, 3];
+    /// A surface point; the ray that goes on behind it.
+    Straight = straight [("point", 3), ("normal", 3), ("view", 3)] => [3, 3];
+    /// The texels around a place of a texture of 4 x 2, and the place; the colour there.
+    Textured = textured [("texels", 12), ("uv", 2)] => [3];
+    /// A texel, an opacity, what is seen of a surface and behind it; what is seen of both.
+    Covered = covered [("texel", 3), ("opacity", 1), ("own", 3), ("behind", 3)] => [3];
+    /// Where a light is, and a point; the ray from the point to the light.
+    ToPosition = to_position [("position", 3), ("point", 3)] => [3, 3];
+    /// Where a light comes from, and a point; the ray towards it.
+    ToDirection = to_direction [("direction", 3), ("point", 3)] => [3, 3];
 }
 
 #[differentiable]
@@ -196,4 +208,46 @@ fn distant_lit<S: Real>(x: &[S]) -> [S; 3] {
     let light =
         DistantLight { direction: vector::<S>(x, 0), color: vector::<S>(x, 3), intensity: x[6] };
     three::<S>(reflection_of_distant_light::<S>(material::<S>(x), surface::<S>(x), light))
+}
+
+#[differentiable]
+fn point<S: Real>(x: &[S]) -> SurfacePoint<S> {
+    SurfacePoint { point: vector::<S>(x, 0), normal: vector::<S>(x, 3), view: vector::<S>(x, 6) }
+}
+
+#[differentiable]
+fn mirrored<S: Real>(x: &[S]) -> [S; 6] {
+    let ray = mirrored_ray::<S>(point::<S>(x));
+    six::<S>(ray.origin, ray.direction)
+}
+
+#[differentiable]
+fn straight<S: Real>(x: &[S]) -> [S; 6] {
+    let ray = straight_ray::<S>(point::<S>(x));
+    six::<S>(ray.origin, ray.direction)
+}
+
+#[differentiable]
+fn textured<S: Real>(x: &[S]) -> [S; 3] {
+    let texels = [vector::<S>(x, 0), vector::<S>(x, 3), vector::<S>(x, 6), vector::<S>(x, 9)];
+    let uv = Uv { u: x[12], v: x[13] };
+    three::<S>(bilinear::<S>(texels, uv, S::from_f64(4.0), S::from_f64(2.0)))
+}
+
+#[differentiable]
+fn covered<S: Real>(x: &[S]) -> [S; 3] {
+    let opacity = varied_opacity::<S>(x[3], vector::<S>(x, 0));
+    three::<S>(seen_through::<S>(opacity, vector::<S>(x, 4), vector::<S>(x, 7)))
+}
+
+#[differentiable]
+fn to_position<S: Real>(x: &[S]) -> [S; 6] {
+    let ray = ray_to_position::<S>(vector::<S>(x, 0), vector::<S>(x, 3));
+    six::<S>(ray.origin, ray.direction)
+}
+
+#[differentiable]
+fn to_direction<S: Real>(x: &[S]) -> [S; 6] {
+    let ray = ray_along::<S>(vector::<S>(x, 0), vector::<S>(x, 3));
+    six::<S>(ray.origin, ray.direction)
 }

@@ -113,7 +113,8 @@ fn no_more_pixels_are_named_than_overflow() {
 
     // The same without these pixels, in double precision.
     let double = Prepared::<f64x8>::new(&scene);
-    let wanted = Wanted::by(&[position]);
+    let ids = [position];
+    let wanted = Wanted::by(&ids);
     let of_single = gradient_of_finite(&single, &loss, wanted, &found);
     let of_double = gradient_of_finite(&double, &loss, wanted, &found);
     let pairs = of_single.gradient.get(position).iter().zip(of_double.gradient.get(position));

@@ -9,8 +9,8 @@ use renderer::recovery::render_at;
 
 use crate::images::ARITHMETICS;
 use crate::kernels::{
-    DistantLit, Kernel, PointLit, PrimaryRay, SphereEntered, SphereLeft, SphereUv, TriangleSurface,
-    TriangleUv,
+    Covered, DistantLit, Kernel, Mirrored, PointLit, PrimaryRay, SphereEntered, SphereLeft,
+    SphereUv, Straight, Textured, ToDirection, ToPosition, TriangleSurface, TriangleUv,
 };
 use crate::meshes::Random;
 use crate::scenes::textured_scene;
@@ -55,7 +55,10 @@ fn run_all(points: usize) {
                 run::<$kernel, f64>(&mut random);
             )*};
         }
-        each!(PrimaryRay TriangleSurface SphereEntered SphereLeft TriangleUv SphereUv PointLit DistantLit);
+        each!(
+            PrimaryRay TriangleSurface SphereEntered SphereLeft TriangleUv SphereUv PointLit
+            DistantLit Mirrored Straight Textured Covered ToPosition ToDirection
+        );
     }
 }
 

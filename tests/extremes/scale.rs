@@ -24,9 +24,13 @@ const PLACEMENTS: [(f64, DVec3); 8] = [
 fn covariance(scene: &Scene, id: ParameterId, scale: f64) -> f64 {
     use ParameterId::*;
     match id {
-        LookFrom | LookAt | LightPosition(_) | SphereCenter(_) | SphereRadius(_) | Vertices(_) => {
-            scale.recip()
-        }
+        LookFrom
+        | LookAt
+        | LightPosition(_)
+        | SphereCenter(_)
+        | SphereRadius(_)
+        | Vertices(_)
+        | Vertex { .. } => scale.recip(),
         LightIntensity(i) if matches!(scene.parameters.lights[i], Light::Point(_)) => {
             (scale * scale).recip()
         }

@@ -1,9 +1,12 @@
 //! Lights and materials at their ends.
 
 use ad::Scalar;
+use renderer::scene::ParameterId;
 
+use crate::images::check_agreement;
 use crate::kernels::{DistantLit, Kernel, PointLit};
 use crate::oracle::{Case, check};
+use crate::scenes::small_scene;
 
 /// A surface point, a material and a light.
 #[derive(Clone, Copy)]
@@ -153,4 +156,42 @@ fn a_light_in_the_surface_is_dark() {
     }
     darkness::<f32>();
     darkness::<f64>();
+}
+
+/// Lights in corners, on surfaces, inside of a closed one, and in the camera.
+#[test]
+fn scenes_under_lights_in_odd_places() {
+    for (place, position) in [
+        ("in a vertex", [0.4, 0.0, 0.6]),
+        ("on an edge", [0.7, 0.65, 0.4]),
+        ("on the sphere", [-0.8, 1.0, 0.4]),
+        ("in the middle of the sphere", [-0.8, 0.5, 0.4]),
+        ("below the floor", [0.0, -50.0, 0.0]),
+        ("in the camera", [0.3, 2.5, 6.0]),
+        ("far away", [2e7, 4e7, 3e7]),
+    ] {
+        let mut scene = small_scene(24);
+        scene.parameters.get_mut(ParameterId::LightPosition(0)).copy_from_slice(&position);
+        check_agreement(&format!("scene with a light {place}"), &scene, 1e-4);
+    }
+}
+
+#[test]
+fn scenes_of_extreme_materials() {
+    // A highlight of exponent 1e4 falls between the pixels.
+    for exponent in [0.0, 1.0, 100.0] {
+        let mut scene = small_scene(24);
+        for material in &mut scene.parameters.materials {
+            material.exponent = exponent;
+        }
+        check_agreement(&format!("scene of exponent {exponent}"), &scene, 1e-3);
+    }
+    for (name, albedo) in [("black", 0.0), ("white", 1.0)] {
+        let mut scene = small_scene(24);
+        for material in &mut scene.parameters.materials {
+            material.diffuse = glam::DVec3::splat(albedo);
+            material.specular = material.diffuse;
+        }
+        check_agreement(&format!("scene of {name} albedo"), &scene, 1e-4);
+    }
 }

@@ -1,9 +1,13 @@
 //! Spheres that are grazed, entered, stood on, tiny, huge, near and far.
 
 use glam::{DVec3, dvec3};
+use renderer::kernels::sphere::Sphere;
+use renderer::scene::ParameterId;
 
+use crate::images::check_agreement;
 use crate::kernels::{Kernel, SphereEntered, SphereLeft, SphereUv};
 use crate::oracle::{Case, check};
+use crate::scenes::small_scene;
 
 fn single(v: DVec3) -> DVec3 {
     v.as_vec3().as_dvec3()
@@ -120,5 +124,36 @@ fn places_on_textures() {
                 gradient: 100.0,
             });
         }
+    }
+}
+
+/// A camera in the middle of a sphere, inside, on its surface, and near and far ones of extreme radius.
+#[test]
+fn scenes_from_inside_and_from_the_surface_and_of_extreme_radius() {
+    let outward = dvec3(0.48, 0.6, 0.64);
+    for (place, distance) in [("the middle", 0.0), ("inside", 0.2), ("the surface", 0.5)] {
+        let mut scene = small_scene(24);
+        let center = scene.parameters.spheres[0].center;
+        scene.parameters.camera.look_from = center + outward * distance;
+        scene.parameters.camera.look_at = center - outward + dvec3(0.1, 0.2, 0.0);
+        // So that the inside is lit.
+        scene.parameters.get_mut(ParameterId::LightPosition(0)).copy_from_slice(&[-0.7, 0.6, 0.3]);
+        check_agreement(&format!("scene from {place} of a sphere"), &scene, 1e-3);
+    }
+    for (name, radius, distance, bound) in [
+        ("tiny, near", 1e-6, 3e-6, 1e-4),
+        ("tiny, far", 1e-6, 1e-3, 1e-3),
+        ("huge, near", 1e6, 1e6 + 10.0, 2e-2),
+        ("huge, far", 1e6, 1e7, 1e-4),
+    ] {
+        let mut scene = small_scene(24);
+        let camera = scene.parameters.camera;
+        let towards = (camera.look_at - camera.look_from).normalize();
+        scene.parameters.spheres[0] =
+            Sphere { center: camera.look_from + towards * distance, radius };
+        scene.meshes.clear();
+        scene.parameters.vertices.clear();
+        scene.parameters.texture_coordinates.clear();
+        check_agreement(&format!("scene with a sphere that is {name}"), &scene, bound);
     }
 }

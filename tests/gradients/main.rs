@@ -5,6 +5,7 @@ mod custom;
 mod image;
 mod sampling;
 mod scenes;
+mod single_vertices;
 mod threads;
 mod transparency;
 mod visibility;

@@ -15,7 +15,7 @@ fn settings(sampling: Sampling) -> RenderSettings {
     RenderSettings { sampling, ..RenderSettings::default() }
 }
 
-fn samples(count: u32, seed: u32) -> Samples {
+pub fn samples(count: u32, seed: u32) -> Samples {
     Samples { count, seed, gradient: GradientSamples::Same }
 }
 
@@ -40,7 +40,8 @@ fn lanes_agree_with_single_numbers() {
     let target = target(&scene);
     let target = ImageLoss::new(LossKind::MeanSquared, &target, false);
     let settings = settings(Sampling::Stratified(samples(4, 2)));
-    let wanted = Wanted::by(&scene.parameter_ids());
+    let ids = scene.parameter_ids();
+    let wanted = Wanted::by(&ids);
     let single = gradient(&Prepared::<f64>::with_settings(&scene, settings), &target, wanted);
     let prepared = Prepared::<f64x8>::with_settings(&scene, settings);
     let lanes = gradient(&prepared, &target, wanted);

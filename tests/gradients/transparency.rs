@@ -28,7 +28,7 @@ fn transparent_textured_scene(size: u32) -> Scene {
 
 /// [`transparent_textured_scene`] where textures also vary the opacity of everything transparent, under
 /// one more light, which a user defines.
-fn varied_scene(size: u32) -> Scene {
+pub fn varied_scene(size: u32) -> Scene {
     let mut scene = transparent_textured_scene(size);
     let texels = [[0.2, 0.5, 0.8], [0.9, 1.0, 0.7], [0.4, 0.1, 0.3], [0.6, 0.6, 0.0]];
     let wrap = Wrap::Mirror;

@@ -55,7 +55,8 @@ fn plain(name: &str, scene: &Scene) {
     let target =
         Image { pixels: vec![[0.5; 3]; (scene.width * scene.height) as usize], ..size(scene) };
     let loss = ImageLoss::new(LossKind::MeanSquared, &target, false);
-    let wanted = Wanted::by(&scene.parameter_ids());
+    let ids = scene.parameter_ids();
+    let wanted = Wanted::by(&ids);
     let mut image = size(scene);
     let mut times = [Vec::new(), Vec::new()];
     for _ in 0..REPETITIONS {
@@ -65,7 +66,7 @@ fn plain(name: &str, scene: &Scene) {
     let mut hasher = DefaultHasher::new();
     image.pixels.as_flattened().iter().for_each(|value| value.to_bits().hash(&mut hasher));
     let result = gradient(&prepared, &loss, wanted);
-    for id in scene.parameter_ids() {
+    for &id in &ids {
         result.gradient.get(id).iter().for_each(|value| value.to_bits().hash(&mut hasher));
     }
     let [image, gradient] = times.map(|times| 1e3 * median(times));

@@ -1,10 +1,11 @@
 //! Gradients by what is asked for.
 
 use ad::lanes::f32x16;
+use glam::DVec3;
 use peakmem_alloc::{INSTRUMENTED_SYSTEM, PeakMemAllocTrait};
-use renderer::integrator::{Prepared, Wanted, gradient, render, render_into};
+use renderer::integrator::{Gradient, Prepared, Wanted, gradient, render, render_into};
 use renderer::loss::{ImageLoss, LossKind};
-use renderer::scene::{ParameterId, Parameters, Scene};
+use renderer::scene::{ParameterId, Scene};
 
 use crate::sphere::scene;
 use crate::timing::{median, seconds};
@@ -47,7 +48,7 @@ pub fn run() {
             "  {name:<22} {:8.3} ms  {:.2} x  {:>9} bytes of gradient, {peak:>9} at most",
             1e3 * time,
             time / primal,
-            bytes(&result.gradient)
+            bytes(&scene, ids, &result.gradient)
         );
     }
 }
@@ -63,32 +64,23 @@ fn requests(scene: &Scene) -> Vec<(&'static str, Vec<ParameterId>)> {
         ("light: intensity", vec![ParameterId::LightIntensity(0)]),
         ("camera", beginning("camera.")),
         ("materials", beginning("material.")),
+        ("one vertex", vec![seen_vertex(scene)]),
         ("vertices of a mesh", beginning("mesh.")),
         ("everything", beginning("")),
     ]
 }
 
-/// The bytes of the numbers in a gradient.
-fn bytes(gradient: &Parameters) -> usize {
-    let Parameters {
-        camera,
-        lights,
-        materials,
-        opacities,
-        spheres,
-        vertices,
-        texture_coordinates,
-        shapes,
-        custom_lights,
-        textures,
-    } = gradient;
-    size_of_val(camera)
-        + size_of_val(&lights[..])
-        + size_of_val(&materials[..])
-        + size_of_val(&opacities[..])
-        + size_of_val(&spheres[..])
-        + vertices.iter().map(|list| size_of_val(&list[..])).sum::<usize>()
-        + texture_coordinates.iter().map(|list| size_of_val(&list[..])).sum::<usize>()
-        + textures.iter().map(|list| size_of_val(&list[..])).sum::<usize>()
-        + shapes.iter().chain(custom_lights).map(|list| size_of_val(&list[..])).sum::<usize>()
+/// The vertex closest to the camera.
+fn seen_vertex(scene: &Scene) -> ParameterId {
+    let eye = scene.parameters.camera.look_from;
+    let distances = scene.parameters.vertices[0].iter().map(|&v| eye.distance(DVec3::from(v)));
+    let nearest = distances.enumerate().min_by(|a, b| a.1.total_cmp(&b.1));
+    ParameterId::Vertex { mesh: 0, vertex: nearest.map_or(0, |(vertex, _)| vertex) }
+}
+
+/// The bytes of the numbers in a gradient by the parameters `ids`.
+fn bytes(scene: &Scene, ids: &[ParameterId], gradient: &Gradient) -> usize {
+    let all = scene.parameter_ids();
+    let parts = ids.iter().filter(|id| !all.contains(id));
+    all.iter().chain(parts).map(|&id| size_of_val(gradient.get(id))).sum()
 }

@@ -13,8 +13,8 @@
 //! Rays through pixels are as given, or chosen too ([`Rays`]). Which of it means something depends on
 //! the target. One that the same renderer made from the same rays is matched by these rays exactly,
 //! and more would aim at another image. The pixels of a photo are integrals: more rays come closer to
-//! their gradient. The error is then the root mean square over several seeds, against a gradient of
-//! far more rays.
+//! their gradient. The error is then the root mean square over several seeds, against the mean of several
+//! gradients of more rays.
 //!
 //! Work is counted, not timed: rays and shaded points, weighted by what the scalar costs. So the same
 //! scene always gets the same settings, and an optimisation that is resumed goes on with those it
@@ -27,6 +27,7 @@ mod reference;
 mod sampler;
 #[cfg(all(test, feature = "cli"))]
 mod tests;
+mod trials;
 mod work;
 
 use std::fmt;
@@ -37,6 +38,7 @@ pub(crate) use metric::image_error;
 #[cfg(feature = "cli")]
 pub(crate) use reference::IntegralGradient;
 pub use sampler::Sampler;
+pub(crate) use trials::Trials;
 use work::Work;
 
 use crate::arithmetic::Arithmetic;
@@ -70,17 +72,19 @@ pub enum Rays {
     },
 }
 
+/// What of a setting is not its rays through a pixel: its scalar and how many mirrors light meets at most.
+type Kind = (Arithmetic, u32);
+
 impl Setting {
+    fn kind(&self) -> Kind {
+        (self.arithmetic, self.bounces)
+    }
+
     /// The same problem, with the same target, in this setting.
     pub fn apply<'a>(&self, recovery: &Recovery<'a>) -> Recovery<'a> {
         let (bounces, sampling) = (Some(self.bounces), self.sampling);
         let settings = RenderSettings { bounces, sampling, ..*recovery.render_settings() };
         recovery.computed(self.arithmetic, settings)
-    }
-
-    /// The gradient of a problem as it stands, in this setting.
-    fn gradient(&self, recovery: &Recovery<'_>) -> Vec<f64> {
-        self.apply(recovery).objective().evaluate(&recovery.initial()).gradient
     }
 }
 
@@ -103,7 +107,7 @@ pub struct Pick {
     pub accuracy: f64,
     /// What was picked.
     pub best: Pilot,
-    /// All settings that were tried; if rays were chosen, from the cheapest on to the first that is
+    /// All settings that were tried; if rays were chosen, from cheap ones on to the first that is
     /// within.
     pub pilots: Vec<Pilot>,
 }
@@ -122,19 +126,23 @@ impl Pick {
 pub fn pick(recovery: &Recovery<'_>, accuracy: f64, rays: Rays) -> Pick {
     let metric = GradientMetric::new(recovery.scene(), recovery.ids());
     let work = Work::new(recovery);
+    let mut trials = Trials::new(recovery);
     let pilots = match rays {
         Rays::Given => {
-            pilots::pilots(recovery, &metric, &work, recovery.render_settings().sampling)
+            pilots::pilots(&mut trials, &metric, &work, recovery.render_settings().sampling)
         }
         Rays::Chosen { sampler, most } => {
-            rays::pilots_with_rays(recovery, &metric, &work, (sampler, most), accuracy)
+            rays::pilots_with_rays(&mut trials, &metric, &work, (sampler, most), accuracy)
         }
     };
     let within = pilots.iter().filter(|pilot| pilot.error <= accuracy);
     let cheapest = within.min_by(|a, b| a.work.total_cmp(&b.work));
-    let most_accurate = pilots.iter().min_by(|a, b| a.error.total_cmp(&b.error));
-    let best = cheapest.or(most_accurate).expect("there is always a setting").clone();
+    let best = cheapest.or(most_accurate(&pilots)).expect("there is always a setting").clone();
     Pick { accuracy, best, pilots }
+}
+
+fn most_accurate(pilots: &[Pilot]) -> Option<&Pilot> {
+    pilots.iter().min_by(|a, b| a.error.total_cmp(&b.error))
 }
 
 impl fmt::Display for Setting {

@@ -4,19 +4,19 @@
 //! noise and, where the derivative is on the rays of the radiance, by a bias. Both are measured: the
 //! error of a setting is the root mean square over several seeds of how far its gradient is off a
 //! reference with all mirrors, in double precision, so that what mirrors and rounding bring is in it
-//! too. Settings are tried from the cheapest on.
+//! too. Settings are tried from the cheapest on, but for those that cannot be enough by what is known of
+//! fewer rays; and with as few seeds as tell that they are within the accuracy or not.
 
 use super::reference::IntegralGradient;
 use super::work::Work;
-use super::{GradientMetric, Pilot, Sampler, Setting, pilots};
+use super::{GradientMetric, Kind, Pilot, Sampler, Setting, Trials, most_accurate, pilots};
 use crate::integrator::{GradientSamples, Samples};
-use crate::recovery::Recovery;
 
 /// More rays in an image are not tried: a gradient would take about a second.
 const MOST_IN_IMAGE: u64 = 1 << 24;
 
 /// The rays on which mirrors and precisions are compared.
-const RAYS_OF_PILOTS: u32 = 16;
+const RAYS_OF_PILOTS: u32 = 4;
 
 /// So many seeds may tell whether a setting is within the accuracy; if they do not, so many more.
 const SEEDS: [u32; 4] = [8, 16, 32, 64];
@@ -27,90 +27,116 @@ const LEFT: f64 = 1.5;
 
 /// What settings are worth, from the cheapest on to the first that is within the accuracy.
 pub(super) fn pilots_with_rays(
-    recovery: &Recovery<'_>,
+    trials: &mut Trials<'_>,
     metric: &GradientMetric,
     work: &Work,
     (sampler, most): (Sampler, u32),
     accuracy: f64,
 ) -> Vec<Pilot> {
-    let scene = recovery.scene();
+    let scene = trials.recovery().scene();
     let pixels = u64::from(scene.width) * u64::from(scene.height);
     let most = most.min((MOST_IN_IMAGE / pixels.max(1)) as u32).max(1);
-    let shared = sampler.sampling(RAYS_OF_PILOTS.min(most));
-    let all = pilots::pilots(recovery, metric, work, shared);
     let reference =
-        IntegralGradient::within(recovery, metric, sampler, work.most_bounces(), most, accuracy);
+        IntegralGradient::within(trials, metric, sampler, work.most_bounces(), most, accuracy);
     let mut counts = sampler.counts(most);
     if reference.error > accuracy {
         // It has more rays than any setting: the most are still too few.
         counts.drain(..counts.len() - 1);
     }
-    let with = |kind: &Setting, count: u32| Setting { sampling: sampler.sampling(count), ..*kind };
-    let worth_trying = worth_trying(&all, accuracy);
-    let mut settings = Vec::new();
-    for count in counts {
-        match count {
-            // It is one gradient each, so there is no need to guess.
-            1 => settings.extend(all.iter().map(|pilot| with(&pilot.setting, 1))),
-            _ => settings.extend(worth_trying.iter().map(|kind| with(kind, count))),
-        }
-    }
+    let kinds = pilots::kinds(work);
+    let mut settings: Vec<Setting> = counts
+        .into_iter()
+        .flat_map(|count| kinds.iter().map(move |kind| (kind, sampler.sampling(count))))
+        .map(|(&(arithmetic, bounces), sampling)| Setting { arithmetic, bounces, sampling })
+        .collect();
     settings.sort_by(|a, b| work.of(a).total_cmp(&work.of(b)));
+    let mut worth = None;
     let mut pilots = Vec::new();
+    let mut tried = Vec::new();
     for setting in settings {
-        let error = error(recovery, metric, &reference, &setting, sampler, accuracy);
-        pilots.push(Pilot { setting, error, work: work.of(&setting) });
-        if error <= accuracy {
+        // A ray through the middle is one gradient, so there is no need to guess.
+        if setting.sampling.count() > 1 {
+            let worth = worth.get_or_insert_with(|| {
+                let shared = sampler.sampling(RAYS_OF_PILOTS.min(most));
+                worth_trying(pilots::pilots(trials, metric, work, shared), accuracy)
+            });
+            if !worth.contains(&setting.kind())
+                || tried.iter().any(|tried| rules_out(tried, &setting, accuracy))
+            {
+                continue;
+            }
+        }
+        let estimate = estimate(trials, metric, &reference, &setting, sampler, accuracy);
+        pilots.push(Pilot { setting, error: estimate.error, work: work.of(&setting) });
+        if estimate.error <= accuracy {
             break;
         }
+        tried.push((setting, estimate));
     }
     pilots
+}
+
+/// Whether a setting that was tried tells that another one, which differs in the number of rays alone,
+/// is not within the accuracy: bias falls with that number, and noise hardly faster.
+fn rules_out((tried, estimate): &(Setting, Estimate), other: &Setting, accuracy: f64) -> bool {
+    let count = |setting: &Setting| f64::from(setting.sampling.count());
+    // The middle of a pixel says nothing of other places.
+    tried.kind() == other.kind()
+        && count(tried) > 1.0
+        && estimate.at_least * count(tried) / count(other) > accuracy
 }
 
 /// Which precisions and numbers of mirrors can be within the accuracy, the cheapest first; those left
 /// out that come closer than cheaper ones by less than a tenth of the accuracy. The most accurate if
 /// there is none.
-fn worth_trying(pilots: &[Pilot], accuracy: f64) -> Vec<Setting> {
-    let mut pilots = pilots.to_vec();
+fn worth_trying(mut pilots: Vec<Pilot>, accuracy: f64) -> Vec<Kind> {
     pilots.sort_by(|a, b| a.work.total_cmp(&b.work));
     let mut closest = f64::INFINITY;
-    let mut settings = Vec::new();
+    let mut kinds = Vec::new();
     for pilot in pilots.iter().filter(|pilot| pilot.error <= accuracy) {
         if pilot.error < closest - accuracy / 10.0 {
             closest = pilot.error;
-            settings.push(pilot.setting);
+            kinds.push(pilot.setting.kind());
         }
     }
-    if settings.is_empty() {
-        let most_accurate = pilots.iter().min_by(|a, b| a.error.total_cmp(&b.error));
-        settings.extend(most_accurate.map(|pilot| pilot.setting));
+    if kinds.is_empty() {
+        kinds.extend(most_accurate(&pilots).map(|pilot| pilot.setting.kind()));
     }
-    settings
+    kinds
 }
 
-/// The estimated error of a setting, to which its own uncertainty is added.
-fn error(
-    recovery: &Recovery<'_>,
+/// What is known of the error of a setting.
+struct Estimate {
+    /// The error, to which its own uncertainty is added.
+    error: f64,
+    /// It is hardly less than this.
+    at_least: f64,
+}
+
+fn estimate(
+    trials: &mut Trials<'_>,
     metric: &GradientMetric,
     reference: &IntegralGradient,
     setting: &Setting,
     sampler: Sampler,
     accuracy: f64,
-) -> f64 {
+) -> Estimate {
     let count = setting.sampling.count();
-    let error = |setting: &Setting| metric.error(&setting.gradient(recovery), &reference.gradient);
+    let mut error =
+        |setting: &Setting| metric.error(&trials.gradient(setting), &reference.gradient);
     if count == 1 {
-        return error(setting) + reference.error;
+        let error = error(setting);
+        return Estimate { error: error.hypot(reference.error), at_least: 0.0 };
     }
     let mut errors = Vec::new();
-    let mut estimate = f64::INFINITY;
+    let mut estimate = Estimate { error: f64::INFINITY, at_least: 0.0 };
     for seeds in SEEDS {
         errors.extend((errors.len() as u32..seeds).map(|seed| {
             let samples = Samples { count, seed, gradient: GradientSamples::Same };
             error(&Setting { sampling: sampler.random(samples), ..*setting })
         }));
         let (mean, uncertainty) = root_mean_square(&errors);
-        estimate = mean + uncertainty;
+        estimate = Estimate { error: mean + uncertainty, at_least: mean - LEFT * uncertainty };
         if mean + TAKEN * uncertainty <= accuracy || mean - LEFT * uncertainty > accuracy {
             break;
         }

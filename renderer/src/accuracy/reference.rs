@@ -1,12 +1,13 @@
 //! The gradient of pixels that are integrals.
 
-use super::{GradientMetric, Sampler, Setting};
+use super::{GradientMetric, Sampler, Setting, Trials};
 use crate::arithmetic::{Arithmetic, Precision};
 use crate::integrator::{GradientSamples, Samples};
-use crate::recovery::Recovery;
 
 /// Gradients whose mean the reference is.
 const SEEDS: u32 = 8;
+/// Where pixels show edges, the noise of even samples falls with this power of their number.
+const RATE: f64 = 0.75;
 
 /// The gradient of pixels that are integrals, as well as it is known: the mean over several seeds,
 /// with rays for the derivative of the radiance that are not those of the radiance. So it has no
@@ -18,29 +19,34 @@ pub(crate) struct IntegralGradient {
 }
 
 impl IntegralGradient {
-    /// With as many rays as it takes to be off by a quarter of the accuracy, but no more than
+    /// With about as many rays as it takes to be off by a quarter of the accuracy, but no more than
     /// `most_rays` through each pixel for a seed.
     pub fn within(
-        recovery: &Recovery<'_>,
+        trials: &mut Trials<'_>,
         metric: &GradientMetric,
         sampler: Sampler,
         bounces: u32,
         most_rays: u32,
         accuracy: f64,
     ) -> Self {
-        let with = |count| Self::new(recovery, metric, sampler, bounces, count);
-        let mut count = most_rays.min(4);
-        let mut reference = with(count);
-        while reference.error > accuracy / 4.0 && 2 * count <= most_rays {
-            count *= 2;
-            reference = with(count);
+        let counts = sampler.counts(most_rays);
+        let mut index = 0;
+        loop {
+            let count = counts[index];
+            let reference = Self::new(trials, metric, sampler, bounces, count);
+            let excess = 4.0 * reference.error / accuracy;
+            if excess <= 1.0 || index + 1 == counts.len() {
+                return reference;
+            }
+            let enough = f64::from(count) * excess.powf(RATE.recip());
+            let next = counts.partition_point(|&count| f64::from(count) < enough);
+            index = next.clamp(index + 1, counts.len() - 1);
         }
-        reference
     }
 
     /// With so many rays through each pixel for a seed.
     pub fn new(
-        recovery: &Recovery<'_>,
+        trials: &mut Trials<'_>,
         metric: &GradientMetric,
         sampler: Sampler,
         bounces: u32,
@@ -53,7 +59,7 @@ impl IntegralGradient {
                 let samples = Samples { count, seed, gradient: GradientSamples::Independent };
                 let arithmetic = Arithmetic::fastest(Precision::F64);
                 let setting = Setting { arithmetic, bounces, sampling: sampler.random(samples) };
-                setting.gradient(recovery)
+                trials.gradient(&setting)
             })
             .collect();
         let seeds = f64::from(SEEDS);

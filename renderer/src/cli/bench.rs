@@ -68,7 +68,7 @@ pub(super) fn run(arguments: &Arguments, arithmetic: Arithmetic) -> Result<(), E
         rayon::current_num_threads(),
     ))?;
     let limit = Duration::from_secs_f64(arguments.seconds);
-    with_arithmetic!(arithmetic, S => Bench::<S>::new(scene, ids, load, limit).run())
+    with_arithmetic!(arithmetic, S => Bench::<S>::new(scene, &ids, load, limit).run())
 }
 
 /// So many repetitions are enough however short they are.
@@ -77,7 +77,7 @@ const ENOUGH: usize = 10_000;
 /// What is measured.
 struct Bench<'a, L: Lanes> {
     scene: &'a Scene,
-    ids: Vec<ParameterId>,
+    ids: &'a [ParameterId],
     prepared: Prepared<'a, L>,
     /// The time that loading took, then until the tree was built.
     load: Duration,
@@ -89,7 +89,7 @@ struct Bench<'a, L: Lanes> {
 }
 
 impl<'a, L: Lanes> Bench<'a, L> {
-    fn new(scene: &'a Scene, ids: Vec<ParameterId>, load: Duration, limit: Duration) -> Self {
+    fn new(scene: &'a Scene, ids: &'a [ParameterId], load: Duration, limit: Duration) -> Self {
         let start = Instant::now();
         let prepared = Prepared::new(scene);
         let build = start.elapsed();
@@ -112,7 +112,7 @@ impl<'a, L: Lanes> Bench<'a, L> {
         let first_image = start.elapsed();
         target.pixels.as_flattened_mut().iter_mut().for_each(|value| *value *= 0.9);
         let loss = ImageLoss::new(LossKind::MeanSquared, &target, false);
-        let wanted = Wanted::by(&self.ids);
+        let wanted = Wanted::by(self.ids);
         let start = Instant::now();
         black_box(gradient(&self.prepared, &loss, wanted));
         let first_gradient = start.elapsed();
@@ -180,7 +180,7 @@ impl<'a, L: Lanes> Bench<'a, L> {
         self.moves += 1;
         let factor = 1.0 + 1e-9 * f64::from(self.moves % 16);
         timed(|| {
-            for &id in &self.ids {
+            for &id in self.ids {
                 let values = self.scene.parameters.get(id).iter();
                 for (moved, value) in self.parameters.get_mut(id).iter_mut().zip(values) {
                     *moved = value * factor;

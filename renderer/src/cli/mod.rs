@@ -139,8 +139,8 @@ impl Problem {
                     .scene
                     .find_parameter(path)
                     .map_err(|problem| Error::new(format_args!("--param {path}"), problem))?;
-                if tuned.iter().any(|tuned| tuned.id == id) {
-                    return Err(Error::new(format_args!("--param {path}"), "is given twice"));
+                if let Some(problem) = experiment.scene.overlap(&tuned, id) {
+                    return Err(Error::new(format_args!("--param {path}"), problem));
                 }
                 let listed = section.parameters.iter().find(|tuned| tuned.id == id).cloned();
                 tuned.push(listed.unwrap_or(TunedParameter {

@@ -9,15 +9,17 @@ use super::radiance::PixelLoss;
 use super::range::with_range;
 use super::sums::StripSums;
 use super::sweep::sweep;
+use super::vertices::ChosenVertices;
 use crate::kernels::camera::{Camera, Frame, frame};
 use crate::kernels::light::{DistantLight, PointLight};
 use crate::kernels::material::Material;
 use crate::kernels::sphere::Sphere;
 use crate::scene::{Light, ParameterId, Parameters};
 
-/// The kinds of parameters by which a gradient is wanted. Others cost nothing.
+/// The parameters by which a gradient is wanted. Other kinds, and other vertices, cost nothing.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Wanted {
+pub struct Wanted<'a> {
+    ids: &'a [ParameterId],
     pub(super) camera: bool,
     /// Where lights are, or where they come from.
     pub(super) light_places: bool,
@@ -32,17 +34,18 @@ pub struct Wanted {
     pub(super) mirrors: bool,
     pub(super) opacities: bool,
     pub(super) spheres: bool,
+    /// Any of them; which, say [`ChosenVertices`].
     pub(super) vertices: bool,
     pub(super) shapes: bool,
     pub(super) texture_coordinates: bool,
     pub(super) texels: bool,
 }
 
-impl Wanted {
-    /// The kinds that the given parameters are of.
-    pub fn by(ids: &[ParameterId]) -> Self {
+impl<'a> Wanted<'a> {
+    /// The given parameters.
+    pub fn by(ids: &'a [ParameterId]) -> Self {
         use ParameterId::*;
-        let mut wanted = Self::default();
+        let mut wanted = Self { ids, ..Self::default() };
         for id in ids {
             *match id {
                 LookFrom | LookAt | Up | Vfov | Focus => &mut wanted.camera,
@@ -58,7 +61,7 @@ impl Wanted {
                 Reflection(_) => &mut wanted.mirrors,
                 Opacity(_) => &mut wanted.opacities,
                 SphereCenter(_) | SphereRadius(_) => &mut wanted.spheres,
-                Vertices(_) => &mut wanted.vertices,
+                Vertices(_) | Vertex { .. } => &mut wanted.vertices,
                 TextureCoordinates(_) => &mut wanted.texture_coordinates,
                 Texels(_) => &mut wanted.texels,
             } = true;
@@ -69,6 +72,16 @@ impl Wanted {
     /// Whether the point that is seen depends on any of them.
     pub(super) fn surface(self) -> bool {
         self.camera || self.spheres || self.vertices || self.shapes || self.texture_coordinates
+    }
+
+    /// Whether vertices are all that it is by.
+    pub(super) fn only_vertices(self) -> bool {
+        self == Self { ids: self.ids, vertices: true, ..Self::default() }
+    }
+
+    /// The vertices among them.
+    pub(super) fn chosen_vertices<L: Lanes>(self, prepared: &Prepared<'_, L>) -> ChosenVertices {
+        ChosenVertices::new(prepared, self.ids)
     }
 
     pub(super) fn materials(self) -> bool {
@@ -85,18 +98,56 @@ impl Wanted {
 pub struct GradientResult {
     /// The loss.
     pub loss: f64,
-    /// Its derivative by each wanted parameter, in the shape of the scene's parameters. What was not
-    /// wanted is zero, or, where a scene may have many of them (vertices, texels, texture
-    /// coordinates), empty. For parameters that move edges it is the interior term, see
-    /// [`Differentiability`](crate::scene::Differentiability).
-    pub gradient: Parameters,
+    /// Its derivative by each wanted parameter. For parameters that move edges it is the interior
+    /// term, see [`Differentiability`](crate::scene::Differentiability).
+    pub gradient: Gradient,
+}
+
+/// Derivatives by parameters of a scene.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Gradient {
+    /// All but those by vertices.
+    numbers: Parameters,
+    chosen: ChosenVertices,
+    /// By wanted vertex.
+    vertices: Vec<[f64; 3]>,
+}
+
+impl Gradient {
+    fn zero<L: Lanes>(prepared: &Prepared<'_, L>, wanted: Wanted<'_>) -> Self {
+        let chosen = wanted.chosen_vertices(prepared);
+        let vertices = vec![[0.0; 3]; chosen.count()];
+        Self { numbers: zero(&prepared.parameters, wanted), chosen, vertices }
+    }
+
+    /// The derivatives by one parameter, in its shape. If it was not wanted: zeros, or, where a scene
+    /// may have many of its kind (vertices, texels, texture coordinates), nothing.
+    ///
+    /// # Panics
+    ///
+    /// If `id` is not a parameter of the scene that this belongs to.
+    pub fn get(&self, id: ParameterId) -> &[f64] {
+        match id {
+            ParameterId::Vertices(_) | ParameterId::Vertex { .. } => {
+                self.vertices[self.chosen.range_of(id)].as_flattened()
+            }
+            _ => self.numbers.get(id),
+        }
+    }
+
+    /// Multiplies all of it, of a scene with these parameters.
+    pub(super) fn scale(&mut self, ids: &[ParameterId], factor: f64) {
+        let scale = |numbers: &mut [f64]| numbers.iter_mut().for_each(|value| *value *= factor);
+        scale(self.vertices.as_flattened_mut());
+        ids.iter().for_each(|&id| scale(self.numbers.get_mut(id)));
+    }
 }
 
 /// The loss of the image and its gradient by the wanted parameters.
 pub fn gradient<L: Lanes>(
     prepared: &Prepared<'_, L>,
     loss: &impl PixelLoss,
-    wanted: Wanted,
+    wanted: Wanted<'_>,
 ) -> GradientResult {
     let result = reduce(prepared, sweep(prepared, loss, wanted), wanted);
     with_range(prepared, loss, wanted, result)
@@ -106,11 +157,11 @@ pub fn gradient<L: Lanes>(
 pub(crate) fn reduce<L: Lanes>(
     prepared: &Prepared<'_, L>,
     strips: Vec<StripSums>,
-    wanted: Wanted,
+    wanted: Wanted<'_>,
 ) -> GradientResult {
-    let mut total = GradientResult { loss: 0.0, gradient: zero(&prepared.parameters, wanted) };
+    let mut total = GradientResult { loss: 0.0, gradient: Gradient::zero(prepared, wanted) };
     let mut frame = Tangent::<Frame<f64>>::zero();
-    let gradient = &mut total.gradient;
+    let Gradient { numbers: gradient, vertices, .. } = &mut total.gradient;
     for strip in strips {
         total.loss += strip.loss;
         frame.accumulate(strip.frame);
@@ -127,8 +178,7 @@ pub(crate) fn reduce<L: Lanes>(
             gradient.spheres[*sphere as usize].add(sum);
         }
         for (vertex, sum) in strip.vertices {
-            let (mesh, vertex) = prepared.vertex_of_mesh(vertex);
-            let vertex = &mut gradient.vertices[mesh][vertex];
+            let vertex = &mut vertices[vertex as usize];
             *vertex = (DVec3::from(*vertex) + sum).into();
         }
         for (uv, sum) in strip.uvs {
@@ -156,8 +206,9 @@ pub(crate) fn reduce<L: Lanes>(
     total
 }
 
-/// Zero, in the shape of `parameters`; nothing where there may be many and they are not wanted.
-fn zero(parameters: &Parameters, wanted: Wanted) -> Parameters {
+/// Zero, in the shape of `parameters`, but for vertices; nothing where there may be many and they are
+/// not wanted.
+fn zero(parameters: &Parameters, wanted: Wanted<'_>) -> Parameters {
     let zero_light = |light: &Light<f64>| match light {
         Light::Point(_) => Light::Point(PointLight::zero()),
         Light::Distant(_) => Light::Distant(DistantLight::zero()),
@@ -168,7 +219,7 @@ fn zero(parameters: &Parameters, wanted: Wanted) -> Parameters {
         materials: vec![Material::zero(); parameters.materials.len()],
         opacities: vec![0.0; parameters.opacities.len()],
         spheres: vec![Sphere::zero(); parameters.spheres.len()],
-        vertices: zeros_if(wanted.vertices, &parameters.vertices, [0.0; 3]),
+        vertices: vec![Vec::new(); parameters.vertices.len()],
         texture_coordinates: zeros_if(
             wanted.texture_coordinates,
             &parameters.texture_coordinates,

@@ -30,7 +30,7 @@ pub(super) struct Dark {
 
 impl Dark {
     /// What a gradient by the wanted parameters depends on.
-    pub fn of_gradient(wanted: Wanted, pass: Pass) -> Self {
+    pub fn of_gradient(wanted: Wanted<'_>, pass: Pass) -> Self {
         Self { mirrors: wanted.mirrors && pass == Pass::Radiance, lights: wanted.lights() }
     }
 }

@@ -37,9 +37,10 @@ mod textures;
 mod tiles;
 mod trace;
 mod transparency;
+mod vertices;
 mod view;
 
-pub use gradient::{GradientResult, Wanted, gradient};
+pub use gradient::{Gradient, GradientResult, Wanted, gradient};
 pub use non_finite::{NonFinite, find_non_finite, find_non_finite_radiance, gradient_of_finite};
 pub use prepared::Prepared;
 pub use radiance::{PixelLoss, loss, render, render_into};

@@ -82,7 +82,7 @@ pub fn find_non_finite<L: Lanes>(
 pub fn gradient_of_finite<L: Lanes>(
     prepared: &Prepared<'_, L>,
     loss: &impl PixelLoss,
-    wanted: Wanted,
+    wanted: Wanted<'_>,
     found: &NonFinite,
 ) -> GradientResult {
     let width = prepared.scene.width;
@@ -138,7 +138,7 @@ fn finite_losses<L: Lanes>(prepared: &Prepared<'_, L>, pixel_loss: &impl PixelLo
 fn exclude_non_finite_gradients<L: Lanes>(
     prepared: &Prepared<'_, L>,
     pixel_loss: &impl PixelLoss,
-    wanted: Wanted,
+    wanted: Wanted<'_>,
     finite: &mut [bool],
 ) -> bool {
     let width = prepared.scene.width;

@@ -44,7 +44,7 @@ pub(crate) struct Reached {
 }
 
 /// The paths of all rays through pixels, in a fixed order: what a gradient by the wanted parameters depends on.
-pub(crate) fn paths<L: Lanes>(prepared: &Prepared<'_, L>, wanted: Wanted) -> Vec<Path> {
+pub(crate) fn paths<L: Lanes>(prepared: &Prepared<'_, L>, wanted: Wanted<'_>) -> Vec<Path> {
     let (width, height) = (prepared.scene.width, prepared.scene.height);
     let dark = Dark::of_gradient(wanted, prepared.pass);
     let strips = for_each_strip(width, height, Sight::default, |sight, strip| {

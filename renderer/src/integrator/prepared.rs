@@ -1,6 +1,7 @@
 //! A scene in the form that is rendered.
 
 use std::iter;
+use std::ops::Range;
 
 use ad::lanes::Lanes;
 use ad::{Real, Scalar, Vec3};
@@ -173,6 +174,18 @@ impl<'a, L: Lanes> Prepared<'a, L> {
         }
     }
 
+    /// Changes how many mirrors and transparent surfaces light meets at most.
+    #[cfg(feature = "files")]
+    pub(crate) fn set_bounces(&mut self, bounces: u32) {
+        self.bounces = bounces;
+    }
+
+    /// Changes the rays through pixels.
+    #[cfg(feature = "files")]
+    pub(crate) fn set_sampling(&mut self, sampling: Sampling) {
+        self.sampling = sampling;
+    }
+
     /// Finds what the wanted rays of a tile meet first.
     #[inline]
     pub(super) fn nearest_into(
@@ -274,6 +287,13 @@ impl<'a, L: Lanes> Prepared<'a, L> {
     /// The mesh of a vertex, and its index there.
     pub(super) fn vertex_of_mesh(&self, vertex: u32) -> (usize, usize) {
         part_and_index(vertex, &self.first_vertices, |&first| first)
+    }
+
+    /// The vertices of a mesh, by index through all meshes.
+    pub(super) fn vertices_of_mesh(&self, mesh: usize) -> Range<usize> {
+        let first = |mesh: usize| self.first_vertices.get(mesh).map(|&first| first as usize);
+        let end = first(mesh + 1).unwrap_or(self.vertices.len());
+        first(mesh).unwrap_or(end)..end
     }
 
     /// The mesh of texture coordinates, and their index there.

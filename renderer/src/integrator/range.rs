@@ -24,14 +24,12 @@ const ORDINARY: RangeInclusive<f64> = 1e-20..=1e20;
 pub(super) fn with_range<L: Lanes>(
     prepared: &Prepared<'_, L>,
     pixel_loss: &impl PixelLoss,
-    wanted: Wanted,
+    wanted: Wanted<'_>,
     result: GradientResult,
 ) -> GradientResult {
     let Some(scaled) = Scaled::to_fit(prepared, pixel_loss, result.loss) else { return result };
     let mut again = reduce(prepared, sweep(prepared, &scaled, wanted), wanted);
-    for id in prepared.scene.parameter_ids() {
-        again.gradient.get_mut(id).iter_mut().for_each(|value| *value *= scaled.factor);
-    }
+    again.gradient.scale(&prepared.scene.parameter_ids(), scaled.factor);
     GradientResult { loss: result.loss, ..again }
 }
 

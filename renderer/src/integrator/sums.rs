@@ -59,7 +59,7 @@ impl LightSum {
 
     /// Adds what flows back from a group.
     #[inline]
-    pub(super) fn add<L: Lanes>(&mut self, cotangent: &LightCotangent<'_, L>, wanted: Wanted) {
+    pub(super) fn add<L: Lanes>(&mut self, cotangent: &LightCotangent<'_, L>, wanted: Wanted<'_>) {
         let all = Mask::splat(true);
         let vectors = |wanted, v| vector_if::<L>(wanted, v, all);
         let (sum_of_place, sum_of_color, sum_of_intensity) = match self {
@@ -106,7 +106,7 @@ impl LightSum {
 pub(super) fn material_sum<L: Lanes>(
     cotangent: &MaterialTangent<L>,
     mask: L::Mask,
-    wanted: Wanted,
+    wanted: Wanted<'_>,
 ) -> MaterialTangent<f64> {
     let vectors = |wanted, v| vector_if::<L>(wanted, v, mask);
     MaterialTangent {
@@ -140,7 +140,7 @@ pub struct StripSums {
     pub opacities: Vec<f64>,
     /// By sphere.
     pub spheres: Vec<(u32, SphereTangent<f64>)>,
-    /// By vertex, counted through all meshes.
+    /// By wanted vertex.
     pub vertices: Vec<(u32, DVec3)>,
     /// By texture coordinates, counted through all meshes.
     pub uvs: Vec<(u32, UvTangent<f64>)>,

@@ -5,6 +5,7 @@ use plotters::prelude::*;
 use super::Record;
 use super::loss_axis::LossAxis;
 use crate::Error;
+use crate::palette::CurveColors;
 
 /// Width and height in pixels.
 const SIZE: (u32, u32) = (800, 480);
@@ -51,7 +52,7 @@ fn draw(history: &[Record], svg: &mut String) -> Result<(), Box<dyn std::error::
         .draw()?;
 
     let position = |record: &Record| (record.iteration, axis.height(record.loss));
-    let color = RGBColor(31, 119, 180);
+    let color = CurveColors::pick(0);
     let points = thin_out(history);
     chart.draw_series(LineSeries::new(points.iter().map(position), color.stroke_width(2)))?;
     let lowest = history.iter().min_by(|a, b| a.loss.total_cmp(&b.loss));

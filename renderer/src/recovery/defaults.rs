@@ -22,6 +22,7 @@ fn relative_rate(id: ParameterId) -> f64 {
         | Vfov
         | Focus
         | Vertices(_)
+        | Vertex { .. }
         | TextureCoordinates(_)
         | ShapeParameters(_)
         | LightParameters(_) => 0.01,
@@ -94,6 +95,7 @@ pub(crate) fn domain(scene: &Scene, id: ParameterId) -> (f64, f64) {
         | LightDirection(_)
         | SphereCenter(_)
         | Vertices(_)
+        | Vertex { .. }
         | TextureCoordinates(_)
         | ShapeParameters(_)
         | LightParameters(_) => (f64::NEG_INFINITY, f64::INFINITY),
@@ -138,7 +140,7 @@ pub fn natural_scale(scene: &Scene, id: ParameterId) -> f64 {
         SphereCenter(i) => parameters.spheres[i].radius,
         SphereRadius(_) => size,
         ShapeParameters(_) | LightParameters(_) => positive_or(size, 1.0),
-        Vertices(i) => {
+        Vertices(i) | Vertex { mesh: i, .. } => {
             positive_or(mean_edge(&scene.meshes[i].triangles, &parameters.vertices[i]), view)
         }
     }

@@ -22,6 +22,7 @@ use std::sync::{Arc, Mutex};
 #[cfg(feature = "cli")]
 pub(crate) use defaults::domain;
 pub use defaults::natural_scale;
+pub(crate) use objective::SteeredObjective;
 
 use ad::lanes::f64x8;
 use objective::{ImageObjective, assign};
@@ -82,8 +83,9 @@ impl<'a> Recovery<'a> {
     ///
     /// # Errors
     ///
-    /// If the target or the parameters are missing, the target cannot be read, or its size is not
-    /// that of the camera.
+    /// If the target or the parameters are missing, two parameters
+    /// [overlap](ParameterId::overlaps), the target cannot be read, or its size is not that of the
+    /// camera.
     pub fn new(
         experiment: &'a Experiment,
         place: &str,
@@ -111,6 +113,7 @@ impl<'a> Recovery<'a> {
                 "no parameter to optimise: name one (`renderer params` lists them)",
             ));
         }
+        check_overlaps(scene, &section, place)?;
         check_learning_rates(scene, &section, place)?;
         let (target, truth) =
             load_target(scene, &section, place, |truth| render_with(arithmetic, truth, settings))?;
@@ -277,6 +280,14 @@ impl<'a> Recovery<'a> {
         with_arithmetic!(self.arithmetic, S => Box::new(ImageObjective::<S>::new(self)))
     }
 
+    /// The same in the given arithmetic, for who tries several kinds of rays.
+    pub(crate) fn steered_objective(
+        &self,
+        arithmetic: Arithmetic,
+    ) -> Box<dyn SteeredObjective + '_> {
+        with_arithmetic!(arithmetic, S => Box::new(ImageObjective::<S>::new(self)))
+    }
+
     /// Loss and gradient at the scene as it stands.
     ///
     /// # Errors
@@ -318,6 +329,20 @@ impl<'a> Recovery<'a> {
     /// The loss that is minimised.
     pub(crate) fn loss(&self) -> ImageLoss<'_> {
         ImageLoss::new(self.loss_kind(), &self.target.image, self.target.saturates)
+    }
+}
+
+/// Whether no number varies as part of two parameters.
+fn check_overlaps(scene: &Scene, section: &OptimizeSection, place: &str) -> Result<(), Error> {
+    let parameters = section.parameters.iter().enumerate();
+    let overlap = |(index, tuned): (usize, &TunedParameter)| {
+        Some((tuned.id, scene.overlap(&section.parameters[..index], tuned.id)?))
+    };
+    match { parameters }.find_map(overlap) {
+        None => Ok(()),
+        Some((id, problem)) => {
+            Err(Error::new(format_args!("{place}: {}", scene.path(id)), problem))
+        }
     }
 }
 

@@ -4,7 +4,7 @@ use ad::lanes::Lanes;
 
 use super::Recovery;
 use crate::integrator::{
-    GradientResult, Prepared, Wanted, find_non_finite, gradient, gradient_of_finite,
+    GradientResult, Prepared, Sampling, Wanted, find_non_finite, gradient, gradient_of_finite,
 };
 use crate::optimize::{Evaluation, Objective};
 use crate::scene::{Invalid, ParameterId, Parameters};
@@ -24,7 +24,7 @@ pub(super) struct ImageObjective<'a, S: Lanes> {
     recovery: &'a Recovery<'a>,
     prepared: Prepared<'a, S>,
     parameters: Parameters,
-    wanted: Wanted,
+    wanted: Wanted<'a>,
 }
 
 impl<'a, S: Lanes> ImageObjective<'a, S> {
@@ -48,6 +48,19 @@ impl<S: Lanes> ImageObjective<'_, S> {
     /// What is wrong with the parameters as they stand.
     fn invalid(&self) -> Option<Invalid> {
         self.recovery.scene.check_values(&self.parameters, &self.recovery.ids).err()
+    }
+}
+
+/// An objective whose rays can be changed; all else that is prepared stays.
+pub(crate) trait SteeredObjective: Objective {
+    /// How many mirrors and transparent surfaces light meets at most, and the rays through pixels.
+    fn steer(&mut self, bounces: u32, sampling: Sampling);
+}
+
+impl<S: Lanes> SteeredObjective for ImageObjective<'_, S> {
+    fn steer(&mut self, bounces: u32, sampling: Sampling) {
+        self.prepared.set_bounces(bounces);
+        self.prepared.set_sampling(sampling);
     }
 }
 

@@ -1,6 +1,9 @@
 //! From a path that a person typed to a parameter.
 
+use super::parameters::split_index;
 use super::{ParameterId, Scene};
+#[cfg(feature = "files")]
+use crate::experiment::TunedParameter;
 
 /// How many paths a message lists at most.
 const LISTED: usize = 8;
@@ -17,6 +20,15 @@ impl Scene {
         if let Some(id) = self.parameter(path) {
             return Ok(id);
         }
+        if let Some((whole, index)) = split_index(path)
+            && let Some(ParameterId::Vertices(mesh)) = self.parameter(whole)
+        {
+            let (name, count) = (&self.meshes[mesh].name, self.parameters.vertices[mesh].len());
+            return Err(format!(
+                "no parameter `{path}`: mesh `{name}` has {count} vertices, counted from 0, and \
+                 `{index}` is none of them"
+            ));
+        }
         if ["camera.width", "camera.height"].contains(&path) {
             return Err(format!("`{path}` counts pixels: it cannot be differentiated by or vary"));
         }
@@ -30,6 +42,16 @@ impl Scene {
             )
         } else {
             format!("no parameter `{path}`; closest: {}", close.join(", "))
+        })
+    }
+
+    /// What is wrong with varying a parameter beside `given` ones, if it has numbers in common with one.
+    #[cfg(feature = "files")]
+    pub(crate) fn overlap(&self, given: &[TunedParameter], id: ParameterId) -> Option<String> {
+        let other = given.iter().map(|tuned| tuned.id).find(|other| other.overlaps(id))?;
+        Some(match other == id {
+            true => "is given twice".into(),
+            false => format!("overlaps {}, which is given too", self.path(other)),
         })
     }
 }
@@ -95,6 +117,22 @@ mod tests {
             "no parameter `light.key.size`; closest: light.key.position, light.key.color, \
              light.key.intensity"
         );
+        let vertex = |path: &str| scene.find_parameter(path);
+        let id = ParameterId::Vertex { mesh: 0, vertex: 7 };
+        assert_eq!(vertex("mesh.tree.vertices[7]"), Ok(id));
+        assert_eq!(scene.path(id).to_string(), "mesh.tree.vertices[7]");
+        let count = scene.parameters.vertices[0].len();
+        for index in [count.to_string(), "-1".into(), "x".into(), String::new()] {
+            assert_eq!(
+                vertex(&format!("mesh.tree.vertices[{index}]")).unwrap_err(),
+                format!(
+                    "no parameter `mesh.tree.vertices[{index}]`: mesh `tree` has {count} vertices, \
+                     counted from 0, and `{index}` is none of them"
+                )
+            );
+        }
+        let error = vertex("light.key.position[1]").unwrap_err();
+        assert!(error.ends_with("closest: light.key.position"), "{error}");
         let error = scene.find_parameter("camera.width").unwrap_err();
         assert!(error.contains("cannot be differentiated"), "{error}");
         let error = scene.find_parameter("x").unwrap_err();

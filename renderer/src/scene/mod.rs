@@ -1,8 +1,8 @@
 //! What is rendered: a continuous part ([`Parameters`]) and a discrete one (names, triangles, who
 //! wears which material).
 //!
-//! The two are kept apart because a gradient has the shape of the continuous part alone: a
-//! gradient is a `Parameters` too, and one set of paths reaches into both. Values are `f64`
+//! The two are kept apart because a gradient has the shape of the continuous part alone, and one set of
+//! paths reaches into both. Values are `f64`
 //! whatever the renderer computes in, so that small steps of an optimiser are not lost.
 
 use glam::DVec3;

@@ -108,6 +108,13 @@ pub enum ParameterId {
     SphereRadius(usize),
     /// `mesh.NAME.vertices`
     Vertices(usize),
+    /// `mesh.NAME.vertices[INDEX]`, one vertex, counted from 0: a part of `mesh.NAME.vertices`
+    Vertex {
+        /// The index of the mesh.
+        mesh: usize,
+        /// The index of the vertex in the mesh.
+        vertex: usize,
+    },
     /// `mesh.NAME.texture_coordinates`
     TextureCoordinates(usize),
     /// `texture.NAME.texels`
@@ -133,15 +140,35 @@ impl ParameterId {
             | Opacity(_)
             | TextureCoordinates(_)
             | Texels(_) => Differentiability::Smooth,
-            LookFrom | LookAt | Up | Vfov | Focus | LightPosition(_) | LightDirection(_)
-            | SphereCenter(_) | SphereRadius(_) | Vertices(_) | ShapeParameters(_)
+            LookFrom
+            | LookAt
+            | Up
+            | Vfov
+            | Focus
+            | LightPosition(_)
+            | LightDirection(_)
+            | SphereCenter(_)
+            | SphereRadius(_)
+            | Vertices(_)
+            | Vertex { .. }
+            | ShapeParameters(_)
             | LightParameters(_) => Differentiability::Interior,
         }
+    }
+
+    /// Whether the two have numbers in common: they are the same, or one is a vertex of the other.
+    pub fn overlaps(self, other: Self) -> bool {
+        let whole = |id| match id {
+            Self::Vertex { mesh, .. } => Self::Vertices(mesh),
+            id => id,
+        };
+        self == other || whole(self) == other || self == whole(other)
     }
 }
 
 impl Scene {
-    /// Every parameter of the scene, in a fixed order.
+    /// Every parameter of the scene, in a fixed order. Single vertices are not among them: they are parts
+    /// of others.
     pub fn parameter_ids(&self) -> Vec<ParameterId> {
         use ParameterId::*;
         let mut ids = vec![LookFrom, LookAt, Up, Vfov, Focus];
@@ -207,8 +234,22 @@ impl Scene {
 
     /// The parameter that a path names, or nothing.
     pub fn parameter(&self, path: &str) -> Option<ParameterId> {
-        self.parameter_ids().into_iter().find(|&id| self.path(id).to_string() == path)
+        let named = |path: &str| {
+            self.parameter_ids().into_iter().find(|&id| self.path(id).to_string() == path)
+        };
+        named(path).or_else(|| {
+            let (whole, index) = split_index(path)?;
+            let ParameterId::Vertices(mesh) = named(whole)? else { return None };
+            let vertex = index.parse().ok()?;
+            let exists = vertex < self.parameters.vertices[mesh].len();
+            exists.then_some(ParameterId::Vertex { mesh, vertex })
+        })
     }
+}
+
+/// `a[b]` as `a` and `b`.
+pub(super) fn split_index(path: &str) -> Option<(&str, &str)> {
+    path.strip_suffix(']')?.rsplit_once('[')
 }
 
 /// Displays as the path of a parameter.
@@ -246,6 +287,9 @@ impl fmt::Display for ParameterPath<'_> {
             SphereCenter(i) => write!(f, "sphere.{}.center", scene.spheres[i].name),
             SphereRadius(i) => write!(f, "sphere.{}.radius", scene.spheres[i].name),
             Vertices(i) => write!(f, "mesh.{}.vertices", scene.meshes[i].name),
+            Vertex { mesh, vertex } => {
+                write!(f, "mesh.{}.vertices[{vertex}]", scene.meshes[mesh].name)
+            }
             TextureCoordinates(i) => {
                 write!(f, "mesh.{}.texture_coordinates", scene.meshes[i].name)
             }
@@ -303,6 +347,7 @@ macro_rules! reach {
             SphereCenter(i) => spheres[i].center.$as_slice(),
             SphereRadius(i) => $one($($reference)+ spheres[i].radius),
             Vertices(i) => vertices[i].$flatten(),
+            Vertex { mesh, vertex } => $($reference)+ vertices[mesh][vertex][..],
             TextureCoordinates(i) => texture_coordinates[i].$flatten(),
             Texels(i) => textures[i].$flatten(),
             ShapeParameters(i) => $($reference)+ shapes[i][..],

@@ -128,6 +128,7 @@ impl Scene {
                 | SphereCenter(_)
                 | SphereRadius(_)
                 | Vertices(_)
+                | Vertex { .. }
         );
         let bound = match id {
             _ if is_length => LARGEST_LENGTH,

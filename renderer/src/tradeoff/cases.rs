@@ -43,7 +43,7 @@ pub(super) fn cases<'a>(
         push(Axis::Arithmetic, arithmetic.name().to_owned(), engine, None);
     }
 
-    let image_first = Box::new(ImageFirst::<f32x16>::new(question));
+    let image_first = Box::new(ImageFirst(Adjoint::<f32x16>::new(question)));
     push(Axis::Engine, "image, then adjoint, f32x16".into(), image_first, None);
 
     let pixels = scene.width as usize * scene.height as usize;

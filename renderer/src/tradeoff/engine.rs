@@ -70,7 +70,7 @@ impl<'a> Question<'a> {
 /// Whether the tree depends on a parameter.
 pub(super) fn is_geometry(id: &ParameterId) -> bool {
     use ParameterId::*;
-    matches!(id, Vertices(_) | SphereCenter(_) | SphereRadius(_))
+    matches!(id, Vertices(_) | Vertex { .. } | SphereCenter(_) | SphereRadius(_))
 }
 
 /// What happens to spheres and meshes between gradients.
@@ -103,20 +103,37 @@ impl<'a, L: Lanes> Adjoint<'a, L> {
     }
 }
 
+impl<L: Lanes> Adjoint<'_, L> {
+    /// Changes the rays through pixels.
+    pub fn set_sampling(&mut self, sampling: Sampling) {
+        self.question.settings.sampling = sampling;
+        self.prepared.set_sampling(sampling);
+    }
+
+    /// Takes the parameters over.
+    fn arrive(&mut self) {
+        match self.geometry {
+            Geometry::Anew => self.prepared = self.question.prepared(),
+            _ => self.prepared.set_parameters(&self.question.scene().parameters),
+        }
+    }
+
+    /// The gradient of a loss of the image by the wanted parameters, one after the other.
+    fn gradient_of(&self, loss: &impl PixelLoss) -> Vec<f64> {
+        let ids = self.question.ids();
+        let result = gradient(&self.prepared, loss, Wanted::by(ids));
+        ids.iter().flat_map(|&id| result.gradient.get(id)).copied().collect()
+    }
+}
+
 impl<L: Lanes> Engine for Adjoint<'_, L> {
     fn leave(&mut self) {
         self.prepared.set_parameters(&self.moved);
     }
 
     fn gradient(&mut self) -> Vec<f64> {
-        let Question { recovery, .. } = self.question;
-        let scene = recovery.scene();
-        match self.geometry {
-            Geometry::Anew => self.prepared = self.question.prepared(),
-            _ => self.prepared.set_parameters(&scene.parameters),
-        }
-        let result = gradient(&self.prepared, &recovery.loss(), Wanted::by(recovery.ids()));
-        recovery.ids().iter().flat_map(|&id| result.gradient.get(id)).copied().collect()
+        self.arrive();
+        self.gradient_of(&self.question.loss())
     }
 
     fn image(&self) -> Option<Image> {
@@ -126,36 +143,23 @@ impl<L: Lanes> Engine for Adjoint<'_, L> {
 
 /// The image first, then the derivative of the loss by it, then the adjoint along the same rays, which
 /// are traced again: what a loss takes that is no sum over pixels.
-pub(super) struct ImageFirst<'a, L: Lanes> {
-    question: Question<'a>,
-    prepared: Prepared<'a, L>,
-    moved: Parameters,
-}
-
-impl<'a, L: Lanes> ImageFirst<'a, L> {
-    pub fn new(question: Question<'a>) -> Self {
-        let moved = question.moved(Geometry::AsAsked);
-        Self { question, prepared: question.prepared(), moved }
-    }
-}
+pub(super) struct ImageFirst<'a, L: Lanes>(pub Adjoint<'a, L>);
 
 impl<L: Lanes> Engine for ImageFirst<'_, L> {
     fn leave(&mut self) {
-        self.prepared.set_parameters(&self.moved);
+        self.0.leave();
     }
 
     fn gradient(&mut self) -> Vec<f64> {
-        let Question { recovery, .. } = self.question;
-        self.prepared.set_parameters(&recovery.scene().parameters);
-        let image = render(&self.prepared);
-        let loss = recovery.loss();
+        let Self(adjoint) = self;
+        adjoint.arrive();
+        let image = render(&adjoint.prepared);
+        let loss = adjoint.question.loss();
         let places = (0..image.height).flat_map(|y| (0..image.width).map(move |x| (x, y)));
         let pixels = places.zip(&image.pixels);
         let cotangents = pixels
             .map(|((x, y), &pixel)| loss.evaluate(x, y, Vec3::from_array(pixel).as_dvec3()).1);
-        let cotangents = Cotangents { width: image.width, pixels: cotangents.collect() };
-        let result = gradient(&self.prepared, &cotangents, Wanted::by(recovery.ids()));
-        recovery.ids().iter().flat_map(|&id| result.gradient.get(id)).copied().collect()
+        adjoint.gradient_of(&Cotangents { width: image.width, pixels: cotangents.collect() })
     }
 }
 

@@ -27,7 +27,7 @@ use measurement::{Reference, measure_in_turns};
 
 pub use axis::Axis;
 pub use measurement::Measurement;
-pub use plot::{Curve, CurveColors, Titles, curves_svg, tradeoff_svg};
+pub use plot::{Curve, Titles, curves_svg, tradeoff_svg};
 pub use sampling::{
     RayPlaces, SamplingRun, SamplingRuns, measure_sampling, sampling_csv, sampling_curves,
     sampling_table,

@@ -103,7 +103,11 @@ impl<S: Real> Numbers<'_, S> {
     }
 
     pub fn vertex(&self, mesh: usize, index: u32) -> Vec3<S> {
-        self.vector_at(ParameterId::Vertices(mesh), index as usize)
+        let single = ParameterId::Vertex { mesh, vertex: index as usize };
+        match self.varying.iter().any(|(varying, _)| *varying == single) {
+            true => self.vector(single),
+            false => self.vector_at(ParameterId::Vertices(mesh), index as usize),
+        }
     }
 
     pub fn uv(&self, mesh: usize, index: u32) -> Uv<S> {

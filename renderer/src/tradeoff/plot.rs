@@ -9,6 +9,7 @@ use super::axis::Axis;
 use super::measurement::Measurement;
 use super::table::pareto_front;
 use crate::Error;
+use crate::palette::CurveColors;
 
 /// Width and height in pixels.
 const SIZE: (u32, u32) = (900, 560);
@@ -20,23 +21,6 @@ const LEGEND_LINE: u32 = 18;
 
 /// Errors are drawn from rounding in double precision up to 1: what is beyond, is drawn there.
 const ERRORS: (f64, f64) = (1e-16, 1.0);
-
-/// Colours of curves that can be told apart on white. Turned down: plotters' `Palette99`, of whose
-/// first eight colours yellow and cyan can hardly be seen there.
-pub struct CurveColors;
-
-impl Palette for CurveColors {
-    const COLORS: &'static [(u8, u8, u8)] = &[
-        (31, 119, 180),
-        (214, 39, 40),
-        (44, 160, 44),
-        (255, 127, 14),
-        (148, 103, 189),
-        (140, 86, 75),
-        (23, 190, 207),
-        (110, 110, 110),
-    ];
-}
 
 /// One line of a plot: errors over something.
 #[derive(Clone, Debug, PartialEq)]

@@ -7,7 +7,7 @@ use ad::lanes::{f32x16, f64x8};
 use super::engine::{Adjoint, Engine, Question};
 use super::measurement::Reference;
 use super::plot::Curve;
-use crate::accuracy::{GradientMetric, IntegralGradient, Sampler, image_error};
+use crate::accuracy::{GradientMetric, IntegralGradient, Sampler, Trials, image_error};
 use crate::integrator::{GradientSamples, RenderSettings, Samples, Sampling};
 use crate::recovery::Recovery;
 
@@ -99,7 +99,8 @@ pub fn measure_sampling(recovery: &Recovery<'_>) -> SamplingRuns {
     };
     let metric = GradientMetric::new(scene, recovery.ids());
     let sampler = Sampler::Sobol;
-    let integral = IntegralGradient::new(recovery, &metric, sampler, scene.bounces, most);
+    let trials = &mut Trials::new(recovery);
+    let integral = IntegralGradient::new(trials, &metric, sampler, scene.bounces, most);
     let image = {
         let count = most_of(4 * MOST_RAYS, REFERENCE_COUNT);
         let samples = Samples { count, seed: u32::MAX, gradient: GradientSamples::Same };
@@ -107,6 +108,7 @@ pub fn measure_sampling(recovery: &Recovery<'_>) -> SamplingRuns {
         exact.image().expect("the adjoint has an image")
     };
     let reference = Reference { metric, gradient: integral.gradient, image };
+    let mut engine = Adjoint::<f32x16>::new(question(Sampling::Center));
     let mut runs = Vec::new();
     for rays in RayPlaces::all() {
         let (counts, seeds) = match rays {
@@ -114,23 +116,23 @@ pub fn measure_sampling(recovery: &Recovery<'_>) -> SamplingRuns {
             RayPlaces::Random(..) => (&COUNTS[..], SEEDS),
         };
         for &count in counts.iter().filter(|&&count| count <= most) {
-            let engines =
-                (0..seeds).map(|seed| Adjoint::<f32x16>::new(question(rays.sampling(count, seed))));
-            runs.push(run(rays, count, engines, &reference));
+            runs.push(run(rays, count, seeds, &mut engine, &reference));
         }
     }
     SamplingRuns { runs, reference_error: integral.error }
 }
 
-fn run<'a>(
+fn run(
     rays: RayPlaces,
     count: u32,
-    engines: impl Iterator<Item = Adjoint<'a, f32x16>>,
+    seeds: u32,
+    engine: &mut Adjoint<'_, f32x16>,
     reference: &Reference,
 ) -> SamplingRun {
     let Reference { metric, gradient: truth, image } = reference;
     let (mut gradients, mut times, mut image_off) = (Vec::new(), Vec::new(), None);
-    for mut engine in engines {
+    for seed in 0..seeds {
+        engine.set_sampling(rays.sampling(count, seed));
         engine.leave();
         let clock = Instant::now();
         gradients.push(engine.gradient());

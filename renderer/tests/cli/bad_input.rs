@@ -171,6 +171,23 @@ fn arguments() {
         (&["gradient", "scene.toml", "--param", "camera.vfow"], &["closest: camera.vfov"]),
         (&["gradient", "scene.toml", "--param", "camera.width"], &["cannot be differentiated"]),
         (&["gradient", "scene.toml", "--param", ""], &["--param", "paths begin with"]),
+        (
+            &["gradient", "scene.toml", "--param", "mesh.floor.vertices[4]"],
+            &["mesh `floor` has 4 vertices, counted from 0", "`4` is none of them"],
+        ),
+        (&["gradient", "scene.toml", "--param", "mesh.floor.vertices[-1]"], &["`-1` is none of"]),
+        (&["gradient", "scene.toml", "--param", "mesh.flor.vertices[1]"], &["mesh.floor.vertices"]),
+        (
+            &[
+                "gradient",
+                "scene.toml",
+                "--param",
+                "mesh.floor.vertices[1]",
+                "--param",
+                "mesh.floor.vertices",
+            ],
+            &["--param mesh.floor.vertices: overlaps mesh.floor.vertices[1], which is given too"],
+        ),
         (&["optimize", "scene.toml", "--target", "photo.png"], &["scene.toml", "no parameter"]),
         (&["optimize", "experiment.toml", "--target", "."], &["is a directory"]),
         (&["optimize", "experiment.toml", "--out", "scene.toml"], &["scene.toml", "folder"]),

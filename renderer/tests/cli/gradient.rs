@@ -85,6 +85,26 @@ fn json_maps_paths_to_the_numbers_of_the_table() {
 }
 
 #[test]
+fn one_vertex_has_its_part_of_the_gradient() {
+    let sandbox = Sandbox::new();
+    sandbox.write_changed("truth.toml", "intensity = 120.0", "intensity = 90.0");
+    sandbox.succeed(&["render", "truth.toml", "-o", "target.exr"]);
+    let vertex = "mesh.floor.vertices[2]";
+    let json =
+        sandbox.succeed_json(&arguments(&["mesh.floor.vertices", "light.key.color"], &["--json"]));
+    let expected = numbers(&json["mesh.floor.vertices"])[6..9].to_vec();
+    assert!(expected.iter().any(|derivative| *derivative != 0.0));
+    let json = sandbox.succeed_json(&arguments(&[vertex], &["--json"]));
+    assert_eq!((json.len(), numbers(&json[vertex])), (1, expected));
+
+    // The floor reaches beyond the image, so all that moves with it is its shading.
+    let text = sandbox.succeed(&arguments(&[vertex], &["--check", "--precision", "f64"]));
+    let errors = text.lines().filter_map(|line| line.split_whitespace().last()?.parse().ok());
+    let errors: Vec<f64> = errors.skip(1).collect();
+    assert!(errors.len() == 3 && errors.iter().all(|&error| error < 1e-5), "{text}");
+}
+
+#[test]
 fn threads_change_no_bit() {
     let sandbox = sandbox();
     let parameters = ["camera.look_from", "light.key.position", "mesh.floor.vertices"];

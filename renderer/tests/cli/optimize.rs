@@ -2,7 +2,7 @@
 
 use renderer::files::load_image;
 
-use crate::sandbox::{Sandbox, numbers};
+use crate::sandbox::{OPTIMIZE, SCENE, Sandbox, numbers};
 
 #[test]
 fn leaves_every_result() {
@@ -73,6 +73,30 @@ fn a_report_is_one_page_that_needs_nothing_else() {
     assert_eq!(page.matches("src=").count(), 4 + strip);
     assert_eq!(page.matches("src=\"data:image/png;base64,").count(), 4 + strip);
     sandbox.refuse_with(&["report", "none"], &["none/summary.json: no such file"]);
+}
+
+#[test]
+fn one_vertex_is_recovered_and_read_back() {
+    let sandbox = Sandbox::new();
+    let section = OPTIMIZE
+        .replace(
+            "\"light.key.position\" = [-1.0, 2.5, 2.5]",
+            "\"mesh.floor.vertices[1]\" = [2, 0.1, 2]",
+        )
+        .replace("\"light.key.intensity\" = 90.0", "")
+        .replace("light.key.position", "mesh.floor.vertices[1]")
+        .replace("[[optimize.parameter]]\npath = \"light.key.intensity\"", "");
+    sandbox.write("vertex.toml", format!("{SCENE}{section}"));
+    sandbox.succeed(&["optimize", "vertex.toml", "--out", "out"]);
+    let summary = sandbox.json("out/summary.json");
+    let loss = |name: &str| summary["loss"][name].as_f64().unwrap();
+    assert!(loss("final") < 0.1 * loss("initial"), "{summary:#}");
+    let found = numbers(&summary["parameters"]["mesh.floor.vertices[1]"]["final"]);
+    let before = sandbox.succeed_json(&["params", "scene.toml", "--json"]);
+    let after = sandbox.succeed_json(&["params", "out/scene.toml", "--json"]);
+    let mut expected = numbers(&before["mesh.floor.vertices"]);
+    expected[3..6].copy_from_slice(&found);
+    assert_eq!(numbers(&after["mesh.floor.vertices"]), expected);
 }
 
 #[test]

@@ -24,6 +24,11 @@ const SPHERE: &str =
 const OTHER: &str =
     "[[sphere]]\nname = \"other\"\ncenter = [0.5, 1.5, 1.0]\nradius = 0.3\nmaterial = \"paint\"\n";
 
+const MESH: &str = "[[mesh]]\npath = \"mesh.obj\"\nname = \"patches\"\nmaterial = \"paint\"\n";
+/// Two triangles apart: one to the left, one to the right.
+const PATCHES: &str = "v -2 -1 0\nv -0.5 -1 0\nv -1 1 0\nv 0.5 -1 0\nv 2 -1 0\nv 1 1 0\n\
+                       f 1 2 3\nf 4 5 6\n";
+
 const PAINT: &str = "[material.paint]\ndiffuse = [0.6, 0.3, 0.2]\n";
 
 #[test]
@@ -78,6 +83,19 @@ fn a_gradient_takes_what_its_parameters_require() {
     // Where no light comes, the images are the same, and nothing flows back.
     assert!(light("shading pullbacks") > 0);
     assert!(light("shading pullbacks") <= light("points shaded"));
+
+    // Nothing flows back to what does not show the vertex.
+    sandbox.write("both.toml", format!("{CAMERA}{LIGHT}{PAINT}{MESH}"));
+    sandbox.write("mesh.obj", PATCHES);
+    let gradient_of_mesh = |path: &str| {
+        counts(&sandbox, &["gradient", "both.toml", "--target", "target.exr", "--param", path])
+    };
+    let all = gradient_of_mesh("mesh.patches.vertices");
+    let one = gradient_of_mesh("mesh.patches.vertices[1]");
+    for label in ["shading pullbacks", "surface pullbacks"] {
+        assert!(one(label) > 0 && 2 * one(label) <= all(label), "{label}");
+    }
+    assert_eq!(one("points shaded"), all("points shaded"));
 
     let camera = gradient("camera.look_from");
     assert_eq!(camera("surface pullbacks"), camera("shading pullbacks"));

@@ -26,8 +26,8 @@ pub(super) fn read(
     let mut parameters: Vec<TunedParameter> = Vec::new();
     for parameter in &entry.parameters {
         let tuned = tuned_parameter(parameter, scene)?;
-        if parameters.iter().any(|other| other.id == tuned.id) {
-            return Err(at(&parameter.path, "path", "is listed twice"));
+        if let Some(problem) = scene.overlap(&parameters, tuned.id) {
+            return Err(at(&parameter.path, "path", problem));
         }
         parameters.push(tuned);
     }

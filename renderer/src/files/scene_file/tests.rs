@@ -280,7 +280,7 @@ fn mistakes_in_the_file_are_placed() {
         (
             "[[optimize.parameter]]\npath = \"camera.vfov\"\n\
              [[optimize.parameter]]\npath = \"camera.vfov\"\n",
-            "s.toml:9: optimize.parameter.camera.vfov.path: is listed twice",
+            "s.toml:9: optimize.parameter.camera.vfov.path: is given twice",
         ),
     ] {
         let error = refused(rest);

@@ -19,6 +19,7 @@ use super::shade::{LightCotangent, Pulled, Shaded};
 use super::sums::{Slots, StripSums, material_sum};
 use super::tiles::{Strip, Tile, for_each_strip};
 use super::transparency::PulledCover;
+use super::vertices::{ChosenVertices, VertexSums};
 use super::view::{Group, Sample, View};
 use crate::acceleration::{PACKET_RAYS, rays};
 use crate::counts::count;
@@ -30,10 +31,11 @@ use flow::{Flow, ToSurface};
 pub(crate) fn sweep<L: Lanes>(
     prepared: &Prepared<'_, L>,
     loss: &impl PixelLoss,
-    wanted: Wanted,
+    wanted: Wanted<'_>,
 ) -> Vec<StripSums> {
     let (width, height) = (prepared.scene.width, prepared.scene.height);
-    let start = || Sweep::new(prepared, loss, wanted);
+    let vertices = wanted.chosen_vertices(prepared);
+    let start = || Sweep::new(prepared, loss, wanted, &vertices);
     for_each_strip(width, height, start, Sweep::strip)
 }
 
@@ -41,20 +43,25 @@ pub(crate) fn sweep<L: Lanes>(
 struct Sweep<'a, L: Lanes, P> {
     prepared: &'a Prepared<'a, L>,
     loss: &'a P,
-    wanted: Wanted,
+    wanted: Wanted<'a>,
     dark: Dark,
     sight: Sight<L>,
     flows: Vec<Flow<L>>,
     sums: StripSums,
     materials: Slots,
     spheres: Slots,
-    vertices: Slots,
+    vertices: VertexSums<'a>,
     uvs: Slots,
     texels: Slots,
 }
 
 impl<'a, L: Lanes, P: PixelLoss> Sweep<'a, L, P> {
-    fn new(prepared: &'a Prepared<'a, L>, loss: &'a P, wanted: Wanted) -> Self {
+    fn new(
+        prepared: &'a Prepared<'a, L>,
+        loss: &'a P,
+        wanted: Wanted<'a>,
+        vertices: &'a ChosenVertices,
+    ) -> Self {
         let slots = |wanted: bool, count: usize| Slots::new(if wanted { count } else { 0 });
         Self {
             prepared,
@@ -66,7 +73,7 @@ impl<'a, L: Lanes, P: PixelLoss> Sweep<'a, L, P> {
             sums: StripSums::zero(prepared),
             materials: slots(wanted.materials(), prepared.materials.len()),
             spheres: slots(wanted.spheres, prepared.spheres.len()),
-            vertices: slots(wanted.vertices, prepared.vertices.len()),
+            vertices: VertexSums::new(vertices),
             uvs: slots(wanted.texture_coordinates, prepared.uvs.len()),
             texels: slots(wanted.texels, prepared.texels.len()),
         }
@@ -127,7 +134,14 @@ impl<'a, L: Lanes, P: PixelLoss> Sweep<'a, L, P> {
 
         let (first, deeper) = flows.split_at_mut(1);
         let beyond = views.get(1).zip(deeper.first_mut());
-        self.pull_shading(&views[0], beyond, &mut first[0].surfaces, respond);
+        if self.is_by_few_vertices() && views.len() == 1 {
+            let (prepared, chosen) = (self.prepared, self.vertices.chosen);
+            self.pull_shading(&views[0], beyond, &mut first[0].surfaces, &mut |group, radiance| {
+                respond(group, radiance).filter(|_| shows_any(prepared, group, chosen))
+            });
+        } else {
+            self.pull_shading(&views[0], beyond, &mut first[0].surfaces, respond);
+        }
         for depth in 1..views.len() {
             let (flows, deeper) = flows.split_at_mut(depth + 1);
             let Flow { radiance, surfaces, .. } = &mut flows[depth];
@@ -162,6 +176,13 @@ impl<'a, L: Lanes, P: PixelLoss> Sweep<'a, L, P> {
                 self.sums.frame.accumulate(to_frame.sum(Mask::splat(true)));
             }
         }
+    }
+
+    /// Whether groups that show none of the wanted vertices have no gradient, unless rays go on from them.
+    fn is_by_few_vertices(&self) -> bool {
+        self.wanted.only_vertices()
+            && !self.vertices.chosen.are_all()
+            && !self.prepared.has_varied_opacity
     }
 
     /// From the radiance of a view, whose cotangents `respond` gives, to its materials and lights,
@@ -262,6 +283,16 @@ impl<'a, L: Lanes, P: PixelLoss> Sweep<'a, L, P> {
             }
         }
     }
+}
+
+/// Whether a group shows a triangle with one of these corners.
+fn shows_any<L: Lanes>(
+    prepared: &Prepared<'_, L>,
+    group: &Group<L>,
+    vertices: &ChosenVertices,
+) -> bool {
+    let triangles = group.primitives.iter().filter_map(|(index, _)| prepared.triangles.get(index));
+    triangles.flatten().any(|&vertex| vertices.place(vertex as usize).is_some())
 }
 
 /// The loss of the pixels of a group, and the cotangent of their radiance, unless it is zero: what

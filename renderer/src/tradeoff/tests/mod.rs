@@ -54,7 +54,7 @@ fn the_image_may_come_first() {
         let question = Question { recovery: &recovery, settings: RenderSettings::default() };
         let metric = GradientMetric::new(recovery.scene(), recovery.ids());
         let in_one_pass = Adjoint::<f64x8>::new(question).gradient();
-        let image_first = ImageFirst::<f64x8>::new(question).gradient();
+        let image_first = ImageFirst(Adjoint::<f64x8>::new(question)).gradient();
         let error = metric.error(&image_first, &in_one_pass);
         assert!(error < 1e-4, "{number}: {error:e}");
     }
@@ -224,6 +224,8 @@ fn optimisations_approach_the_truth_whatever_their_sizes() {
     for run in runs {
         let (&(_, first), &(_, last)) = (run.way.first().unwrap(), run.way.last().unwrap());
         assert_eq!(first, 1.0);
+        // Each size goes on where the one before has ended.
+        assert_eq!(run.way.iter().filter(|(_, distance)| *distance == 1.0).count(), 1);
         assert!(last < 0.05, "{}: {last}", run.name());
         assert!(run.way.is_sorted_by(|a, b| a.0 <= b.0), "{}", run.name());
     }

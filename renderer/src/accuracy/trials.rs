@@ -1,0 +1,35 @@
+//! Gradients of one problem in many settings.
+
+use super::Setting;
+use crate::arithmetic::Arithmetic;
+use crate::recovery::{Recovery, SteeredObjective};
+
+/// A problem as it stands, prepared once for each scalar that its gradient is computed in.
+pub(crate) struct Trials<'a> {
+    recovery: &'a Recovery<'a>,
+    x: Vec<f64>,
+    prepared: Vec<(Arithmetic, Box<dyn SteeredObjective + 'a>)>,
+}
+
+impl<'a> Trials<'a> {
+    pub fn new(recovery: &'a Recovery<'a>) -> Self {
+        Self { recovery, x: recovery.initial(), prepared: Vec::new() }
+    }
+
+    pub fn recovery(&self) -> &'a Recovery<'a> {
+        self.recovery
+    }
+
+    /// The gradient in a setting.
+    pub fn gradient(&mut self, setting: &Setting) -> Vec<f64> {
+        let &Setting { arithmetic, bounces, sampling } = setting;
+        let known = self.prepared.iter().position(|(of, _)| *of == arithmetic);
+        let index = known.unwrap_or_else(|| {
+            self.prepared.push((arithmetic, self.recovery.steered_objective(arithmetic)));
+            self.prepared.len() - 1
+        });
+        let (_, objective) = &mut self.prepared[index];
+        objective.steer(bounces, sampling);
+        objective.evaluate(&self.x).gradient
+    }
+}
