@@ -47,10 +47,10 @@ impl<S: Real> Matrix<S> {
 }
 
 #[differentiable]
-impl<'a, 'b, S: Real> Mul<&'b Matrix<S>> for &'a Matrix<S> {
+impl<'a, S: Real> Mul<&'a Matrix<S>> for &Matrix<S> {
     type Output = Matrix<S>;
 
-    fn mul(self, other: &'b Matrix<S>) -> Self::Output {
+    fn mul(self, other: &'a Matrix<S>) -> Self::Output {
         assert_eq!(self.columns, other.rows);
         let mut data = vec![S::ZERO; self.rows * other.columns];
         for i in 0..self.rows {

@@ -124,8 +124,8 @@ fn fourier<S: Real>(re: &mut [S], im: &mut [S], #[constant] sign: f64) {
                     (re[k + half] * c - im[k + half] * s, re[k + half] * s + im[k + half] * c);
                 re[k + half] = re[k] - x;
                 im[k + half] = im[k] - y;
-                re[k] = re[k] + x;
-                im[k] = im[k] + y;
+                re[k] += x;
+                im[k] += y;
             }
         }
         length <<= 1;
@@ -149,7 +149,7 @@ fn convolved<S: Real>(x: S, y: S) -> S {
     fourier(&mut a, &mut a_im, 1.0);
     let mut sum = S::ZERO;
     for (k, value) in a.iter().enumerate() {
-        sum = sum + *value * S::from_f64(0.3 * k as f64 - 1.0);
+        sum += *value * S::from_f64(0.3 * k as f64 - 1.0);
     }
     sum * a[3]
 }

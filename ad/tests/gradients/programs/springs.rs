@@ -185,7 +185,7 @@ impl<S: Real, const R: usize, const C: usize> Block<S, R, C> {
         for (row, out) in self.0.iter().zip(product.iter_mut()) {
             for (k, entry) in out.iter_mut().enumerate() {
                 for (x, other) in row.iter().zip(other.0.iter()) {
-                    *entry = *entry + *x * other[k];
+                    *entry += *x * other[k];
                 }
             }
         }
