@@ -78,14 +78,20 @@ fn a_report_is_one_page_that_needs_nothing_else() {
 #[test]
 fn one_vertex_is_recovered_and_read_back() {
     let sandbox = Sandbox::new();
-    let section = OPTIMIZE
-        .replace(
-            "\"light.key.position\" = [-1.0, 2.5, 2.5]",
-            "\"mesh.floor.vertices[1]\" = [2, 0.1, 2]",
-        )
-        .replace("\"light.key.intensity\" = 90.0", "")
-        .replace("light.key.position", "mesh.floor.vertices[1]")
-        .replace("[[optimize.parameter]]\npath = \"light.key.intensity\"", "");
+    // The edges at which it is are not in view.
+    sandbox.write("floor.obj", "v -20 0 -20\nv 20 0 -20\nv 20 0 20\nv -20 0 20\nf 4 3 2 1\n");
+    let section = "
+[optimize]
+iterations = 60
+
+[optimize.target_values]
+\"mesh.floor.vertices[1]\" = [20, 2, 20]
+
+[[optimize.parameter]]
+path = \"mesh.floor.vertices[1]\"
+min = [20, -4, 20]
+max = [20, 4, 20]
+";
     sandbox.write("vertex.toml", format!("{SCENE}{section}"));
     sandbox.succeed(&["optimize", "vertex.toml", "--out", "out"]);
     let summary = sandbox.json("out/summary.json");
