@@ -71,6 +71,9 @@ fn chosen_rays_are_as_accurate_as_asked_and_nearly_as_cheap_as_can_be() {
         let best = &pick.best;
         if !pick.is_within() {
             unmet += 1;
+            if truth.is_within(&best.setting, accuracy) {
+                wrong.push(format!("{number}: can be met: {pick}"));
+            }
             continue;
         }
         counts.push(best.setting.sampling.count());
@@ -91,7 +94,8 @@ fn chosen_rays_are_as_accurate_as_asked_and_nearly_as_cheap_as_can_be() {
         }
     }
     assert!(4 * unmet <= SCENES, "{unmet} of {SCENES} cannot be met");
-    assert!(20 * wrong.len() <= counts.len(), "{wrong:#?}");
+    // Of scene 10 one gradient in 128 is off by far more than all others.
+    assert!(20 * wrong.len() <= SCENES as usize, "{wrong:#?}");
     // Where few rays bring most of the error, eight seeds may tell too much of it.
     assert!(10 * dear.len() <= counts.len(), "{dear:#?}");
     // The dial has something to choose.
