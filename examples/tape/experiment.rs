@@ -54,7 +54,7 @@ pub fn image_loss<S: Real>(x: &[S], size: usize) -> S {
             let radiance =
                 material.ambient + reflection_of_point_light::<S>(material, surface, light);
             let difference = radiance - wanted;
-            loss = loss + difference.dot(difference);
+            loss += difference.dot(difference);
         }
     }
     loss

@@ -2,7 +2,7 @@
 
 use renderer::files::load_image;
 
-use crate::sandbox::{OPTIMIZE, SCENE, Sandbox, numbers};
+use crate::sandbox::{SCENE, Sandbox, numbers};
 
 #[test]
 fn leaves_every_result() {
