@@ -18,8 +18,8 @@ fn landing<S: Real>(speed: S, angle: S, drag: S) -> S {
         let friction = drag * (vx * vx + vy * vy).sqrt();
         vx = vx - friction * vx * step;
         vy = vy - (friction * vy + gravity) * step;
-        x = x + vx * step;
-        y = y + vy * step;
+        x += vx * step;
+        y += vy * step;
     }
     // Straight on from the last point to the ground.
     x - y * vx / vy

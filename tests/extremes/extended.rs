@@ -72,7 +72,7 @@ impl Extended {
         let (mut sum, mut term) = (first, first);
         for n in 1..60 {
             term = next(term, f64::from(n));
-            sum = sum + term;
+            sum += term;
             if term.high.abs() <= 1e-34 * sum.high.abs() {
                 break;
             }
@@ -188,7 +188,7 @@ impl Additive for Extended {
     }
 
     fn accumulate(&mut self, other: Self) {
-        *self = *self + other;
+        *self += other;
     }
 }
 
