@@ -32,10 +32,10 @@
 //! tuples, arrays, slices, `Vec`, `Box`, `Option`, `Result`, references to these, and structs and
 //! enums with `#[derive(Differentiable)]`; generic ones too. In a body: `let` with patterns,
 //! variables that get their value later, arithmetic, assignment to local variables and parts of
-//! them, to several at once, too, `let (a, b) = &mut pair` and `ref mut` in a `let`, `if`, `match`, `if let` and chains of it, `let else`, `for` over
-//! ranges and over elements, `while`, `while let`, `loop`, labels, `break`, `continue` and `return`
-//! from anywhere, `?`, constants and other items, calls of differentiable functions and of the
-//! methods listed in [`rules`].
+//! them, to several at once, too, `let (a, b) = &mut pair` and `ref mut` in a `let`, `if`, `match`,
+//! `if let` and chains of it, `let else`, `for` over ranges and over elements, `while`, `while
+//! let`, `loop`, labels, `break`, `continue` and `return` from anywhere, `?`, constants and other
+//! items, calls of differentiable functions and of the methods listed in [`rules`].
 //!
 //! Iterators: `iter`, `iter_mut`, `into_iter`, `windows`, `chunks`, `chunks_exact`, `chunks_mut` and
 //! `chunks_exact_mut`, under
@@ -336,12 +336,13 @@
 //! # Functions of functions
 //!
 //! A parameter may be a function of up to four arguments, by its bound `F: Fn(..) -> ..` or as
-//! `impl Fn(..) -> ..`. What is passed is a closure, which is differentiated by what it captures, too,
-//! or the name of a differentiable function: `integrate(square, a, b)`, `integrate(f64::sin, a, b)`; to
-//! a function that takes it by value, also a reference to it, `integrate(&f, a, b)`.
-//! A function or a method tells a closure the types of its parameters; to an associated function, or
-//! where they are types for which the function is generic, it is passed with types, `|x: f64| ..`. In forward mode `()` stands at the place
-//! of a function's tangent: an object holds those of what it captures.
+//! `impl Fn(..) -> ..`. What is passed is a closure, which is differentiated by what it captures,
+//! too, or the name of a differentiable function: `integrate(square, a, b)`, `integrate(f64::sin,
+//! a, b)`; to a function that takes it by value, also a reference to it, `integrate(&f, a, b)`. A
+//! function or a method tells a closure the types of its parameters; to an associated function, or
+//! where they are types for which the function is generic, it is passed with types, `|x: f64| ..`.
+//! In forward mode `()` stands at the place of a function's tangent: an object holds those of what
+//! it captures.
 //!
 //! ```
 //! use ad::differentiable;
@@ -419,7 +420,8 @@
 //! `#[differentiable(reverse)]`, as below.
 //!
 //! A rule for a function of references returns `impl FnOnce(..) -> .. + use<>`: its pullback holds
-//! copies. An imported function gets its rule in a module, not within a function. One for a method `m` of another crate's type is a method `m_vjp` of a trait of yours.
+//! copies. An imported function gets its rule in a module, not within a function. One for a method
+//! `m` of another crate's type is a method `m_vjp` of a trait of yours.
 //!
 //! # Options, results and enums
 //!

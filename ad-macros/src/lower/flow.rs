@@ -128,7 +128,7 @@ impl Lowerer<'_> {
             && reference.mutability.is_some()
         {
             self.exclusive_alias(name, &reference.expr);
-            if ty.is_some_and(is_own_type)
+            if ty.is_some_and(|ty| is_own_type(ty, &self.scalars))
                 && let Some(var) = self.lookup(name)
             {
                 self.own.insert(var);

@@ -353,7 +353,7 @@ impl Lowerer<'_> {
             self.references.insert(var);
         }
         self.note_type(var, &parameter.ty);
-        if operator::is_own_type(&parameter.ty) {
+        if operator::is_own_type(&parameter.ty, &self.scalars) {
             self.own.insert(var);
         }
         self.functions.extend(parameter.arity.map(|arity| (var, arity)));

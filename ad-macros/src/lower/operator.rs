@@ -39,7 +39,7 @@ impl Lowerer<'_> {
             Expr::MethodCall(call) => call.method == "clone" && call.args.is_empty(),
             Expr::Call(call) => {
                 matches!(&*call.func, Expr::Path(function)
-                    if constructs(&function.path) || self.is_tuple_struct(&function.path))
+                    if constructs(&function.path, &self.scalars) || self.is_tuple_struct(&function.path))
             }
             Expr::Struct(_) => true,
             _ => false,
@@ -167,8 +167,9 @@ fn is_literal(expr: &Expr) -> bool {
     matches!(strip_parens(expr), Expr::Lit(_))
 }
 
-/// Whether a function by its name makes a value of the type to which it belongs: `Matrix::zeros`
-fn constructs(function: &Path) -> bool {
+/// Whether a function by its name makes a value of the type to which it belongs, `Matrix::zeros`;
+/// `scalars` are type parameters bounded by `Real`.
+fn constructs(function: &Path, scalars: &[Ident]) -> bool {
     let mut segments = function.segments.iter().rev();
     let (Some(name), Some(owner)) = (segments.next(), segments.next()) else { return false };
     let name = name.ident.to_string();
@@ -178,13 +179,18 @@ fn constructs(function: &Path) -> bool {
     (is_constructor || name.starts_with("from_"))
         && is_type_name(&owner.ident)
         && is_own_name(&owner.ident)
+        && !scalars.contains(&owner.ident)
 }
 
-/// Whether a variable declared with this type may be of a type that is not `Copy`.
-pub(super) fn is_own_type(ty: &Type) -> bool {
+/// Whether a variable declared with this type may be of a type that is not `Copy`; `scalars` are type
+/// parameters bounded by `Real`.
+pub(super) fn is_own_type(ty: &Type, scalars: &[Ident]) -> bool {
     match pointee(ty) {
         Type::Path(path) => path.path.segments.last().is_some_and(|last| {
-            is_type_name(&last.ident) && is_own_name(&last.ident) && !is_discrete(ty)
+            is_type_name(&last.ident)
+                && is_own_name(&last.ident)
+                && !is_discrete(ty)
+                && !path.path.get_ident().is_some_and(|name| scalars.contains(name))
         }),
         _ => false,
     }

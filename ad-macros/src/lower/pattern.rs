@@ -204,7 +204,7 @@ impl Lowerer<'_> {
                 if let Some(ty) = ty {
                     self.note_type(var, ty);
                 }
-                if ty.is_some_and(operator::is_own_type)
+                if ty.is_some_and(|ty| operator::is_own_type(ty, &self.scalars))
                     || matches!(&value, Operand::Var(source) if self.own.contains(source))
                 {
                     self.own.insert(var);

@@ -1,26 +1,30 @@
 impl valley {
-    pub fn vjp_onto<S: Real, const N: usize>(
-        x: &[S; N],
+    pub fn vjp_onto<Element: Real, const N: usize>(
+        x: &[Element; N],
     ) -> (
-        S,
-        impl ::core::ops::FnOnce(::ad::Tangent<S>) -> ::ad::Tangent<[S; N]> + use<S, N>,
+        Element,
+        impl ::core::ops::FnOnce(
+            ::ad::Tangent<Element>,
+        ) -> ::ad::Tangent<[Element; N]> + use<Element, N>,
     ) {
-        Self::vjp::<S, N>(x)
+        Self::vjp::<Element, N>(x)
     }
-    pub fn vjp<S: Real, const N: usize>(
-        x: &[S; N],
+    pub fn vjp<Element: Real, const N: usize>(
+        x: &[Element; N],
     ) -> (
-        S,
-        impl ::core::ops::FnOnce(::ad::Tangent<S>) -> ::ad::Tangent<[S; N]> + use<S, N>,
+        Element,
+        impl ::core::ops::FnOnce(
+            ::ad::Tangent<Element>,
+        ) -> ::ad::Tangent<[Element; N]> + use<Element, N>,
     ) {
         #[allow(unused_imports)]
         use ::ad::rt::methods::*;
-        let constant_1 = S::from_f64(100.0);
-        let constant = S::ONE;
+        let constant_1 = Element::from_f64(100.0);
+        let constant = Element::ONE;
         let x_kept = *x;
         let range = 0..N - 1;
         let x_space = ::ad::rt::space(&x);
-        let mut sum = S::ZERO;
+        let mut sum = Element::ZERO;
         for i in range.clone() {
             let index = i;
             let x_1 = x[index];
@@ -43,7 +47,7 @@ impl valley {
         let sum_3 = sum;
         (
             sum_3,
-            move |result_bar: ::ad::Tangent<S>| -> ::ad::Tangent<[S; N]> {
+            move |result_bar: ::ad::Tangent<Element>| -> ::ad::Tangent<[Element; N]> {
                 let mut sum_3_bar = result_bar;
                 let mut sum_bar = sum_3_bar;
                 let mut x_bar = x_space.zero();

@@ -1,17 +1,17 @@
 impl valley {
-    pub fn jvp<S: Real, const N: usize>(
-        x: &[S; N],
-        x_dot: &::ad::Tangent<[S; N]>,
-    ) -> (S, ::ad::Tangent<S>) {
+    pub fn jvp<Element: Real, const N: usize>(
+        x: &[Element; N],
+        x_dot: &::ad::Tangent<[Element; N]>,
+    ) -> (Element, ::ad::Tangent<Element>) {
         #[allow(unused_imports)]
         use ::ad::rt::methods::*;
-        let mut sum = S::ZERO;
+        let mut sum = Element::ZERO;
         let mut sum_dot = ::ad::rt::zero_like(&sum);
         for i in 0..N - 1 {
             let index = i;
             let x_1 = x[index];
             let x_1_dot = x_dot[index];
-            let constant = S::ONE;
+            let constant = Element::ONE;
             let a = constant - x_1;
             let a_dot = -x_1_dot;
             let index_1 = i + 1;
@@ -37,7 +37,7 @@ impl valley {
                 a_dot,
                 a_dot,
             );
-            let constant_1 = S::from_f64(100.0);
+            let constant_1 = Element::from_f64(100.0);
             let product_2 = constant_1 * b;
             let product_2_dot = constant_1 * b_dot;
             let (product_3, product_3_dot) = ::ad::rules::MulPullback::mul_jvp(

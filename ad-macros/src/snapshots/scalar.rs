@@ -1,9 +1,9 @@
-fn valley<S: Real, const N: usize>(x: &[S; N]) -> S {
-    let mut sum = S::ZERO;
+fn valley<Element: Real, const N: usize>(x: &[Element; N]) -> Element {
+    let mut sum = Element::ZERO;
     for i in 0..N - 1 {
-        let a = S::ONE - x[i];
+        let a = Element::ONE - x[i];
         let b = x[i + 1] - x[i] * x[i];
-        sum += a * a + S::from_f64(100.0) * b * b;
+        sum += a * a + Element::from_f64(100.0) * b * b;
     }
     sum
 }

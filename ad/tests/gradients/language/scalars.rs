@@ -32,14 +32,14 @@ where
 }
 
 #[differentiable]
-fn tables<S: Real>(x: S, y: S) -> S {
-    let mut table = [[S::ZERO; 3]; 2];
+fn tables<Element: Real>(x: Element, y: Element) -> Element {
+    let mut table = [[Element::ZERO; 3]; 2];
     for i in 0..2 {
         for j in 0..3 {
-            table[i][j] = x * S::from_f64((i + j) as f64) + y;
+            table[i][j] = x * Element::from_f64((i + j) as f64) + y;
         }
     }
-    let mut last = S::ONE;
+    let mut last = Element::ONE;
     for i in 0..3 {
         table[1][i] = table[0][2 - i] * table[1][i] - last;
         last = table[1][i].tanh();
