@@ -659,8 +659,8 @@
 //!
 //! | | time for a gradient by n inputs | what it asks of the code | what it gives |
 //! |---|---|---|---|
-//! | `#[differentiable]` | value and gradient 1.6 to 3.7 times the value (measured, by the benches) | the attribute on what is called; stable Rust | exact; first order, and second by dual numbers under the adjoint |
-//! | [`tape`], recorded at run time | 7 to 52 times the value (measured) | functions generic over the scalar | exact; any control flow, also through foreign generic code |
+//! | `#[differentiable]` | value and gradient 1.4 to 3.3 times the value (measured, by the benches) | the attribute on what is called; stable Rust | exact; first order, and second by dual numbers under the adjoint |
+//! | [`tape`], recorded at run time | 6 to 88 times the value (measured) | functions generic over the scalar | exact; any control flow, also through foreign generic code |
 //! | [`Dual`] numbers | n runs at about the cost of the value and one tangent each | functions generic over the scalar | exact; the better choice for one or two inputs |
 //! | [finite differences](check::gradient) | 2n values, and more with step control | nothing | half of the digits, fewer near kinks and in single precision; a check of the others |
 //! | Enzyme, by nightly's `std::autodiff` | value and gradient 3.6 to 19 times the value (on four of the benches' programs, on another machine) | a nightly compiler with its plugin and fat LTO; no generic functions | exact; works on what the optimiser leaves, so it also sees into code without attributes |
