@@ -2,7 +2,7 @@
 //! named, no exits.
 
 use proc_macro2::{Ident, TokenStream};
-use syn::{Member, Type};
+use syn::{BinOp, Member, Type};
 
 use crate::signature::Parameter;
 
@@ -130,6 +130,52 @@ pub enum BinaryOperator {
 }
 
 impl BinaryOperator {
+    /// The operator in `x + y`; `None` for one without a rule.
+    pub fn of(operator: &BinOp) -> Option<Self> {
+        Some(match operator {
+            BinOp::Add(_) => Self::Add,
+            BinOp::Sub(_) => Self::Sub,
+            BinOp::Mul(_) => Self::Mul,
+            BinOp::Div(_) => Self::Div,
+            BinOp::Rem(_) => Self::Rem,
+            _ => return None,
+        })
+    }
+
+    /// The operator in `x += y`; `None` for one without a rule.
+    pub fn of_update(operator: &BinOp) -> Option<Self> {
+        Some(match operator {
+            BinOp::AddAssign(_) => Self::Add,
+            BinOp::SubAssign(_) => Self::Sub,
+            BinOp::MulAssign(_) => Self::Mul,
+            BinOp::DivAssign(_) => Self::Div,
+            BinOp::RemAssign(_) => Self::Rem,
+            _ => return None,
+        })
+    }
+
+    /// The name of its method.
+    pub fn method(self) -> &'static str {
+        match self {
+            Self::Add => "add",
+            Self::Sub => "sub",
+            Self::Mul => "mul",
+            Self::Div => "div",
+            Self::Rem => "rem",
+        }
+    }
+
+    /// What its result is called.
+    pub fn result(self) -> &'static str {
+        match self {
+            Self::Add => "sum",
+            Self::Sub => "difference",
+            Self::Mul => "product",
+            Self::Div => "quotient",
+            Self::Rem => "remainder",
+        }
+    }
+
     /// Whether its partial derivatives are constants.
     pub fn is_linear(self) -> bool {
         matches!(self, Self::Add | Self::Sub)

@@ -28,15 +28,21 @@ pub fn forward(typed_by: &TypedBy) -> TokenStream {
 }
 
 fn made_by(TypedBy { function, method, index }: &TypedBy, mode: &str) -> TokenStream {
+    let mut name = argument(method.as_ref(), *index, mode);
     match method {
-        Some(method) => {
-            let name = format_ident!("{method}_argument_{index}{mode}");
-            quote!(#function.#name)
-        }
+        Some(_) => quote!(#function.#name),
         None => {
-            let name = format_ident!("argument_{index}{mode}", span = function.span());
+            name.set_span(function.span());
             quote!(#function::#name)
         }
+    }
+}
+
+/// The name of what makes an object of a closure: beside a free function, or beside a method.
+fn argument(method: Option<&Ident>, index: usize, mode: &str) -> Ident {
+    match method {
+        Some(method) => format_ident!("{method}_argument_{index}{mode}"),
+        None => format_ident!("argument_{index}{mode}"),
     }
 }
 
@@ -101,23 +107,16 @@ fn for_parameter(function: &Function<'_>, index: usize, arguments: &[Type]) -> T
     let lifetime = elision::lifetime();
     let types: Vec<_> = arguments.iter().map(|ty| elision::named(ty).0).collect();
     let dots = types.iter().map(forward::tangent_of_type);
-    let (name, visibility) = (&function.signature.ident, function.visibility);
-    let ([reverse, forward], receiver, visibility) = match function.place {
-        Place::Free => (
-            [format_ident!("argument_{index}"), format_ident!("argument_{index}_forward")],
-            None,
-            quote!(pub),
-        ),
+    let (method, receiver, visibility) = match function.place {
+        Place::Free => (None, None, quote!(pub)),
         // The receiver is the first parameter.
         _ => (
-            [
-                format_ident!("{name}_argument_{index}"),
-                format_ident!("{name}_argument_{index}_forward"),
-            ],
+            Some(&function.signature.ident),
             Some(quote!(&self,)),
-            quote!(#visibility),
+            function.visibility.to_token_stream(),
         ),
     };
+    let [reverse, forward] = ["", "_forward"].map(|mode| argument(method, index, mode));
     let is_sized =
         matches!(function.place, Place::Trait(_)).then(|| quote!(Self: ::core::marker::Sized,));
     let (captured, closure) = (own("captured"), own("closure"));

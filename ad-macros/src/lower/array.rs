@@ -85,7 +85,7 @@ impl Lowerer<'_> {
         match strip_parens(expr) {
             Expr::Array(_) | Expr::Repeat(_) => Some(Container::Array),
             Expr::Path(path) => {
-                let root = self.lookup(path.path.get_ident()?)?;
+                let root = self.variable(path)?;
                 self.containers.get(&root).copied()
             }
             Expr::MethodCall(call) => match &*call.method.to_string() {

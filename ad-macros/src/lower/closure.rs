@@ -72,7 +72,7 @@ impl Lowerer<'_> {
     /// The closure that an expression names.
     pub(super) fn named_closure(&self, expr: &Expr) -> Option<Rc<Closure>> {
         let Expr::Path(path) = strip_parens(expr) else { return None };
-        let var = self.lookup(path.path.get_ident()?)?;
+        let var = self.variable(path)?;
         self.closures.get(&var).cloned()
     }
 

@@ -98,32 +98,11 @@ impl Lowerer<'_> {
     }
 
     fn binary(&mut self, binary: &ExprBinary, hint: &str) -> Operand {
-        let (operator, default_hint) = match binary.op {
-            BinOp::Add(_) => (BinaryOperator::Add, "sum"),
-            BinOp::Sub(_) => (BinaryOperator::Sub, "difference"),
-            BinOp::Mul(_) => (BinaryOperator::Mul, "product"),
-            BinOp::Div(_) => (BinaryOperator::Div, "quotient"),
-            BinOp::Rem(_) => (BinaryOperator::Rem, "remainder"),
-            BinOp::Eq(_)
-            | BinOp::Ne(_)
-            | BinOp::Lt(_)
-            | BinOp::Le(_)
-            | BinOp::Gt(_)
-            | BinOp::Ge(_)
-            | BinOp::And(_)
-            | BinOp::Or(_) => {
-                let expr = Expr::Binary(binary.clone());
-                let tokens = self.plain(&expr);
-                return self.settled(&expr, quote!((#tokens)));
-            }
-            BinOp::BitAnd(_)
-            | BinOp::BitOr(_)
-            | BinOp::BitXor(_)
-            | BinOp::Shl(_)
-            | BinOp::Shr(_) => return self.discrete(&Expr::Binary(binary.clone())),
-            _ => return self.unit_expression(&Expr::Binary(binary.clone())),
+        let Some(operator) = BinaryOperator::of(&binary.op) else {
+            return self.without_rule(binary);
         };
-        if let Some(value) = self.borrowed_operator(binary, hint) {
+        let hint = if hint == "value" { operator.result() } else { hint };
+        if let Some(value) = self.borrowed_operator(operator, binary, hint) {
             return value;
         }
         let left = self.scalar(&binary.left, "value");
@@ -135,9 +114,32 @@ impl Lowerer<'_> {
         let left = self.named(left, "constant", binary.left.span());
         let right = self.named(right, "constant", binary.right.span());
         let (left, right) = (self.number(left), self.number(right));
-        let hint = if hint == "value" { default_hint } else { hint };
         let operation = Operation::Binary(operator, left, right);
         Operand::Var(self.define(hint, binary.span(), true, operation))
+    }
+
+    /// A comparison, an operator on bits, or one that changes what stands to its left.
+    fn without_rule(&mut self, binary: &ExprBinary) -> Operand {
+        let expr = Expr::Binary(binary.clone());
+        match binary.op {
+            BinOp::Eq(_)
+            | BinOp::Ne(_)
+            | BinOp::Lt(_)
+            | BinOp::Le(_)
+            | BinOp::Gt(_)
+            | BinOp::Ge(_)
+            | BinOp::And(_)
+            | BinOp::Or(_) => {
+                let tokens = self.plain(&expr);
+                self.settled(&expr, quote!((#tokens)))
+            }
+            BinOp::BitAnd(_)
+            | BinOp::BitOr(_)
+            | BinOp::BitXor(_)
+            | BinOp::Shl(_)
+            | BinOp::Shr(_) => self.discrete(&expr),
+            _ => self.unit_expression(&expr),
+        }
     }
 
     /// The operand of an operator. Of a reference the pullback would need the number, and may not

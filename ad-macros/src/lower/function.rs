@@ -63,7 +63,7 @@ impl Lowerer<'_> {
                 self.define("function", path.span(), true, operation)
             }
             (None, Expr::Path(path)) => {
-                let function = self.lookup(path.path.get_ident()?)?;
+                let function = self.variable(path)?;
                 if !self.functions.contains_key(&function) {
                     return None;
                 }
@@ -76,7 +76,7 @@ impl Lowerer<'_> {
             // A copy of what is behind a reference.
             (None, Expr::Unary(unary)) if matches!(unary.op, UnOp::Deref(_)) && !is_borrowed => {
                 let Expr::Path(path) = strip_parens(&unary.expr) else { return None };
-                let function = self.lookup(path.path.get_ident()?)?;
+                let function = self.variable(path)?;
                 if !self.functions.contains_key(&function) {
                     return None;
                 }
@@ -105,7 +105,7 @@ impl Lowerer<'_> {
     /// Whether a path that is passed leads to a function: what else is no variable has a name in
     /// capitals.
     fn is_named_function(&self, path: &syn::ExprPath) -> bool {
-        let is_local = path.path.get_ident().is_some_and(|name| self.lookup(name).is_some());
+        let is_local = self.variable(path).is_some();
         let last = path.path.segments.last();
         !is_local && last.is_some_and(|last| !is_type_name(&last.ident))
     }
@@ -136,7 +136,7 @@ impl Lowerer<'_> {
     /// The number of arguments of a parameter that is a function, and a reference to it.
     pub(super) fn function_parameter(&self, expr: &Expr) -> Option<(usize, TokenStream)> {
         let Expr::Path(path) = strip_parens(expr) else { return None };
-        let var = self.lookup(path.path.get_ident()?)?;
+        let var = self.variable(path)?;
         let arity = *self.functions.get(&var)?;
         let place = self.place_tokens(&self.function_place(var));
         Some((arity, quote!(&#place)))

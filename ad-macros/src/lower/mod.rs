@@ -321,6 +321,11 @@ impl Lowerer<'_> {
         self.scopes.iter().rev().find_map(|scope| scope.get(&name).copied())
     }
 
+    /// The variable that a path names, if it names one.
+    fn variable(&self, path: &syn::ExprPath) -> Option<VarId> {
+        self.lookup(path.path.get_ident()?)
+    }
+
     /// Refuses to read a name that a pattern may have bound although it was taken for a constant.
     fn check_capital(&mut self, path: &syn::ExprPath) {
         if let Some(name) = path.path.get_ident()

@@ -8,12 +8,12 @@
 use proc_macro2::{Ident, TokenStream};
 use quote::quote_spanned;
 use syn::spanned::Spanned;
-use syn::{BinOp, Expr, ExprBinary, Path, Type, UnOp, parse_quote};
+use syn::{Expr, ExprBinary, Path, Type, UnOp, parse_quote};
 
 use super::Lowerer;
 use super::construct::{is_transparent, is_type_name, outcome};
 use super::flow::strip_parens;
-use crate::ir::{Argument, Operand, Place};
+use crate::ir::{Argument, BinaryOperator, Operand, Place};
 use crate::signature::{is_discrete, pointee};
 
 impl Lowerer<'_> {
@@ -23,13 +23,9 @@ impl Lowerer<'_> {
             Expr::Reference(reference) => {
                 reference.mutability.is_none() && !is_literal(&reference.expr)
             }
-            Expr::Path(path) => path
-                .path
-                .get_ident()
-                .and_then(|name| self.lookup(name))
-                .is_some_and(|var| self.is_of_own_type(var)),
+            Expr::Path(path) => self.variable(path).is_some_and(|var| self.is_of_own_type(var)),
             Expr::Binary(binary) => {
-                function_of(&binary.op).is_some()
+                BinaryOperator::of(&binary.op).is_some()
                     && (self.is_borrowed_or_own(&binary.left)
                         || self.is_borrowed_or_own(&binary.right))
             }
@@ -63,14 +59,17 @@ impl Lowerer<'_> {
     }
 
     /// `a * b` as a call, if an operand is borrowed or of a type of one's own.
-    pub(super) fn borrowed_operator(&mut self, binary: &ExprBinary, hint: &str) -> Option<Operand> {
-        let function = function_of(&binary.op)?;
+    pub(super) fn borrowed_operator(
+        &mut self,
+        operator: BinaryOperator,
+        binary: &ExprBinary,
+        hint: &str,
+    ) -> Option<Operand> {
         if !self.is_borrowed_or_own(&binary.left) && !self.is_borrowed_or_own(&binary.right) {
             return None;
         }
         let operands = [&binary.left, &binary.right].map(|operand| self.borrowed(operand));
-        let hint = if hint == "value" { function.1 } else { hint };
-        self.call_of_operator(function.0, operands.into(), hint, binary)
+        self.call_of_operator(operator.method(), operands.into(), hint, binary)
     }
 
     /// `-a` as a call.
@@ -88,8 +87,11 @@ impl Lowerer<'_> {
     }
 
     /// `a += b` as a call; says whether it is one.
-    pub(super) fn borrowed_update(&mut self, update: &ExprBinary) -> bool {
-        let Some(function) = assigning_function_of(&update.op) else { return false };
+    pub(super) fn borrowed_update(
+        &mut self,
+        operator: BinaryOperator,
+        update: &ExprBinary,
+    ) -> bool {
         let left = match strip_parens(&update.left) {
             Expr::Unary(unary) if matches!(unary.op, UnOp::Deref(_)) => &unary.expr,
             left => left,
@@ -103,7 +105,8 @@ impl Lowerer<'_> {
         let Some(place) = self.target(&update.left) else { return true };
         let right = self.borrowed(&update.right);
         let operands = vec![Argument::Exclusive(place), right];
-        self.call_of_operator(function, operands, "changed", update);
+        let function = format!("{}_assign", operator.method());
+        self.call_of_operator(&function, operands, "changed", update);
         true
     }
 
@@ -134,18 +137,11 @@ impl Lowerer<'_> {
     /// An operand as a reference.
     fn borrowed(&mut self, expr: &Expr) -> Argument {
         let expr = strip_parens(expr);
-        if let Expr::Reference(_) = expr {
-            return self.argument(expr);
-        }
-        if self.is_reference(expr) {
+        if matches!(expr, Expr::Reference(_)) || self.is_reference(expr) {
             return self.argument(expr);
         }
         let is_reference = match expr {
-            Expr::Path(path) => path
-                .path
-                .get_ident()
-                .and_then(|name| self.lookup(name))
-                .is_some_and(|var| self.vars[var].reference),
+            Expr::Path(path) => self.variable(path).is_some_and(|var| self.vars[var].reference),
             _ => false,
         };
         if is_reference {
@@ -207,27 +203,4 @@ fn is_own_name(name: &Ident) -> bool {
         plain.strip_prefix(start).is_some_and(|rest| rest.starts_with(|c: char| c.is_ascii_digit()))
     };
     name.len() > 1 && !KNOWN.contains(&plain) && !numbered("Vec") && !numbered("Mat")
-}
-
-/// The name of the function, and that of the result.
-fn function_of(operator: &BinOp) -> Option<(&'static str, &'static str)> {
-    Some(match operator {
-        BinOp::Add(_) => ("add", "sum"),
-        BinOp::Sub(_) => ("sub", "difference"),
-        BinOp::Mul(_) => ("mul", "product"),
-        BinOp::Div(_) => ("div", "quotient"),
-        BinOp::Rem(_) => ("rem", "remainder"),
-        _ => return None,
-    })
-}
-
-fn assigning_function_of(operator: &BinOp) -> Option<&'static str> {
-    Some(match operator {
-        BinOp::AddAssign(_) => "add_assign",
-        BinOp::SubAssign(_) => "sub_assign",
-        BinOp::MulAssign(_) => "mul_assign",
-        BinOp::DivAssign(_) => "div_assign",
-        BinOp::RemAssign(_) => "rem_assign",
-        _ => return None,
-    })
 }

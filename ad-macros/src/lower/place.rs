@@ -3,7 +3,7 @@
 use proc_macro2::TokenStream;
 use quote::{ToTokens, quote, quote_spanned};
 use syn::spanned::Spanned;
-use syn::{BinOp, Expr, ExprAssign, ExprBinary, Lit, UnOp};
+use syn::{Expr, ExprAssign, ExprBinary, Lit, UnOp};
 
 use super::closure::root_name;
 use super::flow::strip_parens;
@@ -28,7 +28,7 @@ impl Lowerer<'_> {
             Expr::Paren(inner) => self.located(&inner.expr),
             Expr::Group(inner) => self.located(&inner.expr),
             Expr::Path(path) => {
-                let root = self.lookup(path.path.get_ident()?)?;
+                let root = self.variable(path)?;
                 Some(match self.aliases.get(&root) {
                     Some(alias) => (alias.place.clone(), alias.depth),
                     None => (Place { root, path: Vec::new() }, 0),
@@ -68,7 +68,7 @@ impl Lowerer<'_> {
                 self.depth(&unary.expr).saturating_sub(1)
             }
             Expr::Path(path) => {
-                let root = path.path.get_ident().and_then(|name| self.lookup(name));
+                let root = self.variable(path);
                 let alias = root.and_then(|root| self.aliases.get(&root));
                 alias.map_or(0, |alias| alias.depth)
             }
@@ -79,7 +79,7 @@ impl Lowerer<'_> {
     /// Whether an expression is known to be a reference.
     pub(super) fn is_reference(&self, expr: &Expr) -> bool {
         let known = |path: &syn::ExprPath| {
-            let root = path.path.get_ident().and_then(|name| self.lookup(name));
+            let root = self.variable(path);
             root.is_some_and(|root| self.references.contains(&root))
         };
         self.depth(expr) > 0 || matches!(strip_parens(expr), Expr::Path(path) if known(path))
@@ -288,20 +288,13 @@ impl Lowerer<'_> {
 
     /// `place op= value`
     pub(super) fn update(&mut self, update: &ExprBinary) {
-        let operator = match update.op {
-            BinOp::AddAssign(_) => Some(BinaryOperator::Add),
-            BinOp::SubAssign(_) => Some(BinaryOperator::Sub),
-            BinOp::MulAssign(_) => Some(BinaryOperator::Mul),
-            BinOp::DivAssign(_) => Some(BinaryOperator::Div),
-            BinOp::RemAssign(_) => Some(BinaryOperator::Rem),
-            _ => None,
-        };
+        let operator = BinaryOperator::of_update(&update.op);
         if let (Expr::Index(index), Some(operator)) = (strip_parens(&update.left), operator)
             && element::is_element(index)
         {
             return self.update_element(index, operator, &update.right);
         }
-        if self.borrowed_update(update) {
+        if operator.is_some_and(|operator| self.borrowed_update(operator, update)) {
             return;
         }
         let value = self.scalar(&update.right, "value");

@@ -85,7 +85,7 @@ impl Lowerer<'_> {
                 self.is_certainly_constant(&binary.left)
                     && self.is_certainly_constant(&binary.right)
             }
-            Expr::Path(path) => match path.path.get_ident().and_then(|name| self.lookup(name)) {
+            Expr::Path(path) => match self.variable(path) {
                 Some(var) => !self.vars[var].active,
                 None => true,
             },
@@ -145,7 +145,7 @@ struct MutableReader<'l, 'a> {
 
 impl<'ast> Visit<'ast> for MutableReader<'_, '_> {
     fn visit_expr_path(&mut self, path: &'ast syn::ExprPath) {
-        let var = path.path.get_ident().and_then(|name| self.lowerer.lookup(name));
+        let var = self.lowerer.variable(path);
         self.found |= var.is_some_and(|var| self.lowerer.vars[var].mutable);
     }
 }
@@ -159,7 +159,7 @@ struct Plain<'l, 'a> {
 impl Plain<'_, '_> {
     fn can_change(&self, receiver: &Expr) -> bool {
         let Expr::Path(path) = receiver else { return false };
-        match path.path.get_ident().and_then(|name| self.lowerer.lookup(name)) {
+        match self.lowerer.variable(path) {
             Some(var) => self.lowerer.vars[var].mutable || self.lowerer.vars[var].active,
             None => false,
         }
@@ -216,8 +216,7 @@ impl VisitMut for Plain<'_, '_> {
     fn visit_expr_mut(&mut self, expr: &mut Expr) {
         match expr {
             Expr::Path(path) => {
-                if let Some(var) = path.path.get_ident().and_then(|name| self.lowerer.lookup(name))
-                {
+                if let Some(var) = self.lowerer.variable(path) {
                     if self.lowerer.closures.contains_key(&var) {
                         self.lowerer.refuse(&*path, "bind the value of this closure to a variable with `let` before the condition or the index that uses it");
                     }

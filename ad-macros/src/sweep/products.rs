@@ -113,6 +113,11 @@ impl Products {
             name: names.fresh("products", proc_macro2::Span::call_site()),
         })
     }
+
+    /// Whether the forward sweep finds out which rules the reverse sweep takes.
+    pub fn are_chosen(&self) -> bool {
+        self.rules != Rules::Called
+    }
 }
 
 struct Search<'a> {
@@ -311,13 +316,6 @@ impl Search<'_> {
             )) => self.enters(current, place, *left) || self.enters(current, place, *right),
             _ => false,
         }
-    }
-}
-
-impl Products {
-    /// Whether the forward sweep finds out which rules the reverse sweep takes.
-    pub fn are_chosen(&self) -> bool {
-        self.rules != Rules::Called
     }
 }
 
