@@ -63,6 +63,9 @@ pub trait Fields<S>: Sized {
     /// The value whose numbers `f` gives, in their order.
     fn from_fn(f: &mut impl FnMut(usize) -> S) -> Self;
 
+    /// Calls `f` with the index and the value of each number.
+    fn visit(&self, f: &mut impl FnMut(usize, S));
+
     /// The same value of another scalar: `f` of each number.
     #[inline(always)]
     fn map<T: Real>(&self, mut f: impl FnMut(S) -> T) -> Self::With<T> {
@@ -86,6 +89,11 @@ impl<S: Real> Fields<S> for S {
     fn from_fn(f: &mut impl FnMut(usize) -> S) -> S {
         f(0)
     }
+
+    #[inline(always)]
+    fn visit(&self, f: &mut impl FnMut(usize, S)) {
+        f(0, *self);
+    }
 }
 
 macro_rules! vector {
@@ -105,6 +113,13 @@ macro_rules! vector {
             fn from_fn(f: &mut impl FnMut(usize) -> $scalar) -> Self {
                 let (x, y, z) = (f(0), f(1), f(2));
                 Self { x, y, z }
+            }
+
+            #[inline(always)]
+            fn visit(&self, f: &mut impl FnMut(usize, $scalar)) {
+                f(0, self.x);
+                f(1, self.y);
+                f(2, self.z);
             }
         }
     };
@@ -128,5 +143,12 @@ impl<S, F: Fields<S>, const N: usize> Fields<S> for [F; N] {
     #[inline(always)]
     fn from_fn(f: &mut impl FnMut(usize) -> S) -> Self {
         core::array::from_fn(|element| F::from_fn(&mut |index| f(element * F::LEN + index)))
+    }
+
+    #[inline(always)]
+    fn visit(&self, f: &mut impl FnMut(usize, S)) {
+        for (element, value) in self.iter().enumerate() {
+            value.visit(&mut |index, number| f(element * F::LEN + index, number));
+        }
     }
 }

@@ -66,6 +66,14 @@ fn implementation(name: &Ident, scalar: &Ident, fields: &[(&Ident, &Type)]) -> T
                     )),*
                 }
             }
+
+            #[inline(always)]
+            fn visit(&self, f: &mut impl FnMut(usize, #scalar)) {
+                #(::ad::Fields::<#scalar>::visit(
+                    &self.#names,
+                    &mut |index, number| f(#starts + index, number),
+                );)*
+            }
         }
     }
 }

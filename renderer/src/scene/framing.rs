@@ -4,29 +4,27 @@ use std::f64::consts::PI;
 
 use glam::DVec3;
 
-use super::{Light, Scene};
-use crate::kernels::camera::Camera;
-use crate::kernels::light::PointLight;
+use super::{Camera, Light, LightObject, LightSource, Mesh, PointLight, Scene};
 
 /// The size of the image in pixels.
 const SIZE: u32 = 512;
 /// The vertical field of view in degrees.
 const VFOV: f64 = 45.0;
-/// From the object towards the camera: in front (+z), to the right and above.
+/// The direction from the object towards the camera: in front (+z), to the right and above.
 const TOWARDS_CAMERA: DVec3 = DVec3::new(1.0, 0.7, 1.6);
 /// The room left around the object.
 const MARGIN: f64 = 1.05;
-/// The irradiance where the sphere around the object is closest to the light: one at which the
-/// default albedo 0.7 stays below 1, white.
-const IRRADIANCE: f64 = 1.4;
+/// The radiance of a white surface that faces the light where the sphere around the object is closest
+/// to it: the default albedo 0.7 stays below 1, white.
+const RADIANCE: f64 = 1.4;
 
 impl Scene {
-    /// Gives the scene a camera and a light, `key`, that fit its vertices and spheres.
+    /// Gives the scene a camera and a light, `key`, that fit its geometry.
     ///
     /// The camera looks at the centre of the bounding box from the front, to the right of and above
     /// it, such that the sphere around all vertices fits the square image. The light stands above
     /// the camera; where that sphere is closest to it, a surface that faces it receives an
-    /// irradiance of 1.4, the most that any surface can.
+    /// irradiance of 1.4 π, the most that any surface can.
     pub fn frame(&mut self) {
         let (center, radius) = self.bounding_sphere();
         // A sphere fits a cone of this half angle when it touches the cone's side.
@@ -34,14 +32,14 @@ impl Scene {
         let look_from = center + TOWARDS_CAMERA.normalize() * distance;
         self.width = SIZE;
         self.height = SIZE;
-        self.parameters.camera =
-            Camera { look_from, look_at: center, up: DVec3::Y, vfov: VFOV, focus: 1.0 };
+        self.camera = Camera { vfov: VFOV, ..Camera::looking(look_from, center) };
 
         let position = look_from + DVec3::Y * (0.5 * distance);
-        let intensity = IRRADIANCE * 4.0 * PI * (position.distance(center) - radius).powi(2);
-        self.light_names = vec!["key".to_owned()];
-        self.parameters.lights =
-            vec![Light::Point(PointLight { position, color: DVec3::ONE, intensity })];
+        let nearest = position.distance(center) - radius;
+        let radiant_intensity = RADIANCE * PI * nearest.powi(2);
+        let light = Light::Point(PointLight { position, color: DVec3::ONE, radiant_intensity });
+        self.lights =
+            vec![LightObject { name: "key".to_owned(), source: LightSource::Known(light) }];
     }
 
     /// Gives the framed scene another camera, whose image has `aspect_ratio` times its height as its
@@ -55,7 +53,7 @@ impl Scene {
         if depth > 0.0 {
             camera.look_at = camera.look_from + forward * depth;
         }
-        self.parameters.camera = camera;
+        self.camera = camera;
         if let Some(ratio) = aspect_ratio {
             self.width = ((f64::from(SIZE) * ratio).round() as u32).max(1);
         }
@@ -63,16 +61,12 @@ impl Scene {
 
     /// The centre of the bounding box, and the radius around it that holds everything.
     fn bounding_sphere(&self) -> (DVec3, f64) {
-        let vertices = self.parameters.vertices.as_slice().concat();
-        let spheres = &self.parameters.spheres;
+        let center = self.bounding_box().map_or(DVec3::ZERO, |(low, high)| low.midpoint(high));
         // A vertex is a sphere without extent.
-        let parts = || {
-            let vertices = vertices.iter().map(|&v| (DVec3::from_array(v), 0.0));
-            vertices.chain(spheres.iter().map(|s| (s.center, s.radius)))
-        };
-        let bounding_box = self.bounding_box();
-        let center = bounding_box.map_or(DVec3::ZERO, |(low, high)| low.midpoint(high));
-        let radius = parts().map(|(c, r)| c.distance(center) + r).fold(0.0, f64::max);
+        let vertices = self.meshes.iter().flat_map(Mesh::world_vertices).map(|v| (v, 0.0));
+        let spheres = self.spheres.iter().map(|s| (s.values.center, s.values.radius));
+        let parts = vertices.chain(spheres);
+        let radius = parts.map(|(c, r)| c.distance(center) + r).fold(0.0, f64::max);
         // A single point has no size of its own.
         (center, if radius > 0.0 { radius } else { 1.0 })
     }

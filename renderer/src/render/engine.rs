@@ -1,0 +1,316 @@
+//! A renderer that keeps what it has prepared of a scene.
+
+use ad::lanes::{f32x16, f64x8};
+use ad::{Dual, Real};
+
+use super::Linear;
+use crate::Error;
+use crate::adjoint::{self, Gradient, LossAndGradient, Request};
+use crate::arithmetic::{Arithmetic, Precision, with_arithmetic};
+use crate::diagnose::{self, NonFinite};
+use crate::image::Image;
+use crate::loss::PixelLoss;
+use crate::number::Plain;
+use crate::primal::image::{loss, render_dual, render_into, trace_only};
+use crate::primal::inputs::{Inputs, Varying};
+use crate::primal::integrator::Prepared;
+use crate::scene::{ParameterId, Scene};
+use crate::settings::Settings;
+use crate::trace::sampling::Sampling;
+
+/// A scene that is prepared to be rendered again and again: its numbers may change, its objects stay.
+///
+/// ```
+/// use renderer::glam::DVec3;
+/// use renderer::{Camera, PointLight, Renderer, Scene, Settings};
+///
+/// let mut scene = Scene::new(8, 8, Camera::looking(DVec3::Z, DVec3::ZERO));
+/// let light = PointLight { position: DVec3::Z, color: DVec3::ONE, radiant_intensity: 1.0 };
+/// scene.add_light("key", light)?;
+/// let mut renderer = Renderer::new(&scene, &Settings::default())?;
+/// let intensity = scene.parameter("light.key.radiant_intensity")?;
+/// for step in 1..4 {
+///     scene.set(intensity, &[f64::from(step)])?;
+///     renderer.update(&scene);
+///     let image = renderer.render();
+///     assert_eq!(image.pixels.len(), 64);
+/// }
+/// # Ok::<(), renderer::Error>(())
+/// ```
+pub struct Renderer {
+    engine: Box<dyn Engine>,
+    settings: Settings,
+}
+
+impl Renderer {
+    /// Prepares a scene.
+    ///
+    /// # Errors
+    ///
+    /// If the scene is not [valid](Scene::check).
+    pub fn new(scene: &Scene, settings: &Settings) -> Result<Self, Error> {
+        scene.check()?;
+        Ok(Self::unchecked(scene, settings))
+    }
+
+    /// Prepares a scene that is known to be valid.
+    pub(crate) fn unchecked(scene: &Scene, settings: &Settings) -> Self {
+        let settings = *settings;
+        let engine: Box<dyn Engine> = with_arithmetic!(settings.arithmetic, L => {
+            Box::new(Prepared::<L>::new(scene, settings))
+        });
+        Self { engine, settings }
+    }
+
+    /// How the scene is rendered.
+    pub fn settings(&self) -> &Settings {
+        &self.settings
+    }
+
+    /// Takes over the numbers of the scene, which has the objects that it had when it was prepared.
+    /// Where geometry has moved, the acceleration structure is refitted.
+    pub fn update(&mut self, scene: &Scene) {
+        self.engine.update(scene);
+    }
+
+    /// The image; see [`render`](super::render()).
+    pub fn render(&self) -> Image {
+        let (width, height) = self.engine.size();
+        let mut image = Image::black(width, height);
+        self.engine.render_into(&mut image);
+        image
+    }
+
+    /// [`render`](Self::render), over an image of the same size: who renders often saves the time to get
+    /// memory.
+    ///
+    /// # Panics
+    ///
+    /// If the image has another size than the scene's.
+    pub fn render_into(&self, image: &mut Image) {
+        self.engine.render_into(image);
+    }
+
+    /// A loss of the image, in double precision from the radiance on.
+    pub fn loss(&self, loss: &dyn PixelLoss) -> f64 {
+        self.engine.loss(loss)
+    }
+
+    /// A loss of the image and its gradient; see [`loss_and_gradient`](super::loss_and_gradient). `scene`
+    /// is the one that was last taken over.
+    pub fn loss_and_gradient(
+        &self,
+        scene: &Scene,
+        loss: &dyn PixelLoss,
+        requested: &[ParameterId],
+    ) -> LossAndGradient {
+        self.engine.loss_and_gradient(scene, loss, requested)
+    }
+
+    /// The pullback of the image; see [`render_vjp`](super::render_vjp). `scene` is the one that was last
+    /// taken over.
+    ///
+    /// # Panics
+    ///
+    /// If the cotangent has another size than the image.
+    pub fn pullback(
+        &self,
+        scene: &Scene,
+        cotangent: &Image,
+        requested: &[ParameterId],
+    ) -> Gradient {
+        let size = (cotangent.width, cotangent.height);
+        assert_eq!(size, self.engine.size(), "the cotangent has the size of the image");
+        self.engine.loss_and_gradient(scene, &Linear(cotangent), requested).gradient
+    }
+
+    /// The image and its derivative along a direction; see [`render_jvp`](super::render_jvp). `scene` is
+    /// the one that was last taken over.
+    ///
+    /// # Errors
+    ///
+    /// If a direction has another number of numbers than its parameter.
+    pub fn jvp(
+        &self,
+        scene: &Scene,
+        direction: &[(ParameterId, Vec<f64>)],
+    ) -> Result<(Image, Image), Error> {
+        for (id, numbers) in direction {
+            let count = scene.get(*id).len();
+            if count != numbers.len() {
+                let problem = format!("moves by {} numbers, has {count}", numbers.len());
+                return Err(Error::new(scene.path(*id), problem));
+            }
+        }
+        Ok(self.engine.jvp(scene, direction))
+    }
+
+    /// Searches for the pixels whose radiance an image cannot hold, and for the cause at the first of
+    /// them.
+    pub fn find_non_finite(&self, scene: &Scene) -> Option<NonFinite> {
+        self.engine.find_non_finite(scene, None)
+    }
+
+    /// Searches for the pixels whose loss or gradient is not finite, and for the cause at the first.
+    pub fn find_non_finite_gradient(
+        &self,
+        scene: &Scene,
+        loss: &dyn PixelLoss,
+        requested: &[ParameterId],
+    ) -> Option<NonFinite> {
+        self.engine.find_non_finite(scene, Some((loss, requested)))
+    }
+
+    /// Loss and gradient of the pixels that are finite alone.
+    pub fn gradient_of_finite(
+        &self,
+        scene: &Scene,
+        loss: &dyn PixelLoss,
+        requested: &[ParameterId],
+        found: &NonFinite,
+    ) -> LossAndGradient {
+        self.engine.gradient_of_finite(scene, loss, requested, found)
+    }
+
+    /// Changes the rays through pixels and the depth of paths, and keeps all else.
+    pub fn resample(&mut self, sampling: Sampling, bounces: Option<u32>) {
+        self.engine.resample(sampling, bounces);
+        self.settings.sampling = sampling;
+        self.settings.bounces = bounces;
+    }
+
+    /// Traces the camera rays, and those of their shadows if they are wanted, and shades nothing: to
+    /// measure it.
+    pub fn trace_only(&self, shadows: bool) {
+        self.engine.trace_only(shadows);
+    }
+}
+
+/// A prepared scene, whatever it is computed in.
+trait Engine: Send + Sync {
+    fn size(&self) -> (u32, u32);
+    fn update(&mut self, scene: &Scene);
+    fn render_into(&self, image: &mut Image);
+    fn loss(&self, loss: &dyn PixelLoss) -> f64;
+    fn loss_and_gradient(
+        &self,
+        scene: &Scene,
+        loss: &dyn PixelLoss,
+        requested: &[ParameterId],
+    ) -> LossAndGradient;
+    fn jvp(&self, scene: &Scene, direction: &[(ParameterId, Vec<f64>)]) -> (Image, Image);
+    fn find_non_finite(
+        &self,
+        scene: &Scene,
+        of: Option<(&dyn PixelLoss, &[ParameterId])>,
+    ) -> Option<NonFinite>;
+    fn gradient_of_finite(
+        &self,
+        scene: &Scene,
+        loss: &dyn PixelLoss,
+        requested: &[ParameterId],
+        found: &NonFinite,
+    ) -> LossAndGradient;
+    fn resample(&mut self, sampling: Sampling, bounces: Option<u32>);
+    fn trace_only(&self, shadows: bool);
+}
+
+impl<L: Plain> Engine for Prepared<L> {
+    fn size(&self) -> (u32, u32) {
+        (self.layout.width, self.layout.height)
+    }
+
+    fn update(&mut self, scene: &Scene) {
+        Prepared::update(self, scene);
+    }
+
+    fn render_into(&self, image: &mut Image) {
+        render_into(self.integrator(), image);
+    }
+
+    fn loss(&self, pixel_loss: &dyn PixelLoss) -> f64 {
+        loss(self.integrator(), pixel_loss)
+    }
+
+    fn loss_and_gradient(
+        &self,
+        scene: &Scene,
+        loss: &dyn PixelLoss,
+        requested: &[ParameterId],
+    ) -> LossAndGradient {
+        let request = Request::new(scene, &self.layout, requested);
+        adjoint::loss_and_gradient(self, scene, loss, &request)
+    }
+
+    fn jvp(&self, scene: &Scene, direction: &[(ParameterId, Vec<f64>)]) -> (Image, Image) {
+        // Directions are followed on the widest lanes of the precision alone: it is the faster way for
+        // every image, and a forward pass less to build for each other number of lanes.
+        let precision = self.settings.arithmetic.precision();
+        let arithmetic = Arithmetic::fastest(precision);
+        if self.settings.arithmetic != arithmetic {
+            let settings = Settings { arithmetic, ..self.settings };
+            return Renderer::unchecked(scene, &settings).engine.jvp(scene, direction);
+        }
+        let any: &dyn std::any::Any = self;
+        match precision {
+            Precision::F32 => jvp(any.downcast_ref::<Prepared<f32x16>>(), scene, direction),
+            Precision::F64 => jvp(any.downcast_ref::<Prepared<f64x8>>(), scene, direction),
+        }
+    }
+
+    fn find_non_finite(
+        &self,
+        scene: &Scene,
+        of: Option<(&dyn PixelLoss, &[ParameterId])>,
+    ) -> Option<NonFinite> {
+        match of {
+            None => diagnose::find_non_finite_radiance(self, scene),
+            Some((loss, requested)) => diagnose::find_non_finite(self, scene, loss, requested),
+        }
+    }
+
+    fn gradient_of_finite(
+        &self,
+        scene: &Scene,
+        loss: &dyn PixelLoss,
+        requested: &[ParameterId],
+        found: &NonFinite,
+    ) -> LossAndGradient {
+        let request = Request::new(scene, &self.layout, requested);
+        diagnose::gradient_of_finite(self, scene, loss, &request, found)
+    }
+
+    fn resample(&mut self, sampling: Sampling, bounces: Option<u32>) {
+        self.settings.sampling = sampling;
+        self.layout.sampling = sampling;
+        if let Some(bounces) = bounces {
+            self.layout.bounces = bounces;
+        }
+    }
+
+    fn trace_only(&self, shadows: bool) {
+        trace_only(self.integrator(), shadows);
+    }
+}
+
+fn jvp<L: Plain>(
+    prepared: Option<&Prepared<L>>,
+    scene: &Scene,
+    direction: &[(ParameterId, Vec<f64>)],
+) -> (Image, Image)
+where
+    Dual<L>: crate::number::Number<Lanes = L, Wide = Dual<f64>>,
+{
+    let prepared = prepared.expect("the arithmetic names the lanes");
+    let ids: Vec<ParameterId> = direction.iter().map(|(id, _)| *id).collect();
+    let block = |(id, numbers): &(ParameterId, Vec<f64>)| {
+        let values = scene.get(*id);
+        let moving = values.iter().zip(numbers).map(|(&value, &along)| Dual::new(value, along));
+        (*id, moving.collect())
+    };
+    let varying = Varying { blocks: direction.iter().map(block).collect() };
+    let (pass, origin) = (prepared.settings.pass, prepared.inputs.origin);
+    let inputs = Inputs::<Dual<L>>::new(scene, pass, origin, &varying);
+    let zero_weight = Request::new(scene, &prepared.layout, &ids).zero_weight;
+    render_dual(prepared.with_inputs(&inputs), zero_weight)
+}

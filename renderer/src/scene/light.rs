@@ -1,0 +1,144 @@
+//! Lights of a scene.
+
+use std::borrow::Cow;
+
+use ad::{Field, Fields};
+use glam::DVec3;
+
+use super::numbers::{Numbers, range_of};
+use crate::custom::{EmitterFamily, EmitterKernel};
+use crate::transport::light::{DistantLight, Light, PointLight};
+
+/// A light and its name.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LightObject {
+    /// The name, unique among lights.
+    pub name: String,
+    /// What shines.
+    pub source: LightSource,
+}
+
+/// What shines.
+#[derive(Clone, Debug, PartialEq)]
+pub enum LightSource {
+    /// A light of a known kind.
+    Known(Light<f64>),
+    /// A light of one's own. Scene files do not know it.
+    Custom {
+        /// The kernel.
+        kernel: EmitterKernel,
+        /// The numbers of all its fields.
+        numbers: Vec<f64>,
+    },
+}
+
+impl LightSource {
+    pub(super) fn custom<T: EmitterFamily>(light: &T) -> Self {
+        let numbers = (0..T::LEN).map(|index| light.number(index)).collect();
+        Self::Custom { kernel: T::kernel(), numbers }
+    }
+
+    /// Whether the light is known to send nothing.
+    pub(crate) fn is_black(&self) -> bool {
+        match self {
+            Self::Known(light) => light.is_black(),
+            Self::Custom { .. } => false,
+        }
+    }
+}
+
+/// Runs `$body` with the struct of the light of a known kind.
+macro_rules! with_light {
+    ($light:expr, $inner:ident => $body:expr) => {
+        match $light {
+            $crate::transport::light::Light::Point($inner) => $body,
+            $crate::transport::light::Light::Distant($inner) => $body,
+        }
+    };
+}
+
+pub(crate) use with_light;
+
+impl Light<f64> {
+    /// The kinds by the names that scene files give them, with numbers that are not: what a kind needs
+    /// is NaN, what it can do without has its default.
+    #[cfg(feature = "files")]
+    pub(crate) const KINDS: [(&'static str, Self); 2] = [
+        (
+            "point",
+            Self::Point(PointLight {
+                position: DVec3::NAN,
+                color: DVec3::ONE,
+                radiant_intensity: f64::NAN,
+            }),
+        ),
+        (
+            "distant",
+            Self::Distant(DistantLight {
+                direction: DVec3::NAN,
+                color: DVec3::ONE,
+                irradiance: f64::NAN,
+            }),
+        ),
+    ];
+
+    /// The position, if it has one.
+    pub fn position(&self) -> Option<DVec3> {
+        match self {
+            Self::Point(light) => Some(light.position),
+            Self::Distant(_) => None,
+        }
+    }
+
+    /// Whether the light sends nothing.
+    pub fn is_black(&self) -> bool {
+        let radiance = match self {
+            Self::Point(light) => light.color * light.radiant_intensity,
+            Self::Distant(light) => light.color * light.irradiance,
+        };
+        radiance == DVec3::ZERO
+    }
+}
+
+impl From<PointLight<f64>> for Light<f64> {
+    fn from(light: PointLight<f64>) -> Self {
+        Self::Point(light)
+    }
+}
+
+impl From<DistantLight<f64>> for Light<f64> {
+    fn from(light: DistantLight<f64>) -> Self {
+        Self::Distant(light)
+    }
+}
+
+impl Numbers for LightObject {
+    fn fields(&self) -> Vec<Field> {
+        match &self.source {
+            LightSource::Known(light) => with_light!(light, light => Numbers::fields(light)),
+            LightSource::Custom { kernel, .. } => kernel.fields.to_vec(),
+        }
+    }
+
+    fn get(&self, field: &str) -> Option<Cow<'_, [f64]>> {
+        match &self.source {
+            LightSource::Known(light) => with_light!(light, light => Numbers::get(light, field)),
+            LightSource::Custom { kernel, numbers } => {
+                Some(Cow::Borrowed(&numbers[range_of(kernel.fields, field)?]))
+            }
+        }
+    }
+
+    fn set(&mut self, field: &str, first: usize, new: &[f64]) {
+        match &mut self.source {
+            LightSource::Known(light) => {
+                with_light!(light, light => Numbers::set(light, field, first, new));
+            }
+            LightSource::Custom { kernel, numbers } => {
+                if let Some(range) = range_of(kernel.fields, field) {
+                    numbers[range.start + first..][..new.len()].copy_from_slice(new);
+                }
+            }
+        }
+    }
+}

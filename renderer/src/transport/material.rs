@@ -1,0 +1,75 @@
+//! The Blinn-Phong material, and the light it reflects.
+
+use std::f64::consts::FRAC_1_PI;
+
+use ad::vector::Vector;
+use ad::{Differentiable, Fields, Real, Vec3, differentiable};
+
+use super::hit::SurfacePoint;
+use super::positive_part;
+
+/// A Blinn-Phong material; colours are linear RGB.
+#[derive(Clone, Copy, Debug, PartialEq, Differentiable, Fields)]
+pub struct Material<S: Real> {
+    /// The radiance that the surface emits.
+    pub emission: Vec3<S>,
+    /// The albedo of the diffuse part.
+    pub diffuse: Vec3<S>,
+    /// The albedo of the highlight.
+    pub specular: Vec3<S>,
+    /// The sharpness of the highlight; 0 or more.
+    pub exponent: S,
+    /// The part of the radiance from the mirror direction that is added; 0 is no mirror.
+    pub mirror: Vec3<S>,
+    /// The part of its own radiance that a transparent surface shows; the rest is what lies straight
+    /// behind it. 1 for opaque materials.
+    pub opacity: S,
+}
+
+impl Material<f64> {
+    /// An opaque Lambertian material.
+    pub fn lambertian(albedo: glam::DVec3) -> Self {
+        Self {
+            emission: glam::DVec3::ZERO,
+            diffuse: albedo,
+            specular: glam::DVec3::ZERO,
+            exponent: 1.0,
+            mirror: glam::DVec3::ZERO,
+            opacity: 1.0,
+        }
+    }
+}
+
+/// A grey Lambertian material of albedo 0.7: what files that name no material get.
+impl Default for Material<f64> {
+    fn default() -> Self {
+        Self::lambertian(glam::DVec3::splat(0.7))
+    }
+}
+
+/// The BRDF of a material for light from `direction`, a unit vector:
+/// `(diffuse + specular * max(n · h, 0)^exponent) / π`, where `h` is the direction half-way between
+/// light and viewer (Blinn 1977).
+///
+/// The highlight is not normalised, as in RayTracer.jl: `exponent` changes its energy. Unlike there,
+/// both parts are multiplied by the cosine of the light, so that the highlight fades towards the shadow
+/// side instead of ending at an edge.
+#[differentiable]
+#[inline]
+pub fn brdf<S: Real>(
+    material: Material<S>,
+    surface: SurfacePoint<S>,
+    direction: Vec3<S>,
+) -> Vec3<S> {
+    let half_way = (direction + surface.view).normalize_or_zero();
+    let alignment = positive_part::<S>(surface.normal.dot(half_way));
+    let highlight = alignment.powf(material.exponent);
+    (material.diffuse + material.specular * highlight) * S::from_f64(FRAC_1_PI)
+}
+
+/// The BRDF of a material without highlight.
+#[differentiable]
+#[inline]
+pub fn lambertian_brdf<S: Real>(diffuse: Vec3<S>) -> Vec3<S> {
+    diffuse * S::from_f64(FRAC_1_PI)
+}
