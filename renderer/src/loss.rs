@@ -71,6 +71,7 @@ impl<'a> ImageLoss<'a> {
 }
 
 impl PixelLoss for ImageLoss<'_> {
+    #[inline]
     fn evaluate(&self, x: u32, y: u32, radiance: DVec3) -> (f64, DVec3) {
         let index = y as usize * self.target.width as usize + x as usize;
         let target = glam::Vec3::from(self.target.pixels[index]).as_dvec3();

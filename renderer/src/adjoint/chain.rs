@@ -20,7 +20,7 @@ use crate::primal::image::mean_radiance;
 use crate::primal::inputs::LightInputs;
 use crate::primal::integrator::Integrator;
 use crate::primal::lanes::{
-    all_lanes, lanes_of_vectors, sum_of_lanes, sum_of_vectors, vectors_of_lanes,
+    lanes_of_vectors, sum_of_lanes, sum_of_vectors, vectors_of_lanes,
 };
 use crate::primal::path::Path;
 use crate::primal::vertex::{Textured, Vertex};
@@ -31,9 +31,9 @@ use crate::trace::bvh::{PACKET_RAYS, rays};
 use crate::trace::layout::Kind;
 use crate::trace::tile::{Strip, Tile, for_each_strip};
 use crate::transport::camera::{CameraFrame, Ray, primary_ray};
-use crate::transport::direct::{direct, reflect};
+use crate::transport::direct::direct;
 use crate::transport::hit::{Primitive, SurfacePoint, hit, surface_uv};
-use crate::transport::light::{Illumination, Light};
+use crate::transport::light::Illumination;
 use crate::transport::material::Material;
 use crate::transport::texture::{Uv, modulate, modulate_opacity};
 use crate::transport::transform::place;
@@ -206,13 +206,8 @@ impl<L: Plain> Chain<'_, L> {
         for (index, group) in wavefront.groups.iter().enumerate() {
             let vertex = self.integrator.vertex(group, wavefront, beyond);
             let mut radiance = state.as_mut().map(|state| &mut state.radiance[group.block()]);
-            let mut surface = None;
-            self.pull_vertex(index, &vertex, respond, &mut radiance, |cotangent| {
-                surface = Some(cotangent);
-            });
-            if moves_surfaces {
-                surfaces.push(surface);
-            }
+            let to_surface = moves_surfaces.then(|| push(surfaces));
+            self.pull_vertex(index, &vertex, respond, &mut radiance, to_surface);
         }
     }
 
@@ -228,38 +223,43 @@ impl<L: Plain> Chain<'_, L> {
         vertex: &Vertex<'_, L>,
         respond: &mut Respond<'_, L>,
         beyond: &mut Option<&mut Vec3<L>>,
-        to_surface: impl FnOnce(SurfaceCotangent<L>),
+        to_surface: Option<&mut Option<SurfaceCotangent<L>>>,
     ) {
-        let (group, lights) = (vertex.group, vertex.lights());
-        if let Some((LightInputs::Known(last), others)) = lights.split_last()
-            && vertex.transmittance(others.len()).is_none()
-        {
-            let visible = vertex.visible(others.len());
-            let (reflected, pullback) =
-                direct::vjp::<L>(vertex.material, group.surface, *last, visible, L::ONE);
-            let own = vertex.own(others) + reflected;
-            let Some(radiance) = respond(group, vertex.outgoing(own)) else { return };
-            let (own, of_outgoing) = pull_outgoing(vertex, own, radiance, beyond);
-            let (mut material, mut surface, light, ..) = pullback(own);
-            self.scatter_light(others.len(), last, &light);
-            for (light, inputs) in others.iter().enumerate() {
-                self.pull_light(index, vertex, light, inputs, own, &mut material, &mut surface);
+        let (surface, lights) = (vertex.group.surface, vertex.lights());
+        match lights.split_last() {
+            Some((last, others)) if vertex.transmittance(others.len()).is_none() => {
+                let light = last.illuminate(surface.point);
+                let visible = vertex.visible(others.len());
+                let (reflected, pullback) =
+                    direct::vjp::<L>(vertex.material, surface, light, visible, L::ONE);
+                let own = vertex.own(others) + reflected;
+                let Some(radiance) = respond(vertex.group, vertex.outgoing(own)) else { return };
+                let (own, of_outgoing) = pull_outgoing(vertex, own, radiance, beyond);
+                // Cotangents are large: they stay where the pullback leaves them.
+                let mut cotangents = pullback(own);
+                let (material, surface, illumination, ..) = &mut cotangents;
+                self.pull_illumination(others.len(), last, vertex.group, *illumination, surface);
+                for (light, inputs) in others.iter().enumerate() {
+                    self.pull_light(index, vertex, light, inputs, own, (material, surface));
+                }
+                self.pull_material(vertex, own, of_outgoing, material, surface, to_surface);
             }
-            self.pull_material(vertex, own, of_outgoing, &mut material, surface, to_surface);
-        } else {
-            let own = vertex.own(lights);
-            let Some(radiance) = respond(group, vertex.outgoing(own)) else { return };
-            let (own, of_outgoing) = pull_outgoing(vertex, own, radiance, beyond);
-            let (mut material, mut surface) = (Additive::zero(), Additive::zero());
-            for (light, inputs) in lights.iter().enumerate() {
-                self.pull_light(index, vertex, light, inputs, own, &mut material, &mut surface);
+            _ => {
+                let own = vertex.own(lights);
+                let Some(radiance) = respond(vertex.group, vertex.outgoing(own)) else { return };
+                let (own, of_outgoing) = pull_outgoing(vertex, own, radiance, beyond);
+                let (mut material, mut surface) = (Additive::zero(), Additive::zero());
+                for (light, inputs) in lights.iter().enumerate() {
+                    let to = (&mut material, &mut surface);
+                    self.pull_light(index, vertex, light, inputs, own, to);
+                }
+                self.pull_material(vertex, own, of_outgoing, &mut material, &surface, to_surface);
             }
-            self.pull_material(vertex, own, of_outgoing, &mut material, surface, to_surface);
         }
     }
 
-    /// Adds what flows back through the direct light of one light.
-    #[expect(clippy::too_many_arguments, reason = "cotangents are large: they stay where they are")]
+    /// Adds what flows back through the direct light of one light to the cotangents of materials and
+    /// surface points.
     fn pull_light(
         &mut self,
         group_index: usize,
@@ -267,74 +267,50 @@ impl<L: Plain> Chain<'_, L> {
         index: usize,
         inputs: &LightInputs<L>,
         own: Vec3<L>,
-        to_material: &mut Tangent<Material<L>>,
-        to_surface: &mut Tangent<SurfacePoint<L>>,
+        (to_material, to_surface): (&mut Tangent<Material<L>>, &mut Tangent<SurfacePoint<L>>),
     ) {
-        let (group, visible) = (vertex.group, vertex.visible(index));
-        let surface = group.surface;
-        let left = vertex.transmittance(index);
-        let transmittance = match inputs {
-            LightInputs::Known(light) => {
-                let left = left.unwrap_or(L::ONE);
-                let (_, pullback) =
-                    direct::vjp::<L>(vertex.material, surface, *light, visible, left);
-                let (material, surface, cotangent, (), left) = pullback(own);
-                self.scatter_light(index, light, &cotangent);
-                to_material.accumulate(material);
-                to_surface.accumulate(surface);
-                left
-            }
-            LightInputs::Custom { .. } => {
-                let (illumination, left) =
-                    (inputs.illuminate(surface.point), left.unwrap_or(L::ONE));
-                let (_, pullback) =
-                    reflect::vjp::<L>(vertex.material, surface, illumination, visible, left);
-                let (material, surface, illumination, (), left) = pullback(own);
-                to_material.accumulate(material);
-                to_surface.accumulate(surface);
-                let point = self.pull_custom_light(index, group, group.alive, illumination);
-                to_surface.point.accumulate(point);
-                left
-            }
-        };
+        let (surface, left) = (vertex.group.surface, vertex.transmittance(index));
+        let light = inputs.illuminate(surface.point);
+        let (_, pullback) = direct::vjp::<L>(
+            vertex.material,
+            surface,
+            light,
+            vertex.visible(index),
+            left.unwrap_or(L::ONE),
+        );
+        let (material, surface, illumination, (), transmittance) = &pullback(own);
+        to_material.accumulate(*material);
+        to_surface.accumulate(*surface);
+        self.pull_illumination(index, inputs, vertex.group, *illumination, to_surface);
         let varies =
             self.scatter.request.has_opacities() || self.integrator.layout.has_opacity_textures;
         if left.is_some() && varies {
-            let point = self.pull_transmission(group_index, vertex, index, transmittance);
+            let point = self.pull_transmission(group_index, vertex, index, *transmittance);
             to_surface.point.accumulate(point);
         }
     }
 
-    /// Adds the cotangents of a light that is the same in all lanes.
+    /// From the illumination of the points of a group to the light and to the points.
     #[inline]
-    pub(super) fn scatter_light(&mut self, index: usize, light: &Light<L>, cotangent: &Tangent<Light<L>>) {
-        let Some(to) = self.scatter.request.lights[index] else { return };
-        let all = all_lanes::<L>();
-        match light {
-            Light::Point(_) => self.scatter.dense::<L, _>(to, all, &cotangent.Point.0),
-            Light::Distant(_) => self.scatter.dense::<L, _>(to, all, &cotangent.Distant.0),
-        }
-    }
-
-    /// Adds the cotangents of a light of one's own in some lanes; returns those of the points.
-    pub(super) fn pull_custom_light(
+    pub(super) fn pull_illumination(
         &mut self,
         index: usize,
+        light: &LightInputs<L>,
         group: &LaneGroup<L>,
-        lanes: u32,
-        illumination: Tangent<Illumination<L>>,
-    ) -> Vec3<L> {
-        let LightInputs::Custom { kernel, numbers, origin } = &self.integrator.inputs.lights[index]
-        else {
-            return Vec3::<L>::zero();
-        };
-        let (to, scatter) = (self.scatter.request.lights[index], &mut self.scatter);
-        let point = group.surface.point + *origin;
-        kernel.at::<L>().pull_illuminate(numbers, point, illumination, &mut |number, cotangent| {
+        cotangent: Tangent<Illumination<L>>,
+        to_surface: &mut Tangent<SurfacePoint<L>>,
+    ) {
+        let to = self.scatter.request.lights[index];
+        if to.is_none() && !self.scatter.request.moves_surfaces() {
+            return;
+        }
+        let scatter = &mut self.scatter;
+        let point = light.pull_illuminate(group.surface.point, cotangent, |number, cotangent| {
             if let Some(to) = to {
-                scatter.number(to, number, lanes, cotangent);
+                scatter.number(to, number, group.alive, cotangent);
             }
-        })
+        });
+        to_surface.point.accumulate(point);
     }
 
     /// From the cotangent of the light of the surfaces themselves to materials and textures.
@@ -343,35 +319,38 @@ impl<L: Plain> Chain<'_, L> {
         &mut self,
         vertex: &Vertex<'_, L>,
         own: Vec3<L>,
-        of_outgoing: Option<Tangent<Material<L>>>,
+        of_outgoing: Option<(L, Vec3<L>)>,
         material: &mut Tangent<Material<L>>,
-        surface: Tangent<SurfacePoint<L>>,
-        to_surface: impl FnOnce(SurfaceCotangent<L>),
+        surface: &Tangent<SurfacePoint<L>>,
+        to_surface: Option<&mut Option<SurfaceCotangent<L>>>,
     ) {
         count(|counts| &counts.shading_pullbacks, u64::from(vertex.group.alive.count_ones()));
         match self.integrator.layout.pass {
             Pass::Radiance => material.emission.accumulate(own),
             Pass::Albedo => material.diffuse.accumulate(own),
         }
-        if let Some(of_outgoing) = of_outgoing {
-            material.accumulate(of_outgoing);
+        if let Some((opacity, mirror)) = of_outgoing {
+            material.opacity.accumulate(opacity);
+            material.mirror.accumulate(mirror);
         }
         let uv = vertex.textured.as_ref();
-        let uv = uv.map(|textured| self.pull_textures(&vertex.plain, textured, material));
+        let uv = uv.map(|textured| self.pull_textures(textured, material));
         if !self.scatter.request.materials.is_empty() {
             self.scatter.materials::<L>(&vertex.materials, material);
         }
-        to_surface(SurfaceCotangent { surface, uv });
+        if let Some(to_surface) = to_surface {
+            *to_surface = Some(SurfaceCotangent { surface: *surface, uv });
+        }
     }
 
     /// Turns the cotangent of materials with textures into that of the materials without; returns that of
     /// the texture coordinates.
     fn pull_textures(
         &mut self,
-        plain: &Material<L>,
         textured: &Textured<L>,
         material: &mut Tangent<Material<L>>,
     ) -> Tangent<Uv<L>> {
+        let plain = &textured.plain;
         let mut to_uv = Tangent::<Uv<L>>::zero();
         let colors = [
             (Slot::Emission, plain.emission, &mut material.emission),
@@ -596,23 +575,31 @@ impl<L: Plain> Chain<'_, L> {
     }
 }
 
-/// From the radiance that leaves to that of the surfaces themselves, to the materials, if a ray goes on,
-/// and to the radiance beyond.
+/// From the radiance that leaves to that of the surfaces themselves, and to the radiance beyond; with
+/// the cotangents of opacity and mirror, if a ray goes on.
 #[inline(always)]
 fn pull_outgoing<L: Plain>(
     vertex: &Vertex<'_, L>,
     own: Vec3<L>,
     radiance: Vec3<L>,
     to_beyond: &mut Option<&mut Vec3<L>>,
-) -> (Vec3<L>, Option<Tangent<Material<L>>>) {
+) -> (Vec3<L>, Option<(L, Vec3<L>)>) {
     let Some(beyond) = vertex.goes_on() else { return (radiance, None) };
+    let Material { opacity, mirror, .. } = vertex.material;
     let transparent = L::mask(vertex.transparent);
-    let (_, pullback) = outgoing::vjp::<L>(vertex.material, transparent, own, beyond);
-    let (material, (), own, beyond) = pullback(radiance);
+    let (_, pullback) = outgoing::vjp::<L>(opacity, mirror, transparent, own, beyond);
+    let (opacity, mirror, (), own, beyond) = pullback(radiance);
     if let Some(to_beyond) = to_beyond {
         to_beyond.accumulate(beyond);
     }
-    (own, Some(material))
+    (own, Some((opacity, mirror)))
+}
+
+/// A new place at the end of a list.
+fn push<T>(list: &mut Vec<Option<T>>) -> &mut Option<T> {
+    list.push(None);
+    let last = list.len() - 1;
+    &mut list[last]
 }
 
 /// The loss of the pixels of a group, and the cotangent of their radiance, unless it is zero: what

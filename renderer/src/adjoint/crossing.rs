@@ -6,15 +6,13 @@ use ad::{Additive, Tangent, Vec3};
 use super::chain::Chain;
 use crate::number::Plain;
 use crate::primal::coalesce::select_lanes;
-use crate::primal::inputs::LightInputs;
 use crate::primal::transmission::Crossing;
 use crate::primal::vertex::Vertex;
 use crate::primal::wavefront::LaneGroup;
 use crate::scene::Slot;
-use crate::transport::camera::Ray;
 use crate::transport::direct::attenuate;
 use crate::transport::hit::{SurfacePoint, hit, surface_uv};
-use crate::transport::light::{Illumination, shadow_ray};
+use crate::transport::light::Illumination;
 use crate::transport::material::Material;
 use crate::transport::texture::modulate_opacity;
 
@@ -83,36 +81,15 @@ impl<L: Plain> Chain<'_, L> {
                 let (of_hit, (), ray) = pullback(surface);
                 of_primitive.accumulate(of_hit);
                 self.scatter_primitive(*kind, primitives, &of_primitive);
-                to_point = self.pull_shadow_ray(light, group, *lanes, ray);
+                let mut to_surface = Tangent::<SurfacePoint<L>>::zero();
+                let illumination =
+                    Tangent::<Illumination<L>> { direction: ray.direction, ..Additive::zero() };
+                let inputs = &integrator.inputs.lights[light];
+                self.pull_illumination(light, inputs, group, illumination, &mut to_surface);
+                to_point = ray.origin + to_surface.point;
             }
         }
         self.scatter.materials::<L>(&materials, &of_material);
         to_point
-    }
-
-    /// Pulls the cotangent of the ray from the points of a group to a light back to the light; returns
-    /// that of the points.
-    fn pull_shadow_ray(
-        &mut self,
-        index: usize,
-        group: &LaneGroup<L>,
-        lanes: u32,
-        ray: Tangent<Ray<L>>,
-    ) -> Vec3<L> {
-        match &self.integrator.inputs.lights[index] {
-            LightInputs::Known(light) => {
-                let (_, pullback) = shadow_ray::vjp::<L>(*light, group.surface.point);
-                let (cotangent, point) = pullback(ray);
-                self.scatter_light(index, light, &cotangent);
-                point
-            }
-            LightInputs::Custom { .. } => {
-                let illumination =
-                    Tangent::<Illumination<L>> { direction: ray.direction, ..Additive::zero() };
-                let mut point = self.pull_custom_light(index, group, lanes, illumination);
-                point.accumulate(ray.origin);
-                point
-            }
-        }
     }
 }

@@ -77,6 +77,32 @@ impl<S: Number> LightInputs<S> {
             }
         }
     }
+
+    /// The pullback of [`illuminate`](Self::illuminate): returns the cotangent of the point; those of the
+    /// numbers of the light go to `to_number`.
+    #[inline]
+    pub fn pull_illuminate(
+        &self,
+        point: Vec3<S>,
+        cotangent: Tangent<Illumination<S>>,
+        mut to_number: impl FnMut(usize, S),
+    ) -> Vec3<S> {
+        match self {
+            Self::Known(light) => {
+                let (_, pullback) = illuminate::vjp::<S>(*light, point);
+                let (cotangent, point) = &pullback(cotangent);
+                match light {
+                    Light::Point(_) => cotangent.Point.0.visit(&mut to_number),
+                    Light::Distant(_) => cotangent.Distant.0.visit(&mut to_number),
+                }
+                *point
+            }
+            Self::Custom { kernel, numbers, origin } => {
+                let point = point + *origin;
+                kernel.at::<S>().pull_illuminate(numbers, point, cotangent, &mut to_number)
+            }
+        }
+    }
 }
 
 /// A shape of one's own.

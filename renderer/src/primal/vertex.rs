@@ -13,7 +13,7 @@ use crate::counts::count;
 use crate::number::Number;
 use crate::scene::Slot;
 use crate::settings::Pass;
-use crate::transport::direct::{direct, direct_lambertian, reflect};
+use crate::transport::direct::{direct, direct_lambertian};
 use crate::transport::hit::surface_uv;
 use crate::transport::material::Material;
 use crate::transport::texture::{Uv, modulate, modulate_opacity};
@@ -21,6 +21,8 @@ use crate::transport::vertex::outgoing;
 
 /// The textures of a lane group.
 pub struct Textured<S: Number> {
+    /// The materials without their textures.
+    pub plain: Material<S>,
     pub uv: Uv<S>,
     /// By [`Slot`].
     pub lookups: [Option<Lookup<S>>; 4],
@@ -33,10 +35,8 @@ pub struct Vertex<'a, S: Number> {
     wavefront: &'a Wavefront<S>,
     /// The lanes by material.
     pub materials: Coalesced,
-    /// The materials without their textures.
-    pub plain: Material<S>,
     pub textured: Option<Textured<S>>,
-    /// The materials with their textures.
+    /// The materials, with their textures.
     pub material: Material<S>,
     /// A bit for each lane whose material is transparent.
     pub transparent: u32,
@@ -47,7 +47,7 @@ pub struct Vertex<'a, S: Number> {
 
 impl<'a, S: Number> Integrator<'a, S> {
     /// Gathers the inputs of a group; `beyond` is the wavefront of the rays that go on from it.
-    #[inline]
+    #[inline(always)]
     pub fn vertex(
         &self,
         group: &'a LaneGroup<S>,
@@ -56,18 +56,14 @@ impl<'a, S: Number> Integrator<'a, S> {
     ) -> Vertex<'a, S> {
         count(|counts| &counts.shaded, u64::from(group.alive.count_ones()));
         let materials = self.materials(&group.primitives);
-        let plain = self.material(&materials);
-        let textured = self.textured(group, &materials);
+        let mut material = self.material(&materials);
+        let textured = self.textured(group, &materials, &mut material);
         let traits = |(material, _): (usize, u32)| self.layout.materials[material].is_lambertian;
         Vertex {
             integrator: *self,
             group,
             wavefront,
-            plain,
-            material: match &textured {
-                Some(textured) => textured.modulate(plain),
-                None => plain,
-            },
+            material,
             textured,
             transparent: self.transparent_lanes(&materials),
             is_lambertian: materials.iter().all(traits),
@@ -76,8 +72,13 @@ impl<'a, S: Number> Integrator<'a, S> {
         }
     }
 
-    /// The textures of a group, if it has any.
-    fn textured(&self, group: &LaneGroup<S>, materials: &Coalesced) -> Option<Textured<S>> {
+    /// The textures of a group, if it has any; they vary its material.
+    fn textured(
+        &self,
+        group: &LaneGroup<S>,
+        materials: &Coalesced,
+        material: &mut Material<S>,
+    ) -> Option<Textured<S>> {
         let is_textured = |material: usize| self.layout.materials[material].textures.any();
         if self.layout.textures.is_empty() || materials.lanes_where(is_textured) == 0 {
             return None;
@@ -85,17 +86,19 @@ impl<'a, S: Number> Integrator<'a, S> {
         let primitive = self.primitive(group.kind, &group.primitives)?;
         let corners = self.corner_uvs(group.kind, &group.primitives);
         let uv = surface_uv::<S>(primitive, corners, group.surface.point);
-        Some(Textured { uv, lookups: Slot::ALL.map(|slot| self.lookup(slot, materials, uv)) })
+        let lookups = Slot::ALL.map(|slot| self.lookup(slot, materials, uv));
+        let textured = Textured { plain: *material, uv, lookups };
+        textured.modulate(material);
+        Some(textured)
     }
 }
 
 impl<S: Number> Textured<S> {
-    /// A material with the textures.
-    #[inline]
-    fn modulate(&self, mut material: Material<S>) -> Material<S> {
+    /// Varies a material.
+    fn modulate(&self, material: &mut Material<S>) {
         for slot in [Slot::Emission, Slot::Diffuse, Slot::Specular] {
             if let Some(lookup) = &self.lookups[slot as usize] {
-                let color = color_of(&mut material, slot);
+                let color = color_of(material, slot);
                 *color = modulate::<S>(*color, lookup.footprint, self.uv);
             }
         }
@@ -103,7 +106,6 @@ impl<S: Number> Textured<S> {
             material.opacity =
                 modulate_opacity::<S>(material.opacity, lookup.footprint, self.uv);
         }
-        material
     }
 }
 
@@ -167,23 +169,15 @@ impl<'a, S: Number> Vertex<'a, S> {
 
     #[inline(always)]
     fn direct(&self, index: usize, light: &LightInputs<S>) -> Vec3<S> {
-        let (material, surface, visible) =
-            (self.material, self.group.surface, self.visible(index));
-        match (light, self.transmittance(index)) {
+        let (material, surface, visible) = (self.material, self.group.surface, self.visible(index));
+        let light = light.illuminate(surface.point);
+        match self.transmittance(index) {
             // With a constant for the transmittance there is no product.
-            (LightInputs::Known(light), None) if self.is_lambertian => {
-                direct_lambertian::<S>(material.diffuse, surface, *light, visible, S::ONE)
+            None if self.is_lambertian => {
+                direct_lambertian::<S>(material.diffuse, surface, light, visible, S::ONE)
             }
-            (LightInputs::Known(light), None) => {
-                direct::<S>(material, surface, *light, visible, S::ONE)
-            }
-            (LightInputs::Known(light), Some(left)) => {
-                direct::<S>(material, surface, *light, visible, left)
-            }
-            (custom, left) => {
-                let illumination = custom.illuminate(surface.point);
-                reflect::<S>(material, surface, illumination, visible, left.unwrap_or(S::ONE))
-            }
+            None => direct::<S>(material, surface, light, visible, S::ONE),
+            Some(left) => direct::<S>(material, surface, light, visible, left),
         }
     }
 
@@ -193,7 +187,8 @@ impl<'a, S: Number> Vertex<'a, S> {
         match self.goes_on() {
             None => own,
             Some(beyond) => {
-                outgoing::<S>(self.material, S::mask(self.transparent), own, beyond)
+                let Material { opacity, mirror, .. } = self.material;
+                outgoing::<S>(opacity, mirror, S::mask(self.transparent), own, beyond)
             }
         }
     }

@@ -4,8 +4,9 @@ use ad::vector::Vector;
 use ad::{Real, Vec3, differentiable, select};
 
 use super::hit::SurfacePoint;
-use super::light::{Illumination, Light, cosine, illuminate};
+use super::light::Illumination;
 use super::material::{Material, brdf, lambertian_brdf};
+use super::positive_part;
 
 /// The radiance that a surface reflects towards the viewer from one light: the BRDF times the
 /// irradiance times the cosine, where the light is `visible`, times the `transmittance` of transparent
@@ -15,27 +16,13 @@ use super::material::{Material, brdf, lambertian_brdf};
 pub fn direct<S: Real>(
     material: Material<S>,
     surface: SurfacePoint<S>,
-    light: Light<S>,
+    light: Illumination<S>,
     visible: S::Mask,
     transmittance: S,
 ) -> Vec3<S> {
-    let illumination = illuminate::<S>(light, surface.point);
-    reflect::<S>(material, surface, illumination, visible, transmittance)
-}
-
-/// [`direct`] for a known illumination.
-#[differentiable]
-#[inline]
-pub fn reflect<S: Real>(
-    material: Material<S>,
-    surface: SurfacePoint<S>,
-    illumination: Illumination<S>,
-    visible: S::Mask,
-    transmittance: S,
-) -> Vec3<S> {
-    let reflectance = brdf::<S>(material, surface, illumination.direction);
-    let cosine = cosine::<S>(surface.normal, illumination);
-    let radiance = reflectance * illumination.irradiance * (cosine * transmittance);
+    let reflectance = brdf::<S>(material, surface, light.direction);
+    let cosine = cosine::<S>(surface.normal, light.direction);
+    let radiance = reflectance * light.irradiance * (cosine * transmittance);
     select(visible, radiance, Vec3::<S>::ZERO)
 }
 
@@ -44,14 +31,12 @@ pub fn reflect<S: Real>(
 pub fn direct_lambertian<S: Real>(
     diffuse: Vec3<S>,
     surface: SurfacePoint<S>,
-    light: Light<S>,
+    light: Illumination<S>,
     visible: S::Mask,
     transmittance: S,
 ) -> Vec3<S> {
-    let illumination = illuminate::<S>(light, surface.point);
-    let cosine = cosine::<S>(surface.normal, illumination);
-    let radiance =
-        lambertian_brdf::<S>(diffuse) * illumination.irradiance * (cosine * transmittance);
+    let cosine = cosine::<S>(surface.normal, light.direction);
+    let radiance = lambertian_brdf::<S>(diffuse) * light.irradiance * (cosine * transmittance);
     select(visible, radiance, Vec3::<S>::ZERO)
 }
 
@@ -60,4 +45,11 @@ pub fn direct_lambertian<S: Real>(
 #[inline]
 pub fn attenuate<S: Real>(transmittance: S, opacity: S) -> S {
     transmittance * (S::ONE - opacity)
+}
+
+/// The cosine between a normal and the direction of a light, 0 from behind.
+#[differentiable]
+#[inline]
+fn cosine<S: Real>(normal: Vec3<S>, direction: Vec3<S>) -> S {
+    positive_part::<S>(normal.dot(direction))
 }

@@ -3,9 +3,6 @@
 use ad::vector::Vector;
 use ad::{Differentiable, Fields, Real, Vec3, differentiable, select};
 
-use super::camera::Ray;
-use super::positive_part;
-
 /// A light that shines from a point in all directions.
 ///
 /// The irradiance on a surface that faces it at distance `r` is `color * radiant_intensity / r²`. A
@@ -90,19 +87,4 @@ pub fn illuminate_by_distant<S: Real>(light: DistantLight<S>) -> Illumination<S>
         distance: S::ONE / S::ZERO,
         irradiance: light.color * light.irradiance,
     }
-}
-
-/// The ray from a point towards a light.
-#[differentiable]
-#[inline]
-pub fn shadow_ray<S: Real>(light: Light<S>, point: Vec3<S>) -> Ray<S> {
-    Ray { origin: point, direction: illuminate::<S>(light, point).direction }
-}
-
-/// The irradiance on a surface with this normal, divided by that on one which faces the light: the
-/// cosine, 0 from behind.
-#[differentiable]
-#[inline]
-pub fn cosine<S: Real>(normal: Vec3<S>, illumination: Illumination<S>) -> S {
-    positive_part::<S>(normal.dot(illumination.direction))
 }

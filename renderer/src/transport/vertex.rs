@@ -8,21 +8,21 @@ use ad::{Real, Vec3, differentiable, select};
 
 use super::camera::Ray;
 use super::hit::SurfacePoint;
-use super::material::Material;
 
 /// The radiance that leaves a surface towards the viewer: its `own`, and the radiance that comes from
-/// where the ray goes on, `beyond`. A transparent surface covers it by its opacity (the operator
-/// "over" of Porter & Duff 1984), every other one adds what it mirrors of it.
+/// where the ray goes on, `beyond`. A transparent surface covers it by its `opacity` (the operator
+/// "over" of Porter & Duff 1984), every other one adds what it mirrors of it, the part `mirror`.
 #[differentiable]
 #[inline]
 pub fn outgoing<S: Real>(
-    material: Material<S>,
+    opacity: S,
+    mirror: Vec3<S>,
     transparent: S::Mask,
     own: Vec3<S>,
     beyond: Vec3<S>,
 ) -> Vec3<S> {
-    let over = own * material.opacity + beyond * (S::ONE - material.opacity);
-    select(transparent, over, own + material.mirror * beyond)
+    let over = own * opacity + beyond * (S::ONE - opacity);
+    select(transparent, over, own + mirror * beyond)
 }
 
 /// The ray that goes on from a surface.
