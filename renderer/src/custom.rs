@@ -154,12 +154,7 @@ pub(crate) trait ShapeAt<S: Number>: Send + Sync {
         ray: Ray<S>,
     ) -> Intersection<S>;
 
-    fn point(
-        &self,
-        numbers: &[S::Lane],
-        transform: Transform<S>,
-        ray: Ray<S>,
-    ) -> SurfacePoint<S>;
+    fn point(&self, numbers: &[S::Lane], transform: Transform<S>, ray: Ray<S>) -> SurfacePoint<S>;
 
     /// The pullback of [`point`](Self::point).
     fn pull_point(
@@ -215,12 +210,7 @@ where
         placed_intersection::<S, T::With<S>>(gather::<S, T>(numbers), transform, ray)
     }
 
-    fn point(
-        &self,
-        numbers: &[S::Lane],
-        transform: Transform<S>,
-        ray: Ray<S>,
-    ) -> SurfacePoint<S> {
+    fn point(&self, numbers: &[S::Lane], transform: Transform<S>, ray: Ray<S>) -> SurfacePoint<S> {
         placed_point::<S, T::With<S>>(gather::<S, T>(numbers), transform, ray)
     }
 
@@ -296,12 +286,18 @@ impl PartialEq for Evaluators {
     }
 }
 
-/// What evaluates shapes of one type.
-#[derive(Clone, Debug, PartialEq)]
+/// What evaluates shapes of one type. Kernels of one type are equal.
+#[derive(Clone, Debug)]
 pub struct ShapeKernel {
     evaluators: Evaluators,
     pub(crate) fields: &'static [Field],
     bounds: fn(&[f64]) -> (DVec3, DVec3),
+}
+
+impl PartialEq for ShapeKernel {
+    fn eq(&self, other: &Self) -> bool {
+        self.evaluators == other.evaluators
+    }
 }
 
 impl ShapeKernel {
@@ -396,4 +392,16 @@ macro_rules! families {
     };
 }
 
-families!(f32, f32x8, f32x16, f64, f64x8, Dual<f32x16>, Dual<f64x8>, Var);
+families!(
+    f32,
+    f32x8,
+    f32x16,
+    f64,
+    f64x8,
+    Dual<f32>,
+    Dual<f32x8>,
+    Dual<f32x16>,
+    Dual<f64>,
+    Dual<f64x8>,
+    Var
+);

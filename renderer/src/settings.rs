@@ -1,6 +1,6 @@
 //! How a scene is rendered.
 
-use crate::arithmetic::Arithmetic;
+use crate::arithmetic::{Arithmetic, Precision};
 pub use crate::trace::bvh::BuildQuality;
 pub use crate::trace::sampling::{GradientSamples, Samples, Sampling};
 
@@ -19,6 +19,13 @@ pub struct Settings {
     pub sampling: Sampling,
     /// How many mirrors and transparent surfaces a path has at most, if not as many as the scene says.
     pub bounces: Option<u32>,
+}
+
+impl Settings {
+    /// The same, in double precision.
+    pub fn in_double_precision(self) -> Self {
+        Self { arithmetic: Arithmetic::fastest(Precision::F64), ..self }
+    }
 }
 
 /// How it is found which primitive a pixel shows. The images are the same, but for pixels on edges at

@@ -19,9 +19,7 @@ use crate::primal::gather::Lookup;
 use crate::primal::image::mean_radiance;
 use crate::primal::inputs::LightInputs;
 use crate::primal::integrator::Integrator;
-use crate::primal::lanes::{
-    lanes_of_vectors, sum_of_lanes, sum_of_vectors, vectors_of_lanes,
-};
+use crate::primal::lanes::{lanes_of_vectors, sum_of_lanes, sum_of_vectors, vectors_of_lanes};
 use crate::primal::path::Path;
 use crate::primal::vertex::{Textured, Vertex};
 use crate::primal::wavefront::{LaneGroup, TileSample, Wavefront, clear_blocks, samples};
@@ -170,10 +168,10 @@ impl<L: Plain> Chain<'_, L> {
                 let layout = self.integrator.layout;
                 self.pull_radiance(&wavefronts[0], beyond, surfaces, &mut |group, radiance| {
                     let triangles = group.primitives.iter();
-                    let mut corners = triangles.filter_map(|(index, _)| layout.triangles.get(index));
-                    let is_requested = |&vertex: &u32| {
-                        request.vertices.slot(vertex as usize).is_some()
-                    };
+                    let mut corners =
+                        triangles.filter_map(|(index, _)| layout.triangles.get(index));
+                    let is_requested =
+                        |&vertex: &u32| request.vertices.slot(vertex as usize).is_some();
                     let cotangent = respond(group, radiance);
                     cotangent.filter(|_| corners.any(|corners| corners.iter().any(is_requested)))
                 });
@@ -378,12 +376,7 @@ impl<L: Plain> Chain<'_, L> {
     }
 
     /// Adds the cotangents of the texels of a lookup in some lanes.
-    pub(super) fn scatter_texels(
-        &mut self,
-        lookup: &Lookup<L>,
-        lanes: u32,
-        texels: [Vec3<L>; 4],
-    ) {
+    pub(super) fn scatter_texels(&mut self, lookup: &Lookup<L>, lanes: u32, texels: [Vec3<L>; 4]) {
         if self.scatter.request.texels.is_empty() {
             return;
         }
@@ -561,11 +554,12 @@ impl<L: Plain> Chain<'_, L> {
             let (_, index) = integrator.layout.kind_of(primitive);
             let shape = &integrator.inputs.shapes[index];
             let (to, scatter) = (self.scatter.request.shapes[index], &mut self.scatter);
-            let (transform, ray) = shape.pull_point(group.ray, surface, &mut |number, cotangent| {
-                if let Some(to) = to {
-                    scatter.number(to, number, lanes, cotangent);
-                }
-            });
+            let (transform, ray) =
+                shape.pull_point(group.ray, surface, &mut |number, cotangent| {
+                    if let Some(to) = to {
+                        scatter.number(to, number, lanes, cotangent);
+                    }
+                });
             if let Some(to) = to {
                 self.scatter.dense_after::<L, _>(to, shape.numbers.len(), lanes, &transform);
             }

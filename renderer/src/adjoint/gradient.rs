@@ -139,7 +139,8 @@ impl Totals {
     ) {
         for (index, mesh) in scene.meshes.iter().enumerate() {
             let is_requested = request.ids.iter().any(|id| {
-                id.object == Object::Mesh(index) && Transform::<f64>::FIELDS.iter().any(|field| field.name == id.field)
+                id.object == Object::Mesh(index)
+                    && Transform::<f64>::FIELDS.iter().any(|field| field.name == id.field)
             });
             let follows = is_requested && request.transforms[index].is_none();
             if mesh.transform == Transform::IDENTITY && !follows {

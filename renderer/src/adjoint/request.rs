@@ -8,9 +8,7 @@ use super::selection::Selection;
 use crate::primal::path::ZeroWeight;
 use crate::scene::light::with_light;
 use crate::scene::numbers::range_of;
-use crate::scene::{
-    LightSource, Material, Object, ParameterId, Scene, Sphere, Transform,
-};
+use crate::scene::{LightSource, Material, Object, ParameterId, Scene, Sphere, Transform};
 use crate::settings::Pass;
 use crate::trace::layout::Layout;
 
@@ -71,9 +69,8 @@ impl Request {
         };
         request.select_arrays(layout);
         request.select_objects(scene);
-        let is_mirror = |id: &ParameterId| {
-            matches!(id.object, Object::Material(_)) && id.field == "mirror"
-        };
+        let is_mirror =
+            |id: &ParameterId| matches!(id.object, Object::Material(_)) && id.field == "mirror";
         let is_light = |id: &ParameterId| matches!(id.object, Object::Light(_));
         request.zero_weight = ZeroWeight {
             mirrors: layout.pass == Pass::Radiance && ids.iter().any(is_mirror),

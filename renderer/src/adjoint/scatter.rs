@@ -1,6 +1,5 @@
 //! Scatter: from lanes of cotangents to sums in double precision.
 
-use ad::lanes::Lanes;
 use ad::{Additive, Fields, Tangent};
 use glam::DVec3;
 
@@ -129,11 +128,7 @@ impl<'a> Scatter<'a> {
 
     /// Adds the cotangents of materials by material.
     #[inline]
-    pub fn materials<L: Plain>(
-        &mut self,
-        materials: &Coalesced,
-        cotangent: &Tangent<Material<L>>,
-    ) {
+    pub fn materials<L: Plain>(&mut self, materials: &Coalesced, cotangent: &Tangent<Material<L>>) {
         let Self { request, sums, materials: set, .. } = self;
         for (material, lanes) in materials.iter() {
             if let Some(slot) = request.materials.slot(material) {
@@ -144,12 +139,7 @@ impl<'a> Scatter<'a> {
     }
 
     /// Adds the cotangents of a sphere in some lanes.
-    pub fn sphere<L: Plain>(
-        &mut self,
-        sphere: usize,
-        lanes: u32,
-        cotangent: &Tangent<Sphere<L>>,
-    ) {
+    pub fn sphere<L: Plain>(&mut self, sphere: usize, lanes: u32, cotangent: &Tangent<Sphere<L>>) {
         let Self { request, sums, spheres: set, .. } = self;
         if let Some(slot) = request.spheres.slot(sphere) {
             let sum = set.sum(&mut sums.spheres, slot);

@@ -86,8 +86,7 @@ mod tests {
         assert!(!selection.is_whole() && !selection.is_empty());
         let slots: Vec<_> = (0..10).map(|index| selection.slot(index)).collect();
         let (some, none) = (Some::<usize>, None);
-        let expected =
-            [none, none, some(0), some(1), some(2), none, none, some(3), some(4), none];
+        let expected = [none, none, some(0), some(1), some(2), none, none, some(3), some(4), none];
         assert_eq!(slots, expected);
         assert_eq!(selection.slots(2..5), 0..3);
         assert_eq!(selection.slots(7..8), 3..4);

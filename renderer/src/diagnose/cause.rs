@@ -107,7 +107,11 @@ fn non_finite_kernel<L: Plain>(
         let kernel = kernel_of_lane(ray_kernel, group, ray - group.first);
         ray_kernel = "next_ray";
         let primitive = wavefront.hits.primitive[ray] as usize;
-        Some(format!("the kernel `{}` is not, on {}", kernel?, path_of(integrator, scene, primitive)))
+        Some(format!(
+            "the kernel `{}` is not, on {}",
+            kernel?,
+            path_of(integrator, scene, primitive)
+        ))
     })
 }
 

@@ -25,10 +25,7 @@ mod warnings;
 pub use gltf::{GltfFile, load_gltf};
 pub use images::{LoadedImage, check_image_path, load_image, save_exr, save_image, save_png};
 pub use meshes::{MeshFormat, load_mesh};
-pub use model::{
-    DEFAULT_MATERIAL, Mesh, Model, ModelMaps, ModelMaterial, TextureImage, TextureSource,
-    default_material,
-};
+pub use model::{DEFAULT_MATERIAL, Model, ModelMaps, ModelMaterial, TextureImage, TextureSource};
 pub use obj::{load_obj, save_obj};
 #[cfg(feature = "ply")]
 pub use ply::load_ply;

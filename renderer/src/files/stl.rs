@@ -13,9 +13,10 @@ use std::path::Path;
 
 use super::io::read;
 use super::meshes::{MeshBuilder, default_model, file_stem};
-use super::model::{Mesh, Model};
+use super::model::Model;
 use super::warnings::Warnings;
 use crate::Error;
+use crate::scene::Mesh;
 
 /// The bytes of the header of a binary file, with the number of triangles.
 const HEADER: usize = 84;

@@ -1,6 +1,5 @@
 //! Lanes with an index in common.
 
-use ad::lanes::Lanes;
 use ad::{Fields, select};
 use bytemuck::{cast_slice, pod_read_unaligned};
 use wide::{f32x16, u32x16};

@@ -1,6 +1,6 @@
 //! Images, and losses of them.
 
-use ad::vector::{Vector, Vector3};
+use ad::vector::Vector3;
 use ad::{Dual, Vec3};
 use glam::DVec3;
 
@@ -10,7 +10,7 @@ use super::path::{Path, ZeroWeight};
 use super::wavefront::{LaneGroup, TileSample, samples, set_vectors};
 use crate::image::Image;
 use crate::loss::PixelLoss;
-use crate::number::{MAX_LANES, Number, Plain, primal_vector};
+use crate::number::{Number, Plain, primal_vector};
 use crate::trace::bvh::{PACKET_RAYS, PacketVectors, ray_at, rays};
 use crate::trace::tile::{TILE, Tile, fill_strips, for_each_strip};
 
@@ -54,27 +54,11 @@ pub fn render_dual<L: Plain>(
 ) -> (Image, Image) {
     let layout = integrator.layout;
     let (width, height) = (layout.width, layout.height);
-    let black = [[[0.0_f32; 3]; 2]; 1][0];
-    let mut pixels = vec![black; width as usize * height as usize];
+    let mut pixels = vec![[[0.0_f32; 3]; 2]; width as usize * height as usize];
     fill_strips(width, &mut pixels, Path::default, |path, strip, rows| {
         for tile in strip.tiles() {
-            let mut total = [[DVec3::ZERO; 2]; PACKET_RAYS];
-            for sample in samples(&tile, layout.sampling) {
-                visit(integrator, &sample, zero_weight, path, |group, radiance| {
-                    let parts = [
-                        primal_vector::<Dual<L>>(radiance),
-                        derivative_vector::<L>(radiance),
-                    ];
-                    let parts: [[DVec3; MAX_LANES]; 2] = parts.map(vectors_of_lanes::<L>);
-                    for (lane, ray) in group.rays() {
-                        total[ray][0] += parts[0][lane];
-                        total[ray][1] += parts[1][lane];
-                    }
-                });
-            }
-            let count = f64::from(layout.sampling.count());
-            let pixels =
-                by_rows(|ray| total[ray].map(|sum| (sum / count).as_vec3().to_array()));
+            let mean = mean_dual(integrator, &tile, zero_weight, path);
+            let pixels = by_rows(|ray| mean[ray].map(|part| part.as_vec3().to_array()));
             for (row, pixels) in rows.iter_mut().zip(&pixels) {
                 row[strip.columns(&tile)].copy_from_slice(&pixels[..tile.columns]);
             }
@@ -85,6 +69,53 @@ pub fn render_dual<L: Plain>(
         Image { width, height, pixels }
     };
     (image(0), image(1))
+}
+
+/// The loss of the image and its derivative along the direction that the inputs carry.
+pub fn loss_dual<L: Plain>(
+    integrator: Integrator<'_, Dual<L>>,
+    loss: &dyn PixelLoss,
+    zero_weight: ZeroWeight,
+) -> (f64, f64) {
+    let (width, height) = (integrator.layout.width, integrator.layout.height);
+    let strips = for_each_strip(width, height, Path::default, |path, strip| {
+        let (mut sum, mut along) = (0.0, 0.0);
+        for tile in strip.tiles() {
+            let mean = mean_dual(integrator, &tile, zero_weight, path);
+            for ray in rays(tile.rays()) {
+                let (x, y) = tile.pixel(ray);
+                let [radiance, derivative] = mean[ray];
+                let (value, cotangent) = loss.evaluate(x, y, radiance);
+                sum += value;
+                along += cotangent.dot(derivative);
+            }
+        }
+        (sum, along)
+    });
+    strips.into_iter().fold((0.0, 0.0), |(sum, along), (a, b)| (sum + a, along + b))
+}
+
+/// The radiance of the pixels of a tile and its derivative.
+fn mean_dual<L: Plain>(
+    integrator: Integrator<'_, Dual<L>>,
+    tile: &Tile,
+    zero_weight: ZeroWeight,
+    path: &mut Path<Dual<L>>,
+) -> [[DVec3; 2]; PACKET_RAYS] {
+    let mut total = [[DVec3::ZERO; 2]; PACKET_RAYS];
+    let sampling = integrator.layout.sampling;
+    for sample in samples(tile, sampling) {
+        visit(integrator, &sample, zero_weight, path, |group, radiance| {
+            let values = vectors_of_lanes::<L>(primal_vector::<Dual<L>>(radiance));
+            let derivatives = vectors_of_lanes::<L>(derivative_vector::<L>(radiance));
+            for (lane, ray) in group.rays() {
+                total[ray][0] += values[lane];
+                total[ray][1] += derivatives[lane];
+            }
+        });
+    }
+    let count = f64::from(sampling.count());
+    total.map(|parts| parts.map(|sum| sum / count))
 }
 
 fn derivative_vector<L: Plain>(v: Vec3<Dual<L>>) -> Vec3<L> {
@@ -156,6 +187,39 @@ pub fn visit<S: Number>(
         let vertex = integrator.vertex(group, &wavefronts[0], wavefronts.get(1));
         use_radiance(group, vertex.radiance());
     }
+}
+
+/// How many rays there are at each depth, and how many of them hit something.
+#[cfg(feature = "files")]
+pub fn rays_by_depth<L: Plain>(
+    integrator: Integrator<'_, L>,
+    zero_weight: ZeroWeight,
+) -> Vec<(u64, u64)> {
+    let (width, height) = (integrator.layout.width, integrator.layout.height);
+    let depths = integrator.layout.bounces as usize + 1;
+    let strips = for_each_strip(width, height, Path::default, |path, strip| {
+        let mut counts = vec![(0, 0); depths];
+        for tile in strip.tiles() {
+            for sample in samples(&tile, integrator.layout.sampling) {
+                integrator.trace_path(&sample, zero_weight, path);
+                for (wavefront, (rays, hits)) in path.wavefronts().iter().zip(&mut counts) {
+                    let hit = wavefront.groups.iter().map(|group| group.alive.count_ones());
+                    let hit: u64 = hit.map(u64::from).sum();
+                    *rays += hit + u64::from(wavefront.missed.count_ones());
+                    *hits += hit;
+                }
+            }
+        }
+        counts
+    });
+    let mut total = vec![(0, 0); depths];
+    for strip in strips {
+        for ((rays, hits), (more_rays, more_hits)) in total.iter_mut().zip(strip) {
+            *rays += more_rays;
+            *hits += more_hits;
+        }
+    }
+    total
 }
 
 /// Traces the rays of an image from the camera, and those of their shadows if they are wanted, and shades

@@ -63,7 +63,11 @@ impl<W: Real> Varying<W> {
 pub enum LightInputs<S: Number> {
     Known(Light<S>),
     /// Of one's own: the numbers of all its fields.
-    Custom { kernel: EmitterKernel, numbers: Vec<S::Lane>, origin: Vec3<S> },
+    Custom {
+        kernel: EmitterKernel,
+        numbers: Vec<S::Lane>,
+        origin: Vec3<S>,
+    },
 }
 
 impl<S: Number> LightInputs<S> {
@@ -156,12 +160,7 @@ pub struct Inputs<S: Number> {
 
 impl<S: Number> Inputs<S> {
     /// The inputs of a scene, some numbers of which vary.
-    pub fn new(
-        scene: &Scene,
-        pass: Pass,
-        origin: DVec3,
-        varying: &Varying<S::Wide>,
-    ) -> Self {
+    pub fn new(scene: &Scene, pass: Pass, origin: DVec3, varying: &Varying<S::Wide>) -> Self {
         let mut inputs = Self {
             origin,
             frame: CameraFrame::from_fn(&mut |_| S::ZERO),

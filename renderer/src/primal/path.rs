@@ -5,9 +5,7 @@ use ad::lanes::Lanes;
 use super::coalesce::Coalesced;
 use super::integrator::Integrator;
 use super::lanes::vectors_of_lanes;
-use super::wavefront::{
-    LaneGroup, TileSample, Wavefront, blocks, clear_blocks, put, repeated_ray,
-};
+use super::wavefront::{LaneGroup, TileSample, Wavefront, blocks, clear_blocks, put, repeated_ray};
 use crate::counts::count;
 use crate::number::{Number, primal_vector};
 use crate::trace::bvh::{PacketHits, rays};

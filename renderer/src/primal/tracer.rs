@@ -123,8 +123,7 @@ impl<S: Number<Lane: Scalar>> Shapes for Geometry<'_, S> {
         let Inputs { vertices, spheres, .. } = self.inputs;
         match self.layout.kind_of(index as usize) {
             (Kind::Triangle, index) => {
-                let corner =
-                    |vertex: u32| widen::<S::Lane>(vertices[vertex as usize]).as_vec3();
+                let corner = |vertex: u32| widen::<S::Lane>(vertices[vertex as usize]).as_vec3();
                 Shape::Triangle(self.layout.triangles[index].map(corner))
             }
             (Kind::Sphere, index) => {

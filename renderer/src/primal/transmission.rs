@@ -5,9 +5,6 @@
 //! time said that there is something: a scene without transparent materials is rendered as if there
 //! were none. How far light goes through is not limited by the depth of the scene.
 
-use ad::Real;
-use ad::lanes::Lanes;
-
 use super::coalesce::{Coalesced, select_lanes};
 use super::integrator::Integrator;
 use super::lanes::vectors_of_lanes;
@@ -71,10 +68,8 @@ impl<S: Number> Integrator<'_, S> {
             return;
         }
         for light in 0..wavefront.visible.len() {
-            let mut transmission = Transmission {
-                transmittance: vec![S::ONE; blocks::<S>()],
-                crossings: Vec::new(),
-            };
+            let mut transmission =
+                Transmission { transmittance: vec![S::ONE; blocks::<S>()], crossings: Vec::new() };
             if !self.layout.lights[light].is_black || zero_weight.lights {
                 let through = self.transmit(light, wavefront, &mut transmission);
                 wavefront.visible[light] |= through;

@@ -1,7 +1,7 @@
 //! The radiance that leaves the path vertices of a lane group.
 
+use ad::Vec3;
 use ad::vector::Vector;
-use ad::{Real, Vec3};
 
 use super::coalesce::Coalesced;
 use super::gather::Lookup;
@@ -103,8 +103,7 @@ impl<S: Number> Textured<S> {
             }
         }
         if let Some(lookup) = &self.lookups[Slot::Opacity as usize] {
-            material.opacity =
-                modulate_opacity::<S>(material.opacity, lookup.footprint, self.uv);
+            material.opacity = modulate_opacity::<S>(material.opacity, lookup.footprint, self.uv);
         }
     }
 }

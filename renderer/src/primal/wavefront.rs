@@ -164,8 +164,7 @@ impl<S: Number> Integrator<'_, S> {
                 let primitives = Coalesced::new(&hits.primitive, first, alive);
                 let (ray, inside) = (ray(first, alive), lanes(hits.leaves));
                 let surface = self.surface(kind, &primitives, inside, ray);
-                let group =
-                    LaneGroup { first, alive, primitives, kind, inside, ray, surface };
+                let group = LaneGroup { first, alive, primitives, kind, inside, ray, surface };
                 wavefront.groups.push(group);
             }
         }
@@ -237,7 +236,8 @@ pub fn repeated_ray<S: Number>(ray: &Ray<S>, alive: u32) -> Ray<S> {
         return *ray;
     }
     let first = alive.trailing_zeros() as usize;
-    let repeat = |x: S| S::from_each(|lane| x.lane(if alive >> lane & 1 == 1 { lane } else { first }));
+    let repeat =
+        |x: S| S::from_each(|lane| x.lane(if alive >> lane & 1 == 1 { lane } else { first }));
     Ray::from_fn(&mut |index| repeat(ray.number(index)))
 }
 
@@ -254,12 +254,7 @@ pub fn clear_blocks<S: Number, T: Additive>(values: &mut Vec<T>) {
 
 /// Puts lanes of a group into their block.
 #[inline]
-pub fn put<S: Number, T: Fields<S>>(
-    group: &LaneGroup<S>,
-    lanes: u32,
-    value: &T,
-    blocks: &mut [T],
-) {
+pub fn put<S: Number, T: Fields<S>>(group: &LaneGroup<S>, lanes: u32, value: &T, blocks: &mut [T]) {
     let block = &mut blocks[group.block()];
     *block = select_lanes::<S, T>(lanes, value, block);
 }

@@ -1,19 +1,19 @@
 //! A renderer that keeps what it has prepared of a scene.
 
-use ad::lanes::{f32x16, f64x8};
-use ad::{Dual, Real};
+use ad::Dual;
 
 use super::Linear;
 use crate::Error;
 use crate::adjoint::{self, Gradient, LossAndGradient, Request};
-use crate::arithmetic::{Arithmetic, Precision, with_arithmetic};
+use crate::arithmetic::with_arithmetic;
 use crate::diagnose::{self, NonFinite};
 use crate::image::Image;
 use crate::loss::PixelLoss;
 use crate::number::Plain;
-use crate::primal::image::{loss, render_dual, render_into, trace_only};
+use crate::primal::image::{loss, loss_dual, render_dual, render_into, trace_only};
 use crate::primal::inputs::{Inputs, Varying};
 use crate::primal::integrator::Prepared;
+use crate::primal::path::ZeroWeight;
 use crate::scene::{ParameterId, Scene};
 use crate::settings::Settings;
 use crate::trace::sampling::Sampling;
@@ -135,14 +135,19 @@ impl Renderer {
         scene: &Scene,
         direction: &[(ParameterId, Vec<f64>)],
     ) -> Result<(Image, Image), Error> {
-        for (id, numbers) in direction {
-            let count = scene.get(*id).len();
-            if count != numbers.len() {
-                let problem = format!("moves by {} numbers, has {count}", numbers.len());
-                return Err(Error::new(scene.path(*id), problem));
-            }
-        }
+        check_direction(scene, direction)?;
         Ok(self.engine.jvp(scene, direction))
+    }
+
+    /// A loss of the image and its derivative along a direction. `scene` is the one that was last taken
+    /// over; directions have as many numbers as their parameters.
+    pub(crate) fn loss_jvp(
+        &self,
+        scene: &Scene,
+        loss: &dyn PixelLoss,
+        direction: &[(ParameterId, Vec<f64>)],
+    ) -> (f64, f64) {
+        self.engine.loss_jvp(scene, loss, direction)
     }
 
     /// Searches for the pixels whose radiance an image cannot hold, and for the cause at the first of
@@ -179,6 +184,17 @@ impl Renderer {
         self.settings.bounces = bounces;
     }
 
+    /// How many rays there are at each depth, and how many of them hit something: those that a gradient by
+    /// the requested parameters traces.
+    #[cfg(feature = "files")]
+    pub(crate) fn rays_by_depth(
+        &self,
+        scene: &Scene,
+        requested: &[ParameterId],
+    ) -> Vec<(u64, u64)> {
+        self.engine.rays_by_depth(scene, requested)
+    }
+
     /// Traces the camera rays, and those of their shadows if they are wanted, and shades nothing: to
     /// measure it.
     pub fn trace_only(&self, shadows: bool) {
@@ -199,6 +215,12 @@ trait Engine: Send + Sync {
         requested: &[ParameterId],
     ) -> LossAndGradient;
     fn jvp(&self, scene: &Scene, direction: &[(ParameterId, Vec<f64>)]) -> (Image, Image);
+    fn loss_jvp(
+        &self,
+        scene: &Scene,
+        loss: &dyn PixelLoss,
+        direction: &[(ParameterId, Vec<f64>)],
+    ) -> (f64, f64);
     fn find_non_finite(
         &self,
         scene: &Scene,
@@ -212,6 +234,8 @@ trait Engine: Send + Sync {
         found: &NonFinite,
     ) -> LossAndGradient;
     fn resample(&mut self, sampling: Sampling, bounces: Option<u32>);
+    #[cfg(feature = "files")]
+    fn rays_by_depth(&self, scene: &Scene, requested: &[ParameterId]) -> Vec<(u64, u64)>;
     fn trace_only(&self, shadows: bool);
 }
 
@@ -243,19 +267,18 @@ impl<L: Plain> Engine for Prepared<L> {
     }
 
     fn jvp(&self, scene: &Scene, direction: &[(ParameterId, Vec<f64>)]) -> (Image, Image) {
-        // Directions are followed on the widest lanes of the precision alone: it is the faster way for
-        // every image, and a forward pass less to build for each other number of lanes.
-        let precision = self.settings.arithmetic.precision();
-        let arithmetic = Arithmetic::fastest(precision);
-        if self.settings.arithmetic != arithmetic {
-            let settings = Settings { arithmetic, ..self.settings };
-            return Renderer::unchecked(scene, &settings).engine.jvp(scene, direction);
-        }
-        let any: &dyn std::any::Any = self;
-        match precision {
-            Precision::F32 => jvp(any.downcast_ref::<Prepared<f32x16>>(), scene, direction),
-            Precision::F64 => jvp(any.downcast_ref::<Prepared<f64x8>>(), scene, direction),
-        }
+        let (inputs, zero_weight) = moving(self, scene, direction);
+        render_dual(self.with_inputs(&inputs), zero_weight)
+    }
+
+    fn loss_jvp(
+        &self,
+        scene: &Scene,
+        loss: &dyn PixelLoss,
+        direction: &[(ParameterId, Vec<f64>)],
+    ) -> (f64, f64) {
+        let (inputs, zero_weight) = moving(self, scene, direction);
+        loss_dual(self.with_inputs(&inputs), loss, zero_weight)
     }
 
     fn find_non_finite(
@@ -288,20 +311,34 @@ impl<L: Plain> Engine for Prepared<L> {
         }
     }
 
+    #[cfg(feature = "files")]
+    fn rays_by_depth(&self, scene: &Scene, requested: &[ParameterId]) -> Vec<(u64, u64)> {
+        let request = Request::new(scene, &self.layout, requested);
+        crate::primal::image::rays_by_depth(self.integrator(), request.zero_weight)
+    }
+
     fn trace_only(&self, shadows: bool) {
         trace_only(self.integrator(), shadows);
     }
 }
 
-fn jvp<L: Plain>(
-    prepared: Option<&Prepared<L>>,
+fn check_direction(scene: &Scene, direction: &[(ParameterId, Vec<f64>)]) -> Result<(), Error> {
+    for (id, numbers) in direction {
+        let count = scene.get(*id).len();
+        if count != numbers.len() {
+            let problem = format!("moves by {} numbers, has {count}", numbers.len());
+            return Err(Error::new(scene.path(*id), problem));
+        }
+    }
+    Ok(())
+}
+
+/// The inputs of a scene that move along a direction, and what is traced although its weight is zero.
+fn moving<L: Plain>(
+    prepared: &Prepared<L>,
     scene: &Scene,
     direction: &[(ParameterId, Vec<f64>)],
-) -> (Image, Image)
-where
-    Dual<L>: crate::number::Number<Lanes = L, Wide = Dual<f64>>,
-{
-    let prepared = prepared.expect("the arithmetic names the lanes");
+) -> (Inputs<Dual<L>>, ZeroWeight) {
     let ids: Vec<ParameterId> = direction.iter().map(|(id, _)| *id).collect();
     let block = |(id, numbers): &(ParameterId, Vec<f64>)| {
         let values = scene.get(*id);
@@ -309,8 +346,6 @@ where
         (*id, moving.collect())
     };
     let varying = Varying { blocks: direction.iter().map(block).collect() };
-    let (pass, origin) = (prepared.settings.pass, prepared.inputs.origin);
-    let inputs = Inputs::<Dual<L>>::new(scene, pass, origin, &varying);
-    let zero_weight = Request::new(scene, &prepared.layout, &ids).zero_weight;
-    render_dual(prepared.with_inputs(&inputs), zero_weight)
+    let inputs = Inputs::new(scene, prepared.settings.pass, prepared.inputs.origin, &varying);
+    (inputs, Request::new(scene, &prepared.layout, &ids).zero_weight)
 }

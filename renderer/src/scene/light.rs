@@ -2,7 +2,7 @@
 
 use std::borrow::Cow;
 
-use ad::{Field, Fields};
+use ad::Field;
 use glam::DVec3;
 
 use super::numbers::{Numbers, range_of};
@@ -81,6 +81,15 @@ impl Light<f64> {
             }),
         ),
     ];
+
+    /// The name that scene files give its kind.
+    #[cfg(feature = "files")]
+    pub(crate) fn kind(&self) -> &'static str {
+        match self {
+            Self::Point(_) => "point",
+            Self::Distant(_) => "distant",
+        }
+    }
 
     /// The position, if it has one.
     pub fn position(&self) -> Option<DVec3> {

@@ -31,11 +31,7 @@ pub struct Mesh {
 
 impl Mesh {
     /// A mesh whose triangles have the material of index 0.
-    pub fn new(
-        name: impl Into<String>,
-        vertices: Vec<[f64; 3]>,
-        triangles: Vec<[u32; 3]>,
-    ) -> Self {
+    pub fn new(name: impl Into<String>, vertices: Vec<[f64; 3]>, triangles: Vec<[u32; 3]>) -> Self {
         Self {
             name: name.into(),
             vertices,

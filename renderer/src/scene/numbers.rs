@@ -44,8 +44,7 @@ impl<T: Fields<f64>> Numbers for T {
         if let Some(range) = range_of(T::FIELDS, field) {
             let first = range.start + first;
             let changed = |index: usize| index.checked_sub(first).and_then(|i| numbers.get(i));
-            *self =
-                T::from_fn(&mut |i| changed(i).copied().unwrap_or_else(|| self.number(i)));
+            *self = T::from_fn(&mut |i| changed(i).copied().unwrap_or_else(|| self.number(i)));
         }
     }
 }

@@ -241,9 +241,8 @@ impl Scene {
     /// The parameter that a path names, or nothing.
     pub(crate) fn named(&self, path: &str) -> Option<ParameterId> {
         let (kind, rest) = path.split_once('.')?;
-        let field_of = |object: Object, name: &str| {
-            self.parameters_of(object).find(|id| id.field == name)
-        };
+        let field_of =
+            |object: Object, name: &str| self.parameters_of(object).find(|id| id.field == name);
         if kind == Object::Camera.kind() {
             return field_of(Object::Camera, rest);
         }

@@ -123,9 +123,8 @@ const TABLE: &[Row] = &[
 ];
 
 /// Of a field that a shape or a light of one's own has.
-const CUSTOM: Row = slow(moving("", "", NUMBER, |scene, i, numbers| {
-    positive_or(size(scene, i, numbers), 1.0)
-}));
+const CUSTOM: Row =
+    slow(moving("", "", NUMBER, |scene, i, numbers| positive_or(size(scene, i, numbers), 1.0)));
 
 /// The row of a parameter.
 pub(crate) fn row(id: ParameterId) -> &'static Row {
@@ -212,15 +211,24 @@ mod tests {
     use glam::DVec3;
 
     use super::TABLE;
-    use crate::scene::{Camera, DistantLight, Material, Mesh, PointLight, Sphere, Texture, Transform, Wrap};
     use crate::scene::numbers::Numbers;
+    use crate::scene::{
+        Camera, DistantLight, Material, Mesh, PointLight, Sphere, Texture, Transform, Wrap,
+    };
 
     /// Every field of every kind of object has one row, and no row is for nothing.
     #[test]
     fn every_field_has_a_row() {
-        let texture = Texture { name: String::new(), width: 1, height: 1, wrap: Wrap::Repeat, texels: vec![[0.0; 3]] };
+        let texture = Texture {
+            name: String::new(),
+            width: 1,
+            height: 1,
+            wrap: Wrap::Repeat,
+            texels: vec![[0.0; 3]],
+        };
         let mesh = Mesh::new("", vec![], vec![]).texture_coordinates(vec![[0.0; 2]], vec![]);
-        let names = |fields: &[ad::Field]| fields.iter().map(|field| field.name).collect::<Vec<_>>();
+        let names =
+            |fields: &[ad::Field]| fields.iter().map(|field| field.name).collect::<Vec<_>>();
         let _ = DVec3::ZERO;
         let fields = [
             ("camera", names(Camera::<f64>::FIELDS)),
@@ -232,7 +240,8 @@ mod tests {
             ("texture", names(&texture.fields())),
             ("shape", names(Transform::<f64>::FIELDS)),
         ];
-        let expected = fields.iter().flat_map(|(kind, names)| names.iter().map(move |name| (*kind, *name)));
+        let expected =
+            fields.iter().flat_map(|(kind, names)| names.iter().map(move |name| (*kind, *name)));
         let mut expected: Vec<_> = expected.collect();
         let mut rows: Vec<_> = TABLE.iter().map(|row| (row.kind, row.field)).collect();
         rows.sort_unstable();

@@ -85,7 +85,7 @@ pub fn tile_of(width: u32, height: u32, x: u32, y: u32) -> (Tile, usize) {
 }
 
 /// The strips of an image, row by row.
-fn strips(width: u32, height: u32) -> Vec<Strip> {
+pub fn strips(width: u32, height: u32) -> Vec<Strip> {
     let (width, height) = (width as usize, height as usize);
     let rows = (0..height).step_by(TILE);
     let columns = (0..width).step_by(STRIP);
@@ -141,8 +141,8 @@ pub fn fill_strips<T: Send, W>(
 
 #[cfg(test)]
 mod tests {
-    use super::{Strip, fill_strips, for_each_strip};
     use super::bvh::{ray_at, rays, tile_position};
+    use super::{Strip, fill_strips, for_each_strip};
     use crate::image::Image;
 
     fn pixels(strip: Strip) -> Vec<(u32, u32)> {

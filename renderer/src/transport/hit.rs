@@ -1,6 +1,5 @@
 //! Where a ray meets a primitive.
 
-use ad::vector::Vector;
 use ad::{Differentiable, Real, Vec3, differentiable};
 
 use super::camera::Ray;
@@ -43,11 +42,7 @@ pub fn hit<S: Real>(primitive: Primitive<S>, inside: S::Mask, ray: Ray<S>) -> Su
 /// spheres have their own.
 #[differentiable]
 #[inline]
-pub fn surface_uv<S: Real>(
-    primitive: Primitive<S>,
-    corners: [Uv<S>; 3],
-    point: Vec3<S>,
-) -> Uv<S> {
+pub fn surface_uv<S: Real>(primitive: Primitive<S>, corners: [Uv<S>; 3], point: Vec3<S>) -> Uv<S> {
     match primitive {
         Primitive::Triangle(triangle) => triangle_uv::<S>(triangle, corners, point),
         Primitive::Sphere(sphere) => sphere_uv::<S>(sphere, point),

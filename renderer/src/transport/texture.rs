@@ -1,6 +1,6 @@
 //! Textures: the colour of an image at texture coordinates, and what it varies.
 
-use ad::vector::{Vector, Vector3};
+use ad::vector::Vector3;
 use ad::{Differentiable, Fields, Real, Vec3, differentiable};
 
 /// Texture coordinates: `u` goes from the left edge to the right one, `v` from the lower edge to the

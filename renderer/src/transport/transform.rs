@@ -52,11 +52,8 @@ pub fn rotate<S: Real>(rotation: Vec3<S>, v: Vec3<S>) -> Vec3<S> {
     let angle = safe.sqrt();
     let half_sine = (angle * S::HALF).sin();
     let sine = select(small, S::ONE - squared / S::from_f64(6.0), angle.sin() / angle);
-    let versine = select(
-        small,
-        S::HALF - squared / S::from_f64(24.0),
-        S::TWO * half_sine * half_sine / safe,
-    );
+    let versine =
+        select(small, S::HALF - squared / S::from_f64(24.0), S::TWO * half_sine * half_sine / safe);
     let once = r.cross(v);
     v + once * sine + r.cross(once) * versine
 }

@@ -1,12 +1,14 @@
 //! Scene files: TOML, one file for a whole experiment.
 //!
 //! [`format`] is the file as it is written down, [`read`] turns it into an experiment, [`write`] an
-//! experiment into a folder, and [`locate`] finds the line that a message is about.
+//! experiment into a folder, [`numbers`] sets what the table of parameters knows, and [`locate`] finds
+//! the line that a message is about.
 
 mod format;
 mod locate;
 mod materials;
 mod meshes;
+mod numbers;
 mod optimize;
 mod read;
 mod textures;

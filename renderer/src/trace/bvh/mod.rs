@@ -287,8 +287,7 @@ impl Bvh {
             if goes_on { depth_limit } else { -1.0 }
         });
         let ray = (origin, direction, test.scale);
-        let goes_on =
-            goes_on && visit_crossings(&self.spheres, &boxes, ray, limit, &mut visit);
+        let goes_on = goes_on && visit_crossings(&self.spheres, &boxes, ray, limit, &mut visit);
         if goes_on {
             visit_crossings(&self.customs, &boxes, ray, limit, &mut visit);
         }

@@ -9,8 +9,8 @@
 use wide::{f32x8, f32x16};
 
 use super::packet::{GROUPS, Goal, Packet, Rays};
-use super::triangle_test::minor_axes;
 use super::triangle_leaf::TriangleLeaf;
+use super::triangle_test::minor_axes;
 
 /// Half a unit in the last place of 1.
 const ROUNDING: f32 = 0.5 * f32::EPSILON;

@@ -20,12 +20,7 @@ pub trait SingleLeaf: Leaf {
 
     /// The times that a ray goes through the surface before `limit`, which is in lengths of its
     /// direction: for each whether it leaves the primitive.
-    fn crossings(
-        &self,
-        origin: Vec3,
-        direction: Vec3,
-        limit: f32,
-    ) -> impl Iterator<Item = bool>;
+    fn crossings(&self, origin: Vec3, direction: Vec3, limit: f32) -> impl Iterator<Item = bool>;
 }
 
 /// A sphere.
@@ -44,12 +39,7 @@ impl SingleLeaf for SphereLeaf {
         sphere_distance(origin, direction, self.center, self.radius)
     }
 
-    fn crossings(
-        &self,
-        origin: Vec3,
-        direction: Vec3,
-        limit: f32,
-    ) -> impl Iterator<Item = bool> {
+    fn crossings(&self, origin: Vec3, direction: Vec3, limit: f32) -> impl Iterator<Item = bool> {
         let distances = sphere_distances(origin, direction, self.center, self.radius);
         let times = distances.into_iter().flatten().zip([false, true]);
         let is_hit = move |distance: f64| distance > 0.0 && (distance as f32) < limit;
@@ -116,12 +106,7 @@ impl SingleLeaf for CustomLeaf {
         (distance.unwrap_or(f32::INFINITY), false)
     }
 
-    fn crossings(
-        &self,
-        origin: Vec3,
-        direction: Vec3,
-        limit: f32,
-    ) -> impl Iterator<Item = bool> {
+    fn crossings(&self, origin: Vec3, direction: Vec3, limit: f32) -> impl Iterator<Item = bool> {
         (self.distance(origin, direction).0 < limit).then_some(false).into_iter()
     }
 }
