@@ -7,6 +7,7 @@ use ad::Field;
 use super::Problem;
 use super::format::{Numbers, Ordered};
 use crate::scene::numbers::Numbers as NamedNumbers;
+use crate::scene::table;
 
 /// What fields were called that have other names or other units now, by kind of object: the old name,
 /// and what to write.
@@ -27,6 +28,20 @@ const RENAMED: [(&str, &str, &str); 9] = [
     ("sphere", "scale", "of a sphere is its radius"),
 ];
 
+/// A field of lights that stands for their radiant intensity: the power over all directions, W.
+const POWER: &str = "power";
+
+/// The names of the numbers that tables of objects of a kind may hold.
+pub(super) fn names(kind: &str) -> impl Iterator<Item = &'static str> {
+    let power = (kind == "light").then_some(POWER);
+    table::fields(kind).filter(|name| !ARRAYS.contains(name)).chain(power)
+}
+
+/// Whether the numbers of objects of a kind had this name once.
+pub(super) fn was_renamed(kind: &str, name: &str) -> bool {
+    RENAMED.iter().any(|(of, old, _)| (*of, *old) == (kind, name))
+}
+
 /// Sets the numbers of an object, of this kind and at this path, to those of its table.
 pub(super) fn assign(
     object: &mut dyn NamedNumbers,
@@ -35,10 +50,15 @@ pub(super) fn assign(
     numbers: &Ordered<Numbers>,
 ) -> Result<(), Problem> {
     let fields = fields(object);
+    let is_given = |name: &str| numbers.iter().any(|(key, _)| key == name);
+    if kind == "light" && is_given(POWER) && is_given("radiant_intensity") {
+        let problem = "give either power or radiant_intensity, which is power / 4π";
+        return Err(Problem::new(format!("{path}.{POWER}"), problem));
+    }
     for (key, given) in numbers {
         let place = || format!("{path}.{key}");
         let (key, given) = match (kind, key.as_str(), given) {
-            ("light", "power", Numbers::One(power)) => {
+            ("light", POWER, Numbers::One(power)) => {
                 ("radiant_intensity", &Numbers::One(power / (4.0 * PI)))
             }
             (_, key, given) => (key, given),
@@ -48,7 +68,7 @@ pub(super) fn assign(
             let renamed = RENAMED.iter().find(|(of, old, _)| (*of, *old) == (kind, key));
             let problem = match renamed {
                 Some((_, _, now)) => now.to_string(),
-                None => format!("unknown field, expected one of {}", names.join(", ")),
+                None => format!("this {kind} has none; its numbers are {}", names.join(", ")),
             };
             return Err(Problem::new(place(), problem));
         };
