@@ -129,7 +129,7 @@ impl Renderer {
     ///
     /// # Errors
     ///
-    /// If a direction has another number of numbers than its parameter.
+    /// If a direction has another number of numbers than its parameter, or two have numbers in common.
     pub fn jvp(
         &self,
         scene: &Scene,
@@ -139,15 +139,20 @@ impl Renderer {
         Ok(self.engine.jvp(scene, direction))
     }
 
-    /// A loss of the image and its derivative along a direction. `scene` is the one that was last taken
-    /// over; directions have as many numbers as their parameters.
-    pub(crate) fn loss_jvp(
+    /// A loss of the image and its derivative along a direction, in double precision from the radiance on.
+    /// `scene` is the one that was last taken over.
+    ///
+    /// # Errors
+    ///
+    /// As [`jvp`](Self::jvp).
+    pub fn loss_jvp(
         &self,
         scene: &Scene,
         loss: &dyn PixelLoss,
         direction: &[(ParameterId, Vec<f64>)],
-    ) -> (f64, f64) {
-        self.engine.loss_jvp(scene, loss, direction)
+    ) -> Result<(f64, f64), Error> {
+        check_direction(scene, direction)?;
+        Ok(self.engine.loss_jvp(scene, loss, direction))
     }
 
     /// Searches for the pixels whose radiance an image cannot hold, and for the cause at the first of
@@ -323,7 +328,11 @@ impl<L: Plain> Engine for Prepared<L> {
 }
 
 fn check_direction(scene: &Scene, direction: &[(ParameterId, Vec<f64>)]) -> Result<(), Error> {
-    for (id, numbers) in direction {
+    for (index, (id, numbers)) in direction.iter().enumerate() {
+        if let Some((other, _)) = direction[..index].iter().find(|(other, _)| other.overlaps(*id)) {
+            let problem = format!("overlaps {}, which moves too", scene.path(*other));
+            return Err(Error::new(scene.path(*id), problem));
+        }
         let count = scene.get(*id).len();
         if count != numbers.len() {
             let problem = format!("moves by {} numbers, has {count}", numbers.len());
