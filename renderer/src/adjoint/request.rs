@@ -6,11 +6,11 @@ use ad::Fields;
 
 use super::selection::Selection;
 use crate::primal::path::ZeroWeight;
-use crate::scene::light::with_light;
 use crate::scene::numbers::range_of;
 use crate::scene::{LightSource, Material, Object, ParameterId, Scene, Sphere, Transform};
 use crate::settings::Pass;
 use crate::trace::layout::Layout;
+use crate::transport::light::match_light;
 
 /// A bit for each number of a struct.
 pub type Bits = u64;
@@ -120,7 +120,7 @@ impl Request {
                 Object::Camera | Object::Texture(_) => {}
                 Object::Light(light) => {
                     let (fields, len) = match &scene.lights[light].source {
-                        LightSource::Known(known) => with_light!(known, known => fields_of(known)),
+                        LightSource::Known(known) => match_light!(known, known => fields_of(known)),
                         LightSource::Custom { kernel, numbers } => (kernel.fields, numbers.len()),
                     };
                     add(&mut self.lights[light], &mut self.dense, len, bits(fields, field));

@@ -7,7 +7,7 @@ use glam::DVec3;
 
 use super::numbers::{Numbers, range_of};
 use crate::custom::{EmitterFamily, EmitterKernel};
-use crate::transport::light::{DistantLight, Light, PointLight};
+use crate::transport::light::{DistantLight, Light, PointLight, match_light};
 
 /// A light and its name.
 #[derive(Clone, Debug, PartialEq)]
@@ -47,18 +47,6 @@ impl LightSource {
     }
 }
 
-/// Runs `$body` with the struct of the light of a known kind.
-macro_rules! with_light {
-    ($light:expr, $inner:ident => $body:expr) => {
-        match $light {
-            $crate::transport::light::Light::Point($inner) => $body,
-            $crate::transport::light::Light::Distant($inner) => $body,
-        }
-    };
-}
-
-pub(crate) use with_light;
-
 impl Light<f64> {
     /// The kinds by the names that scene files give them, with numbers that are not: what a kind needs
     /// is NaN, what it can do without has its default.
@@ -91,14 +79,6 @@ impl Light<f64> {
         }
     }
 
-    /// The position, if it has one.
-    pub fn position(&self) -> Option<DVec3> {
-        match self {
-            Self::Point(light) => Some(light.position),
-            Self::Distant(_) => None,
-        }
-    }
-
     /// Whether the light sends nothing.
     pub fn is_black(&self) -> bool {
         let radiance = match self {
@@ -124,14 +104,14 @@ impl From<DistantLight<f64>> for Light<f64> {
 impl Numbers for LightObject {
     fn fields(&self) -> Vec<Field> {
         match &self.source {
-            LightSource::Known(light) => with_light!(light, light => Numbers::fields(light)),
+            LightSource::Known(light) => match_light!(light, light => Numbers::fields(light)),
             LightSource::Custom { kernel, .. } => kernel.fields.to_vec(),
         }
     }
 
     fn get(&self, field: &str) -> Option<Cow<'_, [f64]>> {
         match &self.source {
-            LightSource::Known(light) => with_light!(light, light => Numbers::get(light, field)),
+            LightSource::Known(light) => match_light!(light, light => Numbers::get(light, field)),
             LightSource::Custom { kernel, numbers } => {
                 Some(Cow::Borrowed(&numbers[range_of(kernel.fields, field)?]))
             }
@@ -141,7 +121,7 @@ impl Numbers for LightObject {
     fn set(&mut self, field: &str, first: usize, new: &[f64]) {
         match &mut self.source {
             LightSource::Known(light) => {
-                with_light!(light, light => Numbers::set(light, field, first, new));
+                match_light!(light, light => Numbers::set(light, field, first, new));
             }
             LightSource::Custom { kernel, numbers } => {
                 if let Some(range) = range_of(kernel.fields, field) {

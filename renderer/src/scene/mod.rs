@@ -27,7 +27,7 @@
 //! nothing ties together), and numbers behind shared references (a scene is cloned to be varied).
 
 mod framing;
-pub(crate) mod light;
+mod light;
 mod lookup;
 mod material;
 mod mesh;

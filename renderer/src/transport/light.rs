@@ -41,6 +41,50 @@ pub enum Light<S: Real> {
     Distant(DistantLight<S>),
 }
 
+/// Matches on the kind of a light: `$body` sees the struct as `$inner` and the constructor of its variant
+/// as `Variant`; with a cotangent of the light, the part of it that belongs to the struct as `$part`.
+macro_rules! match_light {
+    (@kind $variant:ident, $light:ident, $inner:ident $(, $cotangent:expr, $part:ident)? => $body:expr) => {{
+        #[allow(unused_imports)]
+        use $crate::transport::light::Light::$variant as Variant;
+        let $inner = $light;
+        $(let $part = &$cotangent.$variant.0;)?
+        $body
+    }};
+    ($light:expr, $($rest:tt)*) => {
+        match $light {
+            $crate::transport::light::Light::Point(light) => {
+                match_light!(@kind Point, light, $($rest)*)
+            }
+            $crate::transport::light::Light::Distant(light) => {
+                match_light!(@kind Distant, light, $($rest)*)
+            }
+        }
+    };
+}
+
+pub(crate) use match_light;
+
+impl<S: Real> Light<S> {
+    /// The light as it is seen from an origin.
+    pub(crate) fn relative_to(self, origin: Vec3<S>) -> Self {
+        match self {
+            Self::Point(light) => {
+                Self::Point(PointLight { position: light.position - origin, ..light })
+            }
+            Self::Distant(_) => self,
+        }
+    }
+
+    /// The position, if it has one from which all its rays start.
+    pub(crate) fn position(&self) -> Option<Vec3<S>> {
+        match self {
+            Self::Point(light) => Some(light.position),
+            Self::Distant(_) => None,
+        }
+    }
+}
+
 /// The light that arrives at a point from one direction.
 #[derive(Clone, Copy, Debug, Differentiable)]
 pub struct Illumination<S: Real> {
