@@ -6,7 +6,7 @@
 
 use glam::DVec3;
 
-use super::{Light, LightSource, Mesh, Object, ParameterId, Scene};
+use super::{LightSource, Mesh, Object, ParameterId, Scene};
 
 /// Lengths and coordinates beyond this overflow when an `f32` squares them.
 const LARGEST_LENGTH: f64 = 1e18;
@@ -185,12 +185,11 @@ fn view_height(scene: &Scene) -> f64 {
 /// The distance of a light from the point that the camera looks at.
 fn light_distance(scene: &Scene, light: usize) -> f64 {
     let view = scene.view_distance();
-    match &scene.lights[light].source {
-        LightSource::Known(Light::Point(light)) => {
-            positive_or(light.position.distance(scene.camera.look_at), view)
-        }
-        _ => view,
-    }
+    let position = match &scene.lights[light].source {
+        LightSource::Known(light) => light.position(),
+        LightSource::Custom { .. } => None,
+    };
+    position.map_or(view, |position| positive_or(position.distance(scene.camera.look_at), view))
 }
 
 fn positive_or(size: f64, other: f64) -> f64 {

@@ -118,6 +118,8 @@ entries! {
     LightEntry {
         name: Option<String>,
         "type" kind: Option<String>,
+        /// Of a point light, in place of its radiant intensity: W.
+        power: Option<f64>,
     }
 
     MeshEntry {

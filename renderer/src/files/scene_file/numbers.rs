@@ -1,7 +1,5 @@
 //! The numbers of the objects of a scene file: the table of parameters says which there are.
 
-use std::f64::consts::PI;
-
 use ad::Field;
 
 use super::Problem;
@@ -37,15 +35,9 @@ pub(super) fn assign(
     let fields = fields(object);
     for (key, given) in numbers {
         let place = || format!("{path}.{key}");
-        let (key, given) = match (kind, key.as_str(), given) {
-            ("light", "power", Numbers::One(power)) => {
-                ("radiant_intensity", &Numbers::One(power / (4.0 * PI)))
-            }
-            (_, key, given) => (key, given),
-        };
         let Some(field) = fields.iter().find(|field| field.name == key) else {
             let names: Vec<&str> = fields.iter().map(|field| field.name).collect();
-            let renamed = RENAMED.iter().find(|(of, old, _)| (*of, *old) == (kind, key));
+            let renamed = RENAMED.iter().find(|(of, old, _)| (*of, *old) == (kind, key.as_str()));
             let problem = match renamed {
                 Some((_, _, now)) => now.to_string(),
                 None => format!("unknown field, expected one of {}", names.join(", ")),

@@ -88,7 +88,8 @@ fn lights(scene: &Scene) -> Vec<LightEntry> {
             LightSource::Known(light) => Some(light.kind().to_owned()),
             LightSource::Custom { .. } => None,
         };
-        LightEntry { name: Some(light.name.clone()), kind, numbers: numbers::of(light) }
+        let name = Some(light.name.clone());
+        LightEntry { name, kind, power: None, numbers: numbers::of(light) }
     };
     scene.lights.iter().map(entry).collect()
 }
