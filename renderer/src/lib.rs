@@ -74,8 +74,5 @@ pub use render::{
     Gradient, LossAndGradient, NonFinite, Renderer, loss_and_gradient, render, render_jvp,
     render_vjp,
 };
-pub use scene::{
-    Camera, DistantLight, Light, Material, MaterialObject, Mesh, ParameterId, PointLight, Scene,
-    Sphere, SphereObject, Texture, Transform,
-};
+pub use scene::*;
 pub use settings::{Pass, PrimaryVisibility, Samples, Sampling, Settings};
