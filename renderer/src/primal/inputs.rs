@@ -314,9 +314,7 @@ pub fn lights<S: Number>(
             LightSource::Known(light) => {
                 let light = match_light!(light, light => Variant(varying.lift(object, light)));
                 let light = light.relative_to(origin);
-                LightInputs::Known(
-                    match_light!(light, light => Variant(in_lanes::<S, _>(&light))),
-                )
+                LightInputs::Known(match_light!(light, light => Variant(in_lanes::<S, _>(&light))))
             }
             LightSource::Custom { kernel, numbers } => LightInputs::Custom {
                 kernel: kernel.clone(),
