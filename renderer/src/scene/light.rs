@@ -7,7 +7,7 @@ use glam::DVec3;
 
 use super::numbers::{Numbers, range_of};
 use crate::custom::{EmitterFamily, EmitterKernel};
-use crate::transport::light::{DistantLight, Light, PointLight, match_light};
+use crate::transport::light::{DistantLight, Light, PointLight, SpotLight, match_light};
 
 /// A light and its name.
 #[derive(Clone, Debug, PartialEq)]
@@ -51,7 +51,7 @@ impl Light<f64> {
     /// The kinds by the names that scene files give them, with numbers that are not: what a kind needs
     /// is NaN, what it can do without has its default.
     #[cfg(feature = "files")]
-    pub(crate) const KINDS: [(&'static str, Self); 2] = [
+    pub(crate) const KINDS: [(&'static str, Self); 3] = [
         (
             "point",
             Self::Point(PointLight {
@@ -68,6 +68,17 @@ impl Light<f64> {
                 irradiance: f64::NAN,
             }),
         ),
+        (
+            "spot",
+            Self::Spot(SpotLight {
+                position: DVec3::NAN,
+                direction: DVec3::NAN,
+                color: DVec3::ONE,
+                radiant_intensity: f64::NAN,
+                inner_angle: 0.0,
+                outer_angle: 45.0,
+            }),
+        ),
     ];
 
     /// The name that scene files give its kind.
@@ -76,6 +87,7 @@ impl Light<f64> {
         match self {
             Self::Point(_) => "point",
             Self::Distant(_) => "distant",
+            Self::Spot(_) => "spot",
         }
     }
 
@@ -84,6 +96,7 @@ impl Light<f64> {
         let radiance = match self {
             Self::Point(light) => light.color * light.radiant_intensity,
             Self::Distant(light) => light.color * light.irradiance,
+            Self::Spot(light) => light.color * light.radiant_intensity,
         };
         radiance == DVec3::ZERO
     }
@@ -98,6 +111,12 @@ impl From<PointLight<f64>> for Light<f64> {
 impl From<DistantLight<f64>> for Light<f64> {
     fn from(light: DistantLight<f64>) -> Self {
         Self::Distant(light)
+    }
+}
+
+impl From<SpotLight<f64>> for Light<f64> {
+    fn from(light: SpotLight<f64>) -> Self {
+        Self::Spot(light)
     }
 }
 

@@ -42,7 +42,7 @@ mod validate;
 use glam::DVec3;
 
 pub use crate::transport::camera::Camera;
-pub use crate::transport::light::{DistantLight, Light, PointLight};
+pub use crate::transport::light::{DistantLight, Light, PointLight, SpotLight};
 pub use crate::transport::material::Material;
 pub use crate::transport::sphere::Sphere;
 pub use crate::transport::transform::Transform;
@@ -98,7 +98,7 @@ impl Scene {
         }
     }
 
-    /// Adds a point or a distant light; returns its index.
+    /// Adds a light; returns its index.
     ///
     /// # Errors
     ///

@@ -24,6 +24,7 @@ const LENGTH: (f64, f64) = (-LARGEST_LENGTH, LARGEST_LENGTH);
 const EXTENT: (f64, f64) = (SMALLEST_LENGTH, LARGEST_LENGTH);
 const ENERGY: (f64, f64) = (0.0, LARGEST_NUMBER);
 const PART: (f64, f64) = (0.0, 1.0);
+const CONE: (f64, f64) = (0.0, 90.0);
 const NUMBER: (f64, f64) = (-LARGEST_NUMBER, LARGEST_NUMBER);
 
 /// What is known of a field of a kind of object.
@@ -98,6 +99,8 @@ const TABLE: &[Row] = &[
         size(scene, i, numbers).max(light_distance(scene, i).powi(2))
     }),
     smooth("light", "irradiance", ENERGY, |scene, i, numbers| size(scene, i, numbers).max(1.0)),
+    smooth("light", "inner_angle", CONE, degrees),
+    smooth("light", "outer_angle", CONE, degrees),
     smooth("material", "emission", ENERGY, one),
     albedo("diffuse"),
     albedo("specular"),
@@ -207,12 +210,12 @@ fn mean_edge(mesh: &Mesh) -> f64 {
 #[cfg(test)]
 mod tests {
     use ad::Fields;
-    use glam::DVec3;
 
     use super::TABLE;
     use crate::scene::numbers::Numbers;
     use crate::scene::{
-        Camera, DistantLight, Material, Mesh, PointLight, Sphere, Texture, Transform, Wrap,
+        Camera, DistantLight, Material, Mesh, PointLight, Sphere, SpotLight, Texture, Transform,
+        Wrap,
     };
 
     /// Every field of every kind of object has one row, and no row is for nothing.
@@ -228,11 +231,11 @@ mod tests {
         let mesh = Mesh::new("", vec![], vec![]).texture_coordinates(vec![[0.0; 2]], vec![]);
         let names =
             |fields: &[ad::Field]| fields.iter().map(|field| field.name).collect::<Vec<_>>();
-        let _ = DVec3::ZERO;
         let fields = [
             ("camera", names(Camera::<f64>::FIELDS)),
             ("light", names(PointLight::<f64>::FIELDS)),
             ("light", names(DistantLight::<f64>::FIELDS)),
+            ("light", names(SpotLight::<f64>::FIELDS)),
             ("material", names(Material::<f64>::FIELDS)),
             ("sphere", names(Sphere::<f64>::FIELDS)),
             ("mesh", names(&mesh.fields())),
