@@ -245,7 +245,7 @@ impl Definition {
             specular,
             exponent: self.exponent.unwrap_or(default.exponent),
             mirror: if self.is_mirror() { specular } else { default.mirror },
-            opacity: default.opacity,
+            ..default
         });
         if let Some(opacity) = self.reduced_opacity() {
             material = material.with_opacity(opacity);
