@@ -9,6 +9,7 @@ use crate::number::{Number, Plain};
 use crate::scene::Scene;
 use crate::settings::Settings;
 use crate::trace::layout::Layout;
+use crate::transport::material::Lobes;
 
 /// What computes radiance along paths: a scene at the scalar `S`. Passes at other scalars trace the same
 /// rays, so layout and tracer are shared.
@@ -18,6 +19,26 @@ pub struct Integrator<'a, S: Number> {
     pub inputs: &'a Inputs<S>,
     /// Twice the columns and the rows of the rays of a packet, within their tile, by groups of lanes.
     pub film_offsets: &'a [(S::Lanes, S::Lanes)],
+    pub zero_weight: ZeroWeight,
+}
+
+/// What is computed although its weight is zero: the value is zero, the derivative with respect to the
+/// weight is not.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct ZeroWeight {
+    /// Every opaque material counts as a mirror.
+    pub mirrors: bool,
+    /// Lights that send nothing cast shadows.
+    pub lights: bool,
+    /// Every material has these.
+    pub lobes: Lobes,
+}
+
+impl<'a, S: Number> Integrator<'a, S> {
+    /// The same, computing also what has these weights of zero.
+    pub fn with_zero_weight(self, zero_weight: ZeroWeight) -> Self {
+        Self { zero_weight, ..self }
+    }
 }
 
 impl<S: Number> Clone for Integrator<'_, S> {
@@ -59,7 +80,7 @@ impl<L: Plain> Prepared<L> {
         inputs: &'a Inputs<S>,
     ) -> Integrator<'a, S> {
         let Self { layout, tracer, film_offsets, .. } = self;
-        Integrator { layout, tracer, inputs, film_offsets }
+        Integrator { layout, tracer, inputs, film_offsets, zero_weight: ZeroWeight::default() }
     }
 
     /// Takes over the numbers of the scene, whose objects have stayed. If geometry has moved, the

@@ -8,7 +8,6 @@
 use super::coalesce::{Coalesced, select_lanes};
 use super::integrator::Integrator;
 use super::lanes::vectors_of_lanes;
-use super::path::ZeroWeight;
 use super::wavefront::{LaneGroup, Wavefront, blocks};
 use crate::counts::count;
 use crate::number::{MAX_LANES, Number};
@@ -62,7 +61,7 @@ impl<S: Number> Transmission<S> {
 impl<S: Number> Integrator<'_, S> {
     /// Adds to the visibility masks of a wavefront the rays that end where lights shine through
     /// transparent surfaces.
-    pub fn trace_transmissions(&self, zero_weight: ZeroWeight, wavefront: &mut Wavefront<S>) {
+    pub fn trace_transmissions(&self, wavefront: &mut Wavefront<S>) {
         wavefront.transmissions.clear();
         if !self.layout.has_transparency {
             return;
@@ -70,7 +69,7 @@ impl<S: Number> Integrator<'_, S> {
         for light in 0..wavefront.visible.len() {
             let mut transmission =
                 Transmission { transmittance: vec![S::ONE; blocks::<S>()], crossings: Vec::new() };
-            if !self.layout.lights[light].is_black || zero_weight.lights {
+            if !self.layout.lights[light].is_black || self.zero_weight.lights {
                 let through = self.transmit(light, wavefront, &mut transmission);
                 wavefront.visible[light] |= through;
             }

@@ -1,4 +1,4 @@
-//! The Blinn-Phong material, and the light it reflects.
+//! The material, diffuse below a Blinn-Phong highlight, and the light it reflects.
 
 use std::f64::consts::FRAC_1_PI;
 
@@ -8,7 +8,7 @@ use ad::{Differentiable, Fields, Real, Vec3, differentiable};
 use super::hit::SurfacePoint;
 use super::positive_part;
 
-/// A Blinn-Phong material; colours are linear RGB.
+/// A diffuse material with a Blinn-Phong highlight; colours are linear RGB.
 #[derive(Clone, Copy, Debug, PartialEq, Differentiable, Fields)]
 pub struct Material<S: Real> {
     /// The radiance that the surface emits.
@@ -27,6 +27,11 @@ pub struct Material<S: Real> {
 }
 
 impl Material<f64> {
+    /// The lobes that its BRDF has.
+    pub(crate) fn lobes(&self) -> Lobes {
+        Lobes { glossy: self.specular != glam::DVec3::ZERO }
+    }
+
     /// An opaque Lambertian material.
     pub fn lambertian(albedo: glam::DVec3) -> Self {
         Self {
@@ -47,9 +52,23 @@ impl Default for Material<f64> {
     }
 }
 
-/// The BRDF of a material for light from `direction`, a unit vector:
-/// `(diffuse + specular * max(n · h, 0)^exponent) / π`, where `h` is the direction half-way between
-/// light and viewer (Blinn 1977).
+/// What BRDFs have beside Lambert's; the other terms are not computed.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Differentiable)]
+pub struct Lobes {
+    /// A highlight.
+    pub glossy: bool,
+}
+
+impl Lobes {
+    /// Those that any of two has.
+    pub(crate) fn union(self, other: Self) -> Self {
+        Self { glossy: self.glossy | other.glossy }
+    }
+}
+
+/// The BRDF of a material for light from `direction`, a unit vector: its diffuse part, and
+/// `specular / π * max(n · h, 0)^exponent`, where `h` is the direction half-way between light and viewer
+/// (Blinn 1977). `lobes` holds those of all lanes.
 ///
 /// The highlight is not normalised, as in RayTracer.jl: `exponent` changes its energy. Unlike there,
 /// both parts are multiplied by the cosine of the light, so that the highlight fades towards the shadow
@@ -58,18 +77,15 @@ impl Default for Material<f64> {
 #[inline]
 pub fn brdf<S: Real>(
     material: Material<S>,
+    lobes: Lobes,
     surface: SurfacePoint<S>,
     direction: Vec3<S>,
 ) -> Vec3<S> {
-    let half_way = (direction + surface.view).normalize_or_zero();
-    let alignment = positive_part::<S>(surface.normal.dot(half_way));
-    let highlight = alignment.powf(material.exponent);
-    (material.diffuse + material.specular * highlight) * S::from_f64(FRAC_1_PI)
-}
-
-/// The BRDF of a material without highlight.
-#[differentiable]
-#[inline]
-pub fn lambertian_brdf<S: Real>(diffuse: Vec3<S>) -> Vec3<S> {
-    diffuse * S::from_f64(FRAC_1_PI)
+    let mut reflectance = material.diffuse;
+    if lobes.glossy {
+        let half_way = (direction + surface.view).normalize_or_zero();
+        let alignment = positive_part::<S>(surface.normal.dot(half_way));
+        reflectance = reflectance + material.specular * alignment.powf(material.exponent);
+    }
+    reflectance * S::from_f64(FRAC_1_PI)
 }
