@@ -77,7 +77,7 @@ impl Request {
         request.zero_weight = ZeroWeight {
             mirrors: layout.pass == Pass::Radiance && of_material("mirror"),
             lights: ids.iter().any(is_light),
-            lobes: Lobes { glossy: of_material("specular") },
+            lobes: Lobes { rough: of_material("roughness"), glossy: of_material("specular") },
         };
         request
     }

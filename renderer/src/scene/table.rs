@@ -103,6 +103,7 @@ const TABLE: &[Row] = &[
     smooth("light", "outer_angle", CONE, degrees),
     smooth("material", "emission", ENERGY, one),
     albedo("diffuse"),
+    smooth("material", "roughness", PART, one),
     albedo("specular"),
     smooth("material", "exponent", (0.0, LARGEST_EXPONENT), |scene, i, numbers| {
         size(scene, i, numbers).max(10.0)
