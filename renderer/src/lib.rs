@@ -28,8 +28,6 @@
 pub mod accuracy;
 mod adjoint;
 pub mod arithmetic;
-#[cfg(feature = "files")]
-pub mod atomic_file;
 #[cfg(feature = "cli")]
 pub mod cli;
 pub mod counts;
@@ -37,6 +35,8 @@ pub mod custom;
 #[cfg(feature = "files")]
 pub mod demo;
 mod diagnose;
+#[cfg(feature = "files")]
+mod disk;
 pub mod display;
 mod error;
 #[cfg(feature = "files")]
@@ -67,7 +67,7 @@ pub mod transport;
 pub use glam;
 
 pub use arithmetic::{Arithmetic, Precision};
-pub use error::Error;
+pub use error::{Error, ErrorKind};
 pub use image::Image;
 pub use loss::{ImageLoss, LossKind, PixelLoss};
 pub use render::{

@@ -2,6 +2,7 @@
 
 use std::fmt::Display;
 use std::io::{self, ErrorKind, Write};
+use std::path::Path;
 
 use serde_json::Value;
 
@@ -14,7 +15,7 @@ use crate::files::Warning;
 pub(super) fn print(text: impl Display) -> Result<(), Error> {
     match writeln!(io::stdout().lock(), "{text}") {
         Err(error) if error.kind() != ErrorKind::BrokenPipe => {
-            Err(Error::new("standard output", error))
+            Err(Error::io(Path::new("standard output"), error.to_string(), error))
         }
         _ => Ok(()),
     }

@@ -7,7 +7,6 @@
 #[cfg(feature = "gltf")]
 mod gltf;
 pub mod images;
-mod io;
 mod meshes;
 mod model;
 mod names;

@@ -14,11 +14,11 @@ use std::path::Path;
 
 use glam::DVec3;
 
-use super::io::read;
 use super::meshes::{MeshBuilder, default_model, file_stem, triangulate};
 use super::model::Model;
 use super::warnings::Warnings;
 use crate::Error;
+use crate::disk::read;
 use header::{Element, Header, Kind};
 use source::Source;
 

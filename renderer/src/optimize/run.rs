@@ -105,7 +105,7 @@ impl<'a> Optimization<'a> {
         let State { best, last, history, trajectory, evaluations, seconds, .. } = self.state;
         let (Some(best), Some(last)) = (best, last) else {
             // Nothing was evaluated, and the only reason for that is the initial point.
-            return Err(Error::new("optimize", stop.detail));
+            return Err(Error::not_finite("optimize", stop.detail));
         };
         let trajectory = trajectory.finish(&last);
         let start = self.start;

@@ -21,8 +21,8 @@ mod texture_tests;
 
 use std::path::Path;
 
-use super::io::read as read_bytes;
 use crate::Error;
+use crate::disk::read as read_bytes;
 use crate::experiment::Experiment;
 use crate::scene::Invalid;
 use locate::Locator;
