@@ -1,5 +1,6 @@
 //! The one error that bad input leads to.
 
+#[cfg(feature = "files")]
 use std::path::Path;
 use std::sync::Arc;
 use std::{fmt, io};

@@ -141,14 +141,19 @@ impl Renderer {
     }
 
     /// A loss of the image and its derivative along a direction. `scene` is the one that was last taken
-    /// over; directions have as many numbers as their parameters.
-    pub(crate) fn loss_jvp(
+    /// over.
+    ///
+    /// # Errors
+    ///
+    /// If a direction has another number of numbers than its parameter.
+    pub fn loss_jvp(
         &self,
         scene: &Scene,
         loss: &dyn PixelLoss,
         direction: &[(ParameterId, Vec<f64>)],
-    ) -> (f64, f64) {
-        self.engine.loss_jvp(scene, loss, direction)
+    ) -> Result<(f64, f64), Error> {
+        check_direction(scene, direction)?;
+        Ok(self.engine.loss_jvp(scene, loss, direction))
     }
 
     /// Searches for the pixels whose radiance an image cannot hold, and for the cause at the first of

@@ -54,6 +54,7 @@ pub use shape::ShapeObject;
 pub use sphere::SphereObject;
 pub use texture::{Texture, Wrap};
 pub use validate::Invalid;
+#[cfg(feature = "files")]
 pub(crate) use validate::MOST_PIXELS;
 
 use crate::Error;

@@ -191,6 +191,7 @@ impl Scene {
 
     /// Replaces the numbers of several parameters, one after the other in `values`, without checking
     /// them.
+    #[cfg(feature = "files")]
     pub(crate) fn assign_all(&mut self, ids: &[ParameterId], mut values: &[f64]) {
         for &id in ids {
             let (numbers, rest) = values.split_at(self.get(id).len());

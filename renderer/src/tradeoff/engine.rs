@@ -230,7 +230,8 @@ impl Engine for Forward<'_> {
                 block
             });
             let direction: Vec<_> = direction.collect();
-            self.renderer.loss_jvp(scene, &loss, &direction).1
+            let moved = self.renderer.loss_jvp(scene, &loss, &direction);
+            moved.expect("each direction has the size of its parameter").1
         };
         self.elements.iter().map(derivative).collect()
     }
