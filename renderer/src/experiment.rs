@@ -19,10 +19,25 @@
 //!
 //! [[light]]
 //! name = "key"
-//! type = "point"              # or "distant", with a direction (towards the light) and an irradiance (W/m²)
+//! type = "point"              # or "distant", or "spot": see below
 //! position = [3.0, 5.0, 5.0]
 //! color = [1.0, 1.0, 1.0]     # the default
 //! radiant_intensity = 225.0   # W/sr; or power, in W, over all directions
+//!
+//! [[light]]
+//! name = "sun"
+//! type = "distant"
+//! direction = [0.3, 1.0, 0.2] # towards the light
+//! irradiance = 2.0            # on a surface that faces it, W/m²
+//!
+//! [[light]]
+//! name = "stage"
+//! type = "spot"
+//! position = [0.0, 6.0, 0.0]
+//! direction = [0.0, -1.0, 0.2] # in which it shines
+//! radiant_intensity = 90.0    # within the inner angle
+//! inner_angle = 0.0           # the default: from the axis, where the fall-off begins
+//! outer_angle = 45.0          # the default: where it is dark
 //!
 //! [[mesh]]
 //! path = "tree.obj"           # or .ply, .stl, .gltf, .glb (of which only the meshes are taken)
@@ -41,6 +56,7 @@
 //! [material.bark]             # a new material, or changes to one that a mesh brings along
 //! emission = [0.0, 0.0, 0.0]  # the defaults of a new one; radiance
 //! diffuse = [0.7, 0.7, 0.7]
+//! roughness = 0.0             # of the diffuse part, up to 1: dust, plaster, clay
 //! specular = [0.0, 0.0, 0.0]
 //! exponent = 1.0
 //! mirror = [0.0, 0.0, 0.0]    # above 0: a mirror

@@ -4,7 +4,7 @@
 //! Objects refer to materials and textures by index; [`add_material`](Scene::add_material) and its
 //! siblings return the index and check what they add. Every block of numbers that may vary is a
 //! parameter with a [path](ParameterId) such as `light.key.position`; what is known of parameters, their
-//! ranges and natural scales and whether they move edges, stands in one [table](table).
+//! ranges and natural scales and whether they move edges, stands in one table, `scene/table.rs`.
 //!
 //! ```
 //! use glam::DVec3;

@@ -5,7 +5,7 @@
 //! gives what a [`light`] makes the surface reflect; [`vertex`] puts together what leaves a path vertex
 //! and the ray to the next one. [`transform`] places geometry in the world.
 //!
-//! Every function is `#[differentiable]` and generic over `S:` [`Real`](ad::Real), so one source runs at
+//! Every function is `#[differentiable]` and generic over `S:` [`Real`], so one source runs at
 //! `f32`, `f64`, on SIMD lanes, dual numbers, a tape, and in extended precision, and its pullback is
 //! generated. Functions choose with `select`, `max` and `min` instead of `if`, because lanes may differ.
 //! There are no images, indices or scenes here: which primitive a ray hits, and whether a light is
