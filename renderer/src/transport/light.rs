@@ -127,6 +127,17 @@ pub struct Illumination<S: Real> {
     pub irradiance: Vec3<S>,
 }
 
+/// A light that reaches every point from one direction: the numbers `self`, and what it brings.
+#[differentiable]
+pub trait Emitter {
+    /// The scalar of the numbers.
+    type Scalar: Real;
+
+    /// The illumination of a point, if nothing is between them. Points are in the coordinates of the
+    /// scene, in the precision of the scalar.
+    fn illuminate(self, point: Vec3<Self::Scalar>) -> Illumination<Self::Scalar>;
+}
+
 /// The illumination of `point` by a light, if nothing is between them.
 #[differentiable]
 #[inline]
