@@ -113,13 +113,12 @@
 //! "light.key.radiant_intensity" = 5000.0
 //! ```
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
-use crate::Error;
-use crate::files::{MeshFormat, Warning, scene_file};
 use crate::loss::LossKind;
 use crate::optimize::{Optimizer, Schedule};
 use crate::scene::{ParameterId, Scene};
+use crate::warning::Warning;
 
 /// A scene and, if its file says so, an optimisation.
 #[derive(Clone, Debug, PartialEq)]
@@ -182,34 +181,6 @@ impl Experiment {
     /// An experiment that is from no file.
     pub fn new(scene: Scene, optimize: Option<OptimizeSection>) -> Self {
         Self { scene, optimize, warnings: Vec::new() }
-    }
-
-    /// Reads a scene file, or a mesh ([`load_mesh`](crate::files::load_mesh)), which is then framed
-    /// and lit by default: the camera looks at the centre of the bounding box from the front, to the
-    /// right and above; a point light `key` stands above the camera. A camera and lights that a glTF
-    /// file brings along replace these. What the files hold that nothing here shows is left out, and
-    /// said in [`warnings`](Self::warnings).
-    ///
-    /// # Errors
-    ///
-    /// If a file cannot be read, is broken, or describes what cannot be rendered. The message names
-    /// the file and, where it can, the line and the field.
-    pub fn load(path: &Path) -> Result<Self, Error> {
-        if MeshFormat::of(path).is_some() {
-            let (scene, warnings) = scene_file::load_mesh_scene(path)?;
-            return Ok(Self { scene, optimize: None, warnings });
-        }
-        scene_file::load(path)
-    }
-
-    /// Parses the text of a scene file whose relative paths begin in `base_dir`; messages call it
-    /// `name`.
-    ///
-    /// # Errors
-    ///
-    /// As [`load`](Self::load).
-    pub fn parse(text: &str, base_dir: &Path, name: &str) -> Result<Self, Error> {
-        scene_file::parse(text, base_dir, name)
     }
 }
 

@@ -63,6 +63,8 @@ pub mod trace;
 #[cfg(feature = "cli")]
 pub mod tradeoff;
 pub mod transport;
+#[cfg(feature = "files")]
+mod warning;
 
 pub use glam;
 
@@ -76,3 +78,5 @@ pub use render::{
 };
 pub use scene::*;
 pub use settings::{Pass, PrimaryVisibility, Samples, Sampling, Settings};
+#[cfg(feature = "files")]
+pub use warning::Warning;

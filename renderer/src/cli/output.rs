@@ -7,8 +7,8 @@ use std::path::Path;
 use serde_json::Value;
 
 use crate::Error;
+use crate::Warning;
 use crate::counts::Counts;
-use crate::files::Warning;
 
 /// Writes a text and a line break to the standard output. Whoever reads it may have heard enough,
 /// as `head` does: that is no error.

@@ -13,9 +13,9 @@ use glam::DVec3;
 use super::{Bounded, Emitter, Intersection, Shape};
 use crate::number::Number;
 use crate::transport::camera::Ray;
-use crate::transport::hit::SurfacePoint;
 use crate::transport::light::Illumination;
 use crate::transport::shape::{placed_intersection, placed_point};
+use crate::transport::surface::SurfacePoint;
 use crate::transport::transform::{Transform, place};
 
 /// What takes the cotangents of the numbers of a shape or a light, with their indices.

@@ -20,9 +20,9 @@ mod texture_tests;
 
 use std::path::Path;
 
-use super::meshes::{clean_name, file_stem};
 use super::model::Model;
 use super::names::Names;
+use super::names::{clean_name, file_stem};
 use super::warnings::Warnings;
 use crate::Error;
 use crate::disk::read;

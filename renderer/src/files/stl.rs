@@ -11,8 +11,9 @@ mod tests;
 use std::collections::HashMap;
 use std::path::Path;
 
-use super::meshes::{MeshBuilder, default_model, file_stem};
+use super::meshes::{MeshBuilder, default_model};
 use super::model::Model;
+use super::names::file_stem;
 use super::warnings::Warnings;
 use crate::Error;
 use crate::disk::read;

@@ -10,10 +10,10 @@ use crate::number::{Number, splat_vector};
 use crate::scene::{LightObject, LightSource, Object, ParameterId, Scene, ShapeObject, Transform};
 use crate::settings::Pass;
 use crate::transport::camera::{CameraFrame, Ray, camera_frame};
-use crate::transport::hit::SurfacePoint;
 use crate::transport::light::{Illumination, Light, illuminate, match_light};
 use crate::transport::material::Material;
 use crate::transport::sphere::Sphere;
+use crate::transport::surface::SurfacePoint;
 use crate::transport::texture::Uv;
 use crate::transport::transform::place;
 

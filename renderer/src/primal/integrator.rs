@@ -1,13 +1,15 @@
 //! A scene, ready for a pass.
 
+use ad::Real;
+use ad::lanes::Lanes;
 use glam::DVec3;
 
 use super::inputs::{Inputs, Varying};
 use super::tracer::Tracer;
-use super::wavefront::film_offsets;
 use crate::number::{Number, Plain};
 use crate::scene::Scene;
 use crate::settings::Settings;
+use crate::trace::bvh::{PACKET_RAYS, tile_position};
 use crate::trace::layout::Layout;
 use crate::transport::material::Lobes;
 
@@ -90,4 +92,19 @@ impl<L: Plain> Prepared<L> {
         let moved = self.inputs.update(scene, self.settings.pass, &Varying::NONE);
         self.tracer.update(scene, &self.settings, &self.layout, &self.inputs, moved);
     }
+}
+
+/// Twice the columns and the rows of the rays of a packet, within their tile, by block.
+fn film_offsets<L: Lanes>() -> Vec<(L, L)> {
+    let offset = |ray: usize, axis: usize| {
+        let (column, row) = tile_position(ray);
+        <L::Element as Real>::from_f64(2.0 * [column, row][axis] as f64)
+    };
+    let blocks = (0..PACKET_RAYS).step_by(L::COUNT);
+    blocks
+        .map(|first| {
+            let along = |axis: usize| L::from_lanes(|lane| offset(first + lane, axis));
+            (along(0), along(1))
+        })
+        .collect()
 }

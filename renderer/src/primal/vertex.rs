@@ -7,7 +7,7 @@ use super::coalesce::Coalesced;
 use super::gather::Lookup;
 use super::inputs::LightInputs;
 use super::integrator::Integrator;
-use super::transmission::Crossing;
+use super::wavefront::Occluder;
 use super::wavefront::{LaneGroup, Wavefront};
 use crate::counts::count;
 use crate::number::Number;
@@ -145,9 +145,9 @@ impl<'a, S: Number> Vertex<'a, S> {
     }
 
     /// The transparent surfaces between a light and the group, which has this index in its wavefront.
-    pub fn crossings(&self, light: usize, index: usize) -> &'a [Crossing<S>] {
+    pub fn occluders(&self, light: usize, index: usize) -> &'a [Occluder<S>] {
         match self.wavefront.transmissions.get(light) {
-            Some(transmission) => transmission.crossings_of(index),
+            Some(transmission) => transmission.occluders_of(index),
             None => &[],
         }
     }

@@ -3,10 +3,10 @@
 use ad::vector::Vector;
 use ad::{Real, Vec3, differentiable, select};
 
-use super::hit::SurfacePoint;
 use super::light::Illumination;
 use super::material::{Lobes, Material, brdf};
 use super::positive_part;
+use super::surface::SurfacePoint;
 
 /// The radiance that a surface reflects towards the viewer from one light: the BRDF times the
 /// irradiance times the cosine, where the light is `visible`, times the `transmittance` of transparent

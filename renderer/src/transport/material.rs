@@ -5,8 +5,8 @@ use std::f64::consts::{FRAC_1_PI, PI};
 use ad::vector::Vector;
 use ad::{Differentiable, Fields, Real, Vec3, differentiable, select};
 
-use super::hit::SurfacePoint;
 use super::positive_part;
+use super::surface::SurfacePoint;
 
 /// A diffuse material with a Blinn-Phong highlight; colours are linear RGB.
 #[derive(Clone, Copy, Debug, PartialEq, Differentiable, Fields)]

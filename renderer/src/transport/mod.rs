@@ -22,6 +22,7 @@ pub mod light;
 pub mod material;
 pub mod shape;
 pub mod sphere;
+pub mod surface;
 pub mod texture;
 pub mod transform;
 pub mod triangle;

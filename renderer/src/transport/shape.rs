@@ -5,7 +5,7 @@ use ad::{Differentiable, Real, Vec3, differentiable, select};
 use glam::DVec3;
 
 use super::camera::Ray;
-use super::hit::SurfacePoint;
+use super::surface::SurfacePoint;
 use super::transform::{Transform, rotate, unplace};
 
 /// Where a ray meets a shape.

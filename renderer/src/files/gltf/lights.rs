@@ -4,8 +4,7 @@ use glam::{DMat4, DVec3};
 
 use super::document::{self, Document, LightDefinition};
 use super::nodes::PlacedNode;
-use crate::files::meshes::clean_name;
-use crate::files::names::Names;
+use crate::files::names::{Names, clean_name};
 use crate::scene::{Camera, DistantLight, Light, PointLight, SpotLight};
 
 pub(super) type FoundCamera = Option<(Camera<f64>, Option<f64>)>;

@@ -6,7 +6,7 @@ use glam::{DAffine2, DVec2, DVec3};
 
 use super::tests::{TRIANGLE, folder, refused};
 use super::*;
-use crate::files::Warning;
+use crate::Warning;
 use crate::files::model::{Channel, TextureImage, TextureSource};
 use crate::kernels::material::Material;
 use crate::scene::Wrap;

@@ -10,7 +10,7 @@ use super::format::MeshEntry;
 use super::materials::MaterialTable;
 use super::numbers;
 use crate::Error;
-use crate::files::Warning;
+use crate::Warning;
 use crate::files::meshes::load_mesh;
 use crate::files::model::Model;
 use crate::files::names::Names;

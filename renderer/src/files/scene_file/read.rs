@@ -9,8 +9,8 @@ use super::format::{LightEntry, SceneFile, SphereEntry};
 use super::materials::MaterialTable;
 use super::textures::TextureTable;
 use super::{Problem, meshes, numbers, optimize};
+use crate::Warning;
 use crate::experiment::Experiment;
-use crate::files::Warning;
 use crate::scene::{Camera, Light, LightObject, LightSource, MaterialObject, Scene, SphereObject};
 
 /// The experiment that the file `name` in `folder` describes.
