@@ -62,6 +62,13 @@ impl Error {
     }
 }
 
+/// Whatever their sources are.
+impl PartialEq for Error {
+    fn eq(&self, other: &Self) -> bool {
+        (self.kind, &self.place, &self.problem) == (other.kind, &other.place, &other.problem)
+    }
+}
+
 impl fmt::Display for Error {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{}: {}", self.place, self.problem)

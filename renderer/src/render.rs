@@ -71,7 +71,7 @@ pub fn render_vjp(
     scene: &Scene,
     settings: &Settings,
     requested: &[ParameterId],
-) -> Result<(Image, impl Fn(&Image) -> Gradient), Error> {
+) -> Result<(Image, impl Fn(&Image) -> Gradient + use<>), Error> {
     let renderer = Renderer::new(scene, settings)?;
     let (image, scene, requested) = (renderer.render(), scene.clone(), requested.to_vec());
     Ok((image, move |cotangent: &Image| renderer.pullback(&scene, cotangent, &requested)))
@@ -82,8 +82,8 @@ pub fn render_vjp(
 ///
 /// # Errors
 ///
-/// If the scene is not [valid](Scene::check), or a direction has another number of numbers than its
-/// parameter.
+/// If the scene is not [valid](Scene::check), a direction has another number of numbers than its
+/// parameter, or two have numbers in common.
 pub fn render_jvp(
     scene: &Scene,
     settings: &Settings,

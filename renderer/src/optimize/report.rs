@@ -134,6 +134,8 @@ fn trajectory_json(variables: &[Variable], trajectory: &[Point]) -> Value {
 
 #[cfg(test)]
 mod tests {
+    use std::fs;
+
     use super::*;
     use crate::optimize::{Start, Stop, StopReason};
 

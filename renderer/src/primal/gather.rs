@@ -116,7 +116,9 @@ impl<S: Number> Integrator<'_, S> {
         }
         let uv = |index: u32| self.inputs.uvs[index as usize].map(S::splat);
         primitives.gather::<S, [Uv<S>; 3]>(|triangle| {
-            self.layout.uv_triangles[triangle].map_or(none, |corners| corners.map(uv))
+            // A scene without textures has none.
+            let corners = self.layout.uv_triangles.get(triangle).copied().flatten();
+            corners.map_or(none, |corners| corners.map(uv))
         })
     }
 

@@ -2,7 +2,8 @@
 
 use crate::experiment::TunedParameter;
 use crate::optimize::Variable;
-use crate::scene::{Scene, table};
+use crate::scene::Scene;
+use crate::scene::table::{self, LARGEST_EXPONENT};
 
 /// The variable for a parameter: with its own bounds and learning rate, or those of the table of
 /// parameters.
@@ -20,7 +21,7 @@ pub(super) fn variable(
         .unwrap_or_else(|| row.rate * scene.natural_scale(tuned.id));
     let mut variable = Variable::new(scene.path(tuned.id).to_string(), initial, rate);
     let (low, high) = scene.range(tuned.id);
-    variable = variable.bounded(low, high);
+    variable = variable.bounded(bound(low), bound(high));
     let narrow = |bounds: &mut [f64], given: &Option<Vec<f64>>, tighter: fn(f64, f64) -> f64| {
         for (bound, given) in bounds.iter_mut().zip(given.iter().flatten()) {
             *bound = tighter(*bound, *given);
@@ -37,4 +38,10 @@ pub(super) fn variable(
     }
     variable.target = target;
     variable
+}
+
+/// An end of a range as a bound. Where numbers only leave what single precision holds there is none:
+/// coordinates of a box that large keep no digits, and who comes there has gone wrong and is to know.
+fn bound(end: f64) -> f64 {
+    if end.abs() > LARGEST_EXPONENT { f64::INFINITY.copysign(end) } else { end }
 }

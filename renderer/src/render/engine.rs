@@ -130,7 +130,7 @@ impl Renderer {
     ///
     /// # Errors
     ///
-    /// If a direction has another number of numbers than its parameter.
+    /// If a direction has another number of numbers than its parameter, or two have numbers in common.
     pub fn jvp(
         &self,
         scene: &Scene,
@@ -140,12 +140,12 @@ impl Renderer {
         Ok(self.engine.jvp(scene, direction))
     }
 
-    /// A loss of the image and its derivative along a direction. `scene` is the one that was last taken
-    /// over.
+    /// A loss of the image and its derivative along a direction, in double precision from the radiance on.
+    /// `scene` is the one that was last taken over.
     ///
     /// # Errors
     ///
-    /// If a direction has another number of numbers than its parameter.
+    /// As [`jvp`](Self::jvp).
     pub fn loss_jvp(
         &self,
         scene: &Scene,
@@ -329,7 +329,11 @@ impl<L: Plain> Engine for Prepared<L> {
 }
 
 fn check_direction(scene: &Scene, direction: &[(ParameterId, Vec<f64>)]) -> Result<(), Error> {
-    for (id, numbers) in direction {
+    for (index, (id, numbers)) in direction.iter().enumerate() {
+        if let Some((other, _)) = direction[..index].iter().find(|(other, _)| other.overlaps(*id)) {
+            let problem = format!("overlaps {}, which moves too", scene.path(*other));
+            return Err(Error::new(scene.path(*id), problem));
+        }
         let count = scene.get(*id).len();
         if count != numbers.len() {
             let problem = format!("moves by {} numbers, has {count}", numbers.len());

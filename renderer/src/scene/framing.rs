@@ -65,7 +65,11 @@ impl Scene {
         // A vertex is a sphere without extent.
         let vertices = self.meshes.iter().flat_map(Mesh::world_vertices).map(|v| (v, 0.0));
         let spheres = self.spheres.iter().map(|s| (s.values.center, s.values.radius));
-        let parts = vertices.chain(spheres);
+        let shapes = self.shapes.iter().map(|shape| {
+            let (low, high) = shape.bounds();
+            (low.midpoint(high), 0.5 * low.distance(high))
+        });
+        let parts = vertices.chain(spheres).chain(shapes);
         let radius = parts.map(|(c, r)| c.distance(center) + r).fold(0.0, f64::max);
         // A single point has no size of its own.
         (center, if radius > 0.0 { radius } else { 1.0 })
@@ -76,13 +80,14 @@ impl Scene {
 mod tests {
     use super::*;
     use crate::demo::demo_experiment;
+    use crate::scene::SphereObject;
 
     /// Where the camera sees a point: 1 is the edge of the image.
     fn projected(camera: &Camera<f64>, point: DVec3) -> [f64; 2] {
         let forward = (camera.look_at - camera.look_from).normalize();
         let right = forward.cross(camera.up).normalize();
         let offset = point - camera.look_from;
-        let half_height = camera.focus * (camera.vfov / 2.0).to_radians().tan();
+        let half_height = camera.film_scale * (camera.vfov / 2.0).to_radians().tan();
         let scale = 1.0 / (offset.dot(forward) * half_height);
         [offset.dot(right) * scale, offset.dot(right.cross(forward)) * scale]
     }
@@ -92,27 +97,27 @@ mod tests {
         for scale in [1e-6, 1e-3, 1.0, 1e3, 1e6] {
             for shift in [0.0, -5.0] {
                 let mut scene = demo_experiment().unwrap().scene;
-                for value in scene.parameters.vertices[0].as_flattened_mut() {
+                for value in scene.meshes[0].vertices.as_flattened_mut() {
                     *value = (*value + shift) * scale;
                 }
                 scene.frame();
                 assert_eq!(scene.check(), Ok(()), "{scale} {shift}");
-                let camera = &scene.parameters.camera;
-                let vertices = scene.parameters.vertices[0].iter();
+                let camera = &scene.camera;
+                let vertices = scene.meshes[0].vertices.iter();
                 let seen = vertices.map(|&v| projected(camera, DVec3::from_array(v)));
                 let largest = seen.flatten().map(f64::abs).fold(0.0, f64::max);
                 assert!((0.6..1.0).contains(&largest), "{scale} {shift}: {largest}");
 
-                let Light::Point(light) = &scene.parameters.lights[0] else {
+                let LightSource::Known(Light::Point(light)) = &scene.lights[0].source else {
                     panic!("a point light");
                 };
-                let irradiance = |point: DVec3| {
-                    light.intensity / (4.0 * PI * light.position.distance_squared(point))
+                let white = |point: DVec3| {
+                    light.radiant_intensity / (PI * light.position.distance_squared(point))
                 };
-                let vertices = scene.parameters.vertices[0].iter();
-                let brightest = vertices.map(|&v| irradiance(v.into())).fold(0.0, f64::max);
+                let vertices = scene.meshes[0].vertices.iter();
+                let brightest = vertices.map(|&v| white(v.into())).fold(0.0, f64::max);
                 assert!(0.7 * brightest < 1.0, "{brightest}");
-                assert!(0.7 * irradiance(camera.look_at) > 0.4);
+                assert!(0.7 * white(camera.look_at) > 0.4);
                 assert!(light.position.y > camera.look_from.y);
             }
         }
@@ -121,17 +126,16 @@ mod tests {
     #[test]
     fn a_single_point_and_spheres_are_framed() {
         let mut scene = demo_experiment().unwrap().scene;
-        scene.parameters.vertices[0].fill([3.0, 3.0, 3.0]);
+        scene.meshes[0].vertices.fill([3.0, 3.0, 3.0]);
         scene.frame();
         assert_eq!(scene.check(), Ok(()));
-        assert_eq!(scene.parameters.camera.look_at, DVec3::splat(3.0));
+        assert_eq!(scene.camera.look_at, DVec3::splat(3.0));
 
-        scene.parameters.vertices[0].fill([0.0; 3]);
-        let sphere = crate::kernels::sphere::Sphere { center: DVec3::X, radius: 3.0 };
-        scene.parameters.spheres.push(sphere);
+        scene.meshes[0].vertices.fill([0.0; 3]);
+        scene.add_sphere(SphereObject::new("ball", DVec3::X, 3.0)).unwrap();
         scene.frame();
-        assert_eq!(scene.parameters.camera.look_at, DVec3::X);
-        let top = projected(&scene.parameters.camera, DVec3::new(1.0, 3.0, 0.0));
+        assert_eq!(scene.camera.look_at, DVec3::X);
+        let top = projected(&scene.camera, DVec3::new(1.0, 3.0, 0.0));
         assert!(top[1] > 0.5 && top[1] < 1.0, "{top:?}");
     }
 }

@@ -93,18 +93,23 @@ fn edit_distance(a: &str, b: &str) -> usize {
 mod tests {
     use super::*;
     use crate::demo::demo_experiment;
+    use crate::scene::Object;
 
     #[test]
     fn a_wrong_path_leads_to_the_right_one() {
         let scene = demo_experiment().unwrap().scene;
-        assert_eq!(scene.find_parameter("camera.vfov"), Ok(ParameterId::Vfov));
+        assert_eq!(
+            scene.find_parameter("camera.vfov"),
+            Ok(ParameterId::new(Object::Camera, "vfov"))
+        );
         assert_eq!(
             scene.find_parameter("light.key.positon").unwrap_err(),
             "no parameter `light.key.positon`; closest: light.key.position"
         );
         assert_eq!(
-            scene.find_parameter("lights.kye.intensity").unwrap_err(),
-            "no parameter `lights.kye.intensity`; closest: light.key.intensity"
+            scene.find_parameter("lights.kye.radiant_intensity").unwrap_err(),
+            "no parameter `lights.kye.radiant_intensity`; closest: \
+             light.key.radiant_intensity"
         );
         assert_eq!(
             scene.find_parameter("exponent").unwrap_err(),
@@ -113,13 +118,14 @@ mod tests {
         assert_eq!(
             scene.find_parameter("light.key.size").unwrap_err(),
             "no parameter `light.key.size`; closest: light.key.position, light.key.color, \
-             light.key.intensity"
+             light.key.radiant_intensity"
         );
         let vertex = |path: &str| scene.find_parameter(path);
-        let id = ParameterId::Vertex { mesh: 0, vertex: 7 };
+        let mesh = Object::Mesh(0);
+        let id = ParameterId { vertex: Some(7), ..ParameterId::new(mesh, "vertices") };
         assert_eq!(vertex("mesh.tree.vertices[7]"), Ok(id));
         assert_eq!(scene.path(id).to_string(), "mesh.tree.vertices[7]");
-        let count = scene.parameters.vertices[0].len();
+        let count = scene.meshes[0].vertices.len();
         for index in [count.to_string(), "-1".into(), "x".into(), String::new()] {
             assert_eq!(
                 vertex(&format!("mesh.tree.vertices[{index}]")).unwrap_err(),

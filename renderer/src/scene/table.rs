@@ -18,7 +18,7 @@ const LARGEST_NUMBER: f64 = 1e38;
 /// smaller than any pixel.
 pub(crate) const LARGEST_EXPONENT: f64 = 1e6;
 /// Texture coordinates beyond this do not tell texels apart in an `f32`.
-const LARGEST_COORDINATE: f64 = 1e6;
+pub(super) const LARGEST_COORDINATE: f64 = 1e6;
 
 const LENGTH: (f64, f64) = (-LARGEST_LENGTH, LARGEST_LENGTH);
 const EXTENT: (f64, f64) = (SMALLEST_LENGTH, LARGEST_LENGTH);
@@ -136,6 +136,12 @@ const CUSTOM: Row =
 pub(crate) fn row(id: ParameterId) -> &'static Row {
     let kind = id.object.kind();
     TABLE.iter().find(|row| (row.kind, row.field) == (kind, id.field)).unwrap_or(&CUSTOM)
+}
+
+/// The fields of a kind of object, as they stand in the table; lights of all kinds have those of all.
+#[cfg(feature = "files")]
+pub(crate) fn fields(kind: &str) -> impl Iterator<Item = &'static str> {
+    TABLE.iter().filter(move |row| row.kind == kind).map(|row| row.field)
 }
 
 impl Scene {

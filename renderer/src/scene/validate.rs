@@ -4,7 +4,7 @@ use std::collections::HashSet;
 
 use glam::DVec3;
 
-use super::table::{self, SMALLEST_LENGTH};
+use super::table::{self, LARGEST_COORDINATE, SMALLEST_LENGTH};
 use super::{Mesh, Object, ParameterId, Scene, ShapeObject, Slot, Texture};
 use crate::Error;
 
@@ -102,17 +102,15 @@ impl Scene {
 
     /// Each number of a parameter by itself.
     fn check_numbers(&self, id: ParameterId) -> Result<(), Invalid> {
-        let (row, (low, high)) = (table::row(id), self.range(id));
+        let (row, range) = (table::row(id), self.range(id));
         let numbers = self.get(id);
         let problem = |&value: &f64| match value {
             _ if !value.is_finite() => Some(format!("{value} is not a finite number")),
-            _ if value < low && low == 0.0 => Some(format!("must not be negative, is {value}")),
-            _ if value < low && low == SMALLEST_LENGTH => {
-                Some(format!("must be above 0, is {value}"))
+            _ if (range.0..=range.1).contains(&value) => None,
+            _ if matches!(id.object, Object::Texture(_)) && value > range.1 && range.1 == 1.0 => {
+                Some(format!("must be at most 1 where they vary opacity, is {value}"))
             }
-            _ if value < low => Some(format!("must be at least {low}, is {value}")),
-            _ if value > high => Some(format!("must be at most {high}, is {value}")),
-            _ => None,
+            _ => Some(out_of(range, value)),
         };
         if let Some((index, problem)) =
             numbers.iter().enumerate().find_map(|(index, value)| Some((index, problem(value)?)))
@@ -129,6 +127,11 @@ impl Scene {
         let is_zero = || numbers.iter().map(|x| x * x).sum::<f64>().sqrt() < SMALLEST_LENGTH;
         if row.is_direction && is_zero() {
             return invalid(self.path(id), "must be a direction, is the zero vector");
+        }
+        // A ray meets a shape where the shape was before it was placed.
+        let is_flat = || numbers.iter().any(|scale| scale.abs() < SMALLEST_LENGTH);
+        if (id.object.kind(), id.field) == ("shape", "scale") && is_flat() {
+            return invalid(self.path(id), "must not be 0 along any axis");
         }
         Ok(())
     }
@@ -245,9 +248,6 @@ impl Scene {
             let problem = "has an opacity; a shape of this kind is opaque";
             return invalid(format!("{path}.material"), problem);
         }
-        if shape.transform.scale.abs().min_element() < SMALLEST_LENGTH {
-            return invalid(format!("{path}.scale"), "must not be 0 along any axis");
-        }
         Ok(())
     }
 
@@ -313,6 +313,17 @@ fn check_texture(texture: &Texture) -> Result<(), Invalid> {
         return invalid(path, format!("{count} texels for {width} x {height}"));
     }
     Ok(())
+}
+
+/// What is said of a number outside of a range.
+fn out_of((low, high): (f64, f64), value: f64) -> String {
+    match value {
+        _ if value < 0.0 && low == 0.0 => format!("must not be negative, is {value}"),
+        _ if value < low && low == SMALLEST_LENGTH => format!("must be above 0, is {value}"),
+        _ if high == 1.0 => format!("must be at most 1, is {value}"),
+        _ if high >= LARGEST_COORDINATE => format!("{value:e} is beyond {high:e}"),
+        _ => format!("must lie between {low} and {high}, is {value}"),
+    }
 }
 
 fn invalid<T>(path: impl ToString, problem: impl ToString) -> Result<T, Invalid> {

@@ -141,9 +141,9 @@ pub fn fill_strips<T: Send, W>(
 
 #[cfg(test)]
 mod tests {
-    use super::bvh::{ray_at, rays, tile_position};
     use super::{Strip, fill_strips, for_each_strip};
     use crate::image::Image;
+    use crate::trace::bvh::{ray_at, rays, tile_position};
 
     fn pixels(strip: Strip) -> Vec<(u32, u32)> {
         let of_tile = |tile: super::Tile| rays(tile.rays()).map(move |ray| tile.pixel(ray));

@@ -230,8 +230,11 @@ impl Engine for Forward<'_> {
                 block
             });
             let direction: Vec<_> = direction.collect();
-            let moved = self.renderer.loss_jvp(scene, &loss, &direction);
-            moved.expect("each direction has the size of its parameter").1
+            let (_, derivative) = self
+                .renderer
+                .loss_jvp(scene, &loss, &direction)
+                .expect("directions have the numbers of their parameters");
+            derivative
         };
         self.elements.iter().map(derivative).collect()
     }

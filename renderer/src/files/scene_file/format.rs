@@ -6,10 +6,13 @@ use std::marker::PhantomData;
 use std::path::PathBuf;
 
 use serde::de::value::MapAccessDeserializer;
-use serde::de::{self, Deserializer, IntoDeserializer, MapAccess, SeqAccess, Visitor};
+use serde::de::{
+    self, DeserializeSeed, Deserializer, IntoDeserializer, MapAccess, SeqAccess, Visitor,
+};
 use serde::ser::SerializeMap;
 use serde::{Deserialize, Serialize, Serializer};
 
+use super::numbers;
 use crate::files::model::Channel;
 use crate::loss::LossKind;
 use crate::optimize::{Optimizer, Schedule};
@@ -18,12 +21,12 @@ use crate::scene::{DEFAULT_BOUNCES, Slot, Wrap};
 /// A table whose order is kept.
 pub(super) type Ordered<T> = Vec<(String, T)>;
 
-/// Defines tables of objects: fields of their own, and all others, which are the numbers of the object,
-/// by the names that the table of parameters has for them.
+/// Defines tables of objects of a kind: fields of their own, and all others, which are the numbers of the
+/// object, by the names that the table of parameters has for them.
 macro_rules! entries {
     ($(
         $(#[$entry_doc:meta])*
-        $entry:ident { $($(#[$doc:meta])* $($key:literal)? $field:ident: $type:ty,)* }
+        $entry:ident, $kind:literal { $($(#[$doc:meta])* $($key:literal)? $field:ident: $type:ty,)* }
     )*) => {$(
         $(#[$entry_doc])*
         #[derive(Default)]
@@ -45,7 +48,8 @@ macro_rules! entries {
 
                     fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<$entry, A::Error> {
                         let mut entry = $entry::default();
-                        while let Some(key) = map.next_key::<String>()? {
+                        let key = Key { kind: $kind, own: &[$(key!($($key)? $field)),*] };
+                        while let Some(key) = map.next_key_seed(key)? {
                             $(
                                 if key == key!($($key)? $field) {
                                     entry.$field = map.next_value()?;
@@ -88,6 +92,29 @@ macro_rules! key {
     };
 }
 
+/// A key of the table of an object of some kind, which has fields of its own and numbers.
+#[derive(Clone, Copy)]
+struct Key {
+    kind: &'static str,
+    own: &'static [&'static str],
+}
+
+impl<'de> DeserializeSeed<'de> for Key {
+    type Value = String;
+
+    fn deserialize<D: Deserializer<'de>>(self, deserializer: D) -> Result<String, D::Error> {
+        let key = String::deserialize(deserializer)?;
+        let Self { kind, own } = self;
+        let known = || numbers::names(kind).chain(own.iter().copied());
+        if known().any(|name| name == key) || numbers::was_renamed(kind, &key) {
+            return Ok(key);
+        }
+        let known: Vec<String> = known().map(|name| format!("`{name}`")).collect();
+        let problem = format!("unknown field `{key}`, expected one of {}", known.join(", "));
+        Err(de::Error::custom(problem))
+    }
+}
+
 #[derive(Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct SceneFile {
@@ -110,19 +137,19 @@ pub(super) struct SceneFile {
 
 entries! {
     /// The camera.
-    CameraEntry {
+    CameraEntry, "camera" {
         width: Option<u32>,
         height: Option<u32>,
     }
 
-    LightEntry {
+    LightEntry, "light" {
         name: Option<String>,
         "type" kind: Option<String>,
         /// Of a point light, in place of its radiant intensity: W.
         power: Option<f64>,
     }
 
-    MeshEntry {
+    MeshEntry, "mesh" {
         /// Relative to the scene file.
         path: Option<PathBuf>,
         /// If given, all objects of the file are one mesh of this name.
@@ -131,13 +158,13 @@ entries! {
         material: Option<String>,
     }
 
-    SphereEntry {
+    SphereEntry, "sphere" {
         name: Option<String>,
         material: Option<String>,
     }
 
     /// Textures by name. One of the opacity makes the material transparent, and so does an opacity.
-    MaterialEntry {
+    MaterialEntry, "material" {
         emission_texture: Option<String>,
         diffuse_texture: Option<String>,
         specular_texture: Option<String>,

@@ -5,6 +5,7 @@ use ad::Field;
 use super::Problem;
 use super::format::{Numbers, Ordered};
 use crate::scene::numbers::Numbers as NamedNumbers;
+use crate::scene::table;
 
 /// What fields were called that have other names or other units now, by kind of object: the old name,
 /// and what to write.
@@ -25,6 +26,16 @@ const RENAMED: [(&str, &str, &str); 9] = [
     ("sphere", "scale", "of a sphere is its radius"),
 ];
 
+/// The names of the numbers that tables of objects of a kind may hold.
+pub(super) fn names(kind: &str) -> impl Iterator<Item = &'static str> {
+    table::fields(kind).filter(|name| !ARRAYS.contains(name))
+}
+
+/// Whether the numbers of objects of a kind had this name once.
+pub(super) fn was_renamed(kind: &str, name: &str) -> bool {
+    RENAMED.iter().any(|(of, old, _)| (*of, *old) == (kind, name))
+}
+
 /// Sets the numbers of an object, of this kind and at this path, to those of its table.
 pub(super) fn assign(
     object: &mut dyn NamedNumbers,
@@ -40,7 +51,7 @@ pub(super) fn assign(
             let renamed = RENAMED.iter().find(|(of, old, _)| (*of, *old) == (kind, key.as_str()));
             let problem = match renamed {
                 Some((_, _, now)) => now.to_string(),
-                None => format!("unknown field, expected one of {}", names.join(", ")),
+                None => format!("this {kind} has none; its numbers are {}", names.join(", ")),
             };
             return Err(Problem::new(place(), problem));
         };

@@ -91,7 +91,8 @@ fn add_light(scene: &mut Scene, entry: &LightEntry) -> Result<(), Problem> {
             return Err(Problem::new(format!("{path}.power"), problem));
         };
         if entry.numbers.iter().any(|(key, _)| key == "radiant_intensity") {
-            return Err(Problem::new(path, "has a power and a radiant_intensity; give one"));
+            let problem = "give either power or radiant_intensity, which is power / 4π";
+            return Err(Problem::new(format!("{path}.power"), problem));
         }
         light.radiant_intensity = power / (4.0 * PI);
     }
