@@ -19,10 +19,25 @@
 //!
 //! [[light]]
 //! name = "key"
-//! type = "point"              # or "distant", with a direction (towards the light) and an irradiance (W/m²)
+//! type = "point"              # or "distant", or "spot": see below
 //! position = [3.0, 5.0, 5.0]
 //! color = [1.0, 1.0, 1.0]     # the default
 //! radiant_intensity = 225.0   # W/sr; or power, in W, over all directions
+//!
+//! [[light]]
+//! name = "sun"
+//! type = "distant"
+//! direction = [0.3, 1.0, 0.2] # towards the light
+//! irradiance = 2.0            # on a surface that faces it, W/m²
+//!
+//! [[light]]
+//! name = "stage"
+//! type = "spot"
+//! position = [0.0, 6.0, 0.0]
+//! direction = [0.0, -1.0, 0.2] # in which it shines
+//! radiant_intensity = 90.0    # within the inner angle
+//! inner_angle = 0.0           # the default: from the axis, where the fall-off begins
+//! outer_angle = 45.0          # the default: where it is dark
 //!
 //! [[mesh]]
 //! path = "tree.obj"           # or .ply, .stl, .gltf, .glb (of which only the meshes are taken)
@@ -41,6 +56,7 @@
 //! [material.bark]             # a new material, or changes to one that a mesh brings along
 //! emission = [0.0, 0.0, 0.0]  # the defaults of a new one; radiance
 //! diffuse = [0.7, 0.7, 0.7]
+//! roughness = 0.0             # of the diffuse part, up to 1: dust, plaster, clay
 //! specular = [0.0, 0.0, 0.0]
 //! exponent = 1.0
 //! mirror = [0.0, 0.0, 0.0]    # above 0: a mirror
@@ -97,13 +113,12 @@
 //! "light.key.radiant_intensity" = 5000.0
 //! ```
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
-use crate::Error;
-use crate::files::{MeshFormat, Warning, scene_file};
 use crate::loss::LossKind;
 use crate::optimize::{Optimizer, Schedule};
 use crate::scene::{ParameterId, Scene};
+use crate::warning::Warning;
 
 /// A scene and, if its file says so, an optimisation.
 #[derive(Clone, Debug, PartialEq)]
@@ -166,34 +181,6 @@ impl Experiment {
     /// An experiment that is from no file.
     pub fn new(scene: Scene, optimize: Option<OptimizeSection>) -> Self {
         Self { scene, optimize, warnings: Vec::new() }
-    }
-
-    /// Reads a scene file, or a mesh ([`load_mesh`](crate::files::load_mesh)), which is then framed
-    /// and lit by default: the camera looks at the centre of the bounding box from the front, to the
-    /// right and above; a point light `key` stands above the camera. A camera and lights that a glTF
-    /// file brings along replace these. What the files hold that nothing here shows is left out, and
-    /// said in [`warnings`](Self::warnings).
-    ///
-    /// # Errors
-    ///
-    /// If a file cannot be read, is broken, or describes what cannot be rendered. The message names
-    /// the file and, where it can, the line and the field.
-    pub fn load(path: &Path) -> Result<Self, Error> {
-        if MeshFormat::of(path).is_some() {
-            let (scene, warnings) = scene_file::load_mesh_scene(path)?;
-            return Ok(Self { scene, optimize: None, warnings });
-        }
-        scene_file::load(path)
-    }
-
-    /// Parses the text of a scene file whose relative paths begin in `base_dir`; messages call it
-    /// `name`.
-    ///
-    /// # Errors
-    ///
-    /// As [`load`](Self::load).
-    pub fn parse(text: &str, base_dir: &Path, name: &str) -> Result<Self, Error> {
-        scene_file::parse(text, base_dir, name)
     }
 }
 

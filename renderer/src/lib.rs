@@ -28,8 +28,6 @@
 pub mod accuracy;
 mod adjoint;
 pub mod arithmetic;
-#[cfg(feature = "files")]
-pub mod atomic_file;
 #[cfg(feature = "cli")]
 pub mod cli;
 pub mod counts;
@@ -37,6 +35,8 @@ pub mod custom;
 #[cfg(feature = "files")]
 pub mod demo;
 mod diagnose;
+#[cfg(feature = "files")]
+mod disk;
 pub mod display;
 mod error;
 #[cfg(feature = "files")]
@@ -63,19 +63,20 @@ pub mod trace;
 #[cfg(feature = "cli")]
 pub mod tradeoff;
 pub mod transport;
+#[cfg(feature = "files")]
+mod warning;
 
 pub use glam;
 
 pub use arithmetic::{Arithmetic, Precision};
-pub use error::Error;
+pub use error::{Error, ErrorKind};
 pub use image::Image;
 pub use loss::{ImageLoss, LossKind, PixelLoss};
 pub use render::{
     Gradient, LossAndGradient, NonFinite, Renderer, loss_and_gradient, render, render_jvp,
     render_vjp,
 };
-pub use scene::{
-    Camera, DistantLight, Light, Material, MaterialObject, Mesh, ParameterId, PointLight, Scene,
-    Sphere, SphereObject, Texture, Transform,
-};
+pub use scene::*;
 pub use settings::{Pass, PrimaryVisibility, Samples, Sampling, Settings};
+#[cfg(feature = "files")]
+pub use warning::Warning;

@@ -18,7 +18,7 @@ use crate::primal::coalesce::{Coalesced, select_lanes};
 use crate::primal::gather::Lookup;
 use crate::primal::image::mean_radiance;
 use crate::primal::inputs::LightInputs;
-use crate::primal::integrator::Integrator;
+use crate::primal::integrator::{Integrator, ZeroWeight};
 use crate::primal::lanes::{lanes_of_vectors, sum_of_lanes, sum_of_vectors, vectors_of_lanes};
 use crate::primal::path::Path;
 use crate::primal::vertex::{Textured, Vertex};
@@ -30,9 +30,10 @@ use crate::trace::layout::Kind;
 use crate::trace::tile::{Strip, Tile, for_each_strip};
 use crate::transport::camera::{CameraFrame, Ray, primary_ray};
 use crate::transport::direct::direct;
-use crate::transport::hit::{Primitive, SurfacePoint, hit, surface_uv};
+use crate::transport::hit::{Primitive, hit, surface_uv};
 use crate::transport::light::Illumination;
 use crate::transport::material::Material;
+use crate::transport::surface::SurfacePoint;
 use crate::transport::texture::{Uv, modulate, modulate_opacity};
 use crate::transport::transform::place;
 use crate::transport::vertex::{next_ray, outgoing};
@@ -45,6 +46,7 @@ pub fn sweep<L: Plain>(
     request: &Request,
 ) -> Vec<Sums> {
     let (width, height) = (integrator.layout.width, integrator.layout.height);
+    let integrator = integrator.with_zero_weight(request.zero_weight);
     let start = || Chain {
         integrator,
         scene,
@@ -120,7 +122,8 @@ impl<L: Plain> Chain<'_, L> {
                 self.scatter.sums.loss += sum + loss_of_black(loss, tile, missed);
             }
         } else {
-            let radiance = mean_radiance(integrator, tile, &mut path);
+            let primal = integrator.with_zero_weight(ZeroWeight::default());
+            let radiance = mean_radiance(primal, tile, &mut path);
             let mut cotangents = [DVec3::ZERO; PACKET_RAYS];
             let part = 1.0 / f64::from(sampling.count());
             for ray in rays(tile.rays()) {
@@ -148,7 +151,7 @@ impl<L: Plain> Chain<'_, L> {
         respond: &mut Respond<'_, L>,
     ) {
         let request = self.scatter.request;
-        self.integrator.trace_path(sample, request.zero_weight, path);
+        self.integrator.trace_path(sample, path);
         let wavefronts = path.wavefronts();
         states.resize_with(wavefronts.len().max(states.len()), AdjointState::default);
 
@@ -228,14 +231,20 @@ impl<L: Plain> Chain<'_, L> {
             Some((last, others)) if vertex.transmittance(others.len()).is_none() => {
                 let light = last.illuminate(surface.point);
                 let visible = vertex.visible(others.len());
-                let (reflected, pullback) =
-                    direct::vjp::<L>(vertex.material, surface, light, visible, L::ONE);
+                let (reflected, pullback) = direct::vjp::<L>(
+                    vertex.material,
+                    vertex.lobes,
+                    surface,
+                    light,
+                    visible,
+                    L::ONE,
+                );
                 let own = vertex.own(others) + reflected;
                 let Some(radiance) = respond(vertex.group, vertex.outgoing(own)) else { return };
                 let (own, of_outgoing) = pull_outgoing(vertex, own, radiance, beyond);
                 // Cotangents are large: they stay where the pullback leaves them.
                 let mut cotangents = pullback(own);
-                let (material, surface, illumination, ..) = &mut cotangents;
+                let (material, _, surface, illumination, ..) = &mut cotangents;
                 self.pull_illumination(others.len(), last, vertex.group, *illumination, surface);
                 for (light, inputs) in others.iter().enumerate() {
                     self.pull_light(index, vertex, light, inputs, own, (material, surface));
@@ -271,12 +280,13 @@ impl<L: Plain> Chain<'_, L> {
         let light = inputs.illuminate(surface.point);
         let (_, pullback) = direct::vjp::<L>(
             vertex.material,
+            vertex.lobes,
             surface,
             light,
             vertex.visible(index),
             left.unwrap_or(L::ONE),
         );
-        let (material, surface, illumination, (), transmittance) = &pullback(own);
+        let (material, _, surface, illumination, (), transmittance) = &pullback(own);
         to_material.accumulate(*material);
         to_surface.accumulate(*surface);
         self.pull_illumination(index, inputs, vertex.group, *illumination, to_surface);

@@ -13,15 +13,15 @@
 //! has to remember is its wavefronts, which are reused from tile to tile.
 
 mod chain;
-mod crossing;
 mod gradient;
+mod occluder;
 mod range;
+mod reduce;
 mod request;
 mod scatter;
 mod selection;
 
 pub(crate) use chain::sweep;
-pub(crate) use gradient::loss_and_gradient;
 pub use gradient::{Gradient, LossAndGradient};
-pub(crate) use range::Scaled;
+pub(crate) use range::{Scaled, loss_and_gradient};
 pub(crate) use request::Request;

@@ -13,7 +13,8 @@ use ad::{Real, Scalar};
 use glam::DVec3;
 
 use super::chain::sweep;
-use super::gradient::{LossAndGradient, reduce};
+use super::gradient::LossAndGradient;
+use super::reduce::reduce;
 use super::request::Request;
 use crate::loss::PixelLoss;
 use crate::number::Plain;
@@ -24,8 +25,19 @@ use crate::scene::Scene;
 /// Losses between these leave enough range on both sides.
 const ORDINARY: RangeInclusive<f64> = 1e-20..=1e20;
 
+/// The loss of the image of a prepared scene, and its gradient.
+pub fn loss_and_gradient<L: Plain>(
+    prepared: &Prepared<L>,
+    scene: &Scene,
+    loss: &dyn PixelLoss,
+    request: &Request,
+) -> LossAndGradient {
+    let strips = sweep(prepared.integrator(), scene, loss, request);
+    with_range(prepared, scene, loss, request, reduce(prepared, scene, strips, request))
+}
+
 /// The gradient again, if it may have left the range of the kernels' scalar.
-pub(super) fn with_range<L: Plain>(
+fn with_range<L: Plain>(
     prepared: &Prepared<L>,
     scene: &Scene,
     pixel_loss: &dyn PixelLoss,

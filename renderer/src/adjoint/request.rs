@@ -5,12 +5,13 @@ use std::ops::Range;
 use ad::Fields;
 
 use super::selection::Selection;
-use crate::primal::path::ZeroWeight;
-use crate::scene::light::with_light;
+use crate::primal::integrator::ZeroWeight;
 use crate::scene::numbers::range_of;
 use crate::scene::{LightSource, Material, Object, ParameterId, Scene, Sphere, Transform};
 use crate::settings::Pass;
 use crate::trace::layout::Layout;
+use crate::transport::light::match_light;
+use crate::transport::material::Lobes;
 
 /// A bit for each number of a struct.
 pub type Bits = u64;
@@ -36,7 +37,7 @@ pub struct Request {
     pub vertices: Selection,
     pub uvs: Selection,
     pub texels: Selection,
-    /// What is traced although its weight is zero.
+    /// What is computed although its weight is zero.
     pub zero_weight: ZeroWeight,
 }
 
@@ -69,12 +70,14 @@ impl Request {
         };
         request.select_arrays(layout);
         request.select_objects(scene);
-        let is_mirror =
-            |id: &ParameterId| matches!(id.object, Object::Material(_)) && id.field == "mirror";
+        let of_material = |field: &str| {
+            ids.iter().any(|id| matches!(id.object, Object::Material(_)) && id.field == field)
+        };
         let is_light = |id: &ParameterId| matches!(id.object, Object::Light(_));
         request.zero_weight = ZeroWeight {
-            mirrors: layout.pass == Pass::Radiance && ids.iter().any(is_mirror),
+            mirrors: layout.pass == Pass::Radiance && of_material("mirror"),
             lights: ids.iter().any(is_light),
+            lobes: Lobes { rough: of_material("roughness"), glossy: of_material("specular") },
         };
         request
     }
@@ -120,7 +123,7 @@ impl Request {
                 Object::Camera | Object::Texture(_) => {}
                 Object::Light(light) => {
                     let (fields, len) = match &scene.lights[light].source {
-                        LightSource::Known(known) => with_light!(known, known => fields_of(known)),
+                        LightSource::Known(known) => match_light!(known, known => fields_of(known)),
                         LightSource::Custom { kernel, numbers } => (kernel.fields, numbers.len()),
                     };
                     add(&mut self.lights[light], &mut self.dense, len, bits(fields, field));

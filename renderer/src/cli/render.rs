@@ -73,7 +73,7 @@ pub(super) fn run(arguments: &Arguments, arithmetic: Arithmetic) -> Result<(), E
         let found = renderer.find_non_finite(&experiment.scene);
         let found = found.map_or_else(String::new, |found| found.to_string());
         if !arguments.allow_non_finite {
-            return Err(Error::new(arguments.scene.display(), found));
+            return Err(Error::not_finite(arguments.scene.display(), found));
         }
         print_warning(format_args!("{}: {found}", arguments.scene.display()));
         image.blacken_non_finite();

@@ -6,7 +6,7 @@ use super::out_folder::check_out_folder;
 use super::output::print;
 use super::{Problem, stem};
 use crate::Error;
-use crate::atomic_file::write_atomically;
+use crate::disk::{create_folder, write_atomically};
 use crate::experiment::{Experiment, Target};
 use crate::recovery::Recovery;
 use crate::scene::{Differentiability, ParameterId};
@@ -101,8 +101,7 @@ fn save(
     samplings: &SamplingRuns,
     runs: &[ScheduleRun],
 ) -> Result<(), Error> {
-    std::fs::create_dir_all(out)
-        .map_err(|error| Error::new(out.display(), format_args!("cannot be made: {error}")))?;
+    create_folder(out)?;
     let write = |suffix: &str, text: &str| {
         write_atomically(&out.join(format!("{name}{suffix}")), text.as_bytes())
     };

@@ -12,7 +12,7 @@ use crate::number::Plain;
 use crate::primal::image::loss;
 use crate::primal::integrator::{Integrator, Prepared};
 use crate::primal::lanes::vectors_of_lanes;
-use crate::primal::path::{Path, ZeroWeight};
+use crate::primal::path::Path;
 use crate::primal::wavefront::{LaneGroup, samples};
 use crate::scene::{ParameterId, Scene};
 use crate::trace::layout::Kind;
@@ -33,7 +33,7 @@ pub(super) fn cause<L: Plain>(
     let mut path = Path::default();
     let mut overflowing = None;
     for sample in samples(&tile, sampling) {
-        integrator.trace_path(&sample, ZeroWeight::default(), &mut path);
+        integrator.trace_path(&sample, &mut path);
         if let Some(kernel) = non_finite_kernel(integrator, scene, &path, ray) {
             return kernel;
         }
@@ -50,9 +50,10 @@ pub(super) fn cause<L: Plain>(
         return format!("the loss is {value}, of the radiance {radiance}");
     }
 
+    let integrator = integrator.with_zero_weight(request.zero_weight);
     let mut shown = Vec::new();
     for sample in samples(&tile, sampling.of_gradient()) {
-        integrator.trace_path(&sample, request.zero_weight, &mut path);
+        integrator.trace_path(&sample, &mut path);
         if let Some(kernel) = non_finite_kernel(integrator, scene, &path, ray) {
             return kernel;
         }

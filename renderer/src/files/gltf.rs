@@ -20,12 +20,12 @@ mod texture_tests;
 
 use std::path::Path;
 
-use super::io::read;
-use super::meshes::{clean_name, file_stem};
 use super::model::Model;
 use super::names::Names;
+use super::names::{clean_name, file_stem};
 use super::warnings::Warnings;
 use crate::Error;
+use crate::disk::read;
 use crate::scene::{Camera, Light, Mesh};
 use buffers::Buffers;
 use document::Document;

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use glam::DAffine2;
 
-use super::Warning;
+use crate::Warning;
 use crate::scene::{MaterialObject, Mesh, Slot, Wrap};
 
 /// The name of the material of faces that their file gives none.

@@ -29,11 +29,12 @@ mod tests;
 
 use std::path::Path;
 
-use super::io::read_text;
-use super::meshes::file_stem;
 use super::model::{DEFAULT_MATERIAL, Model, ModelMaps, ModelMaterial};
-use super::warnings::{Warning, Warnings};
+use super::names::file_stem;
+use super::warnings::Warnings;
 use crate::Error;
+use crate::Warning;
+use crate::disk::read_text;
 use crate::scene::Material;
 use meshes::meshes;
 use mtl::Library;

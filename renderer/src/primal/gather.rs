@@ -13,9 +13,10 @@ use crate::scene::Slot;
 use crate::trace::bvh::rays;
 use crate::trace::layout::{Kind, TextureLayout};
 use crate::transport::camera::Ray;
-use crate::transport::hit::{Primitive, SurfacePoint, hit};
+use crate::transport::hit::{Primitive, hit};
 use crate::transport::material::Material;
 use crate::transport::sphere::Sphere;
+use crate::transport::surface::SurfacePoint;
 use crate::transport::texture::{Footprint, Uv, texel_position};
 use crate::transport::triangle::Triangle;
 

@@ -6,7 +6,7 @@ use glam::DVec3;
 
 use super::integrator::Integrator;
 use super::lanes::vectors_of_lanes;
-use super::path::{Path, ZeroWeight};
+use super::path::Path;
 use super::wavefront::{LaneGroup, TileSample, samples, set_vectors};
 use crate::image::Image;
 use crate::loss::PixelLoss;
@@ -29,7 +29,7 @@ pub fn render_into<L: Plain>(integrator: Integrator<'_, L>, image: &mut Image) {
             let mut colors = PacketVectors::ZERO;
             if layout.sampling.count() == 1 {
                 let sample = TileSample { tile: &tile, sampling: layout.sampling, index: 0 };
-                visit(integrator, &sample, ZeroWeight::default(), path, |group, radiance| {
+                visit(integrator, &sample, path, |group, radiance| {
                     set_vectors::<L>(&mut colors, group.first, group.alive, radiance);
                 });
             } else {
@@ -48,16 +48,13 @@ pub fn render_into<L: Plain>(integrator: Integrator<'_, L>, image: &mut Image) {
 
 /// Renders the image and its derivative along the direction that the inputs carry, in double precision
 /// from the radiance of each ray on.
-pub fn render_dual<L: Plain>(
-    integrator: Integrator<'_, Dual<L>>,
-    zero_weight: ZeroWeight,
-) -> (Image, Image) {
+pub fn render_dual<L: Plain>(integrator: Integrator<'_, Dual<L>>) -> (Image, Image) {
     let layout = integrator.layout;
     let (width, height) = (layout.width, layout.height);
     let mut pixels = vec![[[0.0_f32; 3]; 2]; width as usize * height as usize];
     fill_strips(width, &mut pixels, Path::default, |path, strip, rows| {
         for tile in strip.tiles() {
-            let mean = mean_dual(integrator, &tile, zero_weight, path);
+            let mean = mean_dual(integrator, &tile, path);
             let pixels = by_rows(|ray| mean[ray].map(|part| part.as_vec3().to_array()));
             for (row, pixels) in rows.iter_mut().zip(&pixels) {
                 row[strip.columns(&tile)].copy_from_slice(&pixels[..tile.columns]);
@@ -75,13 +72,12 @@ pub fn render_dual<L: Plain>(
 pub fn loss_dual<L: Plain>(
     integrator: Integrator<'_, Dual<L>>,
     loss: &dyn PixelLoss,
-    zero_weight: ZeroWeight,
 ) -> (f64, f64) {
     let (width, height) = (integrator.layout.width, integrator.layout.height);
     let strips = for_each_strip(width, height, Path::default, |path, strip| {
         let (mut sum, mut along) = (0.0, 0.0);
         for tile in strip.tiles() {
-            let mean = mean_dual(integrator, &tile, zero_weight, path);
+            let mean = mean_dual(integrator, &tile, path);
             for ray in rays(tile.rays()) {
                 let (x, y) = tile.pixel(ray);
                 let [radiance, derivative] = mean[ray];
@@ -99,13 +95,12 @@ pub fn loss_dual<L: Plain>(
 fn mean_dual<L: Plain>(
     integrator: Integrator<'_, Dual<L>>,
     tile: &Tile,
-    zero_weight: ZeroWeight,
     path: &mut Path<Dual<L>>,
 ) -> [[DVec3; 2]; PACKET_RAYS] {
     let mut total = [[DVec3::ZERO; 2]; PACKET_RAYS];
     let sampling = integrator.layout.sampling;
     for sample in samples(tile, sampling) {
-        visit(integrator, &sample, zero_weight, path, |group, radiance| {
+        visit(integrator, &sample, path, |group, radiance| {
             let values = vectors_of_lanes::<L>(primal_vector::<Dual<L>>(radiance));
             let derivatives = vectors_of_lanes::<L>(derivative_vector::<L>(radiance));
             for (lane, ray) in group.rays() {
@@ -161,7 +156,7 @@ pub fn mean_radiance<L: Plain>(
     let mut total = [DVec3::ZERO; PACKET_RAYS];
     let sampling = integrator.layout.sampling;
     for sample in samples(tile, sampling) {
-        visit(integrator, &sample, ZeroWeight::default(), path, |group, radiance| {
+        visit(integrator, &sample, path, |group, radiance| {
             let radiance = vectors_of_lanes::<L>(radiance);
             for (lane, ray) in group.rays() {
                 total[ray] += radiance[lane];
@@ -177,11 +172,10 @@ pub fn mean_radiance<L: Plain>(
 pub fn visit<S: Number>(
     integrator: Integrator<'_, S>,
     sample: &TileSample<'_>,
-    zero_weight: ZeroWeight,
     path: &mut Path<S>,
     mut use_radiance: impl FnMut(&LaneGroup<S>, Vec3<S>),
 ) {
-    integrator.trace_path(sample, zero_weight, path);
+    integrator.trace_path(sample, path);
     let wavefronts = path.wavefronts();
     for group in &wavefronts[0].groups {
         let vertex = integrator.vertex(group, &wavefronts[0], wavefronts.get(1));
@@ -191,17 +185,14 @@ pub fn visit<S: Number>(
 
 /// How many rays there are at each depth, and how many of them hit something.
 #[cfg(feature = "files")]
-pub fn rays_by_depth<L: Plain>(
-    integrator: Integrator<'_, L>,
-    zero_weight: ZeroWeight,
-) -> Vec<(u64, u64)> {
+pub fn rays_by_depth<L: Plain>(integrator: Integrator<'_, L>) -> Vec<(u64, u64)> {
     let (width, height) = (integrator.layout.width, integrator.layout.height);
     let depths = integrator.layout.bounces as usize + 1;
     let strips = for_each_strip(width, height, Path::default, |path, strip| {
         let mut counts = vec![(0, 0); depths];
         for tile in strip.tiles() {
             for sample in samples(&tile, integrator.layout.sampling) {
-                integrator.trace_path(&sample, zero_weight, path);
+                integrator.trace_path(&sample, path);
                 for (wavefront, (rays, hits)) in path.wavefronts().iter().zip(&mut counts) {
                     let hit = wavefront.groups.iter().map(|group| group.alive.count_ones());
                     let hit: u64 = hit.map(u64::from).sum();
@@ -231,7 +222,7 @@ pub fn trace_only<L: Plain>(integrator: Integrator<'_, L>, shadows: bool) {
             for sample in samples(&tile, integrator.layout.sampling) {
                 integrator.trace_primary(&sample, wavefront);
                 if shadows {
-                    integrator.trace_shadows(ZeroWeight::default(), wavefront);
+                    integrator.trace_shadows(wavefront);
                 }
             }
         }

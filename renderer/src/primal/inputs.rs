@@ -10,10 +10,10 @@ use crate::number::{Number, splat_vector};
 use crate::scene::{LightObject, LightSource, Object, ParameterId, Scene, ShapeObject, Transform};
 use crate::settings::Pass;
 use crate::transport::camera::{CameraFrame, Ray, camera_frame};
-use crate::transport::hit::SurfacePoint;
-use crate::transport::light::{Illumination, Light, illuminate};
+use crate::transport::light::{Illumination, Light, illuminate, match_light};
 use crate::transport::material::Material;
 use crate::transport::sphere::Sphere;
+use crate::transport::surface::SurfacePoint;
 use crate::transport::texture::Uv;
 use crate::transport::transform::place;
 
@@ -95,10 +95,7 @@ impl<S: Number> LightInputs<S> {
             Self::Known(light) => {
                 let (_, pullback) = illuminate::vjp::<S>(*light, point);
                 let (cotangent, point) = &pullback(cotangent);
-                match light {
-                    Light::Point(_) => cotangent.Point.0.visit(&mut to_number),
-                    Light::Distant(_) => cotangent.Distant.0.visit(&mut to_number),
-                }
+                match_light!(light, _light, cotangent, part => part.visit(&mut to_number));
                 *point
             }
             Self::Custom { kernel, numbers, origin } => {
@@ -314,14 +311,10 @@ pub fn lights<S: Number>(
     let inputs = |(index, light): (usize, &LightObject)| {
         let object = Object::Light(index);
         match &light.source {
-            LightSource::Known(Light::Point(light)) => {
-                let mut light = varying.lift(object, light);
-                light.position = light.position - origin;
-                LightInputs::Known(Light::Point(in_lanes::<S, _>(&light)))
-            }
-            LightSource::Known(Light::Distant(light)) => {
-                let light = varying.lift(object, light);
-                LightInputs::Known(Light::Distant(in_lanes::<S, _>(&light)))
+            LightSource::Known(light) => {
+                let light = match_light!(light, light => Variant(varying.lift(object, light)));
+                let light = light.relative_to(origin);
+                LightInputs::Known(match_light!(light, light => Variant(in_lanes::<S, _>(&light))))
             }
             LightSource::Custom { kernel, numbers } => LightInputs::Custom {
                 kernel: kernel.clone(),

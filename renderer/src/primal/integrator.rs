@@ -1,14 +1,17 @@
 //! A scene, ready for a pass.
 
+use ad::Real;
+use ad::lanes::Lanes;
 use glam::DVec3;
 
 use super::inputs::{Inputs, Varying};
 use super::tracer::Tracer;
-use super::wavefront::film_offsets;
 use crate::number::{Number, Plain};
 use crate::scene::Scene;
 use crate::settings::Settings;
+use crate::trace::bvh::{PACKET_RAYS, tile_position};
 use crate::trace::layout::Layout;
+use crate::transport::material::Lobes;
 
 /// What computes radiance along paths: a scene at the scalar `S`. Passes at other scalars trace the same
 /// rays, so layout and tracer are shared.
@@ -18,6 +21,26 @@ pub struct Integrator<'a, S: Number> {
     pub inputs: &'a Inputs<S>,
     /// Twice the columns and the rows of the rays of a packet, within their tile, by groups of lanes.
     pub film_offsets: &'a [(S::Lanes, S::Lanes)],
+    pub zero_weight: ZeroWeight,
+}
+
+/// What is computed although its weight is zero: the value is zero, the derivative with respect to the
+/// weight is not.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct ZeroWeight {
+    /// Every opaque material counts as a mirror.
+    pub mirrors: bool,
+    /// Lights that send nothing cast shadows.
+    pub lights: bool,
+    /// Every material has these.
+    pub lobes: Lobes,
+}
+
+impl<'a, S: Number> Integrator<'a, S> {
+    /// The same, computing also what has these weights of zero.
+    pub fn with_zero_weight(self, zero_weight: ZeroWeight) -> Self {
+        Self { zero_weight, ..self }
+    }
 }
 
 impl<S: Number> Clone for Integrator<'_, S> {
@@ -59,7 +82,7 @@ impl<L: Plain> Prepared<L> {
         inputs: &'a Inputs<S>,
     ) -> Integrator<'a, S> {
         let Self { layout, tracer, film_offsets, .. } = self;
-        Integrator { layout, tracer, inputs, film_offsets }
+        Integrator { layout, tracer, inputs, film_offsets, zero_weight: ZeroWeight::default() }
     }
 
     /// Takes over the numbers of the scene, whose objects have stayed. If geometry has moved, the
@@ -69,4 +92,19 @@ impl<L: Plain> Prepared<L> {
         let moved = self.inputs.update(scene, self.settings.pass, &Varying::NONE);
         self.tracer.update(scene, &self.settings, &self.layout, &self.inputs, moved);
     }
+}
+
+/// Twice the columns and the rows of the rays of a packet, within their tile, by block.
+fn film_offsets<L: Lanes>() -> Vec<(L, L)> {
+    let offset = |ray: usize, axis: usize| {
+        let (column, row) = tile_position(ray);
+        <L::Element as Real>::from_f64(2.0 * [column, row][axis] as f64)
+    };
+    let blocks = (0..PACKET_RAYS).step_by(L::COUNT);
+    blocks
+        .map(|first| {
+            let along = |axis: usize| L::from_lanes(|lane| offset(first + lane, axis));
+            (along(0), along(1))
+        })
+        .collect()
 }

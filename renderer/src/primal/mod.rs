@@ -2,7 +2,7 @@
 //!
 //! [`Inputs`](inputs) are the numbers of a scene at the scalar of the pass. For each tile a path goes
 //! from [wavefront](wavefront) to wavefront: packets of rays are traced, what they hit is
-//! [gathered](gather) into lanes, [`transport`](crate::transport) gives the surface points,
+//! [gathered](hits) into lanes, [`transport`](crate::transport) gives the surface points,
 //! [shadow rays](shadow) tell which lights they see, and, from the deepest wavefront back to the
 //! camera, [`vertex`] gives the radiance that leaves each path vertex.
 //!
@@ -13,7 +13,9 @@
 //! lanes share, such as the triangle that neighbours hit, is [fetched once](coalesce).
 
 pub(crate) mod coalesce;
+pub(crate) mod film;
 pub(crate) mod gather;
+pub(crate) mod hits;
 pub(crate) mod image;
 pub(crate) mod inputs;
 pub(crate) mod integrator;

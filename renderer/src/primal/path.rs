@@ -13,16 +13,6 @@ use crate::trace::layout::Kind;
 use crate::transport::camera::Ray;
 use crate::transport::vertex::next_ray;
 
-/// What is traced although its weight is zero: the value is zero, the derivative with respect to the
-/// weight is not.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct ZeroWeight {
-    /// Every opaque material counts as a mirror.
-    pub mirrors: bool,
-    /// Lights that send nothing cast shadows.
-    pub lights: bool,
-}
-
 /// The paths of one sample of a tile: a wavefront for each depth. A pixel has the same ray in each.
 pub struct Path<S: Number> {
     /// None before the first tile, so that an empty path takes no memory.
@@ -48,16 +38,16 @@ impl<S: Number> Default for Path<S> {
 impl<S: Number> Integrator<'_, S> {
     /// Traces the paths through one point of every pixel of a tile, with the visibility of lights, and
     /// finds the radiance that each ray brings but for those of the camera.
-    pub fn trace_path(&self, sample: &TileSample<'_>, zero_weight: ZeroWeight, path: &mut Path<S>) {
+    pub fn trace_path(&self, sample: &TileSample<'_>, path: &mut Path<S>) {
         let Path { wavefronts, depth } = path;
         if wavefronts.is_empty() {
             wavefronts.push(Wavefront::default());
         }
         self.trace_primary(sample, &mut wavefronts[0]);
-        self.trace_shadows(zero_weight, &mut wavefronts[0]);
+        self.trace_shadows(&mut wavefronts[0]);
         *depth = 1;
         let goes_on =
-            zero_weight.mirrors || self.layout.has_mirrors || self.layout.has_transparency;
+            self.zero_weight.mirrors || self.layout.has_mirrors || self.layout.has_transparency;
         if !goes_on {
             return;
         }
@@ -66,10 +56,10 @@ impl<S: Number> Integrator<'_, S> {
                 wavefronts.push(Wavefront::default());
             }
             let (before, after) = wavefronts.split_at_mut(*depth);
-            if !self.trace_secondary(&before[*depth - 1], zero_weight, &mut after[0]) {
+            if !self.trace_secondary(&before[*depth - 1], &mut after[0]) {
                 break;
             }
-            self.trace_shadows(zero_weight, &mut after[0]);
+            self.trace_shadows(&mut after[0]);
             *depth += 1;
         }
         for depth in (1..*depth).rev() {
@@ -79,12 +69,7 @@ impl<S: Number> Integrator<'_, S> {
     }
 
     /// Traces the rays that go on from a wavefront; returns whether there are any.
-    fn trace_secondary(
-        &self,
-        from: &Wavefront<S>,
-        zero_weight: ZeroWeight,
-        to: &mut Wavefront<S>,
-    ) -> bool {
+    fn trace_secondary(&self, from: &Wavefront<S>, to: &mut Wavefront<S>) -> bool {
         let mut sent_on = std::mem::take(&mut to.rays);
         sent_on.clear();
         sent_on.resize_with(blocks::<S>(), zero_ray::<S>);
@@ -93,7 +78,7 @@ impl<S: Number> Integrator<'_, S> {
         for group in &from.groups {
             let materials = self.materials(&group.primitives);
             let transparent = self.transparent_lanes(&materials);
-            let mirrors = self.mirror_lanes(&materials, zero_weight) & !transparent;
+            let mirrors = self.mirror_lanes(&materials) & !transparent;
             let lanes = (mirrors | transparent) & group.alive;
             if lanes == 0 {
                 continue;
@@ -132,9 +117,9 @@ impl<S: Number> Integrator<'_, S> {
     }
 
     /// A bit for each lane whose material is a mirror, or counts as one.
-    fn mirror_lanes(&self, materials: &Coalesced, zero_weight: ZeroWeight) -> u32 {
+    fn mirror_lanes(&self, materials: &Coalesced) -> u32 {
         materials.lanes_where(|material| {
-            zero_weight.mirrors || self.layout.materials[material].is_mirror
+            self.zero_weight.mirrors || self.layout.materials[material].is_mirror
         })
     }
 }

@@ -7,7 +7,6 @@ use glam::DVec3;
 
 use super::integrator::Integrator;
 use super::lanes::vectors_of_lanes;
-use super::path::ZeroWeight;
 use super::wavefront::{LaneGroup, Wavefront, set_vectors};
 use crate::counts::count;
 use crate::number::{MAX_LANES, Number, primal_vector};
@@ -26,11 +25,11 @@ const SURFACE_ERROR: f64 = 8.0 * f32::EPSILON as f64;
 impl<S: Number> Integrator<'_, S> {
     /// Finds which rays of a wavefront end where each light shines. Nothing is traced for lights that send
     /// nothing, unless they count.
-    pub fn trace_shadows(&self, zero_weight: ZeroWeight, wavefront: &mut Wavefront<S>) {
+    pub fn trace_shadows(&self, wavefront: &mut Wavefront<S>) {
         let mut visible = std::mem::take(&mut wavefront.visible);
         visible.clear();
         visible.extend(self.layout.lights.iter().enumerate().map(|(light, traits)| {
-            if traits.is_black && !zero_weight.lights {
+            if traits.is_black && !self.zero_weight.lights {
                 return 0;
             }
             match self.tracer.position(light) {
@@ -39,7 +38,7 @@ impl<S: Number> Integrator<'_, S> {
             }
         }));
         wavefront.visible = visible;
-        self.trace_transmissions(zero_weight, wavefront);
+        self.trace_transmissions(wavefront);
     }
 
     /// Shadow rays of a light with a position start at the light: from there they are coherent.

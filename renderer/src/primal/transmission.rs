@@ -8,8 +8,7 @@
 use super::coalesce::{Coalesced, select_lanes};
 use super::integrator::Integrator;
 use super::lanes::vectors_of_lanes;
-use super::path::ZeroWeight;
-use super::wavefront::{LaneGroup, Wavefront, blocks};
+use super::wavefront::{LaneGroup, Occluder, Transmission, Wavefront, blocks};
 use crate::counts::count;
 use crate::number::{MAX_LANES, Number};
 use crate::scene::Slot;
@@ -20,57 +19,18 @@ use crate::transport::direct::attenuate;
 use crate::transport::hit::surface_uv;
 use crate::transport::texture::modulate_opacity;
 
-/// What transparent surfaces leave of a light, by ray of a wavefront.
-pub struct Transmission<S: Number> {
-    /// The transmittance, by block; 1 where nothing is in the way.
-    transmittance: Vec<S>,
-    /// The surfaces that light goes through, group after group, and from the points to the light.
-    crossings: Vec<Crossing<S>>,
-}
-
-/// Transparent surfaces of one kind between lanes of a group and a light.
-pub struct Crossing<S: Number> {
-    /// The index of the group in its wavefront.
-    pub group: usize,
-    /// A bit for each lane whose light goes through a surface here.
-    pub lanes: u32,
-    pub primitives: Coalesced,
-    pub kind: Kind,
-    /// A bit for each lane whose light leaves a sphere here.
-    pub inside: u32,
-    /// The transmittance of the surfaces before this one.
-    pub before: S,
-    /// The opacity of this one.
-    pub opacity: S,
-}
-
-impl<S: Number> Transmission<S> {
-    /// The transmittance in the lanes of a group.
-    #[inline]
-    pub fn of(&self, group: &LaneGroup<S>) -> S {
-        self.transmittance[group.block()]
-    }
-
-    /// The surfaces between the light and the group of this index, from the points on.
-    pub fn crossings_of(&self, group: usize) -> &[Crossing<S>] {
-        let end = self.crossings.partition_point(|crossing| crossing.group <= group);
-        let start = self.crossings.partition_point(|crossing| crossing.group < group);
-        &self.crossings[start..end]
-    }
-}
-
 impl<S: Number> Integrator<'_, S> {
     /// Adds to the visibility masks of a wavefront the rays that end where lights shine through
     /// transparent surfaces.
-    pub fn trace_transmissions(&self, zero_weight: ZeroWeight, wavefront: &mut Wavefront<S>) {
+    pub fn trace_transmissions(&self, wavefront: &mut Wavefront<S>) {
         wavefront.transmissions.clear();
         if !self.layout.has_transparency {
             return;
         }
         for light in 0..wavefront.visible.len() {
             let mut transmission =
-                Transmission { transmittance: vec![S::ONE; blocks::<S>()], crossings: Vec::new() };
-            if !self.layout.lights[light].is_black || zero_weight.lights {
+                Transmission { transmittance: vec![S::ONE; blocks::<S>()], occluders: Vec::new() };
+            if !self.layout.lights[light].is_black || self.zero_weight.lights {
                 let through = self.transmit(light, wavefront, &mut transmission);
                 wavefront.visible[light] |= through;
             }
@@ -157,7 +117,7 @@ impl<S: Number> Integrator<'_, S> {
                 }
                 let primitives = Coalesced::new(&primitives, group.first, lanes);
                 let before = transmission.of(group);
-                let mut crossing = Crossing {
+                let mut occluder = Occluder {
                     group: index,
                     lanes,
                     primitives,
@@ -166,11 +126,11 @@ impl<S: Number> Integrator<'_, S> {
                     before,
                     opacity: S::ONE,
                 };
-                crossing.opacity = self.opacity_at(light, group, &crossing);
-                let after = attenuate::<S>(before, crossing.opacity);
+                occluder.opacity = self.opacity_at(light, group, &occluder);
+                let after = attenuate::<S>(before, occluder.opacity);
                 transmission.transmittance[group.block()] =
                     select_lanes::<S, S>(lanes, &after, &before);
-                transmission.crossings.push(crossing);
+                transmission.occluders.push(occluder);
             }
         }
     }
@@ -182,8 +142,8 @@ impl<S: Number> Integrator<'_, S> {
     }
 
     /// The opacity of surfaces where the light of a group goes through them.
-    fn opacity_at(&self, light: usize, group: &LaneGroup<S>, crossing: &Crossing<S>) -> S {
-        let Crossing { primitives, kind, inside, .. } = crossing;
+    fn opacity_at(&self, light: usize, group: &LaneGroup<S>, occluder: &Occluder<S>) -> S {
+        let Occluder { primitives, kind, inside, .. } = occluder;
         let materials = self.materials(primitives);
         let opacity = self.material(&materials).opacity;
         let is_textured =

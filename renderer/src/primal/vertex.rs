@@ -7,15 +7,15 @@ use super::coalesce::Coalesced;
 use super::gather::Lookup;
 use super::inputs::LightInputs;
 use super::integrator::Integrator;
-use super::transmission::Crossing;
+use super::wavefront::Occluder;
 use super::wavefront::{LaneGroup, Wavefront};
 use crate::counts::count;
 use crate::number::Number;
 use crate::scene::Slot;
 use crate::settings::Pass;
-use crate::transport::direct::{direct, direct_lambertian};
+use crate::transport::direct::direct;
 use crate::transport::hit::surface_uv;
-use crate::transport::material::Material;
+use crate::transport::material::{Lobes, Material};
 use crate::transport::texture::{Uv, modulate, modulate_opacity};
 use crate::transport::vertex::outgoing;
 
@@ -40,7 +40,7 @@ pub struct Vertex<'a, S: Number> {
     pub material: Material<S>,
     /// A bit for each lane whose material is transparent.
     pub transparent: u32,
-    is_lambertian: bool,
+    pub lobes: Lobes,
     /// The radiance from where the rays go on, where they were traced.
     pub beyond: Option<Vec3<S>>,
 }
@@ -58,7 +58,7 @@ impl<'a, S: Number> Integrator<'a, S> {
         let materials = self.materials(&group.primitives);
         let mut material = self.material(&materials);
         let textured = self.textured(group, &materials, &mut material);
-        let traits = |(material, _): (usize, u32)| self.layout.materials[material].is_lambertian;
+        let lobes = materials.iter().map(|(material, _)| self.layout.materials[material].lobes);
         Vertex {
             integrator: *self,
             group,
@@ -66,7 +66,7 @@ impl<'a, S: Number> Integrator<'a, S> {
             material,
             textured,
             transparent: self.transparent_lanes(&materials),
-            is_lambertian: materials.iter().all(traits),
+            lobes: lobes.fold(self.zero_weight.lobes, Lobes::union),
             materials,
             beyond: beyond.map(|wavefront| wavefront.radiance[group.block()]),
         }
@@ -145,9 +145,9 @@ impl<'a, S: Number> Vertex<'a, S> {
     }
 
     /// The transparent surfaces between a light and the group, which has this index in its wavefront.
-    pub fn crossings(&self, light: usize, index: usize) -> &'a [Crossing<S>] {
+    pub fn occluders(&self, light: usize, index: usize) -> &'a [Occluder<S>] {
         match self.wavefront.transmissions.get(light) {
-            Some(transmission) => transmission.crossings_of(index),
+            Some(transmission) => transmission.occluders_of(index),
             None => &[],
         }
     }
@@ -168,15 +168,13 @@ impl<'a, S: Number> Vertex<'a, S> {
 
     #[inline(always)]
     fn direct(&self, index: usize, light: &LightInputs<S>) -> Vec3<S> {
-        let (material, surface, visible) = (self.material, self.group.surface, self.visible(index));
+        let (surface, visible) = (self.group.surface, self.visible(index));
         let light = light.illuminate(surface.point);
+        let direct = |left| direct::<S>(self.material, self.lobes, surface, light, visible, left);
         match self.transmittance(index) {
-            // With a constant for the transmittance there is no product.
-            None if self.is_lambertian => {
-                direct_lambertian::<S>(material.diffuse, surface, light, visible, S::ONE)
-            }
-            None => direct::<S>(material, surface, light, visible, S::ONE),
-            Some(left) => direct::<S>(material, surface, light, visible, left),
+            // With a constant there is no product.
+            None => direct(S::ONE),
+            Some(left) => direct(left),
         }
     }
 

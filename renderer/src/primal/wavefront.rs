@@ -2,21 +2,18 @@
 
 use ad::lanes::Lanes;
 use ad::vector::Vector3;
-use ad::{Additive, Fields, Real, Vec3};
+use ad::{Additive, Fields, Vec3};
 use glam::DVec3;
 
 use super::coalesce::{Coalesced, select_lanes};
-use super::integrator::Integrator;
 use super::lanes::{all_lanes, singles_of_lanes, vectors_of_lanes};
-use super::transmission::Transmission;
-use crate::counts::count;
 use crate::number::{MAX_LANES, Number, primal_vector};
-use crate::trace::bvh::{PACKET_RAYS, PacketHits, PacketVectors, rays, tile_position};
+use crate::trace::bvh::{PACKET_RAYS, PacketHits, PacketVectors, rays};
 use crate::trace::layout::Kind;
 use crate::trace::sampling::{Offsets, Sampling};
 use crate::trace::tile::Tile;
-use crate::transport::camera::{Ray, film_point, primary_ray};
-use crate::transport::hit::SurfacePoint;
+use crate::transport::camera::Ray;
+use crate::transport::surface::SurfacePoint;
 
 /// The rays of a tile at one depth: those of the camera, or those that go on from mirrors or through
 /// transparent surfaces.
@@ -95,6 +92,45 @@ impl<S: Number> LaneGroup<S> {
     }
 }
 
+/// What transparent surfaces leave of a light, by ray of a wavefront.
+pub struct Transmission<S: Number> {
+    /// The transmittance, by block; 1 where nothing is in the way.
+    pub transmittance: Vec<S>,
+    /// The surfaces that light goes through, group after group, and from the points to the light.
+    pub occluders: Vec<Occluder<S>>,
+}
+
+/// Transparent surfaces of one kind between lanes of a group and a light.
+pub struct Occluder<S: Number> {
+    /// The index of the group in its wavefront.
+    pub group: usize,
+    /// A bit for each lane whose light goes through a surface here.
+    pub lanes: u32,
+    pub primitives: Coalesced,
+    pub kind: Kind,
+    /// A bit for each lane whose light leaves a sphere here.
+    pub inside: u32,
+    /// The transmittance of the surfaces before this one.
+    pub before: S,
+    /// The opacity of this one.
+    pub opacity: S,
+}
+
+impl<S: Number> Transmission<S> {
+    /// The transmittance in the lanes of a group.
+    #[inline]
+    pub fn of(&self, group: &LaneGroup<S>) -> S {
+        self.transmittance[group.block()]
+    }
+
+    /// The surfaces between the light and the group of this index, from the points on.
+    pub fn occluders_of(&self, group: usize) -> &[Occluder<S>] {
+        let end = self.occluders.partition_point(|occluder| occluder.group <= group);
+        let start = self.occluders.partition_point(|occluder| occluder.group < group);
+        &self.occluders[start..end]
+    }
+}
+
 /// To be filled by tracing.
 impl<S: Number> Default for Wavefront<S> {
     fn default() -> Self {
@@ -109,125 +145,6 @@ impl<S: Number> Default for Wavefront<S> {
             radiance: Vec::new(),
         }
     }
-}
-
-impl<S: Number> Integrator<'_, S> {
-    /// Traces the camera rays through one point of every pixel of a tile.
-    pub fn trace_primary(&self, sample: &TileSample<'_>, wavefront: &mut Wavefront<S>) {
-        let tile = sample.tile;
-        let offsets = sample.sampling.offsets(tile, sample.index);
-        let mut directions = PacketVectors::ZERO;
-        for first in (0..PACKET_RAYS).step_by(<S::Lanes as Lanes>::COUNT) {
-            let (x, y) = self.film(tile, offsets.as_ref(), first);
-            let direction = film_point::<S>(self.inputs.frame, constant(x), constant(y));
-            set_vectors::<S::Lanes>(
-                &mut directions,
-                first,
-                all_lanes::<S::Lanes>(),
-                primal_vector::<S>(direction),
-            );
-        }
-        let wanted = tile.rays();
-        count(|counts| &counts.primary_rays, u64::from(wanted.count_ones()));
-        self.tracer.primary(tile, &directions, wanted, &mut wavefront.hits);
-
-        let ray = |first: usize, alive: u32| {
-            let (x, y) = self.film(tile, offsets.as_ref(), first);
-            let (x, y) = (repeated::<S::Lanes>(x, alive), repeated::<S::Lanes>(y, alive));
-            primary_ray::<S>(self.inputs.frame, constant(x), constant(y))
-        };
-        self.gather_hits(wavefront, wanted, ray);
-        wavefront.offsets = offsets;
-    }
-
-    /// Gathers what the wanted rays of a packet hit. `ray` gives those from an index on; in lanes
-    /// that do not count it repeats one that does.
-    #[inline]
-    pub fn gather_hits(
-        &self,
-        wavefront: &mut Wavefront<S>,
-        wanted: u64,
-        ray: impl Fn(usize, u32) -> Ray<S>,
-    ) {
-        let hits = &wavefront.hits;
-        let hit = wanted & hits.met();
-        wavefront.missed = wanted & !hit;
-        wavefront.groups.clear();
-        let kinds = self.by_kind(&hits.primitive, hit);
-        for first in (0..PACKET_RAYS).step_by(<S::Lanes as Lanes>::COUNT) {
-            let lanes = |rays: u64| (rays >> first) as u32 & all_lanes::<S::Lanes>();
-            for (kind, rays) in kinds {
-                let alive = lanes(rays);
-                if alive == 0 {
-                    continue;
-                }
-                let primitives = Coalesced::new(&hits.primitive, first, alive);
-                let (ray, inside) = (ray(first, alive), lanes(hits.leaves));
-                let surface = self.surface(kind, &primitives, inside, ray);
-                let group = LaneGroup { first, alive, primitives, kind, inside, ray, surface };
-                wavefront.groups.push(group);
-            }
-        }
-    }
-
-    /// A bit for each ray that hits a primitive of each kind.
-    fn by_kind(&self, primitives: &[u32; PACKET_RAYS], hit: u64) -> [(Kind, u64); 3] {
-        let (spheres, customs) = (self.layout.spheres, self.layout.customs());
-        let triangles = self.layout.triangles.len();
-        let below = |end: usize, are_more: bool| match are_more {
-            false => u64::MAX,
-            true => primitives.iter().enumerate().fold(0, |bits, (ray, &primitive)| {
-                bits | u64::from((primitive as usize) < end) << ray
-            }),
-        };
-        let triangle = hit & below(triangles, spheres + customs > 0);
-        let sphere = hit & !triangle & below(triangles + spheres, customs > 0);
-        [
-            (Kind::Triangle, triangle),
-            (Kind::Sphere, sphere),
-            (Kind::Custom, hit & !triangle & !sphere),
-        ]
-    }
-
-    /// Where the rays from `first` on meet the image plane.
-    #[inline]
-    pub fn film(
-        &self,
-        tile: &Tile,
-        offsets: Option<&Offsets>,
-        first: usize,
-    ) -> (S::Lanes, S::Lanes) {
-        let position = |middle: S::Lanes, axis: usize, start: usize, size: u32| {
-            // In halves of pixels from the middle of the image: whole numbers for middles of pixels,
-            // so exact.
-            let start = S::Lanes::from_f64(2.0 * start as f64 + 1.0 - f64::from(size));
-            let within = offsets.map_or(S::Lanes::ZERO, |offsets| {
-                S::Lanes::from_lanes(|lane| {
-                    Real::from_f64(2.0 * f64::from(offsets[axis][first + lane]))
-                })
-            });
-            (middle + start + within) * S::Lanes::from_f64(1.0 / f64::from(size))
-        };
-        let (x, y) = self.film_offsets[first / <S::Lanes as Lanes>::COUNT];
-        let (width, height) = (self.layout.width, self.layout.height);
-        (position(x, 0, tile.left, width), -position(y, 1, tile.top, height))
-    }
-}
-
-#[inline(always)]
-fn constant<S: Number>(x: S::Lanes) -> S {
-    S::constant(x)
-}
-
-/// Puts the number of the first living lane into the lanes that do not count.
-#[inline]
-fn repeated<L: Lanes>(x: L, alive: u32) -> L {
-    if alive == all_lanes::<L>() {
-        return x;
-    }
-    let first = alive.trailing_zeros() as usize;
-    let number = x.lanes().as_ref()[first];
-    ad::select(L::mask_from_bits(alive), x, L::from_lanes(|_| number))
 }
 
 /// A ray with that of the first living lane in the lanes that do not count.
@@ -257,21 +174,6 @@ pub fn clear_blocks<S: Number, T: Additive>(values: &mut Vec<T>) {
 pub fn put<S: Number, T: Fields<S>>(group: &LaneGroup<S>, lanes: u32, value: &T, blocks: &mut [T]) {
     let block = &mut blocks[group.block()];
     *block = select_lanes::<S, T>(lanes, value, block);
-}
-
-/// Twice the columns and the rows of the rays of a packet, within their tile, by block.
-pub fn film_offsets<L: Lanes>() -> Vec<(L, L)> {
-    let offset = |ray: usize, axis: usize| {
-        let (column, row) = tile_position(ray);
-        <L::Element as Real>::from_f64(2.0 * [column, row][axis] as f64)
-    };
-    let blocks = (0..PACKET_RAYS).step_by(L::COUNT);
-    blocks
-        .map(|first| {
-            let along = |axis: usize| L::from_lanes(|lane| offset(first + lane, axis));
-            (along(0), along(1))
-        })
-        .collect()
 }
 
 /// Sets the vectors of the rays from `first` on, in the lanes whose bits are set.

@@ -251,7 +251,7 @@ impl<'a> Recovery<'a> {
             return Ok(evaluation);
         }
         let unknown = || format!("the loss is {}, with its gradient", evaluation.loss);
-        Err(Error::new("gradient", objective.explain(&x).unwrap_or_else(unknown)))
+        Err(Error::not_finite("gradient", objective.explain(&x).unwrap_or_else(unknown)))
     }
 
     /// The loss in double precision as a function of one element of one parameter, for finite

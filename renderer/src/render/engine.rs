@@ -10,10 +10,11 @@ use crate::diagnose::{self, NonFinite};
 use crate::image::Image;
 use crate::loss::PixelLoss;
 use crate::number::Plain;
+#[cfg(feature = "files")]
+use crate::primal::image::rays_by_depth;
 use crate::primal::image::{loss, loss_dual, render_dual, render_into, trace_only};
 use crate::primal::inputs::{Inputs, Varying};
-use crate::primal::integrator::Prepared;
-use crate::primal::path::ZeroWeight;
+use crate::primal::integrator::{Prepared, ZeroWeight};
 use crate::scene::{ParameterId, Scene};
 use crate::settings::Settings;
 use crate::trace::sampling::Sampling;
@@ -273,7 +274,7 @@ impl<L: Plain> Engine for Prepared<L> {
 
     fn jvp(&self, scene: &Scene, direction: &[(ParameterId, Vec<f64>)]) -> (Image, Image) {
         let (inputs, zero_weight) = moving(self, scene, direction);
-        render_dual(self.with_inputs(&inputs), zero_weight)
+        render_dual(self.with_inputs(&inputs).with_zero_weight(zero_weight))
     }
 
     fn loss_jvp(
@@ -283,7 +284,7 @@ impl<L: Plain> Engine for Prepared<L> {
         direction: &[(ParameterId, Vec<f64>)],
     ) -> (f64, f64) {
         let (inputs, zero_weight) = moving(self, scene, direction);
-        loss_dual(self.with_inputs(&inputs), loss, zero_weight)
+        loss_dual(self.with_inputs(&inputs).with_zero_weight(zero_weight), loss)
     }
 
     fn find_non_finite(
@@ -319,7 +320,7 @@ impl<L: Plain> Engine for Prepared<L> {
     #[cfg(feature = "files")]
     fn rays_by_depth(&self, scene: &Scene, requested: &[ParameterId]) -> Vec<(u64, u64)> {
         let request = Request::new(scene, &self.layout, requested);
-        crate::primal::image::rays_by_depth(self.integrator(), request.zero_weight)
+        rays_by_depth(self.integrator().with_zero_weight(request.zero_weight))
     }
 
     fn trace_only(&self, shadows: bool) {

@@ -7,7 +7,7 @@ use glam::DVec3;
 
 use super::numbers::{Numbers, range_of};
 use crate::custom::{EmitterFamily, EmitterKernel};
-use crate::transport::light::{DistantLight, Light, PointLight};
+use crate::transport::light::{DistantLight, Light, PointLight, SpotLight, match_light};
 
 /// A light and its name.
 #[derive(Clone, Debug, PartialEq)]
@@ -47,23 +47,11 @@ impl LightSource {
     }
 }
 
-/// Runs `$body` with the struct of the light of a known kind.
-macro_rules! with_light {
-    ($light:expr, $inner:ident => $body:expr) => {
-        match $light {
-            $crate::transport::light::Light::Point($inner) => $body,
-            $crate::transport::light::Light::Distant($inner) => $body,
-        }
-    };
-}
-
-pub(crate) use with_light;
-
 impl Light<f64> {
     /// The kinds by the names that scene files give them, with numbers that are not: what a kind needs
     /// is NaN, what it can do without has its default.
     #[cfg(feature = "files")]
-    pub(crate) const KINDS: [(&'static str, Self); 2] = [
+    pub(crate) const KINDS: [(&'static str, Self); 3] = [
         (
             "point",
             Self::Point(PointLight {
@@ -80,6 +68,17 @@ impl Light<f64> {
                 irradiance: f64::NAN,
             }),
         ),
+        (
+            "spot",
+            Self::Spot(SpotLight {
+                position: DVec3::NAN,
+                direction: DVec3::NAN,
+                color: DVec3::ONE,
+                radiant_intensity: f64::NAN,
+                inner_angle: 0.0,
+                outer_angle: 45.0,
+            }),
+        ),
     ];
 
     /// The name that scene files give its kind.
@@ -88,14 +87,7 @@ impl Light<f64> {
         match self {
             Self::Point(_) => "point",
             Self::Distant(_) => "distant",
-        }
-    }
-
-    /// The position, if it has one.
-    pub fn position(&self) -> Option<DVec3> {
-        match self {
-            Self::Point(light) => Some(light.position),
-            Self::Distant(_) => None,
+            Self::Spot(_) => "spot",
         }
     }
 
@@ -104,6 +96,7 @@ impl Light<f64> {
         let radiance = match self {
             Self::Point(light) => light.color * light.radiant_intensity,
             Self::Distant(light) => light.color * light.irradiance,
+            Self::Spot(light) => light.color * light.radiant_intensity,
         };
         radiance == DVec3::ZERO
     }
@@ -121,17 +114,23 @@ impl From<DistantLight<f64>> for Light<f64> {
     }
 }
 
+impl From<SpotLight<f64>> for Light<f64> {
+    fn from(light: SpotLight<f64>) -> Self {
+        Self::Spot(light)
+    }
+}
+
 impl Numbers for LightObject {
     fn fields(&self) -> Vec<Field> {
         match &self.source {
-            LightSource::Known(light) => with_light!(light, light => Numbers::fields(light)),
+            LightSource::Known(light) => match_light!(light, light => Numbers::fields(light)),
             LightSource::Custom { kernel, .. } => kernel.fields.to_vec(),
         }
     }
 
     fn get(&self, field: &str) -> Option<Cow<'_, [f64]>> {
         match &self.source {
-            LightSource::Known(light) => with_light!(light, light => Numbers::get(light, field)),
+            LightSource::Known(light) => match_light!(light, light => Numbers::get(light, field)),
             LightSource::Custom { kernel, numbers } => {
                 Some(Cow::Borrowed(&numbers[range_of(kernel.fields, field)?]))
             }
@@ -141,7 +140,7 @@ impl Numbers for LightObject {
     fn set(&mut self, field: &str, first: usize, new: &[f64]) {
         match &mut self.source {
             LightSource::Known(light) => {
-                with_light!(light, light => Numbers::set(light, field, first, new));
+                match_light!(light, light => Numbers::set(light, field, first, new));
             }
             LightSource::Custom { kernel, numbers } => {
                 if let Some(range) = range_of(kernel.fields, field) {

@@ -4,7 +4,7 @@
 //! Objects refer to materials and textures by index; [`add_material`](Scene::add_material) and its
 //! siblings return the index and check what they add. Every block of numbers that may vary is a
 //! parameter with a [path](ParameterId) such as `light.key.position`; what is known of parameters, their
-//! ranges and natural scales and whether they move edges, stands in one [table](table).
+//! ranges and natural scales and whether they move edges, stands in one table, `scene/table.rs`.
 //!
 //! ```
 //! use glam::DVec3;
@@ -27,11 +27,12 @@
 //! nothing ties together), and numbers behind shared references (a scene is cloned to be varied).
 
 mod framing;
-pub(crate) mod light;
+mod light;
 mod lookup;
 mod material;
 mod mesh;
 pub(crate) mod numbers;
+mod object;
 mod parameter;
 mod shape;
 mod sphere;
@@ -42,18 +43,20 @@ mod validate;
 use glam::DVec3;
 
 pub use crate::transport::camera::Camera;
-pub use crate::transport::light::{DistantLight, Light, PointLight};
+pub use crate::transport::light::{DistantLight, Light, PointLight, SpotLight};
 pub use crate::transport::material::Material;
 pub use crate::transport::sphere::Sphere;
 pub use crate::transport::transform::Transform;
 pub use light::{LightObject, LightSource};
 pub use material::{MaterialObject, MaterialTextures, Slot};
 pub use mesh::Mesh;
-pub use parameter::{Differentiability, Object, ParameterId, ParameterPath};
+pub use object::{Object, ParameterId};
+pub use parameter::{Differentiability, ParameterPath};
 pub use shape::ShapeObject;
 pub use sphere::SphereObject;
 pub use texture::{Texture, Wrap};
 pub use validate::Invalid;
+#[cfg(feature = "files")]
 pub(crate) use validate::MOST_PIXELS;
 
 use crate::Error;
@@ -98,7 +101,7 @@ impl Scene {
         }
     }
 
-    /// Adds a point or a distant light; returns its index.
+    /// Adds a light; returns its index.
     ///
     /// # Errors
     ///

@@ -6,52 +6,7 @@ use std::fmt;
 use ad::{Field, Fields};
 
 use super::numbers::Numbers;
-use super::{Material, Mesh, Scene, table};
-
-/// An object of a scene, by kind and index.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub enum Object {
-    /// The camera.
-    Camera,
-    /// A light.
-    Light(usize),
-    /// A material.
-    Material(usize),
-    /// A texture.
-    Texture(usize),
-    /// A sphere.
-    Sphere(usize),
-    /// A mesh.
-    Mesh(usize),
-    /// A shape of one's own.
-    Shape(usize),
-}
-
-impl Object {
-    /// The kind, as paths begin.
-    pub fn kind(self) -> &'static str {
-        match self {
-            Self::Camera => "camera",
-            Self::Light(_) => "light",
-            Self::Material(_) => "material",
-            Self::Texture(_) => "texture",
-            Self::Sphere(_) => "sphere",
-            Self::Mesh(_) => "mesh",
-            Self::Shape(_) => "shape",
-        }
-    }
-}
-
-/// One parameter of a scene: a field of an object, or one vertex of a mesh.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub struct ParameterId {
-    /// The object.
-    pub object: Object,
-    /// The name of the field.
-    pub field: &'static str,
-    /// The index of a vertex, if the parameter is one vertex and not all.
-    pub vertex: Option<usize>,
-}
+use super::{Material, Mesh, Object, ParameterId, Scene, table};
 
 /// What the gradient of a parameter is worth.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -64,24 +19,12 @@ pub enum Differentiability {
 }
 
 impl ParameterId {
-    /// The parameter `field` of an object.
-    pub(crate) fn new(object: Object, field: &'static str) -> Self {
-        Self { object, field, vertex: None }
-    }
-
     /// What a gradient with respect to the parameter is worth.
     pub fn differentiability(self) -> Differentiability {
         match table::row(self).moves_edges {
             true => Differentiability::Interior,
             false => Differentiability::Smooth,
         }
-    }
-
-    /// Whether two parameters have numbers in common: they are the same, or one is a vertex of the
-    /// other.
-    pub fn overlaps(self, other: Self) -> bool {
-        (self.object, self.field) == (other.object, other.field)
-            && (self.vertex == other.vertex || self.vertex.is_none() || other.vertex.is_none())
     }
 }
 
@@ -191,6 +134,7 @@ impl Scene {
 
     /// Replaces the numbers of several parameters, one after the other in `values`, without checking
     /// them.
+    #[cfg(feature = "files")]
     pub(crate) fn assign_all(&mut self, ids: &[ParameterId], mut values: &[f64]) {
         for &id in ids {
             let (numbers, rest) = values.split_at(self.get(id).len());

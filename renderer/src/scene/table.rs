@@ -6,7 +6,7 @@
 
 use glam::DVec3;
 
-use super::{Light, LightSource, Mesh, Object, ParameterId, Scene};
+use super::{LightSource, Mesh, Object, ParameterId, Scene};
 
 /// Lengths and coordinates beyond this overflow when an `f32` squares them.
 const LARGEST_LENGTH: f64 = 1e18;
@@ -24,6 +24,7 @@ const LENGTH: (f64, f64) = (-LARGEST_LENGTH, LARGEST_LENGTH);
 const EXTENT: (f64, f64) = (SMALLEST_LENGTH, LARGEST_LENGTH);
 const ENERGY: (f64, f64) = (0.0, LARGEST_NUMBER);
 const PART: (f64, f64) = (0.0, 1.0);
+const CONE: (f64, f64) = (0.0, 90.0);
 const NUMBER: (f64, f64) = (-LARGEST_NUMBER, LARGEST_NUMBER);
 
 /// What is known of a field of a kind of object.
@@ -35,6 +36,7 @@ pub(crate) struct Row {
     /// The largest value where nobody says otherwise. A surface reflects no more light than it
     /// receives: beyond that, a bright spot could as well be explained by a surface that makes light
     /// as by a stronger lamp.
+    #[cfg_attr(not(feature = "files"), expect(dead_code, reason = "optimisers read it"))]
     pub usual_max: f64,
     /// A change that changes the image a lot, by the scene, the object and its numbers.
     scale: fn(&Scene, usize, &[f64]) -> f64,
@@ -42,6 +44,7 @@ pub(crate) struct Row {
     /// anywhere within the default number of iterations; steps get smaller where the gradient does.
     /// Cameras and geometry have to be close to begin with, since only the interior term of their
     /// gradient is known; so they take their time.
+    #[cfg_attr(not(feature = "files"), expect(dead_code, reason = "optimisers read it"))]
     pub rate: f64,
     /// Whether it moves edges: silhouettes, or those of shadows.
     pub moves_edges: bool,
@@ -98,8 +101,11 @@ const TABLE: &[Row] = &[
         size(scene, i, numbers).max(light_distance(scene, i).powi(2))
     }),
     smooth("light", "irradiance", ENERGY, |scene, i, numbers| size(scene, i, numbers).max(1.0)),
+    smooth("light", "inner_angle", CONE, degrees),
+    smooth("light", "outer_angle", CONE, degrees),
     smooth("material", "emission", ENERGY, one),
     albedo("diffuse"),
+    smooth("material", "roughness", PART, one),
     albedo("specular"),
     smooth("material", "exponent", (0.0, LARGEST_EXPONENT), |scene, i, numbers| {
         size(scene, i, numbers).max(10.0)
@@ -191,12 +197,11 @@ fn view_height(scene: &Scene) -> f64 {
 /// The distance of a light from the point that the camera looks at.
 fn light_distance(scene: &Scene, light: usize) -> f64 {
     let view = scene.view_distance();
-    match &scene.lights[light].source {
-        LightSource::Known(Light::Point(light)) => {
-            positive_or(light.position.distance(scene.camera.look_at), view)
-        }
-        _ => view,
-    }
+    let position = match &scene.lights[light].source {
+        LightSource::Known(light) => light.position(),
+        LightSource::Custom { .. } => None,
+    };
+    position.map_or(view, |position| positive_or(position.distance(scene.camera.look_at), view))
 }
 
 fn positive_or(size: f64, other: f64) -> f64 {
@@ -214,12 +219,12 @@ fn mean_edge(mesh: &Mesh) -> f64 {
 #[cfg(test)]
 mod tests {
     use ad::Fields;
-    use glam::DVec3;
 
     use super::TABLE;
     use crate::scene::numbers::Numbers;
     use crate::scene::{
-        Camera, DistantLight, Material, Mesh, PointLight, Sphere, Texture, Transform, Wrap,
+        Camera, DistantLight, Material, Mesh, PointLight, Sphere, SpotLight, Texture, Transform,
+        Wrap,
     };
 
     /// Every field of every kind of object has one row, and no row is for nothing.
@@ -235,11 +240,11 @@ mod tests {
         let mesh = Mesh::new("", vec![], vec![]).texture_coordinates(vec![[0.0; 2]], vec![]);
         let names =
             |fields: &[ad::Field]| fields.iter().map(|field| field.name).collect::<Vec<_>>();
-        let _ = DVec3::ZERO;
         let fields = [
             ("camera", names(Camera::<f64>::FIELDS)),
             ("light", names(PointLight::<f64>::FIELDS)),
             ("light", names(DistantLight::<f64>::FIELDS)),
+            ("light", names(SpotLight::<f64>::FIELDS)),
             ("material", names(Material::<f64>::FIELDS)),
             ("sphere", names(Sphere::<f64>::FIELDS)),
             ("mesh", names(&mesh.fields())),

@@ -8,6 +8,7 @@ use glam::DVec3;
 use super::sampling::Sampling;
 use crate::scene::{MaterialObject, MaterialTextures, Scene, Slot, Wrap};
 use crate::settings::{Pass, Settings};
+use crate::transport::material::Lobes;
 
 /// The discrete part of a scene, and how it is rendered.
 pub struct Layout {
@@ -54,8 +55,7 @@ pub struct LightTraits {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MaterialTraits {
     pub is_mirror: bool,
-    /// Whether it has no highlight.
-    pub is_lambertian: bool,
+    pub lobes: Lobes,
     pub is_transparent: bool,
     pub textures: MaterialTextures,
 }
@@ -64,7 +64,7 @@ impl MaterialTraits {
     fn of(object: &MaterialObject) -> Self {
         Self {
             is_mirror: object.values.mirror != DVec3::ZERO,
-            is_lambertian: object.values.specular == DVec3::ZERO,
+            lobes: object.values.lobes(),
             is_transparent: object.transparent,
             textures: object.textures,
         }

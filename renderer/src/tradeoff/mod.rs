@@ -14,6 +14,7 @@ mod measurement;
 mod plot;
 mod sampling;
 mod schedules;
+mod steps;
 mod table;
 mod tape;
 #[cfg(test)]
@@ -31,7 +32,8 @@ pub use sampling::{
     sampling_table,
 };
 pub use schedules::{ScheduleRun, measure_schedules};
-pub use table::{best_step, csv, pareto_front, steps, table};
+pub use steps::{best_step, steps};
+pub use table::{csv, pareto_front, table};
 #[cfg(test)]
 pub(crate) use tests::{gradient_on_tapes, random_experiment};
 

@@ -58,21 +58,21 @@ fn on_tape(
     let varying = Varying { blocks: ids.iter().map(block).collect() };
     let (pass, origin) = (prepared.settings.pass, prepared.inputs.origin);
     let inputs = Inputs::<Var>::new(scene, pass, origin, &varying);
-    let integrator = prepared.with_inputs(&inputs);
     let zero_weight = Request::new(scene, &prepared.layout, ids).zero_weight;
+    let integrator = prepared.with_inputs(&inputs).with_zero_weight(zero_weight);
     let mut path = Path::default();
     // Each radiance times the derivative of the loss by it: the derivatives of the sum are those of the
     // loss.
     let mut linear_loss = Var::ZERO;
     for tile in tiles {
         for sample in samples(tile, prepared.layout.sampling) {
-            visit(integrator, &sample, zero_weight, &mut path, |group, radiance| {
+            visit(integrator, &sample, &mut path, |group, radiance| {
                 let (x, y) = tile.pixel(group.first);
                 let value: DVec3 = primal_vector::<Var>(radiance);
                 let (_, derivative) = loss.evaluate(x, y, value);
                 let [x, y, z] = derivative.to_array().map(Var::from_f64);
                 let cotangent: Vec3<Var> = Vector3::new(x, y, z);
-                linear_loss = linear_loss + radiance.dot(cotangent);
+                linear_loss += radiance.dot(cotangent);
             });
         }
     }

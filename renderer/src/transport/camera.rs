@@ -75,7 +75,7 @@ pub fn film_point<S: Real>(frame: CameraFrame<S>, x: S, y: S) -> Vec3<S> {
     frame.forward + frame.right * x + frame.up * y
 }
 
-/// The ray through the point `(x, y)` of the image plane, with the coordinates of [`film_point`].
+/// The ray through the point `(x, y)` of the image plane, with the coordinates of [`film_point()`].
 #[differentiable]
 #[inline]
 pub fn primary_ray<S: Real>(frame: CameraFrame<S>, x: S, y: S) -> Ray<S> {

@@ -3,10 +3,10 @@
 use ad::vector::Vector;
 use ad::{Real, Vec3, differentiable, select};
 
-use super::hit::SurfacePoint;
 use super::light::Illumination;
-use super::material::{Material, brdf, lambertian_brdf};
+use super::material::{Lobes, Material, brdf};
 use super::positive_part;
+use super::surface::SurfacePoint;
 
 /// The radiance that a surface reflects towards the viewer from one light: the BRDF times the
 /// irradiance times the cosine, where the light is `visible`, times the `transmittance` of transparent
@@ -15,28 +15,15 @@ use super::positive_part;
 #[inline]
 pub fn direct<S: Real>(
     material: Material<S>,
+    lobes: Lobes,
     surface: SurfacePoint<S>,
     light: Illumination<S>,
     visible: S::Mask,
     transmittance: S,
 ) -> Vec3<S> {
-    let reflectance = brdf::<S>(material, surface, light.direction);
+    let reflectance = brdf::<S>(material, lobes, surface, light.direction);
     let cosine = cosine::<S>(surface.normal, light.direction);
     let radiance = reflectance * light.irradiance * (cosine * transmittance);
-    select(visible, radiance, Vec3::<S>::ZERO)
-}
-
-/// [`direct`] for a material without highlight: an image needs no power there.
-#[inline]
-pub fn direct_lambertian<S: Real>(
-    diffuse: Vec3<S>,
-    surface: SurfacePoint<S>,
-    light: Illumination<S>,
-    visible: S::Mask,
-    transmittance: S,
-) -> Vec3<S> {
-    let cosine = cosine::<S>(surface.normal, light.direction);
-    let radiance = lambertian_brdf::<S>(diffuse) * light.irradiance * (cosine * transmittance);
     select(visible, radiance, Vec3::<S>::ZERO)
 }
 

@@ -4,19 +4,9 @@ use ad::{Differentiable, Real, Vec3, differentiable};
 
 use super::camera::Ray;
 use super::sphere::{Sphere, sphere_point, sphere_uv};
+use super::surface::SurfacePoint;
 use super::texture::Uv;
 use super::triangle::{Triangle, triangle_point, triangle_uv};
-
-/// A point of a surface, as shading needs it.
-#[derive(Clone, Copy, Debug, Differentiable)]
-pub struct SurfacePoint<S: Real> {
-    /// The position.
-    pub point: Vec3<S>,
-    /// The unit normal, on the side of the viewer.
-    pub normal: Vec3<S>,
-    /// The unit vector towards the viewer.
-    pub view: Vec3<S>,
-}
 
 /// A primitive of a known kind. The kind is the same in every lane.
 #[derive(Clone, Copy, Debug, Differentiable)]

@@ -1,11 +1,11 @@
 //! What light does: the mathematics of the renderer, once.
 //!
 //! In tracing order: a [`camera`] sends a ray through a pixel; [`hit`] gives the surface point on the
-//! [`triangle`] or [`sphere`] that it meets; a [`texture`] varies the [`material`] there; [`direct`]
+//! [`triangle`], [`sphere`] or [`shape`] of one's own that it meets; a [`texture`] varies the [`material`] there; [`direct`]
 //! gives what a [`light`] makes the surface reflect; [`vertex`] puts together what leaves a path vertex
 //! and the ray to the next one. [`transform`] places geometry in the world.
 //!
-//! Every function is `#[differentiable]` and generic over `S:` [`Real`](ad::Real), so one source runs at
+//! Every function is `#[differentiable]` and generic over `S:` [`Real`], so one source runs at
 //! `f32`, `f64`, on SIMD lanes, dual numbers, a tape, and in extended precision, and its pullback is
 //! generated. Functions choose with `select`, `max` and `min` instead of `if`, because lanes may differ.
 //! There are no images, indices or scenes here: which primitive a ray hits, and whether a light is
@@ -20,7 +20,9 @@ pub mod direct;
 pub mod hit;
 pub mod light;
 pub mod material;
+pub mod shape;
 pub mod sphere;
+pub mod surface;
 pub mod texture;
 pub mod transform;
 pub mod triangle;

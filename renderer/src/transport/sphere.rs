@@ -4,8 +4,8 @@ use ad::vector::{Vector, Vector3};
 use ad::{Differentiable, Fields, Real, Vec3, differentiable, select};
 
 use super::camera::Ray;
-use super::hit::SurfacePoint;
 use super::positive_part;
+use super::surface::SurfacePoint;
 use super::texture::Uv;
 use super::transform::rotate;
 

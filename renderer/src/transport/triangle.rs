@@ -4,7 +4,7 @@ use ad::vector::{Vector, Vector3};
 use ad::{Differentiable, Fields, Real, Vec3, differentiable, select};
 
 use super::camera::Ray;
-use super::hit::SurfacePoint;
+use super::surface::SurfacePoint;
 use super::texture::Uv;
 
 /// A triangle, flat shaded and seen from both sides.

@@ -7,7 +7,7 @@ use ad::vector::Vector;
 use ad::{Real, Vec3, differentiable, select};
 
 use super::camera::Ray;
-use super::hit::SurfacePoint;
+use super::surface::SurfacePoint;
 
 /// The radiance that leaves a surface towards the viewer: its `own`, and the radiance that comes from
 /// where the ray goes on, `beyond`. A transparent surface covers it by its `opacity` (the operator

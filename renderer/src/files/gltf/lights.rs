@@ -4,9 +4,8 @@ use glam::{DMat4, DVec3};
 
 use super::document::{self, Document, LightDefinition};
 use super::nodes::PlacedNode;
-use crate::files::meshes::clean_name;
-use crate::files::names::Names;
-use crate::scene::{Camera, DistantLight, Light, PointLight};
+use crate::files::names::{Names, clean_name};
+use crate::scene::{Camera, DistantLight, Light, PointLight, SpotLight};
 
 pub(super) type FoundCamera = Option<(Camera<f64>, Option<f64>)>;
 
@@ -73,6 +72,19 @@ pub(super) fn light(definition: &LightDefinition, to_world: DMat4) -> Result<Lig
             color,
             irradiance: definition.intensity,
         })),
-        kind => Err(format!("is a {kind} light; only point and directional ones are read")),
+        "spot" => {
+            let Some(spot) = &definition.spot else {
+                return Err("is a spot light without the angles of its cone".to_owned());
+            };
+            Ok(Light::Spot(SpotLight {
+                position: to_world.transform_point3(DVec3::ZERO),
+                direction: to_world.transform_vector3(DVec3::NEG_Z).normalize_or_zero(),
+                color,
+                radiant_intensity: definition.intensity,
+                inner_angle: spot.inner_cone_angle.to_degrees(),
+                outer_angle: spot.outer_cone_angle.to_degrees(),
+            }))
+        }
+        kind => Err(format!("is a {kind} light; point, directional and spot lights are read")),
     }
 }

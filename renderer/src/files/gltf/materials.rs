@@ -9,11 +9,12 @@ use super::Buffers;
 use super::buffers::{embedded, percent_decoded};
 use super::document::{self, Document, Sampler, TextureInfo, TextureTransform, get};
 use crate::Error;
-use crate::files::meshes::{clean_name, plain_material};
+use crate::files::meshes::plain_material;
 use crate::files::model::{
     Channel, DEFAULT_MATERIAL, ModelMaps, ModelMaterial, TextureImage, TextureSource,
 };
 use crate::files::names::Names;
+use crate::files::names::clean_name;
 use crate::files::warnings::Warnings;
 use crate::scene::{Material, MaterialObject, Wrap};
 

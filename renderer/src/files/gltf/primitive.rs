@@ -102,7 +102,7 @@ pub(super) fn join(
 /// The scale, rotation and translation that a matrix is; nothing if it shears.
 fn transform(matrix: DMat4) -> Option<Transform<f64>> {
     let (scale, rotation, translation) = matrix.to_scale_rotation_translation();
-    let rotation = DVec3::from(rotation.to_scaled_axis()).map(f64::to_degrees);
+    let rotation = rotation.to_scaled_axis().map(f64::to_degrees);
     let transform = Transform { translation, rotation, scale };
     let same = |point: DVec3| {
         let (exact, placed) = (matrix.transform_point3(point), place::<f64>(transform, point));

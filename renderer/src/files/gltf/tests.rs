@@ -10,8 +10,8 @@ use super::document::LightDefinition;
 use super::*;
 use crate::scene::Material;
 use crate::transport::direct::direct;
-use crate::transport::hit::SurfacePoint;
 use crate::transport::light::illuminate;
+use crate::transport::surface::SurfacePoint;
 
 /// Four positions and six indices of two bytes: a square.
 const BUFFER: &str =
@@ -121,17 +121,39 @@ fn cameras_and_lights_are_converted() {
     assert_eq!((distant.color.y, distant.irradiance), (0.5, 2.0));
 }
 
+#[test]
+fn spot_lights_shine_along_their_own_axis() {
+    let spot = |json: Value| {
+        let definition = serde_json::from_value(json).unwrap();
+        lights::light(&definition, DMat4::from_translation(DVec3::ONE))
+    };
+    let light =
+        spot(json!({ "type": "spot", "intensity": 3.0, "spot": { "innerConeAngle": 0.5 } }));
+    let Ok(Light::Spot(light)) = light else { panic!("a spot light: {light:?}") };
+    assert_eq!((light.position, light.direction), (DVec3::ONE, DVec3::NEG_Z));
+    assert_eq!((light.inner_angle, light.radiant_intensity), (0.5_f64.to_degrees(), 3.0));
+    // The default of glTF.
+    assert_eq!(light.outer_angle, 45.0);
+    let error = spot(json!({ "type": "spot" })).unwrap_err();
+    assert_eq!(error, "is a spot light without the angles of its cone");
+}
+
 /// The radiance of a white surface that faces a light of one candela at distance one is 1 / pi in
 /// glTF; ours has to be the same.
 #[test]
 fn a_white_surface_is_as_bright_as_gltf_says() {
-    let definition =
-        LightDefinition { name: None, kind: "point".into(), color: [1.0; 3], intensity: 1.0 };
+    let definition = LightDefinition {
+        name: None,
+        kind: "point".into(),
+        color: [1.0; 3],
+        intensity: 1.0,
+        spot: None,
+    };
     let light = lights::light(&definition, DMat4::IDENTITY).unwrap();
     let surface = SurfacePoint { point: DVec3::Z, normal: DVec3::NEG_Z, view: DVec3::NEG_Z };
     let white = Material::lambertian(DVec3::ONE);
     let arriving = illuminate::<f64>(light, surface.point);
-    let radiance = direct::<f64>(white, surface, arriving, true, 1.0);
+    let radiance = direct::<f64>(white, white.lobes(), surface, arriving, true, 1.0);
     assert!((radiance.x - 1.0 / PI).abs() < 1e-15, "{radiance}");
 }
 

@@ -7,8 +7,8 @@ use glam::DVec3;
 use super::map::Map;
 use super::statements::{number, statements, words};
 use crate::Error;
-use crate::files::Warning;
-use crate::files::io::read_text;
+use crate::Warning;
+use crate::disk::read_text;
 use crate::files::model::ModelMaps;
 use crate::files::warnings::Warnings;
 use crate::scene::{Material, MaterialObject};
@@ -245,7 +245,7 @@ impl Definition {
             specular,
             exponent: self.exponent.unwrap_or(default.exponent),
             mirror: if self.is_mirror() { specular } else { default.mirror },
-            opacity: default.opacity,
+            ..default
         });
         if let Some(opacity) = self.reduced_opacity() {
             material = material.with_opacity(opacity);

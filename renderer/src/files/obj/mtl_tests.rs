@@ -6,7 +6,7 @@ use glam::{DAffine2, DVec2, DVec3};
 
 use super::tests::{TRIANGLE, folder, refused};
 use super::*;
-use crate::files::Warning;
+use crate::Warning;
 use crate::files::model::{Channel, TextureImage, TextureSource};
 use crate::scene::{Material, MaterialObject, Slot, Wrap};
 
@@ -80,11 +80,9 @@ fn colours_are_read() {
     assert_eq!(warnings, [""; 0]);
     let expected = Material {
         emission: DVec3::splat(4.0),
-        diffuse: DVec3::new(0.5, 0.25, 0.125),
         specular: DVec3::new(0.1, 0.2, 0.3),
         exponent: 10.0,
-        mirror: DVec3::ZERO,
-        opacity: 1.0,
+        ..Material::lambertian(DVec3::new(0.5, 0.25, 0.125))
     };
     assert_eq!(material.material, Ok(expected.into()));
     // What is not said is as in the default material.

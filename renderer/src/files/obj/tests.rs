@@ -53,12 +53,9 @@ fn objects_materials_and_groups() {
     assert_eq!(model.meshes[1].materials, [0]);
 
     let red = Material {
-        emission: DVec3::ZERO,
-        diffuse: DVec3::new(0.5, 0.25, 0.125),
         specular: DVec3::new(0.1, 0.2, 0.3),
         exponent: 10.0,
-        mirror: DVec3::ZERO,
-        opacity: 1.0,
+        ..Material::lambertian(DVec3::new(0.5, 0.25, 0.125))
     };
     assert_eq!(model.materials[0].material, Ok(red.into()));
     assert_eq!(model.materials[1].name, "blue");

@@ -4,7 +4,7 @@ use std::fmt::Write;
 use std::path::Path;
 
 use crate::Error;
-use crate::atomic_file::write_atomically;
+use crate::disk::write_atomically;
 use crate::scene::{MaterialObject, Mesh};
 
 /// Writes one mesh as an OBJ file, its materials by name without a library. Coordinates are written

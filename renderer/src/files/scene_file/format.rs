@@ -145,6 +145,8 @@ entries! {
     LightEntry, "light" {
         name: Option<String>,
         "type" kind: Option<String>,
+        /// Of a point light, in place of its radiant intensity: W.
+        power: Option<f64>,
     }
 
     MeshEntry, "mesh" {

@@ -6,7 +6,7 @@ use glam::DAffine2;
 use super::format::{MaterialEntry, Ordered};
 use super::textures::TextureTable;
 use super::{Problem, numbers};
-use crate::files::Warning;
+use crate::Warning;
 use crate::files::model::ModelMaterial;
 use crate::files::names::Names;
 use crate::files::warnings::Warnings;

@@ -10,13 +10,15 @@ use super::format::MeshEntry;
 use super::materials::MaterialTable;
 use super::numbers;
 use crate::Error;
-use crate::files::Warning;
+use crate::Warning;
 use crate::files::meshes::load_mesh;
 use crate::files::model::Model;
 use crate::files::names::Names;
 #[cfg(feature = "gltf")]
 use crate::files::{GltfFile, MeshFormat, load_gltf};
-use crate::scene::{Camera, LightObject, LightSource, Mesh, Scene, Transform};
+use crate::scene::{Camera, Mesh, Scene, Transform};
+#[cfg(feature = "gltf")]
+use crate::scene::{LightObject, LightSource};
 
 /// The scene that a mesh file alone gives, framed and lit by default, and what was left out of the
 /// file.

@@ -1,7 +1,5 @@
 //! The numbers of the objects of a scene file: the table of parameters says which there are.
 
-use std::f64::consts::PI;
-
 use ad::Field;
 
 use super::Problem;
@@ -28,13 +26,9 @@ const RENAMED: [(&str, &str, &str); 9] = [
     ("sphere", "scale", "of a sphere is its radius"),
 ];
 
-/// A field of lights that stands for their radiant intensity: the power over all directions, W.
-const POWER: &str = "power";
-
 /// The names of the numbers that tables of objects of a kind may hold.
 pub(super) fn names(kind: &str) -> impl Iterator<Item = &'static str> {
-    let power = (kind == "light").then_some(POWER);
-    table::fields(kind).filter(|name| !ARRAYS.contains(name)).chain(power)
+    table::fields(kind).filter(|name| !ARRAYS.contains(name))
 }
 
 /// Whether the numbers of objects of a kind had this name once.
@@ -50,22 +44,11 @@ pub(super) fn assign(
     numbers: &Ordered<Numbers>,
 ) -> Result<(), Problem> {
     let fields = fields(object);
-    let is_given = |name: &str| numbers.iter().any(|(key, _)| key == name);
-    if kind == "light" && is_given(POWER) && is_given("radiant_intensity") {
-        let problem = "give either power or radiant_intensity, which is power / 4π";
-        return Err(Problem::new(format!("{path}.{POWER}"), problem));
-    }
     for (key, given) in numbers {
         let place = || format!("{path}.{key}");
-        let (key, given) = match (kind, key.as_str(), given) {
-            ("light", POWER, Numbers::One(power)) => {
-                ("radiant_intensity", &Numbers::One(power / (4.0 * PI)))
-            }
-            (_, key, given) => (key, given),
-        };
         let Some(field) = fields.iter().find(|field| field.name == key) else {
             let names: Vec<&str> = fields.iter().map(|field| field.name).collect();
-            let renamed = RENAMED.iter().find(|(of, old, _)| (*of, *old) == (kind, key));
+            let renamed = RENAMED.iter().find(|(of, old, _)| (*of, *old) == (kind, key.as_str()));
             let problem = match renamed {
                 Some((_, _, now)) => now.to_string(),
                 None => format!("this {kind} has none; its numbers are {}", names.join(", ")),

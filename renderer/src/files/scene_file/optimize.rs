@@ -37,7 +37,7 @@ pub(super) fn read(
     check("optimize.tolerance", entry.tolerance, not_negative, "must not be negative")?;
     let gradient_tolerance = entry.gradient_tolerance;
     check("optimize.gradient_tolerance", gradient_tolerance, not_negative, "must not be negative")?;
-    let at_field = |Error { place, problem }| Problem::new(place, problem);
+    let at_field = |Error { place, problem, .. }| Problem::new(place, problem);
     entry.optimizer.unwrap_or_default().check().map_err(at_field)?;
     if let Some(schedule) = &entry.schedule {
         schedule.check().map_err(at_field)?;

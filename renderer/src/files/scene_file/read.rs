@@ -1,5 +1,6 @@
 //! From a scene file to an experiment.
 
+use std::f64::consts::PI;
 use std::path::Path;
 
 use glam::DVec3;
@@ -8,8 +9,8 @@ use super::format::{LightEntry, SceneFile, SphereEntry};
 use super::materials::MaterialTable;
 use super::textures::TextureTable;
 use super::{Problem, meshes, numbers, optimize};
+use crate::Warning;
 use crate::experiment::Experiment;
-use crate::files::Warning;
 use crate::scene::{Camera, Light, LightObject, LightSource, MaterialObject, Scene, SphereObject};
 
 /// The experiment that the file `name` in `folder` describes.
@@ -80,10 +81,21 @@ fn add_light(scene: &mut Scene, entry: &LightEntry) -> Result<(), Problem> {
         let problem = format!("is missing; the types of lights are {}", kinds());
         return Err(Problem::new(format!("{path}.type"), problem));
     };
-    let Some((_, light)) = Light::KINDS.into_iter().find(|(name, _)| name == kind) else {
+    let Some((_, mut light)) = Light::KINDS.into_iter().find(|(name, _)| name == kind) else {
         let problem = format!("`{kind}` is no type of light; there are {}", kinds());
         return Err(Problem::new(format!("{path}.type"), problem));
     };
+    if let Some(power) = entry.power {
+        let Light::Point(light) = &mut light else {
+            let problem = format!("is a number of point lights; this is a {kind} light");
+            return Err(Problem::new(format!("{path}.power"), problem));
+        };
+        if entry.numbers.iter().any(|(key, _)| key == "radiant_intensity") {
+            let problem = "give either power or radiant_intensity, which is power / 4π";
+            return Err(Problem::new(format!("{path}.power"), problem));
+        }
+        light.radiant_intensity = power / (4.0 * PI);
+    }
     let mut light = LightObject { name, source: LightSource::Known(light) };
     numbers::assign(&mut light, "light", &path, &entry.numbers)?;
     scene.lights.push(light);

@@ -6,12 +6,12 @@ use std::path::Path;
 use super::Problem;
 use super::format::{ChannelEntry, Ordered, TextureEntry};
 use crate::Error;
-use crate::files::Warning;
+use crate::Warning;
+use crate::disk::read;
 use crate::files::images::{TextureFile, decode_coverage, decode_texture};
-use crate::files::io::read;
-use crate::files::meshes::{clean_name, file_stem};
 use crate::files::model::{Channel, ModelMaps, TextureImage, TextureSource};
 use crate::files::names::Names;
+use crate::files::names::{clean_name, file_stem};
 use crate::image::Image;
 use crate::scene::{MOST_PIXELS, MaterialTextures, Scene, Slot, Texture, Wrap};
 

@@ -8,10 +8,10 @@ use super::format::{
 };
 use super::numbers;
 use crate::Error;
-use crate::atomic_file::write_atomically;
+use crate::disk::write_atomically;
+use crate::disk::{create_folder, read};
 use crate::experiment::{Experiment, OptimizeSection, Target, TunedParameter};
 use crate::files::images::save_exr;
-use crate::files::io::{create_folder, read};
 use crate::files::names::Names;
 use crate::files::obj::save_obj;
 use crate::image::Image;
@@ -88,7 +88,8 @@ fn lights(scene: &Scene) -> Vec<LightEntry> {
             LightSource::Known(light) => Some(light.kind().to_owned()),
             LightSource::Custom { .. } => None,
         };
-        LightEntry { name: Some(light.name.clone()), kind, numbers: numbers::of(light) }
+        let name = Some(light.name.clone());
+        LightEntry { name, kind, power: None, numbers: numbers::of(light) }
     };
     scene.lights.iter().map(entry).collect()
 }

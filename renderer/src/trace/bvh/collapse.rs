@@ -6,8 +6,8 @@ use obvhs::bvh2::builder::build_bvh2;
 
 use super::Shapes;
 use super::bounds::bounds;
+use super::node::{Child, Leaf, Node};
 use super::quality::BuildQuality;
-use super::tree::{Child, Leaf, Node};
 
 /// Builds the nodes, without their boxes, and the leaves, not loaded yet, over the shapes with
 /// these indices.

@@ -5,6 +5,7 @@
 
 mod bounds;
 mod collapse;
+mod node;
 mod packet;
 mod packet_queries;
 mod packet_traversal;

@@ -4,10 +4,11 @@ use std::array;
 
 use wide::{f32x8, f32x16};
 
+use super::node::{Child, Kind, Leaf, Node};
 use super::packet::{GROUPS, Packet, Rays};
 use super::single::SLAB_ERROR;
 use super::stack::{Entry, Sorted, Stack};
-use super::tree::{Child, Kind, Leaf, Node, Tree};
+use super::tree::Tree;
 use super::triangle_test::minor_axes;
 use crate::counts::count;
 

@@ -3,8 +3,9 @@
 use glam::Vec3;
 use wide::f32x8;
 
+use super::node::{Child, Kind, Leaf, Node};
 use super::stack::{Entry, Sorted, Stack};
-use super::tree::{Child, Kind, Leaf, Node, Tree};
+use super::tree::Tree;
 use super::triangle_test::{TriangleTest, minor_axes};
 use crate::counts::count;
 

@@ -6,7 +6,7 @@ use glam::Vec3;
 use obvhs::aabb::Aabb;
 
 use super::bounds::bounds;
-use super::tree::Leaf;
+use super::node::Leaf;
 use super::{CustomShape, Shape, Shapes};
 
 /// A leaf of one primitive.

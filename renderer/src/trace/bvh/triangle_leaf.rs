@@ -5,7 +5,7 @@ use obvhs::aabb::Aabb;
 use wide::f32x8;
 
 use super::bounds::widened;
-use super::tree::Leaf;
+use super::node::Leaf;
 use super::{Shape, Shapes};
 
 /// Up to eight triangles, side by side.

@@ -1,49 +1,4 @@
-//! Shapes and lights of one's own.
-//!
-//! Each is a struct of named numbers, generic over its scalar, and one `#[differentiable]` kernel; a
-//! shape says also in which box it lies. The numbers are parameters like any others
-//! (`shape.NAME.FIELD`, `light.NAME.FIELD`), shapes stand in the acceleration structure beside
-//! triangles, and the kernels run on lanes. The pullbacks are those that the attribute writes.
-//!
-//! ```
-//! use ad::vector::{Vector, Vector3};
-//! use ad::{Differentiable, Fields, Real, Vec3, differentiable};
-//! use glam::DVec3;
-//! use renderer::custom::{Bounded, Intersection, Shape};
-//! use renderer::transport::camera::Ray;
-//!
-//! /// A disc that faces along z.
-//! #[derive(Clone, Copy, Debug, Differentiable, Fields)]
-//! struct Disc<S: Real> {
-//!     center: Vec3<S>,
-//!     radius: S,
-//! }
-//!
-//! #[differentiable]
-//! impl<S: Real> Shape for Disc<S> {
-//!     type Scalar = S;
-//!
-//!     fn intersect(self, ray: Ray<S>) -> Intersection<S> {
-//!         let distance = (self.center.z() - ray.origin.z()) / ray.direction.z();
-//!         let offset = ray.origin + ray.direction * distance - self.center;
-//!         let margin = self.radius * self.radius - offset.length_squared();
-//!         let normal = <Vec3<S>>::new(S::ZERO, S::ZERO, S::ONE);
-//!         Intersection { distance, normal, margin }
-//!     }
-//! }
-//!
-//! impl Bounded for Disc<f64> {
-//!     fn bounds(&self) -> (DVec3, DVec3) {
-//!         let reach = DVec3::new(self.radius, self.radius, 0.0);
-//!         (self.center - reach, self.center + reach)
-//!     }
-//! }
-//! ```
-//!
-//! A scene holds the numbers; what evaluates the kernel at each scalar is made once, for a
-//! [`ShapeKernel`]. Turned down: trait objects that hold the numbers themselves (every scene that is
-//! cloned would clone them through a method of their own), and a type parameter of the scene (every
-//! function that takes a scene would have to name it).
+//! Kernels of shapes and lights of one's own, at every scalar that scenes are computed in.
 
 use std::any::{Any, TypeId, type_name};
 use std::fmt;
@@ -52,98 +7,19 @@ use std::sync::Arc;
 
 use ad::lanes::{f32x8, f32x16, f64x8};
 use ad::tape::Var;
-use ad::vector::Vector;
-use ad::{Differentiable, Dual, Field, Fields, Real, Tangent, Vec3, differentiable, select};
+use ad::{Differentiable, Dual, Field, Fields, Tangent, Vec3};
 use glam::DVec3;
 
+use super::{Bounded, Emitter, Intersection, Shape};
 use crate::number::Number;
 use crate::transport::camera::Ray;
-use crate::transport::hit::SurfacePoint;
 use crate::transport::light::Illumination;
-use crate::transport::transform::{Transform, place, rotate, unplace};
-
-/// Where a ray meets a shape.
-#[derive(Clone, Copy, Debug, Differentiable)]
-pub struct Intersection<S: Real> {
-    /// The distance to the first point above 0.
-    pub distance: S,
-    /// The normal there, of any length above 0 and on either side.
-    pub normal: Vec3<S>,
-    /// A number that is positive where the ray meets the shape, and falls to zero as it comes to its
-    /// silhouette: a discriminant, or the distance to a border. Where it is negative, distance and
-    /// normal do not count, but should be finite: take the square root of `max(discriminant, 0)`.
-    pub margin: S,
-}
-
-/// A shape: the numbers `self`, and where rays meet it.
-#[differentiable]
-pub trait Shape {
-    /// The scalar of the numbers.
-    type Scalar: Real;
-
-    /// Where a ray meets the shape first. A shape that has no point on the ray has a negative margin, or
-    /// a distance that is not above 0.
-    fn intersect(self, ray: Ray<Self::Scalar>) -> Intersection<Self::Scalar>;
-}
-
-/// The box around a shape.
-pub trait Bounded {
-    /// The lowest and the highest corner of a box that holds the shape.
-    fn bounds(&self) -> (DVec3, DVec3);
-}
-
-/// A light that reaches every point from one direction: the numbers `self`, and what it brings.
-#[differentiable]
-pub trait Emitter {
-    /// The scalar of the numbers.
-    type Scalar: Real;
-
-    /// The illumination of a point, if nothing is between them. Points are in the coordinates of the
-    /// scene, in the precision of the scalar.
-    fn illuminate(self, point: Vec3<Self::Scalar>) -> Illumination<Self::Scalar>;
-}
-
-/// Where a ray meets a shape that is placed in the world. The shape meets the ray in its own
-/// coordinates, where lengths and normals differ by the scale.
-#[differentiable]
-#[inline]
-fn placed_intersection<S: Real, T: Shape<Scalar = S> + Differentiable + Copy>(
-    shape: T,
-    transform: Transform<S>,
-    ray: Ray<S>,
-) -> Intersection<S> {
-    let inverse = transform.scale.recip();
-    let origin = unplace::<S>(transform, ray.origin);
-    let direction = rotate::<S>(-transform.rotation, ray.direction) * inverse;
-    let length_recip = direction.length_recip();
-    let found = shape.intersect(Ray { origin, direction: direction * length_recip });
-    Intersection {
-        distance: found.distance * length_recip,
-        normal: rotate::<S>(transform.rotation, found.normal * inverse),
-        margin: found.margin,
-    }
-}
-
-/// The surface point where a ray meets a shape that is placed in the world.
-#[differentiable]
-#[inline]
-fn placed_point<S: Real, T: Shape<Scalar = S> + Differentiable + Copy>(
-    shape: T,
-    transform: Transform<S>,
-    ray: Ray<S>,
-) -> SurfacePoint<S> {
-    let found = placed_intersection::<S, T>(shape, transform, ray);
-    let normal = found.normal.normalize();
-    let behind = normal.dot(ray.direction).cmpgt(S::ZERO);
-    SurfacePoint {
-        point: ray.origin + ray.direction * found.distance,
-        normal: select(behind, -normal, normal),
-        view: -ray.direction,
-    }
-}
+use crate::transport::shape::{placed_intersection, placed_point};
+use crate::transport::surface::SurfacePoint;
+use crate::transport::transform::{Transform, place};
 
 /// What takes the cotangents of the numbers of a shape or a light, with their indices.
-pub(crate) type ToNumber<'a, S> = dyn FnMut(usize, S) + 'a;
+type ToNumber<'a, S> = dyn FnMut(usize, S) + 'a;
 
 /// A shape at one scalar; `numbers` are those of all its fields.
 pub(crate) trait ShapeAt<S: Number>: Send + Sync {
@@ -264,6 +140,11 @@ struct Evaluators {
 }
 
 impl Evaluators {
+    fn of<T: 'static>(by_scalar: Vec<(TypeId, Box<dyn Any + Send + Sync>)>) -> Self {
+        let (of, name) = (TypeId::of::<T>(), type_name::<T>());
+        Self { by_scalar: by_scalar.into(), of, name }
+    }
+
     fn get<S: 'static, E: 'static + ?Sized>(&self) -> &E {
         let (_, found) = self
             .by_scalar
@@ -346,16 +227,11 @@ macro_rules! families {
                 Shape<Scalar = $scalar> + Differentiable<Tangent: Fields<$scalar>> + Copy,)*
         {
             fn kernel() -> ShapeKernel {
-                let by_scalar: Vec<(TypeId, Box<dyn Any + Send + Sync>)> = vec![$((
-                    TypeId::of::<$scalar>(),
-                    Box::new(Box::new(Kernel::<T>(PhantomData)) as Box<dyn ShapeAt<$scalar>>),
-                )),*];
                 ShapeKernel {
-                    evaluators: Evaluators {
-                        by_scalar: by_scalar.into(),
-                        of: TypeId::of::<T>(),
-                        name: type_name::<T>(),
-                    },
+                    evaluators: Evaluators::of::<T>(vec![$((
+                        TypeId::of::<$scalar>(),
+                        Box::new(Box::new(Kernel::<T>(PhantomData)) as Box<dyn ShapeAt<$scalar>>),
+                    )),*]),
                     fields: T::FIELDS,
                     bounds: |numbers| T::from_fn(&mut |index| numbers[index]).bounds(),
                 }
@@ -375,16 +251,11 @@ macro_rules! families {
                 Emitter<Scalar = $scalar> + Differentiable<Tangent: Fields<$scalar>>,)*
         {
             fn kernel() -> EmitterKernel {
-                let by_scalar: Vec<(TypeId, Box<dyn Any + Send + Sync>)> = vec![$((
-                    TypeId::of::<$scalar>(),
-                    Box::new(Box::new(Kernel::<T>(PhantomData)) as Box<dyn EmitterAt<$scalar>>),
-                )),*];
                 EmitterKernel {
-                    evaluators: Evaluators {
-                        by_scalar: by_scalar.into(),
-                        of: TypeId::of::<T>(),
-                        name: type_name::<T>(),
-                    },
+                    evaluators: Evaluators::of::<T>(vec![$((
+                        TypeId::of::<$scalar>(),
+                        Box::new(Box::new(Kernel::<T>(PhantomData)) as Box<dyn EmitterAt<$scalar>>),
+                    )),*]),
                     fields: T::FIELDS,
                 }
             }

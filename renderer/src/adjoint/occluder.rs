@@ -6,14 +6,15 @@ use ad::{Additive, Tangent, Vec3};
 use super::chain::Chain;
 use crate::number::Plain;
 use crate::primal::coalesce::select_lanes;
-use crate::primal::transmission::Crossing;
 use crate::primal::vertex::Vertex;
 use crate::primal::wavefront::LaneGroup;
+use crate::primal::wavefront::Occluder;
 use crate::scene::Slot;
 use crate::transport::direct::attenuate;
-use crate::transport::hit::{SurfacePoint, hit, surface_uv};
+use crate::transport::hit::{hit, surface_uv};
 use crate::transport::light::Illumination;
 use crate::transport::material::Material;
+use crate::transport::surface::SurfacePoint;
 use crate::transport::texture::modulate_opacity;
 
 impl<L: Plain> Chain<'_, L> {
@@ -27,14 +28,14 @@ impl<L: Plain> Chain<'_, L> {
         mut transmittance: L,
     ) -> Vec3<L> {
         let mut to_points = Vec3::<L>::zero();
-        let crossings = vertex.crossings(light, group_index);
-        for crossing in crossings.iter().rev() {
-            let (_, pullback) = attenuate::vjp::<L>(crossing.before, crossing.opacity);
+        let occluders = vertex.occluders(light, group_index);
+        for occluder in occluders.iter().rev() {
+            let (_, pullback) = attenuate::vjp::<L>(occluder.before, occluder.opacity);
             let (before, opacity) = pullback(transmittance);
             let zero = L::zero();
-            let opacity = select_lanes::<L, L>(crossing.lanes, &opacity, &zero);
-            transmittance = select_lanes::<L, L>(crossing.lanes, &before, &transmittance);
-            to_points.accumulate(self.pull_opacity(vertex.group, light, crossing, opacity));
+            let opacity = select_lanes::<L, L>(occluder.lanes, &opacity, &zero);
+            transmittance = select_lanes::<L, L>(occluder.lanes, &before, &transmittance);
+            to_points.accumulate(self.pull_opacity(vertex.group, light, occluder, opacity));
         }
         to_points
     }
@@ -45,11 +46,11 @@ impl<L: Plain> Chain<'_, L> {
         &mut self,
         group: &LaneGroup<L>,
         light: usize,
-        crossing: &Crossing<L>,
+        occluder: &Occluder<L>,
         cotangent: L,
     ) -> Vec3<L> {
         let integrator = self.integrator;
-        let Crossing { lanes, primitives, kind, inside, .. } = crossing;
+        let Occluder { lanes, primitives, kind, inside, .. } = occluder;
         let materials = integrator.materials(primitives);
         let plain = integrator.material(&materials).opacity;
         let mut of_material = Tangent::<Material<L>>::zero();

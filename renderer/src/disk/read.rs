@@ -1,4 +1,4 @@
-//! Whole files, read with a clear error.
+//! Whole files, read.
 
 use std::fs;
 use std::io::ErrorKind;
@@ -7,16 +7,13 @@ use std::path::Path;
 use crate::Error;
 
 /// The bytes of a file.
-pub(super) fn read(path: &Path) -> Result<Vec<u8>, Error> {
+pub(crate) fn read(path: &Path) -> Result<Vec<u8>, Error> {
     if path.is_dir() {
         return Err(Error::new(path.display(), "is a directory, not a file"));
     }
-    fs::read(path).map_err(|error| {
-        let problem = match error.kind() {
-            ErrorKind::NotFound => "no such file".to_owned(),
-            _ => format!("cannot be read: {error}"),
-        };
-        Error::new(path.display(), problem)
+    fs::read(path).map_err(|error| match error.kind() {
+        ErrorKind::NotFound => Error::io(path, "no such file", error),
+        _ => Error::io(path, format!("cannot be read: {error}"), error),
     })
 }
 
@@ -24,7 +21,7 @@ pub(super) fn read(path: &Path) -> Result<Vec<u8>, Error> {
 ///
 /// Bytes that are not UTF-8 are replaced: they stand in comments and names of old files, which
 /// should not make a mesh unreadable.
-pub(super) fn read_text(path: &Path) -> Result<String, Error> {
+pub(crate) fn read_text(path: &Path) -> Result<String, Error> {
     let bytes = read(path)?;
     if bytes.starts_with(&[0xff, 0xfe]) || bytes.starts_with(&[0xfe, 0xff]) {
         return Err(Error::new(path.display(), "is text in UTF-16; save it as UTF-8"));
@@ -35,12 +32,6 @@ pub(super) fn read_text(path: &Path) -> Result<String, Error> {
         Some(rest) => rest.to_owned(),
         None => text,
     })
-}
-
-/// Makes a folder and those above it.
-pub(super) fn create_folder(path: &Path) -> Result<(), Error> {
-    fs::create_dir_all(path)
-        .map_err(|error| Error::new(path.display(), format!("cannot be created: {error}")))
 }
 
 #[cfg(test)]

@@ -1,4 +1,4 @@
-//! Files that are never seen half-written.
+//! Files and folders, written.
 
 use std::ffi::OsString;
 use std::fs::{self, File};
@@ -17,10 +17,16 @@ use crate::Error;
 /// # Errors
 ///
 /// If the file cannot be written; the place is `path`. Nothing of the attempt is left.
-pub fn write_atomically(path: &Path, bytes: &[u8]) -> Result<(), Error> {
+pub(crate) fn write_atomically(path: &Path, bytes: &[u8]) -> Result<(), Error> {
     check_writable(path)?;
     replace(path, bytes)
-        .map_err(|error| Error::new(path.display(), format_args!("cannot be written: {error}")))
+        .map_err(|error| Error::io(path, format!("cannot be written: {error}"), error))
+}
+
+/// Makes a folder and those above it.
+pub(crate) fn create_folder(path: &Path) -> Result<(), Error> {
+    fs::create_dir_all(path)
+        .map_err(|error| Error::io(path, format!("the folder cannot be made: {error}"), error))
 }
 
 /// Whether there may be a file at `path`: the folder exists, and `path` is none itself.
@@ -28,7 +34,7 @@ pub fn write_atomically(path: &Path, bytes: &[u8]) -> Result<(), Error> {
 /// # Errors
 ///
 /// If not; the place is `path`.
-pub fn check_writable(path: &Path) -> Result<(), Error> {
+pub(crate) fn check_writable(path: &Path) -> Result<(), Error> {
     if path.is_dir() {
         return Err(Error::new(path.display(), "is a directory, not a file"));
     }
