@@ -68,7 +68,8 @@ pub fn scene(count: usize, size: u32, random: &mut Random) -> Result<Scene, Erro
         let (emission, diffuse, specular) = (0.1 * color(), color(), color());
         let numbers = color();
         let (exponent, mirror) = (1.0 + 20.0 * numbers.x, DVec3::splat(0.3 * numbers.y));
-        let material = Material { emission, diffuse, specular, exponent, mirror, opacity: 1.0 };
+        let matt = Material::lambertian(diffuse);
+        let material = Material { emission, specular, exponent, mirror, ..matt };
         scene.add_material(format!("paint{index}"), material)?;
     }
     scene.add_mesh(Mesh { materials: indices.collect(), ..mesh })?;
@@ -79,7 +80,10 @@ pub fn scene(count: usize, size: u32, random: &mut Random) -> Result<Scene, Erro
 /// to the image that it has with other colours.
 pub fn experiment(scene: Scene, random: &mut Random) -> Experiment {
     let mut ids = scene.parameters();
-    ids.retain(|id| matches!(id.object, Object::Material(_)) || id.field == "vertices");
+    ids.retain(|id| match id.object {
+        Object::Material(_) => id.field != "roughness",
+        _ => id.field == "vertices",
+    });
     // Vertices come first.
     ids.sort_by_key(|id| id.field != "vertices");
     let mut other_color = |&id: &ParameterId| {

@@ -5,7 +5,7 @@ use ad::{Real, Vec3, differentiable};
 use renderer::transport::camera::{Camera, camera_frame, primary_ray};
 use renderer::transport::direct::direct;
 use renderer::transport::light::{PointLight, illuminate_by_point};
-use renderer::transport::material::Material;
+use renderer::transport::material::{Lobes, Material};
 use renderer::transport::triangle::{Triangle, triangle_point};
 
 /// Camera, the corners of a triangle that fills the image, material and light: 43 numbers.
@@ -39,6 +39,7 @@ pub fn image_loss<S: Real>(x: &[S], size: usize) -> S {
     let material = Material {
         emission: vector::<S>(x, 20),
         diffuse: vector::<S>(x, 23),
+        roughness: S::ZERO,
         specular: vector::<S>(x, 26),
         mirror: vector::<S>(x, 29),
         exponent: x[32],
@@ -50,6 +51,7 @@ pub fn image_loss<S: Real>(x: &[S], size: usize) -> S {
         radiant_intensity: x[39],
     };
     let lit = S::ZERO.cmplt(S::ONE);
+    let lobes = Lobes { rough: false, glossy: true };
     let wanted = vector::<S>(x, 40);
     let mut loss = S::ZERO;
     for row in 0..size {
@@ -59,7 +61,7 @@ pub fn image_loss<S: Real>(x: &[S], size: usize) -> S {
             let surface = triangle_point::<S>(triangle, ray);
             let arriving = illuminate_by_point::<S>(light, surface.point);
             let radiance =
-                material.emission + direct::<S>(material, surface, arriving, lit, S::ONE);
+                material.emission + direct::<S>(material, lobes, surface, arriving, lit, S::ONE);
             let difference = radiance - wanted;
             loss += difference.dot(difference);
         }

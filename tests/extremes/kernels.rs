@@ -6,12 +6,13 @@ use ad::vector::{Vector, Vector3};
 use ad::{Real, Vec3, differentiable};
 use renderer::transport::camera::{Camera, Ray, camera_frame, primary_ray};
 use renderer::transport::direct::{attenuate, direct};
-use renderer::transport::hit::SurfacePoint;
 use renderer::transport::light::{
-    DistantLight, Illumination, PointLight, illuminate_by_distant, illuminate_by_point,
+    DistantLight, Illumination, PointLight, SpotLight, illuminate_by_distant, illuminate_by_point,
+    illuminate_by_spot,
 };
-use renderer::transport::material::Material;
+use renderer::transport::material::{Lobes, Material};
 use renderer::transport::sphere::{Sphere, sphere_point, sphere_uv};
+use renderer::transport::surface::SurfacePoint;
 use renderer::transport::texture::{Footprint, Uv, modulate, modulate_opacity};
 use renderer::transport::transform::{Transform, place, unplace};
 use renderer::transport::triangle::{Triangle, triangle_point, triangle_uv};
@@ -87,6 +88,12 @@ kernels! {
         ("diffuse", 3), ("specular", 3), ("exponent", 1),
         ("point", 3), ("normal", 3), ("view", 3),
     ] => [3];
+    /// A point light on a rough surface; the radiance towards the viewer.
+    RoughLit = rough_lit [
+        ("position", 3), ("color", 3), ("intensity", 1),
+        ("diffuse", 3), ("specular", 3), ("exponent", 1),
+        ("point", 3), ("normal", 3), ("view", 3), ("roughness", 1),
+    ] => [3];
     /// A surface point; the ray that a mirror sends on.
     Mirrored = mirrored [("point", 3), ("normal", 3), ("view", 3)] => [3, 3];
     /// A surface point; the ray that goes on behind it.
@@ -108,6 +115,11 @@ kernels! {
     ] => [3, 1, 3];
     /// A distant light; the direction to it and its irradiance.
     ByDistant = by_distant [("direction", 3), ("color", 3), ("irradiance", 1)] => [3, 3];
+    /// A spot light and a point; the direction, the distance and the irradiance there.
+    BySpot = by_spot [
+        ("position", 3), ("color", 3), ("intensity", 1), ("point", 3),
+        ("direction", 3), ("inner_angle", 1), ("outer_angle", 1),
+    ] => [3, 1, 3];
     /// A transform and a point; its place in the world.
     Placed = placed [
         ("translation", 3), ("rotation", 3), ("scale", 3), ("point", 3),
@@ -201,6 +213,7 @@ fn material<S: Real>(x: &[S]) -> Material<S> {
     Material {
         emission: none,
         diffuse: vector::<S>(x, 7),
+        roughness: S::ZERO,
         specular: vector::<S>(x, 10),
         exponent: x[13],
         mirror: none,
@@ -215,8 +228,16 @@ fn surface<S: Real>(x: &[S]) -> SurfacePoint<S> {
 
 #[differentiable]
 fn lit<S: Real>(x: &[S], light: Illumination<S>) -> [S; 3] {
-    let visible = S::ZERO.cmplt(S::ONE);
-    three::<S>(direct::<S>(material::<S>(x), surface::<S>(x), light, visible, S::ONE))
+    let (lobes, visible) = (Lobes { rough: false, glossy: true }, S::ZERO.cmplt(S::ONE));
+    three::<S>(direct::<S>(material::<S>(x), lobes, surface::<S>(x), light, visible, S::ONE))
+}
+
+#[differentiable]
+fn rough_lit<S: Real>(x: &[S]) -> [S; 3] {
+    let light = illuminate_by_point::<S>(point_light::<S>(x), vector::<S>(x, 14));
+    let (lobes, visible) = (Lobes { rough: true, glossy: true }, S::ZERO.cmplt(S::ONE));
+    let material = Material { roughness: x[23], ..material::<S>(x) };
+    three::<S>(direct::<S>(material, lobes, surface::<S>(x), light, visible, S::ONE))
 }
 
 #[differentiable]
@@ -299,6 +320,22 @@ fn attenuated<S: Real>(x: &[S]) -> [S; 1] {
 #[differentiable]
 fn by_point<S: Real>(x: &[S]) -> [S; 7] {
     let light = illuminate_by_point::<S>(point_light::<S>(x), vector::<S>(x, 7));
+    let (to, brings) = (light.direction, light.irradiance);
+    [to.x(), to.y(), to.z(), light.distance, brings.x(), brings.y(), brings.z()]
+}
+
+#[differentiable]
+fn by_spot<S: Real>(x: &[S]) -> [S; 7] {
+    let PointLight { position, color, radiant_intensity } = point_light::<S>(x);
+    let light = SpotLight {
+        position,
+        direction: vector::<S>(x, 10),
+        color,
+        radiant_intensity,
+        inner_angle: x[13],
+        outer_angle: x[14],
+    };
+    let light = illuminate_by_spot::<S>(light, vector::<S>(x, 7));
     let (to, brings) = (light.direction, light.irradiance);
     [to.x(), to.y(), to.z(), light.distance, brings.x(), brings.y(), brings.z()]
 }

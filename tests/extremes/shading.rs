@@ -3,7 +3,7 @@
 use ad::Scalar;
 
 use crate::images::check_agreement;
-use crate::kernels::{DistantLit, Kernel, PointLit};
+use crate::kernels::{BySpot, DistantLit, Kernel, PointLit, RoughLit};
 use crate::oracle::{Case, check};
 use crate::scenes::{set, small_parts, small_scene};
 
@@ -43,6 +43,12 @@ const ORDINARY: Shading = Shading {
 impl Shading {
     #[track_caller]
     fn check(self, name: &str) {
+        self.check_smooth(name);
+        self.check_rough(name);
+    }
+
+    #[track_caller]
+    fn check_smooth(self, name: &str) {
         self.check_point(name);
         let Self { length, angle, value, gradient, .. } = self;
         let name = format!("{name}, from infinitely far");
@@ -63,6 +69,21 @@ impl Shading {
         let power = self.power();
         let lengths = [length, 1.0, power, 1.0, 1.0, 0.1, length, angle, angle];
         check::<PointLit>(&Case { name, x: &self.numbers(), lengths: &lengths, value, gradient });
+    }
+
+    #[track_caller]
+    fn check_rough(self, name: &str) {
+        let Self { length, angle, value, gradient, .. } = self;
+        let lengths = [length, 1.0, self.power(), 1.0, 1.0, 0.1, length, angle, angle, 1.0];
+        for roughness in [0.0, 0.5, 1.0] {
+            check::<RoughLit>(&Case {
+                name: &format!("{name}, on a surface of roughness {roughness}"),
+                x: &[&self.numbers()[..], &[roughness]].concat(),
+                lengths: &lengths,
+                value,
+                gradient,
+            });
+        }
     }
 
     /// A change of the intensity that changes the radiance.
@@ -132,15 +153,49 @@ fn directions() {
         Shading { position: [-x, -y, -z], exponent, ..ORDINARY }
             .check(&format!("half vector zero, exponent {exponent}"));
     }
-    Shading { position: [2.0 * x, 2.0 * y, 2.0 * z], ..ORDINARY }.check("light behind the camera");
+    // Rough surfaces have a kink where light and viewer are equally high above them.
+    Shading { position: [2.0 * x, 2.0 * y, 2.0 * z], ..ORDINARY }
+        .check_smooth("light behind the camera");
 }
 
 #[test]
 fn distances() {
     for distance in [1e-10, 1e-6, 1e6, 1e10] {
         let position = ORDINARY.position.map(|x| x * distance);
-        Shading { position, length: 0.1 * distance, ..ORDINARY }
-            .check_point(&format!("light at distance {distance:e}"));
+        let shading = Shading { position, length: 0.1 * distance, ..ORDINARY };
+        let name = format!("light at distance {distance:e}");
+        shading.check_point(&name);
+        shading.check_rough(&name);
+    }
+}
+
+/// Wide and narrow cones: what they hold, where they fall off, and what is beyond.
+#[test]
+fn cones() {
+    let point = [0.5_f32, -0.25, -2.0].map(f64::from);
+    for outer in [89.0_f64, 30.0, 1.0, 1e-2] {
+        for (place, part) in [("inside", 0.2), ("falling off", 0.75), ("outside", 1.5)] {
+            // The axis passes the point at a part of the angle.
+            let offset = (part * outer).to_radians().min(1.5).tan();
+            let towards = glam::DVec3::from(point).normalize();
+            let direction = towards + towards.any_orthonormal_vector() * offset;
+            let numbers = [
+                &[0.0; 3][..],
+                &[1.0, 0.75, 0.5, 30.0],
+                &point,
+                &direction.to_array(),
+                &[0.5 * outer, outer],
+            ];
+            let x: Vec<f64> = numbers.concat().iter().map(|&x| f64::from(x as f32)).collect();
+            let angle = 0.05 * outer.to_radians();
+            check::<BySpot>(&Case {
+                name: &format!("cone of {outer} degrees, {place}"),
+                x: &x,
+                lengths: &[angle, 1.0, 30.0, angle, angle, 0.05 * outer, 0.05 * outer],
+                value: 50.0 + 50.0 / angle,
+                gradient: 100.0 + 100.0 / angle,
+            });
+        }
     }
 }
 

@@ -4,8 +4,8 @@
 use glam::{DVec3, Vec3, dvec3};
 use renderer::transport::transform::unplace;
 use renderer::{
-    Arithmetic, Image, Material, ParameterId, PixelLoss, Renderer, Scene, Settings, Transform,
-    render_jvp, render_vjp,
+    Arithmetic, Image, Material, ParameterId, PixelLoss, Renderer, Scene, Settings, SpotLight,
+    Transform, render_jvp, render_vjp,
 };
 
 use crate::custom::{add_egg, add_spotlight};
@@ -31,6 +31,19 @@ pub fn place_meshes(mut parts: Parts) -> Parts {
 fn scene(size: u32) -> Scene {
     let mut scene = place_meshes(varied_parts(size)).scene();
     set(&mut scene, "sphere.ball.rotation", &[20.0, -35.0, 50.0]);
+    for (path, roughness) in [("material.ground.roughness", 0.4), ("material.pane.roughness", 0.8)]
+    {
+        set(&mut scene, path, &[roughness]);
+    }
+    let cone = SpotLight {
+        position: dvec3(1.5, 5.0, 4.0),
+        direction: dvec3(-0.2, -1.1, -0.8),
+        color: dvec3(0.9, 0.7, 0.5),
+        radiant_intensity: 40.0,
+        inner_angle: 5.0,
+        outer_angle: 35.0,
+    };
+    scene.add_light("cone", cone).unwrap();
     let shell = Material { mirror: dvec3(0.3, 0.5, 0.4), ..scene.materials()[1].values };
     let shell = scene.add_material("shell", Material { opacity: 1.0, ..shell }).unwrap();
     add_egg(&mut scene, shell);

@@ -24,7 +24,7 @@ PATCHES = {
         ("primal/vertex.rs", "if self.layout.textures.is_empty() ||", "if true ||"),
     ]),
     "spheres": (BOTH, [
-        ("primal/wavefront.rs", "(Kind::Sphere, sphere),", "(Kind::Sphere, 0),"),
+        ("primal/hits.rs", "(Kind::Sphere, sphere),", "(Kind::Sphere, 0),"),
         ("primal/gather.rs", "Kind::Sphere => Some(Primitive::Sphere(self.sphere(primitives))),",
          "Kind::Sphere => unreachable!(),"),
         ("adjoint/chain.rs", "Kind::Sphere => {", "Kind::Sphere => { unreachable!();"),
@@ -62,7 +62,7 @@ PATCHES = {
          "let transmission = None::<&super::transmission::Transmission<S>>?;"),
     ]),
     "user-defined shapes and lights": (BOTH, [
-        ("primal/wavefront.rs", "(Kind::Custom, hit & !triangle & !sphere),", "(Kind::Custom, 0),"),
+        ("primal/hits.rs", "(Kind::Custom, hit & !triangle & !sphere),", "(Kind::Custom, 0),"),
         ("primal/gather.rs", "None => self.custom_surface(primitives, ray),", "None => unreachable!(),"),
         ("primal/inputs.rs", "kernel.at::<S>().illuminate(numbers, point + *origin)", "unreachable!()"),
         ("primal/inputs.rs", "kernel.at::<S>().pull_illuminate(numbers, point, cotangent, &mut to_number)",
@@ -71,7 +71,7 @@ PATCHES = {
         ("trace/bvh/packet_queries.rs", "nearest_of(&self.customs, &mut packet, directions, hits);", ""),
         ("trace/bvh/packet_queries.rs", "| occluded_by(&self.customs, &mut packet, directions)", ""),
     ]),
-    "distant lights": (BOTH, [
+    "distant and spot lights": (BOTH, [
         ("primal/shadow.rs", "None => self.visible_along(light, wavefront),", "None => unreachable!(),"),
         ("primal/inputs.rs", "Self::Known(light) => illuminate::<S>(*light, point),",
          "Self::Known(light) => { let Light::Point(light) = *light else { unreachable!() };"
@@ -79,10 +79,8 @@ PATCHES = {
         ("primal/inputs.rs", "let (_, pullback) = illuminate::vjp::<S>(*light, point);",
          "let Light::Point(known) = *light else { unreachable!() };"
          " let (_, pullback) = crate::transport::light::illuminate_by_point::vjp::<S>(known, point);"),
-        ("primal/inputs.rs", "Light::Point(_) => cotangent.Point.0.visit(&mut to_number),",
-         "Light::Point(_) => cotangent.visit(&mut to_number),"),
-        ("primal/inputs.rs", "Light::Distant(_) => cotangent.Distant.0.visit(&mut to_number),",
-         "Light::Distant(_) => unreachable!(),"),
+        ("primal/inputs.rs", "match_light!(light, _light, cotangent, part => part.visit(&mut to_number));",
+         "cotangent.visit(&mut to_number);"),
     ]),
 }
 # Everything that neither scene uses.
