@@ -229,7 +229,7 @@ mod tests {
     /// What a set still says of an earlier list does not count.
     #[test]
     fn sums_stand_in_the_order_of_their_first_terms_list_after_list() {
-        let mut set = SparseSet::new(&Selection::new([0..100], 100));
+        let mut set = SparseSet::new(&Selection::new(std::iter::once(0..100), 100));
         for offset in [0, 3, 50] {
             let mut sums = Vec::new();
             for (slot, term) in [(7, 1.0), (2, 10.0), (7, 2.0), (40, 5.0), (2, 0.5)] {
