@@ -187,8 +187,8 @@ fn mistakes_in_the_file_are_placed() {
             "s.toml:6: unknown field `lights`, expected one of `bounces`, `camera`, `light`",
         ),
         (
-            "[[light]]\nname = \"k\"\ntype = \"spot\"\n",
-            "s.toml:8: light.k.type: `spot` is no type of light; there are point, distant",
+            "[[light]]\nname = \"k\"\ntype = \"laser\"\n",
+            "s.toml:8: light.k.type: `laser` is no type of light; there are point, distant, spot",
         ),
         (
             "[[light]]\nname = \"k\"\n",
@@ -207,7 +207,7 @@ fn mistakes_in_the_file_are_placed() {
         (
             "[[light]]\nname = \"k\"\ntypo = \"point\"\n",
             "s.toml:8: unknown field `typo`, expected one of `position`, `direction`, `color`, \
-             `radiant_intensity`, `irradiance`, `power`, `name`, `type`",
+             `radiant_intensity`, `irradiance`, `inner_angle`, `outer_angle`, `name`, `type`, `power`",
         ),
         (
             "[[light]]\nname = \"k\"\ntype = \"point\"\nradiant_intensity = 1\n",

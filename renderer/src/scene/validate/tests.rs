@@ -44,11 +44,9 @@ fn no_parameter_may_be_infinite_or_not_a_number_or_huge() {
             let error = refused_value(&path, value);
             assert!(error.contains("not a finite number"), "{error}");
         }
-        let expected = match path.as_str() {
-            "camera.vfov" => "must lie between",
-            _ => "beyond",
-        };
-        assert!(refused_value(&path, 1e39).contains(expected), "{path}");
+        let error = refused_value(&path, 1e39);
+        let expected = ["must lie between", "must be at most", "beyond"];
+        assert!(expected.iter().any(|problem| error.contains(problem)), "{error}");
     }
 }
 
