@@ -1,12 +1,11 @@
 //! Lights and materials at their ends.
 
 use ad::Scalar;
-use renderer::scene::ParameterId;
 
 use crate::images::check_agreement;
 use crate::kernels::{DistantLit, Kernel, PointLit};
 use crate::oracle::{Case, check};
-use crate::scenes::small_scene;
+use crate::scenes::{set, small_parts, small_scene};
 
 /// A surface point, a material and a light.
 #[derive(Clone, Copy)]
@@ -171,7 +170,7 @@ fn scenes_under_lights_in_odd_places() {
         ("far away", [2e7, 4e7, 3e7]),
     ] {
         let mut scene = small_scene(24);
-        scene.parameters.get_mut(ParameterId::LightPosition(0)).copy_from_slice(&position);
+        set(&mut scene, "light.key.position", &position);
         check_agreement(&format!("scene with a light {place}"), &scene, 1e-4);
     }
 }
@@ -180,19 +179,17 @@ fn scenes_under_lights_in_odd_places() {
 fn scenes_of_extreme_materials() {
     // A highlight of exponent 1e4 falls between the pixels.
     for exponent in [0.0, 1.0, 100.0] {
-        let mut scene = small_scene(24);
-        for material in &mut scene.parameters.materials {
-            material.exponent = exponent;
-        }
-        check_agreement(&format!("scene of exponent {exponent}"), &scene, 1e-3);
+        let mut parts = small_parts(24);
+        parts.materials.iter_mut().for_each(|material| material.values.exponent = exponent);
+        check_agreement(&format!("scene of exponent {exponent}"), &parts.scene(), 1e-3);
     }
     // A black one shows no light that the image could differ by.
     for (name, albedo) in [("nearly black", 1e-3), ("white", 1.0)] {
-        let mut scene = small_scene(24);
-        for material in &mut scene.parameters.materials {
-            material.diffuse = glam::DVec3::splat(albedo);
-            material.specular = material.diffuse;
+        let mut parts = small_parts(24);
+        for material in &mut parts.materials {
+            material.values.diffuse = glam::DVec3::splat(albedo);
+            material.values.specular = material.values.diffuse;
         }
-        check_agreement(&format!("scene of {name} albedo"), &scene, 1e-4);
+        check_agreement(&format!("scene of {name} albedo"), &parts.scene(), 1e-4);
     }
 }

@@ -1,20 +1,37 @@
 //! A scene that has everything: mirrors, textures of every kind, transparent surfaces, meshes that are
 //! placed in the world, spheres, shapes and lights of known kinds and of one's own.
 
+use glam::{DVec3, Vec3, dvec3};
+use renderer::transport::transform::unplace;
 use renderer::{
-    Arithmetic, Image, Material, ParameterId, PixelLoss, Renderer, Scene, Settings, render_jvp,
-    render_vjp,
+    Arithmetic, Image, Material, ParameterId, PixelLoss, Renderer, Scene, Settings, Transform,
+    render_jvp, render_vjp,
 };
 
 use crate::custom::{add_egg, add_spotlight};
 use crate::image::{agrees_with_finite_differences, in_arithmetic, lanes_agree_on};
-use crate::scenes::{place_meshes, set};
+use crate::scenes::{Parts, set};
 use crate::transparency::varied_parts;
+
+/// The same scene, but for rounding, of meshes that their transforms bring to where they were.
+pub fn place_meshes(mut parts: Parts) -> Parts {
+    for (mesh, side) in parts.meshes.iter_mut().zip([1.0, -1.0, 0.5]) {
+        mesh.transform = Transform {
+            translation: dvec3(0.3, -0.2, 0.1) * side,
+            rotation: dvec3(10.0, -25.0, 15.0) * side,
+            scale: dvec3(1.2, 0.8, 1.5),
+        };
+        for vertex in &mut mesh.vertices {
+            *vertex = unplace::<f64>(mesh.transform, (*vertex).into()).into();
+        }
+    }
+    parts
+}
 
 fn scene(size: u32) -> Scene {
     let mut scene = place_meshes(varied_parts(size)).scene();
     set(&mut scene, "sphere.ball.rotation", &[20.0, -35.0, 50.0]);
-    let shell = Material { mirror: glam::dvec3(0.3, 0.5, 0.4), ..scene.materials()[1].values };
+    let shell = Material { mirror: dvec3(0.3, 0.5, 0.4), ..scene.materials()[1].values };
     let shell = scene.add_material("shell", Material { opacity: 1.0, ..shell }).unwrap();
     add_egg(&mut scene, shell);
     add_spotlight(&mut scene);
@@ -61,9 +78,9 @@ fn cotangent(scene: &Scene) -> Image {
 struct Linear<'a>(&'a Image);
 
 impl PixelLoss for Linear<'_> {
-    fn evaluate(&self, x: u32, y: u32, radiance: glam::DVec3) -> (f64, glam::DVec3) {
+    fn evaluate(&self, x: u32, y: u32, radiance: DVec3) -> (f64, DVec3) {
         let cotangent = self.0.pixels[(y * self.0.width + x) as usize];
-        let cotangent = glam::Vec3::from(cotangent).as_dvec3();
+        let cotangent = Vec3::from(cotangent).as_dvec3();
         (radiance.dot(cotangent), cotangent)
     }
 }

@@ -2,10 +2,8 @@
 
 use glam::{DVec3, dvec3};
 use renderer::scene::{MaterialObject, Slot, Wrap};
-use renderer::transport::transform::unplace;
 use renderer::{
     Camera, DistantLight, Light, Material, Mesh, PointLight, Scene, SphereObject, Texture,
-    Transform,
 };
 
 /// What a scene is made of, to be changed before it is put together.
@@ -162,19 +160,4 @@ pub fn textured_parts(size: u32) -> Parts {
 
 pub fn textured_scene(size: u32) -> Scene {
     textured_parts(size).scene()
-}
-
-/// The same scene, but for rounding, of meshes that their transforms bring to where they were.
-pub fn place_meshes(mut parts: Parts) -> Parts {
-    for (mesh, side) in parts.meshes.iter_mut().zip([1.0, -1.0, 0.5]) {
-        mesh.transform = Transform {
-            translation: dvec3(0.3, -0.2, 0.1) * side,
-            rotation: dvec3(10.0, -25.0, 15.0) * side,
-            scale: dvec3(1.2, 0.8, 1.5),
-        };
-        for vertex in &mut mesh.vertices {
-            *vertex = unplace::<f64>(mesh.transform, (*vertex).into()).into();
-        }
-    }
-    parts
 }

@@ -5,9 +5,10 @@ use renderer::{
     loss_and_gradient,
 };
 
+use crate::everything::place_meshes;
 use crate::image::{agrees_with_finite_differences, in_arithmetic, target};
 use crate::sampling::samples;
-use crate::scenes::{mirror_scene, multiply, place_meshes, set, small_scene, textured_scene};
+use crate::scenes::{mirror_scene, multiply, set, small_scene, textured_scene};
 use crate::transparency::{varied_parts, varied_scene};
 
 /// Without and with rays that go on, under textures, behind transparent ones, with meshes that are placed
