@@ -5,7 +5,7 @@ use ad::{Real, Vec3, differentiable};
 use renderer::transport::camera::{Camera, camera_frame, primary_ray};
 use renderer::transport::direct::direct;
 use renderer::transport::light::{PointLight, illuminate_by_point};
-use renderer::transport::material::Material;
+use renderer::transport::material::{Lobes, Material};
 use renderer::transport::triangle::{Triangle, triangle_point};
 
 /// Camera, the corners of a triangle that fills the image, material and light: 43 numbers.
@@ -37,6 +37,7 @@ pub fn image_loss<S: Real>(x: &[S], size: usize) -> S {
     let frame = camera_frame::<S>(camera, S::ONE);
     let triangle = Triangle { a: vector::<S>(x, 11), b: vector::<S>(x, 14), c: vector::<S>(x, 17) };
     let material = Material {
+        roughness: S::ZERO,
         emission: vector::<S>(x, 20),
         diffuse: vector::<S>(x, 23),
         specular: vector::<S>(x, 26),
@@ -58,8 +59,9 @@ pub fn image_loss<S: Real>(x: &[S], size: usize) -> S {
             let ray = primary_ray::<S>(frame, place(column), place(row));
             let surface = triangle_point::<S>(triangle, ray);
             let arriving = illuminate_by_point::<S>(light, surface.point);
-            let radiance =
-                material.emission + direct::<S>(material, surface, arriving, lit, S::ONE);
+            let lobes = Lobes { rough: false, glossy: true };
+            let reflected = direct::<S>(material, lobes, surface, arriving, lit, S::ONE);
+            let radiance = material.emission + reflected;
             let difference = radiance - wanted;
             loss += difference.dot(difference);
         }

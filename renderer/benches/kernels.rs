@@ -10,7 +10,7 @@ use ad::{Additive, Real, Scalar, Vec3, differentiable, tape};
 use renderer::transport::camera::Ray;
 use renderer::transport::direct::direct;
 use renderer::transport::light::{PointLight, illuminate_by_point};
-use renderer::transport::material::Material;
+use renderer::transport::material::{Lobes, Material};
 use renderer::transport::triangle::{Triangle, triangle_point};
 
 use super::adjoint::{self, Cotangents};
@@ -25,7 +25,8 @@ fn pixel<S: Real>(
 ) -> Vec3<S> {
     let surface = triangle_point::<S>(triangle, ray);
     let arriving = illuminate_by_point::<S>(light, surface.point);
-    direct::<S>(material, surface, arriving, S::ZERO.cmplt(S::ONE), S::ONE)
+    let lobes = Lobes { rough: false, glossy: true };
+    direct::<S>(material, lobes, surface, arriving, S::ZERO.cmplt(S::ONE), S::ONE)
 }
 
 struct Inputs<S: Real> {
@@ -59,6 +60,7 @@ impl<S: Real> Inputs<S> {
             material: Material {
                 emission: vector::<S>(0.0, 0.0, 0.0),
                 diffuse: vector::<S>(0.7, 0.5, 0.3),
+                roughness: S::ZERO,
                 specular: vector::<S>(0.2, 0.2, 0.2),
                 exponent: S::from_f64(20.0),
                 mirror: Vector::splat(S::ZERO),
@@ -157,8 +159,9 @@ pub fn run() {
 fn brightness<S: Real>(x: &[S]) -> S {
     let v = |first: usize| <Vec3<S>>::new(x[first], x[first + 1], x[first + 2]);
     let (emission, diffuse, specular) = (v(15), v(18), v(21));
-    let (mirror, opacity) = (Vector::splat(S::ZERO), S::ONE);
-    let material = Material { emission, diffuse, specular, exponent: x[24], mirror, opacity };
+    let (roughness, mirror, opacity) = (S::ZERO, Vector::splat(S::ZERO), S::ONE);
+    let exponent = x[24];
+    let material = Material { emission, diffuse, roughness, specular, exponent, mirror, opacity };
     let light = PointLight { position: v(25), color: v(28), radiant_intensity: x[31] };
     let ray = Ray { origin: v(0), direction: v(3) };
     let triangle = Triangle { a: v(6), b: v(9), c: v(12) };

@@ -6,12 +6,13 @@ use ad::vector::{Vector, Vector3};
 use ad::{Real, Vec3, differentiable};
 use renderer::transport::camera::{Camera, Ray, camera_frame, primary_ray};
 use renderer::transport::direct::{attenuate, direct};
-use renderer::transport::hit::SurfacePoint;
 use renderer::transport::light::{
-    DistantLight, Illumination, PointLight, illuminate_by_distant, illuminate_by_point,
+    DistantLight, Illumination, PointLight, SpotLight, illuminate_by_distant, illuminate_by_point,
+    illuminate_by_spot,
 };
-use renderer::transport::material::Material;
+use renderer::transport::material::{Lobes, Material};
 use renderer::transport::sphere::{Sphere, sphere_point, sphere_uv};
+use renderer::transport::surface::SurfacePoint;
 use renderer::transport::texture::{Footprint, Uv, modulate, modulate_opacity};
 use renderer::transport::transform::{Transform, place, unplace};
 use renderer::transport::triangle::{Triangle, triangle_point, triangle_uv};
@@ -78,13 +79,13 @@ kernels! {
     /// A point light on a surface; the radiance towards the viewer.
     PointLit = point_lit [
         ("position", 3), ("color", 3), ("intensity", 1),
-        ("diffuse", 3), ("specular", 3), ("exponent", 1),
+        ("diffuse", 3), ("roughness", 1), ("specular", 3), ("exponent", 1),
         ("point", 3), ("normal", 3), ("view", 3),
     ] => [3];
     /// A distant light on a surface; the radiance towards the viewer.
     DistantLit = distant_lit [
         ("direction", 3), ("color", 3), ("intensity", 1),
-        ("diffuse", 3), ("specular", 3), ("exponent", 1),
+        ("diffuse", 3), ("roughness", 1), ("specular", 3), ("exponent", 1),
         ("point", 3), ("normal", 3), ("view", 3),
     ] => [3];
     /// A surface point; the ray that a mirror sends on.
@@ -108,6 +109,11 @@ kernels! {
     ] => [3, 1, 3];
     /// A distant light; the direction to it and its irradiance.
     ByDistant = by_distant [("direction", 3), ("color", 3), ("irradiance", 1)] => [3, 3];
+    /// A spot light and a point; the irradiance there.
+    BySpot = by_spot [
+        ("position", 3), ("direction", 3), ("color", 3), ("intensity", 1), ("inner", 1), ("outer", 1),
+        ("point", 3),
+    ] => [3];
     /// A transform and a point; its place in the world.
     Placed = placed [
         ("translation", 3), ("rotation", 3), ("scale", 3), ("point", 3),
@@ -201,8 +207,9 @@ fn material<S: Real>(x: &[S]) -> Material<S> {
     Material {
         emission: none,
         diffuse: vector::<S>(x, 7),
-        specular: vector::<S>(x, 10),
-        exponent: x[13],
+        roughness: x[10],
+        specular: vector::<S>(x, 11),
+        exponent: x[14],
         mirror: none,
         opacity: S::ONE,
     }
@@ -210,13 +217,15 @@ fn material<S: Real>(x: &[S]) -> Material<S> {
 
 #[differentiable]
 fn surface<S: Real>(x: &[S]) -> SurfacePoint<S> {
-    SurfacePoint { point: vector::<S>(x, 14), normal: vector::<S>(x, 17), view: vector::<S>(x, 20) }
+    SurfacePoint { point: vector::<S>(x, 15), normal: vector::<S>(x, 18), view: vector::<S>(x, 21) }
 }
 
 #[differentiable]
 fn lit<S: Real>(x: &[S], light: Illumination<S>) -> [S; 3] {
     let visible = S::ZERO.cmplt(S::ONE);
-    three::<S>(direct::<S>(material::<S>(x), surface::<S>(x), light, visible, S::ONE))
+    let (material, surface) = (material::<S>(x), surface::<S>(x));
+    let lobes = Lobes { rough: true, glossy: true };
+    three::<S>(direct::<S>(material, lobes, surface, light, visible, S::ONE))
 }
 
 #[differentiable]
@@ -231,7 +240,7 @@ fn distant_light<S: Real>(x: &[S]) -> DistantLight<S> {
 
 #[differentiable]
 fn point_lit<S: Real>(x: &[S]) -> [S; 3] {
-    lit::<S>(x, illuminate_by_point::<S>(point_light::<S>(x), vector::<S>(x, 14)))
+    lit::<S>(x, illuminate_by_point::<S>(point_light::<S>(x), vector::<S>(x, 15)))
 }
 
 #[differentiable]
@@ -307,6 +316,19 @@ fn by_point<S: Real>(x: &[S]) -> [S; 7] {
 fn by_distant<S: Real>(x: &[S]) -> [S; 6] {
     let light = illuminate_by_distant::<S>(distant_light::<S>(x));
     six::<S>(light.direction, light.irradiance)
+}
+
+#[differentiable]
+fn by_spot<S: Real>(x: &[S]) -> [S; 3] {
+    let light = SpotLight {
+        position: vector::<S>(x, 0),
+        direction: vector::<S>(x, 3),
+        color: vector::<S>(x, 6),
+        radiant_intensity: x[9],
+        inner_angle: x[10],
+        outer_angle: x[11],
+    };
+    three::<S>(illuminate_by_spot::<S>(light, vector::<S>(x, 12)).irradiance)
 }
 
 #[differentiable]
