@@ -7,7 +7,6 @@ use glam::{DVec3, dvec3};
 use renderer::experiment::{Experiment, OptimizeSection, Target, TunedParameter};
 use renderer::optimize::Objective;
 use renderer::recovery::Recovery;
-use renderer::scene::Object;
 use renderer::{
     Error, ImageLoss, LossKind, Material, Mesh, ParameterId, Renderer, Scene, Settings,
 };
@@ -68,8 +67,8 @@ pub fn scene(count: usize, size: u32, random: &mut Random) -> Result<Scene, Erro
         let (emission, diffuse, specular) = (0.1 * color(), color(), color());
         let numbers = color();
         let (exponent, mirror) = (1.0 + 20.0 * numbers.x, DVec3::splat(0.3 * numbers.y));
-        let matt = Material::lambertian(diffuse);
-        let material = Material { emission, specular, exponent, mirror, ..matt };
+        let material =
+            Material { emission, specular, exponent, mirror, ..Material::lambertian(diffuse) };
         scene.add_material(format!("paint{index}"), material)?;
     }
     scene.add_mesh(Mesh { materials: indices.collect(), ..mesh })?;
@@ -80,10 +79,8 @@ pub fn scene(count: usize, size: u32, random: &mut Random) -> Result<Scene, Erro
 /// to the image that it has with other colours.
 pub fn experiment(scene: Scene, random: &mut Random) -> Experiment {
     let mut ids = scene.parameters();
-    ids.retain(|id| match id.object {
-        Object::Material(_) => id.field != "roughness",
-        _ => id.field == "vertices",
-    });
+    let of_paper = ["vertices", "emission", "diffuse", "specular", "exponent", "mirror"];
+    ids.retain(|id| of_paper.contains(&id.field));
     // Vertices come first.
     ids.sort_by_key(|id| id.field != "vertices");
     let mut other_color = |&id: &ParameterId| {

@@ -37,9 +37,9 @@ pub fn image_loss<S: Real>(x: &[S], size: usize) -> S {
     let frame = camera_frame::<S>(camera, S::ONE);
     let triangle = Triangle { a: vector::<S>(x, 11), b: vector::<S>(x, 14), c: vector::<S>(x, 17) };
     let material = Material {
+        roughness: S::ZERO,
         emission: vector::<S>(x, 20),
         diffuse: vector::<S>(x, 23),
-        roughness: S::ZERO,
         specular: vector::<S>(x, 26),
         mirror: vector::<S>(x, 29),
         exponent: x[32],
@@ -51,7 +51,6 @@ pub fn image_loss<S: Real>(x: &[S], size: usize) -> S {
         radiant_intensity: x[39],
     };
     let lit = S::ZERO.cmplt(S::ONE);
-    let lobes = Lobes { rough: false, glossy: true };
     let wanted = vector::<S>(x, 40);
     let mut loss = S::ZERO;
     for row in 0..size {
@@ -60,8 +59,9 @@ pub fn image_loss<S: Real>(x: &[S], size: usize) -> S {
             let ray = primary_ray::<S>(frame, place(column), place(row));
             let surface = triangle_point::<S>(triangle, ray);
             let arriving = illuminate_by_point::<S>(light, surface.point);
-            let radiance =
-                material.emission + direct::<S>(material, lobes, surface, arriving, lit, S::ONE);
+            let lobes = Lobes { rough: false, glossy: true };
+            let reflected = direct::<S>(material, lobes, surface, arriving, lit, S::ONE);
+            let radiance = material.emission + reflected;
             let difference = radiance - wanted;
             loss += difference.dot(difference);
         }

@@ -159,8 +159,8 @@ pub fn run() {
 fn brightness<S: Real>(x: &[S]) -> S {
     let v = |first: usize| <Vec3<S>>::new(x[first], x[first + 1], x[first + 2]);
     let (emission, diffuse, specular) = (v(15), v(18), v(21));
-    let (mirror, opacity) = (Vector::splat(S::ZERO), S::ONE);
-    let (roughness, exponent) = (S::ZERO, x[24]);
+    let (roughness, mirror, opacity) = (S::ZERO, Vector::splat(S::ZERO), S::ONE);
+    let exponent = x[24];
     let material = Material { emission, diffuse, roughness, specular, exponent, mirror, opacity };
     let light = PointLight { position: v(25), color: v(28), radiant_intensity: x[31] };
     let ray = Ray { origin: v(0), direction: v(3) };

@@ -79,20 +79,14 @@ kernels! {
     /// A point light on a surface; the radiance towards the viewer.
     PointLit = point_lit [
         ("position", 3), ("color", 3), ("intensity", 1),
-        ("diffuse", 3), ("specular", 3), ("exponent", 1),
+        ("diffuse", 3), ("roughness", 1), ("specular", 3), ("exponent", 1),
         ("point", 3), ("normal", 3), ("view", 3),
     ] => [3];
     /// A distant light on a surface; the radiance towards the viewer.
     DistantLit = distant_lit [
         ("direction", 3), ("color", 3), ("intensity", 1),
-        ("diffuse", 3), ("specular", 3), ("exponent", 1),
+        ("diffuse", 3), ("roughness", 1), ("specular", 3), ("exponent", 1),
         ("point", 3), ("normal", 3), ("view", 3),
-    ] => [3];
-    /// A point light on a rough surface; the radiance towards the viewer.
-    RoughLit = rough_lit [
-        ("position", 3), ("color", 3), ("intensity", 1),
-        ("diffuse", 3), ("specular", 3), ("exponent", 1),
-        ("point", 3), ("normal", 3), ("view", 3), ("roughness", 1),
     ] => [3];
     /// A surface point; the ray that a mirror sends on.
     Mirrored = mirrored [("point", 3), ("normal", 3), ("view", 3)] => [3, 3];
@@ -115,11 +109,11 @@ kernels! {
     ] => [3, 1, 3];
     /// A distant light; the direction to it and its irradiance.
     ByDistant = by_distant [("direction", 3), ("color", 3), ("irradiance", 1)] => [3, 3];
-    /// A spot light and a point; the direction, the distance and the irradiance there.
+    /// A spot light and a point; the irradiance there.
     BySpot = by_spot [
-        ("position", 3), ("color", 3), ("intensity", 1), ("point", 3),
-        ("direction", 3), ("inner_angle", 1), ("outer_angle", 1),
-    ] => [3, 1, 3];
+        ("position", 3), ("direction", 3), ("color", 3), ("intensity", 1), ("inner", 1), ("outer", 1),
+        ("point", 3),
+    ] => [3];
     /// A transform and a point; its place in the world.
     Placed = placed [
         ("translation", 3), ("rotation", 3), ("scale", 3), ("point", 3),
@@ -213,9 +207,9 @@ fn material<S: Real>(x: &[S]) -> Material<S> {
     Material {
         emission: none,
         diffuse: vector::<S>(x, 7),
-        roughness: S::ZERO,
-        specular: vector::<S>(x, 10),
-        exponent: x[13],
+        roughness: x[10],
+        specular: vector::<S>(x, 11),
+        exponent: x[14],
         mirror: none,
         opacity: S::ONE,
     }
@@ -223,21 +217,15 @@ fn material<S: Real>(x: &[S]) -> Material<S> {
 
 #[differentiable]
 fn surface<S: Real>(x: &[S]) -> SurfacePoint<S> {
-    SurfacePoint { point: vector::<S>(x, 14), normal: vector::<S>(x, 17), view: vector::<S>(x, 20) }
+    SurfacePoint { point: vector::<S>(x, 15), normal: vector::<S>(x, 18), view: vector::<S>(x, 21) }
 }
 
 #[differentiable]
 fn lit<S: Real>(x: &[S], light: Illumination<S>) -> [S; 3] {
-    let (lobes, visible) = (Lobes { rough: false, glossy: true }, S::ZERO.cmplt(S::ONE));
-    three::<S>(direct::<S>(material::<S>(x), lobes, surface::<S>(x), light, visible, S::ONE))
-}
-
-#[differentiable]
-fn rough_lit<S: Real>(x: &[S]) -> [S; 3] {
-    let light = illuminate_by_point::<S>(point_light::<S>(x), vector::<S>(x, 14));
-    let (lobes, visible) = (Lobes { rough: true, glossy: true }, S::ZERO.cmplt(S::ONE));
-    let material = Material { roughness: x[23], ..material::<S>(x) };
-    three::<S>(direct::<S>(material, lobes, surface::<S>(x), light, visible, S::ONE))
+    let visible = S::ZERO.cmplt(S::ONE);
+    let (material, surface) = (material::<S>(x), surface::<S>(x));
+    let lobes = Lobes { rough: true, glossy: true };
+    three::<S>(direct::<S>(material, lobes, surface, light, visible, S::ONE))
 }
 
 #[differentiable]
@@ -252,7 +240,7 @@ fn distant_light<S: Real>(x: &[S]) -> DistantLight<S> {
 
 #[differentiable]
 fn point_lit<S: Real>(x: &[S]) -> [S; 3] {
-    lit::<S>(x, illuminate_by_point::<S>(point_light::<S>(x), vector::<S>(x, 14)))
+    lit::<S>(x, illuminate_by_point::<S>(point_light::<S>(x), vector::<S>(x, 15)))
 }
 
 #[differentiable]
@@ -325,25 +313,22 @@ fn by_point<S: Real>(x: &[S]) -> [S; 7] {
 }
 
 #[differentiable]
-fn by_spot<S: Real>(x: &[S]) -> [S; 7] {
-    let PointLight { position, color, radiant_intensity } = point_light::<S>(x);
-    let light = SpotLight {
-        position,
-        direction: vector::<S>(x, 10),
-        color,
-        radiant_intensity,
-        inner_angle: x[13],
-        outer_angle: x[14],
-    };
-    let light = illuminate_by_spot::<S>(light, vector::<S>(x, 7));
-    let (to, brings) = (light.direction, light.irradiance);
-    [to.x(), to.y(), to.z(), light.distance, brings.x(), brings.y(), brings.z()]
-}
-
-#[differentiable]
 fn by_distant<S: Real>(x: &[S]) -> [S; 6] {
     let light = illuminate_by_distant::<S>(distant_light::<S>(x));
     six::<S>(light.direction, light.irradiance)
+}
+
+#[differentiable]
+fn by_spot<S: Real>(x: &[S]) -> [S; 3] {
+    let light = SpotLight {
+        position: vector::<S>(x, 0),
+        direction: vector::<S>(x, 3),
+        color: vector::<S>(x, 6),
+        radiant_intensity: x[9],
+        inner_angle: x[10],
+        outer_angle: x[11],
+    };
+    three::<S>(illuminate_by_spot::<S>(light, vector::<S>(x, 12)).irradiance)
 }
 
 #[differentiable]

@@ -9,8 +9,8 @@ use renderer::trace::bvh::{Bvh, Shape};
 use crate::images::{ARITHMETICS, settings};
 use crate::kernels::{
     Added, Attenuated, ByDistant, ByPoint, BySpot, Covered, DistantLit, Kernel, Mirrored, Placed,
-    PointLit, PrimaryRay, RoughLit, SphereEntered, SphereLeft, SphereUv, Straight, Textured,
-    TrianglePoint, TriangleUv, Unplaced,
+    PointLit, PrimaryRay, SphereEntered, SphereLeft, SphereUv, Straight, Textured, TrianglePoint,
+    TriangleUv, Unplaced,
 };
 use crate::meshes::Random;
 use crate::scenes::textured_scene;
@@ -57,8 +57,7 @@ fn run_all(points: usize) {
         }
         each!(
             PrimaryRay TrianglePoint SphereEntered SphereLeft TriangleUv SphereUv PointLit
-            DistantLit RoughLit Mirrored Straight Textured Covered Added Attenuated ByPoint
-            ByDistant BySpot Placed
+            DistantLit Mirrored Straight Textured Covered Added Attenuated ByPoint ByDistant BySpot Placed
             Unplaced
         );
     }

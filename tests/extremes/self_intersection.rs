@@ -139,7 +139,7 @@ fn unshadowed(surface: &Surface, camera: Camera<f64>, lights: &[Light<f64>]) -> 
                 let most = light.radiant_intensity / (PI * squared);
                 most * (normal.dot(to_light) / squared.sqrt()).max(0.0)
             }
-            Light::Spot(_) => unreachable!("no light is a spot light"),
+            light => unreachable!("{light:?}"),
         };
         lights.iter().map(reflected).sum()
     };

@@ -3,7 +3,7 @@
 use ad::Scalar;
 
 use crate::images::check_agreement;
-use crate::kernels::{BySpot, DistantLit, Kernel, PointLit, RoughLit};
+use crate::kernels::{BySpot, DistantLit, Kernel, PointLit};
 use crate::oracle::{Case, check};
 use crate::scenes::{set, small_parts, small_scene};
 
@@ -14,6 +14,7 @@ struct Shading {
     color: [f64; 3],
     intensity: f64,
     diffuse: [f64; 3],
+    roughness: f64,
     specular: [f64; 3],
     exponent: f64,
     view: [f64; 3],
@@ -31,6 +32,7 @@ const ORDINARY: Shading = Shading {
     color: [1.0, 0.75, 0.5],
     intensity: 30.0,
     diffuse: [0.5, 0.25, 0.75],
+    roughness: 0.375,
     specular: [0.25, 0.5, 0.125],
     exponent: 20.0,
     view: [-0.36, 0.48, 0.8],
@@ -43,17 +45,11 @@ const ORDINARY: Shading = Shading {
 impl Shading {
     #[track_caller]
     fn check(self, name: &str) {
-        self.check_smooth(name);
-        self.check_rough(name);
-    }
-
-    #[track_caller]
-    fn check_smooth(self, name: &str) {
         self.check_point(name);
         let Self { length, angle, value, gradient, .. } = self;
         let name = format!("{name}, from infinitely far");
         let power = self.power();
-        let lengths = [length, 1.0, power, 1.0, 1.0, 0.1, 1.0, angle, angle];
+        let lengths = [length, 1.0, power, 1.0, 0.1, 1.0, 0.1, 1.0, angle, angle];
         check::<DistantLit>(&Case {
             name: &name,
             x: &self.numbers(),
@@ -67,23 +63,8 @@ impl Shading {
     fn check_point(self, name: &str) {
         let Self { length, angle, value, gradient, .. } = self;
         let power = self.power();
-        let lengths = [length, 1.0, power, 1.0, 1.0, 0.1, length, angle, angle];
+        let lengths = [length, 1.0, power, 1.0, 0.1, 1.0, 0.1, length, angle, angle];
         check::<PointLit>(&Case { name, x: &self.numbers(), lengths: &lengths, value, gradient });
-    }
-
-    #[track_caller]
-    fn check_rough(self, name: &str) {
-        let Self { length, angle, value, gradient, .. } = self;
-        let lengths = [length, 1.0, self.power(), 1.0, 1.0, 0.1, length, angle, angle, 1.0];
-        for roughness in [0.0, 0.5, 1.0] {
-            check::<RoughLit>(&Case {
-                name: &format!("{name}, on a surface of roughness {roughness}"),
-                x: &[&self.numbers()[..], &[roughness]].concat(),
-                lengths: &lengths,
-                value,
-                gradient,
-            });
-        }
     }
 
     /// A change of the intensity that changes the radiance.
@@ -92,12 +73,15 @@ impl Shading {
     }
 
     fn numbers(&self) -> Vec<f64> {
-        let Self { position, color, intensity, diffuse, specular, exponent, view, .. } = *self;
+        let Self {
+            position, color, intensity, diffuse, roughness, specular, exponent, view, ..
+        } = *self;
         let numbers = [
             &position[..],
             &color,
             &[intensity],
             &diffuse,
+            &[roughness],
             &specular,
             &[exponent],
             &[0.0; 3],
@@ -135,6 +119,9 @@ fn albedos() {
     Shading { diffuse: black, specular: black, ..ORDINARY }.check("black albedo");
     Shading { diffuse: white, specular: black, ..ORDINARY }.check("white albedo");
     Shading { diffuse: black, specular: white, ..ORDINARY }.check("white highlight");
+    for roughness in [0.0, 1e-6, 1.0] {
+        Shading { roughness, ..ORDINARY }.check(&format!("roughness {roughness:e}"));
+    }
     Shading { color: black, ..ORDINARY }.check("black light");
     Shading { intensity: 0.0, ..ORDINARY }.check("light of intensity zero");
 }
@@ -153,47 +140,60 @@ fn directions() {
         Shading { position: [-x, -y, -z], exponent, ..ORDINARY }
             .check(&format!("half vector zero, exponent {exponent}"));
     }
-    // Rough surfaces have a kink where light and viewer are equally high above them.
-    Shading { position: [2.0 * x, 2.0 * y, 2.0 * z], ..ORDINARY }
-        .check_smooth("light behind the camera");
+    // There a rough surface has a kink.
+    Shading { position: [2.0 * x, 2.0 * y, 2.0 * z], roughness: 0.0, ..ORDINARY }
+        .check("light behind the camera");
 }
 
 #[test]
 fn distances() {
     for distance in [1e-10, 1e-6, 1e6, 1e10] {
         let position = ORDINARY.position.map(|x| x * distance);
-        let shading = Shading { position, length: 0.1 * distance, ..ORDINARY };
-        let name = format!("light at distance {distance:e}");
-        shading.check_point(&name);
-        shading.check_rough(&name);
+        Shading { position, length: 0.1 * distance, ..ORDINARY }
+            .check_point(&format!("light at distance {distance:e}"));
     }
 }
 
-/// Wide and narrow cones: what they hold, where they fall off, and what is beyond.
+/// Points at `angle` degrees from the axis of a cone between `inner` and `outer` degrees.
 #[test]
 fn cones() {
-    let point = [0.5_f32, -0.25, -2.0].map(f64::from);
-    for outer in [89.0_f64, 30.0, 1.0, 1e-2] {
-        for (place, part) in [("inside", 0.2), ("falling off", 0.75), ("outside", 1.5)] {
-            // The axis passes the point at a part of the angle.
-            let offset = (part * outer).to_radians().min(1.5).tan();
-            let towards = glam::DVec3::from(point).normalize();
-            let direction = towards + towards.any_orthonormal_vector() * offset;
-            let numbers = [
-                &[0.0; 3][..],
-                &[1.0, 0.75, 0.5, 30.0],
-                &point,
-                &direction.to_array(),
-                &[0.5 * outer, outer],
+    for (inner, outer, angle) in [
+        (10.0, 30.0, 20.0),
+        (0.0, 90.0, 60.0),
+        (0.0, 1e-3, 6e-4),
+        (5.0, 5.001, 5.0005),
+        (30.0, 40.0, 10.0),
+        (30.0, 40.0, 50.0),
+        (30.0, 40.0, 180.0),
+    ] {
+        for distance in [1e-6, 1.0, 1e6] {
+            let (sine, cosine) = f64::to_radians(angle).sin_cos();
+            let x = [
+                [0.0; 3],
+                [0.0, 0.0, 2.0],
+                [1.0, 0.75, 0.5],
+                [30.0, inner, outer],
+                [sine * distance, 0.0, cosine * distance],
             ];
-            let x: Vec<f64> = numbers.concat().iter().map(|&x| f64::from(x as f32)).collect();
-            let angle = 0.05 * outer.to_radians();
+            let x: Vec<f64> = x.as_flattened().iter().map(|&x| f64::from(x as f32)).collect();
+            let width: f64 = outer - inner;
+            let turn = 0.01 * width.to_radians();
+            // The fall-off takes the difference of two angles apart.
+            let digits = 50.0 * outer / width;
             check::<BySpot>(&Case {
-                name: &format!("cone of {outer} degrees, {place}"),
+                name: &format!("cone of {inner} to {outer} degrees, {angle} off, at {distance:e}"),
                 x: &x,
-                lengths: &[angle, 1.0, 30.0, angle, angle, 0.05 * outer, 0.05 * outer],
-                value: 50.0 + 50.0 / angle,
-                gradient: 100.0 + 100.0 / angle,
+                lengths: &[
+                    turn * distance,
+                    turn,
+                    1.0,
+                    30.0,
+                    0.01 * width,
+                    0.01 * width,
+                    turn * distance,
+                ],
+                value: digits,
+                gradient: 4.0 * digits,
             });
         }
     }

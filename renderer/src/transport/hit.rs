@@ -10,6 +10,7 @@ use super::triangle::{Triangle, triangle_point, triangle_uv};
 
 /// A primitive of a known kind. The kind is the same in every lane.
 #[derive(Clone, Copy, Debug, Differentiable)]
+#[non_exhaustive]
 pub enum Primitive<S: Real> {
     /// A flat triangle.
     Triangle(Triangle<S>),

@@ -56,6 +56,7 @@ pub struct SpotLight<S: Real> {
 /// measured, this costs 1 % of a gradient more than a kernel for each kind, and saves the caller all
 /// knowledge of the kinds.
 #[derive(Clone, Copy, Debug, PartialEq, Differentiable)]
+#[non_exhaustive]
 pub enum Light<S: Real> {
     /// Shines from a point.
     Point(PointLight<S>),

@@ -101,7 +101,7 @@ pub fn brdf<S: Real>(
 
 /// The BRDF of a rough diffuse surface, by Lambert's: facets in all directions, which are Lambertian and
 /// hide each other (Oren & Nayar 1994), in the form of Fujii, which has no ring (Portsmouth, Kutz & Hill
-/// 2024). The light that facets send to each other is left out: at `roughness` 1 the mean albedo is 0.83.
+/// 2024). It has a kink where light and viewer are at the same angle from the normal. The light that facets send to each other is left out: at `roughness` 1 the mean albedo is 0.83.
 #[differentiable]
 #[inline]
 fn rough_diffuse<S: Real>(roughness: S, surface: SurfacePoint<S>, direction: Vec3<S>) -> S {

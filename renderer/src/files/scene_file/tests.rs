@@ -187,8 +187,8 @@ fn mistakes_in_the_file_are_placed() {
             "s.toml:6: unknown field `lights`, expected one of `bounces`, `camera`, `light`",
         ),
         (
-            "[[light]]\nname = \"k\"\ntype = \"area\"\n",
-            "s.toml:8: light.k.type: `area` is no type of light; there are point, distant",
+            "[[light]]\nname = \"k\"\ntype = \"laser\"\n",
+            "s.toml:8: light.k.type: `laser` is no type of light; there are point, distant, spot",
         ),
         (
             "[[light]]\nname = \"k\"\n",
