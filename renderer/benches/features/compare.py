@@ -58,8 +58,8 @@ PATCHES = {
     "transparency": (BOTH, [
         ("primal/transmission.rs", "if !self.layout.has_transparency {", "if true {"),
         ("primal/gather.rs", "if !self.layout.has_transparency {", "if true {"),
-        ("primal/vertex.rs", "let transmission = self.wavefront.transmissions.get(light)?;",
-         "let transmission = None::<&super::transmission::Transmission<S>>?;"),
+        ("primal/vertex.rs", "self.wavefront.transmissions.get(light)?",
+         "self.wavefront.transmissions.get(light).filter(|_| false)?"),
     ]),
     "user-defined shapes and lights": (BOTH, [
         ("primal/hits.rs", "(Kind::Custom, hit & !triangle & !sphere),", "(Kind::Custom, 0),"),
