@@ -38,6 +38,7 @@ mod diagnose;
 #[cfg(feature = "files")]
 mod disk;
 pub mod display;
+mod edges;
 mod error;
 #[cfg(feature = "files")]
 pub mod experiment;
@@ -77,6 +78,6 @@ pub use render::{
     render_vjp,
 };
 pub use scene::*;
-pub use settings::{Pass, PrimaryVisibility, Samples, Sampling, Settings};
+pub use settings::{Edges, Pass, PrimaryVisibility, Samples, Sampling, Settings};
 #[cfg(feature = "files")]
 pub use warning::Warning;

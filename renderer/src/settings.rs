@@ -19,6 +19,8 @@ pub struct Settings {
     pub sampling: Sampling,
     /// How many mirrors and transparent surfaces a path has at most, if not as many as the scene says.
     pub bounces: Option<u32>,
+    /// Whether images and gradients see edges.
+    pub edges: Edges,
 }
 
 impl Settings {
@@ -26,6 +28,23 @@ impl Settings {
     pub fn in_double_precision(self) -> Self {
         Self { arithmetic: Arithmetic::fastest(Precision::F64), ..self }
     }
+}
+
+/// Whether images and gradients see edges: silhouettes, shadows, and whatever else radiance jumps at.
+///
+/// Where they do, each side of an edge counts by the area that it covers of a pixel, and the gradient
+/// has the boundary term: what pixels gain and lose when edges move. Rays form a regular grid then, of
+/// at least as many as the [sampling](Settings::sampling) says.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "cli", derive(clap::ValueEnum))]
+pub enum Edges {
+    /// For gradients by parameters that move edges, and for the images and losses that come with them.
+    #[default]
+    Auto,
+    /// Always.
+    On,
+    /// Never: pixels are means of samples, and gradients the interior term alone.
+    Off,
 }
 
 /// How it is found which primitive a pixel shows. The images are the same, but for pixels on edges at

@@ -6,7 +6,7 @@
 //! from the surface points to primitives and rays.
 
 use ad::vector::Vector;
-use ad::{Additive, Tangent, Vec3};
+use ad::{Additive, Fields, Tangent, Vec3};
 use glam::DVec3;
 
 use super::request::Request;
@@ -22,12 +22,13 @@ use crate::primal::integrator::{Integrator, ZeroWeight};
 use crate::primal::lanes::{lanes_of_vectors, sum_of_lanes, sum_of_vectors, vectors_of_lanes};
 use crate::primal::path::Path;
 use crate::primal::vertex::{Textured, Vertex};
-use crate::primal::wavefront::{LaneGroup, TileSample, Wavefront, clear_blocks, samples};
+use crate::primal::wavefront::{LaneGroup, Source, Wavefront, clear_blocks, samples};
 use crate::scene::{Scene, Slot, Transform};
 use crate::settings::Pass;
 use crate::trace::bvh::{PACKET_RAYS, rays};
 use crate::trace::layout::Kind;
-use crate::trace::tile::{Strip, Tile, for_each_strip};
+use crate::trace::sampling::Sampling;
+use crate::trace::tile::{Tile, for_each_strip};
 use crate::transport::camera::{CameraFrame, Ray, primary_ray};
 use crate::transport::direct::direct;
 use crate::transport::hit::{Primitive, hit, surface_uv};
@@ -47,112 +48,130 @@ pub fn sweep<L: Plain>(
 ) -> Vec<Sums> {
     let (width, height) = (integrator.layout.width, integrator.layout.height);
     let integrator = integrator.with_zero_weight(request.zero_weight);
-    let start = || Chain {
-        integrator,
-        scene,
-        loss,
-        path: Path::default(),
-        states: Vec::new(),
-        scatter: Scatter::new(request),
-    };
-    for_each_strip(width, height, start, Chain::strip)
+    for_each_strip(width, height, || Chain::new(integrator, scene, request), |chain, strip| {
+        strip.tiles().for_each(|tile| chain.tile(loss, &tile));
+        chain.scatter.take()
+    })
 }
 
 /// The work on strips that follow each other on a thread.
 pub(super) struct Chain<'a, L: Plain> {
     pub integrator: Integrator<'a, L>,
-    scene: &'a Scene,
-    loss: &'a dyn PixelLoss,
-    path: Path<L>,
+    pub scene: &'a Scene,
+    pub path: Path<L>,
     /// By depth.
-    states: Vec<AdjointState<L>>,
+    pub states: Vec<AdjointState<L>>,
     pub scatter: Scatter<'a>,
+    /// The distance between samples in pixels, where edges count.
+    pub spacing: Option<f64>,
 }
 
 /// The cotangents of the surface points of a group.
 #[derive(Clone, Copy)]
-struct SurfaceCotangent<L: Plain> {
-    surface: Tangent<SurfacePoint<L>>,
+pub(super) struct SurfaceCotangent<L: Plain> {
+    pub surface: Tangent<SurfacePoint<L>>,
     /// Of their texture coordinates, if they have any.
-    uv: Option<Tangent<Uv<L>>>,
+    pub uv: Option<Tangent<Uv<L>>>,
 }
 
 /// What flows back to a wavefront.
-struct AdjointState<L: Plain> {
+pub(super) struct AdjointState<L: Plain> {
     /// By group: the cotangents of the surface points, unless they are zero.
-    surfaces: Vec<Option<SurfaceCotangent<L>>>,
+    pub surfaces: Vec<Option<SurfaceCotangent<L>>>,
     /// By block: the cotangents of the radiance that rays bring which go on.
     radiance: Vec<Vec3<L>>,
     /// By block: the cotangents of the rays that go on.
-    rays: Vec<Tangent<Ray<L>>>,
+    pub rays: Vec<Tangent<Ray<L>>>,
+    /// A bit for each ray that grazes what it meets: its surface point has no derivative.
+    pub grazing: u64,
 }
 
 impl<L: Plain> Default for AdjointState<L> {
     fn default() -> Self {
-        Self { surfaces: Vec::new(), radiance: Vec::new(), rays: Vec::new() }
+        Self { surfaces: Vec::new(), radiance: Vec::new(), rays: Vec::new(), grazing: 0 }
     }
 }
 
 /// From the radiance of a group to its cotangent, unless that is zero.
-type Respond<'a, L> = dyn FnMut(&LaneGroup<L>, Vec3<L>) -> Option<Vec3<L>> + 'a;
+pub(super) type Respond<'a, L> = dyn FnMut(&LaneGroup<L>, Vec3<L>) -> Option<Vec3<L>> + 'a;
 
-impl<L: Plain> Chain<'_, L> {
-    fn strip(&mut self, strip: Strip) -> Sums {
-        for tile in strip.tiles() {
-            self.tile(&tile);
-        }
-        self.scatter.take()
+impl<'a, L: Plain> Chain<'a, L> {
+    pub(super) fn new(
+        integrator: Integrator<'a, L>,
+        scene: &'a Scene,
+        request: &'a Request,
+    ) -> Self {
+        let scatter = Scatter::new(request);
+        Self { integrator, scene, path: Path::default(), states: Vec::new(), scatter, spacing: None }
     }
 
-    fn tile(&mut self, tile: &Tile) {
-        let (mut path, mut states) =
-            (std::mem::take(&mut self.path), std::mem::take(&mut self.states));
-        let Self { integrator, loss, .. } = *self;
-        let sampling = integrator.layout.sampling;
+    fn tile(&mut self, loss: &dyn PixelLoss, tile: &Tile) {
+        let sampling = self.integrator.layout.sampling;
         if sampling.is_single() {
             // The radiance of the ray is that of the pixel: one pass is enough.
             for sample in samples(tile, sampling) {
                 let mut sum = 0.0;
-                self.sample(&sample, &mut path, &mut states, &mut |group, radiance| {
+                self.sample(sample, &mut |group, radiance| {
                     let (value, cotangent) = respond(loss, tile, group, radiance);
                     sum += value;
                     cotangent
                 });
-                let missed = path.wavefronts()[0].missed;
+                let missed = self.path.wavefronts()[0].missed;
                 self.scatter.sums.loss += sum + loss_of_black(loss, tile, missed);
             }
         } else {
-            let primal = integrator.with_zero_weight(ZeroWeight::default());
-            let radiance = mean_radiance(primal, tile, &mut path);
+            let primal = self.integrator.with_zero_weight(ZeroWeight::default());
+            let radiance = mean_radiance(primal, tile, &mut self.path);
             let mut cotangents = [DVec3::ZERO; PACKET_RAYS];
-            let part = 1.0 / f64::from(sampling.count());
             for ray in rays(tile.rays()) {
                 let (x, y) = tile.pixel(ray);
                 let (value, derivative) = loss.evaluate(x, y, radiance[ray]);
                 self.scatter.sums.loss += value;
-                cotangents[ray] = derivative * part;
+                cotangents[ray] = derivative;
             }
-            for sample in samples(tile, sampling.of_gradient()) {
-                self.sample(&sample, &mut path, &mut states, &mut |group, _| {
-                    nonzero_lanes::<L>(group.rays().map(|(lane, ray)| (lane, cotangents[ray])))
-                });
-            }
+            self.pull_pixels(tile, sampling.of_gradient(), &cotangents);
+        }
+    }
+
+    /// Adds what flows back from the pixels of a tile, the means of samples.
+    pub(super) fn pull_pixels(
+        &mut self,
+        tile: &Tile,
+        sampling: Sampling,
+        cotangents: &[DVec3; PACKET_RAYS],
+    ) {
+        let part = 1.0 / f64::from(sampling.count());
+        for sample in samples(tile, sampling) {
+            self.sample(sample, &mut |group, _| {
+                let of_rays = group.rays().map(|(lane, ray)| (lane, cotangents[ray] * part));
+                nonzero_lanes::<L>(of_rays)
+            });
+        }
+    }
+
+    /// Adds what flows back from the rays of a packet. `respond` gives the cotangent of the radiance of a
+    /// group, unless it is zero.
+    fn sample(&mut self, source: Source<'_>, respond: &mut Respond<'_, L>) {
+        let (mut path, mut states) =
+            (std::mem::take(&mut self.path), std::mem::take(&mut self.states));
+        self.integrator.trace_path(source, &mut path);
+        let wavefronts = path.wavefronts();
+        self.pull_path(wavefronts, &mut states, respond);
+        if self.scatter.request.moves_surfaces() {
+            self.pull_rays(wavefronts, &mut states);
         }
         (self.path, self.states) = (path, states);
     }
 
-    /// Adds what flows back from one ray through each pixel of a tile. `respond` gives the cotangent
-    /// of the radiance of a group, unless it is zero.
-    fn sample(
+    /// From the radiance of the camera rays to everything that it is made of but rays: to surface
+    /// points.
+    pub(super) fn pull_path(
         &mut self,
-        sample: &TileSample<'_>,
-        path: &mut Path<L>,
+        wavefronts: &[Wavefront<L>],
         states: &mut Vec<AdjointState<L>>,
         respond: &mut Respond<'_, L>,
     ) {
         let request = self.scatter.request;
-        self.integrator.trace_path(sample, path);
-        let wavefronts = path.wavefronts();
         states.resize_with(wavefronts.len().max(states.len()), AdjointState::default);
 
         let few_vertices = wavefronts.len() == 1
@@ -181,9 +200,6 @@ impl<L: Plain> Chain<'_, L> {
             } else {
                 self.pull_radiance(&wavefronts[0], beyond, surfaces, respond);
             }
-        }
-        if request.moves_surfaces() {
-            self.pull_rays(sample, wavefronts, states);
         }
     }
 
@@ -399,17 +415,15 @@ impl<L: Plain> Chain<'_, L> {
     }
 
     /// From the surface points of all wavefronts, the deepest first, to primitives and to the camera.
-    fn pull_rays(
+    pub(super) fn pull_rays(
         &mut self,
-        sample: &TileSample<'_>,
         wavefronts: &[Wavefront<L>],
         states: &mut [AdjointState<L>],
     ) {
-        let Self { integrator, .. } = *self;
         let mut to_frame = Tangent::<CameraFrame<L>>::zero();
         for depth in (0..wavefronts.len()).rev() {
             let (states, deeper) = states.split_at_mut(depth + 1);
-            let AdjointState { rays, surfaces, .. } = &mut states[depth];
+            let AdjointState { rays, surfaces, grazing, .. } = &mut states[depth];
             let beyond = deeper.first().filter(|_| depth + 1 < wavefronts.len());
             let wavefront = &wavefronts[depth];
             for (group, surface) in wavefront.groups.iter().zip(surfaces) {
@@ -418,13 +432,22 @@ impl<L: Plain> Chain<'_, L> {
                 if let Some(state) = beyond {
                     surface.accumulate(self.pull_next_ray(group, &state.rays[group.block()]));
                 }
+                let grazing = group.lanes_of(*grazing);
+                if grazing != 0 {
+                    surface = select_lanes::<L, _>(grazing, &Additive::zero(), &surface);
+                }
+                let film = (depth == 0).then(|| wavefront.film[group.block()]);
+                let weight = film.zip(self.spacing);
+                let weight = weight.and_then(|(film, spacing)| self.limb_weight(group, film, spacing));
+                if let Some(weight) = weight {
+                    surface = Fields::from_fn(&mut |index| surface.number(index) * weight);
+                }
                 let ray = self.pull_surface(group, surface, uv);
                 if depth > 0 {
                     rays[group.block()].accumulate(ray);
-                } else if self.scatter.request.camera {
-                    let offsets = wavefront.offsets.as_ref();
-                    let (x, y) = integrator.film(sample.tile, offsets, group.first);
-                    let (_, pullback) = primary_ray::vjp::<L>(integrator.inputs.frame, x, y);
+                } else if let Some((x, y)) = film.filter(|_| self.scatter.request.camera) {
+                    let frame = self.integrator.inputs.frame;
+                    let (_, pullback) = primary_ray::vjp::<L>(frame, x, y);
                     to_frame.accumulate(pullback(ray).0);
                 }
             }
@@ -530,25 +553,30 @@ impl<L: Plain> Chain<'_, L> {
     /// mesh.
     #[inline]
     fn scatter_corners(&mut self, triangle: usize, cotangent: impl Fn(usize) -> DVec3) {
-        let layout = self.integrator.layout;
         let request = self.scatter.request;
-        let corners = layout.triangles[triangle];
-        if !request.vertices.is_empty() {
-            for (corner, vertex) in corners.into_iter().enumerate() {
-                self.scatter.vertex(vertex as usize, cotangent(corner));
-            }
+        if request.vertices.is_empty() && !request.moves_transforms() {
+            return;
         }
-        if request.moves_transforms() {
-            let mesh = layout.mesh_of(triangle);
-            let Some(to) = request.transforms[mesh] else { return };
-            let (first, mesh) = (layout.first_vertices[mesh], &self.scene.meshes[mesh]);
-            for (corner, vertex) in corners.into_iter().enumerate() {
-                let own = DVec3::from(mesh.vertices[(vertex - first) as usize]);
-                let (_, pullback) = place::vjp::<f64>(mesh.transform, own);
-                let (transform, _): (Tangent<Transform<f64>>, _) = pullback(cotangent(corner));
-                self.scatter.dense_sum(to, &transform);
-            }
+        for (corner, vertex) in self.integrator.layout.triangles[triangle].into_iter().enumerate() {
+            self.scatter_vertex(vertex, cotangent(corner));
         }
+    }
+
+    /// Adds the cotangent of a vertex in the world to that of the vertex or of the transform of its mesh.
+    #[inline]
+    pub(super) fn scatter_vertex(&mut self, vertex: u32, cotangent: DVec3) {
+        self.scatter.vertex(vertex as usize, cotangent);
+        if !self.scatter.request.moves_transforms() {
+            return;
+        }
+        let layout = self.integrator.layout;
+        let mesh = layout.mesh_of_vertex(vertex);
+        let Some(to) = self.scatter.request.transforms[mesh] else { return };
+        let (first, mesh) = (layout.first_vertices[mesh], &self.scene.meshes[mesh]);
+        let own = DVec3::from(mesh.vertices[(vertex - first) as usize]);
+        let (_, pullback) = place::vjp::<f64>(mesh.transform, own);
+        let (transform, _): (Tangent<Transform<f64>>, _) = pullback(cotangent);
+        self.scatter.dense_sum(to, &transform);
     }
 
     /// Pulls the cotangents of the points of shapes of one's own back to their numbers; returns that of
@@ -636,7 +664,7 @@ fn loss_of_black(loss: &dyn PixelLoss, tile: &Tile, missed: u64) -> f64 {
 
 /// Vectors, by lane; the other lanes are zero. Nothing if all are zero.
 #[inline]
-fn nonzero_lanes<L: Plain>(vectors: impl Iterator<Item = (usize, DVec3)>) -> Option<Vec3<L>> {
+pub(super) fn nonzero_lanes<L: Plain>(vectors: impl Iterator<Item = (usize, DVec3)>) -> Option<Vec3<L>> {
     let mut lanes = [DVec3::ZERO; MAX_LANES];
     vectors.for_each(|(lane, vector)| lanes[lane] = vector);
     let matters = lanes.iter().any(|&vector| vector != DVec3::ZERO);

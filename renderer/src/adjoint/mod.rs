@@ -13,7 +13,9 @@
 //! has to remember is its wavefronts, which are reused from tile to tile.
 
 mod chain;
+mod edges;
 mod gradient;
+mod limb;
 mod occluder;
 mod range;
 mod reduce;

@@ -13,14 +13,17 @@ use ad::{Real, Scalar};
 use glam::DVec3;
 
 use super::chain::sweep;
+use super::edges::sweep_with_edges;
 use super::gradient::LossAndGradient;
 use super::reduce::reduce;
 use super::request::Request;
+use super::scatter::Sums;
 use crate::loss::PixelLoss;
 use crate::number::Plain;
 use crate::primal::image::loss;
 use crate::primal::integrator::Prepared;
 use crate::scene::Scene;
+use crate::settings::Edges;
 
 /// Losses between these leave enough range on both sides.
 const ORDINARY: RangeInclusive<f64> = 1e-20..=1e20;
@@ -32,8 +35,26 @@ pub fn loss_and_gradient<L: Plain>(
     loss: &dyn PixelLoss,
     request: &Request,
 ) -> LossAndGradient {
-    let strips = sweep(prepared.integrator(), scene, loss, request);
+    let strips = sums(prepared, scene, loss, request);
     with_range(prepared, scene, loss, request, reduce(prepared, scene, strips, request))
+}
+
+/// The loss and the cotangents, in parts.
+fn sums<L: Plain>(
+    prepared: &Prepared<L>,
+    scene: &Scene,
+    loss: &dyn PixelLoss,
+    request: &Request,
+) -> Vec<Sums> {
+    let has_edges = match prepared.settings.edges {
+        Edges::Auto => request.moves_edges(),
+        Edges::On => true,
+        Edges::Off => false,
+    };
+    match has_edges {
+        true => sweep_with_edges(prepared.integrator(), scene, loss, request),
+        false => sweep(prepared.integrator(), scene, loss, request),
+    }
 }
 
 /// The gradient again, if it may have left the range of the kernels' scalar.
@@ -45,7 +66,7 @@ fn with_range<L: Plain>(
     result: LossAndGradient,
 ) -> LossAndGradient {
     let Some(scaled) = Scaled::to_fit(prepared, pixel_loss, result.loss) else { return result };
-    let strips = sweep(prepared.integrator(), scene, &scaled, request);
+    let strips = sums(prepared, scene, &scaled, request);
     let mut again = reduce(prepared, scene, strips, request);
     again.gradient.scale(scaled.factor);
     LossAndGradient { loss: result.loss, ..again }

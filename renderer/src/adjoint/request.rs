@@ -13,6 +13,10 @@ use crate::trace::layout::Layout;
 use crate::transport::light::match_light;
 use crate::transport::material::Lobes;
 
+/// The fields of lights that do not say where the light comes from.
+const LIGHT_STRENGTH: [&str; 6] =
+    ["color", "radiant_intensity", "power", "irradiance", "inner_angle", "outer_angle"];
+
 /// A bit for each number of a struct.
 pub type Bits = u64;
 
@@ -156,6 +160,17 @@ impl Request {
         self.camera
             || selected.iter().any(|selection| !selection.is_empty())
             || self.transforms.iter().chain(&self.shapes).any(Option::is_some)
+    }
+
+    /// Whether edges in the image may depend on any of them.
+    pub fn moves_edges(&self) -> bool {
+        self.ids.iter().any(|id| match id.object {
+            Object::Camera | Object::Shape(_) => true,
+            Object::Mesh(_) => id.field != "texture_coordinates",
+            Object::Sphere(_) => id.field != "rotation",
+            Object::Light(_) => !LIGHT_STRENGTH.contains(&id.field),
+            Object::Material(_) | Object::Texture(_) => false,
+        })
     }
 
     /// Whether transforms are among them whose meshes' vertices are not.

@@ -7,7 +7,7 @@ use std::sync::Arc;
 
 use ad::lanes::{f32x8, f32x16, f64x8};
 use ad::tape::Var;
-use ad::{Differentiable, Dual, Field, Fields, Tangent, Vec3};
+use ad::{Additive, Differentiable, Dual, Field, Fields, Tangent, Vec3};
 use glam::DVec3;
 
 use super::{Bounded, Emitter, Intersection, Shape};
@@ -39,6 +39,16 @@ pub(crate) trait ShapeAt<S: Number>: Send + Sync {
         transform: Transform<S>,
         ray: Ray<S>,
         cotangent: Tangent<SurfacePoint<S>>,
+        to_number: &mut ToNumber<'_, S>,
+    ) -> (Tangent<Transform<S>>, Tangent<Ray<S>>);
+
+    /// The pullback of the margin of [`intersect`](Self::intersect).
+    fn pull_margin(
+        &self,
+        numbers: &[S::Lane],
+        transform: Transform<S>,
+        ray: Ray<S>,
+        cotangent: S,
         to_number: &mut ToNumber<'_, S>,
     ) -> (Tangent<Transform<S>>, Tangent<Ray<S>>);
 }
@@ -100,6 +110,22 @@ where
     ) -> (Tangent<Transform<S>>, Tangent<Ray<S>>) {
         let shape = gather::<S, T>(numbers);
         let (_, pullback) = placed_point::vjp::<S, T::With<S>>(shape, transform, ray);
+        let (shape, transform, ray) = pullback(cotangent);
+        scatter(&shape, to_number);
+        (transform, ray)
+    }
+
+    fn pull_margin(
+        &self,
+        numbers: &[S::Lane],
+        transform: Transform<S>,
+        ray: Ray<S>,
+        cotangent: S,
+        to_number: &mut ToNumber<'_, S>,
+    ) -> (Tangent<Transform<S>>, Tangent<Ray<S>>) {
+        let shape = gather::<S, T>(numbers);
+        let (_, pullback) = placed_intersection::vjp::<S, T::With<S>>(shape, transform, ray);
+        let cotangent = Tangent::<Intersection<S>> { margin: cotangent, ..Additive::zero() };
         let (shape, transform, ray) = pullback(cotangent);
         scatter(&shape, to_number);
         (transform, ray)

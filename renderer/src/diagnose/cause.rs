@@ -33,7 +33,7 @@ pub(super) fn cause<L: Plain>(
     let mut path = Path::default();
     let mut overflowing = None;
     for sample in samples(&tile, sampling) {
-        integrator.trace_path(&sample, &mut path);
+        integrator.trace_path(sample, &mut path);
         if let Some(kernel) = non_finite_kernel(integrator, scene, &path, ray) {
             return kernel;
         }
@@ -53,7 +53,7 @@ pub(super) fn cause<L: Plain>(
     let integrator = integrator.with_zero_weight(request.zero_weight);
     let mut shown = Vec::new();
     for sample in samples(&tile, sampling.of_gradient()) {
-        integrator.trace_path(&sample, &mut path);
+        integrator.trace_path(sample, &mut path);
         if let Some(kernel) = non_finite_kernel(integrator, scene, &path, ray) {
             return kernel;
         }

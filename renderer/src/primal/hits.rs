@@ -5,40 +5,61 @@ use ad::lanes::Lanes;
 use super::coalesce::Coalesced;
 use super::integrator::Integrator;
 use super::lanes::all_lanes;
-use super::wavefront::{LaneGroup, TileSample, Wavefront, set_vectors};
+use super::wavefront::{LaneGroup, Source, TileSample, Wavefront, set_vectors};
 use crate::counts::count;
 use crate::number::{Number, primal_vector};
-use crate::trace::bvh::{PACKET_RAYS, PacketVectors};
+use crate::trace::bvh::{PACKET_RAYS, PacketHits, PacketVectors};
 use crate::trace::layout::Kind;
+use crate::trace::tile::Tile;
 use crate::transport::camera::{Ray, film_point, primary_ray};
 
 impl<S: Number> Integrator<'_, S> {
-    /// Traces the camera rays through one point of every pixel of a tile.
-    pub fn trace_primary(&self, sample: &TileSample<'_>, wavefront: &mut Wavefront<S>) {
-        let tile = sample.tile;
-        let offsets = sample.sampling.offsets(tile, sample.index);
+    /// Finds what camera rays meet, and gathers it.
+    pub fn trace_primary(&self, source: Source<'_>, wavefront: &mut Wavefront<S>) {
+        let mut film = std::mem::take(&mut wavefront.film);
+        film.clear();
+        let blocks = (0..PACKET_RAYS).step_by(<S::Lanes as Lanes>::COUNT);
+        let wanted = match source {
+            Source::Tile(TileSample { tile, sampling, index }) => {
+                let offsets = sampling.offsets(tile, index);
+                film.extend(blocks.map(|first| self.film(tile, offsets.as_ref(), first)));
+                self.find_primary(tile, &film, &mut wavefront.hits)
+            }
+            Source::Known(paths) => {
+                film.extend(blocks.map(|first| paths.film::<S>(first)));
+                wavefront.hits = paths.at(0).map_or(PacketHits::NONE, |known| known.hits.clone());
+                paths.rays()
+            }
+        };
+        self.gather_hits(wavefront, wanted, |first, alive| {
+            let (x, y) = film[first / <S::Lanes as Lanes>::COUNT];
+            let (x, y) = (repeated::<S::Lanes>(x, alive), repeated::<S::Lanes>(y, alive));
+            primary_ray::<S>(self.inputs.frame, constant(x), constant(y))
+        });
+        wavefront.film = film;
+    }
+
+    /// Traces the camera rays through one point of every pixel of a tile; returns which these are.
+    fn find_primary(
+        &self,
+        tile: &Tile,
+        film: &[(S::Lanes, S::Lanes)],
+        hits: &mut PacketHits,
+    ) -> u64 {
         let mut directions = PacketVectors::ZERO;
-        for first in (0..PACKET_RAYS).step_by(<S::Lanes as Lanes>::COUNT) {
-            let (x, y) = self.film(tile, offsets.as_ref(), first);
+        for (block, &(x, y)) in film.iter().enumerate() {
             let direction = film_point::<S>(self.inputs.frame, constant(x), constant(y));
             set_vectors::<S::Lanes>(
                 &mut directions,
-                first,
+                block * <S::Lanes as Lanes>::COUNT,
                 all_lanes::<S::Lanes>(),
                 primal_vector::<S>(direction),
             );
         }
         let wanted = tile.rays();
         count(|counts| &counts.primary_rays, u64::from(wanted.count_ones()));
-        self.tracer.primary(tile, &directions, wanted, &mut wavefront.hits);
-
-        let ray = |first: usize, alive: u32| {
-            let (x, y) = self.film(tile, offsets.as_ref(), first);
-            let (x, y) = (repeated::<S::Lanes>(x, alive), repeated::<S::Lanes>(y, alive));
-            primary_ray::<S>(self.inputs.frame, constant(x), constant(y))
-        };
-        self.gather_hits(wavefront, wanted, ray);
-        wavefront.offsets = offsets;
+        self.tracer.primary(tile, &directions, wanted, hits);
+        wanted
     }
 
     /// Gathers what the wanted rays of a packet hit. `ray` gives those from an index on; in lanes

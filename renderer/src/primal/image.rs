@@ -7,7 +7,7 @@ use glam::DVec3;
 use super::integrator::Integrator;
 use super::lanes::vectors_of_lanes;
 use super::path::Path;
-use super::wavefront::{LaneGroup, TileSample, samples, set_vectors};
+use super::wavefront::{LaneGroup, Source, TileSample, samples, set_vectors};
 use crate::image::Image;
 use crate::loss::PixelLoss;
 use crate::number::{Number, Plain, primal_vector};
@@ -29,7 +29,7 @@ pub fn render_into<L: Plain>(integrator: Integrator<'_, L>, image: &mut Image) {
             let mut colors = PacketVectors::ZERO;
             if layout.sampling.count() == 1 {
                 let sample = TileSample { tile: &tile, sampling: layout.sampling, index: 0 };
-                visit(integrator, &sample, path, |group, radiance| {
+                visit(integrator, Source::Tile(sample), path, |group, radiance| {
                     set_vectors::<L>(&mut colors, group.first, group.alive, radiance);
                 });
             } else {
@@ -100,7 +100,7 @@ fn mean_dual<L: Plain>(
     let mut total = [[DVec3::ZERO; 2]; PACKET_RAYS];
     let sampling = integrator.layout.sampling;
     for sample in samples(tile, sampling) {
-        visit(integrator, &sample, path, |group, radiance| {
+        visit(integrator, sample, path, |group, radiance| {
             let values = vectors_of_lanes::<L>(primal_vector::<Dual<L>>(radiance));
             let derivatives = vectors_of_lanes::<L>(derivative_vector::<L>(radiance));
             for (lane, ray) in group.rays() {
@@ -119,7 +119,7 @@ fn derivative_vector<L: Plain>(v: Vec3<Dual<L>>) -> Vec3<L> {
 
 /// What rays bring, at the places of their pixels.
 #[inline]
-fn by_rows<T: Copy + Default>(color: impl Fn(usize) -> T) -> [[T; TILE]; TILE] {
+pub fn by_rows<T: Copy + Default>(color: impl Fn(usize) -> T) -> [[T; TILE]; TILE] {
     let mut pixels = [[T::default(); TILE]; TILE];
     for (row, pixels) in pixels.iter_mut().enumerate() {
         for (column, pixel) in pixels.iter_mut().enumerate() {
@@ -156,7 +156,7 @@ pub fn mean_radiance<L: Plain>(
     let mut total = [DVec3::ZERO; PACKET_RAYS];
     let sampling = integrator.layout.sampling;
     for sample in samples(tile, sampling) {
-        visit(integrator, &sample, path, |group, radiance| {
+        visit(integrator, sample, path, |group, radiance| {
             let radiance = vectors_of_lanes::<L>(radiance);
             for (lane, ray) in group.rays() {
                 total[ray] += radiance[lane];
@@ -171,11 +171,11 @@ pub fn mean_radiance<L: Plain>(
 #[inline]
 pub fn visit<S: Number>(
     integrator: Integrator<'_, S>,
-    sample: &TileSample<'_>,
+    source: Source<'_>,
     path: &mut Path<S>,
     mut use_radiance: impl FnMut(&LaneGroup<S>, Vec3<S>),
 ) {
-    integrator.trace_path(sample, path);
+    integrator.trace_path(source, path);
     let wavefronts = path.wavefronts();
     for group in &wavefronts[0].groups {
         let vertex = integrator.vertex(group, &wavefronts[0], wavefronts.get(1));
@@ -192,7 +192,7 @@ pub fn rays_by_depth<L: Plain>(integrator: Integrator<'_, L>) -> Vec<(u64, u64)>
         let mut counts = vec![(0, 0); depths];
         for tile in strip.tiles() {
             for sample in samples(&tile, integrator.layout.sampling) {
-                integrator.trace_path(&sample, path);
+                integrator.trace_path(sample, path);
                 for (wavefront, (rays, hits)) in path.wavefronts().iter().zip(&mut counts) {
                     let hit = wavefront.groups.iter().map(|group| group.alive.count_ones());
                     let hit: u64 = hit.map(u64::from).sum();
@@ -220,9 +220,9 @@ pub fn trace_only<L: Plain>(integrator: Integrator<'_, L>, shadows: bool) {
     for_each_strip(width, height, super::wavefront::Wavefront::default, |wavefront, strip| {
         for tile in strip.tiles() {
             for sample in samples(&tile, integrator.layout.sampling) {
-                integrator.trace_primary(&sample, wavefront);
+                integrator.trace_primary(sample, wavefront);
                 if shadows {
-                    integrator.trace_shadows(wavefront);
+                    integrator.trace_shadows(None, wavefront);
                 }
             }
         }

@@ -132,6 +132,17 @@ impl<S: Number> ShapeInputs<S> {
         let kernel = self.kernel.at::<S>();
         kernel.pull_point(&self.numbers, self.transform, ray, cotangent, to_number)
     }
+
+    /// The pullback of the margin of the shape, which vanishes at its silhouette.
+    pub fn pull_margin(
+        &self,
+        ray: Ray<S>,
+        cotangent: S,
+        to_number: &mut dyn FnMut(usize, S),
+    ) -> (Tangent<Transform<S>>, Tangent<Ray<S>>) {
+        let kernel = self.kernel.at::<S>();
+        kernel.pull_margin(&self.numbers, self.transform, ray, cotangent, to_number)
+    }
 }
 
 /// The numbers of a scene.

@@ -19,6 +19,7 @@ pub(crate) mod hits;
 pub(crate) mod image;
 pub(crate) mod inputs;
 pub(crate) mod integrator;
+pub(crate) mod known;
 pub(crate) mod lanes;
 pub(crate) mod path;
 pub(crate) mod shadow;

@@ -4,8 +4,9 @@ use ad::lanes::Lanes;
 
 use super::coalesce::Coalesced;
 use super::integrator::Integrator;
+use super::known::KnownHits;
 use super::lanes::vectors_of_lanes;
-use super::wavefront::{LaneGroup, TileSample, Wavefront, blocks, clear_blocks, put, repeated_ray};
+use super::wavefront::{LaneGroup, Source, Wavefront, blocks, clear_blocks, put, repeated_ray};
 use crate::counts::count;
 use crate::number::{Number, primal_vector};
 use crate::trace::bvh::{PacketHits, rays};
@@ -36,15 +37,19 @@ impl<S: Number> Default for Path<S> {
 }
 
 impl<S: Number> Integrator<'_, S> {
-    /// Traces the paths through one point of every pixel of a tile, with the visibility of lights, and
-    /// finds the radiance that each ray brings but for those of the camera.
-    pub fn trace_path(&self, sample: &TileSample<'_>, path: &mut Path<S>) {
+    /// Traces paths, or follows those that are known, with the visibility of lights, and finds the
+    /// radiance that each ray brings but for those of the camera.
+    pub fn trace_path(&self, source: Source<'_>, path: &mut Path<S>) {
+        let known = |depth: usize| match source {
+            Source::Tile(_) => None,
+            Source::Known(paths) => paths.at(depth),
+        };
         let Path { wavefronts, depth } = path;
         if wavefronts.is_empty() {
             wavefronts.push(Wavefront::default());
         }
-        self.trace_primary(sample, &mut wavefronts[0]);
-        self.trace_shadows(&mut wavefronts[0]);
+        self.trace_primary(source, &mut wavefronts[0]);
+        self.trace_shadows(known(0), &mut wavefronts[0]);
         *depth = 1;
         let goes_on =
             self.zero_weight.mirrors || self.layout.has_mirrors || self.layout.has_transparency;
@@ -56,10 +61,12 @@ impl<S: Number> Integrator<'_, S> {
                 wavefronts.push(Wavefront::default());
             }
             let (before, after) = wavefronts.split_at_mut(*depth);
-            if !self.trace_secondary(&before[*depth - 1], &mut after[0]) {
+            if matches!(source, Source::Known(_)) && known(*depth).is_none()
+                || !self.trace_secondary(known(*depth), &before[*depth - 1], &mut after[0])
+            {
                 break;
             }
-            self.trace_shadows(&mut after[0]);
+            self.trace_shadows(known(*depth), &mut after[0]);
             *depth += 1;
         }
         for depth in (1..*depth).rev() {
@@ -68,12 +75,17 @@ impl<S: Number> Integrator<'_, S> {
         }
     }
 
-    /// Traces the rays that go on from a wavefront; returns whether there are any.
-    fn trace_secondary(&self, from: &Wavefront<S>, to: &mut Wavefront<S>) -> bool {
+    /// Finds what the rays that go on from a wavefront meet; returns whether there are any.
+    fn trace_secondary(
+        &self,
+        known: Option<&KnownHits>,
+        from: &Wavefront<S>,
+        to: &mut Wavefront<S>,
+    ) -> bool {
         let mut sent_on = std::mem::take(&mut to.rays);
         sent_on.clear();
         sent_on.resize_with(blocks::<S>(), zero_ray::<S>);
-        to.hits = PacketHits::NONE;
+        to.hits = known.map_or(PacketHits::NONE, |known| known.hits.clone());
         let mut sent = 0;
         for group in &from.groups {
             let materials = self.materials(&group.primitives);
@@ -84,9 +96,12 @@ impl<S: Number> Integrator<'_, S> {
                 continue;
             }
             sent |= u64::from(lanes) << group.first;
-            count(|counts| &counts.secondary_rays, u64::from(lanes.count_ones()));
             let ray = next_ray::<S>(group.surface, S::mask(transparent));
             put(group, lanes, &ray, &mut sent_on);
+            if known.is_some() {
+                continue;
+            }
+            count(|counts| &counts.secondary_rays, u64::from(lanes.count_ones()));
             let origins = group.origins(transparent);
             let directions = vectors_of_lanes::<S::Lanes>(primal_vector::<S>(ray.direction));
             for lane in rays(lanes.into()) {
@@ -117,7 +132,7 @@ impl<S: Number> Integrator<'_, S> {
     }
 
     /// A bit for each lane whose material is a mirror, or counts as one.
-    fn mirror_lanes(&self, materials: &Coalesced) -> u32 {
+    pub fn mirror_lanes(&self, materials: &Coalesced) -> u32 {
         materials.lanes_where(|material| {
             self.zero_weight.mirrors || self.layout.materials[material].is_mirror
         })

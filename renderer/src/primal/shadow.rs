@@ -6,6 +6,7 @@ use ad::{Real, Vec3, select};
 use glam::DVec3;
 
 use super::integrator::Integrator;
+use super::known::KnownHits;
 use super::lanes::vectors_of_lanes;
 use super::wavefront::{LaneGroup, Wavefront, set_vectors};
 use crate::counts::count;
@@ -20,29 +21,35 @@ const FARTHEST: f64 = 100.0;
 /// How far a point may be from the surface that traversal sees, relative to the largest number that
 /// went into it: that was rounded to single precision (the error analysis of Pharr, Jakob &
 /// Humphreys, "Physically Based Rendering", section 6.8).
-const SURFACE_ERROR: f64 = 8.0 * f32::EPSILON as f64;
+pub const SURFACE_ERROR: f64 = 8.0 * f32::EPSILON as f64;
 
 impl<S: Number> Integrator<'_, S> {
     /// Finds which rays of a wavefront end where each light shines. Nothing is traced for lights that send
     /// nothing, unless they count.
-    pub fn trace_shadows(&self, wavefront: &mut Wavefront<S>) {
+    pub fn trace_shadows(&self, known: Option<&KnownHits>, wavefront: &mut Wavefront<S>) {
         let mut visible = std::mem::take(&mut wavefront.visible);
+        let mut blocked = std::mem::take(&mut wavefront.blocked);
         visible.clear();
-        visible.extend(self.layout.lights.iter().enumerate().map(|(light, traits)| {
-            if traits.is_black && !self.zero_weight.lights {
-                return 0;
-            }
-            match self.tracer.position(light) {
-                Some(position) => self.visible_from(light, position, wavefront),
-                None => self.visible_along(light, wavefront),
-            }
-        }));
-        wavefront.visible = visible;
-        self.trace_transmissions(wavefront);
+        blocked.clear();
+        for (light, traits) in self.layout.lights.iter().enumerate() {
+            let (facing, lit) = match known {
+                _ if traits.is_black && !self.zero_weight.lights => (0, 0),
+                Some(known) => (u64::MAX, !known.blocked[light]),
+                None => match self.tracer.position(light) {
+                    Some(position) => self.visible_from(light, position, wavefront),
+                    None => self.visible_along(light, wavefront),
+                },
+            };
+            visible.push(lit);
+            blocked.push(facing & !lit);
+        }
+        (wavefront.visible, wavefront.blocked) = (visible, blocked);
+        self.trace_transmissions(known, wavefront);
     }
 
-    /// Shadow rays of a light with a position start at the light: from there they are coherent.
-    fn visible_from(&self, light: usize, position: DVec3, wavefront: &Wavefront<S>) -> u64 {
+    /// A bit for each ray that ends on a surface that faces a light, and for each where it shines. Shadow
+    /// rays of a light with a position start at the light: from there they are coherent.
+    fn visible_from(&self, light: usize, position: DVec3, wavefront: &Wavefront<S>) -> (u64, u64) {
         let [x, y, z] = position.to_array().map(S::Lanes::from_f64);
         let start: Vec3<S::Lanes> = ad::vector::Vector3::new(x, y, z);
         let mut directions = PacketVectors::ZERO;
@@ -70,16 +77,16 @@ impl<S: Number> Integrator<'_, S> {
             }
         }
         if self.is_alone(wavefront) {
-            return facing;
+            return (facing, facing);
         }
         let (origin, near) = (position.as_vec3(), facing & !far);
         count(|counts| &counts.shadow_rays, u64::from(near.count_ones()));
         let occluded = self.tracer.bvh.occluded_packet(origin, &directions, 1.0, &from, near);
-        near & !occluded | self.unoccluded(light, wavefront, facing & far)
+        (facing, near & !occluded | self.unoccluded(light, wavefront, facing & far))
     }
 
-    /// Shadow rays of any other light start at the surfaces, one by one.
-    fn visible_along(&self, light: usize, wavefront: &Wavefront<S>) -> u64 {
+    /// The same for any other light: shadow rays start at the surfaces, one by one.
+    fn visible_along(&self, light: usize, wavefront: &Wavefront<S>) -> (u64, u64) {
         let mut facing = 0;
         for group in &wavefront.groups {
             let illumination = self.inputs.lights[light].illuminate(group.surface.point);
@@ -87,7 +94,7 @@ impl<S: Number> Integrator<'_, S> {
             let lanes = group.facing(normal, primal_vector::<S>(illumination.direction));
             facing |= u64::from(lanes) << group.first;
         }
-        self.unoccluded(light, wavefront, facing)
+        (facing, self.unoccluded(light, wavefront, facing))
     }
 
     /// Whether a wavefront shows the only primitive there is, from outside: nothing casts a shadow on it.

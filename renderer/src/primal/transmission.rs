@@ -7,7 +7,7 @@
 
 use super::coalesce::{Coalesced, select_lanes};
 use super::integrator::Integrator;
-use super::lanes::vectors_of_lanes;
+use super::known::KnownHits;
 use super::wavefront::{LaneGroup, Occluder, Transmission, Wavefront, blocks};
 use crate::counts::count;
 use crate::number::{MAX_LANES, Number};
@@ -22,7 +22,11 @@ use crate::transport::texture::modulate_opacity;
 impl<S: Number> Integrator<'_, S> {
     /// Adds to the visibility masks of a wavefront the rays that end where lights shine through
     /// transparent surfaces.
-    pub fn trace_transmissions(&self, wavefront: &mut Wavefront<S>) {
+    pub fn trace_transmissions(
+        &self,
+        known: Option<&KnownHits>,
+        wavefront: &mut Wavefront<S>,
+    ) {
         wavefront.transmissions.clear();
         if !self.layout.has_transparency {
             return;
@@ -31,33 +35,37 @@ impl<S: Number> Integrator<'_, S> {
             let mut transmission =
                 Transmission { transmittance: vec![S::ONE; blocks::<S>()], occluders: Vec::new() };
             if !self.layout.lights[light].is_black || self.zero_weight.lights {
-                let through = self.transmit(light, wavefront, &mut transmission);
+                // Where paths are known, so is what is opaque.
+                let dark = match known {
+                    Some(_) => wavefront.visible[light],
+                    None => wavefront.blocked[light],
+                };
+                let through = self.transmit(light, dark, wavefront, &mut transmission);
                 wavefront.visible[light] |= through;
+                wavefront.blocked[light] &= !through;
             }
             wavefront.transmissions.push(transmission);
         }
     }
 
-    /// Finds what a light sends through transparent surfaces; returns a bit for each ray that ends where
-    /// it arrives.
+    /// Finds what a light sends through transparent surfaces to those of the `dark` rays that it reaches;
+    /// returns a bit for each of these.
     fn transmit(
         &self,
         light: usize,
+        dark: u64,
         wavefront: &Wavefront<S>,
         transmission: &mut Transmission<S>,
     ) -> u64 {
         let mut through = 0;
         for (index, group) in wavefront.groups.iter().enumerate() {
             let (points, origins) = (group.points(), group.origins(0));
-            let (_, normal) = group.values();
-            let normals = vectors_of_lanes::<S::Lanes>(normal);
             let mut surfaces: [Vec<(u32, bool)>; MAX_LANES] = std::array::from_fn(|_| Vec::new());
             for (lane, ray) in group.rays() {
-                let towards = self.tracer.illuminate(light, points[lane]);
-                let is_dark = wavefront.visible[light] >> ray & 1 == 0;
-                if !is_dark || normals[lane].dot(towards.direction) <= 0.0 {
+                if dark >> ray & 1 == 0 {
                     continue;
                 }
+                let towards = self.tracer.illuminate(light, points[lane]);
                 count(|counts| &counts.shadow_rays, 1);
                 let from = group.starts_on(wavefront, ray);
                 let (origin, direction) = (origins[lane].as_vec3(), towards.direction.as_vec3());

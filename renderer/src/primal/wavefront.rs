@@ -6,11 +6,12 @@ use ad::{Additive, Fields, Vec3};
 use glam::DVec3;
 
 use super::coalesce::{Coalesced, select_lanes};
+use super::known::KnownPaths;
 use super::lanes::{all_lanes, singles_of_lanes, vectors_of_lanes};
 use crate::number::{MAX_LANES, Number, primal_vector};
 use crate::trace::bvh::{PACKET_RAYS, PacketHits, PacketVectors, rays};
 use crate::trace::layout::Kind;
-use crate::trace::sampling::{Offsets, Sampling};
+use crate::trace::sampling::Sampling;
 use crate::trace::tile::Tile;
 use crate::transport::camera::Ray;
 use crate::transport::surface::SurfacePoint;
@@ -29,12 +30,24 @@ pub struct Wavefront<S: Number> {
     /// The transmittance of transparent surfaces between each light and the points; empty if there are
     /// none.
     pub transmissions: Vec<Transmission<S>>,
-    /// For camera rays: where within their pixels they go.
-    pub offsets: Option<Offsets>,
+    /// A bit for each ray that ends where an opaque surface is in the way of a light that the surface
+    /// faces, by light.
+    pub blocked: Vec<u64>,
+    /// For camera rays: where they meet the image plane, by block.
+    pub film: Vec<(S::Lanes, S::Lanes)>,
     /// For rays that go on: the rays, by block.
     pub rays: Vec<Ray<S>>,
     /// For rays that go on: the radiance that they bring, by block.
     pub radiance: Vec<Vec3<S>>,
+}
+
+/// Where paths come from.
+#[derive(Clone, Copy)]
+pub enum Source<'a> {
+    /// They are traced.
+    Tile(TileSample<'a>),
+    /// They are known.
+    Known(&'a KnownPaths),
 }
 
 /// One ray through each pixel of a tile.
@@ -47,8 +60,8 @@ pub struct TileSample<'a> {
 }
 
 /// The rays through the pixels of a tile, one for each at a time.
-pub fn samples(tile: &Tile, sampling: Sampling) -> impl Iterator<Item = TileSample<'_>> {
-    (0..sampling.count()).map(move |index| TileSample { tile, sampling, index })
+pub fn samples(tile: &Tile, sampling: Sampling) -> impl Iterator<Item = Source<'_>> {
+    (0..sampling.count()).map(move |index| Source::Tile(TileSample { tile, sampling, index }))
 }
 
 /// Rays that hit primitives of one kind, one in each lane.
@@ -140,7 +153,8 @@ impl<S: Number> Default for Wavefront<S> {
             groups: Vec::new(),
             visible: Vec::new(),
             transmissions: Vec::new(),
-            offsets: None,
+            blocked: Vec::new(),
+            film: Vec::new(),
             rays: Vec::new(),
             radiance: Vec::new(),
         }

@@ -7,6 +7,7 @@ use crate::Error;
 use crate::adjoint::{self, Gradient, LossAndGradient, Request};
 use crate::arithmetic::with_arithmetic;
 use crate::diagnose::{self, NonFinite};
+use crate::edges::View;
 use crate::image::Image;
 use crate::loss::PixelLoss;
 use crate::number::Plain;
@@ -16,7 +17,7 @@ use crate::primal::image::{loss, loss_dual, render_dual, render_into, trace_only
 use crate::primal::inputs::{Inputs, Varying};
 use crate::primal::integrator::{Prepared, ZeroWeight};
 use crate::scene::{ParameterId, Scene};
-use crate::settings::Settings;
+use crate::settings::{Edges, Settings};
 use crate::trace::sampling::Sampling;
 
 /// A scene that is prepared to be rendered again and again: its numbers may change, its objects stay.
@@ -255,11 +256,17 @@ impl<L: Plain> Engine for Prepared<L> {
     }
 
     fn render_into(&self, image: &mut Image) {
-        render_into(self.integrator(), image);
+        match self.settings.edges {
+            Edges::On => View::new(self.integrator()).fill(image),
+            Edges::Auto | Edges::Off => render_into(self.integrator(), image),
+        }
     }
 
     fn loss(&self, pixel_loss: &dyn PixelLoss) -> f64 {
-        loss(self.integrator(), pixel_loss)
+        match self.settings.edges {
+            Edges::On => View::new(self.integrator()).loss(self.layout.width, pixel_loss),
+            Edges::Auto | Edges::Off => loss(self.integrator(), pixel_loss),
+        }
     }
 
     fn loss_and_gradient(

@@ -224,9 +224,13 @@ impl Layout {
 
     /// The mesh of a triangle.
     pub fn mesh_of(&self, triangle: usize) -> usize {
-        let corner = self.triangles[triangle][0];
+        self.mesh_of_vertex(self.triangles[triangle][0])
+    }
+
+    /// The mesh of a vertex.
+    pub fn mesh_of_vertex(&self, vertex: u32) -> usize {
         // The last of those that begin no later: meshes without vertices begin where the next one does.
-        self.first_vertices.partition_point(|&first| first <= corner) - 1
+        self.first_vertices.partition_point(|&first| first <= vertex) - 1
     }
 }
 

@@ -16,6 +16,9 @@ pub enum Sampling {
     /// One, through the middle.
     #[default]
     Center,
+    /// The pixel is cut into this many columns and as many rows, and a ray goes through the middle of
+    /// each part.
+    Grid(u32),
     /// The pixel is cut into as many parts of equal size as there are rays, and each goes through a
     /// random point of its own part (Cook 1986).
     Stratified(Samples),
@@ -60,8 +63,16 @@ impl Sampling {
     pub fn count(self) -> u32 {
         match self {
             Self::Center => 1,
+            Self::Grid(side) => side.max(1).pow(2),
             Self::Stratified(samples) | Self::Sobol(samples) => samples.count.max(1),
         }
+    }
+
+    /// The regular grid with at least as many rays.
+    pub(crate) fn as_grid(self) -> Self {
+        let count = self.count();
+        let side = count.isqrt();
+        Self::Grid(if side * side < count { side + 1 } else { side })
     }
 
     /// Whether each pixel has one ray, for its radiance and its derivative.
@@ -86,7 +97,11 @@ impl Sampling {
     pub(crate) fn offsets(self, tile: &Tile, sample: u32) -> Option<Offsets> {
         let mut offsets = [[0.0; PACKET_RAYS]; 2];
         match self {
-            Self::Center => return None,
+            Self::Center | Self::Grid(0 | 1) => return None,
+            Self::Grid(side) => {
+                let place = |at: u32| (at as f32 + 0.5) / side as f32 - 0.5;
+                offsets = [[place(sample % side); _], [place(sample / side); _]];
+            }
             Self::Stratified(samples) => {
                 let (columns, rows) = strata(samples.count.max(1));
                 let (column, row) = (sample % columns, sample / columns);

@@ -66,7 +66,7 @@ fn on_tape(
     let mut linear_loss = Var::ZERO;
     for tile in tiles {
         for sample in samples(tile, prepared.layout.sampling) {
-            visit(integrator, &sample, &mut path, |group, radiance| {
+            visit(integrator, sample, &mut path, |group, radiance| {
                 let (x, y) = tile.pixel(group.first);
                 let value: DVec3 = primal_vector::<Var>(radiance);
                 let (_, derivative) = loss.evaluate(x, y, value);

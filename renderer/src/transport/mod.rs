@@ -17,6 +17,7 @@
 
 pub mod camera;
 pub mod direct;
+pub mod edge;
 pub mod hit;
 pub mod light;
 pub mod material;

@@ -1,9 +1,9 @@
 //! Surface points.
 
-use ad::{Differentiable, Real, Vec3};
+use ad::{Differentiable, Fields, Real, Vec3};
 
 /// A point of a surface, as shading needs it.
-#[derive(Clone, Copy, Debug, Differentiable)]
+#[derive(Clone, Copy, Debug, Differentiable, Fields)]
 pub struct SurfacePoint<S: Real> {
     /// The position.
     pub point: Vec3<S>,

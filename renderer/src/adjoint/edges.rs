@@ -1,0 +1,328 @@
+//! Gradients with edges: the interior term of the samples and of both sides of edges, and what pixels
+//! gain and lose when edges move.
+
+use ad::vector::Vector3;
+use ad::{Additive, Fields, Tangent};
+use glam::DVec3;
+use rayon::prelude::*;
+
+use super::chain::{AdjointState, Chain, SurfaceCotangent, nonzero_lanes};
+use super::request::Request;
+use super::scatter::Sums;
+use crate::edges::{Crossing, Edge, Geometry, Layer, PACKET_CROSSINGS, View};
+use crate::loss::PixelLoss;
+use crate::number::{MAX_LANES, Plain, widen};
+use crate::primal::integrator::Integrator;
+use crate::primal::known::KnownPaths;
+use crate::primal::coalesce::select_lanes;
+use crate::primal::lanes::{lanes_of_vectors, vectors_of_lanes};
+use crate::primal::wavefront::{LaneGroup, Source, Wavefront, blocks};
+use crate::scene::Scene;
+use crate::trace::bvh::{PACKET_RAYS, rays};
+use crate::trace::layout::Kind;
+use crate::trace::tile::for_each_strip;
+use crate::transport::camera::{CameraFrame, Ray, primary_ray};
+use crate::transport::edge::{segment_margin, sphere_margin};
+use crate::transport::light::Illumination;
+
+/// The sums of the strips of the image, and of packets of crossings.
+pub fn sweep_with_edges<L: Plain>(
+    integrator: Integrator<'_, L>,
+    scene: &Scene,
+    loss: &dyn PixelLoss,
+    request: &Request,
+) -> Vec<Sums> {
+    let (width, height) = (integrator.layout.width, integrator.layout.height);
+    let integrator = integrator.with_zero_weight(request.zero_weight);
+    let view = View::new(integrator);
+    let rows = view.pixels.par_chunks(width as usize).enumerate().map(|(y, row)| {
+        let responses = row.iter().enumerate();
+        let responses = responses.map(|(x, &radiance)| loss.evaluate(x as u32, y as u32, radiance));
+        responses.unzip::<f64, DVec3, Vec<f64>, Vec<DVec3>>()
+    });
+    let (losses, cotangents): (Vec<Vec<f64>>, Vec<Vec<DVec3>>) = rows.unzip();
+    let cotangents = cotangents.concat();
+    let total = Sums { loss: losses.iter().flatten().sum(), ..Sums::default() };
+
+    let grid = integrator.layout.sampling.as_grid();
+    let spacing = Some(1.0 / f64::from(grid.count()).sqrt());
+    let start = || Chain { spacing, ..Chain::new(integrator, scene, request) };
+    let interior = for_each_strip(width, height, start, |chain, strip| {
+        for tile in strip.tiles() {
+            let mut of_tile = [DVec3::ZERO; PACKET_RAYS];
+            for ray in rays(tile.rays()) {
+                let (x, y) = tile.pixel(ray);
+                of_tile[ray] = cotangents[y as usize * width as usize + x as usize];
+            }
+            chain.pull_pixels(&tile, grid, &of_tile);
+        }
+        chain.scatter.take()
+    });
+
+    let pulled = pull_shares(&view, &cotangents);
+    let start = || (Chain::new(integrator, scene, request), KnownPaths::default());
+    let crossings = view.crossings.par_chunks(PACKET_CROSSINGS).zip(pulled.par_chunks(PACKET_CROSSINGS));
+    let boundary = crossings.map_init(start, |(chain, known), (crossings, pulled)| {
+        view.paths(&Geometry::new(integrator), crossings, known);
+        chain.pull_crossings(known, crossings, pulled);
+        chain.scatter.take()
+    });
+    let boundary: Vec<Sums> = boundary.collect();
+    [vec![total], interior, boundary].concat()
+}
+
+/// What flows back to a crossing.
+#[derive(Clone, Copy, Default)]
+struct Pulled {
+    /// The cotangents of the radiance on both sides.
+    radiance: [DVec3; 2],
+    /// The cotangent of its place, along its normal.
+    place: f64,
+}
+
+/// From the cotangents of pixels to crossings.
+fn pull_shares(view: &View, cotangents: &[DVec3]) -> Vec<Pulled> {
+    let mut pulled = vec![Pulled::default(); view.crossings.len()];
+    for share in &view.shares {
+        let to = &mut pulled[share.crossing as usize];
+        let cotangent = cotangents[share.pixel as usize];
+        to.radiance[0] += cotangent * share.areas[0];
+        to.radiance[1] += cotangent * share.areas[1];
+        let [a, b] = view.radiance[share.crossing as usize];
+        to.place += cotangent.dot(a - b) * share.length;
+    }
+    pulled
+}
+
+impl<L: Plain> Chain<'_, L> {
+    /// Adds what flows back from crossings, whose sides are the paths of a packet.
+    fn pull_crossings(&mut self, known: &KnownPaths, crossings: &[Crossing], pulled: &[Pulled]) {
+        let (mut path, mut states) =
+            (std::mem::take(&mut self.path), std::mem::take(&mut self.states));
+        self.integrator.trace_path(Source::Known(known), &mut path);
+        let wavefronts = path.wavefronts();
+        self.pull_path(wavefronts, &mut states, &mut |group, _| {
+            let side = |ray: usize| pulled[ray / 2].radiance[ray % 2];
+            nonzero_lanes::<L>(group.rays().map(|(lane, ray)| (lane, side(ray))))
+        });
+        for (depth, (state, wavefront)) in states.iter_mut().zip(wavefronts).enumerate() {
+            state.grazing = grazing(crossings, depth);
+            state.surfaces.resize_with(wavefront.groups.len(), || None);
+            for surface in &mut state.surfaces {
+                surface.get_or_insert(SurfaceCotangent { surface: Additive::zero(), uv: None });
+            }
+        }
+        // The number of an edge moves its crossings by minus its derivative over its slope.
+        let seeds: Vec<f64> = crossings
+            .iter()
+            .zip(pulled)
+            .map(|(crossing, pulled)| -pulled.place / crossing.slope)
+            .collect();
+        for (depth, wavefront) in wavefronts.iter().enumerate() {
+            let state = &mut states[depth];
+            self.pull_surface_edges(wavefront, depth, (crossings, &seeds), state);
+            self.pull_shadow_edges(wavefront, depth, (crossings, &seeds), state);
+        }
+        if self.scatter.request.moves_surfaces() {
+            self.pull_rays(wavefronts, &mut states);
+        }
+        (self.path, self.states) = (path, states);
+    }
+
+    /// From the edges of surfaces at one depth to primitives and to the rays that meet them.
+    fn pull_surface_edges(
+        &mut self,
+        wavefront: &Wavefront<L>,
+        depth: usize,
+        (crossings, seeds): (&[Crossing], &[f64]),
+        state: &mut AdjointState<L>,
+    ) {
+        let layer = Layer::Surface(depth as u32);
+        for block in 0..blocks::<L>() {
+            let first = block * L::COUNT;
+            let mut edges = [None; MAX_LANES];
+            let mut of_lanes = [DVec3::ZERO; MAX_LANES];
+            for lane in (0..L::COUNT).step_by(2) {
+                let index = (first + lane) / 2;
+                let Some(crossing) = crossings.get(index) else { continue };
+                if crossing.layer != layer || seeds[index] == 0.0 {
+                    continue;
+                }
+                if let Edge::Intersection(_) = crossing.edge {
+                    pull_intersection(wavefront, first + lane, seeds[index], state);
+                } else {
+                    edges[lane] = Some(crossing.edge);
+                    of_lanes[lane].x = seeds[index];
+                }
+            }
+            if edges.iter().all(Option::is_none) {
+                continue;
+            }
+            let (x, y) = wavefront.film[..].get(block).copied().unwrap_or((L::ZERO, L::ZERO));
+            let ray = match depth {
+                0 => primary_ray::<L>(self.integrator.inputs.frame, x, y),
+                _ => wavefront.rays[block],
+            };
+            let seed = lanes_of_vectors::<L>(&of_lanes).x();
+            let to_ray = self.pull_edges(&edges, ray, seed);
+            if depth > 0 {
+                state.rays[block].accumulate(to_ray);
+            } else if self.scatter.request.camera {
+                let (_, pullback) = primary_ray::vjp::<L>(self.integrator.inputs.frame, x, y);
+                let to_frame: Tangent<CameraFrame<L>> = pullback(to_ray).0;
+                self.scatter.frame::<L>(&to_frame);
+            }
+        }
+    }
+
+    /// From the edges of shadows on the surfaces at one depth to primitives, lights and surface points.
+    fn pull_shadow_edges(
+        &mut self,
+        wavefront: &Wavefront<L>,
+        depth: usize,
+        (crossings, seeds): (&[Crossing], &[f64]),
+        state: &mut AdjointState<L>,
+    ) {
+        for (index, group) in wavefront.groups.iter().enumerate() {
+            for light in 0..self.integrator.inputs.lights.len() {
+                let layer = Layer::Shadow(depth as u32, light as u32);
+                let mut edges = [None; MAX_LANES];
+                let mut of_lanes = [DVec3::ZERO; MAX_LANES];
+                for (lane, ray) in group.rays().filter(|(_, ray)| ray % 2 == 0) {
+                    let crossing = &crossings[ray / 2];
+                    if crossing.layer == layer && seeds[ray / 2] != 0.0 {
+                        edges[lane] = Some(crossing.edge);
+                        of_lanes[lane].x = seeds[ray / 2];
+                    }
+                }
+                if edges.iter().all(Option::is_none) {
+                    continue;
+                }
+                let ray = self.integrator.shadow_ray(light, group);
+                let seed = lanes_of_vectors::<L>(&of_lanes).x();
+                let to_ray = self.pull_edges(&edges, ray, seed);
+                let Some(SurfaceCotangent { surface, .. }) = &mut state.surfaces[index] else {
+                    continue;
+                };
+                surface.point.accumulate(to_ray.origin);
+                let direction = to_ray.direction;
+                let illumination = Tangent::<Illumination<L>> { direction, ..Additive::zero() };
+                let inputs = &self.integrator.inputs.lights[light];
+                self.pull_illumination(light, inputs, group, illumination, surface);
+            }
+        }
+    }
+
+    /// From the numbers of edges, one in each lane that has one, to their primitives; returns the
+    /// cotangents of the rays.
+    fn pull_edges(
+        &mut self,
+        edges: &[Option<Edge>; MAX_LANES],
+        ray: Ray<L>,
+        seed: L,
+    ) -> Tangent<Ray<L>> {
+        let mut to_ray = Tangent::<Ray<L>>::zero();
+        let lanes_of = |is_it: fn(&Edge) -> bool| -> u32 {
+            let of_lane = |(lane, edge): (usize, &Option<Edge>)| {
+                u32::from(edge.as_ref().is_some_and(is_it)) << lane
+            };
+            edges.iter().enumerate().map(of_lane).sum()
+        };
+        let segments = lanes_of(|edge| matches!(edge, Edge::Segment(_)));
+        if segments != 0 {
+            let ends = |end: usize| {
+                let mut places = [DVec3::ZERO; MAX_LANES];
+                for (place, edge) in places.iter_mut().zip(edges) {
+                    if let Some(Edge::Segment(ends)) = edge {
+                        *place = widen::<L::Lane>(self.integrator.inputs.vertices[ends[end] as usize]);
+                    }
+                }
+                lanes_of_vectors::<L>(&places)
+            };
+            let (_, pullback) = segment_margin::vjp::<L>(ends(0), ends(1), ray);
+            let (a, b, of_ray) = pullback(seed);
+            to_ray = select_lanes::<L, _>(segments, &of_ray, &to_ray);
+            let [a, b] = [a, b].map(vectors_of_lanes::<L>);
+            for lane in rays(segments.into()) {
+                let Some(Edge::Segment(ends)) = edges[lane] else { continue };
+                for (vertex, cotangent) in ends.into_iter().zip([a[lane], b[lane]]) {
+                    self.scatter_vertex(vertex, cotangent);
+                }
+            }
+        }
+        let silhouettes = lanes_of(|edge| matches!(edge, Edge::Silhouette(_)));
+        for lane in rays(silhouettes.into()) {
+            let Some(Edge::Silhouette(primitive)) = edges[lane] else { continue };
+            let of_ray = self.pull_silhouette(primitive as usize, lane, ray, seed);
+            to_ray = select_lanes::<L, _>(1 << lane, &of_ray, &to_ray);
+        }
+        to_ray
+    }
+
+    /// From the number of the silhouette of a primitive in one lane to the primitive; returns the
+    /// cotangents of the rays.
+    fn pull_silhouette(
+        &mut self,
+        primitive: usize,
+        lane: usize,
+        ray: Ray<L>,
+        seed: L,
+    ) -> Tangent<Ray<L>> {
+        let inputs = self.integrator.inputs;
+        match self.integrator.layout.kind_of(primitive) {
+            (Kind::Custom, index) => {
+                let shape = &inputs.shapes[index];
+                let (to, scatter) = (self.scatter.request.shapes[index], &mut self.scatter);
+                let to_number = &mut |number: usize, cotangent: L| {
+                    if let Some(to) = to {
+                        scatter.number(to, number, 1 << lane, cotangent);
+                    }
+                };
+                let (transform, of_ray) = shape.pull_margin(ray, seed, to_number);
+                if let Some(to) = to {
+                    let first = shape.numbers.len();
+                    self.scatter.dense_after::<L, _>(to, first, 1 << lane, &transform);
+                }
+                of_ray
+            }
+            (_, index) => {
+                let sphere = inputs.spheres[index].map(L::splat);
+                let (_, pullback) = sphere_margin::vjp::<L>(sphere, ray);
+                let (sphere, of_ray) = pullback(seed);
+                self.scatter.sphere::<L>(index, 1 << lane, &sphere);
+                of_ray
+            }
+        }
+    }
+}
+
+/// A bit for each side of a crossing whose ray grazes a curved surface at this depth.
+fn grazing(crossings: &[Crossing], depth: usize) -> u64 {
+    let grazes = |crossing: &Crossing| {
+        crossing.layer == Layer::Surface(depth as u32)
+            && matches!(crossing.edge, Edge::Silhouette(_))
+    };
+    let sides = |index: usize| if grazes(&crossings[index]) { 0b11 << (2 * index) } else { 0 };
+    (0..crossings.len()).fold(0, |bits, index| bits | sides(index))
+}
+
+/// From the number of a curve in which the surfaces on both sides of a crossing pierce each other to the
+/// points of these.
+fn pull_intersection<L: Plain>(
+    wavefront: &Wavefront<L>,
+    first: usize,
+    seed: f64,
+    state: &mut AdjointState<L>,
+) {
+    for (ray, sign) in [(first, 1.0), (first + 1, -1.0)] {
+        let holds = |group: &LaneGroup<L>| group.rays().any(|(_, of_group)| of_group == ray);
+        let Some(index) = wavefront.groups.iter().position(holds) else { continue };
+        let group = &wavefront.groups[index];
+        let mut seeds = [DVec3::ZERO; MAX_LANES];
+        seeds[ray - group.first] = DVec3::splat(sign * seed);
+        let seed = lanes_of_vectors::<L>(&seeds).x();
+        if let Some(SurfaceCotangent { surface, .. }) = &mut state.surfaces[index] {
+            surface.point.accumulate(group.ray.direction * seed);
+        }
+    }
+}

@@ -1,0 +1,380 @@
+//! Cells: the squares between four samples, in which crossings are joined to the edges that they are on.
+//!
+//! Two crossings on the sides of a cell are the ends of one edge, or of two that meet at a corner, where
+//! their tangents cut; three are the ends of edges that meet in one point. The edges cut the cell into
+//! regions. Each quarter of the cell belongs to the pixel of its sample, which sees one of the regions:
+//! where another one reaches into the quarter, the pixel gets that area of the difference. When an edge
+//! moves, pixels gain and lose along its length. Crossings that cannot be joined count one by one, by
+//! the mean length of an edge for each crossing of a grid (Crofton).
+
+use super::crossing::{Crossing, Layer};
+use super::geometry::Edge;
+use super::polygon::{Point, Polygon};
+
+/// What one crossing gives one pixel.
+#[derive(Clone, Copy, Debug)]
+pub struct Share {
+    pub crossing: u32,
+    pub pixel: u32,
+    /// The area with the radiance of each side of the crossing, in pixels; the pixel's own radiance is
+    /// in it with a negative sign.
+    pub areas: [f64; 2],
+    /// The length of edge that moves as the crossing does, in pixels.
+    pub length: f64,
+}
+
+/// A crossing on the border of a cell.
+#[derive(Clone, Copy)]
+pub struct Side<'a> {
+    pub index: u32,
+    pub crossing: &'a Crossing,
+    /// 0 to 3: above, to the right, below, to the left.
+    pub of: usize,
+}
+
+/// The square between four samples.
+pub struct Cell<'a> {
+    /// The place of the upper left sample, in pixels.
+    pub start: Point,
+    /// The length of a side in pixels.
+    pub length: f64,
+    /// The pixels of the four samples, clockwise from the upper left one.
+    pub pixels: [Option<u32>; 4],
+    /// Whether all four see the same surfaces.
+    pub is_uniform: bool,
+    /// The size of the image in pixels.
+    pub size: [u32; 2],
+    /// Whether two edges share a vertex.
+    pub adjacent: &'a dyn Fn(Edge, Edge) -> bool,
+    /// Whether an edge is so short in the image that it does not reach from cell to cell.
+    pub is_short: &'a dyn Fn(&Crossing) -> bool,
+    /// Whether the cell with a point has no crossing on its sides.
+    pub is_quiet: &'a dyn Fn(Point) -> bool,
+}
+
+/// Room for the work on cells.
+#[derive(Default)]
+pub struct Workspace {
+    region: Polygon,
+    half: Polygon,
+    quarter: Polygon,
+}
+
+/// A crossing on the way around a cell.
+#[derive(Clone, Copy)]
+struct Stop<'a> {
+    /// From 0 to 4, clockwise from the upper left sample.
+    at: f64,
+    side: Side<'a>,
+    /// Which sides of the crossing are before and after it on the way around.
+    order: [usize; 2],
+}
+
+/// Below this sine of an angle, and this part of a cell between their lines, two edges are one.
+const PARALLEL: f64 = 0.02;
+
+/// How far outside of a cell the corner that two edges share may be, in sides of the cell: a tip that
+/// slipped between samples.
+const FARTHEST_CORNER: f64 = 6.0;
+
+/// The same for the point in which three edges meet.
+const FARTHEST_JUNCTION: f64 = 3.0;
+
+/// By how much the lines of three edges may miss their meeting point if that is outside of the cell, in
+/// sides of the cell.
+const JUNCTION_ERROR: f64 = 1e-4;
+
+impl Cell<'_> {
+    /// Appends what the crossings on the sides of the cell give to pixels.
+    pub fn shares(&self, sides: &[Side<'_>], work: &mut Workspace, to: &mut Vec<Share>) {
+        let mut families: Vec<Option<Layer>> =
+            sides.iter().map(|side| side.crossing.layer.family()).collect();
+        families.sort_unstable();
+        families.dedup();
+        for family in families {
+            let of_family = sides.iter().filter(|side| side.crossing.layer.family() == family);
+            let (short, long): (Vec<Side<'_>>, _) =
+                of_family.partition(|side| (self.is_short)(side.crossing));
+            short.iter().for_each(|side| self.single(side, to));
+            let mut stops: Vec<Stop<'_>> = long.into_iter().map(|side| self.stop(side)).collect();
+            stops.sort_by(|a, b| a.at.total_cmp(&b.at));
+            // Shadows are independent of each other where all samples see the same surface.
+            let joined = match family.is_none() || self.is_uniform {
+                true => self.joint(&stops),
+                false => None,
+            };
+            match joined {
+                Some(joint) => {
+                    self.lengths(&stops, joint, to);
+                    self.areas(&stops, joint, work, to);
+                }
+                None => self.pairs(&mut stops, to),
+            }
+        }
+    }
+
+    fn stop<'a>(&self, side: Side<'a>) -> Stop<'a> {
+        let [x, y] = side.crossing.place;
+        let (x, y) = ((x - self.start[0]) / self.length, (y - self.start[1]) / self.length);
+        let along = match side.of {
+            0 => x,
+            1 => y,
+            2 => 1.0 - x,
+            _ => 1.0 - y,
+        };
+        let order = if side.of < 2 { [0, 1] } else { [1, 0] };
+        Stop { at: side.of as f64 + along.clamp(1e-9, 1.0 - 1e-9), side, order }
+    }
+
+    /// How the edges through these stops meet: directly, or in a point. Nothing if that is not clear.
+    fn joint(&self, stops: &[Stop<'_>]) -> Option<Option<Point>> {
+        match stops {
+            [a, b] => {
+                let (a, b) = (a.side.crossing, b.side.crossing);
+                if a.edge == b.edge || self.are_one_line(a, b) {
+                    return Some(None);
+                }
+                let corner = meeting(&[a, b])?;
+                let is_corner = self.holds(corner)
+                    || (self.adjacent)(a.edge, b.edge)
+                        && self.is_near(corner, FARTHEST_CORNER)
+                        && (self.is_quiet)(corner);
+                is_corner.then_some(Some(corner))
+            }
+            [a, b, c] => {
+                let edges = [a, b, c].map(|stop| stop.side.crossing);
+                let junction = meeting(&edges)?;
+                let is_junction = self.holds(junction)
+                    || self.miss(&edges, junction) < JUNCTION_ERROR
+                        && self.is_near(junction, FARTHEST_JUNCTION)
+                        && (self.is_quiet)(junction);
+                is_junction.then_some(Some(junction))
+            }
+            _ => None,
+        }
+    }
+
+    /// Whether two edges are parts of one line: those of faces that share it.
+    fn are_one_line(&self, a: &Crossing, b: &Crossing) -> bool {
+        let [x, y] = [b.place[0] - a.place[0], b.place[1] - a.place[1]];
+        let sine = a.normal[0] * b.normal[1] - a.normal[1] * b.normal[0];
+        let off = a.normal[0] * x + a.normal[1] * y;
+        sine.abs() < PARALLEL && off.abs() < PARALLEL * self.length
+    }
+
+    fn holds(&self, point: Point) -> bool {
+        (0..2).all(|axis| {
+            let within = (point[axis] - self.start[axis]) / self.length;
+            (-1e-9..=1.0 + 1e-9).contains(&within)
+        })
+    }
+
+    fn is_near(&self, point: Point, most: f64) -> bool {
+        let off = |axis: usize| point[axis] - self.start[axis] - 0.5 * self.length;
+        off(0).hypot(off(1)) < most * self.length
+    }
+
+    /// The largest distance between the lines of edges and a point, in sides of the cell.
+    fn miss(&self, edges: &[&Crossing], point: Point) -> f64 {
+        let off = |edge: &&Crossing| {
+            let along = |axis: usize| (point[axis] - edge.place[axis]) * edge.normal[axis];
+            (along(0) + along(1)).abs() / self.length
+        };
+        edges.iter().map(off).fold(0.0, f64::max)
+    }
+
+    /// The lengths of edge that move with each crossing.
+    fn lengths(&self, stops: &[Stop<'_>], joint: Option<Point>, to: &mut Vec<Share>) {
+        match joint {
+            Some(joint) => {
+                for Stop { side, .. } in stops {
+                    self.segment(side.crossing.place, [side.index; 2], joint, to);
+                }
+            }
+            None => {
+                let [a, b] = [&stops[0].side, &stops[1].side];
+                self.segment(a.crossing.place, [a.index, b.index], b.crossing.place, to);
+            }
+        }
+    }
+
+    /// The length of a straight piece of edge, whose ends move with two crossings, by pixel.
+    fn segment(&self, from: Point, crossings: [u32; 2], end: Point, to: &mut Vec<Share>) {
+        let (dx, dy) = (end[0] - from[0], end[1] - from[1]);
+        let length = dx.hypot(dy);
+        let mut cuts = [0.0, 1.0, 1.0, 1.0];
+        for (cut, (start, step)) in cuts[1..3].iter_mut().zip([(from[0], dx), (from[1], dy)]) {
+            let border = start.max(start + step).floor();
+            if border > start.min(start + step) {
+                *cut = (border - start) / step;
+            }
+        }
+        if cuts[1] > cuts[2] {
+            cuts.swap(1, 2);
+        }
+        // Outside of a cell an edge may cross more borders than one of each kind.
+        let pieces = if length < 1.5 { 1 } else { length.ceil() as usize };
+        for cut in cuts.windows(2) {
+            let part = (cut[1] - cut[0]) / pieces as f64;
+            for piece in 0..pieces {
+                let middle = cut[0] + part * (piece as f64 + 0.5);
+                let Some(pixel) = self.pixel([from[0] + middle * dx, from[1] + middle * dy]) else {
+                    continue;
+                };
+                let length = length * part;
+                let mut share = |crossing: u32, length: f64| {
+                    if length > 0.0 {
+                        to.push(Share { crossing, pixel, areas: [0.0; 2], length });
+                    }
+                };
+                let [first, last] = crossings;
+                if first == last {
+                    share(first, length);
+                } else {
+                    share(first, length * (1.0 - middle));
+                    share(last, length * middle);
+                }
+            }
+        }
+    }
+
+    fn pixel(&self, [x, y]: Point) -> Option<u32> {
+        let [width, height] = self.size;
+        let is_inside = x >= 0.0 && y >= 0.0 && x < f64::from(width) && y < f64::from(height);
+        is_inside.then_some(y as u32 * width + x as u32)
+    }
+
+    /// The areas that regions have in quarters of the cell whose samples see others.
+    fn areas(
+        &self,
+        stops: &[Stop<'_>],
+        joint: Option<Point>,
+        work: &mut Workspace,
+        to: &mut Vec<Share>,
+    ) {
+        let [left, top] = self.start;
+        let corner = |index: usize| {
+            let right = matches!(index % 4, 1 | 2);
+            let below = matches!(index % 4, 2 | 3);
+            [
+                left + if right { self.length } else { 0.0 },
+                top + if below { self.length } else { 0.0 },
+            ]
+        };
+        let count = stops.len();
+        // The region after each stop, and the one that each sample sees.
+        let region_of = |sample: usize| {
+            let before = |stop: &&Stop<'_>| stop.at < sample as f64;
+            (stops.iter().filter(before).count() + count - 1) % count
+        };
+        let seen: [usize; 4] = std::array::from_fn(region_of);
+        for (index, stop) in stops.iter().enumerate() {
+            let next = &stops[(index + 1) % count];
+            let end = if index + 1 == count { next.at + 4.0 } else { next.at };
+            work.region.clear();
+            work.region.push(stop.side.crossing.place);
+            for passed in 0..8 {
+                if (passed as f64) > stop.at && (passed as f64) < end {
+                    work.region.push(corner(passed));
+                }
+            }
+            work.region.push(next.side.crossing.place);
+            if let Some(joint) = joint {
+                work.region.push(joint);
+            }
+            let (middle_x, middle_y) = (left + 0.5 * self.length, top + 0.5 * self.length);
+            for (quarter, &own) in seen.iter().enumerate() {
+                let Some(pixel) = self.pixels[quarter].filter(|_| own != index) else { continue };
+                work.region.clip(0, middle_x, matches!(quarter, 1 | 2), &mut work.half);
+                work.half.clip(1, middle_y, quarter >= 2, &mut work.quarter);
+                let area = work.quarter.area();
+                if area == 0.0 {
+                    continue;
+                }
+                // The radiance of a region is the mean of those at both of its ends.
+                for (region, area) in [(index, 0.5 * area), (own, -0.5 * area)] {
+                    for (end, side) in [(region, 1), ((region + 1) % count, 0)] {
+                        let stop = &stops[end];
+                        let mut areas = [0.0; 2];
+                        areas[stop.order[side]] = area;
+                        to.push(Share { crossing: stop.side.index, pixel, areas, length: 0.0 });
+                    }
+                }
+            }
+        }
+    }
+
+    /// Joins crossings of the same edge, then two that share a vertex, then those that meet in one point;
+    /// the others count one by one.
+    fn pairs(&self, stops: &mut Vec<Stop<'_>>, to: &mut Vec<Share>) {
+        if self.is_uniform || stops.iter().all(|stop| stop.side.crossing.layer.family().is_none()) {
+            while let Some((a, b)) = same_edge(stops) {
+                let (a, b) = (stops.remove(b).side, stops.remove(a).side);
+                self.segment(a.crossing.place, [a.index, b.index], b.crossing.place, to);
+                self.single_areas(&a, to);
+                self.single_areas(&b, to);
+            }
+        }
+        for stop in stops {
+            self.single(&stop.side, to);
+        }
+    }
+
+    /// Half of what a crossing counts on its own; the other half is that of the cell beyond.
+    fn single(&self, side: &Side<'_>, to: &mut Vec<Share>) {
+        let Crossing { place, normal, .. } = side.crossing;
+        let weight = normal[axis(side)].abs();
+        if let Some(pixel) = self.pixel(*place) {
+            let length = 0.5 * self.length * weight;
+            to.push(Share { crossing: side.index, pixel, areas: [0.0; 2], length });
+        }
+        self.single_areas(side, to);
+    }
+
+    /// Half of the area by which a crossing is off the middle of its link.
+    fn single_areas(&self, side: &Side<'_>, to: &mut Vec<Share>) {
+        let Crossing { at, normal, .. } = side.crossing;
+        let axis = axis(side);
+        // The samples at the start and at the end of the link.
+        let samples = [[0, 1], [1, 2], [3, 2], [0, 3]][side.of];
+        let area = 0.5 * (at - 0.5) * self.length * self.length * normal[axis] * normal[axis];
+        let nearer = samples[usize::from(*at > 0.5)];
+        if let Some(pixel) = self.pixels[nearer] {
+            to.push(Share { crossing: side.index, pixel, areas: [area, -area], length: 0.0 });
+        }
+    }
+}
+
+/// 0 if the link of a side runs to the right, 1 if it runs downwards.
+fn axis(side: &Side<'_>) -> usize {
+    side.of % 2
+}
+
+/// Two stops of the same edge.
+fn same_edge(stops: &[Stop<'_>]) -> Option<(usize, usize)> {
+    (0..stops.len()).find_map(|a| {
+        let is_same = |b: &usize| stops[a].side.crossing.edge == stops[*b].side.crossing.edge;
+        (a + 1..stops.len()).find(is_same).map(|b| (a, b))
+    })
+}
+
+/// The point that is closest to the lines of edges; nothing if they are nearly parallel.
+fn meeting(edges: &[&Crossing]) -> Option<Point> {
+    let (mut xx, mut xy, mut yy, mut x, mut y) = (0.0, 0.0, 0.0, 0.0, 0.0);
+    let origin = edges.first()?.place;
+    for Crossing { place, normal: [nx, ny], .. } in edges {
+        let along = (place[0] - origin[0]) * nx + (place[1] - origin[1]) * ny;
+        xx += nx * nx;
+        xy += nx * ny;
+        yy += ny * ny;
+        x += along * nx;
+        y += along * ny;
+    }
+    let determinant = xx * yy - xy * xy;
+    (determinant >= 1e-4).then(|| {
+        [
+            origin[0] + (x * yy - y * xy) / determinant,
+            origin[1] + (y * xx - x * xy) / determinant,
+        ]
+    })
+}

@@ -1,0 +1,397 @@
+//! Crossings: the places on a link between two neighbouring samples where what they see changes.
+//!
+//! A link is searched without rays where its samples say what lies on both sides: the ray is followed
+//! analytically through the surfaces that both have in common, and the outlines of the two surfaces that
+//! differ are left at roots of the [numbers of their edges](crate::transport::edge). One path is traced
+//! on the far side of each silhouette, to find what else comes between, and a shadow ray beyond each
+//! shadow edge. Facing away from a light counts as not blocked: what changes there is continuous.
+
+use super::geometry::{Edge, Geometry};
+use super::outline::root;
+use crate::number::Plain;
+use crate::primal::known::KnownHit;
+use crate::trace::bvh::NO_PRIMITIVE;
+use crate::transport::camera::Ray;
+
+/// How far beyond an edge what lies behind it is looked for, as a part of the link.
+const BEYOND: f64 = 1e-4;
+
+/// Up to this distance, as a part of the link, two outlines meet in an edge that they share.
+const SHARED: f64 = 1e-9;
+
+/// How often a link is divided.
+const MOST_DIVISIONS: usize = 14;
+
+/// How many surfaces a shadow edge is followed over.
+const MOST_BLOCKERS: usize = 64;
+
+/// The step for differences of numbers of edges by place, as a part of the link.
+const STEP: f64 = 1e-3;
+
+/// A path among those of a row of links.
+#[derive(Clone, Copy, Debug)]
+pub struct Path {
+    start: u32,
+    end: u32,
+}
+
+impl Path {
+    /// The same path where `offset` others stand before those of its row.
+    pub fn after(self, offset: u32) -> Self {
+        Self { start: self.start + offset, end: self.end + offset }
+    }
+
+    /// Its surfaces.
+    pub fn of(self, hits: &[KnownHit]) -> impl Iterator<Item = KnownHit> {
+        hits[self.start as usize..self.end as usize].iter().copied()
+    }
+}
+
+/// What a curve of crossings is an edge of.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Layer {
+    /// Of the surface at this depth of the path.
+    Surface(u32),
+    /// Of the shadow of a light, the second number, on the surface at this depth.
+    Shadow(u32, u32),
+}
+
+impl Layer {
+    /// The depth of the path up to which both sides are the same.
+    pub fn depth(self) -> usize {
+        match self {
+            Self::Surface(depth) | Self::Shadow(depth, _) => depth as usize,
+        }
+    }
+
+    /// What tells curves apart that do not end at each other: all edges of surfaces do.
+    pub fn family(self) -> Option<Self> {
+        match self {
+            Self::Surface(_) => None,
+            Self::Shadow(..) => Some(self),
+        }
+    }
+}
+
+/// A place where what the samples see changes.
+#[derive(Clone, Copy, Debug)]
+pub struct Crossing {
+    /// In pixels from the upper left corner of the image.
+    pub place: [f64; 2],
+    /// How far it is from the first sample of its link to the second one.
+    pub at: f64,
+    pub layer: Layer,
+    pub edge: Edge,
+    /// The paths on the side of the first sample and on that of the second one.
+    pub sides: [Path; 2],
+    /// The unit normal of the edge in the image, from the first side to the second one as far as the
+    /// link has it.
+    pub normal: [f64; 2],
+    /// The derivative of the number of the edge along the normal.
+    pub slope: f64,
+}
+
+/// The line between two neighbouring samples.
+#[derive(Clone, Copy, Debug)]
+pub struct Link {
+    /// The place of the first sample, in pixels.
+    pub start: [f64; 2],
+    /// 0 if it runs to the right, 1 if it runs downwards.
+    pub axis: usize,
+    /// Its length in pixels.
+    pub length: f64,
+}
+
+impl Link {
+    fn place(&self, at: f64) -> [f64; 2] {
+        let mut place = self.start;
+        place[self.axis] += at * self.length;
+        place
+    }
+}
+
+/// A part of a link, with what is seen at its ends.
+#[derive(Clone, Copy)]
+struct Part {
+    from: f64,
+    to: f64,
+    first: Path,
+    last: Path,
+}
+
+/// The search along the links of a row.
+pub struct Search<'a, L: Plain> {
+    geometry: Geometry<'a, L>,
+    /// The paths, one after the other.
+    pub hits: Vec<KnownHit>,
+    pub crossings: Vec<Crossing>,
+}
+
+impl<'a, L: Plain> Search<'a, L> {
+    pub fn new(geometry: Geometry<'a, L>) -> Self {
+        Self { geometry, hits: Vec::new(), crossings: Vec::new() }
+    }
+
+    /// Adds a path whose surfaces `fill` appends.
+    pub fn path(&mut self, fill: impl FnOnce(&mut Vec<KnownHit>)) -> Path {
+        let start = self.hits.len() as u32;
+        fill(&mut self.hits);
+        Path { start, end: self.hits.len() as u32 }
+    }
+
+    /// Finds the crossings of a link; those that stand on it in order.
+    pub fn link(&mut self, link: &Link, first: Path, last: Path) {
+        let before = self.crossings.len();
+        self.search(link, Part { from: 0.0, to: 1.0, first, last }, 0);
+        self.crossings[before..].sort_by(|a, b| a.at.total_cmp(&b.at));
+    }
+
+    /// The surfaces of a path.
+    fn of(&self, path: Path) -> &[KnownHit] {
+        &self.hits[path.start as usize..path.end as usize]
+    }
+
+    fn traced(&mut self, link: &Link, at: f64) -> Path {
+        let geometry = self.geometry;
+        self.path(|hits| geometry.trace(link.place(at), hits))
+    }
+
+    /// The first depth at which two paths meet other surfaces.
+    fn parting(&self, first: Path, last: Path) -> Option<usize> {
+        let (first, last) = (self.of(first), self.of(last));
+        let is_other = |(a, b): (&KnownHit, &KnownHit)| (a.primitive, a.leaves) != (b.primitive, b.leaves);
+        first.iter().zip(last).position(is_other)
+    }
+
+    fn search(&mut self, link: &Link, part: Part, divisions: usize) {
+        let Part { from, to, first, last } = part;
+        if divisions > MOST_DIVISIONS {
+            return;
+        }
+        let Some(depth) = self.parting(first, last) else {
+            self.shadows(link, part);
+            return;
+        };
+        let surface = |path: Path| Some(self.of(path)[depth]).filter(|hit| hit.primitive != NO_PRIMITIVE);
+        let (a, b) = (surface(first), surface(last));
+        let exit = |surface: Option<KnownHit>, ends: [f64; 2]| {
+            let primitive = surface?.primitive;
+            if depth == 0 && self.geometry.is_triangle(primitive) {
+                let ray = |at: f64| self.geometry.linear_ray(link.place(at));
+                return self.geometry.exit(primitive, ends, true, ray);
+            }
+            let ray = |at: f64| self.ray(link, first, depth, at);
+            self.geometry.exit(primitive, ends, false, ray)
+        };
+        let (of_a, of_b) = (exit(a, [from, to]), exit(b, [to, from]));
+        let in_front = |at: f64, one: Option<KnownHit>, other: Option<KnownHit>| match (one, other) {
+            (None, _) => false,
+            (Some(_), None) => true,
+            (Some(one), Some(other)) => {
+                let ray = self.ray(link, first, depth, at);
+                let (one, other) = (self.geometry.depth(&one, ray), self.geometry.depth(&other, ray));
+                one <= other
+            }
+        };
+        if let (Some((end_of_a, edge)), Some((end_of_b, _))) = (of_a, of_b) {
+            if (end_of_a - end_of_b).abs() <= SHARED {
+                self.emit(link, end_of_a, depth, edge, [first, last]);
+                return;
+            }
+            if end_of_a < end_of_b {
+                let middle = 0.5 * (end_of_a + end_of_b);
+                let between = self.traced(link, middle);
+                if self.parting(first, between).is_none() || self.parting(between, last).is_none() {
+                    // Rounding: there is nothing between.
+                    self.emit(link, middle, depth, edge, [first, last]);
+                    return;
+                }
+                let divisions = divisions + 1;
+                self.search(link, Part { to: middle, last: between, ..part }, divisions);
+                self.search(link, Part { from: middle, first: between, ..part }, divisions);
+                return;
+            }
+        }
+        match (of_a, of_b) {
+            (_, Some((at, edge))) if in_front(at, b, a) => {
+                self.silhouette(link, part, depth, (at, edge), false, divisions);
+            }
+            (Some((at, edge)), _) if in_front(at, a, b) => {
+                self.silhouette(link, part, depth, (at, edge), true, divisions);
+            }
+            _ => {
+                if let (Some(a), Some(b)) = (a, b) {
+                    let low = of_b.map_or(from, |(at, _)| at);
+                    let high = of_a.map_or(to, |(at, _)| at);
+                    self.pierced(link, (depth, [a, b]), [low, high], [first, last]);
+                }
+            }
+        }
+    }
+
+    /// The ray of a place on a link after the surfaces before `depth`.
+    fn ray(&self, link: &Link, path: Path, depth: usize, at: f64) -> Ray<f64> {
+        self.geometry.ray(&self.of(path)[..depth], link.place(at))
+    }
+
+    /// Adds the silhouette of the surface at the first end of a part, or of that at its last end, and
+    /// what lies between it and the other end.
+    fn silhouette(
+        &mut self,
+        link: &Link,
+        part: Part,
+        depth: usize,
+        (at, edge): (f64, Edge),
+        is_first: bool,
+        divisions: usize,
+    ) {
+        let (near, far, end) = match is_first {
+            true => (part.first, part.last, part.to),
+            false => (part.last, part.first, part.from),
+        };
+        let beyond = at + BEYOND * (end - at).signum();
+        let is_far = (end - at).abs() <= 2.0 * BEYOND;
+        let mut behind = if is_far { far } else { self.traced(link, beyond) };
+        if self.parting(near, behind).is_none() {
+            // Rounding: the ray still meets what is in front.
+            behind = far;
+        }
+        let sides = if is_first { [near, behind] } else { [behind, near] };
+        self.emit(link, at, depth, edge, sides);
+        let rest = match is_first {
+            true => Part { from: beyond, first: behind, ..part },
+            false => Part { to: beyond, last: behind, ..part },
+        };
+        if !is_far {
+            self.search(link, rest, divisions + 1);
+        }
+    }
+
+    /// Adds the place where two surfaces pierce each other, the first one in front at `low`.
+    fn pierced(
+        &mut self,
+        link: &Link,
+        (depth, surfaces): (usize, [KnownHit; 2]),
+        [low, high]: [f64; 2],
+        sides: [Path; 2],
+    ) {
+        let behind = |at: f64| {
+            let ray = self.ray(link, sides[0], depth, low + at * (high - low));
+            let [a, b] = surfaces.map(|surface| self.geometry.depth(&surface, ray));
+            b - a
+        };
+        let (start, end) = (behind(0.0), behind(1.0));
+        if !(start >= 0.0 && end < 0.0) {
+            return;
+        }
+        let at = low + root(behind, start, end) * (high - low);
+        self.emit(link, at, depth, Edge::Intersection(surfaces), sides);
+    }
+
+    /// Adds the shadow edges between two ends that see the same surfaces.
+    fn shadows(&mut self, link: &Link, part: Part) {
+        for depth in 0..self.of(part.first).len() {
+            let blocked = |path: Path| self.of(path)[depth].blocked;
+            let mut differs = blocked(part.first) ^ blocked(part.last);
+            while differs != 0 {
+                let light = differs.trailing_zeros() as usize;
+                differs &= differs - 1;
+                self.shadow(link, part, depth, light);
+            }
+        }
+    }
+
+    /// Adds the edge of the shadow of one light: outlines of blockers are left one after the other, from
+    /// the dark end on, until the light is seen.
+    fn shadow(&mut self, link: &Link, part: Part, depth: usize, light: usize) {
+        let is_first = self.of(part.first)[depth].blocked >> light & 1 == 1;
+        let (mut from, to) = if is_first { (part.from, part.to) } else { (part.to, part.from) };
+        let dark = if is_first { part.first } else { part.last };
+        let known = self.of(dark)[depth];
+        let place = |search: &Self, at: f64| {
+            let ray = search.ray(link, dark, depth, at);
+            (ray, search.geometry.surface(&known, ray))
+        };
+        let blocker = |search: &Self, at: f64| {
+            let (ray, surface) = place(search, at);
+            search.geometry.blocker(light, &known, &ray, &surface)
+        };
+        let mut found = blocker(self, from);
+        for _ in 0..MOST_BLOCKERS {
+            let Some(in_front) = found else { return };
+            let shadow_ray = |at: f64| self.geometry.shadow_ray(light, &place(self, at).1);
+            let Some((at, edge)) =
+                self.geometry.exit(in_front.primitive, [from, to], false, shadow_ray)
+            else {
+                return;
+            };
+            let beyond = at + BEYOND * (to - from).signum();
+            let is_last = (to - beyond) * (to - from) <= 0.0;
+            found = if is_last { None } else { blocker(self, beyond) };
+            if found.is_none() {
+                let mut lit = self.of(dark).to_vec();
+                lit[depth].blocked &= !(1 << light);
+                let lit = self.path(|hits| hits.extend(lit));
+                let sides = if is_first { [dark, lit] } else { [lit, dark] };
+                self.emit_shadow(link, at, (depth, light), edge, sides);
+                return;
+            }
+            from = beyond;
+        }
+    }
+
+    fn emit(&mut self, link: &Link, at: f64, depth: usize, edge: Edge, sides: [Path; 2]) {
+        let number = |place: [f64; 2]| {
+            let ray = self.geometry.ray(&self.of(sides[0])[..depth], place);
+            self.geometry.margin(edge, ray)
+        };
+        let crossing = crossing(link, at, Layer::Surface(depth as u32), edge, sides, number);
+        self.crossings.extend(crossing);
+    }
+
+    fn emit_shadow(
+        &mut self,
+        link: &Link,
+        at: f64,
+        (depth, light): (usize, usize),
+        edge: Edge,
+        sides: [Path; 2],
+    ) {
+        let number = |place: [f64; 2]| {
+            let path = self.of(sides[0]);
+            let ray = self.geometry.ray(&path[..depth], place);
+            let surface = self.geometry.surface(&path[depth], ray);
+            let ray = self.geometry.shadow_ray(light, &surface);
+            self.geometry.margin(edge, ray)
+        };
+        let layer = Layer::Shadow(depth as u32, light as u32);
+        self.crossings.extend(crossing(link, at, layer, edge, sides, number));
+    }
+}
+
+/// A crossing at a part of a link, by the number of its edge at places of the image; nothing where that has
+/// no derivative.
+fn crossing(
+    link: &Link,
+    at: f64,
+    layer: Layer,
+    edge: Edge,
+    sides: [Path; 2],
+    number: impl Fn([f64; 2]) -> f64,
+) -> Option<Crossing> {
+    let place = link.place(at);
+    let step = STEP * link.length;
+    let [x, y] = [0, 1].map(|axis| {
+        let moved = |by: f64| {
+            let mut place = place;
+            place[axis] += by;
+            number(place)
+        };
+        (moved(step) - moved(-step)) / (2.0 * step)
+    });
+    let length = x.hypot(y);
+    let sign = if [x, y][link.axis] < 0.0 { -1.0 } else { 1.0 };
+    let normal = [x, y].map(|part| sign * part / length);
+    let is_usable = normal.iter().all(|part| part.is_finite());
+    is_usable.then_some(Crossing { place, at, layer, edge, sides, normal, slope: sign * length })
+}

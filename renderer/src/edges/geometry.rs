@@ -1,0 +1,241 @@
+//! Rays and what they meet, one by one: paths are followed analytically through surfaces that are known.
+
+use ad::{Fields, Scalar};
+use glam::DVec3;
+
+use crate::number::{Plain, widen};
+use crate::primal::integrator::Integrator;
+use crate::primal::known::KnownHit;
+use crate::primal::shadow::SURFACE_ERROR;
+use crate::scene::Transform;
+use crate::trace::bvh::NO_PRIMITIVE;
+use crate::trace::layout::Kind;
+use crate::transport::camera::{CameraFrame, Ray, film_point, primary_ray};
+use crate::transport::edge::{segment_margin, sphere_margin};
+use crate::transport::hit::{Primitive, hit};
+use crate::transport::sphere::Sphere;
+use crate::transport::surface::SurfacePoint;
+use crate::transport::triangle::Triangle;
+use crate::transport::vertex::next_ray;
+
+/// A boundary of what rays see.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Edge {
+    /// The straight line between two vertices.
+    Segment([u32; 2]),
+    /// The silhouette of a sphere or a shape of one's own.
+    Silhouette(u32),
+    /// The curve in which two primitives pierce each other.
+    Intersection([KnownHit; 2]),
+}
+
+/// A scene in double precision, one ray at a time.
+#[derive(Clone, Copy)]
+pub struct Geometry<'a, L: Plain> {
+    pub integrator: Integrator<'a, L>,
+    frame: CameraFrame<f64>,
+    /// Image width and height in pixels.
+    size: [f64; 2],
+}
+
+impl<'a, L: Plain> Geometry<'a, L> {
+    pub fn new(integrator: Integrator<'a, L>) -> Self {
+        let frame = integrator.inputs.frame.map(|number| number.lane(0).to_f64());
+        let size = [integrator.layout.width, integrator.layout.height].map(f64::from);
+        Self { integrator, frame, size }
+    }
+
+    pub fn is_triangle(&self, primitive: u32) -> bool {
+        self.integrator.layout.kind_of(primitive as usize).0 == Kind::Triangle
+    }
+
+    /// The coordinates of [`film_point`] of a place in pixels from the upper left corner.
+    pub fn film(&self, [x, y]: [f64; 2]) -> [f64; 2] {
+        let [width, height] = self.size;
+        [(x + x - width) / width, -(y + y - height) / height]
+    }
+
+    /// The camera ray through a place of the image. Its direction is not a unit vector, but linear in the
+    /// place.
+    pub fn linear_ray(&self, place: [f64; 2]) -> Ray<f64> {
+        let [x, y] = self.film(place);
+        Ray { origin: self.frame.origin, direction: film_point::<f64>(self.frame, x, y) }
+    }
+
+    /// The ray through a place of the image after it has met `path`.
+    pub fn ray(&self, path: &[KnownHit], place: [f64; 2]) -> Ray<f64> {
+        let [x, y] = self.film(place);
+        let ray = primary_ray::<f64>(self.frame, x, y);
+        path.iter().fold(ray, |ray, known| self.next(known, &self.surface(known, ray)))
+    }
+
+    /// The ray that goes on from a surface point.
+    pub fn next(
+        &self,
+        known: &KnownHit,
+        surface: &SurfacePoint<f64>,
+    ) -> Ray<f64> {
+        let is_transparent = self.integrator.layout.traits_of(known.primitive as usize).is_transparent;
+        next_ray::<f64>(*surface, is_transparent)
+    }
+
+    /// The surface point where a ray meets a primitive, or its plane if that is flat.
+    pub fn surface(
+        &self,
+        known: &KnownHit,
+        ray: Ray<f64>,
+    ) -> SurfacePoint<f64> {
+        let inside = known.leaves;
+        match self.integrator.layout.kind_of(known.primitive as usize) {
+            (Kind::Triangle, index) => {
+                let [a, b, c] = self.integrator.layout.triangles[index].map(|v| self.vertex(v));
+                hit::<f64>(Primitive::Triangle(Triangle { a, b, c }), inside, ray)
+            }
+            (Kind::Sphere, index) => hit::<f64>(Primitive::Sphere(self.sphere(index)), inside, ray),
+            (Kind::Custom, index) => {
+                let (numbers, transform) = self.shape(index);
+                let kernel = &self.integrator.inputs.shapes[index].kernel;
+                kernel.at::<f64>().point(&numbers, transform, ray)
+            }
+        }
+    }
+
+    /// How far along a ray the surface point of a primitive is.
+    pub fn depth(&self, known: &KnownHit, ray: Ray<f64>) -> f64 {
+        (self.surface(known, ray).point - ray.origin).dot(ray.direction)
+    }
+
+    /// The number of an edge, see [`edge`](crate::transport::edge).
+    pub fn margin(&self, edge: Edge, ray: Ray<f64>) -> f64 {
+        match edge {
+            Edge::Segment([a, b]) => segment_margin::<f64>(self.vertex(a), self.vertex(b), ray),
+            Edge::Silhouette(primitive) => self.silhouette(primitive, ray),
+            Edge::Intersection(surfaces) => {
+                let [a, b] = surfaces.map(|surface| self.depth(&surface, ray));
+                a - b
+            }
+        }
+    }
+
+    fn silhouette(&self, primitive: u32, ray: Ray<f64>) -> f64 {
+        match self.integrator.layout.kind_of(primitive as usize) {
+            (Kind::Custom, index) => {
+                let (numbers, transform) = self.shape(index);
+                let kernel = &self.integrator.inputs.shapes[index].kernel;
+                kernel.at::<f64>().intersect(&numbers, transform, ray).margin
+            }
+            (_, index) => sphere_margin::<f64>(self.sphere(index), ray),
+        }
+    }
+
+    /// Where in the image a point is seen, in pixels; nothing if it is behind the camera.
+    pub fn project(&self, point: DVec3) -> Option<[f64; 2]> {
+        let CameraFrame { origin, forward, right, up } = self.frame;
+        let from_camera = point - origin;
+        let distance = from_camera.dot(forward);
+        let x = from_camera.dot(right) / (right.length_squared() * distance);
+        let y = from_camera.dot(up) / (up.length_squared() * distance);
+        let [width, height] = self.size;
+        (distance > 0.0).then_some([0.5 * width * (1.0 + x), 0.5 * height * (1.0 - y)])
+    }
+
+    /// A vertex.
+    pub fn vertex(&self, index: u32) -> DVec3 {
+        widen::<L::Lane>(self.integrator.inputs.vertices[index as usize])
+    }
+
+    fn sphere(&self, primitive: usize) -> Sphere<f64> {
+        self.integrator.inputs.spheres[primitive].map(|number| number.to_f64())
+    }
+
+    /// The numbers and the transform of a shape of one's own.
+    fn shape(
+        &self,
+        index: usize,
+    ) -> (Vec<f64>, Transform<f64>) {
+        let shape = &self.integrator.inputs.shapes[index];
+        let numbers = shape.numbers.iter().map(|number| number.to_f64()).collect();
+        let transform = shape.transform.map(|number| number.lane(0).to_f64());
+        (numbers, transform)
+    }
+
+    /// The path of the ray through a place of the image, traced.
+    pub fn trace(&self, place: [f64; 2], path: &mut Vec<KnownHit>) {
+        let Integrator { layout, tracer, zero_weight, .. } = self.integrator;
+        let mut ray = self.ray(&[], place);
+        let (mut origin, mut from) = (ray.origin, None);
+        for _ in 0..=layout.bounces {
+            let met = tracer.bvh.nearest_but(from, origin.as_vec3(), ray.direction.as_vec3());
+            let Some(met) = met else {
+                path.push(KnownHit { primitive: NO_PRIMITIVE, leaves: false, blocked: 0 });
+                return;
+            };
+            let mut known =
+                KnownHit { primitive: met.primitive, leaves: met.leaves, blocked: 0 };
+            let surface = self.surface(&known, ray);
+            for light in 0..layout.lights.len() {
+                let is_blocked = self.blocker(light, &known, &ray, &surface).is_some();
+                known.blocked |= u64::from(is_blocked) << light;
+            }
+            path.push(known);
+            let traits = layout.traits_of(met.primitive as usize);
+            let goes_on = traits.is_transparent
+                || layout.has_mirrors && traits.is_mirror
+                || zero_weight.mirrors;
+            if !goes_on {
+                return;
+            }
+            let is_flat = self.is_triangle(met.primitive);
+            let side = if traits.is_transparent { -1.0 } else { 1.0 };
+            origin = surface.point + surface.normal * (side * error_of(&ray, &surface));
+            from = is_flat.then_some(met.primitive);
+            ray = self.next(&known, &surface);
+        }
+    }
+
+    /// An opaque primitive between a surface point that faces a light and the light.
+    pub fn blocker(
+        &self,
+        light: usize,
+        known: &KnownHit,
+        ray: &Ray<f64>,
+        surface: &SurfacePoint<f64>,
+    ) -> Option<KnownHit> {
+        let Integrator { layout, tracer, zero_weight, .. } = self.integrator;
+        if layout.lights[light].is_black && !zero_weight.lights {
+            return None;
+        }
+        let towards = tracer.illuminate(light, surface.point);
+        if surface.normal.dot(towards.direction) <= 0.0 {
+            return None;
+        }
+        let from = self.is_triangle(known.primitive).then_some(known.primitive);
+        let origin = surface.point + surface.normal * error_of(ray, surface);
+        let (origin, direction) = (origin.as_vec3(), towards.direction.as_vec3());
+        let mut found = None;
+        tracer.bvh.visit_crossings(origin, direction, towards.distance as f32, from, |id, leaves| {
+            if layout.traits_of(id as usize).is_transparent && layout.has_transparency {
+                return true;
+            }
+            found = Some(KnownHit { primitive: id, leaves, blocked: 0 });
+            false
+        });
+        found
+    }
+
+    /// The ray from a surface point to a light.
+    pub fn shadow_ray(
+        &self,
+        light: usize,
+        surface: &SurfacePoint<f64>,
+    ) -> Ray<f64> {
+        let direction = self.integrator.tracer.illuminate(light, surface.point).direction;
+        Ray { origin: surface.point, direction }
+    }
+}
+
+/// How far from a surface point its rays start.
+fn error_of(ray: &Ray<f64>, surface: &SurfacePoint<f64>) -> f64 {
+    let depth = (surface.point - ray.origin).dot(ray.direction);
+    SURFACE_ERROR * surface.point.abs().max_element().max(depth)
+}

@@ -1,0 +1,102 @@
+//! Paths that are known before they are followed: what each ray meets, and which lights it sees there.
+
+use ad::Real;
+use ad::lanes::Lanes;
+
+use crate::number::Number;
+use crate::trace::bvh::{PACKET_RAYS, PacketHits};
+
+/// Paths through points of the film, one for each ray of a packet.
+#[derive(Default)]
+pub struct KnownPaths {
+    /// The points of the film, with the coordinates of
+    /// [`film_point`](crate::transport::camera::film_point()).
+    film: Vec<[f64; 2]>,
+    depths: Vec<KnownHits>,
+    /// How many of them belong to these paths.
+    depth: usize,
+}
+
+/// What paths meet at one depth.
+pub struct KnownHits {
+    pub hits: PacketHits,
+    /// By light: a bit for each ray that ends where an opaque surface is in its way.
+    pub blocked: Vec<u64>,
+}
+
+/// What one ray meets.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct KnownHit {
+    pub primitive: u32,
+    /// Whether the ray leaves a sphere here.
+    pub leaves: bool,
+    /// A bit for each light that an opaque surface is in the way of.
+    pub blocked: u64,
+}
+
+impl KnownPaths {
+    /// Removes all paths.
+    pub fn clear(&mut self) {
+        self.film.clear();
+        self.depth = 0;
+    }
+
+    /// Adds a path through a point of the film, which meets surfaces at each of these depths; returns its
+    /// ray. There are `lights` lights.
+    pub fn push(
+        &mut self,
+        film: [f64; 2],
+        hits: impl Iterator<Item = KnownHit>,
+        lights: usize,
+    ) -> usize {
+        let ray = self.film.len();
+        self.film.push(film);
+        for (depth, hit) in hits.enumerate() {
+            if depth == self.depths.len() {
+                self.depths.push(KnownHits { hits: PacketHits::NONE, blocked: Vec::new() });
+            }
+            let known = &mut self.depths[depth];
+            if depth == self.depth {
+                known.hits = PacketHits::NONE;
+                known.blocked.clear();
+                known.blocked.resize(lights, 0);
+                self.depth += 1;
+            }
+            known.hits.primitive[ray] = hit.primitive;
+            known.hits.leaves |= u64::from(hit.leaves) << ray;
+            for (light, blocked) in known.blocked.iter_mut().enumerate() {
+                *blocked |= (hit.blocked >> light & 1) << ray;
+            }
+        }
+        ray
+    }
+
+    /// How many paths there are.
+    pub fn len(&self) -> usize {
+        self.film.len()
+    }
+
+    /// A bit for each path.
+    pub fn rays(&self) -> u64 {
+        match self.len() {
+            PACKET_RAYS => u64::MAX,
+            count => (1 << count) - 1,
+        }
+    }
+
+    /// What the paths meet at a depth, if any goes so far.
+    pub fn at(&self, depth: usize) -> Option<&KnownHits> {
+        self.depths[..self.depth].get(depth)
+    }
+
+    /// Where the rays from `first` on meet the image plane.
+    pub fn film<S: Number>(&self, first: usize) -> (S::Lanes, S::Lanes) {
+        let along = |axis: usize| {
+            S::Lanes::from_lanes(|lane| {
+                let film = self.film.get(first + lane).or(self.film.last());
+                Real::from_f64(film.map_or(0.0, |film| film[axis]))
+            })
+        };
+        (along(0), along(1))
+    }
+}

@@ -1,0 +1,29 @@
+//! Edges: numbers of a ray that vanish where the ray meets the boundary of what it sees.
+//!
+//! On the film such a number is a function of position whose zeros are a curve. When a parameter moves
+//! the curve, a point of it moves along its normal by minus the derivative by the parameter over the
+//! length of the derivative by the position, so the scale of a number does not count, and neither does
+//! its sign.
+
+use ad::vector::{Vector, Vector3};
+use ad::{Real, Vec3, differentiable};
+
+use super::camera::Ray;
+use super::sphere::Sphere;
+
+/// The number of the straight edge from `a` to `b`: the volume that a ray spans with it.
+#[differentiable]
+#[inline]
+pub fn segment_margin<S: Real>(a: Vec3<S>, b: Vec3<S>, ray: Ray<S>) -> S {
+    (a - ray.origin).cross(b - ray.origin).dot(ray.direction)
+}
+
+/// The number of the silhouette of a sphere: the squared radius without the squared distance between
+/// the centre and a ray.
+#[differentiable]
+#[inline]
+pub fn sphere_margin<S: Real>(sphere: Sphere<S>, ray: Ray<S>) -> S {
+    let to_center = sphere.center - ray.origin;
+    let offset = to_center - ray.direction * to_center.dot(ray.direction);
+    sphere.radius * sphere.radius - offset.length_squared()
+}
