@@ -6,7 +6,7 @@
 //! each sample gets the mean over the strip that it stands for, along the normal of the silhouette: the
 //! strip of the outermost sample reaches to the silhouette.
 
-use ad::{Real, select};
+use ad::select;
 
 use super::chain::Chain;
 use crate::number::Plain;

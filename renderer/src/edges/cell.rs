@@ -7,7 +7,7 @@
 //! moves, pixels gain and lose along its length. Crossings that cannot be joined count one by one, by
 //! the mean length of an edge for each crossing of a grid (Crofton).
 
-use super::crossing::{Crossing, Layer};
+use super::crossing::Crossing;
 use super::geometry::Edge;
 use super::polygon::{Point, Polygon};
 
@@ -46,18 +46,33 @@ pub struct Cell<'a> {
     pub size: [u32; 2],
     /// Whether two edges share a vertex.
     pub adjacent: &'a dyn Fn(Edge, Edge) -> bool,
-    /// Whether an edge is so short in the image that it does not reach from cell to cell.
-    pub is_short: &'a dyn Fn(&Crossing) -> bool,
     /// Whether the cell with a point has no crossing on its sides.
     pub is_quiet: &'a dyn Fn(Point) -> bool,
 }
 
 /// Room for the work on cells.
 #[derive(Default)]
-pub struct Workspace {
+pub struct Workspace<'a> {
+    stops: Vec<Stop<'a>>,
+    shares: Vec<Share>,
     region: Polygon,
     half: Polygon,
     quarter: Polygon,
+}
+
+impl Workspace<'_> {
+    /// Adds to what a crossing gives a pixel.
+    fn add(&mut self, crossing: u32, pixel: u32, areas: [f64; 2], length: f64) {
+        let is_it = |share: &&mut Share| (share.crossing, share.pixel) == (crossing, pixel);
+        match self.shares.iter_mut().find(is_it) {
+            Some(share) => {
+                share.areas[0] += areas[0];
+                share.areas[1] += areas[1];
+                share.length += length;
+            }
+            None => self.shares.push(Share { crossing, pixel, areas, length }),
+        }
+    }
 }
 
 /// A crossing on the way around a cell.
@@ -86,31 +101,37 @@ const JUNCTION_ERROR: f64 = 1e-4;
 
 impl Cell<'_> {
     /// Appends what the crossings on the sides of the cell give to pixels.
-    pub fn shares(&self, sides: &[Side<'_>], work: &mut Workspace, to: &mut Vec<Share>) {
-        let mut families: Vec<Option<Layer>> =
-            sides.iter().map(|side| side.crossing.layer.family()).collect();
-        families.sort_unstable();
-        families.dedup();
-        for family in families {
-            let of_family = sides.iter().filter(|side| side.crossing.layer.family() == family);
-            let (short, long): (Vec<Side<'_>>, _) =
-                of_family.partition(|side| (self.is_short)(side.crossing));
-            short.iter().for_each(|side| self.single(side, to));
-            let mut stops: Vec<Stop<'_>> = long.into_iter().map(|side| self.stop(side)).collect();
-            stops.sort_by(|a, b| a.at.total_cmp(&b.at));
+    pub fn shares<'a>(&self, sides: &[Side<'a>], work: &mut Workspace<'a>, to: &mut Vec<Share>) {
+        work.shares.clear();
+        let family = |side: &Side<'_>| side.crossing.layer.family();
+        let mut last = None;
+        // The families in their order, most often one.
+        while let Some(next) = sides.iter().map(family).filter(|next| Some(*next) > last).min() {
+            last = Some(next);
+            work.stops.clear();
+            for side in sides.iter().filter(|side| family(side) == next) {
+                match side.crossing.is_short {
+                    true => self.single(side, work),
+                    false => work.stops.push(self.stop(*side)),
+                }
+            }
+            work.stops.sort_by(|a, b| a.at.total_cmp(&b.at));
+            let mut stops = std::mem::take(&mut work.stops);
             // Shadows are independent of each other where all samples see the same surface.
-            let joined = match family.is_none() || self.is_uniform {
+            let joined = match next.is_none() || self.is_uniform {
                 true => self.joint(&stops),
                 false => None,
             };
             match joined {
                 Some(joint) => {
-                    self.lengths(&stops, joint, to);
-                    self.areas(&stops, joint, work, to);
+                    self.lengths(&stops, joint, work);
+                    self.areas(&stops, joint, work);
                 }
-                None => self.pairs(&mut stops, to),
+                None => self.pairs(&mut stops, work),
             }
+            work.stops = stops;
         }
+        to.append(&mut work.shares);
     }
 
     fn stop<'a>(&self, side: Side<'a>) -> Stop<'a> {
@@ -170,8 +191,8 @@ impl Cell<'_> {
     }
 
     fn is_near(&self, point: Point, most: f64) -> bool {
-        let off = |axis: usize| point[axis] - self.start[axis] - 0.5 * self.length;
-        off(0).hypot(off(1)) < most * self.length
+        let off = |axis: usize| (point[axis] - self.start[axis] - 0.5 * self.length).powi(2);
+        off(0) + off(1) < (most * self.length).powi(2)
     }
 
     /// The largest distance between the lines of edges and a point, in sides of the cell.
@@ -184,24 +205,30 @@ impl Cell<'_> {
     }
 
     /// The lengths of edge that move with each crossing.
-    fn lengths(&self, stops: &[Stop<'_>], joint: Option<Point>, to: &mut Vec<Share>) {
+    fn lengths(&self, stops: &[Stop<'_>], joint: Option<Point>, work: &mut Workspace<'_>) {
         match joint {
             Some(joint) => {
                 for Stop { side, .. } in stops {
-                    self.segment(side.crossing.place, [side.index; 2], joint, to);
+                    self.segment(side.crossing.place, [side.index; 2], joint, work);
                 }
             }
             None => {
                 let [a, b] = [&stops[0].side, &stops[1].side];
-                self.segment(a.crossing.place, [a.index, b.index], b.crossing.place, to);
+                self.segment(a.crossing.place, [a.index, b.index], b.crossing.place, work);
             }
         }
     }
 
     /// The length of a straight piece of edge, whose ends move with two crossings, by pixel.
-    fn segment(&self, from: Point, crossings: [u32; 2], end: Point, to: &mut Vec<Share>) {
+    fn segment(
+        &self,
+        from: Point,
+        crossings: [u32; 2],
+        end: Point,
+        work: &mut Workspace<'_>,
+    ) {
         let (dx, dy) = (end[0] - from[0], end[1] - from[1]);
-        let length = dx.hypot(dy);
+        let length = (dx * dx + dy * dy).sqrt();
         let mut cuts = [0.0, 1.0, 1.0, 1.0];
         for (cut, (start, step)) in cuts[1..3].iter_mut().zip([(from[0], dx), (from[1], dy)]) {
             let border = start.max(start + step).floor();
@@ -222,17 +249,10 @@ impl Cell<'_> {
                     continue;
                 };
                 let length = length * part;
-                let mut share = |crossing: u32, length: f64| {
-                    if length > 0.0 {
-                        to.push(Share { crossing, pixel, areas: [0.0; 2], length });
-                    }
-                };
-                let [first, last] = crossings;
-                if first == last {
-                    share(first, length);
-                } else {
-                    share(first, length * (1.0 - middle));
-                    share(last, length * middle);
+                if length > 0.0 {
+                    let [first, last] = crossings;
+                    work.add(first, pixel, [0.0; 2], length * (1.0 - middle));
+                    work.add(last, pixel, [0.0; 2], length * middle);
                 }
             }
         }
@@ -249,8 +269,7 @@ impl Cell<'_> {
         &self,
         stops: &[Stop<'_>],
         joint: Option<Point>,
-        work: &mut Workspace,
-        to: &mut Vec<Share>,
+        work: &mut Workspace<'_>,
     ) {
         let [left, top] = self.start;
         let corner = |index: usize| {
@@ -285,8 +304,14 @@ impl Cell<'_> {
             let (middle_x, middle_y) = (left + 0.5 * self.length, top + 0.5 * self.length);
             for (quarter, &own) in seen.iter().enumerate() {
                 let Some(pixel) = self.pixels[quarter].filter(|_| own != index) else { continue };
-                work.region.clip(0, middle_x, matches!(quarter, 1 | 2), &mut work.half);
-                work.half.clip(1, middle_y, quarter >= 2, &mut work.quarter);
+                let (right, below) = (matches!(quarter, 1 | 2), quarter >= 2);
+                if !work.region.reaches(0, middle_x, right)
+                    || !work.region.reaches(1, middle_y, below)
+                {
+                    continue;
+                }
+                work.region.clip(0, middle_x, right, &mut work.half);
+                work.half.clip(1, middle_y, below, &mut work.quarter);
                 let area = work.quarter.area();
                 if area == 0.0 {
                     continue;
@@ -297,7 +322,7 @@ impl Cell<'_> {
                         let stop = &stops[end];
                         let mut areas = [0.0; 2];
                         areas[stop.order[side]] = area;
-                        to.push(Share { crossing: stop.side.index, pixel, areas, length: 0.0 });
+                        work.add(stop.side.index, pixel, areas, 0.0);
                     }
                 }
             }
@@ -306,33 +331,33 @@ impl Cell<'_> {
 
     /// Joins crossings of the same edge, then two that share a vertex, then those that meet in one point;
     /// the others count one by one.
-    fn pairs(&self, stops: &mut Vec<Stop<'_>>, to: &mut Vec<Share>) {
+    fn pairs(&self, stops: &mut Vec<Stop<'_>>, work: &mut Workspace<'_>) {
         if self.is_uniform || stops.iter().all(|stop| stop.side.crossing.layer.family().is_none()) {
             while let Some((a, b)) = same_edge(stops) {
                 let (a, b) = (stops.remove(b).side, stops.remove(a).side);
-                self.segment(a.crossing.place, [a.index, b.index], b.crossing.place, to);
-                self.single_areas(&a, to);
-                self.single_areas(&b, to);
+                self.segment(a.crossing.place, [a.index, b.index], b.crossing.place, work);
+                self.single_areas(&a, work);
+                self.single_areas(&b, work);
             }
         }
         for stop in stops {
-            self.single(&stop.side, to);
+            self.single(&stop.side, work);
         }
     }
 
     /// Half of what a crossing counts on its own; the other half is that of the cell beyond.
-    fn single(&self, side: &Side<'_>, to: &mut Vec<Share>) {
+    fn single(&self, side: &Side<'_>, work: &mut Workspace<'_>) {
         let Crossing { place, normal, .. } = side.crossing;
         let weight = normal[axis(side)].abs();
         if let Some(pixel) = self.pixel(*place) {
             let length = 0.5 * self.length * weight;
-            to.push(Share { crossing: side.index, pixel, areas: [0.0; 2], length });
+            work.add(side.index, pixel, [0.0; 2], length);
         }
-        self.single_areas(side, to);
+        self.single_areas(side, work);
     }
 
     /// Half of the area by which a crossing is off the middle of its link.
-    fn single_areas(&self, side: &Side<'_>, to: &mut Vec<Share>) {
+    fn single_areas(&self, side: &Side<'_>, work: &mut Workspace<'_>) {
         let Crossing { at, normal, .. } = side.crossing;
         let axis = axis(side);
         // The samples at the start and at the end of the link.
@@ -340,7 +365,7 @@ impl Cell<'_> {
         let area = 0.5 * (at - 0.5) * self.length * self.length * normal[axis] * normal[axis];
         let nearer = samples[usize::from(*at > 0.5)];
         if let Some(pixel) = self.pixels[nearer] {
-            to.push(Share { crossing: side.index, pixel, areas: [area, -area], length: 0.0 });
+            work.add(side.index, pixel, [area, -area], 0.0);
         }
     }
 }

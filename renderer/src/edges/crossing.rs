@@ -8,6 +8,7 @@
 
 use super::geometry::{Edge, Geometry};
 use super::outline::root;
+use super::sight::code;
 use crate::number::Plain;
 use crate::primal::known::KnownHit;
 use crate::trace::bvh::NO_PRIMITIVE;
@@ -24,6 +25,10 @@ const MOST_DIVISIONS: usize = 14;
 
 /// How many surfaces a shadow edge is followed over.
 const MOST_BLOCKERS: usize = 64;
+
+/// Edges that are shorter in the image than this, in distances between samples, count crossing by
+/// crossing: which of them a cell joins would depend on which it happens to see.
+const SHORT: f64 = 2.0;
 
 /// The step for differences of numbers of edges by place, as a part of the link.
 const STEP: f64 = 1e-3;
@@ -57,13 +62,6 @@ pub enum Layer {
 }
 
 impl Layer {
-    /// The depth of the path up to which both sides are the same.
-    pub fn depth(self) -> usize {
-        match self {
-            Self::Surface(depth) | Self::Shadow(depth, _) => depth as usize,
-        }
-    }
-
     /// What tells curves apart that do not end at each other: all edges of surfaces do.
     pub fn family(self) -> Option<Self> {
         match self {
@@ -89,6 +87,8 @@ pub struct Crossing {
     pub normal: [f64; 2],
     /// The derivative of the number of the edge along the normal.
     pub slope: f64,
+    /// Whether the edge is so short in the image that it may not reach from cell to cell.
+    pub is_short: bool,
 }
 
 /// The line between two neighbouring samples.
@@ -178,10 +178,9 @@ impl<'a, L: Plain> Search<'a, L> {
             let primitive = surface?.primitive;
             if depth == 0 && self.geometry.is_triangle(primitive) {
                 let ray = |at: f64| self.geometry.linear_ray(link.place(at));
-                return self.geometry.exit(primitive, ends, true, ray);
+                return self.geometry.linear_exit(primitive as usize, ends, ray);
             }
-            let ray = |at: f64| self.ray(link, first, depth, at);
-            self.geometry.exit(primitive, ends, false, ray)
+            self.geometry.exit(primitive, ends, |at: f64| self.ray(link, first, depth, at))
         };
         let (of_a, of_b) = (exit(a, [from, to]), exit(b, [to, from]));
         let in_front = |at: f64, one: Option<KnownHit>, other: Option<KnownHit>| match (one, other) {
@@ -285,7 +284,7 @@ impl<'a, L: Plain> Search<'a, L> {
             return;
         }
         let at = low + root(behind, start, end) * (high - low);
-        self.emit(link, at, depth, Edge::Intersection(surfaces), sides);
+        self.emit(link, at, depth, Edge::Intersection(surfaces.map(|hit| code(&hit))), sides);
     }
 
     /// Adds the shadow edges between two ends that see the same surfaces.
@@ -321,7 +320,7 @@ impl<'a, L: Plain> Search<'a, L> {
             let Some(in_front) = found else { return };
             let shadow_ray = |at: f64| self.geometry.shadow_ray(light, &place(self, at).1);
             let Some((at, edge)) =
-                self.geometry.exit(in_front.primitive, [from, to], false, shadow_ray)
+                self.geometry.exit(in_front.primitive, [from, to], shadow_ray)
             else {
                 return;
             };
@@ -341,12 +340,21 @@ impl<'a, L: Plain> Search<'a, L> {
     }
 
     fn emit(&mut self, link: &Link, at: f64, depth: usize, edge: Edge, sides: [Path; 2]) {
+        let layer = Layer::Surface(depth as u32);
+        if let (0, Edge::Segment(ends)) = (depth, edge) {
+            let slopes = self.geometry.linear_slopes(ends, link.place(at));
+            let is_short = self.geometry.is_short(ends, SHORT * link.length);
+            self.crossings.extend(crossing(link, at, layer, edge, sides, slopes).map(|crossing| {
+                Crossing { is_short, ..crossing }
+            }));
+            return;
+        }
         let number = |place: [f64; 2]| {
             let ray = self.geometry.ray(&self.of(sides[0])[..depth], place);
             self.geometry.margin(edge, ray)
         };
-        let crossing = crossing(link, at, Layer::Surface(depth as u32), edge, sides, number);
-        self.crossings.extend(crossing);
+        let slopes = slopes(link, at, number);
+        self.crossings.extend(crossing(link, at, layer, edge, sides, slopes));
     }
 
     fn emit_shadow(
@@ -365,33 +373,46 @@ impl<'a, L: Plain> Search<'a, L> {
             self.geometry.margin(edge, ray)
         };
         let layer = Layer::Shadow(depth as u32, light as u32);
-        self.crossings.extend(crossing(link, at, layer, edge, sides, number));
+        let slopes = slopes(link, at, number);
+        self.crossings.extend(crossing(link, at, layer, edge, sides, slopes));
     }
 }
 
-/// A crossing at a part of a link, by the number of its edge at places of the image; nothing where that has
-/// no derivative.
-fn crossing(
-    link: &Link,
-    at: f64,
-    layer: Layer,
-    edge: Edge,
-    sides: [Path; 2],
-    number: impl Fn([f64; 2]) -> f64,
-) -> Option<Crossing> {
-    let place = link.place(at);
-    let step = STEP * link.length;
-    let [x, y] = [0, 1].map(|axis| {
+/// The derivatives of the number of an edge by the place in the image, at a part of a link.
+fn slopes(link: &Link, at: f64, number: impl Fn([f64; 2]) -> f64) -> [f64; 2] {
+    let (place, step) = (link.place(at), STEP * link.length);
+    [0, 1].map(|axis| {
         let moved = |by: f64| {
             let mut place = place;
             place[axis] += by;
             number(place)
         };
         (moved(step) - moved(-step)) / (2.0 * step)
-    });
+    })
+}
+
+/// A crossing at a part of a link, by the slopes of the number of its edge; nothing where these vanish.
+fn crossing(
+    link: &Link,
+    at: f64,
+    layer: Layer,
+    edge: Edge,
+    sides: [Path; 2],
+    slopes: [f64; 2],
+) -> Option<Crossing> {
+    let [x, y] = slopes;
     let length = x.hypot(y);
-    let sign = if [x, y][link.axis] < 0.0 { -1.0 } else { 1.0 };
-    let normal = [x, y].map(|part| sign * part / length);
+    let sign = if slopes[link.axis] < 0.0 { -1.0 } else { 1.0 };
+    let normal = slopes.map(|part| sign * part / length);
     let is_usable = normal.iter().all(|part| part.is_finite());
-    is_usable.then_some(Crossing { place, at, layer, edge, sides, normal, slope: sign * length })
+    is_usable.then_some(Crossing {
+        place: link.place(at),
+        at,
+        layer,
+        edge,
+        sides,
+        normal,
+        slope: sign * length,
+        is_short: false,
+    })
 }

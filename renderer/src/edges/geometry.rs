@@ -3,6 +3,7 @@
 use ad::{Fields, Scalar};
 use glam::DVec3;
 
+use super::sight::decode;
 use crate::number::{Plain, widen};
 use crate::primal::integrator::Integrator;
 use crate::primal::known::KnownHit;
@@ -26,7 +27,8 @@ pub enum Edge {
     /// The silhouette of a sphere or a shape of one's own.
     Silhouette(u32),
     /// The curve in which two primitives pierce each other.
-    Intersection([KnownHit; 2]),
+    /// See [`code`](super::sight::code).
+    Intersection([u32; 2]),
 }
 
 /// A scene in double precision, one ray at a time.
@@ -60,6 +62,21 @@ impl<'a, L: Plain> Geometry<'a, L> {
     pub fn linear_ray(&self, place: [f64; 2]) -> Ray<f64> {
         let [x, y] = self.film(place);
         Ray { origin: self.frame.origin, direction: film_point::<f64>(self.frame, x, y) }
+    }
+
+    /// The derivatives of the number of an edge that a camera ray meets, by the place in the image.
+    pub fn linear_slopes(&self, [a, b]: [u32; 2], place: [f64; 2]) -> [f64; 2] {
+        let Ray { origin, direction } = self.linear_ray(place);
+        let volume = (self.vertex(a) - origin).cross(self.vertex(b) - origin) / direction.length();
+        let [width, height] = self.size;
+        [volume.dot(self.frame.right) * 2.0 / width, -volume.dot(self.frame.up) * 2.0 / height]
+    }
+
+    /// Whether an edge is shorter in the image than this, in pixels.
+    pub fn is_short(&self, ends: [u32; 2], length: f64) -> bool {
+        let [a, b] = ends.map(|end| self.project(self.vertex(end)));
+        let squared = |a: [f64; 2], b: [f64; 2]| (a[0] - b[0]).powi(2) + (a[1] - b[1]).powi(2);
+        a.zip(b).is_some_and(|(a, b)| squared(a, b) < length * length)
     }
 
     /// The ray through a place of the image after it has met `path`.
@@ -111,7 +128,7 @@ impl<'a, L: Plain> Geometry<'a, L> {
             Edge::Segment([a, b]) => segment_margin::<f64>(self.vertex(a), self.vertex(b), ray),
             Edge::Silhouette(primitive) => self.silhouette(primitive, ray),
             Edge::Intersection(surfaces) => {
-                let [a, b] = surfaces.map(|surface| self.depth(&surface, ray));
+                let [a, b] = surfaces.map(|surface| self.depth(&decode(surface, 0), ray));
                 a - b
             }
         }

@@ -27,6 +27,11 @@ impl Polygon {
         0.5 * twice
     }
 
+    /// Whether a corner is beyond a border, as in [`clip`](Self::clip).
+    pub fn reaches(&self, axis: usize, border: f64, above: bool) -> bool {
+        self.0.iter().any(|corner| if above { corner[axis] > border } else { corner[axis] < border })
+    }
+
     /// The part whose coordinate `axis` is at least `border`, or at most if not `above` (Sutherland &
     /// Hodgman, "Reentrant Polygon Clipping", 1974), written over `into`.
     pub fn clip(&self, axis: usize, border: f64, above: bool, into: &mut Self) {

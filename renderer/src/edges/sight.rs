@@ -146,14 +146,16 @@ pub fn depths<L: Plain>(integrator: &Integrator<'_, L>) -> usize {
     if goes_on { layout.bounces as usize + 1 } else { 1 }
 }
 
-fn code(known: &KnownHit) -> u32 {
+/// What a ray meets, as one number.
+pub fn code(known: &KnownHit) -> u32 {
     match known.primitive {
         NO_PRIMITIVE => NO_PRIMITIVE,
         primitive => primitive | if known.leaves { LEAVES } else { 0 },
     }
 }
 
-fn decode(code: u32, blocked: u64) -> KnownHit {
+/// What a [code](code) stands for.
+pub fn decode(code: u32, blocked: u64) -> KnownHit {
     match code {
         NO_PRIMITIVE => KnownHit { primitive: code, leaves: false, blocked },
         _ => KnownHit { primitive: code & !LEAVES, leaves: code & LEAVES != 0, blocked },

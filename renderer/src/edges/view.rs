@@ -22,10 +22,6 @@ use crate::trace::tile::fill_strips;
 /// How many crossings make a packet of paths, two each.
 pub const PACKET_CROSSINGS: usize = PACKET_RAYS / 2;
 
-/// Edges that are shorter in the image than this, in distances between samples, count crossing by
-/// crossing: which of them a cell joins would depend on which it happens to see.
-const SHORT: f64 = 2.0;
-
 /// An image, and the edges in it.
 pub struct View {
     /// The radiance of the pixels, row by row: areas count on both sides of edges.
@@ -213,12 +209,12 @@ fn find<L: Plain>(geometry: Geometry<'_, L>, sights: &Sights, row: usize) -> Row
 }
 
 /// What the cells below a row of samples give to pixels.
-fn shares<L: Plain>(
+fn shares<'a, L: Plain>(
     geometry: Geometry<'_, L>,
     sights: &Sights,
-    (rows, starts): (&[Row], &[usize]),
+    (rows, starts): (&'a [Row], &[usize]),
     row: usize,
-    work: &mut Workspace,
+    work: &mut Workspace<'a>,
 ) -> Vec<Share> {
     let layout = geometry.integrator.layout;
     let length = 1.0 / sights.side as f64;
@@ -249,14 +245,6 @@ fn shares<L: Plain>(
         }
         _ => false,
     };
-    let is_short = |crossing: &Crossing| match (crossing.edge, crossing.layer.depth()) {
-        (Edge::Segment(ends), 0) if crossing.layer.family().is_none() => {
-            let [a, b] = ends.map(|end| geometry.project(geometry.vertex(end)));
-            let distance = a.zip(b).map(|(a, b)| (a[0] - b[0]).hypot(a[1] - b[1]));
-            distance.is_some_and(|distance| distance < SHORT * length)
-        }
-        _ => false,
-    };
     let columns_of = |links: &[(u32, u32, u32)]| -> Vec<usize> {
         links.iter().map(|link| link.0 as usize).collect()
     };
@@ -269,9 +257,9 @@ fn shares<L: Plain>(
     columns.sort_unstable();
     columns.dedup();
 
-    let mut found = Vec::new();
+    let (mut found, mut sides) = (Vec::new(), Vec::new());
     for column in columns {
-        let mut sides = Vec::new();
+        sides.clear();
         for (of, (range, row)) in sides_of(row, column).into_iter().enumerate() {
             sides.extend(range.map(|index| Side {
                 index: (starts[row] + index) as u32,
@@ -290,7 +278,6 @@ fn shares<L: Plain>(
                 .all(|&sample| sights.have_same_path(at(samples[0]), at(sample))),
             size: [layout.width, layout.height],
             adjacent: &adjacent,
-            is_short: &is_short,
             is_quiet: &is_quiet,
         };
         cell.shares(&sides, work, &mut found);
