@@ -23,7 +23,6 @@ use crate::number::Plain;
 use crate::primal::image::loss;
 use crate::primal::integrator::Prepared;
 use crate::scene::Scene;
-use crate::settings::Edges;
 
 /// Losses between these leave enough range on both sides.
 const ORDINARY: RangeInclusive<f64> = 1e-20..=1e20;
@@ -46,12 +45,7 @@ fn sums<L: Plain>(
     loss: &dyn PixelLoss,
     request: &Request,
 ) -> Vec<Sums> {
-    let has_edges = match prepared.settings.edges {
-        Edges::Auto => request.moves_edges(),
-        Edges::On => true,
-        Edges::Off => false,
-    };
-    match has_edges {
+    match request.has_edges(prepared.settings.edges) {
         true => sweep_with_edges(prepared.integrator(), scene, loss, request),
         false => sweep(prepared.integrator(), scene, loss, request),
     }

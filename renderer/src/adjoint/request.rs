@@ -8,7 +8,7 @@ use super::selection::Selection;
 use crate::primal::integrator::ZeroWeight;
 use crate::scene::numbers::range_of;
 use crate::scene::{LightSource, Material, Object, ParameterId, Scene, Sphere, Transform};
-use crate::settings::Pass;
+use crate::settings::{Edges, Pass};
 use crate::trace::layout::Layout;
 use crate::transport::light::match_light;
 use crate::transport::material::Lobes;
@@ -162,8 +162,17 @@ impl Request {
             || self.transforms.iter().chain(&self.shapes).any(Option::is_some)
     }
 
+    /// Whether edges count.
+    pub fn has_edges(&self, edges: Edges) -> bool {
+        match edges {
+            Edges::Auto => self.moves_edges(),
+            Edges::On => true,
+            Edges::Off => false,
+        }
+    }
+
     /// Whether edges in the image may depend on any of them.
-    pub fn moves_edges(&self) -> bool {
+    fn moves_edges(&self) -> bool {
         self.ids.iter().any(|id| match id.object {
             Object::Camera | Object::Shape(_) => true,
             Object::Mesh(_) => id.field != "texture_coordinates",

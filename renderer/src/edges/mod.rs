@@ -1,6 +1,7 @@
 //! Edges in images.
 mod cell;
 mod crossing;
+mod forward;
 mod geometry;
 mod outline;
 mod polygon;

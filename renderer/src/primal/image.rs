@@ -12,6 +12,7 @@ use crate::image::Image;
 use crate::loss::PixelLoss;
 use crate::number::{Number, Plain, primal_vector};
 use crate::trace::bvh::{PACKET_RAYS, PacketVectors, ray_at, rays};
+use crate::trace::sampling::Sampling;
 use crate::trace::tile::{TILE, Tile, fill_strips, for_each_strip};
 
 /// Renders the image over one of the same size: the mean of what the rays through each pixel bring.
@@ -46,59 +47,34 @@ pub fn render_into<L: Plain>(integrator: Integrator<'_, L>, image: &mut Image) {
     });
 }
 
-/// Renders the image and its derivative along the direction that the inputs carry, in double precision
-/// from the radiance of each ray on.
-pub fn render_dual<L: Plain>(integrator: Integrator<'_, Dual<L>>) -> (Image, Image) {
-    let layout = integrator.layout;
-    let (width, height) = (layout.width, layout.height);
-    let mut pixels = vec![[[0.0_f32; 3]; 2]; width as usize * height as usize];
+/// The radiance of the pixels and its derivatives along the direction that the inputs carry, in double
+/// precision from the radiance of each ray on.
+pub fn pixels_dual<L: Plain>(
+    integrator: Integrator<'_, Dual<L>>,
+    sampling: Sampling,
+) -> Vec<[DVec3; 2]> {
+    let (width, height) = (integrator.layout.width, integrator.layout.height);
+    let mut pixels = vec![[DVec3::ZERO; 2]; width as usize * height as usize];
     fill_strips(width, &mut pixels, Path::default, |path, strip, rows| {
         for tile in strip.tiles() {
-            let mean = mean_dual(integrator, &tile, path);
-            let pixels = by_rows(|ray| mean[ray].map(|part| part.as_vec3().to_array()));
+            let mean = mean_dual(integrator, &tile, sampling, path);
+            let pixels = by_rows(|ray| mean[ray]);
             for (row, pixels) in rows.iter_mut().zip(&pixels) {
                 row[strip.columns(&tile)].copy_from_slice(&pixels[..tile.columns]);
             }
         }
     });
-    let image = |part: usize| {
-        let pixels = pixels.iter().map(|pixel| pixel[part]).collect();
-        Image { width, height, pixels }
-    };
-    (image(0), image(1))
-}
-
-/// The loss of the image and its derivative along the direction that the inputs carry.
-pub fn loss_dual<L: Plain>(
-    integrator: Integrator<'_, Dual<L>>,
-    loss: &dyn PixelLoss,
-) -> (f64, f64) {
-    let (width, height) = (integrator.layout.width, integrator.layout.height);
-    let strips = for_each_strip(width, height, Path::default, |path, strip| {
-        let (mut sum, mut along) = (0.0, 0.0);
-        for tile in strip.tiles() {
-            let mean = mean_dual(integrator, &tile, path);
-            for ray in rays(tile.rays()) {
-                let (x, y) = tile.pixel(ray);
-                let [radiance, derivative] = mean[ray];
-                let (value, cotangent) = loss.evaluate(x, y, radiance);
-                sum += value;
-                along += cotangent.dot(derivative);
-            }
-        }
-        (sum, along)
-    });
-    strips.into_iter().fold((0.0, 0.0), |(sum, along), (a, b)| (sum + a, along + b))
+    pixels
 }
 
 /// The radiance of the pixels of a tile and its derivative.
 fn mean_dual<L: Plain>(
     integrator: Integrator<'_, Dual<L>>,
     tile: &Tile,
+    sampling: Sampling,
     path: &mut Path<Dual<L>>,
 ) -> [[DVec3; 2]; PACKET_RAYS] {
     let mut total = [[DVec3::ZERO; 2]; PACKET_RAYS];
-    let sampling = integrator.layout.sampling;
     for sample in samples(tile, sampling) {
         visit(integrator, sample, path, |group, radiance| {
             let values = vectors_of_lanes::<L>(primal_vector::<Dual<L>>(radiance));
@@ -113,7 +89,8 @@ fn mean_dual<L: Plain>(
     total.map(|parts| parts.map(|sum| sum / count))
 }
 
-fn derivative_vector<L: Plain>(v: Vec3<Dual<L>>) -> Vec3<L> {
+/// The derivatives of a vector.
+pub fn derivative_vector<L: Plain>(v: Vec3<Dual<L>>) -> Vec3<L> {
     Vector3::new(v.x().derivative, v.y().derivative, v.z().derivative)
 }
 

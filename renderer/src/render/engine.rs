@@ -1,21 +1,22 @@
 //! A renderer that keeps what it has prepared of a scene.
 
 use ad::Dual;
+use glam::DVec3;
 
 use super::Linear;
 use crate::Error;
 use crate::adjoint::{self, Gradient, LossAndGradient, Request};
 use crate::arithmetic::with_arithmetic;
 use crate::diagnose::{self, NonFinite};
-use crate::edges::View;
+use crate::edges::{Geometry, View};
 use crate::image::Image;
 use crate::loss::PixelLoss;
 use crate::number::Plain;
 #[cfg(feature = "files")]
 use crate::primal::image::rays_by_depth;
-use crate::primal::image::{loss, loss_dual, render_dual, render_into, trace_only};
+use crate::primal::image::{loss, pixels_dual, render_into, trace_only};
 use crate::primal::inputs::{Inputs, Varying};
-use crate::primal::integrator::{Prepared, ZeroWeight};
+use crate::primal::integrator::Prepared;
 use crate::scene::{ParameterId, Scene};
 use crate::settings::{Edges, Settings};
 use crate::trace::sampling::Sampling;
@@ -280,8 +281,12 @@ impl<L: Plain> Engine for Prepared<L> {
     }
 
     fn jvp(&self, scene: &Scene, direction: &[(ParameterId, Vec<f64>)]) -> (Image, Image) {
-        let (inputs, zero_weight) = moving(self, scene, direction);
-        render_dual(self.with_inputs(&inputs).with_zero_weight(zero_weight))
+        let pixels = pixels_along(self, scene, direction);
+        let image = |part: usize| {
+            let pixels = pixels.iter().map(|pixel| pixel[part].as_vec3().to_array()).collect();
+            Image { width: self.layout.width, height: self.layout.height, pixels }
+        };
+        (image(0), image(1))
     }
 
     fn loss_jvp(
@@ -290,8 +295,15 @@ impl<L: Plain> Engine for Prepared<L> {
         loss: &dyn PixelLoss,
         direction: &[(ParameterId, Vec<f64>)],
     ) -> (f64, f64) {
-        let (inputs, zero_weight) = moving(self, scene, direction);
-        loss_dual(self.with_inputs(&inputs).with_zero_weight(zero_weight), loss)
+        let pixels = pixels_along(self, scene, direction);
+        let (mut sum, mut along) = (0.0, 0.0);
+        for (index, [radiance, derivative]) in pixels.into_iter().enumerate() {
+            let (x, y) = (index as u32 % self.layout.width, index as u32 / self.layout.width);
+            let (value, cotangent) = loss.evaluate(x, y, radiance);
+            sum += value;
+            along += cotangent.dot(derivative);
+        }
+        (sum, along)
     }
 
     fn find_non_finite(
@@ -350,12 +362,12 @@ fn check_direction(scene: &Scene, direction: &[(ParameterId, Vec<f64>)]) -> Resu
     Ok(())
 }
 
-/// The inputs of a scene that move along a direction, and what is traced although its weight is zero.
-fn moving<L: Plain>(
+/// The pixels of an image and their derivatives along a direction.
+fn pixels_along<L: Plain>(
     prepared: &Prepared<L>,
     scene: &Scene,
     direction: &[(ParameterId, Vec<f64>)],
-) -> (Inputs<Dual<L>>, ZeroWeight) {
+) -> Vec<[DVec3; 2]> {
     let ids: Vec<ParameterId> = direction.iter().map(|(id, _)| *id).collect();
     let block = |(id, numbers): &(ParameterId, Vec<f64>)| {
         let values = scene.get(*id);
@@ -364,5 +376,13 @@ fn moving<L: Plain>(
     };
     let varying = Varying { blocks: direction.iter().map(block).collect() };
     let inputs = Inputs::new(scene, prepared.settings.pass, prepared.inputs.origin, &varying);
-    (inputs, Request::new(scene, &prepared.layout, &ids).zero_weight)
+    let request = Request::new(scene, &prepared.layout, &ids);
+    let moving = prepared.with_inputs(&inputs).with_zero_weight(request.zero_weight);
+    if !request.has_edges(prepared.settings.edges) {
+        return pixels_dual(moving, prepared.layout.sampling);
+    }
+    let still = prepared.integrator().with_zero_weight(request.zero_weight);
+    let view = View::new(still);
+    let derivatives = view.derivative(&Geometry::new(still), moving);
+    view.pixels.into_iter().zip(derivatives).map(|(pixel, along)| [pixel, along]).collect()
 }

@@ -1,0 +1,162 @@
+//! The derivative of an image with edges along a direction.
+
+use ad::vector::{Vector, Vector3};
+use ad::{Dual, Fields, Scalar, Vec3};
+use glam::DVec3;
+use rayon::prelude::*;
+
+use super::crossing::{Crossing, Layer};
+use super::geometry::{Edge, Geometry};
+use super::view::{PACKET_CROSSINGS, View};
+use crate::number::{Number, Plain};
+use crate::primal::image::{derivative_vector, pixels_dual};
+use crate::primal::integrator::Integrator;
+use crate::primal::known::KnownPaths;
+use crate::primal::lanes::vectors_of_lanes;
+use crate::primal::path::Path;
+use crate::primal::wavefront::{LaneGroup, Source, Wavefront};
+use crate::trace::layout::Kind;
+use crate::transport::camera::{Ray, primary_ray};
+use crate::transport::edge::{segment_margin, sphere_margin};
+
+/// A number with its derivative along the direction.
+type Moving = Dual<f64>;
+
+/// How fast a crossing changes.
+#[derive(Clone, Copy)]
+struct Moved {
+    /// The derivatives of the radiance on both sides.
+    radiance: [DVec3; 2],
+    /// The speed along its normal, in pixels.
+    along: f64,
+}
+
+impl View {
+    /// The derivatives of the pixels along the direction that the inputs of the integrator carry.
+    pub fn derivative<L: Plain>(
+        &self,
+        geometry: &Geometry<'_, L>,
+        integrator: Integrator<'_, Dual<L>>,
+    ) -> Vec<DVec3> {
+        let grid = integrator.layout.sampling.as_grid();
+        let mut pixels: Vec<DVec3> =
+            pixels_dual(integrator, grid).into_iter().map(|[_, derivative]| derivative).collect();
+        let start = || (KnownPaths::default(), Path::default());
+        let packets = self.crossings.par_chunks(PACKET_CROSSINGS).map_init(start, |state, chunk| {
+            let (known, path) = state;
+            self.paths(geometry, chunk, known);
+            integrator.trace_path(Source::Known(known), path);
+            moved(integrator, path.wavefronts(), chunk)
+        });
+        let moved: Vec<Vec<Moved>> = packets.collect();
+        let moved = moved.concat();
+        for share in &self.shares {
+            let Moved { radiance: [a, b], along } = moved[share.crossing as usize];
+            let [of_a, of_b] = self.radiance[share.crossing as usize];
+            let pixel = &mut pixels[share.pixel as usize];
+            *pixel += a * share.areas[0] + b * share.areas[1];
+            *pixel += (of_a - of_b) * (along * share.length);
+        }
+        pixels
+    }
+}
+
+/// How fast the crossings of a packet change.
+fn moved<L: Plain>(
+    integrator: Integrator<'_, Dual<L>>,
+    wavefronts: &[Wavefront<Dual<L>>],
+    crossings: &[Crossing],
+) -> Vec<Moved> {
+    let still = Moved { radiance: [DVec3::ZERO; 2], along: 0.0 };
+    let mut moved = vec![still; crossings.len()];
+    for group in &wavefronts[0].groups {
+        let vertex = integrator.vertex(group, &wavefronts[0], wavefronts.get(1));
+        let derivatives = vectors_of_lanes::<L>(derivative_vector::<L>(vertex.radiance()));
+        for (lane, ray) in group.rays() {
+            moved[ray / 2].radiance[ray % 2] = derivatives[lane];
+        }
+    }
+    for (index, (crossing, moved)) in crossings.iter().zip(&mut moved).enumerate() {
+        let margin = margin(integrator, wavefronts, crossing, 2 * index);
+        moved.along = margin.map_or(0.0, |margin| -margin.derivative / crossing.slope);
+        // At a silhouette radiance changes with the root of the distance to it.
+        if matches!((crossing.layer, crossing.edge), (Layer::Surface(_), Edge::Silhouette(_))) {
+            moved.radiance = still.radiance;
+        }
+    }
+    moved
+}
+
+/// The number of the edge of a crossing, whose first side is this ray of the packet.
+fn margin<L: Plain>(
+    integrator: Integrator<'_, Dual<L>>,
+    wavefronts: &[Wavefront<Dual<L>>],
+    crossing: &Crossing,
+    ray: usize,
+) -> Option<Moving> {
+    let group_of = |depth: u32, ray: usize| -> Option<&LaneGroup<Dual<L>>> {
+        let groups = wavefronts.get(depth as usize)?.groups.iter();
+        groups.into_iter().find(|group| group.rays().any(|(_, of_group)| of_group == ray))
+    };
+    let (block, lane) = (ray / L::COUNT, ray % L::COUNT);
+    let meets = match crossing.layer {
+        Layer::Surface(0) => {
+            let (x, y) = wavefronts[0].film[block];
+            let ray = primary_ray::<Dual<L>>(
+                integrator.inputs.frame,
+                Dual::constant(x),
+                Dual::constant(y),
+            );
+            in_lane::<L, _>(&ray, lane)
+        }
+        Layer::Surface(depth) => in_lane::<L, _>(&wavefronts.get(depth as usize)?.rays[block], lane),
+        Layer::Shadow(depth, light) => {
+            in_lane::<L, _>(&integrator.shadow_ray(light as usize, group_of(depth, ray)?), lane)
+        }
+    };
+    let vertex = |vertex: u32| widened::<L>(integrator.inputs.vertices[vertex as usize]);
+    Some(match crossing.edge {
+        Edge::Segment([a, b]) => segment_margin::<Moving>(vertex(a), vertex(b), meets),
+        Edge::Silhouette(primitive) => silhouette(integrator, primitive as usize, meets),
+        Edge::Intersection(_) => {
+            let Layer::Surface(depth) = crossing.layer else { return None };
+            let point = |ray: usize| {
+                let group = group_of(depth, ray)?;
+                Some(in_lane::<L, _>(&group.surface, ray - group.first).point)
+            };
+            (point(ray)? - point(ray + 1)?).dot(meets.direction)
+        }
+    })
+}
+
+fn silhouette<L: Plain>(
+    integrator: Integrator<'_, Dual<L>>,
+    primitive: usize,
+    ray: Ray<Moving>,
+) -> Moving {
+    match integrator.layout.kind_of(primitive) {
+        (Kind::Custom, index) => {
+            let shape = &integrator.inputs.shapes[index];
+            let numbers: Vec<Moving> = shape.numbers.iter().map(|&n| wide::<L>(n)).collect();
+            let transform = in_lane::<L, _>(&shape.transform, 0);
+            shape.kernel.at::<Moving>().intersect(&numbers, transform, ray).margin
+        }
+        (_, index) => {
+            let sphere = integrator.inputs.spheres[index].map(wide::<L>);
+            sphere_margin::<Moving>(sphere, ray)
+        }
+    }
+}
+
+/// A struct in one lane, in double precision.
+fn in_lane<L: Plain, T: Fields<Dual<L>>>(value: &T, lane: usize) -> T::With<Moving> {
+    value.map(|number| wide::<L>(Number::lane(number, lane)))
+}
+
+fn wide<L: Plain>(number: Dual<L::Lane>) -> Moving {
+    Dual::new(number.value.to_f64(), number.derivative.to_f64())
+}
+
+fn widened<L: Plain>(v: Vec3<Dual<L::Lane>>) -> Vec3<Moving> {
+    Vector3::new(wide::<L>(v.x()), wide::<L>(v.y()), wide::<L>(v.z()))
+}
