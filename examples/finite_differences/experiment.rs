@@ -8,7 +8,7 @@ use renderer::experiment::{Experiment, OptimizeSection, Target, TunedParameter};
 use renderer::optimize::Objective;
 use renderer::recovery::Recovery;
 use renderer::{
-    Error, ImageLoss, LossKind, Material, Mesh, ParameterId, Renderer, Scene, Settings,
+    Edges, Error, ImageLoss, LossKind, Material, Mesh, ParameterId, Renderer, Scene, Settings,
 };
 
 use super::random::Random;
@@ -99,7 +99,11 @@ pub fn experiment(scene: Scene, random: &mut Random) -> Experiment {
 
 /// The problem in double precision, which finite differences need.
 pub fn recovery(experiment: &Experiment) -> Result<Recovery<'_>, Error> {
-    Recovery::new(experiment, "random triangles", &Settings::default().in_double_precision())
+    Recovery::new(
+        experiment,
+        "random triangles",
+        &Settings { edges: Edges::Off, ..Settings::default() }.in_double_precision(),
+    )
 }
 
 /// The derivatives by the backward pass. The mirror is one number, so its three channels add up.

@@ -2,7 +2,7 @@
 
 use renderer::demo::demo_experiment;
 use renderer::experiment::Target;
-use renderer::{Error, Image, ParameterId, Scene, Settings, render, render_jvp};
+use renderer::{Edges, Error, Image, ParameterId, Scene, Settings, render, render_jvp};
 
 /// The tree of the demo under its true light, in an image of `size` by `size` pixels.
 pub fn scene(size: u32) -> Result<Scene, Error> {
@@ -19,7 +19,7 @@ pub fn scene(size: u32) -> Result<Scene, Error> {
 }
 
 fn settings() -> Settings {
-    Settings::default().in_double_precision()
+    Settings { edges: Edges::On, ..Settings::default() }.in_double_precision()
 }
 
 /// By central differences of two images in double precision. The images see edges move.

@@ -57,8 +57,8 @@ pub fn render(scene: &Scene, settings: &Settings) -> Result<Image, Error> {
 /// Renders a scene; the second result is the pullback, from a cotangent of the image (the derivatives of
 /// some loss by each channel of each pixel) to the gradient by the requested parameters.
 ///
-/// The pullback traces the scene again. For parameters that move edges the gradient holds the interior
-/// term, see [`Differentiability`](crate::scene::Differentiability).
+/// The pullback traces the scene again. If any of the parameters moves edges, both see edges, unless the
+/// [settings](Settings::edges) say otherwise.
 ///
 /// # Errors
 ///

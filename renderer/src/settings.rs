@@ -1,6 +1,7 @@
 //! How a scene is rendered.
 
 use crate::arithmetic::{Arithmetic, Precision};
+use crate::scene::ParameterId;
 pub use crate::trace::bvh::BuildQuality;
 pub use crate::trace::sampling::{GradientSamples, Samples, Sampling};
 
@@ -45,6 +46,17 @@ pub enum Edges {
     On,
     /// Never: pixels are means of samples, and gradients the interior term alone.
     Off,
+}
+
+impl Edges {
+    /// What they are for gradients by some parameters: on or off.
+    pub fn for_parameters(self, ids: &[ParameterId]) -> Self {
+        match self {
+            Self::Auto if ids.iter().any(|id| id.moves_edges()) => Self::On,
+            Self::Auto => Self::Off,
+            chosen => chosen,
+        }
+    }
 }
 
 /// How it is found which primitive a pixel shows. The images are the same, but for pixels on edges at

@@ -6,9 +6,9 @@
 //!
 //! The error is that of the whole gradient ([`GradientMetric`]), relative to the gradient in double
 //! precision with all mirrors that the scene asks for. What every setting shares it does not see:
-//! which primitive a ray meets is always decided in single precision, and silhouettes and shadow
-//! edges that move are missing from every gradient
-//! ([`Differentiability`](crate::scene::Differentiability)).
+//! which primitive a ray meets is always decided in single precision, and, without
+//! [edges](crate::Settings::edges), silhouettes and shadow edges that move are missing from every
+//! gradient.
 //!
 //! Rays through pixels are as given, or chosen too ([`Rays`]). Which of it means something depends on
 //! the target. One that the same renderer made from the same rays is matched by these rays exactly,

@@ -48,10 +48,15 @@ pub fn sweep<L: Plain>(
 ) -> Vec<Sums> {
     let (width, height) = (integrator.layout.width, integrator.layout.height);
     let integrator = integrator.with_zero_weight(request.zero_weight);
-    for_each_strip(width, height, || Chain::new(integrator, scene, request), |chain, strip| {
-        strip.tiles().for_each(|tile| chain.tile(loss, &tile));
-        chain.scatter.take()
-    })
+    for_each_strip(
+        width,
+        height,
+        || Chain::new(integrator, scene, request),
+        |chain, strip| {
+            strip.tiles().for_each(|tile| chain.tile(loss, &tile));
+            chain.scatter.take()
+        },
+    )
 }
 
 /// The work on strips that follow each other on a thread.
@@ -102,7 +107,14 @@ impl<'a, L: Plain> Chain<'a, L> {
         request: &'a Request,
     ) -> Self {
         let scatter = Scatter::new(request);
-        Self { integrator, scene, path: Path::default(), states: Vec::new(), scatter, spacing: None }
+        Self {
+            integrator,
+            scene,
+            path: Path::default(),
+            states: Vec::new(),
+            scatter,
+            spacing: None,
+        }
     }
 
     fn tile(&mut self, loss: &dyn PixelLoss, tile: &Tile) {
@@ -427,7 +439,7 @@ impl<'a, L: Plain> Chain<'a, L> {
             let beyond = deeper.first().filter(|_| depth + 1 < wavefronts.len());
             let wavefront = &wavefronts[depth];
             for (group, surface) in wavefront.groups.iter().zip(surfaces) {
-                let Some(SurfaceCotangent { mut surface, uv }) = *surface else { continue };
+                let Some(SurfaceCotangent { mut surface, mut uv }) = *surface else { continue };
                 count(|counts| &counts.surface_pullbacks, u64::from(group.alive.count_ones()));
                 if let Some(state) = beyond {
                     surface.accumulate(self.pull_next_ray(group, &state.rays[group.block()]));
@@ -435,12 +447,15 @@ impl<'a, L: Plain> Chain<'a, L> {
                 let grazing = group.lanes_of(*grazing);
                 if grazing != 0 {
                     surface = select_lanes::<L, _>(grazing, &Additive::zero(), &surface);
+                    uv = uv.map(|uv| select_lanes::<L, _>(grazing, &Additive::zero(), &uv));
                 }
                 let film = (depth == 0).then(|| wavefront.film[group.block()]);
                 let weight = film.zip(self.spacing);
-                let weight = weight.and_then(|(film, spacing)| self.limb_weight(group, film, spacing));
+                let weight =
+                    weight.and_then(|(film, spacing)| self.limb_weight(group, film, spacing));
                 if let Some(weight) = weight {
                     surface = Fields::from_fn(&mut |index| surface.number(index) * weight);
+                    uv = uv.map(|uv| Fields::from_fn(&mut |index| uv.number(index) * weight));
                 }
                 let ray = self.pull_surface(group, surface, uv);
                 if depth > 0 {
@@ -664,7 +679,9 @@ fn loss_of_black(loss: &dyn PixelLoss, tile: &Tile, missed: u64) -> f64 {
 
 /// Vectors, by lane; the other lanes are zero. Nothing if all are zero.
 #[inline]
-pub(super) fn nonzero_lanes<L: Plain>(vectors: impl Iterator<Item = (usize, DVec3)>) -> Option<Vec3<L>> {
+pub(super) fn nonzero_lanes<L: Plain>(
+    vectors: impl Iterator<Item = (usize, DVec3)>,
+) -> Option<Vec3<L>> {
     let mut lanes = [DVec3::ZERO; MAX_LANES];
     vectors.for_each(|(lane, vector)| lanes[lane] = vector);
     let matters = lanes.iter().any(|&vector| vector != DVec3::ZERO);

@@ -12,9 +12,9 @@ use super::scatter::Sums;
 use crate::edges::{Crossing, Edge, Geometry, Layer, PACKET_CROSSINGS, View};
 use crate::loss::PixelLoss;
 use crate::number::{MAX_LANES, Plain, widen};
+use crate::primal::coalesce::select_lanes;
 use crate::primal::integrator::Integrator;
 use crate::primal::known::KnownPaths;
-use crate::primal::coalesce::select_lanes;
 use crate::primal::lanes::{lanes_of_vectors, vectors_of_lanes};
 use crate::primal::wavefront::{LaneGroup, Source, Wavefront, blocks};
 use crate::scene::Scene;
@@ -61,7 +61,8 @@ pub fn sweep_with_edges<L: Plain>(
 
     let pulled = pull_shares(&view, &cotangents);
     let start = || (Chain::new(integrator, scene, request), KnownPaths::default());
-    let crossings = view.crossings.par_chunks(PACKET_CROSSINGS).zip(pulled.par_chunks(PACKET_CROSSINGS));
+    let crossings =
+        view.crossings.par_chunks(PACKET_CROSSINGS).zip(pulled.par_chunks(PACKET_CROSSINGS));
     let boundary = crossings.map_init(start, |(chain, known), (crossings, pulled)| {
         view.paths(&Geometry::new(integrator), crossings, known);
         chain.pull_crossings(known, crossings, pulled);
@@ -105,8 +106,8 @@ impl<L: Plain> Chain<'_, L> {
             let side = |ray: usize| pulled[ray / 2].radiance[ray % 2];
             nonzero_lanes::<L>(group.rays().map(|(lane, ray)| (lane, side(ray))))
         });
-        for (depth, (state, wavefront)) in states.iter_mut().zip(wavefronts).enumerate() {
-            state.grazing = grazing(crossings, depth);
+        for (state, wavefront) in states.iter_mut().zip(wavefronts) {
+            state.grazing = grazing(crossings, wavefront);
             state.surfaces.resize_with(wavefront.groups.len(), || None);
             for surface in &mut state.surfaces {
                 surface.get_or_insert(SurfaceCotangent { surface: Additive::zero(), uv: None });
@@ -234,7 +235,8 @@ impl<L: Plain> Chain<'_, L> {
                 let mut places = [DVec3::ZERO; MAX_LANES];
                 for (place, edge) in places.iter_mut().zip(edges) {
                     if let Some(Edge::Segment(ends)) = edge {
-                        *place = widen::<L::Lane>(self.integrator.inputs.vertices[ends[end] as usize]);
+                        *place =
+                            widen::<L::Lane>(self.integrator.inputs.vertices[ends[end] as usize]);
                     }
                 }
                 lanes_of_vectors::<L>(&places)
@@ -296,14 +298,16 @@ impl<L: Plain> Chain<'_, L> {
     }
 }
 
-/// A bit for each side of a crossing whose ray grazes a curved surface at this depth.
-fn grazing(crossings: &[Crossing], depth: usize) -> u64 {
-    let grazes = |crossing: &Crossing| {
-        crossing.layer == Layer::Surface(depth as u32)
-            && matches!(crossing.edge, Edge::Silhouette(_))
+/// A bit for each side of a crossing whose ray grazes a curved surface in a wavefront: one that is
+/// transparent is grazed twice.
+fn grazing<L: Plain>(crossings: &[Crossing], wavefront: &Wavefront<L>) -> u64 {
+    let grazes = |ray: usize| match crossings[ray / 2] {
+        Crossing { layer: Layer::Surface(_), edge: Edge::Silhouette(grazed), .. } => {
+            wavefront.hits.primitive[ray] == grazed
+        }
+        _ => false,
     };
-    let sides = |index: usize| if grazes(&crossings[index]) { 0b11 << (2 * index) } else { 0 };
-    (0..crossings.len()).fold(0, |bits, index| bits | sides(index))
+    (0..2 * crossings.len()).fold(0, |bits, ray| bits | u64::from(grazes(ray)) << ray)
 }
 
 /// From the number of a curve in which the surfaces on both sides of a crossing pierce each other to the

@@ -2,8 +2,7 @@
 
 use crate::scene::ParameterId;
 
-/// Derivatives by parameters of a scene, each in the shape of its parameter. For parameters that move
-/// edges they are the interior term, see [`Differentiability`](crate::scene::Differentiability).
+/// Derivatives by parameters of a scene, each in the shape of its parameter.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Gradient {
     blocks: Vec<(ParameterId, Vec<f64>)>,

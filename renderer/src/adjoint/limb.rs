@@ -24,7 +24,8 @@ impl<L: Plain> Chain<'_, L> {
         (x, y): (L, L),
         spacing: f64,
     ) -> Option<L> {
-        let Some(Primitive::Sphere(sphere)) = self.integrator.primitive(group.kind, &group.primitives)
+        let Some(Primitive::Sphere(sphere)) =
+            self.integrator.primitive(group.kind, &group.primitives)
         else {
             return None;
         };

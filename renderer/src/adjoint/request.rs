@@ -13,10 +13,6 @@ use crate::trace::layout::Layout;
 use crate::transport::light::match_light;
 use crate::transport::material::Lobes;
 
-/// The fields of lights that do not say where the light comes from.
-const LIGHT_STRENGTH: [&str; 6] =
-    ["color", "radiant_intensity", "power", "irradiance", "inner_angle", "outer_angle"];
-
 /// A bit for each number of a struct.
 pub type Bits = u64;
 
@@ -164,22 +160,7 @@ impl Request {
 
     /// Whether edges count.
     pub fn has_edges(&self, edges: Edges) -> bool {
-        match edges {
-            Edges::Auto => self.moves_edges(),
-            Edges::On => true,
-            Edges::Off => false,
-        }
-    }
-
-    /// Whether edges in the image may depend on any of them.
-    fn moves_edges(&self) -> bool {
-        self.ids.iter().any(|id| match id.object {
-            Object::Camera | Object::Shape(_) => true,
-            Object::Mesh(_) => id.field != "texture_coordinates",
-            Object::Sphere(_) => id.field != "rotation",
-            Object::Light(_) => !LIGHT_STRENGTH.contains(&id.field),
-            Object::Material(_) | Object::Texture(_) => false,
-        })
+        edges.for_parameters(&self.ids) == Edges::On
     }
 
     /// Whether transforms are among them whose meshes' vertices are not.

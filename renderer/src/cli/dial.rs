@@ -8,7 +8,7 @@ use crate::accuracy::{Rays, pick};
 use crate::arithmetic::{Arithmetic, Precision};
 use crate::experiment::{Experiment, Target};
 use crate::recovery::Recovery;
-use crate::settings::Settings;
+use crate::settings::{Edges, Settings};
 
 /// How accurate a gradient has to be.
 #[derive(clap::Args)]
@@ -18,6 +18,11 @@ pub(super) struct Dial {
     /// in place of --samples too
     #[arg(long, value_name = "E", value_parser = accuracy)]
     accuracy: Option<f64>,
+
+    /// Whether the image and the gradient see edges: areas on both sides, and what pixels gain and lose
+    /// when silhouettes and shadows move
+    #[arg(long, value_enum, default_value_t = Edges::Auto)]
+    edges: Edges,
 
     #[command(flatten)]
     sampling: SamplingArguments,
@@ -45,7 +50,8 @@ impl Dial {
         let place = problem.scene.display().to_string();
         let in_arithmetic = |arithmetic| {
             let sampling = self.sampling.sampling();
-            let settings = Settings { arithmetic, sampling, ..Settings::default() };
+            let settings =
+                Settings { arithmetic, sampling, edges: self.edges, ..Settings::default() };
             let recovery = Recovery::new(experiment, &place, &settings)?;
             Ok::<_, Error>(problem.allowing(recovery))
         };

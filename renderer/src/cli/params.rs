@@ -7,7 +7,6 @@ use serde_json::{Map, Value};
 use super::load;
 use super::output::{abbreviate, json_numbers, print};
 use crate::Error;
-use crate::scene::Differentiability;
 
 #[derive(clap::Args)]
 pub(super) struct Arguments {
@@ -34,14 +33,10 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Error> {
 
     let mut rows: Vec<[String; 4]> = Vec::new();
     for id in scene.parameters() {
-        let kind = match id.differentiability() {
-            Differentiability::Smooth => "differentiable",
-            Differentiability::Interior => "differentiable, without moving edges",
-        };
         let shape: Vec<_> = scene.shape(id).iter().map(usize::to_string).collect();
         let shape = if shape.is_empty() { "1".into() } else { shape.join(" x ") };
         let value = abbreviate(&scene.get(id));
-        rows.push([scene.path(id).to_string(), shape, kind.into(), value]);
+        rows.push([scene.path(id).to_string(), shape, "differentiable".into(), value]);
     }
     for (path, value) in size {
         rows.push([path.into(), "1".into(), "not differentiable".into(), value.to_string()]);

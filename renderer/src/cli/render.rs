@@ -10,7 +10,7 @@ use crate::arithmetic::Arithmetic;
 use crate::display::{ToneMapping, expose, normalize};
 use crate::files::{check_image_path, save_image};
 use crate::render::Renderer;
-use crate::settings::{Pass, PrimaryVisibility, Settings};
+use crate::settings::{Edges, Pass, PrimaryVisibility, Settings};
 
 #[derive(clap::Args)]
 pub(super) struct Arguments {
@@ -24,6 +24,10 @@ pub(super) struct Arguments {
     /// Make the image brighter by so many stops, each a factor of two; negative for darker
     #[arg(long, value_name = "STOPS", allow_negative_numbers = true, value_parser = stops)]
     exposure: Option<f64>,
+
+    /// What pixels show at edges: both sides by the areas that they cover, or what rays happen to hit
+    #[arg(long, value_enum, default_value_t = Antialias::Coverage)]
+    antialias: Antialias,
 
     /// How to show what is brighter than white: clipped, or compressed (Reinhard)
     #[arg(long, value_enum, default_value_t = ToneMapping::Clamp)]
@@ -50,6 +54,12 @@ pub(super) struct Arguments {
     normalize: bool,
 }
 
+#[derive(Clone, Copy, clap::ValueEnum)]
+enum Antialias {
+    Coverage,
+    None,
+}
+
 /// A number of stops: as many as lead from the faintest to the brightest number.
 fn stops(text: &str) -> Result<f64, String> {
     let stops: f64 = text.parse().map_err(|_| "not a number".to_owned())?;
@@ -65,6 +75,10 @@ pub(super) fn run(arguments: &Arguments, arithmetic: Arithmetic) -> Result<(), E
         visibility: arguments.visibility,
         pass: arguments.pass,
         sampling: arguments.sampling.sampling(),
+        edges: match arguments.antialias {
+            Antialias::Coverage => Edges::On,
+            Antialias::None => Edges::Off,
+        },
         ..Settings::default()
     };
     let renderer = Renderer::unchecked(&experiment.scene, &settings);

@@ -9,8 +9,7 @@ use crate::Error;
 use crate::disk::{create_folder, write_atomically};
 use crate::experiment::{Experiment, Target};
 use crate::recovery::Recovery;
-use crate::scene::{Differentiability, ParameterId};
-use crate::settings::Settings;
+use crate::settings::{Edges, Settings};
 use crate::tradeoff::{
     Curve, Measurement, SamplingRuns, ScheduleRun, Titles, Tradeoff, best_step, csv, curves_svg,
     measure, measure_sampling, measure_schedules, sampling_csv, sampling_curves, sampling_table,
@@ -37,7 +36,11 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Error> {
     let out = arguments.out.clone().unwrap_or_else(|| Path::new("out").join("tradeoff"));
     check_out_folder(&out, std::iter::empty())?;
     let invented = invent_target(&mut experiment);
-    let recovery = Recovery::new(&experiment, &place, &Settings::default().in_double_precision())?;
+    let recovery = Recovery::new(
+        &experiment,
+        &place,
+        &Settings { edges: Edges::Off, ..Settings::default() }.in_double_precision(),
+    )?;
     recovery.evaluate()?;
     let scene = &experiment.scene;
     print(format_args!(
@@ -72,10 +75,9 @@ fn print_tradeoff(recovery: &Recovery<'_>, tradeoff: &Tradeoff) -> Result<(), Er
             print(format_args!("{label}: the best step is {step:.0e}, off by {error:.1e}"))?;
         }
     }
-    let is_interior = |id: &ParameterId| id.differentiability() == Differentiability::Interior;
-    if recovery.ids().iter().any(is_interior) {
+    if recovery.ids().iter().any(|id| id.moves_edges()) {
         print(
-            "Differences also see silhouettes and shadow edges move; the reference is the interior term.",
+            "Differences also see silhouettes and shadow edges move; the reference is the interior term, without edges.",
         )?;
     }
     remarks.iter().try_for_each(print)

@@ -220,13 +220,7 @@ impl Cell<'_> {
     }
 
     /// The length of a straight piece of edge, whose ends move with two crossings, by pixel.
-    fn segment(
-        &self,
-        from: Point,
-        crossings: [u32; 2],
-        end: Point,
-        work: &mut Workspace<'_>,
-    ) {
+    fn segment(&self, from: Point, crossings: [u32; 2], end: Point, work: &mut Workspace<'_>) {
         let (dx, dy) = (end[0] - from[0], end[1] - from[1]);
         let length = (dx * dx + dy * dy).sqrt();
         let mut cuts = [0.0, 1.0, 1.0, 1.0];
@@ -265,12 +259,7 @@ impl Cell<'_> {
     }
 
     /// The areas that regions have in quarters of the cell whose samples see others.
-    fn areas(
-        &self,
-        stops: &[Stop<'_>],
-        joint: Option<Point>,
-        work: &mut Workspace<'_>,
-    ) {
+    fn areas(&self, stops: &[Stop<'_>], joint: Option<Point>, work: &mut Workspace<'_>) {
         let [left, top] = self.start;
         let corner = |index: usize| {
             let right = matches!(index % 4, 1 | 2);
@@ -397,9 +386,6 @@ fn meeting(edges: &[&Crossing]) -> Option<Point> {
     }
     let determinant = xx * yy - xy * xy;
     (determinant >= 1e-4).then(|| {
-        [
-            origin[0] + (x * yy - y * xy) / determinant,
-            origin[1] + (y * xx - x * xy) / determinant,
-        ]
+        [origin[0] + (x * yy - y * xy) / determinant, origin[1] + (y * xx - x * xy) / determinant]
     })
 }

@@ -159,7 +159,8 @@ impl<'a, L: Plain> Search<'a, L> {
     /// The first depth at which two paths meet other surfaces.
     fn parting(&self, first: Path, last: Path) -> Option<usize> {
         let (first, last) = (self.of(first), self.of(last));
-        let is_other = |(a, b): (&KnownHit, &KnownHit)| (a.primitive, a.leaves) != (b.primitive, b.leaves);
+        let is_other =
+            |(a, b): (&KnownHit, &KnownHit)| (a.primitive, a.leaves) != (b.primitive, b.leaves);
         first.iter().zip(last).position(is_other)
     }
 
@@ -172,7 +173,8 @@ impl<'a, L: Plain> Search<'a, L> {
             self.shadows(link, part);
             return;
         };
-        let surface = |path: Path| Some(self.of(path)[depth]).filter(|hit| hit.primitive != NO_PRIMITIVE);
+        let surface =
+            |path: Path| Some(self.of(path)[depth]).filter(|hit| hit.primitive != NO_PRIMITIVE);
         let (a, b) = (surface(first), surface(last));
         let exit = |surface: Option<KnownHit>, ends: [f64; 2]| {
             let primitive = surface?.primitive;
@@ -183,18 +185,20 @@ impl<'a, L: Plain> Search<'a, L> {
             self.geometry.exit(primitive, ends, |at: f64| self.ray(link, first, depth, at))
         };
         let (of_a, of_b) = (exit(a, [from, to]), exit(b, [to, from]));
-        let in_front = |at: f64, one: Option<KnownHit>, other: Option<KnownHit>| match (one, other) {
+        let in_front = |at: f64, one: Option<KnownHit>, other: Option<KnownHit>| match (one, other)
+        {
             (None, _) => false,
             (Some(_), None) => true,
             (Some(one), Some(other)) => {
                 let ray = self.ray(link, first, depth, at);
-                let (one, other) = (self.geometry.depth(&one, ray), self.geometry.depth(&other, ray));
+                let (one, other) =
+                    (self.geometry.depth(&one, ray), self.geometry.depth(&other, ray));
                 one <= other
             }
         };
         if let (Some((end_of_a, edge)), Some((end_of_b, _))) = (of_a, of_b) {
             if (end_of_a - end_of_b).abs() <= SHARED {
-                self.emit(link, end_of_a, depth, edge, [first, last]);
+                self.between(link, end_of_a, depth, edge, part, divisions);
                 return;
             }
             if end_of_a < end_of_b {
@@ -222,7 +226,11 @@ impl<'a, L: Plain> Search<'a, L> {
                 if let (Some(a), Some(b)) = (a, b) {
                     let low = of_b.map_or(from, |(at, _)| at);
                     let high = of_a.map_or(to, |(at, _)| at);
-                    self.pierced(link, (depth, [a, b]), [low, high], [first, last]);
+                    let surfaces = [a, b];
+                    if let Some(at) = self.pierced(link, (depth, surfaces), [low, high], first) {
+                        let edge = Edge::Intersection(surfaces.map(|hit| code(&hit)));
+                        self.between(link, at, depth, edge, part, divisions);
+                    }
                 }
             }
         }
@@ -255,6 +263,8 @@ impl<'a, L: Plain> Search<'a, L> {
             // Rounding: the ray still meets what is in front.
             behind = far;
         }
+        let start = if is_first { part.from } else { part.to };
+        let near = self.settled(link, at, (start, near), depth, divisions);
         let sides = if is_first { [near, behind] } else { [behind, near] };
         self.emit(link, at, depth, edge, sides);
         let rest = match is_first {
@@ -266,25 +276,63 @@ impl<'a, L: Plain> Search<'a, L> {
         }
     }
 
-    /// Adds the place where two surfaces pierce each other, the first one in front at `low`.
-    fn pierced(
+    /// Adds an edge between the surfaces at the ends of a part.
+    fn between(
         &mut self,
+        link: &Link,
+        at: f64,
+        depth: usize,
+        edge: Edge,
+        part: Part,
+        divisions: usize,
+    ) {
+        let first = self.settled(link, at, (part.from, part.first), depth, divisions);
+        let last = self.settled(link, at, (part.to, part.last), depth, divisions);
+        self.emit(link, at, depth, edge, [first, last]);
+    }
+
+    /// The path next to an edge on the side of an end of a link. Beyond the surface with the edge it may
+    /// be another than at the end: what lies between them is searched for.
+    fn settled(
+        &mut self,
+        link: &Link,
+        at: f64,
+        (end, path): (f64, Path),
+        depth: usize,
+        divisions: usize,
+    ) -> Path {
+        if self.of(path).len() <= depth + 1 || (end - at).abs() <= 2.0 * BEYOND {
+            return path;
+        }
+        let beside = at + BEYOND * (end - at).signum();
+        let found = self.traced(link, beside);
+        if self.parting(path, found).is_some_and(|parting| parting <= depth) {
+            return path;
+        }
+        let rest = match beside < end {
+            true => Part { from: beside, to: end, first: found, last: path },
+            false => Part { from: end, to: beside, first: path, last: found },
+        };
+        self.search(link, rest, divisions + 1);
+        found
+    }
+
+    /// Where two surfaces pierce each other, the first one in front at `low`.
+    fn pierced(
+        &self,
         link: &Link,
         (depth, surfaces): (usize, [KnownHit; 2]),
         [low, high]: [f64; 2],
-        sides: [Path; 2],
-    ) {
+        path: Path,
+    ) -> Option<f64> {
         let behind = |at: f64| {
-            let ray = self.ray(link, sides[0], depth, low + at * (high - low));
+            let ray = self.ray(link, path, depth, low + at * (high - low));
             let [a, b] = surfaces.map(|surface| self.geometry.depth(&surface, ray));
             b - a
         };
         let (start, end) = (behind(0.0), behind(1.0));
-        if !(start >= 0.0 && end < 0.0) {
-            return;
-        }
-        let at = low + root(behind, start, end) * (high - low);
-        self.emit(link, at, depth, Edge::Intersection(surfaces.map(|hit| code(&hit))), sides);
+        let is_between = start >= 0.0 && end < 0.0;
+        is_between.then(|| low + root(behind, start, end) * (high - low))
     }
 
     /// Adds the shadow edges between two ends that see the same surfaces.
@@ -319,8 +367,7 @@ impl<'a, L: Plain> Search<'a, L> {
         for _ in 0..MOST_BLOCKERS {
             let Some(in_front) = found else { return };
             let shadow_ray = |at: f64| self.geometry.shadow_ray(light, &place(self, at).1);
-            let Some((at, edge)) =
-                self.geometry.exit(in_front.primitive, [from, to], shadow_ray)
+            let Some((at, edge)) = self.geometry.exit(in_front.primitive, [from, to], shadow_ray)
             else {
                 return;
             };
@@ -344,9 +391,10 @@ impl<'a, L: Plain> Search<'a, L> {
         if let (0, Edge::Segment(ends)) = (depth, edge) {
             let slopes = self.geometry.linear_slopes(ends, link.place(at));
             let is_short = self.geometry.is_short(ends, SHORT * link.length);
-            self.crossings.extend(crossing(link, at, layer, edge, sides, slopes).map(|crossing| {
-                Crossing { is_short, ..crossing }
-            }));
+            self.crossings.extend(
+                crossing(link, at, layer, edge, sides, slopes)
+                    .map(|crossing| Crossing { is_short, ..crossing }),
+            );
             return;
         }
         let number = |place: [f64; 2]| {

@@ -42,12 +42,13 @@ impl View {
         let mut pixels: Vec<DVec3> =
             pixels_dual(integrator, grid).into_iter().map(|[_, derivative]| derivative).collect();
         let start = || (KnownPaths::default(), Path::default());
-        let packets = self.crossings.par_chunks(PACKET_CROSSINGS).map_init(start, |state, chunk| {
-            let (known, path) = state;
-            self.paths(geometry, chunk, known);
-            integrator.trace_path(Source::Known(known), path);
-            moved(integrator, path.wavefronts(), chunk)
-        });
+        let packets =
+            self.crossings.par_chunks(PACKET_CROSSINGS).map_init(start, |state, chunk| {
+                let (known, path) = state;
+                self.paths(geometry, chunk, known);
+                integrator.trace_path(Source::Known(known), path);
+                moved(integrator, path.wavefronts(), chunk)
+            });
         let moved: Vec<Vec<Moved>> = packets.collect();
         let moved = moved.concat();
         for share in &self.shares {
@@ -109,7 +110,9 @@ fn margin<L: Plain>(
             );
             in_lane::<L, _>(&ray, lane)
         }
-        Layer::Surface(depth) => in_lane::<L, _>(&wavefronts.get(depth as usize)?.rays[block], lane),
+        Layer::Surface(depth) => {
+            in_lane::<L, _>(&wavefronts.get(depth as usize)?.rays[block], lane)
+        }
         Layer::Shadow(depth, light) => {
             in_lane::<L, _>(&integrator.shadow_ray(light as usize, group_of(depth, ray)?), lane)
         }

@@ -51,6 +51,10 @@ impl<'a, L: Plain> Geometry<'a, L> {
         self.integrator.layout.kind_of(primitive as usize).0 == Kind::Triangle
     }
 
+    fn is_custom(&self, primitive: u32) -> bool {
+        self.integrator.layout.kind_of(primitive as usize).0 == Kind::Custom
+    }
+
     /// The coordinates of [`film_point`] of a place in pixels from the upper left corner.
     pub fn film(&self, [x, y]: [f64; 2]) -> [f64; 2] {
         let [width, height] = self.size;
@@ -87,21 +91,14 @@ impl<'a, L: Plain> Geometry<'a, L> {
     }
 
     /// The ray that goes on from a surface point.
-    pub fn next(
-        &self,
-        known: &KnownHit,
-        surface: &SurfacePoint<f64>,
-    ) -> Ray<f64> {
-        let is_transparent = self.integrator.layout.traits_of(known.primitive as usize).is_transparent;
+    pub fn next(&self, known: &KnownHit, surface: &SurfacePoint<f64>) -> Ray<f64> {
+        let is_transparent =
+            self.integrator.layout.traits_of(known.primitive as usize).is_transparent;
         next_ray::<f64>(*surface, is_transparent)
     }
 
     /// The surface point where a ray meets a primitive, or its plane if that is flat.
-    pub fn surface(
-        &self,
-        known: &KnownHit,
-        ray: Ray<f64>,
-    ) -> SurfacePoint<f64> {
+    pub fn surface(&self, known: &KnownHit, ray: Ray<f64>) -> SurfacePoint<f64> {
         let inside = known.leaves;
         match self.integrator.layout.kind_of(known.primitive as usize) {
             (Kind::Triangle, index) => {
@@ -166,10 +163,7 @@ impl<'a, L: Plain> Geometry<'a, L> {
     }
 
     /// The numbers and the transform of a shape of one's own.
-    fn shape(
-        &self,
-        index: usize,
-    ) -> (Vec<f64>, Transform<f64>) {
+    fn shape(&self, index: usize) -> (Vec<f64>, Transform<f64>) {
         let shape = &self.integrator.inputs.shapes[index];
         let numbers = shape.numbers.iter().map(|number| number.to_f64()).collect();
         let transform = shape.transform.map(|number| number.lane(0).to_f64());
@@ -187,8 +181,7 @@ impl<'a, L: Plain> Geometry<'a, L> {
                 path.push(KnownHit { primitive: NO_PRIMITIVE, leaves: false, blocked: 0 });
                 return;
             };
-            let mut known =
-                KnownHit { primitive: met.primitive, leaves: met.leaves, blocked: 0 };
+            let mut known = KnownHit { primitive: met.primitive, leaves: met.leaves, blocked: 0 };
             let surface = self.surface(&known, ray);
             for light in 0..layout.lights.len() {
                 let is_blocked = self.blocker(light, &known, &ray, &surface).is_some();
@@ -230,22 +223,28 @@ impl<'a, L: Plain> Geometry<'a, L> {
         let origin = surface.point + surface.normal * error_of(ray, surface);
         let (origin, direction) = (origin.as_vec3(), towards.direction.as_vec3());
         let mut found = None;
-        tracer.bvh.visit_crossings(origin, direction, towards.distance as f32, from, |id, leaves| {
-            if layout.traits_of(id as usize).is_transparent && layout.has_transparency {
-                return true;
-            }
-            found = Some(KnownHit { primitive: id, leaves, blocked: 0 });
-            false
-        });
+        tracer.bvh.visit_crossings(
+            origin,
+            direction,
+            towards.distance as f32,
+            from,
+            |id, leaves| {
+                let is_clear =
+                    layout.traits_of(id as usize).is_transparent && layout.has_transparency;
+                // From outside no ray comes back to a sphere that it leaves.
+                let is_itself = id == known.primitive && !known.leaves && !self.is_custom(id);
+                if is_clear || is_itself {
+                    return true;
+                }
+                found = Some(KnownHit { primitive: id, leaves, blocked: 0 });
+                false
+            },
+        );
         found
     }
 
     /// The ray from a surface point to a light.
-    pub fn shadow_ray(
-        &self,
-        light: usize,
-        surface: &SurfacePoint<f64>,
-    ) -> Ray<f64> {
+    pub fn shadow_ray(&self, light: usize, surface: &SurfacePoint<f64>) -> Ray<f64> {
         let direction = self.integrator.tracer.illuminate(light, surface.point).direction;
         Ray { origin: surface.point, direction }
     }

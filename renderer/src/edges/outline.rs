@@ -81,9 +81,13 @@ fn first_exit(
     root: impl Fn(usize, f64, f64, f64) -> f64,
 ) -> Option<(f64, usize)> {
     // All edges have the same sign where a ray goes through the triangle.
-    let largest = margins.iter().fold(0.0_f64, |largest, [start, _]| {
-        if start.abs() > largest.abs() { *start } else { largest }
-    });
+    let largest =
+        margins.iter().fold(
+            0.0_f64,
+            |largest, [start, _]| {
+                if start.abs() > largest.abs() { *start } else { largest }
+            },
+        );
     let sign = largest.signum();
     let mut first: Option<(f64, usize)> = None;
     for (edge, [before, after]) in margins.into_iter().enumerate() {

@@ -29,7 +29,9 @@ impl Polygon {
 
     /// Whether a corner is beyond a border, as in [`clip`](Self::clip).
     pub fn reaches(&self, axis: usize, border: f64, above: bool) -> bool {
-        self.0.iter().any(|corner| if above { corner[axis] > border } else { corner[axis] < border })
+        self.0
+            .iter()
+            .any(|corner| if above { corner[axis] > border } else { corner[axis] < border })
     }
 
     /// The part whose coordinate `axis` is at least `border`, or at most if not `above` (Sutherland &

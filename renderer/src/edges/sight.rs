@@ -55,7 +55,8 @@ impl Sights {
 
     /// The pixel of a sample, unless it is outside of the image.
     pub fn pixel(&self, column: usize, row: usize) -> Option<u32> {
-        let is_inside = (1..self.columns - 1).contains(&column) && (1..self.rows - 1).contains(&row);
+        let is_inside =
+            (1..self.columns - 1).contains(&column) && (1..self.rows - 1).contains(&row);
         let width = (self.columns - 2) / self.side;
         is_inside.then(|| ((row - 1) / self.side * width + (column - 1) / self.side) as u32)
     }
@@ -77,9 +78,8 @@ impl Sights {
                     if primitive == NO_PRIMITIVE { primitive } else { primitive | leaves };
                 plane.primitives[at].store(primitive, Ordering::Relaxed);
                 let blocked = wavefront.blocked.iter().take(MOST_LIGHTS).enumerate();
-                let blocked = blocked.fold(0, |bits, (light, blocked)| {
-                    bits | (blocked >> ray & 1) << light
-                });
+                let blocked =
+                    blocked.fold(0, |bits, (light, blocked)| bits | (blocked >> ray & 1) << light);
                 if let Some(of_plane) = plane.blocked.get(at) {
                     of_plane.store(blocked, Ordering::Relaxed);
                 }
@@ -112,7 +112,8 @@ impl Sights {
     pub fn are_same(&self, a: usize, b: usize) -> bool {
         self.depths.iter().all(|plane| {
             let primitive = |at: usize| plane.primitives[at].load(Ordering::Relaxed);
-            let blocked = |at: usize| plane.blocked.get(at).map(|bits| bits.load(Ordering::Relaxed));
+            let blocked =
+                |at: usize| plane.blocked.get(at).map(|bits| bits.load(Ordering::Relaxed));
             primitive(a) == primitive(b) && blocked(a) == blocked(b)
         })
     }
@@ -141,8 +142,7 @@ impl Sights {
 /// How many surfaces the paths of a scene have at most.
 pub fn depths<L: Plain>(integrator: &Integrator<'_, L>) -> usize {
     let layout = integrator.layout;
-    let goes_on =
-        integrator.zero_weight.mirrors || layout.has_mirrors || layout.has_transparency;
+    let goes_on = integrator.zero_weight.mirrors || layout.has_mirrors || layout.has_transparency;
     if goes_on { layout.bounces as usize + 1 } else { 1 }
 }
 

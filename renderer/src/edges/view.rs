@@ -69,9 +69,10 @@ impl View {
         for row in &rows {
             starts.push(starts[starts.len() - 1] + row.crossings.len());
         }
-        let shares = (0..sights.rows - 1).into_par_iter().map_init(Workspace::default, |work, row| {
-            shares(geometry, &sights, (&rows, &starts), row, work)
-        });
+        let shares =
+            (0..sights.rows - 1).into_par_iter().map_init(Workspace::default, |work, row| {
+                shares(geometry, &sights, (&rows, &starts), row, work)
+            });
         let shares: Vec<Vec<Share>> = shares.collect();
         let shares = shares.concat();
         let (mut crossings, mut hits) = (Vec::new(), Vec::new());
@@ -134,21 +135,22 @@ impl View {
     fn sides<L: Plain>(&self, integrator: Integrator<'_, L>) -> Vec<[DVec3; 2]> {
         let geometry = Geometry::new(integrator);
         let start = || (KnownPaths::default(), path::Path::default());
-        let packets = self.crossings.par_chunks(PACKET_CROSSINGS).map_init(start, |state, chunk| {
-            let (known, path) = state;
-            self.paths(&geometry, chunk, known);
-            let mut radiance = vec![[DVec3::ZERO; 2]; chunk.len()];
-            integrator.trace_path(Source::Known(known), path);
-            let wavefronts = path.wavefronts();
-            for group in &wavefronts[0].groups {
-                let vertex = integrator.vertex(group, &wavefronts[0], wavefronts.get(1));
-                let of_lanes = vectors_of_lanes::<L>(vertex.radiance());
-                for (lane, ray) in group.rays() {
-                    radiance[ray / 2][ray % 2] = of_lanes[lane];
+        let packets =
+            self.crossings.par_chunks(PACKET_CROSSINGS).map_init(start, |state, chunk| {
+                let (known, path) = state;
+                self.paths(&geometry, chunk, known);
+                let mut radiance = vec![[DVec3::ZERO; 2]; chunk.len()];
+                integrator.trace_path(Source::Known(known), path);
+                let wavefronts = path.wavefronts();
+                for group in &wavefronts[0].groups {
+                    let vertex = integrator.vertex(group, &wavefronts[0], wavefronts.get(1));
+                    let of_lanes = vectors_of_lanes::<L>(vertex.radiance());
+                    for (lane, ray) in group.rays() {
+                        radiance[ray / 2][ray % 2] = of_lanes[lane];
+                    }
                 }
-            }
-            radiance
-        });
+                radiance
+            });
         let packets: Vec<Vec<[DVec3; 2]>> = packets.collect();
         packets.concat()
     }

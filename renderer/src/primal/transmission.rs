@@ -22,11 +22,7 @@ use crate::transport::texture::modulate_opacity;
 impl<S: Number> Integrator<'_, S> {
     /// Adds to the visibility masks of a wavefront the rays that end where lights shine through
     /// transparent surfaces.
-    pub fn trace_transmissions(
-        &self,
-        known: Option<&KnownHits>,
-        wavefront: &mut Wavefront<S>,
-    ) {
+    pub fn trace_transmissions(&self, known: Option<&KnownHits>, wavefront: &mut Wavefront<S>) {
         wavefront.transmissions.clear();
         if !self.layout.has_transparency {
             return;

@@ -72,8 +72,9 @@ impl<'a> Recovery<'a> {
         }
         check_overlaps(scene, &section, place)?;
         check_learning_rates(scene, &section, place)?;
-        let (target, truth) = load_target(scene, &section, place, settings)?;
         let ids: Vec<_> = section.parameters.iter().map(|tuned| tuned.id).collect();
+        let settings = Settings { edges: settings.edges.for_parameters(&ids), ..*settings };
+        let (target, truth) = load_target(scene, &section, place, &settings)?;
         let variables = section
             .parameters
             .iter()
@@ -83,16 +84,7 @@ impl<'a> Recovery<'a> {
             })
             .collect();
         let (allow_non_finite, left_out) = (false, Arc::default());
-        Ok(Self {
-            scene,
-            section,
-            settings: *settings,
-            target,
-            ids,
-            variables,
-            allow_non_finite,
-            left_out,
-        })
+        Ok(Self { scene, section, settings, target, ids, variables, allow_non_finite, left_out })
     }
 
     /// The same problem, with the same target, rendered in another way.

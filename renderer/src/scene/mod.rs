@@ -51,7 +51,7 @@ pub use light::{LightObject, LightSource};
 pub use material::{MaterialObject, MaterialTextures, Slot};
 pub use mesh::Mesh;
 pub use object::{Object, ParameterId};
-pub use parameter::{Differentiability, ParameterPath};
+pub use parameter::ParameterPath;
 pub use shape::ShapeObject;
 pub use sphere::SphereObject;
 pub use texture::{Texture, Wrap};

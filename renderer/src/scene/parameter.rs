@@ -8,23 +8,10 @@ use ad::{Field, Fields};
 use super::numbers::Numbers;
 use super::{Material, Mesh, Object, ParameterId, Scene, table};
 
-/// What the gradient of a parameter is worth.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Differentiability {
-    /// The image depends smoothly on the parameter: the gradient is all there is.
-    Smooth,
-    /// The parameter also moves silhouettes or the edges of shadows. The gradient holds the interior
-    /// term; the jumps at these edges are missing from it.
-    Interior,
-}
-
 impl ParameterId {
-    /// What a gradient with respect to the parameter is worth.
-    pub fn differentiability(self) -> Differentiability {
-        match table::row(self).moves_edges {
-            true => Differentiability::Interior,
-            false => Differentiability::Smooth,
-        }
+    /// Whether silhouettes, shadows or other edges in the image move with the parameter.
+    pub fn moves_edges(self) -> bool {
+        table::row(self).moves_edges
     }
 }
 

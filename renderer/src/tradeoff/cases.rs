@@ -7,6 +7,7 @@ use super::engine::{
     Adjoint, Differences, Engine, Forward, Geometry, ImageFirst, Question, Tape, is_geometry,
 };
 use super::measurement::Case;
+use super::without_edges;
 use crate::accuracy::GradientMetric;
 use crate::arithmetic::Arithmetic;
 use crate::recovery::Recovery;
@@ -28,7 +29,7 @@ pub(super) fn cases<'a>(
     metric: &GradientMetric,
 ) -> (Vec<Case<'a>>, Vec<String>) {
     let scene = recovery.scene();
-    let settings = Settings::default();
+    let settings = without_edges();
     let question = Question { recovery, settings };
     let (mut cases, mut remarks) = (Vec::new(), Vec::new());
     let mut push = |axis, setting: String, engine, elements| {

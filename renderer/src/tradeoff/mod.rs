@@ -39,7 +39,7 @@ pub(crate) use tests::{gradient_on_tapes, random_experiment};
 
 use crate::accuracy::GradientMetric;
 use crate::recovery::Recovery;
-use crate::settings::Settings;
+use crate::settings::{Edges, Settings};
 
 /// What was measured on a scene.
 #[derive(Clone, Debug, PartialEq)]
@@ -60,7 +60,7 @@ pub struct Tradeoff {
 pub fn measure(recovery: &Recovery<'_>, seconds: f64) -> Tradeoff {
     let scene = recovery.scene();
     let metric = GradientMetric::new(scene, recovery.ids());
-    let settings = Settings::default().in_double_precision();
+    let settings = without_edges().in_double_precision();
     let mut exact = Adjoint::new(Question { recovery, settings });
     let gradient = exact.gradient();
     let image = exact.image().expect("the adjoint has an image");
@@ -68,4 +68,9 @@ pub fn measure(recovery: &Recovery<'_>, seconds: f64) -> Tradeoff {
     let reference = Reference { metric, gradient, image };
     let measurements = measure_in_turns(&mut cases, &reference, seconds);
     Tradeoff { measurements, remarks }
+}
+
+/// What all ways to a gradient have in common is its interior term.
+fn without_edges() -> Settings {
+    Settings { edges: Edges::Off, ..Settings::default() }
 }

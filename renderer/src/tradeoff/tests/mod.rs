@@ -19,7 +19,7 @@ fn exactly<'a>(recovery: &'a Recovery<'_>) -> Question<'a> {
 }
 
 fn recovery(experiment: &Experiment) -> Recovery<'_> {
-    let settings = Settings::default().in_double_precision();
+    let settings = without_edges().in_double_precision();
     Recovery::new(experiment, "a generated scene", &settings).unwrap()
 }
 

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use crate::experiment::{Experiment, Target, TunedParameter};
-use crate::scene::{Differentiability, Object, ParameterId};
+use crate::scene::{Object, ParameterId};
 
 /// Numbers that look random (Knuth's linear congruential generator, the upper bits).
 pub struct Random(pub u64);
@@ -92,7 +92,7 @@ fn tune(experiment: &mut Experiment, random: &mut Random) {
     let all_kinds = random.happens(0.5);
     let mut ids = scene.parameters();
     ids.retain(|&id| {
-        let possible = all_kinds || id.differentiability() == Differentiability::Smooth;
+        let possible = all_kinds || !id.moves_edges();
         // Nothing shows how most spheres are turned.
         possible && !["up", "rotation"].contains(&id.field) && random.happens(0.25)
     });

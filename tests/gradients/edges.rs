@@ -1,0 +1,319 @@
+//! Gradients with edges: against differences of finely sampled images, and of the coverage image.
+
+use renderer::glam::DVec3;
+use renderer::{
+    Camera, DistantLight, Edges, Image, Material, Mesh, PixelLoss, PointLight, Renderer, Sampling,
+    Scene, Settings, SphereObject, render, render_jvp, render_vjp,
+};
+
+const WIDTH: u32 = 48;
+const HEIGHT: u32 = 40;
+
+/// A loss that is linear in the image, with weights that vary slowly over it.
+struct Weights;
+
+impl PixelLoss for Weights {
+    fn evaluate(&self, x: u32, y: u32, radiance: DVec3) -> (f64, DVec3) {
+        let (x, y) = (f64::from(x), f64::from(y));
+        let weight = 1.0 + (0.21 * x + 0.4).sin() + (0.17 * y + 0.1 * x).cos();
+        let weights = DVec3::new(1.0, 0.5, 0.7) * weight;
+        (weights.dot(radiance), weights)
+    }
+}
+
+fn settings(edges: Edges, side: u32) -> Settings {
+    let settings = Settings { edges, sampling: Sampling::Grid(side), ..Settings::default() };
+    settings.in_double_precision()
+}
+
+fn scene() -> Scene {
+    let (from, at) = (DVec3::new(0.3, 1.6, 4.0), DVec3::new(0.05, 0.35, 0.0));
+    Scene::new(WIDTH, HEIGHT, Camera::looking(from, at))
+}
+
+fn paint(scene: &mut Scene, name: &str, albedo: [f64; 3], mirror: f64) -> u32 {
+    let material = Material { mirror: DVec3::splat(mirror), ..Material::lambertian(albedo.into()) };
+    scene.add_material(name, material).unwrap()
+}
+
+fn add_floor(scene: &mut Scene, mirror: f64) {
+    let paint = paint(scene, "floor", [0.3, 0.7, 0.4], mirror);
+    let corners = vec![[-6.0, 0.0, -6.0], [6.0, 0.0, -6.0], [6.0, 0.0, 6.0], [-6.0, 0.0, 6.0]];
+    let floor = Mesh::new("floor", corners, vec![[0, 2, 1], [0, 3, 2]]).material(paint);
+    scene.add_mesh(floor).unwrap();
+}
+
+fn add_triangle(scene: &mut Scene) {
+    let paint = paint(scene, "triangle", [0.8, 0.3, 0.2], 0.0);
+    let corners = vec![[-0.61, 0.33, 0.1], [0.73, 0.21, 0.3], [0.14, 1.17, -0.2]];
+    scene.add_mesh(Mesh::new("shape", corners, vec![[0, 1, 2]]).material(paint)).unwrap();
+}
+
+/// Three faces, two of which meet in a ridge.
+fn add_wedge(scene: &mut Scene) {
+    let paint = paint(scene, "wedge", [0.8, 0.3, 0.2], 0.0);
+    let corners = vec![
+        [-0.8, 0.1, 0.0],
+        [0.03, 0.1, 0.6],
+        [0.05, 1.3, 0.55],
+        [-0.8, 1.3, 0.0],
+        [0.9, 0.1, -0.1],
+        [0.9, 1.3, -0.1],
+    ];
+    let faces = vec![[0, 1, 2], [0, 2, 3], [1, 4, 5], [1, 5, 2]];
+    scene.add_mesh(Mesh::new("shape", corners, faces).material(paint)).unwrap();
+}
+
+fn add_ball(scene: &mut Scene) {
+    let paint = paint(scene, "ball", [0.8, 0.3, 0.2], 0.0);
+    let ball = SphereObject::new("ball", DVec3::new(0.1, 0.7, 0.0), 0.55).material(paint);
+    scene.add_sphere(ball).unwrap();
+}
+
+fn add_lamp(scene: &mut Scene) {
+    let position = DVec3::new(1.1, 3.0, 2.0);
+    let lamp = PointLight { position, color: DVec3::ONE, radiant_intensity: 12.0 };
+    scene.add_light("lamp", lamp).unwrap();
+}
+
+fn add_sun(scene: &mut Scene) {
+    let direction = DVec3::new(0.5, 1.0, 0.6);
+    let sun = DistantLight { direction, color: DVec3::ONE, irradiance: 2.0 };
+    scene.add_light("sun", sun).unwrap();
+}
+
+fn gradient(scene: &Scene, settings: &Settings, path: &str) -> Vec<f64> {
+    let id = scene.parameter(path).unwrap();
+    let renderer = Renderer::new(scene, settings).unwrap();
+    renderer.loss_and_gradient(scene, &Weights, &[id]).gradient.concat()
+}
+
+/// Central differences of the loss.
+fn differences(scene: &Scene, settings: &Settings, path: &str, step: f64) -> Vec<f64> {
+    let id = scene.parameter(path).unwrap();
+    let values = scene.get(id).into_owned();
+    let loss = |index: usize, by: f64| {
+        let (mut moved, mut values) = (scene.clone(), values.clone());
+        values[index] += by;
+        moved.set(id, &values).unwrap();
+        Renderer::new(&moved, settings).unwrap().loss(&Weights)
+    };
+    let count = values.len();
+    (0..count).map(|index| (loss(index, step) - loss(index, -step)) / (2.0 * step)).collect()
+}
+
+fn relative_error(found: &[f64], expected: &[f64]) -> f64 {
+    let norm = |numbers: &mut dyn Iterator<Item = f64>| numbers.map(|x| x * x).sum::<f64>().sqrt();
+    let mut off = found.iter().zip(expected).map(|(found, expected)| found - expected);
+    norm(&mut off) / norm(&mut expected.iter().copied())
+}
+
+/// The gradient is that of a finely sampled image; the interior term alone is far from it.
+#[track_caller]
+fn check(scene: &Scene, path: &str, side: u32, most: f64) {
+    let expected = differences(scene, &settings(Edges::Off, 32), path, 5e-3);
+    let found = gradient(scene, &settings(Edges::On, side), path);
+    let error = relative_error(&found, &expected);
+    assert!(error < most, "{path}: {error:.1e}: {found:?} {expected:?}");
+}
+
+#[test]
+fn silhouettes_of_a_triangle() {
+    let mut scene = scene();
+    add_triangle(&mut scene);
+    add_sun(&mut scene);
+    for path in ["camera.look_at", "mesh.shape.vertices", "mesh.shape.translation"] {
+        check(&scene, path, 1, 1e-2);
+    }
+    let interior = gradient(&scene, &settings(Edges::Off, 1), "mesh.shape.translation");
+    assert_eq!(interior, [0.0; 3], "a flat face under a distant light looks the same everywhere");
+}
+
+#[test]
+fn shadows_on_a_floor() {
+    let mut scene = scene();
+    add_floor(&mut scene, 0.0);
+    add_triangle(&mut scene);
+    add_lamp(&mut scene);
+    for path in ["light.lamp.position", "mesh.shape.translation", "camera.look_at"] {
+        check(&scene, path, 4, 4e-2);
+    }
+}
+
+#[test]
+fn ridges() {
+    let mut scene = scene();
+    add_wedge(&mut scene);
+    add_lamp(&mut scene);
+    for path in ["mesh.shape.vertices", "camera.look_from", "camera.vfov"] {
+        check(&scene, path, 4, 2e-2);
+    }
+}
+
+#[test]
+fn edges_in_a_mirror() {
+    let mut scene = scene();
+    add_floor(&mut scene, 0.6);
+    add_triangle(&mut scene);
+    add_lamp(&mut scene);
+    for path in ["mesh.shape.vertices", "camera.look_at", "light.lamp.position"] {
+        check(&scene, path, 4, 2e-2);
+    }
+}
+
+#[test]
+fn spheres() {
+    let mut scene = scene();
+    add_floor(&mut scene, 0.0);
+    add_ball(&mut scene);
+    add_lamp(&mut scene);
+    for path in ["sphere.ball.center", "sphere.ball.radius", "light.lamp.position"] {
+        check(&scene, path, 4, 0.1);
+    }
+}
+
+/// Two triangles that pierce each other.
+#[test]
+fn curves_in_which_surfaces_pierce_each_other() {
+    let mut scene = scene();
+    add_triangle(&mut scene);
+    let paint = paint(&mut scene, "other", [0.3, 0.7, 0.4], 0.0);
+    let corners = vec![[-0.9, 0.3, 0.9], [0.9, 0.45, 0.9], [0.0, 1.1, -0.9]];
+    scene.add_mesh(Mesh::new("other", corners, vec![[0, 1, 2]]).material(paint)).unwrap();
+    add_sun(&mut scene);
+    for path in ["mesh.other.translation", "mesh.shape.translation"] {
+        check(&scene, path, 4, 3e-2);
+    }
+}
+
+/// A square that faces the camera and moves in its plane: nothing turns, so the coverage image changes
+/// exactly as its gradient says.
+#[test]
+fn the_coverage_image_agrees_with_its_gradient() {
+    let mut scene = Scene::new(24, 20, Camera::looking(DVec3::Z * 4.0, DVec3::ZERO));
+    let glow = Material { emission: DVec3::ONE, ..Material::lambertian(DVec3::ZERO) };
+    let glow = scene.add_material("glow", glow).unwrap();
+    let corners =
+        vec![[-0.71, -0.52, 0.0], [0.83, -0.61, 0.0], [0.64, 0.57, 0.0], [-0.55, 0.69, 0.0]];
+    let square = Mesh::new("square", corners, vec![[0, 1, 2], [0, 2, 3]]).material(glow);
+    scene.add_mesh(square).unwrap();
+    for side in [1, 2, 3] {
+        let settings = settings(Edges::On, side);
+        let found = gradient(&scene, &settings, "mesh.square.translation");
+        let expected = differences(&scene, &settings, "mesh.square.translation", 1e-6);
+        let error = relative_error(&found[..2], &expected[..2]);
+        assert!(error < 1e-8, "{side}: {error:.1e}: {found:?} {expected:?}");
+    }
+}
+
+/// Edges through the middles of samples and along the borders of pixels count once.
+#[test]
+fn areas_are_exact_wherever_edges_lie() {
+    for offset in [0.0, 0.25, 0.5, 0.75] {
+        // One scene unit is one pixel, seen from far away.
+        let mut camera = Camera::looking(DVec3::Z * 1e4, DVec3::ZERO);
+        camera.vfov = 2.0 * (8.0_f64 / 1e4).atan().to_degrees();
+        let mut scene = Scene::new(16, 16, camera);
+        let glow = Material { emission: DVec3::ONE, ..Material::lambertian(DVec3::ZERO) };
+        let glow = scene.add_material("glow", glow).unwrap();
+        let [left, right] = [-4.0 + offset, 3.0 + offset];
+        let corners =
+            vec![[left, -3.0, 0.0], [right, -3.0, 0.0], [right, 2.0, 0.0], [left, 2.0, 0.0]];
+        let square = Mesh::new("square", corners, vec![[0, 1, 2], [0, 2, 3]]).material(glow);
+        scene.add_mesh(square).unwrap();
+        let image = render(&scene, &settings(Edges::On, 1)).unwrap();
+        let area: f64 = image.pixels.iter().map(|pixel| f64::from(pixel[0])).sum();
+        assert!((area - 35.0).abs() < 1e-3, "{offset}: {area}");
+    }
+}
+
+/// Everything together moves nothing.
+#[test]
+fn moving_the_scene_with_its_camera_changes_nothing() {
+    let mut scene = scene();
+    add_floor(&mut scene, 0.0);
+    add_wedge(&mut scene);
+    add_lamp(&mut scene);
+    let paths = [
+        "camera.look_from",
+        "camera.look_at",
+        "light.lamp.position",
+        "mesh.shape.translation",
+        "mesh.floor.translation",
+    ];
+    let settings = settings(Edges::On, 1);
+    let blocks: Vec<Vec<f64>> = paths.map(|path| gradient(&scene, &settings, path)).into();
+    for axis in 0..3 {
+        let parts = blocks.iter().map(|block| block[axis]);
+        let (sum, size) =
+            parts.fold((0.0, 0.0_f64), |(sum, size), x: f64| (sum + x, size.max(x.abs())));
+        assert!(sum.abs() < 1e-9 * size, "{sum:e} of {size:e}");
+    }
+}
+
+/// Without spheres, whose limb is treated by the reverse pass alone, both modes give the same numbers.
+#[test]
+fn forward_and_reverse_mode_agree() {
+    let mut scene = scene();
+    add_floor(&mut scene, 0.4);
+    add_wedge(&mut scene);
+    add_lamp(&mut scene);
+    for path in ["camera.look_from", "mesh.shape.vertices", "light.lamp.position"] {
+        let id = scene.parameter(path).unwrap();
+        let direction: Vec<f64> =
+            (0..scene.get(id).len()).map(|index| (1.7 * index as f64).sin() + 0.2).collect();
+        let settings = settings(Edges::Auto, 1);
+        let (image, pullback) = render_vjp(&scene, &settings, &[id]).unwrap();
+        let (same, along) = render_jvp(&scene, &settings, &[(id, direction.clone())]).unwrap();
+        assert!(
+            image
+                .pixels
+                .iter()
+                .flatten()
+                .zip(same.pixels.iter().flatten())
+                .all(|(a, b)| a == b || (a - b).abs() < 1e-6)
+        );
+        let weights = |x: u32, y: u32| Weights.evaluate(x, y, DVec3::ZERO).1.as_vec3().to_array();
+        let pixels = (0..HEIGHT).flat_map(|y| (0..WIDTH).map(move |x| weights(x, y))).collect();
+        let cotangent = Image { width: WIDTH, height: HEIGHT, pixels };
+        let gradient = pullback(&cotangent).concat();
+        let reverse: f64 = gradient.iter().zip(&direction).map(|(a, b)| a * b).sum();
+        let products = along.pixels.as_flattened().iter().zip(cotangent.pixels.as_flattened());
+        let forward: f64 = products.map(|(a, b)| f64::from(*a) * f64::from(*b)).sum();
+        assert!((reverse - forward).abs() < 1e-5 * reverse.abs(), "{path}: {reverse} {forward}");
+    }
+}
+
+#[test]
+fn edges_are_the_same_in_single_precision_and_on_any_number_of_threads() {
+    let mut scene = scene();
+    add_floor(&mut scene, 0.3);
+    add_wedge(&mut scene);
+    add_ball(&mut scene);
+    add_lamp(&mut scene);
+    let single = Settings { edges: Edges::On, ..Settings::default() };
+    for path in ["camera.look_at", "mesh.shape.vertices", "sphere.ball.center"] {
+        let on_threads = |threads: usize, settings: &Settings| {
+            let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+            pool.install(|| gradient(&scene, settings, path))
+        };
+        let [one, three] = [1, 3].map(|threads| on_threads(threads, &single));
+        assert_eq!(one, three);
+        let error = relative_error(&one, &gradient(&scene, &single.in_double_precision(), path));
+        assert!(error < 1e-3, "{path}: {error:.1e}");
+    }
+}
+
+/// Parameters that move no edge have the gradient that they have without edges.
+#[test]
+fn who_moves_no_edge_pays_nothing() {
+    let mut scene = scene();
+    add_floor(&mut scene, 0.0);
+    add_triangle(&mut scene);
+    add_lamp(&mut scene);
+    for path in ["light.lamp.radiant_intensity", "material.triangle.diffuse"] {
+        let [auto, off] = [Edges::Auto, Edges::Off]
+            .map(|edges| gradient(&scene, &Settings { edges, ..Settings::default() }, path));
+        assert_eq!(auto, off);
+    }
+}
