@@ -72,7 +72,8 @@ pub fn render_vjp(
     settings: &Settings,
     requested: &[ParameterId],
 ) -> Result<(Image, impl Fn(&Image) -> Gradient + use<>), Error> {
-    let renderer = Renderer::new(scene, settings)?;
+    let settings = Settings { edges: settings.edges.for_parameters(requested), ..*settings };
+    let renderer = Renderer::new(scene, &settings)?;
     let (image, scene, requested) = (renderer.render(), scene.clone(), requested.to_vec());
     Ok((image, move |cotangent: &Image| renderer.pullback(&scene, cotangent, &requested)))
 }

@@ -111,7 +111,8 @@ fn relative_error(found: &[f64], expected: &[f64]) -> f64 {
 /// The gradient is that of a finely sampled image; the interior term alone is far from it.
 #[track_caller]
 fn check(scene: &Scene, path: &str, side: u32, most: f64) {
-    let expected = differences(scene, &settings(Edges::Off, 32), path, 5e-3);
+    let step = if path.ends_with("vfov") { 0.2 } else { 5e-3 };
+    let expected = differences(scene, &settings(Edges::Off, 32), path, step);
     let found = gradient(scene, &settings(Edges::On, side), path);
     let error = relative_error(&found, &expected);
     assert!(error < most, "{path}: {error:.1e}: {found:?} {expected:?}");
@@ -126,7 +127,8 @@ fn silhouettes_of_a_triangle() {
         check(&scene, path, 1, 1e-2);
     }
     let interior = gradient(&scene, &settings(Edges::Off, 1), "mesh.shape.translation");
-    assert_eq!(interior, [0.0; 3], "a flat face under a distant light looks the same everywhere");
+    // A flat face under a distant light looks the same everywhere.
+    assert!(interior.iter().all(|part| part.abs() < 1e-12), "{interior:?}");
 }
 
 #[test]

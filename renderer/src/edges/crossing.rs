@@ -158,10 +158,19 @@ impl<'a, L: Plain> Search<'a, L> {
 
     /// The first depth at which two paths meet other surfaces.
     fn parting(&self, first: Path, last: Path) -> Option<usize> {
-        let (first, last) = (self.of(first), self.of(last));
-        let is_other =
-            |(a, b): (&KnownHit, &KnownHit)| (a.primitive, a.leaves) != (b.primitive, b.leaves);
-        first.iter().zip(last).position(is_other)
+        let are_same = |a: &KnownHit, b: &KnownHit| {
+            let is_seen = a.primitive != NO_PRIMITIVE && b.primitive != NO_PRIMITIVE;
+            (a.primitive, a.leaves) == (b.primitive, b.leaves)
+                || is_seen && self.geometry.are_continuous(a.primitive, b.primitive)
+        };
+        let mut both = self.of(first).iter().zip(self.of(last));
+        both.position(|(a, b)| !are_same(a, b))
+    }
+
+    /// Whether two paths meet the same primitives up to a depth.
+    fn meet_same(&self, first: Path, last: Path, depth: usize) -> bool {
+        let surfaces = |path: Path| self.of(path).iter().take(depth + 1);
+        surfaces(first).map(code).eq(surfaces(last).map(code))
     }
 
     fn search(&mut self, link: &Link, part: Part, divisions: usize) {
@@ -204,7 +213,7 @@ impl<'a, L: Plain> Search<'a, L> {
             if end_of_a < end_of_b {
                 let middle = 0.5 * (end_of_a + end_of_b);
                 let between = self.traced(link, middle);
-                if self.parting(first, between).is_none() || self.parting(between, last).is_none() {
+                if self.meet_same(first, between, depth) || self.meet_same(between, last, depth) {
                     // Rounding: there is nothing between.
                     self.emit(link, middle, depth, edge, [first, last]);
                     return;
@@ -259,18 +268,25 @@ impl<'a, L: Plain> Search<'a, L> {
         let beyond = at + BEYOND * (end - at).signum();
         let is_far = (end - at).abs() <= 2.0 * BEYOND;
         let mut behind = if is_far { far } else { self.traced(link, beyond) };
-        if self.parting(near, behind).is_none() {
+        if self.meet_same(near, behind, depth) {
             // Rounding: the ray still meets what is in front.
             behind = far;
+        }
+        let rest = match is_first {
+            true => Part { from: beyond, first: behind, ..part },
+            false => Part { to: beyond, last: behind, ..part },
+        };
+        if self.parting(near, behind).is_none_or(|parting| parting > depth) {
+            // The surface goes on.
+            if !is_far {
+                self.search(link, rest, divisions + 1);
+            }
+            return;
         }
         let start = if is_first { part.from } else { part.to };
         let near = self.settled(link, at, (start, near), depth, divisions);
         let sides = if is_first { [near, behind] } else { [behind, near] };
         self.emit(link, at, depth, edge, sides);
-        let rest = match is_first {
-            true => Part { from: beyond, first: behind, ..part },
-            false => Part { to: beyond, last: behind, ..part },
-        };
         if !is_far {
             self.search(link, rest, divisions + 1);
         }
@@ -337,7 +353,8 @@ impl<'a, L: Plain> Search<'a, L> {
 
     /// Adds the shadow edges between two ends that see the same surfaces.
     fn shadows(&mut self, link: &Link, part: Part) {
-        for depth in 0..self.of(part.first).len() {
+        let depths = self.of(part.first).len().min(self.of(part.last).len());
+        for depth in 0..depths {
             let blocked = |path: Path| self.of(path)[depth].blocked;
             let mut differs = blocked(part.first) ^ blocked(part.last);
             while differs != 0 {

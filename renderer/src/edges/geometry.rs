@@ -19,6 +19,9 @@ use crate::transport::surface::SurfacePoint;
 use crate::transport::triangle::Triangle;
 use crate::transport::vertex::next_ray;
 
+/// The square of the largest angle between the planes of triangles that count as one.
+const COPLANAR: f64 = 1e-24;
+
 /// A boundary of what rays see.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Edge {
@@ -49,6 +52,31 @@ impl<'a, L: Plain> Geometry<'a, L> {
 
     pub fn is_triangle(&self, primitive: u32) -> bool {
         self.integrator.layout.kind_of(primitive as usize).0 == Kind::Triangle
+    }
+
+    /// Whether two primitives are parts of one smooth surface: neighbouring triangles of a plane that look
+    /// the same.
+    pub fn are_continuous(&self, a: u32, b: u32) -> bool {
+        let layout = self.integrator.layout;
+        let [first, second] = match [a, b].map(|primitive| layout.kind_of(primitive as usize)) {
+            [(Kind::Triangle, a), (Kind::Triangle, b)] => [a, b].map(|at| layout.triangles[at]),
+            _ => return false,
+        };
+        let shared = first.iter().filter(|vertex| second.contains(vertex)).count();
+        let material = layout.material_of[a as usize];
+        if shared < 2
+            || material != layout.material_of[b as usize]
+            || layout.materials[material as usize].textures.any()
+        {
+            return false;
+        }
+        let normal = |[a, b, c]: [u32; 3]| {
+            let [a, b, c] = [a, b, c].map(|vertex| self.vertex(vertex));
+            (b - a).cross(c - a)
+        };
+        let (first, second) = (normal(first), normal(second));
+        first.cross(second).length_squared()
+            <= COPLANAR * first.length_squared() * second.length_squared()
     }
 
     fn is_custom(&self, primitive: u32) -> bool {

@@ -118,11 +118,17 @@ impl Sights {
         })
     }
 
-    /// Whether two samples see the same surfaces.
-    pub fn have_same_path(&self, a: usize, b: usize) -> bool {
+    /// Whether two samples see the same surfaces: the same primitives, or some that are `continuous`.
+    pub fn have_same_path(
+        &self,
+        a: usize,
+        b: usize,
+        continuous: impl Fn(u32, u32) -> bool,
+    ) -> bool {
         self.depths.iter().all(|plane| {
-            let primitive = |at: usize| plane.primitives[at].load(Ordering::Relaxed);
-            primitive(a) == primitive(b)
+            let [a, b] = [a, b].map(|at| plane.primitives[at].load(Ordering::Relaxed));
+            let is_seen = |code: u32| code & !LEAVES != END;
+            a == b || is_seen(a) && is_seen(b) && continuous(a & !LEAVES, b & !LEAVES)
         })
     }
 

@@ -247,6 +247,7 @@ fn shares<'a, L: Plain>(
         }
         _ => false,
     };
+    let continuous = |a: u32, b: u32| geometry.are_continuous(a, b);
     let columns_of = |links: &[(u32, u32, u32)]| -> Vec<usize> {
         links.iter().map(|link| link.0 as usize).collect()
     };
@@ -277,7 +278,7 @@ fn shares<'a, L: Plain>(
             pixels: samples.map(|(column, row)| sights.pixel(column, row)),
             is_uniform: samples[1..]
                 .iter()
-                .all(|&sample| sights.have_same_path(at(samples[0]), at(sample))),
+                .all(|&sample| sights.have_same_path(at(samples[0]), at(sample), continuous)),
             size: [layout.width, layout.height],
             adjacent: &adjacent,
             is_quiet: &is_quiet,
