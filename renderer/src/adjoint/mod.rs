@@ -20,6 +20,7 @@ mod reduce;
 mod request;
 mod scatter;
 mod selection;
+mod smooth;
 
 pub(crate) use chain::sweep;
 pub use gradient::{Gradient, LossAndGradient};

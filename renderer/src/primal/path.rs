@@ -11,7 +11,6 @@ use crate::number::{Number, primal_vector};
 use crate::trace::bvh::{PacketHits, rays};
 use crate::trace::layout::Kind;
 use crate::transport::camera::Ray;
-use crate::transport::vertex::next_ray;
 
 /// The paths of one sample of a tile: a wavefront for each depth. A pixel has the same ray in each.
 pub struct Path<S: Number> {
@@ -85,7 +84,7 @@ impl<S: Number> Integrator<'_, S> {
             }
             sent |= u64::from(lanes) << group.first;
             count(|counts| &counts.secondary_rays, u64::from(lanes.count_ones()));
-            let ray = next_ray::<S>(group.surface, S::mask(transparent));
+            let ray = group.next_rays(transparent);
             put(group, lanes, &ray, &mut sent_on);
             let origins = group.origins(transparent);
             let directions = vectors_of_lanes::<S::Lanes>(primal_vector::<S>(ray.direction));
