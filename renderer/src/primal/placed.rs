@@ -23,8 +23,9 @@ pub struct PlacedMesh<'a, S: Number> {
 impl<'a, S: Number> PlacedMesh<'a, S> {
     pub fn new(index: usize, mesh: &'a Mesh, varying: &'a Varying<S::Wide>) -> Self {
         let object = Object::Mesh(index);
-        let varies =
-            Transform::<f64>::FIELDS.iter().any(|field| varying.block(object, field.name).is_some());
+        let varies = Transform::<f64>::FIELDS
+            .iter()
+            .any(|field| varying.block(object, field.name).is_some());
         Self {
             mesh,
             object,
@@ -35,11 +36,7 @@ impl<'a, S: Number> PlacedMesh<'a, S> {
     }
 
     /// Replaces the vertices, relative to an origin; returns whether one has moved.
-    pub fn replace_vertices(
-        &self,
-        origin: Vec3<S::Wide>,
-        vertices: &mut [Vec3<S::Lane>],
-    ) -> bool {
+    pub fn replace_vertices(&self, origin: Vec3<S::Wide>, vertices: &mut [Vec3<S::Lane>]) -> bool {
         let block = self.block("vertices");
         let world = |own: &[S::Wide; 3]| narrow_vector::<S>(self.world(own) - origin);
         let replace = |(vertex, slot): (usize, &mut Vec3<S::Lane>)| {

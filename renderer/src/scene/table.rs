@@ -11,7 +11,7 @@ use super::{LightSource, Mesh, Object, ParameterId, Scene};
 /// Lengths and coordinates beyond this overflow when an `f32` squares them.
 const LARGEST_LENGTH: f64 = 1e18;
 /// Lengths below this vanish when an `f32` squares them.
-pub(super) const SMALLEST_LENGTH: f64 = 1e-18;
+pub(crate) const SMALLEST_LENGTH: f64 = 1e-18;
 /// Other numbers beyond this leave the range of an `f32`.
 const LARGEST_NUMBER: f64 = 1e38;
 /// The power of a rounding error next to 1 is far from 1 beyond this exponent, and the highlight is
