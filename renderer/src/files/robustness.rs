@@ -12,7 +12,7 @@ use proptest::prelude::*;
 use proptest::sample::Index;
 use proptest::test_runner::TestRunner;
 
-use super::load_image;
+use super::{FileNormals, MeshFormat, load_image, load_mesh_with};
 use crate::Error;
 use crate::experiment::Experiment;
 
@@ -48,7 +48,8 @@ const GLTF: &str = r#"{"asset":{"version":"2.0"},"extensions":{"KHR_lights_punct
 const TOML: &str = "[camera]\nlook_from = [0, 0, 5]\nlook_at = [0, 0, 0]\nwidth = 8\nheight = 6\n\
                     [[light]]\nname = \"key\"\ntype = \"point\"\nposition = [1, 2, 3]\n\
                     radiant_intensity = 9.0\n[[sphere]]\nname = \"ball\"\ncenter = [0, 0, 0]\nradius = 1\n\
-                    material = \"paint\"\n[material.paint]\ndiffuse = [0.5, 0.5, 0.5]\n[optimize]\n\
+                    material = \"paint\"\n[[mesh]]\npath = \"seed.obj\"\nname = \"all\"\n\
+                    material = \"paint\"\nnormals = \"file\"\n[material.paint]\ndiffuse = [0.5, 0.5, 0.5]\n[optimize]\n\
                     optimizer = { type = \"adam\", beta1 = 0.8 }\nschedule = \"cosine\"\n\
                     target_values = { \"light.key.color\" = [1, 0, 0] }\n\
                     [[optimize.parameter]]\npath = \"light.key.color\"\nmin = 0\nmax = [2, 2, 2]\n";
@@ -155,7 +156,12 @@ fn load(folder: &Path, name: &str, content: &[u8]) -> Result<(), Error> {
             load_image(&path).map(|_| ()).and(texture)
         }
         Some("mtl") => Experiment::load(&folder.join("seed.obj")).map(|_| ()),
-        _ => Experiment::load(&path).map(|_| ()),
+        _ => {
+            let is_mesh = MeshFormat::of(&path).is_some();
+            let normals = || load_mesh_with(&path, FileNormals::Read).map(|_| ());
+            let normals = if is_mesh { normals() } else { Ok(()) };
+            Experiment::load(&path).map(|_| ()).and(normals)
+        }
     };
     if let Some(before) = before {
         fs::write(&path, before).unwrap();
