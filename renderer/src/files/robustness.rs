@@ -21,7 +21,7 @@ type Seed = (&'static str, Vec<u8>);
 
 const OBJ: &str = "mtllib seed.mtl\no a\nv 0 0 0 1.0\nv 1 0 0.5\nv 1 1 -1e0 0.5 0.5 0.5\nv 0 1 0\n\
                    v 0.2 0.5 0\nvt 0 0\nvt 1 0.5\nvn 0 0 1\nusemtl red\n\
-                   f 1/1/1 2/2/1 3/1/1 4/-1/1 5/1\nl 1 2\ns off\ng b\nusemtl blue\nf -1 -2 \\\n-3\n";
+                   f 1/1/1 2/2/1 3/1/1 4/-1/1 5/1/-1\nl 1 2\ns off\ng b\nusemtl blue\nf -1//1 -2 \\\n-3\n";
 const MTL: &str = "newmtl red\nKa 1 1 1\nKd 0.5 0.25 0.125\nKs 0.1\nNs 10\nillum 2\nd 0.5\n\
                    map_Kd -s 2 2 1 -o 0.5 -clamp on -bm 1 seed.png\nnewmtl blue\nKd 0 0 1\nKe 0.5\n\
                    illum 3\nbump x.png\n";

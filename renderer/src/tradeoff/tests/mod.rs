@@ -5,7 +5,7 @@ mod scenes;
 use super::engine::{Adjoint, Engine, Forward, ImageFirst, Question, Tape, is_geometry};
 use super::*;
 use crate::experiment::{Experiment, TunedParameter};
-use crate::scene::{Mesh, Object, Transform};
+use crate::scene::{Material, Mesh, Object, Transform};
 
 pub use scenes::random_experiment;
 
@@ -78,7 +78,14 @@ fn add_smooth_mesh(experiment: &mut Experiment, is_computed: bool) {
     let rotation = glam::DVec3::new(5.0, -10.0, 3.0);
     let scale = glam::DVec3::new(1.1, 0.9, -1.2);
     let mesh = mesh.transform(Transform { rotation, scale, ..Transform::IDENTITY });
-    let mesh = scene.add_mesh(mesh.material(1)).unwrap() as usize;
+    let silk = Material {
+        specular: glam::DVec3::splat(0.3),
+        exponent: 9.0,
+        mirror: glam::DVec3::splat(0.2),
+        ..Material::lambertian(glam::DVec3::splat(0.5))
+    };
+    let silk = scene.add_material("silk", silk).unwrap();
+    let mesh = scene.add_mesh(mesh.material(silk)).unwrap() as usize;
     let ids = scene.parameters_of(Object::Mesh(mesh));
     let tuned = ids.map(|id| TunedParameter { id, learning_rate: None, min: None, max: None });
     experiment.optimize.get_or_insert_default().parameters.extend(tuned);
