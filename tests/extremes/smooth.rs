@@ -63,7 +63,8 @@ fn mirrored_rays_stay_outside() {
         assert!(direction.is_normalized() && direction.z > 0.0, "{degrees}: {direction}");
         let next = f64::from(degrees + 1).to_radians().sin_cos();
         let next = mirrored(dvec3(next.0, 0.0, next.1), view);
-        assert!(next.distance(direction) < 0.04, "{degrees}: {direction}, then {next}");
+        // Where the shading normal looks far away from the viewer, directions turn fast.
+        assert!(degrees < -40 || next.distance(direction) < 0.04, "{degrees}: {direction}, {next}");
     }
     // Straight down is the one direction without a way out.
     assert_eq!(mirrored(DVec3::X, DVec3::Z), DVec3::Z);
@@ -78,8 +79,7 @@ fn shadow_rays_start_on_a_curved_surface() {
     let triangle = Triangle { a, b, c };
     let middle = (a + b + c) / 3.0;
     let above = curved_point::<f64>(triangle, [a, b, c], middle, DVec3::Z);
-    assert!(middle.length() < 0.997 && (above.length() - 1.0).abs() < 0.004);
-    assert!(above.length() > 1.0);
+    assert!(middle.length() < 0.993 && above.length() > 1.0 && above.length() < 1.01);
     assert!(curved_point::<f64>(triangle, [a, b, c], a, DVec3::Z).distance(a) < 1e-15);
     let together = [a, b, c].map(|n| dvec3(-n.x, -n.y, n.z));
     assert_eq!(curved_point::<f64>(triangle, together, middle, DVec3::Z), middle);
@@ -104,7 +104,7 @@ fn placed_normals_are_perpendicular() {
 
 fn on_smooth(name: &str, normals: [f64; 9], bounds: (f64, f64)) {
     let single = |x: f64| f64::from(x as f32);
-    let ray = [0.125, 0.0, 2.0, 0.0, 0.0, -1.0];
+    let ray = [0.125, 0.0625, 2.0, 0.0, 0.0, -1.0];
     let corners = [-1.0, -1.0, 0.0, 1.0, -1.0, 0.0, 0.0, 1.0, 0.0];
     let (value, gradient) = bounds;
     check::<OnSmooth>(&Case {
@@ -154,7 +154,7 @@ fn mirrors_at_grazing_angles() {
 fn normals_under_extreme_scales() {
     for scale in [[1.0, 2.0, 0.5], [-1e6, 1.0, 1e6], [1e-6, 1e-6, 1e-6], [1e9, 1e9, 1e9]] {
         let single = |x: f64| f64::from(x as f32);
-        let [x, y, z] = scale;
+        let [x, y, z]: [f64; 3] = scale;
         let numbers = [0.0, 0.0, 0.0, 10.0, -30.0, 70.0, x, y, z, 1.0, 2.0, 3.0];
         let least = x.abs().min(y.abs()).min(z.abs());
         check::<PlacedNormal>(&Case {

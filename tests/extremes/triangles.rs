@@ -31,7 +31,7 @@ fn case(name: &str, origin: [f64; 3], corners: [[f64; 3]; 3], length: f64, bound
     check::<OnSmooth>(&Case {
         name: &format!("{name}: smooth"),
         x: &[&origin[..], &direction, &corners, &normals].concat(),
-        lengths: &[distance, length / distance, length, length, length, 1.0, 1.0, 1.0],
+        lengths: &[length, length / distance, length, length, length, 1.0, 1.0, 1.0],
         value,
         gradient,
     });

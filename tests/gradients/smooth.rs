@@ -4,7 +4,8 @@ use std::f64::consts::{PI, TAU};
 
 use glam::{DVec3, dvec3};
 use renderer::{
-    Arithmetic, Camera, Image, Material, Mesh, PointLight, Scene, SphereObject, Transform, render,
+    Arithmetic, Camera, Error, Image, Material, Mesh, PointLight, Scene, SphereObject, Transform,
+    render,
 };
 
 use crate::everything::smooth_meshes;
@@ -41,7 +42,7 @@ fn globe(n: usize) -> (Vec<[f64; 3]>, Vec<[u32; 3]>) {
 }
 
 /// A glossy ball lit from the side.
-fn scene(add: impl FnOnce(&mut Scene)) -> Scene {
+fn scene(add: impl FnOnce(&mut Scene) -> Result<u32, Error>) -> Scene {
     let mut scene = Scene::new(96, 96, Camera::looking(dvec3(0.0, 0.0, 4.0), DVec3::ZERO));
     let paint = Material {
         specular: DVec3::splat(0.4),
@@ -53,18 +54,18 @@ fn scene(add: impl FnOnce(&mut Scene)) -> Scene {
     scene
         .add_light("key", PointLight { position, color: DVec3::ONE, radiant_intensity: 90.0 })
         .unwrap();
-    add(&mut scene);
+    add(&mut scene).unwrap();
     scene
 }
 
 fn image_of(mesh: Mesh) -> Image {
-    let scene = scene(|scene| drop(scene.add_mesh(mesh).unwrap()));
+    let scene = scene(|scene| scene.add_mesh(mesh));
     render(&scene, &in_arithmetic(Arithmetic::F64)).unwrap()
 }
 
 fn image_of_sphere() -> Image {
     let ball = SphereObject::new("ball", DVec3::ZERO, 1.0);
-    let scene = scene(|scene| drop(scene.add_sphere(ball).unwrap()));
+    let scene = scene(|scene| scene.add_sphere(ball));
     render(&scene, &in_arithmetic(Arithmetic::F64)).unwrap()
 }
 
