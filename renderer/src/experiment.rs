@@ -46,6 +46,7 @@
 //! translation = [0.0, 1.0, 0.0] # optional: where it stands; first it is scaled, then turned, then moved
 //! rotation = [0.0, 90.0, 0.0] # optional: the axis times the angle in degrees
 //! scale = 2.0                 # optional: one factor, or one for each axis
+//! normals = "smooth"          # optional: or "file", or "flat", the default: see below
 //!
 //! [[sphere]]
 //! name = "ball"
@@ -91,6 +92,13 @@
 //!
 //! `mesh.tree.vertices[17]` is one vertex of a mesh: they are counted from 0, in the order in which its
 //! triangles first use them.
+//!
+//! A mesh is shaded `"flat"`, every triangle by itself, unless `normals` says otherwise, whatever normals
+//! its file holds. `"smooth"` takes the mean of the triangles around each vertex, by area; it follows the
+//! vertices when these move. `"file"` takes the normals of the file (`vn` of OBJ, `nx`, `ny` and `nz` of
+//! PLY, `NORMAL` of glTF), which become the parameter `mesh.tree.normals`; triangles for which the file
+//! has none are flat. Vertices that a file holds twice, as STL does not, but PLY and glTF do along seams of
+//! textures, make a sharp edge of a `"smooth"` mesh.
 //!
 //! Without `max`, the diffuse, specular and mirrored part of the light stays at most 1 (or what it is to
 //! begin with, or in the target): a surface reflects no more than it receives.

@@ -11,6 +11,9 @@ use renderer::transport::light::{
     illuminate_by_spot,
 };
 use renderer::transport::material::{Lobes, Material};
+use renderer::transport::smooth::{
+    SmoothPoint, next_ray_outward, place_normal, smooth_point, weighted_normal,
+};
 use renderer::transport::sphere::{Sphere, sphere_point, sphere_uv};
 use renderer::transport::surface::SurfacePoint;
 use renderer::transport::texture::{Footprint, Uv, modulate, modulate_opacity};
@@ -62,6 +65,22 @@ kernels! {
     TrianglePoint = triangle [
         ("origin", 3), ("direction", 3), ("a", 3), ("b", 3), ("c", 3),
     ] => [3, 3];
+    /// A ray, the corners of a smooth triangle and their normals; the point, the shading normal and that of
+    /// the flat triangle.
+    OnSmooth = on_smooth [
+        ("origin", 3), ("direction", 3), ("a", 3), ("b", 3), ("c", 3),
+        ("normal of a", 3), ("normal of b", 3), ("normal of c", 3),
+    ] => [3, 3, 3];
+    /// A point of a smooth triangle; the ray that a mirror sends on.
+    SmoothMirrored = smooth_mirrored [
+        ("point", 3), ("normal", 3), ("view", 3), ("outward", 3),
+    ] => [3, 3];
+    /// A triangle; what it adds to the normals of its corners.
+    Weighted = weighted [("a", 3), ("b", 3), ("c", 3)] => [3];
+    /// A transform and a normal; its place in the world.
+    PlacedNormal = placed_normal [
+        ("translation", 3), ("rotation", 3), ("scale", 3), ("normal", 3),
+    ] => [3];
     /// A ray and a sphere; the point and the normal where it enters.
     SphereEntered = sphere_entered [
         ("origin", 3), ("direction", 3), ("center", 3), ("radius", 1),
@@ -166,6 +185,31 @@ fn corners<S: Real>(x: &[S], at: usize) -> Triangle<S> {
 fn triangle<S: Real>(x: &[S]) -> [S; 6] {
     let surface = triangle_point::<S>(corners::<S>(x, 6), ray::<S>(x));
     six::<S>(surface.point, surface.normal)
+}
+
+#[differentiable]
+fn on_smooth<S: Real>(x: &[S]) -> [S; 9] {
+    let normals = [vector::<S>(x, 15), vector::<S>(x, 18), vector::<S>(x, 21)];
+    let point = smooth_point::<S>(corners::<S>(x, 6), normals, ray::<S>(x));
+    let (at, n, outward) = (point.surface.point, point.surface.normal, point.outward);
+    [at.x(), at.y(), at.z(), n.x(), n.y(), n.z(), outward.x(), outward.y(), outward.z()]
+}
+
+#[differentiable]
+fn smooth_mirrored<S: Real>(x: &[S]) -> [S; 6] {
+    let at = SmoothPoint { surface: point::<S>(x), outward: vector::<S>(x, 9) };
+    let ray = next_ray_outward::<S>(at, S::ONE.cmplt(S::ZERO));
+    six::<S>(ray.origin, ray.direction)
+}
+
+#[differentiable]
+fn weighted<S: Real>(x: &[S]) -> [S; 3] {
+    three::<S>(weighted_normal::<S>(corners::<S>(x, 0)))
+}
+
+#[differentiable]
+fn placed_normal<S: Real>(x: &[S]) -> [S; 3] {
+    three::<S>(place_normal::<S>(transform::<S>(x), vector::<S>(x, 9)))
 }
 
 #[differentiable]

@@ -17,6 +17,7 @@ mod scale;
 mod scenes;
 mod self_intersection;
 mod shading;
+mod smooth;
 mod spheres;
 mod triangles;
 mod watertight;

@@ -8,9 +8,9 @@ use renderer::trace::bvh::{Bvh, Shape};
 
 use crate::images::{ARITHMETICS, settings};
 use crate::kernels::{
-    Added, Attenuated, ByDistant, ByPoint, BySpot, Covered, DistantLit, Kernel, Mirrored, Placed,
-    PointLit, PrimaryRay, SphereEntered, SphereLeft, SphereUv, Straight, Textured, TrianglePoint,
-    TriangleUv, Unplaced,
+    Added, Attenuated, ByDistant, ByPoint, BySpot, Covered, DistantLit, Kernel, Mirrored, OnSmooth,
+    Placed, PlacedNormal, PointLit, PrimaryRay, SmoothMirrored, SphereEntered, SphereLeft,
+    SphereUv, Straight, Textured, TrianglePoint, TriangleUv, Unplaced, Weighted,
 };
 use crate::meshes::Random;
 use crate::scenes::textured_scene;
@@ -56,7 +56,7 @@ fn run_all(points: usize) {
             )*};
         }
         each!(
-            PrimaryRay TrianglePoint SphereEntered SphereLeft TriangleUv SphereUv PointLit
+            PrimaryRay TrianglePoint OnSmooth SmoothMirrored Weighted PlacedNormal SphereEntered SphereLeft TriangleUv SphereUv PointLit
             DistantLit Mirrored Straight Textured Covered Added Attenuated ByPoint ByDistant BySpot Placed
             Unplaced
         );

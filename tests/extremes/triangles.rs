@@ -4,7 +4,7 @@ use glam::dvec3;
 use renderer::Scene;
 
 use crate::images::{ARITHMETICS, check_agreement, difference, evaluate, render};
-use crate::kernels::{TrianglePoint, TriangleUv};
+use crate::kernels::{OnSmooth, TrianglePoint, TriangleUv, Weighted};
 use crate::oracle::{Case, check};
 use crate::scenes::{small_parts, small_scene};
 
@@ -27,6 +27,23 @@ fn case(name: &str, origin: [f64; 3], corners: [[f64; 3]; 3], length: f64, bound
         value,
         gradient,
     });
+    let normals = [0.6, 0.0, 0.8, 0.0, -0.28, 0.96, -0.48, 0.6, 0.64].map(single);
+    check::<OnSmooth>(&Case {
+        name: &format!("{name}: smooth"),
+        x: &[&origin[..], &direction, &corners, &normals].concat(),
+        lengths: &[length, length / distance, length, length, length, 1.0, 1.0, 1.0],
+        value,
+        gradient,
+    });
+    if length > 1e-18 && length < 1e18 {
+        check::<Weighted>(&Case {
+            name: &format!("{name}: weight of its normal"),
+            x: &corners,
+            lengths: &[length; 3],
+            value,
+            gradient,
+        });
+    }
     check::<TriangleUv>(&Case {
         name: &format!("{name}: place on a texture"),
         x: &[&point[..], &corners, &[0.0, 0.25, 1.0, 0.5, 0.125, 2.0]].concat(),

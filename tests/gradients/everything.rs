@@ -1,5 +1,5 @@
 //! A scene that has everything: mirrors, textures of every kind, transparent surfaces, meshes that are
-//! placed in the world, spheres, shapes and lights of known kinds and of one's own.
+//! placed in the world, flat and smooth ones, spheres, shapes and lights of known kinds and of one's own.
 
 use glam::{DVec3, Vec3, dvec3};
 use renderer::transport::transform::unplace;
@@ -28,8 +28,16 @@ pub fn place_meshes(mut parts: Parts) -> Parts {
     parts
 }
 
+/// The same scene with normals on the floor, and smooth normals on the tent.
+pub fn smooth_meshes(mut parts: Parts) -> Parts {
+    let normals = vec![[-0.2, 1.0, 0.1], [0.3, 2.0, 0.2], [0.1, 0.7, -0.2], [-0.1, -0.9, 0.1]];
+    parts.meshes[0] = parts.meshes[0].clone().normals(normals, vec![[0, 1, 2], [3, 2, 0]]);
+    parts.meshes[1] = parts.meshes[1].clone().smooth();
+    parts
+}
+
 fn scene(size: u32) -> Scene {
-    let mut scene = place_meshes(varied_parts(size)).scene();
+    let mut scene = place_meshes(smooth_meshes(varied_parts(size))).scene();
     set(&mut scene, "sphere.ball.rotation", &[20.0, -35.0, 50.0]);
     for (path, roughness) in [("material.ground.roughness", 0.4), ("material.pane.roughness", 0.8)]
     {

@@ -8,6 +8,7 @@ mod image;
 mod sampling;
 mod scenes;
 mod single_vertices;
+mod smooth;
 mod threads;
 mod transparency;
 mod visibility;

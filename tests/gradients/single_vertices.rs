@@ -5,21 +5,25 @@ use renderer::{
     loss_and_gradient,
 };
 
-use crate::everything::place_meshes;
+use crate::everything::{place_meshes, smooth_meshes};
 use crate::image::{agrees_with_finite_differences, in_arithmetic, target};
 use crate::sampling::samples;
-use crate::scenes::{mirror_scene, multiply, set, small_scene, textured_scene};
+use crate::scenes::{
+    mirror_parts, mirror_scene, multiply, set, small_parts, small_scene, textured_scene,
+};
 use crate::transparency::{varied_parts, varied_scene};
 
 /// Without and with rays that go on, under textures, behind transparent ones, with meshes that are placed
-/// in the world.
-fn scenes() -> [Scene; 5] {
+/// in the world, with smooth ones.
+fn scenes() -> [Scene; 7] {
     [
         small_scene(20),
         mirror_scene(20),
         textured_scene(16),
         varied_scene(16),
         place_meshes(varied_parts(16)).scene(),
+        smooth_meshes(small_parts(20)).scene(),
+        smooth_meshes(mirror_parts(20)).scene(),
     ]
 }
 

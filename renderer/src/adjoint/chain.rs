@@ -34,6 +34,7 @@ use crate::transport::direct::direct;
 use crate::transport::hit::{Primitive, hit, surface_uv};
 use crate::transport::light::Illumination;
 use crate::transport::material::Material;
+use crate::transport::smooth::{SmoothPoint, next_ray_outward};
 use crate::transport::surface::SurfacePoint;
 use crate::transport::texture::{Uv, modulate, modulate_opacity};
 use crate::transport::transform::place;
@@ -441,12 +442,16 @@ impl<'a, L: Plain> Chain<'a, L> {
             for (group, surface) in wavefront.groups.iter().zip(surfaces) {
                 let Some(SurfaceCotangent { mut surface, mut uv }) = *surface else { continue };
                 count(|counts| &counts.surface_pullbacks, u64::from(group.alive.count_ones()));
+                let mut outward = Vec3::<L>::zero();
                 if let Some(state) = beyond {
-                    surface.accumulate(self.pull_next_ray(group, &state.rays[group.block()]));
+                    let of_point = self.pull_next_ray(group, &state.rays[group.block()]);
+                    surface.accumulate(of_point.surface);
+                    outward = of_point.outward;
                 }
                 let grazing = group.lanes_of(*grazing);
                 if grazing != 0 {
                     surface = select_lanes::<L, _>(grazing, &Additive::zero(), &surface);
+                    outward = select_lanes::<L, _>(grazing, &Additive::zero(), &outward);
                     uv = uv.map(|uv| select_lanes::<L, _>(grazing, &Additive::zero(), &uv));
                 }
                 let film = (depth == 0).then(|| wavefront.film[group.block()]);
@@ -457,7 +462,7 @@ impl<'a, L: Plain> Chain<'a, L> {
                     surface = Fields::from_fn(&mut |index| surface.number(index) * weight);
                     uv = uv.map(|uv| Fields::from_fn(&mut |index| uv.number(index) * weight));
                 }
-                let ray = self.pull_surface(group, surface, uv);
+                let ray = self.pull_surface(group, surface, outward, uv);
                 if depth > 0 {
                     rays[group.block()].accumulate(ray);
                 } else if let Some((x, y)) = film.filter(|_| self.scatter.request.camera) {
@@ -472,17 +477,26 @@ impl<'a, L: Plain> Chain<'a, L> {
         }
     }
 
-    /// From the ray that goes on from a group to its surface points.
+    /// From the ray that goes on from a group to its surface points, and to the normals of flat triangles
+    /// where these are smooth.
     fn pull_next_ray(
         &self,
         group: &LaneGroup<L>,
         ray: &Tangent<Ray<L>>,
-    ) -> Tangent<SurfacePoint<L>> {
+    ) -> Tangent<SmoothPoint<L>> {
         let materials = self.integrator.materials(&group.primitives);
         let transparent = L::mask(self.integrator.transparent_lanes(&materials));
         let ray = select_lanes::<L, _>(group.alive, ray, &Additive::zero());
-        let (_, pullback) = next_ray::vjp::<L>(group.surface, transparent);
-        pullback(ray).0
+        match group.smooth_points() {
+            None => {
+                let (_, pullback) = next_ray::vjp::<L>(group.surface, transparent);
+                Tangent::<SmoothPoint<L>> { surface: pullback(ray).0, ..Additive::zero() }
+            }
+            Some(point) => {
+                let (_, pullback) = next_ray_outward::vjp::<L>(point, transparent);
+                pullback(ray).0
+            }
+        }
     }
 
     /// Pulls the cotangents of surface points, and of their texture coordinates, back to primitives;
@@ -492,6 +506,7 @@ impl<'a, L: Plain> Chain<'a, L> {
         &mut self,
         group: &LaneGroup<L>,
         mut surface: Tangent<SurfacePoint<L>>,
+        outward: Vec3<L>,
         uv: Option<Tangent<Uv<L>>>,
     ) -> Tangent<Ray<L>> {
         let LaneGroup { kind, primitives, inside, ray, .. } = group;
@@ -506,8 +521,13 @@ impl<'a, L: Plain> Chain<'a, L> {
             self.scatter_uvs(group.kind, primitives, corners);
             primitive
         });
-        let (_, pullback) = hit::vjp::<L>(primitive, L::mask(*inside), *ray);
-        let (mut primitive, (), ray) = pullback(surface);
+        let (mut primitive, ray) = if group.smooth.is_some() {
+            self.pull_smooth_surface(group, surface, outward)
+        } else {
+            let (_, pullback) = hit::vjp::<L>(primitive, L::mask(*inside), *ray);
+            let (primitive, (), ray) = pullback(surface);
+            (primitive, ray)
+        };
         if let Some(of_uv) = of_uv {
             primitive.accumulate(of_uv);
         }
@@ -527,7 +547,7 @@ impl<'a, L: Plain> Chain<'a, L> {
         }
         for (triangle, lanes) in primitives.iter() {
             let mask = L::mask_from_bits(lanes);
-            let indices = self.integrator.layout.uv_triangles[triangle].into_iter().flatten();
+            let indices = self.integrator.layout.uvs.of(triangle).into_iter().flatten();
             for (uv, corner) in indices.zip(&corners) {
                 let sum = |x: L| sum_of_lanes::<L>(x, mask);
                 self.scatter.uv(uv as usize, [sum(corner.u), sum(corner.v)]);

@@ -22,6 +22,7 @@ mod reduce;
 mod request;
 mod scatter;
 mod selection;
+mod smooth;
 
 pub(crate) use chain::sweep;
 pub use gradient::{Gradient, LossAndGradient};

@@ -4,13 +4,15 @@ use ad::{Additive, Fields, Tangent};
 use glam::DVec3;
 
 use super::gradient::{Gradient, LossAndGradient};
-use super::request::Request;
+use super::request::{Request, is_of_transform};
 use super::scatter::{Sparse, Sums};
+use super::smooth::pull_normals;
 use crate::number::Plain;
 use crate::primal::integrator::Prepared;
 use crate::scene::numbers::range_of;
-use crate::scene::{Material, Object, ParameterId, Scene, Sphere, Transform};
+use crate::scene::{Material, Mesh, Normals, Object, ParameterId, Scene, Sphere, Transform};
 use crate::transport::camera::{Camera, CameraFrame, camera_frame};
+use crate::transport::smooth::place_normal;
 use crate::transport::transform::place;
 
 /// Puts strips together, always in the same order.
@@ -24,7 +26,7 @@ pub(super) fn reduce<L: Plain>(
     strips.into_iter().for_each(|strip| total.add(strip));
     let loss = total.loss;
     let camera = camera_cotangent(prepared, scene, total.frame.take());
-    total.unplace_vertices(prepared, scene, request);
+    total.unplace(prepared, scene, request);
     let block = |&id: &ParameterId| (id, total.block(prepared, scene, request, &camera, id));
     let blocks = request.ids.iter().map(block).collect();
     LossAndGradient { loss, gradient: Gradient::new(blocks) }
@@ -38,9 +40,10 @@ struct Totals {
     materials: Vec<[f64; <Material<f64> as Fields<f64>>::LEN]>,
     spheres: Vec<[f64; <Sphere<f64> as Fields<f64>>::LEN]>,
     vertices: Vec<[f64; 3]>,
+    normals: Vec<[f64; 3]>,
     uvs: Vec<[f64; 2]>,
     texels: Vec<[f64; 3]>,
-    /// By mesh: the cotangent of its transform, where that follows from its vertices.
+    /// By mesh: the cotangent of its transform, where that follows from its vertices and normals.
     transforms: Vec<Option<Tangent<Transform<f64>>>>,
 }
 
@@ -53,6 +56,7 @@ impl Totals {
             materials: vec![[0.0; _]; request.materials.count()],
             spheres: vec![[0.0; _]; request.spheres.count()],
             vertices: vec![[0.0; 3]; request.vertices.count()],
+            normals: vec![[0.0; 3]; request.normals.count()],
             uvs: vec![[0.0; 2]; request.uvs.count()],
             texels: vec![[0.0; 3]; request.texels.count()],
             transforms: vec![None; request.transforms.len()],
@@ -74,27 +78,25 @@ impl Totals {
         add(&mut self.materials, strip.materials);
         add(&mut self.spheres, strip.spheres);
         add(&mut self.vertices, strip.vertices);
+        add(&mut self.normals, strip.normals);
         add(&mut self.uvs, strip.uvs);
         add(&mut self.texels, strip.texels);
     }
 
-    /// From vertices in the world to vertices before the transform of their mesh, and to that transform.
-    fn unplace_vertices<L: Plain>(
-        &mut self,
-        prepared: &Prepared<L>,
-        scene: &Scene,
-        request: &Request,
-    ) {
+    /// From vertices and normals in the world to those before the transform of their mesh, and to that
+    /// transform.
+    fn unplace<L: Plain>(&mut self, prepared: &Prepared<L>, scene: &Scene, request: &Request) {
         for (index, mesh) in scene.meshes.iter().enumerate() {
-            let is_requested = request.ids.iter().any(|id| {
-                id.object == Object::Mesh(index)
-                    && Transform::<f64>::FIELDS.iter().any(|field| field.name == id.field)
-            });
+            self.pull_normals(prepared, index, mesh, request);
+            let is_requested = request
+                .ids
+                .iter()
+                .any(|id| id.object == Object::Mesh(index) && is_of_transform(id));
             let follows = is_requested && request.transforms[index].is_none();
             if mesh.transform == Transform::IDENTITY && !follows {
                 continue;
             }
-            let mut to_transform = Tangent::<Transform<f64>>::zero();
+            let mut to_transform = self.transforms[index].unwrap_or_else(Additive::zero);
             for (vertex, own) in prepared.layout.vertices_of(index).zip(&mesh.vertices) {
                 let Some(slot) = request.vertices.slot(vertex) else { continue };
                 let world = DVec3::from(self.vertices[slot]);
@@ -104,6 +106,45 @@ impl Totals {
                 to_transform.accumulate(transform);
             }
             if follows {
+                self.transforms[index] = Some(to_transform);
+            }
+        }
+    }
+
+    /// From the normals of a mesh in the world to what they are made of: the vertices in the world, or
+    /// given directions and the transform.
+    fn pull_normals<L: Plain>(
+        &mut self,
+        prepared: &Prepared<L>,
+        index: usize,
+        mesh: &Mesh,
+        request: &Request,
+    ) {
+        let normals = request.normals.slots(prepared.layout.normals.of_mesh(index));
+        if normals.is_empty() {
+            return;
+        }
+        let normals = &mut self.normals[normals];
+        match &mesh.normals {
+            Normals::Flat => {}
+            Normals::Smooth => {
+                let vertices: Vec<DVec3> = mesh.world_vertices().collect();
+                let first = prepared.layout.vertices_of(index).start;
+                pull_normals(&vertices, &mesh.triangles, normals, |vertex, cotangent| {
+                    if let Some(slot) = request.vertices.slot(first + vertex as usize) {
+                        let sum = DVec3::from(self.vertices[slot]) + cotangent;
+                        self.vertices[slot] = sum.to_array();
+                    }
+                });
+            }
+            Normals::Given { directions, .. } => {
+                let mut to_transform = Tangent::<Transform<f64>>::zero();
+                for (normal, own) in normals.iter_mut().zip(directions) {
+                    let (_, pullback) = place_normal::vjp::<f64>(mesh.transform, (*own).into());
+                    let (transform, own): (_, DVec3) = pullback((*normal).into());
+                    *normal = own.to_array();
+                    to_transform.accumulate(transform);
+                }
                 self.transforms[index] = Some(to_transform);
             }
         }
@@ -150,8 +191,12 @@ impl Totals {
                     }
                     self.vertices[request.vertices.slots(vertices)].as_flattened().to_vec()
                 }
+                "normals" => {
+                    let slots = request.normals.slots(layout.normals.of_mesh(mesh));
+                    self.normals[slots].as_flattened().to_vec()
+                }
                 "texture_coordinates" => {
-                    let slots = request.uvs.slots(layout.uvs_of(mesh));
+                    let slots = request.uvs.slots(layout.uvs.of_mesh(mesh));
                     self.uvs[slots].as_flattened().to_vec()
                 }
                 field => {

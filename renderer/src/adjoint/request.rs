@@ -7,7 +7,7 @@ use ad::Fields;
 use super::selection::Selection;
 use crate::primal::integrator::ZeroWeight;
 use crate::scene::numbers::range_of;
-use crate::scene::{LightSource, Material, Object, ParameterId, Scene, Sphere, Transform};
+use crate::scene::{LightSource, Material, Normals, Object, ParameterId, Scene, Sphere, Transform};
 use crate::settings::{Edges, Pass};
 use crate::trace::layout::Layout;
 use crate::transport::light::match_light;
@@ -26,7 +26,8 @@ pub struct Request {
     pub lights: Vec<Option<Dense>>,
     /// By shape of one's own: its numbers, then those of its transform.
     pub shapes: Vec<Option<Dense>>,
-    /// By mesh: its transform, unless its vertices are asked for, from which it follows.
+    /// By mesh: its transform, unless it follows from vertices and normals, because the vertices are asked
+    /// for or the mesh has normals.
     pub transforms: Vec<Option<Dense>>,
     /// The number of dense sums.
     pub dense: usize,
@@ -35,6 +36,7 @@ pub struct Request {
     pub spheres: Selection,
     pub sphere_numbers: Bits,
     pub vertices: Selection,
+    pub normals: Selection,
     pub uvs: Selection,
     pub texels: Selection,
     /// What is computed although its weight is zero.
@@ -64,11 +66,12 @@ impl Request {
             spheres: Selection::default(),
             sphere_numbers: 0,
             vertices: Selection::default(),
+            normals: Selection::default(),
             uvs: Selection::default(),
             texels: Selection::default(),
             zero_weight: ZeroWeight::default(),
         };
-        request.select_arrays(layout);
+        request.select_arrays(scene, layout);
         request.select_objects(scene);
         let of_material = |field: &str| {
             ids.iter().any(|id| matches!(id.object, Object::Material(_)) && id.field == field)
@@ -83,15 +86,22 @@ impl Request {
     }
 
     /// What there may be many of.
-    fn select_arrays(&mut self, layout: &Layout) {
+    fn select_arrays(&mut self, scene: &Scene, layout: &Layout) {
         let textures = &layout.textures;
         let texels = textures.last().map_or(0, |last| last.texels().end);
         let mut vertices: Vec<Range<usize>> = Vec::new();
+        let mut normals: Vec<Range<usize>> = Vec::new();
         let (mut uvs, mut of_textures) = (Vec::new(), Vec::new());
         let (mut materials, mut spheres) = (Vec::new(), Vec::new());
         for id in &self.ids {
             match id.object {
                 Object::Mesh(mesh) => {
+                    let shaded_with = &scene.meshes[mesh].normals;
+                    let is_moved = id.field == "vertices" && *shaded_with == Normals::Smooth;
+                    let is_placed = is_of_transform(id) && *shaded_with != Normals::Flat;
+                    if id.field == "normals" || is_moved || is_placed {
+                        normals.push(layout.normals.of_mesh(mesh));
+                    }
                     // Those of a mesh with a transform serve both.
                     match (id.field, id.vertex) {
                         ("vertices", None) => vertices.push(layout.vertices_of(mesh)),
@@ -99,7 +109,8 @@ impl Request {
                             let vertex = layout.vertices_of(mesh).start + vertex;
                             vertices.push(vertex..vertex + 1);
                         }
-                        ("texture_coordinates", _) => uvs.push(layout.uvs_of(mesh)),
+                        _ if is_placed => vertices.push(layout.vertices_of(mesh)),
+                        ("texture_coordinates", _) => uvs.push(layout.uvs.of_mesh(mesh)),
                         _ => {}
                     }
                 }
@@ -110,7 +121,8 @@ impl Request {
             }
         }
         self.vertices = Selection::new(vertices, layout.vertices());
-        self.uvs = Selection::new(uvs, layout.uvs());
+        self.normals = Selection::new(normals, layout.normals.count());
+        self.uvs = Selection::new(uvs, layout.uvs.count());
         self.texels = Selection::new(of_textures, texels);
         self.materials = Selection::new(materials, layout.materials.len());
         self.spheres = Selection::new(spheres, layout.spheres);
@@ -135,7 +147,8 @@ impl Request {
                 Object::Mesh(mesh) => {
                     let numbers = bits(Transform::<f64>::FIELDS, field);
                     let by_vertices = ParameterId::new(object, "vertices");
-                    if numbers != 0 && !self.ids.contains(&by_vertices) {
+                    let is_flat = scene.meshes[mesh].normals == Normals::Flat;
+                    if numbers != 0 && is_flat && !self.ids.contains(&by_vertices) {
                         let len = Transform::<f64>::LEN;
                         add(&mut self.transforms[mesh], &mut self.dense, len, numbers);
                     }
@@ -152,7 +165,7 @@ impl Request {
 
     /// Whether the points that are hit depend on any of them.
     pub fn moves_surfaces(&self) -> bool {
-        let selected = [&self.spheres, &self.vertices, &self.uvs];
+        let selected = [&self.spheres, &self.vertices, &self.normals, &self.uvs];
         self.camera
             || selected.iter().any(|selection| !selection.is_empty())
             || self.transforms.iter().chain(&self.shapes).any(Option::is_some)
@@ -173,17 +186,22 @@ impl Request {
         self.material_numbers & bits(Material::<f64>::FIELDS, "opacity") != 0
     }
 
-    /// Whether they are vertices alone, but not all of the scene.
+    /// Whether they are vertices alone, but not all of the scene, and move their triangles alone.
     pub fn is_few_vertices(&self) -> bool {
         let is_vertices =
             |id: &ParameterId| matches!(id.object, Object::Mesh(_)) && id.field == "vertices";
-        self.ids.iter().all(is_vertices) && !self.vertices.is_whole()
+        self.ids.iter().all(is_vertices) && !self.vertices.is_whole() && self.normals.is_empty()
     }
 }
 
 /// The names of the fields of a struct, and the number of its numbers.
 fn fields_of<T: Fields<f64>>(_: &T) -> (&'static [ad::Field], usize) {
     (T::FIELDS, T::LEN)
+}
+
+/// Whether a parameter is one of a transform.
+pub fn is_of_transform(id: &ParameterId) -> bool {
+    range_of(Transform::<f64>::FIELDS, id.field).is_some()
 }
 
 /// A bit for each number of a field.

@@ -31,6 +31,8 @@ pub struct Sums {
     pub spheres: Sparse<SPHERE>,
     /// In the world.
     pub vertices: Sparse<3>,
+    /// In the world.
+    pub normals: Sparse<3>,
     pub uvs: Sparse<2>,
     pub texels: Sparse<3>,
 }
@@ -56,6 +58,7 @@ impl Sums {
             && finite(&self.materials)
             && finite(&self.spheres)
             && finite(&self.vertices)
+            && finite(&self.normals)
             && finite(&self.uvs)
             && finite(&self.texels)
     }
@@ -97,6 +100,7 @@ pub struct Scatter<'a> {
     materials: SparseSet,
     spheres: SparseSet,
     vertices: SparseSet,
+    normals: SparseSet,
     uvs: SparseSet,
     texels: SparseSet,
 }
@@ -109,6 +113,7 @@ impl<'a> Scatter<'a> {
             materials: SparseSet::new(&request.materials),
             spheres: SparseSet::new(&request.spheres),
             vertices: SparseSet::new(&request.vertices),
+            normals: SparseSet::new(&request.normals),
             uvs: SparseSet::new(&request.uvs),
             texels: SparseSet::new(&request.texels),
         }
@@ -185,6 +190,13 @@ impl<'a> Scatter<'a> {
     pub fn vertex(&mut self, vertex: usize, cotangent: DVec3) {
         if let Some(slot) = self.request.vertices.slot(vertex) {
             add(self.vertices.sum(&mut self.sums.vertices, slot), &cotangent.to_array());
+        }
+    }
+
+    /// Adds the cotangent of a normal in the world.
+    pub fn normal(&mut self, normal: usize, cotangent: DVec3) {
+        if let Some(slot) = self.request.normals.slot(normal) {
+            add(self.normals.sum(&mut self.sums.normals, slot), &cotangent.to_array());
         }
     }
 

@@ -162,6 +162,7 @@ fn kernel_of_lane<L: Plain>(
         return Some(ray_kernel);
     }
     let surface = match group.kind {
+        Kind::Triangle if group.smooth.is_some() => "smooth_point",
         Kind::Triangle => "triangle_point",
         Kind::Sphere => "sphere_point",
         Kind::Custom => "intersect",

@@ -374,11 +374,11 @@ impl<'a, L: Plain> Search<'a, L> {
         let known = self.of(dark)[depth];
         let place = |search: &Self, at: f64| {
             let ray = search.ray(link, dark, depth, at);
-            (ray, search.geometry.surface(&known, ray))
+            (ray, search.geometry.meet(&known, ray))
         };
         let blocker = |search: &Self, at: f64| {
-            let (ray, surface) = place(search, at);
-            search.geometry.blocker(light, &known, &ray, &surface)
+            let (ray, met) = place(search, at);
+            search.geometry.blocker(light, &known, &ray, &met)
         };
         let mut found = blocker(self, from);
         for _ in 0..MOST_BLOCKERS {
@@ -433,8 +433,8 @@ impl<'a, L: Plain> Search<'a, L> {
         let number = |place: [f64; 2]| {
             let path = self.of(sides[0]);
             let ray = self.geometry.ray(&path[..depth], place);
-            let surface = self.geometry.surface(&path[depth], ray);
-            let ray = self.geometry.shadow_ray(light, &surface);
+            let met = self.geometry.meet(&path[depth], ray);
+            let ray = self.geometry.shadow_ray(light, &met);
             self.geometry.margin(edge, ray)
         };
         let layer = Layer::Shadow(depth as u32, light as u32);

@@ -14,6 +14,7 @@ use crate::trace::layout::Kind;
 use crate::transport::camera::{CameraFrame, Ray, film_point, primary_ray};
 use crate::transport::edge::{segment_margin, sphere_margin};
 use crate::transport::hit::{Primitive, hit};
+use crate::transport::smooth::{SmoothPoint, curved_point, next_ray_outward, smooth_point};
 use crate::transport::sphere::Sphere;
 use crate::transport::surface::SurfacePoint;
 use crate::transport::triangle::Triangle;
@@ -32,6 +33,16 @@ pub enum Edge {
     /// The curve in which two primitives pierce each other.
     /// See [`code`](super::sight::code).
     Intersection([u32; 2]),
+}
+
+/// Where a ray meets a surface.
+pub struct Met {
+    /// The point, with the normal that it is shaded with.
+    pub surface: SurfacePoint<f64>,
+    /// The normal of the geometry, on the side of the viewer.
+    outward: DVec3,
+    /// Where shadow rays start.
+    start: DVec3,
 }
 
 /// A scene in double precision, one ray at a time.
@@ -54,29 +65,38 @@ impl<'a, L: Plain> Geometry<'a, L> {
         self.integrator.layout.kind_of(primitive as usize).0 == Kind::Triangle
     }
 
-    /// Whether two primitives are parts of one smooth surface: neighbouring triangles of a plane that look
-    /// the same.
+    /// Whether two primitives are parts of one smooth surface: neighbouring triangles that look the same,
+    /// of a plane or with the same normals where they meet.
     pub fn are_continuous(&self, a: u32, b: u32) -> bool {
         let layout = self.integrator.layout;
-        let [first, second] = match [a, b].map(|primitive| layout.kind_of(primitive as usize)) {
-            [(Kind::Triangle, a), (Kind::Triangle, b)] => [a, b].map(|at| layout.triangles[at]),
+        let [a, b] = match [a, b].map(|primitive| layout.kind_of(primitive as usize)) {
+            [(Kind::Triangle, a), (Kind::Triangle, b)] => [a, b],
             _ => return false,
         };
-        let shared = first.iter().filter(|vertex| second.contains(vertex)).count();
-        let material = layout.material_of[a as usize];
-        if shared < 2
-            || material != layout.material_of[b as usize]
-            || layout.materials[material as usize].textures.any()
-        {
+        let material = layout.material_of[a];
+        if material != layout.material_of[b] || layout.materials[material as usize].textures.any() {
             return false;
         }
-        let normal = |[a, b, c]: [u32; 3]| {
-            let [a, b, c] = [a, b, c].map(|vertex| self.vertex(vertex));
-            (b - a).cross(c - a)
-        };
-        let (first, second) = (normal(first), normal(second));
-        first.cross(second).length_squared()
-            <= COPLANAR * first.length_squared() * second.length_squared()
+        let [first, second] = [a, b].map(|at| layout.triangles[at]);
+        let corners = first.into_iter().enumerate();
+        let shared = corners.filter_map(|(at, vertex)| {
+            Some((at, second.iter().position(|&other| other == vertex)?))
+        });
+        if shared.clone().count() < 2 {
+            return false;
+        }
+        match [a, b].map(|at| layout.normals.of(at)) {
+            [Some(first), Some(second)] => shared.into_iter().all(|(a, b)| first[a] == second[b]),
+            [None, None] => {
+                let [first, second] = [first, second].map(|corners| {
+                    let [a, b, c] = corners.map(|vertex| self.vertex(vertex));
+                    (b - a).cross(c - a)
+                });
+                let sine = first.cross(second).length_squared();
+                sine <= COPLANAR * first.length_squared() * second.length_squared()
+            }
+            _ => false,
+        }
     }
 
     fn is_custom(&self, primitive: u32) -> bool {
@@ -115,36 +135,56 @@ impl<'a, L: Plain> Geometry<'a, L> {
     pub fn ray(&self, path: &[KnownHit], place: [f64; 2]) -> Ray<f64> {
         let [x, y] = self.film(place);
         let ray = primary_ray::<f64>(self.frame, x, y);
-        path.iter().fold(ray, |ray, known| self.next(known, &self.surface(known, ray)))
+        path.iter().fold(ray, |ray, known| self.next(known, &self.meet(known, ray)))
     }
 
     /// The ray that goes on from a surface point.
-    pub fn next(&self, known: &KnownHit, surface: &SurfacePoint<f64>) -> Ray<f64> {
-        let is_transparent =
-            self.integrator.layout.traits_of(known.primitive as usize).is_transparent;
-        next_ray::<f64>(*surface, is_transparent)
+    pub fn next(&self, known: &KnownHit, met: &Met) -> Ray<f64> {
+        let primitive = known.primitive as usize;
+        let is_transparent = self.integrator.layout.traits_of(primitive).is_transparent;
+        let Met { surface, outward, .. } = *met;
+        match self.integrator.layout.normals.of(primitive) {
+            Some(_) => next_ray_outward::<f64>(SmoothPoint { surface, outward }, is_transparent),
+            None => next_ray::<f64>(surface, is_transparent),
+        }
     }
 
-    /// The surface point where a ray meets a primitive, or its plane if that is flat.
-    pub fn surface(&self, known: &KnownHit, ray: Ray<f64>) -> SurfacePoint<f64> {
-        let inside = known.leaves;
-        match self.integrator.layout.kind_of(known.primitive as usize) {
+    /// Where a ray meets a primitive, or its plane if that is flat.
+    pub fn meet(&self, known: &KnownHit, ray: Ray<f64>) -> Met {
+        let layout = self.integrator.layout;
+        let flat = |surface: SurfacePoint<f64>| Met {
+            surface,
+            outward: surface.normal,
+            start: surface.point,
+        };
+        match layout.kind_of(known.primitive as usize) {
             (Kind::Triangle, index) => {
-                let [a, b, c] = self.integrator.layout.triangles[index].map(|v| self.vertex(v));
-                hit::<f64>(Primitive::Triangle(Triangle { a, b, c }), inside, ray)
+                let [a, b, c] = layout.triangles[index].map(|v| self.vertex(v));
+                let triangle = Triangle { a, b, c };
+                let Some(normals) = layout.normals.of(index) else {
+                    return flat(hit::<f64>(Primitive::Triangle(triangle), known.leaves, ray));
+                };
+                let normals = normals.map(|normal| {
+                    widen::<L::Lane>(self.integrator.inputs.normals[normal as usize])
+                });
+                let SmoothPoint { surface, outward } = smooth_point::<f64>(triangle, normals, ray);
+                let start = curved_point::<f64>(triangle, normals, surface.point, outward);
+                Met { surface, outward, start }
             }
-            (Kind::Sphere, index) => hit::<f64>(Primitive::Sphere(self.sphere(index)), inside, ray),
+            (Kind::Sphere, index) => {
+                flat(hit::<f64>(Primitive::Sphere(self.sphere(index)), known.leaves, ray))
+            }
             (Kind::Custom, index) => {
                 let (numbers, transform) = self.shape(index);
                 let kernel = &self.integrator.inputs.shapes[index].kernel;
-                kernel.at::<f64>().point(&numbers, transform, ray)
+                flat(kernel.at::<f64>().point(&numbers, transform, ray))
             }
         }
     }
 
     /// How far along a ray the surface point of a primitive is.
     pub fn depth(&self, known: &KnownHit, ray: Ray<f64>) -> f64 {
-        (self.surface(known, ray).point - ray.origin).dot(ray.direction)
+        (self.meet(known, ray).surface.point - ray.origin).dot(ray.direction)
     }
 
     /// The number of an edge, see [`edge`](crate::transport::edge).
@@ -210,9 +250,9 @@ impl<'a, L: Plain> Geometry<'a, L> {
                 return;
             };
             let mut known = KnownHit { primitive: met.primitive, leaves: met.leaves, blocked: 0 };
-            let surface = self.surface(&known, ray);
+            let met_at = self.meet(&known, ray);
             for light in 0..layout.lights.len() {
-                let is_blocked = self.blocker(light, &known, &ray, &surface).is_some();
+                let is_blocked = self.blocker(light, &known, &ray, &met_at).is_some();
                 known.blocked |= u64::from(is_blocked) << light;
             }
             path.push(known);
@@ -225,9 +265,10 @@ impl<'a, L: Plain> Geometry<'a, L> {
             }
             let is_flat = self.is_triangle(met.primitive);
             let side = if traits.is_transparent { -1.0 } else { 1.0 };
-            origin = surface.point + surface.normal * (side * error_of(&ray, &surface));
+            origin =
+                met_at.surface.point + met_at.outward * (side * error_of(&ray, &met_at.surface));
             from = is_flat.then_some(met.primitive);
-            ray = self.next(&known, &surface);
+            ray = self.next(&known, &met_at);
         }
     }
 
@@ -237,7 +278,7 @@ impl<'a, L: Plain> Geometry<'a, L> {
         light: usize,
         known: &KnownHit,
         ray: &Ray<f64>,
-        surface: &SurfacePoint<f64>,
+        Met { surface, outward, start }: &Met,
     ) -> Option<KnownHit> {
         let Integrator { layout, tracer, zero_weight, .. } = self.integrator;
         if layout.lights[light].is_black && !zero_weight.lights {
@@ -247,8 +288,11 @@ impl<'a, L: Plain> Geometry<'a, L> {
         if surface.normal.dot(towards.direction) <= 0.0 {
             return None;
         }
-        let from = self.is_triangle(known.primitive).then_some(known.primitive);
-        let origin = surface.point + surface.normal * error_of(ray, surface);
+        let towards = tracer.illuminate(light, *start);
+        let cannot_return =
+            self.is_triangle(known.primitive) && outward.dot(towards.direction) > 0.0;
+        let from = cannot_return.then_some(known.primitive);
+        let origin = *start + *outward * error_of(ray, surface);
         let (origin, direction) = (origin.as_vec3(), towards.direction.as_vec3());
         let mut found = None;
         tracer.bvh.visit_crossings(
@@ -271,10 +315,10 @@ impl<'a, L: Plain> Geometry<'a, L> {
         found
     }
 
-    /// The ray from a surface point to a light.
-    pub fn shadow_ray(&self, light: usize, surface: &SurfacePoint<f64>) -> Ray<f64> {
-        let direction = self.integrator.tracer.illuminate(light, surface.point).direction;
-        Ray { origin: surface.point, direction }
+    /// The ray from where a surface was met to a light.
+    pub fn shadow_ray(&self, light: usize, met: &Met) -> Ray<f64> {
+        let direction = self.integrator.tracer.illuminate(light, met.start).direction;
+        Ray { origin: met.start, direction }
     }
 }
 

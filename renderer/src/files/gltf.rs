@@ -20,6 +20,7 @@ mod texture_tests;
 
 use std::path::Path;
 
+use super::meshes::FileNormals;
 use super::model::Model;
 use super::names::Names;
 use super::names::{clean_name, file_stem};
@@ -48,6 +49,7 @@ pub struct GltfFile {
 ///
 /// - Every node with a mesh is a mesh, named after the node (or the mesh), placed by the node and those
 ///   above it.
+/// - Normals are read by [`load_mesh_with`](super::load_mesh_with) alone.
 /// - The base colour of a material is the diffuse albedo, and what it emits the emission, each
 ///   with its texture: PNG or JPEG, embedded or in files; any set of texture coordinates, moved by
 ///   `KHR_texture_transform`; wrapped as the sampler says, along v as along u. An image whose file is
@@ -68,6 +70,11 @@ pub struct GltfFile {
 /// finite, an extension is required that is not read here, or there is no triangle. The message
 /// names the file and the part of the document.
 pub fn load_gltf(path: &Path) -> Result<GltfFile, Error> {
+    read_gltf(path, FileNormals::Ignore)
+}
+
+/// [`load_gltf`], with the normals of vertices if they are wanted.
+pub(super) fn read_gltf(path: &Path, normals: FileNormals) -> Result<GltfFile, Error> {
     let place = path.display().to_string();
     let refuse = |problem: String| Error::new(&place, problem);
     let bytes = read(path)?;
@@ -85,7 +92,7 @@ pub fn load_gltf(path: &Path) -> Result<GltfFile, Error> {
         warnings.add("animations", &place, "animations are left out");
     }
     let mut materials = Materials::load(&document, &buffers, folder, &place, &mut warnings)?;
-    let meshes = meshes(&document, &buffers, &mut materials, &nodes, path, &mut warnings)?;
+    let meshes = meshes(&document, &buffers, &mut materials, &nodes, path, normals, &mut warnings)?;
     if meshes.is_empty() {
         return Err(Error::new(place, "holds no triangles"));
     }
@@ -103,6 +110,7 @@ fn meshes(
     materials: &mut Materials,
     nodes: &[PlacedNode<'_>],
     path: &Path,
+    normals: FileNormals,
     warnings: &mut Warnings,
 ) -> Result<Vec<Mesh>, Error> {
     let file = path.display().to_string();
@@ -118,7 +126,7 @@ fn meshes(
         for (i, primitive) in mesh.primitives.iter().enumerate() {
             let place = format!("{file}: meshes[{index}].primitives[{i}]");
             warn_of_left_out(primitive, &place, warnings);
-            let part = primitive::load(document, buffers, materials, primitive)
+            let part = primitive::load(document, buffers, materials, primitive, normals)
                 .map_err(|problem| Error::new(&place, problem))?;
             parts.push(part);
         }

@@ -24,7 +24,7 @@ pub use crate::warning::Warning;
 #[cfg(feature = "gltf")]
 pub use gltf::{GltfFile, load_gltf};
 pub use images::{LoadedImage, check_image_path, load_image, save_exr, save_image, save_png};
-pub use meshes::{MeshFormat, load_mesh};
+pub use meshes::{FileNormals, MeshFormat, load_mesh, load_mesh_with};
 pub use model::{DEFAULT_MATERIAL, Model, ModelMaps, ModelMaterial, TextureImage, TextureSource};
 pub use obj::{load_obj, save_obj};
 #[cfg(feature = "ply")]

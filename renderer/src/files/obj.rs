@@ -2,9 +2,9 @@
 //!
 //! `tobj` reads the numbers, resolves the indices and gives each object its own vertices. What it
 //! would read wrongly or in silence never reaches it: `prepare` checks a file statement by statement,
-//! so that errors name lines, and hands on plain vertices, texture coordinates, faces and object
-//! names. Alone tobj 4.0 would overflow on an index before the first, draw lines as triangles, split
-//! objects by material, make up the texture coordinates of corners that have none, and refuse colours
+//! so that errors name lines, and hands on plain vertices, texture coordinates, normals, faces and
+//! object names. Alone tobj 4.0 would overflow on an index before the first, draw lines as triangles, split
+//! objects by material, make up the texture coordinates and normals of corners that have none, and refuse colours
 //! of one or two numbers. It hands faces over whole: cut by tobj every one would be a fan, which is
 //! wrong where a polygon is not convex. A parser of our own was turned down: it saves reading numbers
 //! twice, at the price of a second implementation of a format that a library reads.
@@ -29,6 +29,7 @@ mod tests;
 
 use std::path::Path;
 
+use super::meshes::FileNormals;
 use super::model::{DEFAULT_MATERIAL, Model, ModelMaps, ModelMaterial};
 use super::names::file_stem;
 use super::warnings::Warnings;
@@ -48,8 +49,8 @@ pub use write::save_obj;
 ///   the file's name; of equal names the second gets the suffix `_2`, the third `_3`.
 /// - Meshes share no vertices; a vertex that no face uses is left out. Several materials within an
 ///   object leave it one mesh.
-/// - Polygons are cut into triangles, concave ones too. Normals and smoothing groups are not used:
-///   triangles are flat shaded.
+/// - Polygons are cut into triangles, concave ones too. Normals (`vn`) are read by
+///   [`load_mesh_with`](super::load_mesh_with) alone; smoothing groups are not used.
 /// - Faces before any `usemtl` wear [`DEFAULT_MATERIAL`].
 ///
 /// Of a material library:
@@ -81,10 +82,15 @@ pub use write::save_obj;
 /// without their library, and their shapes are worth seeing. Such a material is left to a scene file,
 /// with a warning where that does not define it either ([`ModelMaterial::material`]).
 pub fn load_obj(path: &Path) -> Result<Model, Error> {
+    read_obj(path, FileNormals::Ignore)
+}
+
+/// [`load_obj`], with the normals of corners (`vn`) if they are wanted.
+pub(super) fn read_obj(path: &Path, normals: FileNormals) -> Result<Model, Error> {
     let text = read_text(path)?;
     let file = path.display().to_string();
     let mut warnings = Warnings::default();
-    let prepared = prepare(&text, &file, &file_stem(path), &mut warnings)?;
+    let prepared = prepare(&text, &file, &file_stem(path), normals, &mut warnings)?;
     // tobj is about to need as much memory again.
     drop(text);
 

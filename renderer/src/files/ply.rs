@@ -14,7 +14,9 @@ use std::path::Path;
 
 use glam::DVec3;
 
-use super::meshes::{MeshBuilder, default_model, triangulate};
+use super::meshes::{
+    FileNormals, MeshBuilder, Triangles, check_normal, default_model, triangulate,
+};
 use super::model::Model;
 use super::names::file_stem;
 use super::warnings::Warnings;
@@ -32,7 +34,8 @@ use source::{Kind, Source};
 /// - Polygons are cut into triangles, concave ones too. A vertex that no face uses is left out.
 /// - All triangles wear [`DEFAULT_MATERIAL`](super::DEFAULT_MATERIAL).
 /// - Colours, texture coordinates of faces, the comment `TextureFile` and other elements are left out
-///   with a warning; normals and whatever else there is without one.
+///   with a warning; whatever else there is without one. Normals of vertices (`nx`, `ny`, `nz`) are read
+///   by [`load_mesh_with`](super::load_mesh_with) alone.
 ///
 /// # Errors
 ///
@@ -40,11 +43,16 @@ use source::{Kind, Source};
 /// finite, an index is out of range, or there is no triangle. The message names the file and the
 /// line, or in binary data the element.
 pub fn load_ply(path: &Path) -> Result<Model, Error> {
+    read_ply(path, FileNormals::Ignore)
+}
+
+/// [`load_ply`], with the normals of vertices if they are wanted.
+pub(super) fn read_ply(path: &Path, normals: FileNormals) -> Result<Model, Error> {
     let bytes = read(path)?;
     let place = path.display().to_string();
     let mut warnings = Warnings::default();
-    let Contents { vertices, texture_coordinates, faces } =
-        contents(&bytes, &place, &mut warnings)?;
+    let Contents { vertices, texture_coordinates, normals, faces } =
+        contents(&bytes, &place, normals, &mut warnings)?;
     let mut triangles: Vec<[u32; 3]> = Vec::new();
     for (index, face) in faces {
         let corners: Vec<DVec3> =
@@ -56,14 +64,19 @@ pub fn load_ply(path: &Path) -> Result<Model, Error> {
     if triangles.is_empty() {
         return Err(Error::new(place, "holds no triangles; its faces have fewer than 3 corners"));
     }
-    let texture_triangles = if texture_coordinates.is_empty() {
-        Vec::new()
-    } else {
-        triangles.iter().copied().map(Some).collect()
+    // What vertices have goes by their indices.
+    let of_vertices = |is_empty: bool| match is_empty {
+        true => Vec::new(),
+        false => triangles.iter().copied().map(Some).collect(),
     };
-    let materials = vec![0; triangles.len()];
-    let mut builder = MeshBuilder::new(&vertices, &texture_coordinates);
-    let mesh = builder.build(file_stem(path), triangles, texture_triangles, materials);
+    let triangles = Triangles {
+        texture_coordinates: of_vertices(texture_coordinates.is_empty()),
+        normals: of_vertices(normals.is_empty()),
+        materials: vec![0; triangles.len()],
+        vertices: triangles,
+    };
+    let mut builder = MeshBuilder::new(&vertices, &texture_coordinates, &normals);
+    let mesh = builder.build(file_stem(path), triangles);
     Ok(default_model(vec![mesh], warnings))
 }
 
@@ -72,20 +85,33 @@ struct Contents {
     vertices: Vec<[f64; 3]>,
     /// One for each vertex, or none at all.
     texture_coordinates: Vec<[f64; 2]>,
+    /// One for each vertex, or none at all.
+    normals: Vec<[f64; 3]>,
     /// Which face it is, counted from 1, and its corners, all of them in range.
     faces: Vec<(u64, Vec<u32>)>,
 }
 
-fn contents(bytes: &[u8], place: &str, warnings: &mut Warnings) -> Result<Contents, Error> {
+fn contents(
+    bytes: &[u8],
+    place: &str,
+    normals: FileNormals,
+    warnings: &mut Warnings,
+) -> Result<Contents, Error> {
     let (header, mut source) = header::read(bytes, place, warnings)?;
     let Header { elements, vertices: announced } = header;
     let mut contents = Contents::default();
     // A row of nothing takes no data, and its count may be anything.
     for element in elements.iter().filter(|element| !element.properties.is_empty()) {
         let texture_names = element.texture_names();
+        let normal_names = match normals {
+            FileNormals::Ignore => None,
+            FileNormals::Read => element.normal_names(),
+        };
         for row in 1..=element.count {
             let read = match element.name.as_str() {
-                "vertex" => vertex(element, texture_names, &mut source, &mut contents),
+                "vertex" => {
+                    vertex(element, texture_names, normal_names, &mut source, &mut contents)
+                }
                 "face" => face(element, &mut source, announced)
                     .map(|face| contents.faces.extend(face.map(|face| (row, face)))),
                 _ => skip(element, &mut source),
@@ -98,14 +124,15 @@ fn contents(bytes: &[u8], place: &str, warnings: &mut Warnings) -> Result<Conten
     Ok(contents)
 }
 
-/// Reads a vertex, and its texture coordinates if the names of these are given.
+/// Reads a vertex, and its texture coordinates and its normal if the names of these are given.
 fn vertex(
     element: &Element,
     texture_names: Option<[&str; 2]>,
+    normal_names: Option<[&str; 3]>,
     source: &mut Source<'_>,
     contents: &mut Contents,
 ) -> Result<(), String> {
-    let (mut position, mut coordinates) = ([0.0; 3], [0.0; 2]);
+    let (mut position, mut coordinates, mut normal) = ([0.0; 3], [0.0; 2], [0.0; 3]);
     for property in &element.properties {
         let Kind::Scalar(scalar) = property.kind else {
             source.list(property.kind)?;
@@ -114,10 +141,12 @@ fn vertex(
         let value = source.number(scalar)?;
         let index = |names: &[&str]| names.iter().position(|name| *name == property.name);
         let texture_axis = texture_names.and_then(|names| index(&names));
-        let target = match (index(&["x", "y", "z"]), texture_axis) {
-            (Some(axis), _) => &mut position[axis],
-            (None, Some(axis)) => &mut coordinates[axis],
-            (None, None) => continue,
+        let normal_axis = normal_names.and_then(|names| index(&names));
+        let target = match (index(&["x", "y", "z"]), texture_axis, normal_axis) {
+            (Some(axis), ..) => &mut position[axis],
+            (None, Some(axis), _) => &mut coordinates[axis],
+            (None, None, Some(axis)) => &mut normal[axis],
+            (None, None, None) => continue,
         };
         if !value.is_finite() {
             return Err(format!("{} is {value}, not a finite number", property.name));
@@ -127,6 +156,10 @@ fn vertex(
     contents.vertices.push(position);
     if texture_names.is_some() {
         contents.texture_coordinates.push(coordinates);
+    }
+    if normal_names.is_some() {
+        check_normal(normal)?;
+        contents.normals.push(normal);
     }
     Ok(())
 }

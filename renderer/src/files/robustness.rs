@@ -12,7 +12,7 @@ use proptest::prelude::*;
 use proptest::sample::Index;
 use proptest::test_runner::TestRunner;
 
-use super::load_image;
+use super::{FileNormals, MeshFormat, load_image, load_mesh_with};
 use crate::Error;
 use crate::experiment::Experiment;
 
@@ -21,7 +21,7 @@ type Seed = (&'static str, Vec<u8>);
 
 const OBJ: &str = "mtllib seed.mtl\no a\nv 0 0 0 1.0\nv 1 0 0.5\nv 1 1 -1e0 0.5 0.5 0.5\nv 0 1 0\n\
                    v 0.2 0.5 0\nvt 0 0\nvt 1 0.5\nvn 0 0 1\nusemtl red\n\
-                   f 1/1/1 2/2/1 3/1/1 4/-1/1 5/1\nl 1 2\ns off\ng b\nusemtl blue\nf -1 -2 \\\n-3\n";
+                   f 1/1/1 2/2/1 3/1/1 4/-1/1 5/1/-1\nl 1 2\ns off\ng b\nusemtl blue\nf -1//1 -2 \\\n-3\n";
 const MTL: &str = "newmtl red\nKa 1 1 1\nKd 0.5 0.25 0.125\nKs 0.1\nNs 10\nillum 2\nd 0.5\n\
                    map_Kd -s 2 2 1 -o 0.5 -clamp on -bm 1 seed.png\nnewmtl blue\nKd 0 0 1\nKe 0.5\n\
                    illum 3\nbump x.png\n";
@@ -48,7 +48,8 @@ const GLTF: &str = r#"{"asset":{"version":"2.0"},"extensions":{"KHR_lights_punct
 const TOML: &str = "[camera]\nlook_from = [0, 0, 5]\nlook_at = [0, 0, 0]\nwidth = 8\nheight = 6\n\
                     [[light]]\nname = \"key\"\ntype = \"point\"\nposition = [1, 2, 3]\n\
                     radiant_intensity = 9.0\n[[sphere]]\nname = \"ball\"\ncenter = [0, 0, 0]\nradius = 1\n\
-                    material = \"paint\"\n[material.paint]\ndiffuse = [0.5, 0.5, 0.5]\n[optimize]\n\
+                    material = \"paint\"\n[[mesh]]\npath = \"seed.obj\"\nname = \"all\"\n\
+                    material = \"paint\"\nnormals = \"file\"\n[material.paint]\ndiffuse = [0.5, 0.5, 0.5]\n[optimize]\n\
                     optimizer = { type = \"adam\", beta1 = 0.8 }\nschedule = \"cosine\"\n\
                     target_values = { \"light.key.color\" = [1, 0, 0] }\n\
                     [[optimize.parameter]]\npath = \"light.key.color\"\nmin = 0\nmax = [2, 2, 2]\n";
@@ -155,7 +156,12 @@ fn load(folder: &Path, name: &str, content: &[u8]) -> Result<(), Error> {
             load_image(&path).map(|_| ()).and(texture)
         }
         Some("mtl") => Experiment::load(&folder.join("seed.obj")).map(|_| ()),
-        _ => Experiment::load(&path).map(|_| ()),
+        _ => {
+            let is_mesh = MeshFormat::of(&path).is_some();
+            let normals = || load_mesh_with(&path, FileNormals::Read).map(|_| ());
+            let normals = if is_mesh { normals() } else { Ok(()) };
+            Experiment::load(&path).map(|_| ()).and(normals)
+        }
     };
     if let Some(before) = before {
         fs::write(&path, before).unwrap();

@@ -11,7 +11,7 @@ mod tests;
 use std::collections::HashMap;
 use std::path::Path;
 
-use super::meshes::{MeshBuilder, default_model};
+use super::meshes::default_model;
 use super::model::Model;
 use super::names::file_stem;
 use super::warnings::Warnings;
@@ -135,7 +135,6 @@ impl Builder {
     }
 
     fn finish(self, name: String) -> Mesh {
-        let materials = vec![0; self.triangles.len()];
-        MeshBuilder::new(&self.vertices, &[]).build(name, self.triangles, Vec::new(), materials)
+        Mesh::new(name, self.vertices, self.triangles)
     }
 }

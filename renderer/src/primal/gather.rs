@@ -56,7 +56,7 @@ impl<S: Number> Integrator<'_, S> {
     }
 
     #[inline]
-    fn triangle(&self, primitives: &Coalesced) -> Triangle<S> {
+    pub fn triangle(&self, primitives: &Coalesced) -> Triangle<S> {
         let vertex = |vertex: u32| splat_vector::<S>(self.inputs.vertices[vertex as usize]);
         primitives.gather::<S, _>(|triangle| {
             let [a, b, c] = self.layout.triangles[triangle];
@@ -117,7 +117,7 @@ impl<S: Number> Integrator<'_, S> {
         let uv = |index: u32| self.inputs.uvs[index as usize].map(S::splat);
         primitives.gather::<S, [Uv<S>; 3]>(|triangle| {
             // A scene without textures has none.
-            let corners = self.layout.uv_triangles.get(triangle).copied().flatten();
+            let corners = self.layout.uvs.of(triangle);
             corners.map_or(none, |corners| corners.map(uv))
         })
     }

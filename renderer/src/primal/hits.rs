@@ -78,22 +78,35 @@ impl<S: Number> Integrator<'_, S> {
         let kinds = self.by_kind(&hits.primitive, hit);
         for first in (0..PACKET_RAYS).step_by(<S::Lanes as Lanes>::COUNT) {
             let lanes = |rays: u64| (rays >> first) as u32 & all_lanes::<S::Lanes>();
-            for (kind, rays) in kinds {
+            for (kind, is_smooth, rays) in kinds {
                 let alive = lanes(rays);
                 if alive == 0 {
                     continue;
                 }
                 let primitives = Coalesced::new(&hits.primitive, first, alive);
                 let (ray, inside) = (ray(first, alive), lanes(hits.leaves));
-                let surface = self.surface(kind, &primitives, inside, ray);
-                let group = LaneGroup { first, alive, primitives, kind, inside, ray, surface };
-                wavefront.groups.push(group);
+                let (surface, smooth) = if is_smooth {
+                    let (surface, smooth) = self.smooth_surface(&primitives, ray);
+                    (surface, Some(smooth))
+                } else {
+                    (self.surface(kind, &primitives, inside, ray), None)
+                };
+                wavefront.groups.push(LaneGroup {
+                    first,
+                    alive,
+                    primitives,
+                    kind,
+                    inside,
+                    ray,
+                    surface,
+                    smooth,
+                });
             }
         }
     }
 
-    /// A bit for each ray that hits a primitive of each kind.
-    fn by_kind(&self, primitives: &[u32; PACKET_RAYS], hit: u64) -> [(Kind, u64); 3] {
+    /// A bit for each ray that hits a primitive of each kind, with whether these are smooth.
+    fn by_kind(&self, primitives: &[u32; PACKET_RAYS], hit: u64) -> [(Kind, bool, u64); 4] {
         let (spheres, customs) = (self.layout.spheres, self.layout.customs());
         let triangles = self.layout.triangles.len();
         let below = |end: usize, are_more: bool| match are_more {
@@ -104,10 +117,12 @@ impl<S: Number> Integrator<'_, S> {
         };
         let triangle = hit & below(triangles, spheres + customs > 0);
         let sphere = hit & !triangle & below(triangles + spheres, customs > 0);
+        let smooth = self.on_smooth(primitives, triangle);
         [
-            (Kind::Triangle, triangle),
-            (Kind::Sphere, sphere),
-            (Kind::Custom, hit & !triangle & !sphere),
+            (Kind::Triangle, false, triangle & !smooth),
+            (Kind::Triangle, true, smooth),
+            (Kind::Sphere, false, sphere),
+            (Kind::Custom, false, hit & !triangle & !sphere),
         ]
     }
 }

@@ -5,9 +5,12 @@ use ad::{Field, Fields, Real, Tangent, Vec3};
 use glam::DVec3;
 use rayon::prelude::*;
 
+use super::placed::PlacedMesh;
 use crate::custom::{EmitterKernel, ShapeKernel};
 use crate::number::{Number, splat_vector};
-use crate::scene::{LightObject, LightSource, Object, ParameterId, Scene, ShapeObject, Transform};
+use crate::scene::{
+    LightObject, LightSource, Mesh, Object, ParameterId, Scene, ShapeObject, Transform,
+};
 use crate::settings::Pass;
 use crate::transport::camera::{CameraFrame, Ray, camera_frame};
 use crate::transport::light::{Illumination, Light, illuminate, match_light};
@@ -15,7 +18,6 @@ use crate::transport::material::Material;
 use crate::transport::sphere::Sphere;
 use crate::transport::surface::SurfacePoint;
 use crate::transport::texture::Uv;
-use crate::transport::transform::place;
 
 /// Numbers that stand for those of some parameters, such as ones that carry derivatives; all others are
 /// constants.
@@ -27,7 +29,7 @@ impl<W: Real> Varying<W> {
     /// Nothing varies.
     pub const NONE: Self = Self { blocks: Vec::new() };
 
-    fn block(&self, object: Object, field: &str) -> Option<&[W]> {
+    pub(super) fn block(&self, object: Object, field: &str) -> Option<&[W]> {
         let is_it = |id: &ParameterId| (id.object, id.field, id.vertex) == (object, field, None);
         self.blocks.iter().find(|(id, _)| is_it(id)).map(|(_, block)| &block[..])
     }
@@ -46,14 +48,14 @@ impl<W: Real> Varying<W> {
     }
 
     /// Numbers of a known object, whose fields they are.
-    fn lift<T: Fields<f64>>(&self, object: Object, values: &T) -> T::With<W> {
+    pub(super) fn lift<T: Fields<f64>>(&self, object: Object, values: &T) -> T::With<W> {
         let values: Vec<f64> = (0..T::LEN).map(|index| values.number(index)).collect();
         let lifted = self.lift_custom(object, T::FIELDS, &values);
         T::With::from_fn(&mut |index| lifted[index])
     }
 
     /// The vertices of a mesh that vary one by one.
-    fn single_vertices(&self, object: Object) -> impl Iterator<Item = (usize, &[W])> {
+    pub(super) fn single_vertices(&self, object: Object) -> impl Iterator<Item = (usize, &[W])> {
         let blocks = self.blocks.iter().filter(move |(id, _)| id.object == object);
         blocks.filter_map(|(id, block)| Some((id.vertex?, &block[..])))
     }
@@ -158,6 +160,8 @@ pub struct Inputs<S: Number> {
     pub spheres: Vec<Sphere<S::Lane>>,
     /// The vertices of all meshes in the world, one mesh after the other.
     pub vertices: Vec<Vec3<S::Lane>>,
+    /// The unit normals, or zeros, of the meshes that are shaded with any, one mesh after the other.
+    pub normals: Vec<Vec3<S::Lane>>,
     /// The texture coordinates of all meshes, one mesh after the other; empty if the scene has no
     /// textures.
     pub uvs: Vec<Uv<S::Lane>>,
@@ -176,6 +180,7 @@ impl<S: Number> Inputs<S> {
             materials: Vec::new(),
             spheres: Vec::new(),
             vertices: Vec::new(),
+            normals: Vec::new(),
             uvs: Vec::new(),
             texels: Vec::new(),
             shapes: Vec::new(),
@@ -195,7 +200,7 @@ impl<S: Number> Inputs<S> {
             narrow::<S, _>(&varying.lift(Object::Material(index), &material.values))
         }));
         self.update_textures(scene, varying);
-        let vertices = self.update_vertices(scene, origin, varying);
+        let vertices = self.update_meshes(scene, origin, varying);
         let spheres = self.update_spheres(scene, origin, varying);
         let shapes = shapes(scene, origin, varying);
         let shapes_moved = self.shapes != shapes;
@@ -231,53 +236,28 @@ impl<S: Number> Inputs<S> {
         }
     }
 
-    fn update_vertices(
+    fn update_meshes(
         &mut self,
         scene: &Scene,
         origin: Vec3<S::Wide>,
         varying: &Varying<S::Wide>,
     ) -> bool {
         let count = scene.meshes.iter().map(|mesh| mesh.vertices.len()).sum();
-        let mut moved = self.vertices.len() != count;
-        self.vertices.resize(count, Vec3::<S::Lane>::splat(Real::ZERO));
-        let mut rest = &mut self.vertices[..];
+        let is_new = self.vertices.len() != count;
+        let mut moved = is_new;
+        let zero = Vec3::<S::Lane>::splat(Real::ZERO);
+        self.vertices.resize(count, zero);
+        self.normals.resize(scene.meshes.iter().map(Mesh::normal_count).sum(), zero);
+        let (mut vertices, mut normals) = (&mut self.vertices[..], &mut self.normals[..]);
         for (index, mesh) in scene.meshes.iter().enumerate() {
-            let (vertices, others) = rest.split_at_mut(mesh.vertices.len());
-            rest = others;
-            let object = Object::Mesh(index);
-            let varies = Transform::<f64>::FIELDS
-                .iter()
-                .any(|field| varying.block(object, field.name).is_some());
-            let is_placed = varies || mesh.transform != Transform::IDENTITY;
-            let transform = varying.lift(object, &mesh.transform);
-            let world = |own: &[S::Wide; 3]| {
-                let [x, y, z] = *own;
-                let own = Vector3::new(x, y, z);
-                let placed = if is_placed { place::<S::Wide>(transform, own) } else { own };
-                narrow_vector::<S>(placed - origin)
-            };
-            let block = varying.block(object, "vertices").map(|block| block.as_chunks().0);
-            let replace = |(vertex, slot): (usize, &mut Vec3<S::Lane>)| {
-                let new = match block {
-                    Some(block) => world(&block[vertex]),
-                    None => world(&lifted::<S, 3>(&mesh.vertices[vertex])),
-                };
-                std::mem::replace(slot, new) != new
-            };
-            // The variables of a tape stay on their thread.
-            moved |= match varying.blocks.is_empty() {
-                true => {
-                    let moved = vertices.par_iter_mut().enumerate().map(replace);
-                    moved.reduce(|| false, |a, b| a | b)
-                }
-                false => {
-                    let moved = vertices.iter_mut().enumerate().map(replace);
-                    moved.fold(false, |a, b| a | b)
-                }
-            };
-            for (vertex, block) in varying.single_vertices(object) {
-                vertices[vertex] = world(&block.as_chunks().0[0]);
-            }
+            let (of_mesh, others) = vertices.split_at_mut(mesh.vertices.len());
+            vertices = others;
+            let placed = PlacedMesh::<S>::new(index, mesh, varying);
+            let has_moved = placed.replace_vertices(origin, of_mesh);
+            moved |= has_moved;
+            let (of_mesh, others) = normals.split_at_mut(mesh.normal_count());
+            normals = others;
+            placed.replace_normals(is_new || has_moved, of_mesh);
         }
         moved
     }
@@ -368,12 +348,12 @@ fn constant<S: Number>(v: DVec3) -> Vec3<S::Wide> {
 
 /// Constants.
 #[inline]
-fn lifted<S: Number, const N: usize>(values: &[f64; N]) -> [S::Wide; N] {
+pub(super) fn lifted<S: Number, const N: usize>(values: &[f64; N]) -> [S::Wide; N] {
     values.map(S::Wide::from_f64)
 }
 
 #[inline]
-fn narrow_vector<S: Number>(v: Vec3<S::Wide>) -> Vec3<S::Lane> {
+pub(super) fn narrow_vector<S: Number>(v: Vec3<S::Wide>) -> Vec3<S::Lane> {
     Vector3::new(S::narrow(v.x()), S::narrow(v.y()), S::narrow(v.z()))
 }
 

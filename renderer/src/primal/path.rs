@@ -12,7 +12,6 @@ use crate::number::{Number, primal_vector};
 use crate::trace::bvh::{PacketHits, rays};
 use crate::trace::layout::Kind;
 use crate::transport::camera::Ray;
-use crate::transport::vertex::next_ray;
 
 /// The paths of one sample of a tile: a wavefront for each depth. A pixel has the same ray in each.
 pub struct Path<S: Number> {
@@ -96,7 +95,7 @@ impl<S: Number> Integrator<'_, S> {
                 continue;
             }
             sent |= u64::from(lanes) << group.first;
-            let ray = next_ray::<S>(group.surface, S::mask(transparent));
+            let ray = group.next_rays(transparent);
             put(group, lanes, &ray, &mut sent_on);
             if known.is_some() {
                 continue;

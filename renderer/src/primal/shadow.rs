@@ -8,10 +8,11 @@ use glam::DVec3;
 use super::integrator::Integrator;
 use super::known::KnownHits;
 use super::lanes::vectors_of_lanes;
+use super::smooth::Smooth;
 use super::wavefront::{LaneGroup, Wavefront, set_vectors};
 use crate::counts::count;
 use crate::number::{MAX_LANES, Number, primal_vector};
-use crate::trace::bvh::{NO_PRIMITIVE, PacketVectors};
+use crate::trace::bvh::{NO_PRIMITIVE, PacketVectors, rays};
 use crate::trace::layout::Kind;
 
 /// Up to this ratio of its distance to the coordinates of a surface point, shadow rays start at the
@@ -57,23 +58,22 @@ impl<S: Number> Integrator<'_, S> {
         let (mut facing, mut far) = (0, 0);
         for group in &wavefront.groups {
             let (point, normal) = group.values();
-            let to_light = start - point;
-            let lanes = group.facing(normal, to_light);
+            let lanes = group.facing(normal, start - point);
             if lanes == 0 {
                 continue;
             }
             facing |= u64::from(lanes) << group.first;
+            let (point, outward) = group.geometry();
+            let to_light = start - point;
             let (reach, distance) = (group.reach(), to_light.length());
             let is_far = distance.cmpgt(reach * S::Lanes::from_f64(FARTHEST));
             far |= u64::from(S::Lanes::mask_bits(is_far) & lanes) << group.first;
 
             let error = reach.max(distance) * S::Lanes::from_f64(SURFACE_ERROR);
-            let end = normal * error - to_light;
+            let end = outward * error - to_light;
             set_vectors::<S::Lanes>(&mut directions, group.first, group.alive, end);
-            if group.kind != Kind::Triangle {
-                for (_, ray) in group.rays() {
-                    from[ray] = NO_PRIMITIVE;
-                }
+            for lane in rays(group.may_meet_themselves(to_light).into()) {
+                from[group.first + lane] = NO_PRIMITIVE;
             }
         }
         if self.is_alone(wavefront) {
@@ -97,10 +97,12 @@ impl<S: Number> Integrator<'_, S> {
         (facing, self.unoccluded(light, wavefront, facing))
     }
 
-    /// Whether a wavefront shows the only primitive there is, from outside: nothing casts a shadow on it.
+    /// Whether a wavefront shows the only primitive there is, from outside: nothing casts a shadow on it,
+    /// but for smooth triangles, which light may reach from behind.
     fn is_alone(&self, wavefront: &Wavefront<S>) -> bool {
         let primitives = self.layout.material_of.len();
-        primitives == 1 && self.layout.customs() == 0 && wavefront.hits.leaves == 0
+        let is_convex = self.layout.customs() == 0 && self.layout.normals.is_empty();
+        primitives == 1 && is_convex && wavefront.hits.leaves == 0
     }
 
     /// Those among `rays` that end at points from which nothing stands in the way to the light.
@@ -111,12 +113,10 @@ impl<S: Number> Integrator<'_, S> {
         count(|counts| &counts.shadow_rays, u64::from(rays.count_ones()));
         let mut visible = rays;
         for group in &wavefront.groups {
-            let (points, origins) = (group.points(), group.origins(0));
+            let shadow_ray = self.shadow_rays(light, wavefront, group);
             for (lane, ray) in group.rays().filter(|(_, ray)| rays >> ray & 1 == 1) {
-                let towards = self.tracer.illuminate(light, points[lane]);
-                let from = group.starts_on(wavefront, ray);
-                let (origin, direction) = (origins[lane].as_vec3(), towards.direction.as_vec3());
-                let limit = towards.distance as f32;
+                let ShadowRay { origin, direction, limit, from } = shadow_ray(lane, ray);
+                let direction = direction.as_vec3();
                 if self.tracer.bvh.is_occluded(origin, direction, limit, from) {
                     visible &= !(1 << ray);
                 }
@@ -124,6 +124,40 @@ impl<S: Number> Integrator<'_, S> {
         }
         visible
     }
+
+    /// The shadow rays of a group, by lane and ray.
+    pub fn shadow_rays(
+        &self,
+        light: usize,
+        wavefront: &Wavefront<S>,
+        group: &LaneGroup<S>,
+    ) -> impl Fn(usize, usize) -> ShadowRay {
+        let (point, _) = group.geometry();
+        let (points, origins) = (vectors_of_lanes::<S::Lanes>(point), group.outside(point, 0));
+        let outward = |smooth: &Smooth<S>| primal_vector::<S>(smooth.outward);
+        let outward = group.smooth.as_ref().map(outward).map(vectors_of_lanes::<S::Lanes>);
+        move |lane, ray| {
+            let towards = self.tracer.illuminate(light, points[lane]);
+            let is_before =
+                |outward: [DVec3; MAX_LANES]| outward[lane].dot(towards.direction) > 0.0;
+            ShadowRay {
+                origin: origins[lane].as_vec3(),
+                direction: towards.direction,
+                limit: towards.distance as f32,
+                from: group.starts_on(wavefront, ray).filter(|_| outward.is_none_or(is_before)),
+            }
+        }
+    }
+}
+
+/// A ray from a surface to a light.
+pub struct ShadowRay {
+    pub origin: glam::Vec3,
+    pub direction: DVec3,
+    /// The distance to the light.
+    pub limit: f32,
+    /// The primitive that the ray cannot meet, because it starts there and leaves it.
+    pub from: Option<u32>,
 }
 
 impl<S: Number> LaneGroup<S> {
@@ -140,11 +174,40 @@ impl<S: Number> LaneGroup<S> {
         !S::Lanes::mask_bits(normal.dot(to_light).cmple(S::Lanes::ZERO)) & self.alive
     }
 
-    /// Where rays that leave the surface points start: far enough outside not to meet the surface that
-    /// they leave. Rays in the lanes `behind` leave on the side that the viewer does not see.
+    /// Where shadow rays start, and the values of the normals that geometry has there, whatever it is
+    /// shaded with.
+    #[inline]
+    fn geometry(&self) -> (Vec3<S::Lanes>, Vec3<S::Lanes>) {
+        match &self.smooth {
+            None => self.values(),
+            Some(Smooth { curved, outward }) => (*curved, primal_vector::<S>(*outward)),
+        }
+    }
+
+    /// A bit for each lane whose shadow ray may meet the primitive that it starts on: spheres and shapes
+    /// have points before others of their own, and smooth triangles face lights that are behind them.
+    #[inline]
+    fn may_meet_themselves(&self, to_light: Vec3<S::Lanes>) -> u32 {
+        match (self.kind, &self.smooth) {
+            (Kind::Triangle, None) => 0,
+            (Kind::Triangle, Some(smooth)) => {
+                self.alive & !self.facing(primal_vector::<S>(smooth.outward), to_light)
+            }
+            (Kind::Sphere | Kind::Custom, _) => self.alive,
+        }
+    }
+
+    /// Where rays that go on start. Rays in the lanes `behind` leave on the side that the viewer does not
+    /// see.
     pub fn origins(&self, behind: u32) -> [DVec3; MAX_LANES] {
-        let (point, normal) = self.values();
-        let offset = normal * (self.reach() * S::Lanes::from_f64(SURFACE_ERROR));
+        let (point, _) = self.values();
+        self.outside(point, behind)
+    }
+
+    /// Places beside points, far enough outside for rays not to meet the surface that they leave.
+    fn outside(&self, point: Vec3<S::Lanes>, behind: u32) -> [DVec3; MAX_LANES] {
+        let (_, outward) = self.geometry();
+        let offset = outward * (self.reach() * S::Lanes::from_f64(SURFACE_ERROR));
         let offset = select(S::Lanes::mask_from_bits(behind), -offset, offset);
         vectors_of_lanes::<S::Lanes>(point + offset)
     }

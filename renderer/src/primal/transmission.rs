@@ -8,6 +8,7 @@
 use super::coalesce::{Coalesced, select_lanes};
 use super::integrator::Integrator;
 use super::known::KnownHits;
+use super::shadow::ShadowRay;
 use super::wavefront::{LaneGroup, Occluder, Transmission, Wavefront, blocks};
 use crate::counts::count;
 use crate::number::{MAX_LANES, Number};
@@ -55,17 +56,15 @@ impl<S: Number> Integrator<'_, S> {
     ) -> u64 {
         let mut through = 0;
         for (index, group) in wavefront.groups.iter().enumerate() {
-            let (points, origins) = (group.points(), group.origins(0));
+            let shadow_ray = self.shadow_rays(light, wavefront, group);
             let mut surfaces: [Vec<(u32, bool)>; MAX_LANES] = std::array::from_fn(|_| Vec::new());
             for (lane, ray) in group.rays() {
                 if dark >> ray & 1 == 0 {
                     continue;
                 }
-                let towards = self.tracer.illuminate(light, points[lane]);
+                let ShadowRay { origin, direction, limit, from } = shadow_ray(lane, ray);
                 count(|counts| &counts.shadow_rays, 1);
-                let from = group.starts_on(wavefront, ray);
-                let (origin, direction) = (origins[lane].as_vec3(), towards.direction.as_vec3());
-                let limit = towards.distance as f32;
+                let direction = direction.as_vec3();
                 if let Some(found) = self.transparent_between(origin, direction, limit, from) {
                     surfaces[lane] = found;
                     through |= 1 << ray;

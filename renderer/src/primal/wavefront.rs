@@ -3,12 +3,12 @@
 use ad::lanes::Lanes;
 use ad::vector::Vector3;
 use ad::{Additive, Fields, Vec3};
-use glam::DVec3;
 
 use super::coalesce::{Coalesced, select_lanes};
 use super::known::KnownPaths;
-use super::lanes::{all_lanes, singles_of_lanes, vectors_of_lanes};
-use crate::number::{MAX_LANES, Number, primal_vector};
+use super::lanes::{all_lanes, singles_of_lanes};
+use super::smooth::Smooth;
+use crate::number::Number;
 use crate::trace::bvh::{PACKET_RAYS, PacketHits, PacketVectors, rays};
 use crate::trace::layout::Kind;
 use crate::trace::sampling::Sampling;
@@ -77,6 +77,8 @@ pub struct LaneGroup<S: Number> {
     pub inside: u32,
     pub ray: Ray<S>,
     pub surface: SurfacePoint<S>,
+    /// Whether the primitives are smooth triangles: all of a group are, or none is.
+    pub smooth: Option<Smooth<S>>,
 }
 
 impl<S: Number> LaneGroup<S> {
@@ -97,11 +99,6 @@ impl<S: Number> LaneGroup<S> {
     #[inline]
     pub fn lanes_of(&self, rays: u64) -> u32 {
         (rays >> self.first) as u32 & self.alive
-    }
-
-    /// The values of the surface points, in double precision.
-    pub fn points(&self) -> [DVec3; MAX_LANES] {
-        vectors_of_lanes::<S::Lanes>(primal_vector::<S>(self.surface.point))
     }
 }
 

@@ -5,6 +5,7 @@ use std::borrow::Cow;
 use ad::{Field, Fields};
 use glam::DVec3;
 
+use super::normals::Normals;
 use super::numbers::Numbers;
 use crate::transport::transform::{Transform, place};
 
@@ -25,6 +26,8 @@ pub struct Mesh {
     /// For each triangle three indices into `texture_coordinates`, if it has any; empty if no triangle
     /// has.
     pub texture_triangles: Vec<Option<[u32; 3]>>,
+    /// What it is shaded with.
+    pub normals: Normals,
     /// The place in the world.
     pub transform: Transform<f64>,
 }
@@ -39,6 +42,7 @@ impl Mesh {
             triangles,
             texture_coordinates: Vec::new(),
             texture_triangles: Vec::new(),
+            normals: Normals::Flat,
             transform: Transform::IDENTITY,
         }
     }
@@ -68,6 +72,37 @@ impl Mesh {
         self
     }
 
+    /// The mesh with [smooth](Normals::Smooth) normals.
+    #[must_use]
+    pub fn smooth(self) -> Self {
+        Self { normals: Normals::Smooth, ..self }
+    }
+
+    /// The mesh with normals of its own, three indices into them for each triangle.
+    #[must_use]
+    pub fn normals(self, directions: Vec<[f64; 3]>, triangles: Vec<[u32; 3]>) -> Self {
+        let triangles = triangles.into_iter().map(Some).collect();
+        Self { normals: Normals::Given { directions, triangles }, ..self }
+    }
+
+    /// How many normals it is shaded with.
+    pub(crate) fn normal_count(&self) -> usize {
+        match &self.normals {
+            Normals::Flat => 0,
+            Normals::Smooth => self.vertices.len(),
+            Normals::Given { directions, .. } => directions.len(),
+        }
+    }
+
+    /// For each triangle the indices of the normals that it is shaded with, if it has any.
+    pub(crate) fn normal_triangles(&self) -> Cow<'_, [Option<[u32; 3]>]> {
+        match &self.normals {
+            Normals::Flat => Cow::Borrowed(&[]),
+            Normals::Smooth => self.triangles.iter().copied().map(Some).collect(),
+            Normals::Given { triangles, .. } => Cow::Borrowed(triangles),
+        }
+    }
+
     /// The vertices in the world.
     pub fn world_vertices(&self) -> impl Iterator<Item = DVec3> + '_ {
         let is_placed = self.transform != Transform::IDENTITY;
@@ -85,6 +120,9 @@ impl Numbers for Mesh {
             let len = 2 * self.texture_coordinates.len();
             fields.push(Field { name: "texture_coordinates", len });
         }
+        if let Normals::Given { directions, .. } = &self.normals {
+            fields.push(Field { name: "normals", len: 3 * directions.len() });
+        }
         fields.extend_from_slice(Transform::<f64>::FIELDS);
         fields
     }
@@ -93,6 +131,7 @@ impl Numbers for Mesh {
         match field {
             "vertices" => Some(Cow::Borrowed(self.vertices.as_flattened())),
             "texture_coordinates" => Some(Cow::Borrowed(self.texture_coordinates.as_flattened())),
+            "normals" => Some(Cow::Borrowed(self.normals.directions().as_flattened())),
             _ => Numbers::get(&self.transform, field),
         }
     }
@@ -101,6 +140,7 @@ impl Numbers for Mesh {
         let all = match field {
             "vertices" => self.vertices.as_flattened_mut(),
             "texture_coordinates" => self.texture_coordinates.as_flattened_mut(),
+            "normals" => self.normals.directions_mut().as_flattened_mut(),
             _ => return Numbers::set(&mut self.transform, field, first, numbers),
         };
         all[first..][..numbers.len()].copy_from_slice(numbers);

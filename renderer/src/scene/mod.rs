@@ -31,6 +31,7 @@ mod light;
 mod lookup;
 mod material;
 mod mesh;
+mod normals;
 pub(crate) mod numbers;
 mod object;
 mod parameter;
@@ -50,6 +51,7 @@ pub use crate::transport::transform::Transform;
 pub use light::{LightObject, LightSource};
 pub use material::{MaterialObject, MaterialTextures, Slot};
 pub use mesh::Mesh;
+pub use normals::Normals;
 pub use object::{Object, ParameterId};
 pub use parameter::ParameterPath;
 pub use shape::ShapeObject;
@@ -171,8 +173,8 @@ impl Scene {
     ///
     /// # Errors
     ///
-    /// If a number is out of its range, another mesh has the name, or a vertex, texture coordinate or
-    /// material is missing.
+    /// If a number is out of its range, another mesh has the name, or a vertex, texture coordinate, normal
+    /// or material is missing.
     pub fn add_mesh(&mut self, mesh: Mesh) -> Result<u32, Error> {
         self.meshes.push(mesh);
         self.added(|scene| &mut scene.meshes, Object::Mesh)

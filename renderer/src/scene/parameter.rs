@@ -149,12 +149,12 @@ impl Scene {
         })
     }
 
-    /// The shape of a parameter: empty for a number, `[3]` for a vector, `[n, 3]` for vertices,
-    /// `[n, 2]` for texture coordinates, `[height, width, 3]` for texels.
+    /// The shape of a parameter: empty for a number, `[3]` for a vector, `[n, 3]` for vertices
+    /// and normals, `[n, 2]` for texture coordinates, `[height, width, 3]` for texels.
     pub fn shape(&self, id: ParameterId) -> Vec<usize> {
         let count = self.get(id).len();
         match (id.object, id.field, id.vertex) {
-            (Object::Mesh(_), "vertices", None) => vec![count / 3, 3],
+            (Object::Mesh(_), "vertices" | "normals", None) => vec![count / 3, 3],
             (Object::Mesh(_), "texture_coordinates", _) => vec![count / 2, 2],
             (Object::Texture(i), ..) => {
                 vec![self.textures[i].height as usize, self.textures[i].width as usize, 3]

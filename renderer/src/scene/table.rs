@@ -11,7 +11,7 @@ use super::{LightSource, Mesh, Object, ParameterId, Scene};
 /// Lengths and coordinates beyond this overflow when an `f32` squares them.
 const LARGEST_LENGTH: f64 = 1e18;
 /// Lengths below this vanish when an `f32` squares them.
-pub(super) const SMALLEST_LENGTH: f64 = 1e-18;
+pub(crate) const SMALLEST_LENGTH: f64 = 1e-18;
 /// Other numbers beyond this leave the range of an `f32`.
 const LARGEST_NUMBER: f64 = 1e38;
 /// The power of a rounding error next to 1 is far from 1 beyond this exponent, and the highlight is
@@ -119,6 +119,8 @@ const TABLE: &[Row] = &[
         positive_or(mean_edge(&scene.meshes[i]), scene.view_distance())
     })),
     slow(smooth("mesh", "texture_coordinates", (-LARGEST_COORDINATE, LARGEST_COORDINATE), one)),
+    // They move what mirrors show.
+    slow(direction(moving("mesh", "normals", LENGTH, size))),
     slow(moving("mesh", "translation", LENGTH, |scene, _, _| view_height(scene))),
     slow(moving("mesh", "rotation", NUMBER, degrees)),
     slow(moving("mesh", "scale", LENGTH, size)),
@@ -238,6 +240,7 @@ mod tests {
             texels: vec![[0.0; 3]],
         };
         let mesh = Mesh::new("", vec![], vec![]).texture_coordinates(vec![[0.0; 2]], vec![]);
+        let mesh = mesh.normals(vec![], vec![]);
         let names =
             |fields: &[ad::Field]| fields.iter().map(|field| field.name).collect::<Vec<_>>();
         let fields = [

@@ -5,7 +5,7 @@ use std::collections::HashSet;
 use glam::DVec3;
 
 use super::table::{self, LARGEST_COORDINATE, SMALLEST_LENGTH};
-use super::{Mesh, Object, ParameterId, Scene, ShapeObject, Slot, Texture};
+use super::{Mesh, Normals, Object, ParameterId, Scene, ShapeObject, Slot, Texture};
 use crate::Error;
 
 #[cfg(test)]
@@ -117,16 +117,21 @@ impl Scene {
         {
             let path = self.path(id).to_string();
             return match (id.field, id.vertex) {
-                ("vertices", None) | ("texels", _) => {
+                ("vertices", None) | ("normals" | "texels", _) => {
                     invalid(format!("{path}[{}]", index / 3), problem)
                 }
                 ("texture_coordinates", _) => invalid(format!("{path}[{}]", index / 2), problem),
                 _ => invalid(path, problem),
             };
         }
-        let is_zero = || numbers.iter().map(|x| x * x).sum::<f64>().sqrt() < SMALLEST_LENGTH;
-        if row.is_direction && is_zero() {
-            return invalid(self.path(id), "must be a direction, is the zero vector");
+        let is_zero = |v: &[f64; 3]| DVec3::from(*v).length() < SMALLEST_LENGTH;
+        let zero = || numbers.as_chunks().0.iter().position(is_zero);
+        if row.is_direction
+            && let Some(index) = zero()
+        {
+            let index = if id.field == "normals" { format!("[{index}]") } else { String::new() };
+            let path = format!("{}{index}", self.path(id));
+            return invalid(path, "must be a direction, is the zero vector");
         }
         // A ray meets a shape where the shape was before it was placed.
         let is_flat = || numbers.iter().any(|scale| scale.abs() < SMALLEST_LENGTH);
@@ -263,6 +268,7 @@ impl Scene {
             return self.check_material_of(object, material);
         }
         self.check_texture_coordinates(mesh)?;
+        check_normals(mesh)?;
         let indices = mesh.triangles.as_flattened();
         let vertices = mesh.vertices.len();
         match indices.iter().find(|&&index| index as usize >= vertices) {
@@ -299,6 +305,21 @@ impl Scene {
             }
             None => Ok(()),
         }
+    }
+}
+
+/// The indices of the normals of a mesh.
+fn check_normals(mesh: &Mesh) -> Result<(), Invalid> {
+    let Normals::Given { directions, triangles } = &mesh.normals else { return Ok(()) };
+    let path = || format!("mesh.{}.normals", mesh.name);
+    let (given, count) = (triangles.len(), mesh.triangles.len());
+    if given != count {
+        return invalid(path(), format!("{given} triangles of normals for {count}"));
+    }
+    let count = directions.len();
+    match triangles.iter().flatten().flatten().find(|&&index| index as usize >= count) {
+        Some(index) => invalid(path(), format!("names normal {index} of {count}")),
+        None => Ok(()),
     }
 }
 

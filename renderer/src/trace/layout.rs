@@ -1,10 +1,11 @@
 //! What of a scene is discrete: sizes, indices, and what its materials can do.
 
-use std::iter;
+use std::borrow::Cow;
 use std::ops::Range;
 
 use glam::DVec3;
 
+use super::corners::Corners;
 use super::sampling::Sampling;
 use crate::scene::{MaterialObject, MaterialTextures, Scene, Slot, Wrap};
 use crate::settings::{Pass, Settings};
@@ -36,12 +37,10 @@ pub struct Layout {
     pub textures: Vec<TextureLayout>,
     /// The first vertex of each mesh, then the number of all.
     pub first_vertices: Vec<u32>,
-    /// The first texture coordinates of each mesh, then the number of all; zeros if the scene has no
-    /// textures.
-    pub first_uvs: Vec<u32>,
-    /// The texture coordinates of all triangles, by index into those of all meshes; empty if the scene
-    /// has no textures.
-    pub uv_triangles: Vec<Option<[u32; 3]>>,
+    /// The texture coordinates of the triangles; none if the scene has no textures.
+    pub uvs: Corners,
+    /// The normals of the smooth triangles.
+    pub normals: Corners,
 }
 
 /// What a light can do.
@@ -131,8 +130,15 @@ impl Layout {
             has_opacity_textures: false,
             textures: textures(scene),
             first_vertices: vec![0],
-            first_uvs: vec![0],
-            uv_triangles: Vec::new(),
+            uvs: Corners::new(&scene.meshes, |mesh| match scene.textures.is_empty() {
+                true => (0, Cow::Borrowed(&[])),
+                false => {
+                    (mesh.texture_coordinates.len(), Cow::Borrowed(&mesh.texture_triangles[..]))
+                }
+            }),
+            normals: Corners::new(&scene.meshes, |mesh| {
+                (mesh.normal_count(), mesh.normal_triangles())
+            }),
         };
         let mut first = 0;
         for mesh in &scene.meshes {
@@ -143,7 +149,6 @@ impl Layout {
         }
         layout.material_of.extend(scene.spheres.iter().map(|sphere| sphere.material));
         layout.material_of.extend(scene.shapes.iter().map(|shape| shape.material));
-        layout.place_texture_coordinates(scene);
         layout.update(scene);
         layout
     }
@@ -161,21 +166,6 @@ impl Layout {
             is_radiance && self.materials.iter().any(|traits| traits.is_transparent);
         let mut textures = self.materials.iter().map(|traits| traits.textures);
         self.has_opacity_textures = textures.any(|textures| textures.get(Slot::Opacity).is_some());
-    }
-
-    fn place_texture_coordinates(&mut self, scene: &Scene) {
-        let mut first = 0;
-        for mesh in &scene.meshes {
-            if !scene.textures.is_empty() {
-                let moved =
-                    |corners: &Option<[u32; 3]>| corners.map(|c| c.map(|corner| corner + first));
-                self.uv_triangles.extend(mesh.texture_triangles.iter().map(moved));
-                let bare = mesh.triangles.len() - mesh.texture_triangles.len();
-                self.uv_triangles.extend(iter::repeat_n(None, bare));
-                first += mesh.texture_coordinates.len() as u32;
-            }
-            self.first_uvs.push(first);
-        }
     }
 
     /// The kind of a primitive, and its index among those of its kind.
@@ -199,16 +189,6 @@ impl Layout {
     /// The vertices of a mesh among those of all.
     pub fn vertices_of(&self, mesh: usize) -> Range<usize> {
         self.first_vertices[mesh] as usize..self.first_vertices[mesh + 1] as usize
-    }
-
-    /// The number of texture coordinates of all meshes.
-    pub fn uvs(&self) -> usize {
-        self.first_uvs.last().map_or(0, |&end| end as usize)
-    }
-
-    /// The texture coordinates of a mesh among those of all.
-    pub fn uvs_of(&self, mesh: usize) -> Range<usize> {
-        self.first_uvs[mesh] as usize..self.first_uvs[mesh + 1] as usize
     }
 
     /// The number of shapes of one's own.

@@ -8,6 +8,7 @@
 //! `f32` whatever images are computed in.
 
 pub mod bvh;
+mod corners;
 pub(crate) mod layout;
 pub(crate) mod raster;
 pub(crate) mod sampling;

@@ -69,7 +69,7 @@ impl<'a> Question<'a> {
 /// Whether the acceleration structure depends on a parameter.
 pub(super) fn is_geometry(id: &ParameterId) -> bool {
     match id.object {
-        Object::Mesh(_) => id.field != "texture_coordinates",
+        Object::Mesh(_) => !["texture_coordinates", "normals"].contains(&id.field),
         Object::Sphere(_) | Object::Shape(_) => true,
         Object::Camera | Object::Light(_) | Object::Material(_) | Object::Texture(_) => false,
     }

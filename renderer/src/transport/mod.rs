@@ -1,9 +1,10 @@
 //! What light does: the mathematics of the renderer, once.
 //!
 //! In tracing order: a [`camera`] sends a ray through a pixel; [`hit`] gives the surface point on the
-//! [`triangle`], [`sphere`] or [`shape`] of one's own that it meets; a [`texture`] varies the [`material`] there; [`direct`]
-//! gives what a [`light`] makes the surface reflect; [`vertex`] puts together what leaves a path vertex
-//! and the ray to the next one. [`transform`] places geometry in the world.
+//! [`triangle`], flat or [`smooth`], [`sphere`] or [`shape`] of one's own that it meets; a [`texture`]
+//! varies the [`material`] there; [`direct`] gives what a [`light`] makes the surface reflect; [`vertex`]
+//! puts together what leaves a path vertex and the ray to the next one. [`transform`] places geometry in
+//! the world.
 //!
 //! Every function is `#[differentiable]` and generic over `S:` [`Real`], so one source runs at
 //! `f32`, `f64`, on SIMD lanes, dual numbers, a tape, and in extended precision, and its pullback is
@@ -22,6 +23,7 @@ pub mod hit;
 pub mod light;
 pub mod material;
 pub mod shape;
+pub mod smooth;
 pub mod sphere;
 pub mod surface;
 pub mod texture;

@@ -7,7 +7,7 @@ use super::camera::Ray;
 use super::surface::SurfacePoint;
 use super::texture::Uv;
 
-/// A triangle, flat shaded and seen from both sides.
+/// A triangle, seen from both sides.
 #[derive(Clone, Copy, Debug, Differentiable, Fields)]
 pub struct Triangle<S: Real> {
     /// The first corner.
@@ -44,6 +44,17 @@ pub fn triangle_point<S: Real>(triangle: Triangle<S>, ray: Ray<S>) -> SurfacePoi
 #[differentiable]
 #[inline]
 pub fn triangle_uv<S: Real>(triangle: Triangle<S>, corners: [Uv<S>; 3], point: Vec3<S>) -> Uv<S> {
+    let [at_a, at_b, at_c] = barycentric::<S>(triangle, point);
+    Uv {
+        u: corners[0].u * at_a + corners[1].u * at_b + corners[2].u * at_c,
+        v: corners[0].v * at_a + corners[1].v * at_b + corners[2].v * at_c,
+    }
+}
+
+/// The weights of the corners of a triangle whose mean is a point of it; they add up to 1.
+#[differentiable]
+#[inline]
+pub fn barycentric<S: Real>(triangle: Triangle<S>, point: Vec3<S>) -> [S; 3] {
     let (to_b, to_c) = (triangle.b - triangle.a, triangle.c - triangle.a);
     let scale = edge_scale::<S>(to_b, to_c);
     let (to_b, to_c, to_point) = (to_b * scale, to_c * scale, (point - triangle.a) * scale);
@@ -51,11 +62,7 @@ pub fn triangle_uv<S: Real>(triangle: Triangle<S>, corners: [Uv<S>; 3], point: V
     let area_squared = normal.length_squared();
     let at_b = normal.dot(to_point.cross(to_c)) / area_squared;
     let at_c = normal.dot(to_b.cross(to_point)) / area_squared;
-    let at_a = S::ONE - at_b - at_c;
-    Uv {
-        u: corners[0].u * at_a + corners[1].u * at_b + corners[2].u * at_c,
-        v: corners[0].v * at_a + corners[1].v * at_b + corners[2].v * at_c,
-    }
+    [S::ONE - at_b - at_c, at_b, at_c]
 }
 
 /// A power of two that brings edges to lengths whose fourth power, the squared length of a normal,

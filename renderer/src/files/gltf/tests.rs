@@ -8,7 +8,7 @@ use serde_json::{Value, json};
 
 use super::document::LightDefinition;
 use super::*;
-use crate::scene::Material;
+use crate::scene::{Material, Normals};
 use crate::transport::direct::direct;
 use crate::transport::light::illuminate;
 use crate::transport::surface::SurfacePoint;
@@ -103,6 +103,59 @@ fn meshes_are_placed_in_the_world() {
     let [red] = &model.materials[..] else { panic!("one material") };
     assert_eq!((red.name.as_str(), &mesh.materials[..]), ("red", &[0, 0][..]));
     assert_eq!(red.material.as_ref().unwrap().values.diffuse, DVec3::new(0.5, 0.25, 0.125));
+}
+
+/// The square without its first corner, which is no direction, and with the other positions as normals.
+fn with_normals() -> Value {
+    let mut document = square();
+    let accessors = document["accessors"].as_array_mut().unwrap();
+    accessors[0]["byteOffset"] = json!(12);
+    accessors[0]["count"] = json!(3);
+    let indices = document["accessors"].as_array_mut().unwrap();
+    indices[1]["count"] = json!(3);
+    document["meshes"][0]["primitives"] = json!([
+        { "attributes": { "POSITION": 0, "NORMAL": 0 } },
+        { "attributes": { "POSITION": 0 } },
+    ]);
+    document
+}
+
+fn read(document: &Value) -> Result<Mesh, Error> {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("model.gltf");
+    fs::write(&path, document.to_string()).unwrap();
+    read_gltf(&path, FileNormals::Read).map(|mut file| file.model.meshes.remove(0))
+}
+
+#[test]
+fn normals_are_read_where_they_are_wanted() {
+    let mut document = with_normals();
+    let directions = vec![[1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.0]];
+    let triangles = vec![Some([0, 1, 2]), None];
+    let expected = Normals::Given { directions, triangles };
+    assert_eq!(read(&document).unwrap().normals, expected);
+    assert_eq!(load(&document).unwrap().model.meshes[0].normals, Normals::Flat);
+
+    // A matrix that shears moves vertices; normals stay perpendicular to what they were.
+    document["nodes"][1] = json!({
+        "mesh": 0, "matrix": [1, 0, 0, 0, 1, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1],
+    });
+    let sheared = read(&document).unwrap();
+    assert_eq!(sheared.vertices[0..3], [[1.0, 0.0, -1.0], [2.0, 1.0, -1.0], [1.0, 1.0, -1.0]]);
+    let directions = sheared.normals.directions();
+    assert_eq!(directions, [[1.0, -1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]]);
+
+    for (broken, value, expected) in [
+        ("/accessors/0/byteOffset", json!(0), "NORMAL 0: a normal is the zero vector"),
+        ("/meshes/0/primitives/0/attributes/NORMAL", json!(9), "there is no accessors[9], of 2"),
+        ("/meshes/0/primitives/0/attributes/NORMAL", json!(1), "accessors[1]: its type is SCALAR"),
+    ] {
+        let mut document = with_normals();
+        *document.pointer_mut(broken).unwrap() = value;
+        let error = read(&document).unwrap_err().to_string();
+        let place = "model.gltf: meshes[0].primitives[0]";
+        assert!(error.contains(place) && error.contains(expected), "{error}");
+    }
 }
 
 #[test]

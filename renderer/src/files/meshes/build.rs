@@ -1,42 +1,67 @@
 //! From what files hold to meshes.
 
+use glam::DVec3;
+
 use crate::files::model::{DEFAULT_MATERIAL, Model, ModelMaps, ModelMaterial};
 use crate::files::warnings::Warnings;
-use crate::scene::{Material, Mesh};
+use crate::scene::table::SMALLEST_LENGTH;
+use crate::scene::{Material, Mesh, Normals};
 
-/// Builds meshes out of the vertices and the texture coordinates of a file.
+/// Builds meshes out of the vertices, the texture coordinates and the normals of a file.
 pub(in crate::files) struct MeshBuilder<'a> {
     vertices: Numbering<'a, 3>,
     texture_coordinates: Numbering<'a, 2>,
+    normals: Numbering<'a, 3>,
+}
+
+/// The triangles of a mesh, all indices in range.
+#[derive(Default)]
+pub(in crate::files) struct Triangles {
+    pub vertices: Vec<[u32; 3]>,
+    /// One entry for each triangle, or none at all.
+    pub texture_coordinates: Vec<Option<[u32; 3]>>,
+    /// One entry for each triangle, or none at all.
+    pub normals: Vec<Option<[u32; 3]>>,
+    /// One for each triangle.
+    pub materials: Vec<u32>,
 }
 
 impl<'a> MeshBuilder<'a> {
     /// For the numbers that indices refer to.
-    pub fn new(vertices: &'a [[f64; 3]], texture_coordinates: &'a [[f64; 2]]) -> Self {
+    pub fn new(
+        vertices: &'a [[f64; 3]],
+        texture_coordinates: &'a [[f64; 2]],
+        normals: &'a [[f64; 3]],
+    ) -> Self {
         Self {
             vertices: Numbering::new(vertices),
             texture_coordinates: Numbering::new(texture_coordinates),
+            normals: Numbering::new(normals),
         }
     }
 
-    /// A mesh of `triangles`, all indices in range: it keeps what is used, in the order of its first
-    /// use. `texture_triangles` may be empty; otherwise these and `materials` have one entry for each
-    /// triangle.
-    pub fn build(
-        &mut self,
-        name: String,
-        mut triangles: Vec<[u32; 3]>,
-        mut texture_triangles: Vec<Option<[u32; 3]>>,
-        materials: Vec<u32>,
-    ) -> Mesh {
-        let vertices = self.vertices.renumber(triangles.as_flattened_mut().iter_mut());
-        let corners = texture_triangles.iter_mut().flatten().flatten();
-        let texture_coordinates = self.texture_coordinates.renumber(corners);
-        if texture_coordinates.is_empty() {
-            texture_triangles = Vec::new();
-        }
-        let mesh = Mesh::new(name, vertices, triangles);
-        Mesh { materials, texture_coordinates, texture_triangles, ..mesh }
+    /// A mesh that keeps what its triangles use, in the order of its first use.
+    pub fn build(&mut self, name: String, triangles: Triangles) -> Mesh {
+        let Triangles { vertices: mut corners, texture_coordinates, normals, materials } =
+            triangles;
+        let vertices = self.vertices.renumber(corners.as_flattened_mut().iter_mut());
+        let (texture_coordinates, texture_triangles) =
+            self.texture_coordinates.renumber_some(texture_coordinates);
+        let (directions, triangles) = self.normals.renumber_some(normals);
+        let normals = match directions.is_empty() {
+            true => Normals::Flat,
+            false => Normals::Given { directions, triangles },
+        };
+        let mesh = Mesh::new(name, vertices, corners);
+        Mesh { materials, texture_coordinates, texture_triangles, normals, ..mesh }
+    }
+}
+
+/// Whether a normal has a direction.
+pub(in crate::files) fn check_normal(normal: [f64; 3]) -> Result<(), String> {
+    match DVec3::from(normal).length() < SMALLEST_LENGTH {
+        true => Err("a normal is the zero vector, which has no direction".to_owned()),
+        false => Ok(()),
     }
 }
 
@@ -50,6 +75,18 @@ struct Numbering<'a, const N: usize> {
 impl<'a, const N: usize> Numbering<'a, N> {
     fn new(points: &'a [[f64; N]]) -> Self {
         Self { points, numbers: vec![None; points.len()] }
+    }
+
+    /// The points that triangles use which have any, and these triangles; nothing if none has.
+    fn renumber_some(
+        &mut self,
+        mut triangles: Vec<Option<[u32; 3]>>,
+    ) -> (Vec<[f64; N]>, Vec<Option<[u32; 3]>>) {
+        let points = self.renumber(triangles.iter_mut().flatten().flatten());
+        if points.is_empty() {
+            triangles = Vec::new();
+        }
+        (points, triangles)
     }
 
     /// The points that `indices` use, in the order of first use, by which the indices are replaced.

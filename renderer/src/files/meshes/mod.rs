@@ -14,10 +14,10 @@ mod polygon;
 use std::path::Path;
 
 use super::model::Model;
-use super::obj::load_obj;
+use super::obj::read_obj;
 use crate::Error;
 
-pub(super) use build::{MeshBuilder, default_model, plain_material};
+pub(super) use build::{MeshBuilder, Triangles, check_normal, default_model, plain_material};
 pub(super) use polygon::triangulate;
 
 /// A format of mesh files.
@@ -48,25 +48,44 @@ impl MeshFormat {
     }
 }
 
-/// Reads a mesh file: OBJ, PLY, STL or glTF, as its extension says.
+/// Whether the normals of vertices that a mesh file holds are read. Where they are not, they are not
+/// checked either: many files hold broken ones that nothing has ever shown.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum FileNormals {
+    /// Meshes are flat.
+    Ignore,
+    /// Meshes have the normals of the file; triangles for which it has none are flat.
+    Read,
+}
+
+/// Reads a mesh file: OBJ, PLY, STL or glTF, as its extension says. Its meshes are flat.
 ///
 /// # Errors
 ///
 /// If the extension is another one, the format is one that this build leaves out, or the file is
-/// refused by its format: [`load_obj`], [`load_ply`](super::load_ply),
+/// refused by its format: [`load_obj`](super::load_obj), [`load_ply`](super::load_ply),
 /// [`load_stl`](super::load_stl), [`load_gltf`](super::load_gltf).
 pub fn load_mesh(path: &Path) -> Result<Model, Error> {
+    load_mesh_with(path, FileNormals::Ignore)
+}
+
+/// [`load_mesh`], with the normals of the file if they are wanted. STL files have none of vertices.
+///
+/// # Errors
+///
+/// As [`load_mesh`], and if a normal that is read is not finite, is zero, or is missing.
+pub fn load_mesh_with(path: &Path, normals: FileNormals) -> Result<Model, Error> {
     let format = MeshFormat::of(path).ok_or_else(|| {
         Error::new(path.display(), "is no mesh file: one of .obj, .ply, .stl, .gltf, .glb")
     })?;
     match format {
-        MeshFormat::Obj => load_obj(path),
+        MeshFormat::Obj => read_obj(path, normals),
         #[cfg(feature = "ply")]
-        MeshFormat::Ply => super::ply::load_ply(path),
+        MeshFormat::Ply => super::ply::read_ply(path, normals),
         #[cfg(feature = "stl")]
         MeshFormat::Stl => super::stl::load_stl(path),
         #[cfg(feature = "gltf")]
-        MeshFormat::Gltf => super::gltf::load_gltf(path).map(|file| file.model),
+        MeshFormat::Gltf => super::gltf::read_gltf(path, normals).map(|file| file.model),
         #[cfg(not(all(feature = "ply", feature = "stl", feature = "gltf")))]
         _ => Err(left_out(path, format)),
     }

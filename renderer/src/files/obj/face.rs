@@ -1,6 +1,7 @@
 //! Faces of an OBJ file.
 
 use super::statements::words;
+use crate::files::meshes::FileNormals;
 
 /// How many elements the file has defined so far.
 #[derive(Default)]
@@ -10,20 +11,28 @@ pub(super) struct Counts {
     pub normals: u32,
 }
 
-/// Checks what follows `f`: for each corner vertex, texture coordinates and normal. Appends to `text`
-/// the face without normals, and to `textured` for each corner whether it has texture coordinates.
+/// What a corner of a face has beside its vertex.
+#[derive(Clone, Copy)]
+pub(super) struct Corner {
+    pub is_textured: bool,
+    pub has_normal: bool,
+}
+
+/// Checks what follows `f`: for each corner vertex, texture coordinates and normal. Appends the face to
+/// `text`, without normals if these are not wanted, and to `corners` what each corner has.
 pub(super) fn prepare_face(
     rest: &str,
     counts: &Counts,
+    normals: FileNormals,
     text: &mut String,
-    textured: &mut Vec<bool>,
+    corners: &mut Vec<Corner>,
 ) -> Result<(), String> {
     let kinds = [
         ("vertex", counts.vertices),
         ("texture coordinate", counts.texture_coordinates),
         ("normal", counts.normals),
     ];
-    let mut corners = 0;
+    let first = corners.len();
     text.push('f');
     for corner in words(rest) {
         let mut parts = corner.split('/');
@@ -41,12 +50,15 @@ pub(super) fn prepare_face(
         if !normal.is_empty() {
             check_index(normal, kinds[2])?;
         }
-        textured.push(!texture.is_empty());
-        corners += 1;
+        let has_normal = !normal.is_empty() && normals == FileNormals::Read;
+        if has_normal {
+            text.extend([if texture.is_empty() { "//" } else { "/" }, normal]);
+        }
+        corners.push(Corner { is_textured: !texture.is_empty(), has_normal });
     }
     text.push('\n');
-    match corners {
-        0..3 => Err(format!("a face has at least 3 vertices, this one {corners}")),
+    match corners.len() - first {
+        count @ 0..3 => Err(format!("a face has at least 3 vertices, this one {count}")),
         _ => Ok(()),
     }
 }

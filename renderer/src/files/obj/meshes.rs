@@ -4,15 +4,16 @@ use std::path::Path;
 
 use glam::DVec3;
 
+use super::face::Corner;
 use super::prepare::Prepared;
 use crate::Error;
-use crate::files::meshes::{MeshBuilder, triangulate};
+use crate::files::meshes::{MeshBuilder, Triangles, triangulate};
 use crate::files::names::Names;
 use crate::scene::Mesh;
 
 /// The objects of the file `file` that have faces.
 pub(super) fn meshes(prepared: Prepared, file: &str) -> Result<Vec<Mesh>, Error> {
-    let Prepared { text, faces, textured, .. } = prepared;
+    let Prepared { text, faces, corners, .. } = prepared;
     // By default polygons stay whole, and texture coordinates have indices of their own.
     let options = tobj::LoadOptions::default();
     let no_library = |_: &Path| Err(tobj::LoadError::OpenFileFailed);
@@ -22,7 +23,7 @@ pub(super) fn meshes(prepared: Prepared, file: &str) -> Result<Vec<Mesh>, Error>
     let mut meshes = Vec::new();
     let mut names = Names::default();
     // tobj keeps the order of the faces, so each object takes the next ones.
-    let (mut faces, mut textured) = (faces.into_iter(), &textured[..]);
+    let (mut faces, mut has) = (faces.into_iter(), &corners[..]);
     for tobj::Model { mesh, name } in models {
         if mesh.indices.is_empty() {
             continue;
@@ -33,8 +34,7 @@ pub(super) fn meshes(prepared: Prepared, file: &str) -> Result<Vec<Mesh>, Error>
             true => vec![3; mesh.indices.len() / 3],
             false => mesh.face_arities,
         };
-        let (mut triangles, mut texture_triangles) = (Vec::new(), Vec::new());
-        let mut materials = Vec::new();
+        let mut triangles = Triangles::default();
         let mut first = 0;
         for (arity, face) in arities.into_iter().zip(faces.by_ref()) {
             let corners = &mesh.indices[first..][..arity as usize];
@@ -47,23 +47,23 @@ pub(super) fn meshes(prepared: Prepared, file: &str) -> Result<Vec<Mesh>, Error>
                 }
             };
             for triangle in cut {
-                triangles.push(triangle.map(|i| corners[i]));
-                let is_textured = triangle.iter().all(|i| textured[first + i]);
-                let texture = || triangle.map(|i| mesh.texcoord_indices[first + i]);
-                texture_triangles.push(is_textured.then(texture));
-                materials.push(face.material);
+                triangles.vertices.push(triangle.map(|i| corners[i]));
+                let all_have =
+                    |is: fn(&Corner) -> bool| triangle.iter().all(|i| is(&has[first + i]));
+                let places = || triangle.map(|i| mesh.texcoord_indices[first + i]);
+                let places = all_have(|corner| corner.is_textured).then(places);
+                triangles.texture_coordinates.push(places);
+                let normals = || triangle.map(|i| mesh.normal_indices[first + i]);
+                triangles.normals.push(all_have(|corner| corner.has_normal).then(normals));
+                triangles.materials.push(face.material);
             }
             first += corners.len();
         }
-        textured = &textured[first..];
-        // Of the texture coordinates that tobj makes up none are left.
-        let mesh = MeshBuilder::new(positions, mesh.texcoords.as_chunks().0).build(
-            names.take(name),
-            triangles,
-            texture_triangles,
-            materials,
-        );
-        meshes.push(mesh);
+        has = &has[first..];
+        // Of what tobj makes up nothing is left.
+        let (places, normals) = (mesh.texcoords.as_chunks().0, mesh.normals.as_chunks().0);
+        let mut builder = MeshBuilder::new(positions, places, normals);
+        meshes.push(builder.build(names.take(name), triangles));
     }
     Ok(meshes)
 }

@@ -3,22 +3,22 @@
 use std::collections::HashMap;
 
 use super::chunks::Chunks;
-use super::face::{Counts, prepare_face};
+use super::face::{Corner, Counts, prepare_face};
 use super::statements::{Statement, number, statements, words};
 use crate::Error;
+use crate::files::meshes::{FileNormals, check_normal};
 use crate::files::model::DEFAULT_MATERIAL;
 use crate::files::warnings::Warnings;
 
 /// An OBJ file, checked.
 #[derive(Default)]
 pub(super) struct Prepared {
-    /// For tobj: objects, vertices, texture coordinates and faces; no more.
+    /// For tobj: objects, vertices, texture coordinates, normals if they are wanted, and faces; no more.
     pub text: Chunks,
     /// The faces of the file in order.
     pub faces: Vec<Face>,
-    /// For each corner of each face whether it has texture coordinates: where it has none, tobj makes
-    /// some up.
-    pub textured: Vec<bool>,
+    /// For each corner of each face what it has: what it does not have, tobj makes up.
+    pub corners: Vec<Corner>,
     /// The names of the materials in order of their first use, and the line of that.
     pub materials: Vec<(String, usize)>,
     /// What stands after each `mtllib`, and its line.
@@ -38,6 +38,7 @@ pub(super) fn prepare(
     text: &str,
     file: &str,
     stem: &str,
+    normals: FileNormals,
     warnings: &mut Warnings,
 ) -> Result<Prepared, Error> {
     let has_objects = statements(text).any(|statement| statement.keyword == "o");
@@ -62,10 +63,15 @@ pub(super) fn prepare(
                 counts.texture_coordinates =
                     one_more(counts.texture_coordinates).map_err(refuse)?;
             }
-            "vn" => counts.normals = one_more(counts.normals).map_err(refuse)?,
+            "vn" => {
+                if normals == FileNormals::Read {
+                    prepare_normal(&rest, prepared.text.line()).map_err(refuse)?;
+                }
+                counts.normals = one_more(counts.normals).map_err(refuse)?;
+            }
             "f" => {
-                let Prepared { text, faces, textured, materials, .. } = &mut prepared;
-                prepare_face(&rest, &counts, text.line(), textured).map_err(refuse)?;
+                let Prepared { text, faces, corners, materials, .. } = &mut prepared;
+                prepare_face(&rest, &counts, normals, text.line(), corners).map_err(refuse)?;
                 faces.push(Face { line, material: worn.index(materials, line) });
             }
             "usemtl" if rest.is_empty() => {
@@ -77,7 +83,7 @@ pub(super) fn prepare(
                 let name = if rest.is_empty() { stem } else { &rest };
                 prepared.text.line().extend(["o ", name, "\n"]);
             }
-            // Triangles are flat shaded whatever their smoothing group.
+            // Which edges are smooth does not depend on smoothing groups.
             "o" | "g" | "s" => {}
             "l" | "p" => warn(&format!("`{keyword}` is left out: only faces (`f`) are shown")),
             _ => warn(&format!("`{keyword}` is left out: it is no statement that is read here")),
@@ -119,15 +125,9 @@ fn one_more(count: u32) -> Result<u32, String> {
 /// Appends the three coordinates, and the weight if there is one; tells whether a colour follows,
 /// which is left out.
 fn prepare_vertex(rest: &str, text: &mut String) -> Result<bool, String> {
-    let mut position = [0.0; 3];
     let mut words = words(rest);
     text.push('v');
-    for (i, value) in position.iter_mut().enumerate() {
-        let word =
-            words.next().ok_or_else(|| format!("a vertex has 3 coordinates, this one {i}"))?;
-        *value = number(word)?;
-        text.extend([" ", word]);
-    }
+    let position = prepare_vector(&mut words, "vertex", text)?;
     let fourth = words.next();
     let has_color = words.next().is_some();
     if let Some(word) = fourth.filter(|_| !has_color) {
@@ -139,6 +139,30 @@ fn prepare_vertex(rest: &str, text: &mut String) -> Result<bool, String> {
     }
     text.push('\n');
     Ok(has_color)
+}
+
+/// Appends a normal.
+fn prepare_normal(rest: &str, text: &mut String) -> Result<(), String> {
+    text.push_str("vn");
+    let normal = prepare_vector(&mut words(rest), "normal", text)?;
+    text.push('\n');
+    check_normal(normal)
+}
+
+/// Appends the next three words, the coordinates of a `kind` of thing.
+fn prepare_vector<'a>(
+    words: &mut impl Iterator<Item = &'a str>,
+    kind: &str,
+    text: &mut String,
+) -> Result<[f64; 3], String> {
+    let mut vector = [0.0; 3];
+    for (i, value) in vector.iter_mut().enumerate() {
+        let word =
+            words.next().ok_or_else(|| format!("a {kind} has 3 coordinates, this one {i}"))?;
+        *value = number(word)?;
+        text.extend([" ", word]);
+    }
+    Ok(vector)
 }
 
 /// Appends the first two texture coordinates; a third one is for textures that fill space.

@@ -5,7 +5,7 @@ use std::fs;
 use glam::DVec3;
 
 use super::*;
-use crate::scene::{Material, MaterialObject, Mesh, Transform};
+use crate::scene::{Material, MaterialObject, Mesh, Normals, Transform};
 
 /// A folder with the given files.
 pub(super) fn folder(files: &[(&str, &str)]) -> tempfile::TempDir {
@@ -141,6 +141,46 @@ fn corners_without_texture_coordinates_are_kept_apart() {
     assert_eq!(mixed.texture_triangles, [None, Some([0, 1, 1]), None]);
 }
 
+/// As for texture coordinates: with indices of their own, from the end, or not there at all.
+#[test]
+fn normals_are_read_where_they_are_wanted() {
+    let text = format!(
+        "{TRIANGLE}v 1 1 0\nvt 0 0\nvn 0 0 1\nvn 0 3 4\nvn 1 0 0\no plain\nf 1 2 3\n\
+         o mixed\nf 1//3 2/1/2 4//-1\nf 1//1 2/1 3//1\nf -1/1/-2 -2//-2 -3//-2\n"
+    );
+    let folder = folder(&[("a.obj", &text)]);
+    let path = folder.path().join("a.obj");
+    let [plain, mixed] = &read_obj(&path, FileNormals::Read).unwrap().meshes[..] else {
+        panic!("two meshes")
+    };
+    assert_eq!(plain.normals, Normals::Flat);
+    let directions = vec![[1.0, 0.0, 0.0], [0.0, 3.0, 4.0]];
+    let triangles = vec![Some([0, 1, 0]), None, Some([1; 3])];
+    assert_eq!(mixed.normals, Normals::Given { directions, triangles });
+    for mesh in load_obj(&path).unwrap().meshes {
+        assert_eq!(mesh.normals, Normals::Flat);
+    }
+}
+
+/// Those that nothing shows do not matter.
+#[test]
+fn broken_normals_are_refused_with_their_line() {
+    for (normal, expected) in [
+        ("nan 0 1", "`nan` is not a finite number"),
+        ("0 1e999 1", "`1e999` is not a finite number"),
+        ("0 0 0", "a normal is the zero vector, which has no direction"),
+        ("0 1", "a normal has 3 coordinates, this one 2"),
+        ("", "a normal has 3 coordinates, this one 0"),
+    ] {
+        let text = format!("{TRIANGLE}vn {normal}\nf 1//1 2//1 3//1\n");
+        let folder = folder(&[("a.obj", &text)]);
+        let path = folder.path().join("a.obj");
+        let error = read_obj(&path, FileNormals::Read).unwrap_err().to_string();
+        assert_eq!(error, format!("{}:4: {expected}", path.display()));
+        assert_eq!(load_obj(&path).unwrap().meshes[0].normals, Normals::Flat);
+    }
+}
+
 #[test]
 fn what_is_left_out_is_told_once() {
     let text = format!(
@@ -229,6 +269,10 @@ fn a_written_mesh_is_read_back_bit_for_bit() {
         materials: vec![1, 0, 1],
         texture_coordinates: coordinates.to_vec(),
         texture_triangles: vec![Some([1, 0, 1]), None, Some([1, 1, 0])],
+        normals: Normals::Given {
+            directions: vec![[0.1, -1.0 / 3.0, 1e-300], [-0.0, 1e17, 2.0]],
+            triangles: vec![Some([0, 1, 0]), Some([1, 1, 0]), None],
+        },
         transform: Transform { translation: DVec3::X, ..Transform::IDENTITY },
     };
     let named = |name: &str| MaterialObject { name: name.to_owned(), ..Material::default().into() };
@@ -236,8 +280,9 @@ fn a_written_mesh_is_read_back_bit_for_bit() {
     let folder = folder(&[]);
     let path = folder.path().join("m.obj");
     save_obj(&mesh, &names, &path).unwrap();
-    let model = load_obj(&path).unwrap();
+    let model = read_obj(&path, FileNormals::Read).unwrap();
     assert_eq!(model.meshes[0].name, mesh.name);
+    assert_eq!(model.meshes[0].normals, mesh.normals);
     assert_eq!(model.meshes[0].triangles, mesh.triangles);
     // In the order of their first use.
     assert_eq!(model.meshes[0].texture_coordinates, [coordinates[1], coordinates[0]]);

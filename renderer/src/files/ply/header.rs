@@ -29,11 +29,20 @@ const TEXTURE_NAMES: [[&str; 2]; 4] =
 impl Element {
     /// The names of its texture coordinates, if it has some.
     pub fn texture_names(&self) -> Option<[&'static str; 2]> {
-        let has = |name: &str| {
+        TEXTURE_NAMES.into_iter().find(|names| self.has(names))
+    }
+
+    /// The names of its normal, if it has one.
+    pub fn normal_names(&self) -> Option<[&'static str; 3]> {
+        Some(["nx", "ny", "nz"]).filter(|names| self.has(names))
+    }
+
+    /// Whether it has numbers of all these names.
+    fn has(&self, names: &[&str]) -> bool {
+        names.iter().all(|name| {
             let mut properties = self.properties.iter();
-            properties.any(|p| p.name == name && matches!(p.kind, Kind::Scalar(_)))
-        };
-        TEXTURE_NAMES.into_iter().find(|names| names.iter().all(|name| has(name)))
+            properties.any(|p| p.name == *name && matches!(p.kind, Kind::Scalar(_)))
+        })
     }
 }
 

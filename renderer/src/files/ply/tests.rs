@@ -3,6 +3,7 @@
 use std::fs;
 
 use super::*;
+use crate::scene::Normals;
 
 const HEADER: &str = "\
 ply
@@ -195,6 +196,37 @@ fn texture_coordinates_are_read() {
     // One of the two is none.
     let header = HEADER.replace("property uchar red", "property uchar u");
     assert_eq!(load(format!("{header}{DATA}")).unwrap().meshes[0].texture_triangles, []);
+}
+
+#[test]
+fn normals_are_read_where_they_are_wanted() {
+    let read = |text: String, normals| {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("scan.ply");
+        fs::write(&path, text).unwrap();
+        read_ply(&path, normals)
+    };
+    let header = HEADER
+        .replace("double z", "double z\nproperty float nx\nproperty double ny\nproperty char nz");
+    let rows = "0 0 255 0 0 0 1\n1 0 0 0 0 0.5 1\n1 1 0 0 2 0 0\n0 1 0 0 0 0 1\n9 9 9 9 0 0 1\n";
+    let faces = DATA.split("9 9 9 9\n").nth(1).unwrap();
+    let text = format!("{header}{rows}{faces}");
+    let mesh = &read(text.clone(), FileNormals::Read).unwrap().meshes[0];
+    let directions = vec![[0.0, 0.0, 1.0], [0.0, 0.5, 1.0], [2.0, 0.0, 0.0], [0.0, 0.0, 1.0]];
+    let triangles = mesh.triangles.iter().copied().map(Some).collect();
+    assert_eq!(mesh.normals, Normals::Given { directions, triangles });
+    for (broken, expected) in [
+        ("nan 0 0", "vertex 3: nx is NaN, not a finite number"),
+        ("0 0 0", "vertex 3: a normal is the zero vector, which has no direction"),
+    ] {
+        let text = text.replace("2 0 0\n", &format!("{broken}\n"));
+        let error = read(text.clone(), FileNormals::Read).unwrap_err().to_string();
+        assert!(error.ends_with(&format!("scan.ply:18: {expected}")), "{error}");
+        let mesh = &read(text, FileNormals::Ignore).unwrap().meshes[0];
+        assert_eq!(mesh.normals, Normals::Flat);
+    }
+    let without = read(format!("{HEADER}{DATA}"), FileNormals::Read).unwrap();
+    assert_eq!(without.meshes[0].normals, Normals::Flat);
 }
 
 #[test]

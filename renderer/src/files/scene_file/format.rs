@@ -156,6 +156,7 @@ entries! {
         name: Option<String>,
         /// If given, replaces all materials.
         material: Option<String>,
+        normals: Option<NormalsEntry>,
     }
 
     SphereEntry, "sphere" {
@@ -225,6 +226,17 @@ impl From<ChannelEntry> for Channel {
             ChannelEntry::Opacity => Self::Mask,
         }
     }
+}
+
+/// What meshes are shaded with.
+#[derive(Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub(super) enum NormalsEntry {
+    #[default]
+    Flat,
+    Smooth,
+    /// Normals of the mesh file.
+    File,
 }
 
 #[derive(Clone, Copy, Default, Serialize, Deserialize)]

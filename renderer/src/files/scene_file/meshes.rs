@@ -6,19 +6,20 @@ use std::path::Path;
 use glam::{DAffine2, DVec2, DVec3};
 
 use super::Problem;
-use super::format::MeshEntry;
+use super::format::{MeshEntry, NormalsEntry};
 use super::materials::MaterialTable;
 use super::numbers;
 use crate::Error;
 use crate::Warning;
-use crate::files::meshes::load_mesh;
+use crate::files::meshes::{FileNormals, load_mesh, load_mesh_with};
 use crate::files::model::Model;
 use crate::files::names::Names;
 #[cfg(feature = "gltf")]
 use crate::files::{GltfFile, MeshFormat, load_gltf};
-use crate::scene::{Camera, Mesh, Scene, Transform};
+use crate::scene::{Camera, Mesh, Normals, Scene, Transform};
 #[cfg(feature = "gltf")]
 use crate::scene::{LightObject, LightSource};
+use crate::transport::smooth::place_normal;
 
 /// The scene that a mesh file alone gives, framed and lit by default, and what was left out of the
 /// file.
@@ -72,7 +73,12 @@ pub(super) fn add_entry(
         let name = entry.name.as_deref().unwrap_or_default();
         return Err(Problem::new(format!("mesh.{name}.path"), "is missing; a mesh needs one"));
     };
-    let mut model = load_mesh(&folder.join(path))?;
+    let shaded_with = entry.normals.unwrap_or_default();
+    let normals = match shaded_with {
+        NormalsEntry::File => FileNormals::Read,
+        NormalsEntry::Flat | NormalsEntry::Smooth => FileNormals::Ignore,
+    };
+    let mut model = load_mesh_with(&folder.join(path), normals)?;
     let place = format!("mesh.{}", entry.name.clone().unwrap_or(path.display().to_string()));
     if let Some(name) = &entry.name {
         if scene.meshes.iter().any(|other| other.name == *name) {
@@ -82,6 +88,15 @@ pub(super) fn add_entry(
     }
     for mesh in &mut model.meshes {
         place_mesh(mesh, entry, &place)?;
+        if shaded_with == NormalsEntry::Smooth {
+            mesh.normals = Normals::Smooth;
+        }
+        if shaded_with == NormalsEntry::File && mesh.normals == Normals::Flat {
+            let (file, name) = (path.display(), &mesh.name);
+            let problem =
+                format!("{file} holds no normals of the mesh `{name}`; \"smooth\" computes them");
+            return Err(Problem::new(format!("{place}.normals"), problem));
+        }
     }
     let Some(material) = &entry.material else { return add_model(scene, table, model) };
     let index = table
@@ -103,10 +118,15 @@ fn place_mesh(mesh: &mut Mesh, entry: &MeshEntry, place: &str) -> Result<(), Pro
     Ok(())
 }
 
-/// Moves the vertices of a mesh to their places in the world.
+/// Moves the vertices and the normals of a mesh to their places in the world.
 fn bake(mesh: &mut Mesh) {
     if mesh.transform != Transform::IDENTITY {
         mesh.vertices = mesh.world_vertices().map(|vertex| vertex.to_array()).collect();
+        if let Normals::Given { directions, .. } = &mut mesh.normals {
+            for normal in directions {
+                *normal = place_normal::<f64>(mesh.transform, (*normal).into()).into();
+            }
+        }
         mesh.transform = Transform::IDENTITY;
     }
 }
@@ -176,22 +196,45 @@ pub(super) fn drop_unused_coordinates(scene: &mut Scene) {
 /// All meshes as one.
 fn join(meshes: Vec<Mesh>, name: String) -> Mesh {
     let mut joined = Mesh::new(name, Vec::new(), Vec::new());
-    let textured = meshes.iter().any(|mesh| !mesh.texture_triangles.is_empty());
+    let mut places = Joined::default();
+    let mut normals = Joined::default();
     for mut mesh in meshes {
         bake(&mut mesh);
         let first = joined.vertices.len() as u32;
-        let first_coordinates = joined.texture_coordinates.len() as u32;
-        if textured {
-            let moved = |corners: &Option<[u32; 3]>| {
-                corners.map(|corners| corners.map(|i| i + first_coordinates))
-            };
-            joined.texture_triangles.extend(mesh.texture_triangles.iter().map(moved));
-            joined.texture_triangles.resize(joined.triangles.len() + mesh.triangles.len(), None);
-        }
-        joined.texture_coordinates.extend(mesh.texture_coordinates);
         joined.triangles.extend(mesh.triangles.iter().map(|corners| corners.map(|i| i + first)));
         joined.vertices.extend(mesh.vertices);
         joined.materials.extend(mesh.materials);
+        let count = joined.triangles.len();
+        places.add(mesh.texture_coordinates, &mesh.texture_triangles, count);
+        match mesh.normals {
+            Normals::Given { directions, triangles } => normals.add(directions, &triangles, count),
+            Normals::Flat | Normals::Smooth => normals.add(Vec::new(), &[], count),
+        }
+    }
+    if !places.points.is_empty() {
+        (joined.texture_coordinates, joined.texture_triangles) = (places.points, places.triangles);
+    }
+    if !normals.points.is_empty() {
+        let Joined { points: directions, triangles } = normals;
+        joined.normals = Normals::Given { directions, triangles };
     }
     joined
+}
+
+/// What the corners of triangles of several meshes have.
+#[derive(Default)]
+struct Joined<const N: usize> {
+    points: Vec<[f64; N]>,
+    triangles: Vec<Option<[u32; 3]>>,
+}
+
+impl<const N: usize> Joined<N> {
+    /// Adds those of a mesh, after which there are `count` triangles.
+    fn add(&mut self, points: Vec<[f64; N]>, triangles: &[Option<[u32; 3]>], count: usize) {
+        let first = self.points.len() as u32;
+        let moved = |corners: &Option<[u32; 3]>| corners.map(|c| c.map(|index| index + first));
+        self.triangles.extend(triangles.iter().map(moved));
+        self.triangles.resize(count, None);
+        self.points.extend(points);
+    }
 }

@@ -106,4 +106,4 @@ fn fields(object: &dyn NamedNumbers) -> Vec<Field> {
 }
 
 /// The fields that are arrays.
-const ARRAYS: [&str; 3] = ["vertices", "texture_coordinates", "texels"];
+const ARRAYS: [&str; 4] = ["vertices", "texture_coordinates", "normals", "texels"];

@@ -8,7 +8,8 @@ use crate::image::Image;
 use crate::loss::LossKind;
 use crate::optimize::{Optimizer, Schedule, Sgd};
 use crate::scene::{
-    DistantLight, Light, LightSource, MaterialObject, Scene, Slot, SphereObject, Texture, Wrap,
+    DistantLight, Light, LightSource, MaterialObject, Normals, Scene, Slot, SphereObject, Texture,
+    Wrap,
 };
 use glam::DVec3;
 
@@ -330,6 +331,43 @@ fn mistakes_in_a_mesh_are_placed_there() {
 }
 
 #[test]
+fn meshes_are_shaded_as_the_file_says() {
+    let folder = folder();
+    let mesh = format!("vn 0 0 2\n{MESH}").replace("f 1 2 3", "f 1//1 2//1 3//-1");
+    fs::write(folder.path().join("n.obj"), mesh).unwrap();
+    let meshes = |rest: &str| {
+        let text = format!("{CAMERA}[[mesh]]\npath = \"n.obj\"\n{rest}");
+        Experiment::parse(&text, folder.path(), "s.toml").map(|experiment| experiment.scene.meshes)
+    };
+    for (rest, expected) in [
+        ("", Normals::Flat),
+        ("normals = \"flat\"", Normals::Flat),
+        ("normals = \"smooth\"", Normals::Smooth),
+    ] {
+        for mesh in meshes(rest).unwrap() {
+            assert_eq!(mesh.normals, expected, "{rest}");
+        }
+    }
+    // Triangles of objects that have none are flat within a mesh that has some.
+    let [all] = &meshes("name = \"all\"\nnormals = \"file\"").unwrap()[..] else { panic!("one") };
+    let directions = vec![[0.0, 0.0, 2.0]];
+    let triangles = vec![Some([0; 3]), None];
+    assert_eq!(all.normals, Normals::Given { directions, triangles });
+    for (rest, expected) in [
+        (
+            "normals = \"file\"",
+            "s.toml:8: mesh.n.obj.normals: n.obj holds no normals of the mesh `two`; \"smooth\" \
+             computes them",
+        ),
+        ("normals = \"soft\"", "s.toml:8: unknown variant `soft`, expected one of"),
+        ("normals = [0, 0, 1]", "s.toml:8: "),
+    ] {
+        let error = meshes(rest).unwrap_err().to_string();
+        assert!(error.starts_with(expected), "{error}");
+    }
+}
+
+#[test]
 fn windows_line_ends_tabs_and_a_byte_order_mark_are_read() {
     let plain = scene_of(LIGHT);
     let text = format!("\u{feff}{CAMERA}{LIGHT}").replace('\n', "\r\n").replace(" = ", "\t=\t");
@@ -369,6 +407,12 @@ fn rich_experiment() -> Experiment {
         scene.add_mesh(mesh).unwrap();
     }
     add_texture(scene);
+    let count = scene.meshes[2].triangles.len();
+    scene.meshes[2].normals = Normals::Given {
+        directions: vec![[0.1, 1.0 / 3.0, -0.0], [0.0, 0.0, 7.0]],
+        triangles: (0..count).map(|index| (index % 3 != 0).then_some([0, 1, 0])).collect(),
+    };
+    scene.meshes[3].normals = Normals::Smooth;
     scene.materials[1].name = "Leaves.001 [x]".to_owned();
     experiment
 }

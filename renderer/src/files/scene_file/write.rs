@@ -3,8 +3,8 @@
 use std::path::{Path, PathBuf};
 
 use super::format::{
-    CameraEntry, ChannelEntry, LightEntry, MaterialEntry, MeshEntry, Numbers, OptimizeEntry,
-    ParameterEntry, SceneFile, SphereEntry, TextureEntry,
+    CameraEntry, ChannelEntry, LightEntry, MaterialEntry, MeshEntry, NormalsEntry, Numbers,
+    OptimizeEntry, ParameterEntry, SceneFile, SphereEntry, TextureEntry,
 };
 use super::numbers;
 use crate::Error;
@@ -16,7 +16,7 @@ use crate::files::names::Names;
 use crate::files::obj::save_obj;
 use crate::image::Image;
 use crate::scene::{
-    LightObject, LightSource, MaterialObject, Scene, Slot, SphereObject, Transform,
+    LightObject, LightSource, MaterialObject, Normals, Scene, Slot, SphereObject, Transform,
 };
 
 /// Writes `scene.toml` and what it names, `meshes/*.obj` and `textures/*.exr`, into `folder`, which
@@ -141,6 +141,13 @@ fn save_meshes(scene: &Scene, folder: &Path) -> Result<Vec<MeshEntry>, Error> {
             path: Some(path),
             name: Some(mesh.name.clone()),
             material: None,
+            normals: match &mesh.normals {
+                Normals::Smooth => Some(NormalsEntry::Smooth),
+                Normals::Given { triangles, .. } if triangles.iter().any(Option::is_some) => {
+                    Some(NormalsEntry::File)
+                }
+                Normals::Given { .. } | Normals::Flat => None,
+            },
             numbers,
         });
     }

@@ -8,6 +8,10 @@ fn scene() -> Scene {
     let (direction, color) = (DVec3::Y, DVec3::ONE);
     scene.add_light("sun", DistantLight { direction, color, irradiance: 1.0 }).unwrap();
     scene.add_sphere(SphereObject::new("ball", DVec3::ZERO, 1.0)).unwrap();
+    let corners = vec![[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
+    let normals = vec![[0.0, 0.0, 1.0], [0.0, 1e-9, 1e-9]];
+    let sail = Mesh::new("sail", corners, vec![[0, 1, 2]]).normals(normals, vec![[0, 1, 1]]);
+    scene.add_mesh(sail).unwrap();
     scene
 }
 
@@ -121,6 +125,24 @@ fn indices_are_in_range() {
     );
     assert!(refused(|s| s.meshes[0].triangles[3][1] = 10_000).contains("names vertex 10000"));
     assert!(refused(|s| s.meshes[0].materials.truncate(1)).contains("1 materials for"));
+}
+
+#[test]
+fn normals_are_directions_that_exist() {
+    let with = |normals: Vec<[f64; 3]>, triangles: Vec<[u32; 3]>| {
+        refused(|s| s.meshes[1] = s.meshes[1].clone().normals(normals, triangles))
+    };
+    let up = [0.0, 0.0, 1.0];
+    for (error, expected) in [
+        (with(vec![up, up], vec![[0, 1, 2]]), "normals: names normal 2 of 2"),
+        (with(vec![up], vec![]), "normals: 0 triangles of normals for 1"),
+        (with(vec![up, [0.0; 3]], vec![[0; 3]]), "normals[1]: must be a direction, is the zero"),
+        (with(vec![up, [1e-20; 3]], vec![[0; 3]]), "normals[1]: must be a direction, is the zero"),
+        (with(vec![up, [0.0, f64::NAN, 1.0]], vec![[0; 3]]), "normals[1]: NaN is not a finite"),
+        (with(vec![[1e30; 3]], vec![[0; 3]]), "normals[0]: 1e30 is beyond"),
+    ] {
+        assert!(error.starts_with(&format!("a.toml: mesh.sail.{expected}")), "{error}");
+    }
 }
 
 #[test]

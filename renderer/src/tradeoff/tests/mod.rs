@@ -5,6 +5,7 @@ mod scenes;
 use super::engine::{Adjoint, Engine, Forward, ImageFirst, Question, Tape, is_geometry};
 use super::*;
 use crate::experiment::{Experiment, TunedParameter};
+use crate::scene::{Material, Mesh, Object, Transform};
 
 pub use scenes::random_experiment;
 
@@ -44,6 +45,50 @@ fn adjoint_tape_and_dual_numbers_agree() {
         let error = metric.error_among(&some, &forward, &adjoint);
         assert!(error < 1e-10, "{number}: dual numbers and adjoint differ by {error:e}");
     }
+}
+
+/// The same three ways on smooth meshes, whose normals are computed or given.
+#[test]
+fn they_agree_on_smooth_meshes() {
+    for number in 0..6 {
+        let mut experiment = random_experiment(number);
+        add_smooth_mesh(&mut experiment, number % 2 == 0);
+        let recovery = recovery(&experiment);
+        let question = exactly(&recovery);
+        let adjoint = Adjoint::new(question).gradient();
+        let metric = GradientMetric::new(recovery.scene(), recovery.ids());
+        let error = metric.error(&gradient_on_tapes(&recovery), &adjoint);
+        assert!(error < 1e-10, "{number}: tape and adjoint differ by {error:e}");
+        let all: Vec<usize> = (0..metric.count()).collect();
+        let error = metric.error(&Forward::new(question, all).gradient(), &adjoint);
+        assert!(error < 1e-10, "{number}: dual numbers and adjoint differ by {error:e}");
+    }
+}
+
+/// Adds a bent sheet before the spheres, all of whose numbers vary.
+fn add_smooth_mesh(experiment: &mut Experiment, is_computed: bool) {
+    let scene = &mut experiment.scene;
+    let vertices = vec![[-1.5, 0.1, 2.0], [0.0, 0.2, 2.9], [1.5, 0.0, 2.1], [0.1, 1.9, 1.7]];
+    let mesh = Mesh::new("sail", vertices, vec![[0, 1, 3], [1, 2, 3]]);
+    let normals = vec![[-1.0, 0.2, 1.0], [0.1, 0.1, -2.0], [0.7, 0.1, 1.0], [0.0, 0.9, 1.0]];
+    let mesh = match is_computed {
+        true => mesh.smooth(),
+        false => mesh.normals(normals, vec![[0, 1, 3], [1, 2, 3]]),
+    };
+    let rotation = glam::DVec3::new(5.0, -10.0, 3.0);
+    let scale = glam::DVec3::new(1.1, 0.9, -1.2);
+    let mesh = mesh.transform(Transform { rotation, scale, ..Transform::IDENTITY });
+    let silk = Material {
+        specular: glam::DVec3::splat(0.3),
+        exponent: 9.0,
+        mirror: glam::DVec3::splat(0.2),
+        ..Material::lambertian(glam::DVec3::splat(0.5))
+    };
+    let silk = scene.add_material("silk", silk).unwrap();
+    let mesh = scene.add_mesh(mesh.material(silk)).unwrap() as usize;
+    let ids = scene.parameters_of(Object::Mesh(mesh));
+    let tuned = ids.map(|id| TunedParameter { id, learning_rate: None, min: None, max: None });
+    experiment.optimize.get_or_insert_default().parameters.extend(tuned);
 }
 
 /// Lets the rotations of all spheres vary too.
