@@ -194,7 +194,7 @@ def run_mitsuba(arguments):
 
 
 def run_ours(arguments):
-    command = [arguments.renderer, "bench", arguments.scene, "--threads", str(arguments.threads)]
+    command = [arguments.renderer, "bench", arguments.scene, "--edges", "off", "--threads", str(arguments.threads)]
     for path in arguments.parameters:
         command += ["--param", path]
     text = subprocess.run(command, check=True, capture_output=True, text=True).stdout

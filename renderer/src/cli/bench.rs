@@ -12,7 +12,7 @@ use crate::counts::Counts;
 use crate::loss::{ImageLoss, LossKind};
 use crate::render::Renderer;
 use crate::scene::{ParameterId, Scene};
-use crate::settings::Settings;
+use crate::settings::{Edges, Settings};
 
 #[derive(clap::Args)]
 pub(super) struct Arguments {
@@ -23,6 +23,10 @@ pub(super) struct Arguments {
     /// all
     #[arg(long = "param", value_name = "PATH")]
     parameters: Vec<String>,
+
+    /// Whether the image and the gradient see edges
+    #[arg(long, value_enum, default_value_t = Edges::Auto)]
+    edges: Edges,
 
     /// How long each row is repeated
     #[arg(long, default_value_t = 1.0, value_name = "SECONDS", allow_negative_numbers = true, value_parser = seconds)]
@@ -68,7 +72,8 @@ pub(super) fn run(arguments: &Arguments, arithmetic: Arithmetic) -> Result<(), E
     ))?;
     let limit = Duration::from_secs_f64(arguments.seconds);
     let start = Instant::now();
-    let settings = Settings { arithmetic, ..Settings::default() };
+    let edges = arguments.edges.for_parameters(&ids);
+    let settings = Settings { arithmetic, edges, ..Settings::default() };
     let renderer = Renderer::unchecked(scene, &settings);
     let build = start.elapsed();
     Bench { original: scene, scene: scene.clone(), ids, renderer, load, build, limit, moves: 0 }

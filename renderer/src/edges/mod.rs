@@ -1,4 +1,26 @@
-//! Edges in images.
+//! Edges in images: silhouettes, borders, ridges, shadows, surfaces that pierce each other, and all of
+//! these in mirrors and behind transparent surfaces.
+//!
+//! Where what a pixel shows jumps, the mean of samples says nothing about how the jump moves, and its
+//! derivative lacks the boundary term. Both come from the same records here. Every sample of a regular
+//! grid, with one more row and column around the image, keeps [what it sees](sight): the primitives of
+//! its path, and the lights that are blocked there. Where neighbours differ, the link between them is
+//! [searched](crossing) for the places at which edges cross it; most need no ray, because each edge is the
+//! root of a [number of a ray](crate::transport::edge). In each [cell](cell) between four samples the
+//! crossings are joined to pieces of edges, which say how much area of each pixel lies on which side and
+//! what length of edge moves in it. The [view](view) is the image with these areas;
+//! [`adjoint`](crate::adjoint) pulls cotangents of its pixels back to both sides of the edges and, by
+//! their speed along their normals, to what moves them.
+//!
+//! The derivative of a pixel is the sum of the derivative at fixed places, and of the jump times the speed
+//! of the edge over its length in the pixel (Li et al., "Differentiable Monte Carlo Ray Tracing through
+//! Edge Sampling", 2018). Turned down: to sample edges of the scene, whose number grows with what is
+//! hidden, and to find crossings by more rays. Both cost several images; this costs a few rays for each
+//! hundred pixels.
+//!
+//! What is not seen: objects that lie between samples whole, edges of the shadows of transparent surfaces,
+//! and steps within textures. More rays make the first finer.
+
 mod cell;
 mod crossing;
 mod forward;

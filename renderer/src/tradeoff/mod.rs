@@ -71,6 +71,6 @@ pub fn measure(recovery: &Recovery<'_>, seconds: f64) -> Tradeoff {
 }
 
 /// What all ways to a gradient have in common is its interior term.
-fn without_edges() -> Settings {
+pub(crate) fn without_edges() -> Settings {
     Settings { edges: Edges::Off, ..Settings::default() }
 }

@@ -4,7 +4,7 @@ mod rays;
 
 use super::*;
 use crate::arithmetic::Precision;
-use crate::tradeoff::{gradient_on_tapes, random_experiment};
+use crate::tradeoff::{gradient_on_tapes, random_experiment, without_edges};
 
 /// What is asked for, in turns.
 const ACCURACIES: [f64; 5] = [0.1, 1e-2, 1e-3, 1e-5, 1e-9];
@@ -18,7 +18,7 @@ fn picks_are_as_accurate_as_asked_and_nearly_as_cheap_as_can_be() {
     let mut picked = Vec::new();
     for number in 0..SCENES {
         let experiment = random_experiment(100 + number);
-        let exact = Settings::default().in_double_precision();
+        let exact = without_edges().in_double_precision();
         let recovery = Recovery::new(&experiment, "a generated scene", &exact).unwrap();
         let truth = gradient_on_tapes(&recovery);
         let metric = GradientMetric::new(recovery.scene(), recovery.ids());
@@ -49,7 +49,7 @@ fn picks_are_as_accurate_as_asked_and_nearly_as_cheap_as_can_be() {
 #[test]
 fn what_cannot_be_met_is_said_to() {
     let experiment = random_experiment(1);
-    let exact = Settings::default().in_double_precision();
+    let exact = without_edges().in_double_precision();
     let recovery = Recovery::new(&experiment, "a generated scene", &exact).unwrap();
     let pick = pick(&recovery, 1e-18, Rays::Given);
     assert!(!pick.is_within());

@@ -12,7 +12,7 @@ const MOST: u32 = 25;
 
 /// A problem whose target is like a photo: its pixels are integrals.
 fn photo(experiment: &Experiment) -> Recovery<'_> {
-    let exact = Settings::default().in_double_precision();
+    let exact = without_edges().in_double_precision();
     let integrals = Settings { sampling: Sampler::Stratified.sampling(144), ..exact };
     let recovery = Recovery::new(experiment, "a generated scene", &integrals).unwrap();
     recovery.with_settings(&exact)
@@ -29,7 +29,7 @@ impl<'a> Truth<'a> {
     fn new(recovery: &'a Recovery<'a>) -> Self {
         let samples = Samples { count: 324, seed: 77, gradient: GradientSamples::Independent };
         let sampling = Sampling::Stratified(samples);
-        let settings = Settings { sampling, ..Settings::default().in_double_precision() };
+        let settings = Settings { sampling, ..without_edges().in_double_precision() };
         let gradient = recovery.with_settings(&settings).evaluate().unwrap().gradient;
         let metric = GradientMetric::new(recovery.scene(), recovery.ids());
         Self { recovery, metric, gradient }

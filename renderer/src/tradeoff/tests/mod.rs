@@ -16,7 +16,7 @@ pub fn gradient_on_tapes(recovery: &Recovery<'_>) -> Vec<f64> {
 }
 
 fn exactly<'a>(recovery: &'a Recovery<'_>) -> Question<'a> {
-    Question { recovery, settings: Settings::default().in_double_precision() }
+    Question { recovery, settings: without_edges().in_double_precision() }
 }
 
 fn recovery(experiment: &Experiment) -> Recovery<'_> {
@@ -129,7 +129,7 @@ fn dual_numbers_are_in_the_precision_asked_for() {
     let recovery = recovery(&experiment);
     let metric = GradientMetric::new(recovery.scene(), recovery.ids());
     let double = exactly(&recovery);
-    let single = Question { settings: Settings::default(), ..double };
+    let single = Question { settings: without_edges(), ..double };
     let [single, double] =
         [single, double].map(|question| Forward::new(question, vec![0]).gradient());
     let error = metric.error(&single, &double);
