@@ -75,17 +75,19 @@ pub fn collect_variables(tokens: TokenStream, into: &mut HashSet<String>) {
     }
 }
 
-/// Collects the identifiers in `tokens`.
+/// Collects the texts of the identifiers in `tokens`.
 pub fn collect(tokens: TokenStream, into: &mut HashSet<String>) {
-    for token in tokens {
-        match token {
-            TokenTree::Ident(ident) => {
-                into.insert(ident.to_string());
-            }
-            TokenTree::Group(group) => collect(group.stream(), into),
-            TokenTree::Punct(_) | TokenTree::Literal(_) => {}
-        }
-    }
+    into.extend(identifiers(tokens).iter().map(Ident::to_string));
+}
+
+/// The identifiers in `tokens`.
+pub fn identifiers(tokens: TokenStream) -> Vec<Ident> {
+    let within = |token| match token {
+        TokenTree::Ident(ident) => vec![ident],
+        TokenTree::Group(group) => identifiers(group.stream()),
+        TokenTree::Punct(_) | TokenTree::Literal(_) => Vec::new(),
+    };
+    tokens.into_iter().flat_map(within).collect()
 }
 
 /// The tokens with `this` in place of `self`, where that is not the start of a path.
@@ -98,7 +100,7 @@ pub fn without_self(tokens: TokenStream, this: &Ident) -> TokenStream {
         renamed.push(match token {
             TokenTree::Ident(ident) if ident == "self" && !begins_path => {
                 let mut this = this.clone();
-                this.set_span(ident.span());
+                this.set_span(ident.span().resolved_at(this.span()));
                 TokenTree::Ident(this)
             }
             TokenTree::Group(group) => {

@@ -214,7 +214,6 @@ impl<'a> Numbers<'a> {
                 name => self.scalar(name),
             },
             Type::Paren(paren) => self.named(&paren.elem),
-            Type::Group(group) => self.named(&group.elem),
             _ => None,
         }
     }
@@ -357,7 +356,6 @@ impl<'a> Numbers<'a> {
         match constant {
             Expr::Lit(literal) => of_literal(&literal.lit).map(Known::Value),
             Expr::Paren(paren) => self.constant(&paren.expr),
-            Expr::Group(group) => self.constant(&group.expr),
             Expr::Unary(unary) if matches!(unary.op, UnOp::Neg(_)) => self.constant(&unary.expr),
             Expr::Cast(cast) => self.named(&cast.ty).map(Known::number),
             Expr::Repeat(repeat) => {
@@ -403,7 +401,6 @@ fn without_references(ty: &Type) -> &Type {
     match ty {
         Type::Reference(reference) => without_references(&reference.elem),
         Type::Paren(paren) => without_references(&paren.elem),
-        Type::Group(group) => without_references(&group.elem),
         ty => ty,
     }
 }

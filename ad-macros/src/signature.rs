@@ -46,7 +46,6 @@ pub fn pointee(ty: &Type) -> &Type {
     match ty {
         Type::Reference(reference) => pointee(&reference.elem),
         Type::Paren(paren) => pointee(&paren.elem),
-        Type::Group(group) => pointee(&group.elem),
         _ => ty,
     }
 }
@@ -108,7 +107,6 @@ fn is_exclusive(ty: &Type) -> bool {
     match ty {
         Type::Reference(reference) => reference.mutability.is_some(),
         Type::Paren(paren) => is_exclusive(&paren.elem),
-        Type::Group(group) => is_exclusive(&group.elem),
         _ => false,
     }
 }

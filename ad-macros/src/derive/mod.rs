@@ -16,11 +16,12 @@ use syn::spanned::Spanned;
 use syn::visit::Visit;
 use syn::{Attribute, Data, DeriveInput, Field, Fields, Generics, Member, Type, parse_quote};
 
+use crate::groups;
 use tangent::{TangentField, TangentStruct};
 
 /// The tangent and the impls that make it one.
 pub fn expand(item: TokenStream) -> syn::Result<TokenStream> {
-    let mut input: DeriveInput = syn::parse2(item)?;
+    let mut input: DeriveInput = syn::parse2(groups::explicit(item))?;
     let name = &input.ident;
     if is_constant(&input.attrs) {
         let constant = without_derivative(name, &input.generics);

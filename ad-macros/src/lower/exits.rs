@@ -250,7 +250,6 @@ pub fn hoist(expr: &mut Expr, names: &mut Names) -> Option<(Ident, Expr)> {
 fn strict_parts(expr: &mut Expr) -> Vec<&mut Expr> {
     match expr {
         Expr::Paren(e) => vec![&mut e.expr],
-        Expr::Group(e) => vec![&mut e.expr],
         Expr::Unary(e) => vec![&mut e.expr],
         Expr::Cast(e) => vec![&mut e.expr],
         Expr::Field(e) => vec![&mut e.base],

@@ -17,7 +17,6 @@ impl Lowerer<'_> {
         match expr {
             Expr::Lit(literal) => Operand::Constant(quote!(#literal)),
             Expr::Paren(inner) => self.operand(&inner.expr, hint),
-            Expr::Group(inner) => self.operand(&inner.expr, hint),
             Expr::Index(index) if element::is_element(index) => {
                 self.method_call(&element::read(index), hint)
             }

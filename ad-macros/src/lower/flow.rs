@@ -338,7 +338,7 @@ impl Lowerer<'_> {
                     }
                     let value = lowerer.block_value(&as_statements(body));
                     // What follows does not see the names that the arm's pattern binds.
-                    lowerer.scopes.last_mut().expect("the arm opened a scope").clear();
+                    lowerer.scopes.clear();
                     lowerer.bind_rest(pat, value);
                     lowerer.statements(rest.take().unwrap_or_default(), end)
                 });
@@ -409,7 +409,6 @@ fn carried(jump: &Expr) -> Option<&Expr> {
 pub(super) fn strip_parens(expr: &Expr) -> &Expr {
     match expr {
         Expr::Paren(paren) => strip_parens(&paren.expr),
-        Expr::Group(group) => strip_parens(&group.expr),
         _ => expr,
     }
 }

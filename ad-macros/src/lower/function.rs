@@ -4,10 +4,10 @@
 //! it captures. It is lowered as such, into a [`Closure`](crate::ir::Closure) that the sweep makes an
 //! object of (see `ad::function`).
 
-use std::collections::{HashMap, HashSet};
+use std::collections::HashMap;
 use std::rc::Rc;
 
-use proc_macro2::{TokenStream, TokenTree};
+use proc_macro2::{Ident, TokenStream, TokenTree};
 use quote::{ToTokens, format_ident, quote};
 use syn::spanned::Spanned;
 use syn::{Expr, ExprClosure, Pat, PatType, ReturnType, Type, UnOp, parse_quote};
@@ -18,6 +18,7 @@ use super::construct::is_type_name;
 use super::flow::{as_statements, strip_parens};
 use super::item::Alias;
 use super::macros::captured_names;
+use super::scopes::Scopes;
 use super::{Lowerer, OnFailure};
 use crate::ir::{self, Argument, Operand, Operation, Place, Projection, TypedBy, VarId};
 use crate::names;
@@ -27,9 +28,6 @@ use crate::signature::Parameter;
 fn passed_on(typed_by: Option<TypedBy>) -> Option<TypedBy> {
     typed_by.filter(|typed_by| typed_by.method.is_none())
 }
-
-/// What names mean, innermost scope last.
-type Scopes = Vec<HashMap<String, VarId>>;
 
 /// What a closure uses of the function around it.
 #[derive(Default)]
@@ -271,13 +269,14 @@ impl Lowerer<'_> {
                 meanings.insert(outer, alias);
             }
             for (outer, closure) in &captured.closures {
-                let scopes = vec![renamed(&closure.scopes, &meanings)];
+                let scopes = closure.scopes.renamed(&meanings);
                 let body = closure.body.clone();
                 let var = inner.unwritten_var(&format_ident!("closure"), false, false);
                 inner.closures.insert(var, Rc::new(Closure { body, scopes }));
                 meanings.insert(*outer, var);
             }
-            inner.scopes.push(renamed(scopes, &meanings));
+            let outside = std::mem::replace(&mut inner.scopes, scopes.renamed(&meanings));
+            inner.scopes.open();
             for (argument, pattern) in arguments {
                 let var = inner.parameter_var(argument);
                 vars.push(var);
@@ -288,7 +287,7 @@ impl Lowerer<'_> {
                 inner.bind_pattern(pattern, None, value);
             }
             let value = inner.function_body(&as_statements(&closure.body));
-            inner.scopes.pop();
+            inner.scopes = outside;
             match &closure.output {
                 ReturnType::Default => value,
                 ReturnType::Type(_, ty) => inner.typed(value, ty),
@@ -334,14 +333,11 @@ impl Lowerer<'_> {
 
     /// Looks for the variables that a closure uses, and those that closures use which it calls.
     fn capture(&self, closure: &ExprClosure, scopes: &Scopes, into: &mut Captured) {
-        let mut used = HashSet::new();
-        names::collect(closure.to_token_stream(), &mut used);
-        collect_captured(closure.to_token_stream(), &mut used);
-        let mut used: Vec<_> = used.into_iter().collect();
+        let mut used = names::identifiers(closure.to_token_stream());
+        used.extend(captured(closure.to_token_stream()));
         used.sort();
         for name in used {
-            let found = scopes.iter().rev().find_map(|scope| scope.get(&name).copied());
-            let Some(var) = found else { continue };
+            let Some(var) = scopes.lookup(&name) else { continue };
             if let Some(called) = self.closures.get(&var) {
                 if into.closures.iter().all(|(known, _)| *known != var) {
                     into.closures.push((var, called.clone()));
@@ -368,29 +364,18 @@ fn typed(pat: &Pat) -> Option<&PatType> {
     }
 }
 
-/// The names that have a new meaning, with that.
-fn renamed(scopes: &Scopes, meanings: &HashMap<VarId, VarId>) -> HashMap<String, VarId> {
-    let mut names = HashMap::new();
-    for (name, var) in scopes.iter().flatten() {
-        match meanings.get(var) {
-            Some(&meaning) => names.insert(name.clone(), meaning),
-            None => names.remove(name),
-        };
-    }
-    names
-}
-
 /// The names that format strings name.
-fn collect_captured(tokens: TokenStream, into: &mut HashSet<String>) {
-    for token in tokens {
-        match token {
-            TokenTree::Group(group) => collect_captured(group.stream(), into),
-            TokenTree::Literal(literal) => {
-                if let syn::Lit::Str(text) = syn::Lit::new(literal) {
-                    into.extend(captured_names(&text.value()));
-                }
+fn captured(tokens: TokenStream) -> Vec<Ident> {
+    let within = |token| match token {
+        TokenTree::Group(group) => captured(group.stream()),
+        TokenTree::Literal(literal) => {
+            let span = literal.span();
+            match syn::Lit::new(literal) {
+                syn::Lit::Str(text) => captured_names(&text.value(), span),
+                _ => Vec::new(),
             }
-            TokenTree::Ident(_) | TokenTree::Punct(_) => {}
         }
-    }
+        TokenTree::Ident(_) | TokenTree::Punct(_) => Vec::new(),
+    };
+    tokens.into_iter().flat_map(within).collect()
 }

@@ -243,7 +243,7 @@ fn has_let(condition: &Expr) -> bool {
         fn visit_expr(&mut self, expr: &'ast Expr) {
             match expr {
                 Expr::Let(_) => self.0 = true,
-                Expr::Binary(_) | Expr::Paren(_) | Expr::Group(_) => visit::visit_expr(self, expr),
+                Expr::Binary(_) | Expr::Paren(_) => visit::visit_expr(self, expr),
                 _ => {}
             }
         }

@@ -1,7 +1,7 @@
 //! The macros of the standard library that numerical code uses. Any other is refused: what it
 //! expands to is not seen here.
 
-use proc_macro2::TokenStream;
+use proc_macro2::{Ident, Span, TokenStream};
 use quote::{ToTokens, format_ident, quote, quote_spanned};
 use syn::parse::{Parse, ParseStream};
 use syn::punctuated::Punctuated;
@@ -139,14 +139,12 @@ impl Lowerer<'_> {
         if let Some(Expr::Lit(literal)) = arguments.first().map(|first| strip_parens(first))
             && let Lit::Str(format) = &literal.lit
         {
-            for name in captured_names(&format.value()) {
-                let ident = syn::Ident::new(&name, format.span());
-                if named.contains(&name) || self.lookup(&ident).is_none() {
+            for name in captured_names(&format.value(), format.span()) {
+                if named.contains(&name.to_string()) || self.lookup(&name).is_none() {
                     continue;
                 }
-                let value = self.plain(&syn::parse_quote!(#ident));
-                tokens.push(quote!(#ident = #value));
-                named.push(name);
+                let value = self.plain(&syn::parse_quote!(#name));
+                tokens.push(quote!(#name = #value));
             }
         }
         tokens
@@ -178,8 +176,8 @@ impl Lowerer<'_> {
 }
 
 /// The names that a format string takes from around it: `{name}`, `{:width$}`.
-pub(super) fn captured_names(format: &str) -> Vec<String> {
-    let mut names = Vec::new();
+pub(super) fn captured_names(format: &str, span: Span) -> Vec<Ident> {
+    let mut names: Vec<Ident> = Vec::new();
     let unescaped = format.replace("{{", "");
     for part in unescaped.split('{').skip(1) {
         let Some((part, _)) = part.split_once('}') else { continue };
@@ -188,8 +186,8 @@ pub(super) fn captured_names(format: &str) -> Vec<String> {
             width.rsplit(|c: char| !c.is_alphanumeric() && c != '_').next().unwrap_or("")
         });
         for name in std::iter::once(name.trim()).chain(widths) {
-            if syn::parse_str::<syn::Ident>(name).is_ok() && !names.iter().any(|n| n == name) {
-                names.push(name.to_owned());
+            if syn::parse_str::<Ident>(name).is_ok() && !names.iter().any(|n| n == name) {
+                names.push(Ident::new(name, span));
             }
         }
     }

@@ -40,6 +40,7 @@ mod part;
 mod pattern;
 mod place;
 mod plain;
+mod scopes;
 mod sequence;
 mod several;
 mod slice_pattern;
@@ -58,6 +59,7 @@ use self::array::Container;
 use self::closure::Closure;
 use self::ends::{Jump, JumpId};
 use self::item::Alias;
+use self::scopes::Scopes;
 use crate::errors::Errors;
 use crate::ir::{Block, BlockId, Operand, Operation, Statement, Var, VarId};
 pub use crate::ir::{Lowered, LoweredParameter};
@@ -125,8 +127,8 @@ impl OnFailure {
 struct Lowerer<'a> {
     on_failure: OnFailure,
     vars: Vec<Var>,
-    /// What the user's names mean, innermost scope last.
-    scopes: Vec<HashMap<String, VarId>>,
+    /// What the user's names mean.
+    scopes: Scopes,
     /// The blocks being written, innermost last.
     open_blocks: Vec<(BlockId, Vec<Statement>)>,
     block_count: BlockId,
@@ -176,7 +178,7 @@ impl<'a> Lowerer<'a> {
         Self {
             on_failure,
             vars: Vec::new(),
-            scopes: vec![HashMap::new()],
+            scopes: Scopes::default(),
             open_blocks: Vec::new(),
             block_count: 0,
             jumps: Vec::new(),
@@ -229,18 +231,18 @@ impl Lowerer<'_> {
         let id = self.block_count;
         self.block_count += 1;
         self.open_blocks.push((id, Vec::new()));
-        self.scopes.push(HashMap::new());
+        self.scopes.open();
         let value = fill(self);
-        self.scopes.pop();
+        self.scopes.close();
         let (id, statements) = self.open_blocks.pop().expect("the block opened above");
         Block { id, statements, value }
     }
 
     /// Runs `fill` in a scope of names of its own.
     fn scope<R>(&mut self, fill: impl FnOnce(&mut Self) -> R) -> R {
-        self.scopes.push(HashMap::new());
+        self.scopes.open();
         let result = fill(self);
-        self.scopes.pop();
+        self.scopes.close();
         result
     }
 
@@ -313,12 +315,11 @@ impl Lowerer<'_> {
 
     /// Lets the user's `name` mean `var` from here on.
     fn alias(&mut self, name: &Ident, var: VarId) {
-        self.scopes.last_mut().expect("a scope is open").insert(name.to_string(), var);
+        self.scopes.bind(name, var);
     }
 
     fn lookup(&self, name: &Ident) -> Option<VarId> {
-        let name = name.to_string();
-        self.scopes.iter().rev().find_map(|scope| scope.get(&name).copied())
+        self.scopes.lookup(name)
     }
 
     /// The variable that a path names, if it names one.

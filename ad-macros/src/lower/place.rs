@@ -26,7 +26,6 @@ impl Lowerer<'_> {
     fn located(&mut self, expr: &Expr) -> Option<(Place, usize)> {
         match expr {
             Expr::Paren(inner) => self.located(&inner.expr),
-            Expr::Group(inner) => self.located(&inner.expr),
             Expr::Path(path) => {
                 let root = self.variable(path)?;
                 Some(match self.aliases.get(&root) {
@@ -63,7 +62,6 @@ impl Lowerer<'_> {
     pub(super) fn depth(&self, expr: &Expr) -> usize {
         match expr {
             Expr::Paren(inner) => self.depth(&inner.expr),
-            Expr::Group(inner) => self.depth(&inner.expr),
             Expr::Unary(unary) if matches!(unary.op, UnOp::Deref(_)) => {
                 self.depth(&unary.expr).saturating_sub(1)
             }

@@ -172,7 +172,7 @@ impl Plain<'_, '_> {
             Err(error) => return self.lowerer.errors.add(error),
         };
         self.visit_expr_mut(&mut expr);
-        self.lowerer.scopes.push(Default::default());
+        self.lowerer.scopes.open();
         self.rename_bound(&mut pat);
         let was_conditional = std::mem::replace(&mut self.is_conditional, true);
         let guard = guard.map(|mut guard| {
@@ -180,7 +180,7 @@ impl Plain<'_, '_> {
             quote!(if #guard)
         });
         self.is_conditional = was_conditional;
-        self.lowerer.scopes.pop();
+        self.lowerer.scopes.close();
         call.tokens = quote!(#expr, #pat #guard);
     }
 
@@ -192,9 +192,8 @@ impl Plain<'_, '_> {
             fn visit_pat_ident_mut(&mut self, pat: &mut syn::PatIdent) {
                 if !is_type_name(&pat.ident) {
                     // In the alternatives of a pattern a name stands several times.
-                    let here = self.0.scopes.last().expect("a scope is open");
-                    let var = match here.get(&pat.ident.to_string()) {
-                        Some(&var) => var,
+                    let var = match self.0.scopes.lookup_innermost(&pat.ident) {
+                        Some(var) => var,
                         None => self.0.bind(&pat.ident, false, false),
                     };
                     pat.ident = self.0.ident(var).clone();
@@ -261,14 +260,14 @@ impl VisitMut for Plain<'_, '_> {
             }
             Expr::Closure(closure) if closure.asyncness.is_none() => {
                 // Its parameters hide what else has their names.
-                self.lowerer.scopes.push(Default::default());
+                self.lowerer.scopes.open();
                 for input in &mut closure.inputs {
                     self.rename_bound(input);
                 }
                 let was_conditional = std::mem::replace(&mut self.is_conditional, true);
                 self.visit_expr_mut(&mut closure.body);
                 self.is_conditional = was_conditional;
-                self.lowerer.scopes.pop();
+                self.lowerer.scopes.close();
             }
             Expr::Binary(binary) if exits::is_update(&binary.op) => {
                 self.lowerer.refuse(
@@ -302,7 +301,6 @@ impl VisitMut for Plain<'_, '_> {
             }
             Expr::Lit(_)
             | Expr::Paren(_)
-            | Expr::Group(_)
             | Expr::Field(_)
             | Expr::Index(_)
             | Expr::Unary(_)

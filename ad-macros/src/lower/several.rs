@@ -119,7 +119,7 @@ impl Lowerer<'_> {
         let mut body = |lowerer: &mut Lowerer<'_>, item: Item, end: &End| {
             // What follows does not see the names of the closure.
             let inside = std::mem::replace(&mut lowerer.scopes, outside.clone());
-            lowerer.scopes.push(Default::default());
+            lowerer.scopes.open();
             let value = rest(lowerer, item);
             lowerer.scopes = inside;
             lowerer.normal_end(value, end)

@@ -12,6 +12,7 @@
 mod aliasing;
 mod closures;
 mod exclusive;
+mod macro_rules;
 mod names;
 mod numbers;
 mod order;
