@@ -3,8 +3,8 @@
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 use syn::{
-    Attribute, Block, ImplItem, ImplItemFn, ItemFn, ItemImpl, ItemTrait, ItemUse, Path, Signature,
-    TraitItem, TraitItemFn, UseTree, Visibility,
+    Attribute, Block, Ident, ImplItem, ImplItemFn, ItemFn, ItemImpl, ItemTrait, ItemUse, Path,
+    ReceiverKind, Signature, TraitItem, TraitItemFn, UseTree, Visibility,
 };
 
 use crate::accumulation;
@@ -70,6 +70,7 @@ fn function_derivative(item: TokenStream, function: &ItemFn, options: Options) -
         visibility: &function.vis,
         signature: &function.sig,
         callables: &Callables::new(&function.sig),
+        exclusive_methods: &[],
         body: Some(&function.block),
         options,
     });
@@ -114,27 +115,69 @@ fn imported_derivative(import: &ItemUse, rule: &Path, forward: Option<&Path>) ->
             #[allow(unused_imports)]
             #inner use super::#rule as vjp_onto;
             #forward
+
+            /// Where the function is from only its import tells.
+            #[doc(hidden)]
+            #inner fn named() -> &'static str {
+                ""
+            }
         }
     }
 }
 
-/// The derivative of a method, with the options of its own attribute.
-fn method_derivative(
-    place: Place<'_>,
-    attributes: &[Attribute],
-    visibility: &Visibility,
-    signature: &Signature,
-    body: Option<&Block>,
-    options: &Options,
-) -> TokenStream {
-    let callables = &Callables::new(signature);
-    let function =
-        |options| Function { place, attributes, visibility, signature, callables, body, options };
-    match own_options(attributes) {
-        Ok(own) => derivative_or_errors(&function(options.with(own))),
-        Err(error) => {
-            let (error, stub) = (error.into_compile_error(), function(options.clone()).stub());
-            quote!(#error #stub)
+/// The block in which methods stand.
+struct Methods<'a> {
+    place: Place<'a>,
+    /// Those that take `&mut self`.
+    exclusive: Vec<Ident>,
+    options: &'a Options,
+}
+
+impl<'a> Methods<'a> {
+    fn new<'s>(
+        place: Place<'a>,
+        signatures: impl Iterator<Item = &'s Signature>,
+        options: &'a Options,
+    ) -> Self {
+        let exclusive = signatures.filter(|signature| {
+            let receiver = signature.receiver();
+            receiver.is_some_and(|receiver| {
+                matches!(receiver.kind, ReceiverKind::Reference(_, _, Some(_)))
+            })
+        });
+        Self {
+            place,
+            exclusive: exclusive.map(|signature| signature.ident.clone()).collect(),
+            options,
+        }
+    }
+
+    /// The derivative of one of them, with the options of its own attribute.
+    fn derivative(
+        &self,
+        attributes: &[Attribute],
+        visibility: &Visibility,
+        signature: &Signature,
+        body: Option<&Block>,
+    ) -> TokenStream {
+        let callables = &Callables::new(signature);
+        let function = |options| Function {
+            place: self.place,
+            attributes,
+            visibility,
+            signature,
+            callables,
+            exclusive_methods: &self.exclusive,
+            body,
+            options,
+        };
+        match own_options(attributes) {
+            Ok(own) => derivative_or_errors(&function(self.options.with(own))),
+            Err(error) => {
+                let error = error.into_compile_error();
+                let stub = function(self.options.clone()).stub();
+                quote!(#error #stub)
+            }
         }
     }
 }
@@ -174,8 +217,9 @@ fn impl_derivatives(item: TokenStream, block: &ItemImpl, options: &Options) -> T
     });
     // What is made from nothing is a constant to whoever calls it.
     let methods = methods.filter(|method| !method.sig.inputs.is_empty());
+    let all = Methods::new(place, methods.clone().map(|method| &method.sig), options);
     let siblings = methods.map(|ImplItemFn { attrs, vis, sig, block, .. }| {
-        method_derivative(place, attrs, vis, sig, Some(block), options)
+        all.derivative(attrs, vis, sig, Some(block))
     });
     let mark = block.trait_.is_some().then(|| {
         let mark = format_ident!("{MARK}");
@@ -211,14 +255,14 @@ fn is_standard(path: &Path) -> bool {
 }
 
 fn trait_derivatives(item: TokenStream, definition: &ItemTrait, options: &Options) -> TokenStream {
-    let place = Place::Trait(&definition.generics);
     let methods = definition.items.iter().filter_map(|item| match item {
         TraitItem::Fn(method) if !method.sig.inputs.is_empty() => Some(method),
         _ => None,
     });
+    let place = Place::Trait(&definition.generics);
+    let all = Methods::new(place, methods.clone().map(|method| &method.sig), options);
     let siblings = methods.map(|TraitItemFn { attrs, sig, default, .. }| {
-        let visibility = Visibility::Inherited;
-        method_derivative(place, attrs, &visibility, sig, default.as_ref(), options)
+        all.derivative(attrs, &Visibility::Inherited, sig, default.as_ref())
     });
     let mark = format_ident!("{MARK}");
     let members = quote! {

@@ -289,7 +289,8 @@ impl<'a> Numbers<'a> {
             Operation::Negate(value) => self.number(*value).cloned().map(Known::number),
             Operation::Binary(_, left, right) => self.of_both([*left, *right]).map(Known::number),
             Operation::Cast(_, ty) => self.named(ty).map(Known::number),
-            Operation::Call { primal, method: true, arguments, .. } => {
+            Operation::Call { callee, arguments } => {
+                let method = callee.method_name()?;
                 let receiver = match arguments.first()? {
                     Argument::Receiver(place) => self.part(place)?,
                     Argument::Value(Operand::Var(var)) => self.known.get(var)?.clone(),
@@ -300,14 +301,13 @@ impl<'a> Numbers<'a> {
                     Number::F32 | Number::F64 => floats::returns_number,
                     Number::Scalar(_) => floats::real_returns_number,
                 };
-                returns_number(&primal.to_string()).then(|| Known::number(number.clone()))
+                returns_number(&method.to_string()).then(|| Known::number(number.clone()))
             }
             Operation::Repeat { value, is_vec: false, .. } => {
                 self.known.get(value).cloned().map(|element| Known::Array(Box::new(element)))
             }
             Operation::Repeat { .. }
             | Operation::Borrow(_)
-            | Operation::Call { .. }
             | Operation::Closure(_)
             | Operation::Named { .. }
             | Operation::Aggregate { .. }

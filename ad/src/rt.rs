@@ -11,6 +11,7 @@ pub use crate::differentiable::Parts;
 
 mod cotangent;
 mod kept;
+mod names;
 mod products;
 mod pullback;
 mod tangent;
@@ -20,6 +21,7 @@ pub use cotangent::{
     Absorb, At, Constant, Content, Enter, Length, Lent, NotLent, Nothing, Same, Take, at, sum, take,
 };
 pub use kept::{Decrease, Difference, Increase, Negation, Sum};
+pub use names::{check_mode_of, has_other_name, other_function, same_function};
 pub use products::{Products, ProductsOutOfLine, rarely, scale, with_products};
 pub use pullback::{
     Lends, LendsNothing, MethodPullback, MethodPullbackOnto, Offered, PullbackOnto,
@@ -363,4 +365,17 @@ branches! {
     Branch10: Arm0 Arm1 Arm2 Arm3 Arm4 Arm5 Arm6 Arm7 Arm8 Arm9;
     Branch11: Arm0 Arm1 Arm2 Arm3 Arm4 Arm5 Arm6 Arm7 Arm8 Arm9 Arm10;
     Branch12: Arm0 Arm1 Arm2 Arm3 Arm4 Arm5 Arm6 Arm7 Arm8 Arm9 Arm10 Arm11;
+}
+
+/// What a condition, an index or a bound looks at. It has no `DerefMut`, so that a method which
+/// changes its receiver is refused there: the compiler names this type then, and with it the way out.
+pub struct BindTheCallWithLetBefore<'a, T: ?Sized>(pub &'a T);
+
+impl<T: ?Sized> core::ops::Deref for BindTheCallWithLetBefore<'_, T> {
+    type Target = T;
+
+    #[inline(always)]
+    fn deref(&self) -> &T {
+        self.0
+    }
 }

@@ -138,6 +138,18 @@ impl Lowerer<'_> {
         }
     }
 
+    /// All that a call of a closure is given.
+    pub(super) fn all_given(&mut self, call: &syn::ExprCall) -> Vec<Item> {
+        let given = |(index, argument)| match self.given(argument) {
+            Item::Value(value) => {
+                let following = call.args.iter().skip(index + 1);
+                Item::Value(self.in_turn(value, argument, following))
+            }
+            item => item,
+        };
+        call.args.iter().enumerate().map(given).collect()
+    }
+
     /// What a call of a closure is given.
     pub(super) fn given(&mut self, expr: &Expr) -> Item {
         let target = match strip_parens(expr) {

@@ -235,9 +235,12 @@ impl Lowerer<'_> {
 
     /// Goes on with `rest` under the name that `pat` gives to a value.
     pub(super) fn bind_rest(&mut self, pat: Option<&Pat>, value: Operand) {
-        if let Some(pat) = pat {
-            let (pat, ty) = super::flow::split_type(pat);
-            self.bind_pattern(pat, ty, value);
+        match pat {
+            Some(pat) => {
+                let (pat, ty) = super::flow::split_type(pat);
+                self.bind_pattern(pat, ty, value);
+            }
+            None => self.discard(value),
         }
     }
 }

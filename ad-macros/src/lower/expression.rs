@@ -80,7 +80,23 @@ impl Lowerer<'_> {
         &mut self,
         exprs: impl IntoIterator<Item = &'e Expr>,
     ) -> Vec<Operand> {
-        exprs.into_iter().map(|expr| self.operand(expr, "value")).collect()
+        self.operands_before(exprs, None, "value")
+    }
+
+    /// The values of parts that are evaluated before `last`.
+    pub(super) fn operands_before<'e>(
+        &mut self,
+        exprs: impl IntoIterator<Item = &'e Expr>,
+        last: Option<&'e Expr>,
+        hint: &str,
+    ) -> Vec<Operand> {
+        let exprs: Vec<_> = exprs.into_iter().collect();
+        let operand = |(index, &expr): (usize, &&'e Expr)| {
+            let operand = self.operand(expr, hint);
+            let following = exprs[index + 1..].iter().copied().chain(last);
+            self.in_turn(operand, expr, following)
+        };
+        exprs.iter().enumerate().map(operand).collect()
     }
 
     fn negate(&mut self, inner: &Expr, hint: &str, whole: &Expr) -> Operand {
@@ -105,6 +121,7 @@ impl Lowerer<'_> {
             return value;
         }
         let left = self.scalar(&binary.left, "value");
+        let left = self.in_turn(left, &binary.left, [&*binary.right]);
         let right = self.scalar(&binary.right, "value");
         let token = &binary.op;
         if let (Operand::Constant(left), Operand::Constant(right)) = (&left, &right) {
@@ -211,7 +228,9 @@ impl Lowerer<'_> {
                 self.part(&field.base, Projection::Field(field.member.clone()), hint, expr)
             }
             Expr::Index(index) => match self.operand(&index.expr, "whole") {
-                Operand::Constant(base) => {
+                base @ Operand::Constant(_) => {
+                    let base = self.in_turn(base, &index.expr, [&*index.index]);
+                    let base = self.tokens(&base);
                     let position = self.index(&index.index, &base);
                     Operand::Constant(quote!(#base[#position]))
                 }

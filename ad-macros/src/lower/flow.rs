@@ -6,7 +6,7 @@
 //! and the rest the `Continue` arm of a match on it. `e?` becomes a match on `e`.
 
 use proc_macro2::Ident;
-use quote::{quote, quote_spanned};
+use quote::quote_spanned;
 use syn::spanned::Spanned;
 use syn::visit::Visit;
 use syn::{Expr, Local, Pat, Stmt, parse_quote};
@@ -19,7 +19,7 @@ use super::item::is_plain_name;
 use super::macros::macro_diverges;
 use super::operator::is_own_type;
 use super::{Lowerer, OnFailure, deferred, desugar, exits};
-use crate::ir::{Operand, Statement};
+use crate::ir::Operand;
 
 impl Lowerer<'_> {
     pub(super) fn function_body(&mut self, stmts: &[Stmt]) -> Operand {
@@ -95,7 +95,8 @@ impl Lowerer<'_> {
             Expr::Binary(binary) if exits::is_update(&binary.op) => self.update(binary),
             Expr::If(_) | Expr::Match(_) => {
                 self.branch_statement(expr, &mut |lowerer, body| {
-                    lowerer.operand(body, "value");
+                    let value = lowerer.operand(body, "value");
+                    lowerer.discard(value);
                     Self::unit()
                 });
             }
@@ -103,15 +104,12 @@ impl Lowerer<'_> {
                 self.a_loop(expr);
             }
             Expr::Block(block) => {
-                self.a_block(block, &End::default());
+                let value = self.a_block(block, &End::default());
+                self.discard(value);
             }
             _ => {
-                if let Operand::Constant(tokens) = self.operand(expr, "value") {
-                    self.push(Statement::Plain {
-                        code: quote!(let _ = #tokens;),
-                        defines: Vec::new(),
-                    });
-                }
+                let value = self.operand(expr, "value");
+                self.discard(value);
             }
         }
     }

@@ -12,7 +12,6 @@ use quote::{ToTokens, format_ident, quote};
 use syn::spanned::Spanned;
 use syn::{Expr, ExprClosure, Pat, PatType, ReturnType, Type, UnOp, parse_quote};
 
-use super::call::vjp_of;
 use super::closure::{Closure, changes_captured, simple_name};
 use super::construct::is_type_name;
 use super::flow::{as_statements, strip_parens};
@@ -20,7 +19,9 @@ use super::item::Alias;
 use super::macros::captured_names;
 use super::scopes::Scopes;
 use super::{Lowerer, OnFailure};
-use crate::ir::{self, Argument, Operand, Operation, Place, Projection, TypedBy, VarId};
+use crate::ir::{
+    self, Argument, Callee, Derivative, Operand, Operation, Place, Projection, TypedBy, VarId,
+};
 use crate::names;
 use crate::signature::Parameter;
 
@@ -56,8 +57,9 @@ impl Lowerer<'_> {
                 self.object(closure, &scopes, typed_by.clone())
             }
             (None, Expr::Path(path)) if self.is_named_function(path) => {
-                let vjp = vjp_of(path);
-                let operation = Operation::Named { primal: quote!(#path), vjp };
+                self.check_attribute(path);
+                let derivative = self.derivative_of(path);
+                let operation = Operation::Named { primal: quote!(#path), derivative };
                 self.define("function", path.span(), true, operation)
             }
             (None, Expr::Path(path)) => {
@@ -94,9 +96,9 @@ impl Lowerer<'_> {
 
     /// A parameter that is a function, to be passed on.
     fn again(&mut self, function: Place, span: proc_macro2::Span) -> VarId {
-        let (primal, vjp) = (quote!(::ad::function::again), quote!(::ad::function::again_vjp));
         let arguments = vec![Argument::Callee(function)];
-        let operation = Operation::Call { primal, vjp, method: false, arguments };
+        let callee = of_function_module(format_ident!("again"));
+        let operation = Operation::Call { callee, arguments };
         self.define("function", span, true, operation)
     }
 
@@ -120,15 +122,16 @@ impl Lowerer<'_> {
             return self.refuse(call, "the function is given another number of arguments");
         }
         let mut arguments = vec![Argument::Callee(self.function_place(function))];
-        arguments.extend(call.args.iter().map(|argument| self.argument(argument)));
-        let primal = call_of(arity);
-        let vjp = format_ident!("call_{arity}_vjp");
+        arguments.extend(call.args.iter().enumerate().map(|(index, argument)| {
+            let value = self.argument(argument);
+            self.argument_in_turn(value, argument, call.args.iter().skip(index + 1))
+        }));
         let hint = match hint {
             "value" => self.ident(function).to_string(),
             hint => hint.to_owned(),
         };
-        let vjp = quote!(::ad::function::#vjp);
-        self.finish_call(primal, vjp, false, arguments, &hint, call.span())
+        let callee = of_function_module(format_ident!("call_{arity}"));
+        self.finish_call(callee, arguments, &hint, call.span())
     }
 
     /// The number of arguments of a parameter that is a function, and a reference to it.
@@ -145,11 +148,11 @@ impl Lowerer<'_> {
         let Some((arity, function)) = self.function_parameter(&call.func) else {
             unreachable!("the caller has asked for it");
         };
-        let (primal, arguments) = (call_of(arity), &call.args);
+        let (callee, arguments) = (format_ident!("call_{arity}"), &call.args);
         if arguments.len() != arity {
             self.refuse(call, "the function is given another number of arguments");
         }
-        parse_quote!(#primal(#function, #arguments))
+        parse_quote!(::ad::function::#callee(#function, #arguments))
     }
 
     fn function_place(&self, function: VarId) -> Place {
@@ -249,6 +252,8 @@ impl Lowerer<'_> {
         inner.is_object = true;
         inner.variants = self.variants.clone();
         inner.scalars = self.scalars.clone();
+        inner.local_functions = self.local_functions.clone();
+        inner.exclusive_methods = self.exclusive_methods.clone();
         let mut vars = Vec::new();
         let body = inner.block(|inner| {
             let mut meanings = HashMap::new();
@@ -350,10 +355,14 @@ impl Lowerer<'_> {
     }
 }
 
-/// `f` of the value of a parameter that is a function.
-fn call_of(arity: usize) -> TokenStream {
-    let call = format_ident!("call_{arity}");
-    quote!(::ad::function::#call)
+/// A function of `ad::function`, with its derivative.
+fn of_function_module(name: Ident) -> Callee {
+    let owner = quote!(::ad::function::);
+    Callee {
+        primal: quote!(#owner #name),
+        derivative: Derivative::Sibling { owner, name, turbofish: None },
+        is_method: false,
+    }
 }
 
 fn typed(pat: &Pat) -> Option<&PatType> {

@@ -1,8 +1,9 @@
 //! The macros of the standard library that numerical code uses. Any other is refused: what it
-//! expands to is not seen here.
+//! expands to is not seen here. One of the user's that has such a name is called as it is where its
+//! arguments carry no derivative, and else refused by the compiler.
 
 use proc_macro2::{Ident, Span, TokenStream};
-use quote::{ToTokens, format_ident, quote, quote_spanned};
+use quote::{ToTokens, quote, quote_spanned};
 use syn::parse::{Parse, ParseStream};
 use syn::punctuated::Punctuated;
 use syn::spanned::Spanned;
@@ -47,6 +48,11 @@ pub(super) fn macro_diverges(call: &Macro) -> bool {
         .is_some_and(|name| matches!(&*name, "panic" | "unreachable" | "todo" | "unimplemented"))
 }
 
+/// The value of what never has one.
+pub(super) fn never() -> TokenStream {
+    quote!(::ad::rt::never())
+}
+
 impl Lowerer<'_> {
     /// A call of a macro, as a value or as a statement.
     pub(super) fn macro_call(&mut self, call: &Macro, hint: &str) -> Operand {
@@ -82,11 +88,11 @@ impl Lowerer<'_> {
         }
         let message: Vec<_> = arguments.iter().skip(shown).collect();
         tokens.extend(self.message(&message));
-        let ident = format_ident!("{name}");
-        let code = quote_spanned!(call.span()=> ::std::#ident!(#(#tokens),*););
+        let path = &call.path;
+        let code = quote_spanned!(call.span()=> #path!(#(#tokens),*););
         self.push(Statement::Plain { code, defines: Vec::new() });
         match macro_diverges(call) {
-            true => Operand::Constant(quote!(::ad::rt::never())),
+            true => Operand::Constant(never()),
             false => Self::unit(),
         }
     }
@@ -96,7 +102,8 @@ impl Lowerer<'_> {
         let Some(arguments) = self.arguments_of(call) else { return Self::unit() };
         let arguments: Vec<_> = arguments.iter().collect();
         let message = self.message(&arguments);
-        let text = Operand::Constant(quote_spanned!(call.span()=> ::std::format!(#(#message),*)));
+        let path = &call.path;
+        let text = Operand::Constant(quote_spanned!(call.span()=> #path!(#(#message),*)));
         let var = self.define("text", call.span(), false, Operation::Use(text));
         Operand::Constant(self.ident(var).to_token_stream())
     }
@@ -150,8 +157,24 @@ impl Lowerer<'_> {
         tokens
     }
 
+    /// Has the compiler check that a macro is that of the standard library, of which `call` is a call of
+    /// type `ty`: beside an import of all that is there another macro of the name is ambiguous.
+    pub(super) fn check_macro(&mut self, path: &Path, call: &TokenStream, ty: &TokenStream) {
+        if path.segments.len() > 1 || !self.checked.insert(call.to_string()) {
+            return;
+        }
+        let code = quote! {{
+            #[allow(unused_imports)]
+            use ::std::*;
+            let _ = || -> #ty { #call };
+        }};
+        self.push(Statement::Plain { code, defines: Vec::new() });
+    }
+
     /// `dbg!(x)`: prints, and is `x`.
     fn debugged(&mut self, call: &Macro, hint: &str) -> Operand {
+        let path = &call.path;
+        self.check_macro(path, &quote!(#path!()), &quote!(()));
         let arguments = self.arguments_of(call).unwrap_or_default();
         let [argument] = &arguments[..] else {
             return self.refuse(call, "`dbg!` of one value is supported");

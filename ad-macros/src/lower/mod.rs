@@ -17,6 +17,7 @@
 mod array;
 mod branch;
 mod call;
+mod callee;
 mod chain;
 mod checkpoint;
 mod closure;
@@ -24,6 +25,7 @@ mod construct;
 mod consume;
 mod deferred;
 mod desugar;
+mod effects;
 mod ends;
 mod exits;
 mod expression;
@@ -36,6 +38,7 @@ mod macros;
 mod no_diff;
 mod operator;
 mod option;
+mod order;
 mod part;
 mod pattern;
 mod place;
@@ -56,6 +59,7 @@ use quote::{ToTokens, quote};
 use syn::{Type, spanned::Spanned};
 
 use self::array::Container;
+use self::callee::LocalFunctions;
 use self::closure::Closure;
 use self::ends::{Jump, JumpId};
 use self::item::Alias;
@@ -66,17 +70,23 @@ pub use crate::ir::{Lowered, LoweredParameter};
 use crate::names::Names;
 use crate::signature::{Parameter, has_fixed_size, is_box, is_discrete, pointee};
 
-/// Lowers a function body.
-pub fn lower(
-    parameters: &[Parameter],
-    result: &Type,
-    body: &syn::Block,
-    scalars: Vec<Ident>,
-    names: &mut Names,
-    errors: &mut Errors,
-) -> Lowered {
+/// A function, as the user wrote it.
+pub struct Source<'a> {
+    pub parameters: &'a [Parameter],
+    pub result: &'a Type,
+    pub body: &'a syn::Block,
+    /// The type parameters that are scalars.
+    pub scalars: Vec<Ident>,
+    /// The methods that stand beside it and take `&mut self`.
+    pub exclusive_methods: &'a [Ident],
+}
+
+/// Lowers a function.
+pub fn lower(source: Source<'_>, names: &mut Names, errors: &mut Errors) -> Lowered {
+    let Source { parameters, result, body, scalars, exclusive_methods } = source;
     let mut lowerer = Lowerer::new(OnFailure::of(result), names, errors);
     lowerer.scalars = scalars;
+    lowerer.exclusive_methods = exclusive_methods.iter().map(Ident::to_string).collect();
     let types = parameters.iter().map(|parameter| &parameter.ty).chain([result]);
     lowerer.variants = variants::of(types, body);
     let mut parameter_vars = Vec::new();
@@ -87,6 +97,7 @@ pub fn lower(
                 lowerer.parameter_pattern(pattern, var);
             }
         }
+        lowerer.local_functions = LocalFunctions::of(items(body));
         lowerer.items = items(body).map(|item| item.to_token_stream().to_string()).collect();
         lowerer.function_body(&body.stmts)
     });
@@ -157,6 +168,12 @@ struct Lowerer<'a> {
     is_object: bool,
     /// Whether a call was given a function.
     passes_functions: bool,
+    /// The methods that stand beside this one and take `&mut self`.
+    exclusive_methods: HashSet<String>,
+    /// The names that the compiler has been asked about.
+    checked: HashSet<String>,
+    /// The functions that it brings along.
+    local_functions: LocalFunctions,
     /// The items of the outermost block, as they are written.
     items: HashSet<String>,
     /// The names in refutable patterns that were taken for constants, for their capital letter.
@@ -194,6 +211,9 @@ impl<'a> Lowerer<'a> {
             functions: HashMap::new(),
             is_object: false,
             passes_functions: false,
+            exclusive_methods: HashSet::new(),
+            checked: HashSet::new(),
+            local_functions: LocalFunctions::default(),
             items: HashSet::new(),
             capitals: HashSet::new(),
             variants: HashSet::new(),
@@ -424,6 +444,11 @@ impl Lowerer<'_> {
         let span = at.span();
         self.errors.at(at, message);
         Operand::Constant(quote::quote_spanned!(span=> ::core::unreachable!()))
+    }
+
+    /// A variable without derivative as an operand.
+    fn constant(&self, var: VarId) -> Operand {
+        Operand::Constant(self.ident(var).to_token_stream())
     }
 
     fn unit() -> Operand {

@@ -8,7 +8,7 @@ use quote::{ToTokens, quote};
 use syn::spanned::Spanned;
 use syn::visit::{self, Visit};
 use syn::visit_mut::{self, VisitMut};
-use syn::{Expr, ExprCall, ExprClosure, FieldValue, Macro, parse_quote};
+use syn::{Expr, ExprCall, ExprClosure, FieldValue, Macro, Path, parse_quote};
 
 use super::Lowerer;
 use super::plain::visit_arguments;
@@ -19,14 +19,33 @@ pub(super) fn undifferentiated(call: &ExprCall) -> Option<&ExprClosure> {
     let Expr::Path(function) = &*call.func else { return None };
     let is_named = function.path.segments.last().is_some_and(|last| last.ident == "no_diff");
     match call.args.first() {
-        Some(Expr::Closure(closure)) if is_named && call.args.len() == 1 => Some(closure),
+        Some(Expr::Closure(closure))
+            if is_named && call.args.len() == 1 && closure.inputs.is_empty() =>
+        {
+            Some(closure)
+        }
         _ => None,
     }
 }
 
+/// `stop_gradient(x)`
+pub(super) fn stopped(call: &ExprCall) -> Option<&Path> {
+    let Expr::Path(function) = &*call.func else { return None };
+    let is_named = function.path.segments.last().is_some_and(|last| last.ident == "stop_gradient");
+    (is_named && call.args.len() == 1).then_some(&function.path)
+}
+
 impl Lowerer<'_> {
+    /// Has the compiler check that a path leads to `ad::stop_gradient`.
+    pub(super) fn check_stopped(&mut self, path: &Path) {
+        self.check_function(path, &quote!(::ad::stop_gradient), &quote!(::<u8>));
+    }
+
     /// The value of `no_diff(|| ..)`, as it is here and now.
     pub(super) fn no_diff(&mut self, function: &Expr, closure: &ExprClosure) -> TokenStream {
+        if let Expr::Path(path) = function {
+            self.check_function(&path.path, &quote!(::ad::no_diff), &quote!(::<u8, fn() -> u8>));
+        }
         let mut bound = Bound { lowerer: self, again: None };
         bound.visit_expr(&closure.body);
         if let Some(name) = bound.again {

@@ -5,7 +5,7 @@
 //! references (`ad::rules::borrowed`) where an operand is written as one, or where what is written
 //! down tells a type of one's own: a declared type, a constructor, `clone()`, another such operator.
 
-use proc_macro2::{Ident, TokenStream};
+use proc_macro2::Ident;
 use quote::quote_spanned;
 use syn::spanned::Spanned;
 use syn::{Expr, ExprBinary, Path, Type, UnOp, parse_quote};
@@ -13,7 +13,7 @@ use syn::{Expr, ExprBinary, Path, Type, UnOp, parse_quote};
 use super::Lowerer;
 use super::construct::{is_transparent, is_type_name, outcome};
 use super::flow::strip_parens;
-use crate::ir::{Argument, BinaryOperator, Operand, Place};
+use crate::ir::{Argument, BinaryOperator, Callee, Operand, Place};
 use crate::signature::{is_discrete, pointee};
 
 impl Lowerer<'_> {
@@ -68,7 +68,9 @@ impl Lowerer<'_> {
         if !self.is_borrowed_or_own(&binary.left) && !self.is_borrowed_or_own(&binary.right) {
             return None;
         }
-        let operands = [&binary.left, &binary.right].map(|operand| self.borrowed(operand));
+        let left = self.borrowed(&binary.left);
+        let left = self.argument_in_turn(left, &binary.left, [&*binary.right]);
+        let operands = [left, self.borrowed(&binary.right)];
         self.call_of_operator(operator.method(), operands.into(), hint, binary)
     }
 
@@ -125,9 +127,8 @@ impl Lowerer<'_> {
         }
         let span = at.span();
         let function = Ident::new(function, span);
-        let primal = quote_spanned!(span=> ::ad::rules::borrowed::#function);
-        let vjp: TokenStream = quote_spanned!(span=> ::ad::rules::borrowed::#function::vjp);
-        let value = self.finish_call(primal, vjp, false, operands, hint, span);
+        let path = quote_spanned!(span=> ::ad::rules::borrowed::#function);
+        let value = self.finish_call(Callee::of_ad(path), operands, hint, span);
         if let Operand::Var(var) = value {
             self.own.insert(var);
         }

@@ -183,7 +183,7 @@ impl Lowerer<'_> {
         match pat {
             Pat::Paren(inner) => self.bind_pattern(&inner.pat, ty, value),
             Pat::Type(typed) => self.bind_pattern(&typed.pat, Some(&typed.ty), value),
-            Pat::Wild(_) => {}
+            Pat::Wild(_) => self.discard(value),
             Pat::Ident(ident) if ident.subpat.is_none() && ident.by_ref.is_none() => {
                 self.bind_name(ident, ty, value);
             }

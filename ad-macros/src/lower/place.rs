@@ -260,8 +260,8 @@ impl Lowerer<'_> {
     /// `place = value`
     pub(super) fn assign(&mut self, assign: &ExprAssign) {
         if let Expr::Infer(_) = &*assign.left {
-            self.operand(&assign.right, "value");
-            return;
+            let value = self.operand(&assign.right, "value");
+            return self.discard(value);
         }
         if let Some(desugared) = super::desugar::assignment(assign, self.names) {
             return self.scope(|lowerer| {
@@ -275,6 +275,7 @@ impl Lowerer<'_> {
             return self.expression_statement(&syn::parse_quote!(#call));
         }
         let value = self.operand(&assign.right, "value");
+        let value = self.in_turn(value, &assign.right, [&*assign.left]);
         let Some(place) = self.target(&assign.left) else { return };
         if self.vars[place.root].active {
             self.push(Statement::Assign { place, value });
@@ -296,6 +297,7 @@ impl Lowerer<'_> {
             return;
         }
         let value = self.scalar(&update.right, "value");
+        let value = self.in_turn(value, &update.right, [&*update.left]);
         let Some(place) = self.target(&update.left) else { return };
         let token = &update.op;
         match operator {

@@ -6,11 +6,12 @@ use quote::{ToTokens, quote, quote_spanned};
 use syn::spanned::Spanned;
 use syn::visit::{self, Visit};
 use syn::visit_mut::{self, VisitMut};
-use syn::{BinOp, Expr, Macro, Pat, Type, parse_quote, parse_quote_spanned};
+use syn::{BinOp, Expr, Macro, Pat, Type, UnOp, parse_quote, parse_quote_spanned};
 
+use super::closure::root_name;
 use super::construct::is_type_name;
 use super::macros::{Matches, standard_macro};
-use super::no_diff::undifferentiated;
+use super::no_diff::{stopped, undifferentiated};
 use super::{Lowerer, exits};
 use crate::ir::{Operand, Operation};
 
@@ -18,16 +19,27 @@ impl Lowerer<'_> {
     /// The expression with variables renamed. The caller knows that what it is used for has no
     /// derivative (a condition, a comparison).
     pub(super) fn plain(&mut self, expr: &Expr) -> TokenStream {
+        if self.changes(expr) {
+            return self.in_order(expr);
+        }
         let mut expr = expr.clone();
-        Plain { lowerer: self, is_conditional: false }.visit_expr_mut(&mut expr);
+        Plain { lowerer: self, is_conditional: false, closures: 0 }.visit_expr_mut(&mut expr);
         expr.to_token_stream()
     }
 
     /// The same for what is not evaluated here, once, whatever comes: nothing is put before it.
     pub(super) fn plain_in_place(&mut self, expr: &Expr) -> TokenStream {
         let mut expr = expr.clone();
-        Plain { lowerer: self, is_conditional: true }.visit_expr_mut(&mut expr);
+        Plain { lowerer: self, is_conditional: true, closures: 0 }.visit_expr_mut(&mut expr);
         expr.to_token_stream()
+    }
+
+    /// Whether an expression is a place in a variable that may change and through which a derivative
+    /// may flow.
+    pub(super) fn can_change(&self, place: &Expr) -> bool {
+        let var = root_name(place).and_then(|name| self.lookup(name));
+        let var = var.map(|var| self.aliases.get(&var).map_or(var, |alias| alias.place.root));
+        var.is_some_and(|var| self.vars[var].active && self.vars[var].mutable)
     }
 
     /// Whether a closure that has a name is called somewhere in an expression.
@@ -89,14 +101,7 @@ impl Lowerer<'_> {
                 Some(var) => !self.vars[var].active,
                 None => true,
             },
-            Expr::Call(call) => {
-                undifferentiated(call).is_some()
-                    || matches!(&*call.func, Expr::Path(path) if path
-                        .path
-                        .segments
-                        .last()
-                        .is_some_and(|last| last.ident == "stop_gradient"))
-            }
+            Expr::Call(call) => undifferentiated(call).is_some() || stopped(call).is_some(),
             _ => false,
         }
     }
@@ -154,15 +159,56 @@ struct Plain<'l, 'a> {
     lowerer: &'l mut Lowerer<'a>,
     /// Whether the part being visited may not be evaluated, or more than once.
     is_conditional: bool,
+    /// In how many closures it lies.
+    closures: usize,
 }
 
 impl Plain<'_, '_> {
-    fn can_change(&self, receiver: &Expr) -> bool {
-        let Expr::Path(path) = receiver else { return false };
-        match self.lowerer.variable(path) {
-            Some(var) => self.lowerer.vars[var].mutable || self.lowerer.vars[var].active,
-            None => false,
+    /// The receiver of a method. One that takes `&mut self` would change a variable behind the reverse
+    /// sweep's back; through a shared reference it does not compile.
+    fn visit_receiver(&mut self, receiver: &mut Expr) {
+        let can_change = self.lowerer.can_change(receiver);
+        self.visit_place(receiver);
+        if can_change {
+            let span = receiver.span();
+            *receiver = match self.closures {
+                0 => parse_quote_spanned!(span=> (*::ad::rt::BindTheCallWithLetBefore(&#receiver))),
+                // What a closure returns may refer to the receiver.
+                _ => parse_quote_spanned!(span=> (*&#receiver)),
+            };
         }
+    }
+
+    /// A place, of which a part is used.
+    fn visit_place(&mut self, place: &mut Expr) {
+        match place {
+            Expr::Paren(inner) => self.visit_place(&mut inner.expr),
+            Expr::Field(field) => self.visit_place(&mut field.base),
+            Expr::Index(index) => {
+                self.visit_place(&mut index.expr);
+                self.visit_expr_mut(&mut index.index);
+            }
+            Expr::Unary(unary) if matches!(unary.op, UnOp::Deref(_)) => {
+                self.visit_place(&mut unary.expr);
+            }
+            Expr::Path(path) => *place = self.renamed(path),
+            other => self.visit_expr_mut(other),
+        }
+    }
+
+    /// What a name stands for.
+    fn renamed(&mut self, path: &syn::ExprPath) -> Expr {
+        let Some(var) = self.lowerer.variable(path) else {
+            self.lowerer.check_capital(path);
+            return Expr::Path(path.clone());
+        };
+        if self.lowerer.closures.contains_key(&var) {
+            self.lowerer.refuse(path, "bind the value of this closure to a variable with `let` before the condition or the index that uses it");
+        }
+        if self.lowerer.functions.contains_key(&var) {
+            self.lowerer.refuse(path, "bind the value of the call that is given this function to a variable with `let` before the condition or the index that uses it");
+        }
+        self.lowerer.value_of(var, path.span())
     }
 
     /// `matches!(expr, pattern if guard)`
@@ -215,17 +261,26 @@ impl VisitMut for Plain<'_, '_> {
     fn visit_expr_mut(&mut self, expr: &mut Expr) {
         match expr {
             Expr::Path(path) => {
-                if let Some(var) = self.lowerer.variable(path) {
-                    if self.lowerer.closures.contains_key(&var) {
-                        self.lowerer.refuse(&*path, "bind the value of this closure to a variable with `let` before the condition or the index that uses it");
-                    }
-                    if self.lowerer.functions.contains_key(&var) {
-                        self.lowerer.refuse(&*path, "bind the value of the call that is given this function to a variable with `let` before the condition or the index that uses it");
-                    }
-                    *expr = self.lowerer.value_of(var, path.span());
-                } else {
-                    self.lowerer.check_capital(path);
-                }
+                let value = self.renamed(path);
+                // What is passed on may not be changed.
+                let is_exclusive = self.lowerer.variable(path).is_some_and(|var| {
+                    self.lowerer.vars[var].exclusive && self.lowerer.vars[var].active
+                });
+                *expr = match is_exclusive {
+                    true => parse_quote_spanned!(path.span()=> (&*#value)),
+                    false => value,
+                };
+            }
+            Expr::Field(_) | Expr::Index(_) => self.visit_place(expr),
+            Expr::Unary(unary) if matches!(unary.op, UnOp::Deref(_)) => self.visit_place(expr),
+            Expr::Reference(reference) if reference.mutability.is_none() => {
+                self.visit_place(&mut reference.expr);
+            }
+            call if self.is_conditional && self.lowerer.is_change(call) => {
+                self.lowerer.refuse(
+                    &*call,
+                    "this changes something under a condition: bind its value to a variable with `let` before",
+                );
             }
             Expr::Call(call) if undifferentiated(call).is_some() => {
                 if let Some(closure) = undifferentiated(call) {
@@ -233,15 +288,13 @@ impl VisitMut for Plain<'_, '_> {
                     *expr = parse_quote!(#value);
                 }
             }
+            Expr::Call(call) if let Some(path) = stopped(call) => {
+                self.lowerer.check_stopped(path);
+                visit_arguments(self, call);
+            }
             Expr::MethodCall(call) => {
-                let changes = self.can_change(&call.receiver);
-                visit_mut::visit_expr_method_call_mut(self, call);
-                // A method that takes `&mut self` would change a variable behind the reverse
-                // sweep's back; through a shared reference it does not compile.
-                if changes && let Expr::Path(_) = &*call.receiver {
-                    let receiver = &call.receiver;
-                    call.receiver = parse_quote!((*&#receiver));
-                }
+                self.visit_receiver(&mut call.receiver);
+                call.args.iter_mut().for_each(|argument| self.visit_expr_mut(argument));
             }
             Expr::Cast(cast) => {
                 let constant = self.lowerer.is_certainly_constant(&cast.expr);
@@ -265,7 +318,9 @@ impl VisitMut for Plain<'_, '_> {
                     self.rename_bound(input);
                 }
                 let was_conditional = std::mem::replace(&mut self.is_conditional, true);
+                self.closures += 1;
                 self.visit_expr_mut(&mut closure.body);
+                self.closures -= 1;
                 self.is_conditional = was_conditional;
                 self.lowerer.scopes.close();
             }
@@ -301,14 +356,11 @@ impl VisitMut for Plain<'_, '_> {
             }
             Expr::Lit(_)
             | Expr::Paren(_)
-            | Expr::Field(_)
-            | Expr::Index(_)
             | Expr::Unary(_)
             | Expr::Binary(_)
             | Expr::Call(_)
             | Expr::Tuple(_)
-            | Expr::Array(_)
-            | Expr::Reference(_) => visit_mut::visit_expr_mut(self, expr),
+            | Expr::Array(_) => visit_mut::visit_expr_mut(self, expr),
             Expr::If(_) | Expr::Match(_) | Expr::Block(_) | Expr::Struct(_) | Expr::Repeat(_) => {
                 self.lowerer.refuse(
                     &*expr,

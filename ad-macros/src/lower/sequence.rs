@@ -43,6 +43,8 @@ impl Lowerer<'_> {
                 return Self::unit();
             }
         };
+        let path = &call.path;
+        self.check_macro(path, &quote!(#path![]), &quote!(::std::vec::Vec<()>));
         let Some(length) = length else {
             let parts = self.operands(&elements);
             let tokens = parts.iter().map(|part| self.tokens(part));

@@ -30,6 +30,7 @@ impl deposit {
         account.total += amounts_1;
         let account_1_pullback = ::ad::rt::Increase::of(&account_1, &amounts_1);
         let index_1 = i;
+        ::ad::check_name!(fee, fee::named(), (& mut account.fees[index_1], amounts));
         let (fee, fee_pullback) = fee::vjp_onto(&mut account.fees[index_1], amounts);
         let fee_space = ::ad::rt::space(&fee);
         let amounts_2 = amounts[0];

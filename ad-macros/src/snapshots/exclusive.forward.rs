@@ -30,6 +30,7 @@ impl deposit {
             &mut account_dot.fees[index_1],
             &mut slot,
         );
+        ::ad::check_name!(fee, fee::named(), (& mut account.fees[index_1], amounts));
         let (fee, fee_dot) = fee::jvp(
             &mut account.fees[index_1],
             amounts,

@@ -38,6 +38,7 @@ impl size {
                     width_1_dot,
                     height_1_dot,
                 );
+                ::ad::check_name!(bounded, bounded::named(), (argument));
                 let (matched, matched_dot) = bounded::jvp(argument, argument_dot);
                 let (value_4, value_4_dot) = match matched {
                     ::core::result::Result::Ok(value_1) => {
