@@ -78,7 +78,9 @@ impl Lowerer<'_> {
         if let Some(name) = function.path.get_ident()
             && let Some(path) = self.local_functions.imported.get(&name.to_string())
         {
-            function.path = path.clone();
+            let mut path = path.clone();
+            path.segments.iter_mut().for_each(|segment| segment.ident.set_span(name.span()));
+            function.path = path;
         }
         if is_associated(&function) {
             return self.associated(&function);
@@ -119,7 +121,8 @@ impl Lowerer<'_> {
         Some(Callee::of_ad(quote!(::ad::rules::replace::#name)).derivative)
     }
 
-    /// Has the compiler check that a path leads to a certain function, which has these type arguments.
+    /// Has the compiler check that a path leads to a certain function, which could have these type
+    /// arguments.
     pub(super) fn check_function(
         &mut self,
         path: &Path,
@@ -131,7 +134,7 @@ impl Lowerer<'_> {
             return;
         }
         let code = quote_spanned! {path.span()=>
-            ::ad::rt::same_function(#twin #arguments, #function #arguments);
+            ::ad::rt::same_function(#function #arguments, #twin);
         };
         self.push(Statement::Plain { code, defines: Vec::new() });
     }
@@ -147,7 +150,7 @@ impl Lowerer<'_> {
                 // The rules for the methods of these traits stand in traits of `ad`.
                 let ty = &qself.ty;
                 let code = quote_spanned! {span=>
-                    ::ad::rt::same_function(#function, <#ty as #canonical>::#last);
+                    ::ad::rt::same_function(<#ty as #canonical>::#last, #function);
                 };
                 self.push(Statement::Plain { code, defines: Vec::new() });
                 quote!(<#ty>::)

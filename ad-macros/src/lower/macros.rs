@@ -163,7 +163,7 @@ impl Lowerer<'_> {
         if path.segments.len() > 1 || !self.checked.insert(call.to_string()) {
             return;
         }
-        let code = quote! {{
+        let code = quote_spanned! {path.span()=> {
             #[allow(unused_imports)]
             use ::std::*;
             let _ = || -> #ty { #call };
@@ -174,7 +174,7 @@ impl Lowerer<'_> {
     /// `dbg!(x)`: prints, and is `x`.
     fn debugged(&mut self, call: &Macro, hint: &str) -> Operand {
         let path = &call.path;
-        self.check_macro(path, &quote!(#path!()), &quote!(()));
+        self.check_macro(path, &quote_spanned!(path.span()=> #path!()), &quote!(()));
         let arguments = self.arguments_of(call).unwrap_or_default();
         let [argument] = &arguments[..] else {
             return self.refuse(call, "`dbg!` of one value is supported");

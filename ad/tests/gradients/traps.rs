@@ -11,8 +11,10 @@
 
 mod aliasing;
 mod closures;
+mod effects;
 mod exclusive;
 mod macro_rules;
+mod name_spaces;
 mod names;
 mod numbers;
 mod order;
