@@ -90,6 +90,21 @@ pub fn identifiers(tokens: TokenStream) -> Vec<Ident> {
     tokens.into_iter().flat_map(within).collect()
 }
 
+/// The tokens as if they stood at `span`, for errors about them.
+pub fn located(tokens: TokenStream, span: Span) -> TokenStream {
+    let at_span = |token: TokenTree| {
+        let mut token = match token {
+            TokenTree::Group(group) => {
+                TokenTree::Group(Group::new(group.delimiter(), located(group.stream(), span)))
+            }
+            token => token,
+        };
+        token.set_span(span.resolved_at(token.span()));
+        token
+    };
+    tokens.into_iter().map(at_span).collect()
+}
+
 /// The tokens with `this` in place of `self`, where that is not the start of a path.
 pub fn without_self(tokens: TokenStream, this: &Ident) -> TokenStream {
     let mut tokens = tokens.into_iter().peekable();

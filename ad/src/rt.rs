@@ -9,6 +9,7 @@ use crate::{Additive, Differentiable, NoDerivative, Shape, Tangent};
 
 pub use crate::differentiable::Parts;
 
+mod constants;
 mod cotangent;
 mod kept;
 mod names;
@@ -17,8 +18,10 @@ mod pullback;
 mod tangent;
 mod through;
 
+pub use constants::{Accepts, OfChanged, Vanishing};
 pub use cotangent::{
-    Absorb, At, Constant, Content, Enter, Length, Lent, NotLent, Nothing, Same, Take, at, sum, take,
+    Absorb, At, Constant, Content, Enter, Length, Lent, NotLent, Nothing, Same, Take, at, sum,
+    take, take_changed,
 };
 pub use kept::{Decrease, Difference, Increase, Negation, Sum};
 pub use names::{check_mode_of, has_other_name, other_function, same_function};
@@ -42,6 +45,7 @@ pub use iterate::{
 /// The traits whose methods generated code calls. They come without names, which could hide those
 /// of the user.
 pub mod methods {
+    pub use super::constants::Accepts as _;
     pub use crate::rules::forward::{
         AngleForward as _, CloneForward as _, CopiedForward as _, DMat2Forward as _,
         DMat3Forward as _, DMat4Forward as _, DVec2Forward as _, DVec4Forward as _,
@@ -116,6 +120,12 @@ impl<T: Additive> Space<T> {
     #[inline(always)]
     pub fn zero(self) -> T {
         T::zero()
+    }
+
+    /// The space of a part.
+    #[inline(always)]
+    pub fn part<U>(self, _part: impl FnOnce(&T) -> &U) -> Space<U> {
+        Space(PhantomData)
     }
 
     /// A cotangent, seen from the field it is the cotangent of.

@@ -22,6 +22,7 @@ impl deposit {
             fn lent_1_to_close<A0>(&self, _: A0) {}
         }
         impl<T: ?::core::marker::Sized> lending_1_to_close for T {}
+        let amounts_space = ::ad::rt::space(&amounts);
         let account_shape = ::ad::rt::shape(&account);
         let index = i;
         let amounts_1 = amounts[index];
@@ -94,7 +95,7 @@ impl deposit {
                     fee_pullback,
                     fee_bar,
                     (
-                        ::ad::rt::Take::take(
+                        ::ad::rt::take_changed(
                             ::ad::rt::at(&mut account_bar.fees, index_1),
                         ),
                     ),
@@ -105,6 +106,8 @@ impl deposit {
                     account_part_1,
                 );
                 ::ad::rt::Absorb::absorb(&mut amounts_bar, amounts_part);
+                (*&mut account_bar.total)
+                    .accepts(amounts_space.part(|tangent| &tangent[0]));
                 let (account_part_2, amounts_1_part) = account_1_pullback
                     .pull_back(
                         account_1_space.enter(::ad::rt::take(&mut account_bar.total)),

@@ -6,11 +6,12 @@
 
 use std::collections::BTreeSet;
 
-use proc_macro2::{Ident, TokenStream};
+use proc_macro2::{Ident, Span, TokenStream};
 use quote::quote;
 
 use super::Sweeper;
 use crate::ir::{Place, Projection, Var, VarId};
+use crate::names;
 use crate::primal::project;
 
 /// The cotangent of a place, as `&mut`. That of a reference is that of its target.
@@ -26,6 +27,15 @@ pub(super) fn cotangent_of(root: &Ident, path: &[Projection]) -> TokenStream {
             Projection::Deref => (place, is_reference),
         });
     if is_reference { place } else { quote!(&mut #place) }
+}
+
+/// A step from the tangent of a value into that of a part, whose type alone counts.
+fn of_type(step: &Projection) -> Option<Projection> {
+    match step {
+        Projection::Field(_) => Some(step.clone()),
+        Projection::Index(_) => Some(Projection::Index(quote!(0))),
+        Projection::Deref => None,
+    }
 }
 
 /// Where a cotangent that a pullback returns goes to.
@@ -46,6 +56,33 @@ impl Sweeper<'_> {
     pub(super) fn space(&mut self, var: VarId) -> Ident {
         self.spaces.insert(var);
         self.vars[var].space.clone()
+    }
+
+    /// Has the compiler check that `var` may be stored where the cotangent is `place`: a `#[constant]`
+    /// field, which is named at `span`, takes no more than what such a field held.
+    pub(super) fn check_stored(
+        &mut self,
+        reverse: &mut TokenStream,
+        var: VarId,
+        place: &TokenStream,
+        span: Span,
+    ) {
+        if !self.vars[var].active {
+            return;
+        }
+        let space = match self.facts.origin(var) {
+            Some(Place { root, path }) if self.vars[root].active => {
+                let (space, part) = (self.space(root), Ident::new("tangent", Span::mixed_site()));
+                let path: Vec<_> = path.iter().filter_map(of_type).collect();
+                let projected = project(quote!(#part), &path);
+                quote!(#space.part(|#part| &#projected))
+            }
+            _ => {
+                let space = self.space(var);
+                quote!(#space)
+            }
+        };
+        reverse.extend(names::located(quote!(#place.accepts(#space);), span));
     }
 
     /// Defines the space of a variable, if the reverse sweep names it.

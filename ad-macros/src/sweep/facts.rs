@@ -8,8 +8,8 @@ use quote::ToTokens;
 use syn::Type;
 
 use crate::ir::{
-    Argument, Block, BuildSource, Head, Operand, Operation, Place, Projection, Statement, Var,
-    VarId,
+    Argument, Binding, Block, BranchKind, BuildSource, Head, Operand, Operation, Place, Projection,
+    Statement, Var, VarId,
 };
 use crate::lower::{Lowered, LoweredParameter};
 use crate::signature::{Parameter, is_discrete, pointee};
@@ -39,6 +39,8 @@ pub struct Facts<'a> {
     array_parameters: HashMap<VarId, bool>,
     /// Parameters that are slices or `Vec`s and stay as they are.
     sequences: HashSet<VarId>,
+    /// The places that variables are parts of which patterns bind.
+    bound: HashMap<VarId, Place>,
 }
 
 /// What code may be made of to count as cheap.
@@ -64,6 +66,7 @@ impl<'a> Facts<'a> {
             members: HashMap::new(),
             array_parameters: HashMap::new(),
             sequences: HashSet::new(),
+            bound: HashMap::new(),
         };
         for (parameter, &LoweredParameter { var, .. }) in parameters.iter().zip(&lowered.parameters)
         {
@@ -107,7 +110,12 @@ impl<'a> Facts<'a> {
                     self.arithmetic.extend([*value, *previous]);
                 }
                 Statement::Branch(branch) => {
-                    branch.arms.iter().for_each(|arm| self.block(&arm.body));
+                    for arm in &branch.arms {
+                        if let BranchKind::Match(_, Some(source)) = &branch.kind {
+                            self.bindings(&arm.bindings, source);
+                        }
+                        self.block(&arm.body);
+                    }
                 }
                 Statement::Loop(a_loop) => {
                     if let Head::For { defines, iterator, .. } = &a_loop.head
@@ -131,8 +139,33 @@ impl<'a> Facts<'a> {
                     self.block(&build.body);
                 }
                 Statement::Plain { code, .. } => self.tuple(code),
-                Statement::Destructure { .. } | Statement::Assign { .. } => {}
+                Statement::Destructure { source, bindings, .. } => {
+                    self.bindings(bindings, &Place { root: *source, path: Vec::new() });
+                }
+                Statement::Assign { .. } => {}
             }
+        }
+    }
+
+    fn bindings(&mut self, bindings: &[Binding], source: &Place) {
+        for binding in bindings {
+            let path = [&source.path[..], &binding.path].concat();
+            self.bound.insert(binding.var, Place { root: source.root, path });
+        }
+    }
+
+    /// The part of another variable that a variable is a copy of, if it never changes.
+    pub fn origin(&self, var: VarId) -> Option<Place> {
+        if self.vars[var].mutable {
+            return None;
+        }
+        if let Some(place) = self.bound.get(&var) {
+            return Some(place.clone());
+        }
+        match self.operations.get(&var)? {
+            Operation::Read(place) if !place.path.is_empty() => Some(place.clone()),
+            Operation::Use(Operand::Var(source)) => self.origin(*source),
+            _ => None,
         }
     }
 

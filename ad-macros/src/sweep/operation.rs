@@ -2,6 +2,7 @@
 
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::{quote, quote_spanned};
+use syn::spanned::Spanned;
 use syn::{Member, Type};
 
 use super::contribute::{Target, cotangent_of};
@@ -200,6 +201,7 @@ impl Sweeper<'_> {
                     };
                     let value = match shape {
                         Shape::Struct | Shape::Variant(_) => {
+                            self.check_stored(reverse, *part, &field, member.span());
                             let space = self.space(*part);
                             quote!(#space.enter(#field))
                         }
@@ -264,7 +266,7 @@ impl Sweeper<'_> {
                 Argument::Exclusive(place) | Argument::Reborrow(place) => {
                     self.start(reverse, place.root);
                     let lender = cotangent_of(&self.vars[place.root].cotangent, &place.path);
-                    lent.push(quote!(::ad::rt::Take::take(#lender)));
+                    lent.push(quote!(::ad::rt::take_changed(#lender)));
                 }
                 Argument::Receiver(place) if self.vars[place.root].mutable => {
                     self.start(reverse, place.root);
@@ -394,6 +396,8 @@ impl Sweeper<'_> {
         match part {
             Operand::Constant(_) => reverse.extend(quote!(#taken;)),
             Operand::Var(part) => {
+                let field = quote!(#cotangent.#member);
+                self.check_stored(reverse, *part, &field, member.span());
                 let space = self.space(*part);
                 self.contribute(reverse, *part, &[], quote!(#space.enter(#taken)));
             }

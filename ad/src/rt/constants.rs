@@ -1,0 +1,48 @@
+//! What may be stored in a `#[constant]` field.
+//!
+//! The tangent of such a field says nothing, so what has a derivative would lose it there. It is
+//! refused; what has none, or comes from another such field, is not.
+
+use super::Space;
+use super::cotangent::{Constant, Content, Length, Same};
+use crate::{Additive, Boxed, NoTangent};
+
+/// Tangents that are always zero.
+#[diagnostic::on_unimplemented(
+    message = "what has a derivative would be stored in a `#[constant]` field, which cuts it without a word",
+    label = "this has a derivative",
+    note = "write `ad::stop_gradient(..)` around it if that is what you mean, or take `#[constant]` off the field"
+)]
+pub trait Vanishing: Additive {}
+
+impl Vanishing for () {}
+impl<T: ?Sized> Vanishing for NoTangent<T> {}
+impl<T: Vanishing> Vanishing for Vec<T> {}
+impl<T: Vanishing> Vanishing for Boxed<T> {}
+impl<T: Vanishing, const N: usize> Vanishing for [T; N] where [T; N]: Additive {}
+impl<A: Vanishing, B: Vanishing> Vanishing for (A, B) {}
+impl<A: Vanishing, B: Vanishing, C: Vanishing> Vanishing for (A, B, C) {}
+
+impl<T: ?Sized> NoTangent<T> {
+    /// Says that something with these tangents is stored in the field.
+    #[doc(hidden)]
+    #[inline(always)]
+    pub fn accepts<C: Vanishing>(&self, _: Space<C>) {}
+}
+
+/// Tangents of places in which anything may be stored. `NoTangent` has a method of its own.
+pub trait Accepts {
+    /// Says that something with these tangents is stored in the place.
+    #[inline(always)]
+    fn accepts<C>(&self, _: Space<C>) {}
+}
+
+impl<T: ?Sized> Accepts for T {}
+
+/// The kinds of conversion by which a call may change a place whose tangents are given to it as `T`.
+pub trait OfChanged<T> {}
+
+impl<T> OfChanged<T> for Same {}
+impl<T> OfChanged<T> for Length {}
+impl<T> OfChanged<T> for Content {}
+impl<T: Vanishing> OfChanged<T> for Constant {}
