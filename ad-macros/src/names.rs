@@ -90,6 +90,24 @@ pub fn identifiers(tokens: TokenStream) -> Vec<Ident> {
     tokens.into_iter().flat_map(within).collect()
 }
 
+/// The tokens with one name in place of another.
+pub fn renamed(tokens: TokenStream, from: &Ident, to: &Ident) -> TokenStream {
+    let rename = |token| match token {
+        TokenTree::Ident(ident) if ident == *from => {
+            let mut to = to.clone();
+            to.set_span(ident.span().resolved_at(to.span()));
+            TokenTree::Ident(to)
+        }
+        TokenTree::Group(group) => {
+            let mut renamed = Group::new(group.delimiter(), renamed(group.stream(), from, to));
+            renamed.set_span(group.span());
+            TokenTree::Group(renamed)
+        }
+        other => other,
+    };
+    tokens.into_iter().map(rename).collect()
+}
+
 /// The tokens as if they stood at `span`, for errors about them.
 pub fn located(tokens: TokenStream, span: Span) -> TokenStream {
     let at_span = |token: TokenTree| {

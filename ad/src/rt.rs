@@ -9,6 +9,7 @@ use crate::{Additive, Differentiable, NoDerivative, Shape, Tangent};
 
 pub use crate::differentiable::Parts;
 
+mod cells;
 mod constants;
 mod cotangent;
 mod kept;
@@ -18,6 +19,7 @@ mod pullback;
 mod tangent;
 mod through;
 
+pub use cells::{Holder, HoldsNoNumber, MayHold};
 pub use constants::{Accepts, OfChanged, Vanishing};
 pub use cotangent::{
     Absorb, At, Constant, Content, Enter, Length, Lent, NotLent, Nothing, Same, Take, at, sum,
@@ -45,6 +47,7 @@ pub use iterate::{
 /// The traits whose methods generated code calls. They come without names, which could hide those
 /// of the user.
 pub mod methods {
+    pub use super::cells::MayHold as _;
     pub use super::constants::Accepts as _;
     pub use crate::rules::forward::{
         AngleForward as _, CloneForward as _, CopiedForward as _, DMat2Forward as _,

@@ -41,6 +41,14 @@ impl Callee {
         }
     }
 
+    /// The name of a method or of an associated function.
+    pub fn name(&self) -> Option<&Ident> {
+        match &self.derivative {
+            Derivative::Sibling { name, .. } => Some(name),
+            Derivative::Twin { .. } => None,
+        }
+    }
+
     /// The name of a method.
     pub fn method_name(&self) -> Option<&Ident> {
         match &self.derivative {

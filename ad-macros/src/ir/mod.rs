@@ -68,6 +68,8 @@ pub struct Var {
     /// Whether it is a function, or a reference to one: an object with a derivative, which only
     /// derivatives take.
     pub is_function: bool,
+    /// Whether the user gave it its name.
+    pub is_binding: bool,
 }
 
 /// A step from a value into a part of it.
@@ -265,6 +267,16 @@ pub struct TypedBy {
 pub struct Binding {
     pub var: VarId,
     pub path: Vec<Projection>,
+    /// The name in the pattern, where it is another than that of the variable: it may turn out to be
+    /// that of a constant.
+    pub written: Option<Ident>,
+}
+
+impl Binding {
+    /// A variable under its own name.
+    pub fn new(var: VarId, path: Vec<Projection>) -> Self {
+        Self { var, path, written: None }
+    }
 }
 
 /// A statement.

@@ -8,6 +8,7 @@ use syn::spanned::Spanned;
 use super::Lowerer;
 use super::callee::{is_box_new, is_from_fn};
 use super::construct::is_type_name;
+use super::hidden::decodes;
 use super::higher::{refused_function, refused_method};
 use super::no_diff::{stopped, undifferentiated};
 use crate::ir::{Argument, Callee, Derivative, Operand, Operation, Projection, Statement, TypedBy};
@@ -249,6 +250,9 @@ impl Lowerer<'_> {
     ) -> Operand {
         if self.is_constant_call(&arguments) {
             let tokens: Vec<_> = arguments.iter().map(|a| self.argument_tokens(a)).collect();
+            if callee.name().is_some_and(decodes) {
+                self.check_decoded(&quote!(#(#tokens)*), &callee.primal);
+            }
             let primal = &callee.primal;
             let value = match (callee.is_method, &tokens[..]) {
                 (true, [receiver, arguments @ ..]) => {

@@ -205,7 +205,7 @@ fn ends_with(path: &Path, owner: &str, name: &str) -> bool {
 }
 
 /// Whether a path leads to a function of a type.
-fn is_associated(function: &ExprPath) -> bool {
+pub(super) fn is_associated(function: &ExprPath) -> bool {
     let is_type = |owner: &Ident| is_type_name(owner) || owner == "f32" || owner == "f64";
     function.qself.is_some()
         || function.path.segments.iter().rev().nth(1).is_some_and(|owner| is_type(&owner.ident))

@@ -110,7 +110,7 @@ impl Lowerer<'_> {
         }
         let on_failure = std::mem::replace(&mut self.on_failure, OnFailure::None);
         let value = self.jump(JumpKind::Function, None, |lowerer, id| {
-            lowerer.scope(|lowerer| {
+            lowerer.nested(|lowerer| {
                 for (pat, argument) in closure.inputs.iter().zip(arguments) {
                     lowerer.bind_item(pat, argument);
                 }

@@ -215,7 +215,7 @@ impl Lowerer<'_> {
         let body: Block = self.block(|lowerer| {
             let ident = lowerer.names.fresh("content", span);
             let var = lowerer.var(ident.clone(), false, active);
-            let binding = Binding { var, path: vec![Projection::Field(side.member())] };
+            let binding = Binding::new(var, vec![Projection::Field(side.member())]);
             head = Some((side.of(&quote!(#ident)), binding));
             let value = match active {
                 true => Operand::Var(var),

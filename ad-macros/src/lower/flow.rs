@@ -31,7 +31,7 @@ impl Lowerer<'_> {
 
     /// The value of a block without exits.
     pub(super) fn block_value(&mut self, stmts: &[Stmt]) -> Operand {
-        self.scope(|lowerer| lowerer.statements(stmts.to_vec(), &End::default()))
+        self.nested(|lowerer| lowerer.statements(stmts.to_vec(), &End::default()))
     }
 
     pub(super) fn statements(&mut self, stmts: Vec<Stmt>, end: &End) -> Operand {
@@ -378,7 +378,7 @@ impl Lowerer<'_> {
         self.jump(JumpKind::Block, label, |lowerer, id| {
             let mut end = end.clone();
             end.here.push(Target::Leave(id));
-            lowerer.scope(|lowerer| lowerer.statements(stmts, &end))
+            lowerer.nested(|lowerer| lowerer.statements(stmts, &end))
         })
     }
 }

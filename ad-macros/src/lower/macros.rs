@@ -48,6 +48,25 @@ pub(super) fn macro_diverges(call: &Macro) -> bool {
         .is_some_and(|name| matches!(&*name, "panic" | "unreachable" | "todo" | "unimplemented"))
 }
 
+/// The number of arguments before the format string of a macro, by the name that those of the standard
+/// library and of loggers have.
+pub(super) fn values_before_format(name: &str) -> Option<usize> {
+    Some(match name {
+        "print" | "println" | "eprint" | "eprintln" | "format" | "format_args" => 0,
+        "panic" | "unreachable" | "todo" | "unimplemented" => 0,
+        "error" | "warn" | "info" | "debug" | "trace" => 0,
+        "assert" | "debug_assert" | "write" | "writeln" => 1,
+        "assert_eq" | "assert_ne" | "debug_assert_eq" | "debug_assert_ne" => 2,
+        _ => return None,
+    })
+}
+
+/// Whether a macro is called for its effect: it prints, or it panics.
+fn is_statement(name: &str) -> bool {
+    ["assert", "debug_assert"].iter().any(|start| name.starts_with(start))
+        || matches!(name, "panic" | "unreachable" | "print" | "println" | "eprint" | "eprintln")
+}
+
 /// The value of what never has one.
 pub(super) fn never() -> TokenStream {
     quote!(::ad::rt::never())
@@ -57,11 +76,7 @@ impl Lowerer<'_> {
     /// A call of a macro, as a value or as a statement.
     pub(super) fn macro_call(&mut self, call: &Macro, hint: &str) -> Operand {
         let name = standard_macro(&call.path).unwrap_or_default();
-        let shown = match &*name {
-            "assert" | "debug_assert" => 1,
-            "assert_eq" | "assert_ne" | "debug_assert_eq" | "debug_assert_ne" => 2,
-            "panic" | "unreachable" => 0,
-            "print" | "println" | "eprint" | "eprintln" => 0,
+        match &*name {
             "format" => return self.formatted(call),
             "dbg" => return self.debugged(call, hint),
             "vec" => return self.vec(call, hint),
@@ -79,7 +94,10 @@ impl Lowerer<'_> {
                     ),
                 );
             }
-            _ => return self.refuse_macro(call),
+            _ => {}
+        }
+        let Some(shown) = values_before_format(&name).filter(|_| is_statement(&name)) else {
+            return self.refuse_macro(call);
         };
         let Some(arguments) = self.arguments_of(call) else { return Self::unit() };
         let mut tokens = Vec::new();

@@ -31,10 +31,12 @@ mod exits;
 mod expression;
 mod flow;
 mod function;
+mod hidden;
 mod higher;
 mod item;
 mod loops;
 mod macros;
+mod nested;
 mod no_diff;
 mod operator;
 mod option;
@@ -301,6 +303,7 @@ impl Lowerer<'_> {
             reference: false,
             active,
             is_function: false,
+            is_binding: false,
         });
         self.vars.len() - 1
     }
@@ -321,6 +324,7 @@ impl Lowerer<'_> {
             reference: false,
             active,
             is_function: false,
+            is_binding: false,
         });
         self.vars.len() - 1
     }
@@ -329,6 +333,7 @@ impl Lowerer<'_> {
     fn bind(&mut self, name: &Ident, mutable: bool, active: bool) -> VarId {
         let ident = self.names.fresh(&name.to_string(), name.span());
         let var = self.var(ident, mutable, active);
+        self.vars[var].is_binding = true;
         self.alias(name, var);
         var
     }

@@ -11,6 +11,7 @@ use syn::visit_mut::{self, VisitMut};
 use syn::{Expr, ExprCall, ExprClosure, FieldValue, Macro, Path, parse_quote};
 
 use super::Lowerer;
+use super::macros::{captured_names, values_before_format};
 use super::plain::visit_arguments;
 use crate::ir::{Operand, Operation, VarId};
 
@@ -106,6 +107,9 @@ impl Renamed<'_, '_> {
 
 impl VisitMut for Renamed<'_, '_> {
     fn visit_expr_mut(&mut self, expr: &mut Expr) {
+        if let Expr::Call(_) | Expr::MethodCall(_) = expr {
+            self.lowerer.check_cells(expr);
+        }
         if let Expr::Call(call) = expr
             && self.lowerer.function_parameter(&call.func).is_some()
         {
@@ -133,11 +137,49 @@ impl VisitMut for Renamed<'_, '_> {
     }
 
     fn visit_macro_mut(&mut self, call: &mut Macro) {
-        call.tokens = self.renamed_tokens(call.tokens.clone());
+        let name = call.path.segments.last().map(|last| last.ident.to_string());
+        let captured = match name.as_deref().and_then(values_before_format) {
+            Some(position) => self.captured_by(&call.tokens, position),
+            None => TokenStream::new(),
+        };
+        let tokens = self.renamed_tokens(call.tokens.clone());
+        call.tokens = quote!(#tokens #captured);
     }
 }
 
 impl Renamed<'_, '_> {
+    /// The variables that the format string names which is the argument at `position`, as further
+    /// arguments.
+    fn captured_by(&self, tokens: &TokenStream, position: usize) -> TokenStream {
+        let tokens: Vec<_> = tokens.clone().into_iter().collect();
+        let is_punct = |token: &TokenTree, mark: char| matches!(token, TokenTree::Punct(punct) if punct.as_char() == mark);
+        let mut arguments = tokens.split(|token| is_punct(token, ','));
+        let Some([TokenTree::Literal(format)]) = arguments.nth(position) else {
+            return TokenStream::new();
+        };
+        let syn::Lit::Str(format) = syn::Lit::new(format.clone()) else {
+            return TokenStream::new();
+        };
+        let named: Vec<_> = arguments
+            .filter_map(|argument| match argument {
+                [TokenTree::Ident(name), equals, ..] if is_punct(equals, '=') => Some(name),
+                _ => None,
+            })
+            .collect();
+        let captured = captured_names(&format.value(), format.span());
+        let captured = captured.into_iter().filter(|name| !named.contains(&name));
+        let captured = captured.filter_map(|name| {
+            let value = self.lowerer.value_of(self.lookup(&name)?, name.span());
+            Some(quote!(#name = #value,))
+        });
+        let captured: TokenStream = captured.collect();
+        let ends = tokens.last().is_some_and(|last| is_punct(last, ','));
+        match captured.is_empty() || ends {
+            true => captured,
+            false => quote!(, #captured),
+        }
+    }
+
     /// The arguments of a macro, whose grammar is its own.
     fn renamed_tokens(&self, tokens: TokenStream) -> TokenStream {
         let tokens: Vec<_> = tokens.into_iter().collect();

@@ -195,7 +195,7 @@ pub(super) fn is_own_type(ty: &Type, scalars: &[Ident]) -> bool {
 
 /// Whether this is not known as the name of numbers, of vectors of them, or of a type that has no
 /// operators.
-fn is_own_name(name: &Ident) -> bool {
+pub(super) fn is_own_name(name: &Ident) -> bool {
     const KNOWN: [&str; 10] =
         ["Box", "Float", "Num", "Number", "Option", "Quat", "Real", "Result", "Scalar", "Vec"];
     let name = name.to_string();

@@ -10,6 +10,7 @@ use syn::{BinOp, Expr, Macro, Pat, Type, UnOp, parse_quote, parse_quote_spanned}
 
 use super::closure::root_name;
 use super::construct::is_type_name;
+use super::hidden::encodes;
 use super::macros::{Matches, standard_macro};
 use super::no_diff::{stopped, undifferentiated};
 use super::{Lowerer, exits};
@@ -236,13 +237,13 @@ impl Plain<'_, '_> {
 
         impl VisitMut for Binder<'_, '_> {
             fn visit_pat_ident_mut(&mut self, pat: &mut syn::PatIdent) {
-                if !is_type_name(&pat.ident) {
-                    // In the alternatives of a pattern a name stands several times.
-                    let var = match self.0.scopes.lookup_innermost(&pat.ident) {
-                        Some(var) => var,
-                        None => self.0.bind(&pat.ident, false, false),
-                    };
-                    pat.ident = self.0.ident(var).clone();
+                // It hides what else has its name. In the alternatives of a pattern it stands several
+                // times, and it may turn out to be the name of a constant.
+                if !is_type_name(&pat.ident) && self.0.scopes.lookup_innermost(&pat.ident).is_none()
+                {
+                    let var = self.0.unwritten_var(&pat.ident, false, false);
+                    self.0.vars[var].ident = pat.ident.clone();
+                    self.0.alias(&pat.ident, var);
                 }
                 visit_mut::visit_pat_ident_mut(self, pat);
             }
@@ -292,8 +293,14 @@ impl VisitMut for Plain<'_, '_> {
                 self.lowerer.check_stopped(path);
                 visit_arguments(self, call);
             }
-            Expr::MethodCall(call) => {
+            Expr::MethodCall(_) => {
+                self.lowerer.check_cells(expr);
+                let Expr::MethodCall(call) = expr else { unreachable!("a call stays one") };
                 self.visit_receiver(&mut call.receiver);
+                if encodes(&call.method) {
+                    let (receiver, span) = (&call.receiver, call.receiver.span());
+                    call.receiver = parse_quote_spanned!(span=> ::ad::rt::constant(#receiver));
+                }
                 call.args.iter_mut().for_each(|argument| self.visit_expr_mut(argument));
             }
             Expr::Cast(cast) => {
@@ -354,11 +361,14 @@ impl VisitMut for Plain<'_, '_> {
             Expr::Macro(call) if standard_macro(&call.mac.path).as_deref() == Some("matches") => {
                 self.visit_matches(&mut call.mac);
             }
+            Expr::Call(_) => {
+                self.lowerer.check_cells(expr);
+                visit_mut::visit_expr_mut(self, expr);
+            }
             Expr::Lit(_)
             | Expr::Paren(_)
             | Expr::Unary(_)
             | Expr::Binary(_)
-            | Expr::Call(_)
             | Expr::Tuple(_)
             | Expr::Array(_) => visit_mut::visit_expr_mut(self, expr),
             Expr::If(_) | Expr::Match(_) | Expr::Block(_) | Expr::Struct(_) | Expr::Repeat(_) => {

@@ -28,7 +28,8 @@ impl size {
                 let (matched, matched_pullback) = bounded::vjp(argument);
                 let matched_space = ::ad::rt::space(&matched);
                 let (value_4, path) = match matched {
-                    ::core::result::Result::Ok(value_1) => {
+                    ::core::result::Result::Ok(value) => {
+                        let value_1 = value;
                         let difference_pullback = ::ad::rt::Difference::of(
                             &value_1,
                             &by,

@@ -11,6 +11,7 @@
 
 mod aliasing;
 mod closures;
+mod drops;
 mod effects;
 mod exclusive;
 mod macro_rules;
