@@ -143,7 +143,7 @@ fn attribute(tokens: &[TokenTree], at: usize) -> Option<String> {
     if !is_punct(hash, '#') || group.delimiter() != Delimiter::Bracket {
         return None;
     }
-    let path = group.stream().into_iter().map_while(|token| match token {
+    let path = explicit(group.stream()).into_iter().map_while(|token| match token {
         TokenTree::Ident(name) => Some(Some(name.to_string())),
         TokenTree::Punct(punct) if punct.as_char() == ':' => Some(None),
         _ => None,

@@ -16,6 +16,7 @@ mod kept;
 mod names;
 mod products;
 mod pullback;
+mod repeated;
 mod tangent;
 mod through;
 
@@ -31,6 +32,7 @@ pub use products::{Products, ProductsOutOfLine, rarely, scale, with_products};
 pub use pullback::{
     Lends, LendsNothing, MethodPullback, MethodPullbackOnto, Offered, PullbackOnto,
 };
+pub use repeated::{Fingerprint, Fingerprints, Look, NotPrinted, Printed, same_again};
 pub use tangent::{
     Pass, Slot, copy, pass, pass_part, read, repeated, same_length, still, tangent_of, target,
     with_zero, zero_like, zero_of,

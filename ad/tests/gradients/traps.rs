@@ -6,6 +6,9 @@
     clippy::let_and_return,
     clippy::needless_range_loop,
     clippy::needless_return,
+    clippy::never_loop,
+    clippy::single_match,
+    clippy::useless_vec,
     reason = "these forms are what is tested"
 )]
 

@@ -62,6 +62,22 @@ macro_rules! integers {
 
 both!(in_integers(x, y) by integers!(f64, 1 + 2, -3.0_f64, x > 0.0 || y > 0.0));
 
+macro_rules! marked {
+    ($name:ident, #[$mark:meta], $e:expr) => {
+        #[differentiable]
+        fn $name(x: f64, y: f64) -> f64 {
+            let mut s = y;
+            #[$mark]
+            for _ in 0..3 {
+                s = s * $e + x;
+            }
+            s
+        }
+    };
+}
+
+marked!(mark_of_the_caller, #[differentiable(checkpoint)], 1.0 - 0.5);
+
 macro_rules! fallible {
     ($name:ident $result:ty, $e:expr) => {
         #[differentiable]
@@ -87,6 +103,7 @@ fn marked_loop_beside_groups(x: f64, y: f64) -> f64 {
 #[test]
 fn types_are_seen_through() {
     check!(marked_loop_beside_groups(x, y) at [1.3, 0.7], [-0.4, 2.1]);
+    check!(mark_of_the_caller(x, y) at [1.3, 0.7], [-0.4, 2.1]);
 }
 
 macro_rules! hygienic {
