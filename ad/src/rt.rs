@@ -14,6 +14,7 @@ mod constants;
 mod cotangent;
 mod kept;
 mod names;
+mod order;
 mod products;
 mod pullback;
 mod repeated;
@@ -28,6 +29,7 @@ pub use cotangent::{
 };
 pub use kept::{Decrease, Difference, Increase, Negation, Sum};
 pub use names::{check_mode_of, has_other_name, other_function, same_function};
+pub use order::{BuiltIn, right_first};
 pub use products::{Products, ProductsOutOfLine, rarely, scale, with_products};
 pub use pullback::{
     Lends, LendsNothing, MethodPullback, MethodPullbackOnto, Offered, PullbackOnto,

@@ -10,9 +10,11 @@ use syn::spanned::Spanned;
 use syn::visit::{self, Visit};
 
 use super::Lowerer;
+use super::construct::is_type_name;
 use super::item::Item;
 use super::macros::never;
 use crate::ir::{Argument, Operand, Operation, Statement};
+use crate::rules;
 
 impl Lowerer<'_> {
     /// `operand`, the value of `expr`, evaluated before `following` are.
@@ -61,6 +63,36 @@ impl Lowerer<'_> {
             Item::Constant(_) | Item::Reference(_) | Item::Copy(_) => {}
         }
     }
+}
+
+/// Whether a function or a method is called in an expression of which it is not known that it has no
+/// effect.
+pub(super) fn calls_function(expr: &Expr) -> bool {
+    struct Finder(bool);
+
+    impl<'ast> Visit<'ast> for Finder {
+        fn visit_expr_call(&mut self, call: &'ast syn::ExprCall) {
+            let name = match &*call.func {
+                Expr::Path(function) => function.path.segments.last(),
+                _ => None,
+            };
+            self.0 |= !name.is_some_and(|name| is_type_name(&name.ident));
+            visit::visit_expr_call(self, call);
+        }
+
+        fn visit_expr_method_call(&mut self, call: &'ast syn::ExprMethodCall) {
+            self.0 |= !rules::is_method(&call.method.to_string());
+            visit::visit_expr_method_call(self, call);
+        }
+
+        fn visit_macro(&mut self, _: &'ast syn::Macro) {
+            self.0 = true;
+        }
+    }
+
+    let mut finder = Finder(false);
+    finder.visit_expr(expr);
+    finder.0
 }
 
 /// Whether something is called within an expression, apart from what closures do.

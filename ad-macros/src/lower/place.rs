@@ -8,6 +8,7 @@ use syn::{Expr, ExprAssign, ExprBinary, Lit, UnOp};
 use super::closure::root_name;
 use super::flow::strip_parens;
 use super::item::Alias;
+use super::order::calls_function;
 use super::{Lowerer, exits};
 use crate::ir::{
     Argument, BinaryOperator, Operand, Operation, Place, Projection, Statement, VarId,
@@ -183,7 +184,7 @@ impl Lowerer<'_> {
     /// variable it must be, since a reference would not have compiled.
     fn is_copied(&self, place: &Place, call: &syn::ExprMethodCall) -> bool {
         self.vars[place.root].mutable
-            && (floats::takes_number(&call.method.to_string())
+            && (floats::takes_number(&call.method.to_string()) && !self.own.contains(&place.root)
                 || call
                     .args
                     .iter()
@@ -299,6 +300,10 @@ impl Lowerer<'_> {
         let value = self.scalar(&update.right, "value");
         let value = self.in_turn(value, &update.right, [&*update.left]);
         let Some(place) = self.target(&update.left) else { return };
+        if calls_function(&update.left) && calls_function(&update.right) {
+            let (place, span) = (self.place_tokens(&place), update.op.span());
+            self.push_plain(quote_spanned!(span=> ::ad::rt::right_first(&#place);));
+        }
         let token = &update.op;
         match operator {
             Some(operator) if self.vars[place.root].active => {
@@ -330,6 +335,11 @@ impl Lowerer<'_> {
         self.scope(|lowerer| {
             lowerer.statement(&syn::parse_quote!(let #term = #value;));
             lowerer.statement(&syn::parse_quote!(let #position = #written;));
+            if calls_function(written) && calls_function(value) {
+                let element = lowerer.plain(&syn::parse_quote!(#whole[#position]));
+                let span = index.span();
+                lowerer.push_plain(quote_spanned!(span=> ::ad::rt::right_first(&#element);));
+            }
             lowerer.statement(&syn::parse_quote!(#replaced;));
         });
     }
