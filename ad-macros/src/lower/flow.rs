@@ -224,8 +224,12 @@ impl Lowerer<'_> {
         }
     }
 
-    /// Binds `name` to `part`, which may exit, and goes on with `rest`.
+    /// Binds `name` to `part`, which may exit or stands before what may, and goes on with `rest`.
     fn hoisted(&mut self, name: Ident, part: Expr, rest: Vec<Stmt>, end: &End) -> Operand {
+        if !exits::expr_exits(&part) {
+            self.statement(&parse_quote!(let #name = #part;));
+            return self.statements(rest, end);
+        }
         let Expr::Try(attempt) = part else {
             return self.control(&part, Some(&parse_quote!(#name)), rest, end, false);
         };

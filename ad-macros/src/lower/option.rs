@@ -5,11 +5,12 @@
 //! not compile then, for its receiver is not matched by the patterns.
 
 use quote::quote;
-use syn::{Expr, ExprMethodCall, parse_quote};
+use syn::{Expr, ExprMethodCall, Stmt, parse_quote};
 
 use super::Lowerer;
 use super::array::Container;
 use super::flow::strip_parens;
+use super::order::calls;
 use crate::ir::Operand;
 
 impl Lowerer<'_> {
@@ -32,10 +33,12 @@ impl Lowerer<'_> {
         };
         let failure: Vec<Expr> = if is_result { vec![parse_quote!(#error)] } else { Vec::new() };
         let desugared: Expr = match (&*call.method.to_string(), &arguments[..]) {
-            ("then_some", [value]) => parse_quote!(if #receiver {
-                ::core::option::Option::Some(#value)
-            } else {
-                ::core::option::Option::None
+            ("then_some", [value]) => self.eagerly(receiver, value, |receiver, value| {
+                parse_quote!(if #receiver {
+                    ::core::option::Option::Some(#value)
+                } else {
+                    ::core::option::Option::None
+                })
             }),
             ("then", [function]) => {
                 let value = self.called(function, &[])?;
@@ -49,12 +52,11 @@ impl Lowerer<'_> {
                 ::core::result::Result::Ok(#content) => ::core::option::Option::Some(#content),
                 ::core::result::Result::Err(_) => ::core::option::Option::None,
             }),
-            ("ok_or", [otherwise]) => parse_quote!({
-                let #error = #otherwise;
-                match #receiver {
+            ("ok_or", [otherwise]) => self.eagerly(receiver, otherwise, |receiver, otherwise| {
+                parse_quote!(match #receiver {
                     ::core::option::Option::Some(#content) => ::core::result::Result::Ok(#content),
-                    ::core::option::Option::None => ::core::result::Result::Err(#error),
-                }
+                    ::core::option::Option::None => ::core::result::Result::Err(#otherwise),
+                })
             }),
             ("ok_or_else", [function]) => {
                 let otherwise = self.called(function, &[])?;
@@ -87,7 +89,9 @@ impl Lowerer<'_> {
             },
             ("map_or", [otherwise, function]) => {
                 let value = self.called(function, &[parse_quote!(#content)])?;
-                parse_quote!(match #receiver { #full => #value, #empty => #otherwise })
+                self.eagerly(receiver, otherwise, |receiver, otherwise| {
+                    parse_quote!(match #receiver { #full => #value, #empty => #otherwise })
+                })
             }
             ("map_or_else", [otherwise, function]) => {
                 let value = self.called(function, &[parse_quote!(#content)])?;
@@ -118,6 +122,30 @@ impl Lowerer<'_> {
             _ => return None,
         };
         Some(self.operand(&desugared, hint))
+    }
+
+    /// What `choose` makes of a receiver and an argument that is evaluated behind it in any case.
+    fn eagerly(
+        &mut self,
+        receiver: &Expr,
+        argument: &Expr,
+        choose: impl FnOnce(&Expr, &Expr) -> Expr,
+    ) -> Expr {
+        if !calls(argument) {
+            return choose(receiver, argument);
+        }
+        let eager = self.names.unwritten("otherwise");
+        let argument_first = parse_quote!(let #eager = #argument;);
+        let eager = parse_quote!(#eager);
+        let (statements, choice): (Vec<Stmt>, Expr) = match calls(receiver) {
+            true => {
+                let option = self.names.unwritten("option");
+                let receiver_first = parse_quote!(let #option = #receiver;);
+                (vec![receiver_first, argument_first], choose(&parse_quote!(#option), &eager))
+            }
+            false => (vec![argument_first], choose(receiver, &eager)),
+        };
+        parse_quote!({ #(#statements)* #choice })
     }
 
     /// The call of a closure or a function with these arguments; `None` if it takes another number

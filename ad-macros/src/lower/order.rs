@@ -96,7 +96,7 @@ pub(super) fn calls_function(expr: &Expr) -> bool {
 }
 
 /// Whether something is called within an expression, apart from what closures do.
-fn calls(expr: &Expr) -> bool {
+pub(super) fn calls(expr: &Expr) -> bool {
     struct Finder(bool);
 
     impl<'ast> Visit<'ast> for Finder {

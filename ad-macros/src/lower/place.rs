@@ -14,7 +14,7 @@ use crate::ir::{
     Argument, BinaryOperator, Operand, Operation, Place, Projection, Statement, VarId,
 };
 use crate::primal::Primal;
-use crate::{element, floats};
+use crate::{element, floats, names};
 
 impl Lowerer<'_> {
     /// The place that an expression names or refers to, if it is one of a local variable.
@@ -302,7 +302,7 @@ impl Lowerer<'_> {
         let Some(place) = self.target(&update.left) else { return };
         if calls_function(&update.left) && calls_function(&update.right) {
             let (place, span) = (self.place_tokens(&place), update.op.span());
-            self.push_plain(quote_spanned!(span=> ::ad::rt::right_first(&#place);));
+            self.push_plain(names::located(quote!(::ad::rt::right_first(&#place);), span));
         }
         let token = &update.op;
         match operator {
@@ -338,7 +338,8 @@ impl Lowerer<'_> {
             if calls_function(written) && calls_function(value) {
                 let element = lowerer.plain(&syn::parse_quote!(#whole[#position]));
                 let span = index.span();
-                lowerer.push_plain(quote_spanned!(span=> ::ad::rt::right_first(&#element);));
+                let check = quote!(::ad::rt::right_first(&#element););
+                lowerer.push_plain(names::located(check, span));
             }
             lowerer.statement(&syn::parse_quote!(#replaced;));
         });

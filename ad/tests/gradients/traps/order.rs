@@ -175,6 +175,43 @@ mod draws {
         (next() * 3.0) as usize
     }
 
+    /// Names of what is cheap, where it is `ad`'s.
+    fn constant() -> f64 {
+        next()
+    }
+
+    fn windows(_: usize) -> f64 {
+        next()
+    }
+
+    fn from_f64(x: f64) -> f64 {
+        x + next()
+    }
+
+    struct Noise;
+
+    impl Noise {
+        fn splat(x: f64) -> f64 {
+            x * next()
+        }
+    }
+
+    #[differentiable]
+    fn positive(x: f64) -> Option<f64> {
+        if x > 0.0 { Some(x * next()) } else { None }
+    }
+
+    #[differentiable]
+    fn fallible(x: f64, y: f64) -> Option<f64> {
+        let a = positive(x)? * positive(y + 1.0)? + next();
+        let b = [positive(a + 1.0)?, next() * positive(x)?];
+        let c = (next(), positive(y + next())?, next());
+        if next() > positive(x)? + 10.0 {
+            return None;
+        }
+        Some(a * b[0] - b[1] * c.0 + c.1 * c.2)
+    }
+
     #[differentiable]
     fn product(a: f64, b: f64) -> f64 {
         a * a * b
@@ -287,5 +324,44 @@ mod draws {
                 + r
         }
         generators(x, y) { drawn(x, y) * next() - drawn(y, x) }
+        cheap_names(x, y) {
+            let mut s = 0.0;
+            for i in 0..3 {
+                s += x * constant() * i as f64;
+                s *= y + windows(2) * x;
+                s += x * x * Noise::splat(2.0) + from_f64(1.0) * s;
+            }
+            s
+        }
+        adapters_that_drop(x, y) {
+            let v = [x, y, x * y];
+            let s: f64 = v.iter().map(|t| t * next()).skip(1).sum();
+            let t: f64 = v.iter().map(|t| t * next()).step_by(2).sum();
+            let u: f64 = v.iter().filter(|t| **t * next() > 0.1).skip(1).take(1).sum();
+            s + t * next() - u * next()
+        }
+        closures_of_adapters(x, y) {
+            let v = vec![x, y, x * y, 1.0];
+            let s = v.iter().map(|t| t * next()).rev().take(2).fold(next(), |a, b| a * next() + b)
+                + v.iter().map(|t| t * next()).chain([next(), x * next()]).sum::<f64>();
+            s * v
+                .iter()
+                .copied()
+                .max_by(|a, b| (a * next()).partial_cmp(&(b * next())).unwrap())
+                .unwrap()
+        }
+        exits(x, y) {
+            let r = fallible(x, y).unwrap_or(next());
+            let eager = fallible(y, x).map_or(next() * y, |t| t * next());
+            let late = positive(y - 2.0).unwrap_or_else(|| next() * x);
+            let chosen = (x > 0.0).then_some(next()).ok_or(next()).unwrap_or(0.0);
+            r * next() + eager - late + chosen
+        }
+        assignments(x, y) {
+            let mut v = [x, y, x];
+            v[pick()] += next() * x;
+            v[pick()] *= drawn(x, y);
+            v[0] * v[1] - v[2]
+        }
     }
 }
