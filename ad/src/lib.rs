@@ -118,8 +118,13 @@
 //! assert!(pullback(1.0).origin.z < 0.0);
 //! ```
 //!
-//! Everything else is refused at compile time, at its place, with what to write instead: a gradient
-//! that compiles is right. In particular:
+//! Everything else is refused, where it stands, with what to write instead: a gradient that compiles
+//! is right. [What is refused](#what-is-refused-and-what-is-trusted) has a chapter of its own.
+//!
+//! At points without a derivative (`|x|` at 0, a vector of length 0) the rules return a finite
+//! subgradient: see the [table](rules#singular-points).
+//!
+//! # What is refused, and what is trusted
 //!
 //! - A function that is called needs a derivative. If it has none, the compiler says that the
 //!   function *is not a crate or module*, or that there is no method `.._vjp`. Three ways out: put
@@ -127,6 +132,16 @@
 //!   is to flow through it: [`no_diff`]`(|| f(x))`.
 //! - Integers, booleans and comparisons carry no derivative. A cast from a float to an integer would
 //!   cut one off, so it has to be said: `stop_gradient(x) as usize`.
+//! - A number that goes through a text or through its bits and comes back (`x.to_string()`, then
+//!   `parse()`) would lose its derivative on the way, and so would one that a condition or [`no_diff`]
+//!   puts into a `Cell`, a `RefCell` or a `Mutex`. Both need `stop_gradient(x)`.
+//! - A `#[constant]` field takes nothing that has a derivative: it is written `stop_gradient(x)`. What
+//!   another such field held goes in as it is.
+//! - A condition, an index, a bound and a `let` with an integer type may call what changes something.
+//!   A call is differentiated there where it shows the change: by `&mut`, by the name of a `&mut`
+//!   parameter, by a method like `pop`, or by a `&mut self` method that stands in the same `impl` block.
+//!   Any other method that changes a place, `if balls[i].bounce()`, gets a line of its own before:
+//!   `let bounced = balls[i].bounce();`.
 //! - A derivative within a differentiable function (`g::grad(x)` in the body of another) is refused:
 //!   second derivatives are [taken from outside](#second-derivatives-and-jacobians).
 //! - A field that carries no derivative is marked `#[constant]`, and so is a type that carries none.
@@ -138,10 +153,29 @@
 //!   `Self::Disc(r)`). Behind `use Shape::*` it is told by the other variants that the same `match`
 //!   asks for, or by what is done where it is none (`let Disc(r) = shape else ..`); where nothing
 //!   tells it, name the enum.
+//! - `sums[f()] += g()` evaluates `g()` first for numbers, and `f()` first for every other type. Where
+//!   the type is not a number of the language, one of the calls gets a name before.
 //! - A type that has lifetimes names them in a signature: `View<'_>`, not `View`.
+//! - `vec!`, `dbg!`, `mem::swap`, `array::from_fn`, `Box::new`, [`stop_gradient`] and [`no_diff`] have to
+//!   be those of the standard library and of this crate. Your own function or macro of such a name is
+//!   refused where it would be taken for one of these.
 //!
-//! At points without a derivative (`|x|` at 0, a vector of length 0) the rules return a finite
-//! subgradient: see the [table](rules#singular-points).
+//! A derivative cannot show everything that a function does. The following is trusted, and a debug
+//! build panics where it finds one of the first three broken:
+//!
+//! - A [checkpointed](#memory) loop or function does the same when it runs the second time: it draws no
+//!   random numbers, and it reads nothing that somebody else changes.
+//! - `g(x)` and `g::vjp(x)` are looked up in two name spaces. A plain `g` that hides a differentiable one
+//!   of another module does not hide its derivative.
+//! - A function that is passed by its name is found in the same two name spaces.
+//! - `Clone` gives an equal value. Closures that are passed, checkpoints, and operators of values keep
+//!   clones.
+//! - An inherent method that hides a method of a trait carries the attribute if that does.
+//! - A function that is called in a condition, or for an integer or a text, keeps nothing of what it is
+//!   given in a `static`, in a `thread_local!` or in a cell of its own.
+//! - A closure before `zip` does not count how often it is called: the standard library calls it once
+//!   more where the other side is shorter.
+//! - A temporary of a constant argument is dropped with the argument, not with the whole statement.
 //!
 //! # Methods, traits, recursion
 //!
@@ -604,6 +638,7 @@
 //! | a function, or a method of an `impl` block | its arguments | its value is computed twice |
 //! | a loop of n iterations in a differentiable function | about √n times the variables that the loop changes (up to 2√n, where n is not known before), and in the reverse sweep what √n iterations need | its body is computed twice |
 //!
+//! What runs twice has to do the same twice: random numbers are drawn before, and passed in.
 //! A `for` loop so marked that is left early does nothing in the iterations that are left. What it uses of
 //! `self`, and of what is borrowed as `&mut`, is copied before the loop and written back after it, so
 //! that has to be `Clone`. Checkpoints of loops within checkpointed functions multiply:
