@@ -3,8 +3,8 @@
 //! The function itself is emitted from the user's own tokens: a tree that was parsed and printed
 //! again has lost the invisible groups that keep `t * $factor` of a `macro_rules!` apart from
 //! `t * a + b`. What is taken out are the marks that the compiler does not know: `#[constant]` of
-//! parameters, `#[differentiable(..)]` of loops and methods. Streams without marks are passed on
-//! untouched, and nested functions are, for their attribute has not seen them yet.
+//! parameters and variables, `#[differentiable(..)]` of loops and methods. Streams without marks are
+//! passed on untouched, and nested functions are, for their attribute has not seen them yet.
 
 use proc_macro2::{Delimiter, Group, TokenStream, TokenTree};
 use quote::quote;
@@ -132,7 +132,11 @@ impl Cleaner<'_> {
         match self.part {
             Part::Items { .. } => name == "differentiable",
             Part::Parameters => name == "constant",
-            Part::Body => name == "differentiable" && is_loop(&self.tokens[at + 2..]),
+            Part::Body => match &*name {
+                "differentiable" => begins(&self.tokens[at + 2..], &["for", "while", "loop"]),
+                "constant" => begins(&self.tokens[at + 2..], &["let"]),
+                _ => false,
+            },
         }
     }
 }
@@ -151,16 +155,16 @@ fn attribute(tokens: &[TokenTree], at: usize) -> Option<String> {
     path.flatten().last()
 }
 
-/// Whether a loop follows, behind more attributes and a label.
-fn is_loop(following: &[TokenTree]) -> bool {
+/// Whether one of these words follows, behind more attributes and a label.
+fn begins(following: &[TokenTree], words: &[&str]) -> bool {
     match following {
-        [hash, TokenTree::Group(_), rest @ ..] if is_punct(hash, '#') => is_loop(rest),
+        [hash, TokenTree::Group(_), rest @ ..] if is_punct(hash, '#') => begins(rest, words),
         [quote, TokenTree::Ident(_), colon, rest @ ..]
             if is_punct(quote, '\'') && is_punct(colon, ':') =>
         {
-            is_loop(rest)
+            begins(rest, words)
         }
-        [TokenTree::Ident(name), ..] => ["for", "while", "loop"].iter().any(|word| name == word),
+        [TokenTree::Ident(name), ..] => words.iter().any(|word| name == word),
         _ => false,
     }
 }

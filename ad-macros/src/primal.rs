@@ -17,6 +17,16 @@ pub fn project(root: TokenStream, path: &[Projection]) -> TokenStream {
     })
 }
 
+/// A part of a tangent, whose type alone counts.
+pub fn tangent_path(root: TokenStream, path: &[Projection]) -> TokenStream {
+    let step = |step: &Projection| match step {
+        Projection::Field(_) => Some(step.clone()),
+        Projection::Index(_) => Some(Projection::Index(quote!(0))),
+        Projection::Deref => None,
+    };
+    project(root, &path.iter().filter_map(step).collect::<Vec<_>>())
+}
+
 /// Writes operations on these variables.
 #[derive(Clone, Copy)]
 pub struct Primal<'a>(pub &'a [Var]);

@@ -135,8 +135,6 @@ pub fn has_fixed_size(ty: &Type, scalars: &[Ident]) -> bool {
     }
 }
 
-const EXCLUSIVE_CONSTANT: &str = "what a `&mut` parameter holds afterwards may have a derivative: only other parameters are `#[constant]`";
-
 /// A receiver without its attributes.
 pub fn bare(receiver: &Receiver) -> Receiver {
     Receiver { attrs: Vec::new(), ..receiver.clone() }
@@ -167,9 +165,6 @@ pub fn parameters(callables: &Callables, errors: &mut Errors) -> Vec<Parameter> 
             }
             let is_exclusive = matches!(receiver.kind, ReceiverKind::Reference(_, _, Some(_)));
             let is_constant = receiver.attrs.iter().any(is_constant_mark);
-            if is_constant && is_exclusive {
-                errors.at(receiver, EXCLUSIVE_CONSTANT);
-            }
             Parameter {
                 ident: Ident::new("self", receiver.self_token.span),
                 pattern: None,
@@ -187,9 +182,6 @@ pub fn parameters(callables: &Callables, errors: &mut Errors) -> Vec<Parameter> 
             let is_constant = typed.attrs.iter().any(is_constant_mark);
             if !is_constant {
                 refused::parameter(&typed.ty, errors);
-            }
-            if is_constant && is_exclusive {
-                errors.at(typed, EXCLUSIVE_CONSTANT);
             }
             let ident = match &*typed.pat {
                 Pat::Ident(pat) if pat.by_ref.is_none() && pat.subpat.is_none() => {

@@ -146,7 +146,12 @@
 //!   second derivatives are [taken from outside](#second-derivatives-and-jacobians).
 //! - A field that carries no derivative is marked `#[constant]`, and so is a type that carries none.
 //!   So is a parameter by which no derivative is asked for, `fn f(#[constant] table: &Table, x: f64)`:
-//!   its place in the gradient holds `()`, and its type needs no tangent.
+//!   its place in the gradient holds `()`, and its type needs no tangent. As `#[constant] rng: &mut Rng`
+//!   it is advanced exactly as the function advances it.
+//! - A variable that changes and carries no derivative needs no mark while only its own methods change
+//!   it: `let mut rng = Rng::new(1); let u = rng.uniform();`. To be passed on as `&mut rng` it is
+//!   declared by `#[constant] let mut rng = ..;`, if its type has no tangent. What has a derivative
+//!   cannot be stored in it.
 //! - Operators of your own types have a derivative where their `impl` carries the attribute: see
 //!   [below](#operators-of-your-own-types).
 //! - A variant of an enum is told from a struct by the name of the enum (`Shape::Disc(r)`,

@@ -22,7 +22,7 @@ mod tangent;
 mod through;
 
 pub use cells::{Holder, HoldsNoNumber, MayHold};
-pub use constants::{Accepts, OfChanged, Vanishing};
+pub use constants::{Accepts, Beside, KeepsNothing, MayKeep, OfChanged, Vanishing, of_constant};
 pub use cotangent::{
     Absorb, At, Constant, Content, Enter, Length, Lent, NotLent, Nothing, Same, Take, at, sum,
     take, take_changed,
@@ -133,6 +133,14 @@ impl<T: Additive> Space<T> {
     #[inline(always)]
     pub fn part<U>(self, _part: impl FnOnce(&T) -> &U) -> Space<U> {
         Space(PhantomData)
+    }
+
+    /// Compiles where the space holds nothing but zero.
+    #[inline(always)]
+    pub fn vanishes(self)
+    where
+        T: Vanishing,
+    {
     }
 
     /// A cotangent, seen from the field it is the cotangent of.

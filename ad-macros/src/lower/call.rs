@@ -8,10 +8,13 @@ use syn::spanned::Spanned;
 use super::Lowerer;
 use super::callee::{is_box_new, is_from_fn};
 use super::construct::is_type_name;
+use super::flow::strip_parens;
 use super::hidden::decodes;
 use super::higher::{refused_function, refused_method};
 use super::no_diff::{stopped, undifferentiated};
-use crate::ir::{Argument, Callee, Derivative, Operand, Operation, Projection, Statement, TypedBy};
+use crate::ir::{
+    Argument, Callee, Derivative, Operand, Operation, Place, Projection, Statement, TypedBy,
+};
 use crate::primal::Primal;
 
 impl Lowerer<'_> {
@@ -68,18 +71,35 @@ impl Lowerer<'_> {
             };
         };
         if reference.mutability.is_some() {
+            if let Expr::Call(_) | Expr::MethodCall(_) = strip_parens(&reference.expr) {
+                return self.exclusive_value(&reference.expr);
+            }
             return match self.target(&reference.expr) {
                 Some(place) => Argument::Exclusive(place),
                 None => Argument::Value(Self::unit()),
             };
         }
-        if let Some(place) = self.active_place(&reference.expr) {
-            return Argument::Borrow(place);
+        match self.place(&reference.expr) {
+            Some(place) if self.vars[place.root].active => return Argument::Borrow(place),
+            Some(place) => {
+                let place = self.place_tokens(&place);
+                return Argument::Value(Operand::Constant(quote!((&#place))));
+            }
+            None => {}
         }
         match self.operand(&reference.expr, "target") {
             Operand::Constant(tokens) => Argument::Value(Operand::Constant(quote!((&#tokens)))),
-            Operand::Var(root) => Argument::Borrow(crate::ir::Place { root, path: Vec::new() }),
+            Operand::Var(root) => Argument::Borrow(Place { root, path: Vec::new() }),
         }
+    }
+
+    /// `&mut value`
+    fn exclusive_value(&mut self, expr: &Expr) -> Argument {
+        let value = self.operand(expr, "value");
+        let ident = self.names.fresh("value", expr.span());
+        let root = self.var(ident, true, matches!(value, Operand::Var(_)));
+        self.push(Statement::Define { var: root, ty: None, operation: Operation::Use(value) });
+        Argument::Exclusive(Place { root, path: Vec::new() })
     }
 
     pub(super) fn argument_tokens(&self, argument: &Argument) -> TokenStream {
@@ -87,11 +107,11 @@ impl Lowerer<'_> {
     }
 
     pub(super) fn call(&mut self, call: &syn::ExprCall, hint: &str) -> Operand {
-        if let Expr::Closure(_) = super::flow::strip_parens(&call.func) {
+        if let Expr::Closure(_) = strip_parens(&call.func) {
             let given = self.all_given(call);
             return self.apply(&call.func, given);
         }
-        let Expr::Path(function) = super::flow::strip_parens(&call.func) else {
+        let Expr::Path(function) = strip_parens(&call.func) else {
             return self.refuse(
                 &call.func,
                 "only functions called by name can be differentiated: write a `#[differentiable]` function",
@@ -145,9 +165,10 @@ impl Lowerer<'_> {
             let value = self.argument_of(argument, typed_by);
             self.argument_in_turn(value, argument, call.args.iter().skip(index + 1))
         });
-        let arguments: Vec<_> = arguments.collect();
+        let mut arguments: Vec<_> = arguments.collect();
         if !self.is_constant_call(&arguments) {
             self.check_attribute(function);
+            self.check_constants(&mut arguments, &call.args);
         }
         let hint = if hint == "value" { last.ident.to_string() } else { hint.to_owned() };
         let callee = Callee { primal: quote!(#function), derivative, is_method: false };
@@ -207,6 +228,10 @@ impl Lowerer<'_> {
         {
             arguments[0] = Argument::Borrow(place.clone());
         }
+        if !self.is_constant_call(&arguments) {
+            let written = std::iter::once(&*call.receiver).chain(&call.args);
+            self.check_constants(&mut arguments, written);
+        }
         let hint = if hint == "value" { name } else { hint.to_owned() };
         let callee =
             Callee::method(&call.method, call.turbofish.as_ref().map(ToTokens::to_token_stream));
@@ -232,9 +257,10 @@ impl Lowerer<'_> {
     fn is_constant_call(&self, arguments: &[Argument]) -> bool {
         arguments.iter().all(|argument| match argument {
             Argument::Value(operand) => matches!(operand, Operand::Constant(_)),
-            Argument::Exclusive(place) | Argument::Reborrow(place) => !self.vars[place.root].active,
+            Argument::Exclusive(place) | Argument::Reborrow(place) | Argument::Receiver(place) => {
+                !self.vars[place.root].active
+            }
             Argument::Borrow(_)
-            | Argument::Receiver(_)
             | Argument::Function(_)
             | Argument::Callee(_)
             | Argument::PassedOn(..) => false,

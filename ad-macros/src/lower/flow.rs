@@ -19,7 +19,7 @@ use super::item::is_plain_name;
 use super::macros::macro_diverges;
 use super::operator::is_own_type;
 use super::{Lowerer, OnFailure, deferred, desugar, exits};
-use crate::ir::Operand;
+use crate::ir::{Operand, Operation, Statement};
 
 impl Lowerer<'_> {
     pub(super) fn function_body(&mut self, stmts: &[Stmt]) -> Operand {
@@ -71,6 +71,7 @@ impl Lowerer<'_> {
                     let value = self.macro_call(&call.mac, "value");
                     return self.normal_end(value, end);
                 }
+                Stmt::Local(local) => self.local(&local, Some(stmts.as_slice())),
                 stmt => self.statement(&stmt),
             }
         }
@@ -80,7 +81,7 @@ impl Lowerer<'_> {
     /// A statement without exits.
     pub(super) fn statement(&mut self, stmt: &Stmt) {
         match stmt {
-            Stmt::Local(local) => self.local(local),
+            Stmt::Local(local) => self.local(local, None),
             Stmt::Item(item) => self.local_item(item),
             Stmt::Macro(call) => {
                 self.macro_call(&call.mac, "value");
@@ -114,7 +115,11 @@ impl Lowerer<'_> {
         }
     }
 
-    fn local(&mut self, local: &Local) {
+    /// A declaration, and the statements that follow it in its block, if these are known.
+    fn local(&mut self, local: &Local, following: Option<&[Stmt]>) {
+        if self.constant_local(local) {
+            return;
+        }
         let Some(init) = &local.init else {
             unreachable!("is declared where it gets its value");
         };
@@ -152,7 +157,16 @@ impl Lowerer<'_> {
         let (container, length) = (self.container(&init.expr), array_length(&init.expr));
         let is_own = self.is_borrowed_or_own(&init.expr);
         let value = self.operand(&init.expr, &hint);
-        self.bind_pattern(pat, ty, value);
+        if let (Pat::Ident(name), Operand::Constant(_), Some(following)) = (pat, &value, following)
+            && name.mutability.is_some()
+            && self.stays_constant(&name.ident, following)
+        {
+            let var = self.bind(&name.ident, true, false);
+            let (ty, operation) = (ty.cloned(), Operation::Use(value));
+            self.push(Statement::Define { var, ty, operation });
+        } else {
+            self.bind_pattern(pat, ty, value);
+        }
         if let Some(var) = simple_name(pat).and_then(|name| self.lookup(name)) {
             if is_own {
                 self.own.insert(var);

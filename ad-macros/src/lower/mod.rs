@@ -11,7 +11,8 @@
 //! [`slice_pattern`], [`variants`] and [`place`] tell which part of a value is meant; [`operator`]
 //! calls the operators of types that are not `Copy`; [`sequence`]
 //! makes vectors and boxes; [`macros`] knows the macros of the standard library; [`higher`] refuses
-//! derivatives of derivatives; [`no_diff`] and [`plain`] pass on code through which no derivative
+//! derivatives of derivatives; [`constancy`] tells what changes and never carries a derivative;
+//! [`no_diff`] and [`plain`] pass on code through which no derivative
 //! flows, with variables renamed.
 
 mod array;
@@ -21,6 +22,7 @@ mod callee;
 mod chain;
 mod checkpoint;
 mod closure;
+mod constancy;
 mod construct;
 mod consume;
 mod deferred;

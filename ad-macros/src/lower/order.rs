@@ -25,7 +25,8 @@ impl Lowerer<'_> {
         following: impl IntoIterator<Item = &'e Expr>,
     ) -> Operand {
         let is_constant = matches!(operand, Operand::Constant(_));
-        if !is_constant || !calls(expr) || !following.into_iter().any(calls) {
+        let matters = |next: &Expr| calls(next) || self.reads_changeable(next);
+        if !is_constant || !calls(expr) || !following.into_iter().any(matters) {
             return operand;
         }
         let var = self.define("constant", expr.span(), false, Operation::Use(operand));

@@ -1,6 +1,6 @@
 //! Places: variables and parts of them, to read, to borrow, to assign to.
 
-use proc_macro2::TokenStream;
+use proc_macro2::{Span, TokenStream};
 use quote::{ToTokens, quote, quote_spanned};
 use syn::spanned::Spanned;
 use syn::{Expr, ExprAssign, ExprBinary, Lit, UnOp};
@@ -170,10 +170,13 @@ impl Lowerer<'_> {
     /// The receiver of a method. Where it is a place that may be assigned to, the method is called
     /// on the place itself, which a method that takes `&mut self` changes.
     pub(super) fn receiver(&mut self, call: &syn::ExprMethodCall) -> Argument {
-        let place = self.active_place(&call.receiver);
+        let place = self.place(&call.receiver);
         let Some(place) = place.filter(|place| !self.is_copied(place, call)) else {
             return Argument::Value(self.scalar(&call.receiver, "receiver"));
         };
+        if !self.vars[place.root].active && !self.vars[place.root].mutable {
+            return Argument::Value(Operand::Constant(self.place_tokens(&place)));
+        }
         match self.called_on.contains(&place.root) {
             true => Argument::Borrow(place),
             false => Argument::Receiver(place),
@@ -281,7 +284,8 @@ impl Lowerer<'_> {
         if self.vars[place.root].active {
             self.push(Statement::Assign { place, value });
         } else {
-            let (target, value) = (self.place_tokens(&place), self.without_derivative(&value));
+            let value = self.stored(&value, assign.right.span());
+            let target = self.place_tokens(&place);
             self.push_plain(quote!(#target = #value;));
         }
     }
@@ -316,7 +320,8 @@ impl Lowerer<'_> {
             }
             // Bit operations have no derivative, nor has what they are applied to.
             _ => {
-                let (target, value) = (self.place_tokens(&place), self.without_derivative(&value));
+                let value = self.stored(&value, update.right.span());
+                let target = self.place_tokens(&place);
                 if self.vars[place.root].active {
                     self.push_plain(quote!(::ad::rt::constant(#target);));
                 }
@@ -347,11 +352,19 @@ impl Lowerer<'_> {
 
     /// Tokens of an operand, checked by its type to have no derivative.
     pub(super) fn without_derivative(&self, value: &Operand) -> TokenStream {
-        let tokens = self.tokens(value);
         match value {
-            Operand::Constant(_) => tokens,
+            Operand::Constant(tokens) => tokens.clone(),
+            Operand::Var(var) => self.stored(value, self.ident(*var).span()),
+        }
+    }
+
+    /// The same of a value that stands at `span`.
+    pub(super) fn stored(&self, value: &Operand, span: Span) -> TokenStream {
+        match value {
+            Operand::Constant(tokens) => tokens.clone(),
             Operand::Var(var) => {
-                quote_spanned!(self.ident(*var).span()=> ::ad::rt::constant(#tokens))
+                let ident = self.ident_at(*var, span);
+                quote_spanned!(span=> ::ad::rt::constant(#ident))
             }
         }
     }

@@ -78,14 +78,19 @@ impl Lowerer<'_> {
     /// A constant as an operand. One that reads a variable is evaluated here, before the other
     /// operands can change the variable.
     pub(super) fn settled(&mut self, expr: &Expr, tokens: TokenStream) -> Operand {
-        let mut reader = MutableReader { lowerer: self, found: false };
-        reader.visit_expr(expr);
-        if !reader.found {
+        if !self.reads_changeable(expr) {
             return Operand::Constant(tokens);
         }
         let operation = Operation::Use(Operand::Constant(tokens));
         let var = self.define("constant", expr.span(), false, operation);
         Operand::Constant(self.ident(var).to_token_stream())
+    }
+
+    /// Whether an expression reads a variable that may be assigned to.
+    pub(super) fn reads_changeable(&self, expr: &Expr) -> bool {
+        let mut reader = MutableReader { lowerer: self, found: false };
+        reader.visit_expr(expr);
+        reader.found
     }
 
     fn is_certainly_constant(&self, expr: &Expr) -> bool {

@@ -12,7 +12,7 @@ use quote::quote;
 use super::Sweeper;
 use crate::ir::{Place, Projection, Var, VarId};
 use crate::names;
-use crate::primal::project;
+use crate::primal::{project, tangent_path};
 
 /// The cotangent of a place, as `&mut`. That of a reference is that of its target.
 pub(super) fn cotangent_of(root: &Ident, path: &[Projection]) -> TokenStream {
@@ -27,15 +27,6 @@ pub(super) fn cotangent_of(root: &Ident, path: &[Projection]) -> TokenStream {
             Projection::Deref => (place, is_reference),
         });
     if is_reference { place } else { quote!(&mut #place) }
-}
-
-/// A step from the tangent of a value into that of a part, whose type alone counts.
-fn of_type(step: &Projection) -> Option<Projection> {
-    match step {
-        Projection::Field(_) => Some(step.clone()),
-        Projection::Index(_) => Some(Projection::Index(quote!(0))),
-        Projection::Deref => None,
-    }
 }
 
 /// Where a cotangent that a pullback returns goes to.
@@ -73,8 +64,7 @@ impl Sweeper<'_> {
         let space = match self.facts.origin(var) {
             Some(Place { root, path }) if self.vars[root].active => {
                 let (space, part) = (self.space(root), Ident::new("tangent", Span::mixed_site()));
-                let path: Vec<_> = path.iter().filter_map(of_type).collect();
-                let projected = project(quote!(#part), &path);
+                let projected = tangent_path(quote!(#part), &path);
                 quote!(#space.part(|#part| &#projected))
             }
             _ => {

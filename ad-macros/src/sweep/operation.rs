@@ -11,7 +11,7 @@ use crate::ir::{
     Argument, BinaryOperator, Derivative, Operand, Operation, Place, Projection, Shape, Var, VarId,
 };
 use crate::primal::Primal;
-use crate::{lending, rules};
+use crate::{lending, names, rules};
 
 /// To a function of more parameters nothing is lent.
 const MOST_LENT: usize = 12;
@@ -261,12 +261,16 @@ impl Sweeper<'_> {
                 Argument::Exclusive(place) | Argument::Reborrow(place)
                     if !self.vars[place.root].active =>
                 {
-                    lent.push(quote!(()));
+                    let span = self.ident(place.root).span();
+                    lent.push(names::located(quote!(::ad::rt::of_constant()), span));
                 }
                 Argument::Exclusive(place) | Argument::Reborrow(place) => {
                     self.start(reverse, place.root);
                     let lender = cotangent_of(&self.vars[place.root].cotangent, &place.path);
                     lent.push(quote!(::ad::rt::take_changed(#lender)));
+                }
+                Argument::Receiver(place) if self.is_constant(place) => {
+                    receiver = Some(quote!(&mut ::ad::NoTangent::<()>::new()));
                 }
                 Argument::Receiver(place) if self.vars[place.root].mutable => {
                     self.start(reverse, place.root);
@@ -368,13 +372,18 @@ impl Sweeper<'_> {
         quote!(::ad::rt::Take::take(#lender))
     }
 
-    /// Whether an operation may change something whose cotangent is not zero.
+    /// Whether a place changes and never carries a derivative.
+    fn is_constant(&self, place: &Place) -> bool {
+        !self.vars[place.root].active && self.vars[place.root].mutable
+    }
+
+    /// Whether an operation may change something whose cotangent is not zero. What it makes of a
+    /// constant is none: the type of the pullback, which is called, tells that it stays one.
     fn changes_live_place(&mut self, operation: &Operation) -> bool {
         let Operation::Call { arguments, .. } = operation else { return false };
         arguments.iter().any(|argument| match argument {
             Argument::Exclusive(place) | Argument::Reborrow(place) | Argument::Receiver(place) => {
-                let root = &self.vars[place.root];
-                root.active && root.mutable && self.is_live(place)
+                self.is_constant(place) || self.vars[place.root].mutable && self.is_live(place)
             }
             Argument::Value(_)
             | Argument::Borrow(_)

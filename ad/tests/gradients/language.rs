@@ -37,6 +37,7 @@ mod flow;
 mod function_parameters;
 mod functions;
 mod functions_by_name;
+mod generators;
 mod integers;
 mod iterators;
 mod jumps;
