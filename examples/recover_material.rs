@@ -4,7 +4,7 @@
 
 use std::path::Path;
 
-use renderer::arithmetic::Arithmetic;
+use renderer::Settings;
 use renderer::experiment::Experiment;
 use renderer::optimize::Quiet;
 use renderer::recovery::Recovery;
@@ -21,7 +21,7 @@ height = 96
 name = "key"
 type = "point"
 position = [2.0, 3.0, 3.0]
-intensity = 300.0
+radiant_intensity = 75.0
 
 [[sphere]]
 name = "ball"
@@ -52,9 +52,9 @@ learning_rate = 1.0
 
 fn main() -> Result<(), renderer::Error> {
     let experiment = Experiment::parse(SCENE, Path::new("."), "the scene")?;
-    let recovery = Recovery::new(&experiment, "the scene", Arithmetic::default())?;
+    let recovery = Recovery::new(&experiment, "the scene", &Settings::default())?;
     let outcome = recovery.run(&recovery.settings(), &mut Quiet)?;
-    let paint = recovery.scene_at(&outcome.best.x).parameters.materials[0];
+    let paint = recovery.scene_at(&outcome.best.x).materials()[0].values;
     println!("diffuse  {:.4} (true: [0.8, 0.3, 0.1])", paint.diffuse);
     println!("exponent {:.3} (true: 40)", paint.exponent);
     println!(

@@ -77,3 +77,12 @@ pub fn differentiable(arguments: TokenStream, item: TokenStream) -> TokenStream 
 pub fn derive_differentiable(item: TokenStream) -> TokenStream {
     derive::expand(item.into()).unwrap_or_else(syn::Error::into_compile_error).into()
 }
+
+/// Gives a struct that is generic over its scalar, and its tangent, the numbers they are made of: one
+/// by one, and by the names of the fields.
+///
+/// See the trait `ad::Fields`.
+#[proc_macro_derive(Fields)]
+pub fn derive_fields(item: TokenStream) -> TokenStream {
+    derive::fields::expand(item.into()).unwrap_or_else(syn::Error::into_compile_error).into()
+}

@@ -723,6 +723,7 @@ pub mod check;
 mod containers;
 mod differentiable;
 pub mod dual;
+pub mod fields;
 pub mod function;
 mod jacobian;
 #[cfg(feature = "lanes")]
@@ -735,10 +736,11 @@ mod second_order;
 pub mod tape;
 pub mod vector;
 
-pub use ad_macros::{Differentiable, differentiable};
+pub use ad_macros::{Differentiable, Fields, differentiable};
 pub use boxed::Boxed;
 pub use differentiable::{Additive, Differentiable, NoDerivative, NoTangent, Shape, Tangent};
 pub use dual::Dual;
+pub use fields::{Field, Fields};
 pub use function::{DifferentiableFn, ForwardFn};
 pub use jacobian::{Pushforward, jacobian, jacobian_forward, jacobian_reverse};
 pub use real::{Mask, Real, Scalar, Select};

@@ -15,7 +15,7 @@ use core::ops::{
 
 use crate::rules::{AddPullback, Arithmetic, DivPullback, MulPullback, NegPullback, SubPullback};
 use crate::vector::Vector3;
-use crate::{Additive, Differentiable, NoDerivative};
+use crate::{Additive, Differentiable, Fields, NoDerivative};
 
 /// The outcome of a comparison: `bool`, or one truth value per lane.
 pub trait Mask:
@@ -127,7 +127,7 @@ pub trait Real:
     + 'static
 {
     /// The vector of three of these.
-    type Vec3: Vector3<Scalar = Self> + Select<Mask = Self::Mask>;
+    type Vec3: Vector3<Scalar = Self> + Select<Mask = Self::Mask> + Fields<Self>;
 
     /// 0
     const ZERO: Self;

@@ -1,32 +1,28 @@
-//! Images of a sphere of triangles, found through the tree and through the list of all triangles.
+//! Images of a sphere of triangles, found through the hierarchy and by testing all triangles.
 
 use glam::DVec3;
-use renderer::integrator::{Prepared, RenderSettings, Visibility};
-use renderer::scene::Scene;
-use wide::f32x16;
+use renderer::{Error, Mesh, PrimaryVisibility, Renderer, Scene, Settings};
 
 use super::sphere;
 
 /// A sphere of `triangles` triangles around the origin, with a hole where a whole one would have
 /// more, in an image of `size` by `size` pixels.
-pub fn scene(triangles: usize, size: u32) -> Scene {
+pub fn scene(triangles: usize, size: u32) -> Result<Scene, Error> {
     // A sphere of `n` rings has `4 n (n - 1)` triangles, and some without area at its poles.
     let mut rings = 2;
     while 4 * (rings * (rings - 1)) as usize <= triangles {
         rings += 1;
     }
-    let mut scene = sphere::scene(rings, size, 1);
-    let (mesh, vertices) = (&mut scene.meshes[0], &scene.parameters.vertices[0]);
-    mesh.triangles.retain(|corners| {
+    let Mesh { name, vertices, triangles: mut corners, .. } = sphere::bumpy_sphere(rings);
+    corners.retain(|corners| {
         let [a, b, c] = corners.map(|corner| DVec3::from_array(vertices[corner as usize]));
         (b - a).cross(c - a).length() > 1e-12
     });
-    mesh.triangles.truncate(triangles);
-    mesh.materials.truncate(triangles);
-    scene
+    corners.truncate(triangles);
+    sphere::scene(Mesh::new(name, vertices, corners), size, 1)
 }
 
-/// The scene, to be rendered with or without a tree.
-pub fn prepared(scene: &Scene, visibility: Visibility) -> Prepared<'_, f32x16> {
-    Prepared::with_settings(scene, RenderSettings { visibility, ..RenderSettings::default() })
+/// The scene, to be rendered with or without a hierarchy.
+pub fn renderer(scene: &Scene, visibility: PrimaryVisibility) -> Result<Renderer, Error> {
+    Renderer::new(scene, &Settings { visibility, ..Settings::default() })
 }

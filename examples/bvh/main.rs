@@ -20,16 +20,15 @@ use std::path::Path;
 use std::time::Instant;
 
 use plot::{Curve, Horizontal, Point, save_plot};
-use renderer::Error;
 use renderer::files::save_png;
-use renderer::integrator::{Visibility, render};
-use renderer::scene::Scene;
+use renderer::{Error, PrimaryVisibility, Scene};
 use stats_alloc::{INSTRUMENTED_SYSTEM, Region, StatsAlloc};
 
 #[global_allocator]
 static ALLOCATOR: &StatsAlloc<System> = &INSTRUMENTED_SYSTEM;
 
-const WAYS: [(&str, Visibility); 2] = [("tree", Visibility::Tree), ("list", Visibility::List)];
+const WAYS: [(&str, PrimaryVisibility); 2] =
+    [("hierarchy", PrimaryVisibility::Bvh), ("brute force", PrimaryVisibility::BruteForce)];
 const SIZES: [u32; 6] = [32, 64, 128, 256, 512, 1024];
 const TRIANGLES: [usize; 5] = [100, 1_000, 10_000, 100_000, 1_000_000];
 /// How often a scene is prepared; the fastest counts.
@@ -45,22 +44,22 @@ fn main() -> Result<(), Error> {
 
     println!(
         "{:>14}  {:>24}  {:>24}",
-        "pixels", "ns per pixel: tree, list", "bytes per pixel: tree, list"
+        "pixels", "ns per pixel: bvh, brute", "bytes per pixel: bvh, brute"
     );
     for size in SIZES {
-        let mut scene = experiment::scene(137, size);
+        let mut scene = experiment::scene(137, size)?;
         mesh_argument::apply(&mut scene)?;
         let pixels = f64::from(size * size);
-        let costs = WAYS.map(|(_, visibility)| measure(&scene, visibility));
-        let [tree, list] = &costs;
+        let costs = measure_ways(&scene)?;
+        let [bvh, brute] = &costs;
         let nanoseconds = |cost: &Cost| 1e9 * cost.seconds / pixels;
         println!(
             "{:>14}  {:>11.1} {:>12.1}  {:>11.1} {:>12.1}",
             format!("{size} x {size}"),
-            nanoseconds(tree),
-            nanoseconds(list),
-            tree.bytes as f64 / pixels,
-            list.bytes as f64 / pixels
+            nanoseconds(bvh),
+            nanoseconds(brute),
+            bvh.bytes as f64 / pixels,
+            brute.bytes as f64 / pixels
         );
         for (way, cost) in costs.iter().enumerate() {
             let at = |y: f64| Point { x: pixels, y, deviation: 0.0 };
@@ -68,19 +67,19 @@ fn main() -> Result<(), Error> {
             bytes[way].points.push(at(cost.bytes as f64 / pixels));
         }
         if size == SIZES[0] {
-            let [tree, list] = [tree, list].map(|cost| 1e6 * cost.preparation);
-            println!("{:>14}  {tree:.0} and {list:.0} microseconds before the first image", "");
+            let [bvh, brute] = [bvh, brute].map(|cost| 1e6 * cost.preparation);
+            println!("{:>14}  {bvh:.0} and {brute:.0} microseconds before the first image", "");
         }
         if size == SIZES[SIZES.len() - 1] {
-            let prepared = experiment::prepared(&scene, Visibility::Tree);
-            save_png(&render(&prepared), &out.join("mesh.png"))?;
+            let renderer = experiment::renderer(&scene, PrimaryVisibility::Bvh)?;
+            save_png(&renderer.render(), &out.join("mesh.png"))?;
         }
     }
 
-    println!("{:>14}  {:>24}", "triangles", "ms per image: tree, list");
+    println!("{:>14}  {:>24}", "triangles", "ms per image: bvh, brute");
     for triangles in TRIANGLES {
-        let scene = experiment::scene(triangles, 64);
-        let costs = WAYS.map(|(_, visibility)| 1e3 * measure(&scene, visibility).seconds);
+        let scene = experiment::scene(triangles, 64)?;
+        let costs = measure_ways(&scene)?.map(|cost| 1e3 * cost.seconds);
         println!("{triangles:>14}  {:>11.3} {:>12.3}", costs[0], costs[1]);
         for (curve, y) in growth.iter_mut().zip(costs) {
             curve.points.push(Point { x: triangles as f64, y, deviation: 0.0 });
@@ -115,31 +114,36 @@ fn main() -> Result<(), Error> {
 
 /// What an image costs.
 struct Cost {
-    /// To build the tree or to gather the list, before the first image.
+    /// To build the hierarchy or to gather the triangles, before the first image.
     preparation: f64,
     seconds: f64,
     bytes: usize,
 }
 
-fn measure(scene: &Scene, visibility: Visibility) -> Cost {
+fn measure_ways(scene: &Scene) -> Result<[Cost; 2], Error> {
+    let [bvh, brute] = WAYS.map(|(_, visibility)| measure(scene, visibility));
+    Ok([bvh?, brute?])
+}
+
+fn measure(scene: &Scene, visibility: PrimaryVisibility) -> Result<Cost, Error> {
     let mut preparation = f64::INFINITY;
     for _ in 0..PREPARATIONS {
         let clock = Instant::now();
-        experiment::prepared(scene, visibility);
+        experiment::renderer(scene, visibility)?;
         preparation = preparation.min(clock.elapsed().as_secs_f64());
     }
-    let prepared = experiment::prepared(scene, visibility);
+    let renderer = experiment::renderer(scene, visibility)?;
     // The first image also warms up what threads keep.
-    render(&prepared);
+    renderer.render();
     let region = Region::new(ALLOCATOR);
-    render(&prepared);
+    renderer.render();
     let bytes = region.change().bytes_allocated;
     let clock = Instant::now();
     let mut seconds = f64::INFINITY;
     while clock.elapsed().as_secs_f64() < SECONDS {
         let clock = Instant::now();
-        render(&prepared);
+        renderer.render();
         seconds = seconds.min(clock.elapsed().as_secs_f64());
     }
-    Cost { preparation, seconds, bytes }
+    Ok(Cost { preparation, seconds, bytes })
 }

@@ -1,14 +1,11 @@
-//! Focus and position of a camera, from one image of a rectangle.
+//! Film scale and position of a camera, from one image of a rectangle.
 
 use std::path::Path;
 
-use renderer::Error;
-use renderer::arithmetic::Arithmetic;
 use renderer::experiment::Experiment;
-use renderer::kernels::camera::Camera;
-use renderer::optimize::{Outcome, Quiet, Settings};
+use renderer::optimize::{Outcome, Quiet, Settings as OptimizeSettings};
 use renderer::recovery::Recovery;
-use renderer::scene::{MeshObject, Scene};
+use renderer::{Camera, Error, Mesh, Settings};
 
 /// The loss at which the paper stops, over its initial loss.
 pub const PAPER_RATIO: f64 = 100.0 / 5705.98;
@@ -20,7 +17,7 @@ const SCENE: &str = r#"
 look_from = [5.0, -4.0, -20.0]
 look_at = [0.0, 0.0, 0.0]
 vfov = 90.0
-focus = 3.0
+film_scale = 3.0
 width = 400
 height = 300
 
@@ -28,7 +25,7 @@ height = 300
 name = "light"
 type = "point"
 position = [0.0, 0.0, -10.0]
-intensity = 100000.0
+radiant_intensity = 25000.0
 
 [material.green]
 diffuse = [0.0, 1.0, 0.0]
@@ -38,42 +35,31 @@ iterations = 400
 
 [optimize.target_values]
 "camera.look_from" = [0.0, 0.0, -30.0]
-"camera.focus" = 1.0
+"camera.film_scale" = 1.0
 
 [[optimize.parameter]]
 path = "camera.look_from"
 
 [[optimize.parameter]]
-path = "camera.focus"
+path = "camera.film_scale"
 "#;
 
 /// The problem, in an image of `width` by `height` pixels.
 pub fn experiment(width: u32, height: u32) -> Result<Experiment, Error> {
     let mut experiment = Experiment::parse(SCENE, Path::new(""), "the scene")?;
     (experiment.scene.width, experiment.scene.height) = (width, height);
-    add_rectangle(&mut experiment.scene);
-    experiment.scene.validate("the scene")?;
-    Ok(experiment)
-}
-
-/// The rectangle of the paper: two triangles.
-fn add_rectangle(scene: &mut Scene) {
-    scene.meshes.push(MeshObject {
-        name: "rectangle".to_owned(),
-        triangles: vec![[0, 1, 2], [3, 1, 2]],
-        materials: vec![0; 2],
-        texture_triangles: Vec::new(),
-    });
+    // The rectangle of the paper: two triangles.
     let corners = [[20.0, 10.0], [20.0, -10.0], [-20.0, 10.0], [-20.0, -10.0]];
-    scene.parameters.vertices.push(corners.map(|[x, y]| [x, y, 0.0]).to_vec());
-    scene.parameters.texture_coordinates.push(Vec::new());
+    let corners = corners.map(|[x, y]| [x, y, 0.0]).to_vec();
+    experiment.scene.add_mesh(Mesh::new("rectangle", corners, vec![[0, 1, 2], [3, 1, 2]]))?;
+    Ok(experiment)
 }
 
 /// Minimises with one learning rate for all parameters.
 pub fn run(
     experiment: &Experiment,
     learning_rate: f64,
-    settings: &Settings,
+    settings: &OptimizeSettings,
 ) -> Result<Outcome, Error> {
     let mut experiment = experiment.clone();
     if let Some(optimize) = &mut experiment.optimize {
@@ -85,7 +71,7 @@ pub fn run(
 
 /// The problem, ready to run.
 pub fn recovery(experiment: &Experiment) -> Result<Recovery<'_>, Error> {
-    Recovery::new(experiment, "camera calibration", Arithmetic::default())
+    Recovery::new(experiment, "camera calibration", &Settings::default())
 }
 
 /// The first iteration whose loss is no more than `ratio` times the initial one.
@@ -94,7 +80,7 @@ pub fn first_below(outcome: &Outcome, ratio: f64) -> Option<u64> {
     outcome.history.iter().find(|record| record.loss <= limit).map(|record| record.iteration)
 }
 
-/// What the image of a rectangle tells that the camera faces: focus times distance.
+/// What the image of a rectangle tells that the camera faces: film scale times distance.
 pub fn magnification(camera: &Camera<f64>) -> f64 {
-    camera.focus * camera.look_from.distance(camera.look_at)
+    camera.film_scale * camera.look_from.distance(camera.look_at)
 }

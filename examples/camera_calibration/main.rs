@@ -1,11 +1,11 @@
-//! Focus and position of a camera from one image of a rectangle, section V-C of the paper on
+//! Film scale and position of a camera from one image of a rectangle, section V-C of the paper on
 //! RayTracer.jl ("Calibration of Camera Parameters").
 //!
 //! `cargo run --release --example camera_calibration`
 //!
 //! Adam with a learning rate of 0.1 as in the paper, which stops when the loss has fallen from 5705.98
 //! to 100; then other learning rates and other optimisers. Before a rectangle that the camera faces, standing further away
-//! and zooming in cannot be told from each other: what the image tells is focus times distance.
+//! and zooming in cannot be told from each other: what the image tells is film scale times distance.
 //! `out/camera_calibration/` gets a strip of images (guess, result, target, difference) and the loss
 //! curves.
 
@@ -18,12 +18,9 @@ mod strip;
 use std::path::Path;
 
 use plot::{Curve, Horizontal, Point, save_plot};
-use renderer::Error;
-use renderer::arithmetic::Arithmetic;
 use renderer::files::save_png;
-use renderer::image::Image;
-use renderer::optimize::{Optimizer, Outcome, Record, Settings, write_report};
-use renderer::recovery::render_at;
+use renderer::optimize::{Optimizer, Outcome, Record, Settings as OptimizeSettings, write_report};
+use renderer::{Error, Image};
 use serde_json::Map;
 use strip::{brightest, strip};
 
@@ -45,26 +42,26 @@ fn main() -> Result<(), Error> {
     let experiment = experiment::experiment(400, 300)?;
     let recovery = experiment::recovery(&experiment)?;
     let out = Path::new("out/camera_calibration");
-    let settings = |name| -> Result<Settings, Error> {
+    let settings = |name| -> Result<OptimizeSettings, Error> {
         let optimizer =
             Optimizer::named(name).map_err(|problem| Error::new("optimizer", problem))?;
-        Ok(Settings { optimizer, ..recovery.settings() })
+        Ok(OptimizeSettings { optimizer, ..recovery.settings() })
     };
 
     let outcome = experiment::run(&experiment, PAPER.1, &settings(PAPER.0)?)?;
     write_report(out, recovery.variables(), &outcome, Map::new())?;
     let found = recovery.scene_at(&outcome.best.x);
-    let camera = &found.parameters.camera;
-    println!("position {:.5}, focus {:.5}", camera.look_from, camera.focus);
-    println!("focus x distance {:.6}, true 30", experiment::magnification(camera));
+    let camera = &found.camera;
+    println!("position {:.5}, film scale {:.5}", camera.look_from, camera.film_scale);
+    println!("film scale x distance {:.6}, true 30", experiment::magnification(camera));
     let mut curves = vec![describe(PAPER, &outcome)];
     for (name, rate) in OTHERS {
         let outcome = experiment::run(&experiment, rate, &settings(name)?)?;
         curves.push(describe((name, rate), &outcome));
     }
 
-    let guess = render_at(Arithmetic::default(), &experiment.scene);
-    let image = render_at(Arithmetic::default(), &found);
+    let guess = recovery.render(&experiment.scene);
+    let image = recovery.render(&found);
     let target = recovery.target();
     let difference = recovery.difference(&image);
     let images: Vec<Image> = [guess, image, target.clone()].into_iter().chain(difference).collect();

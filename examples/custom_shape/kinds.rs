@@ -1,117 +1,69 @@
 //! A shape and a light that the renderer does not know: an ellipsoid and a spotlight. Their kernels
 //! are `#[differentiable]`, which gives their pullbacks.
 
-use ad::differentiable;
+use ad::vector::Vector;
+use ad::{Differentiable, Fields, Real, Vec3, differentiable, select};
 use glam::DVec3;
-use renderer::kernels::camera::{Ray, RayTangent};
-use renderer::kernels::light::{Illumination, IlluminationTangent};
-use renderer::kernels::surface::{SurfacePoint, SurfacePointTangent};
-use renderer::scene::{CustomLight, CustomShape};
+use renderer::custom::{Bounded, Emitter, Intersection, Shape};
+use renderer::transport::camera::Ray;
+use renderer::transport::light::Illumination;
+use renderer::transport::positive_part;
 
-/// An ellipsoid along the axes. Parameters: its centre, then its three radii.
-#[derive(Debug)]
-pub struct Ellipsoid;
-
-#[differentiable]
-fn vector(numbers: &[f64], first: usize) -> DVec3 {
-    DVec3::new(numbers[first], numbers[first + 1], numbers[first + 2])
-}
-
-/// The distance at which a ray enters an ellipsoid, or leaves it if it starts inside; not a number if
-/// it misses it.
-#[differentiable]
-fn ellipsoid_distance(parameters: &[f64], ray: Ray<f64>) -> f64 {
-    let radii = vector(parameters, 3);
-    // Where the ellipsoid is the unit sphere.
-    let origin = (ray.origin - vector(parameters, 0)) / radii;
-    let direction = ray.direction / radii;
-    let a = direction.dot(direction);
-    let half_b = origin.dot(direction);
-    let c = origin.dot(origin) - 1.0;
-    let root = (half_b * half_b - a * c).sqrt();
-    let near = (-half_b - root) / a;
-    if near > 0.0 { near } else { (root - half_b) / a }
+/// An ellipsoid along the axes.
+#[derive(Clone, Copy, Debug, Differentiable, Fields)]
+pub struct Ellipsoid<S: Real> {
+    pub center: Vec3<S>,
+    pub radii: Vec3<S>,
 }
 
 #[differentiable]
-fn ellipsoid_surface(parameters: &[f64], ray: Ray<f64>) -> SurfacePoint<f64> {
-    let point = ray.origin + ray.direction * ellipsoid_distance(parameters, ray);
-    let radii = vector(parameters, 3);
-    let normal = (point - vector(parameters, 0)) / (radii * radii);
-    SurfacePoint { point, normal: normal.normalize(), view: -ray.direction }
-}
+impl<S: Real> Shape for Ellipsoid<S> {
+    type Scalar = S;
 
-impl CustomShape for Ellipsoid {
-    fn bounds(&self, parameters: &[f64]) -> (DVec3, DVec3) {
-        let (center, radii) = (vector(parameters, 0), vector(parameters, 3));
-        (center - radii, center + radii)
-    }
-
-    fn intersect(&self, parameters: &[f64], ray: Ray<f64>) -> Option<f64> {
-        let distance = ellipsoid_distance(parameters, ray);
-        (distance > 0.0).then_some(distance)
-    }
-
-    fn surface(&self, parameters: &[f64], ray: Ray<f64>) -> SurfacePoint<f64> {
-        ellipsoid_surface(parameters, ray)
-    }
-
-    fn surface_pullback(
-        &self,
-        parameters: &[f64],
-        ray: Ray<f64>,
-        cotangent: SurfacePointTangent<f64>,
-        to_parameters: &mut [f64],
-    ) -> RayTangent<f64> {
-        let (_, pullback) = ellipsoid_surface::vjp(parameters, ray);
-        let (parameters, ray) = pullback(cotangent);
-        add(to_parameters, &parameters);
-        ray
+    fn intersect(self, ray: Ray<S>) -> Intersection<S> {
+        // Where the ellipsoid is the unit sphere.
+        let inverse = self.radii.recip();
+        let origin = (ray.origin - self.center) * inverse;
+        let direction = ray.direction * inverse;
+        let a = direction.length_squared();
+        let half_b = origin.dot(direction);
+        let margin = half_b * half_b - a * (origin.length_squared() - S::ONE);
+        let root = positive_part::<S>(margin).sqrt();
+        let (near, far) = ((-half_b - root) / a, (root - half_b) / a);
+        let distance = select(near.cmpgt(S::ZERO), near, far);
+        let normal = (origin + direction * distance) * inverse;
+        Intersection { distance, normal, margin }
     }
 }
 
-/// A point light that shines mostly one way. Parameters: where it stands, where it shines to, its
-/// radiant intensity straight ahead, in hundreds, and how sharp its cone is, in tens: optimisers
-/// take one learning rate for all numbers of a light, so these are of like size.
-#[derive(Debug)]
-pub struct Spotlight;
+impl Bounded for Ellipsoid<f64> {
+    fn bounds(&self) -> (DVec3, DVec3) {
+        (self.center - self.radii, self.center + self.radii)
+    }
+}
+
+/// A point light that shines mostly one way.
+#[derive(Clone, Copy, Debug, Differentiable, Fields)]
+pub struct Spotlight<S: Real> {
+    pub position: Vec3<S>,
+    /// The point that it shines at.
+    pub target: Vec3<S>,
+    /// The radiant intensity straight ahead, W/sr.
+    pub radiant_intensity: S,
+    /// How narrow its cone is.
+    pub sharpness: S,
+}
 
 #[differentiable]
-fn spotlight_illumination(parameters: &[f64], point: DVec3) -> Illumination<f64> {
-    let position = vector(parameters, 0);
-    let to_light = position - point;
-    let direction = to_light.normalize();
-    let axis = (position - vector(parameters, 3)).normalize();
-    let cone = axis.dot(direction).max(0.0).powf(10.0 * parameters[7]);
-    let irradiance = 100.0 * parameters[6] * cone / to_light.length_squared();
-    Illumination { direction, irradiance: DVec3::ONE * irradiance }
-}
+impl<S: Real> Emitter for Spotlight<S> {
+    type Scalar = S;
 
-impl CustomLight for Spotlight {
-    fn distance(&self, parameters: &[f64], point: DVec3) -> f64 {
-        vector(parameters, 0).distance(point)
-    }
-
-    fn illumination(&self, parameters: &[f64], point: DVec3) -> Illumination<f64> {
-        spotlight_illumination(parameters, point)
-    }
-
-    fn illumination_pullback(
-        &self,
-        parameters: &[f64],
-        point: DVec3,
-        cotangent: IlluminationTangent<f64>,
-        to_parameters: &mut [f64],
-    ) -> DVec3 {
-        let (_, pullback) = spotlight_illumination::vjp(parameters, point);
-        let (parameters, point) = pullback(cotangent);
-        add(to_parameters, &parameters);
-        point
-    }
-}
-
-fn add(sums: &mut [f64], terms: &[f64]) {
-    for (sum, term) in sums.iter_mut().zip(terms) {
-        *sum += term;
+    fn illuminate(self, point: Vec3<S>) -> Illumination<S> {
+        let to_light = self.position - point;
+        let (distance, direction) = (to_light.length(), to_light.normalize());
+        let axis = (self.position - self.target).normalize();
+        let cone = positive_part::<S>(axis.dot(direction)).powf(self.sharpness);
+        let irradiance = self.radiant_intensity * cone / (distance * distance);
+        Illumination { direction, distance, irradiance: <Vec3<S>>::splat(irradiance) }
     }
 }

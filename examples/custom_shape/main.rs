@@ -6,17 +6,15 @@
 mod kinds;
 
 use std::path::Path;
-use std::sync::Arc;
 
+use glam::dvec3;
 use kinds::{Ellipsoid, Spotlight};
-use renderer::Error;
-use renderer::arithmetic::Arithmetic;
 use renderer::experiment::{Experiment, OptimizeSection, Target, TunedParameter};
 use renderer::files::save_png;
 use renderer::optimize::Quiet;
 use renderer::optimize::schedule::{Cosine, Schedule};
-use renderer::recovery::{Recovery, render_at};
-use renderer::scene::{CustomLightObject, CustomShapeObject, ParameterId, Scene};
+use renderer::recovery::Recovery;
+use renderer::{Error, Material, ParameterId, Scene, Settings};
 
 const SCENE: &str = r#"
 [camera]
@@ -33,70 +31,71 @@ material = "ground"
 
 [material.ground]
 diffuse = [0.5, 0.5, 0.4]
-
-[material.paint]
-diffuse = [0.2, 0.4, 0.7]
-specular = [0.3, 0.3, 0.3]
-exponent = 30.0
 "#;
 
-/// The true parameters: centre and radii; place, aim, intensity and sharpness.
-const EGG: [f64; 6] = [0.3, 0.2, 0.0, 0.9, 0.6, 0.5];
-const SPOT: [f64; 8] = [2.0, 4.0, 3.0, 0.2, 0.0, 0.2, 0.4, 2.0];
+/// What there is: by path the truth, and the guess.
+const VALUES: [(&str, &[f64], &[f64]); 6] = [
+    ("shape.egg.center", &[0.3, 0.2, 0.0], &[0.25, 0.15, 0.1]),
+    ("shape.egg.radii", &[0.9, 0.6, 0.5], &[0.85, 0.65, 0.55]),
+    ("light.spot.position", &[2.0, 4.0, 3.0], &[1.5, 4.2, 3.2]),
+    ("light.spot.target", &[0.2, 0.0, 0.2], &[0.0, 0.0, 0.0]),
+    ("light.spot.radiant_intensity", &[125.0], &[95.0]),
+    ("light.spot.sharpness", &[20.0], &[15.0]),
+];
 
 fn main() -> Result<(), Error> {
     let folder = Path::new("out/custom_shape");
     std::fs::create_dir_all(folder).map_err(|error| Error::new(folder.display(), error))?;
-    let mut truth = Experiment::parse(SCENE, Path::new(""), "scene")?.scene;
-    add_own_kinds(&mut truth);
-    truth.validate("scene")?;
-    let arithmetic = Arithmetic::default();
-    save_png(&render_at(arithmetic, &truth), &folder.join("target.png"))?;
+    let mut guess = Experiment::parse(SCENE, Path::new(""), "scene")?.scene;
+    add_own_kinds(&mut guess)?;
+    let (mut ids, mut truth) = (Vec::new(), Vec::new());
+    for (path, values, start) in VALUES {
+        let id = guess.parameter(path)?;
+        guess.set(id, start)?;
+        ids.push(id);
+        truth.push((id, values.to_vec()));
+    }
+    let experiment = Experiment::new(guess, Some(problem(&ids, truth)));
+    let recovery = Recovery::new(&experiment, "custom shape", &Settings::default())?;
+    save_png(recovery.target(), &folder.join("target.png"))?;
+    save_png(&recovery.render(&experiment.scene), &folder.join("initial.png"))?;
 
-    let mut guess = truth.clone();
-    guess.parameters.shapes[0] = vec![0.25, 0.15, 0.1, 0.85, 0.65, 0.55];
-    guess.parameters.custom_lights[0] = vec![1.5, 4.2, 3.2, 0.0, 0.0, 0.0, 0.3, 1.5];
-    let experiment = Experiment::new(guess, Some(problem()));
-    let guess = &experiment.scene;
-    save_png(&render_at(arithmetic, guess), &folder.join("initial.png"))?;
-
-    let recovery = Recovery::new(&experiment, "custom shape", arithmetic)?;
     let outcome = recovery.run(&recovery.settings(), &mut Quiet)?;
     println!("loss {:.2e} -> {:.2e}", outcome.initial_loss(), outcome.best.loss);
     let recovered = recovery.scene_at(&outcome.best.x);
-    save_png(&render_at(arithmetic, &recovered), &folder.join("final.png"))?;
-    for (id, truth) in
-        [(ParameterId::ShapeParameters(0), &EGG[..]), (ParameterId::LightParameters(0), &SPOT[..])]
-    {
-        println!("{}", recovered.path(id));
-        println!("  guess     {:.3?}", guess.parameters.get(id));
-        println!("  recovered {:.3?}", recovered.parameters.get(id));
+    save_png(&recovery.render(&recovered), &folder.join("final.png"))?;
+    for (id, (path, truth, guess)) in ids.into_iter().zip(VALUES) {
+        println!("{path}");
+        println!("  guess     {guess:.3?}");
+        println!("  recovered {:.3?}", recovered.get(id));
         println!("  truth     {truth:.3?}");
     }
     println!("{}", folder.display());
     Ok(())
 }
 
-fn add_own_kinds(scene: &mut Scene) {
-    let material = scene.materials.iter().position(|material| material.name == "paint");
-    scene.shapes.push(CustomShapeObject {
-        name: "egg".into(),
-        material: material.unwrap_or(0) as u32,
-        shape: Arc::new(Ellipsoid),
-    });
-    scene.parameters.shapes.push(EGG.to_vec());
-    scene.custom_lights.push(CustomLightObject { name: "spot".into(), light: Arc::new(Spotlight) });
-    scene.parameters.custom_lights.push(SPOT.to_vec());
+/// Adds an egg and a spotlight.
+fn add_own_kinds(scene: &mut Scene) -> Result<(), Error> {
+    let paint = Material {
+        specular: dvec3(0.3, 0.3, 0.3),
+        exponent: 30.0,
+        ..Material::lambertian(dvec3(0.2, 0.4, 0.7))
+    };
+    let paint = scene.add_material("paint", paint)?;
+    let (center, radii) = (dvec3(0.0, 0.0, 0.0), dvec3(1.0, 1.0, 1.0));
+    scene.add_shape("egg", Ellipsoid { center, radii }, paint)?;
+    let (position, target) = (dvec3(0.0, 5.0, 0.0), center);
+    let spot = Spotlight { position, target, radiant_intensity: 100.0, sharpness: 10.0 };
+    scene.add_emitter("spot", spot)?;
+    Ok(())
 }
 
 /// To find shape and light again, from the image that they make.
-fn problem() -> OptimizeSection {
-    let truth =
-        [(ParameterId::ShapeParameters(0), &EGG[..]), (ParameterId::LightParameters(0), &SPOT)];
-    let tuned = |id| TunedParameter { id, learning_rate: None, min: None, max: None };
+fn problem(ids: &[ParameterId], truth: Vec<(ParameterId, Vec<f64>)>) -> OptimizeSection {
+    let tuned = |&id| TunedParameter { id, learning_rate: None, min: None, max: None };
     OptimizeSection {
-        parameters: truth.iter().map(|&(id, _)| tuned(id)).collect(),
-        target: Some(Target::Values(truth.map(|(id, values)| (id, values.to_vec())).into())),
+        parameters: ids.iter().map(tuned).collect(),
+        target: Some(Target::Values(truth)),
         schedule: Some(Schedule::Cosine(Cosine::default())),
         iterations: Some(400),
         ..OptimizeSection::default()

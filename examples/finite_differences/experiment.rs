@@ -1,21 +1,15 @@
 //! Random triangles, and the derivatives of a loss by their 20 parameters each, two ways.
 
-use std::iter;
 use std::ops::Range;
 use std::path::Path;
 
 use glam::{DVec3, dvec3};
-use renderer::Error;
-use renderer::arithmetic::{Arithmetic, Precision};
 use renderer::experiment::{Experiment, OptimizeSection, Target, TunedParameter};
-use renderer::integrator::{Prepared, loss};
-use renderer::kernels::material::Material;
-use renderer::loss::{ImageLoss, LossKind};
 use renderer::optimize::Objective;
 use renderer::recovery::Recovery;
-use renderer::scene::{MaterialObject, MeshObject, ParameterId, Scene};
-
-use wide::f64x8;
+use renderer::{
+    Error, ImageLoss, LossKind, Material, Mesh, ParameterId, Renderer, Scene, Settings,
+};
 
 use super::random::Random;
 
@@ -34,10 +28,10 @@ height = 64
 name = "light"
 type = "point"
 position = [3.0, 4.0, 8.0]
-intensity = 900.0
+radiant_intensity = 225.0
 "#;
 
-/// The parameters of a triangle: three vertices, three colours, the exponent, the reflection.
+/// The parameters of a triangle: three vertices, three colours, the exponent, the mirror.
 pub const PER_TRIANGLE: usize = 20;
 /// Those of them that are coordinates of its vertices; these come first.
 const VERTICES: usize = 9;
@@ -62,53 +56,42 @@ pub fn scene(count: usize, size: u32, random: &mut Random) -> Result<Scene, Erro
         [(); 3].map(|()| (middle + point(edge)).to_array())
     };
     let vertices = (0..count).flat_map(triangle).collect();
+    let indices = 0..count as u32;
+    let triangles = indices.clone().map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect();
+    let mesh = Mesh::new("triangles", vertices, triangles);
     let mut color =
         || dvec3(random.between(0.1, 0.9), random.between(0.1, 0.9), random.between(0.1, 0.9));
-    let mut material = |_| {
-        let (ambient, diffuse, specular) = (0.1 * color(), color(), color());
-        let numbers = color();
-        Material {
-            ambient,
-            diffuse,
-            specular,
-            exponent: 1.0 + 20.0 * numbers.x,
-            reflection: DVec3::splat(0.3 * numbers.y),
-        }
-    };
-    let materials = (0..count).map(&mut material).collect();
-    let indices = 0..count as u32;
-    let mesh = MeshObject {
-        name: "triangles".to_owned(),
-        triangles: indices.clone().map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect(),
-        materials: indices.collect(),
-        texture_triangles: Vec::new(),
-    };
     let mut scene = Experiment::parse(SCENE, Path::new(""), "the scene")?.scene;
     (scene.width, scene.height) = (size, size);
-    scene.materials = (0..count).map(|i| MaterialObject::new(format!("paint{i}"))).collect();
-    scene.parameters.materials = materials;
-    scene.meshes.push(mesh);
-    scene.parameters.vertices.push(vertices);
-    scene.parameters.texture_coordinates.push(Vec::new());
-    scene.validate("the scene")?;
+    for index in indices.clone() {
+        let (emission, diffuse, specular) = (0.1 * color(), color(), color());
+        let numbers = color();
+        let (exponent, mirror) = (1.0 + 20.0 * numbers.x, DVec3::splat(0.3 * numbers.y));
+        let material =
+            Material { emission, specular, exponent, mirror, ..Material::lambertian(diffuse) };
+        scene.add_material(format!("paint{index}"), material)?;
+    }
+    scene.add_mesh(Mesh { materials: indices.collect(), ..mesh })?;
     Ok(scene)
 }
 
 /// The scene with all of its triangles' parameters to vary. The loss is the mean squared difference
 /// to the image that it has with other colours.
 pub fn experiment(scene: Scene, random: &mut Random) -> Experiment {
-    use ParameterId::*;
-    let materials = 0..scene.materials.len();
-    let of_material = |i| [Ambient(i), Diffuse(i), Specular(i), Exponent(i), Reflection(i)];
-    let ids = iter::once(Vertices(0)).chain(materials.clone().flat_map(of_material));
-    let tuned = |id| TunedParameter { id, learning_rate: None, min: None, max: None };
-    let mut other_color = |index: usize| {
-        let color = scene.parameters.materials[index].diffuse;
-        (Diffuse(index), color.to_array().map(|value| value * random.between(0.5, 1.5)).to_vec())
+    let mut ids = scene.parameters();
+    let of_paper = ["vertices", "emission", "diffuse", "specular", "exponent", "mirror"];
+    ids.retain(|id| of_paper.contains(&id.field));
+    // Vertices come first.
+    ids.sort_by_key(|id| id.field != "vertices");
+    let mut other_color = |&id: &ParameterId| {
+        (id, scene.get(id).iter().map(|value| value * random.between(0.5, 1.5)).collect())
     };
+    let diffuse = ids.iter().filter(|id| id.field == "diffuse");
+    let target = Target::Values(diffuse.map(&mut other_color).collect());
+    let tuned = |id| TunedParameter { id, learning_rate: None, min: None, max: None };
     let optimize = OptimizeSection {
-        target: Some(Target::Values(materials.map(&mut other_color).collect())),
-        parameters: ids.map(tuned).collect(),
+        target: Some(target),
+        parameters: ids.into_iter().map(tuned).collect(),
         ..OptimizeSection::default()
     };
     Experiment::new(scene, Some(optimize))
@@ -116,10 +99,10 @@ pub fn experiment(scene: Scene, random: &mut Random) -> Experiment {
 
 /// The problem in double precision, which finite differences need.
 pub fn recovery(experiment: &Experiment) -> Result<Recovery<'_>, Error> {
-    Recovery::new(experiment, "random triangles", Arithmetic::fastest(Precision::F64))
+    Recovery::new(experiment, "random triangles", &Settings::default().in_double_precision())
 }
 
-/// The derivatives by the backward pass. The reflection is one number, so its three channels add up.
+/// The derivatives by the backward pass. The mirror is one number, so its three channels add up.
 pub fn backward(recovery: &Recovery<'_>, objective: &mut dyn Objective, x: &[f64]) -> Vec<f64> {
     let gradient = objective.evaluate(x).gradient;
     let mut rest = &gradient[..];
@@ -127,8 +110,8 @@ pub fn backward(recovery: &Recovery<'_>, objective: &mut dyn Objective, x: &[f64
     for (&id, variable) in recovery.ids().iter().zip(recovery.variables()) {
         let (block, others) = rest.split_at(variable.initial.len());
         rest = others;
-        match id {
-            ParameterId::Reflection(_) => derivatives.push(block.iter().sum()),
+        match id.field {
+            "mirror" => derivatives.push(block.iter().sum()),
             _ => derivatives.extend(block),
         }
     }
@@ -143,26 +126,28 @@ pub fn central_differences(
     scene: &Scene,
     recovery: &Recovery<'_>,
     stride: usize,
-) -> Vec<Derivative> {
+) -> Result<Vec<Derivative>, Error> {
     let image_loss = ImageLoss::new(LossKind::MeanSquared, recovery.target(), false);
-    let mut prepared = Prepared::<f64x8>::new(scene);
-    let mut parameters = scene.parameters.clone();
+    let mut renderer = Renderer::new(scene, recovery.render_settings())?;
+    let mut moved = scene.clone();
     let numbers = recovery.ids().iter().flat_map(|&id| {
-        let count = scene.parameters.get(id).len();
-        // The three channels of the reflection vary together.
-        let width = if matches!(id, ParameterId::Reflection(_)) { count } else { 1 };
+        let count = scene.get(id).len();
+        // The three channels of the mirror vary together.
+        let width = if id.field == "mirror" { count } else { 1 };
         (0..count).step_by(width).map(move |first| (id, first..first + width))
     });
     let derivative = |(index, (id, range)): (usize, (ParameterId, Range<usize>))| {
-        let original = parameters.get(id)[range.start];
-        let mut loss_at = |value| {
-            parameters.get_mut(id)[range.clone()].fill(value);
-            prepared.set_parameters(&parameters);
-            loss(&prepared, &image_loss)
+        let original = scene.get(id);
+        let mut loss_at = |offset: f64| {
+            let mut numbers = original.to_vec();
+            numbers[range.clone()].iter_mut().for_each(|number| *number += offset);
+            moved.set(id, &numbers)?;
+            renderer.update(&moved);
+            Ok::<f64, Error>(renderer.loss(&image_loss))
         };
-        let (above, below) = (loss_at(original + STEP), loss_at(original - STEP));
-        parameters.get_mut(id)[range].fill(original);
-        (index, (above - below) / (2.0 * STEP))
+        let (above, below) = (loss_at(STEP)?, loss_at(-STEP)?);
+        moved.set(id, &original)?;
+        Ok((index, (above - below) / (2.0 * STEP)))
     };
     numbers.enumerate().step_by(stride).map(derivative).collect()
 }

@@ -86,7 +86,7 @@ fn measure(triangles: usize, seed: u64) -> Result<Trial, Error> {
     let experiment = experiment::experiment(scene, &mut random);
     let recovery = experiment::recovery(&experiment)?;
     let mut objective = recovery.objective();
-    let x: Vec<f64> = recovery.variables().iter().flat_map(|v| v.initial.clone()).collect();
+    let x = recovery.initial();
 
     // Every pass finds other parameters than the one before, as in an optimisation.
     let moved: Vec<f64> = x.iter().map(|x| x + 1e-12).collect();
@@ -102,7 +102,7 @@ fn measure(triangles: usize, seed: u64) -> Result<Trial, Error> {
 
     let stride = by_backward.len().div_ceil(MOST_DIFFERENCES);
     let clock = Instant::now();
-    let by_differences = central_differences(&experiment.scene, &recovery, stride);
+    let by_differences = central_differences(&experiment.scene, &recovery, stride)?;
     let scale = by_backward.len() as f64 / by_differences.len() as f64;
     let differences = scale * clock.elapsed().as_secs_f64();
     Ok(Trial { backward, differences, error: largest_error(&by_backward, &by_differences) })

@@ -3,8 +3,7 @@
 //!
 //! `cargo run --release --example gradient_images [camera.look_at [0]]`
 //!
-//! Arguments name another parameter and which of its numbers. Forward mode runs `f::jvp` of
-//! the renderer's kernels. Red is brighter as the number grows, blue darker, white the same. At
+//! Arguments name another parameter and which of its numbers. Forward mode is `render_jvp`. Red is brighter as the number grows, blue darker, white the same. At
 //! silhouettes and shadow edges differences see what moves there; forward mode has the interior term.
 //! `out/gradient_images/` gets the image, both derivatives, and a strip of the three.
 
@@ -14,20 +13,17 @@ mod strip;
 
 use std::path::Path;
 
-use glam::{DVec3, Vec3};
-use renderer::Error;
-use renderer::arithmetic::Arithmetic;
+use glam::Vec3;
 use renderer::files::save_png;
-use renderer::image::Image;
-use renderer::recovery::render_at;
+use renderer::{Error, Image, Settings, render};
 use strip::{brightest, strip};
 
 fn main() -> Result<(), Error> {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
     let path = arguments.first().map_or("camera.look_at", String::as_str);
     let scene = experiment::scene(256)?;
-    let id = scene.find_parameter(path).map_err(|problem| Error::new("parameter", problem))?;
-    let count = scene.parameters.get(id).len();
+    let id = scene.parameter(path)?;
+    let count = scene.get(id).len();
     let element = match arguments.get(1) {
         None => 0,
         Some(text) => text.parse().ok().filter(|&element| element < count).ok_or_else(|| {
@@ -35,8 +31,8 @@ fn main() -> Result<(), Error> {
         })?,
     };
 
-    let forward = experiment::by_forward_mode(&scene, id, element);
-    let differences = experiment::by_differences(&scene, id, element);
+    let forward = experiment::by_forward_mode(&scene, id, element)?;
+    let differences = experiment::by_differences(&scene, id, element)?;
     println!("largest derivative by {path}[{element}]: {:.3e}", experiment::largest(&forward));
     for tolerance in [1e-1, 1e-2, 1e-3] {
         println!(
@@ -47,12 +43,11 @@ fn main() -> Result<(), Error> {
 
     let out = Path::new("out/gradient_images");
     std::fs::create_dir_all(out).map_err(|error| Error::new(out.display(), error))?;
-    let image = render_at(Arithmetic::default(), &scene);
+    let image = render(&scene, &Settings::default())?;
     let picture = strip(std::slice::from_ref(&image), 1.0 / brightest(&image));
     let scale = experiment::largest(&forward);
-    let colored =
-        |derivatives: &[DVec3]| false_colors(derivatives, scene.width, scene.height, scale);
-    let (forward, differences) = (colored(&forward), colored(&differences));
+    let [forward, differences] =
+        [forward, differences].map(|derivatives| false_colors(&derivatives, scale));
     save_png(&picture, &out.join("image.png"))?;
     save_png(&forward, &out.join("forward.png"))?;
     save_png(&differences, &out.join("differences.png"))?;
@@ -62,12 +57,12 @@ fn main() -> Result<(), Error> {
 }
 
 /// The mean over channels in colours from blue at `-scale` over white to red at `scale`.
-fn false_colors(derivatives: &[DVec3], width: u32, height: u32, scale: f64) -> Image {
-    let color = |derivative: &DVec3| {
-        let signed = (derivative.element_sum() / 3.0 / scale).clamp(-1.0, 1.0) as f32;
+fn false_colors(derivatives: &Image, scale: f32) -> Image {
+    let color = |derivative: &[f32; 3]| {
+        let signed = (derivative.iter().sum::<f32>() / 3.0 / scale).clamp(-1.0, 1.0);
         let end = if signed > 0.0 { Vec3::new(0.7, 0.0, 0.02) } else { Vec3::new(0.02, 0.05, 0.7) };
         // The root tells small derivatives from none.
         Vec3::ONE.lerp(end, signed.abs().sqrt()).to_array()
     };
-    Image { width, height, pixels: derivatives.iter().map(color).collect() }
+    Image { pixels: derivatives.pixels.iter().map(color).collect(), ..*derivatives }
 }

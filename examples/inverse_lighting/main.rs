@@ -15,12 +15,10 @@ mod strip;
 
 use std::path::Path;
 
-use renderer::Error;
-use renderer::arithmetic::Arithmetic;
 use renderer::files::save_png;
 use renderer::optimize::{Lbfgs, Optimizer, Outcome, write_report};
-use renderer::recovery::{Recovery, render_at};
-use renderer::scene::Scene;
+use renderer::recovery::Recovery;
+use renderer::{Error, Scene};
 use serde_json::Map;
 use strip::{brightest, strip};
 
@@ -41,17 +39,17 @@ fn main() -> Result<(), Error> {
     println!("true {truth:?}");
     let truth = recovery.scene_at(&truth);
     let lbfgs = experiment::run(&recovery, Optimizer::Lbfgs(Lbfgs::default()), LBFGS_ITERATIONS)?;
-    describe("L-BFGS", &lbfgs, &recovery, &truth);
+    describe("L-BFGS", &lbfgs, &recovery, &truth)?;
     let outcome = experiment::run(&recovery, Optimizer::default(), ADAM_ITERATIONS)?;
-    describe("Adam", &outcome, &recovery, &truth);
+    describe("Adam", &outcome, &recovery, &truth)?;
     write_report(out, recovery.variables(), &outcome, Map::new())?;
 
     let mut images = Vec::new();
     for steps in SHOWN {
         let x = experiment::run(&recovery, Optimizer::default(), steps)?.last.x;
-        images.push(render_at(Arithmetic::default(), &recovery.scene_at(&x)));
+        images.push(recovery.render(&recovery.scene_at(&x)));
     }
-    images.push(render_at(Arithmetic::default(), &recovery.scene_at(&outcome.best.x)));
+    images.push(recovery.render(&recovery.scene_at(&outcome.best.x)));
     save_png(&strip(&images, 1.0 / brightest(recovery.target())), &out.join("strip.png"))?;
     save_png(recovery.target(), &out.join("target.png"))?;
     println!("pictures and curve in {}", out.display());
@@ -59,10 +57,15 @@ fn main() -> Result<(), Error> {
 }
 
 /// Prints what a run came to.
-fn describe(name: &str, outcome: &Outcome, recovery: &Recovery<'_>, truth: &Scene) {
+fn describe(
+    name: &str,
+    outcome: &Outcome,
+    recovery: &Recovery<'_>,
+    truth: &Scene,
+) -> Result<(), Error> {
     let Outcome { best, last, .. } = outcome;
     println!("{name}: {:?} after {} iterations, {:.2} s", best.x, last.iteration, outcome.seconds);
-    let (degrees, irradiance) = experiment::error_at_tree(&recovery.scene_at(&best.x), truth);
+    let (degrees, irradiance) = experiment::error_at_tree(&recovery.scene_at(&best.x), truth)?;
     println!(
         "  at the tree: direction {degrees:.3} degrees off, irradiance {:.3} % off",
         100.0 * irradiance
@@ -74,4 +77,5 @@ fn describe(name: &str, outcome: &Outcome, recovery: &Recovery<'_>, truth: &Scen
             None => println!("  loss ratio {ratio:e} not reached"),
         }
     }
+    Ok(())
 }

@@ -17,10 +17,8 @@ mod strip;
 use std::path::Path;
 
 use renderer::Error;
-use renderer::arithmetic::Arithmetic;
 use renderer::files::save_png;
 use renderer::optimize::{Lbfgs, Optimizer, write_report};
-use renderer::recovery::render_at;
 use serde_json::Map;
 use strip::{brightest, strip};
 
@@ -30,7 +28,7 @@ const STEPS: [u64; 4] = [0, 1, 35, 200];
 fn main() -> Result<(), Error> {
     let mut scene = experiment::scene(400, 300)?;
     mesh_argument::apply(&mut scene)?;
-    let experiment = experiment::experiment(scene);
+    let experiment = experiment::experiment(scene)?;
     let recovery = experiment::recovery(&experiment)?;
     let out = Path::new("out/material_color");
 
@@ -48,7 +46,7 @@ fn main() -> Result<(), Error> {
                 variable.target.as_deref().unwrap_or_default()
             );
         }
-        images.push(render_at(Arithmetic::default(), &recovery.scene_at(&outcome.last.x)));
+        images.push(recovery.render(&recovery.scene_at(&outcome.last.x)));
         write_report(out, recovery.variables(), &outcome, Map::new())?;
     }
     // The loss is quadratic in the colours: made for a method that learns the curvature.

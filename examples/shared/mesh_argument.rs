@@ -2,9 +2,9 @@
 
 use std::path::Path;
 
-use renderer::Error;
 use renderer::experiment::Experiment;
-use renderer::scene::Scene;
+use renderer::scene::LightSource;
+use renderer::{Error, Scene};
 
 /// If the program has an argument, puts the geometry and the materials of the file that it names in
 /// place of the scene's own; camera, lights and the size of the image stay.
@@ -12,13 +12,23 @@ pub fn apply(scene: &mut Scene) -> Result<(), Error> {
     let Some(argument) = std::env::args_os().nth(1) else {
         return Ok(());
     };
-    let path = Path::new(&argument);
-    let mut other = Experiment::load(path)?.scene;
-    (other.width, other.height) = (scene.width, scene.height);
-    other.parameters.camera = scene.parameters.camera;
-    other.parameters.lights.clone_from(&scene.parameters.lights);
-    other.light_names.clone_from(&scene.light_names);
-    other.validate(path.display())?;
+    let file = Experiment::load(Path::new(&argument))?.scene;
+    let mut other = Scene::new(scene.width, scene.height, scene.camera);
+    other.bounces = scene.bounces;
+    for light in scene.lights() {
+        if let LightSource::Known(known) = light.source {
+            other.add_light(&light.name, known)?;
+        }
+    }
+    for texture in file.textures() {
+        other.add_texture(texture.clone())?;
+    }
+    for material in file.materials() {
+        other.add_material(&material.name, material.clone())?;
+    }
+    for mesh in file.meshes() {
+        other.add_mesh(mesh.clone())?;
+    }
     *scene = other;
     Ok(())
 }

@@ -1,6 +1,6 @@
 //! Images side by side, brightened or darkened to be seen.
 
-use renderer::image::Image;
+use renderer::Image;
 
 /// Black pixels between two images.
 const GAP: u32 = 4;

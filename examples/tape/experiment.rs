@@ -2,18 +2,19 @@
 
 use ad::vector::{Vector, Vector3};
 use ad::{Real, Vec3, differentiable};
-use renderer::kernels::camera::{Camera, frame, primary_ray};
-use renderer::kernels::light::PointLight;
-use renderer::kernels::material::{Material, reflection_of_point_light};
-use renderer::kernels::triangle::triangle_surface;
+use renderer::transport::camera::{Camera, camera_frame, primary_ray};
+use renderer::transport::direct::direct;
+use renderer::transport::light::{PointLight, illuminate_by_point};
+use renderer::transport::material::{Lobes, Material};
+use renderer::transport::triangle::{Triangle, triangle_point};
 
 /// Camera, the corners of a triangle that fills the image, material and light: 43 numbers.
 pub const INPUTS: [f64; 43] = [
     0.1, 0.2, 3.0, 0.0, 0.1, 0.0, 0.0, 1.0, 0.0, 40.0,
-    1.0, // look_from, look_at, up, vfov, focus
+    1.0, // look_from, look_at, up, vfov, film_scale
     -9.0, -8.0, 0.1, 9.0, -8.0, 0.0, 0.0, 9.0, -0.2, // corners
     0.02, 0.03, 0.04, 0.7, 0.5, 0.3, 0.2, 0.25, 0.3, 0.0, 0.0, 0.0, 20.0, // material
-    1.0, 2.0, 4.0, 1.0, 0.9, 0.8, 100.0, // light: position, colour, intensity
+    1.0, 2.0, 4.0, 1.0, 0.9, 0.8, 25.0, // light: position, colour, radiant intensity
     0.3, 0.2, 0.1, // the colour that every pixel should have
 ];
 
@@ -31,28 +32,36 @@ pub fn image_loss<S: Real>(x: &[S], size: usize) -> S {
         look_at: vector::<S>(x, 3),
         up: vector::<S>(x, 6),
         vfov: x[9],
-        focus: x[10],
+        film_scale: x[10],
     };
-    let frame = frame::<S>(camera, S::ONE);
-    let (a, b, c) = (vector::<S>(x, 11), vector::<S>(x, 14), vector::<S>(x, 17));
+    let frame = camera_frame::<S>(camera, S::ONE);
+    let triangle = Triangle { a: vector::<S>(x, 11), b: vector::<S>(x, 14), c: vector::<S>(x, 17) };
     let material = Material {
-        ambient: vector::<S>(x, 20),
+        roughness: S::ZERO,
+        emission: vector::<S>(x, 20),
         diffuse: vector::<S>(x, 23),
         specular: vector::<S>(x, 26),
-        reflection: vector::<S>(x, 29),
+        mirror: vector::<S>(x, 29),
         exponent: x[32],
+        opacity: S::ONE,
     };
-    let light =
-        PointLight { position: vector::<S>(x, 33), color: vector::<S>(x, 36), intensity: x[39] };
+    let light = PointLight {
+        position: vector::<S>(x, 33),
+        color: vector::<S>(x, 36),
+        radiant_intensity: x[39],
+    };
+    let lit = S::ZERO.cmplt(S::ONE);
     let wanted = vector::<S>(x, 40);
     let mut loss = S::ZERO;
     for row in 0..size {
         for column in 0..size {
             let place = |index: usize| S::from_f64((2 * index + 1) as f64 / size as f64 - 1.0);
             let ray = primary_ray::<S>(frame, place(column), place(row));
-            let surface = triangle_surface::<S>(ray, a, b, c);
-            let radiance =
-                material.ambient + reflection_of_point_light::<S>(material, surface, light);
+            let surface = triangle_point::<S>(triangle, ray);
+            let arriving = illuminate_by_point::<S>(light, surface.point);
+            let lobes = Lobes { rough: false, glossy: true };
+            let reflected = direct::<S>(material, lobes, surface, arriving, lit, S::ONE);
+            let radiance = material.emission + reflected;
             let difference = radiance - wanted;
             loss += difference.dot(difference);
         }

@@ -3,9 +3,8 @@
 use std::path::Path;
 
 use glam::{DVec3, dvec3};
-use renderer::Error;
 use renderer::experiment::Experiment;
-use renderer::scene::{MeshObject, Scene};
+use renderer::{Error, Mesh, Scene};
 
 use super::patches::{patches, tessellate};
 
@@ -17,7 +16,6 @@ bounces = 2
 look_from = [1.0, 10.0, -1.0]
 look_at = [0.0, 0.0, 0.0]
 vfov = 45.0
-focus = 1.0
 width = 512
 height = 512
 
@@ -25,10 +23,10 @@ height = 512
 name = "light"
 type = "distant"
 direction = [0.0, 1.0, 0.0]
-intensity = 100.0
+irradiance = 314.159
 
 [material.porcelain]
-ambient = [10.0, 10.0, 10.0]
+emission = [10.0, 10.0, 10.0]
 diffuse = [0.7, 0.7, 0.7]
 specular = [0.3, 0.3, 0.3]
 exponent = 50.0
@@ -47,14 +45,6 @@ pub fn scene(n: u32, size: u32) -> Result<Scene, Error> {
     let mut scene = Experiment::parse(SCENE, Path::new(""), "the scene")?.scene;
     (scene.width, scene.height) = (size, size);
     let (vertices, triangles) = tessellate(&patches(), n);
-    scene.meshes.push(MeshObject {
-        name: "teapot".to_owned(),
-        materials: vec![0; triangles.len()],
-        triangles,
-        texture_triangles: Vec::new(),
-    });
-    scene.parameters.vertices.push(vertices);
-    scene.parameters.texture_coordinates.push(Vec::new());
-    scene.validate("the scene")?;
+    scene.add_mesh(Mesh::new("teapot", vertices, triangles))?;
     Ok(scene)
 }

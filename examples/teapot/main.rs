@@ -15,26 +15,24 @@ mod strip;
 use std::path::Path;
 use std::time::Instant;
 
-use renderer::Error;
-use renderer::arithmetic::Arithmetic;
 use renderer::files::save_png;
-use renderer::recovery::render_at;
+use renderer::{Error, Settings, render};
 use strip::{brightest, strip};
 
 fn main() -> Result<(), Error> {
     let mut scene = experiment::scene(16, 512)?;
     mesh_argument::apply(&mut scene)?;
-    println!("{} triangles", scene.meshes.iter().map(|mesh| mesh.triangles.len()).sum::<usize>());
+    println!("{} triangles", scene.meshes().iter().map(|mesh| mesh.triangles.len()).sum::<usize>());
     let out = Path::new("out/teapot");
     std::fs::create_dir_all(out).map_err(|error| Error::new(out.display(), error))?;
     let mut images = Vec::new();
     for (index, (look_from, look_at)) in experiment::VIEWS.into_iter().enumerate() {
-        scene.parameters.camera.look_from = look_from;
-        scene.parameters.camera.look_at = look_at;
+        scene.camera.look_from = look_from;
+        scene.camera.look_at = look_at;
         let clock = Instant::now();
-        let image = render_at(Arithmetic::default(), &scene);
+        let image = render(&scene, &Settings::default())?;
         let milliseconds = 1e3 * clock.elapsed().as_secs_f64();
-        println!("view from {look_from}: {milliseconds:.1} ms, tree included");
+        println!("view from {look_from}: {milliseconds:.1} ms, hierarchy included");
         let picture = strip(std::slice::from_ref(&image), 1.0 / brightest(&image));
         save_png(&picture, &out.join(format!("view{}.png", index + 1)))?;
         images.push(picture);

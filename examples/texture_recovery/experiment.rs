@@ -4,12 +4,10 @@ use std::f64::consts::PI;
 use std::path::Path;
 
 use glam::{DVec3, dvec3};
-use renderer::Error;
-use renderer::arithmetic::Arithmetic;
 use renderer::experiment::{Experiment, Target};
-use renderer::optimize::{Evaluation, Optimization, Outcome, Quiet, Settings};
+use renderer::optimize::{Evaluation, Optimization, Outcome, Quiet, Settings as OptimizeSettings};
 use renderer::recovery::Recovery;
-use renderer::scene::{MeshObject, ParameterId, Scene};
+use renderer::{Error, Mesh, Settings};
 
 /// Camera, light and the texture to recover, grey at first, without the sheet.
 const SCENE: &str = r#"
@@ -24,14 +22,14 @@ height = 256
 name = "sun"
 type = "distant"
 direction = [0.3, 0.5, 1.0]
-intensity = 1.0
+irradiance = 3.14159
 
 [material.sheet]
 diffuse_texture = "pattern"
 diffuse = [1.0, 1.0, 1.0]
 
 [texture.pattern]
-size = [64, 64]
+size = [TEXELS, TEXELS]
 color = [0.5, 0.5, 0.5]
 wrap = "clamp"
 
@@ -47,35 +45,29 @@ max = 1.0
 const VIEWS: [DVec3; 3] = [dvec3(0.0, 0.0, 3.2), dvec3(1.6, 0.9, 2.6), dvec3(-1.4, -1.1, 2.7)];
 /// Quadrilaterals along each side of the sheet.
 const CELLS: u32 = 24;
-/// The texture among those of the scene.
-const TEXELS: ParameterId = ParameterId::Texels(0);
 
 /// One problem for each view, of a texture of `texels` by `texels`, in images of `size` by `size`
 /// pixels. All have the same texture to find.
 pub fn views(texels: u32, size: u32) -> Result<Vec<Experiment>, Error> {
-    let mut experiment = Experiment::parse(SCENE, Path::new(""), "the scene")?;
+    let text = SCENE.replace("TEXELS", &texels.to_string());
+    let mut experiment = Experiment::parse(&text, Path::new(""), "the scene")?;
     let scene = &mut experiment.scene;
     (scene.width, scene.height) = (size, size);
-    (scene.textures[0].width, scene.textures[0].height) = (texels, texels);
-    scene.parameters.textures[0] = vec![[0.5; 3]; (texels * texels) as usize];
-    add_sheet(scene);
-    scene.validate("the scene")?;
+    scene.add_mesh(sheet())?;
+    let pattern = (scene.parameter("texture.pattern.texels")?, pattern(texels).concat());
     if let Some(optimize) = &mut experiment.optimize {
-        optimize.target = Some(Target::Values(vec![(TEXELS, pattern(texels).concat())]));
-        for tuned in &mut optimize.parameters {
-            tuned.max = Some(vec![1.0; 3 * (texels * texels) as usize]);
-        }
+        optimize.target = Some(Target::Values(vec![pattern]));
     }
     let view = |look_from| {
         let mut view = experiment.clone();
-        view.scene.parameters.camera.look_from = look_from;
+        view.scene.camera.look_from = look_from;
         view
     };
     Ok(VIEWS.map(view).to_vec())
 }
 
 /// A square sheet with waves, two units wide, whose texture covers it once.
-fn add_sheet(scene: &mut Scene) {
+fn sheet() -> Mesh {
     let at = |i: u32| f64::from(i) / f64::from(CELLS);
     let grid = || (0..=CELLS).flat_map(|i| (0..=CELLS).map(move |j| (at(j), at(i))));
     let height = |u: f64, v: f64| 0.12 * (2.0 * PI * u).sin() * (1.5 * PI * v).cos();
@@ -84,14 +76,9 @@ fn add_sheet(scene: &mut Scene) {
     let triangles: Vec<[u32; 3]> = cells
         .flat_map(|a| [[a, a + 1, a + CELLS + 2], [a, a + CELLS + 2, a + CELLS + 1]])
         .collect();
-    scene.meshes.push(MeshObject {
-        name: "sheet".to_owned(),
-        materials: vec![0; triangles.len()],
-        texture_triangles: triangles.iter().copied().map(Some).collect(),
-        triangles,
-    });
-    scene.parameters.vertices.push(grid().map(vertex).collect());
-    scene.parameters.texture_coordinates.push(grid().map(|(u, v)| [u, v]).collect());
+    let coordinates = grid().map(|(u, v)| [u, v]).collect();
+    Mesh::new("sheet", grid().map(vertex).collect(), triangles.clone())
+        .texture_coordinates(coordinates, triangles)
 }
 
 /// The true texture: coloured rings with a checkerboard over them.
@@ -110,7 +97,7 @@ fn pattern(texels: u32) -> Vec<[f64; 3]> {
 
 /// The problems, ready to run.
 pub fn recoveries(views: &[Experiment]) -> Result<Vec<Recovery<'_>>, Error> {
-    let ready = |view| Recovery::new(view, "texture recovery", Arithmetic::default());
+    let ready = |view| Recovery::new(view, "texture recovery", &Settings::default());
     views.iter().map(ready).collect()
 }
 
@@ -126,7 +113,7 @@ pub fn run(recoveries: &[Recovery<'_>], steps: u64) -> Result<Outcome, Error> {
         }
         total
     };
-    let settings = Settings { iterations: steps, ..recoveries[0].settings() };
+    let settings = OptimizeSettings { iterations: steps, ..recoveries[0].settings() };
     Optimization::start(recoveries[0].variables(), &settings)?.run(&mut sum, &mut Quiet)
 }
 

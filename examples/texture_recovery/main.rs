@@ -13,12 +13,10 @@ mod strip;
 
 use std::path::Path;
 
-use renderer::Error;
-use renderer::arithmetic::Arithmetic;
 use renderer::files::save_png;
-use renderer::image::Image;
 use renderer::optimize::write_report;
-use renderer::recovery::render_at;
+use renderer::recovery::Recovery;
+use renderer::{Error, Image};
 use serde_json::Map;
 use strip::{brightest, strip};
 
@@ -43,10 +41,9 @@ fn main() -> Result<(), Error> {
         textures.push(enlarged(&outcome.last.x));
         write_report(out, recoveries[0].variables(), &outcome, Map::new())?;
         if steps == STEPS[STEPS.len() - 1] {
-            let image = |i: usize| {
-                render_at(Arithmetic::default(), &recoveries[i].scene_at(&outcome.last.x))
-            };
-            let images: Vec<Image> = (0..recoveries.len()).map(image).collect();
+            let image =
+                |recovery: &Recovery<'_>| recovery.render(&recovery.scene_at(&outcome.last.x));
+            let images: Vec<Image> = recoveries.iter().map(image).collect();
             save_png(&strip(&images, 1.0 / brightest(&images[0])), &out.join("views.png"))?;
         }
     }

@@ -1,26 +1,27 @@
 //! The adjoint of intersect-and-shade, written by hand: what generated code is measured by.
 
-use ad::vector::{Vector, Vector3};
-use ad::{Additive, Real, Vec3, select};
-use renderer::kernels::camera::{Ray, RayTangent};
-use renderer::kernels::light::{PointLight, PointLightTangent};
-use renderer::kernels::material::{Material, MaterialTangent};
-use renderer::kernels::triangle::exact_cross;
+use std::f64::consts::FRAC_1_PI;
 
-/// The cotangents of ray, corners, material and light: what the generated pullback returns.
+use ad::vector::{Vector, Vector3};
+use ad::{Additive, Real, Tangent, Vec3, select};
+use renderer::transport::camera::Ray;
+use renderer::transport::light::PointLight;
+use renderer::transport::material::Material;
+use renderer::transport::triangle::{Triangle, exact_cross};
+
+/// The cotangents of ray, triangle, material and light: what the generated pullback returns.
 pub type Cotangents<S> =
-    (RayTangent<S>, Vec3<S>, Vec3<S>, Vec3<S>, MaterialTangent<S>, PointLightTangent<S>);
+    (Tangent<Ray<S>>, Tangent<Triangle<S>>, Tangent<Material<S>>, Tangent<PointLight<S>>);
 
 /// The radiance of a triangle under a point light, and its pullback at `seed`.
 pub fn pixel<S: Real>(
     ray: Ray<S>,
-    a: Vec3<S>,
-    b: Vec3<S>,
-    c: Vec3<S>,
+    triangle: Triangle<S>,
     material: Material<S>,
     light: PointLight<S>,
     seed: Vec3<S>,
 ) -> (Vec3<S>, Cotangents<S>) {
+    let Triangle { a, b, c } = triangle;
     let Ray { origin, direction } = ray;
     let (u, v) = (b - a, c - a);
     let normal = exact_cross::<S>(u, v);
@@ -34,11 +35,10 @@ pub fn pixel<S: Real>(
     let facing = select(behind, -unit, unit);
 
     let to_light = light.position - (origin + direction * distance);
-    let distance_squared = to_light.length_squared();
     let inverse_distance = to_light.length_recip();
     let towards = to_light * inverse_distance;
-    let per_flux = (S::from_f64(4.0) * S::PI * distance_squared).recip();
-    let flux_density = light.intensity * per_flux;
+    let inverse_square = inverse_distance * inverse_distance;
+    let flux_density = light.radiant_intensity * inverse_square;
     let irradiance = light.color * flux_density;
     let cosine = facing.dot(towards).max(S::ZERO);
     let sum = towards - direction;
@@ -46,11 +46,12 @@ pub fn pixel<S: Real>(
     let half_way = sum * inverse_sum;
     let alignment = facing.dot(half_way).max(S::ZERO);
     let highlight = alignment.powf(material.exponent);
-    let albedo = material.diffuse + material.specular * highlight;
-    let value = albedo * irradiance * cosine;
+    let inverse_pi = S::from_f64(FRAC_1_PI);
+    let brdf = (material.diffuse + material.specular * highlight) * inverse_pi;
+    let value = brdf * irradiance * cosine;
 
-    let albedo_bar = seed * irradiance * cosine;
-    let lit = seed * albedo;
+    let albedo_bar = seed * irradiance * (cosine * inverse_pi);
+    let lit = seed * brdf;
     let irradiance_bar = lit * cosine;
     let cosine_bar = select(cosine.cmpgt(S::ZERO), lit.dot(irradiance), S::ZERO);
     let highlight_bar = albedo_bar.dot(material.specular);
@@ -63,7 +64,7 @@ pub fn pixel<S: Real>(
     let facing_bar = half_way * alignment_bar + towards * cosine_bar;
     let towards_bar = sum_bar + facing * cosine_bar;
     let flux_density_bar = irradiance_bar.dot(light.color);
-    let radial = S::TWO * flux_density_bar * flux_density * inverse_distance * inverse_distance;
+    let radial = S::TWO * flux_density_bar * flux_density * inverse_square;
     let to_light_bar =
         (towards_bar - towards * towards.dot(towards_bar)) * inverse_distance - to_light * radial;
 
@@ -76,21 +77,21 @@ pub fn pixel<S: Real>(
         + direction * slope_bar;
     let (u_bar, v_bar) = (v.cross(normal_bar), normal_bar.cross(u));
     let along = normal * distance_bar;
-    let ray = RayTangent {
+    let ray = Tangent::<Ray<S>> {
         origin: point_bar - along,
         direction: point_bar * distance + normal * slope_bar - sum_bar,
     };
-    let material = MaterialTangent {
-        ambient: Additive::zero(),
+    let triangle = Tangent::<Triangle<S>> { a: along - u_bar - v_bar, b: u_bar, c: v_bar };
+    let material = Tangent::<Material<S>> {
         diffuse: albedo_bar,
         specular: albedo_bar * highlight,
         exponent: exponent_bar,
-        reflection: Additive::zero(),
+        ..Additive::zero()
     };
-    let light = PointLightTangent {
+    let light = Tangent::<PointLight<S>> {
         position: to_light_bar,
         color: irradiance_bar * flux_density,
-        intensity: flux_density_bar * per_flux,
+        radiant_intensity: flux_density_bar * inverse_square,
     };
-    (value, (ray, along - u_bar - v_bar, u_bar, v_bar, material, light))
+    (value, (ray, triangle, material, light))
 }

@@ -6,46 +6,42 @@ use std::hint::black_box;
 use std::path::Path;
 
 use glam::DVec3;
-use renderer::acceleration::{Acceleration, Shape};
 use renderer::experiment::Experiment;
-use renderer::integrator::{Prepared, Wanted, gradient, render};
-use renderer::kernels::camera::{frame, primary_ray};
-use renderer::loss::{ImageLoss, LossKind};
-use renderer::scene::Scene;
+use renderer::trace::bvh::{Bvh, Shape};
+use renderer::transport::camera::{camera_frame, primary_ray};
+use renderer::{Error, ImageLoss, LossKind, Renderer, Scene, Settings};
 
-use super::sphere::scene;
+use super::sphere::{bumpy_sphere, scene};
 use super::timing::{median, seconds};
 
 const REPETITIONS: usize = 15;
 
 /// Measures scene files, OBJ files, or the sphere.
 pub fn run(scenes: &[String]) {
-    if scenes.is_empty() {
-        measure("bumpy sphere", &scene(140, 512, 1));
-    }
-    for path in scenes {
-        match Experiment::load(Path::new(path)) {
-            Ok(experiment) => measure(path, &experiment.scene),
-            Err(error) => eprintln!("error: {error}"),
-        }
+    let load = |path: &String| measure(path, &Experiment::load(Path::new(path))?.scene);
+    let measured = match scenes {
+        [] => scene(bumpy_sphere(140), 512, 1).and_then(|scene| measure("bumpy sphere", &scene)),
+        paths => paths.iter().try_for_each(load),
+    };
+    if let Err(error) = measured {
+        eprintln!("error: {error}");
     }
 }
 
-fn measure(name: &str, scene: &Scene) {
-    let triangles: usize = scene.meshes.iter().map(|mesh| mesh.triangles.len()).sum();
+fn measure(name: &str, scene: &Scene) -> Result<(), Error> {
+    let triangles: usize = scene.meshes().iter().map(|mesh| mesh.triangles.len()).sum();
     println!(
         "{name}: {triangles} triangles, {} x {} pixels, {} threads",
         scene.width,
         scene.height,
         rayon::current_num_threads()
     );
-    let prepared = Prepared::<wide::f32x16>::new(scene);
-    let image = render(&prepared);
-    let mut target = image.clone();
+    let renderer = Renderer::new(scene, &Settings::default())?;
+    let mut target = renderer.render();
     target.pixels.iter_mut().flatten().for_each(|value| *value *= 0.9);
     let loss = ImageLoss::new(LossKind::MeanSquared, &target, false);
 
-    let ids = scene.parameter_ids();
+    let ids = scene.parameters();
     let beginning = |start: &str| {
         let ids = ids.iter().filter(|&&id| scene.path(id).to_string().starts_with(start));
         ids.copied().collect::<Vec<_>>()
@@ -60,9 +56,9 @@ fn measure(name: &str, scene: &Scene) {
     let mut primal = Vec::new();
     let mut gradients = vec![Vec::new(); cases.len()];
     for _ in 0..REPETITIONS {
-        primal.push(seconds(|| render(&prepared)));
+        primal.push(seconds(|| renderer.render()));
         for ((_, ids), samples) in cases.iter().zip(&mut gradients) {
-            samples.push(seconds(|| gradient(&prepared, &loss, Wanted::by(ids))));
+            samples.push(seconds(|| renderer.loss_and_gradient(scene, &loss, ids)));
         }
     }
     let primal = median(primal);
@@ -72,24 +68,18 @@ fn measure(name: &str, scene: &Scene) {
         println!("  gradient by {name:11} {:8.2} ms  {:.2} x", time * 1e3, time / primal);
     }
     measure_rays(scene);
+    Ok(())
 }
 
 /// Traversal alone, on one thread.
 fn measure_rays(scene: &Scene) {
-    let vertex = |mesh: usize, index: u32| {
-        DVec3::from(scene.parameters.vertices[mesh][index as usize]).as_vec3()
-    };
-    let shapes: Vec<_> = scene
-        .meshes
-        .iter()
-        .enumerate()
-        .flat_map(|(i, mesh)| {
-            mesh.triangles.iter().map(move |t| Shape::Triangle(t.map(|v| vertex(i, v))))
-        })
-        .collect();
-    let acceleration = Acceleration::new(&shapes);
-    let aspect = f64::from(scene.width) / f64::from(scene.height);
-    let frame = frame::<f64>(scene.parameters.camera, aspect);
+    let shapes = scene.meshes().iter().flat_map(|mesh| {
+        let vertices: Vec<DVec3> = mesh.world_vertices().collect();
+        let corners = |t: &[u32; 3]| t.map(|v| vertices[v as usize].as_vec3());
+        mesh.triangles.iter().map(corners).map(Shape::Triangle).collect::<Vec<_>>()
+    });
+    let bvh = Bvh::new(&shapes.collect::<Vec<_>>()[..]);
+    let frame = camera_frame::<f64>(scene.camera, scene.aspect());
     let rays: Vec<_> = (0..512 * 512)
         .map(|i| {
             let film = |i: i32| (f64::from(i) + 0.5) / 256.0 - 1.0;
@@ -100,7 +90,7 @@ fn measure_rays(scene: &Scene) {
     let samples = (0..REPETITIONS).map(|_| {
         seconds(|| {
             for &(origin, direction) in &rays {
-                black_box(acceleration.nearest(origin, direction));
+                black_box(bvh.nearest(origin, direction));
             }
         })
     });

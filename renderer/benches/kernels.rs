@@ -7,10 +7,11 @@ use std::hint::black_box;
 use ad::lanes::Lanes;
 use ad::vector::{Vector, Vector3};
 use ad::{Additive, Real, Scalar, Vec3, differentiable, tape};
-use renderer::kernels::camera::Ray;
-use renderer::kernels::light::PointLight;
-use renderer::kernels::material::{Material, reflection_of_point_light};
-use renderer::kernels::triangle::triangle_surface;
+use renderer::transport::camera::Ray;
+use renderer::transport::direct::direct;
+use renderer::transport::light::{PointLight, illuminate_by_point};
+use renderer::transport::material::{Lobes, Material};
+use renderer::transport::triangle::{Triangle, triangle_point};
 
 use super::adjoint::{self, Cotangents};
 use super::timing::{median, seconds};
@@ -18,21 +19,19 @@ use super::timing::{median, seconds};
 #[differentiable]
 fn pixel<S: Real>(
     ray: Ray<S>,
-    a: Vec3<S>,
-    b: Vec3<S>,
-    c: Vec3<S>,
+    triangle: Triangle<S>,
     material: Material<S>,
     light: PointLight<S>,
 ) -> Vec3<S> {
-    let surface = triangle_surface::<S>(ray, a, b, c);
-    reflection_of_point_light::<S>(material, surface, light)
+    let surface = triangle_point::<S>(triangle, ray);
+    let arriving = illuminate_by_point::<S>(light, surface.point);
+    let lobes = Lobes { rough: false, glossy: true };
+    direct::<S>(material, lobes, surface, arriving, S::ZERO.cmplt(S::ONE), S::ONE)
 }
 
 struct Inputs<S: Real> {
     rays: Vec<Ray<S>>,
-    a: Vec3<S>,
-    b: Vec3<S>,
-    c: Vec3<S>,
+    triangle: Triangle<S>,
     material: Material<S>,
     light: PointLight<S>,
 }
@@ -53,20 +52,24 @@ impl<S: Real> Inputs<S> {
         });
         Self {
             rays: rays.collect(),
-            a: vector::<S>(-5.0, -5.0, 0.1),
-            b: vector::<S>(5.0, -5.0, 0.0),
-            c: vector::<S>(0.0, 7.0, -0.2),
+            triangle: Triangle {
+                a: vector::<S>(-5.0, -5.0, 0.1),
+                b: vector::<S>(5.0, -5.0, 0.0),
+                c: vector::<S>(0.0, 7.0, -0.2),
+            },
             material: Material {
-                ambient: vector::<S>(0.0, 0.0, 0.0),
+                emission: vector::<S>(0.0, 0.0, 0.0),
                 diffuse: vector::<S>(0.7, 0.5, 0.3),
+                roughness: S::ZERO,
                 specular: vector::<S>(0.2, 0.2, 0.2),
                 exponent: S::from_f64(20.0),
-                reflection: Vector::splat(S::ZERO),
+                mirror: Vector::splat(S::ZERO),
+                opacity: S::ONE,
             },
             light: PointLight {
                 position: vector::<S>(1.0, 2.0, 4.0),
                 color: vector::<S>(1.0, 0.9, 0.8),
-                intensity: S::from_f64(100.0),
+                radiant_intensity: S::from_f64(25.0),
             },
         }
     }
@@ -74,23 +77,23 @@ impl<S: Real> Inputs<S> {
 
 fn measure<S: Lanes>(name: &str) {
     let inputs = Inputs::<S>::new();
-    let Inputs { rays, a, b, c, material, light } = &inputs;
+    let Inputs { rays, triangle, material, light } = &inputs;
     let seed = vector::<S>(1.0, 0.5, 0.25);
     let primal = || {
         let mut sum = <Vec3<S>>::zero();
         for &ray in rays {
-            sum.accumulate(pixel::<S>(black_box(ray), *a, *b, *c, *material, *light));
+            sum.accumulate(pixel::<S>(black_box(ray), *triangle, *material, *light));
         }
         sum
     };
     let generated = || {
         sum_up(rays, |ray| {
-            let (value, pullback) = pixel::vjp::<S>(ray, *a, *b, *c, *material, *light);
+            let (value, pullback) = pixel::vjp::<S>(ray, *triangle, *material, *light);
             (value, pullback(seed))
         })
     };
     let by_hand =
-        || sum_up(rays, |ray| adjoint::pixel::<S>(ray, *a, *b, *c, *material, *light, seed));
+        || sum_up(rays, |ray| adjoint::pixel::<S>(ray, *triangle, *material, *light, seed));
     let mut samples = [Vec::new(), Vec::new(), Vec::new()];
     for _ in 0..51 {
         samples[0].push(repeated(20, primal));
@@ -121,20 +124,20 @@ fn sum_up<S: Lanes>(
 
 /// The greatest difference between two sums, relative to the greatest number.
 fn difference<S: Lanes>(a: &Cotangents<S>, b: &Cotangents<S>) -> f64 {
-    let numbers = |(ray, a, b, c, material, light): &Cotangents<S>| -> Vec<f64> {
+    let numbers = |(ray, triangle, material, light): &Cotangents<S>| -> Vec<f64> {
         let vectors = [
             ray.origin,
             ray.direction,
-            *a,
-            *b,
-            *c,
+            triangle.a,
+            triangle.b,
+            triangle.c,
             material.diffuse,
             material.specular,
             light.position,
             light.color,
         ];
         let of_vectors = vectors.into_iter().flat_map(|v| [v.x(), v.y(), v.z()]);
-        let all = of_vectors.chain([material.exponent, light.intensity]);
+        let all = of_vectors.chain([material.exponent, light.radiant_intensity]);
         all.flat_map(|x| x.lanes().as_ref().to_vec()).map(|x| x.to_f64()).collect()
     };
     let (a, b) = (numbers(a), numbers(b));
@@ -155,19 +158,21 @@ pub fn run() {
 /// The same pixel as a function of its 32 inputs.
 fn brightness<S: Real>(x: &[S]) -> S {
     let v = |first: usize| <Vec3<S>>::new(x[first], x[first + 1], x[first + 2]);
-    let (ambient, diffuse, specular) = (v(15), v(18), v(21));
-    let reflection = Vector::splat(S::ZERO);
-    let material = Material { ambient, diffuse, specular, exponent: x[24], reflection };
-    let light = PointLight { position: v(25), color: v(28), intensity: x[31] };
+    let (emission, diffuse, specular) = (v(15), v(18), v(21));
+    let (roughness, mirror, opacity) = (S::ZERO, Vector::splat(S::ZERO), S::ONE);
+    let exponent = x[24];
+    let material = Material { emission, diffuse, roughness, specular, exponent, mirror, opacity };
+    let light = PointLight { position: v(25), color: v(28), radiant_intensity: x[31] };
     let ray = Ray { origin: v(0), direction: v(3) };
-    pixel::<S>(ray, v(6), v(9), v(12), material, light).element_sum()
+    let triangle = Triangle { a: v(6), b: v(9), c: v(12) };
+    pixel::<S>(ray, triangle, material, light).element_sum()
 }
 
 /// The gradient on a tape and by finite differences.
 fn other_ways() {
     let x = [
         0.1, 0.2, 3.0, 0.1, -0.05, -0.99, -5.0, -5.0, 0.1, 5.0, -5.0, 0.0, 0.0, 7.0, -0.2, 0.0,
-        0.0, 0.0, 0.7, 0.5, 0.3, 0.2, 0.2, 0.2, 20.0, 1.0, 2.0, 4.0, 1.0, 0.9, 0.8, 100.0,
+        0.0, 0.0, 0.7, 0.5, 0.3, 0.2, 0.2, 0.2, 20.0, 1.0, 2.0, 4.0, 1.0, 0.9, 0.8, 25.0,
     ];
     let differences = |x: &[f64; 32]| -> [f64; 32] {
         std::array::from_fn(|i| {

@@ -1,4 +1,4 @@
-//! The rate of rays: packets, single rays, and the binary tree of the acceleration crate with its own
+//! The rate of rays: packets, single rays, and the binary tree of obvhs with its own
 //! triangle test. OBJ files, and numbers of rings of bumpy spheres; without any, spheres of 6,400,
 //! 69,696 and 1,000,000 triangles. Millions of rays per second, on one thread and on all, and the
 //! ratio to the binary tree; medians over interleaved repetitions.
@@ -14,10 +14,11 @@ use obvhs::bvh2::builder::build_bvh2;
 use obvhs::ray::{Ray, RayHit};
 use obvhs::triangle::Triangle;
 use rayon::prelude::*;
-use renderer::acceleration::{
-    Acceleration, NO_PRIMITIVE, PACKET_RAYS, PacketHits, PacketVectors, Shape, tile_position,
-};
+use renderer::Mesh;
 use renderer::files::load_obj;
+use renderer::trace::bvh::{
+    Bvh, NO_PRIMITIVE, PACKET_RAYS, PacketHits, PacketVectors, Shape, tile_position,
+};
 
 use super::sphere::bumpy_sphere;
 use super::timing::{median, seconds};
@@ -31,29 +32,27 @@ pub fn run(arguments: &[String]) {
     let spheres = ["40", "132", "500"].map(String::from);
     for argument in if arguments.is_empty() { &spheres } else { arguments } {
         if let Ok(rings) = argument.parse() {
-            let (vertices, triangles) = bumpy_sphere(rings);
-            let corner = |index: u32| Vec3::from(vertices[index as usize].map(|x| x as f32));
-            let corners: Vec<_> = triangles.iter().map(|t| t.map(corner)).collect();
-            measure("bumpy sphere", &corners);
+            measure("bumpy sphere", &corners(&bumpy_sphere(rings)));
             continue;
         }
         match load_obj(Path::new(argument)) {
             Ok(model) => {
-                let corner = |v: [f64; 3]| Vec3::from(v.map(|x| x as f32));
-                let triangles = model.meshes.iter().flat_map(|mesh| {
-                    let vertex = move |i: u32| corner(mesh.vertices[i as usize]);
-                    mesh.triangles.iter().map(move |t| t.map(vertex))
-                });
-                measure(argument, &triangles.collect::<Vec<_>>());
+                measure(argument, &model.meshes.iter().flat_map(corners).collect::<Vec<_>>());
             }
             Err(error) => eprintln!("error: {error}"),
         }
     }
 }
 
+/// The corners of each triangle.
+fn corners(mesh: &Mesh) -> Vec<[Vec3; 3]> {
+    let corner = |index: u32| Vec3::from(mesh.vertices[index as usize].map(|x| x as f32));
+    mesh.triangles.iter().map(|triangle| triangle.map(corner)).collect()
+}
+
 /// A mesh with the trees over it and the rays to trace.
 struct Subject {
-    tree: Acceleration,
+    tree: Bvh,
     binary: Bvh2,
     /// In the order of the binary tree's leaves.
     triangles: Vec<Triangle>,
@@ -127,11 +126,11 @@ fn measure(name: &str, corners: &[[Vec3; 3]]) {
 fn measure_build(corners: &[[Vec3; 3]], shapes: &[Shape]) {
     let moved: Vec<_> =
         corners.iter().map(|t| Shape::Triangle(t.map(|v| v * (1.0 + 0.01 * v.x)))).collect();
-    let mut tree = Acceleration::new(shapes);
+    let mut tree = Bvh::new(shapes);
     let (mut build, mut update) = (Vec::new(), Vec::new());
     for _ in 0..REPETITIONS {
-        build.push(seconds(|| Acceleration::new(shapes)));
-        update.push(seconds(|| tree.update(&moved)));
+        build.push(seconds(|| Bvh::new(shapes)));
+        update.push(seconds(|| tree.update(&moved[..])));
         update.push(seconds(|| tree.update(shapes)));
     }
     println!("  build {:.2} ms, update {:.2} ms", median(build) * 1e3, median(update) * 1e3);
@@ -139,7 +138,7 @@ fn measure_build(corners: &[[Vec3; 3]], shapes: &[Shape]) {
 
 impl Subject {
     fn new(corners: &[[Vec3; 3]], shapes: &[Shape]) -> Self {
-        let tree = Acceleration::new(shapes);
+        let tree = Bvh::new(shapes);
         let triangles: Vec<_> = corners
             .iter()
             .map(|t| Triangle { v0: t[0].into(), v1: t[1].into(), v2: t[2].into() })

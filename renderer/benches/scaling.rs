@@ -7,11 +7,9 @@
 use std::path::Path;
 
 use plotters::prelude::*;
-use renderer::integrator::{Prepared, Wanted, gradient, render, render_into};
-use renderer::loss::{ImageLoss, LossKind};
-use renderer::scene::Scene;
+use renderer::{Error, ImageLoss, LossKind, Renderer, Scene, Settings};
 
-use super::sphere::scene;
+use super::sphere::{bumpy_sphere, scene};
 use super::timing::{median, seconds};
 
 const REPETITIONS: usize = 5;
@@ -23,58 +21,61 @@ struct Row {
     /// In milliseconds.
     image: f64,
     gradient: f64,
-    update: f64,
-    preparation: f64,
 }
 
 /// Measures all series.
 pub fn run(arguments: &[String]) {
     println!("series,size,image_ms,gradient_ms,update_ms,preparation_ms");
-    let mut rows = Vec::new();
-    let mut add = |series, size: f64, scene: Scene| {
-        let row = measure(series, size, &scene);
-        let Row { image, gradient, update, preparation, .. } = row;
-        println!("{series},{size},{image:.3},{gradient:.3},{update:.3},{preparation:.3}");
-        rows.push(row);
-    };
-    for size in [64, 128, 256, 512, 1024, 2048, 4096] {
-        add("pixels", f64::from(size * size), scene(140, size, 1));
-    }
-    for rings in [16, 50, 158, 500, 1581] {
-        add("triangles", f64::from(4 * rings * rings), scene(rings, 512, 1));
-    }
-    for lights in [1, 2, 4, 8, 16] {
-        add("lights", f64::from(lights), scene(140, 512, lights));
-    }
-    if let Some(path) = arguments.first() {
-        match draw(&rows, Path::new(path)) {
-            Ok(()) => println!("{path}"),
-            Err(error) => eprintln!("error: {path}: {error}"),
-        }
+    let drawn = rows().map_err(Into::into).and_then(|rows| match arguments.first() {
+        Some(path) => draw(&rows, Path::new(path)),
+        None => Ok(()),
+    });
+    if let Err(error) = drawn {
+        eprintln!("error: {error}");
     }
 }
 
-fn measure(series: &'static str, size: f64, scene: &Scene) -> Row {
-    let preparation = seconds(|| Prepared::<wide::f32x16>::new(scene));
-    let mut prepared = Prepared::<wide::f32x16>::new(scene);
-    let mut image = render(&prepared);
+fn rows() -> Result<Vec<Row>, Error> {
+    let mut rows = Vec::new();
+    let mut add = |series, size: u32, scene: Result<Scene, Error>| -> Result<(), Error> {
+        rows.push(measure(series, size.into(), scene?)?);
+        Ok(())
+    };
+    for size in [64, 128, 256, 512, 1024, 2048, 4096] {
+        add("pixels", size * size, scene(bumpy_sphere(140), size, 1))?;
+    }
+    for rings in [16, 50, 158, 500, 1581] {
+        add("triangles", 4 * rings * rings, scene(bumpy_sphere(rings), 512, 1))?;
+    }
+    for lights in [1, 2, 4, 8, 16] {
+        add("lights", lights, scene(bumpy_sphere(140), 512, lights))?;
+    }
+    Ok(rows)
+}
+
+fn measure(series: &'static str, size: f64, mut scene: Scene) -> Result<Row, Error> {
+    let settings = Settings::default();
+    let preparation = seconds(|| Renderer::new(&scene, &settings));
+    let mut renderer = Renderer::new(&scene, &settings)?;
+    let mut image = renderer.render();
     let mut target = image.clone();
     target.pixels.as_flattened_mut().iter_mut().for_each(|value| *value *= 0.9);
     let loss = ImageLoss::new(LossKind::MeanSquared, &target, false);
-    let ids = scene.parameter_ids();
-    let wanted = Wanted::by(&ids);
+    let ids = scene.parameters();
+    let vertices = scene.parameter("mesh.sphere.vertices")?;
     let mut samples = [Vec::new(), Vec::new(), Vec::new()];
-    let mut parameters = scene.parameters.clone();
     for repetition in 0..REPETITIONS {
-        samples[0].push(seconds(|| render_into(&prepared, &mut image)));
-        samples[1].push(seconds(|| gradient(&prepared, &loss, wanted)));
+        samples[0].push(seconds(|| renderer.render_into(&mut image)));
+        samples[1].push(seconds(|| renderer.loss_and_gradient(&scene, &loss, &ids)));
         let factor = 1.0 + 1e-9 * (repetition + 1) as f64;
-        let vertices = parameters.vertices.iter_mut().flatten().flatten();
-        vertices.for_each(|coordinate| *coordinate *= factor);
-        samples[2].push(seconds(|| prepared.set_parameters(&parameters)));
+        let moved: Vec<f64> = scene.get(vertices).iter().map(|x| x * factor).collect();
+        scene.set(vertices, &moved)?;
+        samples[2].push(seconds(|| renderer.update(&scene)));
     }
     let [image, gradient, update] = samples.map(|samples| 1e3 * median(samples));
-    Row { series, size, image, gradient, update, preparation: 1e3 * preparation }
+    let preparation = 1e3 * preparation;
+    println!("{series},{size},{image:.3},{gradient:.3},{update:.3},{preparation:.3}");
+    Ok(Row { series, size, image, gradient })
 }
 
 /// Milliseconds against size, both logarithmic, one panel for each series.

@@ -84,7 +84,6 @@ impl Default for Arithmetic {
 }
 
 /// Runs `$body` with the type `$scalar` standing for that of an [`Arithmetic`].
-#[cfg(feature = "files")]
 macro_rules! with_arithmetic {
     ($arithmetic:expr, $scalar:ident => $body:expr) => {
         match $arithmetic {
@@ -112,5 +111,4 @@ macro_rules! with_arithmetic {
     };
 }
 
-#[cfg(feature = "files")]
 pub(crate) use with_arithmetic;

@@ -60,7 +60,7 @@ counts! {
     /// Rays between surfaces and lights.
     shadow_rays: "shadow rays                 ",
     /// Rays that go on from mirrors and behind transparent surfaces.
-    mirrored_rays: "rays that go on             ",
+    secondary_rays: "rays that go on             ",
     /// Nodes of the trees that were visited, by a ray or by a packet of up to 64.
     nodes: "nodes visited               ",
     /// Colours looked up in textures.

@@ -13,21 +13,39 @@
 //! look_at = [0.0, 1.0, 0.0]
 //! up = [0.0, 1.0, 0.0]        # the default
 //! vfov = 45.0                 # the default
-//! focus = 1.0                 # the default
+//! film_scale = 1.0            # the default: the factor on the size of the image plane
 //! width = 640
 //! height = 480
 //!
 //! [[light]]
 //! name = "key"
-//! type = "point"              # or "distant", with a direction (towards the light) for a position
+//! type = "point"              # or "distant", or "spot": see below
 //! position = [3.0, 5.0, 5.0]
 //! color = [1.0, 1.0, 1.0]     # the default
-//! intensity = 900.0
+//! radiant_intensity = 225.0   # W/sr; or power, in W, over all directions
+//!
+//! [[light]]
+//! name = "sun"
+//! type = "distant"
+//! direction = [0.3, 1.0, 0.2] # towards the light
+//! irradiance = 2.0            # on a surface that faces it, W/m²
+//!
+//! [[light]]
+//! name = "stage"
+//! type = "spot"
+//! position = [0.0, 6.0, 0.0]
+//! direction = [0.0, -1.0, 0.2] # in which it shines
+//! radiant_intensity = 90.0    # within the inner angle
+//! inner_angle = 0.0           # the default: from the axis, where the fall-off begins
+//! outer_angle = 45.0          # the default: where it is dark
 //!
 //! [[mesh]]
 //! path = "tree.obj"           # or .ply, .stl, .gltf, .glb (of which only the meshes are taken)
 //! name = "tree"               # optional: makes all objects of the file one mesh of this name
 //! material = "bark"           # optional: replaces the file's materials
+//! translation = [0.0, 1.0, 0.0] # optional: where it stands; first it is scaled, then turned, then moved
+//! rotation = [0.0, 90.0, 0.0] # optional: the axis times the angle in degrees
+//! scale = 2.0                 # optional: one factor, or one for each axis
 //!
 //! [[sphere]]
 //! name = "ball"
@@ -36,14 +54,15 @@
 //! material = "bark"
 //!
 //! [material.bark]             # a new material, or changes to one that a mesh brings along
-//! ambient = [0.0, 0.0, 0.0]   # the defaults of a new one
+//! emission = [0.0, 0.0, 0.0]  # the defaults of a new one; radiance
 //! diffuse = [0.7, 0.7, 0.7]
+//! roughness = 0.0             # of the diffuse part, up to 1: dust, plaster, clay
 //! specular = [0.0, 0.0, 0.0]
 //! exponent = 1.0
-//! reflection = [0.0, 0.0, 0.0] # above 0: a mirror
+//! mirror = [0.0, 0.0, 0.0]    # above 0: a mirror
 //! # opacity = 0.5             # if it is there, the material is transparent; a mirror is not
 //!
-//! diffuse_texture = "wood"    # optional: multiplies the colour; also ambient_ and specular_texture
+//! diffuse_texture = "wood"    # optional: multiplies the colour; also emission_ and specular_texture
 //! # opacity_texture = "holes" # multiplies the opacity (1 if there is none): by the mean of its channels
 //!
 //! [texture.wood]
@@ -73,7 +92,7 @@
 //! `mesh.tree.vertices[17]` is one vertex of a mesh: they are counted from 0, in the order in which its
 //! triangles first use them.
 //!
-//! Without `max`, the diffuse, specular and reflected part of the light stays at most 1 (or what it is to
+//! Without `max`, the diffuse, specular and mirrored part of the light stays at most 1 (or what it is to
 //! begin with, or in the target): a surface reflects no more than it receives.
 //!
 //! An optimizer or a schedule whose numbers are not the default ones is a table; their fields are
@@ -91,16 +110,15 @@
 //! ```toml
 //! [optimize.target_values]
 //! "light.key.position" = [1.0, 10.0, -50.0]
-//! "light.key.intensity" = 20000.0
+//! "light.key.radiant_intensity" = 5000.0
 //! ```
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
-use crate::Error;
-use crate::files::{MeshFormat, Warning, scene_file};
 use crate::loss::LossKind;
 use crate::optimize::{Optimizer, Schedule};
 use crate::scene::{ParameterId, Scene};
+use crate::warning::Warning;
 
 /// A scene and, if its file says so, an optimisation.
 #[derive(Clone, Debug, PartialEq)]
@@ -164,32 +182,13 @@ impl Experiment {
     pub fn new(scene: Scene, optimize: Option<OptimizeSection>) -> Self {
         Self { scene, optimize, warnings: Vec::new() }
     }
+}
 
-    /// Reads a scene file, or a mesh ([`load_mesh`](crate::files::load_mesh)), which is then framed
-    /// and lit by default: the camera looks at the centre of the bounding box from the front, to the
-    /// right and above; a point light `key` stands above the camera. A camera and lights that a glTF
-    /// file brings along replace these. What the files hold that nothing here shows is left out, and
-    /// said in [`warnings`](Self::warnings).
-    ///
-    /// # Errors
-    ///
-    /// If a file cannot be read, is broken, or describes what cannot be rendered. The message names
-    /// the file and, where it can, the line and the field.
-    pub fn load(path: &Path) -> Result<Self, Error> {
-        if MeshFormat::of(path).is_some() {
-            let (scene, warnings) = scene_file::load_mesh_scene(path)?;
-            return Ok(Self { scene, optimize: None, warnings });
-        }
-        scene_file::load(path)
-    }
-
-    /// Parses the text of a scene file whose relative paths begin in `base_dir`; messages call it
-    /// `name`.
-    ///
-    /// # Errors
-    ///
-    /// As [`load`](Self::load).
-    pub fn parse(text: &str, base_dir: &Path, name: &str) -> Result<Self, Error> {
-        scene_file::parse(text, base_dir, name)
-    }
+/// What is wrong with varying a parameter beside `given` ones, if it has numbers in common with one.
+pub(crate) fn overlap(scene: &Scene, given: &[TunedParameter], id: ParameterId) -> Option<String> {
+    let other = given.iter().map(|tuned| tuned.id).find(|other| other.overlaps(id))?;
+    Some(match other == id {
+        true => "is given twice".into(),
+        false => format!("overlaps {}, which is given too", scene.path(other)),
+    })
 }

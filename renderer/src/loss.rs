@@ -3,7 +3,34 @@
 use glam::DVec3;
 
 use crate::image::Image;
-use crate::integrator::PixelLoss;
+
+/// A loss that is a sum over pixels.
+pub trait PixelLoss: Sync {
+    /// What the pixel in column `x` and row `y` adds to the loss if it has this radiance, and the
+    /// derivative of that by the radiance.
+    fn evaluate(&self, x: u32, y: u32, radiance: DVec3) -> (f64, DVec3);
+
+    /// What several pixels add to the loss; their radiance is replaced by its cotangents.
+    #[doc(hidden)]
+    fn evaluate_all(&self, pixels: &mut [PixelRadiance]) -> f64 {
+        let mut sum = 0.0;
+        for pixel in pixels {
+            let (value, derivative) = self.evaluate(pixel.x, pixel.y, pixel.radiance);
+            sum += value;
+            pixel.radiance = derivative;
+        }
+        sum
+    }
+}
+
+/// A pixel and its radiance.
+#[derive(Clone, Copy, Debug, Default)]
+#[doc(hidden)]
+pub struct PixelRadiance {
+    pub x: u32,
+    pub y: u32,
+    pub radiance: DVec3,
+}
 
 /// How the difference between two images becomes one number.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -44,6 +71,7 @@ impl<'a> ImageLoss<'a> {
 }
 
 impl PixelLoss for ImageLoss<'_> {
+    #[inline]
     fn evaluate(&self, x: u32, y: u32, radiance: DVec3) -> (f64, DVec3) {
         let index = y as usize * self.target.width as usize + x as usize;
         let target = glam::Vec3::from(self.target.pixels[index]).as_dvec3();

@@ -16,7 +16,7 @@ fn the_light_is_found_in_fewer_steps_than_the_paper_takes() {
         let truth: Vec<f64> =
             recovery.variables().iter().flat_map(|v| v.target.clone().unwrap()).collect();
         let (found, truth) = (recovery.scene_at(&outcome.best.x), recovery.scene_at(&truth));
-        let (degrees, irradiance) = experiment::error_at_tree(&found, &truth);
+        let (degrees, irradiance) = experiment::error_at_tree(&found, &truth).unwrap();
         assert!(degrees < 0.5 && irradiance < 0.01, "{degrees} degrees, {irradiance}");
     }
 }

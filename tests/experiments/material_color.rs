@@ -5,7 +5,7 @@ use renderer::optimize::Optimizer;
 
 #[test]
 fn the_colours_are_found() {
-    let problem = experiment::experiment(experiment::scene(40, 30).unwrap());
+    let problem = experiment::experiment(experiment::scene(40, 30).unwrap()).unwrap();
     let recovery = experiment::recovery(&problem).unwrap();
     let outcome = experiment::run(&recovery, Optimizer::default(), 200).unwrap();
     let truth = recovery.variables().iter().flat_map(|v| v.target.clone().unwrap());

@@ -5,8 +5,7 @@ mod patches;
 
 use std::collections::HashMap;
 
-use renderer::arithmetic::Arithmetic;
-use renderer::recovery::render_at;
+use renderer::{Settings, render};
 
 #[test]
 fn the_teapot_has_its_published_size() {
@@ -48,9 +47,9 @@ fn neighbouring_patches_meet() {
 fn the_teapot_is_seen_from_every_view() {
     let mut scene = experiment::scene(4, 64).unwrap();
     for (look_from, look_at) in experiment::VIEWS {
-        scene.parameters.camera.look_from = look_from;
-        scene.parameters.camera.look_at = look_at;
-        let image = render_at(Arithmetic::default(), &scene);
+        scene.camera.look_from = look_from;
+        scene.camera.look_at = look_at;
+        let image = render(&scene, &Settings::default()).unwrap();
         let lit = image.pixels.iter().filter(|pixel| pixel[0] > 0.0).count();
         assert!((400..3000).contains(&lit), "{look_from}: {lit} pixels");
     }

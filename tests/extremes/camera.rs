@@ -1,7 +1,7 @@
 //! Cameras at their ends.
 
 use glam::DVec3;
-use renderer::scene::Scene;
+use renderer::{Camera, Scene};
 
 use crate::images::{ARITHMETICS, check_agreement, difference, evaluate, placed, render};
 use crate::kernels::PrimaryRay;
@@ -89,8 +89,8 @@ fn sizes_of_images() {
 #[test]
 fn nothing_to_see() {
     let mut behind = small_scene(24);
-    behind.parameters.camera.look_at = DVec3::new(0.6, 4.6, 12.0);
-    let empty = Scene { width: 9, height: 5, ..Scene::empty() };
+    behind.camera.look_at = DVec3::new(0.6, 4.6, 12.0);
+    let empty = Scene::new(9, 5, Camera::looking(DVec3::Z, DVec3::ZERO));
     for scene in [behind, empty] {
         for arithmetic in ARITHMETICS {
             let image = render(&scene, arithmetic);
@@ -112,11 +112,11 @@ fn refused(scene: &Scene, parts: [&str; 2]) {
 #[test]
 fn pixels_that_are_too_close_are_refused() {
     let mut scene = small_scene(24);
-    scene.parameters.camera.vfov = 1e-3;
+    scene.camera.vfov = 1e-3;
     render(&scene, ARITHMETICS[1]);
     (scene.width, scene.height) = (512, 512);
     refused(&scene, ["scene: camera.vfov", "too close for rays in single precision"]);
-    scene.parameters.camera.vfov = 179.99;
+    scene.camera.vfov = 179.99;
     render(&scene, ARITHMETICS[1]);
 }
 
@@ -124,7 +124,7 @@ fn pixels_that_are_too_close_are_refused() {
 fn scenes_in_narrow_and_wide_views() {
     for (vfov, bound) in [(1e-3, 1e-3), (1.0, 1e-4), (170.0, 1e-4), (179.99, 1e-3)] {
         let mut scene = small_scene(24);
-        scene.parameters.camera.vfov = vfov;
+        scene.camera.vfov = vfov;
         check_agreement(&format!("scene in a view of {vfov} degrees"), &scene, bound);
     }
 }
@@ -139,10 +139,9 @@ fn directions_that_rounding_decides_are_refused() {
         ["camera.look_from", "must differ"],
     );
     let mut same = small_scene(24);
-    same.parameters.camera.look_from = same.parameters.camera.look_at;
+    same.camera.look_from = same.camera.look_at;
     refused(&same, ["camera.look_from", "must differ from camera.look_at"]);
     let mut along = small_scene(24);
-    along.parameters.camera.up =
-        along.parameters.camera.look_at - along.parameters.camera.look_from;
+    along.camera.up = along.camera.look_at - along.camera.look_from;
     refused(&along, ["camera.up", "must not be parallel"]);
 }

@@ -6,16 +6,14 @@
 //! precision are counted, and left out of both gradients: they show another triangle, which is no rounding
 //! error of the gradient.
 
-use glam::DVec3;
-use renderer::image::Image;
-use renderer::integrator::{GradientResult, Prepared, Wanted, gradient, render};
-use renderer::loss::{ImageLoss, LossKind};
-use renderer::scene::{MaterialObject, ParameterId, Scene};
-use wide::{f32x16, f64x8};
+use glam::dvec3;
+use renderer::scene::Object;
+use renderer::{Arithmetic, Image, ImageLoss, LossKind, ParameterId, Renderer, Scene, render};
 
 use crate::away_from_edges::AwayFromEdges;
+use crate::images::settings;
 use crate::meshes::Mesh;
-use crate::scenes::{mirror_scene, small_scene};
+use crate::scenes::{mirror_scene, multiply, small_parts, small_scene};
 
 /// What errors stay below.
 const BOUND: f64 = 5e-5;
@@ -31,22 +29,20 @@ fn shows_same(a: &[f32; 3], b: &[f32; 3]) -> bool {
 /// The largest error of the gradient by any of the given parameters, and the part of the pixels that
 /// show something else.
 fn error(scene: &Scene, counts: impl Fn(ParameterId) -> bool) -> (f64, f64) {
-    scene.validate("scene").unwrap();
-    let (single, double) = (Prepared::<f32x16>::new(scene), Prepared::<f64x8>::new(scene));
-    let mut target = render(&double);
+    let [single, double] = [Arithmetic::F32x16, Arithmetic::F64x8]
+        .map(|arithmetic| Renderer::new(scene, &settings(arithmetic)).unwrap());
+    let mut target = double.render();
     let same = shown_by_all(scene);
     let others = same.iter().filter(|same| !**same).count() as f64 / same.len() as f64;
     dim(&mut target);
     let loss = ImageLoss::new(LossKind::MeanSquared, &target, false);
     let loss = AwayFromEdges { loss, keep: same, width: scene.width };
-    let ids: Vec<ParameterId> =
-        scene.parameter_ids().into_iter().filter(|&id| counts(id)).collect();
-    let wanted = Wanted::by(&ids);
-    let (single, double) = (gradient(&single, &loss, wanted), gradient(&double, &loss, wanted));
-    let of = |result: &GradientResult, id| result.gradient.get(id).to_vec();
+    let ids: Vec<ParameterId> = scene.parameters().into_iter().filter(|&id| counts(id)).collect();
+    let [single, double] =
+        [single, double].map(|renderer| renderer.loss_and_gradient(scene, &loss, &ids).gradient);
     let mut worst = 0.0_f64;
     for id in ids {
-        let (single, double) = (of(&single, id), of(&double, id));
+        let (single, double) = (single.get(id), double.get(id));
         let largest = double.iter().fold(0.0_f64, |size, x| size.max(x.abs()));
         for (s, d) in single.iter().zip(double).filter(|_| largest > 0.0) {
             worst = worst.max((s - d).abs() / largest);
@@ -59,11 +55,12 @@ fn error(scene: &Scene, counts: impl Fn(ParameterId) -> bool) -> (f64, f64) {
 /// by what these reflect is what they would show.
 fn shown_by_all(scene: &Scene) -> Vec<bool> {
     let mut mirrors = scene.clone();
-    for material in &mut mirrors.parameters.materials {
-        material.reflection = material.reflection.max(DVec3::splat(0.5));
+    for id in scene.parameters().into_iter().filter(|id| id.field == "mirror") {
+        let at_least: Vec<f64> = scene.get(id).iter().map(|part| part.max(0.5)).collect();
+        mirrors.set(id, &at_least).unwrap();
     }
-    let single = render(&Prepared::<f32x16>::new(&mirrors));
-    let double = render(&Prepared::<f64x8>::new(&mirrors));
+    let [single, double] = [Arithmetic::F32x16, Arithmetic::F64x8]
+        .map(|arithmetic| render(&mirrors, &settings(arithmetic)).unwrap());
     single.pixels.iter().zip(&double.pixels).map(|(a, b)| shows_same(a, b)).collect()
 }
 
@@ -71,21 +68,10 @@ fn dim(image: &mut Image) {
     image.pixels.as_flattened_mut().iter_mut().for_each(|x| *x *= 0.7);
 }
 
-/// Parameters that move no edge: a pixel that falls on the other side of one is no rounding error.
+/// Parameters that move no edge but those of shadows: a pixel that falls on the other side of one is no
+/// rounding error.
 fn is_smooth(id: ParameterId) -> bool {
-    use ParameterId::*;
-    matches!(
-        id,
-        LightColor(_)
-            | LightIntensity(_)
-            | Ambient(_)
-            | Diffuse(_)
-            | Specular(_)
-            | Exponent(_)
-            | Reflection(_)
-            | LightPosition(_)
-            | LightDirection(_)
-    )
+    matches!(id.object, Object::Light(_) | Object::Material(_))
 }
 
 #[track_caller]
@@ -108,8 +94,8 @@ fn depths(depths: &[u32]) {
     for &depth in depths {
         let mut scene = mirror_scene(48);
         scene.bounces = depth;
-        for material in &mut scene.parameters.materials {
-            material.reflection *= 2.0;
+        for path in ["material.ground.mirror", "material.object.mirror"] {
+            multiply(&mut scene, path, 2.0);
         }
         check(&format!("{depth} mirrors"), &scene);
     }
@@ -119,19 +105,11 @@ fn triangles(subdivisions: &[u32]) {
     for &subdivisions in subdivisions {
         let mesh = Mesh::bumpy(subdivisions);
         let mut scene = small_scene(128);
-        scene.materials.push(MaterialObject::new("bumps"));
-        scene.parameters.materials.push(scene.parameters.materials[1]);
-        let object = scene.meshes[1].clone();
-        scene.meshes.push(renderer::scene::MeshObject {
-            name: "bumps".into(),
-            triangles: mesh.triangles.clone(),
-            materials: vec![2; mesh.triangles.len()],
-            ..object
-        });
-        let vertices =
-            mesh.vertices.iter().map(|&v| (v * 0.8 + glam::dvec3(-0.5, 1.2, -0.8)).into());
-        scene.parameters.vertices.push(vertices.collect());
-        scene.parameters.texture_coordinates.push(Vec::new());
+        let material = small_parts(128).materials[1].values;
+        let material = scene.add_material("bumps", material).unwrap();
+        let vertices = mesh.vertices.iter().map(|&v| (v * 0.8 + dvec3(-0.5, 1.2, -0.8)).into());
+        let bumps = renderer::Mesh::new("bumps", vertices.collect(), mesh.triangles.clone());
+        scene.add_mesh(bumps.material(material)).unwrap();
         check(&format!("{} triangles", mesh.triangles.len()), &scene);
     }
 }

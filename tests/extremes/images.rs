@@ -1,69 +1,82 @@
 //! Images and gradients of whole scenes.
 
 use glam::DVec3;
-use renderer::arithmetic::Arithmetic;
 use renderer::experiment::{Experiment, OptimizeSection, Target, TunedParameter};
-use renderer::image::Image;
 use renderer::optimize::Evaluation;
-use renderer::recovery::{Recovery, render_at};
-use renderer::scene::{Differentiability, Light, ParameterId, Scene};
+use renderer::recovery::Recovery;
+use renderer::scene::{Differentiability, Object};
+use renderer::{Arithmetic, Image, ParameterId, Scene, Settings};
 
 pub const ARITHMETICS: [Arithmetic; 4] =
     [Arithmetic::F32, Arithmetic::F32x16, Arithmetic::F64, Arithmetic::F64x8];
 
+pub fn settings(arithmetic: Arithmetic) -> Settings {
+    Settings { arithmetic, ..Settings::default() }
+}
+
 /// The scene `scale` times as large, then moved. The light that arrives stays the same.
 pub fn placed(scene: &Scene, scale: f64, offset: DVec3) -> Scene {
     let mut scene = scene.clone();
-    let place = |v: &mut DVec3| *v = *v * scale + offset;
-    let parameters = &mut scene.parameters;
-    place(&mut parameters.camera.look_from);
-    place(&mut parameters.camera.look_at);
-    for light in &mut parameters.lights {
-        if let Light::Point(light) = light {
-            place(&mut light.position);
-            light.intensity *= scale * scale;
+    let place = |v: DVec3| v * scale + offset;
+    for id in scene.parameters() {
+        let numbers = scene.get(id);
+        let moved: Vec<f64> = match id.field {
+            "position" | "center" | "vertices" => {
+                let points = numbers.as_chunks().0.iter();
+                points.flat_map(|&point| place(point.into()).to_array()).collect()
+            }
+            "radius" => vec![numbers[0] * scale],
+            "radiant_intensity" => vec![numbers[0] * scale * scale],
+            _ => continue,
+        };
+        scene.set(id, &moved).unwrap();
+    }
+    scene.camera.look_from = place(scene.camera.look_from);
+    scene.camera.look_at = place(scene.camera.look_at);
+    scene
+}
+
+/// [`placed`] by the transforms of meshes: their vertices stay what they are.
+pub fn placed_by_transforms(scene: &Scene, scale: f64, offset: DVec3) -> Scene {
+    let mut moved = placed(scene, scale, offset);
+    for id in scene.parameters() {
+        match (id.object, id.field) {
+            (Object::Mesh(_), "vertices") => moved.set(id, &scene.get(id)).unwrap(),
+            (Object::Mesh(_), "translation") => moved.set(id, &offset.to_array()).unwrap(),
+            (Object::Mesh(_), "scale") => moved.set(id, &[scale; 3]).unwrap(),
+            _ => {}
         }
     }
-    for sphere in &mut parameters.spheres {
-        place(&mut sphere.center);
-        sphere.radius *= scale;
-    }
-    for vertex in parameters.vertices.iter_mut().flatten() {
-        let mut moved = DVec3::from(*vertex);
-        place(&mut moved);
-        *vertex = moved.into();
-    }
-    scene
+    moved
 }
 
 /// The scene has to be valid.
 #[track_caller]
 pub fn render(scene: &Scene, arithmetic: Arithmetic) -> Image {
-    scene.validate("scene").unwrap();
-    let image = render_at(arithmetic, scene);
-    assert!(image.pixels.as_flattened().iter().all(|x| x.is_finite()), "not finite");
+    let image = renderer::render(scene, &settings(arithmetic)).unwrap();
+    assert!(image.is_finite(), "not finite");
     image
 }
 
 /// The mean squared difference to an image with other light, and its gradient by every parameter.
 #[track_caller]
 pub fn evaluate(scene: &Scene, arithmetic: Arithmetic) -> (f64, Vec<(ParameterId, Vec<f64>)>) {
-    let ids = scene.parameter_ids();
-    let dimmed = ids.iter().filter(|id| matches!(id, ParameterId::LightIntensity(_)));
-    let values = dimmed.map(|&id| (id, vec![0.7 * scene.parameters.get(id)[0]])).collect();
+    let ids = scene.parameters();
+    let is_power = |id: &&ParameterId| ["radiant_intensity", "irradiance"].contains(&id.field);
+    let values = ids.iter().filter(is_power).map(|&id| (id, vec![0.7 * scene.get(id)[0]]));
     let tuned =
         |&id: &ParameterId| TunedParameter { id, learning_rate: None, min: None, max: None };
     let optimize = OptimizeSection {
-        target: Some(Target::Values(values)),
+        target: Some(Target::Values(values.collect())),
         parameters: ids.iter().map(tuned).collect(),
         ..OptimizeSection::default()
     };
     let experiment = Experiment::new(scene.clone(), Some(optimize));
-    let recovery = Recovery::new(&experiment, "scene", arithmetic).unwrap();
+    let recovery = Recovery::new(&experiment, "scene", &settings(arithmetic)).unwrap();
     let Evaluation { loss, gradient } = recovery.evaluate().unwrap();
     let mut rest = &gradient[..];
     let blocks = ids.into_iter().map(|id| {
-        let (block, others) = rest.split_at(scene.parameters.get(id).len());
+        let (block, others) = rest.split_at(scene.get(id).len());
         rest = others;
         (id, block.to_vec())
     });

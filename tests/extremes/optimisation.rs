@@ -1,12 +1,11 @@
 //! Optimisations that cannot go well stop with a reason, and keep the best that they have seen.
 
-use renderer::arithmetic::Arithmetic;
 use renderer::experiment::{Experiment, OptimizeSection, Target, TunedParameter};
-use renderer::optimize::{Outcome, Quiet, Settings, StopReason};
+use renderer::optimize::{Outcome, Quiet, Settings as OptimizeSettings, StopReason};
 use renderer::recovery::Recovery;
-use renderer::scene::{ParameterId, Scene};
+use renderer::{ParameterId, Scene, Settings};
 
-use crate::scenes::small_scene;
+use crate::scenes::{set, small_scene};
 
 fn tuned(id: ParameterId, learning_rate: Option<f64>) -> TunedParameter {
     TunedParameter { id, learning_rate, min: None, max: None }
@@ -26,8 +25,8 @@ fn section(
 #[track_caller]
 fn run(scene: Scene, section: OptimizeSection, iterations: u64) -> Outcome {
     let experiment = Experiment::new(scene, Some(section));
-    let recovery = Recovery::new(&experiment, "scene", Arithmetic::default()).unwrap();
-    let settings = Settings { iterations, ..recovery.settings() };
+    let recovery = Recovery::new(&experiment, "scene", &Settings::default()).unwrap();
+    let settings = OptimizeSettings { iterations, ..recovery.settings() };
     let outcome = recovery.run(&settings, &mut Quiet).unwrap();
     assert!(outcome.best.x.iter().all(|x| x.is_finite()) && outcome.best.loss.is_finite());
     assert!(outcome.history.iter().all(|record| record.loss >= outcome.best.loss));
@@ -38,9 +37,9 @@ fn run(scene: Scene, section: OptimizeSection, iterations: u64) -> Outcome {
 fn a_plateau_ends_the_run() {
     // The light stands below the floor: no pixel shows it.
     let mut scene = small_scene(16);
-    let position = ParameterId::LightPosition(0);
-    scene.parameters.get_mut(position).copy_from_slice(&[0.0, -50.0, 0.0]);
-    let target = vec![(ParameterId::LightIntensity(1), vec![0.8])];
+    set(&mut scene, "light.key.position", &[0.0, -50.0, 0.0]);
+    let position = scene.parameter("light.key.position").unwrap();
+    let target = vec![(scene.parameter("light.sky.irradiance").unwrap(), vec![2.5])];
     let outcome = run(scene, section(target, vec![tuned(position, None)]), 50);
     assert_eq!(outcome.stop.reason, StopReason::GradientTolerance, "{:?}", outcome.stop);
     assert!(outcome.stop.detail.contains("the gradient vanished"), "{:?}", outcome.stop);
@@ -53,7 +52,7 @@ fn an_exploding_learning_rate_ends_the_run() {
     for (path, rate) in [
         ("light.key.position", 1e10),
         ("light.key.position", 1e30),
-        ("light.key.intensity", 1e37),
+        ("light.key.radiant_intensity", 1e37),
         ("camera.look_from", 1e30),
         ("camera.look_at", 1e300),
         ("camera.up", 1e25),
@@ -66,7 +65,8 @@ fn an_exploding_learning_rate_ends_the_run() {
     ] {
         let scene = small_scene(16);
         let id = scene.parameter(path).unwrap();
-        let target = vec![(ParameterId::LightIntensity(0), vec![300.0])];
+        let intensity = scene.parameter("light.key.radiant_intensity").unwrap();
+        let target = vec![(intensity, vec![75.0])];
         let outcome = run(scene, section(target, vec![tuned(id, Some(rate))]), 30);
         println!("| learning rate {rate:e} of {path} | {} |", outcome.stop.detail);
         let initial = outcome.initial_loss();
@@ -78,8 +78,8 @@ fn an_exploding_learning_rate_ends_the_run() {
 fn leaving_the_range_names_the_parameter() {
     let scene = small_scene(16);
     let id = scene.parameter("sphere.ball.center").unwrap();
-    let initial = scene.parameters.get(id).to_vec();
-    let target = vec![(ParameterId::LightIntensity(0), vec![300.0])];
+    let initial = scene.get(id).into_owned();
+    let target = vec![(scene.parameter("light.key.radiant_intensity").unwrap(), vec![75.0])];
     let outcome = run(scene, section(target, vec![tuned(id, Some(1e30))]), 30);
     assert_eq!(outcome.stop.reason, StopReason::NonFiniteLoss);
     assert!(outcome.stop.detail.contains("sphere.ball.center"), "{:?}", outcome.stop);
@@ -90,7 +90,7 @@ fn leaving_the_range_names_the_parameter() {
 #[test]
 fn parameters_stay_within_their_bounds() {
     let scene = small_scene(16);
-    let id = ParameterId::Diffuse(0);
+    let id = scene.parameter("material.ground.diffuse").unwrap();
     // What is to be found lies outside of the bounds, on both sides; one starts at its bound.
     let target = vec![(id, vec![0.9, 0.1, 0.4])];
     let bounded = TunedParameter {

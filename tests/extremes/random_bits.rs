@@ -4,13 +4,13 @@
 use ad::lanes::{Lanes, f32x16};
 use ad::{Real, Scalar};
 use glam::{Vec3, vec3};
-use renderer::acceleration::{Acceleration, Shape};
-use renderer::recovery::render_at;
+use renderer::trace::bvh::{Bvh, Shape};
 
-use crate::images::ARITHMETICS;
+use crate::images::{ARITHMETICS, settings};
 use crate::kernels::{
-    Covered, DistantLit, Kernel, Mirrored, PointLit, PrimaryRay, SphereEntered, SphereLeft,
-    SphereUv, Straight, Textured, ToDirection, ToPosition, TriangleSurface, TriangleUv,
+    Added, Attenuated, ByDistant, ByPoint, BySpot, Covered, DistantLit, Kernel, Mirrored, Placed,
+    PointLit, PrimaryRay, SphereEntered, SphereLeft, SphereUv, Straight, Textured, TrianglePoint,
+    TriangleUv, Unplaced,
 };
 use crate::meshes::Random;
 use crate::scenes::textured_scene;
@@ -56,8 +56,9 @@ fn run_all(points: usize) {
             )*};
         }
         each!(
-            PrimaryRay TriangleSurface SphereEntered SphereLeft TriangleUv SphereUv PointLit
-            DistantLit Mirrored Straight Textured Covered ToPosition ToDirection
+            PrimaryRay TrianglePoint SphereEntered SphereLeft TriangleUv SphereUv PointLit
+            DistantLit Mirrored Straight Textured Covered Added Attenuated ByPoint ByDistant BySpot Placed
+            Unplaced
         );
     }
 }
@@ -87,7 +88,7 @@ fn traversal_is_total() {
         let mut shapes: Vec<Shape> =
             (0..20).map(|_| Shape::Triangle([vector(true), vector(true), vector(true)])).collect();
         shapes.extend((0..10).map(|_| Shape::Sphere(vector(true), vector(true).x.abs())));
-        let tree = Acceleration::new(&shapes);
+        let tree = Bvh::new(&shapes[..]);
         for _ in 0..30 {
             let (origin, direction): (Vec3, Vec3) = (vector(false), vector(false));
             let hit = tree.nearest(origin, direction);
@@ -104,22 +105,23 @@ fn scenes_of_any_numbers_are_refused_or_rendered() {
     let (mut refused, mut rendered) = (0, 0);
     for round in 0..2_000 {
         let mut scene = textured_scene(8);
-        let ids = scene.parameter_ids();
-        for _ in 0..=random.bits() % 3 {
-            let id = ids[random.bits() as usize % ids.len()];
-            let values = scene.parameters.get_mut(id);
-            let element = random.bits() as usize % values.len();
-            values[element] = f64::from(number(&mut random));
-        }
-        match scene.validate("scene") {
+        let ids = scene.parameters();
+        let mut change = || {
+            for _ in 0..=random.bits() % 3 {
+                let id = ids[random.bits() as usize % ids.len()];
+                let mut values = scene.get(id).into_owned();
+                let element = random.bits() as usize % values.len();
+                values[element] = f64::from(number(&mut random));
+                scene.set(id, &values)?;
+            }
+            renderer::render(&scene, &settings(ARITHMETICS[round % ARITHMETICS.len()]))
+        };
+        match change() {
             Err(error) => {
                 refused += 1;
                 assert!(!error.to_string().contains('\n'));
             }
-            Ok(()) => {
-                rendered += 1;
-                render_at(ARITHMETICS[round % ARITHMETICS.len()], &scene);
-            }
+            Ok(_) => rendered += 1,
         }
     }
     assert!(refused > 100 && rendered > 100, "{refused} refused, {rendered} rendered");

@@ -7,12 +7,10 @@
 use std::f64::consts::PI;
 
 use glam::{DVec3, dvec3};
-use renderer::arithmetic::Arithmetic;
-use renderer::kernels::camera::{Camera, frame, primary_ray};
-use renderer::kernels::light::{DistantLight, PointLight};
-use renderer::kernels::material::Material;
-use renderer::kernels::sphere::Sphere;
-use renderer::scene::{Light, MaterialObject, MeshObject, Scene, SphereObject};
+use renderer::transport::camera::{camera_frame, primary_ray};
+use renderer::{
+    Arithmetic, Camera, DistantLight, Light, Material, PointLight, Scene, SphereObject,
+};
 
 use crate::images::{ARITHMETICS, render};
 use crate::meshes::{Mesh, Random};
@@ -68,24 +66,17 @@ impl Surface {
     }
 
     fn add_to(self, scene: &mut Scene) {
-        let name = scene.spheres.len().to_string();
-        match self {
+        let name = (scene.spheres().len() + scene.meshes().len()).to_string();
+        let added = match self {
             Self::Sphere { center, radius } => {
-                scene.spheres.push(SphereObject { name, material: 0 });
-                scene.parameters.spheres.push(Sphere { center, radius });
+                scene.add_sphere(SphereObject::new(name, center, radius))
             }
-            Self::Mesh { ref mesh, center, radius } => {
+            Self::Mesh { mesh, center, radius } => {
                 let vertices = mesh.vertices.iter().map(|&v| (v * radius + center).into());
-                scene.parameters.vertices.push(vertices.collect());
-                scene.parameters.texture_coordinates.push(Vec::new());
-                scene.meshes.push(MeshObject {
-                    name: "mesh".into(),
-                    triangles: mesh.triangles.clone(),
-                    materials: vec![0; mesh.triangles.len()],
-                    texture_triangles: Vec::new(),
-                });
+                scene.add_mesh(renderer::Mesh::new(name, vertices.collect(), mesh.triangles))
             }
-        }
+        };
+        added.unwrap();
     }
 }
 
@@ -101,21 +92,19 @@ impl Lights {
     fn around(self, center: DVec3, radius: f64, count: usize) -> Vec<Light<f64>> {
         let mut random = Random(7);
         let light = |_| {
+            // Each makes a white surface that faces it reflect the radiance 1.
+            let color = DVec3::ONE;
             if self == Self::Distant {
                 let direction = random.direction();
-                return Light::Distant(DistantLight {
-                    direction,
-                    color: DVec3::ONE,
-                    intensity: 1.0,
-                });
+                return DistantLight { direction, color, irradiance: PI }.into();
             }
             let offset = match self {
                 Self::Inside => random.in_ball() * 0.9,
                 _ => random.direction() * 10.0_f64.powf(0.1 + 3.0 * random.number()),
             };
             let offset = offset * radius;
-            let intensity = 4.0 * PI * offset.length_squared();
-            Light::Point(PointLight { position: center + offset, color: DVec3::ONE, intensity })
+            let radiant_intensity = PI * offset.length_squared();
+            PointLight { position: center + offset, color, radiant_intensity }.into()
         };
         (0..count).map(light).collect()
     }
@@ -123,20 +112,18 @@ impl Lights {
 
 /// White surfaces under many lights.
 fn scene(surfaces: Vec<Surface>, camera: Camera<f64>, lights: Vec<Light<f64>>) -> Scene {
-    let mut scene = Scene { width: SIZE, height: SIZE, ..Scene::empty() };
-    scene.parameters.camera = camera;
-    scene.light_names = (0..lights.len()).map(|i| i.to_string()).collect();
-    scene.parameters.lights = lights;
-    scene.materials.push(MaterialObject::new("white"));
-    let material = Material { diffuse: DVec3::ONE, ..Material::zero() };
-    scene.parameters.materials.push(material);
+    let mut scene = Scene::new(SIZE, SIZE, camera);
+    for (index, light) in lights.into_iter().enumerate() {
+        scene.add_light(index.to_string(), light).unwrap();
+    }
+    scene.add_material("white", Material::lambertian(DVec3::ONE)).unwrap();
     surfaces.into_iter().for_each(|surface| surface.add_to(&mut scene));
     scene
 }
 
 /// The radiance of each pixel under lights that all arrive.
 fn unshadowed(surface: &Surface, camera: Camera<f64>, lights: &[Light<f64>]) -> Vec<f64> {
-    let frame = frame::<f64>(camera, 1.0);
+    let frame = camera_frame::<f64>(camera, 1.0);
     let position = |i: u32| (2.0 * f64::from(i) + 1.0) / f64::from(SIZE) - 1.0;
     let pixels = (0..SIZE).flat_map(|y| (0..SIZE).map(move |x| (x, y)));
     let radiance = |(x, y): (u32, u32)| {
@@ -144,16 +131,17 @@ fn unshadowed(surface: &Surface, camera: Camera<f64>, lights: &[Light<f64>]) -> 
         let Some((distance, normal)) = surface.meet(ray.origin, ray.direction) else { return 0.0 };
         let point = ray.origin + ray.direction * distance;
         let normal = if normal.dot(ray.direction) > 0.0 { -normal } else { normal };
-        let irradiance = |light: &Light<f64>| match light {
+        let reflected = |light: &Light<f64>| match light {
             Light::Distant(light) => normal.dot(light.direction.normalize()).max(0.0),
             Light::Point(light) => {
                 let to_light = light.position - point;
                 let squared = to_light.length_squared();
-                let density = light.intensity / (4.0 * PI * squared);
-                density * (normal.dot(to_light) / squared.sqrt()).max(0.0)
+                let most = light.radiant_intensity / (PI * squared);
+                most * (normal.dot(to_light) / squared.sqrt()).max(0.0)
             }
+            light => unreachable!("{light:?}"),
         };
-        lights.iter().map(irradiance).sum()
+        lights.iter().map(reflected).sum()
     };
     pixels.map(radiance).collect()
 }
@@ -169,7 +157,7 @@ fn check(name: &str, surfaces: Vec<Surface>, eye: DVec3, lights: Lights, count: 
     let lights = lights.around(center, radius, count);
     let look_at = if inside { center + dvec3(0.3, -0.2, -1.0) * radius } else { center };
     let camera =
-        Camera { look_from: eye, look_at, up: dvec3(0.1, 0.9, 0.2), vfov: 40.0, focus: 1.0 };
+        Camera { look_from: eye, look_at, up: dvec3(0.1, 0.9, 0.2), vfov: 40.0, film_scale: 1.0 };
     let expected = match all {
         true => unshadowed(surface, camera, &lights),
         false => vec![0.0; (SIZE * SIZE) as usize],

@@ -1,12 +1,11 @@
 //! Lights and materials at their ends.
 
 use ad::Scalar;
-use renderer::scene::ParameterId;
 
 use crate::images::check_agreement;
-use crate::kernels::{DistantLit, Kernel, PointLit};
+use crate::kernels::{BySpot, DistantLit, Kernel, PointLit};
 use crate::oracle::{Case, check};
-use crate::scenes::small_scene;
+use crate::scenes::{set, small_parts, small_scene};
 
 /// A surface point, a material and a light.
 #[derive(Clone, Copy)]
@@ -15,6 +14,7 @@ struct Shading {
     color: [f64; 3],
     intensity: f64,
     diffuse: [f64; 3],
+    roughness: f64,
     specular: [f64; 3],
     exponent: f64,
     view: [f64; 3],
@@ -32,6 +32,7 @@ const ORDINARY: Shading = Shading {
     color: [1.0, 0.75, 0.5],
     intensity: 30.0,
     diffuse: [0.5, 0.25, 0.75],
+    roughness: 0.375,
     specular: [0.25, 0.5, 0.125],
     exponent: 20.0,
     view: [-0.36, 0.48, 0.8],
@@ -48,7 +49,7 @@ impl Shading {
         let Self { length, angle, value, gradient, .. } = self;
         let name = format!("{name}, from infinitely far");
         let power = self.power();
-        let lengths = [length, 1.0, power, 1.0, 1.0, 0.1, 1.0, angle, angle];
+        let lengths = [length, 1.0, power, 1.0, 0.1, 1.0, 0.1, 1.0, angle, angle];
         check::<DistantLit>(&Case {
             name: &name,
             x: &self.numbers(),
@@ -62,7 +63,7 @@ impl Shading {
     fn check_point(self, name: &str) {
         let Self { length, angle, value, gradient, .. } = self;
         let power = self.power();
-        let lengths = [length, 1.0, power, 1.0, 1.0, 0.1, length, angle, angle];
+        let lengths = [length, 1.0, power, 1.0, 0.1, 1.0, 0.1, length, angle, angle];
         check::<PointLit>(&Case { name, x: &self.numbers(), lengths: &lengths, value, gradient });
     }
 
@@ -72,12 +73,15 @@ impl Shading {
     }
 
     fn numbers(&self) -> Vec<f64> {
-        let Self { position, color, intensity, diffuse, specular, exponent, view, .. } = *self;
+        let Self {
+            position, color, intensity, diffuse, roughness, specular, exponent, view, ..
+        } = *self;
         let numbers = [
             &position[..],
             &color,
             &[intensity],
             &diffuse,
+            &[roughness],
             &specular,
             &[exponent],
             &[0.0; 3],
@@ -115,6 +119,9 @@ fn albedos() {
     Shading { diffuse: black, specular: black, ..ORDINARY }.check("black albedo");
     Shading { diffuse: white, specular: black, ..ORDINARY }.check("white albedo");
     Shading { diffuse: black, specular: white, ..ORDINARY }.check("white highlight");
+    for roughness in [0.0, 1e-6, 1.0] {
+        Shading { roughness, ..ORDINARY }.check(&format!("roughness {roughness:e}"));
+    }
     Shading { color: black, ..ORDINARY }.check("black light");
     Shading { intensity: 0.0, ..ORDINARY }.check("light of intensity zero");
 }
@@ -133,7 +140,9 @@ fn directions() {
         Shading { position: [-x, -y, -z], exponent, ..ORDINARY }
             .check(&format!("half vector zero, exponent {exponent}"));
     }
-    Shading { position: [2.0 * x, 2.0 * y, 2.0 * z], ..ORDINARY }.check("light behind the camera");
+    // There a rough surface has a kink.
+    Shading { position: [2.0 * x, 2.0 * y, 2.0 * z], roughness: 0.0, ..ORDINARY }
+        .check("light behind the camera");
 }
 
 #[test]
@@ -142,6 +151,51 @@ fn distances() {
         let position = ORDINARY.position.map(|x| x * distance);
         Shading { position, length: 0.1 * distance, ..ORDINARY }
             .check_point(&format!("light at distance {distance:e}"));
+    }
+}
+
+/// Points at `angle` degrees from the axis of a cone between `inner` and `outer` degrees.
+#[test]
+fn cones() {
+    for (inner, outer, angle) in [
+        (10.0, 30.0, 20.0),
+        (0.0, 90.0, 60.0),
+        (0.0, 1e-3, 6e-4),
+        (5.0, 5.001, 5.0005),
+        (30.0, 40.0, 10.0),
+        (30.0, 40.0, 50.0),
+        (30.0, 40.0, 180.0),
+    ] {
+        for distance in [1e-6, 1.0, 1e6] {
+            let (sine, cosine) = f64::to_radians(angle).sin_cos();
+            let x = [
+                [0.0; 3],
+                [0.0, 0.0, 2.0],
+                [1.0, 0.75, 0.5],
+                [30.0, inner, outer],
+                [sine * distance, 0.0, cosine * distance],
+            ];
+            let x: Vec<f64> = x.as_flattened().iter().map(|&x| f64::from(x as f32)).collect();
+            let width: f64 = outer - inner;
+            let turn = 0.01 * width.to_radians();
+            // The fall-off takes the difference of two angles apart.
+            let digits = 50.0 * outer / width;
+            check::<BySpot>(&Case {
+                name: &format!("cone of {inner} to {outer} degrees, {angle} off, at {distance:e}"),
+                x: &x,
+                lengths: &[
+                    turn * distance,
+                    turn,
+                    1.0,
+                    30.0,
+                    0.01 * width,
+                    0.01 * width,
+                    turn * distance,
+                ],
+                value: digits,
+                gradient: 4.0 * digits,
+            });
+        }
     }
 }
 
@@ -171,7 +225,7 @@ fn scenes_under_lights_in_odd_places() {
         ("far away", [2e7, 4e7, 3e7]),
     ] {
         let mut scene = small_scene(24);
-        scene.parameters.get_mut(ParameterId::LightPosition(0)).copy_from_slice(&position);
+        set(&mut scene, "light.key.position", &position);
         check_agreement(&format!("scene with a light {place}"), &scene, 1e-4);
     }
 }
@@ -180,19 +234,17 @@ fn scenes_under_lights_in_odd_places() {
 fn scenes_of_extreme_materials() {
     // A highlight of exponent 1e4 falls between the pixels.
     for exponent in [0.0, 1.0, 100.0] {
-        let mut scene = small_scene(24);
-        for material in &mut scene.parameters.materials {
-            material.exponent = exponent;
-        }
-        check_agreement(&format!("scene of exponent {exponent}"), &scene, 1e-3);
+        let mut parts = small_parts(24);
+        parts.materials.iter_mut().for_each(|material| material.values.exponent = exponent);
+        check_agreement(&format!("scene of exponent {exponent}"), &parts.scene(), 1e-3);
     }
     // A black one shows no light that the image could differ by.
     for (name, albedo) in [("nearly black", 1e-3), ("white", 1.0)] {
-        let mut scene = small_scene(24);
-        for material in &mut scene.parameters.materials {
-            material.diffuse = glam::DVec3::splat(albedo);
-            material.specular = material.diffuse;
+        let mut parts = small_parts(24);
+        for material in &mut parts.materials {
+            material.values.diffuse = glam::DVec3::splat(albedo);
+            material.values.specular = material.values.diffuse;
         }
-        check_agreement(&format!("scene of {name} albedo"), &scene, 1e-4);
+        check_agreement(&format!("scene of {name} albedo"), &parts.scene(), 1e-4);
     }
 }

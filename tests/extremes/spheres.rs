@@ -1,13 +1,12 @@
 //! Spheres that are grazed, entered, stood on, tiny, huge, near and far.
 
 use glam::{DVec3, dvec3};
-use renderer::kernels::sphere::Sphere;
-use renderer::scene::ParameterId;
+use renderer::SphereObject;
 
 use crate::images::check_agreement;
 use crate::kernels::{Kernel, SphereEntered, SphereLeft, SphereUv};
 use crate::oracle::{Case, check};
-use crate::scenes::small_scene;
+use crate::scenes::{Parts, set, small_parts, small_scene};
 
 fn single(v: DVec3) -> DVec3 {
     v.as_vec3().as_dvec3()
@@ -114,17 +113,25 @@ fn places_on_textures() {
             (dvec3(1e-6, 0.1, -0.995), "its seam"),
         ] {
             let point = single(outward.normalize() * radius);
-            let x = [&point.to_array()[..], &[0.0; 3], &[radius]].concat();
-            let length = radius * outward.x.hypot(outward.z);
-            check::<SphereUv>(&Case {
-                name: &format!("texture of a sphere of radius 1e{exponent} at {name}"),
-                x: &x,
-                lengths: &[length, length, length],
-                value: 10.0,
-                gradient: 100.0,
-            });
+            check_place(&format!("{exponent} at {name}"), point, radius, DVec3::ZERO, outward);
         }
+        let point = single(dvec3(0.48, 0.6, 0.64) * radius);
+        let rotation = dvec3(20.0, -35.0, 50.0);
+        check_place(&format!("{exponent}, turned"), point, radius, rotation, DVec3::ONE);
     }
+}
+
+/// The sphere stands at the origin; `outward` is where the point is on its texture.
+fn check_place(name: &str, point: DVec3, radius: f64, rotation: DVec3, outward: DVec3) {
+    let angle = outward.x.hypot(outward.z);
+    let length = radius * angle;
+    check::<SphereUv>(&Case {
+        name: &format!("texture of a sphere of radius 1e{name}"),
+        x: &[&point.to_array()[..], &[0.0; 3], &[radius], &rotation.to_array()].concat(),
+        lengths: &[length, length, length, angle.to_degrees()],
+        value: 10.0,
+        gradient: 100.0,
+    });
 }
 
 /// A camera in the middle of a sphere, inside, on its surface, and near and far ones of extreme radius.
@@ -133,11 +140,11 @@ fn scenes_from_inside_and_from_the_surface_and_of_extreme_radius() {
     let outward = dvec3(0.48, 0.6, 0.64);
     for (place, distance) in [("the middle", 0.0), ("inside", 0.2), ("the surface", 0.5)] {
         let mut scene = small_scene(24);
-        let center = scene.parameters.spheres[0].center;
-        scene.parameters.camera.look_from = center + outward * distance;
-        scene.parameters.camera.look_at = center - outward + dvec3(0.1, 0.2, 0.0);
+        let center = scene.spheres()[0].values.center;
+        scene.camera.look_from = center + outward * distance;
+        scene.camera.look_at = center - outward + dvec3(0.1, 0.2, 0.0);
         // So that the inside is lit.
-        scene.parameters.get_mut(ParameterId::LightPosition(0)).copy_from_slice(&[-0.7, 0.6, 0.3]);
+        set(&mut scene, "light.key.position", &[-0.7, 0.6, 0.3]);
         check_agreement(&format!("scene from {place} of a sphere"), &scene, 1e-3);
     }
     for (name, radius, distance, bound) in [
@@ -146,14 +153,12 @@ fn scenes_from_inside_and_from_the_surface_and_of_extreme_radius() {
         ("huge, near", 1e6, 1e6 + 10.0, 2e-2),
         ("huge, far", 1e6, 1e7, 1e-4),
     ] {
-        let mut scene = small_scene(24);
-        let camera = scene.parameters.camera;
+        let parts = small_parts(24);
+        let camera = parts.camera;
         let towards = (camera.look_at - camera.look_from).normalize();
-        scene.parameters.spheres[0] =
-            Sphere { center: camera.look_from + towards * distance, radius };
-        scene.meshes.clear();
-        scene.parameters.vertices.clear();
-        scene.parameters.texture_coordinates.clear();
+        let center = camera.look_from + towards * distance;
+        let spheres = vec![SphereObject::new("ball", center, radius).material(1)];
+        let scene = Parts { spheres, meshes: Vec::new(), ..parts }.scene();
         check_agreement(&format!("scene with a sphere that is {name}"), &scene, bound);
     }
 }

@@ -1,12 +1,12 @@
 //! Triangles that are thin, tiny, huge, or seen along their plane.
 
 use glam::dvec3;
-use renderer::scene::{ParameterId, Scene};
+use renderer::Scene;
 
 use crate::images::{ARITHMETICS, check_agreement, difference, evaluate, render};
-use crate::kernels::{TriangleSurface, TriangleUv};
+use crate::kernels::{TrianglePoint, TriangleUv};
 use crate::oracle::{Case, check};
-use crate::scenes::small_scene;
+use crate::scenes::{small_parts, small_scene};
 
 /// A ray from the given origin to the point of the triangle with the barycentric coordinates 0.3, 0.5,
 /// 0.2.
@@ -20,7 +20,7 @@ fn case(name: &str, origin: [f64; 3], corners: [[f64; 3]; 3], length: f64, bound
     let direction = to_point.map(|x| single(x / distance));
     let corners = [a, b, c].concat();
     let (value, gradient) = bounds;
-    check::<TriangleSurface>(&Case {
+    check::<TrianglePoint>(&Case {
         name,
         x: &[&origin[..], &direction, &corners].concat(),
         lengths: &[distance, length / distance, length, length, length],
@@ -72,19 +72,19 @@ fn edge_on() {
 
 /// The small scene with more triangles in its tent.
 fn with_triangles(vertices: &[[f64; 3]], triangles: &[[u32; 3]]) -> Scene {
-    let mut scene = small_scene(32);
-    scene.parameters.vertices[1].extend(vertices);
-    scene.meshes[1].triangles.extend(triangles);
-    let count = scene.meshes[1].triangles.len();
-    scene.meshes[1].materials.resize(count, 1);
-    scene
+    let mut parts = small_parts(32);
+    let tent = &mut parts.meshes[1];
+    tent.vertices.extend(vertices);
+    tent.triangles.extend(triangles);
+    tent.materials.resize(tent.triangles.len(), 1);
+    parts.scene()
 }
 
 /// Triangles without area, and those that others cover, change neither image nor gradient.
 #[test]
 fn triangles_that_show_nothing_change_nothing() {
     let plain = small_scene(32);
-    let [a, b] = [plain.parameters.vertices[1][0], plain.parameters.vertices[1][2]];
+    let [a, b] = [0, 2].map(|vertex| plain.meshes()[1].vertices[vertex]);
     let middle = [0, 1, 2].map(|i| 0.5 * (a[i] + b[i]));
     for (name, vertices, triangles) in [
         ("a repeated vertex", vec![], vec![[0, 0, 2], [1, 2, 2], [3, 3, 3]]),
@@ -119,7 +119,8 @@ fn many_faces_at_an_edge() {
     check_agreement("five more triangles at an edge", &scene, 1e-4);
     let gradients = ARITHMETICS.map(|arithmetic| {
         let gradient = evaluate(&scene, arithmetic).1;
-        let vertices = gradient.into_iter().find(|(id, _)| *id == ParameterId::Vertices(1));
+        let tent = scene.parameter("mesh.tent.vertices").unwrap();
+        let vertices = gradient.into_iter().find(|(id, _)| *id == tent);
         vertices.unwrap().1
     });
     let largest = gradients[3].iter().fold(0.0_f64, |size, x| size.max(x.abs()));

@@ -6,7 +6,7 @@
 use std::collections::HashMap;
 
 use glam::{DVec3, Vec3};
-use renderer::acceleration::{Acceleration, NO_PRIMITIVE, PACKET_RAYS, PacketVectors, Shape};
+use renderer::trace::bvh::{Bvh, NO_PRIMITIVE, PACKET_RAYS, PacketVectors, Shape};
 
 use crate::meshes::{Mesh, Random};
 
@@ -82,7 +82,7 @@ fn check(
     let edges_from: Vec<_> = edges_from.collect();
     assert!(edges_from.iter().all(|edges| edges.len() > 100), "{name}: hardly an edge to aim at");
     let shapes: Vec<Shape> = triangles.iter().copied().map(Shape::Triangle).collect();
-    let tree = Acceleration::new(&shapes);
+    let tree = Bvh::new(&shapes[..]);
     let mut random = Random(3);
     let mut leaked = [0; 4];
     let mut sent = 0;

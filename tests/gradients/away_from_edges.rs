@@ -1,8 +1,7 @@
 //! A loss of some of the pixels.
 
 use glam::DVec3;
-use renderer::integrator::PixelLoss;
-use renderer::loss::ImageLoss;
+use renderer::{ImageLoss, PixelLoss};
 
 /// A loss over the pixels that see the same thing, in the same light, all around the point at which
 /// the derivative is checked: where visibility changes, finite differences measure a jump that the

@@ -2,6 +2,7 @@
 
 mod away_from_edges;
 mod custom;
+mod everything;
 mod image;
 mod sampling;
 mod scenes;

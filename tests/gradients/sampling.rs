@@ -1,18 +1,16 @@
 //! Several rays per pixel.
 
-use renderer::image::Image;
-use renderer::integrator::{
-    GradientSamples, Prepared, RenderSettings, Samples, Sampling, Wanted, gradient, loss, render,
+use renderer::settings::GradientSamples;
+use renderer::{
+    Arithmetic, Image, ImageLoss, LossKind, Renderer, Samples, Sampling, Scene, Settings,
+    loss_and_gradient, render,
 };
-use renderer::loss::{ImageLoss, LossKind};
-use renderer::scene::{ParameterId, Scene};
-use wide::{f32x16, f64x8};
 
-use crate::image::{check_parameter_with, target};
+use crate::image::{check_parameter_with, in_arithmetic, target};
 use crate::scenes::{mirror_scene, small_scene, textured_scene};
 
-fn settings(sampling: Sampling) -> RenderSettings {
-    RenderSettings { sampling, ..RenderSettings::default() }
+fn settings(arithmetic: Arithmetic, sampling: Sampling) -> Settings {
+    Settings { sampling, ..in_arithmetic(arithmetic) }
 }
 
 pub fn samples(count: u32, seed: u32) -> Samples {
@@ -27,9 +25,9 @@ fn gradients_agree_with_finite_differences() {
         (mirror_scene(12), Sampling::Stratified(samples)),
         (textured_scene(12), Sampling::Sobol(samples)),
     ] {
-        let target = target(&scene);
-        for id in scene.parameter_ids() {
-            check_parameter_with(settings(sampling), &scene, &target, LossKind::MeanSquared, id);
+        let (target, settings) = (target(&scene), settings(Arithmetic::F64, sampling));
+        for id in scene.parameters() {
+            check_parameter_with(&settings, &scene, &target, LossKind::MeanSquared, id);
         }
     }
 }
@@ -39,15 +37,16 @@ fn lanes_agree_with_single_numbers() {
     let scene = mirror_scene(21);
     let target = target(&scene);
     let target = ImageLoss::new(LossKind::MeanSquared, &target, false);
-    let settings = settings(Sampling::Stratified(samples(4, 2)));
-    let ids = scene.parameter_ids();
-    let wanted = Wanted::by(&ids);
-    let single = gradient(&Prepared::<f64>::with_settings(&scene, settings), &target, wanted);
-    let prepared = Prepared::<f64x8>::with_settings(&scene, settings);
-    let lanes = gradient(&prepared, &target, wanted);
+    let ids = scene.parameters();
+    let [single, lanes] = [Arithmetic::F64, Arithmetic::F64x8].map(|arithmetic| {
+        let settings = settings(arithmetic, Sampling::Stratified(samples(4, 2)));
+        let renderer = Renderer::new(&scene, &settings).unwrap();
+        let result = renderer.loss_and_gradient(&scene, &target, &ids);
+        assert!((renderer.loss(&target) - result.loss).abs() <= 1e-12 * result.loss);
+        result
+    });
     assert!((single.loss - lanes.loss).abs() <= 1e-12 * single.loss);
-    assert!((loss(&prepared, &target) - lanes.loss).abs() <= 1e-12 * single.loss);
-    for id in scene.parameter_ids() {
+    for id in ids {
         let (single, lanes) = (single.gradient.get(id), lanes.gradient.get(id));
         let size = single.iter().fold(0.0_f64, |size, x| size.max(x.abs()));
         for (a, b) in single.iter().zip(lanes) {
@@ -57,7 +56,7 @@ fn lanes_agree_with_single_numbers() {
 }
 
 fn image(scene: &Scene, sampling: Sampling) -> Image {
-    render(&Prepared::<f32x16>::with_settings(scene, settings(sampling)))
+    render(scene, &settings(Arithmetic::F32x16, sampling)).unwrap()
 }
 
 fn error(image: &Image, reference: &Image) -> f64 {
@@ -87,13 +86,12 @@ fn images_converge_and_even_samples_do_so_faster() {
 #[test]
 fn samples_of_their_own_take_the_bias_out_of_gradients() {
     let scene = small_scene(24);
-    let id = ParameterId::Diffuse(0);
+    let id = scene.parameter("material.ground.diffuse").unwrap();
     let target = target(&scene);
     let target = ImageLoss::new(LossKind::MeanSquared, &target, false);
     let slopes = |samples| {
-        let settings = settings(Sampling::Stratified(samples));
-        let prepared = Prepared::<f32x16>::with_settings(&scene, settings);
-        gradient(&prepared, &target, Wanted::by(&[id])).gradient.get(id)[0]
+        let settings = settings(Arithmetic::F32x16, Sampling::Stratified(samples));
+        loss_and_gradient(&scene, &settings, &target, &[id]).unwrap().gradient.get(id)[0]
     };
     let reference = slopes(samples(1024, 99));
     let bias = |gradient| {

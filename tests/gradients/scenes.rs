@@ -1,94 +1,131 @@
-//! A small scene with every kind of parameter.
+//! Small scenes with every kind of parameter.
 
 use glam::{DVec3, dvec3};
-use renderer::kernels::camera::Camera;
-use renderer::kernels::light::{DistantLight, PointLight};
-use renderer::kernels::material::Material;
-use renderer::kernels::sphere::Sphere;
-use renderer::scene::{
-    Light, MaterialObject, MeshObject, Parameters, Scene, SphereObject, TextureObject, Wrap,
+use renderer::scene::{MaterialObject, Slot, Wrap};
+use renderer::{
+    Camera, DistantLight, Light, Material, Mesh, PointLight, Scene, SphereObject, Texture,
 };
+
+/// What a scene is made of, to be changed before it is put together.
+#[derive(Clone)]
+pub struct Parts {
+    pub width: u32,
+    pub height: u32,
+    pub bounces: u32,
+    pub camera: Camera<f64>,
+    pub lights: Vec<(&'static str, Light<f64>)>,
+    pub materials: Vec<MaterialObject>,
+    pub textures: Vec<Texture>,
+    pub spheres: Vec<SphereObject>,
+    pub meshes: Vec<Mesh>,
+}
+
+impl Parts {
+    pub fn scene(self) -> Scene {
+        let mut scene = Scene::new(self.width, self.height, self.camera);
+        scene.bounces = self.bounces;
+        for (name, light) in self.lights {
+            scene.add_light(name, light).unwrap();
+        }
+        for texture in self.textures {
+            scene.add_texture(texture).unwrap();
+        }
+        for material in self.materials {
+            scene.add_material(material.name.clone(), material).unwrap();
+        }
+        for sphere in self.spheres {
+            scene.add_sphere(sphere).unwrap();
+        }
+        for mesh in self.meshes {
+            scene.add_mesh(mesh).unwrap();
+        }
+        scene
+    }
+}
+
+/// Replaces the numbers of a parameter.
+#[track_caller]
+pub fn set(scene: &mut Scene, path: &str, numbers: &[f64]) {
+    scene.set(scene.parameter(path).unwrap(), numbers).unwrap();
+}
+
+/// Multiplies the numbers of a parameter.
+#[track_caller]
+pub fn multiply(scene: &mut Scene, path: &str, factor: f64) {
+    let numbers = scene.get(scene.parameter(path).unwrap());
+    let numbers: Vec<f64> = numbers.iter().map(|number| number * factor).collect();
+    set(scene, path, &numbers);
+}
 
 /// A floor of two triangles that fills the image, a tetrahedron-like pair of triangles and a sphere
 /// inside the view; two lights that cast shadows.
-pub fn small_scene(size: u32) -> Scene {
-    let material = |diffuse: DVec3, specular: f64, exponent: f64| Material {
-        ambient: dvec3(0.01, 0.02, 0.03),
-        diffuse,
-        specular: DVec3::splat(specular),
-        exponent,
-        reflection: DVec3::ZERO,
+pub fn small_parts(size: u32) -> Parts {
+    let material = |name: &str, diffuse: DVec3, specular: f64, exponent: f64| MaterialObject {
+        name: name.into(),
+        ..MaterialObject::from(Material {
+            emission: dvec3(0.01, 0.02, 0.03),
+            specular: DVec3::splat(specular),
+            exponent,
+            ..Material::lambertian(diffuse)
+        })
     };
-    let empty = Scene::empty();
-    Scene {
+    let floor = [[-9.0, 0.0, 9.0], [9.0, 0.1, 9.0], [9.0, -0.1, -30.0], [-9.0, 0.05, -30.0]];
+    let tent = [[0.4, 0.0, 0.6], [1.6, 0.1, 0.5], [1.0, 1.3, 0.2], [1.8, 0.9, -0.6]];
+    let key = PointLight {
+        position: dvec3(2.0, 4.0, 3.0),
+        color: dvec3(1.0, 0.9, 0.8),
+        radiant_intensity: 100.0,
+    };
+    let sky = DistantLight {
+        direction: dvec3(-1.0, 2.0, 1.5),
+        color: dvec3(0.5, 0.6, 0.9),
+        irradiance: 1.25,
+    };
+    Parts {
         width: size,
         height: size / 2 + 3,
         bounces: 3,
-        parameters: Parameters {
-            camera: Camera {
-                look_from: dvec3(0.3, 2.5, 6.0),
-                look_at: dvec3(0.1, 0.4, 0.0),
-                up: dvec3(0.05, 1.0, 0.1),
-                vfov: 35.0,
-                focus: 0.9,
-            },
-            lights: vec![
-                Light::Point(PointLight {
-                    position: dvec3(2.0, 4.0, 3.0),
-                    color: dvec3(1.0, 0.9, 0.8),
-                    intensity: 400.0,
-                }),
-                Light::Distant(DistantLight {
-                    direction: dvec3(-1.0, 2.0, 1.5),
-                    color: dvec3(0.5, 0.6, 0.9),
-                    intensity: 0.4,
-                }),
-            ],
-            materials: vec![
-                material(dvec3(0.6, 0.5, 0.4), 0.1, 8.0),
-                material(dvec3(0.2, 0.7, 0.3), 0.3, 25.0),
-            ],
-            spheres: vec![Sphere { center: dvec3(-0.8, 0.5, 0.4), radius: 0.5 }],
-            vertices: vec![
-                vec![[-9.0, 0.0, 9.0], [9.0, 0.1, 9.0], [9.0, -0.1, -30.0], [-9.0, 0.05, -30.0]],
-                vec![[0.4, 0.0, 0.6], [1.6, 0.1, 0.5], [1.0, 1.3, 0.2], [1.8, 0.9, -0.6]],
-            ],
-            texture_coordinates: vec![Vec::new(); 2],
-            ..empty.parameters
+        camera: Camera {
+            look_from: dvec3(0.3, 2.5, 6.0),
+            look_at: dvec3(0.1, 0.4, 0.0),
+            up: dvec3(0.05, 1.0, 0.1),
+            vfov: 35.0,
+            film_scale: 0.9,
         },
-        light_names: vec!["key".into(), "sky".into()],
-        materials: vec![MaterialObject::new("ground"), MaterialObject::new("object")],
-        spheres: vec![SphereObject { name: "ball".into(), material: 1 }],
-        meshes: vec![
-            MeshObject {
-                name: "floor".into(),
-                triangles: vec![[0, 1, 2], [0, 2, 3]],
-                materials: vec![0, 0],
-                texture_triangles: Vec::new(),
-            },
-            MeshObject {
-                name: "tent".into(),
-                triangles: vec![[0, 1, 2], [1, 3, 2]],
-                materials: vec![1, 1],
-                texture_triangles: Vec::new(),
-            },
+        lights: vec![("key", key.into()), ("sky", sky.into())],
+        materials: vec![
+            material("ground", dvec3(0.6, 0.5, 0.4), 0.1, 8.0),
+            material("object", dvec3(0.2, 0.7, 0.3), 0.3, 25.0),
         ],
-        ..empty
+        textures: Vec::new(),
+        spheres: vec![SphereObject::new("ball", dvec3(-0.8, 0.5, 0.4), 0.5).material(1)],
+        meshes: vec![
+            Mesh::new("floor", floor.to_vec(), vec![[0, 1, 2], [0, 2, 3]]),
+            Mesh::new("tent", tent.to_vec(), vec![[0, 1, 2], [1, 3, 2]]).material(1),
+        ],
     }
+}
+
+pub fn small_scene(size: u32) -> Scene {
+    small_parts(size).scene()
 }
 
 /// The small scene with floor and sphere as mirrors: the sphere shows the floor, which shows the
 /// sphere again.
+pub fn mirror_parts(size: u32) -> Parts {
+    let mut parts = small_parts(size);
+    parts.materials[0].values.mirror = dvec3(0.3, 0.2, 0.1);
+    parts.materials[1].values.mirror = dvec3(0.4, 0.5, 0.3);
+    parts
+}
+
 pub fn mirror_scene(size: u32) -> Scene {
-    let mut scene = small_scene(size);
-    scene.parameters.materials[0].reflection = dvec3(0.3, 0.2, 0.1);
-    scene.parameters.materials[1].reflection = dvec3(0.4, 0.5, 0.3);
-    scene
+    mirror_parts(size).scene()
 }
 
 /// The small scene with textures of every kind of wrapping on floor, mesh and sphere, and mirrors.
-pub fn textured_scene(size: u32) -> Scene {
-    let mut scene = mirror_scene(size);
+pub fn textured_parts(size: u32) -> Parts {
+    let mut parts = mirror_parts(size);
     for (name, width, height, wrap) in [
         ("tiles", 3, 2, Wrap::Repeat),
         ("stripes", 4, 3, Wrap::Mirror),
@@ -99,18 +136,28 @@ pub fn textured_scene(size: u32) -> Scene {
                 |channel: u32| 0.3 + 0.6 * f64::from((i * 5 + channel * 3 + i * i) % 7) / 6.0;
             [value(0), value(1), value(2)]
         };
-        scene.textures.push(TextureObject { name: name.into(), width, height, wrap });
-        scene.parameters.textures.push((0..width * height).map(texel).collect());
+        let texels = (0..width * height).map(texel).collect();
+        parts.textures.push(Texture { name: name.into(), width, height, wrap, texels });
     }
-    scene.materials[0].textures.diffuse = Some(0);
-    scene.materials[0].textures.specular = Some(1);
-    scene.materials[1].textures.diffuse = Some(2);
-    scene.materials[1].textures.ambient = Some(1);
-    scene.parameters.texture_coordinates = vec![
-        vec![[-2.1, -1.3], [2.2, -1.1], [2.4, 5.3], [-1.9, 5.1], [0.3, 0.2]],
-        vec![[0.13, 0.11], [1.2, -0.1], [0.61, 1.3], [1.4, 0.7]],
+    let [ground, object] = [0, 1].map(|index| parts.materials[index].clone());
+    parts.materials = vec![
+        ground.with_texture(Slot::Diffuse, 0).with_texture(Slot::Specular, 1),
+        object.with_texture(Slot::Diffuse, 2).with_texture(Slot::Emission, 1),
     ];
-    scene.meshes[0].texture_triangles = vec![Some([0, 1, 2]), Some([0, 2, 3])];
-    scene.meshes[1].texture_triangles = vec![Some([0, 1, 2]), Some([1, 3, 2])];
-    scene
+    let [floor, tent] = [0, 1].map(|index| parts.meshes[index].clone());
+    parts.meshes = vec![
+        floor.texture_coordinates(
+            vec![[-2.1, -1.3], [2.2, -1.1], [2.4, 5.3], [-1.9, 5.1], [0.3, 0.2]],
+            vec![[0, 1, 2], [0, 2, 3]],
+        ),
+        tent.texture_coordinates(
+            vec![[0.13, 0.11], [1.2, -0.1], [0.61, 1.3], [1.4, 0.7]],
+            vec![[0, 1, 2], [1, 3, 2]],
+        ),
+    ];
+    parts
+}
+
+pub fn textured_scene(size: u32) -> Scene {
+    textured_parts(size).scene()
 }

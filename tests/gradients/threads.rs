@@ -1,7 +1,6 @@
 //! Results do not depend on the number of threads.
 
-use renderer::integrator::{Prepared, Wanted, gradient, render};
-use renderer::loss::{ImageLoss, LossKind};
+use renderer::{ImageLoss, LossKind, Renderer, Settings};
 
 use crate::scenes::textured_scene;
 
@@ -11,12 +10,12 @@ fn image_and_gradient_are_bit_identical_on_any_number_of_threads() {
     let run = |threads: usize| {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
         pool.install(|| {
-            let prepared = Prepared::<wide::f32x16>::new(&scene);
-            let image = render(&prepared);
+            let renderer = Renderer::new(&scene, &Settings::default()).unwrap();
+            let image = renderer.render();
             let mut target = image.clone();
             target.pixels.iter_mut().flatten().for_each(|value| *value *= 0.9);
             let loss = ImageLoss::new(LossKind::MeanSquared, &target, false);
-            let result = gradient(&prepared, &loss, Wanted::by(&scene.parameter_ids()));
+            let result = renderer.loss_and_gradient(&scene, &loss, &scene.parameters());
             (image, result)
         })
     };

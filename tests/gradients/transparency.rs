@@ -1,57 +1,63 @@
 //! Transparent surfaces: what they show, and the gradient through them.
 
+use std::f64::consts::PI;
+
 use glam::{DVec3, dvec3};
-use renderer::integrator::{Pass, Prepared, RenderSettings, Visibility, render};
-use renderer::kernels::light::DistantLight;
-use renderer::kernels::material::Material;
-use renderer::scene::{Light, MaterialObject, MeshObject, ParameterId, Scene, TextureObject, Wrap};
-use wide::{f32x16, f64x8};
+use renderer::scene::{MaterialObject, Slot, Wrap};
+use renderer::{
+    Arithmetic, DistantLight, Material, Mesh, Pass, PrimaryVisibility, Scene, Settings, Texture,
+    render,
+};
 
 use crate::custom::add_spotlight;
-use crate::image::{agrees_with_finite_differences, lanes_agree_on};
-use crate::scenes::{mirror_scene, small_scene, textured_scene};
+use crate::image::{agrees_with_finite_differences, in_arithmetic, lanes_agree_on};
+use crate::scenes::{Parts, mirror_parts, multiply, set, small_parts, textured_parts};
 
 /// The small scene on a mirror, with a transparent sphere and mesh, behind two panes that stand between
 /// camera, lights and floor.
+fn transparent_parts(size: u32) -> Parts {
+    make_transparent(mirror_parts(size))
+}
+
 fn transparent_scene(size: u32) -> Scene {
-    let mut scene = mirror_scene(size);
-    make_transparent(&mut scene);
-    scene
+    transparent_parts(size).scene()
 }
 
 /// [`transparent_scene`] with textures.
 fn transparent_textured_scene(size: u32) -> Scene {
-    let mut scene = textured_scene(size);
-    make_transparent(&mut scene);
-    scene
+    make_transparent(textured_parts(size)).scene()
 }
 
-/// [`transparent_textured_scene`] where textures also vary the opacity of everything transparent, under
-/// one more light, which a user defines.
+/// [`transparent_textured_scene`] where textures also vary the opacity of everything transparent.
+pub fn varied_parts(size: u32) -> Parts {
+    let mut parts = make_transparent(textured_parts(size));
+    let texels = vec![[0.2, 0.5, 0.8], [0.9, 1.0, 0.7], [0.4, 0.1, 0.3], [0.6, 0.6, 0.0]];
+    let holes = Texture { name: "holes".into(), width: 2, height: 2, wrap: Wrap::Mirror, texels };
+    parts.textures.push(holes);
+    for material in &mut parts.materials[1..] {
+        *material = material.clone().with_texture(Slot::Opacity, 3);
+    }
+    parts.meshes[2] = parts.meshes[2].clone().texture_coordinates(
+        vec![[-0.2, 0.1], [1.3, 0.2], [0.4, 1.1], [0.0, 0.3], [1.1, -0.1], [0.7, 0.9]],
+        vec![[0, 1, 2], [3, 4, 5]],
+    );
+    parts
+}
+
+/// [`varied_parts`] under one more light, which a user defines.
 pub fn varied_scene(size: u32) -> Scene {
-    let mut scene = transparent_textured_scene(size);
-    let texels = [[0.2, 0.5, 0.8], [0.9, 1.0, 0.7], [0.4, 0.1, 0.3], [0.6, 0.6, 0.0]];
-    let wrap = Wrap::Mirror;
-    scene.textures.push(TextureObject { name: "holes".into(), width: 2, height: 2, wrap });
-    scene.parameters.textures.push(texels.to_vec());
-    scene.materials[1].textures.opacity = Some(3);
-    scene.materials[2].textures.opacity = Some(3);
-    scene.parameters.texture_coordinates[2] =
-        vec![[-0.2, 0.1], [1.3, 0.2], [0.4, 1.1], [0.0, 0.3], [1.1, -0.1], [0.7, 0.9]];
-    scene.meshes[2].texture_triangles = vec![Some([0, 1, 2]), Some([3, 4, 5])];
+    let mut scene = varied_parts(size).scene();
     add_spotlight(&mut scene);
     scene
 }
 
-fn make_transparent(scene: &mut Scene) {
-    let Scene { parameters, materials, meshes, bounces, .. } = scene;
-    *bounces = 7;
-    let object = parameters.materials[1];
-    parameters.materials[1].reflection = DVec3::ZERO;
-    parameters.materials.push(Material { reflection: DVec3::ZERO, exponent: 3.0, ..object });
-    materials[1].opacity = Some(0);
-    materials.push(MaterialObject { opacity: Some(1), ..MaterialObject::new("pane") });
-    parameters.opacities = vec![0.6, 0.3];
+fn make_transparent(mut parts: Parts) -> Parts {
+    parts.bounces = 7;
+    parts.materials[1].values.mirror = DVec3::ZERO;
+    let values = Material { exponent: 3.0, ..parts.materials[1].values };
+    let pane = MaterialObject { name: "pane".into(), ..values.into() };
+    parts.materials.push(pane.with_opacity(0.3));
+    parts.materials[1] = parts.materials[1].clone().with_opacity(0.6);
     // The first is met by many a ray of a light, the second by every one of the camera.
     let panes = vec![
         [-1.5, 1.6, -0.5],
@@ -61,21 +67,14 @@ fn make_transparent(scene: &mut Scene) {
         [4.0, -1.2, 4.0],
         [0.1, 7.0, 4.3],
     ];
-    parameters.vertices.push(panes);
-    parameters.texture_coordinates.push(Vec::new());
-    meshes.push(MeshObject {
-        name: "panes".into(),
-        triangles: vec![[0, 1, 2], [3, 4, 5]],
-        materials: vec![2, 2],
-        texture_triangles: Vec::new(),
-    });
+    parts.meshes.push(Mesh::new("panes", panes, vec![[0, 1, 2], [3, 4, 5]]).material(2));
+    parts
 }
 
 #[test]
 fn every_parameter_agrees_with_finite_differences() {
     let scene = transparent_scene(20);
-    scene.validate("scene").unwrap();
-    for id in scene.parameter_ids() {
+    for id in scene.parameters() {
         agrees_with_finite_differences(&scene, id);
     }
 }
@@ -83,7 +82,7 @@ fn every_parameter_agrees_with_finite_differences() {
 #[test]
 fn every_parameter_agrees_with_finite_differences_under_textures() {
     let scene = transparent_textured_scene(16);
-    for id in scene.parameter_ids() {
+    for id in scene.parameters() {
         agrees_with_finite_differences(&scene, id);
     }
 }
@@ -92,8 +91,7 @@ fn every_parameter_agrees_with_finite_differences_under_textures() {
 #[test]
 fn every_parameter_agrees_with_finite_differences_under_varied_opacity() {
     let scene = varied_scene(16);
-    scene.validate("scene").unwrap();
-    for id in scene.parameter_ids() {
+    for id in scene.parameters() {
         agrees_with_finite_differences(&scene, id);
     }
 }
@@ -103,11 +101,17 @@ fn every_parameter_agrees_with_finite_differences_under_varied_opacity() {
 fn opaque_and_invisible_surfaces_have_a_gradient() {
     for opacities in [[1.0, 0.0], [0.0, 1.0], [1.0, 1.0]] {
         let mut scene = transparent_scene(20);
-        scene.parameters.opacities = opacities.to_vec();
-        for id in [ParameterId::Opacity(0), ParameterId::Opacity(1), ParameterId::Diffuse(0)] {
-            agrees_with_finite_differences(&scene, id);
+        set_opacities(&mut scene, opacities);
+        for path in ["material.object.opacity", "material.pane.opacity", "material.ground.diffuse"]
+        {
+            agrees_with_finite_differences(&scene, scene.parameter(path).unwrap());
         }
     }
+}
+
+fn set_opacities(scene: &mut Scene, [object, pane]: [f64; 2]) {
+    set(scene, "material.object.opacity", &[object]);
+    set(scene, "material.pane.opacity", &[pane]);
 }
 
 #[test]
@@ -121,56 +125,60 @@ fn lanes_agree_with_single_numbers() {
 #[test]
 fn opacities_of_1_and_0_are_opaque_and_invisible() {
     let mut transparent = transparent_scene(40);
-    transparent.parameters.opacities = vec![1.0, 1.0];
-    let mut opaque = transparent.clone();
-    opaque.materials.iter_mut().for_each(|material| material.opacity = None);
-    opaque.parameters.opacities.clear();
-    is_same(&transparent, &opaque, 0.0);
+    set_opacities(&mut transparent, [1.0, 1.0]);
+    let mut opaque = transparent_parts(40);
+    for material in &mut opaque.materials {
+        (material.transparent, material.values.opacity) = (false, 1.0);
+    }
+    is_same(&transparent, &opaque.scene(), 0.0);
 
     let mut invisible = transparent_scene(40);
-    invisible.parameters.opacities[1] = 0.0;
-    let mut without = invisible.clone();
-    without.meshes[2].triangles.clear();
-    without.meshes[2].materials.clear();
-    is_same(&invisible, &without, 1e-6);
+    set(&mut invisible, "material.pane.opacity", &[0.0]);
+    let mut without = transparent_parts(40);
+    without.meshes.pop();
+    is_same(&invisible, &without.scene(), 1e-6);
 }
 
 /// A texture that is white leaves an opacity as it is; a grey one scales it.
 #[test]
 fn textures_scale_opacities() {
-    let mut white = varied_scene(40);
-    white.parameters.textures[3].fill([1.0; 3]);
+    let mut white = varied_parts(40);
+    white.textures[3].texels.fill([1.0; 3]);
     let mut plain = white.clone();
-    plain.materials.iter_mut().for_each(|material| material.textures.opacity = None);
-    is_same(&white, &plain, 0.0);
+    plain
+        .materials
+        .iter_mut()
+        .for_each(|material| material.textures.0[Slot::Opacity as usize] = None);
+    let mut plain = plain.scene();
+    is_same(&white.clone().scene(), &plain, 0.0);
 
-    let mut grey = white.clone();
-    grey.parameters.textures[3].fill([0.25, 0.5, 0.75]);
-    plain.parameters.opacities.iter_mut().for_each(|opacity| *opacity *= 0.5);
-    is_same(&grey, &plain, 1e-6);
+    let mut grey = white;
+    grey.textures[3].texels.fill([0.25, 0.5, 0.75]);
+    for path in ["material.object.opacity", "material.pane.opacity"] {
+        multiply(&mut plain, path, 0.5);
+    }
+    is_same(&grey.scene(), &plain, 1e-6);
 }
 
 /// A pane that covers its left half, lit from straight above: the light that goes through its right half
 /// falls on the floor below.
 #[test]
 fn light_goes_through_holes() {
-    let mut scene = panes_above_a_floor(&[(1.0, 4.0)]);
-    scene.parameters.opacities = vec![1.0];
+    let mut parts = panes_above_a_floor(&[(1.0, 4.0)], 1.0);
+    let (name, texels) = ("half".into(), vec![[1.0; 3], [0.0; 3]]);
+    parts.textures = vec![Texture { name, width: 2, height: 1, wrap: Wrap::Clamp, texels }];
+    parts.materials[1] = parts.materials[1].clone().with_texture(Slot::Opacity, 0);
     // The middle of the texture lies above x = 0.
-    scene.parameters.texture_coordinates[1] = vec![[-3.5, 0.0], [4.5, 0.0], [0.5, 1.0]];
-    scene.meshes[1].texture_triangles = vec![Some([0, 1, 2])];
-    let wrap = Wrap::Clamp;
-    scene.textures = vec![TextureObject { name: "half".into(), width: 2, height: 1, wrap }];
-    scene.parameters.textures = vec![vec![[1.0; 3], [0.0; 3]]];
-    scene.materials[1].textures.opacity = Some(0);
-    let Material { ambient, diffuse, .. } = scene.parameters.materials[0];
+    let coordinates = vec![[-3.5, 0.0], [4.5, 0.0], [0.5, 1.0]];
+    parts.meshes[1] = parts.meshes[1].clone().texture_coordinates(coordinates, vec![[0, 1, 2]]);
+    let Material { emission, diffuse, .. } = parts.materials[0].values;
     // From below the pane, so that only its shadow is seen.
-    scene.parameters.camera.look_from = dvec3(0.0, 0.9, 1.0);
-    let image = render(&Prepared::<f32x16>::new(&scene));
+    parts.camera.look_from = dvec3(0.0, 0.9, 1.0);
+    let image = render(&parts.scene(), &Settings::default()).unwrap();
     let row = image.height as usize / 2 * image.width as usize;
     for (column, pixel) in image.pixels[row..row + image.width as usize].iter().enumerate() {
         let x = (column as f64 + 0.5) / 8.0 - 0.5;
-        let expected = if x < 0.0 { ambient } else { ambient + diffuse * 2.0 };
+        let expected = if x < 0.0 { emission } else { emission + diffuse * 2.0 };
         // Between the texels of the middle the shadow is soft.
         if x.abs() > 0.3 {
             let error = (glam::Vec3::from(*pixel) - expected.as_vec3()).abs().max_element();
@@ -180,7 +188,7 @@ fn light_goes_through_holes() {
 }
 
 fn is_same(a: &Scene, b: &Scene, tolerance: f32) {
-    let [a, b] = [a, b].map(|scene| render(&Prepared::<f64x8>::new(scene)));
+    let [a, b] = [a, b].map(|scene| render(scene, &in_arithmetic(Arithmetic::F64x8)).unwrap());
     for (a, b) in a.pixels.as_flattened().iter().zip(b.pixels.as_flattened()) {
         assert!((a - b).abs() <= tolerance, "{a} instead of {b}");
     }
@@ -188,49 +196,45 @@ fn is_same(a: &Scene, b: &Scene, tolerance: f32) {
 
 /// Triangles at right angles to the y axis, given by their heights and sizes: a large floor at 0 of the
 /// material 0, and panes of the material 1 above it, under one light that shines from straight above.
-fn panes_above_a_floor(panes: &[(f64, f64)]) -> Scene {
-    let mut scene = small_scene(8);
-    scene.spheres.clear();
-    scene.parameters.spheres.clear();
+fn panes_above_a_floor(panes: &[(f64, f64)], opacity: f64) -> Parts {
+    let mut parts = small_parts(8);
+    parts.spheres.clear();
     let corners = |&(y, size): &(f64, f64)| [[-size, y, size], [size, y, size], [0.0, y, -size]];
-    let vertices = panes.iter().flat_map(corners).collect();
-    scene.parameters.vertices = vec![corners(&(0.0, 90.0)).to_vec(), vertices];
-    scene.meshes[0].triangles = vec![[0, 1, 2]];
-    scene.meshes[0].materials = vec![0];
-    scene.meshes[1].triangles =
-        (0..panes.len() as u32).map(|i| [0, 1, 2].map(|v| v + 3 * i)).collect();
-    scene.meshes[1].materials = vec![1; panes.len()];
-    scene.materials[1].opacity = Some(0);
-    scene.parameters.lights = vec![Light::Distant(DistantLight {
-        direction: DVec3::Y,
-        color: DVec3::ONE,
-        intensity: 2.0,
-    })];
-    scene.light_names.truncate(1);
-    for material in &mut scene.parameters.materials {
-        material.specular = DVec3::ZERO;
-        material.ambient = dvec3(0.25, 0.5, 0.125);
+    let triangles = (0..panes.len() as u32).map(|i| [0, 1, 2].map(|v| v + 3 * i)).collect();
+    parts.meshes = vec![
+        Mesh::new("floor", corners(&(0.0, 90.0)).to_vec(), vec![[0, 1, 2]]),
+        Mesh::new("panes", panes.iter().flat_map(corners).collect(), triangles).material(1),
+    ];
+    let (direction, color) = (DVec3::Y, DVec3::ONE);
+    // What a white surface reflects of it is 2.
+    let sun = DistantLight { direction, color, irradiance: 2.0 * PI };
+    parts.lights = vec![("sun", sun.into())];
+    for material in &mut parts.materials {
+        material.values.specular = DVec3::ZERO;
+        material.values.emission = dvec3(0.25, 0.5, 0.125);
     }
-    scene.parameters.camera.look_at = DVec3::ZERO;
-    scene
+    parts.materials[1] = parts.materials[1].clone().with_opacity(opacity);
+    parts.camera.look_at = DVec3::ZERO;
+    parts
 }
 
 /// Two panes in parallel before a floor, each with its own radiance: what is left of floor and light is
 /// known.
 #[test]
 fn panes_leave_what_they_do_not_cover() {
-    let mut scene = panes_above_a_floor(&[(1.0, 90.0), (2.0, 90.0)]);
-    scene.parameters.opacities = vec![0.3];
-    scene.parameters.camera.look_from = dvec3(0.1, 5.0, 1.0);
-    let [floor, pane] = [0, 1].map(|i| scene.parameters.materials[i]);
-    let lit = |material: Material<f64>, left: f64| material.ambient + material.diffuse * 2.0 * left;
+    let mut parts = panes_above_a_floor(&[(1.0, 90.0), (2.0, 90.0)], 0.3);
+    parts.camera.look_from = dvec3(0.1, 5.0, 1.0);
+    let [floor, pane] = [0, 1].map(|i| parts.materials[i].values);
+    let lit =
+        |material: Material<f64>, left: f64| material.emission + material.diffuse * 2.0 * left;
     let (shown, left) = (0.3, 0.7);
     let upper = lit(pane, 1.0) * shown;
     let lower = lit(pane, left) * shown * left;
     let expected = upper + lower + lit(floor, left * left) * left * left;
     for bounces in 0..4 {
         let expected = [upper, upper + lower, expected, expected][bounces as usize].as_vec3();
-        for pixel in render(&Prepared::<f32x16>::new(&Scene { bounces, ..scene.clone() })).pixels {
+        let scene = Parts { bounces, ..parts.clone() }.scene();
+        for pixel in render(&scene, &Settings::default()).unwrap().pixels {
             let error = (glam::Vec3::from(pixel) - expected).abs().max_element();
             assert!(error < 1e-6, "{bounces}: {pixel:?} instead of {expected}");
         }
@@ -243,15 +247,14 @@ fn panes_leave_what_they_do_not_cover() {
 fn visibility_does_not_matter() {
     let scene = transparent_scene(64);
     let image = |pass, visibility| {
-        let settings = RenderSettings { pass, visibility, ..RenderSettings::default() };
-        render(&Prepared::<f32x16>::with_settings(&scene, settings))
+        render(&scene, &Settings { pass, visibility, ..Settings::default() }).unwrap()
     };
     for pass in [Pass::Radiance, Pass::Albedo] {
-        let tree = image(pass, Visibility::Tree);
-        assert_eq!(tree, image(pass, Visibility::List));
-        assert_eq!(tree, image(pass, Visibility::Raster));
+        let bvh = image(pass, PrimaryVisibility::Bvh);
+        assert_eq!(bvh, image(pass, PrimaryVisibility::BruteForce));
+        assert_eq!(bvh, image(pass, PrimaryVisibility::Raster));
     }
-    let nearest = scene.parameters.materials[2].diffuse.as_vec3();
-    let albedo = image(Pass::Albedo, Visibility::Tree);
+    let nearest = scene.materials()[2].values.diffuse.as_vec3();
+    let albedo = image(Pass::Albedo, PrimaryVisibility::Bvh);
     assert_eq!(albedo.pixels[32 + 64 * 17], nearest.to_array());
 }

@@ -7,6 +7,7 @@
 //! variants could not be added; with all side by side the cotangent of a field is a place, known
 //! when the code is written, and the compiler drops those that nothing flows to.
 
+pub mod fields;
 mod shape;
 mod tangent;
 

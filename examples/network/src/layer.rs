@@ -8,13 +8,9 @@
 
 use std::sync::Arc;
 
-use ad::lanes::f64x8;
 use candle_core::{CpuStorage, CustomOp1, Device, Layout, Shape, Tensor, bail};
-use glam::{DVec3, Vec3};
 use rayon::prelude::*;
-use renderer::Error;
-use renderer::integrator::{PixelLoss, Prepared, Wanted, gradient, render};
-use renderer::scene::{ParameterId, Scene};
+use renderer::{Error, Image, ParameterId, Renderer, Scene, Settings};
 
 /// What errors name.
 const PLACE: &str = "input of the layer that renders";
@@ -39,7 +35,7 @@ impl RenderLayer {
         }
         let mut ids = Vec::new();
         for path in paths {
-            let id = scene.find_parameter(path).map_err(|problem| Error::new(PLACE, problem))?;
+            let id = scene.parameter(path).map_err(placed)?;
             if ids.contains(&id) {
                 return Err(Error::new(PLACE, format!("`{path}` is named twice")));
             }
@@ -65,18 +61,19 @@ impl RenderLayer {
     /// If no scene can have such values.
     pub fn scene_at(&self, values: &[f32]) -> Result<Scene, Error> {
         let mut scene = Scene::clone(&self.scene);
-        let mut values = values.iter().copied().map(f64::from);
+        let mut rest = values;
         for &id in &self.ids {
-            let numbers = scene.parameters.get_mut(id);
-            numbers.iter_mut().zip(&mut values).for_each(|(number, value)| *number = value);
+            let (numbers, others) = rest.split_at(scene.get(id).len());
+            let numbers: Vec<f64> = numbers.iter().copied().map(f64::from).collect();
+            scene.set(id, &numbers).map_err(placed)?;
+            rest = others;
         }
-        scene.validate(PLACE)?;
         Ok(scene)
     }
 
     /// How many numbers the parameters of one scene are.
     fn inputs(&self) -> usize {
-        self.ids.iter().map(|&id| self.scene.parameters.get(id).len()).sum()
+        self.ids.iter().map(|&id| self.scene.get(id).len()).sum()
     }
 
     /// How many numbers one image is.
@@ -84,19 +81,31 @@ impl RenderLayer {
         3 * self.scene.width as usize * self.scene.height as usize
     }
 
+    /// A scene at other values of the parameters, ready to be rendered.
+    fn prepared(&self, values: &[f32]) -> Result<(Scene, Renderer), Error> {
+        let scene = self.scene_at(values)?;
+        let renderer = Renderer::new(&scene, &Settings::default().in_double_precision())?;
+        Ok((scene, renderer))
+    }
+
     /// One image.
     fn image(&self, values: &[f32]) -> Result<Vec<[f32; 3]>, Error> {
-        Ok(render(&Prepared::<f64x8>::new(&self.scene_at(values)?)).pixels)
+        Ok(self.prepared(values)?.1.render().pixels)
     }
 
     /// What flows back to the parameters of one image.
     fn pullback(&self, values: &[f32], image_bar: &[f32]) -> Result<Vec<f32>, Error> {
-        let scene = self.scene_at(values)?;
-        let loss = Cotangent { width: scene.width as usize, image_bar: image_bar.as_chunks().0 };
-        let result = gradient(&Prepared::<f64x8>::new(&scene), &loss, Wanted::by(&self.ids));
-        let numbers = self.ids.iter().flat_map(|&id| result.gradient.get(id));
-        Ok(numbers.map(|&number| number as f32).collect())
+        let (scene, renderer) = self.prepared(values)?;
+        let Scene { width, height, .. } = scene;
+        let cotangent = Image { width, height, pixels: image_bar.as_chunks().0.to_vec() };
+        let gradient = renderer.pullback(&scene, &cotangent, &self.ids);
+        Ok(gradient.concat().into_iter().map(|number| number as f32).collect())
     }
+}
+
+/// An error that names the layer.
+fn placed(error: Error) -> Error {
+    Error::new(PLACE, error)
 }
 
 impl CustomOp1 for RenderLayer {
@@ -144,20 +153,6 @@ impl CustomOp1 for RenderLayer {
     }
 }
 
-/// The loss whose derivative by the image is a given cotangent: the product of the two.
-struct Cotangent<'a> {
-    width: usize,
-    image_bar: &'a [[f32; 3]],
-}
-
-impl PixelLoss for Cotangent<'_> {
-    fn evaluate(&self, x: u32, y: u32, radiance: DVec3) -> (f64, DVec3) {
-        let bar = self.image_bar[y as usize * self.width + x as usize];
-        let bar = Vec3::from(bar).as_dvec3();
-        (bar.dot(radiance), bar)
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use std::path::Path;
@@ -165,6 +160,7 @@ mod tests {
     use ad::check::derivative;
     use candle_core::Var;
     use renderer::experiment::Experiment;
+    use renderer::{Arithmetic, render};
 
     use super::*;
     use crate::training::errors;
@@ -181,7 +177,7 @@ height = 9
 name = "lamp"
 type = "point"
 position = [0.5, 0.7, 8.0]
-intensity = 500.0
+radiant_intensity = 125.0
 
 [[sphere]]
 name = "ball"
@@ -195,10 +191,10 @@ specular = [0.2, 0.2, 0.2]
 exponent = 5.0
 "#;
     const PATHS: [&str; 3] =
-        ["light.lamp.intensity", "material.paint.diffuse", "light.lamp.position"];
+        ["light.lamp.radiant_intensity", "material.paint.diffuse", "light.lamp.position"];
     /// The parameters of two images.
     const VALUES: [[f32; 7]; 2] =
-        [[500.0, 0.5, 0.3, 0.2, 0.5, 0.7, 8.0], [350.0, 0.2, 0.6, 0.4, -1.0, 0.2, 7.0]];
+        [[125.0, 0.5, 0.3, 0.2, 0.5, 0.7, 8.0], [87.5, 0.2, 0.6, 0.4, -1.0, 0.2, 7.0]];
 
     fn layer() -> RenderLayer {
         let scene = Experiment::parse(BALL, Path::new(""), "the ball").unwrap().scene;
@@ -213,8 +209,9 @@ exponent = 5.0
         let images = images.flatten_from(1).unwrap().to_vec2::<f32>().unwrap();
         for (image, values) in images.iter().zip(&VALUES) {
             let scene = layer.scene_at(values).unwrap();
-            assert_eq!(scene.parameters.get(ParameterId::LightIntensity(0))[0] as f32, values[0]);
-            let expected = render(&Prepared::<f64>::new(&scene)).pixels;
+            assert_eq!(scene.get(scene.parameter(PATHS[0]).unwrap())[0] as f32, values[0]);
+            let settings = Settings { arithmetic: Arithmetic::F64, ..Settings::default() };
+            let expected = render(&scene, &settings).unwrap().pixels;
             assert!(expected.iter().any(|pixel| pixel[0] > 0.05));
             for (a, b) in image.iter().zip(expected.as_flattened()) {
                 assert!((a - b).abs() <= 1e-6 * b.abs(), "{a} {b}");
@@ -225,7 +222,7 @@ exponent = 5.0
     #[test]
     fn gradients_are_those_of_finite_differences() {
         let layer = layer();
-        let target = Tensor::new(&[[450.0_f32, 0.4, 0.4, 0.3, 1.0, -1.0, 7.0]; 2], &Device::Cpu);
+        let target = Tensor::new(&[[112.5_f32, 0.4, 0.4, 0.3, 1.0, -1.0, 7.0]; 2], &Device::Cpu);
         let targets = layer.images(&target.unwrap()).unwrap();
         // The first image counts three times, so that images mistaken for each other would show.
         let weights = Tensor::new(&[3.0_f32, 1.0], &Device::Cpu).unwrap();

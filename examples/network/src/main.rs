@@ -35,8 +35,7 @@ use network::{Network, SIZE};
 use plot::{Curve, Horizontal, Point, save_plot};
 use random::Random;
 use renderer::files::save_png;
-use renderer::image::Image;
-use renderer::recovery::render_at;
+use renderer::{Image, Settings, render};
 use scene::{Lamp, PATHS};
 use strip::{brightest, strip};
 use training::{Accuracy, Schedule, Views, find, train};
@@ -113,7 +112,7 @@ fn column(lamps: [Lamp; 3]) -> Result<Image, renderer::Error> {
     let scenes = lamps.map(|lamp| layer.scene_at(&lamp.numbers()));
     let mut images = Vec::new();
     for scene in scenes {
-        images.push(render_at(Default::default(), &scene?));
+        images.push(render(&scene?, &Settings::default())?);
     }
     let exposure = 1.0 / brightest(&images[0]);
     let gap = vec![[0.0; 3]; (GAP * SHOWN_SIZE) as usize];

@@ -3,10 +3,9 @@
 use std::path::Path;
 
 use glam::{DVec3, dvec3};
-use renderer::Error;
 use renderer::demo::{LowPolyTree, low_poly_tree};
 use renderer::experiment::Experiment;
-use renderer::scene::{MeshObject, Scene};
+use renderer::{Error, Mesh, Scene};
 
 use crate::random::Random;
 
@@ -23,7 +22,7 @@ height = 1
 name = "lamp"
 type = "point"
 position = [0.0, 5.0, 2.0]
-intensity = 600.0
+radiant_intensity = 150.0
 
 [[sphere]]
 name = "red"
@@ -58,7 +57,7 @@ exponent = 20.0
 "#;
 
 /// What is to be found of the light, in the order of [`Lamp::numbers`].
-pub const PATHS: [&str; 2] = ["light.lamp.position", "light.lamp.intensity"];
+pub const PATHS: [&str; 2] = ["light.lamp.position", "light.lamp.radiant_intensity"];
 
 /// Half of the width of the floor.
 const FLOOR: f64 = 6.0;
@@ -71,46 +70,28 @@ const FLOOR: f64 = 6.0;
 pub fn scene(size: u32) -> Result<Scene, Error> {
     let mut scene = Experiment::parse(SCENE, Path::new(""), "the scene")?.scene;
     (scene.width, scene.height) = (size, size);
+    let material = |name: &str| {
+        let place = scene.materials().iter().position(|material| material.name == name);
+        place.map(|place| place as u32).ok_or_else(|| Error::new("the scene", name))
+    };
+    let [bark, leaves, floor] = ["bark", "leaves", "floor"].map(material);
+    let (bark, leaves, floor) = (bark?, leaves?, floor?);
     let LowPolyTree { vertices, triangles, trunk } = low_poly_tree();
-    let wears = |i| if i < trunk { "bark" } else { "leaves" };
-    add_mesh(&mut scene, "tree", vertices, triangles, wears)?;
+    let mut tree = Mesh::new("tree", vertices, triangles).material(leaves);
+    tree.materials[..trunk].fill(bark);
+    scene.add_mesh(tree)?;
     let corners = [[-1.0, 1.0], [1.0, 1.0], [1.0, -1.0], [-1.0, -1.0]];
     let corners = corners.map(|[x, z]| [FLOOR * x, 0.0, FLOOR * z]).to_vec();
-    add_mesh(&mut scene, "floor", corners, vec![[0, 1, 2], [0, 2, 3]], |_| "floor")?;
-    scene.validate("the scene")?;
+    let triangles = vec![[0, 1, 2], [0, 2, 3]];
+    scene.add_mesh(Mesh::new("floor", corners, triangles).material(floor))?;
     Ok(scene)
-}
-
-/// Adds a mesh, whose triangles wear the materials that `wears` names.
-fn add_mesh(
-    scene: &mut Scene,
-    name: &str,
-    vertices: Vec<[f64; 3]>,
-    triangles: Vec<[u32; 3]>,
-    wears: impl Fn(usize) -> &'static str,
-) -> Result<(), Error> {
-    let material = |i| {
-        let place = scene.materials.iter().position(|material| material.name == wears(i));
-        place.map(|place| place as u32).ok_or_else(|| Error::new("the scene", wears(i)))
-    };
-    let materials = (0..triangles.len()).map(material).collect::<Result<_, _>>()?;
-    let texture_triangles = Vec::new();
-    scene.meshes.push(MeshObject {
-        name: name.to_owned(),
-        triangles,
-        materials,
-        texture_triangles,
-    });
-    scene.parameters.vertices.push(vertices);
-    scene.parameters.texture_coordinates.push(Vec::new());
-    Ok(())
 }
 
 /// The light of an image: a lamp in a room.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Lamp {
     pub position: DVec3,
-    /// Its radiant flux.
+    /// Its radiant intensity.
     pub intensity: f64,
 }
 
@@ -118,9 +99,9 @@ impl Lamp {
     /// How many numbers a lamp is: position and intensity.
     pub const NUMBERS: usize = 4;
     /// The least of each number: lamps are in the box between this and [`HIGHEST`](Self::HIGHEST).
-    pub const LOWEST: Self = Self { position: dvec3(-4.0, 4.5, -2.0), intensity: 300.0 };
+    pub const LOWEST: Self = Self { position: dvec3(-4.0, 4.5, -2.0), intensity: 75.0 };
     /// The largest of each number.
-    pub const HIGHEST: Self = Self { position: dvec3(4.0, 7.5, 5.0), intensity: 1200.0 };
+    pub const HIGHEST: Self = Self { position: dvec3(4.0, 7.5, 5.0), intensity: 300.0 };
 
     /// Any lamp of the box. Positions are spread evenly, intensities evenly over their logarithm.
     pub fn random(random: &mut Random) -> Self {

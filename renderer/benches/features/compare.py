@@ -4,7 +4,7 @@
     python3 renderer/benches/features/compare.py [FEATURE ..] [--rounds N]
 
 The sources are copied to `target/features`. There the renderer is built as it is, and once without each feature: the
-places where the integrator asks whether a scene has it are replaced by the answer (`PATCHES` below; a place that is no
+places where the renderer asks whether a scene has it are replaced by the answer (`PATCHES` below; a place that is no
 longer there stops the script), so that the compiler leaves the code of the feature out. All builds render the same two
 scenes, which use none of the features, and compute their gradients by everything: a mesh of 78,400 triangles under one
 point light, and a single triangle, the only scene in which nothing can cast a shadow. Hashes of image and gradient have
@@ -16,69 +16,71 @@ quartiles. The first row compares the whole renderer with a copy of itself: what
 """
 import argparse, os, pathlib, shutil, statistics, subprocess, sys
 
-INTEGRATOR = "renderer/src/integrator/"
+SOURCES = "renderer/src/"
+BOTH = ("sphere", "triangle")
 # By feature: the scenes that do not use it, and (file, what stands there, what it is replaced by).
 PATCHES = {
-    "textures": (("sphere", "triangle"), [
-        ("textures.rs", "if self.textures.is_empty() ||", "if true ||"),
+    "textures": (BOTH, [
+        ("primal/vertex.rs", "if self.layout.textures.is_empty() ||", "if true ||"),
     ]),
-    "spheres": (("sphere", "triangle"), [
-        ("view.rs", "(Shape::Spheres(leaves), spheres),", ""),
-        ("view.rs", "Shape::Spheres(leaves) => {", "Shape::Spheres(leaves) => { unreachable!();"),
-        ("sweep.rs", "Shape::Spheres(leaves) => {", "Shape::Spheres(leaves) => { unreachable!();"),
-        ("../acceleration/packet_queries.rs", "self.spheres.visit_packet::<false>(&mut packet, |leaf, packet| {",
-         "let _ = (|leaf: &SphereLeaf, packet: &mut Packet| {"),
-        ("../acceleration/packet_queries.rs", "self.spheres.visit_packet::<true>(&mut packet, |leaf, packet| {",
-         "let _ = (|leaf: &SphereLeaf, packet: &mut Packet| {"),
+    "spheres": (BOTH, [
+        ("primal/hits.rs", "(Kind::Sphere, sphere),", "(Kind::Sphere, 0),"),
+        ("primal/gather.rs", "Kind::Sphere => Some(Primitive::Sphere(self.sphere(primitives))),",
+         "Kind::Sphere => unreachable!(),"),
+        ("adjoint/chain.rs", "Kind::Sphere => {", "Kind::Sphere => { unreachable!();"),
+        ("trace/bvh/packet_queries.rs", "nearest_of(&self.spheres, &mut packet, directions, hits);", ""),
+        ("trace/bvh/packet_queries.rs", "| occluded_by(&self.spheres, &mut packet, directions)", ""),
     ]),
-    "several lights": (("sphere", "triangle"), [
-        ("shade.rs", "let others = &self.lights[..index];", "let others = &self.lights[..0];"),
-        ("shade.rs", "for (index, light) in lights.iter().enumerate() {",
+    "several lights": (BOTH, [
+        ("primal/vertex.rs", "for (index, light) in lights.iter().enumerate() {",
          "if let Some((index, light)) = lights.iter().enumerate().next() {"),
-        ("shadows.rs", "lit.extend(self.lights.iter().enumerate().map(",
-         "lit.extend(self.lights.iter().enumerate().take(1).map("),
+        ("primal/shadow.rs", "visible.extend(self.layout.lights.iter().enumerate().map(",
+         "visible.extend(self.layout.lights.iter().enumerate().take(1).map("),
+        ("adjoint/chain.rs", "let own = vertex.own(others) + reflected;",
+         "let own = vertex.own(&others[..0]) + reflected;"),
+        ("adjoint/chain.rs", "in others.iter().enumerate() {", "in others.iter().take(0).enumerate() {"),
+        ("adjoint/chain.rs", "in lights.iter().enumerate() {", "in lights.iter().take(1).enumerate() {"),
     ]),
     "shadows": (("triangle",), [
-        ("shadows.rs", "if self.is_alone(view) {", "if true {"),
-        ("shadows.rs", "if rays == 0 || self.is_alone(view) {", "if true {"),
+        ("primal/shadow.rs", "if self.is_alone(wavefront) {", "if true {"),
+        ("primal/shadow.rs", "if rays == 0 || self.is_alone(wavefront) {", "if true {"),
     ]),
-    "reflections": (("sphere", "triangle"), [
-        ("mirrors.rs", "if !dark.mirrors && !self.has_mirrors && !self.has_transparency {", "if true {"),
-        ("radiance.rs", "sight.views().get(1)", "None"),
-        ("sweep.rs", "let beyond = views.get(1).zip(deeper.first_mut());",
-         "let beyond: Option<(&View<L>, &mut Flow<L>)> = None;"),
-        ("sweep.rs", "let beyond = deeper.first().filter(|_| views.len() > 1);",
-         "let beyond: Option<&Flow<L>> = None;"),
-        ("sweep.rs", "for depth in 1..views.len() {", "for depth in 1..1 {"),
-        ("sweep.rs", "for depth in (1..views.len()).rev() {", "for depth in (1..1).rev() {"),
+    "mirrors and depth": (BOTH, [
+        ("primal/path.rs", "if !goes_on {", "if true {"),
+        ("primal/image.rs", "wavefronts.get(1)", "None"),
+        ("adjoint/chain.rs", "let beyond = wavefronts.get(depth + 1).zip(deeper.first_mut());",
+         "let beyond: Option<(&Wavefront<L>, &mut AdjointState<L>)> = None;"),
+        ("adjoint/chain.rs", "let beyond = deeper.first().filter(|_| depth + 1 < wavefronts.len());",
+         "let beyond: Option<&AdjointState<L>> = None;"),
+        ("adjoint/chain.rs", "for depth in 0..wavefronts.len() {", "for depth in 0..1 {"),
+        ("adjoint/chain.rs", "for depth in (0..wavefronts.len()).rev() {", "for depth in (0..1).rev() {"),
     ]),
-    "transparency": (("sphere", "triangle"), [
-        ("transparency.rs", "if !self.has_transparency {", "if true {"),
-        ("shade.rs", "match &self.cover {", "match &None::<Cover<L>> {"),
-        ("shade.rs", "match self.passed.get(light) {", "match None::<&Passed<L>> {"),
-        ("shade.rs", "for (index, passed) in self.passed.iter().enumerate() {",
-         "for (index, passed) in self.passed.iter().take(0).enumerate() {"),
+    "transparency": (BOTH, [
+        ("primal/transmission.rs", "if !self.layout.has_transparency {", "if true {"),
+        ("primal/gather.rs", "if !self.layout.has_transparency {", "if true {"),
+        ("primal/vertex.rs", "self.wavefront.transmissions.get(light)?",
+         "self.wavefront.transmissions.get(light).filter(|_| false)?"),
     ]),
-    "distant lights": (("sphere", "triangle"), [
-        ("shade.rs", "Light::Distant(light) => light.reflect(self),", "Light::Distant(_) => unreachable!(),"),
-        ("shade.rs", "Some(Light::Distant(last)) => self.pull_back_from(last, respond, to_light, to_shown),",
-         "Some(Light::Distant(_)) => unreachable!(),"),
-        ("shade.rs", "Light::Distant(light) => self.pull_back_to(light, cotangent, &mut pulled, to_light),",
-         "Light::Distant(_) => unreachable!(),"),
-        ("shadows.rs", "Light::Distant(light) => self.lit_along(light.direction.normalize(), view),",
-         "Light::Distant(_) => unreachable!(),"),
+    "user-defined shapes and lights": (BOTH, [
+        ("primal/hits.rs", "(Kind::Custom, hit & !triangle & !sphere),", "(Kind::Custom, 0),"),
+        ("primal/gather.rs", "None => self.custom_surface(primitives, ray),", "None => unreachable!(),"),
+        ("primal/inputs.rs", "kernel.at::<S>().illuminate(numbers, point + *origin)", "unreachable!()"),
+        ("primal/inputs.rs", "kernel.at::<S>().pull_illuminate(numbers, point, cotangent, &mut to_number)",
+         "unreachable!()"),
+        ("adjoint/chain.rs", "return self.pull_custom_surface(group, surface);", "unreachable!();"),
+        ("trace/bvh/packet_queries.rs", "nearest_of(&self.customs, &mut packet, directions, hits);", ""),
+        ("trace/bvh/packet_queries.rs", "| occluded_by(&self.customs, &mut packet, directions)", ""),
     ]),
-    "user-defined shapes": (("sphere", "triangle"), [
-        ("view.rs", "(Shape::Custom, custom),", ""),
-        ("view.rs", "Shape::Custom => self.custom_surface(&primitives, ray, alive),", "Shape::Custom => unreachable!(),"),
-        ("sweep.rs", "Shape::Custom => prepared.pull_custom_surface(group, surface, &mut self.sums.shapes),",
-         "Shape::Custom => unreachable!(),"),
-        ("sweep.rs", "if !custom_lights.is_empty() {", "if false {"),
-        ("custom.rs", "if self.scene.shapes.is_empty() {", "if true {"),
-        ("custom.rs", "self.scene.custom_lights.is_empty()", "true"),
-        ("custom.rs", "0..self.scene.shapes.len()", "0..0"),
-        ("shadows.rs", "if !self.scene.shapes.is_empty() {", "if false {"),
-        ("shade.rs", "in self.illuminations.iter().enumerate()", "in self.illuminations.iter().take(0).enumerate()"),
+    "distant and spot lights": (BOTH, [
+        ("primal/shadow.rs", "None => self.visible_along(light, wavefront),", "None => unreachable!(),"),
+        ("primal/inputs.rs", "Self::Known(light) => illuminate::<S>(*light, point),",
+         "Self::Known(light) => { let Light::Point(light) = *light else { unreachable!() };"
+         " crate::transport::light::illuminate_by_point::<S>(light, point) }"),
+        ("primal/inputs.rs", "let (_, pullback) = illuminate::vjp::<S>(*light, point);",
+         "let Light::Point(known) = *light else { unreachable!() };"
+         " let (_, pullback) = crate::transport::light::illuminate_by_point::vjp::<S>(known, point);"),
+        ("primal/inputs.rs", "match_light!(light, _light, cotangent, part => part.visit(&mut to_number));",
+         "cotangent.visit(&mut to_number);"),
     ]),
 }
 # Everything that neither scene uses.
@@ -99,7 +101,7 @@ def patched(source, patches):
     """Applies patches; the texts before."""
     before = {}
     for file, old, new in patches:
-        path = source / INTEGRATOR / file
+        path = source / SOURCES / file
         text = path.read_text()
         before.setdefault(path, text)
         if old not in text:

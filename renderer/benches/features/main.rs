@@ -12,12 +12,9 @@ mod timing;
 use std::alloc::System;
 use std::hash::{DefaultHasher, Hash, Hasher};
 
-use ad::lanes::f32x16;
 use peakmem_alloc::{INSTRUMENTED_SYSTEM, PeakMemAlloc};
-use renderer::image::Image;
-use renderer::integrator::{Prepared, Wanted, gradient, render_into};
-use renderer::loss::{ImageLoss, LossKind};
-use renderer::scene::Scene;
+use renderer::{Error, Image, ImageLoss, LossKind, Mesh, Renderer, Scene, Settings};
+use sphere::{bumpy_sphere, scene};
 use timing::{median, seconds};
 
 #[global_allocator]
@@ -26,54 +23,39 @@ static ALLOCATOR: &PeakMemAlloc<System> = &INSTRUMENTED_SYSTEM;
 /// Images and gradients of each scene in one run.
 const REPETITIONS: usize = 60;
 
-fn main() {
+fn main() -> Result<(), Error> {
     let subject = std::env::args().skip(1).find(|argument| !argument.starts_with("--"));
     match subject.as_deref() {
         None | Some("requests") => request::run(),
         Some("plain") => {
-            plain("sphere", &sphere::scene(140, 512, 1));
-            plain("triangle", &single_triangle());
+            plain("sphere", &scene(bumpy_sphere(140), 512, 1)?)?;
+            // One that fills most of the image: the only scene on which nothing casts a shadow.
+            let corners = vec![[-3.0, -2.0, 0.0], [3.0, -2.0, 0.0], [0.0, 3.0, 0.0]];
+            plain("triangle", &scene(Mesh::new("triangle", corners, vec![[0, 1, 2]]), 512, 1)?)
         }
         // A subject of the other benches.
-        Some(_) => {}
+        Some(_) => Ok(()),
     }
-}
-
-/// One triangle that fills most of the image, under one light: the only scene on which nothing casts
-/// a shadow.
-fn single_triangle() -> Scene {
-    let mut scene = sphere::scene(2, 512, 1);
-    scene.parameters.vertices = vec![vec![[-3.0, -2.0, 0.0], [3.0, -2.0, 0.0], [0.0, 3.0, 0.0]]];
-    scene.meshes[0].triangles = vec![[0, 1, 2]];
-    scene.meshes[0].materials = vec![0];
-    scene
 }
 
 /// Prints the medians of an image and of a gradient by everything in milliseconds, and a hash of both.
-fn plain(name: &str, scene: &Scene) {
-    let prepared = Prepared::<f32x16>::new(scene);
-    let target =
-        Image { pixels: vec![[0.5; 3]; (scene.width * scene.height) as usize], ..size(scene) };
+fn plain(name: &str, scene: &Scene) -> Result<(), Error> {
+    let renderer = Renderer::new(scene, &Settings::default())?;
+    let mut image = Image::black(scene.width, scene.height);
+    let mut target = image.clone();
+    target.pixels.fill([0.5; 3]);
     let loss = ImageLoss::new(LossKind::MeanSquared, &target, false);
-    let ids = scene.parameter_ids();
-    let wanted = Wanted::by(&ids);
-    let mut image = size(scene);
+    let ids = scene.parameters();
     let mut times = [Vec::new(), Vec::new()];
     for _ in 0..REPETITIONS {
-        times[0].push(seconds(|| render_into(&prepared, &mut image)));
-        times[1].push(seconds(|| gradient(&prepared, &loss, wanted)));
+        times[0].push(seconds(|| renderer.render_into(&mut image)));
+        times[1].push(seconds(|| renderer.loss_and_gradient(scene, &loss, &ids)));
     }
     let mut hasher = DefaultHasher::new();
     image.pixels.as_flattened().iter().for_each(|value| value.to_bits().hash(&mut hasher));
-    let result = gradient(&prepared, &loss, wanted);
-    for &id in &ids {
-        result.gradient.get(id).iter().for_each(|value| value.to_bits().hash(&mut hasher));
-    }
+    let gradient = renderer.loss_and_gradient(scene, &loss, &ids).gradient.concat();
+    gradient.iter().for_each(|value| value.to_bits().hash(&mut hasher));
     let [image, gradient] = times.map(|times| 1e3 * median(times));
     println!("{name} {image:.5} {gradient:.5} {:x}", hasher.finish());
-}
-
-/// A black image of the size of a scene's.
-fn size(scene: &Scene) -> Image {
-    Image::black(scene.width, scene.height)
+    Ok(())
 }

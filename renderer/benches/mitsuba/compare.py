@@ -21,13 +21,12 @@ PI = 3.141592653589793
 
 
 def mitsuba_scene(mi, path):
-    """The scene in Mitsuba's terms. Ours: radiance = albedo * flux / (4 pi r^2) * cosine; Mitsuba's:
-    albedo / pi * intensity / r^2 * cosine. So intensity = flux / 4."""
+    """The scene in Mitsuba's terms. Both: radiance = albedo / pi * intensity / r^2 * cosine."""
     toml = tomllib.load(open(path, "rb"))
     folder = os.path.dirname(os.path.abspath(path))
     camera = toml["camera"]
-    if camera.get("focus", 1.0) != 1.0:
-        sys.exit("compare.py: camera.focus has to be 1")
+    if camera.get("film_scale", 1.0) != 1.0:
+        sys.exit("compare.py: camera.film_scale has to be 1")
     film = {"type": "hdrfilm", "width": camera["width"], "height": camera["height"], "rfilter": {"type": "box"},
             "pixel_format": "rgb", "component_format": "float32"}
     look = mi.ScalarTransform4f().look_at(origin=camera["look_from"], target=camera["look_at"],
@@ -38,7 +37,8 @@ def mitsuba_scene(mi, path):
     for light in toml["light"]:
         if light["type"] != "point":
             sys.exit("compare.py: only point lights")
-        color = [c * light["intensity"] / 4 for c in light.get("color", [1.0, 1.0, 1.0])]
+        intensity = light["radiant_intensity"] if "radiant_intensity" in light else light["power"] / (4 * PI)
+        color = [c * intensity for c in light.get("color", [1.0, 1.0, 1.0])]
         scene["light_" + light["name"]] = {
             "type": "point", "position": light["position"], "intensity": {"type": "rgb", "value": color}}
     materials = toml.get("material", {})
@@ -95,7 +95,7 @@ def mitsuba_keys(params, path):
     """What a path of ours is called in Mitsuba."""
     kind, name, field = path.split(".", 2)
     if kind == "light":
-        return [f"light_{name}." + {"position": "position", "intensity": "intensity.value"}[field]]
+        return [f"light_{name}." + {"position": "position", "radiant_intensity": "intensity.value"}[field]]
     if kind == "mesh":
         return [k for k in params.keys() if k.startswith(f"mesh_{name}") and k.endswith(".vertex_positions")]
     if kind == "material" and field == "diffuse":

@@ -2,13 +2,12 @@
 
 #[cfg(feature = "cli")]
 use crate::image::Image;
-use crate::recovery::natural_scale;
 use crate::scene::{ParameterId, Scene};
 
 /// The measure of gradients by some parameters of a scene.
 ///
 /// Derivatives by an intensity and by a position have different units, so each is multiplied by the
-/// [natural scale](natural_scale) of its parameter first: what the loss changes by when the
+/// [natural scale](Scene::natural_scale) of its parameter first: what the loss changes by when the
 /// parameter changes a lot. The error is the Euclidean length of the difference over that of the
 /// reference. Turned down: the largest error of a single derivative relative to itself, which is as
 /// large as you like where one derivative happens to be near zero, and tells nothing of the step that
@@ -23,8 +22,8 @@ impl GradientMetric {
     /// For gradients by these parameters, one after the other.
     pub fn new(scene: &Scene, ids: &[ParameterId]) -> Self {
         let block = |&id: &ParameterId| {
-            let scale = natural_scale(scene, id);
-            scene.parameters.get(id).iter().map(move |_| scale)
+            let scale = scene.natural_scale(id);
+            vec![scale; scene.get(id).len()]
         };
         Self { scales: ids.iter().flat_map(block).collect() }
     }

@@ -42,8 +42,8 @@ pub(crate) use trials::Trials;
 use work::Work;
 
 use crate::arithmetic::Arithmetic;
-use crate::integrator::{RenderSettings, Sampling};
 use crate::recovery::Recovery;
+use crate::settings::{Sampling, Settings};
 
 /// What a gradient is computed with.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -82,9 +82,10 @@ impl Setting {
 
     /// The same problem, with the same target, in this setting.
     pub fn apply<'a>(&self, recovery: &Recovery<'a>) -> Recovery<'a> {
-        let (bounces, sampling) = (Some(self.bounces), self.sampling);
-        let settings = RenderSettings { bounces, sampling, ..*recovery.render_settings() };
-        recovery.computed(self.arithmetic, settings)
+        let &Self { arithmetic, bounces, sampling } = self;
+        let settings = *recovery.render_settings();
+        let bounces = Some(bounces);
+        recovery.with_settings(&Settings { arithmetic, bounces, sampling, ..settings })
     }
 }
 

@@ -3,7 +3,7 @@
 use super::work::Work;
 use super::{GradientMetric, Kind, Pilot, Setting, Trials};
 use crate::arithmetic::{Arithmetic, Precision};
-use crate::integrator::Sampling;
+use crate::settings::Sampling;
 
 /// Each precision with every number of mirrors up to the scene's.
 pub(super) fn kinds(work: &Work) -> Vec<Kind> {

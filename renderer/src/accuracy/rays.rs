@@ -10,7 +10,7 @@
 use super::reference::IntegralGradient;
 use super::work::Work;
 use super::{GradientMetric, Kind, Pilot, Sampler, Setting, Trials, most_accurate, pilots};
-use crate::integrator::{GradientSamples, Samples};
+use crate::settings::{GradientSamples, Samples};
 
 /// More rays in an image are not tried: a gradient would take about a second.
 const MOST_IN_IMAGE: u64 = 1 << 24;

@@ -2,7 +2,7 @@
 
 use super::{GradientMetric, Sampler, Setting, Trials};
 use crate::arithmetic::{Arithmetic, Precision};
-use crate::integrator::{GradientSamples, Samples};
+use crate::settings::{GradientSamples, Samples};
 
 /// Gradients whose mean the reference is.
 const SEEDS: u32 = 8;

@@ -1,6 +1,6 @@
 //! Where in a pixel rays go, by name.
 
-use crate::integrator::{GradientSamples, Samples, Sampling};
+use crate::settings::{GradientSamples, Samples, Sampling};
 
 /// Where in a pixel rays go, if there are several.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

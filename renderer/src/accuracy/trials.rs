@@ -2,13 +2,15 @@
 
 use super::Setting;
 use crate::arithmetic::Arithmetic;
-use crate::recovery::{Recovery, SteeredObjective};
+use crate::optimize::Objective;
+use crate::recovery::{ImageObjective, Recovery};
+use crate::settings::Settings;
 
 /// A problem as it stands, prepared once for each scalar that its gradient is computed in.
 pub(crate) struct Trials<'a> {
     recovery: &'a Recovery<'a>,
     x: Vec<f64>,
-    prepared: Vec<(Arithmetic, Box<dyn SteeredObjective + 'a>)>,
+    prepared: Vec<(Arithmetic, ImageObjective<'a>)>,
 }
 
 impl<'a> Trials<'a> {
@@ -25,11 +27,12 @@ impl<'a> Trials<'a> {
         let &Setting { arithmetic, bounces, sampling } = setting;
         let known = self.prepared.iter().position(|(of, _)| *of == arithmetic);
         let index = known.unwrap_or_else(|| {
-            self.prepared.push((arithmetic, self.recovery.steered_objective(arithmetic)));
+            let settings = Settings { arithmetic, ..*self.recovery.render_settings() };
+            self.prepared.push((arithmetic, ImageObjective::new(self.recovery, &settings)));
             self.prepared.len() - 1
         });
         let (_, objective) = &mut self.prepared[index];
-        objective.steer(bounces, sampling);
+        objective.resample(sampling, bounces);
         objective.evaluate(&self.x).gradient
     }
 }

@@ -1,11 +1,10 @@
 //! What gradients cost, counted on the scene.
 
-use ad::lanes::f32x16;
-
 use super::Setting;
 use crate::arithmetic::Precision;
-use crate::integrator::{Prepared, RenderSettings, Sampling, Wanted, paths};
 use crate::recovery::Recovery;
+use crate::render::Renderer;
+use crate::settings::{Sampling, Settings};
 
 /// What a gradient costs in double precision, in single precision being 1 (measured on the teapot of
 /// the README).
@@ -23,23 +22,17 @@ pub(super) struct Work(Vec<f64>);
 impl Work {
     pub fn new(recovery: &Recovery<'_>) -> Self {
         let scene = recovery.scene();
-        let settings = RenderSettings { sampling: Sampling::Center, ..*recovery.render_settings() };
-        let prepared = Prepared::<f32x16>::with_settings(scene, settings);
-        let lights = scene.light_names.len() + scene.custom_lights.len();
-        let paths = paths(&prepared, Wanted::by(recovery.ids()));
-        // More mirrors show nothing more.
-        let deepest = paths.iter().map(|path| path.meetings.len()).max().unwrap_or(0);
-        let mut work = vec![0.0; deepest.max(1)];
-        for path in paths {
-            for (depth, work) in work.iter_mut().enumerate() {
-                if depth < path.rays {
-                    *work += if depth == 0 { 1.0 } else { WORK_OF_MIRRORED_RAY };
-                }
-                if depth < path.meetings.len() {
-                    *work += 1.0 + lights as f64;
-                }
-            }
-        }
+        let settings = Settings { sampling: Sampling::Center, ..*recovery.render_settings() };
+        let renderer = Renderer::unchecked(scene, &settings);
+        let lights = scene.lights.len() as f64;
+        let of_depth = |(depth, (rays, hits)): (usize, (u64, u64))| {
+            let of_ray = if depth == 0 { 1.0 } else { WORK_OF_MIRRORED_RAY };
+            of_ray * rays as f64 + (1.0 + lights) * hits as f64
+        };
+        let depths = renderer.rays_by_depth(scene, recovery.ids());
+        // Depths at which nothing is hit show nothing more.
+        let deepest = depths.iter().rposition(|&(_, hits)| hits > 0).unwrap_or(0);
+        let work = depths.into_iter().take(deepest + 1).enumerate().map(of_depth).collect();
         Self(work)
     }
 

@@ -4,16 +4,15 @@ use std::hint::black_box;
 use std::path::PathBuf;
 use std::time::{Duration, Instant};
 
-use ad::lanes::Lanes;
-
 use super::load;
 use super::output::print;
 use crate::Error;
-use crate::arithmetic::{Arithmetic, with_arithmetic};
+use crate::arithmetic::Arithmetic;
 use crate::counts::Counts;
-use crate::integrator::{Prepared, Wanted, gradient, reduce, render, render_into, sweep, trace};
 use crate::loss::{ImageLoss, LossKind};
-use crate::scene::{ParameterId, Parameters, Scene};
+use crate::render::Renderer;
+use crate::scene::{ParameterId, Scene};
+use crate::settings::Settings;
 
 #[derive(clap::Args)]
 pub(super) struct Arguments {
@@ -52,69 +51,57 @@ pub(super) fn run(arguments: &Arguments, arithmetic: Arithmetic) -> Result<(), E
         ids.extend(tuned.map(|tuned| tuned.id));
     }
     if ids.is_empty() {
-        ids = scene.parameter_ids();
+        ids = scene.parameters();
     }
 
     let triangles: usize = scene.meshes.iter().map(|mesh| mesh.triangles.len()).sum();
-    let derivatives: usize = ids.iter().map(|&id| scene.parameters.get(id).len()).sum();
+    let derivatives: usize = ids.iter().map(|&id| scene.get(id).len()).sum();
     print(format_args!(
         "{}: {triangles} triangles, {} spheres, {} lights, {} x {} pixels, {derivatives} derivatives; {:?} on {} threads",
         arguments.scene.display(),
         scene.spheres.len(),
-        scene.parameters.lights.len(),
+        scene.lights.len(),
         scene.width,
         scene.height,
         arithmetic,
         rayon::current_num_threads(),
     ))?;
     let limit = Duration::from_secs_f64(arguments.seconds);
-    with_arithmetic!(arithmetic, S => Bench::<S>::new(scene, &ids, load, limit).run())
+    let start = Instant::now();
+    let settings = Settings { arithmetic, ..Settings::default() };
+    let renderer = Renderer::unchecked(scene, &settings);
+    let build = start.elapsed();
+    Bench { original: scene, scene: scene.clone(), ids, renderer, load, build, limit, moves: 0 }
+        .run()
 }
 
 /// So many repetitions are enough however short they are.
 const ENOUGH: usize = 10_000;
 
 /// What is measured.
-struct Bench<'a, L: Lanes> {
-    scene: &'a Scene,
-    ids: &'a [ParameterId],
-    prepared: Prepared<'a, L>,
-    /// The time that loading took, then until the tree was built.
+struct Bench<'a> {
+    original: &'a Scene,
+    /// The same, its parameters moved again and again.
+    scene: Scene,
+    ids: Vec<ParameterId>,
+    renderer: Renderer,
+    /// The time that loading took, then until the acceleration structure was built.
     load: Duration,
     build: Duration,
     limit: Duration,
-    /// The parameters, moved again and again.
-    parameters: Parameters,
     moves: u32,
 }
 
-impl<'a, L: Lanes> Bench<'a, L> {
-    fn new(scene: &'a Scene, ids: &'a [ParameterId], load: Duration, limit: Duration) -> Self {
-        let start = Instant::now();
-        let prepared = Prepared::new(scene);
-        let build = start.elapsed();
-        Self {
-            scene,
-            ids,
-            prepared,
-            load,
-            build,
-            limit,
-            parameters: scene.parameters.clone(),
-            moves: 0,
-        }
-    }
-
+impl Bench<'_> {
     fn run(mut self) -> Result<(), Error> {
         // The target is the image itself, a little darker: every pixel has a cotangent.
         let start = Instant::now();
-        let mut target = render(&self.prepared);
+        let mut target = self.renderer.render();
         let first_image = start.elapsed();
         target.pixels.as_flattened_mut().iter_mut().for_each(|value| *value *= 0.9);
         let loss = ImageLoss::new(LossKind::MeanSquared, &target, false);
-        let wanted = Wanted::by(self.ids);
         let start = Instant::now();
-        black_box(gradient(&self.prepared, &loss, wanted));
+        black_box(self.gradient(&loss));
         let first_gradient = start.elapsed();
 
         print(format_args!("{:<36} {:>10} {:>10}", "milliseconds", "median", "least"))?;
@@ -122,34 +109,28 @@ impl<'a, L: Lanes> Bench<'a, L> {
             print(format_args!("{name:<36} {:>10} {:>10.3}", "", time.as_secs_f64() * 1e3))
         };
         once("load", self.load)?;
-        once("first preparation, with the tree", self.build)?;
+        once("preparation, with the hierarchy", self.build)?;
         once("first image", first_image)?;
         once("first gradient", first_gradient)?;
 
-        let mut image = render(&self.prepared);
+        let mut image = self.renderer.render();
         let before = Counts::total();
-        trace(&self.prepared, true);
+        self.renderer.trace_only(true);
         let after = Counts::total();
-        let primary = self.repeat(|bench| timed(|| trace(&bench.prepared, false)));
-        let all_rays = self.repeat(|bench| timed(|| trace(&bench.prepared, true)));
-        let primal = self.repeat(|bench| timed(|| render_into(&bench.prepared, &mut image)));
-        let swept = self.repeat(|bench| timed(|| sweep(&bench.prepared, &loss, wanted)));
-        let reduced = self.repeat(|bench| {
-            let strips = sweep(&bench.prepared, &loss, wanted);
-            timed(|| reduce(&bench.prepared, strips, wanted))
-        });
+        let primary = self.repeat(|bench| timed(|| bench.renderer.trace_only(false)));
+        let all_rays = self.repeat(|bench| timed(|| bench.renderer.trace_only(true)));
+        let primal = self.repeat(|bench| timed(|| bench.renderer.render_into(&mut image)));
+        let gradient = self.repeat(|bench| timed(|| bench.gradient(&loss)));
         let update = self.repeat(|bench| bench.update());
-        let iteration = self
-            .repeat(|bench| bench.update() + timed(|| gradient(&bench.prepared, &loss, wanted)));
+        let iteration = self.repeat(|bench| bench.update() + timed(|| bench.gradient(&loss)));
 
         primal.print("image")?;
         primary.print("  of it primary rays")?;
         all_rays.minus(&primary).print("  of it shadow rays")?;
         primal.minus(&all_rays).print("  of it shading")?;
         iteration.print("iteration: parameters to gradient")?;
-        update.print("  of it parameters and tree")?;
-        swept.print("  of it rays, shading, pullbacks")?;
-        reduced.print("  of it reduction")?;
+        update.print("  of it parameters and hierarchy")?;
+        gradient.print("  of it rays, shading, pullbacks")?;
         print(format_args!("iteration / image {:>29.2}", iteration.median / primal.median))?;
         let rate = |rays: u64, samples: &Samples| rays as f64 / samples.median / 1e6;
         print(format_args!(
@@ -174,19 +155,22 @@ impl<'a, L: Lanes> Bench<'a, L> {
         }
     }
 
+    fn gradient(&self, loss: &ImageLoss<'_>) -> Vec<f64> {
+        self.renderer.loss_and_gradient(&self.scene, loss, &self.ids).gradient.concat()
+    }
+
     /// Moves every parameter by a hair, so that what depends on it is computed anew; the time it
     /// takes.
     fn update(&mut self) -> Duration {
         self.moves += 1;
         let factor = 1.0 + 1e-9 * f64::from(self.moves % 16);
         timed(|| {
-            for &id in self.ids {
-                let values = self.scene.parameters.get(id).iter();
-                for (moved, value) in self.parameters.get_mut(id).iter_mut().zip(values) {
-                    *moved = value * factor;
-                }
+            for &id in &self.ids {
+                let moved: Vec<f64> =
+                    self.original.get(id).iter().map(|value| value * factor).collect();
+                self.scene.assign(id, &moved);
             }
-            self.prepared.set_parameters(&self.parameters);
+            self.renderer.update(&self.scene);
         })
     }
 

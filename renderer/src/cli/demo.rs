@@ -11,7 +11,8 @@ use crate::arithmetic::Arithmetic;
 use crate::demo::demo_experiment;
 use crate::optimize::CHECKPOINT_FILE;
 use crate::recovery::Recovery;
-use crate::scene::{Light, Scene};
+use crate::scene::{Light, LightSource, Scene};
+use crate::settings::Settings;
 
 pub(super) fn run(arithmetic: Arithmetic) -> Result<(), Error> {
     let out = Path::new("out/demo");
@@ -24,7 +25,11 @@ pub(super) fn run(arithmetic: Arithmetic) -> Result<(), Error> {
 
     print("Recovering the light of a scene from one image of it.")?;
     let experiment = demo_experiment()?;
-    let recovery = Recovery::new(&experiment, "the embedded demo", arithmetic)?;
+    let recovery = Recovery::new(
+        &experiment,
+        "the embedded demo",
+        &Settings { arithmetic, ..Settings::default() },
+    )?;
     let outcome = recover(&experiment, &recovery, out, false)?;
     print(report(&recovery, &outcome, out))?;
 
@@ -47,15 +52,14 @@ pub(super) fn run(arithmetic: Arithmetic) -> Result<(), Error> {
 
 /// Direction and irradiance of the point light of a scene at the middle of its mesh.
 fn incident_light(scene: &Scene) -> Option<(DVec3, f64)> {
-    let vertices = scene.parameters.vertices.first()?;
-    let sum: DVec3 = vertices.iter().map(|&v| DVec3::from(v)).sum();
-    let middle = sum / vertices.len() as f64;
-    match scene.parameters.lights.first()? {
-        Light::Point(light) => {
+    let mesh = scene.meshes.first()?;
+    let sum: DVec3 = mesh.world_vertices().sum();
+    let middle = sum / mesh.vertices.len() as f64;
+    match scene.lights.first()?.source {
+        LightSource::Known(Light::Point(light)) => {
             let to_light = light.position - middle;
-            let sphere = 4.0 * std::f64::consts::PI * to_light.length_squared();
-            Some((to_light, light.intensity / sphere))
+            Some((to_light, light.radiant_intensity / to_light.length_squared()))
         }
-        Light::Distant(_) => None,
+        _ => None,
     }
 }

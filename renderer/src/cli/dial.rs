@@ -7,8 +7,8 @@ use crate::Error;
 use crate::accuracy::{Rays, pick};
 use crate::arithmetic::{Arithmetic, Precision};
 use crate::experiment::{Experiment, Target};
-use crate::integrator::RenderSettings;
 use crate::recovery::Recovery;
+use crate::settings::Settings;
 
 /// How accurate a gradient has to be.
 #[derive(clap::Args)]
@@ -43,10 +43,10 @@ impl Dial {
         chosen: Option<Arithmetic>,
     ) -> Result<Recovery<'a>, Error> {
         let place = problem.scene.display().to_string();
-        let settings =
-            RenderSettings { sampling: self.sampling.sampling(), ..RenderSettings::default() };
         let in_arithmetic = |arithmetic| {
-            let recovery = Recovery::with_settings(experiment, &place, arithmetic, settings)?;
+            let sampling = self.sampling.sampling();
+            let settings = Settings { arithmetic, sampling, ..Settings::default() };
+            let recovery = Recovery::new(experiment, &place, &settings)?;
             Ok::<_, Error>(problem.allowing(recovery))
         };
         let Some(accuracy) = self.accuracy else {

@@ -9,8 +9,7 @@ use super::output::{json_numbers, print, print_warning, short};
 use crate::Error;
 use crate::arithmetic::Arithmetic;
 use crate::optimize::Evaluation;
-use crate::recovery::natural_scale;
-use crate::scene::{Differentiability, ParameterId, Scene};
+use crate::scene::{Differentiability, Object, ParameterId, Scene};
 
 /// Elements of one parameter that `--check` compares; more would take minutes on a mesh.
 const MOST_CHECKED: usize = 24;
@@ -44,7 +43,7 @@ pub(super) fn run(arguments: &Arguments, chosen: Option<Arithmetic>) -> Result<(
         .ids()
         .iter()
         .map(|&id| {
-            let (block, others) = rest.split_at(scene.parameters.get(id).len());
+            let (block, others) = rest.split_at(scene.get(id).len());
             rest = others;
             (id, block)
         })
@@ -74,7 +73,7 @@ pub(super) fn run(arguments: &Arguments, chosen: Option<Arithmetic>) -> Result<(
         let stride = stride(block.len(), scene.shape(id).last().copied().unwrap_or(1));
         for (i, &value) in block.iter().enumerate().step_by(stride) {
             let step = step(scene, id);
-            let at = scene.parameters.get(id)[i];
+            let at = scene.get(id)[i];
             let expected = check::derivative(recovery.loss_along(id, i), at, step).value;
             let error =
                 (value - expected).abs() / expected.abs().max(largest).max(f64::MIN_POSITIVE);
@@ -106,9 +105,9 @@ pub(super) fn run(arguments: &Arguments, chosen: Option<Arithmetic>) -> Result<(
 /// The first step of the differences. A bilinear texture has a kink at every texel: places on it move by
 /// so little that few pixels come across one.
 fn step(scene: &Scene, id: ParameterId) -> f64 {
-    match id {
-        ParameterId::TextureCoordinates(_) => 1e-6,
-        _ => 1e-3 * natural_scale(scene, id),
+    match id.field {
+        "texture_coordinates" => 1e-6,
+        _ => 1e-3 * scene.natural_scale(id),
     }
 }
 
@@ -122,15 +121,9 @@ fn stride(count: usize, row: usize) -> usize {
 /// Which number of a parameter: `y`, for a vertex `17.y`, for a texel `row.column.r`.
 fn position(scene: &Scene, id: ParameterId, index: usize) -> String {
     let shape = scene.shape(id);
-    let names = match id {
-        ParameterId::TextureCoordinates(_) => "uv",
-        ParameterId::Texels(_)
-        | ParameterId::LightColor(_)
-        | ParameterId::Ambient(_)
-        | ParameterId::Diffuse(_)
-        | ParameterId::Specular(_)
-        | ParameterId::Reflection(_) => "rgb",
-        ParameterId::ShapeParameters(_) | ParameterId::LightParameters(_) => "",
+    let names = match (id.object, id.field) {
+        (_, "texture_coordinates") => "uv",
+        (Object::Texture(_) | Object::Material(_), _) | (Object::Light(_), "color") => "rgb",
         _ => "xyz",
     };
     let column = |i: usize| names.get(i..=i).map_or(i.to_string(), str::to_owned);

@@ -22,7 +22,7 @@ use output::{print_error, print_stats, print_warnings};
 
 use crate::Error;
 use crate::arithmetic::{Arithmetic, Precision};
-use crate::experiment::{Experiment, Target, TunedParameter};
+use crate::experiment::{Experiment, Target, TunedParameter, overlap};
 use crate::recovery::Recovery;
 
 /// Renders scenes, and recovers cameras, lights and materials from images.
@@ -139,7 +139,7 @@ impl Problem {
                     .scene
                     .find_parameter(path)
                     .map_err(|problem| Error::new(format_args!("--param {path}"), problem))?;
-                if let Some(problem) = experiment.scene.overlap(&tuned, id) {
+                if let Some(problem) = overlap(&experiment.scene, &tuned, id) {
                     return Err(Error::new(format_args!("--param {path}"), problem));
                 }
                 let listed = section.parameters.iter().find(|tuned| tuned.id == id).cloned();

@@ -12,6 +12,7 @@ use super::strip::save_strip;
 use super::{Problem, stem};
 use crate::Error;
 use crate::arithmetic::Arithmetic;
+use crate::disk::create_folder;
 use crate::experiment::{Experiment, Target};
 use crate::files::{save_png, save_scene};
 use crate::optimize::{
@@ -124,8 +125,7 @@ pub(super) fn recover(
         let only_evaluate = Settings { iterations: 0, checkpointing: None, ..settings.clone() };
         recovery.run(&only_evaluate, &mut Quiet)?;
     }
-    std::fs::create_dir_all(out)
-        .map_err(|error| Error::new(out.display(), format_args!("cannot be made: {error}")))?;
+    create_folder(out)?;
     if is_fresh {
         remove_earlier_results(out)?;
     }

@@ -2,19 +2,20 @@
 
 use std::fmt::Display;
 use std::io::{self, ErrorKind, Write};
+use std::path::Path;
 
 use serde_json::Value;
 
 use crate::Error;
+use crate::Warning;
 use crate::counts::Counts;
-use crate::files::Warning;
 
 /// Writes a text and a line break to the standard output. Whoever reads it may have heard enough,
 /// as `head` does: that is no error.
 pub(super) fn print(text: impl Display) -> Result<(), Error> {
     match writeln!(io::stdout().lock(), "{text}") {
         Err(error) if error.kind() != ErrorKind::BrokenPipe => {
-            Err(Error::new("standard output", error))
+            Err(Error::io(Path::new("standard output"), error.to_string(), error))
         }
         _ => Ok(()),
     }

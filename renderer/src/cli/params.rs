@@ -24,8 +24,8 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Error> {
     let size = [("camera.width", scene.width), ("camera.height", scene.height)];
     if arguments.json {
         let mut object = Map::new();
-        for id in scene.parameter_ids() {
-            let numbers = json_numbers(scene.parameters.get(id), &scene.shape(id));
+        for id in scene.parameters() {
+            let numbers = json_numbers(&scene.get(id), &scene.shape(id));
             object.insert(scene.path(id).to_string(), numbers);
         }
         object.extend(size.map(|(path, value)| (path.to_owned(), value.into())));
@@ -33,14 +33,14 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Error> {
     }
 
     let mut rows: Vec<[String; 4]> = Vec::new();
-    for id in scene.parameter_ids() {
+    for id in scene.parameters() {
         let kind = match id.differentiability() {
             Differentiability::Smooth => "differentiable",
             Differentiability::Interior => "differentiable, without moving edges",
         };
         let shape: Vec<_> = scene.shape(id).iter().map(usize::to_string).collect();
         let shape = if shape.is_empty() { "1".into() } else { shape.join(" x ") };
-        let value = abbreviate(scene.parameters.get(id));
+        let value = abbreviate(&scene.get(id));
         rows.push([scene.path(id).to_string(), shape, kind.into(), value]);
     }
     for (path, value) in size {

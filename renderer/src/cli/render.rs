@@ -9,8 +9,8 @@ use crate::Error;
 use crate::arithmetic::Arithmetic;
 use crate::display::{ToneMapping, expose, normalize};
 use crate::files::{check_image_path, save_image};
-use crate::integrator::{Pass, RenderSettings, Visibility};
-use crate::recovery::{find_non_finite_pixels, render_with};
+use crate::render::Renderer;
+use crate::settings::{Pass, PrimaryVisibility, Settings};
 
 #[derive(clap::Args)]
 pub(super) struct Arguments {
@@ -33,10 +33,10 @@ pub(super) struct Arguments {
     #[arg(long, value_enum, default_value_t = Pass::Radiance)]
     pass: Pass,
 
-    /// How to find what pixels show: rays through a tree of boxes, rays against a list of all
-    /// primitives, or primitives drawn into the image
-    #[arg(long, value_enum, default_value_t = Visibility::Tree)]
-    visibility: Visibility,
+    /// How to find primary visibility: rays through a bounding volume hierarchy, rays against every
+    /// primitive, or rasterised primitives
+    #[arg(long, value_enum, default_value_t = PrimaryVisibility::Bvh)]
+    visibility: PrimaryVisibility,
 
     /// Make pixels black that are not finite, and say how many they are, instead of stopping at them
     #[arg(long)]
@@ -60,18 +60,20 @@ fn stops(text: &str) -> Result<f64, String> {
 pub(super) fn run(arguments: &Arguments, arithmetic: Arithmetic) -> Result<(), Error> {
     check_image_path(&arguments.output)?;
     let experiment = load(&arguments.scene)?;
-    let settings = RenderSettings {
+    let settings = Settings {
+        arithmetic,
         visibility: arguments.visibility,
         pass: arguments.pass,
         sampling: arguments.sampling.sampling(),
-        ..RenderSettings::default()
+        ..Settings::default()
     };
-    let mut image = render_with(arithmetic, &experiment.scene, settings);
+    let renderer = Renderer::unchecked(&experiment.scene, &settings);
+    let mut image = renderer.render();
     if !image.is_finite() {
-        let found = find_non_finite_pixels(arithmetic, &experiment.scene, settings);
+        let found = renderer.find_non_finite(&experiment.scene);
         let found = found.map_or_else(String::new, |found| found.to_string());
         if !arguments.allow_non_finite {
-            return Err(Error::new(arguments.scene.display(), found));
+            return Err(Error::not_finite(arguments.scene.display(), found));
         }
         print_warning(format_args!("{}: {found}", arguments.scene.display()));
         image.blacken_non_finite();

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use super::output::print;
 use crate::Error;
-use crate::atomic_file::{check_writable, write_atomically};
+use crate::disk::{check_writable, write_atomically};
 use crate::report::report_page;
 
 #[derive(clap::Args)]

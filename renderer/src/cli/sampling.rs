@@ -1,7 +1,7 @@
 //! How many rays go through a pixel, as the command line says it.
 
 use crate::accuracy::Sampler;
-use crate::integrator::Sampling;
+use crate::settings::Sampling;
 
 #[derive(clap::Args)]
 pub(super) struct SamplingArguments {

@@ -5,6 +5,7 @@ use std::path::Path;
 use serde_json::{Value, json};
 
 use crate::Error;
+use crate::disk::create_folder;
 use crate::files::save_png;
 use crate::optimize::Point;
 use crate::recovery::Recovery;
@@ -28,9 +29,7 @@ pub(super) fn save_strip(
     let mut entries = Vec::new();
     if !trajectory.is_empty() {
         let folder = out.join(STRIP_FOLDER);
-        std::fs::create_dir_all(&folder).map_err(|error| {
-            Error::new(folder.display(), format_args!("cannot be made: {error}"))
-        })?;
+        create_folder(&folder)?;
     }
     for (i, point) in chosen(trajectory, most).into_iter().enumerate() {
         let file = format!("{STRIP_FOLDER}/{i:02}.png");

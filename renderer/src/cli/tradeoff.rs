@@ -6,11 +6,11 @@ use super::out_folder::check_out_folder;
 use super::output::print;
 use super::{Problem, stem};
 use crate::Error;
-use crate::arithmetic::{Arithmetic, Precision};
-use crate::atomic_file::write_atomically;
+use crate::disk::{create_folder, write_atomically};
 use crate::experiment::{Experiment, Target};
-use crate::recovery::{Recovery, domain, natural_scale};
+use crate::recovery::Recovery;
 use crate::scene::{Differentiability, ParameterId};
+use crate::settings::Settings;
 use crate::tradeoff::{
     Curve, Measurement, SamplingRuns, ScheduleRun, Titles, Tradeoff, best_step, csv, curves_svg,
     measure, measure_sampling, measure_schedules, sampling_csv, sampling_curves, sampling_table,
@@ -37,7 +37,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Error> {
     let out = arguments.out.clone().unwrap_or_else(|| Path::new("out").join("tradeoff"));
     check_out_folder(&out, std::iter::empty())?;
     let invented = invent_target(&mut experiment);
-    let recovery = Recovery::new(&experiment, &place, Arithmetic::fastest(Precision::F64))?;
+    let recovery = Recovery::new(&experiment, &place, &Settings::default().in_double_precision())?;
     recovery.evaluate()?;
     let scene = &experiment.scene;
     print(format_args!(
@@ -101,8 +101,7 @@ fn save(
     samplings: &SamplingRuns,
     runs: &[ScheduleRun],
 ) -> Result<(), Error> {
-    std::fs::create_dir_all(out)
-        .map_err(|error| Error::new(out.display(), format_args!("cannot be made: {error}")))?;
+    create_folder(out)?;
     let write = |suffix: &str, text: &str| {
         write_atomically(&out.join(format!("{name}{suffix}")), text.as_bytes())
     };
@@ -152,9 +151,9 @@ fn invent_target(experiment: &mut Experiment) -> bool {
         return false;
     }
     let moved = |id| {
-        let (step, (low, high)) = (MOVED * natural_scale(scene, id), domain(scene, id));
+        let (step, (low, high)) = (MOVED * scene.natural_scale(id), scene.range(id));
         // Every other number goes the other way, so that they do not make up for each other.
-        let values = scene.parameters.get(id).iter().enumerate().map(|(index, value)| {
+        let values = scene.get(id).into_owned().into_iter().enumerate().map(|(index, value)| {
             let step = if index % 2 == 0 { step } else { -step };
             (value + step).clamp(low, high)
         });

@@ -6,7 +6,7 @@ use std::path::Path;
 
 use crate::Error;
 use crate::experiment::Experiment;
-use crate::scene::MeshObject;
+use crate::scene::Mesh;
 
 pub use tree::{LowPolyTree, low_poly_tree};
 
@@ -32,11 +32,7 @@ pub fn demo_experiment() -> Result<Experiment, Error> {
     let LowPolyTree { vertices, triangles, trunk } = low_poly_tree();
     let materials = (0..triangles.len()).map(|i| if i < trunk { bark } else { leaves });
     let materials = materials.collect();
-    let texture_triangles = Vec::new();
-    let name = "tree".to_owned();
-    scene.meshes.push(MeshObject { name, triangles, materials, texture_triangles });
-    scene.parameters.vertices.push(vertices);
-    scene.parameters.texture_coordinates.push(Vec::new());
+    scene.meshes.push(Mesh { materials, ..Mesh::new("tree", vertices, triangles) });
     scene.validate("demo.toml")?;
     Ok(experiment)
 }
@@ -45,20 +41,21 @@ pub fn demo_experiment() -> Result<Experiment, Error> {
 mod tests {
     use super::*;
     use crate::experiment::Target;
-    use crate::scene::ParameterId;
 
     #[test]
     fn the_demo_is_whole() {
         let Experiment { scene, optimize, .. } = demo_experiment().unwrap();
         assert_eq!(scene.check(), Ok(()));
-        let (position, intensity) = (ParameterId::LightPosition(0), ParameterId::LightIntensity(0));
-        assert_eq!(scene.parameters.get(position), [-1.0, -10.0, -50.0]);
-        assert_eq!(scene.parameters.get(intensity), [1.0]);
+        let parameter = |path: &str| scene.parameter(path).unwrap();
+        let (position, intensity) =
+            (parameter("light.key.position"), parameter("light.key.radiant_intensity"));
+        assert_eq!(scene.get(position)[..], [-1.0, -10.0, -50.0]);
+        assert_eq!(scene.get(intensity)[..], [0.25]);
         let optimize = optimize.unwrap();
         let expected =
-            Target::Values(vec![(position, vec![1.0, 10.0, -50.0]), (intensity, vec![20000.0])]);
+            Target::Values(vec![(position, vec![1.0, 10.0, -50.0]), (intensity, vec![5000.0])]);
         assert_eq!(optimize.target, Some(expected));
-        let tuned: Vec<ParameterId> = optimize.parameters.iter().map(|p| p.id).collect();
+        let tuned: Vec<_> = optimize.parameters.iter().map(|p| p.id).collect();
         assert_eq!(tuned, [position, intensity]);
     }
 }

@@ -20,14 +20,13 @@ mod texture_tests;
 
 use std::path::Path;
 
-use super::io::read;
-use super::meshes::{clean_name, file_stem};
-use super::model::{Mesh, Model};
+use super::model::Model;
 use super::names::Names;
+use super::names::{clean_name, file_stem};
 use super::warnings::Warnings;
 use crate::Error;
-use crate::kernels::camera::Camera;
-use crate::scene::Light;
+use crate::disk::read;
+use crate::scene::{Camera, Light, Mesh};
 use buffers::Buffers;
 use document::Document;
 use materials::Materials;
@@ -36,7 +35,7 @@ use nodes::PlacedNode;
 /// What a glTF file holds.
 #[derive(Clone, Debug, PartialEq)]
 pub struct GltfFile {
-    /// Its meshes, one for each node that shows one, in world coordinates.
+    /// Its meshes, one for each node that shows one, placed in the world.
     pub model: Model,
     /// The first camera of the scene, and the width of its image over the height, if it says.
     pub camera: Option<(Camera<f64>, Option<f64>)>,
@@ -47,9 +46,9 @@ pub struct GltfFile {
 /// Reads a glTF 2.0 file, with its buffers: embedded, or in files relative to it. Of several scenes
 /// it is the default one, or the first.
 ///
-/// - Every node with a mesh is a mesh, named after the node (or the mesh), its vertices transformed
-///   by the node and those above it.
-/// - The base colour of a material is the diffuse colour, and what it emits the ambient colour, each
+/// - Every node with a mesh is a mesh, named after the node (or the mesh), placed by the node and those
+///   above it.
+/// - The base colour of a material is the diffuse albedo, and what it emits the emission, each
 ///   with its texture: PNG or JPEG, embedded or in files; any set of texture coordinates, moved by
 ///   `KHR_texture_transform`; wrapped as the sampler says, along v as along u. An image whose file is
 ///   missing is warned of, and counts as white. Primitives without a material wear
@@ -61,8 +60,7 @@ pub struct GltfFile {
 ///   targets, animations and extensions that are not required are left out with a warning.
 /// - The first camera counts; it has to be a perspective one.
 /// - Lights are those of `KHR_lights_punctual`, without a range; spot lights are refused. Candela
-///   and lux are taken as watts per steradian and per square metre, and divided by pi: a diffuse
-///   surface of ours reflects its colour times the irradiance, one of glTF that over pi.
+///   and lux are taken as watts per steradian and per square metre.
 ///
 /// # Errors
 ///

@@ -11,9 +11,9 @@ use image::{
     ImageReader, ImageResult, Limits, Rgba, metadata::Orientation,
 };
 
-use super::io::read;
 use crate::Error;
-use crate::atomic_file::{check_writable, write_atomically};
+use crate::disk::read;
+use crate::disk::{check_writable, write_atomically};
 use crate::image::Image;
 
 #[cfg(test)]

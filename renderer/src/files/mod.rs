@@ -7,7 +7,6 @@
 #[cfg(feature = "gltf")]
 mod gltf;
 pub mod images;
-mod io;
 mod meshes;
 mod model;
 mod names;
@@ -16,23 +15,20 @@ mod obj;
 mod ply;
 #[cfg(test)]
 mod robustness;
-pub(crate) mod scene_file;
+mod scene_file;
 #[cfg(feature = "stl")]
 mod stl;
 mod warnings;
 
+pub use crate::warning::Warning;
 #[cfg(feature = "gltf")]
 pub use gltf::{GltfFile, load_gltf};
 pub use images::{LoadedImage, check_image_path, load_image, save_exr, save_image, save_png};
 pub use meshes::{MeshFormat, load_mesh};
-pub use model::{
-    DEFAULT_MATERIAL, Mesh, Model, ModelMaps, ModelMaterial, TextureImage, TextureSource,
-    default_material,
-};
+pub use model::{DEFAULT_MATERIAL, Model, ModelMaps, ModelMaterial, TextureImage, TextureSource};
 pub use obj::{load_obj, save_obj};
 #[cfg(feature = "ply")]
 pub use ply::load_ply;
 pub use scene_file::{save_experiment, save_scene};
 #[cfg(feature = "stl")]
 pub use stl::load_stl;
-pub use warnings::Warning;

@@ -1,6 +1,7 @@
-//! Names that no two objects share.
+//! Names of objects.
 
 use std::collections::{HashMap, HashSet};
+use std::path::Path;
 
 /// Names that are taken.
 #[derive(Default)]
@@ -33,6 +34,18 @@ impl<'a> FromIterator<&'a str> for Names {
         let taken = names.into_iter().map(str::to_owned).collect();
         Self { taken, numbers: HashMap::new() }
     }
+}
+
+/// The name of an object whose file gives none: that of the file.
+pub(super) fn file_stem(path: &Path) -> String {
+    let stem = path.file_stem().map(|stem| clean_name(&stem.to_string_lossy()));
+    stem.filter(|stem| !stem.is_empty()).unwrap_or_else(|| "mesh".to_owned())
+}
+
+/// A name without what names may not hold: control characters, spaces at the ends. It may be
+/// empty.
+pub(super) fn clean_name(name: &str) -> String {
+    name.replace(char::is_control, "_").trim().to_owned()
 }
 
 #[cfg(test)]

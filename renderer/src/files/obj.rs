@@ -29,11 +29,13 @@ mod tests;
 
 use std::path::Path;
 
-use super::io::read_text;
-use super::meshes::file_stem;
-use super::model::{DEFAULT_MATERIAL, Model, ModelMaps, ModelMaterial, default_material};
-use super::warnings::{Warning, Warnings};
+use super::model::{DEFAULT_MATERIAL, Model, ModelMaps, ModelMaterial};
+use super::names::file_stem;
+use super::warnings::Warnings;
 use crate::Error;
+use crate::Warning;
+use crate::disk::read_text;
+use crate::scene::Material;
 use meshes::meshes;
 use mtl::Library;
 use prepare::prepare;
@@ -52,18 +54,18 @@ pub use write::save_obj;
 ///
 /// Of a material library:
 ///
-/// - `Kd`, `Ks` and `Ns` are the diffuse colour, the specular colour and the exponent. `Ke`, the
-///   radiance that a surface shows by itself, is the ambient colour. Colours are taken as linear.
+/// - `Kd`, `Ks` and `Ns` are the diffuse albedo, the specular albedo and the exponent. `Ke`, the
+///   radiance that a surface emits, is the emission. Colours are taken as linear.
 /// - `map_Kd`, `map_Ks` and `map_Ke` are the textures that multiply these colours, by paths relative
 ///   to the library; `map_d` is that of the opacity: the alpha of its image, or, where that has none, its
 ///   brightness as it is stored. A colour that has a texture but no statement is white. Of their options `-s`
 ///   and `-o` scale and shift the texture coordinates (`uv s + o`, the same for all textures of a
 ///   material: those of the first of `map_Kd`, `map_Ke`, `map_Ks`, `map_d`), and `-clamp on` is taken.
-/// - `illum 0` and `illum 1` have no highlight; `illum 3`, `5` and `8` make `Ks` the reflection of a
-///   mirror, too.
+/// - `illum 0` and `illum 1` have no highlight; `illum 3`, `5` and `8` make `Ks` the mirror
+///   reflectance, too.
 /// - `Ka` and `map_Ka` are left out with a warning: they scale an ambient light, which files do not
 ///   describe, and exporters write 1 for `Ka` whatever the scene; read as radiance it would make
-///   every surface glow white. `ambient` and `ambient_texture` of a scene file say what is meant.
+///   every surface glow white. `emission` and `emission_texture` of a scene file say what is meant.
 /// - A texture whose file is missing is warned of, and counts as white.
 /// - `d` is the opacity, or, where there is none, 1 - `Tr`; a mirror stays opaque, with a warning.
 /// - Every other statement is left out, with a warning if it would change the image: opacity that
@@ -100,7 +102,7 @@ pub fn load_obj(path: &Path) -> Result<Model, Error> {
         // As in a library, the last definition of a name holds.
         let defined = library.materials.iter().rev().find(|defined| defined.name == *name);
         let undefined = || match &library.missing {
-            _ if name == DEFAULT_MATERIAL => Ok(default_material()),
+            _ if name == DEFAULT_MATERIAL => Ok(Material::default().into()),
             Some(missing) => Err(missing.clone()),
             None => {
                 let problem = format!("no library defines the material `{name}`; it is shown grey");
@@ -109,8 +111,7 @@ pub fn load_obj(path: &Path) -> Result<Model, Error> {
         };
         ModelMaterial {
             name: name.clone(),
-            material: defined.map_or_else(undefined, |defined| Ok(defined.material)),
-            opacity: defined.and_then(|defined| defined.opacity),
+            material: defined.map_or_else(undefined, |defined| Ok(defined.material.clone())),
             maps: defined.map_or_else(ModelMaps::default, |defined| defined.maps.clone()),
         }
     };

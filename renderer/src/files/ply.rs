@@ -14,13 +14,14 @@ use std::path::Path;
 
 use glam::DVec3;
 
-use super::io::read;
-use super::meshes::{MeshBuilder, default_model, file_stem, triangulate};
+use super::meshes::{MeshBuilder, default_model, triangulate};
 use super::model::Model;
+use super::names::file_stem;
 use super::warnings::Warnings;
 use crate::Error;
-use header::{Element, Header, Kind};
-use source::Source;
+use crate::disk::read;
+use header::{Element, Header};
+use source::{Kind, Source};
 
 /// Reads a PLY file: one mesh, named after the file.
 ///

@@ -47,7 +47,7 @@ const GLTF: &str = r#"{"asset":{"version":"2.0"},"extensions":{"KHR_lights_punct
 {"byteLength":60,"uri":"data:;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAACAPwAAgD8AAAAAAAAAAAAAgD8AAAAAAAABAAIAAAACAAMA"}]}"#;
 const TOML: &str = "[camera]\nlook_from = [0, 0, 5]\nlook_at = [0, 0, 0]\nwidth = 8\nheight = 6\n\
                     [[light]]\nname = \"key\"\ntype = \"point\"\nposition = [1, 2, 3]\n\
-                    intensity = 9.0\n[[sphere]]\nname = \"ball\"\ncenter = [0, 0, 0]\nradius = 1\n\
+                    radiant_intensity = 9.0\n[[sphere]]\nname = \"ball\"\ncenter = [0, 0, 0]\nradius = 1\n\
                     material = \"paint\"\n[material.paint]\ndiffuse = [0.5, 0.5, 0.5]\n[optimize]\n\
                     optimizer = { type = \"adam\", beta1 = 0.8 }\nschedule = \"cosine\"\n\
                     target_values = { \"light.key.color\" = [1, 0, 0] }\n\

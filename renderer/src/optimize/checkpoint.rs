@@ -2,7 +2,7 @@
 
 use std::fs;
 use std::io;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use serde::{Deserialize, Serialize};
 
@@ -12,7 +12,7 @@ use super::{
     CHECKPOINT_FILE, Checkpointing, Fingerprint, Point, Record, Settings, Stop, StopReason,
 };
 use crate::Error;
-use crate::atomic_file::write_atomically;
+use crate::disk::{create_folder, write_atomically};
 
 /// Changes whenever the file or the arithmetic of the optimiser does.
 const FORMAT: u32 = 2;
@@ -154,13 +154,13 @@ impl CheckpointFile {
 
     /// Writes `state`, whole or not at all, into the folder, which is made if need be.
     pub fn save(&self, state: &State) -> Result<(), Error> {
-        let failed = |path: &Path, error: &dyn std::fmt::Display| {
-            Error::new(path.display(), format_args!("the checkpoint cannot be written: {error}"))
-        };
         if let Some(folder) = self.path.parent() {
-            fs::create_dir_all(folder).map_err(|error| failed(folder, &error))?;
+            create_folder(folder)?;
         }
-        let json = |error| failed(&self.path, &error);
+        let json = |error| {
+            let problem = format!("the checkpoint cannot be written: {error}");
+            Error::new(self.path.display(), problem)
+        };
         let checkpoint = Checkpoint {
             format: FORMAT,
             problem: self.problem.clone(),

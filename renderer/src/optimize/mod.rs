@@ -49,6 +49,7 @@ mod argmin_problem;
 mod checkpoint;
 #[cfg(feature = "argmin")]
 mod coordinates;
+mod field;
 mod fingerprint;
 mod history;
 #[cfg(feature = "cli")]
@@ -57,6 +58,7 @@ mod loss_axis;
 mod loss_plot;
 mod observer;
 mod optimizer;
+mod outcome;
 mod problem;
 #[cfg(feature = "cli")]
 mod progress;
@@ -79,16 +81,17 @@ pub use fingerprint::Fingerprint;
 pub use history::{Point, Record};
 #[cfg(feature = "cli")]
 pub use loss_plot::loss_svg;
-pub use observer::{Observer, Quiet, Start, Step};
+pub use observer::{Observer, Quiet, Step};
 #[cfg(feature = "argmin")]
 pub use optimizer::Lbfgs;
 pub use optimizer::{Adam, AdamW, Optimizer, RmsProp, Sgd};
+pub use outcome::{Outcome, Start};
 pub use problem::{Evaluation, Objective};
 #[cfg(feature = "cli")]
 pub use progress::{Bar, Lines, progress};
 #[cfg(feature = "cli")]
 pub use report::{history_csv, summary, write_report};
-pub use run::{Optimization, Outcome};
+pub use run::Optimization;
 pub use schedule::Schedule;
 pub use settings::{CHECKPOINT_FILE, Checkpointing, Settings};
 pub use stop::{Stop, StopReason};

@@ -2,7 +2,7 @@
 
 use std::ops::ControlFlow;
 
-use super::{Outcome, Record};
+use super::{Outcome, Record, Start};
 
 /// Watches an optimisation while it runs, and may interrupt it.
 pub trait Observer {
@@ -18,23 +18,6 @@ pub trait Observer {
     fn finish(&mut self, outcome: &Outcome) {
         let _ = outcome;
     }
-}
-
-/// How an optimisation begins.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Start {
-    /// From the initial parameters.
-    Fresh,
-    /// From a checkpoint.
-    Resumed {
-        /// The number of steps already taken.
-        iteration: u64,
-    },
-    /// With a checkpoint of a run that needs no further iteration.
-    Finished {
-        /// The number of steps it took.
-        iteration: u64,
-    },
 }
 
 /// One iteration, and how far it has come.

@@ -1,7 +1,6 @@
 //! What a run leaves in its output folder.
 
 use std::fmt::Write as _;
-use std::fs;
 use std::path::Path;
 
 use serde_json::{Map, Value, json};
@@ -9,7 +8,7 @@ use serde_json::{Map, Value, json};
 use super::variable::{element_path, split};
 use super::{Outcome, Point, Record, Variable, loss_svg};
 use crate::Error;
-use crate::atomic_file::write_atomically;
+use crate::disk::{create_folder, write_atomically};
 
 /// Writes `history.csv`, `loss.svg`, `trajectory.json` and `summary.json` into `folder`, which is
 /// made if need be.
@@ -28,9 +27,7 @@ pub fn write_report(
     outcome: &Outcome,
     extra: Map<String, Value>,
 ) -> Result<(), Error> {
-    fs::create_dir_all(folder).map_err(|error| {
-        Error::new(folder.display(), format_args!("the folder cannot be made: {error}"))
-    })?;
+    create_folder(folder)?;
     let summary = Value::Object(summary(variables, outcome, extra));
     let files = [
         ("history.csv", history_csv(&outcome.history)),
@@ -137,6 +134,8 @@ fn trajectory_json(variables: &[Variable], trajectory: &[Point]) -> Value {
 
 #[cfg(test)]
 mod tests {
+    use std::fs;
+
     use super::*;
     use crate::optimize::{Start, Stop, StopReason};
 

@@ -6,7 +6,7 @@ use std::time::Instant;
 use super::checkpoint::{CheckpointFile, State};
 use super::variable::{self, Flat};
 use super::{
-    Evaluation, Objective, Observer, Point, Record, Settings, Start, Step, Stop, Variable,
+    Evaluation, Objective, Observer, Outcome, Record, Settings, Start, Step, Stop, Variable,
 };
 use crate::Error;
 
@@ -18,35 +18,6 @@ pub struct Optimization<'a> {
     file: Option<CheckpointFile>,
     state: State,
     start: Start,
-}
-
-/// What an optimisation came to.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Outcome {
-    /// The parameters recovered: the lowest loss seen, the earliest if there are several.
-    pub best: Point,
-    /// The latest parameters with a finite loss and gradient.
-    pub last: Point,
-    /// One entry per iteration, from 0 on; never empty.
-    pub history: Vec<Record>,
-    /// Some of the points it went through, from the first to the last, evenly spaced; empty if they
-    /// have too many numbers to be kept.
-    pub trajectory: Vec<Point>,
-    /// Why it stopped.
-    pub stop: Stop,
-    /// How often the objective was evaluated, over all resumed parts of the run.
-    pub evaluations: u64,
-    /// Seconds of work, over all resumed parts of the run.
-    pub seconds: f64,
-    /// How this part of the run began.
-    pub start: Start,
-}
-
-impl Outcome {
-    /// The loss at the initial parameters.
-    pub fn initial_loss(&self) -> f64 {
-        self.history.first().map_or(self.best.loss, |record| record.loss)
-    }
 }
 
 impl<'a> Optimization<'a> {
@@ -105,7 +76,7 @@ impl<'a> Optimization<'a> {
         let State { best, last, history, trajectory, evaluations, seconds, .. } = self.state;
         let (Some(best), Some(last)) = (best, last) else {
             // Nothing was evaluated, and the only reason for that is the initial point.
-            return Err(Error::new("optimize", stop.detail));
+            return Err(Error::not_finite("optimize", stop.detail));
         };
         let trajectory = trajectory.finish(&last);
         let start = self.start;

@@ -5,8 +5,7 @@ use std::f64::consts::PI;
 use serde::{Deserialize, Serialize};
 
 use super::Fingerprint;
-use super::optimizer::Field;
-use super::settings::check_fields;
+use super::field::{Field, check_fields};
 use crate::Error;
 
 /// The factor by which all learning rates are multiplied, over the iterations of a run.

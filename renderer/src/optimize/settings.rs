@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 use std::time::Duration;
 
-use super::optimizer::Field;
+use super::field::{Field, check_fields};
 use super::{Fingerprint, Optimizer, Schedule};
 use crate::Error;
 
@@ -73,16 +73,5 @@ impl Settings {
         self.optimizer.check()?;
         self.schedule.check()?;
         self.optimizer.check_schedule(&self.schedule)
-    }
-}
-
-/// The first number that is out of its range, as an error whose place is `place` and its name.
-pub(super) fn check_fields(place: &str, fields: Vec<Field>) -> Result<(), Error> {
-    match fields.into_iter().find(|(_, _, good, _)| !good) {
-        Some((name, value, _, right)) => Err(Error::new(
-            format_args!("{place}.{name}"),
-            format_args!("is {value}; it must be {right}"),
-        )),
-        None => Ok(()),
     }
 }

@@ -1,75 +1,45 @@
 //! Recovering what an image shows: a scene, a target image, the parameters that may vary.
 //!
 //! ```no_run
-//! use renderer::arithmetic::Arithmetic;
+//! use renderer::Settings;
 //! use renderer::experiment::Experiment;
-//! use renderer::optimize::{Settings, progress};
+//! use renderer::optimize::progress;
 //! use renderer::recovery::Recovery;
 //!
 //! let experiment = Experiment::load("photo.toml".as_ref())?;
-//! let recovery = Recovery::new(&experiment, "photo.toml", Arithmetic::default())?;
-//! let settings = recovery.settings();
-//! let outcome = recovery.run(&settings, progress().as_mut())?;
-//! println!("{}", recovery.scene_at(&outcome.best.x).parameters.camera.look_from);
+//! let recovery = Recovery::new(&experiment, "photo.toml", &Settings::default())?;
+//! let outcome = recovery.run(&recovery.settings(), progress().as_mut())?;
+//! println!("{}", recovery.scene_at(&outcome.best.x).camera.look_from);
 //! # Ok::<(), renderer::Error>(())
 //! ```
 
-mod defaults;
 mod objective;
+mod variable;
 
 use std::sync::{Arc, Mutex};
 
-#[cfg(feature = "cli")]
-pub(crate) use defaults::domain;
-pub use defaults::natural_scale;
-pub(crate) use objective::SteeredObjective;
-
-use ad::lanes::f64x8;
-use objective::{ImageObjective, assign};
+pub(crate) use objective::ImageObjective;
 
 use crate::Error;
-use crate::arithmetic::{Arithmetic, with_arithmetic};
-use crate::experiment::{Experiment, OptimizeSection, Target, TunedParameter};
+use crate::arithmetic::Arithmetic;
+use crate::experiment::{Experiment, OptimizeSection, Target, TunedParameter, overlap};
 use crate::files::{LoadedImage, load_image};
 use crate::image::Image;
-use crate::integrator::{
-    NonFinite, Prepared, RenderSettings, find_non_finite_radiance, loss, render,
-};
 use crate::loss::{ImageLoss, LossKind};
 use crate::optimize::{
-    Evaluation, Fingerprint, Objective, Observer, Optimization, Optimizer, Outcome, Settings,
-    Variable,
+    Evaluation, Fingerprint, Objective, Observer, Optimization, Optimizer, Outcome,
+    Settings as OptimizeSettings, Variable,
 };
-use crate::scene::{ParameterId, Parameters, Scene};
-
-/// Renders a scene, which has to be valid.
-pub fn render_at(arithmetic: Arithmetic, scene: &Scene) -> Image {
-    render_with(arithmetic, scene, RenderSettings::default())
-}
-
-/// Renders a scene, which has to be valid, in a certain way.
-pub fn render_with(arithmetic: Arithmetic, scene: &Scene, settings: RenderSettings) -> Image {
-    with_arithmetic!(arithmetic, S => render(&Prepared::<S>::with_settings(scene, settings)))
-}
-
-/// Searches for the pixels of an image that are not finite.
-pub fn find_non_finite_pixels(
-    arithmetic: Arithmetic,
-    scene: &Scene,
-    settings: RenderSettings,
-) -> Option<NonFinite> {
-    with_arithmetic!(arithmetic, S => {
-        find_non_finite_radiance(&Prepared::<S>::with_settings(scene, settings))
-    })
-}
+use crate::render::Renderer;
+use crate::scene::{ParameterId, Scene};
+use crate::settings::Settings;
 
 /// An optimisation of scene parameters against an image.
 #[derive(Clone)]
 pub struct Recovery<'a> {
     scene: &'a Scene,
     section: OptimizeSection,
-    arithmetic: Arithmetic,
-    settings: RenderSettings,
+    settings: Settings,
     target: LoadedImage,
     ids: Vec<ParameterId>,
     variables: Vec<Variable>,
@@ -79,7 +49,8 @@ pub struct Recovery<'a> {
 
 impl<'a> Recovery<'a> {
     /// Loads or renders the target, and takes the parameters of the experiment's section
-    /// `[optimize]`. `place` names the experiment in errors.
+    /// `[optimize]`. `place` names the experiment in errors; a target that is given by values is rendered
+    /// as the scene is.
     ///
     /// # Errors
     ///
@@ -89,21 +60,7 @@ impl<'a> Recovery<'a> {
     pub fn new(
         experiment: &'a Experiment,
         place: &str,
-        arithmetic: Arithmetic,
-    ) -> Result<Self, Error> {
-        Self::with_settings(experiment, place, arithmetic, RenderSettings::default())
-    }
-
-    /// The same, rendered in a certain way; so is a target that is given by values.
-    ///
-    /// # Errors
-    ///
-    /// Those of [`new`](Self::new).
-    pub fn with_settings(
-        experiment: &'a Experiment,
-        place: &str,
-        arithmetic: Arithmetic,
-        settings: RenderSettings,
+        settings: &Settings,
     ) -> Result<Self, Error> {
         let scene = &experiment.scene;
         let section = experiment.optimize.clone().unwrap_or_default();
@@ -115,23 +72,21 @@ impl<'a> Recovery<'a> {
         }
         check_overlaps(scene, &section, place)?;
         check_learning_rates(scene, &section, place)?;
-        let (target, truth) =
-            load_target(scene, &section, place, |truth| render_with(arithmetic, truth, settings))?;
+        let (target, truth) = load_target(scene, &section, place, settings)?;
         let ids: Vec<_> = section.parameters.iter().map(|tuned| tuned.id).collect();
         let variables = section
             .parameters
             .iter()
             .map(|tuned| {
-                let target = truth.as_ref().map(|truth| truth.get(tuned.id).to_vec());
-                defaults::variable(scene, tuned, section.learning_rate, target)
+                let target = truth.as_ref().map(|truth| truth.get(tuned.id).into_owned());
+                variable::variable(scene, tuned, section.learning_rate, target)
             })
             .collect();
         let (allow_non_finite, left_out) = (false, Arc::default());
         Ok(Self {
             scene,
             section,
-            arithmetic,
-            settings,
+            settings: *settings,
             target,
             ids,
             variables,
@@ -140,9 +95,9 @@ impl<'a> Recovery<'a> {
         })
     }
 
-    /// The same problem, with the same target, computed in another way.
-    pub fn computed(&self, arithmetic: Arithmetic, settings: RenderSettings) -> Self {
-        Self { arithmetic, settings, ..self.clone() }
+    /// The same problem, with the same target, rendered in another way.
+    pub fn with_settings(&self, settings: &Settings) -> Self {
+        Self { settings: *settings, ..self.clone() }
     }
 
     /// The same problem with a smaller image: `scene` is that of this problem but for the size, which
@@ -155,13 +110,8 @@ impl<'a> Recovery<'a> {
     }
 
     /// How the scene is rendered.
-    pub fn render_settings(&self) -> &RenderSettings {
+    pub fn render_settings(&self) -> &Settings {
         &self.settings
-    }
-
-    /// The scalar of the kernels.
-    pub fn arithmetic(&self) -> Arithmetic {
-        self.arithmetic
     }
 
     /// The values of the parameters that vary as they stand, one after the other.
@@ -182,9 +132,9 @@ impl<'a> Recovery<'a> {
     }
 
     /// The settings of the section `[optimize]`, without checkpoints.
-    pub fn settings(&self) -> Settings {
-        let default = Settings::default();
-        Settings {
+    pub fn settings(&self) -> OptimizeSettings {
+        let default = OptimizeSettings::default();
+        OptimizeSettings {
             iterations: self.section.iterations.unwrap_or(default.iterations),
             tolerance: self.section.tolerance.unwrap_or(default.tolerance),
             gradient_tolerance: self
@@ -200,14 +150,17 @@ impl<'a> Recovery<'a> {
     /// Tells this problem from others: the scene, the target, the loss, the precision.
     pub fn fingerprint(&self) -> Fingerprint {
         let scene = self.scene;
+        // All lanes of a precision are the same problem.
+        let precision = self.settings.arithmetic.precision();
+        let settings = Settings { arithmetic: Arithmetic::fastest(precision), ..self.settings };
         let mut fingerprint = Fingerprint::new()
-            .text(&format!("{:?} {:?}", self.arithmetic.precision(), self.loss_kind()))
-            .text(&format!("{:?}", self.settings))
+            .text(&format!("{:?}", self.loss_kind()))
+            .text(&format!("{settings:?}"))
             .text(&format!("{} {}", scene.width, scene.height))
             .text(&format!("{:?}", scene.spheres));
-        for id in scene.parameter_ids() {
+        for id in scene.parameters() {
             let path = scene.path(id).to_string();
-            fingerprint = fingerprint.text(&path).numbers(scene.parameters.get(id));
+            fingerprint = fingerprint.text(&path).numbers(&scene.get(id));
         }
         let indices = |numbers: &[u32]| -> Vec<u8> {
             numbers.iter().flat_map(|number| number.to_le_bytes()).collect()
@@ -225,7 +178,7 @@ impl<'a> Recovery<'a> {
     /// Renders a scene. Pixels that are not finite are black if they may be
     /// [left out](Self::allowing_non_finite).
     pub fn render(&self, scene: &Scene) -> Image {
-        let mut image = render_with(self.arithmetic, scene, self.settings);
+        let mut image = Renderer::unchecked(scene, &self.settings).render();
         if self.allow_non_finite {
             image.blacken_non_finite();
         }
@@ -260,7 +213,7 @@ impl<'a> Recovery<'a> {
     /// The scene with other values of the parameters that vary, one after the other in `x`.
     pub fn scene_at(&self, x: &[f64]) -> Scene {
         let mut scene = self.scene.clone();
-        assign(&mut scene.parameters, &self.ids, x);
+        scene.assign_all(&self.ids, x);
         scene
     }
 
@@ -269,7 +222,11 @@ impl<'a> Recovery<'a> {
     /// # Errors
     ///
     /// If the settings cannot be used, or a checkpoint cannot be read or written.
-    pub fn run(&self, settings: &Settings, observer: &mut dyn Observer) -> Result<Outcome, Error> {
+    pub fn run(
+        &self,
+        settings: &OptimizeSettings,
+        observer: &mut dyn Observer,
+    ) -> Result<Outcome, Error> {
         let optimization = Optimization::start(&self.variables, settings)?;
         optimization.run(self.objective().as_mut(), observer)
     }
@@ -277,15 +234,7 @@ impl<'a> Recovery<'a> {
     /// Loss and gradient as a function of the parameters that vary: what [`run`](Self::run)
     /// minimises, for who adds up several of them or brings another method.
     pub fn objective(&self) -> Box<dyn Objective + '_> {
-        with_arithmetic!(self.arithmetic, S => Box::new(ImageObjective::<S>::new(self)))
-    }
-
-    /// The same in the given arithmetic, for who tries several kinds of rays.
-    pub(crate) fn steered_objective(
-        &self,
-        arithmetic: Arithmetic,
-    ) -> Box<dyn SteeredObjective + '_> {
-        with_arithmetic!(arithmetic, S => Box::new(ImageObjective::<S>::new(self)))
+        Box::new(ImageObjective::new(self, &self.settings))
     }
 
     /// Loss and gradient at the scene as it stands.
@@ -302,18 +251,20 @@ impl<'a> Recovery<'a> {
             return Ok(evaluation);
         }
         let unknown = || format!("the loss is {}, with its gradient", evaluation.loss);
-        Err(Error::new("gradient", objective.explain(&x).unwrap_or_else(unknown)))
+        Err(Error::not_finite("gradient", objective.explain(&x).unwrap_or_else(unknown)))
     }
 
     /// The loss in double precision as a function of one element of one parameter, for finite
     /// differences. The scene is prepared once for all values.
     pub fn loss_along(&self, id: ParameterId, element: usize) -> impl FnMut(f64) -> f64 {
-        let mut parameters = self.scene.parameters.clone();
-        let mut prepared = Prepared::<f64x8>::with_settings(self.scene, self.settings);
+        let mut scene = self.scene.clone();
+        let mut values = scene.get(id).into_owned();
+        let mut renderer = Renderer::unchecked(&scene, &self.settings.in_double_precision());
         move |value| {
-            parameters.get_mut(id)[element] = value;
-            prepared.set_parameters(&parameters);
-            loss(&prepared, &self.loss())
+            values[element] = value;
+            scene.assign(id, &values);
+            renderer.update(&scene);
+            renderer.loss(&self.loss())
         }
     }
 
@@ -336,7 +287,7 @@ impl<'a> Recovery<'a> {
 fn check_overlaps(scene: &Scene, section: &OptimizeSection, place: &str) -> Result<(), Error> {
     let parameters = section.parameters.iter().enumerate();
     let overlap = |(index, tuned): (usize, &TunedParameter)| {
-        Some((tuned.id, scene.overlap(&section.parameters[..index], tuned.id)?))
+        Some((tuned.id, overlap(scene, &section.parameters[..index], tuned.id)?))
     };
     match { parameters }.find_map(overlap) {
         None => Ok(()),
@@ -376,8 +327,8 @@ fn load_target(
     scene: &Scene,
     section: &OptimizeSection,
     place: &str,
-    render: impl FnOnce(&Scene) -> Image,
-) -> Result<(LoadedImage, Option<Parameters>), Error> {
+    settings: &Settings,
+) -> Result<(LoadedImage, Option<Scene>), Error> {
     match &section.target {
         None => Err(Error::new(
             place,
@@ -400,11 +351,11 @@ fn load_target(
         Some(Target::Values(values)) => {
             let mut truth = scene.clone();
             for (id, values) in values {
-                truth.parameters.get_mut(*id).copy_from_slice(values);
+                truth.assign(*id, values);
             }
             truth.validate(format_args!("{place}: optimize.target_values"))?;
-            let image = render(&truth);
-            Ok((LoadedImage { image, saturates: false }, Some(truth.parameters)))
+            let image = Renderer::unchecked(&truth, settings).render();
+            Ok((LoadedImage { image, saturates: false }, Some(truth)))
         }
     }
 }

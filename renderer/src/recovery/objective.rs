@@ -1,99 +1,70 @@
 //! The loss of an image as a function of numbers.
 
-use ad::lanes::Lanes;
-
 use super::Recovery;
-use crate::integrator::{
-    GradientResult, Prepared, Sampling, Wanted, find_non_finite, gradient, gradient_of_finite,
-};
+use crate::adjoint::LossAndGradient;
 use crate::optimize::{Evaluation, Objective};
-use crate::scene::{Invalid, ParameterId, Parameters};
-
-/// Sets parameters to the values that stand one after the other in `x`.
-pub(super) fn assign(parameters: &mut Parameters, ids: &[ParameterId], mut x: &[f64]) {
-    for &id in ids {
-        let values = parameters.get_mut(id);
-        let (mine, rest) = x.split_at(values.len());
-        values.copy_from_slice(mine);
-        x = rest;
-    }
-}
+use crate::render::Renderer;
+use crate::scene::{Invalid, Scene};
+use crate::settings::{Sampling, Settings};
 
 /// The loss of the rendered image as a function of the parameters that vary.
-pub(super) struct ImageObjective<'a, S: Lanes> {
+pub(crate) struct ImageObjective<'a> {
     recovery: &'a Recovery<'a>,
-    prepared: Prepared<'a, S>,
-    parameters: Parameters,
-    wanted: Wanted<'a>,
+    renderer: Renderer,
+    scene: Scene,
 }
 
-impl<'a, S: Lanes> ImageObjective<'a, S> {
-    pub fn new(recovery: &'a Recovery<'a>) -> Self {
-        Self {
-            recovery,
-            prepared: Prepared::with_settings(recovery.scene, recovery.settings),
-            parameters: recovery.scene.parameters.clone(),
-            wanted: Wanted::by(&recovery.ids),
-        }
+impl<'a> ImageObjective<'a> {
+    pub fn new(recovery: &'a Recovery<'a>, settings: &Settings) -> Self {
+        let renderer = Renderer::unchecked(recovery.scene, settings);
+        Self { recovery, renderer, scene: recovery.scene.clone() }
+    }
+
+    /// Changes the rays through pixels and the depth of paths; all else that is prepared stays.
+    pub fn resample(&mut self, sampling: Sampling, bounces: u32) {
+        self.renderer.resample(sampling, Some(bounces));
+    }
+
+    /// Moves to these values; returns what is wrong with them.
+    fn assign(&mut self, x: &[f64]) -> Result<(), Invalid> {
+        self.scene.assign_all(&self.recovery.ids, x);
+        self.scene.check_values(&self.recovery.ids)?;
+        self.renderer.update(&self.scene);
+        Ok(())
     }
 }
 
-impl<S: Lanes> ImageObjective<'_, S> {
-    /// The wanted elements of a gradient, one after the other.
-    fn evaluation(&self, result: &GradientResult) -> Evaluation {
-        let elements = self.recovery.ids.iter().flat_map(|&id| result.gradient.get(id));
-        Evaluation { loss: result.loss, gradient: elements.copied().collect() }
-    }
-
-    /// What is wrong with the parameters as they stand.
-    fn invalid(&self) -> Option<Invalid> {
-        self.recovery.scene.check_values(&self.parameters, &self.recovery.ids).err()
-    }
+/// A loss and its gradient, in a row.
+fn evaluation(result: &LossAndGradient) -> Evaluation {
+    Evaluation { loss: result.loss, gradient: result.gradient.concat() }
 }
 
-/// An objective whose rays can be changed; all else that is prepared stays.
-pub(crate) trait SteeredObjective: Objective {
-    /// How many mirrors and transparent surfaces light meets at most, and the rays through pixels.
-    fn steer(&mut self, bounces: u32, sampling: Sampling);
-}
-
-impl<S: Lanes> SteeredObjective for ImageObjective<'_, S> {
-    fn steer(&mut self, bounces: u32, sampling: Sampling) {
-        self.prepared.set_bounces(bounces);
-        self.prepared.set_sampling(sampling);
-    }
-}
-
-impl<S: Lanes> Objective for ImageObjective<'_, S> {
+impl Objective for ImageObjective<'_> {
     fn evaluate(&mut self, x: &[f64]) -> Evaluation {
-        assign(&mut self.parameters, &self.recovery.ids, x);
-        if self.invalid().is_some() {
+        if self.assign(x).is_err() {
             return Evaluation { loss: f64::NAN, gradient: vec![f64::NAN; x.len()] };
         }
-        self.prepared.set_parameters(&self.parameters);
-        let (recovery, loss) = (self.recovery, self.recovery.loss());
-        let evaluation = self.evaluation(&gradient(&self.prepared, &loss, self.wanted));
-        if evaluation.is_finite() || !recovery.allow_non_finite {
-            return evaluation;
+        let Self { recovery, renderer, scene } = self;
+        let (ids, loss) = (&recovery.ids, recovery.loss());
+        let result = evaluation(&renderer.loss_and_gradient(scene, &loss, ids));
+        if result.is_finite() || !recovery.allow_non_finite {
+            return result;
         }
-        let Some(found) = find_non_finite(&self.prepared, &loss, &recovery.ids) else {
-            return evaluation;
+        let Some(found) = renderer.find_non_finite_gradient(scene, &loss, ids) else {
+            return result;
         };
-        let result = gradient_of_finite(&self.prepared, &loss, self.wanted, &found);
         if let Ok(mut left_out) = recovery.left_out.lock() {
             *left_out = Some(found.to_string());
         }
-        self.evaluation(&result)
+        evaluation(&renderer.gradient_of_finite(scene, &loss, ids, &found))
     }
 
     fn explain(&mut self, x: &[f64]) -> Option<String> {
-        assign(&mut self.parameters, &self.recovery.ids, x);
-        if let Some(Invalid { path, problem }) = self.invalid() {
+        if let Err(Invalid { path, problem }) = self.assign(x) {
             return Some(format!("{path} {problem}"));
         }
-        self.prepared.set_parameters(&self.parameters);
-        let recovery = self.recovery;
-        let found = find_non_finite(&self.prepared, &recovery.loss(), &recovery.ids)?;
+        let Self { recovery, renderer, scene } = self;
+        let found = renderer.find_non_finite_gradient(scene, &recovery.loss(), &recovery.ids)?;
         Some(found.to_string())
     }
 }

@@ -76,7 +76,7 @@ fn optional(path: &Path) -> Result<Option<Vec<u8>>, Error> {
     match fs::read(path) {
         Ok(bytes) => Ok(Some(bytes)),
         Err(error) if error.kind() == ErrorKind::NotFound => Ok(None),
-        Err(error) => Err(Error::new(path.display(), format_args!("cannot be read: {error}"))),
+        Err(error) => Err(Error::io(path, format!("cannot be read: {error}"), error)),
     }
 }
 

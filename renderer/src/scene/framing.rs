@@ -4,29 +4,27 @@ use std::f64::consts::PI;
 
 use glam::DVec3;
 
-use super::{Light, Scene};
-use crate::kernels::camera::Camera;
-use crate::kernels::light::PointLight;
+use super::{Camera, Light, LightObject, LightSource, Mesh, PointLight, Scene};
 
 /// The size of the image in pixels.
 const SIZE: u32 = 512;
 /// The vertical field of view in degrees.
 const VFOV: f64 = 45.0;
-/// From the object towards the camera: in front (+z), to the right and above.
+/// The direction from the object towards the camera: in front (+z), to the right and above.
 const TOWARDS_CAMERA: DVec3 = DVec3::new(1.0, 0.7, 1.6);
 /// The room left around the object.
 const MARGIN: f64 = 1.05;
-/// The irradiance where the sphere around the object is closest to the light: one at which the
-/// default albedo 0.7 stays below 1, white.
-const IRRADIANCE: f64 = 1.4;
+/// The radiance of a white surface that faces the light where the sphere around the object is closest
+/// to it: the default albedo 0.7 stays below 1, white.
+const RADIANCE: f64 = 1.4;
 
 impl Scene {
-    /// Gives the scene a camera and a light, `key`, that fit its vertices and spheres.
+    /// Gives the scene a camera and a light, `key`, that fit its geometry.
     ///
     /// The camera looks at the centre of the bounding box from the front, to the right of and above
     /// it, such that the sphere around all vertices fits the square image. The light stands above
     /// the camera; where that sphere is closest to it, a surface that faces it receives an
-    /// irradiance of 1.4, the most that any surface can.
+    /// irradiance of 1.4 π, the most that any surface can.
     pub fn frame(&mut self) {
         let (center, radius) = self.bounding_sphere();
         // A sphere fits a cone of this half angle when it touches the cone's side.
@@ -34,14 +32,14 @@ impl Scene {
         let look_from = center + TOWARDS_CAMERA.normalize() * distance;
         self.width = SIZE;
         self.height = SIZE;
-        self.parameters.camera =
-            Camera { look_from, look_at: center, up: DVec3::Y, vfov: VFOV, focus: 1.0 };
+        self.camera = Camera { vfov: VFOV, ..Camera::looking(look_from, center) };
 
         let position = look_from + DVec3::Y * (0.5 * distance);
-        let intensity = IRRADIANCE * 4.0 * PI * (position.distance(center) - radius).powi(2);
-        self.light_names = vec!["key".to_owned()];
-        self.parameters.lights =
-            vec![Light::Point(PointLight { position, color: DVec3::ONE, intensity })];
+        let nearest = position.distance(center) - radius;
+        let radiant_intensity = RADIANCE * PI * nearest.powi(2);
+        let light = Light::Point(PointLight { position, color: DVec3::ONE, radiant_intensity });
+        self.lights =
+            vec![LightObject { name: "key".to_owned(), source: LightSource::Known(light) }];
     }
 
     /// Gives the framed scene another camera, whose image has `aspect_ratio` times its height as its
@@ -55,7 +53,7 @@ impl Scene {
         if depth > 0.0 {
             camera.look_at = camera.look_from + forward * depth;
         }
-        self.parameters.camera = camera;
+        self.camera = camera;
         if let Some(ratio) = aspect_ratio {
             self.width = ((f64::from(SIZE) * ratio).round() as u32).max(1);
         }
@@ -63,16 +61,16 @@ impl Scene {
 
     /// The centre of the bounding box, and the radius around it that holds everything.
     fn bounding_sphere(&self) -> (DVec3, f64) {
-        let vertices = self.parameters.vertices.as_slice().concat();
-        let spheres = &self.parameters.spheres;
+        let center = self.bounding_box().map_or(DVec3::ZERO, |(low, high)| low.midpoint(high));
         // A vertex is a sphere without extent.
-        let parts = || {
-            let vertices = vertices.iter().map(|&v| (DVec3::from_array(v), 0.0));
-            vertices.chain(spheres.iter().map(|s| (s.center, s.radius)))
-        };
-        let bounding_box = self.bounding_box();
-        let center = bounding_box.map_or(DVec3::ZERO, |(low, high)| low.midpoint(high));
-        let radius = parts().map(|(c, r)| c.distance(center) + r).fold(0.0, f64::max);
+        let vertices = self.meshes.iter().flat_map(Mesh::world_vertices).map(|v| (v, 0.0));
+        let spheres = self.spheres.iter().map(|s| (s.values.center, s.values.radius));
+        let shapes = self.shapes.iter().map(|shape| {
+            let (low, high) = shape.bounds();
+            (low.midpoint(high), 0.5 * low.distance(high))
+        });
+        let parts = vertices.chain(spheres).chain(shapes);
+        let radius = parts.map(|(c, r)| c.distance(center) + r).fold(0.0, f64::max);
         // A single point has no size of its own.
         (center, if radius > 0.0 { radius } else { 1.0 })
     }
@@ -82,13 +80,14 @@ impl Scene {
 mod tests {
     use super::*;
     use crate::demo::demo_experiment;
+    use crate::scene::SphereObject;
 
     /// Where the camera sees a point: 1 is the edge of the image.
     fn projected(camera: &Camera<f64>, point: DVec3) -> [f64; 2] {
         let forward = (camera.look_at - camera.look_from).normalize();
         let right = forward.cross(camera.up).normalize();
         let offset = point - camera.look_from;
-        let half_height = camera.focus * (camera.vfov / 2.0).to_radians().tan();
+        let half_height = camera.film_scale * (camera.vfov / 2.0).to_radians().tan();
         let scale = 1.0 / (offset.dot(forward) * half_height);
         [offset.dot(right) * scale, offset.dot(right.cross(forward)) * scale]
     }
@@ -98,27 +97,27 @@ mod tests {
         for scale in [1e-6, 1e-3, 1.0, 1e3, 1e6] {
             for shift in [0.0, -5.0] {
                 let mut scene = demo_experiment().unwrap().scene;
-                for value in scene.parameters.vertices[0].as_flattened_mut() {
+                for value in scene.meshes[0].vertices.as_flattened_mut() {
                     *value = (*value + shift) * scale;
                 }
                 scene.frame();
                 assert_eq!(scene.check(), Ok(()), "{scale} {shift}");
-                let camera = &scene.parameters.camera;
-                let vertices = scene.parameters.vertices[0].iter();
+                let camera = &scene.camera;
+                let vertices = scene.meshes[0].vertices.iter();
                 let seen = vertices.map(|&v| projected(camera, DVec3::from_array(v)));
                 let largest = seen.flatten().map(f64::abs).fold(0.0, f64::max);
                 assert!((0.6..1.0).contains(&largest), "{scale} {shift}: {largest}");
 
-                let Light::Point(light) = &scene.parameters.lights[0] else {
+                let LightSource::Known(Light::Point(light)) = &scene.lights[0].source else {
                     panic!("a point light");
                 };
-                let irradiance = |point: DVec3| {
-                    light.intensity / (4.0 * PI * light.position.distance_squared(point))
+                let white = |point: DVec3| {
+                    light.radiant_intensity / (PI * light.position.distance_squared(point))
                 };
-                let vertices = scene.parameters.vertices[0].iter();
-                let brightest = vertices.map(|&v| irradiance(v.into())).fold(0.0, f64::max);
+                let vertices = scene.meshes[0].vertices.iter();
+                let brightest = vertices.map(|&v| white(v.into())).fold(0.0, f64::max);
                 assert!(0.7 * brightest < 1.0, "{brightest}");
-                assert!(0.7 * irradiance(camera.look_at) > 0.4);
+                assert!(0.7 * white(camera.look_at) > 0.4);
                 assert!(light.position.y > camera.look_from.y);
             }
         }
@@ -127,17 +126,16 @@ mod tests {
     #[test]
     fn a_single_point_and_spheres_are_framed() {
         let mut scene = demo_experiment().unwrap().scene;
-        scene.parameters.vertices[0].fill([3.0, 3.0, 3.0]);
+        scene.meshes[0].vertices.fill([3.0, 3.0, 3.0]);
         scene.frame();
         assert_eq!(scene.check(), Ok(()));
-        assert_eq!(scene.parameters.camera.look_at, DVec3::splat(3.0));
+        assert_eq!(scene.camera.look_at, DVec3::splat(3.0));
 
-        scene.parameters.vertices[0].fill([0.0; 3]);
-        let sphere = crate::kernels::sphere::Sphere { center: DVec3::X, radius: 3.0 };
-        scene.parameters.spheres.push(sphere);
+        scene.meshes[0].vertices.fill([0.0; 3]);
+        scene.add_sphere(SphereObject::new("ball", DVec3::X, 3.0)).unwrap();
         scene.frame();
-        assert_eq!(scene.parameters.camera.look_at, DVec3::X);
-        let top = projected(&scene.parameters.camera, DVec3::new(1.0, 3.0, 0.0));
+        assert_eq!(scene.camera.look_at, DVec3::X);
+        let top = projected(&scene.camera, DVec3::new(1.0, 3.0, 0.0));
         assert!(top[1] > 0.5 && top[1] < 1.0, "{top:?}");
     }
 }

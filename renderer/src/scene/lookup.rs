@@ -1,9 +1,8 @@
 //! From a path that a person typed to a parameter.
 
-use super::parameters::split_index;
+use super::parameter::split_index;
 use super::{ParameterId, Scene};
-#[cfg(feature = "files")]
-use crate::experiment::TunedParameter;
+use crate::Error;
 
 /// How many paths a message lists at most.
 const LISTED: usize = 8;
@@ -11,28 +10,37 @@ const LISTED: usize = 8;
 const TELLING: usize = 3;
 
 impl Scene {
-    /// The parameter that a path names.
+    /// The parameter that a path names: `light.key.position`, `mesh.tree.vertices[17]`.
     ///
     /// # Errors
     ///
-    /// If there is none: one line that says so and lists the paths that are closest.
-    pub fn find_parameter(&self, path: &str) -> Result<ParameterId, String> {
-        if let Some(id) = self.parameter(path) {
+    /// If there is none: the message lists the paths that are closest.
+    pub fn parameter(&self, path: &str) -> Result<ParameterId, Error> {
+        self.find_parameter(path).map_err(|problem| Error::new(path, problem))
+    }
+
+    /// The parameter that a path names, or one line that says that there is none and lists the paths
+    /// that are closest.
+    pub(crate) fn find_parameter(&self, path: &str) -> Result<ParameterId, String> {
+        if let Some(id) = self.named(path) {
             return Ok(id);
         }
         if let Some((whole, index)) = split_index(path)
-            && let Some(ParameterId::Vertices(mesh)) = self.parameter(whole)
+            && let Some(id) = self.named(whole)
+            && let Some(mesh) = self.mesh_of(id)
+            && id.field == "vertices"
         {
-            let (name, count) = (&self.meshes[mesh].name, self.parameters.vertices[mesh].len());
+            let count = mesh.vertices.len();
             return Err(format!(
-                "no parameter `{path}`: mesh `{name}` has {count} vertices, counted from 0, and \
-                 `{index}` is none of them"
+                "no parameter `{path}`: mesh `{}` has {count} vertices, counted from 0, and \
+                 `{index}` is none of them",
+                mesh.name
             ));
         }
         if ["camera.width", "camera.height"].contains(&path) {
             return Err(format!("`{path}` counts pixels: it cannot be differentiated by or vary"));
         }
-        let paths = self.parameter_ids().into_iter().map(|id| self.path(id).to_string());
+        let paths = self.parameters().into_iter().map(|id| self.path(id).to_string());
         let paths: Vec<String> = paths.collect();
         let close = closest(path, &paths);
         Err(if close.is_empty() {
@@ -42,16 +50,6 @@ impl Scene {
             )
         } else {
             format!("no parameter `{path}`; closest: {}", close.join(", "))
-        })
-    }
-
-    /// What is wrong with varying a parameter beside `given` ones, if it has numbers in common with one.
-    #[cfg(feature = "files")]
-    pub(crate) fn overlap(&self, given: &[TunedParameter], id: ParameterId) -> Option<String> {
-        let other = given.iter().map(|tuned| tuned.id).find(|other| other.overlaps(id))?;
-        Some(match other == id {
-            true => "is given twice".into(),
-            false => format!("overlaps {}, which is given too", self.path(other)),
         })
     }
 }
@@ -95,18 +93,23 @@ fn edit_distance(a: &str, b: &str) -> usize {
 mod tests {
     use super::*;
     use crate::demo::demo_experiment;
+    use crate::scene::Object;
 
     #[test]
     fn a_wrong_path_leads_to_the_right_one() {
         let scene = demo_experiment().unwrap().scene;
-        assert_eq!(scene.find_parameter("camera.vfov"), Ok(ParameterId::Vfov));
+        assert_eq!(
+            scene.find_parameter("camera.vfov"),
+            Ok(ParameterId::new(Object::Camera, "vfov"))
+        );
         assert_eq!(
             scene.find_parameter("light.key.positon").unwrap_err(),
             "no parameter `light.key.positon`; closest: light.key.position"
         );
         assert_eq!(
-            scene.find_parameter("lights.kye.intensity").unwrap_err(),
-            "no parameter `lights.kye.intensity`; closest: light.key.intensity"
+            scene.find_parameter("lights.kye.radiant_intensity").unwrap_err(),
+            "no parameter `lights.kye.radiant_intensity`; closest: \
+             light.key.radiant_intensity"
         );
         assert_eq!(
             scene.find_parameter("exponent").unwrap_err(),
@@ -115,13 +118,14 @@ mod tests {
         assert_eq!(
             scene.find_parameter("light.key.size").unwrap_err(),
             "no parameter `light.key.size`; closest: light.key.position, light.key.color, \
-             light.key.intensity"
+             light.key.radiant_intensity"
         );
         let vertex = |path: &str| scene.find_parameter(path);
-        let id = ParameterId::Vertex { mesh: 0, vertex: 7 };
+        let mesh = Object::Mesh(0);
+        let id = ParameterId { vertex: Some(7), ..ParameterId::new(mesh, "vertices") };
         assert_eq!(vertex("mesh.tree.vertices[7]"), Ok(id));
         assert_eq!(scene.path(id).to_string(), "mesh.tree.vertices[7]");
-        let count = scene.parameters.vertices[0].len();
+        let count = scene.meshes[0].vertices.len();
         for index in [count.to_string(), "-1".into(), "x".into(), String::new()] {
             assert_eq!(
                 vertex(&format!("mesh.tree.vertices[{index}]")).unwrap_err(),

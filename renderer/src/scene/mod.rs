@@ -1,31 +1,68 @@
-//! What is rendered: a continuous part ([`Parameters`]) and a discrete one (names, triangles, who
-//! wears which material).
+//! Scenes: objects that own their names and their numbers.
 //!
-//! The two are kept apart because a gradient has the shape of the continuous part alone, and one set of
-//! paths reaches into both. Values are `f64`
-//! whatever the renderer computes in, so that small steps of an optimiser are not lost.
+//! A [`Scene`] holds a camera, lights, materials, textures, spheres, meshes and shapes of one's own.
+//! Objects refer to materials and textures by index; [`add_material`](Scene::add_material) and its
+//! siblings return the index and check what they add. Every block of numbers that may vary is a
+//! parameter with a [path](ParameterId) such as `light.key.position`; what is known of parameters, their
+//! ranges and natural scales and whether they move edges, stands in one table, `scene/table.rs`.
+//!
+//! ```
+//! use glam::DVec3;
+//! use renderer::scene::{Material, Mesh, PointLight, Scene};
+//! use renderer::Camera;
+//!
+//! let mut scene = Scene::new(64, 48, Camera::looking(DVec3::new(0.0, 0.0, 4.0), DVec3::ZERO));
+//! let paint = scene.add_material("paint", Material::lambertian(DVec3::new(0.8, 0.3, 0.2)))?;
+//! let corners = vec![[-1.0, -1.0, 0.0], [1.0, -1.0, 0.0], [1.0, 1.0, 0.0], [-1.0, 1.0, 0.0]];
+//! scene.add_mesh(Mesh::new("roof", corners, vec![[0, 1, 2], [0, 2, 3]]).material(paint))?;
+//! let position = DVec3::new(1.0, 2.0, 4.0);
+//! scene.add_light("key", PointLight { position, color: DVec3::ONE, radiant_intensity: 60.0 })?;
+//! let vertices = scene.parameter("mesh.roof.vertices")?;
+//! assert_eq!(scene.get(vertices).len(), 12);
+//! # Ok::<(), renderer::Error>(())
+//! ```
+//!
+//! Values are `f64` whatever images are computed in, so that small steps of an optimiser are not lost.
+//! Turned down: one structure of all numbers beside one of all names (parallel arrays, whose lengths
+//! nothing ties together), and numbers behind shared references (a scene is cloned to be varied).
 
-use glam::DVec3;
-
-use crate::kernels::camera::Camera;
-
-mod custom;
 mod framing;
+mod light;
 mod lookup;
-mod parameters;
+mod material;
+mod mesh;
+pub(crate) mod numbers;
+mod object;
+mod parameter;
+mod shape;
+mod sphere;
+pub(crate) mod table;
 mod texture;
 mod validate;
 
-pub use custom::{CustomLight, CustomLightObject, CustomShape, CustomShapeObject};
-pub use parameters::{Differentiability, Light, ParameterId, Parameters};
-pub use texture::{MaterialObject, MaterialTextures, TextureObject, Wrap};
+use glam::DVec3;
+
+pub use crate::transport::camera::Camera;
+pub use crate::transport::light::{DistantLight, Light, PointLight, SpotLight};
+pub use crate::transport::material::Material;
+pub use crate::transport::sphere::Sphere;
+pub use crate::transport::transform::Transform;
+pub use light::{LightObject, LightSource};
+pub use material::{MaterialObject, MaterialTextures, Slot};
+pub use mesh::Mesh;
+pub use object::{Object, ParameterId};
+pub use parameter::{Differentiability, ParameterPath};
+pub use shape::ShapeObject;
+pub use sphere::SphereObject;
+pub use texture::{Texture, Wrap};
 pub use validate::Invalid;
-#[cfg(feature = "files")]
-pub(crate) use validate::LARGEST_EXPONENT;
 #[cfg(feature = "files")]
 pub(crate) use validate::MOST_PIXELS;
 
-/// How many mirrors and transparent surfaces light meets at most, if a scene file does not say.
+use crate::Error;
+use crate::custom::{EmitterFamily, ShapeFamily};
+
+/// How many mirrors and transparent surfaces a path has at most, if a scene does not say.
 pub(crate) const DEFAULT_BOUNCES: u32 = 4;
 
 /// A scene, complete: it needs no file to be rendered.
@@ -35,84 +72,184 @@ pub struct Scene {
     pub width: u32,
     /// The height of the image in pixels.
     pub height: u32,
-    /// How many mirrors and transparent surfaces light meets on its way to the camera at most.
+    /// How many mirrors and transparent surfaces a path has at most.
     pub bounces: u32,
-    /// Everything continuous.
-    pub parameters: Parameters,
-    /// The names of `parameters.lights`.
-    pub light_names: Vec<String>,
-    /// One entry for each of `parameters.materials`.
-    pub materials: Vec<MaterialObject>,
-    /// One entry for each of `parameters.textures`.
-    pub textures: Vec<TextureObject>,
-    /// One entry for each of `parameters.spheres`.
-    pub spheres: Vec<SphereObject>,
-    /// One entry for each of `parameters.vertices`.
-    pub meshes: Vec<MeshObject>,
-    /// One entry for each of `parameters.shapes`. Scene files do not know them.
-    pub shapes: Vec<CustomShapeObject>,
-    /// One entry for each of `parameters.custom_lights`. Scene files do not know them.
-    pub custom_lights: Vec<CustomLightObject>,
+    /// The camera.
+    pub camera: Camera<f64>,
+    pub(crate) lights: Vec<LightObject>,
+    pub(crate) materials: Vec<MaterialObject>,
+    pub(crate) textures: Vec<Texture>,
+    pub(crate) spheres: Vec<SphereObject>,
+    pub(crate) meshes: Vec<Mesh>,
+    pub(crate) shapes: Vec<ShapeObject>,
 }
 
 impl Scene {
-    /// A scene of one black pixel: nothing stands before the camera, which looks from +z to the origin.
-    /// To be filled.
-    pub fn empty() -> Self {
-        let camera = Camera {
-            look_from: DVec3::Z,
-            look_at: DVec3::ZERO,
-            up: DVec3::Y,
-            vfov: 45.0,
-            focus: 1.0,
-        };
-        let parameters = Parameters {
+    /// A scene without objects, whose image has `width` by `height` pixels.
+    pub fn new(width: u32, height: u32, camera: Camera<f64>) -> Self {
+        Self {
+            width,
+            height,
+            bounces: DEFAULT_BOUNCES,
             camera,
             lights: Vec::new(),
-            materials: Vec::new(),
-            opacities: Vec::new(),
-            spheres: Vec::new(),
-            vertices: Vec::new(),
-            texture_coordinates: Vec::new(),
-            textures: Vec::new(),
-            shapes: Vec::new(),
-            custom_lights: Vec::new(),
-        };
-        Self {
-            width: 1,
-            height: 1,
-            bounces: DEFAULT_BOUNCES,
-            parameters,
-            light_names: Vec::new(),
             materials: Vec::new(),
             textures: Vec::new(),
             spheres: Vec::new(),
             meshes: Vec::new(),
             shapes: Vec::new(),
-            custom_lights: Vec::new(),
         }
     }
-}
 
-/// The discrete part of a sphere.
-#[derive(Clone, Debug, PartialEq)]
-pub struct SphereObject {
-    /// Its name, unique among spheres.
-    pub name: String,
-    /// Index of its material.
-    pub material: u32,
-}
+    /// Adds a light; returns its index.
+    ///
+    /// # Errors
+    ///
+    /// If a number is out of its range, or another light has the name. The same holds, for their
+    /// kinds, of all functions that add objects.
+    pub fn add_light(
+        &mut self,
+        name: impl Into<String>,
+        light: impl Into<Light<f64>>,
+    ) -> Result<u32, Error> {
+        let source = LightSource::Known(light.into());
+        self.lights.push(LightObject { name: name.into(), source });
+        self.added(|scene| &mut scene.lights, Object::Light)
+    }
 
-/// The discrete part of a triangle mesh.
-#[derive(Clone, Debug, PartialEq)]
-pub struct MeshObject {
-    /// Its name, unique among meshes.
-    pub name: String,
-    /// Three indices into the mesh's vertices for each triangle.
-    pub triangles: Vec<[u32; 3]>,
-    /// The index of each triangle's material.
-    pub materials: Vec<u32>,
-    /// For each triangle three indices into the mesh's texture coordinates, if it has any; empty if
-    /// no triangle has.
-    pub texture_triangles: Vec<Option<[u32; 3]>>,
+    /// Adds a light of one's own; returns its index.
+    ///
+    /// # Errors
+    ///
+    /// If a number is not finite, or another light has the name.
+    pub fn add_emitter<T: EmitterFamily>(
+        &mut self,
+        name: impl Into<String>,
+        light: T,
+    ) -> Result<u32, Error> {
+        let source = LightSource::custom(&light);
+        self.lights.push(LightObject { name: name.into(), source });
+        self.added(|scene| &mut scene.lights, Object::Light)
+    }
+
+    /// Adds a material, or a [`MaterialObject`] with textures or an opacity; returns its index.
+    ///
+    /// # Errors
+    ///
+    /// If a number is out of its range, another material has the name, or a texture is missing.
+    pub fn add_material(
+        &mut self,
+        name: impl Into<String>,
+        material: impl Into<MaterialObject>,
+    ) -> Result<u32, Error> {
+        self.materials.push(MaterialObject { name: name.into(), ..material.into() });
+        self.added(|scene| &mut scene.materials, Object::Material)
+    }
+
+    /// Adds a texture; returns its index.
+    ///
+    /// # Errors
+    ///
+    /// If it has no texels or other than its size says, one is out of range, or another texture has
+    /// the name.
+    pub fn add_texture(&mut self, texture: Texture) -> Result<u32, Error> {
+        self.textures.push(texture);
+        self.added(|scene| &mut scene.textures, Object::Texture)
+    }
+
+    /// Adds a sphere; returns its index.
+    ///
+    /// # Errors
+    ///
+    /// If a number is out of its range, another sphere has the name, or its material is missing.
+    pub fn add_sphere(&mut self, sphere: SphereObject) -> Result<u32, Error> {
+        self.spheres.push(sphere);
+        self.added(|scene| &mut scene.spheres, Object::Sphere)
+    }
+
+    /// Adds a mesh; returns its index.
+    ///
+    /// # Errors
+    ///
+    /// If a number is out of its range, another mesh has the name, or a vertex, texture coordinate or
+    /// material is missing.
+    pub fn add_mesh(&mut self, mesh: Mesh) -> Result<u32, Error> {
+        self.meshes.push(mesh);
+        self.added(|scene| &mut scene.meshes, Object::Mesh)
+    }
+
+    /// Adds a shape of one's own that wears a material; returns its index.
+    ///
+    /// # Errors
+    ///
+    /// If a number is not finite, another shape has the name, or the material is missing, textured or
+    /// transparent.
+    pub fn add_shape<T: ShapeFamily>(
+        &mut self,
+        name: impl Into<String>,
+        shape: T,
+        material: u32,
+    ) -> Result<u32, Error> {
+        self.shapes.push(ShapeObject::new(name, &shape, material));
+        self.added(|scene| &mut scene.shapes, Object::Shape)
+    }
+
+    /// Keeps the object that was added last if it is valid.
+    fn added<T>(
+        &mut self,
+        objects: impl Fn(&mut Self) -> &mut Vec<T>,
+        object: fn(usize) -> Object,
+    ) -> Result<u32, Error> {
+        let index = objects(self).len() - 1;
+        if let Err(Invalid { path, problem }) = self.check_object(object(index)) {
+            objects(self).pop();
+            return Err(Error::new(path, problem));
+        }
+        Ok(index as u32)
+    }
+
+    /// The lights, in the order in which they were added; so it is with all objects.
+    pub fn lights(&self) -> &[LightObject] {
+        &self.lights
+    }
+
+    /// The materials.
+    pub fn materials(&self) -> &[MaterialObject] {
+        &self.materials
+    }
+
+    /// The textures.
+    pub fn textures(&self) -> &[Texture] {
+        &self.textures
+    }
+
+    /// The spheres.
+    pub fn spheres(&self) -> &[SphereObject] {
+        &self.spheres
+    }
+
+    /// The meshes.
+    pub fn meshes(&self) -> &[Mesh] {
+        &self.meshes
+    }
+
+    /// The shapes of one's own.
+    pub fn shapes(&self) -> &[ShapeObject] {
+        &self.shapes
+    }
+
+    /// The width divided by the height of the image.
+    pub fn aspect(&self) -> f64 {
+        f64::from(self.width) / f64::from(self.height)
+    }
+
+    /// The lowest and the highest corner of the box around all geometry in the world; nothing if there
+    /// is none.
+    pub fn bounding_box(&self) -> Option<(DVec3, DVec3)> {
+        let vertices = self.meshes.iter().flat_map(Mesh::world_vertices).map(|v| (v, v));
+        let spheres = self.spheres.iter().map(SphereObject::bounds);
+        let shapes = self.shapes.iter().map(ShapeObject::bounds);
+        let boxes = vertices.chain(spheres).chain(shapes);
+        boxes.reduce(|(low, high), (a, b)| (low.min(a), high.max(b)))
+    }
 }

@@ -1,81 +1,35 @@
-//! The discrete part of materials and textures.
+//! Textures of a scene.
 
-use super::Scene;
+use std::borrow::Cow;
 
-/// The discrete part of a material.
+use ad::Field;
+
+use super::numbers::Numbers;
+
+/// An image that varies the numbers of materials.
 #[derive(Clone, Debug, PartialEq)]
-pub struct MaterialObject {
-    /// Its name, unique among materials.
-    pub name: String,
-    /// What its colours and its opacity vary by.
-    pub textures: MaterialTextures,
-    /// The index of its opacity among [`Parameters::opacities`](super::Parameters::opacities); none if it
-    /// is opaque for good.
-    pub opacity: Option<u32>,
-}
-
-impl MaterialObject {
-    /// An opaque material without textures.
-    pub fn new(name: impl Into<String>) -> Self {
-        Self { name: name.into(), textures: MaterialTextures::default(), opacity: None }
-    }
-}
-
-/// Indices of the textures that a material's colours, and its opacity, are multiplied by.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct MaterialTextures {
-    /// That of `ambient`.
-    pub ambient: Option<u32>,
-    /// That of `diffuse`.
-    pub diffuse: Option<u32>,
-    /// That of `specular`.
-    pub specular: Option<u32>,
-    /// That of the [opacity](MaterialObject::opacity), which has to be there; the mean of the channels
-    /// counts.
-    pub opacity: Option<u32>,
-}
-
-impl MaterialTextures {
-    /// Whether there is one.
-    pub fn any(&self) -> bool {
-        self.iter().next().is_some()
-    }
-
-    /// Those that there are.
-    pub fn iter(&self) -> impl Iterator<Item = u32> {
-        [self.ambient, self.diffuse, self.specular, self.opacity].into_iter().flatten()
-    }
-}
-
-impl Scene {
-    /// Whether a texture varies the opacity of a material.
-    pub(crate) fn is_of_opacity(&self, texture: usize) -> bool {
-        self.materials.iter().any(|material| material.textures.opacity == Some(texture as u32))
-    }
-}
-
-/// The discrete part of a texture.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct TextureObject {
-    /// Its name, unique among textures.
+pub struct Texture {
+    /// The name, unique among textures.
     pub name: String,
     /// Texels per row.
     pub width: u32,
     /// Rows.
     pub height: u32,
-    /// How it goes on beyond its edges.
+    /// What lies beyond its edges.
     pub wrap: Wrap,
+    /// Linear RGB, row by row from the top left.
+    pub texels: Vec<[f64; 3]>,
 }
 
-/// How a texture goes on beyond its edges.
+/// What lies beyond the edges of a texture.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Wrap {
-    /// It begins anew.
+    /// The texture again.
     #[default]
     Repeat,
-    /// Its outermost texels go on.
+    /// Its outermost texels.
     Clamp,
-    /// It goes back and forth.
+    /// The texture mirrored.
     Mirror,
 }
 
@@ -92,6 +46,20 @@ impl Wrap {
             }
         };
         inside as u32
+    }
+}
+
+impl Numbers for Texture {
+    fn fields(&self) -> Vec<Field> {
+        vec![Field { name: "texels", len: 3 * self.texels.len() }]
+    }
+
+    fn get(&self, field: &str) -> Option<Cow<'_, [f64]>> {
+        (field == "texels").then(|| Cow::Borrowed(self.texels.as_flattened()))
+    }
+
+    fn set(&mut self, _: &str, first: usize, numbers: &[f64]) {
+        self.texels.as_flattened_mut()[first..][..numbers.len()].copy_from_slice(numbers);
     }
 }
 

@@ -7,9 +7,9 @@ pub enum Axis {
     Arithmetic,
     /// How derivatives are made, if not by the generated adjoint.
     Engine,
-    /// How it is found what pixels show.
+    /// How primary visibility is found.
     Visibility,
-    /// How much work building the tree is, and what happens to it when geometry moves.
+    /// The quality of the acceleration structure, and what happens to it when geometry moves.
     Tree,
     /// How many mirrors light meets at most.
     Bounces,

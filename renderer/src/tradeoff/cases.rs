@@ -1,19 +1,17 @@
 //! The settings that a scene gives a choice of.
 
-use ad::lanes::{f32x16, f64x8};
 use glam::DVec3;
 
 use super::axis::Axis;
 use super::engine::{
-    Adjoint, Differences, Engine, Geometry, ImageFirst, Question, ReplayMode, Replayed, is_geometry,
+    Adjoint, Differences, Engine, Forward, Geometry, ImageFirst, Question, Tape, is_geometry,
 };
 use super::measurement::Case;
-use crate::acceleration::Effort;
 use crate::accuracy::GradientMetric;
-use crate::arithmetic::{Arithmetic, Precision, with_arithmetic};
-use crate::integrator::{RenderSettings, Visibility};
+use crate::arithmetic::Arithmetic;
 use crate::recovery::Recovery;
-use crate::scene::ParameterId;
+use crate::scene::{MaterialObject, ParameterId};
+use crate::settings::{BuildQuality, PrimaryVisibility, Settings};
 
 /// Engines that go derivative by derivative are asked for so many at most, evenly spaced.
 const MOST_ELEMENTS: usize = 12;
@@ -30,7 +28,7 @@ pub(super) fn cases<'a>(
     metric: &GradientMetric,
 ) -> (Vec<Case<'a>>, Vec<String>) {
     let scene = recovery.scene();
-    let settings = RenderSettings::default();
+    let settings = Settings::default();
     let question = Question { recovery, settings };
     let (mut cases, mut remarks) = (Vec::new(), Vec::new());
     let mut push = |axis, setting: String, engine, elements| {
@@ -38,12 +36,12 @@ pub(super) fn cases<'a>(
     };
 
     for arithmetic in Arithmetic::ALL {
-        let engine: Box<dyn Engine + 'a> =
-            with_arithmetic!(arithmetic, L => Box::new(Adjoint::<L>::new(question)));
+        let settings = Settings { arithmetic, ..settings };
+        let engine = Box::new(Adjoint::new(Question { settings, ..question }));
         push(Axis::Arithmetic, arithmetic.name().to_owned(), engine, None);
     }
 
-    let image_first = Box::new(ImageFirst(Adjoint::<f32x16>::new(question)));
+    let image_first = Box::new(ImageFirst(Adjoint::new(question)));
     push(Axis::Engine, "image, then adjoint, f32x16".into(), image_first, None);
 
     let pixels = scene.width as usize * scene.height as usize;
@@ -56,65 +54,57 @@ pub(super) fn cases<'a>(
             metric.count()
         ));
     }
-    if scene.shapes.is_empty() && scene.custom_lights.is_empty() {
-        let mut replay = |setting: &str, mode: ReplayMode, elements| {
-            let engine = Box::new(Replayed::<f64x8>::new(question, mode));
-            push(Axis::Engine, setting.to_owned(), engine, elements);
-        };
-        if pixels <= MOST_PIXELS_ON_TAPE {
-            replay("tape for the image, f64", ReplayMode::Tape(pixels), None);
-        } else {
-            remarks.push(format!(
-                "no tape for the whole image: it has more than {MOST_PIXELS_ON_TAPE} pixels"
-            ));
-        }
-        replay("tape per 64 pixels, f64", ReplayMode::Tape(64), None);
-        replay("dual numbers, f64", ReplayMode::Forward(elements.clone()), among.clone());
-        for (setting, sums) in
-            [("dual numbers, f32", Precision::F64), ("the same, sums in f32", Precision::F32)]
-        {
-            let mode = ReplayMode::SingleForward(elements.clone(), sums);
-            replay(setting, mode, among.clone());
-        }
+    let double = Question { settings: settings.in_double_precision(), ..question };
+    if pixels <= MOST_PIXELS_ON_TAPE {
+        let tape = Box::new(Tape::new(double, true));
+        push(Axis::Engine, "tape for the image, f64".into(), tape, None);
     } else {
-        remarks.push(
-            "no tape and no dual numbers: the scene has shapes or lights of its user's own".into(),
-        );
+        remarks.push(format!(
+            "no tape for the whole image: it has more than {MOST_PIXELS_ON_TAPE} pixels"
+        ));
+    }
+    push(Axis::Engine, "tape per strip, f64".into(), Box::new(Tape::new(double, false)), None);
+    for (setting, question) in [("dual numbers, f64", double), ("dual numbers, f32", question)] {
+        let engine = Box::new(Forward::new(question, elements.clone()));
+        push(Axis::Engine, setting.into(), engine, among.clone());
     }
 
     let triangles: usize = scene.meshes.iter().map(|mesh| mesh.triangles.len()).sum();
     let tests = pixels as f64 * (triangles + scene.spheres.len()) as f64;
-    for (name, visibility) in [("list", Visibility::List), ("rasteriser", Visibility::Raster)] {
-        if visibility == Visibility::List && tests > MOST_TESTS {
-            remarks.push(format!("no list: it would take {tests:.0e} tests of rays"));
+    for (name, visibility) in
+        [("brute force", PrimaryVisibility::BruteForce), ("rasteriser", PrimaryVisibility::Raster)]
+    {
+        if visibility == PrimaryVisibility::BruteForce && tests > MOST_TESTS {
+            remarks.push(format!("no brute force: it would take {tests:.0e} tests of rays"));
             continue;
         }
-        let settings = RenderSettings { visibility, ..settings };
-        let engine = Box::new(Adjoint::<f32x16>::new(Question { settings, ..question }));
+        let settings = Settings { visibility, ..settings };
+        let engine = Box::new(Adjoint::new(Question { settings, ..question }));
         push(Axis::Visibility, format!("{name}, f32x16"), engine, None);
     }
     let is_moving = recovery.ids().iter().any(is_geometry);
-    for effort in Effort::ALL {
-        let settings = RenderSettings { effort, ..settings };
+    for build_quality in BuildQuality::ALL {
+        let settings = Settings { build_quality, ..settings };
         let mut tree = |geometry, when: &str| {
             let question = Question { settings, ..question };
-            let engine = Box::new(Adjoint::<f32x16>::with_geometry(question, geometry));
-            push(Axis::Tree, format!("{} effort{when}, f32x16", effort.name()), engine, None);
+            let engine = Box::new(Adjoint::with_geometry(question, geometry));
+            let setting = format!("{} quality{when}, f32x16", build_quality.name());
+            push(Axis::Tree, setting, engine, None);
         };
-        if effort != Effort::default() {
+        if build_quality != BuildQuality::default() {
             tree(Geometry::AsAsked, "");
         }
         if !is_moving {
-            tree(Geometry::Fitted, ", fitted");
+            tree(Geometry::Refitted, ", refitted");
         }
-        tree(Geometry::Anew, ", anew");
+        tree(Geometry::Rebuilt, ", rebuilt");
     }
-    let is_mirror = |i: usize| scene.parameters.materials[i].reflection != DVec3::ZERO;
-    let goes_on = |i: usize| is_mirror(i) || scene.materials[i].opacity.is_some();
-    let has_bounces = (0..scene.materials.len()).any(goes_on);
+    let goes_on =
+        |material: &MaterialObject| material.values.mirror != DVec3::ZERO || material.transparent;
+    let has_bounces = scene.materials.iter().any(goes_on);
     for bounces in if has_bounces { 0..scene.bounces } else { 0..0 } {
-        let settings = RenderSettings { bounces: Some(bounces), ..settings };
-        let engine = Box::new(Adjoint::<f32x16>::new(Question { settings, ..question }));
+        let settings = Settings { bounces: Some(bounces), ..settings };
+        let engine = Box::new(Adjoint::new(Question { settings, ..question }));
         push(Axis::Bounces, format!("{bounces} bounces, f32x16"), engine, None);
     }
     cases.extend(differences(question, metric, &elements, among.as_ref()));
@@ -132,8 +122,9 @@ fn differences<'a>(
     for exponent in STEP_EXPONENTS {
         let step = 10f64.powi(-exponent);
         let steps = steps(question.recovery, metric, elements, step);
-        let single = Box::new(Differences::<f32x16>::new(question, steps.clone()));
-        let double = Box::new(Differences::<f64x8>::new(question, steps));
+        let settings = question.settings.in_double_precision();
+        let single = Box::new(Differences::new(question, steps.clone()));
+        let double = Box::new(Differences::new(Question { settings, ..question }, steps));
         let engines: [(Axis, Box<dyn Engine + 'a>); 2] =
             [(Axis::SingleDifferences, single), (Axis::DoubleDifferences, double)];
         cases.extend(engines.map(|(axis, engine)| Case {
@@ -164,7 +155,7 @@ fn steps(
     let numbers: Vec<(ParameterId, usize)> = recovery
         .ids()
         .iter()
-        .flat_map(|&id| (0..scene.parameters.get(id).len()).map(move |index| (id, index)))
+        .flat_map(|&id| (0..scene.get(id).len()).map(move |index| (id, index)))
         .collect();
     let step = |&element: &usize| {
         let (id, index) = numbers[element];

@@ -1,17 +1,15 @@
 //! The ways to a gradient.
 
-use ad::lanes::Lanes;
-use glam::{DVec3, Vec3};
+use glam::Vec3;
 
-use super::replay::Replay;
-use crate::arithmetic::Precision;
 use crate::image::Image;
-use crate::integrator::{
-    Path, PixelLoss, Prepared, RenderSettings, Sampling, Wanted, gradient, loss, render,
-};
-use crate::loss::ImageLoss;
+use crate::loss::{ImageLoss, PixelLoss};
+use crate::primal::integrator::Prepared;
 use crate::recovery::Recovery;
-use crate::scene::{ParameterId, Parameters, Scene};
+use crate::render::Renderer;
+use crate::scene::{Object, ParameterId, Scene};
+use crate::settings::{Sampling, Settings};
+use crate::tradeoff::tape;
 
 /// A way to the gradient of a loss at the parameters of a scene.
 pub(super) trait Engine {
@@ -32,7 +30,7 @@ pub(super) trait Engine {
 #[derive(Clone, Copy)]
 pub(super) struct Question<'a> {
     pub recovery: &'a Recovery<'a>,
-    pub settings: RenderSettings,
+    pub settings: Settings,
 }
 
 impl<'a> Question<'a> {
@@ -48,87 +46,88 @@ impl<'a> Question<'a> {
         self.recovery.loss()
     }
 
-    fn prepared<L: Lanes>(&self) -> Prepared<'a, L> {
-        Prepared::with_settings(self.scene(), self.settings)
+    fn renderer(&self) -> Renderer {
+        Renderer::unchecked(self.scene(), &self.settings)
     }
 
-    /// The parameters, each by a hair away from where it is; if `geometry` says so, all spheres and
-    /// vertices, too.
-    fn moved(&self, geometry: Geometry) -> Parameters {
+    /// The scene with its parameters a hair away from where they are; if `geometry` says so, with all
+    /// spheres and vertices, too.
+    fn moved(&self, geometry: Geometry) -> Scene {
         let mut ids = self.ids().to_vec();
         if geometry != Geometry::AsAsked {
-            ids.extend(self.scene().parameter_ids().into_iter().filter(is_geometry));
+            ids.extend(self.scene().parameters().into_iter().filter(is_geometry));
         }
-        let mut parameters = self.scene().parameters.clone();
+        let mut scene = self.scene().clone();
         for id in ids {
-            parameters.get_mut(id).iter_mut().for_each(|value| *value *= 1.0 + 1e-9);
+            let moved: Vec<f64> = scene.get(id).iter().map(|value| value * (1.0 + 1e-9)).collect();
+            scene.assign(id, &moved);
         }
-        parameters
+        scene
     }
 }
 
-/// Whether the tree depends on a parameter.
+/// Whether the acceleration structure depends on a parameter.
 pub(super) fn is_geometry(id: &ParameterId) -> bool {
-    use ParameterId::*;
-    matches!(id, Vertices(_) | Vertex { .. } | SphereCenter(_) | SphereRadius(_))
+    match id.object {
+        Object::Mesh(_) => id.field != "texture_coordinates",
+        Object::Sphere(_) | Object::Shape(_) => true,
+        Object::Camera | Object::Light(_) | Object::Material(_) | Object::Texture(_) => false,
+    }
 }
 
 /// What happens to spheres and meshes between gradients.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Geometry {
-    /// Those move that are asked for, and the tree is fitted to them.
+    /// Only requested geometry changes; the hierarchy is refitted.
     AsAsked,
-    /// All move, and the tree is fitted to them.
-    Fitted,
-    /// All move, and the tree is built anew.
-    Anew,
+    /// All geometry changes; the hierarchy is refitted.
+    Refitted,
+    /// All geometry changes; the hierarchy is rebuilt.
+    Rebuilt,
 }
 
 /// The generated adjoint: one pass for all derivatives.
-pub(super) struct Adjoint<'a, L: Lanes> {
+pub(super) struct Adjoint<'a> {
     question: Question<'a>,
-    prepared: Prepared<'a, L>,
-    moved: Parameters,
+    renderer: Renderer,
+    moved: Scene,
     geometry: Geometry,
 }
 
-impl<'a, L: Lanes> Adjoint<'a, L> {
+impl<'a> Adjoint<'a> {
     pub fn new(question: Question<'a>) -> Self {
         Self::with_geometry(question, Geometry::AsAsked)
     }
 
     pub fn with_geometry(question: Question<'a>, geometry: Geometry) -> Self {
         let moved = question.moved(geometry);
-        Self { question, prepared: question.prepared(), moved, geometry }
+        Self { question, renderer: question.renderer(), moved, geometry }
     }
-}
 
-impl<L: Lanes> Adjoint<'_, L> {
     /// Changes the rays through pixels.
     pub fn set_sampling(&mut self, sampling: Sampling) {
         self.question.settings.sampling = sampling;
-        self.prepared.set_sampling(sampling);
+        self.renderer.resample(sampling, self.question.settings.bounces);
     }
 
     /// Takes the parameters over.
     fn arrive(&mut self) {
         match self.geometry {
-            Geometry::Anew => self.prepared = self.question.prepared(),
-            _ => self.prepared.set_parameters(&self.question.scene().parameters),
+            Geometry::Rebuilt => self.renderer = self.question.renderer(),
+            _ => self.renderer.update(self.question.scene()),
         }
     }
 
-    /// The gradient of a loss of the image by the wanted parameters, one after the other.
-    fn gradient_of(&self, loss: &impl PixelLoss) -> Vec<f64> {
-        let ids = self.question.ids();
-        let result = gradient(&self.prepared, loss, Wanted::by(ids));
-        ids.iter().flat_map(|&id| result.gradient.get(id)).copied().collect()
+    fn gradient_of(&self, loss: &dyn PixelLoss) -> Vec<f64> {
+        let Question { recovery, .. } = self.question;
+        let result = self.renderer.loss_and_gradient(recovery.scene(), loss, recovery.ids());
+        result.gradient.concat()
     }
 }
 
-impl<L: Lanes> Engine for Adjoint<'_, L> {
+impl Engine for Adjoint<'_> {
     fn leave(&mut self) {
-        self.prepared.set_parameters(&self.moved);
+        self.renderer.update(&self.moved);
     }
 
     fn gradient(&mut self) -> Vec<f64> {
@@ -137,15 +136,15 @@ impl<L: Lanes> Engine for Adjoint<'_, L> {
     }
 
     fn image(&self) -> Option<Image> {
-        Some(render(&self.prepared))
+        Some(self.renderer.render())
     }
 }
 
-/// The image first, then the derivative of the loss by it, then the adjoint along the same rays, which
+/// The image first, then the derivative of the loss by it, then the pullback along the same rays, which
 /// are traced again: what a loss takes that is no sum over pixels.
-pub(super) struct ImageFirst<'a, L: Lanes>(pub Adjoint<'a, L>);
+pub(super) struct ImageFirst<'a>(pub Adjoint<'a>);
 
-impl<L: Lanes> Engine for ImageFirst<'_, L> {
+impl Engine for ImageFirst<'_> {
     fn leave(&mut self) {
         self.0.leave();
     }
@@ -153,104 +152,112 @@ impl<L: Lanes> Engine for ImageFirst<'_, L> {
     fn gradient(&mut self) -> Vec<f64> {
         let Self(adjoint) = self;
         adjoint.arrive();
-        let image = render(&adjoint.prepared);
+        let image = adjoint.renderer.render();
         let loss = adjoint.question.loss();
         let places = (0..image.height).flat_map(|y| (0..image.width).map(move |x| (x, y)));
-        let pixels = places.zip(&image.pixels);
-        let cotangents = pixels
-            .map(|((x, y), &pixel)| loss.evaluate(x, y, Vec3::from_array(pixel).as_dvec3()).1);
-        adjoint.gradient_of(&Cotangents { width: image.width, pixels: cotangents.collect() })
-    }
-}
-
-/// The loss whose derivative by each pixel is given.
-struct Cotangents {
-    width: u32,
-    pixels: Vec<DVec3>,
-}
-
-impl PixelLoss for Cotangents {
-    fn evaluate(&self, x: u32, y: u32, radiance: DVec3) -> (f64, DVec3) {
-        let cotangent = self.pixels[(y * self.width + x) as usize];
-        (radiance.dot(cotangent), cotangent)
+        let cotangent = |((x, y), &pixel): ((u32, u32), &[f32; 3])| {
+            loss.evaluate(x, y, Vec3::from_array(pixel).as_dvec3()).1.as_vec3().into()
+        };
+        let pixels = places.zip(&image.pixels).map(cotangent).collect();
+        let Question { recovery, .. } = adjoint.question;
+        let cotangent = Image { pixels, ..image };
+        adjoint.renderer.pullback(recovery.scene(), &cotangent, recovery.ids()).concat()
     }
 }
 
 /// Central differences of the loss: two images for each derivative.
-pub(super) struct Differences<'a, L: Lanes> {
+pub(super) struct Differences<'a> {
     question: Question<'a>,
-    prepared: Prepared<'a, L>,
-    parameters: Parameters,
+    renderer: Renderer,
+    scene: Scene,
     /// The numbers to differentiate by, and the step of each.
     steps: Vec<(ParameterId, usize, f64)>,
 }
 
-impl<'a, L: Lanes> Differences<'a, L> {
+impl<'a> Differences<'a> {
     pub fn new(question: Question<'a>, steps: Vec<(ParameterId, usize, f64)>) -> Self {
-        let parameters = question.scene().parameters.clone();
-        Self { question, prepared: question.prepared(), parameters, steps }
+        let scene = question.scene().clone();
+        Self { question, renderer: question.renderer(), scene, steps }
     }
 }
 
-impl<L: Lanes> Engine for Differences<'_, L> {
+impl Engine for Differences<'_> {
     fn gradient(&mut self) -> Vec<f64> {
-        let Self { question, prepared, parameters, steps } = self;
+        let Self { question, renderer, scene, steps } = self;
         let image_loss = question.loss();
         let derivative = |&(id, index, step): &(ParameterId, usize, f64)| {
-            let at = parameters.get(id)[index];
-            let mut loss_at = |value| {
-                parameters.get_mut(id)[index] = value;
-                prepared.set_parameters(parameters);
-                loss(prepared, &image_loss)
+            let at = scene.get(id).into_owned();
+            let mut loss_at = |offset: f64| {
+                let mut values = at.clone();
+                values[index] += offset;
+                scene.assign(id, &values);
+                renderer.update(scene);
+                renderer.loss(&image_loss)
             };
-            let (above, below) = (loss_at(at + step), loss_at(at - step));
-            parameters.get_mut(id)[index] = at;
+            let (above, below) = (loss_at(step), loss_at(-step));
+            scene.assign(id, &at);
             (above - below) / (2.0 * step)
         };
         steps.iter().map(derivative).collect()
     }
 }
 
-/// How [`Replay`] gets to derivatives.
-#[derive(Clone)]
-pub(super) enum ReplayMode {
-    /// Dual numbers: all paths once for each of these numbers.
-    Forward(Vec<usize>),
-    /// The same in single precision, with sums over pixels in the precision given.
-    SingleForward(Vec<usize>, Precision),
-    /// A tape for each so many pixels.
-    Tape(usize),
-}
-
-/// The kernels on dual numbers or on tapes, along paths that are found first.
-pub(super) struct Replayed<'a, L: Lanes> {
+/// Dual numbers: the image and its derivative once for each of some numbers.
+pub(super) struct Forward<'a> {
     question: Question<'a>,
-    prepared: Prepared<'a, L>,
-    mode: ReplayMode,
+    renderer: Renderer,
+    elements: Vec<usize>,
 }
 
-impl<'a, L: Lanes> Replayed<'a, L> {
-    /// One ray through the middle of each pixel.
-    pub fn new(question: Question<'a>, mode: ReplayMode) -> Self {
-        assert_eq!(question.settings.sampling, Sampling::Center, "paths lead through the middle");
-        Self { question, prepared: question.prepared(), mode }
+impl<'a> Forward<'a> {
+    pub fn new(question: Question<'a>, elements: Vec<usize>) -> Self {
+        Self { question, renderer: question.renderer(), elements }
     }
 }
 
-impl<L: Lanes> Engine for Replayed<'_, L> {
+impl Engine for Forward<'_> {
     fn gradient(&mut self) -> Vec<f64> {
-        let scene = self.question.scene();
-        let ids = self.question.ids();
-        let paths: Vec<Path> = crate::integrator::paths(&self.prepared, Wanted::by(ids));
-        let replay = Replay { scene, ids, paths: &paths, loss: &self.question.loss() };
-        match &self.mode {
-            ReplayMode::Forward(elements) => {
-                replay.by_forward_mode::<f64>(elements, Precision::F64)
-            }
-            ReplayMode::SingleForward(elements, sums) => {
-                replay.by_forward_mode::<f32>(elements, *sums)
-            }
-            ReplayMode::Tape(chunk) => replay.by_tape(*chunk),
-        }
+        let Question { recovery, .. } = self.question;
+        let scene = recovery.scene();
+        let loss = self.question.loss();
+        let derivative = |&element: &usize| {
+            let mut first = 0;
+            let direction = recovery.ids().iter().map(|&id| {
+                let count = scene.get(id).len();
+                let unit = |index: usize| f64::from(u8::from(first + index == element));
+                let block = (id, (0..count).map(unit).collect());
+                first += count;
+                block
+            });
+            let direction: Vec<_> = direction.collect();
+            let (_, derivative) = self
+                .renderer
+                .loss_jvp(scene, &loss, &direction)
+                .expect("directions have the numbers of their parameters");
+            derivative
+        };
+        self.elements.iter().map(derivative).collect()
+    }
+}
+
+/// Recordings at run time: one for each strip of the image, or one for all of it.
+pub(super) struct Tape<'a> {
+    question: Question<'a>,
+    prepared: Prepared<f64>,
+    whole: bool,
+}
+
+impl<'a> Tape<'a> {
+    pub fn new(question: Question<'a>, whole: bool) -> Self {
+        let prepared = Prepared::new(question.scene(), question.settings);
+        Self { question, prepared, whole }
+    }
+}
+
+impl Engine for Tape<'_> {
+    fn gradient(&mut self) -> Vec<f64> {
+        let Question { recovery, .. } = self.question;
+        let loss = self.question.loss();
+        tape::gradient(&self.prepared, recovery.scene(), &loss, recovery.ids(), self.whole)
     }
 }

@@ -11,16 +11,15 @@ mod axis;
 mod cases;
 mod engine;
 mod measurement;
-mod numbers;
 mod plot;
-mod replay;
 mod sampling;
 mod schedules;
+mod steps;
 mod table;
+mod tape;
 #[cfg(test)]
 mod tests;
 
-use ad::lanes::f64x8;
 use cases::cases;
 use engine::{Adjoint, Engine, Question};
 use measurement::{Reference, measure_in_turns};
@@ -33,13 +32,14 @@ pub use sampling::{
     sampling_table,
 };
 pub use schedules::{ScheduleRun, measure_schedules};
-pub use table::{best_step, csv, pareto_front, steps, table};
+pub use steps::{best_step, steps};
+pub use table::{csv, pareto_front, table};
 #[cfg(test)]
 pub(crate) use tests::{gradient_on_tapes, random_experiment};
 
 use crate::accuracy::GradientMetric;
-use crate::integrator::{RenderSettings, Visibility};
 use crate::recovery::Recovery;
+use crate::settings::Settings;
 
 /// What was measured on a scene.
 #[derive(Clone, Debug, PartialEq)]
@@ -60,8 +60,8 @@ pub struct Tradeoff {
 pub fn measure(recovery: &Recovery<'_>, seconds: f64) -> Tradeoff {
     let scene = recovery.scene();
     let metric = GradientMetric::new(scene, recovery.ids());
-    let settings = RenderSettings { visibility: Visibility::Tree, ..RenderSettings::default() };
-    let mut exact = Adjoint::<f64x8>::new(Question { recovery, settings });
+    let settings = Settings::default().in_double_precision();
+    let mut exact = Adjoint::new(Question { recovery, settings });
     let gradient = exact.gradient();
     let image = exact.image().expect("the adjoint has an image");
     let (mut cases, remarks) = cases(recovery, &metric);

@@ -2,14 +2,13 @@
 
 use std::time::Instant;
 
-use ad::lanes::{f32x16, f64x8};
-
 use super::engine::{Adjoint, Engine, Question};
 use super::measurement::Reference;
 use super::plot::Curve;
 use crate::accuracy::{GradientMetric, IntegralGradient, Sampler, Trials, image_error};
-use crate::integrator::{GradientSamples, RenderSettings, Samples, Sampling};
+use crate::arithmetic::Arithmetic;
 use crate::recovery::Recovery;
+use crate::settings::{GradientSamples, Samples, Sampling, Settings};
 
 /// So many rays per pixel through so many seeds.
 #[derive(Clone, Debug, PartialEq)]
@@ -94,7 +93,8 @@ pub fn measure_sampling(recovery: &Recovery<'_>) -> SamplingRuns {
     let most_of = |rays: u64, limit: u32| (rays / pixels.max(1)).clamp(1, limit.into()) as u32;
     let most = most_of(MOST_RAYS, COUNTS[COUNTS.len() - 1]);
     let question = |sampling| {
-        let settings = RenderSettings { sampling, ..*recovery.render_settings() };
+        let arithmetic = Arithmetic::default();
+        let settings = Settings { sampling, arithmetic, ..*recovery.render_settings() };
         Question { recovery, settings }
     };
     let metric = GradientMetric::new(scene, recovery.ids());
@@ -104,11 +104,13 @@ pub fn measure_sampling(recovery: &Recovery<'_>) -> SamplingRuns {
     let image = {
         let count = most_of(4 * MOST_RAYS, REFERENCE_COUNT);
         let samples = Samples { count, seed: u32::MAX, gradient: GradientSamples::Same };
-        let exact = Adjoint::<f64x8>::new(question(sampler.random(samples)));
+        let question = question(sampler.random(samples));
+        let settings = question.settings.in_double_precision();
+        let exact = Adjoint::new(Question { settings, ..question });
         exact.image().expect("the adjoint has an image")
     };
     let reference = Reference { metric, gradient: integral.gradient, image };
-    let mut engine = Adjoint::<f32x16>::new(question(Sampling::Center));
+    let mut engine = Adjoint::new(question(Sampling::Center));
     let mut runs = Vec::new();
     for rays in RayPlaces::all() {
         let (counts, seeds) = match rays {
@@ -126,7 +128,7 @@ fn run(
     rays: RayPlaces,
     count: u32,
     seeds: u32,
-    engine: &mut Adjoint<'_, f32x16>,
+    engine: &mut Adjoint<'_>,
     reference: &Reference,
 ) -> SamplingRun {
     let Reference { metric, gradient: truth, image } = reference;

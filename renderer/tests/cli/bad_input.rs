@@ -19,16 +19,30 @@ fn scene_files() {
         ("width = 24", "width = -24", &["bad.toml:5", "width"]),
         ("width = 24", "width = 4294967295", &["camera.width", "pixels"]),
         ("width = 24", "widht = 24", &["bad.toml:5", "unknown field `widht`", "width"]),
-        ("width = 24\n", "", &["bad.toml", "missing field `width`", "camera"]),
+        ("width = 24\n", "", &["bad.toml:2", "camera.width: is missing"]),
         ("[0.0, 1.5, 4.0]", "[0.0, 0.3, 0.0]", &["camera.look_from", "must differ"]),
         ("[0.0, 1.5, 4.0]", "[0.0, 9.0, 0.0]", &["camera.up", "parallel"]),
         ("[0.0, 1.5, 4.0]", "[nan, 1.5, 4.0]", &["bad.toml:3", "camera.look_from", "NaN"]),
         ("[0.0, 1.5, 4.0]", "[0.0, 1.5]", &["bad.toml:3", "look_from"]),
-        ("intensity = 120.0", "intensity = inf", &["light.key.intensity", "inf"]),
-        ("intensity = 120.0", "intensity = -1.0", &["light.key.intensity", "negative"]),
-        ("intensity = 120.0", "intensity = \"x\"", &["bad.toml:12", "string", "intensity"]),
-        ("\"point\"", "\"area\"", &["bad.toml:10", "unknown variant `area`", "point"]),
-        ("position", "direction", &["light.key.position", "is missing"]),
+        (
+            "radiant_intensity = 30.0",
+            "radiant_intensity = inf",
+            &["light.key.radiant_intensity", "inf"],
+        ),
+        ("radiant_intensity = 30.0", "intensity = 120.0", &["bad.toml:12", "a quarter"]),
+        (
+            "radiant_intensity = 30.0",
+            "radiant_intensity = -1.0",
+            &["light.key.radiant_intensity", "negative"],
+        ),
+        (
+            "radiant_intensity = 30.0",
+            "radiant_intensity = \"x\"",
+            &["bad.toml:12", "string", "radiant_intensity"],
+        ),
+        ("\"point\"", "\"area\"", &["bad.toml:10", "`area` is no type of light", "point"]),
+        ("position", "direction", &["bad.toml:11", "light.key.direction", "position"]),
+        ("position = [1.5, 3.0, 2.0]\n", "", &["light.key.position", "is missing"]),
         ("radius = 0.5", "radius = -0.5", &["bad.toml:20", "sphere.ball.radius", "above 0"]),
         ("radius = 0.5", "radius = 0.0", &["sphere.ball.radius", "above 0"]),
         ("\"paint\"", "\"pain\"", &["sphere.ball.material", "no material `pain`", "paint"]),
@@ -50,7 +64,7 @@ fn scene_files() {
 #[test]
 fn optimize_sections() {
     let sandbox = Sandbox::new();
-    let parameter = "[[optimize.parameter]]\npath = \"light.key.intensity\"\n";
+    let parameter = "[[optimize.parameter]]\npath = \"light.key.radiant_intensity\"\n";
     let cases: &[(&str, &[&str])] = &[
         ("target = \"none.png\"", &["none.png", "no such file"]),
         ("learning_rate = 0.0", &["optimize.learning_rate", "above 0"]),
@@ -59,7 +73,10 @@ fn optimize_sections() {
         ("iterations = -1", &["bad.toml:31", "iterations"]),
         ("loss = \"l2\"", &["bad.toml:31", "unknown variant `l2`"]),
         ("optimizer = \"adan\"", &["bad.toml:31", "unknown variant `adan`", "adamw"]),
-        ("optimizer = \"sgd\"", &["bad.toml: light.key.intensity", "give one", "learning_rate"]),
+        (
+            "optimizer = \"sgd\"",
+            &["bad.toml: light.key.radiant_intensity", "give one", "learning_rate"],
+        ),
         ("optimizer = \"lbfgs\"\nschedule = \"step\"", &["optimize.schedule", "leave it out"]),
         ("schedule = { type = \"cosine\", end = 2 }", &["bad.toml:31", "end", "from 0 to 1"]),
         ("step = 1", &["bad.toml:31", "unknown field `step`"]),
@@ -74,13 +91,19 @@ fn optimize_sections() {
     }
     let fields: &[(&str, &[&str])] = &[
         ("path = \"camera.width\"", &["camera.width", "cannot be differentiated"]),
-        ("path = \"light.key.intensty\"", &["closest: light.key.intensity"]),
-        ("path = \"light.key.intensity\"\nmin = 200", &["min", "above the initial value 120"]),
-        ("path = \"light.key.intensity\"\nmax = 20", &["max", "below the initial value 120"]),
-        ("path = \"light.key.intensity\"\nmax = nan", &["max", "not a number"]),
+        ("path = \"light.key.radiant_intensty\"", &["closest: light.key.radiant_intensity"]),
+        (
+            "path = \"light.key.radiant_intensity\"\nmin = 50",
+            &["min", "above the initial value 30"],
+        ),
+        ("path = \"light.key.radiant_intensity\"\nmax = 5", &["max", "below the initial value 30"]),
+        ("path = \"light.key.radiant_intensity\"\nmax = nan", &["max", "not a number"]),
         ("path = \"light.key.color\"\nmin = [0.0, 0.0]", &["min", "needs 3 numbers, has 2"]),
-        ("path = \"light.key.intensity\"\nlearning_rate = -1", &["learning_rate", "above 0"]),
-        ("path = \"light.key.intensity\"\nmin = 3\nmax = 2", &["min", "above max"]),
+        (
+            "path = \"light.key.radiant_intensity\"\nlearning_rate = -1",
+            &["learning_rate", "above 0"],
+        ),
+        ("path = \"light.key.radiant_intensity\"\nmin = 3\nmax = 2", &["min", "above max"]),
     ];
     for (fields, parts) in fields {
         let scene = String::from_utf8(sandbox.read("scene.toml")).unwrap();
@@ -88,7 +111,7 @@ fn optimize_sections() {
         sandbox.refuse_with(&["optimize", "bad.toml"], &[&["bad.toml:2"], *parts].concat());
     }
     sandbox.write("bad.toml", format!("{}{parameter}{parameter}", crate::sandbox::SCENE));
-    sandbox.refuse_with(&["optimize", "bad.toml"], &["light.key.intensity", "twice"]);
+    sandbox.refuse_with(&["optimize", "bad.toml"], &["light.key.radiant_intensity", "twice"]);
 }
 
 #[test]
@@ -124,7 +147,7 @@ fn meshes() {
 fn target_images() {
     let sandbox = Sandbox::new();
     let optimize =
-        ["optimize", "scene.toml", "--param", "light.key.intensity", "--target", "bad.png"];
+        ["optimize", "scene.toml", "--param", "light.key.radiant_intensity", "--target", "bad.png"];
     sandbox.refuse_with(&optimize, &["bad.png", "no such file"]);
     sandbox.succeed(&["render", "scene.toml", "-o", "good.png"]);
     let good = sandbox.read("good.png");

@@ -12,14 +12,15 @@ fn every_part_of_an_iteration_has_its_time() {
         last.and_then(|number| number.parse().ok()).unwrap_or_else(|| panic!("no {name}: {text}"))
     };
     for name in [
+        "load",
+        "preparation, with the hierarchy",
         "first image",
         "first gradient",
         "image",
         "  of it primary rays",
         "iteration: parameters to gradient",
-        "  of it parameters and tree",
+        "  of it parameters and hierarchy",
         "  of it rays, shading, pullbacks",
-        "  of it reduction",
         "primary rays, millions per second",
     ] {
         assert!(number(name) > 0.0, "{name}: {text}");

@@ -21,9 +21,9 @@ fn ratio(scene: &str, truth: &[(&str, &str)]) -> f64 {
 fn lights_materials_and_spheres_are_recovered() {
     let cases: &[&[(&str, &str)]] = &[
         &[("material.paint.diffuse", "[0.2, 0.7, 0.5]")],
-        &[("light.key.intensity", "400.0")],
+        &[("light.key.radiant_intensity", "100.0")],
         &[("light.key.position", "[-2.0, 2.5, 1.0]")],
-        &[("light.key.position", "[-1.0, 2.5, 2.5]"), ("light.key.intensity", "90.0")],
+        &[("light.key.position", "[-1.0, 2.5, 2.5]"), ("light.key.radiant_intensity", "22.5")],
         &[("material.paint.specular", "[0.5, 0.5, 0.5]"), ("material.paint.exponent", "30.0")],
     ];
     for truth in cases {
@@ -34,9 +34,10 @@ fn lights_materials_and_spheres_are_recovered() {
 
 #[test]
 fn a_light_that_is_off_is_found() {
-    for initial in ["0.0", "0.01", "1e4"] {
-        let scene = SCENE.replace("intensity = 120.0", &format!("intensity = {initial}"));
-        let ratio = ratio(&scene, &[("light.key.intensity", "120.0")]);
+    for initial in ["0.0", "0.0025", "2500.0"] {
+        let scene =
+            SCENE.replace("radiant_intensity = 30.0", &format!("radiant_intensity = {initial}"));
+        let ratio = ratio(&scene, &[("light.key.radiant_intensity", "30.0")]);
         assert!(ratio < 1e-6, "from {initial}: {ratio:e}");
     }
 }
@@ -47,13 +48,13 @@ fn the_unit_of_length_and_the_origin_do_not_matter() {
         let at = |v: [f64; 3]| format!("{:?}", v.map(|x| x * scale + shift));
         let scene = format!(
             "[camera]\nlook_from = {}\nlook_at = {}\nwidth = 24\nheight = 24\n\
-             [[light]]\nname = \"key\"\ntype = \"point\"\nposition = {}\nintensity = {:?}\n\
+             [[light]]\nname = \"key\"\ntype = \"point\"\nposition = {}\nradiant_intensity = {:?}\n\
              [[sphere]]\nname = \"ball\"\ncenter = {}\nradius = {:?}\nmaterial = \"m\"\n\
              [material.m]\n",
             at([0.0, 0.0, 4.0]),
             at([0.0; 3]),
             at([2.0, 3.0, 3.0]),
-            300.0 * scale * scale,
+            75.0 * scale * scale,
             at([0.0; 3]),
             scale,
         );
@@ -67,12 +68,12 @@ fn the_unit_of_length_and_the_origin_do_not_matter() {
 #[test]
 fn surfaces_reflect_no_more_than_they_receive_by_default() {
     let sandbox = Sandbox::new();
-    let dim = SCENE.replace("intensity = 120.0", "intensity = 12.0");
+    let dim = SCENE.replace("radiant_intensity = 30.0", "radiant_intensity = 3.0");
     let found = |initial: &str, bound: &str| {
         let scene = dim.replace("diffuse = [0.6, 0.3, 0.2]", &format!("diffuse = {initial}"));
         let experiment = format!(
             "{scene}\n[optimize]\niterations = 200\n[optimize.target_values]\n\
-             \"light.key.intensity\" = 120.0\n\
+             \"light.key.radiant_intensity\" = 30.0\n\
              [[optimize.parameter]]\npath = \"material.paint.diffuse\"\n{bound}"
         );
         sandbox.write("experiment.toml", experiment);

@@ -1,7 +1,7 @@
 //! Scenes at the limits: they render, or say why not.
 
+use renderer::Image;
 use renderer::files::{load_image, save_exr, save_png};
-use renderer::image::Image;
 
 use crate::sandbox::{SCENE, Sandbox, numbers};
 
@@ -45,7 +45,7 @@ fn the_image_does_not_depend_on_the_unit_of_length() {
         // The face lost its second vertex to the line above.
         let (vertices, _) = floor.rsplit_once("f ").unwrap();
         sandbox.write("floor.obj", format!("{vertices}f 4 3 2 1\n"));
-        let flux = format!("intensity = {:?}", 120.0 * scale * scale);
+        let flux = format!("radiant_intensity = {:?}", 30.0 * scale * scale);
         let radius = format!("radius = {:?}", 0.5 * scale);
         render(
             &sandbox,
@@ -54,7 +54,7 @@ fn the_image_does_not_depend_on_the_unit_of_length() {
                 ("[0.0, 0.3, 0.0]", &vector([0.0, 0.3, 0.0])),
                 ("[1.5, 3.0, 2.0]", &vector([1.5, 3.0, 2.0])),
                 ("[0.0, 0.5, 0.0]", &vector([0.0, 0.5, 0.0])),
-                ("intensity = 120.0", &flux),
+                ("radiant_intensity = 30.0", &flux),
                 ("radius = 0.5", &radius),
             ],
         )
@@ -102,7 +102,9 @@ fn many_lights_add_up() {
     let sandbox = Sandbox::new();
     let one = render(&sandbox, &[]);
     let light = |i: usize| {
-        format!("name = \"l{i}\"\ntype = \"point\"\nposition = [1.5, 3.0, 2.0]\nintensity = 6.0\n")
+        format!(
+            "name = \"l{i}\"\ntype = \"point\"\nposition = [1.5, 3.0, 2.0]\nradiant_intensity = 1.5\n"
+        )
     };
     let lights: Vec<String> = (0..20).map(light).collect();
     let (before, rest) = SCENE.split_once("[[light]]").unwrap();
@@ -115,7 +117,7 @@ fn many_lights_add_up() {
         assert!((one - many).abs() <= 1e-5 * one, "{one} {many}");
     }
     let parameters = sandbox.succeed_json(&["params", "many.toml", "--json"]);
-    assert_eq!(numbers(&parameters["light.l19.intensity"]), [6.0]);
+    assert_eq!(numbers(&parameters["light.l19.radiant_intensity"]), [1.5]);
 }
 
 #[test]
@@ -123,16 +125,16 @@ fn a_black_target_puts_the_light_out() {
     let sandbox = Sandbox::new();
     save_exr(&Image::black(24, 16), &sandbox.path("black.exr")).unwrap();
     let arguments = ["optimize", "scene.toml", "--target", "black.exr", "--out", "out"];
-    sandbox.succeed(&[&arguments[..], &["--param", "light.key.intensity"]].concat());
+    sandbox.succeed(&[&arguments[..], &["--param", "light.key.radiant_intensity"]].concat());
     let summary = sandbox.json("out/summary.json");
-    assert_eq!(numbers(&summary["parameters"]["light.key.intensity"]["final"]), [0.0]);
+    assert_eq!(numbers(&summary["parameters"]["light.key.radiant_intensity"]["final"]), [0.0]);
     assert_eq!(summary["loss"]["final"], 0.0);
 }
 
 /// A scene whose lit pixels overflow, and a target for it.
 fn bright() -> Sandbox {
     let sandbox = Sandbox::new();
-    sandbox.write_changed("bright.toml", "intensity = 120.0", "intensity = 1e38");
+    sandbox.write_changed("bright.toml", "radiant_intensity = 30.0", "radiant_intensity = 2.5e37");
     let scene = String::from_utf8(sandbox.read("bright.toml")).unwrap();
     let scene = scene.replace("diffuse = [0.6, 0.3, 0.2]", "diffuse = [1e30, 0.3, 0.2]");
     sandbox.write("bright.toml", scene);
@@ -141,7 +143,7 @@ fn bright() -> Sandbox {
 }
 
 const TUNE_BRIGHT: [&str; 5] =
-    ["bright.toml", "--target", "black.exr", "--param", "material.paint.ambient"];
+    ["bright.toml", "--target", "black.exr", "--param", "material.paint.emission"];
 
 #[test]
 fn what_overflows_is_refused_before_anything_is_written() {

@@ -5,8 +5,8 @@ use crate::sandbox::{Sandbox, numbers};
 /// Every parameter that moves no edge.
 const SMOOTH: [&str; 6] = [
     "light.key.color",
-    "light.key.intensity",
-    "material.paint.ambient",
+    "light.key.radiant_intensity",
+    "material.paint.emission",
     "material.paint.diffuse",
     "material.paint.specular",
     "material.paint.exponent",
@@ -52,7 +52,7 @@ fn textures_agree_with_finite_differences() {
         .replace("f 4 3 2 1", "vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nusemtl wood\nf 4/4 3/3 2/2 1/1");
     sandbox.write("floor.obj", format!("mtllib wood.mtl\n{floor}"));
     sandbox.write("wood.mtl", "newmtl wood\nmap_Kd -s 1.5 2 -o 0.25 -0.5 noise.png\n");
-    sandbox.write_changed("truth.toml", "intensity = 120.0", "intensity = 90.0");
+    sandbox.write_changed("truth.toml", "radiant_intensity = 30.0", "radiant_intensity = 22.5");
     sandbox.succeed(&["render", "truth.toml", "-o", "target.exr"]);
     let parameters = ["mesh.floor.texture_coordinates", "texture.noise.texels"];
     let text = sandbox.succeed(&arguments(&parameters, &["--check", "--precision", "f64"]));
@@ -67,10 +67,10 @@ fn textures_agree_with_finite_differences() {
 #[test]
 fn json_maps_paths_to_the_numbers_of_the_table() {
     let sandbox = sandbox();
-    let parameters = ["light.key.intensity", "light.key.position", "mesh.floor.vertices"];
+    let parameters = ["light.key.radiant_intensity", "light.key.position", "mesh.floor.vertices"];
     let json = sandbox.succeed_json(&arguments(&parameters, &["--json"]));
     assert_eq!(json.len(), 3);
-    assert!(json["light.key.intensity"].is_number());
+    assert!(json["light.key.radiant_intensity"].is_number());
     assert_eq!(json["light.key.position"].as_array().unwrap().len(), 3);
     assert_eq!(numbers(&json["mesh.floor.vertices"]).len(), 12);
 
@@ -87,7 +87,7 @@ fn json_maps_paths_to_the_numbers_of_the_table() {
 #[test]
 fn one_vertex_has_its_part_of_the_gradient() {
     let sandbox = Sandbox::new();
-    sandbox.write_changed("truth.toml", "intensity = 120.0", "intensity = 90.0");
+    sandbox.write_changed("truth.toml", "radiant_intensity = 30.0", "radiant_intensity = 22.5");
     sandbox.succeed(&["render", "truth.toml", "-o", "target.exr"]);
     let vertex = "mesh.floor.vertices[2]";
     let json =
@@ -117,5 +117,8 @@ fn threads_change_no_bit() {
 fn the_parameters_of_the_scene_file_are_the_default() {
     let sandbox = Sandbox::new();
     let json = sandbox.succeed_json(&["gradient", "experiment.toml", "--json"]);
-    assert_eq!(json.keys().collect::<Vec<_>>(), ["light.key.intensity", "light.key.position"]);
+    assert_eq!(
+        json.keys().collect::<Vec<_>>(),
+        ["light.key.position", "light.key.radiant_intensity"]
+    );
 }

@@ -158,12 +158,12 @@ fn an_obj_and_an_image_are_enough() {
 #[test]
 fn the_command_line_goes_before_the_scene_file() {
     let sandbox = Sandbox::new();
-    let tolerance = ["--tolerance", "1e9", "--param", "light.key.intensity"];
+    let tolerance = ["--tolerance", "1e9", "--param", "light.key.radiant_intensity"];
     sandbox.succeed(&[&["optimize", "experiment.toml", "--out", "out"], &tolerance[..]].concat());
     let summary = sandbox.json("out/summary.json");
     assert_eq!((&summary["iterations"], &summary["stop_reason"]), (&0.into(), &"tolerance".into()));
     let parameters = summary["parameters"].as_object().unwrap();
-    assert_eq!(parameters.keys().collect::<Vec<_>>(), ["light.key.intensity"]);
+    assert_eq!(parameters.keys().collect::<Vec<_>>(), ["light.key.radiant_intensity"]);
 }
 
 #[test]
@@ -207,6 +207,6 @@ fn the_demo_recovers_the_light() {
     let report = sandbox.succeed(&[]);
     let summary = sandbox.json("out/demo/summary.json");
     assert!(summary["loss"]["ratio"].as_f64().unwrap() < 1e-4, "{summary:#}");
-    assert!(report.contains("  true       20000"), "{report}");
+    assert!(report.contains("  true       5000"), "{report}");
     assert!(report.contains("degrees off, irradiance"), "{report}");
 }

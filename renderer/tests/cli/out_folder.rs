@@ -4,7 +4,7 @@ use std::fs;
 
 use crate::sandbox::{SCENE, Sandbox};
 
-const TUNE: [&str; 2] = ["--param", "light.key.intensity"];
+const TUNE: [&str; 2] = ["--param", "light.key.radiant_intensity"];
 
 #[test]
 fn the_scene_the_target_and_the_meshes_are_safe() {

@@ -13,7 +13,7 @@ fn the_table_lists_every_parameter() {
         row.unwrap_or_else(|| panic!("no {path} in\n{table}")).to_owned()
     };
     assert!(row("light.key.position").ends_with("[1.5, 3, 2]"));
-    assert!(row("light.key.intensity").contains("  differentiable "));
+    assert!(row("light.key.radiant_intensity").contains("  differentiable "));
     assert!(row("sphere.ball.radius").contains("without moving edges"));
     assert!(row("mesh.floor.vertices").contains(" 4 x 3 "));
     assert!(row("camera.width").contains("not differentiable"));
@@ -25,7 +25,7 @@ fn json_maps_paths_to_numbers() {
     let sandbox = Sandbox::new();
     let json = sandbox.succeed_json(&["params", "scene.toml", "--json", "--precision", "f64"]);
     assert_eq!(numbers(&json["light.key.position"]), [1.5, 3.0, 2.0]);
-    assert_eq!(json["light.key.intensity"], 120.0);
+    assert_eq!(json["light.key.radiant_intensity"], 30.0);
     assert_eq!(json["camera.height"], 16);
     assert_eq!(json["mesh.floor.vertices"].as_array().unwrap().len(), 4);
     let table = sandbox.succeed(&["params", "scene.toml"]);

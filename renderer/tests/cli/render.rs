@@ -151,16 +151,16 @@ fn exposure_tone_and_range_are_those_asked_for() {
 }
 
 #[test]
-fn a_tree_a_list_and_a_raster_show_the_same_colours() {
+fn every_way_to_visibility_shows_the_same_colours() {
     let sandbox = Sandbox::new();
-    for visibility in ["tree", "list", "raster"] {
+    for visibility in ["bvh", "brute-force", "raster"] {
         let image = format!("{visibility}.exr");
         let arguments = ["render", "scene.toml", "-o", &image, "--visibility", visibility];
         sandbox.succeed(&[&arguments[..], &["--pass", "albedo"]].concat());
-        assert_eq!(sandbox.read(&image), sandbox.read("tree.exr"), "{visibility}");
+        assert_eq!(sandbox.read(&image), sandbox.read("bvh.exr"), "{visibility}");
     }
     sandbox.succeed(&["render", "scene.toml", "-o", "lit.exr"]);
-    assert_ne!(sandbox.read("lit.exr"), sandbox.read("tree.exr"));
+    assert_ne!(sandbox.read("lit.exr"), sandbox.read("bvh.exr"));
 }
 
 /// Once for each file and kind of statement, beside the image.

@@ -19,7 +19,7 @@ height = 16
 name = "key"
 type = "point"
 position = [1.5, 3.0, 2.0]
-intensity = 120.0
+radiant_intensity = 30.0
 
 [[mesh]]
 path = "floor.obj"
@@ -51,13 +51,13 @@ iterations = 40
 
 [optimize.target_values]
 "light.key.position" = [-1.0, 2.5, 2.5]
-"light.key.intensity" = 90.0
+"light.key.radiant_intensity" = 22.5
 
 [[optimize.parameter]]
 path = "light.key.position"
 
 [[optimize.parameter]]
-path = "light.key.intensity"
+path = "light.key.radiant_intensity"
 "#;
 
 pub struct Sandbox {

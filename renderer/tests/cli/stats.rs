@@ -18,7 +18,7 @@ fn counts(sandbox: &Sandbox, arguments: &[&str]) -> impl Fn(&str) -> u64 + use<>
 const CAMERA: &str = "[camera]\nlook_from = [0.0, 0.0, 4.0]\nlook_at = [0.0, 0.0, 0.0]\n\
                       width = 32\nheight = 24\n";
 const LIGHT: &str = "[[light]]\nname = \"key\"\ntype = \"point\"\nposition = [0.0, 3.0, 4.0]\n\
-                     intensity = 20.0\n";
+                     radiant_intensity = 5.0\n";
 const SPHERE: &str =
     "[[sphere]]\nname = \"ball\"\ncenter = [0.0, 0.0, 0.0]\nradius = 1.0\nmaterial = \"paint\"\n";
 const OTHER: &str =
@@ -51,12 +51,12 @@ fn an_image_takes_what_the_scene_requires() {
     assert!(facing > 0 && facing < two("points shaded"), "{facing}");
     assert!(two("nodes visited") > 0);
 
-    let dark = LIGHT.replace("20.0", "0.0");
+    let dark = LIGHT.replace("= 5.0", "= 0.0");
     let dark = image("dark.toml", &format!("{CAMERA}{dark}{SPHERE}{OTHER}{PAINT}"));
     assert_eq!(dark("shadow rays"), 0);
 
     let mirror =
-        format!("bounces = 1\n{CAMERA}{LIGHT}{SPHERE}{OTHER}{PAINT}reflection = [0.5, 0.5, 0.5]\n");
+        format!("bounces = 1\n{CAMERA}{LIGHT}{SPHERE}{OTHER}{PAINT}mirror = [0.5, 0.5, 0.5]\n");
     let mirror = image("mirror.toml", &mirror);
     assert_eq!(mirror("rays that go on"), two("points shaded"));
     assert_eq!(mirror("primary rays"), 32 * 24);
@@ -71,13 +71,13 @@ fn a_gradient_takes_what_its_parameters_require() {
     sandbox.write("two.toml", format!("{CAMERA}{LIGHT}{SPHERE}{OTHER}{PAINT}"));
     sandbox.write(
         "other.toml",
-        format!("{CAMERA}{LIGHT}{SPHERE}{OTHER}{PAINT}").replace("20.0", "30.0"),
+        format!("{CAMERA}{LIGHT}{SPHERE}{OTHER}{PAINT}").replace("= 5.0", "= 7.5"),
     );
     sandbox.succeed(&["render", "other.toml", "-o", "target.exr"]);
     let gradient = |path: &str| {
         counts(&sandbox, &["gradient", "two.toml", "--target", "target.exr", "--param", path])
     };
-    let light = gradient("light.key.intensity");
+    let light = gradient("light.key.radiant_intensity");
     assert_eq!(light("primary rays"), 32 * 24);
     assert_eq!(light("surface pullbacks"), 0);
     // Where no light comes, the images are the same, and nothing flows back.

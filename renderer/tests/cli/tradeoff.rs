@@ -14,7 +14,7 @@ fn settings_are_measured_into_a_table_and_plots() {
     // The last columns: memory, the errors of image and gradient.
     let memory: f64 = row("adjoint           f64x8")[4].parse().unwrap();
     assert!(memory > 0.0, "{text}");
-    let error: f64 = row("other engines     tape per 64 pixels")[11].parse().unwrap();
+    let error: f64 = row("other engines     tape per strip")[10].parse().unwrap();
     assert!(error < 1e-10, "{text}");
     assert!(text.contains("differences, f64: the best step is"), "{text}");
     assert!(text.contains("1/4, 1/2, full"), "{text}");
@@ -61,7 +61,7 @@ fn the_dial_picks_single_precision_where_it_is_enough() {
 #[test]
 fn the_dial_chooses_rays_for_an_image_file() {
     let sandbox = Sandbox::new();
-    sandbox.write_changed("dim.toml", "intensity = 120.0", "intensity = 80.0");
+    sandbox.write_changed("dim.toml", "radiant_intensity = 30.0", "radiant_intensity = 20.0");
     sandbox.succeed(&["render", "dim.toml", "--samples", "64", "-o", "photo.png"]);
     let gradient = |extra: &[&'static str]| {
         let arguments = [
@@ -70,7 +70,7 @@ fn the_dial_chooses_rays_for_an_image_file() {
             "--target",
             "photo.png",
             "--param",
-            "light.key.intensity",
+            "light.key.radiant_intensity",
             "--accuracy",
             "0.01",
         ];
@@ -93,7 +93,7 @@ fn the_dial_chooses_rays_for_an_image_file() {
 
     let unmet = ["--accuracy", "1e-12"];
     let arguments = ["gradient", "scene.toml", "--target", "photo.png", "--param"];
-    let output = sandbox.run(&[&arguments[..], &["light.key.intensity"], &unmet].concat());
+    let output = sandbox.run(&[&arguments[..], &["light.key.radiant_intensity"], &unmet].concat());
     let notes = String::from_utf8(output.stderr).unwrap();
     assert!(notes.contains("cannot be met") && notes.contains("256 rays per pixel"), "{notes}");
 }

@@ -18,8 +18,8 @@ fn picks_are_as_accurate_as_asked_and_nearly_as_cheap_as_can_be() {
     let mut picked = Vec::new();
     for number in 0..SCENES {
         let experiment = random_experiment(100 + number);
-        let exact = Arithmetic::fastest(Precision::F64);
-        let recovery = Recovery::new(&experiment, "a generated scene", exact).unwrap();
+        let exact = Settings::default().in_double_precision();
+        let recovery = Recovery::new(&experiment, "a generated scene", &exact).unwrap();
         let truth = gradient_on_tapes(&recovery);
         let metric = GradientMetric::new(recovery.scene(), recovery.ids());
         let true_error = |pilot: &Pilot| {
@@ -49,11 +49,11 @@ fn picks_are_as_accurate_as_asked_and_nearly_as_cheap_as_can_be() {
 #[test]
 fn what_cannot_be_met_is_said_to() {
     let experiment = random_experiment(1);
-    let exact = Arithmetic::fastest(Precision::F64);
-    let recovery = Recovery::new(&experiment, "a generated scene", exact).unwrap();
+    let exact = Settings::default().in_double_precision();
+    let recovery = Recovery::new(&experiment, "a generated scene", &exact).unwrap();
     let pick = pick(&recovery, 1e-18, Rays::Given);
     assert!(!pick.is_within());
-    assert_eq!(pick.best.setting.arithmetic, exact);
+    assert_eq!(pick.best.setting.arithmetic, exact.arithmetic);
     assert!(pick.to_string().starts_with("accuracy 1e-18 cannot be met: f64x8"), "{pick}");
     assert!(pick.pilots.iter().all(|pilot| pilot.error >= pick.best.error));
 }

@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::experiment::Experiment;
-use crate::integrator::{GradientSamples, Samples};
+use crate::settings::{GradientSamples, Samples};
 
 /// What is asked for, in turns.
 const ACCURACIES: [f64; 4] = [0.3, 0.15, 0.1, 0.06];
@@ -12,11 +12,10 @@ const MOST: u32 = 25;
 
 /// A problem whose target is like a photo: its pixels are integrals.
 fn photo(experiment: &Experiment) -> Recovery<'_> {
-    let exact = Arithmetic::fastest(Precision::F64);
-    let sampling = Sampler::Stratified.sampling(144);
-    let settings = RenderSettings { sampling, ..RenderSettings::default() };
-    let recovery = Recovery::with_settings(experiment, "a generated scene", exact, settings);
-    recovery.unwrap().computed(exact, RenderSettings::default())
+    let exact = Settings::default().in_double_precision();
+    let integrals = Settings { sampling: Sampler::Stratified.sampling(144), ..exact };
+    let recovery = Recovery::new(experiment, "a generated scene", &integrals).unwrap();
+    recovery.with_settings(&exact)
 }
 
 /// The true errors of settings: from seeds that the dial has not seen, against far more rays.
@@ -30,9 +29,8 @@ impl<'a> Truth<'a> {
     fn new(recovery: &'a Recovery<'a>) -> Self {
         let samples = Samples { count: 324, seed: 77, gradient: GradientSamples::Independent };
         let sampling = Sampling::Stratified(samples);
-        let settings = RenderSettings { sampling, ..RenderSettings::default() };
-        let exact = recovery.computed(Arithmetic::F64x8, settings);
-        let gradient = exact.evaluate().unwrap().gradient;
+        let settings = Settings { sampling, ..Settings::default().in_double_precision() };
+        let gradient = recovery.with_settings(&settings).evaluate().unwrap().gradient;
         let metric = GradientMetric::new(recovery.scene(), recovery.ids());
         Self { recovery, metric, gradient }
     }

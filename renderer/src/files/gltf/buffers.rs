@@ -4,7 +4,7 @@ use std::path::Path;
 
 use super::document::{BufferView, Document, get};
 use crate::Error;
-use crate::files::io::read;
+use crate::disk::read;
 
 const MAGIC: &[u8] = b"glTF";
 const JSON_CHUNK: u32 = 0x4E4F_534A;

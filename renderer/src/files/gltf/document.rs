@@ -107,6 +107,17 @@ pub(super) struct LightDefinition {
     pub color: [f64; 3],
     #[serde(default = "one")]
     pub intensity: f64,
+    pub spot: Option<Spot>,
+}
+
+/// The angles of a spot light, radians from its axis.
+#[derive(Deserialize)]
+#[serde(rename_all = "camelCase")]
+pub(super) struct Spot {
+    #[serde(default)]
+    pub inner_cone_angle: f64,
+    #[serde(default = "eighth_turn")]
+    pub outer_cone_angle: f64,
 }
 
 #[derive(Deserialize)]
@@ -265,6 +276,10 @@ pub(super) struct Buffer {
 
 fn white() -> [f64; 3] {
     [1.0; 3]
+}
+
+fn eighth_turn() -> f64 {
+    std::f64::consts::FRAC_PI_4
 }
 
 fn one() -> f64 {

@@ -1,16 +1,11 @@
 //! The camera and the lights.
 
-use std::f64::consts::PI;
-
 use glam::{DMat4, DVec3};
 
 use super::document::{self, Document, LightDefinition};
 use super::nodes::PlacedNode;
-use crate::files::meshes::clean_name;
-use crate::files::names::Names;
-use crate::kernels::camera::Camera;
-use crate::kernels::light::{DistantLight, PointLight};
-use crate::scene::Light;
+use crate::files::names::{Names, clean_name};
+use crate::scene::{Camera, DistantLight, Light, PointLight, SpotLight};
 
 pub(super) type FoundCamera = Option<(Camera<f64>, Option<f64>)>;
 
@@ -34,7 +29,7 @@ pub(super) fn camera(document: &Document, nodes: &[PlacedNode<'_>]) -> Result<Fo
         look_at: look_from + forward,
         up,
         vfov: perspective.yfov.to_degrees(),
-        focus: 1.0,
+        film_scale: 1.0,
     };
     if perspective.aspect_ratio.is_some_and(|ratio| ratio <= 0.0) {
         return Err(format!("cameras[{index}]: its aspectRatio must be above 0"));
@@ -69,15 +64,27 @@ pub(super) fn light(definition: &LightDefinition, to_world: DMat4) -> Result<Lig
         "point" => Ok(Light::Point(PointLight {
             position: to_world.transform_point3(DVec3::ZERO),
             color,
-            // Per steradian, of 4 pi; over pi.
-            intensity: 4.0 * definition.intensity,
+            radiant_intensity: definition.intensity,
         })),
         "directional" => Ok(Light::Distant(DistantLight {
             // It shines along its own -z; ours is the direction towards the light.
             direction: to_world.transform_vector3(DVec3::Z).normalize_or_zero(),
             color,
-            intensity: definition.intensity / PI,
+            irradiance: definition.intensity,
         })),
-        kind => Err(format!("is a {kind} light; only point and directional ones are read")),
+        "spot" => {
+            let Some(spot) = &definition.spot else {
+                return Err("is a spot light without the angles of its cone".to_owned());
+            };
+            Ok(Light::Spot(SpotLight {
+                position: to_world.transform_point3(DVec3::ZERO),
+                direction: to_world.transform_vector3(DVec3::NEG_Z).normalize_or_zero(),
+                color,
+                radiant_intensity: definition.intensity,
+                inner_angle: spot.inner_cone_angle.to_degrees(),
+                outer_angle: spot.outer_cone_angle.to_degrees(),
+            }))
+        }
+        kind => Err(format!("is a {kind} light; point, directional and spot lights are read")),
     }
 }

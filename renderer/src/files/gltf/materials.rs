@@ -9,15 +9,14 @@ use super::Buffers;
 use super::buffers::{embedded, percent_decoded};
 use super::document::{self, Document, Sampler, TextureInfo, TextureTransform, get};
 use crate::Error;
-use crate::files::meshes::{clean_name, plain_material};
+use crate::files::meshes::plain_material;
 use crate::files::model::{
     Channel, DEFAULT_MATERIAL, ModelMaps, ModelMaterial, TextureImage, TextureSource,
-    default_material,
 };
 use crate::files::names::Names;
+use crate::files::names::clean_name;
 use crate::files::warnings::Warnings;
-use crate::kernels::material::Material;
-use crate::scene::Wrap;
+use crate::scene::{Material, MaterialObject, Wrap};
 
 /// The materials of a document, and of these the ones that something wears.
 pub(super) struct Materials {
@@ -84,11 +83,13 @@ fn convert(
     let pbr = &definition.pbr_metallic_roughness;
     let [r, g, b, alpha] = pbr.base_color_factor;
     let opacity = opacity(definition, alpha).map_err(|problem| Error::new(place, problem))?;
-    let material = Material {
-        ambient: DVec3::from_array(definition.emissive_factor),
-        diffuse: DVec3::new(r, g, b),
-        ..default_material()
-    };
+    let mut material = MaterialObject::from(Material {
+        emission: DVec3::from_array(definition.emissive_factor),
+        ..Material::lambertian(DVec3::new(r, g, b))
+    });
+    if let Some(opacity) = opacity {
+        material = material.with_opacity(opacity);
+    }
     let infos = [&pbr.base_color_texture, &definition.emissive_texture];
     let mut placements = infos.into_iter().flatten().map(placement);
     let (texture_set, first) = placements.next().unwrap_or_default();
@@ -105,14 +106,10 @@ fn convert(
         let channel = alpha_channel(definition, alpha)?;
         Some(TextureSource { channel, ..source.clone() })
     };
-    let maps = ModelMaps {
-        ambient: source(&definition.emissive_texture)?,
-        opacity: diffuse.as_ref().and_then(covers),
-        diffuse,
-        specular: None,
-        placement: first,
-    };
-    Ok((ModelMaterial { name, material: Ok(material), opacity, maps }, texture_set))
+    let emission = source(&definition.emissive_texture)?;
+    let opacity = diffuse.as_ref().and_then(covers);
+    let maps = ModelMaps { sources: [emission, diffuse, None, opacity], placement: first };
+    Ok((ModelMaterial { name, material: Ok(material), maps }, texture_set))
 }
 
 fn warn_of_left_out(definition: &document::Material, place: &str, warnings: &mut Warnings) {

@@ -6,7 +6,8 @@ use super::document::{Document, Primitive, get};
 use super::materials::Materials;
 use super::{Buffers, accessor};
 use crate::files::meshes::MeshBuilder;
-use crate::files::model::Mesh;
+use crate::scene::{Mesh, Transform};
+use crate::transport::transform::place;
 
 /// What a primitive draws, in the coordinates of its mesh.
 pub(super) struct Part {
@@ -66,18 +67,21 @@ pub(super) fn load(
     Ok(Part { vertices, texture_coordinates, triangles, material: primitive.material })
 }
 
-/// All parts as one mesh, in the world; nothing if they have no triangles.
+/// All parts as one mesh, placed in the world; nothing if they have no triangles. The placement is kept
+/// as it is, unless it shears: then the vertices are moved.
 pub(super) fn join(
     parts: Vec<Part>,
     name: String,
     to_world: DMat4,
     materials: &mut Materials,
 ) -> Option<Mesh> {
+    let transform = transform(to_world);
+    let to_mesh = if transform.is_some() { DMat4::IDENTITY } else { to_world };
     let (mut vertices, mut coordinates) = (Vec::new(), Vec::new());
     let (mut triangles, mut texture_triangles, mut worn) = (Vec::new(), Vec::new(), Vec::new());
     for part in parts.into_iter().filter(|part| !part.triangles.is_empty()) {
         let (first, first_coordinates) = (vertices.len() as u32, coordinates.len() as u32);
-        let place = |&v: &[f64; 3]| to_world.transform_point3(DVec3::from_array(v)).to_array();
+        let place = |&v: &[f64; 3]| to_mesh.transform_point3(DVec3::from_array(v)).to_array();
         vertices.extend(part.vertices.iter().map(place));
         worn.resize(worn.len() + part.triangles.len(), materials.place(part.material));
         let is_textured = !part.texture_coordinates.is_empty();
@@ -90,5 +94,20 @@ pub(super) fn join(
         triangles.extend(part.triangles.into_iter().map(|t| t.map(|index| index + first)));
     }
     let mut builder = MeshBuilder::new(&vertices, &coordinates);
-    (!triangles.is_empty()).then(|| builder.build(name, triangles, texture_triangles, worn))
+    let transform = transform.unwrap_or_default();
+    (!triangles.is_empty())
+        .then(|| builder.build(name, triangles, texture_triangles, worn).transform(transform))
+}
+
+/// The scale, rotation and translation that a matrix is; nothing if it shears.
+fn transform(matrix: DMat4) -> Option<Transform<f64>> {
+    let (scale, rotation, translation) = matrix.to_scale_rotation_translation();
+    let rotation = rotation.to_scaled_axis().map(f64::to_degrees);
+    let transform = Transform { translation, rotation, scale };
+    let same = |point: DVec3| {
+        let (exact, placed) = (matrix.transform_point3(point), place::<f64>(transform, point));
+        let size = exact.abs().max_element() + scale.abs().max_element();
+        exact.is_finite() && exact.distance(placed) <= 1e-12 * size
+    };
+    DVec3::AXES.into_iter().all(same).then_some(transform)
 }

@@ -8,6 +8,10 @@ use serde_json::{Value, json};
 
 use super::document::LightDefinition;
 use super::*;
+use crate::scene::Material;
+use crate::transport::direct::direct;
+use crate::transport::light::illuminate;
+use crate::transport::surface::SurfacePoint;
 
 /// Four positions and six indices of two bytes: a square.
 const BUFFER: &str =
@@ -94,11 +98,11 @@ fn meshes_are_placed_in_the_world() {
     let [mesh] = &model.meshes[..] else { panic!("one mesh") };
     assert_eq!(mesh.name, "square");
     let vertices = [[0.0, 0.0, -1.0], [2.0, 0.0, -1.0], [2.0, 2.0, -1.0], [0.0, 2.0, -1.0]];
-    assert_eq!(mesh.vertices, vertices);
+    assert_eq!(mesh.world_vertices().collect::<Vec<_>>(), vertices.map(DVec3::from));
     assert_eq!(mesh.triangles, [[0, 1, 2], [0, 2, 3]]);
     let [red] = &model.materials[..] else { panic!("one material") };
     assert_eq!((red.name.as_str(), &mesh.materials[..]), ("red", &[0, 0][..]));
-    assert_eq!(red.material.as_ref().unwrap().diffuse, DVec3::new(0.5, 0.25, 0.125));
+    assert_eq!(red.material.as_ref().unwrap().values.diffuse, DVec3::new(0.5, 0.25, 0.125));
 }
 
 #[test]
@@ -112,22 +116,45 @@ fn cameras_and_lights_are_converted() {
         panic!("two lights")
     };
     assert_eq!((lamp.as_str(), sun.as_str()), ("lamp", "sun"));
-    assert_eq!((point.position, point.intensity), (DVec3::new(1.0, 2.0, 3.0), 20.0));
+    assert_eq!((point.position, point.radiant_intensity), (DVec3::new(1.0, 2.0, 3.0), 5.0));
     assert!(distant.direction.distance(DVec3::NEG_Y) < 1e-12, "{}", distant.direction);
-    assert_eq!((distant.color.y, distant.intensity), (0.5, 2.0 / PI));
+    assert_eq!((distant.color.y, distant.irradiance), (0.5, 2.0));
+}
+
+#[test]
+fn spot_lights_shine_along_their_own_axis() {
+    let spot = |json: Value| {
+        let definition = serde_json::from_value(json).unwrap();
+        lights::light(&definition, DMat4::from_translation(DVec3::ONE))
+    };
+    let light =
+        spot(json!({ "type": "spot", "intensity": 3.0, "spot": { "innerConeAngle": 0.5 } }));
+    let Ok(Light::Spot(light)) = light else { panic!("a spot light: {light:?}") };
+    assert_eq!((light.position, light.direction), (DVec3::ONE, DVec3::NEG_Z));
+    assert_eq!((light.inner_angle, light.radiant_intensity), (0.5_f64.to_degrees(), 3.0));
+    // The default of glTF.
+    assert_eq!(light.outer_angle, 45.0);
+    let error = spot(json!({ "type": "spot" })).unwrap_err();
+    assert_eq!(error, "is a spot light without the angles of its cone");
 }
 
 /// The radiance of a white surface that faces a light of one candela at distance one is 1 / pi in
 /// glTF; ours has to be the same.
 #[test]
 fn a_white_surface_is_as_bright_as_gltf_says() {
-    let definition =
-        LightDefinition { name: None, kind: "point".into(), color: [1.0; 3], intensity: 1.0 };
-    let Light::Point(light) = lights::light(&definition, DMat4::IDENTITY).unwrap() else {
-        panic!()
+    let definition = LightDefinition {
+        name: None,
+        kind: "point".into(),
+        color: [1.0; 3],
+        intensity: 1.0,
+        spot: None,
     };
-    let irradiance = light.intensity / (4.0 * PI);
-    assert!((irradiance - 1.0 / PI).abs() < 1e-15);
+    let light = lights::light(&definition, DMat4::IDENTITY).unwrap();
+    let surface = SurfacePoint { point: DVec3::Z, normal: DVec3::NEG_Z, view: DVec3::NEG_Z };
+    let white = Material::lambertian(DVec3::ONE);
+    let arriving = illuminate::<f64>(light, surface.point);
+    let radiance = direct::<f64>(white, white.lobes(), surface, arriving, true, 1.0);
+    assert!((radiance.x - 1.0 / PI).abs() < 1e-15, "{radiance}");
 }
 
 #[test]
@@ -137,16 +164,17 @@ fn a_file_alone_is_a_scene() {
     fs::write(&path, square().to_string()).unwrap();
     let scene = crate::experiment::Experiment::load(&path).unwrap().scene;
     assert_eq!((scene.width, scene.height), (768, 512));
-    assert_eq!(scene.light_names, ["lamp", "sun"]);
+    let names: Vec<&str> = scene.lights.iter().map(|light| light.name.as_str()).collect();
+    assert_eq!(names, ["lamp", "sun"]);
     // The point looked at is as far as the mesh.
-    assert_eq!(scene.parameters.camera.look_at, DVec3::new(0.5, 0.5, -1.0));
+    assert_eq!(scene.camera.look_at, DVec3::new(0.5, 0.5, -1.0));
 
     let mut bare = square();
     bare["nodes"] = json!([{ "mesh": 0 }]);
     bare["scenes"] = json!([{ "nodes": [0] }]);
     fs::write(&path, bare.to_string()).unwrap();
     let scene = crate::experiment::Experiment::load(&path).unwrap().scene;
-    assert_eq!((scene.light_names[0].as_str(), scene.width), ("key", 512));
+    assert_eq!((scene.lights[0].name.as_str(), scene.width), ("key", 512));
 }
 
 #[test]

@@ -11,7 +11,7 @@ use super::tests::{glb, load, load_bytes, square, square_bytes};
 use super::*;
 use crate::experiment::Experiment;
 use crate::files::model::TextureImage;
-use crate::scene::{Scene, Wrap};
+use crate::scene::{MaterialObject, Scene, Slot, Wrap};
 
 /// Two texels side by side, the right one transparent.
 fn png() -> Vec<u8> {
@@ -59,12 +59,12 @@ fn textures_multiply_the_base_colour() {
     let [texture] = &scene.textures[..] else { panic!("one texture") };
     assert_eq!((texture.name.as_str(), texture.wrap), ("paint", Wrap::Mirror));
     // The right texel is transparent, but green all the same.
-    assert_eq!(scene.parameters.textures, [[[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]]]);
-    assert_eq!(scene.parameters.materials[0].diffuse, DVec3::new(0.5, 0.25, 0.125));
-    assert_eq!(scene.materials[0].textures.diffuse, Some(0));
+    assert_eq!(texture.texels, [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]]);
+    assert_eq!(scene.materials[0].values.diffuse, DVec3::new(0.5, 0.25, 0.125));
+    assert_eq!(scene.materials[0].textures.get(Slot::Diffuse), Some(0));
     // Upwards: what is at the lower edge in the file, v = 1, is at 0.
     let upwards = [[0.0, 0.0], [1.0, 0.0], [1.0, 0.75], [0.0, 0.75]];
-    assert_eq!(scene.parameters.texture_coordinates, [upwards]);
+    assert_eq!(scene.meshes[0].texture_coordinates, upwards);
     assert_eq!(scene.meshes[0].texture_triangles, [Some([0, 1, 2]), Some([0, 2, 3])]);
 }
 
@@ -78,13 +78,13 @@ fn images_may_be_files_or_data() {
     fs::write(&path, glb(document.clone(), &bytes)).unwrap();
     let experiment = Experiment::load(&path).unwrap();
     assert!(experiment.scene.textures.is_empty());
-    assert_eq!(experiment.scene.parameters.materials, embedded.parameters.materials);
+    assert_eq!(experiment.scene.materials[0].values, embedded.materials[0].values);
     let [missing] = &experiment.warnings[..] else { panic!("one warning") };
     assert!(missing.place.ends_with("model.glb: images[0]"), "{missing}");
     assert!(missing.problem.ends_with("my paint.png is missing; white stands for it"), "{missing}");
     fs::write(folder.path().join("my paint.png"), png()).unwrap();
     let experiment = Experiment::load(&path).unwrap();
-    assert_eq!(experiment.scene.parameters.textures, embedded.parameters.textures);
+    assert_eq!(experiment.scene.textures[0].texels, embedded.textures[0].texels);
     assert_eq!(experiment.scene.textures[0].name, "my paint");
     let [transparent] = &experiment.warnings[..] else { panic!("one warning") };
     assert!(transparent.place.ends_with("my paint.png"), "{transparent}");
@@ -93,7 +93,7 @@ fn images_may_be_files_or_data() {
     // A PNG of one white texel, grey in its format.
     let grey = "iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAAAAAA6fptVAAAACklEQVR4nGP4DwABAQEAsTj2FAAAAABJRU5ErkJggg==";
     document["images"][0] = json!({ "uri": format!("data:image/png;base64,{grey}") });
-    assert_eq!(scene((document, bytes)).unwrap().parameters.textures, [[[1.0; 3]]]);
+    assert_eq!(scene((document, bytes)).unwrap().textures[0].texels, [[1.0; 3]]);
 }
 
 /// The corners of the square, moved by `transform`, in the file's own coordinates.
@@ -104,7 +104,7 @@ fn moved(transform: Value) -> Vec<DVec2> {
     document["extensionsRequired"] = json!(["KHR_texture_transform"]);
     let scene = scene((document, bytes)).unwrap();
     let down = |&[u, v]: &[f64; 2]| DVec2::new(u, 1.0 - v);
-    scene.parameters.texture_coordinates[0].iter().map(down).collect()
+    scene.meshes[0].texture_coordinates.iter().map(down).collect()
 }
 
 #[test]
@@ -128,18 +128,18 @@ fn materials_may_use_another_set_of_coordinates() {
     let error = scene((document.clone(), bytes.clone())).unwrap_err().to_string();
     assert!(error.contains("which has a texture, but has no texture coordinates"), "{error}");
     document["materials"][1]["pbrMetallicRoughness"]["baseColorTexture"]["texCoord"] = json!(3);
-    assert_eq!(scene((document, bytes)).unwrap().parameters.texture_coordinates[0].len(), 4);
+    assert_eq!(scene((document, bytes)).unwrap().meshes[0].texture_coordinates.len(), 4);
 }
 
 #[test]
-fn what_surfaces_emit_is_ambient() {
+fn what_surfaces_emit_is_emission() {
     let (mut document, bytes) = textured();
     document["materials"][1]["emissiveFactor"] = json!([1.0, 2.0, 3.0]);
     document["materials"][1]["emissiveTexture"] = json!({ "index": 0 });
     let scene = scene((document, bytes)).unwrap();
-    assert_eq!(scene.parameters.materials[0].ambient, DVec3::new(1.0, 2.0, 3.0));
+    assert_eq!(scene.materials[0].values.emission, DVec3::new(1.0, 2.0, 3.0));
     assert_eq!(scene.textures.len(), 1);
-    assert_eq!(scene.materials[0].textures.ambient, Some(0));
+    assert_eq!(scene.materials[0].textures.get(Slot::Emission), Some(0));
 }
 
 #[test]
@@ -195,7 +195,7 @@ fn what_is_left_out_is_told() {
     let (mut document, bytes) = textured();
     document["samplers"][0] = json!({ "wrapS": 33071, "magFilter": 9728 });
     let model = load_bytes("model.glb", &glb(document.clone(), &bytes)).unwrap().model;
-    let source = model.materials[0].maps.diffuse.as_ref().unwrap();
+    let source = model.materials[0].maps.get(Slot::Diffuse).unwrap();
     assert_eq!(source.wrap, Wrap::Clamp);
     assert!(matches!(&source.image, TextureImage::Embedded { name, .. } if name == "paint"));
     let problems: Vec<&str> = model.warnings.iter().map(|w| w.problem.as_str()).collect();
@@ -207,6 +207,11 @@ fn what_is_left_out_is_told() {
     document["extensionsRequired"] = json!(["KHR_materials_unlit"]);
     let error = load_bytes("model.glb", &glb(document, &bytes)).unwrap_err();
     assert!(error.problem.contains("requires the extension KHR_materials_unlit"), "{error}");
+}
+
+/// The opacity, if the material is transparent.
+fn opacity_of(material: &MaterialObject) -> Option<f64> {
+    material.transparent.then_some(material.values.opacity)
 }
 
 /// The alpha of a texture varies the opacity where the alpha mode says so; only elsewhere it is warned of.
@@ -222,20 +227,20 @@ fn the_alpha_of_textures_is_an_opacity() {
         fs::write(&path, glb(document, &bytes)).unwrap();
         let Experiment { scene, warnings, .. } = Experiment::load(&path).unwrap();
         let warned = warnings.iter().any(|w| w.problem.contains("transparent texels"));
-        let worn = scene.materials[0].textures.opacity.map(|texture| texture as usize);
+        let worn = scene.materials[0].textures.get(Slot::Opacity).map(|index| index as usize);
         let texels = worn.map(|texture| {
             assert_eq!(scene.textures[texture].name, "paint_opacity");
-            scene.parameters.textures[texture].iter().map(|texel| texel[0]).collect::<Vec<_>>()
+            scene.textures[texture].texels.iter().map(|texel| texel[0]).collect::<Vec<_>>()
         });
-        (scene.parameters.opacities, texels, warned)
+        (opacity_of(&scene.materials[0]), texels, warned)
     };
     let texels = Some(vec![1.0, 0.0]);
-    assert_eq!(opacity(json!("OPAQUE"), 0.5, 0.75), (vec![], None, true));
-    assert_eq!(opacity(json!("BLEND"), 0.5, 0.75), (vec![0.75], texels.clone(), false));
-    assert_eq!(opacity(json!("MASK"), 0.5, 0.75), (vec![1.0], texels, false));
+    assert_eq!(opacity(json!("OPAQUE"), 0.5, 0.75), (None, None, true));
+    assert_eq!(opacity(json!("BLEND"), 0.5, 0.75), (Some(0.75), texels.clone(), false));
+    assert_eq!(opacity(json!("MASK"), 0.5, 0.75), (Some(1.0), texels, false));
     // Nothing reaches the cutoff; everything does.
-    assert_eq!(opacity(json!("MASK"), 0.8, 0.75), (vec![0.0], None, true));
-    assert_eq!(opacity(json!("MASK"), 0.0, 0.75), (vec![], None, false));
+    assert_eq!(opacity(json!("MASK"), 0.8, 0.75), (Some(0.0), None, true));
+    assert_eq!(opacity(json!("MASK"), 0.0, 0.75), (None, None, false));
 }
 
 /// By the alpha mode; the default one leaves alpha out.
@@ -253,10 +258,11 @@ fn alpha_is_the_opacity() {
         document["materials"][1]["alphaMode"] = mode;
         document["materials"][1]["pbrMetallicRoughness"] = factor(alpha);
         let model = load(&document).unwrap().model;
-        assert_eq!(model.materials[0].opacity, opacity);
+        assert_eq!(opacity_of(model.materials[0].material.as_ref().unwrap()), opacity);
     }
     document["materials"][1]["alphaCutoff"] = json!(0.8);
-    assert_eq!(load(&document).unwrap().model.materials[0].opacity, Some(0.0));
+    let model = load(&document).unwrap().model;
+    assert_eq!(opacity_of(model.materials[0].material.as_ref().unwrap()), Some(0.0));
     document["materials"][1]["pbrMetallicRoughness"] = factor(1.5);
     document["materials"][1]["alphaMode"] = json!("BLEND");
     let error = load(&document).unwrap_err().to_string();

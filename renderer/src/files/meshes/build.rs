@@ -1,9 +1,8 @@
 //! From what files hold to meshes.
 
-use crate::files::model::{
-    DEFAULT_MATERIAL, Mesh, Model, ModelMaps, ModelMaterial, default_material,
-};
+use crate::files::model::{DEFAULT_MATERIAL, Model, ModelMaps, ModelMaterial};
 use crate::files::warnings::Warnings;
+use crate::scene::{Material, Mesh};
 
 /// Builds meshes out of the vertices and the texture coordinates of a file.
 pub(in crate::files) struct MeshBuilder<'a> {
@@ -36,7 +35,8 @@ impl<'a> MeshBuilder<'a> {
         if texture_coordinates.is_empty() {
             texture_triangles = Vec::new();
         }
-        Mesh { name, vertices, triangles, materials, texture_coordinates, texture_triangles }
+        let mesh = Mesh::new(name, vertices, triangles);
+        Mesh { materials, texture_coordinates, texture_triangles, ..mesh }
     }
 }
 
@@ -73,8 +73,7 @@ impl<'a, const N: usize> Numbering<'a, N> {
 pub(in crate::files) fn plain_material() -> ModelMaterial {
     ModelMaterial {
         name: DEFAULT_MATERIAL.to_owned(),
-        material: Ok(default_material()),
-        opacity: None,
+        material: Ok(Material::default().into()),
         maps: ModelMaps::default(),
     }
 }

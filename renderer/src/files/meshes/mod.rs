@@ -80,15 +80,3 @@ pub(super) fn left_out(path: &Path, format: MeshFormat) -> Error {
         format!("this build reads no {feature} files; build it with the feature `{feature}`");
     Error::new(path.display(), problem)
 }
-
-/// The name of an object whose file gives none: that of the file.
-pub(super) fn file_stem(path: &Path) -> String {
-    let stem = path.file_stem().map(|stem| clean_name(&stem.to_string_lossy()));
-    stem.filter(|stem| !stem.is_empty()).unwrap_or_else(|| "mesh".to_owned())
-}
-
-/// A name without what names may not hold: control characters, spaces at the ends. It may be
-/// empty.
-pub(super) fn clean_name(name: &str) -> String {
-    name.replace(char::is_control, "_").trim().to_owned()
-}

@@ -7,8 +7,8 @@ use glam::DVec3;
 use super::prepare::Prepared;
 use crate::Error;
 use crate::files::meshes::{MeshBuilder, triangulate};
-use crate::files::model::Mesh;
 use crate::files::names::Names;
+use crate::scene::Mesh;
 
 /// The objects of the file `file` that have faces.
 pub(super) fn meshes(prepared: Prepared, file: &str) -> Result<Vec<Mesh>, Error> {

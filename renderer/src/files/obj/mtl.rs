@@ -7,11 +7,11 @@ use glam::DVec3;
 use super::map::Map;
 use super::statements::{number, statements, words};
 use crate::Error;
-use crate::files::Warning;
-use crate::files::io::read_text;
-use crate::files::model::{ModelMaps, default_material};
+use crate::Warning;
+use crate::disk::read_text;
+use crate::files::model::ModelMaps;
 use crate::files::warnings::Warnings;
-use crate::kernels::material::Material;
+use crate::scene::{Material, MaterialObject};
 
 /// The materials of libraries.
 #[derive(Default)]
@@ -25,8 +25,7 @@ pub(super) struct Library {
 /// A material of a library.
 pub(super) struct LibraryMaterial {
     pub name: String,
-    pub material: Material<f64>,
-    pub opacity: Option<f64>,
+    pub material: MaterialObject,
     pub maps: ModelMaps,
 }
 
@@ -92,7 +91,7 @@ impl Library {
 #[derive(Default)]
 struct Definition {
     name: String,
-    ambient: Option<DVec3>,
+    emission: Option<DVec3>,
     diffuse: Option<DVec3>,
     specular: Option<DVec3>,
     exponent: Option<f64>,
@@ -100,7 +99,7 @@ struct Definition {
     /// 1 - the opacity, in files of other programs.
     transparency: Option<f64>,
     illumination: Option<u8>,
-    ambient_map: Option<Map>,
+    emission_map: Option<Map>,
     diffuse_map: Option<Map>,
     specular_map: Option<Map>,
     opacity_map: Option<Map>,
@@ -121,7 +120,7 @@ const LEFT_OUT: [(&str, f64, &str); 4] = [
 const NO_FILTER: &str = "opacity has no colour";
 const NO_REFRACTION: &str = "rays go straight on behind transparent surfaces";
 const NO_AMBIENT_LIGHT: &str =
-    "there is no ambient light; `ambient` in a scene file is what a surface shows by itself";
+    "there is no ambient light; `emission` in a scene file is what a surface emits";
 
 /// What is said of a statement that is not known.
 fn unknown(keyword: &str) -> String {
@@ -148,7 +147,7 @@ impl Definition {
             Ok::<_, String>(Some(map))
         };
         match lower {
-            "ke" => self.ambient = Some(color(keyword, rest)?),
+            "ke" => self.emission = Some(color(keyword, rest)?),
             "kd" => self.diffuse = Some(color(keyword, rest)?),
             "ks" => self.specular = Some(color(keyword, rest)?),
             "ns" => {
@@ -164,7 +163,7 @@ impl Definition {
                 *(if lower == "d" { &mut self.opacity } else { &mut self.transparency }) =
                     Some(value);
             }
-            "map_ke" => self.ambient_map = map()?,
+            "map_ke" => self.emission_map = map()?,
             "map_kd" => self.diffuse_map = map()?,
             "map_ks" => self.specular_map = map()?,
             "map_d" => self.opacity_map = map()?,
@@ -217,7 +216,7 @@ impl Definition {
     }
 
     fn maps(&self) -> impl Iterator<Item = &Map> {
-        let maps = [&self.diffuse_map, &self.ambient_map, &self.specular_map, &self.opacity_map];
+        let maps = [&self.diffuse_map, &self.emission_map, &self.specular_map, &self.opacity_map];
         maps.into_iter().flatten()
     }
 
@@ -234,30 +233,27 @@ impl Definition {
         if self.is_mirror() {
             (self.opacity, self.transparency, self.opacity_map) = (None, None, None);
         }
-        let default = default_material();
+        let default = Material::default();
         // What a texture varies is white where nothing else is said.
         let color = |given: Option<DVec3>, map: &Option<Map>, default: DVec3| {
             given.unwrap_or(if map.is_some() { DVec3::ONE } else { default })
         };
         let specular = color(self.specular, &self.specular_map, default.specular);
-        let material = Material {
-            ambient: color(self.ambient, &self.ambient_map, default.ambient),
+        let mut material = MaterialObject::from(Material {
+            emission: color(self.emission, &self.emission_map, default.emission),
             diffuse: color(self.diffuse, &self.diffuse_map, default.diffuse),
             specular,
             exponent: self.exponent.unwrap_or(default.exponent),
-            reflection: if self.is_mirror() { specular } else { default.reflection },
-        };
-        let opacity = self.reduced_opacity();
+            mirror: if self.is_mirror() { specular } else { default.mirror },
+            ..default
+        });
+        if let Some(opacity) = self.reduced_opacity() {
+            material = material.with_opacity(opacity);
+        }
         let placement = self.maps().next().map(|map| map.placement).unwrap_or_default();
-        let source = |map: Option<Map>| map.map(|map| map.source);
-        let maps = ModelMaps {
-            ambient: source(self.ambient_map),
-            diffuse: source(self.diffuse_map),
-            specular: source(self.specular_map),
-            opacity: source(self.opacity_map),
-            placement,
-        };
-        LibraryMaterial { name: self.name, material, opacity, maps }
+        let maps = [self.emission_map, self.diffuse_map, self.specular_map, self.opacity_map];
+        let sources = maps.map(|map| map.map(|map| map.source));
+        LibraryMaterial { name: self.name, material, maps: ModelMaps { sources, placement } }
     }
 }
 

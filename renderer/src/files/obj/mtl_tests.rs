@@ -6,10 +6,9 @@ use glam::{DAffine2, DVec2, DVec3};
 
 use super::tests::{TRIANGLE, folder, refused};
 use super::*;
-use crate::files::Warning;
+use crate::Warning;
 use crate::files::model::{Channel, TextureImage, TextureSource};
-use crate::kernels::material::Material;
-use crate::scene::Wrap;
+use crate::scene::{Material, MaterialObject, Slot, Wrap};
 
 /// The model of `a.obj`, one of the given files.
 fn load(files: &[(&str, &str)]) -> Model {
@@ -59,14 +58,14 @@ fn libraries_are_found_and_checked() {
     // Nobody wears a material of the missing library.
     let plain = format!("mtllib a.mtl\n{TRIANGLE}f 1 2 3\n");
     let model = load(&[("a.obj", &plain)]);
-    assert_eq!(model.materials[0].material, Ok(default_material()));
+    assert_eq!(model.materials[0].material, Ok(Material::default().into()));
     assert_eq!(model.warnings, []);
 
     // Two libraries in one line; a material that is in neither is left to the scene file.
     let two = format!("mtllib a.mtl b.mtl\n{TRIANGLE}usemtl red\nf 1 2 3\nusemtl no\nf 1 2 3\n");
     let files = [("a.obj", &two[..]), ("a.mtl", ""), ("b.mtl", "newmtl red\r\nKd 1 0 0\r\n")];
     let model = load(&files);
-    assert_eq!(model.materials[0].material.as_ref().unwrap().diffuse, DVec3::X);
+    assert_eq!(model.materials[0].material.as_ref().unwrap().values.diffuse, DVec3::X);
     let undefined = model.materials[1].material.as_ref().unwrap_err();
     assert!(undefined.place.ends_with("a.obj:8"), "{undefined}");
     assert_eq!(undefined.problem, "no library defines the material `no`; it is shown grey");
@@ -80,23 +79,22 @@ fn colours_are_read() {
     );
     assert_eq!(warnings, [""; 0]);
     let expected = Material {
-        ambient: DVec3::splat(4.0),
-        diffuse: DVec3::new(0.5, 0.25, 0.125),
+        emission: DVec3::splat(4.0),
         specular: DVec3::new(0.1, 0.2, 0.3),
         exponent: 10.0,
-        reflection: DVec3::ZERO,
+        ..Material::lambertian(DVec3::new(0.5, 0.25, 0.125))
     };
-    assert_eq!(material.material, Ok(expected));
+    assert_eq!(material.material, Ok(expected.into()));
     // What is not said is as in the default material.
-    assert_eq!(defined("").0.material, Ok(default_material()));
+    assert_eq!(defined("").0.material, Ok(Material::default().into()));
 }
 
 #[test]
 fn illumination_models_are_told_apart() {
     let reflectances = |model: &str| {
         let (material, warnings) = defined(&format!("Ks 0.5\n{model}\n"));
-        let material = material.material.unwrap();
-        (material.specular.x, material.reflection.x, warnings)
+        let material = material.material.unwrap().values;
+        (material.specular.x, material.mirror.x, warnings)
     };
     assert_eq!(reflectances(""), (0.5, 0.0, vec![]));
     assert_eq!(reflectances("illum 1"), (0.0, 0.0, vec![]));
@@ -116,10 +114,9 @@ fn what_is_left_out_is_told_once() {
         "Ka 1 1 1\nKd 1 0 0\nNi 1.45\nTf 0 1 0\nmap_Ka a.png\nmap_refl b.png\nbump c.png\n\
          sharpness 60\nnewmtl n\nKa 1 1 1\nNi 1.1\nbump d.png\n",
     );
-    assert_eq!(material.material.unwrap().ambient, DVec3::ZERO);
+    assert_eq!(material.material.unwrap().values.emission, DVec3::ZERO);
     assert_eq!(material.maps, ModelMaps::default());
-    let ambient =
-        "there is no ambient light; `ambient` in a scene file is what a surface shows by itself";
+    let ambient = "there is no ambient light; `emission` in a scene file is what a surface emits";
     let expected = [
         format!("2: Ka is left out: {ambient}"),
         "4: Ni is left out: rays go straight on behind transparent surfaces".to_owned(),
@@ -134,6 +131,10 @@ fn what_is_left_out_is_told_once() {
 
 #[test]
 fn opacity_is_read() {
+    let opacity_of = |material: Result<MaterialObject, Warning>| {
+        let material = material.unwrap();
+        material.transparent.then_some(material.values.opacity)
+    };
     for (library, opacity) in [
         ("d 0.25\n", Some(0.25)),
         ("Tr 0.25\n", Some(0.75)),
@@ -144,13 +145,13 @@ fn opacity_is_read() {
         ("d 0\n", Some(0.0)),
     ] {
         let (material, warnings) = defined(library);
-        assert_eq!((material.opacity, warnings), (opacity, Vec::new()), "{library}");
+        assert_eq!((opacity_of(material.material), warnings), (opacity, Vec::new()), "{library}");
     }
     let (mirror, warnings) = defined("Ks 0.5\nd 0.5\nillum 3\n");
-    assert_eq!(mirror.opacity, None);
+    assert_eq!(opacity_of(mirror.material), None);
     assert_eq!(warnings, ["4: a mirror is shown opaque"]);
     let (mirror, warnings) = defined("illum 3\nmap_d a.png\n");
-    assert_eq!((mirror.opacity, mirror.maps), (None, ModelMaps::default()));
+    assert_eq!((opacity_of(mirror.material), mirror.maps), (None, ModelMaps::default()));
     assert_eq!(warnings, ["3: a mirror is shown opaque"]);
 }
 
@@ -169,10 +170,12 @@ fn textures_and_their_options_are_read() {
         Some(TextureSource { image, channel, wrap, place })
     };
     let expected = ModelMaps {
-        diffuse: source("a b#1.png", Channel::Color, Wrap::Clamp, 3),
-        specular: source("tex/c.png", Channel::Color, Wrap::Repeat, 4),
-        ambient: source("d.png", Channel::Color, Wrap::Repeat, 5),
-        opacity: source("a b#1.png", Channel::Mask, Wrap::Repeat, 6),
+        sources: [
+            source("d.png", Channel::Color, Wrap::Repeat, 5),
+            source("a b#1.png", Channel::Color, Wrap::Clamp, 3),
+            source("tex/c.png", Channel::Color, Wrap::Repeat, 4),
+            source("a b#1.png", Channel::Mask, Wrap::Repeat, 6),
+        ],
         placement: DAffine2::from_scale_angle_translation(
             DVec2::new(2.0, 3.0),
             0.0,
@@ -180,10 +183,10 @@ fn textures_and_their_options_are_read() {
         ),
     };
     assert_eq!(model.materials[0].maps, expected);
-    let material = model.materials[0].material.as_ref().unwrap();
+    let material = model.materials[0].material.as_ref().unwrap().values;
     // A colour that only a texture gives is white.
     assert_eq!(material.diffuse, DVec3::splat(0.5));
-    assert_eq!((material.specular, material.ambient), (DVec3::ONE, DVec3::ONE));
+    assert_eq!((material.specular, material.emission), (DVec3::ONE, DVec3::ONE));
 }
 
 #[test]
@@ -192,7 +195,7 @@ fn texture_options_that_are_left_out_are_told() {
         "map_Kd -blendu on -blendv off -t 0 0 0 -boost 2 -bm 1 -imfchan m -texres 512 a.png\n\
          map_Ks -s 2 -t 1 b.png\nillum 3\n",
     );
-    let image = material.maps.diffuse.unwrap().image;
+    let image = &material.maps.get(Slot::Diffuse).unwrap().image;
     assert!(matches!(image, TextureImage::File(path) if path.ends_with("a.png")));
     assert_eq!(material.maps.placement, DAffine2::IDENTITY);
     let expected = [

@@ -5,8 +5,7 @@ use std::fs;
 use glam::DVec3;
 
 use super::*;
-use crate::kernels::material::Material;
-use crate::scene::{MaterialObject, MeshObject};
+use crate::scene::{Material, MaterialObject, Mesh, Transform};
 
 /// A folder with the given files.
 pub(super) fn folder(files: &[(&str, &str)]) -> tempfile::TempDir {
@@ -54,15 +53,13 @@ fn objects_materials_and_groups() {
     assert_eq!(model.meshes[1].materials, [0]);
 
     let red = Material {
-        ambient: DVec3::ZERO,
-        diffuse: DVec3::new(0.5, 0.25, 0.125),
         specular: DVec3::new(0.1, 0.2, 0.3),
         exponent: 10.0,
-        reflection: DVec3::ZERO,
+        ..Material::lambertian(DVec3::new(0.5, 0.25, 0.125))
     };
-    assert_eq!(model.materials[0].material, Ok(red));
+    assert_eq!(model.materials[0].material, Ok(red.into()));
     assert_eq!(model.materials[1].name, "blue");
-    assert_eq!(model.materials[1].material.as_ref().unwrap().diffuse, DVec3::splat(0.5));
+    assert_eq!(model.materials[1].material.as_ref().unwrap().values.diffuse, DVec3::splat(0.5));
 }
 
 #[test]
@@ -72,7 +69,7 @@ fn groups_are_meshes_where_there_are_no_objects() {
     assert_eq!(names, ["a", "one", "one_2", "a_2"]);
     assert_eq!(model.materials.len(), 1);
     assert_eq!(model.materials[0].name, DEFAULT_MATERIAL);
-    assert_eq!(model.materials[0].material, Ok(default_material()));
+    assert_eq!(model.materials[0].material, Ok(Material::default().into()));
 }
 
 #[test]
@@ -224,17 +221,21 @@ fn broken_files_are_refused_with_their_line() {
 fn a_written_mesh_is_read_back_bit_for_bit() {
     let vertices =
         [[0.1, 1.0 / 3.0, -1e-300], [1e17 + 2.0, -0.0, f64::MIN_POSITIVE], [5e-324, 123.456, 1e6]];
-    let mesh = MeshObject {
+    let coordinates = [[0.1, -2.0 / 3.0], [1e-300, 5.0]];
+    let mut mesh = Mesh {
         name: "Cube.001 #b".to_owned(),
+        vertices: vertices.to_vec(),
         triangles: vec![[0, 1, 2], [2, 1, 0], [0, 0, 1]],
         materials: vec![1, 0, 1],
+        texture_coordinates: coordinates.to_vec(),
         texture_triangles: vec![Some([1, 0, 1]), None, Some([1, 1, 0])],
+        transform: Transform { translation: DVec3::X, ..Transform::IDENTITY },
     };
-    let coordinates = [[0.1, -2.0 / 3.0], [1e-300, 5.0]];
-    let names = ["a b", "c"].map(MaterialObject::new);
+    let named = |name: &str| MaterialObject { name: name.to_owned(), ..Material::default().into() };
+    let names = ["a b", "c"].map(named);
     let folder = folder(&[]);
     let path = folder.path().join("m.obj");
-    save_obj(&mesh, &vertices, &coordinates, &names, &path).unwrap();
+    save_obj(&mesh, &names, &path).unwrap();
     let model = load_obj(&path).unwrap();
     assert_eq!(model.meshes[0].name, mesh.name);
     assert_eq!(model.meshes[0].triangles, mesh.triangles);
@@ -249,6 +250,7 @@ fn a_written_mesh_is_read_back_bit_for_bit() {
         .collect();
     assert_eq!(worn, ["c", "a b", "c"]);
 
-    let error = save_obj(&mesh, &vertices[..2], &coordinates, &names, &path).unwrap_err();
+    mesh.vertices.truncate(2);
+    let error = save_obj(&mesh, &names, &path).unwrap_err();
     assert!(error.problem.contains("Cube.001 #b is inconsistent"), "{error}");
 }

@@ -4,37 +4,31 @@ use std::fmt::Write;
 use std::path::Path;
 
 use crate::Error;
-use crate::atomic_file::write_atomically;
-use crate::scene::{MaterialObject, MeshObject};
+use crate::disk::write_atomically;
+use crate::scene::{MaterialObject, Mesh};
 
 /// Writes one mesh as an OBJ file, its materials by name without a library. Coordinates are written
 /// with as many digits as it takes to read the same numbers back.
 ///
-/// `vertices`, `texture_coordinates` and `materials` are what the indices of `mesh` refer to.
+/// Vertices are those before the transform of the mesh; `materials` are what its indices refer to.
 ///
 /// # Errors
 ///
 /// If an index is out of range, or the file cannot be written.
-pub fn save_obj(
-    mesh: &MeshObject,
-    vertices: &[[f64; 3]],
-    texture_coordinates: &[[f64; 2]],
-    materials: &[MaterialObject],
-    path: &Path,
-) -> Result<(), Error> {
+pub fn save_obj(mesh: &Mesh, materials: &[MaterialObject], path: &Path) -> Result<(), Error> {
     let out_of_range = || Error::new(path.display(), format!("mesh {} is inconsistent", mesh.name));
     let textured = mesh.texture_triangles.iter().flatten().flatten();
-    if textured.copied().any(|i| i as usize >= texture_coordinates.len())
-        || mesh.triangles.as_flattened().iter().any(|&i| i as usize >= vertices.len())
+    if textured.copied().any(|i| i as usize >= mesh.texture_coordinates.len())
+        || mesh.triangles.as_flattened().iter().any(|&i| i as usize >= mesh.vertices.len())
         || mesh.materials.len() != mesh.triangles.len()
     {
         return Err(out_of_range());
     }
     let mut text = format!("o {}\n", mesh.name);
-    for [x, y, z] in vertices {
+    for [x, y, z] in &mesh.vertices {
         push(&mut text, format_args!("v {x:?} {y:?} {z:?}\n"));
     }
-    for [u, v] in texture_coordinates {
+    for [u, v] in &mesh.texture_coordinates {
         push(&mut text, format_args!("vt {u:?} {v:?}\n"));
     }
     let mut worn = None;

@@ -1,6 +1,6 @@
 //! The header of a PLY file: what stands in the data, and how.
 
-use super::source::{Format, Scalar, Source};
+use super::source::{Format, Kind, Scalar, Source};
 use crate::Error;
 use crate::files::warnings::Warnings;
 
@@ -20,12 +20,6 @@ pub(super) struct Element {
 pub(super) struct Property {
     pub name: String,
     pub kind: Kind,
-}
-
-#[derive(Clone, Copy)]
-pub(super) enum Kind {
-    Scalar(Scalar),
-    List { count: Scalar, item: Scalar },
 }
 
 /// Names of texture coordinates, the ones that programs write.

@@ -1,7 +1,5 @@
 //! The data of a PLY file: numbers, one after the other, as text or as bytes.
 
-use super::header::Kind;
-
 #[derive(Clone, Copy)]
 pub(super) enum Format {
     Ascii,
@@ -54,6 +52,12 @@ impl Scalar {
     pub fn is_integer(self) -> bool {
         !matches!(self, Self::F32 | Self::F64)
     }
+}
+
+#[derive(Clone, Copy)]
+pub(super) enum Kind {
+    Scalar(Scalar),
+    List { count: Scalar, item: Scalar },
 }
 
 /// The numbers that have not been read yet.

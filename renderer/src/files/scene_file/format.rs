@@ -6,16 +6,114 @@ use std::marker::PhantomData;
 use std::path::PathBuf;
 
 use serde::de::value::MapAccessDeserializer;
-use serde::de::{self, Deserializer, IntoDeserializer, MapAccess, SeqAccess, Visitor};
+use serde::de::{
+    self, DeserializeSeed, Deserializer, IntoDeserializer, MapAccess, SeqAccess, Visitor,
+};
+use serde::ser::SerializeMap;
 use serde::{Deserialize, Serialize, Serializer};
 
+use super::numbers;
 use crate::files::model::Channel;
 use crate::loss::LossKind;
 use crate::optimize::{Optimizer, Schedule};
-use crate::scene::{DEFAULT_BOUNCES, Wrap};
+use crate::scene::{DEFAULT_BOUNCES, Slot, Wrap};
 
 /// A table whose order is kept.
 pub(super) type Ordered<T> = Vec<(String, T)>;
+
+/// Defines tables of objects of a kind: fields of their own, and all others, which are the numbers of the
+/// object, by the names that the table of parameters has for them.
+macro_rules! entries {
+    ($(
+        $(#[$entry_doc:meta])*
+        $entry:ident, $kind:literal { $($(#[$doc:meta])* $($key:literal)? $field:ident: $type:ty,)* }
+    )*) => {$(
+        $(#[$entry_doc])*
+        #[derive(Default)]
+        pub(super) struct $entry {
+            $($(#[$doc])* pub $field: $type,)*
+            pub numbers: Ordered<Numbers>,
+        }
+
+        impl<'de> Deserialize<'de> for $entry {
+            fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+                struct Fields;
+
+                impl<'de> Visitor<'de> for Fields {
+                    type Value = $entry;
+
+                    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                        write!(f, "a table")
+                    }
+
+                    fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<$entry, A::Error> {
+                        let mut entry = $entry::default();
+                        let key = Key { kind: $kind, own: &[$(key!($($key)? $field)),*] };
+                        while let Some(key) = map.next_key_seed(key)? {
+                            $(
+                                if key == key!($($key)? $field) {
+                                    entry.$field = map.next_value()?;
+                                    continue;
+                                }
+                            )*
+                            entry.numbers.push((key, map.next_value()?));
+                        }
+                        Ok(entry)
+                    }
+                }
+
+                deserializer.deserialize_map(Fields)
+            }
+        }
+
+        impl Serialize for $entry {
+            fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+                let mut map = serializer.serialize_map(None)?;
+                $(
+                    if let Some(value) = &self.$field {
+                        map.serialize_entry(key!($($key)? $field), value)?;
+                    }
+                )*
+                for (key, numbers) in &self.numbers {
+                    map.serialize_entry(key, numbers)?;
+                }
+                map.end()
+            }
+        }
+    )*};
+}
+
+macro_rules! key {
+    ($key:literal $field:ident) => {
+        $key
+    };
+    ($field:ident) => {
+        stringify!($field)
+    };
+}
+
+/// A key of the table of an object of some kind, which has fields of its own and numbers.
+#[derive(Clone, Copy)]
+struct Key {
+    kind: &'static str,
+    own: &'static [&'static str],
+}
+
+impl<'de> DeserializeSeed<'de> for Key {
+    type Value = String;
+
+    fn deserialize<D: Deserializer<'de>>(self, deserializer: D) -> Result<String, D::Error> {
+        let key = String::deserialize(deserializer)?;
+        let Self { kind, own } = self;
+        let known = || numbers::names(kind).chain(own.iter().copied());
+        if known().any(|name| name == key) || numbers::was_renamed(kind, &key) {
+            return Ok(key);
+        }
+        let known: Vec<String> = known().map(|name| format!("`{name}`")).collect();
+        let problem = format!("unknown field `{key}`, expected one of {}", known.join(", "));
+        Err(de::Error::custom(problem))
+    }
+}
 
 #[derive(Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -37,93 +135,54 @@ pub(super) struct SceneFile {
     pub optimize: Option<OptimizeEntry>,
 }
 
-#[derive(Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub(super) struct CameraEntry {
-    pub look_from: [f64; 3],
-    pub look_at: [f64; 3],
-    #[serde(default = "y_axis")]
-    pub up: [f64; 3],
-    /// In degrees.
-    #[serde(default = "default_vfov")]
-    pub vfov: f64,
-    #[serde(default = "one")]
-    pub focus: f64,
-    pub width: u32,
-    pub height: u32,
+entries! {
+    /// The camera.
+    CameraEntry, "camera" {
+        width: Option<u32>,
+        height: Option<u32>,
+    }
+
+    LightEntry, "light" {
+        name: Option<String>,
+        "type" kind: Option<String>,
+        /// Of a point light, in place of its radiant intensity: W.
+        power: Option<f64>,
+    }
+
+    MeshEntry, "mesh" {
+        /// Relative to the scene file.
+        path: Option<PathBuf>,
+        /// If given, all objects of the file are one mesh of this name.
+        name: Option<String>,
+        /// If given, replaces all materials.
+        material: Option<String>,
+    }
+
+    SphereEntry, "sphere" {
+        name: Option<String>,
+        material: Option<String>,
+    }
+
+    /// Textures by name. One of the opacity makes the material transparent, and so does an opacity.
+    MaterialEntry, "material" {
+        emission_texture: Option<String>,
+        diffuse_texture: Option<String>,
+        specular_texture: Option<String>,
+        opacity_texture: Option<String>,
+    }
 }
 
-#[derive(Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub(super) struct LightEntry {
-    pub name: String,
-    #[serde(rename = "type")]
-    pub kind: LightKind,
-    /// Of a point light.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub position: Option<[f64; 3]>,
-    /// Of a distant light, towards it.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub direction: Option<[f64; 3]>,
-    #[serde(default = "white")]
-    pub color: [f64; 3],
-    pub intensity: f64,
-}
-
-#[derive(Clone, Copy, PartialEq, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub(super) enum LightKind {
-    Point,
-    Distant,
-}
-
-#[derive(Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub(super) struct MeshEntry {
-    /// Relative to the scene file.
-    pub path: PathBuf,
-    /// If given, all objects of the file are one mesh of this name.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub name: Option<String>,
-    /// If given, replaces all materials.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub material: Option<String>,
-}
-
-#[derive(Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub(super) struct SphereEntry {
-    pub name: String,
-    pub center: [f64; 3],
-    pub radius: f64,
-    pub material: String,
-}
-
-#[derive(Default, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub(super) struct MaterialEntry {
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub ambient: Option<[f64; 3]>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub diffuse: Option<[f64; 3]>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub specular: Option<[f64; 3]>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub exponent: Option<f64>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub reflection: Option<[f64; 3]>,
-    /// If given, the material is transparent.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub opacity: Option<f64>,
-    /// Names of textures. One of the opacity makes the material transparent, too.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub ambient_texture: Option<String>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub diffuse_texture: Option<String>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub specular_texture: Option<String>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub opacity_texture: Option<String>,
+impl MaterialEntry {
+    /// The name of the texture of a slot.
+    pub fn texture(&self, slot: Slot) -> Option<&str> {
+        let texture = match slot {
+            Slot::Emission => &self.emission_texture,
+            Slot::Diffuse => &self.diffuse_texture,
+            Slot::Specular => &self.specular_texture,
+            Slot::Opacity => &self.opacity_texture,
+        };
+        texture.as_deref()
+    }
 }
 
 #[derive(Serialize, Deserialize)]
@@ -133,10 +192,10 @@ pub(super) struct TextureEntry {
     #[serde(skip_serializing_if = "Option::is_none")]
     pub path: Option<PathBuf>,
     /// Width and height of a texture without file.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[serde(default, deserialize_with = "exactly", skip_serializing_if = "Option::is_none")]
     pub size: Option<[u32; 2]>,
     /// The colour of a texture without file.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[serde(default, deserialize_with = "exactly", skip_serializing_if = "Option::is_none")]
     pub color: Option<[f64; 3]>,
     #[serde(default)]
     pub wrap: WrapEntry,
@@ -236,30 +295,23 @@ pub(super) struct ParameterEntry {
 }
 
 /// A number, or an array of them.
-#[derive(Clone)]
+#[derive(Clone, PartialEq)]
 pub(super) enum Numbers {
     One(f64),
     Many(Vec<f64>),
 }
 
-fn y_axis() -> [f64; 3] {
-    [0.0, 1.0, 0.0]
-}
-
-fn white() -> [f64; 3] {
-    [1.0; 3]
-}
-
-fn one() -> f64 {
-    1.0
+impl From<&[f64]> for Numbers {
+    fn from(numbers: &[f64]) -> Self {
+        match numbers {
+            [number] => Self::One(*number),
+            _ => Self::Many(numbers.to_vec()),
+        }
+    }
 }
 
 fn default_bounces() -> u32 {
     DEFAULT_BOUNCES
-}
-
-fn default_vfov() -> f64 {
-    45.0
 }
 
 impl Serialize for Numbers {
@@ -301,6 +353,18 @@ impl<'de> Deserialize<'de> for Numbers {
 
         deserializer.deserialize_any(NumbersVisitor)
     }
+}
+
+/// An array of as many elements as it is to have: serde takes the first of longer ones.
+fn exactly<'de, T, D, const N: usize>(deserializer: D) -> Result<Option<[T; N]>, D::Error>
+where
+    T: Deserialize<'de>,
+    D: Deserializer<'de>,
+{
+    let elements = Vec::<T>::deserialize(deserializer)?;
+    let count = elements.len();
+    let array = elements.try_into();
+    array.map(Some).map_err(|_| de::Error::custom(format!("needs {N} elements, has {count}")))
 }
 
 /// A table with a `type`, or that type alone.

@@ -1,24 +1,20 @@
 //! The materials of a scene while its file is read: those of the scene file, and those that meshes
 //! bring along.
 
-use glam::{DAffine2, DVec3};
+use glam::DAffine2;
 
-use super::Problem;
 use super::format::{MaterialEntry, Ordered};
 use super::textures::TextureTable;
-use crate::files::Warning;
-use crate::files::model::{ModelMaterial, default_material};
+use super::{Problem, numbers};
+use crate::Warning;
+use crate::files::model::ModelMaterial;
 use crate::files::names::Names;
 use crate::files::warnings::Warnings;
-use crate::kernels::material::Material;
-use crate::scene::{MaterialObject, MaterialTextures, Scene};
+use crate::scene::{Material, MaterialObject, MaterialTextures, Scene, Slot};
 
-/// Names and values, first those of the scene file, in its order.
+/// The materials, first those of the scene file, in its order.
 pub(super) struct MaterialTable<'a> {
     objects: Vec<MaterialObject>,
-    materials: Vec<Material<f64>>,
-    /// Of those that are transparent.
-    opacities: Vec<Option<f64>>,
     names: Names,
     textures: TextureTable,
     entries: &'a [(String, MaterialEntry)],
@@ -35,16 +31,14 @@ impl<'a> MaterialTable<'a> {
         entries: &'a Ordered<MaterialEntry>,
         textures: TextureTable,
     ) -> Result<Self, Problem> {
-        let material = |(_, entry): &(_, _)| overridden(default_material(), entry);
-        let object = |(name, entry): &(String, MaterialEntry)| {
-            let none = MaterialTextures::default();
-            let textures = overridden_textures(none, name, entry, &textures)?;
-            Ok(MaterialObject { textures, ..MaterialObject::new(name) })
+        let default = MaterialObject::from(Material::default());
+        let object = |entry: &(String, MaterialEntry)| {
+            let mut object = overridden(default.clone(), entry)?;
+            object.textures = overridden_textures(object.textures, entry, &textures)?;
+            Ok(object)
         };
         Ok(Self {
             objects: entries.iter().map(object).collect::<Result<_, Problem>>()?,
-            materials: entries.iter().map(material).collect(),
-            opacities: entries.iter().map(|(_, entry)| entry.opacity).collect(),
             names: entries.iter().map(|(name, _)| name.as_str()).collect(),
             textures,
             filled: vec![false; entries.len()],
@@ -57,8 +51,6 @@ impl<'a> MaterialTable<'a> {
     pub fn of_models() -> Self {
         Self {
             objects: Vec::new(),
-            materials: Vec::new(),
-            opacities: Vec::new(),
             names: Names::default(),
             textures: TextureTable::default(),
             entries: &[],
@@ -85,46 +77,42 @@ impl<'a> MaterialTable<'a> {
     /// texture coordinates of the model's meshes to those at which it looks textures up.
     pub fn add(&mut self, model: &ModelMaterial) -> Result<(u32, DAffine2), Problem> {
         let entry = self.entries.iter().position(|(name, _)| *name == model.name);
-        let value = match (entry, &model.material) {
+        let mut object = match (entry, &model.material) {
             (Some(entry), Err(_)) => return Ok((entry as u32, DAffine2::IDENTITY)),
-            (Some(entry), Ok(material)) => overridden(*material, &self.entries[entry].1),
-            (None, Ok(material)) => *material,
+            (_, Ok(object)) => object.clone(),
             (None, Err(undefined)) => {
                 self.undefined.add_new(undefined);
-                default_material()
+                Material::default().into()
             }
         };
-        let opacity = entry.and_then(|entry| self.entries[entry].1.opacity).or(model.opacity);
+        object.name.clone_from(&model.name);
         let own = self.textures.add(&model.maps)?;
-        let (mut textures, mut placement) = (own, model.maps.placement);
-        if let Some(entry) = entry {
-            let (name, fields) = &self.entries[entry];
+        object.textures = own;
+        let mut placement = model.maps.placement;
+        if let Some(index) = entry {
+            let entry = &self.entries[index];
             // What is said of textures that the scene file replaces is not said of the new ones.
-            if !keeps_texture(own, fields) {
+            if !keeps_texture(own, &entry.1) {
                 placement = DAffine2::IDENTITY;
             }
-            textures = overridden_textures(textures, name, fields, &self.textures)?;
-            if !self.filled[entry] {
-                self.filled[entry] = true;
-                self.materials[entry] = value;
-                self.objects[entry].textures = textures;
-                self.opacities[entry] = opacity;
+            object = overridden(object, entry)?;
+            object.textures = overridden_textures(own, entry, &self.textures)?;
+            if !self.filled[index] {
+                self.filled[index] = true;
+                self.objects[index] = object.clone();
             }
         }
         // Files may give one name to one material, or to different ones.
-        let is_same = |&index: &usize| {
-            let MaterialObject { name, textures: worn, .. } = &self.objects[index];
-            (self.materials[index], self.opacities[index], *worn) == (value, opacity, textures)
-                && (*name == model.name || is_numbered(name, &model.name))
+        let is_same = |other: &MaterialObject| {
+            MaterialObject { name: String::new(), ..other.clone() }
+                == MaterialObject { name: String::new(), ..object.clone() }
+                && (other.name == model.name || is_numbered(&other.name, &model.name))
         };
-        let same = (0..self.objects.len()).find(is_same);
-        if let Some(index) = same {
+        if let Some(index) = self.objects.iter().position(is_same) {
             return Ok((index as u32, placement));
         }
-        let name = self.names.take(model.name.clone());
-        self.objects.push(MaterialObject { textures, ..MaterialObject::new(name) });
-        self.materials.push(value);
-        self.opacities.push(opacity);
+        object.name = self.names.take(model.name.clone());
+        self.objects.push(object);
         Ok(((self.objects.len() - 1) as u32, placement))
     }
 
@@ -132,14 +120,9 @@ impl<'a> MaterialTable<'a> {
     /// defines and about the images of textures.
     pub fn move_into(self, scene: &mut Scene) -> Vec<Warning> {
         scene.materials = self.objects;
-        scene.parameters.materials = self.materials;
-        for (object, given) in scene.materials.iter_mut().zip(self.opacities) {
-            // A texture varies it from 1 on where nothing else is said.
-            let opacity = given.or(object.textures.opacity.map(|_| 1.0));
-            object.opacity = opacity.map(|opacity| {
-                scene.parameters.opacities.push(opacity);
-                scene.parameters.opacities.len() as u32 - 1
-            });
+        for material in &mut scene.materials {
+            // A texture varies the opacity from 1 on where nothing else is said.
+            material.transparent |= material.textures.get(Slot::Opacity).is_some();
         }
         let mut warnings = self.undefined.finish();
         warnings.append(&mut self.textures.move_into(scene));
@@ -147,48 +130,37 @@ impl<'a> MaterialTable<'a> {
     }
 }
 
-/// `base` with the fields that `entry` gives.
-fn overridden(base: Material<f64>, entry: &MaterialEntry) -> Material<f64> {
-    Material {
-        ambient: entry.ambient.map_or(base.ambient, DVec3::from_array),
-        diffuse: entry.diffuse.map_or(base.diffuse, DVec3::from_array),
-        specular: entry.specular.map_or(base.specular, DVec3::from_array),
-        exponent: entry.exponent.unwrap_or(base.exponent),
-        reflection: entry.reflection.map_or(base.reflection, DVec3::from_array),
-    }
+/// `base` with the numbers that an entry gives. An opacity makes it transparent.
+fn overridden(
+    base: MaterialObject,
+    (name, entry): &(String, MaterialEntry),
+) -> Result<MaterialObject, Problem> {
+    let mut object = MaterialObject { name: name.clone(), ..base };
+    numbers::assign(&mut object.values, "material", &format!("material.{name}"), &entry.numbers)?;
+    object.transparent |= entry.numbers.iter().any(|(key, _)| key == "opacity");
+    Ok(object)
 }
 
-/// `base` with the textures that `entry`, the material `name`, gives.
+/// `base` with the textures that an entry gives.
 fn overridden_textures(
     base: MaterialTextures,
-    name: &str,
-    entry: &MaterialEntry,
+    (name, entry): &(String, MaterialEntry),
     textures: &TextureTable,
 ) -> Result<MaterialTextures, Problem> {
-    let texture = |field: &str, given: &Option<String>, base: Option<u32>| match given {
-        None => Ok(base),
-        Some(texture) => textures
-            .index(texture)
-            .map(Some)
-            .map_err(|problem| Problem::new(format!("material.{name}.{field}"), problem)),
-    };
-    Ok(MaterialTextures {
-        ambient: texture("ambient_texture", &entry.ambient_texture, base.ambient)?,
-        diffuse: texture("diffuse_texture", &entry.diffuse_texture, base.diffuse)?,
-        specular: texture("specular_texture", &entry.specular_texture, base.specular)?,
-        opacity: texture("opacity_texture", &entry.opacity_texture, base.opacity)?,
-    })
+    let mut overridden = base;
+    for slot in Slot::ALL {
+        let Some(texture) = entry.texture(slot) else { continue };
+        let index = textures.index(texture).map_err(|problem| {
+            Problem::new(format!("material.{name}.{}_texture", slot.field()), problem)
+        })?;
+        overridden.0[slot as usize] = Some(index);
+    }
+    Ok(overridden)
 }
 
 /// Whether one of the textures `own` is not replaced by `entry`.
 fn keeps_texture(own: MaterialTextures, entry: &MaterialEntry) -> bool {
-    let pairs = [
-        (own.ambient, &entry.ambient_texture),
-        (own.diffuse, &entry.diffuse_texture),
-        (own.specular, &entry.specular_texture),
-        (own.opacity, &entry.opacity_texture),
-    ];
-    pairs.iter().any(|(own, replaced)| own.is_some() && replaced.is_none())
+    Slot::ALL.iter().any(|&slot| own.get(slot).is_some() && entry.texture(slot).is_none())
 }
 
 /// Whether `name` is `base_2` or the like.

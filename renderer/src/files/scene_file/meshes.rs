@@ -3,19 +3,22 @@
 use std::collections::HashMap;
 use std::path::Path;
 
-use glam::{DAffine2, DVec2};
+use glam::{DAffine2, DVec2, DVec3};
 
 use super::Problem;
 use super::format::MeshEntry;
 use super::materials::MaterialTable;
+use super::numbers;
 use crate::Error;
-use crate::files::Warning;
+use crate::Warning;
 use crate::files::meshes::load_mesh;
-use crate::files::model::{Mesh, Model};
+use crate::files::model::Model;
 use crate::files::names::Names;
 #[cfg(feature = "gltf")]
 use crate::files::{GltfFile, MeshFormat, load_gltf};
-use crate::scene::{MeshObject, Scene};
+use crate::scene::{Camera, Mesh, Scene, Transform};
+#[cfg(feature = "gltf")]
+use crate::scene::{LightObject, LightSource};
 
 /// The scene that a mesh file alone gives, framed and lit by default, and what was left out of the
 /// file.
@@ -36,7 +39,8 @@ fn load_gltf_scene(path: &Path) -> Result<(Scene, Vec<Warning>), Error> {
         scene.set_camera(camera, aspect_ratio);
     }
     if !lights.is_empty() {
-        (scene.light_names, scene.parameters.lights) = lights.into_iter().unzip();
+        let light = |(name, light)| LightObject { name, source: LightSource::Known(light) };
+        scene.lights = lights.into_iter().map(light).collect();
     }
     scene.validate(path.display())?;
     Ok((scene, warnings))
@@ -44,7 +48,7 @@ fn load_gltf_scene(path: &Path) -> Result<(Scene, Vec<Warning>), Error> {
 
 /// The scene of a model from the file `path`, framed and lit by default.
 fn framed(model: Model, path: &Path) -> Result<(Scene, Vec<Warning>), Error> {
-    let mut scene = Scene::empty();
+    let mut scene = Scene::new(1, 1, Camera::looking(DVec3::Z, DVec3::ZERO));
     let mut table = MaterialTable::of_models();
     let mut warnings =
         add_model(&mut scene, &mut table, model).map_err(|problem| problem.at(path))?;
@@ -64,20 +68,47 @@ pub(super) fn add_entry(
     entry: &MeshEntry,
     folder: &Path,
 ) -> Result<Vec<Warning>, Problem> {
-    let mut model = load_mesh(&folder.join(&entry.path))?;
+    let Some(path) = &entry.path else {
+        let name = entry.name.as_deref().unwrap_or_default();
+        return Err(Problem::new(format!("mesh.{name}.path"), "is missing; a mesh needs one"));
+    };
+    let mut model = load_mesh(&folder.join(path))?;
+    let place = format!("mesh.{}", entry.name.clone().unwrap_or(path.display().to_string()));
     if let Some(name) = &entry.name {
         if scene.meshes.iter().any(|other| other.name == *name) {
             return Err(Problem::new(format!("mesh.{name}.name"), "another mesh has this name"));
         }
         model.meshes = vec![join(model.meshes, name.clone())];
     }
+    for mesh in &mut model.meshes {
+        place_mesh(mesh, entry, &place)?;
+    }
     let Some(material) = &entry.material else { return add_model(scene, table, model) };
-    let index = table.index(material).map_err(|problem| {
-        let mesh = entry.name.clone().unwrap_or(entry.path.display().to_string());
-        Problem::new(format!("mesh.{mesh}.material"), problem)
-    })?;
+    let index = table
+        .index(material)
+        .map_err(|problem| Problem::new(format!("{place}.material"), problem))?;
     add_meshes(scene, model.meshes, &vec![index; model.materials.len()]);
     Ok(model.warnings)
+}
+
+/// Places a mesh as its entry says. A mesh that its file places already is placed within that.
+fn place_mesh(mesh: &mut Mesh, entry: &MeshEntry, place: &str) -> Result<(), Problem> {
+    if entry.numbers.is_empty() {
+        return Ok(());
+    }
+    let mut transform = Transform::IDENTITY;
+    numbers::assign(&mut transform, "mesh", place, &entry.numbers)?;
+    bake(mesh);
+    mesh.transform = transform;
+    Ok(())
+}
+
+/// Moves the vertices of a mesh to their places in the world.
+fn bake(mesh: &mut Mesh) {
+    if mesh.transform != Transform::IDENTITY {
+        mesh.vertices = mesh.world_vertices().map(|vertex| vertex.to_array()).collect();
+        mesh.transform = Transform::IDENTITY;
+    }
 }
 
 /// Adds the meshes of a model and their materials; what was left out of its file.
@@ -121,46 +152,33 @@ fn place_textures(mesh: &mut Mesh, placements: &[DAffine2]) {
 /// Adds meshes whose materials are `materials` of the scene.
 fn add_meshes(scene: &mut Scene, meshes: Vec<Mesh>, materials: &[u32]) {
     let mut names: Names = scene.meshes.iter().map(|mesh| mesh.name.as_str()).collect();
-    for mesh in meshes {
-        let object = MeshObject {
-            name: names.take(mesh.name),
-            triangles: mesh.triangles,
-            materials: mesh.materials.iter().map(|&index| materials[index as usize]).collect(),
-            texture_triangles: mesh.texture_triangles,
-        };
-        scene.meshes.push(object);
-        scene.parameters.vertices.push(mesh.vertices);
-        scene.parameters.texture_coordinates.push(mesh.texture_coordinates);
+    for mut mesh in meshes {
+        mesh.name = names.take(mesh.name);
+        mesh.materials.iter_mut().for_each(|index| *index = materials[*index as usize]);
+        scene.meshes.push(mesh);
     }
 }
 
 /// Forgets the texture coordinates of meshes that wear no texture: they would be parameters that
 /// nothing depends on.
 pub(super) fn drop_unused_coordinates(scene: &mut Scene) {
-    let coordinates = &mut scene.parameters.texture_coordinates;
-    for (mesh, coordinates) in scene.meshes.iter_mut().zip(coordinates) {
+    for mesh in &mut scene.meshes {
         let is_textured = |&material: &u32| {
             scene.materials.get(material as usize).is_some_and(|worn| worn.textures.any())
         };
         if !mesh.materials.iter().any(is_textured) {
             mesh.texture_triangles = Vec::new();
-            *coordinates = Vec::new();
+            mesh.texture_coordinates = Vec::new();
         }
     }
 }
 
 /// All meshes as one.
 fn join(meshes: Vec<Mesh>, name: String) -> Mesh {
-    let mut joined = Mesh {
-        name,
-        vertices: Vec::new(),
-        triangles: Vec::new(),
-        materials: Vec::new(),
-        texture_coordinates: Vec::new(),
-        texture_triangles: Vec::new(),
-    };
+    let mut joined = Mesh::new(name, Vec::new(), Vec::new());
     let textured = meshes.iter().any(|mesh| !mesh.texture_triangles.is_empty());
-    for mesh in meshes {
+    for mut mesh in meshes {
+        bake(&mut mesh);
         let first = joined.vertices.len() as u32;
         let first_coordinates = joined.texture_coordinates.len() as u32;
         if textured {

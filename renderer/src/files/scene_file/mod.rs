@@ -1,12 +1,14 @@
 //! Scene files: TOML, one file for a whole experiment.
 //!
 //! [`format`] is the file as it is written down, [`read`] turns it into an experiment, [`write`] an
-//! experiment into a folder, and [`locate`] finds the line that a message is about.
+//! experiment into a folder, [`numbers`] sets what the table of parameters knows, and [`locate`] finds
+//! the line that a message is about.
 
 mod format;
 mod locate;
 mod materials;
 mod meshes;
+mod numbers;
 mod optimize;
 mod read;
 mod textures;
@@ -19,17 +21,47 @@ mod texture_tests;
 
 use std::path::Path;
 
-use super::io::read as read_bytes;
 use crate::Error;
+use crate::disk::read as read_bytes;
 use crate::experiment::Experiment;
+use crate::files::MeshFormat;
 use crate::scene::Invalid;
 use locate::Locator;
 
-pub(crate) use meshes::load_mesh_scene;
 pub use write::{save_experiment, save_scene};
 
+impl Experiment {
+    /// Reads a scene file, or a mesh ([`load_mesh`](crate::files::load_mesh)), which is then framed
+    /// and lit by default: the camera looks at the centre of the bounding box from the front, to the
+    /// right and above; a point light `key` stands above the camera. A camera and lights that a glTF
+    /// file brings along replace these. What the files hold that nothing here shows is left out, and
+    /// said in [`warnings`](Self::warnings).
+    ///
+    /// # Errors
+    ///
+    /// If a file cannot be read, is broken, or describes what cannot be rendered. The message names
+    /// the file and, where it can, the line and the field.
+    pub fn load(path: &Path) -> Result<Self, Error> {
+        if MeshFormat::of(path).is_some() {
+            let (scene, warnings) = meshes::load_mesh_scene(path)?;
+            return Ok(Self { scene, optimize: None, warnings });
+        }
+        load(path)
+    }
+
+    /// Parses the text of a scene file whose relative paths begin in `base_dir`; messages call it
+    /// `name`.
+    ///
+    /// # Errors
+    ///
+    /// As [`load`](Self::load).
+    pub fn parse(text: &str, base_dir: &Path, name: &str) -> Result<Self, Error> {
+        parse(text, base_dir, name)
+    }
+}
+
 /// Reads a scene file.
-pub(crate) fn load(path: &Path) -> Result<Experiment, Error> {
+fn load(path: &Path) -> Result<Experiment, Error> {
     let text = String::from_utf8(read_bytes(path)?).map_err(|error| {
         let position = error.utf8_error().valid_up_to();
         let problem = format!(
@@ -42,7 +74,7 @@ pub(crate) fn load(path: &Path) -> Result<Experiment, Error> {
 }
 
 /// Parses the text of a scene file.
-pub(crate) fn parse(text: &str, folder: &Path, name: &str) -> Result<Experiment, Error> {
+fn parse(text: &str, folder: &Path, name: &str) -> Result<Experiment, Error> {
     let text = text.strip_prefix('\u{feff}').unwrap_or(text);
     let locator = Locator::new(text, name);
     let file: format::SceneFile =

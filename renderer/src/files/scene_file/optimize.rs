@@ -5,7 +5,7 @@ use std::path::Path;
 use super::Problem;
 use super::format::{Numbers, OptimizeEntry, Ordered, ParameterEntry};
 use crate::Error;
-use crate::experiment::{OptimizeSection, Target, TunedParameter};
+use crate::experiment::{OptimizeSection, Target, TunedParameter, overlap};
 use crate::scene::{Invalid, ParameterId, Scene};
 
 /// The section `entry` of a file in `folder` that describes `scene`.
@@ -26,7 +26,7 @@ pub(super) fn read(
     let mut parameters: Vec<TunedParameter> = Vec::new();
     for parameter in &entry.parameters {
         let tuned = tuned_parameter(parameter, scene)?;
-        if let Some(problem) = scene.overlap(&parameters, tuned.id) {
+        if let Some(problem) = overlap(scene, &parameters, tuned.id) {
             return Err(at(&parameter.path, "path", problem));
         }
         parameters.push(tuned);
@@ -37,7 +37,7 @@ pub(super) fn read(
     check("optimize.tolerance", entry.tolerance, not_negative, "must not be negative")?;
     let gradient_tolerance = entry.gradient_tolerance;
     check("optimize.gradient_tolerance", gradient_tolerance, not_negative, "must not be negative")?;
-    let at_field = |Error { place, problem }| Problem::new(place, problem);
+    let at_field = |Error { place, problem, .. }| Problem::new(place, problem);
     entry.optimizer.unwrap_or_default().check().map_err(at_field)?;
     if let Some(schedule) = &entry.schedule {
         schedule.check().map_err(at_field)?;
@@ -68,7 +68,7 @@ fn target_values(
         let id = scene.find_parameter(path).map_err(|problem| Problem::new(&place, problem))?;
         let place_of = |problem| Problem::new(&place, problem);
         let numbers = sized(numbers, scene, id, false).map_err(place_of)?;
-        target.parameters.get_mut(id).copy_from_slice(&numbers);
+        target.assign(id, &numbers);
         values.push((id, numbers));
     }
     target.check().map_err(|Invalid { path, problem }| {
@@ -101,7 +101,7 @@ fn tuned_parameter(entry: &ParameterEntry, scene: &Scene) -> Result<TunedParamet
     {
         return Err(at(path, "min", format!("{low} is above max {high}")));
     }
-    for (i, &initial) in scene.parameters.get(id).iter().enumerate() {
+    for (i, &initial) in scene.get(id).iter().enumerate() {
         let (low, high) = (min.as_ref().map(|min| min[i]), max.as_ref().map(|max| max[i]));
         if low.is_some_and(|low| initial < low) {
             return Err(at(path, "min", format!("is above the initial value {initial}")));
@@ -120,7 +120,7 @@ fn sized(
     id: ParameterId,
     spread: bool,
 ) -> Result<Vec<f64>, String> {
-    let length = scene.parameters.get(id).len();
+    let length = scene.get(id).len();
     match numbers {
         Numbers::One(value) if spread || length == 1 => Ok(vec![*value; length]),
         Numbers::Many(values) if values.len() == length => Ok(values.clone()),

@@ -1,20 +1,17 @@
 //! From a scene file to an experiment.
 
+use std::f64::consts::PI;
 use std::path::Path;
 
 use glam::DVec3;
 
-use super::format::{CameraEntry, LightEntry, LightKind, SceneFile};
+use super::format::{LightEntry, SceneFile, SphereEntry};
 use super::materials::MaterialTable;
 use super::textures::TextureTable;
-use super::{Problem, meshes, optimize};
+use super::{Problem, meshes, numbers, optimize};
+use crate::Warning;
 use crate::experiment::Experiment;
-use crate::files::Warning;
-use crate::kernels::camera::Camera;
-use crate::kernels::light::{DistantLight, PointLight};
-use crate::kernels::material::Material;
-use crate::kernels::sphere::Sphere;
-use crate::scene::{Light, Parameters, Scene, SphereObject};
+use crate::scene::{Camera, Light, LightObject, LightSource, MaterialObject, Scene, SphereObject};
 
 /// The experiment that the file `name` in `folder` describes.
 pub(super) fn experiment(
@@ -26,7 +23,7 @@ pub(super) fn experiment(
     scene.check()?;
     if is_black(&scene) {
         let problem =
-            "has no light: add a [[light]], or an `ambient` to a material, or all is black";
+            "has no light: add a [[light]], or an `emission` to a material, or all is black";
         warnings.push(Warning::new(name, problem));
     }
     let optimize = match &file.optimize {
@@ -38,14 +35,15 @@ pub(super) fn experiment(
 
 /// The scene, and what was left out of the files that it names.
 fn scene(file: &SceneFile, folder: &Path) -> Result<(Scene, Vec<Warning>), Problem> {
-    let mut scene = Scene::empty();
-    scene.bounces = file.bounces;
-    scene.width = file.camera.width;
-    scene.height = file.camera.height;
-    scene.parameters.camera = camera(&file.camera);
+    let size = |name: &str, size: Option<u32>| {
+        size.ok_or_else(|| Problem::new(format!("camera.{name}"), "is missing"))
+    };
+    let (width, height) = (size("width", file.camera.width)?, size("height", file.camera.height)?);
+    let camera = Camera::looking(DVec3::NAN, DVec3::NAN);
+    let mut scene = Scene { bounces: file.bounces, ..Scene::new(width, height, camera) };
+    numbers::assign(&mut scene.camera, "camera", "camera", &file.camera.numbers)?;
     for entry in &file.lights {
-        scene.light_names.push(entry.name.clone());
-        scene.parameters.lights.push(light(entry)?);
+        add_light(&mut scene, entry)?;
     }
     let textures = TextureTable::new(&file.textures, folder)?;
     let mut materials = MaterialTable::new(&file.materials, textures)?;
@@ -54,12 +52,7 @@ fn scene(file: &SceneFile, folder: &Path) -> Result<(Scene, Vec<Warning>), Probl
         warnings.extend(meshes::add_entry(&mut scene, &mut materials, entry, folder)?);
     }
     for entry in &file.spheres {
-        let material = materials
-            .index(&entry.material)
-            .map_err(|problem| Problem::new(format!("sphere.{}.material", entry.name), problem))?;
-        scene.spheres.push(SphereObject { name: entry.name.clone(), material });
-        let center = DVec3::from_array(entry.center);
-        scene.parameters.spheres.push(Sphere { center, radius: entry.radius });
+        add_sphere(&mut scene, &materials, entry)?;
     }
     warnings.extend(materials.move_into(&mut scene));
     meshes::drop_unused_coordinates(&mut scene);
@@ -68,41 +61,61 @@ fn scene(file: &SceneFile, folder: &Path) -> Result<(Scene, Vec<Warning>), Probl
 
 /// Whether a scene shows something, but nothing that lights it.
 fn is_black(scene: &Scene) -> bool {
-    let glows = |material: &Material<f64>| material.ambient != DVec3::ZERO;
-    let Parameters { lights, materials, .. } = &scene.parameters;
+    let glows = |material: &MaterialObject| material.values.emission != DVec3::ZERO;
+    let Scene { lights, materials, .. } = scene;
     lights.is_empty() && !materials.is_empty() && !materials.iter().any(glows)
 }
 
-fn camera(entry: &CameraEntry) -> Camera<f64> {
-    Camera {
-        look_from: DVec3::from_array(entry.look_from),
-        look_at: DVec3::from_array(entry.look_at),
-        up: DVec3::from_array(entry.up),
-        vfov: entry.vfov,
-        focus: entry.focus,
-    }
+/// The name of the object number `index` of its kind.
+fn name_of(kind: &str, index: usize, name: Option<&String>) -> Result<String, Problem> {
+    name.cloned().ok_or_else(|| {
+        Problem::new(kind, format!("number {} has no name; each {kind} needs one", index + 1))
+    })
 }
 
-fn light(entry: &LightEntry) -> Result<Light<f64>, Problem> {
-    let color = DVec3::from_array(entry.color);
-    let intensity = entry.intensity;
-    let refuse = |field: &str, problem: &str| {
-        Err(Problem::new(format!("light.{}.{field}", entry.name), problem))
+fn add_light(scene: &mut Scene, entry: &LightEntry) -> Result<(), Problem> {
+    let name = name_of("light", scene.lights.len(), entry.name.as_ref())?;
+    let path = format!("light.{name}");
+    let kinds = || Light::KINDS.map(|(kind, _)| kind).join(", ");
+    let Some(kind) = &entry.kind else {
+        let problem = format!("is missing; the types of lights are {}", kinds());
+        return Err(Problem::new(format!("{path}.type"), problem));
     };
-    match (entry.kind, entry.position, entry.direction) {
-        (LightKind::Point, Some(position), None) => {
-            let position = DVec3::from_array(position);
-            Ok(Light::Point(PointLight { position, color, intensity }))
+    let Some((_, mut light)) = Light::KINDS.into_iter().find(|(name, _)| name == kind) else {
+        let problem = format!("`{kind}` is no type of light; there are {}", kinds());
+        return Err(Problem::new(format!("{path}.type"), problem));
+    };
+    if let Some(power) = entry.power {
+        let Light::Point(light) = &mut light else {
+            let problem = format!("is a number of point lights; this is a {kind} light");
+            return Err(Problem::new(format!("{path}.power"), problem));
+        };
+        if entry.numbers.iter().any(|(key, _)| key == "radiant_intensity") {
+            let problem = "give either power or radiant_intensity, which is power / 4π";
+            return Err(Problem::new(format!("{path}.power"), problem));
         }
-        (LightKind::Distant, None, Some(direction)) => {
-            let direction = DVec3::from_array(direction);
-            Ok(Light::Distant(DistantLight { direction, color, intensity }))
-        }
-        (LightKind::Point, None, _) => refuse("position", "is missing; a point light needs one"),
-        (LightKind::Point, ..) => refuse("direction", "a point light has none, but a position"),
-        (LightKind::Distant, _, None) => {
-            refuse("direction", "is missing; a distant light needs one")
-        }
-        (LightKind::Distant, ..) => refuse("position", "a distant light has none, but a direction"),
+        light.radiant_intensity = power / (4.0 * PI);
     }
+    let mut light = LightObject { name, source: LightSource::Known(light) };
+    numbers::assign(&mut light, "light", &path, &entry.numbers)?;
+    scene.lights.push(light);
+    Ok(())
+}
+
+fn add_sphere(
+    scene: &mut Scene,
+    materials: &MaterialTable<'_>,
+    entry: &SphereEntry,
+) -> Result<(), Problem> {
+    let name = name_of("sphere", scene.spheres.len(), entry.name.as_ref())?;
+    let path = format!("sphere.{name}");
+    let material = match &entry.material {
+        Some(material) => materials.index(material),
+        None => Err("is missing; a sphere needs one".to_owned()),
+    };
+    let material = material.map_err(|problem| Problem::new(format!("{path}.material"), problem))?;
+    let mut sphere = SphereObject::new(name, DVec3::NAN, f64::NAN).material(material);
+    numbers::assign(&mut sphere, "sphere", &path, &entry.numbers)?;
+    scene.spheres.push(sphere);
+    Ok(())
 }

@@ -5,12 +5,10 @@ use crate::demo::demo_experiment;
 use crate::experiment::{OptimizeSection, Target, TunedParameter};
 use crate::files::images::save_png;
 use crate::image::Image;
-use crate::kernels::light::DistantLight;
-use crate::kernels::sphere::Sphere;
 use crate::loss::LossKind;
 use crate::optimize::{Optimizer, Schedule, Sgd};
 use crate::scene::{
-    Light, MaterialObject, MaterialTextures, ParameterId, Scene, SphereObject, TextureObject, Wrap,
+    DistantLight, Light, LightSource, MaterialObject, Scene, Slot, SphereObject, Texture, Wrap,
 };
 use glam::DVec3;
 
@@ -20,7 +18,7 @@ pub(super) const LIBRARY: &str = "newmtl red\nKd 1 0 0\nNs 7\nnewmtl blue\nKd 0 
 pub(super) const CAMERA: &str =
     "[camera]\nlook_from = [0, 0, 5]\nlook_at = [0, 0, 0]\nwidth = 8\nheight = 4\n";
 pub(super) const LIGHT: &str =
-    "[[light]]\nname = \"key\"\ntype = \"point\"\nposition = [1, 2, 3]\nintensity = 4\n";
+    "[[light]]\nname = \"key\"\ntype = \"point\"\nposition = [1, 2, 3]\nradiant_intensity = 4\n";
 
 /// A folder with `a.obj` and its library.
 pub(super) fn folder() -> tempfile::TempDir {
@@ -52,12 +50,14 @@ fn refused(rest: &str) -> String {
 #[test]
 fn defaults_are_filled_in() {
     let scene = scene_of(LIGHT);
-    let camera = &scene.parameters.camera;
-    assert_eq!((camera.up, camera.vfov, camera.focus), (DVec3::Y, 45.0, 1.0));
+    let camera = &scene.camera;
+    assert_eq!((camera.up, camera.vfov, camera.film_scale), (DVec3::Y, 45.0, 1.0));
     assert_eq!((scene.width, scene.height), (8, 4));
-    let Light::Point(light) = &scene.parameters.lights[0] else { panic!("a point light") };
+    let LightSource::Known(Light::Point(light)) = &scene.lights[0].source else {
+        panic!("a point light")
+    };
     assert_eq!((light.position, light.color), (DVec3::new(1.0, 2.0, 3.0), DVec3::ONE));
-    assert_eq!(light.intensity, 4.0);
+    assert_eq!(light.radiant_intensity, 4.0);
 }
 
 #[test]
@@ -74,7 +74,7 @@ fn materials_are_overridden_defined_and_shared() {
     assert_eq!(names, ["one", "two", "joined", "gold one"]);
     // First those of the scene file, in its order, then what the meshes bring.
     assert_eq!(material_names(&scene), ["red", "gold", "blue"]);
-    let [red, gold, blue] = &scene.parameters.materials[..] else { panic!("three materials") };
+    let [red, gold, blue] = [0, 1, 2].map(|index| scene.materials[index].values);
     assert_eq!((red.diffuse, red.exponent), (DVec3::splat(0.5), 7.0));
     assert_eq!((gold.diffuse, gold.exponent), (DVec3::splat(0.7), 20.0));
     assert_eq!(blue.diffuse, DVec3::Z);
@@ -100,7 +100,7 @@ fn one_name_for_two_materials_is_told_apart() {
     let text = format!("{text}[material.red]\nexponent = 3\n");
     let scene = Experiment::parse(&text, folder.path(), "s.toml").unwrap().scene;
     assert_eq!(material_names(&scene), ["red", "blue", "red_2"]);
-    let [red, _, other] = &scene.parameters.materials[..] else { panic!("three materials") };
+    let [red, _, other] = [0, 1, 2].map(|index| scene.materials[index].values);
     assert_eq!((red.diffuse, red.exponent), (DVec3::X, 3.0));
     assert_eq!((other.diffuse, other.exponent), (DVec3::Y, 3.0));
 }
@@ -112,24 +112,25 @@ fn the_optimise_section_is_read() {
          tolerance = 0\ngradient_tolerance = 1e-9\n\
          optimizer = {{ type = \"sgd\", momentum = 0.5 }}\nschedule = \"cosine\"\n\
          [optimize.target_values]\n\"light.key.position\" = [3, 2, 1]\n\
-         \"light.key.intensity\" = 9\n\
+         \"light.key.radiant_intensity\" = 9\n\
          [[optimize.parameter]]\npath = \"light.key.position\"\nmin = -5\nmax = [1, inf, 3]\n\
          [[optimize.parameter]]\npath = \"camera.vfov\"\nlearning_rate = 2\n"
     );
+    let id = |path: &str| scene_of(LIGHT).parameter(path).unwrap();
     let expected = OptimizeSection {
         target: Some(Target::Values(vec![
-            (ParameterId::LightPosition(0), vec![3.0, 2.0, 1.0]),
-            (ParameterId::LightIntensity(0), vec![9.0]),
+            (id("light.key.position"), vec![3.0, 2.0, 1.0]),
+            (id("light.key.radiant_intensity"), vec![9.0]),
         ])),
         parameters: vec![
             TunedParameter {
-                id: ParameterId::LightPosition(0),
+                id: id("light.key.position"),
                 learning_rate: None,
                 min: Some(vec![-5.0; 3]),
                 max: Some(vec![1.0, f64::INFINITY, 3.0]),
             },
             TunedParameter {
-                id: ParameterId::Vfov,
+                id: id("camera.vfov"),
                 learning_rate: Some(2.0),
                 min: None,
                 max: None,
@@ -153,8 +154,9 @@ fn the_optimise_section_is_read() {
 fn mistakes_in_the_file_are_placed() {
     for (rest, expected) in [
         (
-            "focus = 1\n[[light]]\nname = \"k\"\ntype = \"point\"\nintensity = \"much\"\n",
-            "s.toml:10: invalid type: string \"much\", expected a number in `light.intensity`",
+            "film_scale = 1\n[[light]]\nname = \"k\"\ntype = \"point\"\nradiant_intensity = \"much\"\n",
+            "s.toml:10: invalid type: string \"much\", expected a number or an array of numbers in \
+             `light.radiant_intensity`",
         ),
         (
             "[optimize]\niterations = -3\n",
@@ -167,32 +169,57 @@ fn mistakes_in_the_file_are_placed() {
         ("focuss = 1\n", "s.toml:6: unknown field `focuss`, expected one of `look_from`"),
         (
             "vfov = \"wide\"\n",
-            "s.toml:6: invalid type: string \"wide\", expected a number in `camera.vfov`",
+            "s.toml:6: invalid type: string \"wide\", expected a number or an array of numbers in \
+             `camera.vfov`",
         ),
         ("vfov = 45\nvfov = 46\n", "s.toml:7: duplicate key"),
-        ("up = [0, 1]\n", "s.toml:6: invalid length 2"),
+        ("up = [0, 1]\n", "s.toml:6: camera.up: needs 3 numbers, has 2"),
+        ("up = 1\n", "s.toml:6: camera.up: needs 3 numbers, has 1"),
+        ("vfov = [45]\n", "s.toml:6: camera.vfov: is a number, not an array"),
+        ("focus = 1\n", "s.toml:6: camera.focus: is called film_scale now"),
         ("vfov = 1_\n", "s.toml:6: "),
         ("vfov = nan\n", "s.toml:6: camera.vfov: NaN is not a finite number"),
         ("vfov = 1e400\n", "s.toml:6: "),
-        ("vfov = 180\n", "s.toml:6: camera.vfov: must lie between 0 and 180 degrees, is 180"),
+        ("vfov = 180\n", "s.toml:6: camera.vfov: must lie between 0.001 and 179.999, is 180"),
         ("\nup = [0, 0, 2]\n", "s.toml:7: camera.up: must not be parallel"),
         (
             "[lights]\n",
             "s.toml:6: unknown field `lights`, expected one of `bounces`, `camera`, `light`",
         ),
-        ("[[light]]\nname = \"k\"\ntype = \"spot\"\n", "s.toml:8: unknown variant `spot`"),
-        ("[[light]]\nname = \"k\"\n", "s.toml:6: missing field `type` in `light`"),
         (
-            "[[light]]\nname = \"k\"\ntype = \"point\"\nintensity = 1\n",
-            "s.toml:6: light.k.position: is missing; a point light needs one",
+            "[[light]]\nname = \"k\"\ntype = \"laser\"\n",
+            "s.toml:8: light.k.type: `laser` is no type of light; there are point, distant, spot",
+        ),
+        (
+            "[[light]]\nname = \"k\"\n",
+            "s.toml:6: light.k.type: is missing; the types of lights are point, distant",
+        ),
+        ("[[light]]\ntype = \"point\"\n", "s.toml:6: light: number 1 has no name"),
+        (
+            "[[light]]\nname = \"k\"\ntype = \"point\"\nposition = [1, 2, 3]\nintensity = 1\n",
+            "s.toml:10: light.k.intensity: is radiant_intensity (W/sr) of a point light now",
+        ),
+        (
+            "[[light]]\nname = \"k\"\ntype = \"point\"\nposition = [1, 2, 3]\npower = 1\n\
+             radiant_intensity = 1\n",
+            "s.toml:10: light.k.power: give either power or radiant_intensity",
+        ),
+        (
+            "[[light]]\nname = \"k\"\ntypo = \"point\"\n",
+            "s.toml:8: unknown field `typo`, expected one of `position`, `direction`, `color`, \
+             `radiant_intensity`, `irradiance`, `inner_angle`, `outer_angle`, `name`, `type`, `power`",
+        ),
+        (
+            "[[light]]\nname = \"k\"\ntype = \"point\"\nradiant_intensity = 1\n",
+            "s.toml:6: light.k.position: is missing; a light needs one",
         ),
         (
             "[[light]]\nname = \"k\"\ntype = \"distant\"\nposition = [1, 2, 3]\n\
-             direction = [0, 1, 0]\nintensity = 1\n",
-            "s.toml:9: light.k.position: a distant light has none",
+             direction = [0, 1, 0]\nirradiance = 1\n",
+            "s.toml:9: light.k.position: this light has none; its numbers are direction, color",
         ),
         (
-            "[[light]]\nname = \"k\"\ntype = \"distant\"\ndirection = [0, 0, 0]\nintensity = 1\n",
+            "[[light]]\nname = \"k\"\ntype = \"distant\"\ndirection = [0, 0, 0]\nirradiance = 1\n",
             "s.toml:9: light.k.direction: must be a direction",
         ),
         (
@@ -327,21 +354,19 @@ fn files_that_are_no_scene_are_refused() {
 fn rich_experiment() -> Experiment {
     let mut experiment = demo_experiment().unwrap();
     let scene = &mut experiment.scene;
-    scene.light_names.push("sun \"1\".b".to_owned());
-    scene.parameters.lights.push(Light::Distant(DistantLight {
-        direction: DVec3::new(-0.0, 1.0 / 3.0, 1e-17),
-        color: DVec3::new(0.1, 0.2, 0.3),
-        intensity: 1e30,
-    }));
-    scene.spheres.push(SphereObject { name: "ball".to_owned(), material: 1 });
-    scene.parameters.spheres.push(Sphere { center: DVec3::splat(1e-300), radius: 0.1 + 0.2 });
+    let direction = DVec3::new(-0.0, 1.0 / 3.0, 1e-17);
+    let sun = DistantLight { direction, color: DVec3::new(0.1, 0.2, 0.3), irradiance: 1e30 };
+    scene.add_light("sun \"1\".b", sun).unwrap();
+    let mut ball = SphereObject::new("ball", DVec3::splat(1e-300), 0.1 + 0.2).material(1);
+    ball.values.rotation = DVec3::new(0.1, 1.0 / 3.0, -0.0);
+    scene.add_sphere(ball).unwrap();
     for name in ["Tree", "a/b", "a_b", "../x"] {
         let mut mesh = scene.meshes[0].clone();
         mesh.name = name.to_owned();
-        scene.meshes.push(mesh);
-        let vertices = scene.parameters.vertices[0].iter().map(|v| v.map(|x| x / 3.0)).collect();
-        scene.parameters.vertices.push(vertices);
-        scene.parameters.texture_coordinates.push(Vec::new());
+        mesh.vertices.as_flattened_mut().iter_mut().for_each(|x| *x /= 3.0);
+        mesh.transform.rotation.y = 1.0 / 3.0;
+        mesh.transform.scale.z = 0.1 + 0.2;
+        scene.add_mesh(mesh).unwrap();
     }
     add_texture(scene);
     scene.materials[1].name = "Leaves.001 [x]".to_owned();
@@ -350,26 +375,24 @@ fn rich_experiment() -> Experiment {
 
 /// Textures on the mesh `Tree`.
 fn add_texture(scene: &mut Scene) {
-    let (name, wrap) = ("Wood/2".to_owned(), Wrap::Mirror);
-    scene.textures.push(TextureObject { name, width: 2, height: 1, wrap });
-    scene.parameters.textures.push(vec![[0.25, 0.5, 1.0], [0.0, f64::from(0.1_f32), 7.0]]);
-    let (name, wrap) = ("Holes".to_owned(), Wrap::Repeat);
-    scene.textures.push(TextureObject { name, width: 1, height: 1, wrap });
-    scene.parameters.textures.push(vec![[0.25, 0.5, 1.0]]);
-    let textures =
-        MaterialTextures { specular: Some(0), opacity: Some(1), ..MaterialTextures::default() };
-    scene.materials.push(MaterialObject {
-        textures,
-        opacity: Some(0),
-        ..MaterialObject::new("planks")
-    });
-    scene.parameters.opacities.push(0.1 + 0.2);
-    let planks = scene.parameters.materials[0];
-    scene.parameters.materials.push(planks);
-    let triangles = scene.meshes[1].triangles.len();
-    scene.meshes[1].materials = vec![2; triangles];
-    scene.meshes[1].texture_triangles = vec![Some([0, 1, 2]); triangles];
-    scene.parameters.texture_coordinates[1] = vec![[0.1, 1.0 / 3.0], [-2.0, 1e5], [1e-300, -0.0]];
+    let texture = |name: &str, wrap, texels: &[[f64; 3]]| Texture {
+        name: name.to_owned(),
+        width: texels.len() as u32,
+        height: 1,
+        wrap,
+        texels: texels.to_vec(),
+    };
+    let wood = [[0.25, 0.5, 1.0], [0.0, f64::from(0.1_f32), 7.0]];
+    let wood = scene.add_texture(texture("Wood/2", Wrap::Mirror, &wood)).unwrap();
+    let holes = texture("Holes", Wrap::Repeat, &[[0.25, 0.5, 1.0]]);
+    let holes = scene.add_texture(holes).unwrap();
+    let planks = MaterialObject::from(scene.materials[0].values).with_opacity(0.1 + 0.2);
+    let planks = planks.with_texture(Slot::Specular, wood).with_texture(Slot::Opacity, holes);
+    let planks = scene.add_material("planks", planks).unwrap();
+    let mesh = &mut scene.meshes[1];
+    mesh.materials.fill(planks);
+    mesh.texture_triangles = vec![Some([0, 1, 2]); mesh.triangles.len()];
+    mesh.texture_coordinates = vec![[0.1, 1.0 / 3.0], [-2.0, 1e5], [1e-300, -0.0]];
 }
 
 #[test]
@@ -380,10 +403,9 @@ fn a_saved_experiment_is_read_back_bit_for_bit() {
     let loaded = Experiment::load(&path).unwrap();
     assert_eq!(loaded, experiment);
     // Equality does not tell the zeros apart.
-    for id in experiment.scene.parameter_ids() {
-        let bits = |scene: &Scene| -> Vec<u64> {
-            scene.parameters.get(id).iter().map(|v| v.to_bits()).collect()
-        };
+    for id in experiment.scene.parameters() {
+        let bits =
+            |scene: &Scene| -> Vec<u64> { scene.get(id).iter().map(|v| v.to_bits()).collect() };
         assert_eq!(bits(&loaded.scene), bits(&experiment.scene), "{}", loaded.scene.path(id));
     }
     // A second time, over the first.
@@ -409,7 +431,7 @@ fn a_target_image_is_taken_along() {
 fn an_invalid_scene_is_not_written() {
     let folder = tempfile::tempdir().unwrap();
     let mut scene = rich_experiment().scene;
-    scene.parameters.camera.vfov = f64::NAN;
+    scene.camera.vfov = f64::NAN;
     let error = save_scene(&scene, &folder.path().join("saved")).unwrap_err();
     assert!(error.to_string().contains("camera.vfov: NaN"), "{error}");
     assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 0);
@@ -433,7 +455,7 @@ fn the_documented_scene_file_is_read() {
     fs::write(folder.path().join("tree.obj"), mesh).unwrap();
     save_png(&Image::black(3, 2), &folder.path().join("wood.png")).unwrap();
     let experiment = Experiment::parse(whole, folder.path(), "s.toml").unwrap();
-    assert_eq!(experiment.scene.parameters.spheres.len(), 1);
+    assert_eq!(experiment.scene.spheres.len(), 1);
     assert_eq!(experiment.optimize.unwrap().parameters[0].min, Some(vec![-20.0; 3]));
     let text = format!("{}{tables}", whole.split("[optimize]").next().unwrap());
     let section = Experiment::parse(&text, folder.path(), "s.toml").unwrap().optimize.unwrap();

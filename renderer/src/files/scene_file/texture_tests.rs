@@ -8,8 +8,8 @@ use image::ExtendedColorType;
 use super::tests::{CAMERA, LIBRARY, LIGHT, folder};
 use super::*;
 use crate::files::images::save_exr;
-use crate::files::model::default_material;
 use crate::image::Image;
+use crate::scene::{Material, Slot};
 
 #[test]
 fn textures_are_read_once_and_named() {
@@ -26,14 +26,14 @@ fn textures_are_read_once_and_named() {
     let scene = Experiment::parse(&text, folder.path(), "s.toml").unwrap().scene;
     assert_eq!(scene.textures.len(), 1);
     assert_eq!(scene.textures[0].name, "my wood");
-    assert_eq!(scene.parameters.textures, [[[1.0, 0.5, 0.25]]]);
+    assert_eq!(scene.textures[0].texels, [[1.0, 0.5, 0.25]]);
     let red = scene.materials.iter().position(|material| material.name == "red").unwrap();
     let textures = scene.materials[red].textures;
-    assert_eq!((textures.diffuse, textures.specular), (Some(0), Some(0)));
-    assert_eq!(scene.parameters.materials[red].reflection, DVec3::new(0.5, 0.4, 0.3));
+    assert_eq!(textures.0, [None, Some(0), Some(0), None]);
+    assert_eq!(scene.materials[red].values.mirror, DVec3::new(0.5, 0.4, 0.3));
     assert_eq!(scene.meshes[0].texture_triangles, [Some([0, 1, 1]), None]);
     // As both `map_Kd` and `map_Ks` say, twice as large.
-    assert_eq!(scene.parameters.texture_coordinates, [[[1.0, 0.0], [2.0, 0.0]]]);
+    assert_eq!(scene.meshes[0].texture_coordinates, [[1.0, 0.0], [2.0, 0.0]]);
 
     // The material may get, or change, its texture in the scene file.
     let text =
@@ -44,8 +44,8 @@ fn textures_are_read_once_and_named() {
     fs::remove_file(folder.path().join("my wood.exr")).unwrap();
     let Experiment { scene, warnings, .. } =
         Experiment::load(&folder.path().join("a.obj")).unwrap();
-    assert!(scene.textures.is_empty() && scene.parameters.texture_coordinates[0].is_empty());
-    assert_eq!(scene.parameters.materials[red].diffuse, DVec3::ONE);
+    assert!(scene.textures.is_empty() && scene.meshes[0].texture_coordinates.is_empty());
+    assert_eq!(scene.materials[red].values.diffuse, DVec3::ONE);
     let problems: Vec<String> = warnings.iter().map(ToString::to_string).collect();
     assert!(problems[1].contains("a.mtl:2: the texture "), "{problems:?}");
     assert!(problems[1].ends_with("my wood.exr is missing; white stands for it"), "{problems:?}");
@@ -63,7 +63,8 @@ fn materials_that_nothing_defines_are_grey() {
     let Experiment { scene, warnings, .. } = load("");
     let names: Vec<&str> = scene.materials.iter().map(|material| &*material.name).collect();
     assert_eq!(names, ["red", "blue"]);
-    assert_eq!(scene.parameters.materials, [default_material(); 2]);
+    let values: Vec<Material<f64>> = scene.materials.iter().map(|object| object.values).collect();
+    assert_eq!(values, [Material::default(); 2]);
     let [missing] = &warnings[..] else { panic!("{warnings:?}") };
     assert!(missing.place.ends_with("a.obj:1"), "{missing}");
     assert!(
@@ -73,7 +74,7 @@ fn materials_that_nothing_defines_are_grey() {
 
     let red = "[material.red]\ndiffuse = [1, 0, 0]\n";
     let blue = "[material.blue]\ndiffuse = [0, 0, 1]\n";
-    assert_eq!(load(red).scene.parameters.materials[0].diffuse, DVec3::X);
+    assert_eq!(load(red).scene.materials[0].values.diffuse, DVec3::X);
     assert_eq!(load(red).warnings, warnings);
     assert_eq!(load(&format!("{red}{blue}")).warnings, []);
 
@@ -103,7 +104,7 @@ fn each_material_places_its_textures() {
     let scene = load("");
     let plain = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]];
     let placed = [[0.5, 0.25], [2.5, 0.25], [0.5, 3.25]];
-    assert_eq!(scene.parameters.texture_coordinates, [[plain, placed].concat()]);
+    assert_eq!(scene.meshes[0].texture_coordinates, [plain, placed].concat());
     let corners = [[0, 1, 2], [3, 4, 5], [0, 1, 2]].map(Some);
     assert_eq!(scene.meshes[0].texture_triangles, corners);
     // Saved and read again, the coordinates are what they are.
@@ -112,11 +113,11 @@ fn each_material_places_its_textures() {
     assert_eq!(again.scene, scene);
     // Options say where the texture of the library lies, not where another one does.
     let other = "[material.blue]\ndiffuse_texture = \"x\"\n[texture.x]\nsize = [1, 1]\n";
-    assert_eq!(load(other).parameters.texture_coordinates, [plain]);
+    assert_eq!(load(other).meshes[0].texture_coordinates, plain);
     // A mesh whose materials are replaced needs no library.
     fs::remove_file(folder.path().join("a.mtl")).unwrap();
     let paint = "material = \"p\"\n[material.p]\ndiffuse = [1, 0, 0]\n";
-    assert_eq!(load(paint).parameters.texture_coordinates, [[[0.0; 2]; 0]]);
+    assert_eq!(load(paint).meshes[0].texture_coordinates, [[0.0; 2]; 0]);
 }
 
 #[test]
@@ -143,7 +144,7 @@ fn scenes_without_light_are_told() {
     let [dark] = &warnings("")[..] else { panic!("one warning") };
     assert!(dark.to_string().starts_with("s.toml: has no light: add a [[light]]"), "{dark}");
     assert_eq!(warnings(LIGHT), []);
-    assert_eq!(warnings("[material.red]\nambient = [1, 0, 0]\n"), []);
+    assert_eq!(warnings("[material.red]\nemission = [1, 0, 0]\n"), []);
     let empty = Experiment::parse(CAMERA, folder.path(), "s.toml").unwrap();
     assert_eq!(empty.warnings, []);
 }
@@ -160,8 +161,8 @@ fn opacity_is_of_the_scene_file_or_the_library() {
     let opacities = |rest: &str| {
         let scene = parse(rest).unwrap();
         let of = |name: &str| {
-            let id = scene.parameter(&format!("material.{name}.opacity"))?;
-            Some(scene.parameters.get(id)[0])
+            let id = scene.parameter(&format!("material.{name}.opacity")).ok()?;
+            Some(scene.get(id)[0])
         };
         (of("red"), of("blue"))
     };
@@ -173,13 +174,13 @@ fn opacity_is_of_the_scene_file_or_the_library() {
     assert_eq!(error, "s.toml:14: material.red.opacity: must be at most 1, is 1.5");
     let error = refused("[material.red]\nopacity = -1\n");
     assert_eq!(error, "s.toml:14: material.red.opacity: must not be negative, is -1");
-    let error = refused("[material.red]\nopacity = 0.5\nreflection = [0.1, 0, 0]\n");
+    let error = refused("[material.red]\nopacity = 0.5\nmirror = [0.1, 0, 0]\n");
     assert_eq!(
         error,
-        "s.toml:14: material.red.opacity: a mirror is opaque; leave out either opacity or reflection"
+        "s.toml:14: material.red.opacity: a mirror is opaque; leave out either opacity or mirror"
     );
-    let error = parse("").unwrap().find_parameter("material.blue.reflection").unwrap_err();
-    assert!(error.starts_with("no parameter `material.blue.reflection`"), "{error}");
+    let error = parse("").unwrap().find_parameter("material.blue.mirror").unwrap_err();
+    assert!(error.starts_with("no parameter `material.blue.mirror`"), "{error}");
 }
 
 /// The picture of a leaf gives its colours and, by its alpha, where it is; a grey picture is a mask.
@@ -202,24 +203,25 @@ fn opacity_may_vary() {
     };
     let varied = |library: &str, rest: &str| {
         let Experiment { scene, warnings, .. } = scene(library, rest).unwrap();
-        let worn = scene.materials[0].textures.opacity.map(|texture| texture as usize);
+        let worn = scene.materials[0].textures.get(Slot::Opacity).map(|index| index as usize);
         let name = worn.map(|texture| scene.textures[texture].name.clone()).unwrap_or_default();
         let texels = worn.map_or(Vec::new(), |texture| {
-            scene.parameters.textures[texture].iter().map(|t| (t[0] * 255.0).round()).collect()
+            scene.textures[texture].texels.iter().map(|t| (t[0] * 255.0).round()).collect()
         });
-        (scene.parameters.opacities, name, texels, warnings.len())
+        let leaf = &scene.materials[0];
+        (leaf.transparent.then_some(leaf.values.opacity), name, texels, warnings.len())
     };
     let own = |opacity: f64, name: &str, texels: [f64; 2]| {
-        (vec![opacity], name.to_owned(), texels.to_vec(), 0)
+        (Some(opacity), name.to_owned(), texels.to_vec(), 0)
     };
     let leaf = "map_Kd leaf.png\nmap_d leaf.png\n";
     assert_eq!(varied(leaf, ""), own(1.0, "leaf_opacity", [255.0, 51.0]));
     assert_eq!(varied("d 0.5\nmap_d mask.png\n", ""), own(0.5, "mask_opacity", [51.0, 255.0]));
     // What covers everything is opaque; a file that is missing counts as white.
-    assert_eq!(varied("map_d white.png\n", ""), (vec![], String::new(), vec![], 0));
-    assert_eq!(varied("map_d none.png\n", ""), (vec![], String::new(), vec![], 1));
+    assert_eq!(varied("map_d white.png\n", ""), (None, String::new(), vec![], 0));
+    assert_eq!(varied("map_d none.png\n", ""), (None, String::new(), vec![], 1));
     // Its alpha is left out where nothing asks for it.
-    assert_eq!(varied("map_Kd leaf.png\n", ""), (vec![], String::new(), vec![], 1));
+    assert_eq!(varied("map_Kd leaf.png\n", ""), (None, String::new(), vec![], 1));
 
     let chosen = "[material.leaf]\nopacity_texture = \"holes\"\n[texture.holes]\npath = \"leaf.png\"\n\
         channel = \"opacity\"\n";
@@ -227,12 +229,12 @@ fn opacity_may_vary() {
     let bright = "[material.leaf]\nopacity = 0.5\nopacity_texture = \"holes\"\n[texture.holes]\n\
         size = [1, 1]\ncolor = [0.5, 1.5, 0]\n";
     let error = scene("", bright).unwrap_err().to_string();
-    let expected = "texture.holes.texels: must be at most 1 where they vary opacity, is 1.5";
+    let expected = "texture.holes.texels[0]: must be at most 1 where they vary opacity, is 1.5";
     assert!(error.ends_with(expected), "{error}");
     let error = scene("", "[texture.holes]\nsize = [1, 1]\nchannel = \"opacity\"\n").unwrap_err();
     let expected = "texture.holes.channel: a texture of one colour has no channels to choose from";
     assert!(error.to_string().ends_with(expected), "{error}");
-    let mirror = "[material.leaf]\nopacity_texture = \"t\"\nreflection = [1, 1, 1]\n\
+    let mirror = "[material.leaf]\nopacity_texture = \"t\"\nmirror = [1, 1, 1]\n\
         [texture.t]\nsize = [1, 1]\n";
     let error = scene("", mirror).unwrap_err().to_string();
     assert!(error.contains("material.leaf.opacity: a mirror is opaque"), "{error}");

@@ -6,20 +6,19 @@ use std::path::Path;
 use super::Problem;
 use super::format::{ChannelEntry, Ordered, TextureEntry};
 use crate::Error;
-use crate::files::Warning;
+use crate::Warning;
+use crate::disk::read;
 use crate::files::images::{TextureFile, decode_coverage, decode_texture};
-use crate::files::io::read;
-use crate::files::meshes::{clean_name, file_stem};
 use crate::files::model::{Channel, ModelMaps, TextureImage, TextureSource};
 use crate::files::names::Names;
+use crate::files::names::{clean_name, file_stem};
 use crate::image::Image;
-use crate::scene::{MOST_PIXELS, MaterialTextures, Scene, TextureObject, Wrap};
+use crate::scene::{MOST_PIXELS, MaterialTextures, Scene, Slot, Texture, Wrap};
 
 /// First the textures of the scene file, in its order.
 #[derive(Default)]
 pub(super) struct TextureTable {
-    textures: Vec<TextureObject>,
-    texels: Vec<Vec<[f64; 3]>>,
+    textures: Vec<Texture>,
     /// Where the texels of each texture are from, if they are not from the scene file.
     images: Vec<Option<(TextureImage, Channel)>>,
     /// What of images of models covers everything.
@@ -72,8 +71,14 @@ impl TextureTable {
                         );
                     }
                     let wrap = entry.wrap.into();
-                    table.textures.push(TextureObject { name: name.clone(), width, height, wrap });
-                    table.texels.push(vec![color.unwrap_or([1.0; 3]); count]);
+                    let texels = vec![color.unwrap_or([1.0; 3]); count];
+                    table.textures.push(Texture {
+                        name: name.clone(),
+                        width,
+                        height,
+                        wrap,
+                        texels,
+                    });
                     table.images.push(None);
                 }
                 (None, None, _) => {
@@ -89,8 +94,8 @@ impl TextureTable {
 
     fn push(&mut self, name: String, texels: &Image, wrap: Wrap, image: (TextureImage, Channel)) {
         let &Image { width, height, ref pixels } = texels;
-        self.textures.push(TextureObject { name, width, height, wrap });
-        self.texels.push(pixels.iter().map(|pixel| pixel.map(f64::from)).collect());
+        let texels = pixels.iter().map(|pixel| pixel.map(f64::from)).collect();
+        self.textures.push(Texture { name, width, height, wrap, texels });
         self.images.push(Some(image));
     }
 
@@ -149,17 +154,15 @@ impl TextureTable {
 
     /// The textures of a model's material; those that are not known yet are read.
     pub fn add(&mut self, maps: &ModelMaps) -> Result<MaterialTextures, Error> {
-        let covered = maps.opacity.as_ref().map(|source| &source.image);
-        let mut add = |source: &Option<TextureSource>| match source {
-            Some(source) => self.add_source(source, covered == Some(&source.image)),
-            None => Ok(None),
-        };
-        Ok(MaterialTextures {
-            ambient: add(&maps.ambient)?,
-            diffuse: add(&maps.diffuse)?,
-            specular: add(&maps.specular)?,
-            opacity: add(&maps.opacity)?,
-        })
+        let covered = maps.get(Slot::Opacity).map(|source| &source.image);
+        let mut textures = MaterialTextures::default();
+        for slot in Slot::ALL {
+            if let Some(source) = maps.get(slot) {
+                textures.0[slot as usize] =
+                    self.add_source(source, covered == Some(&source.image))?;
+            }
+        }
+        Ok(textures)
     }
 
     /// The index of a texture; none if its file is missing, of which is warned: files are often passed
@@ -215,7 +218,6 @@ impl TextureTable {
     /// Hands all textures to the scene; the warnings about their images.
     pub fn move_into(self, scene: &mut Scene) -> Vec<Warning> {
         scene.textures = self.textures;
-        scene.parameters.textures = self.texels;
         self.warnings
     }
 }

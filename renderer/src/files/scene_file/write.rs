@@ -3,20 +3,21 @@
 use std::path::{Path, PathBuf};
 
 use super::format::{
-    CameraEntry, ChannelEntry, LightEntry, LightKind, MaterialEntry, MeshEntry, Numbers,
-    OptimizeEntry, ParameterEntry, SceneFile, SphereEntry, TextureEntry,
+    CameraEntry, ChannelEntry, LightEntry, MaterialEntry, MeshEntry, Numbers, OptimizeEntry,
+    ParameterEntry, SceneFile, SphereEntry, TextureEntry,
 };
+use super::numbers;
 use crate::Error;
-use crate::atomic_file::write_atomically;
+use crate::disk::write_atomically;
+use crate::disk::{create_folder, read};
 use crate::experiment::{Experiment, OptimizeSection, Target, TunedParameter};
 use crate::files::images::save_exr;
-use crate::files::io::{create_folder, read};
 use crate::files::names::Names;
 use crate::files::obj::save_obj;
 use crate::image::Image;
-use crate::kernels::material::Material;
-use crate::kernels::sphere::Sphere;
-use crate::scene::{Light, MaterialObject, Parameters, Scene, SphereObject};
+use crate::scene::{
+    LightObject, LightSource, MaterialObject, Scene, Slot, SphereObject, Transform,
+};
 
 /// Writes `scene.toml` and what it names, `meshes/*.obj` and `textures/*.exr`, into `folder`, which
 /// is made if it does not exist; the path of the scene file. Every number is read back as it was, but
@@ -49,7 +50,9 @@ fn save(
     let path = folder.join("scene.toml");
     scene.validate(path.display())?;
     let shapes = scene.shapes.iter().map(|shape| format!("shape.{}", shape.name));
-    let custom_lights = scene.custom_lights.iter().map(|light| format!("light.{}", light.name));
+    let is_custom = |light: &&LightObject| matches!(light.source, LightSource::Custom { .. });
+    let custom_lights = scene.lights.iter().filter(is_custom);
+    let custom_lights = custom_lights.map(|light| format!("light.{}", light.name));
     if let Some(custom) = shapes.chain(custom_lights).next() {
         let problem = "is defined in Rust: a scene file cannot hold it";
         return Err(Error::new(format!("{}: {custom}", path.display()), problem));
@@ -72,74 +75,52 @@ fn save(
 }
 
 fn camera(scene: &Scene) -> CameraEntry {
-    let camera = &scene.parameters.camera;
     CameraEntry {
-        look_from: camera.look_from.to_array(),
-        look_at: camera.look_at.to_array(),
-        up: camera.up.to_array(),
-        vfov: camera.vfov,
-        focus: camera.focus,
-        width: scene.width,
-        height: scene.height,
+        width: Some(scene.width),
+        height: Some(scene.height),
+        numbers: numbers::of(&scene.camera),
     }
 }
 
 fn lights(scene: &Scene) -> Vec<LightEntry> {
-    let entry = |(name, light): (&String, &Light<f64>)| {
-        let name = name.clone();
-        match light {
-            Light::Point(light) => LightEntry {
-                name,
-                kind: LightKind::Point,
-                position: Some(light.position.to_array()),
-                direction: None,
-                color: light.color.to_array(),
-                intensity: light.intensity,
-            },
-            Light::Distant(light) => LightEntry {
-                name,
-                kind: LightKind::Distant,
-                position: None,
-                direction: Some(light.direction.to_array()),
-                color: light.color.to_array(),
-                intensity: light.intensity,
-            },
-        }
+    let entry = |light: &LightObject| {
+        let kind = match &light.source {
+            LightSource::Known(light) => Some(light.kind().to_owned()),
+            LightSource::Custom { .. } => None,
+        };
+        let name = Some(light.name.clone());
+        LightEntry { name, kind, power: None, numbers: numbers::of(light) }
     };
-    scene.light_names.iter().zip(&scene.parameters.lights).map(entry).collect()
+    scene.lights.iter().map(entry).collect()
 }
 
 fn spheres(scene: &Scene) -> Vec<SphereEntry> {
-    let spheres = scene.spheres.iter().zip(&scene.parameters.spheres);
-    let entry = |(object, sphere): (&SphereObject, &Sphere<f64>)| SphereEntry {
-        name: object.name.clone(),
-        center: sphere.center.to_array(),
-        radius: sphere.radius,
-        material: scene.materials[object.material as usize].name.clone(),
+    let entry = |sphere: &SphereObject| SphereEntry {
+        name: Some(sphere.name.clone()),
+        material: Some(scene.materials[sphere.material as usize].name.clone()),
+        numbers: numbers::of(sphere),
     };
-    spheres.map(entry).collect()
+    scene.spheres.iter().map(entry).collect()
 }
 
 fn materials(scene: &Scene) -> Vec<(String, MaterialEntry)> {
-    let materials = scene.materials.iter().zip(&scene.parameters.materials);
-    let texture = |index: Option<u32>| index.map(|i| scene.textures[i as usize].name.clone());
-    let entry = |(object, material): (&MaterialObject, &Material<f64>)| {
-        let MaterialObject { name, textures, opacity } = object;
-        let entry = MaterialEntry {
-            ambient: Some(material.ambient.to_array()),
-            diffuse: Some(material.diffuse.to_array()),
-            specular: Some(material.specular.to_array()),
-            exponent: Some(material.exponent),
-            reflection: Some(material.reflection.to_array()),
-            opacity: opacity.map(|index| scene.parameters.opacities[index as usize]),
-            ambient_texture: texture(textures.ambient),
-            diffuse_texture: texture(textures.diffuse),
-            specular_texture: texture(textures.specular),
-            opacity_texture: texture(textures.opacity),
+    let entry = |material: &MaterialObject| {
+        let texture = |slot: Slot| {
+            let index = material.textures.get(slot)?;
+            Some(scene.textures[index as usize].name.clone())
         };
-        (name.clone(), entry)
+        let [emission_texture, diffuse_texture, specular_texture, opacity_texture] =
+            Slot::ALL.map(texture);
+        let entry = MaterialEntry {
+            emission_texture,
+            diffuse_texture,
+            specular_texture,
+            opacity_texture,
+            numbers: numbers::of(material),
+        };
+        (material.name.clone(), entry)
     };
-    materials.map(entry).collect()
+    scene.materials.iter().map(entry).collect()
 }
 
 fn save_meshes(scene: &Scene, folder: &Path) -> Result<Vec<MeshEntry>, Error> {
@@ -148,13 +129,20 @@ fn save_meshes(scene: &Scene, folder: &Path) -> Result<Vec<MeshEntry>, Error> {
     }
     let mut entries: Vec<MeshEntry> = Vec::new();
     let mut stems = Names::default();
-    let Parameters { vertices, texture_coordinates, .. } = &scene.parameters;
-    let meshes = scene.meshes.iter().zip(vertices.iter().zip(texture_coordinates));
-    for (mesh, (vertices, coordinates)) in meshes {
+    for mesh in &scene.meshes {
         let stem = stems.take(file_stem(&mesh.name));
         let path = Path::new("meshes").join(format!("{stem}.obj"));
-        save_obj(mesh, vertices, coordinates, &scene.materials, &folder.join(&path))?;
-        entries.push(MeshEntry { path, name: Some(mesh.name.clone()), material: None });
+        save_obj(mesh, &scene.materials, &folder.join(&path))?;
+        let numbers = match mesh.transform == Transform::IDENTITY {
+            true => Vec::new(),
+            false => numbers::of(&mesh.transform),
+        };
+        entries.push(MeshEntry {
+            path: Some(path),
+            name: Some(mesh.name.clone()),
+            material: None,
+            numbers,
+        });
     }
     Ok(entries)
 }
@@ -166,10 +154,10 @@ fn save_textures(scene: &Scene, folder: &Path) -> Result<Vec<(String, TextureEnt
     }
     let mut entries: Vec<(String, TextureEntry)> = Vec::new();
     let mut stems = Names::default();
-    for (texture, texels) in scene.textures.iter().zip(&scene.parameters.textures) {
+    for texture in &scene.textures {
         let stem = stems.take(file_stem(&texture.name));
         let path = Path::new("textures").join(format!("{stem}.exr"));
-        let pixels = texels.iter().map(|texel| texel.map(|value| value as f32)).collect();
+        let pixels = texture.texels.iter().map(|texel| texel.map(|value| value as f32)).collect();
         let image = Image { width: texture.width, height: texture.height, pixels };
         save_exr(&image, &folder.join(&path))?;
         let entry = TextureEntry {
@@ -205,10 +193,7 @@ fn optimize_entry(
         gradient_tolerance: section.gradient_tolerance,
         ..Default::default()
     };
-    let numbers = |values: &Vec<f64>| match values[..] {
-        [value] => Numbers::One(value),
-        _ => Numbers::Many(values.clone()),
-    };
+    let numbers = |values: &Vec<f64>| Numbers::from(&values[..]);
     match &section.target {
         Some(Target::Image(image)) => {
             let mut name = PathBuf::from("target");

@@ -2,8 +2,7 @@
 
 use super::{Builder, Mesh};
 use crate::Error;
-use crate::files::meshes::clean_name;
-use crate::files::names::Names;
+use crate::files::names::{Names, clean_name};
 
 /// The solids of a file that have triangles.
 pub(super) fn meshes(bytes: &[u8], file: &str, stem: &str) -> Result<Vec<Mesh>, Error> {

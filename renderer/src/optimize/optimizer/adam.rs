@@ -2,7 +2,8 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::{Field, decay, divisor, running_rms};
+use super::{decay, divisor, running_rms};
+use crate::optimize::field::Field;
 
 /// The hyper-parameters of Adam (Kingma and Ba, "Adam: a method for stochastic optimization", ICLR
 /// 2015, algorithm 1 with bias correction).

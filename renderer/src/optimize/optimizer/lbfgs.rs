@@ -5,7 +5,7 @@ use argmin::solver::linesearch::MoreThuenteLineSearch;
 use argmin::solver::quasinewton::LBFGS;
 use serde::{Deserialize, Serialize};
 
-use super::Field;
+use crate::optimize::field::Field;
 use crate::optimize::variable::Flat;
 use crate::optimize::{ArgminProblem, Coordinates, Evaluation, Objective};
 

@@ -28,7 +28,7 @@ use lbfgs::LbfgsState;
 
 use serde::{Deserialize, Serialize};
 
-use super::settings::check_fields;
+use super::field::{Field, check_fields};
 use super::variable::Flat;
 use super::{Evaluation, Fingerprint, Objective, Schedule};
 use crate::Error;
@@ -57,9 +57,6 @@ impl Default for Optimizer {
         Self::Adam(Adam::default())
     }
 }
-
-/// A hyper-parameter: its name, its value, whether that can be used, and what can.
-pub(super) type Field = (&'static str, f64, bool, &'static str);
 
 impl Optimizer {
     /// Every method with its default hyper-parameters.

@@ -2,7 +2,8 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::{Field, decay, divisor, running_rms};
+use super::{decay, divisor, running_rms};
+use crate::optimize::field::Field;
 
 /// RMSProp (Hinton, "Neural networks for machine learning", lecture 6e, 2012): the gradient over
 /// the root of its running mean square.

@@ -2,7 +2,8 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::{Field, decay};
+use super::decay;
+use crate::optimize::field::Field;
 
 /// Gradient descent with momentum (Polyak's heavy ball): `v = momentum v + g`, `x = x - rate v`.
 ///

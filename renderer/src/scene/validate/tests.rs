@@ -1,21 +1,13 @@
 use super::*;
 use crate::demo::demo_experiment;
-use crate::kernels::light::DistantLight;
-use crate::kernels::sphere::Sphere;
-use crate::scene::Light;
-use crate::scene::SphereObject;
+use crate::scene::{DistantLight, SphereObject};
 
 /// A scene with one of everything.
 fn scene() -> Scene {
     let mut scene = demo_experiment().unwrap().scene;
-    scene.light_names.push("sun".to_owned());
-    scene.parameters.lights.push(Light::Distant(DistantLight {
-        direction: DVec3::Y,
-        color: DVec3::ONE,
-        intensity: 1.0,
-    }));
-    scene.spheres.push(SphereObject { name: "ball".to_owned(), material: 0 });
-    scene.parameters.spheres.push(Sphere { center: DVec3::ZERO, radius: 1.0 });
+    let (direction, color) = (DVec3::Y, DVec3::ONE);
+    scene.add_light("sun", DistantLight { direction, color, irradiance: 1.0 }).unwrap();
+    scene.add_sphere(SphereObject::new("ball", DVec3::ZERO, 1.0)).unwrap();
     scene
 }
 
@@ -29,7 +21,11 @@ fn refused(change: impl FnOnce(&mut Scene)) -> String {
 /// What is said of a scene in which the first number of `path` is `value`.
 fn refused_value(path: &str, value: f64) -> String {
     let id = scene().parameter(path).unwrap();
-    let error = refused(|scene| scene.parameters.get_mut(id)[0] = value);
+    let error = refused(|scene| {
+        let mut numbers = scene.get(id).into_owned();
+        numbers[0] = value;
+        scene.assign(id, &numbers);
+    });
     assert!(error.starts_with(&format!("a.toml: {path}")), "{error}");
     error
 }
@@ -42,19 +38,24 @@ fn a_whole_scene_is_valid() {
 #[test]
 fn no_parameter_may_be_infinite_or_not_a_number_or_huge() {
     let scene = scene();
-    for id in scene.parameter_ids() {
+    for id in scene.parameters() {
         let path = scene.path(id).to_string();
         for value in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
             let error = refused_value(&path, value);
             assert!(error.contains("not a finite number"), "{error}");
         }
-        assert!(refused_value(&path, 1e39).contains("beyond"), "{path}");
+        let expected = match path.as_str() {
+            "camera.vfov" => "must lie between",
+            path if path.ends_with(".roughness") => "must be at most 1",
+            _ => "beyond",
+        };
+        assert!(refused_value(&path, 1e39).contains(expected), "{path}");
     }
 }
 
 #[test]
 fn the_message_names_the_vertex() {
-    let error = refused(|scene| scene.parameters.vertices[0][7][2] = f64::NAN);
+    let error = refused(|scene| scene.meshes[0].vertices[7][2] = f64::NAN);
     assert!(error.starts_with("a.toml: mesh.tree.vertices[7]: NaN"), "{error}");
 }
 
@@ -63,16 +64,17 @@ fn ranges_hold() {
     for (path, value) in [
         ("camera.vfov", 0.0),
         ("camera.vfov", 180.0),
-        ("camera.focus", 0.0),
-        ("camera.focus", -1.0),
+        ("camera.film_scale", 0.0),
+        ("camera.film_scale", -1.0),
         ("sphere.ball.radius", 0.0),
         ("sphere.ball.radius", -1.0),
         ("light.key.color", -0.1),
-        ("light.sun.intensity", -1.0),
-        ("material.bark.ambient", -1.0),
+        ("light.sun.irradiance", -1.0),
+        ("material.bark.emission", -1.0),
         ("material.bark.diffuse", -1.0),
         ("material.bark.specular", -1.0),
         ("material.bark.exponent", -1.0),
+        ("material.bark.mirror", -1.0),
     ] {
         let error = refused_value(path, value);
         assert!(error.contains("must"), "{error}");
@@ -81,24 +83,24 @@ fn ranges_hold() {
 
 #[test]
 fn the_camera_looks_somewhere() {
-    let error = refused(|s| s.parameters.camera.look_at = s.parameters.camera.look_from);
+    let error = refused(|s| s.camera.look_at = s.camera.look_from);
     assert_eq!(error, "a.toml: camera.look_from: must differ from camera.look_at");
     // Apart at f64, the same at f32.
     let error = refused(|s| {
-        s.parameters.camera.look_from = DVec3::new(1e6, 0.0, 0.0);
-        s.parameters.camera.look_at = DVec3::new(1e6 + 1e-6, 0.0, 0.0);
+        s.camera.look_from = DVec3::new(1e6, 0.0, 0.0);
+        s.camera.look_at = DVec3::new(1e6 + 1e-6, 0.0, 0.0);
     });
     assert!(error.contains("must differ"), "{error}");
     let error = refused(|s| {
-        let camera = &mut s.parameters.camera;
+        let camera = &mut s.camera;
         camera.up = (camera.look_from - camera.look_at) * 3.0;
     });
     assert!(error.starts_with("a.toml: camera.up: must not be parallel"), "{error}");
-    let error = refused(|s| s.parameters.camera.up = DVec3::ZERO);
+    let error = refused(|s| s.camera.up = DVec3::ZERO);
     assert!(error.starts_with("a.toml: camera.up: must be a direction"), "{error}");
     let zero = |s: &mut Scene| {
         let id = s.parameter("light.sun.direction").unwrap();
-        s.parameters.get_mut(id).fill(0.0);
+        s.assign(id, &[0.0; 3]);
     };
     assert!(refused(zero).contains("light.sun.direction: must be a direction"));
 }
@@ -113,16 +115,21 @@ fn the_image_has_an_area() {
 #[test]
 fn indices_are_in_range() {
     assert!(refused(|s| s.spheres[0].material = 2).contains("sphere.ball.material"));
-    assert!(refused(|s| s.meshes[0].materials[3] = 2).contains("mesh.tree: names material 2"));
+    assert!(
+        refused(|s| s.meshes[0].materials[3] = 2)
+            .contains("mesh.tree.material: names material 2 of 2")
+    );
     assert!(refused(|s| s.meshes[0].triangles[3][1] = 10_000).contains("names vertex 10000"));
     assert!(refused(|s| s.meshes[0].materials.truncate(1)).contains("1 materials for"));
-    assert!(refused(|s| s.light_names.truncate(1)).contains("1 names for 2 objects"));
 }
 
 #[test]
 fn names_are_unique_and_readable() {
-    assert!(refused(|s| s.light_names[1] = "key".to_owned()).contains("light.key: two light"));
-    assert!(refused(|s| s.meshes[0].name.clear()).contains("mesh: number 1 has an empty name"));
+    assert!(refused(|s| s.lights[1].name = "key".to_owned()).contains("light.key: two light"));
+    assert!(
+        refused(|s| s.meshes[0].name.clear())
+            .contains("mesh: an object of this kind has an empty name")
+    );
     assert!(refused(|s| s.spheres[0].name = " a".to_owned()).contains("must not begin or end"));
     assert!(refused(|s| s.spheres[0].name = "a\nb".to_owned()).contains("sphere.a\\nb: "));
 }
@@ -132,5 +139,8 @@ fn a_name_with_dots_is_reached() {
     let mut scene = scene();
     scene.meshes[0].name = "Cube.001".to_owned();
     assert_eq!(scene.check(), Ok(()));
-    assert_eq!(scene.parameter("mesh.Cube.001.vertices"), Some(ParameterId::Vertices(0)));
+    assert_eq!(
+        scene.parameter("mesh.Cube.001.vertices"),
+        Ok(ParameterId::new(Object::Mesh(0), "vertices"))
+    );
 }

@@ -3,8 +3,7 @@
 use std::path::Path;
 
 use crate::experiment::{Experiment, Target, TunedParameter};
-use crate::recovery::natural_scale;
-use crate::scene::{Differentiability, ParameterId};
+use crate::scene::{Differentiability, Object, ParameterId};
 
 /// Numbers that look random (Knuth's linear congruential generator, the upper bits).
 pub struct Random(pub u64);
@@ -47,13 +46,15 @@ pub fn random_experiment(number: u64) -> Experiment {
         let color = random.color(1.0);
         let (x, y, z) =
             (random.between(-4.0, 4.0), random.between(3.0, 7.0), random.between(2.0, 6.0));
-        let (place, intensity) = match random.happens(0.7) {
-            true => (format!("type = \"point\"\nposition = [{x}, {y}, {z}]"), 700.0),
-            false => (format!("type = \"distant\"\ndirection = [{x}, {y}, {z}]"), 1.5),
+        let numbers = match random.happens(0.7) {
+            true => {
+                format!("type = \"point\"\nposition = [{x}, {y}, {z}]\nradiant_intensity = 175.0")
+            }
+            false => {
+                format!("type = \"distant\"\ndirection = [{x}, {y}, {z}]\nirradiance = 4.7124")
+            }
         };
-        text += &format!(
-            "[[light]]\nname = \"light{light}\"\n{place}\ncolor = {color}\nintensity = {intensity}\n"
-        );
+        text += &format!("[[light]]\nname = \"light{light}\"\n{numbers}\ncolor = {color}\n");
     }
     text += "[[sphere]]\nname = \"floor\"\ncenter = [0.0, -40.0, 0.0]\nradius = 40.0\nmaterial = \"paint0\"\n";
     let count = 1 + random.between(0.0, 4.0) as usize;
@@ -66,11 +67,10 @@ pub fn random_experiment(number: u64) -> Experiment {
         );
     }
     for material in 0..=count {
-        let reflection =
-            if random.happens(0.5) { random.color(0.9) } else { "[0.0, 0.0, 0.0]".into() };
+        let mirror = if random.happens(0.5) { random.color(0.9) } else { "[0.0, 0.0, 0.0]".into() };
         let texture = if random.happens(0.3) { "diffuse_texture = \"marble\"\n" } else { "" };
         text += &format!(
-            "[material.paint{material}]\ndiffuse = {}\nspecular = {}\nexponent = {}\nreflection = {reflection}\n{texture}",
+            "[material.paint{material}]\ndiffuse = {}\nspecular = {}\nexponent = {}\nmirror = {mirror}\n{texture}",
             random.color(0.8),
             random.color(0.5),
             random.between(1.0, 60.0),
@@ -78,7 +78,7 @@ pub fn random_experiment(number: u64) -> Experiment {
     }
     text += "[texture.marble]\nsize = [8, 8]\ncolor = [0.8, 0.6, 0.7]\n";
     let mut experiment = Experiment::parse(&text, Path::new(""), "a generated scene").unwrap();
-    for texel in experiment.scene.parameters.textures.iter_mut().flatten().flatten() {
+    for texel in experiment.scene.textures[0].texels.as_flattened_mut() {
         *texel *= random.between(0.5, 1.0);
     }
     tune(&mut experiment, &mut random);
@@ -90,17 +90,18 @@ pub fn random_experiment(number: u64) -> Experiment {
 fn tune(experiment: &mut Experiment, random: &mut Random) {
     let scene = &experiment.scene;
     let all_kinds = random.happens(0.5);
-    let mut ids: Vec<ParameterId> = scene.parameter_ids();
-    ids.retain(|id| {
+    let mut ids = scene.parameters();
+    ids.retain(|&id| {
         let possible = all_kinds || id.differentiability() == Differentiability::Smooth;
-        possible && !matches!(id, ParameterId::Up) && random.happens(0.25)
+        // Nothing shows how most spheres are turned.
+        possible && !["up", "rotation"].contains(&id.field) && random.happens(0.25)
     });
     if ids.is_empty() {
-        ids.push(ParameterId::LightIntensity(0));
+        ids.push(ParameterId::new(Object::Light(0), "color"));
     }
     let mut target = |&id: &ParameterId| {
-        let step = 0.03 * natural_scale(scene, id);
-        let values = scene.parameters.get(id).iter();
+        let step = 0.03 * scene.natural_scale(id);
+        let values = scene.get(id).into_owned().into_iter();
         (id, values.map(|value| value + step * random.between(0.2, 1.0)).collect())
     };
     let values = ids.iter().map(&mut target).collect();

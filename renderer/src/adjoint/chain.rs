@@ -1,0 +1,644 @@
+//! The chain rule along paths: a path that was traced is walked backwards through generated pullbacks.
+//!
+//! Radiance comes from where a ray goes on, so its cotangents flow from the camera outwards; rays come
+//! from the camera, so theirs flow back. Each tile is therefore walked twice: first outwards, from the
+//! radiance of each wavefront to materials, lights, surface points and the radiance beyond; then back,
+//! from the surface points to primitives and rays.
+
+use ad::vector::Vector;
+use ad::{Additive, Tangent, Vec3};
+use glam::DVec3;
+
+use super::request::Request;
+use super::scatter::{Scatter, Sums};
+use crate::counts::count;
+use crate::loss::{PixelLoss, PixelRadiance};
+use crate::number::{MAX_LANES, Plain};
+use crate::primal::coalesce::{Coalesced, select_lanes};
+use crate::primal::gather::Lookup;
+use crate::primal::image::mean_radiance;
+use crate::primal::inputs::LightInputs;
+use crate::primal::integrator::{Integrator, ZeroWeight};
+use crate::primal::lanes::{lanes_of_vectors, sum_of_lanes, sum_of_vectors, vectors_of_lanes};
+use crate::primal::path::Path;
+use crate::primal::vertex::{Textured, Vertex};
+use crate::primal::wavefront::{LaneGroup, TileSample, Wavefront, clear_blocks, samples};
+use crate::scene::{Scene, Slot, Transform};
+use crate::settings::Pass;
+use crate::trace::bvh::{PACKET_RAYS, rays};
+use crate::trace::layout::Kind;
+use crate::trace::tile::{Strip, Tile, for_each_strip};
+use crate::transport::camera::{CameraFrame, Ray, primary_ray};
+use crate::transport::direct::direct;
+use crate::transport::hit::{Primitive, hit, surface_uv};
+use crate::transport::light::Illumination;
+use crate::transport::material::Material;
+use crate::transport::surface::SurfacePoint;
+use crate::transport::texture::{Uv, modulate, modulate_opacity};
+use crate::transport::transform::place;
+use crate::transport::vertex::{next_ray, outgoing};
+
+/// The sums of each strip of the image.
+pub fn sweep<L: Plain>(
+    integrator: Integrator<'_, L>,
+    scene: &Scene,
+    loss: &dyn PixelLoss,
+    request: &Request,
+) -> Vec<Sums> {
+    let (width, height) = (integrator.layout.width, integrator.layout.height);
+    let integrator = integrator.with_zero_weight(request.zero_weight);
+    let start = || Chain {
+        integrator,
+        scene,
+        loss,
+        path: Path::default(),
+        states: Vec::new(),
+        scatter: Scatter::new(request),
+    };
+    for_each_strip(width, height, start, Chain::strip)
+}
+
+/// The work on strips that follow each other on a thread.
+pub(super) struct Chain<'a, L: Plain> {
+    pub integrator: Integrator<'a, L>,
+    scene: &'a Scene,
+    loss: &'a dyn PixelLoss,
+    path: Path<L>,
+    /// By depth.
+    states: Vec<AdjointState<L>>,
+    pub scatter: Scatter<'a>,
+}
+
+/// The cotangents of the surface points of a group.
+#[derive(Clone, Copy)]
+struct SurfaceCotangent<L: Plain> {
+    surface: Tangent<SurfacePoint<L>>,
+    /// Of their texture coordinates, if they have any.
+    uv: Option<Tangent<Uv<L>>>,
+}
+
+/// What flows back to a wavefront.
+struct AdjointState<L: Plain> {
+    /// By group: the cotangents of the surface points, unless they are zero.
+    surfaces: Vec<Option<SurfaceCotangent<L>>>,
+    /// By block: the cotangents of the radiance that rays bring which go on.
+    radiance: Vec<Vec3<L>>,
+    /// By block: the cotangents of the rays that go on.
+    rays: Vec<Tangent<Ray<L>>>,
+}
+
+impl<L: Plain> Default for AdjointState<L> {
+    fn default() -> Self {
+        Self { surfaces: Vec::new(), radiance: Vec::new(), rays: Vec::new() }
+    }
+}
+
+/// From the radiance of a group to its cotangent, unless that is zero.
+type Respond<'a, L> = dyn FnMut(&LaneGroup<L>, Vec3<L>) -> Option<Vec3<L>> + 'a;
+
+impl<L: Plain> Chain<'_, L> {
+    fn strip(&mut self, strip: Strip) -> Sums {
+        for tile in strip.tiles() {
+            self.tile(&tile);
+        }
+        self.scatter.take()
+    }
+
+    fn tile(&mut self, tile: &Tile) {
+        let (mut path, mut states) =
+            (std::mem::take(&mut self.path), std::mem::take(&mut self.states));
+        let Self { integrator, loss, .. } = *self;
+        let sampling = integrator.layout.sampling;
+        if sampling.is_single() {
+            // The radiance of the ray is that of the pixel: one pass is enough.
+            for sample in samples(tile, sampling) {
+                let mut sum = 0.0;
+                self.sample(&sample, &mut path, &mut states, &mut |group, radiance| {
+                    let (value, cotangent) = respond(loss, tile, group, radiance);
+                    sum += value;
+                    cotangent
+                });
+                let missed = path.wavefronts()[0].missed;
+                self.scatter.sums.loss += sum + loss_of_black(loss, tile, missed);
+            }
+        } else {
+            let primal = integrator.with_zero_weight(ZeroWeight::default());
+            let radiance = mean_radiance(primal, tile, &mut path);
+            let mut cotangents = [DVec3::ZERO; PACKET_RAYS];
+            let part = 1.0 / f64::from(sampling.count());
+            for ray in rays(tile.rays()) {
+                let (x, y) = tile.pixel(ray);
+                let (value, derivative) = loss.evaluate(x, y, radiance[ray]);
+                self.scatter.sums.loss += value;
+                cotangents[ray] = derivative * part;
+            }
+            for sample in samples(tile, sampling.of_gradient()) {
+                self.sample(&sample, &mut path, &mut states, &mut |group, _| {
+                    nonzero_lanes::<L>(group.rays().map(|(lane, ray)| (lane, cotangents[ray])))
+                });
+            }
+        }
+        (self.path, self.states) = (path, states);
+    }
+
+    /// Adds what flows back from one ray through each pixel of a tile. `respond` gives the cotangent
+    /// of the radiance of a group, unless it is zero.
+    fn sample(
+        &mut self,
+        sample: &TileSample<'_>,
+        path: &mut Path<L>,
+        states: &mut Vec<AdjointState<L>>,
+        respond: &mut Respond<'_, L>,
+    ) {
+        let request = self.scatter.request;
+        self.integrator.trace_path(sample, path);
+        let wavefronts = path.wavefronts();
+        states.resize_with(wavefronts.len().max(states.len()), AdjointState::default);
+
+        let few_vertices = wavefronts.len() == 1
+            && request.is_few_vertices()
+            && !self.integrator.layout.has_transparency;
+        for depth in 0..wavefronts.len() {
+            let (states, deeper) = states.split_at_mut(depth + 1);
+            let AdjointState { radiance, surfaces, .. } = &mut states[depth];
+            let beyond = wavefronts.get(depth + 1).zip(deeper.first_mut());
+            if depth > 0 {
+                self.pull_radiance(&wavefronts[depth], beyond, surfaces, &mut |group, _| {
+                    let zero = Vec3::<L>::splat(L::ZERO);
+                    Some(select_lanes::<L, _>(group.alive, &radiance[group.block()], &zero))
+                });
+            } else if few_vertices {
+                let layout = self.integrator.layout;
+                self.pull_radiance(&wavefronts[0], beyond, surfaces, &mut |group, radiance| {
+                    let triangles = group.primitives.iter();
+                    let mut corners =
+                        triangles.filter_map(|(index, _)| layout.triangles.get(index));
+                    let is_requested =
+                        |&vertex: &u32| request.vertices.slot(vertex as usize).is_some();
+                    let cotangent = respond(group, radiance);
+                    cotangent.filter(|_| corners.any(|corners| corners.iter().any(is_requested)))
+                });
+            } else {
+                self.pull_radiance(&wavefronts[0], beyond, surfaces, respond);
+            }
+        }
+        if request.moves_surfaces() {
+            self.pull_rays(sample, wavefronts, states);
+        }
+    }
+
+    /// From the radiance of a wavefront, whose cotangents `respond` gives, to its materials and lights,
+    /// to its surface points, and to the radiance of the rays that go on.
+    #[inline]
+    fn pull_radiance(
+        &mut self,
+        wavefront: &Wavefront<L>,
+        beyond: Option<(&Wavefront<L>, &mut AdjointState<L>)>,
+        surfaces: &mut Vec<Option<SurfaceCotangent<L>>>,
+        respond: &mut Respond<'_, L>,
+    ) {
+        let (beyond, mut state) = beyond.unzip();
+        if let Some(state) = &mut state {
+            clear_blocks::<L, _>(&mut state.radiance);
+            clear_blocks::<L, _>(&mut state.rays);
+        }
+        let moves_surfaces = self.scatter.request.moves_surfaces();
+        surfaces.clear();
+        for (index, group) in wavefront.groups.iter().enumerate() {
+            let vertex = self.integrator.vertex(group, wavefront, beyond);
+            let mut radiance = state.as_mut().map(|state| &mut state.radiance[group.block()]);
+            let to_surface = moves_surfaces.then(|| push(surfaces));
+            self.pull_vertex(index, &vertex, respond, &mut radiance, to_surface);
+        }
+    }
+
+    /// From the radiance of the path vertices of a group to everything that it is made of.
+    ///
+    /// Of the last light, mostly the only one, the residuals of the pullback are kept while `respond` is
+    /// asked; those of the others are computed afterwards, because there is no saying how many there
+    /// are.
+    #[inline(always)]
+    fn pull_vertex(
+        &mut self,
+        index: usize,
+        vertex: &Vertex<'_, L>,
+        respond: &mut Respond<'_, L>,
+        beyond: &mut Option<&mut Vec3<L>>,
+        to_surface: Option<&mut Option<SurfaceCotangent<L>>>,
+    ) {
+        let (surface, lights) = (vertex.group.surface, vertex.lights());
+        match lights.split_last() {
+            Some((last, others)) if vertex.transmittance(others.len()).is_none() => {
+                let light = last.illuminate(surface.point);
+                let visible = vertex.visible(others.len());
+                let (reflected, pullback) = direct::vjp::<L>(
+                    vertex.material,
+                    vertex.lobes,
+                    surface,
+                    light,
+                    visible,
+                    L::ONE,
+                );
+                let own = vertex.own(others) + reflected;
+                let Some(radiance) = respond(vertex.group, vertex.outgoing(own)) else { return };
+                let (own, of_outgoing) = pull_outgoing(vertex, own, radiance, beyond);
+                // Cotangents are large: they stay where the pullback leaves them.
+                let mut cotangents = pullback(own);
+                let (material, _, surface, illumination, ..) = &mut cotangents;
+                self.pull_illumination(others.len(), last, vertex.group, *illumination, surface);
+                for (light, inputs) in others.iter().enumerate() {
+                    self.pull_light(index, vertex, light, inputs, own, (material, surface));
+                }
+                self.pull_material(vertex, own, of_outgoing, material, surface, to_surface);
+            }
+            _ => {
+                let own = vertex.own(lights);
+                let Some(radiance) = respond(vertex.group, vertex.outgoing(own)) else { return };
+                let (own, of_outgoing) = pull_outgoing(vertex, own, radiance, beyond);
+                let (mut material, mut surface) = (Additive::zero(), Additive::zero());
+                for (light, inputs) in lights.iter().enumerate() {
+                    let to = (&mut material, &mut surface);
+                    self.pull_light(index, vertex, light, inputs, own, to);
+                }
+                self.pull_material(vertex, own, of_outgoing, &mut material, &surface, to_surface);
+            }
+        }
+    }
+
+    /// Adds what flows back through the direct light of one light to the cotangents of materials and
+    /// surface points.
+    fn pull_light(
+        &mut self,
+        group_index: usize,
+        vertex: &Vertex<'_, L>,
+        index: usize,
+        inputs: &LightInputs<L>,
+        own: Vec3<L>,
+        (to_material, to_surface): (&mut Tangent<Material<L>>, &mut Tangent<SurfacePoint<L>>),
+    ) {
+        let (surface, left) = (vertex.group.surface, vertex.transmittance(index));
+        let light = inputs.illuminate(surface.point);
+        let (_, pullback) = direct::vjp::<L>(
+            vertex.material,
+            vertex.lobes,
+            surface,
+            light,
+            vertex.visible(index),
+            left.unwrap_or(L::ONE),
+        );
+        let (material, _, surface, illumination, (), transmittance) = &pullback(own);
+        to_material.accumulate(*material);
+        to_surface.accumulate(*surface);
+        self.pull_illumination(index, inputs, vertex.group, *illumination, to_surface);
+        let varies =
+            self.scatter.request.has_opacities() || self.integrator.layout.has_opacity_textures;
+        if left.is_some() && varies {
+            let point = self.pull_transmission(group_index, vertex, index, *transmittance);
+            to_surface.point.accumulate(point);
+        }
+    }
+
+    /// From the illumination of the points of a group to the light and to the points.
+    #[inline]
+    pub(super) fn pull_illumination(
+        &mut self,
+        index: usize,
+        light: &LightInputs<L>,
+        group: &LaneGroup<L>,
+        cotangent: Tangent<Illumination<L>>,
+        to_surface: &mut Tangent<SurfacePoint<L>>,
+    ) {
+        let to = self.scatter.request.lights[index];
+        if to.is_none() && !self.scatter.request.moves_surfaces() {
+            return;
+        }
+        let scatter = &mut self.scatter;
+        let point = light.pull_illuminate(group.surface.point, cotangent, |number, cotangent| {
+            if let Some(to) = to {
+                scatter.number(to, number, group.alive, cotangent);
+            }
+        });
+        to_surface.point.accumulate(point);
+    }
+
+    /// From the cotangent of the light of the surfaces themselves to materials and textures.
+    #[inline(always)]
+    fn pull_material(
+        &mut self,
+        vertex: &Vertex<'_, L>,
+        own: Vec3<L>,
+        of_outgoing: Option<(L, Vec3<L>)>,
+        material: &mut Tangent<Material<L>>,
+        surface: &Tangent<SurfacePoint<L>>,
+        to_surface: Option<&mut Option<SurfaceCotangent<L>>>,
+    ) {
+        count(|counts| &counts.shading_pullbacks, u64::from(vertex.group.alive.count_ones()));
+        match self.integrator.layout.pass {
+            Pass::Radiance => material.emission.accumulate(own),
+            Pass::Albedo => material.diffuse.accumulate(own),
+        }
+        if let Some((opacity, mirror)) = of_outgoing {
+            material.opacity.accumulate(opacity);
+            material.mirror.accumulate(mirror);
+        }
+        let uv = vertex.textured.as_ref();
+        let uv = uv.map(|textured| self.pull_textures(textured, material));
+        if !self.scatter.request.materials.is_empty() {
+            self.scatter.materials::<L>(&vertex.materials, material);
+        }
+        if let Some(to_surface) = to_surface {
+            *to_surface = Some(SurfaceCotangent { surface: *surface, uv });
+        }
+    }
+
+    /// Turns the cotangent of materials with textures into that of the materials without; returns that of
+    /// the texture coordinates.
+    fn pull_textures(
+        &mut self,
+        textured: &Textured<L>,
+        material: &mut Tangent<Material<L>>,
+    ) -> Tangent<Uv<L>> {
+        let plain = &textured.plain;
+        let mut to_uv = Tangent::<Uv<L>>::zero();
+        let colors = [
+            (Slot::Emission, plain.emission, &mut material.emission),
+            (Slot::Diffuse, plain.diffuse, &mut material.diffuse),
+            (Slot::Specular, plain.specular, &mut material.specular),
+        ];
+        for (slot, color, cotangent) in colors {
+            if let Some(lookup) = &textured.lookups[slot as usize] {
+                let (_, pullback) = modulate::vjp::<L>(color, lookup.footprint, textured.uv);
+                let (color, footprint, uv) = pullback(*cotangent);
+                *cotangent = color;
+                self.scatter_texels(lookup, lookup.lanes, footprint.texels);
+                to_uv.accumulate(uv);
+            }
+        }
+        if let Some(lookup) = &textured.lookups[Slot::Opacity as usize] {
+            let (_, pullback) =
+                modulate_opacity::vjp::<L>(plain.opacity, lookup.footprint, textured.uv);
+            let (opacity, footprint, uv) = pullback(material.opacity);
+            material.opacity = opacity;
+            self.scatter_texels(lookup, lookup.lanes, footprint.texels);
+            to_uv.accumulate(uv);
+        }
+        to_uv
+    }
+
+    /// Adds the cotangents of the texels of a lookup in some lanes.
+    pub(super) fn scatter_texels(&mut self, lookup: &Lookup<L>, lanes: u32, texels: [Vec3<L>; 4]) {
+        if self.scatter.request.texels.is_empty() {
+            return;
+        }
+        let texels = texels.map(vectors_of_lanes::<L>);
+        for lane in rays((lanes & lookup.lanes).into()) {
+            for (index, texel) in lookup.indices[lane].iter().zip(&texels) {
+                self.scatter.texel(*index as usize, texel[lane]);
+            }
+        }
+    }
+
+    /// From the surface points of all wavefronts, the deepest first, to primitives and to the camera.
+    fn pull_rays(
+        &mut self,
+        sample: &TileSample<'_>,
+        wavefronts: &[Wavefront<L>],
+        states: &mut [AdjointState<L>],
+    ) {
+        let Self { integrator, .. } = *self;
+        let mut to_frame = Tangent::<CameraFrame<L>>::zero();
+        for depth in (0..wavefronts.len()).rev() {
+            let (states, deeper) = states.split_at_mut(depth + 1);
+            let AdjointState { rays, surfaces, .. } = &mut states[depth];
+            let beyond = deeper.first().filter(|_| depth + 1 < wavefronts.len());
+            let wavefront = &wavefronts[depth];
+            for (group, surface) in wavefront.groups.iter().zip(surfaces) {
+                let Some(SurfaceCotangent { mut surface, uv }) = *surface else { continue };
+                count(|counts| &counts.surface_pullbacks, u64::from(group.alive.count_ones()));
+                if let Some(state) = beyond {
+                    surface.accumulate(self.pull_next_ray(group, &state.rays[group.block()]));
+                }
+                let ray = self.pull_surface(group, surface, uv);
+                if depth > 0 {
+                    rays[group.block()].accumulate(ray);
+                } else if self.scatter.request.camera {
+                    let offsets = wavefront.offsets.as_ref();
+                    let (x, y) = integrator.film(sample.tile, offsets, group.first);
+                    let (_, pullback) = primary_ray::vjp::<L>(integrator.inputs.frame, x, y);
+                    to_frame.accumulate(pullback(ray).0);
+                }
+            }
+        }
+        if self.scatter.request.camera {
+            self.scatter.frame::<L>(&to_frame);
+        }
+    }
+
+    /// From the ray that goes on from a group to its surface points.
+    fn pull_next_ray(
+        &self,
+        group: &LaneGroup<L>,
+        ray: &Tangent<Ray<L>>,
+    ) -> Tangent<SurfacePoint<L>> {
+        let materials = self.integrator.materials(&group.primitives);
+        let transparent = L::mask(self.integrator.transparent_lanes(&materials));
+        let ray = select_lanes::<L, _>(group.alive, ray, &Additive::zero());
+        let (_, pullback) = next_ray::vjp::<L>(group.surface, transparent);
+        pullback(ray).0
+    }
+
+    /// Pulls the cotangents of surface points, and of their texture coordinates, back to primitives;
+    /// returns that of the rays.
+    #[inline]
+    fn pull_surface(
+        &mut self,
+        group: &LaneGroup<L>,
+        mut surface: Tangent<SurfacePoint<L>>,
+        uv: Option<Tangent<Uv<L>>>,
+    ) -> Tangent<Ray<L>> {
+        let LaneGroup { kind, primitives, inside, ray, .. } = group;
+        let Some(primitive) = self.integrator.primitive(*kind, primitives) else {
+            return self.pull_custom_surface(group, surface);
+        };
+        let of_uv = uv.map(|uv| {
+            let corners = self.integrator.corner_uvs(*kind, primitives);
+            let (_, pullback) = surface_uv::vjp::<L>(primitive, corners, group.surface.point);
+            let (primitive, corners, point) = pullback(uv);
+            surface.point.accumulate(point);
+            self.scatter_uvs(group.kind, primitives, corners);
+            primitive
+        });
+        let (_, pullback) = hit::vjp::<L>(primitive, L::mask(*inside), *ray);
+        let (mut primitive, (), ray) = pullback(surface);
+        if let Some(of_uv) = of_uv {
+            primitive.accumulate(of_uv);
+        }
+        self.scatter_primitive(group.kind, primitives, &primitive);
+        ray
+    }
+
+    /// Adds the cotangents of the texture coordinates of the corners of triangles.
+    pub(super) fn scatter_uvs(
+        &mut self,
+        kind: Kind,
+        primitives: &Coalesced,
+        corners: [Tangent<Uv<L>>; 3],
+    ) {
+        if kind != Kind::Triangle || self.scatter.request.uvs.is_empty() {
+            return;
+        }
+        for (triangle, lanes) in primitives.iter() {
+            let mask = L::mask_from_bits(lanes);
+            let indices = self.integrator.layout.uv_triangles[triangle].into_iter().flatten();
+            for (uv, corner) in indices.zip(&corners) {
+                let sum = |x: L| sum_of_lanes::<L>(x, mask);
+                self.scatter.uv(uv as usize, [sum(corner.u), sum(corner.v)]);
+            }
+        }
+    }
+
+    /// Adds the cotangents of primitives.
+    #[inline]
+    pub(super) fn scatter_primitive(
+        &mut self,
+        kind: Kind,
+        primitives: &Coalesced,
+        cotangent: &Tangent<Primitive<L>>,
+    ) {
+        match kind {
+            Kind::Triangle => {
+                let triangle = &cotangent.Triangle.0;
+                let corners = [triangle.a, triangle.b, triangle.c];
+                for (triangle, lanes) in primitives.iter() {
+                    let mask = L::mask_from_bits(lanes);
+                    self.scatter_corners(triangle, |corner| {
+                        sum_of_vectors::<L>(corners[corner], mask)
+                    });
+                }
+            }
+            Kind::Sphere => {
+                for (primitive, lanes) in primitives.iter() {
+                    let (_, index) = self.integrator.layout.kind_of(primitive);
+                    self.scatter.sphere::<L>(index, lanes, &cotangent.Sphere.0);
+                }
+            }
+            Kind::Custom => {}
+        }
+    }
+
+    /// Adds the cotangents of the corners of a triangle to those of vertices or of the transform of its
+    /// mesh.
+    #[inline]
+    fn scatter_corners(&mut self, triangle: usize, cotangent: impl Fn(usize) -> DVec3) {
+        let layout = self.integrator.layout;
+        let request = self.scatter.request;
+        let corners = layout.triangles[triangle];
+        if !request.vertices.is_empty() {
+            for (corner, vertex) in corners.into_iter().enumerate() {
+                self.scatter.vertex(vertex as usize, cotangent(corner));
+            }
+        }
+        if request.moves_transforms() {
+            let mesh = layout.mesh_of(triangle);
+            let Some(to) = request.transforms[mesh] else { return };
+            let (first, mesh) = (layout.first_vertices[mesh], &self.scene.meshes[mesh]);
+            for (corner, vertex) in corners.into_iter().enumerate() {
+                let own = DVec3::from(mesh.vertices[(vertex - first) as usize]);
+                let (_, pullback) = place::vjp::<f64>(mesh.transform, own);
+                let (transform, _): (Tangent<Transform<f64>>, _) = pullback(cotangent(corner));
+                self.scatter.dense_sum(to, &transform);
+            }
+        }
+    }
+
+    /// Pulls the cotangents of the points of shapes of one's own back to their numbers; returns that of
+    /// the rays.
+    fn pull_custom_surface(
+        &mut self,
+        group: &LaneGroup<L>,
+        surface: Tangent<SurfacePoint<L>>,
+    ) -> Tangent<Ray<L>> {
+        let integrator = self.integrator;
+        let mut to_ray = Tangent::<Ray<L>>::zero();
+        for (primitive, lanes) in group.primitives.iter() {
+            let (_, index) = integrator.layout.kind_of(primitive);
+            let shape = &integrator.inputs.shapes[index];
+            let (to, scatter) = (self.scatter.request.shapes[index], &mut self.scatter);
+            let (transform, ray) =
+                shape.pull_point(group.ray, surface, &mut |number, cotangent| {
+                    if let Some(to) = to {
+                        scatter.number(to, number, lanes, cotangent);
+                    }
+                });
+            if let Some(to) = to {
+                self.scatter.dense_after::<L, _>(to, shape.numbers.len(), lanes, &transform);
+            }
+            to_ray = select_lanes::<L, _>(lanes, &ray, &to_ray);
+        }
+        to_ray
+    }
+}
+
+/// From the radiance that leaves to that of the surfaces themselves, and to the radiance beyond; with
+/// the cotangents of opacity and mirror, if a ray goes on.
+#[inline(always)]
+fn pull_outgoing<L: Plain>(
+    vertex: &Vertex<'_, L>,
+    own: Vec3<L>,
+    radiance: Vec3<L>,
+    to_beyond: &mut Option<&mut Vec3<L>>,
+) -> (Vec3<L>, Option<(L, Vec3<L>)>) {
+    let Some(beyond) = vertex.goes_on() else { return (radiance, None) };
+    let Material { opacity, mirror, .. } = vertex.material;
+    let transparent = L::mask(vertex.transparent);
+    let (_, pullback) = outgoing::vjp::<L>(opacity, mirror, transparent, own, beyond);
+    let (opacity, mirror, (), own, beyond) = pullback(radiance);
+    if let Some(to_beyond) = to_beyond {
+        to_beyond.accumulate(beyond);
+    }
+    (own, Some((opacity, mirror)))
+}
+
+/// A new place at the end of a list.
+fn push<T>(list: &mut Vec<Option<T>>) -> &mut Option<T> {
+    list.push(None);
+    let last = list.len() - 1;
+    &mut list[last]
+}
+
+/// The loss of the pixels of a group, and the cotangent of their radiance, unless it is zero: what
+/// the loss does not care about has no gradient.
+#[inline]
+fn respond<L: Plain>(
+    loss: &dyn PixelLoss,
+    tile: &Tile,
+    group: &LaneGroup<L>,
+    radiance: Vec3<L>,
+) -> (f64, Option<Vec3<L>>) {
+    let radiance = vectors_of_lanes::<L>(radiance);
+    let mut pixels = [PixelRadiance::default(); MAX_LANES];
+    let mut count = 0;
+    for (lane, ray) in group.rays() {
+        let (x, y) = tile.pixel(ray);
+        pixels[count] = PixelRadiance { x, y, radiance: radiance[lane] };
+        count += 1;
+    }
+    let sum = loss.evaluate_all(&mut pixels[..count]);
+    let cotangents = pixels.iter().map(|pixel| pixel.radiance);
+    (sum, nonzero_lanes::<L>(group.rays().map(|(lane, _)| lane).zip(cotangents)))
+}
+
+/// The loss of the pixels of a tile that show nothing.
+fn loss_of_black(loss: &dyn PixelLoss, tile: &Tile, missed: u64) -> f64 {
+    let pixels = rays(missed).map(|ray| tile.pixel(ray));
+    pixels.map(|(x, y)| loss.evaluate(x, y, DVec3::ZERO).0).sum()
+}
+
+/// Vectors, by lane; the other lanes are zero. Nothing if all are zero.
+#[inline]
+fn nonzero_lanes<L: Plain>(vectors: impl Iterator<Item = (usize, DVec3)>) -> Option<Vec3<L>> {
+    let mut lanes = [DVec3::ZERO; MAX_LANES];
+    vectors.for_each(|(lane, vector)| lanes[lane] = vector);
+    let matters = lanes.iter().any(|&vector| vector != DVec3::ZERO);
+    matters.then(|| lanes_of_vectors::<L>(&lanes))
+}

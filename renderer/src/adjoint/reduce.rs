@@ -1,0 +1,184 @@
+//! The sums of all strips, as derivatives by parameters.
+
+use ad::{Additive, Fields, Tangent};
+use glam::DVec3;
+
+use super::gradient::{Gradient, LossAndGradient};
+use super::request::Request;
+use super::scatter::{Sparse, Sums};
+use crate::number::Plain;
+use crate::primal::integrator::Prepared;
+use crate::scene::numbers::range_of;
+use crate::scene::{Material, Object, ParameterId, Scene, Sphere, Transform};
+use crate::transport::camera::{Camera, CameraFrame, camera_frame};
+use crate::transport::transform::place;
+
+/// Puts strips together, always in the same order.
+pub(super) fn reduce<L: Plain>(
+    prepared: &Prepared<L>,
+    scene: &Scene,
+    strips: Vec<Sums>,
+    request: &Request,
+) -> LossAndGradient {
+    let mut total = Totals::zero(request);
+    strips.into_iter().for_each(|strip| total.add(strip));
+    let loss = total.loss;
+    let camera = camera_cotangent(prepared, scene, total.frame.take());
+    total.unplace_vertices(prepared, scene, request);
+    let block = |&id: &ParameterId| (id, total.block(prepared, scene, request, &camera, id));
+    let blocks = request.ids.iter().map(block).collect();
+    LossAndGradient { loss, gradient: Gradient::new(blocks) }
+}
+
+/// The sums of all strips, by slot.
+struct Totals {
+    loss: f64,
+    frame: Option<Tangent<CameraFrame<f64>>>,
+    dense: Vec<f64>,
+    materials: Vec<[f64; <Material<f64> as Fields<f64>>::LEN]>,
+    spheres: Vec<[f64; <Sphere<f64> as Fields<f64>>::LEN]>,
+    vertices: Vec<[f64; 3]>,
+    uvs: Vec<[f64; 2]>,
+    texels: Vec<[f64; 3]>,
+    /// By mesh: the cotangent of its transform, where that follows from its vertices.
+    transforms: Vec<Option<Tangent<Transform<f64>>>>,
+}
+
+impl Totals {
+    fn zero(request: &Request) -> Self {
+        Self {
+            loss: 0.0,
+            frame: None,
+            dense: vec![0.0; request.dense],
+            materials: vec![[0.0; _]; request.materials.count()],
+            spheres: vec![[0.0; _]; request.spheres.count()],
+            vertices: vec![[0.0; 3]; request.vertices.count()],
+            uvs: vec![[0.0; 2]; request.uvs.count()],
+            texels: vec![[0.0; 3]; request.texels.count()],
+            transforms: vec![None; request.transforms.len()],
+        }
+    }
+
+    fn add(&mut self, strip: Sums) {
+        fn add<const N: usize>(totals: &mut [[f64; N]], sums: Sparse<N>) {
+            for (slot, sum) in sums {
+                let total = totals[slot as usize].iter_mut();
+                total.zip(sum).for_each(|(total, sum)| *total += sum);
+            }
+        }
+        self.loss += strip.loss;
+        if let Some(frame) = strip.frame {
+            self.frame.get_or_insert_with(Additive::zero).accumulate(frame);
+        }
+        self.dense.iter_mut().zip(strip.dense).for_each(|(total, sum)| *total += sum);
+        add(&mut self.materials, strip.materials);
+        add(&mut self.spheres, strip.spheres);
+        add(&mut self.vertices, strip.vertices);
+        add(&mut self.uvs, strip.uvs);
+        add(&mut self.texels, strip.texels);
+    }
+
+    /// From vertices in the world to vertices before the transform of their mesh, and to that transform.
+    fn unplace_vertices<L: Plain>(
+        &mut self,
+        prepared: &Prepared<L>,
+        scene: &Scene,
+        request: &Request,
+    ) {
+        for (index, mesh) in scene.meshes.iter().enumerate() {
+            let is_requested = request.ids.iter().any(|id| {
+                id.object == Object::Mesh(index)
+                    && Transform::<f64>::FIELDS.iter().any(|field| field.name == id.field)
+            });
+            let follows = is_requested && request.transforms[index].is_none();
+            if mesh.transform == Transform::IDENTITY && !follows {
+                continue;
+            }
+            let mut to_transform = Tangent::<Transform<f64>>::zero();
+            for (vertex, own) in prepared.layout.vertices_of(index).zip(&mesh.vertices) {
+                let Some(slot) = request.vertices.slot(vertex) else { continue };
+                let world = DVec3::from(self.vertices[slot]);
+                let (_, pullback) = place::vjp::<f64>(mesh.transform, DVec3::from(*own));
+                let (transform, own) = pullback(world);
+                self.vertices[slot] = own.to_array();
+                to_transform.accumulate(transform);
+            }
+            if follows {
+                self.transforms[index] = Some(to_transform);
+            }
+        }
+    }
+
+    /// The derivatives by one parameter.
+    fn block<L: Plain>(
+        &self,
+        prepared: &Prepared<L>,
+        scene: &Scene,
+        request: &Request,
+        camera: &Tangent<Camera<f64>>,
+        id: ParameterId,
+    ) -> Vec<f64> {
+        let layout = &prepared.layout;
+        let fields = scene.all_fields(id.object);
+        let range = range_of(&fields, id.field).unwrap_or(0..0);
+        let dense = |start: usize| self.dense[start + range.start..][..range.len()].to_vec();
+        match id.object {
+            Object::Camera => range.map(|index| camera.number(index)).collect(),
+            Object::Light(light) => {
+                request.lights[light].map_or_else(Vec::new, |to| dense(to.start))
+            }
+            Object::Shape(shape) => {
+                request.shapes[shape].map_or_else(Vec::new, |to| dense(to.start))
+            }
+            Object::Material(material) => {
+                let slot = request.materials.slot(material);
+                slot.map_or_else(Vec::new, |slot| self.materials[slot][range].to_vec())
+            }
+            Object::Sphere(sphere) => {
+                let slot = request.spheres.slot(sphere);
+                slot.map_or_else(Vec::new, |slot| self.spheres[slot][range].to_vec())
+            }
+            Object::Texture(texture) => {
+                let slots = request.texels.slots(layout.textures[texture].texels());
+                self.texels[slots].as_flattened().to_vec()
+            }
+            Object::Mesh(mesh) => match id.field {
+                "vertices" => {
+                    let mut vertices = layout.vertices_of(mesh);
+                    if let Some(vertex) = id.vertex {
+                        vertices = vertices.start + vertex..vertices.start + vertex + 1;
+                    }
+                    self.vertices[request.vertices.slots(vertices)].as_flattened().to_vec()
+                }
+                "texture_coordinates" => {
+                    let slots = request.uvs.slots(layout.uvs_of(mesh));
+                    self.uvs[slots].as_flattened().to_vec()
+                }
+                field => {
+                    let range = range_of(Transform::<f64>::FIELDS, field).unwrap_or(0..0);
+                    match (&self.transforms[mesh], request.transforms[mesh]) {
+                        (Some(transform), _) => range.map(|i| transform.number(i)).collect(),
+                        (None, Some(to)) => {
+                            self.dense[to.start + range.start..][..range.len()].to_vec()
+                        }
+                        (None, None) => Vec::new(),
+                    }
+                }
+            },
+        }
+    }
+}
+
+/// The cotangent of the camera, from that of its frame.
+fn camera_cotangent<L: Plain>(
+    prepared: &Prepared<L>,
+    scene: &Scene,
+    frame: Option<Tangent<CameraFrame<f64>>>,
+) -> Tangent<Camera<f64>> {
+    let Some(frame) = frame else { return Additive::zero() };
+    let mut camera = scene.camera;
+    camera.look_from -= prepared.inputs.origin;
+    camera.look_at -= prepared.inputs.origin;
+    let (_, pullback) = camera_frame::vjp::<f64>(camera, scene.aspect());
+    pullback(frame).0
+}

@@ -1,0 +1,197 @@
+//! The parameters that a gradient is asked for.
+
+use std::ops::Range;
+
+use ad::Fields;
+
+use super::selection::Selection;
+use crate::primal::integrator::ZeroWeight;
+use crate::scene::numbers::range_of;
+use crate::scene::{LightSource, Material, Object, ParameterId, Scene, Sphere, Transform};
+use crate::settings::Pass;
+use crate::trace::layout::Layout;
+use crate::transport::light::match_light;
+use crate::transport::material::Lobes;
+
+/// A bit for each number of a struct.
+pub type Bits = u64;
+
+/// The parameters that a gradient is asked for, and where their sums are. What is not asked for costs
+/// nothing.
+#[derive(Clone, Debug)]
+pub struct Request {
+    pub ids: Vec<ParameterId>,
+    pub camera: bool,
+    /// By light: the numbers that are asked for, and where they begin among the dense sums.
+    pub lights: Vec<Option<Dense>>,
+    /// By shape of one's own: its numbers, then those of its transform.
+    pub shapes: Vec<Option<Dense>>,
+    /// By mesh: its transform, unless its vertices are asked for, from which it follows.
+    pub transforms: Vec<Option<Dense>>,
+    /// The number of dense sums.
+    pub dense: usize,
+    pub materials: Selection,
+    pub material_numbers: Bits,
+    pub spheres: Selection,
+    pub sphere_numbers: Bits,
+    pub vertices: Selection,
+    pub uvs: Selection,
+    pub texels: Selection,
+    /// What is computed although its weight is zero.
+    pub zero_weight: ZeroWeight,
+}
+
+/// Numbers that have a sum in every strip.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Dense {
+    /// Where the sums begin.
+    pub start: usize,
+    pub numbers: Bits,
+}
+
+impl Request {
+    /// The given parameters of a scene.
+    pub fn new(scene: &Scene, layout: &Layout, ids: &[ParameterId]) -> Self {
+        let mut request = Self {
+            ids: ids.to_vec(),
+            camera: ids.iter().any(|id| id.object == Object::Camera),
+            lights: vec![None; scene.lights.len()],
+            shapes: vec![None; scene.shapes.len()],
+            transforms: vec![None; scene.meshes.len()],
+            dense: 0,
+            materials: Selection::default(),
+            material_numbers: 0,
+            spheres: Selection::default(),
+            sphere_numbers: 0,
+            vertices: Selection::default(),
+            uvs: Selection::default(),
+            texels: Selection::default(),
+            zero_weight: ZeroWeight::default(),
+        };
+        request.select_arrays(layout);
+        request.select_objects(scene);
+        let of_material = |field: &str| {
+            ids.iter().any(|id| matches!(id.object, Object::Material(_)) && id.field == field)
+        };
+        let is_light = |id: &ParameterId| matches!(id.object, Object::Light(_));
+        request.zero_weight = ZeroWeight {
+            mirrors: layout.pass == Pass::Radiance && of_material("mirror"),
+            lights: ids.iter().any(is_light),
+            lobes: Lobes { rough: of_material("roughness"), glossy: of_material("specular") },
+        };
+        request
+    }
+
+    /// What there may be many of.
+    fn select_arrays(&mut self, layout: &Layout) {
+        let textures = &layout.textures;
+        let texels = textures.last().map_or(0, |last| last.texels().end);
+        let mut vertices: Vec<Range<usize>> = Vec::new();
+        let (mut uvs, mut of_textures) = (Vec::new(), Vec::new());
+        let (mut materials, mut spheres) = (Vec::new(), Vec::new());
+        for id in &self.ids {
+            match id.object {
+                Object::Mesh(mesh) => {
+                    // Those of a mesh with a transform serve both.
+                    match (id.field, id.vertex) {
+                        ("vertices", None) => vertices.push(layout.vertices_of(mesh)),
+                        ("vertices", Some(vertex)) => {
+                            let vertex = layout.vertices_of(mesh).start + vertex;
+                            vertices.push(vertex..vertex + 1);
+                        }
+                        ("texture_coordinates", _) => uvs.push(layout.uvs_of(mesh)),
+                        _ => {}
+                    }
+                }
+                Object::Texture(texture) => of_textures.push(textures[texture].texels()),
+                Object::Material(material) => materials.push(material..material + 1),
+                Object::Sphere(sphere) => spheres.push(sphere..sphere + 1),
+                Object::Camera | Object::Light(_) | Object::Shape(_) => {}
+            }
+        }
+        self.vertices = Selection::new(vertices, layout.vertices());
+        self.uvs = Selection::new(uvs, layout.uvs());
+        self.texels = Selection::new(of_textures, texels);
+        self.materials = Selection::new(materials, layout.materials.len());
+        self.spheres = Selection::new(spheres, layout.spheres);
+    }
+
+    /// Which numbers of objects.
+    fn select_objects(&mut self, scene: &Scene) {
+        for &ParameterId { object, field, .. } in &self.ids.clone() {
+            match object {
+                Object::Camera | Object::Texture(_) => {}
+                Object::Light(light) => {
+                    let (fields, len) = match &scene.lights[light].source {
+                        LightSource::Known(known) => match_light!(known, known => fields_of(known)),
+                        LightSource::Custom { kernel, numbers } => (kernel.fields, numbers.len()),
+                    };
+                    add(&mut self.lights[light], &mut self.dense, len, bits(fields, field));
+                }
+                Object::Material(_) => {
+                    self.material_numbers |= bits(Material::<f64>::FIELDS, field);
+                }
+                Object::Sphere(_) => self.sphere_numbers |= bits(Sphere::<f64>::FIELDS, field),
+                Object::Mesh(mesh) => {
+                    let numbers = bits(Transform::<f64>::FIELDS, field);
+                    let by_vertices = ParameterId::new(object, "vertices");
+                    if numbers != 0 && !self.ids.contains(&by_vertices) {
+                        let len = Transform::<f64>::LEN;
+                        add(&mut self.transforms[mesh], &mut self.dense, len, numbers);
+                    }
+                }
+                Object::Shape(shape) => {
+                    let kernel = &scene.shapes[shape].kernel;
+                    let all = [kernel.fields, Transform::<f64>::FIELDS].concat();
+                    let len = all.iter().map(|field| field.len).sum();
+                    add(&mut self.shapes[shape], &mut self.dense, len, bits(&all, field));
+                }
+            }
+        }
+    }
+
+    /// Whether the points that are hit depend on any of them.
+    pub fn moves_surfaces(&self) -> bool {
+        let selected = [&self.spheres, &self.vertices, &self.uvs];
+        self.camera
+            || selected.iter().any(|selection| !selection.is_empty())
+            || self.transforms.iter().chain(&self.shapes).any(Option::is_some)
+    }
+
+    /// Whether transforms are among them whose meshes' vertices are not.
+    pub fn moves_transforms(&self) -> bool {
+        self.transforms.iter().any(Option::is_some)
+    }
+
+    /// Whether opacities are among them.
+    pub fn has_opacities(&self) -> bool {
+        self.material_numbers & bits(Material::<f64>::FIELDS, "opacity") != 0
+    }
+
+    /// Whether they are vertices alone, but not all of the scene.
+    pub fn is_few_vertices(&self) -> bool {
+        let is_vertices =
+            |id: &ParameterId| matches!(id.object, Object::Mesh(_)) && id.field == "vertices";
+        self.ids.iter().all(is_vertices) && !self.vertices.is_whole()
+    }
+}
+
+/// The names of the fields of a struct, and the number of its numbers.
+fn fields_of<T: Fields<f64>>(_: &T) -> (&'static [ad::Field], usize) {
+    (T::FIELDS, T::LEN)
+}
+
+/// A bit for each number of a field.
+pub fn bits(fields: &[ad::Field], name: &str) -> Bits {
+    range_of(fields, name).map_or(0, |range| range.fold(0, |bits, index| bits | 1 << index))
+}
+
+/// Asks for numbers of an object that has `len`.
+fn add(of: &mut Option<Dense>, dense: &mut usize, len: usize, numbers: Bits) {
+    let requested = of.get_or_insert_with(|| {
+        let start = *dense;
+        *dense += len;
+        Dense { start, numbers: 0 }
+    });
+    requested.numbers |= numbers;
+}

@@ -1,0 +1,126 @@
+//! Files and folders, written.
+
+use std::ffi::OsString;
+use std::fs::{self, File};
+use std::io::{self, Write};
+use std::path::Path;
+
+use crate::Error;
+
+/// Writes `bytes` to `path` such that, killed or out of power at any moment, the file holds either
+/// all of them or what it held before.
+///
+/// The bytes go to a hidden file in the same folder (`.NAME.partial`), reach the disk, and take the
+/// name of `path` by a rename. What a killed process left of a hidden file is overwritten by the
+/// next write. Two writers must not write the same path at once.
+///
+/// # Errors
+///
+/// If the file cannot be written; the place is `path`. Nothing of the attempt is left.
+pub(crate) fn write_atomically(path: &Path, bytes: &[u8]) -> Result<(), Error> {
+    check_writable(path)?;
+    replace(path, bytes)
+        .map_err(|error| Error::io(path, format!("cannot be written: {error}"), error))
+}
+
+/// Makes a folder and those above it.
+pub(crate) fn create_folder(path: &Path) -> Result<(), Error> {
+    fs::create_dir_all(path)
+        .map_err(|error| Error::io(path, format!("the folder cannot be made: {error}"), error))
+}
+
+/// Whether there may be a file at `path`: the folder exists, and `path` is none itself.
+///
+/// # Errors
+///
+/// If not; the place is `path`.
+pub(crate) fn check_writable(path: &Path) -> Result<(), Error> {
+    if path.is_dir() {
+        return Err(Error::new(path.display(), "is a directory, not a file"));
+    }
+    if !folder_of(path).is_dir() {
+        return Err(Error::new(path.display(), "the folder to write it to does not exist"));
+    }
+    Ok(())
+}
+
+fn folder_of(path: &Path) -> &Path {
+    match path.parent() {
+        Some(parent) if !parent.as_os_str().is_empty() => parent,
+        _ => Path::new("."),
+    }
+}
+
+fn replace(path: &Path, bytes: &[u8]) -> io::Result<()> {
+    let Some(name) = path.file_name() else {
+        return Err(io::Error::new(io::ErrorKind::InvalidInput, "the path names no file"));
+    };
+    let mut partial = OsString::from(".");
+    partial.push(name);
+    partial.push(".partial");
+    let temporary = path.with_file_name(partial);
+
+    let written = File::create(&temporary)
+        .and_then(|mut file| {
+            file.write_all(bytes)?;
+            file.sync_all()
+        })
+        .and_then(|()| fs::rename(&temporary, path));
+    if written.is_err() {
+        // The first failure is the one to report, whether or not there is a file to remove.
+        let _ = fs::remove_file(&temporary);
+        return written;
+    }
+    sync_folder(path)
+}
+
+/// Makes the rename itself last: on Unix a directory is flushed like a file.
+#[cfg(unix)]
+fn sync_folder(path: &Path) -> io::Result<()> {
+    match File::open(folder_of(path))?.sync_all() {
+        // Some network file systems cannot flush a directory; the file itself is in place.
+        Err(error) if error.kind() == io::ErrorKind::InvalidInput => Ok(()),
+        result => result,
+    }
+}
+
+#[cfg(not(unix))]
+fn sync_folder(_path: &Path) -> io::Result<()> {
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn names(folder: &Path) -> Vec<String> {
+        fs::read_dir(folder)
+            .unwrap()
+            .map(|entry| entry.unwrap().file_name().into_string().unwrap())
+            .collect()
+    }
+
+    #[test]
+    fn replaces_the_content_and_leaves_nothing_else() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("a.txt");
+        write_atomically(&path, b"a long first version").unwrap();
+        write_atomically(&path, b"second").unwrap();
+        assert_eq!(fs::read(&path).unwrap(), b"second");
+        assert_eq!(names(folder.path()), ["a.txt"]);
+    }
+
+    #[test]
+    fn failure_names_the_file_and_leaves_nothing() {
+        let folder = tempfile::tempdir().unwrap();
+        let occupied = folder.path().join("occupied");
+        fs::create_dir(&occupied).unwrap();
+        let error = write_atomically(&occupied, b"x").unwrap_err();
+        assert_eq!(error.place, occupied.display().to_string());
+        assert_eq!(names(folder.path()), ["occupied"]);
+
+        let missing = folder.path().join("missing/a.txt");
+        assert!(write_atomically(&missing, b"x").is_err());
+        assert!(write_atomically(Path::new("/"), b"x").is_err());
+    }
+}

@@ -1,0 +1,49 @@
+//! What an optimisation found.
+
+use super::{Point, Record, Stop};
+
+/// What an optimisation came to.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Outcome {
+    /// The parameters recovered: the lowest loss seen, the earliest if there are several.
+    pub best: Point,
+    /// The latest parameters with a finite loss and gradient.
+    pub last: Point,
+    /// One entry per iteration, from 0 on; never empty.
+    pub history: Vec<Record>,
+    /// Some of the points it went through, from the first to the last, evenly spaced; empty if they
+    /// have too many numbers to be kept.
+    pub trajectory: Vec<Point>,
+    /// Why it stopped.
+    pub stop: Stop,
+    /// How often the objective was evaluated, over all resumed parts of the run.
+    pub evaluations: u64,
+    /// Seconds of work, over all resumed parts of the run.
+    pub seconds: f64,
+    /// How this part of the run began.
+    pub start: Start,
+}
+
+impl Outcome {
+    /// The loss at the initial parameters.
+    pub fn initial_loss(&self) -> f64 {
+        self.history.first().map_or(self.best.loss, |record| record.loss)
+    }
+}
+
+/// How an optimisation begins.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Start {
+    /// From the initial parameters.
+    Fresh,
+    /// From a checkpoint.
+    Resumed {
+        /// The number of steps already taken.
+        iteration: u64,
+    },
+    /// With a checkpoint of a run that needs no further iteration.
+    Finished {
+        /// The number of steps it took.
+        iteration: u64,
+    },
+}

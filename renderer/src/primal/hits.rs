@@ -1,0 +1,108 @@
+//! From traced rays to lanes: what the rays of a packet hit, gathered by kind of primitive.
+
+use ad::lanes::Lanes;
+
+use super::coalesce::Coalesced;
+use super::integrator::Integrator;
+use super::lanes::all_lanes;
+use super::wavefront::{LaneGroup, TileSample, Wavefront, set_vectors};
+use crate::counts::count;
+use crate::number::{Number, primal_vector};
+use crate::trace::bvh::{PACKET_RAYS, PacketVectors};
+use crate::trace::layout::Kind;
+use crate::transport::camera::{Ray, film_point, primary_ray};
+
+impl<S: Number> Integrator<'_, S> {
+    /// Traces the camera rays through one point of every pixel of a tile.
+    pub fn trace_primary(&self, sample: &TileSample<'_>, wavefront: &mut Wavefront<S>) {
+        let tile = sample.tile;
+        let offsets = sample.sampling.offsets(tile, sample.index);
+        let mut directions = PacketVectors::ZERO;
+        for first in (0..PACKET_RAYS).step_by(<S::Lanes as Lanes>::COUNT) {
+            let (x, y) = self.film(tile, offsets.as_ref(), first);
+            let direction = film_point::<S>(self.inputs.frame, constant(x), constant(y));
+            set_vectors::<S::Lanes>(
+                &mut directions,
+                first,
+                all_lanes::<S::Lanes>(),
+                primal_vector::<S>(direction),
+            );
+        }
+        let wanted = tile.rays();
+        count(|counts| &counts.primary_rays, u64::from(wanted.count_ones()));
+        self.tracer.primary(tile, &directions, wanted, &mut wavefront.hits);
+
+        let ray = |first: usize, alive: u32| {
+            let (x, y) = self.film(tile, offsets.as_ref(), first);
+            let (x, y) = (repeated::<S::Lanes>(x, alive), repeated::<S::Lanes>(y, alive));
+            primary_ray::<S>(self.inputs.frame, constant(x), constant(y))
+        };
+        self.gather_hits(wavefront, wanted, ray);
+        wavefront.offsets = offsets;
+    }
+
+    /// Gathers what the wanted rays of a packet hit. `ray` gives those from an index on; in lanes
+    /// that do not count it repeats one that does.
+    #[inline]
+    pub fn gather_hits(
+        &self,
+        wavefront: &mut Wavefront<S>,
+        wanted: u64,
+        ray: impl Fn(usize, u32) -> Ray<S>,
+    ) {
+        let hits = &wavefront.hits;
+        let hit = wanted & hits.met();
+        wavefront.missed = wanted & !hit;
+        wavefront.groups.clear();
+        let kinds = self.by_kind(&hits.primitive, hit);
+        for first in (0..PACKET_RAYS).step_by(<S::Lanes as Lanes>::COUNT) {
+            let lanes = |rays: u64| (rays >> first) as u32 & all_lanes::<S::Lanes>();
+            for (kind, rays) in kinds {
+                let alive = lanes(rays);
+                if alive == 0 {
+                    continue;
+                }
+                let primitives = Coalesced::new(&hits.primitive, first, alive);
+                let (ray, inside) = (ray(first, alive), lanes(hits.leaves));
+                let surface = self.surface(kind, &primitives, inside, ray);
+                let group = LaneGroup { first, alive, primitives, kind, inside, ray, surface };
+                wavefront.groups.push(group);
+            }
+        }
+    }
+
+    /// A bit for each ray that hits a primitive of each kind.
+    fn by_kind(&self, primitives: &[u32; PACKET_RAYS], hit: u64) -> [(Kind, u64); 3] {
+        let (spheres, customs) = (self.layout.spheres, self.layout.customs());
+        let triangles = self.layout.triangles.len();
+        let below = |end: usize, are_more: bool| match are_more {
+            false => u64::MAX,
+            true => primitives.iter().enumerate().fold(0, |bits, (ray, &primitive)| {
+                bits | u64::from((primitive as usize) < end) << ray
+            }),
+        };
+        let triangle = hit & below(triangles, spheres + customs > 0);
+        let sphere = hit & !triangle & below(triangles + spheres, customs > 0);
+        [
+            (Kind::Triangle, triangle),
+            (Kind::Sphere, sphere),
+            (Kind::Custom, hit & !triangle & !sphere),
+        ]
+    }
+}
+
+#[inline(always)]
+fn constant<S: Number>(x: S::Lanes) -> S {
+    S::constant(x)
+}
+
+/// Puts the number of the first living lane into the lanes that do not count.
+#[inline]
+fn repeated<L: Lanes>(x: L, alive: u32) -> L {
+    if alive == all_lanes::<L>() {
+        return x;
+    }
+    let first = alive.trailing_zeros() as usize;
+    let number = x.lanes().as_ref()[first];
+    ad::select(L::mask_from_bits(alive), x, L::from_lanes(|_| number))
+}

@@ -1,0 +1,230 @@
+//! Images, and losses of them.
+
+use ad::vector::Vector3;
+use ad::{Dual, Vec3};
+use glam::DVec3;
+
+use super::integrator::Integrator;
+use super::lanes::vectors_of_lanes;
+use super::path::Path;
+use super::wavefront::{LaneGroup, TileSample, samples, set_vectors};
+use crate::image::Image;
+use crate::loss::PixelLoss;
+use crate::number::{Number, Plain, primal_vector};
+use crate::trace::bvh::{PACKET_RAYS, PacketVectors, ray_at, rays};
+use crate::trace::tile::{TILE, Tile, fill_strips, for_each_strip};
+
+/// Renders the image over one of the same size: the mean of what the rays through each pixel bring.
+/// Where the camera sees nothing, the image is black.
+///
+/// # Panics
+///
+/// If the image has another size than the scene's.
+pub fn render_into<L: Plain>(integrator: Integrator<'_, L>, image: &mut Image) {
+    let layout = integrator.layout;
+    let size = (layout.width, layout.height);
+    assert_eq!((image.width, image.height), size, "the image has the size of the scene's");
+    fill_strips(layout.width, &mut image.pixels, Path::default, |path, strip, rows| {
+        for tile in strip.tiles() {
+            let mut colors = PacketVectors::ZERO;
+            if layout.sampling.count() == 1 {
+                let sample = TileSample { tile: &tile, sampling: layout.sampling, index: 0 };
+                visit(integrator, &sample, path, |group, radiance| {
+                    set_vectors::<L>(&mut colors, group.first, group.alive, radiance);
+                });
+            } else {
+                let radiance = mean_radiance(integrator, &tile, path);
+                for (ray, color) in radiance.iter().enumerate() {
+                    colors.set(ray, color.as_vec3());
+                }
+            }
+            let pixels = by_rows(|ray| colors.get(ray).into());
+            for (row, pixels) in rows.iter_mut().zip(&pixels) {
+                row[strip.columns(&tile)].copy_from_slice(&pixels[..tile.columns]);
+            }
+        }
+    });
+}
+
+/// Renders the image and its derivative along the direction that the inputs carry, in double precision
+/// from the radiance of each ray on.
+pub fn render_dual<L: Plain>(integrator: Integrator<'_, Dual<L>>) -> (Image, Image) {
+    let layout = integrator.layout;
+    let (width, height) = (layout.width, layout.height);
+    let mut pixels = vec![[[0.0_f32; 3]; 2]; width as usize * height as usize];
+    fill_strips(width, &mut pixels, Path::default, |path, strip, rows| {
+        for tile in strip.tiles() {
+            let mean = mean_dual(integrator, &tile, path);
+            let pixels = by_rows(|ray| mean[ray].map(|part| part.as_vec3().to_array()));
+            for (row, pixels) in rows.iter_mut().zip(&pixels) {
+                row[strip.columns(&tile)].copy_from_slice(&pixels[..tile.columns]);
+            }
+        }
+    });
+    let image = |part: usize| {
+        let pixels = pixels.iter().map(|pixel| pixel[part]).collect();
+        Image { width, height, pixels }
+    };
+    (image(0), image(1))
+}
+
+/// The loss of the image and its derivative along the direction that the inputs carry.
+pub fn loss_dual<L: Plain>(
+    integrator: Integrator<'_, Dual<L>>,
+    loss: &dyn PixelLoss,
+) -> (f64, f64) {
+    let (width, height) = (integrator.layout.width, integrator.layout.height);
+    let strips = for_each_strip(width, height, Path::default, |path, strip| {
+        let (mut sum, mut along) = (0.0, 0.0);
+        for tile in strip.tiles() {
+            let mean = mean_dual(integrator, &tile, path);
+            for ray in rays(tile.rays()) {
+                let (x, y) = tile.pixel(ray);
+                let [radiance, derivative] = mean[ray];
+                let (value, cotangent) = loss.evaluate(x, y, radiance);
+                sum += value;
+                along += cotangent.dot(derivative);
+            }
+        }
+        (sum, along)
+    });
+    strips.into_iter().fold((0.0, 0.0), |(sum, along), (a, b)| (sum + a, along + b))
+}
+
+/// The radiance of the pixels of a tile and its derivative.
+fn mean_dual<L: Plain>(
+    integrator: Integrator<'_, Dual<L>>,
+    tile: &Tile,
+    path: &mut Path<Dual<L>>,
+) -> [[DVec3; 2]; PACKET_RAYS] {
+    let mut total = [[DVec3::ZERO; 2]; PACKET_RAYS];
+    let sampling = integrator.layout.sampling;
+    for sample in samples(tile, sampling) {
+        visit(integrator, &sample, path, |group, radiance| {
+            let values = vectors_of_lanes::<L>(primal_vector::<Dual<L>>(radiance));
+            let derivatives = vectors_of_lanes::<L>(derivative_vector::<L>(radiance));
+            for (lane, ray) in group.rays() {
+                total[ray][0] += values[lane];
+                total[ray][1] += derivatives[lane];
+            }
+        });
+    }
+    let count = f64::from(sampling.count());
+    total.map(|parts| parts.map(|sum| sum / count))
+}
+
+fn derivative_vector<L: Plain>(v: Vec3<Dual<L>>) -> Vec3<L> {
+    Vector3::new(v.x().derivative, v.y().derivative, v.z().derivative)
+}
+
+/// What rays bring, at the places of their pixels.
+#[inline]
+fn by_rows<T: Copy + Default>(color: impl Fn(usize) -> T) -> [[T; TILE]; TILE] {
+    let mut pixels = [[T::default(); TILE]; TILE];
+    for (row, pixels) in pixels.iter_mut().enumerate() {
+        for (column, pixel) in pixels.iter_mut().enumerate() {
+            *pixel = color(ray_at(column, row));
+        }
+    }
+    pixels
+}
+
+/// The loss of the image, in double precision from the radiance on.
+pub fn loss<L: Plain>(integrator: Integrator<'_, L>, loss: &dyn PixelLoss) -> f64 {
+    let (width, height) = (integrator.layout.width, integrator.layout.height);
+    let strips = for_each_strip(width, height, Path::default, |path, strip| {
+        let mut sum = 0.0;
+        for tile in strip.tiles() {
+            let radiance = mean_radiance(integrator, &tile, path);
+            for ray in rays(tile.rays()) {
+                let (x, y) = tile.pixel(ray);
+                sum += loss.evaluate(x, y, radiance[ray]).0;
+            }
+        }
+        sum
+    });
+    strips.into_iter().sum()
+}
+
+/// The radiance of the pixels of a tile, in double precision from that of each ray on.
+#[inline(never)]
+pub fn mean_radiance<L: Plain>(
+    integrator: Integrator<'_, L>,
+    tile: &Tile,
+    path: &mut Path<L>,
+) -> [DVec3; PACKET_RAYS] {
+    let mut total = [DVec3::ZERO; PACKET_RAYS];
+    let sampling = integrator.layout.sampling;
+    for sample in samples(tile, sampling) {
+        visit(integrator, &sample, path, |group, radiance| {
+            let radiance = vectors_of_lanes::<L>(radiance);
+            for (lane, ray) in group.rays() {
+                total[ray] += radiance[lane];
+            }
+        });
+    }
+    let count = f64::from(sampling.count());
+    total.map(|radiance| radiance / count)
+}
+
+/// Calls `use_radiance` with the radiance of every group of camera rays.
+#[inline]
+pub fn visit<S: Number>(
+    integrator: Integrator<'_, S>,
+    sample: &TileSample<'_>,
+    path: &mut Path<S>,
+    mut use_radiance: impl FnMut(&LaneGroup<S>, Vec3<S>),
+) {
+    integrator.trace_path(sample, path);
+    let wavefronts = path.wavefronts();
+    for group in &wavefronts[0].groups {
+        let vertex = integrator.vertex(group, &wavefronts[0], wavefronts.get(1));
+        use_radiance(group, vertex.radiance());
+    }
+}
+
+/// How many rays there are at each depth, and how many of them hit something.
+#[cfg(feature = "files")]
+pub fn rays_by_depth<L: Plain>(integrator: Integrator<'_, L>) -> Vec<(u64, u64)> {
+    let (width, height) = (integrator.layout.width, integrator.layout.height);
+    let depths = integrator.layout.bounces as usize + 1;
+    let strips = for_each_strip(width, height, Path::default, |path, strip| {
+        let mut counts = vec![(0, 0); depths];
+        for tile in strip.tiles() {
+            for sample in samples(&tile, integrator.layout.sampling) {
+                integrator.trace_path(&sample, path);
+                for (wavefront, (rays, hits)) in path.wavefronts().iter().zip(&mut counts) {
+                    let hit = wavefront.groups.iter().map(|group| group.alive.count_ones());
+                    let hit: u64 = hit.map(u64::from).sum();
+                    *rays += hit + u64::from(wavefront.missed.count_ones());
+                    *hits += hit;
+                }
+            }
+        }
+        counts
+    });
+    let mut total = vec![(0, 0); depths];
+    for strip in strips {
+        for ((rays, hits), (more_rays, more_hits)) in total.iter_mut().zip(strip) {
+            *rays += more_rays;
+            *hits += more_hits;
+        }
+    }
+    total
+}
+
+/// Traces the rays of an image from the camera, and those of their shadows if they are wanted, and shades
+/// nothing.
+pub fn trace_only<L: Plain>(integrator: Integrator<'_, L>, shadows: bool) {
+    let (width, height) = (integrator.layout.width, integrator.layout.height);
+    for_each_strip(width, height, super::wavefront::Wavefront::default, |wavefront, strip| {
+        for tile in strip.tiles() {
+            for sample in samples(&tile, integrator.layout.sampling) {
+                integrator.trace_primary(&sample, wavefront);
+                if shadows {
+                    integrator.trace_shadows(wavefront);
+                }
+            }
+        }
+    });
+}

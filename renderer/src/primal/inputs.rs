@@ -1,0 +1,386 @@
+//! The numbers of a scene at the scalar of a pass.
+
+use ad::vector::{Vector, Vector3};
+use ad::{Field, Fields, Real, Tangent, Vec3};
+use glam::DVec3;
+use rayon::prelude::*;
+
+use crate::custom::{EmitterKernel, ShapeKernel};
+use crate::number::{Number, splat_vector};
+use crate::scene::{LightObject, LightSource, Object, ParameterId, Scene, ShapeObject, Transform};
+use crate::settings::Pass;
+use crate::transport::camera::{CameraFrame, Ray, camera_frame};
+use crate::transport::light::{Illumination, Light, illuminate, match_light};
+use crate::transport::material::Material;
+use crate::transport::sphere::Sphere;
+use crate::transport::surface::SurfacePoint;
+use crate::transport::texture::Uv;
+use crate::transport::transform::place;
+
+/// Numbers that stand for those of some parameters, such as ones that carry derivatives; all others are
+/// constants.
+pub struct Varying<W> {
+    pub blocks: Vec<(ParameterId, Vec<W>)>,
+}
+
+impl<W: Real> Varying<W> {
+    /// Nothing varies.
+    pub const NONE: Self = Self { blocks: Vec::new() };
+
+    fn block(&self, object: Object, field: &str) -> Option<&[W]> {
+        let is_it = |id: &ParameterId| (id.object, id.field, id.vertex) == (object, field, None);
+        self.blocks.iter().find(|(id, _)| is_it(id)).map(|(_, block)| &block[..])
+    }
+
+    /// Numbers of a light or a shape of one's own.
+    fn lift_custom(&self, object: Object, fields: &[Field], values: &[f64]) -> Vec<W> {
+        let mut lifted: Vec<W> = values.iter().map(|&value| W::from_f64(value)).collect();
+        let mut start = 0;
+        for field in fields {
+            if let Some(block) = self.block(object, field.name) {
+                lifted[start..start + field.len].copy_from_slice(block);
+            }
+            start += field.len;
+        }
+        lifted
+    }
+
+    /// Numbers of a known object, whose fields they are.
+    fn lift<T: Fields<f64>>(&self, object: Object, values: &T) -> T::With<W> {
+        let values: Vec<f64> = (0..T::LEN).map(|index| values.number(index)).collect();
+        let lifted = self.lift_custom(object, T::FIELDS, &values);
+        T::With::from_fn(&mut |index| lifted[index])
+    }
+
+    /// The vertices of a mesh that vary one by one.
+    fn single_vertices(&self, object: Object) -> impl Iterator<Item = (usize, &[W])> {
+        let blocks = self.blocks.iter().filter(move |(id, _)| id.object == object);
+        blocks.filter_map(|(id, block)| Some((id.vertex?, &block[..])))
+    }
+}
+
+/// A light as surfaces are shaded by it.
+pub enum LightInputs<S: Number> {
+    Known(Light<S>),
+    /// Of one's own: the numbers of all its fields.
+    Custom {
+        kernel: EmitterKernel,
+        numbers: Vec<S::Lane>,
+        origin: Vec3<S>,
+    },
+}
+
+impl<S: Number> LightInputs<S> {
+    /// The illumination of a point, if nothing is between them.
+    #[inline]
+    pub fn illuminate(&self, point: Vec3<S>) -> Illumination<S> {
+        match self {
+            Self::Known(light) => illuminate::<S>(*light, point),
+            Self::Custom { kernel, numbers, origin } => {
+                kernel.at::<S>().illuminate(numbers, point + *origin)
+            }
+        }
+    }
+
+    /// The pullback of [`illuminate`](Self::illuminate): returns the cotangent of the point; those of the
+    /// numbers of the light go to `to_number`.
+    #[inline]
+    pub fn pull_illuminate(
+        &self,
+        point: Vec3<S>,
+        cotangent: Tangent<Illumination<S>>,
+        mut to_number: impl FnMut(usize, S),
+    ) -> Vec3<S> {
+        match self {
+            Self::Known(light) => {
+                let (_, pullback) = illuminate::vjp::<S>(*light, point);
+                let (cotangent, point) = &pullback(cotangent);
+                match_light!(light, _light, cotangent, part => part.visit(&mut to_number));
+                *point
+            }
+            Self::Custom { kernel, numbers, origin } => {
+                let point = point + *origin;
+                kernel.at::<S>().pull_illuminate(numbers, point, cotangent, &mut to_number)
+            }
+        }
+    }
+}
+
+/// A shape of one's own.
+#[derive(Clone, PartialEq)]
+pub struct ShapeInputs<S: Number> {
+    pub kernel: ShapeKernel,
+    /// The numbers of all its fields.
+    pub numbers: Vec<S::Lane>,
+    /// Relative to the origin of the inputs.
+    pub transform: Transform<S>,
+}
+
+impl<S: Number> ShapeInputs<S> {
+    /// The surface point where a ray meets the shape.
+    pub fn point(&self, ray: Ray<S>) -> SurfacePoint<S> {
+        self.kernel.at::<S>().point(&self.numbers, self.transform, ray)
+    }
+
+    /// The pullback of [`point`](Self::point); the cotangents of the numbers go to `to_number`.
+    pub fn pull_point(
+        &self,
+        ray: Ray<S>,
+        cotangent: Tangent<SurfacePoint<S>>,
+        to_number: &mut dyn FnMut(usize, S),
+    ) -> (Tangent<Transform<S>>, Tangent<Ray<S>>) {
+        let kernel = self.kernel.at::<S>();
+        kernel.pull_point(&self.numbers, self.transform, ray, cotangent, to_number)
+    }
+}
+
+/// The numbers of a scene.
+///
+/// Positions are relative to the middle of the scene as it was when it was prepared, the `origin`, so
+/// that a scene far from zero keeps its precision. Differences of positions, and with them gradients,
+/// are not affected.
+pub struct Inputs<S: Number> {
+    pub origin: DVec3,
+    pub frame: CameraFrame<S>,
+    pub lights: Vec<LightInputs<S>>,
+    pub materials: Vec<Material<S::Lane>>,
+    pub spheres: Vec<Sphere<S::Lane>>,
+    /// The vertices of all meshes in the world, one mesh after the other.
+    pub vertices: Vec<Vec3<S::Lane>>,
+    /// The texture coordinates of all meshes, one mesh after the other; empty if the scene has no
+    /// textures.
+    pub uvs: Vec<Uv<S::Lane>>,
+    /// The texels of all textures, one texture after the other.
+    pub texels: Vec<Vec3<S::Lane>>,
+    pub shapes: Vec<ShapeInputs<S>>,
+}
+
+impl<S: Number> Inputs<S> {
+    /// The inputs of a scene, some numbers of which vary.
+    pub fn new(scene: &Scene, pass: Pass, origin: DVec3, varying: &Varying<S::Wide>) -> Self {
+        let mut inputs = Self {
+            origin,
+            frame: CameraFrame::from_fn(&mut |_| S::ZERO),
+            lights: Vec::new(),
+            materials: Vec::new(),
+            spheres: Vec::new(),
+            vertices: Vec::new(),
+            uvs: Vec::new(),
+            texels: Vec::new(),
+            shapes: Vec::new(),
+        };
+        inputs.update(scene, pass, varying);
+        inputs
+    }
+
+    /// Takes over the numbers of the scene, whose objects are those that the inputs were made of;
+    /// returns whether geometry has moved.
+    pub fn update(&mut self, scene: &Scene, pass: Pass, varying: &Varying<S::Wide>) -> bool {
+        let origin = constant::<S>(self.origin);
+        self.frame = in_lanes::<S, _>(&frame::<S>(scene, origin, varying));
+        self.lights = lights(scene, pass, origin, varying);
+        self.materials.clear();
+        self.materials.extend(scene.materials.iter().enumerate().map(|(index, material)| {
+            narrow::<S, _>(&varying.lift(Object::Material(index), &material.values))
+        }));
+        self.update_textures(scene, varying);
+        let vertices = self.update_vertices(scene, origin, varying);
+        let spheres = self.update_spheres(scene, origin, varying);
+        let shapes = shapes(scene, origin, varying);
+        let shapes_moved = self.shapes != shapes;
+        self.shapes = shapes;
+        vertices | spheres | shapes_moved
+    }
+
+    fn update_textures(&mut self, scene: &Scene, varying: &Varying<S::Wide>) {
+        self.texels.clear();
+        self.uvs.clear();
+        for (index, texture) in scene.textures.iter().enumerate() {
+            let object = Object::Texture(index);
+            match varying.block(object, "texels") {
+                Some(block) => self.texels.extend(block.as_chunks().0.iter().map(vector::<S>)),
+                None => {
+                    let texels = texture.texels.par_iter();
+                    self.texels.par_extend(texels.map(|texel| vector::<S>(&lifted::<S, 3>(texel))));
+                }
+            }
+        }
+        if scene.textures.is_empty() {
+            return;
+        }
+        for (index, mesh) in scene.meshes.iter().enumerate() {
+            let uv = |&[u, v]: &[S::Wide; 2]| Uv { u: S::narrow(u), v: S::narrow(v) };
+            match varying.block(Object::Mesh(index), "texture_coordinates") {
+                Some(block) => self.uvs.extend(block.as_chunks().0.iter().map(uv)),
+                None => {
+                    let coordinates = mesh.texture_coordinates.iter();
+                    self.uvs.extend(coordinates.map(|given| uv(&lifted::<S, 2>(given))));
+                }
+            }
+        }
+    }
+
+    fn update_vertices(
+        &mut self,
+        scene: &Scene,
+        origin: Vec3<S::Wide>,
+        varying: &Varying<S::Wide>,
+    ) -> bool {
+        let count = scene.meshes.iter().map(|mesh| mesh.vertices.len()).sum();
+        let mut moved = self.vertices.len() != count;
+        self.vertices.resize(count, Vec3::<S::Lane>::splat(Real::ZERO));
+        let mut rest = &mut self.vertices[..];
+        for (index, mesh) in scene.meshes.iter().enumerate() {
+            let (vertices, others) = rest.split_at_mut(mesh.vertices.len());
+            rest = others;
+            let object = Object::Mesh(index);
+            let varies = Transform::<f64>::FIELDS
+                .iter()
+                .any(|field| varying.block(object, field.name).is_some());
+            let is_placed = varies || mesh.transform != Transform::IDENTITY;
+            let transform = varying.lift(object, &mesh.transform);
+            let world = |own: &[S::Wide; 3]| {
+                let [x, y, z] = *own;
+                let own = Vector3::new(x, y, z);
+                let placed = if is_placed { place::<S::Wide>(transform, own) } else { own };
+                narrow_vector::<S>(placed - origin)
+            };
+            let block = varying.block(object, "vertices").map(|block| block.as_chunks().0);
+            let replace = |(vertex, slot): (usize, &mut Vec3<S::Lane>)| {
+                let new = match block {
+                    Some(block) => world(&block[vertex]),
+                    None => world(&lifted::<S, 3>(&mesh.vertices[vertex])),
+                };
+                std::mem::replace(slot, new) != new
+            };
+            // The variables of a tape stay on their thread.
+            moved |= match varying.blocks.is_empty() {
+                true => {
+                    let moved = vertices.par_iter_mut().enumerate().map(replace);
+                    moved.reduce(|| false, |a, b| a | b)
+                }
+                false => {
+                    let moved = vertices.iter_mut().enumerate().map(replace);
+                    moved.fold(false, |a, b| a | b)
+                }
+            };
+            for (vertex, block) in varying.single_vertices(object) {
+                vertices[vertex] = world(&block.as_chunks().0[0]);
+            }
+        }
+        moved
+    }
+
+    fn update_spheres(
+        &mut self,
+        scene: &Scene,
+        origin: Vec3<S::Wide>,
+        varying: &Varying<S::Wide>,
+    ) -> bool {
+        let spheres = scene.spheres.iter().enumerate().map(|(index, sphere)| {
+            let mut sphere = varying.lift(Object::Sphere(index), &sphere.values);
+            sphere.center = sphere.center - origin;
+            narrow::<S, _>(&sphere)
+        });
+        let spheres: Vec<Sphere<S::Lane>> = spheres.collect();
+        let moved = self.spheres != spheres;
+        self.spheres = spheres;
+        moved
+    }
+}
+
+/// The frame of the camera, relative to an origin.
+pub fn frame<S: Number>(
+    scene: &Scene,
+    origin: Vec3<S::Wide>,
+    varying: &Varying<S::Wide>,
+) -> CameraFrame<S::Wide> {
+    let mut camera = varying.lift(Object::Camera, &scene.camera);
+    camera.look_from = camera.look_from - origin;
+    camera.look_at = camera.look_at - origin;
+    camera_frame::<S::Wide>(camera, S::Wide::from_f64(scene.aspect()))
+}
+
+/// The lights, relative to an origin; none where only albedo is shown.
+pub fn lights<S: Number>(
+    scene: &Scene,
+    pass: Pass,
+    origin: Vec3<S::Wide>,
+    varying: &Varying<S::Wide>,
+) -> Vec<LightInputs<S>> {
+    let inputs = |(index, light): (usize, &LightObject)| {
+        let object = Object::Light(index);
+        match &light.source {
+            LightSource::Known(light) => {
+                let light = match_light!(light, light => Variant(varying.lift(object, light)));
+                let light = light.relative_to(origin);
+                LightInputs::Known(match_light!(light, light => Variant(in_lanes::<S, _>(&light))))
+            }
+            LightSource::Custom { kernel, numbers } => LightInputs::Custom {
+                kernel: kernel.clone(),
+                numbers: narrow_all::<S>(&varying.lift_custom(object, kernel.fields, numbers)),
+                origin: splat_vector::<S>(narrow_vector::<S>(origin)),
+            },
+        }
+    };
+    match pass {
+        Pass::Radiance => scene.lights.iter().enumerate().map(inputs).collect(),
+        Pass::Albedo => Vec::new(),
+    }
+}
+
+/// The shapes of one's own, relative to an origin.
+pub fn shapes<S: Number>(
+    scene: &Scene,
+    origin: Vec3<S::Wide>,
+    varying: &Varying<S::Wide>,
+) -> Vec<ShapeInputs<S>> {
+    let inputs = |(index, shape): (usize, &ShapeObject)| {
+        let (object, kernel) = (Object::Shape(index), &shape.kernel);
+        let mut transform = varying.lift(object, &shape.transform);
+        transform.translation = transform.translation - origin;
+        let numbers = varying.lift_custom(object, kernel.fields, &shape.numbers);
+        ShapeInputs {
+            kernel: kernel.clone(),
+            numbers: narrow_all::<S>(&numbers),
+            transform: in_lanes::<S, _>(&transform),
+        }
+    };
+    scene.shapes.iter().enumerate().map(inputs).collect()
+}
+
+/// A vector that does not vary.
+fn constant<S: Number>(v: DVec3) -> Vec3<S::Wide> {
+    let [x, y, z] = lifted::<S, 3>(&v.to_array());
+    Vector3::new(x, y, z)
+}
+
+/// Constants.
+#[inline]
+fn lifted<S: Number, const N: usize>(values: &[f64; N]) -> [S::Wide; N] {
+    values.map(S::Wide::from_f64)
+}
+
+#[inline]
+fn narrow_vector<S: Number>(v: Vec3<S::Wide>) -> Vec3<S::Lane> {
+    Vector3::new(S::narrow(v.x()), S::narrow(v.y()), S::narrow(v.z()))
+}
+
+#[inline]
+fn vector<S: Number>(&[x, y, z]: &[S::Wide; 3]) -> Vec3<S::Lane> {
+    narrow_vector::<S>(Vector3::new(x, y, z))
+}
+
+/// A struct in the precision of a pass.
+fn narrow<S: Number, T: Fields<S::Wide>>(value: &T) -> T::With<S::Lane> {
+    value.map(S::narrow)
+}
+
+fn narrow_all<S: Number>(values: &[S::Wide]) -> Vec<S::Lane> {
+    values.iter().map(|&value| S::narrow(value)).collect()
+}
+
+/// A struct in the precision of a pass, the same in every lane.
+fn in_lanes<S: Number, T: Fields<S::Wide>>(value: &T) -> T::With<S> {
+    value.map(|number| S::splat(S::narrow(number)))
+}

@@ -1,0 +1,139 @@
+//! Paths: from the camera by mirrors and through transparent surfaces.
+
+use ad::lanes::Lanes;
+
+use super::coalesce::Coalesced;
+use super::integrator::Integrator;
+use super::lanes::vectors_of_lanes;
+use super::wavefront::{LaneGroup, TileSample, Wavefront, blocks, clear_blocks, put, repeated_ray};
+use crate::counts::count;
+use crate::number::{Number, primal_vector};
+use crate::trace::bvh::{PacketHits, rays};
+use crate::trace::layout::Kind;
+use crate::transport::camera::Ray;
+use crate::transport::vertex::next_ray;
+
+/// The paths of one sample of a tile: a wavefront for each depth. A pixel has the same ray in each.
+pub struct Path<S: Number> {
+    /// None before the first tile, so that an empty path takes no memory.
+    wavefronts: Vec<Wavefront<S>>,
+    /// How many of the wavefronts belong to this tile.
+    depth: usize,
+}
+
+impl<S: Number> Path<S> {
+    /// The wavefronts, from the camera on.
+    pub fn wavefronts(&self) -> &[Wavefront<S>] {
+        &self.wavefronts[..self.depth]
+    }
+}
+
+/// To be filled by [`Integrator::trace_path`].
+impl<S: Number> Default for Path<S> {
+    fn default() -> Self {
+        Self { wavefronts: Vec::new(), depth: 0 }
+    }
+}
+
+impl<S: Number> Integrator<'_, S> {
+    /// Traces the paths through one point of every pixel of a tile, with the visibility of lights, and
+    /// finds the radiance that each ray brings but for those of the camera.
+    pub fn trace_path(&self, sample: &TileSample<'_>, path: &mut Path<S>) {
+        let Path { wavefronts, depth } = path;
+        if wavefronts.is_empty() {
+            wavefronts.push(Wavefront::default());
+        }
+        self.trace_primary(sample, &mut wavefronts[0]);
+        self.trace_shadows(&mut wavefronts[0]);
+        *depth = 1;
+        let goes_on =
+            self.zero_weight.mirrors || self.layout.has_mirrors || self.layout.has_transparency;
+        if !goes_on {
+            return;
+        }
+        while *depth <= self.layout.bounces as usize {
+            if wavefronts.len() == *depth {
+                wavefronts.push(Wavefront::default());
+            }
+            let (before, after) = wavefronts.split_at_mut(*depth);
+            if !self.trace_secondary(&before[*depth - 1], &mut after[0]) {
+                break;
+            }
+            self.trace_shadows(&mut after[0]);
+            *depth += 1;
+        }
+        for depth in (1..*depth).rev() {
+            let (wavefronts, deeper) = wavefronts[..path.depth].split_at_mut(depth + 1);
+            self.shade(&mut wavefronts[depth], deeper.first());
+        }
+    }
+
+    /// Traces the rays that go on from a wavefront; returns whether there are any.
+    fn trace_secondary(&self, from: &Wavefront<S>, to: &mut Wavefront<S>) -> bool {
+        let mut sent_on = std::mem::take(&mut to.rays);
+        sent_on.clear();
+        sent_on.resize_with(blocks::<S>(), zero_ray::<S>);
+        to.hits = PacketHits::NONE;
+        let mut sent = 0;
+        for group in &from.groups {
+            let materials = self.materials(&group.primitives);
+            let transparent = self.transparent_lanes(&materials);
+            let mirrors = self.mirror_lanes(&materials) & !transparent;
+            let lanes = (mirrors | transparent) & group.alive;
+            if lanes == 0 {
+                continue;
+            }
+            sent |= u64::from(lanes) << group.first;
+            count(|counts| &counts.secondary_rays, u64::from(lanes.count_ones()));
+            let ray = next_ray::<S>(group.surface, S::mask(transparent));
+            put(group, lanes, &ray, &mut sent_on);
+            let origins = group.origins(transparent);
+            let directions = vectors_of_lanes::<S::Lanes>(primal_vector::<S>(ray.direction));
+            for lane in rays(lanes.into()) {
+                let ray = group.first + lane;
+                let (origin, direction) = (origins[lane].as_vec3(), directions[lane].as_vec3());
+                let from = group.starts_on(from, ray);
+                if let Some(hit) = self.tracer.bvh.nearest_but(from, origin, direction) {
+                    to.hits.set(ray, hit);
+                }
+            }
+        }
+        self.gather_hits(to, sent, |first, alive| {
+            repeated_ray::<S>(&sent_on[first / <S::Lanes as Lanes>::COUNT], alive)
+        });
+        to.rays = sent_on;
+        sent != 0
+    }
+
+    /// Finds the radiance that the rays of a wavefront bring, from that of the rays that go on.
+    fn shade(&self, wavefront: &mut Wavefront<S>, beyond: Option<&Wavefront<S>>) {
+        let mut radiance = std::mem::take(&mut wavefront.radiance);
+        clear_blocks::<S, _>(&mut radiance);
+        for group in &wavefront.groups {
+            let vertex = self.vertex(group, wavefront, beyond);
+            put(group, group.alive, &vertex.radiance(), &mut radiance);
+        }
+        wavefront.radiance = radiance;
+    }
+
+    /// A bit for each lane whose material is a mirror, or counts as one.
+    fn mirror_lanes(&self, materials: &Coalesced) -> u32 {
+        materials.lanes_where(|material| {
+            self.zero_weight.mirrors || self.layout.materials[material].is_mirror
+        })
+    }
+}
+
+impl<S: Number> LaneGroup<S> {
+    /// The flat primitive that a ray of the group ends on: one that leaves it cannot come back to it.
+    pub fn starts_on(&self, wavefront: &Wavefront<S>, ray: usize) -> Option<u32> {
+        match self.kind {
+            Kind::Triangle => Some(wavefront.hits.primitive[ray]),
+            Kind::Sphere | Kind::Custom => None,
+        }
+    }
+}
+
+fn zero_ray<S: Number>() -> Ray<S> {
+    ad::Fields::from_fn(&mut |_| S::ZERO)
+}

@@ -1,0 +1,163 @@
+//! The light that goes through transparent surfaces.
+//!
+//! Every surface on the way leaves `1 - d` of it, where `d` is its opacity at the place where the
+//! light goes through. What shadow rays hit is looked for a second time, one by one, where the first
+//! time said that there is something: a scene without transparent materials is rendered as if there
+//! were none. How far light goes through is not limited by the depth of the scene.
+
+use super::coalesce::{Coalesced, select_lanes};
+use super::integrator::Integrator;
+use super::lanes::vectors_of_lanes;
+use super::wavefront::{LaneGroup, Occluder, Transmission, Wavefront, blocks};
+use crate::counts::count;
+use crate::number::{MAX_LANES, Number};
+use crate::scene::Slot;
+use crate::trace::bvh::{NO_PRIMITIVE, PACKET_RAYS};
+use crate::trace::layout::Kind;
+use crate::transport::camera::Ray;
+use crate::transport::direct::attenuate;
+use crate::transport::hit::surface_uv;
+use crate::transport::texture::modulate_opacity;
+
+impl<S: Number> Integrator<'_, S> {
+    /// Adds to the visibility masks of a wavefront the rays that end where lights shine through
+    /// transparent surfaces.
+    pub fn trace_transmissions(&self, wavefront: &mut Wavefront<S>) {
+        wavefront.transmissions.clear();
+        if !self.layout.has_transparency {
+            return;
+        }
+        for light in 0..wavefront.visible.len() {
+            let mut transmission =
+                Transmission { transmittance: vec![S::ONE; blocks::<S>()], occluders: Vec::new() };
+            if !self.layout.lights[light].is_black || self.zero_weight.lights {
+                let through = self.transmit(light, wavefront, &mut transmission);
+                wavefront.visible[light] |= through;
+            }
+            wavefront.transmissions.push(transmission);
+        }
+    }
+
+    /// Finds what a light sends through transparent surfaces; returns a bit for each ray that ends where
+    /// it arrives.
+    fn transmit(
+        &self,
+        light: usize,
+        wavefront: &Wavefront<S>,
+        transmission: &mut Transmission<S>,
+    ) -> u64 {
+        let mut through = 0;
+        for (index, group) in wavefront.groups.iter().enumerate() {
+            let (points, origins) = (group.points(), group.origins(0));
+            let (_, normal) = group.values();
+            let normals = vectors_of_lanes::<S::Lanes>(normal);
+            let mut surfaces: [Vec<(u32, bool)>; MAX_LANES] = std::array::from_fn(|_| Vec::new());
+            for (lane, ray) in group.rays() {
+                let towards = self.tracer.illuminate(light, points[lane]);
+                let is_dark = wavefront.visible[light] >> ray & 1 == 0;
+                if !is_dark || normals[lane].dot(towards.direction) <= 0.0 {
+                    continue;
+                }
+                count(|counts| &counts.shadow_rays, 1);
+                let from = group.starts_on(wavefront, ray);
+                let (origin, direction) = (origins[lane].as_vec3(), towards.direction.as_vec3());
+                let limit = towards.distance as f32;
+                if let Some(found) = self.transparent_between(origin, direction, limit, from) {
+                    surfaces[lane] = found;
+                    through |= 1 << ray;
+                }
+            }
+            self.cross(light, index, group, &surfaces, transmission);
+        }
+        through
+    }
+
+    /// What a ray hits before `limit`, but for `from`; nothing if any of it is opaque.
+    fn transparent_between(
+        &self,
+        origin: glam::Vec3,
+        direction: glam::Vec3,
+        limit: f32,
+        from: Option<u32>,
+    ) -> Option<Vec<(u32, bool)>> {
+        let (mut found, mut is_blocked) = (Vec::new(), false);
+        self.tracer.bvh.visit_crossings(origin, direction, limit, from, |primitive, leaves| {
+            is_blocked = !self.layout.traits_of(primitive as usize).is_transparent;
+            found.push((primitive, leaves));
+            !is_blocked
+        });
+        (!is_blocked).then_some(found)
+    }
+
+    /// Multiplies the transmittance of a group by that of the surfaces that the light of each lane goes
+    /// through.
+    fn cross(
+        &self,
+        light: usize,
+        index: usize,
+        group: &LaneGroup<S>,
+        surfaces: &[Vec<(u32, bool)>; MAX_LANES],
+        transmission: &mut Transmission<S>,
+    ) {
+        let most = surfaces.iter().map(Vec::len).max().unwrap_or(0);
+        for nth in 0..most {
+            for kind in [Kind::Triangle, Kind::Sphere] {
+                let (mut lanes, mut inside) = (0, 0);
+                let mut primitives = [NO_PRIMITIVE; PACKET_RAYS];
+                for (lane, surfaces) in surfaces.iter().enumerate() {
+                    let Some(&(primitive, leaves)) = surfaces.get(nth) else { continue };
+                    if self.layout.kind_of(primitive as usize).0 == kind {
+                        lanes |= 1 << lane;
+                        inside |= u32::from(leaves) << lane;
+                        primitives[group.first + lane] = primitive;
+                    }
+                }
+                if lanes == 0 {
+                    continue;
+                }
+                let primitives = Coalesced::new(&primitives, group.first, lanes);
+                let before = transmission.of(group);
+                let mut occluder = Occluder {
+                    group: index,
+                    lanes,
+                    primitives,
+                    kind,
+                    inside,
+                    before,
+                    opacity: S::ONE,
+                };
+                occluder.opacity = self.opacity_at(light, group, &occluder);
+                let after = attenuate::<S>(before, occluder.opacity);
+                transmission.transmittance[group.block()] =
+                    select_lanes::<S, S>(lanes, &after, &before);
+                transmission.occluders.push(occluder);
+            }
+        }
+    }
+
+    /// The ray from the points of a group to a light.
+    pub fn shadow_ray(&self, light: usize, group: &LaneGroup<S>) -> Ray<S> {
+        let origin = group.surface.point;
+        Ray { origin, direction: self.inputs.lights[light].illuminate(origin).direction }
+    }
+
+    /// The opacity of surfaces where the light of a group goes through them.
+    fn opacity_at(&self, light: usize, group: &LaneGroup<S>, occluder: &Occluder<S>) -> S {
+        let Occluder { primitives, kind, inside, .. } = occluder;
+        let materials = self.materials(primitives);
+        let opacity = self.material(&materials).opacity;
+        let is_textured =
+            |material: usize| self.layout.materials[material].textures.get(Slot::Opacity).is_some();
+        let Some(primitive) = self.primitive(*kind, primitives) else { return opacity };
+        if materials.lanes_where(is_textured) == 0 {
+            return opacity;
+        }
+        let ray = self.shadow_ray(light, group);
+        let point = crate::transport::hit::hit::<S>(primitive, S::mask(*inside), ray).point;
+        let uv = surface_uv::<S>(primitive, self.corner_uvs(*kind, primitives), point);
+        match self.lookup(Slot::Opacity, &materials, uv) {
+            Some(lookup) => modulate_opacity::<S>(opacity, lookup.footprint, uv),
+            None => opacity,
+        }
+    }
+}

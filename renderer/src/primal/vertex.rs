@@ -1,0 +1,204 @@
+//! The radiance that leaves the path vertices of a lane group.
+
+use ad::Vec3;
+use ad::vector::Vector;
+
+use super::coalesce::Coalesced;
+use super::gather::Lookup;
+use super::inputs::LightInputs;
+use super::integrator::Integrator;
+use super::wavefront::Occluder;
+use super::wavefront::{LaneGroup, Wavefront};
+use crate::counts::count;
+use crate::number::Number;
+use crate::scene::Slot;
+use crate::settings::Pass;
+use crate::transport::direct::direct;
+use crate::transport::hit::surface_uv;
+use crate::transport::material::{Lobes, Material};
+use crate::transport::texture::{Uv, modulate, modulate_opacity};
+use crate::transport::vertex::outgoing;
+
+/// The textures of a lane group.
+pub struct Textured<S: Number> {
+    /// The materials without their textures.
+    pub plain: Material<S>,
+    pub uv: Uv<S>,
+    /// By [`Slot`].
+    pub lookups: [Option<Lookup<S>>; 4],
+}
+
+/// The inputs of the path vertices of a lane group.
+pub struct Vertex<'a, S: Number> {
+    integrator: Integrator<'a, S>,
+    pub group: &'a LaneGroup<S>,
+    wavefront: &'a Wavefront<S>,
+    /// The lanes by material.
+    pub materials: Coalesced,
+    pub textured: Option<Textured<S>>,
+    /// The materials, with their textures.
+    pub material: Material<S>,
+    /// A bit for each lane whose material is transparent.
+    pub transparent: u32,
+    pub lobes: Lobes,
+    /// The radiance from where the rays go on, where they were traced.
+    pub beyond: Option<Vec3<S>>,
+}
+
+impl<'a, S: Number> Integrator<'a, S> {
+    /// Gathers the inputs of a group; `beyond` is the wavefront of the rays that go on from it.
+    #[inline(always)]
+    pub fn vertex(
+        &self,
+        group: &'a LaneGroup<S>,
+        wavefront: &'a Wavefront<S>,
+        beyond: Option<&Wavefront<S>>,
+    ) -> Vertex<'a, S> {
+        count(|counts| &counts.shaded, u64::from(group.alive.count_ones()));
+        let materials = self.materials(&group.primitives);
+        let mut material = self.material(&materials);
+        let textured = self.textured(group, &materials, &mut material);
+        let lobes = materials.iter().map(|(material, _)| self.layout.materials[material].lobes);
+        Vertex {
+            integrator: *self,
+            group,
+            wavefront,
+            material,
+            textured,
+            transparent: self.transparent_lanes(&materials),
+            lobes: lobes.fold(self.zero_weight.lobes, Lobes::union),
+            materials,
+            beyond: beyond.map(|wavefront| wavefront.radiance[group.block()]),
+        }
+    }
+
+    /// The textures of a group, if it has any; they vary its material.
+    fn textured(
+        &self,
+        group: &LaneGroup<S>,
+        materials: &Coalesced,
+        material: &mut Material<S>,
+    ) -> Option<Textured<S>> {
+        let is_textured = |material: usize| self.layout.materials[material].textures.any();
+        if self.layout.textures.is_empty() || materials.lanes_where(is_textured) == 0 {
+            return None;
+        }
+        let primitive = self.primitive(group.kind, &group.primitives)?;
+        let corners = self.corner_uvs(group.kind, &group.primitives);
+        let uv = surface_uv::<S>(primitive, corners, group.surface.point);
+        let lookups = Slot::ALL.map(|slot| self.lookup(slot, materials, uv));
+        let textured = Textured { plain: *material, uv, lookups };
+        textured.modulate(material);
+        Some(textured)
+    }
+}
+
+impl<S: Number> Textured<S> {
+    /// Varies a material.
+    fn modulate(&self, material: &mut Material<S>) {
+        for slot in [Slot::Emission, Slot::Diffuse, Slot::Specular] {
+            if let Some(lookup) = &self.lookups[slot as usize] {
+                let color = color_of(material, slot);
+                *color = modulate::<S>(*color, lookup.footprint, self.uv);
+            }
+        }
+        if let Some(lookup) = &self.lookups[Slot::Opacity as usize] {
+            material.opacity = modulate_opacity::<S>(material.opacity, lookup.footprint, self.uv);
+        }
+    }
+}
+
+/// The colour of a material that a texture varies.
+#[inline]
+fn color_of<S: Number>(material: &mut Material<S>, slot: Slot) -> &mut Vec3<S> {
+    match slot {
+        Slot::Emission => &mut material.emission,
+        Slot::Diffuse => &mut material.diffuse,
+        Slot::Specular => &mut material.specular,
+        Slot::Opacity => unreachable!("an opacity is no colour"),
+    }
+}
+
+impl<'a, S: Number> Vertex<'a, S> {
+    /// The radiance that leaves towards the viewer.
+    #[inline(always)]
+    pub fn radiance(&self) -> Vec3<S> {
+        self.outgoing(self.own(self.lights()))
+    }
+
+    /// The lights of the scene.
+    pub fn lights(&self) -> &'a [LightInputs<S>] {
+        &self.integrator.inputs.lights
+    }
+
+    /// The lanes where a light is visible.
+    #[inline]
+    pub fn visible(&self, light: usize) -> S::Mask {
+        S::mask(self.group.lanes_of(self.wavefront.visible[light]))
+    }
+
+    /// What transparent surfaces leave of a light, if there are any in the scene.
+    #[inline]
+    pub fn transmittance(&self, light: usize) -> Option<S> {
+        let transmission = self.wavefront.transmissions.get(light)?;
+        Some(transmission.of(self.group))
+    }
+
+    /// The transparent surfaces between a light and the group, which has this index in its wavefront.
+    pub fn occluders(&self, light: usize, index: usize) -> &'a [Occluder<S>] {
+        match self.wavefront.transmissions.get(light) {
+            Some(transmission) => transmission.occluders_of(index),
+            None => &[],
+        }
+    }
+
+    /// The radiance of the surfaces themselves under the first of the lights.
+    // A call would move more than it computes: 3 % of an image.
+    #[inline(always)]
+    pub fn own(&self, lights: &[LightInputs<S>]) -> Vec3<S> {
+        let mut own = match self.integrator.layout.pass {
+            Pass::Radiance => self.material.emission,
+            Pass::Albedo => self.material.diffuse,
+        };
+        for (index, light) in lights.iter().enumerate() {
+            own = own + self.direct(index, light);
+        }
+        own
+    }
+
+    #[inline(always)]
+    fn direct(&self, index: usize, light: &LightInputs<S>) -> Vec3<S> {
+        let (surface, visible) = (self.group.surface, self.visible(index));
+        let light = light.illuminate(surface.point);
+        let direct = |left| direct::<S>(self.material, self.lobes, surface, light, visible, left);
+        match self.transmittance(index) {
+            // With a constant there is no product.
+            None => direct(S::ONE),
+            Some(left) => direct(left),
+        }
+    }
+
+    /// The radiance that leaves towards the viewer, by that of the surfaces themselves.
+    #[inline(always)]
+    pub fn outgoing(&self, own: Vec3<S>) -> Vec3<S> {
+        match self.goes_on() {
+            None => own,
+            Some(beyond) => {
+                let Material { opacity, mirror, .. } = self.material;
+                outgoing::<S>(opacity, mirror, S::mask(self.transparent), own, beyond)
+            }
+        }
+    }
+
+    /// The radiance from where rays go on; zero behind transparent surfaces where the path ends. Nothing
+    /// if no ray goes on from the group.
+    #[inline(always)]
+    pub fn goes_on(&self) -> Option<Vec3<S>> {
+        let is_radiance = self.integrator.layout.pass == Pass::Radiance;
+        match self.beyond {
+            Some(beyond) if is_radiance => Some(beyond),
+            _ if self.transparent != 0 => Some(Vec3::<S>::splat(S::ZERO)),
+            _ => None,
+        }
+    }
+}

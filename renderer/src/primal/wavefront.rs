@@ -1,0 +1,190 @@
+//! A wavefront: the rays of a tile at one depth of their paths, and what they hit, gathered into lanes.
+
+use ad::lanes::Lanes;
+use ad::vector::Vector3;
+use ad::{Additive, Fields, Vec3};
+use glam::DVec3;
+
+use super::coalesce::{Coalesced, select_lanes};
+use super::lanes::{all_lanes, singles_of_lanes, vectors_of_lanes};
+use crate::number::{MAX_LANES, Number, primal_vector};
+use crate::trace::bvh::{PACKET_RAYS, PacketHits, PacketVectors, rays};
+use crate::trace::layout::Kind;
+use crate::trace::sampling::{Offsets, Sampling};
+use crate::trace::tile::Tile;
+use crate::transport::camera::Ray;
+use crate::transport::surface::SurfacePoint;
+
+/// The rays of a tile at one depth: those of the camera, or those that go on from mirrors or through
+/// transparent surfaces.
+pub struct Wavefront<S: Number> {
+    /// What each ray hits first.
+    pub hits: PacketHits,
+    /// A bit for each ray that hits nothing.
+    pub missed: u64,
+    /// The rays that hit something.
+    pub groups: Vec<LaneGroup<S>>,
+    /// The visibility mask of each light: a bit for each ray that ends where it shines.
+    pub visible: Vec<u64>,
+    /// The transmittance of transparent surfaces between each light and the points; empty if there are
+    /// none.
+    pub transmissions: Vec<Transmission<S>>,
+    /// For camera rays: where within their pixels they go.
+    pub offsets: Option<Offsets>,
+    /// For rays that go on: the rays, by block.
+    pub rays: Vec<Ray<S>>,
+    /// For rays that go on: the radiance that they bring, by block.
+    pub radiance: Vec<Vec3<S>>,
+}
+
+/// One ray through each pixel of a tile.
+#[derive(Clone, Copy)]
+pub struct TileSample<'a> {
+    pub tile: &'a Tile,
+    pub sampling: Sampling,
+    /// The index of the ray among those of its pixel.
+    pub index: u32,
+}
+
+/// The rays through the pixels of a tile, one for each at a time.
+pub fn samples(tile: &Tile, sampling: Sampling) -> impl Iterator<Item = TileSample<'_>> {
+    (0..sampling.count()).map(move |index| TileSample { tile, sampling, index })
+}
+
+/// Rays that hit primitives of one kind, one in each lane.
+pub struct LaneGroup<S: Number> {
+    /// The ray in lane 0; the others follow.
+    pub first: usize,
+    /// A bit for each lane that counts. The others repeat one of these.
+    pub alive: u32,
+    /// The lanes by primitive.
+    pub primitives: Coalesced,
+    pub kind: Kind,
+    /// A bit for each lane whose ray starts inside of a sphere.
+    pub inside: u32,
+    pub ray: Ray<S>,
+    pub surface: SurfacePoint<S>,
+}
+
+impl<S: Number> LaneGroup<S> {
+    /// The lanes that count, with their rays.
+    #[inline]
+    pub fn rays(&self) -> impl Iterator<Item = (usize, usize)> + use<S> {
+        let first = self.first;
+        rays(self.alive.into()).map(move |lane| (lane, first + lane))
+    }
+
+    /// The block of the packet that the lanes are.
+    #[inline]
+    pub fn block(&self) -> usize {
+        self.first / <S::Lanes as Lanes>::COUNT
+    }
+
+    /// The bits of the lanes among those of a packet.
+    #[inline]
+    pub fn lanes_of(&self, rays: u64) -> u32 {
+        (rays >> self.first) as u32 & self.alive
+    }
+
+    /// The values of the surface points, in double precision.
+    pub fn points(&self) -> [DVec3; MAX_LANES] {
+        vectors_of_lanes::<S::Lanes>(primal_vector::<S>(self.surface.point))
+    }
+}
+
+/// What transparent surfaces leave of a light, by ray of a wavefront.
+pub struct Transmission<S: Number> {
+    /// The transmittance, by block; 1 where nothing is in the way.
+    pub transmittance: Vec<S>,
+    /// The surfaces that light goes through, group after group, and from the points to the light.
+    pub occluders: Vec<Occluder<S>>,
+}
+
+/// Transparent surfaces of one kind between lanes of a group and a light.
+pub struct Occluder<S: Number> {
+    /// The index of the group in its wavefront.
+    pub group: usize,
+    /// A bit for each lane whose light goes through a surface here.
+    pub lanes: u32,
+    pub primitives: Coalesced,
+    pub kind: Kind,
+    /// A bit for each lane whose light leaves a sphere here.
+    pub inside: u32,
+    /// The transmittance of the surfaces before this one.
+    pub before: S,
+    /// The opacity of this one.
+    pub opacity: S,
+}
+
+impl<S: Number> Transmission<S> {
+    /// The transmittance in the lanes of a group.
+    #[inline]
+    pub fn of(&self, group: &LaneGroup<S>) -> S {
+        self.transmittance[group.block()]
+    }
+
+    /// The surfaces between the light and the group of this index, from the points on.
+    pub fn occluders_of(&self, group: usize) -> &[Occluder<S>] {
+        let end = self.occluders.partition_point(|occluder| occluder.group <= group);
+        let start = self.occluders.partition_point(|occluder| occluder.group < group);
+        &self.occluders[start..end]
+    }
+}
+
+/// To be filled by tracing.
+impl<S: Number> Default for Wavefront<S> {
+    fn default() -> Self {
+        Self {
+            hits: PacketHits::NONE,
+            missed: 0,
+            groups: Vec::new(),
+            visible: Vec::new(),
+            transmissions: Vec::new(),
+            offsets: None,
+            rays: Vec::new(),
+            radiance: Vec::new(),
+        }
+    }
+}
+
+/// A ray with that of the first living lane in the lanes that do not count.
+pub fn repeated_ray<S: Number>(ray: &Ray<S>, alive: u32) -> Ray<S> {
+    if alive == all_lanes::<S::Lanes>() {
+        return *ray;
+    }
+    let first = alive.trailing_zeros() as usize;
+    let repeat =
+        |x: S| S::from_each(|lane| x.lane(if alive >> lane & 1 == 1 { lane } else { first }));
+    Ray::from_fn(&mut |index| repeat(ray.number(index)))
+}
+
+/// How many vectors of lanes the rays of a packet make.
+pub fn blocks<S: Number>() -> usize {
+    PACKET_RAYS / <S::Lanes as Lanes>::COUNT
+}
+
+/// As many zeros as there are blocks.
+pub fn clear_blocks<S: Number, T: Additive>(values: &mut Vec<T>) {
+    values.clear();
+    values.resize(blocks::<S>(), T::zero());
+}
+
+/// Puts lanes of a group into their block.
+#[inline]
+pub fn put<S: Number, T: Fields<S>>(group: &LaneGroup<S>, lanes: u32, value: &T, blocks: &mut [T]) {
+    let block = &mut blocks[group.block()];
+    *block = select_lanes::<S, T>(lanes, value, block);
+}
+
+/// Sets the vectors of the rays from `first` on, in the lanes whose bits are set.
+#[inline]
+pub fn set_vectors<L: Lanes>(to: &mut PacketVectors, first: usize, lanes: u32, v: Vec3<L>) {
+    for (to, from) in [(&mut to.x, v.x()), (&mut to.y, v.y()), (&mut to.z, v.z())] {
+        let (to, from) = (&mut to[first..first + L::COUNT], singles_of_lanes(from));
+        if lanes == all_lanes::<L>() {
+            to.copy_from_slice(&from[..L::COUNT]);
+        } else {
+            rays(lanes.into()).for_each(|lane| to[lane] = from[lane]);
+        }
+    }
+}

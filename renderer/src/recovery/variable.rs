@@ -1,0 +1,47 @@
+//! The variable of an optimisation that a parameter becomes.
+
+use crate::experiment::TunedParameter;
+use crate::optimize::Variable;
+use crate::scene::Scene;
+use crate::scene::table::{self, LARGEST_EXPONENT};
+
+/// The variable for a parameter: with its own bounds and learning rate, or those of the table of
+/// parameters.
+pub(super) fn variable(
+    scene: &Scene,
+    tuned: &TunedParameter,
+    common_rate: Option<f64>,
+    target: Option<Vec<f64>>,
+) -> Variable {
+    let row = table::row(tuned.id);
+    let initial = scene.get(tuned.id).into_owned();
+    let rate = tuned
+        .learning_rate
+        .or(common_rate)
+        .unwrap_or_else(|| row.rate * scene.natural_scale(tuned.id));
+    let mut variable = Variable::new(scene.path(tuned.id).to_string(), initial, rate);
+    let (low, high) = scene.range(tuned.id);
+    variable = variable.bounded(bound(low), bound(high));
+    let narrow = |bounds: &mut [f64], given: &Option<Vec<f64>>, tighter: fn(f64, f64) -> f64| {
+        for (bound, given) in bounds.iter_mut().zip(given.iter().flatten()) {
+            *bound = tighter(*bound, *given);
+        }
+    };
+    narrow(&mut variable.min, &tuned.min, f64::max);
+    narrow(&mut variable.max, &tuned.max, f64::min);
+    if tuned.max.is_none() {
+        for (i, max) in variable.max.iter_mut().enumerate() {
+            // What is above it to begin with, or is known to be, may stay there.
+            let truth = target.as_ref().map_or(f64::NEG_INFINITY, |target| target[i]);
+            *max = max.min(row.usual_max.max(variable.initial[i]).max(truth));
+        }
+    }
+    variable.target = target;
+    variable
+}
+
+/// An end of a range as a bound. Where numbers only leave what single precision holds there is none:
+/// coordinates of a box that large keep no digits, and who comes there has gone wrong and is to know.
+fn bound(end: f64) -> f64 {
+    if end.abs() > LARGEST_EXPONENT { f64::INFINITY.copysign(end) } else { end }
+}

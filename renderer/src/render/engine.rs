@@ -1,0 +1,361 @@
+//! A renderer that keeps what it has prepared of a scene.
+
+use ad::Dual;
+
+use super::Linear;
+use crate::Error;
+use crate::adjoint::{self, Gradient, LossAndGradient, Request};
+use crate::arithmetic::with_arithmetic;
+use crate::diagnose::{self, NonFinite};
+use crate::image::Image;
+use crate::loss::PixelLoss;
+use crate::number::Plain;
+#[cfg(feature = "files")]
+use crate::primal::image::rays_by_depth;
+use crate::primal::image::{loss, loss_dual, render_dual, render_into, trace_only};
+use crate::primal::inputs::{Inputs, Varying};
+use crate::primal::integrator::{Prepared, ZeroWeight};
+use crate::scene::{ParameterId, Scene};
+use crate::settings::Settings;
+use crate::trace::sampling::Sampling;
+
+/// A scene that is prepared to be rendered again and again: its numbers may change, its objects stay.
+///
+/// ```
+/// use renderer::glam::DVec3;
+/// use renderer::{Camera, PointLight, Renderer, Scene, Settings};
+///
+/// let mut scene = Scene::new(8, 8, Camera::looking(DVec3::Z, DVec3::ZERO));
+/// let light = PointLight { position: DVec3::Z, color: DVec3::ONE, radiant_intensity: 1.0 };
+/// scene.add_light("key", light)?;
+/// let mut renderer = Renderer::new(&scene, &Settings::default())?;
+/// let intensity = scene.parameter("light.key.radiant_intensity")?;
+/// for step in 1..4 {
+///     scene.set(intensity, &[f64::from(step)])?;
+///     renderer.update(&scene);
+///     let image = renderer.render();
+///     assert_eq!(image.pixels.len(), 64);
+/// }
+/// # Ok::<(), renderer::Error>(())
+/// ```
+pub struct Renderer {
+    engine: Box<dyn Engine>,
+    settings: Settings,
+}
+
+impl Renderer {
+    /// Prepares a scene.
+    ///
+    /// # Errors
+    ///
+    /// If the scene is not [valid](Scene::check).
+    pub fn new(scene: &Scene, settings: &Settings) -> Result<Self, Error> {
+        scene.check()?;
+        Ok(Self::unchecked(scene, settings))
+    }
+
+    /// Prepares a scene that is known to be valid.
+    pub(crate) fn unchecked(scene: &Scene, settings: &Settings) -> Self {
+        let settings = *settings;
+        let engine: Box<dyn Engine> = with_arithmetic!(settings.arithmetic, L => {
+            Box::new(Prepared::<L>::new(scene, settings))
+        });
+        Self { engine, settings }
+    }
+
+    /// How the scene is rendered.
+    pub fn settings(&self) -> &Settings {
+        &self.settings
+    }
+
+    /// Takes over the numbers of the scene, which has the objects that it had when it was prepared.
+    /// Where geometry has moved, the acceleration structure is refitted.
+    pub fn update(&mut self, scene: &Scene) {
+        self.engine.update(scene);
+    }
+
+    /// The image; see [`render`](super::render()).
+    pub fn render(&self) -> Image {
+        let (width, height) = self.engine.size();
+        let mut image = Image::black(width, height);
+        self.engine.render_into(&mut image);
+        image
+    }
+
+    /// [`render`](Self::render), over an image of the same size: who renders often saves the time to get
+    /// memory.
+    ///
+    /// # Panics
+    ///
+    /// If the image has another size than the scene's.
+    pub fn render_into(&self, image: &mut Image) {
+        self.engine.render_into(image);
+    }
+
+    /// A loss of the image, in double precision from the radiance on.
+    pub fn loss(&self, loss: &dyn PixelLoss) -> f64 {
+        self.engine.loss(loss)
+    }
+
+    /// A loss of the image and its gradient; see [`loss_and_gradient`](super::loss_and_gradient). `scene`
+    /// is the one that was last taken over.
+    pub fn loss_and_gradient(
+        &self,
+        scene: &Scene,
+        loss: &dyn PixelLoss,
+        requested: &[ParameterId],
+    ) -> LossAndGradient {
+        self.engine.loss_and_gradient(scene, loss, requested)
+    }
+
+    /// The pullback of the image; see [`render_vjp`](super::render_vjp). `scene` is the one that was last
+    /// taken over.
+    ///
+    /// # Panics
+    ///
+    /// If the cotangent has another size than the image.
+    pub fn pullback(
+        &self,
+        scene: &Scene,
+        cotangent: &Image,
+        requested: &[ParameterId],
+    ) -> Gradient {
+        let size = (cotangent.width, cotangent.height);
+        assert_eq!(size, self.engine.size(), "the cotangent has the size of the image");
+        self.engine.loss_and_gradient(scene, &Linear(cotangent), requested).gradient
+    }
+
+    /// The image and its derivative along a direction; see [`render_jvp`](super::render_jvp). `scene` is
+    /// the one that was last taken over.
+    ///
+    /// # Errors
+    ///
+    /// If a direction has another number of numbers than its parameter, or two have numbers in common.
+    pub fn jvp(
+        &self,
+        scene: &Scene,
+        direction: &[(ParameterId, Vec<f64>)],
+    ) -> Result<(Image, Image), Error> {
+        check_direction(scene, direction)?;
+        Ok(self.engine.jvp(scene, direction))
+    }
+
+    /// A loss of the image and its derivative along a direction, in double precision from the radiance on.
+    /// `scene` is the one that was last taken over.
+    ///
+    /// # Errors
+    ///
+    /// As [`jvp`](Self::jvp).
+    pub fn loss_jvp(
+        &self,
+        scene: &Scene,
+        loss: &dyn PixelLoss,
+        direction: &[(ParameterId, Vec<f64>)],
+    ) -> Result<(f64, f64), Error> {
+        check_direction(scene, direction)?;
+        Ok(self.engine.loss_jvp(scene, loss, direction))
+    }
+
+    /// Searches for the pixels whose radiance an image cannot hold, and for the cause at the first of
+    /// them.
+    pub fn find_non_finite(&self, scene: &Scene) -> Option<NonFinite> {
+        self.engine.find_non_finite(scene, None)
+    }
+
+    /// Searches for the pixels whose loss or gradient is not finite, and for the cause at the first.
+    pub fn find_non_finite_gradient(
+        &self,
+        scene: &Scene,
+        loss: &dyn PixelLoss,
+        requested: &[ParameterId],
+    ) -> Option<NonFinite> {
+        self.engine.find_non_finite(scene, Some((loss, requested)))
+    }
+
+    /// Loss and gradient of the pixels that are finite alone.
+    pub fn gradient_of_finite(
+        &self,
+        scene: &Scene,
+        loss: &dyn PixelLoss,
+        requested: &[ParameterId],
+        found: &NonFinite,
+    ) -> LossAndGradient {
+        self.engine.gradient_of_finite(scene, loss, requested, found)
+    }
+
+    /// Changes the rays through pixels and the depth of paths, and keeps all else.
+    pub fn resample(&mut self, sampling: Sampling, bounces: Option<u32>) {
+        self.engine.resample(sampling, bounces);
+        self.settings.sampling = sampling;
+        self.settings.bounces = bounces;
+    }
+
+    /// How many rays there are at each depth, and how many of them hit something: those that a gradient by
+    /// the requested parameters traces.
+    #[cfg(feature = "files")]
+    pub(crate) fn rays_by_depth(
+        &self,
+        scene: &Scene,
+        requested: &[ParameterId],
+    ) -> Vec<(u64, u64)> {
+        self.engine.rays_by_depth(scene, requested)
+    }
+
+    /// Traces the camera rays, and those of their shadows if they are wanted, and shades nothing: to
+    /// measure it.
+    pub fn trace_only(&self, shadows: bool) {
+        self.engine.trace_only(shadows);
+    }
+}
+
+/// A prepared scene, whatever it is computed in.
+trait Engine: Send + Sync {
+    fn size(&self) -> (u32, u32);
+    fn update(&mut self, scene: &Scene);
+    fn render_into(&self, image: &mut Image);
+    fn loss(&self, loss: &dyn PixelLoss) -> f64;
+    fn loss_and_gradient(
+        &self,
+        scene: &Scene,
+        loss: &dyn PixelLoss,
+        requested: &[ParameterId],
+    ) -> LossAndGradient;
+    fn jvp(&self, scene: &Scene, direction: &[(ParameterId, Vec<f64>)]) -> (Image, Image);
+    fn loss_jvp(
+        &self,
+        scene: &Scene,
+        loss: &dyn PixelLoss,
+        direction: &[(ParameterId, Vec<f64>)],
+    ) -> (f64, f64);
+    fn find_non_finite(
+        &self,
+        scene: &Scene,
+        of: Option<(&dyn PixelLoss, &[ParameterId])>,
+    ) -> Option<NonFinite>;
+    fn gradient_of_finite(
+        &self,
+        scene: &Scene,
+        loss: &dyn PixelLoss,
+        requested: &[ParameterId],
+        found: &NonFinite,
+    ) -> LossAndGradient;
+    fn resample(&mut self, sampling: Sampling, bounces: Option<u32>);
+    #[cfg(feature = "files")]
+    fn rays_by_depth(&self, scene: &Scene, requested: &[ParameterId]) -> Vec<(u64, u64)>;
+    fn trace_only(&self, shadows: bool);
+}
+
+impl<L: Plain> Engine for Prepared<L> {
+    fn size(&self) -> (u32, u32) {
+        (self.layout.width, self.layout.height)
+    }
+
+    fn update(&mut self, scene: &Scene) {
+        Prepared::update(self, scene);
+    }
+
+    fn render_into(&self, image: &mut Image) {
+        render_into(self.integrator(), image);
+    }
+
+    fn loss(&self, pixel_loss: &dyn PixelLoss) -> f64 {
+        loss(self.integrator(), pixel_loss)
+    }
+
+    fn loss_and_gradient(
+        &self,
+        scene: &Scene,
+        loss: &dyn PixelLoss,
+        requested: &[ParameterId],
+    ) -> LossAndGradient {
+        let request = Request::new(scene, &self.layout, requested);
+        adjoint::loss_and_gradient(self, scene, loss, &request)
+    }
+
+    fn jvp(&self, scene: &Scene, direction: &[(ParameterId, Vec<f64>)]) -> (Image, Image) {
+        let (inputs, zero_weight) = moving(self, scene, direction);
+        render_dual(self.with_inputs(&inputs).with_zero_weight(zero_weight))
+    }
+
+    fn loss_jvp(
+        &self,
+        scene: &Scene,
+        loss: &dyn PixelLoss,
+        direction: &[(ParameterId, Vec<f64>)],
+    ) -> (f64, f64) {
+        let (inputs, zero_weight) = moving(self, scene, direction);
+        loss_dual(self.with_inputs(&inputs).with_zero_weight(zero_weight), loss)
+    }
+
+    fn find_non_finite(
+        &self,
+        scene: &Scene,
+        of: Option<(&dyn PixelLoss, &[ParameterId])>,
+    ) -> Option<NonFinite> {
+        match of {
+            None => diagnose::find_non_finite_radiance(self, scene),
+            Some((loss, requested)) => diagnose::find_non_finite(self, scene, loss, requested),
+        }
+    }
+
+    fn gradient_of_finite(
+        &self,
+        scene: &Scene,
+        loss: &dyn PixelLoss,
+        requested: &[ParameterId],
+        found: &NonFinite,
+    ) -> LossAndGradient {
+        let request = Request::new(scene, &self.layout, requested);
+        diagnose::gradient_of_finite(self, scene, loss, &request, found)
+    }
+
+    fn resample(&mut self, sampling: Sampling, bounces: Option<u32>) {
+        self.settings.sampling = sampling;
+        self.layout.sampling = sampling;
+        if let Some(bounces) = bounces {
+            self.layout.bounces = bounces;
+        }
+    }
+
+    #[cfg(feature = "files")]
+    fn rays_by_depth(&self, scene: &Scene, requested: &[ParameterId]) -> Vec<(u64, u64)> {
+        let request = Request::new(scene, &self.layout, requested);
+        rays_by_depth(self.integrator().with_zero_weight(request.zero_weight))
+    }
+
+    fn trace_only(&self, shadows: bool) {
+        trace_only(self.integrator(), shadows);
+    }
+}
+
+fn check_direction(scene: &Scene, direction: &[(ParameterId, Vec<f64>)]) -> Result<(), Error> {
+    for (index, (id, numbers)) in direction.iter().enumerate() {
+        if let Some((other, _)) = direction[..index].iter().find(|(other, _)| other.overlaps(*id)) {
+            let problem = format!("overlaps {}, which moves too", scene.path(*other));
+            return Err(Error::new(scene.path(*id), problem));
+        }
+        let count = scene.get(*id).len();
+        if count != numbers.len() {
+            let problem = format!("moves by {} numbers, has {count}", numbers.len());
+            return Err(Error::new(scene.path(*id), problem));
+        }
+    }
+    Ok(())
+}
+
+/// The inputs of a scene that move along a direction, and what is traced although its weight is zero.
+fn moving<L: Plain>(
+    prepared: &Prepared<L>,
+    scene: &Scene,
+    direction: &[(ParameterId, Vec<f64>)],
+) -> (Inputs<Dual<L>>, ZeroWeight) {
+    let ids: Vec<ParameterId> = direction.iter().map(|(id, _)| *id).collect();
+    let block = |(id, numbers): &(ParameterId, Vec<f64>)| {
+        let values = scene.get(*id);
+        let moving = values.iter().zip(numbers).map(|(&value, &along)| Dual::new(value, along));
+        (*id, moving.collect())
+    };
+    let varying = Varying { blocks: direction.iter().map(block).collect() };
+    let inputs = Inputs::new(scene, prepared.settings.pass, prepared.inputs.origin, &varying);
+    (inputs, Request::new(scene, &prepared.layout, &ids).zero_weight)
+}

@@ -1,0 +1,152 @@
+//! Lights of a scene.
+
+use std::borrow::Cow;
+
+use ad::Field;
+use glam::DVec3;
+
+use super::numbers::{Numbers, range_of};
+use crate::custom::{EmitterFamily, EmitterKernel};
+use crate::transport::light::{DistantLight, Light, PointLight, SpotLight, match_light};
+
+/// A light and its name.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LightObject {
+    /// The name, unique among lights.
+    pub name: String,
+    /// What shines.
+    pub source: LightSource,
+}
+
+/// What shines.
+#[derive(Clone, Debug, PartialEq)]
+pub enum LightSource {
+    /// A light of a known kind.
+    Known(Light<f64>),
+    /// A light of one's own. Scene files do not know it.
+    Custom {
+        /// The kernel.
+        kernel: EmitterKernel,
+        /// The numbers of all its fields.
+        numbers: Vec<f64>,
+    },
+}
+
+impl LightSource {
+    pub(super) fn custom<T: EmitterFamily>(light: &T) -> Self {
+        let numbers = (0..T::LEN).map(|index| light.number(index)).collect();
+        Self::Custom { kernel: T::kernel(), numbers }
+    }
+
+    /// Whether the light is known to send nothing.
+    pub(crate) fn is_black(&self) -> bool {
+        match self {
+            Self::Known(light) => light.is_black(),
+            Self::Custom { .. } => false,
+        }
+    }
+}
+
+impl Light<f64> {
+    /// The kinds by the names that scene files give them, with numbers that are not: what a kind needs
+    /// is NaN, what it can do without has its default.
+    #[cfg(feature = "files")]
+    pub(crate) const KINDS: [(&'static str, Self); 3] = [
+        (
+            "point",
+            Self::Point(PointLight {
+                position: DVec3::NAN,
+                color: DVec3::ONE,
+                radiant_intensity: f64::NAN,
+            }),
+        ),
+        (
+            "distant",
+            Self::Distant(DistantLight {
+                direction: DVec3::NAN,
+                color: DVec3::ONE,
+                irradiance: f64::NAN,
+            }),
+        ),
+        (
+            "spot",
+            Self::Spot(SpotLight {
+                position: DVec3::NAN,
+                direction: DVec3::NAN,
+                color: DVec3::ONE,
+                radiant_intensity: f64::NAN,
+                inner_angle: 0.0,
+                outer_angle: 45.0,
+            }),
+        ),
+    ];
+
+    /// The name that scene files give its kind.
+    #[cfg(feature = "files")]
+    pub(crate) fn kind(&self) -> &'static str {
+        match self {
+            Self::Point(_) => "point",
+            Self::Distant(_) => "distant",
+            Self::Spot(_) => "spot",
+        }
+    }
+
+    /// Whether the light sends nothing.
+    pub fn is_black(&self) -> bool {
+        let radiance = match self {
+            Self::Point(light) => light.color * light.radiant_intensity,
+            Self::Distant(light) => light.color * light.irradiance,
+            Self::Spot(light) => light.color * light.radiant_intensity,
+        };
+        radiance == DVec3::ZERO
+    }
+}
+
+impl From<PointLight<f64>> for Light<f64> {
+    fn from(light: PointLight<f64>) -> Self {
+        Self::Point(light)
+    }
+}
+
+impl From<DistantLight<f64>> for Light<f64> {
+    fn from(light: DistantLight<f64>) -> Self {
+        Self::Distant(light)
+    }
+}
+
+impl From<SpotLight<f64>> for Light<f64> {
+    fn from(light: SpotLight<f64>) -> Self {
+        Self::Spot(light)
+    }
+}
+
+impl Numbers for LightObject {
+    fn fields(&self) -> Vec<Field> {
+        match &self.source {
+            LightSource::Known(light) => match_light!(light, light => Numbers::fields(light)),
+            LightSource::Custom { kernel, .. } => kernel.fields.to_vec(),
+        }
+    }
+
+    fn get(&self, field: &str) -> Option<Cow<'_, [f64]>> {
+        match &self.source {
+            LightSource::Known(light) => match_light!(light, light => Numbers::get(light, field)),
+            LightSource::Custom { kernel, numbers } => {
+                Some(Cow::Borrowed(&numbers[range_of(kernel.fields, field)?]))
+            }
+        }
+    }
+
+    fn set(&mut self, field: &str, first: usize, new: &[f64]) {
+        match &mut self.source {
+            LightSource::Known(light) => {
+                match_light!(light, light => Numbers::set(light, field, first, new));
+            }
+            LightSource::Custom { kernel, numbers } => {
+                if let Some(range) = range_of(kernel.fields, field) {
+                    numbers[range.start + first..][..new.len()].copy_from_slice(new);
+                }
+            }
+        }
+    }
+}

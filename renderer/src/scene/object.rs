@@ -1,0 +1,60 @@
+//! What names the objects of a scene and their parameters.
+
+/// An object of a scene, by kind and index.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Object {
+    /// The camera.
+    Camera,
+    /// A light.
+    Light(usize),
+    /// A material.
+    Material(usize),
+    /// A texture.
+    Texture(usize),
+    /// A sphere.
+    Sphere(usize),
+    /// A mesh.
+    Mesh(usize),
+    /// A shape of one's own.
+    Shape(usize),
+}
+
+impl Object {
+    /// The kind, as paths begin.
+    pub fn kind(self) -> &'static str {
+        match self {
+            Self::Camera => "camera",
+            Self::Light(_) => "light",
+            Self::Material(_) => "material",
+            Self::Texture(_) => "texture",
+            Self::Sphere(_) => "sphere",
+            Self::Mesh(_) => "mesh",
+            Self::Shape(_) => "shape",
+        }
+    }
+}
+
+/// One parameter of a scene: a field of an object, or one vertex of a mesh.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct ParameterId {
+    /// The object.
+    pub object: Object,
+    /// The name of the field.
+    pub field: &'static str,
+    /// The index of a vertex, if the parameter is one vertex and not all.
+    pub vertex: Option<usize>,
+}
+
+impl ParameterId {
+    /// The parameter `field` of an object.
+    pub(crate) fn new(object: Object, field: &'static str) -> Self {
+        Self { object, field, vertex: None }
+    }
+
+    /// Whether two parameters have numbers in common: they are the same, or one is a vertex of the
+    /// other.
+    pub fn overlaps(self, other: Self) -> bool {
+        (self.object, self.field) == (other.object, other.field)
+            && (self.vertex == other.vertex || self.vertex.is_none() || other.vertex.is_none())
+    }
+}

@@ -1,0 +1,247 @@
+//! What of a scene is discrete: sizes, indices, and what its materials can do.
+
+use std::iter;
+use std::ops::Range;
+
+use glam::DVec3;
+
+use super::sampling::Sampling;
+use crate::scene::{MaterialObject, MaterialTextures, Scene, Slot, Wrap};
+use crate::settings::{Pass, Settings};
+use crate::transport::material::Lobes;
+
+/// The discrete part of a scene, and how it is rendered.
+pub struct Layout {
+    /// The size of the image in pixels.
+    pub width: u32,
+    pub height: u32,
+    pub pass: Pass,
+    pub sampling: Sampling,
+    /// How many mirrors and transparent surfaces a path has at most.
+    pub bounces: u32,
+    /// The triangles of all meshes, by index into the vertices of all meshes.
+    pub triangles: Vec<[u32; 3]>,
+    /// The number of spheres.
+    pub spheres: usize,
+    /// The material of each primitive: of the triangles, then of the spheres, then of the shapes.
+    pub material_of: Vec<u32>,
+    pub lights: Vec<LightTraits>,
+    pub materials: Vec<MaterialTraits>,
+    /// Whether any material is a mirror.
+    pub has_mirrors: bool,
+    /// Whether any material is transparent. In the albedo pass none counts as transparent.
+    pub has_transparency: bool,
+    /// Whether a texture varies an opacity.
+    pub has_opacity_textures: bool,
+    pub textures: Vec<TextureLayout>,
+    /// The first vertex of each mesh, then the number of all.
+    pub first_vertices: Vec<u32>,
+    /// The first texture coordinates of each mesh, then the number of all; zeros if the scene has no
+    /// textures.
+    pub first_uvs: Vec<u32>,
+    /// The texture coordinates of all triangles, by index into those of all meshes; empty if the scene
+    /// has no textures.
+    pub uv_triangles: Vec<Option<[u32; 3]>>,
+}
+
+/// What a light can do.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LightTraits {
+    /// Whether it is known to send nothing.
+    pub is_black: bool,
+}
+
+/// What a material can do.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct MaterialTraits {
+    pub is_mirror: bool,
+    pub lobes: Lobes,
+    pub is_transparent: bool,
+    pub textures: MaterialTextures,
+}
+
+impl MaterialTraits {
+    fn of(object: &MaterialObject) -> Self {
+        Self {
+            is_mirror: object.values.mirror != DVec3::ZERO,
+            lobes: object.values.lobes(),
+            is_transparent: object.transparent,
+            textures: object.textures,
+        }
+    }
+}
+
+/// A texture among the texels of all.
+#[derive(Clone, Copy, Debug)]
+pub struct TextureLayout {
+    pub first_texel: usize,
+    pub width: u32,
+    pub height: u32,
+    pub wrap: Wrap,
+}
+
+impl TextureLayout {
+    /// The texels among those of all textures.
+    pub fn texels(&self) -> Range<usize> {
+        self.first_texel..self.first_texel + self.width as usize * self.height as usize
+    }
+
+    /// The indices of the texels around a position: those of a
+    /// [`Footprint`](crate::transport::texture::Footprint).
+    #[inline]
+    pub fn around(&self, x: f64, y: f64) -> [u32; 4] {
+        let (column, row) = (x.floor() as i64, y.floor() as i64);
+        let columns = [column, column.saturating_add(1)].map(|c| self.wrap.index(c, self.width));
+        let rows = [row, row.saturating_add(1)].map(|r| self.wrap.index(r, self.height));
+        let texel = |row: u32, column: u32| {
+            (self.first_texel + row as usize * self.width as usize + column as usize) as u32
+        };
+        [
+            texel(rows[0], columns[0]),
+            texel(rows[0], columns[1]),
+            texel(rows[1], columns[0]),
+            texel(rows[1], columns[1]),
+        ]
+    }
+}
+
+/// The kind of a primitive.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    Triangle,
+    Sphere,
+    Custom,
+}
+
+impl Layout {
+    pub fn new(scene: &Scene, settings: &Settings) -> Self {
+        let mut layout = Self {
+            width: scene.width,
+            height: scene.height,
+            pass: settings.pass,
+            sampling: settings.sampling,
+            bounces: settings.bounces.unwrap_or(scene.bounces),
+            triangles: Vec::new(),
+            spheres: scene.spheres.len(),
+            material_of: Vec::new(),
+            lights: Vec::new(),
+            materials: Vec::new(),
+            has_mirrors: false,
+            has_transparency: false,
+            has_opacity_textures: false,
+            textures: textures(scene),
+            first_vertices: vec![0],
+            first_uvs: vec![0],
+            uv_triangles: Vec::new(),
+        };
+        let mut first = 0;
+        for mesh in &scene.meshes {
+            layout.triangles.extend(mesh.triangles.iter().map(|t| t.map(|v| v + first)));
+            layout.material_of.extend(&mesh.materials);
+            first += mesh.vertices.len() as u32;
+            layout.first_vertices.push(first);
+        }
+        layout.material_of.extend(scene.spheres.iter().map(|sphere| sphere.material));
+        layout.material_of.extend(scene.shapes.iter().map(|shape| shape.material));
+        layout.place_texture_coordinates(scene);
+        layout.update(scene);
+        layout
+    }
+
+    /// Takes over what lights and materials can do, which depends on their numbers.
+    pub fn update(&mut self, scene: &Scene) {
+        let is_radiance = self.pass == Pass::Radiance;
+        let lights = scene.lights.iter().filter(|_| is_radiance);
+        self.lights.clear();
+        self.lights.extend(lights.map(|light| LightTraits { is_black: light.source.is_black() }));
+        self.materials.clear();
+        self.materials.extend(scene.materials.iter().map(MaterialTraits::of));
+        self.has_mirrors = is_radiance && self.materials.iter().any(|traits| traits.is_mirror);
+        self.has_transparency =
+            is_radiance && self.materials.iter().any(|traits| traits.is_transparent);
+        let mut textures = self.materials.iter().map(|traits| traits.textures);
+        self.has_opacity_textures = textures.any(|textures| textures.get(Slot::Opacity).is_some());
+    }
+
+    fn place_texture_coordinates(&mut self, scene: &Scene) {
+        let mut first = 0;
+        for mesh in &scene.meshes {
+            if !scene.textures.is_empty() {
+                let moved =
+                    |corners: &Option<[u32; 3]>| corners.map(|c| c.map(|corner| corner + first));
+                self.uv_triangles.extend(mesh.texture_triangles.iter().map(moved));
+                let bare = mesh.triangles.len() - mesh.texture_triangles.len();
+                self.uv_triangles.extend(iter::repeat_n(None, bare));
+                first += mesh.texture_coordinates.len() as u32;
+            }
+            self.first_uvs.push(first);
+        }
+    }
+
+    /// The kind of a primitive, and its index among those of its kind.
+    #[inline]
+    pub fn kind_of(&self, primitive: usize) -> (Kind, usize) {
+        let triangles = self.triangles.len();
+        if primitive < triangles {
+            (Kind::Triangle, primitive)
+        } else if primitive < triangles + self.spheres {
+            (Kind::Sphere, primitive - triangles)
+        } else {
+            (Kind::Custom, primitive - triangles - self.spheres)
+        }
+    }
+
+    /// The number of vertices of all meshes.
+    pub fn vertices(&self) -> usize {
+        self.first_vertices.last().map_or(0, |&end| end as usize)
+    }
+
+    /// The vertices of a mesh among those of all.
+    pub fn vertices_of(&self, mesh: usize) -> Range<usize> {
+        self.first_vertices[mesh] as usize..self.first_vertices[mesh + 1] as usize
+    }
+
+    /// The number of texture coordinates of all meshes.
+    pub fn uvs(&self) -> usize {
+        self.first_uvs.last().map_or(0, |&end| end as usize)
+    }
+
+    /// The texture coordinates of a mesh among those of all.
+    pub fn uvs_of(&self, mesh: usize) -> Range<usize> {
+        self.first_uvs[mesh] as usize..self.first_uvs[mesh + 1] as usize
+    }
+
+    /// The number of shapes of one's own.
+    pub fn customs(&self) -> usize {
+        self.material_of.len() - self.triangles.len() - self.spheres
+    }
+
+    /// What the material of a primitive can do.
+    #[inline]
+    pub fn traits_of(&self, primitive: usize) -> &MaterialTraits {
+        &self.materials[self.material_of[primitive] as usize]
+    }
+
+    /// The mesh of a triangle.
+    pub fn mesh_of(&self, triangle: usize) -> usize {
+        let corner = self.triangles[triangle][0];
+        // The last of those that begin no later: meshes without vertices begin where the next one does.
+        self.first_vertices.partition_point(|&first| first <= corner) - 1
+    }
+}
+
+/// Where the texels of each texture are, among those of all.
+fn textures(scene: &Scene) -> Vec<TextureLayout> {
+    let mut first_texel = 0;
+    let textures = scene.textures.iter().map(|texture| {
+        let placed = TextureLayout {
+            first_texel,
+            width: texture.width,
+            height: texture.height,
+            wrap: texture.wrap,
+        };
+        first_texel += texture.texels.len();
+        placed
+    });
+    textures.collect()
+}

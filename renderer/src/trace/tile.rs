@@ -1,0 +1,194 @@
+//! Tiles and strips of tiles: the units of work.
+
+use std::ops::Range;
+
+use rayon::prelude::*;
+
+use super::bvh::{PACKET_RAYS, ray_at, tile_position};
+use crate::counts::flush;
+
+/// The edge of a tile in pixels: its rays make one packet.
+pub const TILE: usize = 8;
+
+/// The width of a strip, the unit of parallel work, in pixels. Fixed, because the order of
+/// summation depends on it.
+const STRIP: usize = 8 * TILE;
+
+const _: () = assert!(TILE * TILE == PACKET_RAYS);
+
+/// 8 x 8 pixels, fewer at the right and the lower edge of the image.
+#[derive(Clone, Copy, Debug)]
+pub struct Tile {
+    /// The first column.
+    pub left: usize,
+    /// The first row.
+    pub top: usize,
+    /// How many columns there are.
+    pub columns: usize,
+    /// How many rows there are.
+    pub rows: usize,
+}
+
+impl Tile {
+    /// A bit for each ray of the packet that goes through a pixel.
+    pub fn rays(&self) -> u64 {
+        if self.columns == TILE && self.rows == TILE {
+            return u64::MAX;
+        }
+        let inside = |&ray: &usize| {
+            let (column, row) = tile_position(ray);
+            column < self.columns && row < self.rows
+        };
+        (0..PACKET_RAYS).filter(inside).fold(0, |bits, ray| bits | 1 << ray)
+    }
+
+    /// The column and the row of the pixel that a ray goes through.
+    pub fn pixel(&self, ray: usize) -> (u32, u32) {
+        let (column, row) = tile_position(ray);
+        ((self.left + column) as u32, (self.top + row) as u32)
+    }
+}
+
+/// Tiles side by side.
+#[derive(Clone, Copy, Debug)]
+pub struct Strip(Tile);
+
+impl Strip {
+    /// Its tiles, from left to right.
+    pub fn tiles(self) -> impl Iterator<Item = Tile> {
+        let Self(Tile { left, columns, .. }) = self;
+        (0..columns).step_by(TILE).map(move |offset| Tile {
+            left: left + offset,
+            columns: TILE.min(columns - offset),
+            ..self.0
+        })
+    }
+
+    /// The columns of one of its tiles, counted from the left edge of the strip.
+    pub fn columns(self, tile: &Tile) -> Range<usize> {
+        let first = tile.left - self.0.left;
+        first..first + tile.columns
+    }
+}
+
+/// Which of the strips of an image a pixel is in.
+pub fn strip_index(width: u32, x: usize, y: usize) -> usize {
+    y / TILE * (width as usize).div_ceil(STRIP) + x / STRIP
+}
+
+/// The tile of an image that a pixel is in, and the ray that goes through it.
+pub fn tile_of(width: u32, height: u32, x: u32, y: u32) -> (Tile, usize) {
+    let [x, y, width, height] = [x, y, width, height].map(|n| n as usize);
+    let (left, top) = (x / TILE * TILE, y / TILE * TILE);
+    let (columns, rows) = (TILE.min(width - left), TILE.min(height - top));
+    (Tile { left, top, columns, rows }, ray_at(x - left, y - top))
+}
+
+/// The strips of an image, row by row.
+pub fn strips(width: u32, height: u32) -> Vec<Strip> {
+    let (width, height) = (width as usize, height as usize);
+    let rows = (0..height).step_by(TILE);
+    let columns = (0..width).step_by(STRIP);
+    rows.flat_map(|top| columns.clone().map(move |left| (left, top)))
+        .map(|(left, top)| {
+            let (columns, rows) = (STRIP.min(width - left), TILE.min(height - top));
+            Strip(Tile { left, top, columns, rows })
+        })
+        .collect()
+}
+
+/// Runs `work` on every strip of an image in parallel; the results come in the order of the strips.
+/// Calls that follow each other on one thread share what `start` gives.
+pub fn for_each_strip<W, R: Send>(
+    width: u32,
+    height: u32,
+    start: impl Fn() -> W + Send + Sync,
+    work: impl Fn(&mut W, Strip) -> R + Send + Sync,
+) -> Vec<R> {
+    let work = |state: &mut W, strip| {
+        let result = work(state, strip);
+        flush();
+        result
+    };
+    strips(width, height).into_par_iter().map_init(start, work).collect()
+}
+
+/// Runs `work` on every strip of an image of this width in parallel, together with the rows of its
+/// pixels. Calls that follow each other on one thread share what `start` gives.
+pub fn fill_strips<T: Send, W>(
+    width: u32,
+    pixels: &mut [T],
+    start: impl Fn() -> W + Send + Sync,
+    work: impl Fn(&mut W, Strip, &mut [&mut [T]]) + Send + Sync,
+) {
+    let columns = width as usize;
+    let strips = strips(width, (pixels.len() / columns) as u32);
+    let mut parts = Vec::with_capacity(strips.len());
+    for band in pixels.chunks_mut(columns * TILE) {
+        let first = parts.len();
+        parts.resize_with(first + columns.div_ceil(STRIP), Vec::new);
+        for row in band.chunks_mut(columns) {
+            for (rows, part) in parts[first..].iter_mut().zip(row.chunks_mut(STRIP)) {
+                rows.push(part);
+            }
+        }
+    }
+    strips.into_par_iter().zip(parts).for_each_init(start, |state, (strip, mut rows)| {
+        work(state, strip, &mut rows);
+        flush();
+    });
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Strip, fill_strips, for_each_strip};
+    use crate::image::Image;
+    use crate::trace::bvh::{ray_at, rays, tile_position};
+
+    fn pixels(strip: Strip) -> Vec<(u32, u32)> {
+        let of_tile = |tile: super::Tile| rays(tile.rays()).map(move |ray| tile.pixel(ray));
+        strip.tiles().flat_map(of_tile).collect()
+    }
+
+    #[test]
+    fn every_pixel_is_in_one_tile() {
+        for (width, height) in [(1, 1), (8, 8), (7, 9), (64, 16), (65, 17), (200, 3), (3, 200)] {
+            let strips = for_each_strip(width, height, || (), |(), strip| pixels(strip));
+            let mut all = strips.concat();
+            all.sort_unstable();
+            let expected = (0..width).flat_map(|x| (0..height).map(move |y| (x, y)));
+            assert_eq!(all, expected.collect::<Vec<_>>(), "{width} x {height}");
+        }
+    }
+
+    #[test]
+    fn strips_get_the_rows_of_their_own_pixels() {
+        let mut image = Image::black(133, 21);
+        fill_strips(
+            133,
+            &mut image.pixels,
+            || (),
+            |(), strip, rows| {
+                for tile in strip.tiles() {
+                    for (row, pixels) in rows.iter_mut().enumerate() {
+                        for (column, pixel) in pixels[strip.columns(&tile)].iter_mut().enumerate() {
+                            let (x, y) = tile.pixel(ray_at(column, row));
+                            *pixel = [x as f32, y as f32, 1.0];
+                        }
+                    }
+                }
+            },
+        );
+        for (i, pixel) in image.pixels.iter().enumerate() {
+            assert_eq!(*pixel, [(i % 133) as f32, (i / 133) as f32, 1.0]);
+        }
+    }
+
+    #[test]
+    fn rays_have_one_position_each() {
+        for ray in 0..64 {
+            let (column, row) = tile_position(ray);
+            assert_eq!(ray_at(column, row), ray);
+        }
+    }
+}
