@@ -96,6 +96,11 @@ pub fn is_discrete(ty: &Type) -> bool {
         if path.qself.is_none() && DISCRETE.iter().any(|name| path.path.is_ident(name)))
 }
 
+/// Whether this certainly is a number with a derivative.
+pub fn is_float(ty: &Type) -> bool {
+    matches!(ty, Type::Path(path) if path.path.is_ident("f32") || path.path.is_ident("f64"))
+}
+
 /// Whether the type is a box or a reference to one.
 pub fn is_box(ty: &Type) -> bool {
     matches!(pointee(ty), Type::Path(path)

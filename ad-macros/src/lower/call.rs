@@ -301,8 +301,24 @@ impl Lowerer<'_> {
         let called = usize::from(matches!(arguments.first(), Some(Argument::Callee(_))));
         self.passes_functions |=
             arguments[called..].iter().any(|argument| Primal(&self.vars).is_function(argument));
+        let may_refer = self.may_give_reference(&callee, &arguments);
         let operation = Operation::Call { callee, arguments };
-        Operand::Var(self.define(hint, span, true, operation))
+        let value = self.define(hint, span, true, operation);
+        self.vars[value].reference = may_refer;
+        Operand::Var(value)
+    }
+
+    /// Whether what a call gives may hold a reference to a number.
+    fn may_give_reference(&self, callee: &Callee, arguments: &[Argument]) -> bool {
+        const LENDING: [&str; 4] = ["get", "first", "last", "as_ref"];
+        const HANDING_ON: [&str; 6] = ["unwrap", "expect", "unwrap_or", "or", "xor", "flatten"];
+        let is_one_of = |names: &[&str]| {
+            callee.name().is_some_and(|name| names.iter().any(|known| name == known))
+        };
+        is_one_of(&LENDING)
+            || is_one_of(&HANDING_ON)
+                && matches!(arguments.first(), Some(Argument::Value(Operand::Var(var)))
+                    if self.vars[*var].reference)
     }
 }
 

@@ -2,13 +2,14 @@
 
 use quote::{quote, quote_spanned};
 use syn::spanned::Spanned;
-use syn::{BinOp, Expr, ExprBinary, Member, Type, UnOp};
+use syn::{BinOp, Expr, ExprBinary, Member, UnOp};
 
 use super::Lowerer;
 use super::construct::numbered;
 use super::ends::End;
 use crate::element;
-use crate::ir::{BinaryOperator, Operand, Operation, Projection, Shape};
+use crate::ir::{BinaryOperator, Operand, Operation, Projection, Shape, Statement};
+use crate::signature::{is_discrete, is_float};
 
 impl Lowerer<'_> {
     /// Evaluates an expression. A new variable for the result, if one is needed, is named after
@@ -171,11 +172,17 @@ impl Lowerer<'_> {
     /// A cast to a float has a pullback; any other must not cut a derivative.
     fn cast(&mut self, cast: &syn::ExprCast, hint: &str) -> Operand {
         let ty = &cast.ty;
-        let to_float = matches!(&**ty, Type::Path(path)
-            if path.path.is_ident("f32") || path.path.is_ident("f64"));
+        // What a name stands for that is none of the language's, its type tells.
+        let (is_known, to_float) = (is_float(ty) || is_discrete(ty), !is_discrete(ty));
         match self.operand(&cast.expr, "value") {
             Operand::Constant(tokens) => Operand::Constant(quote!((#tokens as #ty))),
             Operand::Var(var) if to_float => {
+                if !is_known {
+                    let ident = self.ident_at(var, cast.expr.span());
+                    let code = quote_spanned!(cast.span()=>
+                        let _ = ::ad::rules::castable::<_, #ty>(#ident););
+                    self.push(Statement::Plain { code, defines: Vec::new() });
+                }
                 let operation = Operation::Cast(var, (**ty).clone());
                 Operand::Var(self.define(hint, cast.span(), true, operation))
             }

@@ -265,10 +265,13 @@ impl Lowerer<'_> {
                 })
             }
             OnFailure::Unknown => {
-                return self.refuse(
-                    attempt.question_token,
-                    "`?` is supported in functions that return an `Option` or a `Result`: use `match`",
-                );
+                let failure = self.names.unwritten("failure");
+                let span = attempt.question_token.span();
+                let failed = quote_spanned!(span=> ::ad::rules::attempt::failed(#failure));
+                parse_quote!(match ::ad::rules::attempt::split(#value) {
+                    ::core::result::Result::Ok(#name) => {}
+                    ::core::result::Result::Err(#failure) => return #failed,
+                })
             }
         };
         self.match_else(&attempt, rest, end)

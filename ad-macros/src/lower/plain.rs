@@ -6,7 +6,7 @@ use quote::{ToTokens, quote, quote_spanned};
 use syn::spanned::Spanned;
 use syn::visit::{self, Visit};
 use syn::visit_mut::{self, VisitMut};
-use syn::{BinOp, Expr, Macro, Pat, Type, UnOp, parse_quote, parse_quote_spanned};
+use syn::{BinOp, Expr, Macro, Pat, UnOp, parse_quote, parse_quote_spanned};
 
 use super::closure::root_name;
 use super::construct::is_type_name;
@@ -15,6 +15,7 @@ use super::macros::{Matches, standard_macro};
 use super::no_diff::{stopped, undifferentiated};
 use super::{Lowerer, exits};
 use crate::ir::{Operand, Operation};
+use crate::signature::{is_discrete, is_float};
 
 impl Lowerer<'_> {
     /// The expression with variables renamed. The caller knows that what it is used for has no
@@ -311,12 +312,13 @@ impl VisitMut for Plain<'_, '_> {
             Expr::Cast(cast) => {
                 let constant = self.lowerer.is_certainly_constant(&cast.expr);
                 visit_mut::visit_expr_cast_mut(self, cast);
-                let to_float = matches!(&*cast.ty, Type::Path(path)
-                    if path.path.is_ident("f32") || path.path.is_ident("f64"));
-                if !constant && !to_float {
-                    let inner = &cast.expr;
-                    let span = cast.span();
-                    cast.expr = parse_quote_spanned!(span=> ::ad::rt::constant(#inner));
+                if !constant && !is_float(&cast.ty) {
+                    let (inner, ty, span) = (&cast.expr, &cast.ty, cast.span());
+                    cast.expr = match is_discrete(ty) {
+                        true => parse_quote_spanned!(span=> ::ad::rt::constant(#inner)),
+                        false => parse_quote_spanned!(span=>
+                            ::ad::rules::castable::<_, #ty>(#inner)),
+                    };
                 }
             }
             Expr::Reference(reference) if reference.mutability.is_some() => {

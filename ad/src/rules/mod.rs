@@ -42,6 +42,8 @@
 //! The last row keeps the arm that [`select`](fn@crate::select) did not take from poisoning the
 //! gradient of the one it took.
 
+#[doc(hidden)]
+pub mod attempt;
 mod cast;
 mod choose;
 mod float;
@@ -61,6 +63,8 @@ mod transform;
 mod vector;
 
 pub use cast::CastPullback;
+#[doc(hidden)]
+pub use cast::castable;
 pub use choose::{no_diff, select, stop_gradient};
 pub use float::{FloatRules, FromRules};
 pub use glam_only::{ExtendRules, GlamRules, TruncateRules, construct};
@@ -77,7 +81,7 @@ pub use operators::{
     NegPullback, Nothing, OfReferences, OfValues, Operands, RemAssignPullback, RemPullback,
     SubAssignPullback, SubPullback, operation,
 };
-pub use outcome::{CopiedRules, OptionRules, ResultRules};
+pub use outcome::{CopiedRules, FlattenRules, OptionRules, ResultRules};
 pub use quaternion::QuaternionRules;
 pub use scalar::{RealRules, ScalarRules};
 pub use sequence::{CloneRules, Elements, SequenceRules, VecRules};

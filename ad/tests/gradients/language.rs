@@ -23,6 +23,7 @@
     reason = "these forms are what is tested"
 )]
 
+mod attempts;
 mod checkpoint;
 mod closures;
 mod closures_for_methods;
