@@ -68,10 +68,12 @@ impl Lowerer<'_> {
         if !self.is_borrowed_or_own(&binary.left) && !self.is_borrowed_or_own(&binary.right) {
             return None;
         }
-        let left = self.borrowed(&binary.left);
-        let left = self.argument_in_turn(left, &binary.left, [&*binary.right]);
-        let operands = [left, self.borrowed(&binary.right)];
-        self.call_of_operator(operator.method(), operands.into(), hint, binary)
+        self.or_undone(|lowerer| {
+            let left = lowerer.borrowed(&binary.left);
+            let left = lowerer.argument_in_turn(left, &binary.left, [&*binary.right]);
+            let operands = [left, lowerer.borrowed(&binary.right)];
+            lowerer.call_of_operator(operator.method(), operands.into(), hint, binary)
+        })
     }
 
     /// `-a` as a call.
@@ -84,8 +86,25 @@ impl Lowerer<'_> {
         if !self.is_borrowed_or_own(inner) {
             return None;
         }
-        let operand = self.borrowed(inner);
-        self.call_of_operator("neg", vec![operand], hint, whole)
+        self.or_undone(|lowerer| {
+            let operand = lowerer.borrowed(inner);
+            lowerer.call_of_operator("neg", vec![operand], hint, whole)
+        })
+    }
+
+    /// What `attempt` gives. Where it gives nothing its statements go, too: they are written once
+    /// more, in another way.
+    fn or_undone(&mut self, attempt: impl FnOnce(&mut Self) -> Option<Operand>) -> Option<Operand> {
+        let written =
+            |lowerer: &mut Self| lowerer.open_blocks.last().map_or(0, |open| open.1.len());
+        let before = written(self);
+        let value = attempt(self);
+        if value.is_none()
+            && let Some((_, statements)) = self.open_blocks.last_mut()
+        {
+            statements.truncate(before);
+        }
+        value
     }
 
     /// `a += b` as a call; says whether it is one.

@@ -26,7 +26,15 @@ use crate::{expand, names};
 impl Sweeper<'_> {
     pub(super) fn checkpointed_loop(&mut self, a_loop: &Loop) -> Sides {
         let mut sides = Sides::default();
+        // Tapes of its body that are made before a loop around it are for all of its iterations.
+        let is_nested = self.loop_depth > 0;
+        if is_nested {
+            self.tapes.enter_unknown();
+        }
         let mut body = self.block(&a_loop.body, None);
+        if is_nested {
+            self.tapes.leave();
+        }
         self.leave(&mut sides.reverse, &body.outer);
         let primal = self.primal_block(&a_loop.body);
         if body.reverse.is_empty() {

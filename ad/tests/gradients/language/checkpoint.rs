@@ -116,6 +116,27 @@ fn over_elements(values: &[f64; 7], y: f64) -> f64 {
     state[0] * state[1]
 }
 
+/// Loops around and within a checkpointed one, with few iterations each.
+#[differentiable]
+fn between_short_loops(x: f64, y: f64) -> f64 {
+    let pair = [x, y];
+    let mut c = x;
+    for _ in 0..1 {
+        #[differentiable(checkpoint)]
+        for _ in 1..=5 {
+            for v in pair.iter().cycle().take(8) {
+                c = (c + *v).sin();
+            }
+        }
+    }
+    c
+}
+
+#[test]
+fn checkpoints_between_short_loops() {
+    check!(between_short_loops(x, y) at [0.5, -0.3], [1.2, 0.4]);
+}
+
 #[test]
 fn loops() {
     check_generic!(checkpointed_loop(x, y) at [1.3, 0.7], [-0.4, 1.1]);

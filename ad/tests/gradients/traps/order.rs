@@ -152,8 +152,9 @@ fn exits_keep_the_order() {
 /// Random numbers: the order in which they are drawn shows in the value.
 mod draws {
     use std::cell::Cell;
+    use std::ops::{Neg, Sub};
 
-    use ad::differentiable;
+    use ad::{Differentiable, differentiable};
 
     use crate::oracle::{assert_forward, assert_gradient};
 
@@ -271,7 +272,35 @@ mod draws {
         )*};
     }
 
+    #[derive(Clone, Copy, Differentiable)]
+    struct Pair(f64, f64);
+
+    #[differentiable]
+    impl Sub for Pair {
+        type Output = Self;
+
+        fn sub(self, other: Self) -> Self {
+            Self(self.0 - other.0, self.1 - other.1)
+        }
+    }
+
+    #[differentiable]
+    impl Neg for Pair {
+        type Output = Self;
+
+        fn neg(self) -> Self {
+            Self(-self.0, -self.1)
+        }
+    }
+
     tests! {
+        operators_of_constants(x, y) {
+            let factor = next();
+            let mut pair = Pair(factor, next());
+            pair = Pair(factor, next()) - pair;
+            pair = -Pair(pair.0, next());
+            pair.0 * x - pair.1 * y * next()
+        }
         arguments(x, y) { product(next(), x * next()) + y }
         operands(x, y) { next() - x * next() + y }
         receivers(x, y) { next().max(y * next()) * x }
