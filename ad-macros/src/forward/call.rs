@@ -48,7 +48,7 @@ impl Writer<'_> {
         let mutability = self.lowered.vars[var].mutable.then(|| quote!(mut));
         let dot = self.new_dot(var, Tangent::OwnedTarget);
         let check = Primal(&self.lowered.vars).check_name(callee, arguments);
-        quote!(#before #check let (#mutability #ident, #mutability #dot) = #call;)
+        quote!(#check #before let (#mutability #ident, #mutability #dot) = #call;)
     }
 
     fn argument(
