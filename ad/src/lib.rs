@@ -715,6 +715,42 @@
 //! [`check::assert_forward`] a forward mode; [`check::worst`] and [`check::worst_forward`] tell the
 //! component with the greatest error.
 
+//!
+//! # Coming from JAX, Zygote, Enzyme, `std::autodiff`
+//!
+//! | there | here |
+//! |---|---|
+//! | `jax.grad(f)`, `Zygote.gradient(f, x...)` | [`f::grad(x, ..)`](crate): by all parameters; `#[constant]` leaves one out |
+//! | `jax.value_and_grad(f)` | `f::value_and_grad(x, ..)` |
+//! | `jax.vjp(f, x)`, `Zygote.pullback(f, x)` | `f::vjp(x)`: value and pullback, which is called once |
+//! | `jax.jvp(f, x, t)`, Enzyme's `Forward` | `f::jvp(x, t)`; tangents stand behind all arguments |
+//! | `jax.jacfwd`, `jax.jacrev`, `jax.hessian` | [`jacobian_forward`], [`jacobian_reverse`], [`hessian`]; [`hvp`] for products |
+//! | `jax.lax.stop_gradient(x)`, `Zygote.ignore(f)` | [`stop_gradient`]`(x)`, [`no_diff`]`(\|\| f(x))` |
+//! | `@jax.custom_vjp`, `@adjoint`, `rrule` | [`#[differentiable(vjp = rule)]`](#rules-written-by-hand) |
+//! | `jax.checkpoint`, `Zygote.checkpointed` | [`#[differentiable(checkpoint)]`](#memory), on functions and loops |
+//! | pytrees, structural tangents | the tangent of a struct is a struct: [`Differentiable`] |
+//! | `jax.vmap` | none; [`Real`] runs a function on SIMD lanes |
+//! | `#[autodiff_reverse(df, Active, Const, Duplicated)]` | `#[differentiable]`; activity follows from types and `#[constant]` |
+//!
+//! **JAX** traces: it sees the operations of one run, so Python's `if` on a value needs `lax.cond`, arrays
+//! are not changed in place, and random keys are passed by hand. Here the source is transformed: `if`,
+//! `while`, `return` and `x[i] = ..` are what they are, and a generator is a [`#[constant] rng: &mut
+//! Rng`](#what-is-refused-and-what-is-trusted). A function that is not differentiable is a compile error, not
+//! an error of a run. There is no compiler for accelerators behind it.
+//!
+//! **Zygote** is the same idea, pullbacks as closures. Differences: changing in place is differentiated, and
+//! what a loop needs lies on one tape instead of in a closure for each iteration; a gradient by nothing is
+//! zero, never `nothing`; and the derivative of a callee has to be there when the caller is compiled, by
+//! the attribute on it or by a rule.
+//!
+//! **Enzyme** and **`std::autodiff`** transform what the optimiser leaves. They see into code without
+//! attributes, and need a compiler with their plugin. Here each function that is called carries the
+//! attribute, on stable Rust; functions may be generic; and a `&mut` parameter needs no shadow from the
+//! caller: [its cotangent goes in and comes out](#changing-things-in-place) as a value.
+//!
+//! A cotangent is a value of its own type, made by the pullback, where Enzyme adds to shadows that the
+//! caller has made. To sum gradients over many samples, write the sum into the function, or add the results.
+
 extern crate self as ad;
 
 mod assigning;
@@ -746,6 +782,11 @@ pub use jacobian::{Pushforward, jacobian, jacobian_forward, jacobian_reverse};
 pub use real::{Mask, Real, Scalar, Select};
 pub use rules::{no_diff, select, stop_gradient};
 pub use second_order::{hessian, hvp};
+
+/// The first gradient of the README.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;
 
 /// The vector of three scalars `S`.
 pub type Vec3<S> = <S as Real>::Vec3;
