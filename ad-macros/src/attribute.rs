@@ -3,8 +3,8 @@
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 use syn::{
-    Attribute, Block, Ident, ImplItem, ImplItemFn, ItemFn, ItemImpl, ItemTrait, ItemUse, Path,
-    ReceiverKind, Signature, TraitItem, TraitItemFn, UseTree, Visibility,
+    Attribute, Block, Generics, Ident, ImplItem, ImplItemFn, ItemFn, ItemImpl, ItemTrait, ItemUse,
+    Path, ReceiverKind, Signature, TraitItem, TraitItemFn, UseTree, Visibility,
 };
 
 use crate::accumulation;
@@ -13,6 +13,7 @@ use crate::element;
 use crate::expand::{Function, Place};
 use crate::groups;
 use crate::item;
+use crate::names;
 use crate::operator;
 use crate::options::{Options, own_options};
 
@@ -57,12 +58,9 @@ fn derivative_or_errors(function: &Function<'_>) -> TokenStream {
 
 fn function_derivative(item: TokenStream, function: &ItemFn, options: Options) -> TokenStream {
     let item = item::function(item);
-    if let Some(receiver) = function.sig.receiver() {
-        let error = syn::Error::new_spanned(
-            receiver,
-            "put `#[differentiable]` on the `impl` block, not on the method",
-        );
-        return with_error(&item, &error);
+    if function.sig.receiver().is_some() || names_self(&function.sig) {
+        let derivatives = method_derivative(function, options);
+        return quote!(#item #derivatives);
     }
     let derivatives = derivative_or_errors(&Function {
         place: Place::Free,
@@ -80,6 +78,20 @@ fn function_derivative(item: TokenStream, function: &ItemFn, options: Options) -
         #item
         #derivatives
     }
+}
+
+/// The siblings of one method of an `impl` block, of which nothing else is seen.
+fn method_derivative(function: &ItemFn, options: Options) -> TokenStream {
+    let (signature, generics) = (&function.sig, Generics::default());
+    let methods = Methods::new(Place::Impl(&generics), [signature].into_iter(), &options);
+    methods.derivative(&function.attrs, &function.vis, signature, Some(&function.block))
+}
+
+/// Whether a function without receiver is one of an `impl` block.
+fn names_self(signature: &Signature) -> bool {
+    let mut named = std::collections::HashSet::new();
+    names::collect(quote!(#signature), &mut named);
+    named.contains("Self")
 }
 
 /// A rule for an imported function: the module that bears the function's name.

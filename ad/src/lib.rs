@@ -184,7 +184,9 @@
 //!
 //! # Methods, traits, recursion
 //!
-//! On an `impl` block the attribute differentiates every method. On a trait it adds `m_vjp` and `m_jvp` to each
+//! On an `impl` block the attribute differentiates every method. On a method it differentiates that one,
+//! in a block without type parameters; of a function without `self` it sees that it stands in a block
+//! by a `Self` in the signature. On a trait it adds `m_vjp` and `m_jvp` to each
 //! method `m`, and has to stand on each `impl` of the trait, too; an `impl` without it does not
 //! compile. Generic code asks for `T: Trait + Differentiable`.
 //!

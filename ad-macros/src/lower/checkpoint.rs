@@ -74,7 +74,10 @@ impl Lowerer<'_> {
             Exit::Break(_) | Exit::Return => true,
         };
         let exits: Vec<_> = exits::block_exits(body).into_iter().filter(is_exit).collect();
-        if exits.is_empty() || (has_question_mark(body) && self.on_failure == OnFailure::Unknown) {
+        if exits.is_empty()
+            || (has_question_mark(body)
+                && !matches!(self.on_failure, OnFailure::None | OnFailure::Err))
+        {
             return None;
         }
         let fresh = ["is_running", "returned", "jump"].map(|name| self.names.unwritten(name));

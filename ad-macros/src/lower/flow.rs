@@ -265,6 +265,12 @@ impl Lowerer<'_> {
                 })
             }
             OnFailure::Unknown => {
+                return self.refuse(
+                    attempt.question_token,
+                    "`?` is supported in functions that return an `Option` or a `Result`: use `match`",
+                );
+            }
+            OnFailure::ByType => {
                 let failure = self.names.unwritten("failure");
                 let span = attempt.question_token.span();
                 let failed = quote_spanned!(span=> ::ad::rules::attempt::failed(#failure));

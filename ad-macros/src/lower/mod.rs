@@ -72,7 +72,7 @@ use crate::errors::Errors;
 use crate::ir::{Block, BlockId, Operand, Operation, Statement, Var, VarId};
 pub use crate::ir::{Lowered, LoweredParameter};
 use crate::names::Names;
-use crate::signature::{Parameter, has_fixed_size, is_box, is_discrete, pointee};
+use crate::signature::{Parameter, has_fixed_size, is_box, is_discrete, is_float, pointee};
 
 /// A function, as the user wrote it.
 pub struct Source<'a> {
@@ -124,6 +124,8 @@ enum OnFailure {
     None,
     /// `Err(..)`
     Err,
+    /// The name of the result may stand for either.
+    ByType,
     /// The function returns neither an `Option` nor a `Result`.
     Unknown,
 }
@@ -134,7 +136,8 @@ impl OnFailure {
         match path.path.segments.last() {
             Some(last) if last.ident == "Option" => Self::None,
             Some(last) if last.ident == "Result" => Self::Err,
-            _ => Self::Unknown,
+            _ if is_discrete(result) || is_float(result) => Self::Unknown,
+            _ => Self::ByType,
         }
     }
 }

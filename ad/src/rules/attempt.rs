@@ -247,6 +247,10 @@ impl again {
 }
 
 /// What `?` can return for a failure.
+#[diagnostic::on_unimplemented(
+    message = "`?` cannot return this failure as a `{Self}`",
+    note = "`?` is supported in functions that return an `Option` or a `Result`: use `match`"
+)]
 pub trait Fails<F>: Differentiable {
     /// The failure, as one of this type.
     fn failed(failure: F) -> Self;

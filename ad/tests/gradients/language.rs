@@ -52,6 +52,7 @@ mod outcomes;
 mod passing_on;
 mod programs;
 mod scalars;
+mod single_methods;
 mod slices;
 mod splits;
 mod statements;

@@ -63,6 +63,7 @@ pub trait OptionForward: OptionRules {
 
     /// The tangents of both.
     #[inline(always)]
+    #[allow(clippy::type_complexity)]
     fn zip_jvp<U: Differentiable>(
         self,
         other: Option<U>,
