@@ -45,11 +45,13 @@
 //! `extend`, `min_by` or `max_by`, and without derivative by `count`, `any`, `all` or `position`;
 //! `array::from_fn`, `map` of arrays. Options, results and truth values: `map`, `and_then`, `or_else`,
 //! `map_or`, `map_or_else`, `map_err`, `ok`, `ok_or`, `ok_or_else`, `unwrap`, `expect`, `unwrap_or`,
-//! `unwrap_or_else`, `unwrap_or_default`, `then`, `then_some`. (Of those that options and results share
-//! `map`, `and_then`, `or_else`, `map_or` and `map_or_else` are taken for those of options, unless a
-//! type written down or what was called before tells a result.) Slices: `first`, `last`, `get`,
+//! `unwrap_or_else`, `unwrap_or_default`, `then`, `then_some`, and of options `as_ref`, `take`, `replace`,
+//! `or`, `xor`, `zip`, `filter`, `flatten`. (`or_else` is taken for that of options, unless a type written
+//! down or what was called before tells a result.) Slices: `first`, `last`, `get`,
 //! `split_at`, `split_first`, `split_last`, in a `let` also `split_at_mut`, `split_first_mut` and
-//! `split_last_mut`, `sort_by`. Integers: their arithmetic, `min`, `max`, `clamp`, `pow`, `abs`,
+//! `split_last_mut`, `sort_by`, `swap`, `reverse`, `rotate_left`, `rotate_right`, `fill`. `Vec`: `push`,
+//! `pop`, `insert`, `remove`, `swap_remove`, `truncate`, `resize`, `split_off`, `append`, `clear`,
+//! `extend_from_slice`. Integers: their arithmetic, `min`, `max`, `clamp`, `pow`, `abs`,
 //! `saturating_sub` and the like. Closures can be bound to a variable and called, and may change what they
 //! capture, or be passed to [functions of functions](#functions-of-functions). Macros: `assert!`
 //! and its kin, `panic!`, `unreachable!`, `vec!`, `matches!`, `dbg!`, `println!` and its kin,

@@ -65,12 +65,13 @@ pub mod methods {
     };
     pub use crate::rules::{
         AngleRules as _, CloneRules as _, CopiedRules as _, DMat2Rules as _, DMat3Rules as _,
-        DMat4Rules as _, DVec2Rules as _, DVec4Rules as _, ExtendRules as _, FlattenRules as _,
-        FloatRules as _, FromRules as _, GlamRules as _, IntegerRules as _, Mat2Rules as _,
-        Mat3Rules as _, Mat4Rules as _, MatrixRules as _, OptionRules as _, QuaternionRules as _,
-        RealRules as _, ResultRules as _, RotationRules as _, ScalarRules as _, SequenceRules as _,
-        SignedRules as _, TransformRules as _, TruncateRules as _, Vec2Rules as _, Vec4Rules as _,
-        VecRules as _, Vector3Rules as _, VectorRules as _,
+        DMat4Rules as _, DVec2Rules as _, DVec4Rules as _, EditRules as _, ExtendRules as _,
+        FlattenRules as _, FloatRules as _, FromRules as _, GlamRules as _, IntegerRules as _,
+        Mat2Rules as _, Mat3Rules as _, Mat4Rules as _, MatrixRules as _, OptionRules as _,
+        QuaternionRules as _, RealRules as _, ResultRules as _, RotationRules as _,
+        ScalarRules as _, SequenceRules as _, SignedRules as _, TransformRules as _,
+        TruncateRules as _, Vec2Rules as _, Vec4Rules as _, VecRules as _, Vector3Rules as _,
+        VectorRules as _,
     };
     pub use crate::vector::{Vector as _, Vector3 as _};
 }

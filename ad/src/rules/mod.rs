@@ -46,6 +46,7 @@
 pub mod attempt;
 mod cast;
 mod choose;
+mod edit;
 mod float;
 pub mod forward;
 mod glam_only;
@@ -66,6 +67,7 @@ pub use cast::CastPullback;
 #[doc(hidden)]
 pub use cast::castable;
 pub use choose::{no_diff, select, stop_gradient};
+pub use edit::EditRules;
 pub use float::{FloatRules, FromRules};
 pub use glam_only::{ExtendRules, GlamRules, TruncateRules, construct};
 pub use integer::{IntegerRules, SignedRules};

@@ -30,6 +30,7 @@ mod closures_for_methods;
 mod collections;
 mod data;
 mod deferred;
+mod editing;
 mod elements;
 mod enums;
 mod exclusive;
