@@ -2,41 +2,20 @@
 
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
-use syn::visit_mut::{self, VisitMut};
 use syn::{
-    Attribute, Block, Expr, ExprForLoop, ExprLoop, ExprWhile, FnArg, ImplItem, ImplItemFn, ItemFn,
-    ItemImpl, ItemTrait, ItemUse, PatType, Path, Receiver, Signature, TraitItem, TraitItemFn,
-    UseTree, Visibility, parse_quote,
+    Attribute, Block, Generics, Ident, ImplItem, ImplItemFn, ItemFn, ItemImpl, ItemTrait, ItemUse,
+    Path, ReceiverKind, Signature, TraitItem, TraitItemFn, UseTree, Visibility,
 };
 
 use crate::accumulation;
 use crate::callable::Callables;
 use crate::element;
 use crate::expand::{Function, Place};
+use crate::groups;
+use crate::item;
+use crate::names;
 use crate::operator;
-use crate::options::{Options, is_own, own_options};
-use crate::signature::is_constant_mark;
-
-/// Takes this crate's attributes off loops and parameters: the compiler knows none there.
-struct Clean;
-
-impl VisitMut for Clean {
-    fn visit_expr_mut(&mut self, expr: &mut Expr) {
-        if let Expr::ForLoop(ExprForLoop { attrs, .. })
-        | Expr::While(ExprWhile { attrs, .. })
-        | Expr::Loop(ExprLoop { attrs, .. }) = expr
-        {
-            attrs.retain(|attribute| !is_own(attribute));
-        }
-        visit_mut::visit_expr_mut(self, expr);
-    }
-
-    fn visit_fn_arg_mut(&mut self, argument: &mut FnArg) {
-        let (FnArg::Receiver(Receiver { attrs, .. }) | FnArg::Typed(PatType { attrs, .. })) =
-            argument;
-        attrs.retain(|attribute| !is_constant_mark(attribute));
-    }
-}
+use crate::options::{Options, own_options};
 
 /// Expands the attribute. The item itself stays as it is, but for a lint.
 pub fn expand(arguments: TokenStream, item: TokenStream) -> TokenStream {
@@ -44,16 +23,17 @@ pub fn expand(arguments: TokenStream, item: TokenStream) -> TokenStream {
         Ok(options) => options,
         Err(error) => return with_error(&item, &error),
     };
-    if let Ok(function) = syn::parse2::<ItemFn>(item.clone()) {
-        return function_derivative(function, options);
+    let explicit = groups::explicit(item.clone());
+    if let Ok(function) = syn::parse2::<ItemFn>(explicit.clone()) {
+        return function_derivative(item, &function, options);
     }
-    if let Ok(block) = syn::parse2::<ItemImpl>(item.clone()) {
-        return impl_derivatives(block, &options);
+    if let Ok(block) = syn::parse2::<ItemImpl>(explicit.clone()) {
+        return impl_derivatives(item, &block, &options);
     }
-    if let Ok(definition) = syn::parse2::<ItemTrait>(item.clone()) {
-        return trait_derivatives(definition, &options);
+    if let Ok(definition) = syn::parse2::<ItemTrait>(explicit.clone()) {
+        return trait_derivatives(item, &definition, &options);
     }
-    if let (Ok(import), Some(rule)) = (syn::parse2::<ItemUse>(item.clone()), &options.vjp) {
+    if let (Ok(import), Some(rule)) = (syn::parse2::<ItemUse>(explicit), &options.vjp) {
         return imported_derivative(&import, rule, options.jvp.as_ref());
     }
     let error = syn::Error::new(
@@ -76,13 +56,11 @@ fn derivative_or_errors(function: &Function<'_>) -> TokenStream {
     })
 }
 
-fn function_derivative(mut function: ItemFn, options: Options) -> TokenStream {
-    if let Some(receiver) = function.sig.receiver() {
-        let error = syn::Error::new_spanned(
-            receiver,
-            "put `#[differentiable]` on the `impl` block, not on the method",
-        );
-        return with_error(&quote!(#function), &error);
+fn function_derivative(item: TokenStream, function: &ItemFn, options: Options) -> TokenStream {
+    let item = item::function(item);
+    if function.sig.receiver().is_some() || names_self(&function.sig) {
+        let derivatives = method_derivative(function, options);
+        return quote!(#item #derivatives);
     }
     let derivatives = derivative_or_errors(&Function {
         place: Place::Free,
@@ -90,16 +68,30 @@ fn function_derivative(mut function: ItemFn, options: Options) -> TokenStream {
         visibility: &function.vis,
         signature: &function.sig,
         callables: &Callables::new(&function.sig),
+        exclusive_methods: &[],
         body: Some(&function.block),
         options,
     });
-    Clean.visit_item_fn_mut(&mut function);
     quote! {
         // Its gradient may be all that is used of it.
         #[allow(dead_code)]
-        #function
+        #item
         #derivatives
     }
+}
+
+/// The siblings of one method of an `impl` block, of which nothing else is seen.
+fn method_derivative(function: &ItemFn, options: Options) -> TokenStream {
+    let (signature, generics) = (&function.sig, Generics::default());
+    let methods = Methods::new(Place::Impl(&generics), [signature].into_iter(), &options);
+    methods.derivative(&function.attrs, &function.vis, signature, Some(&function.block))
+}
+
+/// Whether a function without receiver is one of an `impl` block.
+fn names_self(signature: &Signature) -> bool {
+    let mut named = std::collections::HashSet::new();
+    names::collect(quote!(#signature), &mut named);
+    named.contains("Self")
 }
 
 /// A rule for an imported function: the module that bears the function's name.
@@ -135,29 +127,69 @@ fn imported_derivative(import: &ItemUse, rule: &Path, forward: Option<&Path>) ->
             #[allow(unused_imports)]
             #inner use super::#rule as vjp_onto;
             #forward
+
+            /// Where the function is from only its import tells.
+            #[doc(hidden)]
+            #inner fn named() -> &'static str {
+                ""
+            }
         }
     }
 }
 
-/// The derivative of a method, with the options of its own attribute.
-fn method_derivative(
-    place: Place<'_>,
-    attributes: &mut Vec<Attribute>,
-    visibility: &Visibility,
-    signature: &Signature,
-    body: Option<&Block>,
-    options: &Options,
-) -> TokenStream {
-    let own = own_options(attributes);
-    attributes.retain(|attribute| !is_own(attribute));
-    let callables = &Callables::new(signature);
-    let function =
-        |options| Function { place, attributes, visibility, signature, callables, body, options };
-    match own {
-        Ok(own) => derivative_or_errors(&function(options.with(own))),
-        Err(error) => {
-            let (error, stub) = (error.into_compile_error(), function(options.clone()).stub());
-            quote!(#error #stub)
+/// The block in which methods stand.
+struct Methods<'a> {
+    place: Place<'a>,
+    /// Those that take `&mut self`.
+    exclusive: Vec<Ident>,
+    options: &'a Options,
+}
+
+impl<'a> Methods<'a> {
+    fn new<'s>(
+        place: Place<'a>,
+        signatures: impl Iterator<Item = &'s Signature>,
+        options: &'a Options,
+    ) -> Self {
+        let exclusive = signatures.filter(|signature| {
+            let receiver = signature.receiver();
+            receiver.is_some_and(|receiver| {
+                matches!(receiver.kind, ReceiverKind::Reference(_, _, Some(_)))
+            })
+        });
+        Self {
+            place,
+            exclusive: exclusive.map(|signature| signature.ident.clone()).collect(),
+            options,
+        }
+    }
+
+    /// The derivative of one of them, with the options of its own attribute.
+    fn derivative(
+        &self,
+        attributes: &[Attribute],
+        visibility: &Visibility,
+        signature: &Signature,
+        body: Option<&Block>,
+    ) -> TokenStream {
+        let callables = &Callables::new(signature);
+        let function = |options| Function {
+            place: self.place,
+            attributes,
+            visibility,
+            signature,
+            callables,
+            exclusive_methods: &self.exclusive,
+            body,
+            options,
+        };
+        match own_options(attributes) {
+            Ok(own) => derivative_or_errors(&function(self.options.with(own))),
+            Err(error) => {
+                let error = error.into_compile_error();
+                let stub = function(self.options.clone()).stub();
+                quote!(#error #stub)
+            }
         }
     }
 }
@@ -166,69 +198,53 @@ fn method_derivative(
 /// without the attribute could change a method and keep the derivative of the provided one.
 const MARK: &str = "this_impl_needs_the_attribute_differentiable";
 
-fn impl_derivatives(mut block: ItemImpl, options: &Options) -> TokenStream {
-    let generics = block.generics.clone();
+fn impl_derivatives(item: TokenStream, block: &ItemImpl, options: &Options) -> TokenStream {
     let place = match &block.trait_ {
-        None => Place::Impl(&generics),
+        None => Place::Impl(&block.generics),
         Some((path, _)) if let Some(operator) = operator::of(path) => {
-            let rule = operator::rule(operator, &block, options);
-            return beside(block, rule);
+            return beside(item, operator::rule(operator, block, options));
         }
         Some((path, _)) if let Some(accumulation) = accumulation::of(path) => {
-            let mark = accumulation::mark(accumulation, &block);
-            return beside(block, mark);
+            return beside(item, accumulation::mark(accumulation, block));
         }
         Some((path, _)) if element::is_index(path) => {
-            let derivatives = |element| impl_derivatives(element, options);
+            let derivatives =
+                |element: ItemImpl| impl_derivatives(quote!(#element), &element, options);
             let element =
-                element::method(&block).map(|element| element.map(derivatives).unwrap_or_default());
-            return beside(block, element);
+                element::method(block).map(|element| element.map(derivatives).unwrap_or_default());
+            return beside(item, element);
         }
         Some((path, _)) if is_standard(path) => {
             let error = syn::Error::new_spanned(
                 path,
                 "a trait of the standard library has no derivatives: put the computation into a method of your own, and call that",
             );
-            return with_error(&quote!(#block), &error);
+            return with_error(&item, &error);
         }
-        Some(_) => Place::TraitImpl(&generics),
+        Some(_) => Place::TraitImpl(&block.generics),
     };
-    let mut siblings = Vec::new();
-    for item in &mut block.items {
-        let ImplItem::Fn(method) = item else { continue };
-        // What is made from nothing is a constant to whoever calls it.
-        if method.sig.inputs.is_empty() {
-            continue;
-        }
-        let ImplItemFn { attrs, vis, sig, block, .. } = method;
-        let sibling = method_derivative(place, attrs, vis, sig, Some(block), options);
-        siblings.push(ImplItem::Verbatim(sibling));
-        Clean.visit_signature_mut(sig);
-        Clean.visit_block_mut(block);
-        if let Place::Impl(_) = place {
-            // Its gradient may be all that is used of it.
-            attrs.push(parse_quote!(#[allow(dead_code)]));
-        }
-    }
-    if block.trait_.is_some() {
+    let methods = block.items.iter().filter_map(|item| match item {
+        ImplItem::Fn(method) => Some(method),
+        _ => None,
+    });
+    // What is made from nothing is a constant to whoever calls it.
+    let methods = methods.filter(|method| !method.sig.inputs.is_empty());
+    let all = Methods::new(place, methods.clone().map(|method| &method.sig), options);
+    let siblings = methods.map(|ImplItemFn { attrs, vis, sig, block, .. }| {
+        all.derivative(attrs, vis, sig, Some(block))
+    });
+    let mark = block.trait_.is_some().then(|| {
         let mark = format_ident!("{MARK}");
-        siblings.push(parse_quote!(fn #mark() {}));
-    }
-    block.items.extend(siblings);
-    quote!(#block)
+        quote!(fn #mark() {})
+    });
+    item::block(item, &quote!(#(#siblings)* #mark), block.trait_.is_none())
 }
 
 /// A block as it is, and what was made for it.
-fn beside(mut block: ItemImpl, made: syn::Result<TokenStream>) -> TokenStream {
-    for item in &mut block.items {
-        if let ImplItem::Fn(method) = item {
-            method.attrs.retain(|attribute| !is_own(attribute));
-            Clean.visit_signature_mut(&mut method.sig);
-            Clean.visit_block_mut(&mut method.block);
-        }
-    }
+fn beside(item: TokenStream, made: syn::Result<TokenStream>) -> TokenStream {
+    let item = item::block(item, &TokenStream::new(), false);
     let made = made.unwrap_or_else(syn::Error::into_compile_error);
-    quote!(#block #made)
+    quote!(#item #made)
 }
 
 /// Traits of the standard library that numerical types have, and for which there are no rules.
@@ -250,31 +266,24 @@ fn is_standard(path: &Path) -> bool {
     path.segments.last().is_some_and(|last| STANDARD.iter().any(|name| last.ident == name))
 }
 
-fn trait_derivatives(mut definition: ItemTrait, options: &Options) -> TokenStream {
-    let generics = definition.generics.clone();
-    let visibility = Visibility::Inherited;
-    let mut siblings = Vec::new();
-    for item in &mut definition.items {
-        let TraitItem::Fn(method) = item else { continue };
-        if method.sig.inputs.is_empty() {
-            continue;
-        }
-        let TraitItemFn { attrs, sig, default, .. } = method;
-        let place = Place::Trait(&generics);
-        let sibling = method_derivative(place, attrs, &visibility, sig, default.as_ref(), options);
-        siblings.push(TraitItem::Verbatim(sibling));
-        Clean.visit_signature_mut(sig);
-        if let Some(body) = default {
-            Clean.visit_block_mut(body);
-        }
-    }
+fn trait_derivatives(item: TokenStream, definition: &ItemTrait, options: &Options) -> TokenStream {
+    let methods = definition.items.iter().filter_map(|item| match item {
+        TraitItem::Fn(method) if !method.sig.inputs.is_empty() => Some(method),
+        _ => None,
+    });
+    let place = Place::Trait(&definition.generics);
+    let all = Methods::new(place, methods.clone().map(|method| &method.sig), options);
+    let siblings = methods.map(|TraitItemFn { attrs, sig, default, .. }| {
+        all.derivative(attrs, &Visibility::Inherited, sig, default.as_ref())
+    });
     let mark = format_ident!("{MARK}");
-    siblings.push(parse_quote! {
+    let members = quote! {
+        #(#siblings)*
+
         #[doc(hidden)]
         fn #mark()
         where
             Self: ::core::marker::Sized;
-    });
-    definition.items.extend(siblings);
-    quote!(#definition)
+    };
+    item::block(item, &members, false)
 }

@@ -17,7 +17,7 @@ use syn::{
 };
 
 use crate::errors::Errors;
-use crate::signature::pointee;
+use crate::signature::{is_constant_mark, pointee};
 
 /// The largest number of arguments of a function that is passed.
 pub const MOST_ARGUMENTS: usize = 4;
@@ -184,7 +184,6 @@ fn type_name(ty: &Type) -> Option<&Ident> {
     match ty {
         Type::Path(path) if path.qself.is_none() => path.path.get_ident(),
         Type::Paren(inner) => type_name(&inner.elem),
-        Type::Group(inner) => type_name(&inner.elem),
         _ => None,
     }
 }
@@ -203,7 +202,8 @@ fn name_impl_traits(signature: &mut Signature) {
             let bounds = &anonymous.bounds;
             // Users cannot ask for it of a type without a name.
             let is_function = |bound: &TypeParamBound| matches!(bound, TypeParamBound::Trait(bound) if function_trait(&bound.path).is_some());
-            let differentiable = match bounds.iter().any(is_function) {
+            let is_constant = typed.attrs.iter().any(is_constant_mark);
+            let differentiable = match is_constant || bounds.iter().any(is_function) {
                 true => None,
                 false => Some(quote!(+ ::ad::Differentiable)),
             };

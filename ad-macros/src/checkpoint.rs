@@ -23,6 +23,7 @@ pub fn body(function: &Function<'_>, vjp: &Ident, header: &Header) -> TokenStrea
     let signature = function.signature;
     let own = |name: &str| Ident::new(name, Span::mixed_site());
     let (value, pullback, cotangent) = (own("value"), own("pullback"), own("result_bar"));
+    let (print, again) = (own("print"), own("again"));
     let mut keeps = TokenStream::new();
     let mut kept_arguments = Vec::new();
     let mut incoming = Vec::new();
@@ -67,15 +68,17 @@ pub fn body(function: &Function<'_>, vjp: &Ident, header: &Header) -> TokenStrea
         (0..header.parameters.len()).map(|index| own(&format!("lent_{index}")).to_token_stream());
     let lent: Option<Vec<_>> = header.lends().then(|| lent.collect());
     let offered = lent.as_ref().map(|lent| quote!(, ::ad::rt::Offered((#(#lent,)*))));
-    let again = quote! {
-        let (_, #pullback) = Self::#stored #turbofish (#(#kept_arguments),*);
+    let second_run = quote! {
+        let (#again, #pullback) = Self::#stored #turbofish (#(#kept_arguments),*);
+        ::ad::rt::same_again(#print, ::ad::fingerprint!(#again));
         #pullback(#cotangent #(, #incoming)* #offered)
     };
-    let closure = header.pullback(&cotangent, &incoming, lent.as_deref(), &again);
+    let closure = header.pullback(&cotangent, &incoming, lent.as_deref(), &second_run);
     quote! {
         {
             #keeps
             let #value = #primal #turbofish (#(#arguments),*);
+            let #print = ::ad::fingerprint!(#value);
             (#value, #closure)
         }
     }

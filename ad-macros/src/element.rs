@@ -59,10 +59,11 @@ pub fn method(block: &ItemImpl) -> syn::Result<Option<ItemImpl>> {
         None => return Err(not_a_reference(&method.block)),
     };
     let (getter, setter) = (getter(), setter());
-    let (index, index_type) = match method.sig.inputs.last() {
-        Some(FnArg::Typed(typed)) => (&typed.pat, &typed.ty),
-        _ => return Err(not_a_reference(&method.sig)),
+    let inputs: Vec<_> = method.sig.inputs.iter().collect();
+    let [receiver, FnArg::Typed(typed)] = &inputs[..] else {
+        return Err(not_a_reference(&method.sig));
     };
+    let (index, index_type) = (&typed.pat, &typed.ty);
     let attributes = quote!(#[doc(hidden)] #[allow(missing_docs, private_interfaces)] #[inline]);
     let output: Type = parse_quote!(<Self as ::core::ops::Index<#index_type>>::Output);
     let (generics, _, bounds) = block.generics.split_for_impl();
@@ -70,14 +71,14 @@ pub fn method(block: &ItemImpl) -> syn::Result<Option<ItemImpl>> {
     let method = match method.sig.ident == "index" {
         true => quote! {
             #attributes
-            pub fn #getter(&self, #index: #index_type) -> #output {
+            pub fn #getter(#receiver, #index: #index_type) -> #output {
                 #(#before)*
                 #place
             }
         },
         false => quote! {
             #attributes
-            pub fn #setter(&mut self, #index: #index_type, element: #output) {
+            pub fn #setter(#receiver, #index: #index_type, element: #output) {
                 #(#before)*
                 #place = element;
             }

@@ -39,6 +39,8 @@ pub struct Function<'a> {
     pub signature: &'a Signature,
     /// The signature for the derivative, which is the same but for functions among the parameters.
     pub callables: &'a Callables,
+    /// The methods of its block that take `&mut self`.
+    pub exclusive_methods: &'a [Ident],
     /// `None` for a method that a trait requires.
     pub body: Option<&'a syn::Block>,
     pub options: Options,
@@ -173,9 +175,14 @@ impl Function<'_> {
         }
         let idents = parameters.iter().map(|parameter| parameter.ident.clone());
         let mut names = Names::new(quote!(#signature #body), idents);
-        let scalars = self.scalars();
-        let lowered =
-            lower::lower(parameters, &header.result, body, scalars, &mut names, &mut errors);
+        let source = lower::Source {
+            parameters,
+            result: &header.result,
+            body,
+            scalars: self.scalars(),
+            exclusive_methods: self.exclusive_methods,
+        };
+        let lowered = lower::lower(source, &mut names, &mut errors);
         signature::refuse_cfg(signature, body, &mut errors);
         errors.finish()?;
 

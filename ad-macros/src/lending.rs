@@ -145,7 +145,6 @@ pub fn has_own_type(constant: &TokenStream) -> bool {
             }),
             Expr::Paren(inner) => has(&inner.expr),
             Expr::Tuple(tuple) => tuple.elems.iter().all(has),
-            Expr::Group(inner) => has(&inner.expr),
             Expr::Cast(_) => true,
             Expr::Unary(inner) => has(&inner.expr),
             Expr::Reference(inner) => inner.mutability.is_none() && has(&inner.expr),

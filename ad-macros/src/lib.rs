@@ -36,7 +36,9 @@ mod errors;
 mod expand;
 mod floats;
 mod forward;
+mod groups;
 mod ir;
+mod item;
 mod lending;
 mod lower;
 mod names;
@@ -68,8 +70,9 @@ pub fn differentiable(arguments: TokenStream, item: TokenStream) -> TokenStream 
 /// with a field for each variant that holds data. The field has the name of the variant and holds
 /// the tangents of its fields (`bar.Disc.0`, `bar.Square.side`).
 ///
-/// A field marked `#[constant]` carries no derivative. Nor does a type as a whole that is marked so,
-/// or an enum without data: its tangent is `()`, as that of an integer.
+/// A field marked `#[constant]` carries no derivative. Nor does a type as a whole that is marked so:
+/// the tangent of such a struct is a `NoTangent` of it. The tangent of such an enum, and of an enum
+/// without data, is `()`, as that of an integer.
 #[proc_macro_derive(Differentiable, attributes(constant))]
 pub fn derive_differentiable(item: TokenStream) -> TokenStream {
     derive::expand(item.into()).unwrap_or_else(syn::Error::into_compile_error).into()

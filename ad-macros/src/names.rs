@@ -75,17 +75,52 @@ pub fn collect_variables(tokens: TokenStream, into: &mut HashSet<String>) {
     }
 }
 
-/// Collects the identifiers in `tokens`.
+/// Collects the texts of the identifiers in `tokens`.
 pub fn collect(tokens: TokenStream, into: &mut HashSet<String>) {
-    for token in tokens {
-        match token {
-            TokenTree::Ident(ident) => {
-                into.insert(ident.to_string());
-            }
-            TokenTree::Group(group) => collect(group.stream(), into),
-            TokenTree::Punct(_) | TokenTree::Literal(_) => {}
+    into.extend(identifiers(tokens).iter().map(Ident::to_string));
+}
+
+/// The identifiers in `tokens`.
+pub fn identifiers(tokens: TokenStream) -> Vec<Ident> {
+    let within = |token| match token {
+        TokenTree::Ident(ident) => vec![ident],
+        TokenTree::Group(group) => identifiers(group.stream()),
+        TokenTree::Punct(_) | TokenTree::Literal(_) => Vec::new(),
+    };
+    tokens.into_iter().flat_map(within).collect()
+}
+
+/// The tokens with one name in place of another.
+pub fn renamed(tokens: TokenStream, from: &Ident, to: &Ident) -> TokenStream {
+    let rename = |token| match token {
+        TokenTree::Ident(ident) if ident == *from => {
+            let mut to = to.clone();
+            to.set_span(ident.span().resolved_at(to.span()));
+            TokenTree::Ident(to)
         }
-    }
+        TokenTree::Group(group) => {
+            let mut renamed = Group::new(group.delimiter(), renamed(group.stream(), from, to));
+            renamed.set_span(group.span());
+            TokenTree::Group(renamed)
+        }
+        other => other,
+    };
+    tokens.into_iter().map(rename).collect()
+}
+
+/// The tokens as if they stood at `span`, for errors about them.
+pub fn located(tokens: TokenStream, span: Span) -> TokenStream {
+    let at_span = |token: TokenTree| {
+        let mut token = match token {
+            TokenTree::Group(group) => {
+                TokenTree::Group(Group::new(group.delimiter(), located(group.stream(), span)))
+            }
+            token => token,
+        };
+        token.set_span(span.resolved_at(token.span()));
+        token
+    };
+    tokens.into_iter().map(at_span).collect()
 }
 
 /// The tokens with `this` in place of `self`, where that is not the start of a path.
@@ -98,7 +133,7 @@ pub fn without_self(tokens: TokenStream, this: &Ident) -> TokenStream {
         renamed.push(match token {
             TokenTree::Ident(ident) if ident == "self" && !begins_path => {
                 let mut this = this.clone();
-                this.set_span(ident.span());
+                this.set_span(ident.span().resolved_at(this.span()));
                 TokenTree::Ident(this)
             }
             TokenTree::Group(group) => {

@@ -214,7 +214,6 @@ impl<'a> Numbers<'a> {
                 name => self.scalar(name),
             },
             Type::Paren(paren) => self.named(&paren.elem),
-            Type::Group(group) => self.named(&group.elem),
             _ => None,
         }
     }
@@ -290,7 +289,8 @@ impl<'a> Numbers<'a> {
             Operation::Negate(value) => self.number(*value).cloned().map(Known::number),
             Operation::Binary(_, left, right) => self.of_both([*left, *right]).map(Known::number),
             Operation::Cast(_, ty) => self.named(ty).map(Known::number),
-            Operation::Call { primal, method: true, arguments, .. } => {
+            Operation::Call { callee, arguments } => {
+                let method = callee.method_name()?;
                 let receiver = match arguments.first()? {
                     Argument::Receiver(place) => self.part(place)?,
                     Argument::Value(Operand::Var(var)) => self.known.get(var)?.clone(),
@@ -301,14 +301,13 @@ impl<'a> Numbers<'a> {
                     Number::F32 | Number::F64 => floats::returns_number,
                     Number::Scalar(_) => floats::real_returns_number,
                 };
-                returns_number(&primal.to_string()).then(|| Known::number(number.clone()))
+                returns_number(&method.to_string()).then(|| Known::number(number.clone()))
             }
             Operation::Repeat { value, is_vec: false, .. } => {
                 self.known.get(value).cloned().map(|element| Known::Array(Box::new(element)))
             }
             Operation::Repeat { .. }
             | Operation::Borrow(_)
-            | Operation::Call { .. }
             | Operation::Closure(_)
             | Operation::Named { .. }
             | Operation::Aggregate { .. }
@@ -357,7 +356,6 @@ impl<'a> Numbers<'a> {
         match constant {
             Expr::Lit(literal) => of_literal(&literal.lit).map(Known::Value),
             Expr::Paren(paren) => self.constant(&paren.expr),
-            Expr::Group(group) => self.constant(&group.expr),
             Expr::Unary(unary) if matches!(unary.op, UnOp::Neg(_)) => self.constant(&unary.expr),
             Expr::Cast(cast) => self.named(&cast.ty).map(Known::number),
             Expr::Repeat(repeat) => {
@@ -403,7 +401,6 @@ fn without_references(ty: &Type) -> &Type {
     match ty {
         Type::Reference(reference) => without_references(&reference.elem),
         Type::Paren(paren) => without_references(&paren.elem),
-        Type::Group(group) => without_references(&group.elem),
         ty => ty,
     }
 }

@@ -209,6 +209,7 @@ impl Rule<'_> {
             signature: self.signature,
             callables: &Callables::new(self.signature),
             body: Some(body),
+            exclusive_methods: &[],
             options: Options::default(),
         };
         function.differentiated()

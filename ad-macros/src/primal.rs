@@ -3,7 +3,9 @@
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::{quote, quote_spanned};
 
-use crate::ir::{Argument, BinaryOperator, Operand, Operation, Place, Projection, Var, VarId};
+use crate::ir::{
+    Argument, BinaryOperator, Callee, Derivative, Operand, Operation, Place, Projection, Var, VarId,
+};
 use crate::passing;
 
 /// A place as an expression.
@@ -13,6 +15,16 @@ pub fn project(root: TokenStream, path: &[Projection]) -> TokenStream {
         Projection::Index(index) => quote!(#place[#index]),
         Projection::Deref => quote!((*#place)),
     })
+}
+
+/// A part of a tangent, whose type alone counts.
+pub fn tangent_path(root: TokenStream, path: &[Projection]) -> TokenStream {
+    let step = |step: &Projection| match step {
+        Projection::Field(_) => Some(step.clone()),
+        Projection::Index(_) => Some(Projection::Index(quote!(0))),
+        Projection::Deref => None,
+    };
+    project(root, &path.iter().filter_map(step).collect::<Vec<_>>())
 }
 
 /// Writes operations on these variables.
@@ -112,6 +124,21 @@ impl<'a> Primal<'a> {
         }
     }
 
+    /// In debug builds checks that a function and the derivative called in its place are of one name:
+    /// they come from two name spaces.
+    pub fn check_name(self, callee: &Callee, arguments: &[Argument]) -> Option<TokenStream> {
+        let Derivative::Twin { ty, is_of_attribute: true, .. } = &callee.derivative else {
+            return None;
+        };
+        // What takes an object is a derivative.
+        if arguments.iter().any(|argument| self.is_function(argument)) {
+            return None;
+        }
+        let primal = &callee.primal;
+        let arguments = arguments.iter().map(|argument| self.argument(argument));
+        Some(quote!(::ad::check_name!(#primal, #ty::named(), (#(#arguments),*));))
+    }
+
     /// An operation, except for a closure, which has a name where it is defined only.
     pub fn operation(self, operation: &Operation, span: Span) -> TokenStream {
         match operation {
@@ -144,18 +171,21 @@ impl<'a> Primal<'a> {
                 quote!(#value as #ty)
             }
             // What takes an object is a derivative, but for the calls of it.
-            Operation::Call { vjp, method, arguments, .. }
+            Operation::Call { callee, arguments }
                 if arguments.iter().any(|argument| self.is_function(argument))
                     && !matches!(arguments.first(), Some(Argument::Callee(_))) =>
             {
-                let call = self.call(vjp, *method, arguments);
+                let call = self.call(&callee.derivative.vjp(), callee.is_method, arguments);
                 quote!(#call.0)
             }
-            Operation::Call { primal, method, arguments, .. } => {
-                self.call(primal, *method, arguments)
+            Operation::Call { callee, arguments } => {
+                self.call(&callee.primal, callee.is_method, arguments)
             }
             Operation::Closure(_) => unreachable!("is written where it is defined"),
-            Operation::Named { primal, vjp } => quote!(::ad::function::named(#primal, #vjp)),
+            Operation::Named { primal, derivative } => {
+                let vjp = derivative.vjp();
+                quote!(::ad::function::named(#primal, #vjp))
+            }
             Operation::Aggregate { expression, .. }
             | Operation::UpdateStruct { expression, .. } => expression.clone(),
             Operation::Repeat { value, length, is_vec } => {

@@ -63,6 +63,27 @@ const METHODS: [&str; 57] = [
     "z",
 ];
 
+/// Those of sequences that change their receiver.
+const CHANGES_RECEIVER: [&str; 12] = [
+    "clear",
+    "copy_from_slice",
+    "extend",
+    "extend_from_slice",
+    "fill",
+    "pop",
+    "push",
+    "reverse",
+    "sort_by",
+    "sort_unstable_by",
+    "swap",
+    "truncate",
+];
+
+/// Whether types of other crates have a method of this name that changes its receiver.
+pub fn changes_receiver(name: &str) -> bool {
+    CHANGES_RECEIVER.contains(&name)
+}
+
 /// Whether types of other crates have a method of this name whose rule is in `ad`. One's own type may
 /// have such a one, too.
 pub fn is_method(name: &str) -> bool {

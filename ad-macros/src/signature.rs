@@ -46,7 +46,6 @@ pub fn pointee(ty: &Type) -> &Type {
     match ty {
         Type::Reference(reference) => pointee(&reference.elem),
         Type::Paren(paren) => pointee(&paren.elem),
-        Type::Group(group) => pointee(&group.elem),
         _ => ty,
     }
 }
@@ -97,6 +96,11 @@ pub fn is_discrete(ty: &Type) -> bool {
         if path.qself.is_none() && DISCRETE.iter().any(|name| path.path.is_ident(name)))
 }
 
+/// Whether this certainly is a number with a derivative.
+pub fn is_float(ty: &Type) -> bool {
+    matches!(ty, Type::Path(path) if path.path.is_ident("f32") || path.path.is_ident("f64"))
+}
+
 /// Whether the type is a box or a reference to one.
 pub fn is_box(ty: &Type) -> bool {
     matches!(pointee(ty), Type::Path(path)
@@ -108,7 +112,6 @@ fn is_exclusive(ty: &Type) -> bool {
     match ty {
         Type::Reference(reference) => reference.mutability.is_some(),
         Type::Paren(paren) => is_exclusive(&paren.elem),
-        Type::Group(group) => is_exclusive(&group.elem),
         _ => false,
     }
 }
@@ -136,8 +139,6 @@ pub fn has_fixed_size(ty: &Type, scalars: &[Ident]) -> bool {
         _ => false,
     }
 }
-
-const EXCLUSIVE_CONSTANT: &str = "what a `&mut` parameter holds afterwards may have a derivative: only other parameters are `#[constant]`";
 
 /// A receiver without its attributes.
 pub fn bare(receiver: &Receiver) -> Receiver {
@@ -169,9 +170,6 @@ pub fn parameters(callables: &Callables, errors: &mut Errors) -> Vec<Parameter> 
             }
             let is_exclusive = matches!(receiver.kind, ReceiverKind::Reference(_, _, Some(_)));
             let is_constant = receiver.attrs.iter().any(is_constant_mark);
-            if is_constant && is_exclusive {
-                errors.at(receiver, EXCLUSIVE_CONSTANT);
-            }
             Parameter {
                 ident: Ident::new("self", receiver.self_token.span),
                 pattern: None,
@@ -189,9 +187,6 @@ pub fn parameters(callables: &Callables, errors: &mut Errors) -> Vec<Parameter> 
             let is_constant = typed.attrs.iter().any(is_constant_mark);
             if !is_constant {
                 refused::parameter(&typed.ty, errors);
-            }
-            if is_constant && is_exclusive {
-                errors.at(typed, EXCLUSIVE_CONSTANT);
             }
             let ident = match &*typed.pat {
                 Pat::Ident(pat) if pat.by_ref.is_none() && pat.subpat.is_none() => {

@@ -33,7 +33,7 @@ use glam::{DVec2, DVec3, DVec4, Vec2, Vec3, Vec4};
     message = "`{Self}` has no derivative",
     label = "no derivative passes through a `{Self}`",
     note = "put `#[derive(Differentiable)]` on your own struct or enum, and `#[constant]` below it if no derivative is to pass",
-    note = "mark a struct field that carries no derivative with `#[constant]`",
+    note = "mark a field, a parameter or a `let` that carries no derivative with `#[constant]`",
     note = "a number of any type is an `S: ad::Real`"
 )]
 pub trait Differentiable {
@@ -259,7 +259,7 @@ own_tangent! {
     label = "this is used as if it were constant",
     note = "wrap it in `ad::stop_gradient(..)` if that is what you mean"
 )]
-pub trait NoDerivative: Differentiable<Tangent = ()> {}
+pub trait NoDerivative: Differentiable {}
 
 macro_rules! no_derivative {
     ($($type:ty),* $(,)?) => {$(

@@ -45,11 +45,13 @@
 //! `extend`, `min_by` or `max_by`, and without derivative by `count`, `any`, `all` or `position`;
 //! `array::from_fn`, `map` of arrays. Options, results and truth values: `map`, `and_then`, `or_else`,
 //! `map_or`, `map_or_else`, `map_err`, `ok`, `ok_or`, `ok_or_else`, `unwrap`, `expect`, `unwrap_or`,
-//! `unwrap_or_else`, `unwrap_or_default`, `then`, `then_some`. (Of those that options and results share
-//! `map`, `and_then`, `or_else`, `map_or` and `map_or_else` are taken for those of options, unless a
-//! type written down or what was called before tells a result.) Slices: `first`, `last`, `get`,
+//! `unwrap_or_else`, `unwrap_or_default`, `then`, `then_some`, and of options `as_ref`, `take`, `replace`,
+//! `or`, `xor`, `zip`, `filter`, `flatten`. (`or_else` is taken for that of options, unless a type written
+//! down or what was called before tells a result.) Slices: `first`, `last`, `get`,
 //! `split_at`, `split_first`, `split_last`, in a `let` also `split_at_mut`, `split_first_mut` and
-//! `split_last_mut`, `sort_by`. Integers: their arithmetic, `min`, `max`, `clamp`, `pow`, `abs`,
+//! `split_last_mut`, `sort_by`, `swap`, `reverse`, `rotate_left`, `rotate_right`, `fill`. `Vec`: `push`,
+//! `pop`, `insert`, `remove`, `swap_remove`, `truncate`, `resize`, `split_off`, `append`, `clear`,
+//! `extend_from_slice`. Integers: their arithmetic, `min`, `max`, `clamp`, `pow`, `abs`,
 //! `saturating_sub` and the like. Closures can be bound to a variable and called, and may change what they
 //! capture, or be passed to [functions of functions](#functions-of-functions). Macros: `assert!`
 //! and its kin, `panic!`, `unreachable!`, `vec!`, `matches!`, `dbg!`, `println!` and its kin,
@@ -118,8 +120,13 @@
 //! assert!(pullback(1.0).origin.z < 0.0);
 //! ```
 //!
-//! Everything else is refused at compile time, at its place, with what to write instead: a gradient
-//! that compiles is right. In particular:
+//! Everything else is refused, where it stands, with what to write instead: a gradient that compiles
+//! is right. [What is refused](#what-is-refused-and-what-is-trusted) has a chapter of its own.
+//!
+//! At points without a derivative (`|x|` at 0, a vector of length 0) the rules return a finite
+//! subgradient: see the [table](rules#singular-points).
+//!
+//! # What is refused, and what is trusted
 //!
 //! - A function that is called needs a derivative. If it has none, the compiler says that the
 //!   function *is not a crate or module*, or that there is no method `.._vjp`. Three ways out: put
@@ -127,25 +134,61 @@
 //!   is to flow through it: [`no_diff`]`(|| f(x))`.
 //! - Integers, booleans and comparisons carry no derivative. A cast from a float to an integer would
 //!   cut one off, so it has to be said: `stop_gradient(x) as usize`.
+//! - A number that goes through a text or through its bits and comes back (`x.to_string()`, then
+//!   `parse()`) would lose its derivative on the way, and so would one that a condition or [`no_diff`]
+//!   puts into a `Cell`, a `RefCell` or a `Mutex`. Both need `stop_gradient(x)`.
+//! - A `#[constant]` field takes nothing that has a derivative: it is written `stop_gradient(x)`. What
+//!   another such field held goes in as it is.
+//! - A condition, an index, a bound and a `let` with an integer type may call what changes something.
+//!   A call is differentiated there where it shows the change: by `&mut`, by the name of a `&mut`
+//!   parameter, by a method like `pop`, or by a `&mut self` method that stands in the same `impl` block.
+//!   Any other method that changes a place, `if balls[i].bounce()`, gets a line of its own before:
+//!   `let bounced = balls[i].bounce();`.
 //! - A derivative within a differentiable function (`g::grad(x)` in the body of another) is refused:
 //!   second derivatives are [taken from outside](#second-derivatives-and-jacobians).
 //! - A field that carries no derivative is marked `#[constant]`, and so is a type that carries none.
 //!   So is a parameter by which no derivative is asked for, `fn f(#[constant] table: &Table, x: f64)`:
-//!   its place in the gradient holds `()`, and its type needs no tangent.
+//!   its place in the gradient holds `()`, and its type needs no tangent. As `#[constant] rng: &mut Rng`
+//!   it is advanced exactly as the function advances it.
+//! - A variable that changes and carries no derivative needs no mark while only its own methods change
+//!   it: `let mut rng = Rng::new(1); let u = rng.uniform();`. To be passed on as `&mut rng` it is
+//!   declared by `#[constant] let mut rng = ..;`, if its type has no tangent. What has a derivative
+//!   cannot be stored in it.
 //! - Operators of your own types have a derivative where their `impl` carries the attribute: see
 //!   [below](#operators-of-your-own-types).
 //! - A variant of an enum is told from a struct by the name of the enum (`Shape::Disc(r)`,
 //!   `Self::Disc(r)`). Behind `use Shape::*` it is told by the other variants that the same `match`
 //!   asks for, or by what is done where it is none (`let Disc(r) = shape else ..`); where nothing
 //!   tells it, name the enum.
+//! - `sums[f()] += g()` evaluates `g()` first for numbers, and `f()` first for every other type. Where
+//!   the type is not a number of the language, one of the calls gets a name before.
 //! - A type that has lifetimes names them in a signature: `View<'_>`, not `View`.
+//! - `vec!`, `dbg!`, `mem::swap`, `array::from_fn`, `Box::new`, [`stop_gradient`] and [`no_diff`] have to
+//!   be those of the standard library and of this crate. Your own function or macro of such a name is
+//!   refused where it would be taken for one of these.
 //!
-//! At points without a derivative (`|x|` at 0, a vector of length 0) the rules return a finite
-//! subgradient: see the [table](rules#singular-points).
+//! A derivative cannot show everything that a function does. The following is trusted, and a debug
+//! build panics where it finds one of the first three broken:
+//!
+//! - A [checkpointed](#memory) loop or function does the same when it runs the second time: it draws no
+//!   random numbers, and it reads nothing that somebody else changes.
+//! - `g(x)` and `g::vjp(x)` are looked up in two name spaces. A plain `g` that hides a differentiable one
+//!   of another module does not hide its derivative.
+//! - A function that is passed by its name is found in the same two name spaces.
+//! - `Clone` gives an equal value. Closures that are passed, checkpoints, and operators of values keep
+//!   clones.
+//! - An inherent method that hides a method of a trait carries the attribute if that does.
+//! - A function that is called in a condition, or for an integer or a text, keeps nothing of what it is
+//!   given in a `static`, in a `thread_local!` or in a cell of its own.
+//! - A closure before `zip` does not count how often it is called: the standard library calls it once
+//!   more where the other side is shorter.
+//! - A temporary of a constant argument is dropped with the argument, not with the whole statement.
 //!
 //! # Methods, traits, recursion
 //!
-//! On an `impl` block the attribute differentiates every method. On a trait it adds `m_vjp` and `m_jvp` to each
+//! On an `impl` block the attribute differentiates every method. On a method it differentiates that one,
+//! in a block without type parameters; of a function without `self` it sees that it stands in a block
+//! by a `Self` in the signature. On a trait it adds `m_vjp` and `m_jvp` to each
 //! method `m`, and has to stand on each `impl` of the trait, too; an `impl` without it does not
 //! compile. Generic code asks for `T: Trait + Differentiable`.
 //!
@@ -604,6 +647,7 @@
 //! | a function, or a method of an `impl` block | its arguments | its value is computed twice |
 //! | a loop of n iterations in a differentiable function | about √n times the variables that the loop changes (up to 2√n, where n is not known before), and in the reverse sweep what √n iterations need | its body is computed twice |
 //!
+//! What runs twice has to do the same twice: random numbers are drawn before, and passed in.
 //! A `for` loop so marked that is left early does nothing in the iterations that are left. What it uses of
 //! `self`, and of what is borrowed as `&mut`, is copied before the loop and written back after it, so
 //! that has to be `Clone`. Checkpoints of loops within checkpointed functions multiply:
@@ -675,6 +719,42 @@
 //! [`check::assert_forward`] a forward mode; [`check::worst`] and [`check::worst_forward`] tell the
 //! component with the greatest error.
 
+//!
+//! # Coming from JAX, Zygote, Enzyme, `std::autodiff`
+//!
+//! | there | here |
+//! |---|---|
+//! | `jax.grad(f)`, `Zygote.gradient(f, x...)` | [`f::grad(x, ..)`](crate): by all parameters; `#[constant]` leaves one out |
+//! | `jax.value_and_grad(f)` | `f::value_and_grad(x, ..)` |
+//! | `jax.vjp(f, x)`, `Zygote.pullback(f, x)` | `f::vjp(x)`: value and pullback, which is called once |
+//! | `jax.jvp(f, x, t)`, Enzyme's `Forward` | `f::jvp(x, t)`; tangents stand behind all arguments |
+//! | `jax.jacfwd`, `jax.jacrev`, `jax.hessian` | [`jacobian_forward`], [`jacobian_reverse`], [`hessian`]; [`hvp`] for products |
+//! | `jax.lax.stop_gradient(x)`, `Zygote.ignore(f)` | [`stop_gradient`]`(x)`, [`no_diff`]`(\|\| f(x))` |
+//! | `@jax.custom_vjp`, `@adjoint`, `rrule` | [`#[differentiable(vjp = rule)]`](#rules-written-by-hand) |
+//! | `jax.checkpoint`, `Zygote.checkpointed` | [`#[differentiable(checkpoint)]`](#memory), on functions and loops |
+//! | pytrees, structural tangents | the tangent of a struct is a struct: [`Differentiable`] |
+//! | `jax.vmap` | none; [`Real`] runs a function on SIMD lanes |
+//! | `#[autodiff_reverse(df, Active, Const, Duplicated)]` | `#[differentiable]`; activity follows from types and `#[constant]` |
+//!
+//! **JAX** traces: it sees the operations of one run, so Python's `if` on a value needs `lax.cond`, arrays
+//! are not changed in place, and random keys are passed by hand. Here the source is transformed: `if`,
+//! `while`, `return` and `x[i] = ..` are what they are, and a generator is a [`#[constant] rng: &mut
+//! Rng`](#what-is-refused-and-what-is-trusted). A function that is not differentiable is a compile error, not
+//! an error of a run. There is no compiler for accelerators behind it.
+//!
+//! **Zygote** is the same idea, pullbacks as closures. Differences: changing in place is differentiated, and
+//! what a loop needs lies on one tape instead of in a closure for each iteration; a gradient by nothing is
+//! zero, never `nothing`; and the derivative of a callee has to be there when the caller is compiled, by
+//! the attribute on it or by a rule.
+//!
+//! **Enzyme** and **`std::autodiff`** transform what the optimiser leaves. They see into code without
+//! attributes, and need a compiler with their plugin. Here each function that is called carries the
+//! attribute, on stable Rust; functions may be generic; and a `&mut` parameter needs no shadow from the
+//! caller: [its cotangent goes in and comes out](#changing-things-in-place) as a value.
+//!
+//! A cotangent is a value of its own type, made by the pullback, where Enzyme adds to shadows that the
+//! caller has made. To sum gradients over many samples, write the sum into the function, or add the results.
+
 extern crate self as ad;
 
 mod assigning;
@@ -706,6 +786,11 @@ pub use jacobian::{Pushforward, jacobian, jacobian_forward, jacobian_reverse};
 pub use real::{Mask, Real, Scalar, Select};
 pub use rules::{no_diff, select, stop_gradient};
 pub use second_order::{hessian, hvp};
+
+/// The first gradient of the README.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;
 
 /// The vector of three scalars `S`.
 pub type Vec3<S> = <S as Real>::Vec3;

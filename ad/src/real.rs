@@ -25,6 +25,7 @@ pub trait Mask:
     + BitOr<Output = Self>
     + Not<Output = Self>
     + NoDerivative
+    + Differentiable<Tangent = ()>
     + 'static
 {
     /// True where `value` is, in every lane.

@@ -9,21 +9,32 @@ use crate::{Additive, Differentiable, NoDerivative, Shape, Tangent};
 
 pub use crate::differentiable::Parts;
 
+mod cells;
+mod constants;
 mod cotangent;
 mod kept;
+mod names;
+mod order;
 mod products;
 mod pullback;
+mod repeated;
 mod tangent;
 mod through;
 
+pub use cells::{Holder, HoldsNoNumber, MayHold};
+pub use constants::{Accepts, Beside, KeepsNothing, MayKeep, OfChanged, Vanishing, of_constant};
 pub use cotangent::{
-    Absorb, At, Constant, Content, Enter, Length, Lent, NotLent, Nothing, Same, Take, at, sum, take,
+    Absorb, At, Constant, Content, Enter, Length, Lent, NotLent, Nothing, Same, Take, at, sum,
+    take, take_changed,
 };
 pub use kept::{Decrease, Difference, Increase, Negation, Sum};
+pub use names::{check_mode_of, has_other_name, other_function, same_function};
+pub use order::{BuiltIn, right_first};
 pub use products::{Products, ProductsOutOfLine, rarely, scale, with_products};
 pub use pullback::{
     Lends, LendsNothing, MethodPullback, MethodPullbackOnto, Offered, PullbackOnto,
 };
+pub use repeated::{Fingerprint, Fingerprints, Look, NotPrinted, Printed, same_again};
 pub use tangent::{
     Pass, Slot, copy, pass, pass_part, read, repeated, same_length, still, tangent_of, target,
     with_zero, zero_like, zero_of,
@@ -40,11 +51,13 @@ pub use iterate::{
 /// The traits whose methods generated code calls. They come without names, which could hide those
 /// of the user.
 pub mod methods {
+    pub use super::cells::MayHold as _;
+    pub use super::constants::Accepts as _;
     pub use crate::rules::forward::{
         AngleForward as _, CloneForward as _, CopiedForward as _, DMat2Forward as _,
         DMat3Forward as _, DMat4Forward as _, DVec2Forward as _, DVec4Forward as _,
-        ExtendForward as _, FloatForward as _, FromForward as _, GlamForward as _,
-        Mat2Forward as _, Mat3Forward as _, Mat4Forward as _, MatrixForward as _,
+        ExtendForward as _, FlattenForward as _, FloatForward as _, FromForward as _,
+        GlamForward as _, Mat2Forward as _, Mat3Forward as _, Mat4Forward as _, MatrixForward as _,
         OptionForward as _, QuaternionForward as _, RealForward as _, ResultForward as _,
         RotationForward as _, ScalarForward as _, SequenceForward as _, TransformForward as _,
         TruncateForward as _, Vec2Forward as _, Vec4Forward as _, VecForward as _,
@@ -52,12 +65,13 @@ pub mod methods {
     };
     pub use crate::rules::{
         AngleRules as _, CloneRules as _, CopiedRules as _, DMat2Rules as _, DMat3Rules as _,
-        DMat4Rules as _, DVec2Rules as _, DVec4Rules as _, ExtendRules as _, FloatRules as _,
-        FromRules as _, GlamRules as _, IntegerRules as _, Mat2Rules as _, Mat3Rules as _,
-        Mat4Rules as _, MatrixRules as _, OptionRules as _, QuaternionRules as _, RealRules as _,
-        ResultRules as _, RotationRules as _, ScalarRules as _, SequenceRules as _,
-        SignedRules as _, TransformRules as _, TruncateRules as _, Vec2Rules as _, Vec4Rules as _,
-        VecRules as _, Vector3Rules as _, VectorRules as _,
+        DMat4Rules as _, DVec2Rules as _, DVec4Rules as _, EditRules as _, ExtendRules as _,
+        FlattenRules as _, FloatRules as _, FromRules as _, GlamRules as _, IntegerRules as _,
+        Mat2Rules as _, Mat3Rules as _, Mat4Rules as _, MatrixRules as _, OptionRules as _,
+        QuaternionRules as _, RealRules as _, ResultRules as _, RotationRules as _,
+        ScalarRules as _, SequenceRules as _, SignedRules as _, TransformRules as _,
+        TruncateRules as _, Vec2Rules as _, Vec4Rules as _, VecRules as _, Vector3Rules as _,
+        VectorRules as _,
     };
     pub use crate::vector::{Vector as _, Vector3 as _};
 }
@@ -114,6 +128,20 @@ impl<T: Additive> Space<T> {
     #[inline(always)]
     pub fn zero(self) -> T {
         T::zero()
+    }
+
+    /// The space of a part.
+    #[inline(always)]
+    pub fn part<U>(self, _part: impl FnOnce(&T) -> &U) -> Space<U> {
+        Space(PhantomData)
+    }
+
+    /// Compiles where the space holds nothing but zero.
+    #[inline(always)]
+    pub fn vanishes(self)
+    where
+        T: Vanishing,
+    {
     }
 
     /// A cotangent, seen from the field it is the cotangent of.
@@ -363,4 +391,17 @@ branches! {
     Branch10: Arm0 Arm1 Arm2 Arm3 Arm4 Arm5 Arm6 Arm7 Arm8 Arm9;
     Branch11: Arm0 Arm1 Arm2 Arm3 Arm4 Arm5 Arm6 Arm7 Arm8 Arm9 Arm10;
     Branch12: Arm0 Arm1 Arm2 Arm3 Arm4 Arm5 Arm6 Arm7 Arm8 Arm9 Arm10 Arm11;
+}
+
+/// What a condition, an index or a bound looks at. It has no `DerefMut`, so that a method which
+/// changes its receiver is refused there: the compiler names this type then, and with it the way out.
+pub struct BindTheCallWithLetBefore<'a, T: ?Sized>(pub &'a T);
+
+impl<T: ?Sized> core::ops::Deref for BindTheCallWithLetBefore<'_, T> {
+    type Target = T;
+
+    #[inline(always)]
+    fn deref(&self) -> &T {
+        self.0
+    }
 }

@@ -17,19 +17,24 @@ use syn::spanned::Spanned;
 use syn::visit::Visit;
 use syn::{Attribute, Data, DeriveInput, Field, Fields, Generics, Member, Type, parse_quote};
 
+use crate::groups;
 use tangent::{TangentField, TangentStruct};
 
 /// The tangent and the impls that make it one.
 pub fn expand(item: TokenStream) -> syn::Result<TokenStream> {
-    let mut input: DeriveInput = syn::parse2(item)?;
+    let mut input: DeriveInput = syn::parse2(groups::explicit(item))?;
     let name = &input.ident;
     if is_constant(&input.attrs) {
-        let constant = without_derivative(name, &input.generics);
-        let parts = match &input.data {
-            Data::Struct(data) => parts(name, &input.generics, &data.fields),
-            _ => TokenStream::new(),
-        };
-        return Ok(quote!(#constant #parts));
+        return Ok(match &input.data {
+            Data::Struct(data) => {
+                // Its fields can be named in generated code, as those of a `#[constant]` field can.
+                let tangent = quote!(::ad::NoTangent<Self>);
+                let constant = without_derivative(name, &input.generics, &tangent);
+                let parts = parts(name, &input.generics, &data.fields);
+                quote!(#constant #parts)
+            }
+            _ => without_derivative(name, &input.generics, &quote!(())),
+        });
     }
     let variants: Vec<_> = match &input.data {
         Data::Struct(data) => {
@@ -59,7 +64,7 @@ pub fn expand(item: TokenStream) -> syn::Result<TokenStream> {
         }
     };
     if variants.iter().all(|variant| variant.fields.is_empty()) {
-        return Ok(without_derivative(name, &input.generics));
+        return Ok(without_derivative(name, &input.generics, &quote!(())));
     }
 
     let variants: Vec<_> =
@@ -221,13 +226,13 @@ fn operand(name: &Ident, generics: &Generics) -> TokenStream {
 }
 
 /// What holds no data to differentiate by is like an integer.
-fn without_derivative(name: &Ident, generics: &Generics) -> TokenStream {
+fn without_derivative(name: &Ident, generics: &Generics, tangent: &TokenStream) -> TokenStream {
     let (impl_generics, type_generics, where_clause) = generics.split_for_impl();
     let operand = operand(name, generics);
     quote! {
         #[automatically_derived]
         impl #impl_generics ::ad::Differentiable for #name #type_generics #where_clause {
-            type Tangent = ();
+            type Tangent = #tangent;
             type Shape = ();
 
             #[inline(always)]

@@ -177,6 +177,12 @@ impl Function<'_> {
 
             #(#cfgs)*
             impl #name {
+                /// The path of the function.
+                #[doc(hidden)]
+                pub fn named() -> &'static str {
+                    ::core::any::type_name::<Self>()
+                }
+
                 #functions
             }
         }

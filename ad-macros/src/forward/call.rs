@@ -1,11 +1,11 @@
 //! Calls: the arguments, then their tangents in the same order.
 
-use proc_macro2::{Ident, Span, TokenStream, TokenTree};
+use proc_macro2::{Ident, Span, TokenStream};
 use quote::quote;
 
 use super::{Tangent, Writer};
 use crate::floats;
-use crate::ir::{Argument, Operand, Place, Projection, VarId};
+use crate::ir::{Argument, Callee, Operand, Place, Projection, VarId};
 use crate::primal::Primal;
 
 /// An argument and its tangent.
@@ -18,14 +18,13 @@ impl Writer<'_> {
     pub(super) fn call(
         &mut self,
         var: VarId,
-        primal: &TokenStream,
-        vjp: &TokenStream,
-        method: bool,
+        callee: &Callee,
         arguments: &[Argument],
     ) -> TokenStream {
         let mut before = TokenStream::new();
-        let jvp = jvp_of(vjp);
-        let takes_number = method && floats::takes_number(&primal.to_string());
+        let (jvp, method) = (callee.derivative.jvp(), callee.is_method);
+        let takes_number =
+            callee.method_name().is_some_and(|name| floats::takes_number(&name.to_string()));
         let passed = arguments.iter().enumerate().map(|(index, argument)| match argument {
             Argument::Receiver(place) if takes_number && self.is_number_at(place) => {
                 Passed { value: self.primal_place(place), tangent: self.owned(place.root) }
@@ -48,7 +47,8 @@ impl Writer<'_> {
         let ident = self.ident(var).clone();
         let mutability = self.lowered.vars[var].mutable.then(|| quote!(mut));
         let dot = self.new_dot(var, Tangent::OwnedTarget);
-        quote!(#before let (#mutability #ident, #mutability #dot) = #call;)
+        let check = Primal(&self.lowered.vars).check_name(callee, arguments);
+        quote!(#check #before let (#mutability #ident, #mutability #dot) = #call;)
     }
 
     fn argument(
@@ -236,23 +236,4 @@ fn is_closure(tokens: &TokenStream) -> bool {
 /// Whether the tokens are the name of something.
 fn is_name(tokens: &TokenStream) -> bool {
     syn::parse2::<syn::ExprPath>(tokens.clone()).is_ok()
-}
-
-/// The path of the forward mode, from that of the reverse mode.
-pub(super) fn jvp_of(vjp: &TokenStream) -> TokenStream {
-    let mut tokens: Vec<_> = vjp.clone().into_iter().collect();
-    let is_name = |token: &TokenTree| matches!(token, TokenTree::Ident(ident) if ident.to_string().ends_with("vjp"));
-    if let Some(position) = tokens.iter().rposition(is_name) {
-        let text = tokens[position].to_string();
-        let stem = text.strip_suffix("vjp").expect("found by its end");
-        // What is missing in a module is missing at the name of the function.
-        let before = tokens[..position].iter().rev();
-        let owner = before.into_iter().find(|token| matches!(token, TokenTree::Ident(_)));
-        let span = match (stem, owner) {
-            ("", Some(owner)) => owner.span(),
-            _ => tokens[position].span(),
-        };
-        tokens[position] = TokenTree::Ident(Ident::new(&format!("{stem}jvp"), span));
-    }
-    tokens.into_iter().collect()
 }

@@ -27,10 +27,11 @@ impl Writer<'_> {
                 };
                 let first = arm.body.statements.iter().take_while(|s| is_position(s)).count();
                 let (positions, rest) = arm.body.statements.split_at(first);
+                let named = self.named(&arm.bindings);
                 let positions = self.statements(positions);
                 let bound = self.bindings(&arm.bindings, source);
                 let statements = self.statements(rest);
-                quote!(#positions #bound #statements)
+                quote!(#named #positions #bound #statements)
             })
             .collect();
         let result = branch.result;

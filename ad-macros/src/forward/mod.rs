@@ -215,6 +215,15 @@ impl Writer<'_> {
         }
     }
 
+    /// Names variables that a pattern binds under other names.
+    fn named(&self, bindings: &[Binding]) -> TokenStream {
+        let named = bindings.iter().filter_map(|Binding { var, written, .. }| {
+            let (ident, written) = (self.ident(*var), written.as_ref()?);
+            Some(quote!(let #ident = #written;))
+        });
+        named.collect()
+    }
+
     /// What a pattern bound moves with the matched place.
     fn bindings(&mut self, bindings: &[Binding], source: Option<&Place>) -> TokenStream {
         let mut tokens = TokenStream::new();

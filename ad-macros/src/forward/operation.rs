@@ -4,7 +4,6 @@ use proc_macro2::TokenStream;
 use quote::{quote, quote_spanned};
 use syn::{Member, Type};
 
-use super::call::jvp_of;
 use super::{Tangent, Writer};
 use crate::ir::{BinaryOperator, Operand, Operation, Place, Projection, Shape, VarId};
 use crate::primal::Primal;
@@ -21,9 +20,7 @@ impl Writer<'_> {
         let mutability = self.lowered.vars[var].mutable.then(|| quote!(mut));
         let span = ident.span();
         match operation {
-            Operation::Call { primal, vjp, method, arguments } => {
-                return self.call(var, primal, vjp, *method, arguments);
-            }
+            Operation::Call { callee, arguments } => return self.call(var, callee, arguments),
             Operation::Binary(operator, left, right) => {
                 if let Some(tangent) = self.arithmetic(*operator, *left, *right) {
                     let value = Primal(&self.lowered.vars).operation(operation, span);
@@ -50,8 +47,8 @@ impl Writer<'_> {
                 let object = self.object(closure);
                 return quote!(let #ident #ty = #object;);
             }
-            Operation::Named { primal, vjp } => {
-                let jvp = jvp_of(vjp);
+            Operation::Named { primal, derivative } => {
+                let jvp = derivative.jvp();
                 return quote!(let #ident = ::ad::function::named(#primal, #jvp););
             }
             _ => {}

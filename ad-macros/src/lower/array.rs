@@ -7,6 +7,7 @@ use syn::{
 };
 
 use super::Lowerer;
+use super::callee::is_from_fn;
 use super::chain::is_chain;
 use super::flow::strip_parens;
 use super::item::Item;
@@ -33,19 +34,14 @@ impl Container {
     }
 }
 
-/// `array::from_fn`, however far its path is written out.
-pub(super) fn is_from_fn(path: &Path) -> bool {
-    let mut segments = path.segments.iter().rev();
-    segments.next().is_some_and(|last| last.ident == "from_fn")
-        && segments.next().is_some_and(|module| module.ident == "array")
-}
-
 impl Lowerer<'_> {
     /// `array::from_fn(function)`
     pub(super) fn array_from_fn(&mut self, call: &ExprCall, path: &Path, hint: &str) -> Operand {
         let [function] = &call.args.iter().collect::<Vec<_>>()[..] else {
             return self.refuse(call, "`array::from_fn` takes one function");
         };
+        let arguments = quote!(::<u8, 0, fn(usize) -> u8>);
+        self.check_function(path, &quote!(::core::array::from_fn), &arguments);
         let ty = match &path.segments.last().expect("a path has a segment").arguments {
             PathArguments::AngleBracketed(arguments) => {
                 let arguments: Vec<&GenericArgument> = arguments.args.iter().collect();

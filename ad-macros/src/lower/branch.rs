@@ -8,7 +8,8 @@ use syn::{Expr, Pat, parse_quote};
 use super::flow::strip_parens;
 use super::pattern::Matched;
 use super::{Lowerer, desugar};
-use crate::ir::{Arm, Branch, BranchKind, Operand, Statement};
+use crate::ir::{Arm, Binding, Branch, BranchKind, Operand, Statement};
+use crate::names;
 
 impl Lowerer<'_> {
     /// An `if` or `match`; `lower_arm` gives the value of each arm's body.
@@ -53,6 +54,14 @@ impl Lowerer<'_> {
             }
             None => Self::unit(),
         }
+    }
+
+    /// A guard, which sees the names that the pattern has.
+    fn as_written(&self, guard: TokenStream, bindings: &[Binding]) -> TokenStream {
+        bindings.iter().fold(guard, |guard, binding| match &binding.written {
+            Some(written) => names::renamed(guard, self.ident(binding.var), written),
+            None => guard,
+        })
     }
 
     fn branch_arms(
@@ -101,7 +110,10 @@ impl Lowerer<'_> {
                     let mut guard_tokens = None;
                     let body = self.block(|lowerer| {
                         (pattern, bindings) = lowerer.pattern(pat, matched_value);
-                        guard_tokens = guard.map(|guard| lowerer.plain_in_place(guard));
+                        guard_tokens = guard.map(|guard| {
+                            let guard = lowerer.plain_in_place(guard);
+                            lowerer.as_written(guard, &bindings)
+                        });
                         lower_arm(lowerer, &arm.body)
                     });
                     Arm { pattern, guard: guard_tokens, bindings, body }

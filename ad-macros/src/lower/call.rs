@@ -1,16 +1,20 @@
 //! Calls of functions and methods, and what they are given.
 
 use proc_macro2::TokenStream;
-use quote::{format_ident, quote, quote_spanned};
+use quote::{ToTokens, quote, quote_spanned};
+use syn::Expr;
 use syn::spanned::Spanned;
-use syn::{Expr, ExprPath, Path, PathArguments};
 
 use super::Lowerer;
-use super::array::is_from_fn;
+use super::callee::{is_box_new, is_from_fn};
 use super::construct::is_type_name;
+use super::flow::strip_parens;
+use super::hidden::decodes;
 use super::higher::{refused_function, refused_method};
-use super::no_diff::undifferentiated;
-use crate::ir::{Argument, Operand, Operation, Projection, Statement, TypedBy};
+use super::no_diff::{stopped, undifferentiated};
+use crate::ir::{
+    Argument, Callee, Derivative, Operand, Operation, Place, Projection, Statement, TypedBy,
+};
 use crate::primal::Primal;
 
 impl Lowerer<'_> {
@@ -67,18 +71,35 @@ impl Lowerer<'_> {
             };
         };
         if reference.mutability.is_some() {
+            if let Expr::Call(_) | Expr::MethodCall(_) = strip_parens(&reference.expr) {
+                return self.exclusive_value(&reference.expr);
+            }
             return match self.target(&reference.expr) {
                 Some(place) => Argument::Exclusive(place),
                 None => Argument::Value(Self::unit()),
             };
         }
-        if let Some(place) = self.active_place(&reference.expr) {
-            return Argument::Borrow(place);
+        match self.place(&reference.expr) {
+            Some(place) if self.vars[place.root].active => return Argument::Borrow(place),
+            Some(place) => {
+                let place = self.place_tokens(&place);
+                return Argument::Value(Operand::Constant(quote!((&#place))));
+            }
+            None => {}
         }
         match self.operand(&reference.expr, "target") {
             Operand::Constant(tokens) => Argument::Value(Operand::Constant(quote!((&#tokens)))),
-            Operand::Var(root) => Argument::Borrow(crate::ir::Place { root, path: Vec::new() }),
+            Operand::Var(root) => Argument::Borrow(Place { root, path: Vec::new() }),
         }
+    }
+
+    /// `&mut value`
+    fn exclusive_value(&mut self, expr: &Expr) -> Argument {
+        let value = self.operand(expr, "value");
+        let ident = self.names.fresh("value", expr.span());
+        let root = self.var(ident, true, matches!(value, Operand::Var(_)));
+        self.push(Statement::Define { var: root, ty: None, operation: Operation::Use(value) });
+        Argument::Exclusive(Place { root, path: Vec::new() })
     }
 
     pub(super) fn argument_tokens(&self, argument: &Argument) -> TokenStream {
@@ -86,11 +107,11 @@ impl Lowerer<'_> {
     }
 
     pub(super) fn call(&mut self, call: &syn::ExprCall, hint: &str) -> Operand {
-        if let Expr::Closure(_) = super::flow::strip_parens(&call.func) {
-            let given = call.args.iter().map(|argument| self.given(argument)).collect();
+        if let Expr::Closure(_) = strip_parens(&call.func) {
+            let given = self.all_given(call);
             return self.apply(&call.func, given);
         }
-        let Expr::Path(function) = super::flow::strip_parens(&call.func) else {
+        let Expr::Path(function) = strip_parens(&call.func) else {
             return self.refuse(
                 &call.func,
                 "only functions called by name can be differentiated: write a `#[differentiable]` function",
@@ -99,7 +120,7 @@ impl Lowerer<'_> {
         let path = &function.path;
         if let Some(name) = path.get_ident() {
             if self.named_closure(&call.func).is_some() {
-                let given = call.args.iter().map(|argument| self.given(argument)).collect();
+                let given = self.all_given(call);
                 return self.apply(&call.func, given);
             }
             if let Some(var) = self.lookup(name) {
@@ -116,7 +137,7 @@ impl Lowerer<'_> {
             return self.refuse(path, message);
         }
         let last = path.segments.last().expect("a path has a segment");
-        if last.ident == "stop_gradient" {
+        if stopped(call).is_some() {
             let expr = Expr::Call(call.clone());
             let tokens = self.plain(&expr);
             return self.settled(&expr, tokens);
@@ -134,16 +155,24 @@ impl Lowerer<'_> {
             return self.boxed(call, hint);
         }
 
-        let twin = twin_of(function);
+        let derivative = self.derivative_of(function);
+        let twin = match &derivative {
+            Derivative::Twin { ty, is_of_attribute: true, .. } => Some(ty.clone()),
+            _ => None,
+        };
         let arguments = call.args.iter().enumerate().map(|(index, argument)| {
             let typed_by = twin.clone().map(|function| TypedBy { function, method: None, index });
-            self.argument_of(argument, typed_by)
+            let value = self.argument_of(argument, typed_by);
+            self.argument_in_turn(value, argument, call.args.iter().skip(index + 1))
         });
-        let arguments: Vec<_> = arguments.collect();
-        let primal = quote!(#function);
-        let vjp = known_vjp(path).unwrap_or_else(|| vjp_of(function));
+        let mut arguments: Vec<_> = arguments.collect();
+        if !self.is_constant_call(&arguments) {
+            self.check_attribute(function);
+            self.check_constants(&mut arguments, &call.args);
+        }
         let hint = if hint == "value" { last.ident.to_string() } else { hint.to_owned() };
-        self.finish_call(primal, vjp, false, arguments, &hint, call.span())
+        let callee = Callee { primal: quote!(#function), derivative, is_method: false };
+        self.finish_call(callee, arguments, &hint, call.span())
     }
 
     pub(super) fn method_call(&mut self, call: &syn::ExprMethodCall, hint: &str) -> Operand {
@@ -157,13 +186,15 @@ impl Lowerer<'_> {
             return value;
         }
         let name = call.method.to_string();
-        if is_predicate(&name) {
-            return self.discrete(&Expr::MethodCall(call.clone()));
+        let whole = Expr::MethodCall(call.clone());
+        if is_predicate(&name) && !self.is_change(&whole) {
+            return self.discrete(&whole);
         }
         if let Some(message) = refused_method(&call.method) {
             return self.refuse(&call.method, message);
         }
         let receiver = self.receiver(call);
+        let receiver = self.argument_in_turn(receiver, &call.receiver, &call.args);
         let called_on = match &receiver {
             Argument::Receiver(place) if self.vars[place.root].mutable => Some(place.root),
             _ => None,
@@ -179,14 +210,13 @@ impl Lowerer<'_> {
             if is_comparing(&name) {
                 return Argument::Value(Operand::Constant(self.plain_in_place(argument)));
             }
-            self.argument_of(
-                argument,
-                Some(TypedBy {
-                    function: called.clone(),
-                    method: Some(call.method.clone()),
-                    index: index + 1,
-                }),
-            )
+            let typed_by = TypedBy {
+                function: called.clone(),
+                method: Some(call.method.clone()),
+                index: index + 1,
+            };
+            let value = self.argument_of(argument, Some(typed_by));
+            self.argument_in_turn(value, argument, call.args.iter().skip(index + 1))
         }));
         if called_on.is_some() {
             self.called_on.pop();
@@ -198,11 +228,14 @@ impl Lowerer<'_> {
         {
             arguments[0] = Argument::Borrow(place.clone());
         }
-        let (method, turbofish) = (&call.method, &call.turbofish);
-        let vjp = format_ident!("{}_vjp", method);
+        if !self.is_constant_call(&arguments) {
+            let written = std::iter::once(&*call.receiver).chain(&call.args);
+            self.check_constants(&mut arguments, written);
+        }
         let hint = if hint == "value" { name } else { hint.to_owned() };
-        let (primal, vjp) = (quote!(#method #turbofish), quote!(#vjp #turbofish));
-        self.finish_call(primal, vjp, true, arguments, &hint, call.span())
+        let callee =
+            Callee::method(&call.method, call.turbofish.as_ref().map(ToTokens::to_token_stream));
+        self.finish_call(callee, arguments, &hint, call.span())
     }
 
     /// `x`, `y`, `z`: vectors of glam have no such methods but those of `ad`, so another trait could
@@ -220,27 +253,34 @@ impl Lowerer<'_> {
         self.push(Statement::Plain { code, defines: Vec::new() });
     }
 
+    /// Whether no derivative flows into a call.
+    fn is_constant_call(&self, arguments: &[Argument]) -> bool {
+        arguments.iter().all(|argument| match argument {
+            Argument::Value(operand) => matches!(operand, Operand::Constant(_)),
+            Argument::Exclusive(place) | Argument::Reborrow(place) | Argument::Receiver(place) => {
+                !self.vars[place.root].active
+            }
+            Argument::Borrow(_)
+            | Argument::Function(_)
+            | Argument::Callee(_)
+            | Argument::PassedOn(..) => false,
+        })
+    }
+
     pub(super) fn finish_call(
         &mut self,
-        primal: TokenStream,
-        vjp: TokenStream,
-        method: bool,
+        callee: Callee,
         arguments: Vec<Argument>,
         hint: &str,
         span: proc_macro2::Span,
     ) -> Operand {
-        let constant = arguments.iter().all(|argument| match argument {
-            Argument::Value(operand) => matches!(operand, Operand::Constant(_)),
-            Argument::Exclusive(place) | Argument::Reborrow(place) => !self.vars[place.root].active,
-            Argument::Borrow(_)
-            | Argument::Receiver(_)
-            | Argument::Function(_)
-            | Argument::Callee(_)
-            | Argument::PassedOn(..) => false,
-        });
-        if constant {
+        if self.is_constant_call(&arguments) {
             let tokens: Vec<_> = arguments.iter().map(|a| self.argument_tokens(a)).collect();
-            let value = match (method, &tokens[..]) {
+            if callee.name().is_some_and(decodes) {
+                self.check_decoded(&quote!(#(#tokens)*), &callee.primal);
+            }
+            let primal = &callee.primal;
+            let value = match (callee.is_method, &tokens[..]) {
                 (true, [receiver, arguments @ ..]) => {
                     quote!(#receiver.#primal(#(#arguments),*))
                 }
@@ -261,16 +301,25 @@ impl Lowerer<'_> {
         let called = usize::from(matches!(arguments.first(), Some(Argument::Callee(_))));
         self.passes_functions |=
             arguments[called..].iter().any(|argument| Primal(&self.vars).is_function(argument));
-        let operation = Operation::Call { primal, vjp, method, arguments };
-        Operand::Var(self.define(hint, span, true, operation))
+        let may_refer = self.may_give_reference(&callee, &arguments);
+        let operation = Operation::Call { callee, arguments };
+        let value = self.define(hint, span, true, operation);
+        self.vars[value].reference = may_refer;
+        Operand::Var(value)
     }
-}
 
-/// `Box::new`
-fn is_box_new(path: &Path) -> bool {
-    let mut segments = path.segments.iter().rev();
-    segments.next().is_some_and(|last| last.ident == "new")
-        && segments.next().is_some_and(|owner| owner.ident == "Box")
+    /// Whether what a call gives may hold a reference to a number.
+    fn may_give_reference(&self, callee: &Callee, arguments: &[Argument]) -> bool {
+        const LENDING: [&str; 4] = ["get", "first", "last", "as_ref"];
+        const HANDING_ON: [&str; 6] = ["unwrap", "expect", "unwrap_or", "or", "xor", "flatten"];
+        let is_one_of = |names: &[&str]| {
+            callee.name().is_some_and(|name| names.iter().any(|known| name == known))
+        };
+        is_one_of(&LENDING)
+            || is_one_of(&HANDING_ON)
+                && matches!(arguments.first(), Some(Argument::Value(Operand::Var(var)))
+                    if self.vars[*var].reference)
+    }
 }
 
 /// Comparisons, tests and what makes texts, by the names that glam and the standard library give
@@ -286,60 +335,4 @@ pub(super) fn is_predicate(name: &str) -> bool {
 /// Methods that are given a comparison.
 fn is_comparing(name: &str) -> bool {
     matches!(name, "sort_by" | "sort_unstable_by")
-}
-
-/// The derivative of a function of the standard library.
-fn known_vjp(path: &Path) -> Option<TokenStream> {
-    let mut segments = path.segments.iter().rev();
-    let name = &segments.next()?.ident;
-    let is_known = segments.next()?.ident == "mem"
-        && ["swap", "replace", "take"].iter().any(|known| name == known);
-    is_known.then(|| quote!(::ad::rules::replace::#name::vjp))
-}
-
-/// Whether a path leads to a function of a type.
-fn is_associated(function: &ExprPath) -> bool {
-    function.qself.is_some()
-        || function.path.segments.iter().rev().nth(1).is_some_and(|owner| {
-            is_type_name(&owner.ident) || owner.ident == "f32" || owner.ident == "f64"
-        })
-}
-
-/// The type that has the derivatives of a function that is not associated.
-fn twin_of(function: &ExprPath) -> Option<TokenStream> {
-    if is_associated(function) {
-        return None;
-    }
-    let mut path = function.path.clone();
-    path.segments.last_mut()?.arguments = PathArguments::None;
-    Some(quote!(#path))
-}
-
-/// The path of the derivative: `Type::f_vjp` for an associated function, `f::vjp` for another.
-pub(super) fn vjp_of(function: &ExprPath) -> TokenStream {
-    let path = &function.path;
-    let mut segments: Vec<_> = path.segments.iter().cloned().collect();
-    let Some(last) = segments.last_mut() else { return quote!(#function) };
-    let arguments = std::mem::replace(&mut last.arguments, PathArguments::None);
-    if is_associated(function) {
-        last.ident = format_ident!("{}_vjp", last.ident);
-        last.arguments = arguments;
-        if let Some(qself) = &function.qself {
-            // The derivative may come from another trait than the function.
-            let (ty, name) = (&qself.ty, segments.last());
-            return quote!(<#ty>::#name);
-        }
-        let leading = &path.leading_colon;
-        return quote!(#leading #(#segments)::*);
-    }
-    let leading = &path.leading_colon;
-    let turbofish = match &arguments {
-        PathArguments::AngleBracketed(arguments) => {
-            let mut arguments = arguments.clone();
-            arguments.colon2_token = Some(Default::default());
-            quote!(#arguments)
-        }
-        _ => TokenStream::new(),
-    };
-    quote!(#leading #(#segments)::*::vjp #turbofish)
 }

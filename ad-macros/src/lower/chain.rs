@@ -46,8 +46,22 @@ pub(super) enum Chain {
     TakeWhile(Box<Chain>, Expr),
     /// `.enumerate()` behind a filter: with a variable that counts.
     Count(Box<Chain>, VarId),
+    /// `.skip(n)`, `.step_by(n)`, `.take(n)` where every item has to be made: with a variable that
+    /// counts, and `n`.
+    Counted { inner: Box<Chain>, counter: VarId, choice: Choice, count: TokenStream },
     /// Has been refused.
     Refused,
+}
+
+/// Which items pass, by their number.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Choice {
+    /// Those from the n-th on.
+    Skip,
+    /// Every n-th.
+    StepBy,
+    /// Those before the n-th.
+    Take,
 }
 
 impl Chain {
@@ -63,7 +77,8 @@ impl Chain {
             | Self::Map(inner, _)
             | Self::Filter(inner, _)
             | Self::TakeWhile(inner, _)
-            | Self::Count(inner, _) => inner.length(),
+            | Self::Count(inner, _)
+            | Self::Counted { inner, .. } => inner.length(),
             Self::Zip(left, right) => smaller(left.length(), right.length()),
             Self::Order { limit, repeats: true, .. } => *limit,
             Self::Order { inner, limit, .. } => smaller(inner.length(), *limit),
@@ -85,6 +100,7 @@ impl Chain {
             Self::Enumerate(inner)
             | Self::Copied(inner)
             | Self::Count(inner, _)
+            | Self::Counted { inner, .. }
             | Self::Flat { inner, function: None, .. }
             | Self::Order { inner, .. } => inner.functions(),
             Self::Zip(left, right) | Self::Chained(left, right) => {
@@ -103,7 +119,8 @@ impl Chain {
             | Self::FilterMap { .. }
             | Self::Flat { .. }
             | Self::TakeWhile(..)
-            | Self::Count(..) => true,
+            | Self::Count(..)
+            | Self::Counted { .. } => true,
             Self::Map(inner, _) | Self::Copied(inner) => inner.is_filtered(),
             _ => false,
         }
@@ -112,11 +129,14 @@ impl Chain {
     /// Whether the loop may end before its iterator does.
     pub fn stops(&self) -> bool {
         match self {
-            Self::TakeWhile(..) | Self::FilterMap { stops: true, .. } => true,
+            Self::TakeWhile(..)
+            | Self::FilterMap { stops: true, .. }
+            | Self::Counted { choice: Choice::Take, .. } => true,
             Self::FilterMap { inner, .. }
             | Self::Flat { inner, .. }
             | Self::Filter(inner, _)
             | Self::Count(inner, _)
+            | Self::Counted { inner, .. }
             | Self::Map(inner, _)
             | Self::Copied(inner) => inner.stops(),
             _ => false,

@@ -6,10 +6,8 @@
 //! left. What is borrowed as `&mut` is copied before the loop and written back after it, and so is what
 //! the loop uses of `self`.
 
-use std::collections::HashSet;
-
 use proc_macro2::Ident;
-use quote::{ToTokens, quote};
+use quote::ToTokens;
 use syn::visit::Visit;
 use syn::visit_mut::{self, VisitMut};
 use syn::{
@@ -76,7 +74,10 @@ impl Lowerer<'_> {
             Exit::Break(_) | Exit::Return => true,
         };
         let exits: Vec<_> = exits::block_exits(body).into_iter().filter(is_exit).collect();
-        if exits.is_empty() || (has_question_mark(body) && self.on_failure == OnFailure::Unknown) {
+        if exits.is_empty()
+            || (has_question_mark(body)
+                && !matches!(self.on_failure, OnFailure::None | OnFailure::Err))
+        {
             return None;
         }
         let fresh = ["is_running", "returned", "jump"].map(|name| self.names.unwritten(name));
@@ -156,34 +157,27 @@ impl Lowerer<'_> {
 
     /// A loop on copies of what it uses that is borrowed.
     fn with_own_state(&mut self, a_loop: &Expr) -> Option<Expr> {
-        let mut named = HashSet::new();
-        names::collect(quote!(#a_loop), &mut named);
-        let mut named: Vec<_> = named.into_iter().collect();
+        let mut named = names::identifiers(a_loop.to_token_stream());
         named.sort();
         for name in named {
-            let Some(var) = self.scopes.iter().rev().find_map(|scope| scope.get(&name)) else {
-                continue;
-            };
-            let (var, span) = (*var, self.ident(*var).span());
+            let Some(var) = self.lookup(&name) else { continue };
             if name == "self" {
-                return self.with_own_receiver(a_loop, var);
+                return self.with_own_receiver(a_loop, &name, var);
             }
             if !self.vars[var].exclusive {
                 continue;
             }
-            let mut ident: Ident = syn::parse_str(&name).ok()?;
-            ident.set_span(span);
             let copy = self.names.unwritten("copy");
             let (copied, back): (Expr, Stmt) = match self.slices.contains(&var) {
                 true => {
-                    (parse_quote!(#ident.to_vec()), parse_quote!(#ident.copy_from_slice(&#copy);))
+                    (parse_quote!(#name.to_vec()), parse_quote!(#name.copy_from_slice(&#copy);))
                 }
-                false => (parse_quote!((*#ident).clone()), parse_quote!(*#ident = #copy;)),
+                false => (parse_quote!((*#name).clone()), parse_quote!(*#name = #copy;)),
             };
             return Some(parse_quote!({
                 let mut #copy = #copied;
                 {
-                    let #ident = &mut #copy;
+                    let #name = &mut #copy;
                     #a_loop
                 }
                 #back
@@ -193,28 +187,28 @@ impl Lowerer<'_> {
     }
 
     /// A loop on a copy of `self`, which cannot be the name of a variable.
-    fn with_own_receiver(&mut self, a_loop: &Expr, receiver: VarId) -> Option<Expr> {
+    fn with_own_receiver(&mut self, a_loop: &Expr, name: &Ident, receiver: VarId) -> Option<Expr> {
         let [copy, this] = ["copy", "this"].map(|name| self.names.unwritten(name));
         let renamed = names::without_self(a_loop.to_token_stream(), &this);
         let renamed: Expr = syn::parse2(renamed).ok()?;
         Some(if self.vars[receiver].exclusive {
             parse_quote!({
-                let mut #copy = (*self).clone();
+                let mut #copy = (*#name).clone();
                 {
                     let #this = &mut #copy;
                     #renamed
                 }
-                *self = #copy;
+                *#name = #copy;
             })
         } else if self.vars[receiver].mutable {
             parse_quote!({
-                let mut #this = self;
+                let mut #this = #name;
                 #renamed
-                self = #this;
+                #name = #this;
             })
         } else if self.may_refer(receiver) {
             parse_quote!({
-                let #this = (*self).clone();
+                let #this = (*#name).clone();
                 #renamed
             })
         } else {

@@ -9,7 +9,7 @@
 //! (see [`function`](super::function)): it would copy what it captures, and a captured variable that
 //! the closure changes has no place there.
 
-use std::collections::{HashMap, HashSet};
+use std::collections::HashSet;
 use std::rc::Rc;
 
 use proc_macro2::Ident;
@@ -20,15 +20,16 @@ use syn::{Expr, ExprClosure, Pat, ReturnType, parse_quote};
 use super::ends::{End, JumpKind, Target};
 use super::flow::{as_statements, strip_parens};
 use super::item::{Alias, Item};
+use super::scopes::{Name, Scopes};
 use super::{Lowerer, OnFailure, exits};
-use crate::ir::{Operand, Operation, Place, Statement, VarId};
+use crate::ir::{Operand, Operation, Place, Statement};
 use crate::names;
 
 /// A closure that has a name.
 pub(super) struct Closure {
     pub body: ExprClosure,
     /// What names mean where it was written.
-    pub scopes: Vec<HashMap<String, VarId>>,
+    pub scopes: Scopes,
 }
 
 impl Lowerer<'_> {
@@ -36,37 +37,35 @@ impl Lowerer<'_> {
     pub(super) fn closure_local(&mut self, name: &Ident, closure: &ExprClosure) {
         let mut scopes = self.scopes.clone();
         if closure.capture.is_some() {
-            scopes.push(self.moved(closure));
+            self.move_captured(closure, &mut scopes);
         }
         let var = self.unwritten_var(name, false, false);
         self.closures.insert(var, Rc::new(Closure { body: closure.clone(), scopes }));
         self.alias(name, var);
     }
 
-    /// Copies of the changeable variables that a `move` closure captures, by their names.
-    fn moved(&mut self, closure: &ExprClosure) -> HashMap<String, VarId> {
-        let mut used = HashSet::new();
-        names::collect(closure.to_token_stream(), &mut used);
-        let mut used: Vec<_> = used.into_iter().collect();
-        used.sort();
-        let mut copies = HashMap::new();
-        for name in used {
-            let found = self.scopes.iter().rev().find_map(|scope| scope.get(&name).copied());
-            let Some(root) = found else { continue };
-            if !self.vars[root].mutable || self.aliases.contains_key(&root) {
+    /// Lets a `move` closure that is being written have copies of the changeable variables that it
+    /// captures.
+    fn move_captured(&mut self, closure: &ExprClosure, scopes: &mut Scopes) {
+        scopes.open();
+        for name in names::identifiers(closure.to_token_stream()) {
+            let Some(root) = self.scopes.lookup(&name) else { continue };
+            if !self.vars[root].mutable
+                || self.aliases.contains_key(&root)
+                || scopes.lookup_innermost(&name).is_some()
+            {
                 continue;
             }
             let (active, span) = (self.vars[root].active, self.ident(root).span());
-            let ident = self.names.fresh(&name, span);
+            let ident = self.names.fresh(&name.to_string(), span);
             let value = match active {
                 true => Operation::Read(Place { root, path: Vec::new() }),
                 false => Operation::Use(Operand::Constant(self.ident(root).to_token_stream())),
             };
             let copy = self.var(ident, true, active);
             self.push(Statement::Define { var: copy, ty: None, operation: value });
-            copies.insert(name, copy);
+            scopes.bind(&name, copy);
         }
-        copies
     }
 
     /// The closure that an expression names.
@@ -111,7 +110,7 @@ impl Lowerer<'_> {
         }
         let on_failure = std::mem::replace(&mut self.on_failure, OnFailure::None);
         let value = self.jump(JumpKind::Function, None, |lowerer, id| {
-            lowerer.scope(|lowerer| {
+            lowerer.nested(|lowerer| {
                 for (pat, argument) in closure.inputs.iter().zip(arguments) {
                     lowerer.bind_item(pat, argument);
                 }
@@ -137,6 +136,18 @@ impl Lowerer<'_> {
             true => Operand::Var(var),
             false => Operand::Constant(quote!(#ident)),
         }
+    }
+
+    /// All that a call of a closure is given.
+    pub(super) fn all_given(&mut self, call: &syn::ExprCall) -> Vec<Item> {
+        let given = |(index, argument)| match self.given(argument) {
+            Item::Value(value) => {
+                let following = call.args.iter().skip(index + 1);
+                Item::Value(self.in_turn(value, argument, following))
+            }
+            item => item,
+        };
+        call.args.iter().enumerate().map(given).collect()
     }
 
     /// What a call of a closure is given.
@@ -182,13 +193,13 @@ impl Lowerer<'_> {
 pub(super) fn changes_captured(closure: &ExprClosure) -> bool {
     #[derive(Default)]
     struct Finder {
-        declared: HashSet<String>,
-        assigned: HashSet<String>,
+        declared: HashSet<Name>,
+        assigned: HashSet<Name>,
     }
 
     impl<'ast> Visit<'ast> for Finder {
         fn visit_pat_ident(&mut self, pat: &'ast syn::PatIdent) {
-            self.declared.insert(pat.ident.to_string());
+            self.declared.insert(Name::of(&pat.ident));
             visit::visit_pat_ident(self, pat);
         }
 
@@ -202,7 +213,7 @@ pub(super) fn changes_captured(closure: &ExprClosure) -> bool {
                 _ => None,
             };
             if let Some(name) = target.and_then(root_name) {
-                self.assigned.insert(name.to_string());
+                self.assigned.insert(Name::of(name));
             }
             visit::visit_expr(self, expr);
         }

@@ -47,11 +47,10 @@ impl Lowerer<'_> {
             Some(variant) => Shape::Variant(variant.clone()),
             None => Shape::Struct,
         };
-        let parts: Vec<_> = literal
-            .fields
-            .iter()
-            .map(|field| (field.member.clone(), self.operand(&field.expr, "field")))
-            .collect();
+        let values = literal.fields.iter().map(|field| &field.expr);
+        let values = self.operands_before(values, literal.rest.as_deref(), "field");
+        let members = literal.fields.iter().map(|field| field.member.clone());
+        let parts: Vec<_> = members.zip(values).collect();
         let fields = parts.iter().map(|(member, value)| {
             let value = self.tokens(value);
             quote!(#member: #value)

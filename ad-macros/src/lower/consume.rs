@@ -25,7 +25,8 @@ impl Lowerer<'_> {
             ("last", []) => self.reduced(call, None, hint),
             ("for_each", [function]) => {
                 self.each(&call.receiver, &mut |lowerer, item| {
-                    lowerer.apply(function, vec![item]);
+                    let value = lowerer.apply(function, vec![item]);
+                    lowerer.discard(value);
                 });
                 Self::unit()
             }

@@ -215,7 +215,7 @@ impl Lowerer<'_> {
         let body: Block = self.block(|lowerer| {
             let ident = lowerer.names.fresh("content", span);
             let var = lowerer.var(ident.clone(), false, active);
-            let binding = Binding { var, path: vec![Projection::Field(side.member())] };
+            let binding = Binding::new(var, vec![Projection::Field(side.member())]);
             head = Some((side.of(&quote!(#ident)), binding));
             let value = match active {
                 true => Operand::Var(var),
@@ -235,9 +235,12 @@ impl Lowerer<'_> {
 
     /// Goes on with `rest` under the name that `pat` gives to a value.
     pub(super) fn bind_rest(&mut self, pat: Option<&Pat>, value: Operand) {
-        if let Some(pat) = pat {
-            let (pat, ty) = super::flow::split_type(pat);
-            self.bind_pattern(pat, ty, value);
+        match pat {
+            Some(pat) => {
+                let (pat, ty) = super::flow::split_type(pat);
+                self.bind_pattern(pat, ty, value);
+            }
+            None => self.discard(value),
         }
     }
 }

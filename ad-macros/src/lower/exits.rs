@@ -4,7 +4,9 @@ use proc_macro2::Ident;
 use syn::visit::{self, Visit};
 use syn::{Block, Expr, Label, Lifetime, Stmt, parse_quote};
 
+use super::chain::is_chain;
 use super::macros::macro_diverges;
+use super::order::calls;
 use crate::names::Names;
 
 /// A jump, as the user wrote it.
@@ -213,8 +215,8 @@ pub fn expr_diverges(expr: &Expr) -> bool {
     }
 }
 
-/// Takes the first part of `expr` out of it that may exit and is certainly evaluated, and leaves a
-/// new name in its place.
+/// Takes the first part of `expr` out of it that may exit and is certainly evaluated, or a call before
+/// that, and leaves a new name in its place.
 pub fn hoist(expr: &mut Expr, names: &mut Names) -> Option<(Ident, Expr)> {
     match expr {
         Expr::Try(inner) if expr_exits(&inner.expr) => hoist(&mut inner.expr, names),
@@ -242,7 +244,16 @@ pub fn hoist(expr: &mut Expr, names: &mut Names) -> Option<(Ident, Expr)> {
             let part = std::mem::replace(expr, parse_quote!(#ident));
             Some((ident, part))
         }
-        _ => strict_parts(expr).into_iter().find_map(|part| hoist(part, names)),
+        _ => {
+            let mut parts = strict_parts(expr);
+            let exit = parts.iter().position(|part| expr_exits(part))?;
+            // What is evaluated before stays before; an iterator is not, until it is used up.
+            let earlier = parts[..exit].iter().position(|part| calls(part) && !is_chain(part));
+            let Some(earlier) = earlier else { return hoist(parts[exit], names) };
+            let ident = names.unwritten("value");
+            let part = std::mem::replace(parts[earlier], parse_quote!(#ident));
+            Some((ident, part))
+        }
     }
 }
 
@@ -250,7 +261,6 @@ pub fn hoist(expr: &mut Expr, names: &mut Names) -> Option<(Ident, Expr)> {
 fn strict_parts(expr: &mut Expr) -> Vec<&mut Expr> {
     match expr {
         Expr::Paren(e) => vec![&mut e.expr],
-        Expr::Group(e) => vec![&mut e.expr],
         Expr::Unary(e) => vec![&mut e.expr],
         Expr::Cast(e) => vec![&mut e.expr],
         Expr::Field(e) => vec![&mut e.base],
@@ -262,6 +272,7 @@ fn strict_parts(expr: &mut Expr) -> Vec<&mut Expr> {
         Expr::Assign(e) => vec![&mut e.right],
         Expr::Binary(e) => match e.op {
             syn::BinOp::And(_) | syn::BinOp::Or(_) => vec![&mut e.left],
+            operator if is_update(&operator) => vec![&mut e.right],
             _ => vec![&mut e.left, &mut e.right],
         },
         Expr::Index(e) => vec![&mut e.expr, &mut e.index],

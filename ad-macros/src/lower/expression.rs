@@ -2,13 +2,14 @@
 
 use quote::{quote, quote_spanned};
 use syn::spanned::Spanned;
-use syn::{BinOp, Expr, ExprBinary, Member, Type, UnOp};
+use syn::{BinOp, Expr, ExprBinary, Member, UnOp};
 
 use super::Lowerer;
 use super::construct::numbered;
 use super::ends::End;
 use crate::element;
-use crate::ir::{BinaryOperator, Operand, Operation, Projection, Shape};
+use crate::ir::{BinaryOperator, Operand, Operation, Projection, Shape, Statement};
+use crate::signature::{is_discrete, is_float};
 
 impl Lowerer<'_> {
     /// Evaluates an expression. A new variable for the result, if one is needed, is named after
@@ -17,7 +18,6 @@ impl Lowerer<'_> {
         match expr {
             Expr::Lit(literal) => Operand::Constant(quote!(#literal)),
             Expr::Paren(inner) => self.operand(&inner.expr, hint),
-            Expr::Group(inner) => self.operand(&inner.expr, hint),
             Expr::Index(index) if element::is_element(index) => {
                 self.method_call(&element::read(index), hint)
             }
@@ -81,7 +81,23 @@ impl Lowerer<'_> {
         &mut self,
         exprs: impl IntoIterator<Item = &'e Expr>,
     ) -> Vec<Operand> {
-        exprs.into_iter().map(|expr| self.operand(expr, "value")).collect()
+        self.operands_before(exprs, None, "value")
+    }
+
+    /// The values of parts that are evaluated before `last`.
+    pub(super) fn operands_before<'e>(
+        &mut self,
+        exprs: impl IntoIterator<Item = &'e Expr>,
+        last: Option<&'e Expr>,
+        hint: &str,
+    ) -> Vec<Operand> {
+        let exprs: Vec<_> = exprs.into_iter().collect();
+        let operand = |(index, &expr): (usize, &&'e Expr)| {
+            let operand = self.operand(expr, hint);
+            let following = exprs[index + 1..].iter().copied().chain(last);
+            self.in_turn(operand, expr, following)
+        };
+        exprs.iter().enumerate().map(operand).collect()
     }
 
     fn negate(&mut self, inner: &Expr, hint: &str, whole: &Expr) -> Operand {
@@ -106,6 +122,7 @@ impl Lowerer<'_> {
             return value;
         }
         let left = self.scalar(&binary.left, "value");
+        let left = self.in_turn(left, &binary.left, [&*binary.right]);
         let right = self.scalar(&binary.right, "value");
         let token = &binary.op;
         if let (Operand::Constant(left), Operand::Constant(right)) = (&left, &right) {
@@ -155,11 +172,17 @@ impl Lowerer<'_> {
     /// A cast to a float has a pullback; any other must not cut a derivative.
     fn cast(&mut self, cast: &syn::ExprCast, hint: &str) -> Operand {
         let ty = &cast.ty;
-        let to_float = matches!(&**ty, Type::Path(path)
-            if path.path.is_ident("f32") || path.path.is_ident("f64"));
+        // What a name stands for that is none of the language's, its type tells.
+        let (is_known, to_float) = (is_float(ty) || is_discrete(ty), !is_discrete(ty));
         match self.operand(&cast.expr, "value") {
             Operand::Constant(tokens) => Operand::Constant(quote!((#tokens as #ty))),
             Operand::Var(var) if to_float => {
+                if !is_known {
+                    let ident = self.ident_at(var, cast.expr.span());
+                    let code = quote_spanned!(cast.span()=>
+                        let _ = ::ad::rules::castable::<_, #ty>(#ident););
+                    self.push(Statement::Plain { code, defines: Vec::new() });
+                }
                 let operation = Operation::Cast(var, (**ty).clone());
                 Operand::Var(self.define(hint, cast.span(), true, operation))
             }
@@ -212,7 +235,9 @@ impl Lowerer<'_> {
                 self.part(&field.base, Projection::Field(field.member.clone()), hint, expr)
             }
             Expr::Index(index) => match self.operand(&index.expr, "whole") {
-                Operand::Constant(base) => {
+                base @ Operand::Constant(_) => {
+                    let base = self.in_turn(base, &index.expr, [&*index.index]);
+                    let base = self.tokens(&base);
                     let position = self.index(&index.index, &base);
                     Operand::Constant(quote!(#base[#position]))
                 }

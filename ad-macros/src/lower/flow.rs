@@ -6,7 +6,7 @@
 //! and the rest the `Continue` arm of a match on it. `e?` becomes a match on `e`.
 
 use proc_macro2::Ident;
-use quote::{quote, quote_spanned};
+use quote::quote_spanned;
 use syn::spanned::Spanned;
 use syn::visit::Visit;
 use syn::{Expr, Local, Pat, Stmt, parse_quote};
@@ -19,7 +19,7 @@ use super::item::is_plain_name;
 use super::macros::macro_diverges;
 use super::operator::is_own_type;
 use super::{Lowerer, OnFailure, deferred, desugar, exits};
-use crate::ir::{Operand, Statement};
+use crate::ir::{Operand, Operation, Statement};
 
 impl Lowerer<'_> {
     pub(super) fn function_body(&mut self, stmts: &[Stmt]) -> Operand {
@@ -31,7 +31,7 @@ impl Lowerer<'_> {
 
     /// The value of a block without exits.
     pub(super) fn block_value(&mut self, stmts: &[Stmt]) -> Operand {
-        self.scope(|lowerer| lowerer.statements(stmts.to_vec(), &End::default()))
+        self.nested(|lowerer| lowerer.statements(stmts.to_vec(), &End::default()))
     }
 
     pub(super) fn statements(&mut self, stmts: Vec<Stmt>, end: &End) -> Operand {
@@ -71,6 +71,7 @@ impl Lowerer<'_> {
                     let value = self.macro_call(&call.mac, "value");
                     return self.normal_end(value, end);
                 }
+                Stmt::Local(local) => self.local(&local, Some(stmts.as_slice())),
                 stmt => self.statement(&stmt),
             }
         }
@@ -80,7 +81,7 @@ impl Lowerer<'_> {
     /// A statement without exits.
     pub(super) fn statement(&mut self, stmt: &Stmt) {
         match stmt {
-            Stmt::Local(local) => self.local(local),
+            Stmt::Local(local) => self.local(local, None),
             Stmt::Item(item) => self.local_item(item),
             Stmt::Macro(call) => {
                 self.macro_call(&call.mac, "value");
@@ -95,7 +96,8 @@ impl Lowerer<'_> {
             Expr::Binary(binary) if exits::is_update(&binary.op) => self.update(binary),
             Expr::If(_) | Expr::Match(_) => {
                 self.branch_statement(expr, &mut |lowerer, body| {
-                    lowerer.operand(body, "value");
+                    let value = lowerer.operand(body, "value");
+                    lowerer.discard(value);
                     Self::unit()
                 });
             }
@@ -103,20 +105,21 @@ impl Lowerer<'_> {
                 self.a_loop(expr);
             }
             Expr::Block(block) => {
-                self.a_block(block, &End::default());
+                let value = self.a_block(block, &End::default());
+                self.discard(value);
             }
             _ => {
-                if let Operand::Constant(tokens) = self.operand(expr, "value") {
-                    self.push(Statement::Plain {
-                        code: quote!(let _ = #tokens;),
-                        defines: Vec::new(),
-                    });
-                }
+                let value = self.operand(expr, "value");
+                self.discard(value);
             }
         }
     }
 
-    fn local(&mut self, local: &Local) {
+    /// A declaration, and the statements that follow it in its block, if these are known.
+    fn local(&mut self, local: &Local, following: Option<&[Stmt]>) {
+        if self.constant_local(local) {
+            return;
+        }
         let Some(init) = &local.init else {
             unreachable!("is declared where it gets its value");
         };
@@ -154,7 +157,16 @@ impl Lowerer<'_> {
         let (container, length) = (self.container(&init.expr), array_length(&init.expr));
         let is_own = self.is_borrowed_or_own(&init.expr);
         let value = self.operand(&init.expr, &hint);
-        self.bind_pattern(pat, ty, value);
+        if let (Pat::Ident(name), Operand::Constant(_), Some(following)) = (pat, &value, following)
+            && name.mutability.is_some()
+            && self.stays_constant(&name.ident, following)
+        {
+            let var = self.bind(&name.ident, true, false);
+            let (ty, operation) = (ty.cloned(), Operation::Use(value));
+            self.push(Statement::Define { var, ty, operation });
+        } else {
+            self.bind_pattern(pat, ty, value);
+        }
         if let Some(var) = simple_name(pat).and_then(|name| self.lookup(name)) {
             if is_own {
                 self.own.insert(var);
@@ -226,8 +238,12 @@ impl Lowerer<'_> {
         }
     }
 
-    /// Binds `name` to `part`, which may exit, and goes on with `rest`.
+    /// Binds `name` to `part`, which may exit or stands before what may, and goes on with `rest`.
     fn hoisted(&mut self, name: Ident, part: Expr, rest: Vec<Stmt>, end: &End) -> Operand {
+        if !exits::expr_exits(&part) {
+            self.statement(&parse_quote!(let #name = #part;));
+            return self.statements(rest, end);
+        }
         let Expr::Try(attempt) = part else {
             return self.control(&part, Some(&parse_quote!(#name)), rest, end, false);
         };
@@ -253,6 +269,15 @@ impl Lowerer<'_> {
                     attempt.question_token,
                     "`?` is supported in functions that return an `Option` or a `Result`: use `match`",
                 );
+            }
+            OnFailure::ByType => {
+                let failure = self.names.unwritten("failure");
+                let span = attempt.question_token.span();
+                let failed = quote_spanned!(span=> ::ad::rules::attempt::failed(#failure));
+                parse_quote!(match ::ad::rules::attempt::split(#value) {
+                    ::core::result::Result::Ok(#name) => {}
+                    ::core::result::Result::Err(#failure) => return #failed,
+                })
             }
         };
         self.match_else(&attempt, rest, end)
@@ -338,7 +363,7 @@ impl Lowerer<'_> {
                     }
                     let value = lowerer.block_value(&as_statements(body));
                     // What follows does not see the names that the arm's pattern binds.
-                    lowerer.scopes.last_mut().expect("the arm opened a scope").clear();
+                    lowerer.scopes.clear();
                     lowerer.bind_rest(pat, value);
                     lowerer.statements(rest.take().unwrap_or_default(), end)
                 });
@@ -380,7 +405,7 @@ impl Lowerer<'_> {
         self.jump(JumpKind::Block, label, |lowerer, id| {
             let mut end = end.clone();
             end.here.push(Target::Leave(id));
-            lowerer.scope(|lowerer| lowerer.statements(stmts, &end))
+            lowerer.nested(|lowerer| lowerer.statements(stmts, &end))
         })
     }
 }
@@ -409,7 +434,6 @@ fn carried(jump: &Expr) -> Option<&Expr> {
 pub(super) fn strip_parens(expr: &Expr) -> &Expr {
     match expr {
         Expr::Paren(paren) => strip_parens(&paren.expr),
-        Expr::Group(group) => strip_parens(&group.expr),
         _ => expr,
     }
 }

@@ -4,22 +4,24 @@
 //! it captures. It is lowered as such, into a [`Closure`](crate::ir::Closure) that the sweep makes an
 //! object of (see `ad::function`).
 
-use std::collections::{HashMap, HashSet};
+use std::collections::HashMap;
 use std::rc::Rc;
 
-use proc_macro2::{TokenStream, TokenTree};
+use proc_macro2::{Ident, TokenStream, TokenTree};
 use quote::{ToTokens, format_ident, quote};
 use syn::spanned::Spanned;
 use syn::{Expr, ExprClosure, Pat, PatType, ReturnType, Type, UnOp, parse_quote};
 
-use super::call::vjp_of;
 use super::closure::{Closure, changes_captured, simple_name};
 use super::construct::is_type_name;
 use super::flow::{as_statements, strip_parens};
 use super::item::Alias;
 use super::macros::captured_names;
+use super::scopes::Scopes;
 use super::{Lowerer, OnFailure};
-use crate::ir::{self, Argument, Operand, Operation, Place, Projection, TypedBy, VarId};
+use crate::ir::{
+    self, Argument, Callee, Derivative, Operand, Operation, Place, Projection, TypedBy, VarId,
+};
 use crate::names;
 use crate::signature::Parameter;
 
@@ -27,9 +29,6 @@ use crate::signature::Parameter;
 fn passed_on(typed_by: Option<TypedBy>) -> Option<TypedBy> {
     typed_by.filter(|typed_by| typed_by.method.is_none())
 }
-
-/// What names mean, innermost scope last.
-type Scopes = Vec<HashMap<String, VarId>>;
 
 /// What a closure uses of the function around it.
 #[derive(Default)]
@@ -58,8 +57,9 @@ impl Lowerer<'_> {
                 self.object(closure, &scopes, typed_by.clone())
             }
             (None, Expr::Path(path)) if self.is_named_function(path) => {
-                let vjp = vjp_of(path);
-                let operation = Operation::Named { primal: quote!(#path), vjp };
+                self.check_attribute(path);
+                let derivative = self.derivative_of(path);
+                let operation = Operation::Named { primal: quote!(#path), derivative };
                 self.define("function", path.span(), true, operation)
             }
             (None, Expr::Path(path)) => {
@@ -96,9 +96,9 @@ impl Lowerer<'_> {
 
     /// A parameter that is a function, to be passed on.
     fn again(&mut self, function: Place, span: proc_macro2::Span) -> VarId {
-        let (primal, vjp) = (quote!(::ad::function::again), quote!(::ad::function::again_vjp));
         let arguments = vec![Argument::Callee(function)];
-        let operation = Operation::Call { primal, vjp, method: false, arguments };
+        let callee = of_function_module(format_ident!("again"));
+        let operation = Operation::Call { callee, arguments };
         self.define("function", span, true, operation)
     }
 
@@ -122,15 +122,16 @@ impl Lowerer<'_> {
             return self.refuse(call, "the function is given another number of arguments");
         }
         let mut arguments = vec![Argument::Callee(self.function_place(function))];
-        arguments.extend(call.args.iter().map(|argument| self.argument(argument)));
-        let primal = call_of(arity);
-        let vjp = format_ident!("call_{arity}_vjp");
+        arguments.extend(call.args.iter().enumerate().map(|(index, argument)| {
+            let value = self.argument(argument);
+            self.argument_in_turn(value, argument, call.args.iter().skip(index + 1))
+        }));
         let hint = match hint {
             "value" => self.ident(function).to_string(),
             hint => hint.to_owned(),
         };
-        let vjp = quote!(::ad::function::#vjp);
-        self.finish_call(primal, vjp, false, arguments, &hint, call.span())
+        let callee = of_function_module(format_ident!("call_{arity}"));
+        self.finish_call(callee, arguments, &hint, call.span())
     }
 
     /// The number of arguments of a parameter that is a function, and a reference to it.
@@ -147,11 +148,11 @@ impl Lowerer<'_> {
         let Some((arity, function)) = self.function_parameter(&call.func) else {
             unreachable!("the caller has asked for it");
         };
-        let (primal, arguments) = (call_of(arity), &call.args);
+        let (callee, arguments) = (format_ident!("call_{arity}"), &call.args);
         if arguments.len() != arity {
             self.refuse(call, "the function is given another number of arguments");
         }
-        parse_quote!(#primal(#function, #arguments))
+        parse_quote!(::ad::function::#callee(#function, #arguments))
     }
 
     fn function_place(&self, function: VarId) -> Place {
@@ -251,6 +252,8 @@ impl Lowerer<'_> {
         inner.is_object = true;
         inner.variants = self.variants.clone();
         inner.scalars = self.scalars.clone();
+        inner.local_functions = self.local_functions.clone();
+        inner.exclusive_methods = self.exclusive_methods.clone();
         let mut vars = Vec::new();
         let body = inner.block(|inner| {
             let mut meanings = HashMap::new();
@@ -271,13 +274,14 @@ impl Lowerer<'_> {
                 meanings.insert(outer, alias);
             }
             for (outer, closure) in &captured.closures {
-                let scopes = vec![renamed(&closure.scopes, &meanings)];
+                let scopes = closure.scopes.renamed(&meanings);
                 let body = closure.body.clone();
                 let var = inner.unwritten_var(&format_ident!("closure"), false, false);
                 inner.closures.insert(var, Rc::new(Closure { body, scopes }));
                 meanings.insert(*outer, var);
             }
-            inner.scopes.push(renamed(scopes, &meanings));
+            let outside = std::mem::replace(&mut inner.scopes, scopes.renamed(&meanings));
+            inner.scopes.open();
             for (argument, pattern) in arguments {
                 let var = inner.parameter_var(argument);
                 vars.push(var);
@@ -288,7 +292,7 @@ impl Lowerer<'_> {
                 inner.bind_pattern(pattern, None, value);
             }
             let value = inner.function_body(&as_statements(&closure.body));
-            inner.scopes.pop();
+            inner.scopes = outside;
             match &closure.output {
                 ReturnType::Default => value,
                 ReturnType::Type(_, ty) => inner.typed(value, ty),
@@ -334,14 +338,11 @@ impl Lowerer<'_> {
 
     /// Looks for the variables that a closure uses, and those that closures use which it calls.
     fn capture(&self, closure: &ExprClosure, scopes: &Scopes, into: &mut Captured) {
-        let mut used = HashSet::new();
-        names::collect(closure.to_token_stream(), &mut used);
-        collect_captured(closure.to_token_stream(), &mut used);
-        let mut used: Vec<_> = used.into_iter().collect();
+        let mut used = names::identifiers(closure.to_token_stream());
+        used.extend(captured(closure.to_token_stream()));
         used.sort();
         for name in used {
-            let found = scopes.iter().rev().find_map(|scope| scope.get(&name).copied());
-            let Some(var) = found else { continue };
+            let Some(var) = scopes.lookup(&name) else { continue };
             if let Some(called) = self.closures.get(&var) {
                 if into.closures.iter().all(|(known, _)| *known != var) {
                     into.closures.push((var, called.clone()));
@@ -354,10 +355,14 @@ impl Lowerer<'_> {
     }
 }
 
-/// `f` of the value of a parameter that is a function.
-fn call_of(arity: usize) -> TokenStream {
-    let call = format_ident!("call_{arity}");
-    quote!(::ad::function::#call)
+/// A function of `ad::function`, with its derivative.
+fn of_function_module(name: Ident) -> Callee {
+    let owner = quote!(::ad::function::);
+    Callee {
+        primal: quote!(#owner #name),
+        derivative: Derivative::Sibling { owner, name, turbofish: None },
+        is_method: false,
+    }
 }
 
 fn typed(pat: &Pat) -> Option<&PatType> {
@@ -368,29 +373,18 @@ fn typed(pat: &Pat) -> Option<&PatType> {
     }
 }
 
-/// The names that have a new meaning, with that.
-fn renamed(scopes: &Scopes, meanings: &HashMap<VarId, VarId>) -> HashMap<String, VarId> {
-    let mut names = HashMap::new();
-    for (name, var) in scopes.iter().flatten() {
-        match meanings.get(var) {
-            Some(&meaning) => names.insert(name.clone(), meaning),
-            None => names.remove(name),
-        };
-    }
-    names
-}
-
 /// The names that format strings name.
-fn collect_captured(tokens: TokenStream, into: &mut HashSet<String>) {
-    for token in tokens {
-        match token {
-            TokenTree::Group(group) => collect_captured(group.stream(), into),
-            TokenTree::Literal(literal) => {
-                if let syn::Lit::Str(text) = syn::Lit::new(literal) {
-                    into.extend(captured_names(&text.value()));
-                }
+fn captured(tokens: TokenStream) -> Vec<Ident> {
+    let within = |token| match token {
+        TokenTree::Group(group) => captured(group.stream()),
+        TokenTree::Literal(literal) => {
+            let span = literal.span();
+            match syn::Lit::new(literal) {
+                syn::Lit::Str(text) => captured_names(&text.value(), span),
+                _ => Vec::new(),
             }
-            TokenTree::Ident(_) | TokenTree::Punct(_) => {}
         }
-    }
+        TokenTree::Ident(_) | TokenTree::Punct(_) => Vec::new(),
+    };
+    tokens.into_iter().flat_map(within).collect()
 }

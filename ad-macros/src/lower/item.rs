@@ -110,7 +110,7 @@ impl Lowerer<'_> {
     pub(super) fn bind_item(&mut self, pat: &Pat, item: Item) {
         match (pat, item) {
             (Pat::Paren(inner), item) => self.bind_item(&inner.pat, item),
-            (Pat::Wild(_), _) => {}
+            (Pat::Wild(_), item) => self.discard_item(item),
             (Pat::Type(typed), item @ (Item::Reference(_) | Item::Tuple(_))) => {
                 self.bind_item(&typed.pat, item);
             }

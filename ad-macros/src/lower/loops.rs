@@ -93,7 +93,10 @@ impl Lowerer<'_> {
 
     /// Whether a condition cannot be evaluated as it stands before each iteration.
     pub(super) fn is_not_plain(&self, condition: &Expr) -> bool {
-        exits::expr_exits(condition) || has_let(condition) || self.calls_closure(condition)
+        exits::expr_exits(condition)
+            || has_let(condition)
+            || self.calls_closure(condition)
+            || self.changes(condition)
     }
 
     fn is_checkpointed(&mut self, attributes: &[syn::Attribute]) -> bool {
@@ -163,28 +166,35 @@ impl Lowerer<'_> {
             let end = End { here: vec![again], exits: targets };
 
             let mut head = None;
-            let block = lowerer.block(|lowerer| match driver {
-                Driver::Chain(chain, pat) => {
-                    let items = lowerer.items(chain, *pat);
-                    head = Some(Head::For {
-                        reversible: items.is_reversible(),
-                        pattern: items.pattern,
-                        defines: items.defines,
-                        iterator: items.iterator,
-                        trip_count: chain.length(),
-                    });
-                    let body =
-                        &mut |lowerer: &mut Lowerer<'_>, item: Item| body(lowerer, item, &end);
-                    lowerer.run_stages(items.item, &items.stages, own, &end, body)
+            let block = lowerer.block(|lowerer| {
+                let value = match driver {
+                    Driver::Chain(chain, pat) => {
+                        let items = lowerer.items(chain, *pat);
+                        head = Some(Head::For {
+                            reversible: items.is_reversible(),
+                            pattern: items.pattern,
+                            defines: items.defines,
+                            iterator: items.iterator,
+                            trip_count: chain.length(),
+                        });
+                        let body =
+                            &mut |lowerer: &mut Lowerer<'_>, item: Item| body(lowerer, item, &end);
+                        lowerer.run_stages(items.item, &items.stages, own, &end, body)
+                    }
+                    Driver::While(condition) => {
+                        head = Some(Head::While(condition.clone()));
+                        body(lowerer, Item::Value(Self::unit()), &end)
+                    }
+                    Driver::Endless => {
+                        head = Some(Head::Loop);
+                        body(lowerer, Item::Value(Self::unit()), &end)
+                    }
+                };
+                if !end.exits.is_empty() {
+                    return value;
                 }
-                Driver::While(condition) => {
-                    head = Some(Head::While(condition.clone()));
-                    body(lowerer, Item::Value(Self::unit()), &end)
-                }
-                Driver::Endless => {
-                    head = Some(Head::Loop);
-                    body(lowerer, Item::Value(Self::unit()), &end)
-                }
+                lowerer.discard(value);
+                Self::unit()
             });
             let head = head.expect("set by the block");
             lowerer.finish_loop(head, block, end.exits, own, leaves || !ends_itself)
@@ -243,7 +253,7 @@ fn has_let(condition: &Expr) -> bool {
         fn visit_expr(&mut self, expr: &'ast Expr) {
             match expr {
                 Expr::Let(_) => self.0 = true,
-                Expr::Binary(_) | Expr::Paren(_) | Expr::Group(_) => visit::visit_expr(self, expr),
+                Expr::Binary(_) | Expr::Paren(_) => visit::visit_expr(self, expr),
                 _ => {}
             }
         }

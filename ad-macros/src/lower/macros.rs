@@ -1,8 +1,9 @@
 //! The macros of the standard library that numerical code uses. Any other is refused: what it
-//! expands to is not seen here.
+//! expands to is not seen here. One of the user's that has such a name is called as it is where its
+//! arguments carry no derivative, and else refused by the compiler.
 
-use proc_macro2::TokenStream;
-use quote::{ToTokens, format_ident, quote, quote_spanned};
+use proc_macro2::{Ident, Span, TokenStream};
+use quote::{ToTokens, quote, quote_spanned};
 use syn::parse::{Parse, ParseStream};
 use syn::punctuated::Punctuated;
 use syn::spanned::Spanned;
@@ -47,15 +48,35 @@ pub(super) fn macro_diverges(call: &Macro) -> bool {
         .is_some_and(|name| matches!(&*name, "panic" | "unreachable" | "todo" | "unimplemented"))
 }
 
+/// The number of arguments before the format string of a macro, by the name that those of the standard
+/// library and of loggers have.
+pub(super) fn values_before_format(name: &str) -> Option<usize> {
+    Some(match name {
+        "print" | "println" | "eprint" | "eprintln" | "format" | "format_args" => 0,
+        "panic" | "unreachable" | "todo" | "unimplemented" => 0,
+        "error" | "warn" | "info" | "debug" | "trace" => 0,
+        "assert" | "debug_assert" | "write" | "writeln" => 1,
+        "assert_eq" | "assert_ne" | "debug_assert_eq" | "debug_assert_ne" => 2,
+        _ => return None,
+    })
+}
+
+/// Whether a macro is called for its effect: it prints, or it panics.
+fn is_statement(name: &str) -> bool {
+    ["assert", "debug_assert"].iter().any(|start| name.starts_with(start))
+        || matches!(name, "panic" | "unreachable" | "print" | "println" | "eprint" | "eprintln")
+}
+
+/// The value of what never has one.
+pub(super) fn never() -> TokenStream {
+    quote!(::ad::rt::never())
+}
+
 impl Lowerer<'_> {
     /// A call of a macro, as a value or as a statement.
     pub(super) fn macro_call(&mut self, call: &Macro, hint: &str) -> Operand {
         let name = standard_macro(&call.path).unwrap_or_default();
-        let shown = match &*name {
-            "assert" | "debug_assert" => 1,
-            "assert_eq" | "assert_ne" | "debug_assert_eq" | "debug_assert_ne" => 2,
-            "panic" | "unreachable" => 0,
-            "print" | "println" | "eprint" | "eprintln" => 0,
+        match &*name {
             "format" => return self.formatted(call),
             "dbg" => return self.debugged(call, hint),
             "vec" => return self.vec(call, hint),
@@ -73,7 +94,10 @@ impl Lowerer<'_> {
                     ),
                 );
             }
-            _ => return self.refuse_macro(call),
+            _ => {}
+        }
+        let Some(shown) = values_before_format(&name).filter(|_| is_statement(&name)) else {
+            return self.refuse_macro(call);
         };
         let Some(arguments) = self.arguments_of(call) else { return Self::unit() };
         let mut tokens = Vec::new();
@@ -82,11 +106,11 @@ impl Lowerer<'_> {
         }
         let message: Vec<_> = arguments.iter().skip(shown).collect();
         tokens.extend(self.message(&message));
-        let ident = format_ident!("{name}");
-        let code = quote_spanned!(call.span()=> ::std::#ident!(#(#tokens),*););
+        let path = &call.path;
+        let code = quote_spanned!(call.span()=> #path!(#(#tokens),*););
         self.push(Statement::Plain { code, defines: Vec::new() });
         match macro_diverges(call) {
-            true => Operand::Constant(quote!(::ad::rt::never())),
+            true => Operand::Constant(never()),
             false => Self::unit(),
         }
     }
@@ -96,7 +120,8 @@ impl Lowerer<'_> {
         let Some(arguments) = self.arguments_of(call) else { return Self::unit() };
         let arguments: Vec<_> = arguments.iter().collect();
         let message = self.message(&arguments);
-        let text = Operand::Constant(quote_spanned!(call.span()=> ::std::format!(#(#message),*)));
+        let path = &call.path;
+        let text = Operand::Constant(quote_spanned!(call.span()=> #path!(#(#message),*)));
         let var = self.define("text", call.span(), false, Operation::Use(text));
         Operand::Constant(self.ident(var).to_token_stream())
     }
@@ -139,21 +164,35 @@ impl Lowerer<'_> {
         if let Some(Expr::Lit(literal)) = arguments.first().map(|first| strip_parens(first))
             && let Lit::Str(format) = &literal.lit
         {
-            for name in captured_names(&format.value()) {
-                let ident = syn::Ident::new(&name, format.span());
-                if named.contains(&name) || self.lookup(&ident).is_none() {
+            for name in captured_names(&format.value(), format.span()) {
+                if named.contains(&name.to_string()) || self.lookup(&name).is_none() {
                     continue;
                 }
-                let value = self.plain(&syn::parse_quote!(#ident));
-                tokens.push(quote!(#ident = #value));
-                named.push(name);
+                let value = self.plain(&syn::parse_quote!(#name));
+                tokens.push(quote!(#name = #value));
             }
         }
         tokens
     }
 
+    /// Has the compiler check that a macro is that of the standard library, of which `call` is a call of
+    /// type `ty`: beside an import of all that is there another macro of the name is ambiguous.
+    pub(super) fn check_macro(&mut self, path: &Path, call: &TokenStream, ty: &TokenStream) {
+        if path.segments.len() > 1 || !self.checked.insert(call.to_string()) {
+            return;
+        }
+        let code = quote_spanned! {path.span()=> {
+            #[allow(unused_imports)]
+            use ::std::*;
+            let _ = || -> #ty { #call };
+        }};
+        self.push(Statement::Plain { code, defines: Vec::new() });
+    }
+
     /// `dbg!(x)`: prints, and is `x`.
     fn debugged(&mut self, call: &Macro, hint: &str) -> Operand {
+        let path = &call.path;
+        self.check_macro(path, &quote_spanned!(path.span()=> #path!()), &quote!(()));
         let arguments = self.arguments_of(call).unwrap_or_default();
         let [argument] = &arguments[..] else {
             return self.refuse(call, "`dbg!` of one value is supported");
@@ -178,8 +217,8 @@ impl Lowerer<'_> {
 }
 
 /// The names that a format string takes from around it: `{name}`, `{:width$}`.
-pub(super) fn captured_names(format: &str) -> Vec<String> {
-    let mut names = Vec::new();
+pub(super) fn captured_names(format: &str, span: Span) -> Vec<Ident> {
+    let mut names: Vec<Ident> = Vec::new();
     let unescaped = format.replace("{{", "");
     for part in unescaped.split('{').skip(1) {
         let Some((part, _)) = part.split_once('}') else { continue };
@@ -188,8 +227,8 @@ pub(super) fn captured_names(format: &str) -> Vec<String> {
             width.rsplit(|c: char| !c.is_alphanumeric() && c != '_').next().unwrap_or("")
         });
         for name in std::iter::once(name.trim()).chain(widths) {
-            if syn::parse_str::<syn::Ident>(name).is_ok() && !names.iter().any(|n| n == name) {
-                names.push(name.to_owned());
+            if syn::parse_str::<Ident>(name).is_ok() && !names.iter().any(|n| n == name) {
+                names.push(Ident::new(name, span));
             }
         }
     }

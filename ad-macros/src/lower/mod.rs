@@ -11,35 +11,43 @@
 //! [`slice_pattern`], [`variants`] and [`place`] tell which part of a value is meant; [`operator`]
 //! calls the operators of types that are not `Copy`; [`sequence`]
 //! makes vectors and boxes; [`macros`] knows the macros of the standard library; [`higher`] refuses
-//! derivatives of derivatives; [`no_diff`] and [`plain`] pass on code through which no derivative
+//! derivatives of derivatives; [`constancy`] tells what changes and never carries a derivative;
+//! [`no_diff`] and [`plain`] pass on code through which no derivative
 //! flows, with variables renamed.
 
 mod array;
 mod branch;
 mod call;
+mod callee;
 mod chain;
 mod checkpoint;
 mod closure;
+mod constancy;
 mod construct;
 mod consume;
 mod deferred;
 mod desugar;
+mod effects;
 mod ends;
 mod exits;
 mod expression;
 mod flow;
 mod function;
+mod hidden;
 mod higher;
 mod item;
 mod loops;
 mod macros;
+mod nested;
 mod no_diff;
 mod operator;
 mod option;
+mod order;
 mod part;
 mod pattern;
 mod place;
 mod plain;
+mod scopes;
 mod sequence;
 mod several;
 mod slice_pattern;
@@ -55,26 +63,34 @@ use quote::{ToTokens, quote};
 use syn::{Type, spanned::Spanned};
 
 use self::array::Container;
+use self::callee::LocalFunctions;
 use self::closure::Closure;
 use self::ends::{Jump, JumpId};
 use self::item::Alias;
+use self::scopes::Scopes;
 use crate::errors::Errors;
 use crate::ir::{Block, BlockId, Operand, Operation, Statement, Var, VarId};
 pub use crate::ir::{Lowered, LoweredParameter};
 use crate::names::Names;
-use crate::signature::{Parameter, has_fixed_size, is_box, is_discrete, pointee};
+use crate::signature::{Parameter, has_fixed_size, is_box, is_discrete, is_float, pointee};
 
-/// Lowers a function body.
-pub fn lower(
-    parameters: &[Parameter],
-    result: &Type,
-    body: &syn::Block,
-    scalars: Vec<Ident>,
-    names: &mut Names,
-    errors: &mut Errors,
-) -> Lowered {
+/// A function, as the user wrote it.
+pub struct Source<'a> {
+    pub parameters: &'a [Parameter],
+    pub result: &'a Type,
+    pub body: &'a syn::Block,
+    /// The type parameters that are scalars.
+    pub scalars: Vec<Ident>,
+    /// The methods that stand beside it and take `&mut self`.
+    pub exclusive_methods: &'a [Ident],
+}
+
+/// Lowers a function.
+pub fn lower(source: Source<'_>, names: &mut Names, errors: &mut Errors) -> Lowered {
+    let Source { parameters, result, body, scalars, exclusive_methods } = source;
     let mut lowerer = Lowerer::new(OnFailure::of(result), names, errors);
     lowerer.scalars = scalars;
+    lowerer.exclusive_methods = exclusive_methods.iter().map(Ident::to_string).collect();
     let types = parameters.iter().map(|parameter| &parameter.ty).chain([result]);
     lowerer.variants = variants::of(types, body);
     let mut parameter_vars = Vec::new();
@@ -85,6 +101,7 @@ pub fn lower(
                 lowerer.parameter_pattern(pattern, var);
             }
         }
+        lowerer.local_functions = LocalFunctions::of(items(body));
         lowerer.items = items(body).map(|item| item.to_token_stream().to_string()).collect();
         lowerer.function_body(&body.stmts)
     });
@@ -107,6 +124,8 @@ enum OnFailure {
     None,
     /// `Err(..)`
     Err,
+    /// The name of the result may stand for either.
+    ByType,
     /// The function returns neither an `Option` nor a `Result`.
     Unknown,
 }
@@ -117,7 +136,8 @@ impl OnFailure {
         match path.path.segments.last() {
             Some(last) if last.ident == "Option" => Self::None,
             Some(last) if last.ident == "Result" => Self::Err,
-            _ => Self::Unknown,
+            _ if is_discrete(result) || is_float(result) => Self::Unknown,
+            _ => Self::ByType,
         }
     }
 }
@@ -125,8 +145,8 @@ impl OnFailure {
 struct Lowerer<'a> {
     on_failure: OnFailure,
     vars: Vec<Var>,
-    /// What the user's names mean, innermost scope last.
-    scopes: Vec<HashMap<String, VarId>>,
+    /// What the user's names mean.
+    scopes: Scopes,
     /// The blocks being written, innermost last.
     open_blocks: Vec<(BlockId, Vec<Statement>)>,
     block_count: BlockId,
@@ -155,6 +175,12 @@ struct Lowerer<'a> {
     is_object: bool,
     /// Whether a call was given a function.
     passes_functions: bool,
+    /// The methods that stand beside this one and take `&mut self`.
+    exclusive_methods: HashSet<String>,
+    /// The names that the compiler has been asked about.
+    checked: HashSet<String>,
+    /// The functions that it brings along.
+    local_functions: LocalFunctions,
     /// The items of the outermost block, as they are written.
     items: HashSet<String>,
     /// The names in refutable patterns that were taken for constants, for their capital letter.
@@ -176,7 +202,7 @@ impl<'a> Lowerer<'a> {
         Self {
             on_failure,
             vars: Vec::new(),
-            scopes: vec![HashMap::new()],
+            scopes: Scopes::default(),
             open_blocks: Vec::new(),
             block_count: 0,
             jumps: Vec::new(),
@@ -192,6 +218,9 @@ impl<'a> Lowerer<'a> {
             functions: HashMap::new(),
             is_object: false,
             passes_functions: false,
+            exclusive_methods: HashSet::new(),
+            checked: HashSet::new(),
+            local_functions: LocalFunctions::default(),
             items: HashSet::new(),
             capitals: HashSet::new(),
             variants: HashSet::new(),
@@ -229,18 +258,18 @@ impl Lowerer<'_> {
         let id = self.block_count;
         self.block_count += 1;
         self.open_blocks.push((id, Vec::new()));
-        self.scopes.push(HashMap::new());
+        self.scopes.open();
         let value = fill(self);
-        self.scopes.pop();
+        self.scopes.close();
         let (id, statements) = self.open_blocks.pop().expect("the block opened above");
         Block { id, statements, value }
     }
 
     /// Runs `fill` in a scope of names of its own.
     fn scope<R>(&mut self, fill: impl FnOnce(&mut Self) -> R) -> R {
-        self.scopes.push(HashMap::new());
+        self.scopes.open();
         let result = fill(self);
-        self.scopes.pop();
+        self.scopes.close();
         result
     }
 
@@ -279,6 +308,7 @@ impl Lowerer<'_> {
             reference: false,
             active,
             is_function: false,
+            is_binding: false,
         });
         self.vars.len() - 1
     }
@@ -299,6 +329,7 @@ impl Lowerer<'_> {
             reference: false,
             active,
             is_function: false,
+            is_binding: false,
         });
         self.vars.len() - 1
     }
@@ -307,18 +338,18 @@ impl Lowerer<'_> {
     fn bind(&mut self, name: &Ident, mutable: bool, active: bool) -> VarId {
         let ident = self.names.fresh(&name.to_string(), name.span());
         let var = self.var(ident, mutable, active);
+        self.vars[var].is_binding = true;
         self.alias(name, var);
         var
     }
 
     /// Lets the user's `name` mean `var` from here on.
     fn alias(&mut self, name: &Ident, var: VarId) {
-        self.scopes.last_mut().expect("a scope is open").insert(name.to_string(), var);
+        self.scopes.bind(name, var);
     }
 
     fn lookup(&self, name: &Ident) -> Option<VarId> {
-        let name = name.to_string();
-        self.scopes.iter().rev().find_map(|scope| scope.get(&name).copied())
+        self.scopes.lookup(name)
     }
 
     /// The variable that a path names, if it names one.
@@ -423,6 +454,11 @@ impl Lowerer<'_> {
         let span = at.span();
         self.errors.at(at, message);
         Operand::Constant(quote::quote_spanned!(span=> ::core::unreachable!()))
+    }
+
+    /// A variable without derivative as an operand.
+    fn constant(&self, var: VarId) -> Operand {
+        Operand::Constant(self.ident(var).to_token_stream())
     }
 
     fn unit() -> Operand {

@@ -8,9 +8,10 @@ use quote::{ToTokens, quote};
 use syn::spanned::Spanned;
 use syn::visit::{self, Visit};
 use syn::visit_mut::{self, VisitMut};
-use syn::{Expr, ExprCall, ExprClosure, FieldValue, Macro, parse_quote};
+use syn::{Expr, ExprCall, ExprClosure, FieldValue, Macro, Path, parse_quote};
 
 use super::Lowerer;
+use super::macros::{captured_names, values_before_format};
 use super::plain::visit_arguments;
 use crate::ir::{Operand, Operation, VarId};
 
@@ -19,14 +20,33 @@ pub(super) fn undifferentiated(call: &ExprCall) -> Option<&ExprClosure> {
     let Expr::Path(function) = &*call.func else { return None };
     let is_named = function.path.segments.last().is_some_and(|last| last.ident == "no_diff");
     match call.args.first() {
-        Some(Expr::Closure(closure)) if is_named && call.args.len() == 1 => Some(closure),
+        Some(Expr::Closure(closure))
+            if is_named && call.args.len() == 1 && closure.inputs.is_empty() =>
+        {
+            Some(closure)
+        }
         _ => None,
     }
 }
 
+/// `stop_gradient(x)`
+pub(super) fn stopped(call: &ExprCall) -> Option<&Path> {
+    let Expr::Path(function) = &*call.func else { return None };
+    let is_named = function.path.segments.last().is_some_and(|last| last.ident == "stop_gradient");
+    (is_named && call.args.len() == 1).then_some(&function.path)
+}
+
 impl Lowerer<'_> {
+    /// Has the compiler check that a path leads to `ad::stop_gradient`.
+    pub(super) fn check_stopped(&mut self, path: &Path) {
+        self.check_function(path, &quote!(::ad::stop_gradient), &quote!(::<u8>));
+    }
+
     /// The value of `no_diff(|| ..)`, as it is here and now.
     pub(super) fn no_diff(&mut self, function: &Expr, closure: &ExprClosure) -> TokenStream {
+        if let Expr::Path(path) = function {
+            self.check_function(&path.path, &quote!(::ad::no_diff), &quote!(::<u8, fn() -> u8>));
+        }
         let mut bound = Bound { lowerer: self, again: None };
         bound.visit_expr(&closure.body);
         if let Some(name) = bound.again {
@@ -87,6 +107,9 @@ impl Renamed<'_, '_> {
 
 impl VisitMut for Renamed<'_, '_> {
     fn visit_expr_mut(&mut self, expr: &mut Expr) {
+        if let Expr::Call(_) | Expr::MethodCall(_) = expr {
+            self.lowerer.check_cells(expr);
+        }
         if let Expr::Call(call) = expr
             && self.lowerer.function_parameter(&call.func).is_some()
         {
@@ -114,11 +137,49 @@ impl VisitMut for Renamed<'_, '_> {
     }
 
     fn visit_macro_mut(&mut self, call: &mut Macro) {
-        call.tokens = self.renamed_tokens(call.tokens.clone());
+        let name = call.path.segments.last().map(|last| last.ident.to_string());
+        let captured = match name.as_deref().and_then(values_before_format) {
+            Some(position) => self.captured_by(&call.tokens, position),
+            None => TokenStream::new(),
+        };
+        let tokens = self.renamed_tokens(call.tokens.clone());
+        call.tokens = quote!(#tokens #captured);
     }
 }
 
 impl Renamed<'_, '_> {
+    /// The variables that the format string names which is the argument at `position`, as further
+    /// arguments.
+    fn captured_by(&self, tokens: &TokenStream, position: usize) -> TokenStream {
+        let tokens: Vec<_> = tokens.clone().into_iter().collect();
+        let is_punct = |token: &TokenTree, mark: char| matches!(token, TokenTree::Punct(punct) if punct.as_char() == mark);
+        let mut arguments = tokens.split(|token| is_punct(token, ','));
+        let Some([TokenTree::Literal(format)]) = arguments.nth(position) else {
+            return TokenStream::new();
+        };
+        let syn::Lit::Str(format) = syn::Lit::new(format.clone()) else {
+            return TokenStream::new();
+        };
+        let named: Vec<_> = arguments
+            .filter_map(|argument| match argument {
+                [TokenTree::Ident(name), equals, ..] if is_punct(equals, '=') => Some(name),
+                _ => None,
+            })
+            .collect();
+        let captured = captured_names(&format.value(), format.span());
+        let captured = captured.into_iter().filter(|name| !named.contains(&name));
+        let captured = captured.filter_map(|name| {
+            let value = self.lowerer.value_of(self.lookup(&name)?, name.span());
+            Some(quote!(#name = #value,))
+        });
+        let captured: TokenStream = captured.collect();
+        let ends = tokens.last().is_some_and(|last| is_punct(last, ','));
+        match captured.is_empty() || ends {
+            true => captured,
+            false => quote!(, #captured),
+        }
+    }
+
     /// The arguments of a macro, whose grammar is its own.
     fn renamed_tokens(&self, tokens: TokenStream) -> TokenStream {
         let tokens: Vec<_> = tokens.into_iter().collect();

@@ -5,7 +5,7 @@
 //! references (`ad::rules::borrowed`) where an operand is written as one, or where what is written
 //! down tells a type of one's own: a declared type, a constructor, `clone()`, another such operator.
 
-use proc_macro2::{Ident, TokenStream};
+use proc_macro2::Ident;
 use quote::quote_spanned;
 use syn::spanned::Spanned;
 use syn::{Expr, ExprBinary, Path, Type, UnOp, parse_quote};
@@ -13,7 +13,7 @@ use syn::{Expr, ExprBinary, Path, Type, UnOp, parse_quote};
 use super::Lowerer;
 use super::construct::{is_transparent, is_type_name, outcome};
 use super::flow::strip_parens;
-use crate::ir::{Argument, BinaryOperator, Operand, Place};
+use crate::ir::{Argument, BinaryOperator, Callee, Operand, Place};
 use crate::signature::{is_discrete, pointee};
 
 impl Lowerer<'_> {
@@ -68,8 +68,12 @@ impl Lowerer<'_> {
         if !self.is_borrowed_or_own(&binary.left) && !self.is_borrowed_or_own(&binary.right) {
             return None;
         }
-        let operands = [&binary.left, &binary.right].map(|operand| self.borrowed(operand));
-        self.call_of_operator(operator.method(), operands.into(), hint, binary)
+        self.or_undone(|lowerer| {
+            let left = lowerer.borrowed(&binary.left);
+            let left = lowerer.argument_in_turn(left, &binary.left, [&*binary.right]);
+            let operands = [left, lowerer.borrowed(&binary.right)];
+            lowerer.call_of_operator(operator.method(), operands.into(), hint, binary)
+        })
     }
 
     /// `-a` as a call.
@@ -82,8 +86,25 @@ impl Lowerer<'_> {
         if !self.is_borrowed_or_own(inner) {
             return None;
         }
-        let operand = self.borrowed(inner);
-        self.call_of_operator("neg", vec![operand], hint, whole)
+        self.or_undone(|lowerer| {
+            let operand = lowerer.borrowed(inner);
+            lowerer.call_of_operator("neg", vec![operand], hint, whole)
+        })
+    }
+
+    /// What `attempt` gives. Where it gives nothing its statements go, too: they are written once
+    /// more, in another way.
+    fn or_undone(&mut self, attempt: impl FnOnce(&mut Self) -> Option<Operand>) -> Option<Operand> {
+        let written =
+            |lowerer: &mut Self| lowerer.open_blocks.last().map_or(0, |open| open.1.len());
+        let before = written(self);
+        let value = attempt(self);
+        if value.is_none()
+            && let Some((_, statements)) = self.open_blocks.last_mut()
+        {
+            statements.truncate(before);
+        }
+        value
     }
 
     /// `a += b` as a call; says whether it is one.
@@ -125,9 +146,8 @@ impl Lowerer<'_> {
         }
         let span = at.span();
         let function = Ident::new(function, span);
-        let primal = quote_spanned!(span=> ::ad::rules::borrowed::#function);
-        let vjp: TokenStream = quote_spanned!(span=> ::ad::rules::borrowed::#function::vjp);
-        let value = self.finish_call(primal, vjp, false, operands, hint, span);
+        let path = quote_spanned!(span=> ::ad::rules::borrowed::#function);
+        let value = self.finish_call(Callee::of_ad(path), operands, hint, span);
         if let Operand::Var(var) = value {
             self.own.insert(var);
         }
@@ -194,7 +214,7 @@ pub(super) fn is_own_type(ty: &Type, scalars: &[Ident]) -> bool {
 
 /// Whether this is not known as the name of numbers, of vectors of them, or of a type that has no
 /// operators.
-fn is_own_name(name: &Ident) -> bool {
+pub(super) fn is_own_name(name: &Ident) -> bool {
     const KNOWN: [&str; 10] =
         ["Box", "Float", "Num", "Number", "Option", "Quat", "Real", "Result", "Scalar", "Vec"];
     let name = name.to_string();

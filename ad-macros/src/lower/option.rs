@@ -1,16 +1,19 @@
 //! Methods of options, results and truth values that are given closures: each is a `match` or `if`.
 //!
-//! They are told by name alone, and so are options from results where the method is one of both: what
-//! is not known to be a result is taken for an option. A method of the user's with such a name does
-//! not compile then, for its receiver is not matched by the patterns.
+//! They are told by name alone. Of the methods that options and results share, those of what is not seen
+//! to be the one or the other are told by the type (`attempted`). A method of the user's with
+//! such a name does not compile then, for its receiver is neither.
 
-use quote::quote;
-use syn::{Expr, ExprMethodCall, parse_quote};
+use quote::{quote, quote_spanned};
+use syn::spanned::Spanned;
+use syn::{Expr, ExprMethodCall, Stmt, parse_quote};
 
 use super::Lowerer;
 use super::array::Container;
+use super::chain::is_chain;
 use super::flow::strip_parens;
-use crate::ir::Operand;
+use super::order::calls;
+use crate::ir::{Operand, Operation};
 
 impl Lowerer<'_> {
     /// The value of a method of an option, a result or a truth value, if `call` is one.
@@ -30,12 +33,19 @@ impl Lowerer<'_> {
                 quote!(::core::option::Option::None),
             ),
         };
+        if self.container(receiver).is_none()
+            && let Some(value) = self.attempted(call, hint)
+        {
+            return Some(value);
+        }
         let failure: Vec<Expr> = if is_result { vec![parse_quote!(#error)] } else { Vec::new() };
         let desugared: Expr = match (&*call.method.to_string(), &arguments[..]) {
-            ("then_some", [value]) => parse_quote!(if #receiver {
-                ::core::option::Option::Some(#value)
-            } else {
-                ::core::option::Option::None
+            ("then_some", [value]) => self.eagerly(receiver, value, |receiver, value| {
+                parse_quote!(if #receiver {
+                    ::core::option::Option::Some(#value)
+                } else {
+                    ::core::option::Option::None
+                })
             }),
             ("then", [function]) => {
                 let value = self.called(function, &[])?;
@@ -49,12 +59,11 @@ impl Lowerer<'_> {
                 ::core::result::Result::Ok(#content) => ::core::option::Option::Some(#content),
                 ::core::result::Result::Err(_) => ::core::option::Option::None,
             }),
-            ("ok_or", [otherwise]) => parse_quote!({
-                let #error = #otherwise;
-                match #receiver {
+            ("ok_or", [otherwise]) => self.eagerly(receiver, otherwise, |receiver, otherwise| {
+                parse_quote!(match #receiver {
                     ::core::option::Option::Some(#content) => ::core::result::Result::Ok(#content),
-                    ::core::option::Option::None => ::core::result::Result::Err(#error),
-                }
+                    ::core::option::Option::None => ::core::result::Result::Err(#otherwise),
+                })
             }),
             ("ok_or_else", [function]) => {
                 let otherwise = self.called(function, &[])?;
@@ -87,7 +96,9 @@ impl Lowerer<'_> {
             },
             ("map_or", [otherwise, function]) => {
                 let value = self.called(function, &[parse_quote!(#content)])?;
-                parse_quote!(match #receiver { #full => #value, #empty => #otherwise })
+                self.eagerly(receiver, otherwise, |receiver, otherwise| {
+                    parse_quote!(match #receiver { #full => #value, #empty => #otherwise })
+                })
             }
             ("map_or_else", [otherwise, function]) => {
                 let value = self.called(function, &[parse_quote!(#content)])?;
@@ -97,6 +108,21 @@ impl Lowerer<'_> {
             ("and_then", [function]) => {
                 let value = self.called(function, &[parse_quote!(#content)])?;
                 parse_quote!(match #receiver { #full => #value, #empty => #empty })
+            }
+            ("filter", [function]) if !is_chain(receiver) => {
+                let is_kept = self.names.unwritten("is_kept");
+                let keeps = self.called(function, &[parse_quote!(&#content)])?;
+                parse_quote!(match #receiver {
+                    ::core::option::Option::Some(#content) => {
+                        let #is_kept = #keeps;
+                        if #is_kept {
+                            ::core::option::Option::Some(#content)
+                        } else {
+                            ::core::option::Option::None
+                        }
+                    }
+                    ::core::option::Option::None => ::core::option::Option::None,
+                })
             }
             ("or_else", [function]) => {
                 let otherwise = self.called(function, &failure)?;
@@ -118,6 +144,75 @@ impl Lowerer<'_> {
             _ => return None,
         };
         Some(self.operand(&desugared, hint))
+    }
+
+    /// The value of a method that options and results share, on what its type tells to be either.
+    fn attempted(&mut self, call: &ExprMethodCall, hint: &str) -> Option<Operand> {
+        let [attempt, parts, kind, content, failure] =
+            ["attempt", "parts", "kind", "content", "failure"]
+                .map(|name| self.names.unwritten(name));
+        let of_content = |function| self.called(function, &[parse_quote!(#content)]);
+        let arguments: Vec<_> = call.args.iter().collect();
+        let again = parse_quote!(::ad::rules::attempt::again(#failure));
+        let (full, empty): (Expr, Expr) = match (&*call.method.to_string(), &arguments[..]) {
+            ("map", [function]) if !is_chain(&call.receiver) => {
+                let value = of_content(function)?;
+                (parse_quote!(::ad::rules::attempt::full(#kind, #value)), again)
+            }
+            ("and_then", [function]) => (of_content(function)?, again),
+            ("map_or", [otherwise, function]) if !calls(otherwise) => {
+                (of_content(function)?, (*otherwise).clone())
+            }
+            ("map_or_else", [otherwise, function]) => {
+                (of_content(function)?, self.called(otherwise, &[])?)
+            }
+            _ => return None,
+        };
+        let receiver = &call.receiver;
+        Some(self.scope(|lowerer| {
+            let value = lowerer.operand(receiver, "attempt");
+            let of_attempt = lowerer.named(value, "attempt", receiver.span());
+            lowerer.alias(&attempt, of_attempt);
+            let ident = lowerer.ident_at(of_attempt, receiver.span());
+            let code = quote_spanned!(receiver.span()=> ::ad::rules::attempt::kind(&#ident));
+            let of = Operation::Use(Operand::Constant(code));
+            let var = lowerer.define("kind", receiver.span(), false, of);
+            lowerer.alias(&kind, var);
+            let split = parse_quote!(::ad::rules::attempt::split(#attempt));
+            let split = lowerer.call(&split, "parts");
+            let split = lowerer.named(split, "parts", receiver.span());
+            lowerer.vars[split].reference = lowerer.may_refer(of_attempt);
+            lowerer.alias(&parts, split);
+            let desugared: Expr = parse_quote!(match #parts {
+                ::core::result::Result::Ok(#content) => #full,
+                ::core::result::Result::Err(#failure) => #empty,
+            });
+            lowerer.operand(&desugared, hint)
+        }))
+    }
+
+    /// What `choose` makes of a receiver and an argument that is evaluated behind it in any case.
+    fn eagerly(
+        &mut self,
+        receiver: &Expr,
+        argument: &Expr,
+        choose: impl FnOnce(&Expr, &Expr) -> Expr,
+    ) -> Expr {
+        if !calls(argument) {
+            return choose(receiver, argument);
+        }
+        let eager = self.names.unwritten("otherwise");
+        let argument_first = parse_quote!(let #eager = #argument;);
+        let eager = parse_quote!(#eager);
+        let (statements, choice): (Vec<Stmt>, Expr) = match calls(receiver) {
+            true => {
+                let option = self.names.unwritten("option");
+                let receiver_first = parse_quote!(let #option = #receiver;);
+                (vec![receiver_first, argument_first], choose(&parse_quote!(#option), &eager))
+            }
+            false => (vec![argument_first], choose(receiver, &eager)),
+        };
+        parse_quote!({ #(#statements)* #choice })
     }
 
     /// The call of a closure or a function with these arguments; `None` if it takes another number

@@ -1,6 +1,6 @@
 //! Patterns: which part of a value each name is bound to.
 
-use proc_macro2::TokenStream;
+use proc_macro2::{Ident, Span, TokenStream};
 use quote::{ToTokens, quote};
 use syn::spanned::Spanned;
 use syn::visit::{self, Visit};
@@ -66,8 +66,14 @@ impl Lowerer<'_> {
                 }
                 let var = self.bind(&ident.ident, mutability.is_some(), matched.active);
                 self.vars[var].reference = matched.reference || by_ref.is_some();
-                bindings.push(Binding { var, path: path.to_vec() });
-                let name = self.ident(var).clone();
+                let mut name = self.ident(var).clone();
+                let mut binding = Binding::new(var, path.to_vec());
+                if may_be_constant(ident, matched) && name != ident.ident {
+                    let span = Span::mixed_site().located_at(ident.ident.span());
+                    name = Ident::new(&ident.ident.to_string(), span);
+                    binding.written = Some(name.clone());
+                }
+                bindings.push(binding);
                 let subpattern = ident.subpat.as_ref().map(|(at, inner)| {
                     let inner = self.subpattern(inner, path, matched, bindings);
                     quote!(#at #inner)
@@ -183,7 +189,7 @@ impl Lowerer<'_> {
         match pat {
             Pat::Paren(inner) => self.bind_pattern(&inner.pat, ty, value),
             Pat::Type(typed) => self.bind_pattern(&typed.pat, Some(&typed.ty), value),
-            Pat::Wild(_) => {}
+            Pat::Wild(_) => self.discard(value),
             Pat::Ident(ident) if ident.subpat.is_none() && ident.by_ref.is_none() => {
                 self.bind_name(ident, ty, value);
             }
@@ -317,6 +323,15 @@ impl Lowerer<'_> {
             }
         }
     }
+}
+
+/// Whether a name in a pattern may be that of a constant.
+fn may_be_constant(name: &syn::PatIdent, matched: Matched) -> bool {
+    matched.refutable
+        && name.by_ref.is_none()
+        && name.mutability.is_none()
+        && name.subpat.is_none()
+        && !name.ident.to_string().starts_with("r#")
 }
 
 /// The way to the only part of an option or a result.

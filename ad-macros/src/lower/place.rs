@@ -1,6 +1,6 @@
 //! Places: variables and parts of them, to read, to borrow, to assign to.
 
-use proc_macro2::TokenStream;
+use proc_macro2::{Span, TokenStream};
 use quote::{ToTokens, quote, quote_spanned};
 use syn::spanned::Spanned;
 use syn::{Expr, ExprAssign, ExprBinary, Lit, UnOp};
@@ -8,12 +8,13 @@ use syn::{Expr, ExprAssign, ExprBinary, Lit, UnOp};
 use super::closure::root_name;
 use super::flow::strip_parens;
 use super::item::Alias;
+use super::order::calls_function;
 use super::{Lowerer, exits};
 use crate::ir::{
     Argument, BinaryOperator, Operand, Operation, Place, Projection, Statement, VarId,
 };
 use crate::primal::Primal;
-use crate::{element, floats};
+use crate::{element, floats, names};
 
 impl Lowerer<'_> {
     /// The place that an expression names or refers to, if it is one of a local variable.
@@ -26,7 +27,6 @@ impl Lowerer<'_> {
     fn located(&mut self, expr: &Expr) -> Option<(Place, usize)> {
         match expr {
             Expr::Paren(inner) => self.located(&inner.expr),
-            Expr::Group(inner) => self.located(&inner.expr),
             Expr::Path(path) => {
                 let root = self.variable(path)?;
                 Some(match self.aliases.get(&root) {
@@ -63,7 +63,6 @@ impl Lowerer<'_> {
     pub(super) fn depth(&self, expr: &Expr) -> usize {
         match expr {
             Expr::Paren(inner) => self.depth(&inner.expr),
-            Expr::Group(inner) => self.depth(&inner.expr),
             Expr::Unary(unary) if matches!(unary.op, UnOp::Deref(_)) => {
                 self.depth(&unary.expr).saturating_sub(1)
             }
@@ -171,10 +170,13 @@ impl Lowerer<'_> {
     /// The receiver of a method. Where it is a place that may be assigned to, the method is called
     /// on the place itself, which a method that takes `&mut self` changes.
     pub(super) fn receiver(&mut self, call: &syn::ExprMethodCall) -> Argument {
-        let place = self.active_place(&call.receiver);
+        let place = self.place(&call.receiver);
         let Some(place) = place.filter(|place| !self.is_copied(place, call)) else {
             return Argument::Value(self.scalar(&call.receiver, "receiver"));
         };
+        if !self.vars[place.root].active && !self.vars[place.root].mutable {
+            return Argument::Value(Operand::Constant(self.place_tokens(&place)));
+        }
         match self.called_on.contains(&place.root) {
             true => Argument::Borrow(place),
             false => Argument::Receiver(place),
@@ -185,7 +187,7 @@ impl Lowerer<'_> {
     /// variable it must be, since a reference would not have compiled.
     fn is_copied(&self, place: &Place, call: &syn::ExprMethodCall) -> bool {
         self.vars[place.root].mutable
-            && (floats::takes_number(&call.method.to_string())
+            && (floats::takes_number(&call.method.to_string()) && !self.own.contains(&place.root)
                 || call
                     .args
                     .iter()
@@ -262,8 +264,8 @@ impl Lowerer<'_> {
     /// `place = value`
     pub(super) fn assign(&mut self, assign: &ExprAssign) {
         if let Expr::Infer(_) = &*assign.left {
-            self.operand(&assign.right, "value");
-            return;
+            let value = self.operand(&assign.right, "value");
+            return self.discard(value);
         }
         if let Some(desugared) = super::desugar::assignment(assign, self.names) {
             return self.scope(|lowerer| {
@@ -277,11 +279,13 @@ impl Lowerer<'_> {
             return self.expression_statement(&syn::parse_quote!(#call));
         }
         let value = self.operand(&assign.right, "value");
+        let value = self.in_turn(value, &assign.right, [&*assign.left]);
         let Some(place) = self.target(&assign.left) else { return };
         if self.vars[place.root].active {
             self.push(Statement::Assign { place, value });
         } else {
-            let (target, value) = (self.place_tokens(&place), self.without_derivative(&value));
+            let value = self.stored(&value, assign.right.span());
+            let target = self.place_tokens(&place);
             self.push_plain(quote!(#target = #value;));
         }
     }
@@ -298,7 +302,12 @@ impl Lowerer<'_> {
             return;
         }
         let value = self.scalar(&update.right, "value");
+        let value = self.in_turn(value, &update.right, [&*update.left]);
         let Some(place) = self.target(&update.left) else { return };
+        if calls_function(&update.left) && calls_function(&update.right) {
+            let (place, span) = (self.place_tokens(&place), update.op.span());
+            self.push_plain(names::located(quote!(::ad::rt::right_first(&#place);), span));
+        }
         let token = &update.op;
         match operator {
             Some(operator) if self.vars[place.root].active => {
@@ -311,7 +320,8 @@ impl Lowerer<'_> {
             }
             // Bit operations have no derivative, nor has what they are applied to.
             _ => {
-                let (target, value) = (self.place_tokens(&place), self.without_derivative(&value));
+                let value = self.stored(&value, update.right.span());
+                let target = self.place_tokens(&place);
                 if self.vars[place.root].active {
                     self.push_plain(quote!(::ad::rt::constant(#target);));
                 }
@@ -330,17 +340,31 @@ impl Lowerer<'_> {
         self.scope(|lowerer| {
             lowerer.statement(&syn::parse_quote!(let #term = #value;));
             lowerer.statement(&syn::parse_quote!(let #position = #written;));
+            if calls_function(written) && calls_function(value) {
+                let element = lowerer.plain(&syn::parse_quote!(#whole[#position]));
+                let span = index.span();
+                let check = quote!(::ad::rt::right_first(&#element););
+                lowerer.push_plain(names::located(check, span));
+            }
             lowerer.statement(&syn::parse_quote!(#replaced;));
         });
     }
 
     /// Tokens of an operand, checked by its type to have no derivative.
     pub(super) fn without_derivative(&self, value: &Operand) -> TokenStream {
-        let tokens = self.tokens(value);
         match value {
-            Operand::Constant(_) => tokens,
+            Operand::Constant(tokens) => tokens.clone(),
+            Operand::Var(var) => self.stored(value, self.ident(*var).span()),
+        }
+    }
+
+    /// The same of a value that stands at `span`.
+    pub(super) fn stored(&self, value: &Operand, span: Span) -> TokenStream {
+        match value {
+            Operand::Constant(tokens) => tokens.clone(),
             Operand::Var(var) => {
-                quote_spanned!(self.ident(*var).span()=> ::ad::rt::constant(#tokens))
+                let ident = self.ident_at(*var, span);
+                quote_spanned!(span=> ::ad::rt::constant(#ident))
             }
         }
     }

@@ -6,28 +6,42 @@ use quote::{ToTokens, quote, quote_spanned};
 use syn::spanned::Spanned;
 use syn::visit::{self, Visit};
 use syn::visit_mut::{self, VisitMut};
-use syn::{BinOp, Expr, Macro, Pat, Type, parse_quote, parse_quote_spanned};
+use syn::{BinOp, Expr, Macro, Pat, UnOp, parse_quote, parse_quote_spanned};
 
+use super::closure::root_name;
 use super::construct::is_type_name;
+use super::hidden::encodes;
 use super::macros::{Matches, standard_macro};
-use super::no_diff::undifferentiated;
+use super::no_diff::{stopped, undifferentiated};
 use super::{Lowerer, exits};
 use crate::ir::{Operand, Operation};
+use crate::signature::{is_discrete, is_float};
 
 impl Lowerer<'_> {
     /// The expression with variables renamed. The caller knows that what it is used for has no
     /// derivative (a condition, a comparison).
     pub(super) fn plain(&mut self, expr: &Expr) -> TokenStream {
+        if self.changes(expr) {
+            return self.in_order(expr);
+        }
         let mut expr = expr.clone();
-        Plain { lowerer: self, is_conditional: false }.visit_expr_mut(&mut expr);
+        Plain { lowerer: self, is_conditional: false, closures: 0 }.visit_expr_mut(&mut expr);
         expr.to_token_stream()
     }
 
     /// The same for what is not evaluated here, once, whatever comes: nothing is put before it.
     pub(super) fn plain_in_place(&mut self, expr: &Expr) -> TokenStream {
         let mut expr = expr.clone();
-        Plain { lowerer: self, is_conditional: true }.visit_expr_mut(&mut expr);
+        Plain { lowerer: self, is_conditional: true, closures: 0 }.visit_expr_mut(&mut expr);
         expr.to_token_stream()
+    }
+
+    /// Whether an expression is a place in a variable that may change and through which a derivative
+    /// may flow.
+    pub(super) fn can_change(&self, place: &Expr) -> bool {
+        let var = root_name(place).and_then(|name| self.lookup(name));
+        let var = var.map(|var| self.aliases.get(&var).map_or(var, |alias| alias.place.root));
+        var.is_some_and(|var| self.vars[var].active && self.vars[var].mutable)
     }
 
     /// Whether a closure that has a name is called somewhere in an expression.
@@ -65,14 +79,19 @@ impl Lowerer<'_> {
     /// A constant as an operand. One that reads a variable is evaluated here, before the other
     /// operands can change the variable.
     pub(super) fn settled(&mut self, expr: &Expr, tokens: TokenStream) -> Operand {
-        let mut reader = MutableReader { lowerer: self, found: false };
-        reader.visit_expr(expr);
-        if !reader.found {
+        if !self.reads_changeable(expr) {
             return Operand::Constant(tokens);
         }
         let operation = Operation::Use(Operand::Constant(tokens));
         let var = self.define("constant", expr.span(), false, operation);
         Operand::Constant(self.ident(var).to_token_stream())
+    }
+
+    /// Whether an expression reads a variable that may be assigned to.
+    pub(super) fn reads_changeable(&self, expr: &Expr) -> bool {
+        let mut reader = MutableReader { lowerer: self, found: false };
+        reader.visit_expr(expr);
+        reader.found
     }
 
     fn is_certainly_constant(&self, expr: &Expr) -> bool {
@@ -89,14 +108,7 @@ impl Lowerer<'_> {
                 Some(var) => !self.vars[var].active,
                 None => true,
             },
-            Expr::Call(call) => {
-                undifferentiated(call).is_some()
-                    || matches!(&*call.func, Expr::Path(path) if path
-                        .path
-                        .segments
-                        .last()
-                        .is_some_and(|last| last.ident == "stop_gradient"))
-            }
+            Expr::Call(call) => undifferentiated(call).is_some() || stopped(call).is_some(),
             _ => false,
         }
     }
@@ -154,15 +166,56 @@ struct Plain<'l, 'a> {
     lowerer: &'l mut Lowerer<'a>,
     /// Whether the part being visited may not be evaluated, or more than once.
     is_conditional: bool,
+    /// In how many closures it lies.
+    closures: usize,
 }
 
 impl Plain<'_, '_> {
-    fn can_change(&self, receiver: &Expr) -> bool {
-        let Expr::Path(path) = receiver else { return false };
-        match self.lowerer.variable(path) {
-            Some(var) => self.lowerer.vars[var].mutable || self.lowerer.vars[var].active,
-            None => false,
+    /// The receiver of a method. One that takes `&mut self` would change a variable behind the reverse
+    /// sweep's back; through a shared reference it does not compile.
+    fn visit_receiver(&mut self, receiver: &mut Expr) {
+        let can_change = self.lowerer.can_change(receiver);
+        self.visit_place(receiver);
+        if can_change {
+            let span = receiver.span();
+            *receiver = match self.closures {
+                0 => parse_quote_spanned!(span=> (*::ad::rt::BindTheCallWithLetBefore(&#receiver))),
+                // What a closure returns may refer to the receiver.
+                _ => parse_quote_spanned!(span=> (*&#receiver)),
+            };
         }
+    }
+
+    /// A place, of which a part is used.
+    fn visit_place(&mut self, place: &mut Expr) {
+        match place {
+            Expr::Paren(inner) => self.visit_place(&mut inner.expr),
+            Expr::Field(field) => self.visit_place(&mut field.base),
+            Expr::Index(index) => {
+                self.visit_place(&mut index.expr);
+                self.visit_expr_mut(&mut index.index);
+            }
+            Expr::Unary(unary) if matches!(unary.op, UnOp::Deref(_)) => {
+                self.visit_place(&mut unary.expr);
+            }
+            Expr::Path(path) => *place = self.renamed(path),
+            other => self.visit_expr_mut(other),
+        }
+    }
+
+    /// What a name stands for.
+    fn renamed(&mut self, path: &syn::ExprPath) -> Expr {
+        let Some(var) = self.lowerer.variable(path) else {
+            self.lowerer.check_capital(path);
+            return Expr::Path(path.clone());
+        };
+        if self.lowerer.closures.contains_key(&var) {
+            self.lowerer.refuse(path, "bind the value of this closure to a variable with `let` before the condition or the index that uses it");
+        }
+        if self.lowerer.functions.contains_key(&var) {
+            self.lowerer.refuse(path, "bind the value of the call that is given this function to a variable with `let` before the condition or the index that uses it");
+        }
+        self.lowerer.value_of(var, path.span())
     }
 
     /// `matches!(expr, pattern if guard)`
@@ -172,7 +225,7 @@ impl Plain<'_, '_> {
             Err(error) => return self.lowerer.errors.add(error),
         };
         self.visit_expr_mut(&mut expr);
-        self.lowerer.scopes.push(Default::default());
+        self.lowerer.scopes.open();
         self.rename_bound(&mut pat);
         let was_conditional = std::mem::replace(&mut self.is_conditional, true);
         let guard = guard.map(|mut guard| {
@@ -180,7 +233,7 @@ impl Plain<'_, '_> {
             quote!(if #guard)
         });
         self.is_conditional = was_conditional;
-        self.lowerer.scopes.pop();
+        self.lowerer.scopes.close();
         call.tokens = quote!(#expr, #pat #guard);
     }
 
@@ -190,14 +243,13 @@ impl Plain<'_, '_> {
 
         impl VisitMut for Binder<'_, '_> {
             fn visit_pat_ident_mut(&mut self, pat: &mut syn::PatIdent) {
-                if !is_type_name(&pat.ident) {
-                    // In the alternatives of a pattern a name stands several times.
-                    let here = self.0.scopes.last().expect("a scope is open");
-                    let var = match here.get(&pat.ident.to_string()) {
-                        Some(&var) => var,
-                        None => self.0.bind(&pat.ident, false, false),
-                    };
-                    pat.ident = self.0.ident(var).clone();
+                // It hides what else has its name. In the alternatives of a pattern it stands several
+                // times, and it may turn out to be the name of a constant.
+                if !is_type_name(&pat.ident) && self.0.scopes.lookup_innermost(&pat.ident).is_none()
+                {
+                    let var = self.0.unwritten_var(&pat.ident, false, false);
+                    self.0.vars[var].ident = pat.ident.clone();
+                    self.0.alias(&pat.ident, var);
                 }
                 visit_mut::visit_pat_ident_mut(self, pat);
             }
@@ -216,17 +268,26 @@ impl VisitMut for Plain<'_, '_> {
     fn visit_expr_mut(&mut self, expr: &mut Expr) {
         match expr {
             Expr::Path(path) => {
-                if let Some(var) = self.lowerer.variable(path) {
-                    if self.lowerer.closures.contains_key(&var) {
-                        self.lowerer.refuse(&*path, "bind the value of this closure to a variable with `let` before the condition or the index that uses it");
-                    }
-                    if self.lowerer.functions.contains_key(&var) {
-                        self.lowerer.refuse(&*path, "bind the value of the call that is given this function to a variable with `let` before the condition or the index that uses it");
-                    }
-                    *expr = self.lowerer.value_of(var, path.span());
-                } else {
-                    self.lowerer.check_capital(path);
-                }
+                let value = self.renamed(path);
+                // What is passed on may not be changed.
+                let is_exclusive = self.lowerer.variable(path).is_some_and(|var| {
+                    self.lowerer.vars[var].exclusive && self.lowerer.vars[var].active
+                });
+                *expr = match is_exclusive {
+                    true => parse_quote_spanned!(path.span()=> (&*#value)),
+                    false => value,
+                };
+            }
+            Expr::Field(_) | Expr::Index(_) => self.visit_place(expr),
+            Expr::Unary(unary) if matches!(unary.op, UnOp::Deref(_)) => self.visit_place(expr),
+            Expr::Reference(reference) if reference.mutability.is_none() => {
+                self.visit_place(&mut reference.expr);
+            }
+            call if self.is_conditional && self.lowerer.is_change(call) => {
+                self.lowerer.refuse(
+                    &*call,
+                    "this changes something under a condition: bind its value to a variable with `let` before",
+                );
             }
             Expr::Call(call) if undifferentiated(call).is_some() => {
                 if let Some(closure) = undifferentiated(call) {
@@ -234,25 +295,30 @@ impl VisitMut for Plain<'_, '_> {
                     *expr = parse_quote!(#value);
                 }
             }
-            Expr::MethodCall(call) => {
-                let changes = self.can_change(&call.receiver);
-                visit_mut::visit_expr_method_call_mut(self, call);
-                // A method that takes `&mut self` would change a variable behind the reverse
-                // sweep's back; through a shared reference it does not compile.
-                if changes && let Expr::Path(_) = &*call.receiver {
-                    let receiver = &call.receiver;
-                    call.receiver = parse_quote!((*&#receiver));
+            Expr::Call(call) if let Some(path) = stopped(call) => {
+                self.lowerer.check_stopped(path);
+                visit_arguments(self, call);
+            }
+            Expr::MethodCall(_) => {
+                self.lowerer.check_cells(expr);
+                let Expr::MethodCall(call) = expr else { unreachable!("a call stays one") };
+                self.visit_receiver(&mut call.receiver);
+                if encodes(&call.method) {
+                    let (receiver, span) = (&call.receiver, call.receiver.span());
+                    call.receiver = parse_quote_spanned!(span=> ::ad::rt::constant(#receiver));
                 }
+                call.args.iter_mut().for_each(|argument| self.visit_expr_mut(argument));
             }
             Expr::Cast(cast) => {
                 let constant = self.lowerer.is_certainly_constant(&cast.expr);
                 visit_mut::visit_expr_cast_mut(self, cast);
-                let to_float = matches!(&*cast.ty, Type::Path(path)
-                    if path.path.is_ident("f32") || path.path.is_ident("f64"));
-                if !constant && !to_float {
-                    let inner = &cast.expr;
-                    let span = cast.span();
-                    cast.expr = parse_quote_spanned!(span=> ::ad::rt::constant(#inner));
+                if !constant && !is_float(&cast.ty) {
+                    let (inner, ty, span) = (&cast.expr, &cast.ty, cast.span());
+                    cast.expr = match is_discrete(ty) {
+                        true => parse_quote_spanned!(span=> ::ad::rt::constant(#inner)),
+                        false => parse_quote_spanned!(span=>
+                            ::ad::rules::castable::<_, #ty>(#inner)),
+                    };
                 }
             }
             Expr::Reference(reference) if reference.mutability.is_some() => {
@@ -261,14 +327,16 @@ impl VisitMut for Plain<'_, '_> {
             }
             Expr::Closure(closure) if closure.asyncness.is_none() => {
                 // Its parameters hide what else has their names.
-                self.lowerer.scopes.push(Default::default());
+                self.lowerer.scopes.open();
                 for input in &mut closure.inputs {
                     self.rename_bound(input);
                 }
                 let was_conditional = std::mem::replace(&mut self.is_conditional, true);
+                self.closures += 1;
                 self.visit_expr_mut(&mut closure.body);
+                self.closures -= 1;
                 self.is_conditional = was_conditional;
-                self.lowerer.scopes.pop();
+                self.lowerer.scopes.close();
             }
             Expr::Binary(binary) if exits::is_update(&binary.op) => {
                 self.lowerer.refuse(
@@ -300,17 +368,16 @@ impl VisitMut for Plain<'_, '_> {
             Expr::Macro(call) if standard_macro(&call.mac.path).as_deref() == Some("matches") => {
                 self.visit_matches(&mut call.mac);
             }
+            Expr::Call(_) => {
+                self.lowerer.check_cells(expr);
+                visit_mut::visit_expr_mut(self, expr);
+            }
             Expr::Lit(_)
             | Expr::Paren(_)
-            | Expr::Group(_)
-            | Expr::Field(_)
-            | Expr::Index(_)
             | Expr::Unary(_)
             | Expr::Binary(_)
-            | Expr::Call(_)
             | Expr::Tuple(_)
-            | Expr::Array(_)
-            | Expr::Reference(_) => visit_mut::visit_expr_mut(self, expr),
+            | Expr::Array(_) => visit_mut::visit_expr_mut(self, expr),
             Expr::If(_) | Expr::Match(_) | Expr::Block(_) | Expr::Struct(_) | Expr::Repeat(_) => {
                 self.lowerer.refuse(
                     &*expr,

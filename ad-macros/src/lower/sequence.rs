@@ -1,7 +1,7 @@
 //! `vec![..]` and `Box::new(..)`.
 
 use proc_macro2::TokenStream;
-use quote::{ToTokens, quote};
+use quote::{ToTokens, quote, quote_spanned};
 use syn::parse::{Parse, ParseStream};
 use syn::spanned::Spanned;
 use syn::{Expr, ExprCall, Macro, Token};
@@ -43,6 +43,9 @@ impl Lowerer<'_> {
                 return Self::unit();
             }
         };
+        let path = &call.path;
+        let empty = quote_spanned!(path.span()=> #path![]);
+        self.check_macro(path, &empty, &quote!(::std::vec::Vec<()>));
         let Some(length) = length else {
             let parts = self.operands(&elements);
             let tokens = parts.iter().map(|part| self.tokens(part));

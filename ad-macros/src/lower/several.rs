@@ -28,7 +28,7 @@ impl Lowerer<'_> {
             let body = self.block(|lowerer| {
                 let mut items = lowerer.items(chain, pat);
                 let bound = items.defines.iter();
-                bindings.extend(bound.map(|&var| Binding { var, path: Vec::new() }));
+                bindings.extend(bound.map(|&var| Binding::new(var, Vec::new())));
                 let stages = std::mem::take(&mut items.stages);
                 let item = lowerer.staged(items.item.clone(), stages);
                 let inner = &items.pattern;
@@ -78,7 +78,7 @@ impl Lowerer<'_> {
         let passes = self.block(|lowerer| {
             let ident = lowerer.names.fresh("content", span);
             let var = lowerer.var(ident.clone(), false, active);
-            binding = Some(Binding { var, path: Vec::new() });
+            binding = Some(Binding::new(var, Vec::new()));
             pattern = quote!(::core::option::Option::Some(#ident));
             let item = match active {
                 true => Item::Value(Operand::Var(var)),
@@ -119,7 +119,7 @@ impl Lowerer<'_> {
         let mut body = |lowerer: &mut Lowerer<'_>, item: Item, end: &End| {
             // What follows does not see the names of the closure.
             let inside = std::mem::replace(&mut lowerer.scopes, outside.clone());
-            lowerer.scopes.push(Default::default());
+            lowerer.scopes.open();
             let value = rest(lowerer, item);
             lowerer.scopes = inside;
             lowerer.normal_end(value, end)

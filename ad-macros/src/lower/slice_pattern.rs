@@ -73,7 +73,7 @@ impl Lowerer<'_> {
                 (true, Pat::Ident(name)) => {
                     let var = self.bind(&name.ident, false, matched.active);
                     self.vars[var].reference = matched.reference || name.by_ref.is_some();
-                    bindings.push(Binding { var, path });
+                    bindings.push(Binding::new(var, path));
                     let (by_ref, ident) = (&name.by_ref, self.ident(var));
                     quote!(#by_ref #ident @ ..)
                 }

@@ -6,9 +6,10 @@ use syn::spanned::Spanned;
 use syn::{Expr, ExprMethodCall};
 
 use super::Lowerer;
-use super::chain::{Chain, array_length, is_chain, is_source, literal, literal_length};
+use super::chain::{Chain, Choice, array_length, is_chain, is_source, literal, literal_length};
 use super::flow::strip_parens;
-use crate::ir::{Operand, Operation, Place, Projection};
+use super::order::calls_function;
+use crate::ir::{Operand, Operation, Place, Projection, Statement, VarId};
 
 impl Lowerer<'_> {
     /// What a `for` loop runs over.
@@ -145,10 +146,7 @@ impl Lowerer<'_> {
         match (&*name, call.args.first()) {
             ("copied" | "cloned", None) => Chain::Copied(inner),
             ("enumerate", None) if filtered => {
-                let zero = Operation::Use(Operand::Constant(quote!(0usize)));
-                let ident = self.names.fresh("count", call.method.span());
-                let counter = self.var(ident, true, false);
-                self.push(crate::ir::Statement::Define { var: counter, ty: None, operation: zero });
+                let counter = self.counter(&call.method);
                 Chain::Count(inner, counter)
             }
             ("enumerate", None) => Chain::Enumerate(inner),
@@ -189,7 +187,14 @@ impl Lowerer<'_> {
                 let repeats = name == "cycle";
                 Chain::Order { inner, adapter: call_of(&name, None), limit: None, repeats }
             }
-            ("take" | "skip" | "step_by", Some(count)) if !filtered => {
+            ("take", Some(count)) if filtered => self.counted(call, inner, Choice::Take, count),
+            ("skip", Some(count)) if filtered || self.may_have_effects(&inner) => {
+                self.counted(call, inner, Choice::Skip, count)
+            }
+            ("step_by", Some(count)) if filtered || self.may_have_effects(&inner) => {
+                self.counted(call, inner, Choice::StepBy, count)
+            }
+            ("take" | "skip" | "step_by", Some(count)) => {
                 let limit = match (&*name, literal(count)) {
                     ("take", Some(count)) => Some(count),
                     _ => None,
@@ -218,6 +223,39 @@ impl Lowerer<'_> {
                 Chain::Refused
             }
         }
+    }
+
+    /// An adapter that chooses items by their number, after all of them have been made.
+    fn counted(
+        &mut self,
+        call: &ExprMethodCall,
+        inner: Box<Chain>,
+        choice: Choice,
+        count: &Expr,
+    ) -> Chain {
+        let (count, counter) = (self.fixed(count), self.counter(&call.method));
+        Chain::Counted { inner, counter, choice, count }
+    }
+
+    /// A variable that counts items.
+    fn counter(&mut self, at: &syn::Ident) -> VarId {
+        let zero = Operation::Use(Operand::Constant(quote!(0usize)));
+        let ident = self.names.fresh("count", at.span());
+        let counter = self.var(ident, true, false);
+        self.push(Statement::Define { var: counter, ty: None, operation: zero });
+        counter
+    }
+
+    /// Whether making an item may have an effect: the standard library makes those too that `skip` and
+    /// `step_by` drop.
+    fn may_have_effects(&self, chain: &Chain) -> bool {
+        chain.functions().into_iter().any(|function| {
+            match (self.named_closure(function), strip_parens(function)) {
+                (Some(closure), _) => calls_function(&closure.body.body),
+                (None, Expr::Closure(closure)) => calls_function(&closure.body),
+                _ => true,
+            }
+        })
     }
 
     /// The place of element `index`.

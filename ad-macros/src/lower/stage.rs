@@ -1,12 +1,11 @@
 //! The head of a loop over an iterator, and what happens to an item before it is used.
 
-use proc_macro2::TokenStream;
+use proc_macro2::{Span, TokenStream};
 use quote::{ToTokens, quote};
-use syn::spanned::Spanned;
 use syn::{Expr, Ident, Pat};
 
 use super::Lowerer;
-use super::chain::Chain;
+use super::chain::{Chain, Choice};
 use super::closure::simple_name;
 use super::ends::{End, Target};
 use super::item::{Alias, Item};
@@ -69,11 +68,28 @@ impl Items {
 pub(super) enum Stage {
     Map(Expr),
     Copied,
-    FilterMap { function: Expr, stops: bool },
-    Flat { function: Option<Expr>, method: Ident },
+    FilterMap {
+        function: Expr,
+        stops: bool,
+    },
+    Flat {
+        function: Option<Expr>,
+        method: Ident,
+    },
     Filter(Expr),
     TakeWhile(Expr),
     Count(VarId),
+    /// Lets items pass by their number.
+    Choose {
+        counter: VarId,
+        choice: Choice,
+        count: TokenStream,
+    },
+    /// Ends the loop once enough items have passed.
+    Limit {
+        counter: VarId,
+        count: TokenStream,
+    },
 }
 
 impl Lowerer<'_> {
@@ -176,6 +192,15 @@ impl Lowerer<'_> {
             }
             Chain::TakeWhile(inner, function) => {
                 self.with_stage(inner, Stage::TakeWhile(function.clone()), pat)
+            }
+            Chain::Counted { inner, counter, choice, count } => {
+                let (counter, choice, count) = (*counter, *choice, count.clone());
+                let mut items = self.items(inner, pat);
+                if choice == Choice::Take {
+                    items.stages.insert(0, Stage::Limit { counter, count: count.clone() });
+                }
+                items.stages.push(Stage::Choose { counter, choice, count });
+                items
             }
             Chain::Count(inner, counter) => {
                 let [_, second] = pair_pattern(pat);
@@ -284,12 +309,27 @@ impl Lowerer<'_> {
                 let copy = self.copied(item);
                 self.run_stages(copy, rest, own, end, body)
             }
+            Stage::Choose { counter, choice, count } => {
+                let position = self.counted_on(*counter);
+                let position = self.ident(position);
+                let condition = match choice {
+                    Choice::Skip => quote!(#position >= #count),
+                    Choice::StepBy => quote!(#position % #count == 0),
+                    Choice::Take => return self.run_stages(item, rest, own, end, body),
+                };
+                self.run_if(condition, false, own, end, &mut |lowerer| {
+                    lowerer.run_stages(item.clone(), rest, own, end, body)
+                })
+            }
+            Stage::Limit { counter, count } => {
+                let counter = self.ident(*counter);
+                let condition = quote!(#counter < #count);
+                self.run_if(condition, true, own, end, &mut |lowerer| {
+                    lowerer.run_stages(item.clone(), rest, own, end, body)
+                })
+            }
             Stage::Count(counter) => {
-                let ident = self.ident(*counter).clone();
-                let count = Operation::Use(Operand::Constant(quote!(#ident)));
-                let position = self.define("position", ident.span(), false, count);
-                let code = quote!(#ident += 1;);
-                self.push(Statement::Plain { code, defines: Vec::new() });
+                let position = self.counted_on(*counter);
                 let pair = Item::Tuple(vec![Item::Constant(position), item]);
                 self.run_stages(pair, rest, own, end, body)
             }
@@ -312,21 +352,44 @@ impl Lowerer<'_> {
                 let shown = item.clone().borrowed(self);
                 let condition = self.apply(function, vec![shown]);
                 let condition = self.without_derivative(&condition);
-                let passes = self.block(|lowerer| lowerer.run_stages(item, rest, own, end, body));
                 let stops = matches!(stage, Stage::TakeWhile(_));
-                let drops = self.block(|lowerer| match stops {
-                    true => lowerer.exit(own, Self::unit(), end),
-                    false => lowerer.normal_end(Self::unit(), end),
-                });
-                let arms = [passes, drops].map(|body| Arm {
-                    pattern: TokenStream::new(),
-                    guard: None,
-                    bindings: Vec::new(),
-                    body,
-                });
-                self.branch(BranchKind::If(condition), arms.into(), true, function.span())
+                self.run_if(condition, stops, own, end, &mut |lowerer| {
+                    lowerer.run_stages(item.clone(), rest, own, end, body)
+                })
             }
         }
+    }
+
+    /// Goes on with an item if a condition holds; else the item is dropped, or the loop ends.
+    fn run_if(
+        &mut self,
+        condition: TokenStream,
+        stops: bool,
+        own: Target,
+        end: &End,
+        passes: &mut dyn FnMut(&mut Self) -> Operand,
+    ) -> Operand {
+        let passes = self.block(passes);
+        let drops = self.block(|lowerer| match stops {
+            true => lowerer.exit(own, Self::unit(), end),
+            false => lowerer.normal_end(Self::unit(), end),
+        });
+        let arms = [passes, drops].map(|body| Arm {
+            pattern: TokenStream::new(),
+            guard: None,
+            bindings: Vec::new(),
+            body,
+        });
+        self.branch(BranchKind::If(condition), arms.into(), true, Span::call_site())
+    }
+
+    /// The number of an item, which is counted.
+    fn counted_on(&mut self, counter: VarId) -> VarId {
+        let ident = self.ident(counter).clone();
+        let count = Operation::Use(Operand::Constant(quote!(#ident)));
+        let position = self.define("position", ident.span(), false, count);
+        self.push(Statement::Plain { code: quote!(#ident += 1;), defines: Vec::new() });
+        position
     }
 }
 

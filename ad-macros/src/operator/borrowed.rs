@@ -113,6 +113,7 @@ impl Borrowed {
             signature: &self.signature,
             callables: &Callables::new(&self.signature),
             body: Some(&self.body),
+            exclusive_methods: &[],
             options: Options::default(),
         };
         match function.differentiated() {

@@ -16,7 +16,8 @@ impl checkpoint {
         let (segment_count, segment_length) = ::ad::rt::segments(&items);
         let mut checkpoints = ::std::vec::Vec::with_capacity(segment_count);
         for _ in 0..segment_count {
-            checkpoints.push((items.clone(), ::core::clone::Clone::clone(&x)));
+            let print = ::ad::fingerprint!(x);
+            checkpoints.push((print, items.clone(), ::core::clone::Clone::clone(&x)));
             for _ in items.by_ref().take(segment_length) {
                 let receiver = x;
                 let sin = receiver.sin();
@@ -25,6 +26,7 @@ impl checkpoint {
                 x += product;
             }
         }
+        let print = ::ad::fingerprint!(x);
         let x_2 = x;
         (
             x_2,
@@ -34,7 +36,8 @@ impl checkpoint {
                 let mut x_2_bar = result_bar;
                 let mut x_bar = x_2_bar;
                 let mut rate_bar = -0.0_f64;
-                for (items, mut x) in checkpoints.into_iter().rev() {
+                let mut after = print;
+                for (before, items, mut x) in checkpoints.into_iter().rev() {
                     let mut tape = ::std::vec::Vec::with_capacity(segment_length);
                     for _ in items.take(segment_length) {
                         let receiver = x;
@@ -44,6 +47,8 @@ impl checkpoint {
                         x += product;
                         tape.push((sin, sin_pullback));
                     }
+                    ::ad::rt::same_again(after, ::ad::fingerprint!(x));
+                    after = before;
                     for (sin, sin_pullback) in tape.into_iter().rev() {
                         let mut product_bar = x_bar;
                         rate_bar += ::ad::rt::scale(product_bar, sin);

@@ -22,6 +22,7 @@ impl deposit {
             fn lent_1_to_close<A0>(&self, _: A0) {}
         }
         impl<T: ?::core::marker::Sized> lending_1_to_close for T {}
+        let amounts_space = ::ad::rt::space(&amounts);
         let account_shape = ::ad::rt::shape(&account);
         let index = i;
         let amounts_1 = amounts[index];
@@ -30,6 +31,7 @@ impl deposit {
         account.total += amounts_1;
         let account_1_pullback = ::ad::rt::Increase::of(&account_1, &amounts_1);
         let index_1 = i;
+        ::ad::check_name!(fee, fee::named(), (& mut account.fees[index_1], amounts));
         let (fee, fee_pullback) = fee::vjp_onto(&mut account.fees[index_1], amounts);
         let fee_space = ::ad::rt::space(&fee);
         let amounts_2 = amounts[0];
@@ -93,7 +95,7 @@ impl deposit {
                     fee_pullback,
                     fee_bar,
                     (
-                        ::ad::rt::Take::take(
+                        ::ad::rt::take_changed(
                             ::ad::rt::at(&mut account_bar.fees, index_1),
                         ),
                     ),
@@ -104,6 +106,8 @@ impl deposit {
                     account_part_1,
                 );
                 ::ad::rt::Absorb::absorb(&mut amounts_bar, amounts_part);
+                (*&mut account_bar.total)
+                    .accepts(amounts_space.part(|tangent| &tangent[0]));
                 let (account_part_2, amounts_1_part) = account_1_pullback
                     .pull_back(
                         account_1_space.enter(::ad::rt::take(&mut account_bar.total)),

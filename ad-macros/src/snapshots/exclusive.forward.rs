@@ -24,6 +24,7 @@ impl deposit {
         account.total += amounts_1;
         account_dot.total = ::ad::rt::pass(tangent);
         let index_1 = i;
+        ::ad::check_name!(fee, fee::named(), (& mut account.fees[index_1], amounts));
         let mut slot = ::ad::rt::Slot::new();
         let argument_dot = ::ad::rt::pass_part(
             &account.fees[index_1],

@@ -24,10 +24,12 @@ impl size {
                 let height_1 = ::ad::rt::ByValue::by_value(height);
                 let argument_pullback = ::ad::rt::Sum::of(&width_1, &height_1);
                 let argument = width_1 + height_1;
+                ::ad::check_name!(bounded, bounded::named(), (argument));
                 let (matched, matched_pullback) = bounded::vjp(argument);
                 let matched_space = ::ad::rt::space(&matched);
                 let (value_4, path) = match matched {
-                    ::core::result::Result::Ok(value_1) => {
+                    ::core::result::Result::Ok(value) => {
+                        let value_1 = value;
                         let difference_pullback = ::ad::rt::Difference::of(
                             &value_1,
                             &by,

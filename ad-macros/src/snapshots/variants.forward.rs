@@ -38,9 +38,11 @@ impl size {
                     width_1_dot,
                     height_1_dot,
                 );
+                ::ad::check_name!(bounded, bounded::named(), (argument));
                 let (matched, matched_dot) = bounded::jvp(argument, argument_dot);
                 let (value_4, value_4_dot) = match matched {
-                    ::core::result::Result::Ok(value_1) => {
+                    ::core::result::Result::Ok(value) => {
+                        let value_1 = value;
                         let value_1_dot = ::ad::rt::read(&value_1, &matched_dot.0);
                         let (difference, difference_dot) = ::ad::rules::SubPullback::sub_jvp(
                             value_1,

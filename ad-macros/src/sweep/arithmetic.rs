@@ -92,8 +92,8 @@ impl Sweeper<'_> {
         };
         let is_returned = |operand: VarId| {
             self.numbers.number(operand).is_none()
-                && matches!(self.facts.operation(operand), Some(Operation::Call { primal, .. })
-                    if !is_of_numbers(&primal.to_string()))
+                && matches!(self.facts.operation(operand), Some(Operation::Call { callee, .. })
+                    if !is_of_numbers(&callee.primal.to_string()))
         };
         let is_returned = operands.into_iter().any(is_returned);
         let [left, right] = operands.map(|operand| {

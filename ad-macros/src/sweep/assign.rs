@@ -2,6 +2,7 @@
 
 use proc_macro2::TokenStream;
 use quote::quote;
+use syn::spanned::Spanned;
 
 use super::contribute::cotangent_of;
 use super::{Sides, Sweeper};
@@ -30,12 +31,25 @@ impl Sweeper<'_> {
             Operand::Constant(_) => sides.reverse.extend(quote!(#taken;)),
             Operand::Var(var) => {
                 let part = self.part_name(place.root);
+                self.check_assigned(&mut sides.reverse, *var, place);
                 let taken = self.entered(*var, place, taken);
                 sides.reverse.extend(quote!(let #part = #taken;));
                 self.contribute(&mut sides.reverse, *var, &[], quote!(#part));
             }
         }
         sides
+    }
+
+    /// Has the compiler check that `var` may be stored in a place.
+    fn check_assigned(&mut self, reverse: &mut TokenStream, var: VarId, place: &Place) {
+        let field = place.path.iter().rev().find_map(|step| match step {
+            Projection::Field(member) => Some(member.span()),
+            _ => None,
+        });
+        if let Some(span) = field {
+            let cotangent = cotangent_of(&self.vars[place.root].cotangent, &place.path);
+            self.check_stored(reverse, var, &quote!((*#cotangent)), span);
+        }
     }
 
     /// The cotangent of `place`, as that of the variable it was made from: `place` may lie in a
@@ -73,6 +87,7 @@ impl Sweeper<'_> {
         let root = &self.vars[place.root];
         let span = root.ident.span();
         let cotangent = cotangent_of(&root.cotangent, &place.path);
+        self.check_assigned(&mut sides.reverse, value, place);
         if operator.is_linear() && self.are_numbers(previous, value) {
             // The place keeps its cotangent.
             let part = self.number_at(place.root, &place.path);

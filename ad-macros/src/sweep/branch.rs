@@ -23,6 +23,8 @@ impl Sweeper<'_> {
                 let cotangent = &var.cotangent;
                 self.contribute(&mut sides.reverse, source.root, &path, quote!(#cotangent));
             }
+            let (ident, written) = (&self.vars[binding.var].ident, binding.written.iter());
+            sides.forward.extend(quote!(#(let #ident = #written;)*));
             sides.forward.extend(self.space_definition(binding.var));
             sides.defines.extend(self.names_of(binding.var));
         }

@@ -21,12 +21,20 @@ use quote::quote;
 
 use super::{Sides, Sweeper, Written};
 use crate::ir::{Block, BlockId, Head, Loop, Statement, VarId};
-use crate::names;
+use crate::{expand, names};
 
 impl Sweeper<'_> {
     pub(super) fn checkpointed_loop(&mut self, a_loop: &Loop) -> Sides {
         let mut sides = Sides::default();
+        // Tapes of its body that are made before a loop around it are for all of its iterations.
+        let is_nested = self.loop_depth > 0;
+        if is_nested {
+            self.tapes.enter_unknown();
+        }
         let mut body = self.block(&a_loop.body, None);
+        if is_nested {
+            self.tapes.leave();
+        }
         self.leave(&mut sides.reverse, &body.outer);
         let primal = self.primal_block(&a_loop.body);
         if body.reverse.is_empty() {
@@ -46,7 +54,8 @@ impl Sweeper<'_> {
         let state = self.state(&a_loop.body, &body.forward);
         let references = self.kept_references(&body.forward, &mut sides);
         sides.reverse.extend(references);
-        let names = ["items", "segment_length", "segment_count", "checkpoints", "iterations"];
+        let names =
+            ["items", "segment_length", "segment_count", "checkpoints", "iterations", "print"];
         let names = names.map(|name| self.names.fresh(name, a_loop.record.span()));
         match &a_loop.head {
             Head::For { pattern, iterator, .. } => {
@@ -119,7 +128,7 @@ impl Sweeper<'_> {
 fn for_segments(
     (pattern, iterator): (&TokenStream, &TokenStream),
     record: &Ident,
-    [items, length, count, checkpoints, _]: &[Ident; 5],
+    [items, length, count, checkpoints, _, print]: &[Ident; 6],
     state: &[Ident],
     primal: &TokenStream,
     body: &Written,
@@ -130,16 +139,22 @@ fn for_segments(
         let (#count, #length) = ::ad::rt::segments(&#items);
         let mut #checkpoints = ::std::vec::Vec::with_capacity(#count);
         for _ in 0..#count {
-            #checkpoints.push((#items.clone(), #(::core::clone::Clone::clone(&#state),)*));
+            let #print = ::ad::fingerprint!(#(#state),*);
+            #checkpoints.push((#print, #items.clone(), #(::core::clone::Clone::clone(&#state),)*));
             for #pattern in #items.by_ref().take(#length) { #primal }
         }
+        let #print = ::ad::fingerprint!(#(#state),*);
     });
-    sides.defines.extend([length.clone(), checkpoints.clone()]);
+    sides.defines.extend([length.clone(), checkpoints.clone(), print.clone()]);
+    let (after, before) = (expand::own("after"), expand::own("before"));
     let (forward, saved, reverse) = (&body.forward, body.saved(), &body.reverse);
     sides.reverse.extend(quote! {
-        for (#items, #(mut #state,)*) in #checkpoints.into_iter().rev() {
+        let mut #after = #print;
+        for (#before, #items, #(mut #state,)*) in #checkpoints.into_iter().rev() {
             let mut #record = ::std::vec::Vec::with_capacity(#length);
             for #pattern in #items.take(#length) { #forward #record.push(#saved); }
+            ::ad::rt::same_again(#after, ::ad::fingerprint!(#(#state),*));
+            #after = #before;
             for #saved in #record.into_iter().rev() { #reverse }
         }
     });
@@ -149,7 +164,7 @@ fn for_segments(
 fn while_segments(
     condition: &TokenStream,
     record: &Ident,
-    [_, length, count, checkpoints, iterations]: &[Ident; 5],
+    [_, length, count, checkpoints, iterations, print]: &[Ident; 6],
     state: &[Ident],
     primal: &TokenStream,
     body: &Written,
@@ -164,19 +179,25 @@ fn while_segments(
                 #length *= 2;
             }
             if #iterations % #length == 0 {
-                #checkpoints.push((#(::core::clone::Clone::clone(&#state),)*));
+                let #print = ::ad::fingerprint!(#(#state),*);
+                #checkpoints.push((#print, #(::core::clone::Clone::clone(&#state),)*));
             }
             #iterations += 1;
             #primal
         }
+        let #print = ::ad::fingerprint!(#(#state),*);
     });
-    sides.defines.extend([length.clone(), iterations.clone(), checkpoints.clone()]);
+    sides.defines.extend([length, iterations, checkpoints, print].map(Ident::clone));
+    let (after, before) = (expand::own("after"), expand::own("before"));
     let (forward, saved, reverse) = (&body.forward, body.saved(), &body.reverse);
     sides.reverse.extend(quote! {
-        for (#count, (#(mut #state,)*)) in #checkpoints.into_iter().enumerate().rev() {
+        let mut #after = #print;
+        for (#count, (#before, #(mut #state,)*)) in #checkpoints.into_iter().enumerate().rev() {
             let #count = #length.min(#iterations - #count * #length);
             let mut #record = ::std::vec::Vec::with_capacity(#count);
             for _ in 0..#count { #forward #record.push(#saved); }
+            ::ad::rt::same_again(#after, ::ad::fingerprint!(#(#state),*));
+            #after = #before;
             for #saved in #record.into_iter().rev() { #reverse }
         }
     });

@@ -6,12 +6,13 @@
 
 use std::collections::BTreeSet;
 
-use proc_macro2::{Ident, TokenStream};
+use proc_macro2::{Ident, Span, TokenStream};
 use quote::quote;
 
 use super::Sweeper;
 use crate::ir::{Place, Projection, Var, VarId};
-use crate::primal::project;
+use crate::names;
+use crate::primal::{project, tangent_path};
 
 /// The cotangent of a place, as `&mut`. That of a reference is that of its target.
 pub(super) fn cotangent_of(root: &Ident, path: &[Projection]) -> TokenStream {
@@ -46,6 +47,32 @@ impl Sweeper<'_> {
     pub(super) fn space(&mut self, var: VarId) -> Ident {
         self.spaces.insert(var);
         self.vars[var].space.clone()
+    }
+
+    /// Has the compiler check that `var` may be stored where the cotangent is `place`: a `#[constant]`
+    /// field, which is named at `span`, takes no more than what such a field held.
+    pub(super) fn check_stored(
+        &mut self,
+        reverse: &mut TokenStream,
+        var: VarId,
+        place: &TokenStream,
+        span: Span,
+    ) {
+        if !self.vars[var].active {
+            return;
+        }
+        let space = match self.facts.origin(var) {
+            Some(Place { root, path }) if self.vars[root].active => {
+                let (space, part) = (self.space(root), Ident::new("tangent", Span::mixed_site()));
+                let projected = tangent_path(quote!(#part), &path);
+                quote!(#space.part(|#part| &#projected))
+            }
+            _ => {
+                let space = self.space(var);
+                quote!(#space)
+            }
+        };
+        reverse.extend(names::located(quote!(#place.accepts(#space);), span));
     }
 
     /// Defines the space of a variable, if the reverse sweep names it.

@@ -8,24 +8,16 @@ use quote::ToTokens;
 use syn::Type;
 
 use crate::ir::{
-    Argument, Block, BuildSource, Head, Operand, Operation, Place, Projection, Statement, Var,
-    VarId,
+    Argument, Binding, Block, BranchKind, BuildSource, Head, Operand, Operation, Place, Projection,
+    Statement, Var, VarId,
 };
 use crate::lower::{Lowered, LoweredParameter};
 use crate::signature::{Parameter, is_discrete, pointee};
 
-/// Functions of constants that cost next to nothing and return a number, a small vector or a range.
-const CHEAP_FUNCTIONS: [&str; 5] = ["from_f64", "splat", "stop_gradient", "constant", "windows"];
-
-/// Methods of integers, arrays and ranges that cost next to nothing.
-const CHEAP_METHODS: [&str; 4] = ["len", "min", "max", "rev"];
-
-/// Functions and methods of which, beside these, ranges of integers are made.
-const OF_RANGES: [&str; 4] = ["chunks_exact", "skip", "step_by", "take"];
-
 /// See the module.
 pub struct Facts<'a> {
     vars: &'a [Var],
+    scalars: &'a [Ident],
     by_name: HashMap<String, VarId>,
     operations: HashMap<VarId, &'a Operation>,
     /// Operands of arithmetic: numbers and vectors, since rules exist for these only.
@@ -39,15 +31,8 @@ pub struct Facts<'a> {
     array_parameters: HashMap<VarId, bool>,
     /// Parameters that are slices or `Vec`s and stay as they are.
     sequences: HashSet<VarId>,
-}
-
-/// What code may be made of to count as cheap.
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum Cheap {
-    /// What may be computed once more.
-    Again,
-    /// What tells the range of a loop, which is kept: lengths of slices too.
-    Range,
+    /// The places that variables are parts of which patterns bind.
+    bound: HashMap<VarId, Place>,
 }
 
 impl<'a> Facts<'a> {
@@ -57,6 +42,7 @@ impl<'a> Facts<'a> {
         let by_name = vars.iter().enumerate().map(|(id, var)| (var.ident.to_string(), id));
         let mut facts = Self {
             vars,
+            scalars: &lowered.scalars,
             by_name: by_name.collect(),
             operations: HashMap::new(),
             arithmetic: HashSet::new(),
@@ -64,6 +50,7 @@ impl<'a> Facts<'a> {
             members: HashMap::new(),
             array_parameters: HashMap::new(),
             sequences: HashSet::new(),
+            bound: HashMap::new(),
         };
         for (parameter, &LoweredParameter { var, .. }) in parameters.iter().zip(&lowered.parameters)
         {
@@ -107,7 +94,12 @@ impl<'a> Facts<'a> {
                     self.arithmetic.extend([*value, *previous]);
                 }
                 Statement::Branch(branch) => {
-                    branch.arms.iter().for_each(|arm| self.block(&arm.body));
+                    for arm in &branch.arms {
+                        if let BranchKind::Match(_, Some(source)) = &branch.kind {
+                            self.bindings(&arm.bindings, source);
+                        }
+                        self.block(&arm.body);
+                    }
                 }
                 Statement::Loop(a_loop) => {
                     if let Head::For { defines, iterator, .. } = &a_loop.head
@@ -131,8 +123,33 @@ impl<'a> Facts<'a> {
                     self.block(&build.body);
                 }
                 Statement::Plain { code, .. } => self.tuple(code),
-                Statement::Destructure { .. } | Statement::Assign { .. } => {}
+                Statement::Destructure { source, bindings, .. } => {
+                    self.bindings(bindings, &Place { root: *source, path: Vec::new() });
+                }
+                Statement::Assign { .. } => {}
             }
+        }
+    }
+
+    fn bindings(&mut self, bindings: &[Binding], source: &Place) {
+        for binding in bindings {
+            let path = [&source.path[..], &binding.path].concat();
+            self.bound.insert(binding.var, Place { root: source.root, path });
+        }
+    }
+
+    /// The part of another variable that a variable is a copy of, if it never changes.
+    pub fn origin(&self, var: VarId) -> Option<Place> {
+        if self.vars[var].mutable {
+            return None;
+        }
+        if let Some(place) = self.bound.get(&var) {
+            return Some(place.clone());
+        }
+        match self.operations.get(&var)? {
+            Operation::Read(place) if !place.path.is_empty() => Some(place.clone()),
+            Operation::Use(Operand::Var(source)) => self.origin(*source),
+            _ => None,
         }
     }
 
@@ -190,18 +207,6 @@ impl<'a> Facts<'a> {
         }
     }
 
-    /// Whether the code that defines a variable is cheap arithmetic on numbers.
-    fn is_number_before(&self, tokens: &TokenStream, defined: VarId) -> bool {
-        // A constant by its path alone might be anything.
-        let is_path = |token| match token {
-            TokenTree::Ident(name) => self.named(&name).is_none(),
-            TokenTree::Punct(punct) => punct.as_char() == ':',
-            _ => false,
-        };
-        !tokens.clone().into_iter().all(is_path)
-            && self.is_cheap_before(tokens, defined, Cheap::Again)
-    }
-
     /// Whether the variable is an array, and whether behind a reference.
     pub fn array(&self, var: VarId) -> Option<bool> {
         if let Some(&by_reference) = self.array_parameters.get(&var) {
@@ -225,98 +230,24 @@ impl<'a> Facts<'a> {
         is_array.then_some(false)
     }
 
-    /// Whether code without derivative is arithmetic on numbers, which costs less than memory and
-    /// always has the same value: literals, constants, operators, elements of arrays.
-    pub fn is_cheap(&self, code: &TokenStream) -> bool {
-        self.is_cheap_before(code, VarId::MAX, Cheap::Again)
+    /// Whether a variable may be assigned to after its definition.
+    pub fn is_mutable(&self, var: VarId) -> bool {
+        self.vars[var].mutable
     }
 
-    /// The same for code that defines a variable. What looks like a later one is a name of the
-    /// user's, of a function or a module.
-    fn is_cheap_before(&self, code: &TokenStream, defined: VarId, cheap: Cheap) -> bool {
-        let mut tokens = code.clone().into_iter().peekable();
-        let (mut dots, mut dots_before) = (0, 0);
-        let is_of_range = |name: &Ident| {
-            cheap == Cheap::Range && OF_RANGES.iter().any(|of_ranges| name == of_ranges)
-        };
-        while let Some(token) = tokens.next() {
-            std::mem::swap(&mut dots, &mut dots_before);
-            dots = 0;
-            let next = tokens.peek();
-            let next_group = match next {
-                Some(TokenTree::Group(group)) => Some(group.delimiter()),
-                _ => None,
-            };
-            let fine = match &token {
-                TokenTree::Literal(_) => true,
-                TokenTree::Punct(punct) => {
-                    dots = if punct.as_char() == '.' { dots_before + 1 } else { 0 };
-                    punct.as_char() != '&'
-                }
-                TokenTree::Group(group) => {
-                    group.delimiter() != Delimiter::Brace
-                        && self.is_cheap_before(&group.stream(), defined, cheap)
-                }
-                // A field or a method; two dots are a range.
-                TokenTree::Ident(name) if dots_before == 1 => {
-                    next_group == Some(Delimiter::Parenthesis)
-                        && (CHEAP_METHODS.iter().any(|cheap| name == cheap) || is_of_range(name))
-                }
-                TokenTree::Ident(name) => match self.named(name) {
-                    Some(var) if var >= defined => false,
-                    Some(var) if self.array(var).is_some() => {
-                        let is_indexed = next_group == Some(Delimiter::Bracket);
-                        (is_indexed && !self.vars[var].mutable) || is_length(tokens.clone())
-                    }
-                    Some(var) if cheap == Cheap::Range && self.sequences.contains(&var) => {
-                        is_length(tokens.clone())
-                    }
-                    Some(var) => !self.vars[var].mutable && self.is_number(var),
-                    None => {
-                        let is_macro = matches!(next,
-                            Some(TokenTree::Punct(punct)) if punct.as_char() == '!');
-                        let is_call = next_group == Some(Delimiter::Parenthesis);
-                        let is_cheap_function =
-                            CHEAP_FUNCTIONS.iter().any(|cheap| name == cheap) || is_of_range(name);
-                        !is_macro && (!is_call || is_cheap_function)
-                    }
-                },
-            };
-            if !fine {
-                return false;
-            }
-        }
-        true
+    /// Whether a variable is a parameter that is a slice or a `Vec` and stays as it is.
+    pub fn is_sequence(&self, var: VarId) -> bool {
+        self.sequences.contains(&var)
     }
 
-    /// Whether an iterator is a range of integers, or some of one, that can be run over backwards.
-    pub fn is_range(&self, iterator: &TokenStream) -> bool {
-        let has_dots = |tokens: TokenStream| {
-            let tokens: Vec<_> = tokens.into_iter().collect();
-            let is_dot = |token: &TokenTree| matches!(token, TokenTree::Punct(punct) if punct.as_char() == '.');
-            tokens.windows(2).any(|pair| pair.iter().all(is_dot))
-        };
-        let is_range = has_dots(iterator.clone())
-            || match iterator.clone().into_iter().next() {
-                Some(TokenTree::Group(group)) => {
-                    group.delimiter() == Delimiter::Parenthesis && has_dots(group.stream())
-                }
-                // One of `ad::rt`.
-                Some(TokenTree::Punct(_)) => true,
-                _ => false,
-            };
-        is_range && self.is_cheap_before(iterator, VarId::MAX, Cheap::Range)
+    /// Whether a variable is a parameter that has a length and stays as it is.
+    pub fn is_parameter_with_length(&self, var: VarId) -> bool {
+        self.sequences.contains(&var) || self.array_parameters.contains_key(&var)
     }
 
-    /// Whether a range can be computed where the function begins: it is made of literals and the
-    /// lengths of parameters.
-    pub fn is_known_at_start(&self, range: &TokenStream) -> bool {
-        let is_parameter =
-            |var: &VarId| self.sequences.contains(var) || self.array_parameters.contains_key(var);
-        // Where a loop is not reached, arithmetic for its range could fail.
-        let mut tokens = range.clone().into_iter();
-        self.uses(range).iter().all(is_parameter)
-            && (self.uses(range).is_empty() || !tokens.any(|token| has_arithmetic(&token)))
+    /// Whether this is a type parameter that is a scalar.
+    pub fn is_scalar(&self, name: &Ident) -> bool {
+        self.scalars.contains(name)
     }
 
     /// Whether code names a slice or a `Vec`, of which the reverse sweep knows nothing.
@@ -442,30 +373,11 @@ pub fn is_element(path: &[Projection]) -> bool {
     steps.peek().is_some() && steps.all(is_index)
 }
 
-/// Whether `.len()` follows.
-fn is_length(mut following: impl Iterator<Item = TokenTree>) -> bool {
-    matches!(following.next(), Some(TokenTree::Punct(punct)) if punct.as_char() == '.')
-        && matches!(following.next(), Some(TokenTree::Ident(name)) if name == "len")
-}
-
 /// A slice or a `Vec`, or a reference to one.
 fn is_sequence(ty: &Type) -> bool {
     match pointee(ty) {
         Type::Slice(_) => true,
         Type::Path(path) => path.path.segments.last().is_some_and(|last| last.ident == "Vec"),
         _ => false,
-    }
-}
-
-/// Whether there is an operator in the token that may fail.
-fn has_arithmetic(token: &TokenTree) -> bool {
-    match token {
-        TokenTree::Group(group) => group.stream().into_iter().any(|token| has_arithmetic(&token)),
-        TokenTree::Punct(punct) => "+-*/%<>&|^!".contains(punct.as_char()),
-        // Steps, windows and chunks of size zero fail.
-        TokenTree::Ident(name) => {
-            name == "windows" || OF_RANGES.iter().any(|of_ranges| name == of_ranges)
-        }
-        TokenTree::Literal(_) => false,
     }
 }

@@ -9,6 +9,7 @@ mod arithmetic;
 mod assign;
 mod branch;
 mod build;
+mod cheap;
 mod checkpoint;
 mod closure;
 mod contribute;

@@ -1,16 +1,17 @@
 //! The pullback of each operation.
 
-use proc_macro2::{Ident, Span, TokenStream, TokenTree};
+use proc_macro2::{Ident, Span, TokenStream};
 use quote::{quote, quote_spanned};
+use syn::spanned::Spanned;
 use syn::{Member, Type};
 
 use super::contribute::{Target, cotangent_of};
 use super::{Sides, Sweeper};
 use crate::ir::{
-    Argument, BinaryOperator, Operand, Operation, Place, Projection, Shape, Var, VarId,
+    Argument, BinaryOperator, Derivative, Operand, Operation, Place, Projection, Shape, Var, VarId,
 };
 use crate::primal::Primal;
-use crate::{lending, rules};
+use crate::{lending, names, rules};
 
 /// To a function of more parameters nothing is lent.
 const MOST_LENT: usize = 12;
@@ -33,13 +34,18 @@ impl Sweeper<'_> {
         let mutability = mutable.then(|| quote!(mut));
         let ty = ty.map(|ty| quote!(: #ty));
         let forward = match operation {
-            Operation::Call { vjp, method, arguments, .. } if pulls_back => {
-                let call = match (self.lends(operation), lent_method(operation)) {
-                    (true, Some(method)) => self.lent_call(method, vjp, arguments),
-                    (true, None) => self.call(&onto(vjp), *method, arguments),
-                    (false, _) => self.call(vjp, *method, arguments),
+            Operation::Call { callee, arguments } if pulls_back => {
+                let (vjp, is_method) = (callee.derivative.vjp(), callee.is_method);
+                let call = match (self.lends(operation), callee.derivative.vjp_onto()) {
+                    (true, Some(vjp_onto)) => self.call(&vjp_onto, is_method, arguments),
+                    (true, None) => {
+                        let method = lent_method(operation).expect("a method is lent");
+                        self.lent_call(method, &vjp, arguments)
+                    }
+                    (false, _) => self.call(&vjp, is_method, arguments),
                 };
-                quote!(let (#ident, #record) = #call;)
+                let check = Primal(self.vars).check_name(callee, arguments);
+                quote!(#check let (#ident, #record) = #call;)
             }
             Operation::Closure(closure) => {
                 let object = self.object(closure);
@@ -195,6 +201,7 @@ impl Sweeper<'_> {
                     };
                     let value = match shape {
                         Shape::Struct | Shape::Variant(_) => {
+                            self.check_stored(reverse, *part, &field, member.span());
                             let space = self.space(*part);
                             quote!(#space.enter(#field))
                         }
@@ -254,12 +261,16 @@ impl Sweeper<'_> {
                 Argument::Exclusive(place) | Argument::Reborrow(place)
                     if !self.vars[place.root].active =>
                 {
-                    lent.push(quote!(()));
+                    let span = self.ident(place.root).span();
+                    lent.push(names::located(quote!(::ad::rt::of_constant()), span));
                 }
                 Argument::Exclusive(place) | Argument::Reborrow(place) => {
                     self.start(reverse, place.root);
                     let lender = cotangent_of(&self.vars[place.root].cotangent, &place.path);
-                    lent.push(quote!(::ad::rt::Take::take(#lender)));
+                    lent.push(quote!(::ad::rt::take_changed(#lender)));
+                }
+                Argument::Receiver(place) if self.is_constant(place) => {
+                    receiver = Some(quote!(&mut ::ad::NoTangent::<()>::new()));
                 }
                 Argument::Receiver(place) if self.vars[place.root].mutable => {
                     self.start(reverse, place.root);
@@ -299,12 +310,10 @@ impl Sweeper<'_> {
 
     /// Whether an operation is a call that is lent cotangents (see [`lending`](crate::lending)).
     fn lends(&self, operation: &Operation) -> bool {
-        let Operation::Call { vjp, method, arguments, .. } = operation else {
-            return false;
-        };
+        let Operation::Call { callee, arguments } = operation else { return false };
         // Of these the types have to tell something else.
         let is_reborrow = |argument| matches!(argument, &Argument::Reborrow(_));
-        let may_lend = match method {
+        let may_lend = match callee.is_method {
             true => {
                 // What a method may have changed, and what it was lent besides, no type would tell.
                 let may_change = matches!(&arguments[0],
@@ -314,7 +323,7 @@ impl Sweeper<'_> {
                     && !(may_change && arguments.iter().any(changes))
                     && arguments.iter().all(|argument| self.may_stand_beside_lent(argument))
             }
-            false => has_onto(vjp),
+            false => callee.derivative.vjp_onto().is_some(),
         };
         may_lend
             && arguments.len() <= MOST_LENT
@@ -363,13 +372,18 @@ impl Sweeper<'_> {
         quote!(::ad::rt::Take::take(#lender))
     }
 
-    /// Whether an operation may change something whose cotangent is not zero.
+    /// Whether a place changes and never carries a derivative.
+    fn is_constant(&self, place: &Place) -> bool {
+        !self.vars[place.root].active && self.vars[place.root].mutable
+    }
+
+    /// Whether an operation may change something whose cotangent is not zero. What it makes of a
+    /// constant is none: the type of the pullback, which is called, tells that it stays one.
     fn changes_live_place(&mut self, operation: &Operation) -> bool {
         let Operation::Call { arguments, .. } = operation else { return false };
         arguments.iter().any(|argument| match argument {
             Argument::Exclusive(place) | Argument::Reborrow(place) | Argument::Receiver(place) => {
-                let root = &self.vars[place.root];
-                root.active && root.mutable && self.is_live(place)
+                self.is_constant(place) || self.vars[place.root].mutable && self.is_live(place)
             }
             Argument::Value(_)
             | Argument::Borrow(_)
@@ -391,6 +405,8 @@ impl Sweeper<'_> {
         match part {
             Operand::Constant(_) => reverse.extend(quote!(#taken;)),
             Operand::Var(part) => {
+                let field = quote!(#cotangent.#member);
+                self.check_stored(reverse, *part, &field, member.span());
                 let space = self.space(*part);
                 self.contribute(reverse, *part, &[], quote!(#space.enter(#taken)));
             }
@@ -401,27 +417,10 @@ impl Sweeper<'_> {
 /// The method that is called, if it may be one that is lent cotangents: none that numbers and
 /// vectors have.
 fn lent_method(operation: &Operation) -> Option<lending::Method> {
-    let Operation::Call { primal, method: true, arguments, .. } = operation else { return None };
-    let name = syn::parse2::<Ident>(primal.clone()).ok()?;
-    let is_own = !rules::is_method(&name.to_string());
-    is_own.then(|| lending::Method { name, arity: arguments.len() - 1 })
-}
-
-/// Whether the path of a derivative is that of a `vjp` that this crate writes.
-fn has_onto(vjp: &TokenStream) -> bool {
-    let mut tokens = vjp.clone().into_iter();
-    let is_own = vjp.to_string().starts_with(":: ad ::");
-    !is_own && tokens.any(|token| matches!(token, TokenTree::Ident(name) if name == "vjp"))
-}
-
-/// The path of `vjp_onto` beside `vjp`.
-fn onto(vjp: &TokenStream) -> TokenStream {
-    let mut tokens: Vec<_> = vjp.clone().into_iter().collect();
-    let is_vjp = |token: &TokenTree| matches!(token, TokenTree::Ident(name) if name == "vjp");
-    if let Some(last) = tokens.iter().rposition(is_vjp) {
-        tokens[last] = Ident::new("vjp_onto", tokens[last].span()).into();
-    }
-    tokens.into_iter().collect()
+    let Operation::Call { callee, arguments } = operation else { return None };
+    let Derivative::Sibling { name, turbofish: None, .. } = &callee.derivative else { return None };
+    let is_own = callee.is_method && !rules::is_method(&name.to_string());
+    is_own.then(|| lending::Method { name: name.clone(), arity: arguments.len() - 1 })
 }
 
 fn operand_target(operand: &Operand) -> Option<Target> {

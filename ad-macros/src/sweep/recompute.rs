@@ -180,8 +180,9 @@ impl Sweeper<'_> {
                     (again, self.idents(&[*left, *right]))
                 })
             }
-            Operation::Call { primal, method: true, arguments, .. } => {
-                let is_cheap = CHEAP_METHODS.contains(&primal.to_string().as_str());
+            Operation::Call { callee, arguments } => {
+                let method = callee.method_name()?.to_string();
+                let is_cheap = CHEAP_METHODS.contains(&method.as_str());
                 let operands = self.operands(arguments).filter(|_| is_cheap)?;
                 Some((self.primal(operation, self.span(operands[0])), self.idents(&operands)))
             }
@@ -191,14 +192,12 @@ impl Sweeper<'_> {
 
     /// A call of a cheap method's sibling, and the variables that it names.
     fn pullback_again(&self, operation: &Operation) -> Option<(TokenStream, Vec<Ident>)> {
-        let Operation::Call { primal, vjp, method: true, arguments } = operation else {
-            return None;
-        };
-        let name = primal.to_string();
+        let Operation::Call { callee, arguments } = operation else { return None };
+        let name = callee.method_name()?.to_string();
         let is_cheap = CHEAP_METHODS.contains(&name.as_str())
             || PULLED_BACK_WITHOUT_VALUE.contains(&name.as_str());
         let operands = self.operands(arguments).filter(|_| is_cheap)?;
-        Some((self.call(vjp, true, arguments), self.idents(&operands)))
+        Some((self.call(&callee.derivative.vjp(), true, arguments), self.idents(&operands)))
     }
 
     /// The operands of a call, if they are numbers.

@@ -66,7 +66,8 @@ impl Writer {
         let (scalars, arrays, integers) =
             (self.visible(Kind::is_scalar), self.visible(Kind::is_array), self.integers());
         let pairs = self.visible(|kind| kind == Kind::Pair);
-        match self.random.below(10) {
+        match self.random.below(11) {
+            10 if !self.is_pure() => self.drawn(),
             0 if !integers.is_empty() => {
                 let integer = self.random.pick(&integers);
                 put(

@@ -5,6 +5,30 @@ use crate::expression::{Both, put};
 use crate::statement::{Kind, NAMES, Writer};
 
 impl Writer {
+    /// A function that a `macro_rules!` makes of three expressions.
+    pub fn by_a_macro(&mut self, name: &str) -> String {
+        let (x, y) = self.random.pick(&[("x", "y"), ("t", "a"), ("b", "sum")]);
+        self.rename_parameters([x, y]);
+        let part = |writer: &mut Self| {
+            let (a, b) = (writer.leaf(), writer.expression(1));
+            match writer.random.below(4) {
+                0 => put("{} + {}", &[&a, &b]),
+                1 => put("{} - {}", &[&a, &b]),
+                2 => put("-{} * {}", &[&a, &b]),
+                _ => put("if {} { {} } else { {} }", &[&writer.condition(), &a, &b]),
+            }
+        };
+        let parts = [part(self), part(self), part(self)];
+        let [p, q, r] = parts.each_ref().map(|part| &part.plain);
+        let [gp, gq, gr] = parts.each_ref().map(|part| &part.generic);
+        format!(
+            "
+of_parts!(#[differentiable] {name} ({x}, {y}: f64) f64::from, {p}, {q}, {r});
+of_parts!({name}_of<S> ({x}, {y}: S) S::from_f64, {gp}, {gq}, {gr});
+"
+        )
+    }
+
     /// A call that is given a function.
     pub fn passed(&mut self) {
         let (name, start) = (self.random.pick(&NAMES), self.bounded(1));

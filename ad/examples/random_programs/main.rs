@@ -6,6 +6,7 @@
 //! on a tape.
 
 mod data;
+mod effects;
 mod expression;
 mod function;
 mod list;
@@ -28,8 +29,13 @@ fn main() {
     let mut table = String::new();
     for index in 0..count {
         let mut writer = Writer::new(Random::new(seed.wrapping_mul(1_000_003) + index), index);
-        writer.body();
         let name = format!("program_{index}");
+        writeln!(table, "    program!({name}, {name}_of),").expect("a string takes all");
+        if writer.random.chance(10) {
+            programs += &writer.by_a_macro(&name);
+            continue;
+        }
+        writer.body();
         let (plain, generic) = writer.finish();
         write!(
             programs,
@@ -43,13 +49,15 @@ fn {name}_of<S: Real<Mask = bool>>(x: S, y: S) -> S {{
 "
         )
         .expect("a string takes all");
-        writeln!(table, "    program!({name}, {name}_of),").expect("a string takes all");
     }
     print!(
         "//! Random programs, written by `cargo run -p ad --example random_programs -- {seed} {count}`.
 
 use ad::{{Real, differentiable}};
 
+use crate::effects::{{
+    Ball, Guard, Hard, Soft, curved, draw, left, of_parts, raised, raises, right, scale, two,
+}};
 use crate::program::{{Program, program}};
 use crate::types::Shape::{{Disc, Point}};
 use crate::types::{{

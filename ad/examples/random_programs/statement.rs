@@ -57,6 +57,8 @@ pub struct Writer {
     fresh: usize,
     /// How many more statements the program may have.
     budget: usize,
+    /// In how many loops it lies that run twice.
+    repeated: usize,
 }
 
 impl Writer {
@@ -73,6 +75,14 @@ impl Writer {
             loops: Vec::new(),
             fresh: 0,
             budget: 14,
+            repeated: 0,
+        }
+    }
+
+    /// Gives the parameters other names.
+    pub fn rename_parameters(&mut self, names: [&str; 2]) {
+        for (parameter, name) in self.scopes[0].iter_mut().zip(names) {
+            parameter.name = name.to_owned();
         }
     }
 
@@ -157,6 +167,9 @@ impl Writer {
         }
         if self.random.chance(10) {
             return self.of_lists();
+        }
+        if self.random.chance(25) {
+            return self.effects();
         }
         match self.random.below(if depth > 0 { 24 } else { 11 }) {
             0 => self.declare_scalar(),
@@ -247,9 +260,14 @@ impl Writer {
         self.declare("b", Kind::Scalar { mutable: true });
     }
 
+    /// Whether the statement being written may run twice, and has to do the same both times.
+    pub fn is_pure(&self) -> bool {
+        self.repeated > 0
+    }
+
     /// A call of an earlier program.
     fn call(&mut self) {
-        if self.index == 0 {
+        if self.index == 0 || self.is_pure() {
             return self.declare_scalar();
         }
         let callee = self.random.below(self.index.min(1000) as usize);
@@ -309,10 +327,12 @@ impl Writer {
             _ => format!("{from}..{to}_usize"),
         };
         let head = Both::same(format!("{label}: for {index} in {range}"));
-        if self.random.chance(20) {
+        let is_checkpointed = self.random.chance(20);
+        if is_checkpointed {
             let attribute = "#[differentiable(checkpoint)]".to_owned();
             self.line(&Both { plain: attribute, generic: String::new() });
         }
+        self.repeated += usize::from(is_checkpointed);
         self.loops.push(label);
         self.block(
             &head,
@@ -323,6 +343,7 @@ impl Writer {
             "",
         );
         self.loops.pop();
+        self.repeated -= usize::from(is_checkpointed);
     }
 
     fn while_loop(&mut self, depth: usize) {

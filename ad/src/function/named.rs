@@ -14,6 +14,8 @@ pub struct Named<F, D> {
 #[doc(hidden)]
 #[inline(always)]
 pub fn named<F, D>(function: F, derivative: D) -> Named<F, D> {
+    #[cfg(debug_assertions)]
+    crate::rt::check_mode_of(&function, &derivative);
     Named { function, derivative }
 }
 

@@ -7,6 +7,7 @@ use core::ops::{Index, Range, RangeInclusive};
 
 use glam::{DVec2, DVec3, DVec4, Vec2, Vec3, Vec4};
 
+use super::OfChanged;
 use crate::{Additive, Boxed, NoTangent};
 
 /// Both sides of a conversion are of one kind.
@@ -160,6 +161,16 @@ impl<T: Additive> Take<T, Content> for Boxed<T> {
     fn take(&mut self) -> T {
         core::mem::replace(self, Boxed::zero()).into_inner()
     }
+}
+
+/// The cotangent of a place that a call has changed: a place that cuts derivatives may not be.
+#[inline(always)]
+pub fn take_changed<P, T, Kind>(place: &mut P) -> T
+where
+    P: Take<T, Kind> + ?Sized,
+    Kind: OfChanged<T>,
+{
+    place.take()
 }
 
 /// Stands for the cotangent of a parameter that callers do not lend.

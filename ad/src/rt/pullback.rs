@@ -1,6 +1,6 @@
 //! Calls of pullbacks whose signature depends on the method that was called.
 
-use super::{NotLent, Take};
+use super::{NotLent, OfChanged, Take};
 
 /// The method took `self` or `&self`: its pullback wants the cotangent of the result alone.
 pub enum Shared {}
@@ -47,6 +47,7 @@ macro_rules! method_pullbacks {
         where
             F: FnOnce(C, T $(, $other)*) -> P,
             R: Take<T, K>,
+            K: OfChanged<T>,
         {
             type Parts = P;
 
@@ -200,6 +201,7 @@ macro_rules! pullbacks_onto {
         where
             F: FnOnce(C, T) -> P,
             R: Take<T, K>,
+            K: OfChanged<T>,
         {
             type Parts = P;
 

@@ -19,6 +19,13 @@ pub trait CastPullback<To: Differentiable>: Differentiable {
     fn cast_pushforward(self, tangent: Tangent<Self>) -> Tangent<To>;
 }
 
+/// A number that is cast to a type of which only the compiler knows what it is.
+#[doc(hidden)]
+#[inline(always)]
+pub fn castable<From: CastPullback<To>, To: Differentiable>(number: From) -> From {
+    number
+}
+
 macro_rules! between_floats {
     ($($from:ident $to:ident),*) => {$(
         impl CastPullback<$to> for $from {

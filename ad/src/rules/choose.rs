@@ -29,6 +29,12 @@ pub fn select<T: Select>(mask: T::Mask, if_true: T, if_false: T) -> T {
 pub enum select {}
 
 impl select {
+    /// The path of the function.
+    #[doc(hidden)]
+    pub fn named() -> &'static str {
+        core::any::type_name::<Self>()
+    }
+
     #[allow(clippy::type_complexity)]
     /// The value, and the pullback to mask, `if_true` and `if_false`.
     #[inline(always)]
@@ -80,7 +86,7 @@ impl select {
 /// assert_eq!(f::value_and_grad(12.0), (288.0, 48.0));
 /// ```
 #[inline(always)]
-pub fn no_diff<R>(f: impl Fn() -> R) -> R {
+pub fn no_diff<R, F: Fn() -> R>(f: F) -> R {
     f()
 }
 

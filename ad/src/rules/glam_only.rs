@@ -187,6 +187,12 @@ pub mod construct {
             pub enum $name {}
 
             impl $name {
+                /// The path of the function.
+                #[doc(hidden)]
+                pub fn named() -> &'static str {
+                    core::any::type_name::<Self>()
+                }
+
                 /// The vector, and the cotangents of its elements.
                 #[inline(always)]
                 #[allow(clippy::type_complexity)]

@@ -42,8 +42,11 @@
 //! The last row keeps the arm that [`select`](fn@crate::select) did not take from poisoning the
 //! gradient of the one it took.
 
+#[doc(hidden)]
+pub mod attempt;
 mod cast;
 mod choose;
+mod edit;
 mod float;
 pub mod forward;
 mod glam_only;
@@ -61,7 +64,10 @@ mod transform;
 mod vector;
 
 pub use cast::CastPullback;
+#[doc(hidden)]
+pub use cast::castable;
 pub use choose::{no_diff, select, stop_gradient};
+pub use edit::EditRules;
 pub use float::{FloatRules, FromRules};
 pub use glam_only::{ExtendRules, GlamRules, TruncateRules, construct};
 pub use integer::{IntegerRules, SignedRules};
@@ -77,7 +83,7 @@ pub use operators::{
     NegPullback, Nothing, OfReferences, OfValues, Operands, RemAssignPullback, RemPullback,
     SubAssignPullback, SubPullback, operation,
 };
-pub use outcome::{CopiedRules, OptionRules, ResultRules};
+pub use outcome::{CopiedRules, FlattenRules, OptionRules, ResultRules};
 pub use quaternion::QuaternionRules;
 pub use scalar::{RealRules, ScalarRules};
 pub use sequence::{CloneRules, Elements, SequenceRules, VecRules};

@@ -7,7 +7,7 @@ use core::fmt::Debug;
 use crate::{Additive, Differentiable, Tangent};
 
 /// The `_vjp` siblings of the methods of options. The cotangent of an option is that of its content.
-pub trait OptionRules: Differentiable<Tangent = Tangent<Self::Content>> {
+pub trait OptionRules: Differentiable<Tangent = Tangent<Self::Content>> + Sized {
     /// What the option may hold.
     type Content: Differentiable;
 
@@ -21,6 +21,39 @@ pub trait OptionRules: Differentiable<Tangent = Tangent<Self::Content>> {
         self,
         message: &str,
     ) -> (Self::Content, impl FnOnce(Tangent<Self::Content>) -> (Tangent<Self>, ()) + use<Self>);
+
+    /// The cotangent of what is referred to.
+    fn as_ref_vjp(&self) -> (Option<&Self::Content>, fn(Tangent<Self>) -> Tangent<Self>);
+
+    /// To what was there; nothing to the place, which is empty then.
+    fn take_vjp(&mut self) -> (Self, fn(Tangent<Self>, Tangent<Self>) -> Tangent<Self>);
+
+    /// To what was there; that of the place to the new value.
+    fn replace_vjp(
+        &mut self,
+        value: Self::Content,
+    ) -> (Self, fn(Tangent<Self>, Tangent<Self>) -> (Tangent<Self>, Tangent<Self::Content>));
+
+    /// The cotangent goes to the one that was taken.
+    fn or_vjp(
+        self,
+        other: Self,
+    ) -> (Self, impl FnOnce(Tangent<Self>) -> (Tangent<Self>, Tangent<Self>) + use<Self>);
+
+    /// The cotangent goes to the one that was taken.
+    fn xor_vjp(
+        self,
+        other: Self,
+    ) -> (Self, impl FnOnce(Tangent<Self>) -> (Tangent<Self>, Tangent<Self>) + use<Self>);
+
+    /// The cotangents of both, if there are both.
+    fn zip_vjp<U: Differentiable>(
+        self,
+        other: Option<U>,
+    ) -> (
+        Option<(Self::Content, U)>,
+        impl FnOnce((Tangent<Self::Content>, Tangent<U>)) -> (Tangent<Self>, Tangent<U>) + use<Self, U>,
+    );
 
     /// The cotangent goes to what was taken.
     fn unwrap_or_vjp(
@@ -55,6 +88,65 @@ impl<T: Differentiable> OptionRules for Option<T> {
         message: &str,
     ) -> (T, impl FnOnce(Tangent<T>) -> (Tangent<T>, ()) + use<T>) {
         (self.expect(message), |cotangent| (cotangent, ()))
+    }
+
+    #[inline(always)]
+    fn as_ref_vjp(&self) -> (Option<&T>, fn(Tangent<T>) -> Tangent<T>) {
+        (self.as_ref(), core::convert::identity)
+    }
+
+    #[inline(always)]
+    fn take_vjp(&mut self) -> (Self, fn(Tangent<T>, Tangent<T>) -> Tangent<T>) {
+        (self.take(), |taken, _| taken)
+    }
+
+    #[inline(always)]
+    fn replace_vjp(
+        &mut self,
+        value: T,
+    ) -> (Self, fn(Tangent<T>, Tangent<T>) -> (Tangent<T>, Tangent<T>)) {
+        (self.replace(value), |before, after| (before, after))
+    }
+
+    #[inline(always)]
+    fn or_vjp(
+        self,
+        other: Self,
+    ) -> (Self, impl FnOnce(Tangent<T>) -> (Tangent<T>, Tangent<T>) + use<T>) {
+        let is_some = self.is_some();
+        (self.or(other), move |cotangent| match is_some {
+            true => (cotangent, Additive::zero()),
+            false => (Additive::zero(), cotangent),
+        })
+    }
+
+    #[inline(always)]
+    fn xor_vjp(
+        self,
+        other: Self,
+    ) -> (Self, impl FnOnce(Tangent<T>) -> (Tangent<T>, Tangent<T>) + use<T>) {
+        let are_some = (self.is_some(), other.is_some());
+        (self.xor(other), move |cotangent| match are_some {
+            (true, false) => (cotangent, Additive::zero()),
+            (false, true) => (Additive::zero(), cotangent),
+            _ => (Additive::zero(), Additive::zero()),
+        })
+    }
+
+    #[inline(always)]
+    fn zip_vjp<U: Differentiable>(
+        self,
+        other: Option<U>,
+    ) -> (
+        Option<(T, U)>,
+        impl FnOnce((Tangent<T>, Tangent<U>)) -> (Tangent<T>, Tangent<U>) + use<T, U>,
+    ) {
+        let zipped = self.zip(other);
+        let are_some = zipped.is_some();
+        (zipped, move |cotangents| match are_some {
+            true => cotangents,
+            false => (Additive::zero(), Additive::zero()),
+        })
     }
 
     #[inline(always)]
@@ -120,6 +212,24 @@ impl<T: Differentiable> CopiedRules for Option<&T> {
         T: Clone,
     {
         (self.cloned(), core::convert::identity)
+    }
+}
+
+/// The `_vjp` sibling of `flatten` on an option of an option.
+pub trait FlattenRules: Sized {
+    /// The inner option.
+    type Inner: Differentiable;
+
+    /// The cotangent of the content.
+    fn flatten_vjp(self) -> (Self::Inner, fn(Tangent<Self::Inner>) -> Tangent<Self::Inner>);
+}
+
+impl<T: Differentiable> FlattenRules for Option<Option<T>> {
+    type Inner = Option<T>;
+
+    #[inline(always)]
+    fn flatten_vjp(self) -> (Option<T>, fn(Tangent<T>) -> Tangent<T>) {
+        (self.flatten(), core::convert::identity)
     }
 }
 

@@ -99,6 +99,34 @@ pub trait SequenceRules: Differentiable<Tangent: Elements<Tangent<Self::Element>
         })
     }
 
+    /// Turns the elements back.
+    #[inline]
+    fn rotate_left_vjp(
+        &mut self,
+        by: usize,
+    ) -> ((), impl FnOnce((), Self::Tangent) -> (Self::Tangent, ()) + use<Self>) {
+        let len = self.view().len();
+        self.sequence().rotate_left(by);
+        ((), move |(), mut cotangent: Self::Tangent| {
+            cotangent.elements(len).rotate_right(by);
+            (cotangent, ())
+        })
+    }
+
+    /// Turns the elements back.
+    #[inline]
+    fn rotate_right_vjp(
+        &mut self,
+        by: usize,
+    ) -> ((), impl FnOnce((), Self::Tangent) -> (Self::Tangent, ()) + use<Self>) {
+        let len = self.view().len();
+        self.sequence().rotate_right(by);
+        ((), move |(), mut cotangent: Self::Tangent| {
+            cotangent.elements(len).rotate_left(by);
+            (cotangent, ())
+        })
+    }
+
     /// To the places where the elements came from. The pullback is boxed: an opaque type would hold on
     /// to what the comparison borrows.
     #[inline]

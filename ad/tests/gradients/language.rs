@@ -23,12 +23,14 @@
     reason = "these forms are what is tested"
 )]
 
+mod attempts;
 mod checkpoint;
 mod closures;
 mod closures_for_methods;
 mod collections;
 mod data;
 mod deferred;
+mod editing;
 mod elements;
 mod enums;
 mod exclusive;
@@ -37,6 +39,7 @@ mod flow;
 mod function_parameters;
 mod functions;
 mod functions_by_name;
+mod generators;
 mod integers;
 mod iterators;
 mod jumps;
@@ -50,6 +53,7 @@ mod outcomes;
 mod passing_on;
 mod programs;
 mod scalars;
+mod single_methods;
 mod slices;
 mod splits;
 mod statements;

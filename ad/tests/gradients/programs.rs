@@ -10,19 +10,25 @@
     reason = "these are the forms that people use"
 )]
 
+mod bar;
 mod bodies;
 mod distances;
 mod filters;
 mod geometry;
+mod kalman;
 mod layers;
 mod markets;
 mod methods;
 mod networks;
+mod perceptron;
 mod pieces;
+mod planets;
 mod poses;
+mod pricer;
 mod recipes;
 mod roots;
 mod sequences;
 mod solvers;
+mod spline;
 mod springs;
 mod statistics;

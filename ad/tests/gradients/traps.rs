@@ -6,12 +6,19 @@
     clippy::let_and_return,
     clippy::needless_range_loop,
     clippy::needless_return,
+    clippy::never_loop,
+    clippy::single_match,
+    clippy::useless_vec,
     reason = "these forms are what is tested"
 )]
 
 mod aliasing;
 mod closures;
+mod drops;
+mod effects;
 mod exclusive;
+mod macro_rules;
+mod name_spaces;
 mod names;
 mod numbers;
 mod order;

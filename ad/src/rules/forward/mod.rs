@@ -29,7 +29,7 @@ pub use matrix::{
     AngleForward, DMat2Forward, DMat3Forward, DMat4Forward, Mat2Forward, Mat3Forward, Mat4Forward,
     MatrixForward, RotationForward, TransformForward,
 };
-pub use outcome::{CopiedForward, OptionForward, ResultForward};
+pub use outcome::{CopiedForward, FlattenForward, OptionForward, ResultForward};
 pub use quaternion::QuaternionForward;
 pub use scalar::{RealForward, ScalarForward};
 pub use sequence::{CloneForward, SequenceForward, VecForward};

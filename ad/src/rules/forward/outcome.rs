@@ -2,8 +2,8 @@
 
 use core::fmt::Debug;
 
-use crate::rules::{CopiedRules, OptionRules, ResultRules};
-use crate::{Differentiable, Tangent};
+use crate::rules::{CopiedRules, FlattenRules, OptionRules, ResultRules};
+use crate::{Additive, Differentiable, Tangent};
 
 /// The `_jvp` siblings of the methods of options. The tangent of an option is that of its content.
 pub trait OptionForward: OptionRules {
@@ -18,6 +18,60 @@ pub trait OptionForward: OptionRules {
         tangent: Tangent<Self::Content>,
         _: &(),
     ) -> (Self::Content, Tangent<Self::Content>);
+
+    /// The tangent of what is referred to.
+    #[inline(always)]
+    fn as_ref_jvp(
+        &self,
+        tangent: &Tangent<Self::Content>,
+    ) -> (Option<&Self::Content>, Tangent<Self::Content>) {
+        (self.as_ref_vjp().0, tangent.clone())
+    }
+
+    /// The tangent of what was there.
+    #[inline(always)]
+    fn take_jvp(&mut self, tangent: &mut Tangent<Self::Content>) -> (Self, Tangent<Self::Content>) {
+        (self.take_vjp().0, core::mem::replace(tangent, Additive::zero()))
+    }
+
+    /// The tangent of what was there; that of the new value takes its place.
+    #[inline(always)]
+    fn replace_jvp(
+        &mut self,
+        value: Self::Content,
+        tangent: &mut Tangent<Self::Content>,
+        value_tangent: Tangent<Self::Content>,
+    ) -> (Self, Tangent<Self::Content>) {
+        (self.replace_vjp(value).0, core::mem::replace(tangent, value_tangent))
+    }
+
+    /// The tangent of the one that was taken.
+    fn or_jvp(
+        self,
+        other: Self,
+        tangent: Tangent<Self::Content>,
+        other_tangent: Tangent<Self::Content>,
+    ) -> (Self, Tangent<Self::Content>);
+
+    /// The tangent of the one that was taken.
+    fn xor_jvp(
+        self,
+        other: Self,
+        tangent: Tangent<Self::Content>,
+        other_tangent: Tangent<Self::Content>,
+    ) -> (Self, Tangent<Self::Content>);
+
+    /// The tangents of both.
+    #[inline(always)]
+    #[allow(clippy::type_complexity)]
+    fn zip_jvp<U: Differentiable>(
+        self,
+        other: Option<U>,
+        tangent: Tangent<Self::Content>,
+        other_tangent: Tangent<U>,
+    ) -> (Option<(Self::Content, U)>, (Tangent<Self::Content>, Tangent<U>)) {
+        (self.zip_vjp(other).0, (tangent, other_tangent))
+    }
 
     /// The tangent of what was taken.
     fn unwrap_or_jvp(
@@ -50,6 +104,33 @@ impl<T: Differentiable> OptionForward for Option<T> {
     }
 
     #[inline(always)]
+    fn or_jvp(
+        self,
+        other: Self,
+        tangent: Tangent<T>,
+        other_tangent: Tangent<T>,
+    ) -> (Self, Tangent<T>) {
+        match self.is_some() {
+            true => (self, tangent),
+            false => (other, other_tangent),
+        }
+    }
+
+    #[inline(always)]
+    fn xor_jvp(
+        self,
+        other: Self,
+        tangent: Tangent<T>,
+        other_tangent: Tangent<T>,
+    ) -> (Self, Tangent<T>) {
+        match (self.is_some(), other.is_some()) {
+            (true, false) => (self, tangent),
+            (false, true) => (other, other_tangent),
+            _ => (None, Additive::zero()),
+        }
+    }
+
+    #[inline(always)]
     fn unwrap_or_jvp(
         self,
         default: T,
@@ -79,6 +160,17 @@ fn still<T: Differentiable>(value: T) -> (T, Tangent<T>) {
     let tangent = value.zero_tangent();
     (value, tangent)
 }
+
+/// The `_jvp` sibling of `flatten`.
+pub trait FlattenForward: FlattenRules {
+    /// The tangent of the content.
+    #[inline(always)]
+    fn flatten_jvp(self, tangent: Tangent<Self::Inner>) -> (Self::Inner, Tangent<Self::Inner>) {
+        (self.flatten_vjp().0, tangent)
+    }
+}
+
+impl<T: Differentiable> FlattenForward for Option<Option<T>> {}
 
 /// The `_jvp` siblings of the methods of results.
 pub trait ResultForward: ResultRules {

@@ -40,6 +40,32 @@ pub trait SequenceForward: SequenceRules {
         ((), ())
     }
 
+    /// Turns the tangents, too.
+    #[inline]
+    fn rotate_left_jvp(
+        &mut self,
+        by: usize,
+        tangent: &mut [Tangent<Self::Element>],
+        (): (),
+    ) -> ((), ()) {
+        self.sequence().rotate_left(by);
+        tangent.rotate_left(by);
+        ((), ())
+    }
+
+    /// Turns the tangents, too.
+    #[inline]
+    fn rotate_right_jvp(
+        &mut self,
+        by: usize,
+        tangent: &mut [Tangent<Self::Element>],
+        (): (),
+    ) -> ((), ()) {
+        self.sequence().rotate_right(by);
+        tangent.rotate_right(by);
+        ((), ())
+    }
+
     /// The tangent of the value, everywhere.
     #[inline]
     fn fill_jvp(

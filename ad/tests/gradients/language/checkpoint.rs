@@ -116,6 +116,27 @@ fn over_elements(values: &[f64; 7], y: f64) -> f64 {
     state[0] * state[1]
 }
 
+/// Loops around and within a checkpointed one, with few iterations each.
+#[differentiable]
+fn between_short_loops(x: f64, y: f64) -> f64 {
+    let pair = [x, y];
+    let mut c = x;
+    for _ in 0..1 {
+        #[differentiable(checkpoint)]
+        for _ in 1..=5 {
+            for v in pair.iter().cycle().take(8) {
+                c = (c + *v).sin();
+            }
+        }
+    }
+    c
+}
+
+#[test]
+fn checkpoints_between_short_loops() {
+    check!(between_short_loops(x, y) at [0.5, -0.3], [1.2, 0.4]);
+}
+
 #[test]
 fn loops() {
     check_generic!(checkpointed_loop(x, y) at [1.3, 0.7], [-0.4, 1.1]);
@@ -146,13 +167,14 @@ fn functions() {
     assert_gradient("weighted", primal, &point, &[values[0], values[1], values[2], scale]);
 }
 
-/// The pullback holds the arguments and nothing else.
+/// The pullback holds the arguments and nothing else, but for what debug builds compare.
 #[test]
 fn memory() {
+    let fingerprint = size_of::<ad::rt::Fingerprint>();
     let (_, pullback) = iterated::vjp(1.3_f64, 0.7);
-    assert_eq!(size_of_val(&pullback), 2 * size_of::<f64>());
+    assert_eq!(size_of_val(&pullback), 2 * size_of::<f64>() + fingerprint);
     let (_, pullback) = weighted::vjp(&[0.0; 100], (0.7, 2));
-    assert_eq!(size_of_val(&pullback), 102 * size_of::<f64>());
+    assert_eq!(size_of_val(&pullback), 102 * size_of::<f64>() + fingerprint);
 }
 
 /// Left early, in every way.
@@ -468,4 +490,64 @@ fn loops_under_conditions() {
     check!(left(x, y) at [1.3, 0.7], [0.4, -0.3]);
     check!(matched_loop(x, y) at [1.3, 0.7], [0.4, -0.3]);
     check!(settled(x, y) at [1.3, 0.7], [0.4, -0.3], [0.4, 0.01]);
+}
+
+/// What runs twice has to do the same twice.
+mod impure {
+    use std::cell::Cell;
+
+    use ad::differentiable;
+
+    thread_local! {
+        static SEED: Cell<u64> = const { Cell::new(1) };
+    }
+
+    fn next() -> f64 {
+        SEED.set(SEED.get().wrapping_mul(6364136223846793005).wrapping_add(1));
+        (SEED.get() >> 11) as f64 / (1_u64 << 53) as f64
+    }
+
+    #[differentiable]
+    fn in_a_loop(x: f64) -> f64 {
+        let mut s = x;
+        #[differentiable(checkpoint)]
+        for _ in 0..9 {
+            s += next() * x * s;
+        }
+        s
+    }
+
+    #[differentiable]
+    fn in_a_while(x: f64, n: usize) -> f64 {
+        let (mut s, mut i) = (x, 0);
+        #[differentiable(checkpoint)]
+        while i < n {
+            s *= 1.0 + next() * x;
+            i += 1;
+        }
+        s
+    }
+
+    #[differentiable(checkpoint)]
+    fn in_a_function(x: f64) -> f64 {
+        next() * x
+    }
+
+    #[test]
+    #[should_panic = "a checkpointed computation gives something else"]
+    fn loops_are_compared() {
+        in_a_loop::grad(1.3);
+    }
+
+    #[test]
+    #[should_panic = "a checkpointed computation gives something else"]
+    fn loops_under_conditions_are_compared() {
+        in_a_while::grad(1.3, 10);
+    }
+
+    #[test]
+    #[should_panic = "a checkpointed computation gives something else"]
+    fn functions_are_compared() {
+        in_a_function::grad(1.3);
+    }
 }

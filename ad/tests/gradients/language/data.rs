@@ -1,6 +1,6 @@
 //! Structs, tuples, arrays, and the methods of structs.
 
-use ad::{Differentiable, Mask, Real, Vec3, differentiable};
+use ad::{Differentiable, Mask, Real, Vec3, differentiable, stop_gradient};
 use glam::DVec3;
 
 use crate::oracle::{assert_close, check, check_generic};
@@ -60,7 +60,7 @@ fn struct_update(x: f64, y: f64) -> f64 {
     let ray = Ray { origin: DVec3::splat(x), direction: DVec3::splat(y), weight: 3.0 };
     let fixed = Ray { origin: DVec3::ONE, ..ray };
     let started = Ray { origin: ray.direction * x, ..ray };
-    let heavier = Ray { weight: x, ..started };
+    let heavier = Ray { weight: stop_gradient(x), ..started };
     let Ray { origin, direction: towards, .. } = heavier;
     origin.dot(towards) * fixed.direction.y + fixed.origin.x * heavier.weight
 }
@@ -163,15 +163,52 @@ fn parts_of_constants(x: f64, y: f64) -> f64 {
     camera.up.dot(DVec3::splat(y)) * camera.zoom
 }
 
+#[derive(Clone, Differentiable)]
+struct Sample {
+    #[constant]
+    time: f64,
+    value: f64,
+    #[constant]
+    count: usize,
+    #[constant]
+    names: Vec<String>,
+    #[constant]
+    axis: DVec3,
+}
+
+/// What `#[constant]` fields held goes on to others.
+#[differentiable]
+fn copies_of_constants(x: f64, y: f64) -> f64 {
+    let count = 3;
+    let axis = DVec3::X;
+    let mut first = Sample { time: 2.0, value: x, count, names: vec!["a".to_owned()], axis };
+    first.time += 1.0;
+    first.count += 1;
+    first.time = 3.0;
+    let second = Sample { time: first.time, value: y * first.value, ..first.clone() };
+    let Sample { time, value, count, names, axis } = second.clone();
+    let third = Sample { time, value: value * time, count, names, axis };
+    let fourth = Sample { axis: third.axis, value: third.value, ..third.clone() };
+    first.time = fourth.time;
+    first.axis = third.axis;
+    first.count = third.count;
+    let both = vec![fourth.clone(), first.clone()];
+    let mut last = both[1].clone();
+    last.time = both[0].time;
+    last.time *= 2.0;
+    last.value * first.time * last.axis.x * last.value + fourth.value * last.count as f64
+}
+
 #[test]
 fn structs() {
+    check!(copies_of_constants(x, y) at [1.3, 0.7], [-0.4, 2.1]);
     check!(parts_of_constants(x, y) at [1.3, 0.7], [-0.4, 2.1]);
     check!(rays(x, y) at [1.3, 0.7], [-0.4, 2.1]);
     check!(tuple_structs(x, y) at [1.3, 0.7], [-0.4, 2.1]);
     check!(nested_places(x, y) at [1.3, 0.7], [-0.4, 2.1]);
 }
 
-/// The weight is a `#[constant]`: nothing flows through it, so that finite differences do not
+/// The weight is a `#[constant]`, so the derivative is stopped before, and finite differences do not
 /// agree in the parameter that it is made from.
 #[test]
 fn constant_fields_carry_nothing() {

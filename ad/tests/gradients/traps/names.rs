@@ -1,6 +1,6 @@
 //! The same name for different things.
 
-use ad::differentiable;
+use ad::{differentiable, no_diff};
 
 use crate::oracle::check;
 
@@ -142,6 +142,97 @@ fn generated_names(x: f64, x_bar: f64) -> f64 {
         path = x_space * product;
     }
     path + tape
+}
+
+/// Constants whose names are in lower case, which only the compiler tells from variables.
+#[allow(non_upper_case_globals)]
+mod lower_case {
+    use ad::differentiable;
+
+    const zero: i32 = 0;
+    const edge: f64 = 1.0;
+
+    #[differentiable]
+    pub fn of_integers(x: f64, y: f64) -> f64 {
+        let mut s = 0.0;
+        for n in 0..3 {
+            s += match n {
+                zero => x,
+                _ => y * x,
+            };
+            s *= match n {
+                zero => x,
+                k if k > zero + 1 => k as f64 * y,
+                k => y + k as f64,
+            };
+            if let zero = n {
+                s *= y;
+            }
+            if matches!(n, zero) {
+                s += x;
+            }
+            while let zero = n {
+                s += y;
+                break;
+            }
+            let f = |m: i32| match m {
+                zero => x,
+                _ => y,
+            };
+            s += f(n) * f(0);
+        }
+        s * edge
+    }
+
+    #[differentiable]
+    pub fn of_numbers(x: f64, y: f64) -> f64 {
+        match (x, 1) {
+            (edge, zero) => x,
+            (v, zero) => v * y,
+            (v, k) => match Some(y) {
+                Some(edge) => v * edge,
+                Some(v) => v * x * k as f64,
+                None => x,
+            },
+        }
+    }
+}
+
+#[test]
+fn constants_in_patterns() {
+    use lower_case::{of_integers, of_numbers};
+
+    check!(of_integers(x, y) at [1.3, 0.7], [-0.4, 2.1]);
+    check!(of_numbers(x, y) at [1.3, 0.7], [-0.4, 2.1]);
+}
+
+/// Variables in the texts of macros, where nothing is differentiated.
+#[differentiable]
+fn written_out(x: f64, y: f64) -> f64 {
+    use std::fmt::Write;
+
+    let z = x * y;
+    let y = z + y;
+    let length = no_diff(|| {
+        let mut text = String::new();
+        if y > -1e6 {
+            write!(text, "{y:.3} {z:.2} {0} {k:>w$.2}", x > y, k = 3.0, w = 5).unwrap();
+            assert!(!text.is_empty(), "no {y}");
+            text += &format!("{x:.1}{text}", text = 3,);
+        }
+        text.len()
+    });
+    let values = [x, y];
+    let mut sum = length as f64 * x;
+    for t in &values {
+        sum += t * no_diff(|| format!("{t:.4}").len() as f64) * y;
+    }
+    sum
+}
+
+#[test]
+fn names_in_texts() {
+    check!(written_out(x, y) at [1.3, 0.7], [-0.4, 2.1]);
 }
 
 mod elsewhere {

@@ -148,3 +148,249 @@ fn exits_keep_the_order() {
     let primal = |p: &[f64]| exit_after_read(p[0], p[1]).unwrap();
     crate::oracle::assert_gradient("exit_after_read", primal, &[x, y], &[to_x, to_y]);
 }
+
+/// Random numbers: the order in which they are drawn shows in the value.
+mod draws {
+    use std::cell::Cell;
+    use std::ops::{Neg, Sub};
+
+    use ad::{Differentiable, differentiable};
+
+    use crate::oracle::{assert_forward, assert_gradient};
+
+    thread_local! {
+        static SEED: Cell<u64> = const { Cell::new(1) };
+    }
+
+    fn next() -> f64 {
+        let seed = SEED.get().wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
+        SEED.set(seed);
+        (seed >> 11) as f64 / (1_u64 << 53) as f64
+    }
+
+    fn skip() {
+        next();
+    }
+
+    fn pick() -> usize {
+        (next() * 3.0) as usize
+    }
+
+    /// Names of what is cheap, where it is `ad`'s.
+    fn constant() -> f64 {
+        next()
+    }
+
+    fn windows(_: usize) -> f64 {
+        next()
+    }
+
+    fn from_f64(x: f64) -> f64 {
+        x + next()
+    }
+
+    struct Noise;
+
+    impl Noise {
+        fn splat(x: f64) -> f64 {
+            x * next()
+        }
+    }
+
+    #[differentiable]
+    fn positive(x: f64) -> Option<f64> {
+        if x > 0.0 { Some(x * next()) } else { None }
+    }
+
+    #[differentiable]
+    fn fallible(x: f64, y: f64) -> Option<f64> {
+        let a = positive(x)? * positive(y + 1.0)? + next();
+        let b = [positive(a + 1.0)?, next() * positive(x)?];
+        let c = (next(), positive(y + next())?, next());
+        if next() > positive(x)? + 10.0 {
+            return None;
+        }
+        Some(a * b[0] - b[1] * c.0 + c.1 * c.2)
+    }
+
+    #[differentiable]
+    fn product(a: f64, b: f64) -> f64 {
+        a * a * b
+    }
+
+    #[differentiable]
+    fn difference<F: Fn(f64) -> f64>(f: F, x: f64) -> f64 {
+        f(x) - f(2.0 * x)
+    }
+
+    struct Generator {
+        seed: Cell<u64>,
+    }
+
+    impl Generator {
+        fn uniform(&self) -> f64 {
+            self.seed.set(self.seed.get().wrapping_mul(6364136223846793005).wrapping_add(7));
+            (self.seed.get() >> 11) as f64 / (1_u64 << 53) as f64
+        }
+    }
+
+    #[differentiable]
+    fn of_a_generator(x: f64, y: f64, #[constant] generator: &Generator) -> f64 {
+        product(generator.uniform(), x * generator.uniform())
+            - generator.uniform().max(y * generator.uniform())
+    }
+
+    #[differentiable]
+    fn drawn(x: f64, y: f64) -> f64 {
+        let generator = Generator { seed: Cell::new((next() * 1e9) as u64) };
+        of_a_generator(x, y, &generator)
+    }
+
+    /// Defines functions, and a test of each that starts from the same seed every time.
+    macro_rules! tests {
+        ($($name:ident($x:ident, $y:ident) $body:block)*) => {$(
+            #[test]
+            fn $name() {
+                #[differentiable]
+                fn f($x: f64, $y: f64) -> f64 $body
+
+                let point = [1.3, 0.7];
+                let primal = |p: &[f64]| {
+                    SEED.set(1);
+                    f(p[0], p[1])
+                };
+                SEED.set(1);
+                let (value, (by_x, by_y)) = f::value_and_grad(point[0], point[1]);
+                assert_eq!(value.to_bits(), primal(&point).to_bits());
+                assert_gradient(stringify!($name), primal, &point, &[by_x, by_y]);
+                let forward = |p: &[f64], along: &[f64]| {
+                    SEED.set(1);
+                    f::jvp(p[0], p[1], along[0], along[1])
+                };
+                assert_forward(stringify!($name), forward, &point, value, &[by_x, by_y]);
+            }
+        )*};
+    }
+
+    #[derive(Clone, Copy, Differentiable)]
+    struct Pair(f64, f64);
+
+    #[differentiable]
+    impl Sub for Pair {
+        type Output = Self;
+
+        fn sub(self, other: Self) -> Self {
+            Self(self.0 - other.0, self.1 - other.1)
+        }
+    }
+
+    #[differentiable]
+    impl Neg for Pair {
+        type Output = Self;
+
+        fn neg(self) -> Self {
+            Self(-self.0, -self.1)
+        }
+    }
+
+    tests! {
+        operators_of_constants(x, y) {
+            let factor = next();
+            let mut pair = Pair(factor, next());
+            pair = Pair(factor, next()) - pair;
+            pair = -Pair(pair.0, next());
+            pair.0 * x - pair.1 * y * next()
+        }
+        arguments(x, y) { product(next(), x * next()) + y }
+        operands(x, y) { next() - x * next() + y }
+        receivers(x, y) { next().max(y * next()) * x }
+        elements(x, y) {
+            let v = [next(), x * next(), next()];
+            let w = (next(), x * next());
+            let u = vec![x * next(), next() * y, next()];
+            v[0] * v[1] - v[2] * y - w.0 * w.1 + u.iter().sum::<f64>() * next() - next() * u[0]
+        }
+        places(x, y) {
+            let mut v = [x, y, x];
+            v[pick()] = next();
+            v[pick()] += next() * x;
+            v[0] * v[1] - v[2]
+        }
+        closures(x, y) {
+            let c = |a: f64, b: f64| a - b * x;
+            let f = |t: f64| t * next();
+            c(next(), y * next()) + f(x) - f(y) * next() + difference(|t| t * next(), y)
+        }
+        results_that_nobody_uses(x, y) {
+            let _ = next();
+            let s = x * next();
+            _ = next();
+            for _ in (0..3).map(|_| next()) {}
+            (0..3).for_each(|_| skip());
+            for _ in 0..2 {
+                skip()
+            }
+            if x > 0.0 {
+                skip()
+            }
+            match pick() {
+                1 => skip(),
+                _ => {}
+            }
+            {
+                skip();
+                skip()
+            }
+            s * next() + y
+        }
+        choices(x, y) {
+            let r = 2.0 * next() + (if x > next() { x * next() } else { next() * y }) - next();
+            (if next() > 0.5 { 1.0 } else { 2.0 }) * next()
+                - {
+                    let k = next();
+                    x * k
+                } * next()
+                + r
+        }
+        generators(x, y) { drawn(x, y) * next() - drawn(y, x) }
+        cheap_names(x, y) {
+            let mut s = 0.0;
+            for i in 0..3 {
+                s += x * constant() * i as f64;
+                s *= y + windows(2) * x;
+                s += x * x * Noise::splat(2.0) + from_f64(1.0) * s;
+            }
+            s
+        }
+        adapters_that_drop(x, y) {
+            let v = [x, y, x * y];
+            let s: f64 = v.iter().map(|t| t * next()).skip(1).sum();
+            let t: f64 = v.iter().map(|t| t * next()).step_by(2).sum();
+            let u: f64 = v.iter().filter(|t| **t * next() > 0.1).skip(1).take(1).sum();
+            s + t * next() - u * next()
+        }
+        closures_of_adapters(x, y) {
+            let v = vec![x, y, x * y, 1.0];
+            let s = v.iter().map(|t| t * next()).rev().take(2).fold(next(), |a, b| a * next() + b)
+                + v.iter().map(|t| t * next()).chain([next(), x * next()]).sum::<f64>();
+            s * v
+                .iter()
+                .copied()
+                .max_by(|a, b| (a * next()).partial_cmp(&(b * next())).unwrap())
+                .unwrap()
+        }
+        exits(x, y) {
+            let r = fallible(x, y).unwrap_or(next());
+            let eager = fallible(y, x).map_or(next() * y, |t| t * next());
+            let late = positive(y - 2.0).unwrap_or_else(|| next() * x);
+            let chosen = (x > 0.0).then_some(next()).ok_or(next()).unwrap_or(0.0);
+            r * next() + eager - late + chosen
+        }
+        assignments(x, y) {
+            let mut v = [x, y, x];
+            v[pick()] += next() * x;
+            v[pick()] *= drawn(x, y);
+            v[0] * v[1] - v[2]
+        }
+    }
+}

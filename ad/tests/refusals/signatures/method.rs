@@ -1,13 +1,14 @@
-use ad::{Differentiable, differentiable};
+use ad::{Differentiable, Real, differentiable};
 
 #[derive(Clone, Copy, Differentiable)]
-struct Disc {
-    radius: f64,
+struct Disc<S: Real> {
+    radius: S,
 }
 
-impl Disc {
+/// The attribute on the method does not see the parameters of the block: it goes on the block.
+impl<S: Real> Disc<S> {
     #[differentiable]
-    fn area(&self) -> f64 {
+    fn area(&self) -> S {
         self.radius * self.radius
     }
 }

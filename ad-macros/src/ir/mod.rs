@@ -1,10 +1,14 @@
 //! The form between the user's function and the sweeps: few kinds of statement, every operand
 //! named, no exits.
 
+mod callee;
+
 use proc_macro2::{Ident, TokenStream};
 use syn::{BinOp, Member, Type};
 
 use crate::signature::Parameter;
+
+pub use callee::{Callee, Derivative};
 
 /// A function body in lowered form.
 pub struct Lowered {
@@ -64,6 +68,8 @@ pub struct Var {
     /// Whether it is a function, or a reference to one: an object with a derivative, which only
     /// derivatives take.
     pub is_function: bool,
+    /// Whether the user gave it its name.
+    pub is_binding: bool,
 }
 
 /// A step from a value into a part of it.
@@ -220,17 +226,16 @@ pub enum Operation {
     Binary(BinaryOperator, VarId, VarId),
     /// `x as T`
     Cast(VarId, Type),
-    /// A call; `primal` and `vjp` are what stands before the parenthesis, for a method behind the
-    /// receiver, which is the first argument.
-    Call { primal: TokenStream, vjp: TokenStream, method: bool, arguments: Vec<Argument> },
+    /// A call.
+    Call { callee: Callee, arguments: Vec<Argument> },
     /// A value made of parts.
     Aggregate { expression: TokenStream, shape: Shape, parts: Vec<(Member, Operand)> },
     /// A struct made of parts and, for the rest, of another struct.
     UpdateStruct { expression: TokenStream, parts: Vec<(Member, Operand)>, rest: Place },
     /// A closure, as an object with a derivative.
     Closure(Box<Closure>),
-    /// A function that has a name, as such an object; the path of its derivative.
-    Named { primal: TokenStream, vjp: TokenStream },
+    /// A function that has a name, as such an object.
+    Named { primal: TokenStream, derivative: Derivative },
     /// `[x; N]` or `vec![x; n]`
     Repeat { value: VarId, length: TokenStream, is_vec: bool },
 }
@@ -262,6 +267,16 @@ pub struct TypedBy {
 pub struct Binding {
     pub var: VarId,
     pub path: Vec<Projection>,
+    /// The name in the pattern, where it is another than that of the variable: it may turn out to be
+    /// that of a constant.
+    pub written: Option<Ident>,
+}
+
+impl Binding {
+    /// A variable under its own name.
+    pub fn new(var: VarId, path: Vec<Projection>) -> Self {
+        Self { var, path, written: None }
+    }
 }
 
 /// A statement.

@@ -1,0 +1,234 @@
+//! Which derivative belongs to a function that is named.
+//!
+//! Values and types have name spaces of their own: that `g` is a function and `g::vjp` a derivative does
+//! not make the one the derivative of the other. What the function itself declares or imports is looked
+//! up here; the functions of the standard library, and of `ad`, that are treated as such have to be
+//! those; and in debug builds each call compares the names of both (`ad::rt::is_other`).
+
+use std::collections::{HashMap, HashSet};
+
+use proc_macro2::{Ident, Span, TokenStream};
+use quote::{quote, quote_spanned};
+use syn::spanned::Spanned;
+use syn::{ExprPath, Item, Path, PathArguments, PathSegment, UseTree};
+
+use super::Lowerer;
+use super::construct::is_type_name;
+use crate::ir::{Callee, Derivative, Statement};
+use crate::options::is_own;
+
+/// The functions that the body of a function brings along.
+#[derive(Clone, Default)]
+pub(super) struct LocalFunctions {
+    /// Those that it declares without the attribute.
+    plain: HashSet<String>,
+    /// The paths of those that it imports, by their names.
+    imported: HashMap<String, Path>,
+}
+
+impl LocalFunctions {
+    /// Those of the items of a body.
+    pub fn of<'i>(items: impl IntoIterator<Item = &'i Item>) -> Self {
+        let mut functions = Self::default();
+        for item in items {
+            match item {
+                Item::Fn(function) if !function.attrs.iter().any(is_own) => {
+                    functions.plain.insert(function.sig.ident.to_string());
+                }
+                Item::Use(import) if !import.attrs.iter().any(is_own) => {
+                    let start =
+                        Path { leading_colon: import.leading_colon, segments: Default::default() };
+                    functions.import(&import.tree, start);
+                }
+                _ => {}
+            }
+        }
+        functions
+    }
+
+    fn import(&mut self, tree: &UseTree, mut path: Path) {
+        match tree {
+            UseTree::Path(step) => {
+                path.segments.push(step.ident.clone().into());
+                self.import(&step.tree, path);
+            }
+            UseTree::Group(group) => {
+                group.items.iter().for_each(|tree| self.import(tree, path.clone()));
+            }
+            UseTree::Name(name) => {
+                path.segments.push(name.ident.clone().into());
+                self.imported.insert(name.ident.to_string(), path);
+            }
+            UseTree::Rename(name) => {
+                path.segments.push(name.ident.clone().into());
+                self.imported.insert(name.rename.to_string(), path);
+            }
+            UseTree::Glob(_) => {}
+        }
+    }
+}
+
+impl Lowerer<'_> {
+    /// The derivative of the function at a path.
+    pub(super) fn derivative_of(&mut self, function: &ExprPath) -> Derivative {
+        if let Some(known) = self.known_derivative(&function.path) {
+            return known;
+        }
+        let mut function = function.clone();
+        if let Some(name) = function.path.get_ident()
+            && let Some(path) = self.local_functions.imported.get(&name.to_string())
+        {
+            let mut path = path.clone();
+            path.segments.iter_mut().for_each(|segment| segment.ident.set_span(name.span()));
+            function.path = path;
+        }
+        if is_associated(&function) {
+            return self.associated(&function);
+        }
+        let path = &function.path;
+        let is_of_ad = path.leading_colon.is_some()
+            && path.segments.first().is_some_and(|first| first.ident == "ad");
+        Derivative::Twin {
+            ty: twin_of(path),
+            turbofish: path.segments.last().and_then(turbofish),
+            is_of_attribute: !is_of_ad,
+        }
+    }
+
+    /// Refuses a function that is declared here without the attribute, for one of its name may have it
+    /// outside.
+    pub(super) fn check_attribute(&mut self, function: &ExprPath) {
+        if let Some(name) = function.path.get_ident()
+            && self.local_functions.plain.contains(&name.to_string())
+        {
+            self.refuse(
+                function,
+                format!("`{name}` has no derivative: put `#[differentiable]` on it where it is written, in this function"),
+            );
+        }
+    }
+
+    /// The derivative of a function of the standard library.
+    fn known_derivative(&mut self, path: &Path) -> Option<Derivative> {
+        let mut segments = path.segments.iter().rev();
+        let name = &segments.next()?.ident;
+        let is_known = segments.next()?.ident == "mem"
+            && ["swap", "replace", "take"].iter().any(|known| name == known);
+        if !is_known {
+            return None;
+        }
+        self.check_function(path, &quote!(::core::mem::#name), &quote!(::<u8>));
+        Some(Callee::of_ad(quote!(::ad::rules::replace::#name)).derivative)
+    }
+
+    /// Has the compiler check that a path leads to a certain function, which could have these type
+    /// arguments.
+    pub(super) fn check_function(
+        &mut self,
+        path: &Path,
+        function: &TokenStream,
+        arguments: &TokenStream,
+    ) {
+        let twin = twin_of(path);
+        if !self.checked.insert(twin.to_string()) {
+            return;
+        }
+        let code = quote_spanned! {path.span()=>
+            ::ad::rt::same_function(#function #arguments, #twin);
+        };
+        self.push(Statement::Plain { code, defines: Vec::new() });
+    }
+
+    /// The derivative of a function of a type.
+    fn associated(&mut self, function: &ExprPath) -> Derivative {
+        let (path, qself) = (&function.path, &function.qself);
+        let last = path.segments.last().expect("a path has a segment");
+        let (name, turbofish) = (last.ident.clone(), turbofish(last));
+        let ruled = qself.as_ref().and_then(|qself| ruled_trait(path, qself.position));
+        let owner = match (qself, ruled) {
+            (Some(qself), Some((span, canonical))) => {
+                // The rules for the methods of these traits stand in traits of `ad`.
+                let ty = &qself.ty;
+                let code = quote_spanned! {span=>
+                    ::ad::rt::same_function(<#ty as #canonical>::#last, #function);
+                };
+                self.push(Statement::Plain { code, defines: Vec::new() });
+                quote!(<#ty>::)
+            }
+            (Some(qself), None) => {
+                let ty = &qself.ty;
+                let owner: Vec<_> = path.segments.iter().take(qself.position).collect();
+                match &owner[..] {
+                    [] => quote!(<#ty>::),
+                    owner => {
+                        let leading = &path.leading_colon;
+                        quote!(<#ty as #leading #(#owner)::*>::)
+                    }
+                }
+            }
+            (None, _) => {
+                let leading = &path.leading_colon;
+                let owner = path.segments.iter().take(path.segments.len() - 1);
+                quote!(#leading #(#owner::)*)
+            }
+        };
+        Derivative::Sibling { owner, name, turbofish }
+    }
+}
+
+/// A trait with rules by its name in `<Type as Trait>::f`, which is checked to be it.
+fn ruled_trait(path: &Path, position: usize) -> Option<(Span, TokenStream)> {
+    let owner = path.segments.get(position.checked_sub(1)?)?;
+    let arguments = &owner.arguments;
+    let canonical = match () {
+        () if owner.ident == "Real" => quote!(::ad::Real),
+        () if owner.ident == "From" => quote!(::core::convert::From #arguments),
+        () => return None,
+    };
+    Some((owner.ident.span(), canonical))
+}
+
+/// `Box::new`
+pub(super) fn is_box_new(path: &Path) -> bool {
+    ends_with(path, "Box", "new")
+}
+
+/// `array::from_fn`, however far its path is written out.
+pub(super) fn is_from_fn(path: &Path) -> bool {
+    ends_with(path, "array", "from_fn")
+}
+
+fn ends_with(path: &Path, owner: &str, name: &str) -> bool {
+    let mut segments = path.segments.iter().rev();
+    segments.next().is_some_and(|last| last.ident == name)
+        && segments.next().is_some_and(|segment| segment.ident == owner)
+}
+
+/// Whether a path leads to a function of a type.
+pub(super) fn is_associated(function: &ExprPath) -> bool {
+    let is_type = |owner: &Ident| is_type_name(owner) || owner == "f32" || owner == "f64";
+    function.qself.is_some()
+        || function.path.segments.iter().rev().nth(1).is_some_and(|owner| is_type(&owner.ident))
+}
+
+/// A path without the type arguments of the function it leads to, which is that of the type which has
+/// the derivatives.
+fn twin_of(path: &Path) -> TokenStream {
+    let mut path = path.clone();
+    if let Some(last) = path.segments.last_mut() {
+        last.arguments = PathArguments::None;
+    }
+    quote!(#path)
+}
+
+/// `::<T>`
+fn turbofish(last: &PathSegment) -> Option<TokenStream> {
+    match &last.arguments {
+        PathArguments::AngleBracketed(arguments) => {
+            let mut arguments = arguments.clone();
+            arguments.colon2_token = Some(Default::default());
+            Some(quote!(#arguments))
+        }
+        _ => None,
+    }
+}

@@ -1,0 +1,144 @@
+//! Ways by which a number could go on unseen: through what holds all of it without being one.
+//!
+//! A text, or the bits of a number, have no derivative; nor has a cell to which a condition gives one.
+//! But a number that is read from these again would. What the standard library offers for that is
+//! refused here, or by the type of the cell.
+
+use proc_macro2::{TokenStream, TokenTree};
+use quote::{quote, quote_spanned};
+use syn::spanned::Spanned;
+use syn::visit::{self, Visit};
+use syn::{Expr, ExprMethodCall};
+
+use super::Lowerer;
+use super::closure::root_name;
+use super::flow::strip_parens;
+use super::no_diff::{stopped, undifferentiated};
+use crate::ir::{Operand, Operation, Statement, VarId};
+
+/// Methods and functions that give a number in another form, without loss.
+const ENCODING: [&str; 4] = ["to_bits", "to_ne_bytes", "to_le_bytes", "to_be_bytes"];
+
+/// Those that make a number of such a form again, or of a text.
+const DECODING: [&str; 6] =
+    ["parse", "from_str", "from_bits", "from_ne_bytes", "from_le_bytes", "from_be_bytes"];
+
+/// Whether a method of this name may give a number in another form.
+pub(super) fn encodes(method: &syn::Ident) -> bool {
+    ENCODING.iter().any(|name| method == name)
+}
+
+/// Whether a function or a method of this name may make a number of another form.
+pub(super) fn decodes(name: &syn::Ident) -> bool {
+    DECODING.iter().any(|known| name == known)
+}
+
+impl Lowerer<'_> {
+    /// Refuses to make a number of what was made of one with a derivative.
+    pub(super) fn check_decoded(&mut self, source: &TokenStream, at: &impl quote::ToTokens) {
+        if self.is_made_of_active(source) {
+            self.refuse(
+                at,
+                "this number comes from one that has a derivative, by way of a text or of bits, where it is lost: write `ad::stop_gradient(..)` around that number if this is what you mean",
+            );
+        }
+    }
+
+    /// Whether code without derivative uses a variable that has one, itself or by way of others.
+    fn is_made_of_active(&self, code: &TokenStream) -> bool {
+        let mut tokens = code.clone().into_iter().peekable();
+        while let Some(token) = tokens.next() {
+            let is_active = match token {
+                TokenTree::Ident(name) if name == "stop_gradient" || name == "no_diff" => {
+                    if let Some(TokenTree::Group(_)) = tokens.peek() {
+                        tokens.next();
+                    }
+                    false
+                }
+                TokenTree::Ident(name) => {
+                    let var = self.vars.iter().rposition(|var| var.ident == name);
+                    var.is_some_and(|var| {
+                        self.vars[var].active
+                            || self.definition(var).is_some_and(|code| self.is_made_of_active(code))
+                    })
+                }
+                TokenTree::Group(group) => self.is_made_of_active(&group.stream()),
+                TokenTree::Punct(_) | TokenTree::Literal(_) => false,
+            };
+            if is_active {
+                return true;
+            }
+        }
+        false
+    }
+
+    /// The code without derivative that defines a variable.
+    fn definition(&self, var: VarId) -> Option<&TokenStream> {
+        self.open_blocks.iter().flat_map(|(_, statements)| statements).find_map(|statement| {
+            match statement {
+                Statement::Define {
+                    var: defined,
+                    operation: Operation::Use(Operand::Constant(code)),
+                    ..
+                } if *defined == var => Some(code),
+                Statement::Plain { code, defines } if defines.contains(&var) => Some(code),
+                _ => None,
+            }
+        })
+    }
+
+    /// Has the compiler refuse a cell that code without derivative gives a number with one. It names
+    /// what is called and what the call is given as the user wrote them.
+    pub(super) fn check_cells(&mut self, call: &Expr) {
+        let (holders, given): (Vec<&Expr>, Vec<&Expr>) = match call {
+            Expr::MethodCall(ExprMethodCall { receiver, args, .. }) => {
+                (std::iter::once(&**receiver).chain(args).collect(), args.iter().collect())
+            }
+            Expr::Call(call) => (call.args.iter().collect(), call.args.iter().collect()),
+            _ => return,
+        };
+        if !given.iter().any(|argument| self.mentions_active(argument)) {
+            return;
+        }
+        for holder in holders {
+            let holder = match strip_parens(holder) {
+                Expr::Reference(reference) => &reference.expr,
+                holder => holder,
+            };
+            let Some(name) = root_name(holder) else { continue };
+            let is_constant = self.lookup(name).is_none_or(|var| !self.vars[var].active);
+            let is_place = matches!(holder, Expr::Path(_) | Expr::Field(_));
+            if !is_constant || !is_place {
+                continue;
+            }
+            let tokens = self.place(holder).map(|place| self.place_tokens(&place));
+            let tokens = tokens.unwrap_or_else(|| quote!(#holder));
+            let code =
+                quote_spanned!(holder.span()=> ::ad::rt::Holder(&#tokens).holds_no_number(););
+            self.push(Statement::Plain { code, defines: Vec::new() });
+        }
+    }
+
+    /// Whether an expression uses a variable through which a derivative may flow.
+    fn mentions_active(&self, expr: &Expr) -> bool {
+        struct Finder<'l, 'a>(&'l Lowerer<'a>, bool);
+
+        impl<'ast> Visit<'ast> for Finder<'_, '_> {
+            fn visit_expr(&mut self, expr: &'ast Expr) {
+                match expr {
+                    Expr::Path(path) => {
+                        let var = self.0.variable(path);
+                        self.1 |= var.is_some_and(|var| self.0.vars[var].active);
+                    }
+                    Expr::Call(call)
+                        if stopped(call).is_some() || undifferentiated(call).is_some() => {}
+                    expr => visit::visit_expr(self, expr),
+                }
+            }
+        }
+
+        let mut finder = Finder(self, false);
+        finder.visit_expr(expr);
+        finder.1
+    }
+}

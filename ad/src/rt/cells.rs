@@ -1,0 +1,46 @@
+//! Cells to which code without derivative would give a number that has one.
+
+use core::cell::{Cell, OnceCell, RefCell};
+use std::rc::Rc;
+use std::sync::{Arc, Mutex, OnceLock, RwLock};
+use std::thread::LocalKey;
+
+/// What is given a number where none of its derivative is seen.
+pub struct Holder<'a, T: ?Sized>(pub &'a T);
+
+/// What does not keep a number for others to read.
+#[diagnostic::on_unimplemented(
+    message = "a `{Self}` is given here what has a derivative, which would be lost",
+    label = "keeps what it is given",
+    note = "return the number instead, or write `ad::stop_gradient(..)` around it if that is what you mean"
+)]
+pub trait HoldsNoNumber {}
+
+/// Of other types nothing is known. Those that keep what they are given have a method of their own.
+pub trait MayHold {
+    /// Says that the type is given a number.
+    #[inline(always)]
+    fn holds_no_number(&self) {}
+}
+
+impl<T: ?Sized> MayHold for Holder<'_, T> {}
+
+macro_rules! cells {
+    ($($cell:ident)*) => {$(
+        cells!(@each $cell: $cell<T>, &$cell<T>, Rc<$cell<T>>, &Rc<$cell<T>>, Arc<$cell<T>>,
+            &Arc<$cell<T>>, LocalKey<$cell<T>>);
+    )*};
+    (@each $cell:ident: $($type:ty),*) => {$(
+        impl<T> Holder<'_, $type> {
+            /// Says that it keeps a number.
+            #[inline(always)]
+            pub fn holds_no_number(&self)
+            where
+                $cell<T>: HoldsNoNumber,
+            {
+            }
+        }
+    )*};
+}
+
+cells!(Cell RefCell OnceCell Mutex RwLock OnceLock);

@@ -1,0 +1,76 @@
+//! Whether a function and its derivative belong together.
+//!
+//! `g` is looked up among the values, `g::vjp` among the types. A function that hides another one of its
+//! name does not hide that one's derivatives, so that `g(x)` and `g::vjp(x)` could be of two functions.
+//! What the compiler does not see there, debug builds do: both have one path.
+
+use core::any::type_name;
+
+/// Compiles for one function, under two paths.
+#[inline(always)]
+pub fn same_function<F>(_: F, _: F) {}
+
+/// Whether the path of a function is another than `path`; an empty one is not known.
+#[inline(always)]
+pub fn has_other_name<F>(_function: &F, path: &str) -> bool {
+    !path.is_empty() && without_arguments(type_name::<F>()) != without_arguments(path)
+}
+
+/// Says that there is no derivative of a function.
+#[cold]
+#[track_caller]
+pub fn other_function<F>(_function: &F, path: &str) -> ! {
+    panic!(
+        "`{}` has no derivative: in its place that of `{path}` would be taken, which has the same name; \
+         put `#[differentiable]` on it, or give it another name",
+        type_name::<F>()
+    )
+}
+
+/// Makes sure that `D` is the function for one mode of the derivative of the function `F`.
+#[track_caller]
+pub fn check_mode_of<F, D>(function: &F, _derivative: &D) {
+    let path = without_arguments(type_name::<D>());
+    let path = path.strip_suffix("::vjp").or_else(|| path.strip_suffix("::jvp"));
+    if let Some(path) = path
+        && has_other_name(function, path)
+    {
+        other_function(function, path);
+    }
+}
+
+/// A path without the type arguments at its end.
+fn without_arguments(path: &str) -> &str {
+    match path.strip_suffix('>') {
+        Some(inner) => {
+            let mut depth = 1;
+            let opening = inner.char_indices().rev().find(|(_, c)| {
+                depth += match c {
+                    '>' => 1,
+                    '<' => -1,
+                    _ => 0,
+                };
+                depth == 0
+            });
+            opening.map_or(path, |(index, _)| &path[..index])
+        }
+        None => path,
+    }
+}
+
+/// In debug builds makes sure that `$function` has the path `$path`. Its type arguments follow from how
+/// it is called.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! check_name {
+    ($function:expr, $path:expr, ($($argument:expr),*)) => {
+        #[cfg(debug_assertions)]
+        {
+            let function = $function;
+            if $crate::rt::has_other_name(&function, $path) {
+                let _ = function($($argument),*);
+                $crate::rt::other_function(&function, $path);
+            }
+        }
+    };
+}

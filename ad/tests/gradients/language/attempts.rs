@@ -1,0 +1,99 @@
+//! Options and results that only their types tell from each other, and names of types.
+
+use ad::{Differentiable, differentiable};
+
+use crate::oracle::check;
+
+type Float = f64;
+type Outcome<T> = Result<T, String>;
+type Perhaps = Option<Float>;
+
+#[differentiable]
+fn perhaps(x: f64) -> Perhaps {
+    if x > 0.0 { Some(x * x) } else { None }
+}
+
+#[differentiable]
+fn root(x: f64) -> Outcome<f64> {
+    if x < 0.0 {
+        return Err("negative".to_owned());
+    }
+    Ok(x.sqrt())
+}
+
+#[differentiable]
+fn mapped(x: f64, y: f64) -> f64 {
+    let option = perhaps(x).map(|t| t * y).unwrap_or(y);
+    let result = root(x).map(|t| t * y).unwrap_or(x * y);
+    let chained = perhaps(x).and_then(|t| perhaps(t - y)).map_or(y * y, |t| t * x);
+    let also = root(x).and_then(|t| root(t - y)).map_or(y, |t| t * x);
+    option * result + chained * also
+}
+
+#[derive(Clone, Differentiable)]
+struct Body {
+    radius: Option<f64>,
+    sides: Vec<f64>,
+}
+
+#[differentiable]
+fn of_fields(x: f64, y: f64) -> f64 {
+    let body = Body { radius: perhaps(x), sides: vec![x, x * y] };
+    let radius = body.radius.map(|r| r * y).unwrap_or(1.0);
+    let area = body.radius.as_ref().map_or(y, |r| r * r);
+    let side = body.sides.get(1).map(|side| side * radius).unwrap_or(0.0);
+    let first = body.sides.first().map(|side| side * y).unwrap_or(area);
+    side + area * first
+}
+
+#[differentiable]
+fn asked(x: f64, y: f64) -> Outcome<f64> {
+    let first = root(x)?;
+    let second = root(first + y)?;
+    Ok(first * second)
+}
+
+#[differentiable]
+fn asked_of_options(x: f64, y: f64) -> Perhaps {
+    let first = perhaps(x)?;
+    Some(first * perhaps(y)? + y)
+}
+
+#[differentiable]
+fn both(x: f64, y: f64) -> f64 {
+    asked(x, y).unwrap_or(x - y) + asked_of_options(x, y).unwrap_or(x * y)
+}
+
+#[differentiable]
+fn taken(x: f64, y: f64) -> f64 {
+    let mut option = perhaps(x);
+    let before = option.take();
+    let was_taken = option.is_none();
+    let replaced = option.replace(x * y);
+    let filled = replaced.or(perhaps(y)).unwrap_or(2.0 * x);
+    let either = perhaps(x).xor(perhaps(y)).unwrap_or(x);
+    let pair = before.zip(option).map(|(a, b)| a * b).unwrap_or(y);
+    let inner = Some(before).flatten();
+    let inner = inner.filter(|t| *t > y).unwrap_or(x * x);
+    if was_taken { pair * filled + inner * either } else { 0.0 }
+}
+
+#[differentiable]
+fn by_name(x: f64, y: f64) -> f64 {
+    let n = 3;
+    let scaled = x as Float * n as Float;
+    if y as Float > scaled { scaled * y } else { y - scaled }
+}
+
+#[test]
+fn types_tell_options_from_results() {
+    check!(mapped(x, y) at [1.3, 0.4], [-1.3, 0.4], [0.5, 1.4]);
+    check!(of_fields(x, y) at [1.3, 0.4], [-1.3, 0.4]);
+    check!(both(x, y) at [1.3, 0.4], [-1.3, 0.4], [0.4, -1.3]);
+}
+
+#[test]
+fn contents_are_taken_and_joined() {
+    check!(taken(x, y) at [1.3, 0.4], [-1.3, 0.4], [1.3, -0.4], [-1.3, -0.4]);
+    check!(by_name(x, y) at [1.3, 0.4], [0.1, 0.9]);
+}

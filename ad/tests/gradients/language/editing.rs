@@ -1,0 +1,67 @@
+//! What inserts, removes and moves elements.
+
+use ad::{Differentiable, differentiable};
+
+use crate::oracle::check;
+
+#[differentiable]
+fn edited(x: f64, y: f64) -> f64 {
+    let mut v = vec![x, y, 2.0];
+    v.insert(1, x * y);
+    v.insert(4, y * y);
+    let removed = v.remove(2);
+    let swapped = v.swap_remove(0);
+    let last = v.swap_remove(v.len() - 1);
+    let unused = v.remove(0);
+    v.resize(4, unused * y);
+    v.rotate_left(1);
+    v.rotate_right(2);
+    v[0] * removed + v[1] * swapped - v[3] * last * v[2]
+}
+
+#[differentiable]
+fn cut(x: f64, y: f64) -> f64 {
+    let mut v = vec![x, y, x * y, 3.0 * x, y * y];
+    let mut rest = v.split_off(3);
+    rest.truncate(1);
+    v.append(&mut rest);
+    v.resize(3, y);
+    let mut array = [v[2], v[0], x];
+    array.rotate_left(1);
+    rest.push(array[0] * v[1]);
+    rest[0] * array[2] + array[1] * v.len() as f64
+}
+
+#[derive(Clone, Differentiable)]
+struct Queue {
+    items: Vec<(f64, f64)>,
+}
+
+#[differentiable]
+impl Queue {
+    fn step(&mut self, x: f64) -> f64 {
+        let (weight, value) = self.items.remove(0);
+        self.items.insert(self.items.len() / 2, (value, weight * x));
+        if self.items.len() > 2 {
+            self.items.truncate(2);
+        }
+        weight * value
+    }
+}
+
+#[differentiable]
+fn queued(x: f64, y: f64) -> f64 {
+    let mut queue = Queue { items: vec![(x, 1.0), (y, x), (2.0, y)] };
+    let mut sum = 0.0;
+    for _ in 0..4 {
+        sum += queue.step(y);
+    }
+    sum
+}
+
+#[test]
+fn editing() {
+    check!(edited(x, y) at [1.3, 0.4], [-0.7, 1.1]);
+    check!(cut(x, y) at [1.3, 0.4], [-0.7, 1.1]);
+    check!(queued(x, y) at [1.3, 0.4], [-0.7, 1.1]);
+}

@@ -1,0 +1,136 @@
+//! Values that have an effect when they are dropped, at the end of their block.
+
+use std::cell::Cell;
+
+use ad::differentiable;
+
+use crate::oracle::check;
+
+thread_local! {
+    static SCALE: Cell<f64> = const { Cell::new(1.0) };
+}
+
+/// Sets the scale, until it is dropped.
+struct Guard(f64);
+
+impl Guard {
+    fn push(scale: f64) -> Self {
+        Self(SCALE.replace(scale))
+    }
+
+    fn get(&self) -> f64 {
+        SCALE.get()
+    }
+}
+
+impl Drop for Guard {
+    fn drop(&mut self) {
+        SCALE.set(self.0);
+    }
+}
+
+fn scale() -> f64 {
+    SCALE.get()
+}
+
+#[differentiable]
+fn in_a_block(x: f64, y: f64) -> f64 {
+    let a = {
+        let _guard = Guard::push(3.0);
+        x * scale()
+    };
+    a * scale() * y
+}
+
+#[differentiable]
+fn in_a_closure(x: f64, y: f64) -> f64 {
+    let f = |t: f64| {
+        let guard = Guard::push(2.0);
+        t * guard.get()
+    };
+    f(x) * scale() * f(y) * scale()
+}
+
+#[differentiable]
+fn in_the_arm_that_goes_on(x: f64, y: f64) -> f64 {
+    let a = if x > 0.0 {
+        let _guard = Guard::push(3.0);
+        x * scale()
+    } else {
+        return y * scale();
+    };
+    a * scale() * y
+}
+
+#[differentiable]
+fn in_loops(x: f64, y: f64) -> f64 {
+    let mut s = 0.0;
+    for i in 0..3 {
+        let _guard = Guard::push(i as f64 + 1.0);
+        {
+            let (_inner, k) = (Guard::push(5.0), scale());
+            s += x * k * scale();
+        }
+        s += y * scale() * s;
+        if s > 1000.0 {
+            break;
+        }
+    }
+    s * scale()
+}
+
+#[differentiable]
+fn in_adapters_and_labels(x: f64, y: f64) -> f64 {
+    let scaled: Vec<f64> = [x, y]
+        .iter()
+        .map(|t| {
+            let _guard = Guard::push(3.0);
+            t * scale()
+        })
+        .collect();
+    let mut z = scaled[0] * scale();
+    {
+        let _guard = Guard::push(7.0);
+        z *= scale() * scaled[1];
+    }
+    'part: {
+        let _guard = Guard::push(0.5);
+        if x > 1.0 {
+            break 'part;
+        }
+        z *= scale();
+    }
+    z * scale()
+}
+
+#[differentiable]
+fn positive(x: f64) -> Option<f64> {
+    if x > 0.0 { Some(x) } else { None }
+}
+
+#[differentiable]
+fn left_early(x: f64, y: f64) -> Option<f64> {
+    let a = {
+        let _guard = Guard::push(3.0);
+        positive(x)? * scale()
+    };
+    Some(a * y * scale())
+}
+
+#[differentiable]
+fn by_question_mark(x: f64, y: f64) -> f64 {
+    match left_early(x, y) {
+        Some(z) => z * scale(),
+        None => y,
+    }
+}
+
+#[test]
+fn guards_end_with_their_blocks() {
+    check!(in_a_block(x, y) at [1.3, 0.7], [-0.4, 2.1]);
+    check!(in_a_closure(x, y) at [1.3, 0.7], [-0.4, 2.1]);
+    check!(in_the_arm_that_goes_on(x, y) at [1.3, 0.7], [-0.4, 2.1]);
+    check!(in_loops(x, y) at [1.3, 0.7], [-0.4, 2.1]);
+    check!(in_adapters_and_labels(x, y) at [1.3, 0.7], [-0.4, 2.1]);
+    check!(by_question_mark(x, y) at [1.3, 0.7], [-0.4, 2.1]);
+}

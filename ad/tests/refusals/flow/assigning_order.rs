@@ -1,0 +1,26 @@
+use ad::{Real, differentiable};
+use glam::DVec3;
+
+fn pick(n: usize) -> usize {
+    n / 2
+}
+
+fn noise() -> f64 {
+    0.5
+}
+
+#[differentiable]
+fn of_vectors(x: DVec3) -> f64 {
+    let mut sums = [x, x];
+    sums[pick(2)] *= noise();
+    sums[0].x
+}
+
+#[differentiable]
+fn of_scalars<S: Real>(x: S) -> S {
+    let mut sums = [x, x];
+    sums[pick(2)] += x * S::from_f64(noise());
+    sums[0]
+}
+
+fn main() {}
