@@ -6,6 +6,7 @@ mod finite_differences;
 mod gradient_images;
 mod inverse_lighting;
 mod material_color;
+mod pose;
 mod tape;
 mod teapot;
 mod texture_recovery;
