@@ -7,6 +7,7 @@ mod gradient_images;
 mod inverse_lighting;
 mod material_color;
 mod pose;
+mod shadow;
 mod tape;
 mod teapot;
 mod texture_recovery;
