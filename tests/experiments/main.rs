@@ -2,10 +2,13 @@
 
 mod bvh;
 mod camera_calibration;
+mod edges;
 mod finite_differences;
 mod gradient_images;
 mod inverse_lighting;
 mod material_color;
+mod pose;
+mod shadow;
 mod tape;
 mod teapot;
 mod texture_recovery;
