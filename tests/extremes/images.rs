@@ -11,7 +11,7 @@ pub const ARITHMETICS: [Arithmetic; 4] =
     [Arithmetic::F32, Arithmetic::F32x16, Arithmetic::F64, Arithmetic::F64x8];
 
 pub fn settings(arithmetic: Arithmetic) -> Settings {
-    Settings { arithmetic, ..Settings::default() }
+    Settings { arithmetic, ..crate::without_edges() }
 }
 
 /// The scene `scale` times as large, then moved. The light that arrives stays the same.

@@ -21,3 +21,8 @@ mod smooth;
 mod spheres;
 mod triangles;
 mod watertight;
+
+/// How scenes are rendered where the interior term is checked.
+fn without_edges() -> renderer::Settings {
+    renderer::Settings { edges: renderer::Edges::Off, ..renderer::Settings::default() }
+}

@@ -49,7 +49,7 @@ const DIFFUSE: &str = "material.ground.diffuse";
 #[test]
 fn a_radiance_that_overflows_is_named() {
     let experiment = experiment(bright_scene(), &[POSITION, DIFFUSE], DIFFUSE);
-    let recovery = Recovery::new(&experiment, "scene", &Settings::default()).unwrap();
+    let recovery = Recovery::new(&experiment, "scene", &crate::without_edges()).unwrap();
     let error = recovery.evaluate().unwrap_err().to_string();
     assert!(error.contains("of 1296 pixels are not finite; at column"), "{error}");
     assert!(error.contains("the radiance is [inf, inf, inf], on sphere.ball"), "{error}");
@@ -60,7 +60,7 @@ fn a_radiance_that_overflows_is_named() {
 fn pixels_are_left_out_where_that_is_allowed() {
     let paths = [POSITION, DIFFUSE, "camera.look_from"];
     let bright = experiment(bright_scene(), &paths, DIFFUSE);
-    let recovery = Recovery::new(&bright, "scene", &Settings::default()).unwrap();
+    let recovery = Recovery::new(&bright, "scene", &crate::without_edges()).unwrap();
     let recovery = recovery.allowing_non_finite();
     let left_out = recovery.evaluate().unwrap();
     let warning = recovery.left_out().unwrap();
@@ -69,7 +69,7 @@ fn pixels_are_left_out_where_that_is_allowed() {
     // A sphere without light on it has no gradient either.
     let dark = scene_with_sphere(Material::lambertian(DVec3::ZERO));
     let dark = experiment(dark, &paths, DIFFUSE);
-    let recovery = Recovery::new(&dark, "scene", &Settings::default()).unwrap();
+    let recovery = Recovery::new(&dark, "scene", &crate::without_edges()).unwrap();
     let expected = recovery.evaluate().unwrap();
     assert_eq!(recovery.left_out(), None);
     assert!((left_out.loss / expected.loss - 1.0).abs() <= 1e-6, "{left_out:?} {expected:?}");
@@ -92,11 +92,11 @@ fn glaring_scene() -> Scene {
 #[test]
 fn a_derivative_that_overflows_is_named() {
     let experiment = experiment(glaring_scene(), &[POSITION], INTENSITY);
-    let recovery = Recovery::new(&experiment, "scene", &Settings::default()).unwrap();
+    let recovery = Recovery::new(&experiment, "scene", &crate::without_edges()).unwrap();
     let error = recovery.evaluate().unwrap_err().to_string();
     assert!(error.contains("the derivative by light.key.position is"), "{error}");
     assert!(error.ends_with("on mesh.floor"), "{error}");
-    let double = recovery.with_settings(&Settings::default().in_double_precision());
+    let double = recovery.with_settings(&crate::without_edges().in_double_precision());
     assert!(double.evaluate().unwrap().is_finite());
 }
 
@@ -129,7 +129,7 @@ fn what_any_ray_of_a_pixel_meets_is_named() {
     for seed in 0..8 {
         let samples = Samples { count: 4, seed, gradient: GradientSamples::Same };
         let sampling = Sampling::Sobol(samples);
-        let settings = Settings { sampling, ..Settings::default() };
+        let settings = Settings { sampling, ..crate::without_edges() };
         let recovery = Recovery::new(&experiment, "scene", &settings).unwrap();
         let error = recovery.evaluate().unwrap_err().to_string();
         assert!(error.contains("the radiance is ["), "{seed}: {error}");

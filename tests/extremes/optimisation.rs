@@ -3,7 +3,7 @@
 use renderer::experiment::{Experiment, OptimizeSection, Target, TunedParameter};
 use renderer::optimize::{Outcome, Quiet, Settings as OptimizeSettings, StopReason};
 use renderer::recovery::Recovery;
-use renderer::{ParameterId, Scene, Settings};
+use renderer::{ParameterId, Scene};
 
 use crate::scenes::{set, small_scene};
 
@@ -25,7 +25,7 @@ fn section(
 #[track_caller]
 fn run(scene: Scene, section: OptimizeSection, iterations: u64) -> Outcome {
     let experiment = Experiment::new(scene, Some(section));
-    let recovery = Recovery::new(&experiment, "scene", &Settings::default()).unwrap();
+    let recovery = Recovery::new(&experiment, "scene", &crate::without_edges()).unwrap();
     let settings = OptimizeSettings { iterations, ..recovery.settings() };
     let outcome = recovery.run(&settings, &mut Quiet).unwrap();
     assert!(outcome.best.x.iter().all(|x| x.is_finite()) && outcome.best.loss.is_finite());

@@ -4,8 +4,8 @@
 use glam::{DVec3, Vec3, dvec3};
 use renderer::transport::transform::unplace;
 use renderer::{
-    Arithmetic, Image, Material, ParameterId, PixelLoss, Renderer, Scene, Settings, SpotLight,
-    Transform, render_jvp, render_vjp,
+    Arithmetic, Image, Material, ParameterId, PixelLoss, Renderer, Scene, SpotLight, Transform,
+    render_jvp, render_vjp,
 };
 
 use crate::custom::{add_egg, add_spotlight};
@@ -161,7 +161,7 @@ fn directions_are_checked() {
     let vertices = scene.parameter("mesh.tent.vertices").unwrap();
     let vertex = scene.parameter("mesh.tent.vertices[1]").unwrap();
     let refused = |direction: &[(ParameterId, Vec<f64>)]| {
-        render_jvp(&scene, &Settings::default(), direction).unwrap_err().to_string()
+        render_jvp(&scene, &crate::without_edges(), direction).unwrap_err().to_string()
     };
     let short = refused(&[(vertices, vec![0.0; 3])]);
     assert_eq!(short, "mesh.tent.vertices: moves by 3 numbers, has 12");

@@ -11,7 +11,7 @@ use crate::away_from_edges::AwayFromEdges;
 use crate::scenes::{mirror_scene, set, small_scene, textured_scene};
 
 pub fn in_arithmetic(arithmetic: Arithmetic) -> Settings {
-    Settings { arithmetic, ..Settings::default() }
+    Settings { arithmetic, ..crate::without_edges() }
 }
 
 /// The scene with another number; nothing if it may not have that.

@@ -12,3 +12,8 @@ mod smooth;
 mod threads;
 mod transparency;
 mod visibility;
+
+/// How scenes are rendered where the interior term is checked.
+fn without_edges() -> renderer::Settings {
+    renderer::Settings { edges: renderer::Edges::Off, ..renderer::Settings::default() }
+}

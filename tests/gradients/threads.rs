@@ -1,6 +1,6 @@
 //! Results do not depend on the number of threads.
 
-use renderer::{ImageLoss, LossKind, Renderer, Settings};
+use renderer::{ImageLoss, LossKind, Renderer};
 
 use crate::scenes::textured_scene;
 
@@ -10,7 +10,7 @@ fn image_and_gradient_are_bit_identical_on_any_number_of_threads() {
     let run = |threads: usize| {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
         pool.install(|| {
-            let renderer = Renderer::new(&scene, &Settings::default()).unwrap();
+            let renderer = Renderer::new(&scene, &crate::without_edges()).unwrap();
             let image = renderer.render();
             let mut target = image.clone();
             target.pixels.iter_mut().flatten().for_each(|value| *value *= 0.9);

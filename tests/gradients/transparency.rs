@@ -174,7 +174,7 @@ fn light_goes_through_holes() {
     let Material { emission, diffuse, .. } = parts.materials[0].values;
     // From below the pane, so that only its shadow is seen.
     parts.camera.look_from = dvec3(0.0, 0.9, 1.0);
-    let image = render(&parts.scene(), &Settings::default()).unwrap();
+    let image = render(&parts.scene(), &crate::without_edges()).unwrap();
     let row = image.height as usize / 2 * image.width as usize;
     for (column, pixel) in image.pixels[row..row + image.width as usize].iter().enumerate() {
         let x = (column as f64 + 0.5) / 8.0 - 0.5;
@@ -234,7 +234,7 @@ fn panes_leave_what_they_do_not_cover() {
     for bounces in 0..4 {
         let expected = [upper, upper + lower, expected, expected][bounces as usize].as_vec3();
         let scene = Parts { bounces, ..parts.clone() }.scene();
-        for pixel in render(&scene, &Settings::default()).unwrap().pixels {
+        for pixel in render(&scene, &crate::without_edges()).unwrap().pixels {
             let error = (glam::Vec3::from(pixel) - expected).abs().max_element();
             assert!(error < 1e-6, "{bounces}: {pixel:?} instead of {expected}");
         }
@@ -247,7 +247,7 @@ fn panes_leave_what_they_do_not_cover() {
 fn visibility_does_not_matter() {
     let scene = transparent_scene(64);
     let image = |pass, visibility| {
-        render(&scene, &Settings { pass, visibility, ..Settings::default() }).unwrap()
+        render(&scene, &Settings { pass, visibility, ..crate::without_edges() }).unwrap()
     };
     for pass in [Pass::Radiance, Pass::Albedo] {
         let bvh = image(pass, PrimaryVisibility::Bvh);

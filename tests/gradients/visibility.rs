@@ -30,7 +30,7 @@ fn hierarchy_brute_force_and_raster_show_the_same() {
     (pixel.width, pixel.height) = (1, 1);
     for scene in [textured_scene(130), inside, away, high, pixel] {
         for pass in [Pass::Radiance, Pass::Albedo] {
-            is_same(&scene, &Settings { pass, ..Settings::default() });
+            is_same(&scene, &Settings { pass, ..crate::without_edges() });
         }
     }
 }
@@ -40,5 +40,5 @@ fn hierarchy_brute_force_and_raster_show_the_same() {
 fn so_they_do_with_several_rays_per_pixel() {
     let samples = Samples { count: 5, seed: 1, gradient: GradientSamples::Same };
     let sampling = Sampling::Stratified(samples);
-    is_same(&textured_scene(50), &Settings { sampling, ..Settings::default() });
+    is_same(&textured_scene(50), &Settings { sampling, ..crate::without_edges() });
 }

@@ -3,7 +3,7 @@
 use ad::{Fields, Scalar};
 use glam::DVec3;
 
-use super::sight::decode;
+use super::sight::{MOST_LIGHTS, decode};
 use crate::number::{Plain, widen};
 use crate::primal::integrator::Integrator;
 use crate::primal::known::KnownHit;
@@ -251,7 +251,7 @@ impl<'a, L: Plain> Geometry<'a, L> {
             };
             let mut known = KnownHit { primitive: met.primitive, leaves: met.leaves, blocked: 0 };
             let met_at = self.meet(&known, ray);
-            for light in 0..layout.lights.len() {
+            for light in 0..layout.lights.len().min(MOST_LIGHTS) {
                 let is_blocked = self.blocker(light, &known, &ray, &met_at).is_some();
                 known.blocked |= u64::from(is_blocked) << light;
             }

@@ -18,8 +18,8 @@
 //! hidden, and to find crossings by more rays. Both cost several images; this costs a few rays for each
 //! hundred pixels.
 //!
-//! What is not seen: objects that lie between samples whole, edges of the shadows of transparent surfaces,
-//! and steps within textures. More rays make the first finer.
+//! What is not seen: objects that lie between samples whole, edges of the shadows of transparent surfaces
+//! and of lights after the first 64, and steps within textures. More rays make the first finer.
 
 mod cell;
 mod crossing;

@@ -6,7 +6,7 @@ use rayon::prelude::*;
 use super::cell::{Cell, Share, Side, Workspace};
 use super::crossing::{Crossing, Link, Path, Search};
 use super::geometry::{Edge, Geometry};
-use super::sight::{Sights, depths};
+use super::sight::{MOST_LIGHTS, Sights, depths};
 use crate::image::Image;
 use crate::loss::PixelLoss;
 use crate::number::Plain;
@@ -123,7 +123,7 @@ impl View {
         paths: &mut KnownPaths,
     ) {
         paths.clear();
-        let lights = geometry.integrator.layout.lights.len();
+        let lights = geometry.integrator.layout.lights.len().min(MOST_LIGHTS);
         for crossing in crossings {
             for side in crossing.sides {
                 paths.push(geometry.film(crossing.place), side.of(&self.hits), lights);

@@ -20,7 +20,8 @@ pub struct KnownPaths {
 /// What paths meet at one depth.
 pub struct KnownHits {
     pub hits: PacketHits,
-    /// By light: a bit for each ray that ends where an opaque surface is in its way.
+    /// By light, of the first ones: a bit for each ray that ends where an opaque surface is in its way.
+    /// Shadow rays tell for the others.
     pub blocked: Vec<u64>,
 }
 

@@ -33,9 +33,10 @@ impl<S: Number> Integrator<'_, S> {
         visible.clear();
         blocked.clear();
         for (light, traits) in self.layout.lights.iter().enumerate() {
-            let (facing, lit) = match known {
+            let blocked_by = known.and_then(|known| known.blocked.get(light));
+            let (facing, lit) = match blocked_by {
                 _ if traits.is_black && !self.zero_weight.lights => (0, 0),
-                Some(known) => (u64::MAX, !known.blocked[light]),
+                Some(blocked) => (u64::MAX, !blocked),
                 None => match self.tracer.position(light) {
                     Some(position) => self.visible_from(light, position, wavefront),
                     None => self.visible_along(light, wavefront),

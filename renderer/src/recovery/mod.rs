@@ -32,7 +32,7 @@ use crate::optimize::{
 };
 use crate::render::Renderer;
 use crate::scene::{ParameterId, Scene};
-use crate::settings::Settings;
+use crate::settings::{Edges, Settings};
 
 /// An optimisation of scene parameters against an image.
 #[derive(Clone)]
@@ -144,7 +144,13 @@ impl<'a> Recovery<'a> {
         let scene = self.scene;
         // All lanes of a precision are the same problem.
         let precision = self.settings.arithmetic.precision();
-        let settings = Settings { arithmetic: Arithmetic::fastest(precision), ..self.settings };
+        let arithmetic = Arithmetic::fastest(precision);
+        // What follows from the parameters does not tell problems apart.
+        let edges = match self.settings.edges {
+            edges if edges == Edges::Auto.for_parameters(&self.ids) => Edges::Auto,
+            edges => edges,
+        };
+        let settings = Settings { arithmetic, edges, ..self.settings };
         let mut fingerprint = Fingerprint::new()
             .text(&format!("{:?}", self.loss_kind()))
             .text(&format!("{settings:?}"))
