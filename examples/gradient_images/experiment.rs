@@ -40,8 +40,7 @@ pub fn by_differences(scene: &Scene, id: ParameterId, element: usize) -> Result<
     Ok(difference)
 }
 
-/// By forward mode. Which triangle a pixel shows, and whether it lies in the shadow, does not change: the
-/// interior term.
+/// By forward mode, with edges.
 pub fn by_forward_mode(scene: &Scene, id: ParameterId, element: usize) -> Result<Image, Error> {
     let unit = |index: usize| f64::from(u8::from(index == element));
     let direction = (id, (0..scene.get(id).len()).map(unit).collect());

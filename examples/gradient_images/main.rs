@@ -3,8 +3,8 @@
 //!
 //! `cargo run --release --example gradient_images [camera.look_at [0]]`
 //!
-//! Arguments name another parameter and which of its numbers. Forward mode is `render_jvp`. Red is brighter as the number grows, blue darker, white the same. At
-//! silhouettes and shadow edges differences see what moves there; forward mode has the interior term.
+//! Arguments name another parameter and which of its numbers. Forward mode is `render_jvp`; both see
+//! silhouettes and shadow edges move. Red is brighter as the number grows, blue darker, white the same.
 //! `out/gradient_images/` gets the image, both derivatives, and a strip of the three.
 
 mod experiment;

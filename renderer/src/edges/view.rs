@@ -95,7 +95,8 @@ impl View {
         view
     }
 
-    /// Writes the pixels over an image.
+    /// Writes the pixels over an image. Where areas are estimated from single crossings they may be a
+    /// little too large; what falls below zero by that is black.
     ///
     /// # Panics
     ///
@@ -103,7 +104,10 @@ impl View {
     pub fn fill(&self, image: &mut Image) {
         assert_eq!(image.pixels.len(), self.pixels.len(), "the image has the size of the scene's");
         let pixels = image.pixels.iter_mut().zip(&self.pixels);
-        pixels.for_each(|(to, pixel)| *to = pixel.as_vec3().to_array());
+        pixels.for_each(|(to, &pixel)| {
+            let pixel = DVec3::select(pixel.cmplt(DVec3::ZERO), DVec3::ZERO, pixel);
+            *to = pixel.as_vec3().to_array();
+        });
     }
 
     /// A loss of the pixels, which stand in rows of `width`.
