@@ -6,9 +6,9 @@
 //! on the far side of each silhouette, to find what else comes between, and a shadow ray beyond each
 //! shadow edge. Facing away from a light counts as not blocked: what changes there is continuous.
 
+use super::code::code;
 use super::geometry::{Edge, Geometry};
 use super::outline::root;
-use super::sight::code;
 use crate::number::Plain;
 use crate::primal::known::KnownHit;
 use crate::trace::bvh::NO_PRIMITIVE;

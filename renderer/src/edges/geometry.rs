@@ -3,7 +3,7 @@
 use ad::{Fields, Scalar};
 use glam::DVec3;
 
-use super::sight::{MOST_LIGHTS, decode};
+use super::code::{MOST_LIGHTS, decode};
 use crate::number::{Plain, widen};
 use crate::primal::integrator::Integrator;
 use crate::primal::known::KnownHit;
@@ -31,7 +31,7 @@ pub enum Edge {
     /// The silhouette of a sphere or a shape of one's own.
     Silhouette(u32),
     /// The curve in which two primitives pierce each other.
-    /// See [`code`](super::sight::code).
+    /// See [`code`](super::code::code).
     Intersection([u32; 2]),
 }
 

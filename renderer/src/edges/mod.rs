@@ -22,6 +22,7 @@
 //! and of lights after the first 64, and steps within textures. More rays make the first finer.
 
 mod cell;
+mod code;
 mod crossing;
 mod forward;
 mod geometry;

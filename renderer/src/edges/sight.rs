@@ -2,6 +2,7 @@
 
 use std::sync::atomic::{AtomicU32, AtomicU64, Ordering};
 
+use super::code::{END, LEAVES, MOST_LIGHTS, code, decode};
 use super::geometry::Geometry;
 use crate::number::Plain;
 use crate::primal::integrator::Integrator;
@@ -9,15 +10,6 @@ use crate::primal::known::KnownHit;
 use crate::primal::wavefront::Wavefront;
 use crate::trace::bvh::{NO_PRIMITIVE, rays};
 use crate::trace::tile::Tile;
-
-/// The bit of a primitive that says that a ray leaves a sphere.
-const LEAVES: u32 = 1 << 31;
-
-/// The primitive where a path has ended.
-const END: u32 = NO_PRIMITIVE ^ LEAVES;
-
-/// The most lights whose shadows have edges.
-pub const MOST_LIGHTS: usize = 64;
 
 /// The path of every sample of a regular grid, and of one more row and column of samples on each side of
 /// the image.
@@ -150,20 +142,4 @@ pub fn depths<L: Plain>(integrator: &Integrator<'_, L>) -> usize {
     let layout = integrator.layout;
     let goes_on = integrator.zero_weight.mirrors || layout.has_mirrors || layout.has_transparency;
     if goes_on { layout.bounces as usize + 1 } else { 1 }
-}
-
-/// What a ray meets, as one number.
-pub fn code(known: &KnownHit) -> u32 {
-    match known.primitive {
-        NO_PRIMITIVE => NO_PRIMITIVE,
-        primitive => primitive | if known.leaves { LEAVES } else { 0 },
-    }
-}
-
-/// What a [code](code) stands for.
-pub fn decode(code: u32, blocked: u64) -> KnownHit {
-    match code {
-        NO_PRIMITIVE => KnownHit { primitive: code, leaves: false, blocked },
-        _ => KnownHit { primitive: code & !LEAVES, leaves: code & LEAVES != 0, blocked },
-    }
 }

@@ -4,9 +4,10 @@ use glam::DVec3;
 use rayon::prelude::*;
 
 use super::cell::{Cell, Share, Side, Workspace};
+use super::code::MOST_LIGHTS;
 use super::crossing::{Crossing, Link, Path, Search};
 use super::geometry::{Edge, Geometry};
-use super::sight::{MOST_LIGHTS, Sights, depths};
+use super::sight::{Sights, depths};
 use crate::image::Image;
 use crate::loss::PixelLoss;
 use crate::number::Plain;
