@@ -1,20 +1,19 @@
 //! Images: PNG and JPEG (sRGB), OpenEXR (linear).
 
+mod canvas;
+mod exr;
+mod jpeg;
+mod orientation;
+mod png;
+
 use std::fmt::Display;
-use std::io::Cursor;
 use std::path::Path;
+use std::sync::LazyLock;
 
-use image::codecs::openexr::OpenExrEncoder;
-use image::codecs::png::PngEncoder;
-use image::{
-    DynamicImage, ExtendedColorType, GenericImageView, ImageDecoder, ImageEncoder, ImageFormat,
-    ImageReader, ImageResult, Limits, Rgba, metadata::Orientation,
-};
+use canvas::{Convert, Decoded, Source, Stored};
 
-use crate::Error;
-use crate::Image;
-use crate::disk::read;
-use crate::disk::{check_writable, write_atomically};
+use crate::disk::{check_writable, read, write_atomically};
+use crate::{Error, Image};
 
 #[cfg(test)]
 mod tests;
@@ -40,14 +39,15 @@ pub struct LoadedImage {
 ///
 /// If the file cannot be read or decoded, or a pixel of it is infinite or not a number.
 pub fn load_image(path: &Path) -> Result<LoadedImage, Error> {
-    let (decoded, saturates) = decode(&read(path)?, path.display())?;
-    let image = if saturates {
-        from_srgb(decoded, |color, coverage| color * coverage)
-    } else {
-        from_linear(decoded)
+    let over_black = |stored: Stored, _: bool| match stored {
+        Stored::Srgb([r, g, b, alpha]) => {
+            let coverage = f64::from(alpha) / MOST;
+            [r, g, b].map(|level| (LINEAR[usize::from(level)] * coverage) as f32)
+        }
+        Stored::Linear([r, g, b, _]) => [r, g, b],
     };
-    check(&image, path.display())?;
-    Ok(LoadedImage { image, saturates })
+    let decoded = decode(&read(path)?, path.display(), over_black)?;
+    Ok(LoadedImage { image: decoded.image, saturates: decoded.is_srgb })
 }
 
 /// The texels of a texture, and whether its file says that some of them are transparent.
@@ -59,11 +59,11 @@ pub(super) struct TextureFile {
 /// Decodes the bytes of an image file at `place` as [`load_image`] does, but for alpha: the colours of
 /// a texture are what the file says, whatever covers them.
 pub(super) fn decode_texture(bytes: &[u8], place: impl Display) -> Result<TextureFile, Error> {
-    let (decoded, is_srgb) = decode(bytes, &place)?;
-    let is_transparent =
-        decoded.color().has_alpha() && decoded.pixels().any(|(_, _, pixel)| pixel.0[3] < u8::MAX);
-    let image = if is_srgb { from_srgb(decoded, |color, _| color) } else { from_linear(decoded) };
-    check(&image, place)?;
+    let whole = |stored: Stored, _: bool| match stored {
+        Stored::Srgb([r, g, b, _]) => [r, g, b].map(|level| LINEAR[usize::from(level)] as f32),
+        Stored::Linear([r, g, b, _]) => [r, g, b],
+    };
+    let Decoded { image, is_transparent, .. } = decode(bytes, place, whole)?;
     Ok(TextureFile { image, is_transparent })
 }
 
@@ -74,18 +74,16 @@ pub(super) fn decode_coverage(
     place: impl Display,
     is_mask: bool,
 ) -> Result<Image, Error> {
-    let (decoded, _) = decode(bytes, &place)?;
-    let has_alpha = decoded.color().has_alpha();
-    let decoded = decoded.into_rgba32f();
-    let coverage = |&Rgba([r, g, b, alpha]): &Rgba<f32>| match (has_alpha, is_mask) {
-        (true, _) => [alpha; 3],
-        (false, true) => [(r + g + b) / 3.0; 3],
-        (false, false) => [1.0; 3],
+    let coverage = |stored: Stored, has_alpha: bool| match (stored.values(), has_alpha) {
+        ([.., alpha], true) => [alpha; 3],
+        (_, false) => [1.0; 3],
     };
-    let pixels = decoded.pixels().map(coverage).collect();
-    let image = Image { width: decoded.width(), height: decoded.height(), pixels };
-    check(&image, place)?;
-    Ok(image)
+    let mask = |stored: Stored, has_alpha: bool| match (stored.values(), has_alpha) {
+        ([.., alpha], true) => [alpha; 3],
+        ([r, g, b, _], false) => [(r + g + b) / 3.0; 3],
+    };
+    let convert: Convert = if is_mask { mask } else { coverage };
+    Ok(decode(bytes, place, convert)?.image)
 }
 
 /// Writes an 8 bit sRGB PNG. Values are clamped to `[0, 1]`, encoded and rounded to the nearest
@@ -97,9 +95,7 @@ pub(super) fn decode_coverage(
 pub fn save_png(image: &Image, path: &Path) -> Result<(), Error> {
     check(image, path.display())?;
     let levels: Vec<u8> = image.pixels.as_flattened().iter().map(|&v| srgb_level(v)).collect();
-    let mut bytes = Vec::new();
-    PngEncoder::new(&mut bytes)
-        .write_image(&levels, image.width, image.height, ExtendedColorType::Rgb8)
+    let bytes = png::encode(&levels, image.width, image.height)
         .map_err(|error| not_encoded(path, error))?;
     write_atomically(path, &bytes)
 }
@@ -111,13 +107,7 @@ pub fn save_png(image: &Image, path: &Path) -> Result<(), Error> {
 /// If the image has no area, a pixel is infinite or not a number, or the file cannot be written.
 pub fn save_exr(image: &Image, path: &Path) -> Result<(), Error> {
     check(image, path.display())?;
-    let samples: Vec<u8> =
-        image.pixels.as_flattened().iter().flat_map(|v| v.to_ne_bytes()).collect();
-    let mut bytes = Cursor::new(Vec::new());
-    OpenExrEncoder::new(&mut bytes)
-        .write_image(&samples, image.width, image.height, ExtendedColorType::Rgb32F)
-        .map_err(|error| not_encoded(path, error))?;
-    write_atomically(path, bytes.get_ref())
+    write_atomically(path, &exr::encode(image).map_err(|error| not_encoded(path, error))?)
 }
 
 /// Writes an image in the format that the extension of `path` names: `png` or `exr`.
@@ -162,72 +152,38 @@ fn output_format(path: &Path) -> Result<OutputFormat, Error> {
     }
 }
 
-/// The most memory that the pixels of a file may take: 128 million pixels of four floats.
-const MOST_BYTES: u64 = 1 << 31;
-
-/// More pixels no byte of a file stands for: a blank PNG, of one bit per pixel, has 8256, blank JPEG and
-/// OpenEXR images have 512. An OpenEXR header may announce millions around data of a few.
-const MOST_PIXELS_PER_BYTE: u64 = 10_000;
-
-/// The pixels of a file, and whether they are sRGB and clipped at 1.
-fn decode(bytes: &[u8], place: impl Display) -> Result<(DynamicImage, bool), Error> {
-    let refuse = |problem: String| Error::new(&place, problem);
-    if bytes.is_empty() {
-        return Err(refuse("is empty, not an image".to_owned()));
-    }
-    let reader = ImageReader::new(Cursor::new(bytes))
-        .with_guessed_format()
-        .map_err(|error| refuse(format!("cannot be read: {error}")))?;
-    let is_srgb = match reader.format() {
-        Some(ImageFormat::Png | ImageFormat::Jpeg) => true,
-        Some(ImageFormat::OpenExr) => false,
-        _ => return Err(refuse("is not a PNG, JPEG or OpenEXR image".to_owned())),
+/// Decodes the bytes of an image file at `place`: each pixel as it is stored, and whether the file has
+/// alpha, become the pixel that `convert` makes of it.
+fn decode(bytes: &[u8], place: impl Display, convert: Convert) -> Result<Decoded, Error> {
+    let refuse = |problem: &str| Error::new(&place, problem);
+    let read = match bytes {
+        [] => return Err(refuse("is empty, not an image")),
+        [0x89, b'P', b'N', b'G', ..] => png::read,
+        [0xff, 0xd8, 0xff, ..] => jpeg::read,
+        [0x76, 0x2f, 0x31, 0x01, ..] => exr::read,
+        _ => return Err(refuse("is not a PNG, JPEG or OpenEXR image")),
     };
-    let not_decoded = |error| refuse(format!("cannot be decoded: {}", one_line(error)));
-    let decoder = reader.into_decoder().map_err(not_decoded)?;
-    let (width, height) = decoder.dimensions();
-    if u64::from(width) * u64::from(height) > MOST_PIXELS_PER_BYTE * bytes.len() as u64 {
-        let size = bytes.len();
-        return Err(refuse(format!(
-            "{size} bytes cannot hold the {width} x {height} pixels it has"
-        )));
-    }
-    Ok((pixels(decoder).map_err(not_decoded)?, is_srgb))
-}
-
-fn pixels(mut decoder: impl ImageDecoder) -> ImageResult<DynamicImage> {
-    // A broken header may announce any size; memory is taken before the pixels are there.
-    let mut limits = Limits::no_limits();
-    limits.max_alloc = Some(MOST_BYTES);
-    limits.reserve(decoder.total_bytes())?;
-    // An orientation that cannot be read is none.
-    let orientation = decoder.orientation().unwrap_or(Orientation::NoTransforms);
-    let mut decoded = DynamicImage::from_decoder(decoder)?;
-    decoded.apply_orientation(orientation);
+    let decoded = read(&Source { bytes, convert }).map_err(|problem| refuse(&problem))?;
+    check(&decoded.image, place)?;
     Ok(decoded)
 }
 
-/// Linear colours, each `covered` by alpha.
-fn from_srgb(decoded: DynamicImage, covered: impl Fn(f64, f64) -> f64) -> Image {
-    // Every 8 and 16 bit format maps to 16 bits without loss: 255 to 65535, grey to three channels.
-    let decoded = decoded.into_rgba16();
-    let linear: Vec<f64> = (0..=u16::MAX).map(|v| srgb_decode(f64::from(v) / 65535.0)).collect();
-    let pixels = decoded
-        .pixels()
-        .map(|pixel| {
-            let [r, g, b, alpha] = pixel.0;
-            let coverage = f64::from(alpha) / 65535.0;
-            [r, g, b].map(|v| covered(linear[usize::from(v)], coverage) as f32)
-        })
-        .collect();
-    Image { width: decoded.width(), height: decoded.height(), pixels }
+/// The largest stored level: every 8 and 16 bit format maps to 16 bits without loss, 255 to this.
+const MOST: f64 = u16::MAX as f64;
+
+impl Stored {
+    /// What is stored, on a scale that ends at 1 for levels.
+    fn values(self) -> [f32; 4] {
+        match self {
+            Self::Srgb(levels) => levels.map(|level| (f64::from(level) / MOST) as f32),
+            Self::Linear(values) => values,
+        }
+    }
 }
 
-fn from_linear(decoded: DynamicImage) -> Image {
-    let decoded = decoded.into_rgba32f();
-    let pixels = decoded.pixels().map(|pixel| [pixel.0[0], pixel.0[1], pixel.0[2]]).collect();
-    Image { width: decoded.width(), height: decoded.height(), pixels }
-}
+/// The linear values of the stored levels.
+static LINEAR: LazyLock<Vec<f64>> =
+    LazyLock::new(|| (0..=u16::MAX).map(|v| srgb_decode(f64::from(v) / MOST)).collect());
 
 /// The linear value of an sRGB value in `[0, 1]` (IEC 61966-2-1).
 fn srgb_decode(encoded: f64) -> f64 {
@@ -260,8 +216,13 @@ fn check(image: &Image, place: impl Display) -> Result<(), Error> {
     ))
 }
 
-fn not_encoded(path: &Path, error: image::ImageError) -> Error {
+fn not_encoded(path: &Path, error: impl ToString) -> Error {
     Error::new(path.display(), format!("cannot be encoded: {}", one_line(error)))
+}
+
+/// What a decoder says of bytes that are no image of its format.
+fn not_decoded(error: impl ToString) -> String {
+    format!("cannot be decoded: {}", one_line(error))
 }
 
 fn one_line(error: impl ToString) -> String {

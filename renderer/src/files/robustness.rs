@@ -5,7 +5,6 @@
 //! files of each format.
 
 use std::fs;
-use std::io::Cursor;
 use std::path::Path;
 
 use proptest::prelude::*;
@@ -94,10 +93,11 @@ fn glb() -> Vec<u8> {
 }
 
 fn jpeg() -> Vec<u8> {
-    let grey = image::GrayImage::from_fn(9, 7, |x, y| image::Luma([(20 * x + 9 * y) as u8]));
-    let mut bytes = Cursor::new(Vec::new());
-    grey.write_to(&mut bytes, image::ImageFormat::Jpeg).unwrap();
-    bytes.into_inner()
+    let grey: Vec<u8> = (0..63).map(|index| 20 * (index % 9) + 9 * (index / 9)).collect();
+    let mut bytes = Vec::new();
+    let encoder = jpeg_encoder::Encoder::new(&mut bytes, 80);
+    encoder.encode(&grey, 9, 7, jpeg_encoder::ColorType::Luma).unwrap();
+    bytes
 }
 
 fn image(name: &str) -> Vec<u8> {

@@ -47,7 +47,8 @@ pub struct ParameterId {
 
 impl ParameterId {
     /// The parameter `field` of an object.
-    pub(crate) fn new(object: Object, field: &'static str) -> Self {
+    #[doc(hidden)]
+    pub fn new(object: Object, field: &'static str) -> Self {
         Self { object, field, vertex: None }
     }
 

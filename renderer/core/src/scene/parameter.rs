@@ -79,7 +79,8 @@ impl Scene {
     }
 
     /// The parameters of an object.
-    pub(crate) fn parameters_of(
+    #[doc(hidden)]
+    pub fn parameters_of(
         &self,
         object: Object,
     ) -> impl Iterator<Item = ParameterId> + use<> {

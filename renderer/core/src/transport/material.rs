@@ -31,7 +31,8 @@ pub struct Material<S: Real> {
 
 impl Material<f64> {
     /// The lobes that its BRDF has.
-    pub(crate) fn lobes(&self) -> Lobes {
+    #[doc(hidden)]
+    pub fn lobes(&self) -> Lobes {
         Lobes { rough: self.roughness != 0.0, glossy: self.specular != glam::DVec3::ZERO }
     }
 

@@ -3,7 +3,6 @@
 use std::fs;
 
 use glam::DVec3;
-use image::ExtendedColorType;
 
 use super::tests::{CAMERA, LIBRARY, LIGHT, folder};
 use super::*;
@@ -188,12 +187,14 @@ fn opacity_is_of_the_scene_file_or_the_library() {
 fn opacity_may_vary() {
     let folder = folder();
     let save = |name: &str, bytes: &[u8], color| {
-        let path = folder.path().join(name);
-        image::save_buffer(path, bytes, 2, 1, color).unwrap();
+        let file = fs::File::create(folder.path().join(name)).unwrap();
+        let mut encoder = png::Encoder::new(file, 2, 1);
+        encoder.set_color(color);
+        encoder.write_header().unwrap().write_image_data(bytes).unwrap();
     };
-    save("leaf.png", &[255, 0, 0, 255, 0, 255, 0, 51], ExtendedColorType::Rgba8);
-    save("mask.png", &[51, 255], ExtendedColorType::L8);
-    save("white.png", &[255, 255], ExtendedColorType::L8);
+    save("leaf.png", &[255, 0, 0, 255, 0, 255, 0, 51], png::ColorType::Rgba);
+    save("mask.png", &[51, 255], png::ColorType::Grayscale);
+    save("white.png", &[255, 255], png::ColorType::Grayscale);
     let mesh = "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nusemtl leaf\nf 1/1 2/1 3/1\n";
     fs::write(folder.path().join("a.obj"), mesh).unwrap();
     let scene = |library: &str, rest: &str| {
