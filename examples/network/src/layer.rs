@@ -210,7 +210,7 @@ exponent = 5.0
         for (image, values) in images.iter().zip(&VALUES) {
             let scene = layer.scene_at(values).unwrap();
             assert_eq!(scene.get(scene.parameter(PATHS[0]).unwrap())[0] as f32, values[0]);
-            let settings = Settings { arithmetic: Arithmetic::F64, ..Settings::default() };
+            let settings = Settings { arithmetic: Arithmetic::F64x8, ..Settings::default() };
             let expected = render(&scene, &settings).unwrap().pixels;
             assert!(expected.iter().any(|pixel| pixel[0] > 0.05));
             for (a, b) in image.iter().zip(expected.as_flattened()) {

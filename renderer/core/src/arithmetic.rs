@@ -4,15 +4,21 @@
 ///
 /// Images, losses and gradients of different widths agree to rounding: some functions, such as
 /// powers, are polynomials on lanes and the system's library on single numbers.
+///
+/// Each takes its time to compile. The fastest of either precision are always there, the others with the
+/// feature `all-lanes`: to compare, to test, and for machines that gain by them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Arithmetic {
     /// Single precision, pixel by pixel.
+    #[cfg(feature = "all-lanes")]
     F32,
     /// Single precision, 8 pixels at a time.
+    #[cfg(feature = "all-lanes")]
     F32x8,
     /// Single precision, 16 pixels at a time.
     F32x16,
     /// Double precision, pixel by pixel.
+    #[cfg(feature = "all-lanes")]
     F64,
     /// Double precision, 8 pixels at a time.
     F64x8,
@@ -28,15 +34,27 @@ pub enum Precision {
 }
 
 impl Arithmetic {
-    /// All of them.
-    pub const ALL: [Self; 5] = [Self::F32, Self::F32x8, Self::F32x16, Self::F64, Self::F64x8];
+    /// All that this build has.
+    pub const ALL: &[Self] = &[
+        #[cfg(feature = "all-lanes")]
+        Self::F32,
+        #[cfg(feature = "all-lanes")]
+        Self::F32x8,
+        Self::F32x16,
+        #[cfg(feature = "all-lanes")]
+        Self::F64,
+        Self::F64x8,
+    ];
 
     /// Its scalar and its lanes in a word: `f32x16`.
     pub fn name(self) -> &'static str {
         match self {
+            #[cfg(feature = "all-lanes")]
             Self::F32 => "f32",
+            #[cfg(feature = "all-lanes")]
             Self::F32x8 => "f32x8",
             Self::F32x16 => "f32x16",
+            #[cfg(feature = "all-lanes")]
             Self::F64 => "f64",
             Self::F64x8 => "f64x8",
         }
@@ -45,7 +63,8 @@ impl Arithmetic {
     /// That of the given precision and number of lanes, if there is one.
     pub fn new(precision: Precision, lanes: usize) -> Option<Self> {
         Self::ALL
-            .into_iter()
+            .iter()
+            .copied()
             .find(|arithmetic| (arithmetic.precision(), arithmetic.lanes()) == (precision, lanes))
     }
 
@@ -61,17 +80,24 @@ impl Arithmetic {
     /// The precision of its scalar.
     pub fn precision(self) -> Precision {
         match self {
-            Self::F32 | Self::F32x8 | Self::F32x16 => Precision::F32,
-            Self::F64 | Self::F64x8 => Precision::F64,
+            Self::F32x16 => Precision::F32,
+            Self::F64x8 => Precision::F64,
+            #[cfg(feature = "all-lanes")]
+            Self::F32 | Self::F32x8 => Precision::F32,
+            #[cfg(feature = "all-lanes")]
+            Self::F64 => Precision::F64,
         }
     }
 
     /// How many pixels it works on side by side.
     pub fn lanes(self) -> usize {
         match self {
-            Self::F32 | Self::F64 => 1,
-            Self::F32x8 | Self::F64x8 => 8,
             Self::F32x16 => 16,
+            Self::F64x8 => 8,
+            #[cfg(feature = "all-lanes")]
+            Self::F32x8 => 8,
+            #[cfg(feature = "all-lanes")]
+            Self::F32 | Self::F64 => 1,
         }
     }
 }
@@ -87,10 +113,12 @@ impl Default for Arithmetic {
 macro_rules! with_arithmetic {
     ($arithmetic:expr, $scalar:ident => $body:expr) => {
         match $arithmetic {
+            #[cfg(feature = "all-lanes")]
             $crate::arithmetic::Arithmetic::F32 => {
                 type $scalar = f32;
                 $body
             }
+            #[cfg(feature = "all-lanes")]
             $crate::arithmetic::Arithmetic::F32x8 => {
                 type $scalar = ad::lanes::f32x8;
                 $body
@@ -99,6 +127,7 @@ macro_rules! with_arithmetic {
                 type $scalar = ad::lanes::f32x16;
                 $body
             }
+            #[cfg(feature = "all-lanes")]
             $crate::arithmetic::Arithmetic::F64 => {
                 type $scalar = f64;
                 $body

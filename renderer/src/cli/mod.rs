@@ -43,7 +43,8 @@ struct Arguments {
     #[arg(long, global = true, value_enum)]
     precision: Option<PrecisionArgument>,
 
-    /// Pixels that go through the kernels side by side: 1, 8, or 16 (f32 alone) [default: the most]
+    /// Pixels that go through the kernels side by side: 16 (f32), 8 (f64), or what the feature
+    /// `all-lanes` adds [default: the most]
     #[arg(long, global = true, value_name = "N")]
     lanes: Option<usize>,
 
@@ -65,11 +66,14 @@ impl Arguments {
         let Some(lanes) = self.lanes else { return Ok(Some(Arithmetic::fastest(precision))) };
         let arithmetic = Arithmetic::new(precision, lanes);
         arithmetic.map(Some).ok_or_else(|| {
-            let possible = match precision {
-                Precision::F32 => "1, 8 or 16 with --precision f32",
-                Precision::F64 => "1 or 8 with --precision f64",
-            };
-            Error::new(format_args!("--lanes {lanes}"), format_args!("there can be {possible}"))
+            let has = |arithmetic: &&Arithmetic| arithmetic.precision() == precision;
+            let possible = Arithmetic::ALL.iter().filter(has);
+            let possible: Vec<String> = possible.map(|a| a.lanes().to_string()).collect();
+            let problem = format!(
+                "this build has {} for that precision; others are built with --features all-lanes",
+                possible.join(" and ")
+            );
+            Error::new(format_args!("--lanes {lanes}"), problem)
         })
     }
 }

@@ -36,7 +36,7 @@ pub(super) fn cases<'a>(
         cases.push(Case { axis, setting, step: None, engine, elements });
     };
 
-    for arithmetic in Arithmetic::ALL {
+    for &arithmetic in Arithmetic::ALL {
         let settings = Settings { arithmetic, ..settings };
         let engine = Box::new(Adjoint::new(Question { settings, ..question }));
         push(Axis::Arithmetic, arithmetic.name().to_owned(), engine, None);

@@ -80,10 +80,7 @@ impl Scene {
 
     /// The parameters of an object.
     #[doc(hidden)]
-    pub fn parameters_of(
-        &self,
-        object: Object,
-    ) -> impl Iterator<Item = ParameterId> + use<> {
+    pub fn parameters_of(&self, object: Object) -> impl Iterator<Item = ParameterId> + use<> {
         self.fields(object).into_iter().map(move |field| ParameterId::new(object, field.name))
     }
 

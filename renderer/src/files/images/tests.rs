@@ -222,9 +222,7 @@ fn jpeg_is_read() {
     let colors: Vec<u8> = [[255, 128, 0]; 24].concat();
     let exif = b"Exif\0\0MM\0\x2a\0\0\0\x08\0\x01\x01\x12\0\x03\0\0\0\x01\0\x06\0\0";
     let mut turned = encoder();
-    turned
-        .add_app_segment(1, exif.to_vec())
-        .unwrap();
+    turned.add_app_segment(1, exif.to_vec()).unwrap();
     turned.encode(&colors, 8, 3, jpeg_encoder::ColorType::Rgb).unwrap();
     let Image { width, height, pixels } = load_image(&path).unwrap().image;
     assert_eq!((width, height), (3, 8));
