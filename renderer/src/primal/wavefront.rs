@@ -46,8 +46,20 @@ pub struct Wavefront<S: Number> {
 pub enum Source<'a> {
     /// They are traced.
     Tile(TileSample<'a>),
-    /// They are known.
+    /// They were traced before.
+    Traced(TileSample<'a>, &'a KnownPaths),
+    /// They are known, through any points of the film.
     Known(&'a KnownPaths),
+}
+
+impl<'a> Source<'a> {
+    /// The paths, if they are known.
+    pub fn known(self) -> Option<&'a KnownPaths> {
+        match self {
+            Self::Tile(_) => None,
+            Self::Traced(_, paths) | Self::Known(paths) => Some(paths),
+        }
+    }
 }
 
 /// One ray through each pixel of a tile.
