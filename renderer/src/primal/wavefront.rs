@@ -7,7 +7,6 @@ use ad::{Additive, Fields, Vec3};
 use super::coalesce::{Coalesced, select_lanes};
 use super::known::KnownPaths;
 use super::lanes::{all_lanes, singles_of_lanes};
-use super::smooth::Smooth;
 use crate::number::Number;
 use crate::trace::bvh::{PACKET_RAYS, PacketHits, PacketVectors, rays};
 use crate::trace::layout::Kind;
@@ -91,6 +90,14 @@ pub struct LaneGroup<S: Number> {
     pub surface: SurfacePoint<S>,
     /// Whether the primitives are smooth triangles: all of a group are, or none is.
     pub smooth: Option<Smooth<S>>,
+}
+
+/// What a group of smooth triangles has beside its surface points.
+pub struct Smooth<S: Number> {
+    /// The unit normals of the flat triangles, on the side of the viewer.
+    pub outward: Vec3<S>,
+    /// The places from which shadow rays start.
+    pub curved: Vec3<S::Lanes>,
 }
 
 impl<S: Number> LaneGroup<S> {

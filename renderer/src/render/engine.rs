@@ -15,8 +15,9 @@ use crate::number::Plain;
 #[cfg(feature = "files")]
 use crate::primal::image::rays_by_depth;
 use crate::primal::image::{loss, pixels_dual, render_into, trace_only};
-use crate::primal::inputs::{Inputs, Varying};
+use crate::primal::inputs::Inputs;
 use crate::primal::integrator::Prepared;
+use crate::primal::varying::Varying;
 use crate::scene::{ParameterId, Scene};
 use crate::settings::{Edges, Settings};
 use crate::trace::sampling::Sampling;
