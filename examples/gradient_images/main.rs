@@ -8,14 +8,16 @@
 //! `out/gradient_images/` gets the image, both derivatives, and a strip of the three.
 
 mod experiment;
+#[path = "../shared/false_colors.rs"]
+mod false_colors;
 #[path = "../shared/strip.rs"]
 mod strip;
 
 use std::path::Path;
 
-use glam::Vec3;
+use false_colors::false_colors;
 use renderer::files::save_png;
-use renderer::{Error, Image, Settings, render};
+use renderer::{Error, Settings, render};
 use strip::{brightest, strip};
 
 fn main() -> Result<(), Error> {
@@ -54,15 +56,4 @@ fn main() -> Result<(), Error> {
     save_png(&strip(&[picture, forward, differences], 1.0), &out.join("strip.png"))?;
     println!("pictures in {}", out.display());
     Ok(())
-}
-
-/// The mean over channels in colours from blue at `-scale` over white to red at `scale`.
-fn false_colors(derivatives: &Image, scale: f32) -> Image {
-    let color = |derivative: &[f32; 3]| {
-        let signed = (derivative.iter().sum::<f32>() / 3.0 / scale).clamp(-1.0, 1.0);
-        let end = if signed > 0.0 { Vec3::new(0.7, 0.0, 0.02) } else { Vec3::new(0.02, 0.05, 0.7) };
-        // The root tells small derivatives from none.
-        Vec3::ONE.lerp(end, signed.abs().sqrt()).to_array()
-    };
-    Image { pixels: derivatives.pixels.iter().map(color).collect(), ..*derivatives }
 }

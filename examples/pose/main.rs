@@ -12,6 +12,8 @@ mod experiment;
 mod plot;
 #[path = "../shared/random.rs"]
 mod random;
+#[path = "../shared/runs.rs"]
+mod runs;
 #[path = "../shared/strip.rs"]
 mod strip;
 
@@ -19,11 +21,12 @@ use std::path::Path;
 
 use experiment::Pose;
 use glam::DVec3;
-use plot::{Curve, Horizontal, Point, save_plot};
+use plot::{Horizontal, save_plot};
 use random::Random;
 use renderer::files::save_png;
-use renderer::optimize::{Lbfgs, Optimizer, Outcome, Record};
+use renderer::optimize::{Lbfgs, Optimizer, Outcome};
 use renderer::{Edges, Error};
+use runs::{curve, named};
 use strip::{brightest, strip};
 
 /// The side of the images in pixels.
@@ -107,10 +110,6 @@ fn random_start(random: &mut Random) -> Pose {
     Pose::truth().displaced(axis, random.between(10.0, 40.0), by)
 }
 
-fn named(edges: Edges) -> &'static str {
-    if edges == Edges::Off { "without edges" } else { "with edges" }
-}
-
 /// Prints what a run came to.
 fn describe(edges: Edges, optimizer: Optimizer, outcome: &Outcome) {
     let (degrees, distance) = Pose::found(&outcome.best.x).error(&Pose::truth());
@@ -122,13 +121,4 @@ fn describe(edges: Edges, optimizer: Optimizer, outcome: &Outcome) {
         outcome.last.iteration,
         outcome.seconds
     );
-}
-
-fn curve(label: String, outcome: &Outcome) -> Curve {
-    let point = |record: &Record| Point {
-        x: record.iteration as f64,
-        y: record.loss / outcome.initial_loss(),
-        deviation: 0.0,
-    };
-    Curve { label, points: outcome.history.iter().map(point).collect() }
 }

@@ -12,17 +12,19 @@ mod experiment;
 mod plot;
 #[path = "../shared/random.rs"]
 mod random;
+#[path = "../shared/runs.rs"]
+mod runs;
 #[path = "../shared/strip.rs"]
 mod strip;
 
 use std::path::Path;
 
 use glam::DVec3;
-use plot::{Curve, Horizontal, Point, save_plot};
+use plot::{Horizontal, save_plot};
 use random::Random;
 use renderer::files::save_png;
-use renderer::optimize::{Outcome, Record};
 use renderer::{Edges, Error};
+use runs::{curve, named};
 use strip::{brightest, strip};
 
 /// The side of the images in pixels.
@@ -85,17 +87,4 @@ fn main() -> Result<(), Error> {
     }
     println!("pictures and curves in {}", out.display());
     Ok(())
-}
-
-fn named(edges: Edges) -> &'static str {
-    if edges == Edges::Off { "without edges" } else { "with edges" }
-}
-
-fn curve(label: String, outcome: &Outcome) -> Curve {
-    let point = |record: &Record| Point {
-        x: record.iteration as f64,
-        y: record.loss / outcome.initial_loss(),
-        deviation: 0.0,
-    };
-    Curve { label, points: outcome.history.iter().map(point).collect() }
 }

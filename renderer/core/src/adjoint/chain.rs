@@ -27,7 +27,6 @@ use crate::scene::{Scene, Slot, Transform};
 use crate::settings::Pass;
 use crate::trace::bvh::{PACKET_RAYS, rays};
 use crate::trace::layout::Kind;
-use crate::trace::sampling::Sampling;
 use crate::trace::tile::{Tile, for_each_strip};
 use crate::transport::camera::{CameraFrame, Ray, primary_ray};
 use crate::transport::direct::direct;
@@ -140,26 +139,19 @@ impl<'a, L: Plain> Chain<'a, L> {
                 let (x, y) = tile.pixel(ray);
                 let (value, derivative) = loss.evaluate(x, y, radiance[ray]);
                 self.scatter.sums.loss += value;
-                cotangents[ray] = derivative;
+                cotangents[ray] = derivative / f64::from(sampling.count());
             }
-            self.pull_pixels(tile, sampling.of_gradient(), &cotangents);
+            for sample in samples(tile, sampling.of_gradient()) {
+                self.pull_sample(sample, &cotangents);
+            }
         }
     }
 
-    /// Adds what flows back from the pixels of a tile, the means of samples.
-    pub(super) fn pull_pixels(
-        &mut self,
-        tile: &Tile,
-        sampling: Sampling,
-        cotangents: &[DVec3; PACKET_RAYS],
-    ) {
-        let part = 1.0 / f64::from(sampling.count());
-        for sample in samples(tile, sampling) {
-            self.sample(sample, &mut |group, _| {
-                let of_rays = group.rays().map(|(lane, ray)| (lane, cotangents[ray] * part));
-                nonzero_lanes::<L>(of_rays)
-            });
-        }
+    /// Adds what flows back from one sample of the pixels of a tile, by the cotangents of its radiance.
+    pub(super) fn pull_sample(&mut self, source: Source<'_>, cotangents: &[DVec3; PACKET_RAYS]) {
+        self.sample(source, &mut |group, _| {
+            nonzero_lanes::<L>(group.rays().map(|(lane, ray)| (lane, cotangents[ray])))
+        });
     }
 
     /// Adds what flows back from the rays of a packet. `respond` gives the cotangent of the radiance of a
@@ -626,16 +618,9 @@ impl<'a, L: Plain> Chain<'a, L> {
         for (primitive, lanes) in group.primitives.iter() {
             let (_, index) = integrator.layout.kind_of(primitive);
             let shape = &integrator.inputs.shapes[index];
-            let (to, scatter) = (self.scatter.request.shapes[index], &mut self.scatter);
-            let (transform, ray) =
-                shape.pull_point(group.ray, surface, &mut |number, cotangent| {
-                    if let Some(to) = to {
-                        scatter.number(to, number, lanes, cotangent);
-                    }
-                });
-            if let Some(to) = to {
-                self.scatter.dense_after::<L, _>(to, shape.numbers.len(), lanes, &transform);
-            }
+            let ray = self.scatter.shape(index, shape.numbers.len(), lanes, |to_number| {
+                shape.pull_point(group.ray, surface, to_number)
+            });
             to_ray = select_lanes::<L, _>(lanes, &ray, &to_ray);
         }
         to_ray

@@ -1,7 +1,6 @@
 //! Gradients with edges: the interior term of the samples and of both sides of edges, and what pixels
 //! gain and lose when edges move.
 
-use ad::vector::Vector3;
 use ad::{Additive, Fields, Tangent};
 use glam::DVec3;
 use rayon::prelude::*;
@@ -9,14 +8,14 @@ use rayon::prelude::*;
 use super::chain::{AdjointState, Chain, SurfaceCotangent, nonzero_lanes};
 use super::request::Request;
 use super::scatter::Sums;
-use crate::edges::{Crossing, Edge, Geometry, Layer, PACKET_CROSSINGS, View};
+use crate::edges::{Crossing, Edge, Geometry, Layer, View};
 use crate::loss::PixelLoss;
 use crate::number::{MAX_LANES, Plain, widen};
 use crate::primal::coalesce::select_lanes;
 use crate::primal::integrator::Integrator;
 use crate::primal::known::KnownPaths;
-use crate::primal::lanes::{lanes_of_vectors, vectors_of_lanes};
-use crate::primal::wavefront::{LaneGroup, Source, Wavefront, blocks};
+use crate::primal::lanes::{lanes_of_numbers, lanes_of_vectors, vectors_of_lanes};
+use crate::primal::wavefront::{LaneGroup, Source, TileSample, Wavefront, blocks};
 use crate::scene::Scene;
 use crate::trace::bvh::{PACKET_RAYS, rays};
 use crate::trace::layout::Kind;
@@ -34,42 +33,56 @@ pub fn sweep_with_edges<L: Plain>(
 ) -> Vec<Sums> {
     let (width, height) = (integrator.layout.width, integrator.layout.height);
     let integrator = integrator.with_zero_weight(request.zero_weight);
-    let view = View::new(integrator);
-    let rows = view.pixels.par_chunks(width as usize).enumerate().map(|(y, row)| {
-        let responses = row.iter().enumerate();
-        let responses = responses.map(|(x, &radiance)| loss.evaluate(x as u32, y as u32, radiance));
-        responses.unzip::<f64, DVec3, Vec<f64>, Vec<DVec3>>()
+    let geometry = Geometry::new(integrator);
+    let mut view = View::new(&geometry);
+    let mut cotangents = std::mem::take(&mut view.pixels);
+    let rows = cotangents.par_chunks_mut(width as usize).enumerate().map(|(y, row)| {
+        let mut loss_of_row = 0.0;
+        for (x, pixel) in row.iter_mut().enumerate() {
+            let (value, cotangent) = loss.evaluate(x as u32, y as u32, *pixel);
+            loss_of_row += value;
+            *pixel = cotangent;
+        }
+        loss_of_row
     });
-    let (losses, cotangents): (Vec<Vec<f64>>, Vec<Vec<DVec3>>) = rows.unzip();
-    let cotangents = cotangents.concat();
-    let total = Sums { loss: losses.iter().flatten().sum(), ..Sums::default() };
+    let losses: Vec<f64> = rows.collect();
+    let mut sums = vec![Sums { loss: losses.iter().sum(), ..Sums::default() }];
 
     let grid = integrator.layout.sampling.as_grid();
-    let spacing = Some(1.0 / f64::from(grid.count()).sqrt());
-    let start = || Chain { spacing, ..Chain::new(integrator, scene, request) };
-    let interior = for_each_strip(width, height, start, |chain, strip| {
+    let spacing = Some(1.0 / view.sights.side as f64);
+    let start = || {
+        let chain = Chain { spacing, ..Chain::new(integrator, scene, request) };
+        (chain, KnownPaths::default())
+    };
+    let (lights, part) = (integrator.layout.lights.len(), 1.0 / f64::from(grid.count()));
+    sums.extend(for_each_strip(width, height, start, |(chain, known), strip| {
         for tile in strip.tiles() {
             let mut of_tile = [DVec3::ZERO; PACKET_RAYS];
             for ray in rays(tile.rays()) {
                 let (x, y) = tile.pixel(ray);
-                of_tile[ray] = cotangents[y as usize * width as usize + x as usize];
+                of_tile[ray] = cotangents[y as usize * width as usize + x as usize] * part;
             }
-            chain.pull_pixels(&tile, grid, &of_tile);
+            for index in 0..grid.count() {
+                view.sights.paths(&tile, index, lights, known);
+                let sample = TileSample { tile: &tile, sampling: grid, index };
+                chain.pull_sample(Source::Traced(sample, known), &of_tile);
+            }
         }
         chain.scatter.take()
-    });
+    }));
 
-    let pulled = pull_shares(&view, &cotangents);
     let start = || (Chain::new(integrator, scene, request), KnownPaths::default());
-    let crossings =
-        view.crossings.par_chunks(PACKET_CROSSINGS).zip(pulled.par_chunks(PACKET_CROSSINGS));
-    let boundary = crossings.map_init(start, |(chain, known), (crossings, pulled)| {
-        view.paths(&Geometry::new(integrator), crossings, known);
-        chain.pull_crossings(known, crossings, pulled);
-        chain.scatter.take()
-    });
-    let boundary: Vec<Sums> = boundary.collect();
-    [vec![total], interior, boundary].concat()
+    let boundary =
+        view.bands.par_iter().enumerate().map_init(start, |(chain, known), (at, band)| {
+            let pulled = pull_shares(&view, at, &cotangents);
+            for (first, crossings) in band.packets() {
+                band.paths(&geometry, crossings, known);
+                chain.pull_crossings(known, crossings, &pulled[first..first + crossings.len()]);
+            }
+            chain.scatter.take()
+        });
+    sums.par_extend(boundary);
+    sums
 }
 
 /// What flows back to a crossing.
@@ -81,15 +94,16 @@ struct Pulled {
     place: f64,
 }
 
-/// From the cotangents of pixels to crossings.
-fn pull_shares(view: &View, cotangents: &[DVec3]) -> Vec<Pulled> {
-    let mut pulled = vec![Pulled::default(); view.crossings.len()];
-    for share in &view.shares {
-        let to = &mut pulled[share.crossing as usize];
+/// From the cotangents of pixels to the crossings of a band.
+fn pull_shares(view: &View, band: usize, cotangents: &[DVec3]) -> Vec<Pulled> {
+    let radiance = &view.bands[band].radiance;
+    let mut pulled = vec![Pulled::default(); radiance.len()];
+    for (crossing, share) in view.shares_of(band) {
+        let to = &mut pulled[crossing];
         let cotangent = cotangents[share.pixel as usize];
         to.radiance[0] += cotangent * share.areas[0];
         to.radiance[1] += cotangent * share.areas[1];
-        let [a, b] = view.radiance[share.crossing as usize];
+        let [a, b] = radiance[crossing];
         to.place += cotangent.dot(a - b) * share.length;
     }
     pulled
@@ -142,7 +156,7 @@ impl<L: Plain> Chain<'_, L> {
         for block in 0..blocks::<L>() {
             let first = block * L::COUNT;
             let mut edges = [None; MAX_LANES];
-            let mut of_lanes = [DVec3::ZERO; MAX_LANES];
+            let mut of_lanes = [0.0; MAX_LANES];
             for lane in (0..L::COUNT).step_by(2) {
                 let index = (first + lane) / 2;
                 let Some(crossing) = crossings.get(index) else { continue };
@@ -153,23 +167,22 @@ impl<L: Plain> Chain<'_, L> {
                     pull_intersection(wavefront, first + lane, seeds[index], state);
                 } else {
                     edges[lane] = Some(crossing.edge);
-                    of_lanes[lane].x = seeds[index];
+                    of_lanes[lane] = seeds[index];
                 }
             }
             if edges.iter().all(Option::is_none) {
                 continue;
             }
-            let (x, y) = wavefront.film[..].get(block).copied().unwrap_or((L::ZERO, L::ZERO));
-            let ray = match depth {
-                0 => primary_ray::<L>(self.integrator.inputs.frame, x, y),
-                _ => wavefront.rays[block],
-            };
-            let seed = lanes_of_vectors::<L>(&of_lanes).x();
-            let to_ray = self.pull_edges(&edges, ray, seed);
+            let seed = lanes_of_numbers::<L>(&of_lanes);
             if depth > 0 {
+                let to_ray = self.pull_edges(&edges, wavefront.rays[block], seed);
                 state.rays[block].accumulate(to_ray);
-            } else if self.scatter.request.camera {
-                let (_, pullback) = primary_ray::vjp::<L>(self.integrator.inputs.frame, x, y);
+                continue;
+            }
+            let (x, y) = wavefront.film[block];
+            let (ray, pullback) = primary_ray::vjp::<L>(self.integrator.inputs.frame, x, y);
+            let to_ray = self.pull_edges(&edges, ray, seed);
+            if self.scatter.request.camera {
                 let to_frame: Tangent<CameraFrame<L>> = pullback(to_ray).0;
                 self.scatter.frame::<L>(&to_frame);
             }
@@ -188,19 +201,19 @@ impl<L: Plain> Chain<'_, L> {
             for light in 0..self.integrator.inputs.lights.len() {
                 let layer = Layer::Shadow(depth as u32, light as u32);
                 let mut edges = [None; MAX_LANES];
-                let mut of_lanes = [DVec3::ZERO; MAX_LANES];
+                let mut of_lanes = [0.0; MAX_LANES];
                 for (lane, ray) in group.rays().filter(|(_, ray)| ray % 2 == 0) {
                     let crossing = &crossings[ray / 2];
                     if crossing.layer == layer && seeds[ray / 2] != 0.0 {
                         edges[lane] = Some(crossing.edge);
-                        of_lanes[lane].x = seeds[ray / 2];
+                        of_lanes[lane] = seeds[ray / 2];
                     }
                 }
                 if edges.iter().all(Option::is_none) {
                     continue;
                 }
                 let ray = self.integrator.shadow_ray(light, group);
-                let seed = lanes_of_vectors::<L>(&of_lanes).x();
+                let seed = lanes_of_numbers::<L>(&of_lanes);
                 let to_ray = self.pull_edges(&edges, ray, seed);
                 let Some(SurfaceCotangent { surface, .. }) = &mut state.surfaces[index] else {
                     continue;
@@ -274,18 +287,9 @@ impl<L: Plain> Chain<'_, L> {
         match self.integrator.layout.kind_of(primitive) {
             (Kind::Custom, index) => {
                 let shape = &inputs.shapes[index];
-                let (to, scatter) = (self.scatter.request.shapes[index], &mut self.scatter);
-                let to_number = &mut |number: usize, cotangent: L| {
-                    if let Some(to) = to {
-                        scatter.number(to, number, 1 << lane, cotangent);
-                    }
-                };
-                let (transform, of_ray) = shape.pull_margin(ray, seed, to_number);
-                if let Some(to) = to {
-                    let first = shape.numbers.len();
-                    self.scatter.dense_after::<L, _>(to, first, 1 << lane, &transform);
-                }
-                of_ray
+                self.scatter.shape(index, shape.numbers.len(), 1 << lane, |to_number| {
+                    shape.pull_margin(ray, seed, to_number)
+                })
             }
             (_, index) => {
                 let sphere = inputs.spheres[index].map(L::splat);
@@ -322,9 +326,9 @@ fn pull_intersection<L: Plain>(
         let holds = |group: &LaneGroup<L>| group.rays().any(|(_, of_group)| of_group == ray);
         let Some(index) = wavefront.groups.iter().position(holds) else { continue };
         let group = &wavefront.groups[index];
-        let mut seeds = [DVec3::ZERO; MAX_LANES];
-        seeds[ray - group.first] = DVec3::splat(sign * seed);
-        let seed = lanes_of_vectors::<L>(&seeds).x();
+        let mut seeds = [0.0; MAX_LANES];
+        seeds[ray - group.first] = sign * seed;
+        let seed = lanes_of_numbers::<L>(&seeds);
         if let Some(SurfaceCotangent { surface, .. }) = &mut state.surfaces[index] {
             surface.point.accumulate(group.ray.direction * seed);
         }

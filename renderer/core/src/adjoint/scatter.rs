@@ -159,8 +159,30 @@ impl<'a> Scatter<'a> {
         add_numbers(cotangent, to.numbers, L::mask_from_bits(lanes), sums);
     }
 
+    /// Adds the cotangents of a shape of one's own with `count` numbers in some lanes. `pull` calls its
+    /// argument with the number and the cotangent of each, and returns those of the transform and of what
+    /// is left.
+    pub fn shape<L: Plain, T: Fields<L>, R>(
+        &mut self,
+        shape: usize,
+        count: usize,
+        lanes: u32,
+        pull: impl FnOnce(&mut dyn FnMut(usize, L)) -> (T, R),
+    ) -> R {
+        let to = self.request.shapes[shape];
+        let (transform, rest) = pull(&mut |number, cotangent| {
+            if let Some(to) = to {
+                self.number(to, number, lanes, cotangent);
+            }
+        });
+        if let Some(to) = to {
+            self.dense_after::<L, T>(to, count, lanes, &transform);
+        }
+        rest
+    }
+
     /// Adds the cotangents of a struct whose numbers come after `first` others, in some lanes.
-    pub fn dense_after<L: Plain, T: Fields<L>>(
+    fn dense_after<L: Plain, T: Fields<L>>(
         &mut self,
         to: Dense,
         first: usize,

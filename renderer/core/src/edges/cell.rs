@@ -41,7 +41,7 @@ pub struct Cell<'a> {
     /// The pixels of the four samples, clockwise from the upper left one.
     pub pixels: [Option<u32>; 4],
     /// Whether all four see the same surfaces.
-    pub is_uniform: bool,
+    pub is_uniform: &'a dyn Fn() -> bool,
     /// The size of the image in pixels.
     pub size: [u32; 2],
     /// Whether two edges share a vertex.
@@ -55,9 +55,6 @@ pub struct Cell<'a> {
 pub struct Workspace<'a> {
     stops: Vec<Stop<'a>>,
     shares: Vec<Share>,
-    region: Polygon,
-    half: Polygon,
-    quarter: Polygon,
 }
 
 impl Workspace<'_> {
@@ -90,7 +87,7 @@ const PARALLEL: f64 = 0.02;
 
 /// How far outside of a cell the corner that two edges share may be, in sides of the cell: a tip that
 /// slipped between samples.
-const FARTHEST_CORNER: f64 = 6.0;
+pub const FARTHEST_CORNER: f64 = 6.0;
 
 /// The same for the point in which three edges meet.
 const FARTHEST_JUNCTION: f64 = 3.0;
@@ -118,7 +115,7 @@ impl Cell<'_> {
             work.stops.sort_by(|a, b| a.at.total_cmp(&b.at));
             let mut stops = std::mem::take(&mut work.stops);
             // Shadows are independent of each other where all samples see the same surface.
-            let joined = match next.is_none() || self.is_uniform {
+            let joined = match next.is_none() || (self.is_uniform)() {
                 true => self.joint(&stops),
                 false => None,
             };
@@ -279,29 +276,26 @@ impl Cell<'_> {
         for (index, stop) in stops.iter().enumerate() {
             let next = &stops[(index + 1) % count];
             let end = if index + 1 == count { next.at + 4.0 } else { next.at };
-            work.region.clear();
-            work.region.push(stop.side.crossing.place);
+            let mut region = Polygon::EMPTY;
+            region.push(stop.side.crossing.place);
             for passed in 0..8 {
                 if (passed as f64) > stop.at && (passed as f64) < end {
-                    work.region.push(corner(passed));
+                    region.push(corner(passed));
                 }
             }
-            work.region.push(next.side.crossing.place);
+            region.push(next.side.crossing.place);
             if let Some(joint) = joint {
-                work.region.push(joint);
+                region.push(joint);
             }
             let (middle_x, middle_y) = (left + 0.5 * self.length, top + 0.5 * self.length);
             for (quarter, &own) in seen.iter().enumerate() {
                 let Some(pixel) = self.pixels[quarter].filter(|_| own != index) else { continue };
                 let (right, below) = (matches!(quarter, 1 | 2), quarter >= 2);
-                if !work.region.reaches(0, middle_x, right)
-                    || !work.region.reaches(1, middle_y, below)
-                {
+                if !region.reaches(0, middle_x, right) || !region.reaches(1, middle_y, below) {
                     continue;
                 }
-                work.region.clip(0, middle_x, right, &mut work.half);
-                work.half.clip(1, middle_y, below, &mut work.quarter);
-                let area = work.quarter.area();
+                let half = region.clip(0, middle_x, right);
+                let area = half.clip(1, middle_y, below).area();
                 if area == 0.0 {
                     continue;
                 }
@@ -318,10 +312,10 @@ impl Cell<'_> {
         }
     }
 
-    /// Joins crossings of the same edge, then two that share a vertex, then those that meet in one point;
-    /// the others count one by one.
+    /// Joins crossings of the same edge; the others count one by one.
     fn pairs(&self, stops: &mut Vec<Stop<'_>>, work: &mut Workspace<'_>) {
-        if self.is_uniform || stops.iter().all(|stop| stop.side.crossing.layer.family().is_none()) {
+        let of_surfaces = |stop: &Stop<'_>| stop.side.crossing.layer.family().is_none();
+        if stops.iter().all(of_surfaces) || (self.is_uniform)() {
             while let Some((a, b)) = same_edge(stops) {
                 let (a, b) = (stops.remove(b).side, stops.remove(a).side);
                 self.segment(a.crossing.place, [a.index, b.index], b.crossing.place, work);

@@ -9,6 +9,7 @@
 use super::code::code;
 use super::geometry::{Edge, Geometry};
 use super::outline::root;
+use super::walk::Step;
 use crate::number::Plain;
 use crate::primal::known::KnownHit;
 use crate::trace::bvh::NO_PRIMITIVE;
@@ -41,11 +42,6 @@ pub struct Path {
 }
 
 impl Path {
-    /// The same path where `offset` others stand before those of its row.
-    pub fn after(self, offset: u32) -> Self {
-        Self { start: self.start + offset, end: self.end + offset }
-    }
-
     /// Its surfaces.
     pub fn of(self, hits: &[KnownHit]) -> impl Iterator<Item = KnownHit> {
         hits[self.start as usize..self.end as usize].iter().copied()
@@ -125,11 +121,12 @@ pub struct Search<'a, L: Plain> {
     /// The paths, one after the other.
     pub hits: Vec<KnownHit>,
     pub crossings: Vec<Crossing>,
+    steps: Vec<Step>,
 }
 
 impl<'a, L: Plain> Search<'a, L> {
     pub fn new(geometry: Geometry<'a, L>) -> Self {
-        Self { geometry, hits: Vec::new(), crossings: Vec::new() }
+        Self { geometry, hits: Vec::new(), crossings: Vec::new(), steps: Vec::new() }
     }
 
     /// Adds a path whose surfaces `fill` appends.
@@ -141,9 +138,46 @@ impl<'a, L: Plain> Search<'a, L> {
 
     /// Finds the crossings of a link; those that stand on it in order.
     pub fn link(&mut self, link: &Link, first: Path, last: Path) {
+        if self.over_surface(link, first, last) {
+            return;
+        }
         let before = self.crossings.len();
         self.search(link, Part { from: 0.0, to: 1.0, first, last }, 0);
         self.crossings[before..].sort_by(|a, b| a.at.total_cmp(&b.at));
+    }
+
+    /// Adds the edges between two triangles that end their paths and are parts of one surface: by far the
+    /// most links are such. Returns whether it is so.
+    fn over_surface(&mut self, link: &Link, first: Path, last: Path) -> bool {
+        let (&[a], &[b]) = (self.of(first), self.of(last)) else { return false };
+        let primitives = [a.primitive, b.primitive];
+        let are_triangles =
+            primitives.iter().all(|&primitive| self.geometry.is_triangle(primitive));
+        if a.primitive == b.primitive || !are_triangles {
+            return false;
+        }
+        let mut steps = std::mem::take(&mut self.steps);
+        let leads = self.geometry.walk(primitives, [0.0, 1.0].map(|at| link.place(at)), &mut steps);
+        // What is between the ends of a shadow is not known.
+        let is_over = leads && (steps.len() == 1 || a.blocked == b.blocked);
+        let mut before = first;
+        for (index, &Step { at, edge, triangles: [from, to] }) in steps.iter().enumerate() {
+            if !is_over {
+                break;
+            }
+            let after = match index + 1 == steps.len() {
+                true => last,
+                false => self.path(|hits| hits.push(KnownHit { primitive: to, ..a })),
+            };
+            if !self.geometry.are_continuous(from, to) {
+                self.emit(link, at, 0, Edge::Segment(edge), [before, after]);
+            } else if a.blocked != b.blocked {
+                self.shadows(link, Part { from: 0.0, to: 1.0, first, last });
+            }
+            before = after;
+        }
+        self.steps = steps;
+        is_over
     }
 
     /// The surfaces of a path.
@@ -159,9 +193,8 @@ impl<'a, L: Plain> Search<'a, L> {
     /// The first depth at which two paths meet other surfaces.
     fn parting(&self, first: Path, last: Path) -> Option<usize> {
         let are_same = |a: &KnownHit, b: &KnownHit| {
-            let is_seen = a.primitive != NO_PRIMITIVE && b.primitive != NO_PRIMITIVE;
             (a.primitive, a.leaves) == (b.primitive, b.leaves)
-                || is_seen && self.geometry.are_continuous(a.primitive, b.primitive)
+                || self.geometry.are_continuous(a.primitive, b.primitive)
         };
         let mut both = self.of(first).iter().zip(self.of(last));
         both.position(|(a, b)| !are_same(a, b))
@@ -372,18 +405,17 @@ impl<'a, L: Plain> Search<'a, L> {
         let (mut from, to) = if is_first { (part.from, part.to) } else { (part.to, part.from) };
         let dark = if is_first { part.first } else { part.last };
         let known = self.of(dark)[depth];
-        let place = |search: &Self, at: f64| {
-            let ray = search.ray(link, dark, depth, at);
-            (ray, search.geometry.meet(&known, ray))
-        };
         let blocker = |search: &Self, at: f64| {
-            let (ray, met) = place(search, at);
-            search.geometry.blocker(light, &known, &ray, &met)
+            let ray = search.ray(link, dark, depth, at);
+            search.geometry.blocker(light, &known, &ray, &search.geometry.meet(&known, ray))
         };
         let mut found = blocker(self, from);
         for _ in 0..MOST_BLOCKERS {
             let Some(in_front) = found else { return };
-            let shadow_ray = |at: f64| self.geometry.shadow_ray(light, &place(self, at).1);
+            let shadow_ray = |at: f64| {
+                let ray = self.ray(link, dark, depth, at);
+                self.geometry.shadow_ray(light, &known, ray)
+            };
             let Some((at, edge)) = self.geometry.exit(in_front.primitive, [from, to], shadow_ray)
             else {
                 return;
@@ -433,8 +465,7 @@ impl<'a, L: Plain> Search<'a, L> {
         let number = |place: [f64; 2]| {
             let path = self.of(sides[0]);
             let ray = self.geometry.ray(&path[..depth], place);
-            let met = self.geometry.meet(&path[depth], ray);
-            let ray = self.geometry.shadow_ray(light, &met);
+            let ray = self.geometry.shadow_ray(light, &path[depth], ray);
             self.geometry.margin(edge, ray)
         };
         let layer = Layer::Shadow(depth as u32, light as u32);

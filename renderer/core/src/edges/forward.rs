@@ -7,9 +7,9 @@ use rayon::prelude::*;
 
 use super::crossing::{Crossing, Layer};
 use super::geometry::{Edge, Geometry};
-use super::view::{PACKET_CROSSINGS, View};
+use super::view::View;
 use crate::number::{Number, Plain};
-use crate::primal::image::{derivative_vector, pixels_dual};
+use crate::primal::image::{derivative_vector, pixels_dual, visit};
 use crate::primal::integrator::Integrator;
 use crate::primal::known::KnownPaths;
 use crate::primal::lanes::vectors_of_lanes;
@@ -38,26 +38,26 @@ impl View {
         geometry: &Geometry<'_, L>,
         integrator: Integrator<'_, Dual<L>>,
     ) -> Vec<DVec3> {
-        let grid = integrator.layout.sampling.as_grid();
-        let mut pixels: Vec<DVec3> =
-            pixels_dual(integrator, grid).into_iter().map(|[_, derivative]| derivative).collect();
+        let layout = integrator.layout;
+        let mut pixels: Vec<DVec3> = pixels_dual(integrator, layout.sampling.as_grid())
+            .into_iter()
+            .map(|[_, derivative]| derivative)
+            .collect();
         let start = || (KnownPaths::default(), Path::default());
-        let packets =
-            self.crossings.par_chunks(PACKET_CROSSINGS).map_init(start, |state, chunk| {
-                let (known, path) = state;
-                self.paths(geometry, chunk, known);
-                integrator.trace_path(Source::Known(known), path);
-                moved(integrator, path.wavefronts(), chunk)
-            });
-        let moved: Vec<Vec<Moved>> = packets.collect();
-        let moved = moved.concat();
-        for share in &self.shares {
-            let Moved { radiance: [a, b], along } = moved[share.crossing as usize];
-            let [of_a, of_b] = self.radiance[share.crossing as usize];
-            let pixel = &mut pixels[share.pixel as usize];
-            *pixel += a * share.areas[0] + b * share.areas[1];
-            *pixel += (of_a - of_b) * (along * share.length);
-        }
+        let bands = self.bands.par_iter().map_init(start, |(known, path), band| {
+            let mut of_band = Vec::with_capacity(band.crossings.len());
+            for (_, crossings) in band.packets() {
+                band.paths(geometry, crossings, known);
+                of_band.extend(moved(integrator, Source::Known(known), path, crossings));
+            }
+            of_band
+        });
+        let moved: Vec<Vec<Moved>> = bands.collect();
+        self.add_shares(layout.width, &mut pixels, |band, crossing, share| {
+            let Moved { radiance: [a, b], along } = moved[band][crossing];
+            let [of_a, of_b] = self.bands[band].radiance[crossing];
+            a * share.areas[0] + b * share.areas[1] + (of_a - of_b) * (along * share.length)
+        });
         pixels
     }
 }
@@ -65,20 +65,20 @@ impl View {
 /// How fast the crossings of a packet change.
 fn moved<L: Plain>(
     integrator: Integrator<'_, Dual<L>>,
-    wavefronts: &[Wavefront<Dual<L>>],
+    source: Source<'_>,
+    path: &mut Path<Dual<L>>,
     crossings: &[Crossing],
 ) -> Vec<Moved> {
     let still = Moved { radiance: [DVec3::ZERO; 2], along: 0.0 };
     let mut moved = vec![still; crossings.len()];
-    for group in &wavefronts[0].groups {
-        let vertex = integrator.vertex(group, &wavefronts[0], wavefronts.get(1));
-        let derivatives = vectors_of_lanes::<L>(derivative_vector::<L>(vertex.radiance()));
+    visit(integrator, source, path, |group, radiance| {
+        let derivatives = vectors_of_lanes::<L>(derivative_vector::<L>(radiance));
         for (lane, ray) in group.rays() {
             moved[ray / 2].radiance[ray % 2] = derivatives[lane];
         }
-    }
+    });
     for (index, (crossing, moved)) in crossings.iter().zip(&mut moved).enumerate() {
-        let margin = margin(integrator, wavefronts, crossing, 2 * index);
+        let margin = margin(integrator, path.wavefronts(), crossing, 2 * index);
         moved.along = margin.map_or(0.0, |margin| -margin.derivative / crossing.slope);
         // At a silhouette radiance changes with the root of the distance to it.
         if matches!((crossing.layer, crossing.edge), (Layer::Surface(_), Edge::Silhouette(_))) {

@@ -9,6 +9,7 @@ use crate::primal::integrator::Integrator;
 use crate::primal::known::KnownHit;
 use crate::primal::shadow::SURFACE_ERROR;
 use crate::scene::Transform;
+use crate::trace::adjacency::Adjacency;
 use crate::trace::bvh::NO_PRIMITIVE;
 use crate::trace::layout::Kind;
 use crate::transport::camera::{CameraFrame, Ray, film_point, primary_ray};
@@ -17,7 +18,7 @@ use crate::transport::hit::{Primitive, hit};
 use crate::transport::smooth::{SmoothPoint, curved_point, next_ray_outward, smooth_point};
 use crate::transport::sphere::Sphere;
 use crate::transport::surface::SurfacePoint;
-use crate::transport::triangle::Triangle;
+use crate::transport::triangle::{Triangle, triangle_point};
 use crate::transport::vertex::next_ray;
 
 /// The square of the largest angle between the planes of triangles that count as one.
@@ -49,6 +50,7 @@ pub struct Met {
 #[derive(Clone, Copy)]
 pub struct Geometry<'a, L: Plain> {
     pub integrator: Integrator<'a, L>,
+    pub adjacency: &'a Adjacency,
     frame: CameraFrame<f64>,
     /// Image width and height in pixels.
     size: [f64; 2],
@@ -58,7 +60,7 @@ impl<'a, L: Plain> Geometry<'a, L> {
     pub fn new(integrator: Integrator<'a, L>) -> Self {
         let frame = integrator.inputs.frame.map(|number| number.lane(0).to_f64());
         let size = [integrator.layout.width, integrator.layout.height].map(f64::from);
-        Self { integrator, frame, size }
+        Self { integrator, adjacency: integrator.layout.adjacency(), frame, size }
     }
 
     pub fn is_triangle(&self, primitive: u32) -> bool {
@@ -97,6 +99,14 @@ impl<'a, L: Plain> Geometry<'a, L> {
             }
             _ => false,
         }
+    }
+
+    /// Whether two edges share one vertex.
+    pub fn are_adjacent(&self, a: Edge, b: Edge) -> bool {
+        let (Edge::Segment(a), Edge::Segment(b)) = (a, b) else { return false };
+        let same = |&(a, b): &(u32, u32)| a == b || self.vertex(a) == self.vertex(b);
+        let pairs = [(a[0], b[0]), (a[0], b[1]), (a[1], b[0]), (a[1], b[1])];
+        pairs.iter().filter(|pair| same(pair)).count() == 1
     }
 
     fn is_custom(&self, primitive: u32) -> bool {
@@ -159,14 +169,10 @@ impl<'a, L: Plain> Geometry<'a, L> {
         };
         match layout.kind_of(known.primitive as usize) {
             (Kind::Triangle, index) => {
-                let [a, b, c] = layout.triangles[index].map(|v| self.vertex(v));
-                let triangle = Triangle { a, b, c };
-                let Some(normals) = layout.normals.of(index) else {
-                    return flat(hit::<f64>(Primitive::Triangle(triangle), known.leaves, ray));
+                let triangle = self.triangle(index);
+                let Some(normals) = self.normals(index) else {
+                    return flat(triangle_point::<f64>(triangle, ray));
                 };
-                let normals = normals.map(|normal| {
-                    widen::<L::Lane>(self.integrator.inputs.normals[normal as usize])
-                });
                 let SmoothPoint { surface, outward } = smooth_point::<f64>(triangle, normals, ray);
                 let start = curved_point::<f64>(triangle, normals, surface.point, outward);
                 Met { surface, outward, start }
@@ -184,7 +190,11 @@ impl<'a, L: Plain> Geometry<'a, L> {
 
     /// How far along a ray the surface point of a primitive is.
     pub fn depth(&self, known: &KnownHit, ray: Ray<f64>) -> f64 {
-        (self.meet(known, ray).surface.point - ray.origin).dot(ray.direction)
+        let point = match self.integrator.layout.kind_of(known.primitive as usize) {
+            (Kind::Triangle, index) => triangle_point::<f64>(self.triangle(index), ray).point,
+            _ => self.meet(known, ray).surface.point,
+        };
+        (point - ray.origin).dot(ray.direction)
     }
 
     /// The number of an edge, see [`edge`](crate::transport::edge).
@@ -240,7 +250,7 @@ impl<'a, L: Plain> Geometry<'a, L> {
 
     /// The path of the ray through a place of the image, traced.
     pub fn trace(&self, place: [f64; 2], path: &mut Vec<KnownHit>) {
-        let Integrator { layout, tracer, zero_weight, .. } = self.integrator;
+        let Integrator { layout, tracer, .. } = self.integrator;
         let mut ray = self.ray(&[], place);
         let (mut origin, mut from) = (ray.origin, None);
         for _ in 0..=layout.bounces {
@@ -256,15 +266,12 @@ impl<'a, L: Plain> Geometry<'a, L> {
                 known.blocked |= u64::from(is_blocked) << light;
             }
             path.push(known);
-            let traits = layout.traits_of(met.primitive as usize);
-            let goes_on = traits.is_transparent
-                || layout.has_mirrors && traits.is_mirror
-                || zero_weight.mirrors;
-            if !goes_on {
+            if !self.integrator.goes_on_from(met.primitive as usize) {
                 return;
             }
             let is_flat = self.is_triangle(met.primitive);
-            let side = if traits.is_transparent { -1.0 } else { 1.0 };
+            let is_transparent = layout.traits_of(met.primitive as usize).is_transparent;
+            let side = if is_transparent { -1.0 } else { 1.0 };
             origin =
                 met_at.surface.point + met_at.outward * (side * error_of(&ray, &met_at.surface));
             from = is_flat.then_some(met.primitive);
@@ -301,8 +308,7 @@ impl<'a, L: Plain> Geometry<'a, L> {
             towards.distance as f32,
             from,
             |id, leaves| {
-                let is_clear =
-                    layout.traits_of(id as usize).is_transparent && layout.has_transparency;
+                let is_clear = layout.traits_of(id as usize).is_transparent;
                 // From outside no ray comes back to a sphere that it leaves.
                 let is_itself = id == known.primitive && !known.leaves && !self.is_custom(id);
                 if is_clear || is_itself {
@@ -315,10 +321,31 @@ impl<'a, L: Plain> Geometry<'a, L> {
         found
     }
 
-    /// The ray from where a surface was met to a light.
-    pub fn shadow_ray(&self, light: usize, met: &Met) -> Ray<f64> {
-        let direction = self.integrator.tracer.illuminate(light, met.start).direction;
-        Ray { origin: met.start, direction }
+    /// The ray from where a ray meets a primitive to a light.
+    pub fn shadow_ray(&self, light: usize, known: &KnownHit, ray: Ray<f64>) -> Ray<f64> {
+        let origin = match self.integrator.layout.kind_of(known.primitive as usize) {
+            (Kind::Triangle, index) => {
+                let triangle = self.triangle(index);
+                let flat = triangle_point::<f64>(triangle, ray);
+                self.normals(index).map_or(flat.point, |normals| {
+                    curved_point::<f64>(triangle, normals, flat.point, flat.normal)
+                })
+            }
+            _ => self.meet(known, ray).start,
+        };
+        Ray { origin, direction: self.integrator.tracer.illuminate(light, origin).direction }
+    }
+
+    fn triangle(&self, index: usize) -> Triangle<f64> {
+        let [a, b, c] = self.integrator.layout.triangles[index].map(|v| self.vertex(v));
+        Triangle { a, b, c }
+    }
+
+    /// The normals of the corners of a triangle, if it is smooth.
+    fn normals(&self, triangle: usize) -> Option<[DVec3; 3]> {
+        let Integrator { layout, inputs, .. } = self.integrator;
+        let normals = layout.normals.of(triangle)?;
+        Some(normals.map(|normal| widen::<L::Lane>(inputs.normals[normal as usize])))
     }
 }
 

@@ -21,6 +21,7 @@
 //! What is not seen: objects that lie between samples whole, edges of the shadows of transparent surfaces
 //! and of lights after the first 64, and steps within textures. More rays make the first finer.
 
+mod band;
 mod cell;
 mod code;
 mod crossing;
@@ -30,7 +31,8 @@ mod outline;
 mod polygon;
 mod sight;
 mod view;
+mod walk;
 
 pub use crossing::{Crossing, Layer};
 pub use geometry::{Edge, Geometry};
-pub use view::{PACKET_CROSSINGS, View};
+pub use view::View;

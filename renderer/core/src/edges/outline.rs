@@ -2,6 +2,7 @@
 
 use super::geometry::{Edge, Geometry};
 use crate::number::Plain;
+use crate::trace::adjacency::sides;
 use crate::trace::layout::Kind;
 use crate::transport::camera::Ray;
 
@@ -23,28 +24,23 @@ impl<L: Plain> Geometry<'_, L> {
         [from, to]: [f64; 2],
         ray: impl Fn(f64) -> Ray<f64>,
     ) -> Option<Exit> {
-        let (start, end) = (ray(from), ray(to));
-        let root_of = |edge: Edge, sign: f64, before: f64, after: f64| {
-            let margin = |at: f64| sign * self.margin(edge, ray(from + at * (to - from)));
-            root(margin, before, after)
-        };
+        let margin = |edge: Edge, at: f64| self.margin(edge, ray(from + at * (to - from)));
         let layout = self.integrator.layout;
         let found = match layout.kind_of(primitive as usize) {
             (Kind::Triangle, index) => {
-                let edges = segments(layout.triangles[index]);
-                let margins = edges.map(|edge| {
-                    let edge = Edge::Segment(edge);
-                    [self.margin(edge, start), self.margin(edge, end)]
-                });
-                first_exit(margins, |edge, sign, before, after| {
-                    root_of(Edge::Segment(edges[edge]), sign, before, after)
-                })
-                .map(|(at, edge)| (at, Edge::Segment(edges[edge])))
+                let edges = sides(layout.triangles[index]).map(Edge::Segment);
+                let (start, end) = (ray(from), ray(to));
+                let ends = edges.map(|edge| [self.margin(edge, start), self.margin(edge, end)]);
+                first_exit(ends, |edge, at| margin(edges[edge], at))
+                    .map(|(at, edge)| (at, edges[edge]))
             }
             _ => {
                 let edge = Edge::Silhouette(primitive);
-                let (before, after) = (self.margin(edge, start), self.margin(edge, end));
-                let at = || if before <= 0.0 { 0.0 } else { root_of(edge, 1.0, before, after) };
+                let (before, after) = (margin(edge, 0.0), margin(edge, 1.0));
+                let at = || match before <= 0.0 {
+                    true => 0.0,
+                    false => root(|at| margin(edge, at), before, after),
+                };
                 (after < 0.0).then(|| (at(), edge))
             }
         };
@@ -62,40 +58,35 @@ impl<L: Plain> Geometry<'_, L> {
         let corners = self.integrator.layout.triangles[triangle];
         let (start, end) = (ray(from), ray(to));
         let [a, b, c] = corners.map(|corner| self.vertex(corner) - start.origin);
-        let margins = [a.cross(b), b.cross(c), c.cross(a)]
+        let ends = [a.cross(b), b.cross(c), c.cross(a)]
             .map(|volume| [volume.dot(start.direction), volume.dot(end.direction)]);
-        let (at, edge) = first_exit(margins, |_, _, before, after| before / (before - after))?;
-        Some((from + at * (to - from), Edge::Segment(segments(corners)[edge])))
+        let margin = |edge: usize, at: f64| ends[edge][0] + at * (ends[edge][1] - ends[edge][0]);
+        let (at, edge) = first_exit(ends, margin)?;
+        Some((from + at * (to - from), Edge::Segment(sides(corners)[edge])))
     }
 }
 
-/// The edges of a triangle.
-fn segments([a, b, c]: [u32; 3]) -> [[u32; 2]; 3] {
-    [[a, b], [b, c], [c, a]]
-}
-
-/// The first of the roots of the numbers of the edges of a triangle, each given at the start and at the
-/// end, and its edge. `root` gives the root of an edge by its sign and its numbers with it.
-fn first_exit(
-    margins: [[f64; 2]; 3],
-    root: impl Fn(usize, f64, f64, f64) -> f64,
-) -> Option<(f64, usize)> {
+/// The first of the roots of the numbers of the edges of a triangle, each given at both `ends` and by
+/// `margin`, and its edge.
+fn first_exit(ends: [[f64; 2]; 3], margin: impl Fn(usize, f64) -> f64) -> Option<(f64, usize)> {
     // All edges have the same sign where a ray goes through the triangle.
-    let largest =
-        margins.iter().fold(
-            0.0_f64,
-            |largest, [start, _]| {
-                if start.abs() > largest.abs() { *start } else { largest }
-            },
-        );
-    let sign = largest.signum();
+    let farther = |a: f64, b: f64| if b.abs() > a.abs() { b } else { a };
+    let sign = ends.iter().fold(0.0, |largest, [start, _]| farther(largest, *start)).signum();
+    // Where they would be if the numbers were linear: most of those after the first are not searched.
+    let mut estimates = [0, 1, 2].map(|edge| {
+        let [before, after] = ends[edge].map(|number| sign * number);
+        let at = if before <= 0.0 { 0.0 } else { before / (before - after) };
+        (if after < 0.0 { at } else { f64::INFINITY }, edge)
+    });
+    estimates.sort_by(|a, b| a.0.total_cmp(&b.0));
     let mut first: Option<(f64, usize)> = None;
-    for (edge, [before, after]) in margins.into_iter().enumerate() {
-        let (before, after) = (sign * before, sign * after);
-        if after >= 0.0 {
+    for (estimate, edge) in estimates {
+        let signed = |at: f64| sign * margin(edge, at);
+        if estimate == f64::INFINITY || first.is_some_and(|(at, _)| signed(at) >= 0.0) {
             continue;
         }
-        let at = if before <= 0.0 { 0.0 } else { root(edge, sign, before, after) };
+        let [before, after] = ends[edge].map(|number| sign * number);
+        let at = if before <= 0.0 { 0.0 } else { root(signed, before, after) };
         if first.is_none_or(|(nearest, _)| at < nearest) {
             first = Some((at, edge));
         }

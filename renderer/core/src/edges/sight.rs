@@ -2,13 +2,15 @@
 
 use std::sync::atomic::{AtomicU32, AtomicU64, Ordering};
 
+use rayon::prelude::*;
+
 use super::code::{END, LEAVES, MOST_LIGHTS, code, decode};
 use super::geometry::Geometry;
-use crate::number::Plain;
+use crate::number::{Number, Plain};
 use crate::primal::integrator::Integrator;
-use crate::primal::known::KnownHit;
+use crate::primal::known::{KnownHit, KnownPaths};
 use crate::primal::wavefront::Wavefront;
-use crate::trace::bvh::{NO_PRIMITIVE, rays};
+use crate::trace::bvh::ray_at;
 use crate::trace::tile::Tile;
 
 /// The path of every sample of a regular grid, and of one more row and column of samples on each side of
@@ -28,16 +30,18 @@ struct Plane {
 }
 
 impl Sights {
-    /// Those of an image of this size, with paths of at most `depths` surfaces.
-    pub fn new(width: u32, height: u32, side: usize, depths: usize, has_lights: bool) -> Self {
-        let (columns, rows) = (width as usize * side + 2, height as usize * side + 2);
-        let plane = || Plane {
-            primitives: (0..columns * rows).map(|_| AtomicU32::new(END)).collect(),
-            blocked: (0..if has_lights { columns * rows } else { 0 })
-                .map(|_| AtomicU64::new(0))
-                .collect(),
+    /// Room for those of the image of a scene, by the regular grid of its rays.
+    pub fn new<S: Number>(integrator: &Integrator<'_, S>) -> Self {
+        let layout = integrator.layout;
+        let side = layout.sampling.grid_side() as usize;
+        let (columns, rows) = (layout.width as usize * side + 2, layout.height as usize * side + 2);
+        let samples = columns * rows;
+        let with_lights = if layout.lights.is_empty() { 0 } else { samples };
+        let plane = |_| Plane {
+            primitives: (0..samples).map(|_| AtomicU32::new(END)).collect(),
+            blocked: (0..with_lights).map(|_| AtomicU64::new(0)).collect(),
         };
-        Self { side, columns, rows, depths: (0..depths).map(|_| plane()).collect() }
+        Self { side, columns, rows, depths: (0..integrator.depths()).map(plane).collect() }
     }
 
     /// Where a sample is, in pixels from the upper left corner of the image.
@@ -53,35 +57,46 @@ impl Sights {
         is_inside.then(|| ((row - 1) / self.side * width + (column - 1) / self.side) as u32)
     }
 
+    /// The samples of a tile, those with this index of the rays of their pixels: rays and places.
+    fn of_tile(&self, tile: &Tile, index: u32) -> impl Iterator<Item = (usize, usize)> + use<> {
+        let (side, columns, tile) = (self.side, self.columns, *tile);
+        let (right, down) = (index as usize % side, index as usize / side);
+        (0..tile.rows).flat_map(move |row| {
+            let first =
+                ((tile.top + row) * side + down + 1) * columns + tile.left * side + right + 1;
+            (0..tile.columns).map(move |column| (ray_at(column, row), first + column * side))
+        })
+    }
+
     /// Keeps what the samples of a tile see, one of each pixel.
     pub fn keep<L: Plain>(&self, tile: &Tile, index: u32, wavefronts: &[Wavefront<L>]) {
-        let (right, down) = (index as usize % self.side, index as usize / self.side);
-        for (depth, (wavefront, plane)) in wavefronts.iter().zip(&self.depths).enumerate() {
+        for (wavefront, plane) in wavefronts.iter().zip(&self.depths) {
             let seen = wavefront.hits.met() | wavefront.missed;
-            let wanted = if depth == 0 { tile.rays() } else { seen };
-            for ray in rays(wanted & tile.rays()) {
-                let (x, y) = tile.pixel(ray);
-                let column = x as usize * self.side + right + 1;
-                let row = y as usize * self.side + down + 1;
-                let at = row * self.columns + column;
-                let primitive = wavefront.hits.primitive[ray];
-                let leaves = (wavefront.hits.leaves >> ray & 1) as u32 * LEAVES;
-                let primitive =
-                    if primitive == NO_PRIMITIVE { primitive } else { primitive | leaves };
-                plane.primitives[at].store(primitive, Ordering::Relaxed);
-                let blocked = wavefront.blocked.iter().take(MOST_LIGHTS).enumerate();
-                let blocked =
-                    blocked.fold(0, |bits, (light, blocked)| bits | (blocked >> ray & 1) << light);
-                if let Some(of_plane) = plane.blocked.get(at) {
-                    of_plane.store(blocked, Ordering::Relaxed);
+            let lights = &wavefront.blocked[..wavefront.blocked.len().min(MOST_LIGHTS)];
+            for (ray, at) in self.of_tile(tile, index) {
+                if seen >> ray & 1 == 1 {
+                    let blocked = lights.iter().enumerate();
+                    let blocked = blocked
+                        .fold(0, |bits, (light, blocked)| bits | (blocked >> ray & 1) << light);
+                    let leaves = wavefront.hits.leaves >> ray & 1 == 1;
+                    let primitive = wavefront.hits.primitive[ray];
+                    plane.keep(at, &KnownHit { primitive, leaves, blocked });
                 }
             }
         }
     }
 
+    /// The paths of the samples of a tile, one of each pixel, as they were kept.
+    pub fn paths(&self, tile: &Tile, index: u32, lights: usize, paths: &mut KnownPaths) {
+        paths.clear();
+        let lights = lights.min(MOST_LIGHTS);
+        for (ray, at) in self.of_tile(tile, index) {
+            paths.set(ray, self.hits(at), lights);
+        }
+    }
+
     /// Keeps what the samples around the image see.
     pub fn keep_border<L: Plain>(&self, geometry: &Geometry<'_, L>) {
-        use rayon::prelude::*;
         let (columns, rows) = (self.columns, self.rows);
         let across = (0..columns).flat_map(|column| [(column, 0), (column, rows - 1)]);
         let down = (1..rows - 1).flat_map(|row| [(0, row), (columns - 1, row)]);
@@ -90,56 +105,61 @@ impl Sights {
             path.clear();
             geometry.trace(self.place(column, row), path);
             let at = row * columns + column;
-            for (known, plane) in path.iter().zip(&self.depths) {
-                plane.primitives[at].store(code(known), Ordering::Relaxed);
-                if let Some(of_plane) = plane.blocked.get(at) {
-                    of_plane.store(known.blocked, Ordering::Relaxed);
-                }
-            }
+            path.iter().zip(&self.depths).for_each(|(known, plane)| plane.keep(at, known));
         });
     }
 
-    /// Whether two samples see the same surfaces under the same lights.
-    #[inline]
-    pub fn are_same(&self, a: usize, b: usize) -> bool {
-        self.depths.iter().all(|plane| {
-            let primitive = |at: usize| plane.primitives[at].load(Ordering::Relaxed);
-            let blocked =
-                |at: usize| plane.blocked.get(at).map(|bits| bits.load(Ordering::Relaxed));
-            primitive(a) == primitive(b) && blocked(a) == blocked(b)
-        })
+    /// Of the samples of a row: a bit for a neighbour to the right that sees other surfaces, or lights, and
+    /// one for such a neighbour below.
+    pub fn differences(&self, row: usize, differ: &mut Vec<[bool; 2]>) {
+        differ.clear();
+        differ.resize(self.columns, [false; 2]);
+        let start = row * self.columns;
+        let has_next = row + 1 < self.rows;
+        for plane in &self.depths {
+            for (column, differ) in differ.iter_mut().enumerate() {
+                let at = start + column;
+                let (primitive, blocked) = (plane.primitive(at), plane.blocked(at));
+                let differs = |other: usize| {
+                    plane.primitive(other) != primitive || plane.blocked(other) != blocked
+                };
+                differ[0] |= column + 1 < self.columns && differs(at + 1);
+                differ[1] |= has_next && differs(at + self.columns);
+            }
+        }
     }
 
-    /// Whether two samples see the same surfaces: the same primitives, or some that are `continuous`.
-    pub fn have_same_path(
-        &self,
-        a: usize,
-        b: usize,
-        continuous: impl Fn(u32, u32) -> bool,
-    ) -> bool {
+    /// Whether two samples see the same surfaces: the same primitives, or parts of smooth ones.
+    pub fn have_same_path<L: Plain>(&self, a: usize, b: usize, geometry: &Geometry<'_, L>) -> bool {
         self.depths.iter().all(|plane| {
-            let [a, b] = [a, b].map(|at| plane.primitives[at].load(Ordering::Relaxed));
-            let is_seen = |code: u32| code & !LEAVES != END;
-            a == b || is_seen(a) && is_seen(b) && continuous(a & !LEAVES, b & !LEAVES)
+            let [a, b] = [a, b].map(|at| plane.primitive(at));
+            a == b || geometry.are_continuous(a & !LEAVES, b & !LEAVES)
         })
     }
 
     /// The path of a sample.
-    pub fn path(&self, at: usize, path: &mut Vec<KnownHit>) {
-        for plane in &self.depths {
-            let primitive = plane.primitives[at].load(Ordering::Relaxed);
-            if primitive == END {
-                return;
-            }
-            let blocked = plane.blocked.get(at).map_or(0, |bits| bits.load(Ordering::Relaxed));
-            path.push(decode(primitive, blocked));
-        }
+    pub fn hits(&self, at: usize) -> impl Iterator<Item = KnownHit> {
+        let seen = self.depths.iter().map(move |plane| (plane.primitive(at), plane.blocked(at)));
+        seen.take_while(|(primitive, _)| *primitive != END)
+            .map(|(primitive, blocked)| decode(primitive, blocked))
     }
 }
 
-/// How many surfaces the paths of a scene have at most.
-pub fn depths<L: Plain>(integrator: &Integrator<'_, L>) -> usize {
-    let layout = integrator.layout;
-    let goes_on = integrator.zero_weight.mirrors || layout.has_mirrors || layout.has_transparency;
-    if goes_on { layout.bounces as usize + 1 } else { 1 }
+impl Plane {
+    fn keep(&self, at: usize, known: &KnownHit) {
+        self.primitives[at].store(code(known), Ordering::Relaxed);
+        if let Some(blocked) = self.blocked.get(at) {
+            blocked.store(known.blocked, Ordering::Relaxed);
+        }
+    }
+
+    #[inline]
+    fn primitive(&self, at: usize) -> u32 {
+        self.primitives[at].load(Ordering::Relaxed)
+    }
+
+    #[inline]
+    fn blocked(&self, at: usize) -> u64 {
+        self.blocked.get(at).map_or(0, |bits| bits.load(Ordering::Relaxed))
+    }
 }

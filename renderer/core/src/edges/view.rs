@@ -1,99 +1,122 @@
 //! The image of a scene with the edges in it.
 
+use std::ops::Range;
+
 use glam::DVec3;
 use rayon::prelude::*;
 
-use super::cell::{Cell, Share, Side, Workspace};
-use super::code::MOST_LIGHTS;
-use super::crossing::{Crossing, Link, Path, Search};
+use super::band::{BAND, Band};
+use super::cell::{Cell, FARTHEST_CORNER, Share, Side, Workspace};
 use super::geometry::{Edge, Geometry};
-use super::sight::{Sights, depths};
+use super::sight::Sights;
 use crate::image::Image;
 use crate::loss::PixelLoss;
 use crate::number::Plain;
-use crate::primal::image::by_rows;
-use crate::primal::integrator::Integrator;
-use crate::primal::known::{KnownHit, KnownPaths};
-use crate::primal::lanes::vectors_of_lanes;
-use crate::primal::path;
-use crate::primal::wavefront::{Source, samples};
-use crate::trace::bvh::PACKET_RAYS;
-use crate::trace::tile::fill_strips;
+use crate::primal::image::mean_traced;
+use crate::primal::known::KnownPaths;
+use crate::primal::path::Path;
+use crate::trace::tile::fill_tiles;
 
-/// How many crossings make a packet of paths, two each.
-pub const PACKET_CROSSINGS: usize = PACKET_RAYS / 2;
+/// How many rows of pixels are added up at a time.
+const PIXEL_ROWS: usize = 32;
 
 /// An image, and the edges in it.
 pub struct View {
     /// The radiance of the pixels, row by row: areas count on both sides of edges.
     pub pixels: Vec<DVec3>,
-    pub crossings: Vec<Crossing>,
-    pub shares: Vec<Share>,
-    /// By crossing: the radiance on both sides.
-    pub radiance: Vec<[DVec3; 2]>,
-    hits: Vec<KnownHit>,
-}
-
-/// The crossings of the links that start in a row of samples.
-struct Row {
-    /// The links to the right and those downwards that have crossings: column and crossings.
-    links: [Vec<(u32, u32, u32)>; 2],
-    crossings: Vec<Crossing>,
-    hits: Vec<KnownHit>,
-}
-
-impl Row {
-    fn crossings(&self, axis: usize, column: usize) -> std::ops::Range<usize> {
-        let links = &self.links[axis];
-        match links.binary_search_by_key(&(column as u32), |link| link.0) {
-            Ok(found) => links[found].1 as usize..links[found].2 as usize,
-            Err(_) => 0..0,
-        }
-    }
+    pub sights: Sights,
+    pub bands: Vec<Band>,
+    /// By band: the index of its first crossing among all, then the number of all.
+    firsts: Vec<usize>,
+    /// By band: what its cells give to pixels.
+    shares: Vec<Vec<Share>>,
 }
 
 impl View {
     /// The view of a scene, by a regular grid of rays.
-    pub fn new<L: Plain>(integrator: Integrator<'_, L>) -> Self {
+    pub fn new<L: Plain>(geometry: &Geometry<'_, L>) -> Self {
+        let integrator = geometry.integrator;
         let layout = integrator.layout;
-        let side = layout.sampling.as_grid().count().isqrt() as usize;
-        let has_lights = !layout.lights.is_empty();
-        let depths = depths(&integrator);
-        let sights = Sights::new(layout.width, layout.height, side, depths, has_lights);
-        let geometry = Geometry::new(integrator);
-        let mut pixels = trace(integrator, &sights);
-        sights.keep_border(&geometry);
+        let sights = Sights::new(&integrator);
+        let mut pixels = vec![DVec3::ZERO; layout.width as usize * layout.height as usize];
+        fill_tiles(layout.width, &mut pixels, Path::default, |path, tile| {
+            let grid = layout.sampling.as_grid();
+            let keep = |index, path: &Path<L>| sights.keep(tile, index, path.wavefronts());
+            let radiance = mean_traced(integrator, tile, grid, path, keep);
+            move |ray| radiance[ray]
+        });
+        sights.keep_border(geometry);
 
-        let rows = (0..sights.rows).into_par_iter().map(|row| find(geometry, &sights, row));
-        let rows: Vec<Row> = rows.collect();
-        let mut starts = vec![0];
-        for row in &rows {
-            starts.push(starts[starts.len() - 1] + row.crossings.len());
+        let start = || (KnownPaths::default(), Path::default());
+        let bands = (0..sights.rows.div_ceil(BAND))
+            .into_par_iter()
+            .map_init(start, |work, band| Band::new(geometry, &sights, band, work));
+        let bands: Vec<Band> = bands.collect();
+
+        let mut firsts = vec![0];
+        for band in &bands {
+            firsts.push(firsts[firsts.len() - 1] + band.crossings.len());
         }
-        let shares =
-            (0..sights.rows - 1).into_par_iter().map_init(Workspace::default, |work, row| {
-                shares(geometry, &sights, (&rows, &starts), row, work)
-            });
-        let shares: Vec<Vec<Share>> = shares.collect();
-        let shares = shares.concat();
-        let (mut crossings, mut hits) = (Vec::new(), Vec::new());
-        for row in rows {
-            let offset = hits.len() as u32;
-            let moved = row.crossings.into_iter().map(|crossing| Crossing {
-                sides: crossing.sides.map(|path| path.after(offset)),
-                ..crossing
-            });
-            crossings.extend(moved);
-            hits.extend(row.hits);
-        }
-        let mut view = Self { pixels: Vec::new(), crossings, shares, radiance: Vec::new(), hits };
-        view.radiance = view.sides(integrator);
-        for Share { crossing, pixel, areas, .. } in &view.shares {
-            let [a, b] = view.radiance[*crossing as usize];
-            pixels[*pixel as usize] += a * areas[0] + b * areas[1];
-        }
+        let mut view = Self { pixels, sights, bands, firsts, shares: Vec::new() };
+        let start = Workspace::default;
+        let shares = (0..view.bands.len()).into_par_iter();
+        view.shares =
+            shares.map_init(start, |work, band| view.shares(geometry, band, work)).collect();
+
+        let sides = |band: usize, crossing: usize| view.bands[band].radiance[crossing];
+        let mut pixels = std::mem::take(&mut view.pixels);
+        view.add_shares(layout.width, &mut pixels, |band, crossing, share| {
+            let [a, b] = sides(band, crossing);
+            a * share.areas[0] + b * share.areas[1]
+        });
         view.pixels = pixels;
         view
+    }
+
+    /// Adds to pixels, which stand in rows of `width`, what shares give them, by the band of their
+    /// crossing and by its index there.
+    pub fn add_shares(
+        &self,
+        width: u32,
+        pixels: &mut [DVec3],
+        given: impl Fn(usize, usize, &Share) -> DVec3 + Sync,
+    ) {
+        let per_chunk = PIXEL_ROWS * width as usize;
+        pixels.par_chunks_mut(per_chunk).enumerate().for_each(|(chunk, pixels)| {
+            let first = chunk * per_chunk;
+            // Those of the cells around the pixels: corners may be outside of their cell.
+            let rows = self.sights.side * PIXEL_ROWS;
+            let margin = FARTHEST_CORNER.ceil() as usize + 2;
+            let start = (chunk * rows).saturating_sub(margin) / BAND;
+            let end = ((chunk + 1) * rows + margin).div_ceil(BAND).min(self.shares.len());
+            for band in start..end {
+                for share in &self.shares[band] {
+                    let place = (share.pixel as usize).wrapping_sub(first);
+                    if let Some(pixel) = pixels.get_mut(place) {
+                        let (band, crossing) = self.place_of(band, share);
+                        *pixel += given(band, crossing, share);
+                    }
+                }
+            }
+        });
+    }
+
+    /// The shares of the crossings of a band, with their indices there.
+    pub fn shares_of(&self, band: usize) -> impl Iterator<Item = (usize, &Share)> {
+        let own = self.firsts[band]..self.firsts[band + 1];
+        // Cells have crossings of the row of samples below them, too.
+        let lists = &self.shares[band.saturating_sub(1)..=band];
+        lists.iter().flatten().filter_map(move |share| {
+            let crossing = share.crossing as usize;
+            own.contains(&crossing).then(|| (crossing - own.start, share))
+        })
+    }
+
+    /// The band of the crossing of a share of the cells of a band, and its index there.
+    fn place_of(&self, band: usize, share: &Share) -> (usize, usize) {
+        let crossing = share.crossing as usize;
+        let band = if crossing < self.firsts[band + 1] { band } else { band + 1 };
+        (band, crossing - self.firsts[band])
     }
 
     /// Writes the pixels over an image. Where areas are estimated from single crossings they may be a
@@ -120,175 +143,77 @@ impl View {
         self.pixels.iter().enumerate().map(value).sum()
     }
 
-    /// The paths on both sides of crossings, the first ones and their others in turns.
-    pub fn paths<L: Plain>(
-        &self,
+    /// The crossings of a link with their indices among all.
+    fn of_link(&self, row: usize, column: usize, axis: usize) -> (usize, Range<usize>) {
+        let band = row / BAND;
+        (band, self.bands[band].of_link(row % BAND, column, axis))
+    }
+
+    /// Whether the links on the sides of a cell have no crossings.
+    fn is_quiet(&self, row: usize, column: usize) -> bool {
+        let (above, below) = (&self.bands[row / BAND], &self.bands[(row + 1) / BAND]);
+        above.is_quiet(row % BAND, column) && below.of_link((row + 1) % BAND, column, 0).is_empty()
+    }
+
+    /// What the cells below the rows of samples of a band give to pixels.
+    fn shares<'a, L: Plain>(
+        &'a self,
         geometry: &Geometry<'_, L>,
-        crossings: &[Crossing],
-        paths: &mut KnownPaths,
-    ) {
-        paths.clear();
-        let lights = geometry.integrator.layout.lights.len().min(MOST_LIGHTS);
-        for crossing in crossings {
-            for side in crossing.sides {
-                paths.push(geometry.film(crossing.place), side.of(&self.hits), lights);
-            }
-        }
-    }
-
-    /// The radiance on both sides of each crossing.
-    fn sides<L: Plain>(&self, integrator: Integrator<'_, L>) -> Vec<[DVec3; 2]> {
-        let geometry = Geometry::new(integrator);
-        let start = || (KnownPaths::default(), path::Path::default());
-        let packets =
-            self.crossings.par_chunks(PACKET_CROSSINGS).map_init(start, |state, chunk| {
-                let (known, path) = state;
-                self.paths(&geometry, chunk, known);
-                let mut radiance = vec![[DVec3::ZERO; 2]; chunk.len()];
-                integrator.trace_path(Source::Known(known), path);
-                let wavefronts = path.wavefronts();
-                for group in &wavefronts[0].groups {
-                    let vertex = integrator.vertex(group, &wavefronts[0], wavefronts.get(1));
-                    let of_lanes = vectors_of_lanes::<L>(vertex.radiance());
-                    for (lane, ray) in group.rays() {
-                        radiance[ray / 2][ray % 2] = of_lanes[lane];
-                    }
-                }
-                radiance
-            });
-        let packets: Vec<Vec<[DVec3; 2]>> = packets.collect();
-        packets.concat()
-    }
-}
-
-/// The mean radiance of the samples of each pixel; what they see is kept.
-fn trace<L: Plain>(integrator: Integrator<'_, L>, sights: &Sights) -> Vec<DVec3> {
-    let layout = integrator.layout;
-    let grid = layout.sampling.as_grid();
-    let mut pixels = vec![DVec3::ZERO; layout.width as usize * layout.height as usize];
-    fill_strips(layout.width, &mut pixels, path::Path::default, |path, strip, rows| {
-        for tile in strip.tiles() {
-            let mut total = [DVec3::ZERO; PACKET_RAYS];
-            for (index, sample) in samples(&tile, grid).enumerate() {
-                integrator.trace_path(sample, path);
-                let wavefronts = path.wavefronts();
-                sights.keep(&tile, index as u32, wavefronts);
-                for group in &wavefronts[0].groups {
-                    let vertex = integrator.vertex(group, &wavefronts[0], wavefronts.get(1));
-                    let of_lanes = vectors_of_lanes::<L>(vertex.radiance());
-                    group.rays().for_each(|(lane, ray)| total[ray] += of_lanes[lane]);
-                }
-            }
-            let pixels = by_rows(|ray| total[ray] / f64::from(grid.count()));
-            for (row, pixels) in rows.iter_mut().zip(&pixels) {
-                row[strip.columns(&tile)].copy_from_slice(&pixels[..tile.columns]);
-            }
-        }
-    });
-    pixels
-}
-
-/// The crossings of the links that start in a row of samples.
-fn find<L: Plain>(geometry: Geometry<'_, L>, sights: &Sights, row: usize) -> Row {
-    let mut search = Search::new(geometry);
-    let mut links = [Vec::new(), Vec::new()];
-    let length = 1.0 / sights.side as f64;
-    for column in 0..sights.columns {
-        let at = row * sights.columns + column;
-        let mut first: Option<Path> = None;
-        let others = [
-            (column + 1 < sights.columns).then_some(at + 1),
-            (row + 1 < sights.rows).then_some(at + sights.columns),
-        ];
-        for (axis, other) in others.into_iter().enumerate() {
-            let Some(other) = other.filter(|&other| !sights.are_same(at, other)) else { continue };
-            let first = *first.get_or_insert_with(|| search.path(|hits| sights.path(at, hits)));
-            let last = search.path(|hits| sights.path(other, hits));
-            let start = search.crossings.len() as u32;
-            search.link(&Link { start: sights.place(column, row), axis, length }, first, last);
-            let end = search.crossings.len() as u32;
-            if end > start {
-                links[axis].push((column as u32, start, end));
-            }
-        }
-    }
-    Row { links, crossings: search.crossings, hits: search.hits }
-}
-
-/// What the cells below a row of samples give to pixels.
-fn shares<'a, L: Plain>(
-    geometry: Geometry<'_, L>,
-    sights: &Sights,
-    (rows, starts): (&'a [Row], &[usize]),
-    row: usize,
-    work: &mut Workspace<'a>,
-) -> Vec<Share> {
-    let layout = geometry.integrator.layout;
-    let length = 1.0 / sights.side as f64;
-    let crossings_of = |row: usize, axis: usize, column: usize| {
-        let found = rows.get(row).map_or(0..0, |row| row.crossings(axis, column));
-        (found, row)
-    };
-    let sides_of = |row: usize, column: usize| {
-        [
-            crossings_of(row, 0, column),
-            crossings_of(row, 1, column + 1),
-            crossings_of(row + 1, 0, column),
-            crossings_of(row, 1, column),
-        ]
-    };
-    let is_quiet = |[x, y]: [f64; 2]| {
-        let index = |along: f64| (along / length + 0.5).floor();
-        let (column, row) = (index(x), index(y));
-        column < 0.0
-            || row < 0.0
-            || sides_of(row as usize, column as usize).iter().all(|(found, _)| found.is_empty())
-    };
-    let adjacent = |a: Edge, b: Edge| match (a, b) {
-        (Edge::Segment(a), Edge::Segment(b)) => {
-            let same = |&(a, b): &(u32, u32)| a == b || geometry.vertex(a) == geometry.vertex(b);
-            let pairs = [(a[0], b[0]), (a[0], b[1]), (a[1], b[0]), (a[1], b[1])];
-            pairs.iter().filter(|pair| same(pair)).count() == 1
-        }
-        _ => false,
-    };
-    let continuous = |a: u32, b: u32| geometry.are_continuous(a, b);
-    let columns_of = |links: &[(u32, u32, u32)]| -> Vec<usize> {
-        links.iter().map(|link| link.0 as usize).collect()
-    };
-    let mut columns = columns_of(&rows[row].links[0]);
-    columns.extend(columns_of(&rows[row + 1].links[0]));
-    for column in columns_of(&rows[row].links[1]) {
-        columns.extend([column, column.wrapping_sub(1)]);
-    }
-    columns.retain(|&column| column < sights.columns - 1);
-    columns.sort_unstable();
-    columns.dedup();
-
-    let (mut found, mut sides) = (Vec::new(), Vec::new());
-    for column in columns {
-        sides.clear();
-        for (of, (range, row)) in sides_of(row, column).into_iter().enumerate() {
-            sides.extend(range.map(|index| Side {
-                index: (starts[row] + index) as u32,
-                crossing: &rows[row].crossings[index],
-                of,
-            }));
-        }
-        let samples = [(column, row), (column + 1, row), (column + 1, row + 1), (column, row + 1)];
-        let at = |(column, row): (usize, usize)| row * sights.columns + column;
-        let cell = Cell {
-            start: sights.place(column, row),
-            length,
-            pixels: samples.map(|(column, row)| sights.pixel(column, row)),
-            is_uniform: samples[1..]
-                .iter()
-                .all(|&sample| sights.have_same_path(at(samples[0]), at(sample), continuous)),
-            size: [layout.width, layout.height],
-            adjacent: &adjacent,
-            is_quiet: &is_quiet,
+        band: usize,
+        work: &mut Workspace<'a>,
+    ) -> Vec<Share> {
+        let (sights, layout) = (&self.sights, geometry.integrator.layout);
+        let length = 1.0 / sights.side as f64;
+        let is_quiet = |[x, y]: [f64; 2]| {
+            let index = |along: f64| (along / length + 0.5).floor();
+            let (column, row) = (index(x), index(y));
+            let cells = [sights.columns - 1, sights.rows - 1].map(|cells| cells as f64);
+            let is_cell = column >= 0.0 && row >= 0.0 && column < cells[0] && row < cells[1];
+            !is_cell || self.is_quiet(row as usize, column as usize)
         };
-        cell.shares(&sides, work, &mut found);
+        let adjacent = |a: Edge, b: Edge| geometry.are_adjacent(a, b);
+        let mut found = Vec::new();
+        let mut sides = Vec::new();
+        for row in band * BAND..((band + 1) * BAND).min(sights.rows - 1) {
+            for column in 0..sights.columns - 1 {
+                if self.is_quiet(row, column) {
+                    continue;
+                }
+                sides.clear();
+                let links = [
+                    (row, column, 0),
+                    (row, column + 1, 1),
+                    (row + 1, column, 0),
+                    (row, column, 1),
+                ];
+                for (of, (row, column, axis)) in links.into_iter().enumerate() {
+                    let (band, crossings) = self.of_link(row, column, axis);
+                    sides.extend(crossings.map(|index| Side {
+                        index: (self.firsts[band] + index) as u32,
+                        crossing: &self.bands[band].crossings[index],
+                        of,
+                    }));
+                }
+                let samples =
+                    [(column, row), (column + 1, row), (column + 1, row + 1), (column, row + 1)];
+                let is_uniform = || {
+                    let [first, others @ ..] =
+                        samples.map(|(column, row)| row * sights.columns + column);
+                    let same = |&other: &usize| sights.have_same_path(first, other, geometry);
+                    others.iter().all(same)
+                };
+                let cell = Cell {
+                    start: sights.place(column, row),
+                    length,
+                    pixels: samples.map(|(column, row)| sights.pixel(column, row)),
+                    is_uniform: &is_uniform,
+                    size: [layout.width, layout.height],
+                    adjacent: &adjacent,
+                    is_quiet: &is_quiet,
+                };
+                cell.shares(&sides, work, &mut found);
+            }
+        }
+        found
     }
-    found
 }

@@ -5,7 +5,7 @@ use ad::lanes::Lanes;
 use super::coalesce::Coalesced;
 use super::integrator::Integrator;
 use super::lanes::all_lanes;
-use super::wavefront::{LaneGroup, Source, TileSample, Wavefront, set_vectors};
+use super::wavefront::{LaneGroup, Source, Wavefront, set_vectors};
 use crate::counts::count;
 use crate::number::{Number, primal_vector};
 use crate::trace::bvh::{PACKET_RAYS, PacketHits, PacketVectors};
@@ -20,17 +20,22 @@ impl<S: Number> Integrator<'_, S> {
         film.clear();
         let blocks = (0..PACKET_RAYS).step_by(<S::Lanes as Lanes>::COUNT);
         let wanted = match source {
-            Source::Tile(TileSample { tile, sampling, index }) => {
-                let offsets = sampling.offsets(tile, index);
-                film.extend(blocks.map(|first| self.film(tile, offsets.as_ref(), first)));
-                self.find_primary(tile, &film, &mut wavefront.hits)
+            Source::Tile(sample) | Source::Traced(sample, _) => {
+                let offsets = sample.sampling.offsets(sample.tile, sample.index);
+                film.extend(blocks.map(|first| self.film(sample.tile, offsets.as_ref(), first)));
+                sample.tile.rays()
             }
             Source::Known(paths) => {
                 film.extend(blocks.map(|first| paths.film::<S>(first)));
-                wavefront.hits = paths.at(0).map_or(PacketHits::NONE, |known| known.hits.clone());
                 paths.rays()
             }
         };
+        match source {
+            Source::Tile(sample) => self.find_primary(sample.tile, &film, &mut wavefront.hits),
+            Source::Traced(_, paths) | Source::Known(paths) => {
+                wavefront.hits = paths.at(0).map_or(PacketHits::NONE, |known| known.hits.clone());
+            }
+        }
         self.gather_hits(wavefront, wanted, |first, alive| {
             let (x, y) = film[first / <S::Lanes as Lanes>::COUNT];
             let (x, y) = (repeated::<S::Lanes>(x, alive), repeated::<S::Lanes>(y, alive));
@@ -39,13 +44,8 @@ impl<S: Number> Integrator<'_, S> {
         wavefront.film = film;
     }
 
-    /// Traces the camera rays through one point of every pixel of a tile; returns which these are.
-    fn find_primary(
-        &self,
-        tile: &Tile,
-        film: &[(S::Lanes, S::Lanes)],
-        hits: &mut PacketHits,
-    ) -> u64 {
+    /// Traces the camera rays through one point of every pixel of a tile.
+    fn find_primary(&self, tile: &Tile, film: &[(S::Lanes, S::Lanes)], hits: &mut PacketHits) {
         let mut directions = PacketVectors::ZERO;
         for (block, &(x, y)) in film.iter().enumerate() {
             let direction = film_point::<S>(self.inputs.frame, constant(x), constant(y));
@@ -59,7 +59,6 @@ impl<S: Number> Integrator<'_, S> {
         let wanted = tile.rays();
         count(|counts| &counts.primary_rays, u64::from(wanted.count_ones()));
         self.tracer.primary(tile, &directions, wanted, hits);
-        wanted
     }
 
     /// Gathers what the wanted rays of a packet hit. `ray` gives those from an index on; in lanes

@@ -11,9 +11,9 @@ use super::wavefront::{LaneGroup, Source, TileSample, samples, set_vectors};
 use crate::image::Image;
 use crate::loss::PixelLoss;
 use crate::number::{Number, Plain, primal_vector};
-use crate::trace::bvh::{PACKET_RAYS, PacketVectors, ray_at, rays};
+use crate::trace::bvh::{PACKET_RAYS, PacketVectors, rays};
 use crate::trace::sampling::Sampling;
-use crate::trace::tile::{TILE, Tile, fill_strips, for_each_strip};
+use crate::trace::tile::{Tile, fill_tiles, for_each_strip};
 
 /// Renders the image over one of the same size: the mean of what the rays through each pixel bring.
 /// Where the camera sees nothing, the image is black.
@@ -25,25 +25,20 @@ pub fn render_into<L: Plain>(integrator: Integrator<'_, L>, image: &mut Image) {
     let layout = integrator.layout;
     let size = (layout.width, layout.height);
     assert_eq!((image.width, image.height), size, "the image has the size of the scene's");
-    fill_strips(layout.width, &mut image.pixels, Path::default, |path, strip, rows| {
-        for tile in strip.tiles() {
-            let mut colors = PacketVectors::ZERO;
-            if layout.sampling.count() == 1 {
-                let sample = TileSample { tile: &tile, sampling: layout.sampling, index: 0 };
-                visit(integrator, Source::Tile(sample), path, |group, radiance| {
-                    set_vectors::<L>(&mut colors, group.first, group.alive, radiance);
-                });
-            } else {
-                let radiance = mean_radiance(integrator, &tile, path);
-                for (ray, color) in radiance.iter().enumerate() {
-                    colors.set(ray, color.as_vec3());
-                }
-            }
-            let pixels = by_rows(|ray| colors.get(ray).into());
-            for (row, pixels) in rows.iter_mut().zip(&pixels) {
-                row[strip.columns(&tile)].copy_from_slice(&pixels[..tile.columns]);
+    fill_tiles(layout.width, &mut image.pixels, Path::default, |path, tile| {
+        let mut colors = PacketVectors::ZERO;
+        if layout.sampling.count() == 1 {
+            let sample = TileSample { tile, sampling: layout.sampling, index: 0 };
+            visit(integrator, Source::Tile(sample), path, |group, radiance| {
+                set_vectors::<L>(&mut colors, group.first, group.alive, radiance);
+            });
+        } else {
+            let radiance = mean_radiance(integrator, tile, path);
+            for (ray, color) in radiance.iter().enumerate() {
+                colors.set(ray, color.as_vec3());
             }
         }
+        move |ray| colors.get(ray).into()
     });
 }
 
@@ -55,14 +50,9 @@ pub fn pixels_dual<L: Plain>(
 ) -> Vec<[DVec3; 2]> {
     let (width, height) = (integrator.layout.width, integrator.layout.height);
     let mut pixels = vec![[DVec3::ZERO; 2]; width as usize * height as usize];
-    fill_strips(width, &mut pixels, Path::default, |path, strip, rows| {
-        for tile in strip.tiles() {
-            let mean = mean_dual(integrator, &tile, sampling, path);
-            let pixels = by_rows(|ray| mean[ray]);
-            for (row, pixels) in rows.iter_mut().zip(&pixels) {
-                row[strip.columns(&tile)].copy_from_slice(&pixels[..tile.columns]);
-            }
-        }
+    fill_tiles(width, &mut pixels, Path::default, |path, tile| {
+        let mean = mean_dual(integrator, tile, sampling, path);
+        move |ray| mean[ray]
     });
     pixels
 }
@@ -94,18 +84,6 @@ pub fn derivative_vector<L: Plain>(v: Vec3<Dual<L>>) -> Vec3<L> {
     Vector3::new(v.x().derivative, v.y().derivative, v.z().derivative)
 }
 
-/// What rays bring, at the places of their pixels.
-#[inline]
-pub fn by_rows<T: Copy + Default>(color: impl Fn(usize) -> T) -> [[T; TILE]; TILE] {
-    let mut pixels = [[T::default(); TILE]; TILE];
-    for (row, pixels) in pixels.iter_mut().enumerate() {
-        for (column, pixel) in pixels.iter_mut().enumerate() {
-            *pixel = color(ray_at(column, row));
-        }
-    }
-    pixels
-}
-
 /// The loss of the image, in double precision from the radiance on.
 pub fn loss<L: Plain>(integrator: Integrator<'_, L>, loss: &dyn PixelLoss) -> f64 {
     let (width, height) = (integrator.layout.width, integrator.layout.height);
@@ -130,15 +108,27 @@ pub fn mean_radiance<L: Plain>(
     tile: &Tile,
     path: &mut Path<L>,
 ) -> [DVec3; PACKET_RAYS] {
+    mean_traced(integrator, tile, integrator.layout.sampling, path, |_, _| ())
+}
+
+/// The same by the rays of any sampling. Calls `keep` with the index of each sample and its paths.
+#[inline]
+pub fn mean_traced<L: Plain>(
+    integrator: Integrator<'_, L>,
+    tile: &Tile,
+    sampling: Sampling,
+    path: &mut Path<L>,
+    keep: impl Fn(u32, &Path<L>),
+) -> [DVec3; PACKET_RAYS] {
     let mut total = [DVec3::ZERO; PACKET_RAYS];
-    let sampling = integrator.layout.sampling;
-    for sample in samples(tile, sampling) {
+    for (index, sample) in samples(tile, sampling).enumerate() {
         visit(integrator, sample, path, |group, radiance| {
             let radiance = vectors_of_lanes::<L>(radiance);
             for (lane, ray) in group.rays() {
                 total[ray] += radiance[lane];
             }
         });
+        keep(index as u32, path);
     }
     let count = f64::from(sampling.count());
     total.map(|radiance| radiance / count)

@@ -4,8 +4,9 @@ use ad::Real;
 use ad::lanes::Lanes;
 use glam::DVec3;
 
-use super::inputs::{Inputs, Varying};
+use super::inputs::Inputs;
 use super::tracer::Tracer;
+use super::varying::Varying;
 use crate::number::{Number, Plain};
 use crate::scene::Scene;
 use crate::settings::Settings;

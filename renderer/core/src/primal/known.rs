@@ -10,7 +10,7 @@ use crate::trace::bvh::{PACKET_RAYS, PacketHits};
 #[derive(Default)]
 pub struct KnownPaths {
     /// The points of the film, with the coordinates of
-    /// [`film_point`](crate::transport::camera::film_point()).
+    /// [`film_point`](crate::transport::camera::film_point()); none where these are known otherwise.
     film: Vec<[f64; 2]>,
     depths: Vec<KnownHits>,
     /// How many of them belong to these paths.
@@ -42,16 +42,15 @@ impl KnownPaths {
         self.depth = 0;
     }
 
-    /// Adds a path through a point of the film, which meets surfaces at each of these depths; returns its
-    /// ray. There are `lights` lights.
-    pub fn push(
-        &mut self,
-        film: [f64; 2],
-        hits: impl Iterator<Item = KnownHit>,
-        lights: usize,
-    ) -> usize {
-        let ray = self.film.len();
+    /// Adds a path through a point of the film, which meets surfaces at each of these depths. There are
+    /// `lights` lights.
+    pub fn push(&mut self, film: [f64; 2], hits: impl Iterator<Item = KnownHit>, lights: usize) {
+        self.set(self.film.len(), hits, lights);
         self.film.push(film);
+    }
+
+    /// Sets the path of a ray.
+    pub fn set(&mut self, ray: usize, hits: impl Iterator<Item = KnownHit>, lights: usize) {
         for (depth, hit) in hits.enumerate() {
             if depth == self.depths.len() {
                 self.depths.push(KnownHits { hits: PacketHits::NONE, blocked: Vec::new() });
@@ -69,17 +68,11 @@ impl KnownPaths {
                 *blocked |= (hit.blocked >> light & 1) << ray;
             }
         }
-        ray
     }
 
-    /// How many paths there are.
-    pub fn len(&self) -> usize {
-        self.film.len()
-    }
-
-    /// A bit for each path.
+    /// A bit for each path through a point of the film.
     pub fn rays(&self) -> u64 {
-        match self.len() {
+        match self.film.len() {
             PACKET_RAYS => u64::MAX,
             count => (1 << count) - 1,
         }

@@ -44,6 +44,12 @@ pub fn lanes_of_vectors<L: Lanes>(vectors: &[DVec3; MAX_LANES]) -> Vec3<L> {
     Vector3::new(along(0), along(1), along(2))
 }
 
+/// The numbers side by side.
+#[inline]
+pub fn lanes_of_numbers<L: Lanes>(numbers: &[f64; MAX_LANES]) -> L {
+    L::from_lanes(|lane| L::Element::from_f64(numbers[lane]))
+}
+
 /// The sum of the lanes in which `mask` holds, in double precision.
 #[inline]
 pub fn sum_of_lanes<L: Lanes>(x: L, mask: L::Mask) -> f64 {

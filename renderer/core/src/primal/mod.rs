@@ -27,5 +27,6 @@ pub(crate) mod shadow;
 pub(crate) mod smooth;
 pub(crate) mod tracer;
 pub(crate) mod transmission;
+pub(crate) mod varying;
 pub(crate) mod vertex;
 pub(crate) mod wavefront;

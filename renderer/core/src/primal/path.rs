@@ -39,10 +39,7 @@ impl<S: Number> Integrator<'_, S> {
     /// Traces paths, or follows those that are known, with the visibility of lights, and finds the
     /// radiance that each ray brings but for those of the camera.
     pub fn trace_path(&self, source: Source<'_>, path: &mut Path<S>) {
-        let known = |depth: usize| match source {
-            Source::Tile(_) => None,
-            Source::Known(paths) => paths.at(depth),
-        };
+        let known = |depth: usize| source.known()?.at(depth);
         let Path { wavefronts, depth } = path;
         if wavefronts.is_empty() {
             wavefronts.push(Wavefront::default());
@@ -50,17 +47,15 @@ impl<S: Number> Integrator<'_, S> {
         self.trace_primary(source, &mut wavefronts[0]);
         self.trace_shadows(known(0), &mut wavefronts[0]);
         *depth = 1;
-        let goes_on =
-            self.zero_weight.mirrors || self.layout.has_mirrors || self.layout.has_transparency;
-        if !goes_on {
+        if self.depths() == 1 {
             return;
         }
-        while *depth <= self.layout.bounces as usize {
+        while *depth < self.depths() {
             if wavefronts.len() == *depth {
                 wavefronts.push(Wavefront::default());
             }
             let (before, after) = wavefronts.split_at_mut(*depth);
-            if matches!(source, Source::Known(_)) && known(*depth).is_none()
+            if source.known().is_some() && known(*depth).is_none()
                 || !self.trace_secondary(known(*depth), &before[*depth - 1], &mut after[0])
             {
                 break;
@@ -130,8 +125,21 @@ impl<S: Number> Integrator<'_, S> {
         wavefront.radiance = radiance;
     }
 
+    /// How many surfaces a path meets at most.
+    pub fn depths(&self) -> usize {
+        let goes_on =
+            self.zero_weight.mirrors || self.layout.has_mirrors || self.layout.has_transparency;
+        if goes_on { self.layout.bounces as usize + 1 } else { 1 }
+    }
+
+    /// Whether a ray goes on from a primitive: by a mirror, or what counts as one, or through it.
+    pub fn goes_on_from(&self, primitive: usize) -> bool {
+        let traits = self.layout.traits_of(primitive);
+        self.zero_weight.mirrors || traits.is_mirror || traits.is_transparent
+    }
+
     /// A bit for each lane whose material is a mirror, or counts as one.
-    pub fn mirror_lanes(&self, materials: &Coalesced) -> u32 {
+    fn mirror_lanes(&self, materials: &Coalesced) -> u32 {
         materials.lanes_where(|material| {
             self.zero_weight.mirrors || self.layout.materials[material].is_mirror
         })

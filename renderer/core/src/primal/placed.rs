@@ -4,7 +4,7 @@ use ad::vector::{Vector, Vector3};
 use ad::{Fields, Real, Vec3};
 use rayon::prelude::*;
 
-use super::inputs::{Varying, lifted, narrow_vector};
+use super::varying::{Varying, lifted, narrow_vector};
 use crate::number::Number;
 use crate::scene::{Mesh, Normals, Object, Transform};
 use crate::transport::smooth::{mean_normal, place_normal, weighted_normal};

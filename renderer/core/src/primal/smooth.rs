@@ -5,21 +5,13 @@ use ad::{Fields, Vec3};
 
 use super::coalesce::Coalesced;
 use super::integrator::Integrator;
-use super::wavefront::LaneGroup;
+use super::wavefront::{LaneGroup, Smooth};
 use crate::number::{Number, primal_vector, splat_vector};
 use crate::trace::bvh::rays;
 use crate::transport::camera::Ray;
 use crate::transport::smooth::{SmoothPoint, curved_point, next_ray_outward, smooth_point};
 use crate::transport::surface::SurfacePoint;
 use crate::transport::vertex::next_ray;
-
-/// What a group of smooth triangles has beside its surface points.
-pub struct Smooth<S: Number> {
-    /// The unit normals of the flat triangles, on the side of the viewer.
-    pub outward: Vec3<S>,
-    /// The places from which shadow rays start.
-    pub curved: Vec3<S::Lanes>,
-}
 
 impl<S: Number> Integrator<'_, S> {
     /// A bit for each of the rays, all of which hit triangles, that hits a smooth one.

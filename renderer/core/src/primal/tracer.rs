@@ -5,7 +5,8 @@ use std::sync::Arc;
 use ad::Scalar;
 use glam::{DVec3, Vec3};
 
-use super::inputs::{self, Inputs, LightInputs, ShapeInputs, Varying};
+use super::inputs::{self, Inputs, LightInputs, ShapeInputs};
+use super::varying::Varying;
 use crate::number::{Number, widen};
 use crate::scene::{Scene, Sphere};
 use crate::settings::{PrimaryVisibility, Settings};

@@ -7,7 +7,6 @@ use ad::{Additive, Fields, Vec3};
 use super::coalesce::{Coalesced, select_lanes};
 use super::known::KnownPaths;
 use super::lanes::{all_lanes, singles_of_lanes};
-use super::smooth::Smooth;
 use crate::number::Number;
 use crate::trace::bvh::{PACKET_RAYS, PacketHits, PacketVectors, rays};
 use crate::trace::layout::Kind;
@@ -46,8 +45,20 @@ pub struct Wavefront<S: Number> {
 pub enum Source<'a> {
     /// They are traced.
     Tile(TileSample<'a>),
-    /// They are known.
+    /// They were traced before.
+    Traced(TileSample<'a>, &'a KnownPaths),
+    /// They are known, through any points of the film.
     Known(&'a KnownPaths),
+}
+
+impl<'a> Source<'a> {
+    /// The paths, if they are known.
+    pub fn known(self) -> Option<&'a KnownPaths> {
+        match self {
+            Self::Tile(_) => None,
+            Self::Traced(_, paths) | Self::Known(paths) => Some(paths),
+        }
+    }
 }
 
 /// One ray through each pixel of a tile.
@@ -79,6 +90,14 @@ pub struct LaneGroup<S: Number> {
     pub surface: SurfacePoint<S>,
     /// Whether the primitives are smooth triangles: all of a group are, or none is.
     pub smooth: Option<Smooth<S>>,
+}
+
+/// What a group of smooth triangles has beside its surface points.
+pub struct Smooth<S: Number> {
+    /// The unit normals of the flat triangles, on the side of the viewer.
+    pub outward: Vec3<S>,
+    /// The places from which shadow rays start.
+    pub curved: Vec3<S::Lanes>,
 }
 
 impl<S: Number> LaneGroup<S> {

@@ -14,8 +14,9 @@ use crate::loss::PixelLoss;
 use crate::number::Plain;
 use crate::primal::image::rays_by_depth;
 use crate::primal::image::{loss, pixels_dual, render_into, trace_only};
-use crate::primal::inputs::{Inputs, Varying};
+use crate::primal::inputs::Inputs;
 use crate::primal::integrator::Prepared;
+use crate::primal::varying::Varying;
 use crate::scene::{ParameterId, Scene};
 use crate::settings::{Edges, Settings};
 use crate::trace::sampling::Sampling;
@@ -253,14 +254,17 @@ impl<L: Plain> Engine for Prepared<L> {
 
     fn render_into(&self, image: &mut Image) {
         match self.settings.edges {
-            Edges::On => View::new(self.integrator()).fill(image),
+            Edges::On => View::new(&Geometry::new(self.integrator())).fill(image),
             Edges::Auto | Edges::Off => render_into(self.integrator(), image),
         }
     }
 
     fn loss(&self, pixel_loss: &dyn PixelLoss) -> f64 {
         match self.settings.edges {
-            Edges::On => View::new(self.integrator()).loss(self.layout.width, pixel_loss),
+            Edges::On => {
+                let view = View::new(&Geometry::new(self.integrator()));
+                view.loss(self.layout.width, pixel_loss)
+            }
             Edges::Auto | Edges::Off => loss(self.integrator(), pixel_loss),
         }
     }
@@ -375,8 +379,8 @@ fn pixels_along<L: Plain>(
     if !request.has_edges(prepared.settings.edges) {
         return pixels_dual(moving, prepared.layout.sampling);
     }
-    let still = prepared.integrator().with_zero_weight(request.zero_weight);
-    let view = View::new(still);
-    let derivatives = view.derivative(&Geometry::new(still), moving);
+    let still = Geometry::new(prepared.integrator().with_zero_weight(request.zero_weight));
+    let view = View::new(&still);
+    let derivatives = view.derivative(&still, moving);
     view.pixels.into_iter().zip(derivatives).map(|(pixel, along)| [pixel, along]).collect()
 }

@@ -2,9 +2,11 @@
 
 use std::borrow::Cow;
 use std::ops::Range;
+use std::sync::OnceLock;
 
 use glam::DVec3;
 
+use super::adjacency::Adjacency;
 use super::corners::Corners;
 use super::sampling::Sampling;
 use crate::scene::{MaterialObject, MaterialTextures, Scene, Slot, Wrap};
@@ -30,7 +32,7 @@ pub struct Layout {
     pub materials: Vec<MaterialTraits>,
     /// Whether any material is a mirror.
     pub has_mirrors: bool,
-    /// Whether any material is transparent. In the albedo pass none counts as transparent.
+    /// Whether any material is transparent.
     pub has_transparency: bool,
     /// Whether a texture varies an opacity.
     pub has_opacity_textures: bool,
@@ -41,6 +43,7 @@ pub struct Layout {
     pub uvs: Corners,
     /// The normals of the smooth triangles.
     pub normals: Corners,
+    adjacency: OnceLock<Adjacency>,
 }
 
 /// What a light can do.
@@ -60,11 +63,13 @@ pub struct MaterialTraits {
 }
 
 impl MaterialTraits {
-    fn of(object: &MaterialObject) -> Self {
+    /// In the albedo pass no material is a mirror or transparent.
+    fn of(object: &MaterialObject, pass: Pass) -> Self {
+        let is_radiance = pass == Pass::Radiance;
         Self {
-            is_mirror: object.values.mirror != DVec3::ZERO,
+            is_mirror: is_radiance && object.values.mirror != DVec3::ZERO,
             lobes: object.values.lobes(),
-            is_transparent: object.transparent,
+            is_transparent: is_radiance && object.transparent,
             textures: object.textures,
         }
     }
@@ -139,6 +144,7 @@ impl Layout {
             normals: Corners::new(&scene.meshes, |mesh| {
                 (mesh.normal_count(), mesh.normal_triangles())
             }),
+            adjacency: OnceLock::new(),
         };
         let mut first = 0;
         for mesh in &scene.meshes {
@@ -155,15 +161,15 @@ impl Layout {
 
     /// Takes over what lights and materials can do, which depends on their numbers.
     pub fn update(&mut self, scene: &Scene) {
-        let is_radiance = self.pass == Pass::Radiance;
-        let lights = scene.lights.iter().filter(|_| is_radiance);
+        let pass = self.pass;
+        let lights = scene.lights.iter().filter(|_| pass == Pass::Radiance);
         self.lights.clear();
         self.lights.extend(lights.map(|light| LightTraits { is_black: light.source.is_black() }));
         self.materials.clear();
-        self.materials.extend(scene.materials.iter().map(MaterialTraits::of));
-        self.has_mirrors = is_radiance && self.materials.iter().any(|traits| traits.is_mirror);
-        self.has_transparency =
-            is_radiance && self.materials.iter().any(|traits| traits.is_transparent);
+        self.materials
+            .extend(scene.materials.iter().map(|object| MaterialTraits::of(object, pass)));
+        self.has_mirrors = self.materials.iter().any(|traits| traits.is_mirror);
+        self.has_transparency = self.materials.iter().any(|traits| traits.is_transparent);
         let mut textures = self.materials.iter().map(|traits| traits.textures);
         self.has_opacity_textures = textures.any(|textures| textures.get(Slot::Opacity).is_some());
     }
@@ -179,6 +185,11 @@ impl Layout {
         } else {
             (Kind::Custom, primitive - triangles - self.spheres)
         }
+    }
+
+    /// Which triangles share edges: found when it is first asked for.
+    pub fn adjacency(&self) -> &Adjacency {
+        self.adjacency.get_or_init(|| Adjacency::new(&self.triangles))
     }
 
     /// The number of vertices of all meshes.

@@ -7,6 +7,7 @@
 //! which primitive they hit first, and whether something is in the way of a light. All of it is
 //! `f32` whatever images are computed in.
 
+pub(crate) mod adjacency;
 pub mod bvh;
 mod corners;
 pub(crate) mod layout;

@@ -70,9 +70,14 @@ impl Sampling {
 
     /// The regular grid with at least as many rays.
     pub(crate) fn as_grid(self) -> Self {
+        Self::Grid(self.grid_side())
+    }
+
+    /// How many rays stand side by side in a pixel of the regular grid with at least as many rays.
+    pub(crate) fn grid_side(self) -> u32 {
         let count = self.count();
         let side = count.isqrt();
-        Self::Grid(if side * side < count { side + 1 } else { side })
+        if side * side < count { side + 1 } else { side }
     }
 
     /// Whether each pixel has one ray, for its radiance and its derivative.

@@ -115,7 +115,7 @@ pub fn for_each_strip<W, R: Send>(
 
 /// Runs `work` on every strip of an image of this width in parallel, together with the rows of its
 /// pixels. Calls that follow each other on one thread share what `start` gives.
-pub fn fill_strips<T: Send, W>(
+fn fill_strips<T: Send, W>(
     width: u32,
     pixels: &mut [T],
     start: impl Fn() -> W + Send + Sync,
@@ -139,9 +139,29 @@ pub fn fill_strips<T: Send, W>(
     });
 }
 
+/// Fills the pixels of an image of this width, tile by tile in parallel, with what `color` makes of a tile
+/// by ray.
+pub fn fill_tiles<T: Copy + Send, W, C: Fn(usize) -> T>(
+    width: u32,
+    pixels: &mut [T],
+    start: impl Fn() -> W + Send + Sync,
+    color: impl Fn(&mut W, &Tile) -> C + Send + Sync,
+) {
+    fill_strips(width, pixels, start, |state, strip, rows| {
+        for tile in strip.tiles() {
+            let color = color(state, &tile);
+            for (row, pixels) in rows.iter_mut().enumerate() {
+                for (column, pixel) in pixels[strip.columns(&tile)].iter_mut().enumerate() {
+                    *pixel = color(ray_at(column, row));
+                }
+            }
+        }
+    });
+}
+
 #[cfg(test)]
 mod tests {
-    use super::{Strip, fill_strips, for_each_strip};
+    use super::{Strip, fill_tiles, for_each_strip};
     use crate::image::Image;
     use crate::trace::bvh::{ray_at, rays, tile_position};
 
@@ -162,20 +182,17 @@ mod tests {
     }
 
     #[test]
-    fn strips_get_the_rows_of_their_own_pixels() {
+    fn tiles_get_their_own_pixels() {
         let mut image = Image::black(133, 21);
-        fill_strips(
+        fill_tiles(
             133,
             &mut image.pixels,
             || (),
-            |(), strip, rows| {
-                for tile in strip.tiles() {
-                    for (row, pixels) in rows.iter_mut().enumerate() {
-                        for (column, pixel) in pixels[strip.columns(&tile)].iter_mut().enumerate() {
-                            let (x, y) = tile.pixel(ray_at(column, row));
-                            *pixel = [x as f32, y as f32, 1.0];
-                        }
-                    }
+            |(), tile| {
+                let tile = *tile;
+                move |ray| {
+                    let (x, y) = tile.pixel(ray);
+                    [x as f32, y as f32, 1.0]
                 }
             },
         );

@@ -1,0 +1,133 @@
+//! Bands: some rows of samples with the crossings of the links that start in them, the unit of parallel
+//! work.
+
+use std::ops::Range;
+
+use glam::DVec3;
+
+use super::code::MOST_LIGHTS;
+use super::crossing::{Crossing, Link, Search};
+use super::geometry::Geometry;
+use super::sight::Sights;
+use crate::number::Plain;
+use crate::primal::image::visit;
+use crate::primal::known::{KnownHit, KnownPaths};
+use crate::primal::lanes::vectors_of_lanes;
+use crate::primal::path::Path;
+use crate::primal::wavefront::Source;
+use crate::trace::bvh::PACKET_RAYS;
+
+/// How many rows of samples make a band. Fixed, because the order of summation depends on it.
+pub const BAND: usize = 8;
+
+/// How many crossings make a packet of paths, two each.
+pub const PACKET_CROSSINGS: usize = PACKET_RAYS / 2;
+
+/// The crossings of the links that start in a band of rows of samples.
+pub struct Band {
+    /// In the order of their links.
+    pub crossings: Vec<Crossing>,
+    /// By crossing: the radiance on both sides.
+    pub radiance: Vec<[DVec3; 2]>,
+    /// The surfaces of the paths on the sides.
+    hits: Vec<KnownHit>,
+    /// By link: its first crossing. Links come row by row and column by column, that to the right before
+    /// that downwards.
+    starts: Vec<u32>,
+    columns: usize,
+}
+
+impl Band {
+    /// The crossings of a band of the samples, and the radiance on their sides. `known` and `path` are
+    /// room for the work.
+    pub fn new<L: Plain>(
+        geometry: &Geometry<'_, L>,
+        sights: &Sights,
+        band: usize,
+        (known, path): &mut (KnownPaths, Path<L>),
+    ) -> Self {
+        let mut search = Search::new(*geometry);
+        let rows = band * BAND..((band + 1) * BAND).min(sights.rows);
+        let mut starts = Vec::with_capacity(2 * rows.len() * sights.columns + 1);
+        let length = 1.0 / sights.side as f64;
+        let mut differ = Vec::new();
+        for row in rows {
+            sights.differences(row, &mut differ);
+            for (column, differs) in differ.iter().enumerate() {
+                let at = row * sights.columns + column;
+                let mut first = None;
+                for (axis, other) in [at + 1, at + sights.columns].into_iter().enumerate() {
+                    starts.push(search.crossings.len() as u32);
+                    if differs[axis] {
+                        let link = Link { start: sights.place(column, row), axis, length };
+                        let first = *first.get_or_insert_with(|| {
+                            search.path(|hits| hits.extend(sights.hits(at)))
+                        });
+                        let last = search.path(|hits| hits.extend(sights.hits(other)));
+                        search.link(&link, first, last);
+                    }
+                }
+            }
+        }
+        starts.push(search.crossings.len() as u32);
+        let Search { crossings, hits, .. } = search;
+        let mut band =
+            Self { crossings, radiance: Vec::new(), hits, starts, columns: sights.columns };
+        band.radiance = band.sides(geometry, known, path);
+        band
+    }
+
+    /// The crossings of a link that starts in a row of the band.
+    pub fn of_link(&self, row: usize, column: usize, axis: usize) -> Range<usize> {
+        let link = 2 * (row * self.columns + column) + axis;
+        self.starts[link] as usize..self.starts[link + 1] as usize
+    }
+
+    /// Whether no link has crossings that starts at a sample, or downwards at the one to its right.
+    pub fn is_quiet(&self, row: usize, column: usize) -> bool {
+        let link = 2 * (row * self.columns + column);
+        self.starts[link] == self.starts[link + 2] && self.of_link(row, column + 1, 1).is_empty()
+    }
+
+    /// The crossings in packets, with the first one of each.
+    pub fn packets(&self) -> impl Iterator<Item = (usize, &[Crossing])> {
+        let starts = (0..self.crossings.len()).step_by(PACKET_CROSSINGS);
+        starts.zip(self.crossings.chunks(PACKET_CROSSINGS))
+    }
+
+    /// The paths on both sides of crossings, the first ones and their others in turns.
+    pub fn paths<L: Plain>(
+        &self,
+        geometry: &Geometry<'_, L>,
+        crossings: &[Crossing],
+        paths: &mut KnownPaths,
+    ) {
+        paths.clear();
+        let lights = geometry.integrator.layout.lights.len().min(MOST_LIGHTS);
+        for crossing in crossings {
+            for side in crossing.sides {
+                paths.push(geometry.film(crossing.place), side.of(&self.hits), lights);
+            }
+        }
+    }
+
+    /// The radiance on both sides of each crossing.
+    fn sides<L: Plain>(
+        &self,
+        geometry: &Geometry<'_, L>,
+        known: &mut KnownPaths,
+        path: &mut Path<L>,
+    ) -> Vec<[DVec3; 2]> {
+        let mut sides = vec![[DVec3::ZERO; 2]; self.crossings.len()];
+        for (first, crossings) in self.packets() {
+            self.paths(geometry, crossings, known);
+            visit(geometry.integrator, Source::Known(known), path, |group, radiance| {
+                let radiance = vectors_of_lanes::<L>(radiance);
+                for (lane, ray) in group.rays() {
+                    sides[first + ray / 2][ray % 2] = radiance[lane];
+                }
+            });
+        }
+        sides
+    }
+}

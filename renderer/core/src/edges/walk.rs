@@ -1,0 +1,105 @@
+//! Walks over meshes: from triangle to neighbour, as a camera ray moves along a link.
+//!
+//! Most neighbouring samples see the same surface. What lies between them is found without rays: the
+//! numbers of edges are linear in the place, so each step is the first of two roots.
+
+use super::geometry::Geometry;
+use crate::number::Plain;
+use crate::trace::adjacency::sides;
+use crate::transport::camera::Ray;
+
+/// The most triangles that a walk goes over.
+const MOST_STEPS: usize = 64;
+
+/// By how much a ray may leave a triangle before it has entered it, as a part of the link: rounding.
+const BACKWARDS: f64 = 1e-9;
+
+/// From one triangle to the next.
+#[derive(Clone, Copy)]
+pub struct Step {
+    /// The part of the link.
+    pub at: f64,
+    pub edge: [u32; 2],
+    /// The triangles before and after the edge.
+    pub triangles: [u32; 2],
+}
+
+impl<L: Plain> Geometry<'_, L> {
+    /// Walks from the first triangle, which is met at the start of a link, to the second one, which is met
+    /// at its end; returns whether the surface leads there. If not, the steps mean nothing.
+    pub fn walk(
+        &self,
+        [first, last]: [u32; 2],
+        [from, to]: [[f64; 2]; 2],
+        steps: &mut Vec<Step>,
+    ) -> bool {
+        steps.clear();
+        let (from, to) = (self.linear_ray(from), self.linear_ray(to));
+        let (mut triangle, mut entered) = (first, None);
+        while steps.len() <= MOST_STEPS {
+            let corners = self.integrator.layout.triangles[triangle as usize];
+            match self.side_of_exit(corners, entered, [from, to]) {
+                Exit::Invalid => return false,
+                Exit::None => return triangle == last,
+                Exit::Side(side, at) => {
+                    let Some(next) = self.adjacency.across(triangle, side) else { return false };
+                    let edge = sides(corners)[side];
+                    steps.push(Step { at, edge, triangles: [triangle, next] });
+                    (triangle, entered) = (next, Some((edge, at)));
+                }
+            }
+        }
+        false
+    }
+
+    /// Where a ray leaves a triangle that it has entered by an edge, or that it meets at the start.
+    fn side_of_exit(
+        &self,
+        corners: [u32; 3],
+        entered: Option<([u32; 2], f64)>,
+        [from, to]: [Ray<f64>; 2],
+    ) -> Exit {
+        let [a, b, c] = corners.map(|corner| self.vertex(corner) - from.origin);
+        let volumes = [a.cross(b), b.cross(c), c.cross(a)];
+        // Where a ray goes through a triangle, all its edges have this sign.
+        let sign = volumes[0].dot(c).signum();
+        let mut exit = Exit::None;
+        for (side, (edge, volume)) in sides(corners).into_iter().zip(volumes).enumerate() {
+            let before = sign * volume.dot(from.direction);
+            let after = sign * volume.dot(to.direction);
+            match entered {
+                Some(([p, q], _)) if edge == [p, q] || edge == [q, p] => {
+                    // A surface that turns back is behind the one that was left.
+                    if after <= before {
+                        return Exit::Invalid;
+                    }
+                    continue;
+                }
+                _ if after >= 0.0 => continue,
+                _ => {}
+            }
+            let start = entered.map_or(0.0, |(_, at)| at);
+            let at = match entered {
+                None if before <= 0.0 => 0.0,
+                _ => before / (before - after),
+            };
+            if at.is_nan() || at < start - BACKWARDS || before < 0.0 && entered.is_some() {
+                return Exit::Invalid;
+            }
+            if !matches!(exit, Exit::Side(_, first) if first <= at) {
+                exit = Exit::Side(side, at);
+            }
+        }
+        exit
+    }
+}
+
+/// How a ray leaves a triangle.
+enum Exit {
+    /// It does not.
+    None,
+    /// By this side, at this part of the link.
+    Side(usize, f64),
+    /// It was never within.
+    Invalid,
+}
