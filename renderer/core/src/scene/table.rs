@@ -36,7 +36,6 @@ pub struct Row {
     /// The largest value where nobody says otherwise. A surface reflects no more light than it
     /// receives: beyond that, a bright spot could as well be explained by a surface that makes light
     /// as by a stronger lamp.
-    #[cfg_attr(not(feature = "serde"), expect(dead_code, reason = "optimisers read it"))]
     pub usual_max: f64,
     /// A change that changes the image a lot, by the scene, the object and its numbers.
     scale: fn(&Scene, usize, &[f64]) -> f64,
@@ -44,7 +43,6 @@ pub struct Row {
     /// anywhere within the default number of iterations; steps get smaller where the gradient does.
     /// Cameras and geometry have to be close to begin with, since only the interior term of their
     /// gradient is known; so they take their time.
-    #[cfg_attr(not(feature = "serde"), expect(dead_code, reason = "optimisers read it"))]
     pub rate: f64,
     /// Whether it moves edges: silhouettes, or those of shadows.
     pub moves_edges: bool,

@@ -2,9 +2,9 @@
 
 use obvhs::aabb::Aabb;
 use obvhs::bvh2::Bvh2;
-use obvhs::bvh2::builder::build_bvh2;
 
 use super::Shapes;
+use super::binary;
 use super::bounds::bounds;
 use super::node::{Child, Leaf, Node};
 use super::quality::BuildQuality;
@@ -17,12 +17,7 @@ pub fn collapse<L: Leaf>(
     quality: BuildQuality,
 ) -> (Vec<Node>, Vec<L>) {
     let boxes: Vec<Aabb> = members.iter().map(|&id| bounds(&shapes.shape(id))).collect();
-    let mut build_time = std::time::Duration::ZERO;
-    let mut binary = build_bvh2(&boxes, quality.parameters(), &mut build_time);
-    drop(boxes);
-    if !binary.children_are_ordered_after_parents {
-        binary.reorder_in_stack_traversal_order();
-    }
+    let binary = binary::build(boxes, quality);
     let sizes = sizes(&binary);
     let mut collapse = Collapse { binary, sizes, members, nodes: Vec::new(), leaves: Vec::new() };
     collapse.run();

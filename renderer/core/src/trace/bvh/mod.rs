@@ -3,6 +3,7 @@
 //! These questions have discrete answers, so nothing here is differentiated, and everything is
 //! `f32` whatever the kernels compute in.
 
+mod binary;
 mod bounds;
 mod collapse;
 mod node;
