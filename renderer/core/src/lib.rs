@@ -13,6 +13,7 @@ mod edges;
 mod error;
 mod image;
 pub mod loss;
+pub mod memory;
 mod number;
 mod primal;
 pub mod render;

@@ -1,9 +1,13 @@
 //! The command line: arguments in, files and tables out.
 
 mod bench;
+mod changes;
 mod demo;
+mod derivative;
 mod dial;
 mod gradient;
+mod init;
+mod interrupt;
 mod optimize;
 mod out_folder;
 mod output;
@@ -13,16 +17,22 @@ mod report;
 mod sampling;
 mod strip;
 mod tradeoff;
+mod usage;
 
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
+use changes::Changes;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use output::{print_error, print_stats, print_warnings};
+use serde::Deserialize;
+use serde::de::IntoDeserializer;
 
 use crate::Error;
 use crate::arithmetic::{Arithmetic, Precision};
 use crate::experiment::{Experiment, Target, TunedParameter, overlap};
+use crate::loss::LossKind;
+use crate::memory;
 use crate::recovery::Recovery;
 
 /// Renders scenes, and recovers cameras, lights and materials from images.
@@ -51,6 +61,24 @@ struct Arguments {
     /// Print afterwards how much work it was: rays, nodes, lookups, pullbacks
     #[arg(long, global = true)]
     stats: bool,
+
+    /// The most memory that a scene, an image or a file may need: 500M, 8G [default: three quarters of
+    /// the machine's]
+    #[arg(long, global = true, value_name = "BYTES", value_parser = bytes)]
+    max_memory: Option<u64>,
+}
+
+/// An amount of memory: a number, and k, M, G or T for thousands, millions and so on.
+fn bytes(text: &str) -> Result<u64, String> {
+    let text = text.trim().trim_end_matches('B');
+    let units = [('k', 1e3), ('K', 1e3), ('M', 1e6), ('G', 1e9), ('T', 1e12)];
+    let unit = units.into_iter().find(|(letter, _)| text.ends_with(*letter));
+    let (number, factor) =
+        unit.map_or((text, 1.0), |(_, factor)| (&text[..text.len() - 1], factor));
+    match number.trim().parse::<f64>() {
+        Ok(number) if number >= 0.0 && number.is_finite() => Ok((number * factor) as u64),
+        _ => Err("is no amount of memory, such as 500M or 8G".into()),
+    }
 }
 
 impl Arguments {
@@ -94,6 +122,10 @@ enum Command {
     Gradient(gradient::Arguments),
     /// Recover parameters from a target image
     Optimize(optimize::Arguments),
+    /// Write a commented scene file to start from
+    Init(init::Arguments),
+    /// Explain the format of scene files
+    Scene,
     /// Turn the folder of an optimisation into one HTML page
     Report(report::Arguments),
     /// Measure how long images and gradients of a scene take, and which part of it is what
@@ -116,6 +148,14 @@ struct Problem {
     #[arg(long = "param", value_name = "PATH")]
     parameters: Vec<String>,
 
+    /// How to measure the distance to the target: mean_squared, sum_squared or l1 [default: that of the
+    /// scene file, or mean_squared]
+    #[arg(long, value_name = "NAME", value_parser = loss)]
+    loss: Option<LossKind>,
+
+    #[command(flatten)]
+    changes: Changes,
+
     /// Leave pixels out whose radiance, loss or gradient is not finite, and say so, instead of
     /// stopping at them
     #[arg(long)]
@@ -131,8 +171,9 @@ impl Problem {
     /// Loads the scene, with target and parameters as the command line wants them. A parameter that
     /// the scene file lists too keeps its learning rate and bounds.
     fn load(&self) -> Result<Experiment, Error> {
-        let mut experiment = load(&self.scene)?;
+        let mut experiment = self.changes.load(&self.scene)?;
         let mut section = experiment.optimize.take().unwrap_or_default();
+        section.loss = self.loss.or(section.loss);
         if let Some(target) = &self.target {
             section.target = Some(Target::Image(target.clone()));
         }
@@ -161,26 +202,35 @@ impl Problem {
     }
 }
 
+/// A loss by its name.
+fn loss(name: &str) -> Result<LossKind, String> {
+    let named = LossKind::deserialize(name.into_deserializer());
+    named.map_err(|error: serde::de::value::Error| error.to_string())
+}
+
 /// The most threads: far more than help, and few enough to start.
 const MOST_THREADS: i64 = 1024;
 
 /// Runs the command line of this process.
 pub fn main() -> ExitCode {
-    let arguments = Arguments::parse();
+    let arguments = match Arguments::try_parse() {
+        Ok(arguments) => arguments,
+        Err(error) => return usage::explain(&error),
+    };
     let result = run(&arguments);
     if arguments.stats && result.is_ok() {
         print_stats();
     }
-    match result {
-        Ok(()) => ExitCode::SUCCESS,
-        Err(error) => {
-            print_error(&error);
-            ExitCode::from(2)
-        }
-    }
+    result.unwrap_or_else(|error| {
+        print_error(&error);
+        ExitCode::from(2)
+    })
 }
 
-fn run(arguments: &Arguments) -> Result<(), Error> {
+fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
+    if let Some(bytes) = arguments.max_memory {
+        memory::set_limit(bytes);
+    }
     if let Some(threads) = arguments.threads {
         rayon::ThreadPoolBuilder::new()
             .num_threads(threads.into())
@@ -190,15 +240,18 @@ fn run(arguments: &Arguments) -> Result<(), Error> {
     let chosen = arguments.arithmetic()?;
     let arithmetic = chosen.unwrap_or_default();
     match &arguments.command {
-        None => demo::run(arithmetic),
-        Some(Command::Render(arguments)) => render::run(arguments, arithmetic),
-        Some(Command::Params(arguments)) => params::run(arguments),
-        Some(Command::Gradient(arguments)) => gradient::run(arguments, chosen),
-        Some(Command::Optimize(arguments)) => optimize::run(arguments, chosen),
-        Some(Command::Report(arguments)) => report::run(arguments),
-        Some(Command::Bench(arguments)) => bench::run(arguments, arithmetic),
-        Some(Command::Tradeoff(arguments)) => tradeoff::run(arguments),
+        None => demo::run(arithmetic)?,
+        Some(Command::Render(arguments)) => render::run(arguments, arithmetic)?,
+        Some(Command::Params(arguments)) => params::run(arguments)?,
+        Some(Command::Gradient(arguments)) => gradient::run(arguments, chosen)?,
+        Some(Command::Optimize(arguments)) => return optimize::run(arguments, chosen),
+        Some(Command::Init(arguments)) => init::run(arguments)?,
+        Some(Command::Scene) => init::explain()?,
+        Some(Command::Report(arguments)) => report::run(arguments)?,
+        Some(Command::Bench(arguments)) => bench::run(arguments, arithmetic)?,
+        Some(Command::Tradeoff(arguments)) => tradeoff::run(arguments)?,
     }
+    Ok(ExitCode::SUCCESS)
 }
 
 /// Loads an experiment, and prints what is left out of it.

@@ -1,13 +1,15 @@
 //! `renderer optimize`
 
 use std::path::{Path, PathBuf};
+use std::process::ExitCode;
 use std::time::Duration;
 
 use serde_json::Map;
 
 use super::dial::Dial;
-use super::out_folder::{check_out_folder, remove_earlier_results};
-use super::output::{abbreviate, print, print_warning, short};
+use super::interrupt::Interruptible;
+use super::out_folder::{SUMMARY_FILE, check_out_folder, lock, remove_earlier_results};
+use super::output::{abbreviate, print, print_note, print_warning, short};
 use super::strip::save_strip;
 use super::{Problem, stem};
 use crate::Error;
@@ -16,8 +18,8 @@ use crate::disk::create_folder;
 use crate::experiment::{Experiment, Target};
 use crate::files::{save_png, save_scene};
 use crate::optimize::{
-    Checkpointing, Optimization, Optimizer, Outcome, Quiet, Schedule, Settings, Start, progress,
-    write_report,
+    Checkpointing, Optimization, Optimizer, Outcome, Quiet, Schedule, Settings, Start, StopReason,
+    progress, write_report,
 };
 use crate::recovery::Recovery;
 
@@ -59,7 +61,7 @@ pub(super) struct Arguments {
     resume: bool,
 }
 
-pub(super) fn run(arguments: &Arguments, chosen: Option<Arithmetic>) -> Result<(), Error> {
+pub(super) fn run(arguments: &Arguments, chosen: Option<Arithmetic>) -> Result<ExitCode, Error> {
     let mut experiment = arguments.problem.load()?;
     if let Some(section) = &mut experiment.optimize {
         section.iterations = arguments.iterations.or(section.iterations);
@@ -79,8 +81,16 @@ pub(super) fn run(arguments: &Arguments, chosen: Option<Arithmetic>) -> Result<(
     let recovery = arguments.dial.recovery(&arguments.problem, &experiment, chosen)?;
     let outcome = recover(&experiment, &recovery, &out, arguments.resume)?;
     recovery.left_out().iter().for_each(print_warning);
-    print(report(&recovery, &outcome, &out))
+    print(report(&recovery, &outcome, &out))?;
+    if outcome.stop.reason == StopReason::Interrupted {
+        print_note("go on with the same command and --resume");
+        return Ok(ExitCode::from(INTERRUPTED));
+    }
+    Ok(ExitCode::SUCCESS)
 }
+
+/// The exit code of a run that was asked to end: that of a process that the interrupt signal ended.
+const INTERRUPTED: u8 = 130;
 
 /// What the command line names, with the numbers of the scene file if it names the same.
 fn method<T>(named: Option<T>, listed: Option<T>, name: fn(&T) -> &'static str) -> Option<T> {
@@ -125,15 +135,22 @@ pub(super) fn recover(
         let only_evaluate = Settings { iterations: 0, checkpointing: None, ..settings.clone() };
         recovery.run(&only_evaluate, &mut Quiet)?;
     }
+    if is_fresh && resume {
+        print_note(format_args!("{}: no run to resume; a new one begins", out.display()));
+    }
     create_folder(out)?;
+    let _lock = lock(out)?;
     if is_fresh {
+        if out.join(SUMMARY_FILE).exists() {
+            print_note(format_args!("{}: the finished run in it is replaced", out.display()));
+        }
         remove_earlier_results(out)?;
     }
     let target = recovery.target();
     save_png(target, &out.join("target.png"))?;
     save_png(&recovery.render(&experiment.scene), &out.join("initial.png"))?;
 
-    let outcome = recovery.run(&settings, progress().as_mut())?;
+    let outcome = recovery.run(&settings, &mut Interruptible::new(progress().as_mut())?)?;
 
     let recovered = recovery.scene_at(&outcome.best.x);
     let image = recovery.render(&recovered);

@@ -1,7 +1,9 @@
 //! The folder for the results.
 
 use std::fs;
-use std::io::ErrorKind;
+#[cfg(unix)]
+use std::fs::{File, TryLockError};
+use std::io::{self, ErrorKind};
 use std::path::Path;
 
 use super::strip::STRIP_FOLDER;
@@ -45,7 +47,37 @@ pub(super) fn check_out_folder<'a>(
 /// What a run writes at its end and [`report`](super::report) reads, but for the scene, which may be
 /// read again.
 const AT_THE_END: [&str; 6] =
-    ["summary.json", "history.csv", "trajectory.json", "loss.svg", "final.png", "difference.png"];
+    [SUMMARY_FILE, "history.csv", "trajectory.json", "loss.svg", "final.png", "difference.png"];
+
+/// The file that a finished run leaves.
+pub(super) const SUMMARY_FILE: &str = "summary.json";
+
+/// Keeps other runs out of a folder until the file is dropped.
+///
+/// # Errors
+///
+/// If another run is in it.
+#[cfg(unix)]
+pub(super) fn lock(out: &Path) -> Result<File, Error> {
+    let cannot = |error: io::Error| Error::io(out, format!("cannot be locked: {error}"), error);
+    // The folder itself is locked, so that there is no file to be left behind.
+    let folder = File::open(out).map_err(cannot)?;
+    match folder.try_lock() {
+        Ok(()) => Ok(folder),
+        Err(TryLockError::WouldBlock) => {
+            Err(Error::new(out.display(), "another run writes into this folder; choose another"))
+        }
+        // Some network file systems have no locks.
+        Err(TryLockError::Error(error)) if error.kind() == ErrorKind::Unsupported => Ok(folder),
+        Err(TryLockError::Error(error)) => Err(cannot(error)),
+    }
+}
+
+/// Only Unix opens folders as files.
+#[cfg(not(unix))]
+pub(super) fn lock(_: &Path) -> Result<(), Error> {
+    Ok(())
+}
 
 /// Removes what an earlier run has left in `out`: until this one ends, it would be taken for its result.
 ///

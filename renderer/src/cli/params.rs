@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use serde_json::{Map, Value};
 
-use super::load;
+use super::changes::Changes;
 use super::output::{abbreviate, json_numbers, print};
 use crate::Error;
 
@@ -13,13 +13,16 @@ pub(super) struct Arguments {
     /// A scene file (TOML), or a mesh (OBJ, PLY, STL, glTF), which is framed and lit by default
     scene: PathBuf,
 
+    #[command(flatten)]
+    changes: Changes,
+
     /// Print an object: path -> numbers
     #[arg(long)]
     json: bool,
 }
 
 pub(super) fn run(arguments: &Arguments) -> Result<(), Error> {
-    let scene = load(&arguments.scene)?.scene;
+    let scene = arguments.changes.load(&arguments.scene)?.scene;
     let size = [("camera.width", scene.width), ("camera.height", scene.height)];
     if arguments.json {
         let mut object = Map::new();

@@ -2,7 +2,8 @@
 
 use std::path::PathBuf;
 
-use super::load;
+use super::changes::Changes;
+use super::derivative::derivative;
 use super::output::{print, print_warning};
 use super::sampling::SamplingArguments;
 use crate::Error;
@@ -46,6 +47,14 @@ pub(super) struct Arguments {
     #[arg(long)]
     allow_non_finite: bool,
 
+    /// Show how the image changes while a parameter moves: light.key.position=1,0,0 is one unit along x;
+    /// red becomes brighter, blue darker
+    #[arg(long, value_name = "PATH=DIRECTION", conflicts_with_all = ["exposure", "tone", "normalize"])]
+    derivative: Option<String>,
+
+    #[command(flatten)]
+    changes: Changes,
+
     #[command(flatten)]
     sampling: SamplingArguments,
 
@@ -69,7 +78,7 @@ fn stops(text: &str) -> Result<f64, String> {
 
 pub(super) fn run(arguments: &Arguments, arithmetic: Arithmetic) -> Result<(), Error> {
     check_image_path(&arguments.output)?;
-    let experiment = load(&arguments.scene)?;
+    let experiment = arguments.changes.load(&arguments.scene)?;
     let settings = Settings {
         arithmetic,
         visibility: arguments.visibility,
@@ -82,6 +91,11 @@ pub(super) fn run(arguments: &Arguments, arithmetic: Arithmetic) -> Result<(), E
         ..Settings::default()
     };
     let renderer = Renderer::unchecked(&experiment.scene, &settings);
+    if let Some(direction) = &arguments.derivative {
+        let image = derivative(&renderer, &experiment.scene, direction)?;
+        save_image(&image, &arguments.output)?;
+        return print(arguments.output.display());
+    }
     let mut image = renderer.render();
     if !image.is_finite() {
         let found = renderer.find_non_finite(&experiment.scene);

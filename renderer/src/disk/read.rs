@@ -1,20 +1,31 @@
 //! Whole files, read.
 
 use std::fs;
-use std::io::ErrorKind;
+use std::io::{self, ErrorKind};
 use std::path::Path;
 
-use crate::Error;
+use crate::{Error, memory};
+
+/// What a byte of a file takes once it is read: itself, and what it becomes.
+const FILE_BYTES: u64 = 4;
 
 /// The bytes of a file.
 pub(crate) fn read(path: &Path) -> Result<Vec<u8>, Error> {
-    if path.is_dir() {
-        return Err(Error::new(path.display(), "is a directory, not a file"));
-    }
-    fs::read(path).map_err(|error| match error.kind() {
+    let failed = |error: io::Error| match error.kind() {
         ErrorKind::NotFound => Error::io(path, "no such file", error),
         _ => Error::io(path, format!("cannot be read: {error}"), error),
-    })
+    };
+    // Devices and pipes may never end, or never begin.
+    let found = fs::metadata(path).map_err(failed)?;
+    if found.is_dir() {
+        return Err(Error::new(path.display(), "is a directory, not a file"));
+    }
+    if !found.is_file() {
+        return Err(Error::new(path.display(), "is no regular file, but a device or a pipe"));
+    }
+    memory::ask(found.len().saturating_mul(FILE_BYTES))
+        .map_err(|problem| Error::new(path.display(), problem))?;
+    fs::read(path).map_err(failed)
 }
 
 /// The text of a file, without the byte order mark that some editors put first.
@@ -43,5 +54,9 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         assert_eq!(read(&folder.path().join("x")).unwrap_err().problem, "no such file");
         assert_eq!(read(folder.path()).unwrap_err().problem, "is a directory, not a file");
+        if cfg!(unix) {
+            let error = read(Path::new("/dev/zero")).unwrap_err();
+            assert_eq!(error.problem, "is no regular file, but a device or a pipe");
+        }
     }
 }

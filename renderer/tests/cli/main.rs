@@ -2,6 +2,7 @@
 
 mod bad_input;
 mod bench;
+mod changes;
 mod defaults;
 mod extremes;
 mod gradient;
@@ -13,3 +14,4 @@ mod resume;
 mod sandbox;
 mod stats;
 mod tradeoff;
+mod unlucky;

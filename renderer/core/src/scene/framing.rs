@@ -15,16 +15,17 @@ const TOWARDS_CAMERA: DVec3 = DVec3::new(1.0, 0.7, 1.6);
 /// The room left around the object.
 const MARGIN: f64 = 1.05;
 /// The radiance of a white surface that faces the light where the sphere around the object is closest
-/// to it: the default albedo 0.7 stays below 1, white.
-const RADIANCE: f64 = 1.4;
+/// to it: nothing is brighter, and nothing is clipped.
+const RADIANCE: f64 = 1.0;
+/// How many times as far as the camera the light is: the far side is not much darker than the near one.
+const LIGHT_DISTANCE: f64 = 3.0;
 
 impl Scene {
     /// Gives the scene a camera and a light, `key`, that fit its geometry.
     ///
     /// The camera looks at the centre of the bounding box from the front, to the right of and above
-    /// it, such that the sphere around all vertices fits the square image. The light stands above
-    /// the camera; where that sphere is closest to it, a surface that faces it receives an
-    /// irradiance of 1.4 π, the most that any surface can.
+    /// it, such that the sphere around all vertices fits the square image. The light stands behind and
+    /// above the camera; a white surface that faces it where that sphere is closest to it is just white.
     pub fn frame(&mut self) {
         let (center, radius) = self.bounding_sphere();
         // A sphere fits a cone of this half angle when it touches the cone's side.
@@ -34,7 +35,17 @@ impl Scene {
         self.height = SIZE;
         self.camera = Camera { vfov: VFOV, ..Camera::looking(look_from, center) };
 
-        let position = look_from + DVec3::Y * (0.5 * distance);
+        self.light_from_camera();
+    }
+
+    /// Replaces the lights by one, `key`, behind and above the camera.
+    fn light_from_camera(&mut self) {
+        let (center, radius) = self.bounding_sphere();
+        let distance = self.camera.look_from.distance(center).max(radius);
+        let backwards = (self.camera.look_from - center).try_normalize().unwrap_or(DVec3::Z);
+        let upwards = self.camera.up.try_normalize().unwrap_or(DVec3::Y);
+        let towards = (backwards + 0.5 * upwards).try_normalize().unwrap_or(backwards);
+        let position = center + towards * (LIGHT_DISTANCE * distance);
         let nearest = position.distance(center) - radius;
         let radiant_intensity = RADIANCE * PI * nearest.powi(2);
         let light = Light::Point(PointLight { position, color: DVec3::ONE, radiant_intensity });
@@ -44,7 +55,7 @@ impl Scene {
 
     /// Gives the framed scene another camera, whose image has `aspect_ratio` times its height as its
     /// width. The point that it looks at is moved along the view to the depth of the objects, so that
-    /// the distance to it says something.
+    /// the distance to it says something. The light moves with the camera.
     #[doc(hidden)]
     pub fn set_camera(&mut self, mut camera: Camera<f64>, aspect_ratio: Option<f64>) {
         let (center, _) = self.bounding_sphere();
@@ -54,6 +65,7 @@ impl Scene {
             camera.look_at = camera.look_from + forward * depth;
         }
         self.camera = camera;
+        self.light_from_camera();
         if let Some(ratio) = aspect_ratio {
             self.width = ((f64::from(SIZE) * ratio).round() as u32).max(1);
         }
@@ -116,8 +128,8 @@ mod tests {
                 };
                 let vertices = scene.meshes[0].vertices.iter();
                 let brightest = vertices.map(|&v| white(v.into())).fold(0.0, f64::max);
-                assert!(0.7 * brightest < 1.0, "{brightest}");
-                assert!(0.7 * white(camera.look_at) > 0.4);
+                assert!(brightest <= 1.0, "{brightest}");
+                assert!(white(camera.look_at) > 0.7);
                 assert!(light.position.y > camera.look_from.y);
             }
         }

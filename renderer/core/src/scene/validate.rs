@@ -5,8 +5,10 @@ use std::collections::HashSet;
 use glam::DVec3;
 
 use super::table::{self, LARGEST_COORDINATE, SMALLEST_LENGTH};
-use super::{Mesh, Normals, Object, ParameterId, Scene, ShapeObject, Slot, Texture};
-use crate::Error;
+use super::{
+    MaterialObject, Mesh, Normals, Object, ParameterId, Scene, ShapeObject, Slot, Texture,
+};
+use crate::{Error, memory};
 
 #[cfg(test)]
 mod tests;
@@ -20,6 +22,13 @@ const DIRECTION: f64 = 1e-9;
 const SMALLEST_ANGLE: f64 = 4.0 * f32::EPSILON as f64;
 /// The most pixels of an image, and the most texels of all textures.
 pub const MOST_PIXELS: u64 = 1 << 28;
+
+/// What a pixel takes: its image, its radiance, and its target.
+const PIXEL_BYTES: u64 = 48;
+/// What a light takes: its numbers, and its name where errors need it.
+const LIGHT_BYTES: u64 = 3000;
+/// What the vertices of a path at one depth take: the record of a group of lanes, on each thread.
+const BOUNCE_BYTES: u64 = 40_000;
 
 /// What is wrong with a scene.
 #[derive(Clone, Debug, PartialEq)]
@@ -67,10 +76,29 @@ impl Scene {
         }
         self.check_camera()?;
         self.objects().try_for_each(|object| self.check_structure(object))?;
+        self.check_memory()?;
         let texels = self.textures.iter().map(|texture| texture.texels.len() as u64).sum::<u64>();
         if texels > MOST_PIXELS {
             let problem = format!("{texels} texels; all textures may have up to {MOST_PIXELS}");
             return invalid("texture", problem);
+        }
+        Ok(())
+    }
+
+    /// What numbers alone may make large.
+    fn check_memory(&self) -> Result<(), Invalid> {
+        let bends = |material: &MaterialObject| {
+            material.transparent || material.values.mirror != DVec3::ZERO
+        };
+        // Without mirrors and transparent surfaces paths end where they begin.
+        let depth = if self.materials.iter().any(bends) { u64::from(self.bounces) } else { 0 };
+        let pixels = u64::from(self.width) * u64::from(self.height);
+        for (path, bytes) in [
+            ("camera.width", pixels.saturating_mul(PIXEL_BYTES)),
+            ("light", (self.lights.len() as u64).saturating_mul(LIGHT_BYTES)),
+            ("bounces", depth.saturating_mul(BOUNCE_BYTES)),
+        ] {
+            memory::ask(bytes).map_err(|problem| Invalid { path: path.into(), problem })?;
         }
         Ok(())
     }

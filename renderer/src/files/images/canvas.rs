@@ -1,7 +1,7 @@
 //! The pixels of an image while they are decoded.
 
 use super::orientation::Orientation;
-use crate::Image;
+use crate::{Image, memory};
 
 /// A pixel as a file stores it, with its alpha, which is the most where the file has none.
 #[derive(Clone, Copy)]
@@ -47,6 +47,9 @@ pub struct Source<'a> {
 /// OpenEXR images have 512. An OpenEXR header may announce millions around data of a few.
 const MOST_PIXELS_PER_BYTE: u64 = 10_000;
 
+/// What a pixel takes while it is decoded: what is stored, and what it becomes.
+const PIXEL_BYTES: u64 = 16;
+
 impl Source<'_> {
     /// Whether so few bytes can hold an image of this size.
     pub fn check(&self, Size { width, height, .. }: Size) -> Result<(), String> {
@@ -54,7 +57,8 @@ impl Source<'_> {
         if u64::from(width) * u64::from(height) > MOST_PIXELS_PER_BYTE * size as u64 {
             return Err(format!("{size} bytes cannot hold the {width} x {height} pixels it has"));
         }
-        Ok(())
+        let needed = u64::from(width) * u64::from(height) * PIXEL_BYTES;
+        memory::ask(needed).map_err(|problem| format!("{width} x {height} pixels: {problem}"))
     }
 
     /// What the pixels are put on.

@@ -206,6 +206,11 @@ impl Definition {
         if self.is_mirror() && is_transparent {
             warnings.add("transparent mirror", place, "a mirror is shown opaque");
         }
+        if self.reduced_opacity() == Some(0.0) && self.opacity_map.is_none() {
+            let problem =
+                "its opacity is 0, so it is invisible; some programs write `Tr 1` for opaque";
+            warnings.add("invisible material", place, problem);
+        }
         Ok(())
     }
 

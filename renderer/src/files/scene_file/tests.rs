@@ -483,10 +483,7 @@ fn an_invalid_scene_is_not_written() {
 
 #[test]
 fn the_documented_scene_file_is_read() {
-    let documentation = include_str!("../../experiment.rs");
-    let lines = documentation.lines().map_while(|line| line.strip_prefix("//!"));
-    let text: String =
-        lines.map(|line| format!("{}\n", line.strip_prefix(' ').unwrap_or(line))).collect();
+    let text = include_str!("../../../docs/scene.md");
     let blocks: Vec<&str> =
         text.split("```toml").skip(1).filter_map(|b| b.split("```").next()).collect();
     let [whole, tables, values] = blocks[..] else { panic!("three blocks") };

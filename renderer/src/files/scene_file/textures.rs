@@ -13,7 +13,11 @@ use crate::files::images::{TextureFile, decode_coverage, decode_texture};
 use crate::files::model::{Channel, ModelMaps, TextureImage, TextureSource};
 use crate::files::names::Names;
 use crate::files::names::{clean_name, file_stem};
+use crate::memory;
 use crate::scene::{MOST_PIXELS, MaterialTextures, Scene, Slot, Texture, Wrap};
+
+/// What a texel takes: the number that may vary, and the one that is rendered.
+const TEXEL_BYTES: u64 = 36;
 
 /// First the textures of the scene file, in its order.
 #[derive(Default)]
@@ -69,6 +73,9 @@ impl TextureTable {
                             "size",
                             &format!("{count} texels; a texture may have up to {MOST_PIXELS}"),
                         );
+                    }
+                    if let Err(problem) = memory::ask(count as u64 * TEXEL_BYTES) {
+                        return refuse("size", &problem);
                     }
                     let wrap = entry.wrap.into();
                     let texels = vec![color.unwrap_or([1.0; 3]); count];

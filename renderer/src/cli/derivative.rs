@@ -1,0 +1,33 @@
+//! The derivative of an image, as a picture.
+
+use super::changes::assignment;
+use super::output::{print_note, short};
+use crate::Error;
+use crate::Image;
+use crate::render::Renderer;
+use crate::scene::Scene;
+
+/// The derivative of the image along a direction, such as `light.key.position=1,0,0`: red where pixels
+/// become brighter, blue where they become darker, white where nothing changes.
+pub(super) fn derivative(
+    renderer: &Renderer,
+    scene: &Scene,
+    direction: &str,
+) -> Result<Image, Error> {
+    let refuse = |problem| Error::new(format_args!("--derivative {direction}"), problem);
+    let along = assignment(scene, direction).map_err(refuse)?;
+    let (_, derivative) = renderer.jvp(scene, &[along])?;
+    let luminance = |pixel: &[f32; 3]| pixel.iter().sum::<f32>() / 3.0;
+    let mut sizes: Vec<f32> = derivative.pixels.iter().map(|p| luminance(p).abs()).collect();
+    sizes.sort_unstable_by(f32::total_cmp);
+    // Few pixels on edges have by far the largest derivatives.
+    let scale = sizes[(sizes.len() - 1) * 99 / 100].max(f32::MIN_POSITIVE);
+    print_note(format_args!("full red and blue: a derivative of {}", short(scale.into())));
+    let color = |pixel: &[f32; 3]| {
+        let value = (luminance(pixel) / scale).clamp(-1.0, 1.0);
+        let rest = (1.0 - value.abs()).powi(2);
+        if value > 0.0 { [1.0, rest, rest] } else { [rest, rest, 1.0] }
+    };
+    let pixels = derivative.pixels.iter().map(color).collect();
+    Ok(Image { pixels, ..derivative })
+}

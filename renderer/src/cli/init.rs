@@ -1,0 +1,127 @@
+//! `renderer init` and `renderer scene`
+
+use std::fmt::Write;
+use std::path::{Path, PathBuf};
+
+use super::load;
+use super::output::{print, short};
+use crate::Error;
+use crate::disk::{check_writable, write_atomically};
+use crate::scene::{Light, LightSource, Scene};
+
+/// The format of scene files.
+const FORMAT: &str = include_str!("../../docs/scene.md");
+
+#[derive(clap::Args)]
+pub(super) struct Arguments {
+    /// A mesh (OBJ, PLY, STL, glTF) to frame and light; without one, a ball on a floor
+    mesh: Option<PathBuf>,
+
+    /// Where to write the scene file
+    #[arg(short, long, value_name = "FILE", default_value = "scene.toml")]
+    output: PathBuf,
+}
+
+/// Writes a scene file to start from.
+pub(super) fn run(arguments: &Arguments) -> Result<(), Error> {
+    let Arguments { mesh, output } = arguments;
+    check_writable(output)?;
+    if output.exists() {
+        let problem = "is there already; choose another file with --output";
+        return Err(Error::new(output.display(), problem));
+    }
+    let text = match mesh {
+        Some(path) => of_mesh(path, output)?,
+        None => include_str!("init.toml").to_owned(),
+    };
+    write_atomically(output, text.as_bytes())?;
+    print(output.display())
+}
+
+/// Explains the format of scene files.
+pub(super) fn explain() -> Result<(), Error> {
+    print(FORMAT.trim_end())
+}
+
+/// The scene file of a mesh as it is framed and lit by default.
+fn of_mesh(path: &Path, output: &Path) -> Result<String, Error> {
+    let scene = load(path)?.scene;
+    let folder = output.parent().unwrap_or(Path::new(""));
+    let from_folder = path.strip_prefix(folder).unwrap_or(path);
+    // A path beside the scene file is found wherever both are moved to; any other is whole.
+    let is_beside = folder.as_os_str().is_empty() || path.starts_with(folder);
+    let place = if is_beside {
+        from_folder.to_owned()
+    } else {
+        path.canonicalize().map_err(|error| Error::new(path.display(), error))?
+    };
+    let mut text = camera(&scene);
+    for light in &scene.lights {
+        text += &self::light(&light.name, &light.source);
+    }
+    let place = toml::Value::from(place.to_string_lossy().into_owned());
+    let material = scene.materials.first().map_or("default", |material| &material.name);
+    let material = toml::Value::from(format!("material.{material}.diffuse"));
+    // Writing into a string cannot fail.
+    let _ = write!(
+        text,
+        "[[mesh]]\npath = {place}\n# normals = \"smooth\"  # shade it smoothly\n\n\
+         # What to recover from a photograph, with `renderer optimize`:\n\
+         # [optimize]\n# target = \"photo.png\"\n#\n\
+         # [[optimize.parameter]]\n# path = {material}\n"
+    );
+    Ok(text)
+}
+
+fn camera(scene: &Scene) -> String {
+    let camera = &scene.camera;
+    format!(
+        "# `renderer scene` explains every field.\n[camera]\nlook_from = {}\nlook_at = {}\n\
+         vfov = {}                     # vertical field of view, degrees\n\
+         width = {}\nheight = {}\n\n",
+        triple(camera.look_from.to_array()),
+        triple(camera.look_at.to_array()),
+        float(camera.vfov),
+        scene.width,
+        scene.height
+    )
+}
+
+/// The table of a light that a mesh file brings, or of the default one.
+fn light(name: &str, source: &LightSource) -> String {
+    let name = toml::Value::from(name);
+    let numbers = match source {
+        LightSource::Known(Light::Point(light)) => format!(
+            "type = \"point\"\nposition = {}\nradiant_intensity = {}  # W/sr\n",
+            triple(light.position.to_array()),
+            float(light.radiant_intensity)
+        ),
+        LightSource::Known(Light::Distant(light)) => format!(
+            "type = \"distant\"\ndirection = {}  # towards the light\nirradiance = {}  # W/m²\n",
+            triple(light.direction.to_array()),
+            float(light.irradiance)
+        ),
+        LightSource::Known(Light::Spot(light)) => format!(
+            "type = \"spot\"\nposition = {}\ndirection = {}\nradiant_intensity = {}  # W/sr\n\
+             inner_angle = {}\nouter_angle = {}\n",
+            triple(light.position.to_array()),
+            triple(light.direction.to_array()),
+            float(light.radiant_intensity),
+            float(light.inner_angle),
+            float(light.outer_angle)
+        ),
+        // Mesh files bring no others.
+        _ => return String::new(),
+    };
+    format!("[[light]]\nname = {name}\n{numbers}\n")
+}
+
+/// A number as TOML: with a point or an exponent, in six digits.
+fn float(value: f64) -> String {
+    let text = short(value);
+    if text.contains(['.', 'e']) { text } else { format!("{text}.0") }
+}
+
+fn triple(values: [f64; 3]) -> String {
+    format!("[{}]", values.map(float).join(", "))
+}

@@ -1,0 +1,55 @@
+//! Signals that ask a run to end.
+
+use std::ops::ControlFlow;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
+
+use signal_hook::consts::signal;
+use signal_hook::flag;
+
+use crate::Error;
+use crate::optimize::{Observer, Outcome, Start, Step};
+
+/// What asks a run to end.
+const SIGNALS: &[i32] = &[
+    signal::SIGINT,
+    signal::SIGTERM,
+    #[cfg(unix)]
+    signal::SIGHUP,
+];
+
+/// Watches a run for another observer, and interrupts it when the process is asked to end, so that it
+/// leaves a checkpoint.
+pub(super) struct Interruptible<'a> {
+    observer: &'a mut dyn Observer,
+    asked: Arc<AtomicBool>,
+}
+
+impl<'a> Interruptible<'a> {
+    /// From now on a first signal is a wish; a second one ends the process at once.
+    pub fn new(observer: &'a mut dyn Observer) -> Result<Self, Error> {
+        let asked = Arc::new(AtomicBool::new(false));
+        for &signal in SIGNALS {
+            // The order counts: at the first signal nobody has asked yet.
+            flag::register_conditional_shutdown(signal, 128 + signal, asked.clone())
+                .and_then(|_| flag::register(signal, asked.clone()))
+                .map_err(|error| Error::new("signals", error))?;
+        }
+        Ok(Self { observer, asked })
+    }
+}
+
+impl Observer for Interruptible<'_> {
+    fn start(&mut self, start: Start) {
+        self.observer.start(start);
+    }
+
+    fn step(&mut self, step: &Step) -> ControlFlow<()> {
+        let go_on = self.observer.step(step);
+        if self.asked.load(Relaxed) { ControlFlow::Break(()) } else { go_on }
+    }
+
+    fn finish(&mut self, outcome: &Outcome) {
+        self.observer.finish(outcome);
+    }
+}
