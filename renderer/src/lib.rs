@@ -54,3 +54,8 @@ mod warning;
 pub use renderer_core::*;
 #[cfg(feature = "files")]
 pub use warning::Warning;
+
+/// The code of the README of the repository.
+#[cfg(doctest)]
+#[doc = include_str!("../../README.md")]
+struct Readme;

@@ -505,3 +505,13 @@ fn the_documented_scene_file_is_read() {
     let experiment = Experiment::parse(&values, folder.path(), "s.toml").unwrap();
     assert!(matches!(experiment.optimize.unwrap().target, Some(Target::Values(v)) if v.len() == 2));
 }
+
+#[test]
+fn the_scene_file_of_the_readme_is_read() {
+    let readme = include_str!("../../../../README.md");
+    let scene = readme.split("```toml").nth(1).and_then(|rest| rest.split("```").next()).unwrap();
+    let folder = folder();
+    fs::write(folder.path().join("object.obj"), MESH.replace("mtllib", "# mtllib")).unwrap();
+    let experiment = Experiment::parse(scene, folder.path(), "photo.toml").unwrap();
+    assert_eq!(experiment.optimize.unwrap().parameters.len(), 2);
+}
