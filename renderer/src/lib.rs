@@ -26,58 +26,31 @@
 
 #[cfg(feature = "files")]
 pub mod accuracy;
-mod adjoint;
-pub mod arithmetic;
 #[cfg(feature = "cli")]
 pub mod cli;
-pub mod counts;
-pub mod custom;
 #[cfg(feature = "files")]
 pub mod demo;
-mod diagnose;
 #[cfg(feature = "files")]
 mod disk;
-pub mod display;
-mod edges;
-mod error;
 #[cfg(feature = "files")]
 pub mod experiment;
 pub mod extremes;
 #[cfg(feature = "files")]
 pub mod files;
-mod image;
-pub mod loss;
-mod number;
 #[cfg(feature = "files")]
 pub mod optimize;
 #[cfg(feature = "cli")]
 pub mod palette;
-mod primal;
 #[cfg(feature = "files")]
 pub mod recovery;
-pub mod render;
 #[cfg(feature = "cli")]
 pub mod report;
-pub mod scene;
-pub mod settings;
-pub mod trace;
 #[cfg(feature = "cli")]
 pub mod tradeoff;
-pub mod transport;
 #[cfg(feature = "files")]
 mod warning;
 
-pub use glam;
-
-pub use arithmetic::{Arithmetic, Precision};
-pub use error::{Error, ErrorKind};
-pub use image::Image;
-pub use loss::{ImageLoss, LossKind, PixelLoss};
-pub use render::{
-    Gradient, LossAndGradient, NonFinite, Renderer, loss_and_gradient, render, render_jvp,
-    render_vjp,
-};
-pub use scene::*;
-pub use settings::{Edges, Pass, PrimaryVisibility, Samples, Sampling, Settings};
+#[doc(inline)]
+pub use renderer_core::*;
 #[cfg(feature = "files")]
 pub use warning::Warning;

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use crate::error::one_line;
+use crate::one_line;
 
 /// A part of a file that is left out, because nothing here shows it, or that something else stands in
 /// for, because it is missing. Displays as one line: where, then what.

@@ -1,7 +1,7 @@
 //! How far a gradient or an image is from another.
 
 #[cfg(feature = "cli")]
-use crate::image::Image;
+use crate::Image;
 use crate::scene::{ParameterId, Scene};
 
 /// The measure of gradients by some parameters of a scene.

@@ -12,9 +12,9 @@ use image::{
 };
 
 use crate::Error;
+use crate::Image;
 use crate::disk::read;
 use crate::disk::{check_writable, write_atomically};
-use crate::image::Image;
 
 #[cfg(test)]
 mod tests;

@@ -104,7 +104,7 @@ fn image(name: &str) -> Vec<u8> {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join(name);
     let pixels = (0..12).map(|i| [i as f32 / 12.0, 0.5, 0.1]).collect();
-    let image = crate::image::Image { width: 4, height: 3, pixels };
+    let image = crate::Image { width: 4, height: 3, pixels };
     super::save_image(&image, &path).unwrap();
     fs::read(&path).unwrap()
 }

@@ -21,10 +21,10 @@ use std::sync::{Arc, Mutex};
 pub(crate) use objective::ImageObjective;
 
 use crate::Error;
+use crate::Image;
 use crate::arithmetic::Arithmetic;
 use crate::experiment::{Experiment, OptimizeSection, Target, TunedParameter, overlap};
 use crate::files::{LoadedImage, load_image};
-use crate::image::Image;
 use crate::loss::{ImageLoss, LossKind};
 use crate::optimize::{
     Evaluation, Fingerprint, Objective, Observer, Optimization, Optimizer, Outcome,

@@ -1,7 +1,7 @@
 //! The loss of an image as a function of numbers.
 
 use super::Recovery;
-use crate::adjoint::LossAndGradient;
+use crate::LossAndGradient;
 use crate::optimize::{Evaluation, Objective};
 use crate::render::Renderer;
 use crate::scene::{Invalid, Scene};

@@ -2,14 +2,13 @@
 
 use glam::Vec3;
 
-use crate::image::Image;
+use crate::Image;
 use crate::loss::{ImageLoss, PixelLoss};
-use crate::primal::integrator::Prepared;
 use crate::recovery::Recovery;
 use crate::render::Renderer;
 use crate::scene::{Object, ParameterId, Scene};
 use crate::settings::{Sampling, Settings};
-use crate::tradeoff::tape;
+use crate::tape::TapeRenderer;
 
 /// A way to the gradient of a loss at the parameters of a scene.
 pub(super) trait Engine {
@@ -243,14 +242,14 @@ impl Engine for Forward<'_> {
 /// Recordings at run time: one for each strip of the image, or one for all of it.
 pub(super) struct Tape<'a> {
     question: Question<'a>,
-    prepared: Prepared<f64>,
+    renderer: TapeRenderer,
     whole: bool,
 }
 
 impl<'a> Tape<'a> {
     pub fn new(question: Question<'a>, whole: bool) -> Self {
-        let prepared = Prepared::new(question.scene(), question.settings);
-        Self { question, prepared, whole }
+        let renderer = TapeRenderer::new(question.scene(), question.settings);
+        Self { question, renderer, whole }
     }
 }
 
@@ -258,6 +257,6 @@ impl Engine for Tape<'_> {
     fn gradient(&mut self) -> Vec<f64> {
         let Question { recovery, .. } = self.question;
         let loss = self.question.loss();
-        tape::gradient(&self.prepared, recovery.scene(), &loss, recovery.ids(), self.whole)
+        self.renderer.gradient(recovery.scene(), &loss, recovery.ids(), self.whole)
     }
 }

@@ -6,8 +6,8 @@ use peakmem_alloc::{INSTRUMENTED_SYSTEM, PeakMemAllocTrait};
 
 use super::axis::Axis;
 use super::engine::Engine;
+use crate::Image;
 use crate::accuracy::{GradientMetric, image_error};
-use crate::image::Image;
 
 /// What one setting costs, and what it is worth.
 #[derive(Clone, Debug, PartialEq)]

@@ -16,7 +16,6 @@ mod sampling;
 mod schedules;
 mod steps;
 mod table;
-mod tape;
 #[cfg(test)]
 mod tests;
 

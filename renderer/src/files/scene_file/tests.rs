@@ -1,10 +1,10 @@
 use std::fs;
 
 use super::*;
+use crate::Image;
 use crate::demo::demo_experiment;
 use crate::experiment::{OptimizeSection, Target, TunedParameter};
 use crate::files::images::save_png;
-use crate::image::Image;
 use crate::loss::LossKind;
 use crate::optimize::{Optimizer, Schedule, Sgd};
 use crate::scene::{

@@ -7,8 +7,8 @@ use image::ExtendedColorType;
 
 use super::tests::{CAMERA, LIBRARY, LIGHT, folder};
 use super::*;
+use crate::Image;
 use crate::files::images::save_exr;
-use crate::image::Image;
 use crate::scene::{Material, Slot};
 
 #[test]

@@ -6,13 +6,13 @@ use std::path::Path;
 use super::Problem;
 use super::format::{ChannelEntry, Ordered, TextureEntry};
 use crate::Error;
+use crate::Image;
 use crate::Warning;
 use crate::disk::read;
 use crate::files::images::{TextureFile, decode_coverage, decode_texture};
 use crate::files::model::{Channel, ModelMaps, TextureImage, TextureSource};
 use crate::files::names::Names;
 use crate::files::names::{clean_name, file_stem};
-use crate::image::Image;
 use crate::scene::{MOST_PIXELS, MaterialTextures, Scene, Slot, Texture, Wrap};
 
 /// First the textures of the scene file, in its order.

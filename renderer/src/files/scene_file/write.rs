@@ -8,13 +8,13 @@ use super::format::{
 };
 use super::numbers;
 use crate::Error;
+use crate::Image;
 use crate::disk::write_atomically;
 use crate::disk::{create_folder, read};
 use crate::experiment::{Experiment, OptimizeSection, Target, TunedParameter};
 use crate::files::images::save_exr;
 use crate::files::names::Names;
 use crate::files::obj::save_obj;
-use crate::image::Image;
 use crate::scene::{
     LightObject, LightSource, MaterialObject, Normals, Scene, Slot, SphereObject, Transform,
 };

@@ -50,8 +50,8 @@ impl LightSource {
 impl Light<f64> {
     /// The kinds by the names that scene files give them, with numbers that are not: what a kind needs
     /// is NaN, what it can do without has its default.
-    #[cfg(feature = "files")]
-    pub(crate) const KINDS: [(&'static str, Self); 3] = [
+    #[doc(hidden)]
+    pub const KINDS: [(&'static str, Self); 3] = [
         (
             "point",
             Self::Point(PointLight {
@@ -82,8 +82,8 @@ impl Light<f64> {
     ];
 
     /// The name that scene files give its kind.
-    #[cfg(feature = "files")]
-    pub(crate) fn kind(&self) -> &'static str {
+    #[doc(hidden)]
+    pub fn kind(&self) -> &'static str {
         match self {
             Self::Point(_) => "point",
             Self::Distant(_) => "distant",

@@ -45,8 +45,8 @@ impl Scene {
     /// Gives the framed scene another camera, whose image has `aspect_ratio` times its height as its
     /// width. The point that it looks at is moved along the view to the depth of the objects, so that
     /// the distance to it says something.
-    #[cfg(feature = "gltf")]
-    pub(crate) fn set_camera(&mut self, mut camera: Camera<f64>, aspect_ratio: Option<f64>) {
+    #[doc(hidden)]
+    pub fn set_camera(&mut self, mut camera: Camera<f64>, aspect_ratio: Option<f64>) {
         let (center, _) = self.bounding_sphere();
         let forward = camera.look_at - camera.look_from;
         let depth = (center - camera.look_from).dot(forward);
@@ -79,8 +79,8 @@ impl Scene {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::demo::demo_experiment;
     use crate::scene::SphereObject;
+    use crate::scene::example::tree;
 
     /// Where the camera sees a point: 1 is the edge of the image.
     fn projected(camera: &Camera<f64>, point: DVec3) -> [f64; 2] {
@@ -96,7 +96,7 @@ mod tests {
     fn the_object_fills_the_image_at_every_scale() {
         for scale in [1e-6, 1e-3, 1.0, 1e3, 1e6] {
             for shift in [0.0, -5.0] {
-                let mut scene = demo_experiment().unwrap().scene;
+                let mut scene = tree();
                 for value in scene.meshes[0].vertices.as_flattened_mut() {
                     *value = (*value + shift) * scale;
                 }
@@ -125,7 +125,7 @@ mod tests {
 
     #[test]
     fn a_single_point_and_spheres_are_framed() {
-        let mut scene = demo_experiment().unwrap().scene;
+        let mut scene = tree();
         scene.meshes[0].vertices.fill([3.0, 3.0, 3.0]);
         scene.frame();
         assert_eq!(scene.check(), Ok(()));

@@ -151,7 +151,6 @@ pub fn visit<S: Number>(
 }
 
 /// How many rays there are at each depth, and how many of them hit something.
-#[cfg(feature = "files")]
 pub fn rays_by_depth<L: Plain>(integrator: Integrator<'_, L>) -> Vec<(u64, u64)> {
     let (width, height) = (integrator.layout.width, integrator.layout.height);
     let depths = integrator.layout.bounces as usize + 1;

@@ -19,29 +19,44 @@ use crate::primal::path::Path;
 use crate::primal::varying::Varying;
 use crate::primal::wavefront::samples;
 use crate::scene::{ParameterId, Scene};
+use crate::settings::Settings;
 use crate::trace::tile::{Tile, strips};
 
-/// The gradient of a loss by some parameters, one after the other: on one tape for the `whole` image, or
-/// on one for each strip of it.
-pub(super) fn gradient(
-    prepared: &Prepared<f64>,
-    scene: &Scene,
-    loss: &dyn PixelLoss,
-    ids: &[ParameterId],
-    whole: bool,
-) -> Vec<f64> {
-    let strips = strips(prepared.layout.width, prepared.layout.height);
-    let tiles: Vec<Vec<Tile>> = strips.into_iter().map(|strip| strip.tiles().collect()).collect();
-    let on_one_tape = |tiles: &[Tile]| on_tape(prepared, scene, loss, ids, tiles);
-    let parts: Vec<Vec<f64>> = match whole {
-        true => vec![on_one_tape(&tiles.concat())],
-        false => tiles.par_iter().map(|tiles| on_one_tape(tiles)).collect(),
-    };
-    let mut total = vec![0.0; parts.first().map_or(0, Vec::len)];
-    for part in parts {
-        total.iter_mut().zip(part).for_each(|(total, part)| *total += part);
+/// A prepared scene whose gradients are recorded on tapes, in double precision.
+pub struct TapeRenderer {
+    prepared: Prepared<f64>,
+}
+
+impl TapeRenderer {
+    /// Prepares a valid scene.
+    pub fn new(scene: &Scene, settings: Settings) -> Self {
+        Self { prepared: Prepared::new(scene, settings) }
     }
-    total
+
+    /// The gradient of a loss by some parameters, one after the other: on one tape for the `whole` image,
+    /// or on one for each strip of it.
+    pub fn gradient(
+        &self,
+        scene: &Scene,
+        loss: &dyn PixelLoss,
+        ids: &[ParameterId],
+        whole: bool,
+    ) -> Vec<f64> {
+        let Self { prepared } = self;
+        let strips = strips(prepared.layout.width, prepared.layout.height);
+        let tiles: Vec<Vec<Tile>> =
+            strips.into_iter().map(|strip| strip.tiles().collect()).collect();
+        let on_one_tape = |tiles: &[Tile]| on_tape(prepared, scene, loss, ids, tiles);
+        let parts: Vec<Vec<f64>> = match whole {
+            true => vec![on_one_tape(&tiles.concat())],
+            false => tiles.par_iter().map(|tiles| on_one_tape(tiles)).collect(),
+        };
+        let mut total = vec![0.0; parts.first().map_or(0, Vec::len)];
+        for part in parts {
+            total.iter_mut().zip(part).for_each(|(total, part)| *total += part);
+        }
+        total
+    }
 }
 
 /// What the pixels of some tiles add to the gradient.

@@ -113,7 +113,8 @@ impl Scene {
     /// # Panics
     ///
     /// If `id` is not a parameter of the scene, or has another number of numbers.
-    pub(crate) fn assign(&mut self, id: ParameterId, numbers: &[f64]) {
+    #[doc(hidden)]
+    pub fn assign(&mut self, id: ParameterId, numbers: &[f64]) {
         assert_eq!(numbers.len(), self.get(id).len(), "{id:?} keeps its number of numbers");
         let first = 3 * id.vertex.unwrap_or(0);
         self.object_mut(id.object).set(id.field, first, numbers);
@@ -121,8 +122,8 @@ impl Scene {
 
     /// Replaces the numbers of several parameters, one after the other in `values`, without checking
     /// them.
-    #[cfg(feature = "files")]
-    pub(crate) fn assign_all(&mut self, ids: &[ParameterId], mut values: &[f64]) {
+    #[doc(hidden)]
+    pub fn assign_all(&mut self, ids: &[ParameterId], mut values: &[f64]) {
         for &id in ids {
             let (numbers, rest) = values.split_at(self.get(id).len());
             self.assign(id, numbers);

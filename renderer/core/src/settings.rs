@@ -37,7 +37,7 @@ impl Settings {
 /// has the boundary term: what pixels gain and lose when edges move. Rays form a regular grid then, of
 /// at least as many as the [sampling](Settings::sampling) says.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-#[cfg_attr(feature = "cli", derive(clap::ValueEnum))]
+#[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
 pub enum Edges {
     /// For gradients by parameters that move edges, and for the images and losses that come with them.
     #[default]
@@ -62,7 +62,7 @@ impl Edges {
 /// How it is found which primitive a pixel shows. The images are the same, but for pixels on edges at
 /// which two primitives are equally near.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-#[cfg_attr(feature = "cli", derive(clap::ValueEnum))]
+#[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
 pub enum PrimaryVisibility {
     /// Rays traverse a bounding volume hierarchy.
     #[default]
@@ -76,7 +76,7 @@ pub enum PrimaryVisibility {
 
 /// What is shown of a surface.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-#[cfg_attr(feature = "cli", derive(clap::ValueEnum))]
+#[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
 pub enum Pass {
     /// The radiance that leaves it towards the camera.
     #[default]

@@ -26,18 +26,22 @@
 //! Turned down: one structure of all numbers beside one of all names (parallel arrays, whose lengths
 //! nothing ties together), and numbers behind shared references (a scene is cloned to be varied).
 
+#[cfg(test)]
+mod example;
 mod framing;
 mod light;
 mod lookup;
 mod material;
 mod mesh;
 mod normals;
-pub(crate) mod numbers;
+#[doc(hidden)]
+pub mod numbers;
 mod object;
 mod parameter;
 mod shape;
 mod sphere;
-pub(crate) mod table;
+#[doc(hidden)]
+pub mod table;
 mod texture;
 mod validate;
 
@@ -58,14 +62,14 @@ pub use shape::ShapeObject;
 pub use sphere::SphereObject;
 pub use texture::{Texture, Wrap};
 pub use validate::Invalid;
-#[cfg(feature = "files")]
-pub(crate) use validate::MOST_PIXELS;
+#[doc(hidden)]
+pub use validate::MOST_PIXELS;
 
 use crate::Error;
 use crate::custom::{EmitterFamily, ShapeFamily};
 
 /// How many mirrors and transparent surfaces a path has at most, if a scene does not say.
-pub(crate) const DEFAULT_BOUNCES: u32 = 4;
+pub const DEFAULT_BOUNCES: u32 = 4;
 
 /// A scene, complete: it needs no file to be rendered.
 #[derive(Clone, Debug, PartialEq)]
@@ -78,12 +82,18 @@ pub struct Scene {
     pub bounces: u32,
     /// The camera.
     pub camera: Camera<f64>,
-    pub(crate) lights: Vec<LightObject>,
-    pub(crate) materials: Vec<MaterialObject>,
-    pub(crate) textures: Vec<Texture>,
-    pub(crate) spheres: Vec<SphereObject>,
-    pub(crate) meshes: Vec<Mesh>,
-    pub(crate) shapes: Vec<ShapeObject>,
+    #[doc(hidden)]
+    pub lights: Vec<LightObject>,
+    #[doc(hidden)]
+    pub materials: Vec<MaterialObject>,
+    #[doc(hidden)]
+    pub textures: Vec<Texture>,
+    #[doc(hidden)]
+    pub spheres: Vec<SphereObject>,
+    #[doc(hidden)]
+    pub meshes: Vec<Mesh>,
+    #[doc(hidden)]
+    pub shapes: Vec<ShapeObject>,
 }
 
 impl Scene {

@@ -11,12 +11,12 @@ use super::{LightSource, Mesh, Object, ParameterId, Scene};
 /// Lengths and coordinates beyond this overflow when an `f32` squares them.
 const LARGEST_LENGTH: f64 = 1e18;
 /// Lengths below this vanish when an `f32` squares them.
-pub(crate) const SMALLEST_LENGTH: f64 = 1e-18;
+pub const SMALLEST_LENGTH: f64 = 1e-18;
 /// Other numbers beyond this leave the range of an `f32`.
 const LARGEST_NUMBER: f64 = 1e38;
 /// The power of a rounding error next to 1 is far from 1 beyond this exponent, and the highlight is
 /// smaller than any pixel.
-pub(crate) const LARGEST_EXPONENT: f64 = 1e6;
+pub const LARGEST_EXPONENT: f64 = 1e6;
 /// Texture coordinates beyond this do not tell texels apart in an `f32`.
 pub(super) const LARGEST_COORDINATE: f64 = 1e6;
 
@@ -28,7 +28,7 @@ const CONE: (f64, f64) = (0.0, 90.0);
 const NUMBER: (f64, f64) = (-LARGEST_NUMBER, LARGEST_NUMBER);
 
 /// What is known of a field of a kind of object.
-pub(crate) struct Row {
+pub struct Row {
     kind: &'static str,
     field: &'static str,
     /// The values for which it means something, ends included.
@@ -36,7 +36,7 @@ pub(crate) struct Row {
     /// The largest value where nobody says otherwise. A surface reflects no more light than it
     /// receives: beyond that, a bright spot could as well be explained by a surface that makes light
     /// as by a stronger lamp.
-    #[cfg_attr(not(feature = "files"), expect(dead_code, reason = "optimisers read it"))]
+    #[cfg_attr(not(feature = "serde"), expect(dead_code, reason = "optimisers read it"))]
     pub usual_max: f64,
     /// A change that changes the image a lot, by the scene, the object and its numbers.
     scale: fn(&Scene, usize, &[f64]) -> f64,
@@ -44,7 +44,7 @@ pub(crate) struct Row {
     /// anywhere within the default number of iterations; steps get smaller where the gradient does.
     /// Cameras and geometry have to be close to begin with, since only the interior term of their
     /// gradient is known; so they take their time.
-    #[cfg_attr(not(feature = "files"), expect(dead_code, reason = "optimisers read it"))]
+    #[cfg_attr(not(feature = "serde"), expect(dead_code, reason = "optimisers read it"))]
     pub rate: f64,
     /// Whether it moves edges: silhouettes, or those of shadows.
     pub moves_edges: bool,
@@ -135,20 +135,19 @@ const CUSTOM: Row =
     slow(moving("", "", NUMBER, |scene, i, numbers| positive_or(size(scene, i, numbers), 1.0)));
 
 /// The row of a parameter.
-pub(crate) fn row(id: ParameterId) -> &'static Row {
+pub fn row(id: ParameterId) -> &'static Row {
     let kind = id.object.kind();
     TABLE.iter().find(|row| (row.kind, row.field) == (kind, id.field)).unwrap_or(&CUSTOM)
 }
 
 /// The fields of a kind of object, as they stand in the table; lights of all kinds have those of all.
-#[cfg(feature = "files")]
-pub(crate) fn fields(kind: &str) -> impl Iterator<Item = &'static str> {
+pub fn fields(kind: &str) -> impl Iterator<Item = &'static str> {
     TABLE.iter().filter(move |row| row.kind == kind).map(|row| row.field)
 }
 
 impl Scene {
     /// The values for which a parameter means something, ends included.
-    pub(crate) fn range(&self, id: ParameterId) -> (f64, f64) {
+    pub fn range(&self, id: ParameterId) -> (f64, f64) {
         match id.object {
             Object::Texture(i) if self.is_opacity_texture(i) => PART,
             _ => row(id).range,

@@ -6,7 +6,7 @@ use std::ops::Range;
 use ad::{Field, Fields};
 
 /// An object whose numbers have names.
-pub(crate) trait Numbers {
+pub trait Numbers {
     /// The names of the fields that are parameters, with how many numbers each has.
     fn fields(&self) -> Vec<Field>;
 
@@ -18,7 +18,7 @@ pub(crate) trait Numbers {
 }
 
 /// Where the numbers of a field are among those of all.
-pub(crate) fn range_of(fields: &[Field], name: &str) -> Option<Range<usize>> {
+pub fn range_of(fields: &[Field], name: &str) -> Option<Range<usize>> {
     let mut start = 0;
     for field in fields {
         let end = start + field.len;

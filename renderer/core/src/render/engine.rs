@@ -12,7 +12,6 @@ use crate::edges::{Geometry, View};
 use crate::image::Image;
 use crate::loss::PixelLoss;
 use crate::number::Plain;
-#[cfg(feature = "files")]
 use crate::primal::image::rays_by_depth;
 use crate::primal::image::{loss, pixels_dual, render_into, trace_only};
 use crate::primal::inputs::Inputs;
@@ -58,7 +57,8 @@ impl Renderer {
     }
 
     /// Prepares a scene that is known to be valid.
-    pub(crate) fn unchecked(scene: &Scene, settings: &Settings) -> Self {
+    #[doc(hidden)]
+    pub fn unchecked(scene: &Scene, settings: &Settings) -> Self {
         let settings = *settings;
         let engine: Box<dyn Engine> = with_arithmetic!(settings.arithmetic, L => {
             Box::new(Prepared::<L>::new(scene, settings))
@@ -195,12 +195,8 @@ impl Renderer {
 
     /// How many rays there are at each depth, and how many of them hit something: those that a gradient by
     /// the requested parameters traces.
-    #[cfg(feature = "files")]
-    pub(crate) fn rays_by_depth(
-        &self,
-        scene: &Scene,
-        requested: &[ParameterId],
-    ) -> Vec<(u64, u64)> {
+    #[doc(hidden)]
+    pub fn rays_by_depth(&self, scene: &Scene, requested: &[ParameterId]) -> Vec<(u64, u64)> {
         self.engine.rays_by_depth(scene, requested)
     }
 
@@ -243,7 +239,6 @@ trait Engine: Send + Sync {
         found: &NonFinite,
     ) -> LossAndGradient;
     fn resample(&mut self, sampling: Sampling, bounces: Option<u32>);
-    #[cfg(feature = "files")]
     fn rays_by_depth(&self, scene: &Scene, requested: &[ParameterId]) -> Vec<(u64, u64)>;
     fn trace_only(&self, shadows: bool);
 }
@@ -340,7 +335,6 @@ impl<L: Plain> Engine for Prepared<L> {
         }
     }
 
-    #[cfg(feature = "files")]
     fn rays_by_depth(&self, scene: &Scene, requested: &[ParameterId]) -> Vec<(u64, u64)> {
         let request = Request::new(scene, &self.layout, requested);
         rays_by_depth(self.integrator().with_zero_weight(request.zero_weight))

@@ -19,7 +19,7 @@ const DIRECTION: f64 = 1e-9;
 /// scene in single precision, whatever the kernels compute in, so closer ones would be the same.
 const SMALLEST_ANGLE: f64 = 4.0 * f32::EPSILON as f64;
 /// The most pixels of an image, and the most texels of all textures.
-pub(crate) const MOST_PIXELS: u64 = 1 << 28;
+pub const MOST_PIXELS: u64 = 1 << 28;
 
 /// What is wrong with a scene.
 #[derive(Clone, Debug, PartialEq)]
@@ -91,7 +91,8 @@ impl Scene {
     /// # Errors
     ///
     /// The first thing that is wrong.
-    pub(crate) fn check_values(&self, changed: &[ParameterId]) -> Result<(), Invalid> {
+    #[doc(hidden)]
+    pub fn check_values(&self, changed: &[ParameterId]) -> Result<(), Invalid> {
         changed.iter().try_for_each(|&id| self.check_numbers(id))?;
         self.check_camera()
     }

@@ -1,10 +1,10 @@
 use super::*;
-use crate::demo::demo_experiment;
+use crate::scene::example::tree;
 use crate::scene::{DistantLight, SphereObject};
 
 /// A scene with one of everything.
 fn scene() -> Scene {
-    let mut scene = demo_experiment().unwrap().scene;
+    let mut scene = tree();
     let (direction, color) = (DVec3::Y, DVec3::ONE);
     scene.add_light("sun", DistantLight { direction, color, irradiance: 1.0 }).unwrap();
     scene.add_sphere(SphereObject::new("ball", DVec3::ZERO, 1.0)).unwrap();

@@ -21,7 +21,8 @@ impl Scene {
 
     /// The parameter that a path names, or one line that says that there is none and lists the paths
     /// that are closest.
-    pub(crate) fn find_parameter(&self, path: &str) -> Result<ParameterId, String> {
+    #[doc(hidden)]
+    pub fn find_parameter(&self, path: &str) -> Result<ParameterId, String> {
         if let Some(id) = self.named(path) {
             return Ok(id);
         }
@@ -92,12 +93,12 @@ fn edit_distance(a: &str, b: &str) -> usize {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::demo::demo_experiment;
     use crate::scene::Object;
+    use crate::scene::example::tree;
 
     #[test]
     fn a_wrong_path_leads_to_the_right_one() {
-        let scene = demo_experiment().unwrap().scene;
+        let scene = tree();
         assert_eq!(
             scene.find_parameter("camera.vfov"),
             Ok(ParameterId::new(Object::Camera, "vfov"))

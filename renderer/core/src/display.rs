@@ -4,7 +4,7 @@ use crate::image::Image;
 
 /// How radiances beyond what a picture can show are brought into its range.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-#[cfg_attr(feature = "cli", derive(clap::ValueEnum))]
+#[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
 pub enum ToneMapping {
     /// Not at all: a PNG clips at 1, an EXR keeps everything.
     #[default]

@@ -1,6 +1,5 @@
 //! The one error that bad input leads to.
 
-#[cfg(feature = "files")]
 use std::path::Path;
 use std::sync::Arc;
 use std::{fmt, io};
@@ -49,15 +48,15 @@ impl Error {
     }
 
     /// A file that cannot be read or written.
-    #[cfg(feature = "files")]
-    pub(crate) fn io(path: &Path, problem: impl ToString, source: io::Error) -> Self {
+    #[doc(hidden)]
+    pub fn io(path: &Path, problem: impl ToString, source: io::Error) -> Self {
         let error = Self::new(path.display(), problem);
         Self { kind: ErrorKind::Io, source: Some(Arc::new(source)), ..error }
     }
 
     /// Numbers that are not finite.
-    #[cfg(feature = "files")]
-    pub(crate) fn not_finite(place: impl ToString, problem: impl ToString) -> Self {
+    #[doc(hidden)]
+    pub fn not_finite(place: impl ToString, problem: impl ToString) -> Self {
         Self { kind: ErrorKind::NotFinite, ..Self::new(place, problem) }
     }
 }
@@ -86,7 +85,8 @@ const MOST: usize = 1000;
 
 /// A text as part of a message: control characters are written as escapes, and what is too long to
 /// be read is cut.
-pub(crate) fn one_line(text: impl ToString) -> String {
+#[doc(hidden)]
+pub fn one_line(text: impl ToString) -> String {
     let text = text.to_string();
     if text.len() <= MOST && !text.contains(char::is_control) {
         return text;
