@@ -168,7 +168,7 @@ pub fn main() -> ExitCode {
         print_stats();
     }
     match result {
-        Ok(()) => ExitCode::SUCCESS,
+        Ok(code) => code,
         Err(error) => {
             print_error(&error);
             ExitCode::from(2)
@@ -176,7 +176,7 @@ pub fn main() -> ExitCode {
     }
 }
 
-fn run(arguments: &Arguments) -> Result<(), Error> {
+fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
     if let Some(threads) = arguments.threads {
         rayon::ThreadPoolBuilder::new()
             .num_threads(threads.into())
@@ -185,16 +185,17 @@ fn run(arguments: &Arguments) -> Result<(), Error> {
     }
     let chosen = arguments.arithmetic()?;
     let arithmetic = chosen.unwrap_or_default();
-    match &arguments.command {
+    let done = match &arguments.command {
+        Some(Command::Gradient(arguments)) => return gradient::run(arguments, chosen),
         None => demo::run(arithmetic),
         Some(Command::Render(arguments)) => render::run(arguments, arithmetic),
         Some(Command::Params(arguments)) => params::run(arguments),
-        Some(Command::Gradient(arguments)) => gradient::run(arguments, chosen),
         Some(Command::Optimize(arguments)) => optimize::run(arguments, chosen),
         Some(Command::Report(arguments)) => report::run(arguments),
         Some(Command::Bench(arguments)) => bench::run(arguments, arithmetic),
         Some(Command::Tradeoff(arguments)) => tradeoff::run(arguments),
-    }
+    };
+    done.map(|()| ExitCode::SUCCESS)
 }
 
 /// Loads an experiment, and prints what is left out of it.
