@@ -31,7 +31,7 @@ pub(super) struct Dial {
 /// More rays through a pixel are not chosen.
 const MOST_RAYS: u32 = 256;
 
-fn accuracy(text: &str) -> Result<f64, String> {
+pub(super) fn accuracy(text: &str) -> Result<f64, String> {
     match text.parse() {
         Ok(accuracy) if accuracy > 0.0 && accuracy < 1.0 => Ok(accuracy),
         _ => Err("has to be a number between 0 and 1".into()),

@@ -1,19 +1,18 @@
 //! `renderer gradient`
 
-use ad::check;
+use std::process::ExitCode;
+
 use serde_json::{Map, Value};
 
 use super::Problem;
 use super::dial::Dial;
-use super::output::{json_numbers, print, print_warning, short};
+use super::output::{json_numbers, print, print_note, print_warning, short};
 use crate::Error;
 use crate::arithmetic::Arithmetic;
 use crate::optimize::Evaluation;
+use crate::recovery::Verdict;
 use crate::scene::{Object, ParameterId, Scene};
 use crate::settings::Edges;
-
-/// Elements of one parameter that `--check` compares; more would take minutes on a mesh.
-const MOST_CHECKED: usize = 24;
 
 #[derive(clap::Args)]
 pub(super) struct Arguments {
@@ -23,16 +22,23 @@ pub(super) struct Arguments {
     #[command(flatten)]
     dial: Dial,
 
-    /// Compare with finite differences of the renderer in double arithmetic
+    /// Compare with finite differences: of the loss in double precision, or of finely sampled images where
+    /// a parameter moves edges. Ends with exit code 1 if a parameter is off by more than the tolerance
     #[arg(long)]
     check: bool,
 
-    /// Print an object: path -> numbers
-    #[arg(long, conflicts_with = "check")]
+    /// By how much a gradient may be off, relative to its norm
+    #[arg(long, value_name = "E", default_value_t = 0.02, requires = "check",
+          value_parser = super::dial::accuracy)]
+    tolerance: f64,
+
+    /// Print an object: path -> numbers; with --check also `check`, an object: path -> relative error
+    #[arg(long)]
     json: bool,
 }
 
-pub(super) fn run(arguments: &Arguments, chosen: Option<Arithmetic>) -> Result<(), Error> {
+/// Prints the gradient; returns whether it holds what is asked of it.
+pub(super) fn run(arguments: &Arguments, chosen: Option<Arithmetic>) -> Result<ExitCode, Error> {
     let experiment = arguments.problem.load()?;
     let recovery = arguments.dial.recovery(&arguments.problem, &experiment, chosen)?;
     let scene = &experiment.scene;
@@ -49,75 +55,70 @@ pub(super) fn run(arguments: &Arguments, chosen: Option<Arithmetic>) -> Result<(
             (id, block)
         })
         .collect();
-    if arguments.json {
-        let entry =
-            |(id, block)| (scene.path(id).to_string(), json_numbers(block, &scene.shape(id)));
-        let object: Map<String, Value> = blocks.into_iter().map(entry).collect();
-        return print(format_args!("{:#}", Value::Object(object)));
+    if !arguments.json {
+        print(format_args!("loss {}", short(loss)))?;
     }
-
-    print(format_args!("loss {}", short(loss)))?;
-    let mut missed = false;
+    let (mut object, mut errors, mut off) = (Map::new(), Map::new(), Vec::new());
     for (id, block) in blocks {
-        print(scene.path(id))?;
-        if !arguments.check {
-            for (i, value) in block.iter().enumerate() {
-                print(format_args!("  {:>12}  {}", position(scene, id, i), short(*value)))?;
+        let path = scene.path(id).to_string();
+        let verdict = arguments.check.then(|| recovery.check(id, block));
+        match &verdict {
+            _ if arguments.json => {}
+            Some(verdict) => print_verdict(scene, id, verdict, arguments.tolerance)?,
+            None => {
+                print(&path)?;
+                for (i, value) in block.iter().enumerate() {
+                    print(format_args!("  {:>12}  {}", position(scene, id, i), short(*value)))?;
+                }
             }
-            continue;
         }
+        object.insert(path.clone(), json_numbers(block, &scene.shape(id)));
+        if let Some(verdict) = verdict {
+            if !verdict.is_within(arguments.tolerance) {
+                off.push(id);
+            }
+            errors.insert(path, verdict.error.into());
+        }
+    }
+    if arguments.json {
+        if arguments.check {
+            object.insert("check".into(), errors.into());
+        }
+        print(format_args!("{:#}", Value::Object(object)))?;
+    }
+    if recovery.render_settings().edges == Edges::Off && off.iter().any(|id| id.moves_edges()) {
+        print_note(
+            "With --edges off the gradient holds the interior term only: silhouettes and shadow edges that \
+             move are missing.",
+        );
+    }
+    Ok(if off.is_empty() { ExitCode::SUCCESS } else { ExitCode::FAILURE })
+}
+
+/// Prints how a gradient compares with differences.
+fn print_verdict(
+    scene: &Scene,
+    id: ParameterId,
+    verdict: &Verdict,
+    tolerance: f64,
+) -> Result<(), Error> {
+    print(scene.path(id))?;
+    print(format_args!("  {:>16}  {:>13}  {:>18}  {:>9}", "", "gradient", "difference", "+-"))?;
+    for compared in &verdict.compared {
+        let place = match compared.element {
+            Some(element) => position(scene, id, element),
+            None => "random direction".to_owned(),
+        };
         print(format_args!(
-            "  {:>12}  {:>13}  {:>18}  {:>9}",
-            "", "gradient", "finite difference", "off by"
+            "  {place:>16}  {:>13}  {:>18}  {:>9.1e}",
+            short(compared.gradient),
+            short(compared.difference),
+            compared.uncertainty
         ))?;
-        let largest = block.iter().fold(0.0_f64, |largest, value| largest.max(value.abs()));
-        let stride = stride(block.len(), scene.shape(id).last().copied().unwrap_or(1));
-        for (i, &value) in block.iter().enumerate().step_by(stride) {
-            let step = step(scene, id);
-            let at = scene.get(id)[i];
-            let expected = check::derivative(recovery.loss_along(id, i), at, step).value;
-            let error =
-                (value - expected).abs() / expected.abs().max(largest).max(f64::MIN_POSITIVE);
-            missed |=
-                error > 1e-3 && id.moves_edges() && recovery.render_settings().edges == Edges::Off;
-            print(format_args!(
-                "  {:>12}  {:>13}  {:>18}  {:>9.1e}",
-                position(scene, id, i),
-                short(value),
-                short(expected),
-                error
-            ))?;
-        }
-        if stride > 1 {
-            let (checked, all) = (block.len().div_ceil(stride), block.len());
-            print(format_args!(
-                "  ({checked} of {all} numbers, evenly spaced: every {stride}th; what lies between \
-                 was not checked)"
-            ))?;
-        }
     }
-    if missed {
-        print(
-            "Finite differences also see silhouettes and shadow edges move; without --edges the gradient holds the interior term only.",
-        )?;
-    }
-    Ok(())
-}
-
-/// The first step of the differences. A bilinear texture has a kink at every texel: places on it move by
-/// so little that few pixels come across one.
-fn step(scene: &Scene, id: ParameterId) -> f64 {
-    match id.field {
-        "texture_coordinates" => 1e-6,
-        _ => 1e-3 * scene.natural_scale(id),
-    }
-}
-
-/// The distance between elements of a parameter of `count` numbers, `row` in each row, that are
-/// compared. Not a multiple of the row, of which it would only see one column: the x of all vertices.
-fn stride(count: usize, row: usize) -> usize {
-    let stride = count.div_ceil(MOST_CHECKED).max(1);
-    if stride > 1 && row > 1 && stride.is_multiple_of(row) { stride + 1 } else { stride }
+    let word = if verdict.is_within(tolerance) { "agrees" } else { "DISAGREES" };
+    let Verdict { error, uncertainty, .. } = verdict;
+    print(format_args!("  {word}: off by {error:.1e} of its norm, known to {uncertainty:.1e}"))
 }
 
 /// Which number of a parameter: `y`, for a vertex `17.y`, for a texel `row.column.r`.
@@ -137,25 +138,5 @@ fn position(scene: &Scene, id: ParameterId, index: usize) -> String {
             let texel = index / depth;
             format!("{}.{}.{}", texel / width, texel % width, column(index % depth))
         }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn every_column_is_compared() {
-        for (row, counts) in [(3, [9, 72, 75, 144, 864, 900_003]), (2, [6, 48, 50, 96, 480, 1000])]
-        {
-            for count in counts {
-                let stride = stride(count, row);
-                let compared: Vec<usize> = (0..count).step_by(stride).collect();
-                assert!((1..=MOST_CHECKED).contains(&compared.len()), "{count} {stride}");
-                let columns = (0..row).filter(|column| compared.iter().any(|i| i % row == *column));
-                assert_eq!(columns.count(), row, "{count} {stride}");
-            }
-        }
-        assert_eq!((stride(1, 1), stride(3, 3)), (1, 1));
     }
 }

@@ -243,7 +243,7 @@ fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
         None => demo::run(arithmetic)?,
         Some(Command::Render(arguments)) => render::run(arguments, arithmetic)?,
         Some(Command::Params(arguments)) => params::run(arguments)?,
-        Some(Command::Gradient(arguments)) => gradient::run(arguments, chosen)?,
+        Some(Command::Gradient(arguments)) => return gradient::run(arguments, chosen),
         Some(Command::Optimize(arguments)) => return optimize::run(arguments, chosen),
         Some(Command::Init(arguments)) => init::run(arguments)?,
         Some(Command::Scene) => init::explain()?,

@@ -13,11 +13,13 @@
 //! # Ok::<(), renderer::Error>(())
 //! ```
 
+mod check;
 mod objective;
 mod variable;
 
 use std::sync::{Arc, Mutex};
 
+pub use check::{Compared, Verdict};
 pub(crate) use objective::ImageObjective;
 
 use crate::Error;
@@ -250,20 +252,6 @@ impl<'a> Recovery<'a> {
         }
         let unknown = || format!("the loss is {}, with its gradient", evaluation.loss);
         Err(Error::not_finite("gradient", objective.explain(&x).unwrap_or_else(unknown)))
-    }
-
-    /// The loss in double precision as a function of one element of one parameter, for finite
-    /// differences. The scene is prepared once for all values.
-    pub fn loss_along(&self, id: ParameterId, element: usize) -> impl FnMut(f64) -> f64 {
-        let mut scene = self.scene.clone();
-        let mut values = scene.get(id).into_owned();
-        let mut renderer = Renderer::unchecked(&scene, &self.settings.in_double_precision());
-        move |value| {
-            values[element] = value;
-            scene.assign(id, &values);
-            renderer.update(&scene);
-            renderer.loss(&self.loss())
-        }
     }
 
     /// The parameters that vary, in the order of [`variables`](Self::variables).

@@ -239,7 +239,8 @@ fn usage() {
         (&["optimize", "experiment.toml", "--tolerance", "-1"], "<X>': must"),
         (&["optimize", "experiment.toml", "--learning-rate", "-1"], "<X>': must be above 0"),
         (&["bench", "scene.toml", "--seconds", "-1"], "<SECONDS>': has to"),
-        (&["gradient", "experiment.toml", "--check", "--json"], "--json"),
+        (&["gradient", "experiment.toml", "--tolerance", "0.1"], "--check"),
+        (&["gradient", "experiment.toml", "--check", "--tolerance", "2"], "--tolerance"),
     ];
     for (arguments, part) in cases {
         let names = sandbox.names(".");
