@@ -12,6 +12,7 @@ mod optimize;
 mod out_folder;
 mod output;
 mod params;
+mod record;
 mod render;
 mod report;
 mod sampling;

@@ -11,7 +11,7 @@ use super::interrupt::Interruptible;
 use super::out_folder::{SUMMARY_FILE, check_out_folder, lock, remove_earlier_results};
 use super::output::{abbreviate, print, print_note, print_warning, short};
 use super::strip::save_strip;
-use super::{Problem, stem};
+use super::{Problem, record, stem};
 use crate::Error;
 use crate::arithmetic::Arithmetic;
 use crate::disk::create_folder;
@@ -155,12 +155,17 @@ pub(super) fn recover(
     let recovered = recovery.scene_at(&outcome.best.x);
     let image = recovery.render(&recovered);
     save_png(&image, &out.join("final.png"))?;
+    let mut extra = Map::new();
     if let Some(difference) = recovery.difference(&image) {
         save_png(&difference, &out.join("difference.png"))?;
+        extra.insert("largest_difference".to_owned(), record::largest(&difference));
     }
     save_scene(&recovered, out)?;
-    let strip = save_strip(recovery, &outcome.trajectory, out)?;
-    let extra = Map::from_iter([("strip".to_owned(), strip)]);
+    extra.extend([
+        ("settings".to_owned(), record::settings(recovery, &settings)),
+        ("strip".to_owned(), save_strip(recovery, &outcome.trajectory, out)?),
+        ("textures".to_owned(), record::save_textures(recovery, &recovered, out)?),
+    ]);
     write_report(out, recovery.variables(), &outcome, extra)?;
     Ok(outcome)
 }

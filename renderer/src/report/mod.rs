@@ -17,9 +17,9 @@ use serde_json::Value;
 
 use crate::Error;
 use crate::optimize::loss_svg;
-use chart::{Curve, line_chart};
+use chart::{Curve, label, line_chart};
 use html::{data_uri, escape, number, numbers};
-use run_folder::{Frame, RunFolder, Trajectory};
+use run_folder::{Frame, RunFolder, TextureImages, Trajectory};
 
 /// Elements whose trajectories are drawn; a page of more would not be read.
 const MOST_CHARTS: usize = 24;
@@ -42,9 +42,11 @@ pub fn report_page(folder: &Path) -> Result<String, Error> {
         sections.push(("Loss", loss_svg(&run.history)?));
     }
     sections.push(("Parameters", parameters(&run.summary)));
+    sections.push(("Textures", textures(&run.textures)));
     if let Some(trajectory) = &run.trajectory {
         sections.push(("Trajectories", trajectories(trajectory)));
     }
+    sections.push(("Settings", settings(&run.summary)));
     if let Some(scene) = &run.scene {
         let text = escape(scene);
         let code = format!("<details><summary>scene.toml</summary><pre>{text}</pre></details>");
@@ -96,14 +98,44 @@ fn parameters(summary: &Value) -> String {
     format!("<table>\n<tr><th>path</th>{titles}</tr>\n{rows}</table>\n")
 }
 
+/// How the run was started, and what it was told.
+fn settings(summary: &Value) -> String {
+    let Some(settings) = summary["settings"].as_object() else { return String::new() };
+    let row = |(name, value): (&String, &Value)| {
+        let value = value.as_str().map_or_else(|| value.to_string(), str::to_owned);
+        format!("<tr><th>{}</th><td>{}</td></tr>\n", escape(name), escape(&value))
+    };
+    let rows: String = settings.iter().map(row).collect();
+    format!("<table class=\"figures\">\n{rows}</table>\n")
+}
+
 fn images(run: &RunFolder) -> String {
-    let figure = |(name, png): &(&str, Vec<u8>)| {
+    let largest = run.summary["largest_difference"].as_f64();
+    let caption = |name: &str| match (name, largest) {
+        ("difference", Some(largest)) => {
+            format!("difference (white is 1; the largest is {})", label(largest))
+        }
+        _ => name.to_owned(),
+    };
+    grid(run.images.iter().map(|(name, png)| (caption(name), &png[..])))
+}
+
+fn textures(textures: &[TextureImages]) -> String {
+    grid(textures.iter().flat_map(|TextureImages { path, initial, last }| {
+        [(format!("{path}, initial"), &initial[..]), (format!("{path}, recovered"), &last[..])]
+    }))
+}
+
+/// Pictures side by side, with what is said of them.
+fn grid<'a>(pictures: impl Iterator<Item = (String, &'a [u8])>) -> String {
+    let figure = |(caption, png): (String, &[u8])| {
+        let (caption, address) = (escape(&caption), data_uri(png));
         format!(
-            "<figure><img src=\"{}\" alt=\"{name}\"><figcaption>{name}</figcaption></figure>\n",
-            data_uri(png)
+            "<figure><img src=\"{address}\" alt=\"{caption}\"><figcaption>{caption}</figcaption>\
+             </figure>\n"
         )
     };
-    let figures: String = run.images.iter().map(figure).collect();
+    let figures: String = pictures.map(figure).collect();
     if figures.is_empty() { figures } else { format!("<div class=\"images\">\n{figures}</div>\n") }
 }
 
@@ -127,18 +159,40 @@ fn strip(frames: &[Frame]) -> String {
     )
 }
 
+/// How far an element has moved, relative to its size: the sum of its steps.
+fn movement(trajectory: &Trajectory, element: usize) -> f64 {
+    let values = || trajectory.values.iter().map(|point| point[element]);
+    let way: f64 = values().zip(values().skip(1)).map(|(a, b)| (b - a).abs()).sum();
+    let size = values().map(f64::abs).fold(0.0, f64::max);
+    if size > 0.0 { way / size } else { 0.0 }
+}
+
+/// The elements whose trajectories are drawn, in their order: those that have moved most.
+fn drawn(trajectory: &Trajectory) -> Vec<usize> {
+    let mut elements: Vec<(usize, f64)> =
+        (0..trajectory.paths.len()).map(|i| (i, movement(trajectory, i))).collect();
+    elements.sort_by(|(_, a), (_, b)| b.total_cmp(a));
+    elements.truncate(MOST_CHARTS);
+    let mut elements: Vec<usize> = elements.into_iter().map(|(i, _)| i).collect();
+    elements.sort_unstable();
+    elements
+}
+
 fn trajectories(trajectory: &Trajectory) -> String {
-    let shown = trajectory.paths.len().min(MOST_CHARTS);
+    let drawn = drawn(trajectory);
+    let more = trajectory.paths.len() - drawn.len();
     let chart = |i: usize| {
         let values = trajectory.values.iter().map(|point| point[i]);
         let points = trajectory.iterations.iter().map(|&k| k as f64).zip(values).collect();
         let curve = Curve { points, truth: trajectory.target[i] };
         format!("<figure>{}</figure>\n", line_chart(&escape(&trajectory.paths[i]), &curve))
     };
-    let charts: String = (0..shown).map(chart).collect();
-    let more = trajectory.paths.len() - shown;
-    let note =
-        if more > 0 { format!("<p>{more} more are not drawn.</p>\n") } else { String::new() };
+    let charts: String = drawn.into_iter().map(chart).collect();
+    let note = if more > 0 {
+        format!("<p>{more} more, which moved less, are not drawn.</p>\n")
+    } else {
+        String::new()
+    };
     let legend = if trajectory.target.iter().any(Option::is_some) {
         "<p>The dashed line is the true value.</p>\n"
     } else {

@@ -18,6 +18,7 @@ pub(super) struct RunFolder {
     /// Names and contents of the images.
     pub images: Vec<(&'static str, Vec<u8>)>,
     pub frames: Vec<Frame>,
+    pub textures: Vec<TextureImages>,
     pub scene: Option<String>,
 }
 
@@ -35,6 +36,22 @@ pub(super) struct Frame {
     pub iteration: u64,
     pub loss: f64,
     pub png: Vec<u8>,
+}
+
+/// A texture that varied, before and after.
+pub(super) struct TextureImages {
+    pub path: String,
+    pub initial: Vec<u8>,
+    pub last: Vec<u8>,
+}
+
+/// An entry of `textures` in the summary.
+#[derive(Deserialize)]
+struct TextureEntry {
+    path: String,
+    initial: PathBuf,
+    #[serde(rename = "final")]
+    last: PathBuf,
 }
 
 /// An entry of `strip` in the summary.
@@ -64,6 +81,7 @@ impl RunFolder {
             history: history(&folder.join("history.csv"))?,
             trajectory: trajectory(&folder.join("trajectory.json"))?,
             frames: frames(folder, &file, &summary)?,
+            textures: textures(folder, &file, &summary)?,
             images,
             scene: scene.map(|bytes| String::from_utf8_lossy(&bytes).into_owned()),
             summary,
@@ -118,6 +136,22 @@ fn trajectory(path: &Path) -> Result<Option<Trajectory>, Error> {
         return Err(Error::new(path.display(), "is broken: its parts differ in length"));
     }
     Ok((!paths.is_empty()).then_some(trajectory))
+}
+
+/// The pictures of textures that the summary lists.
+fn textures(folder: &Path, file: &Path, summary: &Value) -> Result<Vec<TextureImages>, Error> {
+    let Some(textures) = summary.get("textures") else { return Ok(Vec::new()) };
+    let entries: Vec<TextureEntry> = serde_json::from_value(textures.clone())
+        .map_err(|error| Error::new(file.display(), format_args!("textures is broken: {error}")))?;
+    let mut pictures = Vec::new();
+    for TextureEntry { path, initial, last } in entries {
+        if let (Some(initial), Some(last)) =
+            (optional(&folder.join(initial))?, optional(&folder.join(last))?)
+        {
+            pictures.push(TextureImages { path, initial, last });
+        }
+    }
+    Ok(pictures)
 }
 
 /// The images of the strip that the summary lists.

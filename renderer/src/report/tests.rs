@@ -15,7 +15,9 @@ fn folder(files: &[(&str, &str)]) -> tempfile::TempDir {
 const SUMMARY: &str = r#"{
     "loss": {"initial": 0.5, "final": 1e-9, "ratio": 2e-9}, "iterations": 12, "seconds": 1.25,
     "stop_detail": "<done>", "parameters": {"light.<b>.position": {"initial": [1, 2, 3],
-    "final": [4, 5, 6]}}, "strip": [{"iteration": 0, "loss": 0.5, "file": "a.png"},
+    "final": [4, 5, 6]}}, "largest_difference": 0.25,
+    "settings": {"command": "renderer optimize <a>", "most iterations": 9},
+    "textures": [{"path": "texture.w", "initial": "a.png", "final": "b.png"}], "strip": [{"iteration": 0, "loss": 0.5, "file": "a.png"},
     {"iteration": 12, "loss": 1e-9, "file": "b.png"}]
 }"#;
 
@@ -29,6 +31,7 @@ fn what_is_there_is_on_the_page() {
             r#"{"paths": ["x"], "target": [null], "iterations": [0, 12], "values": [[1], [2]]}"#,
         ),
         ("target.png", "not looked into"),
+        ("difference.png", "c"),
         ("a.png", "a"),
         ("b.png", "b"),
         ("scene.toml", "# </pre><script>alert(1)</script>"),
@@ -37,6 +40,10 @@ fn what_is_there_is_on_the_page() {
     for part in [
         "<th>final over initial</th><td>2.00e-9</td>",
         "&lt;done&gt;",
+        "<th>command</th><td>renderer optimize &lt;a&gt;</td>",
+        "<th>most iterations</th><td>9</td>",
+        "texture.w, recovered</figcaption>",
+        "difference (white is 1; the largest is 0.25)",
         "light.&lt;b&gt;.position",
         "<td>4, 5, 6</td>",
         "initial loss 5.000e-1, lowest 1.000e-9",
@@ -102,4 +109,21 @@ fn broken_files_are_named() {
         let error = report_page(folder.path()).unwrap_err().to_string();
         assert!(error.contains(expected), "{error}");
     }
+}
+
+#[test]
+fn what_moved_most_is_drawn() {
+    let count = MOST_CHARTS + 10;
+    // Every third element moves.
+    let moved = |i: usize| if i % 3 == 0 { 2.0 } else { 1.0 };
+    let trajectory = Trajectory {
+        paths: (0..count).map(|i| format!("x[{i}]")).collect(),
+        target: vec![None; count],
+        iterations: vec![0, 1],
+        values: vec![vec![1.0; count], (0..count).map(moved).collect()],
+    };
+    let drawn = drawn(&trajectory);
+    assert_eq!(drawn.len(), MOST_CHARTS);
+    assert!((0..count).step_by(3).all(|i| drawn.contains(&i)), "{drawn:?}");
+    assert!(trajectories(&trajectory).contains("10 more, which moved less"));
 }
