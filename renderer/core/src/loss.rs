@@ -77,7 +77,10 @@ impl PixelLoss for ImageLoss<'_> {
         let target = glam::Vec3::from(self.target.pixels[index]).as_dvec3();
         let mut difference = radiance - target;
         if self.saturates {
-            let equal = target.cmpge(DVec3::ONE) & radiance.cmpge(DVec3::ONE);
+            // What is infinite equals nothing: it has to show in the loss.
+            let equal = target.cmpge(DVec3::ONE)
+                & radiance.cmpge(DVec3::ONE)
+                & radiance.cmplt(DVec3::INFINITY);
             difference = DVec3::select(equal, DVec3::ZERO, difference);
         }
         match self.kind {
@@ -90,5 +93,19 @@ impl PixelLoss for ImageLoss<'_> {
                 (self.scale * difference.abs().element_sum(), sign * self.scale)
             }
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn clipped_targets_hide_what_is_brighter_and_nothing_infinite() {
+        let target = Image { width: 1, height: 1, pixels: vec![[1.0; 3]] };
+        let loss = ImageLoss::new(LossKind::MeanSquared, &target, true);
+        assert_eq!(loss.evaluate(0, 0, DVec3::splat(7.0)), (0.0, DVec3::ZERO));
+        assert!(loss.evaluate(0, 0, DVec3::INFINITY).0.is_infinite());
+        assert!(loss.evaluate(0, 0, DVec3::NAN).0.is_nan());
     }
 }

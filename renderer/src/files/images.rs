@@ -156,16 +156,31 @@ fn output_format(path: &Path) -> Result<OutputFormat, Error> {
 /// alpha, become the pixel that `convert` makes of it.
 fn decode(bytes: &[u8], place: impl Display, convert: Convert) -> Result<Decoded, Error> {
     let refuse = |problem: &str| Error::new(&place, problem);
-    let read = match bytes {
-        [] => return Err(refuse("is empty, not an image")),
-        [0x89, b'P', b'N', b'G', ..] => png::read,
-        [0xff, 0xd8, 0xff, ..] => jpeg::read,
-        [0x76, 0x2f, 0x31, 0x01, ..] => exr::read,
-        _ => return Err(refuse("is not a PNG, JPEG or OpenEXR image")),
+    if bytes.is_empty() {
+        return Err(refuse("is empty, not an image"));
+    }
+    let Some(read) = decoder(bytes) else {
+        return Err(refuse("is not a PNG, JPEG or OpenEXR image"));
     };
     let decoded = read(&Source { bytes, convert }).map_err(|problem| refuse(&problem))?;
     check(&decoded.image, place)?;
     Ok(decoded)
+}
+
+/// What decodes the bytes of a file, as its first bytes tell.
+fn decoder(bytes: &[u8]) -> Option<fn(&Source<'_>) -> Result<Decoded, String>> {
+    match bytes {
+        [0x89, b'P', b'N', b'G', ..] => Some(png::read),
+        [0xff, 0xd8, 0xff, ..] => Some(jpeg::read),
+        [0x76, 0x2f, 0x31, 0x01, ..] => Some(exr::read),
+        _ => None,
+    }
+}
+
+/// Whether the bytes of a file are those of an image of a format that is read, whole or broken; what is
+/// empty is broken.
+pub(super) fn is_known(bytes: &[u8]) -> bool {
+    bytes.is_empty() || decoder(bytes).is_some()
 }
 
 /// The largest stored level: every 8 and 16 bit format maps to 16 bits without loss, 255 to this.

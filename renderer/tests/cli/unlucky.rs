@@ -131,3 +131,47 @@ fn errors_of_the_command_line_are_one_line() {
     sandbox.refuse_with(&["render", "scene.toml", "-o", "a.png", "--samples", "-1"], &["-1"]);
     sandbox.refuse_with(&["optimize", "scene.toml", "--loss", "l7"], &["l7", "mean_squared"]);
 }
+
+/// What is merely missing or unknown is warned about, and left out.
+#[test]
+fn what_is_missing_is_left_out() {
+    let sandbox = Sandbox::new();
+    let warned = |obj: &str, parts: &[&str]| {
+        sandbox.write("a.obj", obj);
+        let output = sandbox.run(&["render", "a.obj", "-o", "out.png", "--width", "8"]);
+        let warnings = String::from_utf8(output.stderr).unwrap();
+        assert!(output.status.success(), "{warnings}");
+        for part in parts {
+            assert!(warnings.contains(part), "{part}: {warnings}");
+        }
+        warnings
+    };
+    let triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+    warned(&format!("{triangle}usemtl\nf 1 2 3\n"), &["a.obj:4", "`usemtl` names no material"]);
+    assert_eq!(warned(&format!("{triangle}f 1//7 2//8 3//9\n"), &[]), "");
+    assert_eq!(warned(&format!("{triangle}f 1 2 3\n").replace('\n', "\r"), &[]), "");
+    sandbox.write("a.mtl", "newmtl a\nmap_Kd a.bmp\n");
+    sandbox.write("a.bmp", "BM and so on");
+    let textured = "mtllib a.mtl\nusemtl a\nvt 0 0\nf 1/1 2/1 3/1\n";
+    warned(&format!("{triangle}{textured}"), &["a.bmp is not a PNG", "white stands for it"]);
+}
+
+/// Where the target is white, what is infinite does not count as equal to it.
+#[test]
+fn infinite_pixels_are_seen_before_a_white_target() {
+    let sandbox = Sandbox::new();
+    sandbox.succeed(&[
+        "render",
+        "scene.toml",
+        "--set",
+        "light.key.radiant_intensity=1e6",
+        "-o",
+        "white.png",
+    ]);
+    sandbox.write_changed("bad.toml", "radiant_intensity = 30.0", "radiant_intensity = 1e38");
+    let white = ["--target", "white.png", "--param", "material.paint.diffuse"];
+    sandbox.refuse_with(
+        &[&["gradient", "bad.toml", "--set", "light.key.position=0,1.001,0"], &white[..]].concat(),
+        &["finite"],
+    );
+}

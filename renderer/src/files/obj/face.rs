@@ -47,10 +47,11 @@ pub(super) fn prepare_face(
             check_index(texture, kinds[1])?;
             text.extend(["/", texture]);
         }
-        if !normal.is_empty() {
+        // Files often name normals that were left out of them; only who wants them needs them.
+        let has_normal = !normal.is_empty() && normals == FileNormals::Read;
+        if has_normal {
             check_index(normal, kinds[2])?;
         }
-        let has_normal = !normal.is_empty() && normals == FileNormals::Read;
         if has_normal {
             text.extend([if texture.is_empty() { "//" } else { "/" }, normal]);
         }

@@ -75,7 +75,8 @@ pub(super) fn prepare(
                 faces.push(Face { line, material: worn.index(materials, line) });
             }
             "usemtl" if rest.is_empty() => {
-                return Err(refuse("usemtl names no material".to_owned()));
+                warn("`usemtl` names no material; the faces after it are grey");
+                worn = Worn { name: DEFAULT_MATERIAL.to_owned(), indices: worn.indices };
             }
             "usemtl" => worn = Worn { name: rest.into_owned(), indices: worn.indices },
             "mtllib" => prepared.libraries.push((rest.into_owned(), line)),

@@ -9,7 +9,7 @@ use crate::Error;
 use crate::Image;
 use crate::Warning;
 use crate::disk::read;
-use crate::files::images::{TextureFile, decode_coverage, decode_texture};
+use crate::files::images::{TextureFile, decode_coverage, decode_texture, is_known};
 use crate::files::model::{Channel, ModelMaps, TextureImage, TextureSource};
 use crate::files::names::Names;
 use crate::files::names::{clean_name, file_stem};
@@ -172,7 +172,7 @@ impl TextureTable {
         Ok(textures)
     }
 
-    /// The index of a texture; none if its file is missing, of which is warned: files are often passed
+    /// The index of a texture; none if its file is missing or of another format, of which is warned: files are often passed
     /// on without their pictures. A picture that is there and broken is an error. One that covers
     /// everything is no texture of an opacity.
     fn add_source(
@@ -206,6 +206,19 @@ impl TextureTable {
                 name => name,
             },
         };
+        if let TextureImage::File(path) = image
+            && !is_known(&read(path)?)
+        {
+            let unknown = path.display();
+            let problem = format_args!(
+                "the texture {unknown} is not a PNG, JPEG or OpenEXR image; white stands for it"
+            );
+            let warning = Warning::new(place, problem);
+            if !self.warnings.contains(&warning) {
+                self.warnings.push(warning);
+            }
+            return Ok(None);
+        }
         let texels = self.load(image, *channel, place, is_covered)?;
         let name = match channel {
             Channel::Color => name,
