@@ -58,7 +58,7 @@ pub enum Target {
 pub struct TunedParameter {
     /// Which one.
     pub id: ParameterId,
-    /// Its own learning rate; above 0.
+    /// The learning rate of this parameter alone; above 0.
     pub learning_rate: Option<f64>,
     /// Its lower bound, as many numbers as the parameter has.
     pub min: Option<Vec<f64>>,

@@ -46,7 +46,7 @@ impl Arithmetic {
         Self::F64x8,
     ];
 
-    /// Its scalar and its lanes in a word: `f32x16`.
+    /// The scalar and the number of lanes in a word: `f32x16`.
     pub fn name(self) -> &'static str {
         match self {
             #[cfg(feature = "all-lanes")]
@@ -60,7 +60,7 @@ impl Arithmetic {
         }
     }
 
-    /// That of the given precision and number of lanes, if there is one.
+    /// The arithmetic of the given precision and number of lanes, if this build has one.
     pub fn new(precision: Precision, lanes: usize) -> Option<Self> {
         Self::ALL
             .iter()
@@ -68,7 +68,7 @@ impl Arithmetic {
             .find(|arithmetic| (arithmetic.precision(), arithmetic.lanes()) == (precision, lanes))
     }
 
-    /// The fastest of the given precision. In single precision that is 16 lanes even where a register
+    /// The fastest arithmetic of the given precision. In single precision that is 16 lanes even where a register
     /// holds 8: with AVX2 alone an image takes as long and a gradient 0.9 times as long as with 8.
     pub fn fastest(precision: Precision) -> Self {
         match precision {

@@ -25,7 +25,7 @@ pub struct Settings {
 }
 
 impl Settings {
-    /// The same, in double precision.
+    /// These settings with the fastest arithmetic in double precision.
     pub fn in_double_precision(self) -> Self {
         Self { arithmetic: Arithmetic::fastest(Precision::F64), ..self }
     }

@@ -80,7 +80,7 @@ impl Setting {
         (self.arithmetic, self.bounces)
     }
 
-    /// The same problem, with the same target, in this setting.
+    /// The recovery with the same target, rendered with this setting.
     pub fn apply<'a>(&self, recovery: &Recovery<'a>) -> Recovery<'a> {
         let &Self { arithmetic, bounces, sampling } = self;
         let settings = *recovery.render_settings();

@@ -86,7 +86,7 @@ const ENOUGH: usize = 10_000;
 /// What is measured.
 struct Bench<'a> {
     original: &'a Scene,
-    /// The same, its parameters moved again and again.
+    /// The scene whose parameters are moved before each gradient.
     scene: Scene,
     ids: Vec<ParameterId>,
     renderer: Renderer,

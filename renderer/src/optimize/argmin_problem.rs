@@ -57,13 +57,13 @@ impl<'a> ArgminProblem<'a> {
         }
     }
 
-    /// The same with losses and gradients multiplied by `scale`: solvers take a first step as long
+    /// This problem with losses and gradients multiplied by `scale`: solvers take a first step as long
     /// as the gradient.
     pub fn scaled(self, scale: f64) -> Self {
         Self { scale, ..self }
     }
 
-    /// The same, where more evaluations than `most` are an error: line searches may not end by
+    /// This problem, where more evaluations than `most` are an error: line searches may not end by
     /// themselves.
     pub fn limited(self, most: u32) -> Self {
         Self { most_evaluations: most, ..self }

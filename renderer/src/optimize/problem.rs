@@ -30,7 +30,7 @@ pub struct Evaluation {
 }
 
 impl Evaluation {
-    /// Whether loss and gradient are.
+    /// Returns `true` if the loss and all entries of the gradient are finite.
     pub fn is_finite(&self) -> bool {
         self.loss.is_finite() && self.gradient.iter().all(|derivative| derivative.is_finite())
     }

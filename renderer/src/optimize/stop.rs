@@ -31,7 +31,7 @@ pub enum StopReason {
 pub struct Stop {
     /// Why.
     pub reason: StopReason,
-    /// The same for people, with the figures.
+    /// The reason in words for people, with the figures.
     pub detail: String,
 }
 

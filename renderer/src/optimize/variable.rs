@@ -37,7 +37,7 @@ impl Variable {
         }
     }
 
-    /// The same variable with each element kept in `min..=max`.
+    /// This variable with each element kept in `min..=max`.
     pub fn bounded(mut self, min: f64, max: f64) -> Self {
         self.min.fill(min);
         self.max.fill(max);

@@ -89,12 +89,12 @@ impl<'a> Recovery<'a> {
         Ok(Self { scene, section, settings, target, ids, variables, allow_non_finite, left_out })
     }
 
-    /// The same problem, with the same target, rendered in another way.
+    /// This inverse problem, with the same target, rendered with other settings.
     pub fn with_settings(&self, settings: &Settings) -> Self {
         Self { settings: *settings, ..self.clone() }
     }
 
-    /// The same problem with a smaller image: `scene` is that of this problem but for the size, which
+    /// This inverse problem with a smaller image: `scene` is that of this problem but for the size, which
     /// divides this one's. A pixel of the target is the mean of those that it covers.
     pub fn coarser<'b>(&self, scene: &'b Scene) -> Recovery<'b> {
         let copy = self.clone();

@@ -120,7 +120,7 @@ fn an_invisible_material_is_warned_about() {
     sandbox.write("a.obj", "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl a\nf 1 2 3\n");
     let output = sandbox.run(&["render", "a.obj", "-o", "out.png"]);
     let warning = String::from_utf8(output.stderr).unwrap();
-    assert!(warning.contains("its opacity is 0, so it is invisible"), "{warning}");
+    assert!(warning.contains("the opacity of a is 0, so it is invisible"), "{warning}");
 }
 
 #[test]

@@ -100,7 +100,7 @@ pub fn gradient_of_finite<L: Plain>(
 /// A loss of some pixels.
 pub(super) struct Chosen<'a> {
     pub loss: &'a dyn PixelLoss,
-    /// By pixel.
+    /// The affected pixels, by index.
     pub chosen: &'a [bool],
     pub width: u32,
 }

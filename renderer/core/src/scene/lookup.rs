@@ -55,7 +55,7 @@ impl Scene {
     }
 }
 
-/// Those of `paths` that someone may have meant by `path`: a slip of the keyboard; else the part of
+/// The paths among `paths` that someone may have meant by `path`: a slip of the keyboard; else the part of
 /// a path; else the object, or only its kind, at the beginning.
 fn closest<'a>(path: &str, paths: &'a [String]) -> Vec<&'a str> {
     let listed = |is_close: &dyn Fn(&str) -> bool| -> Vec<&'a str> {

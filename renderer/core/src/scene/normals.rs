@@ -3,7 +3,7 @@
 /// The normals that a mesh is shaded with.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub enum Normals {
-    /// Those of its triangles.
+    /// Flat shading: every point has the normal of its triangle.
     #[default]
     Flat,
     /// Interpolated between the vertices, where they are means of the normals of the triangles around,

@@ -50,7 +50,7 @@ impl Scene {
     ///
     /// # Errors
     ///
-    /// That of [`check`](Self::check), at `place: path`.
+    /// The error of [`check`](Self::check), at `place: path`.
     pub fn validate(&self, place: impl ToString) -> Result<(), Error> {
         self.check().map_err(|Invalid { path, problem }| {
             Error::new(format!("{}: {path}", place.to_string()), problem)

@@ -65,7 +65,7 @@ pub(super) struct Node {
     pub camera: Option<usize>,
     #[serde(default)]
     pub children: Vec<usize>,
-    /// By columns.
+    /// The 4 x 4 matrix of a node, column by column.
     pub matrix: Option<[f64; 16]>,
     pub translation: Option<[f64; 3]>,
     /// A quaternion, its real part last.

@@ -6,7 +6,7 @@
 pub struct Orientation(u8);
 
 impl Orientation {
-    /// That of an Exif block; upright, if it says nothing that can be read.
+    /// The orientation that an Exif block holds; upright, if it says nothing that can be read.
     pub fn of(exif: Option<&[u8]>) -> Self {
         exif.and_then(tag)
             .and_then(|value| value.checked_sub(1))

@@ -70,7 +70,7 @@ impl Library {
                 ("newmtl", _) => {
                     let next = Definition { name: rest.to_owned(), ..Definition::default() };
                     let done = definition.replace(next);
-                    self.materials.extend(done.map(Definition::finish));
+                    self.materials.extend(done.map(|done| done.finish(&file, &mut warnings)));
                 }
                 (lower, Some(definition)) => definition
                     .read(lower, keyword, rest, folder, &place, &mut warnings)
@@ -81,7 +81,7 @@ impl Library {
                 (lower, None) => warnings.add(lower, &place, unknown(keyword)),
             }
         }
-        self.materials.extend(definition.map(Definition::finish));
+        self.materials.extend(definition.map(|last| last.finish(&file, &mut warnings)));
         self.warnings.append(&mut warnings.finish());
         Ok(())
     }
@@ -206,11 +206,6 @@ impl Definition {
         if self.is_mirror() && is_transparent {
             warnings.add("transparent mirror", place, "a mirror is shown opaque");
         }
-        if self.reduced_opacity() == Some(0.0) && self.opacity_map.is_none() {
-            let problem =
-                "its opacity is 0, so it is invisible; some programs write `Tr 1` for opaque";
-            warnings.add("invisible material", place, problem);
-        }
         Ok(())
     }
 
@@ -229,7 +224,7 @@ impl Definition {
         matches!(self.illumination, Some(3 | 5 | 8))
     }
 
-    fn finish(mut self) -> LibraryMaterial {
+    fn finish(mut self, file: &str, warnings: &mut Warnings) -> LibraryMaterial {
         let has_highlight = !matches!(self.illumination, Some(0 | 1));
         if !has_highlight {
             self.specular = Some(DVec3::ZERO);
@@ -237,6 +232,13 @@ impl Definition {
         }
         if self.is_mirror() {
             (self.opacity, self.transparency, self.opacity_map) = (None, None, None);
+        }
+        if self.reduced_opacity() == Some(0.0) {
+            let problem = format!(
+                "the opacity of {} is 0, so it is invisible; some programs write `Tr 1` for opaque",
+                self.name
+            );
+            warnings.add("invisible material", file, problem);
         }
         let default = Material::default();
         // What a texture varies is white where nothing else is said.

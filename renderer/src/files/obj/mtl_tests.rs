@@ -142,11 +142,13 @@ fn opacity_is_read() {
         // Some programs write both, and mean by `Tr` what `d` is.
         ("Tr 1\nd 1\n", None),
         ("d 0.25\nTr 0.25\n", Some(0.25)),
-        ("d 0\n", Some(0.0)),
     ] {
         let (material, warnings) = defined(library);
         assert_eq!((opacity_of(material.material), warnings), (opacity, Vec::new()), "{library}");
     }
+    let (invisible, warnings) = defined("Tr 1\n");
+    assert_eq!(opacity_of(invisible.material), Some(0.0));
+    assert!(warnings[0].contains("is 0, so it is invisible"), "{warnings:?}");
     let (mirror, warnings) = defined("Ks 0.5\nd 0.5\nillum 3\n");
     assert_eq!(opacity_of(mirror.material), None);
     assert_eq!(warnings, ["4: a mirror is shown opaque"]);
