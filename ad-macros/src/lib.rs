@@ -37,6 +37,7 @@ mod expand;
 mod floats;
 mod forward;
 mod groups;
+mod hidden;
 mod ir;
 mod item;
 mod lending;

@@ -28,7 +28,10 @@ pub use cotangent::{
     take, take_changed,
 };
 pub use kept::{Decrease, Difference, Increase, Negation, Sum};
-pub use names::{check_mode_of, has_other_name, other_function, same_function};
+pub use names::{
+    Found, Hidden, SameOwner, check_mode_of, has_other_name, other_function, same_function,
+    same_owner,
+};
 pub use order::{BuiltIn, right_first};
 pub use products::{Products, ProductsOutOfLine, rarely, scale, with_products};
 pub use pullback::{

@@ -68,6 +68,7 @@ use self::closure::Closure;
 use self::ends::{Jump, JumpId};
 use self::item::Alias;
 use self::scopes::Scopes;
+pub use self::operator::is_own_type;
 use crate::errors::Errors;
 use crate::ir::{Block, BlockId, Operand, Operation, Statement, Var, VarId};
 pub use crate::ir::{Lowered, LoweredParameter};

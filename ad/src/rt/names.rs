@@ -10,6 +10,51 @@ use core::any::type_name;
 #[inline(always)]
 pub fn same_function<F>(_: F, _: F) {}
 
+/// What the name of a method leads to: in a type, and in one of its traits.
+pub struct Found<F, G>(pub F, pub G);
+
+/// The method of the trait.
+pub struct OfTrait;
+
+/// One of the type itself, which hides that of the trait.
+pub struct OfType;
+
+impl<F> Found<F, F> {
+    /// Whose method it is.
+    #[inline(always)]
+    pub fn owner(&self) -> OfTrait {
+        OfTrait
+    }
+}
+
+/// Two methods of one name. One method has a method of its own.
+pub trait Hidden {
+    /// Whose method it is.
+    #[inline(always)]
+    fn owner(&self) -> OfType {
+        OfType
+    }
+}
+
+impl<F, G> Hidden for Found<F, G> {}
+
+/// That a method belongs to what its derivative belongs to.
+#[diagnostic::on_unimplemented(
+    message = "a method of the type hides this one of the trait wherever it is called, and has no derivative: that of the trait would be taken in its place",
+    label = "the type has a method of this name",
+    note = "put `#[differentiable]` on that method, too, or give one of them another name"
+)]
+pub trait SameOwner {}
+
+#[diagnostic::do_not_recommend]
+impl SameOwner for (OfTrait, OfTrait) {}
+#[diagnostic::do_not_recommend]
+impl SameOwner for (OfType, OfType) {}
+
+/// Compiles where a method and its derivative belong together.
+#[inline(always)]
+pub fn same_owner<O: SameOwner>(_method_and_derivative: O) {}
+
 /// Whether the path of a function is another than `path`; an empty one is not known.
 #[inline(always)]
 pub fn has_other_name<F>(_function: &F, path: &str) -> bool {
