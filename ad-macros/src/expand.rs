@@ -193,14 +193,16 @@ impl Function<'_> {
             sweeps;
         let defaults = lending_methods.iter().map(lending::Method::default_trait);
         let items: TokenStream = lower::items(body).map(ToTokens::to_token_stream).collect();
+        let stand_ins = lowered.called.stand_ins();
         let jvp = self.forward(header, &lowered, &mut names).map(|forward| {
             let statements = &forward.statements;
-            Forward { statements: quote!(#items #statements), ..forward }
+            Forward { statements: quote!(#items #stand_ins #statements), ..forward }
         });
         let lent = header.lends().then_some(&lent[..]);
         let pullback = header.pullback(&seed, &incoming, lent, &pullback);
         let inline = (is_inlined && !header.boxed).then(|| quote!(#[inline(always)]));
         let sweeps = quote! {
+            #stand_ins
             #(#defaults)*
             #forward
             (#value, #inline #pullback)

@@ -26,6 +26,7 @@ pub fn checks(block: &ItemImpl, path: &Path) -> TokenStream {
         let vjp = format_ident!("{name}_vjp");
         quote_spanned! {name.span()=>
             let _ = || {
+                #[allow(unused_imports)]
                 use ::ad::rt::Hidden as _;
                 ::ad::rt::same_owner((
                     ::ad::rt::Found(Self::#name, <Self as #path>::#name).owner(),

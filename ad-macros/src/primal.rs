@@ -4,7 +4,7 @@ use proc_macro2::{Ident, Span, TokenStream};
 use quote::{quote, quote_spanned};
 
 use crate::ir::{
-    Argument, BinaryOperator, Callee, Derivative, Operand, Operation, Place, Projection, Var, VarId,
+    Argument, BinaryOperator, Callee, Operand, Operation, Place, Projection, Var, VarId,
 };
 use crate::passing;
 
@@ -127,16 +127,14 @@ impl<'a> Primal<'a> {
     /// In debug builds checks that a function and the derivative called in its place are of one name:
     /// they come from two name spaces.
     pub fn check_name(self, callee: &Callee, arguments: &[Argument]) -> Option<TokenStream> {
-        let Derivative::Twin { ty, is_of_attribute: true, .. } = &callee.derivative else {
-            return None;
-        };
+        let path = callee.derivative.path()?;
         // What takes an object is a derivative.
         if arguments.iter().any(|argument| self.is_function(argument)) {
             return None;
         }
         let primal = &callee.primal;
         let arguments = arguments.iter().map(|argument| self.argument(argument));
-        Some(quote!(::ad::check_name!(#primal, #ty::named(), (#(#arguments),*));))
+        Some(quote!(::ad::check_name!(#primal, #path(), (#(#arguments),*));))
     }
 
     /// An operation, except for a closure, which has a name where it is defined only.

@@ -29,8 +29,8 @@ pub use cotangent::{
 };
 pub use kept::{Decrease, Difference, Increase, Negation, Sum};
 pub use names::{
-    Found, Hidden, SameOwner, check_mode_of, has_other_name, other_function, same_function,
-    same_owner,
+    Found, FunctionWithoutDerivative, Hidden, MethodWithDerivative, SameOwner, check_mode_of,
+    has_other_name, other_function, same_function, same_owner,
 };
 pub use order::{BuiltIn, right_first};
 pub use products::{Products, ProductsOutOfLine, rarely, scale, with_products};
@@ -56,6 +56,7 @@ pub use iterate::{
 pub mod methods {
     pub use super::cells::MayHold as _;
     pub use super::constants::Accepts as _;
+    pub use super::names::Modes as _;
     pub use crate::rules::forward::{
         AngleForward as _, CloneForward as _, CopiedForward as _, DMat2Forward as _,
         DMat3Forward as _, DMat4Forward as _, DVec2Forward as _, DVec4Forward as _,

@@ -1,6 +1,7 @@
 //! The form between the user's function and the sweeps: few kinds of statement, every operand
 //! named, no exits.
 
+mod called;
 mod callee;
 
 use proc_macro2::{Ident, TokenStream};
@@ -8,6 +9,7 @@ use syn::{BinOp, Member, Type};
 
 use crate::signature::Parameter;
 
+pub use called::Called;
 pub use callee::{Callee, Derivative};
 
 /// A function body in lowered form.
@@ -20,6 +22,8 @@ pub struct Lowered {
     pub references: Vec<(VarId, Type)>,
     /// The type parameters that are bounded by `Real`.
     pub scalars: Vec<Ident>,
+    /// What it calls.
+    pub called: Called,
     /// The body.
     pub body: Block,
     /// Whether the body passes functions to others: it takes a derivative to do so, of the mode of what

@@ -16,6 +16,7 @@ use crate::ir::{
     Argument, Callee, Derivative, Operand, Operation, Place, Projection, Statement, TypedBy,
 };
 use crate::primal::Primal;
+use crate::rules;
 
 impl Lowerer<'_> {
     /// `&e`
@@ -297,6 +298,9 @@ impl Lowerer<'_> {
             let value = self.define(hint, span, false, operation);
             let ident = self.ident(value);
             return Operand::Constant(quote!(#ident));
+        }
+        if let Some(name) = callee.name().filter(|name| !rules::is_method(&name.to_string())) {
+            self.called.method(name);
         }
         let called = usize::from(matches!(arguments.first(), Some(Argument::Callee(_))));
         self.passes_functions |=

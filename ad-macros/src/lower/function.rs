@@ -254,6 +254,7 @@ impl Lowerer<'_> {
         inner.scalars = self.scalars.clone();
         inner.local_functions = self.local_functions.clone();
         inner.exclusive_methods = self.exclusive_methods.clone();
+        inner.called = std::mem::take(&mut self.called);
         let mut vars = Vec::new();
         let body = inner.block(|inner| {
             let mut meanings = HashMap::new();
@@ -304,6 +305,7 @@ impl Lowerer<'_> {
             .cloned()
             .collect();
         let mut function = inner.finished(&all, &vars, body);
+        self.called = std::mem::take(&mut function.called);
         // The function around it brings what has gathered to its size.
         function.parameters.iter_mut().take(parameters.len()).for_each(|p| p.has_shape = false);
         function

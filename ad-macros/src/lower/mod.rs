@@ -67,10 +67,10 @@ use self::callee::LocalFunctions;
 use self::closure::Closure;
 use self::ends::{Jump, JumpId};
 use self::item::Alias;
-use self::scopes::Scopes;
 pub use self::operator::is_own_type;
+use self::scopes::Scopes;
 use crate::errors::Errors;
-use crate::ir::{Block, BlockId, Operand, Operation, Statement, Var, VarId};
+use crate::ir::{Block, BlockId, Called, Operand, Operation, Statement, Var, VarId};
 pub use crate::ir::{Lowered, LoweredParameter};
 use crate::names::Names;
 use crate::signature::{Parameter, has_fixed_size, is_box, is_discrete, is_float, pointee};
@@ -180,6 +180,8 @@ struct Lowerer<'a> {
     exclusive_methods: HashSet<String>,
     /// The names that the compiler has been asked about.
     checked: HashSet<String>,
+    /// The functions and methods that are called.
+    called: Called,
     /// The functions that it brings along.
     local_functions: LocalFunctions,
     /// The items of the outermost block, as they are written.
@@ -221,6 +223,7 @@ impl<'a> Lowerer<'a> {
             passes_functions: false,
             exclusive_methods: HashSet::new(),
             checked: HashSet::new(),
+            called: Called::default(),
             local_functions: LocalFunctions::default(),
             items: HashSet::new(),
             capitals: HashSet::new(),
@@ -250,8 +253,8 @@ impl Lowerer<'_> {
             is_box: is_box(&parameter.ty),
         });
         let parameters = parameters.collect();
-        let Self { vars, scalars, passes_functions, .. } = self;
-        Lowered { vars, parameters, references, scalars, body, passes_functions }
+        let Self { vars, scalars, called, passes_functions, .. } = self;
+        Lowered { vars, parameters, references, scalars, called, body, passes_functions }
     }
 
     /// Writes a block; `fill` returns its value.

@@ -6,8 +6,8 @@ use syn::spanned::Spanned;
 use syn::visit::{self, Visit};
 use syn::{Expr, Member, Pat, Type};
 
-use super::chain::is_chain;
 use super::construct::{is_transparent, is_type_name, outcome};
+use super::order::calls;
 use super::{Lowerer, operator};
 use crate::ir::{Binding, Operand, Operation, Place, Projection, Statement, VarId};
 
@@ -256,10 +256,10 @@ impl Lowerer<'_> {
 
     /// A variable declared with an integer or boolean type.
     pub(super) fn discrete_local(&mut self, pat: &Pat, ty: Option<&Type>, value: &Expr) {
-        let is_control =
-            matches!(value, Expr::If(_) | Expr::Match(_) | Expr::Block(_) | Expr::Loop(_));
-        let uses_iterator = matches!(value, Expr::MethodCall(call) if is_chain(&call.receiver));
-        let value = match is_control || uses_iterator {
+        // What is called needs a derivative here as under a `let` without type.
+        let is_computed = calls(value)
+            || matches!(value, Expr::If(_) | Expr::Match(_) | Expr::Block(_) | Expr::Loop(_));
+        let value = match is_computed {
             true => {
                 let value = self.operand(value, "value");
                 self.without_derivative(&value)

@@ -55,6 +55,45 @@ impl SameOwner for (OfType, OfType) {}
 #[inline(always)]
 pub fn same_owner<O: SameOwner>(_method_and_derivative: O) {}
 
+/// In the place of the type that would have the derivatives of a function.
+pub enum FunctionWithoutDerivative {}
+
+/// That there are derivatives.
+#[diagnostic::on_unimplemented(
+    message = "this function has no derivative",
+    label = "is called with what has one",
+    note = "put `#[differentiable]` on it, if it is yours",
+    note = "or write its derivative by hand: `#[differentiable(vjp = rule)] use module::function;`",
+    note = "or say that nothing is to flow through it: `ad::no_diff(|| function(x))`"
+)]
+pub trait FunctionWithDerivative {}
+
+/// What a type with the derivatives of a function has. It is asked for where that type is missing.
+#[allow(missing_docs)]
+pub trait Modes {
+    fn vjp();
+    fn vjp_onto();
+    fn jvp();
+    fn named();
+}
+
+impl<T: FunctionWithDerivative> Modes for T {
+    fn vjp() {}
+    fn vjp_onto() {}
+    fn jvp() {}
+    fn named() {}
+}
+
+/// That there are derivatives of a method.
+#[diagnostic::on_unimplemented(
+    message = "this method has no derivative",
+    label = "is called with what has one",
+    note = "put `#[differentiable]` on it, or on its `impl` block, if it is yours",
+    note = "or write its derivative by hand: `#[differentiable(vjp = rule)]` on it, or on a function that calls it",
+    note = "or say that nothing is to flow through it: `ad::no_diff(|| x.method())`"
+)]
+pub trait MethodWithDerivative {}
+
 /// Whether the path of a function is another than `path`; an empty one is not known.
 #[inline(always)]
 pub fn has_other_name<F>(_function: &F, path: &str) -> bool {
