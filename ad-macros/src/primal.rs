@@ -8,12 +8,13 @@ use crate::ir::{
 };
 use crate::passing;
 
-/// A place as an expression.
+/// A part of a value as an expression.
 pub fn project(root: TokenStream, path: &[Projection]) -> TokenStream {
     path.iter().fold(root, |place, step| match step {
         Projection::Field(member) => quote!(#place.#member),
         Projection::Index(index) => quote!(#place[#index]),
         Projection::Deref => quote!((*#place)),
+        Projection::Behind(_) => unreachable!("is a place, of which a name is known"),
     })
 }
 
@@ -21,8 +22,11 @@ pub fn project(root: TokenStream, path: &[Projection]) -> TokenStream {
 pub fn tangent_path(root: TokenStream, path: &[Projection]) -> TokenStream {
     let step = |step: &Projection| match step {
         Projection::Field(_) => Some(step.clone()),
-        Projection::Index(_) => Some(Projection::Index(quote!(0))),
-        Projection::Deref => None,
+        // A range, which is several tokens, gives what can be indexed once more.
+        Projection::Index(index) if index.clone().into_iter().nth(1).is_none() => {
+            Some(Projection::Index(quote!(0)))
+        }
+        Projection::Index(_) | Projection::Deref | Projection::Behind(_) => None,
     };
     project(root, &path.iter().filter_map(step).collect::<Vec<_>>())
 }
@@ -49,8 +53,17 @@ impl<'a> Primal<'a> {
 
     /// A place.
     pub fn place(self, place: &Place) -> TokenStream {
-        let root = self.ident(place.root);
-        project(quote!(#root), &place.path)
+        let is_name = |step: &Projection| matches!(step, Projection::Behind(_));
+        match place.path.iter().rposition(is_name) {
+            Some(position) if let Projection::Behind(name) = place.path[position] => {
+                let name = self.ident(name);
+                project(quote!((*#name)), &place.path[position + 1..])
+            }
+            _ => {
+                let root = self.ident(place.root);
+                project(quote!(#root), &place.path)
+            }
+        }
     }
 
     /// An operator.

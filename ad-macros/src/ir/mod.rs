@@ -85,6 +85,16 @@ pub enum Projection {
     Index(TokenStream),
     /// `*`; the cotangent of a reference is that of its target.
     Deref,
+    /// What a `&mut` refers to that a pattern bound: `*name` is the place to which the steps before
+    /// lead, which has no other name in Rust if it lies in a variant.
+    Behind(VarId),
+}
+
+impl Projection {
+    /// Whether the step leads to a part of the cotangent.
+    pub fn is_part(&self) -> bool {
+        matches!(self, Self::Field(_) | Self::Index(_))
+    }
 }
 
 /// A variable or a part of one.

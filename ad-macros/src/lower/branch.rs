@@ -90,16 +90,27 @@ impl Lowerer<'_> {
                 (BranchKind::If(condition), arms.into())
             }
             Expr::Match(branch) => {
-                let (matched, source) = self.scrutinee(&branch.expr);
+                let exclusive = self.exclusive_scrutinee(&branch.expr);
+                let (matched, source) = match &exclusive {
+                    Some(place) => {
+                        let place = self.place_tokens(place);
+                        (quote!(&mut #place), None)
+                    }
+                    None => self.scrutinee(&branch.expr),
+                };
+                let way = exclusive.as_ref().map_or(&[][..], |place| &place.path);
                 let reference = match &source {
                     _ if matches!(*branch.expr, Expr::Reference(_)) => true,
+                    _ if self.depth(&branch.expr) > 0 => true,
                     Some(place) => place.path.is_empty() && self.may_refer(place.root),
                     None => false,
                 };
                 let patterns = branch.arms.iter().map(|arm| &arm.pat);
                 let length = self.length_for(patterns, &matched);
-                let active = source.is_some();
-                let matched_value = Matched { active, refutable: true, reference, length };
+                let active = source.is_some() || exclusive.is_some();
+                let exclusive = exclusive.as_ref().map(|place| (place.root, way.len()));
+                let matched_value =
+                    Matched { active, refutable: true, reference, length, exclusive };
                 let arms = branch.arms.iter().map(|arm| {
                     let (pat, guard) = match &arm.pat {
                         Pat::Guard(guarded) => (&*guarded.pat, Some(&guarded.guard)),
@@ -109,7 +120,7 @@ impl Lowerer<'_> {
                     let mut bindings = Vec::new();
                     let mut guard_tokens = None;
                     let body = self.block(|lowerer| {
-                        (pattern, bindings) = lowerer.pattern(pat, matched_value);
+                        pattern = lowerer.subpattern(pat, way, matched_value, &mut bindings);
                         guard_tokens = guard.map(|guard| {
                             let guard = lowerer.plain_in_place(guard);
                             lowerer.as_written(guard, &bindings)

@@ -268,7 +268,7 @@ impl Lowerer<'_> {
                 vars.push(var);
                 let place = Place { root: var, path: vec![Projection::Deref] };
                 let alias = inner.unwritten_var(&parameter.ident, false, is_active);
-                inner.aliases.insert(alias, Alias { place, depth });
+                inner.aliases.insert(alias, Alias { place, depth, is_exclusive: false });
                 inner.functions.extend(self.functions.get(&outer).map(|&arity| (alias, arity)));
                 inner.lengths.extend(self.lengths.get(&outer).map(|&length| (alias, length)));
                 inner.containers.extend(self.containers.get(&outer).map(|&c| (alias, c)));

@@ -156,8 +156,6 @@ struct Lowerer<'a> {
     jump_count: JumpId,
     /// The names that stand for references to places.
     aliases: HashMap<VarId, Alias>,
-    /// Those of them that stand for a `&mut`.
-    exclusive_aliases: HashSet<VarId>,
     /// The variables that are known to be references.
     references: HashSet<VarId>,
     /// The variables of types that may not be `Copy`.
@@ -211,7 +209,6 @@ impl<'a> Lowerer<'a> {
             jumps: Vec::new(),
             jump_count: 0,
             aliases: HashMap::new(),
-            exclusive_aliases: HashSet::new(),
             references: HashSet::new(),
             own: HashSet::new(),
             lengths: HashMap::new(),

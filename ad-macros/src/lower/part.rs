@@ -125,7 +125,7 @@ impl Lowerer<'_> {
         let mut parts = Vec::new();
         let is_exclusive = |name: &syn::Ident| {
             self.lookup(name).is_some_and(|var| {
-                self.vars[var].exclusive || self.exclusive_aliases.contains(&var)
+                self.vars[var].exclusive || self.is_lent(var)
             })
         };
         let whole: Option<Expr> = match value {

@@ -87,8 +87,7 @@ impl Lowerer<'_> {
     /// `let name = &mut place;`
     pub(super) fn exclusive_alias(&mut self, name: &syn::Ident, target: &Expr) {
         if let Some(place) = self.target(target) {
-            let var = self.alias_place(name, Alias { place, depth: 1 });
-            self.exclusive_aliases.insert(var);
+            self.alias_place(name, Alias::exclusive(place));
         }
     }
 
@@ -102,15 +101,18 @@ impl Lowerer<'_> {
         if self.vars[place.root].is_function {
             return false;
         }
-        self.alias_place(name, Alias { place, depth: 1 });
+        self.alias_place(name, Alias::shared(place));
         true
     }
 
     /// Whether an expression is a name for a `&mut`.
     pub(super) fn is_exclusive_alias(&self, expr: &Expr) -> bool {
-        simple_path(expr)
-            .and_then(|name| self.lookup(name))
-            .is_some_and(|var| self.exclusive_aliases.contains(&var))
+        simple_path(expr).and_then(|name| self.lookup(name)).is_some_and(|var| self.is_lent(var))
+    }
+
+    /// Whether a variable is a name for a `&mut`.
+    pub(super) fn is_lent(&self, var: VarId) -> bool {
+        self.aliases.get(&var).is_some_and(|alias| alias.is_exclusive)
     }
 
     /// The value of an operand of an operator: what a reference refers to.

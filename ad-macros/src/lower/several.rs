@@ -9,7 +9,7 @@ use super::Lowerer;
 use super::chain::{Chain, is_chain};
 use super::ends::{End, Target};
 use super::flow::{as_statements, strip_parens};
-use super::item::Item;
+use super::item::{Access, Item};
 use super::stage::{Items, Reversal};
 use crate::ir::{Arm, Binding, BranchKind, Operand, Operation, Place};
 
@@ -161,20 +161,24 @@ impl Lowerer<'_> {
 
     /// The elements of an item.
     fn chain_of(&mut self, item: Item) -> Chain {
-        let (place, by_reference) = match item {
-            Item::Reference(alias) => (alias.place, true),
-            Item::Copy(place) => (place, false),
+        let (place, access) = match item {
+            Item::Reference(alias) if alias.is_exclusive => (alias.place, Access::Exclusive),
+            Item::Reference(alias) => (alias.place, Access::Shared),
+            Item::Copy(place) => (place, Access::Value),
             item => {
                 let value = self.item_value(item);
                 match value {
                     Operand::Var(root) => {
-                        let by_reference = self.may_refer(root);
-                        (Place { root, path: Vec::new() }, by_reference)
+                        let access = match self.may_refer(root) {
+                            true => Access::Shared,
+                            false => Access::Value,
+                        };
+                        (Place { root, path: Vec::new() }, access)
                     }
                     Operand::Constant(tokens) => {
                         let value = Operation::Use(Operand::Constant(tokens));
                         let root = self.define("items", Span::call_site(), false, value);
-                        (Place { root, path: Vec::new() }, false)
+                        (Place { root, path: Vec::new() }, Access::Value)
                     }
                 }
             }
@@ -183,6 +187,6 @@ impl Lowerer<'_> {
             let iterator = self.place_tokens(&place);
             return Chain::Constant { iterator, length: None, is_range: false };
         }
-        Chain::Elements { place, by_reference, length: None }
+        Chain::Elements { place, access, length: None }
     }
 }
