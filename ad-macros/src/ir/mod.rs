@@ -346,6 +346,13 @@ pub struct Arm {
     pub body: Block,
 }
 
+impl Arm {
+    /// An arm that binds nothing.
+    pub fn plain(body: Block) -> Self {
+        Self { pattern: TokenStream::new(), guard: None, bindings: Vec::new(), body }
+    }
+}
+
 /// A block that is run again and again.
 pub struct Loop {
     pub head: Head,

@@ -81,15 +81,14 @@ impl Lowerer<'_> {
                     return self.branch_arms(&as_match, lower_arm);
                 }
                 let condition = self.plain(&branch.cond);
-                let arms = [then, otherwise].map(|body| Arm {
-                    pattern: TokenStream::new(),
-                    guard: None,
-                    bindings: Vec::new(),
-                    body: self.block(|lowerer| lower_arm(lowerer, &body)),
-                });
+                let arms = [then, otherwise]
+                    .map(|body| Arm::plain(self.block(|lowerer| lower_arm(lowerer, &body))));
                 (BranchKind::If(condition), arms.into())
             }
             Expr::Match(branch) => {
+                if let Some(lent) = self.match_on_lent(branch, lower_arm) {
+                    return lent;
+                }
                 let exclusive = self.exclusive_scrutinee(&branch.expr);
                 let (matched, source) = match &exclusive {
                     Some(place) => {

@@ -51,6 +51,9 @@ impl Lowerer<'_> {
                 });
                 continue;
             }
+            if let Some(chosen) = desugar::chosen_reference(&stmt, stmts.as_slice()) {
+                return self.statements(vec![chosen], end);
+            }
             let stmt = self.plainer_loop(&stmt).unwrap_or(stmt);
             if exits::stmt_exits(&stmt) {
                 return self.exiting(stmt, stmts.collect(), end);
@@ -137,6 +140,10 @@ impl Lowerer<'_> {
                 self.own.insert(var);
             }
             return;
+        }
+        if let (Some(name), true) = (simple_name(pat), self.is_lent_element(&init.expr)) {
+            let element = &init.expr;
+            return self.exclusive_alias(name, &parse_quote!(*#element));
         }
         if self.split_exclusively(pat, &init.expr) || self.take_apart_exclusively(pat, &init.expr) {
             return;

@@ -28,6 +28,7 @@ mod consume;
 mod deferred;
 mod desugar;
 mod effects;
+mod element;
 mod ends;
 mod exits;
 mod expression;

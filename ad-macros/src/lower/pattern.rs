@@ -324,7 +324,7 @@ impl Lowerer<'_> {
             Expr::MethodCall(call) if call.method == "as_mut" && call.args.is_empty() => {
                 self.place(&call.receiver)
             }
-            name @ Expr::Path(_) => {
+            name @ (Expr::Path(_) | Expr::MethodCall(_)) => {
                 let place = self.place(name)?;
                 let is_parameter = place.path.is_empty() && self.vars[place.root].exclusive;
                 (is_parameter || self.is_exclusive_alias(name)).then_some(place)

@@ -47,6 +47,7 @@ impl Lowerer<'_> {
                 place.path.push(Projection::Index(position));
                 Some((place, 0))
             }
+            call @ Expr::MethodCall(_) if self.is_lent_element(call) => self.lent_element(call).map(|place| (place, 1)),
             Expr::Unary(unary) if matches!(unary.op, UnOp::Deref(_)) => {
                 let (mut place, depth) = self.located(&unary.expr)?;
                 if depth > 0 {
@@ -71,7 +72,7 @@ impl Lowerer<'_> {
                 let alias = root.and_then(|root| self.aliases.get(&root));
                 alias.map_or(0, |alias| alias.depth)
             }
-            _ => 0,
+            call => usize::from(self.is_lent_element(call)),
         }
     }
 
@@ -105,9 +106,12 @@ impl Lowerer<'_> {
         true
     }
 
-    /// Whether an expression is a name for a `&mut`.
+    /// Whether an expression is a `&mut` to a place.
     pub(super) fn is_exclusive_alias(&self, expr: &Expr) -> bool {
-        simple_path(expr).and_then(|name| self.lookup(name)).is_some_and(|var| self.is_lent(var))
+        self.is_lent_element(expr)
+            || simple_path(expr)
+                .and_then(|name| self.lookup(name))
+                .is_some_and(|var| self.is_lent(var))
     }
 
     /// Whether a variable is a name for a `&mut`.

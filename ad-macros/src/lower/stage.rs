@@ -376,12 +376,7 @@ impl Lowerer<'_> {
             true => lowerer.exit(own, Self::unit(), end),
             false => lowerer.normal_end(Self::unit(), end),
         });
-        let arms = [passes, drops].map(|body| Arm {
-            pattern: TokenStream::new(),
-            guard: None,
-            bindings: Vec::new(),
-            body,
-        });
+        let arms = [passes, drops].map(Arm::plain);
         self.branch(BranchKind::If(condition), arms.into(), true, Span::call_site())
     }
 
