@@ -54,6 +54,9 @@ impl Lowerer<'_> {
             if let Some(chosen) = desugar::chosen_reference(&stmt, stmts.as_slice()) {
                 return self.statements(vec![chosen], end);
             }
+            if let Some(behind) = self.returning_behind(&stmt) {
+                return self.statements(behind.into_iter().chain(stmts).collect(), end);
+            }
             let stmt = self.plainer_loop(&stmt).unwrap_or(stmt);
             if exits::stmt_exits(&stmt) {
                 return self.exiting(stmt, stmts.collect(), end);
@@ -173,6 +176,9 @@ impl Lowerer<'_> {
             self.push(Statement::Define { var, ty, operation });
         } else {
             self.bind_pattern(pat, ty, value);
+        }
+        if let Pat::Ident(name) = pat {
+            self.note_movable(&name.ident, ty, &init.expr);
         }
         if let Some(var) = simple_name(pat).and_then(|name| self.lookup(name)) {
             if is_own {

@@ -48,6 +48,7 @@ mod part;
 mod pattern;
 mod place;
 mod plain;
+mod returned;
 mod scopes;
 mod sequence;
 mod several;
@@ -161,6 +162,8 @@ struct Lowerer<'a> {
     references: HashSet<VarId>,
     /// The variables of types that may not be `Copy`.
     own: HashSet<VarId>,
+    /// Those that a declaration makes a `Vec` or another type that is not `Copy`.
+    movable: HashSet<VarId>,
     /// The lengths of arrays, where they are literals.
     lengths: HashMap<VarId, usize>,
     /// The parameters that are slices.
@@ -212,6 +215,7 @@ impl<'a> Lowerer<'a> {
             aliases: HashMap::new(),
             references: HashSet::new(),
             own: HashSet::new(),
+            movable: HashSet::new(),
             lengths: HashMap::new(),
             slices: HashSet::new(),
             containers: HashMap::new(),
@@ -403,6 +407,9 @@ impl Lowerer<'_> {
     fn note_type(&mut self, var: VarId, ty: &Type) {
         if let Type::Reference(_) = ty {
             self.references.insert(var);
+        }
+        if returned::is_vec_or_box(ty) {
+            self.movable.insert(var);
         }
         if let Type::Slice(_) = pointee(ty) {
             self.slices.insert(var);

@@ -238,6 +238,9 @@ impl Lowerer<'_> {
                 {
                     self.own.insert(var);
                 }
+                if matches!(&value, Operand::Var(source) if self.movable.contains(source)) {
+                    self.movable.insert(var);
+                }
                 let ty = ty.cloned();
                 self.push(Statement::Define { var, ty, operation: Operation::Use(value) });
             }
