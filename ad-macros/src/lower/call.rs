@@ -1,7 +1,7 @@
 //! Calls of functions and methods, and what they are given.
 
 use proc_macro2::TokenStream;
-use quote::{ToTokens, quote, quote_spanned};
+use quote::{ToTokens, format_ident, quote, quote_spanned};
 use syn::Expr;
 use syn::spanned::Spanned;
 
@@ -182,6 +182,7 @@ impl Lowerer<'_> {
             .or_else(|| self.optional(call, hint))
             .or_else(|| self.mapped(call, hint))
             .or_else(|| self.lent(call, hint))
+            .or_else(|| self.ranged(call, hint))
             .or_else(|| self.extended(call));
         if let Some(value) = special {
             return value;
@@ -208,8 +209,16 @@ impl Lowerer<'_> {
         let called = self.argument_tokens(&arguments[0]);
         arguments.extend(call.args.iter().enumerate().map(|(index, argument)| {
             // What it is given decides, and computes nothing.
-            if is_comparing(&name) {
-                return Argument::Value(Operand::Constant(self.plain_in_place(argument)));
+            if let Some(count) = compared(&name) {
+                let decides = self.plain_in_place(argument);
+                return Argument::Value(Operand::Constant(match strip_parens(argument) {
+                    Expr::Closure(_) => decides,
+                    _ => {
+                        let elements = (0..count).map(|index| format_ident!("element_{index}"));
+                        let elements: Vec<_> = elements.collect();
+                        quote!(|#(#elements),*| #decides(#(#elements),*))
+                    }
+                }));
             }
             let typed_by = TypedBy {
                 function: called.clone(),
@@ -334,9 +343,15 @@ pub(super) fn is_predicate(name: &str) -> bool {
         || matches!(name, "cmplt" | "cmple" | "cmpgt" | "cmpge" | "cmpeq" | "cmpne")
         || matches!(name, "cmp" | "partial_cmp" | "total_cmp")
         || matches!(name, "lt" | "le" | "gt" | "ge" | "eq" | "ne" | "all" | "any")
+        || matches!(name, "partition_point" | "contains" | "starts_with" | "ends_with")
+        || name.starts_with("binary_search")
 }
 
-/// Methods that are given a comparison.
-fn is_comparing(name: &str) -> bool {
-    matches!(name, "sort_by" | "sort_unstable_by")
+/// The number of elements that a method gives to the function which decides for it.
+fn compared(name: &str) -> Option<usize> {
+    match name {
+        "sort_by" | "sort_unstable_by" => Some(2),
+        "sort_by_key" | "sort_unstable_by_key" | "retain" => Some(1),
+        _ => None,
+    }
 }

@@ -167,7 +167,8 @@ pub(super) fn is_chain(expr: &Expr) -> bool {
 }
 
 pub(super) fn is_source(method: &Ident) -> bool {
-    const SOURCES: [&str; 8] = [
+    const SOURCES: [&str; 9] = [
+        "drain",
         "iter",
         "iter_mut",
         "into_iter",

@@ -125,7 +125,7 @@ pub fn chosen_reference(stmt: &Stmt, rest: &[Stmt]) -> Option<Stmt> {
 }
 
 /// The value of a block without statements.
-fn only_value(block: &syn::Block) -> Option<&Expr> {
+pub fn only_value(block: &syn::Block) -> Option<&Expr> {
     match &block.stmts[..] {
         [Stmt::Expr(value, None)] => Some(value),
         _ => None,

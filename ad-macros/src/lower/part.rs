@@ -8,7 +8,7 @@ use syn::{Expr, ExprMethodCall, Pat, parse_quote};
 use super::Lowerer;
 use super::chain::is_chain;
 use super::closure::simple_name;
-use crate::ir::{Operand, Statement};
+use crate::ir::{Argument, Callee, Operand, Operation, Statement};
 
 impl Lowerer<'_> {
     /// The part of a slice, if `call` is such a method of a place, or `unwrap` or `expect` of one.
@@ -66,6 +66,30 @@ impl Lowerer<'_> {
             self.vars[var].reference = true;
         }
         Some(part)
+    }
+
+    /// `vec.drain(range)`, as the `Vec` of what it gives, and `slice.copy_within(range, position)`.
+    pub(super) fn ranged(&mut self, call: &ExprMethodCall, hint: &str) -> Option<Operand> {
+        let arguments: Vec<_> = call.args.iter().collect();
+        let (function, range, rest) = match (&*call.method.to_string(), &arguments[..]) {
+            ("drain", [Expr::Range(range)]) => ("drained", range, None),
+            ("copy_within", [Expr::Range(range), at]) => ("copied_within", range, Some(*at)),
+            _ => return None,
+        };
+        let place = self.active_place(&call.receiver)?;
+        let tokens = self.place_tokens(&place);
+        let [from, to] = self.bounds(range, &tokens);
+        let numbers = [Some(from), Some(to), rest.map(|at| self.plain_constant(at))];
+        let numbers = numbers.into_iter().flatten().map(|number| {
+            let number = Operation::Use(Operand::Constant(number));
+            let number = self.define("position", call.method.span(), false, number);
+            Argument::Value(self.constant(number))
+        });
+        let numbers: Vec<_> = numbers.collect();
+        let arguments = std::iter::once(Argument::Exclusive(place)).chain(numbers).collect();
+        let function = syn::Ident::new(function, call.method.span());
+        let callee = Callee::of_ad(quote_spanned!(call.method.span()=> ::ad::rules::#function));
+        Some(self.finish_call(callee, arguments, hint, call.method.span()))
     }
 
     /// `let (left, right) = slice.split_at_mut(position)` and its kin: two names for parts. Says whether

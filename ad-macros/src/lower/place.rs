@@ -226,6 +226,20 @@ impl Lowerer<'_> {
         quote!(#from #limits #to)
     }
 
+    /// The position of the first element in a range of `whole`, and that behind the last.
+    pub(super) fn bounds(&mut self, range: &syn::ExprRange, whole: &TokenStream) -> [TokenStream; 2] {
+        let from = range.start.as_ref().map_or_else(|| quote!(0), |from| self.plain_constant(from));
+        let to = match (&range.end, &range.limits) {
+            (Some(to), syn::RangeLimits::HalfOpen(_)) => self.plain_constant(to),
+            (Some(to), syn::RangeLimits::Closed(_)) => {
+                let to = self.plain_constant(to);
+                quote!(#to + 1)
+            }
+            (None, _) => quote!(#whole.len()),
+        };
+        [from, to]
+    }
+
     fn settled_index(&mut self, expr: &Expr) -> TokenStream {
         if let Expr::Lit(literal) = expr
             && let Lit::Int(number) = &literal.lit

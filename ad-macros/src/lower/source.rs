@@ -54,6 +54,19 @@ impl Lowerer<'_> {
     fn source(&mut self, call: &ExprMethodCall) -> Chain {
         let (method, receiver) = (&call.method, &call.receiver);
         match (&*method.to_string(), call.args.first()) {
+            ("drain", Some(_)) => match self.ranged(call, "drained") {
+                Some(Operand::Var(root)) => {
+                    let place = Place { root, path: Vec::new() };
+                    Chain::Elements { place, access: Access::Value, length: None }
+                }
+                Some(Operand::Constant(iterator)) => {
+                    Chain::Constant { iterator, length: None, is_range: false }
+                }
+                None => {
+                    let iterator = self.plain(&Expr::MethodCall(call.clone()));
+                    Chain::Constant { iterator, length: None, is_range: false }
+                }
+            },
             ("iter", None) => self.elements(receiver, Access::Shared),
             ("iter_mut", None) => self.elements(receiver, Access::Exclusive),
             ("into_iter", None) if is_chain(receiver) => self.chain(receiver),

@@ -67,7 +67,9 @@ pub use cast::CastPullback;
 #[doc(hidden)]
 pub use cast::castable;
 pub use choose::{no_diff, select, stop_gradient};
-pub use edit::EditRules;
+pub use edit::VecRules;
+#[doc(hidden)]
+pub use edit::drained;
 pub use float::{FloatRules, FromRules};
 pub use glam_only::{ExtendRules, GlamRules, TruncateRules, construct};
 pub use integer::{IntegerRules, SignedRules};
@@ -86,7 +88,9 @@ pub use operators::{
 pub use outcome::{CopiedRules, FlattenRules, OptionRules, ResultRules};
 pub use quaternion::QuaternionRules;
 pub use scalar::{RealRules, ScalarRules};
-pub use sequence::{CloneRules, Elements, SequenceRules, VecRules};
+#[doc(hidden)]
+pub use sequence::copied_within;
+pub use sequence::{CloneRules, Elements, SequenceRules};
 pub use transform::{AngleRules, RotationRules, TransformRules};
 pub use vector::{DVec2Rules, DVec4Rules, Vec2Rules, Vec4Rules, Vector3Rules, VectorRules};
 
