@@ -4,9 +4,9 @@ use proc_macro2::{Ident, Span, TokenStream};
 use quote::{quote, quote_spanned};
 
 use crate::ir::{
-    Argument, BinaryOperator, Callee, Operand, Operation, Place, Projection, Var, VarId,
+    Argument, BinaryOperator, Callee, Operand, Operation, Place, Projection, Var, VarId, makes_vector,
 };
-use crate::passing;
+use crate::{names, passing};
 
 /// A part of a value as an expression.
 pub fn project(root: TokenStream, path: &[Projection]) -> TokenStream {
@@ -147,7 +147,11 @@ impl<'a> Primal<'a> {
         }
         let primal = &callee.primal;
         let arguments = arguments.iter().map(|argument| self.argument(argument));
-        Some(quote!(::ad::check_name!(#primal, #path(), (#(#arguments),*));))
+        let last = names::identifiers(primal.clone()).pop();
+        let always = last
+            .filter(|name| makes_vector(&name.to_string()))
+            .map(|name| Ident::new("always", name.span()));
+        Some(quote!(::ad::check_name!(#always #primal, #path(), (#(#arguments),*));))
     }
 
     /// An operation, except for a closure, which has a name where it is defined only.

@@ -68,7 +68,8 @@ pub mod methods {
         Vector3Forward as _, VectorForward as _,
     };
     pub use crate::rules::{
-        AngleRules as _, CloneRules as _, CopiedRules as _, DMat2Rules as _, DMat3Rules as _,
+        AngleRules as _, ArrayRules as _, CloneRules as _, ColumnsRules as _, Swizzle2Rules as _,
+        Swizzle3Rules as _, Swizzle4Rules as _, With2Rules as _, With3Rules as _, With4Rules as _, CopiedRules as _, DMat2Rules as _, DMat3Rules as _,
         DMat4Rules as _, DVec2Rules as _, DVec4Rules as _, ExtendRules as _,
         FlattenRules as _, FloatRules as _, FromRules as _, GlamRules as _, IntegerRules as _,
         Mat2Rules as _, Mat3Rules as _, Mat4Rules as _, MatrixRules as _, OptionRules as _,

@@ -20,6 +20,23 @@ struct Twin {
     path: TokenStream,
     /// The name of the type in generated code.
     alias: Ident,
+    /// What the type is if none has the name of the function.
+    otherwise: TokenStream,
+}
+
+/// Whether a function of this name may be one of glam that makes a vector. Where no other derivative has
+/// the name, that of glam's function is taken.
+pub fn makes_vector(name: &str) -> bool {
+    ["vec2", "vec3", "vec4", "dvec2", "dvec3", "dvec4"].contains(&name)
+}
+
+/// The type for a function without a type of its own.
+fn otherwise(name: &str) -> TokenStream {
+    if makes_vector(name) {
+        let function = format_ident!("{name}");
+        return quote!(::ad::rules::#function);
+    }
+    quote!(::ad::rt::FunctionWithoutDerivative)
 }
 
 impl Called {
@@ -33,7 +50,7 @@ impl Called {
                 let plain = name.to_string();
                 let plain = plain.trim_start_matches("r#");
                 let alias = names.unwritten(&format!("{plain}_derivative"));
-                self.twins.push(Twin { path, alias: alias.clone() });
+                self.twins.push(Twin { path, alias: alias.clone(), otherwise: otherwise(plain) });
                 alias
             }
         };
@@ -62,13 +79,15 @@ impl Called {
                 impl<T: ?::core::marker::Sized + ::ad::rt::MethodWithDerivative> #derivatives for T {}
             }
         });
-        let (paths, aliases): (Vec<_>, Vec<_>) =
-            self.twins.iter().map(|Twin { path, alias }| (path, alias)).unzip();
         let functions = (!self.twins.is_empty()).then(|| {
+            let imports = self.twins.iter().map(|Twin { path, alias, .. }| quote!(use #path as #alias;));
+            let types = self.twins.iter().map(|Twin { alias, otherwise, .. }| {
+                quote!(pub type #alias = #otherwise;)
+            });
             quote! {
-                #(use #paths as #aliases;)*
+                #(#imports)*
                 mod without_derivative {
-                    #(pub type #aliases = ::ad::rt::FunctionWithoutDerivative;)*
+                    #(#types)*
                 }
                 use without_derivative::*;
             }

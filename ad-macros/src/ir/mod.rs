@@ -9,7 +9,7 @@ use syn::{BinOp, Member, Type};
 
 use crate::signature::Parameter;
 
-pub use called::Called;
+pub use called::{Called, makes_vector};
 pub use callee::{Callee, Derivative};
 
 /// A function body in lowered form.

@@ -142,13 +142,16 @@ fn without_arguments(path: &str) -> &str {
     }
 }
 
-/// In debug builds makes sure that `$function` has the path `$path`. Its type arguments follow from how
+/// Makes sure that `$function` has the path `$path`: in debug builds, or always. Its type arguments follow from how
 /// it is called.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! check_name {
     ($function:expr, $path:expr, ($($argument:expr),*)) => {
         #[cfg(debug_assertions)]
+        $crate::check_name!(always $function, $path, ($($argument),*));
+    };
+    (always $function:expr, $path:expr, ($($argument:expr),*)) => {
         {
             let function = $function;
             if $crate::rt::has_other_name(&function, $path) {

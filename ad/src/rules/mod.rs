@@ -44,6 +44,7 @@
 
 #[doc(hidden)]
 pub mod attempt;
+mod arrange;
 mod cast;
 mod choose;
 mod edit;
@@ -63,6 +64,11 @@ mod sequence;
 mod transform;
 mod vector;
 
+pub use arrange::{
+    ArrayRules, ColumnsRules, Swizzle2Rules, Swizzle3Rules, Swizzle4Rules, With2Rules, With3Rules, With4Rules,
+};
+#[doc(hidden)]
+pub use arrange::{dvec2, dvec3, dvec4, vec2, vec3, vec4};
 pub use cast::CastPullback;
 #[doc(hidden)]
 pub use cast::castable;
