@@ -178,10 +178,10 @@ impl Lowerer<'_> {
 
     pub(super) fn method_call(&mut self, call: &syn::ExprMethodCall, hint: &str) -> Operand {
         let special = self
-            .consumed(call, hint)
+            .lent(call, hint)
+            .or_else(|| self.consumed(call, hint))
             .or_else(|| self.optional(call, hint))
             .or_else(|| self.mapped(call, hint))
-            .or_else(|| self.lent(call, hint))
             .or_else(|| self.ranged(call, hint))
             .or_else(|| self.extended(call));
         if let Some(value) = special {

@@ -22,6 +22,24 @@ impl Lowerer<'_> {
             ("fold", [start, function]) => self.folded(&call.receiver, start, function, hint),
             ("reduce", [function]) => self.reduced(call, Some(function), hint),
             ("last", []) => self.reduced(call, None, hint),
+            ("nth", [position]) => {
+                let name = self.names.unwritten("position");
+                self.statement(&parse_quote!(let #name: usize = #position;));
+                let chain = &call.receiver;
+                self.operand(&parse_quote!(#chain.take(#name + 1).skip(#name).last()), hint)
+            }
+            ("next", []) => {
+                let chain = &call.receiver;
+                self.operand(&parse_quote!(#chain.take(1).last()), hint)
+            }
+            ("find", [function]) => {
+                let chain = &call.receiver;
+                self.operand(&parse_quote!(#chain.filter(#function).take(1).last()), hint)
+            }
+            ("find_map", [function]) => {
+                let chain = &call.receiver;
+                self.operand(&parse_quote!(#chain.filter_map(#function).take(1).last()), hint)
+            }
             ("for_each", [function]) => {
                 self.each(&call.receiver, &mut |lowerer, item| {
                     let value = lowerer.apply(function, vec![item]);

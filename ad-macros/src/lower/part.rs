@@ -18,10 +18,16 @@ impl Lowerer<'_> {
             _ => None,
         };
         let inner = unwrapped.unwrap_or(call);
-        let slice = &inner.receiver;
         let index = self.names.unwritten("position");
         let positions: Vec<_> = inner.args.iter().collect();
-        let (position, element): (Expr, Expr) = match (&*inner.method.to_string(), &positions[..]) {
+        // An item of all elements is an element.
+        let (slice, method) = match (&*inner.receiver, &*inner.method.to_string()) {
+            (Expr::MethodCall(all), "nth") if all.method == "iter" => (&all.receiver, "get".into()),
+            (Expr::MethodCall(all), "next") if all.method == "iter" => (&all.receiver, "first".into()),
+            (Expr::MethodCall(all), "last") if all.method == "iter" => (&all.receiver, "last".into()),
+            (_, method) => (&inner.receiver, method.to_owned()),
+        };
+        let (position, element): (Expr, Expr) = match (&*method, &positions[..]) {
             _ if is_chain(slice) => return None,
             ("first", []) => (parse_quote!(0), parse_quote!(&#slice[#index])),
             // Of an empty one the position is too large.

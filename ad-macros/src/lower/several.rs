@@ -2,7 +2,7 @@
 //! `flat_map`.
 
 use proc_macro2::{Ident, Span, TokenStream};
-use quote::quote;
+use quote::{quote, quote_spanned};
 use syn::{Expr, Pat, Stmt};
 
 use super::Lowerer;
@@ -11,7 +11,7 @@ use super::ends::{End, Target};
 use super::flow::{as_statements, strip_parens};
 use super::item::{Access, Item};
 use super::stage::{Items, Reversal};
-use crate::ir::{Arm, Binding, BranchKind, Operand, Operation, Place};
+use crate::ir::{Arm, Binding, BranchKind, Operand, Operation, Place, Statement};
 
 /// What follows for an item.
 pub(super) type Rest<'r> = dyn FnMut(&mut Lowerer<'_>, Item) -> Operand + 'r;
@@ -125,7 +125,7 @@ impl Lowerer<'_> {
             lowerer.normal_end(value, end)
         };
         let Some(function) = function else {
-            let chain = self.chain_of(item);
+            let chain = self.chain_of(item, method);
             self.run_over(&chain, &mut body);
             return Self::unit();
         };
@@ -160,7 +160,7 @@ impl Lowerer<'_> {
     }
 
     /// The elements of an item.
-    fn chain_of(&mut self, item: Item) -> Chain {
+    fn chain_of(&mut self, item: Item, method: &Ident) -> Chain {
         let (place, access) = match item {
             Item::Reference(alias) if alias.is_exclusive => (alias.place, Access::Exclusive),
             Item::Reference(alias) => (alias.place, Access::Shared),
@@ -187,6 +187,10 @@ impl Lowerer<'_> {
             let iterator = self.place_tokens(&place);
             return Chain::Constant { iterator, length: None, is_range: false };
         }
+        // What is flattened may be an option, which has no elements.
+        let tokens = self.place_tokens(&place);
+        let code = quote_spanned!(method.span()=> ::ad::rt::is_sequence(&#tokens););
+        self.push(Statement::Plain { code, defines: Vec::new() });
         Chain::Elements { place, access, length: None }
     }
 }
