@@ -15,6 +15,7 @@ use crate::names::Names;
 use crate::options::Options;
 use crate::signature::{self, Parameter};
 use crate::sweep::{self, tuple_or_one};
+use crate::types;
 use crate::{lending, numbers, recursion};
 
 /// Where a function stands.
@@ -362,7 +363,7 @@ pub fn own(name: &str) -> Ident {
 }
 
 fn tangent(ty: &Type) -> TokenStream {
-    let ty = signature::owned(ty);
+    let ty = types::owned(ty);
     quote_spanned!(ty.span()=> ::ad::Tangent<#ty>)
 }
 

@@ -55,6 +55,7 @@ mod signature;
 #[cfg(test)]
 mod snapshots;
 mod sweep;
+mod types;
 
 use proc_macro::TokenStream;
 

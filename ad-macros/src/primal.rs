@@ -4,7 +4,8 @@ use proc_macro2::{Ident, Span, TokenStream};
 use quote::{quote, quote_spanned};
 
 use crate::ir::{
-    Argument, BinaryOperator, Callee, Operand, Operation, Place, Projection, Var, VarId, makes_vector,
+    Argument, BinaryOperator, Callee, Operand, Operation, Place, Projection, Var, VarId,
+    makes_vector,
 };
 use crate::{names, passing};
 

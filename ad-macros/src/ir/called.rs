@@ -80,10 +80,12 @@ impl Called {
             }
         });
         let functions = (!self.twins.is_empty()).then(|| {
-            let imports = self.twins.iter().map(|Twin { path, alias, .. }| quote!(use #path as #alias;));
-            let types = self.twins.iter().map(|Twin { alias, otherwise, .. }| {
-                quote!(pub type #alias = #otherwise;)
-            });
+            let imports =
+                self.twins.iter().map(|Twin { path, alias, .. }| quote!(use #path as #alias;));
+            let types = self
+                .twins
+                .iter()
+                .map(|Twin { alias, otherwise, .. }| quote!(pub type #alias = #otherwise;));
             quote! {
                 #(#imports)*
                 mod without_derivative {

@@ -157,7 +157,7 @@ impl Lowerer<'_> {
         {
             return;
         }
-        if ty.is_some_and(crate::signature::is_discrete) {
+        if ty.is_some_and(crate::types::is_discrete) {
             return self.discrete_local(pat, ty, &init.expr);
         }
         let hint = match pat {

@@ -75,7 +75,8 @@ use crate::errors::Errors;
 use crate::ir::{Block, BlockId, Called, Operand, Operation, Statement, Var, VarId};
 pub use crate::ir::{Lowered, LoweredParameter};
 use crate::names::Names;
-use crate::signature::{Parameter, has_fixed_size, is_box, is_discrete, is_float, pointee};
+use crate::signature::Parameter;
+use crate::types::{has_fixed_size, is_box, is_discrete, is_float, pointee};
 
 /// A function, as the user wrote it.
 pub struct Source<'a> {

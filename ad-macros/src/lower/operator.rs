@@ -14,7 +14,7 @@ use super::Lowerer;
 use super::construct::{is_transparent, is_type_name, outcome};
 use super::flow::strip_parens;
 use crate::ir::{Argument, BinaryOperator, Callee, Operand, Place};
-use crate::signature::{is_discrete, pointee};
+use crate::types::{is_discrete, pointee};
 
 impl Lowerer<'_> {
     /// Whether an expression is a reference, or of a type that may not be `Copy`.

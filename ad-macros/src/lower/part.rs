@@ -23,8 +23,12 @@ impl Lowerer<'_> {
         // An item of all elements is an element.
         let (slice, method) = match (&*inner.receiver, &*inner.method.to_string()) {
             (Expr::MethodCall(all), "nth") if all.method == "iter" => (&all.receiver, "get".into()),
-            (Expr::MethodCall(all), "next") if all.method == "iter" => (&all.receiver, "first".into()),
-            (Expr::MethodCall(all), "last") if all.method == "iter" => (&all.receiver, "last".into()),
+            (Expr::MethodCall(all), "next") if all.method == "iter" => {
+                (&all.receiver, "first".into())
+            }
+            (Expr::MethodCall(all), "last") if all.method == "iter" => {
+                (&all.receiver, "last".into())
+            }
             (_, method) => (&inner.receiver, method.to_owned()),
         };
         let (position, element): (Expr, Expr) = match (&*method, &positions[..]) {
@@ -154,9 +158,7 @@ impl Lowerer<'_> {
     pub(super) fn take_apart_exclusively(&mut self, pat: &Pat, value: &Expr) -> bool {
         let mut parts = Vec::new();
         let is_exclusive = |name: &syn::Ident| {
-            self.lookup(name).is_some_and(|var| {
-                self.vars[var].exclusive || self.is_lent(var)
-            })
+            self.lookup(name).is_some_and(|var| self.vars[var].exclusive || self.is_lent(var))
         };
         let whole: Option<Expr> = match value {
             Expr::Reference(reference) if reference.mutability.is_some() => {

@@ -157,7 +157,11 @@ impl Lowerer<'_> {
     }
 
     /// A name that a pattern binds to a place which it lets be changed.
-    pub(super) fn exclusive_name(&mut self, ident: &syn::PatIdent, mut place: Place) -> TokenStream {
+    pub(super) fn exclusive_name(
+        &mut self,
+        ident: &syn::PatIdent,
+        mut place: Place,
+    ) -> TokenStream {
         if ident.by_ref.is_some() || ident.mutability.is_some() || ident.subpat.is_some() {
             self.refuse(ident, "write the name alone: it is bound to a `&mut` already");
         }
@@ -253,7 +257,8 @@ impl Lowerer<'_> {
                 let reference = self.may_refer(source);
                 let ident = self.ident(source).to_token_stream();
                 let length = self.length_for([pat], &ident);
-                let matched = Matched { active: true, refutable: false, reference, length, exclusive: None };
+                let matched =
+                    Matched { active: true, refutable: false, reference, length, exclusive: None };
                 let (pattern, bindings) = self.pattern(pat, matched);
                 let ty = ty.cloned();
                 self.push(Statement::Destructure { pattern, ty, source, bindings });
@@ -263,7 +268,13 @@ impl Lowerer<'_> {
                 let source = self.named(Operand::Constant(value), "value", pat.span());
                 let ident = self.ident(source).to_token_stream();
                 let length = self.length_for([pat], &ident);
-                let matched = Matched { active: true, refutable: false, reference: false, length, exclusive: None };
+                let matched = Matched {
+                    active: true,
+                    refutable: false,
+                    reference: false,
+                    length,
+                    exclusive: None,
+                };
                 let (pattern, bindings) = self.pattern(pat, matched);
                 let ty = ty.cloned();
                 self.push(Statement::Destructure { pattern, ty, source, bindings });
@@ -271,7 +282,13 @@ impl Lowerer<'_> {
             Operand::Constant(value) => {
                 // Of what has no derivative no position is asked for.
                 let length = None;
-                let matched = Matched { active: false, refutable: false, reference: false, length, exclusive: None };
+                let matched = Matched {
+                    active: false,
+                    refutable: false,
+                    reference: false,
+                    length,
+                    exclusive: None,
+                };
                 let (pattern, bindings) = self.pattern(pat, matched);
                 let ty = ty.map(|ty| quote!(: #ty));
                 let defines = bindings.iter().map(|binding| binding.var).collect();

@@ -47,7 +47,9 @@ impl Lowerer<'_> {
                 place.path.push(Projection::Index(position));
                 Some((place, 0))
             }
-            call @ Expr::MethodCall(_) if self.is_lent_element(call) => self.lent_element(call).map(|place| (place, 1)),
+            call @ Expr::MethodCall(_) if self.is_lent_element(call) => {
+                self.lent_element(call).map(|place| (place, 1))
+            }
             Expr::Unary(unary) if matches!(unary.op, UnOp::Deref(_)) => {
                 let (mut place, depth) = self.located(&unary.expr)?;
                 if depth > 0 {
@@ -227,7 +229,11 @@ impl Lowerer<'_> {
     }
 
     /// The position of the first element in a range of `whole`, and that behind the last.
-    pub(super) fn bounds(&mut self, range: &syn::ExprRange, whole: &TokenStream) -> [TokenStream; 2] {
+    pub(super) fn bounds(
+        &mut self,
+        range: &syn::ExprRange,
+        whole: &TokenStream,
+    ) -> [TokenStream; 2] {
         let from = range.start.as_ref().map_or_else(|| quote!(0), |from| self.plain_constant(from));
         let to = match (&range.end, &range.limits) {
             (Some(to), syn::RangeLimits::HalfOpen(_)) => self.plain_constant(to),

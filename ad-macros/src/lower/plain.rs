@@ -12,10 +12,10 @@ use super::closure::root_name;
 use super::construct::is_type_name;
 use super::hidden::encodes;
 use super::macros::{Matches, standard_macro};
-use super::no_diff::{stopped, undifferentiated};
+use super::no_diff::{stopped, undifferentiated, visit_arguments};
 use super::{Lowerer, desugar, exits};
 use crate::ir::{Operand, Operation};
-use crate::signature::{is_discrete, is_float};
+use crate::types::{is_discrete, is_float};
 
 impl Lowerer<'_> {
     /// The expression with variables renamed. The caller knows that what it is used for has no
@@ -25,14 +25,16 @@ impl Lowerer<'_> {
             return self.in_order(expr);
         }
         let (mut expr, outside) = (expr.clone(), self.scopes.count());
-        Plain { lowerer: self, is_conditional: false, closures: 0, outside }.visit_expr_mut(&mut expr);
+        Plain { lowerer: self, is_conditional: false, closures: 0, outside }
+            .visit_expr_mut(&mut expr);
         expr.to_token_stream()
     }
 
     /// The same for what is not evaluated here, once, whatever comes: nothing is put before it.
     pub(super) fn plain_in_place(&mut self, expr: &Expr) -> TokenStream {
         let (mut expr, outside) = (expr.clone(), self.scopes.count());
-        Plain { lowerer: self, is_conditional: true, closures: 0, outside }.visit_expr_mut(&mut expr);
+        Plain { lowerer: self, is_conditional: true, closures: 0, outside }
+            .visit_expr_mut(&mut expr);
         expr.to_token_stream()
     }
 
@@ -142,11 +144,6 @@ impl Lowerer<'_> {
         };
         self.refuse(expr, message)
     }
-}
-
-/// Visits what a call is given.
-pub(super) fn visit_arguments(visitor: &mut impl VisitMut, call: &mut syn::ExprCall) {
-    call.args.iter_mut().for_each(|argument| visitor.visit_expr_mut(argument));
 }
 
 /// Looks for variables that may be assigned to.

@@ -15,7 +15,7 @@ use super::macros::standard_macro;
 use super::operator::is_own_type;
 use super::{Lowerer, desugar};
 use crate::options::is_own;
-use crate::signature::pointee;
+use crate::types::pointee;
 
 impl Lowerer<'_> {
     /// A loop with these `return`s behind it, if there are some.
@@ -143,8 +143,8 @@ impl Returns<'_, '_> {
         impl<'ast> Visit<'ast> for Finder<'_, '_> {
             fn visit_expr_path(&mut self, path: &'ast syn::ExprPath) {
                 let var = self.0.variable(path);
-                self.1 |=
-                    var.is_some_and(|var| self.0.movable.contains(&var) || self.0.own.contains(&var));
+                self.1 |= var
+                    .is_some_and(|var| self.0.movable.contains(&var) || self.0.own.contains(&var));
             }
         }
 

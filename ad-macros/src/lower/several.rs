@@ -10,11 +10,8 @@ use super::chain::{Chain, is_chain};
 use super::ends::{End, Target};
 use super::flow::{as_statements, strip_parens};
 use super::item::{Access, Item};
-use super::stage::{Items, Reversal};
+use super::stage::{Items, Rest, Reversal};
 use crate::ir::{Arm, Binding, BranchKind, Operand, Operation, Place, Statement};
-
-/// What follows for an item.
-pub(super) type Rest<'r> = dyn FnMut(&mut Lowerer<'_>, Item) -> Operand + 'r;
 
 impl Lowerer<'_> {
     /// `left.chain(right)`: each item comes with the side that it is from.

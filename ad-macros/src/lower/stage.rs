@@ -9,8 +9,10 @@ use super::chain::{Chain, Choice};
 use super::closure::simple_name;
 use super::ends::{End, Target};
 use super::item::{Access, Alias, Item};
-use super::several::Rest;
 use crate::ir::{Arm, BranchKind, Operand, Operation, Statement, VarId};
+
+/// What follows for an item.
+pub(super) type Rest<'r> = dyn FnMut(&mut Lowerer<'_>, Item) -> Operand + 'r;
 
 /// A chain whose items have names.
 pub(super) struct Items {

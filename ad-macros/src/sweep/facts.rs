@@ -12,7 +12,8 @@ use crate::ir::{
     Statement, Var, VarId,
 };
 use crate::lower::{Lowered, LoweredParameter};
-use crate::signature::{Parameter, is_discrete, pointee};
+use crate::signature::Parameter;
+use crate::types::{is_discrete, pointee};
 
 /// See the module.
 pub struct Facts<'a> {

@@ -2,8 +2,8 @@
 //! conversions from and to arrays. They are linear, so that a tangent goes through them as the value does.
 
 use glam::{
-    DMat2, DMat3, DMat4, DVec2, DVec3, DVec4, Mat2, Mat3, Mat4, Vec2, Vec2Swizzles, Vec3, Vec3Swizzles,
-    Vec4, Vec4Swizzles,
+    DMat2, DMat3, DMat4, DVec2, DVec3, DVec4, Mat2, Mat3, Mat4, Vec2, Vec2Swizzles, Vec3,
+    Vec3Swizzles, Vec4, Vec4Swizzles,
 };
 
 use super::FromRules;
@@ -139,7 +139,9 @@ pub trait ColumnsRules: Copy {
     /// The tangents as an array.
     fn to_cols_array_jvp(&self, tangent: Self) -> (Self::Array, Self::Array);
     /// The cotangents as an array.
-    fn from_cols_array_vjp(array: &Self::Array) -> (Self, impl FnOnce(Self) -> Self::Array + use<Self>);
+    fn from_cols_array_vjp(
+        array: &Self::Array,
+    ) -> (Self, impl FnOnce(Self) -> Self::Array + use<Self>);
     /// A matrix of the tangents.
     fn from_cols_array_jvp(array: &Self::Array, tangent: &Self::Array) -> (Self, Self);
 }

@@ -67,8 +67,10 @@ pub trait VecRules {
     #[inline]
     fn pop_vjp(
         &mut self,
-    ) -> (Option<Self::Element>, impl FnOnce(Tangent<Self::Element>, Of<Self>) -> Of<Self> + use<Self>)
-    {
+    ) -> (
+        Option<Self::Element>,
+        impl FnOnce(Tangent<Self::Element>, Of<Self>) -> Of<Self> + use<Self>,
+    ) {
         let elements = self.elements_mut();
         let last = elements.pop();
         let (was_there, len) = (last.is_some(), elements.len());
@@ -215,10 +217,8 @@ pub trait VecRules {
     fn remove_vjp(
         &mut self,
         index: usize,
-    ) -> (
-        Self::Element,
-        impl FnOnce(Tangent<Self::Element>, Of<Self>) -> (Of<Self>, ()) + use<Self>,
-    ) {
+    ) -> (Self::Element, impl FnOnce(Tangent<Self::Element>, Of<Self>) -> (Of<Self>, ()) + use<Self>)
+    {
         let elements = self.elements_mut();
         let removed = elements.remove(index);
         let len = elements.len();
@@ -247,10 +247,8 @@ pub trait VecRules {
     fn swap_remove_vjp(
         &mut self,
         index: usize,
-    ) -> (
-        Self::Element,
-        impl FnOnce(Tangent<Self::Element>, Of<Self>) -> (Of<Self>, ()) + use<Self>,
-    ) {
+    ) -> (Self::Element, impl FnOnce(Tangent<Self::Element>, Of<Self>) -> (Of<Self>, ()) + use<Self>)
+    {
         let elements = self.elements_mut();
         let removed = elements.swap_remove(index);
         let len = elements.len();
@@ -339,10 +337,7 @@ pub trait VecRules {
     fn split_off_vjp(
         &mut self,
         at: usize,
-    ) -> (
-        Vec<Self::Element>,
-        impl FnOnce(Of<Self>, Of<Self>) -> (Of<Self>, ()) + use<Self>,
-    ) {
+    ) -> (Vec<Self::Element>, impl FnOnce(Of<Self>, Of<Self>) -> (Of<Self>, ()) + use<Self>) {
         let rest = self.elements_mut().split_off(at);
         (rest, move |rest, cotangent| {
             let mut before = fitted(cotangent, at);
@@ -403,7 +398,8 @@ pub trait VecRules {
     {
         let kept = retained(self.elements_mut(), keeps);
         let pullback = move |(), cotangent| {
-            let mut after = fitted(cotangent, kept.iter().filter(|kept| **kept).count()).into_iter();
+            let mut after =
+                fitted(cotangent, kept.iter().filter(|kept| **kept).count()).into_iter();
             let before = kept.iter().map(|kept| match kept {
                 true => after.next().unwrap_or_else(Additive::zero),
                 false => Additive::zero(),

@@ -42,9 +42,9 @@
 //! The last row keeps the arm that [`select`](fn@crate::select) did not take from poisoning the
 //! gradient of the one it took.
 
+mod arrange;
 #[doc(hidden)]
 pub mod attempt;
-mod arrange;
 mod cast;
 mod choose;
 mod edit;
@@ -65,7 +65,8 @@ mod transform;
 mod vector;
 
 pub use arrange::{
-    ArrayRules, ColumnsRules, Swizzle2Rules, Swizzle3Rules, Swizzle4Rules, With2Rules, With3Rules, With4Rules,
+    ArrayRules, ColumnsRules, Swizzle2Rules, Swizzle3Rules, Swizzle4Rules, With2Rules, With3Rules,
+    With4Rules,
 };
 #[doc(hidden)]
 pub use arrange::{dvec2, dvec3, dvec4, vec2, vec3, vec4};
