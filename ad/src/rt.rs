@@ -10,6 +10,7 @@ use crate::{Additive, Differentiable, NoDerivative, Shape, Tangent};
 pub use crate::differentiable::Parts;
 
 mod cells;
+mod clones;
 mod constants;
 mod cotangent;
 mod kept;
@@ -22,6 +23,7 @@ mod tangent;
 mod through;
 
 pub use cells::{Holder, HoldsNoNumber, MayHold};
+pub use clones::{Comparable, Copied, CopiedElements, NotComparable};
 pub use constants::{Accepts, Beside, KeepsNothing, MayKeep, OfChanged, Vanishing, of_constant};
 pub use cotangent::{
     Absorb, At, Constant, Content, Enter, Length, Lent, NotLent, Nothing, Same, Take, at, sum,

@@ -245,7 +245,14 @@ impl Lowerer<'_> {
         let hint = if hint == "value" { name } else { hint.to_owned() };
         let callee =
             Callee::method(&call.method, call.turbofish.as_ref().map(ToTokens::to_token_stream));
-        self.finish_call(callee, arguments, &hint, call.span())
+        let is_clone = callee.name().is_some_and(|name| name == "clone") && arguments.len() == 1;
+        let value = self.finish_call(callee, arguments, &hint, call.span());
+        if let (true, Operand::Var(copy)) = (is_clone, &value) {
+            let copy = self.ident(*copy);
+            let code = quote_spanned!(call.span()=> ::ad::check_clone!(#called, #copy););
+            self.push(Statement::Plain { code, defines: Vec::new() });
+        }
+        value
     }
 
     /// `x`, `y`, `z`: vectors of glam have no such methods but those of `ad`, so another trait could
