@@ -12,6 +12,7 @@ use crate::callable::Callables;
 use crate::element;
 use crate::expand::{Function, Place};
 use crate::groups;
+use crate::hidden;
 use crate::item;
 use crate::names;
 use crate::operator;
@@ -233,9 +234,9 @@ fn impl_derivatives(item: TokenStream, block: &ItemImpl, options: &Options) -> T
     let siblings = methods.map(|ImplItemFn { attrs, vis, sig, block, .. }| {
         all.derivative(attrs, vis, sig, Some(block))
     });
-    let mark = block.trait_.is_some().then(|| {
-        let mark = format_ident!("{MARK}");
-        quote!(fn #mark() {})
+    let mark = block.trait_.as_ref().map(|(path, _)| {
+        let (mark, checks) = (format_ident!("{MARK}"), hidden::checks(block, path));
+        quote!(fn #mark() { #checks })
     });
     item::block(item, &quote!(#(#siblings)* #mark), block.trait_.is_none())
 }

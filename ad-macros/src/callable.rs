@@ -17,7 +17,7 @@ use syn::{
 };
 
 use crate::errors::Errors;
-use crate::signature::{is_constant_mark, pointee};
+use crate::types::{is_constant_mark, pointee};
 
 /// The largest number of arguments of a function that is passed.
 pub const MOST_ARGUMENTS: usize = 4;

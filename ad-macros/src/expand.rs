@@ -15,6 +15,7 @@ use crate::names::Names;
 use crate::options::Options;
 use crate::signature::{self, Parameter};
 use crate::sweep::{self, tuple_or_one};
+use crate::types;
 use crate::{lending, numbers, recursion};
 
 /// Where a function stands.
@@ -193,14 +194,16 @@ impl Function<'_> {
             sweeps;
         let defaults = lending_methods.iter().map(lending::Method::default_trait);
         let items: TokenStream = lower::items(body).map(ToTokens::to_token_stream).collect();
+        let stand_ins = lowered.called.stand_ins();
         let jvp = self.forward(header, &lowered, &mut names).map(|forward| {
             let statements = &forward.statements;
-            Forward { statements: quote!(#items #statements), ..forward }
+            Forward { statements: quote!(#items #stand_ins #statements), ..forward }
         });
         let lent = header.lends().then_some(&lent[..]);
         let pullback = header.pullback(&seed, &incoming, lent, &pullback);
         let inline = (is_inlined && !header.boxed).then(|| quote!(#[inline(always)]));
         let sweeps = quote! {
+            #stand_ins
             #(#defaults)*
             #forward
             (#value, #inline #pullback)
@@ -360,7 +363,7 @@ pub fn own(name: &str) -> Ident {
 }
 
 fn tangent(ty: &Type) -> TokenStream {
-    let ty = signature::owned(ty);
+    let ty = types::owned(ty);
     quote_spanned!(ty.span()=> ::ad::Tangent<#ty>)
 }
 

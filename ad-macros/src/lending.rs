@@ -26,8 +26,9 @@ use quote::{format_ident, quote};
 use syn::{Expr, Lit, ReceiverKind, Type};
 
 use crate::expand::{Function, Header, Place, turbofish};
-use crate::signature::{Parameter, has_fixed_size, is_box, pointee};
+use crate::signature::Parameter;
 use crate::sweep::tuple_or_one;
+use crate::types::{has_fixed_size, is_box, pointee};
 
 /// Whether callers may lend cotangents to the function: its reverse sweep is written here.
 pub fn is_possible(function: &Function<'_>) -> bool {

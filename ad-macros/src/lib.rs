@@ -37,6 +37,7 @@ mod expand;
 mod floats;
 mod forward;
 mod groups;
+mod hidden;
 mod ir;
 mod item;
 mod lending;
@@ -54,6 +55,7 @@ mod signature;
 #[cfg(test)]
 mod snapshots;
 mod sweep;
+mod types;
 
 use proc_macro::TokenStream;
 

@@ -4,16 +4,18 @@ use proc_macro2::{Ident, Span, TokenStream};
 use quote::{quote, quote_spanned};
 
 use crate::ir::{
-    Argument, BinaryOperator, Callee, Derivative, Operand, Operation, Place, Projection, Var, VarId,
+    Argument, BinaryOperator, Callee, Operand, Operation, Place, Projection, Var, VarId,
+    makes_vector,
 };
-use crate::passing;
+use crate::{names, passing};
 
-/// A place as an expression.
+/// A part of a value as an expression.
 pub fn project(root: TokenStream, path: &[Projection]) -> TokenStream {
     path.iter().fold(root, |place, step| match step {
         Projection::Field(member) => quote!(#place.#member),
         Projection::Index(index) => quote!(#place[#index]),
         Projection::Deref => quote!((*#place)),
+        Projection::Behind(_) => unreachable!("is a place, of which a name is known"),
     })
 }
 
@@ -21,8 +23,11 @@ pub fn project(root: TokenStream, path: &[Projection]) -> TokenStream {
 pub fn tangent_path(root: TokenStream, path: &[Projection]) -> TokenStream {
     let step = |step: &Projection| match step {
         Projection::Field(_) => Some(step.clone()),
-        Projection::Index(_) => Some(Projection::Index(quote!(0))),
-        Projection::Deref => None,
+        // A range, which is several tokens, gives what can be indexed once more.
+        Projection::Index(index) if index.clone().into_iter().nth(1).is_none() => {
+            Some(Projection::Index(quote!(0)))
+        }
+        Projection::Index(_) | Projection::Deref | Projection::Behind(_) => None,
     };
     project(root, &path.iter().filter_map(step).collect::<Vec<_>>())
 }
@@ -49,8 +54,17 @@ impl<'a> Primal<'a> {
 
     /// A place.
     pub fn place(self, place: &Place) -> TokenStream {
-        let root = self.ident(place.root);
-        project(quote!(#root), &place.path)
+        let is_name = |step: &Projection| matches!(step, Projection::Behind(_));
+        match place.path.iter().rposition(is_name) {
+            Some(position) if let Projection::Behind(name) = place.path[position] => {
+                let name = self.ident(name);
+                project(quote!((*#name)), &place.path[position + 1..])
+            }
+            _ => {
+                let root = self.ident(place.root);
+                project(quote!(#root), &place.path)
+            }
+        }
     }
 
     /// An operator.
@@ -127,16 +141,18 @@ impl<'a> Primal<'a> {
     /// In debug builds checks that a function and the derivative called in its place are of one name:
     /// they come from two name spaces.
     pub fn check_name(self, callee: &Callee, arguments: &[Argument]) -> Option<TokenStream> {
-        let Derivative::Twin { ty, is_of_attribute: true, .. } = &callee.derivative else {
-            return None;
-        };
+        let path = callee.derivative.path()?;
         // What takes an object is a derivative.
         if arguments.iter().any(|argument| self.is_function(argument)) {
             return None;
         }
         let primal = &callee.primal;
         let arguments = arguments.iter().map(|argument| self.argument(argument));
-        Some(quote!(::ad::check_name!(#primal, #ty::named(), (#(#arguments),*));))
+        let last = names::identifiers(primal.clone()).pop();
+        let always = last
+            .filter(|name| makes_vector(&name.to_string()))
+            .map(|name| Ident::new("always", name.span()));
+        Some(quote!(::ad::check_name!(#always #primal, #path(), (#(#arguments),*));))
     }
 
     /// An operation, except for a closure, which has a name where it is defined only.

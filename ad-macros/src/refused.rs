@@ -4,7 +4,7 @@ use syn::visit::Visit;
 use syn::{Type, TypeFnPtr, TypeImplTrait, TypePtr, TypeTraitObject};
 
 use crate::errors::Errors;
-use crate::signature::pointee;
+use crate::types::pointee;
 
 /// Refuses the type of a parameter.
 pub fn parameter(ty: &Type, errors: &mut Errors) {

@@ -3,7 +3,8 @@
 use crate::floats;
 
 /// Those of vectors, matrices, quaternions, sequences, options and integers, in alphabetical order.
-const METHODS: [&str; 57] = [
+const METHODS: [&str; 68] = [
+    "append",
     "clear",
     "clone",
     "cloned",
@@ -22,6 +23,7 @@ const METHODS: [&str; 57] = [
     "extend",
     "extend_from_slice",
     "fill",
+    "insert",
     "inverse",
     "length",
     "length_recip",
@@ -38,14 +40,23 @@ const METHODS: [&str; 57] = [
     "project_onto",
     "push",
     "reflect",
+    "remove",
+    "resize",
+    "retain",
     "reverse",
+    "rotate_left",
+    "rotate_right",
     "saturating_add",
     "saturating_mul",
     "saturating_sub",
     "slerp",
     "sort_by",
+    "sort_by_key",
     "sort_unstable_by",
+    "sort_unstable_by_key",
+    "split_off",
     "swap",
+    "swap_remove",
     "to_vec",
     "transform_point3",
     "transform_vector3",
@@ -64,18 +75,31 @@ const METHODS: [&str; 57] = [
 ];
 
 /// Those of sequences that change their receiver.
-const CHANGES_RECEIVER: [&str; 12] = [
+const CHANGES_RECEIVER: [&str; 25] = [
+    "append",
     "clear",
     "copy_from_slice",
+    "copy_within",
+    "drain",
     "extend",
     "extend_from_slice",
     "fill",
+    "insert",
     "pop",
     "push",
+    "remove",
+    "resize",
+    "retain",
     "reverse",
+    "rotate_left",
+    "rotate_right",
     "sort_by",
+    "sort_by_key",
     "sort_unstable_by",
+    "sort_unstable_by_key",
+    "split_off",
     "swap",
+    "swap_remove",
     "truncate",
 ];
 

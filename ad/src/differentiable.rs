@@ -287,3 +287,4 @@ no_derivative!(
 no_derivative!(core::cmp::Ordering);
 
 impl<T: NoDerivative> NoDerivative for Option<T> {}
+impl<T: NoDerivative, E: NoDerivative> NoDerivative for Result<T, E> {}

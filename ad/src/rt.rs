@@ -10,6 +10,7 @@ use crate::{Additive, Differentiable, NoDerivative, Shape, Tangent};
 pub use crate::differentiable::Parts;
 
 mod cells;
+mod clones;
 mod constants;
 mod cotangent;
 mod kept;
@@ -22,13 +23,17 @@ mod tangent;
 mod through;
 
 pub use cells::{Holder, HoldsNoNumber, MayHold};
+pub use clones::{Comparable, Copied, CopiedElements, NotComparable};
 pub use constants::{Accepts, Beside, KeepsNothing, MayKeep, OfChanged, Vanishing, of_constant};
 pub use cotangent::{
     Absorb, At, Constant, Content, Enter, Length, Lent, NotLent, Nothing, Same, Take, at, sum,
     take, take_changed,
 };
 pub use kept::{Decrease, Difference, Increase, Negation, Sum};
-pub use names::{check_mode_of, has_other_name, other_function, same_function};
+pub use names::{
+    Found, FunctionWithoutDerivative, Hidden, MethodWithDerivative, SameOwner, check_mode_of,
+    has_other_name, other_function, same_function, same_owner,
+};
 pub use order::{BuiltIn, right_first};
 pub use products::{Products, ProductsOutOfLine, rarely, scale, with_products};
 pub use pullback::{
@@ -53,25 +58,26 @@ pub use iterate::{
 pub mod methods {
     pub use super::cells::MayHold as _;
     pub use super::constants::Accepts as _;
+    pub use super::names::Modes as _;
     pub use crate::rules::forward::{
-        AngleForward as _, CloneForward as _, CopiedForward as _, DMat2Forward as _,
-        DMat3Forward as _, DMat4Forward as _, DVec2Forward as _, DVec4Forward as _,
-        ExtendForward as _, FlattenForward as _, FloatForward as _, FromForward as _,
-        GlamForward as _, Mat2Forward as _, Mat3Forward as _, Mat4Forward as _, MatrixForward as _,
+        AngleForward as _, CopiedForward as _, DMat2Forward as _, DMat3Forward as _,
+        DMat4Forward as _, DVec2Forward as _, DVec4Forward as _, ExtendForward as _,
+        FlattenForward as _, FloatForward as _, FromForward as _, GlamForward as _,
+        Mat2Forward as _, Mat3Forward as _, Mat4Forward as _, MatrixForward as _,
         OptionForward as _, QuaternionForward as _, RealForward as _, ResultForward as _,
-        RotationForward as _, ScalarForward as _, SequenceForward as _, TransformForward as _,
-        TruncateForward as _, Vec2Forward as _, Vec4Forward as _, VecForward as _,
-        Vector3Forward as _, VectorForward as _,
+        RotationForward as _, ScalarForward as _, TransformForward as _, TruncateForward as _,
+        Vec2Forward as _, Vec4Forward as _, Vector3Forward as _, VectorForward as _,
     };
     pub use crate::rules::{
-        AngleRules as _, CloneRules as _, CopiedRules as _, DMat2Rules as _, DMat3Rules as _,
-        DMat4Rules as _, DVec2Rules as _, DVec4Rules as _, EditRules as _, ExtendRules as _,
-        FlattenRules as _, FloatRules as _, FromRules as _, GlamRules as _, IntegerRules as _,
-        Mat2Rules as _, Mat3Rules as _, Mat4Rules as _, MatrixRules as _, OptionRules as _,
-        QuaternionRules as _, RealRules as _, ResultRules as _, RotationRules as _,
-        ScalarRules as _, SequenceRules as _, SignedRules as _, TransformRules as _,
+        AngleRules as _, ArrayRules as _, CloneRules as _, ColumnsRules as _, CopiedRules as _,
+        DMat2Rules as _, DMat3Rules as _, DMat4Rules as _, DVec2Rules as _, DVec4Rules as _,
+        ExtendRules as _, FlattenRules as _, FloatRules as _, FromRules as _, GlamRules as _,
+        IntegerRules as _, Mat2Rules as _, Mat3Rules as _, Mat4Rules as _, MatrixRules as _,
+        OptionRules as _, QuaternionRules as _, RealRules as _, ResultRules as _,
+        RotationRules as _, ScalarRules as _, SequenceRules as _, SignedRules as _,
+        Swizzle2Rules as _, Swizzle3Rules as _, Swizzle4Rules as _, TransformRules as _,
         TruncateRules as _, Vec2Rules as _, Vec4Rules as _, VecRules as _, Vector3Rules as _,
-        VectorRules as _,
+        VectorRules as _, With2Rules as _, With3Rules as _, With4Rules as _,
     };
     pub use crate::vector::{Vector as _, Vector3 as _};
 }

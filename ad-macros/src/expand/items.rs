@@ -7,6 +7,7 @@ use syn::{FnArg, Signature};
 use super::{Function, Header, Place, turbofish};
 use crate::forward::Forward;
 use crate::signature::{self, Parameter};
+use crate::types;
 use crate::{checkpoint, elision, lending, passing};
 
 impl Function<'_> {
@@ -217,11 +218,19 @@ impl Function<'_> {
     pub(super) fn bounds(&self, header: &Header, signature: &Signature) -> Vec<TokenStream> {
         let bounds = signature.generics.where_clause.iter().flat_map(|clause| &clause.predicates);
         let mut bounds: Vec<_> = bounds.map(ToTokens::to_token_stream).collect();
-        if let Place::Trait(_) = self.place {
+        if let Place::Trait(generics) = self.place {
+            // A parameter of the trait may be anything where no derivative is asked for.
+            let mut named = std::collections::HashSet::new();
+            let types =
+                header.parameters.iter().map(|parameter| &parameter.ty).chain([&header.result]);
+            types.for_each(|ty| crate::names::collect(quote!(#ty), &mut named));
+            let parameters = generics.type_params().map(|parameter| &parameter.ident);
+            let parameters = parameters.filter(|name| named.contains(&name.to_string()));
+            bounds.extend(parameters.map(|name| quote!(#name: ::ad::Differentiable)));
             // The trait stays fit for `dyn`, and for types that no derivative flows through.
             bounds.push(quote!(Self: ::core::marker::Sized));
-            if header.parameters.iter().any(|p| signature::names_self(&p.ty))
-                || signature::names_self(&header.result)
+            if header.parameters.iter().any(|p| types::names_self(&p.ty))
+                || types::names_self(&header.result)
             {
                 bounds.push(quote!(Self: ::ad::Differentiable));
             }

@@ -8,7 +8,8 @@ use syn::{FnArg, ReceiverKind, Type};
 use super::Tangent;
 use crate::elision;
 use crate::expand::{Function, Place};
-use crate::signature::{Parameter, bare, is_discrete, pointee};
+use crate::signature::{Parameter, bare};
+use crate::types::{is_discrete, pointee};
 
 /// What the tangent of a parameter is.
 pub(super) fn tangent_of_parameter(parameter: &Parameter) -> Tangent {

@@ -15,14 +15,13 @@ impl Writer<'_> {
     /// content to whoever asks for it.
     pub(super) fn tangent_place(&mut self, place: &Place) -> TokenStream {
         let dot = self.dot(place.root);
-        let path: Vec<_> =
-            place.path.iter().filter(|step| !matches!(step, Projection::Deref)).cloned().collect();
+        let path: Vec<_> = place.path.iter().filter(|step| step.is_part()).cloned().collect();
         project(quote!(#dot), &path)
     }
 
     /// Whether the tangent of a place is a reference before anything is borrowed.
     fn is_reference(&self, place: &Place) -> bool {
-        place.path.iter().all(|step| matches!(step, Projection::Deref))
+        !place.path.iter().any(Projection::is_part)
             && matches!(self.tangents[place.root], Tangent::Shared | Tangent::Exclusive)
     }
 

@@ -100,6 +100,17 @@ impl Derivative {
         }
     }
 
+    /// The function that tells the path of the function that was differentiated.
+    pub fn path(&self) -> Option<TokenStream> {
+        match self {
+            Self::Twin { ty, is_of_attribute: true, .. } => {
+                let named = Ident::new("named", last_span(ty));
+                Some(quote!(#ty::#named))
+            }
+            _ => None,
+        }
+    }
+
     fn in_mode(&self, mode: &str) -> TokenStream {
         match self {
             Self::Twin { ty, turbofish, .. } => {

@@ -1,6 +1,7 @@
 //! The form between the user's function and the sweeps: few kinds of statement, every operand
 //! named, no exits.
 
+mod called;
 mod callee;
 
 use proc_macro2::{Ident, TokenStream};
@@ -8,6 +9,7 @@ use syn::{BinOp, Member, Type};
 
 use crate::signature::Parameter;
 
+pub use called::{Called, makes_vector};
 pub use callee::{Callee, Derivative};
 
 /// A function body in lowered form.
@@ -20,6 +22,8 @@ pub struct Lowered {
     pub references: Vec<(VarId, Type)>,
     /// The type parameters that are bounded by `Real`.
     pub scalars: Vec<Ident>,
+    /// What it calls.
+    pub called: Called,
     /// The body.
     pub body: Block,
     /// Whether the body passes functions to others: it takes a derivative to do so, of the mode of what
@@ -81,6 +85,16 @@ pub enum Projection {
     Index(TokenStream),
     /// `*`; the cotangent of a reference is that of its target.
     Deref,
+    /// What a `&mut` refers to that a pattern bound: `*name` is the place to which the steps before
+    /// lead, which has no other name in Rust if it lies in a variant.
+    Behind(VarId),
+}
+
+impl Projection {
+    /// Whether the step leads to a part of the cotangent.
+    pub fn is_part(&self) -> bool {
+        matches!(self, Self::Field(_) | Self::Index(_))
+    }
 }
 
 /// A variable or a part of one.
@@ -330,6 +344,13 @@ pub struct Arm {
     pub guard: Option<TokenStream>,
     pub bindings: Vec<Binding>,
     pub body: Block,
+}
+
+impl Arm {
+    /// An arm that binds nothing.
+    pub fn plain(body: Block) -> Self {
+        Self { pattern: TokenStream::new(), guard: None, bindings: Vec::new(), body }
+    }
 }
 
 /// A block that is run again and again.

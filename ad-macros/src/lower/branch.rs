@@ -81,25 +81,35 @@ impl Lowerer<'_> {
                     return self.branch_arms(&as_match, lower_arm);
                 }
                 let condition = self.plain(&branch.cond);
-                let arms = [then, otherwise].map(|body| Arm {
-                    pattern: TokenStream::new(),
-                    guard: None,
-                    bindings: Vec::new(),
-                    body: self.block(|lowerer| lower_arm(lowerer, &body)),
-                });
+                let arms = [then, otherwise]
+                    .map(|body| Arm::plain(self.block(|lowerer| lower_arm(lowerer, &body))));
                 (BranchKind::If(condition), arms.into())
             }
             Expr::Match(branch) => {
-                let (matched, source) = self.scrutinee(&branch.expr);
+                if let Some(lent) = self.match_on_lent(branch, lower_arm) {
+                    return lent;
+                }
+                let exclusive = self.exclusive_scrutinee(&branch.expr);
+                let (matched, source) = match &exclusive {
+                    Some(place) => {
+                        let place = self.place_tokens(place);
+                        (quote!(&mut #place), None)
+                    }
+                    None => self.scrutinee(&branch.expr),
+                };
+                let way = exclusive.as_ref().map_or(&[][..], |place| &place.path);
                 let reference = match &source {
                     _ if matches!(*branch.expr, Expr::Reference(_)) => true,
+                    _ if self.depth(&branch.expr) > 0 => true,
                     Some(place) => place.path.is_empty() && self.may_refer(place.root),
                     None => false,
                 };
                 let patterns = branch.arms.iter().map(|arm| &arm.pat);
                 let length = self.length_for(patterns, &matched);
-                let active = source.is_some();
-                let matched_value = Matched { active, refutable: true, reference, length };
+                let active = source.is_some() || exclusive.is_some();
+                let exclusive = exclusive.as_ref().map(|place| (place.root, way.len()));
+                let matched_value =
+                    Matched { active, refutable: true, reference, length, exclusive };
                 let arms = branch.arms.iter().map(|arm| {
                     let (pat, guard) = match &arm.pat {
                         Pat::Guard(guarded) => (&*guarded.pat, Some(&guarded.guard)),
@@ -109,7 +119,7 @@ impl Lowerer<'_> {
                     let mut bindings = Vec::new();
                     let mut guard_tokens = None;
                     let body = self.block(|lowerer| {
-                        (pattern, bindings) = lowerer.pattern(pat, matched_value);
+                        pattern = lowerer.subpattern(pat, way, matched_value, &mut bindings);
                         guard_tokens = guard.map(|guard| {
                             let guard = lowerer.plain_in_place(guard);
                             lowerer.as_written(guard, &bindings)

@@ -1,7 +1,7 @@
 //! Calls of functions and methods, and what they are given.
 
 use proc_macro2::TokenStream;
-use quote::{ToTokens, quote, quote_spanned};
+use quote::{ToTokens, format_ident, quote, quote_spanned};
 use syn::Expr;
 use syn::spanned::Spanned;
 
@@ -16,6 +16,7 @@ use crate::ir::{
     Argument, Callee, Derivative, Operand, Operation, Place, Projection, Statement, TypedBy,
 };
 use crate::primal::Primal;
+use crate::rules;
 
 impl Lowerer<'_> {
     /// `&e`
@@ -177,10 +178,11 @@ impl Lowerer<'_> {
 
     pub(super) fn method_call(&mut self, call: &syn::ExprMethodCall, hint: &str) -> Operand {
         let special = self
-            .consumed(call, hint)
+            .lent(call, hint)
+            .or_else(|| self.consumed(call, hint))
             .or_else(|| self.optional(call, hint))
             .or_else(|| self.mapped(call, hint))
-            .or_else(|| self.lent(call, hint))
+            .or_else(|| self.ranged(call, hint))
             .or_else(|| self.extended(call));
         if let Some(value) = special {
             return value;
@@ -207,8 +209,16 @@ impl Lowerer<'_> {
         let called = self.argument_tokens(&arguments[0]);
         arguments.extend(call.args.iter().enumerate().map(|(index, argument)| {
             // What it is given decides, and computes nothing.
-            if is_comparing(&name) {
-                return Argument::Value(Operand::Constant(self.plain_in_place(argument)));
+            if let Some(count) = compared(&name) {
+                let decides = self.plain_in_place(argument);
+                return Argument::Value(Operand::Constant(match strip_parens(argument) {
+                    Expr::Closure(_) => decides,
+                    _ => {
+                        let elements = (0..count).map(|index| format_ident!("element_{index}"));
+                        let elements: Vec<_> = elements.collect();
+                        quote!(|#(#elements),*| #decides(#(#elements),*))
+                    }
+                }));
             }
             let typed_by = TypedBy {
                 function: called.clone(),
@@ -235,7 +245,14 @@ impl Lowerer<'_> {
         let hint = if hint == "value" { name } else { hint.to_owned() };
         let callee =
             Callee::method(&call.method, call.turbofish.as_ref().map(ToTokens::to_token_stream));
-        self.finish_call(callee, arguments, &hint, call.span())
+        let is_clone = callee.name().is_some_and(|name| name == "clone") && arguments.len() == 1;
+        let value = self.finish_call(callee, arguments, &hint, call.span());
+        if let (true, Operand::Var(copy)) = (is_clone, &value) {
+            let copy = self.ident(*copy);
+            let code = quote_spanned!(call.span()=> ::ad::check_clone!(#called, #copy););
+            self.push(Statement::Plain { code, defines: Vec::new() });
+        }
+        value
     }
 
     /// `x`, `y`, `z`: vectors of glam have no such methods but those of `ad`, so another trait could
@@ -298,6 +315,9 @@ impl Lowerer<'_> {
             let ident = self.ident(value);
             return Operand::Constant(quote!(#ident));
         }
+        if let Some(name) = callee.name().filter(|name| !rules::is_method(&name.to_string())) {
+            self.called.method(name);
+        }
         let called = usize::from(matches!(arguments.first(), Some(Argument::Callee(_))));
         self.passes_functions |=
             arguments[called..].iter().any(|argument| Primal(&self.vars).is_function(argument));
@@ -330,9 +350,15 @@ pub(super) fn is_predicate(name: &str) -> bool {
         || matches!(name, "cmplt" | "cmple" | "cmpgt" | "cmpge" | "cmpeq" | "cmpne")
         || matches!(name, "cmp" | "partial_cmp" | "total_cmp")
         || matches!(name, "lt" | "le" | "gt" | "ge" | "eq" | "ne" | "all" | "any")
+        || matches!(name, "partition_point" | "contains" | "starts_with" | "ends_with")
+        || name.starts_with("binary_search")
 }
 
-/// Methods that are given a comparison.
-fn is_comparing(name: &str) -> bool {
-    matches!(name, "sort_by" | "sort_unstable_by")
+/// The number of elements that a method gives to the function which decides for it.
+fn compared(name: &str) -> Option<usize> {
+    match name {
+        "sort_by" | "sort_unstable_by" => Some(2),
+        "sort_by_key" | "sort_unstable_by_key" | "retain" => Some(1),
+        _ => None,
+    }
 }

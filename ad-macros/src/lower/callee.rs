@@ -22,6 +22,8 @@ use crate::options::is_own;
 pub(super) struct LocalFunctions {
     /// Those that it declares without the attribute.
     plain: HashSet<String>,
+    /// Those that it declares with it.
+    derived: HashSet<String>,
     /// The paths of those that it imports, by their names.
     imported: HashMap<String, Path>,
 }
@@ -32,8 +34,12 @@ impl LocalFunctions {
         let mut functions = Self::default();
         for item in items {
             match item {
-                Item::Fn(function) if !function.attrs.iter().any(is_own) => {
-                    functions.plain.insert(function.sig.ident.to_string());
+                Item::Fn(function) => {
+                    let declared = match function.attrs.iter().any(is_own) {
+                        true => &mut functions.derived,
+                        false => &mut functions.plain,
+                    };
+                    declared.insert(function.sig.ident.to_string());
                 }
                 Item::Use(import) if !import.attrs.iter().any(is_own) => {
                     let start =
@@ -86,13 +92,18 @@ impl Lowerer<'_> {
             return self.associated(&function);
         }
         let path = &function.path;
+        let last = path.segments.last().expect("a path has a segment");
         let is_of_ad = path.leading_colon.is_some()
             && path.segments.first().is_some_and(|first| first.ident == "ad");
-        Derivative::Twin {
-            ty: twin_of(path),
-            turbofish: path.segments.last().and_then(turbofish),
-            is_of_attribute: !is_of_ad,
-        }
+        // What an attribute writes here hides nothing from an import.
+        let is_local = path
+            .get_ident()
+            .is_some_and(|name| self.local_functions.derived.contains(&name.to_string()));
+        let ty = match is_of_ad || is_local {
+            true => twin_of(path),
+            false => self.called.twin(twin_of(path), &last.ident, self.names),
+        };
+        Derivative::Twin { ty, turbofish: turbofish(last), is_of_attribute: !is_of_ad }
     }
 
     /// Refuses a function that is declared here without the attribute, for one of its name may have it

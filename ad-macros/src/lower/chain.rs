@@ -14,6 +14,7 @@ use proc_macro2::TokenStream;
 use syn::{Expr, Ident, Lit};
 
 use super::flow::strip_parens;
+use super::item::Access;
 use crate::ir::{Place, VarId};
 
 /// An iterator, before its items have names.
@@ -21,9 +22,15 @@ pub(super) enum Chain {
     /// Items without derivative.
     Constant { iterator: TokenStream, length: Option<usize>, is_range: bool },
     /// Elements of a place, by their index.
-    Elements { place: Place, by_reference: bool, length: Option<usize> },
+    Elements { place: Place, access: Access, length: Option<usize> },
     /// Runs of elements, by the index of the first.
-    Runs { place: Place, iterator: TokenStream, size: TokenStream, cut_short: bool },
+    Runs {
+        place: Place,
+        iterator: TokenStream,
+        size: TokenStream,
+        cut_short: bool,
+        is_exclusive: bool,
+    },
     /// `.enumerate()`
     Enumerate(Box<Chain>),
     /// `.zip(other)`
@@ -160,7 +167,8 @@ pub(super) fn is_chain(expr: &Expr) -> bool {
 }
 
 pub(super) fn is_source(method: &Ident) -> bool {
-    const SOURCES: [&str; 8] = [
+    const SOURCES: [&str; 9] = [
+        "drain",
         "iter",
         "iter_mut",
         "into_iter",

@@ -153,14 +153,18 @@ impl Lowerer<'_> {
     /// What a call of a closure is given.
     pub(super) fn given(&mut self, expr: &Expr) -> Item {
         let target = match strip_parens(expr) {
-            Expr::Reference(reference) => Some((&*reference.expr, 1)),
-            path if self.depth(path) > 0 => Some((path, self.depth(path))),
+            Expr::Reference(reference) => {
+                Some((&*reference.expr, 1, reference.mutability.is_some()))
+            }
+            path if self.depth(path) > 0 => {
+                Some((path, self.depth(path), self.is_exclusive_alias(path)))
+            }
             _ => None,
         };
-        if let Some((target, depth)) = target
+        if let Some((target, depth, is_exclusive)) = target
             && let Some(place) = self.place(target)
         {
-            return Item::Reference(Alias { place, depth });
+            return Item::Reference(Alias { place, depth, is_exclusive });
         }
         Item::Value(self.operand(expr, "argument"))
     }

@@ -23,7 +23,7 @@ use super::scopes::Name;
 use crate::ir::{Argument, Operand, Operation, Statement};
 use crate::names::identifiers;
 use crate::primal::tangent_path;
-use crate::signature::{is_constant_mark, is_discrete};
+use crate::types::{is_constant_mark, is_discrete};
 
 impl Lowerer<'_> {
     /// `#[constant] let name = ..;`; says whether it is that.

@@ -1,6 +1,5 @@
 //! What ends a chain of iterator adapters: sums, products, folds, searches. Each is a loop.
 
-use proc_macro2::TokenStream;
 use quote::{ToTokens, quote};
 use syn::spanned::Spanned;
 use syn::{Expr, ExprMethodCall, GenericArgument, Type, parse_quote};
@@ -23,6 +22,24 @@ impl Lowerer<'_> {
             ("fold", [start, function]) => self.folded(&call.receiver, start, function, hint),
             ("reduce", [function]) => self.reduced(call, Some(function), hint),
             ("last", []) => self.reduced(call, None, hint),
+            ("nth", [position]) => {
+                let name = self.names.unwritten("position");
+                self.statement(&parse_quote!(let #name: usize = #position;));
+                let chain = &call.receiver;
+                self.operand(&parse_quote!(#chain.take(#name + 1).skip(#name).last()), hint)
+            }
+            ("next", []) => {
+                let chain = &call.receiver;
+                self.operand(&parse_quote!(#chain.take(1).last()), hint)
+            }
+            ("find", [function]) => {
+                let chain = &call.receiver;
+                self.operand(&parse_quote!(#chain.filter(#function).take(1).last()), hint)
+            }
+            ("find_map", [function]) => {
+                let chain = &call.receiver;
+                self.operand(&parse_quote!(#chain.filter_map(#function).take(1).last()), hint)
+            }
             ("for_each", [function]) => {
                 self.each(&call.receiver, &mut |lowerer, item| {
                     let value = lowerer.apply(function, vec![item]);
@@ -166,7 +183,7 @@ impl Lowerer<'_> {
                 bindings: Vec::new(),
                 body: takes,
             };
-            let none = Arm { pattern: quote!(_), ..plain_arm(first) };
+            let none = Arm { pattern: quote!(_), ..Arm::plain(first) };
             let candidate = lowerer.ident(value).clone();
             let held = quote!(::ad::rt::held(&#best_ident, &#candidate));
             let kind = BranchKind::Match(held, None);
@@ -183,7 +200,7 @@ impl Lowerer<'_> {
                 lowerer.store(Place { root: best, path: Vec::new() }, new);
                 Self::unit()
             });
-            let arms = [replace, keep].map(plain_arm);
+            let arms = [replace, keep].map(Arm::plain);
             lowerer.branch(BranchKind::If(replaces), arms.into(), false, span);
         });
         self.read_place(Place { root: best, path: Vec::new() }, hint)
@@ -227,10 +244,6 @@ impl Lowerer<'_> {
             lowerer.normal_end(Self::unit(), end)
         });
     }
-}
-
-fn plain_arm(body: crate::ir::Block) -> Arm {
-    Arm { pattern: TokenStream::new(), guard: None, bindings: Vec::new(), body }
 }
 
 /// `T` of `.method::<T>()`

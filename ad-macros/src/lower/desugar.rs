@@ -92,6 +92,46 @@ fn chain(branch: ExprIf) -> Expr {
     })
 }
 
+/// `let r = if c { &mut a } else { &mut b }; rest` as `if c { let r = &mut a; rest } else { let r = &mut
+/// b; rest }`: the place that a name stands for is known where it is used.
+pub fn chosen_reference(stmt: &Stmt, rest: &[Stmt]) -> Option<Stmt> {
+    let Stmt::Local(syn::Local { pat, init: Some(init), .. }) = stmt else { return None };
+    let mut choice = (*init.expr).clone();
+    let mut is_chosen = true;
+    let mut go_on = |place: &Expr| -> syn::Block {
+        is_chosen &= matches!(place, Expr::Reference(place) if place.mutability.is_some());
+        parse_quote!({ let #pat = #place; #(#rest)* })
+    };
+    match &mut choice {
+        Expr::If(branch) => {
+            branch.then_branch = go_on(only_value(&branch.then_branch)?);
+            let (_, otherwise) = branch.else_branch.as_mut()?;
+            let Expr::Block(block) = &mut **otherwise else { return None };
+            block.block = go_on(only_value(&block.block)?);
+        }
+        Expr::Match(branch) => {
+            for arm in &mut branch.arms {
+                let body = match &*arm.body {
+                    Expr::Block(block) => only_value(&block.block)?,
+                    body => body,
+                };
+                let body = go_on(body);
+                *arm.body = parse_quote!(#body);
+            }
+        }
+        _ => return None,
+    }
+    is_chosen.then(|| Stmt::Expr(choice, None))
+}
+
+/// The value of a block without statements.
+pub fn only_value(block: &syn::Block) -> Option<&Expr> {
+    match &block.stmts[..] {
+        [Stmt::Expr(value, None)] => Some(value),
+        _ => None,
+    }
+}
+
 /// An assignment to several places, as a `let` and assignments to one each.
 pub fn assignment(assign: &syn::ExprAssign, names: &mut Names) -> Option<Vec<Stmt>> {
     if !matches!(&*assign.left, Expr::Tuple(_) | Expr::Array(_) | Expr::Struct(_) | Expr::Call(_)) {

@@ -48,8 +48,7 @@ impl Lowerer<'_> {
         match strip_parens(argument) {
             Expr::Reference(reference) => reference.mutability.is_some(),
             Expr::Path(path) => self.variable(path).is_some_and(|var| {
-                self.exclusive_aliases.contains(&var)
-                    || (self.vars[var].exclusive && self.vars[var].active)
+                self.is_lent(var) || (self.vars[var].exclusive && self.vars[var].active)
             }),
             _ => false,
         }

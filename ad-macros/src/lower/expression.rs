@@ -9,7 +9,7 @@ use super::construct::numbered;
 use super::ends::End;
 use crate::element;
 use crate::ir::{BinaryOperator, Operand, Operation, Projection, Shape, Statement};
-use crate::signature::{is_discrete, is_float};
+use crate::types::{is_discrete, is_float};
 
 impl Lowerer<'_> {
     /// Evaluates an expression. A new variable for the result, if one is needed, is named after

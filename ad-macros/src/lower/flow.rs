@@ -51,6 +51,12 @@ impl Lowerer<'_> {
                 });
                 continue;
             }
+            if let Some(chosen) = desugar::chosen_reference(&stmt, stmts.as_slice()) {
+                return self.statements(vec![chosen], end);
+            }
+            if let Some(behind) = self.returning_behind(&stmt) {
+                return self.statements(behind.into_iter().chain(stmts).collect(), end);
+            }
             let stmt = self.plainer_loop(&stmt).unwrap_or(stmt);
             if exits::stmt_exits(&stmt) {
                 return self.exiting(stmt, stmts.collect(), end);
@@ -138,6 +144,10 @@ impl Lowerer<'_> {
             }
             return;
         }
+        if let (Some(name), true) = (simple_name(pat), self.is_lent_element(&init.expr)) {
+            let element = &init.expr;
+            return self.exclusive_alias(name, &parse_quote!(*#element));
+        }
         if self.split_exclusively(pat, &init.expr) || self.take_apart_exclusively(pat, &init.expr) {
             return;
         }
@@ -147,7 +157,7 @@ impl Lowerer<'_> {
         {
             return;
         }
-        if ty.is_some_and(crate::signature::is_discrete) {
+        if ty.is_some_and(crate::types::is_discrete) {
             return self.discrete_local(pat, ty, &init.expr);
         }
         let hint = match pat {
@@ -166,6 +176,9 @@ impl Lowerer<'_> {
             self.push(Statement::Define { var, ty, operation });
         } else {
             self.bind_pattern(pat, ty, value);
+        }
+        if let Pat::Ident(name) = pat {
+            self.note_movable(&name.ident, ty, &init.expr);
         }
         if let Some(var) = simple_name(pat).and_then(|name| self.lookup(name)) {
             if is_own {

@@ -254,6 +254,7 @@ impl Lowerer<'_> {
         inner.scalars = self.scalars.clone();
         inner.local_functions = self.local_functions.clone();
         inner.exclusive_methods = self.exclusive_methods.clone();
+        inner.called = std::mem::take(&mut self.called);
         let mut vars = Vec::new();
         let body = inner.block(|inner| {
             let mut meanings = HashMap::new();
@@ -267,7 +268,7 @@ impl Lowerer<'_> {
                 vars.push(var);
                 let place = Place { root: var, path: vec![Projection::Deref] };
                 let alias = inner.unwritten_var(&parameter.ident, false, is_active);
-                inner.aliases.insert(alias, Alias { place, depth });
+                inner.aliases.insert(alias, Alias { place, depth, is_exclusive: false });
                 inner.functions.extend(self.functions.get(&outer).map(|&arity| (alias, arity)));
                 inner.lengths.extend(self.lengths.get(&outer).map(|&length| (alias, length)));
                 inner.containers.extend(self.containers.get(&outer).map(|&c| (alias, c)));
@@ -304,6 +305,7 @@ impl Lowerer<'_> {
             .cloned()
             .collect();
         let mut function = inner.finished(&all, &vars, body);
+        self.called = std::mem::take(&mut function.called);
         // The function around it brings what has gathered to its size.
         function.parameters.iter_mut().take(parameters.len()).for_each(|p| p.has_shape = false);
         function

@@ -88,8 +88,9 @@ impl Lowerer<'_> {
     }
 
     /// Has the compiler refuse a cell that code without derivative gives a number with one. It names
-    /// what is called and what the call is given as the user wrote them.
-    pub(super) fn check_cells(&mut self, call: &Expr) {
+    /// what is called and what the call is given as the user wrote them. What the scopes from number
+    /// `outside` on bind has no meaning where that is checked.
+    pub(super) fn check_cells(&mut self, call: &Expr, outside: usize) {
         let (holders, given): (Vec<&Expr>, Vec<&Expr>) = match call {
             Expr::MethodCall(ExprMethodCall { receiver, args, .. }) => {
                 (std::iter::once(&**receiver).chain(args).collect(), args.iter().collect())
@@ -106,6 +107,9 @@ impl Lowerer<'_> {
                 holder => holder,
             };
             let Some(name) = root_name(holder) else { continue };
+            if self.scopes.binds_within(outside, name) {
+                continue;
+            }
             let is_constant = self.lookup(name).is_none_or(|var| !self.vars[var].active);
             let is_place = matches!(holder, Expr::Path(_) | Expr::Field(_));
             if !is_constant || !is_place {

@@ -12,6 +12,46 @@ pub(super) struct Alias {
     pub place: Place,
     /// How many times the place is referred to: 1 for `&place`, 2 for `&&place`.
     pub depth: usize,
+    /// Whether it is a `&mut`.
+    pub is_exclusive: bool,
+}
+
+impl Alias {
+    /// `&place`
+    pub fn shared(place: Place) -> Self {
+        Self { place, depth: 1, is_exclusive: false }
+    }
+
+    /// `&mut place`
+    pub fn exclusive(place: Place) -> Self {
+        Self { place, depth: 1, is_exclusive: true }
+    }
+
+    /// What it refers to.
+    fn target(self) -> Item {
+        match self.depth {
+            1 => Item::Copy(self.place),
+            depth => Item::Reference(Self { depth: depth - 1, ..self }),
+        }
+    }
+}
+
+/// What an iterator gives of elements.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Access {
+    /// Their values.
+    Value,
+    /// References.
+    Shared,
+    /// References by which they may be changed.
+    Exclusive,
+}
+
+impl Access {
+    /// Whether items are references.
+    pub fn is_reference(self) -> bool {
+        self != Self::Value
+    }
 }
 
 /// An item of an iterator, in the body of its loop.
@@ -42,20 +82,20 @@ impl Item {
     /// A reference to the item.
     pub fn borrowed(self, lowerer: &mut Lowerer<'_>) -> Self {
         match self {
-            Self::Reference(Alias { place, depth }) => {
-                Self::Reference(Alias { place, depth: depth + 1 })
+            Self::Reference(alias) => {
+                Self::Reference(Alias { depth: alias.depth + 1, is_exclusive: false, ..alias })
             }
-            Self::Copy(place) => Self::Reference(Alias { place, depth: 1 }),
+            Self::Copy(place) => Self::Reference(Alias::shared(place)),
             Self::Tuple(items) => {
                 Self::Tuple(items.into_iter().map(|item| item.borrowed(lowerer)).collect())
             }
             Self::Constant(root) => {
-                Self::Reference(Alias { place: Place { root, path: Vec::new() }, depth: 1 })
+                Self::Reference(Alias::shared(Place { root, path: Vec::new() }))
             }
             Self::Value(value) => {
                 let span = proc_macro2::Span::call_site();
                 let root = lowerer.named(value, "item", span);
-                Self::Reference(Alias { place: Place { root, path: Vec::new() }, depth: 1 })
+                Self::Reference(Alias::shared(Place { root, path: Vec::new() }))
             }
         }
     }
@@ -65,10 +105,7 @@ impl Lowerer<'_> {
     /// What `*` makes of an item, or of each of its parts.
     pub(super) fn copied(&mut self, item: Item) -> Item {
         match item {
-            Item::Reference(Alias { place, depth: 1 }) => Item::Copy(place),
-            Item::Reference(Alias { place, depth }) => {
-                Item::Reference(Alias { place, depth: depth - 1 })
-            }
+            Item::Reference(alias) => alias.target(),
             Item::Tuple(items) => {
                 Item::Tuple(items.into_iter().map(|item| self.copied(item)).collect())
             }
@@ -125,12 +162,8 @@ impl Lowerer<'_> {
             (Pat::Ident(ident), Item::Constant(var)) if is_plain_name(ident) => {
                 self.alias(&ident.ident, var);
             }
-            (Pat::Reference(reference), Item::Reference(Alias { place, depth })) => {
-                let target = match depth {
-                    1 => Item::Copy(place),
-                    _ => Item::Reference(Alias { place, depth: depth - 1 }),
-                };
-                self.bind_item(&reference.pat, target);
+            (Pat::Reference(reference), Item::Reference(alias)) => {
+                self.bind_item(&reference.pat, alias.target());
             }
             // `&(a, b)` of a borrowed pair.
             (Pat::Reference(reference), Item::Tuple(items)) => {
@@ -170,7 +203,8 @@ impl Lowerer<'_> {
         }
         let place = &whole.place;
         let path = [&place.path[..], &[step]].concat();
-        let part = Alias { place: Place { root: place.root, path }, depth: 1 };
+        let place = Place { root: place.root, path };
+        let part = Alias { place, depth: 1, is_exclusive: whole.is_exclusive };
         self.bind_item(pat, Item::Reference(part));
     }
 

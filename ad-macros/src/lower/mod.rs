@@ -28,6 +28,7 @@ mod consume;
 mod deferred;
 mod desugar;
 mod effects;
+mod element;
 mod ends;
 mod exits;
 mod expression;
@@ -47,6 +48,7 @@ mod part;
 mod pattern;
 mod place;
 mod plain;
+mod returned;
 mod scopes;
 mod sequence;
 mod several;
@@ -67,12 +69,14 @@ use self::callee::LocalFunctions;
 use self::closure::Closure;
 use self::ends::{Jump, JumpId};
 use self::item::Alias;
+pub use self::operator::is_own_type;
 use self::scopes::Scopes;
 use crate::errors::Errors;
-use crate::ir::{Block, BlockId, Operand, Operation, Statement, Var, VarId};
+use crate::ir::{Block, BlockId, Called, Operand, Operation, Statement, Var, VarId};
 pub use crate::ir::{Lowered, LoweredParameter};
 use crate::names::Names;
-use crate::signature::{Parameter, has_fixed_size, is_box, is_discrete, is_float, pointee};
+use crate::signature::Parameter;
+use crate::types::{has_fixed_size, is_box, is_discrete, is_float, pointee};
 
 /// A function, as the user wrote it.
 pub struct Source<'a> {
@@ -155,12 +159,12 @@ struct Lowerer<'a> {
     jump_count: JumpId,
     /// The names that stand for references to places.
     aliases: HashMap<VarId, Alias>,
-    /// Those of them that stand for a `&mut`.
-    exclusive_aliases: HashSet<VarId>,
     /// The variables that are known to be references.
     references: HashSet<VarId>,
     /// The variables of types that may not be `Copy`.
     own: HashSet<VarId>,
+    /// Those that a declaration makes a `Vec` or another type that is not `Copy`.
+    movable: HashSet<VarId>,
     /// The lengths of arrays, where they are literals.
     lengths: HashMap<VarId, usize>,
     /// The parameters that are slices.
@@ -179,6 +183,8 @@ struct Lowerer<'a> {
     exclusive_methods: HashSet<String>,
     /// The names that the compiler has been asked about.
     checked: HashSet<String>,
+    /// The functions and methods that are called.
+    called: Called,
     /// The functions that it brings along.
     local_functions: LocalFunctions,
     /// The items of the outermost block, as they are written.
@@ -208,9 +214,9 @@ impl<'a> Lowerer<'a> {
             jumps: Vec::new(),
             jump_count: 0,
             aliases: HashMap::new(),
-            exclusive_aliases: HashSet::new(),
             references: HashSet::new(),
             own: HashSet::new(),
+            movable: HashSet::new(),
             lengths: HashMap::new(),
             slices: HashSet::new(),
             containers: HashMap::new(),
@@ -220,6 +226,7 @@ impl<'a> Lowerer<'a> {
             passes_functions: false,
             exclusive_methods: HashSet::new(),
             checked: HashSet::new(),
+            called: Called::default(),
             local_functions: LocalFunctions::default(),
             items: HashSet::new(),
             capitals: HashSet::new(),
@@ -249,8 +256,8 @@ impl Lowerer<'_> {
             is_box: is_box(&parameter.ty),
         });
         let parameters = parameters.collect();
-        let Self { vars, scalars, passes_functions, .. } = self;
-        Lowered { vars, parameters, references, scalars, body, passes_functions }
+        let Self { vars, scalars, called, passes_functions, .. } = self;
+        Lowered { vars, parameters, references, scalars, called, body, passes_functions }
     }
 
     /// Writes a block; `fill` returns its value.
@@ -401,6 +408,9 @@ impl Lowerer<'_> {
     fn note_type(&mut self, var: VarId, ty: &Type) {
         if let Type::Reference(_) = ty {
             self.references.insert(var);
+        }
+        if returned::is_vec_or_box(ty) {
+            self.movable.insert(var);
         }
         if let Type::Slice(_) = pointee(ty) {
             self.slices.insert(var);

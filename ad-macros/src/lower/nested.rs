@@ -13,7 +13,7 @@ use super::callee::is_associated;
 use super::operator::is_own_name;
 use crate::floats;
 use crate::ir::{Arm, Block, BranchKind, Operand, Operation, Statement};
-use crate::signature::is_discrete;
+use crate::types::is_discrete;
 
 impl Lowerer<'_> {
     /// A block whose value is that of `fill`, in a scope of names of its own.

@@ -12,7 +12,6 @@ use syn::{Expr, ExprCall, ExprClosure, FieldValue, Macro, Path, parse_quote};
 
 use super::Lowerer;
 use super::macros::{captured_names, values_before_format};
-use super::plain::visit_arguments;
 use crate::ir::{Operand, Operation, VarId};
 
 /// `no_diff(|| ..)`
@@ -34,6 +33,11 @@ pub(super) fn stopped(call: &ExprCall) -> Option<&Path> {
     let Expr::Path(function) = &*call.func else { return None };
     let is_named = function.path.segments.last().is_some_and(|last| last.ident == "stop_gradient");
     (is_named && call.args.len() == 1).then_some(&function.path)
+}
+
+/// Visits what a call is given.
+pub(super) fn visit_arguments(visitor: &mut impl VisitMut, call: &mut syn::ExprCall) {
+    call.args.iter_mut().for_each(|argument| visitor.visit_expr_mut(argument));
 }
 
 impl Lowerer<'_> {
@@ -108,7 +112,8 @@ impl Renamed<'_, '_> {
 impl VisitMut for Renamed<'_, '_> {
     fn visit_expr_mut(&mut self, expr: &mut Expr) {
         if let Expr::Call(_) | Expr::MethodCall(_) = expr {
-            self.lowerer.check_cells(expr);
+            let outside = self.lowerer.scopes.count();
+            self.lowerer.check_cells(expr, outside);
         }
         if let Expr::Call(call) = expr
             && self.lowerer.function_parameter(&call.func).is_some()

@@ -14,7 +14,7 @@ use super::Lowerer;
 use super::construct::{is_transparent, is_type_name, outcome};
 use super::flow::strip_parens;
 use crate::ir::{Argument, BinaryOperator, Callee, Operand, Place};
-use crate::signature::{is_discrete, pointee};
+use crate::types::{is_discrete, pointee};
 
 impl Lowerer<'_> {
     /// Whether an expression is a reference, or of a type that may not be `Copy`.
@@ -200,7 +200,7 @@ fn constructs(function: &Path, scalars: &[Ident]) -> bool {
 
 /// Whether a variable declared with this type may be of a type that is not `Copy`; `scalars` are type
 /// parameters bounded by `Real`.
-pub(super) fn is_own_type(ty: &Type, scalars: &[Ident]) -> bool {
+pub fn is_own_type(ty: &Type, scalars: &[Ident]) -> bool {
     match pointee(ty) {
         Type::Path(path) => path.path.segments.last().is_some_and(|last| {
             is_type_name(&last.ident)

@@ -8,7 +8,7 @@ use syn::{Expr, ExprMethodCall, Pat, parse_quote};
 use super::Lowerer;
 use super::chain::is_chain;
 use super::closure::simple_name;
-use crate::ir::{Operand, Statement};
+use crate::ir::{Argument, Callee, Operand, Operation, Statement};
 
 impl Lowerer<'_> {
     /// The part of a slice, if `call` is such a method of a place, or `unwrap` or `expect` of one.
@@ -18,10 +18,20 @@ impl Lowerer<'_> {
             _ => None,
         };
         let inner = unwrapped.unwrap_or(call);
-        let slice = &inner.receiver;
         let index = self.names.unwritten("position");
         let positions: Vec<_> = inner.args.iter().collect();
-        let (position, element): (Expr, Expr) = match (&*inner.method.to_string(), &positions[..]) {
+        // An item of all elements is an element.
+        let (slice, method) = match (&*inner.receiver, &*inner.method.to_string()) {
+            (Expr::MethodCall(all), "nth") if all.method == "iter" => (&all.receiver, "get".into()),
+            (Expr::MethodCall(all), "next") if all.method == "iter" => {
+                (&all.receiver, "first".into())
+            }
+            (Expr::MethodCall(all), "last") if all.method == "iter" => {
+                (&all.receiver, "last".into())
+            }
+            (_, method) => (&inner.receiver, method.to_owned()),
+        };
+        let (position, element): (Expr, Expr) = match (&*method, &positions[..]) {
             _ if is_chain(slice) => return None,
             ("first", []) => (parse_quote!(0), parse_quote!(&#slice[#index])),
             // Of an empty one the position is too large.
@@ -66,6 +76,30 @@ impl Lowerer<'_> {
             self.vars[var].reference = true;
         }
         Some(part)
+    }
+
+    /// `vec.drain(range)`, as the `Vec` of what it gives, and `slice.copy_within(range, position)`.
+    pub(super) fn ranged(&mut self, call: &ExprMethodCall, hint: &str) -> Option<Operand> {
+        let arguments: Vec<_> = call.args.iter().collect();
+        let (function, range, rest) = match (&*call.method.to_string(), &arguments[..]) {
+            ("drain", [Expr::Range(range)]) => ("drained", range, None),
+            ("copy_within", [Expr::Range(range), at]) => ("copied_within", range, Some(*at)),
+            _ => return None,
+        };
+        let place = self.active_place(&call.receiver)?;
+        let tokens = self.place_tokens(&place);
+        let [from, to] = self.bounds(range, &tokens);
+        let numbers = [Some(from), Some(to), rest.map(|at| self.plain_constant(at))];
+        let numbers = numbers.into_iter().flatten().map(|number| {
+            let number = Operation::Use(Operand::Constant(number));
+            let number = self.define("position", call.method.span(), false, number);
+            Argument::Value(self.constant(number))
+        });
+        let numbers: Vec<_> = numbers.collect();
+        let arguments = std::iter::once(Argument::Exclusive(place)).chain(numbers).collect();
+        let function = syn::Ident::new(function, call.method.span());
+        let callee = Callee::of_ad(quote_spanned!(call.method.span()=> ::ad::rules::#function));
+        Some(self.finish_call(callee, arguments, hint, call.method.span()))
     }
 
     /// `let (left, right) = slice.split_at_mut(position)` and its kin: two names for parts. Says whether
@@ -124,9 +158,7 @@ impl Lowerer<'_> {
     pub(super) fn take_apart_exclusively(&mut self, pat: &Pat, value: &Expr) -> bool {
         let mut parts = Vec::new();
         let is_exclusive = |name: &syn::Ident| {
-            self.lookup(name).is_some_and(|var| {
-                self.vars[var].exclusive || self.exclusive_aliases.contains(&var)
-            })
+            self.lookup(name).is_some_and(|var| self.vars[var].exclusive || self.is_lent(var))
         };
         let whole: Option<Expr> = match value {
             Expr::Reference(reference) if reference.mutability.is_some() => {

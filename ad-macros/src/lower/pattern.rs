@@ -6,8 +6,10 @@ use syn::spanned::Spanned;
 use syn::visit::{self, Visit};
 use syn::{Expr, Member, Pat, Type};
 
-use super::chain::is_chain;
 use super::construct::{is_transparent, is_type_name, outcome};
+use super::flow::strip_parens;
+use super::item::Alias;
+use super::order::calls;
 use super::{Lowerer, operator};
 use crate::ir::{Binding, Operand, Operation, Place, Projection, Statement, VarId};
 
@@ -22,6 +24,9 @@ pub(super) struct Matched {
     pub reference: bool,
     /// Its length, where a pattern counts elements from the end.
     pub length: Option<VarId>,
+    /// The variable, of which a part is matched as `&mut`, and the number of steps to that part: names
+    /// are bound to places in it then.
+    pub exclusive: Option<(VarId, usize)>,
 }
 
 impl Lowerer<'_> {
@@ -58,6 +63,9 @@ impl Lowerer<'_> {
                 }
                 pat.to_token_stream()
             }
+            Pat::Ident(ident) if let Some((root, _)) = matched.exclusive => {
+                self.exclusive_name(ident, Place { root, path: path.to_vec() })
+            }
             Pat::Ident(ident) => {
                 let (by_ref, mutability) = (&ident.by_ref, &ident.mutability);
                 if by_ref.is_some() && mutability.is_some() {
@@ -83,6 +91,9 @@ impl Lowerer<'_> {
             Pat::Reference(reference) => {
                 if let Some(token) = &reference.mutability {
                     self.refuse(token, "`&mut` is not supported");
+                }
+                if matched.exclusive.is_some() {
+                    self.refuse(pat, "what is behind a reference here cannot be changed: match on the place itself");
                 }
                 let target = Matched { reference: false, ..matched };
                 let inner = self.subpattern(&reference.pat, path, target, bindings);
@@ -143,6 +154,22 @@ impl Lowerer<'_> {
                 quote!(_)
             }
         }
+    }
+
+    /// A name that a pattern binds to a place which it lets be changed.
+    pub(super) fn exclusive_name(
+        &mut self,
+        ident: &syn::PatIdent,
+        mut place: Place,
+    ) -> TokenStream {
+        if ident.by_ref.is_some() || ident.mutability.is_some() || ident.subpat.is_some() {
+            self.refuse(ident, "write the name alone: it is bound to a `&mut` already");
+        }
+        let name = self.names.fresh(&ident.ident.to_string(), ident.ident.span());
+        let bound = self.var(name.clone(), false, false);
+        place.path.push(Projection::Behind(bound));
+        self.alias_place(&ident.ident, Alias::exclusive(place));
+        quote!(#name)
     }
 
     /// The way into the cotangent of an enum, where `constructor` is one of its variants.
@@ -215,6 +242,9 @@ impl Lowerer<'_> {
                 {
                     self.own.insert(var);
                 }
+                if matches!(&value, Operand::Var(source) if self.movable.contains(source)) {
+                    self.movable.insert(var);
+                }
                 let ty = ty.cloned();
                 self.push(Statement::Define { var, ty, operation: Operation::Use(value) });
             }
@@ -227,7 +257,8 @@ impl Lowerer<'_> {
                 let reference = self.may_refer(source);
                 let ident = self.ident(source).to_token_stream();
                 let length = self.length_for([pat], &ident);
-                let matched = Matched { active: true, refutable: false, reference, length };
+                let matched =
+                    Matched { active: true, refutable: false, reference, length, exclusive: None };
                 let (pattern, bindings) = self.pattern(pat, matched);
                 let ty = ty.cloned();
                 self.push(Statement::Destructure { pattern, ty, source, bindings });
@@ -237,7 +268,13 @@ impl Lowerer<'_> {
                 let source = self.named(Operand::Constant(value), "value", pat.span());
                 let ident = self.ident(source).to_token_stream();
                 let length = self.length_for([pat], &ident);
-                let matched = Matched { active: true, refutable: false, reference: false, length };
+                let matched = Matched {
+                    active: true,
+                    refutable: false,
+                    reference: false,
+                    length,
+                    exclusive: None,
+                };
                 let (pattern, bindings) = self.pattern(pat, matched);
                 let ty = ty.cloned();
                 self.push(Statement::Destructure { pattern, ty, source, bindings });
@@ -245,7 +282,13 @@ impl Lowerer<'_> {
             Operand::Constant(value) => {
                 // Of what has no derivative no position is asked for.
                 let length = None;
-                let matched = Matched { active: false, refutable: false, reference: false, length };
+                let matched = Matched {
+                    active: false,
+                    refutable: false,
+                    reference: false,
+                    length,
+                    exclusive: None,
+                };
                 let (pattern, bindings) = self.pattern(pat, matched);
                 let ty = ty.map(|ty| quote!(: #ty));
                 let defines = bindings.iter().map(|binding| binding.var).collect();
@@ -256,10 +299,10 @@ impl Lowerer<'_> {
 
     /// A variable declared with an integer or boolean type.
     pub(super) fn discrete_local(&mut self, pat: &Pat, ty: Option<&Type>, value: &Expr) {
-        let is_control =
-            matches!(value, Expr::If(_) | Expr::Match(_) | Expr::Block(_) | Expr::Loop(_));
-        let uses_iterator = matches!(value, Expr::MethodCall(call) if is_chain(&call.receiver));
-        let value = match is_control || uses_iterator {
+        // What is called needs a derivative here as under a `let` without type.
+        let is_computed = calls(value)
+            || matches!(value, Expr::If(_) | Expr::Match(_) | Expr::Block(_) | Expr::Loop(_));
+        let value = match is_computed {
             true => {
                 let value = self.operand(value, "value");
                 self.without_derivative(&value)
@@ -289,6 +332,30 @@ impl Lowerer<'_> {
             false => Operand::Constant(self.ident(parameter).to_token_stream()),
         };
         self.bind_pattern(pat, None, value);
+    }
+
+    /// The place that is matched on as `&mut`, if it is that.
+    pub(super) fn exclusive_scrutinee(&mut self, expr: &Expr) -> Option<Place> {
+        let mut place = match strip_parens(expr) {
+            Expr::Reference(reference) if reference.mutability.is_some() => {
+                self.place(&reference.expr)
+            }
+            // Of an option or a result, which the patterns tell.
+            Expr::MethodCall(call) if call.method == "as_mut" && call.args.is_empty() => {
+                self.place(&call.receiver)
+            }
+            name @ (Expr::Path(_) | Expr::MethodCall(_)) => {
+                let place = self.place(name)?;
+                let is_parameter = place.path.is_empty() && self.vars[place.root].exclusive;
+                (is_parameter || self.is_exclusive_alias(name)).then_some(place)
+            }
+            _ => None,
+        }?;
+        let root = &self.vars[place.root];
+        if place.path.is_empty() && root.exclusive {
+            place.path.push(Projection::Deref);
+        }
+        root.mutable.then_some(place)
     }
 
     /// What is matched on, and the place it has if a derivative flows through it.

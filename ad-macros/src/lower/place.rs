@@ -47,6 +47,9 @@ impl Lowerer<'_> {
                 place.path.push(Projection::Index(position));
                 Some((place, 0))
             }
+            call @ Expr::MethodCall(_) if self.is_lent_element(call) => {
+                self.lent_element(call).map(|place| (place, 1))
+            }
             Expr::Unary(unary) if matches!(unary.op, UnOp::Deref(_)) => {
                 let (mut place, depth) = self.located(&unary.expr)?;
                 if depth > 0 {
@@ -71,7 +74,7 @@ impl Lowerer<'_> {
                 let alias = root.and_then(|root| self.aliases.get(&root));
                 alias.map_or(0, |alias| alias.depth)
             }
-            _ => 0,
+            call => usize::from(self.is_lent_element(call)),
         }
     }
 
@@ -87,8 +90,7 @@ impl Lowerer<'_> {
     /// `let name = &mut place;`
     pub(super) fn exclusive_alias(&mut self, name: &syn::Ident, target: &Expr) {
         if let Some(place) = self.target(target) {
-            let var = self.alias_place(name, Alias { place, depth: 1 });
-            self.exclusive_aliases.insert(var);
+            self.alias_place(name, Alias::exclusive(place));
         }
     }
 
@@ -102,15 +104,21 @@ impl Lowerer<'_> {
         if self.vars[place.root].is_function {
             return false;
         }
-        self.alias_place(name, Alias { place, depth: 1 });
+        self.alias_place(name, Alias::shared(place));
         true
     }
 
-    /// Whether an expression is a name for a `&mut`.
+    /// Whether an expression is a `&mut` to a place.
     pub(super) fn is_exclusive_alias(&self, expr: &Expr) -> bool {
-        simple_path(expr)
-            .and_then(|name| self.lookup(name))
-            .is_some_and(|var| self.exclusive_aliases.contains(&var))
+        self.is_lent_element(expr)
+            || simple_path(expr)
+                .and_then(|name| self.lookup(name))
+                .is_some_and(|var| self.is_lent(var))
+    }
+
+    /// Whether a variable is a name for a `&mut`.
+    pub(super) fn is_lent(&self, var: VarId) -> bool {
+        self.aliases.get(&var).is_some_and(|alias| alias.is_exclusive)
     }
 
     /// The value of an operand of an operator: what a reference refers to.
@@ -218,6 +226,24 @@ impl Lowerer<'_> {
             }
         };
         quote!(#from #limits #to)
+    }
+
+    /// The position of the first element in a range of `whole`, and that behind the last.
+    pub(super) fn bounds(
+        &mut self,
+        range: &syn::ExprRange,
+        whole: &TokenStream,
+    ) -> [TokenStream; 2] {
+        let from = range.start.as_ref().map_or_else(|| quote!(0), |from| self.plain_constant(from));
+        let to = match (&range.end, &range.limits) {
+            (Some(to), syn::RangeLimits::HalfOpen(_)) => self.plain_constant(to),
+            (Some(to), syn::RangeLimits::Closed(_)) => {
+                let to = self.plain_constant(to);
+                quote!(#to + 1)
+            }
+            (None, _) => quote!(#whole.len()),
+        };
+        [from, to]
     }
 
     fn settled_index(&mut self, expr: &Expr) -> TokenStream {

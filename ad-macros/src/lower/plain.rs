@@ -12,10 +12,10 @@ use super::closure::root_name;
 use super::construct::is_type_name;
 use super::hidden::encodes;
 use super::macros::{Matches, standard_macro};
-use super::no_diff::{stopped, undifferentiated};
-use super::{Lowerer, exits};
+use super::no_diff::{stopped, undifferentiated, visit_arguments};
+use super::{Lowerer, desugar, exits};
 use crate::ir::{Operand, Operation};
-use crate::signature::{is_discrete, is_float};
+use crate::types::{is_discrete, is_float};
 
 impl Lowerer<'_> {
     /// The expression with variables renamed. The caller knows that what it is used for has no
@@ -24,15 +24,17 @@ impl Lowerer<'_> {
         if self.changes(expr) {
             return self.in_order(expr);
         }
-        let mut expr = expr.clone();
-        Plain { lowerer: self, is_conditional: false, closures: 0 }.visit_expr_mut(&mut expr);
+        let (mut expr, outside) = (expr.clone(), self.scopes.count());
+        Plain { lowerer: self, is_conditional: false, closures: 0, outside }
+            .visit_expr_mut(&mut expr);
         expr.to_token_stream()
     }
 
     /// The same for what is not evaluated here, once, whatever comes: nothing is put before it.
     pub(super) fn plain_in_place(&mut self, expr: &Expr) -> TokenStream {
-        let mut expr = expr.clone();
-        Plain { lowerer: self, is_conditional: true, closures: 0 }.visit_expr_mut(&mut expr);
+        let (mut expr, outside) = (expr.clone(), self.scopes.count());
+        Plain { lowerer: self, is_conditional: true, closures: 0, outside }
+            .visit_expr_mut(&mut expr);
         expr.to_token_stream()
     }
 
@@ -144,11 +146,6 @@ impl Lowerer<'_> {
     }
 }
 
-/// Visits what a call is given.
-pub(super) fn visit_arguments(visitor: &mut impl VisitMut, call: &mut syn::ExprCall) {
-    call.args.iter_mut().for_each(|argument| visitor.visit_expr_mut(argument));
-}
-
 /// Looks for variables that may be assigned to.
 struct MutableReader<'l, 'a> {
     lowerer: &'l Lowerer<'a>,
@@ -168,6 +165,8 @@ struct Plain<'l, 'a> {
     is_conditional: bool,
     /// In how many closures it lies.
     closures: usize,
+    /// The number of scopes around what is visited.
+    outside: usize,
 }
 
 impl Plain<'_, '_> {
@@ -300,7 +299,7 @@ impl VisitMut for Plain<'_, '_> {
                 visit_arguments(self, call);
             }
             Expr::MethodCall(_) => {
-                self.lowerer.check_cells(expr);
+                self.lowerer.check_cells(expr, self.outside);
                 let Expr::MethodCall(call) = expr else { unreachable!("a call stays one") };
                 self.visit_receiver(&mut call.receiver);
                 if encodes(&call.method) {
@@ -369,7 +368,7 @@ impl VisitMut for Plain<'_, '_> {
                 self.visit_matches(&mut call.mac);
             }
             Expr::Call(_) => {
-                self.lowerer.check_cells(expr);
+                self.lowerer.check_cells(expr, self.outside);
                 visit_mut::visit_expr_mut(self, expr);
             }
             Expr::Lit(_)
@@ -378,6 +377,11 @@ impl VisitMut for Plain<'_, '_> {
             | Expr::Binary(_)
             | Expr::Tuple(_)
             | Expr::Array(_) => visit_mut::visit_expr_mut(self, expr),
+            Expr::Block(block) if let Some(value) = desugar::only_value(&block.block) => {
+                let mut value = value.clone();
+                self.visit_expr_mut(&mut value);
+                *expr = parse_quote!((#value));
+            }
             Expr::If(_) | Expr::Match(_) | Expr::Block(_) | Expr::Struct(_) | Expr::Repeat(_) => {
                 self.lowerer.refuse(
                     &*expr,

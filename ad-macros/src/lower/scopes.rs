@@ -61,6 +61,17 @@ impl Scopes {
         self.0.iter().rev().find_map(|scope| scope.get(&name).copied())
     }
 
+    /// The number of scopes.
+    pub fn count(&self) -> usize {
+        self.0.len()
+    }
+
+    /// Whether one of the scopes from number `start` on binds a name.
+    pub fn binds_within(&self, start: usize, name: &Ident) -> bool {
+        let name = Name::of(name);
+        self.0.iter().skip(start).any(|scope| scope.contains_key(&name))
+    }
+
     /// What a name means that the innermost scope binds.
     pub fn lookup_innermost(&self, name: &Ident) -> Option<VarId> {
         self.0.last()?.get(&Name::of(name)).copied()

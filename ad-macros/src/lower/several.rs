@@ -2,19 +2,16 @@
 //! `flat_map`.
 
 use proc_macro2::{Ident, Span, TokenStream};
-use quote::quote;
+use quote::{quote, quote_spanned};
 use syn::{Expr, Pat, Stmt};
 
 use super::Lowerer;
 use super::chain::{Chain, is_chain};
 use super::ends::{End, Target};
 use super::flow::{as_statements, strip_parens};
-use super::item::Item;
-use super::stage::{Items, Reversal};
-use crate::ir::{Arm, Binding, BranchKind, Operand, Operation, Place};
-
-/// What follows for an item.
-pub(super) type Rest<'r> = dyn FnMut(&mut Lowerer<'_>, Item) -> Operand + 'r;
+use super::item::{Access, Item};
+use super::stage::{Items, Rest, Reversal};
+use crate::ir::{Arm, Binding, BranchKind, Operand, Operation, Place, Statement};
 
 impl Lowerer<'_> {
     /// `left.chain(right)`: each item comes with the side that it is from.
@@ -125,7 +122,7 @@ impl Lowerer<'_> {
             lowerer.normal_end(value, end)
         };
         let Some(function) = function else {
-            let chain = self.chain_of(item);
+            let chain = self.chain_of(item, method);
             self.run_over(&chain, &mut body);
             return Self::unit();
         };
@@ -160,21 +157,25 @@ impl Lowerer<'_> {
     }
 
     /// The elements of an item.
-    fn chain_of(&mut self, item: Item) -> Chain {
-        let (place, by_reference) = match item {
-            Item::Reference(alias) => (alias.place, true),
-            Item::Copy(place) => (place, false),
+    fn chain_of(&mut self, item: Item, method: &Ident) -> Chain {
+        let (place, access) = match item {
+            Item::Reference(alias) if alias.is_exclusive => (alias.place, Access::Exclusive),
+            Item::Reference(alias) => (alias.place, Access::Shared),
+            Item::Copy(place) => (place, Access::Value),
             item => {
                 let value = self.item_value(item);
                 match value {
                     Operand::Var(root) => {
-                        let by_reference = self.may_refer(root);
-                        (Place { root, path: Vec::new() }, by_reference)
+                        let access = match self.may_refer(root) {
+                            true => Access::Shared,
+                            false => Access::Value,
+                        };
+                        (Place { root, path: Vec::new() }, access)
                     }
                     Operand::Constant(tokens) => {
                         let value = Operation::Use(Operand::Constant(tokens));
                         let root = self.define("items", Span::call_site(), false, value);
-                        (Place { root, path: Vec::new() }, false)
+                        (Place { root, path: Vec::new() }, Access::Value)
                     }
                 }
             }
@@ -183,6 +184,10 @@ impl Lowerer<'_> {
             let iterator = self.place_tokens(&place);
             return Chain::Constant { iterator, length: None, is_range: false };
         }
-        Chain::Elements { place, by_reference, length: None }
+        // What is flattened may be an option, which has no elements.
+        let tokens = self.place_tokens(&place);
+        let code = quote_spanned!(method.span()=> ::ad::rt::is_sequence(&#tokens););
+        self.push(Statement::Plain { code, defines: Vec::new() });
+        Chain::Elements { place, access, length: None }
     }
 }

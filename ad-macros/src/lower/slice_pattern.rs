@@ -10,7 +10,7 @@ use syn::{Pat, PatSlice};
 
 use super::Lowerer;
 use super::pattern::Matched;
-use crate::ir::{Binding, Operand, Operation, Projection, VarId};
+use crate::ir::{Binding, Operand, Operation, Place, Projection, VarId};
 
 impl Lowerer<'_> {
     /// The length of what is matched, if one of the patterns counts elements from its end.
@@ -35,7 +35,8 @@ impl Lowerer<'_> {
         let count = slice.elems.len();
         let rest = slice.elems.iter().position(is_rest).unwrap_or(count);
         // An inner slice has another length.
-        let length = matched.length.filter(|_| path.is_empty());
+        let whole = matched.exclusive.map_or(0, |(_, steps)| steps);
+        let length = matched.length.filter(|_| path.len() == whole);
         let inner = Matched { length: None, ..matched };
         let mut elements = Vec::new();
         for (index, element) in slice.elems.iter().enumerate() {
@@ -70,6 +71,11 @@ impl Lowerer<'_> {
             };
             let path = [path, &[Projection::Index(position)]].concat();
             elements.push(match (index == rest, element) {
+                (true, Pat::Ident(name)) if let Some((root, _)) = matched.exclusive => {
+                    let name = syn::PatIdent { subpat: None, ..name.clone() };
+                    let name = self.exclusive_name(&name, Place { root, path });
+                    quote!(#name @ ..)
+                }
                 (true, Pat::Ident(name)) => {
                     let var = self.bind(&name.ident, false, matched.active);
                     self.vars[var].reference = matched.reference || name.by_ref.is_some();

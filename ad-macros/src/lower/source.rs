@@ -8,6 +8,7 @@ use syn::{Expr, ExprMethodCall};
 use super::Lowerer;
 use super::chain::{Chain, Choice, array_length, is_chain, is_source, literal, literal_length};
 use super::flow::strip_parens;
+use super::item::Access;
 use super::order::calls_function;
 use crate::ir::{Operand, Operation, Place, Projection, Statement, VarId};
 
@@ -16,12 +17,22 @@ impl Lowerer<'_> {
     pub(super) fn chain(&mut self, expr: &Expr) -> Chain {
         match strip_parens(expr) {
             Expr::Range(range) => self.range(range),
-            Expr::Reference(reference) => self.elements(&reference.expr, true),
+            Expr::Reference(reference) => {
+                let access = match reference.mutability {
+                    Some(_) => Access::Exclusive,
+                    None => Access::Shared,
+                };
+                self.elements(&reference.expr, access)
+            }
             Expr::MethodCall(call) if is_source(&call.method) => self.source(call),
             Expr::MethodCall(call) if is_chain(expr) => self.adapter(call),
             expr => {
-                let by_reference = self.is_reference(expr);
-                self.elements(expr, by_reference)
+                let access = match self.is_reference(expr) {
+                    true if self.is_exclusive_alias(expr) => Access::Exclusive,
+                    true => Access::Shared,
+                    false => Access::Value,
+                };
+                self.elements(expr, access)
             }
         }
     }
@@ -43,7 +54,21 @@ impl Lowerer<'_> {
     fn source(&mut self, call: &ExprMethodCall) -> Chain {
         let (method, receiver) = (&call.method, &call.receiver);
         match (&*method.to_string(), call.args.first()) {
-            ("iter" | "iter_mut", None) => self.elements(receiver, true),
+            ("drain", Some(_)) => match self.ranged(call, "drained") {
+                Some(Operand::Var(root)) => {
+                    let place = Place { root, path: Vec::new() };
+                    Chain::Elements { place, access: Access::Value, length: None }
+                }
+                Some(Operand::Constant(iterator)) => {
+                    Chain::Constant { iterator, length: None, is_range: false }
+                }
+                None => {
+                    let iterator = self.plain(&Expr::MethodCall(call.clone()));
+                    Chain::Constant { iterator, length: None, is_range: false }
+                }
+            },
+            ("iter", None) => self.elements(receiver, Access::Shared),
+            ("iter_mut", None) => self.elements(receiver, Access::Exclusive),
             ("into_iter", None) if is_chain(receiver) => self.chain(receiver),
             ("into_iter", None) => match self.chain(strip_parens(receiver)) {
                 // An array is no iterator, upon which adapters could be.
@@ -67,7 +92,8 @@ impl Lowerer<'_> {
                     false if cut_short => quote!((0..#whole.len()).step_by(#size)),
                     false => quote!(::ad::rt::chunks_exact(#whole.len(), #size)),
                 };
-                Chain::Runs { place, iterator: starts, size, cut_short }
+                let is_exclusive = method == "chunks_mut" || method == "chunks_exact_mut";
+                Chain::Runs { place, iterator: starts, size, cut_short, is_exclusive }
             }
             _ => {
                 self.refuse(
@@ -79,9 +105,10 @@ impl Lowerer<'_> {
         }
     }
 
-    fn elements(&mut self, expr: &Expr, by_reference: bool) -> Chain {
+    fn elements(&mut self, expr: &Expr, access: Access) -> Chain {
+        let by_reference = access.is_reference();
         if let (Expr::Reference(reference), true) = (strip_parens(expr), by_reference) {
-            return self.elements(&reference.expr, true);
+            return self.elements(&reference.expr, access);
         }
         let place = self.place(expr);
         let active = place.as_ref().is_some_and(|place| self.vars[place.root].active);
@@ -95,7 +122,7 @@ impl Lowerer<'_> {
                 }
                 Operand::Var(root) => {
                     let place = Place { root, path: Vec::new() };
-                    Chain::Elements { place, by_reference, length: array_length(expr) }
+                    Chain::Elements { place, access, length: array_length(expr) }
                 }
             };
         }
@@ -104,7 +131,7 @@ impl Lowerer<'_> {
             true => self.lengths.get(&place.root).copied(),
             false => None,
         };
-        Chain::Elements { place, by_reference, length }
+        Chain::Elements { place, access, length }
     }
 
     /// The place whose elements are run over: a copy of it, where the loop may change it.

@@ -8,9 +8,11 @@ use super::Lowerer;
 use super::chain::{Chain, Choice};
 use super::closure::simple_name;
 use super::ends::{End, Target};
-use super::item::{Alias, Item};
-use super::several::Rest;
+use super::item::{Access, Alias, Item};
 use crate::ir::{Arm, BranchKind, Operand, Operation, Statement, VarId};
+
+/// What follows for an item.
+pub(super) type Rest<'r> = dyn FnMut(&mut Lowerer<'_>, Item) -> Operand + 'r;
 
 /// A chain whose items have names.
 pub(super) struct Items {
@@ -126,7 +128,7 @@ impl Lowerer<'_> {
                 let items = leaf(iterator.clone(), pattern, Item::Constant(var), var);
                 Items { reversal, ..items }
             }
-            Chain::Runs { place, iterator, size, cut_short } => {
+            Chain::Runs { place, iterator, size, cut_short, is_exclusive } => {
                 let (var, ident) = self.loop_variable("start");
                 let whole = self.place_tokens(place);
                 let end = match cut_short {
@@ -139,7 +141,8 @@ impl Lowerer<'_> {
                     false => quote!(#ident + #size),
                 };
                 let run = Self::element(place, quote!(#ident..#end));
-                leaf(iterator.clone(), ident, Item::Reference(Alias { place: run, depth: 1 }), var)
+                let run = Alias { place: run, depth: 1, is_exclusive: *is_exclusive };
+                leaf(iterator.clone(), ident, Item::Reference(run), var)
             }
             Chain::Enumerate(inner) => {
                 let [first, second] = pair_pattern(pat);
@@ -230,12 +233,13 @@ impl Lowerer<'_> {
     /// The item of a direct chain at the position that `index` holds.
     fn item_at(&mut self, chain: &Chain, index: VarId) -> (Item, Vec<Stage>) {
         match chain {
-            Chain::Elements { place, by_reference, .. } => {
+            Chain::Elements { place, access, .. } => {
                 let ident = self.ident(index);
                 let element = Self::element(place, quote!(#ident));
-                let item = match by_reference {
-                    true => Item::Reference(Alias { place: element, depth: 1 }),
-                    false => Item::Copy(element),
+                let item = match access {
+                    Access::Value => Item::Copy(element),
+                    Access::Shared => Item::Reference(Alias::shared(element)),
+                    Access::Exclusive => Item::Reference(Alias::exclusive(element)),
                 };
                 (item, Vec::new())
             }
@@ -374,12 +378,7 @@ impl Lowerer<'_> {
             true => lowerer.exit(own, Self::unit(), end),
             false => lowerer.normal_end(Self::unit(), end),
         });
-        let arms = [passes, drops].map(|body| Arm {
-            pattern: TokenStream::new(),
-            guard: None,
-            bindings: Vec::new(),
-            body,
-        });
+        let arms = [passes, drops].map(Arm::plain);
         self.branch(BranchKind::If(condition), arms.into(), true, Span::call_site())
     }
 

@@ -20,6 +20,7 @@ use crate::expand::{Differentiated, Function, Place, own};
 use crate::names;
 use crate::options::Options;
 use crate::signature;
+use crate::types;
 
 /// Whether an operand is a reference.
 pub fn is_of_references(block: &ItemImpl, path: &Path) -> bool {
@@ -130,7 +131,7 @@ impl Borrowed {
         let Self { operator, path, generics, operands, result, signature, .. } = self;
         let span = path.span();
         let [left, right] = operands;
-        let (left_value, right_value) = (signature::pointee(left), signature::pointee(right));
+        let (left_value, right_value) = (types::pointee(left), types::pointee(right));
         let operation = Ident::new(operator.name, span);
         let [rhs, tangent, rhs_tangent, cotangent] =
             ["rhs", "tangent", "rhs_tangent", "cotangent"].map(own);

@@ -15,6 +15,18 @@ impl deposit {
     ) {
         #[allow(unused_imports)]
         use ::ad::rt::methods::*;
+        trait close_derivatives {
+            fn close_vjp(&self) {}
+            fn close_jvp(&self) {}
+        }
+        impl<
+            T: ?::core::marker::Sized + ::ad::rt::MethodWithDerivative,
+        > close_derivatives for T {}
+        use fee as fee_derivative;
+        mod without_derivative {
+            pub type fee_derivative = ::ad::rt::FunctionWithoutDerivative;
+        }
+        use without_derivative::*;
         trait lending_1_to_close {
             fn lending_1_to_close(&self) -> ::ad::rt::LendsNothing {
                 ::ad::rt::LendsNothing
@@ -31,8 +43,13 @@ impl deposit {
         account.total += amounts_1;
         let account_1_pullback = ::ad::rt::Increase::of(&account_1, &amounts_1);
         let index_1 = i;
-        ::ad::check_name!(fee, fee::named(), (& mut account.fees[index_1], amounts));
-        let (fee, fee_pullback) = fee::vjp_onto(&mut account.fees[index_1], amounts);
+        ::ad::check_name!(
+            fee, fee_derivative::named(), (& mut account.fees[index_1], amounts)
+        );
+        let (fee, fee_pullback) = fee_derivative::vjp_onto(
+            &mut account.fees[index_1],
+            amounts,
+        );
         let fee_space = ::ad::rt::space(&fee);
         let amounts_2 = amounts[0];
         let (close, close_pullback) = {

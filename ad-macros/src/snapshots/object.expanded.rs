@@ -10,6 +10,11 @@ impl area {
     ) {
         #[allow(unused_imports)]
         use ::ad::rt::methods::*;
+        use integrate as integrate_derivative;
+        mod without_derivative {
+            pub type integrate_derivative = ::ad::rt::FunctionWithoutDerivative;
+        }
+        use without_derivative::*;
         let function = {
             use ::std::borrow::ToOwned as _;
             let captured = ((scale).to_owned(),);
@@ -47,7 +52,11 @@ impl area {
                     (result, pullback)
                 })
         };
-        let (integrate, integrate_pullback) = integrate::vjp(function, 0.0, end);
+        let (integrate, integrate_pullback) = integrate_derivative::vjp(
+            function,
+            0.0,
+            end,
+        );
         (
             integrate,
             move |

@@ -11,6 +11,11 @@ impl size {
     ) {
         #[allow(unused_imports)]
         use ::ad::rt::methods::*;
+        use bounded as bounded_derivative;
+        mod without_derivative {
+            pub type bounded_derivative = ::ad::rt::FunctionWithoutDerivative;
+        }
+        use without_derivative::*;
         let (value_5, path_1) = match shape {
             Shape::Disc(radius) => {
                 let radius_1 = ::ad::rt::ByValue::by_value(radius);
@@ -24,8 +29,8 @@ impl size {
                 let height_1 = ::ad::rt::ByValue::by_value(height);
                 let argument_pullback = ::ad::rt::Sum::of(&width_1, &height_1);
                 let argument = width_1 + height_1;
-                ::ad::check_name!(bounded, bounded::named(), (argument));
-                let (matched, matched_pullback) = bounded::vjp(argument);
+                ::ad::check_name!(bounded, bounded_derivative::named(), (argument));
+                let (matched, matched_pullback) = bounded_derivative::vjp(argument);
                 let matched_space = ::ad::rt::space(&matched);
                 let (value_4, path) = match matched {
                     ::core::result::Result::Ok(value) => {

@@ -7,6 +7,11 @@ impl size {
     ) -> (Result<f64, Failure>, ::ad::Tangent<Result<f64, Failure>>) {
         #[allow(unused_imports)]
         use ::ad::rt::methods::*;
+        use bounded as bounded_derivative;
+        mod without_derivative {
+            pub type bounded_derivative = ::ad::rt::FunctionWithoutDerivative;
+        }
+        use without_derivative::*;
         let (value_5, value_5_dot) = match shape {
             Shape::Disc(radius) => {
                 let radius_dot = &shape_dot.Disc.0;
@@ -38,8 +43,11 @@ impl size {
                     width_1_dot,
                     height_1_dot,
                 );
-                ::ad::check_name!(bounded, bounded::named(), (argument));
-                let (matched, matched_dot) = bounded::jvp(argument, argument_dot);
+                ::ad::check_name!(bounded, bounded_derivative::named(), (argument));
+                let (matched, matched_dot) = bounded_derivative::jvp(
+                    argument,
+                    argument_dot,
+                );
                 let (value_4, value_4_dot) = match matched {
                     ::core::result::Result::Ok(value) => {
                         let value_1 = value;

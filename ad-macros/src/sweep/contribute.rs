@@ -24,7 +24,7 @@ pub(super) fn cotangent_of(root: &Ident, path: &[Projection]) -> TokenStream {
                 (quote!(::ad::rt::at(#place, #index)), true)
             }
             Projection::Index(index) => (quote!(::ad::rt::at(&mut #place, #index)), true),
-            Projection::Deref => (place, is_reference),
+            Projection::Deref | Projection::Behind(_) => (place, is_reference),
         });
     if is_reference { place } else { quote!(&mut #place) }
 }
@@ -150,8 +150,7 @@ impl Sweeper<'_> {
     /// The cotangent of a place, which is a number.
     pub(super) fn number_at(&self, var: VarId, path: &[Projection]) -> TokenStream {
         let cotangent = &self.vars[var].cotangent;
-        let path: Vec<_> =
-            path.iter().filter(|step| !matches!(step, Projection::Deref)).cloned().collect();
+        let path: Vec<_> = path.iter().filter(|step| step.is_part()).cloned().collect();
         if path.is_empty() || self.numbers.is_in_array(var, &path) {
             return project(quote!(#cotangent), &path);
         }
@@ -170,7 +169,7 @@ impl Sweeper<'_> {
         if !self.vars[var].active {
             return;
         }
-        let whole = path.iter().all(|step| matches!(step, Projection::Deref));
+        let whole = !path.iter().any(Projection::is_part);
         if whole && self.is_unstarted_local(var) {
             self.started.insert(var);
             // Behind a `*` may be the content of a box.

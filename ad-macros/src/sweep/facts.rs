@@ -12,7 +12,8 @@ use crate::ir::{
     Statement, Var, VarId,
 };
 use crate::lower::{Lowered, LoweredParameter};
-use crate::signature::{Parameter, is_discrete, pointee};
+use crate::signature::Parameter;
+use crate::types::{is_discrete, pointee};
 
 /// See the module.
 pub struct Facts<'a> {
@@ -276,6 +277,7 @@ impl<'a> Facts<'a> {
         let step = |step: &Projection| match step {
             Projection::Field(member) => format!(".{}", member.to_token_stream()),
             Projection::Deref => "*".to_owned(),
+            Projection::Behind(name) => format!("&{name}"),
             Projection::Index(index) => {
                 let mut index = index.clone();
                 while let Some(origin) = self.immutable_origin(&index) {
@@ -367,7 +369,7 @@ impl<'a> Facts<'a> {
 
 /// Whether the path leads to an element of an array through indices alone.
 pub fn is_element(path: &[Projection]) -> bool {
-    let mut steps = path.iter().filter(|step| !matches!(step, Projection::Deref)).peekable();
+    let mut steps = path.iter().filter(|step| step.is_part()).peekable();
     // An index of several tokens is a range.
     let is_index = |step: &Projection| matches!(step, Projection::Index(index) if index.clone().into_iter().count() == 1);
     steps.peek().is_some() && steps.all(is_index)

@@ -8,7 +8,7 @@ use syn::{Member, Type};
 use super::contribute::{Target, cotangent_of};
 use super::{Sides, Sweeper};
 use crate::ir::{
-    Argument, BinaryOperator, Derivative, Operand, Operation, Place, Projection, Shape, Var, VarId,
+    Argument, BinaryOperator, Derivative, Operand, Operation, Place, Shape, Var, VarId,
 };
 use crate::primal::Primal;
 use crate::{lending, names, rules};
@@ -440,8 +440,7 @@ fn argument_target(argument: &Argument) -> Option<Target> {
         | Argument::Exclusive(place)
         | Argument::Reborrow(place)
         | Argument::Receiver(place) => {
-            let is_part = |step: &Projection| !matches!(step, Projection::Deref);
-            let path = place.path.iter().filter(|step| is_part(step)).cloned().collect();
+            let path = place.path.iter().filter(|step| step.is_part()).cloned().collect();
             let is_coerced = !matches!(argument, Argument::Receiver(_));
             Some(Target { place: Place { root: place.root, path }, is_coerced })
         }

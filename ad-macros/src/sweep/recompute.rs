@@ -227,8 +227,7 @@ impl Sweeper<'_> {
                 uses.extend(self.idents(&self.facts.uses(index)));
             }
         }
-        let path: Vec<_> =
-            place.path.iter().filter(|s| !matches!(s, Projection::Deref)).cloned().collect();
+        let path: Vec<_> = place.path.iter().filter(|step| step.is_part()).cloned().collect();
         Some((project(quote!(#root), &path), uses))
     }
 

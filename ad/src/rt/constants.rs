@@ -65,6 +65,7 @@ pub struct Beside<'a, T: ?Sized>(pub &'a T);
 )]
 pub trait KeepsNothing {}
 
+#[diagnostic::do_not_recommend]
 impl<T: NoDerivative + ?Sized> KeepsNothing for T {}
 
 impl<T: ?Sized> Beside<'_, &mut T> {

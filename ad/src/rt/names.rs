@@ -10,6 +10,90 @@ use core::any::type_name;
 #[inline(always)]
 pub fn same_function<F>(_: F, _: F) {}
 
+/// What the name of a method leads to: in a type, and in one of its traits.
+pub struct Found<F, G>(pub F, pub G);
+
+/// The method of the trait.
+pub struct OfTrait;
+
+/// One of the type itself, which hides that of the trait.
+pub struct OfType;
+
+impl<F> Found<F, F> {
+    /// Whose method it is.
+    #[inline(always)]
+    pub fn owner(&self) -> OfTrait {
+        OfTrait
+    }
+}
+
+/// Two methods of one name. One method has a method of its own.
+pub trait Hidden {
+    /// Whose method it is.
+    #[inline(always)]
+    fn owner(&self) -> OfType {
+        OfType
+    }
+}
+
+impl<F, G> Hidden for Found<F, G> {}
+
+/// That a method belongs to what its derivative belongs to.
+#[diagnostic::on_unimplemented(
+    message = "a method of the type hides this one of the trait wherever it is called, and has no derivative: that of the trait would be taken in its place",
+    label = "the type has a method of this name",
+    note = "put `#[differentiable]` on that method, too, or give one of them another name"
+)]
+pub trait SameOwner {}
+
+#[diagnostic::do_not_recommend]
+impl SameOwner for (OfTrait, OfTrait) {}
+#[diagnostic::do_not_recommend]
+impl SameOwner for (OfType, OfType) {}
+
+/// Compiles where a method and its derivative belong together.
+#[inline(always)]
+pub fn same_owner<O: SameOwner>(_method_and_derivative: O) {}
+
+/// In the place of the type that would have the derivatives of a function.
+pub enum FunctionWithoutDerivative {}
+
+/// That there are derivatives.
+#[diagnostic::on_unimplemented(
+    message = "this function has no derivative",
+    label = "is called with what has one",
+    note = "put `#[differentiable]` on it, if it is yours",
+    note = "or write its derivative by hand: `#[differentiable(vjp = rule)] use module::function;`",
+    note = "or say that nothing is to flow through it: `ad::no_diff(|| function(x))`"
+)]
+pub trait FunctionWithDerivative {}
+
+/// What a type with the derivatives of a function has. It is asked for where that type is missing.
+#[allow(missing_docs)]
+pub trait Modes {
+    fn vjp();
+    fn vjp_onto();
+    fn jvp();
+    fn named();
+}
+
+impl<T: FunctionWithDerivative> Modes for T {
+    fn vjp() {}
+    fn vjp_onto() {}
+    fn jvp() {}
+    fn named() {}
+}
+
+/// That there are derivatives of a method.
+#[diagnostic::on_unimplemented(
+    message = "this method has no derivative",
+    label = "is called with what has one",
+    note = "put `#[differentiable]` on it, or on its `impl` block, if it is yours",
+    note = "or write its derivative by hand: `#[differentiable(vjp = rule)]` on it, or on a function that calls it",
+    note = "or say that nothing is to flow through it: `ad::no_diff(|| x.method())`"
+)]
+pub trait MethodWithDerivative {}
+
 /// Whether the path of a function is another than `path`; an empty one is not known.
 #[inline(always)]
 pub fn has_other_name<F>(_function: &F, path: &str) -> bool {
@@ -58,13 +142,16 @@ fn without_arguments(path: &str) -> &str {
     }
 }
 
-/// In debug builds makes sure that `$function` has the path `$path`. Its type arguments follow from how
+/// Makes sure that `$function` has the path `$path`: in debug builds, or always. Its type arguments follow from how
 /// it is called.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! check_name {
     ($function:expr, $path:expr, ($($argument:expr),*)) => {
         #[cfg(debug_assertions)]
+        $crate::check_name!(always $function, $path, ($($argument),*));
+    };
+    (always $function:expr, $path:expr, ($($argument:expr),*)) => {
         {
             let function = $function;
             if $crate::rt::has_other_name(&function, $path) {

@@ -42,6 +42,7 @@
 //! The last row keeps the arm that [`select`](fn@crate::select) did not take from poisoning the
 //! gradient of the one it took.
 
+mod arrange;
 #[doc(hidden)]
 pub mod attempt;
 mod cast;
@@ -63,11 +64,19 @@ mod sequence;
 mod transform;
 mod vector;
 
+pub use arrange::{
+    ArrayRules, ColumnsRules, Swizzle2Rules, Swizzle3Rules, Swizzle4Rules, With2Rules, With3Rules,
+    With4Rules,
+};
+#[doc(hidden)]
+pub use arrange::{dvec2, dvec3, dvec4, vec2, vec3, vec4};
 pub use cast::CastPullback;
 #[doc(hidden)]
 pub use cast::castable;
 pub use choose::{no_diff, select, stop_gradient};
-pub use edit::EditRules;
+pub use edit::VecRules;
+#[doc(hidden)]
+pub use edit::drained;
 pub use float::{FloatRules, FromRules};
 pub use glam_only::{ExtendRules, GlamRules, TruncateRules, construct};
 pub use integer::{IntegerRules, SignedRules};
@@ -86,7 +95,9 @@ pub use operators::{
 pub use outcome::{CopiedRules, FlattenRules, OptionRules, ResultRules};
 pub use quaternion::QuaternionRules;
 pub use scalar::{RealRules, ScalarRules};
-pub use sequence::{CloneRules, Elements, SequenceRules, VecRules};
+#[doc(hidden)]
+pub use sequence::copied_within;
+pub use sequence::{CloneRules, Elements, SequenceRules};
 pub use transform::{AngleRules, RotationRules, TransformRules};
 pub use vector::{DVec2Rules, DVec4Rules, Vec2Rules, Vec4Rules, Vector3Rules, VectorRules};
 

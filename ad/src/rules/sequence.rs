@@ -51,7 +51,8 @@ impl<T: Additive, const N: usize> Elements<T> for [T; N] {
     }
 }
 
-/// The `_vjp` siblings of the methods of slices and arrays.
+/// The `_vjp` and `_jvp` siblings of the methods of slices and arrays. What changes a sequence changes
+/// its tangent alike.
 pub trait SequenceRules: Differentiable<Tangent: Elements<Tangent<Self::Element>>> {
     /// An element.
     type Element: Differentiable;
@@ -73,6 +74,18 @@ pub trait SequenceRules: Differentiable<Tangent: Elements<Tangent<Self::Element>
         (self.view().to_vec(), Elements::from_copy)
     }
 
+    /// The copies of the tangents.
+    #[inline]
+    fn to_vec_jvp(
+        &self,
+        tangent: &[Tangent<Self::Element>],
+    ) -> (Vec<Self::Element>, Vec<Tangent<Self::Element>>)
+    where
+        Self::Element: Clone,
+    {
+        (self.view().to_vec(), tangent.to_vec())
+    }
+
     /// Changes places back.
     #[inline]
     fn swap_vjp(
@@ -88,6 +101,21 @@ pub trait SequenceRules: Differentiable<Tangent: Elements<Tangent<Self::Element>
         })
     }
 
+    /// The tangents change places, too.
+    #[inline]
+    fn swap_jvp(
+        &mut self,
+        i: usize,
+        j: usize,
+        tangent: &mut [Tangent<Self::Element>],
+        (): (),
+        (): (),
+    ) -> ((), ()) {
+        self.sequence().swap(i, j);
+        tangent.swap(i, j);
+        ((), ())
+    }
+
     /// Turns the order back.
     #[inline]
     fn reverse_vjp(&mut self) -> ((), impl FnOnce((), Self::Tangent) -> Self::Tangent + use<Self>) {
@@ -97,6 +125,14 @@ pub trait SequenceRules: Differentiable<Tangent: Elements<Tangent<Self::Element>
             cotangent.elements(len).reverse();
             cotangent
         })
+    }
+
+    /// Turns the order of the tangents, too.
+    #[inline]
+    fn reverse_jvp(&mut self, tangent: &mut [Tangent<Self::Element>]) -> ((), ()) {
+        self.sequence().reverse();
+        tangent.reverse();
+        ((), ())
     }
 
     /// Turns the elements back.
@@ -113,6 +149,19 @@ pub trait SequenceRules: Differentiable<Tangent: Elements<Tangent<Self::Element>
         })
     }
 
+    /// Turns the tangents, too.
+    #[inline]
+    fn rotate_left_jvp(
+        &mut self,
+        by: usize,
+        tangent: &mut [Tangent<Self::Element>],
+        (): (),
+    ) -> ((), ()) {
+        self.sequence().rotate_left(by);
+        tangent.rotate_left(by);
+        ((), ())
+    }
+
     /// Turns the elements back.
     #[inline]
     fn rotate_right_vjp(
@@ -125,6 +174,19 @@ pub trait SequenceRules: Differentiable<Tangent: Elements<Tangent<Self::Element>
             cotangent.elements(len).rotate_left(by);
             (cotangent, ())
         })
+    }
+
+    /// Turns the tangents, too.
+    #[inline]
+    fn rotate_right_jvp(
+        &mut self,
+        by: usize,
+        tangent: &mut [Tangent<Self::Element>],
+        (): (),
+    ) -> ((), ()) {
+        self.sequence().rotate_right(by);
+        tangent.rotate_right(by);
+        ((), ())
     }
 
     /// To the places where the elements came from. The pullback is boxed: an opaque type would hold on
@@ -150,6 +212,23 @@ pub trait SequenceRules: Differentiable<Tangent: Elements<Tangent<Self::Element>
         ((), Box::new(pullback))
     }
 
+    /// The tangents follow their elements.
+    #[inline]
+    fn sort_by_jvp<F>(
+        &mut self,
+        mut compare: F,
+        tangent: &mut [Tangent<Self::Element>],
+        (): (),
+    ) -> ((), ())
+    where
+        F: FnMut(&Self::Element, &Self::Element) -> core::cmp::Ordering,
+    {
+        let from = sorted_from(self.sequence(), &mut compare);
+        let sorted: Vec<_> = from.into_iter().map(|place| tangent[place].clone()).collect();
+        tangent.clone_from_slice(&sorted);
+        ((), ())
+    }
+
     /// As [`sort_by_vjp`](Self::sort_by_vjp), which keeps the order of equal elements: an order that
     /// the unstable sort may give them, too.
     #[inline]
@@ -161,6 +240,76 @@ pub trait SequenceRules: Differentiable<Tangent: Elements<Tangent<Self::Element>
         F: FnMut(&Self::Element, &Self::Element) -> core::cmp::Ordering,
     {
         self.sort_by_vjp(compare)
+    }
+
+    /// As [`sort_by_jvp`](Self::sort_by_jvp).
+    #[inline]
+    fn sort_unstable_by_jvp<F>(
+        &mut self,
+        compare: F,
+        tangent: &mut [Tangent<Self::Element>],
+        (): (),
+    ) -> ((), ())
+    where
+        F: FnMut(&Self::Element, &Self::Element) -> core::cmp::Ordering,
+    {
+        self.sort_by_jvp(compare, tangent, ())
+    }
+
+    /// As [`sort_by_vjp`](Self::sort_by_vjp), by keys.
+    #[inline]
+    fn sort_by_key_vjp<K, F>(
+        &mut self,
+        mut key: F,
+    ) -> ((), Box<dyn FnOnce((), Self::Tangent) -> (Self::Tangent, ())>)
+    where
+        K: Ord,
+        F: FnMut(&Self::Element) -> K,
+    {
+        self.sort_by_vjp(|a, b| key(a).cmp(&key(b)))
+    }
+
+    /// As [`sort_by_jvp`](Self::sort_by_jvp), by keys.
+    #[inline]
+    fn sort_by_key_jvp<K, F>(
+        &mut self,
+        mut key: F,
+        tangent: &mut [Tangent<Self::Element>],
+        (): (),
+    ) -> ((), ())
+    where
+        K: Ord,
+        F: FnMut(&Self::Element) -> K,
+    {
+        self.sort_by_jvp(|a, b| key(a).cmp(&key(b)), tangent, ())
+    }
+
+    /// As [`sort_by_key_vjp`](Self::sort_by_key_vjp).
+    #[inline]
+    fn sort_unstable_by_key_vjp<K, F>(
+        &mut self,
+        key: F,
+    ) -> ((), Box<dyn FnOnce((), Self::Tangent) -> (Self::Tangent, ())>)
+    where
+        K: Ord,
+        F: FnMut(&Self::Element) -> K,
+    {
+        self.sort_by_key_vjp(key)
+    }
+
+    /// As [`sort_by_key_jvp`](Self::sort_by_key_jvp).
+    #[inline]
+    fn sort_unstable_by_key_jvp<K, F>(
+        &mut self,
+        key: F,
+        tangent: &mut [Tangent<Self::Element>],
+        (): (),
+    ) -> ((), ())
+    where
+        K: Ord,
+        F: FnMut(&Self::Element) -> K,
+    {
+        self.sort_by_key_jvp(key, tangent, ())
     }
 
     /// To the value, the sum; nothing to what it overwrote.
@@ -178,6 +327,22 @@ pub trait SequenceRules: Differentiable<Tangent: Elements<Tangent<Self::Element>
         })
     }
 
+    /// The tangent of the value, everywhere.
+    #[inline]
+    fn fill_jvp(
+        &mut self,
+        value: Self::Element,
+        tangent: &mut [Tangent<Self::Element>],
+        value_tangent: Tangent<Self::Element>,
+    ) -> ((), ())
+    where
+        Self::Element: Clone,
+    {
+        self.sequence().fill(value);
+        tangent.fill(value_tangent);
+        ((), ())
+    }
+
     /// To the source, element by element; nothing to what it overwrote.
     #[inline]
     fn copy_from_slice_vjp(
@@ -192,6 +357,22 @@ pub trait SequenceRules: Differentiable<Tangent: Elements<Tangent<Self::Element>
     {
         self.sequence().copy_from_slice(source);
         ((), |(), cotangent: Self::Tangent| (Additive::zero(), cotangent.into_source()))
+    }
+
+    /// The tangents of the source.
+    #[inline]
+    fn copy_from_slice_jvp(
+        &mut self,
+        source: &[Self::Element],
+        tangent: &mut [Tangent<Self::Element>],
+        source_tangent: &[Tangent<Self::Element>],
+    ) -> ((), ())
+    where
+        Self::Element: Copy,
+    {
+        self.sequence().copy_from_slice(source);
+        tangent.clone_from_slice(source_tangent);
+        ((), ())
     }
 }
 
@@ -241,151 +422,75 @@ impl<T: Differentiable, const N: usize> SequenceRules for [T; N] {
     }
 }
 
-/// The `_vjp` siblings of the methods that change the length of a `Vec`.
-pub trait VecRules {
-    /// An element.
-    type Element: Differentiable;
-
-    /// Takes the cotangent of the new element out.
-    fn push_vjp(
-        &mut self,
-        value: Self::Element,
-    ) -> (
-        (),
-        impl FnOnce(
-            (),
-            Vec<Tangent<Self::Element>>,
-        ) -> (Vec<Tangent<Self::Element>>, Tangent<Self::Element>)
-        + use<Self>,
-    );
-
-    /// Puts the cotangent of the removed element back.
-    fn pop_vjp(
-        &mut self,
-    ) -> (
-        Option<Self::Element>,
-        impl FnOnce(Tangent<Self::Element>, Vec<Tangent<Self::Element>>) -> Vec<Tangent<Self::Element>>
-        + use<Self>,
-    );
-
-    /// Nothing to what was there.
-    fn clear_vjp(
-        &mut self,
-    ) -> ((), impl FnOnce((), Vec<Tangent<Self::Element>>) -> Vec<Tangent<Self::Element>> + use<Self>);
-
-    /// Takes the cotangents of the new elements out.
-    fn extend_from_slice_vjp(
-        &mut self,
-        source: &[Self::Element],
-    ) -> (
-        (),
-        impl FnOnce(
-            (),
-            Vec<Tangent<Self::Element>>,
-        ) -> (Vec<Tangent<Self::Element>>, Vec<Tangent<Self::Element>>)
-        + use<Self>,
-    )
-    where
-        Self::Element: Clone;
-
-    /// The same for elements that are handed over.
-    fn extend_vjp<I>(
-        &mut self,
-        items: I,
-    ) -> (
-        (),
-        impl FnOnce((), Vec<Tangent<Self::Element>>) -> (Vec<Tangent<Self::Element>>, Tangent<I>)
-        + use<Self, I>,
-    )
-    where
-        I: IntoIterator<Item = Self::Element>
-            + Differentiable<Tangent: Elements<Tangent<Self::Element>>>;
-}
-
-impl<T: Differentiable> VecRules for Vec<T> {
-    type Element = T;
-
-    #[inline]
-    fn push_vjp(
-        &mut self,
-        value: T,
-    ) -> ((), impl FnOnce((), Vec<Tangent<T>>) -> (Vec<Tangent<T>>, Tangent<T>) + use<T>) {
-        let len = self.len();
-        self.push(value);
-        ((), move |(), mut cotangent: Vec<Tangent<T>>| {
-            cotangent.truncate(len + 1);
-            let last = if cotangent.len() > len { cotangent.pop() } else { None };
-            (cotangent, last.unwrap_or_else(Additive::zero))
-        })
-    }
-
-    #[inline]
-    fn pop_vjp(
-        &mut self,
-    ) -> (Option<T>, impl FnOnce(Tangent<T>, Vec<Tangent<T>>) -> Vec<Tangent<T>> + use<T>) {
-        let last = self.pop();
-        let was_there = last.is_some();
-        let len = self.len();
-        (last, move |last, mut cotangent: Vec<Tangent<T>>| {
-            cotangent.resize_with(len, Additive::zero);
-            if was_there {
-                cotangent.push(last);
-            }
-            cotangent
-        })
-    }
-
-    #[inline]
-    fn clear_vjp(&mut self) -> ((), impl FnOnce((), Vec<Tangent<T>>) -> Vec<Tangent<T>> + use<T>) {
-        self.clear();
-        ((), |(), _: Vec<Tangent<T>>| Vec::new())
-    }
-
-    #[inline]
-    fn extend_from_slice_vjp(
-        &mut self,
-        source: &[T],
-    ) -> ((), impl FnOnce((), Vec<Tangent<T>>) -> (Vec<Tangent<T>>, Vec<Tangent<T>>) + use<T>)
-    where
-        T: Clone,
-    {
-        let len = self.len();
-        self.extend_from_slice(source);
-        ((), move |(), mut cotangent: Vec<Tangent<T>>| {
-            let new = split_off(&mut cotangent, len);
-            (cotangent, new)
-        })
-    }
-
-    #[inline]
-    fn extend_vjp<I>(
-        &mut self,
-        items: I,
-    ) -> ((), impl FnOnce((), Vec<Tangent<T>>) -> (Vec<Tangent<T>>, Tangent<I>) + use<T, I>)
-    where
-        I: IntoIterator<Item = T> + Differentiable<Tangent: Elements<Tangent<T>>>,
-    {
-        let len = self.len();
-        self.extend(items);
-        ((), move |(), mut cotangent: Vec<Tangent<T>>| {
-            let new = split_off(&mut cotangent, len);
-            (cotangent, Elements::from_copy(new))
-        })
-    }
-}
-
-/// The cotangents of the elements from `len` on, which the sequence did not have before.
-fn split_off<T>(cotangent: &mut Vec<T>, len: usize) -> Vec<T> {
-    if cotangent.len() > len { cotangent.split_off(len) } else { Vec::new() }
-}
-
-/// The `_vjp` sibling of `clone`.
+/// The `_vjp` and `_jvp` siblings of `clone`.
 pub trait CloneRules: Clone + Differentiable {
     /// The cotangent of the copy.
     #[inline(always)]
     fn clone_vjp(&self) -> (Self, impl FnOnce(Tangent<Self>) -> Tangent<Self> + use<Self>) {
         (self.clone(), |cotangent| cotangent)
     }
+
+    /// A copy of the tangent.
+    #[inline(always)]
+    fn clone_jvp(&self, tangent: Tangent<Self>) -> (Self, Tangent<Self>) {
+        (self.clone(), tangent)
+    }
 }
 
 impl<T: Clone + Differentiable> CloneRules for T {}
+
+/// `elements.copy_within(from..to, at)`
+#[doc(hidden)]
+pub fn copied_within<T: Copy>(elements: &mut [T], from: usize, to: usize, at: usize) {
+    elements.copy_within(from..to, at);
+}
+
+/// The derivative of [`copied_within`].
+#[doc(hidden)]
+#[allow(non_camel_case_types)]
+pub enum copied_within {}
+
+impl copied_within {
+    /// The cotangents of the copies to what they are copies of; nothing to what they overwrote.
+    #[inline]
+    #[track_caller]
+    pub fn vjp<T: Differentiable + Copy>(
+        elements: &mut [T],
+        from: usize,
+        to: usize,
+        at: usize,
+    ) -> ((), impl FnOnce((), Vec<Tangent<T>>) -> (Vec<Tangent<T>>, (), (), ()) + use<T>) {
+        let len = elements.len();
+        elements.copy_within(from..to, at);
+        ((), move |(), mut cotangent: Vec<Tangent<T>>| {
+            let elements = cotangent.elements(len);
+            let copies: Vec<_> = elements[at..at + (to - from)]
+                .iter_mut()
+                .map(|copy| core::mem::replace(copy, Additive::zero()))
+                .collect();
+            for (element, copy) in elements[from..to].iter_mut().zip(copies) {
+                element.accumulate(copy);
+            }
+            (cotangent, (), (), ())
+        })
+    }
+
+    /// Copies the tangents, too.
+    #[inline]
+    #[track_caller]
+    pub fn jvp<T: Differentiable + Copy>(
+        elements: &mut [T],
+        from: usize,
+        to: usize,
+        at: usize,
+        tangent: &mut [Tangent<T>],
+        _: (),
+        _: (),
+        _: (),
+    ) -> ((), ()) {
+        elements.copy_within(from..to, at);
+        let copies = tangent[from..to].to_vec();
+        tangent[at..at + copies.len()].clone_from_slice(&copies);
+        ((), ())
+    }
+}

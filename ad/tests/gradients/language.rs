@@ -24,12 +24,14 @@
 )]
 
 mod attempts;
+mod borrowed_patterns;
 mod checkpoint;
 mod closures;
 mod closures_for_methods;
 mod collections;
 mod data;
 mod deferred;
+mod draining;
 mod editing;
 mod elements;
 mod enums;
@@ -43,7 +45,9 @@ mod generators;
 mod integers;
 mod iterators;
 mod jumps;
+mod leaving;
 mod lending;
+mod lent_elements;
 mod lent_methods;
 mod macros;
 mod matrices;
@@ -53,6 +57,7 @@ mod outcomes;
 mod passing_on;
 mod programs;
 mod scalars;
+mod searches;
 mod single_methods;
 mod slices;
 mod splits;

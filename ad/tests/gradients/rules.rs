@@ -4,6 +4,7 @@
 //! [`scalars`], [`vectors`], [`glam_only`] and [`matrices`] list the rules, generic over the scalar; this file
 //! runs the lists.
 
+mod arrangements;
 mod case;
 mod glam_only;
 mod matrices;

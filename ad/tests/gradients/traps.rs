@@ -13,6 +13,7 @@
 )]
 
 mod aliasing;
+mod clones;
 mod closures;
 mod drops;
 mod effects;

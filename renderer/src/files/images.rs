@@ -1,16 +1,16 @@
 //! Images: PNG and JPEG (sRGB), OpenEXR (linear).
 
-mod canvas;
-mod exr;
-mod jpeg;
-mod orientation;
-mod png;
+mod decode;
 
 use std::fmt::Display;
+use std::io::Cursor;
 use std::path::Path;
 use std::sync::LazyLock;
 
-use canvas::{Convert, Decoded, Source, Stored};
+use decode::{Convert, Decoded, Stored};
+use image::codecs::openexr::OpenExrEncoder;
+use image::codecs::png::PngEncoder;
+use image::{ExtendedColorType, ImageEncoder, ImageFormat, ImageResult};
 
 use crate::disk::{check_writable, read, write_atomically};
 use crate::{Error, Image};
@@ -95,7 +95,9 @@ pub(super) fn decode_coverage(
 pub fn save_png(image: &Image, path: &Path) -> Result<(), Error> {
     check(image, path.display())?;
     let levels: Vec<u8> = image.pixels.as_flattened().iter().map(|&v| srgb_level(v)).collect();
-    let bytes = png::encode(&levels, image.width, image.height)
+    let mut bytes = Vec::new();
+    PngEncoder::new(&mut bytes)
+        .write_image(&levels, image.width, image.height, ExtendedColorType::Rgb8)
         .map_err(|error| not_encoded(path, error))?;
     write_atomically(path, &bytes)
 }
@@ -107,7 +109,21 @@ pub fn save_png(image: &Image, path: &Path) -> Result<(), Error> {
 /// If the image has no area, a pixel is infinite or not a number, or the file cannot be written.
 pub fn save_exr(image: &Image, path: &Path) -> Result<(), Error> {
     check(image, path.display())?;
-    write_atomically(path, &exr::encode(image).map_err(|error| not_encoded(path, error))?)
+    write_atomically(path, &exr_bytes(image).map_err(|error| not_encoded(path, error))?)
+}
+
+/// The file of an image of 32 bit floats.
+fn exr_bytes(image: &Image) -> ImageResult<Vec<u8>> {
+    let samples: Vec<u8> =
+        image.pixels.as_flattened().iter().flat_map(|v| v.to_ne_bytes()).collect();
+    let mut bytes = Cursor::new(Vec::new());
+    OpenExrEncoder::new(&mut bytes).write_image(
+        &samples,
+        image.width,
+        image.height,
+        ExtendedColorType::Rgb32F,
+    )?;
+    Ok(bytes.into_inner())
 }
 
 /// Writes an image in the format that the extension of `path` names: `png` or `exr`.
@@ -152,35 +168,21 @@ fn output_format(path: &Path) -> Result<OutputFormat, Error> {
     }
 }
 
-/// Decodes the bytes of an image file at `place`: each pixel as it is stored, and whether the file has
-/// alpha, become the pixel that `convert` makes of it.
+/// Decodes the bytes of an image file at `place`.
 fn decode(bytes: &[u8], place: impl Display, convert: Convert) -> Result<Decoded, Error> {
-    let refuse = |problem: &str| Error::new(&place, problem);
     if bytes.is_empty() {
-        return Err(refuse("is empty, not an image"));
+        return Err(Error::new(place, "is empty, not an image"));
     }
-    let Some(read) = decoder(bytes) else {
-        return Err(refuse("is not a PNG, JPEG or OpenEXR image"));
-    };
-    let decoded = read(&Source { bytes, convert }).map_err(|problem| refuse(&problem))?;
+    let decoded = decode::decode(bytes, convert).map_err(|problem| Error::new(&place, problem))?;
     check(&decoded.image, place)?;
     Ok(decoded)
-}
-
-/// What decodes the bytes of a file, as its first bytes tell.
-fn decoder(bytes: &[u8]) -> Option<fn(&Source<'_>) -> Result<Decoded, String>> {
-    match bytes {
-        [0x89, b'P', b'N', b'G', ..] => Some(png::read),
-        [0xff, 0xd8, 0xff, ..] => Some(jpeg::read),
-        [0x76, 0x2f, 0x31, 0x01, ..] => Some(exr::read),
-        _ => None,
-    }
 }
 
 /// Whether the bytes of a file are those of an image of a format that is read, whole or broken; what is
 /// empty is broken.
 pub(super) fn is_known(bytes: &[u8]) -> bool {
-    bytes.is_empty() || decoder(bytes).is_some()
+    let read = [ImageFormat::Png, ImageFormat::Jpeg, ImageFormat::OpenExr];
+    bytes.is_empty() || image::guess_format(bytes).is_ok_and(|format| read.contains(&format))
 }
 
 /// The largest stored level: every 8 and 16 bit format maps to 16 bits without loss, 255 to this.
@@ -233,11 +235,6 @@ fn check(image: &Image, place: impl Display) -> Result<(), Error> {
 
 fn not_encoded(path: &Path, error: impl ToString) -> Error {
     Error::new(path.display(), format!("cannot be encoded: {}", one_line(error)))
-}
-
-/// What a decoder says of bytes that are no image of its format.
-fn not_decoded(error: impl ToString) -> String {
-    format!("cannot be decoded: {}", one_line(error))
 }
 
 fn one_line(error: impl ToString) -> String {

@@ -1,6 +1,11 @@
 //! Bad input: exit code 2, one line that names file and field, nothing written. What "one line"
 //! means is in [`Sandbox::refuse`].
 
+use std::io::Cursor;
+
+use image::codecs::openexr::OpenExrEncoder;
+use image::{ExtendedColorType, ImageEncoder};
+
 use crate::sandbox::{FLOOR, Sandbox};
 
 const RENDER: [&str; 4] = ["render", "bad.toml", "-o", "out.png"];
@@ -161,8 +166,12 @@ fn target_images() {
     sandbox.refuse_with(&gradient, &["bad.png", "25 x 16"]);
 
     // The library refuses to write such an image.
-    let pixel = |x, y| (0.25_f32, if (x, y) == (6, 1) { f32::NAN } else { 0.25 }, 0.25_f32);
-    exr::prelude::write_rgb_file(sandbox.path("bad.exr"), 24, 16, pixel).unwrap();
+    let mut samples = vec![0.25_f32; 24 * 16 * 3];
+    samples[30 * 3 + 1] = f32::NAN;
+    let bytes: Vec<u8> = samples.iter().flat_map(|sample| sample.to_ne_bytes()).collect();
+    let mut file = Cursor::new(Vec::new());
+    OpenExrEncoder::new(&mut file).write_image(&bytes, 24, 16, ExtendedColorType::Rgb32F).unwrap();
+    sandbox.write("bad.exr", file.get_ref());
     let exr = ["optimize", "scene.toml", "--param", "light.key.color", "--target", "bad.exr"];
     sandbox.refuse_with(&exr, &["bad.exr", "green at column 6, row 1", "NaN"]);
 }

@@ -20,7 +20,6 @@ mod matrix;
 mod outcome;
 mod quaternion;
 mod scalar;
-mod sequence;
 mod vector;
 
 pub use float::{FloatForward, FromForward};
@@ -32,7 +31,6 @@ pub use matrix::{
 pub use outcome::{CopiedForward, FlattenForward, OptionForward, ResultForward};
 pub use quaternion::QuaternionForward;
 pub use scalar::{RealForward, ScalarForward};
-pub use sequence::{CloneForward, SequenceForward, VecForward};
 pub use vector::{
     DVec2Forward, DVec4Forward, Vec2Forward, Vec4Forward, Vector3Forward, VectorForward,
 };

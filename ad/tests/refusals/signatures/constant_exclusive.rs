@@ -40,6 +40,15 @@ fn pushed(x: f64) -> f64 {
     numbers[1] * x
 }
 
+/// Behind a name of its own.
+#[differentiable]
+fn named(x: f64) -> f64 {
+    let mut numbers = vec![1.0];
+    let slice = numbers.as_mut_slice();
+    slice.fill(x);
+    numbers[0] * x
+}
+
 /// What has a derivative is taken for a constant.
 #[differentiable]
 fn marked(x: f64) -> f64 {

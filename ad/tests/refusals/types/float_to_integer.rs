@@ -18,6 +18,16 @@ fn h(x: f64) -> f64 {
     k as f64 * x
 }
 
+fn fixed(x: f64) -> i64 {
+    (x * 65536.0) as i64
+}
+
+#[differentiable]
+fn by_a_function(x: f64) -> f64 {
+    let k: i64 = fixed(x);
+    k as f64 / 65536.0
+}
+
 fn main() {
     f::grad(1.0);
     g::grad(1.0);

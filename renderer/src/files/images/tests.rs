@@ -81,7 +81,7 @@ fn a_nan_in_an_exr_is_found() {
     let path = folder.path().join("a.exr");
     let mut image = Image::black(3, 2);
     image.pixels[4][1] = f32::NAN;
-    fs::write(&path, exr::encode(&image).unwrap()).unwrap();
+    fs::write(&path, exr_bytes(&image).unwrap()).unwrap();
     let error = error_of(&path);
     assert!(error.contains("green at column 1, row 1 is NaN"), "{error}");
 }
@@ -270,7 +270,7 @@ fn an_unknown_extension_is_refused() {
 fn an_image_that_claims_to_be_huge_is_refused() {
     let folder = folder();
     let path = folder.path().join("huge.exr");
-    let mut bytes = exr::encode(&Image::black(4, 3)).unwrap();
+    let mut bytes = exr_bytes(&Image::black(4, 3)).unwrap();
     // Left, top, right and bottom of the pixels that there are.
     let name = b"dataWindow\0box2i\0";
     let header = bytes.windows(name.len()).position(|window| window == name).unwrap();

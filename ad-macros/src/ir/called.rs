@@ -1,0 +1,99 @@
+//! What a function calls, so that the compiler says in words which of it has no derivative.
+
+use std::collections::BTreeSet;
+
+use proc_macro2::{Ident, TokenStream};
+use quote::{ToTokens, format_ident, quote};
+
+use crate::names::Names;
+
+/// The functions and methods that are called.
+#[derive(Default)]
+pub struct Called {
+    twins: Vec<Twin>,
+    methods: BTreeSet<Ident>,
+}
+
+/// The type that has the derivatives of a function.
+struct Twin {
+    /// The path of the function.
+    path: TokenStream,
+    /// The name of the type in generated code.
+    alias: Ident,
+    /// What the type is if none has the name of the function.
+    otherwise: TokenStream,
+}
+
+/// Whether a function of this name may be one of glam that makes a vector. Where no other derivative has
+/// the name, that of glam's function is taken.
+pub fn makes_vector(name: &str) -> bool {
+    ["vec2", "vec3", "vec4", "dvec2", "dvec3", "dvec4"].contains(&name)
+}
+
+/// The type for a function without a type of its own.
+fn otherwise(name: &str) -> TokenStream {
+    if makes_vector(name) {
+        let function = format_ident!("{name}");
+        return quote!(::ad::rules::#function);
+    }
+    quote!(::ad::rt::FunctionWithoutDerivative)
+}
+
+impl Called {
+    /// The name in generated code of the type that has the derivatives of the function at `path`,
+    /// whose last name is `name`.
+    pub fn twin(&mut self, path: TokenStream, name: &Ident, names: &mut Names) -> TokenStream {
+        let is_known = |known: &&Twin| known.path.to_string() == path.to_string();
+        let mut alias = match self.twins.iter().find(is_known) {
+            Some(known) => known.alias.clone(),
+            None => {
+                let plain = name.to_string();
+                let plain = plain.trim_start_matches("r#");
+                let alias = names.unwritten(&format!("{plain}_derivative"));
+                self.twins.push(Twin { path, alias: alias.clone(), otherwise: otherwise(plain) });
+                alias
+            }
+        };
+        // What is missing there is missing at the name of the function.
+        alias.set_span(alias.span().located_at(name.span()));
+        alias.to_token_stream()
+    }
+
+    /// Notes a method, or a function of a type, whose derivative stands beside it.
+    pub fn method(&mut self, name: &Ident) {
+        self.methods.insert(name.clone());
+    }
+
+    /// What yields to the derivatives that are there. An import takes whatever has a name, a function
+    /// or a type; for a function without derivative the type comes from a module. For a method without
+    /// derivative there is a trait, which nothing satisfies.
+    pub fn stand_ins(&self) -> TokenStream {
+        let methods = self.methods.iter().map(|name| {
+            let [vjp, jvp] = ["vjp", "jvp"].map(|mode| format_ident!("{name}_{mode}"));
+            let derivatives = format_ident!("{name}_derivatives");
+            quote! {
+                trait #derivatives {
+                    fn #vjp(&self) {}
+                    fn #jvp(&self) {}
+                }
+                impl<T: ?::core::marker::Sized + ::ad::rt::MethodWithDerivative> #derivatives for T {}
+            }
+        });
+        let functions = (!self.twins.is_empty()).then(|| {
+            let imports =
+                self.twins.iter().map(|Twin { path, alias, .. }| quote!(use #path as #alias;));
+            let types = self
+                .twins
+                .iter()
+                .map(|Twin { alias, otherwise, .. }| quote!(pub type #alias = #otherwise;));
+            quote! {
+                #(#imports)*
+                mod without_derivative {
+                    #(#types)*
+                }
+                use without_derivative::*;
+            }
+        });
+        quote!(#(#methods)* #functions)
+    }
+}

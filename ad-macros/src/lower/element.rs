@@ -1,0 +1,119 @@
+//! Methods that lend one element of a slice to be changed: `last_mut`, `first_mut`, `get_mut`.
+//!
+//! The element has a place, `slice[position]`, and that is what is written.
+
+use quote::{quote, quote_spanned};
+use syn::spanned::Spanned;
+use syn::{Expr, ExprMatch, ExprMethodCall, Pat, parse_quote};
+
+use super::Lowerer;
+use super::closure::{root_name, simple_name};
+use super::construct::is_transparent;
+use super::flow::strip_parens;
+use crate::ir::{Arm, BranchKind, Operand, Place, Projection, Statement};
+
+/// The slice, and the position of the element that a method of it lends.
+struct Lent<'e> {
+    slice: &'e Expr,
+    position: Expr,
+}
+
+impl<'e> Lent<'e> {
+    /// `slice.last_mut()` and its kin.
+    fn option(expr: &'e Expr) -> Option<Self> {
+        let Expr::MethodCall(ExprMethodCall { receiver: slice, method, args, .. }) =
+            strip_parens(expr)
+        else {
+            return None;
+        };
+        let arguments: Vec<_> = args.iter().collect();
+        let position = match (&*method.to_string(), &arguments[..]) {
+            ("first_mut", []) => parse_quote!(0),
+            // Of an empty one the position is too large.
+            ("last_mut", []) => parse_quote!(#slice.len().wrapping_sub(1)),
+            // By a range it lends another slice.
+            ("get_mut", [position]) if !matches!(position, Expr::Range(_)) => {
+                parse_quote!(#position)
+            }
+            _ => return None,
+        };
+        Some(Self { slice, position })
+    }
+
+    /// `slice.last_mut().unwrap()` and its kin.
+    fn element(expr: &'e Expr) -> Option<Self> {
+        match strip_parens(expr) {
+            Expr::MethodCall(call) if call.method == "unwrap" || call.method == "expect" => {
+                Self::option(&call.receiver)
+            }
+            _ => None,
+        }
+    }
+}
+
+impl Lowerer<'_> {
+    /// Whether an expression is a `&mut` to an element of a slice that has a place.
+    pub(super) fn is_lent_element(&self, expr: &Expr) -> bool {
+        let slice = Lent::element(expr).and_then(|lent| root_name(lent.slice));
+        slice.is_some_and(|name| self.lookup(name).is_some())
+    }
+
+    /// The place to which an expression is a `&mut`, if it is one to an element of a slice.
+    pub(super) fn lent_element(&mut self, expr: &Expr) -> Option<Place> {
+        let Lent { slice, position } = Lent::element(expr)?;
+        let mut place = self.sequence(slice)?;
+        let whole = self.place_tokens(&place);
+        let position = self.index(&position, &whole);
+        place.path.push(Projection::Index(position));
+        Some(place)
+    }
+
+    /// The arms of a `match` on an option of a `&mut` to an element, if it is that.
+    pub(super) fn match_on_lent(
+        &mut self,
+        branch: &ExprMatch,
+        lower_arm: &mut dyn FnMut(&mut Self, &Expr) -> Operand,
+    ) -> Option<(BranchKind, Vec<Arm>)> {
+        let Lent { slice, position } = Lent::option(&branch.expr)?;
+        let content = |pat: &Pat| match pat {
+            Pat::TupleStruct(pattern) if is_transparent(&pattern.path) => {
+                pattern.elems.first().cloned()
+            }
+            _ => None,
+        };
+        let (full, empty) = match &branch.arms.iter().collect::<Vec<_>>()[..] {
+            [full, empty] if content(&full.pat).is_some() => (*full, *empty),
+            [empty, full] if content(&full.pat).is_some() => (*full, *empty),
+            _ => return None,
+        };
+        let (content, slice) = (content(&full.pat)?, slice.clone());
+        let place = self.sequence(&slice)?;
+        let name = self.names.unwritten("position");
+        self.statement(&parse_quote!(let #name: usize = #position;));
+        let (place, position) = (self.place_tokens(&place), self.plain(&parse_quote!(#name)));
+        let element: Expr = parse_quote!(#slice[#name]);
+        let full = self.block(|lowerer| {
+            match simple_name(&content) {
+                Some(name) => lowerer.exclusive_alias(name, &element),
+                None if matches!(content, Pat::Wild(_)) => {}
+                None if lowerer.take_apart_exclusively(&content, &parse_quote!(&mut #element)) => {}
+                None => {
+                    lowerer.refuse(&content, "give the element a name here, and match on that");
+                }
+            }
+            lower_arm(lowerer, &full.body)
+        });
+        let empty = self.block(|lowerer| lower_arm(lowerer, &empty.body));
+        let arms = [full, empty].map(Arm::plain);
+        Some((BranchKind::If(quote!(#position < #place.len())), arms.into()))
+    }
+
+    /// A place that is a slice, which is checked: somebody else's type may have methods of these names.
+    fn sequence(&mut self, slice: &Expr) -> Option<Place> {
+        let place = self.place(slice)?;
+        let tokens = self.place_tokens(&place);
+        let code = quote_spanned!(slice.span()=> ::ad::rt::is_sequence(&#tokens););
+        self.push(Statement::Plain { code, defines: Vec::new() });
+        Some(place)
+    }
+}

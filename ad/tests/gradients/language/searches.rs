@@ -1,0 +1,146 @@
+//! One item of an iterator: `nth`, `next`, `find`, `last`; traits with parameters; items that are matched on.
+
+use ad::{Differentiable, differentiable};
+use glam::{DVec2, dvec2};
+
+use crate::oracle::check;
+
+#[derive(Clone, Copy, Debug, Differentiable)]
+struct P {
+    a: f64,
+    b: f64,
+}
+
+#[differentiable]
+fn by_number(x: f64, y: f64) -> f64 {
+    let v = [x, y, x * y];
+    let a = v.iter().nth(2).copied().unwrap();
+    let b = v.iter().map(|t| t * t).nth(1).unwrap_or(0.0);
+    let c = v.iter().last().unwrap();
+    let d = v.iter().next().unwrap();
+    a * b + c * d
+}
+
+#[differentiable]
+fn by_predicate(x: f64, y: f64) -> f64 {
+    let v = [x, y, x * y];
+    let a = v.iter().copied().find(|t| *t > 0.5).unwrap_or(y);
+    let b = v.iter().find_map(|t| if *t < 0.5 { Some(t * t) } else { None }).unwrap_or(1.0);
+    let c = v.iter().map(|t| t * x).next().unwrap();
+    let d = v.iter().filter(|t| **t > 0.0).map(|t| 2.0 * t).nth(7).unwrap_or(x);
+    a * b + c * d
+}
+
+#[differentiable]
+fn of_structs(x: f64, y: f64) -> f64 {
+    let v = vec![P { a: x, b: y }, P { a: y, b: x }];
+    let p = v.iter().nth(1).unwrap();
+    let q = v.iter().last().map_or(0.0, |q| q.a * q.b);
+    if let Some(r) = v.iter().next() { p.a * r.b + q } else { x }
+}
+
+mod of_several_types {
+    use super::*;
+
+    #[differentiable]
+    trait Ap<T> {
+        fn ap(&self, t: T) -> f64;
+        fn twice(&self, t: T, k: f64) -> f64
+        where
+            T: Clone,
+        {
+            self.ap(t.clone()) * k + self.ap(t)
+        }
+    }
+    #[differentiable]
+    impl Ap<f64> for P {
+        fn ap(&self, t: f64) -> f64 {
+            self.a * t + self.b
+        }
+    }
+    #[differentiable]
+    impl Ap<DVec2> for P {
+        fn ap(&self, t: DVec2) -> f64 {
+            self.a * t.x + self.b * t.y
+        }
+    }
+    #[differentiable]
+    pub fn value(x: f64, y: f64) -> f64 {
+        P { a: x, b: y }.ap(x * y) * y + P { a: y, b: y }.ap(dvec2(x, y))
+    }
+}
+
+mod of_a_type_parameter {
+    use super::*;
+
+    #[differentiable]
+    trait Ap<T> {
+        fn ap(&self, t: T) -> T;
+    }
+    #[differentiable]
+    impl Ap<f64> for P {
+        fn ap(&self, t: f64) -> f64 {
+            self.a * t + self.b
+        }
+    }
+    #[differentiable]
+    fn g<A: Ap<f64> + Differentiable>(a: &A, x: f64) -> f64 {
+        a.ap(x) * x
+    }
+    #[differentiable]
+    pub fn value(x: f64, y: f64) -> f64 {
+        let p = P { a: x, b: y };
+        g(&p, x * y) * y
+    }
+}
+
+mod matched_items {
+    use super::*;
+
+    #[derive(Clone, Copy, Debug, Differentiable)]
+    enum E {
+        A(f64),
+        B { u: f64, v: f64 },
+        N,
+    }
+    #[differentiable]
+    pub fn value(x: f64, y: f64) -> f64 {
+        let es = [E::A(x), E::B { u: y, v: x }, E::N];
+        let mut s = 0.0;
+        for e in &es {
+            s += match e {
+                E::A(a) => a * a,
+                E::B { u, v } => u * v,
+                E::N => 1.0,
+            };
+            if let E::A(a) = e {
+                s *= a;
+            }
+        }
+        for e in es.iter() {
+            if let E::B { u, .. } = *e {
+                s += u;
+            }
+        }
+        s
+    }
+}
+
+#[test]
+fn items_are_found() {
+    check!(by_number(x, y) at [1.3, 0.4], [-0.7, 1.1], [0.6, -1.9]);
+    check!(by_predicate(x, y) at [1.3, 0.4], [-0.7, 1.1], [0.6, -1.9]);
+    check!(of_structs(x, y) at [1.3, 0.4], [-0.7, 1.1], [0.6, -1.9]);
+    {
+        use of_several_types::value;
+        check!(value(x, y) at [1.3, 0.4], [-0.7, 1.1], [0.6, -1.9]);
+    }
+    {
+        use of_a_type_parameter::value;
+        check!(value(x, y) at [1.3, 0.4], [-0.7, 1.1], [0.6, -1.9]);
+    }
+    {
+        use matched_items::value;
+        check!(value(x, y) at [1.3, 0.4], [-0.7, 1.1], [0.6, -1.9]);
+    }
+}
