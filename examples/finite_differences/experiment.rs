@@ -162,5 +162,10 @@ pub fn largest_error(backward: &[f64], differences: &[Derivative]) -> f64 {
     let vertices = VERTICES * backward.len() / PER_TRIANGLE;
     let scale = backward[vertices..].iter().fold(f64::MIN_POSITIVE, |scale, d| scale.max(d.abs()));
     let inner = differences.iter().filter(|(index, _)| *index >= vertices);
-    inner.fold(0.0, |error, &(index, d)| error.max((backward[index] - d).abs() / scale))
+    inner.fold(0.0, |error, &(index, d)| larger(error, (backward[index] - d).abs() / scale))
+}
+
+/// The larger of two errors; no number is larger than any, while `f64::max` would drop it.
+fn larger(a: f64, b: f64) -> f64 {
+    if a.is_nan() || a > b { a } else { b }
 }

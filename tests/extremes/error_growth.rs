@@ -45,7 +45,7 @@ fn error(scene: &Scene, counts: impl Fn(ParameterId) -> bool) -> (f64, f64) {
         let (single, double) = (single.get(id), double.get(id));
         let largest = double.iter().fold(0.0_f64, |size, x| size.max(x.abs()));
         for (s, d) in single.iter().zip(double).filter(|_| largest > 0.0) {
-            worst = worst.max((s - d).abs() / largest);
+            worst = crate::larger(worst, (s - d).abs() / largest);
         }
     }
     (worst, others)

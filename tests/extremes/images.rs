@@ -104,12 +104,12 @@ pub fn check_agreement(name: &str, scene: &Scene, bound: f64) {
             let largest = block.iter().fold(0.0_f64, |size, x| size.max(x.abs()));
             if !id.moves_edges() && largest > 0.0 {
                 let errors = block.iter().zip(other).map(|(a, b)| (a - b).abs() / largest);
-                let error = errors.fold(0.0, f64::max);
+                let error = errors.fold(0.0, crate::larger);
                 assert!(
                     error <= bound,
                     "{name}, {arithmetic:?}: gradients by {path} differ by {error:e}: {block:?}, {other:?}"
                 );
-                worst = worst.max(error);
+                worst = crate::larger(worst, error);
             }
         }
         println!("| {name} | {arithmetic:?} | {off_by:.1e} | {worst:.1e} |");

@@ -22,6 +22,11 @@ mod spheres;
 mod triangles;
 mod watertight;
 
+/// The larger of two errors; no number is larger than any, while `f64::max` would drop it.
+fn larger(a: f64, b: f64) -> f64 {
+    if a.is_nan() || a > b { a } else { b }
+}
+
 /// How scenes are rendered where the interior term is checked.
 fn without_edges() -> renderer::Settings {
     renderer::Settings { edges: renderer::Edges::Off, ..renderer::Settings::default() }

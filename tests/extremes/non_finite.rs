@@ -158,7 +158,7 @@ fn gradients_have_the_range_of_double_precision() {
         let mut worst = 0.0_f64;
         for (single, double) in single.gradient.iter().zip(&double.gradient) {
             assert!(*double != 0.0);
-            worst = worst.max((single / double - 1.0).abs());
+            worst = crate::larger(worst, (single / double - 1.0).abs());
         }
         println!("| light of intensity {intensity:e}: gradient of an image | {worst:.1e} |");
         assert!(worst <= 1e-3, "{single:?} instead of {double:?}");

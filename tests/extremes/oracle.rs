@@ -140,7 +140,7 @@ impl Expected {
                     let expected = &self.gradients[result][block.clone()];
                     let error =
                         worst(&found[block.clone()], expected, [block.len()].into_iter(), size);
-                    gradient = gradient.max(error / epsilon);
+                    gradient = crate::larger(gradient, error / epsilon);
                 }
             }
         }

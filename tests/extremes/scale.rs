@@ -61,7 +61,7 @@ fn check_in(arithmetic: Arithmetic, scene: &Scene, name: &str, place: Place, by_
             for (x, moved) in block.iter().zip(moved_block) {
                 let moved = moved / covariance;
                 let error = if *x == moved { 0.0 } else { (x - moved).abs() / largest };
-                worst = worst.max(error);
+                worst = crate::larger(worst, error);
             }
         }
         println!(
