@@ -131,6 +131,59 @@ fn silhouettes_of_a_triangle() {
     assert!(interior.iter().all(|part| part.abs() < 1e-12), "{interior:?}");
 }
 
+/// A ball of facets that are about as large as a pixel; each facet has vertices of its own, or they share
+/// them.
+fn add_facets(scene: &mut Scene, are_shared: bool) {
+    let paint = paint(scene, "facets", [0.8, 0.3, 0.2], 0.0);
+    let (rows, columns) = (14_u32, 25_u32);
+    let corner = |index: u32| {
+        let [polar, azimuth] = [
+            std::f64::consts::PI * f64::from(index / columns) / f64::from(rows),
+            std::f64::consts::TAU * f64::from(index % columns) / f64::from(columns),
+        ];
+        let (out, up) = polar.sin_cos();
+        let direction = DVec3::new(out * azimuth.sin(), up, out * azimuth.cos());
+        (DVec3::new(0.1, 0.7, 0.0) + 0.6 * direction).to_array()
+    };
+    let cells = (0..rows).flat_map(|row| (0..columns).map(move |column| (row, column)));
+    let facets: Vec<[u32; 3]> = cells
+        .flat_map(|(row, column)| {
+            let next = (column + 1) % columns;
+            let [a, b] = [column, next].map(|column| row * columns + column);
+            let [c, d] = [a, b].map(|corner| corner + columns);
+            [[a, c, b], [b, c, d]]
+        })
+        .collect();
+    let (vertices, triangles) = match are_shared {
+        true => ((0..(rows + 1) * columns).map(corner).collect(), facets),
+        false => {
+            let own = |index: usize| [0, 1, 2].map(|at| 3 * index as u32 + at);
+            let vertices = facets.as_flattened().iter().map(|&index| corner(index)).collect();
+            (vertices, (0..facets.len()).map(own).collect())
+        }
+    };
+    scene.add_mesh(Mesh::new("shape", vertices, triangles).material(paint)).unwrap();
+}
+
+/// Where facets share vertices, the search walks from one to the next; where they do not, it traces rays.
+#[test]
+fn walks_over_meshes_find_what_rays_find() {
+    let [walked, traced] = [true, false].map(|are_shared| {
+        let mut scene = scene();
+        add_facets(&mut scene, are_shared);
+        add_sun(&mut scene);
+        let paths = ["camera.look_from", "mesh.shape.translation", "light.sun.direction"];
+        let gradients = paths.map(|path| gradient(&scene, &settings(Edges::On, 1), path)).concat();
+        let image = render(&scene, &settings(Edges::On, 1)).unwrap();
+        (gradients, image)
+    });
+    let error = relative_error(&walked.0, &traced.0);
+    assert!(error < 2e-3, "{error:.1e}: {:?} {:?}", walked.0, traced.0);
+    let pixels = walked.1.pixels.as_flattened().iter().zip(traced.1.pixels.as_flattened());
+    let off = pixels.map(|(a, b)| (a - b).abs()).fold(0.0, f32::max);
+    assert!(off < 0.02, "{off}");
+}
+
 #[test]
 fn shadows_on_a_floor() {
     let mut scene = scene();

@@ -18,6 +18,10 @@
 //! hidden, and to find crossings by more rays. Both cost several images; this costs a few rays for each
 //! hundred pixels.
 //!
+//! Shading next to silhouettes of smooth meshes changes as fast as on [spheres](crate::adjoint), but its
+//! samples are not weighted there: the gradient of a teapot of 128 x 128 pixels by its camera was off by
+//! 27 % with one ray per pixel, by 6 % with four, by 3 % with sixteen.
+//!
 //! What is not seen: objects that lie between samples whole, edges of the shadows of transparent surfaces
 //! and of lights after the first 64, and steps within textures. More rays make the first finer.
 
