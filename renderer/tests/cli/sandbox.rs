@@ -130,7 +130,8 @@ impl Sandbox {
         let Value::Object(object) = serde_json::from_str(&self.succeed(arguments)).unwrap() else {
             panic!("an object");
         };
-        for (path, value) in &object {
+        // What stands beside the numbers of parameters is an object of its own.
+        for (path, value) in object.iter().filter(|(_, value)| !value.is_object()) {
             assert!(!numbers(value).is_empty(), "{path}: {value}");
         }
         object

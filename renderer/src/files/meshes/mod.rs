@@ -63,8 +63,7 @@ pub enum FileNormals {
 /// # Errors
 ///
 /// If the extension is another one, the format is one that this build leaves out, or the file is
-/// refused by its format: [`load_obj`](super::load_obj), [`load_ply`](super::load_ply),
-/// [`load_stl`](super::load_stl), [`load_gltf`](super::load_gltf).
+/// refused by its format: [`load_obj`](super::load_obj), `load_ply`, `load_stl`, `load_gltf`.
 pub fn load_mesh(path: &Path) -> Result<Model, Error> {
     load_mesh_with(path, FileNormals::Ignore)
 }
