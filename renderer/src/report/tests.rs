@@ -115,7 +115,7 @@ fn broken_files_are_named() {
 fn what_moved_most_is_drawn() {
     let count = MOST_CHARTS + 10;
     // Every third element moves.
-    let moved = |i: usize| if i % 3 == 0 { 2.0 } else { 1.0 };
+    let moved = |i: usize| if i.is_multiple_of(3) { 2.0 } else { 1.0 };
     let trajectory = Trajectory {
         paths: (0..count).map(|i| format!("x[{i}]")).collect(),
         target: vec![None; count],
