@@ -36,6 +36,7 @@ mod errors;
 mod expand;
 mod floats;
 mod forward;
+mod function;
 mod groups;
 mod hidden;
 mod ir;

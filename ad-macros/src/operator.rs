@@ -20,7 +20,8 @@ use syn::{
 
 use self::borrowed::Borrowed;
 use crate::callable::Callables;
-use crate::expand::{Differentiated, Function, Place, own};
+use crate::expand::Differentiated;
+use crate::function::{Function, Place, own};
 use crate::names;
 use crate::options::Options;
 

@@ -95,8 +95,8 @@ pub fn lower(source: Source<'_>, names: &mut Names, errors: &mut Errors) -> Lowe
     let mut lowerer = Lowerer::new(OnFailure::of(result), names, errors);
     lowerer.scalars = scalars;
     lowerer.exclusive_methods = exclusive_methods.iter().map(Ident::to_string).collect();
-    let types = parameters.iter().map(|parameter| &parameter.ty).chain([result]);
-    lowerer.variants = variants::of(types, body);
+    let types = parameters.iter().map(|parameter| &parameter.ty);
+    lowerer.variants = variants::of(types, result, body);
     let mut parameter_vars = Vec::new();
     let body = lowerer.block(|lowerer| {
         parameter_vars = parameters.iter().map(|p| lowerer.parameter(p)).collect();

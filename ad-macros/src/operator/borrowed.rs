@@ -16,7 +16,8 @@ use syn::{
 
 use super::{Kind, Operator, output, without_receiver};
 use crate::callable::Callables;
-use crate::expand::{Differentiated, Function, Place, own};
+use crate::expand::Differentiated;
+use crate::function::{Function, Place, own};
 use crate::names;
 use crate::options::Options;
 use crate::signature;
