@@ -14,7 +14,7 @@ use syn::{
     PathArguments, ReturnType, Signature, Type, Visibility, parse_quote,
 };
 
-use super::{Kind, Operator, output, without_receiver};
+use super::parts::{Kind, Operator, output, without_receiver};
 use crate::callable::Callables;
 use crate::expand::Differentiated;
 use crate::function::{Function, Place, own};
