@@ -9,8 +9,8 @@ use syn::{
 use super::Lowerer;
 use super::callee::is_from_fn;
 use super::chain::is_chain;
-use super::flow::strip_parens;
 use super::item::Item;
+use super::syntax::strip_parens;
 use crate::ir::{Block, Build, BuildSource, Operand, Operation, Place, Statement};
 
 /// What the form of an expression tells of its type.
@@ -92,10 +92,10 @@ impl Lowerer<'_> {
             },
             Expr::Call(call) => match strip_parens(&call.func) {
                 Expr::Path(path) if is_from_fn(&path.path) => Some(Container::Array),
-                Expr::Path(path) if super::construct::outcome(&path.path).is_some() => {
+                Expr::Path(path) if super::syntax::outcome(&path.path).is_some() => {
                     Some(Container::Result)
                 }
-                Expr::Path(path) if super::construct::is_transparent(&path.path) => {
+                Expr::Path(path) if super::syntax::is_transparent(&path.path) => {
                     Some(Container::Option)
                 }
                 _ => None,

@@ -13,7 +13,7 @@ use syn::spanned::Spanned;
 use syn::{ExprPath, Item, Path, PathArguments, PathSegment, UseTree};
 
 use super::Lowerer;
-use super::construct::is_type_name;
+use super::syntax::is_type_name;
 use crate::ir::{Callee, Derivative, Statement};
 use crate::options::is_own;
 

@@ -17,9 +17,8 @@ use syn::{
 };
 
 use super::Lowerer;
-use super::closure::root_name;
-use super::flow::{split_type, strip_parens};
 use super::scopes::Name;
+use super::syntax::{root_name, split_type, strip_parens};
 use crate::ir::{Argument, Operand, Operation, Statement};
 use crate::names::identifiers;
 use crate::primal::tangent_path;

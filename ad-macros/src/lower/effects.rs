@@ -12,7 +12,7 @@ use syn::{BinOp, Expr, parse_quote};
 
 use super::Lowerer;
 use super::closure::changes_captured;
-use super::flow::strip_parens;
+use super::syntax::strip_parens;
 use crate::ir::{Operand, Operation};
 use crate::rules;
 

@@ -237,7 +237,7 @@ impl Lowerer<'_> {
     pub(super) fn bind_rest(&mut self, pat: Option<&Pat>, value: Operand) {
         match pat {
             Some(pat) => {
-                let (pat, ty) = super::flow::split_type(pat);
+                let (pat, ty) = super::syntax::split_type(pat);
                 self.bind_pattern(pat, ty, value);
             }
             None => self.discard(value),

@@ -4,6 +4,7 @@ use quote::{ToTokens, quote};
 use syn::{Ident, Member, Pat};
 
 use super::Lowerer;
+use super::syntax::is_plain_name;
 use crate::ir::{Operand, Operation, Place, Projection, Shape, VarId};
 
 /// A name for a reference to a place: reading it reads the place.
@@ -191,7 +192,7 @@ impl Lowerer<'_> {
             }
             (pat, item) => {
                 let value = self.item_value(item);
-                let (pat, ty) = super::flow::split_type(pat);
+                let (pat, ty) = super::syntax::split_type(pat);
                 self.bind_pattern(pat, ty, value);
             }
         }
@@ -240,8 +241,4 @@ impl Lowerer<'_> {
             }
         }
     }
-}
-
-pub(super) fn is_plain_name(pat: &syn::PatIdent) -> bool {
-    pat.by_ref.is_none() && pat.subpat.is_none() && pat.mutability.is_none()
 }

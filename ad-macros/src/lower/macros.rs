@@ -9,7 +9,7 @@ use syn::punctuated::Punctuated;
 use syn::spanned::Spanned;
 use syn::{Expr, Lit, Macro, Pat, Path, Token};
 
-use super::flow::strip_parens;
+use super::syntax::strip_parens;
 use super::{Lowerer, exits};
 use crate::ir::{Operand, Operation, Statement};
 

@@ -55,6 +55,7 @@ mod several;
 mod slice_pattern;
 mod source;
 mod stage;
+mod syntax;
 mod variants;
 
 use std::collections::{HashMap, HashSet};

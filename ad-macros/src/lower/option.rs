@@ -11,8 +11,8 @@ use syn::{Expr, ExprMethodCall, Stmt, parse_quote};
 use super::Lowerer;
 use super::array::Container;
 use super::chain::is_chain;
-use super::flow::strip_parens;
 use super::order::calls;
+use super::syntax::strip_parens;
 use crate::ir::{Operand, Operation};
 
 impl Lowerer<'_> {

@@ -10,9 +10,9 @@ use syn::spanned::Spanned;
 use syn::visit::{self, Visit};
 
 use super::Lowerer;
-use super::construct::is_type_name;
 use super::item::Item;
 use super::macros::never;
+use super::syntax::is_type_name;
 use crate::ir::{Argument, Operand, Operation, Statement};
 use crate::rules;
 

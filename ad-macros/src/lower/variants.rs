@@ -12,7 +12,7 @@ use syn::{
     Block, Expr, ExprLet, GenericArgument, Local, Pat, Path, PathArguments, Stmt, Type, UseTree,
 };
 
-use super::construct::is_type_name;
+use super::syntax::is_type_name;
 
 /// The names that mean variants in a function with this body and this result, and these types of
 /// parameters.
