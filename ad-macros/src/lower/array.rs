@@ -10,29 +10,9 @@ use super::Lowerer;
 use super::callee::is_from_fn;
 use super::chain::is_chain;
 use super::item::Item;
+use super::state::Container;
 use super::syntax::strip_parens;
 use crate::ir::{Block, Build, BuildSource, Operand, Operation, Place, Statement};
-
-/// What the form of an expression tells of its type.
-#[derive(Clone, Copy, PartialEq, Eq)]
-pub(super) enum Container {
-    Array,
-    Option,
-    Result,
-}
-
-impl Container {
-    /// What a type is.
-    pub fn of(ty: &Type) -> Option<Self> {
-        match ty {
-            Type::Array(_) => Some(Self::Array),
-            Type::Paren(inner) => Self::of(&inner.elem),
-            Type::Path(path) if path.path.segments.last()?.ident == "Option" => Some(Self::Option),
-            Type::Path(path) if path.path.segments.last()?.ident == "Result" => Some(Self::Result),
-            _ => None,
-        }
-    }
-}
 
 impl Lowerer<'_> {
     /// `array::from_fn(function)`

@@ -17,20 +17,14 @@ use quote::{ToTokens, quote};
 use syn::visit::{self, Visit};
 use syn::{Expr, ExprClosure, ReturnType, parse_quote};
 
-use super::ends::{End, JumpKind, Target};
-use super::item::{Alias, Item};
+use super::ends::{End, Target};
+use super::item::Item;
 use super::scopes::{Name, Scopes};
+use super::state::{Alias, Closure, JumpKind};
 use super::syntax::{as_statements, root_name, strip_parens};
 use super::{Lowerer, OnFailure, exits};
 use crate::ir::{Operand, Operation, Place, Statement};
 use crate::names;
-
-/// A closure that has a name.
-pub(super) struct Closure {
-    pub body: ExprClosure,
-    /// What names mean where it was written.
-    pub scopes: Scopes,
-}
 
 impl Lowerer<'_> {
     /// `let name = |..| ..;`

@@ -12,11 +12,13 @@ use syn::visit::Visit;
 use syn::{Expr, Local, Pat, Stmt, parse_quote};
 
 use super::chain::array_length;
-use super::ends::{End, JumpKind, Target};
+use super::ends::{End, Target};
 use super::exits::Exit;
-use super::macros::macro_diverges;
 use super::operator::is_own_type;
-use super::syntax::{as_statements, is_plain_name, simple_name, split_type, strip_parens};
+use super::state::JumpKind;
+use super::syntax::{
+    as_statements, is_plain_name, macro_diverges, simple_name, split_type, strip_parens,
+};
 use super::{Lowerer, OnFailure, deferred, desugar, exits};
 use crate::ir::{Operand, Operation, Statement};
 

@@ -12,10 +12,10 @@ use quote::{ToTokens, format_ident, quote};
 use syn::spanned::Spanned;
 use syn::{Expr, ExprClosure, Pat, PatType, ReturnType, Type, UnOp, parse_quote};
 
-use super::closure::{Closure, changes_captured};
-use super::item::Alias;
+use super::closure::changes_captured;
 use super::macros::captured_names;
 use super::scopes::Scopes;
+use super::state::{Alias, Closure};
 use super::syntax::{as_statements, is_type_name, simple_name, strip_parens};
 use super::{Lowerer, OnFailure};
 use crate::ir::{

@@ -4,18 +4,9 @@ use quote::{ToTokens, quote};
 use syn::{Ident, Member, Pat};
 
 use super::Lowerer;
+use super::state::Alias;
 use super::syntax::is_plain_name;
 use crate::ir::{Operand, Operation, Place, Projection, Shape, VarId};
-
-/// A name for a reference to a place: reading it reads the place.
-#[derive(Clone)]
-pub(super) struct Alias {
-    pub place: Place,
-    /// How many times the place is referred to: 1 for `&place`, 2 for `&&place`.
-    pub depth: usize,
-    /// Whether it is a `&mut`.
-    pub is_exclusive: bool,
-}
 
 impl Alias {
     /// `&place`

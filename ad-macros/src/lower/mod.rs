@@ -55,6 +55,7 @@ mod several;
 mod slice_pattern;
 mod source;
 mod stage;
+mod state;
 mod syntax;
 mod variants;
 
@@ -65,13 +66,9 @@ use proc_macro2::{Ident, Span, TokenStream};
 use quote::{ToTokens, quote};
 use syn::{Type, spanned::Spanned};
 
-use self::array::Container;
-use self::callee::LocalFunctions;
-use self::closure::Closure;
-use self::ends::{Jump, JumpId};
-use self::item::Alias;
 pub use self::operator::is_own_type;
 use self::scopes::Scopes;
+use self::state::{Alias, Closure, Container, Jump, JumpId, LocalFunctions};
 use crate::errors::Errors;
 use crate::ir::{Block, BlockId, Called, Operand, Operation, Statement, Var, VarId};
 pub use crate::ir::{Lowered, LoweredParameter};

@@ -6,9 +6,8 @@ use syn::spanned::Spanned;
 use syn::visit::{self, Visit};
 use syn::{Expr, Member, Pat, Type};
 
-use super::item::Alias;
-use super::order::calls;
-use super::syntax::{is_transparent, is_type_name, outcome, strip_parens};
+use super::state::Alias;
+use super::syntax::{calls, is_transparent, is_type_name, outcome, strip_parens};
 use super::{Lowerer, operator};
 use crate::ir::{Binding, Operand, Operation, Place, Projection, Statement, VarId};
 

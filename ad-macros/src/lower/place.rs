@@ -5,8 +5,8 @@ use quote::{ToTokens, quote, quote_spanned};
 use syn::spanned::Spanned;
 use syn::{Expr, ExprAssign, ExprBinary, Lit, UnOp};
 
-use super::item::Alias;
 use super::order::calls_function;
+use super::state::Alias;
 use super::syntax::{root_name, strip_parens};
 use super::{Lowerer, exits};
 use crate::ir::{

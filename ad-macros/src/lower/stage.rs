@@ -7,7 +7,8 @@ use syn::{Expr, Ident, Pat};
 use super::Lowerer;
 use super::chain::{Chain, Choice};
 use super::ends::{End, Target};
-use super::item::{Access, Alias, Item};
+use super::item::{Access, Item};
+use super::state::Alias;
 use super::syntax::simple_name;
 use crate::ir::{Arm, BranchKind, Operand, Operation, Statement, VarId};
 

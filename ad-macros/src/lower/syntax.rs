@@ -1,6 +1,7 @@
 //! What the form of an expression or a pattern tells.
 
-use syn::{Expr, Ident, Member, Pat, Path, Stmt};
+use syn::visit::{self, Visit};
+use syn::{Expr, Ident, Macro, Member, Pat, Path, Stmt};
 
 /// An expression without the parentheses around it.
 pub(super) fn strip_parens(expr: &Expr) -> &Expr {
@@ -83,4 +84,37 @@ pub(super) fn outcome(path: &Path) -> Option<Member> {
 /// Whether a pattern is a name and nothing else.
 pub(super) fn is_plain_name(pat: &syn::PatIdent) -> bool {
     pat.by_ref.is_none() && pat.subpat.is_none() && pat.mutability.is_none()
+}
+
+/// The name of a macro of the standard library.
+pub(super) fn standard_macro(path: &Path) -> Option<String> {
+    let mut segments = path.segments.iter();
+    let last = segments.next_back()?;
+    let standard = |segment: &syn::PathSegment| segment.ident == "std" || segment.ident == "core";
+    segments.all(standard).then(|| last.ident.to_string())
+}
+
+/// Whether control never passes the macro.
+pub(super) fn macro_diverges(call: &Macro) -> bool {
+    standard_macro(&call.path)
+        .is_some_and(|name| matches!(&*name, "panic" | "unreachable" | "todo" | "unimplemented"))
+}
+
+/// Whether something is called within an expression, apart from what closures do.
+pub(super) fn calls(expr: &Expr) -> bool {
+    struct Finder(bool);
+
+    impl<'ast> Visit<'ast> for Finder {
+        fn visit_expr(&mut self, expr: &'ast Expr) {
+            match expr {
+                Expr::Call(_) | Expr::MethodCall(_) | Expr::Macro(_) => self.0 = true,
+                Expr::Closure(_) => {}
+                expr => visit::visit_expr(self, expr),
+            }
+        }
+    }
+
+    let mut finder = Finder(false);
+    finder.visit_expr(expr);
+    finder.0
 }
