@@ -91,6 +91,7 @@ fn for_parameter(function: &Function<'_>, index: usize, arguments: &[Type]) -> T
         quote! {
             #(#cfgs)*
             #[doc(hidden)]
+            // Used where a closure without types is passed.
             #[allow(dead_code)]
             #[inline(always)]
             #visibility fn #forward<#(#plain,)* __Result, __Tangent, __Closure>(
@@ -110,6 +111,7 @@ fn for_parameter(function: &Function<'_>, index: usize, arguments: &[Type]) -> T
     quote! {
         #(#cfgs)*
         #[doc(hidden)]
+        // Used where a closure without types is passed.
         #[allow(dead_code)]
         #[inline(always)]
         #visibility fn #reverse<#(#plain,)* __Tangents: ::ad::Additive, __Result, __Pullback, __Closure>(

@@ -5,15 +5,16 @@
 //! declares variables where they get their value; [`loops`] lowers loops, [`checkpoint`] makes
 //! those with checkpoints plainer, [`chain`], [`source`], [`stage`], [`several`] and [`item`] what
 //! they run over, [`consume`] what iterators are used up by; [`array`] builds arrays by element;
-//! [`option`] writes out methods of options, [`part`] those that lend parts of slices; [`closure`]
-//! puts closures in place of their calls, and [`function`] passes them to functions;
+//! [`option`] writes out methods of options, [`part`] those that lend parts of slices, [`element`] those
+//! that lend one element to be changed; [`returned`] puts what is returned from within a loop behind it;
+//! [`closure`] puts closures in place of their calls, and [`function`] passes them to functions;
 //! [`expression`], [`call`] and [`construct`] name intermediate results; [`pattern`],
 //! [`slice_pattern`], [`variants`] and [`place`] tell which part of a value is meant; [`operator`]
 //! calls the operators of types that are not `Copy`; [`sequence`]
 //! makes vectors and boxes; [`macros`] knows the macros of the standard library; [`higher`] refuses
 //! derivatives of derivatives; [`constancy`] tells what changes and never carries a derivative;
-//! [`no_diff`] and [`plain`] pass on code through which no derivative
-//! flows, with variables renamed.
+//! [`no_diff`] and [`plain`] pass on code through which no derivative flows, with variables renamed;
+//! [`state`] holds what is known on the way, [`syntax`] what forms tell.
 
 mod array;
 mod branch;
