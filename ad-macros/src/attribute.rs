@@ -10,7 +10,7 @@ use syn::{
 use crate::accumulation;
 use crate::callable::Callables;
 use crate::element;
-use crate::expand::{Function, Place};
+use crate::function::{Function, Place};
 use crate::groups;
 use crate::hidden;
 use crate::item;

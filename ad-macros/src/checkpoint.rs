@@ -11,7 +11,7 @@ use quote::{ToTokens, format_ident, quote, quote_spanned};
 use syn::spanned::Spanned;
 use syn::{ReceiverKind, Type};
 
-use crate::expand::{Function, Header, Place, turbofish};
+use crate::function::{Function, Header, Place, turbofish};
 
 /// The name of the function that holds both sweeps, which the pullback calls.
 pub fn stored_name(vjp: &Ident) -> Ident {

@@ -25,9 +25,8 @@ use proc_macro2::{Ident, Span, TokenStream};
 use quote::{format_ident, quote};
 use syn::{Expr, Lit, ReceiverKind, Type};
 
-use crate::expand::{Function, Header, Place, turbofish};
+use crate::function::{Function, Header, Place, tuple_or_one, turbofish};
 use crate::signature::Parameter;
-use crate::sweep::tuple_or_one;
 use crate::types::{has_fixed_size, is_box, pointee};
 
 /// Whether callers may lend cotangents to the function: its reverse sweep is written here.

@@ -7,7 +7,11 @@
 //!    exit is the end of a block. What has no right derivative is refused here, at its span.
 //! 3. `sweep` writes the forward and the reverse sweep of the lowered body.
 //! 4. `forward` writes the forward mode of the same lowered body.
-//! 5. `expand` wraps them into the functions that users call.
+//! 5. `expand` wraps them into the functions that users call (`lending`, `passing` and `checkpoint` write
+//!    those beside `vjp`).
+//!
+//! What these rooms share stands below them: `function`, `signature` and `types` say what a function is,
+//! `ir` is the lowered form, `primal` writes it as the user did. No file imports one that imports it back.
 //!
 //! `derive` stands apart: it gives structs and enums their tangents. `operator` and `accumulation`
 //! give the operators and the sums of such types their rules, `element` their elements.
@@ -36,6 +40,7 @@ mod errors;
 mod expand;
 mod floats;
 mod forward;
+mod function;
 mod groups;
 mod hidden;
 mod ir;

@@ -8,50 +8,23 @@
 //! A rule pulls back from the operands: what the operator computes on its way is computed once more.
 
 mod borrowed;
+mod parts;
 
 use proc_macro2::{Ident, Span, TokenStream};
-use quote::{ToTokens, format_ident, quote, quote_spanned};
+use quote::{format_ident, quote, quote_spanned};
 use syn::spanned::Spanned;
-use syn::visit_mut::{self, VisitMut};
+use syn::visit_mut::VisitMut;
 use syn::{
-    Attribute, Block, FnArg, Generics, ImplItem, ItemImpl, Path, PathArguments, ReturnType,
-    Signature, Type, Visibility, parse_quote,
+    Attribute, Block, FnArg, Generics, ImplItem, ItemImpl, Path, ReturnType, Signature, Type,
+    Visibility, parse_quote,
 };
 
 use self::borrowed::Borrowed;
+use self::parts::{Kind, Operator, output, without_receiver};
 use crate::callable::Callables;
-use crate::expand::{Differentiated, Function, Place, own};
-use crate::names;
+use crate::expand::Differentiated;
+use crate::function::{Function, Place, own};
 use crate::options::Options;
-
-/// An operator.
-#[derive(Clone, Copy)]
-pub struct Operator {
-    /// Its trait.
-    name: &'static str,
-    kind: Kind,
-}
-
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum Kind {
-    /// `-a`
-    Unary,
-    /// `a + b`; the rule gets what was kept of the operands.
-    Sum,
-    /// `a * b`; the rule gets the operands.
-    Product,
-    /// `a += b`
-    Increase,
-    /// `a *= b`
-    Scaling,
-}
-
-impl Operator {
-    /// Whether it changes what stands to its left.
-    fn changes(self) -> bool {
-        matches!(self.kind, Kind::Increase | Kind::Scaling)
-    }
-}
 
 const OPERATORS: [Operator; 11] = [
     Operator { name: "Neg", kind: Kind::Unary },
@@ -117,62 +90,6 @@ fn refuse_options(options: &Options, attributes: &[Attribute], path: &Path) -> s
             "the attribute takes no arguments on an operator: put them on a method, and let the operator call that",
         )),
         false => Ok(()),
-    }
-}
-
-/// The method as a function of `Self`, with a name in place of `self`.
-fn without_receiver(signature: &Signature, body: &Block) -> Option<(Signature, Block)> {
-    let mut signature = signature.clone();
-    let mut written = std::collections::HashSet::new();
-    names::collect(quote!(#signature #body), &mut written);
-    let mut name = "this".to_owned();
-    while written.contains(&name) {
-        name.push('_');
-    }
-    let Some(first @ FnArg::Receiver(_)) = signature.inputs.first_mut() else { return None };
-    let FnArg::Receiver(receiver) = &*first else { return None };
-    let this = Ident::new(&name, receiver.self_token.span);
-    let mutability = &receiver.mutability;
-    *first = match receiver.kind {
-        syn::ReceiverKind::Reference(_, _, Some(_)) => parse_quote!(#this: &mut Self),
-        _ => parse_quote!(#mutability #this: Self),
-    };
-    let body = names::without_self(body.to_token_stream(), &this);
-    let body = syn::parse2(body).expect("a block stays one when a name changes");
-    Some((signature, body))
-}
-
-/// The type that is called `Self::Output`, if it has a name.
-fn output(block: &ItemImpl) -> Option<Output> {
-    block.items.iter().find_map(|item| match item {
-        ImplItem::Type(associated) if associated.ident == "Output" => match &associated.ty {
-            Type::Path(path) if path.qself.is_none() => Some(Output(path.path.clone())),
-            _ => None,
-        },
-        _ => None,
-    })
-}
-
-/// Puts the type itself in place of `Self::Output`, which looks like a variant of an enum.
-struct Output(Path);
-
-impl VisitMut for Output {
-    fn visit_path_mut(&mut self, path: &mut Path) {
-        let names: Vec<_> = path.segments.iter().map(|segment| segment.ident.to_string()).collect();
-        if let [first, second, ..] = &names[..]
-            && first == "Self"
-            && second == "Output"
-        {
-            let mut ty = self.0.clone();
-            for segment in &mut ty.segments {
-                if let PathArguments::AngleBracketed(arguments) = &mut segment.arguments {
-                    arguments.colon2_token = Some(Default::default());
-                }
-            }
-            ty.segments.extend(path.segments.iter().skip(2).cloned());
-            *path = ty;
-        }
-        visit_mut::visit_path_mut(self, path);
     }
 }
 

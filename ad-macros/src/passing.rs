@@ -8,49 +8,13 @@
 
 use proc_macro2::{Ident, TokenStream};
 use quote::{ToTokens, format_ident, quote};
-use syn::spanned::Spanned;
 use syn::{GenericParam, Type, WherePredicate};
 
 use crate::elision;
-use crate::expand::{Function, Place, own};
 use crate::forward;
-use crate::ir::TypedBy;
+use crate::function::{Function, Place, own};
+use crate::ir::argument;
 use crate::signature::Parameter;
-
-/// What makes an object of a closure for reverse mode, as it stands before the parenthesis.
-pub fn reverse(typed_by: &TypedBy) -> TokenStream {
-    made_by(typed_by, "")
-}
-
-/// The same for forward mode.
-pub fn forward(typed_by: &TypedBy) -> TokenStream {
-    made_by(typed_by, "_forward")
-}
-
-fn made_by(TypedBy { function, method, index }: &TypedBy, mode: &str) -> TokenStream {
-    let mut name = argument(method.as_ref(), *index, mode);
-    match method {
-        Some(_) => quote!(#function.#name),
-        None => {
-            name.set_span(function.span());
-            quote!(#function::#name)
-        }
-    }
-}
-
-/// The name of what makes an object of a closure: beside a free function, or beside a method.
-fn argument(method: Option<&Ident>, index: usize, mode: &str) -> Ident {
-    match method {
-        Some(method) => format_ident!("{method}_argument_{index}{mode}"),
-        None => format_ident!("argument_{index}{mode}"),
-    }
-}
-
-/// The path of the function that passes what is referred to, or the reference itself.
-pub fn pass(TypedBy { function, index, .. }: &TypedBy) -> TokenStream {
-    let name = format_ident!("passed_{index}", span = function.span());
-    quote!(#function::#name)
-}
 
 /// The functions for the parameters of `function` that are functions.
 ///
@@ -127,6 +91,7 @@ fn for_parameter(function: &Function<'_>, index: usize, arguments: &[Type]) -> T
         quote! {
             #(#cfgs)*
             #[doc(hidden)]
+            // Used where a closure without types is passed.
             #[allow(dead_code)]
             #[inline(always)]
             #visibility fn #forward<#(#plain,)* __Result, __Tangent, __Closure>(
@@ -146,6 +111,7 @@ fn for_parameter(function: &Function<'_>, index: usize, arguments: &[Type]) -> T
     quote! {
         #(#cfgs)*
         #[doc(hidden)]
+        // Used where a closure without types is passed.
         #[allow(dead_code)]
         #[inline(always)]
         #visibility fn #reverse<#(#plain,)* __Tangents: ::ad::Additive, __Result, __Pullback, __Closure>(

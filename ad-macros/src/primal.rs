@@ -7,7 +7,7 @@ use crate::ir::{
     Argument, BinaryOperator, Callee, Operand, Operation, Place, Projection, Var, VarId,
     makes_vector,
 };
-use crate::{names, passing};
+use crate::names;
 
 /// A part of a value as an expression.
 pub fn project(root: TokenStream, path: &[Projection]) -> TokenStream {
@@ -98,7 +98,7 @@ impl<'a> Primal<'a> {
                 quote!(&#place)
             }
             Argument::PassedOn(place, by) => {
-                let (place, pass) = (self.place(place), passing::pass(by));
+                let (place, pass) = (self.place(place), by.pass());
                 quote!(#pass(&#place))
             }
             Argument::Exclusive(place) | Argument::Reborrow(place) => {

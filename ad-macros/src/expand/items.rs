@@ -4,8 +4,8 @@ use proc_macro2::{Ident, TokenStream};
 use quote::{ToTokens, format_ident, quote};
 use syn::{FnArg, Signature};
 
-use super::{Function, Header, Place, turbofish};
 use crate::forward::Forward;
+use crate::function::{Function, Header, Place, turbofish};
 use crate::signature::{self, Parameter};
 use crate::types;
 use crate::{checkpoint, elision, lending, passing};

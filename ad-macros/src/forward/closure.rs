@@ -8,7 +8,6 @@ use syn::Member;
 use super::function::tangent_type;
 use super::{Forward, Tangent, Writer, forward};
 use crate::ir::{Closure, Place};
-use crate::passing;
 use crate::sweep;
 
 impl Writer<'_> {
@@ -67,7 +66,7 @@ impl Writer<'_> {
             }
         };
         let make = match typed_by {
-            Some(typed_by) => passing::forward(typed_by),
+            Some(typed_by) => typed_by.forward(),
             None => quote!(::ad::function::forward),
         };
         quote! {{

@@ -7,7 +7,7 @@ use syn::{FnArg, ReceiverKind, Type};
 
 use super::Tangent;
 use crate::elision;
-use crate::expand::{Function, Place};
+use crate::function::{Function, Place, tuple_or_one};
 use crate::signature::{Parameter, bare};
 use crate::types::{is_discrete, pointee};
 
@@ -139,9 +139,8 @@ pub fn delegated(function: &Function<'_>, parameters: &[Parameter]) -> Option<To
         }
         (None, Some(rule)) => {
             let call = quote_spanned!(rule.span()=> #rule(#(#arguments),*));
-            let tangents = crate::sweep::tuple_or_one(
-                &tangents.iter().map(ToTokens::to_token_stream).collect::<Vec<_>>(),
-            );
+            let tangents =
+                tuple_or_one(&tangents.iter().map(ToTokens::to_token_stream).collect::<Vec<_>>());
             Some(quote! {
                 {
                     #[allow(unused_imports)]

@@ -3,6 +3,7 @@
 
 mod called;
 mod callee;
+mod typed_by;
 
 use proc_macro2::{Ident, TokenStream};
 use syn::{BinOp, Member, Type};
@@ -11,6 +12,7 @@ use crate::signature::Parameter;
 
 pub use called::{Called, makes_vector};
 pub use callee::{Callee, Derivative};
+pub use typed_by::{TypedBy, argument};
 
 /// A function body in lowered form.
 pub struct Lowered {
@@ -264,17 +266,6 @@ pub struct Closure {
     pub function: Lowered,
     /// The parameter to which it is passed, where that tells the types of its own.
     pub typed_by: Option<TypedBy>,
-}
-
-/// A parameter of a function that is called.
-#[derive(Clone)]
-pub struct TypedBy {
-    /// The path of the function, or what a method is called on.
-    pub function: TokenStream,
-    /// The name of the method.
-    pub method: Option<Ident>,
-    /// The number of the parameter.
-    pub index: usize,
 }
 
 /// A variable that a pattern binds to a part of the matched value.

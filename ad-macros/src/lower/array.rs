@@ -9,30 +9,10 @@ use syn::{
 use super::Lowerer;
 use super::callee::is_from_fn;
 use super::chain::is_chain;
-use super::flow::strip_parens;
 use super::item::Item;
+use super::state::Container;
+use super::syntax::strip_parens;
 use crate::ir::{Block, Build, BuildSource, Operand, Operation, Place, Statement};
-
-/// What the form of an expression tells of its type.
-#[derive(Clone, Copy, PartialEq, Eq)]
-pub(super) enum Container {
-    Array,
-    Option,
-    Result,
-}
-
-impl Container {
-    /// What a type is.
-    pub fn of(ty: &Type) -> Option<Self> {
-        match ty {
-            Type::Array(_) => Some(Self::Array),
-            Type::Paren(inner) => Self::of(&inner.elem),
-            Type::Path(path) if path.path.segments.last()?.ident == "Option" => Some(Self::Option),
-            Type::Path(path) if path.path.segments.last()?.ident == "Result" => Some(Self::Result),
-            _ => None,
-        }
-    }
-}
 
 impl Lowerer<'_> {
     /// `array::from_fn(function)`
@@ -92,10 +72,10 @@ impl Lowerer<'_> {
             },
             Expr::Call(call) => match strip_parens(&call.func) {
                 Expr::Path(path) if is_from_fn(&path.path) => Some(Container::Array),
-                Expr::Path(path) if super::construct::outcome(&path.path).is_some() => {
+                Expr::Path(path) if super::syntax::outcome(&path.path).is_some() => {
                     Some(Container::Result)
                 }
-                Expr::Path(path) if super::construct::is_transparent(&path.path) => {
+                Expr::Path(path) if super::syntax::is_transparent(&path.path) => {
                     Some(Container::Option)
                 }
                 _ => None,

@@ -5,8 +5,8 @@ use quote::quote;
 use syn::spanned::Spanned;
 use syn::{Expr, Pat, parse_quote};
 
-use super::flow::strip_parens;
 use super::pattern::Matched;
+use super::syntax::strip_parens;
 use super::{Lowerer, desugar};
 use crate::ir::{Arm, Binding, Branch, BranchKind, Operand, Statement};
 use crate::names;

@@ -7,11 +7,10 @@ use syn::spanned::Spanned;
 
 use super::Lowerer;
 use super::callee::{is_box_new, is_from_fn};
-use super::construct::is_type_name;
-use super::flow::strip_parens;
 use super::hidden::decodes;
 use super::higher::{refused_function, refused_method};
 use super::no_diff::{stopped, undifferentiated};
+use super::syntax::{is_type_name, strip_parens};
 use crate::ir::{
     Argument, Callee, Derivative, Operand, Operation, Place, Projection, Statement, TypedBy,
 };

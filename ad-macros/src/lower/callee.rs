@@ -5,74 +5,14 @@
 //! up here; the functions of the standard library, and of `ad`, that are treated as such have to be
 //! those; and in debug builds each call compares the names of both (`ad::rt::is_other`).
 
-use std::collections::{HashMap, HashSet};
-
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::{quote, quote_spanned};
 use syn::spanned::Spanned;
-use syn::{ExprPath, Item, Path, PathArguments, PathSegment, UseTree};
+use syn::{ExprPath, Path, PathArguments, PathSegment};
 
 use super::Lowerer;
-use super::construct::is_type_name;
+use super::syntax::is_type_name;
 use crate::ir::{Callee, Derivative, Statement};
-use crate::options::is_own;
-
-/// The functions that the body of a function brings along.
-#[derive(Clone, Default)]
-pub(super) struct LocalFunctions {
-    /// Those that it declares without the attribute.
-    plain: HashSet<String>,
-    /// Those that it declares with it.
-    derived: HashSet<String>,
-    /// The paths of those that it imports, by their names.
-    imported: HashMap<String, Path>,
-}
-
-impl LocalFunctions {
-    /// Those of the items of a body.
-    pub fn of<'i>(items: impl IntoIterator<Item = &'i Item>) -> Self {
-        let mut functions = Self::default();
-        for item in items {
-            match item {
-                Item::Fn(function) => {
-                    let declared = match function.attrs.iter().any(is_own) {
-                        true => &mut functions.derived,
-                        false => &mut functions.plain,
-                    };
-                    declared.insert(function.sig.ident.to_string());
-                }
-                Item::Use(import) if !import.attrs.iter().any(is_own) => {
-                    let start =
-                        Path { leading_colon: import.leading_colon, segments: Default::default() };
-                    functions.import(&import.tree, start);
-                }
-                _ => {}
-            }
-        }
-        functions
-    }
-
-    fn import(&mut self, tree: &UseTree, mut path: Path) {
-        match tree {
-            UseTree::Path(step) => {
-                path.segments.push(step.ident.clone().into());
-                self.import(&step.tree, path);
-            }
-            UseTree::Group(group) => {
-                group.items.iter().for_each(|tree| self.import(tree, path.clone()));
-            }
-            UseTree::Name(name) => {
-                path.segments.push(name.ident.clone().into());
-                self.imported.insert(name.ident.to_string(), path);
-            }
-            UseTree::Rename(name) => {
-                path.segments.push(name.ident.clone().into());
-                self.imported.insert(name.rename.to_string(), path);
-            }
-            UseTree::Glob(_) => {}
-        }
-    }
-}
 
 impl Lowerer<'_> {
     /// The derivative of the function at a path.

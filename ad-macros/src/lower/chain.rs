@@ -13,8 +13,8 @@
 use proc_macro2::TokenStream;
 use syn::{Expr, Ident, Lit};
 
-use super::flow::strip_parens;
 use super::item::Access;
+use super::syntax::strip_parens;
 use crate::ir::{Place, VarId};
 
 /// An iterator, before its items have names.

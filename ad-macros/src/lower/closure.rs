@@ -15,22 +15,16 @@ use std::rc::Rc;
 use proc_macro2::Ident;
 use quote::{ToTokens, quote};
 use syn::visit::{self, Visit};
-use syn::{Expr, ExprClosure, Pat, ReturnType, parse_quote};
+use syn::{Expr, ExprClosure, ReturnType, parse_quote};
 
-use super::ends::{End, JumpKind, Target};
-use super::flow::{as_statements, strip_parens};
-use super::item::{Alias, Item};
+use super::ends::{End, Target};
+use super::item::Item;
 use super::scopes::{Name, Scopes};
+use super::state::{Alias, Closure, JumpKind};
+use super::syntax::{as_statements, root_name, strip_parens};
 use super::{Lowerer, OnFailure, exits};
 use crate::ir::{Operand, Operation, Place, Statement};
 use crate::names;
-
-/// A closure that has a name.
-pub(super) struct Closure {
-    pub body: ExprClosure,
-    /// What names mean where it was written.
-    pub scopes: Scopes,
-}
 
 impl Lowerer<'_> {
     /// `let name = |..| ..;`
@@ -229,24 +223,4 @@ pub(super) fn changes_captured(closure: &ExprClosure) -> bool {
     }
     finder.visit_expr(&closure.body);
     finder.assigned.difference(&finder.declared).next().is_some()
-}
-
-/// The name of the variable that a place is a part of.
-pub(super) fn root_name(expr: &Expr) -> Option<&Ident> {
-    match expr {
-        Expr::Path(path) => path.path.get_ident(),
-        Expr::Field(field) => root_name(&field.base),
-        Expr::Index(index) => root_name(&index.expr),
-        Expr::Paren(paren) => root_name(&paren.expr),
-        Expr::Unary(unary) => root_name(&unary.expr),
-        _ => None,
-    }
-}
-
-/// The name that a pattern gives to the whole value.
-pub(super) fn simple_name(pat: &Pat) -> Option<&Ident> {
-    match pat {
-        Pat::Ident(ident) if ident.by_ref.is_none() && ident.subpat.is_none() => Some(&ident.ident),
-        _ => None,
-    }
 }

@@ -17,9 +17,8 @@ use syn::{
 };
 
 use super::Lowerer;
-use super::closure::root_name;
-use super::flow::{split_type, strip_parens};
 use super::scopes::Name;
+use super::syntax::{root_name, split_type, strip_parens};
 use crate::ir::{Argument, Operand, Operation, Statement};
 use crate::names::identifiers;
 use crate::primal::tangent_path;
@@ -251,7 +250,7 @@ impl<'ast> Visit<'ast> for Changes<'_, '_> {
 
     fn visit_macro(&mut self, call: &'ast syn::Macro) {
         // What a macro does is not seen, but for those that print or compare.
-        let is_known = super::macros::standard_macro(&call.path)
+        let is_known = super::syntax::standard_macro(&call.path)
             .is_some_and(|name| super::macros::values_before_format(&name).is_some());
         self.is_possible |= !is_known
             && identifiers(call.tokens.clone()).iter().any(|name| Name::of(name) == self.name);

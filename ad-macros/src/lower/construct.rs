@@ -6,6 +6,7 @@ use syn::spanned::Spanned;
 use syn::{ExprPath, Member, Path};
 
 use super::Lowerer;
+use super::syntax::{is_transparent, is_type_name, outcome};
 use crate::ir::{Operand, Operation, Place, Shape, Statement};
 
 impl Lowerer<'_> {
@@ -122,38 +123,4 @@ pub(super) fn numbered(parts: Vec<Operand>) -> Vec<(Member, Operand)> {
 fn numbered_at(parts: Vec<Operand>, span: proc_macro2::Span) -> Vec<(Member, Operand)> {
     let member = |index| Member::Unnamed(syn::Index { index, span });
     (0..).map(member).zip(parts).collect()
-}
-
-/// Types, variants and constants begin with a capital letter.
-pub(super) fn is_type_name(ident: &syn::Ident) -> bool {
-    ident
-        .to_string()
-        .trim_start_matches("r#")
-        .trim_start_matches('_')
-        .starts_with(char::is_uppercase)
-}
-
-/// `Some`
-pub(super) fn is_transparent(path: &Path) -> bool {
-    is_standard_variant(path, "Option")
-        && path.segments.last().is_some_and(|last| last.ident == "Some")
-}
-
-/// Whether a path may lead to a variant of the standard library's `owner`.
-fn is_standard_variant(path: &Path, owner: &str) -> bool {
-    let named = path.segments.iter().rev().nth(1);
-    named.is_none_or(|segment| segment.ident == owner)
-}
-
-/// `Ok`, `Err`: the member of the cotangent of a `Result`.
-pub(super) fn outcome(path: &Path) -> Option<Member> {
-    let last = &path.segments.last()?.ident;
-    if !is_standard_variant(path, "Result") {
-        return None;
-    }
-    match () {
-        () if last == "Ok" => Some(Member::from(0)),
-        () if last == "Err" => Some(Member::from(1)),
-        () => None,
-    }
 }

@@ -12,7 +12,7 @@ use syn::{Block, Expr, Local, Pat, Stmt, Token, Type, parse_quote};
 
 use super::desugar::{Bound, otherwise};
 use super::exits;
-use super::flow::{as_statements, strip_parens};
+use super::syntax::{as_statements, strip_parens};
 
 /// A variable that has no value yet.
 #[derive(Clone)]

@@ -9,7 +9,7 @@ use syn::visit::{self, Visit};
 use syn::visit_mut::{self, VisitMut};
 use syn::{Arm, BinOp, Expr, ExprIf, Pat, Stmt, Token, parse_quote};
 
-use super::construct::is_type_name;
+use super::syntax::is_type_name;
 use crate::names::Names;
 
 /// An `if` or `match` in plainer form.

@@ -12,7 +12,7 @@ use syn::{BinOp, Expr, parse_quote};
 
 use super::Lowerer;
 use super::closure::changes_captured;
-use super::flow::strip_parens;
+use super::syntax::strip_parens;
 use crate::ir::{Operand, Operation};
 use crate::rules;
 
@@ -29,7 +29,7 @@ impl Lowerer<'_> {
     pub(super) fn is_change(&self, expr: &Expr) -> bool {
         match expr {
             Expr::Call(call) => {
-                let changes = |closure: &super::closure::Closure| changes_captured(&closure.body);
+                let changes = |closure: &super::state::Closure| changes_captured(&closure.body);
                 self.named_closure(&call.func).is_some_and(|closure| changes(&closure))
                     || call.args.iter().any(|argument| self.is_lent_exclusively(argument))
             }

@@ -7,9 +7,7 @@ use syn::spanned::Spanned;
 use syn::{Expr, ExprMatch, ExprMethodCall, Pat, parse_quote};
 
 use super::Lowerer;
-use super::closure::{root_name, simple_name};
-use super::construct::is_transparent;
-use super::flow::strip_parens;
+use super::syntax::{is_transparent, root_name, simple_name, strip_parens};
 use crate::ir::{Arm, BranchKind, Operand, Place, Projection, Statement};
 
 /// The slice, and the position of the element that a method of it lends.

@@ -17,10 +17,8 @@ use syn::{Lifetime, Member, Pat};
 
 use super::Lowerer;
 use super::exits::Exit;
+use super::state::{Jump, JumpId, JumpKind};
 use crate::ir::{Arm, Binding, Block, BranchKind, Operand, Operation, Place, Projection, Shape};
-
-/// Identifies what a jump leaves: a function, a loop, a labelled block.
-pub(super) type JumpId = usize;
 
 /// Where a jump leads.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -29,20 +27,6 @@ pub(super) enum Target {
     Leave(JumpId),
     /// Its next iteration.
     Again(JumpId),
-}
-
-/// What jumps can leave.
-pub(super) struct Jump {
-    pub id: JumpId,
-    pub label: Option<Lifetime>,
-    pub kind: JumpKind,
-}
-
-#[derive(Clone, Copy, PartialEq, Eq)]
-pub(super) enum JumpKind {
-    Function,
-    Loop,
-    Block,
 }
 
 /// What the end of a block means.
@@ -237,7 +221,7 @@ impl Lowerer<'_> {
     pub(super) fn bind_rest(&mut self, pat: Option<&Pat>, value: Operand) {
         match pat {
             Some(pat) => {
-                let (pat, ty) = super::flow::split_type(pat);
+                let (pat, ty) = super::syntax::split_type(pat);
                 self.bind_pattern(pat, ty, value);
             }
             None => self.discard(value),

@@ -5,8 +5,7 @@ use syn::visit::{self, Visit};
 use syn::{Block, Expr, Label, Lifetime, Stmt, parse_quote};
 
 use super::chain::is_chain;
-use super::macros::macro_diverges;
-use super::order::calls;
+use super::syntax::{calls, macro_diverges};
 use crate::names::Names;
 
 /// A jump, as the user wrote it.

@@ -12,12 +12,13 @@ use syn::visit::Visit;
 use syn::{Expr, Local, Pat, Stmt, parse_quote};
 
 use super::chain::array_length;
-use super::closure::simple_name;
-use super::ends::{End, JumpKind, Target};
+use super::ends::{End, Target};
 use super::exits::Exit;
-use super::item::is_plain_name;
-use super::macros::macro_diverges;
 use super::operator::is_own_type;
+use super::state::JumpKind;
+use super::syntax::{
+    as_statements, is_plain_name, macro_diverges, simple_name, split_type, strip_parens,
+};
 use super::{Lowerer, OnFailure, deferred, desugar, exits};
 use crate::ir::{Operand, Operation, Statement};
 
@@ -441,28 +442,6 @@ fn carried(jump: &Expr) -> Option<&Expr> {
         Expr::Return(jump) => jump.expr.as_deref(),
         Expr::Break(jump) => jump.expr.as_deref(),
         _ => None,
-    }
-}
-
-pub(super) fn strip_parens(expr: &Expr) -> &Expr {
-    match expr {
-        Expr::Paren(paren) => strip_parens(&paren.expr),
-        _ => expr,
-    }
-}
-
-pub(super) fn split_type(pat: &Pat) -> (&Pat, Option<&syn::Type>) {
-    match pat {
-        Pat::Type(typed) => (&typed.pat, Some(&typed.ty)),
-        pat => (pat, None),
-    }
-}
-
-/// The statements of a block, or an expression as the only one.
-pub(super) fn as_statements(expr: &Expr) -> Vec<Stmt> {
-    match expr {
-        Expr::Block(block) if block.label.is_none() => block.block.stmts.clone(),
-        expr => vec![Stmt::Expr(expr.clone(), None)],
     }
 }
 

@@ -12,12 +12,11 @@ use quote::{ToTokens, format_ident, quote};
 use syn::spanned::Spanned;
 use syn::{Expr, ExprClosure, Pat, PatType, ReturnType, Type, UnOp, parse_quote};
 
-use super::closure::{Closure, changes_captured, simple_name};
-use super::construct::is_type_name;
-use super::flow::{as_statements, strip_parens};
-use super::item::Alias;
+use super::closure::changes_captured;
 use super::macros::captured_names;
 use super::scopes::Scopes;
+use super::state::{Alias, Closure};
+use super::syntax::{as_statements, is_type_name, simple_name, strip_parens};
 use super::{Lowerer, OnFailure};
 use crate::ir::{
     self, Argument, Callee, Derivative, Operand, Operation, Place, Projection, TypedBy, VarId,

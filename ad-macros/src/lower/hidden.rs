@@ -11,9 +11,8 @@ use syn::visit::{self, Visit};
 use syn::{Expr, ExprMethodCall};
 
 use super::Lowerer;
-use super::closure::root_name;
-use super::flow::strip_parens;
 use super::no_diff::{stopped, undifferentiated};
+use super::syntax::{root_name, strip_parens};
 use crate::ir::{Operand, Operation, Statement, VarId};
 
 /// Methods and functions that give a number in another form, without loss.

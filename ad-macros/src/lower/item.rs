@@ -4,17 +4,9 @@ use quote::{ToTokens, quote};
 use syn::{Ident, Member, Pat};
 
 use super::Lowerer;
+use super::state::Alias;
+use super::syntax::is_plain_name;
 use crate::ir::{Operand, Operation, Place, Projection, Shape, VarId};
-
-/// A name for a reference to a place: reading it reads the place.
-#[derive(Clone)]
-pub(super) struct Alias {
-    pub place: Place,
-    /// How many times the place is referred to: 1 for `&place`, 2 for `&&place`.
-    pub depth: usize,
-    /// Whether it is a `&mut`.
-    pub is_exclusive: bool,
-}
 
 impl Alias {
     /// `&place`
@@ -191,7 +183,7 @@ impl Lowerer<'_> {
             }
             (pat, item) => {
                 let value = self.item_value(item);
-                let (pat, ty) = super::flow::split_type(pat);
+                let (pat, ty) = super::syntax::split_type(pat);
                 self.bind_pattern(pat, ty, value);
             }
         }
@@ -240,8 +232,4 @@ impl Lowerer<'_> {
             }
         }
     }
-}
-
-pub(super) fn is_plain_name(pat: &syn::PatIdent) -> bool {
-    pat.by_ref.is_none() && pat.subpat.is_none() && pat.mutability.is_none()
 }

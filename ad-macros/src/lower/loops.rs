@@ -6,9 +6,10 @@ use syn::visit::{self, Visit};
 use syn::{Expr, Label, Pat, parse_quote};
 
 use super::chain::Chain;
-use super::ends::{End, JumpKind, Target};
+use super::ends::{End, Target};
 use super::exits::Exit;
 use super::item::Item;
+use super::state::JumpKind;
 use super::{Lowerer, exits};
 use crate::ir::{Head, Loop, Operand, Statement};
 use crate::options::own_options;

@@ -9,7 +9,7 @@ use syn::punctuated::Punctuated;
 use syn::spanned::Spanned;
 use syn::{Expr, Lit, Macro, Pat, Path, Token};
 
-use super::flow::strip_parens;
+use super::syntax::{macro_diverges, standard_macro, strip_parens};
 use super::{Lowerer, exits};
 use crate::ir::{Operand, Operation, Statement};
 
@@ -32,20 +32,6 @@ impl Parse for Matches {
         input.parse::<Option<Token![,]>>()?;
         Ok(Self { expr, pat, guard })
     }
-}
-
-/// The name of a macro of the standard library.
-pub(super) fn standard_macro(path: &Path) -> Option<String> {
-    let mut segments = path.segments.iter();
-    let last = segments.next_back()?;
-    let standard = |segment: &syn::PathSegment| segment.ident == "std" || segment.ident == "core";
-    segments.all(standard).then(|| last.ident.to_string())
-}
-
-/// Whether control never passes the macro.
-pub(super) fn macro_diverges(call: &Macro) -> bool {
-    standard_macro(&call.path)
-        .is_some_and(|name| matches!(&*name, "panic" | "unreachable" | "todo" | "unimplemented"))
 }
 
 /// The number of arguments before the format string of a macro, by the name that those of the standard

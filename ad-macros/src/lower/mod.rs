@@ -5,15 +5,16 @@
 //! declares variables where they get their value; [`loops`] lowers loops, [`checkpoint`] makes
 //! those with checkpoints plainer, [`chain`], [`source`], [`stage`], [`several`] and [`item`] what
 //! they run over, [`consume`] what iterators are used up by; [`array`] builds arrays by element;
-//! [`option`] writes out methods of options, [`part`] those that lend parts of slices; [`closure`]
-//! puts closures in place of their calls, and [`function`] passes them to functions;
+//! [`option`] writes out methods of options, [`part`] those that lend parts of slices, [`element`] those
+//! that lend one element to be changed; [`returned`] puts what is returned from within a loop behind it;
+//! [`closure`] puts closures in place of their calls, and [`function`] passes them to functions;
 //! [`expression`], [`call`] and [`construct`] name intermediate results; [`pattern`],
 //! [`slice_pattern`], [`variants`] and [`place`] tell which part of a value is meant; [`operator`]
 //! calls the operators of types that are not `Copy`; [`sequence`]
 //! makes vectors and boxes; [`macros`] knows the macros of the standard library; [`higher`] refuses
 //! derivatives of derivatives; [`constancy`] tells what changes and never carries a derivative;
-//! [`no_diff`] and [`plain`] pass on code through which no derivative
-//! flows, with variables renamed.
+//! [`no_diff`] and [`plain`] pass on code through which no derivative flows, with variables renamed;
+//! [`state`] holds what is known on the way, [`syntax`] what forms tell.
 
 mod array;
 mod branch;
@@ -55,6 +56,8 @@ mod several;
 mod slice_pattern;
 mod source;
 mod stage;
+mod state;
+mod syntax;
 mod variants;
 
 use std::collections::{HashMap, HashSet};
@@ -64,13 +67,9 @@ use proc_macro2::{Ident, Span, TokenStream};
 use quote::{ToTokens, quote};
 use syn::{Type, spanned::Spanned};
 
-use self::array::Container;
-use self::callee::LocalFunctions;
-use self::closure::Closure;
-use self::ends::{Jump, JumpId};
-use self::item::Alias;
 pub use self::operator::is_own_type;
 use self::scopes::Scopes;
+use self::state::{Alias, Closure, Container, Jump, JumpId, LocalFunctions};
 use crate::errors::Errors;
 use crate::ir::{Block, BlockId, Called, Operand, Operation, Statement, Var, VarId};
 pub use crate::ir::{Lowered, LoweredParameter};
@@ -95,8 +94,8 @@ pub fn lower(source: Source<'_>, names: &mut Names, errors: &mut Errors) -> Lowe
     let mut lowerer = Lowerer::new(OnFailure::of(result), names, errors);
     lowerer.scalars = scalars;
     lowerer.exclusive_methods = exclusive_methods.iter().map(Ident::to_string).collect();
-    let types = parameters.iter().map(|parameter| &parameter.ty).chain([result]);
-    lowerer.variants = variants::of(types, body);
+    let types = parameters.iter().map(|parameter| &parameter.ty);
+    lowerer.variants = variants::of(types, result, body);
     let mut parameter_vars = Vec::new();
     let body = lowerer.block(|lowerer| {
         parameter_vars = parameters.iter().map(|p| lowerer.parameter(p)).collect();

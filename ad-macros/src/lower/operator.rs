@@ -11,8 +11,7 @@ use syn::spanned::Spanned;
 use syn::{Expr, ExprBinary, Path, Type, UnOp, parse_quote};
 
 use super::Lowerer;
-use super::construct::{is_transparent, is_type_name, outcome};
-use super::flow::strip_parens;
+use super::syntax::{is_transparent, is_type_name, outcome, strip_parens};
 use crate::ir::{Argument, BinaryOperator, Callee, Operand, Place};
 use crate::types::{is_discrete, pointee};
 

@@ -9,10 +9,9 @@ use syn::spanned::Spanned;
 use syn::{Expr, ExprMethodCall, Stmt, parse_quote};
 
 use super::Lowerer;
-use super::array::Container;
 use super::chain::is_chain;
-use super::flow::strip_parens;
-use super::order::calls;
+use super::state::Container;
+use super::syntax::{calls, strip_parens};
 use crate::ir::{Operand, Operation};
 
 impl Lowerer<'_> {

@@ -10,9 +10,9 @@ use syn::spanned::Spanned;
 use syn::visit::{self, Visit};
 
 use super::Lowerer;
-use super::construct::is_type_name;
 use super::item::Item;
 use super::macros::never;
+use super::syntax::{calls, is_type_name};
 use crate::ir::{Argument, Operand, Operation, Statement};
 use crate::rules;
 
@@ -88,25 +88,6 @@ pub(super) fn calls_function(expr: &Expr) -> bool {
 
         fn visit_macro(&mut self, _: &'ast syn::Macro) {
             self.0 = true;
-        }
-    }
-
-    let mut finder = Finder(false);
-    finder.visit_expr(expr);
-    finder.0
-}
-
-/// Whether something is called within an expression, apart from what closures do.
-pub(super) fn calls(expr: &Expr) -> bool {
-    struct Finder(bool);
-
-    impl<'ast> Visit<'ast> for Finder {
-        fn visit_expr(&mut self, expr: &'ast Expr) {
-            match expr {
-                Expr::Call(_) | Expr::MethodCall(_) | Expr::Macro(_) => self.0 = true,
-                Expr::Closure(_) => {}
-                expr => visit::visit_expr(self, expr),
-            }
         }
     }
 

@@ -7,7 +7,7 @@ use syn::{Expr, ExprMethodCall, Pat, parse_quote};
 
 use super::Lowerer;
 use super::chain::is_chain;
-use super::closure::simple_name;
+use super::syntax::simple_name;
 use crate::ir::{Argument, Callee, Operand, Operation, Statement};
 
 impl Lowerer<'_> {

@@ -6,10 +6,8 @@ use syn::spanned::Spanned;
 use syn::visit::{self, Visit};
 use syn::{Expr, Member, Pat, Type};
 
-use super::construct::{is_transparent, is_type_name, outcome};
-use super::flow::strip_parens;
-use super::item::Alias;
-use super::order::calls;
+use super::state::Alias;
+use super::syntax::{calls, is_transparent, is_type_name, outcome, strip_parens};
 use super::{Lowerer, operator};
 use crate::ir::{Binding, Operand, Operation, Place, Projection, Statement, VarId};
 

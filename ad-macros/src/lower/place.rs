@@ -5,10 +5,9 @@ use quote::{ToTokens, quote, quote_spanned};
 use syn::spanned::Spanned;
 use syn::{Expr, ExprAssign, ExprBinary, Lit, UnOp};
 
-use super::closure::root_name;
-use super::flow::strip_parens;
-use super::item::Alias;
 use super::order::calls_function;
+use super::state::Alias;
+use super::syntax::{root_name, strip_parens};
 use super::{Lowerer, exits};
 use crate::ir::{
     Argument, BinaryOperator, Operand, Operation, Place, Projection, Statement, VarId,

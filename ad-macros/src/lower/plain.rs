@@ -8,11 +8,10 @@ use syn::visit::{self, Visit};
 use syn::visit_mut::{self, VisitMut};
 use syn::{BinOp, Expr, Macro, Pat, UnOp, parse_quote, parse_quote_spanned};
 
-use super::closure::root_name;
-use super::construct::is_type_name;
 use super::hidden::encodes;
-use super::macros::{Matches, standard_macro};
+use super::macros::Matches;
 use super::no_diff::{stopped, undifferentiated, visit_arguments};
+use super::syntax::{is_type_name, root_name, standard_macro};
 use super::{Lowerer, desugar, exits};
 use crate::ir::{Operand, Operation};
 use crate::types::{is_discrete, is_float};

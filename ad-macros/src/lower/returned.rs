@@ -8,11 +8,9 @@ use syn::visit::Visit;
 use syn::visit_mut::{self, VisitMut};
 use syn::{Expr, Label, Lifetime, Stmt, Type, parse_quote};
 
-use super::construct::is_type_name;
 use super::exits::{self, Exit};
-use super::flow::strip_parens;
-use super::macros::standard_macro;
 use super::operator::is_own_type;
+use super::syntax::{is_type_name, standard_macro, strip_parens};
 use super::{Lowerer, desugar};
 use crate::options::is_own;
 use crate::types::pointee;

@@ -8,9 +8,9 @@ use syn::{Expr, Pat, Stmt};
 use super::Lowerer;
 use super::chain::{Chain, is_chain};
 use super::ends::{End, Target};
-use super::flow::{as_statements, strip_parens};
 use super::item::{Access, Item};
 use super::stage::{Items, Rest, Reversal};
+use super::syntax::{as_statements, strip_parens};
 use crate::ir::{Arm, Binding, BranchKind, Operand, Operation, Place, Statement};
 
 impl Lowerer<'_> {

@@ -7,9 +7,9 @@ use syn::{Expr, ExprMethodCall};
 
 use super::Lowerer;
 use super::chain::{Chain, Choice, array_length, is_chain, is_source, literal, literal_length};
-use super::flow::strip_parens;
 use super::item::Access;
 use super::order::calls_function;
+use super::syntax::strip_parens;
 use crate::ir::{Operand, Operation, Place, Projection, Statement, VarId};
 
 impl Lowerer<'_> {

@@ -6,9 +6,10 @@ use syn::{Expr, Ident, Pat};
 
 use super::Lowerer;
 use super::chain::{Chain, Choice};
-use super::closure::simple_name;
 use super::ends::{End, Target};
-use super::item::{Access, Alias, Item};
+use super::item::{Access, Item};
+use super::state::Alias;
+use super::syntax::simple_name;
 use crate::ir::{Arm, BranchKind, Operand, Operation, Statement, VarId};
 
 /// What follows for an item.

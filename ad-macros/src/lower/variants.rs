@@ -5,19 +5,30 @@
 //! match too, or that may be none of this one, is that of an enum. A guess that is wrong does not
 //! compile, for the field of the tangent that it names is not there.
 
-use std::collections::HashSet;
+use std::collections::{HashMap, HashSet};
 
 use syn::visit::{self, Visit};
-use syn::{Block, Expr, ExprLet, Local, Pat, Path, Type, UseTree};
+use syn::{
+    Block, Expr, ExprLet, GenericArgument, Local, Pat, Path, PathArguments, Stmt, Type, UseTree,
+};
 
-use super::construct::is_type_name;
+use super::syntax::is_type_name;
 
-/// The names that mean variants in a function with this body, and these types in its signature.
-pub fn of<'t>(types: impl IntoIterator<Item = &'t Type>, body: &Block) -> HashSet<String> {
+/// The names that mean variants in a function with this body and this result, and these types of
+/// parameters.
+pub fn of<'t>(
+    types: impl IntoIterator<Item = &'t Type>,
+    result: &'t Type,
+    body: &Block,
+) -> HashSet<String> {
     let mut variants = Variants::default();
-    types.into_iter().for_each(|ty| variants.visit_type(ty));
+    types.into_iter().chain([result]).for_each(|ty| variants.visit_type(ty));
     variants.visit_block(body);
-    let Variants { mut known, constructors, types, imports_all } = variants;
+    variants.made_by_block(result, body);
+    variants.returned(result, body);
+    let Variants { mut known, constructors, values, types, imports_all } = variants;
+    // A struct has one constructor.
+    known.extend(values.into_values().filter(|names| names.len() > 1).flatten());
     if imports_all {
         known.extend(constructors);
     }
@@ -32,6 +43,8 @@ struct Variants {
     known: HashSet<String>,
     /// The constructors that are used without an enum.
     constructors: HashSet<String>,
+    /// The constructors of values that are declared to be of a type, by its name.
+    values: HashMap<String, HashSet<String>>,
     /// The names of types.
     types: HashSet<String>,
     /// Whether there is a `use Enum::*` in the function.
@@ -97,6 +110,69 @@ impl Variants {
         }
     }
 
+    /// Looks for the constructors of a value that is declared to be of a type.
+    fn made(&mut self, ty: &Type, value: &Expr) {
+        match value {
+            Expr::Paren(inner) => self.made(ty, &inner.expr),
+            Expr::Block(block) => self.made_by_block(ty, &block.block),
+            Expr::If(branch) => {
+                self.made_by_block(ty, &branch.then_branch);
+                if let Some((_, otherwise)) = &branch.else_branch {
+                    self.made(ty, otherwise);
+                }
+            }
+            Expr::Match(branch) => branch.arms.iter().for_each(|arm| self.made(ty, &arm.body)),
+            Expr::Struct(literal) => self.declared(ty, &literal.path),
+            Expr::Call(call) => {
+                let Expr::Path(function) = &*call.func else { return };
+                match (content(ty), call.args.first()) {
+                    (Some(content), Some(value)) if wraps(&function.path) => {
+                        self.made(content, value);
+                    }
+                    (None, _) => self.declared(ty, &function.path),
+                    _ => {}
+                }
+            }
+            _ => {}
+        }
+    }
+
+    fn made_by_block(&mut self, ty: &Type, block: &Block) {
+        if let Some(Stmt::Expr(value, None)) = block.stmts.last() {
+            self.made(ty, value);
+        }
+    }
+
+    /// The same for what is returned early.
+    fn returned(&mut self, ty: &Type, body: &Block) {
+        struct Returns<'v>(&'v mut Variants, &'v Type);
+
+        impl<'ast> Visit<'ast> for Returns<'_> {
+            fn visit_expr_return(&mut self, jump: &'ast syn::ExprReturn) {
+                if let Some(value) = &jump.expr {
+                    self.0.made(self.1, value);
+                }
+                visit::visit_expr_return(self, jump);
+            }
+
+            // Those of closures and items are theirs.
+            fn visit_expr_closure(&mut self, _: &'ast syn::ExprClosure) {}
+
+            fn visit_item(&mut self, _: &'ast syn::Item) {}
+        }
+
+        Returns(self, ty).visit_block(body);
+    }
+
+    /// Notes a constructor of a value that is declared to be of a type.
+    fn declared(&mut self, ty: &Type, constructor: &Path) {
+        let Type::Path(ty) = ty else { return };
+        let (owner, Some(name)) = (last_name(&ty.path), constructor.get_ident()) else { return };
+        if is_type_name(name) && name != "Self" {
+            self.values.entry(owner).or_default().insert(name.to_string());
+        }
+    }
+
     /// Notes a constructor in an expression.
     fn used(&mut self, path: &Path) {
         if let Some(name) = path.get_ident()
@@ -131,6 +207,9 @@ impl<'ast> Visit<'ast> for Variants {
     fn visit_local(&mut self, local: &'ast Local) {
         let is_partial = local.init.as_ref().is_some_and(|init| init.diverge.is_some());
         self.patterns(&[&local.pat], is_partial);
+        if let (Pat::Type(typed), Some(init)) = (&local.pat, &local.init) {
+            self.made(&typed.ty, &init.expr);
+        }
         visit::visit_local(self, local);
     }
 
@@ -170,6 +249,23 @@ impl<'ast> Visit<'ast> for Variants {
                 self.imported(tree);
             }
         }
+    }
+}
+
+/// Whether a constructor is `Some` or `Ok`.
+fn wraps(function: &Path) -> bool {
+    function.segments.last().is_some_and(|last| last.ident == "Some" || last.ident == "Ok")
+}
+
+/// `T` of `Option<T>` and `Result<T, E>`.
+fn content(ty: &Type) -> Option<&Type> {
+    let Type::Path(path) = ty else { return None };
+    match &path.path.segments.last()?.arguments {
+        PathArguments::AngleBracketed(arguments) => match arguments.args.first()? {
+            GenericArgument::Type(content) => Some(content),
+            _ => None,
+        },
+        _ => None,
     }
 }
 

@@ -14,9 +14,10 @@ use syn::{
     PathArguments, ReturnType, Signature, Type, Visibility, parse_quote,
 };
 
-use super::{Kind, Operator, output, without_receiver};
+use super::parts::{Kind, Operator, output, without_receiver};
 use crate::callable::Callables;
-use crate::expand::{Differentiated, Function, Place, own};
+use crate::expand::Differentiated;
+use crate::function::{Function, Place, own};
 use crate::names;
 use crate::options::Options;
 use crate::signature;

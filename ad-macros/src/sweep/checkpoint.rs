@@ -20,8 +20,9 @@ use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
 use super::{Sides, Sweeper, Written};
+use crate::function::own;
 use crate::ir::{Block, BlockId, Head, Loop, Statement, VarId};
-use crate::{expand, names};
+use crate::names;
 
 impl Sweeper<'_> {
     pub(super) fn checkpointed_loop(&mut self, a_loop: &Loop) -> Sides {
@@ -146,7 +147,7 @@ fn for_segments(
         let #print = ::ad::fingerprint!(#(#state),*);
     });
     sides.defines.extend([length.clone(), checkpoints.clone(), print.clone()]);
-    let (after, before) = (expand::own("after"), expand::own("before"));
+    let (after, before) = (own("after"), own("before"));
     let (forward, saved, reverse) = (&body.forward, body.saved(), &body.reverse);
     sides.reverse.extend(quote! {
         let mut #after = #print;
@@ -188,7 +189,7 @@ fn while_segments(
         let #print = ::ad::fingerprint!(#(#state),*);
     });
     sides.defines.extend([length, iterations, checkpoints, print].map(Ident::clone));
-    let (after, before) = (expand::own("after"), expand::own("before"));
+    let (after, before) = (own("after"), own("before"));
     let (forward, saved, reverse) = (&body.forward, body.saved(), &body.reverse);
     sides.reverse.extend(quote! {
         let mut #after = #print;

@@ -6,9 +6,9 @@
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::{ToTokens, quote};
 
-use super::{Sweeper, Sweeps, primal, sweep, tuple_or_one};
+use super::{Sweeper, Sweeps, primal, sweep};
+use crate::function::tuple_or_one;
 use crate::ir::Closure;
-use crate::passing;
 
 impl Sweeper<'_> {
     /// A closure as an object.
@@ -63,7 +63,7 @@ impl Sweeper<'_> {
         let tangents = quote!(::ad::function::Captured::of(&#captured));
         let object = match typed_by {
             Some(typed_by) => {
-                let make = passing::reverse(typed_by);
+                let make = typed_by.reverse();
                 quote!(#make(#tangents, #function))
             }
             None => quote!(#tangents.closure(#function)),

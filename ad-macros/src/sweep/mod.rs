@@ -25,6 +25,7 @@ use std::collections::{BTreeSet, HashMap, HashSet};
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
+use crate::function::tuple_or_one;
 use crate::ir::{Block, BlockId, Operand, Operation, Place, Statement, Var, VarId};
 use crate::lending::Method;
 use crate::lower::{Lowered, LoweredParameter};
@@ -127,14 +128,6 @@ pub fn primal(
     let Written { forward, value, .. } = sweeper.block(&lowered.body, None);
     let top = &sweeper.top;
     (quote!(#top #forward), value)
-}
-
-/// The cotangents of one parameter or of several.
-pub fn tuple_or_one(parts: &[TokenStream]) -> TokenStream {
-    match parts {
-        [part] => part.clone(),
-        parts => quote!((#(#parts),*)),
-    }
 }
 
 struct Sweeper<'a> {

@@ -478,6 +478,7 @@ impl copied_within {
     /// Copies the tangents, too.
     #[inline]
     #[track_caller]
+    #[allow(clippy::too_many_arguments)]
     pub fn jvp<T: Differentiable + Copy>(
         elements: &mut [T],
         from: usize,

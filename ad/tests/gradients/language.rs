@@ -2,6 +2,10 @@
 
 #![allow(
     clippy::assign_op_pattern,
+    clippy::iter_next_slice,
+    clippy::iter_nth,
+    clippy::ptr_arg,
+    clippy::single_match,
     clippy::let_and_return,
     clippy::needless_range_loop,
     clippy::needless_borrows_for_generic_args,

@@ -125,3 +125,69 @@ fn variants_by_their_name_alone() {
     check!(shapes(x, y) at [1.3, 0.7], [0.47, 0.9]);
     check!(items(x, y) at [1.3, 0.7]);
 }
+
+mod declared {
+    use super::*;
+
+    #[derive(Clone, Copy, Debug, Differentiable)]
+    enum E {
+        Lin(f64),
+        Quad { a: f64 },
+        Pair(f64, f64),
+    }
+    use self::E::{Lin, Pair, Quad};
+    #[derive(Clone, Copy, Debug, Differentiable)]
+    struct W(f64);
+    type V = W;
+    #[differentiable]
+    fn g(x: f64) -> E {
+        if x > 50.0 { Quad { a: x } } else { Lin(x * x) }
+    }
+    #[differentiable]
+    fn h(x: f64) -> Option<E> {
+        if x > 1.0 {
+            return Some(Quad { a: x });
+        }
+        match x > 0.0 {
+            true => Some(Pair(x, 2.0)),
+            false => None,
+        }
+    }
+    #[differentiable]
+    pub fn by_their_types(x: f64, y: f64) -> f64 {
+        let e: E = if x > 9.0 { Lin(x) } else { Pair(x, y) };
+        let s = match e {
+            E::Pair(a, b) => a * b,
+            _ => 0.0,
+        };
+        let t = match g(x) {
+            E::Lin(a) => a * y,
+            E::Quad { a } => a,
+            E::Pair(a, _) => a,
+        };
+        let u = match h(y) {
+            Some(E::Quad { a }) => a * x,
+            Some(E::Pair(a, b)) => a * a * b,
+            _ => y,
+        };
+        s * t + u
+    }
+
+    #[differentiable]
+    fn wrapped(x: f64) -> V {
+        W(x * x)
+    }
+    #[differentiable]
+    pub fn structs(x: f64, y: f64) -> f64 {
+        let w: W = W(x * y);
+        wrapped(x).0 * w.0 + Some(W(y)).map_or(0.0, |w| w.0 * w.0)
+    }
+}
+
+#[test]
+fn variants_are_told_by_what_is_declared() {
+    use declared::{by_their_types, structs};
+
+    check!(by_their_types(x, y) at [1.3, 0.4], [-0.7, 1.1], [0.6, 1.9]);
+    check!(structs(x, y) at [1.3, 0.4], [-0.7, 1.1]);
+}

@@ -1,0 +1,120 @@
+//! What the form of an expression or a pattern tells.
+
+use syn::visit::{self, Visit};
+use syn::{Expr, Ident, Macro, Member, Pat, Path, Stmt};
+
+/// An expression without the parentheses around it.
+pub(super) fn strip_parens(expr: &Expr) -> &Expr {
+    match expr {
+        Expr::Paren(paren) => strip_parens(&paren.expr),
+        _ => expr,
+    }
+}
+
+/// A pattern, and the type written behind it.
+pub(super) fn split_type(pat: &Pat) -> (&Pat, Option<&syn::Type>) {
+    match pat {
+        Pat::Type(typed) => (&typed.pat, Some(&typed.ty)),
+        pat => (pat, None),
+    }
+}
+
+/// The statements of a block, or an expression as the only one.
+pub(super) fn as_statements(expr: &Expr) -> Vec<Stmt> {
+    match expr {
+        Expr::Block(block) if block.label.is_none() => block.block.stmts.clone(),
+        expr => vec![Stmt::Expr(expr.clone(), None)],
+    }
+}
+
+/// The name of the variable that a place is a part of.
+pub(super) fn root_name(expr: &Expr) -> Option<&Ident> {
+    match expr {
+        Expr::Path(path) => path.path.get_ident(),
+        Expr::Field(field) => root_name(&field.base),
+        Expr::Index(index) => root_name(&index.expr),
+        Expr::Paren(paren) => root_name(&paren.expr),
+        Expr::Unary(unary) => root_name(&unary.expr),
+        _ => None,
+    }
+}
+
+/// The name that a pattern gives to the whole value.
+pub(super) fn simple_name(pat: &Pat) -> Option<&Ident> {
+    match pat {
+        Pat::Ident(ident) if ident.by_ref.is_none() && ident.subpat.is_none() => Some(&ident.ident),
+        _ => None,
+    }
+}
+
+/// Types, variants and constants begin with a capital letter.
+pub(super) fn is_type_name(ident: &syn::Ident) -> bool {
+    ident
+        .to_string()
+        .trim_start_matches("r#")
+        .trim_start_matches('_')
+        .starts_with(char::is_uppercase)
+}
+
+/// `Some`
+pub(super) fn is_transparent(path: &Path) -> bool {
+    is_standard_variant(path, "Option")
+        && path.segments.last().is_some_and(|last| last.ident == "Some")
+}
+
+/// Whether a path may lead to a variant of the standard library's `owner`.
+fn is_standard_variant(path: &Path, owner: &str) -> bool {
+    let named = path.segments.iter().rev().nth(1);
+    named.is_none_or(|segment| segment.ident == owner)
+}
+
+/// `Ok`, `Err`: the member of the cotangent of a `Result`.
+pub(super) fn outcome(path: &Path) -> Option<Member> {
+    let last = &path.segments.last()?.ident;
+    if !is_standard_variant(path, "Result") {
+        return None;
+    }
+    match () {
+        () if last == "Ok" => Some(Member::from(0)),
+        () if last == "Err" => Some(Member::from(1)),
+        () => None,
+    }
+}
+
+/// Whether a pattern is a name and nothing else.
+pub(super) fn is_plain_name(pat: &syn::PatIdent) -> bool {
+    pat.by_ref.is_none() && pat.subpat.is_none() && pat.mutability.is_none()
+}
+
+/// The name of a macro of the standard library.
+pub(super) fn standard_macro(path: &Path) -> Option<String> {
+    let mut segments = path.segments.iter();
+    let last = segments.next_back()?;
+    let standard = |segment: &syn::PathSegment| segment.ident == "std" || segment.ident == "core";
+    segments.all(standard).then(|| last.ident.to_string())
+}
+
+/// Whether control never passes the macro.
+pub(super) fn macro_diverges(call: &Macro) -> bool {
+    standard_macro(&call.path)
+        .is_some_and(|name| matches!(&*name, "panic" | "unreachable" | "todo" | "unimplemented"))
+}
+
+/// Whether something is called within an expression, apart from what closures do.
+pub(super) fn calls(expr: &Expr) -> bool {
+    struct Finder(bool);
+
+    impl<'ast> Visit<'ast> for Finder {
+        fn visit_expr(&mut self, expr: &'ast Expr) {
+            match expr {
+                Expr::Call(_) | Expr::MethodCall(_) | Expr::Macro(_) => self.0 = true,
+                Expr::Closure(_) => {}
+                expr => visit::visit_expr(self, expr),
+            }
+        }
+    }
+
+    let mut finder = Finder(false);
+    finder.visit_expr(expr);
+    finder.0
+}
