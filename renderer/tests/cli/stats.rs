@@ -36,7 +36,7 @@ fn an_image_takes_what_the_scene_requires() {
     let sandbox = Sandbox::new();
     let image = |name: &str, scene: &str| {
         sandbox.write(name, scene);
-        counts(&sandbox, &["render", name, "-o", "image.png"])
+        counts(&sandbox, &["render", name, "-o", "image.png", "--antialias", "none"])
     };
     let alone = image("alone.toml", &format!("{CAMERA}{LIGHT}{SPHERE}{PAINT}"));
     assert_eq!(alone("primary rays"), 32 * 24);
@@ -74,10 +74,11 @@ fn a_gradient_takes_what_its_parameters_require() {
         format!("{CAMERA}{LIGHT}{SPHERE}{OTHER}{PAINT}").replace("= 5.0", "= 7.5"),
     );
     sandbox.succeed(&["render", "other.toml", "-o", "target.exr"]);
-    let gradient = |path: &str| {
-        counts(&sandbox, &["gradient", "two.toml", "--target", "target.exr", "--param", path])
+    let gradient = |path: &str, edges: &str| {
+        let problem = ["gradient", "two.toml", "--target", "target.exr", "--param", path];
+        counts(&sandbox, &[&problem[..], &["--edges", edges]].concat())
     };
-    let light = gradient("light.key.radiant_intensity");
+    let light = gradient("light.key.radiant_intensity", "auto");
     assert_eq!(light("primary rays"), 32 * 24);
     assert_eq!(light("surface pullbacks"), 0);
     // Where no light comes, the images are the same, and nothing flows back.
@@ -88,7 +89,8 @@ fn a_gradient_takes_what_its_parameters_require() {
     sandbox.write("both.toml", format!("{CAMERA}{LIGHT}{PAINT}{MESH}"));
     sandbox.write("mesh.obj", PATCHES);
     let gradient_of_mesh = |path: &str| {
-        counts(&sandbox, &["gradient", "both.toml", "--target", "target.exr", "--param", path])
+        let problem = ["gradient", "both.toml", "--target", "target.exr", "--param", path];
+        counts(&sandbox, &[&problem[..], &["--edges", "off"]].concat())
     };
     let all = gradient_of_mesh("mesh.patches.vertices");
     let one = gradient_of_mesh("mesh.patches.vertices[1]");
@@ -97,6 +99,10 @@ fn a_gradient_takes_what_its_parameters_require() {
     }
     assert_eq!(one("points shaded"), all("points shaded"));
 
-    let camera = gradient("camera.look_from");
+    let camera = gradient("camera.look_from", "off");
     assert_eq!(camera("surface pullbacks"), camera("shading pullbacks"));
+    // Crossings have two sides each, which are surface points too.
+    let with_edges = [(); 2].map(|()| gradient("camera.look_from", "on")("surface pullbacks"));
+    assert!(with_edges[0] > camera("surface pullbacks"));
+    assert_eq!(with_edges[0], with_edges[1]);
 }

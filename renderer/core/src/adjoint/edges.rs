@@ -8,6 +8,7 @@ use rayon::prelude::*;
 use super::chain::{AdjointState, Chain, SurfaceCotangent, nonzero_lanes};
 use super::request::Request;
 use super::scatter::Sums;
+use crate::counts::flush;
 use crate::edges::{Crossing, Edge, Geometry, Layer, View};
 use crate::loss::PixelLoss;
 use crate::number::{MAX_LANES, Plain, widen};
@@ -79,6 +80,7 @@ pub fn sweep_with_edges<L: Plain>(
                 band.paths(&geometry, crossings, known);
                 chain.pull_crossings(known, crossings, &pulled[first..first + crossings.len()]);
             }
+            flush();
             chain.scatter.take()
         });
     sums.par_extend(boundary);

@@ -9,6 +9,7 @@ use super::code::MOST_LIGHTS;
 use super::crossing::{Crossing, Link, Search};
 use super::geometry::Geometry;
 use super::sight::Sights;
+use crate::counts::flush;
 use crate::number::Plain;
 use crate::primal::image::visit;
 use crate::primal::known::{KnownHit, KnownPaths};
@@ -74,6 +75,7 @@ impl Band {
         let mut band =
             Self { crossings, radiance: Vec::new(), hits, starts, columns: sights.columns };
         band.radiance = band.sides(geometry, known, path);
+        flush();
         band
     }
 

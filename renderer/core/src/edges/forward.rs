@@ -8,6 +8,7 @@ use rayon::prelude::*;
 use super::crossing::{Crossing, Layer};
 use super::geometry::{Edge, Geometry};
 use super::view::View;
+use crate::counts::flush;
 use crate::number::{Number, Plain};
 use crate::primal::image::{derivative_vector, pixels_dual, visit};
 use crate::primal::integrator::Integrator;
@@ -50,6 +51,7 @@ impl View {
                 band.paths(geometry, crossings, known);
                 of_band.extend(moved(integrator, Source::Known(known), path, crossings));
             }
+            flush();
             of_band
         });
         let moved: Vec<Vec<Moved>> = bands.collect();

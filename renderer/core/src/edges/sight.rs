@@ -6,6 +6,7 @@ use rayon::prelude::*;
 
 use super::code::{END, LEAVES, MOST_LIGHTS, code, decode};
 use super::geometry::Geometry;
+use crate::counts::flush;
 use crate::number::{Number, Plain};
 use crate::primal::integrator::Integrator;
 use crate::primal::known::{KnownHit, KnownPaths};
@@ -106,6 +107,7 @@ impl Sights {
             geometry.trace(self.place(column, row), path);
             let at = row * columns + column;
             path.iter().zip(&self.depths).for_each(|(known, plane)| plane.keep(at, known));
+            flush();
         });
     }
 
