@@ -72,8 +72,11 @@ pub fn run(recovery: &Recovery<'_>, steps: u64) -> Result<Outcome, Error> {
     recovery.run(&settings, &mut Quiet)
 }
 
-/// How far the camera and the point that it looks at are from the true ones.
-pub fn error(outcome: &Outcome) -> f64 {
-    let found = outcome.best.x.chunks(3).map(DVec3::from_slice);
-    found.zip(TRUTH).map(|(found, truth)| found.distance(truth)).fold(0.0, f64::max)
+/// How far the camera is from the true one, and the same for the unit vectors along which they look: how far
+/// along these the point is that it looks at, no picture shows.
+pub fn error(outcome: &Outcome) -> (f64, f64) {
+    let x = &outcome.best.x;
+    let found = [DVec3::from_slice(&x[..3]), DVec3::from_slice(&x[3..6])];
+    let forward = |[from, at]: [DVec3; 2]| (at - from).normalize();
+    (found[0].distance(TRUTH[0]), forward(found).distance(forward(TRUTH)))
 }

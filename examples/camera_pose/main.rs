@@ -36,7 +36,7 @@ const STEPS: u64 = 80;
 const STARTS: usize = 20;
 const SHOWN: usize = 3;
 const SPREAD: f64 = 0.4;
-/// How far from the truth a find may be.
+/// How far from the truth a find may be, in place and in direction.
 const NEAR: f64 = 0.02;
 
 fn main() -> Result<(), Error> {
@@ -63,12 +63,12 @@ fn main() -> Result<(), Error> {
             let experiment = experiment::experiment(SIZE, start)?;
             let recovery = experiment::recovery(&experiment, edges)?;
             let outcome = experiment::run(&recovery, STEPS)?;
-            let error = experiment::error(&outcome);
-            found += usize::from(error < NEAR);
+            let (distance, angle) = experiment::error(&outcome);
+            found += usize::from(distance < NEAR && angle < NEAR);
             seconds += outcome.seconds;
             if let Some(images) = images.get_mut(index) {
                 println!(
-                    "start {}, {:.2} off, {}: {error:.6} off; loss ratio {:.1e}, {} iterations",
+                    "start {}, {:.2} off, {}: {distance:.5} off, {angle:.5} in direction; loss ratio {:.1e}, {} iterations",
                     index + 1,
                     start[0].distance(look_from),
                     named(edges),
