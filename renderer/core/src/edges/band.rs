@@ -4,8 +4,8 @@
 use std::ops::Range;
 
 use glam::DVec3;
+use rayon::prelude::*;
 
-use super::code::MOST_LIGHTS;
 use super::crossing::{Crossing, Link, Search};
 use super::geometry::Geometry;
 use super::sight::Sights;
@@ -23,6 +23,21 @@ pub const BAND: usize = 8;
 
 /// How many crossings make a packet of paths, two each.
 pub const PACKET_CROSSINGS: usize = PACKET_RAYS / 2;
+
+/// What `work` makes of each of so many bands, in parallel. Calls that follow each other on one thread
+/// share what `start` gives.
+pub fn for_each_band<W, R: Send>(
+    count: usize,
+    start: impl Fn() -> W + Send + Sync,
+    work: impl Fn(&mut W, usize) -> R + Send + Sync,
+) -> Vec<R> {
+    let work = |state: &mut W, band| {
+        let result = work(state, band);
+        flush();
+        result
+    };
+    (0..count).into_par_iter().map_init(start, work).collect()
+}
 
 /// The crossings of the links that start in a band of rows of samples.
 pub struct Band {
@@ -75,7 +90,6 @@ impl Band {
         let mut band =
             Self { crossings, radiance: Vec::new(), hits, starts, columns: sights.columns };
         band.radiance = band.sides(geometry, known, path);
-        flush();
         band
     }
 
@@ -105,7 +119,7 @@ impl Band {
         paths: &mut KnownPaths,
     ) {
         paths.clear();
-        let lights = geometry.integrator.layout.lights.len().min(MOST_LIGHTS);
+        let lights = geometry.edged_lights();
         for crossing in crossings {
             for side in crossing.sides {
                 paths.push(geometry.film(crossing.place), side.of(&self.hits), lights);

@@ -160,11 +160,11 @@ impl<'a, L: Plain> Search<'a, L> {
         let leads = self.geometry.walk(primitives, [0.0, 1.0].map(|at| link.place(at)), &mut steps);
         // What is between the ends of a shadow is not known.
         let is_over = leads && (steps.len() == 1 || a.blocked == b.blocked);
+        if !is_over {
+            steps.clear();
+        }
         let mut before = first;
         for (index, &Step { at, edge, triangles: [from, to] }) in steps.iter().enumerate() {
-            if !is_over {
-                break;
-            }
             let after = match index + 1 == steps.len() {
                 true => last,
                 false => self.path(|hits| hits.push(KnownHit { primitive: to, ..a })),

@@ -248,6 +248,11 @@ impl<'a, L: Plain> Geometry<'a, L> {
         (numbers, transform)
     }
 
+    /// How many lights have shadows with edges.
+    pub fn edged_lights(&self) -> usize {
+        self.integrator.layout.lights.len().min(MOST_LIGHTS)
+    }
+
     /// The path of the ray through a place of the image, traced.
     pub fn trace(&self, place: [f64; 2], path: &mut Vec<KnownHit>) {
         let Integrator { layout, tracer, .. } = self.integrator;
@@ -261,7 +266,7 @@ impl<'a, L: Plain> Geometry<'a, L> {
             };
             let mut known = KnownHit { primitive: met.primitive, leaves: met.leaves, blocked: 0 };
             let met_at = self.meet(&known, ray);
-            for light in 0..layout.lights.len().min(MOST_LIGHTS) {
+            for light in 0..self.edged_lights() {
                 let is_blocked = self.blocker(light, &known, &ray, &met_at).is_some();
                 known.blocked |= u64::from(is_blocked) << light;
             }

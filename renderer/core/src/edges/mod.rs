@@ -37,6 +37,7 @@ mod sight;
 mod view;
 mod walk;
 
+pub use band::for_each_band;
 pub use crossing::{Crossing, Layer};
 pub use geometry::{Edge, Geometry};
 pub use view::View;
