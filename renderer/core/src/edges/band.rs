@@ -9,6 +9,7 @@ use rayon::prelude::*;
 use super::crossing::{Crossing, Link, Search};
 use super::geometry::Geometry;
 use super::sight::Sights;
+use super::slender::Slender;
 use crate::counts::flush;
 use crate::number::Plain;
 use crate::primal::image::visit;
@@ -58,15 +59,16 @@ impl Band {
     /// room for the work.
     pub fn new<L: Plain>(
         geometry: &Geometry<'_, L>,
-        sights: &Sights,
+        (sights, slender): (&Sights, &Slender),
         band: usize,
         (known, path): &mut (KnownPaths, Path<L>),
     ) -> Self {
         let mut search = Search::new(*geometry);
         let rows = band * BAND..((band + 1) * BAND).min(sights.rows);
+        let mut next_slender = slender.start_of(sights.link([0, rows.start], 0));
         let mut starts = Vec::with_capacity(2 * rows.len() * sights.columns + 1);
         let length = 1.0 / sights.side as f64;
-        let mut differ = Vec::new();
+        let (mut differ, mut between) = (Vec::new(), Vec::new());
         for row in rows {
             sights.differences(row, &mut differ);
             for (column, differs) in differ.iter().enumerate() {
@@ -74,13 +76,16 @@ impl Band {
                 let mut first = None;
                 for (axis, other) in [at + 1, at + sights.columns].into_iter().enumerate() {
                     starts.push(search.crossings.len() as u32);
-                    if differs[axis] {
+                    let link = sights.link([column, row], axis);
+                    between.clear();
+                    between.extend(slender.of_link(link, &mut next_slender));
+                    if differs[axis] || !between.is_empty() {
                         let link = Link { start: sights.place(column, row), axis, length };
                         let first = *first.get_or_insert_with(|| {
                             search.path(|hits| hits.extend(sights.hits(at)))
                         });
                         let last = search.path(|hits| hits.extend(sights.hits(other)));
-                        search.link(&link, first, last);
+                        search.link(&link, [first, last], &between);
                     }
                 }
             }

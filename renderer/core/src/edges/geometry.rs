@@ -231,6 +231,12 @@ impl<'a, L: Plain> Geometry<'a, L> {
         (distance > 0.0).then_some([0.5 * width * (1.0 + x), 0.5 * height * (1.0 - y)])
     }
 
+    /// Whether the corners of a triangle stand anticlockwise for the camera.
+    pub fn faces_camera(&self, triangle: usize) -> bool {
+        let Triangle { a, b, c } = self.triangle(triangle);
+        (b - a).cross(c - a).dot(self.frame.origin - a) > 0.0
+    }
+
     /// A vertex.
     pub fn vertex(&self, index: u32) -> DVec3 {
         widen::<L::Lane>(self.integrator.inputs.vertices[index as usize])

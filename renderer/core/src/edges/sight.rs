@@ -53,6 +53,11 @@ impl Sights {
         [column, row].map(|index| (index as f64 - 0.5) / self.side as f64)
     }
 
+    /// The index of the link that starts at a sample, row by row, to the right before downwards.
+    pub fn link(&self, [column, row]: [usize; 2], axis: usize) -> usize {
+        2 * (row * self.columns + column) + axis
+    }
+
     /// The pixel of a sample, unless it is outside of the image.
     pub fn pixel(&self, column: usize, row: usize) -> Option<u32> {
         let is_inside =

@@ -9,6 +9,7 @@ use super::band::{BAND, Band, for_each_band};
 use super::cell::{Cell, FARTHEST_CORNER, Share, Side, Workspace};
 use super::geometry::{Edge, Geometry};
 use super::sight::Sights;
+use super::slender::Slender;
 use crate::image::Image;
 use crate::loss::PixelLoss;
 use crate::number::Plain;
@@ -47,9 +48,10 @@ impl View {
         });
         sights.keep_border(geometry);
 
+        let slender = Slender::new(geometry, &sights);
         let start = || (KnownPaths::default(), Path::default());
         let bands = for_each_band(sights.rows.div_ceil(BAND), start, |work, band| {
-            Band::new(geometry, &sights, band, work)
+            Band::new(geometry, (&sights, &slender), band, work)
         });
 
         let mut firsts = vec![0];
