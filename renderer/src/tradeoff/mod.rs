@@ -9,6 +9,7 @@
 
 mod axis;
 mod cases;
+mod edges;
 mod engine;
 mod measurement;
 mod plot;
@@ -24,6 +25,7 @@ use engine::{Adjoint, Engine, Question};
 use measurement::{Reference, measure_in_turns};
 
 pub use axis::Axis;
+pub use edges::{EdgeRun, EdgeRuns, edge_csv, edge_table, measure_edges};
 pub use measurement::Measurement;
 pub use plot::{Curve, Titles, curves_svg, tradeoff_svg};
 pub use sampling::{
@@ -52,7 +54,8 @@ pub struct Tradeoff {
 /// Measures what the choices of a recovery cost and what they are worth, each setting for about
 /// `seconds`.
 ///
-/// Errors are those against the gradient in double precision through a tree.
+/// Errors are those against the gradient in double precision through a tree, without edges: what
+/// [they](measure_edges) are worth is measured apart, because tapes and brute force do not have them.
 ///
 /// Memory is counted if the program's allocator is `peakmem_alloc::INSTRUMENTED_SYSTEM`, as in the
 /// command line.

@@ -1,5 +1,6 @@
 //! The dial on generated scenes.
 
+mod edges;
 mod rays;
 
 use super::*;
