@@ -23,7 +23,7 @@ impl GradientMetric {
     pub fn new(scene: &Scene, ids: &[ParameterId]) -> Self {
         let block = |&id: &ParameterId| {
             let scale = scene.natural_scale(id);
-            vec![scale; scene.get(id).len()]
+            vec![scale; scene.count(id)]
         };
         Self { scales: ids.iter().flat_map(block).collect() }
     }

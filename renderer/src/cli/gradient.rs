@@ -50,7 +50,7 @@ pub(super) fn run(arguments: &Arguments, chosen: Option<Arithmetic>) -> Result<E
         .ids()
         .iter()
         .map(|&id| {
-            let (block, others) = rest.split_at(scene.get(id).len());
+            let (block, others) = rest.split_at(scene.count(id));
             rest = others;
             (id, block)
         })

@@ -48,11 +48,8 @@ pub(super) fn save_textures(
         let mut entry = Map::new();
         entry.insert("path".to_owned(), recovered.path(id).to_string().into());
         for (name, scene) in [("initial", recovery.scene()), ("final", recovered)] {
-            let texture = &scene.textures()[index];
-            let pixels = texture.texels.iter().map(|texel| texel.map(|v| v as f32)).collect();
-            let image = Image { width: texture.width, height: texture.height, pixels };
             let file = format!("texture{index}-{name}.png");
-            save_png(&image, &out.join(&file))?;
+            save_png(&scene.textures()[index].image(), &out.join(&file))?;
             entry.insert(name.to_owned(), file.into());
         }
         entries.push(Value::Object(entry));

@@ -21,13 +21,13 @@ mod texture_tests;
 use std::path::Path;
 
 use super::meshes::FileNormals;
-use super::model::Model;
+use super::meshes::Model;
 use super::names::Names;
 use super::names::{clean_name, file_stem};
-use super::warnings::Warnings;
 use crate::Error;
 use crate::disk::read;
 use crate::scene::{Camera, Light, Mesh};
+use crate::warning::Warnings;
 use buffers::Buffers;
 use document::Document;
 use materials::Materials;

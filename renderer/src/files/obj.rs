@@ -30,13 +30,13 @@ mod tests;
 use std::path::Path;
 
 use super::meshes::FileNormals;
-use super::model::{DEFAULT_MATERIAL, Model, ModelMaps, ModelMaterial};
+use super::meshes::{DEFAULT_MATERIAL, Model, ModelMaps, ModelMaterial};
 use super::names::file_stem;
-use super::warnings::Warnings;
 use crate::Error;
 use crate::Warning;
 use crate::disk::read_text;
 use crate::scene::Material;
+use crate::warning::Warnings;
 use meshes::meshes;
 use mtl::Library;
 use prepare::prepare;

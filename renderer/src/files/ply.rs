@@ -14,14 +14,14 @@ use std::path::Path;
 
 use glam::DVec3;
 
+use super::meshes::Model;
 use super::meshes::{
     FileNormals, MeshBuilder, Triangles, check_normal, default_model, triangulate,
 };
-use super::model::Model;
 use super::names::file_stem;
-use super::warnings::Warnings;
 use crate::Error;
 use crate::disk::read;
+use crate::warning::Warnings;
 use header::{Element, Header};
 use source::{Kind, Source};
 

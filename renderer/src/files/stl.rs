@@ -11,13 +11,13 @@ mod tests;
 use std::collections::HashMap;
 use std::path::Path;
 
+use super::meshes::Model;
 use super::meshes::default_model;
-use super::model::Model;
 use super::names::file_stem;
-use super::warnings::Warnings;
 use crate::Error;
 use crate::disk::read;
 use crate::scene::Mesh;
+use crate::warning::Warnings;
 
 /// The bytes of the header of a binary file, with the number of triangles.
 const HEADER: usize = 84;

@@ -60,7 +60,7 @@ pub use object::{Object, ParameterId};
 pub use parameter::ParameterPath;
 pub use shape::ShapeObject;
 pub use sphere::SphereObject;
-pub use texture::{Texture, Wrap};
+pub use texture::{Texels, Texture, Wrap};
 pub use validate::Invalid;
 #[doc(hidden)]
 pub use validate::MOST_PIXELS;

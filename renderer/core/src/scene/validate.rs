@@ -1,5 +1,6 @@
 //! What must hold of a scene before it is rendered.
 
+use std::borrow::Cow;
 use std::collections::HashSet;
 
 use glam::DVec3;
@@ -132,8 +133,7 @@ impl Scene {
     /// Each number of a parameter by itself.
     fn check_numbers(&self, id: ParameterId) -> Result<(), Invalid> {
         let (row, range) = (table::row(id), self.range(id));
-        let numbers = self.get(id);
-        let problem = |&value: &f64| match value {
+        let problem = |value: f64| match value {
             _ if !value.is_finite() => Some(format!("{value} is not a finite number")),
             _ if (range.0..=range.1).contains(&value) => None,
             _ if matches!(id.object, Object::Texture(_)) && value > range.1 && range.1 == 1.0 => {
@@ -141,9 +141,20 @@ impl Scene {
             }
             _ => Some(out_of(range, value)),
         };
-        if let Some((index, problem)) =
-            numbers.iter().enumerate().find_map(|(index, value)| Some((index, problem(value)?)))
-        {
+        let first = |values: &mut dyn Iterator<Item = f64>| {
+            values.enumerate().find_map(|(index, value)| Some((index, problem(value)?)))
+        };
+        let (found, numbers) = match id.object {
+            // Too many to be copied.
+            Object::Texture(i) => {
+                (first(&mut self.textures[i].texels.iter().flatten()), Cow::default())
+            }
+            _ => {
+                let numbers = self.get(id);
+                (first(&mut numbers.iter().copied()), numbers)
+            }
+        };
+        if let Some((index, problem)) = found {
             let path = self.path(id).to_string();
             return match (id.field, id.vertex) {
                 ("vertices", None) | ("normals" | "texels", _) => {

@@ -10,13 +10,13 @@ use super::buffers::{embedded, percent_decoded};
 use super::document::{self, Document, Sampler, TextureInfo, TextureTransform, get};
 use crate::Error;
 use crate::files::meshes::plain_material;
-use crate::files::model::{
+use crate::files::meshes::{
     Channel, DEFAULT_MATERIAL, ModelMaps, ModelMaterial, TextureImage, TextureSource,
 };
 use crate::files::names::Names;
 use crate::files::names::clean_name;
-use crate::files::warnings::Warnings;
 use crate::scene::{Material, MaterialObject, Wrap};
+use crate::warning::Warnings;
 
 /// The materials of a document, and of these the ones that something wears.
 pub(super) struct Materials {

@@ -8,7 +8,7 @@ use serde_json::{Value, json};
 use super::tests::{glb, load, load_bytes, square, square_bytes};
 use super::*;
 use crate::experiment::Experiment;
-use crate::files::model::TextureImage;
+use crate::files::meshes::TextureImage;
 use crate::scene::{MaterialObject, Scene, Slot, Wrap};
 
 /// Two texels side by side, the right one transparent.
@@ -58,7 +58,7 @@ fn textures_multiply_the_base_colour() {
     let [texture] = &scene.textures[..] else { panic!("one texture") };
     assert_eq!((texture.name.as_str(), texture.wrap), ("paint", Wrap::Mirror));
     // The right texel is transparent, but green all the same.
-    assert_eq!(texture.texels, [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]]);
+    assert_eq!(texture.image().pixels, [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]]);
     assert_eq!(scene.materials[0].values.diffuse, DVec3::new(0.5, 0.25, 0.125));
     assert_eq!(scene.materials[0].textures.get(Slot::Diffuse), Some(0));
     // Upwards: what is at the lower edge in the file, v = 1, is at 0.
@@ -92,7 +92,7 @@ fn images_may_be_files_or_data() {
     // A PNG of one white texel, grey in its format.
     let grey = "iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAAAAAA6fptVAAAACklEQVR4nGP4DwABAQEAsTj2FAAAAABJRU5ErkJggg==";
     document["images"][0] = json!({ "uri": format!("data:image/png;base64,{grey}") });
-    assert_eq!(scene((document, bytes)).unwrap().textures[0].texels, [[1.0; 3]]);
+    assert_eq!(scene((document, bytes)).unwrap().textures[0].image().pixels, [[1.0; 3]]);
 }
 
 /// The corners of the square, moved by `transform`, in the file's own coordinates.

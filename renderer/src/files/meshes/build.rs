@@ -2,10 +2,10 @@
 
 use glam::DVec3;
 
-use crate::files::model::{DEFAULT_MATERIAL, Model, ModelMaps, ModelMaterial};
-use crate::files::warnings::Warnings;
+use super::model::{DEFAULT_MATERIAL, Model, ModelMaps, ModelMaterial};
 use crate::scene::table::SMALLEST_LENGTH;
 use crate::scene::{Material, Mesh, Normals};
+use crate::warning::Warnings;
 
 /// Builds meshes out of the vertices, the texture coordinates and the normals of a file.
 pub(in crate::files) struct MeshBuilder<'a> {

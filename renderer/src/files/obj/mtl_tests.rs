@@ -7,7 +7,7 @@ use glam::{DAffine2, DVec2, DVec3};
 use super::tests::{TRIANGLE, folder, refused};
 use super::*;
 use crate::Warning;
-use crate::files::model::{Channel, TextureImage, TextureSource};
+use crate::files::meshes::{Channel, TextureImage, TextureSource};
 use crate::scene::{Material, MaterialObject, Slot, Wrap};
 
 /// The model of `a.obj`, one of the given files.

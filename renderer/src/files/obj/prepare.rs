@@ -6,9 +6,9 @@ use super::chunks::Chunks;
 use super::face::{Corner, Counts, prepare_face};
 use super::statements::{Statement, number, statements, words};
 use crate::Error;
+use crate::files::meshes::DEFAULT_MATERIAL;
 use crate::files::meshes::{FileNormals, check_normal};
-use crate::files::model::DEFAULT_MATERIAL;
-use crate::files::warnings::Warnings;
+use crate::warning::Warnings;
 
 /// An OBJ file, checked.
 #[derive(Default)]

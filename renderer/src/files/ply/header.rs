@@ -2,7 +2,7 @@
 
 use super::source::{Format, Kind, Scalar, Source};
 use crate::Error;
-use crate::files::warnings::Warnings;
+use crate::warning::Warnings;
 
 pub(super) struct Header {
     /// In the order of the data.

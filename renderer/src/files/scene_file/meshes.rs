@@ -11,11 +11,11 @@ use super::materials::MaterialTable;
 use super::numbers;
 use crate::Error;
 use crate::Warning;
-use crate::files::meshes::{FileNormals, load_mesh, load_mesh_with};
-use crate::files::model::Model;
+use crate::files::meshes::{FileNormals, Model};
 use crate::files::names::Names;
 #[cfg(feature = "gltf")]
 use crate::files::{GltfFile, MeshFormat, load_gltf};
+use crate::files::{load_mesh, load_mesh_with};
 use crate::scene::{Camera, Mesh, Normals, Scene, Transform};
 #[cfg(feature = "gltf")]
 use crate::scene::{LightObject, LightSource};

@@ -424,7 +424,7 @@ fn add_texture(scene: &mut Scene) {
         width: texels.len() as u32,
         height: 1,
         wrap,
-        texels: texels.to_vec(),
+        texels: texels.to_vec().into(),
     };
     let wood = [[0.25, 0.5, 1.0], [0.0, f64::from(0.1_f32), 7.0]];
     let wood = scene.add_texture(texture("Wood/2", Wrap::Mirror, &wood)).unwrap();

@@ -25,7 +25,7 @@ fn textures_are_read_once_and_named() {
     let scene = Experiment::parse(&text, folder.path(), "s.toml").unwrap().scene;
     assert_eq!(scene.textures.len(), 1);
     assert_eq!(scene.textures[0].name, "my wood");
-    assert_eq!(scene.textures[0].texels, [[1.0, 0.5, 0.25]]);
+    assert_eq!(scene.textures[0].image().pixels, [[1.0, 0.5, 0.25]]);
     let red = scene.materials.iter().position(|material| material.name == "red").unwrap();
     let textures = scene.materials[red].textures;
     assert_eq!(textures.0, [None, Some(0), Some(0), None]);
