@@ -61,8 +61,9 @@ pub struct GltfFile {
 /// - Metalness, roughness and other textures, colours of vertices, points and lines, skins, morph
 ///   targets, animations and extensions that are not required are left out with a warning.
 /// - The first camera counts; it has to be a perspective one.
-/// - Lights are those of `KHR_lights_punctual`, without a range; spot lights are refused. Candela
-///   and lux are taken as watts per steradian and per square metre.
+/// - A material of `KHR_materials_unlit` emits its base colour and reflects nothing.
+/// - Lights are those of `KHR_lights_punctual`, without a range. Candela and lux are taken as watts per
+///   steradian and per square metre.
 ///
 /// # Errors
 ///

@@ -37,8 +37,29 @@ fn textures_are_read_once_and_named() {
     // The material may get, or change, its texture in the scene file.
     let text =
         format!("{text}[material.blue]\ndiffuse_texture = \"new\"\n[texture.new]\nsize = [2, 3]\n");
+    let Experiment { scene, warnings, .. } =
+        Experiment::parse(&text, folder.path(), "s.toml").unwrap();
+    let expected = "s.toml: mesh.a: triangle 1 wears the material `blue`, which has a texture, but \
+                    has no texture coordinates; white stands for the texture";
+    assert!(warnings.iter().any(|warning| warning.to_string() == expected), "{warnings:?}");
+    let blue = scene.materials.iter().find(|material| material.name == "blue").unwrap();
+    assert!(!blue.textures.any());
+
+    // Where other triangles show the texture, a material of another name is without it.
+    let ball = "[[sphere]]\nname = \"ball\"\ncenter = [9, 9, 9]\nradius = 1\nmaterial = \"blue\"\n";
+    let scene = Experiment::parse(&format!("{text}{ball}"), folder.path(), "s.toml").unwrap().scene;
+    let worn = |index: u32| &scene.materials[index as usize];
+    let ball = worn(scene.spheres[0].material);
+    assert!((ball.name.as_str(), ball.textures.any()) == ("blue", true));
+    let bare = worn(scene.meshes[0].materials[1]);
+    assert!((bare.name.as_str(), bare.textures.any()) == ("blue_2", false));
+
+    // A picture that is broken is told where it is named.
+    fs::write(folder.path().join("broken.png"), "x").unwrap();
+    let text = format!("{CAMERA}[texture.new]\npath = \"broken.png\"\n");
     let error = Experiment::parse(&text, folder.path(), "s.toml").unwrap_err().to_string();
-    assert!(error.contains("triangle 1 wears the material `blue`"), "{error}");
+    assert!(error.starts_with("s.toml:") && error.contains("texture.new.path: "), "{error}");
+    assert!(error.contains("broken.png: is not a PNG"), "{error}");
 
     fs::remove_file(folder.path().join("my wood.exr")).unwrap();
     let Experiment { scene, warnings, .. } =

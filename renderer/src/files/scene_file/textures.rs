@@ -55,7 +55,9 @@ impl TextureTable {
                     let is_covered = |(_, other): &(_, TextureEntry)| {
                         other.path == entry.path && other.channel == ChannelEntry::Opacity
                     };
-                    let texels = table.load(&image, channel, "", entries.iter().any(is_covered))?;
+                    let texels = table
+                        .load(&image, channel, "", entries.iter().any(is_covered))
+                        .map_err(|error| Problem::new(format!("texture.{name}.path"), error))?;
                     table.push(name.clone(), texels, entry.wrap.into(), (image, channel));
                 }
                 (None, Some(_), _) if entry.channel == ChannelEntry::Opacity => {
@@ -219,7 +221,11 @@ impl TextureTable {
             }
             return Ok(None);
         }
-        let texels = self.load(image, *channel, place, is_covered)?;
+        let texels =
+            self.load(image, *channel, place, is_covered).map_err(|error| match image {
+                TextureImage::File(_) => Error::new(place, format!("the texture {error}")),
+                TextureImage::Embedded { .. } => error,
+            })?;
         let name = match channel {
             Channel::Color => name,
             Channel::Alpha { .. } | Channel::Mask => {
