@@ -157,14 +157,14 @@ pub(super) fn recover(
     save_png(&image, &out.join("final.png"))?;
     let mut extra = Map::new();
     if let Some(difference) = recovery.difference(&image) {
-        save_png(&difference, &out.join("difference.png"))?;
-        extra.insert("largest_difference".to_owned(), record::largest(&difference));
+        let largest = record::save_difference(difference, out)?;
+        extra.insert("largest_difference".to_owned(), largest);
     }
     save_scene(&recovered, out)?;
     extra.extend([
         ("settings".to_owned(), record::settings(recovery, &settings)),
         ("strip".to_owned(), save_strip(recovery, &outcome.trajectory, out)?),
-        ("textures".to_owned(), record::save_textures(recovery, &recovered, out)?),
+        ("pictures".to_owned(), record::save_pictures(recovery, &recovered, out)?),
     ]);
     write_report(out, recovery.variables(), &outcome, extra)?;
     Ok(outcome)

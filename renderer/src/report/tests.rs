@@ -15,9 +15,10 @@ fn folder(files: &[(&str, &str)]) -> tempfile::TempDir {
 const SUMMARY: &str = r#"{
     "loss": {"initial": 0.5, "final": 1e-9, "ratio": 2e-9}, "iterations": 12, "seconds": 1.25,
     "stop_detail": "<done>", "parameters": {"light.<b>.position": {"initial": [1, 2, 3],
-    "final": [4, 5, 6]}}, "largest_difference": 0.25,
+    "final": [4, 5, 6]}, "texture.w.texels": {"initial": [0,0,0,0,0,0,0,0,0,0,0,0,0],
+    "final": [0,0,0.5,0,0,0,0,0,0,0,0,0,0]}}, "largest_difference": 0.25,
     "settings": {"command": "renderer optimize <a>", "most iterations": 9},
-    "textures": [{"path": "texture.w", "initial": "a.png", "final": "b.png"}], "strip": [{"iteration": 0, "loss": 0.5, "file": "a.png"},
+    "pictures": [{"path": "texture.w", "initial": "a.png", "final": "b.png"}], "strip": [{"iteration": 0, "loss": 0.5, "file": "a.png"},
     {"iteration": 12, "loss": 1e-9, "file": "b.png"}]
 }"#;
 
@@ -31,6 +32,7 @@ fn what_is_there_is_on_the_page() {
             r#"{"paths": ["x"], "target": [null], "iterations": [0, 12], "values": [[1], [2]]}"#,
         ),
         ("target.png", "not looked into"),
+        ("final.png", "d"),
         ("difference.png", "c"),
         ("a.png", "a"),
         ("b.png", "b"),
@@ -43,7 +45,10 @@ fn what_is_there_is_on_the_page() {
         "<th>command</th><td>renderer optimize &lt;a&gt;</td>",
         "<th>most iterations</th><td>9</td>",
         "texture.w, recovered</figcaption>",
-        "difference (white is 1; the largest is 0.25)",
+        "<span>0</span><span>0.125</span><span>0.25</span>",
+        "<div id=\"comparison\" hidden>",
+        "<th>texture.w.texels</th><td>13 numbers from 0 to 0, mean 0</td>",
+        "moved by 0.1387 (root mean square); most: [2] 0 → 0.5, [0] 0 → 0, [1] 0 → 0",
         "light.&lt;b&gt;.position",
         "<td>4, 5, 6</td>",
         "initial loss 5.000e-1, lowest 1.000e-9",
@@ -58,7 +63,7 @@ fn what_is_there_is_on_the_page() {
         assert!(!page.contains(part), "the truth is not known, but the page has {part}");
     }
     // Nothing on it is fetched: every address is data.
-    assert_eq!(page.matches("src=").count(), page.matches("src=\"data:").count());
+    assert_eq!(page.matches(" src=").count(), page.matches(" src=\"data:").count());
     assert!(!page.contains("href=") && !page.contains("<link") && !page.contains("url("));
     assert_eq!(page.matches("<script>").count(), 1);
 }
