@@ -23,16 +23,12 @@ use cases::cases;
 use engine::{Adjoint, Engine, Question};
 use measurement::{Reference, measure_in_turns};
 
-pub use axis::Axis;
 pub use measurement::Measurement;
 pub use plot::{Curve, Titles, curves_svg, tradeoff_svg};
-pub use sampling::{
-    RayPlaces, SamplingRun, SamplingRuns, measure_sampling, sampling_csv, sampling_curves,
-    sampling_table,
-};
+pub use sampling::{SamplingRuns, measure_sampling, sampling_csv, sampling_curves, sampling_table};
 pub use schedules::{ScheduleRun, measure_schedules};
 pub use steps::{best_step, steps};
-pub use table::{csv, pareto_front, table};
+pub use table::{csv, table};
 #[cfg(test)]
 pub(crate) use tests::{gradient_on_tapes, random_experiment};
 
