@@ -231,6 +231,12 @@ impl<'a, L: Plain> Geometry<'a, L> {
         (distance > 0.0).then_some([0.5 * width * (1.0 + x), 0.5 * height * (1.0 - y)])
     }
 
+    /// Whether the corners of a triangle stand anticlockwise for the camera.
+    pub fn faces_camera(&self, triangle: usize) -> bool {
+        let Triangle { a, b, c } = self.triangle(triangle);
+        (b - a).cross(c - a).dot(self.frame.origin - a) > 0.0
+    }
+
     /// A vertex.
     pub fn vertex(&self, index: u32) -> DVec3 {
         widen::<L::Lane>(self.integrator.inputs.vertices[index as usize])
@@ -248,6 +254,11 @@ impl<'a, L: Plain> Geometry<'a, L> {
         (numbers, transform)
     }
 
+    /// How many lights have shadows with edges.
+    pub fn edged_lights(&self) -> usize {
+        self.integrator.layout.lights.len().min(MOST_LIGHTS)
+    }
+
     /// The path of the ray through a place of the image, traced.
     pub fn trace(&self, place: [f64; 2], path: &mut Vec<KnownHit>) {
         let Integrator { layout, tracer, .. } = self.integrator;
@@ -261,7 +272,7 @@ impl<'a, L: Plain> Geometry<'a, L> {
             };
             let mut known = KnownHit { primitive: met.primitive, leaves: met.leaves, blocked: 0 };
             let met_at = self.meet(&known, ray);
-            for light in 0..layout.lights.len().min(MOST_LIGHTS) {
+            for light in 0..self.edged_lights() {
                 let is_blocked = self.blocker(light, &known, &ray, &met_at).is_some();
                 known.blocked |= u64::from(is_blocked) << light;
             }
