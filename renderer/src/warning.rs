@@ -68,7 +68,7 @@ impl Warnings {
         }
     }
 
-    /// In the order of the file.
+    /// The warnings, in the order of the file.
     pub fn finish(mut self) -> Vec<Warning> {
         if let Some((place, count)) = self.unlisted {
             let problem = format!("{count} more kinds of warnings");

@@ -19,7 +19,7 @@ pub struct GradientMetric {
 }
 
 impl GradientMetric {
-    /// For gradients by these parameters, one after the other.
+    /// A metric for gradients by these parameters, one after the other.
     pub fn new(scene: &Scene, ids: &[ParameterId]) -> Self {
         let block = |&id: &ParameterId| {
             let scale = scene.natural_scale(id);

@@ -1,6 +1,6 @@
 //! The gradient of pixels that are integrals.
 
-use super::{GradientMetric, Sampler, Setting, Trials};
+use super::{Evaluator, GradientMetric, Sampler, Setting};
 use crate::arithmetic::{Arithmetic, Precision};
 use crate::settings::{GradientSamples, Samples};
 
@@ -14,7 +14,7 @@ const RATE: f64 = 0.75;
 /// bias if the loss is a square, and less than any number of rays that is measured if it is not.
 pub(crate) struct IntegralGradient {
     pub gradient: Vec<f64>,
-    /// Its relative standard error.
+    /// The relative standard error of the gradient.
     pub error: f64,
 }
 
@@ -22,7 +22,7 @@ impl IntegralGradient {
     /// With about as many rays as it takes to be off by a quarter of the accuracy, but no more than
     /// `most_rays` through each pixel for a seed.
     pub fn within(
-        trials: &mut Trials<'_>,
+        evaluator: &mut Evaluator<'_>,
         metric: &GradientMetric,
         sampler: Sampler,
         bounces: u32,
@@ -33,7 +33,7 @@ impl IntegralGradient {
         let mut index = 0;
         loop {
             let count = counts[index];
-            let reference = Self::new(trials, metric, sampler, bounces, count);
+            let reference = Self::new(evaluator, metric, sampler, bounces, count);
             let excess = 4.0 * reference.error / accuracy;
             if excess <= 1.0 || index + 1 == counts.len() {
                 return reference;
@@ -44,9 +44,9 @@ impl IntegralGradient {
         }
     }
 
-    /// With so many rays through each pixel for a seed.
+    /// A reference with so many rays through each pixel for each seed.
     pub fn new(
-        trials: &mut Trials<'_>,
+        evaluator: &mut Evaluator<'_>,
         metric: &GradientMetric,
         sampler: Sampler,
         bounces: u32,
@@ -59,7 +59,7 @@ impl IntegralGradient {
                 let samples = Samples { count, seed, gradient: GradientSamples::Independent };
                 let arithmetic = Arithmetic::fastest(Precision::F64);
                 let setting = Setting { arithmetic, bounces, sampling: sampler.random(samples) };
-                trials.gradient(&setting)
+                evaluator.gradient(&setting)
             })
             .collect();
         let seeds = f64::from(SEEDS);

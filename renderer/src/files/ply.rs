@@ -33,7 +33,7 @@ use source::{Kind, Source};
 /// - The properties `u` and `v` of a vertex (or `s` and `t`, `texture_u` and `texture_v`) are its
 ///   texture coordinates; a scene file may give the mesh a material with a texture.
 /// - Polygons are cut into triangles, concave ones too. A vertex that no face uses is left out.
-/// - All triangles wear [`DEFAULT_MATERIAL`](super::DEFAULT_MATERIAL).
+/// - All triangles have [`DEFAULT_MATERIAL`](super::DEFAULT_MATERIAL).
 /// - Colours, texture coordinates of faces, the comment `TextureFile` and other elements are left out
 ///   with a warning; whatever else there is without one. Normals of vertices (`nx`, `ny`, `nz`) are read
 ///   by [`load_mesh_with`](super::load_mesh_with) alone.

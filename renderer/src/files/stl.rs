@@ -31,7 +31,7 @@ const TRIANGLE: usize = 50;
 /// - Vertices with the same coordinates are one vertex. Normals are not read: the order of the
 ///   vertices says the same. Of the two bytes after each triangle of a binary file, in which some
 ///   programs keep colours, is warned unless they are 0.
-/// - All triangles wear [`DEFAULT_MATERIAL`](super::DEFAULT_MATERIAL).
+/// - All triangles have [`DEFAULT_MATERIAL`](super::DEFAULT_MATERIAL).
 ///
 /// # Errors
 ///

@@ -11,6 +11,7 @@ mod run_folder;
 #[cfg(test)]
 mod tests;
 
+use std::collections::HashMap;
 use std::path::Path;
 
 use serde_json::Value;
@@ -205,18 +206,26 @@ fn strip(frames: &[Frame]) -> String {
     )
 }
 
-/// How far an element has moved, relative to its size: the sum of its steps.
-fn movement(trajectory: &Trajectory, element: usize) -> f64 {
-    let values = || trajectory.values.iter().map(|point| point[element]);
-    let way: f64 = values().zip(values().skip(1)).map(|(a, b)| (b - a).abs()).sum();
-    let size = values().map(f64::abs).fold(0.0, f64::max);
-    if size > 0.0 { way / size } else { 0.0 }
+/// How far each element has moved, relative to the largest number of its parameter: the sum of its steps.
+fn movements(trajectory: &Trajectory) -> Vec<f64> {
+    let name = |path: &str| path.rfind('[').unwrap_or(path.len());
+    let mut sizes: HashMap<&str, f64> = HashMap::new();
+    for (i, path) in trajectory.paths.iter().enumerate() {
+        let size = sizes.entry(&path[..name(path)]).or_default();
+        *size = trajectory.values.iter().fold(*size, |size, point| size.max(point[i].abs()));
+    }
+    let movement = |(i, path): (usize, &String)| {
+        let values = || trajectory.values.iter().map(|point| point[i]);
+        let way: f64 = values().zip(values().skip(1)).map(|(a, b)| (b - a).abs()).sum();
+        let size = sizes[&path[..name(path)]];
+        if size > 0.0 { way / size } else { 0.0 }
+    };
+    trajectory.paths.iter().enumerate().map(movement).collect()
 }
 
 /// The elements whose trajectories are drawn, in their order: those that have moved most.
 fn drawn(trajectory: &Trajectory) -> Vec<usize> {
-    let mut elements: Vec<(usize, f64)> =
-        (0..trajectory.paths.len()).map(|i| (i, movement(trajectory, i))).collect();
+    let mut elements: Vec<(usize, f64)> = movements(trajectory).into_iter().enumerate().collect();
     elements.sort_by(|(_, a), (_, b)| b.total_cmp(a));
     elements.truncate(MOST_CHARTS);
     let mut elements: Vec<usize> = elements.into_iter().map(|(i, _)| i).collect();

@@ -39,7 +39,7 @@ use crate::settings::{Edges, Settings};
 /// What was measured on a scene.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Tradeoff {
-    /// By axis.
+    /// The measurements, by axis.
     pub measurements: Vec<Measurement>,
     /// What was not measured, and why; what to know of what was.
     pub remarks: Vec<String>,

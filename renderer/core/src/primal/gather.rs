@@ -45,7 +45,7 @@ impl<S: Number> Integrator<'_, S> {
         }
     }
 
-    /// The primitives, unless they are shapes of one's own.
+    /// The primitives, unless they are custom shapes.
     #[inline]
     pub fn primitive(&self, kind: Kind, primitives: &Coalesced) -> Option<Primitive<S>> {
         match kind {

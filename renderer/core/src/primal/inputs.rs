@@ -65,7 +65,7 @@ impl<S: Number> LightInputs<S> {
     }
 }
 
-/// A shape of one's own.
+/// A custom shape.
 #[derive(Clone, PartialEq)]
 pub struct ShapeInputs<S: Number> {
     pub kernel: ShapeKernel,
@@ -282,7 +282,7 @@ pub fn lights<S: Number>(
     }
 }
 
-/// The shapes of one's own, relative to an origin.
+/// The custom shapes, relative to an origin.
 pub fn shapes<S: Number>(
     scene: &Scene,
     origin: Vec3<S::Wide>,

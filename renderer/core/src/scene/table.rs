@@ -128,7 +128,7 @@ const TABLE: &[Row] = &[
     slow(moving("shape", "scale", LENGTH, size)),
 ];
 
-/// Of a field that a shape or a light of one's own has.
+/// Of a field that a custom shape or light has.
 const CUSTOM: Row =
     slow(moving("", "", NUMBER, |scene, i, numbers| positive_or(size(scene, i, numbers), 1.0)));
 

@@ -259,8 +259,8 @@ impl Scene {
     fn check_material(&self, index: usize) -> Result<(), Invalid> {
         let material = &self.materials[index];
         let (path, textures) = (format!("material.{}", material.name), self.textures.len());
-        let worn = material.textures.0.iter().flatten();
-        if let Some(index) = { worn }.find(|&&texture| texture as usize >= textures) {
+        let assigned = material.textures.0.iter().flatten();
+        if let Some(index) = { assigned }.find(|&&texture| texture as usize >= textures) {
             return invalid(path, format!("names texture {index} of {textures}"));
         }
         let path = format!("{path}.opacity");
@@ -338,7 +338,7 @@ impl Scene {
             Some((triangle, &material)) => {
                 let material = &self.materials[material as usize].name;
                 let problem = format!(
-                    "triangle {triangle} wears the material `{material}`, which has a texture, but \
+                    "triangle {triangle} has the material `{material}`, which has a texture, but \
                      has no texture coordinates"
                 );
                 invalid(path(), problem)

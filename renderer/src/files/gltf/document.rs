@@ -193,7 +193,7 @@ impl Default for Pbr {
 #[serde(rename_all = "camelCase")]
 pub(super) struct TextureInfo {
     pub index: usize,
-    /// Which of the sets of texture coordinates.
+    /// The number of the set of texture coordinates.
     #[serde(default)]
     pub tex_coord: usize,
     #[serde(default)]
@@ -211,7 +211,7 @@ pub(super) struct TextureInfoExtensions {
 pub(super) struct TextureTransform {
     #[serde(default)]
     pub offset: [f64; 2],
-    /// In radians.
+    /// An angle in radians.
     #[serde(default)]
     pub rotation: f64,
     #[serde(default = "ones")]
@@ -250,7 +250,7 @@ pub(super) struct Camera {
 #[derive(Deserialize)]
 #[serde(rename_all = "camelCase")]
 pub(super) struct Perspective {
-    /// In radians.
+    /// An angle in radians.
     pub yfov: f64,
     pub aspect_ratio: Option<f64>,
 }

@@ -18,7 +18,7 @@ use crate::files::names::clean_name;
 use crate::scene::{Material, MaterialObject, Wrap};
 use crate::warning::Warnings;
 
-/// The materials of a document, and of these the ones that something wears.
+/// The materials of a document, and of these the ones that a primitive has.
 pub(super) struct Materials {
     /// The last is that of primitives without one.
     all: Vec<ModelMaterial>,

@@ -227,8 +227,8 @@ fn the_alpha_of_textures_is_an_opacity() {
         fs::write(&path, glb(document, &bytes)).unwrap();
         let Experiment { scene, warnings, .. } = Experiment::load(&path).unwrap();
         let warned = warnings.iter().any(|w| w.problem.contains("transparent texels"));
-        let worn = scene.materials[0].textures.get(Slot::Opacity).map(|index| index as usize);
-        let texels = worn.map(|texture| {
+        let assigned = scene.materials[0].textures.get(Slot::Opacity).map(|index| index as usize);
+        let texels = assigned.map(|texture| {
             assert_eq!(scene.textures[texture].name, "paint_opacity");
             scene.textures[texture].texels.iter().map(|texel| texel[0]).collect::<Vec<_>>()
         });

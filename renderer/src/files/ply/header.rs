@@ -5,7 +5,7 @@ use crate::Error;
 use crate::warning::Warnings;
 
 pub(super) struct Header {
-    /// In the order of the data.
+    /// The elements, in the order of the data.
     pub elements: Vec<Element>,
     /// The count of the element `vertex`.
     pub vertices: u64,

@@ -38,7 +38,7 @@ fn drop_bare_textures(scene: &mut Scene, place: &str) -> Vec<Warning> {
             if told.insert(material) {
                 let name = &scene.materials[material as usize].name;
                 let problem = format!(
-                    "triangle {triangle} wears the material `{name}`, which has a texture, but has \
+                    "triangle {triangle} has the material `{name}`, which has a texture, but has \
                      no texture coordinates; white stands for the texture"
                 );
                 warnings.push(Warning::new(format_args!("{place}: mesh.{}", mesh.name), problem));
@@ -51,13 +51,13 @@ fn drop_bare_textures(scene: &mut Scene, place: &str) -> Vec<Warning> {
     for (index, triangle) in bare {
         let material = scene.meshes[index].materials[triangle];
         let plain = *plain.entry(material).or_insert_with(|| {
-            let worn = &mut scene.materials[material as usize];
+            let assigned = &mut scene.materials[material as usize];
             if !shown.contains(&material) {
-                worn.textures = MaterialTextures::default();
+                assigned.textures = MaterialTextures::default();
                 return material;
             }
-            let (name, textures) = (names.take(worn.name.clone()), MaterialTextures::default());
-            let copy = MaterialObject { name, textures, ..worn.clone() };
+            let (name, textures) = (names.take(assigned.name.clone()), MaterialTextures::default());
+            let copy = MaterialObject { name, textures, ..assigned.clone() };
             scene.materials.push(copy);
             scene.materials.len() as u32 - 1
         });
@@ -66,12 +66,12 @@ fn drop_bare_textures(scene: &mut Scene, place: &str) -> Vec<Warning> {
     warnings
 }
 
-/// Forgets the texture coordinates of meshes that wear no texture: they would be parameters that
+/// Forgets the texture coordinates of meshes without textures: they would be parameters that
 /// nothing depends on.
 fn drop_unused_coordinates(scene: &mut Scene) {
     for mesh in &mut scene.meshes {
         let is_textured = |&material: &u32| {
-            scene.materials.get(material as usize).is_some_and(|worn| worn.textures.any())
+            scene.materials.get(material as usize).is_some_and(|assigned| assigned.textures.any())
         };
         if !mesh.materials.iter().any(is_textured) {
             mesh.texture_triangles = Vec::new();

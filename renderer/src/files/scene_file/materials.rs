@@ -48,7 +48,7 @@ impl<'a> MaterialTable<'a> {
         })
     }
 
-    /// Without a scene file.
+    /// A table for meshes that no scene file describes.
     pub fn of_models() -> Self {
         Self {
             objects: Vec::new(),

@@ -39,7 +39,7 @@ fn textures_are_read_once_and_named() {
         format!("{text}[material.blue]\ndiffuse_texture = \"new\"\n[texture.new]\nsize = [2, 3]\n");
     let Experiment { scene, warnings, .. } =
         Experiment::parse(&text, folder.path(), "s.toml").unwrap();
-    let expected = "s.toml: mesh.a: triangle 1 wears the material `blue`, which has a texture, but \
+    let expected = "s.toml: mesh.a: triangle 1 has the material `blue`, which has a texture, but \
                     has no texture coordinates; white stands for the texture";
     assert!(warnings.iter().any(|warning| warning.to_string() == expected), "{warnings:?}");
     let blue = scene.materials.iter().find(|material| material.name == "blue").unwrap();
@@ -48,10 +48,10 @@ fn textures_are_read_once_and_named() {
     // Where other triangles show the texture, a material of another name is without it.
     let ball = "[[sphere]]\nname = \"ball\"\ncenter = [9, 9, 9]\nradius = 1\nmaterial = \"blue\"\n";
     let scene = Experiment::parse(&format!("{text}{ball}"), folder.path(), "s.toml").unwrap().scene;
-    let worn = |index: u32| &scene.materials[index as usize];
-    let ball = worn(scene.spheres[0].material);
+    let assigned = |index: u32| &scene.materials[index as usize];
+    let ball = assigned(scene.spheres[0].material);
     assert!((ball.name.as_str(), ball.textures.any()) == ("blue", true));
-    let bare = worn(scene.meshes[0].materials[1]);
+    let bare = assigned(scene.meshes[0].materials[1]);
     assert!((bare.name.as_str(), bare.textures.any()) == ("blue_2", false));
 
     // A picture that is broken is told where it is named.
@@ -225,9 +225,9 @@ fn opacity_may_vary() {
     };
     let varied = |library: &str, rest: &str| {
         let Experiment { scene, warnings, .. } = scene(library, rest).unwrap();
-        let worn = scene.materials[0].textures.get(Slot::Opacity).map(|index| index as usize);
-        let name = worn.map(|texture| scene.textures[texture].name.clone()).unwrap_or_default();
-        let texels = worn.map_or(Vec::new(), |texture| {
+        let assigned = scene.materials[0].textures.get(Slot::Opacity).map(|index| index as usize);
+        let name = assigned.map(|texture| scene.textures[texture].name.clone()).unwrap_or_default();
+        let texels = assigned.map_or(Vec::new(), |texture| {
             scene.textures[texture].texels.iter().map(|t| (t[0] * 255.0).round()).collect()
         });
         let leaf = &scene.materials[0];
