@@ -380,7 +380,10 @@ fn check_texture(texture: &Texture) -> Result<(), Invalid> {
 fn out_of((low, high): (f64, f64), value: f64) -> String {
     match value {
         _ if value < 0.0 && low == 0.0 => format!("must not be negative, is {value}"),
-        _ if value < low && low == SMALLEST_LENGTH => format!("must be above 0, is {value:e}"),
+        _ if value < low && low == SMALLEST_LENGTH => match value > 0.0 {
+            true => format!("must be at least {low:e}, is {value:e}"),
+            false => format!("must be above 0, is {value:e}"),
+        },
         _ if high == 1.0 => format!("must be at most 1, is {value}"),
         _ if high >= LARGEST_COORDINATE => format!("{value:e} is beyond {high:e}"),
         _ => format!("must lie between {low} and {high}, is {value}"),

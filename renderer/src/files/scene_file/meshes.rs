@@ -62,7 +62,7 @@ fn framed(model: Model, path: &Path) -> Result<(Scene, Vec<Warning>), Error> {
     scene.check().map_err(|_| {
         let extent = scene.bounding_box().map_or(0.0, |(low, high)| low.distance(high));
         let problem = format!(
-            "is {extent:e} across, too little where it stands for a camera to look at it; give it \
+            "is {extent:.1e} across, too little where it stands for a camera to look at it; give it \
              another `scale` or `translation` in a scene file"
         );
         Error::new(path.display(), problem)
