@@ -1,6 +1,6 @@
 //! The gradient of pixels that are integrals.
 
-use super::{GradientMetric, Sampler, Setting, Trials};
+use super::{Evaluator, GradientMetric, Sampler, Setting};
 use crate::arithmetic::{Arithmetic, Precision};
 use crate::settings::{GradientSamples, Samples, Sampling};
 
@@ -33,7 +33,7 @@ impl IntegralGradient {
     /// With about as many rays as it takes to be off by a quarter of the accuracy, but no more than
     /// `most_rays` through each pixel for a seed.
     pub fn within(
-        trials: &mut Trials<'_>,
+        evaluator: &mut Evaluator<'_>,
         metric: &GradientMetric,
         sampler: Sampler,
         bounces: u32,
@@ -44,7 +44,7 @@ impl IntegralGradient {
         let mut index = 0;
         loop {
             let count = counts[index];
-            let reference = Self::new(trials, metric, sampler, bounces, count);
+            let reference = Self::new(evaluator, metric, sampler, bounces, count);
             let excess = 4.0 * reference.error / accuracy;
             if excess <= 1.0 || index + 1 == counts.len() {
                 return reference;
@@ -58,7 +58,7 @@ impl IntegralGradient {
     /// Of edges, too: from regular grids, each finer than the one before, until two differ by a quarter of
     /// the accuracy or the next one has more than `most_rays` through a pixel.
     pub fn of_grids(
-        trials: &mut Trials<'_>,
+        evaluator: &mut Evaluator<'_>,
         metric: &GradientMetric,
         bounces: u32,
         most_rays: u32,
@@ -67,7 +67,7 @@ impl IntegralGradient {
         let arithmetic = Arithmetic::fastest(Precision::F64);
         let mut finest = Self { gradient: vec![0.0; metric.count()], error: f64::INFINITY };
         for (index, sampling) in grids(most_rays).enumerate() {
-            let gradient = trials.gradient(&Setting { arithmetic, bounces, sampling });
+            let gradient = evaluator.gradient(&Setting { arithmetic, bounces, sampling });
             let moved = metric.error(&finest.gradient, &gradient);
             finest = Self { gradient, error: if index == 0 { f64::INFINITY } else { moved } };
             if 4.0 * finest.error <= accuracy {
@@ -77,9 +77,9 @@ impl IntegralGradient {
         finest
     }
 
-    /// With so many rays through each pixel for a seed.
+    /// A reference with so many rays through each pixel for each seed.
     pub fn new(
-        trials: &mut Trials<'_>,
+        evaluator: &mut Evaluator<'_>,
         metric: &GradientMetric,
         sampler: Sampler,
         bounces: u32,
@@ -92,7 +92,7 @@ impl IntegralGradient {
                 let samples = Samples { count, seed, gradient: GradientSamples::Independent };
                 let arithmetic = Arithmetic::fastest(Precision::F64);
                 let setting = Setting { arithmetic, bounces, sampling: sampler.random(samples) };
-                trials.gradient(&setting)
+                evaluator.gradient(&setting)
             })
             .collect();
         let seeds = f64::from(SEEDS);

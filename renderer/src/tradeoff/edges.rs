@@ -4,7 +4,7 @@ use std::time::Instant;
 
 use super::engine::{Adjoint, Engine, Question};
 use super::measurement::Reference;
-use crate::accuracy::{GradientMetric, IntegralGradient, Trials, grids, image_error};
+use crate::accuracy::{Evaluator, GradientMetric, IntegralGradient, grids, image_error};
 use crate::recovery::Recovery;
 use crate::settings::{Edges, Settings};
 
@@ -52,8 +52,8 @@ pub fn measure_edges(recovery: &Recovery<'_>) -> Option<EdgeRuns> {
     let with_edges = Settings { edges: Edges::On, ..*recovery.render_settings() };
     let recovery = &recovery.with_settings(&with_edges);
     let metric = GradientMetric::new(scene, recovery.ids());
-    let trials = &mut Trials::new(recovery);
-    let exact = IntegralGradient::of_grids(trials, &metric, scene.bounces, most, 0.0);
+    let evaluator = &mut Evaluator::new(recovery);
+    let exact = IntegralGradient::of_grids(evaluator, &metric, scene.bounces, most, 0.0);
     let finest = grids(most).last().unwrap_or_default();
     let settings = Settings { sampling: finest, ..with_edges }.in_double_precision();
     let image = Adjoint::new(Question { recovery, settings }).image()?;

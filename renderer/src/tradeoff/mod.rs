@@ -24,17 +24,13 @@ use cases::cases;
 use engine::{Adjoint, Engine, Question};
 use measurement::{Reference, measure_in_turns};
 
-pub use axis::Axis;
-pub use edges::{EdgeRun, EdgeRuns, edge_csv, edge_table, measure_edges};
+pub use edges::{EdgeRuns, edge_csv, edge_table, measure_edges};
 pub use measurement::Measurement;
 pub use plot::{Curve, Titles, curves_svg, tradeoff_svg};
-pub use sampling::{
-    RayPlaces, SamplingRun, SamplingRuns, measure_sampling, sampling_csv, sampling_curves,
-    sampling_table,
-};
+pub use sampling::{SamplingRuns, measure_sampling, sampling_csv, sampling_curves, sampling_table};
 pub use schedules::{ScheduleRun, measure_schedules};
 pub use steps::{best_step, steps};
-pub use table::{csv, pareto_front, table};
+pub use table::{csv, table};
 #[cfg(test)]
 pub(crate) use tests::{gradient_on_tapes, random_experiment};
 
@@ -45,7 +41,7 @@ use crate::settings::{Edges, Settings};
 /// What was measured on a scene.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Tradeoff {
-    /// By axis.
+    /// The measurements, by axis.
     pub measurements: Vec<Measurement>,
     /// What was not measured, and why; what to know of what was.
     pub remarks: Vec<String>,

@@ -29,7 +29,7 @@ const COPLANAR: f64 = 1e-24;
 pub enum Edge {
     /// The straight line between two vertices.
     Segment([u32; 2]),
-    /// The silhouette of a sphere or a shape of one's own.
+    /// The silhouette of a sphere or a custom shape.
     Silhouette(u32),
     /// The curve in which two primitives pierce each other.
     /// See [`code`](super::code::code).
@@ -246,7 +246,7 @@ impl<'a, L: Plain> Geometry<'a, L> {
         self.integrator.inputs.spheres[primitive].map(|number| number.to_f64())
     }
 
-    /// The numbers and the transform of a shape of one's own.
+    /// The numbers and the transform of a custom shape.
     fn shape(&self, index: usize) -> (Vec<f64>, Transform<f64>) {
         let shape = &self.integrator.inputs.shapes[index];
         let numbers = shape.numbers.iter().map(|number| number.to_f64()).collect();

@@ -48,13 +48,14 @@ fn settings_are_as_accurate_as_asked_where_edges_move() {
     let edges = Settings { edges: Edges::Auto, ..Settings::default() }.in_double_precision();
     let recovery = integrals.with_settings(&edges);
     for accuracy in [0.2, 0.02] {
-        let pick = pick(&recovery, accuracy, Rays::Chosen { sampler: Sampler::Sobol, most: 64 });
-        assert!(pick.is_within(), "{pick}");
+        let selection =
+            select(&recovery, accuracy, Rays::Chosen { sampler: Sampler::Sobol, most: 64 });
+        assert!(selection.is_within(), "{selection}");
         // No setting is exact.
-        assert!(pick.pilots.iter().all(|pilot| pilot.error > 1e-5), "{pick}");
-        let found = pick.best.setting.apply(&recovery).evaluate().unwrap().gradient;
+        assert!(selection.trials.iter().all(|trial| trial.error > 1e-5), "{selection}");
+        let found = selection.best.setting.apply(&recovery).evaluate().unwrap().gradient;
         let error = metric.error(&found, &truth);
-        assert!(error < accuracy, "{error:.1e}: {found:?} {truth:?}: {pick}");
+        assert!(error < accuracy, "{error:.1e}: {found:?} {truth:?}: {selection}");
     }
     let interior = integrals.evaluate().unwrap().gradient;
     assert!(metric.error(&interior, &truth) > 0.5, "{interior:?} {truth:?}");

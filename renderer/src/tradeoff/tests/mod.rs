@@ -2,7 +2,10 @@
 
 mod scenes;
 
+use super::axis::Axis;
 use super::engine::{Adjoint, Engine, Forward, ImageFirst, Question, Tape, is_geometry};
+use super::sampling::RayPlaces;
+use super::table::pareto_front;
 use super::*;
 use crate::experiment::{Experiment, TunedParameter};
 use crate::scene::{Material, Mesh, Object, Transform};
