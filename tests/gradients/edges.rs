@@ -220,6 +220,31 @@ fn rods_thinner_than_a_pixel() {
     }
 }
 
+/// Facets at a smooth silhouette are seen nearly edge-on.
+#[test]
+fn silhouettes_of_smooth_meshes() {
+    let mut scene = scene();
+    add_facets(&mut scene, true);
+    scene.meshes[0] = scene.meshes[0].clone().smooth();
+    add_sun(&mut scene);
+    for path in ["camera.look_from", "mesh.shape.translation"] {
+        check(&scene, path, 1, 0.1);
+        check(&scene, path, 4, 0.1);
+    }
+    // Forward and reverse mode have the same rays.
+    let (path, settings) = ("mesh.shape.translation", settings(Edges::On, 1));
+    let id = scene.parameter(path).unwrap();
+    let derivative = render_jvp(&scene, &settings, &[(id, vec![0.3, -0.2, 0.5])]).unwrap().1;
+    let gradient = gradient(&scene, &settings, path);
+    let along = 0.3 * gradient[0] - 0.2 * gradient[1] + 0.5 * gradient[2];
+    let weighted = |(index, pixel): (usize, &[f32; 3])| {
+        let (x, y) = (index as u32 % WIDTH, index as u32 / WIDTH);
+        Weights.evaluate(x, y, DVec3::ZERO).1.dot(DVec3::from(pixel.map(f64::from)))
+    };
+    let forward: f64 = derivative.pixels.iter().enumerate().map(weighted).sum();
+    assert!((forward - along).abs() < 1e-5 * along.abs(), "{forward} {along}");
+}
+
 #[test]
 fn shadows_on_a_floor() {
     let mut scene = scene();

@@ -8,14 +8,14 @@ use rayon::prelude::*;
 use super::chain::{AdjointState, Chain, SurfaceCotangent, nonzero_lanes};
 use super::request::Request;
 use super::scatter::Sums;
-use crate::edges::{Crossing, Edge, Geometry, Layer, View, for_each_band};
+use crate::edges::{Crossing, Edge, Geometry, Layer, Limb, View, for_each_band};
 use crate::loss::PixelLoss;
 use crate::number::{MAX_LANES, Plain, widen};
 use crate::primal::coalesce::select_lanes;
 use crate::primal::integrator::Integrator;
 use crate::primal::known::KnownPaths;
 use crate::primal::lanes::{lanes_of_numbers, lanes_of_vectors, vectors_of_lanes};
-use crate::primal::wavefront::{LaneGroup, Source, TileSample, Wavefront, blocks};
+use crate::primal::wavefront::{LaneGroup, Source, TileSample, Wavefront, blocks, samples};
 use crate::scene::Scene;
 use crate::trace::bvh::{PACKET_RAYS, rays};
 use crate::trace::layout::Kind;
@@ -35,6 +35,7 @@ pub fn sweep_with_edges<L: Plain>(
     let integrator = integrator.with_zero_weight(request.zero_weight);
     let geometry = Geometry::new(integrator);
     let mut view = View::new(&geometry);
+    let limb = Limb::new(&view, &geometry);
     let mut cotangents = std::mem::take(&mut view.pixels);
     let rows = cotangents.par_chunks_mut(width as usize).enumerate().map(|(y, row)| {
         let mut loss_of_row = 0.0;
@@ -57,15 +58,28 @@ pub fn sweep_with_edges<L: Plain>(
     let part = 1.0 / f64::from(grid.count());
     sums.extend(for_each_strip(width, height, start, |(chain, known), strip| {
         for tile in strip.tiles() {
-            let mut of_tile = [DVec3::ZERO; PACKET_RAYS];
+            let (mut of_tile, mut of_limb) = ([DVec3::ZERO; PACKET_RAYS], None);
             for ray in rays(tile.rays()) {
                 let (x, y) = tile.pixel(ray);
-                of_tile[ray] = cotangents[y as usize * width as usize + x as usize] * part;
+                let pixel = y as usize * width as usize + x as usize;
+                if limb.holds(pixel) {
+                    let of_limb = of_limb.get_or_insert([DVec3::ZERO; PACKET_RAYS]);
+                    of_limb[ray] = cotangents[pixel] / f64::from(limb.sampling.count());
+                } else {
+                    of_tile[ray] = cotangents[pixel] * part;
+                }
             }
             for index in 0..grid.count() {
                 view.sights.paths(&tile, index, known);
                 let sample = TileSample { tile: &tile, sampling: grid, index };
                 chain.pull_sample(Source::Traced(sample, known), &of_tile);
+            }
+            for cotangents in &of_limb {
+                chain.spacing = Some(1.0 / f64::from(limb.sampling.grid_side()));
+                for sample in samples(&tile, limb.sampling) {
+                    chain.pull_sample(sample, cotangents);
+                }
+                chain.spacing = spacing;
             }
         }
         chain.scatter.take()
@@ -73,7 +87,7 @@ pub fn sweep_with_edges<L: Plain>(
 
     let start = || (Chain::new(integrator, scene, request), KnownPaths::default());
     sums.extend(for_each_band(view.bands.len(), start, |(chain, known), band| {
-        let pulled = pull_shares(&view, band, &cotangents);
+        let pulled = pull_shares(&view, &limb, band, &cotangents);
         let band = &view.bands[band];
         for (first, crossings) in band.packets() {
             band.paths(&geometry, crossings, known);
@@ -94,14 +108,16 @@ struct Pulled {
 }
 
 /// From the cotangents of pixels to the crossings of a band.
-fn pull_shares(view: &View, band: usize, cotangents: &[DVec3]) -> Vec<Pulled> {
+fn pull_shares(view: &View, limb: &Limb, band: usize, cotangents: &[DVec3]) -> Vec<Pulled> {
     let radiance = &view.bands[band].radiance;
     let mut pulled = vec![Pulled::default(); radiance.len()];
     for (crossing, share) in view.shares_of(band) {
         let to = &mut pulled[crossing];
         let cotangent = cotangents[share.pixel as usize];
-        to.radiance[0] += cotangent * share.areas[0];
-        to.radiance[1] += cotangent * share.areas[1];
+        if !limb.holds(share.pixel as usize) {
+            to.radiance[0] += cotangent * share.areas[0];
+            to.radiance[1] += cotangent * share.areas[1];
+        }
         let [a, b] = radiance[crossing];
         to.place += cotangent.dot(a - b) * share.length;
     }

@@ -6,7 +6,7 @@ use std::ops::Range;
 use glam::DVec3;
 use rayon::prelude::*;
 
-use super::crossing::{Crossing, Link, Search};
+use super::crossing::{Crossing, Layer, Link, Search};
 use super::geometry::Geometry;
 use super::sight::Sights;
 use super::slender::Slender;
@@ -108,6 +108,17 @@ impl Band {
     pub fn is_quiet(&self, row: usize, column: usize) -> bool {
         let link = 2 * (row * self.columns + column);
         self.starts[link] == self.starts[link + 2] && self.of_link(row, column + 1, 1).is_empty()
+    }
+
+    /// Whether a crossing is of an edge of a surface that is smooth on one side or the other.
+    pub fn is_of_smooth<L: Plain>(&self, crossing: usize, geometry: &Geometry<'_, L>) -> bool {
+        let Crossing { layer: Layer::Surface(depth), sides, .. } = self.crossings[crossing] else {
+            return false;
+        };
+        sides.into_iter().any(|side| {
+            let hit = side.of(&self.hits).nth(depth as usize);
+            hit.is_some_and(|hit| geometry.is_smooth(hit.primitive))
+        })
     }
 
     /// The crossings in packets, with the first one of each.

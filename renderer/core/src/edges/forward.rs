@@ -7,15 +7,18 @@ use glam::DVec3;
 use super::band::for_each_band;
 use super::crossing::{Crossing, Layer};
 use super::geometry::{Edge, Geometry};
+use super::limb::Limb;
 use super::view::View;
 use crate::number::{Number, Plain};
-use crate::primal::image::{derivative_vector, pixels_dual, visit};
+use crate::primal::image::{derivative_vector, mean_dual, visit};
 use crate::primal::integrator::Integrator;
 use crate::primal::known::KnownPaths;
 use crate::primal::lanes::vectors_of_lanes;
 use crate::primal::path::Path;
 use crate::primal::wavefront::{LaneGroup, Source, Wavefront};
+use crate::trace::bvh::rays;
 use crate::trace::layout::Kind;
+use crate::trace::tile::fill_tiles;
 use crate::transport::camera::{Ray, primary_ray};
 use crate::transport::edge::{segment_margin, sphere_margin};
 
@@ -39,10 +42,20 @@ impl View {
         integrator: Integrator<'_, Dual<L>>,
     ) -> Vec<DVec3> {
         let layout = integrator.layout;
-        let mut pixels: Vec<DVec3> = pixels_dual(integrator, layout.sampling.as_grid())
-            .into_iter()
-            .map(|[_, derivative]| derivative)
-            .collect();
+        let limb = Limb::new(self, geometry);
+        let mut pixels = vec![DVec3::ZERO; self.pixels.len()];
+        fill_tiles(layout.width, &mut pixels, Path::default, |path, tile| {
+            let mut mean = mean_dual(integrator, tile, layout.sampling.as_grid(), path);
+            let is_of_limb = |&ray: &usize| {
+                let (x, y) = tile.pixel(ray);
+                limb.holds((y * layout.width + x) as usize)
+            };
+            if rays(tile.rays()).any(|ray| is_of_limb(&ray)) {
+                let finer = mean_dual(integrator, tile, limb.sampling, path);
+                rays(tile.rays()).filter(is_of_limb).for_each(|ray| mean[ray] = finer[ray]);
+            }
+            move |ray| mean[ray][1]
+        });
         let start = || (KnownPaths::default(), Path::default());
         let moved = for_each_band(self.bands.len(), start, |(known, path), band| {
             let band = &self.bands[band];
@@ -56,7 +69,11 @@ impl View {
         self.add_shares(layout.width, &mut pixels, |band, crossing, share| {
             let Moved { radiance: [a, b], along } = moved[band][crossing];
             let [of_a, of_b] = self.bands[band].radiance[crossing];
-            a * share.areas[0] + b * share.areas[1] + (of_a - of_b) * (along * share.length)
+            let moved = (of_a - of_b) * (along * share.length);
+            match limb.holds(share.pixel as usize) {
+                true => moved,
+                false => a * share.areas[0] + b * share.areas[1] + moved,
+            }
         });
         pixels
     }

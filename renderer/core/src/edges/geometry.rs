@@ -67,6 +67,12 @@ impl<'a, L: Plain> Geometry<'a, L> {
         self.integrator.layout.kind_of(primitive as usize).0 == Kind::Triangle
     }
 
+    /// Whether a primitive is a triangle with normals of its corners.
+    pub fn is_smooth(&self, primitive: u32) -> bool {
+        self.is_triangle(primitive)
+            && self.integrator.layout.normals.of(primitive as usize).is_some()
+    }
+
     /// Whether two primitives are parts of one smooth surface: neighbouring triangles that look the same,
     /// of a plane or with the same normals where they meet.
     pub fn are_continuous(&self, a: u32, b: u32) -> bool {

@@ -58,7 +58,7 @@ pub fn pixels_dual<L: Plain>(
 }
 
 /// The radiance of the pixels of a tile and its derivative.
-fn mean_dual<L: Plain>(
+pub fn mean_dual<L: Plain>(
     integrator: Integrator<'_, Dual<L>>,
     tile: &Tile,
     sampling: Sampling,
