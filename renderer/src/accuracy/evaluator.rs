@@ -4,7 +4,7 @@ use super::Setting;
 use crate::arithmetic::Arithmetic;
 use crate::optimize::Objective;
 use crate::recovery::{ImageObjective, Recovery};
-use crate::settings::Settings;
+use crate::settings::{Edges, Settings};
 
 /// A problem as it stands, prepared once for each scalar that its gradient is computed in.
 pub(crate) struct Evaluator<'a> {
@@ -20,6 +20,12 @@ impl<'a> Evaluator<'a> {
 
     pub fn recovery(&self) -> &'a Recovery<'a> {
         self.recovery
+    }
+
+    /// Whether gradients see edges: their rays are regular grids then.
+    pub fn has_edges(&self) -> bool {
+        let edges = self.recovery.render_settings().edges;
+        edges.for_parameters(self.recovery.ids()) == Edges::On
     }
 
     /// The gradient in a setting.

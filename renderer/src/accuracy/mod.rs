@@ -5,10 +5,10 @@
 //! accurate one and says so ([`Selection::is_within`]).
 //!
 //! The error is that of the whole gradient ([`GradientMetric`]), relative to the gradient in double
-//! precision with all mirrors that the scene asks for. What every setting shares it does not see:
-//! which primitive a ray meets is always decided in single precision, and, without
-//! [edges](crate::Settings::edges), silhouettes and shadow edges that move are missing from every
-//! gradient.
+//! precision with all mirrors that the scene asks for, and with [edges](crate::Settings::edges) wherever
+//! the problem has them. What every setting shares it does not see: which primitive a ray meets is always
+//! decided in single precision, and where edges are turned off, silhouettes and shadow edges that move are
+//! missing from every gradient.
 //!
 //! Rays through pixels are as given, or chosen too ([`Rays`]). Which of it means something depends on
 //! the target. One that the same renderer made from the same rays is matched by these rays exactly,
@@ -37,7 +37,7 @@ pub use metric::GradientMetric;
 #[cfg(feature = "cli")]
 pub(crate) use metric::image_error;
 #[cfg(feature = "cli")]
-pub(crate) use reference::IntegralGradient;
+pub(crate) use reference::{IntegralGradient, grids};
 pub use sampler::Sampler;
 use work::Work;
 

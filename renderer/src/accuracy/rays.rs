@@ -6,17 +6,20 @@
 //! reference with all mirrors, in double precision, so that what mirrors and rounding bring is in it
 //! too. Settings are tried from the cheapest on, but for those that cannot be enough by what is known of
 //! fewer rays; and with as few seeds as tell that they are within the accuracy or not.
+//!
+//! Gradients that see edges have regular grids and no seeds. Their reference is a grid so fine that the
+//! next coarser one gives nearly the same.
 
-use super::reference::IntegralGradient;
+use super::reference::{IntegralGradient, grids};
 use super::work::Work;
 use super::{Evaluator, GradientMetric, Kind, Sampler, Setting, Trial, most_accurate, trials};
-use crate::settings::{GradientSamples, Samples};
+use crate::settings::{GradientSamples, Samples, Sampling};
 
 /// More rays in an image are not tried: a gradient would take about a second.
 const MOST_IN_IMAGE: u64 = 1 << 24;
 
 /// The rays on which mirrors and precisions are compared.
-const RAYS_OF_PILOTS: u32 = 4;
+const RAYS_OF_TRIALS: u32 = 4;
 
 /// So many seeds may tell whether a setting is within the accuracy; if they do not, so many more.
 const SEEDS: [u32; 4] = [8, 16, 32, 64];
@@ -36,17 +39,27 @@ pub(super) fn trials_with_rays(
     let scene = evaluator.recovery().scene();
     let pixels = u64::from(scene.width) * u64::from(scene.height);
     let most = most.min((MOST_IN_IMAGE / pixels.max(1)) as u32).max(1);
-    let reference =
-        IntegralGradient::within(evaluator, metric, sampler, work.most_bounces(), most, accuracy);
-    let mut counts = sampler.counts(most);
+    let bounces = work.most_bounces();
+    let (reference, mut samplings): (_, Vec<Sampling>) = match evaluator.has_edges() {
+        true => {
+            let reference = IntegralGradient::of_grids(evaluator, metric, bounces, most, accuracy);
+            (reference, grids(most).collect())
+        }
+        false => {
+            let reference =
+                IntegralGradient::within(evaluator, metric, sampler, bounces, most, accuracy);
+            let counts = sampler.counts(most).into_iter();
+            (reference, counts.map(|count| sampler.sampling(count)).collect())
+        }
+    };
     if reference.error > accuracy {
         // It has more rays than any setting: the most are still too few.
-        counts.drain(..counts.len() - 1);
+        samplings.drain(..samplings.len() - 1);
     }
     let kinds = trials::kinds(work);
-    let mut settings: Vec<Setting> = counts
+    let mut settings: Vec<Setting> = samplings
         .into_iter()
-        .flat_map(|count| kinds.iter().map(move |kind| (kind, sampler.sampling(count))))
+        .flat_map(|sampling| kinds.iter().map(move |kind| (kind, sampling)))
         .map(|(&(arithmetic, bounces), sampling)| Setting { arithmetic, bounces, sampling })
         .collect();
     settings.sort_by(|a, b| work.of(a).total_cmp(&work.of(b)));
@@ -57,7 +70,10 @@ pub(super) fn trials_with_rays(
         // A ray through the middle is one gradient, so there is no need to guess.
         if setting.sampling.count() > 1 {
             let worth = worth.get_or_insert_with(|| {
-                let shared = sampler.sampling(RAYS_OF_PILOTS.min(most));
+                let shared = match setting.sampling {
+                    grid @ Sampling::Grid(_) => grid,
+                    _ => sampler.sampling(RAYS_OF_TRIALS.min(most)),
+                };
                 worth_trying(trials::trials(evaluator, metric, work, shared), accuracy)
             });
             if !worth.contains(&setting.kind())
@@ -124,7 +140,7 @@ fn estimate(
     let count = setting.sampling.count();
     let mut error =
         |setting: &Setting| metric.error(&evaluator.gradient(setting), &reference.gradient);
-    if count == 1 {
+    if count == 1 || matches!(setting.sampling, Sampling::Grid(_)) {
         let error = error(setting);
         return Estimate { error: error.hypot(reference.error), at_least: 0.0 };
     }

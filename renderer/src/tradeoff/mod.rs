@@ -9,6 +9,7 @@
 
 mod axis;
 mod cases;
+mod edges;
 mod engine;
 mod measurement;
 mod plot;
@@ -23,6 +24,7 @@ use cases::cases;
 use engine::{Adjoint, Engine, Question};
 use measurement::{Reference, measure_in_turns};
 
+pub use edges::{EdgeRuns, edge_csv, edge_table, measure_edges};
 pub use measurement::Measurement;
 pub use plot::{Curve, Titles, curves_svg, tradeoff_svg};
 pub use sampling::{SamplingRuns, measure_sampling, sampling_csv, sampling_curves, sampling_table};
@@ -48,7 +50,8 @@ pub struct Tradeoff {
 /// Measures what the choices of a recovery cost and what they are worth, each setting for about
 /// `seconds`.
 ///
-/// Errors are those against the gradient in double precision through a tree.
+/// Errors are those against the gradient in double precision through a tree, without edges: what
+/// [they](measure_edges) are worth is measured apart, because tapes and brute force do not have them.
 ///
 /// Memory is counted if the program's allocator is `peakmem_alloc::INSTRUMENTED_SYSTEM`, as in the
 /// command line.

@@ -1,5 +1,6 @@
 //! The selection on generated scenes.
 
+mod edges;
 mod rays;
 
 use super::*;
