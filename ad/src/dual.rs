@@ -28,7 +28,7 @@ pub use lift::{AT_ONCE, Lift, Split};
 pub struct Dual<S, D = S> {
     /// The number.
     pub value: S,
-    /// Its derivative along the chosen direction, or directions.
+    /// The derivative of the value along the chosen direction, or directions.
     pub derivative: D,
 }
 

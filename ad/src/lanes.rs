@@ -69,7 +69,7 @@ macro_rules! single_lane {
 single_lane!(f32);
 single_lane!(f64);
 
-/// One truth value for each lane of `T`: all bits of the lane are set, or none.
+/// A mask: one truth value for each lane of `T`, all bits of which are set, or none.
 #[derive(Clone, Copy, Debug)]
 pub struct LaneMask<T>(T);
 

@@ -75,7 +75,7 @@ where
 pub struct Captured<T>(PhantomData<fn() -> T>);
 
 impl<T: Additive> Captured<T> {
-    /// Those of what is captured.
+    /// The cotangents of what a closure captures.
     #[inline(always)]
     pub fn of<E: Differentiable<Tangent = T>>(_captured: &E) -> Self {
         Self(PhantomData)

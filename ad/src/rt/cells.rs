@@ -16,7 +16,7 @@ pub struct Holder<'a, T: ?Sized>(pub &'a T);
 )]
 pub trait HoldsNoNumber {}
 
-/// Of other types nothing is known. Those that keep what they are given have a method of their own.
+/// The fallback for types of which nothing is known. Those that keep what they are given have a method of their own.
 pub trait MayHold {
     /// Says that the type is given a number.
     #[inline(always)]

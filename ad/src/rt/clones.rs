@@ -43,7 +43,7 @@ impl<T: Debug + ?Sized> Comparable for &Look<'_, T> {
     }
 }
 
-/// All others.
+/// The fallback for types that cannot be compared.
 pub trait NotComparable {
     /// Asks nothing.
     #[inline(always)]

@@ -78,7 +78,7 @@ impl<T: ?Sized> Beside<'_, &mut T> {
     }
 }
 
-/// Of other types nothing is asked. A `&mut` has a method of its own.
+/// The fallback for types of which nothing is asked. A `&mut` has a method of its own.
 pub trait MayKeep {
     /// Says that the call can store nothing in it.
     #[inline(always)]

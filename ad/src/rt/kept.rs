@@ -19,13 +19,13 @@ macro_rules! records {
 
         // The bounds stand on the methods: where one is not met, this is said of the operand.
         impl<A, B: Differentiable, K: Default> $name<A, B, K> {
-            /// Of operands within a loop, which tells them by [`keep`](Self::keep).
+            /// What is kept of operands within a loop, which tells them by [`keep`](Self::keep).
             #[inline(always)]
             pub fn of_unknown() -> Self {
                 Self { kept: K::default(), operands: PhantomData }
             }
 
-            /// Of these operands.
+            /// What is kept of these operands.
             #[inline(always)]
             pub fn of(left: &A, right: &B) -> Self
             where
@@ -73,13 +73,13 @@ pub struct Negation<A, K> {
 }
 
 impl<A, K: Default> Negation<A, K> {
-    /// Of an operand within a loop, which tells it by [`keep`](Self::keep).
+    /// What is kept of an operand within a loop, which tells it by [`keep`](Self::keep).
     #[inline(always)]
     pub fn of_unknown() -> Self {
         Self { kept: K::default(), operand: PhantomData }
     }
 
-    /// Of this operand.
+    /// What is kept of this operand.
     #[inline(always)]
     pub fn of(operand: &A) -> Self
     where

@@ -16,7 +16,7 @@ pub struct Found<F, G>(pub F, pub G);
 /// The method of the trait.
 pub struct OfTrait;
 
-/// One of the type itself, which hides that of the trait.
+/// A name of the type itself, which hides that of the trait.
 pub struct OfType;
 
 impl<F> Found<F, F> {
@@ -55,7 +55,7 @@ impl SameOwner for (OfType, OfType) {}
 #[inline(always)]
 pub fn same_owner<O: SameOwner>(_method_and_derivative: O) {}
 
-/// In the place of the type that would have the derivatives of a function.
+/// Stands in the place of the type that would have the derivatives of a function.
 pub enum FunctionWithoutDerivative {}
 
 /// That there are derivatives.

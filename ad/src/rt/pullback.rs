@@ -107,7 +107,7 @@ pub struct Lends;
 pub struct LendsNothing;
 
 impl Lends {
-    /// Which of the two functions is to be called.
+    /// Returns `true` if the accumulating pullback is to be called.
     #[inline(always)]
     pub const fn lends(&self) -> bool {
         true
@@ -121,7 +121,7 @@ impl Lends {
 }
 
 impl LendsNothing {
-    /// Which of the two functions is to be called.
+    /// Returns `true` if the accumulating pullback is to be called.
     #[inline(always)]
     pub const fn lends(&self) -> bool {
         false

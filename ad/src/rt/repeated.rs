@@ -28,7 +28,7 @@ pub struct Fingerprints {
 }
 
 impl Fingerprints {
-    /// That of all variables that were looked at.
+    /// The fingerprint of all variables that were looked at.
     #[inline(always)]
     pub fn finish(self) -> Fingerprint {
         #[cfg(debug_assertions)]
@@ -67,7 +67,7 @@ impl<T: Debug + ?Sized> Printed for &Look<'_, T> {
     fn look(&self, _: &mut Fingerprints) {}
 }
 
-/// All others.
+/// The fallback for types that cannot be printed.
 pub trait NotPrinted {
     /// Sees nothing.
     #[inline(always)]

@@ -52,7 +52,7 @@ where
     }
 }
 
-/// There is no way, which is an error where the function is used.
+/// The fallback for functions without a rule, which is an error where the function is used.
 pub trait WithoutRule {
     /// The result.
     type Value: Differentiable;

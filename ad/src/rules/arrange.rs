@@ -129,7 +129,7 @@ pub trait ArrayRules: Copy {
     fn from_array_jvp(array: Self::Array, tangent: Self::Array) -> (Self, Self);
 }
 
-/// The same of matrices.
+/// The rules of functions that arrange columns of matrices.
 pub trait ColumnsRules: Copy {
     /// The array of its numbers.
     type Array;
@@ -313,7 +313,7 @@ macro_rules! functions {
         pub enum $function {}
 
         impl $function {
-            /// To each argument that of the element.
+            /// The pullback: each argument gets the cotangent of its element.
             #[inline(always)]
             #[allow(clippy::type_complexity)]
             pub fn vjp(

@@ -40,7 +40,7 @@ impl swap {
 pub enum replace {}
 
 impl replace {
-    /// That of the result to what was there, that of the place to the new value.
+    /// The pullback: what was there gets the cotangent of the result, the new value that of the place.
     #[inline(always)]
     #[allow(clippy::type_complexity)]
     pub fn vjp<T: Differentiable>(
@@ -66,7 +66,7 @@ impl replace {
 pub enum take {}
 
 impl take {
-    /// That of the result to what was there.
+    /// The pullback: what was there gets the cotangent of the result.
     #[inline(always)]
     pub fn vjp<T: Differentiable + Default>(
         place: &mut T,

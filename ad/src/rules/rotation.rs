@@ -29,7 +29,7 @@ fn dot<S: Real>(a: Triple<S>, b: Triple<S>) -> S {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
-/// As glam has it: v (w² - b²) + 2 b (v·b) + 2 w (b × v), for the vector part b.
+/// A vector rotated as glam does: v (w² - b²) + 2 b (v·b) + 2 w (b × v), for the vector part b.
 #[differentiable]
 pub fn rotated<S: Real>(q: Quaternion<S>, v: Triple<S>) -> Triple<S> {
     let [x, y, z, w] = q;
@@ -58,7 +58,7 @@ pub fn from_axis_angle<S: Real>(axis: Triple<S>, angle: S) -> Quaternion<S> {
     [axis[0] * sin, axis[1] * sin, axis[2] * sin, half.cos()]
 }
 
-/// As glam has it, which does not go by way of a quaternion.
+/// The matrix of a rotation about an axis as glam computes it: not by way of a quaternion.
 #[differentiable]
 pub fn axis_angle_matrix<S: Real>(axis: Triple<S>, angle: S) -> Columns<S> {
     let (sin, cos) = (angle.sin(), angle.cos());

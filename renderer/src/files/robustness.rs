@@ -123,12 +123,16 @@ fn seeds() -> Vec<Seed> {
         ("seed.ply", binary_ply("binary_little_endian", f32::to_le_bytes, i32::to_le_bytes)),
         #[cfg(feature = "ply")]
         ("seed.ply", binary_ply("binary_big_endian", f32::to_be_bytes, i32::to_be_bytes)),
+        #[cfg(feature = "ply")]
+        ("seed.ply", include_bytes!("../../../fuzz/seeds/ply/strips.ply").into()),
         #[cfg(feature = "stl")]
         ("seed.stl", STL.into()),
         #[cfg(feature = "stl")]
         ("seed.stl", binary_stl()),
         #[cfg(feature = "gltf")]
         ("seed.gltf", GLTF.into()),
+        #[cfg(feature = "gltf")]
+        ("seed.gltf", include_bytes!("../../../fuzz/seeds/gltf/sparse.gltf").into()),
         #[cfg(feature = "gltf")]
         ("seed.glb", glb()),
     ]

@@ -127,7 +127,7 @@ macro_rules! operators {
             a.value(b)
         }
 
-        /// Its derivative.
+        /// The derivative of the operator.
         pub enum $function {}
 
         impl $function {
@@ -232,7 +232,7 @@ macro_rules! assigning_operators {
             a.assign(b);
         }
 
-        /// Its derivative.
+        /// The derivative of the operator.
         pub enum $function {}
 
         impl $function {
@@ -317,7 +317,7 @@ pub fn neg<A: BorrowedOperator<operation::Neg, (), Form>, Form>(a: &A) -> A::Out
     a.value(&())
 }
 
-/// Its derivative.
+/// The derivative of the operator.
 pub enum neg {}
 
 impl neg {

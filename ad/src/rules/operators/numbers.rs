@@ -95,7 +95,7 @@ pub(super) fn quotient_pullback<S: Real>(numerator: S, denominator: S, cotangent
     (to_numerator, denominator_cotangent(to_numerator, numerator / denominator))
 }
 
-/// The same, where the quotient is finite and its denominator no zero.
+/// The pullback of a quotient that is finite and whose denominator is not zero.
 #[inline(always)]
 pub fn quotient_pullback_of_finite<S: Real>(numerator: S, denominator: S, cotangent: S) -> (S, S) {
     let quotient = numerator / denominator;
