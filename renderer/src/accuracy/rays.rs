@@ -34,7 +34,8 @@ pub(super) fn pilots_with_rays(
     accuracy: f64,
 ) -> Vec<Pilot> {
     let scene = trials.recovery().scene();
-    let pixels = u64::from(scene.width) * u64::from(scene.height);
+    let [width, height] = scene.size();
+    let pixels = u64::from(width) * u64::from(height);
     let most = most.min((MOST_IN_IMAGE / pixels.max(1)) as u32).max(1);
     let reference =
         IntegralGradient::within(trials, metric, sampler, work.most_bounces(), most, accuracy);

@@ -23,9 +23,11 @@ mod warnings;
 pub use crate::warning::Warning;
 #[cfg(feature = "gltf")]
 pub use gltf::{GltfFile, load_gltf};
-pub use images::{LoadedImage, check_image_path, load_image, save_exr, save_image, save_png};
+pub use images::{LoadedImage, check_image_path, load_image, load_mask, save_exr, save_image, save_png};
 pub use meshes::{FileNormals, MeshFormat, load_mesh, load_mesh_with};
 pub use model::{DEFAULT_MATERIAL, Model, ModelMaps, ModelMaterial, TextureImage, TextureSource};
+#[cfg(feature = "cli")]
+pub(crate) use names::file_stems;
 pub use obj::{load_obj, save_obj};
 #[cfg(feature = "ply")]
 pub use ply::load_ply;

@@ -55,11 +55,12 @@ impl State {
         }
     }
 
-    /// Takes in an evaluation at `x`.
-    pub fn record(&mut self, record: Record) {
+    /// Takes in an evaluation at `x`. The lowest loss of samples is that of the easiest one, so then the
+    /// latest is the best.
+    pub fn record(&mut self, record: Record, is_sampled: bool) {
         let Record { iteration, loss, .. } = record;
         let point = Point { iteration, loss, x: self.x.clone() };
-        if self.best.as_ref().is_none_or(|best| loss < best.loss) {
+        if self.best.as_ref().is_none_or(|best| is_sampled || loss < best.loss) {
             self.best = Some(point.clone());
         }
         self.trajectory.record(&point);

@@ -4,8 +4,14 @@
 pub trait Objective {
     /// Loss and gradient at `x`.
     ///
-    /// A resumed run is bit for bit the uninterrupted one only if this depends on nothing but `x`.
+    /// A resumed run is bit for bit the uninterrupted one only if this depends on nothing but `x` and the
+    /// iteration that was [begun](Self::begin).
     fn evaluate(&mut self, x: &[f64]) -> Evaluation;
+
+    /// Told the number of each iteration before it is evaluated, also of the first after a run is resumed.
+    /// An objective that is a sample, such as a few of many views, takes the sample from this number alone,
+    /// so that a resumed run is bit for bit the uninterrupted one.
+    fn begin(&mut self, _iteration: u64) {}
 
     /// What makes loss or gradient at `x` infinite or no number, for people; asked after
     /// [`evaluate`](Self::evaluate) gave such a result.

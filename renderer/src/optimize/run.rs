@@ -106,6 +106,7 @@ impl<'a> Optimization<'a> {
         };
         let mut known: Option<Evaluation> = None;
         loop {
+            problem.borrow_mut().begin(self.state.iteration);
             let evaluation = known.take().unwrap_or_else(|| objective(&self.state.x));
             self.state.seconds = seconds_before + clock.elapsed().as_secs_f64();
             self.state.evaluations = evaluations.get();
@@ -121,7 +122,7 @@ impl<'a> Optimization<'a> {
                 gradient_norm: self.flat.projected_norm(&self.state.x, &evaluation.gradient),
                 seconds: self.state.seconds,
             };
-            self.state.record(record);
+            self.state.record(record, self.settings.is_sampled);
             let initial_loss = self.state.history[0].loss;
             let step = Step { record, initial_loss, iterations: self.settings.iterations };
             let interrupted = observer.step(&step).is_break();

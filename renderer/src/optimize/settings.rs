@@ -24,12 +24,15 @@ pub struct Settings {
     pub optimizer: Optimizer,
     /// How the learning rates change in the course of the run.
     pub schedule: Schedule,
+    /// Whether the loss is that of a sample which changes from iteration to iteration: the parameters
+    /// recovered are then the last ones, since the lowest loss is that of the easiest sample.
+    pub is_sampled: bool,
     /// Where the run is kept safe; nothing for a run that leaves no trace.
     pub checkpointing: Option<Checkpointing>,
 }
 
 impl Default for Settings {
-    /// 200 iterations, tolerances 0, Adam at constant learning rates, no checkpoints.
+    /// 200 iterations, tolerances 0, Adam at constant learning rates, no samples, no checkpoints.
     fn default() -> Self {
         Self {
             iterations: 200,
@@ -37,6 +40,7 @@ impl Default for Settings {
             gradient_tolerance: 0.0,
             optimizer: Optimizer::default(),
             schedule: Schedule::default(),
+            is_sampled: false,
             checkpointing: None,
         }
     }

@@ -1,23 +1,33 @@
-//! The loss of an image as a function of numbers.
+//! The loss of images as a function of numbers.
 
-use super::Recovery;
+use super::{Recovery, TargetImage};
 use crate::LossAndGradient;
 use crate::optimize::{Evaluation, Objective};
 use crate::render::Renderer;
 use crate::scene::{Invalid, Scene};
 use crate::settings::{Sampling, Settings};
 
-/// The loss of the rendered image as a function of the parameters that vary.
+/// The loss of the rendered images as a function of the parameters that vary.
 pub(crate) struct ImageObjective<'a> {
     recovery: &'a Recovery<'a>,
     renderer: Renderer,
     scene: Scene,
+    /// What is matched in this iteration, in the order of the views.
+    targets: Vec<&'a TargetImage>,
+    /// What the sum of the losses is multiplied by: where only some views are seen, they stand for all.
+    factor: f64,
 }
 
 impl<'a> ImageObjective<'a> {
     pub fn new(recovery: &'a Recovery<'a>, settings: &Settings) -> Self {
-        let renderer = Renderer::unchecked(recovery.scene, settings);
-        Self { recovery, renderer, scene: recovery.scene.clone() }
+        let mut scene = recovery.scene.clone();
+        let targets: Vec<&TargetImage> = recovery.matched().collect();
+        targets[0].look(&mut scene);
+        let settings = Settings { pass: targets[0].pass, ..*settings };
+        let renderer = Renderer::unchecked(&scene, &settings);
+        let mut objective = Self { recovery, renderer, scene, targets, factor: 1.0 };
+        objective.begin(0);
+        objective
     }
 
     /// Changes the rays through pixels and the depth of paths; all else that is prepared stays.
@@ -32,20 +42,19 @@ impl<'a> ImageObjective<'a> {
         self.renderer.update(&self.scene);
         Ok(())
     }
-}
 
-/// A loss and its gradient, in a row.
-fn evaluation(result: &LossAndGradient) -> Evaluation {
-    Evaluation { loss: result.loss, gradient: result.gradient.concat() }
-}
+    /// Shows what a target of this iteration is compared with.
+    fn show(&mut self, index: usize) -> &'a TargetImage {
+        let target = self.targets[index];
+        target.show(&mut self.scene, &mut self.renderer);
+        target
+    }
 
-impl Objective for ImageObjective<'_> {
-    fn evaluate(&mut self, x: &[f64]) -> Evaluation {
-        if self.assign(x).is_err() {
-            return Evaluation { loss: f64::NAN, gradient: vec![f64::NAN; x.len()] };
-        }
-        let Self { recovery, renderer, scene } = self;
-        let (ids, loss) = (&recovery.ids, recovery.loss());
+    /// Loss and gradient of a target of this iteration.
+    fn evaluate_target(&mut self, index: usize) -> Evaluation {
+        let target = self.show(index);
+        let Self { recovery, renderer, scene, factor, .. } = self;
+        let (ids, loss) = (&recovery.ids, target.loss(recovery.loss_kind()).times(*factor));
         let result = evaluation(&renderer.loss_and_gradient(scene, &loss, ids));
         if result.is_finite() || !recovery.allow_non_finite {
             return result;
@@ -54,17 +63,62 @@ impl Objective for ImageObjective<'_> {
             return result;
         };
         if let Ok(mut left_out) = recovery.left_out.lock() {
-            *left_out = Some(found.to_string());
+            *left_out = Some(of_view(target, scene, found.to_string()));
         }
         evaluation(&renderer.gradient_of_finite(scene, &loss, ids, &found))
+    }
+}
+
+/// A loss and its gradient, in a row.
+fn evaluation(result: &LossAndGradient) -> Evaluation {
+    Evaluation { loss: result.loss, gradient: result.gradient.concat() }
+}
+
+/// What is said of a target, after the name of its view.
+fn of_view(target: &TargetImage, scene: &Scene, what: String) -> String {
+    match target.name(scene) {
+        "" => what,
+        name => format!("view `{name}`: {what}"),
+    }
+}
+
+impl Objective for ImageObjective<'_> {
+    fn begin(&mut self, iteration: u64) {
+        let Some(batch) = self.recovery.section.batch else { return };
+        let all = self.recovery.matched();
+        let mut views: Vec<usize> = all.filter_map(|target| target.view).collect();
+        views.dedup();
+        let chosen = batch.views(iteration, views.len());
+        let is_chosen = |target: &&TargetImage| {
+            chosen.iter().any(|&index| Some(views[index]) == target.view)
+        };
+        self.targets = self.recovery.matched().filter(is_chosen).collect();
+        self.factor = views.len() as f64 / chosen.len() as f64;
+    }
+
+    fn evaluate(&mut self, x: &[f64]) -> Evaluation {
+        if self.assign(x).is_err() {
+            return Evaluation { loss: f64::NAN, gradient: vec![f64::NAN; x.len()] };
+        }
+        let mut sum = self.evaluate_target(0);
+        for index in 1..self.targets.len() {
+            let other = self.evaluate_target(index);
+            sum.loss += other.loss;
+            sum.gradient.iter_mut().zip(other.gradient).for_each(|(sum, other)| *sum += other);
+        }
+        sum
     }
 
     fn explain(&mut self, x: &[f64]) -> Option<String> {
         if let Err(Invalid { path, problem }) = self.assign(x) {
             return Some(format!("{path} {problem}"));
         }
-        let Self { recovery, renderer, scene } = self;
-        let found = renderer.find_non_finite_gradient(scene, &recovery.loss(), &recovery.ids)?;
-        Some(found.to_string())
+        (0..self.targets.len()).find_map(|index| {
+            let target = self.show(index);
+            let Self { recovery, renderer, scene, .. } = self;
+            let loss = target.loss(recovery.loss_kind());
+            let found = renderer.find_non_finite_gradient(scene, &loss, &recovery.ids)?;
+            Some(of_view(target, scene, found.to_string()))
+        })
     }
 }

@@ -19,7 +19,7 @@ use crate::Error;
 use crate::optimize::loss_svg;
 use chart::{Curve, label, line_chart};
 use html::{data_uri, escape, number, numbers};
-use run_folder::{Frame, RunFolder, TextureImages, Trajectory};
+use run_folder::{Frame, RunFolder, TextureImages, Trajectory, ViewImages};
 
 /// Elements whose trajectories are drawn; a page of more would not be read.
 const MOST_CHARTS: usize = 24;
@@ -35,6 +35,7 @@ pub fn report_page(folder: &Path) -> Result<String, Error> {
     let name = name.file_name().map_or("run".into(), |name| name.to_string_lossy());
     let mut sections = vec![("Result", figures(&run.summary))];
     sections.push(("Images", images(&run)));
+    sections.push(("Views", views(&run.views)));
     if run.frames.len() > 1 {
         sections.push(("Course", strip(&run.frames)));
     }
@@ -118,6 +119,19 @@ fn images(run: &RunFolder) -> String {
         _ => name.to_owned(),
     };
     grid(run.images.iter().map(|(name, png)| (caption(name), &png[..])))
+}
+
+fn views(views: &[ViewImages]) -> String {
+    let figures = |view: &ViewImages| match view.psnr {
+        Some(psnr) => format!("PSNR {psnr:.2} dB, SSIM {:.4}", view.ssim),
+        None => "equal".to_owned(),
+    };
+    let of_view = |view: &ViewImages| {
+        let pictures = view.pictures.iter();
+        let grid = grid(pictures.map(|(kind, png)| ((*kind).to_owned(), &png[..])));
+        format!("<h3>{}</h3>\n<p>{}</p>\n{grid}", escape(&view.title), figures(view))
+    };
+    views.iter().map(of_view).collect()
 }
 
 fn textures(textures: &[TextureImages]) -> String {

@@ -120,7 +120,10 @@ impl<'de> DeserializeSeed<'de> for Key {
 pub(super) struct SceneFile {
     #[serde(default = "default_bounces")]
     pub bounces: u32,
-    pub camera: CameraEntry,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub camera: Option<CameraEntry>,
+    #[serde(default, rename = "view", skip_serializing_if = "Vec::is_empty")]
+    pub views: Vec<ViewEntry>,
     #[serde(default, rename = "light", skip_serializing_if = "Vec::is_empty")]
     pub lights: Vec<LightEntry>,
     #[serde(default, rename = "mesh", skip_serializing_if = "Vec::is_empty")]
@@ -140,6 +143,19 @@ entries! {
     CameraEntry, "camera" {
         width: Option<u32>,
         height: Option<u32>,
+    }
+
+    /// A camera with a name, and what its image is compared with.
+    ViewEntry, "camera" {
+        name: Option<String>,
+        width: Option<u32>,
+        height: Option<u32>,
+        /// Image files, relative to the scene file.
+        target: Option<PathBuf>,
+        coverage: Option<PathBuf>,
+        mask: Option<PathBuf>,
+        weight: Option<f64>,
+        held_out: Option<bool>,
     }
 
     LightEntry, "light" {
@@ -274,8 +290,15 @@ pub(super) struct OptimizeEntry {
     /// An image file, relative to the scene file.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub target: Option<PathBuf>,
+    /// An image file, relative to the scene file.
     #[serde(skip_serializing_if = "Option::is_none")]
+    pub mask: Option<PathBuf>,
+    #[serde(default, deserialize_with = "name_or_table", skip_serializing_if = "Option::is_none")]
     pub loss: Option<LossKind>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub batch: Option<usize>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub seed: Option<u64>,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub learning_rate: Option<f64>,
     #[serde(skip_serializing_if = "Option::is_none")]

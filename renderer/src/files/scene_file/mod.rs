@@ -12,6 +12,7 @@ mod numbers;
 mod optimize;
 mod read;
 mod textures;
+mod views;
 mod write;
 
 #[cfg(test)]

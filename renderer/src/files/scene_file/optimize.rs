@@ -5,6 +5,8 @@ use std::path::Path;
 use super::Problem;
 use super::format::{Numbers, OptimizeEntry, Ordered, ParameterEntry};
 use crate::Error;
+use crate::loss::LossKind;
+use crate::recovery::Batch;
 use crate::experiment::{OptimizeSection, Target, TunedParameter, overlap};
 use crate::scene::{Invalid, ParameterId, Scene};
 
@@ -22,6 +24,31 @@ pub(super) fn read(
         (Some(image), []) => Some(Target::Image(folder.join(image))),
         (None, [_, ..]) => Some(Target::Values(target_values(&entry.target_values, scene)?)),
         (None, []) => None,
+    };
+    if let ([_, ..], Some(Target::Image(_))) = (scene.views(), &target) {
+        let problem = "a scene with views has a target for each of them: `target` in [[view]]";
+        return Err(Problem::new("optimize.target", problem));
+    }
+    if let ([_, ..], Some(_)) = (scene.views(), &entry.mask) {
+        let problem = "a scene with views has a mask for each of them: `mask` in [[view]]";
+        return Err(Problem::new("optimize.mask", problem));
+    }
+    if let Some(LossKind::Huber { delta }) = entry.loss
+        && !(delta > 0.0 && delta.is_finite())
+    {
+        return Err(Problem::new("optimize.loss.delta", format!("must be above 0, is {delta}")));
+    }
+    let batch = match (entry.batch, entry.seed) {
+        (Some(0), _) => return Err(Problem::new("optimize.batch", "must be at least 1, is 0")),
+        (Some(_), _) if scene.views().is_empty() => {
+            let problem = "is a number of views; the scene has none";
+            return Err(Problem::new("optimize.batch", problem));
+        }
+        (Some(size), seed) => Some(Batch { size, seed: seed.unwrap_or_default() }),
+        (None, Some(_)) => {
+            return Err(Problem::new("optimize.seed", "orders the views of batches: give `batch`"));
+        }
+        (None, None) => None,
     };
     let mut parameters: Vec<TunedParameter> = Vec::new();
     for parameter in &entry.parameters {
@@ -45,6 +72,9 @@ pub(super) fn read(
     }
     Ok(OptimizeSection {
         target,
+        mask: entry.mask.as_ref().map(|mask| folder.join(mask)),
+        views: Vec::new(),
+        batch,
         parameters,
         loss: entry.loss,
         optimizer: entry.optimizer,

@@ -8,10 +8,10 @@ use glam::DVec3;
 use super::format::{LightEntry, SceneFile, SphereEntry};
 use super::materials::MaterialTable;
 use super::textures::TextureTable;
-use super::{Problem, meshes, numbers, optimize};
+use super::{Problem, meshes, numbers, optimize, views};
 use crate::Warning;
 use crate::experiment::Experiment;
-use crate::scene::{Camera, Light, LightObject, LightSource, MaterialObject, Scene, SphereObject};
+use crate::scene::{Light, LightObject, LightSource, MaterialObject, Scene, SphereObject};
 
 /// The experiment that the file `name` in `folder` describes.
 pub(super) fn experiment(
@@ -26,22 +26,20 @@ pub(super) fn experiment(
             "has no light: add a [[light]], or an `emission` to a material, or all is black";
         warnings.push(Warning::new(name, problem));
     }
-    let optimize = match &file.optimize {
+    let mut optimize = match &file.optimize {
         Some(entry) => Some(optimize::read(entry, &scene, folder)?),
         None => None,
     };
+    let targets = views::targets(&file.views, folder)?;
+    if !targets.is_empty() {
+        optimize.get_or_insert_default().views = targets;
+    }
     Ok(Experiment { scene, optimize, warnings })
 }
 
 /// The scene, and what was left out of the files that it names.
 fn scene(file: &SceneFile, folder: &Path) -> Result<(Scene, Vec<Warning>), Problem> {
-    let size = |name: &str, size: Option<u32>| {
-        size.ok_or_else(|| Problem::new(format!("camera.{name}"), "is missing"))
-    };
-    let (width, height) = (size("width", file.camera.width)?, size("height", file.camera.height)?);
-    let camera = Camera::looking(DVec3::NAN, DVec3::NAN);
-    let mut scene = Scene { bounces: file.bounces, ..Scene::new(width, height, camera) };
-    numbers::assign(&mut scene.camera, "camera", "camera", &file.camera.numbers)?;
+    let mut scene = views::scene(file)?;
     for entry in &file.lights {
         add_light(&mut scene, entry)?;
     }
