@@ -4,6 +4,7 @@
 
 use std::path::{Path, PathBuf};
 
+use crate::laplacian::Weights;
 use crate::loss::LossKind;
 use crate::optimize::{Optimizer, Schedule};
 use crate::recovery::Batch;
@@ -107,6 +108,27 @@ pub struct TunedParameter {
     pub min: Option<Vec<f64>>,
     /// Its upper bound, as many numbers as the parameter has, nowhere below `min`.
     pub max: Option<Vec<f64>>,
+    /// Of the vertices of a mesh: the lambda of the [coordinates](crate::laplacian::System) that first-order
+    /// methods take their steps in, of uniform weights; above 0.
+    pub large_steps: Option<f64>,
+    /// Of the vertices of a mesh: a term of the loss.
+    pub laplacian: Option<LaplacianTerm>,
+}
+
+impl TunedParameter {
+    /// A parameter with the usual learning rate and bounds.
+    pub fn new(id: ParameterId) -> Self {
+        Self { id, learning_rate: None, min: None, max: None, large_steps: None, laplacian: None }
+    }
+}
+
+/// What the [differences](crate::laplacian::Laplacian::energy) between vertices and their neighbours cost.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LaplacianTerm {
+    /// What the mean squared difference is multiplied by; 0 or more.
+    pub weight: f64,
+    /// How neighbours count; cotangents are those of the mesh as the scene has it.
+    pub weights: Weights,
 }
 
 impl Experiment {

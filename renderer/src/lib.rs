@@ -38,6 +38,8 @@ pub mod extremes;
 #[cfg(feature = "files")]
 pub mod files;
 #[cfg(feature = "files")]
+pub mod laplacian;
+#[cfg(feature = "files")]
 pub mod optimize;
 #[cfg(feature = "cli")]
 pub mod palette;

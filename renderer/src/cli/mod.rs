@@ -188,12 +188,7 @@ impl Problem {
                     return Err(Error::new(format_args!("--param {path}"), problem));
                 }
                 let listed = section.parameters.iter().find(|tuned| tuned.id == id).cloned();
-                tuned.push(listed.unwrap_or(TunedParameter {
-                    id,
-                    learning_rate: None,
-                    min: None,
-                    max: None,
-                }));
+                tuned.push(listed.unwrap_or(TunedParameter::new(id)));
             }
             section.parameters = tuned;
         }

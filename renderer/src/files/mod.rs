@@ -4,6 +4,7 @@
 //! holds that nothing here shows comes back as a [`Warning`]. Writing is atomic: a reader finds the
 //! old file or the new one, never half of one.
 
+mod cameras;
 #[cfg(feature = "gltf")]
 mod gltf;
 pub mod images;
@@ -21,6 +22,7 @@ mod stl;
 mod warnings;
 
 pub use crate::warning::Warning;
+pub use cameras::{FoundView, load_cameras};
 #[cfg(feature = "gltf")]
 pub use gltf::{GltfFile, load_gltf};
 pub use images::{LoadedImage, check_image_path, load_image, load_mask, save_exr, save_image, save_png};

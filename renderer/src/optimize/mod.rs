@@ -59,6 +59,7 @@ mod loss_plot;
 mod observer;
 mod optimizer;
 mod outcome;
+mod preconditioner;
 mod problem;
 #[cfg(feature = "cli")]
 mod progress;
@@ -86,6 +87,7 @@ pub use observer::{Observer, Quiet, Step};
 pub use optimizer::Lbfgs;
 pub use optimizer::{Adam, AdamW, Optimizer, RmsProp, Sgd};
 pub use outcome::{Outcome, Start};
+pub use preconditioner::Preconditioner;
 pub use problem::{Evaluation, Objective};
 #[cfg(feature = "cli")]
 pub use progress::{Bar, Lines, progress};

@@ -31,6 +31,13 @@ impl<'a> Optimization<'a> {
     pub fn start(variables: &'a [Variable], settings: &'a Settings) -> Result<Self, Error> {
         settings.check()?;
         let flat = Flat::new(variables)?;
+        if flat.is_preconditioned() && settings.optimizer.finds_step_lengths() {
+            let problem = format!(
+                "{} learns by itself which steps are easy; leave the coordinates of parameters out",
+                settings.optimizer.name()
+            );
+            return Err(Error::new("optimize.optimizer", problem));
+        }
         let mut stored = None;
         let mut file = None;
         if let Some(checkpointing) = &settings.checkpointing {

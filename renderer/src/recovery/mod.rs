@@ -17,6 +17,7 @@ mod batch;
 mod check;
 mod objective;
 mod quality;
+mod regularizer;
 mod target;
 mod variable;
 
@@ -28,10 +29,12 @@ pub(crate) use objective::ImageObjective;
 pub use quality::Quality;
 pub use target::TargetImage;
 
+use regularizer::Regularizer;
+
 use crate::Error;
 use crate::Image;
 use crate::arithmetic::Arithmetic;
-use crate::experiment::{Experiment, OptimizeSection, TunedParameter, overlap};
+use crate::experiment::{Experiment, LaplacianTerm, OptimizeSection, TunedParameter, overlap};
 use crate::loss::LossKind;
 use crate::optimize::{
     Evaluation, Fingerprint, Objective, Observer, Optimization, Optimizer, Outcome,
@@ -50,6 +53,7 @@ pub struct Recovery<'a> {
     settings: Settings,
     targets: Vec<TargetImage>,
     ids: Vec<ParameterId>,
+    regularizers: Vec<Regularizer>,
     variables: Vec<Variable>,
     allow_non_finite: bool,
     left_out: Arc<Mutex<Option<String>>>,
@@ -91,9 +95,10 @@ impl<'a> Recovery<'a> {
                 let target = truth.as_ref().map(|truth| truth.get(tuned.id).into_owned());
                 variable::variable(scene, tuned, section.learning_rate, target)
             })
-            .collect();
+            .collect::<Result<_, _>>()?;
+        let regularizers = regularizer::of(scene, &section.parameters);
         let (allow_non_finite, left_out) = (false, Arc::default());
-        Ok(Self { scene, section, settings, targets, ids, variables, allow_non_finite, left_out })
+        Ok(Self { scene, section, settings, targets, ids, regularizers, variables, allow_non_finite, left_out })
     }
 
     /// This inverse problem, with the same target, rendered with other settings.
@@ -164,6 +169,7 @@ impl<'a> Recovery<'a> {
             .text(&format!("{:?}", self.loss_kind()))
             .text(&format!("{settings:?}"))
             .text(&format!("{:?}", self.section.batch))
+            .text(&format!("{:?}", self.laplacian_terms()))
             .text(&format!("{:?}", scene.spheres));
         for id in scene.parameters() {
             let path = scene.path(id).to_string();
@@ -289,6 +295,11 @@ impl<'a> Recovery<'a> {
 
     pub(crate) fn loss_kind(&self) -> LossKind {
         self.section.loss.unwrap_or_default()
+    }
+
+    /// The terms of the loss that are not of images.
+    fn laplacian_terms(&self) -> Vec<Option<LaplacianTerm>> {
+        self.section.parameters.iter().map(|tuned| tuned.laplacian).collect()
     }
 
     /// What losses are added up of: all targets but those of views that are held out.

@@ -106,6 +106,7 @@ impl Objective for ImageObjective<'_> {
             sum.loss += other.loss;
             sum.gradient.iter_mut().zip(other.gradient).for_each(|(sum, other)| *sum += other);
         }
+        self.recovery.regularizers.iter().for_each(|term| term.add(x, &mut sum));
         sum
     }
 

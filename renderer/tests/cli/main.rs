@@ -15,3 +15,4 @@ mod sandbox;
 mod stats;
 mod tradeoff;
 mod unlucky;
+mod views;

@@ -14,6 +14,7 @@ use serde::{Deserialize, Serialize, Serializer};
 
 use super::numbers;
 use crate::files::model::Channel;
+use crate::laplacian::Weights;
 use crate::loss::LossKind;
 use crate::optimize::{Optimizer, Schedule};
 use crate::scene::{DEFAULT_BOUNCES, Slot, Wrap};
@@ -147,6 +148,8 @@ entries! {
 
     /// A camera with a name, and what its image is compared with.
     ViewEntry, "camera" {
+        /// A file of many cameras, relative to the scene file, in place of one camera and its target.
+        path: Option<PathBuf>,
         name: Option<String>,
         width: Option<u32>,
         height: Option<u32>,
@@ -327,6 +330,18 @@ pub(super) struct ParameterEntry {
     pub min: Option<Numbers>,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub max: Option<Numbers>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub large_steps: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub laplacian: Option<LaplacianEntry>,
+}
+
+#[derive(Clone, Copy, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct LaplacianEntry {
+    pub weight: f64,
+    #[serde(default)]
+    pub weights: Weights,
 }
 
 /// A number, or an array of them.

@@ -3,12 +3,13 @@
 use std::path::Path;
 
 use super::Problem;
-use super::format::{Numbers, OptimizeEntry, Ordered, ParameterEntry};
+use super::format::{LaplacianEntry, Numbers, OptimizeEntry, Ordered, ParameterEntry};
 use crate::Error;
 use crate::loss::LossKind;
 use crate::recovery::Batch;
-use crate::experiment::{OptimizeSection, Target, TunedParameter, overlap};
-use crate::scene::{Invalid, ParameterId, Scene};
+use crate::experiment::{LaplacianTerm, OptimizeSection, Target, TunedParameter, overlap};
+use crate::laplacian::System;
+use crate::scene::{Invalid, Object, ParameterId, Scene};
 
 /// The section `entry` of a file in `folder` that describes `scene`.
 pub(super) fn read(
@@ -140,7 +141,23 @@ fn tuned_parameter(entry: &ParameterEntry, scene: &Scene) -> Result<TunedParamet
             return Err(at(path, "max", format!("is below the initial value {initial}")));
         }
     }
-    Ok(TunedParameter { id, learning_rate: entry.learning_rate, min, max })
+    if entry.large_steps.is_some_and(|lambda| !(lambda > 0.0 && lambda <= System::LARGEST_LAMBDA)) {
+        let problem = format!("must be above 0 and at most {:e}", System::LARGEST_LAMBDA);
+        return Err(at(path, "large_steps", problem));
+    }
+    if let Some(LaplacianEntry { weight, .. }) = entry.laplacian
+        && !(weight >= 0.0 && weight.is_finite())
+    {
+        return Err(at(path, "laplacian.weight", format!("must be 0 or more, is {weight}")));
+    }
+    let is_surface = matches!(id.object, Object::Mesh(_)) && id.field == "vertices" && id.vertex.is_none();
+    let of_surface = [("large_steps", entry.large_steps.is_some()), ("laplacian", entry.laplacian.is_some())];
+    if let Some((field, _)) = of_surface.iter().find(|(_, is_given)| *is_given && !is_surface) {
+        return Err(at(path, field, "is for all vertices of a mesh"));
+    }
+    let laplacian = entry.laplacian.map(|LaplacianEntry { weight, weights }| LaplacianTerm { weight, weights });
+    let (learning_rate, large_steps) = (entry.learning_rate, entry.large_steps);
+    Ok(TunedParameter { id, learning_rate, min, max, large_steps, laplacian })
 }
 
 /// As many numbers as the parameter has; a bound may be one number for all of them.

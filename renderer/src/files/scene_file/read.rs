@@ -11,7 +11,7 @@ use super::textures::TextureTable;
 use super::{Problem, meshes, numbers, optimize, views};
 use crate::Warning;
 use crate::experiment::Experiment;
-use crate::scene::{Light, LightObject, LightSource, MaterialObject, Scene, SphereObject};
+use crate::scene::{Camera, Light, LightObject, LightSource, MaterialObject, Scene, SphereObject};
 
 /// The experiment that the file `name` in `folder` describes.
 pub(super) fn experiment(
@@ -19,7 +19,9 @@ pub(super) fn experiment(
     folder: &Path,
     name: &str,
 ) -> Result<Experiment, Problem> {
-    let (scene, mut warnings) = scene(file, folder)?;
+    let views = views::read(file, folder)?;
+    let (mut scene, mut warnings) = scene(file, folder)?;
+    let targets = views::add(views, &mut scene);
     scene.check()?;
     if is_black(&scene) {
         let problem =
@@ -30,7 +32,6 @@ pub(super) fn experiment(
         Some(entry) => Some(optimize::read(entry, &scene, folder)?),
         None => None,
     };
-    let targets = views::targets(&file.views, folder)?;
     if !targets.is_empty() {
         optimize.get_or_insert_default().views = targets;
     }
@@ -39,7 +40,11 @@ pub(super) fn experiment(
 
 /// The scene, and what was left out of the files that it names.
 fn scene(file: &SceneFile, folder: &Path) -> Result<(Scene, Vec<Warning>), Problem> {
-    let mut scene = views::scene(file)?;
+    let camera = Camera::looking(DVec3::NAN, DVec3::NAN);
+    let mut scene = Scene { bounces: file.bounces, ..Scene::new(0, 0, camera) };
+    if file.views.is_empty() {
+        views::set_camera(&mut scene, file.camera.as_ref())?;
+    }
     for entry in &file.lights {
         add_light(&mut scene, entry)?;
     }

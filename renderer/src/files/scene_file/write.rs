@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use super::format::{
-    CameraEntry, ChannelEntry, LightEntry, MaterialEntry, MeshEntry, NormalsEntry, Numbers,
+    CameraEntry, ChannelEntry, LaplacianEntry, LightEntry, MaterialEntry, MeshEntry, NormalsEntry, Numbers,
     OptimizeEntry, ParameterEntry, SceneFile, SphereEntry, TextureEntry, ViewEntry,
 };
 use super::numbers;
@@ -11,7 +11,7 @@ use crate::Error;
 use crate::Image;
 use crate::disk::write_atomically;
 use crate::disk::{create_folder, read};
-use crate::experiment::{Experiment, OptimizeSection, Target, TunedParameter, ViewTarget};
+use crate::experiment::{Experiment, LaplacianTerm, OptimizeSection, Target, TunedParameter, ViewTarget};
 use crate::files::images::save_exr;
 use crate::files::names::file_stems;
 use crate::files::obj::save_obj;
@@ -99,6 +99,7 @@ fn views(
             file.as_ref().map(copy).transpose()
         };
         entries.push(ViewEntry {
+            path: None,
             name: Some(view.name.clone()),
             width: Some(view.width),
             height: Some(view.height),
@@ -252,6 +253,8 @@ fn optimize_entry(
         learning_rate: tuned.learning_rate,
         min: tuned.min.as_ref().map(numbers),
         max: tuned.max.as_ref().map(numbers),
+        large_steps: tuned.large_steps,
+        laplacian: tuned.laplacian.map(|LaplacianTerm { weight, weights }| LaplacianEntry { weight, weights }),
     };
     entry.parameters = section.parameters.iter().map(parameter).collect();
     Ok(entry)

@@ -200,7 +200,9 @@ impl Method {
     ) -> Result<Option<Evaluation>, String> {
         match self {
             Self::FirstOrder(method) => {
-                method.direction(x, &mut evaluation.gradient);
+                flat.precondition(&mut evaluation.gradient);
+                method.direction(x, &mut evaluation.gradient, &flat.blocks);
+                flat.precondition(&mut evaluation.gradient);
                 flat.step(x, &evaluation.gradient, factor);
                 Ok(None)
             }
