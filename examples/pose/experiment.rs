@@ -120,7 +120,10 @@ pub fn experiment(size: u32, start: &Pose) -> Result<Experiment, Error> {
         [scene.parameter("mesh.object.rotation")?, scene.parameter("mesh.object.translation")?];
     // Degrees, and lengths.
     let rates = [2.0, 0.04];
-    let parameters = ids.into_iter().zip(rates).map(|(id, rate)| TunedParameter { learning_rate: Some(rate), ..TunedParameter::new(id) });
+    let parameters = ids
+        .into_iter()
+        .zip(rates)
+        .map(|(id, rate)| TunedParameter { learning_rate: Some(rate), ..TunedParameter::new(id) });
     let section = OptimizeSection {
         parameters: parameters.collect(),
         target: Some(Target::Values(ids.into_iter().zip(Pose::truth().numbers()).collect())),

@@ -96,7 +96,10 @@ fn scene(mesh: Mesh) -> Result<Scene, Error> {
     ];
     for (index, (direction, color)) in lights.into_iter().enumerate() {
         let (direction, color) = (DVec3::from(direction), DVec3::from(color));
-        scene.add_light(format!("light{index}"), DistantLight { direction, color, irradiance: 2.5 })?;
+        scene.add_light(
+            format!("light{index}"),
+            DistantLight { direction, color, irradiance: 2.5 },
+        )?;
     }
     Ok(scene)
 }

@@ -64,7 +64,8 @@ fn main() -> Result<(), Error> {
     let shown = |scene: &Scene| -> Vec<Image> {
         recovery.targets()[..SHOWN].iter().map(|of| recovery.render_target(of, scene)).collect()
     };
-    let targets: Vec<Image> = recovery.targets()[..SHOWN].iter().map(|of| of.image.clone()).collect();
+    let targets: Vec<Image> =
+        recovery.targets()[..SHOWN].iter().map(|of| of.image.clone()).collect();
     for (name, images) in
         [("start", shown(&experiment.scene)), ("found", shown(&found)), ("target", targets)]
     {

@@ -115,8 +115,8 @@ fn coverage_sees_silhouettes_and_nothing_else() {
     let target = renderer::Image::black(32, 32);
     let loss = ImageLoss::new(LossKind::MeanSquared, &target, false);
     let renderer = Renderer::new(&scene, &settings).unwrap();
-    let [vertices, diffuse] =
-        ["mesh.triangle.vertices", "material.paint.diffuse"].map(|path| scene.parameter(path).unwrap());
+    let [vertices, diffuse] = ["mesh.triangle.vertices", "material.paint.diffuse"]
+        .map(|path| scene.parameter(path).unwrap());
     let found = renderer.loss_and_gradient(&scene, &loss, &[vertices, diffuse]);
     assert_eq!(found.gradient.get(diffuse), [0.0; 3]);
     let gradient = found.gradient.get(vertices);

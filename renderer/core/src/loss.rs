@@ -145,6 +145,28 @@ fn scale(kind: LossKind, sum: f64) -> f64 {
     }
 }
 
+impl ImageLoss<'_> {
+    /// The second derivative of what a pixel adds to the loss by each channel of its radiance: 0 where the loss
+    /// is flat or straight. Nothing of [`LossKind::L1`], which is straight everywhere.
+    pub fn curvature(&self, x: u32, y: u32, radiance: DVec3) -> Option<DVec3> {
+        let index = y as usize * self.target.width as usize + x as usize;
+        let target = glam::Vec3::from(self.target.pixels[index]).as_dvec3();
+        let weight = self.weights.map_or(1.0, |weights| f64::from(weights[index]));
+        let scale = DVec3::splat(self.scale * weight);
+        let curvature = match self.kind {
+            LossKind::MeanSquared | LossKind::SumSquared => 2.0 * scale,
+            LossKind::L1 => return None,
+            LossKind::Huber { delta } => {
+                let is_near = (radiance - target).abs().cmple(DVec3::splat(delta));
+                DVec3::select(is_near, scale, DVec3::ZERO)
+            }
+            LossKind::RelativeSquared => 2.0 * scale / (target * target + RELATIVE_FLOOR),
+        };
+        let hidden = target.cmpge(DVec3::ONE) & radiance.cmpge(DVec3::ONE);
+        Some(if self.saturates { DVec3::select(hidden, DVec3::ZERO, curvature) } else { curvature })
+    }
+}
+
 impl PixelLoss for ImageLoss<'_> {
     #[inline]
     fn evaluate(&self, x: u32, y: u32, radiance: DVec3) -> (f64, DVec3) {
@@ -203,6 +225,12 @@ mod tests {
                     let difference = (value(1e-6) - value(-1e-6)) / 2e-6;
                     let error = (cotangent.dot(axis) - difference).abs();
                     assert!(error < 1e-7, "{name} {radiance} {axis}: {error}");
+                    let slope = |by: f64| loss.evaluate(0, 0, radiance + axis * by).1.dot(axis);
+                    let second = (slope(1e-6) - slope(-1e-6)) / 2e-6;
+                    if let Some(curvature) = loss.curvature(0, 0, radiance) {
+                        let error = (curvature.dot(axis) - second).abs();
+                        assert!(error < 1e-6, "{name} {radiance} {axis}: {error}");
+                    }
                 }
             }
         }

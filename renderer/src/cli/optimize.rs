@@ -44,7 +44,7 @@ pub(super) struct Arguments {
     #[arg(long, value_name = "X", allow_negative_numbers = true, value_parser = tolerance)]
     tolerance: Option<f64>,
 
-    /// The method: adam, adamw, sgd (needs a learning rate), rmsprop or lbfgs; one that the scene
+    /// The method: adam, adamw, sgd (needs a learning rate), rmsprop, lbfgs or lm (for few numbers); one that the scene
     /// file names too keeps the numbers given there
     #[arg(long, value_name = "NAME", value_parser = Optimizer::named)]
     optimizer: Option<Optimizer>,

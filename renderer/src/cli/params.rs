@@ -30,7 +30,8 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Error> {
     let size: Vec<(String, u32)> = match scene.views() {
         [] => sides("camera", scene.width, scene.height).into(),
         views => {
-            let of_view = |view: &View| sides(&format!("view.{}", view.name), view.width, view.height);
+            let of_view =
+                |view: &View| sides(&format!("view.{}", view.name), view.width, view.height);
             views.iter().flat_map(of_view).collect()
         }
     };

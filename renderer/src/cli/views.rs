@@ -74,9 +74,8 @@ pub(super) fn save_views(
 /// How alike pictures and targets are: a line for the views that were matched, and one for each that was
 /// held out. Nothing of scenes without views.
 pub(super) fn quality_lines(recovery: &Recovery<'_>, recovered: &Scene) -> Vec<String> {
-    let figures = |Quality { psnr, ssim }: Quality| {
-        format!("PSNR {} dB, SSIM {}", short(psnr), short(ssim))
-    };
+    let figures =
+        |Quality { psnr, ssim }: Quality| format!("PSNR {} dB, SSIM {}", short(psnr), short(ssim));
     let (mut matched, mut held_out) = (Vec::new(), Vec::new());
     for (target, quality) in recovery.targets().iter().zip(recovery.qualities(recovered)) {
         match target.name(recovered) {
@@ -88,10 +87,10 @@ pub(super) fn quality_lines(recovery: &Recovery<'_>, recovered: &Scene) -> Vec<S
         }
     }
     if !matched.is_empty() {
-        let mean = |of: fn(&Quality) -> f64| {
-            matched.iter().map(of).sum::<f64>() / matched.len() as f64
-        };
-        let mean = Quality { psnr: mean(|quality| quality.psnr), ssim: mean(|quality| quality.ssim) };
+        let mean =
+            |of: fn(&Quality) -> f64| matched.iter().map(of).sum::<f64>() / matched.len() as f64;
+        let mean =
+            Quality { psnr: mean(|quality| quality.psnr), ssim: mean(|quality| quality.ssim) };
         held_out.insert(0, format!("{} matched, mean: {}", matched.len(), figures(mean)));
     }
     held_out

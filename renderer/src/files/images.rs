@@ -59,7 +59,10 @@ pub fn load_image(path: &Path) -> Result<LoadedImage, Error> {
 pub fn load_mask(path: &Path) -> Result<Image, Error> {
     let mask = decode_coverage(&read(path)?, path.display(), true)?;
     if mask.pixels.iter().any(|[value, ..]| *value < 0.0) {
-        return Err(Error::new(path.display(), "a pixel is below 0: it cannot count for less than nothing"));
+        return Err(Error::new(
+            path.display(),
+            "a pixel is below 0: it cannot count for less than nothing",
+        ));
     }
     Ok(mask)
 }

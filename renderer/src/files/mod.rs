@@ -25,7 +25,9 @@ pub use crate::warning::Warning;
 pub use cameras::{FoundView, load_cameras};
 #[cfg(feature = "gltf")]
 pub use gltf::{GltfFile, load_gltf};
-pub use images::{LoadedImage, check_image_path, load_image, load_mask, save_exr, save_image, save_png};
+pub use images::{
+    LoadedImage, check_image_path, load_image, load_mask, save_exr, save_image, save_png,
+};
 pub use meshes::{FileNormals, MeshFormat, load_mesh, load_mesh_with};
 pub use model::{DEFAULT_MATERIAL, Model, ModelMaps, ModelMaterial, TextureImage, TextureSource};
 #[cfg(feature = "cli")]

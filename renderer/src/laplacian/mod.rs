@@ -118,8 +118,10 @@ mod tests {
 
     /// A bent strip, and a vertex that no triangle has.
     pub(super) fn strip() -> (Vec<[f64; 3]>, Vec<[u32; 3]>) {
-        let vertex = |i: usize| [(i / 2) as f64, (i % 2) as f64 + 0.1 * i as f64, (0.7 * i as f64).sin()];
-        let triangles = (0..7).map(|i| if i % 2 == 0 { [i, i + 1, i + 2] } else { [i + 1, i, i + 2] });
+        let vertex =
+            |i: usize| [(i / 2) as f64, (i % 2) as f64 + 0.1 * i as f64, (0.7 * i as f64).sin()];
+        let triangles =
+            (0..7).map(|i| if i % 2 == 0 { [i, i + 1, i + 2] } else { [i + 1, i, i + 2] });
         (((0..10).map(vertex)).collect(), triangles.collect())
     }
 
@@ -128,7 +130,8 @@ mod tests {
         let (vertices, triangles) = strip();
         for weights in [Weights::Uniform, Weights::Cotangent] {
             let laplacian = Laplacian::new(&vertices, &triangles, weights);
-            let x: Vec<f64> = vertices.iter().flatten().map(|v| 1.1 * v + 0.2 * (3.0 * v).sin()).collect();
+            let x: Vec<f64> =
+                vertices.iter().flatten().map(|v| 1.1 * v + 0.2 * (3.0 * v).sin()).collect();
             let (value, gradient) = laplacian.energy(&x);
             assert!(value > 0.0);
             for index in 0..x.len() {

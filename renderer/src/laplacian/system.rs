@@ -1,8 +1,8 @@
 //! The system of equations of Large Steps.
 
-use rayon::prelude::*;
+use glam::DVec3;
 use rsparse::data::{Sprs, Symb};
-use rsparse::{chol, lsolve, ltsolve, schol};
+use rsparse::{chol, schol};
 
 use super::Laplacian;
 use crate::Error;
@@ -43,9 +43,8 @@ impl System {
         let matrix = matrix(laplacian, lambda);
         let mut symbolic: Symb = schol(&matrix, CHOLESKY);
         let factored = chol(&matrix, &mut symbolic);
-        let factor = factored.map_err(|_| {
-            refuse(format!("{lambda} is too large: the matrix cannot be factored"))
-        })?;
+        let factor = factored
+            .map_err(|_| refuse(format!("{lambda} is too large: the matrix cannot be factored")))?;
         let places = match symbolic.pinv {
             Some(places) => places.into_iter().map(|place| place as usize).collect(),
             None => (0..laplacian.count).collect(),
@@ -53,8 +52,7 @@ impl System {
         Ok(Self { factor: factor.l, places })
     }
 
-    /// Replaces a vector for each vertex, `b`, by the solution `x` of `(I + lambda L) x = b`: the same bits on
-    /// any number of threads.
+    /// Replaces a vector for each vertex, `b`, by the solution `x` of `(I + lambda L) x = b`.
     ///
     /// # Panics
     ///
@@ -62,30 +60,41 @@ impl System {
     pub fn solve(&self, b: &mut [f64]) {
         let count = self.places.len();
         assert_eq!(b.len(), 3 * count, "three numbers for each vertex");
-        let solved = (0..3).into_par_iter().map(|axis| {
-            let mut x = vec![0.0; count];
-            for (vertex, &place) in self.places.iter().enumerate() {
-                x[place] = b[3 * vertex + axis];
-            }
-            lsolve(&self.factor, &mut x);
-            ltsolve(&self.factor, &mut x);
-            x
-        });
-        let solved: Vec<Vec<f64>> = solved.collect();
-        for (vertex, &place) in self.places.iter().enumerate() {
-            for (axis, x) in solved.iter().enumerate() {
-                b[3 * vertex + axis] = x[place];
-            }
+        let mut x = vec![DVec3::ZERO; count];
+        for (&place, b) in self.places.iter().zip(b.as_chunks().0) {
+            x[place] = DVec3::from_array(*b);
         }
+        // All three at once: the factor is read once for each direction.
+        for column in 0..count {
+            let (diagonal, below) = self.column(column);
+            let solved = x[column] / diagonal;
+            x[column] = solved;
+            below.for_each(|(row, entry)| x[row] -= entry * solved);
+        }
+        for column in (0..count).rev() {
+            let (diagonal, below) = self.column(column);
+            let known = below.fold(DVec3::ZERO, |sum, (row, entry)| sum + entry * x[row]);
+            x[column] = (x[column] - known) / diagonal;
+        }
+        for (&place, b) in self.places.iter().zip(b.as_chunks_mut().0) {
+            *b = x[place].to_array();
+        }
+    }
+
+    /// A column of the factor: its entry on the diagonal, and those below with their rows.
+    fn column(&self, column: usize) -> (f64, impl Iterator<Item = (usize, f64)>) {
+        let Sprs { p: starts, i: rows, x: entries, .. } = &self.factor;
+        let (start, end) = (starts[column] as usize, starts[column + 1] as usize);
+        let below = rows[start + 1..end].iter().zip(&entries[start + 1..end]);
+        (entries[start], below.map(|(&row, &entry)| (row, entry)))
     }
 }
 
 /// The matrix, column by column, rows in ascending order.
 fn matrix(laplacian: &Laplacian, lambda: f64) -> Sprs<f64> {
     let count = laplacian.count;
-    let mut columns: Vec<Vec<(usize, f64)>> = (0..count)
-        .map(|vertex| vec![(vertex, 1.0 + lambda * laplacian.degrees[vertex])])
-        .collect();
+    let mut columns: Vec<Vec<(usize, f64)>> =
+        (0..count).map(|vertex| vec![(vertex, 1.0 + lambda * laplacian.degrees[vertex])]).collect();
     for &(a, b, weight) in &laplacian.edges {
         let (a, b) = (a as usize, b as usize);
         columns[a].push((b, -lambda * weight));
@@ -130,9 +139,12 @@ mod tests {
                         again[b] -= difference;
                     }
                 }
-                let error = again.iter().zip(&b).map(|(a, b)| (a - b).abs()).fold(0.0, |m: f64, e| {
-                    if e.is_nan() { f64::INFINITY } else { m.max(e) }
-                });
+                let error =
+                    again
+                        .iter()
+                        .zip(&b)
+                        .map(|(a, b)| (a - b).abs())
+                        .fold(0.0, |m: f64, e| if e.is_nan() { f64::INFINITY } else { m.max(e) });
                 assert!(error < 1e-8, "{weights:?} {lambda}: {error}");
                 // A vertex without neighbours stays what it is.
                 assert!((x[27] - b[27]).abs() < 1e-12);

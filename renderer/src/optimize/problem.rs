@@ -13,6 +13,13 @@ pub trait Objective {
     /// so that a resumed run is bit for bit the uninterrupted one.
     fn begin(&mut self, _iteration: u64) {}
 
+    /// The second derivatives of the loss at `x` by all pairs of elements, row by row, as if what the loss is
+    /// made of were linear in them (Gauss and Newton): for methods that solve least squares. Nothing if it is no
+    /// such loss.
+    fn curvature(&mut self, _x: &[f64]) -> Option<Vec<f64>> {
+        None
+    }
+
     /// What makes loss or gradient at `x` infinite or no number, for people; asked after
     /// [`evaluate`](Self::evaluate) gave such a result.
     fn explain(&mut self, _x: &[f64]) -> Option<String> {

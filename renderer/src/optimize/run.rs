@@ -1,6 +1,5 @@
 //! The loop.
 
-use std::cell::{Cell, RefCell};
 use std::time::Instant;
 
 use super::checkpoint::{CheckpointFile, State};
@@ -102,24 +101,16 @@ impl<'a> Optimization<'a> {
         let clock = Instant::now();
         let seconds_before = self.state.seconds;
         let mut last_saved: Option<Instant> = None;
-        let evaluations = Cell::new(self.state.evaluations);
-        let problem = RefCell::new(objective);
-        let mut objective = |x: &[f64]| {
-            evaluations.set(evaluations.get() + 1);
-            let evaluation = problem.borrow_mut().evaluate(x);
-            let gradient = evaluation.gradient.len();
-            assert_eq!(gradient, x.len(), "the gradient must have one element per parameter");
-            evaluation
-        };
+        let mut objective = Counted { objective, evaluations: self.state.evaluations };
         let mut known: Option<Evaluation> = None;
         loop {
-            problem.borrow_mut().begin(self.state.iteration);
-            let evaluation = known.take().unwrap_or_else(|| objective(&self.state.x));
+            objective.begin(self.state.iteration);
+            let evaluation = known.take().unwrap_or_else(|| objective.evaluate(&self.state.x));
             self.state.seconds = seconds_before + clock.elapsed().as_secs_f64();
-            self.state.evaluations = evaluations.get();
+            self.state.evaluations = objective.evaluations;
             let iteration = self.state.iteration;
             if let Some(stop) = Stop::at_non_finite(&evaluation, iteration, self.variables) {
-                let why = problem.borrow_mut().explain(&self.state.x);
+                let why = objective.explain(&self.state.x);
                 return self.stop(stop.explained(why));
             }
 
@@ -166,5 +157,33 @@ impl<'a> Optimization<'a> {
             file.save(&self.state)?;
         }
         Ok(stop)
+    }
+}
+
+/// An objective, and how often it was evaluated.
+struct Counted<'a> {
+    objective: &'a mut dyn Objective,
+    evaluations: u64,
+}
+
+impl Objective for Counted<'_> {
+    fn begin(&mut self, iteration: u64) {
+        self.objective.begin(iteration);
+    }
+
+    fn evaluate(&mut self, x: &[f64]) -> Evaluation {
+        self.evaluations += 1;
+        let evaluation = self.objective.evaluate(x);
+        let gradient = evaluation.gradient.len();
+        assert_eq!(gradient, x.len(), "the gradient must have one element per parameter");
+        evaluation
+    }
+
+    fn curvature(&mut self, x: &[f64]) -> Option<Vec<f64>> {
+        self.objective.curvature(x)
+    }
+
+    fn explain(&mut self, x: &[f64]) -> Option<String> {
+        self.objective.explain(x)
     }
 }

@@ -98,7 +98,17 @@ impl<'a> Recovery<'a> {
             .collect::<Result<_, _>>()?;
         let regularizers = regularizer::of(scene, &section.parameters);
         let (allow_non_finite, left_out) = (false, Arc::default());
-        Ok(Self { scene, section, settings, targets, ids, regularizers, variables, allow_non_finite, left_out })
+        Ok(Self {
+            scene,
+            section,
+            settings,
+            targets,
+            ids,
+            regularizers,
+            variables,
+            allow_non_finite,
+            left_out,
+        })
     }
 
     /// This inverse problem, with the same target, rendered with other settings.

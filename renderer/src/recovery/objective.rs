@@ -1,11 +1,13 @@
 //! The loss of images as a function of numbers.
 
+use glam::DVec3;
+
 use super::{Recovery, TargetImage};
-use crate::LossAndGradient;
 use crate::optimize::{Evaluation, Objective};
 use crate::render::Renderer;
 use crate::scene::{Invalid, Scene};
 use crate::settings::{Sampling, Settings};
+use crate::{Image, LossAndGradient};
 
 /// The loss of the rendered images as a function of the parameters that vary.
 pub(crate) struct ImageObjective<'a> {
@@ -50,6 +52,22 @@ impl<'a> ImageObjective<'a> {
         target
     }
 
+    /// The image that is shown, and its derivatives by every number that varies.
+    fn derivatives(&self) -> Option<(Image, Vec<Image>)> {
+        let (mut image, mut derivatives) = (None, Vec::new());
+        for &id in &self.recovery.ids {
+            let count = self.scene.get(id).len();
+            for element in 0..count {
+                let mut along = vec![0.0; count];
+                along[element] = 1.0;
+                let (value, derivative) = self.renderer.jvp(&self.scene, &[(id, along)]).ok()?;
+                image = Some(value);
+                derivatives.push(derivative);
+            }
+        }
+        Some((image?, derivatives))
+    }
+
     /// Loss and gradient of a target of this iteration.
     fn evaluate_target(&mut self, index: usize) -> Evaluation {
         let target = self.show(index);
@@ -66,6 +84,25 @@ impl<'a> ImageObjective<'a> {
             *left_out = Some(of_view(target, scene, found.to_string()));
         }
         evaluation(&renderer.gradient_of_finite(scene, &loss, ids, &found))
+    }
+}
+
+/// Adds the sums over pixels of the products of all pairs of derivatives, weighted by curvatures.
+fn add_products(curvatures: &[DVec3], derivatives: &[Image], sum: &mut [f64]) {
+    let count = derivatives.len();
+    for row in 0..count {
+        for column in 0..=row {
+            let pairs = derivatives[row].pixels.iter().zip(&derivatives[column].pixels);
+            let product = |((a, b), curvature): ((&[f32; 3], &[f32; 3]), &DVec3)| {
+                let [a, b] = [a, b].map(|pixel| DVec3::from_array(pixel.map(f64::from)));
+                (a * b).dot(*curvature)
+            };
+            let value: f64 = pairs.zip(curvatures).map(product).sum();
+            sum[row * count + column] += value;
+            if row != column {
+                sum[column * count + row] += value;
+            }
+        }
     }
 }
 
@@ -89,9 +126,8 @@ impl Objective for ImageObjective<'_> {
         let mut views: Vec<usize> = all.filter_map(|target| target.view).collect();
         views.dedup();
         let chosen = batch.views(iteration, views.len());
-        let is_chosen = |target: &&TargetImage| {
-            chosen.iter().any(|&index| Some(views[index]) == target.view)
-        };
+        let is_chosen =
+            |target: &&TargetImage| chosen.iter().any(|&index| Some(views[index]) == target.view);
         self.targets = self.recovery.matched().filter(is_chosen).collect();
         self.factor = views.len() as f64 / chosen.len() as f64;
     }
@@ -108,6 +144,24 @@ impl Objective for ImageObjective<'_> {
         }
         self.recovery.regularizers.iter().for_each(|term| term.add(x, &mut sum));
         sum
+    }
+
+    fn curvature(&mut self, x: &[f64]) -> Option<Vec<f64>> {
+        self.assign(x).ok()?;
+        let mut sum = vec![0.0; x.len() * x.len()];
+        for index in 0..self.targets.len() {
+            let target = self.show(index);
+            let loss = target.loss(self.recovery.loss_kind()).times(self.factor);
+            let (image, derivatives) = self.derivatives()?;
+            let width = image.width;
+            let curvatures = image.pixels.iter().enumerate().map(|(index, pixel)| {
+                let (x, y) = (index as u32 % width, index as u32 / width);
+                loss.curvature(x, y, DVec3::from_array(pixel.map(f64::from)))
+            });
+            let curvatures: Vec<DVec3> = curvatures.collect::<Option<_>>()?;
+            add_products(&curvatures, &derivatives, &mut sum);
+        }
+        Some(sum)
     }
 
     fn explain(&mut self, x: &[f64]) -> Option<String> {

@@ -3,8 +3,8 @@
 //! Both are taken as they are shown: clipped to 0..1 and encoded as sRGB, since that is what figures of other
 //! programs are about.
 
-use crate::files::images::srgb_encode;
 use crate::Image;
+use crate::files::images::srgb_encode;
 
 /// How alike an image and its target are.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -67,9 +67,8 @@ fn similarity(a: &[f64], b: &[f64], width: usize) -> f64 {
             mean(&mut pairs().map(|(a, b)| a * b)),
         );
     }
-    let product = |a: &[f64], b: &[f64]| -> Vec<f64> {
-        a.iter().zip(b).map(|(a, b)| a * b).collect()
-    };
+    let product =
+        |a: &[f64], b: &[f64]| -> Vec<f64> { a.iter().zip(b).map(|(a, b)| a * b).collect() };
     let means = [a.to_vec(), b.to_vec(), product(a, a), product(b, b), product(a, b)];
     let [a, b, aa, bb, ab] = means.map(|values| windowed(&values, width));
     let windows = (0..a.len()).map(|i| of_window(a[i], b[i], aa[i], bb[i], ab[i]));
@@ -95,7 +94,9 @@ fn windowed(values: &[f64], width: usize) -> Vec<f64> {
     let rows: Vec<f64> = (0..height * columns)
         .map(|index| along(&|i| values[index / columns * width + index % columns + i]))
         .collect();
-    (0..(height + 1 - WINDOW) * columns).map(|index| along(&|i| rows[index + i * columns])).collect()
+    (0..(height + 1 - WINDOW) * columns)
+        .map(|index| along(&|i| rows[index + i * columns]))
+        .collect()
 }
 
 #[cfg(test)]
@@ -138,7 +139,8 @@ mod tests {
 
     #[test]
     fn what_is_masked_is_equal() {
-        let (a, b) = (image(12, 12, |_, _| 0.5), image(12, 12, |x, _| if x < 6 { 0.5 } else { 0.9 }));
+        let (a, b) =
+            (image(12, 12, |_, _| 0.5), image(12, 12, |x, _| if x < 6 { 0.5 } else { 0.9 }));
         let weights: Vec<f32> = (0..144).map(|i| if i % 12 < 6 { 1.0 } else { 0.0 }).collect();
         assert!(Quality::of(&a, &b, Some(&weights)).psnr.is_infinite());
         assert!(Quality::of(&a, &b, None).psnr < 30.0);

@@ -2,13 +2,13 @@
 
 use std::path::Path;
 
-use crate::{Error, Image};
 use crate::experiment::{OptimizeSection, Target, ViewTarget};
 use crate::files::{LoadedImage, load_image, load_mask};
 use crate::loss::{ImageLoss, LossKind};
 use crate::render::Renderer;
 use crate::scene::Scene;
 use crate::settings::{Pass, Settings};
+use crate::{Error, Image};
 
 /// An image to be matched: of a view, or of the camera of a scene without views.
 #[derive(Clone, Debug)]
@@ -116,7 +116,8 @@ pub(super) fn load(
         }
         views => {
             if let Some(Target::Image(path)) = &section.target {
-                let problem = "a scene with views has a target for each of them: `target` in [[view]]";
+                let problem =
+                    "a scene with views has a target for each of them: `target` in [[view]]";
                 return Err(Error::new(path.display(), problem));
             }
             for view in 0..views.len() {

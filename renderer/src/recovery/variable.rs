@@ -1,11 +1,11 @@
 //! The variable of an optimisation that a parameter becomes.
 
-use crate::experiment::TunedParameter;
 use crate::Error;
+use crate::experiment::TunedParameter;
 use crate::laplacian::{Laplacian, System, Weights};
 use crate::optimize::{Preconditioner, Variable};
-use crate::scene::{Object, Scene};
 use crate::scene::table::{self, LARGEST_EXPONENT};
+use crate::scene::{Object, Scene};
 
 /// The variable for a parameter: with its own bounds and learning rate, or those of the table of
 /// parameters.

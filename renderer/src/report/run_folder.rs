@@ -177,7 +177,12 @@ fn views(folder: &Path, file: &Path, summary: &Value) -> Result<Vec<ViewImages>,
         }
         let coverage = if coverage { ", coverage" } else { "" };
         let held_out = if held_out { ", held out" } else { "" };
-        found.push(ViewImages { title: format!("{name}{coverage}{held_out}"), psnr, ssim, pictures });
+        found.push(ViewImages {
+            title: format!("{name}{coverage}{held_out}"),
+            psnr,
+            ssim,
+            pictures,
+        });
     }
     Ok(found)
 }

@@ -99,7 +99,10 @@ fn camera(line: &str) -> Result<(u64, Intrinsics), String> {
 }
 
 /// The next word of a line.
-fn next<T: FromStr<Err: Display>>(words: &mut SplitWhitespace<'_>, what: &str) -> Result<T, String> {
+fn next<T: FromStr<Err: Display>>(
+    words: &mut SplitWhitespace<'_>,
+    what: &str,
+) -> Result<T, String> {
     let word = words.next().ok_or_else(|| format!("ends before its {what}"))?;
     word.parse().map_err(|error| format!("{what}: `{word}`: {error}"))
 }

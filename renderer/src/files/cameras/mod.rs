@@ -82,7 +82,8 @@ impl Intrinsics {
         // What is not a number is off, too.
         if is_off(0) || is_off(1) || !self.principal.iter().all(|at| at.is_finite()) {
             let ([x, y], [a, b]) = (self.principal, middle);
-            let problem = format!("has its principal point at {x}, {y} and not in the middle, {a}, {b}");
+            let problem =
+                format!("has its principal point at {x}, {y} and not in the middle, {a}, {b}");
             return Err(format!("{problem}; undistort and crop the images first"));
         }
         let rigid = (axes.transpose() * axes - DMat3::IDENTITY).to_cols_array();

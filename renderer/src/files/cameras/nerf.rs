@@ -79,7 +79,8 @@ pub(super) fn load(path: &Path) -> Result<Vec<FoundView>, Error> {
         if last != [0.0, 0.0, 0.0, 1.0] {
             return Err(refuse("has a matrix whose last row is not 0, 0, 0, 1".to_owned()));
         }
-        let axes = DMat3::from_cols_array_2d(&[0, 1, 2].map(|column| [x, y, z].map(|row| row[column])));
+        let axes =
+            DMat3::from_cols_array_2d(&[0, 1, 2].map(|column| [x, y, z].map(|row| row[column])));
         let position = DVec3::new(x[3], y[3], z[3]);
         let view = intrinsics.view(axes, position).map_err(refuse)?;
         Ok(FoundView { view, image })
@@ -104,7 +105,9 @@ impl Lenses<'_> {
             return Ok(None);
         };
         let count = |size: f64| match size {
-            _ if size >= 1.0 && size <= f64::from(u32::MAX) && size.fract() == 0.0 => Ok(size as u32),
+            _ if size >= 1.0 && size <= f64::from(u32::MAX) && size.fract() == 0.0 => {
+                Ok(size as u32)
+            }
             _ => Err(format!("has a side of {size} pixels")),
         };
         Ok(Some([count(width)?, count(height)?]))
@@ -139,8 +142,10 @@ impl Lenses<'_> {
         let Some(focal) = x.or(y) else {
             return Err("has neither fl_x nor camera_angle_x".to_owned());
         };
-        let principal =
-            [self.get(|lens| lens.cx).unwrap_or(half[0]), self.get(|lens| lens.cy).unwrap_or(half[1])];
+        let principal = [
+            self.get(|lens| lens.cx).unwrap_or(half[0]),
+            self.get(|lens| lens.cy).unwrap_or(half[1]),
+        ];
         let focal = [x.unwrap_or(focal), y.unwrap_or(focal)];
         Ok(Intrinsics { width, height, focal, principal })
     }

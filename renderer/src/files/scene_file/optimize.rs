@@ -5,10 +5,10 @@ use std::path::Path;
 use super::Problem;
 use super::format::{LaplacianEntry, Numbers, OptimizeEntry, Ordered, ParameterEntry};
 use crate::Error;
-use crate::loss::LossKind;
-use crate::recovery::Batch;
 use crate::experiment::{LaplacianTerm, OptimizeSection, Target, TunedParameter, overlap};
 use crate::laplacian::System;
+use crate::loss::LossKind;
+use crate::recovery::Batch;
 use crate::scene::{Invalid, Object, ParameterId, Scene};
 
 /// The section `entry` of a file in `folder` that describes `scene`.
@@ -150,12 +150,15 @@ fn tuned_parameter(entry: &ParameterEntry, scene: &Scene) -> Result<TunedParamet
     {
         return Err(at(path, "laplacian.weight", format!("must be 0 or more, is {weight}")));
     }
-    let is_surface = matches!(id.object, Object::Mesh(_)) && id.field == "vertices" && id.vertex.is_none();
-    let of_surface = [("large_steps", entry.large_steps.is_some()), ("laplacian", entry.laplacian.is_some())];
+    let is_surface =
+        matches!(id.object, Object::Mesh(_)) && id.field == "vertices" && id.vertex.is_none();
+    let of_surface =
+        [("large_steps", entry.large_steps.is_some()), ("laplacian", entry.laplacian.is_some())];
     if let Some((field, _)) = of_surface.iter().find(|(_, is_given)| *is_given && !is_surface) {
         return Err(at(path, field, "is for all vertices of a mesh"));
     }
-    let laplacian = entry.laplacian.map(|LaplacianEntry { weight, weights }| LaplacianTerm { weight, weights });
+    let laplacian =
+        entry.laplacian.map(|LaplacianEntry { weight, weights }| LaplacianTerm { weight, weights });
     let (learning_rate, large_steps) = (entry.learning_rate, entry.large_steps);
     Ok(TunedParameter { id, learning_rate, min, max, large_steps, laplacian })
 }

@@ -97,7 +97,11 @@ fn from_file(entry: &ViewEntry, path: &Path, folder: &Path) -> Result<Vec<ReadVi
         if let Some(name) = &entry.name {
             view.name = format!("{name}.{}", view.name);
         }
-        ReadView { view, target: ViewTarget { image: Some(image), ..target.clone() }, is_aimed: false }
+        ReadView {
+            view,
+            target: ViewTarget { image: Some(image), ..target.clone() },
+            is_aimed: false,
+        }
     };
     Ok(load_cameras(&folder.join(path))?.into_iter().map(read).collect())
 }

@@ -3,15 +3,17 @@
 use std::path::{Path, PathBuf};
 
 use super::format::{
-    CameraEntry, ChannelEntry, LaplacianEntry, LightEntry, MaterialEntry, MeshEntry, NormalsEntry, Numbers,
-    OptimizeEntry, ParameterEntry, SceneFile, SphereEntry, TextureEntry, ViewEntry,
+    CameraEntry, ChannelEntry, LaplacianEntry, LightEntry, MaterialEntry, MeshEntry, NormalsEntry,
+    Numbers, OptimizeEntry, ParameterEntry, SceneFile, SphereEntry, TextureEntry, ViewEntry,
 };
 use super::numbers;
 use crate::Error;
 use crate::Image;
 use crate::disk::write_atomically;
 use crate::disk::{create_folder, read};
-use crate::experiment::{Experiment, LaplacianTerm, OptimizeSection, Target, TunedParameter, ViewTarget};
+use crate::experiment::{
+    Experiment, LaplacianTerm, OptimizeSection, Target, TunedParameter, ViewTarget,
+};
 use crate::files::images::save_exr;
 use crate::files::names::file_stems;
 use crate::files::obj::save_obj;
@@ -254,7 +256,9 @@ fn optimize_entry(
         min: tuned.min.as_ref().map(numbers),
         max: tuned.max.as_ref().map(numbers),
         large_steps: tuned.large_steps,
-        laplacian: tuned.laplacian.map(|LaplacianTerm { weight, weights }| LaplacianEntry { weight, weights }),
+        laplacian: tuned
+            .laplacian
+            .map(|LaplacianTerm { weight, weights }| LaplacianEntry { weight, weights }),
     };
     entry.parameters = section.parameters.iter().map(parameter).collect();
     Ok(entry)
