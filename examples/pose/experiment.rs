@@ -1,7 +1,10 @@
 //! Rotation and translation of an object, from one image of it.
 
+use std::path::Path;
+
 use glam::{DQuat, DVec3, IVec3, ivec3};
 use renderer::experiment::{Experiment, OptimizeSection, Target, TunedParameter};
+use renderer::files::load_mesh;
 use renderer::optimize::{Optimizer, Outcome, Quiet, Schedule, Settings as OptimizeSettings};
 use renderer::recovery::Recovery;
 use renderer::{
@@ -22,13 +25,50 @@ pub struct Pose {
     pub translation: DVec3,
 }
 
-impl Pose {
-    /// That of the target.
-    pub fn truth() -> Self {
+/// What is to be found.
+pub struct Task {
+    mesh: Mesh,
+    /// Whether it stands above a floor that its shadow falls on.
+    has_floor: bool,
+    /// The side of the image in pixels.
+    size: u32,
+    /// Where it is in the target.
+    pub truth: Pose,
+}
+
+impl Task {
+    /// An object of cubes above a floor.
+    pub fn cubes(size: u32) -> Self {
         let rotation = DQuat::from_scaled_axis(DVec3::new(0.3, -0.6, 0.2));
-        Self { rotation, translation: DVec3::new(0.1, 1.0, 0.0) }
+        let truth = Pose { rotation, translation: DVec3::new(0.1, 1.0, 0.0) };
+        Self { mesh: object(), has_floor: true, size, truth }
     }
 
+    /// A mesh of a file in front of nothing, smooth, its longest side 1.
+    pub fn mesh(path: &Path, size: u32) -> Result<Self, Error> {
+        let loaded = load_mesh(path)?.meshes;
+        let (mut vertices, mut triangles) = (Vec::new(), Vec::new());
+        for mesh in &loaded {
+            let first = vertices.len() as u32;
+            vertices.extend(&mesh.vertices);
+            triangles.extend(mesh.triangles.iter().map(|t| t.map(|corner| first + corner)));
+        }
+        let corners = || vertices.iter().map(|&vertex| DVec3::from(vertex));
+        let low = corners().fold(DVec3::INFINITY, DVec3::min);
+        let high = corners().fold(DVec3::NEG_INFINITY, DVec3::max);
+        let (middle, side) = (low.midpoint(high), (high - low).max_element());
+        for vertex in &mut vertices {
+            *vertex = ((DVec3::from(*vertex) - middle) / side).to_array();
+        }
+        let [down, around] = [12.0_f64, 145.0].map(f64::to_radians);
+        let rotation = DQuat::from_rotation_x(down) * DQuat::from_rotation_y(around);
+        let truth = Pose { rotation, translation: DVec3::new(0.05, -0.03, 0.0) };
+        let mesh = Mesh::new("object", vertices, triangles).smooth();
+        Ok(Self { mesh, has_floor: false, size, truth })
+    }
+}
+
+impl Pose {
     /// Turned about an axis through the middle of the object, and moved.
     pub fn displaced(self, axis: DVec3, degrees: f64, by: DVec3) -> Self {
         let turn = DQuat::from_axis_angle(axis.normalize(), degrees.to_radians());
@@ -91,19 +131,30 @@ fn object() -> Mesh {
     Mesh::new("object", corners.iter().map(vertex).collect(), triangles)
 }
 
-/// The object at a pose above a floor, in an image of `size` by `size` pixels.
-pub fn scene(size: u32, pose: &Pose) -> Result<Scene, Error> {
+/// The object at a pose.
+fn scene(task: &Task, pose: &Pose) -> Result<Scene, Error> {
+    let [rotation, translation] = pose.numbers().map(|numbers| DVec3::from_slice(&numbers));
+    let transform = Transform { rotation, translation, ..Transform::IDENTITY };
+    if !task.has_floor {
+        let camera = Camera { vfov: 60.0, ..Camera::looking(DVec3::Z * 2.0, DVec3::ZERO) };
+        let mut scene = Scene::new(task.size, task.size, camera);
+        let paint = Material::lambertian(DVec3::new(0.3, 0.5, 0.75));
+        let paint = scene.add_material("paint", paint)?;
+        scene.add_mesh(task.mesh.clone().material(paint).transform(transform))?;
+        let position = DVec3::new(2.5, 2.5, 7.0);
+        let lamp = PointLight { position, color: DVec3::ONE, radiant_intensity: 190.0 };
+        scene.add_light("lamp", lamp)?;
+        return Ok(scene);
+    }
     let camera = Camera::looking(DVec3::new(0.6, 2.4, 4.6), DVec3::new(0.0, 0.8, 0.0));
-    let mut scene = Scene::new(size, size, camera);
+    let mut scene = Scene::new(task.size, task.size, camera);
     let grey = scene.add_material("grey", Material::lambertian(DVec3::new(0.5, 0.5, 0.55)))?;
     let paint = scene.add_material("paint", Material::lambertian(DVec3::new(0.8, 0.4, 0.15)))?;
     let corners = [[-6.0, -6.0], [6.0, -6.0], [6.0, 6.0], [-6.0, 6.0]];
     let corners = corners.map(|[x, z]| [x, 0.0, z]).to_vec();
     let floor = Mesh::new("floor", corners, vec![[0, 2, 1], [0, 3, 2]]);
     scene.add_mesh(floor.material(grey))?;
-    let [rotation, translation] = pose.numbers().map(|numbers| DVec3::from_slice(&numbers));
-    let transform = Transform { rotation, translation, ..Transform::IDENTITY };
-    scene.add_mesh(object().material(paint).transform(transform))?;
+    scene.add_mesh(task.mesh.clone().material(paint).transform(transform))?;
     let position = DVec3::new(2.0, 4.5, 2.5);
     let lamp = PointLight { position, color: DVec3::ONE, radiant_intensity: 60.0 };
     scene.add_light("lamp", lamp)?;
@@ -113,9 +164,9 @@ pub fn scene(size: u32, pose: &Pose) -> Result<Scene, Error> {
     Ok(scene)
 }
 
-/// The problem: from `start` to the true pose.
-pub fn experiment(size: u32, start: &Pose) -> Result<Experiment, Error> {
-    let scene = scene(size, start)?;
+/// The problem: from `start` to the true pose, with images that are halved so often to begin with.
+pub fn experiment(task: &Task, start: &Pose, coarse_to_fine: u32) -> Result<Experiment, Error> {
+    let scene = scene(task, start)?;
     let ids =
         [scene.parameter("mesh.object.rotation")?, scene.parameter("mesh.object.translation")?];
     // Degrees, and lengths.
@@ -126,7 +177,8 @@ pub fn experiment(size: u32, start: &Pose) -> Result<Experiment, Error> {
         .map(|(id, rate)| TunedParameter { learning_rate: Some(rate), ..TunedParameter::new(id) });
     let section = OptimizeSection {
         parameters: parameters.collect(),
-        target: Some(Target::Values(ids.into_iter().zip(Pose::truth().numbers()).collect())),
+        target: Some(Target::Values(ids.into_iter().zip(task.truth.numbers()).collect())),
+        coarse_to_fine,
         ..OptimizeSection::default()
     };
     Ok(Experiment::new(scene, Some(section)))

@@ -23,7 +23,7 @@ use renderer::files::{save_obj, save_png};
 use renderer::optimize::{Evaluation, Objective, Optimization, Quiet, Settings};
 use renderer::recovery::Recovery;
 use renderer::{Error, Image, Mesh, Scene};
-use strip::strip;
+use strip::{brightest, strip};
 
 /// Steps, each of one view, and how many of them lie between two reports.
 const STEPS: u64 = 150 * VIEWS as u64;
@@ -61,6 +61,7 @@ fn main() -> Result<(), Error> {
     let qualities = recovery.qualities(&found);
     let psnr = qualities.iter().map(|quality| quality.psnr).sum::<f64>() / VIEWS as f64;
     println!("mean PSNR of the views {psnr:.1} dB");
+    let exposure = 1.0 / brightest(recovery.target());
     let shown = |scene: &Scene| -> Vec<Image> {
         recovery.targets()[..SHOWN].iter().map(|of| recovery.render_target(of, scene)).collect()
     };
@@ -69,7 +70,7 @@ fn main() -> Result<(), Error> {
     for (name, images) in
         [("start", shown(&experiment.scene)), ("found", shown(&found)), ("target", targets)]
     {
-        save_png(&strip(&images, 1.0), &out.join(name).with_extension("png"))?;
+        save_png(&strip(&images, exposure), &out.join(name).with_extension("png"))?;
     }
     save_obj(&found.meshes()[0], found.materials(), &out.join("found.obj"))?;
     println!("pictures and the mesh in {}", out.display());
@@ -97,9 +98,9 @@ struct Watched<'a> {
 }
 
 impl Objective for Watched<'_> {
-    fn begin(&mut self, iteration: u64) {
+    fn begin(&mut self, iteration: u64, level: u32) {
         self.iteration = iteration;
-        self.inner.begin(iteration);
+        self.inner.begin(iteration, level);
     }
 
     fn evaluate(&mut self, x: &[f64]) -> Evaluation {

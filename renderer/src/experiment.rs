@@ -34,6 +34,8 @@ pub struct OptimizeSection {
     pub views: Vec<ViewTarget>,
     /// How many views an iteration looks at, if not all of them.
     pub batch: Option<Batch>,
+    /// How often the images are halved to begin with.
+    pub coarse_to_fine: u32,
     /// What may vary.
     pub parameters: Vec<TunedParameter>,
     /// How to measure the distance to the target.

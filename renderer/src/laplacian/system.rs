@@ -139,12 +139,11 @@ mod tests {
                         again[b] -= difference;
                     }
                 }
-                let error =
-                    again
-                        .iter()
-                        .zip(&b)
-                        .map(|(a, b)| (a - b).abs())
-                        .fold(0.0, |m: f64, e| if e.is_nan() { f64::INFINITY } else { m.max(e) });
+                let error = again
+                    .iter()
+                    .zip(&b)
+                    .map(|(a, b)| (a - b).abs())
+                    .fold(0.0, |m: f64, e| if e.is_nan() { f64::INFINITY } else { m.max(e) });
                 assert!(error < 1e-8, "{weights:?} {lambda}: {error}");
                 // A vertex without neighbours stays what it is.
                 assert!((x[27] - b[27]).abs() < 1e-12);

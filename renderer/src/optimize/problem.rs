@@ -8,10 +8,11 @@ pub trait Objective {
     /// iteration that was [begun](Self::begin).
     fn evaluate(&mut self, x: &[f64]) -> Evaluation;
 
-    /// Told the number of each iteration before it is evaluated, also of the first after a run is resumed.
-    /// An objective that is a sample, such as a few of many views, takes the sample from this number alone,
-    /// so that a resumed run is bit for bit the uninterrupted one.
-    fn begin(&mut self, _iteration: u64) {}
+    /// Told the number of each iteration before it is evaluated, also of the first after a run is resumed, and
+    /// how many [levels](super::Settings::coarse_to_fine) it is away from the finest. An objective that is a
+    /// sample, such as a few of many views, takes the sample from this alone, so that a resumed run is bit for
+    /// bit the uninterrupted one.
+    fn begin(&mut self, _iteration: u64, _level: u32) {}
 
     /// The second derivatives of the loss at `x` by all pairs of elements, row by row, as if what the loss is
     /// made of were linear in them (Gauss and Newton): for methods that solve least squares. Nothing if it is no

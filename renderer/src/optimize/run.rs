@@ -5,7 +5,8 @@ use std::time::Instant;
 use super::checkpoint::{CheckpointFile, State};
 use super::variable::{self, Flat};
 use super::{
-    Evaluation, Objective, Observer, Outcome, Record, Settings, Start, Step, Stop, Variable,
+    Evaluation, Objective, Observer, Outcome, Record, Settings, Start, Step, Stop, StopReason,
+    Variable,
 };
 use crate::Error;
 
@@ -104,11 +105,16 @@ impl<'a> Optimization<'a> {
         let mut objective = Counted { objective, evaluations: self.state.evaluations };
         let mut known: Option<Evaluation> = None;
         loop {
-            objective.begin(self.state.iteration);
+            let State { iteration, level, .. } = self.state;
+            if level > 0 && iteration >= self.settings.end_of(level) {
+                self.state.refine(self.settings);
+                known = None;
+                continue;
+            }
+            objective.begin(iteration, level);
             let evaluation = known.take().unwrap_or_else(|| objective.evaluate(&self.state.x));
             self.state.seconds = seconds_before + clock.elapsed().as_secs_f64();
             self.state.evaluations = objective.evaluations;
-            let iteration = self.state.iteration;
             if let Some(stop) = Stop::at_non_finite(&evaluation, iteration, self.variables) {
                 let why = objective.explain(&self.state.x);
                 return self.stop(stop.explained(why));
@@ -124,18 +130,31 @@ impl<'a> Optimization<'a> {
             let initial_loss = self.state.history[0].loss;
             let step = Step { record, initial_loss, iterations: self.settings.iterations };
             let interrupted = observer.step(&step).is_break();
-            if let Some(stop) = Stop::at(&record, self.settings) {
-                return self.stop(stop);
+            let stop = Stop::at(&record, self.settings);
+            let mut is_level_done = false;
+            match stop {
+                Some(stop) if level == 0 || stop.reason == StopReason::Iterations => {
+                    return self.stop(stop);
+                }
+                Some(_) => is_level_done = true,
+                None => {}
             }
 
             // From here to the next evaluation the state is one that a checkpoint can hold.
             let State { method, x, .. } = &mut self.state;
             let factor = self.settings.schedule.factor(iteration, self.settings.iterations);
-            match method.step(&self.flat, factor, x, evaluation, &mut objective) {
-                Ok(evaluation) => known = evaluation,
-                Err(why) => return self.stop(Stop::line_search(iteration, &why)),
+            if !is_level_done {
+                match method.step(&self.flat, factor, x, evaluation, &mut objective) {
+                    Ok(evaluation) => known = evaluation,
+                    Err(_) if level > 0 => is_level_done = true,
+                    Err(why) => return self.stop(Stop::line_search(iteration, &why)),
+                }
             }
             self.state.iteration += 1;
+            if is_level_done {
+                self.state.refine(self.settings);
+                known = None;
+            }
             if interrupted {
                 return self.stop(Stop::interrupted(iteration));
             }
@@ -167,8 +186,8 @@ struct Counted<'a> {
 }
 
 impl Objective for Counted<'_> {
-    fn begin(&mut self, iteration: u64) {
-        self.objective.begin(iteration);
+    fn begin(&mut self, iteration: u64, level: u32) {
+        self.objective.begin(iteration, level);
     }
 
     fn evaluate(&mut self, x: &[f64]) -> Evaluation {

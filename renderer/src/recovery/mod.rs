@@ -15,6 +15,7 @@
 
 mod batch;
 mod check;
+mod levels;
 mod objective;
 mod quality;
 mod regularizer;
@@ -25,6 +26,7 @@ use std::sync::{Arc, Mutex};
 
 pub use batch::Batch;
 pub use check::{Compared, Verdict};
+pub(crate) use levels::check_levels;
 pub(crate) use objective::ImageObjective;
 pub use quality::Quality;
 pub use target::TargetImage;
@@ -88,6 +90,9 @@ impl<'a> Recovery<'a> {
         let settings = Settings { edges: settings.edges.for_parameters(&ids), ..*settings };
         let (targets, truth) = target::load(scene, &section, place, &settings)?;
         check_batch(scene, &section, place)?;
+        check_levels(scene, section.coarse_to_fine).map_err(|problem| {
+            Error::new(format_args!("{place}: optimize.coarse_to_fine"), problem)
+        })?;
         let variables = section
             .parameters
             .iter()
@@ -158,6 +163,7 @@ impl<'a> Recovery<'a> {
                 .unwrap_or(default.gradient_tolerance),
             optimizer: self.section.optimizer.unwrap_or(default.optimizer),
             schedule: self.section.schedule.unwrap_or(default.schedule),
+            coarse_to_fine: self.section.coarse_to_fine,
             is_sampled: self.section.batch.is_some(),
             ..default
         }
@@ -313,7 +319,7 @@ impl<'a> Recovery<'a> {
     }
 
     /// What losses are added up of: all targets but those of views that are held out.
-    fn matched(&self) -> impl Iterator<Item = &TargetImage> {
+    fn matched(&self) -> impl Iterator<Item = &TargetImage> + Clone {
         self.targets.iter().filter(|target| !target.held_out)
     }
 }

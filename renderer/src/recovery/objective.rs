@@ -1,11 +1,14 @@
 //! The loss of images as a function of numbers.
 
+use std::borrow::Cow;
+
 use glam::DVec3;
 
+use super::levels::halved;
 use super::{Recovery, TargetImage};
 use crate::optimize::{Evaluation, Objective};
 use crate::render::Renderer;
-use crate::scene::{Invalid, Scene};
+use crate::scene::{Invalid, ParameterId, Scene};
 use crate::settings::{Sampling, Settings};
 use crate::{Image, LossAndGradient};
 
@@ -14,8 +17,12 @@ pub(crate) struct ImageObjective<'a> {
     recovery: &'a Recovery<'a>,
     renderer: Renderer,
     scene: Scene,
-    /// What is matched in this iteration, in the order of the views.
-    targets: Vec<&'a TargetImage>,
+    /// How often the images are halved.
+    level: u32,
+    /// All that is matched, so often halved, in the order of the views.
+    targets: Vec<Cow<'a, TargetImage>>,
+    /// What of it is matched in this iteration.
+    chosen: Vec<usize>,
     /// What the sum of the losses is multiplied by: where only some views are seen, they stand for all.
     factor: f64,
 }
@@ -23,13 +30,29 @@ pub(crate) struct ImageObjective<'a> {
 impl<'a> ImageObjective<'a> {
     pub fn new(recovery: &'a Recovery<'a>, settings: &Settings) -> Self {
         let mut scene = recovery.scene.clone();
-        let targets: Vec<&TargetImage> = recovery.matched().collect();
+        let targets: Vec<_> = recovery.matched().map(Cow::Borrowed).collect();
         targets[0].look(&mut scene);
         let settings = Settings { pass: targets[0].pass, ..*settings };
         let renderer = Renderer::unchecked(&scene, &settings);
-        let mut objective = Self { recovery, renderer, scene, targets, factor: 1.0 };
-        objective.begin(0);
+        let chosen = (0..targets.len()).collect();
+        let (level, factor) = (0, 1.0);
+        let mut objective = Self { recovery, renderer, scene, level, targets, chosen, factor };
+        objective.begin(0, 0);
         objective
+    }
+
+    /// Halves the images so often.
+    fn halve(&mut self, level: u32) {
+        self.level = level;
+        self.scene = halved(self.recovery.scene, level);
+        let matched = self.recovery.matched();
+        self.targets = match level {
+            0 => matched.map(Cow::Borrowed).collect(),
+            _ => matched.map(|target| Cow::Owned(target.halved(level))).collect(),
+        };
+        self.targets[0].look(&mut self.scene);
+        let settings = Settings { pass: self.targets[0].pass, ..*self.renderer.settings() };
+        self.renderer = Renderer::unchecked(&self.scene, &settings);
     }
 
     /// Changes the rays through pixels and the depth of paths; all else that is prepared stays.
@@ -45,33 +68,11 @@ impl<'a> ImageObjective<'a> {
         Ok(())
     }
 
-    /// Shows what a target of this iteration is compared with.
-    fn show(&mut self, index: usize) -> &'a TargetImage {
-        let target = self.targets[index];
-        target.show(&mut self.scene, &mut self.renderer);
-        target
-    }
-
-    /// The image that is shown, and its derivatives by every number that varies.
-    fn derivatives(&self) -> Option<(Image, Vec<Image>)> {
-        let (mut image, mut derivatives) = (None, Vec::new());
-        for &id in &self.recovery.ids {
-            let count = self.scene.get(id).len();
-            for element in 0..count {
-                let mut along = vec![0.0; count];
-                along[element] = 1.0;
-                let (value, derivative) = self.renderer.jvp(&self.scene, &[(id, along)]).ok()?;
-                image = Some(value);
-                derivatives.push(derivative);
-            }
-        }
-        Some((image?, derivatives))
-    }
-
-    /// Loss and gradient of a target of this iteration.
+    /// Loss and gradient of a target.
     fn evaluate_target(&mut self, index: usize) -> Evaluation {
-        let target = self.show(index);
-        let Self { recovery, renderer, scene, factor, .. } = self;
+        let Self { recovery, renderer, scene, targets, factor, .. } = self;
+        let target = &targets[index];
+        target.show(scene, renderer);
         let (ids, loss) = (&recovery.ids, target.loss(recovery.loss_kind()).times(*factor));
         let result = evaluation(&renderer.loss_and_gradient(scene, &loss, ids));
         if result.is_finite() || !recovery.allow_non_finite {
@@ -85,6 +86,42 @@ impl<'a> ImageObjective<'a> {
         }
         evaluation(&renderer.gradient_of_finite(scene, &loss, ids, &found))
     }
+
+    /// Adds the curvature of the loss of a target; nothing if it has none.
+    fn add_curvature(&mut self, index: usize, sum: &mut [f64]) -> Option<()> {
+        let Self { recovery, renderer, scene, targets, factor, .. } = self;
+        let target = &targets[index];
+        target.show(scene, renderer);
+        let loss = target.loss(recovery.loss_kind()).times(*factor);
+        let (image, derivatives) = derivatives(renderer, scene, &recovery.ids)?;
+        let curvatures = image.pixels.iter().enumerate().map(|(index, pixel)| {
+            let (x, y) = (index as u32 % image.width, index as u32 / image.width);
+            loss.curvature(x, y, DVec3::from_array(pixel.map(f64::from)))
+        });
+        let curvatures: Vec<DVec3> = curvatures.collect::<Option<_>>()?;
+        add_products(&curvatures, &derivatives, sum);
+        Some(())
+    }
+}
+
+/// An image, and its derivatives by every number of some parameters.
+fn derivatives(
+    renderer: &Renderer,
+    scene: &Scene,
+    ids: &[ParameterId],
+) -> Option<(Image, Vec<Image>)> {
+    let (mut image, mut derivatives) = (None, Vec::new());
+    for &id in ids {
+        let count = scene.get(id).len();
+        for element in 0..count {
+            let mut along = vec![0.0; count];
+            along[element] = 1.0;
+            let (value, derivative) = renderer.jvp(scene, &[(id, along)]).ok()?;
+            image = Some(value);
+            derivatives.push(derivative);
+        }
+    }
+    Some((image?, derivatives))
 }
 
 /// Adds the sums over pixels of the products of all pairs of derivatives, weighted by curvatures.
@@ -120,15 +157,17 @@ fn of_view(target: &TargetImage, scene: &Scene, what: String) -> String {
 }
 
 impl Objective for ImageObjective<'_> {
-    fn begin(&mut self, iteration: u64) {
+    fn begin(&mut self, iteration: u64, level: u32) {
+        if level != self.level {
+            self.halve(level);
+        }
         let Some(batch) = self.recovery.section.batch else { return };
-        let all = self.recovery.matched();
-        let mut views: Vec<usize> = all.filter_map(|target| target.view).collect();
+        let mut views: Vec<usize> = self.targets.iter().filter_map(|target| target.view).collect();
         views.dedup();
         let chosen = batch.views(iteration, views.len());
         let is_chosen =
-            |target: &&TargetImage| chosen.iter().any(|&index| Some(views[index]) == target.view);
-        self.targets = self.recovery.matched().filter(is_chosen).collect();
+            |target: &TargetImage| chosen.iter().any(|&index| Some(views[index]) == target.view);
+        self.chosen = (0..self.targets.len()).filter(|&i| is_chosen(&self.targets[i])).collect();
         self.factor = views.len() as f64 / chosen.len() as f64;
     }
 
@@ -136,8 +175,8 @@ impl Objective for ImageObjective<'_> {
         if self.assign(x).is_err() {
             return Evaluation { loss: f64::NAN, gradient: vec![f64::NAN; x.len()] };
         }
-        let mut sum = self.evaluate_target(0);
-        for index in 1..self.targets.len() {
+        let mut sum = Evaluation { loss: 0.0, gradient: vec![0.0; x.len()] };
+        for index in self.chosen.clone() {
             let other = self.evaluate_target(index);
             sum.loss += other.loss;
             sum.gradient.iter_mut().zip(other.gradient).for_each(|(sum, other)| *sum += other);
@@ -149,17 +188,8 @@ impl Objective for ImageObjective<'_> {
     fn curvature(&mut self, x: &[f64]) -> Option<Vec<f64>> {
         self.assign(x).ok()?;
         let mut sum = vec![0.0; x.len() * x.len()];
-        for index in 0..self.targets.len() {
-            let target = self.show(index);
-            let loss = target.loss(self.recovery.loss_kind()).times(self.factor);
-            let (image, derivatives) = self.derivatives()?;
-            let width = image.width;
-            let curvatures = image.pixels.iter().enumerate().map(|(index, pixel)| {
-                let (x, y) = (index as u32 % width, index as u32 / width);
-                loss.curvature(x, y, DVec3::from_array(pixel.map(f64::from)))
-            });
-            let curvatures: Vec<DVec3> = curvatures.collect::<Option<_>>()?;
-            add_products(&curvatures, &derivatives, &mut sum);
+        for index in self.chosen.clone() {
+            self.add_curvature(index, &mut sum)?;
         }
         Some(sum)
     }
@@ -168,9 +198,10 @@ impl Objective for ImageObjective<'_> {
         if let Err(Invalid { path, problem }) = self.assign(x) {
             return Some(format!("{path} {problem}"));
         }
-        (0..self.targets.len()).find_map(|index| {
-            let target = self.show(index);
-            let Self { recovery, renderer, scene, .. } = self;
+        let Self { recovery, renderer, scene, targets, chosen, .. } = self;
+        chosen.iter().find_map(|&index| {
+            let target = &targets[index];
+            target.show(scene, renderer);
             let loss = target.loss(recovery.loss_kind());
             let found = renderer.find_non_finite_gradient(scene, &loss, &recovery.ids)?;
             Some(of_view(target, scene, found.to_string()))

@@ -72,6 +72,12 @@ impl TargetImage {
         loss.times(self.weight)
     }
 
+    /// This target with its sides halved.
+    pub(super) fn halved(&self, levels: u32) -> Self {
+        let (width, height) = (self.image.width, self.image.height);
+        self.clone().reduced([width >> levels, height >> levels])
+    }
+
     /// This target with fewer pixels, each the mean of those that it covers.
     pub(super) fn reduced(self, [width, height]: [u32; 2]) -> Self {
         let weights = self.weights.map(|weights| {

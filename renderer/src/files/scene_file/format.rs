@@ -299,6 +299,8 @@ pub(super) struct OptimizeEntry {
     #[serde(default, deserialize_with = "name_or_table", skip_serializing_if = "Option::is_none")]
     pub loss: Option<LossKind>,
     #[serde(skip_serializing_if = "Option::is_none")]
+    pub coarse_to_fine: Option<u32>,
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub batch: Option<usize>,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub seed: Option<u64>,

@@ -8,7 +8,7 @@ use crate::Error;
 use crate::experiment::{LaplacianTerm, OptimizeSection, Target, TunedParameter, overlap};
 use crate::laplacian::System;
 use crate::loss::LossKind;
-use crate::recovery::Batch;
+use crate::recovery::{Batch, check_levels};
 use crate::scene::{Invalid, Object, ParameterId, Scene};
 
 /// The section `entry` of a file in `folder` that describes `scene`.
@@ -38,6 +38,10 @@ pub(super) fn read(
         && !(delta > 0.0 && delta.is_finite())
     {
         return Err(Problem::new("optimize.loss.delta", format!("must be above 0, is {delta}")));
+    }
+    if let Some(levels) = entry.coarse_to_fine {
+        check_levels(scene, levels)
+            .map_err(|problem| Problem::new("optimize.coarse_to_fine", problem))?;
     }
     let batch = match (entry.batch, entry.seed) {
         (Some(0), _) => return Err(Problem::new("optimize.batch", "must be at least 1, is 0")),
@@ -75,6 +79,7 @@ pub(super) fn read(
         target,
         mask: entry.mask.as_ref().map(|mask| folder.join(mask)),
         views: Vec::new(),
+        coarse_to_fine: entry.coarse_to_fine.unwrap_or_default(),
         batch,
         parameters,
         loss: entry.loss,

@@ -229,6 +229,7 @@ fn optimize_entry(
     let mut entry = OptimizeEntry {
         loss: section.loss,
         mask: section.mask.as_ref().map(|mask| copied(mask, "mask", folder)).transpose()?,
+        coarse_to_fine: (section.coarse_to_fine > 0).then_some(section.coarse_to_fine),
         batch: section.batch.map(|batch| batch.size),
         seed: section.batch.map(|batch| batch.seed),
         optimizer: section.optimizer,
