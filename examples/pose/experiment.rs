@@ -184,9 +184,15 @@ pub fn experiment(task: &Task, start: &Pose, coarse_to_fine: u32) -> Result<Expe
     Ok(Experiment::new(scene, Some(section)))
 }
 
-/// The problem, ready to run. Without edges pixels are means of four by four samples.
-pub fn recovery(experiment: &Experiment, edges: Edges) -> Result<Recovery<'_>, Error> {
-    let sampling = if edges == Edges::Off { Sampling::Grid(4) } else { Sampling::Grid(1) };
+/// The problem, ready to run. Without edges pixels are means of four by four samples, and so they are of a
+/// mesh whose triangles are smaller than pixels.
+pub fn recovery<'a>(
+    task: &Task,
+    experiment: &'a Experiment,
+    edges: Edges,
+) -> Result<Recovery<'a>, Error> {
+    let side = if edges == Edges::Off || !task.has_floor { 4 } else { 1 };
+    let sampling = Sampling::Grid(side);
     Recovery::new(experiment, "pose", &Settings { edges, sampling, ..Settings::default() })
 }
 

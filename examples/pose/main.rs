@@ -44,7 +44,7 @@ type Method = (fn() -> Optimizer, u64, u32);
 const METHODS: [Method; 3] = [
     (|| Optimizer::Lbfgs(Lbfgs::default()), LBFGS_STEPS, 0),
     (|| Optimizer::Adam(Adam::default()), ADAM_STEPS, 0),
-    (|| Optimizer::Lm(Lm::default()), LM_STEPS, 4),
+    (|| Optimizer::Lm(Lm::default()), LM_STEPS, 2),
 ];
 
 fn main() -> Result<(), Error> {
@@ -66,7 +66,7 @@ fn main() -> Result<(), Error> {
         println!("start {angle} degrees and {:.3} off", start.error(&truth).1);
         let mut images = Vec::new();
         for edges in [Edges::Off, Edges::On] {
-            let recovery = experiment::recovery(&experiment, edges)?;
+            let recovery = experiment::recovery(&task, &experiment, edges)?;
             for (optimizer, steps) in optimizers {
                 let outcome = experiment::run(&recovery, optimizer, steps)?;
                 describe(&task, edges, optimizer, &outcome);
@@ -77,7 +77,7 @@ fn main() -> Result<(), Error> {
                 }
             }
         }
-        let recovery = experiment::recovery(&experiment, Edges::On)?;
+        let recovery = experiment::recovery(&task, &experiment, Edges::On)?;
         images.insert(0, recovery.render(&experiment.scene));
         images.push(recovery.target().clone());
         let picture = strip(&images, 1.0 / brightest(recovery.target()));
@@ -95,7 +95,7 @@ fn main() -> Result<(), Error> {
                 let by = direction(&mut random) * distance;
                 let start = task.truth.displaced(direction(&mut random), angle, by);
                 let experiment = experiment::experiment(&task, &start, coarse_to_fine)?;
-                let recovery = experiment::recovery(&experiment, Edges::On)?;
+                let recovery = experiment::recovery(&task, &experiment, Edges::On)?;
                 let outcome = experiment::run(&recovery, optimizer(), steps)?;
                 let error = Pose::found(&outcome.best.x).error(&task.truth);
                 found += u32::from(experiment::is_found(error));

@@ -4,6 +4,7 @@
 //! only known on which side. So coarse pixels see farther, and cost less.
 
 use crate::scene::Scene;
+use crate::settings::Sampling;
 
 /// What is wrong with halving the images of a scene so often.
 pub(crate) fn check_levels(scene: &Scene, levels: u32) -> Result<(), String> {
@@ -26,4 +27,14 @@ pub(super) fn halved(scene: &Scene, levels: u32) -> Scene {
         (view.width, view.height) = (view.width >> levels, view.height >> levels);
     }
     scene
+}
+
+/// The rays of pixels that are so often halved: a grid of up to four by four takes the place of one ray, since
+/// what is smaller than the distance of rays is missed, and the image is the mean of finer ones.
+pub(super) fn spread(sampling: Sampling, levels: u32) -> Sampling {
+    const SIDE: u32 = 4;
+    match sampling {
+        Sampling::Grid(side) if side < SIDE => Sampling::Grid((side << levels.min(2)).min(SIDE)),
+        other => other,
+    }
 }

@@ -12,6 +12,8 @@
 //! println!("{}", recovery.scene_at(&outcome.best.x).camera.look_from);
 //! # Ok::<(), renderer::Error>(())
 //! ```
+//!
+#![doc = include_str!("../../docs/recoveries.md")]
 
 mod batch;
 mod check;

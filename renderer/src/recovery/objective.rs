@@ -4,7 +4,7 @@ use std::borrow::Cow;
 
 use glam::DVec3;
 
-use super::levels::halved;
+use super::levels::{halved, spread};
 use super::{Recovery, TargetImage};
 use crate::optimize::{Evaluation, Objective};
 use crate::render::Renderer;
@@ -51,7 +51,9 @@ impl<'a> ImageObjective<'a> {
             _ => matched.map(|target| Cow::Owned(target.halved(level))).collect(),
         };
         self.targets[0].look(&mut self.scene);
-        let settings = Settings { pass: self.targets[0].pass, ..*self.renderer.settings() };
+        let sampling = spread(self.recovery.settings.sampling, level);
+        let pass = self.targets[0].pass;
+        let settings = Settings { pass, sampling, ..*self.renderer.settings() };
         self.renderer = Renderer::unchecked(&self.scene, &settings);
     }
 

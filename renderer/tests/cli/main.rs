@@ -12,6 +12,7 @@ mod params;
 mod render;
 mod resume;
 mod sandbox;
+mod shape;
 mod stats;
 mod tradeoff;
 mod unlucky;

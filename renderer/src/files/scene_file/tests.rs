@@ -125,16 +125,13 @@ fn the_optimise_section_is_read() {
         ])),
         parameters: vec![
             TunedParameter {
-                id: id("light.key.position"),
-                learning_rate: None,
                 min: Some(vec![-5.0; 3]),
                 max: Some(vec![1.0, f64::INFINITY, 3.0]),
+                ..TunedParameter::new(id("light.key.position"))
             },
             TunedParameter {
-                id: id("camera.vfov"),
                 learning_rate: Some(2.0),
-                min: None,
-                max: None,
+                ..TunedParameter::new(id("camera.vfov"))
             },
         ],
         loss: Some(LossKind::L1),
@@ -144,6 +141,7 @@ fn the_optimise_section_is_read() {
         iterations: Some(7),
         tolerance: Some(0.0),
         gradient_tolerance: Some(1e-9),
+        ..OptimizeSection::default()
     };
     assert_eq!(parse_text(&text).unwrap().optimize, Some(expected));
     let image = parse_text(&format!("{CAMERA}[optimize]\ntarget = \"t.png\"\n")).unwrap();

@@ -26,9 +26,9 @@ pub struct Lm {
 }
 
 impl Default for Lm {
-    /// `damping` 0.01.
+    /// `damping` 1: the first steps are short, since images are linear over a pixel or two.
     fn default() -> Self {
-        Self { damping: 0.01 }
+        Self { damping: 1.0 }
     }
 }
 
