@@ -1,10 +1,7 @@
 //! Rotation and translation of an object, from one image of it.
 
-use std::path::Path;
-
 use glam::{DQuat, DVec3, IVec3, ivec3};
 use renderer::experiment::{Experiment, OptimizeSection, Target, TunedParameter};
-use renderer::files::load_mesh;
 use renderer::optimize::{Optimizer, Outcome, Quiet, Schedule, Settings as OptimizeSettings};
 use renderer::recovery::Recovery;
 use renderer::{
@@ -27,11 +24,12 @@ pub struct Pose {
 
 /// What is to be found.
 pub struct Task {
-    mesh: Mesh,
+    /// The object.
+    pub mesh: Mesh,
     /// Whether it stands above a floor that its shadow falls on.
-    has_floor: bool,
+    pub has_floor: bool,
     /// The side of the image in pixels.
-    size: u32,
+    pub size: u32,
     /// Where it is in the target.
     pub truth: Pose,
 }
@@ -42,29 +40,6 @@ impl Task {
         let rotation = DQuat::from_scaled_axis(DVec3::new(0.3, -0.6, 0.2));
         let truth = Pose { rotation, translation: DVec3::new(0.1, 1.0, 0.0) };
         Self { mesh: object(), has_floor: true, size, truth }
-    }
-
-    /// A mesh of a file in front of nothing, smooth, its longest side 1.
-    pub fn mesh(path: &Path, size: u32) -> Result<Self, Error> {
-        let loaded = load_mesh(path)?.meshes;
-        let (mut vertices, mut triangles) = (Vec::new(), Vec::new());
-        for mesh in &loaded {
-            let first = vertices.len() as u32;
-            vertices.extend(&mesh.vertices);
-            triangles.extend(mesh.triangles.iter().map(|t| t.map(|corner| first + corner)));
-        }
-        let corners = || vertices.iter().map(|&vertex| DVec3::from(vertex));
-        let low = corners().fold(DVec3::INFINITY, DVec3::min);
-        let high = corners().fold(DVec3::NEG_INFINITY, DVec3::max);
-        let (middle, side) = (low.midpoint(high), (high - low).max_element());
-        for vertex in &mut vertices {
-            *vertex = ((DVec3::from(*vertex) - middle) / side).to_array();
-        }
-        let [down, around] = [12.0_f64, 145.0].map(f64::to_radians);
-        let rotation = DQuat::from_rotation_x(down) * DQuat::from_rotation_y(around);
-        let truth = Pose { rotation, translation: DVec3::new(0.05, -0.03, 0.0) };
-        let mesh = Mesh::new("object", vertices, triangles).smooth();
-        Ok(Self { mesh, has_floor: false, size, truth })
     }
 }
 

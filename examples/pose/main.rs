@@ -8,6 +8,9 @@
 //! strips of images (start, found without edges, found with edges, target) and the loss curves of L-BFGS.
 
 mod experiment;
+#[path = "../shared/merged.rs"]
+mod merged;
+mod mesh;
 #[path = "../shared/plot.rs"]
 mod plot;
 #[path = "../shared/random.rs"]
@@ -51,7 +54,7 @@ fn main() -> Result<(), Error> {
     let out = Path::new("out/pose");
     std::fs::create_dir_all(out).map_err(|error| Error::new(out.display(), error))?;
     let task = match std::env::args_os().nth(1) {
-        Some(path) => Task::mesh(Path::new(&path), SIZES[1])?,
+        Some(path) => mesh::task(Path::new(&path), SIZES[1])?,
         None => Task::cubes(SIZES[0]),
     };
     let truth = task.truth;

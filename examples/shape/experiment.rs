@@ -5,13 +5,14 @@ use std::path::{Path, PathBuf};
 
 use glam::DVec3;
 use renderer::experiment::{Experiment, OptimizeSection, TunedParameter, ViewTarget};
-use renderer::files::{load_mesh, save_exr};
+use renderer::files::save_exr;
 use renderer::optimize::{Adam, Optimizer};
 use renderer::recovery::Batch;
 use renderer::{
     Camera, DistantLight, Edges, Error, LossKind, Material, Mesh, Renderer, Scene, Settings, View,
 };
 
+use crate::merged::{merged, normalize};
 use crate::sphere::icosphere;
 
 /// The side of the images in pixels, and their number.
@@ -29,25 +30,8 @@ const LEVEL: u32 = 5;
 
 /// A file of a mesh, all objects of it in one, or a shape with horns.
 pub fn target(path: Option<&Path>) -> Result<Mesh, Error> {
-    let (mut vertices, triangles) = match path {
-        Some(path) => {
-            let (mut vertices, mut triangles) = (Vec::new(), Vec::new());
-            for mesh in load_mesh(path)?.meshes {
-                let first = vertices.len() as u32;
-                vertices.extend(&mesh.vertices);
-                triangles.extend(mesh.triangles.iter().map(|t| t.map(|corner| first + corner)));
-            }
-            (vertices, triangles)
-        }
-        None => horns(),
-    };
-    let corners = || vertices.iter().map(|&vertex| DVec3::from(vertex));
-    let low = corners().fold(DVec3::INFINITY, DVec3::min);
-    let middle = low.midpoint(corners().fold(DVec3::NEG_INFINITY, DVec3::max));
-    let reach = corners().map(|corner| corner.distance(middle)).fold(0.0, f64::max);
-    for vertex in &mut vertices {
-        *vertex = ((DVec3::from(*vertex) - middle) * (RADIUS / reach)).to_array();
-    }
+    let (mut vertices, triangles) = path.map_or_else(|| Ok(horns()), merged)?;
+    normalize(&mut vertices, |_, reach| RADIUS / reach);
     Ok(Mesh::new("target", vertices, triangles).smooth())
 }
 

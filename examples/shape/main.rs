@@ -8,6 +8,8 @@
 
 mod distance;
 mod experiment;
+#[path = "../shared/merged.rs"]
+mod merged;
 #[path = "../shared/random.rs"]
 mod random;
 mod sphere;

@@ -107,12 +107,11 @@ fn least_squares_find_a_light_in_few_steps() {
     sandbox.succeed(&["optimize", "experiment.toml", "--out", "out", "--optimizer", "lm"]);
     let summary = sandbox.json("out/summary.json");
     let found = numbers(&summary["parameters"]["light.key.position"]["final"]);
-    let error =
-        found
-            .iter()
-            .zip([-1.0, 2.5, 2.5])
-            .map(|(a, b)| (a - b).abs())
-            .fold(0.0, |m: f64, e| if e.is_nan() { f64::INFINITY } else { m.max(e) });
+    let error = found
+        .iter()
+        .zip([-1.0, 2.5, 2.5])
+        .map(|(a, b)| (a - b).abs())
+        .fold(0.0, |m: f64, e| if e.is_nan() { f64::INFINITY } else { m.max(e) });
     assert!(error < 1e-3, "{found:?}");
     // In parts it comes to the same bits.
     for iterations in ["3", "8", "40"] {

@@ -129,10 +129,7 @@ fn the_optimise_section_is_read() {
                 max: Some(vec![1.0, f64::INFINITY, 3.0]),
                 ..TunedParameter::new(id("light.key.position"))
             },
-            TunedParameter {
-                learning_rate: Some(2.0),
-                ..TunedParameter::new(id("camera.vfov"))
-            },
+            TunedParameter { learning_rate: Some(2.0), ..TunedParameter::new(id("camera.vfov")) },
         ],
         loss: Some(LossKind::L1),
         optimizer: Some(Optimizer::Sgd(Sgd { momentum: 0.5 })),
