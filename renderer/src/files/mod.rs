@@ -8,8 +8,8 @@ mod cameras;
 #[cfg(feature = "gltf")]
 mod gltf;
 pub mod images;
+mod load;
 mod meshes;
-mod model;
 mod names;
 mod obj;
 #[cfg(feature = "ply")]
@@ -19,7 +19,6 @@ mod robustness;
 mod scene_file;
 #[cfg(feature = "stl")]
 mod stl;
-mod warnings;
 
 pub use crate::warning::Warning;
 pub use cameras::{FoundView, load_cameras};
@@ -28,8 +27,11 @@ pub use gltf::{GltfFile, load_gltf};
 pub use images::{
     LoadedImage, check_image_path, load_image, load_mask, save_exr, save_image, save_png,
 };
-pub use meshes::{FileNormals, MeshFormat, load_mesh, load_mesh_with};
-pub use model::{DEFAULT_MATERIAL, Model, ModelMaps, ModelMaterial, TextureImage, TextureSource};
+pub use load::{load_mesh, load_mesh_with};
+pub use meshes::{
+    DEFAULT_MATERIAL, FileNormals, MeshFormat, Model, ModelMaps, ModelMaterial, TextureImage,
+    TextureSource,
+};
 #[cfg(feature = "cli")]
 pub(crate) use names::file_stems;
 pub use obj::{load_obj, save_obj};

@@ -37,7 +37,7 @@ pub(super) struct State {
     best_level: u32,
     /// The latest usable evaluation.
     pub last: Option<Point>,
-    /// One entry per usable evaluation.
+    /// The history of the run, one entry for each usable evaluation.
     pub history: Vec<Record>,
     pub trajectory: Trajectory,
     pub stop: Option<Stop>,
@@ -86,7 +86,7 @@ impl State {
         }
     }
 
-    /// Whether no further iteration was needed when it was written.
+    /// Returns `true` if no further iteration was needed when the checkpoint was written.
     pub fn is_finished(&self) -> bool {
         self.stop.as_ref().is_some_and(|stop| stop.reason != StopReason::Interrupted)
     }

@@ -5,6 +5,7 @@ use std::path::Path;
 
 use glam::DVec3;
 
+use super::coordinates::match_coordinates;
 use super::format::{LightEntry, SceneFile, SphereEntry};
 use super::materials::MaterialTable;
 use super::textures::TextureTable;
@@ -21,6 +22,7 @@ pub(super) fn experiment(
 ) -> Result<Experiment, Problem> {
     let views = views::read(file, folder)?;
     let (mut scene, mut warnings) = scene(file, folder)?;
+    warnings.append(&mut match_coordinates(&mut scene, name));
     let targets = views::add(views, &mut scene);
     scene.check()?;
     if is_black(&scene) {
@@ -58,7 +60,6 @@ fn scene(file: &SceneFile, folder: &Path) -> Result<(Scene, Vec<Warning>), Probl
         add_sphere(&mut scene, &materials, entry)?;
     }
     warnings.extend(materials.move_into(&mut scene));
-    meshes::drop_unused_coordinates(&mut scene);
     Ok((scene, warnings))
 }
 

@@ -4,7 +4,9 @@ use std::path::Path;
 
 use glam::DVec3;
 
-use super::format::{CameraEntry, Numbers, Ordered, SceneFile, ViewEntry};
+use super::format::ordered::Ordered;
+use super::format::value::Numbers;
+use super::format::{CameraEntry, SceneFile, ViewEntry};
 use super::{Problem, numbers};
 use crate::experiment::ViewTarget;
 use crate::files::{FoundView, load_cameras};

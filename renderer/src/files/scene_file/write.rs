@@ -2,13 +2,13 @@
 
 use std::path::{Path, PathBuf};
 
+use super::format::value::Numbers;
 use super::format::{
     CameraEntry, ChannelEntry, LaplacianEntry, LightEntry, MaterialEntry, MeshEntry, NormalsEntry,
-    Numbers, OptimizeEntry, ParameterEntry, SceneFile, SphereEntry, TextureEntry, ViewEntry,
+    OptimizeEntry, ParameterEntry, SceneFile, SphereEntry, TextureEntry, ViewEntry,
 };
 use super::numbers;
 use crate::Error;
-use crate::Image;
 use crate::disk::write_atomically;
 use crate::disk::{create_folder, read};
 use crate::experiment::{
@@ -206,9 +206,7 @@ fn save_textures(scene: &Scene, folder: &Path) -> Result<Vec<(String, TextureEnt
     let stems = file_stems(scene.textures.iter().map(|texture| &texture.name[..]));
     for (texture, stem) in scene.textures.iter().zip(stems) {
         let path = Path::new("textures").join(format!("{stem}.exr"));
-        let pixels = texture.texels.iter().map(|texel| texel.map(|value| value as f32)).collect();
-        let image = Image { width: texture.width, height: texture.height, pixels };
-        save_exr(&image, &folder.join(&path))?;
+        save_exr(&texture.image(), &folder.join(&path))?;
         let entry = TextureEntry {
             path: Some(path),
             size: None,
