@@ -11,7 +11,7 @@ use super::materials::MaterialTable;
 use super::textures::TextureTable;
 use super::{Problem, meshes, numbers, optimize, views};
 use crate::Warning;
-use crate::experiment::Experiment;
+use crate::experiment::{Experiment, ViewTarget};
 use crate::scene::{Camera, Light, LightObject, LightSource, MaterialObject, Scene, SphereObject};
 
 /// The experiment that the file `name` in `folder` describes.
@@ -34,7 +34,7 @@ pub(super) fn experiment(
         Some(entry) => Some(optimize::read(entry, &scene, folder)?),
         None => None,
     };
-    if !targets.is_empty() {
+    if targets.iter().any(|target| *target != ViewTarget::default()) {
         optimize.get_or_insert_default().views = targets;
     }
     Ok(Experiment { scene, optimize, warnings })

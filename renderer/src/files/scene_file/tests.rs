@@ -467,6 +467,38 @@ fn a_target_image_is_taken_along() {
 }
 
 #[test]
+fn saved_views_and_what_they_are_compared_with_are_read_back() {
+    let (source, saved) = (folder(), tempfile::tempdir().unwrap());
+    fs::write(source.path().join("t.png"), b"an image").unwrap();
+    let text = format!(
+        "{CAMERA}[[view]]\nname = \"a/b\"\ntarget = \"t.png\"\nweight = 3.0\n\
+         [[view]]\nname = \"A/B\"\nvfov = 20\nwidth = 7\nheld_out = true\ncoverage = \"t.png\"\n\
+         [[mesh]]\npath = \"a.obj\"\nname = \"body\"\n\
+         [optimize]\nbatch = 1\nseed = 5\ncoarse_to_fine = 2\nloss = {{ type = \"huber\", delta = 0.5 }}\n\
+         [[optimize.parameter]]\npath = \"mesh.body.vertices\"\nlarge_steps = 9.0\n\
+         laplacian = {{ weight = 0.5, weights = \"cotangent\" }}\n\
+         [[optimize.parameter]]\npath = \"view.A/B.vfov\"\n"
+    );
+    // A side of 7 pixels cannot be halved.
+    let refused = Experiment::parse(&text, source.path(), "s.toml").unwrap_err().to_string();
+    assert!(refused.contains("optimize.coarse_to_fine") && refused.contains("7 x 4"), "{refused}");
+    let text = text.replace("width = 7", "width = 16");
+    let experiment = Experiment::parse(&text, source.path(), "s.toml").unwrap();
+    let path = save_experiment(&experiment, saved.path()).unwrap();
+    drop(source);
+    let loaded = Experiment::load(&path).unwrap();
+    assert_eq!(loaded.scene, experiment.scene);
+    let (mut found, mut expected) = (loaded.optimize.unwrap(), experiment.optimize.unwrap());
+    let images = found.views.iter().flat_map(|view| [&view.image, &view.coverage]).flatten();
+    assert_eq!(images.clone().count(), 2);
+    images.for_each(|image| assert_eq!(fs::read(image).unwrap(), b"an image"));
+    for view in found.views.iter_mut().chain(&mut expected.views) {
+        (view.image, view.coverage) = (None, None);
+    }
+    assert_eq!(found, expected);
+}
+
+#[test]
 fn an_invalid_scene_is_not_written() {
     let folder = tempfile::tempdir().unwrap();
     let mut scene = rich_experiment().scene;

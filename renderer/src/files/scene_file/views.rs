@@ -52,6 +52,10 @@ pub(super) fn add(views: Vec<ReadView>, scene: &mut Scene) -> Vec<ViewTarget> {
         scene.views.push(view);
         targets.push(target);
     }
+    // The camera without a name plays no part; it is that of the first view.
+    if let Some(View { width, height, camera, .. }) = scene.views.first() {
+        (scene.width, scene.height, scene.camera) = (*width, *height, *camera);
+    }
     targets
 }
 
