@@ -3,13 +3,16 @@
 use std::fmt;
 use std::sync::Arc;
 
+/// Multiplies with a matrix, in place.
+type Inverse = dyn Fn(&mut [f64]) + Send + Sync;
+
 /// A linear change of the coordinates of a variable, in which a first-order method takes its steps: of
 /// `u = M x`, where `M` is symmetric and positive definite. The gradient by `u` is `M^-1` times that by `x`, and
 /// a step of `u` is `M^-1` times it for `x`. Minima stay where they are; what is easy to move changes.
 #[derive(Clone)]
 pub struct Preconditioner {
     name: String,
-    inverse: Arc<dyn Fn(&mut [f64]) + Send + Sync>,
+    inverse: Arc<Inverse>,
 }
 
 impl Preconditioner {

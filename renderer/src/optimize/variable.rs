@@ -231,7 +231,7 @@ mod tests {
             learning_rate: vec![0.3, 1e308, 1e-300],
             min: vec![-0.5, f64::NEG_INFINITY, f64::NEG_INFINITY],
             max: vec![f64::INFINITY; 3],
-            blocks: vec![0..3],
+            blocks: vec![Range { start: 0, end: 3 }],
             preconditioners: vec![None],
         };
         let mut x = std::mem::take(&mut flat.x);

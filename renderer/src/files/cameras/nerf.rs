@@ -88,6 +88,9 @@ pub(super) fn load(path: &Path) -> Result<Vec<FoundView>, Error> {
     file.frames.iter().enumerate().map(found).collect()
 }
 
+/// A term of the distortion.
+type Term = fn(&Lens) -> Option<f64>;
+
 /// What a frame says of its lens, and, where it says nothing, the file.
 struct Lenses<'a> {
     own: &'a Lens,
@@ -124,7 +127,7 @@ impl Lenses<'_> {
             _ if is_fisheye => return Err("has a fisheye lens, which is not modelled".to_owned()),
             _ => {}
         }
-        let terms: [(&str, fn(&Lens) -> Option<f64>); 6] = [
+        let terms: [(&str, Term); 6] = [
             ("k1", |lens| lens.k1),
             ("k2", |lens| lens.k2),
             ("k3", |lens| lens.k3),

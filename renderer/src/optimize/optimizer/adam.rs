@@ -160,6 +160,8 @@ impl AdamW {
 
 #[cfg(test)]
 mod tests {
+    use std::slice::from_ref;
+
     use super::*;
 
     /// Algorithm 1 of the paper, word for word, for one element.
@@ -181,7 +183,7 @@ mod tests {
         let (mut x, mut moments) = (0.0, Moments::new(1));
         for &g in &gradients {
             let mut step = [g];
-            Adam::default().direction(&mut moments, &mut step, &[0..1]);
+            Adam::default().direction(&mut moments, &mut step, from_ref(&(0..1)));
             x -= 0.03 * step[0];
         }
         let expected = paper(&gradients, 0.03);
@@ -192,7 +194,7 @@ mod tests {
     fn first_direction_is_a_unit_at_every_scale_of_the_gradient() {
         for scale in [1e-20, 1e-8, 1.0, 1e200, 1e308] {
             let (mut gradient, mut moments) = ([scale, -scale], Moments::new(2));
-            Adam::default().direction(&mut moments, &mut gradient, &[0..2]);
+            Adam::default().direction(&mut moments, &mut gradient, from_ref(&(0..2)));
             let [a, b] = gradient;
             assert!((a - 1.0).abs() < 1e-8 && (b + 1.0).abs() < 1e-8, "{scale}: {gradient:?}");
         }
@@ -201,7 +203,7 @@ mod tests {
     #[test]
     fn zero_gradient_moves_nothing() {
         let mut gradient = [0.0];
-        Adam::default().direction(&mut Moments::new(1), &mut gradient, &[0..1]);
+        Adam::default().direction(&mut Moments::new(1), &mut gradient, from_ref(&(0..1)));
         assert_eq!(gradient, [0.0]);
     }
 
@@ -221,8 +223,8 @@ mod tests {
         for i in 0..10 {
             let gradient = [f64::from(i) - 3.0, 0.5];
             let (mut decayed, mut plain) = (gradient, gradient);
-            AdamW::default().direction(&mut with, &[2.0, -50.0], &mut decayed, &[0..2]);
-            Adam::default().direction(&mut without, &mut plain, &[0..2]);
+            AdamW::default().direction(&mut with, &[2.0, -50.0], &mut decayed, from_ref(&(0..2)));
+            Adam::default().direction(&mut without, &mut plain, from_ref(&(0..2)));
             assert_eq!(decayed, [plain[0] + 0.01 * 2.0, plain[1] - 0.01 * 50.0]);
         }
         assert_eq!(with, without);
