@@ -315,9 +315,10 @@ impl<'a> Recovery<'a> {
         self.section.loss.unwrap_or_default()
     }
 
-    /// The terms of the loss that are not of images.
-    fn laplacian_terms(&self) -> Vec<Option<LaplacianTerm>> {
-        self.section.parameters.iter().map(|tuned| tuned.laplacian).collect()
+    /// The terms of the loss that are not of images, with what they are of.
+    fn laplacian_terms(&self) -> Vec<(ParameterId, LaplacianTerm)> {
+        let term = |tuned: &TunedParameter| Some((tuned.id, tuned.laplacian?));
+        self.section.parameters.iter().filter_map(term).collect()
     }
 
     /// What losses are added up of: all targets but those of views that are held out.
