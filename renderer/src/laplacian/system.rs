@@ -13,8 +13,7 @@ use crate::Error;
 /// A step by `(I + lambda L)^-1 (I + lambda L)^-1 g` in place of the gradient `g` is a step of gradient descent
 /// in the coordinates `u = (I + lambda L) v` of the vertices `v`: it moves whole regions, and its fixed points
 /// are the same. Symbolic and numeric factorisation (Cholesky, with the vertices in an order of approximately
-/// minimum degree) are made once; a solution takes time in proportion to the entries of the factor, about 40
-/// for each vertex of a mesh of 10,000.
+/// minimum degree) are made once; a solution takes time in proportion to the entries of the factor.
 pub struct System {
     /// The lower triangle.
     factor: Sprs<f64>,

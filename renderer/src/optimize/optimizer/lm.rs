@@ -14,7 +14,7 @@ use crate::optimize::{Coordinates, Evaluation, Objective};
 ///
 /// A step solves for the minimum of the loss whose images are linear in the parameters, which takes
 /// [the derivative of every image by every number](Objective::curvature): right for a few dozens of numbers,
-/// such as poses, cameras, lights and materials, where it takes a tenth of the iterations of Adam. Steps that
+/// such as poses, cameras, lights and materials. Steps that
 /// find no lower loss are shortened and tried again; a step counts as one iteration and takes an evaluation for
 /// each try.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
