@@ -63,7 +63,7 @@ fn main() -> Result<(), Error> {
     let guess = recovery.render(&experiment.scene);
     let image = recovery.render(&found);
     let target = recovery.target();
-    let difference = recovery.difference(&image);
+    let difference = recovery.targets()[0].difference(&image);
     let images: Vec<Image> = [guess, image, target.clone()].into_iter().chain(difference).collect();
     save_png(&strip(&images, 1.0 / brightest(target)), &out.join("strip.png"))?;
     let iterations = Horizontal { title: "iteration", is_logarithmic: false };

@@ -92,7 +92,7 @@ fn add_own_kinds(scene: &mut Scene) -> Result<(), Error> {
 
 /// To find shape and light again, from the image that they make.
 fn problem(ids: &[ParameterId], truth: Vec<(ParameterId, Vec<f64>)>) -> OptimizeSection {
-    let tuned = |&id| TunedParameter { id, learning_rate: None, min: None, max: None };
+    let tuned = |&id| TunedParameter::new(id);
     OptimizeSection {
         parameters: ids.iter().map(tuned).collect(),
         target: Some(Target::Values(truth)),

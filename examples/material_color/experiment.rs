@@ -40,10 +40,9 @@ pub fn experiment(mut scene: Scene) -> Result<Experiment, Error> {
         scene.set(id, &GUESS)?;
     }
     let parameters = ids.into_iter().map(|id| TunedParameter {
-        id,
-        learning_rate: None,
         min: Some(vec![0.0; 3]),
         max: Some(vec![1.0; 3]),
+        ..TunedParameter::new(id)
     });
     let optimize = OptimizeSection {
         target: Some(Target::Values(truth)),

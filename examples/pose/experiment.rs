@@ -22,13 +22,28 @@ pub struct Pose {
     pub translation: DVec3,
 }
 
-impl Pose {
-    /// That of the target.
-    pub fn truth() -> Self {
-        let rotation = DQuat::from_scaled_axis(DVec3::new(0.3, -0.6, 0.2));
-        Self { rotation, translation: DVec3::new(0.1, 1.0, 0.0) }
-    }
+/// What is to be found.
+pub struct Task {
+    /// The object.
+    pub mesh: Mesh,
+    /// Whether it stands above a floor that its shadow falls on.
+    pub has_floor: bool,
+    /// The side of the image in pixels.
+    pub size: u32,
+    /// Where it is in the target.
+    pub truth: Pose,
+}
 
+impl Task {
+    /// An object of cubes above a floor.
+    pub fn cubes(size: u32) -> Self {
+        let rotation = DQuat::from_scaled_axis(DVec3::new(0.3, -0.6, 0.2));
+        let truth = Pose { rotation, translation: DVec3::new(0.1, 1.0, 0.0) };
+        Self { mesh: object(), has_floor: true, size, truth }
+    }
+}
+
+impl Pose {
     /// Turned about an axis through the middle of the object, and moved.
     pub fn displaced(self, axis: DVec3, degrees: f64, by: DVec3) -> Self {
         let turn = DQuat::from_axis_angle(axis.normalize(), degrees.to_radians());
@@ -91,19 +106,30 @@ fn object() -> Mesh {
     Mesh::new("object", corners.iter().map(vertex).collect(), triangles)
 }
 
-/// The object at a pose above a floor, in an image of `size` by `size` pixels.
-pub fn scene(size: u32, pose: &Pose) -> Result<Scene, Error> {
+/// The object at a pose.
+fn scene(task: &Task, pose: &Pose) -> Result<Scene, Error> {
+    let [rotation, translation] = pose.numbers().map(|numbers| DVec3::from_slice(&numbers));
+    let transform = Transform { rotation, translation, ..Transform::IDENTITY };
+    if !task.has_floor {
+        let camera = Camera { vfov: 60.0, ..Camera::looking(DVec3::Z * 2.0, DVec3::ZERO) };
+        let mut scene = Scene::new(task.size, task.size, camera);
+        let paint = Material::lambertian(DVec3::new(0.3, 0.5, 0.75));
+        let paint = scene.add_material("paint", paint)?;
+        scene.add_mesh(task.mesh.clone().material(paint).transform(transform))?;
+        let position = DVec3::new(2.5, 2.5, 7.0);
+        let lamp = PointLight { position, color: DVec3::ONE, radiant_intensity: 190.0 };
+        scene.add_light("lamp", lamp)?;
+        return Ok(scene);
+    }
     let camera = Camera::looking(DVec3::new(0.6, 2.4, 4.6), DVec3::new(0.0, 0.8, 0.0));
-    let mut scene = Scene::new(size, size, camera);
+    let mut scene = Scene::new(task.size, task.size, camera);
     let grey = scene.add_material("grey", Material::lambertian(DVec3::new(0.5, 0.5, 0.55)))?;
     let paint = scene.add_material("paint", Material::lambertian(DVec3::new(0.8, 0.4, 0.15)))?;
     let corners = [[-6.0, -6.0], [6.0, -6.0], [6.0, 6.0], [-6.0, 6.0]];
     let corners = corners.map(|[x, z]| [x, 0.0, z]).to_vec();
     let floor = Mesh::new("floor", corners, vec![[0, 2, 1], [0, 3, 2]]);
     scene.add_mesh(floor.material(grey))?;
-    let [rotation, translation] = pose.numbers().map(|numbers| DVec3::from_slice(&numbers));
-    let transform = Transform { rotation, translation, ..Transform::IDENTITY };
-    scene.add_mesh(object().material(paint).transform(transform))?;
+    scene.add_mesh(task.mesh.clone().material(paint).transform(transform))?;
     let position = DVec3::new(2.0, 4.5, 2.5);
     let lamp = PointLight { position, color: DVec3::ONE, radiant_intensity: 60.0 };
     scene.add_light("lamp", lamp)?;
@@ -113,30 +139,35 @@ pub fn scene(size: u32, pose: &Pose) -> Result<Scene, Error> {
     Ok(scene)
 }
 
-/// The problem: from `start` to the true pose.
-pub fn experiment(size: u32, start: &Pose) -> Result<Experiment, Error> {
-    let scene = scene(size, start)?;
+/// The problem: from `start` to the true pose, with images that are halved so often to begin with.
+pub fn experiment(task: &Task, start: &Pose, coarse_to_fine: u32) -> Result<Experiment, Error> {
+    let scene = scene(task, start)?;
     let ids =
         [scene.parameter("mesh.object.rotation")?, scene.parameter("mesh.object.translation")?];
     // Degrees, and lengths.
     let rates = [2.0, 0.04];
-    let parameters = ids.into_iter().zip(rates).map(|(id, rate)| TunedParameter {
-        id,
-        learning_rate: Some(rate),
-        min: None,
-        max: None,
-    });
+    let parameters = ids
+        .into_iter()
+        .zip(rates)
+        .map(|(id, rate)| TunedParameter { learning_rate: Some(rate), ..TunedParameter::new(id) });
     let section = OptimizeSection {
         parameters: parameters.collect(),
-        target: Some(Target::Values(ids.into_iter().zip(Pose::truth().numbers()).collect())),
+        target: Some(Target::Values(ids.into_iter().zip(task.truth.numbers()).collect())),
+        coarse_to_fine,
         ..OptimizeSection::default()
     };
     Ok(Experiment::new(scene, Some(section)))
 }
 
-/// The problem, ready to run. Without edges pixels are means of four by four samples.
-pub fn recovery(experiment: &Experiment, edges: Edges) -> Result<Recovery<'_>, Error> {
-    let sampling = if edges == Edges::Off { Sampling::Grid(4) } else { Sampling::Grid(1) };
+/// The problem, ready to run. Without edges pixels are means of four by four samples, and so they are of a
+/// mesh whose triangles are smaller than pixels.
+pub fn recovery<'a>(
+    task: &Task,
+    experiment: &'a Experiment,
+    edges: Edges,
+) -> Result<Recovery<'a>, Error> {
+    let side = if edges == Edges::Off || !task.has_floor { 4 } else { 1 };
+    let sampling = Sampling::Grid(side);
     Recovery::new(experiment, "pose", &Settings { edges, sampling, ..Settings::default() })
 }
 

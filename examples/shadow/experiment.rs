@@ -50,7 +50,7 @@ pub fn scene(size: u32, light: DVec3) -> Result<Scene, Error> {
 pub fn experiment(size: u32, start: DVec3) -> Result<Experiment, Error> {
     let scene = scene(size, start)?;
     let id = scene.parameter("light.lamp.position")?;
-    let parameter = TunedParameter { id, learning_rate: Some(0.1), min: None, max: None };
+    let parameter = TunedParameter { learning_rate: Some(0.1), ..TunedParameter::new(id) };
     let section = OptimizeSection {
         parameters: vec![parameter],
         target: Some(Target::Values(vec![(id, TRUTH.to_array().to_vec())])),

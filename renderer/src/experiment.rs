@@ -2,10 +2,12 @@
 //!
 #![doc = include_str!("../docs/scene.md")]
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
+use crate::laplacian::Weights;
 use crate::loss::LossKind;
 use crate::optimize::{Optimizer, Schedule};
+use crate::recovery::Batch;
 use crate::scene::{ParameterId, Scene};
 use crate::warning::Warning;
 
@@ -26,6 +28,14 @@ pub struct Experiment {
 pub struct OptimizeSection {
     /// What to match.
     pub target: Option<Target>,
+    /// How much each pixel counts: an image file of the size of the target, in a scene without views.
+    pub mask: Option<PathBuf>,
+    /// What to match in each view, in the order of the views; what is not there has its default.
+    pub views: Vec<ViewTarget>,
+    /// How many views an iteration looks at, if not all of them.
+    pub batch: Option<Batch>,
+    /// How often the images are halved to begin with.
+    pub coarse_to_fine: u32,
     /// What may vary.
     pub parameters: Vec<TunedParameter>,
     /// How to measure the distance to the target.
@@ -44,6 +54,19 @@ pub struct OptimizeSection {
     pub gradient_tolerance: Option<f64>,
 }
 
+impl OptimizeSection {
+    /// The files that say what to match.
+    pub fn files(&self) -> Vec<&Path> {
+        let target = match &self.target {
+            Some(Target::Image(image)) => Some(image),
+            _ => None,
+        };
+        let of_views = self.views.iter().flat_map(|view| [&view.image, &view.coverage, &view.mask]);
+        let files = of_views.flatten().chain(target).chain(&self.mask);
+        files.map(PathBuf::as_path).collect()
+    }
+}
+
 /// What an optimisation is to match.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Target {
@@ -51,6 +74,29 @@ pub enum Target {
     Image(PathBuf),
     /// The image of the scene with these parameters set to these values.
     Values(Vec<(ParameterId, Vec<f64>)>),
+}
+
+/// What to match in a view.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ViewTarget {
+    /// An image file; nothing if the target is made of [values](Target::Values), or is the coverage alone.
+    pub image: Option<PathBuf>,
+    /// An image file of how much of each pixel is [covered](crate::Pass::Coverage): silhouettes, matched
+    /// beside the image or in place of it.
+    pub coverage: Option<PathBuf>,
+    /// An image file of how much each pixel counts.
+    pub mask: Option<PathBuf>,
+    /// What the loss of the view is multiplied by; 0 or more.
+    pub weight: f64,
+    /// Whether it is only compared with what is found, and never matched.
+    pub held_out: bool,
+}
+
+impl Default for ViewTarget {
+    /// No files, weight 1, not held out.
+    fn default() -> Self {
+        Self { image: None, coverage: None, mask: None, weight: 1.0, held_out: false }
+    }
 }
 
 /// A parameter that may vary.
@@ -64,6 +110,27 @@ pub struct TunedParameter {
     pub min: Option<Vec<f64>>,
     /// Its upper bound, as many numbers as the parameter has, nowhere below `min`.
     pub max: Option<Vec<f64>>,
+    /// Of the vertices of a mesh: the lambda of the [coordinates](crate::laplacian::System) that first-order
+    /// methods take their steps in, of uniform weights; above 0.
+    pub large_steps: Option<f64>,
+    /// Of the vertices of a mesh: a term of the loss.
+    pub laplacian: Option<LaplacianTerm>,
+}
+
+impl TunedParameter {
+    /// A parameter with the usual learning rate and bounds.
+    pub fn new(id: ParameterId) -> Self {
+        Self { id, learning_rate: None, min: None, max: None, large_steps: None, laplacian: None }
+    }
+}
+
+/// What the [differences](crate::laplacian::Laplacian::energy) between vertices and their neighbours cost.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LaplacianTerm {
+    /// What the mean squared difference is multiplied by; 0 or more.
+    pub weight: f64,
+    /// How neighbours count; cotangents are those of the mesh as the scene has it.
+    pub weights: Weights,
 }
 
 impl Experiment {

@@ -40,6 +40,8 @@ pub mod extremes;
 #[cfg(feature = "files")]
 pub mod files;
 #[cfg(feature = "files")]
+pub mod laplacian;
+#[cfg(feature = "files")]
 pub mod optimize;
 // For plots of commands and of the examples of this repository.
 #[cfg(feature = "cli")]

@@ -64,8 +64,7 @@ pub fn evaluate(scene: &Scene, arithmetic: Arithmetic) -> (f64, Vec<(ParameterId
     let ids = scene.parameters();
     let is_power = |id: &&ParameterId| ["radiant_intensity", "irradiance"].contains(&id.field);
     let values = ids.iter().filter(is_power).map(|&id| (id, vec![0.7 * scene.get(id)[0]]));
-    let tuned =
-        |&id: &ParameterId| TunedParameter { id, learning_rate: None, min: None, max: None };
+    let tuned = |&id: &ParameterId| TunedParameter::new(id);
     let optimize = OptimizeSection {
         target: Some(Target::Values(values.collect())),
         parameters: ids.iter().map(tuned).collect(),

@@ -32,8 +32,7 @@ fn bright_scene() -> Scene {
 fn experiment(scene: Scene, paths: &[&str], target: &str) -> Experiment {
     let id = |path: &str| scene.parameter(path).unwrap();
     let values = scene.get(id(target)).iter().map(|value| 0.9 * value).collect();
-    let tuned =
-        |path: &&str| TunedParameter { id: id(path), learning_rate: None, min: None, max: None };
+    let tuned = |path: &&str| TunedParameter::new(id(path));
     let optimize = OptimizeSection {
         target: Some(Target::Values(vec![(id(target), values)])),
         parameters: paths.iter().map(tuned).collect(),

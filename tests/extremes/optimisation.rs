@@ -8,7 +8,7 @@ use renderer::{ParameterId, Scene};
 use crate::scenes::{set, small_scene};
 
 fn tuned(id: ParameterId, learning_rate: Option<f64>) -> TunedParameter {
-    TunedParameter { id, learning_rate, min: None, max: None }
+    TunedParameter { learning_rate, ..TunedParameter::new(id) }
 }
 
 fn section(

@@ -11,6 +11,7 @@ mod single_vertices;
 mod smooth;
 mod threads;
 mod transparency;
+mod views;
 mod visibility;
 
 /// How scenes are rendered where the interior term is checked.

@@ -37,7 +37,8 @@ pub(super) fn trials_with_rays(
     accuracy: f64,
 ) -> Vec<Trial> {
     let scene = evaluator.recovery().scene();
-    let pixels = u64::from(scene.width) * u64::from(scene.height);
+    let [width, height] = scene.size();
+    let pixels = u64::from(width) * u64::from(height);
     let most = most.min((MOST_IN_IMAGE / pixels.max(1)) as u32).max(1);
     let bounces = work.most_bounces();
     let (reference, mut samplings): (_, Vec<Sampling>) = match evaluator.has_edges() {

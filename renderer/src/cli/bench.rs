@@ -59,14 +59,15 @@ pub(super) fn run(arguments: &Arguments, arithmetic: Arithmetic) -> Result<(), E
     }
 
     let triangles: usize = scene.meshes.iter().map(|mesh| mesh.triangles.len()).sum();
+    let [width, height] = scene.size();
     let derivatives: usize = ids.iter().map(|&id| scene.count(id)).sum();
     print(format_args!(
         "{}: {triangles} triangles, {} spheres, {} lights, {} x {} pixels, {derivatives} derivatives; {:?} on {} threads",
         arguments.scene.display(),
         scene.spheres.len(),
         scene.lights.len(),
-        scene.width,
-        scene.height,
+        width,
+        height,
         arithmetic,
         rayon::current_num_threads(),
     ))?;

@@ -26,7 +26,11 @@ impl Changes {
     /// Loads a scene or a mesh, changed.
     pub fn load(&self, path: &Path) -> Result<Experiment, Error> {
         let mut experiment = load(path)?;
-        self.resize(&mut experiment.scene);
+        let scene = &mut experiment.scene;
+        [scene.width, scene.height] = self.resized([scene.width, scene.height]);
+        for view in &mut scene.views {
+            [view.width, view.height] = self.resized([view.width, view.height]);
+        }
         for change in &self.set {
             set(&mut experiment.scene, change)
                 .map_err(|problem| Error::new(format_args!("--set {change}"), problem))?;
@@ -35,17 +39,17 @@ impl Changes {
         Ok(experiment)
     }
 
-    fn resize(&self, scene: &mut Scene) {
+    fn resized(&self, [width, height]: [u32; 2]) -> [u32; 2] {
         let scaled = |size: u32, by: u32, of: u32| {
             let scaled = (f64::from(size) * f64::from(by) / f64::from(of)).round();
             (scaled as u32).max(1)
         };
-        (scene.width, scene.height) = match (self.width, self.height) {
-            (None, None) => return,
-            (Some(width), Some(height)) => (width, height),
-            (Some(width), None) => (width, scaled(scene.height, width, scene.width)),
-            (None, Some(height)) => (scaled(scene.width, height, scene.height), height),
-        };
+        match (self.width, self.height) {
+            (None, None) => [width, height],
+            (Some(wide), Some(high)) => [wide, high],
+            (Some(wide), None) => [wide, scaled(height, wide, width)],
+            (None, Some(high)) => [scaled(width, high, height), high],
+        }
     }
 }
 

@@ -19,6 +19,7 @@ mod sampling;
 mod strip;
 mod tradeoff;
 mod usage;
+mod views;
 
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
@@ -26,8 +27,6 @@ use std::process::ExitCode;
 use changes::Changes;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use output::{print_error, print_stats, print_warnings};
-use serde::Deserialize;
-use serde::de::IntoDeserializer;
 
 use crate::Error;
 use crate::arithmetic::{Arithmetic, Precision};
@@ -149,9 +148,9 @@ struct Problem {
     #[arg(long = "param", value_name = "PATH")]
     parameters: Vec<String>,
 
-    /// How to measure the distance to the target: mean_squared, sum_squared or l1 [default: that of the
-    /// scene file, or mean_squared]
-    #[arg(long, value_name = "NAME", value_parser = loss)]
+    /// How to measure the distance to the target: mean_squared, sum_squared, l1, huber or relative_squared
+    /// [default: that of the scene file, or mean_squared]
+    #[arg(long, value_name = "NAME", value_parser = LossKind::named)]
     loss: Option<LossKind>,
 
     #[command(flatten)]
@@ -189,24 +188,13 @@ impl Problem {
                     return Err(Error::new(format_args!("--param {path}"), problem));
                 }
                 let listed = section.parameters.iter().find(|tuned| tuned.id == id).cloned();
-                tuned.push(listed.unwrap_or(TunedParameter {
-                    id,
-                    learning_rate: None,
-                    min: None,
-                    max: None,
-                }));
+                tuned.push(listed.unwrap_or(TunedParameter::new(id)));
             }
             section.parameters = tuned;
         }
         experiment.optimize = Some(section);
         Ok(experiment)
     }
-}
-
-/// A loss by its name.
-fn loss(name: &str) -> Result<LossKind, String> {
-    let named = LossKind::deserialize(name.into_deserializer());
-    named.map_err(|error: serde::de::value::Error| error.to_string())
 }
 
 /// The most threads: far more than help, and few enough to start.

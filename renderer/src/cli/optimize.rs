@@ -11,11 +11,12 @@ use super::interrupt::Interruptible;
 use super::out_folder::{SUMMARY_FILE, check_out_folder, lock, remove_earlier_results};
 use super::output::{abbreviate, print, print_note, print_warning, short};
 use super::strip::save_strip;
+use super::views::{quality_lines, save_views};
 use super::{Problem, record, stem};
 use crate::Error;
 use crate::arithmetic::Arithmetic;
 use crate::disk::create_folder;
-use crate::experiment::{Experiment, Target};
+use crate::experiment::{Experiment, OptimizeSection};
 use crate::files::{save_png, save_scene};
 use crate::optimize::{
     Checkpointing, Optimization, Optimizer, Outcome, Quiet, Schedule, Settings, Start, StopReason,
@@ -43,7 +44,7 @@ pub(super) struct Arguments {
     #[arg(long, value_name = "X", allow_negative_numbers = true, value_parser = tolerance)]
     tolerance: Option<f64>,
 
-    /// The method: adam, adamw, sgd (needs a learning rate), rmsprop or lbfgs; one that the scene
+    /// The method: adam, adamw, sgd (needs a learning rate), rmsprop, lbfgs or lm (for few numbers); one that the scene
     /// file names too keeps the numbers given there
     #[arg(long, value_name = "NAME", value_parser = Optimizer::named)]
     optimizer: Option<Optimizer>,
@@ -73,11 +74,8 @@ pub(super) fn run(arguments: &Arguments, chosen: Option<Arithmetic>) -> Result<E
     let scene_path = &arguments.problem.scene;
     let out = arguments.out.clone().unwrap_or_else(|| Path::new("out").join(stem(scene_path)));
     let section = experiment.optimize.as_ref();
-    let target = match section.and_then(|section| section.target.as_ref()) {
-        Some(Target::Image(path)) => Some(path.as_path()),
-        _ => None,
-    };
-    check_out_folder(&out, [Some(scene_path.as_path()), target].into_iter().flatten())?;
+    let inputs = section.map_or_else(Vec::new, OptimizeSection::files);
+    check_out_folder(&out, std::iter::once(scene_path.as_path()).chain(inputs))?;
     let recovery = arguments.accuracy.recovery(&arguments.problem, &experiment, chosen)?;
     let outcome = recover(&experiment, &recovery, &out, arguments.resume)?;
     recovery.left_out().iter().for_each(print_warning);
@@ -146,8 +144,8 @@ pub(super) fn recover(
         }
         remove_earlier_results(out)?;
     }
-    let target = recovery.target();
-    save_png(target, &out.join("target.png"))?;
+    let target = &recovery.targets()[0];
+    save_png(&target.image, &out.join("target.png"))?;
     save_png(&recovery.render(&experiment.scene), &out.join("initial.png"))?;
 
     let outcome = recovery.run(&settings, &mut Interruptible::new(progress().as_mut())?)?;
@@ -156,9 +154,12 @@ pub(super) fn recover(
     let image = recovery.render(&recovered);
     save_png(&image, &out.join("final.png"))?;
     let mut extra = Map::new();
-    if let Some(difference) = recovery.difference(&image) {
+    if let Some(difference) = target.difference(&image) {
         let largest = record::save_difference(difference, out)?;
         extra.insert("largest_difference".to_owned(), largest);
+    }
+    if !recovered.views().is_empty() {
+        extra.insert("views".to_owned(), save_views(recovery, &recovered, out)?);
     }
     save_scene(&recovered, out)?;
     extra.extend([
@@ -184,6 +185,7 @@ pub(super) fn report(recovery: &Recovery<'_>, outcome: &Outcome, out: &Path) -> 
             lines.push(format!("  true       {}", abbreviate(target)));
         }
     }
+    lines.extend(quality_lines(recovery, &recovery.scene_at(&outcome.best.x)));
     let initial = outcome.initial_loss();
     let ratio = if initial > 0.0 {
         format!(" ({:.1e} of the initial {})", outcome.best.loss / initial, short(initial))

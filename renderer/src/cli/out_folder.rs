@@ -7,10 +7,11 @@ use std::io::{self, ErrorKind};
 use std::path::Path;
 
 use super::strip::STRIP_FOLDER;
+use super::views::VIEWS_FOLDER;
 use crate::Error;
 
 /// What an optimisation writes that could also be what it reads.
-const RESULTS: [&str; 7] = [
+const RESULTS: [&str; 8] = [
     "scene.toml",
     "meshes",
     "target.png",
@@ -18,6 +19,7 @@ const RESULTS: [&str; 7] = [
     "final.png",
     "difference.png",
     STRIP_FOLDER,
+    VIEWS_FOLDER,
 ];
 
 /// Whether the results may go to `out`: it is no file, and no file that is read would be replaced.

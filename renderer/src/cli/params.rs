@@ -7,6 +7,7 @@ use serde_json::{Map, Value};
 use super::changes::Changes;
 use super::output::{abbreviate, json_numbers, print};
 use crate::Error;
+use crate::scene::View;
 
 #[derive(clap::Args)]
 pub(super) struct Arguments {
@@ -23,14 +24,24 @@ pub(super) struct Arguments {
 
 pub(super) fn run(arguments: &Arguments) -> Result<(), Error> {
     let scene = arguments.changes.load(&arguments.scene)?.scene;
-    let size = [("camera.width", scene.width), ("camera.height", scene.height)];
+    let sides = |place: &str, width: u32, height: u32| {
+        [(format!("{place}.width"), width), (format!("{place}.height"), height)]
+    };
+    let size: Vec<(String, u32)> = match scene.views() {
+        [] => sides("camera", scene.width, scene.height).into(),
+        views => {
+            let of_view =
+                |view: &View| sides(&format!("view.{}", view.name), view.width, view.height);
+            views.iter().flat_map(of_view).collect()
+        }
+    };
     if arguments.json {
         let mut object = Map::new();
         for id in scene.parameters() {
             let numbers = json_numbers(&scene.get(id), &scene.shape(id));
             object.insert(scene.path(id).to_string(), numbers);
         }
-        object.extend(size.map(|(path, value)| (path.to_owned(), value.into())));
+        object.extend(size.into_iter().map(|(path, value)| (path, value.into())));
         return print(format_args!("{:#}", Value::Object(object)));
     }
 
@@ -42,7 +53,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Error> {
         rows.push([scene.path(id).to_string(), shape, "differentiable".into(), value]);
     }
     for (path, value) in size {
-        rows.push([path.into(), "1".into(), "not differentiable".into(), value.to_string()]);
+        rows.push([path, "1".into(), "not differentiable".into(), value.to_string()]);
     }
     let width = |column: usize| rows.iter().map(|row| row[column].chars().count()).max();
     let widths = [0, 1, 2].map(|column| width(column).unwrap_or(0));

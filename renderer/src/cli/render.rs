@@ -1,16 +1,18 @@
 //! `renderer render`
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use super::changes::Changes;
 use super::derivative::derivative;
 use super::output::{print, print_warning};
 use super::sampling::SamplingArguments;
+use super::views::{path_of_view, view_stems};
 use crate::Error;
 use crate::arithmetic::Arithmetic;
 use crate::display::{ToneMapping, expose, normalize};
 use crate::files::{check_image_path, save_image};
 use crate::render::Renderer;
+use crate::scene::Scene;
 use crate::settings::{Edges, Pass, PrimaryVisibility, Settings};
 
 #[derive(clap::Args)]
@@ -18,7 +20,8 @@ pub(super) struct Arguments {
     /// A scene file (TOML), or a mesh (OBJ, PLY, STL, glTF), which is framed and lit by default
     scene: PathBuf,
 
-    /// Where to write the image: .png (sRGB, clipped to 0..1) or .exr (linear, as rendered)
+    /// Where to write the image: .png (sRGB, clipped to 0..1) or .exr (linear, as rendered). Of a scene with
+    /// views, IMAGE-NAME for each of them
     #[arg(short, long, value_name = "IMAGE")]
     output: PathBuf,
 
@@ -34,7 +37,8 @@ pub(super) struct Arguments {
     #[arg(long, value_enum, default_value_t = ToneMapping::Clamp)]
     tone: ToneMapping,
 
-    /// What to show of surfaces: the light they send to the camera, or their diffuse colour
+    /// What to show of surfaces: the light they send to the camera, their diffuse colour, or that they are
+    /// there (their silhouettes)
     #[arg(long, value_enum, default_value_t = Pass::Radiance)]
     pass: Pass,
 
@@ -90,15 +94,34 @@ pub(super) fn run(arguments: &Arguments, arithmetic: Arithmetic) -> Result<(), E
         },
         ..Settings::default()
     };
-    let renderer = Renderer::unchecked(&experiment.scene, &settings);
+    let mut renderer = Renderer::unchecked(&experiment.scene, &settings);
+    if experiment.scene.views().is_empty() {
+        return save(arguments, &renderer, &experiment.scene, &arguments.output);
+    }
+    let mut scene = experiment.scene;
+    for (view, stem) in view_stems(&scene).iter().enumerate() {
+        scene.look_through(view);
+        renderer.look(&scene);
+        save(arguments, &renderer, &scene, &path_of_view(&arguments.output, stem))?;
+    }
+    Ok(())
+}
+
+/// Writes the picture of a scene to a file.
+fn save(
+    arguments: &Arguments,
+    renderer: &Renderer,
+    scene: &Scene,
+    output: &Path,
+) -> Result<(), Error> {
     if let Some(direction) = &arguments.derivative {
-        let image = derivative(&renderer, &experiment.scene, direction)?;
-        save_image(&image, &arguments.output)?;
-        return print(arguments.output.display());
+        let image = derivative(renderer, scene, direction)?;
+        save_image(&image, output)?;
+        return print(output.display());
     }
     let mut image = renderer.render();
     if !image.is_finite() {
-        let found = renderer.find_non_finite(&experiment.scene);
+        let found = renderer.find_non_finite(scene);
         let found = found.map_or_else(String::new, |found| found.to_string());
         if !arguments.allow_non_finite {
             return Err(Error::not_finite(arguments.scene.display(), found));
@@ -113,6 +136,6 @@ pub(super) fn run(arguments: &Arguments, arithmetic: Arithmetic) -> Result<(), E
     if arguments.normalize {
         normalize(&mut image);
     }
-    save_image(&image, &arguments.output)?;
-    print(arguments.output.display())
+    save_image(&image, output)?;
+    print(output.display())
 }

@@ -33,6 +33,10 @@ pub(super) struct Arguments {
 pub(super) fn run(arguments: &Arguments) -> Result<(), Error> {
     let mut experiment = arguments.problem.load()?;
     let place = arguments.problem.scene.display().to_string();
+    if !experiment.scene.views().is_empty() {
+        let problem = "has several views; what settings are worth is measured on one camera";
+        return Err(Error::new(&place, problem));
+    }
     let out = arguments.out.clone().unwrap_or_else(|| Path::new("out").join("tradeoff"));
     check_out_folder(&out, std::iter::empty())?;
     let invented = invent_target(&mut experiment);

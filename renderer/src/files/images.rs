@@ -50,6 +50,23 @@ pub fn load_image(path: &Path) -> Result<LoadedImage, Error> {
     Ok(LoadedImage { image: decoded.image, saturates: decoded.is_srgb })
 }
 
+/// How much each pixel of an image file counts, as grey pixels: its alpha, or, where it has none, the mean of
+/// its channels as they are stored, from 0 to 1 in PNG and JPEG.
+///
+/// # Errors
+///
+/// As [`load_image`], and if a pixel of an OpenEXR file is below 0.
+pub fn load_mask(path: &Path) -> Result<Image, Error> {
+    let mask = decode_coverage(&read(path)?, path.display(), true)?;
+    if mask.pixels.iter().any(|[value, ..]| *value < 0.0) {
+        return Err(Error::new(
+            path.display(),
+            "a pixel is below 0: it cannot count for less than nothing",
+        ));
+    }
+    Ok(mask)
+}
+
 /// The texels of a texture, and whether its file says that some of them are transparent.
 pub(super) struct TextureFile {
     pub image: Image,
@@ -203,16 +220,19 @@ static LINEAR: LazyLock<Vec<f64>> =
     LazyLock::new(|| (0..=u16::MAX).map(|v| srgb_decode(f64::from(v) / MOST)).collect());
 
 /// The linear value of an sRGB value in `[0, 1]` (IEC 61966-2-1).
-fn srgb_decode(encoded: f64) -> f64 {
+pub(crate) fn srgb_decode(encoded: f64) -> f64 {
     if encoded <= 0.04045 { encoded / 12.92 } else { ((encoded + 0.055) / 1.055).powf(2.4) }
+}
+
+/// The sRGB value of a linear one; both are clipped to `[0, 1]`.
+pub(crate) fn srgb_encode(linear: f32) -> f64 {
+    let linear = f64::from(linear).clamp(0.0, 1.0);
+    if linear <= 0.003_130_8 { 12.92 * linear } else { 1.055 * linear.powf(1.0 / 2.4) - 0.055 }
 }
 
 /// The 8 bit sRGB level of a linear value.
 fn srgb_level(linear: f32) -> u8 {
-    let linear = f64::from(linear).clamp(0.0, 1.0);
-    let encoded =
-        if linear <= 0.003_130_8 { 12.92 * linear } else { 1.055 * linear.powf(1.0 / 2.4) - 0.055 };
-    (255.0 * encoded).round() as u8
+    (255.0 * srgb_encode(linear)).round() as u8
 }
 
 /// Whether the image has as many pixels as it says, at least one, and all are finite.

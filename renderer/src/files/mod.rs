@@ -4,6 +4,7 @@
 //! holds that nothing here shows comes back as a [`Warning`]. Writing is atomic: a reader finds the
 //! old file or the new one, never half of one.
 
+mod cameras;
 #[cfg(feature = "gltf")]
 mod gltf;
 pub mod images;
@@ -20,14 +21,19 @@ mod scene_file;
 mod stl;
 
 pub use crate::warning::Warning;
+pub use cameras::{FoundView, load_cameras};
 #[cfg(feature = "gltf")]
 pub use gltf::{GltfFile, load_gltf};
-pub use images::{LoadedImage, check_image_path, load_image, save_exr, save_image, save_png};
+pub use images::{
+    LoadedImage, check_image_path, load_image, load_mask, save_exr, save_image, save_png,
+};
 pub use load::{load_mesh, load_mesh_with};
 pub use meshes::{
     DEFAULT_MATERIAL, FileNormals, MeshFormat, Model, ModelMaps, ModelMaterial, TextureImage,
     TextureSource,
 };
+#[cfg(feature = "cli")]
+pub(crate) use names::file_stems;
 pub use obj::{load_obj, save_obj};
 #[cfg(feature = "ply")]
 pub use ply::load_ply;

@@ -42,6 +42,14 @@ pub(super) fn file_stem(path: &Path) -> String {
     stem.filter(|stem| !stem.is_empty()).unwrap_or_else(|| "mesh".to_owned())
 }
 
+/// Names of files for objects of these names, which may hold what those may not, or differ only in case.
+pub(crate) fn file_stems<'a>(names: impl Iterator<Item = &'a str>) -> Vec<String> {
+    let allowed = |c: char| if c.is_alphanumeric() || "-_".contains(c) { c } else { '_' };
+    let mut stems = Names::default();
+    let stem = |name: &str| name.chars().map(allowed).collect::<String>().to_lowercase();
+    names.map(|name| stems.take(stem(name))).collect()
+}
+
 /// A name without what names may not hold: control characters, spaces at the ends. It may be
 /// empty.
 pub(super) fn clean_name(name: &str) -> String {

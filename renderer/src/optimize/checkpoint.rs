@@ -15,7 +15,7 @@ use crate::Error;
 use crate::disk::{create_folder, write_atomically};
 
 /// Changes whenever the file or the arithmetic of the optimiser does.
-const FORMAT: u32 = 2;
+const FORMAT: u32 = 3;
 
 /// Everything a run needs to continue. All numbers are finite, since JSON has no others.
 #[derive(Clone, Serialize, Deserialize)]
@@ -29,8 +29,12 @@ pub(super) struct State {
     /// Where the next evaluation takes place; for a finished run, where the last one did.
     pub x: Vec<f64>,
     pub method: Method,
-    /// The lowest loss so far; the first of them.
+    /// How many levels it is away from the finest, and where each finer one began.
+    pub level: u32,
+    pub finer_from: Vec<u64>,
+    /// The lowest loss so far of the level that it is of; the first of them.
     pub best: Option<Point>,
+    best_level: u32,
     /// The latest usable evaluation.
     pub last: Option<Point>,
     /// The history of the run, one entry for each usable evaluation.
@@ -47,7 +51,10 @@ impl State {
             seconds: 0.0,
             method: Method::new(&settings.optimizer, x.len()),
             x,
+            level: settings.coarse_to_fine,
+            finer_from: Vec::new(),
             best: None,
+            best_level: settings.coarse_to_fine,
             last: None,
             history: Vec::new(),
             trajectory: Trajectory::new(),
@@ -55,16 +62,28 @@ impl State {
         }
     }
 
-    /// Takes in an evaluation at `x`.
-    pub fn record(&mut self, record: Record) {
+    /// Takes in an evaluation at `x`. The lowest loss of samples is that of the easiest one, so then the
+    /// latest is the best.
+    pub fn record(&mut self, record: Record, is_sampled: bool) {
         let Record { iteration, loss, .. } = record;
         let point = Point { iteration, loss, x: self.x.clone() };
-        if self.best.as_ref().is_none_or(|best| loss < best.loss) {
+        let is_first = is_sampled || self.level < self.best_level;
+        if self.best.as_ref().is_none_or(|best| is_first || loss < best.loss) {
+            self.best_level = self.level;
             self.best = Some(point.clone());
         }
         self.trajectory.record(&point);
         self.last = Some(point);
         self.history.push(record);
+    }
+
+    /// Goes on one level finer. What a method learned of the steps of another level is no longer true.
+    pub fn refine(&mut self, settings: &Settings) {
+        self.level -= 1;
+        self.finer_from.push(self.iteration);
+        if settings.optimizer.finds_step_lengths() {
+            self.method = Method::new(&settings.optimizer, self.x.len());
+        }
     }
 
     /// Returns `true` if no further iteration was needed when the checkpoint was written.
@@ -99,7 +118,17 @@ impl State {
     ///
     /// The iteration and the reason, if a run under `settings` would have stopped before.
     fn continue_under(&mut self, settings: &Settings) -> Result<(), (u64, Stop)> {
-        let stops = |record: &Record| Stop::at(record, settings);
+        // Before the finest level nothing but the number of iterations stops a run.
+        let finest_from = match self.level {
+            0 => self.finer_from.last().copied().unwrap_or(0),
+            _ => u64::MAX,
+        };
+        let stops = |record: &Record| {
+            let stop = Stop::at(record, settings);
+            stop.filter(|stop| {
+                record.iteration >= finest_from || stop.reason == StopReason::Iterations
+            })
+        };
         let steps = self.history.iter().take_while(|record| record.iteration < self.iteration);
         if let Some(earlier) = steps.clone().find_map(|r| stops(r).map(|stop| (r.iteration, stop)))
         {
@@ -144,7 +173,11 @@ impl CheckpointFile {
     /// `variables` is the fingerprint of the variables.
     pub fn new(checkpointing: &Checkpointing, variables: Fingerprint, settings: &Settings) -> Self {
         let method = settings.optimizer.mark(variables);
-        let method = settings.schedule.mark(settings.iterations, method);
+        let mut method = settings.schedule.mark(settings.iterations, method);
+        if settings.coarse_to_fine > 0 {
+            // Levels span the iterations.
+            method = method.numbers(&[settings.coarse_to_fine.into(), settings.iterations as f64]);
+        }
         Self {
             path: checkpointing.folder.join(CHECKPOINT_FILE),
             problem: checkpointing.problem.to_string(),

@@ -21,7 +21,7 @@
 //!
 //! Iteration `k` is the evaluation at the parameters that `k` steps have led to. `iterations: N`
 //! is thus `N` steps, and with a first-order method `N + 1` evaluations, at the most (a step of
-//! L-BFGS takes one evaluation or several). Every loss that is reported was evaluated at the
+//! L-BFGS or Levenberg-Marquardt takes one evaluation or several). Every loss that is reported was evaluated at the
 //! parameters reported with it. The parameters recovered are the best ones: those with the lowest
 //! loss, not those seen last.
 //!
@@ -47,7 +47,6 @@
 #[cfg(feature = "argmin")]
 mod argmin_problem;
 mod checkpoint;
-#[cfg(feature = "argmin")]
 mod coordinates;
 mod field;
 mod fingerprint;
@@ -59,6 +58,7 @@ mod loss_plot;
 mod observer;
 mod optimizer;
 mod outcome;
+mod preconditioner;
 mod problem;
 #[cfg(feature = "cli")]
 mod progress;
@@ -75,7 +75,6 @@ mod variable;
 
 #[cfg(feature = "argmin")]
 pub use argmin_problem::ArgminProblem;
-#[cfg(feature = "argmin")]
 pub use coordinates::Coordinates;
 pub use fingerprint::Fingerprint;
 pub use history::{Point, Record};
@@ -84,8 +83,9 @@ pub use loss_plot::loss_svg;
 pub use observer::{Observer, Quiet, Step};
 #[cfg(feature = "argmin")]
 pub use optimizer::Lbfgs;
-pub use optimizer::{Adam, AdamW, Optimizer, RmsProp, Sgd};
+pub use optimizer::{Adam, AdamW, Lm, Optimizer, RmsProp, Sgd};
 pub use outcome::{Outcome, Start};
+pub use preconditioner::Preconditioner;
 pub use problem::{Evaluation, Objective};
 #[cfg(feature = "cli")]
 pub use progress::{Bar, Lines, progress};

@@ -5,7 +5,8 @@ use super::{Point, Record, Stop};
 /// What an optimisation came to.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Outcome {
-    /// The parameters recovered: the lowest loss seen, the earliest if there are several.
+    /// The parameters recovered: the lowest loss seen, the earliest if there are several; the last ones of
+    /// a [sampled](super::Settings::is_sampled) loss.
     pub best: Point,
     /// The latest parameters with a finite loss and gradient.
     pub last: Point,

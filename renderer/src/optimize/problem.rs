@@ -4,8 +4,22 @@
 pub trait Objective {
     /// Loss and gradient at `x`.
     ///
-    /// A resumed run is bit for bit the uninterrupted one only if this depends on nothing but `x`.
+    /// A resumed run is bit for bit the uninterrupted one only if this depends on nothing but `x` and the
+    /// iteration that was [begun](Self::begin).
     fn evaluate(&mut self, x: &[f64]) -> Evaluation;
+
+    /// Told the number of each iteration before it is evaluated, also of the first after a run is resumed, and
+    /// how many [levels](super::Settings::coarse_to_fine) it is away from the finest. An objective that is a
+    /// sample, such as a few of many views, takes the sample from this alone, so that a resumed run is bit for
+    /// bit the uninterrupted one.
+    fn begin(&mut self, _iteration: u64, _level: u32) {}
+
+    /// The second derivatives of the loss at `x` by all pairs of elements, row by row, as if what the loss is
+    /// made of were linear in them (Gauss and Newton): for methods that solve least squares. Nothing if it is no
+    /// such loss.
+    fn curvature(&mut self, _x: &[f64]) -> Option<Vec<f64>> {
+        None
+    }
 
     /// What makes loss or gradient at `x` infinite or no number, for people; asked after
     /// [`evaluate`](Self::evaluate) gave such a result.

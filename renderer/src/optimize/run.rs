@@ -1,12 +1,12 @@
 //! The loop.
 
-use std::cell::{Cell, RefCell};
 use std::time::Instant;
 
 use super::checkpoint::{CheckpointFile, State};
 use super::variable::{self, Flat};
 use super::{
-    Evaluation, Objective, Observer, Outcome, Record, Settings, Start, Step, Stop, Variable,
+    Evaluation, Objective, Observer, Outcome, Record, Settings, Start, Step, Stop, StopReason,
+    Variable,
 };
 use crate::Error;
 
@@ -31,6 +31,13 @@ impl<'a> Optimization<'a> {
     pub fn start(variables: &'a [Variable], settings: &'a Settings) -> Result<Self, Error> {
         settings.check()?;
         let flat = Flat::new(variables)?;
+        if flat.is_preconditioned() && settings.optimizer.finds_step_lengths() {
+            let problem = format!(
+                "{} learns by itself which steps are easy; leave the coordinates of parameters out",
+                settings.optimizer.name()
+            );
+            return Err(Error::new("optimize.optimizer", problem));
+        }
         let mut stored = None;
         let mut file = None;
         if let Some(checkpointing) = &settings.checkpointing {
@@ -95,23 +102,21 @@ impl<'a> Optimization<'a> {
         let clock = Instant::now();
         let seconds_before = self.state.seconds;
         let mut last_saved: Option<Instant> = None;
-        let evaluations = Cell::new(self.state.evaluations);
-        let problem = RefCell::new(objective);
-        let mut objective = |x: &[f64]| {
-            evaluations.set(evaluations.get() + 1);
-            let evaluation = problem.borrow_mut().evaluate(x);
-            let gradient = evaluation.gradient.len();
-            assert_eq!(gradient, x.len(), "the gradient must have one element per parameter");
-            evaluation
-        };
+        let mut objective = Counted { objective, evaluations: self.state.evaluations };
         let mut known: Option<Evaluation> = None;
         loop {
-            let evaluation = known.take().unwrap_or_else(|| objective(&self.state.x));
+            let State { iteration, level, .. } = self.state;
+            if level > 0 && iteration >= self.settings.end_of(level) {
+                self.state.refine(self.settings);
+                known = None;
+                continue;
+            }
+            objective.begin(iteration, level);
+            let evaluation = known.take().unwrap_or_else(|| objective.evaluate(&self.state.x));
             self.state.seconds = seconds_before + clock.elapsed().as_secs_f64();
-            self.state.evaluations = evaluations.get();
-            let iteration = self.state.iteration;
+            self.state.evaluations = objective.evaluations;
             if let Some(stop) = Stop::at_non_finite(&evaluation, iteration, self.variables) {
-                let why = problem.borrow_mut().explain(&self.state.x);
+                let why = objective.explain(&self.state.x);
                 return self.stop(stop.explained(why));
             }
 
@@ -121,22 +126,35 @@ impl<'a> Optimization<'a> {
                 gradient_norm: self.flat.projected_norm(&self.state.x, &evaluation.gradient),
                 seconds: self.state.seconds,
             };
-            self.state.record(record);
+            self.state.record(record, self.settings.is_sampled);
             let initial_loss = self.state.history[0].loss;
             let step = Step { record, initial_loss, iterations: self.settings.iterations };
             let interrupted = observer.step(&step).is_break();
-            if let Some(stop) = Stop::at(&record, self.settings) {
-                return self.stop(stop);
+            let stop = Stop::at(&record, self.settings);
+            let mut is_level_done = false;
+            match stop {
+                Some(stop) if level == 0 || stop.reason == StopReason::Iterations => {
+                    return self.stop(stop);
+                }
+                Some(_) => is_level_done = true,
+                None => {}
             }
 
             // From here to the next evaluation the state is one that a checkpoint can hold.
             let State { method, x, .. } = &mut self.state;
             let factor = self.settings.schedule.factor(iteration, self.settings.iterations);
-            match method.step(&self.flat, factor, x, evaluation, &mut objective) {
-                Ok(evaluation) => known = evaluation,
-                Err(why) => return self.stop(Stop::line_search(iteration, &why)),
+            if !is_level_done {
+                match method.step(&self.flat, factor, x, evaluation, &mut objective) {
+                    Ok(evaluation) => known = evaluation,
+                    Err(_) if level > 0 => is_level_done = true,
+                    Err(why) => return self.stop(Stop::line_search(iteration, &why)),
+                }
             }
             self.state.iteration += 1;
+            if is_level_done {
+                self.state.refine(self.settings);
+                known = None;
+            }
             if interrupted {
                 return self.stop(Stop::interrupted(iteration));
             }
@@ -158,5 +176,33 @@ impl<'a> Optimization<'a> {
             file.save(&self.state)?;
         }
         Ok(stop)
+    }
+}
+
+/// An objective, and how often it was evaluated.
+struct Counted<'a> {
+    objective: &'a mut dyn Objective,
+    evaluations: u64,
+}
+
+impl Objective for Counted<'_> {
+    fn begin(&mut self, iteration: u64, level: u32) {
+        self.objective.begin(iteration, level);
+    }
+
+    fn evaluate(&mut self, x: &[f64]) -> Evaluation {
+        self.evaluations += 1;
+        let evaluation = self.objective.evaluate(x);
+        let gradient = evaluation.gradient.len();
+        assert_eq!(gradient, x.len(), "the gradient must have one element per parameter");
+        evaluation
+    }
+
+    fn curvature(&mut self, x: &[f64]) -> Option<Vec<f64>> {
+        self.objective.curvature(x)
+    }
+
+    fn explain(&mut self, x: &[f64]) -> Option<String> {
+        self.objective.explain(x)
     }
 }

@@ -24,12 +24,20 @@ pub struct Settings {
     pub optimizer: Optimizer,
     /// How the learning rates change in the course of the run.
     pub schedule: Schedule,
+    /// How many coarser levels of the [objective](super::Objective::begin) come before it itself. Each level
+    /// has an equal share of the iterations, and ends before that where its loss or gradient meets a
+    /// tolerance or no lower loss is found. The parameters recovered are those of the finest level reached.
+    pub coarse_to_fine: u32,
+    /// Whether the loss is that of a sample which changes from iteration to iteration: the parameters
+    /// recovered are then the last ones, since the lowest loss is that of the easiest sample.
+    pub is_sampled: bool,
     /// Where the run is kept safe; nothing for a run that leaves no trace.
     pub checkpointing: Option<Checkpointing>,
 }
 
 impl Default for Settings {
-    /// 200 iterations, tolerances 0, Adam at constant learning rates, no checkpoints.
+    /// 200 iterations, tolerances 0, Adam at constant learning rates, one level, no samples, no
+    /// checkpoints.
     fn default() -> Self {
         Self {
             iterations: 200,
@@ -37,6 +45,8 @@ impl Default for Settings {
             gradient_tolerance: 0.0,
             optimizer: Optimizer::default(),
             schedule: Schedule::default(),
+            coarse_to_fine: 0,
+            is_sampled: false,
             checkpointing: None,
         }
     }
@@ -56,6 +66,12 @@ pub struct Checkpointing {
 }
 
 impl Settings {
+    /// The first iteration that is finer than a level, which is not the finest.
+    pub(super) fn end_of(&self, level: u32) -> u64 {
+        let levels = u64::from(self.coarse_to_fine) + 1;
+        self.iterations * (levels - u64::from(level)) / levels
+    }
+
     /// # Errors
     ///
     /// If a number is out of its range; the place is its field.

@@ -1,8 +1,9 @@
 //! The parameters that are optimised.
 
 use std::collections::HashSet;
+use std::ops::Range;
 
-use super::Fingerprint;
+use super::{Fingerprint, Preconditioner};
 use crate::Error;
 
 /// One parameter to optimise: a block of numbers under a path.
@@ -21,6 +22,8 @@ pub struct Variable {
     pub max: Vec<f64>,
     /// The true values, where they are known: reported, not used.
     pub target: Option<Vec<f64>>,
+    /// The coordinates that first-order methods take their steps in, if not its own.
+    pub preconditioner: Option<Preconditioner>,
 }
 
 impl Variable {
@@ -34,6 +37,7 @@ impl Variable {
             min: vec![f64::NEG_INFINITY; len],
             max: vec![f64::INFINITY; len],
             target: None,
+            preconditioner: None,
         }
     }
 
@@ -99,6 +103,9 @@ pub(super) struct Flat {
     pub learning_rate: Vec<f64>,
     pub min: Vec<f64>,
     pub max: Vec<f64>,
+    /// Those of each variable.
+    pub blocks: Vec<Range<usize>>,
+    preconditioners: Vec<Option<Preconditioner>>,
 }
 
 impl Flat {
@@ -122,7 +129,23 @@ impl Flat {
             learning_rate: concat(|variable| &variable.learning_rate).collect(),
             min: concat(|variable| &variable.min).collect(),
             max: concat(|variable| &variable.max).collect(),
+            blocks: blocks(variables),
+            preconditioners: variables.iter().map(|of| of.preconditioner.clone()).collect(),
         })
+    }
+
+    /// Whether some variable has coordinates of its own.
+    pub fn is_preconditioned(&self) -> bool {
+        self.preconditioners.iter().any(Option::is_some)
+    }
+
+    /// From gradients to those by the coordinates of steps, or from steps there to steps.
+    pub fn precondition(&self, values: &mut [f64]) {
+        for (block, preconditioner) in self.blocks.iter().zip(&self.preconditioners) {
+            if let Some(preconditioner) = preconditioner {
+                preconditioner.apply(&mut values[block.clone()]);
+            }
+        }
     }
 
     /// Moves `x` against `direction` by `factor` times the learning rate of each element, and
@@ -147,6 +170,17 @@ impl Flat {
         });
         norm.min(f64::MAX)
     }
+}
+
+/// The elements of each variable among those of all.
+fn blocks(variables: &[Variable]) -> Vec<Range<usize>> {
+    let mut end = 0;
+    let block = |variable: &Variable| {
+        let start = end;
+        end += variable.initial.len();
+        start..end
+    };
+    variables.iter().map(block).collect()
 }
 
 /// The path of one element of the concatenated variables: `light.key.position[1]`.
@@ -182,6 +216,7 @@ pub(super) fn fingerprint(variables: &[Variable]) -> Fingerprint {
             .numbers(&variable.learning_rate)
             .numbers(&variable.min)
             .numbers(&variable.max)
+            .text(variable.preconditioner.as_ref().map_or("", Preconditioner::name))
     })
 }
 
@@ -196,6 +231,8 @@ mod tests {
             learning_rate: vec![0.3, 1e308, 1e-300],
             min: vec![-0.5, f64::NEG_INFINITY, f64::NEG_INFINITY],
             max: vec![f64::INFINITY; 3],
+            blocks: vec![Range { start: 0, end: 3 }],
+            preconditioners: vec![None],
         };
         let mut x = std::mem::take(&mut flat.x);
         flat.step(&mut x, &[1.0, -2.0, f64::INFINITY], 0.25);

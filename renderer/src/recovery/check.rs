@@ -16,7 +16,7 @@ use std::hash::{DefaultHasher, Hash, Hasher};
 use ad::check;
 use glam::DVec3;
 
-use super::Recovery;
+use super::{Recovery, TargetImage};
 use crate::loss::PixelLoss;
 use crate::render::Renderer;
 use crate::scene::ParameterId;
@@ -109,13 +109,12 @@ impl Recovery<'_> {
             // pixels come across one.
             let step = if id.field == "texture_coordinates" { 1e-6 } else { 1e-3 * scale };
             let settings = self.settings.in_double_precision();
-            return check::derivative(
-                self.along(id, direction, &settings, &self.loss()),
-                0.0,
-                step,
-            );
+            let losses: Vec<_> = self.matched().map(|of| of.loss(self.loss_kind())).collect();
+            let losses: Vec<&dyn PixelLoss> = losses.iter().map(|loss| loss as _).collect();
+            return check::derivative(self.along(id, direction, &settings, &losses), 0.0, step);
         }
-        let pixels = self.scene.width * self.scene.height;
+        let [width, height] = self.scene.size();
+        let pixels = width * height;
         let [least, most] = RAYS_OF_PIXEL;
         let count = (FINE_RAYS / pixels.max(1)).clamp(least, most);
         let settings = Settings {
@@ -123,7 +122,8 @@ impl Recovery<'_> {
             sampling: Sampling::Sobol(Samples { count, seed: 0, gradient: GradientSamples::Same }),
             ..self.settings.in_double_precision()
         };
-        let weighted = self.weighted();
+        let weighted: Vec<Weighted> = self.matched().map(|of| self.weighted(of)).collect();
+        let weighted: Vec<&dyn PixelLoss> = weighted.iter().map(|loss| loss as _).collect();
         let mut value = self.along(id, direction, &settings, &weighted);
         let slopes: Vec<f64> = (0..STEPS)
             .map(|index| {
@@ -140,14 +140,14 @@ impl Recovery<'_> {
             .unwrap_or(check::Estimate { value: f64::NAN, error: f64::INFINITY })
     }
 
-    /// The loss of the image, rendered by these settings, as a function of how far a parameter has moved
-    /// along a direction. The scene is prepared once for all values.
+    /// The sum of the losses of what is matched, rendered by these settings, as a function of how far a
+    /// parameter has moved along a direction. The scene is prepared once for all values.
     fn along<'b>(
         &'b self,
         id: ParameterId,
         direction: &'b [f64],
         settings: &Settings,
-        loss: &'b dyn PixelLoss,
+        losses: &'b [&'b dyn PixelLoss],
     ) -> impl FnMut(f64) -> f64 + 'b {
         let start = self.scene.get(id);
         let mut scene = self.scene.clone();
@@ -157,15 +157,20 @@ impl Recovery<'_> {
                 start.iter().zip(direction).map(|(value, along)| value + by * along).collect();
             scene.assign(id, &moved);
             renderer.update(&scene);
-            renderer.loss(loss)
+            let mut sum = 0.0;
+            for (target, loss) in self.matched().zip(losses) {
+                target.show(&mut scene, &mut renderer);
+                sum += renderer.loss(*loss);
+            }
+            sum
         }
     }
 
-    /// The pixels weighted with the cotangents that the loss gives them. Those that are left out weigh
-    /// nothing.
-    fn weighted(&self) -> Weighted {
-        let image = self.render(self.scene);
-        let (loss, width) = (self.loss(), image.width);
+    /// The pixels weighted with the cotangents that the loss of a target gives them. Those that are left out
+    /// weigh nothing.
+    fn weighted(&self, target: &TargetImage) -> Weighted {
+        let image = self.render_target(target, self.scene);
+        let (loss, width) = (target.loss(self.loss_kind()), image.width);
         let cotangents = image.pixels.iter().enumerate().map(|(index, &pixel)| {
             let (x, y) = (index as u32 % width, index as u32 / width);
             let (_, cotangent) = loss.evaluate(x, y, DVec3::from_array(pixel.map(f64::from)));

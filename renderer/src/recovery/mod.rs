@@ -12,22 +12,34 @@
 //! println!("{}", recovery.scene_at(&outcome.best.x).camera.look_from);
 //! # Ok::<(), renderer::Error>(())
 //! ```
+//!
+#![doc = include_str!("../../docs/recoveries.md")]
 
+mod batch;
 mod check;
+mod levels;
 mod objective;
+mod quality;
+mod regularizer;
+mod target;
 mod variable;
 
 use std::sync::{Arc, Mutex};
 
+pub use batch::Batch;
 pub use check::{Compared, Verdict};
+pub(crate) use levels::check_levels;
 pub(crate) use objective::ImageObjective;
+pub use quality::Quality;
+pub use target::TargetImage;
+
+use regularizer::Regularizer;
 
 use crate::Error;
 use crate::Image;
 use crate::arithmetic::Arithmetic;
-use crate::experiment::{Experiment, OptimizeSection, Target, TunedParameter, overlap};
-use crate::files::{LoadedImage, load_image};
-use crate::loss::{ImageLoss, LossKind};
+use crate::experiment::{Experiment, LaplacianTerm, OptimizeSection, TunedParameter, overlap};
+use crate::loss::LossKind;
 use crate::optimize::{
     Evaluation, Fingerprint, Objective, Observer, Optimization, Optimizer, Outcome,
     Settings as OptimizeSettings, Variable,
@@ -36,14 +48,16 @@ use crate::render::Renderer;
 use crate::scene::{ParameterId, Scene};
 use crate::settings::{Edges, Settings};
 
-/// An optimisation of scene parameters against an image.
+/// An optimisation of scene parameters against an image, or one for each view of the scene: then loss and
+/// gradient are the sums of those of the views, added up in their order.
 #[derive(Clone)]
 pub struct Recovery<'a> {
     scene: &'a Scene,
     section: OptimizeSection,
     settings: Settings,
-    target: LoadedImage,
+    targets: Vec<TargetImage>,
     ids: Vec<ParameterId>,
+    regularizers: Vec<Regularizer>,
     variables: Vec<Variable>,
     allow_non_finite: bool,
     left_out: Arc<Mutex<Option<String>>>,
@@ -76,7 +90,11 @@ impl<'a> Recovery<'a> {
         check_learning_rates(scene, &section, place)?;
         let ids: Vec<_> = section.parameters.iter().map(|tuned| tuned.id).collect();
         let settings = Settings { edges: settings.edges.for_parameters(&ids), ..*settings };
-        let (target, truth) = load_target(scene, &section, place, &settings)?;
+        let (targets, truth) = target::load(scene, &section, place, &settings)?;
+        check_batch(scene, &section, place)?;
+        check_levels(scene, section.coarse_to_fine).map_err(|problem| {
+            Error::new(format_args!("{place}: optimize.coarse_to_fine"), problem)
+        })?;
         let variables = section
             .parameters
             .iter()
@@ -84,9 +102,20 @@ impl<'a> Recovery<'a> {
                 let target = truth.as_ref().map(|truth| truth.get(tuned.id).into_owned());
                 variable::variable(scene, tuned, section.learning_rate, target)
             })
-            .collect();
+            .collect::<Result<_, _>>()?;
+        let regularizers = regularizer::of(scene, &section.parameters);
         let (allow_non_finite, left_out) = (false, Arc::default());
-        Ok(Self { scene, section, settings, target, ids, variables, allow_non_finite, left_out })
+        Ok(Self {
+            scene,
+            section,
+            settings,
+            targets,
+            ids,
+            regularizers,
+            variables,
+            allow_non_finite,
+            left_out,
+        })
     }
 
     /// This inverse problem, with the same target, rendered with other settings.
@@ -94,13 +123,12 @@ impl<'a> Recovery<'a> {
         Self { settings: *settings, ..self.clone() }
     }
 
-    /// This inverse problem with a smaller image: `scene` is that of this problem but for the size, which
-    /// divides this one's. A pixel of the target is the mean of those that it covers.
+    /// This inverse problem, without views, with a smaller image: `scene` is that of this problem but for the
+    /// size, which divides this one's. A pixel of the target is the mean of those that it covers.
     pub fn coarser<'b>(&self, scene: &'b Scene) -> Recovery<'b> {
         let copy = self.clone();
-        let image = copy.target.image.reduced(scene.width, scene.height);
-        let target = LoadedImage { image, ..copy.target };
-        Recovery { scene, target, ..copy }
+        let targets = copy.targets.into_iter().map(|target| target.reduced(scene.size())).collect();
+        Recovery { scene, targets, ..copy }
     }
 
     /// How the scene is rendered.
@@ -137,6 +165,8 @@ impl<'a> Recovery<'a> {
                 .unwrap_or(default.gradient_tolerance),
             optimizer: self.section.optimizer.unwrap_or(default.optimizer),
             schedule: self.section.schedule.unwrap_or(default.schedule),
+            coarse_to_fine: self.section.coarse_to_fine,
+            is_sampled: self.section.batch.is_some(),
             ..default
         }
     }
@@ -156,7 +186,8 @@ impl<'a> Recovery<'a> {
         let mut fingerprint = Fingerprint::new()
             .text(&format!("{:?}", self.loss_kind()))
             .text(&format!("{settings:?}"))
-            .text(&format!("{} {}", scene.width, scene.height))
+            .text(&format!("{:?}", self.section.batch))
+            .text(&format!("{:?}", self.laplacian_terms()))
             .text(&format!("{:?}", scene.spheres));
         for id in scene.parameters() {
             let path = scene.path(id).to_string();
@@ -170,19 +201,45 @@ impl<'a> Recovery<'a> {
                 .bytes(&indices(mesh.triangles.as_flattened()))
                 .bytes(&indices(&mesh.materials));
         }
-        let target = self.target.image.pixels.as_flattened();
-        let bits: Vec<u8> = target.iter().flat_map(|value| value.to_le_bytes()).collect();
-        fingerprint.bytes(&bits).text(&format!("{}", self.target.saturates))
+        let bits = |values: &[f32]| -> Vec<u8> {
+            values.iter().flat_map(|value| value.to_le_bytes()).collect()
+        };
+        self.targets.iter().fold(fingerprint, |fingerprint, target| {
+            let TargetImage { view, pass, image, held_out, saturates, weights, weight } = target;
+            let settings = (view, pass, image.width, held_out, saturates, weight);
+            fingerprint
+                .text(&format!("{settings:?}"))
+                .bytes(&bits(image.pixels.as_flattened()))
+                .bytes(&bits(weights.as_deref().unwrap_or_default()))
+        })
     }
 
-    /// Renders a scene. Pixels that are not finite are black if they may be
-    /// [left out](Self::allowing_non_finite).
+    /// Renders a scene, through its first view if it has any. Pixels that are not finite are black if they may
+    /// be [left out](Self::allowing_non_finite).
     pub fn render(&self, scene: &Scene) -> Image {
-        let mut image = Renderer::unchecked(scene, &self.settings).render();
+        self.render_target(&self.targets[0], scene)
+    }
+
+    /// Renders what of a scene a target shows.
+    pub fn render_target(&self, target: &TargetImage, scene: &Scene) -> Image {
+        let mut scene = scene.clone();
+        target.look(&mut scene);
+        let settings = Settings { pass: target.pass, ..self.settings };
+        let mut image = Renderer::unchecked(&scene, &settings).render();
         if self.allow_non_finite {
             image.blacken_non_finite();
         }
         image
+    }
+
+    /// How alike the images of a scene and the targets are, one by one: those of views that are
+    /// [held out](TargetImage::held_out) tell what is found from what merely fits.
+    pub fn qualities(&self, scene: &Scene) -> Vec<Quality> {
+        let quality = |target: &TargetImage| {
+            let image = self.render_target(target, scene);
+            Quality::of(&image, &target.image, target.weights.as_deref())
+        };
+        self.targets.iter().map(quality).collect()
     }
 
     /// The parameters that vary.
@@ -195,19 +252,14 @@ impl<'a> Recovery<'a> {
         self.scene
     }
 
-    /// The image to be matched.
+    /// The image to be matched, the first if there are several.
     pub fn target(&self) -> &Image {
-        &self.target.image
+        &self.targets[0].image
     }
 
-    /// The absolute difference of every channel to the target, as the loss sees it: where the target
-    /// is clipped, so is the image. Nothing if the sizes differ.
-    pub fn difference(&self, image: &Image) -> Option<Image> {
-        let mut image = image.clone();
-        if self.target.saturates {
-            image.pixels.as_flattened_mut().iter_mut().for_each(|value| *value = value.min(1.0));
-        }
-        image.absolute_difference(&self.target.image)
+    /// All images to be matched or compared with, in the order of the views.
+    pub fn targets(&self) -> &[TargetImage] {
+        &self.targets
     }
 
     /// The scene with other values of the parameters that vary, one after the other in `x`.
@@ -259,14 +311,39 @@ impl<'a> Recovery<'a> {
         &self.ids
     }
 
-    fn loss_kind(&self) -> LossKind {
+    pub(crate) fn loss_kind(&self) -> LossKind {
         self.section.loss.unwrap_or_default()
     }
 
-    /// The loss that is minimised.
-    pub(crate) fn loss(&self) -> ImageLoss<'_> {
-        ImageLoss::new(self.loss_kind(), &self.target.image, self.target.saturates)
+    /// The terms of the loss that are not of images, with what they are of.
+    fn laplacian_terms(&self) -> Vec<(ParameterId, LaplacianTerm)> {
+        let term = |tuned: &TunedParameter| Some((tuned.id, tuned.laplacian?));
+        self.section.parameters.iter().filter_map(term).collect()
     }
+
+    /// What losses are added up of: all targets but those of views that are held out.
+    fn matched(&self) -> impl Iterator<Item = &TargetImage> + Clone {
+        self.targets.iter().filter(|target| !target.held_out)
+    }
+}
+
+/// Whether there are views to choose from, and a method that compares losses gets the same loss each time.
+fn check_batch(scene: &Scene, section: &OptimizeSection, place: &str) -> Result<(), Error> {
+    let Some(batch) = section.batch else { return Ok(()) };
+    let optimizer = section.optimizer.unwrap_or_default();
+    let problem = if batch.size == 0 {
+        "needs at least one view".to_owned()
+    } else if scene.views().is_empty() {
+        "is a number of views, and the scene has none".to_owned()
+    } else if optimizer.finds_step_lengths() {
+        format!(
+            "{} compares the losses of its steps, which are of other views each time; leave the batch out",
+            optimizer.name()
+        )
+    } else {
+        return Ok(());
+    };
+    Err(Error::new(format_args!("{place}: optimize.batch"), problem))
 }
 
 /// Whether no number varies as part of two parameters.
@@ -305,43 +382,5 @@ fn check_learning_rates(
                 optimizer.name()
             ),
         )),
-    }
-}
-
-/// The target image and, where they are known, the parameters that made it.
-fn load_target(
-    scene: &Scene,
-    section: &OptimizeSection,
-    place: &str,
-    settings: &Settings,
-) -> Result<(LoadedImage, Option<Scene>), Error> {
-    match &section.target {
-        None => Err(Error::new(
-            place,
-            "no target: give an image with --target, or `target` or `target_values` in the section [optimize]",
-        )),
-        Some(Target::Image(path)) => {
-            let target = load_image(path)?;
-            let (width, height) = (target.image.width, target.image.height);
-            if (width, height) != (scene.width, scene.height) {
-                return Err(Error::new(
-                    path.display(),
-                    format_args!(
-                        "the target has {width} x {height} pixels, the camera of {place} has {} x {}",
-                        scene.width, scene.height
-                    ),
-                ));
-            }
-            Ok((target, None))
-        }
-        Some(Target::Values(values)) => {
-            let mut truth = scene.clone();
-            for (id, values) in values {
-                truth.assign(*id, values);
-            }
-            truth.validate(format_args!("{place}: optimize.target_values"))?;
-            let image = Renderer::unchecked(&truth, settings).render();
-            Ok((LoadedImage { image, saturates: false }, Some(truth)))
-        }
     }
 }

@@ -1,23 +1,60 @@
-//! The loss of an image as a function of numbers.
+//! The loss of images as a function of numbers.
 
-use super::Recovery;
-use crate::LossAndGradient;
+use std::borrow::Cow;
+
+use glam::DVec3;
+
+use super::levels::{halved, spread};
+use super::{Recovery, TargetImage};
 use crate::optimize::{Evaluation, Objective};
 use crate::render::Renderer;
-use crate::scene::{Invalid, Scene};
+use crate::scene::{Invalid, ParameterId, Scene};
 use crate::settings::{Sampling, Settings};
+use crate::{Image, LossAndGradient};
 
-/// The loss of the rendered image as a function of the parameters that vary.
+/// The loss of the rendered images as a function of the parameters that vary.
 pub(crate) struct ImageObjective<'a> {
     recovery: &'a Recovery<'a>,
     renderer: Renderer,
     scene: Scene,
+    /// How often the images are halved.
+    level: u32,
+    /// All that is matched, so often halved, in the order of the views.
+    targets: Vec<Cow<'a, TargetImage>>,
+    /// What of it is matched in this iteration.
+    chosen: Vec<usize>,
+    /// What the sum of the losses is multiplied by: where only some views are seen, they stand for all.
+    factor: f64,
 }
 
 impl<'a> ImageObjective<'a> {
     pub fn new(recovery: &'a Recovery<'a>, settings: &Settings) -> Self {
-        let renderer = Renderer::unchecked(recovery.scene, settings);
-        Self { recovery, renderer, scene: recovery.scene.clone() }
+        let mut scene = recovery.scene.clone();
+        let targets: Vec<_> = recovery.matched().map(Cow::Borrowed).collect();
+        targets[0].look(&mut scene);
+        let settings = Settings { pass: targets[0].pass, ..*settings };
+        let renderer = Renderer::unchecked(&scene, &settings);
+        let chosen = (0..targets.len()).collect();
+        let (level, factor) = (0, 1.0);
+        let mut objective = Self { recovery, renderer, scene, level, targets, chosen, factor };
+        objective.begin(0, 0);
+        objective
+    }
+
+    /// Halves the images so often.
+    fn halve(&mut self, level: u32) {
+        self.level = level;
+        self.scene = halved(self.recovery.scene, level);
+        let matched = self.recovery.matched();
+        self.targets = match level {
+            0 => matched.map(Cow::Borrowed).collect(),
+            _ => matched.map(|target| Cow::Owned(target.halved(level))).collect(),
+        };
+        self.targets[0].look(&mut self.scene);
+        let sampling = spread(self.recovery.settings.sampling, level);
+        let pass = self.targets[0].pass;
+        let settings = Settings { pass, sampling, ..*self.renderer.settings() };
+        self.renderer = Renderer::unchecked(&self.scene, &settings);
     }
 
     /// Changes the rays through pixels and the depth of paths; all else that is prepared stays.
@@ -32,20 +69,13 @@ impl<'a> ImageObjective<'a> {
         self.renderer.update(&self.scene);
         Ok(())
     }
-}
 
-/// A loss and its gradient, in a row.
-fn evaluation(result: &LossAndGradient) -> Evaluation {
-    Evaluation { loss: result.loss, gradient: result.gradient.concat() }
-}
-
-impl Objective for ImageObjective<'_> {
-    fn evaluate(&mut self, x: &[f64]) -> Evaluation {
-        if self.assign(x).is_err() {
-            return Evaluation { loss: f64::NAN, gradient: vec![f64::NAN; x.len()] };
-        }
-        let Self { recovery, renderer, scene } = self;
-        let (ids, loss) = (&recovery.ids, recovery.loss());
+    /// Loss and gradient of a target.
+    fn evaluate_target(&mut self, index: usize) -> Evaluation {
+        let Self { recovery, renderer, scene, targets, factor, .. } = self;
+        let target = &targets[index];
+        target.show(scene, renderer);
+        let (ids, loss) = (&recovery.ids, target.loss(recovery.loss_kind()).times(*factor));
         let result = evaluation(&renderer.loss_and_gradient(scene, &loss, ids));
         if result.is_finite() || !recovery.allow_non_finite {
             return result;
@@ -54,17 +84,129 @@ impl Objective for ImageObjective<'_> {
             return result;
         };
         if let Ok(mut left_out) = recovery.left_out.lock() {
-            *left_out = Some(found.to_string());
+            *left_out = Some(of_view(target, scene, found.to_string()));
         }
         evaluation(&renderer.gradient_of_finite(scene, &loss, ids, &found))
+    }
+
+    /// Adds the curvature of the loss of a target; nothing if it has none.
+    fn add_curvature(&mut self, index: usize, sum: &mut [f64]) -> Option<()> {
+        let Self { recovery, renderer, scene, targets, factor, .. } = self;
+        let target = &targets[index];
+        target.show(scene, renderer);
+        let loss = target.loss(recovery.loss_kind()).times(*factor);
+        let (image, derivatives) = derivatives(renderer, scene, &recovery.ids)?;
+        let curvatures = image.pixels.iter().enumerate().map(|(index, pixel)| {
+            let (x, y) = (index as u32 % image.width, index as u32 / image.width);
+            loss.curvature(x, y, DVec3::from_array(pixel.map(f64::from)))
+        });
+        let curvatures: Vec<DVec3> = curvatures.collect::<Option<_>>()?;
+        add_products(&curvatures, &derivatives, sum);
+        Some(())
+    }
+}
+
+/// An image, and its derivatives by every number of some parameters.
+fn derivatives(
+    renderer: &Renderer,
+    scene: &Scene,
+    ids: &[ParameterId],
+) -> Option<(Image, Vec<Image>)> {
+    let (mut image, mut derivatives) = (None, Vec::new());
+    for &id in ids {
+        let count = scene.get(id).len();
+        for element in 0..count {
+            let mut along = vec![0.0; count];
+            along[element] = 1.0;
+            let (value, derivative) = renderer.jvp(scene, &[(id, along)]).ok()?;
+            image = Some(value);
+            derivatives.push(derivative);
+        }
+    }
+    Some((image?, derivatives))
+}
+
+/// Adds the sums over pixels of the products of all pairs of derivatives, weighted by curvatures.
+fn add_products(curvatures: &[DVec3], derivatives: &[Image], sum: &mut [f64]) {
+    let count = derivatives.len();
+    for row in 0..count {
+        for column in 0..=row {
+            let pairs = derivatives[row].pixels.iter().zip(&derivatives[column].pixels);
+            let product = |((a, b), curvature): ((&[f32; 3], &[f32; 3]), &DVec3)| {
+                let [a, b] = [a, b].map(|pixel| DVec3::from_array(pixel.map(f64::from)));
+                (a * b).dot(*curvature)
+            };
+            let value: f64 = pairs.zip(curvatures).map(product).sum();
+            sum[row * count + column] += value;
+            if row != column {
+                sum[column * count + row] += value;
+            }
+        }
+    }
+}
+
+/// A loss and its gradient, in a row.
+fn evaluation(result: &LossAndGradient) -> Evaluation {
+    Evaluation { loss: result.loss, gradient: result.gradient.concat() }
+}
+
+/// What is said of a target, after the name of its view.
+fn of_view(target: &TargetImage, scene: &Scene, what: String) -> String {
+    match target.name(scene) {
+        "" => what,
+        name => format!("view `{name}`: {what}"),
+    }
+}
+
+impl Objective for ImageObjective<'_> {
+    fn begin(&mut self, iteration: u64, level: u32) {
+        if level != self.level {
+            self.halve(level);
+        }
+        let Some(batch) = self.recovery.section.batch else { return };
+        let mut views: Vec<usize> = self.targets.iter().filter_map(|target| target.view).collect();
+        views.dedup();
+        let chosen = batch.views(iteration, views.len());
+        let is_chosen =
+            |target: &TargetImage| chosen.iter().any(|&index| Some(views[index]) == target.view);
+        self.chosen = (0..self.targets.len()).filter(|&i| is_chosen(&self.targets[i])).collect();
+        self.factor = views.len() as f64 / chosen.len() as f64;
+    }
+
+    fn evaluate(&mut self, x: &[f64]) -> Evaluation {
+        if self.assign(x).is_err() {
+            return Evaluation { loss: f64::NAN, gradient: vec![f64::NAN; x.len()] };
+        }
+        let mut sum = Evaluation { loss: 0.0, gradient: vec![0.0; x.len()] };
+        for index in self.chosen.clone() {
+            let other = self.evaluate_target(index);
+            sum.loss += other.loss;
+            sum.gradient.iter_mut().zip(other.gradient).for_each(|(sum, other)| *sum += other);
+        }
+        self.recovery.regularizers.iter().for_each(|term| term.add(x, &mut sum));
+        sum
+    }
+
+    fn curvature(&mut self, x: &[f64]) -> Option<Vec<f64>> {
+        self.assign(x).ok()?;
+        let mut sum = vec![0.0; x.len() * x.len()];
+        for index in self.chosen.clone() {
+            self.add_curvature(index, &mut sum)?;
+        }
+        Some(sum)
     }
 
     fn explain(&mut self, x: &[f64]) -> Option<String> {
         if let Err(Invalid { path, problem }) = self.assign(x) {
             return Some(format!("{path} {problem}"));
         }
-        let Self { recovery, renderer, scene } = self;
-        let found = renderer.find_non_finite_gradient(scene, &recovery.loss(), &recovery.ids)?;
-        Some(found.to_string())
+        let Self { recovery, renderer, scene, targets, chosen, .. } = self;
+        chosen.iter().find_map(|&index| {
+            let target = &targets[index];
+            target.show(scene, renderer);
+            let loss = target.loss(recovery.loss_kind());
+            let found = renderer.find_non_finite_gradient(scene, &loss, &recovery.ids)?;
+            Some(of_view(target, scene, found.to_string()))
+        })
     }
 }

@@ -1,9 +1,11 @@
 //! The variable of an optimisation that a parameter becomes.
 
+use crate::Error;
 use crate::experiment::TunedParameter;
-use crate::optimize::Variable;
-use crate::scene::Scene;
+use crate::laplacian::{Laplacian, System, Weights};
+use crate::optimize::{Preconditioner, Variable};
 use crate::scene::table::{self, LARGEST_EXPONENT};
+use crate::scene::{Object, Scene};
 
 /// The variable for a parameter: with its own bounds and learning rate, or those of the table of
 /// parameters.
@@ -12,7 +14,7 @@ pub(super) fn variable(
     tuned: &TunedParameter,
     common_rate: Option<f64>,
     target: Option<Vec<f64>>,
-) -> Variable {
+) -> Result<Variable, Error> {
     let row = table::row(tuned.id);
     let initial = scene.get(tuned.id).into_owned();
     let rate = tuned
@@ -37,7 +39,16 @@ pub(super) fn variable(
         }
     }
     variable.target = target;
-    variable
+    if let (Some(lambda), Object::Mesh(mesh)) = (tuned.large_steps, tuned.id.object) {
+        let mesh = &scene.meshes()[mesh];
+        let laplacian = Laplacian::new(&mesh.vertices, &mesh.triangles, Weights::Uniform);
+        let system = System::new(&laplacian, lambda).map_err(|error| {
+            Error::new(format_args!("{}.{}", scene.path(tuned.id), error.place), error.problem)
+        })?;
+        let name = format!("large steps, lambda {lambda:e}");
+        variable.preconditioner = Some(Preconditioner::new(name, move |block| system.solve(block)));
+    }
+    Ok(variable)
 }
 
 /// An end of a range as a bound. Where numbers only leave what single precision holds there is none:

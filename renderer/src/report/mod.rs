@@ -20,7 +20,7 @@ use crate::Error;
 use crate::optimize::loss_svg;
 use chart::{Curve, label, line_chart};
 use html::{data_uri, escape, number, numbers};
-use run_folder::{Frame, ObjectPictures, RunFolder, Trajectory};
+use run_folder::{Frame, ObjectPictures, RunFolder, Trajectory, ViewImages};
 
 /// Elements whose trajectories are drawn; a page of more would not be read.
 const MOST_CHARTS: usize = 24;
@@ -39,6 +39,7 @@ pub fn report_page(folder: &Path) -> Result<String, Error> {
     let mut sections = vec![("Result", figures(&run.summary))];
     sections.push(("Images", images(&run)));
     sections.push(("Comparison", comparison(&run.images)));
+    sections.push(("Views", views(&run.views)));
     if run.frames.len() > 1 {
         sections.push(("Course", strip(&run.frames)));
     }
@@ -148,6 +149,20 @@ fn images(run: &RunFolder) -> String {
         .map(|(name, png)| figure(Some(name), name, png, scale(name, largest)))
         .collect();
     html::grid(&figures)
+}
+
+fn views(views: &[ViewImages]) -> String {
+    let figures = |view: &ViewImages| match view.psnr {
+        Some(psnr) => format!("PSNR {psnr:.2} dB, SSIM {:.4}", view.ssim),
+        None => "equal".to_owned(),
+    };
+    let of_view = |view: &ViewImages| {
+        let pictures = view.pictures.iter();
+        let pictures = pictures.map(|(kind, png)| figure(None, kind, png, String::new()));
+        let grid = html::grid(&pictures.collect::<String>());
+        format!("<h3>{}</h3>\n<p>{}</p>\n{grid}", escape(&view.title), figures(view))
+    };
+    views.iter().map(of_view).collect()
 }
 
 /// What the greys of the image of differences mean.

@@ -1,5 +1,6 @@
 //! What a run has left in its folder.
 
+use std::collections::HashMap;
 use std::fs;
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
@@ -17,6 +18,7 @@ pub(super) struct RunFolder {
     pub trajectory: Option<Trajectory>,
     /// Names and contents of the images.
     pub images: Vec<(&'static str, Vec<u8>)>,
+    pub views: Vec<ViewImages>,
     pub frames: Vec<Frame>,
     pub pictures: Vec<ObjectPictures>,
     pub scene: Option<String>,
@@ -38,6 +40,15 @@ pub(super) struct Frame {
     pub png: Vec<u8>,
 }
 
+/// A view, and how alike its picture and its target are.
+pub(super) struct ViewImages {
+    pub title: String,
+    pub psnr: Option<f64>,
+    pub ssim: f64,
+    /// Target, initial, final.
+    pub pictures: Vec<(&'static str, Vec<u8>)>,
+}
+
 /// A texture or a shape that varied, before and after.
 pub(super) struct ObjectPictures {
     pub path: String,
@@ -52,6 +63,18 @@ struct PictureEntry {
     initial: PathBuf,
     #[serde(rename = "final")]
     last: PathBuf,
+}
+
+/// An entry of `views` in the summary.
+#[derive(Deserialize)]
+struct ViewEntry {
+    name: String,
+    coverage: bool,
+    held_out: bool,
+    /// Null if the picture is the target.
+    psnr: Option<f64>,
+    ssim: f64,
+    files: HashMap<String, PathBuf>,
 }
 
 /// An entry of `strip` in the summary.
@@ -82,6 +105,7 @@ impl RunFolder {
             trajectory: trajectory(&folder.join("trajectory.json"))?,
             frames: frames(folder, &file, &summary)?,
             pictures: pictures(folder, &file, &summary)?,
+            views: views(folder, &file, &summary)?,
             images,
             scene: scene.map(|bytes| String::from_utf8_lossy(&bytes).into_owned()),
             summary,
@@ -136,6 +160,31 @@ fn trajectory(path: &Path) -> Result<Option<Trajectory>, Error> {
         return Err(Error::new(path.display(), "is broken: its parts differ in length"));
     }
     Ok((!paths.is_empty()).then_some(trajectory))
+}
+
+/// The views that the summary lists.
+fn views(folder: &Path, file: &Path, summary: &Value) -> Result<Vec<ViewImages>, Error> {
+    let Some(views) = summary.get("views") else { return Ok(Vec::new()) };
+    let entries: Vec<ViewEntry> = serde_json::from_value(views.clone())
+        .map_err(|error| Error::new(file.display(), format_args!("views is broken: {error}")))?;
+    let mut found = Vec::new();
+    for ViewEntry { name, coverage, held_out, psnr, ssim, files } in entries {
+        let mut pictures = Vec::new();
+        for kind in ["target", "initial", "final"] {
+            if let Some(file) = files.get(kind) {
+                pictures.extend(optional(&folder.join(file))?.map(|png| (kind, png)));
+            }
+        }
+        let coverage = if coverage { ", coverage" } else { "" };
+        let held_out = if held_out { ", held out" } else { "" };
+        found.push(ViewImages {
+            title: format!("{name}{coverage}{held_out}"),
+            psnr,
+            ssim,
+            pictures,
+        });
+    }
+    Ok(found)
 }
 
 /// The pictures of textures and shapes that the summary lists.

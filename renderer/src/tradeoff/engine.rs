@@ -42,7 +42,7 @@ impl<'a> Question<'a> {
     }
 
     fn loss(&self) -> ImageLoss<'a> {
-        self.recovery.loss()
+        self.recovery.targets()[0].loss(self.recovery.loss_kind())
     }
 
     fn renderer(&self) -> Renderer {
@@ -70,7 +70,11 @@ pub(super) fn is_geometry(id: &ParameterId) -> bool {
     match id.object {
         Object::Mesh(_) => !["texture_coordinates", "normals"].contains(&id.field),
         Object::Sphere(_) | Object::Shape(_) => true,
-        Object::Camera | Object::Light(_) | Object::Material(_) | Object::Texture(_) => false,
+        Object::Camera
+        | Object::View(_)
+        | Object::Light(_)
+        | Object::Material(_)
+        | Object::Texture(_) => false,
     }
 }
 

@@ -12,6 +12,8 @@ mod params;
 mod render;
 mod resume;
 mod sandbox;
+mod shape;
 mod stats;
 mod tradeoff;
 mod unlucky;
+mod views;

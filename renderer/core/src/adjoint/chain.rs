@@ -357,6 +357,7 @@ impl<'a, L: Plain> Chain<'a, L> {
         match self.integrator.layout.pass {
             Pass::Radiance => material.emission.accumulate(own),
             Pass::Albedo => material.diffuse.accumulate(own),
+            Pass::Coverage => {}
         }
         if let Some((opacity, mirror)) = of_outgoing {
             material.opacity.accumulate(opacity);

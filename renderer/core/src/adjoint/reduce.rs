@@ -164,7 +164,9 @@ impl Totals {
         let range = range_of(&fields, id.field).unwrap_or(0..0);
         let dense = |start: usize| self.dense[start + range.start..][..range.len()].to_vec();
         match id.object {
-            Object::Camera => range.map(|index| camera.number(index)).collect(),
+            // An image is seen through one camera, and the same without the others.
+            Object::Camera | Object::View(_) if id.object != scene.eye() => vec![0.0; range.len()],
+            Object::Camera | Object::View(_) => range.map(|index| camera.number(index)).collect(),
             Object::Light(light) => {
                 request.lights[light].map_or_else(Vec::new, |to| dense(to.start))
             }
@@ -221,7 +223,7 @@ fn camera_cotangent<L: Plain>(
     frame: Option<Tangent<CameraFrame<f64>>>,
 ) -> Tangent<Camera<f64>> {
     let Some(frame) = frame else { return Additive::zero() };
-    let mut camera = scene.camera;
+    let mut camera = *scene.seen_from();
     camera.look_from -= prepared.inputs.origin;
     camera.look_at -= prepared.inputs.origin;
     let (_, pullback) = camera_frame::vjp::<f64>(camera, scene.aspect());

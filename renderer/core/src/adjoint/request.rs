@@ -56,7 +56,7 @@ impl Request {
     pub fn new(scene: &Scene, layout: &Layout, ids: &[ParameterId]) -> Self {
         let mut request = Self {
             ids: ids.to_vec(),
-            camera: ids.iter().any(|id| id.object == Object::Camera),
+            camera: ids.iter().any(|id| id.object == scene.eye()),
             lights: vec![None; scene.lights.len()],
             shapes: vec![None; scene.shapes.len()],
             transforms: vec![None; scene.meshes.len()],
@@ -117,7 +117,7 @@ impl Request {
                 Object::Texture(texture) => of_textures.push(textures[texture].texels()),
                 Object::Material(material) => materials.push(material..material + 1),
                 Object::Sphere(sphere) => spheres.push(sphere..sphere + 1),
-                Object::Camera | Object::Light(_) | Object::Shape(_) => {}
+                Object::Camera | Object::View(_) | Object::Light(_) | Object::Shape(_) => {}
             }
         }
         self.vertices = Selection::new(vertices, layout.vertices());
@@ -132,7 +132,7 @@ impl Request {
     fn select_objects(&mut self, scene: &Scene) {
         for &ParameterId { object, field, .. } in &self.ids.clone() {
             match object {
-                Object::Camera | Object::Texture(_) => {}
+                Object::Camera | Object::View(_) | Object::Texture(_) => {}
                 Object::Light(light) => {
                     let (fields, len) = match &scene.lights[light].source {
                         LightSource::Known(known) => match_light!(known, known => fields_of(known)),

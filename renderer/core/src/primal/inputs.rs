@@ -150,7 +150,7 @@ impl<S: Number> Inputs<S> {
     /// returns whether geometry has moved.
     pub fn update(&mut self, scene: &Scene, pass: Pass, varying: &Varying<S::Wide>) -> bool {
         let origin = constant::<S>(self.origin);
-        self.frame = in_lanes::<S, _>(&frame::<S>(scene, origin, varying));
+        self.look(scene, varying);
         self.lights = lights(scene, pass, origin, varying);
         self.materials.clear();
         self.materials.extend(scene.materials.iter().enumerate().map(|(index, material)| {
@@ -163,6 +163,12 @@ impl<S: Number> Inputs<S> {
         let shapes_moved = self.shapes != shapes;
         self.shapes = shapes;
         vertices | spheres | shapes_moved
+    }
+
+    /// Takes over what the scene is seen through.
+    pub fn look(&mut self, scene: &Scene, varying: &Varying<S::Wide>) {
+        let frame = frame::<S>(scene, constant::<S>(self.origin), varying);
+        self.frame = in_lanes::<S, _>(&frame);
     }
 
     fn update_textures(&mut self, scene: &Scene, varying: &Varying<S::Wide>) {
@@ -248,7 +254,7 @@ pub fn frame<S: Number>(
     origin: Vec3<S::Wide>,
     varying: &Varying<S::Wide>,
 ) -> CameraFrame<S::Wide> {
-    let mut camera = varying.lift(Object::Camera, &scene.camera);
+    let mut camera = varying.lift(scene.eye(), scene.seen_from());
     camera.look_from = camera.look_from - origin;
     camera.look_at = camera.look_at - origin;
     camera_frame::<S::Wide>(camera, S::Wide::from_f64(scene.aspect()))
@@ -278,7 +284,7 @@ pub fn lights<S: Number>(
     };
     match pass {
         Pass::Radiance => scene.lights.iter().enumerate().map(inputs).collect(),
-        Pass::Albedo => Vec::new(),
+        Pass::Albedo | Pass::Coverage => Vec::new(),
     }
 }
 

@@ -93,6 +93,14 @@ impl<L: Plain> Prepared<L> {
         let moved = self.inputs.update(scene, self.settings.pass, &Varying::NONE);
         self.tracer.update(scene, &self.settings, &self.layout, &self.inputs, moved);
     }
+
+    /// Takes over what the scene is seen through, and nothing else.
+    pub fn look(&mut self, scene: &Scene) {
+        let Self { settings, layout, tracer, inputs, .. } = self;
+        [layout.width, layout.height] = scene.size();
+        inputs.look(scene, &Varying::NONE);
+        tracer.look(scene, settings, layout, inputs);
+    }
 }
 
 /// Twice the columns and the rows of the rays of a packet, within their tile, by block.

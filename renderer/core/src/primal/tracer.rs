@@ -56,23 +56,27 @@ impl Tracer {
         inputs: &Inputs<S>,
         moved: bool,
     ) {
-        let (origin, none) = (inputs.origin, &Varying::NONE);
-        let frame = inputs::frame::<f64>(scene, origin, none);
-        self.pinhole = frame.origin;
-        self.lights = inputs::lights(scene, settings.pass, origin, none);
-        let is_raster = settings.visibility == PrimaryVisibility::Raster;
-        if !moved && !is_raster {
-            return;
-        }
-        let shapes = inputs::shapes::<f64>(scene, origin, none);
-        let customs: Vec<Arc<dyn CustomShape>> =
-            shapes.into_iter().map(|shape| Arc::new(shape) as Arc<dyn CustomShape>).collect();
-        let geometry = Geometry { layout, inputs, customs: &customs };
+        self.lights = inputs::lights(scene, settings.pass, inputs.origin, &Varying::NONE);
         if moved {
-            self.bvh.update(&geometry);
+            self.bvh.update(&Geometry { layout, inputs, customs: &customs(scene, inputs.origin) });
         }
-        if is_raster {
-            self.raster = Some(Raster::new(&geometry, &frame, scene.width, scene.height));
+        self.look(scene, settings, layout, inputs);
+    }
+
+    /// Takes over what the scene is seen through.
+    pub fn look<S: Number<Lane: Scalar>>(
+        &mut self,
+        scene: &Scene,
+        settings: &Settings,
+        layout: &Layout,
+        inputs: &Inputs<S>,
+    ) {
+        let origin = inputs.origin;
+        let frame = inputs::frame::<f64>(scene, origin, &Varying::NONE);
+        self.pinhole = frame.origin;
+        if settings.visibility == PrimaryVisibility::Raster {
+            let geometry = Geometry { layout, inputs, customs: &customs(scene, origin) };
+            self.raster = Some(Raster::new(&geometry, &frame, layout.width, layout.height));
         }
     }
 
@@ -104,6 +108,12 @@ impl Tracer {
             Some(raster) => raster.nearest_into(tile, origin, directions, wanted, hits),
         }
     }
+}
+
+/// The shapes of one's own, relative to an origin.
+fn customs(scene: &Scene, origin: DVec3) -> Vec<Arc<dyn CustomShape>> {
+    let shapes = inputs::shapes::<f64>(scene, origin, &Varying::NONE);
+    shapes.into_iter().map(|shape| Arc::new(shape) as Arc<dyn CustomShape>).collect()
 }
 
 /// The primitives as traversal takes them: the triangles, then the spheres, then the shapes of one's

@@ -159,6 +159,7 @@ impl<'a, S: Number> Vertex<'a, S> {
         let mut own = match self.integrator.layout.pass {
             Pass::Radiance => self.material.emission,
             Pass::Albedo => self.material.diffuse,
+            Pass::Coverage => Vec3::<S>::splat(S::ONE),
         };
         for (index, light) in lights.iter().enumerate() {
             own = own + self.direct(index, light);

@@ -18,7 +18,7 @@ use crate::primal::inputs::Inputs;
 use crate::primal::integrator::Prepared;
 use crate::primal::varying::Varying;
 use crate::scene::{ParameterId, Scene};
-use crate::settings::{Edges, Settings};
+use crate::settings::{Edges, Pass, Settings};
 use crate::trace::sampling::Sampling;
 
 /// A scene that is prepared to be rendered again and again: its numbers may change, its objects stay.
@@ -75,6 +75,18 @@ impl Renderer {
     /// Where geometry has moved, the acceleration structure is refitted.
     pub fn update(&mut self, scene: &Scene) {
         self.engine.update(scene);
+    }
+
+    /// Takes over what the scene is [seen through](Scene::look_through), and nothing else: tree and numbers
+    /// stay what they were.
+    pub fn look(&mut self, scene: &Scene) {
+        self.engine.look(scene);
+    }
+
+    /// Shows something else of surfaces, of the scene that was last taken over.
+    pub fn show(&mut self, scene: &Scene, pass: Pass) {
+        self.engine.show(scene, pass);
+        self.settings.pass = pass;
     }
 
     /// The image; see [`render`](super::render()).
@@ -211,6 +223,8 @@ impl Renderer {
 trait Engine: Send + Sync {
     fn size(&self) -> (u32, u32);
     fn update(&mut self, scene: &Scene);
+    fn look(&mut self, scene: &Scene);
+    fn show(&mut self, scene: &Scene, pass: Pass);
     fn render_into(&self, image: &mut Image);
     fn loss(&self, loss: &dyn PixelLoss) -> f64;
     fn loss_and_gradient(
@@ -249,6 +263,16 @@ impl<L: Plain> Engine for Prepared<L> {
     }
 
     fn update(&mut self, scene: &Scene) {
+        Prepared::update(self, scene);
+    }
+
+    fn look(&mut self, scene: &Scene) {
+        Prepared::look(self, scene);
+    }
+
+    fn show(&mut self, scene: &Scene, pass: Pass) {
+        self.settings.pass = pass;
+        self.layout.pass = pass;
         Prepared::update(self, scene);
     }
 

@@ -54,21 +54,27 @@ impl Scene {
     }
 
     /// Gives the framed scene another camera, whose image has `aspect_ratio` times its height as its
-    /// width. The point that it looks at is moved along the view to the depth of the objects, so that
-    /// the distance to it says something. The light moves with the camera.
+    /// width; it is [aimed](Self::aimed) at the objects. The light moves with the camera.
     #[doc(hidden)]
-    pub fn set_camera(&mut self, mut camera: Camera<f64>, aspect_ratio: Option<f64>) {
+    pub fn set_camera(&mut self, camera: Camera<f64>, aspect_ratio: Option<f64>) {
+        self.camera = self.aimed(camera);
+        self.light_from_camera();
+        if let Some(ratio) = aspect_ratio {
+            self.width = ((f64::from(SIZE) * ratio).round() as u32).max(1);
+        }
+    }
+
+    /// A camera whose view is a unit vector, with the point that it looks at moved along the view to the depth
+    /// of the objects, so that the distance to it says something.
+    #[doc(hidden)]
+    pub fn aimed(&self, mut camera: Camera<f64>) -> Camera<f64> {
         let (center, _) = self.bounding_sphere();
         let forward = camera.look_at - camera.look_from;
         let depth = (center - camera.look_from).dot(forward);
         if depth > 0.0 {
             camera.look_at = camera.look_from + forward * depth;
         }
-        self.camera = camera;
-        self.light_from_camera();
-        if let Some(ratio) = aspect_ratio {
-            self.width = ((f64::from(SIZE) * ratio).round() as u32).max(1);
-        }
+        camera
     }
 
     /// The centre of the bounding box, and the radius around it that holds everything.

@@ -38,7 +38,8 @@ impl Scene {
                 mesh.name
             ));
         }
-        if ["camera.width", "camera.height"].contains(&path) {
+        let counts_pixels = path.ends_with(".width") || path.ends_with(".height");
+        if counts_pixels && ["camera.", "view."].iter().any(|kind| path.starts_with(kind)) {
             return Err(format!("`{path}` counts pixels: it cannot be differentiated by or vary"));
         }
         let paths = self.parameters().into_iter().map(|id| self.path(id).to_string());
@@ -46,8 +47,9 @@ impl Scene {
         let close = closest(path, &paths);
         Err(if close.is_empty() {
             format!(
-                "no parameter `{path}`: paths begin with camera, light, material, sphere, mesh, \
-                 texture or shape"
+                "no parameter `{path}`: paths begin with {}, light, material, sphere, mesh, \
+                 texture or shape",
+                self.eye().kind()
             )
         } else {
             format!("no parameter `{path}`; closest: {}", close.join(", "))

@@ -22,6 +22,15 @@
 //! # Ok::<(), renderer::Error>(())
 //! ```
 //!
+//! A scene has one camera without a name, [`camera`](Scene::camera), or any number of [views](View), which
+//! are cameras with names: a scene with views is seen through one of them at a time,
+//! [`look_through`](Scene::look_through), and the camera without a name plays no part. Objects, their
+//! parameters and the tree of a [`Renderer`](crate::Renderer) are those of all views. So the cameras of views
+//! are parameters as all others (`view.left.look_from`), an image depends on that of its own view alone, and
+//! what matches several images adds up what each of them says. What an image should show is no part of a
+//! scene. Turned down: views beside the scene that replace its camera in turn (their parameters would need
+//! a second table), and every camera a view (a scene with one camera would have to name it).
+//!
 //! Values are `f64` whatever images are computed in, so that small steps of an optimiser are not lost.
 //! Turned down: one structure of all numbers beside one of all names (parallel arrays, whose lengths
 //! nothing ties together), and numbers behind shared references (a scene is cloned to be varied).
@@ -44,6 +53,7 @@ mod sphere;
 pub mod table;
 mod texture;
 mod validate;
+mod view;
 
 use glam::DVec3;
 
@@ -64,6 +74,7 @@ pub use texture::{Texels, Texture, Wrap};
 pub use validate::Invalid;
 #[doc(hidden)]
 pub use validate::MOST_PIXELS;
+pub use view::View;
 
 use crate::Error;
 use crate::custom::{EmitterFamily, ShapeFamily};
@@ -74,14 +85,19 @@ pub const DEFAULT_BOUNCES: u32 = 4;
 /// A scene, complete: it needs no file to be rendered.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Scene {
-    /// The width of the image in pixels.
+    /// The width of the image in pixels, if the scene has no views.
     pub width: u32,
-    /// The height of the image in pixels.
+    /// The height of the image in pixels, if the scene has no views.
     pub height: u32,
     /// How many mirrors and transparent surfaces a path has at most.
     pub bounces: u32,
-    /// The camera.
+    /// The camera, if the scene has no views.
     pub camera: Camera<f64>,
+    #[doc(hidden)]
+    pub views: Vec<View>,
+    /// The view that the scene is seen through, if it has any.
+    #[doc(hidden)]
+    pub shown: usize,
     #[doc(hidden)]
     pub lights: Vec<LightObject>,
     #[doc(hidden)]
@@ -104,6 +120,8 @@ impl Scene {
             height,
             bounces: DEFAULT_BOUNCES,
             camera,
+            views: Vec::new(),
+            shown: 0,
             lights: Vec::new(),
             materials: Vec::new(),
             textures: Vec::new(),
@@ -248,11 +266,6 @@ impl Scene {
     /// The custom shapes.
     pub fn shapes(&self) -> &[ShapeObject] {
         &self.shapes
-    }
-
-    /// The width divided by the height of the image.
-    pub fn aspect(&self) -> f64 {
-        f64::from(self.width) / f64::from(self.height)
     }
 
     /// The lowest and the highest corner of the box around all geometry in the world; nothing if there

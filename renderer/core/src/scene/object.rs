@@ -3,8 +3,10 @@
 /// An object of a scene, by kind and index.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Object {
-    /// The camera.
+    /// The camera of a scene without views.
     Camera,
+    /// A view.
+    View(usize),
     /// A light.
     Light(usize),
     /// A material.
@@ -24,6 +26,7 @@ impl Object {
     pub fn kind(self) -> &'static str {
         match self {
             Self::Camera => "camera",
+            Self::View(_) => "view",
             Self::Light(_) => "light",
             Self::Material(_) => "material",
             Self::Texture(_) => "texture",

@@ -19,6 +19,7 @@ impl Scene {
     fn object(&self, object: Object) -> &dyn Numbers {
         match object {
             Object::Camera => &self.camera,
+            Object::View(i) => &self.views[i].camera,
             Object::Light(i) => &self.lights[i],
             Object::Material(i) => &self.materials[i],
             Object::Texture(i) => &self.textures[i],
@@ -31,6 +32,7 @@ impl Scene {
     fn object_mut(&mut self, object: Object) -> &mut dyn Numbers {
         match object {
             Object::Camera => &mut self.camera,
+            Object::View(i) => &mut self.views[i].camera,
             Object::Light(i) => &mut self.lights[i],
             Object::Material(i) => &mut self.materials[i],
             Object::Texture(i) => &mut self.textures[i],
@@ -44,6 +46,7 @@ impl Scene {
     pub(crate) fn name_of(&self, object: Object) -> &str {
         match object {
             Object::Camera => "",
+            Object::View(i) => &self.views[i].name,
             Object::Light(i) => &self.lights[i].name,
             Object::Material(i) => &self.materials[i].name,
             Object::Texture(i) => &self.textures[i].name,
@@ -53,10 +56,10 @@ impl Scene {
         }
     }
 
-    /// The objects of the scene: the camera, then the others by kind.
+    /// The objects of the scene: the camera or the views, then the others by kind.
     pub(crate) fn objects(&self) -> impl Iterator<Item = Object> + use<> {
         let all = |count: usize, object: fn(usize) -> Object| (0..count).map(object);
-        std::iter::once(Object::Camera)
+        self.eyes()
             .chain(all(self.lights.len(), Object::Light))
             .chain(all(self.materials.len(), Object::Material))
             .chain(all(self.spheres.len(), Object::Sphere))
@@ -185,7 +188,7 @@ impl Scene {
         let field_of =
             |object: Object, name: &str| self.parameters_of(object).find(|id| id.field == name);
         if kind == Object::Camera.kind() {
-            return field_of(Object::Camera, rest);
+            return self.views.is_empty().then(|| field_of(Object::Camera, rest))?;
         }
         // Names may hold dots: the field is what follows the last one.
         let (name, field) = rest.rsplit_once('.')?;

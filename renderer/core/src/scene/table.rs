@@ -6,7 +6,7 @@
 
 use glam::DVec3;
 
-use super::{LightSource, Mesh, Object, ParameterId, Scene};
+use super::{Camera, LightSource, Mesh, Object, ParameterId, Scene};
 
 /// Lengths and coordinates beyond this overflow when an `f32` squares them.
 const LARGEST_LENGTH: f64 = 1e18;
@@ -86,8 +86,9 @@ const fn albedo(field: &'static str) -> Row {
 }
 
 const TABLE: &[Row] = &[
-    slow(moving("camera", "look_from", LENGTH, |scene, _, _| scene.view_distance())),
-    slow(moving("camera", "look_at", LENGTH, |scene, _, _| view_height(scene))),
+    // Those of views, too.
+    slow(moving("camera", "look_from", LENGTH, |scene, i, _| view_distance(scene.camera_at(i)))),
+    slow(moving("camera", "look_at", LENGTH, |scene, i, _| view_height(scene.camera_at(i)))),
     slow(direction(moving("camera", "up", LENGTH, size))),
     slow(moving("camera", "vfov", (1e-3, 179.999), size)),
     slow(moving("camera", "film_scale", (SMALLEST_LENGTH, LARGEST_NUMBER), size)),
@@ -114,16 +115,16 @@ const TABLE: &[Row] = &[
     moving("sphere", "radius", EXTENT, size),
     smooth("sphere", "rotation", NUMBER, degrees),
     slow(moving("mesh", "vertices", LENGTH, |scene, i, _| {
-        positive_or(mean_edge(&scene.meshes[i]), scene.view_distance())
+        positive_or(mean_edge(&scene.meshes[i]), view_distance(scene.seen_from()))
     })),
     slow(smooth("mesh", "texture_coordinates", (-LARGEST_COORDINATE, LARGEST_COORDINATE), one)),
     // They move what mirrors show.
     slow(direction(moving("mesh", "normals", LENGTH, size))),
-    slow(moving("mesh", "translation", LENGTH, |scene, _, _| view_height(scene))),
+    slow(moving("mesh", "translation", LENGTH, |scene, _, _| view_height(scene.seen_from()))),
     slow(moving("mesh", "rotation", NUMBER, degrees)),
     slow(moving("mesh", "scale", LENGTH, size)),
     smooth("texture", "texels", ENERGY, one),
-    slow(moving("shape", "translation", LENGTH, |scene, _, _| view_height(scene))),
+    slow(moving("shape", "translation", LENGTH, |scene, _, _| view_height(scene.seen_from()))),
     slow(moving("shape", "rotation", NUMBER, degrees)),
     slow(moving("shape", "scale", LENGTH, size)),
 ];
@@ -134,7 +135,10 @@ const CUSTOM: Row =
 
 /// The row of a parameter.
 pub fn row(id: ParameterId) -> &'static Row {
-    let kind = id.object.kind();
+    let kind = match id.object {
+        Object::View(_) => Object::Camera.kind(),
+        object => object.kind(),
+    };
     TABLE.iter().find(|row| (row.kind, row.field) == (kind, id.field)).unwrap_or(&CUSTOM)
 }
 
@@ -163,7 +167,7 @@ impl Scene {
     pub fn natural_scale(&self, id: ParameterId) -> f64 {
         let index = match id.object {
             Object::Camera => 0,
-            Object::Light(i) | Object::Material(i) | Object::Texture(i) => i,
+            Object::View(i) | Object::Light(i) | Object::Material(i) | Object::Texture(i) => i,
             Object::Sphere(i) | Object::Mesh(i) | Object::Shape(i) => i,
         };
         match id.object {
@@ -171,10 +175,6 @@ impl Scene {
             Object::Texture(_) => (row(id).scale)(self, index, &[]),
             _ => (row(id).scale)(self, index, &self.get(id)),
         }
-    }
-
-    fn view_distance(&self) -> f64 {
-        self.camera.look_from.distance(self.camera.look_at)
     }
 }
 
@@ -191,20 +191,25 @@ fn size(_: &Scene, _: usize, numbers: &[f64]) -> f64 {
     numbers.iter().fold(0.0_f64, |size, value| size.max(value.abs()))
 }
 
-/// Half of the height that the camera sees at the point it looks at.
-fn view_height(scene: &Scene) -> f64 {
-    let camera = &scene.camera;
-    scene.view_distance() * (0.5 * camera.vfov).to_radians().tan() * camera.film_scale
+/// The distance of the point that a camera looks at.
+fn view_distance(camera: &Camera<f64>) -> f64 {
+    camera.look_from.distance(camera.look_at)
+}
+
+/// Half of the height that a camera sees at the point it looks at.
+fn view_height(camera: &Camera<f64>) -> f64 {
+    view_distance(camera) * (0.5 * camera.vfov).to_radians().tan() * camera.film_scale
 }
 
 /// The distance of a light from the point that the camera looks at.
 fn light_distance(scene: &Scene, light: usize) -> f64 {
-    let view = scene.view_distance();
+    let camera = scene.seen_from();
+    let view = view_distance(camera);
     let position = match &scene.lights[light].source {
         LightSource::Known(light) => light.position(),
         LightSource::Custom { .. } => None,
     };
-    position.map_or(view, |position| positive_or(position.distance(scene.camera.look_at), view))
+    position.map_or(view, |position| positive_or(position.distance(camera.look_at), view))
 }
 
 fn positive_or(size: f64, other: f64) -> f64 {

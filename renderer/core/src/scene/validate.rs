@@ -75,7 +75,7 @@ impl Scene {
             }
             self.check_values_of(object)?;
         }
-        self.check_camera()?;
+        self.eyes().try_for_each(|eye| self.check_camera(eye))?;
         self.objects().try_for_each(|object| self.check_structure(object))?;
         self.check_memory()?;
         let texels = self.textures.iter().map(|texture| texture.texels.len() as u64).sum::<u64>();
@@ -93,9 +93,13 @@ impl Scene {
         };
         // Without mirrors and transparent surfaces paths end where they begin.
         let depth = if self.materials.iter().any(bends) { u64::from(self.bounces) } else { 0 };
-        let pixels = u64::from(self.width) * u64::from(self.height);
+        let pixels = (0..self.views.len().max(1)).map(|view| {
+            let [width, height] = self.size_at(view);
+            u64::from(width) * u64::from(height)
+        });
+        let kind = self.eye().kind();
         for (path, bytes) in [
-            ("camera.width", pixels.saturating_mul(PIXEL_BYTES)),
+            (&*format!("{kind}.width"), pixels.sum::<u64>().saturating_mul(PIXEL_BYTES)),
             ("light", (self.lights.len() as u64).saturating_mul(LIGHT_BYTES)),
             ("bounces", depth.saturating_mul(BOUNCE_BYTES)),
         ] {
@@ -123,7 +127,7 @@ impl Scene {
     #[doc(hidden)]
     pub fn check_values(&self, changed: &[ParameterId]) -> Result<(), Invalid> {
         changed.iter().try_for_each(|&id| self.check_numbers(id))?;
-        self.check_camera()
+        self.eyes().try_for_each(|eye| self.check_camera(eye))
     }
 
     fn check_values_of(&self, object: Object) -> Result<(), Invalid> {
@@ -181,39 +185,45 @@ impl Scene {
         Ok(())
     }
 
-    fn check_camera(&self) -> Result<(), Invalid> {
-        if self.width == 0 || self.height == 0 {
-            let size = if self.width == 0 { "camera.width" } else { "camera.height" };
-            return invalid(size, "must be at least 1 pixel, is 0");
+    /// What the scene may be seen through.
+    fn check_camera(&self, eye: Object) -> Result<(), Invalid> {
+        let (index, place) = match eye {
+            Object::View(view) => (view, format!("view.{}", self.views[view].name)),
+            _ => (0, "camera".to_owned()),
+        };
+        let ([width, height], camera) = (self.size_at(index), self.camera_at(index));
+        if width == 0 || height == 0 {
+            let size = if width == 0 { "width" } else { "height" };
+            return invalid(format!("{place}.{size}"), "must be at least 1 pixel, is 0");
         }
-        let pixels = u64::from(self.width) * u64::from(self.height);
+        let pixels = u64::from(width) * u64::from(height);
         if pixels > MOST_PIXELS {
             let problem = format!("{pixels} pixels; an image may have up to {MOST_PIXELS}");
-            return invalid("camera.width", problem);
+            return invalid(format!("{place}.width"), problem);
         }
         // The direction is taken in double precision, wherever the camera stands.
-        let camera = &self.camera;
         let view = camera.look_at - camera.look_from;
         let rounding = DIRECTION * camera.look_at.abs().max(camera.look_from.abs()).max_element();
         if view.length() < rounding.max(SMALLEST_LENGTH) {
-            return invalid("camera.look_from", "must differ from camera.look_at");
+            let problem = format!("must differ from {place}.look_at");
+            return invalid(format!("{place}.look_from"), problem);
         }
         let sine = view.normalize().cross(camera.up.normalize()).length();
         if sine < PARALLEL {
-            return invalid(
-                "camera.up",
-                "must not be parallel to the view from camera.look_from to camera.look_at",
+            let problem = format!(
+                "must not be parallel to the view from {place}.look_from to {place}.look_at"
             );
+            return invalid(format!("{place}.up"), problem);
         }
         // From one pixel to the next, in radians where they are closest together.
         let half_height = (0.5 * camera.vfov).to_radians().tan() * camera.film_scale;
-        let pixel = 2.0 * half_height / f64::from(self.height);
+        let pixel = 2.0 * half_height / f64::from(height);
         if pixel < SMALLEST_ANGLE {
             let problem = format!(
                 "pixels are {pixel:.1e} rad apart, too close for rays in single precision: a wider \
                  view or fewer pixels ({SMALLEST_ANGLE:.1e} rad or more) would do"
             );
-            return invalid("camera.vfov", problem);
+            return invalid(format!("{place}.vfov"), problem);
         }
         Ok(())
     }
@@ -222,6 +232,7 @@ impl Scene {
     fn check_structure(&self, object: Object) -> Result<(), Invalid> {
         self.check_name(object)?;
         match object {
+            Object::View(_) => self.check_camera(object),
             Object::Camera | Object::Light(_) => Ok(()),
             Object::Material(i) => self.check_material(i),
             Object::Texture(i) => check_texture(&self.textures[i]),

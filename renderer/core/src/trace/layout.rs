@@ -119,9 +119,10 @@ pub enum Kind {
 
 impl Layout {
     pub fn new(scene: &Scene, settings: &Settings) -> Self {
+        let [width, height] = scene.size();
         let mut layout = Self {
-            width: scene.width,
-            height: scene.height,
+            width,
+            height,
             pass: settings.pass,
             sampling: settings.sampling,
             bounces: settings.bounces.unwrap_or(scene.bounces),

@@ -15,6 +15,7 @@ use serde::{Deserialize, Serialize, Serializer};
 
 use super::numbers;
 use crate::files::meshes::Channel;
+use crate::laplacian::Weights;
 use crate::loss::LossKind;
 use crate::optimize::{Optimizer, Schedule};
 use crate::scene::{DEFAULT_BOUNCES, Slot, Wrap};
@@ -120,7 +121,10 @@ impl<'de> DeserializeSeed<'de> for Key {
 pub(super) struct SceneFile {
     #[serde(default = "default_bounces")]
     pub bounces: u32,
-    pub camera: CameraEntry,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub camera: Option<CameraEntry>,
+    #[serde(default, rename = "view", skip_serializing_if = "Vec::is_empty")]
+    pub views: Vec<ViewEntry>,
     #[serde(default, rename = "light", skip_serializing_if = "Vec::is_empty")]
     pub lights: Vec<LightEntry>,
     #[serde(default, rename = "mesh", skip_serializing_if = "Vec::is_empty")]
@@ -140,6 +144,21 @@ entries! {
     CameraEntry, "camera" {
         width: Option<u32>,
         height: Option<u32>,
+    }
+
+    /// A camera with a name, and what its image is compared with.
+    ViewEntry, "camera" {
+        /// A file of many cameras, relative to the scene file, in place of one camera and its target.
+        path: Option<PathBuf>,
+        name: Option<String>,
+        width: Option<u32>,
+        height: Option<u32>,
+        /// Image files, relative to the scene file.
+        target: Option<PathBuf>,
+        coverage: Option<PathBuf>,
+        mask: Option<PathBuf>,
+        weight: Option<f64>,
+        held_out: Option<bool>,
     }
 
     LightEntry, "light" {
@@ -274,8 +293,17 @@ pub(super) struct OptimizeEntry {
     /// An image file, relative to the scene file.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub target: Option<PathBuf>,
+    /// An image file, relative to the scene file.
     #[serde(skip_serializing_if = "Option::is_none")]
+    pub mask: Option<PathBuf>,
+    #[serde(default, deserialize_with = "name_or_table", skip_serializing_if = "Option::is_none")]
     pub loss: Option<LossKind>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub coarse_to_fine: Option<u32>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub batch: Option<usize>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub seed: Option<u64>,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub learning_rate: Option<f64>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -304,6 +332,18 @@ pub(super) struct ParameterEntry {
     pub min: Option<Numbers>,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub max: Option<Numbers>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub large_steps: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub laplacian: Option<LaplacianEntry>,
+}
+
+#[derive(Clone, Copy, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct LaplacianEntry {
+    pub weight: f64,
+    #[serde(default)]
+    pub weights: Weights,
 }
 
 fn default_bounces() -> u32 {

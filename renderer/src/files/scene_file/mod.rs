@@ -13,6 +13,7 @@ mod numbers;
 mod optimize;
 mod read;
 mod textures;
+mod views;
 mod write;
 
 #[cfg(test)]

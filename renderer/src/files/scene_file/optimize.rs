@@ -5,10 +5,13 @@ use std::path::Path;
 use super::Problem;
 use super::format::ordered::Ordered;
 use super::format::value::Numbers;
-use super::format::{OptimizeEntry, ParameterEntry};
+use super::format::{LaplacianEntry, OptimizeEntry, ParameterEntry};
 use crate::Error;
-use crate::experiment::{OptimizeSection, Target, TunedParameter, overlap};
-use crate::scene::{Invalid, ParameterId, Scene};
+use crate::experiment::{LaplacianTerm, OptimizeSection, Target, TunedParameter, overlap};
+use crate::laplacian::System;
+use crate::loss::LossKind;
+use crate::recovery::{Batch, check_levels};
+use crate::scene::{Invalid, Object, ParameterId, Scene};
 
 /// The section `entry` of a file in `folder` that describes `scene`.
 pub(super) fn read(
@@ -24,6 +27,35 @@ pub(super) fn read(
         (Some(image), []) => Some(Target::Image(folder.join(image))),
         (None, [_, ..]) => Some(Target::Values(target_values(&entry.target_values, scene)?)),
         (None, []) => None,
+    };
+    if let ([_, ..], Some(Target::Image(_))) = (scene.views(), &target) {
+        let problem = "a scene with views has a target for each of them: `target` in [[view]]";
+        return Err(Problem::new("optimize.target", problem));
+    }
+    if let ([_, ..], Some(_)) = (scene.views(), &entry.mask) {
+        let problem = "a scene with views has a mask for each of them: `mask` in [[view]]";
+        return Err(Problem::new("optimize.mask", problem));
+    }
+    if let Some(LossKind::Huber { delta }) = entry.loss
+        && !(delta > 0.0 && delta.is_finite())
+    {
+        return Err(Problem::new("optimize.loss.delta", format!("must be above 0, is {delta}")));
+    }
+    if let Some(levels) = entry.coarse_to_fine {
+        check_levels(scene, levels)
+            .map_err(|problem| Problem::new("optimize.coarse_to_fine", problem))?;
+    }
+    let batch = match (entry.batch, entry.seed) {
+        (Some(0), _) => return Err(Problem::new("optimize.batch", "must be at least 1, is 0")),
+        (Some(_), _) if scene.views().is_empty() => {
+            let problem = "is a number of views; the scene has none";
+            return Err(Problem::new("optimize.batch", problem));
+        }
+        (Some(size), seed) => Some(Batch { size, seed: seed.unwrap_or_default() }),
+        (None, Some(_)) => {
+            return Err(Problem::new("optimize.seed", "orders the views of batches: give `batch`"));
+        }
+        (None, None) => None,
     };
     let mut parameters: Vec<TunedParameter> = Vec::new();
     for parameter in &entry.parameters {
@@ -47,6 +79,10 @@ pub(super) fn read(
     }
     Ok(OptimizeSection {
         target,
+        mask: entry.mask.as_ref().map(|mask| folder.join(mask)),
+        views: Vec::new(),
+        coarse_to_fine: entry.coarse_to_fine.unwrap_or_default(),
+        batch,
         parameters,
         loss: entry.loss,
         optimizer: entry.optimizer,
@@ -112,7 +148,26 @@ fn tuned_parameter(entry: &ParameterEntry, scene: &Scene) -> Result<TunedParamet
             return Err(at(path, "max", format!("is below the initial value {initial}")));
         }
     }
-    Ok(TunedParameter { id, learning_rate: entry.learning_rate, min, max })
+    if entry.large_steps.is_some_and(|lambda| !(lambda > 0.0 && lambda <= System::LARGEST_LAMBDA)) {
+        let problem = format!("must be above 0 and at most {:e}", System::LARGEST_LAMBDA);
+        return Err(at(path, "large_steps", problem));
+    }
+    if let Some(LaplacianEntry { weight, .. }) = entry.laplacian
+        && !(weight >= 0.0 && weight.is_finite())
+    {
+        return Err(at(path, "laplacian.weight", format!("must be 0 or more, is {weight}")));
+    }
+    let is_surface =
+        matches!(id.object, Object::Mesh(_)) && id.field == "vertices" && id.vertex.is_none();
+    let of_surface =
+        [("large_steps", entry.large_steps.is_some()), ("laplacian", entry.laplacian.is_some())];
+    if let Some((field, _)) = of_surface.iter().find(|(_, is_given)| *is_given && !is_surface) {
+        return Err(at(path, field, "is for all vertices of a mesh"));
+    }
+    let laplacian =
+        entry.laplacian.map(|LaplacianEntry { weight, weights }| LaplacianTerm { weight, weights });
+    let (learning_rate, large_steps) = (entry.learning_rate, entry.large_steps);
+    Ok(TunedParameter { id, learning_rate, min, max, large_steps, laplacian })
 }
 
 /// As many numbers as the parameter has; a bound may be one number for all of them.

@@ -9,9 +9,9 @@ use super::coordinates::match_coordinates;
 use super::format::{LightEntry, SceneFile, SphereEntry};
 use super::materials::MaterialTable;
 use super::textures::TextureTable;
-use super::{Problem, meshes, numbers, optimize};
+use super::{Problem, meshes, numbers, optimize, views};
 use crate::Warning;
-use crate::experiment::Experiment;
+use crate::experiment::{Experiment, ViewTarget};
 use crate::scene::{Camera, Light, LightObject, LightSource, MaterialObject, Scene, SphereObject};
 
 /// The experiment that the file `name` in `folder` describes.
@@ -20,30 +20,33 @@ pub(super) fn experiment(
     folder: &Path,
     name: &str,
 ) -> Result<Experiment, Problem> {
+    let views = views::read(file, folder)?;
     let (mut scene, mut warnings) = scene(file, folder)?;
     warnings.append(&mut match_coordinates(&mut scene, name));
+    let targets = views::add(views, &mut scene);
     scene.check()?;
     if is_black(&scene) {
         let problem =
             "has no light: add a [[light]], or an `emission` to a material, or all is black";
         warnings.push(Warning::new(name, problem));
     }
-    let optimize = match &file.optimize {
+    let mut optimize = match &file.optimize {
         Some(entry) => Some(optimize::read(entry, &scene, folder)?),
         None => None,
     };
+    if targets.iter().any(|target| *target != ViewTarget::default()) {
+        optimize.get_or_insert_default().views = targets;
+    }
     Ok(Experiment { scene, optimize, warnings })
 }
 
 /// The scene, and what was left out of the files that it names.
 fn scene(file: &SceneFile, folder: &Path) -> Result<(Scene, Vec<Warning>), Problem> {
-    let size = |name: &str, size: Option<u32>| {
-        size.ok_or_else(|| Problem::new(format!("camera.{name}"), "is missing"))
-    };
-    let (width, height) = (size("width", file.camera.width)?, size("height", file.camera.height)?);
     let camera = Camera::looking(DVec3::NAN, DVec3::NAN);
-    let mut scene = Scene { bounces: file.bounces, ..Scene::new(width, height, camera) };
-    numbers::assign(&mut scene.camera, "camera", "camera", &file.camera.numbers)?;
+    let mut scene = Scene { bounces: file.bounces, ..Scene::new(0, 0, camera) };
+    if file.views.is_empty() {
+        views::set_camera(&mut scene, file.camera.as_ref())?;
+    }
     for entry in &file.lights {
         add_light(&mut scene, entry)?;
     }

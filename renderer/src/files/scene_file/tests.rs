@@ -125,17 +125,11 @@ fn the_optimise_section_is_read() {
         ])),
         parameters: vec![
             TunedParameter {
-                id: id("light.key.position"),
-                learning_rate: None,
                 min: Some(vec![-5.0; 3]),
                 max: Some(vec![1.0, f64::INFINITY, 3.0]),
+                ..TunedParameter::new(id("light.key.position"))
             },
-            TunedParameter {
-                id: id("camera.vfov"),
-                learning_rate: Some(2.0),
-                min: None,
-                max: None,
-            },
+            TunedParameter { learning_rate: Some(2.0), ..TunedParameter::new(id("camera.vfov")) },
         ],
         loss: Some(LossKind::L1),
         optimizer: Some(Optimizer::Sgd(Sgd { momentum: 0.5 })),
@@ -144,6 +138,7 @@ fn the_optimise_section_is_read() {
         iterations: Some(7),
         tolerance: Some(0.0),
         gradient_tolerance: Some(1e-9),
+        ..OptimizeSection::default()
     };
     assert_eq!(parse_text(&text).unwrap().optimize, Some(expected));
     let image = parse_text(&format!("{CAMERA}[optimize]\ntarget = \"t.png\"\n")).unwrap();
@@ -185,7 +180,7 @@ fn mistakes_in_the_file_are_placed() {
         ("\nup = [0, 0, 2]\n", "s.toml:7: camera.up: must not be parallel"),
         (
             "[lights]\n",
-            "s.toml:6: unknown field `lights`, expected one of `bounces`, `camera`, `light`",
+            "s.toml:6: unknown field `lights`, expected one of `bounces`, `camera`, `view`, `light`",
         ),
         (
             "[[light]]\nname = \"k\"\ntype = \"laser\"\n",
@@ -469,6 +464,38 @@ fn a_target_image_is_taken_along() {
     let optimize = Experiment::load(&path).unwrap().optimize.unwrap();
     let Some(Target::Image(image)) = optimize.target else { panic!("an image") };
     assert_eq!(fs::read(image).unwrap(), b"an image");
+}
+
+#[test]
+fn saved_views_and_what_they_are_compared_with_are_read_back() {
+    let (source, saved) = (folder(), tempfile::tempdir().unwrap());
+    fs::write(source.path().join("t.png"), b"an image").unwrap();
+    let text = format!(
+        "{CAMERA}[[view]]\nname = \"a/b\"\ntarget = \"t.png\"\nweight = 3.0\n\
+         [[view]]\nname = \"A/B\"\nvfov = 20\nwidth = 7\nheld_out = true\ncoverage = \"t.png\"\n\
+         [[mesh]]\npath = \"a.obj\"\nname = \"body\"\n\
+         [optimize]\nbatch = 1\nseed = 5\ncoarse_to_fine = 2\nloss = {{ type = \"huber\", delta = 0.5 }}\n\
+         [[optimize.parameter]]\npath = \"mesh.body.vertices\"\nlarge_steps = 9.0\n\
+         laplacian = {{ weight = 0.5, weights = \"cotangent\" }}\n\
+         [[optimize.parameter]]\npath = \"view.A/B.vfov\"\n"
+    );
+    // A side of 7 pixels cannot be halved.
+    let refused = Experiment::parse(&text, source.path(), "s.toml").unwrap_err().to_string();
+    assert!(refused.contains("optimize.coarse_to_fine") && refused.contains("7 x 4"), "{refused}");
+    let text = text.replace("width = 7", "width = 16");
+    let experiment = Experiment::parse(&text, source.path(), "s.toml").unwrap();
+    let path = save_experiment(&experiment, saved.path()).unwrap();
+    drop(source);
+    let loaded = Experiment::load(&path).unwrap();
+    assert_eq!(loaded.scene, experiment.scene);
+    let (mut found, mut expected) = (loaded.optimize.unwrap(), experiment.optimize.unwrap());
+    let images = found.views.iter().flat_map(|view| [&view.image, &view.coverage]).flatten();
+    assert_eq!(images.clone().count(), 2);
+    images.for_each(|image| assert_eq!(fs::read(image).unwrap(), b"an image"));
+    for view in found.views.iter_mut().chain(&mut expected.views) {
+        (view.image, view.coverage) = (None, None);
+    }
+    assert_eq!(found, expected);
 }
 
 #[test]

@@ -4,16 +4,18 @@ use std::path::{Path, PathBuf};
 
 use super::format::value::Numbers;
 use super::format::{
-    CameraEntry, ChannelEntry, LightEntry, MaterialEntry, MeshEntry, NormalsEntry, OptimizeEntry,
-    ParameterEntry, SceneFile, SphereEntry, TextureEntry,
+    CameraEntry, ChannelEntry, LaplacianEntry, LightEntry, MaterialEntry, MeshEntry, NormalsEntry,
+    OptimizeEntry, ParameterEntry, SceneFile, SphereEntry, TextureEntry, ViewEntry,
 };
 use super::numbers;
 use crate::Error;
 use crate::disk::write_atomically;
 use crate::disk::{create_folder, read};
-use crate::experiment::{Experiment, OptimizeSection, Target, TunedParameter};
+use crate::experiment::{
+    Experiment, LaplacianTerm, OptimizeSection, Target, TunedParameter, ViewTarget,
+};
 use crate::files::images::save_exr;
-use crate::files::names::Names;
+use crate::files::names::file_stems;
 use crate::files::obj::save_obj;
 use crate::scene::{
     LightObject, LightSource, MaterialObject, Normals, Scene, Slot, SphereObject, Transform,
@@ -61,7 +63,8 @@ fn save(
     // The scene file comes last: once it stands, all that it names does.
     let file = SceneFile {
         bounces: scene.bounces,
-        camera: camera(scene),
+        camera: scene.views().is_empty().then(|| camera(scene)),
+        views: views(scene, optimize, folder)?,
         lights: lights(scene),
         meshes: save_meshes(scene, folder)?,
         spheres: spheres(scene),
@@ -80,6 +83,47 @@ fn camera(scene: &Scene) -> CameraEntry {
         height: Some(scene.height),
         numbers: numbers::of(&scene.camera),
     }
+}
+
+/// The views, with copies of the files that they are compared with.
+fn views(
+    scene: &Scene,
+    optimize: Option<&OptimizeSection>,
+    folder: &Path,
+) -> Result<Vec<ViewEntry>, Error> {
+    let stems = file_stems(scene.views().iter().map(|view| &view.name[..]));
+    let mut entries = Vec::new();
+    for (index, (view, stem)) in scene.views().iter().zip(stems).enumerate() {
+        let default = ViewTarget::default();
+        let target = optimize.and_then(|section| section.views.get(index)).unwrap_or(&default);
+        let copied = |kind: &str, file: &Option<PathBuf>| {
+            let copy = |file: &PathBuf| copied(file, &format!("{kind}-{stem}"), folder);
+            file.as_ref().map(copy).transpose()
+        };
+        entries.push(ViewEntry {
+            path: None,
+            name: Some(view.name.clone()),
+            width: Some(view.width),
+            height: Some(view.height),
+            target: copied("target", &target.image)?,
+            coverage: copied("coverage", &target.coverage)?,
+            mask: copied("mask", &target.mask)?,
+            weight: (target.weight != 1.0).then_some(target.weight),
+            held_out: target.held_out.then_some(true),
+            numbers: numbers::of(&view.camera),
+        });
+    }
+    Ok(entries)
+}
+
+/// Copies a file into a folder, as `stem` with its extension; the name there.
+fn copied(file: &Path, stem: &str, folder: &Path) -> Result<PathBuf, Error> {
+    let mut name = PathBuf::from(stem);
+    if let Some(extension) = file.extension() {
+        name.set_extension(extension);
+    }
+    write_atomically(&folder.join(&name), &read(file)?)?;
+    Ok(name)
 }
 
 fn lights(scene: &Scene) -> Vec<LightEntry> {
@@ -128,9 +172,8 @@ fn save_meshes(scene: &Scene, folder: &Path) -> Result<Vec<MeshEntry>, Error> {
         create_folder(&folder.join("meshes"))?;
     }
     let mut entries: Vec<MeshEntry> = Vec::new();
-    let mut stems = Names::default();
-    for mesh in &scene.meshes {
-        let stem = stems.take(file_stem(&mesh.name));
+    let stems = file_stems(scene.meshes.iter().map(|mesh| &mesh.name[..]));
+    for (mesh, stem) in scene.meshes.iter().zip(stems) {
         let path = Path::new("meshes").join(format!("{stem}.obj"));
         save_obj(mesh, &scene.materials, &folder.join(&path))?;
         let numbers = match mesh.transform == Transform::IDENTITY {
@@ -160,9 +203,8 @@ fn save_textures(scene: &Scene, folder: &Path) -> Result<Vec<(String, TextureEnt
         create_folder(&folder.join("textures"))?;
     }
     let mut entries: Vec<(String, TextureEntry)> = Vec::new();
-    let mut stems = Names::default();
-    for texture in &scene.textures {
-        let stem = stems.take(file_stem(&texture.name));
+    let stems = file_stems(scene.textures.iter().map(|texture| &texture.name[..]));
+    for (texture, stem) in scene.textures.iter().zip(stems) {
         let path = Path::new("textures").join(format!("{stem}.exr"));
         save_exr(&texture.image(), &folder.join(&path))?;
         let entry = TextureEntry {
@@ -177,12 +219,6 @@ fn save_textures(scene: &Scene, folder: &Path) -> Result<Vec<(String, TextureEnt
     Ok(entries)
 }
 
-/// A file name for an object. Names may hold what file names may not, and differ only in case.
-fn file_stem(name: &str) -> String {
-    let allowed = |c: char| if c.is_alphanumeric() || "-_".contains(c) { c } else { '_' };
-    name.chars().map(allowed).collect::<String>().to_lowercase()
-}
-
 fn optimize_entry(
     section: &OptimizeSection,
     scene: &Scene,
@@ -190,6 +226,10 @@ fn optimize_entry(
 ) -> Result<OptimizeEntry, Error> {
     let mut entry = OptimizeEntry {
         loss: section.loss,
+        mask: section.mask.as_ref().map(|mask| copied(mask, "mask", folder)).transpose()?,
+        coarse_to_fine: (section.coarse_to_fine > 0).then_some(section.coarse_to_fine),
+        batch: section.batch.map(|batch| batch.size),
+        seed: section.batch.map(|batch| batch.seed),
         optimizer: section.optimizer,
         schedule: section.schedule,
         learning_rate: section.learning_rate,
@@ -201,12 +241,7 @@ fn optimize_entry(
     let numbers = |values: &Vec<f64>| Numbers::from(&values[..]);
     match &section.target {
         Some(Target::Image(image)) => {
-            let mut name = PathBuf::from("target");
-            if let Some(extension) = image.extension() {
-                name.set_extension(extension);
-            }
-            write_atomically(&folder.join(&name), &read(image)?)?;
-            entry.target = Some(name);
+            entry.target = Some(copied(image, "target", folder)?);
         }
         Some(Target::Values(values)) => {
             let value = |(id, values): &(_, _)| (scene.path(*id).to_string(), numbers(values));
@@ -219,6 +254,10 @@ fn optimize_entry(
         learning_rate: tuned.learning_rate,
         min: tuned.min.as_ref().map(numbers),
         max: tuned.max.as_ref().map(numbers),
+        large_steps: tuned.large_steps,
+        laplacian: tuned
+            .laplacian
+            .map(|LaplacianTerm { weight, weights }| LaplacianEntry { weight, weights }),
     };
     entry.parameters = section.parameters.iter().map(parameter).collect();
     Ok(entry)

@@ -1,5 +1,7 @@
 //! Adam, and Adam with weight decay.
 
+use std::ops::Range;
+
 use serde::{Deserialize, Serialize};
 
 use super::{decay, divisor, running_rms};
@@ -21,12 +23,17 @@ pub struct Adam {
     /// would shrink with it. Here it only has to make 0/0 a zero step, so it stands below every
     /// gradient of use: adjoints computed in `f32` have lost their digits by 1e-38.
     pub epsilon: f64,
+    /// Whether the elements of a variable are divided by the largest of their root mean squares, all by the
+    /// same, instead of each by its own: steps keep the direction of the mean of gradients, so vertices move
+    /// as the surface does, and not along diagonals (`AdamUniform` of Nicolet, Jacobson and Jakob, "Large Steps
+    /// in Inverse Rendering of Geometry", 2021).
+    pub uniform: bool,
 }
 
 impl Default for Adam {
-    /// `beta1` 0.9 and `beta2` 0.999 as in the paper, `epsilon` 1e-30.
+    /// `beta1` 0.9 and `beta2` 0.999 as in the paper, `epsilon` 1e-30, not uniform.
     fn default() -> Self {
-        Self { beta1: 0.9, beta2: 0.999, epsilon: 1e-30 }
+        Self { beta1: 0.9, beta2: 0.999, epsilon: 1e-30, uniform: false }
     }
 }
 
@@ -52,7 +59,7 @@ pub struct AdamW {
 impl Default for AdamW {
     /// As [`Adam`], and `weight_decay` 0.01.
     fn default() -> Self {
-        let Adam { beta1, beta2, epsilon } = Adam::default();
+        let Adam { beta1, beta2, epsilon, .. } = Adam::default();
         Self { beta1, beta2, epsilon, weight_decay: 0.01 }
     }
 }
@@ -94,11 +101,17 @@ impl Adam {
             decay("beta1", self.beta1),
             decay("beta2", self.beta2),
             divisor("epsilon", self.epsilon),
+            ("uniform", f64::from(u8::from(self.uniform)), true, "true or false"),
         ]
     }
 
     /// Of the order of 1, however large or small the gradient is.
-    pub(super) fn direction(&self, moments: &mut Moments, gradient: &mut [f64]) {
+    pub(super) fn direction(
+        &self,
+        moments: &mut Moments,
+        gradient: &mut [f64],
+        blocks: &[Range<usize>],
+    ) {
         moments.beta1_power *= self.beta1;
         moments.beta2_power *= self.beta2;
         let correction = (1.0 - moments.beta2_power).sqrt() / (1.0 - moments.beta1_power);
@@ -106,24 +119,39 @@ impl Adam {
         for (g, (mean, rms)) in gradient.iter_mut().zip(memory) {
             *mean = self.beta1 * *mean + (1.0 - self.beta1) * *g;
             *rms = running_rms(*rms, self.beta2, *g);
-            *g = correction * (*mean / (*rms + self.epsilon));
+            *g = *mean;
+        }
+        let rms = &moments.root_mean_square;
+        for block in blocks {
+            let largest = || rms[block.clone()].iter().copied().fold(0.0, f64::max);
+            let largest = self.uniform.then(largest);
+            for (g, rms) in gradient[block.clone()].iter_mut().zip(&rms[block.clone()]) {
+                *g = correction * (*g / (largest.unwrap_or(*rms) + self.epsilon));
+            }
         }
     }
 }
 
 impl AdamW {
     fn adam(&self) -> Adam {
-        Adam { beta1: self.beta1, beta2: self.beta2, epsilon: self.epsilon }
+        Adam { beta1: self.beta1, beta2: self.beta2, epsilon: self.epsilon, uniform: false }
     }
 
     pub(super) fn fields(&self) -> Vec<Field> {
         let mut fields = self.adam().fields();
+        fields.retain(|(name, ..)| *name != "uniform");
         fields.push(decay("weight_decay", self.weight_decay));
         fields
     }
 
-    pub(super) fn direction(&self, moments: &mut Moments, x: &[f64], gradient: &mut [f64]) {
-        self.adam().direction(moments, gradient);
+    pub(super) fn direction(
+        &self,
+        moments: &mut Moments,
+        x: &[f64],
+        gradient: &mut [f64],
+        blocks: &[Range<usize>],
+    ) {
+        self.adam().direction(moments, gradient, blocks);
         for (g, x) in gradient.iter_mut().zip(x) {
             *g += self.weight_decay * x;
         }
@@ -132,6 +160,8 @@ impl AdamW {
 
 #[cfg(test)]
 mod tests {
+    use std::slice::from_ref;
+
     use super::*;
 
     /// Algorithm 1 of the paper, word for word, for one element.
@@ -153,7 +183,7 @@ mod tests {
         let (mut x, mut moments) = (0.0, Moments::new(1));
         for &g in &gradients {
             let mut step = [g];
-            Adam::default().direction(&mut moments, &mut step);
+            Adam::default().direction(&mut moments, &mut step, from_ref(&(0..1)));
             x -= 0.03 * step[0];
         }
         let expected = paper(&gradients, 0.03);
@@ -164,7 +194,7 @@ mod tests {
     fn first_direction_is_a_unit_at_every_scale_of_the_gradient() {
         for scale in [1e-20, 1e-8, 1.0, 1e200, 1e308] {
             let (mut gradient, mut moments) = ([scale, -scale], Moments::new(2));
-            Adam::default().direction(&mut moments, &mut gradient);
+            Adam::default().direction(&mut moments, &mut gradient, from_ref(&(0..2)));
             let [a, b] = gradient;
             assert!((a - 1.0).abs() < 1e-8 && (b + 1.0).abs() < 1e-8, "{scale}: {gradient:?}");
         }
@@ -173,8 +203,18 @@ mod tests {
     #[test]
     fn zero_gradient_moves_nothing() {
         let mut gradient = [0.0];
-        Adam::default().direction(&mut Moments::new(1), &mut gradient);
+        Adam::default().direction(&mut Moments::new(1), &mut gradient, from_ref(&(0..1)));
         assert_eq!(gradient, [0.0]);
+    }
+
+    #[test]
+    fn uniform_steps_keep_the_direction_of_the_gradient() {
+        let (uniform, mut moments) = (Adam { uniform: true, ..Adam::default() }, Moments::new(5));
+        let mut gradient = [3.0, -4.0, 0.5, 1e-3, 2e-3];
+        uniform.direction(&mut moments, &mut gradient, &[0..3, 3..5]);
+        let expected = [0.75, -1.0, 0.125, 0.5, 1.0];
+        let error = gradient.iter().zip(expected).map(|(a, b)| (a - b).abs()).sum::<f64>();
+        assert!(error < 1e-9, "{gradient:?}");
     }
 
     #[test]
@@ -183,8 +223,8 @@ mod tests {
         for i in 0..10 {
             let gradient = [f64::from(i) - 3.0, 0.5];
             let (mut decayed, mut plain) = (gradient, gradient);
-            AdamW::default().direction(&mut with, &[2.0, -50.0], &mut decayed);
-            Adam::default().direction(&mut without, &mut plain);
+            AdamW::default().direction(&mut with, &[2.0, -50.0], &mut decayed, from_ref(&(0..2)));
+            Adam::default().direction(&mut without, &mut plain, from_ref(&(0..2)));
             assert_eq!(decayed, [plain[0] + 0.01 * 2.0, plain[1] - 0.01 * 50.0]);
         }
         assert_eq!(with, without);

@@ -1,5 +1,7 @@
 //! The first-order methods at work.
 
+use std::ops::Range;
+
 use serde::{Deserialize, Serialize};
 
 use super::adam::Moments;
@@ -34,11 +36,11 @@ impl FirstOrder {
     }
 
     /// Takes in the gradient at `x`, and turns it into the direction against which to move: the
-    /// step for the learning rate 1. What is finite stays finite.
-    pub fn direction(&mut self, x: &[f64], gradient: &mut [f64]) {
+    /// step for the learning rate 1. What is finite stays finite. `blocks` are the elements of each variable.
+    pub fn direction(&mut self, x: &[f64], gradient: &mut [f64], blocks: &[Range<usize>]) {
         match self {
-            Self::Adam(adam, moments) => adam.direction(moments, gradient),
-            Self::AdamW(adam_w, moments) => adam_w.direction(moments, x, gradient),
+            Self::Adam(adam, moments) => adam.direction(moments, gradient, blocks),
+            Self::AdamW(adam_w, moments) => adam_w.direction(moments, x, gradient, blocks),
             Self::Sgd(sgd, velocity) => sgd.direction(velocity, gradient),
             Self::RmsProp(rms_prop, rms) => rms_prop.direction(rms, gradient),
         }

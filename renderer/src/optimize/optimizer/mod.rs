@@ -3,8 +3,9 @@
 //! A first-order method is a small pure stepper: its memory of earlier gradients, and a function
 //! from gradient to *direction*, the step per unit of learning rate. What all of them share
 //! happens once, outside of them: the learning rate of each element, the
-//! [`Schedule`](super::Schedule), and the projection onto the bounds. L-BFGS is another thing: it
-//! evaluates the loss several times in a step, and lives in coordinates without bounds.
+//! [`Schedule`](super::Schedule), and the projection onto the bounds. L-BFGS and
+//! Levenberg-Marquardt are other things: they evaluate the loss several times in a step, and live in
+//! coordinates without bounds.
 //!
 //! The methods are a closed enum, not a trait: a checkpoint has to name the one that wrote it and
 //! to read back its memory.
@@ -13,18 +14,21 @@ mod adam;
 mod first_order;
 #[cfg(feature = "argmin")]
 mod lbfgs;
+mod lm;
 mod rms_prop;
 mod sgd;
 
 pub use adam::{Adam, AdamW};
 #[cfg(feature = "argmin")]
 pub use lbfgs::Lbfgs;
+pub use lm::Lm;
 pub use rms_prop::RmsProp;
 pub use sgd::Sgd;
 
 use first_order::FirstOrder;
 #[cfg(feature = "argmin")]
 use lbfgs::LbfgsState;
+use lm::LmState;
 
 use serde::{Deserialize, Serialize};
 
@@ -47,6 +51,8 @@ pub enum Optimizer {
     Sgd(Sgd),
     /// The gradient over its root mean square.
     RmsProp(RmsProp),
+    /// Least squares, for few numbers.
+    Lm(Lm),
     /// A quasi-Newton method with a line search; with the feature `argmin`.
     #[cfg(feature = "argmin")]
     Lbfgs(Lbfgs),
@@ -66,6 +72,7 @@ impl Optimizer {
             Self::AdamW(AdamW::default()),
             Self::Sgd(Sgd::default()),
             Self::RmsProp(RmsProp::default()),
+            Self::Lm(Lm::default()),
             #[cfg(feature = "argmin")]
             Self::Lbfgs(Lbfgs::default()),
         ]
@@ -91,6 +98,7 @@ impl Optimizer {
             Self::AdamW(_) => "adamw",
             Self::Sgd(_) => "sgd",
             Self::RmsProp(_) => "rmsprop",
+            Self::Lm(_) => "lm",
             #[cfg(feature = "argmin")]
             Self::Lbfgs(_) => "lbfgs",
         }
@@ -107,6 +115,7 @@ impl Optimizer {
     pub fn finds_step_lengths(&self) -> bool {
         match self {
             Self::Adam(_) | Self::AdamW(_) | Self::Sgd(_) | Self::RmsProp(_) => false,
+            Self::Lm(_) => true,
             #[cfg(feature = "argmin")]
             Self::Lbfgs(_) => true,
         }
@@ -141,6 +150,7 @@ impl Optimizer {
             Self::AdamW(method) => method.fields(),
             Self::Sgd(method) => method.fields(),
             Self::RmsProp(method) => method.fields(),
+            Self::Lm(method) => method.fields(),
             #[cfg(feature = "argmin")]
             Self::Lbfgs(method) => method.fields(),
         }
@@ -157,6 +167,7 @@ impl Optimizer {
 #[derive(Clone, Serialize, Deserialize)]
 pub(super) enum Method {
     FirstOrder(FirstOrder),
+    Lm(LmState),
     #[cfg(feature = "argmin")]
     Lbfgs(Box<LbfgsState>),
 }
@@ -169,6 +180,7 @@ impl Method {
             Optimizer::AdamW(adam_w) => FirstOrder::adam_w(adam_w, len),
             Optimizer::Sgd(sgd) => FirstOrder::Sgd(sgd, vec![0.0; len]),
             Optimizer::RmsProp(rms_prop) => FirstOrder::RmsProp(rms_prop, vec![0.0; len]),
+            Optimizer::Lm(lm) => return Self::Lm(LmState::new(&lm)),
             #[cfg(feature = "argmin")]
             Optimizer::Lbfgs(lbfgs) => return Self::Lbfgs(Box::new(LbfgsState::new(&lbfgs))),
         })
@@ -178,6 +190,7 @@ impl Method {
     pub fn fits(&self, len: usize) -> bool {
         match self {
             Self::FirstOrder(method) => method.fits(len),
+            Self::Lm(method) => method.fits(len),
             #[cfg(feature = "argmin")]
             Self::Lbfgs(method) => method.fits(len),
         }
@@ -189,7 +202,6 @@ impl Method {
     /// # Errors
     ///
     /// If a line search finds no lower loss; the text says why.
-    #[cfg_attr(not(feature = "argmin"), expect(unused_variables, reason = "for L-BFGS"))]
     pub fn step(
         &mut self,
         flat: &Flat,
@@ -200,10 +212,13 @@ impl Method {
     ) -> Result<Option<Evaluation>, String> {
         match self {
             Self::FirstOrder(method) => {
-                method.direction(x, &mut evaluation.gradient);
+                flat.precondition(&mut evaluation.gradient);
+                method.direction(x, &mut evaluation.gradient, &flat.blocks);
+                flat.precondition(&mut evaluation.gradient);
                 flat.step(x, &evaluation.gradient, factor);
                 Ok(None)
             }
+            Self::Lm(method) => method.step(flat, x, &evaluation, objective).map(Some),
             #[cfg(feature = "argmin")]
             Self::Lbfgs(method) => method.step(flat, x, &evaluation, objective).map(Some),
         }

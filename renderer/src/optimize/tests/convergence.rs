@@ -46,7 +46,7 @@ fn every_method_and_schedule_finds_the_minimum() {
         Variable::new("a", vec![5.0], 0.1).bounded(-10.0, 10.0),
         Variable::new("b", vec![0.9], 0.1),
     ];
-    for optimizer in Optimizer::all() {
+    for optimizer in methods() {
         for schedule in schedules(&optimizer) {
             let settings = Settings { optimizer, schedule, ..iterations(400) };
             let outcome = run(&variables, &settings, quadratic).unwrap();

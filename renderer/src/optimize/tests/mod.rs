@@ -30,6 +30,11 @@ fn iterations(iterations: u64) -> Settings {
     Settings { iterations, ..Settings::default() }
 }
 
+/// The methods that make do with a gradient: all but least squares.
+fn methods() -> impl Iterator<Item = Optimizer> {
+    Optimizer::all().into_iter().filter(|optimizer| !matches!(optimizer, Optimizer::Lm(_)))
+}
+
 /// The schedules that a method can have.
 fn schedules(optimizer: &Optimizer) -> Vec<Schedule> {
     let mut schedules = Schedule::all().to_vec();

@@ -57,7 +57,7 @@ fn interrupted_run_continues_bit_for_bit() {
 /// The rates are small enough for plain gradient descent, too.
 #[test]
 fn every_method_continues_bit_for_bit() {
-    for optimizer in Optimizer::all() {
+    for optimizer in methods() {
         for schedule in schedules(&optimizer) {
             let settings = Settings { optimizer, schedule, ..iterations(30) };
             let variables = variables().map(|mut variable| {

@@ -1,0 +1,114 @@
+//! The shape of an object, from images of eight sides of it: 10,242 vertices of a sphere find their places.
+//!
+//! `cargo run --release --example shape -- suzanne.obj`, or without a file, which takes a ball with horns
+//!
+//! Steps are those of Large Steps (Nicolet et al. 2021): uniform Adam in coordinates in which neighbours move
+//! together, one view a step, so that eight steps see all of them. Prints distances between surfaces, in
+//! radii of the object. `out/shape/` gets images of the start, the target and what was found, and the mesh.
+
+mod distance;
+mod experiment;
+#[path = "../shared/merged.rs"]
+mod merged;
+#[path = "../shared/random.rs"]
+mod random;
+mod sphere;
+#[path = "../shared/strip.rs"]
+mod strip;
+
+use std::path::Path;
+use std::time::Instant;
+
+use distance::{Distance, Surface};
+use experiment::{RADIUS, VIEWS};
+use renderer::files::{save_obj, save_png};
+use renderer::optimize::{Evaluation, Objective, Optimization, Quiet, Settings};
+use renderer::recovery::Recovery;
+use renderer::{Error, Image, Mesh, Scene};
+use strip::{brightest, strip};
+
+/// Steps, each of one view, and how many of them lie between two reports.
+const STEPS: u64 = 150 * VIEWS as u64;
+const REPORTED: u64 = 25 * VIEWS as u64;
+/// How many of the views are saved as pictures.
+const SHOWN: usize = 4;
+
+fn main() -> Result<(), Error> {
+    let argument = std::env::args_os().nth(1);
+    let file = argument.as_deref().map(Path::new);
+    let name = file.and_then(Path::file_stem).map_or("horns".into(), |stem| stem.to_string_lossy());
+    let out = Path::new("out/shape").join(&*name);
+    std::fs::create_dir_all(&out).map_err(|error| Error::new(out.display(), error))?;
+
+    let target = experiment::target(file)?;
+    let experiment = experiment::experiment(&target, &out, 1)?;
+    let recovery = Recovery::new(&experiment, "shape", &experiment::settings())?;
+    let settings = Settings { iterations: STEPS, ..recovery.settings() };
+    let mut watched = Watched { inner: recovery.objective(), iteration: 0, seen: Vec::new() };
+    let clock = Instant::now();
+    let optimization = Optimization::start(recovery.variables(), &settings)?;
+    let outcome = optimization.run(&mut watched, &mut Quiet)?;
+    let seconds = clock.elapsed().as_secs_f64();
+
+    println!("views seen  Chamfer  Hausdorff  flipped triangles");
+    for (iteration, x) in &watched.seen {
+        describe(*iteration, &recovery.scene_at(x), &target);
+    }
+    println!(
+        "{:.3} s for {VIEWS} views, on {} threads",
+        seconds / (STEPS / VIEWS as u64) as f64,
+        rayon::current_num_threads()
+    );
+    let found = recovery.scene_at(&outcome.best.x);
+    let qualities = recovery.qualities(&found);
+    let psnr = qualities.iter().map(|quality| quality.psnr).sum::<f64>() / VIEWS as f64;
+    println!("mean PSNR of the views {psnr:.1} dB");
+    let exposure = 1.0 / brightest(recovery.target());
+    let shown = |scene: &Scene| -> Vec<Image> {
+        recovery.targets()[..SHOWN].iter().map(|of| recovery.render_target(of, scene)).collect()
+    };
+    let targets: Vec<Image> =
+        recovery.targets()[..SHOWN].iter().map(|of| of.image.clone()).collect();
+    for (name, images) in
+        [("start", shown(&experiment.scene)), ("found", shown(&found)), ("target", targets)]
+    {
+        save_png(&strip(&images, exposure), &out.join(name).with_extension("png"))?;
+    }
+    save_obj(&found.meshes()[0], found.materials(), &out.join("found.obj"))?;
+    println!("pictures and the mesh in {}", out.display());
+    Ok(())
+}
+
+/// How far a shape is from its target.
+fn describe(iteration: u64, scene: &Scene, target: &Mesh) {
+    let unit = |mesh: &Mesh| -> Vec<[f64; 3]> {
+        mesh.vertices.iter().map(|vertex| vertex.map(|value| value / RADIUS)).collect()
+    };
+    let mesh = &scene.meshes()[0];
+    let (own, other) = (unit(mesh), unit(target));
+    let own = Surface { vertices: &own, triangles: &mesh.triangles };
+    let Distance { chamfer, hausdorff } =
+        own.distance(&Surface { vertices: &other, triangles: &target.triangles });
+    println!("{iteration:>10}  {chamfer:>7.4}  {hausdorff:>9.4}  {:>7}", own.flipped());
+}
+
+/// The objective, and what it was asked for now and then.
+struct Watched<'a> {
+    inner: Box<dyn Objective + 'a>,
+    iteration: u64,
+    seen: Vec<(u64, Vec<f64>)>,
+}
+
+impl Objective for Watched<'_> {
+    fn begin(&mut self, iteration: u64, level: u32) {
+        self.iteration = iteration;
+        self.inner.begin(iteration, level);
+    }
+
+    fn evaluate(&mut self, x: &[f64]) -> Evaluation {
+        if self.iteration % REPORTED == 0 {
+            self.seen.push((self.iteration, x.to_vec()));
+        }
+        self.inner.evaluate(x)
+    }
+}

@@ -1,0 +1,239 @@
+//! What images are compared with.
+
+use std::path::Path;
+
+use crate::experiment::{OptimizeSection, Target, ViewTarget};
+use crate::files::{LoadedImage, load_image, load_mask};
+use crate::loss::{ImageLoss, LossKind};
+use crate::render::Renderer;
+use crate::scene::Scene;
+use crate::settings::{Pass, Settings};
+use crate::{Error, Image};
+
+/// An image to be matched: of a view, or of the camera of a scene without views.
+#[derive(Clone, Debug)]
+pub struct TargetImage {
+    /// The index of the view; nothing in a scene without views.
+    pub view: Option<usize>,
+    /// What it shows of surfaces.
+    pub pass: Pass,
+    /// Its pixels.
+    pub image: Image,
+    /// Whether it was never matched, only compared with: see [`qualities`](super::Recovery::qualities).
+    pub held_out: bool,
+    pub(super) saturates: bool,
+    /// How much each pixel counts, if not all the same.
+    pub(super) weights: Option<Vec<f32>>,
+    /// What the loss is multiplied by.
+    pub(super) weight: f64,
+}
+
+impl TargetImage {
+    /// The name of the view; empty in a scene without views.
+    pub fn name<'a>(&self, scene: &'a Scene) -> &'a str {
+        self.view.map_or("", |view| &scene.views()[view].name)
+    }
+
+    /// The absolute difference of every channel of an image, as the loss sees it: where the target is clipped,
+    /// so is the image. Nothing if the sizes differ.
+    pub fn difference(&self, image: &Image) -> Option<Image> {
+        let mut image = image.clone();
+        if self.saturates {
+            image.pixels.as_flattened_mut().iter_mut().for_each(|value| *value = value.min(1.0));
+        }
+        image.absolute_difference(&self.image)
+    }
+
+    /// Makes a scene show what is to be compared.
+    pub(super) fn look(&self, scene: &mut Scene) {
+        if let Some(view) = self.view {
+            scene.look_through(view);
+        }
+    }
+
+    /// Makes a renderer of a scene that it has taken over show what is to be compared.
+    pub(super) fn show(&self, scene: &mut Scene, renderer: &mut Renderer) {
+        self.look(scene);
+        if renderer.settings().pass != self.pass {
+            renderer.show(scene, self.pass);
+        }
+        if self.view.is_some() {
+            renderer.look(scene);
+        }
+    }
+
+    /// How far an image is from this one, times the weight of the view.
+    pub(crate) fn loss(&self, kind: LossKind) -> ImageLoss<'_> {
+        let loss = ImageLoss::new(kind, &self.image, self.saturates);
+        let loss = match &self.weights {
+            Some(weights) => loss.weighted(weights),
+            None => loss,
+        };
+        loss.times(self.weight)
+    }
+
+    /// This target with its sides halved.
+    pub(super) fn halved(&self, levels: u32) -> Self {
+        let (width, height) = (self.image.width, self.image.height);
+        self.clone().reduced([width >> levels, height >> levels])
+    }
+
+    /// This target with fewer pixels, each the mean of those that it covers.
+    pub(super) fn reduced(self, [width, height]: [u32; 2]) -> Self {
+        let weights = self.weights.map(|weights| {
+            let (of_width, of_height) = (self.image.width, self.image.height);
+            let pixels = weights.into_iter().map(|weight| [weight; 3]).collect();
+            let image = Image { width: of_width, height: of_height, pixels };
+            image.reduced(width, height).pixels.into_iter().map(|[weight, ..]| weight).collect()
+        });
+        let image = self.image.reduced(width, height);
+        Self { image, weights, ..self }
+    }
+}
+
+/// The targets of a section, in the order of the views, and, where they are known, the parameters that made
+/// them. `place` names the experiment in errors.
+pub(super) fn load(
+    scene: &Scene,
+    section: &OptimizeSection,
+    place: &str,
+    settings: &Settings,
+) -> Result<(Vec<TargetImage>, Option<Scene>), Error> {
+    let truth = match &section.target {
+        Some(Target::Values(values)) => {
+            let mut truth = scene.clone();
+            for (id, values) in values {
+                truth.assign(*id, values);
+            }
+            truth.validate(format_args!("{place}: optimize.target_values"))?;
+            Some(truth)
+        }
+        _ => None,
+    };
+    let loader = Loader { scene, place, settings, truth: truth.as_ref() };
+    let mut targets = Vec::new();
+    match scene.views() {
+        [] => {
+            let mut one = ViewTarget { mask: section.mask.clone(), ..ViewTarget::default() };
+            if let Some(Target::Image(path)) = &section.target {
+                one.image = Some(path.clone());
+            }
+            loader.add(None, &one, &mut targets)?;
+        }
+        views => {
+            if let Some(Target::Image(path)) = &section.target {
+                let problem =
+                    "a scene with views has a target for each of them: `target` in [[view]]";
+                return Err(Error::new(path.display(), problem));
+            }
+            for view in 0..views.len() {
+                let default = ViewTarget::default();
+                let given = section.views.get(view).unwrap_or(&default);
+                loader.add(Some(view), given, &mut targets)?;
+            }
+        }
+    }
+    if targets.iter().all(|target| target.held_out) {
+        return Err(Error::new(place, "every view is held out: there is nothing to match"));
+    }
+    Ok((targets, truth))
+}
+
+/// What targets are loaded or rendered for.
+struct Loader<'a> {
+    scene: &'a Scene,
+    place: &'a str,
+    settings: &'a Settings,
+    truth: Option<&'a Scene>,
+}
+
+impl Loader<'_> {
+    /// Adds the targets of a view, or of the camera.
+    fn add(
+        &self,
+        view: Option<usize>,
+        given: &ViewTarget,
+        targets: &mut Vec<TargetImage>,
+    ) -> Result<(), Error> {
+        let first = targets.len();
+        let weights = match &given.mask {
+            Some(path) => {
+                let mask = load_mask(path)?;
+                self.check_size(path, &mask, view, "mask")?;
+                if mask.pixels.iter().all(|[weight, ..]| *weight == 0.0) {
+                    return Err(Error::new(path.display(), "the mask leaves no pixel to match"));
+                }
+                Some(mask.pixels.into_iter().map(|[weight, ..]| weight).collect())
+            }
+            None => None,
+        };
+        let target = TargetImage {
+            view,
+            pass: self.settings.pass,
+            image: Image::black(0, 0),
+            held_out: given.held_out,
+            saturates: false,
+            weights,
+            weight: given.weight,
+        };
+        if let Some(path) = &given.image {
+            let LoadedImage { image, saturates } = load_image(path)?;
+            self.check_size(path, &image, view, "target")?;
+            targets.push(TargetImage { image, saturates, ..target.clone() });
+        }
+        if let Some(path) = &given.coverage {
+            let image = load_mask(path)?;
+            self.check_size(path, &image, view, "coverage")?;
+            let pass = Pass::Coverage;
+            let saturates = false;
+            targets.push(TargetImage { image, pass, saturates, ..target.clone() });
+        }
+        if targets.len() > first {
+            return Ok(());
+        }
+        let Some(truth) = self.truth else {
+            let problem = match view {
+                None => {
+                    "no target: give an image with --target, or `target` or `target_values` in the section [optimize]"
+                        .to_owned()
+                }
+                Some(view) => format!(
+                    "no target for the view `{}`: give it a `target` or a `coverage`, or `target_values` \
+                     in the section [optimize]",
+                    self.scene.views()[view].name
+                ),
+            };
+            return Err(Error::new(self.place, problem));
+        };
+        let mut truth = truth.clone();
+        target.look(&mut truth);
+        let image = Renderer::unchecked(&truth, self.settings).render();
+        targets.push(TargetImage { image, ..target });
+        Ok(())
+    }
+
+    /// Whether an image has the size of the camera.
+    fn check_size(
+        &self,
+        path: &Path,
+        image: &Image,
+        view: Option<usize>,
+        what: &str,
+    ) -> Result<(), Error> {
+        let (camera, [width, height]) = match view {
+            None => (format!("camera of {}", self.place), self.scene.size()),
+            Some(view) => {
+                let view = &self.scene.views()[view];
+                (format!("view `{}` of {}", view.name, self.place), [view.width, view.height])
+            }
+        };
+        if [image.width, image.height] == [width, height] {
+            return Ok(());
+        }
+        let problem = format!(
+            "the {what} has {} x {} pixels, the {camera} has {width} x {height}",
+            image.width, image.height
+        );
+        Err(Error::new(path.display(), problem))
+    }
+}

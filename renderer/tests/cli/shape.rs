@@ -1,0 +1,143 @@
+//! Vertices that vary together, least squares, and images from coarse to fine.
+
+use serde_json::Value;
+
+use crate::sandbox::{OPTIMIZE, SCENE, Sandbox, numbers};
+
+const OCTAHEDRON: &str = "\
+v 0.5 0 0
+v 0 0.5 0
+v 0 0 0.5
+v -0.5 0 0
+v 0 -0.5 0
+v 0 0 -0.5
+f 1 2 3
+f 2 4 3
+f 4 5 3
+f 5 1 3
+f 2 1 6
+f 4 2 6
+f 5 4 6
+f 1 5 6
+";
+
+/// A body to be stretched, beside the ball.
+fn sandbox(section: &str, parameter: &str) -> Sandbox {
+    let sandbox = Sandbox::new();
+    sandbox.write("body.obj", OCTAHEDRON);
+    let mesh = "[[mesh]]\npath = \"body.obj\"\nname = \"body\"\nmaterial = \"paint\"\n\
+                translation = [0.0, 1.2, 0.0]\n";
+    let target = "[optimize.target_values]\n\"mesh.body.vertices\" = [0.6, 0.0, 0.0, 0.0, 0.4, 0.0, \
+                  0.0, 0.0, 0.5, -0.4, 0.1, 0.0, 0.0, -0.5, 0.0, 0.0, 0.0, -0.5]\n";
+    let scene = format!(
+        "{SCENE}{mesh}[optimize]\n{section}{target}\
+         [[optimize.parameter]]\npath = \"mesh.body.vertices\"\n{parameter}"
+    );
+    sandbox.write("shape.toml", scene);
+    sandbox
+}
+
+/// What a run came to, but for the time it took.
+fn result(sandbox: &Sandbox, out: &str) -> Vec<Value> {
+    let summary = sandbox.json(&format!("{out}/summary.json"));
+    ["loss", "iterations", "best_iteration", "parameters"]
+        .map(|name| summary[name].clone())
+        .to_vec()
+}
+
+#[test]
+fn vertices_take_large_steps_and_resume_to_the_same_bits() {
+    let section =
+        "optimizer = { type = \"adam\", uniform = true }\ncoarse_to_fine = 2\niterations = 60\n";
+    let parameter = "large_steps = 0.5\nlearning_rate = 0.02\nlaplacian = { weight = 1e-5, weights = \"cotangent\" }\n";
+    let sandbox = sandbox(section, parameter);
+    let run = |out: &str, threads: &str| {
+        sandbox.succeed(&[
+            "optimize",
+            "shape.toml",
+            "--out",
+            out,
+            "--resume",
+            "--threads",
+            threads,
+        ]);
+        result(&sandbox, out)
+    };
+    let whole = run("whole", "1");
+    let loss = &whole[0];
+    assert!(loss["ratio"].as_f64().unwrap() < 0.1, "{loss}");
+    // Levels span the iterations, so a part of a run is one that is killed.
+    let mut child = sandbox.command(&["optimize", "shape.toml", "--out", "parts"]);
+    let mut child = child.stderr(std::process::Stdio::null()).spawn().unwrap();
+    let checkpoint = sandbox.path("parts/checkpoint.json");
+    while !checkpoint.exists() && child.try_wait().unwrap().is_none() {
+        std::thread::yield_now();
+    }
+    child.kill().unwrap();
+    child.wait().unwrap();
+    assert_eq!(run("parts", "2"), whole);
+    // The first level ends where a third of the iterations does.
+    let history = String::from_utf8(sandbox.read("whole/history.csv")).unwrap();
+    assert_eq!(history.lines().count(), 62);
+}
+
+#[test]
+fn the_coordinates_of_steps_change_the_way_and_not_the_gradient() {
+    let one = |parameter: &str| {
+        let sandbox =
+            sandbox("iterations = 1\noptimizer = { type = \"adam\", uniform = true }\n", parameter);
+        sandbox.succeed(&["optimize", "shape.toml", "--out", "out"]);
+        let history = String::from_utf8(sandbox.read("out/history.csv")).unwrap();
+        let rows: Vec<Vec<f64>> = history
+            .lines()
+            .skip(1)
+            .map(|row| row.split(',').map(|n| n.parse().unwrap()).collect())
+            .collect();
+        (rows[0][1], rows[0][2], rows[1][1])
+    };
+    let (plain, large) =
+        (one("learning_rate = 0.01\n"), one("large_steps = 3.0\nlearning_rate = 0.01\n"));
+    assert_eq!((plain.0, plain.1), (large.0, large.1));
+    assert_ne!(plain.2, large.2);
+}
+
+#[test]
+fn least_squares_find_a_light_in_few_steps() {
+    let sandbox = Sandbox::new();
+    sandbox.succeed(&["optimize", "experiment.toml", "--out", "out", "--optimizer", "lm"]);
+    let summary = sandbox.json("out/summary.json");
+    let found = numbers(&summary["parameters"]["light.key.position"]["final"]);
+    let error = found
+        .iter()
+        .zip([-1.0, 2.5, 2.5])
+        .map(|(a, b)| (a - b).abs())
+        .fold(0.0, |m: f64, e| if e.is_nan() { f64::INFINITY } else { m.max(e) });
+    assert!(error < 1e-3, "{found:?}");
+    // In parts it comes to the same bits.
+    for iterations in ["3", "8", "40"] {
+        let arguments = ["optimize", "experiment.toml", "--out", "parts", "--optimizer", "lm"];
+        sandbox.succeed(&[&arguments[..], &["--resume", "--iterations", iterations]].concat());
+    }
+    assert_eq!(result(&sandbox, "parts"), result(&sandbox, "out"));
+}
+
+#[test]
+fn what_cannot_be_done_is_said() {
+    let refuse = |section: &str, parameter: &str, parts: &[&str]| {
+        sandbox(section, parameter).refuse_with(&["optimize", "shape.toml", "--out", "out"], parts);
+    };
+    refuse("", "large_steps = -1.0\n", &["shape.toml:", "large_steps", "above 0"]);
+    refuse("", "laplacian = { weight = -1.0 }\n", &["laplacian.weight", "is -1"]);
+    refuse("", "laplacian = { wight = 1.0 }\n", &["shape.toml:", "wight"]);
+    refuse("optimizer = \"lbfgs\"\n", "large_steps = 1.0\n", &["optimize.optimizer", "lbfgs"]);
+    refuse("coarse_to_fine = 5\n", "", &["optimize.coarse_to_fine", "24 x 16", "5 times"]);
+    refuse("loss = { type = \"huber\", delta = 0.0 }\n", "", &["optimize.loss.delta", "above 0"]);
+    refuse("loss = \"hubert\"\n", "", &["shape.toml:", "hubert", "huber"]);
+    let sandbox = Sandbox::new();
+    let light = OPTIMIZE.replace(
+        "path = \"light.key.position\"",
+        "path = \"light.key.position\"\nlarge_steps = 1.0",
+    );
+    sandbox.write("light.toml", format!("{SCENE}{light}"));
+    sandbox.refuse_with(&["optimize", "light.toml"], &["large_steps", "vertices of a mesh"]);
+}
