@@ -57,7 +57,7 @@ impl<'a> Recovery<'a> {
     /// # Errors
     ///
     /// If the target or the parameters are missing, two parameters
-    /// [overlap](ParameterId::overlaps), the target cannot be read, or its size is not that of the
+    /// [overlap](ParameterId::overlaps), there is [no derivative](Scene::check_differentiable) by one, the target cannot be read, or its size is not that of the
     /// camera.
     pub fn new(
         experiment: &'a Experiment,
@@ -75,6 +75,7 @@ impl<'a> Recovery<'a> {
         check_overlaps(scene, &section, place)?;
         check_learning_rates(scene, &section, place)?;
         let ids: Vec<_> = section.parameters.iter().map(|tuned| tuned.id).collect();
+        scene.check_differentiable(&ids)?;
         let settings = Settings { edges: settings.edges.for_parameters(&ids), ..*settings };
         let (target, truth) = load_target(scene, &section, place, &settings)?;
         let variables = section

@@ -165,6 +165,7 @@ impl Totals {
         let dense = |start: usize| self.dense[start + range.start..][..range.len()].to_vec();
         match id.object {
             Object::Camera => range.map(|index| camera.number(index)).collect(),
+            Object::Environment => request.environment.map_or_else(Vec::new, |to| dense(to.start)),
             Object::Light(light) => {
                 request.lights[light].map_or_else(Vec::new, |to| dense(to.start))
             }

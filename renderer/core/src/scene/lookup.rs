@@ -46,8 +46,8 @@ impl Scene {
         let close = closest(path, &paths);
         Err(if close.is_empty() {
             format!(
-                "no parameter `{path}`: paths begin with camera, light, material, sphere, mesh, \
-                 texture or shape"
+                "no parameter `{path}`: paths begin with camera, environment, light, material, sphere, \
+                 mesh, texture or shape"
             )
         } else {
             format!("no parameter `{path}`; closest: {}", close.join(", "))

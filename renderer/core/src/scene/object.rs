@@ -5,6 +5,8 @@
 pub enum Object {
     /// The camera.
     Camera,
+    /// The environment.
+    Environment,
     /// A light.
     Light(usize),
     /// A material.
@@ -24,6 +26,7 @@ impl Object {
     pub fn kind(self) -> &'static str {
         match self {
             Self::Camera => "camera",
+            Self::Environment => "environment",
             Self::Light(_) => "light",
             Self::Material(_) => "material",
             Self::Texture(_) => "texture",

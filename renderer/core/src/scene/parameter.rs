@@ -4,9 +4,13 @@ use std::borrow::Cow;
 use std::fmt;
 
 use ad::{Field, Fields};
+use glam::DVec3;
 
 use super::numbers::Numbers;
-use super::{Material, Mesh, Object, ParameterId, Scene, table};
+use super::{Environment, Material, Mesh, Object, ParameterId, Scene, table};
+
+/// One that is black.
+const NO_ENVIRONMENT: Environment<f64> = Environment { radiance: DVec3::ZERO };
 
 impl ParameterId {
     /// Whether silhouettes, shadows or other edges in the image move with the parameter.
@@ -19,6 +23,7 @@ impl Scene {
     fn object(&self, object: Object) -> &dyn Numbers {
         match object {
             Object::Camera => &self.camera,
+            Object::Environment => self.environment.as_ref().unwrap_or(&NO_ENVIRONMENT),
             Object::Light(i) => &self.lights[i],
             Object::Material(i) => &self.materials[i],
             Object::Texture(i) => &self.textures[i],
@@ -31,6 +36,7 @@ impl Scene {
     fn object_mut(&mut self, object: Object) -> &mut dyn Numbers {
         match object {
             Object::Camera => &mut self.camera,
+            Object::Environment => self.environment.get_or_insert(NO_ENVIRONMENT),
             Object::Light(i) => &mut self.lights[i],
             Object::Material(i) => &mut self.materials[i],
             Object::Texture(i) => &mut self.textures[i],
@@ -40,10 +46,10 @@ impl Scene {
         }
     }
 
-    /// The name of an object; that of the camera is empty.
+    /// The name of an object; those of the camera and the environment are empty.
     pub(crate) fn name_of(&self, object: Object) -> &str {
         match object {
-            Object::Camera => "",
+            Object::Camera | Object::Environment => "",
             Object::Light(i) => &self.lights[i].name,
             Object::Material(i) => &self.materials[i].name,
             Object::Texture(i) => &self.textures[i].name,
@@ -53,10 +59,11 @@ impl Scene {
         }
     }
 
-    /// The objects of the scene: the camera, then the others by kind.
+    /// The objects of the scene: the camera, the environment if there is one, then the others by kind.
     pub(crate) fn objects(&self) -> impl Iterator<Item = Object> + use<> {
         let all = |count: usize, object: fn(usize) -> Object| (0..count).map(object);
         std::iter::once(Object::Camera)
+            .chain(self.environment.map(|_| Object::Environment))
             .chain(all(self.lights.len(), Object::Light))
             .chain(all(self.materials.len(), Object::Material))
             .chain(all(self.spheres.len(), Object::Sphere))
@@ -173,8 +180,9 @@ impl Scene {
         let (kind, rest) = path.split_once('.')?;
         let field_of =
             |object: Object, name: &str| self.parameters_of(object).find(|id| id.field == name);
-        if kind == Object::Camera.kind() {
-            return field_of(Object::Camera, rest);
+        let unnamed = |object: &Object| self.name_of(*object).is_empty();
+        if let Some(object) = self.objects().filter(unnamed).find(|object| object.kind() == kind) {
+            return field_of(object, rest);
         }
         // Names may hold dots: the field is what follows the last one.
         let (name, field) = rest.rsplit_once('.')?;

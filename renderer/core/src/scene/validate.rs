@@ -6,7 +6,7 @@ use glam::DVec3;
 
 use super::table::{self, LARGEST_COORDINATE, SMALLEST_LENGTH};
 use super::{
-    MaterialObject, Mesh, Normals, Object, ParameterId, Scene, ShapeObject, Slot, Texture,
+    MaterialObject, Mesh, Normals, Object, ParameterId, PathTracing, Scene, ShapeObject, Slot, Texture,
 };
 use crate::{Error, memory};
 
@@ -75,6 +75,7 @@ impl Scene {
             self.check_values_of(object)?;
         }
         self.check_camera()?;
+        self.check_integrator()?;
         self.objects().try_for_each(|object| self.check_structure(object))?;
         self.check_memory()?;
         let texels = self.textures.iter().map(|texture| texture.texels.len() as u64).sum::<u64>();
@@ -92,13 +93,37 @@ impl Scene {
         };
         // Without mirrors and transparent surfaces paths end where they begin.
         let depth = if self.materials.iter().any(bends) { u64::from(self.bounces) } else { 0 };
+        let scattered = self.path_tracing().map_or(0, |path| u64::from(path.max_depth));
         let pixels = u64::from(self.width) * u64::from(self.height);
         for (path, bytes) in [
             ("camera.width", pixels.saturating_mul(PIXEL_BYTES)),
             ("light", (self.lights.len() as u64).saturating_mul(LIGHT_BYTES)),
             ("bounces", depth.saturating_mul(BOUNCE_BYTES)),
+            ("integrator.max_depth", scattered.saturating_mul(BOUNCE_BYTES)),
         ] {
             memory::ask(bytes).map_err(|problem| Invalid { path: path.into(), problem })?;
+        }
+        Ok(())
+    }
+
+    /// Which paths of light count.
+    fn check_integrator(&self) -> Result<(), Invalid> {
+        let Some(PathTracing { max_depth, samples, .. }) = self.path_tracing() else {
+            return match self.environment {
+                None => Ok(()),
+                Some(_) => invalid(
+                    "environment",
+                    "lights nothing unless light takes all paths: integrator.type = \"path\"",
+                ),
+            };
+        };
+        let most = PathTracing::MOST_SAMPLES;
+        if max_depth == 0 {
+            return invalid("integrator.max_depth", "must be at least 1, is 0");
+        }
+        if !(1..=most).contains(&samples) {
+            let problem = format!("must lie between 1 and {most}, is {samples}");
+            return invalid("integrator.samples", problem);
         }
         Ok(())
     }
@@ -211,7 +236,7 @@ impl Scene {
     fn check_structure(&self, object: Object) -> Result<(), Invalid> {
         self.check_name(object)?;
         match object {
-            Object::Camera | Object::Light(_) => Ok(()),
+            Object::Camera | Object::Environment | Object::Light(_) => Ok(()),
             Object::Material(i) => self.check_material(i),
             Object::Texture(i) => check_texture(&self.textures[i]),
             Object::Sphere(i) => self.check_material_of(object, self.spheres[i].material),
@@ -222,7 +247,7 @@ impl Scene {
 
     fn check_name(&self, object: Object) -> Result<(), Invalid> {
         let (kind, name) = (object.kind(), self.name_of(object));
-        if object == Object::Camera {
+        if matches!(object, Object::Camera | Object::Environment) {
             return Ok(());
         }
         if name.is_empty() {

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use super::format::{
-    CameraEntry, ChannelEntry, LightEntry, MaterialEntry, MeshEntry, NormalsEntry, Numbers,
+    CameraEntry, ChannelEntry, EnvironmentEntry, LightEntry, MaterialEntry, MeshEntry, NormalsEntry, Numbers,
     OptimizeEntry, ParameterEntry, SceneFile, SphereEntry, TextureEntry,
 };
 use super::numbers;
@@ -16,7 +16,7 @@ use crate::files::images::save_exr;
 use crate::files::names::Names;
 use crate::files::obj::save_obj;
 use crate::scene::{
-    LightObject, LightSource, MaterialObject, Normals, Scene, Slot, SphereObject, Transform,
+    Integrator, LightObject, LightSource, MaterialObject, Normals, Scene, Slot, SphereObject, Transform,
 };
 
 /// Writes `scene.toml` and what it names, `meshes/*.obj` and `textures/*.exr`, into `folder`, which
@@ -61,7 +61,12 @@ fn save(
     // The scene file comes last: once it stands, all that it names does.
     let file = SceneFile {
         bounces: scene.bounces,
+        integrator: match scene.integrator {
+            Integrator::Direct => None,
+            chosen @ Integrator::Path(_) => Some(chosen.into()),
+        },
         camera: camera(scene),
+        environment: scene.environment.map(|it| EnvironmentEntry { numbers: numbers::of(&it) }),
         lights: lights(scene),
         meshes: save_meshes(scene, folder)?,
         spheres: spheres(scene),
