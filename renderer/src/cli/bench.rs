@@ -56,6 +56,7 @@ pub(super) fn run(arguments: &Arguments, arithmetic: Arithmetic) -> Result<(), E
     }
     if ids.is_empty() {
         ids = scene.parameters();
+        ids.retain(|&id| scene.is_differentiable(id));
     }
 
     let triangles: usize = scene.meshes.iter().map(|mesh| mesh.triangles.len()).sum();

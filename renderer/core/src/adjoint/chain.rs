@@ -510,11 +510,8 @@ impl<'a, L: Plain> Chain<'a, L> {
             return self.pull_custom_surface(group, surface);
         };
         let of_uv = uv.map(|uv| {
-            let corners = self.integrator.corner_uvs(*kind, primitives);
-            let (_, pullback) = surface_uv::vjp::<L>(primitive, corners, group.surface.point);
-            let (primitive, corners, point) = pullback(uv);
+            let (primitive, point) = self.pull_uv(group, primitive, uv);
             surface.point.accumulate(point);
-            self.scatter_uvs(group.kind, primitives, corners);
             primitive
         });
         let (mut primitive, ray) = if group.smooth.is_some() {
@@ -529,6 +526,21 @@ impl<'a, L: Plain> Chain<'a, L> {
         }
         self.scatter_primitive(group.kind, primitives, &primitive);
         ray
+    }
+
+    /// Pulls the cotangents of the texture coordinates of surface points back to those of corners; returns
+    /// those of the primitives and of the points.
+    pub(super) fn pull_uv(
+        &mut self,
+        group: &LaneGroup<L>,
+        primitive: Primitive<L>,
+        uv: Tangent<Uv<L>>,
+    ) -> (Tangent<Primitive<L>>, Vec3<L>) {
+        let corners = self.integrator.corner_uvs(group.kind, &group.primitives);
+        let (_, pullback) = surface_uv::vjp::<L>(primitive, corners, group.surface.point);
+        let (primitive, corners, point) = pullback(uv);
+        self.scatter_uvs(group.kind, &group.primitives, corners);
+        (primitive, point)
     }
 
     /// Adds the cotangents of the texture coordinates of the corners of triangles.

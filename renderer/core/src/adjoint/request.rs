@@ -80,10 +80,21 @@ impl Request {
         let of_material = |field: &str| {
             ids.iter().any(|id| matches!(id.object, Object::Material(_)) && id.field == field)
         };
+        // Paths that are chosen at random are not to be others than those of the image.
+        let takes_all_paths = layout.path_tracing.is_some();
+        let of_zero = |field: &str| {
+            let is_it = |id: &ParameterId| {
+                matches!(id.object, Object::Material(_))
+                    && id.field == field
+                    && scene.get(*id).iter().all(|&number| number == 0.0)
+            };
+            ids.iter().any(is_it)
+        };
         let is_light = |id: &ParameterId| matches!(id.object, Object::Light(_));
         request.zero_weight = ZeroWeight {
-            mirrors: layout.pass == Pass::Radiance && of_material("mirror"),
-            reflections: of_material("diffuse") || of_material("specular"),
+            mirrors: layout.pass == Pass::Radiance
+                && if takes_all_paths { of_zero("mirror") } else { of_material("mirror") },
+            reflections: takes_all_paths && (of_zero("diffuse") || of_zero("specular")),
             lights: ids.iter().any(is_light),
             lobes: Lobes { rough: of_material("roughness"), glossy: of_material("specular") },
         };

@@ -1,13 +1,13 @@
 //! The chain rule along the paths that light takes where it takes all.
 //!
 //! From the camera outwards, the cotangent of what leaves a vertex goes to its material, to lights and
-//! emitters, and to the radiance beyond. Surface points have no cotangents: nothing that moves them has a
-//! gradient here.
+//! emitters, and to the radiance beyond. Of surface points only texture coordinates have cotangents:
+//! nothing that moves the points has a gradient here.
 
 use ad::{Additive, Tangent, Vec3};
 use glam::DVec3;
 
-use super::chain::{AdjointState, Chain, nonzero_lanes};
+use super::chain::{AdjointState, Chain, SurfaceCotangent, nonzero_lanes};
 use crate::loss::PixelLoss;
 use crate::number::Plain;
 use crate::primal::coalesce::select_lanes;
@@ -124,7 +124,17 @@ impl<L: Plain> Chain<'_, L> {
         let weight = scattering.found[vertex.group.block()];
         let (_, pullback) = found_emission::vjp::<L>(vertex.material.emission, weight);
         let (emitted, _) = pullback(own);
-        self.pull_material(vertex, emitted, None, &mut material, &surface, None);
+        let mut to_surface = None;
+        self.pull_material(vertex, emitted, None, &mut material, &surface, Some(&mut to_surface));
+        let group = vertex.group;
+        let primitive = self.integrator.primitive(group.kind, &group.primitives);
+        if let (Some(SurfaceCotangent { uv: Some(uv), .. }), Some(primitive)) =
+            (to_surface, primitive)
+            && self.scatter.request.moves_surfaces()
+        {
+            let (primitive, _) = self.pull_uv(group, primitive, uv);
+            self.scatter_primitive(group.kind, &group.primitives, &primitive);
+        }
     }
 
     /// From what the surfaces reflect of emitters that were looked for to both materials.

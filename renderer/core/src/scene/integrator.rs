@@ -19,7 +19,8 @@ pub enum Integrator {
 /// Random numbers are those of the Sobol' sequence with Owen's scrambling, another one for each pixel. The
 /// same scene and seed give the same image, and a gradient is the exact derivative of the loss of that
 /// image: which light, lobe and direction a path takes does not depend on radiances and colours, or in steps
-/// alone.
+/// alone. Where a gradient is asked for by a colour that is 0, which no path of the image depends on, it is
+/// that of other paths, and right in the mean.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct PathTracing {
     /// How many straight pieces a path has at most, from the camera to where the light comes from: with 1,

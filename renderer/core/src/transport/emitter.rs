@@ -69,11 +69,13 @@ pub fn triangle_spread<S: Real>(
 }
 
 /// The sight of a sphere in a direction that two numbers from 0 to 1 choose, among all that meet it. The
-/// sphere was chosen among all emitters with the probability one over `choices`.
+/// sphere was chosen among all emitters with the probability one over `choices`. Whether the point is
+/// `inside` is for the caller to say, who knows it of points on the sphere.
 #[differentiable]
 #[inline]
 pub fn sight_of_sphere<S: Real>(
     sphere: Sphere<S>,
+    inside: S::Mask,
     numbers: [S; 2],
     choices: S,
     point: Vec3<S>,
@@ -83,7 +85,7 @@ pub fn sight_of_sphere<S: Real>(
     let up = <Vec3<S>>::new(S::ZERO, S::ZERO, S::ONE);
     let axis = select(away.cmpgt(S::ZERO), to_center.normalize_or_zero(), up);
     // One minus the cosine: distant spheres fill small angles.
-    let versine = numbers[0] * sphere_versine::<S>(sphere, point);
+    let versine = numbers[0] * sphere_versine::<S>(sphere, inside, point);
     let sine_squared = versine * (S::TWO - versine);
     let sine = positive_part::<S>(sine_squared).sqrt();
     let around = numbers[1] * (S::PI + S::PI);
@@ -92,28 +94,31 @@ pub fn sight_of_sphere<S: Real>(
     let along = away * (S::ONE - versine);
     let radius = sphere.radius;
     let half_chord = positive_part::<S>(radius * radius - away * away * sine_squared).sqrt();
-    let inside = away.cmple(radius);
     Sight {
         direction,
         distance: select(inside, along + half_chord, along - half_chord),
-        spread: sphere_spread::<S>(sphere, choices, point),
+        spread: sphere_spread::<S>(sphere, inside, choices, point),
     }
 }
 
 /// The spread of every direction from a point in which a sphere is met: the solid angle that it fills.
 #[differentiable]
 #[inline]
-pub fn sphere_spread<S: Real>(sphere: Sphere<S>, choices: S, point: Vec3<S>) -> S {
-    sphere_versine::<S>(sphere, point) * (S::PI + S::PI) * choices
+pub fn sphere_spread<S: Real>(
+    sphere: Sphere<S>,
+    inside: S::Mask,
+    choices: S,
+    point: Vec3<S>,
+) -> S {
+    sphere_versine::<S>(sphere, inside, point) * (S::PI + S::PI) * choices
 }
 
 /// One minus the cosine of half the angle at which a sphere is seen; 2 from inside.
 #[differentiable]
 #[inline]
-fn sphere_versine<S: Real>(sphere: Sphere<S>, point: Vec3<S>) -> S {
+fn sphere_versine<S: Real>(sphere: Sphere<S>, inside: S::Mask, point: Vec3<S>) -> S {
     let away = (sphere.center - point).length();
-    let inside = away.cmple(sphere.radius);
-    let sine = select(inside, S::ZERO, sphere.radius / away);
+    let sine = select(inside, S::ZERO, (sphere.radius / away).min(S::ONE));
     let sine_squared = sine * sine;
     let cosine = positive_part::<S>(S::ONE - sine_squared).sqrt();
     select(inside, S::TWO, sine_squared / (S::ONE + cosine))

@@ -95,7 +95,7 @@ impl<S: Number> Integrator<'_, S> {
         let mut chosen = [NO_PRIMITIVE; PACKET_RAYS];
         let mut choices = [0.0; MAX_LANES];
         let mut within = [[0.0; 2]; MAX_LANES];
-        let mut of_kind = [0; 2];
+        let (mut of_kind, mut itself) = ([0; 2], 0);
         for (lane, ray) in group.rays() {
             // A path that is never scattered here has no use for them.
             if unscattered[lane] >= 1.0 {
@@ -106,6 +106,12 @@ impl<S: Number> Integrator<'_, S> {
             let (primitive, one_of) = self.emitters.choose(choice + fine / f64::from(1 << 24));
             (chosen[ray], choices[lane], within[lane]) = (primitive, one_of, [u, v]);
             let (kind, _) = self.layout.kind_of(primitive as usize);
+            // A surface sees itself only from inside of a sphere.
+            let is_itself = primitive == wavefront.hits.primitive[ray];
+            if is_itself && group.inside >> lane & 1 == 0 {
+                continue;
+            }
+            itself |= u32::from(is_itself) << lane;
             of_kind[usize::from(kind == Kind::Sphere)] |= 1 << lane;
         }
         let numbers = [0, 1].map(|axis| lanes_of_numbers::<S::Lanes>(&within.map(|at| at[axis])));
@@ -124,7 +130,11 @@ impl<S: Number> Integrator<'_, S> {
                     let barycentric = barycentric_of(numbers);
                     sight_of_triangle::<S>(triangle, barycentric, choices, point)
                 }
-                Primitive::Sphere(sphere) => sight_of_sphere::<S>(sphere, numbers, choices, point),
+                Primitive::Sphere(sphere) => {
+                    let away = (sphere.center - point).length().primal();
+                    let inside = S::Lanes::mask_bits(away.cmplt(sphere.radius.primal())) | itself;
+                    sight_of_sphere::<S>(sphere, S::mask(inside), numbers, choices, point)
+                }
             };
             let seen = self.seen(wavefront, group, lanes, &chosen, &sight);
             if seen == 0 {
@@ -206,7 +216,8 @@ impl<S: Number> Integrator<'_, S> {
                 triangle_spread::<S>(triangle, choices, group.ray.direction, distance)
             }
             Some(Primitive::Sphere(sphere)) => {
-                sphere_spread::<S>(sphere, choices, group.ray.origin)
+                let inside = S::mask(group.inside);
+                sphere_spread::<S>(sphere, inside, choices, group.ray.origin)
             }
             None => return infinite,
         };
