@@ -76,6 +76,7 @@ impl<'a> Recovery<'a> {
         check_learning_rates(scene, &section, place)?;
         let ids: Vec<_> = section.parameters.iter().map(|tuned| tuned.id).collect();
         scene.check_differentiable(&ids)?;
+        scene.check_edges(settings)?;
         let settings = Settings { edges: settings.edges.for_parameters(&ids), ..*settings };
         let (target, truth) = load_target(scene, &section, place, &settings)?;
         let variables = section

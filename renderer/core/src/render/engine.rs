@@ -17,8 +17,8 @@ use crate::primal::image::{loss, pixels_dual, render_into, trace_only};
 use crate::primal::inputs::Inputs;
 use crate::primal::integrator::Prepared;
 use crate::primal::varying::Varying;
-use crate::scene::{Integrator, ParameterId, Scene};
-use crate::settings::{Edges, Pass, Settings};
+use crate::scene::{ParameterId, Scene};
+use crate::settings::{Edges, Settings};
 use crate::trace::layout::sampling_of;
 use crate::trace::sampling::Sampling;
 
@@ -54,11 +54,7 @@ impl Renderer {
     /// If the scene is not [valid](Scene::check), or edges are to be seen where light takes all paths.
     pub fn new(scene: &Scene, settings: &Settings) -> Result<Self, Error> {
         scene.check()?;
-        let takes_all_paths = scene.integrator != Integrator::Direct;
-        if takes_all_paths && settings.edges == Edges::On && settings.pass == Pass::Radiance {
-            let problem = "are not found where light takes all paths (integrator.type = \"path\")";
-            return Err(Error::new("edges", problem));
-        }
+        scene.check_edges(settings)?;
         Ok(Self::unchecked(scene, settings))
     }
 
