@@ -192,7 +192,8 @@ fn looking_for_emitters_changes_nothing_but_noise() {
 /// A box with coloured walls, a panel and a ball that shine, a mirror ball, a pane, a textured wall, and a
 /// point light: each path of light goes somewhere.
 fn lit_box(size: u32) -> Scene {
-    let camera = Camera { vfov: 70.0, ..Camera::looking(dvec3(0.1, 0.1, 0.9), dvec3(0.0, -0.1, 0.0)) };
+    let camera =
+        Camera { vfov: 70.0, ..Camera::looking(dvec3(0.1, 0.1, 0.9), dvec3(0.0, -0.1, 0.0)) };
     let mut scene = Scene::new(size, size, camera);
     let texels = vec![[0.9, 0.5, 0.3], [0.3, 0.8, 0.4], [0.2, 0.4, 0.7], [0.8, 0.6, 0.9]];
     let tiles = Texture { name: "tiles".into(), width: 2, height: 2, wrap: Wrap::Repeat, texels };
@@ -203,9 +204,11 @@ fn lit_box(size: u32) -> Scene {
     }
     let paper = MaterialObject::from(Material::lambertian(DVec3::splat(0.9)));
     scene.add_material("paper", paper.with_texture(Slot::Diffuse, tiles)).unwrap();
-    let lamp = Material { emission: dvec3(9.0, 8.0, 7.0), ..Material::lambertian(DVec3::splat(0.1)) };
+    let lamp =
+        Material { emission: dvec3(9.0, 8.0, 7.0), ..Material::lambertian(DVec3::splat(0.1)) };
     let lamp = scene.add_material("lamp", lamp).unwrap();
-    let bulb = Material { emission: dvec3(2.0, 3.0, 5.0), ..Material::lambertian(DVec3::splat(0.3)) };
+    let bulb =
+        Material { emission: dvec3(2.0, 3.0, 5.0), ..Material::lambertian(DVec3::splat(0.3)) };
     let bulb = scene.add_material("bulb", bulb).unwrap();
     let chrome = Material {
         mirror: dvec3(0.7, 0.6, 0.5),
@@ -214,7 +217,10 @@ fn lit_box(size: u32) -> Scene {
         ..Material::lambertian(DVec3::splat(0.2))
     };
     let chrome = scene.add_material("chrome", chrome).unwrap();
-    let pane = MaterialObject::from(Material { roughness: 0.4, ..Material::lambertian(DVec3::splat(0.4)) });
+    let pane = MaterialObject::from(Material {
+        roughness: 0.4,
+        ..Material::lambertian(DVec3::splat(0.4))
+    });
     let pane = scene.add_material("pane", pane.with_opacity(0.3)).unwrap();
     let uvs = vec![[0.1, 0.2], [1.3, 0.1], [1.2, 1.4], [-0.1, 0.9]];
     for (wall, material) in walls().into_iter().zip([0, 1, 2, 2, 3, 2]) {
@@ -320,10 +326,8 @@ fn gradients_by_zeros_agree_with_differences_in_the_mean() {
     let settings = in_arithmetic(Arithmetic::F64x8);
     let ids = ["material.red.diffuse", "material.bulb.emission"];
     let ids = ids.map(|path| scene.parameter(path).unwrap());
-    let gradient = Renderer::new(&scene, &settings)
-        .unwrap()
-        .loss_and_gradient(&scene, &Sum, &ids)
-        .gradient;
+    let gradient =
+        Renderer::new(&scene, &settings).unwrap().loss_and_gradient(&scene, &Sum, &ids).gradient;
     for (id, step, bound) in [(ids[0], 1e-3, 1e-3), (ids[1], 1.0, 0.05)] {
         let mut moved = scene.clone();
         let at = |moved: &Scene| Renderer::new(moved, &settings).unwrap().loss(&Sum);
@@ -386,7 +390,8 @@ fn lanes_and_precisions_agree() {
         let (other_loss, other) = of(arithmetic);
         assert_close(other_loss, loss, bound);
         for (id, block) in gradient.iter() {
-            let norm = |block: &mut dyn Iterator<Item = f64>| block.map(|x| x * x).sum::<f64>().sqrt();
+            let norm =
+                |block: &mut dyn Iterator<Item = f64>| block.map(|x| x * x).sum::<f64>().sqrt();
             let size = norm(&mut block.iter().copied());
             let error = norm(&mut block.iter().zip(other.get(id)).map(|(a, b)| a - b));
             let path = scene.path(id);
@@ -420,7 +425,8 @@ fn extreme_emitters_are_exact_multiples_of_ordinary_ones() {
     let of = |scene: &mut Scene, factor: f64| {
         set(scene, lamp, &[2.0 * factor; 3]);
         set(scene, bulb, &[5.0 * factor; 3]);
-        let ids = [scene.parameter("material.red.diffuse").unwrap(), scene.parameter(lamp).unwrap()];
+        let ids =
+            [scene.parameter("material.red.diffuse").unwrap(), scene.parameter(lamp).unwrap()];
         let renderer = Renderer::new(scene, &settings).unwrap();
         let result = renderer.loss_and_gradient(scene, &Sum, &ids);
         let [albedo, emission] = ids.map(|id| result.gradient.get(id).iter().sum::<f64>());
@@ -440,7 +446,9 @@ fn extreme_emitters_are_exact_multiples_of_ordinary_ones() {
 fn gradients_that_do_not_exist_are_refused() {
     let scene = lit_box(8);
     let settings = Settings::default();
-    for path in ["camera.vfov", "light.key.position", "mesh.panel.translation", "sphere.bulb.radius"] {
+    for path in
+        ["camera.vfov", "light.key.position", "mesh.panel.translation", "sphere.bulb.radius"]
+    {
         let id = scene.parameter(path).unwrap();
         assert!(!scene.is_differentiable(id));
         let refusals = [

@@ -6,8 +6,8 @@ use ad::{Additive, Fields, Vec3};
 
 use super::coalesce::{Coalesced, select_lanes};
 use super::known::KnownPaths;
-use super::scattered::Scattering;
 use super::lanes::{all_lanes, singles_of_lanes};
+use super::scattered::Scattering;
 use crate::number::Number;
 use crate::trace::bvh::{PACKET_RAYS, PacketHits, PacketVectors, rays};
 use crate::trace::layout::Kind;

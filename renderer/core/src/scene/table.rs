@@ -223,8 +223,8 @@ mod tests {
     use super::TABLE;
     use crate::scene::numbers::Numbers;
     use crate::scene::{
-        Camera, DistantLight, Environment, Material, Mesh, PointLight, Sphere, SpotLight, Texture, Transform,
-        Wrap,
+        Camera, DistantLight, Environment, Material, Mesh, PointLight, Sphere, SpotLight, Texture,
+        Transform, Wrap,
     };
 
     /// Every field of every kind of object has one row, and no row is for nothing.

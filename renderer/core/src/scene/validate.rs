@@ -6,7 +6,8 @@ use glam::DVec3;
 
 use super::table::{self, LARGEST_COORDINATE, SMALLEST_LENGTH};
 use super::{
-    MaterialObject, Mesh, Normals, Object, ParameterId, PathTracing, Scene, ShapeObject, Slot, Texture,
+    MaterialObject, Mesh, Normals, Object, ParameterId, PathTracing, Scene, ShapeObject, Slot,
+    Texture,
 };
 use crate::{Error, memory};
 

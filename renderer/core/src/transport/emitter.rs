@@ -47,7 +47,11 @@ pub fn sight_of_triangle<S: Real>(
     let to_light = on_triangle - point;
     let direction = to_light.normalize_or_zero();
     let distance = to_light.length();
-    Sight { direction, distance, spread: triangle_spread::<S>(triangle, choices, direction, distance) }
+    Sight {
+        direction,
+        distance,
+        spread: triangle_spread::<S>(triangle, choices, direction, distance),
+    }
 }
 
 /// The spread of a direction in which a triangle is met at a distance: its area as the cosine foreshortens
@@ -104,12 +108,7 @@ pub fn sight_of_sphere<S: Real>(
 /// The spread of every direction from a point in which a sphere is met: the solid angle that it fills.
 #[differentiable]
 #[inline]
-pub fn sphere_spread<S: Real>(
-    sphere: Sphere<S>,
-    inside: S::Mask,
-    choices: S,
-    point: Vec3<S>,
-) -> S {
+pub fn sphere_spread<S: Real>(sphere: Sphere<S>, inside: S::Mask, choices: S, point: Vec3<S>) -> S {
     sphere_versine::<S>(sphere, inside, point) * (S::PI + S::PI) * choices
 }
 

@@ -11,7 +11,9 @@ use super::textures::TextureTable;
 use super::{Problem, meshes, numbers, optimize};
 use crate::Warning;
 use crate::experiment::Experiment;
-use crate::scene::{Camera, Environment, Light, LightObject, LightSource, MaterialObject, Scene, SphereObject};
+use crate::scene::{
+    Camera, Environment, Light, LightObject, LightSource, MaterialObject, Scene, SphereObject,
+};
 
 /// The experiment that the file `name` in `folder` describes.
 pub(super) fn experiment(
@@ -71,7 +73,10 @@ fn scene(file: &SceneFile, folder: &Path) -> Result<(Scene, Vec<Warning>), Probl
 fn is_black(scene: &Scene) -> bool {
     let glows = |material: &MaterialObject| material.values.emission != DVec3::ZERO;
     let Scene { lights, materials, environment, .. } = scene;
-    environment.is_none() && lights.is_empty() && !materials.is_empty() && !materials.iter().any(glows)
+    environment.is_none()
+        && lights.is_empty()
+        && !materials.is_empty()
+        && !materials.iter().any(glows)
 }
 
 /// The name of the object number `index` of its kind.

@@ -3,8 +3,8 @@
 use std::path::{Path, PathBuf};
 
 use super::format::{
-    CameraEntry, ChannelEntry, EnvironmentEntry, LightEntry, MaterialEntry, MeshEntry, NormalsEntry, Numbers,
-    OptimizeEntry, ParameterEntry, SceneFile, SphereEntry, TextureEntry,
+    CameraEntry, ChannelEntry, EnvironmentEntry, LightEntry, MaterialEntry, MeshEntry,
+    NormalsEntry, Numbers, OptimizeEntry, ParameterEntry, SceneFile, SphereEntry, TextureEntry,
 };
 use super::numbers;
 use crate::Error;
@@ -16,7 +16,8 @@ use crate::files::images::save_exr;
 use crate::files::names::Names;
 use crate::files::obj::save_obj;
 use crate::scene::{
-    Integrator, LightObject, LightSource, MaterialObject, Normals, Scene, Slot, SphereObject, Transform,
+    Integrator, LightObject, LightSource, MaterialObject, Normals, Scene, Slot, SphereObject,
+    Transform,
 };
 
 /// Writes `scene.toml` and what it names, `meshes/*.obj` and `textures/*.exr`, into `folder`, which

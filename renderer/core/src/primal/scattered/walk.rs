@@ -11,7 +11,9 @@ use crate::primal::coalesce::select_lanes;
 use crate::primal::integrator::Integrator;
 use crate::primal::lanes::{lanes_of_numbers, numbers_of_lanes, vectors_of_lanes};
 use crate::primal::path::{Path, zero_ray};
-use crate::primal::wavefront::{LaneGroup, Source, TileSample, Wavefront, blocks, put, repeated_ray};
+use crate::primal::wavefront::{
+    LaneGroup, Source, TileSample, Wavefront, blocks, put, repeated_ray,
+};
 use crate::scene::PathTracing;
 use crate::trace::bvh::{PACKET_RAYS, PacketHits, rays};
 use crate::trace::random::{PathNumbers, Purpose};
@@ -100,12 +102,7 @@ impl<S: Number> Integrator<'_, S> {
     }
 
     /// Chooses how the paths go on from a wavefront.
-    fn choose_events(
-        &self,
-        depth: u32,
-        walk: &mut Walk<S::Lanes>,
-        wavefront: &mut Wavefront<S>,
-    ) {
+    fn choose_events(&self, depth: u32, walk: &mut Walk<S::Lanes>, wavefront: &mut Wavefront<S>) {
         let mut events = std::mem::take(&mut wavefront.scattering.events);
         events.clear();
         events.resize(blocks::<S>(), Event::end());
@@ -140,7 +137,8 @@ impl<S: Number> Integrator<'_, S> {
             let [u, v, lobe, end] = walk.numbers.at(ray, depth, Purpose::Scatter).map(f64::from);
             (within[lane], ends[lane]) = ([u, v], end);
             if lobe < unscattered[lane] {
-                let bits = if vertex.transparent >> lane & 1 == 1 { &mut straight } else { &mut mirrored };
+                let bits =
+                    if vertex.transparent >> lane & 1 == 1 { &mut straight } else { &mut mirrored };
                 *bits |= 1 << lane;
                 probability[lane] = unscattered[lane];
             } else {
@@ -270,10 +268,28 @@ impl<S: Number> Integrator<'_, S> {
 /// The probability with which a path goes on that brings this part of what it finds: a power of two, at
 /// least as large, which does not jump where the part is a power of two itself.
 fn survival_of(left: f64) -> f64 {
-    (1.37 * left).log2().ceil().exp2().clamp(LEAST, 1.0)
+    const FRACTION: u64 = (1 << (f64::MANTISSA_DIGITS - 1)) - 1;
+    let bits = (1.37 * left).clamp(LEAST, 1.0).to_bits();
+    f64::from_bits((bits + FRACTION) & !FRACTION)
 }
 
 /// A vector that does not vary.
 fn constant_vector<S: Number>(v: Vec3<S::Lanes>) -> Vec3<S> {
     Vector3::new(S::constant(v.x()), S::constant(v.y()), S::constant(v.z()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{LEAST, survival_of};
+
+    #[test]
+    fn paths_go_on_with_powers_of_two_no_less_than_what_they_bring() {
+        for (left, expected) in
+            [(0.0, LEAST), (1e-300, LEAST), (0.1, 0.25), (0.09, 0.125), (0.25, 0.5), (0.7, 1.0)]
+        {
+            assert_eq!(survival_of(left), expected, "{left}");
+        }
+        assert_eq!(survival_of(1e30), 1.0);
+        assert!(survival_of(f64::NAN).is_nan());
+    }
 }
