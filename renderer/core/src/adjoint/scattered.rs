@@ -22,7 +22,7 @@ use crate::transport::direct::direct;
 use crate::transport::emitter::{found_emission, illuminate_by_emitter};
 use crate::transport::environment::Environment;
 use crate::transport::material::Material;
-use crate::transport::scatter::scattered;
+use crate::transport::scatter::{gathered, sent_on};
 use crate::transport::surface::SurfacePoint;
 
 /// By ray.
@@ -95,7 +95,7 @@ impl<L: Plain> Chain<'_, L> {
     ) {
         let own = vertex.scattered_own();
         let Event { direction, straight, mirrored, factor } = vertex.event();
-        let (_, pullback) = scattered::vjp::<L>(
+        let (part, pull_part) = sent_on::vjp::<L>(
             vertex.material,
             vertex.lobes,
             vertex.group.surface,
@@ -103,10 +103,12 @@ impl<L: Plain> Chain<'_, L> {
             L::mask(straight),
             L::mask(mirrored),
             factor,
-            own,
-            vertex.scattered_beyond(),
         );
-        let (mut material, _, _, _, _, _, _, own, beyond) = pullback(cotangent);
+        let opacity = vertex.material.opacity;
+        let (_, pullback) = gathered::vjp::<L>(opacity, own, part, vertex.scattered_beyond());
+        let (opacity, own, part, beyond) = pullback(cotangent);
+        let (mut material, ..) = pull_part(part);
+        material.opacity.accumulate(opacity);
         if let Some(to_beyond) = to_beyond {
             to_beyond.accumulate(beyond);
         }

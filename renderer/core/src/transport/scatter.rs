@@ -30,15 +30,14 @@ pub fn turn<S: Real>(axis: Vec3<S>, local: Vec3<S>) -> Vec3<S> {
     tangent * local.x() + bitangent * local.y() + axis * local.z()
 }
 
-/// The radiance that leaves a vertex towards the viewer, from its `own`, emitted and reflected directly, and
-/// from the radiance `beyond` that one direction brings.
+/// The part of the radiance from one direction that a vertex sends on towards the viewer.
 ///
 /// The direction goes `straight` through the surface, or is `mirrored`, or is one that the surface scatters
 /// to with a density of the cosine by π, so that the cosine cancels. `factor` is one over the probability
 /// that the path goes on in this way, times π where it scatters.
 #[differentiable]
 #[inline]
-pub fn scattered<S: Real>(
+pub fn sent_on<S: Real>(
     material: Material<S>,
     lobes: Lobes,
     surface: SurfacePoint<S>,
@@ -46,12 +45,17 @@ pub fn scattered<S: Real>(
     straight: S::Mask,
     mirrored: S::Mask,
     factor: S,
-    own: Vec3<S>,
-    beyond: Vec3<S>,
 ) -> Vec3<S> {
     let reflected = brdf::<S>(material, lobes, surface, direction) * material.opacity;
     let behind = S::ONE - material.opacity;
     let through = <Vec3<S>>::new(behind, behind, behind);
-    let weight = select(straight, through, select(mirrored, material.mirror, reflected));
-    own * material.opacity + beyond * weight * factor
+    select(straight, through, select(mirrored, material.mirror, reflected)) * factor
+}
+
+/// The radiance that leaves a vertex towards the viewer, from its `own`, emitted and reflected directly, and
+/// the `part` of the radiance `beyond` that it [sends on](sent_on()).
+#[differentiable]
+#[inline]
+pub fn gathered<S: Real>(opacity: S, own: Vec3<S>, part: Vec3<S>, beyond: Vec3<S>) -> Vec3<S> {
+    own * opacity + beyond * part
 }

@@ -72,7 +72,7 @@ pub struct Event<S: Number> {
     /// A bit for each lane that is mirrored.
     pub mirrored: u32,
     /// One over the probability, 0 where the path ends; see
-    /// [`scattered`](crate::transport::scatter::scattered()).
+    /// [`sent_on`](crate::transport::scatter::sent_on()).
     pub factor: S,
 }
 

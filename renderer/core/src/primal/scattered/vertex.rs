@@ -14,13 +14,14 @@ use crate::primal::wavefront::{LaneGroup, RayLanes, Wavefront};
 use crate::trace::bvh::PACKET_RAYS;
 use crate::transport::direct::direct;
 use crate::transport::emitter::found_emission;
-use crate::transport::scatter::scattered;
+use crate::transport::scatter::{gathered, sent_on};
 
 impl<S: Number> Vertex<'_, S> {
     /// The radiance that leaves towards the viewer where light takes all paths.
     #[inline(never)]
     pub fn scattered_radiance(&self) -> Vec3<S> {
-        self.scattered(self.scattered_own())
+        let (own, opacity) = (self.scattered_own(), self.material.opacity);
+        gathered::<S>(opacity, own, self.sent_on(), self.scattered_beyond())
     }
 
     /// What the surfaces emit, where that counts, and what they reflect of lights and of emitters that were
@@ -49,20 +50,12 @@ impl<S: Number> Vertex<'_, S> {
         own
     }
 
-    /// The radiance that leaves, by that of the surfaces themselves.
-    fn scattered(&self, own: Vec3<S>) -> Vec3<S> {
+    /// The part that the surfaces send on of what paths bring.
+    fn sent_on(&self) -> Vec3<S> {
         let Event { direction, straight, mirrored, factor } = self.event();
-        scattered::<S>(
-            self.material,
-            self.lobes,
-            self.group.surface,
-            direction,
-            S::mask(straight),
-            S::mask(mirrored),
-            factor,
-            own,
-            self.scattered_beyond(),
-        )
+        let (straight, mirrored) = (S::mask(straight), S::mask(mirrored));
+        let surface = self.group.surface;
+        sent_on::<S>(self.material, self.lobes, surface, direction, straight, mirrored, factor)
     }
 
     /// How the paths go on.

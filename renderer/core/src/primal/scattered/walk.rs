@@ -19,7 +19,7 @@ use crate::trace::bvh::{PACKET_RAYS, PacketHits, rays};
 use crate::trace::random::{PathNumbers, Purpose};
 use crate::transport::camera::Ray;
 use crate::transport::emitter::scattered_weight;
-use crate::transport::scatter::{cosine_direction, scattered, turn};
+use crate::transport::scatter::{cosine_direction, sent_on, turn};
 
 /// From this depth on paths may end at random.
 const ROULETTE: u32 = 3;
@@ -165,7 +165,7 @@ impl<S: Number> Integrator<'_, S> {
         let of_lanes = lanes_of_numbers::<S::Lanes>(&probability);
         let is_unscattered = S::Lanes::mask_from_bits(unscattered);
         let factor = select(is_unscattered, S::Lanes::ONE, S::Lanes::PI) / of_lanes;
-        let throughput = scattered::<S::Lanes>(
+        let part = sent_on::<S::Lanes>(
             vertex.material.map(S::primal),
             vertex.lobes,
             group.surface.map(S::primal),
@@ -173,9 +173,8 @@ impl<S: Number> Integrator<'_, S> {
             S::Lanes::mask_from_bits(straight),
             S::Lanes::mask_from_bits(mirrored),
             factor,
-            Vec3::<S::Lanes>::splat(S::Lanes::ZERO),
-            walk.throughput[group.block()],
         );
+        let throughput = walk.throughput[group.block()] * part;
         let mut survival = [1.0; MAX_LANES];
         if depth >= ROULETTE {
             let left = numbers_of_lanes::<S::Lanes>(throughput.abs().max_element());
@@ -268,6 +267,10 @@ impl<S: Number> Integrator<'_, S> {
 /// The probability with which a path goes on that brings this part of what it finds: a power of two, at
 /// least as large, which does not jump where the part is a power of two itself.
 fn survival_of(left: f64) -> f64 {
+    // So that it shows in the image.
+    if left.is_nan() {
+        return 1.0;
+    }
     const FRACTION: u64 = (1 << (f64::MANTISSA_DIGITS - 1)) - 1;
     let bits = (1.37 * left).clamp(LEAST, 1.0).to_bits();
     f64::from_bits((bits + FRACTION) & !FRACTION)
@@ -290,6 +293,6 @@ mod tests {
             assert_eq!(survival_of(left), expected, "{left}");
         }
         assert_eq!(survival_of(1e30), 1.0);
-        assert!(survival_of(f64::NAN).is_nan());
+        assert_eq!(survival_of(f64::NAN), 1.0);
     }
 }
