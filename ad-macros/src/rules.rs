@@ -2,16 +2,14 @@
 
 use crate::floats;
 
-/// Those of vectors, matrices, quaternions, sequences, options and integers, in alphabetical order.
-const METHODS: [&str; 68] = [
-    "append",
-    "clear",
+/// Those of vectors, matrices, quaternions, sequences, options and integers that leave their receiver as
+/// it is, in alphabetical order.
+const METHODS: [&str; 45] = [
     "clone",
     "cloned",
     "col",
     "conjugate",
     "copied",
-    "copy_from_slice",
     "cross",
     "determinant",
     "distance",
@@ -20,10 +18,6 @@ const METHODS: [&str; 68] = [
     "element_product",
     "element_sum",
     "expect",
-    "extend",
-    "extend_from_slice",
-    "fill",
-    "insert",
     "inverse",
     "length",
     "length_recip",
@@ -36,32 +30,16 @@ const METHODS: [&str; 68] = [
     "mul_vec3",
     "normalize",
     "normalize_or_zero",
-    "pop",
     "project_onto",
-    "push",
     "reflect",
-    "remove",
-    "resize",
-    "retain",
-    "reverse",
-    "rotate_left",
-    "rotate_right",
     "saturating_add",
     "saturating_mul",
     "saturating_sub",
     "slerp",
-    "sort_by",
-    "sort_by_key",
-    "sort_unstable_by",
-    "sort_unstable_by_key",
-    "split_off",
-    "swap",
-    "swap_remove",
     "to_vec",
     "transform_point3",
     "transform_vector3",
     "transpose",
-    "truncate",
     "unwrap",
     "unwrap_or",
     "unwrap_or_default",
@@ -74,13 +52,11 @@ const METHODS: [&str; 68] = [
     "z",
 ];
 
-/// Those of sequences that change their receiver.
-const CHANGES_RECEIVER: [&str; 25] = [
+/// Those of sequences that change their receiver, in alphabetical order.
+const CHANGES_RECEIVER: [&str; 23] = [
     "append",
     "clear",
     "copy_from_slice",
-    "copy_within",
-    "drain",
     "extend",
     "extend_from_slice",
     "fill",
@@ -103,13 +79,17 @@ const CHANGES_RECEIVER: [&str; 25] = [
     "truncate",
 ];
 
+/// Those of sequences that change their receiver and become calls of functions.
+const BECOMES_CALL: [&str; 2] = ["copy_within", "drain"];
+
 /// Whether types of other crates have a method of this name that changes its receiver.
 pub fn changes_receiver(name: &str) -> bool {
-    CHANGES_RECEIVER.contains(&name)
+    CHANGES_RECEIVER.binary_search(&name).is_ok() || BECOMES_CALL.contains(&name)
 }
 
 /// Whether types of other crates have a method of this name whose rule is in `ad`. One's own type may
 /// have such a one, too.
 pub fn is_method(name: &str) -> bool {
-    floats::takes_number(name) || METHODS.binary_search(&name).is_ok()
+    let has_rule = |names: &[&str]| names.binary_search(&name).is_ok();
+    floats::takes_number(name) || has_rule(&METHODS) || has_rule(&CHANGES_RECEIVER)
 }

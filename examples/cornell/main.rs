@@ -19,7 +19,7 @@ use renderer::recovery::Recovery;
 use renderer::scene::PathTracing;
 use renderer::{Error, Renderer, Settings};
 use serde_json::Map;
-use strip::strip;
+use strip::{brightest, strip};
 
 const STEPS: u64 = 100;
 
@@ -46,7 +46,9 @@ fn main() -> Result<(), Error> {
     write_report(out, recovery.variables(), &outcome, Map::new())?;
     let guess = recovery.render(&problem.scene);
     let images = [guess, recovery.render(&found), recovery.target().clone()];
-    save_png(&strip(&images, 1.0), &out.join("strip.png"))?;
+    // The lamp is not in the picture.
+    let exposure = 1.0 / brightest(recovery.target());
+    save_png(&strip(&images, exposure), &out.join("strip.png"))?;
 
     let whole = experiment::cornell(256, PathTracing { samples: 64, ..paths })?;
     save_scene(&whole, &out.join("scene"))?;

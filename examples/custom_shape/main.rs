@@ -1,4 +1,4 @@
-//! Adds a shape and a light of one's own to a scene, and recovers them from an image.
+//! Adds a custom shape and a custom light to a scene, and recovers them from an image.
 //!
 //! The paper's users add objects by `intersect` and `get_normal`; here the kernels are also
 //! `#[differentiable]`, so that every gradient reaches their parameters.

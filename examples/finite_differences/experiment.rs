@@ -166,6 +166,6 @@ pub fn largest_error(backward: &[f64], differences: &[Derivative]) -> f64 {
 }
 
 /// The larger of two errors; no number is larger than any, while `f64::max` would drop it.
-fn larger(a: f64, b: f64) -> f64 {
+pub fn larger(a: f64, b: f64) -> f64 {
     if a.is_nan() || a > b { a } else { b }
 }

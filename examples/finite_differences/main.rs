@@ -18,7 +18,7 @@ mod random;
 use std::path::Path;
 use std::time::Instant;
 
-use experiment::{PER_TRIANGLE, backward, central_differences, largest_error};
+use experiment::{PER_TRIANGLE, backward, central_differences, larger, largest_error};
 use plot::{Curve, Horizontal, Point, save_plot};
 use random::Random;
 use renderer::Error;
@@ -49,7 +49,7 @@ fn main() -> Result<(), Error> {
             let times =
                 [1e3 * trial.backward, 1e3 * trial.differences, trial.differences / trial.backward];
             samples.iter_mut().zip(times).for_each(|(samples, time)| samples.push(time));
-            error = error.max(trial.error);
+            error = larger(error, trial.error);
         }
         let statistics = samples.map(|samples| mean_and_deviation(&samples));
         let [backward, differences, speedup] =

@@ -47,9 +47,10 @@ pub fn by_forward_mode(scene: &Scene, id: ParameterId, element: usize) -> Result
     Ok(render_jvp(scene, &settings(), &[direction])?.1)
 }
 
-/// The largest derivative of a channel, without its sign.
+/// The largest derivative of a channel, without its sign; no number if one is none.
 pub fn largest(derivatives: &Image) -> f32 {
-    derivatives.pixels.as_flattened().iter().fold(0.0, |largest, d| largest.max(d.abs()))
+    let sizes = derivatives.pixels.as_flattened().iter().map(|d| d.abs());
+    sizes.max_by(f32::total_cmp).unwrap_or(0.0)
 }
 
 /// The part of the pixels at which two images of derivatives differ by more than `tolerance` times

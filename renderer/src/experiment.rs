@@ -56,7 +56,7 @@ pub enum Target {
 /// A parameter that may vary.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TunedParameter {
-    /// Which one.
+    /// The parameter to optimise.
     pub id: ParameterId,
     /// The learning rate of this parameter alone; above 0.
     pub learning_rate: Option<f64>,

@@ -26,7 +26,9 @@
 
 #[cfg(feature = "files")]
 pub mod accuracy;
+// For the program `renderer` alone.
 #[cfg(feature = "cli")]
+#[doc(hidden)]
 pub mod cli;
 #[cfg(feature = "files")]
 pub mod demo;
@@ -39,14 +41,16 @@ pub mod extremes;
 pub mod files;
 #[cfg(feature = "files")]
 pub mod optimize;
+// For plots of commands and of the examples of this repository.
 #[cfg(feature = "cli")]
+#[doc(hidden)]
 pub mod palette;
 #[cfg(feature = "files")]
 pub mod recovery;
 #[cfg(feature = "cli")]
-pub mod report;
+mod report;
 #[cfg(feature = "cli")]
-pub mod tradeoff;
+mod tradeoff;
 #[cfg(feature = "files")]
 mod warning;
 

@@ -123,6 +123,6 @@ pub fn difference(a: &Image, b: &Image) -> f64 {
     let channels = |image: &Image| image.pixels.as_flattened().to_vec();
     let brightest = channels(a).into_iter().chain(channels(b)).fold(0.0_f32, f32::max);
     let differences = channels(a).into_iter().zip(channels(b)).map(|(a, b)| (a - b).abs());
-    let largest = differences.fold(0.0, f32::max);
+    let largest = differences.max_by(f32::total_cmp).unwrap_or(f32::NAN);
     if largest == 0.0 { 0.0 } else { f64::from(largest / brightest) }
 }

@@ -1,5 +1,5 @@
 //! A scene that has everything: mirrors, textures of every kind, transparent surfaces, meshes that are
-//! placed in the world, flat and smooth ones, spheres, shapes and lights of known kinds and of one's own.
+//! placed in the world, flat and smooth ones, spheres, shapes and lights of known kinds and custom ones.
 
 use glam::{DVec3, Vec3, dvec3};
 use renderer::transport::transform::unplace;

@@ -168,7 +168,7 @@ fn looking_for_emitters_changes_nothing_but_noise() {
         width: 1,
         height: 1,
         wrap: Wrap::Repeat,
-        texels: vec![[1.0; 3]],
+        texels: vec![[1.0_f64; 3]].into(),
     };
     let white = scene.add_texture(texture).unwrap();
     for material in &mut scene.materials {
@@ -195,7 +195,9 @@ fn lit_box(size: u32) -> Scene {
     let camera =
         Camera { vfov: 70.0, ..Camera::looking(dvec3(0.1, 0.1, 0.9), dvec3(0.0, -0.1, 0.0)) };
     let mut scene = Scene::new(size, size, camera);
-    let texels = vec![[0.9, 0.5, 0.3], [0.3, 0.8, 0.4], [0.2, 0.4, 0.7], [0.8, 0.6, 0.9]];
+    let texels: Vec<[f64; 3]> =
+        vec![[0.9, 0.5, 0.3], [0.3, 0.8, 0.4], [0.2, 0.4, 0.7], [0.8, 0.6, 0.9]];
+    let texels = texels.into();
     let tiles = Texture { name: "tiles".into(), width: 2, height: 2, wrap: Wrap::Repeat, texels };
     let tiles = scene.add_texture(tiles).unwrap();
     let colors = [dvec3(0.7, 0.2, 0.15), dvec3(0.2, 0.6, 0.25), DVec3::splat(0.75)];

@@ -136,7 +136,7 @@ pub fn textured_parts(size: u32) -> Parts {
                 |channel: u32| 0.3 + 0.6 * f64::from((i * 5 + channel * 3 + i * i) % 7) / 6.0;
             [value(0), value(1), value(2)]
         };
-        let texels = (0..width * height).map(texel).collect();
+        let texels = (0..width * height).map(texel).collect::<Vec<[f64; 3]>>().into();
         parts.textures.push(Texture { name: name.into(), width, height, wrap, texels });
     }
     let [ground, object] = [0, 1].map(|index| parts.materials[index].clone());

@@ -73,16 +73,17 @@ fn image_of_sphere() -> Image {
 /// polygons.
 fn difference(a: &Image, b: &Image, radius: f64) -> (f64, f64) {
     let middle = 0.5 * f64::from(a.width);
-    let (mut sum, mut largest, mut count) = (0.0, 0.0_f64, 0);
+    let mut inside: Vec<f64> = Vec::new();
     for (index, (a, b)) in a.pixels.iter().zip(&b.pixels).enumerate() {
         let (x, y) =
             (index as f64 % (2.0 * middle) + 0.5, (index / (2 * middle as usize)) as f64 + 0.5);
         if (x - middle).hypot(y - middle) < radius * middle {
-            let off_by = f64::from((a[0] - b[0]).abs());
-            (sum, largest, count) = (sum + off_by, largest.max(off_by), count + 1);
+            inside.push(f64::from((a[0] - b[0]).abs()));
         }
     }
-    (sum / f64::from(count), largest)
+    let mean = inside.iter().sum::<f64>() / inside.len() as f64;
+    // In this order no number is larger than any.
+    (mean, inside.into_iter().max_by(f64::total_cmp).unwrap_or(f64::NAN))
 }
 
 /// The silhouette of the sphere has the radius 0.62 in halves of the image.

@@ -31,7 +31,8 @@ fn transparent_textured_scene(size: u32) -> Scene {
 /// [`transparent_textured_scene`] where textures also vary the opacity of everything transparent.
 pub fn varied_parts(size: u32) -> Parts {
     let mut parts = make_transparent(textured_parts(size));
-    let texels = vec![[0.2, 0.5, 0.8], [0.9, 1.0, 0.7], [0.4, 0.1, 0.3], [0.6, 0.6, 0.0]];
+    let texels =
+        vec![[0.2_f64, 0.5, 0.8], [0.9, 1.0, 0.7], [0.4, 0.1, 0.3], [0.6, 0.6, 0.0]].into();
     let holes = Texture { name: "holes".into(), width: 2, height: 2, wrap: Wrap::Mirror, texels };
     parts.textures.push(holes);
     for material in &mut parts.materials[1..] {
@@ -143,7 +144,7 @@ fn opacities_of_1_and_0_are_opaque_and_invisible() {
 #[test]
 fn textures_scale_opacities() {
     let mut white = varied_parts(40);
-    white.textures[3].texels.fill([1.0; 3]);
+    white.textures[3].texels = vec![[1.0_f64; 3]; 4].into();
     let mut plain = white.clone();
     plain
         .materials
@@ -153,7 +154,7 @@ fn textures_scale_opacities() {
     is_same(&white.clone().scene(), &plain, 0.0);
 
     let mut grey = white;
-    grey.textures[3].texels.fill([0.25, 0.5, 0.75]);
+    grey.textures[3].texels = vec![[0.25_f64, 0.5, 0.75]; 4].into();
     for path in ["material.object.opacity", "material.pane.opacity"] {
         multiply(&mut plain, path, 0.5);
     }
@@ -165,7 +166,7 @@ fn textures_scale_opacities() {
 #[test]
 fn light_goes_through_holes() {
     let mut parts = panes_above_a_floor(&[(1.0, 4.0)], 1.0);
-    let (name, texels) = ("half".into(), vec![[1.0; 3], [0.0; 3]]);
+    let (name, texels) = ("half".into(), vec![[1.0_f64; 3], [0.0; 3]].into());
     parts.textures = vec![Texture { name, width: 2, height: 1, wrap: Wrap::Clamp, texels }];
     parts.materials[1] = parts.materials[1].clone().with_texture(Slot::Opacity, 0);
     // The middle of the texture lies above x = 0.

@@ -34,7 +34,7 @@ pub enum Precision {
 }
 
 impl Arithmetic {
-    /// All that this build has.
+    /// All arithmetics that this build has.
     pub const ALL: &[Self] = &[
         #[cfg(feature = "all-lanes")]
         Self::F32,

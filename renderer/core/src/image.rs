@@ -17,7 +17,7 @@ impl Image {
         Self { width, height, pixels: vec![[0.0; 3]; width as usize * height as usize] }
     }
 
-    /// Whether every channel of every pixel is.
+    /// Returns `true` if every channel of every pixel is finite.
     pub fn is_finite(&self) -> bool {
         self.pixels.as_flattened().iter().all(|value| value.is_finite())
     }

@@ -19,8 +19,11 @@ mod primal;
 pub mod render;
 pub mod scene;
 pub mod settings;
+// For the example that compares with a tape at run time.
 #[doc(hidden)]
 pub mod tape;
+// For benches and tests of traversal; scenes are rendered through `render`.
+#[doc(hidden)]
 pub mod trace;
 pub mod transport;
 

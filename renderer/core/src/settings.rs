@@ -16,7 +16,7 @@ pub struct Settings {
     pub build_quality: BuildQuality,
     /// What is shown of surfaces.
     pub pass: Pass,
-    /// Where within pixels rays go.
+    /// Where within pixels camera rays go.
     pub sampling: Sampling,
     /// How many mirrors and transparent surfaces a path has at most, if not as many as the scene says.
     pub bounces: Option<u32>,

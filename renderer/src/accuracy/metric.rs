@@ -19,11 +19,11 @@ pub struct GradientMetric {
 }
 
 impl GradientMetric {
-    /// For gradients by these parameters, one after the other.
+    /// A metric for gradients by these parameters, one after the other.
     pub fn new(scene: &Scene, ids: &[ParameterId]) -> Self {
         let block = |&id: &ParameterId| {
             let scale = scene.natural_scale(id);
-            vec![scale; scene.get(id).len()]
+            vec![scale; scene.count(id)]
         };
         Self { scales: ids.iter().flat_map(block).collect() }
     }

@@ -1,14 +1,14 @@
-//! The accuracy dial: the cheapest settings whose gradient is as accurate as asked.
+//! Accuracy targets: the cheapest settings whose gradient is as accurate as asked.
 //!
-//! [`pick`] tries settings on the scene itself and takes the one with the least [work](Pilot::work)
+//! [`select`] tries settings on the scene itself and takes the one with the least [work](Trial::work)
 //! whose estimated error stays within the accuracy that is asked for. If none does, it takes the most
-//! accurate one and says so ([`Pick::is_within`]).
+//! accurate one and says so ([`Selection::is_within`]).
 //!
 //! The error is that of the whole gradient ([`GradientMetric`]), relative to the gradient in double
-//! precision with all mirrors that the scene asks for. What every setting shares it does not see:
-//! which primitive a ray meets is always decided in single precision, and, without
-//! [edges](crate::Settings::edges), silhouettes and shadow edges that move are missing from every
-//! gradient.
+//! precision with all mirrors that the scene asks for, and with [edges](crate::Settings::edges) wherever
+//! the problem has them. What every setting shares it does not see: which primitive a ray meets is always
+//! decided in single precision, and where edges are turned off, silhouettes and shadow edges that move are
+//! missing from every gradient.
 //!
 //! Rays through pixels are as given, or chosen too ([`Rays`]). Which of it means something depends on
 //! the target. One that the same renderer made from the same rays is matched by these rays exactly,
@@ -18,10 +18,10 @@
 //!
 //! Work is counted, not timed: rays and shaded points, weighted by what the scalar costs. So the same
 //! scene always gets the same settings, and an optimisation that is resumed goes on with those it
-//! began with. Turned down: the time of the pilots, which another program on the machine changes.
+//! began with. Turned down: the time of the trials, which another program on the machine changes.
 
+mod evaluator;
 mod metric;
-mod pilots;
 mod rays;
 mod reference;
 mod sampler;
@@ -32,13 +32,13 @@ mod work;
 
 use std::fmt;
 
+pub(crate) use evaluator::Evaluator;
 pub use metric::GradientMetric;
 #[cfg(feature = "cli")]
 pub(crate) use metric::image_error;
 #[cfg(feature = "cli")]
-pub(crate) use reference::IntegralGradient;
+pub(crate) use reference::{IntegralGradient, grids};
 pub use sampler::Sampler;
-pub(crate) use trials::Trials;
 use work::Work;
 
 use crate::arithmetic::Arithmetic;
@@ -56,7 +56,7 @@ pub struct Setting {
     pub sampling: Sampling,
 }
 
-/// Whether the dial chooses the rays through pixels.
+/// Whether the selection chooses the rays through pixels.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Rays {
     /// They are those of the problem's [settings](Recovery::render_settings), and so are those of the
@@ -91,7 +91,7 @@ impl Setting {
 
 /// A setting that was tried.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Pilot {
+pub struct Trial {
     /// The setting.
     pub setting: Setting,
     /// The estimated relative error of its gradient. If rays were chosen: the root mean square over
@@ -101,19 +101,19 @@ pub struct Pilot {
     pub work: f64,
 }
 
-/// What was picked, and from what.
+/// What was selected, and from what.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Pick {
+pub struct Selection {
     /// The relative error that was asked for.
     pub accuracy: f64,
-    /// What was picked.
-    pub best: Pilot,
+    /// What was selected.
+    pub best: Trial,
     /// All settings that were tried; if rays were chosen, from cheap ones on to the first that is
     /// within.
-    pub pilots: Vec<Pilot>,
+    pub trials: Vec<Trial>,
 }
 
-impl Pick {
+impl Selection {
     /// Whether the estimated error is within what was asked for. If it is not, no setting that was
     /// tried has a smaller one.
     pub fn is_within(&self) -> bool {
@@ -124,26 +124,26 @@ impl Pick {
 /// The cheapest setting whose estimated relative error of the gradient is at most `accuracy`, or the
 /// most accurate one if there is none. `recovery` is the problem; its target should have been
 /// rendered in double precision, if it is rendered at all.
-pub fn pick(recovery: &Recovery<'_>, accuracy: f64, rays: Rays) -> Pick {
+pub fn select(recovery: &Recovery<'_>, accuracy: f64, rays: Rays) -> Selection {
     let metric = GradientMetric::new(recovery.scene(), recovery.ids());
     let work = Work::new(recovery);
-    let mut trials = Trials::new(recovery);
-    let pilots = match rays {
+    let mut evaluator = Evaluator::new(recovery);
+    let trials = match rays {
         Rays::Given => {
-            pilots::pilots(&mut trials, &metric, &work, recovery.render_settings().sampling)
+            trials::trials(&mut evaluator, &metric, &work, recovery.render_settings().sampling)
         }
         Rays::Chosen { sampler, most } => {
-            rays::pilots_with_rays(&mut trials, &metric, &work, (sampler, most), accuracy)
+            rays::trials_with_rays(&mut evaluator, &metric, &work, (sampler, most), accuracy)
         }
     };
-    let within = pilots.iter().filter(|pilot| pilot.error <= accuracy);
+    let within = trials.iter().filter(|trial| trial.error <= accuracy);
     let cheapest = within.min_by(|a, b| a.work.total_cmp(&b.work));
-    let best = cheapest.or(most_accurate(&pilots)).expect("there is always a setting").clone();
-    Pick { accuracy, best, pilots }
+    let best = cheapest.or(most_accurate(&trials)).expect("there is always a setting").clone();
+    Selection { accuracy, best, trials }
 }
 
-fn most_accurate(pilots: &[Pilot]) -> Option<&Pilot> {
-    pilots.iter().min_by(|a, b| a.error.total_cmp(&b.error))
+fn most_accurate(trials: &[Trial]) -> Option<&Trial> {
+    trials.iter().min_by(|a, b| a.error.total_cmp(&b.error))
 }
 
 impl fmt::Display for Setting {
@@ -161,10 +161,10 @@ impl fmt::Display for Setting {
     }
 }
 
-/// What was picked and why, one line for each setting that was tried.
-impl fmt::Display for Pick {
+/// What was selected and why, one line for each setting that was tried.
+impl fmt::Display for Selection {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { accuracy, best, pilots } = self;
+        let Self { accuracy, best, trials } = self;
         match self.is_within() {
             true => writeln!(
                 f,
@@ -177,8 +177,8 @@ impl fmt::Display for Pick {
                 best.setting, best.error
             )?,
         }
-        for (index, Pilot { setting, error, work }) in pilots.iter().enumerate() {
-            let end = if index + 1 < pilots.len() { "\n" } else { "" };
+        for (index, Trial { setting, error, work }) in trials.iter().enumerate() {
+            let end = if index + 1 < trials.len() { "\n" } else { "" };
             let relative = work / best.work;
             write!(
                 f,

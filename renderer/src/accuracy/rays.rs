@@ -6,17 +6,20 @@
 //! reference with all mirrors, in double precision, so that what mirrors and rounding bring is in it
 //! too. Settings are tried from the cheapest on, but for those that cannot be enough by what is known of
 //! fewer rays; and with as few seeds as tell that they are within the accuracy or not.
+//!
+//! Gradients that see edges have regular grids and no seeds. Their reference is a grid so fine that the
+//! next coarser one gives nearly the same.
 
-use super::reference::IntegralGradient;
+use super::reference::{IntegralGradient, grids};
 use super::work::Work;
-use super::{GradientMetric, Kind, Pilot, Sampler, Setting, Trials, most_accurate, pilots};
-use crate::settings::{GradientSamples, Samples};
+use super::{Evaluator, GradientMetric, Kind, Sampler, Setting, Trial, most_accurate, trials};
+use crate::settings::{GradientSamples, Samples, Sampling};
 
 /// More rays in an image are not tried: a gradient would take about a second.
 const MOST_IN_IMAGE: u64 = 1 << 24;
 
 /// The rays on which mirrors and precisions are compared.
-const RAYS_OF_PILOTS: u32 = 4;
+const RAYS_OF_TRIALS: u32 = 4;
 
 /// So many seeds may tell whether a setting is within the accuracy; if they do not, so many more.
 const SEEDS: [u32; 4] = [8, 16, 32, 64];
@@ -26,39 +29,52 @@ const TAKEN: f64 = 3.0;
 const LEFT: f64 = 1.5;
 
 /// What settings are worth, from the cheapest on to the first that is within the accuracy.
-pub(super) fn pilots_with_rays(
-    trials: &mut Trials<'_>,
+pub(super) fn trials_with_rays(
+    evaluator: &mut Evaluator<'_>,
     metric: &GradientMetric,
     work: &Work,
     (sampler, most): (Sampler, u32),
     accuracy: f64,
-) -> Vec<Pilot> {
-    let scene = trials.recovery().scene();
+) -> Vec<Trial> {
+    let scene = evaluator.recovery().scene();
     let pixels = u64::from(scene.width) * u64::from(scene.height);
     let most = most.min((MOST_IN_IMAGE / pixels.max(1)) as u32).max(1);
-    let reference =
-        IntegralGradient::within(trials, metric, sampler, work.most_bounces(), most, accuracy);
-    let mut counts = sampler.counts(most);
+    let bounces = work.most_bounces();
+    let (reference, mut samplings): (_, Vec<Sampling>) = match evaluator.has_edges() {
+        true => {
+            let reference = IntegralGradient::of_grids(evaluator, metric, bounces, most, accuracy);
+            (reference, grids(most).collect())
+        }
+        false => {
+            let reference =
+                IntegralGradient::within(evaluator, metric, sampler, bounces, most, accuracy);
+            let counts = sampler.counts(most).into_iter();
+            (reference, counts.map(|count| sampler.sampling(count)).collect())
+        }
+    };
     if reference.error > accuracy {
         // It has more rays than any setting: the most are still too few.
-        counts.drain(..counts.len() - 1);
+        samplings.drain(..samplings.len() - 1);
     }
-    let kinds = pilots::kinds(work);
-    let mut settings: Vec<Setting> = counts
+    let kinds = trials::kinds(work);
+    let mut settings: Vec<Setting> = samplings
         .into_iter()
-        .flat_map(|count| kinds.iter().map(move |kind| (kind, sampler.sampling(count))))
+        .flat_map(|sampling| kinds.iter().map(move |kind| (kind, sampling)))
         .map(|(&(arithmetic, bounces), sampling)| Setting { arithmetic, bounces, sampling })
         .collect();
     settings.sort_by(|a, b| work.of(a).total_cmp(&work.of(b)));
     let mut worth = None;
-    let mut pilots = Vec::new();
+    let mut trials = Vec::new();
     let mut tried = Vec::new();
     for setting in settings {
         // A ray through the middle is one gradient, so there is no need to guess.
         if setting.sampling.count() > 1 {
             let worth = worth.get_or_insert_with(|| {
-                let shared = sampler.sampling(RAYS_OF_PILOTS.min(most));
-                worth_trying(pilots::pilots(trials, metric, work, shared), accuracy)
+                let shared = match setting.sampling {
+                    grid @ Sampling::Grid(_) => grid,
+                    _ => sampler.sampling(RAYS_OF_TRIALS.min(most)),
+                };
+                worth_trying(trials::trials(evaluator, metric, work, shared), accuracy)
             });
             if !worth.contains(&setting.kind())
                 || tried.iter().any(|tried| rules_out(tried, &setting, accuracy))
@@ -66,14 +82,14 @@ pub(super) fn pilots_with_rays(
                 continue;
             }
         }
-        let estimate = estimate(trials, metric, &reference, &setting, sampler, accuracy);
-        pilots.push(Pilot { setting, error: estimate.error, work: work.of(&setting) });
+        let estimate = estimate(evaluator, metric, &reference, &setting, sampler, accuracy);
+        trials.push(Trial { setting, error: estimate.error, work: work.of(&setting) });
         if estimate.error <= accuracy {
             break;
         }
         tried.push((setting, estimate));
     }
-    pilots
+    trials
 }
 
 /// Whether a setting that was tried tells that another one, which differs in the number of rays alone,
@@ -89,18 +105,18 @@ fn rules_out((tried, estimate): &(Setting, Estimate), other: &Setting, accuracy:
 /// Which precisions and numbers of mirrors can be within the accuracy, the cheapest first; those left
 /// out that come closer than cheaper ones by less than a tenth of the accuracy. The most accurate if
 /// there is none.
-fn worth_trying(mut pilots: Vec<Pilot>, accuracy: f64) -> Vec<Kind> {
-    pilots.sort_by(|a, b| a.work.total_cmp(&b.work));
+fn worth_trying(mut trials: Vec<Trial>, accuracy: f64) -> Vec<Kind> {
+    trials.sort_by(|a, b| a.work.total_cmp(&b.work));
     let mut closest = f64::INFINITY;
     let mut kinds = Vec::new();
-    for pilot in pilots.iter().filter(|pilot| pilot.error <= accuracy) {
-        if pilot.error < closest - accuracy / 10.0 {
-            closest = pilot.error;
-            kinds.push(pilot.setting.kind());
+    for trial in trials.iter().filter(|trial| trial.error <= accuracy) {
+        if trial.error < closest - accuracy / 10.0 {
+            closest = trial.error;
+            kinds.push(trial.setting.kind());
         }
     }
     if kinds.is_empty() {
-        kinds.extend(most_accurate(&pilots).map(|pilot| pilot.setting.kind()));
+        kinds.extend(most_accurate(&trials).map(|trial| trial.setting.kind()));
     }
     kinds
 }
@@ -114,7 +130,7 @@ struct Estimate {
 }
 
 fn estimate(
-    trials: &mut Trials<'_>,
+    evaluator: &mut Evaluator<'_>,
     metric: &GradientMetric,
     reference: &IntegralGradient,
     setting: &Setting,
@@ -123,8 +139,8 @@ fn estimate(
 ) -> Estimate {
     let count = setting.sampling.count();
     let mut error =
-        |setting: &Setting| metric.error(&trials.gradient(setting), &reference.gradient);
-    if count == 1 {
+        |setting: &Setting| metric.error(&evaluator.gradient(setting), &reference.gradient);
+    if count == 1 || matches!(setting.sampling, Sampling::Grid(_)) {
         let error = error(setting);
         return Estimate { error: error.hypot(reference.error), at_least: 0.0 };
     }

@@ -1,28 +1,39 @@
 //! The gradient of pixels that are integrals.
 
-use super::{GradientMetric, Sampler, Setting, Trials};
+use super::{Evaluator, GradientMetric, Sampler, Setting};
 use crate::arithmetic::{Arithmetic, Precision};
-use crate::settings::{GradientSamples, Samples};
+use crate::settings::{GradientSamples, Samples, Sampling};
+
+/// The regular grids that are tried where gradients see edges: how many rays stand side by side.
+const SIDES: [u32; 8] = [1, 2, 3, 4, 6, 8, 12, 16];
 
 /// Gradients whose mean the reference is.
 const SEEDS: u32 = 8;
 /// Where pixels show edges, the noise of even samples falls with this power of their number.
 const RATE: f64 = 0.75;
 
-/// The gradient of pixels that are integrals, as well as it is known: the mean over several seeds,
-/// with rays for the derivative of the radiance that are not those of the radiance. So it has no
-/// bias if the loss is a square, and less than any number of rays that is measured if it is not.
+/// The gradient of pixels that are integrals, as well as it is known.
+///
+/// Without edges it is the mean over several seeds, with rays for the derivative of the radiance that
+/// are not those of the radiance. So it has no bias if the loss is a square, and less than any number of
+/// rays that is measured if it is not. With edges it is that of a fine regular grid.
 pub(crate) struct IntegralGradient {
     pub gradient: Vec<f64>,
-    /// Its relative standard error.
+    /// Its relative standard error; of a grid: how far it is from that of the next coarser grid, and
+    /// infinite if there is none.
     pub error: f64,
+}
+
+/// The regular grids of at most so many rays.
+pub(crate) fn grids(most_rays: u32) -> impl Iterator<Item = Sampling> {
+    SIDES.into_iter().filter(move |side| side.pow(2) <= most_rays).map(Sampling::Grid)
 }
 
 impl IntegralGradient {
     /// With about as many rays as it takes to be off by a quarter of the accuracy, but no more than
     /// `most_rays` through each pixel for a seed.
     pub fn within(
-        trials: &mut Trials<'_>,
+        evaluator: &mut Evaluator<'_>,
         metric: &GradientMetric,
         sampler: Sampler,
         bounces: u32,
@@ -33,7 +44,7 @@ impl IntegralGradient {
         let mut index = 0;
         loop {
             let count = counts[index];
-            let reference = Self::new(trials, metric, sampler, bounces, count);
+            let reference = Self::new(evaluator, metric, sampler, bounces, count);
             let excess = 4.0 * reference.error / accuracy;
             if excess <= 1.0 || index + 1 == counts.len() {
                 return reference;
@@ -44,9 +55,31 @@ impl IntegralGradient {
         }
     }
 
-    /// With so many rays through each pixel for a seed.
+    /// Of edges, too: from regular grids, each finer than the one before, until two differ by a quarter of
+    /// the accuracy or the next one has more than `most_rays` through a pixel.
+    pub fn of_grids(
+        evaluator: &mut Evaluator<'_>,
+        metric: &GradientMetric,
+        bounces: u32,
+        most_rays: u32,
+        accuracy: f64,
+    ) -> Self {
+        let arithmetic = Arithmetic::fastest(Precision::F64);
+        let mut finest = Self { gradient: vec![0.0; metric.count()], error: f64::INFINITY };
+        for (index, sampling) in grids(most_rays).enumerate() {
+            let gradient = evaluator.gradient(&Setting { arithmetic, bounces, sampling });
+            let moved = metric.error(&finest.gradient, &gradient);
+            finest = Self { gradient, error: if index == 0 { f64::INFINITY } else { moved } };
+            if 4.0 * finest.error <= accuracy {
+                break;
+            }
+        }
+        finest
+    }
+
+    /// A reference with so many rays through each pixel for each seed.
     pub fn new(
-        trials: &mut Trials<'_>,
+        evaluator: &mut Evaluator<'_>,
         metric: &GradientMetric,
         sampler: Sampler,
         bounces: u32,
@@ -59,7 +92,7 @@ impl IntegralGradient {
                 let samples = Samples { count, seed, gradient: GradientSamples::Independent };
                 let arithmetic = Arithmetic::fastest(Precision::F64);
                 let setting = Setting { arithmetic, bounces, sampling: sampler.random(samples) };
-                trials.gradient(&setting)
+                evaluator.gradient(&setting)
             })
             .collect();
         let seeds = f64::from(SEEDS);

@@ -2,7 +2,7 @@
 
 use crate::settings::{GradientSamples, Samples, Sampling};
 
-/// Where in a pixel rays go, if there are several.
+/// Where in a pixel its rays go, if there are several.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "cli", derive(clap::ValueEnum))]
 pub enum Sampler {
@@ -13,7 +13,7 @@ pub enum Sampler {
 }
 
 impl Sampler {
-    /// Both.
+    /// Both samplers.
     pub const ALL: [Self; 2] = [Self::Stratified, Self::Sobol];
 
     /// A word for it.
@@ -24,7 +24,7 @@ impl Sampler {
         }
     }
 
-    /// So many rays through each pixel; a single one goes through its middle.
+    /// The sampling of `count` rays through each pixel; a single one goes through its middle.
     pub fn sampling(self, count: u32) -> Sampling {
         match count {
             1 => Sampling::Center,

@@ -1,38 +1,36 @@
-//! Gradients of one problem in many settings.
+//! What precision and mirrors are worth, tried on the scene.
 
-use super::Setting;
-use crate::arithmetic::Arithmetic;
-use crate::optimize::Objective;
-use crate::recovery::{ImageObjective, Recovery};
-use crate::settings::Settings;
+use super::work::Work;
+use super::{Evaluator, GradientMetric, Kind, Setting, Trial};
+use crate::arithmetic::{Arithmetic, Precision};
+use crate::settings::Sampling;
 
-/// A problem as it stands, prepared once for each scalar that its gradient is computed in.
-pub(crate) struct Trials<'a> {
-    recovery: &'a Recovery<'a>,
-    x: Vec<f64>,
-    prepared: Vec<(Arithmetic, ImageObjective<'a>)>,
+/// How much less double precision rounds than single, with some room for sums that cancel.
+const ROUNDING: f64 = 16.0 * f64::EPSILON / f32::EPSILON as f64;
+
+/// Each precision with every number of mirrors up to the scene's.
+pub(super) fn kinds(work: &Work) -> Vec<Kind> {
+    let precisions = [Precision::F32, Precision::F64].into_iter();
+    let bounces = move |arithmetic| (0..=work.most_bounces()).map(move |count| (arithmetic, count));
+    precisions.map(Arithmetic::fastest).flat_map(bounces).collect()
 }
 
-impl<'a> Trials<'a> {
-    pub fn new(recovery: &'a Recovery<'a>) -> Self {
-        Self { recovery, x: recovery.initial(), prepared: Vec::new() }
-    }
-
-    pub fn recovery(&self) -> &'a Recovery<'a> {
-        self.recovery
-    }
-
-    /// The gradient in a setting.
-    pub fn gradient(&mut self, setting: &Setting) -> Vec<f64> {
-        let &Setting { arithmetic, bounces, sampling } = setting;
-        let known = self.prepared.iter().position(|(of, _)| *of == arithmetic);
-        let index = known.unwrap_or_else(|| {
-            let settings = Settings { arithmetic, ..*self.recovery.render_settings() };
-            self.prepared.push((arithmetic, ImageObjective::new(self.recovery, &settings)));
-            self.prepared.len() - 1
-        });
-        let (_, objective) = &mut self.prepared[index];
-        objective.resample(sampling, bounces);
-        objective.evaluate(&self.x).gradient
-    }
+/// Tries all [`kinds`] on the same rays.
+pub(super) fn trials(
+    evaluator: &mut Evaluator<'_>,
+    metric: &GradientMetric,
+    work: &Work,
+    sampling: Sampling,
+) -> Vec<Trial> {
+    let exact = |arithmetic| Setting { arithmetic, bounces: work.most_bounces(), sampling };
+    let reference = evaluator.gradient(&exact(Arithmetic::F64x8));
+    // What single precision is off by is rounding; double precision has less by the ratio of theirs.
+    let single = metric.error(&evaluator.gradient(&exact(Arithmetic::F32x16)), &reference);
+    let rounding = ROUNDING * single;
+    let trial = |(arithmetic, bounces)| {
+        let setting = Setting { arithmetic, bounces, sampling };
+        let error = metric.error(&evaluator.gradient(&setting), &reference).max(rounding);
+        Trial { setting, error, work: work.of(&setting) }
+    };
+    kinds(work).into_iter().map(trial).collect()
 }

@@ -36,7 +36,7 @@ impl Work {
         Self(work)
     }
 
-    /// As many mirrors as show anything.
+    /// The number of mirrors on a path beyond which nothing is seen.
     pub fn most_bounces(&self) -> u32 {
         self.0.len() as u32 - 1
     }

@@ -60,7 +60,7 @@ pub(super) fn run(arguments: &Arguments, arithmetic: Arithmetic) -> Result<(), E
     }
 
     let triangles: usize = scene.meshes.iter().map(|mesh| mesh.triangles.len()).sum();
-    let derivatives: usize = ids.iter().map(|&id| scene.get(id).len()).sum();
+    let derivatives: usize = ids.iter().map(|&id| scene.count(id)).sum();
     print(format_args!(
         "{}: {triangles} triangles, {} spheres, {} lights, {} x {} pixels, {derivatives} derivatives; {:?} on {} threads",
         arguments.scene.display(),

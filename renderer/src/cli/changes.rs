@@ -66,7 +66,7 @@ pub(super) fn assignment(scene: &Scene, change: &str) -> Result<(ParameterId, Ve
     };
     let values = values.trim().trim_start_matches('[').trim_end_matches(']');
     let mut values: Vec<f64> = values.split(',').map(number).collect::<Result<_, _>>()?;
-    let count = scene.get(id).len();
+    let count = scene.count(id);
     if values.len() == 1 {
         values = vec![values[0]; count];
     }

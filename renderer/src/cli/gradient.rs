@@ -5,7 +5,7 @@ use std::process::ExitCode;
 use serde_json::{Map, Value};
 
 use super::Problem;
-use super::dial::Dial;
+use super::accuracy::AccuracyArguments;
 use super::output::{json_numbers, print, print_note, print_warning, short};
 use crate::Error;
 use crate::arithmetic::Arithmetic;
@@ -20,7 +20,7 @@ pub(super) struct Arguments {
     problem: Problem,
 
     #[command(flatten)]
-    dial: Dial,
+    accuracy: AccuracyArguments,
 
     /// Compare with finite differences: of the loss in double precision, or of finely sampled images where
     /// a parameter moves edges. Ends with exit code 1 if a parameter is off by more than the tolerance
@@ -29,7 +29,7 @@ pub(super) struct Arguments {
 
     /// By how much a gradient may be off, relative to its norm
     #[arg(long, value_name = "E", default_value_t = 0.02, requires = "check",
-          value_parser = super::dial::accuracy)]
+          value_parser = super::accuracy::accuracy)]
     tolerance: f64,
 
     /// Print an object: path -> numbers; with --check also `check`, an object: path -> relative error
@@ -40,7 +40,7 @@ pub(super) struct Arguments {
 /// Prints the gradient; returns whether it holds what is asked of it.
 pub(super) fn run(arguments: &Arguments, chosen: Option<Arithmetic>) -> Result<ExitCode, Error> {
     let experiment = arguments.problem.load()?;
-    let recovery = arguments.dial.recovery(&arguments.problem, &experiment, chosen)?;
+    let recovery = arguments.accuracy.recovery(&arguments.problem, &experiment, chosen)?;
     let scene = &experiment.scene;
     let Evaluation { loss, gradient } = recovery.evaluate()?;
     recovery.left_out().iter().for_each(print_warning);
@@ -50,7 +50,7 @@ pub(super) fn run(arguments: &Arguments, chosen: Option<Arithmetic>) -> Result<E
         .ids()
         .iter()
         .map(|&id| {
-            let (block, others) = rest.split_at(scene.get(id).len());
+            let (block, others) = rest.split_at(scene.count(id));
             rest = others;
             (id, block)
         })

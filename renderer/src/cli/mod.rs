@@ -1,10 +1,10 @@
 //! The command line: arguments in, files and tables out.
 
+mod accuracy;
 mod bench;
 mod changes;
 mod demo;
 mod derivative;
-mod dial;
 mod gradient;
 mod init;
 mod interrupt;

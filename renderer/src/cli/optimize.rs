@@ -6,7 +6,7 @@ use std::time::Duration;
 
 use serde_json::Map;
 
-use super::dial::Dial;
+use super::accuracy::AccuracyArguments;
 use super::interrupt::Interruptible;
 use super::out_folder::{SUMMARY_FILE, check_out_folder, lock, remove_earlier_results};
 use super::output::{abbreviate, print, print_note, print_warning, short};
@@ -29,7 +29,7 @@ pub(super) struct Arguments {
     problem: Problem,
 
     #[command(flatten)]
-    dial: Dial,
+    accuracy: AccuracyArguments,
 
     /// Folder for the results [default: out/NAME-OF-SCENE]
     #[arg(long, value_name = "DIR")]
@@ -78,7 +78,7 @@ pub(super) fn run(arguments: &Arguments, chosen: Option<Arithmetic>) -> Result<E
         _ => None,
     };
     check_out_folder(&out, [Some(scene_path.as_path()), target].into_iter().flatten())?;
-    let recovery = arguments.dial.recovery(&arguments.problem, &experiment, chosen)?;
+    let recovery = arguments.accuracy.recovery(&arguments.problem, &experiment, chosen)?;
     let outcome = recover(&experiment, &recovery, &out, arguments.resume)?;
     recovery.left_out().iter().for_each(print_warning);
     print(report(&recovery, &outcome, &out))?;
@@ -157,14 +157,14 @@ pub(super) fn recover(
     save_png(&image, &out.join("final.png"))?;
     let mut extra = Map::new();
     if let Some(difference) = recovery.difference(&image) {
-        save_png(&difference, &out.join("difference.png"))?;
-        extra.insert("largest_difference".to_owned(), record::largest(&difference));
+        let largest = record::save_difference(difference, out)?;
+        extra.insert("largest_difference".to_owned(), largest);
     }
     save_scene(&recovered, out)?;
     extra.extend([
         ("settings".to_owned(), record::settings(recovery, &settings)),
         ("strip".to_owned(), save_strip(recovery, &outcome.trajectory, out)?),
-        ("textures".to_owned(), record::save_textures(recovery, &recovered, out)?),
+        ("pictures".to_owned(), record::save_pictures(recovery, &recovered, out)?),
     ]);
     write_report(out, recovery.variables(), &outcome, extra)?;
     Ok(outcome)

@@ -22,7 +22,7 @@ impl SamplingArguments {
         self.sampler.sampling(self.samples.unwrap_or(1))
     }
 
-    /// Whether the number of rays was left open.
+    /// Returns `true` if the number of rays through each pixel was left open.
     pub fn is_open(&self) -> bool {
         self.samples.is_none()
     }

@@ -11,9 +11,9 @@ use crate::experiment::{Experiment, Target};
 use crate::recovery::Recovery;
 use crate::settings::{Edges, Settings};
 use crate::tradeoff::{
-    Curve, Measurement, SamplingRuns, ScheduleRun, Titles, Tradeoff, best_step, csv, curves_svg,
-    measure, measure_sampling, measure_schedules, sampling_csv, sampling_curves, sampling_table,
-    steps, table, tradeoff_svg,
+    Curve, EdgeRuns, Measurement, SamplingRuns, ScheduleRun, Titles, Tradeoff, best_step, csv,
+    curves_svg, edge_csv, edge_table, measure, measure_edges, measure_sampling, measure_schedules,
+    sampling_csv, sampling_curves, sampling_table, steps, table, tradeoff_svg,
 };
 
 #[derive(clap::Args)]
@@ -57,11 +57,16 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Error> {
     ))?;
     let tradeoff = measure(&recovery, arguments.seconds);
     print_tradeoff(&recovery, &tradeoff)?;
+    let edges = measure_edges(&recovery);
+    if let Some(edges) = &edges {
+        print(edge_table(edges))?;
+    }
     let samplings = measure_sampling(&recovery);
     print(sampling_table(&samplings))?;
     let runs = measure_schedules(&recovery, &recovery.settings())?;
     print_schedules(&runs)?;
-    save(&out, &stem(&arguments.problem.scene), &tradeoff.measurements, &samplings, &runs)?;
+    let name = stem(&arguments.problem.scene);
+    save(&out, &name, &tradeoff.measurements, edges.as_ref(), &samplings, &runs)?;
     print(format_args!("table and plots in {}", out.display()))
 }
 
@@ -77,7 +82,7 @@ fn print_tradeoff(recovery: &Recovery<'_>, tradeoff: &Tradeoff) -> Result<(), Er
     }
     if recovery.ids().iter().any(|id| id.moves_edges()) {
         print(
-            "Differences also see silhouettes and shadow edges move; the reference is the interior term, without edges.",
+            "Here the reference is the interior term, without edges, as all engines have it; differences also see edges move.",
         )?;
     }
     remarks.iter().try_for_each(print)
@@ -100,6 +105,7 @@ fn save(
     out: &Path,
     name: &str,
     measurements: &[Measurement],
+    edges: Option<&EdgeRuns>,
     samplings: &SamplingRuns,
     runs: &[ScheduleRun],
 ) -> Result<(), Error> {
@@ -108,6 +114,9 @@ fn save(
         write_atomically(&out.join(format!("{name}{suffix}")), text.as_bytes())
     };
     write(".csv", &csv(measurements))?;
+    if let Some(edges) = edges {
+        write("-edges.csv", &edge_csv(edges))?;
+    }
     let caption = format!("{name}: the time of a gradient against its error");
     write(".svg", &tradeoff_svg(&caption, measurements)?)?;
     let titles = Titles {

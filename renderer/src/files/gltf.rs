@@ -21,13 +21,13 @@ mod texture_tests;
 use std::path::Path;
 
 use super::meshes::FileNormals;
-use super::model::Model;
+use super::meshes::Model;
 use super::names::Names;
 use super::names::{clean_name, file_stem};
-use super::warnings::Warnings;
 use crate::Error;
 use crate::disk::read;
 use crate::scene::{Camera, Light, Mesh};
+use crate::warning::Warnings;
 use buffers::Buffers;
 use document::Document;
 use materials::Materials;
@@ -36,7 +36,7 @@ use nodes::PlacedNode;
 /// What a glTF file holds.
 #[derive(Clone, Debug, PartialEq)]
 pub struct GltfFile {
-    /// Its meshes, one for each node that shows one, placed in the world.
+    /// The meshes of the file, one for each node that shows one, placed in the world.
     pub model: Model,
     /// The first camera of the scene, and the width of its image over the height, if it says.
     pub camera: Option<(Camera<f64>, Option<f64>)>,
@@ -53,7 +53,7 @@ pub struct GltfFile {
 /// - The base colour of a material is the diffuse albedo, and what it emits the emission, each
 ///   with its texture: PNG or JPEG, embedded or in files; any set of texture coordinates, moved by
 ///   `KHR_texture_transform`; wrapped as the sampler says, along v as along u. An image whose file is
-///   missing is warned of, and counts as white. Primitives without a material wear
+///   missing is warned of, and counts as white. Primitives without a material have
 ///   [`DEFAULT_MATERIAL`](super::DEFAULT_MATERIAL).
 /// - The alpha of a base colour, with that of its texture, is the opacity where the alpha mode is `BLEND`;
 ///   where that is `MASK`, it is 1 from the cutoff on and 0 below, by texel. Where it is `OPAQUE`, alpha is
@@ -61,8 +61,9 @@ pub struct GltfFile {
 /// - Metalness, roughness and other textures, colours of vertices, points and lines, skins, morph
 ///   targets, animations and extensions that are not required are left out with a warning.
 /// - The first camera counts; it has to be a perspective one.
-/// - Lights are those of `KHR_lights_punctual`, without a range; spot lights are refused. Candela
-///   and lux are taken as watts per steradian and per square metre.
+/// - A material of `KHR_materials_unlit` emits its base colour and reflects nothing.
+/// - Lights are those of `KHR_lights_punctual`, without a range. Candela and lux are taken as watts per
+///   steradian and per square metre.
 ///
 /// # Errors
 ///

@@ -21,7 +21,7 @@ mod tests;
 /// An image from a file.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LoadedImage {
-    /// Its pixels.
+    /// The pixels of the image.
     pub image: Image,
     /// Whether the file cannot hold values above 1 (PNG and JPEG): there, a channel that is 1 may
     /// have been brighter when the picture was taken.

@@ -7,8 +7,8 @@
 #[cfg(feature = "gltf")]
 mod gltf;
 pub mod images;
+mod load;
 mod meshes;
-mod model;
 mod names;
 mod obj;
 #[cfg(feature = "ply")]
@@ -18,14 +18,16 @@ mod robustness;
 mod scene_file;
 #[cfg(feature = "stl")]
 mod stl;
-mod warnings;
 
 pub use crate::warning::Warning;
 #[cfg(feature = "gltf")]
 pub use gltf::{GltfFile, load_gltf};
 pub use images::{LoadedImage, check_image_path, load_image, save_exr, save_image, save_png};
-pub use meshes::{FileNormals, MeshFormat, load_mesh, load_mesh_with};
-pub use model::{DEFAULT_MATERIAL, Model, ModelMaps, ModelMaterial, TextureImage, TextureSource};
+pub use load::{load_mesh, load_mesh_with};
+pub use meshes::{
+    DEFAULT_MATERIAL, FileNormals, MeshFormat, Model, ModelMaps, ModelMaterial, TextureImage,
+    TextureSource,
+};
 pub use obj::{load_obj, save_obj};
 #[cfg(feature = "ply")]
 pub use ply::load_ply;

@@ -30,13 +30,13 @@ mod tests;
 use std::path::Path;
 
 use super::meshes::FileNormals;
-use super::model::{DEFAULT_MATERIAL, Model, ModelMaps, ModelMaterial};
+use super::meshes::{DEFAULT_MATERIAL, Model, ModelMaps, ModelMaterial};
 use super::names::file_stem;
-use super::warnings::Warnings;
 use crate::Error;
 use crate::Warning;
 use crate::disk::read_text;
 use crate::scene::Material;
+use crate::warning::Warnings;
 use meshes::meshes;
 use mtl::Library;
 use prepare::prepare;
@@ -51,7 +51,7 @@ pub use write::save_obj;
 ///   object leave it one mesh.
 /// - Polygons are cut into triangles, concave ones too. Normals (`vn`) are read by
 ///   [`load_mesh_with`](super::load_mesh_with) alone; smoothing groups are not used.
-/// - Faces before any `usemtl` wear [`DEFAULT_MATERIAL`].
+/// - Faces before any `usemtl` have [`DEFAULT_MATERIAL`].
 ///
 /// Of a material library:
 ///
@@ -95,7 +95,7 @@ pub(super) fn read_obj(path: &Path, normals: FileNormals) -> Result<Model, Error
     drop(text);
 
     let mut warnings = warnings.finish();
-    // Colours matter only where a face wears them.
+    // Colours matter only where a face has them.
     let mut library = Library::default();
     if prepared.materials.iter().any(|(name, _)| name != DEFAULT_MATERIAL) {
         let folder = path.parent().unwrap_or(Path::new(""));

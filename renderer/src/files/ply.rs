@@ -14,25 +14,26 @@ use std::path::Path;
 
 use glam::DVec3;
 
+use super::meshes::Model;
 use super::meshes::{
     FileNormals, MeshBuilder, Triangles, check_normal, default_model, triangulate,
 };
-use super::model::Model;
 use super::names::file_stem;
-use super::warnings::Warnings;
 use crate::Error;
 use crate::disk::read;
+use crate::warning::Warnings;
 use header::{Element, Header};
 use source::{Kind, Source};
 
 /// Reads a PLY file: one mesh, named after the file.
 ///
 /// - Vertices are the properties `x`, `y` and `z` of the element `vertex`; faces the list
-///   `vertex_indices` (or `vertex_index`) of the element `face`.
+///   `vertex_indices` (or `vertex_index`) of the element `face`, or strips of triangles that list of
+///   the element `tristrips`.
 /// - The properties `u` and `v` of a vertex (or `s` and `t`, `texture_u` and `texture_v`) are its
 ///   texture coordinates; a scene file may give the mesh a material with a texture.
 /// - Polygons are cut into triangles, concave ones too. A vertex that no face uses is left out.
-/// - All triangles wear [`DEFAULT_MATERIAL`](super::DEFAULT_MATERIAL).
+/// - All triangles have [`DEFAULT_MATERIAL`](super::DEFAULT_MATERIAL).
 /// - Colours, texture coordinates of faces, the comment `TextureFile` and other elements are left out
 ///   with a warning; whatever else there is without one. Normals of vertices (`nx`, `ny`, `nz`) are read
 ///   by [`load_mesh_with`](super::load_mesh_with) alone.
@@ -114,6 +115,8 @@ fn contents(
                 }
                 "face" => face(element, &mut source, announced)
                     .map(|face| contents.faces.extend(face.map(|face| (row, face)))),
+                "tristrips" => strips(element, &mut source, announced)
+                    .map(|triangles| contents.faces.extend(triangles.map(|face| (row, face)))),
                 _ => skip(element, &mut source),
             };
             read.map_err(|problem| {
@@ -170,21 +173,50 @@ fn face(
     source: &mut Source<'_>,
     vertices: u64,
 ) -> Result<Option<Vec<u32>>, String> {
-    let mut face = None;
+    let corners = indices(&corner_list(element, source)?, vertices)?;
+    Ok((corners.len() >= 3).then_some(corners))
+}
+
+/// The triangles of strips, one after the other in a list, each ended by -1. Every second triangle of a
+/// strip turns the other way; those of less than three corners lead from one part of it to the next.
+fn strips(
+    element: &Element,
+    source: &mut Source<'_>,
+    vertices: u64,
+) -> Result<impl Iterator<Item = Vec<u32>>, String> {
+    let list = corner_list(element, source)?;
+    let strips = list.split(|&index| index == -1.0).map(|strip| indices(strip, vertices));
+    let strips: Vec<Vec<u32>> = strips.collect::<Result<_, _>>()?;
+    Ok(strips.into_iter().flat_map(|strip| {
+        let turned = |(i, t): (usize, &[u32])| match i % 2 {
+            0 => vec![t[0], t[1], t[2]],
+            _ => vec![t[1], t[0], t[2]],
+        };
+        let has_three = |t: &Vec<u32>| t[0] != t[1] && t[1] != t[2] && t[2] != t[0];
+        strip.windows(3).enumerate().map(turned).filter(has_three).collect::<Vec<_>>()
+    }))
+}
+
+/// The list of corners among the properties of an element.
+fn corner_list(element: &Element, source: &mut Source<'_>) -> Result<Vec<f64>, String> {
+    let mut corners = Vec::new();
     for property in &element.properties {
         let values = source.list(property.kind)?;
-        if !header::is_corner_list(property) {
-            continue;
+        if header::is_corner_list(property) {
+            corners = values;
         }
-        let index = |value: f64| {
-            let in_range = value >= 0.0 && value < vertices as f64 && value <= f64::from(u32::MAX);
-            let problem = || format!("names vertex {value} of {vertices}, counted from 0");
-            in_range.then_some(value as u32).ok_or_else(problem)
-        };
-        let corners: Vec<u32> = values.into_iter().map(index).collect::<Result<_, _>>()?;
-        face = (corners.len() >= 3).then_some(corners);
     }
-    Ok(face)
+    Ok(corners)
+}
+
+/// Indices of vertices, all of them in range.
+fn indices(values: &[f64], vertices: u64) -> Result<Vec<u32>, String> {
+    let index = |&value: &f64| {
+        let in_range = value >= 0.0 && value < vertices as f64 && value <= f64::from(u32::MAX);
+        let problem = || format!("names vertex {value} of {vertices}, counted from 0");
+        in_range.then_some(value as u32).ok_or_else(problem)
+    };
+    values.iter().map(index).collect()
 }
 
 fn skip(element: &Element, source: &mut Source<'_>) -> Result<(), String> {

@@ -11,13 +11,13 @@ mod tests;
 use std::collections::HashMap;
 use std::path::Path;
 
+use super::meshes::Model;
 use super::meshes::default_model;
-use super::model::Model;
 use super::names::file_stem;
-use super::warnings::Warnings;
 use crate::Error;
 use crate::disk::read;
 use crate::scene::Mesh;
+use crate::warning::Warnings;
 
 /// The bytes of the header of a binary file, with the number of triangles.
 const HEADER: usize = 84;
@@ -31,7 +31,7 @@ const TRIANGLE: usize = 50;
 /// - Vertices with the same coordinates are one vertex. Normals are not read: the order of the
 ///   vertices says the same. Of the two bytes after each triangle of a binary file, in which some
 ///   programs keep colours, is warned unless they are 0.
-/// - All triangles wear [`DEFAULT_MATERIAL`](super::DEFAULT_MATERIAL).
+/// - All triangles have [`DEFAULT_MATERIAL`](super::DEFAULT_MATERIAL).
 ///
 /// # Errors
 ///

@@ -33,7 +33,7 @@ pub(super) struct State {
     pub best: Option<Point>,
     /// The latest usable evaluation.
     pub last: Option<Point>,
-    /// One entry per usable evaluation.
+    /// The history of the run, one entry for each usable evaluation.
     pub history: Vec<Record>,
     pub trajectory: Trajectory,
     pub stop: Option<Stop>,
@@ -67,7 +67,7 @@ impl State {
         self.history.push(record);
     }
 
-    /// Whether no further iteration was needed when it was written.
+    /// Returns `true` if no further iteration was needed when the checkpoint was written.
     pub fn is_finished(&self) -> bool {
         self.stop.as_ref().is_some_and(|stop| stop.reason != StopReason::Interrupted)
     }

@@ -39,7 +39,7 @@ enum Map {
 }
 
 impl Coordinates {
-    /// For variables, one element after the other.
+    /// Coordinates for the elements of variables, one after the other.
     ///
     /// # Errors
     ///

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-/// One iteration. All numbers are finite.
+/// An iteration in the history of a run. All numbers are finite.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Record {
     /// The number of steps taken before this evaluation.

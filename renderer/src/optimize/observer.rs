@@ -20,7 +20,7 @@ pub trait Observer {
     }
 }
 
-/// One iteration, and how far it has come.
+/// The progress of a run after an iteration.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Step {
     /// The iteration.

@@ -9,7 +9,7 @@ pub struct Outcome {
     pub best: Point,
     /// The latest parameters with a finite loss and gradient.
     pub last: Point,
-    /// One entry per iteration, from 0 on; never empty.
+    /// The history of the run, one entry for each iteration from 0 on; never empty.
     pub history: Vec<Record>,
     /// Some of the points it went through, from the first to the last, evenly spaced; empty if they
     /// have too many numbers to be kept.

@@ -13,7 +13,7 @@ pub const CHECKPOINT_FILE: &str = "checkpoint.json";
 /// How to optimise, and when to stop.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Settings {
-    /// At most so many steps; 0 only evaluates the initial parameters.
+    /// The most steps; 0 only evaluates the initial parameters.
     pub iterations: u64,
     /// Stop when the loss is at most this. At the default 0, a loss that cannot get lower stops.
     pub tolerance: f64,

@@ -52,9 +52,9 @@ pub struct Verdict {
 pub struct Compared {
     /// The number of the parameter; nothing if along a random direction.
     pub element: Option<usize>,
-    /// By the gradient.
+    /// The derivative along the direction, by the gradient.
     pub gradient: f64,
-    /// By differences.
+    /// The derivative along the direction, by finite differences.
     pub difference: f64,
     /// How exactly the difference is known.
     pub uncertainty: f64,

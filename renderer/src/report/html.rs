@@ -5,15 +5,50 @@ use serde_json::Value;
 use super::chart::label;
 
 /// Numbers of a parameter that are shown.
-const MOST_NUMBERS: usize = 12;
+pub(super) const MOST_NUMBERS: usize = 12;
 
-/// The script of the slider over the strip.
-pub(super) const SLIDER: &str = "<script>
-const frames = document.querySelectorAll('#strip .frame');
-document.getElementById('slider').addEventListener('input', event => {
-  frames.forEach((frame, i) => { frame.hidden = i !== event.target.valueAsNumber; });
+/// The one script: it moves the slider over the strip, and shows two images in one place.
+const SCRIPT: &str = "<script>
+const part = name => document.getElementById(name);
+part('slider')?.addEventListener('input', event => {
+  document.querySelectorAll('#strip .frame').forEach((frame, i) => {
+    frame.hidden = i !== event.target.valueAsNumber;
+  });
 });
+if (part('comparison')) {
+  const [below, above] = part('comparison').querySelectorAll('img');
+  below.src = part('image-target').src;
+  above.src = part('image-final').src;
+  part('comparison').hidden = false;
+  const split = () => {
+    above.style.visibility = 'visible';
+    above.style.clipPath = `inset(0 0 0 ${part('split').value}%)`;
+  };
+  let timer;
+  part('split').addEventListener('input', split);
+  part('flicker').addEventListener('change', event => {
+    clearInterval(timer);
+    split();
+    part('split').disabled = event.target.checked;
+    if (event.target.checked) {
+      above.style.clipPath = 'none';
+      timer = setInterval(() => {
+        above.style.visibility = above.style.visibility === 'hidden' ? 'visible' : 'hidden';
+      }, 500);
+    }
+  });
+  split();
+}
 </script>
+";
+
+/// The target, and over it the recovered image, which the script takes from those above.
+pub(super) const COMPARISON: &str = "<div id=\"comparison\" hidden>
+<div class=\"pair\"><img alt=\"target\"><img alt=\"recovered\"></div>
+<input id=\"split\" type=\"range\" min=\"0\" max=\"100\" value=\"50\" aria-label=\"split\">
+<p>Left of the split: the target; right of it: the recovered image.
+<label><input id=\"flicker\" type=\"checkbox\"> one after the other</label></p>
+</div>
 ";
 
 const STYLE: &str = "
@@ -25,7 +60,11 @@ tr { border-bottom: 1px solid #e4e4e4; } th { font-weight: 600; } td { font-vari
 figure { margin: 0; } figcaption { color: #555; font-size: .85rem; }
 .images { display: grid; grid-template-columns: repeat(auto-fit, minmax(13rem, 1fr)); gap: 1rem; }
 img { width: 100%; height: auto; image-rendering: pixelated; background: #000; }
-#strip { max-width: 30rem; } #slider { width: 100%; max-width: 30rem; }
+#strip, #comparison { max-width: 30rem; } #slider, #split { width: 100%; max-width: 30rem; }
+.pair { position: relative; } .pair img { display: block; } .pair img + img { position: absolute; inset: 0; }
+.scale { display: block; height: .6rem; background: linear-gradient(to right, #000, #bcbcbc, #fff); }
+.scale { background: linear-gradient(to right in srgb-linear, #000, #fff); }
+.ends { display: flex; justify-content: space-between; font-size: .85rem; color: #555; }
 section > svg { width: 100%; max-width: 50rem; height: auto; }
 .charts { display: grid; grid-template-columns: repeat(auto-fill, minmax(18rem, 1fr)); gap: 1rem; }
 .charts svg { width: 100%; height: auto; font-size: 11px; }
@@ -41,8 +80,17 @@ pub(super) fn page(title: &str, body: &str) -> String {
         "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
          <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
          <title>{title}</title>\n<style>{STYLE}</style>\n</head>\n<body>\n<h1>{title}</h1>\n\
-         {body}</body>\n</html>\n"
+         {body}{SCRIPT}</body>\n</html>\n"
     )
+}
+
+/// Figures side by side.
+pub(super) fn grid(figures: &str) -> String {
+    if figures.is_empty() {
+        String::new()
+    } else {
+        format!("<div class=\"images\">\n{figures}</div>\n")
+    }
 }
 
 /// Text as it stands in HTML and in its attributes.
@@ -66,14 +114,17 @@ pub(super) fn number(value: &Value) -> String {
     value.as_f64().map(label).unwrap_or_default()
 }
 
-/// A list of numbers, or as much of it as can be read.
+/// A list of numbers, or what can be said of many.
 pub(super) fn numbers(value: &Value) -> String {
     let Some(values) = value.as_array() else { return number(value) };
-    let shown: Vec<String> = values.iter().take(MOST_NUMBERS).map(number).collect();
-    match values.len().saturating_sub(MOST_NUMBERS) {
-        0 => shown.join(", "),
-        more => format!("{}, and {more} more", shown.join(", ")),
+    if values.len() <= MOST_NUMBERS {
+        return values.iter().map(number).collect::<Vec<_>>().join(", ");
     }
+    let all = || values.iter().filter_map(Value::as_f64);
+    let (low, high) = (all().min_by(f64::total_cmp), all().max_by(f64::total_cmp));
+    let mean = all().sum::<f64>() / all().count() as f64;
+    let [low, high, mean] = [low.unwrap_or(f64::NAN), high.unwrap_or(f64::NAN), mean].map(label);
+    format!("{} numbers from {low} to {high}, mean {mean}", values.len())
 }
 
 /// A PNG as the address of an image (base64, RFC 4648).

@@ -11,6 +11,7 @@ mod run_folder;
 #[cfg(test)]
 mod tests;
 
+use std::collections::HashMap;
 use std::path::Path;
 
 use serde_json::Value;
@@ -19,10 +20,12 @@ use crate::Error;
 use crate::optimize::loss_svg;
 use chart::{Curve, label, line_chart};
 use html::{data_uri, escape, number, numbers};
-use run_folder::{Frame, RunFolder, TextureImages, Trajectory};
+use run_folder::{Frame, ObjectPictures, RunFolder, Trajectory};
 
 /// Elements whose trajectories are drawn; a page of more would not be read.
 const MOST_CHARTS: usize = 24;
+/// Numbers of a long parameter that are shown one by one.
+const MOST_MOVED: usize = 4;
 
 /// The page about the run whose results are in `folder`.
 ///
@@ -35,6 +38,7 @@ pub fn report_page(folder: &Path) -> Result<String, Error> {
     let name = name.file_name().map_or("run".into(), |name| name.to_string_lossy());
     let mut sections = vec![("Result", figures(&run.summary))];
     sections.push(("Images", images(&run)));
+    sections.push(("Comparison", comparison(&run.images)));
     if run.frames.len() > 1 {
         sections.push(("Course", strip(&run.frames)));
     }
@@ -42,7 +46,7 @@ pub fn report_page(folder: &Path) -> Result<String, Error> {
         sections.push(("Loss", loss_svg(&run.history)?));
     }
     sections.push(("Parameters", parameters(&run.summary)));
-    sections.push(("Textures", textures(&run.textures)));
+    sections.push(("Textures and shapes", pictures(&run.pictures)));
     if let Some(trajectory) = &run.trajectory {
         sections.push(("Trajectories", trajectories(trajectory)));
     }
@@ -91,11 +95,38 @@ fn parameters(summary: &Value) -> String {
     let row = |(path, values): (&String, &Value)| {
         let cell = |(_, name): &(_, &str)| format!("<td>{}</td>", numbers(&values[*name]));
         let cells: String = columns.iter().map(cell).collect();
-        format!("<tr><th>{}</th>{cells}</tr>\n", escape(path))
+        let row = format!("<tr><th>{}</th>{cells}</tr>\n", escape(path));
+        match most_moved(&values["initial"], &values["final"]) {
+            Some(moved) => format!("{row}<tr><td></td><td colspan=\"3\">{moved}</td></tr>\n"),
+            None => row,
+        }
     };
     let rows: String = parameters.iter().map(row).collect();
     let titles: String = columns.iter().map(|(title, _)| format!("<th>{title}</th>")).collect();
     format!("<table>\n<tr><th>path</th>{titles}</tr>\n{rows}</table>\n")
+}
+
+/// How far the numbers of a parameter that has many have moved, and which of them most.
+fn most_moved(initial: &Value, last: &Value) -> Option<String> {
+    let (initial, last) = (initial.as_array()?, last.as_array()?);
+    let pairs = initial.iter().zip(last).map(|(a, b)| Some((a.as_f64()?, b.as_f64()?)));
+    let pairs: Vec<(f64, f64)> = pairs.collect::<Option<_>>()?;
+    if pairs.len() <= html::MOST_NUMBERS {
+        return None;
+    }
+    let squares: f64 = pairs.iter().map(|(a, b)| (b - a).powi(2)).sum();
+    let mut indices: Vec<usize> = (0..pairs.len()).collect();
+    let moved = |i: &usize| (pairs[*i].1 - pairs[*i].0).abs();
+    indices.sort_by(|i, j| moved(j).total_cmp(&moved(i)));
+    let most = indices.iter().take(MOST_MOVED).map(|&i| {
+        let (a, b) = pairs[i];
+        format!("[{i}] {} → {}", label(a), label(b))
+    });
+    Some(format!(
+        "moved by {} (root mean square); most: {}",
+        label((squares / pairs.len() as f64).sqrt()),
+        most.collect::<Vec<_>>().join(", ")
+    ))
 }
 
 /// How the run was started, and what it was told.
@@ -111,32 +142,49 @@ fn settings(summary: &Value) -> String {
 
 fn images(run: &RunFolder) -> String {
     let largest = run.summary["largest_difference"].as_f64();
-    let caption = |name: &str| match (name, largest) {
-        ("difference", Some(largest)) => {
-            format!("difference (white is 1; the largest is {})", label(largest))
-        }
-        _ => name.to_owned(),
-    };
-    grid(run.images.iter().map(|(name, png)| (caption(name), &png[..])))
+    let figures: String = run
+        .images
+        .iter()
+        .map(|(name, png)| figure(Some(name), name, png, scale(name, largest)))
+        .collect();
+    html::grid(&figures)
 }
 
-fn textures(textures: &[TextureImages]) -> String {
-    grid(textures.iter().flat_map(|TextureImages { path, initial, last }| {
-        [(format!("{path}, initial"), &initial[..]), (format!("{path}, recovered"), &last[..])]
-    }))
+/// What the greys of the image of differences mean.
+fn scale(name: &str, largest: Option<f64>) -> String {
+    match largest.filter(|_| name == "difference") {
+        Some(largest) => format!(
+            "<span class=\"scale\"></span><span class=\"ends\"><span>0</span><span>{}</span>\
+             <span>{}</span></span>",
+            label(0.5 * largest),
+            label(largest)
+        ),
+        None => String::new(),
+    }
 }
 
-/// Pictures side by side, with what is said of them.
-fn grid<'a>(pictures: impl Iterator<Item = (String, &'a [u8])>) -> String {
-    let figure = |(caption, png): (String, &[u8])| {
-        let (caption, address) = (escape(&caption), data_uri(png));
-        format!(
-            "<figure><img src=\"{address}\" alt=\"{caption}\"><figcaption>{caption}</figcaption>\
-             </figure>\n"
-        )
+fn pictures(pictures: &[ObjectPictures]) -> String {
+    let pair = |ObjectPictures { path, initial, last }: &ObjectPictures| {
+        let one = |state: &str, png| figure(None, &format!("{path}, {state}"), png, String::new());
+        one("initial", initial) + &one("recovered", last)
     };
-    let figures: String = pictures.map(figure).collect();
-    if figures.is_empty() { figures } else { format!("<div class=\"images\">\n{figures}</div>\n") }
+    html::grid(&pictures.iter().map(pair).collect::<String>())
+}
+
+/// A picture with what is said of it; `scale` is HTML.
+fn figure(id: Option<&str>, caption: &str, png: &[u8], scale: String) -> String {
+    let id = id.map(|id| format!(" id=\"image-{id}\"")).unwrap_or_default();
+    let (caption, address) = (escape(caption), data_uri(png));
+    format!(
+        "<figure><img{id} src=\"{address}\" alt=\"{caption}\">{scale}<figcaption>{caption}</figcaption>\
+         </figure>\n"
+    )
+}
+
+/// The target and the recovered image in one place, parted by a line that moves, or in turns.
+fn comparison(images: &[(&str, Vec<u8>)]) -> String {
+    let has = |wanted: &str| images.iter().any(|(name, _)| *name == wanted);
+    if has("target") && has("final") { html::COMPARISON.to_owned() } else { String::new() }
 }
 
 /// A slider over the images of the run; without scripts, its last one.
@@ -154,23 +202,30 @@ fn strip(frames: &[Frame]) -> String {
     let last = frames.len() - 1;
     format!(
         "<div id=\"strip\">\n{shown}</div>\n<input id=\"slider\" type=\"range\" min=\"0\" \
-         max=\"{last}\" value=\"{last}\" aria-label=\"iteration\">\n{}",
-        html::SLIDER
+         max=\"{last}\" value=\"{last}\" aria-label=\"iteration\">\n"
     )
 }
 
-/// How far an element has moved, relative to its size: the sum of its steps.
-fn movement(trajectory: &Trajectory, element: usize) -> f64 {
-    let values = || trajectory.values.iter().map(|point| point[element]);
-    let way: f64 = values().zip(values().skip(1)).map(|(a, b)| (b - a).abs()).sum();
-    let size = values().map(f64::abs).fold(0.0, f64::max);
-    if size > 0.0 { way / size } else { 0.0 }
+/// How far each element has moved, relative to the largest number of its parameter: the sum of its steps.
+fn movements(trajectory: &Trajectory) -> Vec<f64> {
+    let name = |path: &str| path.rfind('[').unwrap_or(path.len());
+    let mut sizes: HashMap<&str, f64> = HashMap::new();
+    for (i, path) in trajectory.paths.iter().enumerate() {
+        let size = sizes.entry(&path[..name(path)]).or_default();
+        *size = trajectory.values.iter().fold(*size, |size, point| size.max(point[i].abs()));
+    }
+    let movement = |(i, path): (usize, &String)| {
+        let values = || trajectory.values.iter().map(|point| point[i]);
+        let way: f64 = values().zip(values().skip(1)).map(|(a, b)| (b - a).abs()).sum();
+        let size = sizes[&path[..name(path)]];
+        if size > 0.0 { way / size } else { 0.0 }
+    };
+    trajectory.paths.iter().enumerate().map(movement).collect()
 }
 
 /// The elements whose trajectories are drawn, in their order: those that have moved most.
 fn drawn(trajectory: &Trajectory) -> Vec<usize> {
-    let mut elements: Vec<(usize, f64)> =
-        (0..trajectory.paths.len()).map(|i| (i, movement(trajectory, i))).collect();
+    let mut elements: Vec<(usize, f64)> = movements(trajectory).into_iter().enumerate().collect();
     elements.sort_by(|(_, a), (_, b)| b.total_cmp(a));
     elements.truncate(MOST_CHARTS);
     let mut elements: Vec<usize> = elements.into_iter().map(|(i, _)| i).collect();

@@ -18,7 +18,7 @@ pub(super) struct RunFolder {
     /// Names and contents of the images.
     pub images: Vec<(&'static str, Vec<u8>)>,
     pub frames: Vec<Frame>,
-    pub textures: Vec<TextureImages>,
+    pub pictures: Vec<ObjectPictures>,
     pub scene: Option<String>,
 }
 
@@ -38,16 +38,16 @@ pub(super) struct Frame {
     pub png: Vec<u8>,
 }
 
-/// A texture that varied, before and after.
-pub(super) struct TextureImages {
+/// A texture or a shape that varied, before and after.
+pub(super) struct ObjectPictures {
     pub path: String,
     pub initial: Vec<u8>,
     pub last: Vec<u8>,
 }
 
-/// An entry of `textures` in the summary.
+/// An entry of `pictures` in the summary.
 #[derive(Deserialize)]
-struct TextureEntry {
+struct PictureEntry {
     path: String,
     initial: PathBuf,
     #[serde(rename = "final")]
@@ -81,7 +81,7 @@ impl RunFolder {
             history: history(&folder.join("history.csv"))?,
             trajectory: trajectory(&folder.join("trajectory.json"))?,
             frames: frames(folder, &file, &summary)?,
-            textures: textures(folder, &file, &summary)?,
+            pictures: pictures(folder, &file, &summary)?,
             images,
             scene: scene.map(|bytes| String::from_utf8_lossy(&bytes).into_owned()),
             summary,
@@ -138,17 +138,17 @@ fn trajectory(path: &Path) -> Result<Option<Trajectory>, Error> {
     Ok((!paths.is_empty()).then_some(trajectory))
 }
 
-/// The pictures of textures that the summary lists.
-fn textures(folder: &Path, file: &Path, summary: &Value) -> Result<Vec<TextureImages>, Error> {
-    let Some(textures) = summary.get("textures") else { return Ok(Vec::new()) };
-    let entries: Vec<TextureEntry> = serde_json::from_value(textures.clone())
-        .map_err(|error| Error::new(file.display(), format_args!("textures is broken: {error}")))?;
+/// The pictures of textures and shapes that the summary lists.
+fn pictures(folder: &Path, file: &Path, summary: &Value) -> Result<Vec<ObjectPictures>, Error> {
+    let Some(pictures) = summary.get("pictures") else { return Ok(Vec::new()) };
+    let entries: Vec<PictureEntry> = serde_json::from_value(pictures.clone())
+        .map_err(|error| Error::new(file.display(), format_args!("pictures is broken: {error}")))?;
     let mut pictures = Vec::new();
-    for TextureEntry { path, initial, last } in entries {
+    for PictureEntry { path, initial, last } in entries {
         if let (Some(initial), Some(last)) =
             (optional(&folder.join(initial))?, optional(&folder.join(last))?)
         {
-            pictures.push(TextureImages { path, initial, last });
+            pictures.push(ObjectPictures { path, initial, last });
         }
     }
     Ok(pictures)

@@ -20,7 +20,7 @@ pub enum Axis {
 }
 
 impl Axis {
-    /// All of them.
+    /// All axes.
     pub const ALL: [Self; 7] = [
         Self::Arithmetic,
         Self::Engine,

@@ -156,7 +156,7 @@ fn steps(
     let numbers: Vec<(ParameterId, usize)> = recovery
         .ids()
         .iter()
-        .flat_map(|&id| (0..scene.get(id).len()).map(move |index| (id, index)))
+        .flat_map(|&id| (0..scene.count(id)).map(move |index| (id, index)))
         .collect();
     let step = |&element: &usize| {
         let (id, index) = numbers[element];

@@ -223,7 +223,7 @@ impl Engine for Forward<'_> {
         let derivative = |&element: &usize| {
             let mut first = 0;
             let direction = recovery.ids().iter().map(|&id| {
-                let count = scene.get(id).len();
+                let count = scene.count(id);
                 let unit = |index: usize| f64::from(u8::from(first + index == element));
                 let block = (id, (0..count).map(unit).collect());
                 first += count;

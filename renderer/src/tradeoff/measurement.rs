@@ -16,7 +16,7 @@ pub struct Measurement {
     pub axis: Axis,
     /// The choice.
     pub setting: String,
-    /// Of differences: the step.
+    /// The step of finite differences; nothing for other methods.
     pub step: Option<f64>,
     /// Seconds from changed parameters to their gradient: the median of the runs.
     pub seconds: f64,
@@ -35,7 +35,7 @@ pub struct Measurement {
 pub(super) struct Case<'a> {
     pub axis: Axis,
     pub setting: String,
-    /// Of differences: the step.
+    /// The step of finite differences; nothing for other methods.
     pub step: Option<f64>,
     pub engine: Box<dyn Engine + 'a>,
     /// The numbers whose derivatives the engine gives, if not all.

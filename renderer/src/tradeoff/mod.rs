@@ -9,6 +9,7 @@
 
 mod axis;
 mod cases;
+mod edges;
 mod engine;
 mod measurement;
 mod plot;
@@ -23,16 +24,13 @@ use cases::cases;
 use engine::{Adjoint, Engine, Question};
 use measurement::{Reference, measure_in_turns};
 
-pub use axis::Axis;
+pub use edges::{EdgeRuns, edge_csv, edge_table, measure_edges};
 pub use measurement::Measurement;
 pub use plot::{Curve, Titles, curves_svg, tradeoff_svg};
-pub use sampling::{
-    RayPlaces, SamplingRun, SamplingRuns, measure_sampling, sampling_csv, sampling_curves,
-    sampling_table,
-};
+pub use sampling::{SamplingRuns, measure_sampling, sampling_csv, sampling_curves, sampling_table};
 pub use schedules::{ScheduleRun, measure_schedules};
 pub use steps::{best_step, steps};
-pub use table::{csv, pareto_front, table};
+pub use table::{csv, table};
 #[cfg(test)]
 pub(crate) use tests::{gradient_on_tapes, random_experiment};
 
@@ -43,7 +41,7 @@ use crate::settings::{Edges, Settings};
 /// What was measured on a scene.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Tradeoff {
-    /// By axis.
+    /// The measurements, by axis.
     pub measurements: Vec<Measurement>,
     /// What was not measured, and why; what to know of what was.
     pub remarks: Vec<String>,
@@ -52,7 +50,8 @@ pub struct Tradeoff {
 /// Measures what the choices of a recovery cost and what they are worth, each setting for about
 /// `seconds`.
 ///
-/// Errors are those against the gradient in double precision through a tree.
+/// Errors are those against the gradient in double precision through a tree, without edges: what
+/// [they](measure_edges) are worth is measured apart, because tapes and brute force do not have them.
 ///
 /// Memory is counted if the program's allocator is `peakmem_alloc::INSTRUMENTED_SYSTEM`, as in the
 /// command line.

@@ -25,11 +25,11 @@ const ERRORS: (f64, f64) = (1e-16, 1.0);
 /// One line of a plot: errors over something.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Curve {
-    /// Its name in the legend.
+    /// The name of the curve in the legend.
     pub label: String,
     /// Something, and the error there. What is not above 0 is left out of a plot.
     pub points: Vec<(f64, f64)>,
-    /// Which of the [`CurveColors`].
+    /// The index of its colour among [`CurveColors`].
     pub color: usize,
     /// Whether the line is dashed.
     pub is_dashed: bool,

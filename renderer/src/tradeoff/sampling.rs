@@ -5,7 +5,7 @@ use std::time::Instant;
 use super::engine::{Adjoint, Engine, Question};
 use super::measurement::Reference;
 use super::plot::Curve;
-use crate::accuracy::{GradientMetric, IntegralGradient, Sampler, Trials, image_error};
+use crate::accuracy::{Evaluator, GradientMetric, IntegralGradient, Sampler, image_error};
 use crate::arithmetic::Arithmetic;
 use crate::recovery::Recovery;
 use crate::settings::{GradientSamples, Samples, Sampling, Settings};
@@ -70,7 +70,7 @@ impl RayPlaces {
 /// What came out for rays.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SamplingRuns {
-    /// By places, then by count.
+    /// The runs, by where rays go, then by their count.
     pub runs: Vec<SamplingRun>,
     /// The relative standard error of the gradient that they are measured against.
     pub reference_error: f64,
@@ -99,8 +99,8 @@ pub fn measure_sampling(recovery: &Recovery<'_>) -> SamplingRuns {
     };
     let metric = GradientMetric::new(scene, recovery.ids());
     let sampler = Sampler::Sobol;
-    let trials = &mut Trials::new(recovery);
-    let integral = IntegralGradient::new(trials, &metric, sampler, scene.bounces, most);
+    let evaluator = &mut Evaluator::new(recovery);
+    let integral = IntegralGradient::new(evaluator, &metric, sampler, scene.bounces, most);
     let image = {
         let count = most_of(4 * MOST_RAYS, REFERENCE_COUNT);
         let samples = Samples { count, seed: u32::MAX, gradient: GradientSamples::Same };
@@ -189,7 +189,7 @@ pub fn sampling_table(SamplingRuns { runs, reference_error }: &SamplingRuns) -> 
     lines.join("\n")
 }
 
-/// The same as comma-separated values.
+/// The runs as comma-separated values.
 pub fn sampling_csv(SamplingRuns { runs, .. }: &SamplingRuns) -> String {
     let mut text = "rays,count,seconds,image_error,bias,spread,error\n".to_owned();
     for run in runs {

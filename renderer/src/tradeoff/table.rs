@@ -39,7 +39,7 @@ pub fn table(measurements: &[Measurement]) -> String {
     lines.join("\n")
 }
 
-/// The same as comma-separated values: seconds, bytes, relative errors; what there is not is empty.
+/// The measurements as comma-separated values: seconds, bytes, relative errors; what there is not is empty.
 pub fn csv(measurements: &[Measurement]) -> String {
     let front = pareto_front(measurements);
     let mut lines =

@@ -41,7 +41,7 @@ fn an_image_takes_what_the_scene_requires() {
     let alone = image("alone.toml", &format!("{CAMERA}{LIGHT}{SPHERE}{PAINT}"));
     assert_eq!(alone("primary rays"), 32 * 24);
     assert!(alone("points shaded") > 0 && alone("points shaded") < 32 * 24);
-    // Nothing else is there to cast a shadow, reflect, or wear a texture.
+    // Nothing else is there to cast a shadow, reflect, or have a texture.
     for label in ["shadow rays", "rays that go on", "texture lookups", "shading pullbacks"] {
         assert_eq!(alone(label), 0, "{label}");
     }

@@ -33,6 +33,17 @@ fn memory_is_asked_for_beforehand() {
 }
 
 #[test]
+fn what_is_too_small_is_told() {
+    let sandbox = Sandbox::new();
+    sandbox.write("bad.obj", "v 0 0 0\nv 1e-30 0 0\nv 0 1e-30 0\nf 1 2 3\n");
+    sandbox.refuse_with(&["render", "bad.obj", "-o", "out.png"], &["bad.obj: is 1.4e-30 across"]);
+    let ball = "[[sphere]]\nname = \"b\"\ncenter = [0, 0, 0]\nradius = 1e-30\nmaterial = \"x\"\n\
+                [material.x]\n";
+    sandbox.write("bad.toml", format!("{SCENE}{ball}"));
+    sandbox.refuse_with(&RENDER, &["sphere.b.radius: must be at least 1e-18, is 1e-30"]);
+}
+
+#[test]
 fn only_regular_files_are_read() {
     if cfg!(unix) {
         let sandbox = Sandbox::new();

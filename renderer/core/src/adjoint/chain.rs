@@ -64,7 +64,7 @@ pub(super) struct Chain<'a, L: Plain> {
     pub integrator: Integrator<'a, L>,
     pub scene: &'a Scene,
     pub path: Path<L>,
-    /// By depth.
+    /// The adjoint state of each wavefront, by depth.
     pub states: Vec<AdjointState<L>>,
     pub scatter: Scatter<'a>,
     /// The distance between samples in pixels, where edges count.
@@ -75,7 +75,7 @@ pub(super) struct Chain<'a, L: Plain> {
 #[derive(Clone, Copy)]
 pub(super) struct SurfaceCotangent<L: Plain> {
     pub surface: Tangent<SurfacePoint<L>>,
-    /// Of their texture coordinates, if they have any.
+    /// The cotangents of the texture coordinates of the points, if they have any.
     pub uv: Option<Tangent<Uv<L>>>,
 }
 
@@ -622,7 +622,7 @@ impl<'a, L: Plain> Chain<'a, L> {
         self.scatter.dense_sum(to, &transform);
     }
 
-    /// Pulls the cotangents of the points of shapes of one's own back to their numbers; returns that of
+    /// Pulls the cotangents of the points of custom shapes back to their numbers; returns that of
     /// the rays.
     fn pull_custom_surface(
         &mut self,

@@ -8,8 +8,7 @@ use rayon::prelude::*;
 use super::chain::{AdjointState, Chain, SurfaceCotangent, nonzero_lanes};
 use super::request::Request;
 use super::scatter::Sums;
-use crate::counts::flush;
-use crate::edges::{Crossing, Edge, Geometry, Layer, View};
+use crate::edges::{Crossing, Edge, Geometry, Layer, View, for_each_band};
 use crate::loss::PixelLoss;
 use crate::number::{MAX_LANES, Plain, widen};
 use crate::primal::coalesce::select_lanes;
@@ -55,7 +54,7 @@ pub fn sweep_with_edges<L: Plain>(
         let chain = Chain { spacing, ..Chain::new(integrator, scene, request) };
         (chain, KnownPaths::default())
     };
-    let (lights, part) = (integrator.layout.lights.len(), 1.0 / f64::from(grid.count()));
+    let part = 1.0 / f64::from(grid.count());
     sums.extend(for_each_strip(width, height, start, |(chain, known), strip| {
         for tile in strip.tiles() {
             let mut of_tile = [DVec3::ZERO; PACKET_RAYS];
@@ -64,7 +63,7 @@ pub fn sweep_with_edges<L: Plain>(
                 of_tile[ray] = cotangents[y as usize * width as usize + x as usize] * part;
             }
             for index in 0..grid.count() {
-                view.sights.paths(&tile, index, lights, known);
+                view.sights.paths(&tile, index, known);
                 let sample = TileSample { tile: &tile, sampling: grid, index };
                 chain.pull_sample(Source::Traced(sample, known), &of_tile);
             }
@@ -73,17 +72,15 @@ pub fn sweep_with_edges<L: Plain>(
     }));
 
     let start = || (Chain::new(integrator, scene, request), KnownPaths::default());
-    let boundary =
-        view.bands.par_iter().enumerate().map_init(start, |(chain, known), (at, band)| {
-            let pulled = pull_shares(&view, at, &cotangents);
-            for (first, crossings) in band.packets() {
-                band.paths(&geometry, crossings, known);
-                chain.pull_crossings(known, crossings, &pulled[first..first + crossings.len()]);
-            }
-            flush();
-            chain.scatter.take()
-        });
-    sums.par_extend(boundary);
+    sums.extend(for_each_band(view.bands.len(), start, |(chain, known), band| {
+        let pulled = pull_shares(&view, band, &cotangents);
+        let band = &view.bands[band];
+        for (first, crossings) in band.packets() {
+            band.paths(&geometry, crossings, known);
+            chain.pull_crossings(known, crossings, &pulled[first..first + crossings.len()]);
+        }
+        chain.scatter.take()
+    }));
     sums
 }
 

@@ -27,7 +27,7 @@ pub struct Request {
     pub environment: Option<Dense>,
     /// By light: the numbers that are asked for, and where they begin among the dense sums.
     pub lights: Vec<Option<Dense>>,
-    /// By shape of one's own: its numbers, then those of its transform.
+    /// By custom shape: its numbers, then those of its transform.
     pub shapes: Vec<Option<Dense>>,
     /// By mesh: its transform, unless it follows from vertices and normals, because the vertices are asked
     /// for or the mesh has normals.
@@ -49,7 +49,7 @@ pub struct Request {
 /// Numbers that have a sum in every strip.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Dense {
-    /// Where the sums begin.
+    /// Where the sums of the object begin.
     pub start: usize,
     pub numbers: Bits,
 }
@@ -184,7 +184,7 @@ impl Request {
         }
     }
 
-    /// Whether the points that are hit depend on any of them.
+    /// Returns `true` if surface points depend on a requested parameter.
     pub fn moves_surfaces(&self) -> bool {
         let selected = [&self.spheres, &self.vertices, &self.normals, &self.uvs];
         self.camera
@@ -192,22 +192,22 @@ impl Request {
             || self.transforms.iter().chain(&self.shapes).any(Option::is_some)
     }
 
-    /// Whether edges count.
+    /// Returns `true` if the boundary term is requested.
     pub fn has_edges(&self, edges: Edges) -> bool {
         edges.for_parameters(&self.ids) == Edges::On
     }
 
-    /// Whether transforms are among them whose meshes' vertices are not.
+    /// Returns `true` if the transform of a mesh is requested whose vertices are not.
     pub fn moves_transforms(&self) -> bool {
         self.transforms.iter().any(Option::is_some)
     }
 
-    /// Whether opacities are among them.
+    /// Returns `true` if an opacity is requested.
     pub fn has_opacities(&self) -> bool {
         self.material_numbers & bits(Material::<f64>::FIELDS, "opacity") != 0
     }
 
-    /// Whether they are vertices alone, but not all of the scene, and move their triangles alone.
+    /// Returns `true` if only vertices are requested, not all of the scene, which move their triangles alone.
     pub fn is_few_vertices(&self) -> bool {
         let is_vertices =
             |id: &ParameterId| matches!(id.object, Object::Mesh(_)) && id.field == "vertices";

@@ -25,13 +25,13 @@ pub type Sparse<const N: usize> = Vec<(u32, [f64; N])>;
 pub struct Sums {
     pub loss: f64,
     pub frame: Option<Tangent<CameraFrame<f64>>>,
-    /// Of lights, shapes of one's own and transforms.
+    /// Sums of cotangents of lights, custom shapes and transforms.
     pub dense: Vec<f64>,
     pub materials: Sparse<MATERIAL>,
     pub spheres: Sparse<SPHERE>,
-    /// In the world.
+    /// Sums of cotangents of vertices, in world coordinates.
     pub vertices: Sparse<3>,
-    /// In the world.
+    /// Sums of cotangents of normals, in world coordinates.
     pub normals: Sparse<3>,
     pub uvs: Sparse<2>,
     pub texels: Sparse<3>,
@@ -159,7 +159,7 @@ impl<'a> Scatter<'a> {
         add_numbers(cotangent, to.numbers, L::mask_from_bits(lanes), sums);
     }
 
-    /// Adds the cotangents of a shape of one's own with `count` numbers in some lanes. `pull` calls its
+    /// Adds the cotangents of a custom shape with `count` numbers in some lanes. `pull` calls its
     /// argument with the number and the cotangent of each, and returns those of the transform and of what
     /// is left.
     pub fn shape<L: Plain, T: Fields<L>, R>(
@@ -199,7 +199,7 @@ impl<'a> Scatter<'a> {
         cotangent.visit(&mut |index, number| sums[index] += number);
     }
 
-    /// Adds the cotangent of one number of a light or a shape of one's own in some lanes.
+    /// Adds the cotangent of one number of a custom light or shape in some lanes.
     pub fn number<L: Plain>(&mut self, to: Dense, index: usize, lanes: u32, cotangent: L) {
         if to.numbers >> index & 1 == 1 {
             let sum = sum_of_lanes::<L>(cotangent, L::mask_from_bits(lanes));

@@ -64,12 +64,12 @@ impl Selection {
         self.count
     }
 
-    /// Whether nothing is asked for.
+    /// Returns `true` if no object of the kind is requested.
     pub fn is_empty(&self) -> bool {
         self.count == 0
     }
 
-    /// Whether nothing is left out.
+    /// Returns `true` if all objects of the kind are requested.
     pub fn is_whole(&self) -> bool {
         self.is_whole
     }

@@ -1,4 +1,4 @@
-//! Kernels of shapes and lights of one's own, at every scalar that scenes are computed in.
+//! Kernels of custom shapes and lights, at every scalar that scenes are computed in.
 
 use std::any::{Any, TypeId, type_name};
 use std::fmt;

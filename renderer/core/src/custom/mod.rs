@@ -1,4 +1,4 @@
-//! Shapes and lights of one's own.
+//! Custom shapes and lights.
 //!
 //! Each is a struct of named numbers, generic over its scalar, and one `#[differentiable]` kernel; a
 //! shape says also in which box it lies. The numbers are parameters like any others

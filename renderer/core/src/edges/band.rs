@@ -4,11 +4,12 @@
 use std::ops::Range;
 
 use glam::DVec3;
+use rayon::prelude::*;
 
-use super::code::MOST_LIGHTS;
 use super::crossing::{Crossing, Link, Search};
 use super::geometry::Geometry;
 use super::sight::Sights;
+use super::slender::Slender;
 use crate::counts::flush;
 use crate::number::Plain;
 use crate::primal::image::visit;
@@ -23,6 +24,21 @@ pub const BAND: usize = 8;
 
 /// How many crossings make a packet of paths, two each.
 pub const PACKET_CROSSINGS: usize = PACKET_RAYS / 2;
+
+/// What `work` makes of each of so many bands, in parallel. Calls that follow each other on one thread
+/// share what `start` gives.
+pub fn for_each_band<W, R: Send>(
+    count: usize,
+    start: impl Fn() -> W + Send + Sync,
+    work: impl Fn(&mut W, usize) -> R + Send + Sync,
+) -> Vec<R> {
+    let work = |state: &mut W, band| {
+        let result = work(state, band);
+        flush();
+        result
+    };
+    (0..count).into_par_iter().map_init(start, work).collect()
+}
 
 /// The crossings of the links that start in a band of rows of samples.
 pub struct Band {
@@ -43,15 +59,16 @@ impl Band {
     /// room for the work.
     pub fn new<L: Plain>(
         geometry: &Geometry<'_, L>,
-        sights: &Sights,
+        (sights, slender): (&Sights, &Slender),
         band: usize,
         (known, path): &mut (KnownPaths, Path<L>),
     ) -> Self {
         let mut search = Search::new(*geometry);
         let rows = band * BAND..((band + 1) * BAND).min(sights.rows);
+        let mut next_slender = slender.start_of(sights.link([0, rows.start], 0));
         let mut starts = Vec::with_capacity(2 * rows.len() * sights.columns + 1);
         let length = 1.0 / sights.side as f64;
-        let mut differ = Vec::new();
+        let (mut differ, mut between) = (Vec::new(), Vec::new());
         for row in rows {
             sights.differences(row, &mut differ);
             for (column, differs) in differ.iter().enumerate() {
@@ -59,13 +76,16 @@ impl Band {
                 let mut first = None;
                 for (axis, other) in [at + 1, at + sights.columns].into_iter().enumerate() {
                     starts.push(search.crossings.len() as u32);
-                    if differs[axis] {
+                    let link = sights.link([column, row], axis);
+                    between.clear();
+                    between.extend(slender.of_link(link, &mut next_slender));
+                    if differs[axis] || !between.is_empty() {
                         let link = Link { start: sights.place(column, row), axis, length };
                         let first = *first.get_or_insert_with(|| {
                             search.path(|hits| hits.extend(sights.hits(at)))
                         });
                         let last = search.path(|hits| hits.extend(sights.hits(other)));
-                        search.link(&link, first, last);
+                        search.link(&link, [first, last], &between);
                     }
                 }
             }
@@ -75,7 +95,6 @@ impl Band {
         let mut band =
             Self { crossings, radiance: Vec::new(), hits, starts, columns: sights.columns };
         band.radiance = band.sides(geometry, known, path);
-        flush();
         band
     }
 
@@ -105,7 +124,7 @@ impl Band {
         paths: &mut KnownPaths,
     ) {
         paths.clear();
-        let lights = geometry.integrator.layout.lights.len().min(MOST_LIGHTS);
+        let lights = geometry.edged_lights();
         for crossing in crossings {
             for side in crossing.sides {
                 paths.push(geometry.film(crossing.place), side.of(&self.hits), lights);

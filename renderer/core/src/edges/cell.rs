@@ -120,10 +120,7 @@ impl Cell<'_> {
                 false => None,
             };
             match joined {
-                Some(joint) => {
-                    self.lengths(&stops, joint, work);
-                    self.areas(&stops, joint, work);
-                }
+                Some(joint) => self.join(&stops, joint, work),
                 None => self.pairs(&mut stops, work),
             }
             work.stops = stops;
@@ -199,6 +196,12 @@ impl Cell<'_> {
             (along(0) + along(1)).abs() / self.length
         };
         edges.iter().map(off).fold(0.0, f64::max)
+    }
+
+    /// Adds what edges give that meet directly or in a point.
+    fn join(&self, stops: &[Stop<'_>], joint: Option<Point>, work: &mut Workspace<'_>) {
+        self.lengths(stops, joint, work);
+        self.areas(stops, joint, work);
     }
 
     /// The lengths of edge that move with each crossing.
@@ -312,15 +315,17 @@ impl Cell<'_> {
         }
     }
 
-    /// Joins crossings of the same edge; the others count one by one.
+    /// Joins crossings of the same edge, and then the rest if they meet; otherwise those count one by one.
+    /// What lies beyond several edges differs by the sum of what changes at each.
     fn pairs(&self, stops: &mut Vec<Stop<'_>>, work: &mut Workspace<'_>) {
         let of_surfaces = |stop: &Stop<'_>| stop.side.crossing.layer.family().is_none();
         if stops.iter().all(of_surfaces) || (self.is_uniform)() {
             while let Some((a, b)) = same_edge(stops) {
-                let (a, b) = (stops.remove(b).side, stops.remove(a).side);
-                self.segment(a.crossing.place, [a.index, b.index], b.crossing.place, work);
-                self.single_areas(&a, work);
-                self.single_areas(&b, work);
+                let (b, a) = (stops.remove(b), stops.remove(a));
+                self.join(&[a, b], None, work);
+            }
+            if let Some(joint) = self.joint(stops) {
+                return self.join(stops, joint, work);
             }
         }
         for stop in stops {

@@ -136,19 +136,34 @@ impl<'a, L: Plain> Search<'a, L> {
         Path { start, end: self.hits.len() as u32 }
     }
 
-    /// Finds the crossings of a link; those that stand on it in order.
-    pub fn link(&mut self, link: &Link, first: Path, last: Path) {
-        if self.over_surface(link, first, last) {
-            return;
-        }
+    /// Finds the crossings of a link in order, given what is seen at both ends and where else something may
+    /// be seen.
+    pub fn link(&mut self, link: &Link, [first, last]: [Path; 2], between: &[f64]) {
         let before = self.crossings.len();
-        self.search(link, Part { from: 0.0, to: 1.0, first, last }, 0);
+        let mut part = Part { from: 0.0, to: 1.0, first, last };
+        for &at in between {
+            let seen = self.traced(link, at);
+            if self.of(seen) == self.of(part.first) {
+                self.hits.truncate(seen.start as usize);
+                continue;
+            }
+            self.part(link, Part { to: at, last: seen, ..part });
+            part = Part { from: at, first: seen, ..part };
+        }
+        self.part(link, part);
         self.crossings[before..].sort_by(|a, b| a.at.total_cmp(&b.at));
+    }
+
+    fn part(&mut self, link: &Link, part: Part) {
+        if !self.over_surface(link, part) {
+            self.search(link, part, 0);
+        }
     }
 
     /// Adds the edges between two triangles that end their paths and are parts of one surface: by far the
     /// most links are such. Returns whether it is so.
-    fn over_surface(&mut self, link: &Link, first: Path, last: Path) -> bool {
+    fn over_surface(&mut self, link: &Link, part: Part) -> bool {
+        let Part { from: start, to: end, first, last } = part;
         let (&[a], &[b]) = (self.of(first), self.of(last)) else { return false };
         let primitives = [a.primitive, b.primitive];
         let are_triangles =
@@ -157,22 +172,24 @@ impl<'a, L: Plain> Search<'a, L> {
             return false;
         }
         let mut steps = std::mem::take(&mut self.steps);
-        let leads = self.geometry.walk(primitives, [0.0, 1.0].map(|at| link.place(at)), &mut steps);
+        let leads =
+            self.geometry.walk(primitives, [start, end].map(|at| link.place(at)), &mut steps);
         // What is between the ends of a shadow is not known.
         let is_over = leads && (steps.len() == 1 || a.blocked == b.blocked);
+        if !is_over {
+            steps.clear();
+        }
         let mut before = first;
         for (index, &Step { at, edge, triangles: [from, to] }) in steps.iter().enumerate() {
-            if !is_over {
-                break;
-            }
             let after = match index + 1 == steps.len() {
                 true => last,
                 false => self.path(|hits| hits.push(KnownHit { primitive: to, ..a })),
             };
             if !self.geometry.are_continuous(from, to) {
+                let at = start + at * (end - start);
                 self.emit(link, at, 0, Edge::Segment(edge), [before, after]);
             } else if a.blocked != b.blocked {
-                self.shadows(link, Part { from: 0.0, to: 1.0, first, last });
+                self.shadows(link, part);
             }
             before = after;
         }

@@ -3,12 +3,11 @@
 use ad::vector::{Vector, Vector3};
 use ad::{Dual, Fields, Scalar, Vec3};
 use glam::DVec3;
-use rayon::prelude::*;
 
+use super::band::for_each_band;
 use super::crossing::{Crossing, Layer};
 use super::geometry::{Edge, Geometry};
 use super::view::View;
-use crate::counts::flush;
 use crate::number::{Number, Plain};
 use crate::primal::image::{derivative_vector, pixels_dual, visit};
 use crate::primal::integrator::Integrator;
@@ -45,16 +44,15 @@ impl View {
             .map(|[_, derivative]| derivative)
             .collect();
         let start = || (KnownPaths::default(), Path::default());
-        let bands = self.bands.par_iter().map_init(start, |(known, path), band| {
+        let moved = for_each_band(self.bands.len(), start, |(known, path), band| {
+            let band = &self.bands[band];
             let mut of_band = Vec::with_capacity(band.crossings.len());
             for (_, crossings) in band.packets() {
                 band.paths(geometry, crossings, known);
                 of_band.extend(moved(integrator, Source::Known(known), path, crossings));
             }
-            flush();
             of_band
         });
-        let moved: Vec<Vec<Moved>> = bands.collect();
         self.add_shares(layout.width, &mut pixels, |band, crossing, share| {
             let Moved { radiance: [a, b], along } = moved[band][crossing];
             let [of_a, of_b] = self.bands[band].radiance[crossing];

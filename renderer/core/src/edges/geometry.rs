@@ -29,7 +29,7 @@ const COPLANAR: f64 = 1e-24;
 pub enum Edge {
     /// The straight line between two vertices.
     Segment([u32; 2]),
-    /// The silhouette of a sphere or a shape of one's own.
+    /// The silhouette of a sphere or a custom shape.
     Silhouette(u32),
     /// The curve in which two primitives pierce each other.
     /// See [`code`](super::code::code).
@@ -231,6 +231,12 @@ impl<'a, L: Plain> Geometry<'a, L> {
         (distance > 0.0).then_some([0.5 * width * (1.0 + x), 0.5 * height * (1.0 - y)])
     }
 
+    /// Whether the corners of a triangle stand anticlockwise for the camera.
+    pub fn faces_camera(&self, triangle: usize) -> bool {
+        let Triangle { a, b, c } = self.triangle(triangle);
+        (b - a).cross(c - a).dot(self.frame.origin - a) > 0.0
+    }
+
     /// A vertex.
     pub fn vertex(&self, index: u32) -> DVec3 {
         widen::<L::Lane>(self.integrator.inputs.vertices[index as usize])
@@ -240,12 +246,17 @@ impl<'a, L: Plain> Geometry<'a, L> {
         self.integrator.inputs.spheres[primitive].map(|number| number.to_f64())
     }
 
-    /// The numbers and the transform of a shape of one's own.
+    /// The numbers and the transform of a custom shape.
     fn shape(&self, index: usize) -> (Vec<f64>, Transform<f64>) {
         let shape = &self.integrator.inputs.shapes[index];
         let numbers = shape.numbers.iter().map(|number| number.to_f64()).collect();
         let transform = shape.transform.map(|number| number.lane(0).to_f64());
         (numbers, transform)
+    }
+
+    /// How many lights have shadows with edges.
+    pub fn edged_lights(&self) -> usize {
+        self.integrator.layout.lights.len().min(MOST_LIGHTS)
     }
 
     /// The path of the ray through a place of the image, traced.
@@ -261,7 +272,7 @@ impl<'a, L: Plain> Geometry<'a, L> {
             };
             let mut known = KnownHit { primitive: met.primitive, leaves: met.leaves, blocked: 0 };
             let met_at = self.meet(&known, ray);
-            for light in 0..layout.lights.len().min(MOST_LIGHTS) {
+            for light in 0..self.edged_lights() {
                 let is_blocked = self.blocker(light, &known, &ray, &met_at).is_some();
                 known.blocked |= u64::from(is_blocked) << light;
             }

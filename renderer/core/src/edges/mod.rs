@@ -22,7 +22,9 @@
 //! samples are not weighted there: the gradient of a teapot of 128 x 128 pixels by its camera was off by
 //! 27 % with one ray per pixel, by 6 % with four, by 3 % with sixteen.
 //!
-//! What is not seen: objects that lie between samples whole, edges of the shadows of transparent surfaces
+//! What is [slender](slender) lies between samples whole, and is looked for from the scene.
+//!
+//! What is not seen: slender shadows, slender things in mirrors, spheres between samples, edges of the shadows of transparent surfaces
 //! and of lights after the first 64, and steps within textures. More rays make the first finer.
 
 mod band;
@@ -34,9 +36,11 @@ mod geometry;
 mod outline;
 mod polygon;
 mod sight;
+mod slender;
 mod view;
 mod walk;
 
+pub use band::for_each_band;
 pub use crossing::{Crossing, Layer};
 pub use geometry::{Edge, Geometry};
 pub use view::View;

@@ -46,24 +46,6 @@ impl<L: Plain> Geometry<'_, L> {
         };
         found.map(|(at, edge)| (from + at * (to - from), edge))
     }
-
-    /// The same for a camera ray and a triangle: the numbers of its edges are linear in the place if the
-    /// direction of the ray is.
-    pub fn linear_exit(
-        &self,
-        triangle: usize,
-        [from, to]: [f64; 2],
-        ray: impl Fn(f64) -> Ray<f64>,
-    ) -> Option<Exit> {
-        let corners = self.integrator.layout.triangles[triangle];
-        let (start, end) = (ray(from), ray(to));
-        let [a, b, c] = corners.map(|corner| self.vertex(corner) - start.origin);
-        let ends = [a.cross(b), b.cross(c), c.cross(a)]
-            .map(|volume| [volume.dot(start.direction), volume.dot(end.direction)]);
-        let margin = |edge: usize, at: f64| ends[edge][0] + at * (ends[edge][1] - ends[edge][0]);
-        let (at, edge) = first_exit(ends, margin)?;
-        Some((from + at * (to - from), Edge::Segment(sides(corners)[edge])))
-    }
 }
 
 /// The first of the roots of the numbers of the edges of a triangle, each given at both `ends` and by

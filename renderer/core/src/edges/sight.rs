@@ -4,11 +4,10 @@ use std::sync::atomic::{AtomicU32, AtomicU64, Ordering};
 
 use rayon::prelude::*;
 
-use super::code::{END, LEAVES, MOST_LIGHTS, code, decode};
+use super::code::{END, LEAVES, code, decode};
 use super::geometry::Geometry;
 use crate::counts::flush;
-use crate::number::{Number, Plain};
-use crate::primal::integrator::Integrator;
+use crate::number::Plain;
 use crate::primal::known::{KnownHit, KnownPaths};
 use crate::primal::wavefront::Wavefront;
 use crate::trace::bvh::ray_at;
@@ -21,6 +20,8 @@ pub struct Sights {
     pub side: usize,
     pub columns: usize,
     pub rows: usize,
+    /// How many lights have shadows with edges.
+    lights: usize,
     depths: Vec<Plane>,
 }
 
@@ -32,22 +33,29 @@ struct Plane {
 
 impl Sights {
     /// Room for those of the image of a scene, by the regular grid of its rays.
-    pub fn new<S: Number>(integrator: &Integrator<'_, S>) -> Self {
-        let layout = integrator.layout;
+    pub fn new<L: Plain>(geometry: &Geometry<'_, L>) -> Self {
+        let layout = geometry.integrator.layout;
         let side = layout.sampling.grid_side() as usize;
         let (columns, rows) = (layout.width as usize * side + 2, layout.height as usize * side + 2);
         let samples = columns * rows;
-        let with_lights = if layout.lights.is_empty() { 0 } else { samples };
+        let lights = geometry.edged_lights();
+        let with_lights = if lights == 0 { 0 } else { samples };
         let plane = |_| Plane {
             primitives: (0..samples).map(|_| AtomicU32::new(END)).collect(),
             blocked: (0..with_lights).map(|_| AtomicU64::new(0)).collect(),
         };
-        Self { side, columns, rows, depths: (0..integrator.depths()).map(plane).collect() }
+        let depths = (0..geometry.integrator.depths()).map(plane).collect();
+        Self { side, columns, rows, lights, depths }
     }
 
     /// Where a sample is, in pixels from the upper left corner of the image.
     pub fn place(&self, column: usize, row: usize) -> [f64; 2] {
         [column, row].map(|index| (index as f64 - 0.5) / self.side as f64)
+    }
+
+    /// The index of the link that starts at a sample, row by row, to the right before downwards.
+    pub fn link(&self, [column, row]: [usize; 2], axis: usize) -> usize {
+        2 * (row * self.columns + column) + axis
     }
 
     /// The pixel of a sample, unless it is outside of the image.
@@ -73,7 +81,7 @@ impl Sights {
     pub fn keep<L: Plain>(&self, tile: &Tile, index: u32, wavefronts: &[Wavefront<L>]) {
         for (wavefront, plane) in wavefronts.iter().zip(&self.depths) {
             let seen = wavefront.hits.met() | wavefront.missed;
-            let lights = &wavefront.blocked[..wavefront.blocked.len().min(MOST_LIGHTS)];
+            let lights = &wavefront.blocked[..self.lights];
             for (ray, at) in self.of_tile(tile, index) {
                 if seen >> ray & 1 == 1 {
                     let blocked = lights.iter().enumerate();
@@ -88,11 +96,10 @@ impl Sights {
     }
 
     /// The paths of the samples of a tile, one of each pixel, as they were kept.
-    pub fn paths(&self, tile: &Tile, index: u32, lights: usize, paths: &mut KnownPaths) {
+    pub fn paths(&self, tile: &Tile, index: u32, paths: &mut KnownPaths) {
         paths.clear();
-        let lights = lights.min(MOST_LIGHTS);
         for (ray, at) in self.of_tile(tile, index) {
-            paths.set(ray, self.hits(at), lights);
+            paths.set(ray, self.hits(at), self.lights);
         }
     }
 

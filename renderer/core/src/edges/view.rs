@@ -5,10 +5,11 @@ use std::ops::Range;
 use glam::DVec3;
 use rayon::prelude::*;
 
-use super::band::{BAND, Band};
+use super::band::{BAND, Band, for_each_band};
 use super::cell::{Cell, FARTHEST_CORNER, Share, Side, Workspace};
 use super::geometry::{Edge, Geometry};
 use super::sight::Sights;
+use super::slender::Slender;
 use crate::image::Image;
 use crate::loss::PixelLoss;
 use crate::number::Plain;
@@ -37,7 +38,7 @@ impl View {
     pub fn new<L: Plain>(geometry: &Geometry<'_, L>) -> Self {
         let integrator = geometry.integrator;
         let layout = integrator.layout;
-        let sights = Sights::new(&integrator);
+        let sights = Sights::new(geometry);
         let mut pixels = vec![DVec3::ZERO; layout.width as usize * layout.height as usize];
         fill_tiles(layout.width, &mut pixels, Path::default, |path, tile| {
             let grid = layout.sampling.as_grid();
@@ -47,26 +48,22 @@ impl View {
         });
         sights.keep_border(geometry);
 
+        let slender = Slender::new(geometry, &sights);
         let start = || (KnownPaths::default(), Path::default());
-        let bands = (0..sights.rows.div_ceil(BAND))
-            .into_par_iter()
-            .map_init(start, |work, band| Band::new(geometry, &sights, band, work));
-        let bands: Vec<Band> = bands.collect();
+        let bands = for_each_band(sights.rows.div_ceil(BAND), start, |work, band| {
+            Band::new(geometry, (&sights, &slender), band, work)
+        });
 
         let mut firsts = vec![0];
         for band in &bands {
             firsts.push(firsts[firsts.len() - 1] + band.crossings.len());
         }
-        let mut view = Self { pixels, sights, bands, firsts, shares: Vec::new() };
-        let start = Workspace::default;
-        let shares = (0..view.bands.len()).into_par_iter();
-        view.shares =
-            shares.map_init(start, |work, band| view.shares(geometry, band, work)).collect();
-
-        let sides = |band: usize, crossing: usize| view.bands[band].radiance[crossing];
-        let mut pixels = std::mem::take(&mut view.pixels);
+        let mut view = Self { pixels: Vec::new(), sights, bands, firsts, shares: Vec::new() };
+        view.shares = for_each_band(view.bands.len(), Workspace::default, |work, band| {
+            view.shares(geometry, band, work)
+        });
         view.add_shares(layout.width, &mut pixels, |band, crossing, share| {
-            let [a, b] = sides(band, crossing);
+            let [a, b] = view.bands[band].radiance[crossing];
             a * share.areas[0] + b * share.areas[1]
         });
         view.pixels = pixels;

@@ -3,7 +3,7 @@
 //! Most neighbouring samples see the same surface. What lies between them is found without rays: the
 //! numbers of edges are linear in the place, so each step is the first of two roots.
 
-use super::geometry::Geometry;
+use super::geometry::{Edge, Geometry};
 use crate::number::Plain;
 use crate::trace::adjacency::sides;
 use crate::transport::camera::Ray;
@@ -50,6 +50,21 @@ impl<L: Plain> Geometry<'_, L> {
             }
         }
         false
+    }
+
+    /// Where a camera ray, which goes through a triangle at `from`, leaves it on the way to `to`, and by which
+    /// edge; nothing if it never does.
+    pub fn linear_exit(
+        &self,
+        triangle: usize,
+        [from, to]: [f64; 2],
+        ray: impl Fn(f64) -> Ray<f64>,
+    ) -> Option<(f64, Edge)> {
+        let corners = self.integrator.layout.triangles[triangle];
+        let Exit::Side(side, at) = self.side_of_exit(corners, None, [from, to].map(ray)) else {
+            return None;
+        };
+        Some((from + at * (to - from), Edge::Segment(sides(corners)[side])))
     }
 
     /// Where a ray leaves a triangle that it has entered by an edge, or that it meets at the start.

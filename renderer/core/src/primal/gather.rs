@@ -45,7 +45,7 @@ impl<S: Number> Integrator<'_, S> {
         }
     }
 
-    /// The primitives, unless they are shapes of one's own.
+    /// The primitives, unless they are custom shapes.
     #[inline]
     pub fn primitive(&self, kind: Kind, primitives: &Coalesced) -> Option<Primitive<S>> {
         match kind {
@@ -125,13 +125,14 @@ impl<S: Number> Integrator<'_, S> {
     /// The texels around texture coordinates in the textures that materials have in a slot, if any has
     /// one.
     pub fn lookup(&self, slot: Slot, materials: &Coalesced, uv: Uv<S>) -> Option<Lookup<S>> {
-        let mut textures: [Option<TextureLayout>; MAX_LANES] = [None; MAX_LANES];
+        let mut textures: [Option<(usize, TextureLayout)>; MAX_LANES] = [None; MAX_LANES];
         let mut lanes = 0;
         for (material, of_material) in materials.iter() {
             if let Some(texture) = self.layout.materials[material].textures.get(slot) {
                 lanes |= of_material;
+                let texture = texture as usize;
                 for lane in rays(of_material.into()) {
-                    textures[lane] = Some(self.layout.textures[texture as usize]);
+                    textures[lane] = Some((texture, self.layout.textures[texture]));
                 }
             }
         }
@@ -141,7 +142,9 @@ impl<S: Number> Integrator<'_, S> {
         count(|counts| &counts.texture_lookups, u64::from(lanes.count_ones()));
         let size = |of: fn(&TextureLayout) -> u32| {
             <S::Lanes as Lanes>::from_lanes(|lane| {
-                Real::from_f64(f64::from(textures[lane].as_ref().map_or(1, of)))
+                Real::from_f64(f64::from(
+                    textures[lane].as_ref().map_or(1, |(_, texture)| of(texture)),
+                ))
             })
         };
         let (width, height) = (size(|texture| texture.width), size(|texture| texture.height));
@@ -149,15 +152,21 @@ impl<S: Number> Integrator<'_, S> {
         let (x, y) = texel_position::<S::Lanes>(values, width, height);
         let (x, y) = (numbers_of_lanes(x), numbers_of_lanes(y));
         let indices = std::array::from_fn(|lane| match textures[lane] {
-            Some(texture) => texture.around(x[lane], y[lane]),
+            Some((_, texture)) => texture.around(x[lane], y[lane]),
             None => [0; 4],
         });
+        let white = Vec3::<S::Lane>::splat(Real::ONE);
+        let of_lanes: [[Vec3<S::Lane>; 4]; MAX_LANES] =
+            std::array::from_fn(|lane| match textures[lane] {
+                Some((texture, TextureLayout { first_texel, .. })) => {
+                    let texels = &self.inputs.texels[texture];
+                    indices[lane].map(|index: u32| texels.at(index as usize - first_texel))
+                }
+                None => [white; 4],
+            });
         let texels = std::array::from_fn(|corner| {
             let along = |axis: fn(Vec3<S::Lane>) -> S::Lane| {
-                S::from_each(|lane| match textures[lane] {
-                    Some(_) => axis(self.inputs.texels[indices[lane][corner] as usize]),
-                    None => S::Lane::ONE,
-                })
+                S::from_each(|lane| axis(of_lanes[lane][corner]))
             };
             Vector3::new(along(Vector3::x), along(Vector3::y), along(Vector3::z))
         });

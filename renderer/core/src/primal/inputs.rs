@@ -3,9 +3,9 @@
 use ad::vector::{Vector, Vector3};
 use ad::{Fields, Real, Tangent, Vec3};
 use glam::DVec3;
-use rayon::prelude::*;
 
 use super::placed::PlacedMesh;
+use super::texels::TexelInputs;
 use super::varying::{Varying, lifted, narrow_vector};
 use crate::custom::{EmitterKernel, ShapeKernel};
 use crate::number::{Number, splat_vector};
@@ -66,7 +66,7 @@ impl<S: Number> LightInputs<S> {
     }
 }
 
-/// A shape of one's own.
+/// A custom shape.
 #[derive(Clone, PartialEq)]
 pub struct ShapeInputs<S: Number> {
     pub kernel: ShapeKernel,
@@ -124,8 +124,8 @@ pub struct Inputs<S: Number> {
     /// The texture coordinates of all meshes, one mesh after the other; empty if the scene has no
     /// textures.
     pub uvs: Vec<Uv<S::Lane>>,
-    /// The texels of all textures, one texture after the other.
-    pub texels: Vec<Vec3<S::Lane>>,
+    /// The texels of each texture.
+    pub texels: Vec<TexelInputs<S::Lane>>,
     pub shapes: Vec<ShapeInputs<S>>,
 }
 
@@ -176,14 +176,19 @@ impl<S: Number> Inputs<S> {
         self.texels.clear();
         self.uvs.clear();
         for (index, texture) in scene.textures.iter().enumerate() {
-            let object = Object::Texture(index);
-            match varying.block(object, "texels") {
-                Some(block) => self.texels.extend(block.as_chunks().0.iter().map(vector::<S>)),
-                None => {
-                    let texels = texture.texels.par_iter();
-                    self.texels.par_extend(texels.map(|texel| vector::<S>(&lifted::<S, 3>(texel))));
+            let varying = varying.block(Object::Texture(index), "texels");
+            self.texels.push(match (varying, texture.texels.shared()) {
+                (Some(block), _) => {
+                    TexelInputs::Own(block.as_chunks().0.iter().map(vector::<S>).collect())
                 }
-            }
+                (None, Some(shared)) => TexelInputs::Shared(shared.clone()),
+                (None, None) => {
+                    let texels = texture.texels.iter();
+                    TexelInputs::Own(
+                        texels.map(|texel| vector::<S>(&lifted::<S, 3>(&texel))).collect(),
+                    )
+                }
+            });
         }
         if scene.textures.is_empty() {
             return;
@@ -284,7 +289,7 @@ pub fn lights<S: Number>(
     }
 }
 
-/// The shapes of one's own, relative to an origin.
+/// The custom shapes, relative to an origin.
 pub fn shapes<S: Number>(
     scene: &Scene,
     origin: Vec3<S::Wide>,

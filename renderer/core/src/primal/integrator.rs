@@ -33,7 +33,7 @@ pub struct Integrator<'a, S: Number> {
 /// weight is not.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct ZeroWeight {
-    /// Every opaque material counts as a mirror.
+    /// Every opaque material counts as a mirror, so that derivatives by mirror reflectances of zero are computed.
     pub mirrors: bool,
     /// What is black reflects.
     pub reflections: bool,

@@ -21,7 +21,7 @@ impl<W: Real> Varying<W> {
         self.blocks.iter().find(|(id, _)| is_it(id)).map(|(_, block)| &block[..])
     }
 
-    /// Numbers of a light or a shape of one's own.
+    /// Numbers of a custom light or shape.
     pub(super) fn lift_custom(&self, object: Object, fields: &[Field], values: &[f64]) -> Vec<W> {
         let mut lifted: Vec<W> = values.iter().map(|&value| W::from_f64(value)).collect();
         let mut start = 0;

@@ -24,7 +24,7 @@ pub struct Textured<S: Number> {
     /// The materials without their textures.
     pub plain: Material<S>,
     pub uv: Uv<S>,
-    /// By [`Slot`].
+    /// The texture lookups of the material, by [`Slot`].
     pub lookups: [Option<Lookup<S>>; 4],
 }
 

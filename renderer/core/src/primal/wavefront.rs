@@ -43,7 +43,7 @@ pub struct Wavefront<S: Number> {
     pub scattering: Scattering<S>,
 }
 
-/// Where paths come from.
+/// Where the rays of a wavefront come from.
 #[derive(Clone, Copy)]
 pub enum Source<'a> {
     /// They are traced.
@@ -227,7 +227,7 @@ pub fn blocks<S: Number>() -> usize {
     PACKET_RAYS / <S::Lanes as Lanes>::COUNT
 }
 
-/// As many zeros as there are blocks.
+/// Fills `values` with as many zeros as there are blocks.
 pub fn clear_blocks<S: Number, T: Additive>(values: &mut Vec<T>) {
     values.clear();
     values.resize(blocks::<S>(), T::zero());

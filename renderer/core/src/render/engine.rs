@@ -364,7 +364,7 @@ fn check_direction(scene: &Scene, direction: &[(ParameterId, Vec<f64>)]) -> Resu
             let problem = format!("overlaps {}, which moves too", scene.path(*other));
             return Err(Error::new(scene.path(*id), problem));
         }
-        let count = scene.get(*id).len();
+        let count = scene.count(*id);
         if count != numbers.len() {
             let problem = format!("moves by {} numbers, has {count}", numbers.len());
             return Err(Error::new(scene.path(*id), problem));

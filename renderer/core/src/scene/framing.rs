@@ -135,6 +135,23 @@ mod tests {
         }
     }
 
+    /// The side that the camera sees is the one that is lit.
+    #[test]
+    fn flat_meshes_are_lit_from_the_side_that_is_seen() {
+        for normal in DVec3::AXES {
+            let mut scene = tree();
+            for vertex in &mut scene.meshes[0].vertices {
+                *vertex = DVec3::from(*vertex).reject_from(normal).to_array();
+            }
+            scene.frame();
+            let LightSource::Known(light) = &scene.lights[0].source else { panic!("a light") };
+            let towards_light = light.position().unwrap() - scene.camera.look_at;
+            let towards_camera = scene.camera.look_from - scene.camera.look_at;
+            let sides = towards_light.dot(normal) * towards_camera.dot(normal);
+            assert!(sides > 0.0, "{normal}: {towards_light} {towards_camera}");
+        }
+    }
+
     #[test]
     fn a_single_point_and_spheres_are_framed() {
         let mut scene = tree();

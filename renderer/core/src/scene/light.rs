@@ -23,7 +23,7 @@ pub struct LightObject {
 pub enum LightSource {
     /// A light of a known kind.
     Known(Light<f64>),
-    /// A light of one's own. Scene files do not know it.
+    /// A custom light. Scene files do not know it.
     Custom {
         /// The kernel.
         kernel: EmitterKernel,

@@ -1,6 +1,6 @@
 //! Scenes: objects that own their names and their numbers.
 //!
-//! A [`Scene`] holds a camera, lights, materials, textures, spheres, meshes and shapes of one's own.
+//! A [`Scene`] holds a camera, lights, materials, textures, spheres, meshes and custom shapes.
 //! Objects refer to materials and textures by index; [`add_material`](Scene::add_material) and its
 //! siblings return the index and check what they add. Every block of numbers that may vary is a
 //! parameter with a [path](ParameterId) such as `light.key.position`; what is known of parameters, their
@@ -63,7 +63,7 @@ pub use object::{Object, ParameterId};
 pub use parameter::ParameterPath;
 pub use shape::ShapeObject;
 pub use sphere::SphereObject;
-pub use texture::{Texture, Wrap};
+pub use texture::{Texels, Texture, Wrap};
 pub use validate::Invalid;
 #[doc(hidden)]
 pub use validate::MOST_PIXELS;
@@ -138,7 +138,7 @@ impl Scene {
         self.added(|scene| &mut scene.lights, Object::Light)
     }
 
-    /// Adds a light of one's own; returns its index.
+    /// Adds a custom light; returns its index.
     ///
     /// # Errors
     ///
@@ -199,7 +199,7 @@ impl Scene {
         self.added(|scene| &mut scene.meshes, Object::Mesh)
     }
 
-    /// Adds a shape of one's own that wears a material; returns its index.
+    /// Adds a custom shape with a material; returns its index.
     ///
     /// # Errors
     ///
@@ -254,7 +254,7 @@ impl Scene {
         &self.meshes
     }
 
-    /// The shapes of one's own.
+    /// The custom shapes.
     pub fn shapes(&self) -> &[ShapeObject] {
         &self.shapes
     }

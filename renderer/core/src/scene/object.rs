@@ -17,7 +17,7 @@ pub enum Object {
     Sphere(usize),
     /// A mesh.
     Mesh(usize),
-    /// A shape of one's own.
+    /// A custom shape.
     Shape(usize),
 }
 

@@ -112,6 +112,17 @@ impl Scene {
         }
     }
 
+    /// How many numbers a parameter has.
+    ///
+    /// # Panics
+    ///
+    /// If `id` is not a parameter of the scene.
+    pub fn count(&self, id: ParameterId) -> usize {
+        let field = self.fields(id.object).into_iter().find(|field| field.name == id.field);
+        let field = field.unwrap_or_else(|| panic!("{id:?} is no parameter of the scene"));
+        if id.vertex.is_some() { 3 } else { field.len }
+    }
+
     /// Replaces the numbers of a parameter, which may then be out of their ranges: to be followed by
     /// [`check_values`](Self::check_values).
     ///
@@ -120,7 +131,7 @@ impl Scene {
     /// If `id` is not a parameter of the scene, or has another number of numbers.
     #[doc(hidden)]
     pub fn assign(&mut self, id: ParameterId, numbers: &[f64]) {
-        assert_eq!(numbers.len(), self.get(id).len(), "{id:?} keeps its number of numbers");
+        assert_eq!(numbers.len(), self.count(id), "{id:?} keeps its number of numbers");
         let first = 3 * id.vertex.unwrap_or(0);
         self.object_mut(id.object).set(id.field, first, numbers);
     }
@@ -130,7 +141,7 @@ impl Scene {
     #[doc(hidden)]
     pub fn assign_all(&mut self, ids: &[ParameterId], mut values: &[f64]) {
         for &id in ids {
-            let (numbers, rest) = values.split_at(self.get(id).len());
+            let (numbers, rest) = values.split_at(self.count(id));
             self.assign(id, numbers);
             values = rest;
         }
@@ -158,7 +169,7 @@ impl Scene {
     /// The shape of a parameter: empty for a number, `[3]` for a vector, `[n, 3]` for vertices
     /// and normals, `[n, 2]` for texture coordinates, `[height, width, 3]` for texels.
     pub fn shape(&self, id: ParameterId) -> Vec<usize> {
-        let count = self.get(id).len();
+        let count = self.count(id);
         match (id.object, id.field, id.vertex) {
             (Object::Mesh(_), "vertices" | "normals", None) => vec![count / 3, 3],
             (Object::Mesh(_), "texture_coordinates", _) => vec![count / 2, 2],

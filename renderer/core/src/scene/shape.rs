@@ -1,4 +1,4 @@
-//! Shapes of one's own in a scene.
+//! Custom shapes in a scene.
 
 use std::borrow::Cow;
 
@@ -9,7 +9,7 @@ use super::numbers::{Numbers, range_of};
 use crate::custom::{ShapeFamily, ShapeKernel};
 use crate::transport::transform::Transform;
 
-/// A shape of one's own, its place and its material. Scene files do not know it.
+/// A custom shape, its place and its material. Scene files do not know it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ShapeObject {
     /// The name, unique among shapes.

@@ -129,7 +129,7 @@ const TABLE: &[Row] = &[
     slow(moving("shape", "scale", LENGTH, size)),
 ];
 
-/// Of a field that a shape or a light of one's own has.
+/// Of a field that a custom shape or light has.
 const CUSTOM: Row =
     slow(moving("", "", NUMBER, |scene, i, numbers| positive_or(size(scene, i, numbers), 1.0)));
 
@@ -167,7 +167,11 @@ impl Scene {
             Object::Light(i) | Object::Material(i) | Object::Texture(i) => i,
             Object::Sphere(i) | Object::Mesh(i) | Object::Shape(i) => i,
         };
-        (row(id).scale)(self, index, &self.get(id))
+        match id.object {
+            // Whatever they are: they are many.
+            Object::Texture(_) => (row(id).scale)(self, index, &[]),
+            _ => (row(id).scale)(self, index, &self.get(id)),
+        }
     }
 
     fn view_distance(&self) -> f64 {
@@ -235,7 +239,7 @@ mod tests {
             width: 1,
             height: 1,
             wrap: Wrap::Repeat,
-            texels: vec![[0.0; 3]],
+            texels: vec![[0.0_f64; 3]].into(),
         };
         let mesh = Mesh::new("", vec![], vec![]).texture_coordinates(vec![[0.0; 2]], vec![]);
         let mesh = mesh.normals(vec![], vec![]);

@@ -1,5 +1,6 @@
 //! What must hold of a scene before it is rendered.
 
+use std::borrow::Cow;
 use std::collections::HashSet;
 
 use glam::DVec3;
@@ -158,8 +159,7 @@ impl Scene {
     /// Each number of a parameter by itself.
     fn check_numbers(&self, id: ParameterId) -> Result<(), Invalid> {
         let (row, range) = (table::row(id), self.range(id));
-        let numbers = self.get(id);
-        let problem = |&value: &f64| match value {
+        let problem = |value: f64| match value {
             _ if !value.is_finite() => Some(format!("{value} is not a finite number")),
             _ if (range.0..=range.1).contains(&value) => None,
             _ if matches!(id.object, Object::Texture(_)) && value > range.1 && range.1 == 1.0 => {
@@ -167,9 +167,20 @@ impl Scene {
             }
             _ => Some(out_of(range, value)),
         };
-        if let Some((index, problem)) =
-            numbers.iter().enumerate().find_map(|(index, value)| Some((index, problem(value)?)))
-        {
+        let first = |values: &mut dyn Iterator<Item = f64>| {
+            values.enumerate().find_map(|(index, value)| Some((index, problem(value)?)))
+        };
+        let (found, numbers) = match id.object {
+            // Too many to be copied.
+            Object::Texture(i) => {
+                (first(&mut self.textures[i].texels.iter().flatten()), Cow::default())
+            }
+            _ => {
+                let numbers = self.get(id);
+                (first(&mut numbers.iter().copied()), numbers)
+            }
+        };
+        if let Some((index, problem)) = found {
             let path = self.path(id).to_string();
             return match (id.field, id.vertex) {
                 ("vertices", None) | ("normals" | "texels", _) => {
@@ -274,8 +285,8 @@ impl Scene {
     fn check_material(&self, index: usize) -> Result<(), Invalid> {
         let material = &self.materials[index];
         let (path, textures) = (format!("material.{}", material.name), self.textures.len());
-        let worn = material.textures.0.iter().flatten();
-        if let Some(index) = { worn }.find(|&&texture| texture as usize >= textures) {
+        let assigned = material.textures.0.iter().flatten();
+        if let Some(index) = { assigned }.find(|&&texture| texture as usize >= textures) {
             return invalid(path, format!("names texture {index} of {textures}"));
         }
         let path = format!("{path}.opacity");
@@ -353,7 +364,7 @@ impl Scene {
             Some((triangle, &material)) => {
                 let material = &self.materials[material as usize].name;
                 let problem = format!(
-                    "triangle {triangle} wears the material `{material}`, which has a texture, but \
+                    "triangle {triangle} has the material `{material}`, which has a texture, but \
                      has no texture coordinates"
                 );
                 invalid(path(), problem)
@@ -395,7 +406,10 @@ fn check_texture(texture: &Texture) -> Result<(), Invalid> {
 fn out_of((low, high): (f64, f64), value: f64) -> String {
     match value {
         _ if value < 0.0 && low == 0.0 => format!("must not be negative, is {value}"),
-        _ if value < low && low == SMALLEST_LENGTH => format!("must be above 0, is {value:e}"),
+        _ if value < low && low == SMALLEST_LENGTH => match value > 0.0 {
+            true => format!("must be at least {low:e}, is {value:e}"),
+            false => format!("must be above 0, is {value:e}"),
+        },
         _ if high == 1.0 => format!("must be at most 1, is {value}"),
         _ if high >= LARGEST_COORDINATE => format!("{value:e} is beyond {high:e}"),
         _ => format!("must lie between {low} and {high}, is {value}"),

@@ -9,7 +9,7 @@ const NONE: u32 = u32::MAX;
 pub struct Adjacency(Vec<[u32; 3]>);
 
 impl Adjacency {
-    /// Those of triangles that are given by the indices of their corners.
+    /// The neighbours of triangles that are given by the indices of their corners.
     pub fn new(triangles: &[[u32; 3]]) -> Self {
         let sides = triangles.par_iter().enumerate().flat_map_iter(|(triangle, &corners)| {
             sides(corners).into_iter().enumerate().map(move |(side, [a, b])| {

@@ -38,7 +38,7 @@ impl Corners {
         corners
     }
 
-    /// Whether no triangle has any.
+    /// Returns `true` if no triangle has corners of this kind.
     #[inline]
     pub fn is_empty(&self) -> bool {
         self.triangles.is_empty()
@@ -55,7 +55,7 @@ impl Corners {
         self.first.last().map_or(0, |&end| end as usize)
     }
 
-    /// Those of a mesh among those of all.
+    /// The range of a mesh's entries among those of all meshes.
     pub fn of_mesh(&self, mesh: usize) -> Range<usize> {
         self.first[mesh] as usize..self.first[mesh + 1] as usize
     }

@@ -238,7 +238,7 @@ impl Layout {
         self.first_vertices[mesh] as usize..self.first_vertices[mesh + 1] as usize
     }
 
-    /// The number of shapes of one's own.
+    /// The number of custom shapes.
     pub fn customs(&self) -> usize {
         self.material_of.len() - self.triangles.len() - self.spheres
     }

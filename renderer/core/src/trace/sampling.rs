@@ -30,7 +30,7 @@ pub enum Sampling {
 /// How many rays go through a pixel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Samples {
-    /// For each pixel; at least 1.
+    /// Rays through each pixel; at least 1.
     pub count: u32,
     /// Tells random choices apart; the same seed gives the same image.
     pub seed: u32,

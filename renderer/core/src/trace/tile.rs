@@ -54,7 +54,7 @@ impl Tile {
 pub struct Strip(Tile);
 
 impl Strip {
-    /// Its tiles, from left to right.
+    /// The tiles of the strip, from left to right.
     pub fn tiles(self) -> impl Iterator<Item = Tile> {
         let Self(Tile { left, columns, .. }) = self;
         (0..columns).step_by(TILE).map(move |offset| Tile {

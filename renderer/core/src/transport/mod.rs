@@ -1,7 +1,7 @@
 //! What light does: the mathematics of the renderer, once.
 //!
 //! In tracing order: a [`camera`] sends a ray through a pixel; [`hit`] gives the surface point on the
-//! [`triangle`], flat or [`smooth`], [`sphere`] or [`shape`] of one's own that it meets; a [`texture`]
+//! [`triangle`], flat or [`smooth`], [`sphere`] or custom [`shape`] that it meets; a [`texture`]
 //! varies the [`material`] there; [`direct`] gives what a [`light`] makes the surface reflect; [`vertex`]
 //! puts together what leaves a path vertex and the ray to the next one. Where light takes all paths,
 //! [`emitter`] gives what surfaces that shine bring to others, [`scatter`] where it goes on from a surface,

@@ -1,4 +1,4 @@
-//! Shapes of one's own: where rays meet them.
+//! Custom shapes: where rays meet them.
 
 use ad::vector::Vector;
 use ad::{Differentiable, Real, Vec3, differentiable, select};

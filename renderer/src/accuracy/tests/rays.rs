@@ -1,4 +1,4 @@
-//! The dial where it chooses rays.
+//! The selection where it chooses rays.
 
 use super::*;
 use crate::experiment::Experiment;
@@ -18,7 +18,7 @@ fn photo(experiment: &Experiment) -> Recovery<'_> {
     recovery.with_settings(&exact)
 }
 
-/// The true errors of settings: from seeds that the dial has not seen, against far more rays.
+/// The true errors of settings: from seeds that the selection has not seen, against far more rays.
 struct Truth<'a> {
     recovery: &'a Recovery<'a>,
     metric: GradientMetric,
@@ -65,18 +65,18 @@ fn chosen_rays_are_as_accurate_as_asked_and_nearly_as_cheap_as_can_be() {
         let truth = Truth::new(&recovery);
         let sampler = Sampler::ALL[number as usize % 2];
         let accuracy = ACCURACIES[number as usize / 2 % ACCURACIES.len()];
-        let pick = pick(&recovery, accuracy, Rays::Chosen { sampler, most: MOST });
-        let best = &pick.best;
-        if !pick.is_within() {
+        let select = select(&recovery, accuracy, Rays::Chosen { sampler, most: MOST });
+        let best = &select.best;
+        if !select.is_within() {
             unmet += 1;
             if truth.is_within(&best.setting, accuracy) {
-                wrong.push(format!("{number}: can be met: {pick}"));
+                wrong.push(format!("{number}: can be met: {select}"));
             }
             continue;
         }
         counts.push(best.setting.sampling.count());
         if !truth.is_within(&best.setting, accuracy) {
-            wrong.push(format!("{number}: {}: {pick}", truth.error(&best.setting, 32)));
+            wrong.push(format!("{number}: {}: {select}", truth.error(&best.setting, 32)));
         }
 
         let work = Work::new(&recovery);
@@ -88,7 +88,7 @@ fn chosen_rays_are_as_accurate_as_asked_and_nearly_as_cheap_as_can_be() {
         });
         let mut cheaper = settings.filter(|setting| 1.5 * work.of(setting) < best.work);
         if let Some(enough) = cheaper.find(|setting| truth.is_within(setting, accuracy)) {
-            dear.push(format!("{number}: {enough} is enough: {pick}"));
+            dear.push(format!("{number}: {enough} is enough: {select}"));
         }
     }
     assert!(4 * unmet <= SCENES, "{unmet} of {SCENES} cannot be met");
@@ -96,6 +96,6 @@ fn chosen_rays_are_as_accurate_as_asked_and_nearly_as_cheap_as_can_be() {
     assert!(20 * wrong.len() <= SCENES as usize, "{wrong:#?}");
     // Where few rays bring most of the error, eight seeds may tell too much of it.
     assert!(10 * dear.len() <= counts.len(), "{dear:#?}");
-    // The dial has something to choose.
+    // The selection has something to choose.
     assert!(counts.iter().any(|&count| count <= 4) && counts.iter().any(|&count| count > 8));
 }

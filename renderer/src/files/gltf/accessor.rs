@@ -1,7 +1,10 @@
 //! Typed views into buffers.
 
 use super::Buffers;
-use super::document::{Accessor, Document, get};
+use super::document::{Accessor, Document, Sparse, get};
+
+/// So many elements an accessor may have that no bytes of a buffer stand for.
+const MOST_ZEROS: usize = 1 << 24;
 
 /// Vectors of numbers, all of them finite: positions of vertices, texture coordinates.
 pub(super) fn vectors<const N: usize>(
@@ -10,9 +13,8 @@ pub(super) fn vectors<const N: usize>(
     index: usize,
 ) -> Result<Vec<[f64; N]>, String> {
     let read = || {
-        let elements = Elements::of(document, buffers, index, N)?;
-        let vector = |element: &[u8]| std::array::from_fn(|i| elements.number(element, i));
-        let vectors: Vec<[f64; N]> = elements.iter().map(vector).collect();
+        let accessor = get(&document.accessors, index, "accessors")?;
+        let vectors: Vec<[f64; N]> = all(document, buffers, accessor)?;
         match vectors.iter().position(|v| v.iter().any(|x| !x.is_finite())) {
             Some(vertex) => Err(format!("vertex {vertex} is not finite")),
             None => Ok(vectors),
@@ -28,15 +30,54 @@ pub(super) fn indices(
     index: usize,
 ) -> Result<Vec<u32>, String> {
     let read = || {
-        let elements = Elements::of(document, buffers, index, 1)?;
-        match elements.component {
-            Component::U8 | Component::U16 | Component::U32 if !elements.normalized => {
-                Ok(elements.iter().map(|element| elements.number(element, 0) as u32).collect())
-            }
-            _ => Err("indices must be unsigned integers".to_owned()),
+        let accessor = get(&document.accessors, index, "accessors")?;
+        if accessor.normalized || !Component::of(accessor.component_type)?.is_unsigned() {
+            return Err("indices must be unsigned integers".to_owned());
         }
+        let indices = all(document, buffers, accessor)?;
+        Ok(indices.into_iter().map(|[index]| index as u32).collect())
     };
     read().map_err(|problem| format!("accessors[{index}]: {problem}"))
+}
+
+/// The elements of an accessor: those of its bufferView, or zeros, with those in place of some that it
+/// lists one by one.
+fn all<const N: usize>(
+    document: &Document,
+    buffers: &Buffers,
+    accessor: &Accessor,
+) -> Result<Vec<[f64; N]>, String> {
+    let &Accessor { component_type, normalized, byte_offset, count, .. } = accessor;
+    let shape = if N == 1 { "SCALAR".to_owned() } else { format!("VEC{N}") };
+    if accessor.shape != shape {
+        return Err(format!("its type is {}, not {shape}", accessor.shape));
+    }
+    let component = Component::of(component_type)?;
+    let read = |view: usize, byte_offset: usize, count: usize| {
+        Elements::of(document, buffers, Span { view, byte_offset, count }, component, N)
+    };
+    let mut elements: Vec<[f64; N]> = match accessor.buffer_view {
+        Some(view) => read(view, byte_offset, count)?.vectors(normalized).collect(),
+        None if accessor.sparse.is_none() => return Err("has no bufferView".to_owned()),
+        None if count > MOST_ZEROS => {
+            return Err(format!("has {count} elements without a bufferView, above {MOST_ZEROS}"));
+        }
+        None => vec![[0.0; N]; count],
+    };
+    let Some(Sparse { count, indices, values }) = &accessor.sparse else { return Ok(elements) };
+    let component = Component::of(indices.component_type)?;
+    if !component.is_unsigned() {
+        return Err("the indices of its sparse elements must be unsigned integers".to_owned());
+    }
+    let span = Span { view: indices.buffer_view, byte_offset: indices.byte_offset, count: *count };
+    let places = Elements::of(document, buffers, span, component, 1)?;
+    let values = read(values.buffer_view, values.byte_offset, *count)?;
+    for ([place], value) in places.vectors(false).zip(values.vectors(normalized)) {
+        let count = elements.len();
+        let element = elements.get_mut(place as usize);
+        *element.ok_or_else(|| format!("its sparse element {place} is none of {count}"))? = value;
+    }
+    Ok(elements)
 }
 
 #[derive(Clone, Copy)]
@@ -62,6 +103,10 @@ impl Component {
         }
     }
 
+    fn is_unsigned(self) -> bool {
+        matches!(self, Self::U8 | Self::U16 | Self::U32)
+    }
+
     fn size(self) -> usize {
         match self {
             Self::I8 | Self::U8 => 1,
@@ -71,33 +116,30 @@ impl Component {
     }
 }
 
-/// The elements of an accessor, all of them within their buffer.
+/// Where elements are.
+struct Span {
+    view: usize,
+    byte_offset: usize,
+    count: usize,
+}
+
+/// Elements, all of them within their buffer.
 struct Elements<'a> {
     /// From the first byte of the first element to the last byte of the last.
     bytes: &'a [u8],
     stride: usize,
     size: usize,
     component: Component,
-    normalized: bool,
 }
 
 impl<'a> Elements<'a> {
     fn of(
         document: &Document,
         buffers: &'a Buffers,
-        index: usize,
+        Span { view, byte_offset, count }: Span,
+        component: Component,
         components: usize,
     ) -> Result<Self, String> {
-        let accessor = get(&document.accessors, index, "accessors")?;
-        let &Accessor { component_type, normalized, byte_offset, count, .. } = accessor;
-        let shape = if components == 1 { "SCALAR".to_owned() } else { format!("VEC{components}") };
-        if accessor.shape != shape {
-            return Err(format!("its type is {}, not {shape}", accessor.shape));
-        }
-        let (Some(view), None) = (accessor.buffer_view, &accessor.sparse) else {
-            return Err("sparse accessors and those without a bufferView are not read".to_owned());
-        };
-        let component = Component::of(component_type)?;
         let size = component.size() * components;
         let definition = get(&document.buffer_views, view, "bufferViews")?;
         let stride = definition.byte_stride.unwrap_or(size);
@@ -118,16 +160,19 @@ impl<'a> Elements<'a> {
                 view.len()
             )
         })?;
-        Ok(Self { bytes, stride, size, component, normalized })
+        Ok(Self { bytes, stride, size, component })
     }
 
-    fn iter(&self) -> impl Iterator<Item = &'a [u8]> {
+    fn vectors<const N: usize>(&self, normalized: bool) -> impl Iterator<Item = [f64; N]> {
         // The last element may lack the padding behind it.
-        self.bytes.chunks(self.stride).map(|element| &element[..self.size])
+        let elements = self.bytes.chunks(self.stride).map(|element| &element[..self.size]);
+        elements.map(move |element| {
+            std::array::from_fn(|component| self.number(element, component, normalized))
+        })
     }
 
     /// A component of an element.
-    fn number(&self, element: &[u8], i: usize) -> f64 {
+    fn number(&self, element: &[u8], i: usize, normalized: bool) -> f64 {
         let size = self.component.size();
         let bytes = &element[size * i..size * (i + 1)];
         let mut padded = [0; 4];
@@ -141,6 +186,6 @@ impl<'a> Elements<'a> {
             Component::U32 => (f64::from(u32::from_le_bytes(padded)), 4_294_967_295.0),
             Component::F32 => return f64::from(f32::from_le_bytes(padded)),
         };
-        if self.normalized { (value / most).max(-1.0) } else { value }
+        if normalized { (value / most).max(-1.0) } else { value }
     }
 }

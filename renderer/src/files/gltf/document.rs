@@ -6,8 +6,12 @@ use serde::Deserialize;
 use serde::de::IgnoredAny;
 
 /// The extensions that are read.
-const EXTENSIONS: [&str; 3] =
-    ["KHR_lights_punctual", "KHR_mesh_quantization", "KHR_texture_transform"];
+const EXTENSIONS: [&str; 4] = [
+    "KHR_lights_punctual",
+    "KHR_materials_unlit",
+    "KHR_mesh_quantization",
+    "KHR_texture_transform",
+];
 
 #[derive(Deserialize)]
 #[serde(rename_all = "camelCase")]
@@ -152,6 +156,15 @@ pub(super) struct Material {
     pub occlusion_texture: Option<IgnoredAny>,
     pub alpha_mode: Option<String>,
     pub alpha_cutoff: Option<f64>,
+    #[serde(default)]
+    pub extensions: MaterialExtensions,
+}
+
+#[derive(Default, Deserialize)]
+pub(super) struct MaterialExtensions {
+    /// There if light does not matter: the base colour is what is seen.
+    #[serde(rename = "KHR_materials_unlit")]
+    pub unlit: Option<IgnoredAny>,
 }
 
 #[derive(Deserialize)]
@@ -180,7 +193,7 @@ impl Default for Pbr {
 #[serde(rename_all = "camelCase")]
 pub(super) struct TextureInfo {
     pub index: usize,
-    /// Which of the sets of texture coordinates.
+    /// The number of the set of texture coordinates.
     #[serde(default)]
     pub tex_coord: usize,
     #[serde(default)]
@@ -198,7 +211,7 @@ pub(super) struct TextureInfoExtensions {
 pub(super) struct TextureTransform {
     #[serde(default)]
     pub offset: [f64; 2],
-    /// In radians.
+    /// An angle in radians.
     #[serde(default)]
     pub rotation: f64,
     #[serde(default = "ones")]
@@ -237,7 +250,7 @@ pub(super) struct Camera {
 #[derive(Deserialize)]
 #[serde(rename_all = "camelCase")]
 pub(super) struct Perspective {
-    /// In radians.
+    /// An angle in radians.
     pub yfov: f64,
     pub aspect_ratio: Option<f64>,
 }
@@ -254,7 +267,32 @@ pub(super) struct Accessor {
     pub count: usize,
     #[serde(rename = "type")]
     pub shape: String,
-    pub sparse: Option<IgnoredAny>,
+    pub sparse: Option<Sparse>,
+}
+
+/// Elements of an accessor that are listed one by one.
+#[derive(Deserialize)]
+pub(super) struct Sparse {
+    pub count: usize,
+    pub indices: SparseIndices,
+    pub values: SparseValues,
+}
+
+#[derive(Deserialize)]
+#[serde(rename_all = "camelCase")]
+pub(super) struct SparseIndices {
+    pub buffer_view: usize,
+    #[serde(default)]
+    pub byte_offset: usize,
+    pub component_type: u32,
+}
+
+#[derive(Deserialize)]
+#[serde(rename_all = "camelCase")]
+pub(super) struct SparseValues {
+    pub buffer_view: usize,
+    #[serde(default)]
+    pub byte_offset: usize,
 }
 
 #[derive(Deserialize)]

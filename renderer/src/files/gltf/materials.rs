@@ -10,15 +10,15 @@ use super::buffers::{embedded, percent_decoded};
 use super::document::{self, Document, Sampler, TextureInfo, TextureTransform, get};
 use crate::Error;
 use crate::files::meshes::plain_material;
-use crate::files::model::{
+use crate::files::meshes::{
     Channel, DEFAULT_MATERIAL, ModelMaps, ModelMaterial, TextureImage, TextureSource,
 };
 use crate::files::names::Names;
 use crate::files::names::clean_name;
-use crate::files::warnings::Warnings;
 use crate::scene::{Material, MaterialObject, Wrap};
+use crate::warning::Warnings;
 
-/// The materials of a document, and of these the ones that something wears.
+/// The materials of a document, and of these the ones that a primitive has.
 pub(super) struct Materials {
     /// The last is that of primitives without one.
     all: Vec<ModelMaterial>,
@@ -83,14 +83,20 @@ fn convert(
     let pbr = &definition.pbr_metallic_roughness;
     let [r, g, b, alpha] = pbr.base_color_factor;
     let opacity = opacity(definition, alpha).map_err(|problem| Error::new(place, problem))?;
-    let mut material = MaterialObject::from(Material {
-        emission: DVec3::from_array(definition.emissive_factor),
-        ..Material::lambertian(DVec3::new(r, g, b))
+    let is_unlit = definition.extensions.unlit.is_some();
+    let color = DVec3::new(r, g, b);
+    let mut material = MaterialObject::from(match is_unlit {
+        true => Material { emission: color, ..Material::lambertian(DVec3::ZERO) },
+        false => Material {
+            emission: DVec3::from_array(definition.emissive_factor),
+            ..Material::lambertian(color)
+        },
     });
     if let Some(opacity) = opacity {
         material = material.with_opacity(opacity);
     }
-    let infos = [&pbr.base_color_texture, &definition.emissive_texture];
+    let emissive = if is_unlit { &None } else { &definition.emissive_texture };
+    let infos = [&pbr.base_color_texture, emissive];
     let mut placements = infos.into_iter().flatten().map(placement);
     let (texture_set, first) = placements.next().unwrap_or_default();
     if placements.any(|other| other != (texture_set, first)) {
@@ -101,13 +107,14 @@ fn convert(
     let mut source = |info: &Option<TextureInfo>| {
         info.as_ref().map(|info| textures.source(info.index, warnings)).transpose()
     };
-    let diffuse = source(&pbr.base_color_texture)?;
+    let base = source(&pbr.base_color_texture)?;
     let covers = |source: &TextureSource| {
         let channel = alpha_channel(definition, alpha)?;
         Some(TextureSource { channel, ..source.clone() })
     };
-    let emission = source(&definition.emissive_texture)?;
-    let opacity = diffuse.as_ref().and_then(covers);
+    let emission = source(emissive)?;
+    let opacity = base.as_ref().and_then(covers);
+    let (emission, diffuse) = if is_unlit { (base, None) } else { (emission, base) };
     let maps = ModelMaps { sources: [emission, diffuse, None, opacity], placement: first };
     Ok((ModelMaterial { name, material: Ok(material), maps }, texture_set))
 }

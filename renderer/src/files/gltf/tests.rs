@@ -263,6 +263,56 @@ fn strips_fans_and_plain_lists_are_triangles() {
     assert!(triangles(1, true).unwrap_err().problem.contains("no triangles"));
 }
 
+/// The third position is listed apart: of the square, and of an accessor that is zero elsewhere.
+#[test]
+fn sparse_elements_replace_others() {
+    let mut bytes = square_bytes();
+    bytes.extend([2, 0, 0, 0]);
+    bytes.extend([5.0_f32, 6.0, 7.0].map(f32::to_le_bytes).as_flattened());
+    let mut document = square();
+    document["buffers"][0]["byteLength"] = json!(bytes.len());
+    let views = document["bufferViews"].as_array_mut().unwrap();
+    views.push(json!({ "buffer": 0, "byteOffset": 60, "byteLength": 4 }));
+    views.push(json!({ "buffer": 0, "byteOffset": 64, "byteLength": 12 }));
+    document["accessors"][0]["sparse"] = json!({
+        "count": 1,
+        "indices": { "bufferView": 2, "componentType": 5121 },
+        "values": { "bufferView": 3 },
+    });
+    let load = |document: &Value| load_bytes("model.glb", &glb(document.clone(), &bytes));
+    let vertices = |document: &Value| load(document).unwrap().model.meshes[0].vertices.clone();
+    let third = [5.0, 6.0, 7.0];
+    assert_eq!(vertices(&document), [[0.0; 3], [1.0, 0.0, 0.0], third, [0.0, 1.0, 0.0]]);
+    let mut zero = document.clone();
+    zero["accessors"][0].as_object_mut().unwrap().remove("bufferView");
+    assert_eq!(vertices(&zero), [[0.0; 3], [0.0; 3], third, [0.0; 3]]);
+    for (pointer, value, expected) in [
+        ("/accessors/0/count", json!(u64::MAX), "elements without a bufferView, above 16777216"),
+        ("/accessors/0/sparse", json!(null), "accessors[0]: has no bufferView"),
+        ("/accessors/0/count", json!(2), "its sparse element 2 is none of 2"),
+        ("/accessors/0/sparse/count", json!(2), "2 elements from byte 0 on do not fit"),
+        ("/accessors/0/sparse/indices/componentType", json!(5126), "must be unsigned integers"),
+    ] {
+        let mut broken = zero.clone();
+        *broken.pointer_mut(pointer).unwrap() = value;
+        let error = load(&broken).unwrap_err();
+        assert!(error.problem.contains(expected), "{error}");
+    }
+}
+
+/// What light does not matter for emits its base colour.
+#[test]
+fn unlit_materials_emit() {
+    let mut document = square();
+    document["materials"][1]["extensions"] = json!({ "KHR_materials_unlit": {} });
+    document["materials"][1]["emissiveFactor"] = json!([1.0, 1.0, 1.0]);
+    document["extensionsRequired"] = json!(["KHR_materials_unlit"]);
+    let model = load(&document).unwrap().model;
+    let material = &model.materials[0].material.as_ref().unwrap().values;
+    assert_eq!(material.emission, DVec3::new(0.5, 0.25, 0.125));
+    assert_eq!((material.diffuse, material.specular), (DVec3::ZERO, DVec3::ZERO));
+}
+
 #[test]
 fn broken_documents_are_refused() {
     let cases: [(&str, Value, &str); 22] = [

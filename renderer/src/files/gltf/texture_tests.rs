@@ -8,7 +8,7 @@ use serde_json::{Value, json};
 use super::tests::{glb, load, load_bytes, square, square_bytes};
 use super::*;
 use crate::experiment::Experiment;
-use crate::files::model::TextureImage;
+use crate::files::meshes::TextureImage;
 use crate::scene::{MaterialObject, Scene, Slot, Wrap};
 
 /// Two texels side by side, the right one transparent.
@@ -58,7 +58,7 @@ fn textures_multiply_the_base_colour() {
     let [texture] = &scene.textures[..] else { panic!("one texture") };
     assert_eq!((texture.name.as_str(), texture.wrap), ("paint", Wrap::Mirror));
     // The right texel is transparent, but green all the same.
-    assert_eq!(texture.texels, [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]]);
+    assert_eq!(texture.image().pixels, [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]]);
     assert_eq!(scene.materials[0].values.diffuse, DVec3::new(0.5, 0.25, 0.125));
     assert_eq!(scene.materials[0].textures.get(Slot::Diffuse), Some(0));
     // Upwards: what is at the lower edge in the file, v = 1, is at 0.
@@ -92,7 +92,7 @@ fn images_may_be_files_or_data() {
     // A PNG of one white texel, grey in its format.
     let grey = "iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAAAAAA6fptVAAAACklEQVR4nGP4DwABAQEAsTj2FAAAAABJRU5ErkJggg==";
     document["images"][0] = json!({ "uri": format!("data:image/png;base64,{grey}") });
-    assert_eq!(scene((document, bytes)).unwrap().textures[0].texels, [[1.0; 3]]);
+    assert_eq!(scene((document, bytes)).unwrap().textures[0].image().pixels, [[1.0; 3]]);
 }
 
 /// The corners of the square, moved by `transform`, in the file's own coordinates.
@@ -124,8 +124,9 @@ fn materials_may_use_another_set_of_coordinates() {
     let (mut document, bytes) = textured();
     let attributes = &mut document["meshes"][0]["primitives"][0]["attributes"];
     attributes["TEXCOORD_3"] = attributes.as_object_mut().unwrap().remove("TEXCOORD_0").unwrap();
-    let error = scene((document.clone(), bytes.clone())).unwrap_err().to_string();
-    assert!(error.contains("which has a texture, but has no texture coordinates"), "{error}");
+    // Without them white stands for the texture.
+    let bare = scene((document.clone(), bytes.clone())).unwrap();
+    assert!(!bare.materials[0].textures.any() && bare.meshes[0].texture_coordinates.is_empty());
     document["materials"][1]["pbrMetallicRoughness"]["baseColorTexture"]["texCoord"] = json!(3);
     assert_eq!(scene((document, bytes)).unwrap().meshes[0].texture_coordinates.len(), 4);
 }
@@ -168,7 +169,7 @@ fn broken_textures_are_refused() {
 fn what_is_left_out_is_told() {
     let mut document = square();
     assert_eq!(load(&document).unwrap().model.warnings, []);
-    document["extensionsUsed"] = json!(["KHR_lights_punctual", "KHR_materials_unlit"]);
+    document["extensionsUsed"] = json!(["KHR_lights_punctual", "KHR_materials_sheen"]);
     document["animations"] = json!([{}]);
     document["materials"][0]["normalTexture"] = json!({ "index": 0 });
     document["materials"][1]["pbrMetallicRoughness"]["metallicFactor"] = json!(0.5);
@@ -182,7 +183,7 @@ fn what_is_left_out_is_told() {
         warning.to_string().split_once("model.gltf: ").unwrap().1.to_owned()
     };
     let expected = [
-        "the extension KHR_materials_unlit is left out",
+        "the extension KHR_materials_sheen is left out",
         "animations are left out",
         "materials[0]: normalTexture is left out",
         "materials[1]: metallicFactor is left out: metals are shown as matt surfaces",
@@ -203,9 +204,9 @@ fn what_is_left_out_is_told() {
         "its sampler takes the nearest texel; all are bilinear here",
     ];
     assert_eq!(problems, expected);
-    document["extensionsRequired"] = json!(["KHR_materials_unlit"]);
+    document["extensionsRequired"] = json!(["KHR_materials_sheen"]);
     let error = load_bytes("model.glb", &glb(document, &bytes)).unwrap_err();
-    assert!(error.problem.contains("requires the extension KHR_materials_unlit"), "{error}");
+    assert!(error.problem.contains("requires the extension KHR_materials_sheen"), "{error}");
 }
 
 /// The opacity, if the material is transparent.
@@ -226,8 +227,8 @@ fn the_alpha_of_textures_is_an_opacity() {
         fs::write(&path, glb(document, &bytes)).unwrap();
         let Experiment { scene, warnings, .. } = Experiment::load(&path).unwrap();
         let warned = warnings.iter().any(|w| w.problem.contains("transparent texels"));
-        let worn = scene.materials[0].textures.get(Slot::Opacity).map(|index| index as usize);
-        let texels = worn.map(|texture| {
+        let assigned = scene.materials[0].textures.get(Slot::Opacity).map(|index| index as usize);
+        let texels = assigned.map(|texture| {
             assert_eq!(scene.textures[texture].name, "paint_opacity");
             scene.textures[texture].texels.iter().map(|texel| texel[0]).collect::<Vec<_>>()
         });

@@ -27,7 +27,7 @@ pub struct Decoded {
     pub image: Image,
     /// Whether the file cannot hold values above 1.
     pub is_srgb: bool,
-    /// Whether the alpha of a pixel is less than the most.
+    /// Whether any pixel is less than fully opaque.
     pub is_transparent: bool,
 }
 

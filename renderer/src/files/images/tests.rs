@@ -299,3 +299,14 @@ fn images_larger_than_their_file_are_refused() {
     let expected = format!("{size} bytes cannot hold the 10000000 x 2 pixels it has");
     assert_eq!(error.problem, expected);
 }
+
+/// A JPEG whose data ends within a code: it is read as far as it goes.
+#[test]
+fn jpegs_that_are_cut_short_are_read() {
+    let bytes = include_bytes!("../../../../fuzz/seeds/image/cut.jpg");
+    let folder = folder();
+    let path = folder.path().join("a.jpg");
+    fs::write(&path, bytes).unwrap();
+    let image = load_image(&path).unwrap().image;
+    assert_eq!((image.width, image.height), (9, 7));
+}

@@ -2,10 +2,10 @@
 
 use glam::DVec3;
 
-use crate::files::model::{DEFAULT_MATERIAL, Model, ModelMaps, ModelMaterial};
-use crate::files::warnings::Warnings;
+use super::model::{DEFAULT_MATERIAL, Model, ModelMaps, ModelMaterial};
 use crate::scene::table::SMALLEST_LENGTH;
 use crate::scene::{Material, Mesh, Normals};
+use crate::warning::Warnings;
 
 /// Builds meshes out of the vertices, the texture coordinates and the normals of a file.
 pub(in crate::files) struct MeshBuilder<'a> {
@@ -27,7 +27,7 @@ pub(in crate::files) struct Triangles {
 }
 
 impl<'a> MeshBuilder<'a> {
-    /// For the numbers that indices refer to.
+    /// A builder for the vertices, texture coordinates and normals that indices refer to.
     pub fn new(
         vertices: &'a [[f64; 3]],
         texture_coordinates: &'a [[f64; 2]],
@@ -115,7 +115,7 @@ pub(in crate::files) fn plain_material() -> ModelMaterial {
     }
 }
 
-/// A model of meshes that all wear the default material.
+/// A model of meshes that all have the default material.
 pub(in crate::files) fn default_model(meshes: Vec<Mesh>, warnings: Warnings) -> Model {
     Model { meshes, materials: vec![plain_material()], warnings: warnings.finish() }
 }

@@ -1,4 +1,4 @@
-//! Mesh files of every format.
+//! What all mesh formats share.
 //!
 //! The extension names the format. Each format gives the same thing, a [`Model`]: what a mesh file
 //! may be used for does not depend on its format.
@@ -9,92 +9,13 @@
 )]
 
 mod build;
+mod format;
+mod model;
 mod polygon;
 
-use std::path::Path;
-
-use super::model::Model;
-use super::obj::read_obj;
-use crate::Error;
-
 pub(super) use build::{MeshBuilder, Triangles, check_normal, default_model, plain_material};
+pub use format::{FileNormals, MeshFormat};
+pub use model::{
+    Channel, DEFAULT_MATERIAL, Model, ModelMaps, ModelMaterial, TextureImage, TextureSource,
+};
 pub(super) use polygon::triangulate;
-
-/// A format of mesh files.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum MeshFormat {
-    /// Wavefront OBJ.
-    Obj,
-    /// Polygon File Format (Stanford), ASCII or binary; with the feature `ply`.
-    Ply,
-    /// Stereolithography, ASCII or binary; with the feature `stl`.
-    Stl,
-    /// glTF 2.0, `.gltf` or `.glb`; with the feature `gltf`.
-    Gltf,
-}
-
-impl MeshFormat {
-    /// The format that the extension of `path` names, or nothing. It may be one that this build
-    /// does not read.
-    pub fn of(path: &Path) -> Option<Self> {
-        let extension = path.extension()?.to_str()?.to_ascii_lowercase();
-        match extension.as_str() {
-            "obj" => Some(Self::Obj),
-            "ply" => Some(Self::Ply),
-            "stl" => Some(Self::Stl),
-            "gltf" | "glb" => Some(Self::Gltf),
-            _ => None,
-        }
-    }
-}
-
-/// Whether the normals of vertices that a mesh file holds are read. Where they are not, they are not
-/// checked either: many files hold broken ones that nothing has ever shown.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum FileNormals {
-    /// Meshes are flat.
-    Ignore,
-    /// Meshes have the normals of the file; triangles for which it has none are flat.
-    Read,
-}
-
-/// Reads a mesh file: OBJ, PLY, STL or glTF, as its extension says. Its meshes are flat.
-///
-/// # Errors
-///
-/// If the extension is another one, the format is one that this build leaves out, or the file is
-/// refused by its format: [`load_obj`](super::load_obj), `load_ply`, `load_stl`, `load_gltf`.
-pub fn load_mesh(path: &Path) -> Result<Model, Error> {
-    load_mesh_with(path, FileNormals::Ignore)
-}
-
-/// [`load_mesh`], with the normals of the file if they are wanted. STL files have none of vertices.
-///
-/// # Errors
-///
-/// As [`load_mesh`], and if a normal that is read is not finite, is zero, or is missing.
-pub fn load_mesh_with(path: &Path, normals: FileNormals) -> Result<Model, Error> {
-    let format = MeshFormat::of(path).ok_or_else(|| {
-        Error::new(path.display(), "is no mesh file: one of .obj, .ply, .stl, .gltf, .glb")
-    })?;
-    match format {
-        MeshFormat::Obj => read_obj(path, normals),
-        #[cfg(feature = "ply")]
-        MeshFormat::Ply => super::ply::read_ply(path, normals),
-        #[cfg(feature = "stl")]
-        MeshFormat::Stl => super::stl::load_stl(path),
-        #[cfg(feature = "gltf")]
-        MeshFormat::Gltf => super::gltf::read_gltf(path, normals).map(|file| file.model),
-        #[cfg(not(all(feature = "ply", feature = "stl", feature = "gltf")))]
-        _ => Err(left_out(path, format)),
-    }
-}
-
-/// The error of a format that this build does not read.
-#[cfg(not(all(feature = "ply", feature = "stl", feature = "gltf")))]
-pub(super) fn left_out(path: &Path, format: MeshFormat) -> Error {
-    let feature = format!("{format:?}").to_ascii_lowercase();
-    let problem =
-        format!("this build reads no {feature} files; build it with the feature `{feature}`");
-    Error::new(path.display(), problem)
-}

@@ -15,7 +15,7 @@ pub(super) struct Chunks {
 }
 
 impl Chunks {
-    /// Where to append a line.
+    /// The text to append a line to.
     pub fn line(&mut self) -> &mut String {
         if self.last.len() >= LENGTH {
             // Room for one more line, mostly.

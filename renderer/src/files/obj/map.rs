@@ -5,7 +5,7 @@ use std::path::Path;
 use glam::{DAffine2, DVec2};
 
 use super::statements::number;
-use crate::files::model::{Channel, TextureImage, TextureSource};
+use crate::files::meshes::{Channel, TextureImage, TextureSource};
 use crate::scene::Wrap;
 
 /// What a texture statement says.

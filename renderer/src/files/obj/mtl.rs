@@ -9,9 +9,9 @@ use super::statements::{number, statements, words};
 use crate::Error;
 use crate::Warning;
 use crate::disk::read_text;
-use crate::files::model::ModelMaps;
-use crate::files::warnings::Warnings;
+use crate::files::meshes::ModelMaps;
 use crate::scene::{Material, MaterialObject};
+use crate::warning::Warnings;
 
 /// The materials of libraries.
 #[derive(Default)]

@@ -7,7 +7,7 @@ use glam::{DAffine2, DVec2, DVec3};
 use super::tests::{TRIANGLE, folder, refused};
 use super::*;
 use crate::Warning;
-use crate::files::model::{Channel, TextureImage, TextureSource};
+use crate::files::meshes::{Channel, TextureImage, TextureSource};
 use crate::scene::{Material, MaterialObject, Slot, Wrap};
 
 /// The model of `a.obj`, one of the given files.
@@ -55,7 +55,7 @@ fn libraries_are_found_and_checked() {
         "{missing}"
     );
 
-    // Nobody wears a material of the missing library.
+    // No face has a material of the missing library.
     let plain = format!("mtllib a.mtl\n{TRIANGLE}f 1 2 3\n");
     let model = load(&[("a.obj", &plain)]);
     assert_eq!(model.materials[0].material, Ok(Material::default().into()));

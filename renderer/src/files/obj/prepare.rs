@@ -6,9 +6,9 @@ use super::chunks::Chunks;
 use super::face::{Corner, Counts, prepare_face};
 use super::statements::{Statement, number, statements, words};
 use crate::Error;
+use crate::files::meshes::DEFAULT_MATERIAL;
 use crate::files::meshes::{FileNormals, check_normal};
-use crate::files::model::DEFAULT_MATERIAL;
-use crate::files::warnings::Warnings;
+use crate::warning::Warnings;
 
 /// An OBJ file, checked.
 #[derive(Default)]
@@ -45,7 +45,7 @@ pub(super) fn prepare(
     let mut prepared = Prepared::default();
     prepared.text.line().extend(["o ", stem, "\n"]);
     let mut counts = Counts::default();
-    let mut worn = Worn::default();
+    let mut assigned = CurrentMaterial::default();
     for Statement { line, keyword, rest } in statements(text) {
         let refuse = |problem: String| Error::new(format!("{file}:{line}"), problem);
         let mut warn =
@@ -72,13 +72,18 @@ pub(super) fn prepare(
             "f" => {
                 let Prepared { text, faces, corners, materials, .. } = &mut prepared;
                 prepare_face(&rest, &counts, normals, text.line(), corners).map_err(refuse)?;
-                faces.push(Face { line, material: worn.index(materials, line) });
+                faces.push(Face { line, material: assigned.index(materials, line) });
             }
             "usemtl" if rest.is_empty() => {
                 warn("`usemtl` names no material; the faces after it are grey");
-                worn = Worn { name: DEFAULT_MATERIAL.to_owned(), indices: worn.indices };
+                assigned = CurrentMaterial {
+                    name: DEFAULT_MATERIAL.to_owned(),
+                    indices: assigned.indices,
+                };
             }
-            "usemtl" => worn = Worn { name: rest.into_owned(), indices: worn.indices },
+            "usemtl" => {
+                assigned = CurrentMaterial { name: rest.into_owned(), indices: assigned.indices }
+            }
             "mtllib" => prepared.libraries.push((rest.into_owned(), line)),
             "o" | "g" if (keyword == "o") == has_objects => {
                 let name = if rest.is_empty() { stem } else { &rest };
@@ -93,21 +98,21 @@ pub(super) fn prepare(
     Ok(prepared)
 }
 
-/// The material that faces wear from here on.
-struct Worn {
+/// The material of the faces from here on.
+struct CurrentMaterial {
     name: String,
-    /// Of all names so far that a face has worn.
+    /// Of all names so far of a face.
     indices: HashMap<String, u32>,
 }
 
-impl Default for Worn {
+impl Default for CurrentMaterial {
     fn default() -> Self {
         Self { name: DEFAULT_MATERIAL.to_owned(), indices: HashMap::new() }
     }
 }
 
-impl Worn {
-    /// The index of the material, which a face wears in this line.
+impl CurrentMaterial {
+    /// The index of the material, which a face has in this line.
     fn index(&mut self, materials: &mut Vec<(String, usize)>, line: usize) -> u32 {
         if let Some(&index) = self.indices.get(&self.name) {
             return index;

@@ -288,10 +288,10 @@ fn a_written_mesh_is_read_back_bit_for_bit() {
     assert_eq!(model.meshes[0].texture_triangles, swapped);
     let bits = |v: &[[f64; 3]]| v.as_flattened().iter().map(|x| x.to_bits()).collect::<Vec<_>>();
     assert_eq!(bits(&model.meshes[0].vertices), bits(&vertices));
-    let worn: Vec<&str> = (model.meshes[0].materials.iter())
+    let assigned: Vec<&str> = (model.meshes[0].materials.iter())
         .map(|&index| model.materials[index as usize].name.as_str())
         .collect();
-    assert_eq!(worn, ["c", "a b", "c"]);
+    assert_eq!(assigned, ["c", "a b", "c"]);
 
     mesh.vertices.truncate(2);
     let error = save_obj(&mesh, &names, &path).unwrap_err();

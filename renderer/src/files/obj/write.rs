@@ -41,13 +41,13 @@ pub fn save_obj(mesh: &Mesh, materials: &[MaterialObject], path: &Path) -> Resul
     for [x, y, z] in directions {
         push(&mut text, format_args!("vn {x:?} {y:?} {z:?}\n"));
     }
-    let mut worn = None;
+    let mut assigned = None;
     let triangles = mesh.materials.iter().zip(&mesh.triangles).enumerate();
     for (triangle, (&material, corners)) in triangles {
-        if worn != Some(material) {
+        if assigned != Some(material) {
             let name = &materials.get(material as usize).ok_or_else(out_of_range)?.name;
             push(&mut text, format_args!("usemtl {name}\n"));
-            worn = Some(material);
+            assigned = Some(material);
         }
         text.push('f');
         for corner in 0..3 {

@@ -2,10 +2,10 @@
 
 use super::source::{Format, Kind, Scalar, Source};
 use crate::Error;
-use crate::files::warnings::Warnings;
+use crate::warning::Warnings;
 
 pub(super) struct Header {
-    /// In the order of the data.
+    /// The elements, in the order of the data.
     pub elements: Vec<Element>,
     /// The count of the element `vertex`.
     pub vertices: u64,
@@ -54,6 +54,9 @@ fn left_out(element: &str, property: &str) -> Option<&'static str> {
         _ => None,
     }
 }
+
+/// The elements that surfaces are made of: polygons, and strips of triangles.
+const SURFACES: [&str; 2] = ["face", "tristrips"];
 
 /// Whether a property of a face is the list of its corners.
 pub(super) fn is_corner_list(property: &Property) -> bool {
@@ -106,7 +109,7 @@ pub(super) fn read<'a>(
                 if elements.iter().any(|element| element.name == name) {
                     return Err(refuse(format!("the element {name} is defined twice")));
                 }
-                if count > 0 && !matches!(name, "vertex" | "face") {
+                if count > 0 && name != "vertex" && !SURFACES.contains(&name) {
                     warn(&format!("the element {name} is left out"));
                 }
                 elements.push(Element { name: name.to_owned(), count, properties: Vec::new() });
@@ -157,11 +160,16 @@ fn check(elements: Vec<Element>) -> Result<Header, String> {
             _ => return Err(format!("its vertices have the property {axis} twice")),
         }
     }
-    let face = find("face").ok_or("has no element face; a mesh needs one")?;
-    match face.properties.iter().filter(|property| is_corner_list(property)).count() {
-        1 => {}
-        0 => return Err("its faces have no list vertex_indices".to_owned()),
-        _ => return Err("its faces have the list vertex_indices twice".to_owned()),
+    let surfaces: Vec<&Element> = SURFACES.iter().filter_map(|name| find(name)).collect();
+    if surfaces.is_empty() {
+        return Err("has no element face or tristrips; a mesh needs one".to_owned());
+    }
+    for Element { name, properties, .. } in surfaces {
+        match properties.iter().filter(|property| is_corner_list(property)).count() {
+            1 => {}
+            0 => return Err(format!("its element {name} has no list vertex_indices")),
+            _ => return Err(format!("its element {name} has the list vertex_indices twice")),
+        }
     }
     let vertices = vertex.count;
     Ok(Header { elements, vertices })

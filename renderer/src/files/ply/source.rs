@@ -34,7 +34,7 @@ pub(super) enum Scalar {
 }
 
 impl Scalar {
-    /// By its name of old, or by that of its width.
+    /// The type of a name: the original one (`uchar`), or that of its width (`uint8`).
     pub fn named(name: &str) -> Result<Self, String> {
         match name {
             "char" | "int8" => Ok(Self::I8),

@@ -123,7 +123,7 @@ fn broken_headers_are_refused() {
         ("element face", "element fase", "scan.ply: has no element face"),
         ("element face", "element vertex", "scan.ply:9: the element vertex is defined twice"),
         ("element vertex", "element vertices", "scan.ply: has no element vertex"),
-        ("vertex_indices", "corners", "scan.ply: its faces have no list vertex_indices"),
+        ("vertex_indices", "corners", "scan.ply: its element face has no list vertex_indices"),
         ("end_header\n", "", "scan.ply:12: `0 0 255 0` is no line"),
     ];
     for (from, to, expected) in cases {
@@ -133,6 +133,25 @@ fn broken_headers_are_refused() {
     }
     assert!(refused("").starts_with("scan.ply: is no PLY file"));
     assert!(refused("ply\n").starts_with("scan.ply: ends within the header"));
+}
+
+/// Every second triangle of a strip turns the other way; -1 ends one, and equal corners draw nothing.
+#[test]
+fn strips_are_triangles() {
+    let header = HEADER.replace("element face 2", "element tristrips 1");
+    let header = header.replace("list uchar", "list int").replace("property float quality\n", "");
+    let vertices = DATA.split("4 0 1").next().unwrap();
+    let strips = |list: &str| load(format!("{header}{vertices}{list}\n"));
+    let model = strips("10 0 1 3 2 2 -1 0 3 1 -1").unwrap();
+    let [mesh] = &model.meshes[..] else { panic!("one mesh") };
+    let corners = |t: &[u32; 3]| t.map(|i| mesh.vertices[i as usize]);
+    let [a, b, c, d] = [[0.0; 3], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.0]];
+    let expected = [[a, b, d], [d, b, c], [a, d, b]];
+    assert_eq!(mesh.triangles.iter().map(corners).collect::<Vec<_>>(), expected);
+    let error = strips("3 0 1 5").unwrap_err().problem;
+    assert_eq!(error, "tristrips 1: names vertex 5 of 5, counted from 0");
+    assert!(strips("2 0 -2").unwrap_err().problem.contains("names vertex -2"));
+    assert!(strips("4 0 1 -1 2").unwrap_err().problem.contains("holds no triangles"));
 }
 
 #[test]

@@ -1,25 +1,25 @@
 //! The scene file as it is written down.
 
+pub(super) mod ordered;
+pub(super) mod value;
+
 use std::collections::HashMap;
 use std::fmt;
 use std::marker::PhantomData;
 use std::path::PathBuf;
 
 use serde::de::value::MapAccessDeserializer;
-use serde::de::{
-    self, DeserializeSeed, Deserializer, IntoDeserializer, MapAccess, SeqAccess, Visitor,
-};
+use serde::de::{self, DeserializeSeed, Deserializer, IntoDeserializer, MapAccess, Visitor};
 use serde::ser::SerializeMap;
 use serde::{Deserialize, Serialize, Serializer};
 
 use super::numbers;
-use crate::files::model::Channel;
+use crate::files::meshes::Channel;
 use crate::loss::LossKind;
 use crate::optimize::{Optimizer, Schedule};
 use crate::scene::{DEFAULT_BOUNCES, Integrator, PathTracing, Slot, Wrap};
-
-/// A table whose order is kept.
-pub(super) type Ordered<T> = Vec<(String, T)>;
+use ordered::Ordered;
+use value::Numbers;
 
 /// Defines tables of objects of a kind: fields of their own, and all others, which are the numbers of the
 /// object, by the names that the table of parameters has for them.
@@ -357,65 +357,8 @@ pub(super) struct ParameterEntry {
     pub max: Option<Numbers>,
 }
 
-/// A number, or an array of them.
-#[derive(Clone, PartialEq)]
-pub(super) enum Numbers {
-    One(f64),
-    Many(Vec<f64>),
-}
-
-impl From<&[f64]> for Numbers {
-    fn from(numbers: &[f64]) -> Self {
-        match numbers {
-            [number] => Self::One(*number),
-            _ => Self::Many(numbers.to_vec()),
-        }
-    }
-}
-
 fn default_bounces() -> u32 {
     DEFAULT_BOUNCES
-}
-
-impl Serialize for Numbers {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        match self {
-            Numbers::One(value) => value.serialize(serializer),
-            Numbers::Many(values) => values.serialize(serializer),
-        }
-    }
-}
-
-impl<'de> Deserialize<'de> for Numbers {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        struct NumbersVisitor;
-
-        impl<'de> Visitor<'de> for NumbersVisitor {
-            type Value = Numbers;
-
-            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-                write!(f, "a number or an array of numbers")
-            }
-
-            fn visit_f64<E: de::Error>(self, value: f64) -> Result<Numbers, E> {
-                Ok(Numbers::One(value))
-            }
-
-            fn visit_i64<E: de::Error>(self, value: i64) -> Result<Numbers, E> {
-                Ok(Numbers::One(value as f64))
-            }
-
-            fn visit_seq<A: SeqAccess<'de>>(self, mut values: A) -> Result<Numbers, A::Error> {
-                let mut numbers = Vec::new();
-                while let Some(number) = values.next_element()? {
-                    numbers.push(number);
-                }
-                Ok(Numbers::Many(numbers))
-            }
-        }
-
-        deserializer.deserialize_any(NumbersVisitor)
-    }
 }
 
 /// An array of as many elements as it is to have: serde takes the first of longer ones.
@@ -455,46 +398,4 @@ where
     }
 
     deserializer.deserialize_any(NameOrTable(PhantomData)).map(Some)
-}
-
-/// Tables as a list of their entries, in the order of the file.
-mod ordered {
-    use std::fmt;
-    use std::marker::PhantomData;
-
-    use serde::de::{Deserializer, MapAccess, Visitor};
-    use serde::{Deserialize, Serialize, Serializer};
-
-    use super::Ordered;
-
-    pub fn serialize<T: Serialize, S: Serializer>(
-        entries: &Ordered<T>,
-        serializer: S,
-    ) -> Result<S::Ok, S::Error> {
-        serializer.collect_map(entries.iter().map(|(key, value)| (key, value)))
-    }
-
-    pub fn deserialize<'de, T: Deserialize<'de>, D: Deserializer<'de>>(
-        deserializer: D,
-    ) -> Result<Ordered<T>, D::Error> {
-        struct Entries<T>(PhantomData<T>);
-
-        impl<'de, T: Deserialize<'de>> Visitor<'de> for Entries<T> {
-            type Value = Ordered<T>;
-
-            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-                write!(f, "a table")
-            }
-
-            fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<Ordered<T>, A::Error> {
-                let mut entries = Vec::new();
-                while let Some(entry) = map.next_entry()? {
-                    entries.push(entry);
-                }
-                Ok(entries)
-            }
-        }
-
-        deserializer.deserialize_map(Entries(PhantomData))
-    }
 }

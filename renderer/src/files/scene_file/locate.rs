@@ -17,7 +17,7 @@ pub(super) struct Locator<'a> {
 }
 
 impl<'a> Locator<'a> {
-    /// For the text of the file `name`.
+    /// A locator for the text of the file `name`.
     pub fn new(text: &'a str, name: &'a str) -> Self {
         Self { text, name }
     }

@@ -3,14 +3,15 @@
 
 use glam::DAffine2;
 
-use super::format::{MaterialEntry, Ordered};
+use super::format::MaterialEntry;
+use super::format::ordered::Ordered;
 use super::textures::TextureTable;
 use super::{Problem, numbers};
 use crate::Warning;
-use crate::files::model::ModelMaterial;
+use crate::files::meshes::ModelMaterial;
 use crate::files::names::Names;
-use crate::files::warnings::Warnings;
 use crate::scene::{Material, MaterialObject, MaterialTextures, Scene, Slot};
+use crate::warning::Warnings;
 
 /// The materials, first those of the scene file, in its order.
 pub(super) struct MaterialTable<'a> {
@@ -47,7 +48,7 @@ impl<'a> MaterialTable<'a> {
         })
     }
 
-    /// Without a scene file.
+    /// A table for meshes that no scene file describes.
     pub fn of_models() -> Self {
         Self {
             objects: Vec::new(),

@@ -6,16 +6,17 @@ use std::path::Path;
 use glam::{DAffine2, DVec2, DVec3};
 
 use super::Problem;
+use super::coordinates::match_coordinates;
 use super::format::{MeshEntry, NormalsEntry};
 use super::materials::MaterialTable;
 use super::numbers;
 use crate::Error;
 use crate::Warning;
-use crate::files::meshes::{FileNormals, load_mesh, load_mesh_with};
-use crate::files::model::Model;
+use crate::files::meshes::{FileNormals, Model};
 use crate::files::names::Names;
 #[cfg(feature = "gltf")]
 use crate::files::{GltfFile, MeshFormat, load_gltf};
+use crate::files::{load_mesh, load_mesh_with};
 use crate::scene::{Camera, Mesh, Normals, Scene, Transform};
 #[cfg(feature = "gltf")]
 use crate::scene::{LightObject, LightSource};
@@ -54,11 +55,18 @@ fn framed(model: Model, path: &Path) -> Result<(Scene, Vec<Warning>), Error> {
     let mut warnings =
         add_model(&mut scene, &mut table, model).map_err(|problem| problem.at(path))?;
     warnings.append(&mut table.move_into(&mut scene));
-    drop_unused_coordinates(&mut scene);
+    warnings.append(&mut match_coordinates(&mut scene, &path.display().to_string()));
     // First the mesh by itself: what is wrong with it would show in the camera too.
     scene.validate(path.display())?;
     scene.frame();
-    scene.validate(path.display())?;
+    scene.check().map_err(|_| {
+        let extent = scene.bounding_box().map_or(0.0, |(low, high)| low.distance(high));
+        let problem = format!(
+            "is {extent:.1e} across, too little where it stands for a camera to look at it; give it \
+             another `scale` or `translation` in a scene file"
+        );
+        Error::new(path.display(), problem)
+    })?;
     Ok((scene, warnings))
 }
 
@@ -176,20 +184,6 @@ fn add_meshes(scene: &mut Scene, meshes: Vec<Mesh>, materials: &[u32]) {
         mesh.name = names.take(mesh.name);
         mesh.materials.iter_mut().for_each(|index| *index = materials[*index as usize]);
         scene.meshes.push(mesh);
-    }
-}
-
-/// Forgets the texture coordinates of meshes that wear no texture: they would be parameters that
-/// nothing depends on.
-pub(super) fn drop_unused_coordinates(scene: &mut Scene) {
-    for mesh in &mut scene.meshes {
-        let is_textured = |&material: &u32| {
-            scene.materials.get(material as usize).is_some_and(|worn| worn.textures.any())
-        };
-        if !mesh.materials.iter().any(is_textured) {
-            mesh.texture_triangles = Vec::new();
-            mesh.texture_coordinates = Vec::new();
-        }
     }
 }
 

@@ -4,6 +4,7 @@
 //! experiment into a folder, [`numbers`] sets what the table of parameters knows, and [`locate`] finds
 //! the line that a message is about.
 
+mod coordinates;
 mod format;
 mod locate;
 mod materials;

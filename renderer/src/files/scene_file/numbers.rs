@@ -3,7 +3,8 @@
 use ad::Field;
 
 use super::Problem;
-use super::format::{Numbers, Ordered};
+use super::format::ordered::Ordered;
+use super::format::value::Numbers;
 use crate::scene::numbers::Numbers as NamedNumbers;
 use crate::scene::table;
 

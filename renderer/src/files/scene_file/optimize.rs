@@ -3,7 +3,9 @@
 use std::path::Path;
 
 use super::Problem;
-use super::format::{Numbers, OptimizeEntry, Ordered, ParameterEntry};
+use super::format::ordered::Ordered;
+use super::format::value::Numbers;
+use super::format::{OptimizeEntry, ParameterEntry};
 use crate::Error;
 use crate::experiment::{OptimizeSection, Target, TunedParameter, overlap};
 use crate::scene::{Invalid, ParameterId, Scene};
@@ -120,7 +122,7 @@ fn sized(
     id: ParameterId,
     spread: bool,
 ) -> Result<Vec<f64>, String> {
-    let length = scene.get(id).len();
+    let length = scene.count(id);
     match numbers {
         Numbers::One(value) if spread || length == 1 => Ok(vec![*value; length]),
         Numbers::Many(values) if values.len() == length => Ok(values.clone()),

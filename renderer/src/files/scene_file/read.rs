@@ -5,6 +5,7 @@ use std::path::Path;
 
 use glam::DVec3;
 
+use super::coordinates::match_coordinates;
 use super::format::{LightEntry, SceneFile, SphereEntry};
 use super::materials::MaterialTable;
 use super::textures::TextureTable;
@@ -21,7 +22,8 @@ pub(super) fn experiment(
     folder: &Path,
     name: &str,
 ) -> Result<Experiment, Problem> {
-    let (scene, mut warnings) = scene(file, folder)?;
+    let (mut scene, mut warnings) = scene(file, folder)?;
+    warnings.append(&mut match_coordinates(&mut scene, name));
     scene.check()?;
     if is_black(&scene) {
         let problem =
@@ -65,7 +67,6 @@ fn scene(file: &SceneFile, folder: &Path) -> Result<(Scene, Vec<Warning>), Probl
         add_sphere(&mut scene, &materials, entry)?;
     }
     warnings.extend(materials.move_into(&mut scene));
-    meshes::drop_unused_coordinates(&mut scene);
     Ok((scene, warnings))
 }
 

@@ -424,7 +424,7 @@ fn add_texture(scene: &mut Scene) {
         width: texels.len() as u32,
         height: 1,
         wrap,
-        texels: texels.to_vec(),
+        texels: texels.to_vec().into(),
     };
     let wood = [[0.25, 0.5, 1.0], [0.0, f64::from(0.1_f32), 7.0]];
     let wood = scene.add_texture(texture("Wood/2", Wrap::Mirror, &wood)).unwrap();
@@ -489,7 +489,7 @@ fn the_documented_scene_file_is_read() {
     let [whole, tables, values] = blocks[..] else { panic!("three blocks") };
 
     let folder = folder();
-    // The mesh of the documentation wears a texture, so it needs texture coordinates.
+    // The mesh of the documentation has a texture, so it needs texture coordinates.
     let mesh =
         MESH.replace("usemtl", "vt 0 0\nvt 1 0\nvt 0 1\nusemtl").replace("1 2 3", "1/1 2/2 3/3");
     let mesh = mesh.replace("4 5 6", "4/4 5/5 6/6");

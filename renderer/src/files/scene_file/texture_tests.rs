@@ -25,7 +25,7 @@ fn textures_are_read_once_and_named() {
     let scene = Experiment::parse(&text, folder.path(), "s.toml").unwrap().scene;
     assert_eq!(scene.textures.len(), 1);
     assert_eq!(scene.textures[0].name, "my wood");
-    assert_eq!(scene.textures[0].texels, [[1.0, 0.5, 0.25]]);
+    assert_eq!(scene.textures[0].image().pixels, [[1.0, 0.5, 0.25]]);
     let red = scene.materials.iter().position(|material| material.name == "red").unwrap();
     let textures = scene.materials[red].textures;
     assert_eq!(textures.0, [None, Some(0), Some(0), None]);
@@ -37,8 +37,29 @@ fn textures_are_read_once_and_named() {
     // The material may get, or change, its texture in the scene file.
     let text =
         format!("{text}[material.blue]\ndiffuse_texture = \"new\"\n[texture.new]\nsize = [2, 3]\n");
+    let Experiment { scene, warnings, .. } =
+        Experiment::parse(&text, folder.path(), "s.toml").unwrap();
+    let expected = "s.toml: mesh.a: triangle 1 has the material `blue`, which has a texture, but \
+                    has no texture coordinates; white stands for the texture";
+    assert!(warnings.iter().any(|warning| warning.to_string() == expected), "{warnings:?}");
+    let blue = scene.materials.iter().find(|material| material.name == "blue").unwrap();
+    assert!(!blue.textures.any());
+
+    // Where other triangles show the texture, a material of another name is without it.
+    let ball = "[[sphere]]\nname = \"ball\"\ncenter = [9, 9, 9]\nradius = 1\nmaterial = \"blue\"\n";
+    let scene = Experiment::parse(&format!("{text}{ball}"), folder.path(), "s.toml").unwrap().scene;
+    let assigned = |index: u32| &scene.materials[index as usize];
+    let ball = assigned(scene.spheres[0].material);
+    assert!((ball.name.as_str(), ball.textures.any()) == ("blue", true));
+    let bare = assigned(scene.meshes[0].materials[1]);
+    assert!((bare.name.as_str(), bare.textures.any()) == ("blue_2", false));
+
+    // A picture that is broken is told where it is named.
+    fs::write(folder.path().join("broken.png"), "x").unwrap();
+    let text = format!("{CAMERA}[texture.new]\npath = \"broken.png\"\n");
     let error = Experiment::parse(&text, folder.path(), "s.toml").unwrap_err().to_string();
-    assert!(error.contains("triangle 1 wears the material `blue`"), "{error}");
+    assert!(error.starts_with("s.toml:") && error.contains("texture.new.path: "), "{error}");
+    assert!(error.contains("broken.png: is not a PNG"), "{error}");
 
     fs::remove_file(folder.path().join("my wood.exr")).unwrap();
     let Experiment { scene, warnings, .. } =
@@ -204,9 +225,9 @@ fn opacity_may_vary() {
     };
     let varied = |library: &str, rest: &str| {
         let Experiment { scene, warnings, .. } = scene(library, rest).unwrap();
-        let worn = scene.materials[0].textures.get(Slot::Opacity).map(|index| index as usize);
-        let name = worn.map(|texture| scene.textures[texture].name.clone()).unwrap_or_default();
-        let texels = worn.map_or(Vec::new(), |texture| {
+        let assigned = scene.materials[0].textures.get(Slot::Opacity).map(|index| index as usize);
+        let name = assigned.map(|texture| scene.textures[texture].name.clone()).unwrap_or_default();
+        let texels = assigned.map_or(Vec::new(), |texture| {
             scene.textures[texture].texels.iter().map(|t| (t[0] * 255.0).round()).collect()
         });
         let leaf = &scene.materials[0];

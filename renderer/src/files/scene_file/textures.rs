@@ -4,13 +4,14 @@
 use std::path::Path;
 
 use super::Problem;
-use super::format::{ChannelEntry, Ordered, TextureEntry};
+use super::format::ordered::Ordered;
+use super::format::{ChannelEntry, TextureEntry};
 use crate::Error;
 use crate::Image;
 use crate::Warning;
 use crate::disk::read;
 use crate::files::images::{TextureFile, decode_coverage, decode_texture, is_known};
-use crate::files::model::{Channel, ModelMaps, TextureImage, TextureSource};
+use crate::files::meshes::{Channel, ModelMaps, TextureImage, TextureSource};
 use crate::files::names::Names;
 use crate::files::names::{clean_name, file_stem};
 use crate::memory;
@@ -54,8 +55,10 @@ impl TextureTable {
                     let is_covered = |(_, other): &(_, TextureEntry)| {
                         other.path == entry.path && other.channel == ChannelEntry::Opacity
                     };
-                    let texels = table.load(&image, channel, "", entries.iter().any(is_covered))?;
-                    table.push(name.clone(), &texels, entry.wrap.into(), (image, channel));
+                    let texels = table
+                        .load(&image, channel, "", entries.iter().any(is_covered))
+                        .map_err(|error| Problem::new(format!("texture.{name}.path"), error))?;
+                    table.push(name.clone(), texels, entry.wrap.into(), (image, channel));
                 }
                 (None, Some(_), _) if entry.channel == ChannelEntry::Opacity => {
                     return refuse(
@@ -78,7 +81,7 @@ impl TextureTable {
                         return refuse("size", &problem);
                     }
                     let wrap = entry.wrap.into();
-                    let texels = vec![color.unwrap_or([1.0; 3]); count];
+                    let texels = vec![color.unwrap_or([1.0; 3]); count].into();
                     table.textures.push(Texture {
                         name: name.clone(),
                         width,
@@ -99,10 +102,9 @@ impl TextureTable {
         Ok(table)
     }
 
-    fn push(&mut self, name: String, texels: &Image, wrap: Wrap, image: (TextureImage, Channel)) {
-        let &Image { width, height, ref pixels } = texels;
-        let texels = pixels.iter().map(|pixel| pixel.map(f64::from)).collect();
-        self.textures.push(Texture { name, width, height, wrap, texels });
+    fn push(&mut self, name: String, texels: Image, wrap: Wrap, image: (TextureImage, Channel)) {
+        let Image { width, height, pixels } = texels;
+        self.textures.push(Texture { name, width, height, wrap, texels: pixels.into() });
         self.images.push(Some(image));
     }
 
@@ -219,7 +221,11 @@ impl TextureTable {
             }
             return Ok(None);
         }
-        let texels = self.load(image, *channel, place, is_covered)?;
+        let texels =
+            self.load(image, *channel, place, is_covered).map_err(|error| match image {
+                TextureImage::File(_) => Error::new(place, format!("the texture {error}")),
+                TextureImage::Embedded { .. } => error,
+            })?;
         let name = match channel {
             Channel::Color => name,
             Channel::Alpha { .. } | Channel::Mask => {
@@ -231,7 +237,7 @@ impl TextureTable {
             }
         };
         let name = self.names.take(name);
-        self.push(name, &texels, *wrap, shown);
+        self.push(name, texels, *wrap, shown);
         Ok(Some((self.textures.len() - 1) as u32))
     }
 

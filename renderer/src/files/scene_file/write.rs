@@ -2,13 +2,13 @@
 
 use std::path::{Path, PathBuf};
 
+use super::format::value::Numbers;
 use super::format::{
     CameraEntry, ChannelEntry, EnvironmentEntry, LightEntry, MaterialEntry, MeshEntry,
-    NormalsEntry, Numbers, OptimizeEntry, ParameterEntry, SceneFile, SphereEntry, TextureEntry,
+    NormalsEntry, OptimizeEntry, ParameterEntry, SceneFile, SphereEntry, TextureEntry,
 };
 use super::numbers;
 use crate::Error;
-use crate::Image;
 use crate::disk::write_atomically;
 use crate::disk::{create_folder, read};
 use crate::experiment::{Experiment, OptimizeSection, Target, TunedParameter};
@@ -170,9 +170,7 @@ fn save_textures(scene: &Scene, folder: &Path) -> Result<Vec<(String, TextureEnt
     for texture in &scene.textures {
         let stem = stems.take(file_stem(&texture.name));
         let path = Path::new("textures").join(format!("{stem}.exr"));
-        let pixels = texture.texels.iter().map(|texel| texel.map(|value| value as f32)).collect();
-        let image = Image { width: texture.width, height: texture.height, pixels };
-        save_exr(&image, &folder.join(&path))?;
+        save_exr(&texture.image(), &folder.join(&path))?;
         let entry = TextureEntry {
             path: Some(path),
             size: None,

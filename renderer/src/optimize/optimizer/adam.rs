@@ -39,11 +39,11 @@ impl Default for Adam {
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct AdamW {
-    /// As for [`Adam`].
+    /// The decay of the mean of gradients, as for [`Adam`].
     pub beta1: f64,
-    /// As for [`Adam`].
+    /// The decay of the mean of squared gradients, as for [`Adam`].
     pub beta2: f64,
-    /// As for [`Adam`].
+    /// What keeps the divisor from zero, as for [`Adam`].
     pub epsilon: f64,
     /// What a step of learning rate 1 takes from each element, as a part of it, in `[0, 1)`.
     pub weight_decay: f64,
@@ -82,7 +82,7 @@ impl Moments {
         }
     }
 
-    /// Whether this is the memory of `len` elements.
+    /// Returns `true` if the memory is that of `len` elements.
     pub fn fits(&self, len: usize) -> bool {
         self.mean.len() == len && self.root_mean_square.len() == len
     }

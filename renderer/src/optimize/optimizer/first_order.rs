@@ -25,7 +25,7 @@ impl FirstOrder {
         Self::AdamW(adam_w, Moments::new(len))
     }
 
-    /// Whether this is the memory of `len` elements.
+    /// Returns `true` if the memory is that of `len` elements.
     pub fn fits(&self, len: usize) -> bool {
         match self {
             Self::Adam(_, moments) | Self::AdamW(_, moments) => moments.fits(len),

@@ -70,12 +70,12 @@ struct Lowered {
 }
 
 impl LbfgsState {
-    /// Without a memory yet.
+    /// The state of a run that has no memory of steps yet.
     pub fn new(settings: &Lbfgs) -> Self {
         Self { settings: *settings, place: None, inner: fresh(settings), steps: 0 }
     }
 
-    /// Whether this is the memory of `len` elements.
+    /// Returns `true` if the memory is that of `len` elements.
     pub fn fits(&self, len: usize) -> bool {
         self.place.as_ref().is_none_or(|place| place.u.len() == len)
     }

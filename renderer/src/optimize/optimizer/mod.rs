@@ -174,7 +174,7 @@ impl Method {
         })
     }
 
-    /// Whether this is the memory of `len` elements.
+    /// Returns `true` if the memory is that of `len` elements.
     pub fn fits(&self, len: usize) -> bool {
         match self {
             Self::FirstOrder(method) => method.fits(len),

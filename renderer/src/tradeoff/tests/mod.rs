@@ -2,7 +2,10 @@
 
 mod scenes;
 
+use super::axis::Axis;
 use super::engine::{Adjoint, Engine, Forward, ImageFirst, Question, Tape, is_geometry};
+use super::sampling::RayPlaces;
+use super::table::pareto_front;
 use super::*;
 use crate::experiment::{Experiment, TunedParameter};
 use crate::scene::{Material, Mesh, Object, Transform};
@@ -317,6 +320,27 @@ fn more_rays_are_less_off_and_what_is_off_is_bias_and_spread() {
     let curves = sampling_curves(&measured);
     assert_eq!(curves.len(), 2 * 2 * 2);
     assert!(curves.iter().all(|curve| curve.points.len() == 5), "{curves:?}");
+}
+
+#[test]
+fn edges_are_measured_where_parameters_move_them() {
+    let material = "diffuse = [0.2, 0.3, 0.4]";
+    let of = |path: &str, value: &str| {
+        ball(&format!(
+            "{material}\n[[optimize.parameter]]\npath = \"{path}\"\n\
+             [optimize.target_values]\n\"{path}\" = {value}\n"
+        ))
+    };
+    let still = of("light.key.radiant_intensity", "70.0");
+    assert_eq!(measure_edges(&recovery(&still)), None);
+    let moving = of("sphere.ball.center", "[0.2, 0.1, 0.0]");
+    let measured = measure_edges(&recovery(&moving)).unwrap();
+    let (off, on) = measured.runs.split_at(4);
+    assert!(off.iter().all(|run| run.edges == Edges::Off && run.gradient_error > 0.3), "{off:?}");
+    assert!(on.iter().all(|run| run.edges == Edges::On && run.gradient_error < 0.1), "{on:?}");
+    assert!(on[3].image_error < 0.5 * on[0].image_error, "{on:?}");
+    assert_eq!(edge_table(&measured).lines().count(), 1 + 8 + 1);
+    assert_eq!(edge_csv(&measured).lines().count(), 1 + 8);
 }
 
 /// A ball under a light, in an image of 32 x 32 pixels; `rest` is its material, and what follows.

@@ -78,9 +78,10 @@ pub fn random_experiment(number: u64) -> Experiment {
     }
     text += "[texture.marble]\nsize = [8, 8]\ncolor = [0.8, 0.6, 0.7]\n";
     let mut experiment = Experiment::parse(&text, Path::new(""), "a generated scene").unwrap();
-    for texel in experiment.scene.textures[0].texels.as_flattened_mut() {
-        *texel *= random.between(0.5, 1.0);
-    }
+    let texels = ParameterId::new(Object::Texture(0), "texels");
+    let mut values = experiment.scene.get(texels).into_owned();
+    values.iter_mut().for_each(|value| *value *= random.between(0.5, 1.0));
+    experiment.scene.assign(texels, &values);
     tune(&mut experiment, &mut random);
     experiment
 }

@@ -26,16 +26,14 @@ pub fn build(boxes: Vec<Aabb>, quality: BuildQuality) -> Bvh2 {
     }
     let mut order: Vec<u32> = (0..boxes.len() as u32).collect();
     order.sort_unstable_by_key(|&index| (key(&boxes[index as usize]), index));
-    let mut groups: Vec<Range<usize>> = Vec::new();
-    for (place, &index) in order.iter().enumerate() {
-        let first = groups.last().map(|group| order[group.start]);
-        match first.map(|first| key(&boxes[first as usize])) {
-            Some(first) if first == key(&boxes[index as usize]) => {
-                groups.last_mut().expect("a group has a first box").end = place + 1;
-            }
-            _ => groups.push(place..place + 1),
-        }
-    }
+    let mut start = 0;
+    let coincide = |&a: &u32, &b: &u32| key(&boxes[a as usize]) == key(&boxes[b as usize]);
+    let groups = order.chunk_by(coincide).map(|group| {
+        let range = start..start + group.len();
+        start = range.end;
+        range
+    });
+    let groups: Vec<Range<usize>> = groups.collect();
     let distinct: Vec<Aabb> =
         groups.iter().map(|group| boxes[order[group.start] as usize]).collect();
     let mut binary = build_distinct(&distinct, quality);

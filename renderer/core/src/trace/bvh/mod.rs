@@ -43,11 +43,11 @@ pub enum Shape {
     Triangle([Vec3; 3]),
     /// Centre and radius.
     Sphere(Vec3, f32),
-    /// A shape of one's own.
+    /// A custom shape.
     Custom(Arc<dyn CustomShape>),
 }
 
-/// A shape of one's own as traversal sees it.
+/// A custom shape as traversal sees it.
 pub trait CustomShape: Send + Sync {
     /// The lowest and the highest corner of a box around it.
     fn bounds(&self) -> (Vec3, Vec3);
@@ -136,7 +136,7 @@ const REBUILD_ABOVE: f64 = 1.5;
 pub struct Bvh {
     /// The number of primitives.
     count: usize,
-    is_list: bool,
+    is_brute_force: bool,
     quality: BuildQuality,
     triangles: Tree<TriangleLeaf>,
     spheres: Tree<SphereLeaf>,
@@ -154,7 +154,7 @@ impl Bvh {
         let [triangles, spheres, customs] = by_kind(shapes);
         Self {
             count: shapes.count(),
-            is_list: false,
+            is_brute_force: false,
             quality,
             triangles: Tree::build(shapes, &triangles, quality),
             spheres: Tree::build(shapes, &spheres, quality),
@@ -168,7 +168,7 @@ impl Bvh {
         let [triangles, spheres, customs] = by_kind(shapes);
         Self {
             count: shapes.count(),
-            is_list: true,
+            is_brute_force: true,
             quality: BuildQuality::default(),
             triangles: Tree::list(shapes, &triangles),
             spheres: Tree::list(shapes, &spheres),
@@ -195,7 +195,7 @@ impl Bvh {
             costs.into_iter().any(|cost| cost > REBUILD_ABOVE)
         };
         if !fits || worse() {
-            *self = match self.is_list {
+            *self = match self.is_brute_force {
                 true => Self::list(shapes),
                 false => Self::with_quality(shapes, self.quality),
             };

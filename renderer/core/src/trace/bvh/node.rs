@@ -62,7 +62,7 @@ impl Child {
 #[repr(C, align(64))]
 #[derive(Clone)]
 pub struct Node {
-    /// By axis; the lowest coordinate, then the highest. Finite where there is no child.
+    /// The boxes of the children by axis: the lowest coordinate, then the highest. Finite where there is no child.
     pub bounds: [[f32x8; 2]; 3],
     pub children: [Child; 8],
     /// A bit for each child that there is.

@@ -35,16 +35,16 @@ const STEEPEST: f32 = 2.0;
 #[derive(Clone, Debug)]
 #[repr(C, align(64))]
 pub struct PacketVectors {
-    /// By ray.
+    /// The x coordinate of each ray's vector.
     pub x: [f32; PACKET_RAYS],
-    /// By ray.
+    /// The y coordinate of each ray's vector.
     pub y: [f32; PACKET_RAYS],
-    /// By ray.
+    /// The z coordinate of each ray's vector.
     pub z: [f32; PACKET_RAYS],
 }
 
 impl PacketVectors {
-    /// All zero.
+    /// A packet of zero vectors.
     pub const ZERO: Self =
         Self { x: [0.0; PACKET_RAYS], y: [0.0; PACKET_RAYS], z: [0.0; PACKET_RAYS] };
 
@@ -92,7 +92,7 @@ pub struct PacketHits {
     /// By ray: the distance from the origin in lengths of its direction; infinite if it meets
     /// nothing.
     pub distance: [f32; PACKET_RAYS],
-    /// By ray: the index of the primitive, or [`NO_PRIMITIVE`].
+    /// The index of the primitive that each ray hits, or [`NO_PRIMITIVE`].
     pub primitive: [u32; PACKET_RAYS],
     /// A bit for each ray that meets a sphere from its inside.
     pub leaves: u64,
@@ -204,7 +204,7 @@ impl Packet {
         Some(packet)
     }
 
-    /// To be called when `depth` has changed.
+    /// Recomputes the greatest depths; to be called when `depth` has changed.
     #[inline]
     pub fn update_far(&mut self) {
         let [a, b, c, d] = self.depth;
@@ -262,7 +262,7 @@ impl Goal for Nearest {
 pub struct Occlusion {
     /// The primitive that does not count.
     pub from: Rays<u32x16>,
-    /// All ones where something is.
+    /// A mask of the rays in whose way something is.
     pub occluded: Rays<f32x16>,
 }
 

@@ -1,4 +1,4 @@
-//! Leaves of one primitive that single rays are tested against: spheres, and shapes of one's own.
+//! Leaves of one primitive that single rays are tested against: spheres, and custom shapes.
 
 use std::sync::Arc;
 
@@ -90,7 +90,7 @@ fn sphere_distances(origin: Vec3, direction: Vec3, center: Vec3, radius: f32) ->
     Some([along - half_chord, along + half_chord])
 }
 
-/// A shape of one's own.
+/// A custom shape.
 pub struct CustomLeaf {
     id: u32,
     shape: Option<Arc<dyn CustomShape>>,

@@ -10,7 +10,7 @@ use super::{Shape, Shapes};
 
 /// Up to eight triangles, side by side.
 pub struct TriangleLeaf {
-    /// By corner, then by axis.
+    /// The coordinates of the triangles, by corner, then by axis.
     pub corners: [[f32x8; 3]; 3],
     /// The index that the user knows each triangle by.
     pub ids: [u32; 8],

@@ -33,7 +33,7 @@ impl fmt::Debug for Shape {
     }
 }
 
-/// A ball that traversal knows as a shape of one's own. Rays start on it or come from outside.
+/// A ball that traversal knows as a custom shape. Rays start on it or come from outside.
 struct Ball {
     center: Vec3,
     radius: f32,

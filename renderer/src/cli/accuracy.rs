@@ -4,7 +4,7 @@ use super::Problem;
 use super::output::print_note;
 use super::sampling::SamplingArguments;
 use crate::Error;
-use crate::accuracy::{Rays, pick};
+use crate::accuracy::{Rays, select};
 use crate::arithmetic::{Arithmetic, Precision};
 use crate::experiment::{Experiment, Target};
 use crate::recovery::Recovery;
@@ -12,7 +12,7 @@ use crate::settings::{Edges, Settings};
 
 /// How accurate a gradient has to be.
 #[derive(clap::Args)]
-pub(super) struct Dial {
+pub(super) struct AccuracyArguments {
     /// Take the cheapest settings whose gradient is off by so much at most, relative to its length:
     /// tried on the scene itself, in place of --precision and --lanes; if the target is an image file,
     /// in place of --samples too
@@ -38,8 +38,8 @@ pub(super) fn accuracy(text: &str) -> Result<f64, String> {
     }
 }
 
-impl Dial {
-    /// The problem in the settings that the dial picks, which it prints; without it, in `chosen` or
+impl AccuracyArguments {
+    /// The problem in the settings that the selection finds, which it prints; without it, in `chosen` or
     /// the default arithmetic.
     pub fn recovery<'a>(
         &self,
@@ -64,9 +64,9 @@ impl Dial {
         }
         let exact = in_arithmetic(Arithmetic::fastest(Precision::F64))?;
         exact.evaluate()?;
-        let pick = pick(&exact, accuracy, self.rays(experiment));
-        print_note(&pick);
-        Ok(pick.best.setting.apply(&exact))
+        let selection = select(&exact, accuracy, self.rays(experiment));
+        print_note(&selection);
+        Ok(selection.best.setting.apply(&exact))
     }
 
     /// The pixels of a photo are integrals, so how many rays come close enough to them can be told.

@@ -17,7 +17,7 @@ pub struct Model {
     /// Its objects, one mesh each; at least one. Vertices and texture coordinates are in the order in which
     /// triangles first use them, materials are indices into those of the model.
     pub meshes: Vec<Mesh>,
-    /// Its materials in the order of their first use.
+    /// The materials of the file, in the order of their first use.
     pub materials: Vec<ModelMaterial>,
     /// What was left out of it and of the files that it names: one for each file and kind of
     /// statement.
@@ -27,7 +27,7 @@ pub struct Model {
 /// A material of a model.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ModelMaterial {
-    /// Its name, unique within its model.
+    /// The name of the material, unique within its model.
     pub name: String,
     /// Its numbers, without textures; or that the files do not say, to be warned of unless a scene file
     /// does. What stands in for them is the default material.
@@ -39,9 +39,9 @@ pub struct ModelMaterial {
 /// The textures of a material's numbers.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct ModelMaps {
-    /// By [`Slot`].
+    /// The texture of each number that one varies, by [`Slot`].
     pub sources: [Option<TextureSource>; 4],
-    /// From the texture coordinates of the mesh to those at which the textures are looked up.
+    /// Maps the texture coordinates of the mesh to those at which the textures are looked up.
     pub placement: DAffine2,
 }
 
@@ -55,7 +55,7 @@ impl ModelMaps {
 /// A texture of a model.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TextureSource {
-    /// Where its texels are.
+    /// Where the texels are.
     pub image: TextureImage,
     /// What of them counts.
     pub channel: Channel,

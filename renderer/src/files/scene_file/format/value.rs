@@ -1,0 +1,63 @@
+//! Numbers of a scene file.
+
+use std::fmt;
+
+use serde::de::{self, Deserializer, SeqAccess, Visitor};
+use serde::{Deserialize, Serialize, Serializer};
+
+/// A number, or an array of them.
+#[derive(Clone, PartialEq)]
+pub(in super::super) enum Numbers {
+    One(f64),
+    Many(Vec<f64>),
+}
+
+impl From<&[f64]> for Numbers {
+    fn from(numbers: &[f64]) -> Self {
+        match numbers {
+            [number] => Self::One(*number),
+            _ => Self::Many(numbers.to_vec()),
+        }
+    }
+}
+
+impl Serialize for Numbers {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        match self {
+            Numbers::One(value) => value.serialize(serializer),
+            Numbers::Many(values) => values.serialize(serializer),
+        }
+    }
+}
+
+impl<'de> Deserialize<'de> for Numbers {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct NumbersVisitor;
+
+        impl<'de> Visitor<'de> for NumbersVisitor {
+            type Value = Numbers;
+
+            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                write!(f, "a number or an array of numbers")
+            }
+
+            fn visit_f64<E: de::Error>(self, value: f64) -> Result<Numbers, E> {
+                Ok(Numbers::One(value))
+            }
+
+            fn visit_i64<E: de::Error>(self, value: i64) -> Result<Numbers, E> {
+                Ok(Numbers::One(value as f64))
+            }
+
+            fn visit_seq<A: SeqAccess<'de>>(self, mut values: A) -> Result<Numbers, A::Error> {
+                let mut numbers = Vec::new();
+                while let Some(number) = values.next_element()? {
+                    numbers.push(number);
+                }
+                Ok(Numbers::Many(numbers))
+            }
+        }
+
+        deserializer.deserialize_any(NumbersVisitor)
+    }
+}
