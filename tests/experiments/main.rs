@@ -2,6 +2,7 @@
 
 mod bvh;
 mod camera_calibration;
+mod cornell;
 mod edges;
 mod finite_differences;
 mod gradient_images;

@@ -5,6 +5,7 @@ mod custom;
 mod edges;
 mod everything;
 mod image;
+mod paths;
 mod sampling;
 mod scenes;
 mod single_vertices;

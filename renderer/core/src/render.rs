@@ -62,7 +62,8 @@ pub fn render(scene: &Scene, settings: &Settings) -> Result<Image, Error> {
 ///
 /// # Errors
 ///
-/// If the scene is not [valid](Scene::check).
+/// If the scene is not [valid](Scene::check), or there is [no derivative](Scene::check_differentiable) by
+/// one of the parameters.
 ///
 /// # Panics
 ///
@@ -72,6 +73,7 @@ pub fn render_vjp(
     settings: &Settings,
     requested: &[ParameterId],
 ) -> Result<(Image, impl Fn(&Image) -> Gradient + use<>), Error> {
+    scene.check_differentiable(requested)?;
     let settings = Settings { edges: settings.edges.for_parameters(requested), ..*settings };
     let renderer = Renderer::new(scene, &settings)?;
     let (image, scene, requested) = (renderer.render(), scene.clone(), requested.to_vec());
@@ -84,7 +86,7 @@ pub fn render_vjp(
 /// # Errors
 ///
 /// If the scene is not [valid](Scene::check), a direction has another number of numbers than its
-/// parameter, or two have numbers in common.
+/// parameter, two have numbers in common, or there is [no derivative](Scene::check_differentiable) by one.
 pub fn render_jvp(
     scene: &Scene,
     settings: &Settings,
@@ -98,13 +100,15 @@ pub fn render_jvp(
 ///
 /// # Errors
 ///
-/// If the scene is not [valid](Scene::check).
+/// If the scene is not [valid](Scene::check), or there is [no derivative](Scene::check_differentiable) by
+/// one of the parameters.
 pub fn loss_and_gradient(
     scene: &Scene,
     settings: &Settings,
     loss: &dyn PixelLoss,
     requested: &[ParameterId],
 ) -> Result<LossAndGradient, Error> {
+    scene.check_differentiable(requested)?;
     Ok(Renderer::new(scene, settings)?.loss_and_gradient(scene, loss, requested))
 }
 

@@ -56,6 +56,7 @@ pub(super) fn run(arguments: &Arguments, arithmetic: Arithmetic) -> Result<(), E
     }
     if ids.is_empty() {
         ids = scene.parameters();
+        ids.retain(|&id| scene.is_differentiable(id));
     }
 
     let triangles: usize = scene.meshes.iter().map(|mesh| mesh.triangles.len()).sum();
@@ -75,6 +76,8 @@ pub(super) fn run(arguments: &Arguments, arithmetic: Arithmetic) -> Result<(), E
     let start = Instant::now();
     let edges = arguments.edges.for_parameters(&ids);
     let settings = Settings { arithmetic, edges, ..Settings::default() };
+    scene.check_differentiable(&ids)?;
+    scene.check_edges(&settings)?;
     let renderer = Renderer::unchecked(scene, &settings);
     let build = start.elapsed();
     Bench { original: scene, scene: scene.clone(), ids, renderer, load, build, limit, moves: 0 }

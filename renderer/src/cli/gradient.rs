@@ -126,7 +126,9 @@ fn position(scene: &Scene, id: ParameterId, index: usize) -> String {
     let shape = scene.shape(id);
     let names = match (id.object, id.field) {
         (_, "texture_coordinates") => "uv",
-        (Object::Texture(_) | Object::Material(_), _) | (Object::Light(_), "color") => "rgb",
+        (Object::Texture(_) | Object::Material(_), _)
+        | (Object::Light(_), "color")
+        | (Object::Environment, _) => "rgb",
         _ => "xyz",
     };
     let column = |i: usize| names.get(i..=i).map_or(i.to_string(), str::to_owned);

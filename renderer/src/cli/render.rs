@@ -89,8 +89,8 @@ pub(super) fn run(arguments: &Arguments, arithmetic: Arithmetic) -> Result<(), E
         pass: arguments.pass,
         sampling: arguments.sampling.sampling(),
         edges: match arguments.antialias {
-            Antialias::Coverage => Edges::On,
-            Antialias::None => Edges::Off,
+            Antialias::Coverage if experiment.scene.has_edges(arguments.pass) => Edges::On,
+            Antialias::Coverage | Antialias::None => Edges::Off,
         },
         ..Settings::default()
     };

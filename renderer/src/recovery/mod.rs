@@ -71,7 +71,7 @@ impl<'a> Recovery<'a> {
     /// # Errors
     ///
     /// If the target or the parameters are missing, two parameters
-    /// [overlap](ParameterId::overlaps), the target cannot be read, or its size is not that of the
+    /// [overlap](ParameterId::overlaps), there is [no derivative](Scene::check_differentiable) by one, the target cannot be read, or its size is not that of the
     /// camera.
     pub fn new(
         experiment: &'a Experiment,
@@ -89,6 +89,8 @@ impl<'a> Recovery<'a> {
         check_overlaps(scene, &section, place)?;
         check_learning_rates(scene, &section, place)?;
         let ids: Vec<_> = section.parameters.iter().map(|tuned| tuned.id).collect();
+        scene.check_differentiable(&ids)?;
+        scene.check_edges(settings)?;
         let settings = Settings { edges: settings.edges.for_parameters(&ids), ..*settings };
         let (targets, truth) = target::load(scene, &section, place, &settings)?;
         check_batch(scene, &section, place)?;

@@ -70,11 +70,8 @@ pub(super) fn is_geometry(id: &ParameterId) -> bool {
     match id.object {
         Object::Mesh(_) => !["texture_coordinates", "normals"].contains(&id.field),
         Object::Sphere(_) | Object::Shape(_) => true,
-        Object::Camera
-        | Object::View(_)
-        | Object::Light(_)
-        | Object::Material(_)
-        | Object::Texture(_) => false,
+        Object::Camera | Object::View(_) | Object::Environment | Object::Light(_) => false,
+        Object::Material(_) | Object::Texture(_) => false,
     }
 }
 

@@ -84,7 +84,7 @@ pub(super) struct AdjointState<L: Plain> {
     /// By group: the cotangents of the surface points, unless they are zero.
     pub surfaces: Vec<Option<SurfaceCotangent<L>>>,
     /// By block: the cotangents of the radiance that rays bring which go on.
-    radiance: Vec<Vec3<L>>,
+    pub radiance: Vec<Vec3<L>>,
     /// By block: the cotangents of the rays that go on.
     pub rays: Vec<Tangent<Ray<L>>>,
     /// A bit for each ray that grazes what it meets: its surface point has no derivative.
@@ -118,6 +118,9 @@ impl<'a, L: Plain> Chain<'a, L> {
     }
 
     fn tile(&mut self, loss: &dyn PixelLoss, tile: &Tile) {
+        if self.integrator.layout.path_tracing.is_some() {
+            return self.scattered_tile(loss, tile);
+        }
         let sampling = self.integrator.layout.sampling;
         if sampling.is_single() {
             // The radiance of the ray is that of the pixel: one pass is enough.
@@ -288,7 +291,7 @@ impl<'a, L: Plain> Chain<'a, L> {
 
     /// Adds what flows back through the direct light of one light to the cotangents of materials and
     /// surface points.
-    fn pull_light(
+    pub(super) fn pull_light(
         &mut self,
         group_index: usize,
         vertex: &Vertex<'_, L>,
@@ -342,12 +345,13 @@ impl<'a, L: Plain> Chain<'a, L> {
         to_surface.point.accumulate(point);
     }
 
-    /// From the cotangent of the light of the surfaces themselves to materials and textures.
+    /// From the cotangents of what the surfaces emit, or show of their albedo, and of their materials to
+    /// materials and textures.
     #[inline(always)]
-    fn pull_material(
+    pub(super) fn pull_material(
         &mut self,
         vertex: &Vertex<'_, L>,
-        own: Vec3<L>,
+        emitted: Vec3<L>,
         of_outgoing: Option<(L, Vec3<L>)>,
         material: &mut Tangent<Material<L>>,
         surface: &Tangent<SurfacePoint<L>>,
@@ -355,8 +359,8 @@ impl<'a, L: Plain> Chain<'a, L> {
     ) {
         count(|counts| &counts.shading_pullbacks, u64::from(vertex.group.alive.count_ones()));
         match self.integrator.layout.pass {
-            Pass::Radiance => material.emission.accumulate(own),
-            Pass::Albedo => material.diffuse.accumulate(own),
+            Pass::Radiance => material.emission.accumulate(emitted),
+            Pass::Albedo => material.diffuse.accumulate(emitted),
             Pass::Coverage => {}
         }
         if let Some((opacity, mirror)) = of_outgoing {
@@ -507,11 +511,8 @@ impl<'a, L: Plain> Chain<'a, L> {
             return self.pull_custom_surface(group, surface);
         };
         let of_uv = uv.map(|uv| {
-            let corners = self.integrator.corner_uvs(*kind, primitives);
-            let (_, pullback) = surface_uv::vjp::<L>(primitive, corners, group.surface.point);
-            let (primitive, corners, point) = pullback(uv);
+            let (primitive, point) = self.pull_uv(group, primitive, uv);
             surface.point.accumulate(point);
-            self.scatter_uvs(group.kind, primitives, corners);
             primitive
         });
         let (mut primitive, ray) = if group.smooth.is_some() {
@@ -526,6 +527,21 @@ impl<'a, L: Plain> Chain<'a, L> {
         }
         self.scatter_primitive(group.kind, primitives, &primitive);
         ray
+    }
+
+    /// Pulls the cotangents of the texture coordinates of surface points back to those of corners; returns
+    /// those of the primitives and of the points.
+    pub(super) fn pull_uv(
+        &mut self,
+        group: &LaneGroup<L>,
+        primitive: Primitive<L>,
+        uv: Tangent<Uv<L>>,
+    ) -> (Tangent<Primitive<L>>, Vec3<L>) {
+        let corners = self.integrator.corner_uvs(group.kind, &group.primitives);
+        let (_, pullback) = surface_uv::vjp::<L>(primitive, corners, group.surface.point);
+        let (primitive, corners, point) = pullback(uv);
+        self.scatter_uvs(group.kind, &group.primitives, corners);
+        (primitive, point)
     }
 
     /// Adds the cotangents of the texture coordinates of the corners of triangles.

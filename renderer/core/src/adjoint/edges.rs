@@ -74,7 +74,7 @@ pub fn sweep_with_edges<L: Plain>(
                 let sample = TileSample { tile: &tile, sampling: grid, index };
                 chain.pull_sample(Source::Traced(sample, known), &of_tile);
             }
-            for cotangents in &of_limb {
+            if let Some(cotangents) = &of_limb {
                 chain.spacing = Some(1.0 / f64::from(limb.sampling.grid_side()));
                 for sample in samples(&tile, limb.sampling) {
                     chain.pull_sample(sample, cotangents);

@@ -21,6 +21,7 @@ mod range;
 mod reduce;
 mod request;
 mod scatter;
+mod scattered;
 mod selection;
 mod smooth;
 

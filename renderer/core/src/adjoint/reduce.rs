@@ -167,6 +167,7 @@ impl Totals {
             // An image is seen through one camera, and the same without the others.
             Object::Camera | Object::View(_) if id.object != scene.eye() => vec![0.0; range.len()],
             Object::Camera | Object::View(_) => range.map(|index| camera.number(index)).collect(),
+            Object::Environment => request.environment.map_or_else(Vec::new, |to| dense(to.start)),
             Object::Light(light) => {
                 request.lights[light].map_or_else(Vec::new, |to| dense(to.start))
             }

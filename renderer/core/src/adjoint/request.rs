@@ -7,7 +7,9 @@ use ad::Fields;
 use super::selection::Selection;
 use crate::primal::integrator::ZeroWeight;
 use crate::scene::numbers::range_of;
-use crate::scene::{LightSource, Material, Normals, Object, ParameterId, Scene, Sphere, Transform};
+use crate::scene::{
+    Environment, LightSource, Material, Normals, Object, ParameterId, Scene, Sphere, Transform,
+};
 use crate::settings::{Edges, Pass};
 use crate::trace::layout::Layout;
 use crate::transport::light::match_light;
@@ -22,6 +24,7 @@ pub type Bits = u64;
 pub struct Request {
     pub ids: Vec<ParameterId>,
     pub camera: bool,
+    pub environment: Option<Dense>,
     /// By light: the numbers that are asked for, and where they begin among the dense sums.
     pub lights: Vec<Option<Dense>>,
     /// By custom shape: its numbers, then those of its transform.
@@ -57,6 +60,7 @@ impl Request {
         let mut request = Self {
             ids: ids.to_vec(),
             camera: ids.iter().any(|id| id.object == scene.eye()),
+            environment: None,
             lights: vec![None; scene.lights.len()],
             shapes: vec![None; scene.shapes.len()],
             transforms: vec![None; scene.meshes.len()],
@@ -76,9 +80,21 @@ impl Request {
         let of_material = |field: &str| {
             ids.iter().any(|id| matches!(id.object, Object::Material(_)) && id.field == field)
         };
+        // Paths that are chosen at random are not to be others than those of the image.
+        let takes_all_paths = layout.path_tracing.is_some();
+        let of_zero = |field: &str| {
+            let is_it = |id: &ParameterId| {
+                matches!(id.object, Object::Material(_))
+                    && id.field == field
+                    && scene.get(*id).iter().all(|&number| number == 0.0)
+            };
+            ids.iter().any(is_it)
+        };
         let is_light = |id: &ParameterId| matches!(id.object, Object::Light(_));
         request.zero_weight = ZeroWeight {
-            mirrors: layout.pass == Pass::Radiance && of_material("mirror"),
+            mirrors: layout.pass == Pass::Radiance
+                && if takes_all_paths { of_zero("mirror") } else { of_material("mirror") },
+            reflections: takes_all_paths && (of_zero("diffuse") || of_zero("specular")),
             lights: ids.iter().any(is_light),
             lobes: Lobes { rough: of_material("roughness"), glossy: of_material("specular") },
         };
@@ -117,7 +133,11 @@ impl Request {
                 Object::Texture(texture) => of_textures.push(textures[texture].texels()),
                 Object::Material(material) => materials.push(material..material + 1),
                 Object::Sphere(sphere) => spheres.push(sphere..sphere + 1),
-                Object::Camera | Object::View(_) | Object::Light(_) | Object::Shape(_) => {}
+                Object::Camera
+                | Object::View(_)
+                | Object::Environment
+                | Object::Light(_)
+                | Object::Shape(_) => {}
             }
         }
         self.vertices = Selection::new(vertices, layout.vertices());
@@ -133,6 +153,11 @@ impl Request {
         for &ParameterId { object, field, .. } in &self.ids.clone() {
             match object {
                 Object::Camera | Object::View(_) | Object::Texture(_) => {}
+                Object::Environment => {
+                    let numbers = bits(Environment::<f64>::FIELDS, field);
+                    let len = Environment::<f64>::LEN;
+                    add(&mut self.environment, &mut self.dense, len, numbers);
+                }
                 Object::Light(light) => {
                     let (fields, len) = match &scene.lights[light].source {
                         LightSource::Known(known) => match_light!(known, known => fields_of(known)),

@@ -90,7 +90,9 @@ impl<S: Number> Integrator<'_, S> {
                 } else {
                     (self.surface(kind, &primitives, inside, ray), None)
                 };
+                let index = wavefront.groups.len();
                 wavefront.groups.push(LaneGroup {
+                    index,
                     first,
                     alive,
                     primitives,

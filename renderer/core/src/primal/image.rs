@@ -7,7 +7,7 @@ use glam::DVec3;
 use super::integrator::Integrator;
 use super::lanes::vectors_of_lanes;
 use super::path::Path;
-use super::wavefront::{LaneGroup, Source, TileSample, samples, set_vectors};
+use super::wavefront::{RayLanes, Source, TileSample, samples, set_vectors};
 use crate::image::Image;
 use crate::loss::PixelLoss;
 use crate::number::{Number, Plain, primal_vector};
@@ -134,26 +134,28 @@ pub fn mean_traced<L: Plain>(
     total.map(|radiance| radiance / count)
 }
 
-/// Calls `use_radiance` with the radiance of every group of camera rays.
+/// Calls `use_radiance` with the radiance of camera rays, as many as have lanes at a time; what is black
+/// because they meet nothing is left out.
 #[inline]
 pub fn visit<S: Number>(
     integrator: Integrator<'_, S>,
     source: Source<'_>,
     path: &mut Path<S>,
-    mut use_radiance: impl FnMut(&LaneGroup<S>, Vec3<S>),
+    mut use_radiance: impl FnMut(RayLanes, Vec3<S>),
 ) {
     integrator.trace_path(source, path);
     let wavefronts = path.wavefronts();
     for group in &wavefronts[0].groups {
         let vertex = integrator.vertex(group, &wavefronts[0], wavefronts.get(1));
-        use_radiance(group, vertex.radiance());
+        use_radiance(group.lanes(), vertex.radiance());
     }
+    integrator.visit_missed(&wavefronts[0], use_radiance);
 }
 
 /// How many rays there are at each depth, and how many of them hit something.
 pub fn rays_by_depth<L: Plain>(integrator: Integrator<'_, L>) -> Vec<(u64, u64)> {
     let (width, height) = (integrator.layout.width, integrator.layout.height);
-    let depths = integrator.layout.bounces as usize + 1;
+    let depths = integrator.depths().max(integrator.layout.bounces as usize + 1);
     let strips = for_each_strip(width, height, Path::default, |path, strip| {
         let mut counts = vec![(0, 0); depths];
         for tile in strip.tiles() {

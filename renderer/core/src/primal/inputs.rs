@@ -12,6 +12,7 @@ use crate::number::{Number, splat_vector};
 use crate::scene::{LightObject, LightSource, Mesh, Object, Scene, ShapeObject, Transform};
 use crate::settings::Pass;
 use crate::transport::camera::{CameraFrame, Ray, camera_frame};
+use crate::transport::environment::Environment;
 use crate::transport::light::{Illumination, Light, illuminate, match_light};
 use crate::transport::material::Material;
 use crate::transport::sphere::Sphere;
@@ -112,6 +113,7 @@ impl<S: Number> ShapeInputs<S> {
 pub struct Inputs<S: Number> {
     pub origin: DVec3,
     pub frame: CameraFrame<S>,
+    pub environment: Option<Environment<S>>,
     pub lights: Vec<LightInputs<S>>,
     pub materials: Vec<Material<S::Lane>>,
     pub spheres: Vec<Sphere<S::Lane>>,
@@ -133,6 +135,7 @@ impl<S: Number> Inputs<S> {
         let mut inputs = Self {
             origin,
             frame: CameraFrame::from_fn(&mut |_| S::ZERO),
+            environment: None,
             lights: Vec::new(),
             materials: Vec::new(),
             spheres: Vec::new(),
@@ -151,6 +154,10 @@ impl<S: Number> Inputs<S> {
     pub fn update(&mut self, scene: &Scene, pass: Pass, varying: &Varying<S::Wide>) -> bool {
         let origin = constant::<S>(self.origin);
         self.look(scene, varying);
+        self.environment = scene
+            .environment
+            .filter(|_| pass == Pass::Radiance)
+            .map(|sky| in_lanes::<S, _>(&varying.lift(Object::Environment, &sky)));
         self.lights = lights(scene, pass, origin, varying);
         self.materials.clear();
         self.materials.extend(scene.materials.iter().enumerate().map(|(index, material)| {

@@ -5,12 +5,14 @@ use ad::lanes::Lanes;
 use glam::DVec3;
 
 use super::inputs::Inputs;
+use super::scattered::emitters;
 use super::tracer::Tracer;
 use super::varying::Varying;
 use crate::number::{Number, Plain};
 use crate::scene::Scene;
 use crate::settings::Settings;
 use crate::trace::bvh::{PACKET_RAYS, tile_position};
+use crate::trace::emitters::Emitters;
 use crate::trace::layout::Layout;
 use crate::transport::material::Lobes;
 
@@ -20,6 +22,8 @@ pub struct Integrator<'a, S: Number> {
     pub layout: &'a Layout,
     pub tracer: &'a Tracer,
     pub inputs: &'a Inputs<S>,
+    /// Where light takes all paths: what shines.
+    pub emitters: &'a Emitters,
     /// Twice the columns and the rows of the rays of a packet, within their tile, by groups of lanes.
     pub film_offsets: &'a [(S::Lanes, S::Lanes)],
     pub zero_weight: ZeroWeight,
@@ -31,6 +35,8 @@ pub struct Integrator<'a, S: Number> {
 pub struct ZeroWeight {
     /// Every opaque material counts as a mirror, so that derivatives by mirror reflectances of zero are computed.
     pub mirrors: bool,
+    /// What is black reflects.
+    pub reflections: bool,
     /// Lights that send nothing cast shadows.
     pub lights: bool,
     /// Every material has these.
@@ -58,6 +64,7 @@ pub struct Prepared<L: Plain> {
     pub layout: Layout,
     pub tracer: Tracer,
     pub inputs: Inputs<L>,
+    emitters: Emitters,
     film_offsets: Vec<(L, L)>,
 }
 
@@ -69,7 +76,8 @@ impl<L: Plain> Prepared<L> {
         let layout = Layout::new(scene, &settings);
         let inputs = Inputs::new(scene, settings.pass, origin, &Varying::NONE);
         let tracer = Tracer::new(scene, &settings, &layout, &inputs);
-        Self { settings, layout, tracer, inputs, film_offsets: film_offsets::<L>() }
+        let emitters = emitters(scene, &layout, &inputs);
+        Self { settings, layout, tracer, inputs, emitters, film_offsets: film_offsets::<L>() }
     }
 
     /// What computes radiance with these numbers.
@@ -82,8 +90,9 @@ impl<L: Plain> Prepared<L> {
         &'a self,
         inputs: &'a Inputs<S>,
     ) -> Integrator<'a, S> {
-        let Self { layout, tracer, film_offsets, .. } = self;
-        Integrator { layout, tracer, inputs, film_offsets, zero_weight: ZeroWeight::default() }
+        let Self { layout, tracer, emitters, film_offsets, .. } = self;
+        let zero_weight = ZeroWeight::default();
+        Integrator { layout, tracer, inputs, emitters, film_offsets, zero_weight }
     }
 
     /// Takes over the numbers of the scene, whose objects have stayed. If geometry has moved, the
@@ -92,6 +101,7 @@ impl<L: Plain> Prepared<L> {
         self.layout.update(scene);
         let moved = self.inputs.update(scene, self.settings.pass, &Varying::NONE);
         self.tracer.update(scene, &self.settings, &self.layout, &self.inputs, moved);
+        self.emitters = emitters(scene, &self.layout, &self.inputs);
     }
 
     /// Takes over what the scene is seen through, and nothing else.

@@ -23,6 +23,7 @@ pub(crate) mod known;
 pub(crate) mod lanes;
 pub(crate) mod path;
 pub(crate) mod placed;
+pub(crate) mod scattered;
 pub(crate) mod shadow;
 pub(crate) mod smooth;
 pub(crate) mod texels;

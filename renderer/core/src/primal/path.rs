@@ -26,6 +26,26 @@ impl<S: Number> Path<S> {
     pub fn wavefronts(&self) -> &[Wavefront<S>] {
         &self.wavefronts[..self.depth]
     }
+
+    /// The wavefront of this index, and the one before it.
+    pub(super) fn at(&mut self, index: usize) -> (Option<&Wavefront<S>>, &mut Wavefront<S>) {
+        if self.wavefronts.len() == index {
+            self.wavefronts.push(Wavefront::default());
+        }
+        let (before, after) = self.wavefronts.split_at_mut(index);
+        (before.last(), &mut after[0])
+    }
+
+    /// The wavefront of this index, and the one behind it.
+    pub(super) fn beyond(&mut self, index: usize) -> (&mut Wavefront<S>, Option<&Wavefront<S>>) {
+        let (wavefronts, deeper) = self.wavefronts[..self.depth].split_at_mut(index + 1);
+        (&mut wavefronts[index], deeper.first())
+    }
+
+    /// Says how many of the wavefronts belong to this tile.
+    pub(super) fn set_depth(&mut self, depth: usize) {
+        self.depth = depth;
+    }
 }
 
 /// To be filled by [`Integrator::trace_path`].
@@ -39,6 +59,9 @@ impl<S: Number> Integrator<'_, S> {
     /// Traces paths, or follows those that are known, with the visibility of lights, and finds the
     /// radiance that each ray brings but for those of the camera.
     pub fn trace_path(&self, source: Source<'_>, path: &mut Path<S>) {
+        if let (Some(limits), Source::Tile(sample)) = (self.layout.path_tracing, source) {
+            return self.trace_scattered(sample, limits, path);
+        }
         let known = |depth: usize| source.known()?.at(depth);
         let Path { wavefronts, depth } = path;
         if wavefronts.is_empty() {
@@ -64,8 +87,8 @@ impl<S: Number> Integrator<'_, S> {
             *depth += 1;
         }
         for depth in (1..*depth).rev() {
-            let (wavefronts, deeper) = wavefronts[..path.depth].split_at_mut(depth + 1);
-            self.shade(&mut wavefronts[depth], deeper.first());
+            let (wavefront, deeper) = path.beyond(depth);
+            self.shade(wavefront, deeper);
         }
     }
 
@@ -91,7 +114,7 @@ impl<S: Number> Integrator<'_, S> {
             }
             sent |= u64::from(lanes) << group.first;
             let ray = group.next_rays(transparent);
-            put(group, lanes, &ray, &mut sent_on);
+            put(group.lanes(), lanes, &ray, &mut sent_on);
             if known.is_some() {
                 continue;
             }
@@ -115,18 +138,24 @@ impl<S: Number> Integrator<'_, S> {
     }
 
     /// Finds the radiance that the rays of a wavefront bring, from that of the rays that go on.
-    fn shade(&self, wavefront: &mut Wavefront<S>, beyond: Option<&Wavefront<S>>) {
+    pub(super) fn shade(&self, wavefront: &mut Wavefront<S>, beyond: Option<&Wavefront<S>>) {
         let mut radiance = std::mem::take(&mut wavefront.radiance);
         clear_blocks::<S, _>(&mut radiance);
         for group in &wavefront.groups {
             let vertex = self.vertex(group, wavefront, beyond);
-            put(group, group.alive, &vertex.radiance(), &mut radiance);
+            put(group.lanes(), group.alive, &vertex.radiance(), &mut radiance);
         }
+        self.visit_missed(wavefront, |rays, of_missed| {
+            put(rays, rays.alive, &of_missed, &mut radiance);
+        });
         wavefront.radiance = radiance;
     }
 
     /// How many surfaces a path meets at most.
     pub fn depths(&self) -> usize {
+        if let Some(path_tracing) = self.layout.path_tracing {
+            return path_tracing.max_depth as usize;
+        }
         let goes_on =
             self.zero_weight.mirrors || self.layout.has_mirrors || self.layout.has_transparency;
         if goes_on { self.layout.bounces as usize + 1 } else { 1 }
@@ -156,6 +185,6 @@ impl<S: Number> LaneGroup<S> {
     }
 }
 
-fn zero_ray<S: Number>() -> Ray<S> {
+pub(super) fn zero_ray<S: Number>() -> Ray<S> {
     ad::Fields::from_fn(&mut |_| S::ZERO)
 }

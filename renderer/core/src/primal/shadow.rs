@@ -177,7 +177,7 @@ impl<S: Number> LaneGroup<S> {
     /// Where shadow rays start, and the values of the normals that geometry has there, whatever it is
     /// shaded with.
     #[inline]
-    fn geometry(&self) -> (Vec3<S::Lanes>, Vec3<S::Lanes>) {
+    pub(super) fn geometry(&self) -> (Vec3<S::Lanes>, Vec3<S::Lanes>) {
         match &self.smooth {
             None => self.values(),
             Some(Smooth { curved, outward }) => (*curved, primal_vector::<S>(*outward)),

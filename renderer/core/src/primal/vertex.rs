@@ -123,7 +123,15 @@ impl<'a, S: Number> Vertex<'a, S> {
     /// The radiance that leaves towards the viewer.
     #[inline(always)]
     pub fn radiance(&self) -> Vec3<S> {
+        if self.integrator.layout.path_tracing.is_some() {
+            return self.scattered_radiance();
+        }
         self.outgoing(self.own(self.lights()))
+    }
+
+    /// The rays that the group is among.
+    pub fn wavefront(&self) -> &'a Wavefront<S> {
+        self.wavefront
     }
 
     /// The lights of the scene.
@@ -156,11 +164,17 @@ impl<'a, S: Number> Vertex<'a, S> {
     // A call would move more than it computes: 3 % of an image.
     #[inline(always)]
     pub fn own(&self, lights: &[LightInputs<S>]) -> Vec3<S> {
-        let mut own = match self.integrator.layout.pass {
+        let own = match self.integrator.layout.pass {
             Pass::Radiance => self.material.emission,
             Pass::Albedo => self.material.diffuse,
             Pass::Coverage => Vec3::<S>::splat(S::ONE),
         };
+        self.add_direct(own, lights)
+    }
+
+    /// Adds what the surfaces reflect of lights.
+    #[inline(always)]
+    pub fn add_direct(&self, mut own: Vec3<S>, lights: &[LightInputs<S>]) -> Vec3<S> {
         for (index, light) in lights.iter().enumerate() {
             own = own + self.direct(index, light);
         }

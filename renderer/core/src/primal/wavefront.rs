@@ -7,6 +7,7 @@ use ad::{Additive, Fields, Vec3};
 use super::coalesce::{Coalesced, select_lanes};
 use super::known::KnownPaths;
 use super::lanes::{all_lanes, singles_of_lanes};
+use super::scattered::Scattering;
 use crate::number::Number;
 use crate::trace::bvh::{PACKET_RAYS, PacketHits, PacketVectors, rays};
 use crate::trace::layout::Kind;
@@ -38,6 +39,8 @@ pub struct Wavefront<S: Number> {
     pub rays: Vec<Ray<S>>,
     /// For rays that go on: the radiance that they bring, by block.
     pub radiance: Vec<Vec3<S>>,
+    /// Where light takes all paths: how they were chosen.
+    pub scattering: Scattering<S>,
 }
 
 /// Where the rays of a wavefront come from.
@@ -75,8 +78,33 @@ pub fn samples(tile: &Tile, sampling: Sampling) -> impl Iterator<Item = Source<'
     (0..sampling.count()).map(move |index| Source::Tile(TileSample { tile, sampling, index }))
 }
 
+/// Rays of a packet side by side.
+#[derive(Clone, Copy, Debug)]
+pub struct RayLanes {
+    /// The ray in lane 0; the others follow.
+    pub first: usize,
+    /// A bit for each lane that counts.
+    pub alive: u32,
+}
+
+impl RayLanes {
+    /// The lanes that count, with their rays.
+    #[inline]
+    pub fn rays(self) -> impl Iterator<Item = (usize, usize)> {
+        rays(self.alive.into()).map(move |lane| (lane, self.first + lane))
+    }
+
+    /// The block of the packet that the lanes are.
+    #[inline]
+    pub fn block<S: Number>(self) -> usize {
+        self.first / <S::Lanes as Lanes>::COUNT
+    }
+}
+
 /// Rays that hit primitives of one kind, one in each lane.
 pub struct LaneGroup<S: Number> {
+    /// Which of the groups of its wavefront it is.
+    pub index: usize,
     /// The ray in lane 0; the others follow.
     pub first: usize,
     /// A bit for each lane that counts. The others repeat one of these.
@@ -101,17 +129,22 @@ pub struct Smooth<S: Number> {
 }
 
 impl<S: Number> LaneGroup<S> {
+    /// The rays.
+    #[inline]
+    pub fn lanes(&self) -> RayLanes {
+        RayLanes { first: self.first, alive: self.alive }
+    }
+
     /// The lanes that count, with their rays.
     #[inline]
     pub fn rays(&self) -> impl Iterator<Item = (usize, usize)> + use<S> {
-        let first = self.first;
-        rays(self.alive.into()).map(move |lane| (lane, first + lane))
+        self.lanes().rays()
     }
 
     /// The block of the packet that the lanes are.
     #[inline]
     pub fn block(&self) -> usize {
-        self.first / <S::Lanes as Lanes>::COUNT
+        self.lanes().block::<S>()
     }
 
     /// The bits of the lanes among those of a packet.
@@ -173,6 +206,7 @@ impl<S: Number> Default for Wavefront<S> {
             film: Vec::new(),
             rays: Vec::new(),
             radiance: Vec::new(),
+            scattering: Scattering::default(),
         }
     }
 }
@@ -199,10 +233,10 @@ pub fn clear_blocks<S: Number, T: Additive>(values: &mut Vec<T>) {
     values.resize(blocks::<S>(), T::zero());
 }
 
-/// Puts lanes of a group into their block.
+/// Puts lanes into their block.
 #[inline]
-pub fn put<S: Number, T: Fields<S>>(group: &LaneGroup<S>, lanes: u32, value: &T, blocks: &mut [T]) {
-    let block = &mut blocks[group.block()];
+pub fn put<S: Number, T: Fields<S>>(rays: RayLanes, lanes: u32, value: &T, blocks: &mut [T]) {
+    let block = &mut blocks[rays.block::<S>()];
     *block = select_lanes::<S, T>(lanes, value, block);
 }
 

@@ -19,6 +19,7 @@ use crate::primal::integrator::Prepared;
 use crate::primal::varying::Varying;
 use crate::scene::{ParameterId, Scene};
 use crate::settings::{Edges, Pass, Settings};
+use crate::trace::layout::sampling_of;
 use crate::trace::sampling::Sampling;
 
 /// A scene that is prepared to be rendered again and again: its numbers may change, its objects stay.
@@ -50,9 +51,10 @@ impl Renderer {
     ///
     /// # Errors
     ///
-    /// If the scene is not [valid](Scene::check).
+    /// If the scene is not [valid](Scene::check), or edges are to be seen where light takes all paths.
     pub fn new(scene: &Scene, settings: &Settings) -> Result<Self, Error> {
         scene.check()?;
+        scene.check_edges(settings)?;
         Ok(Self::unchecked(scene, settings))
     }
 
@@ -114,6 +116,10 @@ impl Renderer {
 
     /// A loss of the image and its gradient; see [`loss_and_gradient`](super::loss_and_gradient). `scene`
     /// is the one that was last taken over.
+    ///
+    /// # Panics
+    ///
+    /// If there is [no derivative](Scene::check_differentiable) by one of the parameters.
     pub fn loss_and_gradient(
         &self,
         scene: &Scene,
@@ -128,7 +134,8 @@ impl Renderer {
     ///
     /// # Panics
     ///
-    /// If the cotangent has another size than the image.
+    /// If the cotangent has another size than the image, or there is
+    /// [no derivative](Scene::check_differentiable) by one of the parameters.
     pub fn pullback(
         &self,
         scene: &Scene,
@@ -145,7 +152,8 @@ impl Renderer {
     ///
     /// # Errors
     ///
-    /// If a direction has another number of numbers than its parameter, or two have numbers in common.
+    /// If a direction has another number of numbers than its parameter, or two have numbers in common, or
+    /// there is [no derivative](Scene::check_differentiable) by one.
     pub fn jvp(
         &self,
         scene: &Scene,
@@ -299,6 +307,9 @@ impl<L: Plain> Engine for Prepared<L> {
         loss: &dyn PixelLoss,
         requested: &[ParameterId],
     ) -> LossAndGradient {
+        if let Err(error) = scene.check_differentiable(requested) {
+            panic!("{error}");
+        }
         let request = Request::new(scene, &self.layout, requested);
         adjoint::loss_and_gradient(self, scene, loss, &request)
     }
@@ -353,7 +364,7 @@ impl<L: Plain> Engine for Prepared<L> {
 
     fn resample(&mut self, sampling: Sampling, bounces: Option<u32>) {
         self.settings.sampling = sampling;
-        self.layout.sampling = sampling;
+        self.layout.sampling = sampling_of(sampling, self.layout.path_tracing);
         if let Some(bounces) = bounces {
             self.layout.bounces = bounces;
         }
@@ -370,6 +381,8 @@ impl<L: Plain> Engine for Prepared<L> {
 }
 
 fn check_direction(scene: &Scene, direction: &[(ParameterId, Vec<f64>)]) -> Result<(), Error> {
+    let ids: Vec<ParameterId> = direction.iter().map(|(id, _)| *id).collect();
+    scene.check_differentiable(&ids)?;
     for (index, (id, numbers)) in direction.iter().enumerate() {
         if let Some((other, _)) = direction[..index].iter().find(|(other, _)| other.overlaps(*id)) {
             let problem = format!("overlaps {}, which moves too", scene.path(*other));

@@ -47,8 +47,8 @@ impl Scene {
         let close = closest(path, &paths);
         Err(if close.is_empty() {
             format!(
-                "no parameter `{path}`: paths begin with {}, light, material, sphere, mesh, \
-                 texture or shape",
+                "no parameter `{path}`: paths begin with {}, environment, light, material, sphere, \
+                 mesh, texture or shape",
                 self.eye().kind()
             )
         } else {

@@ -38,6 +38,7 @@
 #[cfg(test)]
 mod example;
 mod framing;
+mod integrator;
 mod light;
 mod lookup;
 mod material;
@@ -58,10 +59,12 @@ mod view;
 use glam::DVec3;
 
 pub use crate::transport::camera::Camera;
+pub use crate::transport::environment::Environment;
 pub use crate::transport::light::{DistantLight, Light, PointLight, SpotLight};
 pub use crate::transport::material::Material;
 pub use crate::transport::sphere::Sphere;
 pub use crate::transport::transform::Transform;
+pub use integrator::{Integrator, PathTracing};
 pub use light::{LightObject, LightSource};
 pub use material::{MaterialObject, MaterialTextures, Slot};
 pub use mesh::Mesh;
@@ -91,8 +94,12 @@ pub struct Scene {
     pub height: u32,
     /// How many mirrors and transparent surfaces a path has at most.
     pub bounces: u32,
+    /// Which paths of light count.
+    pub integrator: Integrator,
     /// The camera, if the scene has no views.
     pub camera: Camera<f64>,
+    /// What surrounds the scene, if it is not black.
+    pub environment: Option<Environment<f64>>,
     #[doc(hidden)]
     pub views: Vec<View>,
     /// The view that the scene is seen through, if it has any.
@@ -119,7 +126,9 @@ impl Scene {
             width,
             height,
             bounces: DEFAULT_BOUNCES,
+            integrator: Integrator::Direct,
             camera,
+            environment: None,
             views: Vec::new(),
             shown: 0,
             lights: Vec::new(),

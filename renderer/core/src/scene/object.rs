@@ -7,6 +7,8 @@ pub enum Object {
     Camera,
     /// A view.
     View(usize),
+    /// The environment.
+    Environment,
     /// A light.
     Light(usize),
     /// A material.
@@ -27,6 +29,7 @@ impl Object {
         match self {
             Self::Camera => "camera",
             Self::View(_) => "view",
+            Self::Environment => "environment",
             Self::Light(_) => "light",
             Self::Material(_) => "material",
             Self::Texture(_) => "texture",

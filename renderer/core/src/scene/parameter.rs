@@ -4,9 +4,13 @@ use std::borrow::Cow;
 use std::fmt;
 
 use ad::{Field, Fields};
+use glam::DVec3;
 
 use super::numbers::Numbers;
-use super::{Material, Mesh, Object, ParameterId, Scene, table};
+use super::{Environment, Material, Mesh, Object, ParameterId, Scene, table};
+
+/// One that is black.
+const NO_ENVIRONMENT: Environment<f64> = Environment { radiance: DVec3::ZERO };
 
 impl ParameterId {
     /// Whether silhouettes, shadows or other edges in the image move with the parameter.
@@ -20,6 +24,7 @@ impl Scene {
         match object {
             Object::Camera => &self.camera,
             Object::View(i) => &self.views[i].camera,
+            Object::Environment => self.environment.as_ref().unwrap_or(&NO_ENVIRONMENT),
             Object::Light(i) => &self.lights[i],
             Object::Material(i) => &self.materials[i],
             Object::Texture(i) => &self.textures[i],
@@ -33,6 +38,7 @@ impl Scene {
         match object {
             Object::Camera => &mut self.camera,
             Object::View(i) => &mut self.views[i].camera,
+            Object::Environment => self.environment.get_or_insert(NO_ENVIRONMENT),
             Object::Light(i) => &mut self.lights[i],
             Object::Material(i) => &mut self.materials[i],
             Object::Texture(i) => &mut self.textures[i],
@@ -42,10 +48,10 @@ impl Scene {
         }
     }
 
-    /// The name of an object; that of the camera is empty.
+    /// The name of an object; those of the camera and the environment are empty.
     pub(crate) fn name_of(&self, object: Object) -> &str {
         match object {
-            Object::Camera => "",
+            Object::Camera | Object::Environment => "",
             Object::View(i) => &self.views[i].name,
             Object::Light(i) => &self.lights[i].name,
             Object::Material(i) => &self.materials[i].name,
@@ -56,10 +62,12 @@ impl Scene {
         }
     }
 
-    /// The objects of the scene: the camera or the views, then the others by kind.
+    /// The objects of the scene: the camera or the views, the environment if there is one, then the others
+    /// by kind.
     pub(crate) fn objects(&self) -> impl Iterator<Item = Object> + use<> {
         let all = |count: usize, object: fn(usize) -> Object| (0..count).map(object);
         self.eyes()
+            .chain(self.environment.map(|_| Object::Environment))
             .chain(all(self.lights.len(), Object::Light))
             .chain(all(self.materials.len(), Object::Material))
             .chain(all(self.spheres.len(), Object::Sphere))
@@ -187,8 +195,10 @@ impl Scene {
         let (kind, rest) = path.split_once('.')?;
         let field_of =
             |object: Object, name: &str| self.parameters_of(object).find(|id| id.field == name);
-        if kind == Object::Camera.kind() {
-            return self.views.is_empty().then(|| field_of(Object::Camera, rest))?;
+        let has_no_name = |object: &Object| matches!(object, Object::Camera | Object::Environment);
+        let mut objects = self.objects().filter(has_no_name);
+        if let Some(object) = objects.find(|object| object.kind() == kind) {
+            return field_of(object, rest);
         }
         // Names may hold dots: the field is what follows the last one.
         let (name, field) = rest.rsplit_once('.')?;

@@ -92,6 +92,7 @@ const TABLE: &[Row] = &[
     slow(direction(moving("camera", "up", LENGTH, size))),
     slow(moving("camera", "vfov", (1e-3, 179.999), size)),
     slow(moving("camera", "film_scale", (SMALLEST_LENGTH, LARGEST_NUMBER), size)),
+    smooth("environment", "radiance", ENERGY, one),
     moving("light", "position", LENGTH, |scene, i, _| light_distance(scene, i)),
     direction(moving("light", "direction", LENGTH, size)),
     smooth("light", "color", ENERGY, one),
@@ -166,7 +167,7 @@ impl Scene {
     ///   if it is stronger than that already, by what it is.
     pub fn natural_scale(&self, id: ParameterId) -> f64 {
         let index = match id.object {
-            Object::Camera => 0,
+            Object::Camera | Object::Environment => 0,
             Object::View(i) | Object::Light(i) | Object::Material(i) | Object::Texture(i) => i,
             Object::Sphere(i) | Object::Mesh(i) | Object::Shape(i) => i,
         };
@@ -231,8 +232,8 @@ mod tests {
     use super::TABLE;
     use crate::scene::numbers::Numbers;
     use crate::scene::{
-        Camera, DistantLight, Material, Mesh, PointLight, Sphere, SpotLight, Texture, Transform,
-        Wrap,
+        Camera, DistantLight, Environment, Material, Mesh, PointLight, Sphere, SpotLight, Texture,
+        Transform, Wrap,
     };
 
     /// Every field of every kind of object has one row, and no row is for nothing.
@@ -251,6 +252,7 @@ mod tests {
             |fields: &[ad::Field]| fields.iter().map(|field| field.name).collect::<Vec<_>>();
         let fields = [
             ("camera", names(Camera::<f64>::FIELDS)),
+            ("environment", names(Environment::<f64>::FIELDS)),
             ("light", names(PointLight::<f64>::FIELDS)),
             ("light", names(DistantLight::<f64>::FIELDS)),
             ("light", names(SpotLight::<f64>::FIELDS)),

@@ -7,7 +7,8 @@ use glam::DVec3;
 
 use super::table::{self, LARGEST_COORDINATE, SMALLEST_LENGTH};
 use super::{
-    MaterialObject, Mesh, Normals, Object, ParameterId, Scene, ShapeObject, Slot, Texture,
+    MaterialObject, Mesh, Normals, Object, ParameterId, PathTracing, Scene, ShapeObject, Slot,
+    Texture,
 };
 use crate::{Error, memory};
 
@@ -76,6 +77,7 @@ impl Scene {
             self.check_values_of(object)?;
         }
         self.eyes().try_for_each(|eye| self.check_camera(eye))?;
+        self.check_integrator()?;
         self.objects().try_for_each(|object| self.check_structure(object))?;
         self.check_memory()?;
         let texels = self.textures.iter().map(|texture| texture.texels.len() as u64).sum::<u64>();
@@ -98,12 +100,36 @@ impl Scene {
             u64::from(width) * u64::from(height)
         });
         let kind = self.eye().kind();
+        let scattered = self.path_tracing().map_or(0, |path| u64::from(path.max_depth));
         for (path, bytes) in [
             (&*format!("{kind}.width"), pixels.sum::<u64>().saturating_mul(PIXEL_BYTES)),
             ("light", (self.lights.len() as u64).saturating_mul(LIGHT_BYTES)),
             ("bounces", depth.saturating_mul(BOUNCE_BYTES)),
+            ("integrator.max_depth", scattered.saturating_mul(BOUNCE_BYTES)),
         ] {
             memory::ask(bytes).map_err(|problem| Invalid { path: path.into(), problem })?;
+        }
+        Ok(())
+    }
+
+    /// Which paths of light count.
+    fn check_integrator(&self) -> Result<(), Invalid> {
+        let Some(PathTracing { max_depth, samples, .. }) = self.path_tracing() else {
+            return match self.environment {
+                None => Ok(()),
+                Some(_) => invalid(
+                    "environment",
+                    "lights nothing unless light takes all paths: integrator.type = \"path\"",
+                ),
+            };
+        };
+        let most = PathTracing::MOST_SAMPLES;
+        if max_depth == 0 {
+            return invalid("integrator.max_depth", "must be at least 1, is 0");
+        }
+        if !(1..=most).contains(&samples) {
+            let problem = format!("must lie between 1 and {most}, is {samples}");
+            return invalid("integrator.samples", problem);
         }
         Ok(())
     }
@@ -233,7 +259,7 @@ impl Scene {
         self.check_name(object)?;
         match object {
             Object::View(_) => self.check_camera(object),
-            Object::Camera | Object::Light(_) => Ok(()),
+            Object::Camera | Object::Environment | Object::Light(_) => Ok(()),
             Object::Material(i) => self.check_material(i),
             Object::Texture(i) => check_texture(&self.textures[i]),
             Object::Sphere(i) => self.check_material_of(object, self.spheres[i].material),
@@ -244,7 +270,7 @@ impl Scene {
 
     fn check_name(&self, object: Object) -> Result<(), Invalid> {
         let (kind, name) = (object.kind(), self.name_of(object));
-        if object == Object::Camera {
+        if matches!(object, Object::Camera | Object::Environment) {
             return Ok(());
         }
         if name.is_empty() {

@@ -8,8 +8,8 @@ use glam::DVec3;
 
 use super::adjacency::Adjacency;
 use super::corners::Corners;
-use super::sampling::Sampling;
-use crate::scene::{MaterialObject, MaterialTextures, Scene, Slot, Wrap};
+use super::sampling::{GradientSamples, Samples, Sampling};
+use crate::scene::{MaterialObject, MaterialTextures, PathTracing, Scene, Slot, Wrap};
 use crate::settings::{Pass, Settings};
 use crate::transport::material::Lobes;
 
@@ -19,6 +19,8 @@ pub struct Layout {
     pub width: u32,
     pub height: u32,
     pub pass: Pass,
+    /// How paths are chosen, if light takes all.
+    pub path_tracing: Option<PathTracing>,
     pub sampling: Sampling,
     /// How many mirrors and transparent surfaces a path has at most.
     pub bounces: u32,
@@ -59,6 +61,10 @@ pub struct MaterialTraits {
     pub is_mirror: bool,
     pub lobes: Lobes,
     pub is_transparent: bool,
+    /// Whether it reflects nothing of what it receives.
+    pub is_black: bool,
+    /// The probability with which a path goes on by the mirror, or straight through, and is not scattered.
+    pub unscattered: f32,
     pub textures: MaterialTextures,
 }
 
@@ -70,8 +76,35 @@ impl MaterialTraits {
             is_mirror: is_radiance && object.values.mirror != DVec3::ZERO,
             lobes: object.values.lobes(),
             is_transparent: is_radiance && object.transparent,
+            is_black: [object.values.diffuse, object.values.specular] == [DVec3::ZERO; 2],
+            unscattered: unscattered(object),
             textures: object.textures,
         }
+    }
+}
+
+/// The probability with which a path that meets a material is not scattered: about the part that this has
+/// of the light, in steps, so that small changes of the numbers leave paths where they are.
+fn unscattered(object: &MaterialObject) -> f32 {
+    const STEPS: f64 = 8.0;
+    let material = &object.values;
+    let part = match object.transparent {
+        true => 1.0 - material.opacity,
+        false => {
+            let mirrored = material.mirror.max_element();
+            mirrored / (mirrored + (material.diffuse + material.specular).max_element()).max(1e-30)
+        }
+    };
+    ((part * STEPS).round().clamp(1.0, STEPS - 1.0) / STEPS) as f32
+}
+
+/// Where within pixels rays go: if nothing is said, as many as the scene says where light takes all paths.
+pub fn sampling_of(settings: Sampling, path_tracing: Option<PathTracing>) -> Sampling {
+    match (settings, path_tracing) {
+        (Sampling::Center, Some(PathTracing { samples, seed, .. })) => {
+            Sampling::Sobol(Samples { count: samples, seed, gradient: GradientSamples::Same })
+        }
+        _ => settings,
     }
 }
 
@@ -124,6 +157,7 @@ impl Layout {
             width,
             height,
             pass: settings.pass,
+            path_tracing: None,
             sampling: settings.sampling,
             bounces: settings.bounces.unwrap_or(scene.bounces),
             triangles: Vec::new(),
@@ -157,12 +191,14 @@ impl Layout {
         layout.material_of.extend(scene.spheres.iter().map(|sphere| sphere.material));
         layout.material_of.extend(scene.shapes.iter().map(|shape| shape.material));
         layout.update(scene);
+        layout.sampling = sampling_of(settings.sampling, layout.path_tracing);
         layout
     }
 
     /// Takes over what lights and materials can do, which depends on their numbers.
     pub fn update(&mut self, scene: &Scene) {
         let pass = self.pass;
+        self.path_tracing = scene.path_tracing().filter(|_| pass == Pass::Radiance);
         let lights = scene.lights.iter().filter(|_| pass == Pass::Radiance);
         self.lights.clear();
         self.lights.extend(lights.map(|light| LightTraits { is_black: light.source.is_black() }));

@@ -10,7 +10,9 @@
 pub(crate) mod adjacency;
 pub mod bvh;
 mod corners;
+pub(crate) mod emitters;
 pub(crate) mod layout;
+pub(crate) mod random;
 pub(crate) mod raster;
 pub(crate) mod sampling;
 pub(crate) mod tile;

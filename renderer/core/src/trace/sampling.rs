@@ -68,6 +68,14 @@ impl Sampling {
         }
     }
 
+    /// What tells random choices apart.
+    pub(crate) fn seed(self) -> u32 {
+        match self {
+            Self::Center | Self::Grid(_) => 0,
+            Self::Stratified(samples) | Self::Sobol(samples) => samples.seed,
+        }
+    }
+
     /// The regular grid with at least as many rays.
     pub(crate) fn as_grid(self) -> Self {
         Self::Grid(self.grid_side())
@@ -168,7 +176,7 @@ fn sobol(index: u32) -> [f32; 2] {
 }
 
 /// Mixes bits (`lowbias32`, Wellons, "Prospecting for Hash Functions", 2018).
-fn hash(mut x: u32) -> u32 {
+pub(super) fn hash(mut x: u32) -> u32 {
     x = (x ^ x >> 16).wrapping_mul(0x7feb_352d);
     x = (x ^ x >> 15).wrapping_mul(0x846c_a68b);
     x ^ x >> 16

@@ -18,7 +18,7 @@ use crate::files::meshes::Channel;
 use crate::laplacian::Weights;
 use crate::loss::LossKind;
 use crate::optimize::{Optimizer, Schedule};
-use crate::scene::{DEFAULT_BOUNCES, Slot, Wrap};
+use crate::scene::{DEFAULT_BOUNCES, Integrator, PathTracing, Slot, Wrap};
 use ordered::Ordered;
 use value::Numbers;
 
@@ -122,9 +122,13 @@ pub(super) struct SceneFile {
     #[serde(default = "default_bounces")]
     pub bounces: u32,
     #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub integrator: Option<IntegratorEntry>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub camera: Option<CameraEntry>,
     #[serde(default, rename = "view", skip_serializing_if = "Vec::is_empty")]
     pub views: Vec<ViewEntry>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub environment: Option<EnvironmentEntry>,
     #[serde(default, rename = "light", skip_serializing_if = "Vec::is_empty")]
     pub lights: Vec<LightEntry>,
     #[serde(default, rename = "mesh", skip_serializing_if = "Vec::is_empty")]
@@ -139,7 +143,54 @@ pub(super) struct SceneFile {
     pub optimize: Option<OptimizeEntry>,
 }
 
+/// Which paths of light count.
+#[derive(Clone, Copy, Serialize, Deserialize)]
+#[serde(tag = "type", rename_all = "snake_case", deny_unknown_fields)]
+pub(super) enum IntegratorEntry {
+    Direct,
+    Path {
+        #[serde(default = "default_max_depth")]
+        max_depth: u32,
+        #[serde(default = "default_samples")]
+        samples: u32,
+        #[serde(default)]
+        seed: u32,
+    },
+}
+
+impl From<IntegratorEntry> for Integrator {
+    fn from(entry: IntegratorEntry) -> Self {
+        match entry {
+            IntegratorEntry::Direct => Self::Direct,
+            IntegratorEntry::Path { max_depth, samples, seed } => {
+                Self::Path(PathTracing { max_depth, samples, seed })
+            }
+        }
+    }
+}
+
+impl From<Integrator> for IntegratorEntry {
+    fn from(integrator: Integrator) -> Self {
+        match integrator {
+            Integrator::Direct => Self::Direct,
+            Integrator::Path(PathTracing { max_depth, samples, seed }) => {
+                Self::Path { max_depth, samples, seed }
+            }
+        }
+    }
+}
+
+fn default_max_depth() -> u32 {
+    PathTracing::default().max_depth
+}
+
+fn default_samples() -> u32 {
+    PathTracing::default().samples
+}
+
 entries! {
+    EnvironmentEntry, "environment" {}
+
     /// The camera.
     CameraEntry, "camera" {
         width: Option<u32>,

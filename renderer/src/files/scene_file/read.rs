@@ -12,7 +12,9 @@ use super::textures::TextureTable;
 use super::{Problem, meshes, numbers, optimize, views};
 use crate::Warning;
 use crate::experiment::{Experiment, ViewTarget};
-use crate::scene::{Camera, Light, LightObject, LightSource, MaterialObject, Scene, SphereObject};
+use crate::scene::{
+    Camera, Environment, Light, LightObject, LightSource, MaterialObject, Scene, SphereObject,
+};
 
 /// The experiment that the file `name` in `folder` describes.
 pub(super) fn experiment(
@@ -44,6 +46,14 @@ pub(super) fn experiment(
 fn scene(file: &SceneFile, folder: &Path) -> Result<(Scene, Vec<Warning>), Problem> {
     let camera = Camera::looking(DVec3::NAN, DVec3::NAN);
     let mut scene = Scene { bounces: file.bounces, ..Scene::new(0, 0, camera) };
+    if let Some(integrator) = file.integrator {
+        scene.integrator = integrator.into();
+    }
+    if let Some(entry) = &file.environment {
+        let mut environment = Environment { radiance: DVec3::NAN };
+        numbers::assign(&mut environment, "environment", "environment", &entry.numbers)?;
+        scene.environment = Some(environment);
+    }
     if file.views.is_empty() {
         views::set_camera(&mut scene, file.camera.as_ref())?;
     }
@@ -66,8 +76,11 @@ fn scene(file: &SceneFile, folder: &Path) -> Result<(Scene, Vec<Warning>), Probl
 /// Whether a scene shows something, but nothing that lights it.
 fn is_black(scene: &Scene) -> bool {
     let glows = |material: &MaterialObject| material.values.emission != DVec3::ZERO;
-    let Scene { lights, materials, .. } = scene;
-    lights.is_empty() && !materials.is_empty() && !materials.iter().any(glows)
+    let Scene { lights, materials, environment, .. } = scene;
+    environment.is_none()
+        && lights.is_empty()
+        && !materials.is_empty()
+        && !materials.iter().any(glows)
 }
 
 /// The name of the object number `index` of its kind.

@@ -4,8 +4,9 @@ use std::path::{Path, PathBuf};
 
 use super::format::value::Numbers;
 use super::format::{
-    CameraEntry, ChannelEntry, LaplacianEntry, LightEntry, MaterialEntry, MeshEntry, NormalsEntry,
-    OptimizeEntry, ParameterEntry, SceneFile, SphereEntry, TextureEntry, ViewEntry,
+    CameraEntry, ChannelEntry, EnvironmentEntry, LaplacianEntry, LightEntry, MaterialEntry,
+    MeshEntry, NormalsEntry, OptimizeEntry, ParameterEntry, SceneFile, SphereEntry, TextureEntry,
+    ViewEntry,
 };
 use super::numbers;
 use crate::Error;
@@ -18,7 +19,8 @@ use crate::files::images::save_exr;
 use crate::files::names::file_stems;
 use crate::files::obj::save_obj;
 use crate::scene::{
-    LightObject, LightSource, MaterialObject, Normals, Scene, Slot, SphereObject, Transform,
+    Integrator, LightObject, LightSource, MaterialObject, Normals, Scene, Slot, SphereObject,
+    Transform,
 };
 
 /// Writes `scene.toml` and what it names, `meshes/*.obj` and `textures/*.exr`, into `folder`, which
@@ -63,8 +65,13 @@ fn save(
     // The scene file comes last: once it stands, all that it names does.
     let file = SceneFile {
         bounces: scene.bounces,
+        integrator: match scene.integrator {
+            Integrator::Direct => None,
+            chosen @ Integrator::Path(_) => Some(chosen.into()),
+        },
         camera: scene.views().is_empty().then(|| camera(scene)),
         views: views(scene, optimize, folder)?,
+        environment: scene.environment.map(|it| EnvironmentEntry { numbers: numbers::of(&it) }),
         lights: lights(scene),
         meshes: save_meshes(scene, folder)?,
         spheres: spheres(scene),

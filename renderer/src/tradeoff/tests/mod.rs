@@ -90,14 +90,14 @@ fn add_smooth_mesh(experiment: &mut Experiment, is_computed: bool) {
     let silk = scene.add_material("silk", silk).unwrap();
     let mesh = scene.add_mesh(mesh.material(silk)).unwrap() as usize;
     let ids = scene.parameters_of(Object::Mesh(mesh));
-    let tuned = ids.map(|id| TunedParameter::new(id));
+    let tuned = ids.map(TunedParameter::new);
     experiment.optimize.get_or_insert_default().parameters.extend(tuned);
 }
 
 /// Lets the rotations of all spheres vary too.
 fn turn_spheres(experiment: &mut Experiment) {
     let ids = experiment.scene.parameters().into_iter().filter(|id| id.field == "rotation");
-    let turned = ids.map(|id| TunedParameter::new(id));
+    let turned = ids.map(TunedParameter::new);
     experiment.optimize.get_or_insert_default().parameters.extend(turned);
 }
 

@@ -243,6 +243,18 @@ impl Bvh {
         limit: f32,
         from: Option<u32>,
     ) -> bool {
+        self.is_occluded_but(origin, direction, limit, |primitive| from == Some(primitive))
+    }
+
+    /// Whether anything is met before `limit` but the primitives that `counts_not` holds for.
+    #[inline]
+    pub fn is_occluded_but(
+        &self,
+        origin: Vec3,
+        direction: Vec3,
+        limit: f32,
+        counts_not: impl Fn(u32) -> bool,
+    ) -> bool {
         let Some(test) = TriangleTest::new(origin, direction) else { return false };
         let boxes = BoxTest::new(&test);
         let depth_limit = limit / test.scale;
@@ -253,14 +265,14 @@ impl Bvh {
             while bits != 0 && !occluded {
                 let lane = bits.trailing_zeros() as usize & 7;
                 bits &= bits - 1;
-                occluded = from != Some(leaf.ids[lane]);
+                occluded = !counts_not(leaf.ids[lane]);
             }
             if occluded { -1.0 } else { depth_limit }
         });
         let ray = (origin, direction, test.scale);
         occluded
-            || is_occluded_by(&self.spheres, &boxes, ray, limit)
-            || is_occluded_by(&self.customs, &boxes, ray, limit)
+            || is_occluded_by(&self.spheres, &boxes, ray, limit, &counts_not)
+            || is_occluded_by(&self.customs, &boxes, ray, limit, &counts_not)
     }
 
     /// Visits what a ray goes through before `limit` but `from`, the flat primitive that the ray starts on, in no
@@ -324,10 +336,11 @@ fn is_occluded_by<L: SingleLeaf>(
     boxes: &BoxTest,
     (origin, direction, scale): Ray,
     limit: f32,
+    counts_not: impl Fn(u32) -> bool,
 ) -> bool {
     let mut occluded = false;
     tree.visit(boxes, limit / scale, |leaf, _| {
-        occluded |= leaf.distance(origin, direction).0 < limit;
+        occluded |= leaf.distance(origin, direction).0 < limit && !counts_not(leaf.id());
         if occluded { -1.0 } else { limit / scale }
     });
     occluded

@@ -1,0 +1,118 @@
+//! The radiance that leaves the vertices of scattered paths.
+
+use ad::lanes::Lanes;
+use ad::vector::Vector;
+use ad::{Real, Vec3};
+
+use super::Event;
+use crate::number::Number;
+use crate::primal::integrator::Integrator;
+use crate::primal::lanes::all_lanes;
+
+use crate::primal::vertex::Vertex;
+use crate::primal::wavefront::{LaneGroup, RayLanes, Wavefront};
+use crate::trace::bvh::PACKET_RAYS;
+use crate::transport::direct::direct;
+use crate::transport::emitter::found_emission;
+use crate::transport::scatter::{gathered, sent_on};
+
+impl<S: Number> Vertex<'_, S> {
+    /// The radiance that leaves towards the viewer where light takes all paths.
+    #[inline(never)]
+    pub fn scattered_radiance(&self) -> Vec3<S> {
+        let (own, opacity) = (self.scattered_own(), self.material.opacity);
+        gathered::<S>(opacity, own, self.sent_on(), self.scattered_beyond())
+    }
+
+    /// What the surfaces emit, where that counts, and what they reflect of lights and of emitters that were
+    /// looked for.
+    pub fn scattered_own(&self) -> Vec3<S> {
+        let scattering = &self.wavefront().scattering;
+        let weight = scattering.found[self.group.block()];
+        let mut own = found_emission::<S>(self.material.emission, weight);
+        // Where paths end nothing is looked for.
+        if !scattering.events.is_empty() {
+            own = self.add_direct(own, self.lights());
+        }
+        for sample in scattering.emitters_of(self.group.index) {
+            let visible = S::mask(sample.lanes);
+            let illumination = sample.illumination;
+            own = own
+                + direct::<S>(
+                    self.material,
+                    self.lobes,
+                    self.group.surface,
+                    illumination,
+                    visible,
+                    S::ONE,
+                );
+        }
+        own
+    }
+
+    /// The part that the surfaces send on of what paths bring.
+    fn sent_on(&self) -> Vec3<S> {
+        let Event { direction, straight, mirrored, factor } = self.event();
+        let (straight, mirrored) = (S::mask(straight), S::mask(mirrored));
+        let surface = self.group.surface;
+        sent_on::<S>(self.material, self.lobes, surface, direction, straight, mirrored, factor)
+    }
+
+    /// How the paths go on.
+    pub fn event(&self) -> Event<S> {
+        match self.wavefront().scattering.events.get(self.group.block()) {
+            Some(event) => *event,
+            None => Event::end(),
+        }
+    }
+
+    /// The radiance from where paths go on.
+    pub fn scattered_beyond(&self) -> Vec3<S> {
+        self.beyond.unwrap_or(Vec3::<S>::splat(S::ZERO))
+    }
+}
+
+impl<S: Number> Event<S> {
+    /// All paths end.
+    pub fn end() -> Self {
+        let zero = Vec3::<S>::splat(S::ZERO);
+        Self { direction: zero, straight: 0, mirrored: 0, factor: S::ZERO }
+    }
+}
+
+impl<S: Number> Integrator<'_, S> {
+    /// Calls `use_radiance` with what rays bring that meet nothing, unless that is black.
+    pub fn visit_missed(
+        &self,
+        wavefront: &Wavefront<S>,
+        mut use_radiance: impl FnMut(RayLanes, Vec3<S>),
+    ) {
+        if let Some(environment) = &self.inputs.environment {
+            missed::<S>(wavefront).for_each(|lanes| use_radiance(lanes, environment.radiance));
+        }
+    }
+}
+
+/// The rays of a wavefront that meet nothing.
+pub fn missed<S: Number>(wavefront: &Wavefront<S>) -> impl Iterator<Item = RayLanes> + use<S> {
+    let missed = wavefront.missed;
+    let blocks = (0..PACKET_RAYS).step_by(<S::Lanes as Lanes>::COUNT);
+    let lanes = blocks.map(move |first| {
+        let all = all_lanes::<S::Lanes>();
+        RayLanes { first, alive: (missed >> first) as u32 & all }
+    });
+    lanes.filter(|lanes| lanes.alive != 0)
+}
+
+impl<S: Number> LaneGroup<S> {
+    /// A bit for each lane in which a direction leaves the surface on the side of the viewer, as it is
+    /// shaded and as it is.
+    pub(super) fn leave_surface(&self, direction: Vec3<S::Lanes>) -> u32 {
+        let (_, shaded) = self.values();
+        let (_, normal) = self.geometry();
+        let leaves = |normal: Vec3<S::Lanes>| {
+            S::Lanes::mask_bits(normal.dot(direction).cmpgt(S::Lanes::ZERO))
+        };
+        leaves(shaded) & leaves(normal) & self.alive
+    }
+}

@@ -1,0 +1,97 @@
+//! Which paths of light count.
+
+use super::{ParameterId, Scene};
+use crate::Error;
+use crate::settings::{Edges, Pass, Settings};
+
+/// Which paths of light count.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Integrator {
+    /// Light comes straight from point, spot and distant lights, or by mirrors and through transparent
+    /// surfaces; what emits light is seen, and lights nothing. Images have no noise.
+    #[default]
+    Direct,
+    /// Light takes all paths, from every emitter and the environment, and some are chosen at random.
+    Path(PathTracing),
+}
+
+/// How paths are chosen.
+///
+/// Random numbers are those of the Sobol' sequence with Owen's scrambling, another one for each pixel. The
+/// same scene and seed give the same image, and a gradient is the exact derivative of the loss of that
+/// image: which light, lobe and direction a path takes does not depend on radiances and colours, or in steps
+/// alone. Where a gradient is asked for by a colour that is 0, which no path of the image depends on, it is
+/// that of other paths, and right in the mean.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct PathTracing {
+    /// How many straight pieces a path has at most, from the camera to where the light comes from: with 1,
+    /// only what emits light is seen, with 2 there is direct light.
+    pub max_depth: u32,
+    /// How many paths go through each pixel, where the [settings](crate::Settings::sampling) do not say.
+    pub samples: u32,
+    /// Tells random choices apart.
+    pub seed: u32,
+}
+
+impl PathTracing {
+    /// The most paths through a pixel: beyond, the sequence begins anew.
+    pub const MOST_SAMPLES: u32 = 1 << 16;
+}
+
+/// 16 paths through each pixel, of up to 6 pieces.
+impl Default for PathTracing {
+    fn default() -> Self {
+        Self { max_depth: 6, samples: 16, seed: 0 }
+    }
+}
+
+impl Scene {
+    /// How paths are chosen, if light takes all.
+    pub(crate) fn path_tracing(&self) -> Option<PathTracing> {
+        match self.integrator {
+            Integrator::Direct => None,
+            Integrator::Path(path_tracing) => Some(path_tracing),
+        }
+    }
+
+    /// Whether images have a derivative by a parameter. Where light takes all paths they have none by what
+    /// moves edges: nobody knows how those move that paths come by.
+    pub fn is_differentiable(&self, id: ParameterId) -> bool {
+        self.integrator == Integrator::Direct || !id.moves_edges()
+    }
+
+    /// Whether edges can be seen: where light takes all paths they are not looked for.
+    pub fn has_edges(&self, pass: Pass) -> bool {
+        self.integrator == Integrator::Direct || pass == Pass::Albedo
+    }
+
+    /// Checks that edges are not [to be seen](crate::Settings::edges) where they are not looked for.
+    ///
+    /// # Errors
+    ///
+    /// If they are.
+    #[doc(hidden)]
+    pub fn check_edges(&self, settings: &Settings) -> Result<(), Error> {
+        if settings.edges != Edges::On || self.has_edges(settings.pass) {
+            return Ok(());
+        }
+        let problem = "are not looked for where light takes all paths (integrator.type = \"path\")";
+        Err(Error::new("edges", problem))
+    }
+
+    /// Checks that images have derivatives by these parameters.
+    ///
+    /// # Errors
+    ///
+    /// If there is [none](Self::is_differentiable) by one of them.
+    pub fn check_differentiable(&self, ids: &[ParameterId]) -> Result<(), Error> {
+        match ids.iter().find(|&&id| !self.is_differentiable(id)) {
+            None => Ok(()),
+            Some(&id) => Err(Error::new(
+                self.path(id),
+                "moves edges, by which light that takes all paths has no derivative here; \
+                 integrator.type = \"direct\" has",
+            )),
+        }
+    }
+}

@@ -1,0 +1,95 @@
+//! The random numbers of paths.
+//!
+//! The numbers of a pixel are those of one point set in many dimensions, the Sobol' sequence with Owen's
+//! scrambling (Burley, "Practical Hash-based Owen Scrambling", 2020), whose seed is its own: the error of a
+//! pixel falls faster than that of independent numbers, and does not go with that of its neighbours.
+//! Rays of one depth take eight dimensions, in two sets of four.
+
+use sobol_burley::{NUM_DIMENSION_SETS_4D, sample_4d};
+
+use super::bvh::PACKET_RAYS;
+use super::sampling::{Sampling, hash};
+use super::tile::Tile;
+
+/// How many sets of four numbers there are for each depth.
+const SETS: u32 = 2;
+
+/// The numbers of one path through each pixel of a tile.
+pub struct PathNumbers {
+    /// By ray.
+    seeds: [u32; PACKET_RAYS],
+    index: u32,
+}
+
+/// What four numbers are for.
+#[derive(Clone, Copy)]
+pub enum Purpose {
+    /// To look for an emitter.
+    Emitter,
+    /// To go on.
+    Scatter,
+}
+
+impl PathNumbers {
+    /// Those of the path `index` through the pixels.
+    pub fn new(tile: &Tile, sampling: Sampling, index: u32) -> Self {
+        // Where a sequence ends, another one begins.
+        let (seed, index) = (hash(sampling.seed() ^ index >> 16), index & 0xffff);
+        let seeds = std::array::from_fn(|ray| {
+            let (x, y) = tile.pixel(ray);
+            hash(hash(x ^ seed).wrapping_add(y.wrapping_mul(0x9e37_79b9)))
+        });
+        Self { seeds, index }
+    }
+
+    /// Four numbers from 0 up to, but without, 1.
+    #[inline]
+    pub fn at(&self, ray: usize, depth: u32, purpose: Purpose) -> [f32; 4] {
+        let set = depth * SETS + purpose as u32;
+        let (round, set) = (set / NUM_DIMENSION_SETS_4D, set % NUM_DIMENSION_SETS_4D);
+        sample_4d(self.index, set, self.seeds[ray].wrapping_add(hash(round)))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{PACKET_RAYS, PathNumbers, Purpose};
+    use crate::trace::sampling::{GradientSamples, Samples, Sampling};
+    use crate::trace::tile::Tile;
+
+    const TILE: Tile = Tile { left: 64, top: 8, columns: 8, rows: 8 };
+
+    fn numbers(index: u32, seed: u32) -> PathNumbers {
+        let samples = Samples { count: 64, seed, gradient: GradientSamples::Same };
+        PathNumbers::new(&TILE, Sampling::Sobol(samples), index)
+    }
+
+    /// 16 points in a row have one in each of 16 parts, along every axis and at every depth, also beyond
+    /// the dimensions of the sequence.
+    #[test]
+    fn numbers_are_even_along_every_axis() {
+        for depth in [0, 3, 31, 32, 100] {
+            for ray in [0, 17] {
+                for axis in 0..4 {
+                    let at = |i| numbers(i, 5).at(ray, depth, Purpose::Scatter)[axis];
+                    let mut parts: Vec<_> = (0..16).map(|i| (at(i) * 16.0) as u32).collect();
+                    parts.sort_unstable();
+                    assert_eq!(parts, (0..16).collect::<Vec<_>>(), "{depth} {axis}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn pixels_seeds_depths_and_purposes_have_their_own() {
+        let one = numbers(3, 5);
+        let first = one.at(0, 1, Purpose::Scatter);
+        assert!((1..PACKET_RAYS).all(|ray| one.at(ray, 1, Purpose::Scatter) != first));
+        assert_ne!(first, one.at(0, 2, Purpose::Scatter));
+        assert_ne!(first, one.at(0, 33, Purpose::Scatter));
+        assert_ne!(first, one.at(0, 1, Purpose::Emitter));
+        assert_ne!(first, numbers(3, 6).at(0, 1, Purpose::Scatter));
+        assert_ne!(first, numbers(3 + (1 << 16), 5).at(0, 1, Purpose::Scatter));
+        assert_eq!(first, numbers(3, 5).at(0, 1, Purpose::Scatter));
+    }
+}

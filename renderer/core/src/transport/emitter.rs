@@ -1,0 +1,165 @@
+//! Surfaces that shine on others: points of them, as another surface sees them.
+//!
+//! An integral over the directions from a surface point is estimated from one direction at a time. What
+//! it counts for is its [`spread`](Sight::spread), one over the probability density of directions, in
+//! steradians. Points of triangles are chosen evenly by area; directions towards spheres evenly within the
+//! cone that they fill (Shirley, Wang & Zimmerman, "Monte Carlo Techniques for Direct Lighting
+//! Calculations", 1996), or all around from inside.
+//!
+//! A surface finds the same light by directions that its material [scatters](super::scatter) to. Where both
+//! could have found a point, each counts by its [weight](emitter_spread()), and both weights add up to 1
+//! (the power heuristic of Veach & Guibas, "Optimally Combining Sampling Techniques for Monte Carlo
+//! Rendering", 1995).
+
+use ad::vector::{Vector, Vector3};
+use ad::{Differentiable, Real, Vec3, differentiable, select};
+
+use super::light::Illumination;
+use super::positive_part;
+use super::scatter::turn;
+use super::sphere::Sphere;
+use super::triangle::{Triangle, edge_scale, exact_cross};
+
+/// A point of an emitter as another point sees it.
+#[derive(Clone, Copy, Debug, Differentiable)]
+pub struct Sight<S: Real> {
+    /// The unit vector towards it.
+    pub direction: Vec3<S>,
+    /// The distance to it.
+    pub distance: S,
+    /// What the direction counts for among all, in steradians: one over its probability density.
+    pub spread: S,
+}
+
+/// The sight of the point of a triangle that has these barycentric coordinates. The points are spread
+/// evenly over the triangle, which was chosen among all emitters with the probability one over
+/// `choices`.
+#[differentiable]
+#[inline]
+pub fn sight_of_triangle<S: Real>(
+    triangle: Triangle<S>,
+    barycentric: [S; 3],
+    choices: S,
+    point: Vec3<S>,
+) -> Sight<S> {
+    let on_triangle =
+        triangle.a * barycentric[0] + triangle.b * barycentric[1] + triangle.c * barycentric[2];
+    let to_light = on_triangle - point;
+    let direction = to_light.normalize_or_zero();
+    let distance = to_light.length();
+    Sight {
+        direction,
+        distance,
+        spread: triangle_spread::<S>(triangle, choices, direction, distance),
+    }
+}
+
+/// The spread of a direction in which a triangle is met at a distance: its area as the cosine foreshortens
+/// it, by the squared distance.
+#[differentiable]
+#[inline]
+pub fn triangle_spread<S: Real>(
+    triangle: Triangle<S>,
+    choices: S,
+    direction: Vec3<S>,
+    distance: S,
+) -> S {
+    let (to_b, to_c) = (triangle.b - triangle.a, triangle.c - triangle.a);
+    let scale = edge_scale::<S>(to_b, to_c);
+    let twice_area = exact_cross::<S>(to_b * scale, to_c * scale);
+    let length_recip = S::ONE / (distance * scale);
+    let foreshortened = twice_area.dot(direction).abs() * S::HALF;
+    foreshortened * length_recip * length_recip * choices
+}
+
+/// The sight of a sphere in a direction that two numbers from 0 to 1 choose, among all that meet it. The
+/// sphere was chosen among all emitters with the probability one over `choices`. Whether the point is
+/// `inside` is for the caller to say, who knows it of points on the sphere.
+#[differentiable]
+#[inline]
+pub fn sight_of_sphere<S: Real>(
+    sphere: Sphere<S>,
+    inside: S::Mask,
+    numbers: [S; 2],
+    choices: S,
+    point: Vec3<S>,
+) -> Sight<S> {
+    let to_center = sphere.center - point;
+    let away = to_center.length();
+    let up = <Vec3<S>>::new(S::ZERO, S::ZERO, S::ONE);
+    let axis = select(away.cmpgt(S::ZERO), to_center.normalize_or_zero(), up);
+    // One minus the cosine: distant spheres fill small angles.
+    let versine = numbers[0] * sphere_versine::<S>(sphere, inside, point);
+    let sine_squared = versine * (S::TWO - versine);
+    let sine = positive_part::<S>(sine_squared).sqrt();
+    let around = numbers[1] * (S::PI + S::PI);
+    let local = <Vec3<S>>::new(sine * around.cos(), sine * around.sin(), S::ONE - versine);
+    let direction = turn::<S>(axis, local);
+    let along = away * (S::ONE - versine);
+    let radius = sphere.radius;
+    let half_chord = positive_part::<S>(radius * radius - away * away * sine_squared).sqrt();
+    Sight {
+        direction,
+        distance: select(inside, along + half_chord, along - half_chord),
+        spread: sphere_spread::<S>(sphere, inside, choices, point),
+    }
+}
+
+/// The spread of every direction from a point in which a sphere is met: the solid angle that it fills.
+#[differentiable]
+#[inline]
+pub fn sphere_spread<S: Real>(sphere: Sphere<S>, inside: S::Mask, choices: S, point: Vec3<S>) -> S {
+    sphere_versine::<S>(sphere, inside, point) * (S::PI + S::PI) * choices
+}
+
+/// One minus the cosine of half the angle at which a sphere is seen; 2 from inside.
+#[differentiable]
+#[inline]
+fn sphere_versine<S: Real>(sphere: Sphere<S>, inside: S::Mask, point: Vec3<S>) -> S {
+    let away = (sphere.center - point).length();
+    let sine = select(inside, S::ZERO, (sphere.radius / away).min(S::ONE));
+    let sine_squared = sine * sine;
+    let cosine = positive_part::<S>(S::ONE - sine_squared).sqrt();
+    select(inside, S::TWO, sine_squared / (S::ONE + cosine))
+}
+
+/// The spread of a direction towards an emitter, times the weight that it has beside the same direction
+/// had the material scattered to it with the given probability density; zero where the spread is
+/// infinite.
+#[differentiable]
+#[inline]
+pub fn emitter_spread<S: Real>(spread: S, density: S) -> S {
+    let ratio = spread * density;
+    let weighted = spread / (S::ONE + ratio * ratio);
+    select(ratio.is_finite() & (ratio * ratio).is_finite(), weighted, S::ZERO)
+}
+
+/// The weight of light that a scattered direction finds, of this probability density, beside the same
+/// direction had it been chosen towards the emitter. Either may be infinite: the density where nothing
+/// was scattered, as by a mirror, the spread where emitters are not chosen.
+#[differentiable]
+#[inline]
+pub fn scattered_weight<S: Real>(spread: S, density: S) -> S {
+    let recip = S::ONE / (spread * density);
+    S::ONE / (S::ONE + recip * recip)
+}
+
+/// What an emitter brings to a point that sees it: the radiance of its `emission` from all directions
+/// that the one of this `weighted` spread stands for.
+#[differentiable]
+#[inline]
+pub fn illuminate_by_emitter<S: Real>(
+    emission: Vec3<S>,
+    direction: Vec3<S>,
+    distance: S,
+    weighted: S,
+) -> Illumination<S> {
+    Illumination { direction, distance, irradiance: emission * weighted }
+}
+
+/// The emission of a surface that a ray has found, by its weight.
+#[differentiable]
+#[inline]
+pub fn found_emission<S: Real>(emission: Vec3<S>, weight: S) -> Vec3<S> {
+    emission * weight
+}

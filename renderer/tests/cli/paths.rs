@@ -1,0 +1,61 @@
+//! Scenes in which light takes all paths.
+
+use crate::sandbox::{SCENE, Sandbox};
+
+const PATH: &str = "[integrator]\ntype = \"path\"\nmax_depth = 3\nsamples = 4\n";
+const SKY: &str = "[environment]\nradiance = [0.5, 0.6, 0.7]\n";
+const RENDER: [&str; 4] = ["render", "bad.toml", "-o", "out.png"];
+
+#[test]
+fn scenes_say_which_paths_count() {
+    let sandbox = Sandbox::new();
+    sandbox.write("path.toml", format!("{PATH}{SKY}{SCENE}"));
+    sandbox.succeed(&["render", "path.toml", "-o", "path.exr"]);
+    sandbox.succeed(&["render", "path.toml", "-o", "albedo.exr", "--pass", "albedo"]);
+    sandbox.succeed(&["render", "path.toml", "-o", "more.exr", "--samples", "16"]);
+    sandbox.succeed(&["render", "scene.toml", "-o", "direct.exr"]);
+    assert_ne!(sandbox.read("path.exr"), sandbox.read("direct.exr"));
+    assert_ne!(sandbox.read("path.exr"), sandbox.read("more.exr"));
+    let table = sandbox.succeed(&["params", "path.toml"]);
+    let row = |path: &str| table.lines().find(|line| line.starts_with(path)).unwrap().to_owned();
+    assert!(row("environment.radiance ").contains("  differentiable "));
+    assert!(row("light.key.color ").contains("  differentiable "));
+    for path in ["light.key.position ", "camera.vfov ", "sphere.ball.center "] {
+        assert!(row(path).contains("  not differentiable "));
+    }
+}
+
+#[test]
+fn gradients_are_checked_or_refused() {
+    let sandbox = Sandbox::new();
+    sandbox.write("path.toml", format!("{PATH}{SKY}{SCENE}"));
+    sandbox.succeed(&["render", "scene.toml", "-o", "target.exr"]);
+    let gradient = ["gradient", "path.toml", "--target", "target.exr", "--param"];
+    let checked = ["environment.radiance", "--check"];
+    let verdict = sandbox.succeed(&[&gradient[..], &checked].concat());
+    assert!(verdict.contains("  agrees: "), "{verdict}");
+    for path in ["light.key.position", "mesh.floor.vertices"] {
+        sandbox.refuse_with(&[&gradient[..], &[path]].concat(), &[path, "moves edges"]);
+    }
+    let edges = ["environment.radiance", "--edges", "on"];
+    sandbox.refuse_with(&[&gradient[..], &edges].concat(), &["edges", "not looked for"]);
+}
+
+#[test]
+fn what_makes_no_sense_is_refused() {
+    let sandbox = Sandbox::new();
+    for (head, parts) in [
+        (PATH.replace("samples = 4", "samples = 0"), ["bad.toml:4: integrator.samples", "65536"]),
+        (PATH.replace("samples = 4", "samples = 70000"), ["bad.toml:4", "65536, is 70000"]),
+        (PATH.replace("= 3", "= 0"), ["bad.toml:3: integrator.max_depth", "at least 1"]),
+        (PATH.replace("= 3", "= 4000000000"), ["bad.toml:3: integrator.max_depth", "memory"]),
+        (PATH.replace("path", "paths"), ["bad.toml:", "`paths`"]),
+        (PATH.replace("samples", "spp"), ["bad.toml:", "`spp`"]),
+        (SKY.to_owned(), ["bad.toml:1: environment", "integrator.type = \"path\""]),
+        (PATH.to_owned() + "[environment]\n", ["bad.toml:5: environment.radiance", "is missing"]),
+        (format!("{PATH}{SKY}").replace("0.5", "-1.0"), ["bad.toml:6", "negative"]),
+    ] {
+        sandbox.write("bad.toml", head + SCENE);
+        sandbox.refuse_with(&RENDER, &parts);
+    }
+}
