@@ -6,8 +6,11 @@ use glam::DVec3;
 use renderer::Error;
 use renderer::files::load_mesh;
 
+/// Vertices, and the indices of the corners of triangles.
+pub type Shape = (Vec<[f64; 3]>, Vec<[u32; 3]>);
+
 /// The vertices and triangles of all meshes of a file.
-pub fn merged(path: &Path) -> Result<(Vec<[f64; 3]>, Vec<[u32; 3]>), Error> {
+pub fn merged(path: &Path) -> Result<Shape, Error> {
     let (mut vertices, mut triangles) = (Vec::new(), Vec::new());
     for mesh in load_mesh(path)?.meshes {
         let first = vertices.len() as u32;
