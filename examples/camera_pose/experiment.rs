@@ -49,7 +49,7 @@ fn scene(size: u32, [look_from, look_at]: [DVec3; 2]) -> Result<Scene, Error> {
 pub fn experiment(size: u32, start: [DVec3; 2]) -> Result<Experiment, Error> {
     let scene = scene(size, start)?;
     let ids = [scene.parameter("camera.look_from")?, scene.parameter("camera.look_at")?];
-    let parameters = ids.map(|id| TunedParameter::new(id));
+    let parameters = ids.map(TunedParameter::new);
     let truth = TRUTH.map(|point| point.to_array().to_vec());
     let section = OptimizeSection {
         parameters: parameters.to_vec(),

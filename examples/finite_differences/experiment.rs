@@ -88,7 +88,7 @@ pub fn experiment(scene: Scene, random: &mut Random) -> Experiment {
     };
     let diffuse = ids.iter().filter(|id| id.field == "diffuse");
     let target = Target::Values(diffuse.map(&mut other_color).collect());
-    let tuned = |id| TunedParameter::new(id);
+    let tuned = TunedParameter::new;
     let optimize = OptimizeSection {
         target: Some(target),
         parameters: ids.into_iter().map(tuned).collect(),

@@ -106,7 +106,7 @@ fn tune(experiment: &mut Experiment, random: &mut Random) {
         (id, values.map(|value| value + step * random.between(0.2, 1.0)).collect())
     };
     let values = ids.iter().map(&mut target).collect();
-    let tuned = |id| TunedParameter::new(id);
+    let tuned = TunedParameter::new;
     let section = experiment.optimize.get_or_insert_default();
     section.target = Some(Target::Values(values));
     section.parameters = ids.into_iter().map(tuned).collect();
