@@ -106,7 +106,7 @@ impl Objective for Watched<'_> {
     }
 
     fn evaluate(&mut self, x: &[f64]) -> Evaluation {
-        if self.iteration % REPORTED == 0 {
+        if self.iteration.is_multiple_of(REPORTED) {
             self.seen.push((self.iteration, x.to_vec()));
         }
         self.inner.evaluate(x)
