@@ -180,7 +180,7 @@ fn mistakes_in_the_file_are_placed() {
         ("\nup = [0, 0, 2]\n", "s.toml:7: camera.up: must not be parallel"),
         (
             "[lights]\n",
-            "s.toml:6: unknown field `lights`, expected one of `bounces`, `camera`, `view`, `light`",
+            "s.toml:6: unknown field `lights`, expected one of `bounces`, `integrator`, `camera`",
         ),
         (
             "[[light]]\nname = \"k\"\ntype = \"laser\"\n",

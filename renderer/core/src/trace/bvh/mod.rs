@@ -243,7 +243,8 @@ impl Bvh {
         limit: f32,
         from: Option<u32>,
     ) -> bool {
-        self.is_occluded_but(origin, direction, limit, |primitive| from == Some(primitive))
+        let is_start = |primitive| from == Some(primitive);
+        self.is_occluded_by_any(origin, direction, limit, is_start, |_| false)
     }
 
     /// Whether anything is met before `limit` but the primitives that `counts_not` holds for.
@@ -255,6 +256,19 @@ impl Bvh {
         limit: f32,
         counts_not: impl Fn(u32) -> bool,
     ) -> bool {
+        self.is_occluded_by_any(origin, direction, limit, &counts_not, &counts_not)
+    }
+
+    /// The same, apart for triangles and for other primitives.
+    #[inline]
+    fn is_occluded_by_any(
+        &self,
+        origin: Vec3,
+        direction: Vec3,
+        limit: f32,
+        no_triangle: impl Fn(u32) -> bool,
+        no_other: impl Fn(u32) -> bool,
+    ) -> bool {
         let Some(test) = TriangleTest::new(origin, direction) else { return false };
         let boxes = BoxTest::new(&test);
         let depth_limit = limit / test.scale;
@@ -265,14 +279,14 @@ impl Bvh {
             while bits != 0 && !occluded {
                 let lane = bits.trailing_zeros() as usize & 7;
                 bits &= bits - 1;
-                occluded = !counts_not(leaf.ids[lane]);
+                occluded = !no_triangle(leaf.ids[lane]);
             }
             if occluded { -1.0 } else { depth_limit }
         });
         let ray = (origin, direction, test.scale);
         occluded
-            || is_occluded_by(&self.spheres, &boxes, ray, limit, &counts_not)
-            || is_occluded_by(&self.customs, &boxes, ray, limit, &counts_not)
+            || is_occluded_by(&self.spheres, &boxes, ray, limit, &no_other)
+            || is_occluded_by(&self.customs, &boxes, ray, limit, &no_other)
     }
 
     /// Visits what a ray goes through before `limit` but `from`, the flat primitive that the ray starts on, in no
