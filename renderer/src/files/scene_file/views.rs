@@ -22,7 +22,8 @@ pub(super) struct ReadView {
 
 /// Gives a scene without views its camera.
 pub(super) fn set_camera(scene: &mut Scene, entry: Option<&CameraEntry>) -> Result<(), Problem> {
-    let entry = entry.ok_or_else(|| Problem::new("camera", "is missing: add a [camera] or a [[view]]"))?;
+    let entry =
+        entry.ok_or_else(|| Problem::new("camera", "is missing: add a [camera] or a [[view]]"))?;
     scene.width = size("camera", "width", entry.width)?;
     scene.height = size("camera", "height", entry.height)?;
     numbers::assign(&mut scene.camera, "camera", "camera", &entry.numbers)
