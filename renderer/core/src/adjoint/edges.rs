@@ -15,7 +15,7 @@ use crate::primal::coalesce::select_lanes;
 use crate::primal::integrator::Integrator;
 use crate::primal::known::KnownPaths;
 use crate::primal::lanes::{lanes_of_numbers, lanes_of_vectors, vectors_of_lanes};
-use crate::primal::wavefront::{LaneGroup, Source, TileSample, Wavefront, blocks, samples};
+use crate::primal::wavefront::{LaneGroup, Source, TileSample, Wavefront, blocks, samples_of};
 use crate::scene::Scene;
 use crate::trace::bvh::{PACKET_RAYS, rays};
 use crate::trace::layout::Kind;
@@ -58,12 +58,13 @@ pub fn sweep_with_edges<L: Plain>(
     let part = 1.0 / f64::from(grid.count());
     sums.extend(for_each_strip(width, height, start, |(chain, known), strip| {
         for tile in strip.tiles() {
-            let (mut of_tile, mut of_limb) = ([DVec3::ZERO; PACKET_RAYS], None);
+            let mut of_tile = [DVec3::ZERO; PACKET_RAYS];
+            let (mut of_limb, mut on_limb) = ([DVec3::ZERO; PACKET_RAYS], 0);
             for ray in rays(tile.rays()) {
                 let (x, y) = tile.pixel(ray);
                 let pixel = y as usize * width as usize + x as usize;
                 if limb.holds(pixel) {
-                    let of_limb = of_limb.get_or_insert([DVec3::ZERO; PACKET_RAYS]);
+                    on_limb |= 1 << ray;
                     of_limb[ray] = cotangents[pixel] / f64::from(limb.sampling.count());
                 } else {
                     of_tile[ray] = cotangents[pixel] * part;
@@ -71,13 +72,13 @@ pub fn sweep_with_edges<L: Plain>(
             }
             for index in 0..grid.count() {
                 view.sights.paths(&tile, index, known);
-                let sample = TileSample { tile: &tile, sampling: grid, index };
+                let sample = TileSample { tile: &tile, pixels: tile.rays(), sampling: grid, index };
                 chain.pull_sample(Source::Traced(sample, known), &of_tile);
             }
-            if let Some(cotangents) = &of_limb {
+            if on_limb != 0 {
                 chain.spacing = Some(1.0 / f64::from(limb.sampling.grid_side()));
-                for sample in samples(&tile, limb.sampling) {
-                    chain.pull_sample(sample, cotangents);
+                for sample in samples_of(&tile, on_limb, limb.sampling) {
+                    chain.pull_sample(sample, &of_limb);
                 }
                 chain.spacing = spacing;
             }

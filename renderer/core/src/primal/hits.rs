@@ -5,12 +5,11 @@ use ad::lanes::Lanes;
 use super::coalesce::Coalesced;
 use super::integrator::Integrator;
 use super::lanes::all_lanes;
-use super::wavefront::{LaneGroup, Source, Wavefront, set_vectors};
+use super::wavefront::{LaneGroup, Source, TileSample, Wavefront, set_vectors};
 use crate::counts::count;
 use crate::number::{Number, primal_vector};
 use crate::trace::bvh::{PACKET_RAYS, PacketHits, PacketVectors};
 use crate::trace::layout::Kind;
-use crate::trace::tile::Tile;
 use crate::transport::camera::{Ray, film_point, primary_ray};
 
 impl<S: Number> Integrator<'_, S> {
@@ -23,7 +22,7 @@ impl<S: Number> Integrator<'_, S> {
             Source::Tile(sample) | Source::Traced(sample, _) => {
                 let offsets = sample.sampling.offsets(sample.tile, sample.index);
                 film.extend(blocks.map(|first| self.film(sample.tile, offsets.as_ref(), first)));
-                sample.tile.rays()
+                sample.pixels
             }
             Source::Known(paths) => {
                 film.extend(blocks.map(|first| paths.film::<S>(first)));
@@ -31,7 +30,7 @@ impl<S: Number> Integrator<'_, S> {
             }
         };
         match source {
-            Source::Tile(sample) => self.find_primary(sample.tile, &film, &mut wavefront.hits),
+            Source::Tile(sample) => self.find_primary(&sample, &film, &mut wavefront.hits),
             Source::Traced(_, paths) | Source::Known(paths) => {
                 wavefront.hits = paths.at(0).map_or(PacketHits::NONE, |known| known.hits.clone());
             }
@@ -44,8 +43,13 @@ impl<S: Number> Integrator<'_, S> {
         wavefront.film = film;
     }
 
-    /// Traces the camera rays through one point of every pixel of a tile.
-    fn find_primary(&self, tile: &Tile, film: &[(S::Lanes, S::Lanes)], hits: &mut PacketHits) {
+    /// Traces the camera rays of a sample of a tile.
+    fn find_primary(
+        &self,
+        sample: &TileSample<'_>,
+        film: &[(S::Lanes, S::Lanes)],
+        hits: &mut PacketHits,
+    ) {
         let mut directions = PacketVectors::ZERO;
         for (block, &(x, y)) in film.iter().enumerate() {
             let direction = film_point::<S>(self.inputs.frame, constant(x), constant(y));
@@ -56,9 +60,9 @@ impl<S: Number> Integrator<'_, S> {
                 primal_vector::<S>(direction),
             );
         }
-        let wanted = tile.rays();
+        let wanted = sample.pixels;
         count(|counts| &counts.primary_rays, u64::from(wanted.count_ones()));
-        self.tracer.primary(tile, &directions, wanted, hits);
+        self.tracer.primary(sample.tile, &directions, wanted, hits);
     }
 
     /// Gathers what the wanted rays of a packet hit. `ray` gives those from an index on; in lanes

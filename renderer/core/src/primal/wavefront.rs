@@ -64,10 +64,12 @@ impl<'a> Source<'a> {
     }
 }
 
-/// One ray through each pixel of a tile.
+/// One ray through each of some pixels of a tile.
 #[derive(Clone, Copy)]
 pub struct TileSample<'a> {
     pub tile: &'a Tile,
+    /// A bit for each pixel that has a ray.
+    pub pixels: u64,
     pub sampling: Sampling,
     /// The index of the ray among those of its pixel.
     pub index: u32,
@@ -75,7 +77,17 @@ pub struct TileSample<'a> {
 
 /// The rays through the pixels of a tile, one for each at a time.
 pub fn samples(tile: &Tile, sampling: Sampling) -> impl Iterator<Item = Source<'_>> {
-    (0..sampling.count()).map(move |index| Source::Tile(TileSample { tile, sampling, index }))
+    samples_of(tile, tile.rays(), sampling)
+}
+
+/// The same for some of the pixels, given by bits.
+pub fn samples_of(
+    tile: &Tile,
+    pixels: u64,
+    sampling: Sampling,
+) -> impl Iterator<Item = Source<'_>> {
+    let sample = move |index| Source::Tile(TileSample { tile, pixels, sampling, index });
+    (0..sampling.count()).map(sample)
 }
 
 /// Rays of a packet side by side.
