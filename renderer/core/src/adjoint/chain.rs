@@ -135,19 +135,26 @@ impl<'a, L: Plain> Chain<'a, L> {
                 self.scatter.sums.loss += sum + loss_of_black(loss, tile, missed);
             }
         } else {
-            let primal = self.integrator.with_zero_weight(ZeroWeight::default());
-            let radiance = mean_radiance(primal, tile, &mut self.path);
-            let mut cotangents = [DVec3::ZERO; PACKET_RAYS];
-            for ray in rays(tile.rays()) {
-                let (x, y) = tile.pixel(ray);
-                let (value, derivative) = loss.evaluate(x, y, radiance[ray]);
-                self.scatter.sums.loss += value;
-                cotangents[ray] = derivative / f64::from(sampling.count());
-            }
+            let cotangents = self.cotangents(loss, tile);
             for sample in samples(tile, sampling.of_gradient()) {
                 self.pull_sample(sample, &cotangents);
             }
         }
+    }
+
+    /// Adds the loss of the pixels of a tile; the cotangents of the radiance of each of their samples.
+    pub(super) fn cotangents(&mut self, loss: &dyn PixelLoss, tile: &Tile) -> [DVec3; PACKET_RAYS] {
+        let primal = self.integrator.with_zero_weight(ZeroWeight::default());
+        let radiance = mean_radiance(primal, tile, &mut self.path);
+        let samples = f64::from(self.integrator.layout.sampling.count());
+        let mut cotangents = [DVec3::ZERO; PACKET_RAYS];
+        for ray in rays(tile.rays()) {
+            let (x, y) = tile.pixel(ray);
+            let (value, derivative) = loss.evaluate(x, y, radiance[ray]);
+            self.scatter.sums.loss += value;
+            cotangents[ray] = derivative / samples;
+        }
+        cotangents
     }
 
     /// Adds what flows back from one sample of the pixels of a tile, by the cotangents of its radiance.

@@ -11,12 +11,10 @@ use super::chain::{AdjointState, Chain, SurfaceCotangent, nonzero_lanes};
 use crate::loss::PixelLoss;
 use crate::number::Plain;
 use crate::primal::coalesce::select_lanes;
-use crate::primal::image::mean_radiance;
-use crate::primal::integrator::ZeroWeight;
 use crate::primal::scattered::{EmitterSample, Event, missed};
 use crate::primal::vertex::Vertex;
 use crate::primal::wavefront::{RayLanes, Source, Wavefront, clear_blocks, samples};
-use crate::trace::bvh::{PACKET_RAYS, rays};
+use crate::trace::bvh::PACKET_RAYS;
 use crate::trace::tile::Tile;
 use crate::transport::direct::direct;
 use crate::transport::emitter::{found_emission, illuminate_by_emitter};
@@ -31,20 +29,11 @@ type Cotangents = [DVec3; PACKET_RAYS];
 impl<L: Plain> Chain<'_, L> {
     /// Adds the loss of the pixels of a tile, and what flows back from it.
     pub(super) fn scattered_tile(&mut self, loss: &dyn PixelLoss, tile: &Tile) {
-        let sampling = self.integrator.layout.sampling;
-        let primal = self.integrator.with_zero_weight(ZeroWeight::default());
-        let radiance = mean_radiance(primal, tile, &mut self.path);
-        let mut cotangents = [DVec3::ZERO; PACKET_RAYS];
-        for ray in rays(tile.rays()) {
-            let (x, y) = tile.pixel(ray);
-            let (value, derivative) = loss.evaluate(x, y, radiance[ray]);
-            self.scatter.sums.loss += value;
-            cotangents[ray] = derivative / f64::from(sampling.count());
-        }
+        let cotangents = self.cotangents(loss, tile);
         if cotangents.iter().all(|&cotangent| cotangent == DVec3::ZERO) {
             return;
         }
-        for sample in samples(tile, sampling.of_gradient()) {
+        for sample in samples(tile, self.integrator.layout.sampling.of_gradient()) {
             self.pull_scattered_sample(sample, &cotangents);
         }
     }

@@ -4,8 +4,8 @@ use ad::Real;
 use ad::lanes::Lanes;
 use glam::DVec3;
 
+use super::emitters::emitters;
 use super::inputs::Inputs;
-use super::scattered::emitters;
 use super::tracer::Tracer;
 use super::varying::Varying;
 use crate::number::{Number, Plain};

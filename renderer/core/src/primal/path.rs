@@ -37,14 +37,9 @@ impl<S: Number> Path<S> {
     }
 
     /// The wavefront of this index, and the one behind it.
-    pub(super) fn beyond(&mut self, index: usize) -> (&mut Wavefront<S>, Option<&Wavefront<S>>) {
+    fn beyond(&mut self, index: usize) -> (&mut Wavefront<S>, Option<&Wavefront<S>>) {
         let (wavefronts, deeper) = self.wavefronts[..self.depth].split_at_mut(index + 1);
         (&mut wavefronts[index], deeper.first())
-    }
-
-    /// Says how many of the wavefronts belong to this tile.
-    pub(super) fn set_depth(&mut self, depth: usize) {
-        self.depth = depth;
     }
 }
 
@@ -63,30 +58,30 @@ impl<S: Number> Integrator<'_, S> {
             return self.trace_scattered(sample, limits, path);
         }
         let known = |depth: usize| source.known()?.at(depth);
-        let Path { wavefronts, depth } = path;
-        if wavefronts.is_empty() {
-            wavefronts.push(Wavefront::default());
-        }
-        self.trace_primary(source, &mut wavefronts[0]);
-        self.trace_shadows(known(0), &mut wavefronts[0]);
-        *depth = 1;
-        if self.depths() == 1 {
-            return;
-        }
-        while *depth < self.depths() {
-            if wavefronts.len() == *depth {
-                wavefronts.push(Wavefront::default());
-            }
-            let (before, after) = wavefronts.split_at_mut(*depth);
-            if source.known().is_some() && known(*depth).is_none()
-                || !self.trace_secondary(known(*depth), &before[*depth - 1], &mut after[0])
-            {
+        let mut depth = 0;
+        while depth < self.depths() {
+            let (before, wavefront) = path.at(depth);
+            let goes_on = match before {
+                None => {
+                    self.trace_primary(source, wavefront);
+                    true
+                }
+                Some(_) if source.known().is_some() && known(depth).is_none() => false,
+                Some(before) => self.trace_secondary(known(depth), before, wavefront),
+            };
+            if !goes_on {
                 break;
             }
-            self.trace_shadows(known(*depth), &mut after[0]);
-            *depth += 1;
+            self.trace_shadows(known(depth), wavefront);
+            depth += 1;
         }
-        for depth in (1..*depth).rev() {
+        self.shade_path(path, depth);
+    }
+
+    /// Finds the radiance that the rays of a path of so many wavefronts bring but for those of the camera.
+    pub(super) fn shade_path(&self, path: &mut Path<S>, depth: usize) {
+        path.depth = depth;
+        for depth in (1..depth).rev() {
             let (wavefront, deeper) = path.beyond(depth);
             self.shade(wavefront, deeper);
         }
@@ -118,17 +113,7 @@ impl<S: Number> Integrator<'_, S> {
             if known.is_some() {
                 continue;
             }
-            count(|counts| &counts.secondary_rays, u64::from(lanes.count_ones()));
-            let origins = group.origins(transparent);
-            let directions = vectors_of_lanes::<S::Lanes>(primal_vector::<S>(ray.direction));
-            for lane in rays(lanes.into()) {
-                let ray = group.first + lane;
-                let (origin, direction) = (origins[lane].as_vec3(), directions[lane].as_vec3());
-                let from = group.starts_on(from, ray);
-                if let Some(hit) = self.tracer.bvh.nearest_but(from, origin, direction) {
-                    to.hits.set(ray, hit);
-                }
-            }
+            self.find_next(from, group, (lanes, transparent), &ray, &mut to.hits);
         }
         self.gather_hits(to, sent, |first, alive| {
             repeated_ray::<S>(&sent_on[first / <S::Lanes as Lanes>::COUNT], alive)
@@ -137,8 +122,31 @@ impl<S: Number> Integrator<'_, S> {
         sent != 0
     }
 
+    /// Traces the rays that go on from some lanes of a group of a wavefront; `through` has a bit for each that
+    /// goes through the surface.
+    pub(super) fn find_next(
+        &self,
+        from: &Wavefront<S>,
+        group: &LaneGroup<S>,
+        (lanes, through): (u32, u32),
+        ray: &Ray<S>,
+        hits: &mut PacketHits,
+    ) {
+        count(|counts| &counts.secondary_rays, u64::from(lanes.count_ones()));
+        let origins = group.origins(through);
+        let directions = vectors_of_lanes::<S::Lanes>(primal_vector::<S>(ray.direction));
+        for lane in rays(lanes.into()) {
+            let ray = group.first + lane;
+            let (origin, direction) = (origins[lane].as_vec3(), directions[lane].as_vec3());
+            let from = group.starts_on(from, ray);
+            if let Some(hit) = self.tracer.bvh.nearest_but(from, origin, direction) {
+                hits.set(ray, hit);
+            }
+        }
+    }
+
     /// Finds the radiance that the rays of a wavefront bring, from that of the rays that go on.
-    pub(super) fn shade(&self, wavefront: &mut Wavefront<S>, beyond: Option<&Wavefront<S>>) {
+    fn shade(&self, wavefront: &mut Wavefront<S>, beyond: Option<&Wavefront<S>>) {
         let mut radiance = std::mem::take(&mut wavefront.radiance);
         clear_blocks::<S, _>(&mut radiance);
         for group in &wavefront.groups {

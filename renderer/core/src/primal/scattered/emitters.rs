@@ -1,22 +1,19 @@
-//! Emitters: which there are, and how vertices look for them.
+//! How vertices look for emitters.
 
 use ad::lanes::Lanes;
 use ad::vector::Vector;
-use ad::{Real, Scalar, Vec3, select};
+use ad::{Real, Vec3, select};
 use glam::DVec3;
 
 use super::EmitterSample;
 use crate::counts::count;
-use crate::number::{MAX_LANES, Number, primal_vector, widen};
+use crate::number::{MAX_LANES, Number, primal_vector};
 use crate::primal::coalesce::Coalesced;
-use crate::primal::inputs::Inputs;
 use crate::primal::integrator::Integrator;
 use crate::primal::lanes::{lanes_of_numbers, numbers_of_lanes, vectors_of_lanes};
 use crate::primal::wavefront::{LaneGroup, Wavefront};
-use crate::scene::{Scene, Slot};
 use crate::trace::bvh::{NO_PRIMITIVE, PACKET_RAYS, rays};
-use crate::trace::emitters::Emitters;
-use crate::trace::layout::{Kind, Layout};
+use crate::trace::layout::Kind;
 use crate::trace::random::{PathNumbers, Purpose};
 use crate::transport::emitter::{
     Sight, emitter_spread, illuminate_by_emitter, sight_of_sphere, sight_of_triangle,
@@ -26,44 +23,6 @@ use crate::transport::hit::Primitive;
 
 /// How far before an emitter a shadow ray ends, relative to its length: its neighbours touch it.
 const BEFORE: f64 = 1e-4;
-
-/// The triangles and spheres that shine, where light takes all paths. Shapes of one's own, and what has a
-/// texture of its emission, are found by scattered rays alone.
-pub fn emitters<S: Number<Lane: Scalar>>(
-    scene: &Scene,
-    layout: &Layout,
-    inputs: &Inputs<S>,
-) -> Emitters {
-    let mut powers = scene.materials.iter().map(|material| {
-        let is_plain = material.textures.get(Slot::Emission).is_none();
-        if is_plain { material.values.emission.max_element() } else { 0.0 }
-    });
-    if layout.path_tracing.is_none() || !powers.clone().any(|power| power > 0.0) {
-        return Emitters::default();
-    }
-    let powers: Vec<f64> = powers.by_ref().collect();
-    let power = |primitive: usize| {
-        let radiance = powers[layout.material_of[primitive] as usize];
-        (radiance > 0.0).then(|| radiance * area(layout, inputs, primitive))
-    };
-    let primitives = 0..layout.material_of.len();
-    Emitters::new(primitives.filter_map(|primitive| Some((primitive as u32, power(primitive)?))))
-}
-
-fn area<S: Number<Lane: Scalar>>(layout: &Layout, inputs: &Inputs<S>, primitive: usize) -> f64 {
-    match layout.kind_of(primitive) {
-        (Kind::Triangle, index) => {
-            let corner = |vertex: u32| widen::<S::Lane>(inputs.vertices[vertex as usize]);
-            let [a, b, c] = layout.triangles[index].map(corner);
-            0.5 * (b - a).cross(c - a).length()
-        }
-        (Kind::Sphere, index) => {
-            let radius = inputs.spheres[index].radius.to_f64();
-            4.0 * std::f64::consts::PI * radius * radius
-        }
-        (Kind::Custom, _) => 0.0,
-    }
-}
 
 impl<S: Number> Integrator<'_, S> {
     /// Looks for one emitter from every surface point.

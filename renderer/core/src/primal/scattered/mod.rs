@@ -36,7 +36,6 @@ use super::coalesce::Coalesced;
 use crate::number::Number;
 use crate::transport::light::Illumination;
 
-pub use emitters::emitters;
 pub use vertex::missed;
 
 /// How the paths of a wavefront were chosen.

@@ -5,11 +5,10 @@ use ad::vector::{Vector, Vector3};
 use ad::{Fields, Real, Vec3, select};
 
 use super::Event;
-use crate::counts::count;
 use crate::number::{MAX_LANES, Number, primal_vector};
 use crate::primal::coalesce::select_lanes;
 use crate::primal::integrator::Integrator;
-use crate::primal::lanes::{lanes_of_numbers, numbers_of_lanes, vectors_of_lanes};
+use crate::primal::lanes::{lanes_of_numbers, numbers_of_lanes};
 use crate::primal::path::{Path, zero_ray};
 use crate::primal::wavefront::{
     LaneGroup, Source, TileSample, Wavefront, blocks, put, repeated_ray,
@@ -70,11 +69,7 @@ impl<S: Number> Integrator<'_, S> {
             self.choose_events(depth, &mut walk, wavefront);
             depth += 1;
         }
-        path.set_depth(depth as usize);
-        for depth in (1..depth as usize).rev() {
-            let (wavefront, deeper) = path.beyond(depth);
-            self.shade(wavefront, deeper);
-        }
+        self.shade_path(path, depth as usize);
     }
 
     /// Where paths have their greatest depth, what is met counts for what it emits alone.
@@ -216,17 +211,7 @@ impl<S: Number> Integrator<'_, S> {
             sent |= u64::from(lanes) << group.first;
             let ray = Ray { origin: group.surface.point, direction: event.direction };
             put(group.lanes(), lanes, &ray, &mut sent_on);
-            count(|counts| &counts.secondary_rays, u64::from(lanes.count_ones()));
-            let origins = group.origins(event.straight);
-            let directions = vectors_of_lanes::<S::Lanes>(primal_vector::<S>(ray.direction));
-            for lane in rays(lanes.into()) {
-                let ray = group.first + lane;
-                let (origin, direction) = (origins[lane].as_vec3(), directions[lane].as_vec3());
-                let from = group.starts_on(from, ray);
-                if let Some(hit) = self.tracer.bvh.nearest_but(from, origin, direction) {
-                    to.hits.set(ray, hit);
-                }
-            }
+            self.find_next(from, group, (lanes, event.straight), &ray, &mut to.hits);
         }
         self.gather_hits(to, sent, |first, alive| {
             repeated_ray::<S>(&sent_on[first / <S::Lanes as Lanes>::COUNT], alive)
