@@ -41,9 +41,10 @@ pub(super) fn save_views(
     create_folder(&out.join(VIEWS_FOLDER))?;
     let stems = view_stems(recovered);
     let mut entries = Vec::new();
-    for (target, quality) in recovery.targets().iter().zip(recovery.qualities(recovered)) {
+    for target in recovery.targets() {
         let Some(view) = target.view else { continue };
         let found = recovery.render_target(target, recovered);
+        let Quality { psnr, ssim } = target.quality(&found);
         let coverage = if target.pass == Pass::Coverage { "-coverage" } else { "" };
         let pictures = [
             ("target", Some(target.image.clone())),
@@ -58,7 +59,6 @@ pub(super) fn save_views(
             save_png(&picture, &out.join(&file))?;
             files.insert(kind.to_owned(), file.into());
         }
-        let Quality { psnr, ssim } = quality;
         entries.push(json!({
             "name": target.name(recovered),
             "coverage": target.pass == Pass::Coverage,

@@ -79,15 +79,7 @@ impl Laplacian {
     /// If there are not three numbers for each vertex.
     pub fn energy(&self, x: &[f64]) -> (f64, Vec<f64>) {
         assert_eq!(x.len(), 3 * self.count, "three numbers for each vertex");
-        let mut differences = vec![0.0; x.len()];
-        for &(a, b, weight) in &self.edges {
-            for axis in 0..3 {
-                let (a, b) = (3 * a as usize + axis, 3 * b as usize + axis);
-                let difference = weight * (x[a] - x[b]);
-                differences[a] += difference;
-                differences[b] -= difference;
-            }
-        }
+        let mut differences = self.apply(x);
         let of_vertex = |index: usize| self.degrees[index / 3];
         for (index, difference) in differences.iter_mut().enumerate() {
             let degree = of_vertex(index);
@@ -99,16 +91,22 @@ impl Laplacian {
             let degree = of_vertex(index);
             *difference = if degree > 0.0 { 2.0 * scale * *difference / degree } else { 0.0 };
         }
-        let mut gradient = vec![0.0; x.len()];
+        // The matrix is symmetric.
+        (value, self.apply(&differences))
+    }
+
+    /// Of every vertex the weighted sum of its differences from its neighbours.
+    fn apply(&self, x: &[f64]) -> Vec<f64> {
+        let mut sums = vec![0.0; x.len()];
         for &(a, b, weight) in &self.edges {
             for axis in 0..3 {
                 let (a, b) = (3 * a as usize + axis, 3 * b as usize + axis);
-                let pulled = weight * (differences[a] - differences[b]);
-                gradient[a] += pulled;
-                gradient[b] -= pulled;
+                let difference = weight * (x[a] - x[b]);
+                sums[a] += difference;
+                sums[b] -= difference;
             }
         }
-        (value, gradient)
+        sums
     }
 }
 

@@ -34,7 +34,21 @@ pub(super) fn halved(scene: &Scene, levels: u32) -> Scene {
 pub(super) fn spread(sampling: Sampling, levels: u32) -> Sampling {
     const SIDE: u32 = 4;
     match sampling {
+        Sampling::Center if levels > 0 => Sampling::Grid((1 << levels.min(2)).min(SIDE)),
         Sampling::Grid(side) if side < SIDE => Sampling::Grid((side << levels.min(2)).min(SIDE)),
         other => other,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn coarse_pixels_have_the_rays_of_those_that_they_cover_up_to_four_by_four() {
+        let sides = |sampling| [0, 1, 2, 3].map(|levels| spread(sampling, levels).count());
+        assert_eq!(sides(Sampling::Center), [1, 4, 16, 16]);
+        assert_eq!(sides(Sampling::Grid(3)), [9, 16, 16, 16]);
+        assert_eq!(sides(Sampling::Grid(6)), [36; 4]);
     }
 }

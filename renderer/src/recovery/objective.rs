@@ -29,32 +29,24 @@ pub(crate) struct ImageObjective<'a> {
 
 impl<'a> ImageObjective<'a> {
     pub fn new(recovery: &'a Recovery<'a>, settings: &Settings) -> Self {
-        let mut scene = recovery.scene.clone();
-        let targets: Vec<_> = recovery.matched().map(Cow::Borrowed).collect();
-        targets[0].look(&mut scene);
-        let settings = Settings { pass: targets[0].pass, ..*settings };
-        let renderer = Renderer::unchecked(&scene, &settings);
-        let chosen = (0..targets.len()).collect();
-        let (level, factor) = (0, 1.0);
-        let mut objective = Self { recovery, renderer, scene, level, targets, chosen, factor };
+        let mut objective = Self::halved(recovery, settings, 0);
         objective.begin(0, 0);
         objective
     }
 
-    /// Halves the images so often.
-    fn halve(&mut self, level: u32) {
-        self.level = level;
-        self.scene = halved(self.recovery.scene, level);
-        let matched = self.recovery.matched();
-        self.targets = match level {
+    /// All views, halved so often.
+    fn halved(recovery: &'a Recovery<'a>, settings: &Settings, level: u32) -> Self {
+        let mut scene = halved(recovery.scene, level);
+        let matched = recovery.matched();
+        let targets: Vec<_> = match level {
             0 => matched.map(Cow::Borrowed).collect(),
             _ => matched.map(|target| Cow::Owned(target.halved(level))).collect(),
         };
-        self.targets[0].look(&mut self.scene);
-        let sampling = spread(self.recovery.settings.sampling, level);
-        let pass = self.targets[0].pass;
-        let settings = Settings { pass, sampling, ..*self.renderer.settings() };
-        self.renderer = Renderer::unchecked(&self.scene, &settings);
+        targets[0].look(&mut scene);
+        let settings = Settings { pass: targets[0].pass, ..*settings };
+        let renderer = Renderer::unchecked(&scene, &settings);
+        let chosen = (0..targets.len()).collect();
+        Self { recovery, renderer, scene, level, targets, chosen, factor: 1.0 }
     }
 
     /// Changes the rays through pixels and the depth of paths; all else that is prepared stays.
@@ -161,7 +153,9 @@ fn of_view(target: &TargetImage, scene: &Scene, what: String) -> String {
 impl Objective for ImageObjective<'_> {
     fn begin(&mut self, iteration: u64, level: u32) {
         if level != self.level {
-            self.halve(level);
+            let sampling = spread(self.recovery.settings.sampling, level);
+            let settings = Settings { sampling, ..*self.renderer.settings() };
+            *self = Self::halved(self.recovery, &settings, level);
         }
         let Some(batch) = self.recovery.section.batch else { return };
         let mut views: Vec<usize> = self.targets.iter().filter_map(|target| target.view).collect();

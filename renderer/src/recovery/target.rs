@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use super::Quality;
 use crate::experiment::{OptimizeSection, Target, ViewTarget};
 use crate::files::{LoadedImage, load_image, load_mask};
 use crate::loss::{ImageLoss, LossKind};
@@ -42,6 +43,15 @@ impl TargetImage {
             image.pixels.as_flattened_mut().iter_mut().for_each(|value| *value = value.min(1.0));
         }
         image.absolute_difference(&self.image)
+    }
+
+    /// How alike an image of the same size and this one are.
+    ///
+    /// # Panics
+    ///
+    /// If the sizes differ.
+    pub fn quality(&self, image: &Image) -> Quality {
+        Quality::of(image, &self.image, self.weights.as_deref())
     }
 
     /// Makes a scene show what is to be compared.
