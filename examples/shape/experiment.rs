@@ -6,8 +6,7 @@ use std::path::{Path, PathBuf};
 use glam::DVec3;
 use renderer::experiment::{Experiment, OptimizeSection, TunedParameter, ViewTarget};
 use renderer::files::save_exr;
-use renderer::optimize::{Adam, Optimizer};
-use renderer::recovery::Batch;
+use renderer::optimize::{Adam, Batch, Optimizer};
 use renderer::{
     Camera, DistantLight, Edges, Error, LossKind, Material, Mesh, Renderer, Scene, Settings, View,
 };

@@ -6,8 +6,7 @@ use std::path::{Path, PathBuf};
 
 use crate::laplacian::Weights;
 use crate::loss::LossKind;
-use crate::optimize::{Optimizer, Schedule};
-use crate::recovery::Batch;
+use crate::optimize::{Batch, Optimizer, Schedule};
 use crate::scene::{ParameterId, Scene};
 use crate::warning::Warning;
 

@@ -1,7 +1,8 @@
 //! How a scene is rendered.
 
+use crate::Error;
 use crate::arithmetic::{Arithmetic, Precision};
-use crate::scene::ParameterId;
+use crate::scene::{ParameterId, PathTracing, Scene};
 pub use crate::trace::bvh::BuildQuality;
 pub use crate::trace::sampling::{GradientSamples, Samples, Sampling};
 
@@ -28,6 +29,21 @@ impl Settings {
     /// These settings with the fastest arithmetic in double precision.
     pub fn in_double_precision(self) -> Self {
         Self { arithmetic: Arithmetic::fastest(Precision::F64), ..self }
+    }
+
+    /// Checks that edges of a scene are not [to be seen](Self::edges) where they are not
+    /// [looked for](Pass::has_edges).
+    ///
+    /// # Errors
+    ///
+    /// If they are.
+    #[doc(hidden)]
+    pub fn check_edges(&self, scene: &Scene) -> Result<(), Error> {
+        if self.edges != Edges::On || self.pass.has_edges(scene) {
+            return Ok(());
+        }
+        let problem = "are not looked for where light takes all paths (integrator.type = \"path\")";
+        Err(Error::new("edges", problem))
     }
 }
 
@@ -86,4 +102,17 @@ pub enum Pass {
     /// That there is one: 1, also where it is transparent. With [edges](Edges), pixels show how much of them
     /// surfaces cover: silhouettes, whatever shades them.
     Coverage,
+}
+
+impl Pass {
+    /// How paths are chosen where this is shown of a scene, if light takes all: radiance alone asks for it.
+    pub(crate) fn path_tracing(self, scene: &Scene) -> Option<PathTracing> {
+        scene.path_tracing().filter(|_| self == Self::Radiance)
+    }
+
+    /// Whether edges can be seen where this is shown of a scene: where light takes all paths they are not
+    /// looked for.
+    pub fn has_edges(self, scene: &Scene) -> bool {
+        self.path_tracing(scene).is_none()
+    }
 }

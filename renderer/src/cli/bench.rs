@@ -77,7 +77,7 @@ pub(super) fn run(arguments: &Arguments, arithmetic: Arithmetic) -> Result<(), E
     let edges = arguments.edges.for_parameters(&ids);
     let settings = Settings { arithmetic, edges, ..Settings::default() };
     scene.check_differentiable(&ids)?;
-    scene.check_edges(&settings)?;
+    settings.check_edges(scene)?;
     let renderer = Renderer::unchecked(scene, &settings);
     let build = start.elapsed();
     Bench { original: scene, scene: scene.clone(), ids, renderer, load, build, limit, moves: 0 }

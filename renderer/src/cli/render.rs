@@ -89,7 +89,7 @@ pub(super) fn run(arguments: &Arguments, arithmetic: Arithmetic) -> Result<(), E
         pass: arguments.pass,
         sampling: arguments.sampling.sampling(),
         edges: match arguments.antialias {
-            Antialias::Coverage if experiment.scene.has_edges(arguments.pass) => Edges::On,
+            Antialias::Coverage if arguments.pass.has_edges(&experiment.scene) => Edges::On,
             Antialias::Coverage | Antialias::None => Edges::Off,
         },
         ..Settings::default()

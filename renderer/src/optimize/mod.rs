@@ -46,6 +46,7 @@
 
 #[cfg(feature = "argmin")]
 mod argmin_problem;
+mod batch;
 mod checkpoint;
 mod coordinates;
 mod field;
@@ -75,6 +76,7 @@ mod variable;
 
 #[cfg(feature = "argmin")]
 pub use argmin_problem::ArgminProblem;
+pub use batch::Batch;
 pub use coordinates::Coordinates;
 pub use fingerprint::Fingerprint;
 pub use history::{Point, Record};

@@ -15,7 +15,6 @@
 //!
 #![doc = include_str!("../../docs/recoveries.md")]
 
-mod batch;
 mod check;
 mod levels;
 mod objective;
@@ -26,7 +25,6 @@ mod variable;
 
 use std::sync::{Arc, Mutex};
 
-pub use batch::Batch;
 pub use check::{Compared, Verdict};
 pub(crate) use levels::check_levels;
 pub(crate) use objective::ImageObjective;
@@ -71,8 +69,8 @@ impl<'a> Recovery<'a> {
     /// # Errors
     ///
     /// If the target or the parameters are missing, two parameters
-    /// [overlap](ParameterId::overlaps), there is [no derivative](Scene::check_differentiable) by one, the target cannot be read, or its size is not that of the
-    /// camera.
+    /// [overlap](ParameterId::overlaps), there is [no derivative](Scene::check_differentiable) by one, the
+    /// target cannot be read, or its size is not that of the camera.
     pub fn new(
         experiment: &'a Experiment,
         place: &str,
@@ -90,7 +88,7 @@ impl<'a> Recovery<'a> {
         check_learning_rates(scene, &section, place)?;
         let ids: Vec<_> = section.parameters.iter().map(|tuned| tuned.id).collect();
         scene.check_differentiable(&ids)?;
-        scene.check_edges(settings)?;
+        settings.check_edges(scene)?;
         let settings = Settings { edges: settings.edges.for_parameters(&ids), ..*settings };
         let (targets, truth) = target::load(scene, &section, place, &settings)?;
         check_batch(scene, &section, place)?;
@@ -237,10 +235,7 @@ impl<'a> Recovery<'a> {
     /// How alike the images of a scene and the targets are, one by one: those of views that are
     /// [held out](TargetImage::held_out) tell what is found from what merely fits.
     pub fn qualities(&self, scene: &Scene) -> Vec<Quality> {
-        let quality = |target: &TargetImage| {
-            let image = self.render_target(target, scene);
-            Quality::of(&image, &target.image, target.weights.as_deref())
-        };
+        let quality = |target: &TargetImage| target.quality(&self.render_target(target, scene));
         self.targets.iter().map(quality).collect()
     }
 

@@ -54,7 +54,7 @@ impl Renderer {
     /// If the scene is not [valid](Scene::check), or edges are to be seen where light takes all paths.
     pub fn new(scene: &Scene, settings: &Settings) -> Result<Self, Error> {
         scene.check()?;
-        scene.check_edges(settings)?;
+        settings.check_edges(scene)?;
         Ok(Self::unchecked(scene, settings))
     }
 

@@ -2,7 +2,6 @@
 
 use super::{ParameterId, Scene};
 use crate::Error;
-use crate::settings::{Edges, Pass, Settings};
 
 /// Which paths of light count.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -58,25 +57,6 @@ impl Scene {
     /// moves edges: nobody knows how those move that paths come by.
     pub fn is_differentiable(&self, id: ParameterId) -> bool {
         self.integrator == Integrator::Direct || !id.moves_edges()
-    }
-
-    /// Whether edges can be seen: where light takes all paths they are not looked for.
-    pub fn has_edges(&self, pass: Pass) -> bool {
-        self.integrator == Integrator::Direct || pass == Pass::Albedo
-    }
-
-    /// Checks that edges are not [to be seen](crate::Settings::edges) where they are not looked for.
-    ///
-    /// # Errors
-    ///
-    /// If they are.
-    #[doc(hidden)]
-    pub fn check_edges(&self, settings: &Settings) -> Result<(), Error> {
-        if settings.edges != Edges::On || self.has_edges(settings.pass) {
-            return Ok(());
-        }
-        let problem = "are not looked for where light takes all paths (integrator.type = \"path\")";
-        Err(Error::new("edges", problem))
     }
 
     /// Checks that images have derivatives by these parameters.

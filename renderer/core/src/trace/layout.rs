@@ -198,7 +198,7 @@ impl Layout {
     /// Takes over what lights and materials can do, which depends on their numbers.
     pub fn update(&mut self, scene: &Scene) {
         let pass = self.pass;
-        self.path_tracing = scene.path_tracing().filter(|_| pass == Pass::Radiance);
+        self.path_tracing = pass.path_tracing(scene);
         let lights = scene.lights.iter().filter(|_| pass == Pass::Radiance);
         self.lights.clear();
         self.lights.extend(lights.map(|light| LightTraits { is_black: light.source.is_black() }));

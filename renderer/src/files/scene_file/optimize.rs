@@ -10,7 +10,8 @@ use crate::Error;
 use crate::experiment::{LaplacianTerm, OptimizeSection, Target, TunedParameter, overlap};
 use crate::laplacian::System;
 use crate::loss::LossKind;
-use crate::recovery::{Batch, check_levels};
+use crate::optimize::Batch;
+use crate::recovery::check_levels;
 use crate::scene::{Invalid, Object, ParameterId, Scene};
 
 /// The section `entry` of a file in `folder` that describes `scene`.
