@@ -60,7 +60,7 @@ fn main() -> Result<(), renderer::Error> {
     println!(
         "loss {:.2e}, {:.1e} of the initial",
         outcome.best.loss,
-        outcome.best.loss / outcome.initial_loss()
+        outcome.best.loss / outcome.initial_loss
     );
     Ok(())
 }

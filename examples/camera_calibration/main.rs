@@ -79,7 +79,7 @@ fn describe((name, rate): (&str, f64), outcome: &Outcome) -> Curve {
         Some(iteration) => format!("below the paper's tolerance after {iteration} iterations"),
         None => "above the paper's tolerance".to_owned(),
     };
-    let ratio = outcome.best.loss / outcome.initial_loss();
+    let ratio = outcome.best.loss / outcome.initial_loss;
     println!("{label:>14}: {reached}; loss ratio {ratio:.1e} after {}", outcome.best.iteration);
     let point =
         |record: &Record| Point { x: record.iteration as f64, y: record.loss, deviation: 0.0 };

@@ -72,7 +72,7 @@ fn main() -> Result<(), Error> {
                     index + 1,
                     start[0].distance(look_from),
                     named(edges),
-                    outcome.best.loss / outcome.initial_loss(),
+                    outcome.best.loss / outcome.initial_loss,
                     outcome.last.iteration
                 );
                 let shown = experiment::recovery(&experiment, Edges::On)?;

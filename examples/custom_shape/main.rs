@@ -61,7 +61,7 @@ fn main() -> Result<(), Error> {
     save_png(&recovery.render(&experiment.scene), &folder.join("initial.png"))?;
 
     let outcome = recovery.run(&recovery.settings(), &mut Quiet)?;
-    println!("loss {:.2e} -> {:.2e}", outcome.initial_loss(), outcome.best.loss);
+    println!("loss {:.2e} -> {:.2e}", outcome.initial_loss, outcome.best.loss);
     let recovered = recovery.scene_at(&outcome.best.x);
     save_png(&recovery.render(&recovered), &folder.join("final.png"))?;
     for (id, (path, truth, guess)) in ids.into_iter().zip(VALUES) {

@@ -28,7 +28,7 @@ pub fn recovery(experiment: &Experiment) -> Result<Recovery<'_>, Error> {
 
 /// The first iteration whose loss is no more than `ratio` times the initial one.
 pub fn first_below(outcome: &Outcome, ratio: f64) -> Option<u64> {
-    let limit = ratio * outcome.initial_loss();
+    let limit = ratio * outcome.initial_loss;
     outcome.history.iter().find(|record| record.loss <= limit).map(|record| record.iteration)
 }
 

@@ -70,7 +70,7 @@ fn describe(
         "  at the tree: direction {degrees:.3} degrees off, irradiance {:.3} % off",
         100.0 * irradiance
     );
-    println!("  loss ratio {:.1e}", best.loss / outcome.initial_loss());
+    println!("  loss ratio {:.1e}", best.loss / outcome.initial_loss);
     for ratio in [1e-2, 1e-3, 1e-4] {
         match experiment::first_below(outcome, ratio) {
             Some(iteration) => println!("  loss ratio {ratio:e} after {iteration} iterations"),

@@ -36,7 +36,7 @@ fn main() -> Result<(), Error> {
     for steps in STEPS {
         let outcome = experiment::run(&recovery, Optimizer::default(), steps)?;
         let mut x = &outcome.last.x[..];
-        println!("{steps} steps: loss ratio {:.1e}", outcome.last.loss / outcome.initial_loss());
+        println!("{steps} steps: loss ratio {:.1e}", outcome.last.loss / outcome.initial_loss);
         for variable in recovery.variables() {
             let (found, rest) = x.split_at(variable.initial.len());
             x = rest;
@@ -52,7 +52,7 @@ fn main() -> Result<(), Error> {
     // The loss is quadratic in the colours: made for a method that learns the curvature.
     let outcome = experiment::run(&recovery, Optimizer::Lbfgs(Lbfgs::default()), 50)?;
     for record in outcome.history.iter().skip(1).take(5) {
-        let ratio = record.loss / outcome.initial_loss();
+        let ratio = record.loss / outcome.initial_loss;
         println!("L-BFGS, {} steps: loss ratio {ratio:.1e}", record.iteration);
     }
     images.push(recovery.target().clone());

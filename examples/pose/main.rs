@@ -134,7 +134,7 @@ fn describe(task: &Task, edges: Edges, optimizer: Optimizer, outcome: &Outcome) 
         "  {:>13}, {:>5}: {degrees:.4} degrees, {distance:.5} off; loss ratio {:.1e}, {} iterations, {:.1} s",
         named(edges),
         optimizer.name(),
-        outcome.best.loss / outcome.initial_loss(),
+        outcome.best.loss / outcome.initial_loss,
         outcome.last.iteration,
         outcome.seconds
     );

@@ -54,7 +54,7 @@ fn main() -> Result<(), Error> {
                 "  {:>13}: {:.6} off; loss ratio {:.1e}, {} iterations, {:.1} s",
                 named(edges),
                 experiment::error(&outcome),
-                outcome.best.loss / outcome.initial_loss(),
+                outcome.best.loss / outcome.initial_loss,
                 outcome.last.iteration,
                 outcome.seconds
             );

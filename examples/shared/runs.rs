@@ -14,7 +14,7 @@ pub fn named(edges: Edges) -> &'static str {
 pub fn curve(label: String, outcome: &Outcome) -> Curve {
     let point = |record: &Record| Point {
         x: record.iteration as f64,
-        y: record.loss / outcome.initial_loss(),
+        y: record.loss / outcome.initial_loss,
         deviation: 0.0,
     };
     Curve { label, points: outcome.history.iter().map(point).collect() }

@@ -34,7 +34,7 @@ fn main() -> Result<(), Error> {
         let outcome = experiment::run(&recoveries, steps)?;
         println!(
             "{steps:>3} steps: loss ratio {:.1e}, texels off by {:.5} (root mean square), {:.2} s",
-            outcome.last.loss / outcome.initial_loss(),
+            outcome.last.loss / outcome.initial_loss,
             experiment::error(&recoveries[0], &outcome.last.x),
             outcome.seconds
         );

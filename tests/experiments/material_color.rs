@@ -13,5 +13,5 @@ fn the_colours_are_found() {
         assert!((found - truth).abs() < 1e-3, "{found}, true {truth}");
     }
     let after_one = experiment::run(&recovery, Optimizer::default(), 1).unwrap();
-    assert!(after_one.best.loss < 0.5 * after_one.initial_loss());
+    assert!(after_one.best.loss < 0.5 * after_one.initial_loss);
 }

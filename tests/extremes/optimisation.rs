@@ -69,7 +69,7 @@ fn an_exploding_learning_rate_ends_the_run() {
         let target = vec![(intensity, vec![75.0])];
         let outcome = run(scene, section(target, vec![tuned(id, Some(rate))]), 30);
         println!("| learning rate {rate:e} of {path} | {} |", outcome.stop.detail);
-        let initial = outcome.initial_loss();
+        let initial = outcome.initial_loss;
         assert!(outcome.best.loss <= initial, "{path}");
     }
 }

@@ -186,7 +186,7 @@ pub(super) fn report(recovery: &Recovery<'_>, outcome: &Outcome, out: &Path) -> 
         }
     }
     lines.extend(quality_lines(recovery, &recovery.scene_at(&outcome.best.x)));
-    let initial = outcome.initial_loss();
+    let initial = outcome.initial_loss;
     let ratio = if initial > 0.0 {
         format!(" ({:.1e} of the initial {})", outcome.best.loss / initial, short(initial))
     } else {

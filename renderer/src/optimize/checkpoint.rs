@@ -15,7 +15,7 @@ use crate::Error;
 use crate::disk::{create_folder, write_atomically};
 
 /// Changes whenever the file or the arithmetic of the optimiser does.
-const FORMAT: u32 = 3;
+const FORMAT: u32 = 4;
 
 /// Everything a run needs to continue. All numbers are finite, since JSON has no others.
 #[derive(Clone, Serialize, Deserialize)]
@@ -32,6 +32,8 @@ pub(super) struct State {
     /// How many levels it is away from the finest, and where each finer one began.
     pub level: u32,
     pub finer_from: Vec<u64>,
+    /// The loss at the initial parameters, of the finest level.
+    pub initial_loss: Option<f64>,
     /// The lowest loss so far of the level that it is of; the first of them.
     pub best: Option<Point>,
     best_level: u32,
@@ -53,6 +55,7 @@ impl State {
             x,
             level: settings.coarse_to_fine,
             finer_from: Vec::new(),
+            initial_loss: None,
             best: None,
             best_level: settings.coarse_to_fine,
             last: None,
@@ -108,6 +111,7 @@ impl State {
             && self.method.fits(len)
             && point(&self.best)
             && point(&self.last)
+            && self.initial_loss.is_some()
             && self.history.len() as u64 == self.iteration + u64::from(evaluated_here)
             && (0..).zip(&self.history).all(|(i, record)| record.iteration == i)
     }

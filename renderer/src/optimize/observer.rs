@@ -25,7 +25,7 @@ pub trait Observer {
 pub struct Step {
     /// The iteration.
     pub record: Record,
-    /// The loss of iteration 0.
+    /// The loss at the initial parameters; with [levels](super::Settings::coarse_to_fine) that of the finest.
     pub initial_loss: f64,
     /// The number of iterations at the most.
     pub iterations: u64,

@@ -15,6 +15,8 @@ pub struct Outcome {
     /// Some of the points it went through, from the first to the last, evenly spaced; empty if they
     /// have too many numbers to be kept.
     pub trajectory: Vec<Point>,
+    /// The loss at the initial parameters; with [levels](super::Settings::coarse_to_fine) that of the finest.
+    pub initial_loss: f64,
     /// Why it stopped.
     pub stop: Stop,
     /// How often the objective was evaluated, over all resumed parts of the run.
@@ -23,13 +25,6 @@ pub struct Outcome {
     pub seconds: f64,
     /// How this part of the run began.
     pub start: Start,
-}
-
-impl Outcome {
-    /// The loss at the initial parameters.
-    pub fn initial_loss(&self) -> f64 {
-        self.history.first().map_or(self.best.loss, |record| record.loss)
-    }
 }
 
 /// How an optimisation begins.

@@ -186,6 +186,7 @@ mod tests {
             history,
             trajectory: vec![],
             stop,
+            initial_loss: 0.5,
             evaluations: 1,
             seconds: 5.0,
             start: Start::Fresh,

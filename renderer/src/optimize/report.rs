@@ -67,7 +67,7 @@ pub fn summary(
     extra: Map<String, Value>,
 ) -> Map<String, Value> {
     let Outcome { best, last, history, stop, evaluations, seconds, .. } = outcome;
-    let initial = outcome.initial_loss();
+    let initial = outcome.initial_loss;
     let mut parameters = Map::new();
     for (variable, found) in split(variables, &best.x) {
         let mut entry = Map::new();
@@ -152,6 +152,7 @@ mod tests {
             history: vec![record(0, 0.4), record(1, 0.1), record(2, 0.1 + 0.2)],
             trajectory: vec![Point { iteration: 0, loss: 0.4, x: vec![5.0, 6.0, 7.0] }],
             stop: Stop { reason: StopReason::GradientTolerance, detail: "flat".to_owned() },
+            initial_loss: 0.4,
             evaluations: 4,
             seconds: 6.0,
             start: Start::Fresh,

@@ -80,15 +80,25 @@ impl<'a> Optimization<'a> {
             Some(stop) => stop,
             None => self.iterate(objective, observer)?,
         };
-        let State { best, last, history, trajectory, evaluations, seconds, .. } = self.state;
-        let (Some(best), Some(last)) = (best, last) else {
+        let State { best, last, initial_loss, history, trajectory, evaluations, seconds, .. } =
+            self.state;
+        let (Some(best), Some(last), Some(initial_loss)) = (best, last, initial_loss) else {
             // Nothing was evaluated, and the only reason for that is the initial point.
             return Err(Error::not_finite("optimize", stop.detail));
         };
         let trajectory = trajectory.finish(&last);
         let start = self.start;
-        let outcome =
-            Outcome { best, last, history, trajectory, stop, evaluations, seconds, start };
+        let outcome = Outcome {
+            best,
+            last,
+            history,
+            trajectory,
+            initial_loss,
+            stop,
+            evaluations,
+            seconds,
+            start,
+        };
         observer.finish(&outcome);
         Ok(outcome)
     }
@@ -111,6 +121,15 @@ impl<'a> Optimization<'a> {
                 known = None;
                 continue;
             }
+            if level > 0 && self.state.initial_loss.is_none() {
+                objective.begin(iteration, 0);
+                let finest = objective.evaluate(&self.state.x);
+                if let Some(stop) = Stop::at_non_finite(&finest, iteration, self.variables) {
+                    let why = objective.explain(&self.state.x);
+                    return self.stop(stop.explained(why));
+                }
+                self.state.initial_loss = Some(finest.loss);
+            }
             objective.begin(iteration, level);
             let evaluation = known.take().unwrap_or_else(|| objective.evaluate(&self.state.x));
             self.state.seconds = seconds_before + clock.elapsed().as_secs_f64();
@@ -127,8 +146,9 @@ impl<'a> Optimization<'a> {
                 seconds: self.state.seconds,
             };
             self.state.record(record, self.settings.is_sampled);
-            let initial_loss = self.state.history[0].loss;
-            let step = Step { record, initial_loss, iterations: self.settings.iterations };
+            let iterations = self.settings.iterations;
+            let initial_loss = *self.state.initial_loss.get_or_insert(record.loss);
+            let step = Step { record, initial_loss, iterations };
             let interrupted = observer.step(&step).is_break();
             let stop = Stop::at(&record, self.settings);
             let mut is_level_done = false;

@@ -65,7 +65,7 @@ fn every_method_continues_bit_for_bit() {
                 variable
             });
             let expected = run(&variables, &settings, rosenbrock).unwrap();
-            assert!(expected.best.loss < expected.initial_loss(), "{optimizer:?} {schedule:?}");
+            assert!(expected.best.loss < expected.initial_loss, "{optimizer:?} {schedule:?}");
             let folder = tempfile::tempdir().unwrap();
             let settings = in_folder(folder.path(), true, settings);
             for k in [0, 1, 12] {
