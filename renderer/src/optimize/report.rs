@@ -207,7 +207,7 @@ mod tests {
     #[test]
     fn numbers_that_json_lacks_are_null() {
         let mut outcome = outcome();
-        outcome.history[0].loss = 0.0;
+        outcome.initial_loss = 0.0;
         outcome.best.loss = 0.0;
         let variables = [Variable::new("x", vec![0.0; 3], 0.1)];
         let summary = summary(&variables, &outcome, Map::new());
