@@ -10,6 +10,7 @@ use syn::{
 use crate::accumulation;
 use crate::callable::Callables;
 use crate::element;
+use crate::elision;
 use crate::function::{Function, Place};
 use crate::groups;
 use crate::hidden;
@@ -28,8 +29,9 @@ pub fn expand(arguments: TokenStream, item: TokenStream) -> TokenStream {
     if let Ok(function) = syn::parse2::<ItemFn>(explicit.clone()) {
         return function_derivative(item, &function, options);
     }
-    if let Ok(block) = syn::parse2::<ItemImpl>(explicit.clone()) {
-        return impl_derivatives(item, &block, &options);
+    let named = elision::in_head(explicit.clone());
+    if let Ok(block) = syn::parse2::<ItemImpl>(named) {
+        return impl_derivatives(elision::in_head(item), &block, &options);
     }
     if let Ok(definition) = syn::parse2::<ItemTrait>(explicit.clone()) {
         return trait_derivatives(item, &definition, &options);
@@ -63,12 +65,13 @@ fn function_derivative(item: TokenStream, function: &ItemFn, options: Options) -
         let derivatives = method_derivative(function, options);
         return quote!(#item #derivatives);
     }
+    let signature = elision::in_parameters(&function.sig);
     let derivatives = derivative_or_errors(&Function {
         place: Place::Free,
         attributes: &function.attrs,
         visibility: &function.vis,
-        signature: &function.sig,
-        callables: &Callables::new(&function.sig),
+        signature: &signature,
+        callables: &Callables::new(&signature),
         exclusive_methods: &[],
         body: Some(&function.block),
         options,
@@ -173,6 +176,7 @@ impl<'a> Methods<'a> {
         signature: &Signature,
         body: Option<&Block>,
     ) -> TokenStream {
+        let signature = &elision::in_parameters(signature);
         let callables = &Callables::new(signature);
         let function = |options| Function {
             place: self.place,

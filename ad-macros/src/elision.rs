@@ -3,13 +3,93 @@
 //! `fn first(xs: &[f64]) -> &f64` borrows from its only reference; `jvp` has a second one, the
 //! tangent, so the first has to be named.
 
-use proc_macro2::Span;
+use proc_macro2::{Ident, Span, TokenStream, TokenTree};
+use quote::quote;
 use syn::visit_mut::{self, VisitMut};
-use syn::{Lifetime, ParenthesizedGenericArguments, Type, TypeFnPtr, TypeReference};
+use syn::{
+    FnArg, GenericParam, Lifetime, LifetimeParam, ParenthesizedGenericArguments, Signature, Type,
+    TypeFnPtr, TypeReference,
+};
 
 /// The lifetime that stands for one that was left out.
 pub fn lifetime() -> Lifetime {
     Lifetime::new("'__primal", Span::mixed_site())
+}
+
+/// An `impl` block with a name for the lifetimes that its head leaves out, `impl Trait for View<'_>`:
+/// what a pullback may hold on to is listed by name.
+pub fn in_head(item: TokenStream) -> TokenStream {
+    let mut tokens: Vec<_> = item.clone().into_iter().collect();
+    let last = tokens.len().saturating_sub(1);
+    let Some(head) = tokens.iter().position(|token| is_word(token, "impl")) else { return item };
+    let mut left_out = Vec::new();
+    for index in head..last {
+        let is_mark = matches!(&tokens[index], TokenTree::Punct(mark) if mark.as_char() == '\'');
+        if is_mark && is_word(&tokens[index + 1], "_") {
+            let name = format!("__of_self_{}", left_out.len());
+            let name = Ident::new(&name, Span::mixed_site().located_at(tokens[index + 1].span()));
+            tokens[index + 1] = name.clone().into();
+            left_out.push(Lifetime { apostrophe: name.span(), ident: name });
+        }
+    }
+    if left_out.is_empty() {
+        return item;
+    }
+    // Lifetimes stand before all other parameters.
+    let has_parameters =
+        matches!(tokens.get(head + 1), Some(TokenTree::Punct(angle)) if angle.as_char() == '<');
+    let named = match has_parameters {
+        true => quote!(#(#left_out,)*),
+        false => quote!(<#(#left_out),*>),
+    };
+    let at = head + 1 + usize::from(has_parameters);
+    tokens.splice(at..at, named);
+    tokens.into_iter().collect()
+}
+
+fn is_word(token: &TokenTree, word: &str) -> bool {
+    matches!(token, TokenTree::Ident(ident) if ident == word)
+}
+
+/// A signature with names for the lifetimes that it leaves out in the types of its parameters,
+/// `view: View<'_>`: the type of the pullback names them, too.
+pub fn in_parameters(signature: &Signature) -> Signature {
+    let mut signature = signature.clone();
+    let mut numbering = Numbering { lifetimes: Vec::new() };
+    for input in &mut signature.inputs {
+        if let FnArg::Typed(typed) = input {
+            numbering.visit_type_mut(&mut typed.ty);
+        }
+    }
+    // They stand before all other parameters.
+    for lifetime in numbering.lifetimes.into_iter().rev() {
+        let parameter = GenericParam::Lifetime(LifetimeParam::new(lifetime));
+        signature.generics.params.insert(0, parameter);
+    }
+    signature
+}
+
+struct Numbering {
+    lifetimes: Vec<Lifetime>,
+}
+
+impl VisitMut for Numbering {
+    fn visit_type_reference_mut(&mut self, reference: &mut TypeReference) {
+        self.visit_type_mut(&mut reference.elem);
+    }
+
+    fn visit_lifetime_mut(&mut self, lifetime: &mut Lifetime) {
+        if lifetime.ident == "_" {
+            let name = format!("__parameter_{}", self.lifetimes.len());
+            lifetime.ident = Ident::new(&name, Span::mixed_site().located_at(lifetime.span()));
+            lifetime.apostrophe = lifetime.ident.span();
+            self.lifetimes.push(lifetime.clone());
+        }
+    }
+
+    fn visit_type_fn_ptr_mut(&mut self, _: &mut TypeFnPtr) {}
+    fn visit_parenthesized_generic_arguments_mut(&mut self, _: &mut ParenthesizedGenericArguments) {
+    }
 }
 
 /// `ty` with [`lifetime`] for those that it leaves out, and whether there are any.

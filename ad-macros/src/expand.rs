@@ -234,7 +234,10 @@ impl Function<'_> {
             exclusive_tangents: exclusive.map(|(_, tangent)| tangent.clone()).collect(),
             gradient: tuple_or_one(&tangents),
             boxed: self.options.boxed
-                || self.body.is_some_and(|body| recursion::is_recursive(self.signature, body)),
+                || self.body.is_some_and(|body| {
+                    let is_inherent = matches!(self.place, Place::Impl(_));
+                    recursion::is_recursive(self.signature, body, is_inherent)
+                }),
             parameters,
             result,
             is_hidden,

@@ -7,10 +7,19 @@
 use syn::visit::{self, Visit};
 use syn::{Block, Expr, ExprCall, ExprMethodCall, Ident, Signature};
 
-/// Whether a function calls itself by its name, by `Self::` or on `self`.
-pub fn is_recursive(signature: &Signature, body: &Block) -> bool {
-    let mut calls =
-        Calls { name: &signature.ident, is_method: signature.receiver().is_some(), found: false };
+use crate::rules;
+
+/// Whether a function calls itself by its name, by `Self::` or on `self`; a method of a type also where
+/// it calls one of its name on a variable, which is part of `self` in most cases: `left.depth()`. A name
+/// that has a rule is another type's there: `re.sin()`.
+pub fn is_recursive(signature: &Signature, body: &Block, is_inherent: bool) -> bool {
+    let is_own = !rules::is_method(&signature.ident.to_string());
+    let mut calls = Calls {
+        name: &signature.ident,
+        is_method: signature.receiver().is_some(),
+        counts_variables: is_inherent && is_own,
+        found: false,
+    };
     calls.visit_block(body);
     calls.found
 }
@@ -18,6 +27,8 @@ pub fn is_recursive(signature: &Signature, body: &Block) -> bool {
 struct Calls<'a> {
     name: &'a Ident,
     is_method: bool,
+    /// Whether a call on any variable counts.
+    counts_variables: bool,
     found: bool,
 }
 
@@ -36,8 +47,9 @@ impl<'ast> Visit<'ast> for Calls<'_> {
     }
 
     fn visit_expr_method_call(&mut self, call: &'ast ExprMethodCall) {
-        let on_self = matches!(&*call.receiver, Expr::Path(path) if path.path.is_ident("self"));
-        self.found |= self.is_method && on_self && call.method == *self.name;
+        let is_own = matches!(&*call.receiver, Expr::Path(path)
+            if path.path.is_ident("self") || self.counts_variables && path.path.get_ident().is_some());
+        self.found |= self.is_method && is_own && call.method == *self.name;
         visit::visit_expr_method_call(self, call);
     }
 }

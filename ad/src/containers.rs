@@ -126,6 +126,8 @@ impl<T: ?Sized> Differentiable for PhantomData<T> {
 
 /// That of a `#[constant]` field, which stands for its type only.
 impl<T, U: ?Sized> Shape<T> for PhantomData<U> {
+    const FIXED: bool = true;
+
     #[inline(always)]
     fn fit(self, _: &mut T) {}
 }
@@ -146,6 +148,8 @@ impl<T: Differentiable, const N: usize> Differentiable for [T; N] {
 }
 
 impl<T, S: Shape<T>, const N: usize> Shape<[T; N]> for [S; N] {
+    const FIXED: bool = S::FIXED;
+
     #[inline(always)]
     fn fit(self, tangent: &mut [T; N]) {
         for (shape, tangent) in self.into_iter().zip(tangent) {
@@ -168,20 +172,27 @@ impl<T: Additive, const N: usize> Additive for [T; N] {
     }
 }
 
+/// The shapes of the elements of a slice or a `Vec`: their number alone where it says it all, which
+/// costs neither an allocation nor, in a debug build, a walk.
+pub struct Shapes<S> {
+    length: usize,
+    each: Vec<S>,
+}
+
 impl<T: Differentiable> Differentiable for [T] {
     type Tangent = Vec<Tangent<T>>;
-    /// Without allocation where the elements have one size.
-    type Shape = Vec<T::Shape>;
+    type Shape = Shapes<T::Shape>;
 
     #[inline]
     fn shape(&self) -> Self::Shape {
-        self.iter().map(T::shape).collect()
+        let walked = if T::Shape::FIXED { &[] } else { self };
+        Shapes { length: self.len(), each: walked.iter().map(T::shape).collect() }
     }
 }
 
 impl<T: Differentiable> Differentiable for Vec<T> {
     type Tangent = Vec<Tangent<T>>;
-    type Shape = Vec<T::Shape>;
+    type Shape = Shapes<T::Shape>;
 
     #[inline]
     fn shape(&self) -> Self::Shape {
@@ -189,11 +200,13 @@ impl<T: Differentiable> Differentiable for Vec<T> {
     }
 }
 
-impl<T: Additive, S: Shape<T>> Shape<Vec<T>> for Vec<S> {
+impl<T: Additive, S: Shape<T>> Shape<Vec<T>> for Shapes<S> {
     #[inline]
     fn fit(self, tangent: &mut Vec<T>) {
-        tangent.resize_with(self.len(), T::zero);
-        for (shape, tangent) in self.into_iter().zip(tangent) {
+        if tangent.len() != self.length {
+            tangent.resize_with(self.length, T::zero);
+        }
+        for (shape, tangent) in self.each.into_iter().zip(tangent) {
             shape.fit(tangent);
         }
     }
@@ -221,6 +234,8 @@ macro_rules! tuples {
     (@shape) => {};
     (@shape $($name:ident $shape:ident $index:tt),*) => {
         impl<$($name, $shape: Shape<$name>),*> Shape<($($name,)*)> for ($($shape,)*) {
+            const FIXED: bool = true $(&& $shape::FIXED)*;
+
             #[inline(always)]
             fn fit(self, tangent: &mut ($($name,)*)) {
                 $(self.$index.fit(&mut tangent.$index);)*

@@ -71,12 +71,18 @@ pub trait Differentiable {
 
 /// The size of the tangents `T` of some value.
 pub trait Shape<T> {
+    /// Whether [`fit`](Shape::fit) does nothing for every value, so that lists of such shapes hold
+    /// no more than their length.
+    const FIXED: bool = false;
+
     /// Brings a tangent to this size: elements that it lacks become zeros, surplus ones go.
     fn fit(self, tangent: &mut T);
 }
 
 /// Tangents that all have one size.
 impl<T> Shape<T> for () {
+    const FIXED: bool = true;
+
     #[inline(always)]
     fn fit(self, _: &mut T) {}
 }

@@ -35,7 +35,7 @@ pub use names::{
     has_other_name, other_function, same_function, same_owner,
 };
 pub use order::{BuiltIn, right_first};
-pub use products::{Products, ProductsOutOfLine, rarely, scale, with_products};
+pub use products::{Products, ProductsOutOfLine, rarely, scale, vanishing, with_products};
 pub use pullback::{
     Lends, LendsNothing, MethodPullback, MethodPullbackOnto, Offered, PullbackOnto,
 };
@@ -71,9 +71,9 @@ pub mod methods {
     pub use crate::rules::{
         AngleRules as _, ArrayRules as _, CloneRules as _, ColumnsRules as _, CopiedRules as _,
         DMat2Rules as _, DMat3Rules as _, DMat4Rules as _, DVec2Rules as _, DVec4Rules as _,
-        ExtendRules as _, FlattenRules as _, FloatRules as _, FromRules as _, GlamRules as _,
-        IntegerRules as _, Mat2Rules as _, Mat3Rules as _, Mat4Rules as _, MatrixRules as _,
-        OptionRules as _, QuaternionRules as _, RealRules as _, ResultRules as _,
+        DerefRules as _, ExtendRules as _, FlattenRules as _, FloatRules as _, FromRules as _,
+        GlamRules as _, IntegerRules as _, Mat2Rules as _, Mat3Rules as _, Mat4Rules as _,
+        MatrixRules as _, OptionRules as _, QuaternionRules as _, RealRules as _, ResultRules as _,
         RotationRules as _, ScalarRules as _, SequenceRules as _, SignedRules as _,
         Swizzle2Rules as _, Swizzle3Rules as _, Swizzle4Rules as _, TransformRules as _,
         TruncateRules as _, Vec2Rules as _, Vec4Rules as _, VecRules as _, Vector3Rules as _,

@@ -329,7 +329,7 @@ impl Lowerer<'_> {
 
     /// Whether what a call gives may hold a reference to a number.
     fn may_give_reference(&self, callee: &Callee, arguments: &[Argument]) -> bool {
-        const LENDING: [&str; 4] = ["get", "first", "last", "as_ref"];
+        const LENDING: [&str; 5] = ["get", "first", "last", "as_ref", "as_deref"];
         const HANDING_ON: [&str; 6] = ["unwrap", "expect", "unwrap_or", "or", "xor", "flatten"];
         let is_one_of = |names: &[&str]| {
             callee.name().is_some_and(|name| names.iter().any(|known| name == known))

@@ -137,12 +137,12 @@ impl Lowerer<'_> {
         };
         let statements = as_statements(&closure.body);
         let inner = match &statements[..] {
-            [Stmt::Expr(inner, None)] if is_chain(inner) => inner,
+            [Stmt::Expr(inner, None)] if is_chain(inner) || is_list(inner) => inner,
             _ => {
                 self.scopes.clone_from(&outside);
                 return self.refuse(
                     &closure.body,
-                    "the value of this closure has to be an iterator, in one expression: write two loops, one in the other",
+                    "the value of this closure has to be an iterator or an array, in one expression: write two loops, one in the other",
                 );
             }
         };
@@ -189,5 +189,14 @@ impl Lowerer<'_> {
         let code = quote_spanned!(method.span()=> ::ad::rt::is_sequence(&#tokens););
         self.push(Statement::Plain { code, defines: Vec::new() });
         Chain::Elements { place, access, length: None }
+    }
+}
+
+/// Whether this is an array or a `vec!`, written down.
+fn is_list(expr: &Expr) -> bool {
+    match strip_parens(expr) {
+        Expr::Array(_) | Expr::Repeat(_) => true,
+        Expr::Macro(call) => call.mac.path.is_ident("vec"),
+        _ => false,
     }
 }

@@ -48,39 +48,46 @@ impl valley {
         (
             sum_3,
             move |result_bar: ::ad::Tangent<Element>| -> ::ad::Tangent<[Element; N]> {
-                let mut sum_3_bar = result_bar;
-                let mut sum_bar = sum_3_bar;
-                let mut x_bar = x_space.zero();
-                for i in range.clone().rev() {
-                    let index = i;
-                    let x_1 = x_kept[index];
-                    let a = constant - x_1;
-                    let index_1 = i + 1;
-                    let x_2 = x_kept[index_1];
-                    let x_3 = x_1;
-                    let x_4 = x_1;
-                    let product = x_3 * x_4;
-                    let b = x_2 - product;
-                    let product_2 = constant_1 * b;
-                    let mut sum_1_bar = sum_bar;
-                    let mut product_1_bar = sum_1_bar;
-                    let mut product_3_bar = sum_1_bar;
-                    let mut product_2_bar = ::ad::rt::scale(product_3_bar, b);
-                    let mut b_bar = ::ad::rt::scale(product_3_bar, product_2);
-                    b_bar += product_2_bar * constant_1;
-                    let mut a_bar = ::ad::rt::scale(product_1_bar, a);
-                    a_bar += ::ad::rt::scale(product_1_bar, a);
-                    let mut x_2_bar = b_bar;
-                    let mut product_bar = -b_bar;
-                    let mut x_3_bar = ::ad::rt::scale(product_bar, x_4);
-                    let mut x_4_bar = ::ad::rt::scale(product_bar, x_3);
-                    let mut x_1_bar = x_4_bar;
-                    x_1_bar += x_3_bar;
-                    x_bar[index_1] += x_2_bar;
-                    x_1_bar -= a_bar;
-                    x_bar[index] += x_1_bar;
-                }
-                x_bar
+                let irregular = ::ad::rt::vanishing(result_bar);
+                ::ad::rt::with_products(
+                    irregular,
+                    #[inline(always)]
+                    move |products: ::ad::rt::Products| {
+                        let mut sum_3_bar = result_bar;
+                        let mut sum_bar = sum_3_bar;
+                        let mut x_bar = x_space.zero();
+                        for i in range.clone().rev() {
+                            let index = i;
+                            let x_1 = x_kept[index];
+                            let a = constant - x_1;
+                            let index_1 = i + 1;
+                            let x_2 = x_kept[index_1];
+                            let x_3 = x_1;
+                            let x_4 = x_1;
+                            let product = x_3 * x_4;
+                            let b = x_2 - product;
+                            let product_2 = constant_1 * b;
+                            let mut sum_1_bar = sum_bar;
+                            let mut product_1_bar = sum_1_bar;
+                            let mut product_3_bar = sum_1_bar;
+                            let mut product_2_bar = products.scale(product_3_bar, b);
+                            let mut b_bar = products.scale(product_3_bar, product_2);
+                            b_bar += product_2_bar * constant_1;
+                            let mut a_bar = products.scale(product_1_bar, a);
+                            a_bar += products.scale(product_1_bar, a);
+                            let mut x_2_bar = b_bar;
+                            let mut product_bar = -b_bar;
+                            let mut x_3_bar = products.scale(product_bar, x_4);
+                            let mut x_4_bar = products.scale(product_bar, x_3);
+                            let mut x_1_bar = x_4_bar;
+                            x_1_bar += x_3_bar;
+                            x_1_bar -= a_bar;
+                            x_bar[index] += x_1_bar;
+                            x_bar[index_1] += x_2_bar;
+                        }
+                        x_bar
+                    },
+                )
             },
         )
     }

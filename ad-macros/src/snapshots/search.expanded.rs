@@ -36,22 +36,29 @@ impl search {
             move |
                 result_bar: ::ad::Tangent<f64>,
             | -> (::ad::Tangent<f64>, ::ad::Tangent<f64>) {
-                let mut product_1_bar = result_bar;
-                let mut a_2_bar = ::ad::rt::scale(product_1_bar, step);
-                let mut step_bar = ::ad::rt::scale(product_1_bar, a_2);
-                let mut a_bar = a_2_bar;
-                let mut x_bar = -0.0_f64;
-                for (a_1,) in tape.into_iter().rev() {
-                    let a_part = ::ad::rt::take(&mut a_bar);
-                    let mut sum_bar = a_part;
-                    let mut product_bar = sum_bar;
-                    x_bar += sum_bar;
-                    let mut a_1_bar = ::ad::rt::scale(product_bar, step);
-                    step_bar += ::ad::rt::scale(product_bar, a_1);
-                    a_bar += a_1_bar;
-                }
-                x_bar += a_bar;
-                (x_bar, step_bar)
+                let irregular = ::ad::rt::vanishing(result_bar);
+                ::ad::rt::with_products(
+                    irregular,
+                    #[inline(always)]
+                    move |products: ::ad::rt::Products| {
+                        let mut product_1_bar = result_bar;
+                        let mut a_2_bar = products.scale(product_1_bar, step);
+                        let mut step_bar = products.scale(product_1_bar, a_2);
+                        let mut a_bar = a_2_bar;
+                        let mut x_bar = -0.0_f64;
+                        for (a_1,) in tape.into_iter().rev() {
+                            let a_part = ::ad::rt::take(&mut a_bar);
+                            let mut sum_bar = a_part;
+                            let mut product_bar = sum_bar;
+                            x_bar += sum_bar;
+                            let mut a_1_bar = products.scale(product_bar, step);
+                            step_bar += products.scale(product_bar, a_1);
+                            a_bar += a_1_bar;
+                        }
+                        x_bar += a_bar;
+                        (x_bar, step_bar)
+                    },
+                )
             },
         )
     }

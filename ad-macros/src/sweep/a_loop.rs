@@ -36,7 +36,9 @@ impl Sweeper<'_> {
         });
         self.loop_depth += 1;
         self.enter_loop(a_loop);
+        self.counters.push(self.counter(a_loop));
         let mut body = self.block(&a_loop.body, seed);
+        self.counters.pop();
         self.tapes.leave();
         self.loop_depth -= 1;
         self.leave(&mut sides.reverse, &body.outer);

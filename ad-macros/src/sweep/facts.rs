@@ -278,15 +278,18 @@ impl<'a> Facts<'a> {
             Projection::Field(member) => format!(".{}", member.to_token_stream()),
             Projection::Deref => "*".to_owned(),
             Projection::Behind(name) => format!("&{name}"),
-            Projection::Index(index) => {
-                let mut index = index.clone();
-                while let Some(origin) = self.immutable_origin(&index) {
-                    index = origin;
-                }
-                format!("[{index}]")
-            }
+            Projection::Index(index) => format!("[{}]", self.index(index)),
         };
         (place.root, place.path.iter().map(step).collect())
+    }
+
+    /// What an index stands for.
+    pub fn index(&self, index: &TokenStream) -> TokenStream {
+        let mut index = index.clone();
+        while let Some(origin) = self.immutable_origin(&index) {
+            index = origin;
+        }
+        index
     }
 
     /// What the variable that an index consists of was computed from, if that never changes.

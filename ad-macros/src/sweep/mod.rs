@@ -15,6 +15,7 @@ mod closure;
 mod contribute;
 mod cut;
 mod facts;
+mod neighbours;
 mod operation;
 mod products;
 mod recompute;
@@ -98,7 +99,7 @@ pub fn sweep(
             quote!(::ad::rt::fit(#shape, #cotangent))
         });
     let cotangents = tuple_or_one(&cotangents.collect::<Vec<_>>());
-    let pullback = sweeper.choose_products(body.reverse, cotangents);
+    let pullback = sweeper.choose_products(seed, body.reverse, cotangents);
     let regular = sweeper.start_of_tests();
     let (top, forward) = (&sweeper.top, body.forward);
     let patterns = parameter_vars().map(|var| {
@@ -150,6 +151,8 @@ struct Sweeper<'a> {
     frames: Vec<Frame>,
     /// In how many loops the block being written lies.
     loop_depth: usize,
+    /// The variables of the loops around that count up, innermost last.
+    counters: Vec<Option<Ident>>,
     /// Definitions that stand before all others: what loops do not change.
     top: TokenStream,
     /// The copies that the pullback keeps of arrays behind references.
@@ -229,6 +232,7 @@ impl<'a> Sweeper<'a> {
             spaces: HashSet::new(),
             frames: Vec::new(),
             loop_depth: 0,
+            counters: Vec::new(),
             top: TokenStream::new(),
             kept_copies: HashMap::new(),
             tapes: Tapes::default(),
@@ -246,22 +250,30 @@ impl Sweeper<'_> {
         }
         let mut forward = Vec::new();
         let mut defines = Vec::new();
+        let mut neighbours = Vec::new();
         let earlier = self.facts.earlier_reads(block);
+        let positions = self.positions(block, &earlier);
         for statement in block.statements.iter().rev() {
             let mut assigned = HashSet::new();
             self.facts.assigned(statement, &mut assigned);
             self.frame().assigned_later.extend(assigned);
-            let sides = match statement {
+            let (sides, position) = match statement {
                 Statement::Define { var, ty, .. } if earlier.contains_key(var) => {
                     let same = Operation::Use(Operand::Var(earlier[var]));
-                    self.define(*var, ty.as_ref(), &same)
+                    (self.define(*var, ty.as_ref(), &same), None)
                 }
-                statement => self.statement(statement),
+                Statement::Define { var, .. } => (self.statement(statement), positions.get(var)),
+                statement => (self.statement(statement), None),
             };
             forward.push(sides.forward);
-            reverse.extend(sides.reverse);
+            match position {
+                Some(position) => neighbours.push((position, sides.reverse)),
+                None => reverse.extend(sides.reverse),
+            }
             defines.push(sides.defines);
         }
+        neighbours.sort_by_key(|(position, _)| *position);
+        reverse.extend(neighbours.into_iter().map(|(_, reverse)| reverse));
         let mut written = Written {
             forward: forward.into_iter().rev().collect(),
             value: self.tokens(&block.value),

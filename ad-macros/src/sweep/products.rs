@@ -15,6 +15,10 @@
 //! block was. Tested are the results that enter no other such operation; and a variable that a loop
 //! changes by such operations alone is tested once, after the loop.
 //!
+//! Where all of them enter the value of the function itself, a number, by such operations, nothing is
+//! tested: with a cotangent other than zero the value is what is asked for, and it is finite or no
+//! gradient is. Only a cotangent of zero takes the comparisons then.
+//!
 //! Turned down: leaving out the comparison where no `select` is in sight (an overflow vanishes in
 //! `1 / (1 + exp(-x))` too, and a caller may drop a result); searching the gradient for NaN and
 //! computing it once more (a pullback can run only once); a branch at each product (it would keep
@@ -80,6 +84,8 @@ pub struct Products {
     tested: HashSet<VarId>,
     /// The variables to be tested after loops, by the names of the tapes.
     tested_after: HashMap<String, Vec<VarId>>,
+    /// Whether the value of the function tells of all of them.
+    are_told: bool,
     /// The name of what is 0 as long as all were finite.
     pub irregular: Ident,
     /// The name of the rules of products.
@@ -94,18 +100,32 @@ impl Products {
         numbers: &Numbers<'_>,
         names: &mut Names,
     ) -> Option<Self> {
-        let mut search = Search {
-            vars: &lowered.vars,
-            facts,
-            numbers,
-            count: 0,
-            tested: HashSet::new(),
-            tested_after: HashMap::new(),
-            weight: 0,
+        let searched = |takes_sums| {
+            let mut search = Search {
+                vars: &lowered.vars,
+                facts,
+                numbers,
+                takes_sums,
+                count: 0,
+                tested: HashSet::new(),
+                tested_after: HashMap::new(),
+                weight: 0,
+            };
+            search.block(&lowered.body, 1);
+            search
         };
-        search.block(&lowered.body, 1);
-        (search.weight >= MANY_PRODUCTS).then(|| Self {
-            rules: Rules::of(search.count),
+        let mut search = searched(true);
+        // Those of a few products outside of loops are not worth a second sweep.
+        let are_told = search.weight > search.count && search.enter_value(lowered);
+        if !are_told {
+            search = searched(false);
+        }
+        (are_told || search.weight >= MANY_PRODUCTS).then(|| Self {
+            rules: match Rules::of(search.count) {
+                Rules::WrittenTwice if are_told => Rules::CompiledTwice,
+                rules => rules,
+            },
+            are_told,
             is_inlined: (TOO_MANY_PRODUCTS + 1..=MOST_INLINED_PRODUCTS).contains(&search.count),
             tested: search.tested,
             tested_after: search.tested_after,
@@ -124,6 +144,8 @@ struct Search<'a> {
     vars: &'a [Var],
     facts: &'a Facts<'a>,
     numbers: &'a Numbers<'a>,
+    /// Whether a mere sum is tested, instead of its terms.
+    takes_sums: bool,
     tested: HashSet<VarId>,
     tested_after: HashMap<String, Vec<VarId>>,
     /// How many products were seen.
@@ -225,11 +247,80 @@ impl Search<'_> {
                 // The loop goes on with it.
                 true if !results.is_empty() => tested.push(var),
                 true => {}
+                false if self.takes_sums => {
+                    if !results.is_empty() {
+                        tested.push(var);
+                    }
+                }
                 // A mere sum: it may not be asked for, and its terms can be tested side by side.
                 false => results.into_iter().for_each(|result| self.test_terms(var, result)),
             }
         }
         self.tested_after.insert(a_loop.record.to_string(), tested);
+    }
+
+    /// Whether all that is to be tested enters the value of the function, a number, so that this is not
+    /// finite where one of them is not.
+    fn enter_value(&self, lowered: &Lowered) -> bool {
+        let body = &lowered.body;
+        let Operand::Var(value) = body.value else { return false };
+        let changes_argument =
+            lowered.parameters.iter().any(|parameter| self.vars[parameter.var].exclusive);
+        if changes_argument || !self.numbers.are_numbers([value, value]) {
+            return false;
+        }
+        let mut open = self.tested.clone();
+        let mut open_after: HashSet<_> = self.tested_after.values().flatten().copied().collect();
+        let mut entering = vec![value];
+        while let Some(var) = entering.pop() {
+            if self.vars[var].block != body.id {
+                continue;
+            }
+            open.remove(&var);
+            match self.facts.operation(var) {
+                Some(Operation::Read(place))
+                    if place.path.is_empty() && self.is_read_behind_loop(var, place.root, body) =>
+                {
+                    open_after.remove(&place.root);
+                }
+                Some(Operation::Use(Operand::Var(inner)) | Operation::Negate(inner)) => {
+                    entering.push(*inner);
+                }
+                Some(Operation::Binary(
+                    BinaryOperator::Add | BinaryOperator::Sub | BinaryOperator::Mul,
+                    left,
+                    right,
+                )) => entering.extend([*left, *right]),
+                _ => {}
+            }
+        }
+        open.is_empty() && open_after.is_empty()
+    }
+
+    /// Whether `read` is what `var` holds after the only loop that it is tested after.
+    fn is_read_behind_loop(&self, read: VarId, var: VarId, block: &Block) -> bool {
+        let is_tested_after = |statement: &Statement| match statement {
+            Statement::Loop(a_loop) => {
+                let tested = self.tested_after.get(&a_loop.record.to_string());
+                tested.is_some_and(|tested| tested.contains(&var))
+            }
+            _ => false,
+        };
+        let mut behind =
+            block.statements.iter().skip_while(|statement| !is_tested_after(statement));
+        if behind.next().is_none() {
+            return false;
+        }
+        for statement in behind {
+            let mut assigned = HashSet::new();
+            self.facts.assigned(statement, &mut assigned);
+            match statement {
+                Statement::Define { var, .. } if *var == read => return true,
+                _ if assigned.contains(&var) => return false,
+                _ => {}
+            }
+        }
+        false
     }
 
     /// Tests the terms that were added to what was read from `sum`.
@@ -322,7 +413,7 @@ impl Search<'_> {
 impl Sweeper<'_> {
     /// The products, if the forward sweep has to test their factors.
     fn tested_products(&self) -> Option<&Products> {
-        self.products.as_ref().filter(|products| products.are_chosen())
+        self.products.as_ref().filter(|products| products.are_chosen() && !products.are_told)
     }
 
     /// The test of a result, where it needs one.
@@ -357,13 +448,15 @@ impl Sweeper<'_> {
     /// them to be needed.
     pub(super) fn choose_products(
         &self,
+        seed: &Ident,
         reverse: TokenStream,
         cotangents: TokenStream,
     ) -> TokenStream {
-        let Some(Products { rules, irregular, name, .. }) = &self.products else {
+        let Some(Products { rules, are_told, irregular, name, .. }) = &self.products else {
             return quote!(#reverse #cotangents);
         };
-        match rules {
+        let told = are_told.then(|| quote!(let #irregular = ::ad::rt::vanishing(#seed);));
+        let chosen = match rules {
             Rules::WrittenTwice => quote! {
                 if #irregular == 0.0 {
                     let #name = ::ad::rt::Products::OF_FINITE;
@@ -389,6 +482,7 @@ impl Sweeper<'_> {
                 #reverse
                 #cotangents
             },
-        }
+        };
+        quote!(#told #chosen)
     }
 }

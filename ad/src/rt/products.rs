@@ -4,7 +4,7 @@
 //! `scale` is half of a rule, for numbers: a cotangent times one factor.
 
 use crate::rules::{MulPullback, quotient_pullback_of_finite};
-use crate::{Differentiable, Real, Tangent};
+use crate::{Differentiable, Mask, Real, Tangent};
 
 pub use crate::rules::scale;
 
@@ -63,6 +63,15 @@ pub fn with_products<R>(irregular: f64, reverse: impl FnOnce(Products) -> R) -> 
     match irregular == 0.0 {
         true => reverse(Products::OF_FINITE),
         false => rarely(move || reverse(Products::OF_ANY)),
+    }
+}
+
+/// 0 unless the cotangent of a value is zero.
+#[inline(always)]
+pub fn vanishing<S: Real>(cotangent: S) -> f64 {
+    match cotangent.vanishes().any() {
+        true => f64::NAN,
+        false => 0.0,
     }
 }
 

@@ -40,7 +40,8 @@
 //! | any | the cotangent of the result is 0 | 0, even if the partial derivative is infinite or NaN |
 //!
 //! The last row keeps the arm that [`select`](fn@crate::select) did not take from poisoning the
-//! gradient of the one it took.
+//! gradient of the one it took. Within a function whose own value is not finite it need not hold:
+//! a gradient of that value may hold a NaN.
 
 mod arrange;
 #[doc(hidden)]
@@ -92,7 +93,7 @@ pub use operators::{
     NegPullback, Nothing, OfReferences, OfValues, Operands, RemAssignPullback, RemPullback,
     SubAssignPullback, SubPullback, operation,
 };
-pub use outcome::{CopiedRules, FlattenRules, OptionRules, ResultRules};
+pub use outcome::{CopiedRules, DerefRules, FlattenRules, OptionRules, ResultRules};
 pub use quaternion::QuaternionRules;
 pub use scalar::{RealRules, ScalarRules};
 #[doc(hidden)]

@@ -4,7 +4,7 @@
 
 use core::fmt::Debug;
 
-use crate::{Additive, Differentiable, Tangent};
+use crate::{Additive, Boxed, Differentiable, Tangent};
 
 /// The `_vjp` siblings of the methods of options. The cotangent of an option is that of its content.
 pub trait OptionRules: Differentiable<Tangent = Tangent<Self::Content>> + Sized {
@@ -230,6 +230,33 @@ impl<T: Differentiable> FlattenRules for Option<Option<T>> {
     #[inline(always)]
     fn flatten_vjp(self) -> (Option<T>, fn(Tangent<T>) -> Tangent<T>) {
         (self.flatten(), core::convert::identity)
+    }
+}
+
+/// The siblings of `as_deref` on an option of a box.
+pub trait DerefRules: Differentiable<Tangent = Boxed<Tangent<Self::Target>>> {
+    /// What is in the box.
+    type Target: Differentiable;
+
+    /// The cotangent of what is referred to, in a box.
+    fn as_deref_vjp(&self) -> (Option<&Self::Target>, fn(Tangent<Self::Target>) -> Tangent<Self>);
+
+    /// The tangent of what is referred to.
+    #[inline(always)]
+    fn as_deref_jvp(
+        &self,
+        tangent: &Tangent<Self>,
+    ) -> (Option<&Self::Target>, Tangent<Self::Target>) {
+        (self.as_deref_vjp().0, (**tangent).clone())
+    }
+}
+
+impl<T: Differentiable> DerefRules for Option<Box<T>> {
+    type Target = T;
+
+    #[inline(always)]
+    fn as_deref_vjp(&self) -> (Option<&T>, fn(Tangent<T>) -> Boxed<Tangent<T>>) {
+        (self.as_deref(), Boxed::new)
     }
 }
 

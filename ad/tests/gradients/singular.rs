@@ -493,6 +493,43 @@ fn divided_in_a_loop(x: f64, y: f64) -> f64 {
     select(x == 0.0, many, state)
 }
 
+/// A mere sum, of which a caller asks nothing where it is not finite.
+#[differentiable]
+fn sum_of_squares(xs: &[f64], y: f64) -> f64 {
+    let mut sum = 0.0;
+    for x in xs {
+        sum += x * x * y;
+    }
+    sum
+}
+
+#[differentiable]
+fn unasked(x: f64, y: f64) -> f64 {
+    let sum = sum_of_squares(&[y / x, y], y / x);
+    select(x == 0.0, x * y, sum)
+}
+
+/// What is read before the loop enters the value; what the loop makes of it does not always.
+#[differentiable]
+fn read_before(x: f64, y: f64) -> f64 {
+    let mut state = y;
+    let before = state;
+    for _ in 0..3 {
+        state = state * state * (1.0 / x);
+    }
+    let after = if x == 0.0 { y } else { state };
+    before * x + after
+}
+
+/// The value tells of factors in loops only where they enter it, and only to who asks for it.
+#[test]
+fn sums_that_are_not_finite() {
+    assert_eq!(unasked::grad(0.0, 3.0), (3.0, 0.0));
+    assert_eq!(read_before::grad(0.0, 3.0), (3.0, 1.0));
+    let grown = sum_of_squares::vjp(&[f64::INFINITY, 2.0], 3.0).1;
+    assert_eq!(grown(0.0), (vec![0.0, 0.0], 0.0));
+}
+
 /// Zero cotangents annihilate what denominators of zero make.
 #[test]
 fn quotients_that_are_not_finite() {

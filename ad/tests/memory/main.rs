@@ -164,9 +164,13 @@ fn every_other(xs: &[f64]) -> f64 {
     product
 }
 
-/// One test: the counts are those of the whole process.
+/// One test: the counts are those of the whole process. Frames of unoptimised code need room.
 #[test]
 fn heap() {
+    std::thread::Builder::new().stack_size(64 << 20).spawn(counts).unwrap().join().unwrap();
+}
+
+fn counts() {
     let gradients = |n: usize| {
         chain::grad(vec![0.125; n], &layer(n));
     };

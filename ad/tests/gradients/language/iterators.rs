@@ -293,6 +293,8 @@ fn nested(xs: &[f64; 5], y: f64) -> f64 {
     for p in &pairs {
         total += p.sin();
     }
+    total += xs.iter().flat_map(|x| [*x, x * y]).product::<f64>();
+    total += rows.iter().flat_map(|row| vec![row[0] * x; 2]).filter(|x| *x > 0.5).sum::<f64>();
     total + rows.into_iter().flatten().filter(|x| *x > 1.0).fold(0.0, |a, x| a * y + x)
 }
 

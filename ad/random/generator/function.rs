@@ -1,5 +1,5 @@
 //! Statements on functions as values, and variables that get their value later; the functions are
-//! those of `ad/tests/random/types.rs`.
+//! those of `ad/random/tests/oracles/types.rs`.
 
 use crate::expression::{Both, put};
 use crate::statement::{Kind, NAMES, Writer};

@@ -1,5 +1,5 @@
 //! Statements on structs with operators and methods, enums, options, slices and `Vec`s; their types
-//! and functions are those of `ad/tests/random/types.rs`.
+//! and functions are those of `ad/random/tests/oracles/types.rs`.
 
 use crate::expression::{Both, put};
 use crate::statement::{Kind, NAMES, Writer};

@@ -1,9 +1,9 @@
-//! Writes random differentiable programs, for `ad/tests/random`.
+//! Writes random differentiable programs, for the tests of this package.
 //!
-//! `cargo run -p ad --example random_programs -- SEED COUNT > ad/tests/random/programs.rs` writes
-//! COUNT functions. Each is written twice, from one syntax tree: as a person would write it for
-//! `f64`, with the attribute, and without it for any scalar, which is the oracle on dual numbers and
-//! on a tape.
+//! Each is written twice, from one syntax tree: as a person would write it for `f64`, with the
+//! attribute, and without it for any scalar, which is the oracle on dual numbers and on a tape. How
+//! many there are and which, `RANDOM_COUNT` and `RANDOM_SEED` say: `RANDOM_COUNT=1000 RANDOM_SEED=9
+//! cargo test -p ad-random`.
 
 mod data;
 mod effects;
@@ -18,13 +18,27 @@ use std::fmt::Write;
 use random::Random;
 use statement::Writer;
 
-fn main() {
-    let mut arguments = std::env::args().skip(1).map(|a| a.parse::<u64>());
-    let (Some(Ok(seed)), Some(Ok(count))) = (arguments.next(), arguments.next()) else {
-        eprintln!("usage: random_programs SEED COUNT");
-        std::process::exit(2);
-    };
+/// How many programs a run of the tests takes, and from which seed.
+const COUNT: u64 = 60;
+const SEED: u64 = 8;
 
+fn main() {
+    let (count, seed) = (asked("RANDOM_COUNT", COUNT), asked("RANDOM_SEED", SEED));
+    let directory = std::env::var("OUT_DIR").expect("cargo sets it");
+    let path = std::path::Path::new(&directory).join("programs.rs");
+    std::fs::write(path, programs(seed, count)).expect("cargo's own directory can be written");
+}
+
+/// A number that the environment gives.
+fn asked(name: &str, otherwise: u64) -> u64 {
+    println!("cargo::rerun-if-env-changed={name}");
+    match std::env::var(name) {
+        Ok(text) => text.parse().unwrap_or_else(|_| panic!("{name} is no number: {text}")),
+        Err(_) => otherwise,
+    }
+}
+
+fn programs(seed: u64, count: u64) -> String {
     let mut programs = String::new();
     let mut table = String::new();
     for index in 0..count {
@@ -50,10 +64,8 @@ fn {name}_of<S: Real<Mask = bool>>(x: S, y: S) -> S {{
         )
         .expect("a string takes all");
     }
-    print!(
-        "//! Random programs, written by `cargo run -p ad --example random_programs -- {seed} {count}`.
-
-use ad::{{Real, differentiable}};
+    format!(
+        "use ad::{{Real, differentiable}};
 
 use crate::effects::{{
     Ball, Guard, Hard, Soft, curved, draw, left, of_parts, raised, raises, right, scale, two,
@@ -68,5 +80,5 @@ use crate::types::{{
 pub const PROGRAMS: &[Program] = &[
 {table}];
 {programs}"
-    );
+    )
 }

@@ -1,12 +1,14 @@
 //! Random programs against dual numbers, a tape and finite differences.
 //!
-//! [`programs`] was written by the example `random_programs`, whose seed stands at its head.
+//! The build script of this package writes [`programs`].
 
 #![allow(unused, non_upper_case_globals, clippy::all, reason = "nobody wrote this")]
 
 mod effects;
 mod program;
-mod programs;
+mod programs {
+    include!(concat!(env!("OUT_DIR"), "/programs.rs"));
+}
 mod types;
 
 use ad::tape::Var;

@@ -1,6 +1,6 @@
 //! Statements in which something happens beside: calls that change what they are given, in conditions,
 //! bounds, indices and declarations with a type; random numbers; guards; names that mean several
-//! things. The functions are those of `ad/tests/random/effects.rs`.
+//! things. The functions are those of `ad/random/tests/oracles/effects.rs`.
 
 use crate::expression::{Both, put};
 use crate::statement::{Kind, NAMES, Variable, Writer};
