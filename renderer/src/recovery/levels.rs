@@ -34,7 +34,7 @@ pub(super) fn halved(scene: &Scene, levels: u32) -> Scene {
 pub(super) fn spread(sampling: Sampling, levels: u32) -> Sampling {
     const SIDE: u32 = 4;
     match sampling {
-        Sampling::Center if levels > 0 => Sampling::Grid((1 << levels.min(2)).min(SIDE)),
+        Sampling::Center if levels > 0 => spread(Sampling::Grid(1), levels),
         Sampling::Grid(side) if side < SIDE => Sampling::Grid((side << levels.min(2)).min(SIDE)),
         other => other,
     }
