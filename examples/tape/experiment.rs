@@ -44,6 +44,8 @@ pub fn image_loss<S: Real>(x: &[S], size: usize) -> S {
         mirror: vector::<S>(x, 29),
         exponent: x[32],
         opacity: S::ONE,
+        metallic: S::ZERO,
+        ior: S::ONE,
     };
     let light = PointLight {
         position: vector::<S>(x, 33),
@@ -59,7 +61,7 @@ pub fn image_loss<S: Real>(x: &[S], size: usize) -> S {
             let ray = primary_ray::<S>(frame, place(column), place(row));
             let surface = triangle_point::<S>(triangle, ray);
             let arriving = illuminate_by_point::<S>(light, surface.point);
-            let lobes = Lobes { rough: false, glossy: true };
+            let lobes = Lobes { rough: false, glossy: true, facets: false };
             let reflected = direct::<S>(material, lobes, surface, arriving, lit, S::ONE);
             let radiance = material.emission + reflected;
             let difference = radiance - wanted;

@@ -25,7 +25,7 @@ fn pixel<S: Real>(
 ) -> Vec3<S> {
     let surface = triangle_point::<S>(triangle, ray);
     let arriving = illuminate_by_point::<S>(light, surface.point);
-    let lobes = Lobes { rough: false, glossy: true };
+    let lobes = Lobes { rough: false, glossy: true, facets: false };
     direct::<S>(material, lobes, surface, arriving, S::ZERO.cmplt(S::ONE), S::ONE)
 }
 
@@ -65,6 +65,8 @@ impl<S: Real> Inputs<S> {
                 exponent: S::from_f64(20.0),
                 mirror: Vector::splat(S::ZERO),
                 opacity: S::ONE,
+                metallic: S::ZERO,
+                ior: S::ONE,
             },
             light: PointLight {
                 position: vector::<S>(1.0, 2.0, 4.0),
@@ -160,8 +162,18 @@ fn brightness<S: Real>(x: &[S]) -> S {
     let v = |first: usize| <Vec3<S>>::new(x[first], x[first + 1], x[first + 2]);
     let (emission, diffuse, specular) = (v(15), v(18), v(21));
     let (roughness, mirror, opacity) = (S::ZERO, Vector::splat(S::ZERO), S::ONE);
-    let exponent = x[24];
-    let material = Material { emission, diffuse, roughness, specular, exponent, mirror, opacity };
+    let (exponent, metallic, ior) = (x[24], S::ZERO, S::ONE);
+    let material = Material {
+        emission,
+        diffuse,
+        roughness,
+        specular,
+        exponent,
+        mirror,
+        opacity,
+        metallic,
+        ior,
+    };
     let light = PointLight { position: v(25), color: v(28), radiant_intensity: x[31] };
     let ray = Ray { origin: v(0), direction: v(3) };
     let triangle = Triangle { a: v(6), b: v(9), c: v(12) };

@@ -256,6 +256,8 @@ fn material<S: Real>(x: &[S]) -> Material<S> {
         exponent: x[14],
         mirror: none,
         opacity: S::ONE,
+        metallic: S::ZERO,
+        ior: S::ONE,
     }
 }
 
@@ -268,7 +270,7 @@ fn surface<S: Real>(x: &[S]) -> SurfacePoint<S> {
 fn lit<S: Real>(x: &[S], light: Illumination<S>) -> [S; 3] {
     let visible = S::ZERO.cmplt(S::ONE);
     let (material, surface) = (material::<S>(x), surface::<S>(x));
-    let lobes = Lobes { rough: true, glossy: true };
+    let lobes = Lobes { rough: true, glossy: true, facets: false };
     three::<S>(direct::<S>(material, lobes, surface, light, visible, S::ONE))
 }
 

@@ -11,9 +11,10 @@ use renderer::{
 
 use crate::image::in_arithmetic;
 use crate::scenes::set;
+use crate::sky::sky_scene;
 use crate::transparency::varied_scene;
 
-fn paths(max_depth: u32, samples: u32) -> Integrator {
+pub fn paths(max_depth: u32, samples: u32) -> Integrator {
     Integrator::Path(PathTracing { max_depth, samples, seed: 3 })
 }
 
@@ -39,14 +40,14 @@ fn walls() -> Vec<Mesh> {
     names.into_iter().enumerate().map(side).collect()
 }
 
-fn mean(scene: &Scene, settings: &Settings) -> f64 {
+pub fn mean(scene: &Scene, settings: &Settings) -> f64 {
     let image = render(scene, settings).unwrap();
     let values = image.pixels.as_flattened();
     values.iter().map(|&value| f64::from(value)).sum::<f64>() / values.len() as f64
 }
 
 #[track_caller]
-fn assert_close(found: f64, expected: f64, relative: f64) {
+pub fn assert_close(found: f64, expected: f64, relative: f64) {
     assert!((found - expected).abs() <= relative * expected.abs(), "{found}, expected {expected}");
 }
 
@@ -80,7 +81,7 @@ fn a_white_ball_vanishes_in_a_white_furnace() {
     let mut scene = Scene::new(16, 16, camera);
     scene.add_material("white", Material::lambertian(DVec3::ONE)).unwrap();
     scene.add_sphere(SphereObject::new("ball", DVec3::ZERO, 1.0)).unwrap();
-    scene.environment = Some(Environment { radiance: DVec3::splat(2.5) });
+    scene.environment = Some(Environment::constant(DVec3::splat(2.5)).into());
     scene.integrator = paths(4, 4);
     let image = render(&scene, &Settings::default()).unwrap();
     for pixel in image.pixels {
@@ -89,7 +90,7 @@ fn a_white_ball_vanishes_in_a_white_furnace() {
 }
 
 /// A floor of albedo 0.6 at y = 0, one point of which fills the image.
-fn floor_scene() -> Scene {
+pub fn floor_scene() -> Scene {
     let mut camera = Camera::looking(dvec3(0.3, 1.0, 0.2), DVec3::ZERO);
     camera.film_scale = 1e-3;
     let mut scene = Scene::new(8, 8, camera);
@@ -191,7 +192,7 @@ fn looking_for_emitters_changes_nothing_but_noise() {
 
 /// A box with coloured walls, a panel and a ball that shine, a mirror ball, a pane, a textured wall, and a
 /// point light: each path of light goes somewhere.
-fn lit_box(size: u32) -> Scene {
+pub fn lit_box(size: u32) -> Scene {
     let camera =
         Camera { vfov: 70.0, ..Camera::looking(dvec3(0.1, 0.1, 0.9), dvec3(0.0, -0.1, 0.0)) };
     let mut scene = Scene::new(size, size, camera);
@@ -251,13 +252,13 @@ fn lit_box(size: u32) -> Scene {
     scene
 }
 
-fn differentiable(scene: &Scene) -> Vec<ParameterId> {
+pub fn differentiable(scene: &Scene) -> Vec<ParameterId> {
     scene.parameters().into_iter().filter(|&id| scene.is_differentiable(id)).collect()
 }
 
 /// The gradient by every number of every parameter, beside central differences in double precision with
 /// the same random numbers.
-fn agrees_with_differences(scene: &Scene) {
+pub fn agrees_with_differences(scene: &Scene) {
     let settings = in_arithmetic(Arithmetic::F64x8);
     let mut target = render(scene, &settings).unwrap();
     for (index, value) in target.pixels.as_flattened_mut().iter_mut().enumerate() {
@@ -312,7 +313,7 @@ fn gradients_of_everything_agree_with_differences() {
 
 fn open_scene(size: u32) -> Scene {
     let mut scene = varied_scene(size);
-    scene.environment = Some(Environment { radiance: dvec3(0.3, 0.5, 0.7) });
+    scene.environment = Some(Environment::constant(dvec3(0.3, 0.5, 0.7)).into());
     scene.integrator = paths(5, 8);
     set(&mut scene, "sphere.ball.rotation", &[20.0, -35.0, 50.0]);
     scene
@@ -341,7 +342,7 @@ fn gradients_by_zeros_agree_with_differences_in_the_mean() {
 }
 
 /// The sum of all channels.
-struct Sum;
+pub struct Sum;
 
 impl PixelLoss for Sum {
     fn evaluate(&self, _: u32, _: u32, radiance: DVec3) -> (f64, DVec3) {
@@ -352,7 +353,7 @@ impl PixelLoss for Sum {
 /// The mean squared loss has the same derivative forwards.
 #[test]
 fn derivatives_forwards_and_backwards_are_transposed() {
-    for scene in [lit_box(16), open_scene(17)] {
+    for scene in [lit_box(16), open_scene(17), sky_scene(12)] {
         let settings = in_arithmetic(Arithmetic::F64x8);
         let ids = differentiable(&scene);
         let direction: Vec<(ParameterId, Vec<f64>)> = ids
@@ -378,11 +379,17 @@ fn derivatives_forwards_and_backwards_are_transposed() {
 
 #[test]
 fn lanes_and_precisions_agree() {
-    let mut scene = lit_box(24);
-    scene.integrator = paths(4, 16);
+    let mut boxed = lit_box(24);
+    boxed.integrator = paths(4, 16);
+    for scene in [boxed, sky_scene(20)] {
+        agree_in_all_arithmetics(&scene);
+    }
+}
+
+fn agree_in_all_arithmetics(scene: &Scene) {
     let of = |arithmetic: Arithmetic| {
-        let renderer = Renderer::new(&scene, &in_arithmetic(arithmetic)).unwrap();
-        let result = renderer.loss_and_gradient(&scene, &Sum, &differentiable(&scene));
+        let renderer = Renderer::new(scene, &in_arithmetic(arithmetic)).unwrap();
+        let result = renderer.loss_and_gradient(scene, &Sum, &differentiable(scene));
         (result.loss, result.gradient)
     };
     let (loss, gradient) = of(Arithmetic::F64);
@@ -404,17 +411,19 @@ fn lanes_and_precisions_agree() {
 
 #[test]
 fn images_and_gradients_are_bit_identical_on_any_number_of_threads() {
-    let scene = lit_box(70);
-    let run = |threads: usize| {
-        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
-        pool.install(|| {
-            let renderer = Renderer::new(&scene, &Settings::default()).unwrap();
-            (renderer.render(), renderer.loss_and_gradient(&scene, &Sum, &differentiable(&scene)))
-        })
-    };
-    let one = run(1);
-    assert_eq!(one, run(2));
-    assert_eq!(one, run(5));
+    for scene in [lit_box(70), sky_scene(70)] {
+        let run = |threads: usize| {
+            let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+            pool.install(|| {
+                let renderer = Renderer::new(&scene, &Settings::default()).unwrap();
+                let ids = differentiable(&scene);
+                (renderer.render(), renderer.loss_and_gradient(&scene, &Sum, &ids))
+            })
+        };
+        let one = run(1);
+        assert_eq!(one, run(2));
+        assert_eq!(one, run(5));
+    }
 }
 
 /// Emitters of any strength, in light that grazes the wall they stand on.
@@ -466,6 +475,6 @@ fn gradients_that_do_not_exist_are_refused() {
     let edges = Settings { edges: Edges::On, ..settings };
     assert!(render(&scene, &edges).unwrap_err().to_string().starts_with("edges: "));
     let mut sky = Scene { integrator: Integrator::Direct, ..scene };
-    sky.environment = Some(Environment { radiance: DVec3::ONE });
+    sky.environment = Some(Environment::constant(DVec3::ONE).into());
     assert!(render(&sky, &settings).unwrap_err().to_string().starts_with("environment: "));
 }

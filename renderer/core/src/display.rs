@@ -8,11 +8,15 @@ use crate::image::Image;
 pub enum ToneMapping {
     /// Not at all: a PNG clips at 1, an EXR keeps everything.
     #[default]
+    #[cfg_attr(feature = "clap", value(alias = "none"))]
     Clamp,
     /// Divides by 1 + luminance (Reinhard, Stark, Shirley and Ferwerda, "Photographic tone
     /// reproduction for digital images", SIGGRAPH 2002, equation 3, with luminances taken as they
     /// are). Hues stay; a colour far from grey may still have a channel above 1.
     Reinhard,
+    /// A film-like curve for each channel, the fit of Narkowicz ("ACES Filmic Tone Mapping Curve", 2016) to the
+    /// reference transform of the Academy: darks get darker, and what is brighter than white fades to it.
+    Aces,
 }
 
 /// The part of red, green and blue in the luminance (ITU-R BT.709).
@@ -29,6 +33,13 @@ impl ToneMapping {
                     let parts = pixel.iter().zip(LUMINANCE);
                     let luminance: f64 = parts.map(|(v, part)| f64::from(v.max(0.0)) * part).sum();
                     *pixel = pixel.map(|value| (f64::from(value) / (1.0 + luminance)) as f32);
+                }
+            }
+            Self::Aces => {
+                for value in image.pixels.as_flattened_mut() {
+                    let x = f64::from(value.max(0.0));
+                    let mapped = x * (2.51 * x + 0.03) / (x * (2.43 * x + 0.59) + 0.14);
+                    *value = mapped.min(1.0) as f32;
                 }
             }
         }
@@ -86,6 +97,18 @@ mod tests {
         assert_eq!(mapped(&[3.0, 1.0, 2.0], normalize), [1.0, 0.0, 0.5]);
         assert_eq!(mapped(&[7.0, 7.0], normalize), [0.0, 0.0]);
         assert_eq!(mapped(&[f32::MIN, f32::MAX], normalize), [0.0, 1.0]);
+    }
+
+    #[test]
+    fn aces_rises_from_black_to_white() {
+        let aces = |image: &mut Image| ToneMapping::Aces.apply(image);
+        let greys = mapped(&[-1.0, 0.0, 0.01, 0.18, 1.0, 4.0, 1e30, f32::MAX], aces);
+        assert!(greys.is_sorted() && greys[1] == 0.0 && greys[7] == 1.0, "{greys:?}");
+        // Middle grey, and white, by the fit worked out by hand.
+        assert!(
+            (greys[3] - 0.266_9).abs() < 1e-3 && (greys[4] - 0.803_8).abs() < 1e-3,
+            "{greys:?}"
+        );
     }
 
     #[test]

@@ -188,6 +188,12 @@ pub fn splat_vector<S: Number>(v: Vec3<S::Lane>) -> Vec3<S> {
     Vector3::new(S::splat(v.x()), S::splat(v.y()), S::splat(v.z()))
 }
 
+/// A vector whose derivatives are zero.
+#[inline(always)]
+pub fn constant_vector<S: Number>(v: Vec3<S::Lanes>) -> Vec3<S> {
+    Vector3::new(S::constant(v.x()), S::constant(v.y()), S::constant(v.z()))
+}
+
 /// The values of a vector.
 #[inline(always)]
 pub fn primal_vector<S: Number>(v: Vec3<S>) -> Vec3<S::Lanes> {

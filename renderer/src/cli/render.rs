@@ -20,7 +20,8 @@ pub(super) struct Arguments {
     /// A scene file (TOML), or a mesh (OBJ, PLY, STL, glTF), which is framed and lit by default
     scene: PathBuf,
 
-    /// Where to write the image: .png (sRGB, clipped to 0..1) or .exr (linear, as rendered). Of a scene with
+    /// Where to write the image: .png (sRGB, clipped to 0..1), .exr (linear, as rendered) or .hdr (linear,
+    /// 8 bits) Of a scene with
     /// views, IMAGE-NAME for each of them
     #[arg(short, long, value_name = "IMAGE")]
     output: PathBuf,
@@ -33,7 +34,7 @@ pub(super) struct Arguments {
     #[arg(long, value_enum, default_value_t = Antialias::Coverage)]
     antialias: Antialias,
 
-    /// How to show what is brighter than white: clipped, or compressed (Reinhard)
+    /// How to show what is brighter than white: clipped, or compressed (Reinhard, ACES)
     #[arg(long, value_enum, default_value_t = ToneMapping::Clamp)]
     tone: ToneMapping,
 

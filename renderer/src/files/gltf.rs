@@ -58,7 +58,10 @@ pub struct GltfFile {
 /// - The alpha of a base colour, with that of its texture, is the opacity where the alpha mode is `BLEND`;
 ///   where that is `MASK`, it is 1 from the cutoff on and 0 below, by texel. Where it is `OPAQUE`, alpha is
 ///   left out, that of a texture with a warning.
-/// - Metalness, roughness and other textures, colours of vertices, points and lines, skins, morph
+/// - What a material is with its facets is [`ModelMaterial::full`](super::ModelMaterial::full): metallic part
+///   and roughness with their texture, the index of `KHR_materials_ior`; it is glass where
+///   `KHR_materials_transmission` lets more than half through and it is smooth.
+/// - Other textures, colours of vertices, points and lines, skins, morph
 ///   targets, animations and extensions that are not required are left out with a warning.
 /// - The first camera counts; it has to be a perspective one.
 /// - A material of `KHR_materials_unlit` emits its base colour and reflects nothing.

@@ -1,4 +1,4 @@
-//! Images: PNG and JPEG (sRGB), OpenEXR (linear).
+//! Images: PNG and JPEG (sRGB), OpenEXR and Radiance HDR (linear).
 
 mod decode;
 
@@ -8,9 +8,10 @@ use std::path::Path;
 use std::sync::LazyLock;
 
 use decode::{Convert, Decoded, Stored};
+use image::codecs::hdr::HdrEncoder;
 use image::codecs::openexr::OpenExrEncoder;
 use image::codecs::png::PngEncoder;
-use image::{ExtendedColorType, ImageEncoder, ImageFormat, ImageResult};
+use image::{ExtendedColorType, ImageEncoder, ImageFormat, ImageResult, Rgb};
 
 use crate::disk::{check_writable, read, write_atomically};
 use crate::{Error, Image};
@@ -28,12 +29,12 @@ pub struct LoadedImage {
     pub saturates: bool,
 }
 
-/// Reads a PNG, JPEG or OpenEXR file; what it is, its content decides, not its name.
+/// Reads a PNG, JPEG, OpenEXR or Radiance HDR file; what it is, its content decides, not its name.
 ///
 /// PNG and JPEG, grey or RGB, of 8 or 16 bits, are taken as sRGB and decoded to linear values;
 /// colour profiles and gamma chunks are ignored. Where there is alpha, the picture is composited
 /// over black, as the renderer's own background is. The orientation that a camera noted in a JPEG
-/// is applied. OpenEXR is taken as it is: linear, and its colours already multiplied by alpha.
+/// is applied. OpenEXR and HDR are taken as they are: linear, and colours already multiplied by alpha.
 ///
 /// # Errors
 ///
@@ -82,6 +83,15 @@ pub(super) fn decode_texture(bytes: &[u8], place: impl Display) -> Result<Textur
     };
     let Decoded { image, is_transparent, .. } = decode(bytes, place, whole)?;
     Ok(TextureFile { image, is_transparent })
+}
+
+/// Decodes the channels of an image file at `place` as they are stored, but for alpha.
+pub(super) fn decode_data(bytes: &[u8], place: impl Display) -> Result<Image, Error> {
+    let data = |stored: Stored, _: bool| {
+        let [r, g, b, _] = stored.values();
+        [r, g, b]
+    };
+    Ok(decode(bytes, place, data)?.image)
 }
 
 /// Decodes how much the bytes of an image file at `place` cover, as grey texels: its alpha, or, where it
@@ -143,7 +153,23 @@ fn exr_bytes(image: &Image) -> ImageResult<Vec<u8>> {
     Ok(bytes.into_inner())
 }
 
-/// Writes an image in the format that the extension of `path` names: `png` or `exr`.
+/// Writes a Radiance HDR image: three mantissas of 8 bits with one exponent for each pixel. What is negative
+/// becomes 0.
+///
+/// # Errors
+///
+/// If the image has no area, a pixel is infinite or not a number, or the file cannot be written.
+pub fn save_hdr(image: &Image, path: &Path) -> Result<(), Error> {
+    check(image, path.display())?;
+    let pixels: Vec<_> = image.pixels.iter().map(|pixel| Rgb(pixel.map(|v| v.max(0.0)))).collect();
+    let mut bytes = Vec::new();
+    HdrEncoder::new(&mut bytes)
+        .encode(&pixels, image.width as usize, image.height as usize)
+        .map_err(|error| not_encoded(path, error))?;
+    write_atomically(path, &bytes)
+}
+
+/// Writes an image in the format that the extension of `path` names: `png`, `exr` or `hdr`.
 ///
 /// # Errors
 ///
@@ -153,6 +179,7 @@ pub fn save_image(image: &Image, path: &Path) -> Result<(), Error> {
     match output_format(path)? {
         OutputFormat::Png => save_png(image, path),
         OutputFormat::Exr => save_exr(image, path),
+        OutputFormat::Hdr => save_hdr(image, path),
     }
 }
 
@@ -160,7 +187,7 @@ pub fn save_image(image: &Image, path: &Path) -> Result<(), Error> {
 ///
 /// # Errors
 ///
-/// If the extension is neither `png` nor `exr`, the folder does not exist, or `path` is a
+/// If the extension is neither `png`, `exr` nor `hdr`, the folder does not exist, or `path` is a
 /// directory.
 pub fn check_image_path(path: &Path) -> Result<(), Error> {
     output_format(path)?;
@@ -171,6 +198,7 @@ pub fn check_image_path(path: &Path) -> Result<(), Error> {
 enum OutputFormat {
     Png,
     Exr,
+    Hdr,
 }
 
 fn output_format(path: &Path) -> Result<OutputFormat, Error> {
@@ -178,9 +206,10 @@ fn output_format(path: &Path) -> Result<OutputFormat, Error> {
     match extension.as_str() {
         "png" => Ok(OutputFormat::Png),
         "exr" => Ok(OutputFormat::Exr),
+        "hdr" => Ok(OutputFormat::Hdr),
         _ => Err(Error::new(
             path.display(),
-            "images are written as .png (8 bit sRGB) or .exr (linear float)",
+            "images are written as .png (8 bit sRGB), .exr (linear float) or .hdr (linear, 8 bits)",
         )),
     }
 }
@@ -198,7 +227,7 @@ fn decode(bytes: &[u8], place: impl Display, convert: Convert) -> Result<Decoded
 /// Whether the bytes of a file are those of an image of a format that is read, whole or broken; what is
 /// empty is broken.
 pub(super) fn is_known(bytes: &[u8]) -> bool {
-    let read = [ImageFormat::Png, ImageFormat::Jpeg, ImageFormat::OpenExr];
+    let read = [ImageFormat::Png, ImageFormat::Jpeg, ImageFormat::OpenExr, ImageFormat::Hdr];
     bytes.is_empty() || image::guess_format(bytes).is_ok_and(|format| read.contains(&format))
 }
 

@@ -25,12 +25,12 @@ pub use cameras::{FoundView, load_cameras};
 #[cfg(feature = "gltf")]
 pub use gltf::{GltfFile, load_gltf};
 pub use images::{
-    LoadedImage, check_image_path, load_image, load_mask, save_exr, save_image, save_png,
+    LoadedImage, check_image_path, load_image, load_mask, save_exr, save_hdr, save_image, save_png,
 };
 pub use load::{load_mesh, load_mesh_with};
 pub use meshes::{
-    DEFAULT_MATERIAL, FileNormals, MeshFormat, Model, ModelMaps, ModelMaterial, TextureImage,
-    TextureSource,
+    DEFAULT_MATERIAL, FileNormals, FullMaterial, MeshFormat, Model, ModelMaps, ModelMaterial,
+    TextureImage, TextureSource,
 };
 #[cfg(feature = "cli")]
 pub(crate) use names::file_stems;

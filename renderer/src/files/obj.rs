@@ -69,9 +69,10 @@ pub use write::save_obj;
 ///   every surface glow white. `emission` and `emission_texture` of a scene file say what is meant.
 /// - A texture whose file is missing is warned of, and counts as white.
 /// - `d` is the opacity, or, where there is none, 1 - `Tr`; a mirror stays opaque, with a warning.
+/// - `Pr` and `Pm` (roughness and metallic part) with `Ni`, and the glass of `illum 4`, `6`, `7` and `9` with
+///   `Ni` and `Tf`, say what the material is where light takes all paths ([`ModelMaterial::full`]).
 /// - Every other statement is left out, with a warning if it would change the image: opacity that
-///   has a colour (`Tf`), refraction (`Ni`, `illum 4`, `6`, `7`, `9`), bumps, `refl`
-///   and what is not known at all.
+///   has a colour (`Tf`), refraction (`Ni`) elsewhere, bumps, `refl` and what is not known at all.
 ///
 /// # Errors
 ///
@@ -118,6 +119,7 @@ pub(super) fn read_obj(path: &Path, normals: FileNormals) -> Result<Model, Error
         ModelMaterial {
             name: name.clone(),
             material: defined.map_or_else(undefined, |defined| Ok(defined.material.clone())),
+            full: defined.and_then(|defined| defined.full.clone()),
             maps: defined.map_or_else(ModelMaps::default, |defined| defined.maps.clone()),
         }
     };

@@ -1,5 +1,8 @@
 //! Scenes in which light takes all paths.
 
+use renderer::Image;
+use renderer::files::save_exr;
+
 use crate::sandbox::{SCENE, Sandbox};
 
 const PATH: &str = "[integrator]\ntype = \"path\"\nmax_depth = 3\nsamples = 4\n";
@@ -23,6 +26,35 @@ fn scenes_say_which_paths_count() {
     for path in ["light.key.position ", "camera.vfov ", "sphere.ball.center "] {
         assert!(row(path).contains("  not differentiable "));
     }
+}
+
+const MAP: &str = "[environment]\ntexture = \"sky\"\n[texture.sky]\npath = \"sky.hdr\"\n";
+
+/// A map is what the program renders itself, in either format; what is no light is refused.
+#[test]
+fn environments_are_maps_from_files() {
+    let sandbox = Sandbox::new();
+    sandbox.write("path.toml", format!("{PATH}{SKY}{SCENE}"));
+    sandbox.succeed(&["render", "path.toml", "-o", "sky.hdr"]);
+    sandbox.succeed(&["render", "path.toml", "-o", "sky.exr"]);
+    for name in ["sky.hdr", "sky.exr"] {
+        sandbox.write("map.toml", format!("{PATH}{MAP}{SCENE}").replace("sky.hdr", name));
+        sandbox.succeed(&["render", "map.toml", "-o", "lit.png", "--tone", "aces"]);
+    }
+    let table = sandbox.succeed(&["params", "map.toml"]);
+    let row = |path: &str| table.lines().find(|line| line.starts_with(path)).unwrap().to_owned();
+    for path in ["environment.radiance ", "environment.rotation ", "texture.sky.texels "] {
+        assert!(row(path).contains("  differentiable "), "{table}");
+    }
+    let gradient = ["gradient", "map.toml", "--target", "lit.png", "--param"];
+    let verdict = sandbox.succeed(&[&gradient[..], &["environment.rotation", "--check"]].concat());
+    assert!(verdict.contains("  agrees: "), "{verdict}");
+    let render = ["render", "map.toml", "-o", "out.png"];
+    let dark = Image { width: 2, height: 1, pixels: vec![[1.0; 3], [1.0, -0.5, 1.0]] };
+    save_exr(&dark, &sandbox.path("sky.exr")).unwrap();
+    sandbox.refuse_with(&render, &["texture.sky.texels[1]", "must not be negative, is -0.5"]);
+    sandbox.write("sky.exr", "no image");
+    sandbox.refuse_with(&render, &["texture.sky", "is not a PNG, JPEG, OpenEXR or Radiance HDR"]);
 }
 
 #[test]
@@ -54,6 +86,12 @@ fn what_makes_no_sense_is_refused() {
         (SKY.to_owned(), ["bad.toml:1: environment", "integrator.type = \"path\""]),
         (PATH.to_owned() + "[environment]\n", ["bad.toml:5: environment.radiance", "is missing"]),
         (format!("{PATH}{SKY}").replace("0.5", "-1.0"), ["bad.toml:6", "negative"]),
+        (format!("{PATH}[environment]\ntexture = \"moon\"\n"), ["bad.toml:6", "no texture `moon`"]),
+        (format!("{PATH}{SKY}rotation = 5.0\n"), ["bad.toml:7: environment.rotation", "has none"]),
+        (
+            format!("{PATH}{SKY}background = [-1.0, 0.0, 0.0]\n"),
+            ["environment.background", "negative"],
+        ),
     ] {
         sandbox.write("bad.toml", head + SCENE);
         sandbox.refuse_with(&RENDER, &parts);

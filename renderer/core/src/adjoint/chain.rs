@@ -35,7 +35,7 @@ use crate::transport::light::Illumination;
 use crate::transport::material::Material;
 use crate::transport::smooth::{SmoothPoint, next_ray_outward};
 use crate::transport::surface::SurfacePoint;
-use crate::transport::texture::{Uv, modulate, modulate_opacity};
+use crate::transport::texture::{Uv, modulate, modulate_facets, modulate_opacity};
 use crate::transport::transform::place;
 use crate::transport::vertex::{next_ray, outgoing};
 
@@ -64,6 +64,8 @@ pub(super) struct Chain<'a, L: Plain> {
     pub integrator: Integrator<'a, L>,
     pub scene: &'a Scene,
     pub path: Path<L>,
+    /// Where light takes all paths: those of the samples of a tile that are kept.
+    pub kept: Vec<Path<L>>,
     /// The adjoint state of each wavefront, by depth.
     pub states: Vec<AdjointState<L>>,
     pub scatter: Scatter<'a>,
@@ -111,6 +113,7 @@ impl<'a, L: Plain> Chain<'a, L> {
             integrator,
             scene,
             path: Path::default(),
+            kept: Vec::new(),
             states: Vec::new(),
             scatter,
             spacing: None,
@@ -146,6 +149,16 @@ impl<'a, L: Plain> Chain<'a, L> {
     pub(super) fn cotangents(&mut self, loss: &dyn PixelLoss, tile: &Tile) -> [DVec3; PACKET_RAYS] {
         let primal = self.integrator.with_zero_weight(ZeroWeight::default());
         let radiance = mean_radiance(primal, tile, &mut self.path);
+        self.cotangents_of(loss, tile, &radiance)
+    }
+
+    /// The same by the radiance of the pixels.
+    pub(super) fn cotangents_of(
+        &mut self,
+        loss: &dyn PixelLoss,
+        tile: &Tile,
+        radiance: &[DVec3; PACKET_RAYS],
+    ) -> [DVec3; PACKET_RAYS] {
         let samples = f64::from(self.integrator.layout.sampling.count());
         let mut cotangents = [DVec3::ZERO; PACKET_RAYS];
         for ray in rays(tile.rays()) {
@@ -412,6 +425,16 @@ impl<'a, L: Plain> Chain<'a, L> {
                 modulate_opacity::vjp::<L>(plain.opacity, lookup.footprint, textured.uv);
             let (opacity, footprint, uv) = pullback(material.opacity);
             material.opacity = opacity;
+            self.scatter_texels(lookup, lookup.lanes, footprint.texels);
+            to_uv.accumulate(uv);
+        }
+        if let Some(lookup) = &textured.lookups[Slot::MetallicRoughness as usize] {
+            let (roughness, metallic) = (plain.roughness, plain.metallic);
+            let (_, pullback) =
+                modulate_facets::vjp::<L>(roughness, metallic, lookup.footprint, textured.uv);
+            let (roughness, metallic, footprint, uv) =
+                pullback((material.roughness, material.metallic));
+            (material.roughness, material.metallic) = (roughness, metallic);
             self.scatter_texels(lookup, lookup.lanes, footprint.texels);
             to_uv.accumulate(uv);
         }

@@ -13,7 +13,7 @@ use crate::scene::{
 use crate::settings::{Edges, Pass};
 use crate::trace::layout::Layout;
 use crate::transport::light::match_light;
-use crate::transport::material::Lobes;
+use crate::transport::material::{Bsdf, Lobes};
 
 /// A bit for each number of a struct.
 pub type Bits = u64;
@@ -77,14 +77,16 @@ impl Request {
         };
         request.select_arrays(scene, layout);
         request.select_objects(scene);
-        let of_material = |field: &str| {
-            ids.iter().any(|id| matches!(id.object, Object::Material(_)) && id.field == field)
+        let is_plain = |id: &ParameterId| match id.object {
+            Object::Material(material) => layout.materials[material].bsdf == Bsdf::BlinnPhong,
+            _ => false,
         };
+        let of_material = |field: &str| ids.iter().any(|id| is_plain(id) && id.field == field);
         // Paths that are chosen at random are not to be others than those of the image.
         let takes_all_paths = layout.path_tracing.is_some();
         let of_zero = |field: &str| {
             let is_it = |id: &ParameterId| {
-                matches!(id.object, Object::Material(_))
+                is_plain(id)
                     && id.field == field
                     && scene.get(*id).iter().all(|&number| number == 0.0)
             };
@@ -96,7 +98,11 @@ impl Request {
                 && if takes_all_paths { of_zero("mirror") } else { of_material("mirror") },
             reflections: takes_all_paths && (of_zero("diffuse") || of_zero("specular")),
             lights: ids.iter().any(is_light),
-            lobes: Lobes { rough: of_material("roughness"), glossy: of_material("specular") },
+            lobes: Lobes {
+                rough: of_material("roughness"),
+                glossy: of_material("specular"),
+                facets: false,
+            },
         };
         request
     }

@@ -11,17 +11,24 @@ use super::chain::{AdjointState, Chain, SurfaceCotangent, nonzero_lanes};
 use crate::loss::PixelLoss;
 use crate::number::Plain;
 use crate::primal::coalesce::select_lanes;
-use crate::primal::scattered::{EmitterSample, Event, missed};
+use crate::primal::image::add_radiance;
+use crate::primal::integrator::{Integrator, ZeroWeight};
+use crate::primal::path::Path;
+use crate::primal::scattered::{EmitterSample, EmitterSource, Event, SkyLight, missed};
 use crate::primal::vertex::Vertex;
-use crate::primal::wavefront::{RayLanes, Source, Wavefront, clear_blocks, samples};
+use crate::primal::wavefront::{RayLanes, Wavefront, clear_blocks, samples};
 use crate::trace::bvh::PACKET_RAYS;
 use crate::trace::tile::Tile;
+use crate::transport::dielectric::sent_on_by_dielectric;
 use crate::transport::direct::direct;
 use crate::transport::emitter::{found_emission, illuminate_by_emitter};
-use crate::transport::environment::Environment;
-use crate::transport::material::Material;
+use crate::transport::environment::{Environment, map_radiance};
+use crate::transport::material::{Bsdf, Material};
 use crate::transport::scatter::{gathered, sent_on};
 use crate::transport::surface::SurfacePoint;
+
+/// How many bytes the paths take that a thread keeps at most.
+const KEPT_BYTES: usize = 16 << 20;
 
 /// By ray.
 type Cotangents = [DVec3; PACKET_RAYS];
@@ -29,20 +36,56 @@ type Cotangents = [DVec3; PACKET_RAYS];
 impl<L: Plain> Chain<'_, L> {
     /// Adds the loss of the pixels of a tile, and what flows back from it.
     pub(super) fn scattered_tile(&mut self, loss: &dyn PixelLoss, tile: &Tile) {
-        let cotangents = self.cotangents(loss, tile);
-        if cotangents.iter().all(|&cotangent| cotangent == DVec3::ZERO) {
-            return;
+        let mut kept = std::mem::take(&mut self.kept);
+        kept.resize_with(self.kept_samples(), Path::default);
+        let cotangents = self.scattered_cotangents(loss, tile, &mut kept);
+        if cotangents.iter().any(|&cotangent| cotangent != DVec3::ZERO) {
+            let sampling = self.integrator.layout.sampling.of_gradient();
+            for (index, sample) in samples(tile, sampling).enumerate() {
+                let mut path = std::mem::take(kept.get_mut(index).unwrap_or(&mut self.path));
+                if index >= kept.len() {
+                    self.integrator.trace_path(sample, &mut path);
+                }
+                self.pull_scattered_path(&path, &cotangents);
+                *kept.get_mut(index).unwrap_or(&mut self.path) = path;
+            }
         }
-        for sample in samples(tile, self.integrator.layout.sampling.of_gradient()) {
-            self.pull_scattered_sample(sample, &cotangents);
+        self.kept = kept;
+    }
+
+    /// How many samples of a tile have their paths kept, so that they need not be traced again: those that fit
+    /// into a bounded memory, unless the gradient has others than the image.
+    fn kept_samples(&self) -> usize {
+        let Integrator { layout, zero_weight, .. } = &self.integrator;
+        let sampling = layout.sampling;
+        if *zero_weight != ZeroWeight::default() || sampling.of_gradient() != sampling {
+            return 0;
         }
+        (KEPT_BYTES / Path::<L>::bytes(self.integrator.depths())).min(sampling.count() as usize)
+    }
+
+    /// Adds the loss of the pixels of a tile; the cotangents of the radiance of their samples, the first of
+    /// which have their paths kept.
+    fn scattered_cotangents(
+        &mut self,
+        loss: &dyn PixelLoss,
+        tile: &Tile,
+        kept: &mut [Path<L>],
+    ) -> Cotangents {
+        let primal = self.integrator.with_zero_weight(ZeroWeight::default());
+        let sampling = primal.layout.sampling;
+        let mut total = [DVec3::ZERO; PACKET_RAYS];
+        for (index, sample) in samples(tile, sampling).enumerate() {
+            let path = kept.get_mut(index).unwrap_or(&mut self.path);
+            add_radiance(primal, sample, path, &mut total);
+        }
+        let count = f64::from(sampling.count());
+        self.cotangents_of(loss, tile, &total.map(|radiance| radiance / count))
     }
 
     /// Adds what flows back from one path through each pixel, by the cotangents of its radiance.
-    fn pull_scattered_sample(&mut self, source: Source<'_>, cotangents: &Cotangents) {
-        let (mut path, mut states) =
-            (std::mem::take(&mut self.path), std::mem::take(&mut self.states));
-        self.integrator.trace_path(source, &mut path);
+    fn pull_scattered_path(&mut self, path: &Path<L>, cotangents: &Cotangents) {
+        let mut states = std::mem::take(&mut self.states);
         let wavefronts = path.wavefronts();
         states.resize_with(wavefronts.len().max(states.len()), AdjointState::default);
         for depth in 0..wavefronts.len() {
@@ -72,7 +115,7 @@ impl<L: Plain> Chain<'_, L> {
             }
             self.pull_missed(wavefront, of_rays);
         }
-        (self.path, self.states) = (path, states);
+        self.states = states;
     }
 
     /// From the radiance that leaves the vertices of a group to everything that it is made of.
@@ -82,28 +125,41 @@ impl<L: Plain> Chain<'_, L> {
         cotangent: Vec3<L>,
         to_beyond: Option<&mut Vec3<L>>,
     ) {
-        let own = vertex.scattered_own();
+        let (own, group) = (vertex.scattered_own(), vertex.group);
         let Event { direction, straight, mirrored, factor } = vertex.event();
-        let (part, pull_part) = sent_on::vjp::<L>(
-            vertex.material,
-            vertex.lobes,
-            vertex.group.surface,
-            direction,
-            L::mask(straight),
-            L::mask(mirrored),
-            factor,
-        );
-        let opacity = vertex.material.opacity;
-        let (_, pullback) = gathered::vjp::<L>(opacity, own, part, vertex.scattered_beyond());
-        let (opacity, own, part, beyond) = pullback(cotangent);
-        let (mut material, ..) = pull_part(part);
+        let (of_material, surface) = (vertex.material, vertex.group.surface);
+        let gathered = |part: Vec3<L>| {
+            let opacity = vertex.material.opacity;
+            let (_, pullback) = gathered::vjp::<L>(opacity, own, part, vertex.scattered_beyond());
+            pullback(cotangent)
+        };
+        let (mirrored, straight) = (L::mask(mirrored), L::mask(straight));
+        let (mut material, (opacity, own, _, beyond)) = if group.bsdf == Bsdf::Dielectric {
+            let inside = L::mask(group.inside);
+            let (part, pullback) =
+                sent_on_by_dielectric::vjp::<L>(of_material, surface, inside, mirrored, factor);
+            let gathered = gathered(part);
+            (pullback(gathered.2).0, gathered)
+        } else {
+            let (part, pullback) = sent_on::vjp::<L>(
+                of_material,
+                vertex.lobes,
+                surface,
+                direction,
+                straight,
+                mirrored,
+                factor,
+            );
+            let gathered = gathered(part);
+            (pullback(gathered.2).0, gathered)
+        };
         material.opacity.accumulate(opacity);
         if let Some(to_beyond) = to_beyond {
             to_beyond.accumulate(beyond);
         }
         let mut surface = Tangent::<SurfacePoint<L>>::zero();
         let scattering = &vertex.wavefront().scattering;
-        if !scattering.events.is_empty() {
+        if vertex.looks_for_light() {
             for (light, inputs) in vertex.lights().iter().enumerate() {
                 let to = (&mut material, &mut surface);
                 self.pull_light(vertex.group.index, vertex, light, inputs, own, to);
@@ -117,7 +173,6 @@ impl<L: Plain> Chain<'_, L> {
         let (emitted, _) = pullback(own);
         let mut to_surface = None;
         self.pull_material(vertex, emitted, None, &mut material, &surface, Some(&mut to_surface));
-        let group = vertex.group;
         let primitive = self.integrator.primitive(group.kind, &group.primitives);
         if let (Some(SurfaceCotangent { uv: Some(uv), .. }), Some(primitive)) =
             (to_surface, primitive)
@@ -150,8 +205,16 @@ impl<L: Plain> Chain<'_, L> {
         let (_, pullback) =
             illuminate_by_emitter::vjp::<L>(emission, of.direction, of.distance, weighted);
         let (emission, ..) = pullback(illumination);
-        let to_emitter = Tangent::<Material<L>> { emission, ..Additive::zero() };
-        self.scatter.materials::<L>(&sample.materials, &to_emitter);
+        match &sample.source {
+            EmitterSource::Surfaces(materials) => {
+                let to_emitter = Tangent::<Material<L>> { emission, ..Additive::zero() };
+                self.scatter.materials::<L>(materials, &to_emitter);
+            }
+            EmitterSource::Sky => {
+                let light = self.integrator.sky_light(sample.lanes, of.direction);
+                self.pull_sky(light, sample.lanes, emission);
+            }
+        }
     }
 
     /// From what rays bring that meet nothing to the environment.
@@ -160,12 +223,33 @@ impl<L: Plain> Chain<'_, L> {
         wavefront: &Wavefront<L>,
         cotangent: impl Fn(RayLanes) -> Option<Vec3<L>>,
     ) {
-        let Some(to) = self.scatter.request.environment else { return };
         for lanes in missed::<L>(wavefront) {
-            if let Some(radiance) = cotangent(lanes) {
-                let environment = Environment::<L> { radiance };
-                self.scatter.dense::<L, _>(to, lanes.alive, &environment);
+            let Some((light, weight)) = self.integrator.missed_light(wavefront, lanes) else {
+                continue;
+            };
+            if let Some(cotangent) = cotangent(lanes) {
+                let (_, pullback) = found_emission::vjp::<L>(light.radiance(), weight);
+                let (radiance, _) = pullback(cotangent);
+                self.pull_sky(Some(light), lanes.alive, radiance);
             }
+        }
+    }
+
+    /// From what the environment brings in some lanes to its numbers and texels.
+    fn pull_sky(&mut self, light: Option<SkyLight<L>>, lanes: u32, radiance: Vec3<L>) {
+        let Some(SkyLight { environment, direction, lookup }) = light else { return };
+        let to_environment = match lookup {
+            None => Tangent::<Environment<L>> { radiance, ..Additive::zero() },
+            Some(lookup) => {
+                let (_, pullback) =
+                    map_radiance::vjp::<L>(environment, lookup.footprint, direction);
+                let (environment, footprint, _) = pullback(radiance);
+                self.scatter_texels(&lookup, lanes, footprint.texels);
+                environment
+            }
+        };
+        if let Some(to) = self.scatter.request.environment {
+            self.scatter.dense::<L, _>(to, lanes, &to_environment);
         }
     }
 }

@@ -1,15 +1,18 @@
-//! Which primitives shine, and how much.
+//! Which primitives shine, and which parts of the environment, and how much.
 
 use ad::Scalar;
+use glam::DVec3;
 
 use super::inputs::Inputs;
 use crate::number::{Number, widen};
-use crate::scene::{Scene, Slot};
+use crate::scene::{EnvironmentObject, Scene, Slot};
 use crate::trace::emitters::Emitters;
 use crate::trace::layout::{Kind, Layout};
+use crate::trace::sky::shares;
 
-/// The triangles and spheres that shine, where light takes all paths. Shapes of one's own, and what has a
-/// texture of its emission, are found by scattered rays alone.
+/// The triangles and spheres that shine, where light takes all paths, and then the cells of the
+/// environment by their ranks, if it has a texture. Shapes of one's own, what has a texture of its emission,
+/// and an environment that is the same everywhere are found by scattered rays alone.
 pub fn emitters<S: Number<Lane: Scalar>>(
     scene: &Scene,
     layout: &Layout,
@@ -19,7 +22,11 @@ pub fn emitters<S: Number<Lane: Scalar>>(
         let is_plain = material.textures.get(Slot::Emission).is_none();
         if is_plain { material.values.emission.max_element() } else { 0.0 }
     });
-    if layout.path_tracing.is_none() || !powers.clone().any(|power| power > 0.0) {
+    if layout.path_tracing.is_none() {
+        return Emitters::default();
+    }
+    let cells = sky_powers(scene, layout);
+    if cells.is_empty() && !powers.clone().any(|power| power > 0.0) {
         return Emitters::default();
     }
     let powers: Vec<f64> = powers.by_ref().collect();
@@ -28,7 +35,36 @@ pub fn emitters<S: Number<Lane: Scalar>>(
         (radiance > 0.0).then(|| radiance * area(layout, inputs, primitive))
     };
     let primitives = 0..layout.material_of.len();
-    Emitters::new(primitives.filter_map(|primitive| Some((primitive as u32, power(primitive)?))))
+    let shining =
+        primitives.clone().filter_map(|primitive| Some((primitive as u32, power(primitive)?)));
+    Emitters::new(shining, primitives.end as u32, cells.into_iter())
+}
+
+/// The power of each cell of the environment, in the order of their ranks: what it brings to a disc as large
+/// as the scene, up to the factor that powers of surfaces lack.
+fn sky_powers(scene: &Scene, layout: &Layout) -> Vec<f64> {
+    let (Some(sky), Some((texture, map))) = (&layout.sky, layout.map) else { return Vec::new() };
+    let Some(EnvironmentObject { values, .. }) = scene.environment else { return Vec::new() };
+    let radius = scene.bounding_box().map_or(1.0, |(low, high)| 0.5 * low.distance(high));
+    let texels = &scene.textures[texture].texels;
+    // A map that is turned reaches another part of the cells that stand still.
+    let shift = values.rotation / 360.0 % 1.0 * f64::from(map.width);
+    let columns: Vec<_> = (0..map.width).map(|cell| shares(cell, shift)).collect();
+    let rows: Vec<_> = (0..map.height).map(|cell| shares(cell, 0.0)).collect();
+    let [of_columns, of_rows] = map.wrap;
+    let radiance = |(column, row): (u32, u32)| {
+        let mut mean = DVec3::ZERO;
+        for (y, of_row) in rows[row as usize] {
+            for (x, of_column) in columns[column as usize] {
+                let (x, y) = (of_columns.index(x, map.width), of_rows.index(y, map.height));
+                let texel = texels.at(y as usize * map.width as usize + x as usize);
+                mean += DVec3::from(texel) * (of_row * of_column);
+            }
+        }
+        (mean * values.radiance).max_element()
+    };
+    let power = |cell: (u32, u32)| radiance(cell) * sky.solid_angle(cell.1) * radius * radius;
+    sky.cells().map(power).collect()
 }
 
 fn area<S: Number<Lane: Scalar>>(layout: &Layout, inputs: &Inputs<S>, primitive: usize) -> f64 {

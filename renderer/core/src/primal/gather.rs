@@ -136,9 +136,16 @@ impl<S: Number> Integrator<'_, S> {
                 }
             }
         }
-        if lanes == 0 {
-            return None;
-        }
+        (lanes != 0).then(|| self.texels(&textures, lanes, uv))
+    }
+
+    /// The texels around texture coordinates in the texture of each lane; those without one are white.
+    pub(super) fn texels(
+        &self,
+        textures: &[Option<(usize, TextureLayout)>; MAX_LANES],
+        lanes: u32,
+        uv: Uv<S>,
+    ) -> Lookup<S> {
         count(|counts| &counts.texture_lookups, u64::from(lanes.count_ones()));
         let size = |of: fn(&TextureLayout) -> u32| {
             <S::Lanes as Lanes>::from_lanes(|lane| {
@@ -155,22 +162,23 @@ impl<S: Number> Integrator<'_, S> {
             Some((_, texture)) => texture.around(x[lane], y[lane]),
             None => [0; 4],
         });
-        let white = Vec3::<S::Lane>::splat(Real::ONE);
-        let of_lanes: [[Vec3<S::Lane>; 4]; MAX_LANES] =
+        let white = [<S::Lane as Real>::ONE; 3];
+        let of_lanes: [[[S::Lane; 3]; 4]; MAX_LANES] =
             std::array::from_fn(|lane| match textures[lane] {
                 Some((texture, TextureLayout { first_texel, .. })) => {
                     let texels = &self.inputs.texels[texture];
-                    indices[lane].map(|index: u32| texels.at(index as usize - first_texel))
+                    indices[lane].map(|index: u32| {
+                        let texel = texels.at(index as usize - first_texel);
+                        [texel.x(), texel.y(), texel.z()]
+                    })
                 }
                 None => [white; 4],
             });
         let texels = std::array::from_fn(|corner| {
-            let along = |axis: fn(Vec3<S::Lane>) -> S::Lane| {
-                S::from_each(|lane| axis(of_lanes[lane][corner]))
-            };
-            Vector3::new(along(Vector3::x), along(Vector3::y), along(Vector3::z))
+            let along = |axis: usize| S::from_each(|lane| of_lanes[lane][corner][axis]);
+            Vector3::new(along(0), along(1), along(2))
         });
         let (width, height) = (S::constant(width), S::constant(height));
-        Some(Lookup { lanes, indices, footprint: Footprint { texels, width, height } })
+        Lookup { lanes, indices, footprint: Footprint { texels, width, height } }
     }
 }

@@ -1,6 +1,8 @@
 //! From traced rays to lanes: what the rays of a packet hit, gathered by kind of primitive.
 
+use ad::Real;
 use ad::lanes::Lanes;
+use ad::vector::Vector;
 
 use super::coalesce::Coalesced;
 use super::integrator::Integrator;
@@ -8,9 +10,11 @@ use super::lanes::all_lanes;
 use super::wavefront::{LaneGroup, Source, TileSample, Wavefront, set_vectors};
 use crate::counts::count;
 use crate::number::{Number, primal_vector};
-use crate::trace::bvh::{PACKET_RAYS, PacketHits, PacketVectors};
+use crate::trace::bvh::{PACKET_RAYS, PacketHits, PacketVectors, rays};
 use crate::trace::layout::Kind;
 use crate::transport::camera::{Ray, film_point, primary_ray};
+use crate::transport::material::Bsdf;
+use crate::transport::smooth::weighted_normal;
 
 impl<S: Number> Integrator<'_, S> {
     /// Finds what camera rays meet, and gathers it.
@@ -79,15 +83,20 @@ impl<S: Number> Integrator<'_, S> {
         wavefront.missed = wanted & !hit;
         wavefront.groups.clear();
         let kinds = self.by_kind(&hits.primitive, hit);
+        let bsdfs = self.by_bsdf(&hits.primitive, hit);
         for first in (0..PACKET_RAYS).step_by(<S::Lanes as Lanes>::COUNT) {
             let lanes = |rays: u64| (rays >> first) as u32 & all_lanes::<S::Lanes>();
-            for (kind, is_smooth, rays) in kinds {
-                let alive = lanes(rays);
+            let parts = kinds.iter().flat_map(|kind| bsdfs.iter().map(move |bsdf| (kind, bsdf)));
+            for (&(kind, is_smooth, of_kind), &(bsdf, of_bsdf)) in parts {
+                let alive = lanes(of_kind & of_bsdf);
                 if alive == 0 {
                     continue;
                 }
                 let primitives = Coalesced::new(&hits.primitive, first, alive);
-                let (ray, inside) = (ray(first, alive), lanes(hits.leaves));
+                let (ray, mut inside) = (ray(first, alive), lanes(hits.leaves));
+                if kind == Kind::Triangle && bsdf == Bsdf::Dielectric {
+                    inside = self.behind(&primitives, ray) & alive;
+                }
                 let (surface, smooth) = if is_smooth {
                     let (surface, smooth) = self.smooth_surface(&primitives, ray);
                     (surface, Some(smooth))
@@ -101,6 +110,7 @@ impl<S: Number> Integrator<'_, S> {
                     alive,
                     primitives,
                     kind,
+                    bsdf,
                     inside,
                     ray,
                     surface,
@@ -108,6 +118,28 @@ impl<S: Number> Integrator<'_, S> {
                 });
             }
         }
+    }
+
+    /// A bit for each ray that hits a material of each kind of BSDF.
+    fn by_bsdf(&self, primitives: &[u32; PACKET_RAYS], hit: u64) -> [(Bsdf, u64); 3] {
+        let mut bsdfs = Bsdf::ALL.map(|(_, bsdf)| (bsdf, 0));
+        if !self.layout.has_other_bsdfs {
+            bsdfs[0].1 = hit;
+            return bsdfs;
+        }
+        for ray in rays(hit) {
+            let bsdf = self.layout.traits_of(primitives[ray] as usize).bsdf;
+            bsdfs[bsdf as usize].1 |= 1 << ray;
+        }
+        bsdfs
+    }
+
+    /// A bit for each lane whose ray meets a triangle from behind: from where its corners go round clockwise.
+    fn behind(&self, primitives: &Coalesced, ray: Ray<S>) -> u32 {
+        let triangle = self.triangle(primitives);
+        let normal = weighted_normal::<S>(triangle);
+        let along = normal.dot(ray.direction).primal();
+        S::Lanes::mask_bits(along.cmpgt(S::Lanes::ZERO))
     }
 
     /// A bit for each ray that hits a primitive of each kind, with whether these are smooth.

@@ -123,16 +123,27 @@ pub fn mean_traced<L: Plain>(
 ) -> [DVec3; PACKET_RAYS] {
     let mut total = [DVec3::ZERO; PACKET_RAYS];
     for (index, sample) in samples(tile, sampling).enumerate() {
-        visit(integrator, sample, path, |group, radiance| {
-            let radiance = vectors_of_lanes::<L>(radiance);
-            for (lane, ray) in group.rays() {
-                total[ray] += radiance[lane];
-            }
-        });
+        add_radiance(integrator, sample, path, &mut total);
         keep(index as u32, path);
     }
     let count = f64::from(sampling.count());
     total.map(|radiance| radiance / count)
+}
+
+/// Adds what one ray through each pixel of a tile brings.
+#[inline]
+pub fn add_radiance<L: Plain>(
+    integrator: Integrator<'_, L>,
+    sample: Source<'_>,
+    path: &mut Path<L>,
+    total: &mut [DVec3; PACKET_RAYS],
+) {
+    visit(integrator, sample, path, |group, radiance| {
+        let radiance = vectors_of_lanes::<L>(radiance);
+        for (lane, ray) in group.rays() {
+            total[ray] += radiance[lane];
+        }
+    });
 }
 
 /// Calls `use_radiance` with the radiance of camera rays, as many as have lanes at a time; what is black

@@ -157,7 +157,7 @@ impl<S: Number> Inputs<S> {
         self.environment = scene
             .environment
             .filter(|_| pass == Pass::Radiance)
-            .map(|sky| in_lanes::<S, _>(&varying.lift(Object::Environment, &sky)));
+            .map(|sky| in_lanes::<S, _>(&varying.lift(Object::Environment, &sky.values)));
         self.lights = lights(scene, pass, origin, varying);
         self.materials.clear();
         self.materials.extend(scene.materials.iter().enumerate().map(|(index, material)| {

@@ -1,15 +1,18 @@
 //! Paths: from the camera by mirrors and through transparent surfaces.
 
+use ad::Vec3;
 use ad::lanes::Lanes;
 
 use super::coalesce::Coalesced;
 use super::integrator::Integrator;
 use super::known::KnownHits;
-use super::lanes::vectors_of_lanes;
-use super::wavefront::{LaneGroup, Source, Wavefront, blocks, clear_blocks, put, repeated_ray};
+use super::scattered::{EmitterSample, Event};
+use super::wavefront::{
+    LaneGroup, Source, Wavefront, blocks, clear_blocks, put, repeated_ray, set_vectors,
+};
 use crate::counts::count;
 use crate::number::{Number, primal_vector};
-use crate::trace::bvh::{PacketHits, rays};
+use crate::trace::bvh::{Batch, NO_PRIMITIVE, PacketHits, rays};
 use crate::trace::layout::Kind;
 use crate::transport::camera::Ray;
 
@@ -25,6 +28,13 @@ impl<S: Number> Path<S> {
     /// The wavefronts, from the camera on.
     pub fn wavefronts(&self) -> &[Wavefront<S>] {
         &self.wavefronts[..self.depth]
+    }
+
+    /// About how many bytes a path of so many wavefronts takes.
+    pub fn bytes(depth: usize) -> usize {
+        let scattering = size_of::<EmitterSample<S>>() + size_of::<Event<S>>() + size_of::<S>();
+        let block = size_of::<LaneGroup<S>>() + size_of::<Ray<S>>() + size_of::<Vec3<S>>();
+        depth * (size_of::<Wavefront<S>>() + blocks::<S>() * (block + scattering))
     }
 
     /// The wavefront of this index, and the one before it.
@@ -99,6 +109,7 @@ impl<S: Number> Integrator<'_, S> {
         sent_on.resize_with(blocks::<S>(), zero_ray::<S>);
         to.hits = known.map_or(PacketHits::NONE, |known| known.hits.clone());
         let mut sent = 0;
+        let mut batch = Batch::default();
         for group in &from.groups {
             let materials = self.materials(&group.primitives);
             let transparent = self.transparent_lanes(&materials);
@@ -110,10 +121,11 @@ impl<S: Number> Integrator<'_, S> {
             sent |= u64::from(lanes) << group.first;
             let ray = group.next_rays(transparent);
             put(group.lanes(), lanes, &ray, &mut sent_on);
-            if known.is_some() {
-                continue;
-            }
-            self.find_next(from, group, (lanes, transparent), &ray, &mut to.hits);
+            let direction = primal_vector::<S>(ray.direction);
+            group.add_to(&mut batch, from, lanes, transparent, direction);
+        }
+        if known.is_none() {
+            self.find_next(&batch, &mut to.hits);
         }
         self.gather_hits(to, sent, |first, alive| {
             repeated_ray::<S>(&sent_on[first / <S::Lanes as Lanes>::COUNT], alive)
@@ -122,27 +134,10 @@ impl<S: Number> Integrator<'_, S> {
         sent != 0
     }
 
-    /// Traces the rays that go on from some lanes of a group of a wavefront; `through` has a bit for each that
-    /// goes through the surface.
-    pub(super) fn find_next(
-        &self,
-        from: &Wavefront<S>,
-        group: &LaneGroup<S>,
-        (lanes, through): (u32, u32),
-        ray: &Ray<S>,
-        hits: &mut PacketHits,
-    ) {
-        count(|counts| &counts.secondary_rays, u64::from(lanes.count_ones()));
-        let origins = group.origins(through);
-        let directions = vectors_of_lanes::<S::Lanes>(primal_vector::<S>(ray.direction));
-        for lane in rays(lanes.into()) {
-            let ray = group.first + lane;
-            let (origin, direction) = (origins[lane].as_vec3(), directions[lane].as_vec3());
-            let from = group.starts_on(from, ray);
-            if let Some(hit) = self.tracer.bvh.nearest_but(from, origin, direction) {
-                hits.set(ray, hit);
-            }
-        }
+    /// Finds what the rays of a batch that go on meet.
+    pub(super) fn find_next(&self, batch: &Batch, hits: &mut PacketHits) {
+        count(|counts| &counts.secondary_rays, u64::from(batch.active.count_ones()));
+        self.tracer.bvh.nearest_batch(batch, hits);
     }
 
     /// Finds the radiance that the rays of a wavefront bring, from that of the rays that go on.
@@ -184,6 +179,24 @@ impl<S: Number> Integrator<'_, S> {
 }
 
 impl<S: Number> LaneGroup<S> {
+    /// Adds rays that leave the surfaces of some lanes to a batch; those `behind` leave on the side that the
+    /// viewer does not see.
+    pub(super) fn add_to(
+        &self,
+        batch: &mut Batch,
+        wavefront: &Wavefront<S>,
+        lanes: u32,
+        behind: u32,
+        direction: Vec3<S::Lanes>,
+    ) {
+        set_vectors::<S::Lanes>(&mut batch.origins, self.first, lanes, self.origins(behind));
+        set_vectors::<S::Lanes>(&mut batch.directions, self.first, lanes, direction);
+        for ray in rays(lanes.into()).map(|lane| self.first + lane) {
+            batch.from[ray] = self.starts_on(wavefront, ray).unwrap_or(NO_PRIMITIVE);
+        }
+        batch.active |= u64::from(lanes) << self.first;
+    }
+
     /// The flat primitive that a ray of the group ends on: one that leaves it cannot come back to it.
     pub fn starts_on(&self, wavefront: &Wavefront<S>, ray: usize) -> Option<u32> {
         match self.kind {

@@ -133,7 +133,7 @@ impl<S: Number> Integrator<'_, S> {
         group: &LaneGroup<S>,
     ) -> impl Fn(usize, usize) -> ShadowRay {
         let (point, _) = group.geometry();
-        let (points, origins) = (vectors_of_lanes::<S::Lanes>(point), group.outside(point, 0));
+        let [points, origins] = [point, group.outside(point, 0)].map(vectors_of_lanes::<S::Lanes>);
         let outward = |smooth: &Smooth<S>| primal_vector::<S>(smooth.outward);
         let outward = group.smooth.as_ref().map(outward).map(vectors_of_lanes::<S::Lanes>);
         move |lane, ray| {
@@ -199,17 +199,17 @@ impl<S: Number> LaneGroup<S> {
 
     /// Where rays that go on start. Rays in the lanes `behind` leave on the side that the viewer does not
     /// see.
-    pub fn origins(&self, behind: u32) -> [DVec3; MAX_LANES] {
+    pub fn origins(&self, behind: u32) -> Vec3<S::Lanes> {
         let (point, _) = self.values();
         self.outside(point, behind)
     }
 
     /// Places beside points, far enough outside for rays not to meet the surface that they leave.
-    fn outside(&self, point: Vec3<S::Lanes>, behind: u32) -> [DVec3; MAX_LANES] {
+    fn outside(&self, point: Vec3<S::Lanes>, behind: u32) -> Vec3<S::Lanes> {
         let (_, outward) = self.geometry();
         let offset = outward * (self.reach() * S::Lanes::from_f64(SURFACE_ERROR));
         let offset = select(S::Lanes::mask_from_bits(behind), -offset, offset);
-        vectors_of_lanes::<S::Lanes>(point + offset)
+        point + offset
     }
 
     /// The largest numbers that went into the surface points.

@@ -16,7 +16,7 @@ use crate::settings::Pass;
 use crate::transport::direct::direct;
 use crate::transport::hit::surface_uv;
 use crate::transport::material::{Lobes, Material};
-use crate::transport::texture::{Uv, modulate, modulate_opacity};
+use crate::transport::texture::{Uv, modulate, modulate_facets, modulate_opacity};
 use crate::transport::vertex::outgoing;
 
 /// The textures of a lane group.
@@ -25,7 +25,7 @@ pub struct Textured<S: Number> {
     pub plain: Material<S>,
     pub uv: Uv<S>,
     /// The texture lookups of the material, by [`Slot`].
-    pub lookups: [Option<Lookup<S>>; 4],
+    pub lookups: [Option<Lookup<S>>; Slot::ALL.len()],
 }
 
 /// The inputs of the path vertices of a lane group.
@@ -105,6 +105,11 @@ impl<S: Number> Textured<S> {
         if let Some(lookup) = &self.lookups[Slot::Opacity as usize] {
             material.opacity = modulate_opacity::<S>(material.opacity, lookup.footprint, self.uv);
         }
+        if let Some(lookup) = &self.lookups[Slot::MetallicRoughness as usize] {
+            let Material { roughness, metallic, .. } = *material;
+            (material.roughness, material.metallic) =
+                modulate_facets::<S>(roughness, metallic, lookup.footprint, self.uv);
+        }
     }
 }
 
@@ -115,7 +120,7 @@ fn color_of<S: Number>(material: &mut Material<S>, slot: Slot) -> &mut Vec3<S> {
         Slot::Emission => &mut material.emission,
         Slot::Diffuse => &mut material.diffuse,
         Slot::Specular => &mut material.specular,
-        Slot::Opacity => unreachable!("an opacity is no colour"),
+        Slot::Opacity | Slot::MetallicRoughness => unreachable!("{slot:?} is no colour"),
     }
 }
 

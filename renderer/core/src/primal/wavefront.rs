@@ -2,7 +2,7 @@
 
 use ad::lanes::Lanes;
 use ad::vector::Vector3;
-use ad::{Additive, Fields, Vec3};
+use ad::{Additive, Fields, Vec3, select};
 
 use super::coalesce::{Coalesced, select_lanes};
 use super::known::KnownPaths;
@@ -14,6 +14,7 @@ use crate::trace::layout::Kind;
 use crate::trace::sampling::Sampling;
 use crate::trace::tile::Tile;
 use crate::transport::camera::Ray;
+use crate::transport::material::Bsdf;
 use crate::transport::surface::SurfacePoint;
 
 /// The rays of a tile at one depth: those of the camera, or those that go on from mirrors or through
@@ -124,7 +125,9 @@ pub struct LaneGroup<S: Number> {
     /// The lanes by primitive.
     pub primitives: Coalesced,
     pub kind: Kind,
-    /// A bit for each lane whose ray starts inside of a sphere.
+    /// The BSDF of the materials: all of a group have the same.
+    pub bsdf: Bsdf,
+    /// A bit for each lane whose ray starts inside of a sphere, or behind a triangle of a dielectric.
     pub inside: u32,
     pub ray: Ray<S>,
     pub surface: SurfacePoint<S>,
@@ -229,8 +232,7 @@ pub fn repeated_ray<S: Number>(ray: &Ray<S>, alive: u32) -> Ray<S> {
         return *ray;
     }
     let first = alive.trailing_zeros() as usize;
-    let repeat =
-        |x: S| S::from_each(|lane| x.lane(if alive >> lane & 1 == 1 { lane } else { first }));
+    let repeat = |x: S| select(S::mask(alive), x, S::splat(x.lane(first)));
     Ray::from_fn(&mut |index| repeat(ray.number(index)))
 }
 

@@ -1,6 +1,6 @@
 //! Which paths of light count.
 
-use super::{ParameterId, Scene};
+use super::{Bsdf, Object, ParameterId, Scene};
 use crate::Error;
 
 /// Which paths of light count.
@@ -54,9 +54,17 @@ impl Scene {
     }
 
     /// Whether images have a derivative by a parameter. Where light takes all paths they have none by what
-    /// moves edges: nobody knows how those move that paths come by.
+    /// moves edges, such as the index of refraction of glass: nobody knows how those move that paths come by.
     pub fn is_differentiable(&self, id: ParameterId) -> bool {
-        self.integrator == Integrator::Direct || !id.moves_edges()
+        self.integrator == Integrator::Direct || !id.moves_edges() && !self.refracts_by(id)
+    }
+
+    /// Whether a parameter bends rays: what is seen behind a dielectric moves with its index of refraction.
+    fn refracts_by(&self, id: ParameterId) -> bool {
+        match id.object {
+            Object::Material(i) => id.field == "ior" && self.materials[i].bsdf == Bsdf::Dielectric,
+            _ => false,
+        }
     }
 
     /// Checks that images have derivatives by these parameters.

@@ -3,16 +3,19 @@
 use std::borrow::Cow;
 
 use ad::Field;
+use glam::DVec3;
 
 use super::Scene;
 use super::numbers::Numbers;
-use crate::transport::material::Material;
+use crate::transport::material::{Bsdf, Lobes, Material};
 
 /// A material: its numbers, and what they vary by.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MaterialObject {
     /// The name, unique among materials.
     pub name: String,
+    /// What the numbers stand for. Those that a BSDF does not have are no parameters.
+    pub bsdf: Bsdf,
     /// The numbers. Where the material is opaque, its opacity is 1 and no parameter; where it is
     /// transparent, it is no mirror.
     pub values: Material<f64>,
@@ -23,6 +26,25 @@ pub struct MaterialObject {
 }
 
 impl MaterialObject {
+    /// A metal, or a glossy layer on a diffuse surface, with numbers from 0 to 1. The index of refraction is
+    /// 1.5.
+    pub fn metallic_roughness(color: DVec3, metallic: f64, roughness: f64) -> Self {
+        let values = Material { metallic, roughness, ..Material::lambertian(color) };
+        Self { bsdf: Bsdf::MetallicRoughness, ..values.into() }
+    }
+
+    /// Colourless glass with an index of refraction. Where light takes all paths, it goes through it.
+    pub fn dielectric(ior: f64) -> Self {
+        let values = Material { ior, ..Material::lambertian(DVec3::ONE) };
+        Self { bsdf: Bsdf::Dielectric, ..values.into() }
+    }
+
+    /// The lobes that its BRDF has.
+    #[doc(hidden)]
+    pub fn lobes(&self) -> Lobes {
+        self.values.lobes(self.bsdf)
+    }
+
     /// The material with an opacity, from 0 to 1: what lies behind it is seen through it.
     #[must_use]
     pub fn with_opacity(mut self, opacity: f64) -> Self {
@@ -41,11 +63,11 @@ impl MaterialObject {
     }
 }
 
-/// An opaque material without textures, yet without a name.
+/// An opaque material with a highlight, without textures, yet without a name.
 impl From<Material<f64>> for MaterialObject {
     fn from(values: Material<f64>) -> Self {
         let (name, textures) = (String::new(), MaterialTextures::default());
-        Self { name, values, transparent: false, textures }
+        Self { name, bsdf: Bsdf::BlinnPhong, values, transparent: false, textures }
     }
 }
 
@@ -60,26 +82,30 @@ pub enum Slot {
     Specular,
     /// The opacity, which is multiplied by the mean of the texture's channels.
     Opacity,
+    /// The roughness and the metallic part, which are multiplied by the texture's green and blue channels.
+    MetallicRoughness,
 }
 
 impl Slot {
     /// All slots, in the order of their numbers.
-    pub const ALL: [Self; 4] = [Self::Emission, Self::Diffuse, Self::Specular, Self::Opacity];
+    pub const ALL: [Self; 5] =
+        [Self::Emission, Self::Diffuse, Self::Specular, Self::Opacity, Self::MetallicRoughness];
 
-    /// The name of the number that varies.
+    /// The name of what varies.
     pub fn field(self) -> &'static str {
         match self {
             Self::Emission => "emission",
             Self::Diffuse => "diffuse",
             Self::Specular => "specular",
             Self::Opacity => "opacity",
+            Self::MetallicRoughness => "metallic_roughness",
         }
     }
 }
 
 /// The indices of a material's textures, by [`Slot`].
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct MaterialTextures(pub [Option<u32>; 4]);
+pub struct MaterialTextures(pub [Option<u32>; 5]);
 
 impl MaterialTextures {
     /// The texture of a slot.
@@ -94,18 +120,25 @@ impl MaterialTextures {
 }
 
 impl Scene {
-    /// Whether a texture varies the opacity of a material.
-    pub(crate) fn is_opacity_texture(&self, texture: usize) -> bool {
-        let mut textures = self.materials.iter().map(|material| material.textures);
-        textures.any(|textures| textures.get(Slot::Opacity) == Some(texture as u32))
+    /// Whether a texture varies numbers of a material that are at most 1.
+    pub(crate) fn varies_parts(&self, texture: usize) -> bool {
+        let varies =
+            |material: &MaterialObject, slot| material.textures.get(slot) == Some(texture as u32);
+        let mut materials = self.materials.iter();
+        materials.any(|material| {
+            varies(material, Slot::Opacity) || varies(material, Slot::MetallicRoughness)
+        })
     }
 }
 
 impl Numbers for MaterialObject {
     fn fields(&self) -> Vec<Field> {
-        let absent = if self.transparent { "mirror" } else { "opacity" };
-        let fields = Numbers::fields(&self.values).into_iter();
-        fields.filter(|field| field.name != absent).collect()
+        let is_present = |field: &Field| match field.name {
+            "opacity" => self.transparent,
+            "mirror" => self.bsdf == Bsdf::BlinnPhong && !self.transparent,
+            name => self.bsdf.has(name),
+        };
+        Numbers::fields(&self.values).into_iter().filter(is_present).collect()
     }
 
     fn get(&self, field: &str) -> Option<Cow<'_, [f64]>> {

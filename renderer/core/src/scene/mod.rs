@@ -35,6 +35,7 @@
 //! Turned down: one structure of all numbers beside one of all names (parallel arrays, whose lengths
 //! nothing ties together), and numbers behind shared references (a scene is cloned to be varied).
 
+mod environment;
 #[cfg(test)]
 mod example;
 mod framing;
@@ -61,9 +62,10 @@ use glam::DVec3;
 pub use crate::transport::camera::Camera;
 pub use crate::transport::environment::Environment;
 pub use crate::transport::light::{DistantLight, Light, PointLight, SpotLight};
-pub use crate::transport::material::Material;
+pub use crate::transport::material::{Bsdf, Material};
 pub use crate::transport::sphere::Sphere;
 pub use crate::transport::transform::Transform;
+pub use environment::EnvironmentObject;
 pub use integrator::{Integrator, PathTracing};
 pub use light::{LightObject, LightSource};
 pub use material::{MaterialObject, MaterialTextures, Slot};
@@ -99,7 +101,7 @@ pub struct Scene {
     /// The camera, if the scene has no views.
     pub camera: Camera<f64>,
     /// What surrounds the scene, if it is not black.
-    pub environment: Option<Environment<f64>>,
+    pub environment: Option<EnvironmentObject>,
     #[doc(hidden)]
     pub views: Vec<View>,
     /// The view that the scene is seen through, if it has any.

@@ -7,10 +7,14 @@ use ad::{Field, Fields};
 use glam::DVec3;
 
 use super::numbers::Numbers;
-use super::{Environment, Material, Mesh, Object, ParameterId, Scene, table};
+use super::{Environment, EnvironmentObject, Material, Mesh, Object, ParameterId, Scene, table};
 
 /// One that is black.
-const NO_ENVIRONMENT: Environment<f64> = Environment { radiance: DVec3::ZERO };
+const NO_ENVIRONMENT: EnvironmentObject = EnvironmentObject {
+    values: Environment { radiance: DVec3::ZERO, rotation: 0.0 },
+    texture: None,
+    background: None,
+};
 
 impl ParameterId {
     /// Whether silhouettes, shadows or other edges in the image move with the parameter.
@@ -85,6 +89,7 @@ impl Scene {
     pub(crate) fn all_fields(&self, object: Object) -> Vec<Field> {
         match object {
             Object::Material(_) => Material::<f64>::FIELDS.to_vec(),
+            Object::Environment => Environment::<f64>::FIELDS.to_vec(),
             _ => self.fields(object),
         }
     }

@@ -17,6 +17,8 @@ const LARGEST_NUMBER: f64 = 1e38;
 /// The power of a rounding error next to 1 is far from 1 beyond this exponent, and the highlight is
 /// smaller than any pixel.
 pub const LARGEST_EXPONENT: f64 = 1e6;
+/// Above this a surface reflects nearly all.
+const LARGEST_IOR: f64 = 1e3;
 /// Texture coordinates beyond this do not tell texels apart in an `f32`.
 pub(super) const LARGEST_COORDINATE: f64 = 1e6;
 
@@ -93,6 +95,7 @@ const TABLE: &[Row] = &[
     slow(moving("camera", "vfov", (1e-3, 179.999), size)),
     slow(moving("camera", "film_scale", (SMALLEST_LENGTH, LARGEST_NUMBER), size)),
     smooth("environment", "radiance", ENERGY, one),
+    smooth("environment", "rotation", NUMBER, degrees),
     moving("light", "position", LENGTH, |scene, i, _| light_distance(scene, i)),
     direction(moving("light", "direction", LENGTH, size)),
     smooth("light", "color", ENERGY, one),
@@ -112,6 +115,8 @@ const TABLE: &[Row] = &[
     }),
     albedo("mirror"),
     smooth("material", "opacity", PART, one),
+    smooth("material", "metallic", PART, one),
+    smooth("material", "ior", (1.0, LARGEST_IOR), one),
     moving("sphere", "center", LENGTH, |scene, i, _| scene.spheres[i].values.radius),
     moving("sphere", "radius", EXTENT, size),
     smooth("sphere", "rotation", NUMBER, degrees),
@@ -152,7 +157,7 @@ impl Scene {
     /// The values for which a parameter means something, ends included.
     pub fn range(&self, id: ParameterId) -> (f64, f64) {
         match id.object {
-            Object::Texture(i) if self.is_opacity_texture(i) => PART,
+            Object::Texture(i) if self.varies_parts(i) => PART,
             _ => row(id).range,
         }
     }

@@ -59,10 +59,19 @@ impl Texels {
 
     /// The texels, one after the other.
     pub fn iter(&self) -> impl Iterator<Item = [f64; 3]> {
-        (0..self.len()).map(|index| match &self.0 {
+        (0..self.len()).map(|index| self.at(index))
+    }
+
+    /// One of them.
+    ///
+    /// # Panics
+    ///
+    /// If there are not as many.
+    pub fn at(&self, index: usize) -> [f64; 3] {
+        match &self.0 {
             Kept::Single(texels) => texels[index].map(f64::from),
             Kept::Double(texels) => texels[index],
-        })
+        }
     }
 
     /// The texels of an image, to be shared.

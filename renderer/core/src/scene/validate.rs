@@ -7,8 +7,8 @@ use glam::DVec3;
 
 use super::table::{self, LARGEST_COORDINATE, SMALLEST_LENGTH};
 use super::{
-    MaterialObject, Mesh, Normals, Object, ParameterId, PathTracing, Scene, ShapeObject, Slot,
-    Texture,
+    Bsdf, MaterialObject, Mesh, Normals, Object, ParameterId, PathTracing, Scene, ShapeObject,
+    Slot, Texture,
 };
 use crate::{Error, memory};
 
@@ -115,11 +115,16 @@ impl Scene {
     /// Which paths of light count.
     fn check_integrator(&self) -> Result<(), Invalid> {
         let Some(PathTracing { max_depth, samples, .. }) = self.path_tracing() else {
-            return match self.environment {
-                None => Ok(()),
-                Some(_) => invalid(
+            let refracts = |material: &&MaterialObject| material.bsdf == Bsdf::Dielectric;
+            return match (self.environment, self.materials.iter().find(refracts)) {
+                (None, None) => Ok(()),
+                (Some(_), _) => invalid(
                     "environment",
                     "lights nothing unless light takes all paths: integrator.type = \"path\"",
+                ),
+                (None, Some(material)) => invalid(
+                    format!("material.{}.type", material.name),
+                    "a dielectric refracts light that takes all paths: integrator.type = \"path\"",
                 ),
             };
         };
@@ -167,7 +172,7 @@ impl Scene {
             _ if !value.is_finite() => Some(format!("{value} is not a finite number")),
             _ if (range.0..=range.1).contains(&value) => None,
             _ if matches!(id.object, Object::Texture(_)) && value > range.1 && range.1 == 1.0 => {
-                Some(format!("must be at most 1 where they vary opacity, is {value}"))
+                Some(format!("must be at most 1 where they vary opacity or roughness, is {value}"))
             }
             _ => Some(out_of(range, value)),
         };
@@ -259,7 +264,8 @@ impl Scene {
         self.check_name(object)?;
         match object {
             Object::View(_) => self.check_camera(object),
-            Object::Camera | Object::Environment | Object::Light(_) => Ok(()),
+            Object::Camera | Object::Light(_) => Ok(()),
+            Object::Environment => self.check_environment(),
             Object::Material(i) => self.check_material(i),
             Object::Texture(i) => check_texture(&self.textures[i]),
             Object::Sphere(i) => self.check_material_of(object, self.spheres[i].material),
@@ -300,7 +306,20 @@ impl Scene {
         if let Some(index) = { assigned }.find(|&&texture| texture as usize >= textures) {
             return invalid(path, format!("names texture {index} of {textures}"));
         }
+        if let Some(slot) = Slot::ALL
+            .into_iter()
+            .find(|&slot| material.textures.get(slot).is_some() && !material.bsdf.has(slot.field()))
+        {
+            let path = format!("{path}.{}_texture", slot.field());
+            return invalid(path, "varies nothing that a material of this type has");
+        }
         let path = format!("{path}.opacity");
+        if material.transparent && material.bsdf == Bsdf::Dielectric {
+            return invalid(
+                path,
+                "a dielectric has none: its index of refraction says what it lets through",
+            );
+        }
         if material.textures.get(Slot::Opacity).is_some() && !material.transparent {
             return invalid(path, "is missing; opacity_texture varies it");
         }
@@ -308,6 +327,26 @@ impl Scene {
             return invalid(path, "a mirror is opaque; leave out either opacity or mirror");
         }
         Ok(())
+    }
+
+    fn check_environment(&self) -> Result<(), Invalid> {
+        let Some(environment) = &self.environment else { return Ok(()) };
+        let textures = self.textures.len();
+        if let Some(texture) = environment.texture.filter(|&index| index as usize >= textures) {
+            return invalid(
+                "environment.texture",
+                format!("names texture {texture} of {textures}"),
+            );
+        }
+        let (low, high) = self.range(ParameterId::new(Object::Environment, "radiance"));
+        let background = environment.background.unwrap_or(DVec3::ZERO).to_array();
+        match background.into_iter().find(|value| !(low..=high).contains(value)) {
+            Some(value) if !value.is_finite() => {
+                invalid("environment.background", format!("{value} is not a finite number"))
+            }
+            Some(value) => invalid("environment.background", out_of((low, high), value)),
+            None => Ok(()),
+        }
     }
 
     fn check_material_of(&self, object: Object, material: u32) -> Result<(), Invalid> {
@@ -326,8 +365,8 @@ impl Scene {
             let problem = "has a texture, for which this shape has no coordinates";
             return invalid(format!("{path}.material"), problem);
         }
-        if material.transparent {
-            let problem = "has an opacity; a shape of this kind is opaque";
+        if material.transparent || material.bsdf == Bsdf::Dielectric {
+            let problem = "has an opacity or is a dielectric; a shape of this kind is opaque";
             return invalid(format!("{path}.material"), problem);
         }
         Ok(())

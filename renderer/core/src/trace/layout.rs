@@ -9,9 +9,10 @@ use glam::DVec3;
 use super::adjacency::Adjacency;
 use super::corners::Corners;
 use super::sampling::{GradientSamples, Samples, Sampling};
+use super::sky::Sky;
 use crate::scene::{MaterialObject, MaterialTextures, PathTracing, Scene, Slot, Wrap};
 use crate::settings::{Pass, Settings};
-use crate::transport::material::Lobes;
+use crate::transport::material::{Bsdf, Lobes};
 
 /// The discrete part of a scene, and how it is rendered.
 pub struct Layout {
@@ -36,9 +37,17 @@ pub struct Layout {
     pub has_mirrors: bool,
     /// Whether any material is transparent.
     pub has_transparency: bool,
+    /// Whether any material has another BSDF than Blinn-Phong's.
+    pub has_other_bsdfs: bool,
     /// Whether a texture varies an opacity.
     pub has_opacity_textures: bool,
     pub textures: Vec<TextureLayout>,
+    /// The texture of the environment, if it has one, and which it is.
+    pub map: Option<(usize, TextureLayout)>,
+    /// The cells of the environment, if it has a texture.
+    pub sky: Option<Sky>,
+    /// What camera rays bring that meet nothing, where that is not the environment.
+    pub background: Option<DVec3>,
     /// The first vertex of each mesh, then the number of all.
     pub first_vertices: Vec<u32>,
     /// The texture coordinates of the triangles; none if the scene has no textures.
@@ -59,10 +68,13 @@ pub struct LightTraits {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MaterialTraits {
     pub is_mirror: bool,
+    pub bsdf: Bsdf,
     pub lobes: Lobes,
     pub is_transparent: bool,
     /// Whether it reflects nothing of what it receives.
     pub is_black: bool,
+    /// Whether all of it is metal, which scatters by its facets alone.
+    pub is_metal: bool,
     /// The probability with which a path goes on by the mirror, or straight through, and is not scattered.
     pub unscattered: f32,
     pub textures: MaterialTextures,
@@ -73,10 +85,16 @@ impl MaterialTraits {
     fn of(object: &MaterialObject, pass: Pass) -> Self {
         let is_radiance = pass == Pass::Radiance;
         Self {
-            is_mirror: is_radiance && object.values.mirror != DVec3::ZERO,
-            lobes: object.values.lobes(),
+            is_mirror: is_radiance
+                && object.bsdf == Bsdf::BlinnPhong
+                && object.values.mirror != DVec3::ZERO,
+            bsdf: object.bsdf,
+            lobes: object.lobes(),
             is_transparent: is_radiance && object.transparent,
-            is_black: [object.values.diffuse, object.values.specular] == [DVec3::ZERO; 2],
+            is_black: object.bsdf == Bsdf::BlinnPhong
+                && [object.values.diffuse, object.values.specular] == [DVec3::ZERO; 2],
+            is_metal: object.values.metallic == 1.0
+                && object.textures.get(Slot::MetallicRoughness).is_none(),
             unscattered: unscattered(object),
             textures: object.textures,
         }
@@ -114,7 +132,8 @@ pub struct TextureLayout {
     pub first_texel: usize,
     pub width: u32,
     pub height: u32,
-    pub wrap: Wrap,
+    /// Of columns and of rows.
+    pub wrap: [Wrap; 2],
 }
 
 impl TextureLayout {
@@ -128,8 +147,8 @@ impl TextureLayout {
     #[inline]
     pub fn around(&self, x: f64, y: f64) -> [u32; 4] {
         let (column, row) = (x.floor() as i64, y.floor() as i64);
-        let columns = [column, column.saturating_add(1)].map(|c| self.wrap.index(c, self.width));
-        let rows = [row, row.saturating_add(1)].map(|r| self.wrap.index(r, self.height));
+        let columns = [column, column.saturating_add(1)].map(|c| self.wrap[0].index(c, self.width));
+        let rows = [row, row.saturating_add(1)].map(|r| self.wrap[1].index(r, self.height));
         let texel = |row: u32, column: u32| {
             (self.first_texel + row as usize * self.width as usize + column as usize) as u32
         };
@@ -167,8 +186,12 @@ impl Layout {
             materials: Vec::new(),
             has_mirrors: false,
             has_transparency: false,
+            has_other_bsdfs: false,
             has_opacity_textures: false,
             textures: textures(scene),
+            map: None,
+            sky: None,
+            background: None,
             first_vertices: vec![0],
             uvs: Corners::new(&scene.meshes, |mesh| match scene.textures.is_empty() {
                 true => (0, Cow::Borrowed(&[])),
@@ -191,6 +214,8 @@ impl Layout {
         layout.material_of.extend(scene.spheres.iter().map(|sphere| sphere.material));
         layout.material_of.extend(scene.shapes.iter().map(|shape| shape.material));
         layout.update(scene);
+        layout.map = layout.map(scene);
+        layout.sky = layout.map.map(|(_, map)| Sky::new(map.width, map.height));
         layout.sampling = sampling_of(settings.sampling, layout.path_tracing);
         layout
     }
@@ -199,6 +224,8 @@ impl Layout {
     pub fn update(&mut self, scene: &Scene) {
         let pass = self.pass;
         self.path_tracing = pass.path_tracing(scene);
+        let environment = scene.environment.filter(|_| pass == Pass::Radiance);
+        self.background = environment.and_then(|environment| environment.background);
         let lights = scene.lights.iter().filter(|_| pass == Pass::Radiance);
         self.lights.clear();
         self.lights.extend(lights.map(|light| LightTraits { is_black: light.source.is_black() }));
@@ -207,8 +234,17 @@ impl Layout {
             .extend(scene.materials.iter().map(|object| MaterialTraits::of(object, pass)));
         self.has_mirrors = self.materials.iter().any(|traits| traits.is_mirror);
         self.has_transparency = self.materials.iter().any(|traits| traits.is_transparent);
+        self.has_other_bsdfs = self.materials.iter().any(|traits| traits.bsdf != Bsdf::BlinnPhong);
         let mut textures = self.materials.iter().map(|traits| traits.textures);
         self.has_opacity_textures = textures.any(|textures| textures.get(Slot::Opacity).is_some());
+    }
+
+    /// The texture of the environment: columns go around, and rows end at the poles.
+    fn map(&self, scene: &Scene) -> Option<(usize, TextureLayout)> {
+        let environment = scene.environment.filter(|_| self.pass == Pass::Radiance)?;
+        let texture = environment.texture? as usize;
+        let wrap = [Wrap::Repeat, Wrap::Clamp];
+        Some((texture, TextureLayout { wrap, ..self.textures[texture] }))
     }
 
     /// The kind of a primitive, and its index among those of its kind.
@@ -270,7 +306,7 @@ fn textures(scene: &Scene) -> Vec<TextureLayout> {
             first_texel,
             width: texture.width,
             height: texture.height,
-            wrap: texture.wrap,
+            wrap: [texture.wrap; 2],
         };
         first_texel += texture.texels.len();
         placed

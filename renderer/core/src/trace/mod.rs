@@ -15,4 +15,5 @@ pub(crate) mod layout;
 pub(crate) mod random;
 pub(crate) mod raster;
 pub(crate) mod sampling;
+pub(crate) mod sky;
 pub(crate) mod tile;

@@ -5,7 +5,8 @@
 //! pixel falls faster than that of independent numbers, and does not go with that of its neighbours.
 //! Rays of one depth take eight dimensions, in two sets of four.
 
-use sobol_burley::{NUM_DIMENSION_SETS_4D, sample_4d};
+use sobol_burley::NUM_DIMENSION_SETS_4D;
+use sobol_burley::parts::{owen_scramble_rev, sobol_rev, u32_to_f32_norm};
 
 use super::bvh::PACKET_RAYS;
 use super::sampling::{Sampling, hash};
@@ -42,12 +43,33 @@ impl PathNumbers {
         Self { seeds, index }
     }
 
-    /// Four numbers from 0 up to, but without, 1.
-    #[inline]
-    pub fn at(&self, ray: usize, depth: u32, purpose: Purpose) -> [f32; 4] {
+    /// The numbers of all rays.
+    pub fn at(&self, depth: u32, purpose: Purpose) -> RayNumbers {
         let set = depth * SETS + purpose as u32;
         let (round, set) = (set / NUM_DIMENSION_SETS_4D, set % NUM_DIMENSION_SETS_4D);
-        sample_4d(self.index, set, self.seeds[ray].wrapping_add(hash(round)))
+        let round = hash(round);
+        RayNumbers(std::array::from_fn(|axis| {
+            let dimension = 4 * set + axis as u32;
+            // One point serves all rays: scrambling makes each sequence another one.
+            let point = sobol_rev(self.index.reverse_bits(), dimension);
+            let mut numbers = [0.0; PACKET_RAYS];
+            for (number, seed) in numbers.iter_mut().zip(&self.seeds) {
+                let scramble = hash(seed.wrapping_add(round) ^ dimension.wrapping_mul(0x9e37_79b9));
+                *number = u32_to_f32_norm(owen_scramble_rev(point, scramble).reverse_bits());
+            }
+            numbers
+        }))
+    }
+}
+
+/// Four numbers for each ray, from 0 up to, but without, 1.
+pub struct RayNumbers([[f32; PACKET_RAYS]; 4]);
+
+impl RayNumbers {
+    /// Those of one ray.
+    #[inline]
+    pub fn of(&self, ray: usize) -> [f32; 4] {
+        self.0.each_ref().map(|numbers| numbers[ray])
     }
 }
 
@@ -71,7 +93,7 @@ mod tests {
         for depth in [0, 3, 31, 32, 100] {
             for ray in [0, 17] {
                 for axis in 0..4 {
-                    let at = |i| numbers(i, 5).at(ray, depth, Purpose::Scatter)[axis];
+                    let at = |i| numbers(i, 5).at(depth, Purpose::Scatter).of(ray)[axis];
                     let mut parts: Vec<_> = (0..16).map(|i| (at(i) * 16.0) as u32).collect();
                     parts.sort_unstable();
                     assert_eq!(parts, (0..16).collect::<Vec<_>>(), "{depth} {axis}");
@@ -83,13 +105,13 @@ mod tests {
     #[test]
     fn pixels_seeds_depths_and_purposes_have_their_own() {
         let one = numbers(3, 5);
-        let first = one.at(0, 1, Purpose::Scatter);
-        assert!((1..PACKET_RAYS).all(|ray| one.at(ray, 1, Purpose::Scatter) != first));
-        assert_ne!(first, one.at(0, 2, Purpose::Scatter));
-        assert_ne!(first, one.at(0, 33, Purpose::Scatter));
-        assert_ne!(first, one.at(0, 1, Purpose::Emitter));
-        assert_ne!(first, numbers(3, 6).at(0, 1, Purpose::Scatter));
-        assert_ne!(first, numbers(3 + (1 << 16), 5).at(0, 1, Purpose::Scatter));
-        assert_eq!(first, numbers(3, 5).at(0, 1, Purpose::Scatter));
+        let first = one.at(1, Purpose::Scatter).of(0);
+        assert!((1..PACKET_RAYS).all(|ray| one.at(1, Purpose::Scatter).of(ray) != first));
+        assert_ne!(first, one.at(2, Purpose::Scatter).of(0));
+        assert_ne!(first, one.at(33, Purpose::Scatter).of(0));
+        assert_ne!(first, one.at(1, Purpose::Emitter).of(0));
+        assert_ne!(first, numbers(3, 6).at(1, Purpose::Scatter).of(0));
+        assert_ne!(first, numbers(3 + (1 << 16), 5).at(1, Purpose::Scatter).of(0));
+        assert_eq!(first, numbers(3, 5).at(1, Purpose::Scatter).of(0));
     }
 }

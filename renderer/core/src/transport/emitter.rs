@@ -14,9 +14,9 @@
 use ad::vector::{Vector, Vector3};
 use ad::{Differentiable, Real, Vec3, differentiable, select};
 
+use super::direction::turn;
 use super::light::Illumination;
 use super::positive_part;
-use super::scatter::turn;
 use super::sphere::Sphere;
 use super::triangle::{Triangle, edge_scale, exact_cross};
 

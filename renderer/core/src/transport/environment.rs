@@ -1,10 +1,47 @@
 //! What surrounds a scene.
 
-use ad::{Differentiable, Fields, Real, Vec3};
+use ad::vector::Vector3;
+use ad::{Differentiable, Fields, Real, Vec3, differentiable};
+
+use super::texture::{Footprint, Uv, modulate};
 
 /// Light from infinitely far in all directions: what rays bring that meet nothing.
 #[derive(Clone, Copy, Debug, PartialEq, Differentiable, Fields)]
 pub struct Environment<S: Real> {
-    /// The radiance, the same from everywhere.
+    /// The radiance from everywhere, or what multiplies a map of it.
     pub radiance: Vec3<S>,
+    /// The angle by which the map is turned about the y axis, degrees, as an object would be.
+    pub rotation: S,
+}
+
+impl Environment<f64> {
+    /// The same radiance from everywhere.
+    pub fn constant(radiance: glam::DVec3) -> Self {
+        Self { radiance, rotation: 0.0 }
+    }
+}
+
+/// Where a map of all directions shows one, of any length: longitude to the right, latitude upwards. The
+/// longitude jumps by 1 towards +z, where a map begins and ends; at the poles it is any, with the derivative
+/// 0.
+#[differentiable]
+#[inline]
+pub fn map_coordinates<S: Real>(rotation: S, direction: Vec3<S>) -> Uv<S> {
+    let (x, y, z) = (direction.x(), direction.y(), direction.z());
+    let longitude = x.atan2(-z) / (S::PI + S::PI) + rotation / S::from_f64(360.0);
+    let latitude = y.atan2((x * x + z * z).sqrt()) / S::PI;
+    Uv { u: S::HALF + longitude, v: S::HALF + latitude }
+}
+
+/// The radiance of a map from a direction: bilinear between the middles of texels, which stand evenly in
+/// longitude and latitude.
+#[differentiable]
+#[inline]
+pub fn map_radiance<S: Real>(
+    environment: Environment<S>,
+    footprint: Footprint<S>,
+    direction: Vec3<S>,
+) -> Vec3<S> {
+    let uv = map_coordinates::<S>(environment.rotation, direction);
+    modulate::<S>(environment.radiance, footprint, uv)
 }

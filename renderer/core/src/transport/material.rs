@@ -1,22 +1,55 @@
-//! The material, rough diffuse below a Blinn-Phong highlight, and the light it reflects.
+//! The material.
 
-use std::f64::consts::{FRAC_1_PI, PI};
+use ad::{Differentiable, Fields, Real, Vec3};
 
-use ad::vector::Vector;
-use ad::{Differentiable, Fields, Real, Vec3, differentiable, select};
+/// How a material scatters light (its bidirectional scattering distribution function): what its numbers mean.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Bsdf {
+    /// A diffuse surface with a Blinn-Phong highlight, which may be a mirror:
+    /// [`blinn_phong`](super::blinn_phong).
+    #[default]
+    BlinnPhong,
+    /// A metal, or a glossy layer on a diffuse surface, as glTF 2.0 defines it:
+    /// [`microfacet`](super::microfacet). A smooth metal is one of roughness 0.
+    MetallicRoughness,
+    /// A smooth surface that reflects and refracts, as of glass: [`dielectric`](super::dielectric).
+    Dielectric,
+}
 
-use super::positive_part;
-use super::surface::SurfacePoint;
+impl Bsdf {
+    /// The kinds by the names that scene files give them.
+    #[doc(hidden)]
+    pub const ALL: [(&'static str, Self); 3] = [
+        ("blinn_phong", Self::BlinnPhong),
+        ("metallic_roughness", Self::MetallicRoughness),
+        ("dielectric", Self::Dielectric),
+    ];
 
-/// A diffuse material with a Blinn-Phong highlight; colours are linear RGB.
+    /// Whether a field of [`Material`], or what a texture varies, means something to it.
+    #[doc(hidden)]
+    pub fn has(self, field: &str) -> bool {
+        match field {
+            "emission" | "diffuse" => true,
+            "opacity" | "roughness" => self != Self::Dielectric,
+            "specular" | "exponent" | "mirror" => self == Self::BlinnPhong,
+            "metallic" | "metallic_roughness" => self == Self::MetallicRoughness,
+            "ior" => self != Self::BlinnPhong,
+            _ => false,
+        }
+    }
+}
+
+/// The numbers of a material of any [kind](Bsdf); colours are linear RGB.
 #[derive(Clone, Copy, Debug, PartialEq, Differentiable, Fields)]
 pub struct Material<S: Real> {
     /// The radiance that the surface emits.
     pub emission: Vec3<S>,
-    /// The albedo of the diffuse part.
+    /// The albedo of the diffuse part; of a metallic-roughness material its base colour, which is that of a
+    /// metal; of a dielectric the part of light that it lets through.
     pub diffuse: Vec3<S>,
-    /// The roughness of the diffuse part, from 0, which is Lambert's, to 1: how much of its light goes
-    /// back to where it comes from, as that of dust, plaster and clay does.
+    /// The roughness from 0 to 1. Of a metallic-roughness material, that of its facets: 0 is smooth. Else that
+    /// of the diffuse part, from 0, which is Lambert's: how much of its light goes back to where it comes
+    /// from, as that of dust, plaster and clay does.
     pub roughness: S,
     /// The albedo of the highlight.
     pub specular: Vec3<S>,
@@ -27,13 +60,25 @@ pub struct Material<S: Real> {
     /// The part of its own radiance that a transparent surface shows; the rest is what lies straight
     /// behind it. 1 for opaque materials.
     pub opacity: S,
+    /// Of a metallic-roughness material: how much of it is metal, from 0 to 1.
+    pub metallic: S,
+    /// The index of refraction of the dielectric part, at least 1.
+    pub ior: S,
 }
 
 impl Material<f64> {
-    /// The lobes that its BRDF has.
+    /// The lobes that its BRDF has, of this kind.
     #[doc(hidden)]
-    pub fn lobes(&self) -> Lobes {
-        Lobes { rough: self.roughness != 0.0, glossy: self.specular != glam::DVec3::ZERO }
+    pub fn lobes(&self, bsdf: Bsdf) -> Lobes {
+        match bsdf {
+            Bsdf::BlinnPhong => Lobes {
+                rough: self.roughness != 0.0,
+                glossy: self.specular != glam::DVec3::ZERO,
+                facets: false,
+            },
+            Bsdf::MetallicRoughness => Lobes { facets: true, ..Lobes::default() },
+            Bsdf::Dielectric => Lobes::default(),
+        }
     }
 
     /// An opaque Lambertian material.
@@ -46,6 +91,8 @@ impl Material<f64> {
             exponent: 1.0,
             mirror: glam::DVec3::ZERO,
             opacity: 1.0,
+            metallic: 0.0,
+            ior: 1.5,
         }
     }
 }
@@ -64,53 +111,18 @@ pub struct Lobes {
     pub rough: bool,
     /// A highlight.
     pub glossy: bool,
+    /// Facets in place of everything else: those of metallic-roughness materials, which do not share their
+    /// lanes with others.
+    pub facets: bool,
 }
 
 impl Lobes {
     /// Those that any of two has.
     pub(crate) fn union(self, other: Self) -> Self {
-        Self { rough: self.rough | other.rough, glossy: self.glossy | other.glossy }
+        Self {
+            rough: self.rough | other.rough,
+            glossy: self.glossy | other.glossy,
+            facets: self.facets | other.facets,
+        }
     }
-}
-
-/// The BRDF of a material for light from `direction`, a unit vector: its diffuse part, and
-/// `specular / π * max(n · h, 0)^exponent`, where `h` is the direction half-way between light and viewer
-/// (Blinn 1977). `lobes` holds those of all lanes.
-///
-/// The highlight is not normalised, as in RayTracer.jl: `exponent` changes its energy. Unlike there,
-/// both parts are multiplied by the cosine of the light, so that the highlight fades towards the shadow
-/// side instead of ending at an edge.
-#[differentiable]
-#[inline]
-pub fn brdf<S: Real>(
-    material: Material<S>,
-    lobes: Lobes,
-    surface: SurfacePoint<S>,
-    direction: Vec3<S>,
-) -> Vec3<S> {
-    let mut reflectance = material.diffuse;
-    if lobes.rough {
-        reflectance = reflectance * rough_diffuse::<S>(material.roughness, surface, direction);
-    }
-    if lobes.glossy {
-        let half_way = (direction + surface.view).normalize_or_zero();
-        let alignment = positive_part::<S>(surface.normal.dot(half_way));
-        reflectance = reflectance + material.specular * alignment.powf(material.exponent);
-    }
-    reflectance * S::from_f64(FRAC_1_PI)
-}
-
-/// The BRDF of a rough diffuse surface, by Lambert's: facets in all directions, which are Lambertian and
-/// hide each other (Oren & Nayar 1994), in the form of Fujii, which has no ring (Portsmouth, Kutz & Hill
-/// 2024). It has a kink where light and viewer are at the same angle from the normal. The light that facets send to each other is left out: at `roughness` 1 the mean albedo is 0.83.
-#[differentiable]
-#[inline]
-fn rough_diffuse<S: Real>(roughness: S, surface: SurfacePoint<S>, direction: Vec3<S>) -> S {
-    let (to_light, to_viewer) = (surface.normal.dot(direction), surface.normal.dot(surface.view));
-    let along_surface = direction.dot(surface.view) - to_light * to_viewer;
-    // At grazing angles the cosine of the light tends to zero faster than this to infinity.
-    let largest = to_light.max(to_viewer).max(S::EPSILON);
-    let ratio = select(along_surface.cmpgt(S::ZERO), along_surface / largest, along_surface);
-    let energy = S::ONE + roughness * S::from_f64(0.5 - 2.0 / (3.0 * PI));
-    (S::ONE + roughness * ratio) / energy
 }

@@ -2,10 +2,11 @@
 //!
 //! In tracing order: a [`camera`] sends a ray through a pixel; [`hit`] gives the surface point on the
 //! [`triangle`], flat or [`smooth`], [`sphere`] or custom [`shape`] that it meets; a [`texture`]
-//! varies the [`material`] there; [`direct`] gives what a [`light`] makes the surface reflect; [`vertex`]
-//! puts together what leaves a path vertex and the ray to the next one. Where light takes all paths,
-//! [`emitter`] gives what surfaces that shine bring to others, [`scatter`] where it goes on from a surface,
-//! and [`environment`] what surrounds the scene. [`transform`] places geometry in the world.
+//! varies the [`material`] there, whose [`brdf`] is that of [`blinn_phong`] or of [`microfacet`]; [`direct`]
+//! gives what a [`light`] makes the surface reflect; [`vertex`] puts together what leaves a path vertex and
+//! the ray to the next one. Where light takes all paths, [`emitter`] gives what surfaces that shine bring to
+//! others, [`scatter`] and [`dielectric`] where it goes on from a surface, and [`environment`] what surrounds
+//! the scene. [`transform`] places geometry in the world.
 //!
 //! Every function is `#[differentiable]` and generic over `S:` [`Real`], so one source runs at
 //! `f32`, `f64`, on SIMD lanes, dual numbers, a tape, and in extended precision, and its pullback is
@@ -17,14 +18,19 @@
 //! Units are those of radiometry in linear RGB: radiance W/(m² sr), irradiance W/m², radiant intensity
 //! W/sr.
 
+pub mod blinn_phong;
+pub mod brdf;
 pub mod camera;
+pub mod dielectric;
 pub mod direct;
+pub mod direction;
 pub mod edge;
 pub mod emitter;
 pub mod environment;
 pub mod hit;
 pub mod light;
 pub mod material;
+pub mod microfacet;
 pub mod scatter;
 pub mod shape;
 pub mod smooth;

@@ -55,6 +55,19 @@ pub fn modulate<S: Real>(color: Vec3<S>, footprint: Footprint<S>, uv: Uv<S>) -> 
     color * bilinear::<S>(footprint, uv)
 }
 
+/// A roughness and a metallic part, varied by the green and the blue channel of a texture.
+#[differentiable]
+#[inline]
+pub fn modulate_facets<S: Real>(
+    roughness: S,
+    metallic: S,
+    footprint: Footprint<S>,
+    uv: Uv<S>,
+) -> (S, S) {
+    let factors = bilinear::<S>(footprint, uv);
+    (roughness * factors.y(), metallic * factors.z())
+}
+
 /// An opacity, varied by a texture: by the mean of its channels.
 #[differentiable]
 #[inline]

@@ -6,8 +6,10 @@ use serde::Deserialize;
 use serde::de::IgnoredAny;
 
 /// The extensions that are read.
-const EXTENSIONS: [&str; 4] = [
+const EXTENSIONS: [&str; 6] = [
     "KHR_lights_punctual",
+    "KHR_materials_ior",
+    "KHR_materials_transmission",
     "KHR_materials_unlit",
     "KHR_mesh_quantization",
     "KHR_texture_transform",
@@ -165,6 +167,28 @@ pub(super) struct MaterialExtensions {
     /// There if light does not matter: the base colour is what is seen.
     #[serde(rename = "KHR_materials_unlit")]
     pub unlit: Option<IgnoredAny>,
+    #[serde(rename = "KHR_materials_ior")]
+    pub ior: Option<Ior>,
+    #[serde(rename = "KHR_materials_transmission")]
+    pub transmission: Option<Transmission>,
+}
+
+#[derive(Clone, Copy, Deserialize)]
+#[serde(default)]
+pub(super) struct Ior {
+    pub ior: f64,
+}
+
+impl Default for Ior {
+    fn default() -> Self {
+        Self { ior: 1.5 }
+    }
+}
+
+#[derive(Clone, Copy, Default, Deserialize)]
+#[serde(rename_all = "camelCase", default)]
+pub(super) struct Transmission {
+    pub transmission_factor: f64,
 }
 
 #[derive(Deserialize)]
@@ -174,7 +198,8 @@ pub(super) struct Pbr {
     pub base_color_factor: [f64; 4],
     pub base_color_texture: Option<TextureInfo>,
     pub metallic_factor: Option<f64>,
-    pub metallic_roughness_texture: Option<IgnoredAny>,
+    pub roughness_factor: f64,
+    pub metallic_roughness_texture: Option<TextureInfo>,
 }
 
 impl Default for Pbr {
@@ -183,6 +208,7 @@ impl Default for Pbr {
             base_color_factor: [1.0; 4],
             base_color_texture: None,
             metallic_factor: None,
+            roughness_factor: 1.0,
             metallic_roughness_texture: None,
         }
     }

@@ -11,12 +11,12 @@ use super::document::{self, Document, Sampler, TextureInfo, TextureTransform, ge
 use crate::Error;
 use crate::files::meshes::plain_material;
 use crate::files::meshes::{
-    Channel, DEFAULT_MATERIAL, ModelMaps, ModelMaterial, TextureImage, TextureSource,
+    Channel, DEFAULT_MATERIAL, FullMaterial, ModelMaps, ModelMaterial, TextureImage, TextureSource,
 };
 use crate::files::names::Names;
 use crate::files::names::clean_name;
-use crate::scene::{Material, MaterialObject, Wrap};
-use crate::warning::Warnings;
+use crate::scene::{Bsdf, Material, MaterialObject, Wrap};
+use crate::warning::{Warning, Warnings};
 
 /// The materials of a document, and of these the ones that a primitive has.
 pub(super) struct Materials {
@@ -92,16 +92,30 @@ fn convert(
             ..Material::lambertian(color)
         },
     });
+    let mut full = match is_unlit {
+        true => None,
+        false => Some(FullMaterial {
+            material: full_material(definition, material.values),
+            left_out: left_out_of_facets(definition, place),
+        }),
+    };
     if let Some(opacity) = opacity {
         material = material.with_opacity(opacity);
+        full = full.map(|full| FullMaterial {
+            material: match full.material.bsdf.has("opacity") {
+                true => full.material.with_opacity(opacity),
+                false => full.material,
+            },
+            ..full
+        });
     }
     let emissive = if is_unlit { &None } else { &definition.emissive_texture };
-    let infos = [&pbr.base_color_texture, emissive];
+    let finish = if is_unlit { &None } else { &pbr.metallic_roughness_texture };
+    let infos = [&pbr.base_color_texture, emissive, finish];
     let mut placements = infos.into_iter().flatten().map(placement);
     let (texture_set, first) = placements.next().unwrap_or_default();
     if placements.any(|other| other != (texture_set, first)) {
-        let problem = "emissiveTexture has other texture coordinates than baseColorTexture; it \
-                       gets the same";
+        let problem = "its textures have different texture coordinates; all get those of the first";
         warnings.add("placements", place, problem);
     }
     let mut source = |info: &Option<TextureInfo>| {
@@ -113,22 +127,48 @@ fn convert(
         Some(TextureSource { channel, ..source.clone() })
     };
     let emission = source(emissive)?;
+    let finish = source(finish)?.map(|source| TextureSource { channel: Channel::Data, ..source });
     let opacity = base.as_ref().and_then(covers);
     let (emission, diffuse) = if is_unlit { (base, None) } else { (emission, base) };
-    let maps = ModelMaps { sources: [emission, diffuse, None, opacity], placement: first };
-    Ok((ModelMaterial { name, material: Ok(material), maps }, texture_set))
+    let maps = ModelMaps { sources: [emission, diffuse, None, opacity, finish], placement: first };
+    Ok((ModelMaterial { name, material: Ok(material), full, maps }, texture_set))
+}
+
+/// A material with its facets, or glass, by its numbers without.
+fn full_material(definition: &document::Material, values: Material<f64>) -> MaterialObject {
+    let pbr = &definition.pbr_metallic_roughness;
+    let extensions = &definition.extensions;
+    let values = Material {
+        metallic: pbr.metallic_factor.unwrap_or(1.0),
+        roughness: pbr.roughness_factor,
+        ior: extensions.ior.unwrap_or_default().ior.max(1.0),
+        ..values
+    };
+    let transmitted = extensions.transmission.unwrap_or_default().transmission_factor;
+    // What lets through most of the light, and is smooth: glass has no other part here.
+    let is_glass = transmitted > 0.5 && values.metallic < 0.5 && values.roughness < 0.1;
+    let bsdf = if is_glass { Bsdf::Dielectric } else { Bsdf::MetallicRoughness };
+    MaterialObject { bsdf, ..values.into() }
+}
+
+/// What of facets is left out where light does not take all paths.
+fn left_out_of_facets(definition: &document::Material, place: &str) -> Option<Warning> {
+    let pbr = &definition.pbr_metallic_roughness;
+    let problem = match pbr {
+        _ if pbr.metallic_roughness_texture.is_some() => "metallicRoughnessTexture is left out",
+        _ if pbr.metallic_factor.is_some_and(|factor| factor > 0.0) => "metallicFactor is left out",
+        _ => return None,
+    };
+    Some(Warning::new(
+        place,
+        format_args!("{problem}: metals are shown as matt surfaces unless light takes all paths"),
+    ))
 }
 
 fn warn_of_left_out(definition: &document::Material, place: &str, warnings: &mut Warnings) {
-    let pbr = &definition.pbr_metallic_roughness;
     let left_out = [
         (definition.normal_texture.is_some(), "normalTexture is left out"),
         (definition.occlusion_texture.is_some(), "occlusionTexture is left out"),
-        (pbr.metallic_roughness_texture.is_some(), "metallicRoughnessTexture is left out"),
-        (
-            pbr.metallic_factor.is_some_and(|factor| factor > 0.0),
-            "metallicFactor is left out: metals are shown as matt surfaces",
-        ),
     ];
     for (_, problem) in left_out.into_iter().filter(|(is_given, _)| *is_given) {
         warnings.add(problem, place, problem);

@@ -153,7 +153,11 @@ fn broken_textures_are_refused() {
         ("/samplers/0/wrapS", json!(1), "textures[0]: a wrap mode of its sampler is 1"),
         ("/images/0", json!({}), "images[0]: has neither a uri nor a bufferView"),
         ("/images/0/bufferView", json!(9), "images[0]: there is no bufferViews[9], of 4"),
-        ("/images/0/bufferView", json!(2), "images[0]: is not a PNG, JPEG or OpenEXR image"),
+        (
+            "/images/0/bufferView",
+            json!(2),
+            "images[0]: is not a PNG, JPEG, OpenEXR or Radiance HDR image",
+        ),
         ("/images/0", json!({ "uri": "data:,x" }), "images[0]: its data is not base64"),
         ("/accessors/2/count", json!(3), "primitives[0]: has 3 TEXCOORD_0 for 4 vertices"),
         ("/accessors/2/type", json!("VEC3"), "accessors[2]: its type is VEC3, not VEC2"),
@@ -178,7 +182,8 @@ fn what_is_left_out_is_told() {
     line["mode"] = json!(1);
     primitives[0]["attributes"]["COLOR_0"] = json!(0);
     primitives.extend([line.clone(), line]);
-    let warnings = load(&document).unwrap().model.warnings;
+    let model = load(&document).unwrap().model;
+    let warnings = model.warnings;
     let after_file = |warning: &crate::files::Warning| {
         warning.to_string().split_once("model.gltf: ").unwrap().1.to_owned()
     };
@@ -186,11 +191,15 @@ fn what_is_left_out_is_told() {
         "the extension KHR_materials_sheen is left out",
         "animations are left out",
         "materials[0]: normalTexture is left out",
-        "materials[1]: metallicFactor is left out: metals are shown as matt surfaces",
         "meshes[0].primitives[0]: the colours of vertices are left out",
         "meshes[0].primitives[1]: points and lines are left out",
     ];
     assert_eq!(warnings.iter().map(after_file).collect::<Vec<_>>(), expected);
+    let full = model.materials.iter().filter_map(|material| material.full.as_ref());
+    let left_out: Vec<_> = full.filter_map(|full| full.left_out.as_ref()).map(after_file).collect();
+    let matt = "materials[1]: metallicFactor is left out: metals are shown as matt surfaces unless \
+                light takes all paths";
+    assert_eq!(left_out, [matt]);
 
     let (mut document, bytes) = textured();
     document["samplers"][0] = json!({ "wrapS": 33071, "magFilter": 9728 });

@@ -48,8 +48,8 @@ pub fn decode(bytes: &[u8], convert: Convert) -> Result<Decoded, String> {
         .map_err(|error| format!("cannot be read: {error}"))?;
     let is_srgb = match reader.format() {
         Some(ImageFormat::Png | ImageFormat::Jpeg) => true,
-        Some(ImageFormat::OpenExr) => false,
-        _ => return Err("is not a PNG, JPEG or OpenEXR image".to_owned()),
+        Some(ImageFormat::OpenExr | ImageFormat::Hdr) => false,
+        _ => return Err("is not a PNG, JPEG, OpenEXR or Radiance HDR image".to_owned()),
     };
     let mut limits = Limits::no_limits();
     limits.max_alloc = Some(MOST_BESIDE);

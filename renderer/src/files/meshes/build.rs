@@ -111,6 +111,7 @@ pub(in crate::files) fn plain_material() -> ModelMaterial {
     ModelMaterial {
         name: DEFAULT_MATERIAL.to_owned(),
         material: Ok(Material::default().into()),
+        full: None,
         maps: ModelMaps::default(),
     }
 }

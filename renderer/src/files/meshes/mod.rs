@@ -16,6 +16,7 @@ mod polygon;
 pub(super) use build::{MeshBuilder, Triangles, check_normal, default_model, plain_material};
 pub use format::{FileNormals, MeshFormat};
 pub use model::{
-    Channel, DEFAULT_MATERIAL, Model, ModelMaps, ModelMaterial, TextureImage, TextureSource,
+    Channel, DEFAULT_MATERIAL, FullMaterial, Model, ModelMaps, ModelMaterial, TextureImage,
+    TextureSource,
 };
 pub(super) use polygon::triangulate;

@@ -32,15 +32,27 @@ pub struct ModelMaterial {
     /// Its numbers, without textures; or that the files do not say, to be warned of unless a scene file
     /// does. What stands in for them is the default material.
     pub material: Result<MaterialObject, Warning>,
+    /// What it is where light takes all paths, if that is more.
+    pub full: Option<FullMaterial>,
     /// The textures of its numbers.
     pub maps: ModelMaps,
+}
+
+/// A material that only light shows which takes all paths: where it comes straight from lights, metals and
+/// glass would be black.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FullMaterial {
+    /// Its type and numbers, without textures.
+    pub material: MaterialObject,
+    /// What is left out of it elsewhere.
+    pub left_out: Option<Warning>,
 }
 
 /// The textures of a material's numbers.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct ModelMaps {
     /// The texture of each number that one varies, by [`Slot`].
-    pub sources: [Option<TextureSource>; 4],
+    pub sources: [Option<TextureSource>; Slot::ALL.len()],
     /// Maps the texture coordinates of the mesh to those at which the textures are looked up.
     pub placement: DAffine2,
 }
@@ -79,6 +91,8 @@ pub enum Channel {
     },
     /// Its alpha, or, where it has none, its brightness as it is stored: a mask.
     Mask,
+    /// Its channels as they are stored: numbers, and no colours.
+    Data,
 }
 
 /// An image that has not been read yet.

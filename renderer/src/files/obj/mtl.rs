@@ -9,8 +9,8 @@ use super::statements::{number, statements, words};
 use crate::Error;
 use crate::Warning;
 use crate::disk::read_text;
-use crate::files::meshes::ModelMaps;
-use crate::scene::{Material, MaterialObject};
+use crate::files::meshes::{FullMaterial, ModelMaps};
+use crate::scene::{Bsdf, Material, MaterialObject};
 use crate::warning::Warnings;
 
 /// The materials of libraries.
@@ -26,6 +26,7 @@ pub(super) struct Library {
 pub(super) struct LibraryMaterial {
     pub name: String,
     pub material: MaterialObject,
+    pub full: Option<FullMaterial>,
     pub maps: ModelMaps,
 }
 
@@ -103,11 +104,18 @@ struct Definition {
     diffuse_map: Option<Map>,
     specular_map: Option<Map>,
     opacity_map: Option<Map>,
+    roughness: Option<f64>,
+    metallic: Option<f64>,
+    ior: Option<f64>,
+    /// What glass lets through.
+    filter: Option<DVec3>,
+    /// What is left out where light does not take all paths.
+    left_out: Option<Warning>,
 }
 
 /// The statements that materials are made of.
-const OF_MATERIALS: [&str; 11] =
-    ["ke", "kd", "ks", "ns", "d", "tr", "illum", "map_ke", "map_kd", "map_ks", "map_d"];
+const OF_MATERIALS: [&str; 13] =
+    ["ke", "kd", "ks", "ns", "d", "tr", "illum", "map_ke", "map_kd", "map_ks", "map_d", "pr", "pm"];
 
 /// Statements that nothing here stands for: the number that leaves the image as it is, not a number
 /// if there is none, and why there is no other one.
@@ -121,6 +129,9 @@ const NO_FILTER: &str = "opacity has no colour";
 const NO_REFRACTION: &str = "rays go straight on behind transparent surfaces";
 const NO_AMBIENT_LIGHT: &str =
     "there is no ambient light; `emission` in a scene file is what a surface emits";
+
+/// The roughness of a metal that does not say.
+const DEFAULT_ROUGHNESS: f64 = 0.5;
 
 /// What is said of a statement that is not known.
 fn unknown(keyword: &str) -> String {
@@ -163,6 +174,19 @@ impl Definition {
                 *(if lower == "d" { &mut self.opacity } else { &mut self.transparency }) =
                     Some(value);
             }
+            "pr" | "pm" => {
+                let value = not_negative(keyword, words(rest).next().unwrap_or(""))?;
+                if value > 1.0 {
+                    return Err(format!("{keyword} must be at most 1, is {value}"));
+                }
+                if lower == "pm" && value > 0.0 {
+                    let problem = "Pm is left out: metals are shown as matt surfaces unless light takes \
+                                   all paths";
+                    self.left_out.get_or_insert_with(|| Warning::new(place, problem));
+                }
+                *(if lower == "pr" { &mut self.roughness } else { &mut self.metallic }) =
+                    Some(value);
+            }
             "map_ke" => self.emission_map = map()?,
             "map_kd" => self.diffuse_map = map()?,
             "map_ks" => self.specular_map = map()?,
@@ -174,7 +198,14 @@ impl Definition {
                     model.ok_or_else(|| format!("illum is a number from 0 to 10, not `{word}`"))?;
                 let problem = match model {
                     0 => "a colour without light; it is lit as by `illum 1`",
-                    4 | 6 | 7 | 9 => "glass that refracts; it is shown as by `illum 2`",
+                    4 | 6 | 7 | 9 => {
+                        let problem = format_args!(
+                            "illum {model} is glass that refracts; it is shown as by `illum 2` unless \
+                             light takes all paths"
+                        );
+                        self.left_out.get_or_insert_with(|| Warning::new(place, problem));
+                        ""
+                    }
                     10 => "a surface for shadows alone; it is shown as by `illum 2`",
                     _ => "",
                 };
@@ -184,12 +215,15 @@ impl Definition {
                 }
                 self.illumination = Some(model);
             }
-            _ => match LEFT_OUT.iter().find(|(left_out, ..)| *left_out == lower) {
-                Some((_, neutral, _)) if all_are(rest, *neutral) => {}
-                Some((_, _, reason)) => {
-                    warnings.add(lower, place, format_args!("{keyword} is left out: {reason}"));
-                }
-                None => warnings.add(lower, place, unknown(keyword)),
+            _ => match self.read_refraction(lower, keyword, rest)? {
+                true => {}
+                false => match LEFT_OUT.iter().find(|(left_out, ..)| *left_out == lower) {
+                    Some((_, neutral, _)) if all_are(rest, *neutral) => {}
+                    Some((_, _, reason)) => {
+                        warnings.add(lower, place, format_args!("{keyword} is left out: {reason}"));
+                    }
+                    None => warnings.add(lower, place, unknown(keyword)),
+                },
             },
         }
         let mut placements = self.maps().map(|map| map.placement);
@@ -207,6 +241,44 @@ impl Definition {
             warnings.add("transparent mirror", place, "a mirror is shown opaque");
         }
         Ok(())
+    }
+
+    /// Reads a statement about refraction, if it is one that facets or glass have.
+    fn read_refraction(&mut self, lower: &str, keyword: &str, rest: &str) -> Result<bool, String> {
+        let has_surface = self.is_glass() || self.roughness.is_some() || self.metallic.is_some();
+        match lower {
+            "ni" => {
+                let ior = not_negative(keyword, words(rest).next().unwrap_or(""))?;
+                self.ior = Some(ior).filter(|&ior| ior >= 1.0);
+            }
+            "tf" if self.is_glass() => self.filter = color(keyword, rest).ok(),
+            _ => return Ok(false),
+        }
+        Ok(has_surface)
+    }
+
+    fn is_glass(&self) -> bool {
+        matches!(self.illumination, Some(4 | 6 | 7 | 9))
+    }
+
+    /// The material where light takes all paths, by its numbers without facets.
+    fn full(&self, values: Material<f64>) -> Option<MaterialObject> {
+        let ior = self.ior.unwrap_or(values.ior);
+        if self.is_glass() {
+            let clear = MaterialObject::dielectric(ior);
+            let diffuse = self.filter.unwrap_or(clear.values.diffuse);
+            let values = Material { diffuse, emission: values.emission, ..clear.values };
+            return Some(MaterialObject { values, ..clear });
+        }
+        self.roughness.or(self.metallic)?;
+        let metallic = self.metallic.unwrap_or(0.0);
+        let roughness = self.roughness.unwrap_or(DEFAULT_ROUGHNESS);
+        let values = Material { metallic, roughness, ior, mirror: DVec3::ZERO, ..values };
+        let full = MaterialObject { bsdf: Bsdf::MetallicRoughness, ..values.into() };
+        Some(match self.reduced_opacity() {
+            Some(opacity) => full.with_opacity(opacity),
+            None => full,
+        })
     }
 
     /// The opacity, unless it is 1. Programs that write `Tr` and `d` mean different things by `Tr`.
@@ -254,13 +326,17 @@ impl Definition {
             mirror: if self.is_mirror() { specular } else { default.mirror },
             ..default
         });
+        let full = self.full(material.values);
+        let left_out = self.left_out.take();
+        let full = full.map(|material| FullMaterial { material, left_out });
         if let Some(opacity) = self.reduced_opacity() {
             material = material.with_opacity(opacity);
         }
         let placement = self.maps().next().map(|map| map.placement).unwrap_or_default();
         let maps = [self.emission_map, self.diffuse_map, self.specular_map, self.opacity_map];
-        let sources = maps.map(|map| map.map(|map| map.source));
-        LibraryMaterial { name: self.name, material, maps: ModelMaps { sources, placement } }
+        let [emission, diffuse, specular, opacity] = maps.map(|map| map.map(|map| map.source));
+        let sources = [emission, diffuse, specular, opacity, None];
+        LibraryMaterial { name: self.name, material, full, maps: ModelMaps { sources, placement } }
     }
 }
 

@@ -8,7 +8,7 @@ use super::tests::{TRIANGLE, folder, refused};
 use super::*;
 use crate::Warning;
 use crate::files::meshes::{Channel, TextureImage, TextureSource};
-use crate::scene::{Material, MaterialObject, Slot, Wrap};
+use crate::scene::{Bsdf, Material, MaterialObject, Slot, Wrap};
 
 /// The model of `a.obj`, one of the given files.
 fn load(files: &[(&str, &str)]) -> Model {
@@ -104,8 +104,7 @@ fn illumination_models_are_told_apart() {
     }
     let unlit = "3: illum 0 is a colour without light; it is lit as by `illum 1`".to_owned();
     assert_eq!(reflectances("illum 0"), (0.0, 0.0, vec![unlit]));
-    let glass = "3: illum 7 is glass that refracts; it is shown as by `illum 2`".to_owned();
-    assert_eq!(reflectances("illum 7"), (0.5, 0.0, vec![glass]));
+    assert_eq!(reflectances("illum 7"), (0.5, 0.0, vec![]));
 }
 
 #[test]
@@ -177,6 +176,7 @@ fn textures_and_their_options_are_read() {
             source("a b#1.png", Channel::Color, Wrap::Clamp, 3),
             source("tex/c.png", Channel::Color, Wrap::Repeat, 4),
             source("a b#1.png", Channel::Mask, Wrap::Repeat, 6),
+            None,
         ],
         placement: DAffine2::from_scale_angle_translation(
             DVec2::new(2.0, 3.0),
@@ -228,4 +228,28 @@ fn circles_end() {
         assert!(missing.problem.contains("a.mtl is missing"), "{missing}");
         fs::remove_file(link).unwrap();
     }
+}
+
+/// Metals and glass are kept for light that takes all paths.
+#[test]
+fn facets_and_glass_are_read() {
+    let (metal, warnings) = defined("Kd 0.9 0.6 0.2\nPr 0.3\nPm 1\nNi 1.7\n");
+    assert_eq!(warnings, Vec::<String>::new());
+    let full = metal.full.unwrap();
+    let numbers = full.material.values;
+    assert_eq!(full.material.bsdf, Bsdf::MetallicRoughness);
+    assert_eq!((numbers.metallic, numbers.roughness, numbers.ior), (1.0, 0.3, 1.7));
+    assert_eq!(numbers.diffuse, DVec3::new(0.9, 0.6, 0.2));
+    assert!(full.left_out.unwrap().to_string().contains("a.mtl:4: Pm is left out"));
+    assert_eq!(metal.material.unwrap().bsdf, Bsdf::BlinnPhong);
+
+    let (glass, _) = defined("Kd 0 0 0\nillum 7\nNi 1.33\nTf 0.9 1 0.8\n");
+    let full = glass.full.unwrap();
+    assert_eq!(full.material.bsdf, Bsdf::Dielectric);
+    assert_eq!((full.material.values.ior, full.material.values.diffuse.z), (1.33, 0.8));
+    let (plain, _) = defined("Kd 0 0 0\nNi 1.33\n");
+    assert_eq!(plain.full, None);
+    let obj = format!("mtllib a.mtl\n{TRIANGLE}usemtl m\nf 1 2 3\n");
+    let error = refused(&[("a.obj", &obj), ("a.mtl", "newmtl m\nPr 1.5\n")]);
+    assert!(error.starts_with("a.mtl:2: Pr must be at most 1, is 1.5"), "{error}");
 }

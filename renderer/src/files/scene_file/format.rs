@@ -189,7 +189,11 @@ fn default_samples() -> u32 {
 }
 
 entries! {
-    EnvironmentEntry, "environment" {}
+    EnvironmentEntry, "environment" {
+        /// The name of a texture.
+        texture: Option<String>,
+        background: Option<[f64; 3]>,
+    }
 
     /// The camera.
     CameraEntry, "camera" {
@@ -236,10 +240,12 @@ entries! {
 
     /// Textures by name. One of the opacity makes the material transparent, and so does an opacity.
     MaterialEntry, "material" {
+        "type" kind: Option<String>,
         emission_texture: Option<String>,
         diffuse_texture: Option<String>,
         specular_texture: Option<String>,
         opacity_texture: Option<String>,
+        metallic_roughness_texture: Option<String>,
     }
 }
 
@@ -251,6 +257,7 @@ impl MaterialEntry {
             Slot::Diffuse => &self.diffuse_texture,
             Slot::Specular => &self.specular_texture,
             Slot::Opacity => &self.opacity_texture,
+            Slot::MetallicRoughness => &self.metallic_roughness_texture,
         };
         texture.as_deref()
     }
@@ -281,6 +288,7 @@ pub(super) enum ChannelEntry {
     #[default]
     Color,
     Opacity,
+    Data,
 }
 
 impl ChannelEntry {
@@ -294,6 +302,7 @@ impl From<ChannelEntry> for Channel {
         match entry {
             ChannelEntry::Color => Self::Color,
             ChannelEntry::Opacity => Self::Mask,
+            ChannelEntry::Data => Self::Data,
         }
     }
 }

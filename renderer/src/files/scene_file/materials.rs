@@ -1,7 +1,7 @@
 //! The materials of a scene while its file is read: those of the scene file, and those that meshes
 //! bring along.
 
-use glam::DAffine2;
+use glam::{DAffine2, DVec3};
 
 use super::format::MaterialEntry;
 use super::format::ordered::Ordered;
@@ -10,7 +10,7 @@ use super::{Problem, numbers};
 use crate::Warning;
 use crate::files::meshes::ModelMaterial;
 use crate::files::names::Names;
-use crate::scene::{Material, MaterialObject, MaterialTextures, Scene, Slot};
+use crate::scene::{Bsdf, Material, MaterialObject, MaterialTextures, Scene, Slot};
 use crate::warning::Warnings;
 
 /// The materials, first those of the scene file, in its order.
@@ -21,8 +21,11 @@ pub(super) struct MaterialTable<'a> {
     entries: &'a [(String, MaterialEntry)],
     /// For each entry of the scene file, whether a mesh's library has filled in what it left out.
     filled: Vec<bool>,
-    /// About materials of meshes that neither their files nor the scene file define.
-    undefined: Warnings,
+    /// Whether light takes all paths, and shows the facets of materials.
+    takes_all_paths: bool,
+    /// About materials of meshes that neither their files nor the scene file define, and what is left out of
+    /// others.
+    warnings: Warnings,
 }
 
 impl<'a> MaterialTable<'a> {
@@ -31,10 +34,15 @@ impl<'a> MaterialTable<'a> {
     pub fn new(
         entries: &'a Ordered<MaterialEntry>,
         textures: TextureTable,
+        takes_all_paths: bool,
     ) -> Result<Self, Problem> {
-        let default = MaterialObject::from(Material::default());
         let object = |entry: &(String, MaterialEntry)| {
-            let mut object = overridden(default.clone(), entry)?;
+            let default = match entry.1.kind.as_deref() {
+                // Clear glass.
+                Some("dielectric") => Material::lambertian(DVec3::ONE),
+                _ => Material::default(),
+            };
+            let mut object = overridden(default.into(), entry)?;
             object.textures = overridden_textures(object.textures, entry, &textures)?;
             Ok(object)
         };
@@ -44,7 +52,8 @@ impl<'a> MaterialTable<'a> {
             textures,
             filled: vec![false; entries.len()],
             entries,
-            undefined: Warnings::default(),
+            takes_all_paths,
+            warnings: Warnings::default(),
         })
     }
 
@@ -56,7 +65,8 @@ impl<'a> MaterialTable<'a> {
             textures: TextureTable::default(),
             entries: &[],
             filled: Vec::new(),
-            undefined: Warnings::default(),
+            takes_all_paths: false,
+            warnings: Warnings::default(),
         }
     }
 
@@ -82,12 +92,19 @@ impl<'a> MaterialTable<'a> {
             (Some(entry), Err(_)) => return Ok((entry as u32, DAffine2::IDENTITY)),
             (_, Ok(object)) => object.clone(),
             (None, Err(undefined)) => {
-                self.undefined.add_new(undefined);
+                self.warnings.add_new(undefined);
                 Material::default().into()
             }
         };
+        if self.takes_all_paths
+            && let Some(full) = &model.full
+        {
+            object = full.material.clone();
+        } else if let Some(left_out) = model.full.as_ref().and_then(|full| full.left_out.as_ref()) {
+            self.warnings.add_new(left_out);
+        }
         object.name.clone_from(&model.name);
-        let own = self.textures.add(&model.maps)?;
+        let own = self.textures.add(&model.maps, object.bsdf)?;
         object.textures = own;
         let mut placement = model.maps.placement;
         if let Some(index) = entry {
@@ -97,7 +114,7 @@ impl<'a> MaterialTable<'a> {
                 placement = DAffine2::IDENTITY;
             }
             object = overridden(object, entry)?;
-            object.textures = overridden_textures(own, entry, &self.textures)?;
+            object.textures = overridden_textures(object.textures, entry, &self.textures)?;
             if !self.filled[index] {
                 self.filled[index] = true;
                 self.objects[index] = object.clone();
@@ -125,20 +142,53 @@ impl<'a> MaterialTable<'a> {
             // A texture varies the opacity from 1 on where nothing else is said.
             material.transparent |= material.textures.get(Slot::Opacity).is_some();
         }
-        let mut warnings = self.undefined.finish();
+        let mut warnings = self.warnings.finish();
         warnings.append(&mut self.textures.move_into(scene));
         warnings
     }
 }
 
-/// `base` with the numbers that an entry gives. An opacity makes it transparent.
+/// `base` with the type and the numbers that an entry gives. An opacity makes it transparent.
 fn overridden(
     base: MaterialObject,
     (name, entry): &(String, MaterialEntry),
 ) -> Result<MaterialObject, Problem> {
     let mut object = MaterialObject { name: name.clone(), ..base };
-    numbers::assign(&mut object.values, "material", &format!("material.{name}"), &entry.numbers)?;
+    let path = format!("material.{name}");
+    if let Some(kind) = &entry.kind {
+        object = of_type(object, kind)
+            .map_err(|problem| Problem::new(format!("{path}.type"), problem))?;
+    }
+    for (key, _) in &entry.numbers {
+        let known: Vec<&str> =
+            Bsdf::ALL.iter().filter(|(_, bsdf)| bsdf.has(key)).map(|(kind, _)| *kind).collect();
+        if !known.is_empty() && !object.bsdf.has(key) {
+            let problem = format!("is of materials of the type {}", known.join(" or "));
+            return Err(Problem::new(format!("{path}.{key}"), problem));
+        }
+    }
+    numbers::assign(&mut object.values, "material", &path, &entry.numbers)?;
     object.transparent |= entry.numbers.iter().any(|(key, _)| key == "opacity");
+    Ok(object)
+}
+
+/// A material as one of another type, with the numbers and textures that both have.
+fn of_type(mut object: MaterialObject, kind: &str) -> Result<MaterialObject, String> {
+    let Some((_, bsdf)) = Bsdf::ALL.into_iter().find(|(name, _)| *name == kind) else {
+        let kinds = Bsdf::ALL.map(|(name, _)| name).join(", ");
+        return Err(format!("`{kind}` is no type of material; there are {kinds}"));
+    };
+    let default = Material::default();
+    object.bsdf = bsdf;
+    if !bsdf.has("mirror") {
+        object.values.mirror = default.mirror;
+    }
+    if !bsdf.has("opacity") {
+        (object.transparent, object.values.opacity) = (false, default.opacity);
+    }
+    for slot in Slot::ALL.into_iter().filter(|slot| !bsdf.has(slot.field())) {
+        object.textures.0[slot as usize] = None;
+    }
     Ok(object)
 }
 

@@ -6,14 +6,15 @@ use std::path::Path;
 use glam::DVec3;
 
 use super::coordinates::match_coordinates;
-use super::format::{LightEntry, SceneFile, SphereEntry};
+use super::format::{EnvironmentEntry, LightEntry, SceneFile, SphereEntry};
 use super::materials::MaterialTable;
 use super::textures::TextureTable;
 use super::{Problem, meshes, numbers, optimize, views};
 use crate::Warning;
 use crate::experiment::{Experiment, ViewTarget};
 use crate::scene::{
-    Camera, Environment, Light, LightObject, LightSource, MaterialObject, Scene, SphereObject,
+    Camera, Environment, EnvironmentObject, Integrator, Light, LightObject, LightSource,
+    MaterialObject, Scene, SphereObject,
 };
 
 /// The experiment that the file `name` in `folder` describes.
@@ -49,11 +50,6 @@ fn scene(file: &SceneFile, folder: &Path) -> Result<(Scene, Vec<Warning>), Probl
     if let Some(integrator) = file.integrator {
         scene.integrator = integrator.into();
     }
-    if let Some(entry) = &file.environment {
-        let mut environment = Environment { radiance: DVec3::NAN };
-        numbers::assign(&mut environment, "environment", "environment", &entry.numbers)?;
-        scene.environment = Some(environment);
-    }
     if file.views.is_empty() {
         views::set_camera(&mut scene, file.camera.as_ref())?;
     }
@@ -61,7 +57,11 @@ fn scene(file: &SceneFile, folder: &Path) -> Result<(Scene, Vec<Warning>), Probl
         add_light(&mut scene, entry)?;
     }
     let textures = TextureTable::new(&file.textures, folder)?;
-    let mut materials = MaterialTable::new(&file.materials, textures)?;
+    if let Some(entry) = &file.environment {
+        scene.environment = Some(environment(entry, &textures)?);
+    }
+    let takes_all_paths = scene.integrator != Integrator::Direct;
+    let mut materials = MaterialTable::new(&file.materials, textures, takes_all_paths)?;
     let mut warnings = Vec::new();
     for entry in &file.meshes {
         warnings.extend(meshes::add_entry(&mut scene, &mut materials, entry, folder)?);
@@ -71,6 +71,21 @@ fn scene(file: &SceneFile, folder: &Path) -> Result<(Scene, Vec<Warning>), Probl
     }
     warnings.extend(materials.move_into(&mut scene));
     Ok((scene, warnings))
+}
+
+fn environment(
+    entry: &EnvironmentEntry,
+    textures: &TextureTable,
+) -> Result<EnvironmentObject, Problem> {
+    let texture = entry.texture.as_ref().map(|name| textures.index(name)).transpose();
+    let texture = texture.map_err(|problem| Problem::new("environment.texture", problem))?;
+    // A map says by itself how bright it is.
+    let radiance = if texture.is_some() { DVec3::ONE } else { DVec3::NAN };
+    let background = entry.background.map(DVec3::from);
+    let values = Environment::constant(radiance);
+    let mut environment = EnvironmentObject { values, texture, background };
+    numbers::assign(&mut environment, "environment", "environment", &entry.numbers)?;
+    Ok(environment)
 }
 
 /// Whether a scene shows something, but nothing that lights it.

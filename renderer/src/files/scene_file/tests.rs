@@ -8,8 +8,8 @@ use crate::files::images::save_png;
 use crate::loss::LossKind;
 use crate::optimize::{Optimizer, Schedule, Sgd};
 use crate::scene::{
-    DistantLight, Light, LightSource, MaterialObject, Normals, Scene, Slot, SphereObject, Texture,
-    Wrap,
+    Bsdf, DistantLight, Light, LightSource, MaterialObject, Normals, Scene, Slot, SphereObject,
+    Texture, Wrap,
 };
 use glam::DVec3;
 
@@ -521,7 +521,9 @@ fn the_documented_scene_file_is_read() {
         MESH.replace("usemtl", "vt 0 0\nvt 1 0\nvt 0 1\nusemtl").replace("1 2 3", "1/1 2/2 3/3");
     let mesh = mesh.replace("4 5 6", "4/4 5/5 6/6");
     fs::write(folder.path().join("tree.obj"), mesh).unwrap();
-    save_png(&Image::black(3, 2), &folder.path().join("wood.png")).unwrap();
+    for texture in ["wood.png", "finish.png"] {
+        save_png(&Image::black(3, 2), &folder.path().join(texture)).unwrap();
+    }
     let experiment = Experiment::parse(whole, folder.path(), "s.toml").unwrap();
     assert_eq!(experiment.scene.spheres.len(), 1);
     assert_eq!(experiment.optimize.unwrap().parameters[0].min, Some(vec![-20.0; 3]));
@@ -541,4 +543,62 @@ fn the_scene_file_of_the_readme_is_read() {
     fs::write(folder.path().join("object.obj"), MESH.replace("mtllib", "# mtllib")).unwrap();
     let experiment = Experiment::parse(scene, folder.path(), "photo.toml").unwrap();
     assert_eq!(experiment.optimize.unwrap().parameters.len(), 2);
+}
+
+#[test]
+fn materials_have_types() {
+    let typed = "[integrator]\ntype = \"path\"\n\
+        [material.copper]\ntype = \"metallic_roughness\"\nmetallic = 1.0\nroughness = 0.25\n\
+        metallic_roughness_texture = \"finish\"\n\
+        [material.glass]\ntype = \"dielectric\"\nior = 1.4\n[texture.finish]\nsize = [2, 2]\n";
+    let scene = scene_of(typed);
+    let [copper, glass] = &scene.materials[..] else { panic!("two materials") };
+    assert_eq!((copper.bsdf, glass.bsdf), (Bsdf::MetallicRoughness, Bsdf::Dielectric));
+    assert_eq!((copper.values.metallic, copper.values.roughness), (1.0, 0.25));
+    assert_eq!(copper.textures.get(Slot::MetallicRoughness), Some(0));
+    assert_eq!((glass.values.ior, glass.values.diffuse), (1.4, DVec3::ONE));
+    let folder = tempfile::tempdir().unwrap();
+    let read = Experiment::load(&save_scene(&scene, folder.path()).unwrap()).unwrap().scene;
+    assert_eq!(read.materials, scene.materials);
+    for (rest, expected) in [
+        (
+            "[material.a]\nmetallic = 1\n",
+            "material.a.metallic: is of materials of the type metallic_roughness",
+        ),
+        (
+            "[material.a]\ntype = \"glass\"\n",
+            "material.a.type: `glass` is no type of material; there are blinn_phong",
+        ),
+        (
+            "[material.a]\ntype = \"dielectric\"\nmirror = [1, 1, 1]\n",
+            "material.a.mirror: is of materials of the type blinn_phong",
+        ),
+        (
+            "[material.a]\ntype = \"dielectric\"\n",
+            "material.a.type: a dielectric refracts light that takes all paths",
+        ),
+        ("[material.a]\ntype = \"dielectric\"\nior = 0.5\n", "material.a.ior: must lie between 1"),
+    ] {
+        let error = refused(rest);
+        assert!(error.contains(expected), "{rest}: {error}");
+    }
+}
+
+/// What a library says of metal counts where light takes all paths, and is said to be left out elsewhere.
+#[test]
+fn metals_of_libraries_show_where_light_takes_all_paths() {
+    let folder = folder();
+    fs::write(folder.path().join("a.mtl"), format!("{LIBRARY}Pm 1\nPr 0.2\n")).unwrap();
+    let mesh = "[[mesh]]\npath = \"a.obj\"\n";
+    let load = |rest: &str| {
+        let text = format!("{CAMERA}{rest}{mesh}");
+        Experiment::parse(&text, folder.path(), "s.toml").unwrap()
+    };
+    let direct = load(LIGHT);
+    assert!(direct.scene.materials.iter().all(|material| material.bsdf == Bsdf::BlinnPhong));
+    assert!(direct.warnings.iter().any(|warning| warning.to_string().contains("Pm is left out")));
+    let path = load(&format!("{LIGHT}[integrator]\ntype = \"path\"\n"));
+    let kinds: Vec<Bsdf> = path.scene.materials.iter().map(|material| material.bsdf).collect();
+    assert_eq!(kinds, [Bsdf::BlinnPhong, Bsdf::MetallicRoughness]);
+    assert_eq!(path.warnings, []);
 }

@@ -10,12 +10,12 @@ use crate::Error;
 use crate::Image;
 use crate::Warning;
 use crate::disk::read;
-use crate::files::images::{TextureFile, decode_coverage, decode_texture, is_known};
+use crate::files::images::{TextureFile, decode_coverage, decode_data, decode_texture, is_known};
 use crate::files::meshes::{Channel, ModelMaps, TextureImage, TextureSource};
 use crate::files::names::Names;
 use crate::files::names::{clean_name, file_stem};
 use crate::memory;
-use crate::scene::{MOST_PIXELS, MaterialTextures, Scene, Slot, Texture, Wrap};
+use crate::scene::{Bsdf, MOST_PIXELS, MaterialTextures, Scene, Slot, Texture, Wrap};
 
 /// What a texel takes: the number that may vary, and the one that is rendered.
 const TEXEL_BYTES: u64 = 36;
@@ -127,6 +127,7 @@ impl TextureTable {
         };
         match channel {
             Channel::Mask => decode_coverage(bytes, place, true),
+            Channel::Data => decode_data(bytes, place),
             Channel::Alpha { cutoff } => {
                 let mut coverage = decode_coverage(bytes, place, false)?;
                 if let Some(cutoff) = cutoff {
@@ -161,11 +162,12 @@ impl TextureTable {
         })
     }
 
-    /// The textures of a model's material; those that are not known yet are read.
-    pub fn add(&mut self, maps: &ModelMaps) -> Result<MaterialTextures, Error> {
+    /// The textures that a model's material has which scatters light in this way; those that are not known yet
+    /// are read.
+    pub fn add(&mut self, maps: &ModelMaps, bsdf: Bsdf) -> Result<MaterialTextures, Error> {
         let covered = maps.get(Slot::Opacity).map(|source| &source.image);
         let mut textures = MaterialTextures::default();
-        for slot in Slot::ALL {
+        for slot in Slot::ALL.into_iter().filter(|slot| bsdf.has(slot.field())) {
             if let Some(source) = maps.get(slot) {
                 textures.0[slot as usize] =
                     self.add_source(source, covered == Some(&source.image))?;
@@ -213,7 +215,7 @@ impl TextureTable {
         {
             let unknown = path.display();
             let problem = format_args!(
-                "the texture {unknown} is not a PNG, JPEG or OpenEXR image; white stands for it"
+                "the texture {unknown} is not a PNG, JPEG, OpenEXR or Radiance HDR image; white stands for it"
             );
             let warning = Warning::new(place, problem);
             if !self.warnings.contains(&warning) {
@@ -228,6 +230,7 @@ impl TextureTable {
             })?;
         let name = match channel {
             Channel::Color => name,
+            Channel::Data => format!("{name}_data"),
             Channel::Alpha { .. } | Channel::Mask => {
                 if texels.pixels.as_flattened().iter().all(|&x| x == 1.0) {
                     self.opaque.push(shown);

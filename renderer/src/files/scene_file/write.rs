@@ -19,7 +19,7 @@ use crate::files::images::save_exr;
 use crate::files::names::file_stems;
 use crate::files::obj::save_obj;
 use crate::scene::{
-    Integrator, LightObject, LightSource, MaterialObject, Normals, Scene, Slot, SphereObject,
+    Bsdf, Integrator, LightObject, LightSource, MaterialObject, Normals, Scene, Slot, SphereObject,
     Transform,
 };
 
@@ -71,7 +71,11 @@ fn save(
         },
         camera: scene.views().is_empty().then(|| camera(scene)),
         views: views(scene, optimize, folder)?,
-        environment: scene.environment.map(|it| EnvironmentEntry { numbers: numbers::of(&it) }),
+        environment: scene.environment.map(|it| EnvironmentEntry {
+            texture: it.texture.map(|index| scene.textures[index as usize].name.clone()),
+            background: it.background.map(Into::into),
+            numbers: numbers::of(&it),
+        }),
         lights: lights(scene),
         meshes: save_meshes(scene, folder)?,
         spheres: spheres(scene),
@@ -160,13 +164,17 @@ fn materials(scene: &Scene) -> Vec<(String, MaterialEntry)> {
             let index = material.textures.get(slot)?;
             Some(scene.textures[index as usize].name.clone())
         };
-        let [emission_texture, diffuse_texture, specular_texture, opacity_texture] =
-            Slot::ALL.map(texture);
+        let kind = match material.bsdf {
+            Bsdf::BlinnPhong => None,
+            bsdf => Bsdf::ALL.into_iter().find(|(_, other)| *other == bsdf),
+        };
         let entry = MaterialEntry {
-            emission_texture,
-            diffuse_texture,
-            specular_texture,
-            opacity_texture,
+            kind: kind.map(|(name, _)| name.to_owned()),
+            emission_texture: texture(Slot::Emission),
+            diffuse_texture: texture(Slot::Diffuse),
+            specular_texture: texture(Slot::Specular),
+            opacity_texture: texture(Slot::Opacity),
+            metallic_roughness_texture: texture(Slot::MetallicRoughness),
             numbers: numbers::of(material),
         };
         (material.name.clone(), entry)

@@ -14,8 +14,10 @@
 //! [`transport`](crate::transport), like those of mirrors. What was chosen, and with which probability, is a
 //! constant there (detached sampling), and it is one in fact: emitters, lobes and the ends of paths are
 //! chosen with probabilities that are rounded, in powers of two or in eighths, so that they change in steps
-//! alone, and directions are scattered by the cosine, whatever the material. So a finite difference with
-//! the same random numbers sees the same derivative, and an optimiser descends the loss that it measures.
+//! alone, and [directions](directions) are scattered by the cosine, or by facets whose width is rounded in the
+//! same way. So a finite difference with the same random numbers sees the same derivative, and an optimiser
+//! descends the loss that it measures. Dielectrics reflect as often as their index of refraction says, by
+//! which there is no gradient: it moves what is [refracted](refraction).
 //!
 //! Turned down: sampling that follows parameters exactly. Its probabilities have derivatives, which cancel
 //! in the mean but not in one estimate, so that loss and gradient would not belong together. Also turned
@@ -26,7 +28,10 @@
 //! are not known; so there is no gradient by what moves edges
 //! ([`Scene::is_differentiable`](crate::scene::Scene::is_differentiable)).
 
+mod directions;
 mod emitters;
+mod refraction;
+mod sky;
 mod vertex;
 mod walk;
 
@@ -36,7 +41,7 @@ use super::coalesce::Coalesced;
 use crate::number::Number;
 use crate::transport::light::Illumination;
 
-pub use vertex::missed;
+pub use sky::{SkyLight, missed};
 
 /// How the paths of a wavefront were chosen.
 pub struct Scattering<S: Number> {
@@ -54,19 +59,26 @@ pub struct EmitterSample<S: Number> {
     pub group: usize,
     /// A bit for each lane that sees its emitter.
     pub lanes: u32,
-    /// The lanes by the material of the emitter.
-    pub materials: Coalesced,
+    pub source: EmitterSource,
     pub emission: Vec3<S>,
     /// The solid angle that the emission counts for.
     pub weighted: S,
     pub illumination: Illumination<S>,
 }
 
+/// What shines.
+pub enum EmitterSource {
+    /// Surfaces: the lanes by their material.
+    Surfaces(Coalesced),
+    /// The environment.
+    Sky,
+}
+
 /// How paths go on from surfaces.
 #[derive(Clone, Copy)]
 pub struct Event<S: Number> {
     pub direction: Vec3<S>,
-    /// A bit for each lane that goes straight through.
+    /// A bit for each lane that goes through, straight or refracted.
     pub straight: u32,
     /// A bit for each lane that is mirrored.
     pub mirrored: u32,

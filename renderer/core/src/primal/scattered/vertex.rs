@@ -6,14 +6,12 @@ use ad::{Real, Vec3};
 
 use super::Event;
 use crate::number::Number;
-use crate::primal::integrator::Integrator;
-use crate::primal::lanes::all_lanes;
-
 use crate::primal::vertex::Vertex;
-use crate::primal::wavefront::{LaneGroup, RayLanes, Wavefront};
-use crate::trace::bvh::PACKET_RAYS;
+use crate::primal::wavefront::LaneGroup;
+use crate::transport::dielectric::sent_on_by_dielectric;
 use crate::transport::direct::direct;
 use crate::transport::emitter::found_emission;
+use crate::transport::material::Bsdf;
 use crate::transport::scatter::{gathered, sent_on};
 
 impl<S: Number> Vertex<'_, S> {
@@ -30,8 +28,7 @@ impl<S: Number> Vertex<'_, S> {
         let scattering = &self.wavefront().scattering;
         let weight = scattering.found[self.group.block()];
         let mut own = found_emission::<S>(self.material.emission, weight);
-        // Where paths end nothing is looked for.
-        if !scattering.events.is_empty() {
+        if self.looks_for_light() {
             own = self.add_direct(own, self.lights());
         }
         for sample in scattering.emitters_of(self.group.index) {
@@ -50,11 +47,20 @@ impl<S: Number> Vertex<'_, S> {
         own
     }
 
+    /// Whether the surfaces reflect light that is looked for: not where paths end, nor if they are smooth.
+    pub fn looks_for_light(&self) -> bool {
+        !self.wavefront().scattering.events.is_empty() && self.group.bsdf != Bsdf::Dielectric
+    }
+
     /// The part that the surfaces send on of what paths bring.
     fn sent_on(&self) -> Vec3<S> {
         let Event { direction, straight, mirrored, factor } = self.event();
         let (straight, mirrored) = (S::mask(straight), S::mask(mirrored));
         let surface = self.group.surface;
+        if self.group.bsdf == Bsdf::Dielectric {
+            let inside = S::mask(self.group.inside);
+            return sent_on_by_dielectric::<S>(self.material, surface, inside, mirrored, factor);
+        }
         sent_on::<S>(self.material, self.lobes, surface, direction, straight, mirrored, factor)
     }
 
@@ -78,30 +84,6 @@ impl<S: Number> Event<S> {
         let zero = Vec3::<S>::splat(S::ZERO);
         Self { direction: zero, straight: 0, mirrored: 0, factor: S::ZERO }
     }
-}
-
-impl<S: Number> Integrator<'_, S> {
-    /// Calls `use_radiance` with what rays bring that meet nothing, unless that is black.
-    pub fn visit_missed(
-        &self,
-        wavefront: &Wavefront<S>,
-        mut use_radiance: impl FnMut(RayLanes, Vec3<S>),
-    ) {
-        if let Some(environment) = &self.inputs.environment {
-            missed::<S>(wavefront).for_each(|lanes| use_radiance(lanes, environment.radiance));
-        }
-    }
-}
-
-/// The rays of a wavefront that meet nothing.
-pub fn missed<S: Number>(wavefront: &Wavefront<S>) -> impl Iterator<Item = RayLanes> + use<S> {
-    let missed = wavefront.missed;
-    let blocks = (0..PACKET_RAYS).step_by(<S::Lanes as Lanes>::COUNT);
-    let lanes = blocks.map(move |first| {
-        let all = all_lanes::<S::Lanes>();
-        RayLanes { first, alive: (missed >> first) as u32 & all }
-    });
-    lanes.filter(|lanes| lanes.alive != 0)
 }
 
 impl<S: Number> LaneGroup<S> {

@@ -1,24 +1,29 @@
 //! How paths go on: from wavefront to wavefront.
 
 use ad::lanes::Lanes;
-use ad::vector::{Vector, Vector3};
+use ad::vector::Vector;
 use ad::{Fields, Real, Vec3, select};
 
-use super::Event;
+use super::directions::scatter;
+use super::refraction::refract_or_reflect;
+use super::{Event, missed};
 use crate::number::{MAX_LANES, Number, primal_vector};
 use crate::primal::coalesce::select_lanes;
 use crate::primal::integrator::Integrator;
 use crate::primal::lanes::{lanes_of_numbers, numbers_of_lanes};
 use crate::primal::path::{Path, zero_ray};
+use crate::primal::vertex::Vertex;
 use crate::primal::wavefront::{
-    LaneGroup, Source, TileSample, Wavefront, blocks, put, repeated_ray,
+    LaneGroup, RayLanes, Source, TileSample, Wavefront, blocks, put, repeated_ray,
 };
 use crate::scene::PathTracing;
-use crate::trace::bvh::{PACKET_RAYS, PacketHits, rays};
-use crate::trace::random::{PathNumbers, Purpose};
+use crate::trace::bvh::{Batch, PACKET_RAYS, PacketHits, rays};
+use crate::trace::random::{PathNumbers, Purpose, RayNumbers};
 use crate::transport::camera::Ray;
+use crate::transport::dielectric::{relative_ior, sent_on_by_dielectric};
 use crate::transport::emitter::scattered_weight;
-use crate::transport::scatter::{cosine_direction, sent_on, turn};
+use crate::transport::material::Bsdf;
+use crate::transport::scatter::sent_on;
 
 /// From this depth on paths may end at random.
 const ROULETTE: u32 = 3;
@@ -34,6 +39,47 @@ struct Walk<L: Lanes> {
     /// By ray: the probability density of the direction that it was scattered to; infinite where it was
     /// not.
     density: [f64; PACKET_RAYS],
+    /// By ray: what the radiance within a dielectric is larger by, which leaves it again.
+    compression: [f64; PACKET_RAYS],
+}
+
+impl<L: Lanes> Walk<L> {
+    /// Lets paths of a group go on that bring this part of what they find, unless they end at random: `lanes`
+    /// has a bit for each that may, and `ends` a number for each that decides.
+    fn go_on<S: Number<Lanes = L>>(
+        &mut self,
+        depth: u32,
+        group: &LaneGroup<S>,
+        event: Event<S>,
+        part: Vec3<L>,
+        (mut lanes, ends): (u32, &[f64; MAX_LANES]),
+    ) -> (Event<S>, u32) {
+        let throughput = self.throughput[group.block()] * part;
+        let mut survival = [1.0; MAX_LANES];
+        if depth >= ROULETTE {
+            let left = numbers_of_lanes::<L>(throughput.abs().max_element());
+            for lane in rays(lanes.into()) {
+                survival[lane] = survival_of(left[lane] * self.compression[group.first + lane]);
+                if ends[lane] >= survival[lane] {
+                    lanes &= !(1 << lane);
+                }
+            }
+        }
+        let survival = lanes_of_numbers::<L>(&survival);
+        let throughput = throughput * (L::ONE / survival);
+        let to = &mut self.throughput[group.block()];
+        *to = select(L::mask_from_bits(lanes), throughput, *to);
+        (Event { factor: S::constant(event.factor.primal() / survival), ..event }, lanes)
+    }
+}
+
+impl<L: Lanes> Walk<L> {
+    /// The densities of some rays.
+    fn densities(&self, rays: RayLanes) -> L {
+        let mut densities = [f64::INFINITY; MAX_LANES];
+        rays.rays().for_each(|(lane, ray)| densities[lane] = self.density[ray]);
+        lanes_of_numbers::<L>(&densities)
+    }
 }
 
 impl<S: Number> Integrator<'_, S> {
@@ -44,6 +90,7 @@ impl<S: Number> Integrator<'_, S> {
             numbers: PathNumbers::new(sample.tile, sample.sampling, sample.index),
             throughput: vec![Vec3::<S::Lanes>::splat(S::Lanes::ONE); blocks::<S>()],
             density: [f64::INFINITY; PACKET_RAYS],
+            compression: [1.0; PACKET_RAYS],
         };
         let mut depth = 1;
         loop {
@@ -86,11 +133,14 @@ impl<S: Number> Integrator<'_, S> {
         if !self.emitters.is_empty() {
             for group in &wavefront.groups {
                 let spread = self.spread_of_found(wavefront, group);
-                let mut density = [f64::INFINITY; MAX_LANES];
-                group.rays().for_each(|(lane, ray)| density[lane] = walk.density[ray]);
-                let density = lanes_of_numbers::<S::Lanes>(&density);
+                let density = walk.densities(group.lanes());
                 let weight = S::constant(scattered_weight::<S::Lanes>(spread, density));
                 put(group.lanes(), group.alive, &weight, &mut found);
+            }
+            for lanes in missed::<S>(wavefront) {
+                let Some(spread) = self.spread_of_missed(wavefront, lanes) else { break };
+                let weight = scattered_weight::<S::Lanes>(spread, walk.densities(lanes));
+                put(lanes, lanes.alive, &S::constant(weight), &mut found);
             }
         }
         wavefront.scattering.found = found;
@@ -101,8 +151,9 @@ impl<S: Number> Integrator<'_, S> {
         let mut events = std::mem::take(&mut wavefront.scattering.events);
         events.clear();
         events.resize(blocks::<S>(), Event::end());
+        let numbers = walk.numbers.at(depth, Purpose::Scatter);
         for group in &wavefront.groups {
-            let (event, lanes) = self.event(depth, walk, wavefront, group);
+            let (event, lanes) = self.event(depth, &numbers, walk, wavefront, group);
             let of_block = &mut events[group.block()];
             *of_block = Event {
                 direction: select_lanes::<S, _>(lanes, &event.direction, &of_block.direction),
@@ -118,19 +169,24 @@ impl<S: Number> Integrator<'_, S> {
     fn event(
         &self,
         depth: u32,
+        numbers: &RayNumbers,
         walk: &mut Walk<S::Lanes>,
         wavefront: &Wavefront<S>,
         group: &LaneGroup<S>,
     ) -> (Event<S>, u32) {
         let vertex = self.vertex(group, wavefront, None);
+        if group.bsdf == Bsdf::Dielectric {
+            return self.event_at_dielectric(depth, numbers, walk, &vertex);
+        }
         let unscattered = self.unscattered(group);
         let (mut straight, mut mirrored) = (0, 0);
-        let mut within = [[0.0; 2]; MAX_LANES];
+        let mut within = [[0.0; 3]; MAX_LANES];
         let mut ends = [0.0; MAX_LANES];
         let mut probability = [1.0; MAX_LANES];
         for (lane, ray) in group.rays() {
-            let [u, v, lobe, end] = walk.numbers.at(ray, depth, Purpose::Scatter).map(f64::from);
-            (within[lane], ends[lane]) = ([u, v], end);
+            let [u, v, lobe, end] = numbers.of(ray).map(f64::from);
+            let of_scattered = (lobe - unscattered[lane]) / (1.0 - unscattered[lane]);
+            (within[lane], ends[lane]) = ([u, v, of_scattered], end);
             if lobe < unscattered[lane] {
                 let bits =
                     if vertex.transparent >> lane & 1 == 1 { &mut straight } else { &mut mirrored };
@@ -141,25 +197,26 @@ impl<S: Number> Integrator<'_, S> {
             }
         }
         let lane_numbers = |axis: usize| lanes_of_numbers::<S::Lanes>(&within.map(|at| at[axis]));
-        let local = cosine_direction::<S::Lanes>([lane_numbers(0), lane_numbers(1)]);
-        let turned = turn::<S>(group.surface.normal, constant_vector::<S>(local));
+        let facets = self.facets(&vertex);
+        let numbers = [lane_numbers(0), lane_numbers(1)];
+        let scattered = scatter::<S>(group, facets.as_ref(), lane_numbers(2), numbers);
         let unscattered = straight | mirrored;
         let direction = match unscattered {
-            0 => turned,
+            0 => scattered.direction,
             _ => {
                 let next = group.next_rays(straight).direction;
-                select_lanes::<S, _>(unscattered, &next, &turned)
+                select_lanes::<S, _>(unscattered, &next, &scattered.direction)
             }
         };
         let leaves = group.leave_surface(primal_vector::<S>(direction)) | unscattered;
-        let mut lanes = group.alive & leaves & !self.absorbing(group, unscattered);
+        let lanes = group.alive & leaves & !self.absorbing(group, unscattered);
         if lanes == 0 {
             return (Event::end(), 0);
         }
 
         let of_lanes = lanes_of_numbers::<S::Lanes>(&probability);
         let is_unscattered = S::Lanes::mask_from_bits(unscattered);
-        let factor = select(is_unscattered, S::Lanes::ONE, S::Lanes::PI) / of_lanes;
+        let factor = select(is_unscattered, S::Lanes::ONE, scattered.weight) / of_lanes;
         let part = sent_on::<S::Lanes>(
             vertex.material.map(S::primal),
             vertex.lobes,
@@ -169,29 +226,52 @@ impl<S: Number> Integrator<'_, S> {
             S::Lanes::mask_from_bits(mirrored),
             factor,
         );
-        let throughput = walk.throughput[group.block()] * part;
-        let mut survival = [1.0; MAX_LANES];
-        if depth >= ROULETTE {
-            let left = numbers_of_lanes::<S::Lanes>(throughput.abs().max_element());
-            for lane in rays(lanes.into()) {
-                survival[lane] = survival_of(left[lane]);
-                if ends[lane] >= survival[lane] {
-                    lanes &= !(1 << lane);
-                }
-            }
-        }
-        let survival = lanes_of_numbers::<S::Lanes>(&survival);
-        let throughput = throughput * (S::Lanes::ONE / survival);
-        let cosines = numbers_of_lanes::<S::Lanes>(local.z());
+        let likelihoods = numbers_of_lanes::<S::Lanes>(scattered.likelihood);
         for lane in rays(lanes.into()) {
             walk.density[group.first + lane] = match unscattered >> lane & 1 {
                 1 => f64::INFINITY,
-                _ => cosines[lane] * probability[lane] / std::f64::consts::PI,
+                _ => likelihoods[lane] * probability[lane] / std::f64::consts::PI,
             };
         }
-        let to = &mut walk.throughput[group.block()];
-        *to = select(S::Lanes::mask_from_bits(lanes), throughput, *to);
-        (Event { direction, straight, mirrored, factor: S::constant(factor / survival) }, lanes)
+        let event = Event { direction, straight, mirrored, factor: S::constant(factor) };
+        walk.go_on(depth, group, event, part, (lanes, &ends))
+    }
+
+    /// How the paths of a group go on at dielectrics.
+    fn event_at_dielectric(
+        &self,
+        depth: u32,
+        numbers: &RayNumbers,
+        walk: &mut Walk<S::Lanes>,
+        vertex: &Vertex<'_, S>,
+    ) -> (Event<S>, u32) {
+        let group = vertex.group;
+        let (mut choice, mut ends) = ([0.0; MAX_LANES], [0.0; MAX_LANES]);
+        for (lane, ray) in group.rays() {
+            let [_, _, lobe, end] = numbers.of(ray).map(f64::from);
+            (choice[lane], ends[lane]) = (lobe, end);
+            walk.density[ray] = f64::INFINITY;
+        }
+        let inside = S::Lanes::mask_from_bits(group.inside);
+        let relative = relative_ior::<S::Lanes>(vertex.material.ior.primal(), inside);
+        let relative = numbers_of_lanes::<S::Lanes>(relative);
+        let event = refract_or_reflect(vertex, lanes_of_numbers::<S::Lanes>(&choice));
+        let part = sent_on_by_dielectric::<S::Lanes>(
+            vertex.material.map(S::primal),
+            group.surface.map(S::primal),
+            inside,
+            S::Lanes::mask_from_bits(event.mirrored),
+            event.factor.primal(),
+        );
+        let squared = relative.map(|ior| ior * ior);
+        for (lane, ray) in group.rays().filter(|(lane, _)| event.straight >> lane & 1 == 1) {
+            walk.compression[ray] *= squared[lane];
+        }
+        // Smooth normals may refract out of the surface again.
+        let along = group.geometry().1.dot(primal_vector::<S>(event.direction));
+        let enters = S::Lanes::mask_bits(along.cmplt(S::Lanes::ZERO));
+        let lanes = group.alive & (event.mirrored | enters);
+        walk.go_on(depth, group, event, part, (lanes, &ends))
     }
 
     /// Follows the rays that go on from a wavefront to what they meet; returns whether there are any.
@@ -201,6 +281,7 @@ impl<S: Number> Integrator<'_, S> {
         sent_on.resize_with(blocks::<S>(), zero_ray::<S>);
         to.hits = PacketHits::NONE;
         let mut sent = 0;
+        let mut batch = Batch::default();
         for group in &from.groups {
             let event = from.scattering.events[group.block()];
             let goes_on = event.factor.primal().cmpgt(S::Lanes::ZERO);
@@ -211,8 +292,10 @@ impl<S: Number> Integrator<'_, S> {
             sent |= u64::from(lanes) << group.first;
             let ray = Ray { origin: group.surface.point, direction: event.direction };
             put(group.lanes(), lanes, &ray, &mut sent_on);
-            self.find_next(from, group, (lanes, event.straight), &ray, &mut to.hits);
+            let direction = primal_vector::<S>(ray.direction);
+            group.add_to(&mut batch, from, lanes, event.straight, direction);
         }
+        self.find_next(&batch, &mut to.hits);
         self.gather_hits(to, sent, |first, alive| {
             repeated_ray::<S>(&sent_on[first / <S::Lanes as Lanes>::COUNT], alive)
         });
@@ -223,6 +306,9 @@ impl<S: Number> Integrator<'_, S> {
     /// By lane: the probability with which a path is not scattered.
     pub(super) fn unscattered(&self, group: &LaneGroup<S>) -> [f64; MAX_LANES] {
         let mut unscattered = [0.0; MAX_LANES];
+        if group.bsdf == Bsdf::Dielectric {
+            return [1.0; MAX_LANES];
+        }
         if !self.zero_weight.mirrors && !self.layout.has_mirrors && !self.layout.has_transparency {
             return unscattered;
         }
@@ -259,11 +345,6 @@ fn survival_of(left: f64) -> f64 {
     const FRACTION: u64 = (1 << (f64::MANTISSA_DIGITS - 1)) - 1;
     let bits = (1.37 * left).clamp(LEAST, 1.0).to_bits();
     f64::from_bits((bits + FRACTION) & !FRACTION)
-}
-
-/// A vector that does not vary.
-fn constant_vector<S: Number>(v: Vec3<S::Lanes>) -> Vec3<S> {
-    Vector3::new(S::constant(v.x()), S::constant(v.y()), S::constant(v.z()))
 }
 
 #[cfg(test)]

@@ -3,6 +3,8 @@
 //! These questions have discrete answers, so nothing here is differentiated, and everything is
 //! `f32` whatever the kernels compute in.
 
+mod batch;
+mod batch_traversal;
 mod binary;
 mod bounds;
 mod collapse;
@@ -25,6 +27,7 @@ use std::sync::Arc;
 
 use glam::Vec3;
 
+pub use batch::Batch;
 pub use packet::{
     NO_PRIMITIVE, PACKET_RAYS, PacketHits, PacketVectors, ray_at, rays, tile_position,
 };

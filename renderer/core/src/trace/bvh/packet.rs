@@ -316,7 +316,7 @@ fn mask(bits: u64) -> f32x16 {
 
 /// The greatest lane.
 #[inline]
-fn greatest(lanes: f32x16) -> f32 {
+pub fn greatest(lanes: f32x16) -> f32 {
     let [a, b]: [f32x4; 2] = cast(halve(lanes));
     let [a, b, c, d] = a.fast_max(b).to_array();
     let max = |a: f32, b: f32| if a > b { a } else { b };

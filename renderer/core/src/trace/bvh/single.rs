@@ -83,8 +83,19 @@ impl<L: Leaf> Tree<L> {
             }
             return;
         }
+        self.visit_below(Child::node(0), ray, limit, visit);
+    }
+
+    /// The same for the leaves below a child of a node.
+    #[inline]
+    pub fn visit_below(
+        &self,
+        mut current: Child,
+        ray: &BoxTest,
+        mut limit: f32,
+        mut visit: impl FnMut(&L, f32) -> f32,
+    ) {
         let mut stack = Stack::new();
-        let mut current = Child::node(0);
         let mut nodes = 0;
         'traversal: loop {
             match current.kind() {

@@ -75,7 +75,8 @@ impl TriangleTest {
             return f32::INFINITY;
         }
 
-        let depth = (u / area) * a.z + (v / area) * b.z + (w / area) * c.z;
+        let inverse = 1.0 / area;
+        let depth = (u * inverse) * a.z + (v * inverse) * b.z + (w * inverse) * c.z;
         if depth > 0.0 { depth } else { f32::INFINITY }
     }
 
@@ -103,8 +104,8 @@ impl TriangleTest {
         if bits == 0 {
             return f32x8::INFINITY;
         }
-        let area = u + v + w;
-        let depth = (u / area) * a[2] + (v / area) * b[2] + (w / area) * c[2];
+        let inverse = f32x8::ONE / (u + v + w);
+        let depth = (u * inverse) * a[2] + (v * inverse) * b[2] + (w * inverse) * c[2];
         let hit = inside & depth.simd_gt(zero);
         let mut depths = hit.select(depth, f32x8::INFINITY);
 

@@ -1,5 +1,6 @@
 //! Tests of traversal: single rays, packets, moving shapes.
 
+mod batches;
 mod packets;
 mod refit;
 mod single;

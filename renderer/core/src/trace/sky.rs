@@ -1,0 +1,200 @@
+//! The directions around a scene in cells, one of which is chosen.
+
+use std::f64::consts::{PI, TAU};
+
+use glam::DVec3;
+
+/// The directions around a scene, in cells between meridians and parallels. Within a cell directions are
+/// chosen evenly by solid angle, so that the density is piecewise constant, also at the poles.
+///
+/// Cells stand still while a map of the radiance turns over them, and their powers change in steps alone: so
+/// chosen directions do not move with what the map is made of.
+#[derive(Debug)]
+pub struct Sky {
+    columns: u32,
+    rows: u32,
+    /// The cells, row by row, in the order in which they are chosen from: neighbours stand close together
+    /// (Morton 1966), so that even numbers choose cells that are even in both directions.
+    order: Vec<u32>,
+    /// By cell: where it stands in that order.
+    ranks: Vec<u32>,
+    /// One minus the cosines of the angles from a pole at which rows begin, and the last one ends.
+    versines: Vec<f64>,
+}
+
+impl Sky {
+    pub fn new(columns: u32, rows: u32) -> Self {
+        let mut order: Vec<u32> = (0..columns * rows).collect();
+        order.sort_unstable_by_key(|cell| morton(cell % columns) | morton(cell / columns) << 1);
+        let mut ranks = vec![0; order.len()];
+        for (rank, &cell) in order.iter().enumerate() {
+            ranks[cell as usize] = rank as u32;
+        }
+        let versines = (0..=rows).map(|row| {
+            let sine = (0.5 * PI * f64::from(row) / f64::from(rows)).sin();
+            2.0 * sine * sine
+        });
+        Self { columns, rows, order, ranks, versines: versines.collect() }
+    }
+
+    /// The column and the row of each cell, in the order of their ranks.
+    pub fn cells(&self) -> impl Iterator<Item = (u32, u32)> {
+        (0..self.order.len() as u32).map(|rank| self.cell(rank))
+    }
+
+    /// The column and the row of the cell of a rank.
+    pub fn cell(&self, rank: u32) -> (u32, u32) {
+        let cell = self.order[rank as usize];
+        (cell % self.columns, cell / self.columns)
+    }
+
+    /// The rank of the cell that a direction of any length is in.
+    pub fn rank_at(&self, direction: DVec3) -> u32 {
+        let longitude = 0.5 + direction.x.atan2(-direction.z) / TAU;
+        let across = (direction.x * direction.x + direction.z * direction.z).sqrt();
+        let from_top = across.atan2(direction.y) / PI;
+        let index = |part: f64, count: u32| ((part * f64::from(count)) as u32).min(count - 1);
+        let (column, row) = (index(longitude, self.columns), index(from_top, self.rows));
+        self.ranks[(row * self.columns + column) as usize]
+    }
+
+    /// The solid angle of the cells of a row.
+    pub fn solid_angle(&self, row: u32) -> f64 {
+        let (_, [inner, outer]) = self.versines(row);
+        TAU / f64::from(self.columns) * (outer - inner)
+    }
+
+    /// The direction in a cell that two numbers from 0 to 1 choose.
+    pub fn direction(&self, (column, row): (u32, u32), [u, v]: [f64; 2]) -> DVec3 {
+        let (pole, [inner, outer]) = self.versines(row);
+        let versine = inner + (outer - inner) * v;
+        let across = (versine * (2.0 - versine)).max(0.0).sqrt();
+        let (sine, cosine) =
+            (TAU * ((f64::from(column) + u) / f64::from(self.columns) - 0.5)).sin_cos();
+        DVec3::new(across * sine, pole * (1.0 - versine), -across * cosine)
+    }
+
+    /// The nearer pole of a row, 1 for +y, and one minus the cosines of the angles from there at which it
+    /// begins and ends: cosines lose small angles to rounding.
+    fn versines(&self, row: u32) -> (f64, [f64; 2]) {
+        let (pole, row) = match row < self.rows / 2 {
+            true => (1.0, row),
+            false => (-1.0, self.rows - 1 - row),
+        };
+        (pole, [self.versines[row as usize], self.versines[row as usize + 1]])
+    }
+}
+
+/// The bits of a number, with room between them.
+fn morton(x: u32) -> u64 {
+    (0..32).fold(0, |spread, bit| spread | u64::from(x >> bit & 1) << (2 * bit))
+}
+
+/// Which texels of a row of a map, the first of which begins `shift` texels before the first cell, shine into
+/// a cell, and how much: the integral of their bilinear weights over it.
+pub fn shares(cell: u32, shift: f64) -> [(i64, f64); 3] {
+    // A texel reaches a whole texel to both sides of its middle.
+    let begin = f64::from(cell) + shift;
+    let first = (begin - 1.5).floor() as i64 + 1;
+    // The integral of a tent up to a place relative to its middle.
+    let up_to = |place: f64| match place.clamp(-1.0, 1.0) {
+        place if place < 0.0 => 0.5 * (1.0 + place) * (1.0 + place),
+        place => 1.0 - 0.5 * (1.0 - place) * (1.0 - place),
+    };
+    [0, 1, 2].map(|next| {
+        let texel = first + next;
+        let middle = texel as f64 + 0.5;
+        (texel, up_to(begin + 1.0 - middle) - up_to(begin - middle))
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use glam::DVec3;
+
+    use super::{Sky, TAU, shares};
+    use crate::trace::emitters::Emitters;
+    use crate::trace::sampling::hash;
+
+    #[test]
+    fn cells_fill_the_sphere_and_hold_the_directions_chosen_in_them() {
+        for (columns, rows) in [(1, 1), (2, 1), (1, 2), (7, 5), (64, 32), (3, 200)] {
+            let sky = Sky::new(columns, rows);
+            let total: f64 = sky.cells().map(|(_, row)| sky.solid_angle(row)).sum();
+            assert!((total / (2.0 * TAU) - 1.0).abs() < 1e-12, "{columns} x {rows}: {total}");
+            for (rank, cell) in sky.cells().enumerate() {
+                assert_eq!(sky.cell(rank as u32), cell);
+                for at in [[0.5, 0.5], [0.01, 0.99], [0.9, 0.2]] {
+                    let direction = sky.direction(cell, at);
+                    assert!((direction.length() - 1.0).abs() < 1e-12);
+                    assert_eq!(sky.rank_at(3.0 * direction), rank as u32, "{cell:?} {at:?}");
+                }
+            }
+        }
+    }
+
+    /// Directions chosen evenly in the one cell of a sky are even on the sphere.
+    #[test]
+    fn directions_are_even_within_a_cell() {
+        let sky = Sky::new(1, 1);
+        let (mut mean, mut second) = (DVec3::ZERO, DVec3::ZERO);
+        let side = 256;
+        for i in 0..side * side {
+            let at = [i % side, i / side].map(|i| (f64::from(i) + 0.5) / f64::from(side));
+            let direction = sky.direction((0, 0), at);
+            mean += direction / f64::from(side * side);
+            second += direction * direction / f64::from(side * side);
+        }
+        assert!(mean.length() < 1e-9 && (3.0 * second - DVec3::ONE).length() < 1e-4);
+    }
+
+    /// Directions fall into cells as often as their powers say (chi-square), and what they count for adds up
+    /// to the solid angle of all cells that have any.
+    #[test]
+    fn directions_are_chosen_with_the_density_that_is_said() {
+        let sky = Sky::new(12, 7);
+        let power = |rank: u32| f64::from(rank * rank % 5) * sky.solid_angle(sky.cell(rank).1);
+        let cells = 12 * 7;
+        let emitters = Emitters::new([].into_iter(), 0, (0..cells).map(power));
+        let count = 1 << 18;
+        let mut found = vec![0.0; cells as usize];
+        let mut solid_angle = 0.0;
+        for i in 0..count {
+            let number = |stream: u32| f64::from(hash(4 * i + stream)) / f64::from(u32::MAX);
+            let (rank, choices) = emitters.choose(number(0));
+            let direction = sky.direction(sky.cell(rank), [number(1), number(2)]);
+            assert_eq!(sky.rank_at(direction), rank);
+            found[rank as usize] += 1.0;
+            solid_angle += choices * sky.solid_angle(sky.cell(rank).1) / f64::from(count);
+        }
+        let (mut chi_square, mut freedom, mut expected_angle) = (0.0, -1.0, 0.0);
+        for rank in 0..cells {
+            let expected = f64::from(count) / emitters.choices(rank);
+            if expected > 0.0 {
+                chi_square += (found[rank as usize] - expected).powi(2) / expected;
+                freedom += 1.0;
+                expected_angle += sky.solid_angle(sky.cell(rank).1);
+            } else {
+                assert_eq!(found[rank as usize], 0.0);
+            }
+        }
+        assert!((chi_square - freedom) < 4.0 * f64::sqrt(2.0 * freedom), "{chi_square} {freedom}");
+        assert!((solid_angle / expected_angle - 1.0).abs() < 5e-3, "{solid_angle}");
+    }
+
+    #[test]
+    fn texels_share_cells_as_bilinear_weights_do() {
+        for shift in [0.0, 0.25, 0.5, -7.3] {
+            let shares = shares(4, shift);
+            assert!((shares.iter().map(|(_, share)| share).sum::<f64>() - 1.0).abs() < 1e-12);
+            // The integral by the sum of many places.
+            for (texel, share) in shares {
+                let places = (0..1000).map(|i| 4.0 + shift + (f64::from(i) + 0.5) / 1000.0);
+                let weight = |place: f64| (1.0 - (place - texel as f64 - 0.5).abs()).max(0.0);
+                let sum: f64 = places.map(weight).sum();
+                assert!((sum / 1000.0 - share).abs() < 1e-5, "{texel} {shift}");
+            }
+        }
+        assert_eq!(shares(2, 0.0).map(|share| share.0), [1, 2, 3]);
+    }
+}
