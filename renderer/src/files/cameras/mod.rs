@@ -1,5 +1,5 @@
-//! Cameras that other programs found or used: [`nerf`] reads `transforms.json`, [`colmap`] the text files of
-//! COLMAP.
+//! Cameras that other programs found or used: [`nerf`] reads `transforms.json`, [`colmap`] the files of
+//! COLMAP, text and binary.
 //!
 //! A camera here is a pinhole whose axis goes through the middle of the image and whose pixels are squares.
 //! Files may describe others: what cannot be read exactly is refused, by name.
@@ -28,8 +28,9 @@ pub struct FoundView {
 }
 
 /// Reads the cameras of a file `transforms.json` as of NeRF (Mildenhall et al. 2020) and its successors, or of
-/// a folder that holds `cameras.txt` and `images.txt` of COLMAP. The images of COLMAP are looked for in the
-/// folder `images` beside the folder or one above it, else in the folder itself.
+/// a folder that holds `cameras.bin` and `images.bin` of COLMAP, or `cameras.txt` and `images.txt`. The images
+/// of COLMAP are looked for in the folder `images` beside the folder or one above it, else in the folder
+/// itself.
 ///
 /// The cameras of `transforms.json` look along their negative z axis, y points upwards; those of COLMAP look
 /// along z, y points downwards. Names are the stems of the files of images.

@@ -76,3 +76,62 @@ fn what_is_not_modelled_is_refused_by_name() {
         assert!(error.contains(part) && error.contains(".txt:2"), "{error}");
     }
 }
+
+/// The same two cameras and images as in text.
+fn binary(change: impl Fn(&mut Vec<u8>, &mut Vec<u8>)) -> Result<Vec<FoundView>, Error> {
+    let mut cameras = 2_u64.to_le_bytes().to_vec();
+    let lenses: [(u32, u32, &[f64]); 2] =
+        [(7, 1, &[200.0, 200.0, 200.0, 100.0]), (9, 2, &[300.0, 200.0, 100.0, 0.0])];
+    for (id, model, numbers) in lenses {
+        cameras.extend(id.to_le_bytes());
+        cameras.extend(model.to_le_bytes());
+        [400_u64, 200].iter().for_each(|side| cameras.extend(side.to_le_bytes()));
+        numbers.iter().for_each(|number| cameras.extend(number.to_le_bytes()));
+    }
+    let mut images = 2_u64.to_le_bytes().to_vec();
+    let poses: [(u32, [f64; 7], &str); 2] = [
+        (7, [0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 4.0], "r 0.png"),
+        (9, [0.9, 0.1, -0.3, 0.2, 1.0, 2.0, 3.0], "r1.png"),
+    ];
+    for (camera, pose, name) in poses {
+        images.extend(1_u32.to_le_bytes());
+        pose.iter().for_each(|number| images.extend(number.to_le_bytes()));
+        images.extend(camera.to_le_bytes());
+        images.extend(name.bytes().chain([0]));
+        images.extend(2_u64.to_le_bytes());
+        images.extend([0x55; 48]);
+    }
+    change(&mut cameras, &mut images);
+    let folder = tempfile::tempdir().unwrap();
+    fs::write(folder.path().join("cameras.bin"), cameras).unwrap();
+    fs::write(folder.path().join("images.bin"), images).unwrap();
+    load_cameras(folder.path())
+}
+
+#[test]
+fn binary_files_of_colmap_say_what_text_says() {
+    let lenses = "7 PINHOLE 400 200 200 200 200 100\n9 SIMPLE_RADIAL 400 200 300 200 100 0";
+    let poses = "1 0 1 0 0 0 0 4 7 r 0.png\n55 55 5\n1 0.9 0.1 -0.3 0.2 1 2 3 9 r1.png\n55 55 5\n";
+    let views = |found: Vec<FoundView>| found.into_iter().map(|of| of.view).collect::<Vec<_>>();
+    let text = views(colmap(lenses, poses).unwrap());
+    assert_eq!(views(binary(|_, _| {}).unwrap()), text);
+    assert_eq!(text.len(), 2);
+}
+
+#[test]
+fn broken_binary_files_of_colmap_are_named() {
+    type Change = fn(&mut Vec<u8>, &mut Vec<u8>);
+    let changes: [(Change, &[&str]); 7] = [
+        (|cameras, _| cameras.truncate(40), &["cameras.bin: camera 0", "ends before its fy"]),
+        (|cameras, _| cameras[12] = 5, &["cameras.bin: camera 0", "OPENCV_FISHEYE"]),
+        (|cameras, _| cameras[12] = 77, &["cameras.bin: camera 0", "lens 77"]),
+        (|cameras, _| cameras.push(0), &["cameras.bin", "1 bytes"]),
+        (|cameras, _| cameras[0] = 255, &["cameras.bin: camera 2", "ends before its number"]),
+        (|cameras, _| cameras[8] = 8, &["images.bin: image 0", "names camera 7"]),
+        (|_, images| images.truncate(100), &["images.bin: image 0", "ends before its points"]),
+    ];
+    for (change, parts) in changes {
+        let error = binary(change).unwrap_err().to_string();
+        assert!(parts.iter().all(|part| error.contains(part)), "{error}");
+    }
+}
