@@ -2,7 +2,9 @@
 
 use glam::{DQuat, DVec3, IVec3, ivec3};
 use renderer::experiment::{Experiment, OptimizeSection, Target, TunedParameter};
-use renderer::optimize::{Optimizer, Outcome, Quiet, Schedule, Settings as OptimizeSettings};
+use renderer::optimize::{
+    Optimizer, Outcome, Quiet, Schedule, Settings as OptimizeSettings, Starts,
+};
 use renderer::recovery::Recovery;
 use renderer::{
     Camera, DistantLight, Edges, Error, Material, Mesh, PointLight, Sampling, Scene, Settings,
@@ -139,34 +141,39 @@ fn scene(task: &Task, pose: &Pose) -> Result<Scene, Error> {
     Ok(scene)
 }
 
-/// The problem: from `start` to the true pose, with images that are halved so often to begin with.
-pub fn experiment(task: &Task, start: &Pose, coarse_to_fine: u32) -> Result<Experiment, Error> {
+/// How far starts are spread: in degrees, and in lengths, along each axis.
+const SPREADS: [f64; 2] = [40.0, 0.3];
+
+/// The problem: from `start` to the true pose, with images that are halved so often to begin with, and from so
+/// many starts around it.
+pub fn experiment(
+    task: &Task,
+    start: &Pose,
+    coarse_to_fine: u32,
+    starts: u32,
+) -> Result<Experiment, Error> {
     let scene = scene(task, start)?;
     let ids =
         [scene.parameter("mesh.object.rotation")?, scene.parameter("mesh.object.translation")?];
     // Degrees, and lengths.
     let rates = [2.0, 0.04];
-    let parameters = ids
-        .into_iter()
-        .zip(rates)
-        .map(|(id, rate)| TunedParameter { learning_rate: Some(rate), ..TunedParameter::new(id) });
+    let parameters = ids.into_iter().zip(rates).zip(SPREADS).map(|((id, rate), spread)| {
+        let (learning_rate, spread) = (Some(rate), Some(vec![spread; 3]));
+        TunedParameter { learning_rate, spread, ..TunedParameter::new(id) }
+    });
     let section = OptimizeSection {
         parameters: parameters.collect(),
         target: Some(Target::Values(ids.into_iter().zip(task.truth.numbers()).collect())),
         coarse_to_fine,
+        starts: (starts > 1).then_some(Starts { count: starts, seed: 1 }),
         ..OptimizeSection::default()
     };
     Ok(Experiment::new(scene, Some(section)))
 }
 
-/// The problem, ready to run. Without edges pixels are means of four by four samples, and so they are of a
-/// mesh whose triangles are smaller than pixels.
-pub fn recovery<'a>(
-    task: &Task,
-    experiment: &'a Experiment,
-    edges: Edges,
-) -> Result<Recovery<'a>, Error> {
-    let side = if edges == Edges::Off || !task.has_floor { 4 } else { 1 };
+/// The problem, ready to run. Without edges pixels are means of four by four samples.
+pub fn recovery<'a>(experiment: &'a Experiment, edges: Edges) -> Result<Recovery<'a>, Error> {
+    let side = if edges == Edges::Off { 4 } else { 1 };
     let sampling = Sampling::Grid(side);
     Recovery::new(experiment, "pose", &Settings { edges, sampling, ..Settings::default() })
 }

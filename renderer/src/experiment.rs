@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 use crate::laplacian::Weights;
 use crate::loss::LossKind;
-use crate::optimize::{Batch, Optimizer, Schedule};
+use crate::optimize::{Batch, Optimizer, Schedule, Starts};
 use crate::scene::{ParameterId, Scene};
 use crate::warning::Warning;
 
@@ -35,6 +35,8 @@ pub struct OptimizeSection {
     pub batch: Option<Batch>,
     /// How often the images are halved to begin with.
     pub coarse_to_fine: u32,
+    /// Several beginnings, if there are to be any beside the scene as it stands.
+    pub starts: Option<Starts>,
     /// What may vary.
     pub parameters: Vec<TunedParameter>,
     /// How to measure the distance to the target.
@@ -109,6 +111,9 @@ pub struct TunedParameter {
     pub min: Option<Vec<f64>>,
     /// Its upper bound, as many numbers as the parameter has, nowhere below `min`.
     pub max: Option<Vec<f64>>,
+    /// How far each of its numbers is at most from that of the scene where there are several
+    /// [starts](OptimizeSection::starts).
+    pub spread: Option<Vec<f64>>,
     /// Of the vertices of a mesh: the lambda of the [coordinates](crate::laplacian::System) that first-order
     /// methods take their steps in, of uniform weights; above 0.
     pub large_steps: Option<f64>,
@@ -119,7 +124,15 @@ pub struct TunedParameter {
 impl TunedParameter {
     /// A parameter with the usual learning rate and bounds.
     pub fn new(id: ParameterId) -> Self {
-        Self { id, learning_rate: None, min: None, max: None, large_steps: None, laplacian: None }
+        Self {
+            id,
+            learning_rate: None,
+            min: None,
+            max: None,
+            spread: None,
+            large_steps: None,
+            laplacian: None,
+        }
     }
 }
 

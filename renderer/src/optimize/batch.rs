@@ -1,5 +1,7 @@
 //! Which views an iteration looks at.
 
+use super::random::mixed;
+
 /// A few of the views in each iteration.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Batch {
@@ -45,15 +47,6 @@ impl Batch {
         }
         deck
     }
-}
-
-/// A number that looks like a random one (the step of SplitMix64; Steele, Lea and Flood, "Fast Splittable
-/// Pseudorandom Number Generators", 2014).
-fn mixed(number: u64) -> u64 {
-    let mut z = number.wrapping_add(0x9e37_79b9_7f4a_7c15);
-    z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-    z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-    z ^ (z >> 31)
 }
 
 #[cfg(test)]

@@ -9,13 +9,16 @@ use serde::{Deserialize, Serialize};
 use super::optimizer::Method;
 use super::trajectory::Trajectory;
 use super::{
-    CHECKPOINT_FILE, Checkpointing, Fingerprint, Point, Record, Settings, Stop, StopReason,
+    CHECKPOINT_FILE, Checkpointing, Fingerprint, Point, Record, Settings, Starts, Stop, StopReason,
 };
 use crate::Error;
 use crate::disk::{create_folder, write_atomically};
 
 /// Changes whenever the file or the arithmetic of the optimiser does.
-const FORMAT: u32 = 4;
+const FORMAT: u32 = 5;
+
+/// The part of its loss that a step on a coarse level leaves at most, if the level goes on.
+const LEVEL_GOES_ON: f64 = 29.0 / 30.0;
 
 /// Everything a run needs to continue. All numbers are finite, since JSON has no others.
 #[derive(Clone, Serialize, Deserialize)]
@@ -78,6 +81,18 @@ impl State {
         self.trajectory.record(&point);
         self.last = Some(point);
         self.history.push(record);
+    }
+
+    /// Whether the last step lowered the loss of its level so little that a finer one says more, and its method
+    /// would search ever longer for lower ones: the loss of one that does not compare them may rise and fall.
+    pub fn is_level_flat(&self, settings: &Settings) -> bool {
+        let begun = self.finer_from.last().copied().unwrap_or(0) as usize;
+        match &self.history[begun.min(self.history.len())..] {
+            [.., before, after] if settings.optimizer.finds_step_lengths() => {
+                after.loss > LEVEL_GOES_ON * before.loss
+            }
+            _ => false,
+        }
     }
 
     /// Goes on one level finer. What a method learned of the steps of another level is no longer true.
@@ -181,6 +196,9 @@ impl CheckpointFile {
         if settings.coarse_to_fine > 0 {
             // Levels span the iterations.
             method = method.numbers(&[settings.coarse_to_fine.into(), settings.iterations as f64]);
+        }
+        if let Some(Starts { count, seed }) = settings.starts {
+            method = method.text(&format!("{count} starts of {seed}"));
         }
         Self {
             path: checkpointing.folder.join(CHECKPOINT_FILE),

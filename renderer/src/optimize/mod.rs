@@ -25,6 +25,11 @@
 //! parameters reported with it. The parameters recovered are the best ones: those with the lowest
 //! loss, not those seen last.
 //!
+//! # Starts
+//!
+//! A method that follows gradients ends in the valley that it begins in. With [`Starts`] several beginnings
+//! make a few steps each, and iteration 0 is at what the best of them has come to.
+//!
 //! # Checkpoints
 //!
 //! With [`Checkpointing`] the whole state goes to `checkpoint.json` in the output folder, after
@@ -63,11 +68,13 @@ mod preconditioner;
 mod problem;
 #[cfg(feature = "cli")]
 mod progress;
+mod random;
 #[cfg(feature = "cli")]
 mod report;
 mod run;
 pub mod schedule;
 mod settings;
+mod starts;
 mod stop;
 #[cfg(test)]
 mod tests;
@@ -96,5 +103,6 @@ pub use report::{history_csv, summary, write_report};
 pub use run::Optimization;
 pub use schedule::Schedule;
 pub use settings::{CHECKPOINT_FILE, Checkpointing, Settings};
+pub use starts::Starts;
 pub use stop::{Stop, StopReason};
 pub use variable::Variable;

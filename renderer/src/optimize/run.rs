@@ -114,6 +114,22 @@ impl<'a> Optimization<'a> {
         let mut last_saved: Option<Instant> = None;
         let mut objective = Counted { objective, evaluations: self.state.evaluations };
         let mut known: Option<Evaluation> = None;
+        let begins_elsewhere = self.settings.coarse_to_fine > 0 || self.settings.starts.is_some();
+        if begins_elsewhere && self.state.initial_loss.is_none() {
+            objective.begin(0, 0);
+            let finest = objective.evaluate(&self.state.x);
+            if let Some(stop) = self.non_finite(&finest, &mut objective) {
+                return self.stop(stop);
+            }
+            self.state.initial_loss = Some(finest.loss);
+        }
+        if let (Some(starts), Start::Fresh) = (self.settings.starts, self.start) {
+            let (x, level) = starts.most_promising(&self.flat, self.settings, &mut objective);
+            self.state.x = x;
+            while self.state.level > level {
+                self.state.refine(self.settings);
+            }
+        }
         loop {
             let State { iteration, level, .. } = self.state;
             if level > 0 && iteration >= self.settings.end_of(level) {
@@ -121,22 +137,12 @@ impl<'a> Optimization<'a> {
                 known = None;
                 continue;
             }
-            if level > 0 && self.state.initial_loss.is_none() {
-                objective.begin(iteration, 0);
-                let finest = objective.evaluate(&self.state.x);
-                if let Some(stop) = Stop::at_non_finite(&finest, iteration, self.variables) {
-                    let why = objective.explain(&self.state.x);
-                    return self.stop(stop.explained(why));
-                }
-                self.state.initial_loss = Some(finest.loss);
-            }
             objective.begin(iteration, level);
             let evaluation = known.take().unwrap_or_else(|| objective.evaluate(&self.state.x));
             self.state.seconds = seconds_before + clock.elapsed().as_secs_f64();
             self.state.evaluations = objective.evaluations;
-            if let Some(stop) = Stop::at_non_finite(&evaluation, iteration, self.variables) {
-                let why = objective.explain(&self.state.x);
-                return self.stop(stop.explained(why));
+            if let Some(stop) = self.non_finite(&evaluation, &mut objective) {
+                return self.stop(stop);
             }
 
             let record = Record {
@@ -151,7 +157,7 @@ impl<'a> Optimization<'a> {
             let step = Step { record, initial_loss, iterations };
             let interrupted = observer.step(&step).is_break();
             let stop = Stop::at(&record, self.settings);
-            let mut is_level_done = false;
+            let mut is_level_done = level > 0 && self.state.is_level_flat(self.settings);
             match stop {
                 Some(stop) if level == 0 || stop.reason == StopReason::Iterations => {
                     return self.stop(stop);
@@ -185,6 +191,12 @@ impl<'a> Optimization<'a> {
                 last_saved = Some(Instant::now());
             }
         }
+    }
+
+    /// Why the run ends, if what was evaluated is not finite.
+    fn non_finite(&self, evaluation: &Evaluation, objective: &mut Counted<'_>) -> Option<Stop> {
+        let stop = Stop::at_non_finite(evaluation, self.state.iteration, self.variables)?;
+        Some(stop.explained(objective.explain(&self.state.x)))
     }
 
     /// Leaves a checkpoint of the end of the run, unless there is nothing to keep.

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 use std::time::Duration;
 
 use super::field::{Field, check_fields};
-use super::{Fingerprint, Optimizer, Schedule};
+use super::{Fingerprint, Optimizer, Schedule, Starts};
 use crate::Error;
 
 /// The file in the output folder that holds the state of the run.
@@ -26,8 +26,12 @@ pub struct Settings {
     pub schedule: Schedule,
     /// How many coarser levels of the [objective](super::Objective::begin) come before it itself. Each level
     /// has an equal share of the iterations, and ends before that where its loss or gradient meets a
-    /// tolerance or no lower loss is found. The parameters recovered are those of the finest level reached.
+    /// tolerance, or a step of a method that finds its own lengths lowers the loss by less than a
+    /// thirtieth. The parameters recovered are those of the finest level reached.
     pub coarse_to_fine: u32,
+    /// Several beginnings, if there are to be any beside the initial parameters. Their steps are no iterations,
+    /// and come before the first checkpoint: a run that was killed before takes them again.
+    pub starts: Option<Starts>,
     /// Whether the loss is that of a sample which changes from iteration to iteration: the parameters
     /// recovered are then the last ones, since the lowest loss is that of the easiest sample.
     pub is_sampled: bool,
@@ -36,8 +40,8 @@ pub struct Settings {
 }
 
 impl Default for Settings {
-    /// 200 iterations, tolerances 0, Adam at constant learning rates, one level, no samples, no
-    /// checkpoints.
+    /// 200 iterations, tolerances 0, Adam at constant learning rates, one level, one start, no
+    /// samples, no checkpoints.
     fn default() -> Self {
         Self {
             iterations: 200,
@@ -46,6 +50,7 @@ impl Default for Settings {
             optimizer: Optimizer::default(),
             schedule: Schedule::default(),
             coarse_to_fine: 0,
+            starts: None,
             is_sampled: false,
             checkpointing: None,
         }

@@ -20,6 +20,8 @@ pub struct Variable {
     pub min: Vec<f64>,
     /// The greatest value of each element; infinity for no bound.
     pub max: Vec<f64>,
+    /// How far each element of a [start](super::Starts) is from its initial value at most; 0 or more.
+    pub spread: Vec<f64>,
     /// The true values, where they are known: reported, not used.
     pub target: Option<Vec<f64>>,
     /// The coordinates that first-order methods take their steps in, if not its own.
@@ -36,6 +38,7 @@ impl Variable {
             learning_rate: vec![learning_rate; len],
             min: vec![f64::NEG_INFINITY; len],
             max: vec![f64::INFINITY; len],
+            spread: vec![0.0; len],
             target: None,
             preconditioner: None,
         }
@@ -54,6 +57,7 @@ impl Variable {
             ("learning_rate", Some(&self.learning_rate)),
             ("min", Some(&self.min)),
             ("max", Some(&self.max)),
+            ("spread", Some(&self.spread)),
             ("target", self.target.as_ref()),
         ];
         for (name, block) in blocks {
@@ -72,12 +76,15 @@ impl Variable {
 
     fn check_element(&self, i: usize) -> Result<(), String> {
         let (initial, rate) = (self.initial[i], self.learning_rate[i]);
-        let (min, max) = (self.min[i], self.max[i]);
+        let (min, max, spread) = (self.min[i], self.max[i], self.spread[i]);
         if !initial.is_finite() {
             return Err(format!("the initial value is {initial}; it must be a finite number"));
         }
         if !(rate > 0.0 && rate.is_finite()) {
             return Err(format!("the learning rate is {rate}; it must be a positive number"));
+        }
+        if !(spread >= 0.0 && spread.is_finite()) {
+            return Err(format!("the spread of starts is {spread}; it must be 0 or more"));
         }
         if min.is_nan() || max.is_nan() || min > max {
             return Err(format!("the bounds {min} to {max} hold no number"));
@@ -103,6 +110,7 @@ pub(super) struct Flat {
     pub learning_rate: Vec<f64>,
     pub min: Vec<f64>,
     pub max: Vec<f64>,
+    pub spread: Vec<f64>,
     /// Those of each variable.
     pub blocks: Vec<Range<usize>>,
     preconditioners: Vec<Option<Preconditioner>>,
@@ -129,6 +137,7 @@ impl Flat {
             learning_rate: concat(|variable| &variable.learning_rate).collect(),
             min: concat(|variable| &variable.min).collect(),
             max: concat(|variable| &variable.max).collect(),
+            spread: concat(|variable| &variable.spread).collect(),
             blocks: blocks(variables),
             preconditioners: variables.iter().map(|of| of.preconditioner.clone()).collect(),
         })
@@ -216,6 +225,7 @@ pub(super) fn fingerprint(variables: &[Variable]) -> Fingerprint {
             .numbers(&variable.learning_rate)
             .numbers(&variable.min)
             .numbers(&variable.max)
+            .numbers(&variable.spread)
             .text(variable.preconditioner.as_ref().map_or("", Preconditioner::name))
     })
 }
@@ -231,6 +241,7 @@ mod tests {
             learning_rate: vec![0.3, 1e308, 1e-300],
             min: vec![-0.5, f64::NEG_INFINITY, f64::NEG_INFINITY],
             max: vec![f64::INFINITY; 3],
+            spread: vec![0.0; 3],
             blocks: vec![Range { start: 0, end: 3 }],
             preconditioners: vec![None],
         };

@@ -166,6 +166,7 @@ impl<'a> Recovery<'a> {
             optimizer: self.section.optimizer.unwrap_or(default.optimizer),
             schedule: self.section.schedule.unwrap_or(default.schedule),
             coarse_to_fine: self.section.coarse_to_fine,
+            starts: self.section.starts,
             is_sampled: self.section.batch.is_some(),
             ..default
         }

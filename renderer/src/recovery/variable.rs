@@ -38,6 +38,9 @@ pub(super) fn variable(
             *max = max.min(row.usual_max.max(variable.initial[i]).max(truth));
         }
     }
+    if let Some(spread) = &tuned.spread {
+        variable.spread.clone_from(spread);
+    }
     variable.target = target;
     if let (Some(lambda), Object::Mesh(mesh)) = (tuned.large_steps, tuned.id.object) {
         let mesh = &scene.meshes()[mesh];

@@ -121,6 +121,31 @@ fn least_squares_find_a_light_in_few_steps() {
     assert_eq!(result(&sandbox, "parts"), result(&sandbox, "out"));
 }
 
+/// The ball is where no edge of the target is near.
+#[test]
+fn one_of_several_starts_sees_where_to_go() {
+    let find = |starts: &str, spread: &str, out: &str, threads: &str| {
+        let sandbox = Sandbox::new();
+        let section = format!(
+            "[optimize]\noptimizer = \"lbfgs\"\ncoarse_to_fine = 1\niterations = 60\n{starts}\
+             [optimize.target_values]\n\"sphere.ball.center\" = [-1.1, 0.6, 0.2]\n\
+             [[optimize.parameter]]\npath = \"sphere.ball.center\"\n{spread}"
+        );
+        let scene = SCENE.replace("center = [0.0, 0.5, 0.0]", "center = [1.2, 0.5, 0.0]");
+        sandbox.write("far.toml", format!("{scene}{section}"));
+        sandbox.succeed(&["optimize", "far.toml", "--out", out, "--threads", threads]);
+        let summary = sandbox.json(&format!("{out}/summary.json"));
+        let found = numbers(&summary["parameters"]["sphere.ball.center"]["final"]);
+        let off = found.iter().zip([-1.1, 0.6, 0.2]).map(|(a, b)| (a - b).abs());
+        (off.fold(0.0, f64::max), found)
+    };
+    assert!(find("", "", "one", "1").0 > 0.5);
+    let spread = "spread = [2.5, 0.3, 0.5]\n";
+    let (off, found) = find("starts = 8\nseed = 3\n", spread, "many", "1");
+    assert!(off < 0.02, "{found:?}");
+    assert_eq!(find("starts = 8\nseed = 3\n", spread, "many", "2").1, found);
+}
+
 #[test]
 fn what_cannot_be_done_is_said() {
     let refuse = |section: &str, parameter: &str, parts: &[&str]| {
@@ -132,6 +157,11 @@ fn what_cannot_be_done_is_said() {
     refuse("optimizer = \"lbfgs\"\n", "large_steps = 1.0\n", &["optimize.optimizer", "lbfgs"]);
     refuse("coarse_to_fine = 5\n", "", &["optimize.coarse_to_fine", "24 x 16", "5 times"]);
     refuse("loss = { type = \"huber\", delta = 0.0 }\n", "", &["optimize.loss.delta", "above 0"]);
+    refuse("starts = 4\n", "", &["optimize.starts", "`spread`"]);
+    refuse("starts = 0\n", "spread = 1.0\n", &["optimize.starts", "at least 1"]);
+    refuse("", "spread = 1.0\n", &["mesh.body.vertices.spread", "`starts`"]);
+    refuse("starts = 4\n", "spread = -1.0\n", &["spread", "0 or more"]);
+    refuse("seed = 4\n", "", &["optimize.seed", "`batch` or `starts`"]);
     refuse("loss = \"hubert\"\n", "", &["shape.toml:", "hubert", "huber"]);
     let sandbox = Sandbox::new();
     let light = OPTIMIZE.replace(

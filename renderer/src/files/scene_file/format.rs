@@ -363,6 +363,8 @@ pub(super) struct OptimizeEntry {
     #[serde(skip_serializing_if = "Option::is_none")]
     pub batch: Option<usize>,
     #[serde(skip_serializing_if = "Option::is_none")]
+    pub starts: Option<u32>,
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub seed: Option<u64>,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub learning_rate: Option<f64>,
@@ -392,6 +394,8 @@ pub(super) struct ParameterEntry {
     pub min: Option<Numbers>,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub max: Option<Numbers>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub spread: Option<Numbers>,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub large_steps: Option<f64>,
     #[serde(skip_serializing_if = "Option::is_none")]

@@ -10,7 +10,7 @@ use crate::Error;
 use crate::experiment::{LaplacianTerm, OptimizeSection, Target, TunedParameter, overlap};
 use crate::laplacian::System;
 use crate::loss::LossKind;
-use crate::optimize::Batch;
+use crate::optimize::{Batch, Starts};
 use crate::recovery::check_levels;
 use crate::scene::{Invalid, Object, ParameterId, Scene};
 
@@ -53,10 +53,16 @@ pub(super) fn read(
             return Err(Problem::new("optimize.batch", problem));
         }
         (Some(size), seed) => Some(Batch { size, seed: seed.unwrap_or_default() }),
-        (None, Some(_)) => {
-            return Err(Problem::new("optimize.seed", "orders the views of batches: give `batch`"));
+        (None, Some(_)) if entry.starts.is_none() => {
+            let problem = "orders the views of batches and draws starts: give `batch` or `starts`";
+            return Err(Problem::new("optimize.seed", problem));
         }
-        (None, None) => None,
+        (None, _) => None,
+    };
+    let starts = match entry.starts {
+        Some(0) => return Err(Problem::new("optimize.starts", "must be at least 1, is 0")),
+        Some(count) => Some(Starts { count, seed: entry.seed.unwrap_or_default() }),
+        None => None,
     };
     let mut parameters: Vec<TunedParameter> = Vec::new();
     for parameter in &entry.parameters {
@@ -66,8 +72,19 @@ pub(super) fn read(
         }
         parameters.push(tuned);
     }
+    let spread = parameters.iter().find(|tuned| tuned.spread.is_some());
+    match (starts, spread) {
+        (Some(Starts { count: 2.., .. }), None) => {
+            let problem = "differ by the `spread` of parameters, and none has one";
+            return Err(Problem::new("optimize.starts", problem));
+        }
+        (None, Some(tuned)) => {
+            let problem = "is that of several starts: give `starts` in [optimize]";
+            return Err(at(&scene.path(tuned.id).to_string(), "spread", problem));
+        }
+        _ => {}
+    }
     let above_zero = |value: f64| value > 0.0 && value.is_finite();
-    let not_negative = |value: f64| value >= 0.0 && value.is_finite();
     check("optimize.learning_rate", entry.learning_rate, above_zero, "must be above 0")?;
     check("optimize.tolerance", entry.tolerance, not_negative, "must not be negative")?;
     let gradient_tolerance = entry.gradient_tolerance;
@@ -84,6 +101,7 @@ pub(super) fn read(
         views: Vec::new(),
         coarse_to_fine: entry.coarse_to_fine.unwrap_or_default(),
         batch,
+        starts,
         parameters,
         loss: entry.loss,
         optimizer: entry.optimizer,
@@ -140,6 +158,10 @@ fn tuned_parameter(entry: &ParameterEntry, scene: &Scene) -> Result<TunedParamet
     {
         return Err(at(path, "min", format!("{low} is above max {high}")));
     }
+    let spread = bound("spread", &entry.spread)?;
+    if let Some(wrong) = spread.iter().flatten().find(|spread| !not_negative(**spread)) {
+        return Err(at(path, "spread", format!("must be 0 or more, is {wrong}")));
+    }
     for (i, &initial) in scene.get(id).iter().enumerate() {
         let (low, high) = (min.as_ref().map(|min| min[i]), max.as_ref().map(|max| max[i]));
         if low.is_some_and(|low| initial < low) {
@@ -168,7 +190,12 @@ fn tuned_parameter(entry: &ParameterEntry, scene: &Scene) -> Result<TunedParamet
     let laplacian =
         entry.laplacian.map(|LaplacianEntry { weight, weights }| LaplacianTerm { weight, weights });
     let (learning_rate, large_steps) = (entry.learning_rate, entry.large_steps);
-    Ok(TunedParameter { id, learning_rate, min, max, large_steps, laplacian })
+    Ok(TunedParameter { id, learning_rate, min, max, spread, large_steps, laplacian })
+}
+
+/// Whether a number can be a weight or a distance.
+fn not_negative(value: f64) -> bool {
+    value >= 0.0 && value.is_finite()
 }
 
 /// As many numbers as the parameter has; a bound may be one number for all of them.

@@ -244,7 +244,8 @@ fn optimize_entry(
         mask: section.mask.as_ref().map(|mask| copied(mask, "mask", folder)).transpose()?,
         coarse_to_fine: (section.coarse_to_fine > 0).then_some(section.coarse_to_fine),
         batch: section.batch.map(|batch| batch.size),
-        seed: section.batch.map(|batch| batch.seed),
+        starts: section.starts.map(|starts| starts.count),
+        seed: section.batch.map(|of| of.seed).or(section.starts.map(|of| of.seed)),
         optimizer: section.optimizer,
         schedule: section.schedule,
         learning_rate: section.learning_rate,
@@ -269,6 +270,7 @@ fn optimize_entry(
         learning_rate: tuned.learning_rate,
         min: tuned.min.as_ref().map(numbers),
         max: tuned.max.as_ref().map(numbers),
+        spread: tuned.spread.as_ref().map(numbers),
         large_steps: tuned.large_steps,
         laplacian: tuned
             .laplacian

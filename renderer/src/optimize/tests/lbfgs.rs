@@ -127,3 +127,35 @@ fn a_schedule_is_refused() {
         "optimize.schedule: is cosine, but lbfgs finds the lengths of its steps itself; leave it out"
     );
 }
+
+/// A parabola that is blurred on coarse levels: there nothing is below a half.
+struct Blurred {
+    level: u32,
+    at_level: [u64; 3],
+}
+
+impl Objective for Blurred {
+    fn begin(&mut self, _: u64, level: u32) {
+        self.level = level;
+        self.at_level[level as usize] += 1;
+    }
+
+    fn evaluate(&mut self, x: &[f64]) -> Evaluation {
+        let floor = 0.5 * f64::from(self.level);
+        let loss = floor + x.iter().map(|x| x * x * x * x).sum::<f64>();
+        Evaluation { loss, gradient: x.iter().map(|x| 4.0 * x * x * x).collect() }
+    }
+}
+
+#[test]
+fn coarse_levels_end_where_steps_gain_little() {
+    let optimizer = Optimizer::Lbfgs(Lbfgs::default());
+    let variables = [Variable::new("x", vec![2.0, -3.0], 0.1)];
+    let settings = Settings { optimizer, coarse_to_fine: 2, ..iterations(300) };
+    let mut objective = Blurred { level: 2, at_level: [0; 3] };
+    let optimization = Optimization::start(&variables, &settings).unwrap();
+    let outcome = optimization.run(&mut objective, &mut Quiet).unwrap();
+    let [finest, middle, coarsest] = objective.at_level;
+    assert!((3..30).contains(&coarsest) && middle < 10 && finest > 10, "{:?}", objective.at_level);
+    assert!(outcome.best.loss < 1e-9, "{:?}", outcome.best);
+}

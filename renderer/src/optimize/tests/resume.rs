@@ -279,3 +279,23 @@ fn folder_that_cannot_be_made_is_an_error() {
     let error = run(&variables(), &settings, rosenbrock).unwrap_err();
     assert!(error.place.contains("occupied"), "{error}");
 }
+
+/// The steps of starts come before iteration 0, and are not taken again.
+#[test]
+fn the_start_that_was_chosen_is_resumed() {
+    let mut variable = Variable::new("x", vec![-1.2, 1.0], 0.01);
+    variable.spread = vec![1.0, 0.5];
+    let variables = [variable];
+    let starts = |seed| Settings { starts: Some(Starts { count: 6, seed }), ..iterations(20) };
+    let whole = run(&variables, &starts(1), rosenbrock).unwrap();
+    let folder = tempfile::tempdir().unwrap();
+    let settings = in_folder(folder.path(), false, starts(1));
+    let optimization = Optimization::start(&variables, &settings).unwrap();
+    optimization.run(&mut rosenbrock, &mut InterruptAt(7)).unwrap();
+    let resumed = run(&variables, &in_folder(folder.path(), true, starts(1)), rosenbrock).unwrap();
+    assert_eq!((&resumed.best, &resumed.last), (&whole.best, &whole.last));
+    assert_eq!(resumed.evaluations, whole.evaluations);
+    let other = in_folder(folder.path(), true, starts(2));
+    let error = Optimization::start(&variables, &other).err().unwrap().to_string();
+    assert!(error.contains("other parameters"), "{error}");
+}
