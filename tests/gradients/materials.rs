@@ -224,6 +224,31 @@ fn extreme_finishes_have_finite_gradients() {
     }
 }
 
+/// The base that a metal lacks is in its derivative by the metallic part, though in no image of it: in light from
+/// everywhere, and where glossy metals light each other. An image is linear in that part, so that the derivative
+/// is the difference of a metal and what is none.
+#[test]
+fn metals_know_what_they_were_without_metal() {
+    for roughness in [0.05, 0.4] {
+        let mut scene = Scene::new(12, 12, Camera::looking(dvec3(0.0, 0.0, 4.0), DVec3::ZERO));
+        scene.environment = Some(Environment::constant(DVec3::splat(2.0)).into());
+        scene.integrator = paths(2, 1024);
+        let metal = MaterialObject::metallic_roughness(dvec3(0.8, 0.5, 0.2), 1.0, roughness);
+        scene.add_material("ball", metal).unwrap();
+        scene.add_sphere(SphereObject::new("ball", DVec3::ZERO, 1.0)).unwrap();
+        let id = scene.parameter("material.ball.metallic").unwrap();
+        let renderer = Renderer::new(&scene, &Settings::default()).unwrap();
+        let of_metal = renderer.loss_and_gradient(&scene, &Sum, &[id]);
+        set(&mut scene, "material.ball.metallic", &[0.0]);
+        let renderer = Renderer::new(&scene, &Settings::default()).unwrap();
+        let without = renderer.loss_and_gradient(&scene, &Sum, &[id]);
+        let (found, expected) = (of_metal.gradient.concat()[0], of_metal.loss - without.loss);
+        // Both are sums of what metal and base reflect, with either sign.
+        let error = (found - expected).abs();
+        assert!(error < 4e-3 * of_metal.loss, "{found}, not {expected}");
+    }
+}
+
 #[test]
 fn what_cannot_be_is_refused() {
     let scene = furnished(8);

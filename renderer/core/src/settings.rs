@@ -99,7 +99,7 @@ pub enum Pass {
     Radiance,
     /// Its diffuse albedo, without lights, shadows and mirrors.
     Albedo,
-    /// That there is one: 1, also where it is transparent. With [edges](Edges), pixels show how much of them
+    /// That there is one: 1, also where it is transparent. With edges, pixels show how much of them
     /// surfaces cover: silhouettes, whatever shades them.
     Coverage,
 }

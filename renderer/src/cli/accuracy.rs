@@ -49,7 +49,7 @@ impl AccuracyArguments {
     ) -> Result<Recovery<'a>, Error> {
         let place = problem.scene.display().to_string();
         let in_arithmetic = |arithmetic| {
-            let sampling = self.sampling.sampling();
+            let sampling = self.sampling.sampling(&experiment.scene);
             let settings =
                 Settings { arithmetic, sampling, edges: self.edges, ..Settings::default() };
             let recovery = Recovery::new(experiment, &place, &settings)?;

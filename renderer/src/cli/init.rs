@@ -9,8 +9,9 @@ use crate::Error;
 use crate::disk::{check_writable, write_atomically};
 use crate::scene::{Light, LightSource, Scene};
 
-/// The format of scene files.
-const FORMAT: &str = include_str!("../../docs/scene.md");
+/// The format of scene files, and what recoveries add to it.
+const FORMAT: [&str; 2] =
+    [include_str!("../../docs/scene.md"), include_str!("../../docs/recoveries.md")];
 
 #[derive(clap::Args)]
 pub(super) struct Arguments {
@@ -40,7 +41,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Error> {
 
 /// Explains the format of scene files.
 pub(super) fn explain() -> Result<(), Error> {
-    print(FORMAT.trim_end())
+    print(FORMAT.map(str::trim_end).join("\n\n"))
 }
 
 /// The scene file of a mesh as it is framed and lit by default.

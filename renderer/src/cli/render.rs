@@ -21,8 +21,7 @@ pub(super) struct Arguments {
     scene: PathBuf,
 
     /// Where to write the image: .png (sRGB, clipped to 0..1), .exr (linear, as rendered) or .hdr (linear,
-    /// 8 bits) Of a scene with
-    /// views, IMAGE-NAME for each of them
+    /// mantissas of 8 bits); of a scene with views, IMAGE-NAME for each of them
     #[arg(short, long, value_name = "IMAGE")]
     output: PathBuf,
 
@@ -88,7 +87,7 @@ pub(super) fn run(arguments: &Arguments, arithmetic: Arithmetic) -> Result<(), E
         arithmetic,
         visibility: arguments.visibility,
         pass: arguments.pass,
-        sampling: arguments.sampling.sampling(),
+        sampling: arguments.sampling.sampling(&experiment.scene),
         edges: match arguments.antialias {
             Antialias::Coverage if arguments.pass.has_edges(&experiment.scene) => Edges::On,
             Antialias::Coverage | Antialias::None => Edges::Off,

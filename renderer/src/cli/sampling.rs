@@ -1,11 +1,13 @@
 //! How many rays go through a pixel, as the command line says it.
 
 use crate::accuracy::Sampler;
-use crate::settings::Sampling;
+use crate::scene::{Integrator, PathTracing, Scene};
+use crate::settings::{GradientSamples, Samples, Sampling};
 
 #[derive(clap::Args)]
 pub(super) struct SamplingArguments {
-    /// Rays through each pixel; one goes through its middle [default: 1]
+    /// Rays through each pixel; one goes through its middle [default: 1; where light takes all paths,
+    /// the samples of the scene, at random places even if it is one]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=MOST))]
     samples: Option<u32>,
 
@@ -18,8 +20,14 @@ pub(super) struct SamplingArguments {
 const MOST: i64 = 1 << 16;
 
 impl SamplingArguments {
-    pub fn sampling(&self) -> Sampling {
-        self.sampler.sampling(self.samples.unwrap_or(1))
+    pub fn sampling(&self, scene: &Scene) -> Sampling {
+        match scene.integrator {
+            Integrator::Direct => self.sampler.sampling(self.samples.unwrap_or(1)),
+            Integrator::Path(PathTracing { samples, seed, .. }) => {
+                let count = self.samples.unwrap_or(samples);
+                self.sampler.random(Samples { count, seed, gradient: GradientSamples::Same })
+            }
+        }
     }
 
     /// Returns `true` if the number of rays through each pixel was left open.

@@ -161,7 +161,13 @@ fn exr_bytes(image: &Image) -> ImageResult<Vec<u8>> {
 /// If the image has no area, a pixel is infinite or not a number, or the file cannot be written.
 pub fn save_hdr(image: &Image, path: &Path) -> Result<(), Error> {
     check(image, path.display())?;
-    let pixels: Vec<_> = image.pixels.iter().map(|pixel| Rgb(pixel.map(|v| v.max(0.0)))).collect();
+    // Below this the exponent of the format has no room.
+    const DARKEST: f32 = 1e-38;
+    let rgbe = |pixel: &[f32; 3]| {
+        let is_dark = pixel.iter().all(|&v| v < DARKEST);
+        Rgb(pixel.map(|v| if is_dark { 0.0 } else { v.max(0.0) }))
+    };
+    let pixels: Vec<_> = image.pixels.iter().map(rgbe).collect();
     let mut bytes = Vec::new();
     HdrEncoder::new(&mut bytes)
         .encode(&pixels, image.width as usize, image.height as usize)

@@ -8,7 +8,7 @@ use super::levels::{halved, spread};
 use super::{Recovery, TargetImage};
 use crate::optimize::{Evaluation, Objective};
 use crate::render::Renderer;
-use crate::scene::{Invalid, ParameterId, Scene};
+use crate::scene::{Integrator, Invalid, ParameterId, Scene};
 use crate::settings::{Sampling, Settings};
 use crate::{Image, LossAndGradient};
 
@@ -153,7 +153,10 @@ fn of_view(target: &TargetImage, scene: &Scene, what: String) -> String {
 impl Objective for ImageObjective<'_> {
     fn begin(&mut self, iteration: u64, level: u32) {
         if level != self.level {
-            let sampling = spread(self.recovery.settings.sampling, level);
+            let sampling = match self.recovery.scene.integrator {
+                Integrator::Direct => spread(self.recovery.settings.sampling, level),
+                Integrator::Path(_) => self.recovery.settings.sampling,
+            };
             let settings = Settings { sampling, ..*self.renderer.settings() };
             *self = Self::halved(self.recovery, &settings, level);
         }

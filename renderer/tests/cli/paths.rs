@@ -19,6 +19,19 @@ fn scenes_say_which_paths_count() {
     sandbox.succeed(&["render", "scene.toml", "-o", "direct.exr"]);
     assert_ne!(sandbox.read("path.exr"), sandbox.read("direct.exr"));
     assert_ne!(sandbox.read("path.exr"), sandbox.read("more.exr"));
+    // The command line goes before the samples of the scene, whose seed stays.
+    for [samples, seed] in [["1", "0"], ["4", "7"]] {
+        let scene = |samples: &str| {
+            let path = PATH.replace("= 4", &format!("= {samples}\nseed = {seed}"));
+            format!("{path}{SKY}{SCENE}")
+        };
+        sandbox.write("said.toml", scene(samples));
+        sandbox.write("other.toml", scene("9"));
+        sandbox.succeed(&["render", "said.toml", "-o", "said.exr"]);
+        sandbox.succeed(&["render", "other.toml", "-o", "other.exr", "--samples", samples]);
+        assert_eq!(sandbox.read("said.exr"), sandbox.read("other.exr"));
+        assert_ne!(sandbox.read("said.exr"), sandbox.read("path.exr"));
+    }
     let table = sandbox.succeed(&["params", "path.toml"]);
     let row = |path: &str| table.lines().find(|line| line.starts_with(path)).unwrap().to_owned();
     assert!(row("environment.radiance ").contains("  differentiable "));

@@ -92,11 +92,18 @@ impl Request {
             };
             ids.iter().any(is_it)
         };
+        let is_metallic_of_metal = |id: &ParameterId| match id.object {
+            Object::Material(material) => {
+                id.field == "metallic" && layout.materials[material].is_metal
+            }
+            _ => false,
+        };
         let is_light = |id: &ParameterId| matches!(id.object, Object::Light(_));
         request.zero_weight = ZeroWeight {
             mirrors: layout.pass == Pass::Radiance
                 && if takes_all_paths { of_zero("mirror") } else { of_material("mirror") },
             reflections: takes_all_paths && (of_zero("diffuse") || of_zero("specular")),
+            bases: takes_all_paths && ids.iter().any(is_metallic_of_metal),
             lights: ids.iter().any(is_light),
             lobes: Lobes {
                 rough: of_material("roughness"),
@@ -200,6 +207,12 @@ impl Request {
         self.camera
             || selected.iter().any(|selection| !selection.is_empty())
             || self.transforms.iter().chain(&self.shapes).any(Option::is_some)
+    }
+
+    /// Returns `true` if something of the environment may be requested: its numbers, or texels, of which it may
+    /// have some.
+    pub fn has_environment(&self) -> bool {
+        self.environment.is_some() || !self.texels.is_empty()
     }
 
     /// Returns `true` if the boundary term is requested.

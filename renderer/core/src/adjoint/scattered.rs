@@ -210,6 +210,7 @@ impl<L: Plain> Chain<'_, L> {
                 let to_emitter = Tangent::<Material<L>> { emission, ..Additive::zero() };
                 self.scatter.materials::<L>(materials, &to_emitter);
             }
+            EmitterSource::Sky if !self.scatter.request.has_environment() => {}
             EmitterSource::Sky => {
                 let light = self.integrator.sky_light(sample.lanes, of.direction);
                 self.pull_sky(light, sample.lanes, emission);
@@ -223,6 +224,9 @@ impl<L: Plain> Chain<'_, L> {
         wavefront: &Wavefront<L>,
         cotangent: impl Fn(RayLanes) -> Option<Vec3<L>>,
     ) {
+        if !self.scatter.request.has_environment() {
+            return;
+        }
         for lanes in missed::<L>(wavefront) {
             let Some((light, weight)) = self.integrator.missed_light(wavefront, lanes) else {
                 continue;

@@ -2,6 +2,7 @@
 
 use ad::Scalar;
 use glam::DVec3;
+use rayon::prelude::*;
 
 use super::inputs::Inputs;
 use crate::number::{Number, widen};
@@ -64,7 +65,7 @@ fn sky_powers(scene: &Scene, layout: &Layout) -> Vec<f64> {
         (mean * values.radiance).max_element()
     };
     let power = |cell: (u32, u32)| radiance(cell) * sky.solid_angle(cell.1) * radius * radius;
-    sky.cells().map(power).collect()
+    (0..sky.len()).into_par_iter().map(|rank| power(sky.cell(rank))).collect()
 }
 
 fn area<S: Number<Lane: Scalar>>(layout: &Layout, inputs: &Inputs<S>, primitive: usize) -> f64 {

@@ -37,6 +37,8 @@ pub struct ZeroWeight {
     pub mirrors: bool,
     /// What is black reflects.
     pub reflections: bool,
+    /// Metals are sampled for the base that they would have below their facets if they were none.
+    pub bases: bool,
     /// Lights that send nothing cast shadows.
     pub lights: bool,
     /// Every material has these.

@@ -121,8 +121,10 @@ impl<S: Number> Integrator<'_, S> {
             sent |= u64::from(lanes) << group.first;
             let ray = group.next_rays(transparent);
             put(group.lanes(), lanes, &ray, &mut sent_on);
-            let direction = primal_vector::<S>(ray.direction);
-            group.add_to(&mut batch, from, lanes, transparent, direction);
+            if known.is_none() {
+                let direction = primal_vector::<S>(ray.direction);
+                group.add_to(&mut batch, from, lanes, transparent, direction);
+            }
         }
         if known.is_none() {
             self.find_next(&batch, &mut to.hits);

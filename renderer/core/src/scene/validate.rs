@@ -31,6 +31,8 @@ const PIXEL_BYTES: u64 = 48;
 const LIGHT_BYTES: u64 = 3000;
 /// What the vertices of a path at one depth take: the record of a group of lanes, on each thread.
 const BOUNCE_BYTES: u64 = 40_000;
+/// What a texel of a map of the environment takes beside itself, where directions are chosen by it.
+const CELL_BYTES: u64 = 48;
 
 /// What is wrong with a scene.
 #[derive(Clone, Debug, PartialEq)]
@@ -101,11 +103,16 @@ impl Scene {
         });
         let kind = self.eye().kind();
         let scattered = self.path_tracing().map_or(0, |path| u64::from(path.max_depth));
+        let map = self.environment.and_then(|environment| environment.texture);
+        let texels = map
+            .and_then(|texture| self.textures.get(texture as usize))
+            .map_or(0, |map| u64::from(map.width) * u64::from(map.height));
         for (path, bytes) in [
             (&*format!("{kind}.width"), pixels.sum::<u64>().saturating_mul(PIXEL_BYTES)),
             ("light", (self.lights.len() as u64).saturating_mul(LIGHT_BYTES)),
             ("bounces", depth.saturating_mul(BOUNCE_BYTES)),
             ("integrator.max_depth", scattered.saturating_mul(BOUNCE_BYTES)),
+            ("environment.texture", texels.saturating_mul(CELL_BYTES)),
         ] {
             memory::ask(bytes).map_err(|problem| Invalid { path: path.into(), problem })?;
         }

@@ -139,7 +139,7 @@ pub struct Sampling<S: Real> {
 }
 
 /// How directions are sampled at a point of a metallic-roughness material. All numbers are rounded, so that
-/// they have no derivative: the width upwards, by at most 6 %, the share to eighths. Where the material is not
+/// they have no derivative: the width upwards, by 2 to 9 %, the share to eighths. Where the material is not
 /// known to be mere metal, it `has_base`: each lobe is sampled at least one time in eight.
 pub fn sampling<S: Real>(
     material: Material<S>,

@@ -171,6 +171,9 @@ pub(super) struct MaterialExtensions {
     pub ior: Option<Ior>,
     #[serde(rename = "KHR_materials_transmission")]
     pub transmission: Option<Transmission>,
+    /// Whether a surface is that of a solid. How a solid absorbs light is left out.
+    #[serde(rename = "KHR_materials_volume")]
+    pub volume: Option<IgnoredAny>,
 }
 
 #[derive(Clone, Copy, Deserialize)]
@@ -185,10 +188,11 @@ impl Default for Ior {
     }
 }
 
-#[derive(Clone, Copy, Default, Deserialize)]
+#[derive(Default, Deserialize)]
 #[serde(rename_all = "camelCase", default)]
 pub(super) struct Transmission {
     pub transmission_factor: f64,
+    pub transmission_texture: Option<IgnoredAny>,
 }
 
 #[derive(Deserialize)]

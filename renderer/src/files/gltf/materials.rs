@@ -141,19 +141,40 @@ fn full_material(definition: &document::Material, values: Material<f64>) -> Mate
     let values = Material {
         metallic: pbr.metallic_factor.unwrap_or(1.0),
         roughness: pbr.roughness_factor,
-        ior: extensions.ior.unwrap_or_default().ior.max(1.0),
+        ior: match extensions.ior.unwrap_or_default().ior {
+            // By the extension, what reflects everything.
+            0.0 => HIGHEST_IOR,
+            ior => ior.max(1.0),
+        },
         ..values
     };
-    let transmitted = extensions.transmission.unwrap_or_default().transmission_factor;
-    // What lets through most of the light, and is smooth: glass has no other part here.
-    let is_glass = transmitted > 0.5 && values.metallic < 0.5 && values.roughness < 0.1;
-    let bsdf = if is_glass { Bsdf::Dielectric } else { Bsdf::MetallicRoughness };
+    let bsdf = if is_glass(definition) { Bsdf::Dielectric } else { Bsdf::MetallicRoughness };
     MaterialObject { bsdf, ..values.into() }
 }
 
-/// What of facets is left out where light does not take all paths.
+/// The index of refraction of what reflects nearly everything.
+const HIGHEST_IOR: f64 = 1e3;
+
+/// Whether a material lets through most of the light, and is smooth: glass has no other part here.
+fn is_glass(definition: &document::Material) -> bool {
+    let pbr = &definition.pbr_metallic_roughness;
+    transmitted(definition) > 0.5
+        && pbr.metallic_factor.unwrap_or(1.0) < 0.5
+        && pbr.roughness_factor < 0.1
+}
+
+fn transmitted(definition: &document::Material) -> f64 {
+    definition.extensions.transmission.as_ref().map_or(0.0, |of| of.transmission_factor)
+}
+
+/// What of facets and glass is left out where light does not take all paths.
 fn left_out_of_facets(definition: &document::Material, place: &str) -> Option<Warning> {
     let pbr = &definition.pbr_metallic_roughness;
+    if is_glass(definition) {
+        let problem =
+            "KHR_materials_transmission is left out: glass is opaque unless light takes all paths";
+        return Some(Warning::new(place, problem));
+    }
     let problem = match pbr {
         _ if pbr.metallic_roughness_texture.is_some() => "metallicRoughnessTexture is left out",
         _ if pbr.metallic_factor.is_some_and(|factor| factor > 0.0) => "metallicFactor is left out",
@@ -166,9 +187,27 @@ fn left_out_of_facets(definition: &document::Material, place: &str) -> Option<Wa
 }
 
 fn warn_of_left_out(definition: &document::Material, place: &str, warnings: &mut Warnings) {
+    let extensions = &definition.extensions;
     let left_out = [
         (definition.normal_texture.is_some(), "normalTexture is left out"),
         (definition.occlusion_texture.is_some(), "occlusionTexture is left out"),
+        (
+            transmitted(definition) > 0.0 && !is_glass(definition),
+            "KHR_materials_transmission is left out: light goes through none but smooth glass, which lets \
+             through more than half",
+        ),
+        (
+            is_glass(definition) && definition.extensions.volume.is_none(),
+            "without KHR_materials_volume glass is a thin wall; it is shown solid, and has to be closed",
+        ),
+        (
+            extensions.transmission.as_ref().is_some_and(|of| of.transmission_texture.is_some()),
+            "transmissionTexture is left out",
+        ),
+        (
+            extensions.ior.is_some_and(|of| of.ior > 0.0 && of.ior < 1.0),
+            "its ior is below 1, and taken as 1",
+        ),
     ];
     for (_, problem) in left_out.into_iter().filter(|(is_given, _)| *is_given) {
         warnings.add(problem, place, problem);

@@ -314,6 +314,39 @@ fn unlit_materials_emit() {
     assert_eq!((material.diffuse, material.specular), (DVec3::ZERO, DVec3::ZERO));
 }
 
+/// Smooth glass is read for light that takes all paths; of what else lets light through it is told.
+#[test]
+fn transmission_is_read_or_told() {
+    let read = |pbr: Value, extensions: Value| {
+        let mut document = square();
+        document["materials"][1]["pbrMetallicRoughness"] = pbr;
+        document["materials"][1]["extensions"] = extensions;
+        let model = load(&document).unwrap().model;
+        let full = model.materials[0].full.clone().unwrap();
+        let told: Vec<_> = model.warnings.iter().map(|warning| warning.problem.clone()).collect();
+        (full, told)
+    };
+    let smooth = json!({ "metallicFactor": 0, "roughnessFactor": 0 });
+    let transmission = json!({ "transmissionFactor": 1.0 });
+    let solid = json!({ "KHR_materials_transmission": transmission, "KHR_materials_volume": {},
+        "KHR_materials_ior": { "ior": 1.33 } });
+    let (glass, told) = read(smooth.clone(), solid);
+    assert_eq!((glass.material.bsdf, glass.material.values.ior), (Bsdf::Dielectric, 1.33));
+    assert!(glass.left_out.unwrap().problem.contains("glass is opaque unless"));
+    assert_eq!(told, Vec::<String>::new());
+    let only = |extension: &str, value: Value| json!({ extension: value });
+    let (wall, told) =
+        read(smooth.clone(), only("KHR_materials_transmission", transmission.clone()));
+    assert_eq!(wall.material.bsdf, Bsdf::Dielectric);
+    assert!(told[0].contains("thin wall"), "{told:?}");
+    let rough = json!({ "metallicFactor": 0, "roughnessFactor": 0.3 });
+    let (frosted, told) = read(rough, only("KHR_materials_transmission", transmission));
+    assert_eq!(frosted.material.bsdf, Bsdf::MetallicRoughness);
+    assert!(told[0].contains("none but smooth glass"), "{told:?}");
+    let (bright, _) = read(smooth, only("KHR_materials_ior", json!({ "ior": 0 })));
+    assert!(bright.material.values.ior > 100.0);
+}
+
 #[test]
 fn broken_documents_are_refused() {
     let cases: [(&str, Value, &str); 22] = [

@@ -17,6 +17,22 @@ fn error_of(path: &Path) -> String {
     error
 }
 
+/// What is darker than the format can hold is black.
+#[test]
+fn hdr_files_keep_what_is_dark_dark() {
+    let folder = folder();
+    let path = folder.path().join("dark.hdr");
+    let pixels = vec![[1e-40, 0.0, 1e-42], [2e-38, 0.0, 1e-38], [3.0, 1e-40, 0.5], [1e30; 3]];
+    save_hdr(&Image { width: 4, height: 1, pixels: pixels.clone() }, &path).unwrap();
+    let read = load_image(&path).unwrap().image.pixels;
+    assert_eq!(read[0], [0.0; 3]);
+    for (read, pixel) in read.iter().zip(&pixels).skip(1) {
+        let largest = pixel.iter().copied().fold(0.0, f32::max);
+        let off = |k: usize| (read[k] - pixel[k]).abs();
+        assert!((0..3).all(|k| off(k) <= largest / 100.0), "{read:?}, not {pixel:?}");
+    }
+}
+
 /// A PNG of any kind.
 fn png_of(
     (width, height): (u32, u32),

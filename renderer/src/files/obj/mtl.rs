@@ -109,6 +109,9 @@ struct Definition {
     ior: Option<f64>,
     /// What glass lets through.
     filter: Option<DVec3>,
+    /// What is said of `Ni` and `Tf` if nothing here has them, which later statements tell: the statement in
+    /// small letters, its place, and the text.
+    refraction: Vec<(&'static str, String, String)>,
     /// What is left out where light does not take all paths.
     left_out: Option<Warning>,
 }
@@ -119,12 +122,8 @@ const OF_MATERIALS: [&str; 13] =
 
 /// Statements that nothing here stands for: the number that leaves the image as it is, not a number
 /// if there is none, and why there is no other one.
-const LEFT_OUT: [(&str, f64, &str); 4] = [
-    ("tf", 1.0, NO_FILTER),
-    ("ni", 1.0, NO_REFRACTION),
-    ("ka", 0.0, NO_AMBIENT_LIGHT),
-    ("map_ka", f64::NAN, NO_AMBIENT_LIGHT),
-];
+const LEFT_OUT: [(&str, f64, &str); 2] =
+    [("ka", 0.0, NO_AMBIENT_LIGHT), ("map_ka", f64::NAN, NO_AMBIENT_LIGHT)];
 const NO_FILTER: &str = "opacity has no colour";
 const NO_REFRACTION: &str = "rays go straight on behind transparent surfaces";
 const NO_AMBIENT_LIGHT: &str =
@@ -215,15 +214,21 @@ impl Definition {
                 }
                 self.illumination = Some(model);
             }
-            _ => match self.read_refraction(lower, keyword, rest)? {
-                true => {}
-                false => match LEFT_OUT.iter().find(|(left_out, ..)| *left_out == lower) {
-                    Some((_, neutral, _)) if all_are(rest, *neutral) => {}
-                    Some((_, _, reason)) => {
-                        warnings.add(lower, place, format_args!("{keyword} is left out: {reason}"));
-                    }
-                    None => warnings.add(lower, place, unknown(keyword)),
-                },
+            "ni" => {
+                let ior = not_negative(keyword, words(rest).next().unwrap_or(""))?;
+                self.ior = Some(ior).filter(|&ior| ior >= 1.0);
+                self.may_leave_out("ni", keyword, rest, place, NO_REFRACTION);
+            }
+            "tf" => {
+                self.filter = color(keyword, rest).ok();
+                self.may_leave_out("tf", keyword, rest, place, NO_FILTER);
+            }
+            _ => match LEFT_OUT.iter().find(|(left_out, ..)| *left_out == lower) {
+                Some((_, neutral, _)) if all_are(rest, *neutral) => {}
+                Some((_, _, reason)) => {
+                    warnings.add(lower, place, format_args!("{keyword} is left out: {reason}"));
+                }
+                None => warnings.add(lower, place, unknown(keyword)),
             },
         }
         let mut placements = self.maps().map(|map| map.placement);
@@ -243,18 +248,27 @@ impl Definition {
         Ok(())
     }
 
-    /// Reads a statement about refraction, if it is one that facets or glass have.
-    fn read_refraction(&mut self, lower: &str, keyword: &str, rest: &str) -> Result<bool, String> {
-        let has_surface = self.is_glass() || self.roughness.is_some() || self.metallic.is_some();
-        match lower {
-            "ni" => {
-                let ior = not_negative(keyword, words(rest).next().unwrap_or(""))?;
-                self.ior = Some(ior).filter(|&ior| ior >= 1.0);
-            }
-            "tf" if self.is_glass() => self.filter = color(keyword, rest).ok(),
-            _ => return Ok(false),
+    /// Remembers a statement about refraction, unless it changes nothing.
+    fn may_leave_out(
+        &mut self,
+        lower: &'static str,
+        keyword: &str,
+        rest: &str,
+        place: &str,
+        reason: &str,
+    ) {
+        if !all_are(rest, 1.0) {
+            let problem = format!("{keyword} is left out: {reason}");
+            self.refraction.push((lower, place.to_owned(), problem));
         }
-        Ok(has_surface)
+    }
+
+    /// Whether `Ni` or `Tf` means something to this material.
+    fn has(&self, statement: &str) -> bool {
+        match statement {
+            "ni" => self.is_glass() || self.roughness.or(self.metallic).is_some(),
+            _ => self.is_glass() && self.filter.is_some(),
+        }
     }
 
     fn is_glass(&self) -> bool {
@@ -311,6 +325,11 @@ impl Definition {
                 self.name
             );
             warnings.add("invisible material", file, problem);
+        }
+        for (statement, place, problem) in std::mem::take(&mut self.refraction) {
+            if !self.has(statement) {
+                warnings.add(statement, &place, problem);
+            }
         }
         let default = Material::default();
         // What a texture varies is white where nothing else is said.

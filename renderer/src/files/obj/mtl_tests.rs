@@ -118,12 +118,12 @@ fn what_is_left_out_is_told_once() {
     let ambient = "there is no ambient light; `emission` in a scene file is what a surface emits";
     let expected = [
         format!("2: Ka is left out: {ambient}"),
-        "4: Ni is left out: rays go straight on behind transparent surfaces".to_owned(),
-        "5: Tf is left out: opacity has no colour".to_owned(),
         format!("6: map_Ka is left out: {ambient}"),
         "7: `map_refl` is left out: nothing here stands for it".to_owned(),
         "8: `bump` is left out: nothing here stands for it".to_owned(),
         "9: `sharpness` is left out: nothing here stands for it".to_owned(),
+        "4: Ni is left out: rays go straight on behind transparent surfaces".to_owned(),
+        "5: Tf is left out: opacity has no colour".to_owned(),
     ];
     assert_eq!(warnings, expected);
 }
@@ -247,8 +247,13 @@ fn facets_and_glass_are_read() {
     let full = glass.full.unwrap();
     assert_eq!(full.material.bsdf, Bsdf::Dielectric);
     assert_eq!((full.material.values.ior, full.material.values.diffuse.z), (1.33, 0.8));
-    let (plain, _) = defined("Kd 0 0 0\nNi 1.33\n");
+    let (plain, warnings) = defined("Kd 0 0 0\nNi 1.33\n");
     assert_eq!(plain.full, None);
+    assert!(warnings[0].contains("3: Ni is left out"), "{warnings:?}");
+    // Whatever comes first.
+    let (turned, warnings) = defined("Tf 0.9 1 0.8\nNi 1.33\nillum 7\nKd 0 0 0\n");
+    assert_eq!((turned.full.unwrap().material, warnings), (full.material, vec![]));
+    assert_eq!(defined("Ni 1.33\nPr 0.4\n").1, Vec::<String>::new());
     let obj = format!("mtllib a.mtl\n{TRIANGLE}usemtl m\nf 1 2 3\n");
     let error = refused(&[("a.obj", &obj), ("a.mtl", "newmtl m\nPr 1.5\n")]);
     assert!(error.starts_with("a.mtl:2: Pr must be at most 1, is 1.5"), "{error}");

@@ -8,7 +8,7 @@ use super::format::ordered::Ordered;
 use super::textures::TextureTable;
 use super::{Problem, numbers};
 use crate::Warning;
-use crate::files::meshes::ModelMaterial;
+use crate::files::meshes::{FullMaterial, ModelMaterial};
 use crate::files::names::Names;
 use crate::scene::{Bsdf, Material, MaterialObject, MaterialTextures, Scene, Slot};
 use crate::warning::Warnings;
@@ -96,10 +96,15 @@ impl<'a> MaterialTable<'a> {
                 Material::default().into()
             }
         };
-        if self.takes_all_paths
-            && let Some(full) = &model.full
-        {
-            object = full.material.clone();
+        // Another type begins with the numbers that the file has for what it shows without facets.
+        let is_of_type = |full: &&FullMaterial| {
+            let kind = entry.and_then(|entry| self.entries[entry].1.kind.as_deref());
+            kind.is_none_or(|kind| Bsdf::ALL.contains(&(kind, full.material.bsdf)))
+        };
+        if self.takes_all_paths {
+            if let Some(full) = model.full.as_ref().filter(is_of_type) {
+                object = full.material.clone();
+            }
         } else if let Some(left_out) = model.full.as_ref().and_then(|full| full.left_out.as_ref()) {
             self.warnings.add_new(left_out);
         }

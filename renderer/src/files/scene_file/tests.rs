@@ -601,4 +601,10 @@ fn metals_of_libraries_show_where_light_takes_all_paths() {
     let kinds: Vec<Bsdf> = path.scene.materials.iter().map(|material| material.bsdf).collect();
     assert_eq!(kinds, [Bsdf::BlinnPhong, Bsdf::MetallicRoughness]);
     assert_eq!(path.warnings, []);
+    // Another type begins with what the library says without facets.
+    let matt = "[material.blue]\ntype = \"blinn_phong\"\n";
+    let matt = load(&format!("{LIGHT}[integrator]\ntype = \"path\"\n{matt}"));
+    let blue = &matt.scene.materials[0];
+    let numbers = (blue.values.diffuse, blue.values.roughness);
+    assert_eq!((blue.bsdf, numbers), (Bsdf::BlinnPhong, (DVec3::Z, 0.0)));
 }

@@ -41,7 +41,8 @@ impl<S: Number> Integrator<'_, S> {
         if vertex.group.bsdf != Bsdf::MetallicRoughness {
             return None;
         }
-        let has_base = |material: usize| !self.layout.materials[material].is_metal;
+        let has_base =
+            |material: usize| self.zero_weight.bases || !self.layout.materials[material].is_metal;
         let have_base = S::Lanes::mask_from_bits(vertex.materials.lanes_where(has_base));
         let surface = vertex.group.surface.map(S::primal);
         let material = vertex.material.map(S::primal);

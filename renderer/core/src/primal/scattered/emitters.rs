@@ -137,8 +137,8 @@ impl<S: Number> Integrator<'_, S> {
                 continue;
             }
             let [choice, fine, u, v] = numbers.of(ray).map(f64::from);
-            // One number of 24 bits does not tell a million emitters apart.
-            let (primitive, one_of) = self.emitters.choose(choice + fine / f64::from(1 << 24));
+            // One number of 23 bits does not tell a million emitters apart.
+            let (primitive, one_of) = self.emitters.choose(choice + fine / f64::from(1 << 23));
             if let (Some(sky), Some(rank)) = (&self.layout.sky, primitive.checked_sub(first_cell)) {
                 let cell = sky.cell(rank);
                 directions[lane] = sky.direction(cell, [u, v]);
