@@ -6,13 +6,11 @@
 use ad::tape::{Recording, Var};
 use ad::vector::{Vector, Vector3};
 use ad::{Real, Vec3};
-use glam::DVec3;
 use rayon::prelude::*;
 
 use crate::adjoint::Request;
 use crate::loss::PixelLoss;
-use crate::number::primal_vector;
-use crate::primal::image::visit;
+use crate::primal::image::{mean_radiance, visit};
 use crate::primal::inputs::Inputs;
 use crate::primal::integrator::Prepared;
 use crate::primal::path::Path;
@@ -77,16 +75,18 @@ fn on_tape(
     let zero_weight = Request::new(scene, &prepared.layout, ids).zero_weight;
     let integrator = prepared.with_inputs(&inputs).with_zero_weight(zero_weight);
     let mut path = Path::default();
+    let sampling = prepared.layout.sampling;
+    let count = f64::from(sampling.count());
     // Each radiance times the derivative of the loss by it: the derivatives of the sum are those of the
     // loss.
     let mut linear_loss = Var::ZERO;
     for tile in tiles {
-        for sample in samples(tile, prepared.layout.sampling) {
+        let image = mean_radiance(prepared.integrator(), tile, &mut Path::default());
+        for sample in samples(tile, sampling) {
             visit(integrator, sample, &mut path, |group, radiance| {
                 let (x, y) = tile.pixel(group.first);
-                let value: DVec3 = primal_vector::<Var>(radiance);
-                let (_, derivative) = loss.evaluate(x, y, value);
-                let [x, y, z] = derivative.to_array().map(Var::from_f64);
+                let (_, derivative) = loss.evaluate(x, y, image[group.first]);
+                let [x, y, z] = (derivative / count).to_array().map(Var::from_f64);
                 let cotangent: Vec3<Var> = Vector3::new(x, y, z);
                 linear_loss += radiance.dot(cotangent);
             });

@@ -8,7 +8,7 @@ use super::sampling::RayPlaces;
 use super::table::pareto_front;
 use super::*;
 use crate::experiment::{Experiment, TunedParameter};
-use crate::scene::{Material, Mesh, Object, Transform};
+use crate::scene::{Integrator, Material, Mesh, Object, PathTracing, Transform};
 
 pub use scenes::random_experiment;
 
@@ -60,6 +60,32 @@ fn they_agree_on_smooth_meshes() {
         let question = exactly(&recovery);
         let adjoint = Adjoint::new(question).gradient();
         let metric = GradientMetric::new(recovery.scene(), recovery.ids());
+        let error = metric.error(&gradient_on_tapes(&recovery), &adjoint);
+        assert!(error < 1e-10, "{number}: tape and adjoint differ by {error:e}");
+        let all: Vec<usize> = (0..metric.count()).collect();
+        let error = metric.error(&Forward::new(question, all).gradient(), &adjoint);
+        assert!(error < 1e-10, "{number}: dual numbers and adjoint differ by {error:e}");
+    }
+}
+
+/// The same three ways where light takes all paths, several of them through each pixel.
+#[test]
+fn they_agree_along_paths() {
+    for number in 0..4 {
+        let mut experiment = random_experiment(number);
+        let scene = &mut experiment.scene;
+        scene.integrator = Integrator::Path(PathTracing { max_depth: 3, samples: 3, seed: 5 });
+        // By weights of zero the derivative needs other paths than the image has.
+        let ids = scene.parameters().into_iter().filter(|&id| {
+            scene.is_differentiable(id) && scene.get(id).iter().any(|&number| number != 0.0)
+        });
+        let parameters = ids.map(TunedParameter::new).collect();
+        experiment.optimize.get_or_insert_default().parameters = parameters;
+        let recovery = recovery(&experiment);
+        let question = exactly(&recovery);
+        let adjoint = Adjoint::new(question).gradient();
+        let metric = GradientMetric::new(recovery.scene(), recovery.ids());
+        assert!(adjoint.iter().any(|&derivative| derivative != 0.0), "{number}");
         let error = metric.error(&gradient_on_tapes(&recovery), &adjoint);
         assert!(error < 1e-10, "{number}: tape and adjoint differ by {error:e}");
         let all: Vec<usize> = (0..metric.count()).collect();
