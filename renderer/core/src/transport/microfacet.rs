@@ -50,8 +50,10 @@ const SHARE_STEPS: f64 = 8.0;
 /// Below the roughness 0.01 the facets are those of 0.01, and the derivative by the roughness is 0. A
 /// viewer behind the shading normal, as of smooth meshes at grazing angles, sees what one sees who grazes
 /// it.
-#[differentiable]
-#[inline]
+// Other materials pay for code that stands in their loop, and for residuals that their pullbacks would have
+// room for.
+#[differentiable(boxed)]
+#[inline(never)]
 pub fn metallic_roughness<S: Real>(
     material: Material<S>,
     surface: SurfacePoint<S>,
