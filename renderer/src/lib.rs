@@ -47,6 +47,7 @@ pub mod optimize;
 #[cfg(feature = "cli")]
 #[doc(hidden)]
 pub mod palette;
+pub mod progressive;
 #[cfg(feature = "files")]
 pub mod recovery;
 #[cfg(feature = "cli")]

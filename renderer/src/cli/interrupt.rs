@@ -18,16 +18,12 @@ const SIGNALS: &[i32] = &[
     signal::SIGHUP,
 ];
 
-/// Watches a run for another observer, and interrupts it when the process is asked to end, so that it
-/// leaves a checkpoint.
-pub(super) struct Interruptible<'a> {
-    observer: &'a mut dyn Observer,
-    asked: Arc<AtomicBool>,
-}
+/// Whether the process is asked to end.
+pub(super) struct Interrupt(Arc<AtomicBool>);
 
-impl<'a> Interruptible<'a> {
+impl Interrupt {
     /// From now on a first signal is a wish; a second one ends the process at once.
-    pub fn new(observer: &'a mut dyn Observer) -> Result<Self, Error> {
+    pub fn new() -> Result<Self, Error> {
         let asked = Arc::new(AtomicBool::new(false));
         for &signal in SIGNALS {
             // The order counts: at the first signal nobody has asked yet.
@@ -35,7 +31,25 @@ impl<'a> Interruptible<'a> {
                 .and_then(|_| flag::register(signal, asked.clone()))
                 .map_err(|error| Error::new("signals", error))?;
         }
-        Ok(Self { observer, asked })
+        Ok(Self(asked))
+    }
+
+    /// Ends a loop if somebody asked.
+    pub fn flow(&self) -> ControlFlow<()> {
+        if self.0.load(Relaxed) { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    }
+}
+
+/// Watches a run for another observer, and interrupts it when the process is asked to end, so that it
+/// leaves a checkpoint.
+pub(super) struct Interruptible<'a> {
+    observer: &'a mut dyn Observer,
+    interrupt: Interrupt,
+}
+
+impl<'a> Interruptible<'a> {
+    pub fn new(observer: &'a mut dyn Observer) -> Result<Self, Error> {
+        Ok(Self { observer, interrupt: Interrupt::new()? })
     }
 }
 
@@ -46,7 +60,7 @@ impl Observer for Interruptible<'_> {
 
     fn step(&mut self, step: &Step) -> ControlFlow<()> {
         let go_on = self.observer.step(step);
-        if self.asked.load(Relaxed) { ControlFlow::Break(()) } else { go_on }
+        if go_on.is_break() { go_on } else { self.interrupt.flow() }
     }
 
     fn finish(&mut self, outcome: &Outcome) {

@@ -18,6 +18,7 @@ mod report;
 mod sampling;
 mod strip;
 mod tradeoff;
+mod until;
 mod usage;
 mod views;
 

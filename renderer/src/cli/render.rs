@@ -6,11 +6,13 @@ use super::changes::Changes;
 use super::derivative::derivative;
 use super::output::{print, print_warning};
 use super::sampling::SamplingArguments;
+use super::until::{self, UntilArguments};
 use super::views::{path_of_view, view_stems};
 use crate::Error;
 use crate::arithmetic::Arithmetic;
 use crate::display::{ToneMapping, expose, normalize};
 use crate::files::{check_image_path, save_image};
+use crate::progressive::{Estimate, Until};
 use crate::render::Renderer;
 use crate::scene::Scene;
 use crate::settings::{Edges, Pass, PrimaryVisibility, Settings};
@@ -62,6 +64,9 @@ pub(super) struct Arguments {
     #[command(flatten)]
     sampling: SamplingArguments,
 
+    #[command(flatten)]
+    until: UntilArguments,
+
     /// Map the darkest channel to 0 and the brightest to 1
     #[arg(long, conflicts_with_all = ["exposure", "tone"])]
     normalize: bool,
@@ -82,7 +87,11 @@ fn stops(text: &str) -> Result<f64, String> {
 
 pub(super) fn run(arguments: &Arguments, arithmetic: Arithmetic) -> Result<(), Error> {
     check_image_path(&arguments.output)?;
+    if let Some(path) = &arguments.until.standard_error {
+        check_image_path(path)?;
+    }
     let experiment = arguments.changes.load(&arguments.scene)?;
+    let until = arguments.until.until(&experiment.scene)?;
     let settings = Settings {
         arithmetic,
         visibility: arguments.visibility,
@@ -96,30 +105,42 @@ pub(super) fn run(arguments: &Arguments, arithmetic: Arithmetic) -> Result<(), E
     };
     let mut renderer = Renderer::unchecked(&experiment.scene, &settings);
     if experiment.scene.views().is_empty() {
-        return save(arguments, &renderer, &experiment.scene, &arguments.output);
+        return save(arguments, &mut renderer, &experiment.scene, until, "");
     }
     let mut scene = experiment.scene;
     for (view, stem) in view_stems(&scene).iter().enumerate() {
         scene.look_through(view);
         renderer.look(&scene);
-        save(arguments, &renderer, &scene, &path_of_view(&arguments.output, stem))?;
+        save(arguments, &mut renderer, &scene, until, stem)?;
     }
     Ok(())
 }
 
-/// Writes the picture of a scene to a file.
+/// Writes the picture of a scene, or of its view of this stem, to a file.
 fn save(
     arguments: &Arguments,
-    renderer: &Renderer,
+    renderer: &mut Renderer,
     scene: &Scene,
-    output: &Path,
+    until: Option<Until>,
+    stem: &str,
 ) -> Result<(), Error> {
+    let path = |path: &Path| match stem {
+        "" => path.to_owned(),
+        stem => path_of_view(path, stem),
+    };
+    let output = path(&arguments.output);
     if let Some(direction) = &arguments.derivative {
         let image = derivative(renderer, scene, direction)?;
-        save_image(&image, output)?;
+        save_image(&image, &output)?;
         return print(output.display());
     }
-    let mut image = renderer.render();
+    let (mut image, standard_error) = match until {
+        None => (renderer.render(), None),
+        Some(until) => {
+            let Estimate { image, standard_error, .. } = until::render(renderer, until)?;
+            (image, Some(standard_error))
+        }
+    };
     if !image.is_finite() {
         let found = renderer.find_non_finite(scene);
         let found = found.map_or_else(String::new, |found| found.to_string());
@@ -136,6 +157,9 @@ fn save(
     if arguments.normalize {
         normalize(&mut image);
     }
-    save_image(&image, output)?;
+    save_image(&image, &output)?;
+    if let (Some(image), Some(to)) = (standard_error, &arguments.until.standard_error) {
+        save_image(&image, &path(to))?;
+    }
     print(output.display())
 }

@@ -1,7 +1,7 @@
 //! Scenes in which light takes all paths.
 
 use renderer::Image;
-use renderer::files::save_exr;
+use renderer::files::{load_image, save_exr};
 
 use crate::sandbox::{SCENE, Sandbox};
 
@@ -39,6 +39,46 @@ fn scenes_say_which_paths_count() {
     for path in ["light.key.position ", "camera.vfov ", "sphere.ball.center "] {
         assert!(row(path).contains("  not differentiable "));
     }
+}
+
+/// Images are rendered to an error or a time, and say how far they are off.
+#[test]
+fn images_may_be_rendered_to_an_error_or_a_time() {
+    let sandbox = Sandbox::new();
+    sandbox.write("path.toml", format!("{PATH}{SKY}{SCENE}"));
+    let render = ["render", "path.toml", "-o", "a.exr"];
+    let run = |more: &[&str]| {
+        let output = sandbox.run(&[&render[..], more].concat());
+        assert_eq!(output.status.code(), Some(0), "{output:?}");
+        let said = String::from_utf8(output.stderr).unwrap();
+        let number = |after: &str| {
+            let rest = said.split(after).nth(1).unwrap();
+            rest.split([' ', ',']).next().unwrap().parse::<f64>().unwrap()
+        };
+        (said.split(' ').next().unwrap().parse::<f64>().unwrap(), number("error "))
+    };
+    let (few, error) = run(&["--target-error", "0.05", "--standard-error", "off.exr"]);
+    assert!(error <= 0.05 && few >= 8.0, "{few} {error}");
+    let off = load_image(&sandbox.path("off.exr")).unwrap().image;
+    assert!(off.is_finite() && off.pixels.iter().any(|pixel| pixel[0] > 0.0));
+    let (more, error) = run(&["--target-error", "0.02"]);
+    assert!(error <= 0.02 && more > few, "{more} {error}");
+    assert_eq!(run(&["--time-limit", "0"]).0, 8.0);
+    let refused = |scene: &str, more: &[&str], part: &str| {
+        sandbox.refuse_with(&[&["render", scene, "-o", "a.exr"], more].concat(), &[part]);
+    };
+    refused(
+        "scene.toml",
+        &["--time-limit", "1"],
+        "--time-limit: images of direct light have no noise",
+    );
+    refused(
+        "path.toml",
+        &["--standard-error", "b.exr"],
+        "--standard-error: is that of several batches",
+    );
+    let output = sandbox.run(&[&render[..], &["--target-error", "0"]].concat());
+    assert_eq!(output.status.code(), Some(2));
 }
 
 const MAP: &str = "[environment]\ntexture = \"sky\"\n[texture.sky]\npath = \"sky.hdr\"\n";
