@@ -387,7 +387,7 @@ impl<'a, L: Plain> Chain<'a, L> {
             material.opacity.accumulate(opacity);
             material.mirror.accumulate(mirror);
         }
-        let uv = vertex.textured.as_ref();
+        let uv = vertex.textured.as_deref();
         let uv = uv.map(|textured| self.pull_textures(textured, material));
         if !self.scatter.request.materials.is_empty() {
             self.scatter.materials::<L>(&vertex.materials, material);

@@ -27,7 +27,7 @@ use crate::transport::material::{Bsdf, Material};
 use crate::transport::scatter::{gathered, sent_on};
 use crate::transport::surface::SurfacePoint;
 
-/// How many bytes the paths take that a thread keeps at most.
+/// About how many bytes the paths take that a thread keeps; more, where materials of many kinds split groups.
 const KEPT_BYTES: usize = 16 << 20;
 
 /// By ray.

@@ -35,7 +35,8 @@ pub struct Vertex<'a, S: Number> {
     wavefront: &'a Wavefront<S>,
     /// The lanes by material.
     pub materials: Coalesced,
-    pub textured: Option<Textured<S>>,
+    /// On the heap, since vertices are moved about, and most have none.
+    pub textured: Option<Box<Textured<S>>>,
     /// The materials, with their textures.
     pub material: Material<S>,
     /// A bit for each lane whose material is transparent.
@@ -78,7 +79,7 @@ impl<'a, S: Number> Integrator<'a, S> {
         group: &LaneGroup<S>,
         materials: &Coalesced,
         material: &mut Material<S>,
-    ) -> Option<Textured<S>> {
+    ) -> Option<Box<Textured<S>>> {
         let is_textured = |material: usize| self.layout.materials[material].textures.any();
         if self.layout.textures.is_empty() || materials.lanes_where(is_textured) == 0 {
             return None;
@@ -87,7 +88,7 @@ impl<'a, S: Number> Integrator<'a, S> {
         let corners = self.corner_uvs(group.kind, &group.primitives);
         let uv = surface_uv::<S>(primitive, corners, group.surface.point);
         let lookups = Slot::ALL.map(|slot| self.lookup(slot, materials, uv));
-        let textured = Textured { plain: *material, uv, lookups };
+        let textured = Box::new(Textured { plain: *material, uv, lookups });
         textured.modulate(material);
         Some(textured)
     }

@@ -194,35 +194,29 @@ impl TextureTable {
         if self.opaque.contains(&shown) {
             return Ok(None);
         }
-        let name = match image {
-            TextureImage::File(path) if !path.is_file() => {
-                let missing = path.display();
-                let problem = format_args!("the texture {missing} is missing; white stands for it");
+        if let TextureImage::File(path) = image {
+            let problem = match path.is_file() {
+                false => Some("is missing"),
+                true if is_known(&read(path)?) => None,
+                true => Some("is not a PNG, JPEG, OpenEXR or Radiance HDR image"),
+            };
+            if let Some(problem) = problem {
+                let texture = path.display();
+                let problem = format_args!("the texture {texture} {problem}; white stands for it");
                 let warning = Warning::new(place, problem);
                 if !self.warnings.contains(&warning) {
                     self.warnings.push(warning);
                 }
                 return Ok(None);
             }
+        }
+        let name = match image {
             TextureImage::File(path) => file_stem(path),
             TextureImage::Embedded { name, .. } => match clean_name(name) {
                 name if name.is_empty() => "texture".to_owned(),
                 name => name,
             },
         };
-        if let TextureImage::File(path) = image
-            && !is_known(&read(path)?)
-        {
-            let unknown = path.display();
-            let problem = format_args!(
-                "the texture {unknown} is not a PNG, JPEG, OpenEXR or Radiance HDR image; white stands for it"
-            );
-            let warning = Warning::new(place, problem);
-            if !self.warnings.contains(&warning) {
-                self.warnings.push(warning);
-            }
-            return Ok(None);
-        }
         let texels =
             self.load(image, *channel, place, is_covered).map_err(|error| match image {
                 TextureImage::File(_) => Error::new(place, format!("the texture {error}")),
