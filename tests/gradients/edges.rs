@@ -2,8 +2,8 @@
 
 use renderer::glam::DVec3;
 use renderer::{
-    Camera, DistantLight, Edges, Image, Material, Mesh, PixelLoss, PointLight, Renderer, Sampling,
-    Scene, Settings, SphereObject, render, render_jvp, render_vjp,
+    Camera, DistantLight, Edges, Image, Material, Mesh, Pass, PixelLoss, PointLight, Renderer,
+    Sampling, Scene, Settings, SphereObject, render, render_jvp, render_vjp,
 };
 
 const WIDTH: u32 = 48;
@@ -111,11 +111,17 @@ fn relative_error(found: &[f64], expected: &[f64]) -> f64 {
 /// The gradient is that of a finely sampled image; the interior term alone is far from it.
 #[track_caller]
 fn check(scene: &Scene, path: &str, side: u32, most: f64) {
+    check_pass(scene, Pass::Radiance, path, side, most);
+}
+
+#[track_caller]
+fn check_pass(scene: &Scene, pass: Pass, path: &str, side: u32, most: f64) {
     let step = if path.ends_with("vfov") { 0.2 } else { 5e-3 };
+    let settings = |edges, side| Settings { pass, ..settings(edges, side) };
     let expected = differences(scene, &settings(Edges::Off, 32), path, step);
     let found = gradient(scene, &settings(Edges::On, side), path);
     let error = relative_error(&found, &expected);
-    assert!(error < most, "{path}: {error:.1e}: {found:?} {expected:?}");
+    assert!(error < most, "{pass:?} {path}: {error:.1e}: {found:?} {expected:?}");
 }
 
 #[test]
@@ -285,6 +291,32 @@ fn spheres() {
     add_lamp(&mut scene);
     for path in ["sphere.ball.center", "sphere.ball.radius", "light.lamp.position"] {
         check(&scene, path, 4, 0.1);
+    }
+}
+
+/// Edges of what passes show: silhouettes before each other and before nothing, and ridges.
+#[test]
+fn edges_of_depth_places_and_normals() {
+    let mut scene = scene();
+    add_wedge(&mut scene);
+    add_ball(&mut scene);
+    for pass in [Pass::Depth, Pass::Position, Pass::Normal] {
+        check_pass(&scene, pass, "mesh.shape.vertices", 4, 0.02);
+        for path in ["camera.look_from", "sphere.ball.center"] {
+            check_pass(&scene, pass, path, 4, 0.1);
+        }
+    }
+    // Of spheres, forward mode has no limb.
+    scene.spheres.clear();
+    for pass in [Pass::Depth, Pass::Position, Pass::Normal] {
+        let settings = Settings { pass, ..settings(Edges::On, 1) };
+        let id = scene.parameter("camera.look_at").unwrap();
+        let along = vec![0.3, -0.4, 0.2];
+        let forward = Renderer::new(&scene, &settings).unwrap();
+        let (_, forward) = forward.loss_jvp(&scene, &Weights, &[(id, along.clone())]).unwrap();
+        let reverse = gradient(&scene, &settings, "camera.look_at");
+        let reverse: f64 = reverse.iter().zip(&along).map(|(a, b)| a * b).sum();
+        assert!((reverse - forward).abs() < 1e-6 * reverse.abs(), "{reverse} {forward}");
     }
 }
 

@@ -85,7 +85,11 @@ fn difference(
 }
 
 pub fn target(scene: &Scene) -> Image {
-    let mut image = render(scene, &in_arithmetic(Arithmetic::F64)).unwrap();
+    target_of(scene, &in_arithmetic(Arithmetic::F64))
+}
+
+pub fn target_of(scene: &Scene, settings: &Settings) -> Image {
+    let mut image = render(scene, settings).unwrap();
     for (i, pixel) in image.pixels.iter_mut().enumerate() {
         for (channel, value) in pixel.iter_mut().enumerate() {
             *value = *value * 0.7 + 0.05 * ((i * 7 + channel * 3) % 5) as f32;

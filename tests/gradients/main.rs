@@ -7,6 +7,7 @@ mod everything;
 mod facets;
 mod image;
 mod materials;
+mod passes;
 mod paths;
 mod sampling;
 mod scenes;

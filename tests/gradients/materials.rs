@@ -3,8 +3,8 @@
 use glam::{DVec3, dvec3};
 use renderer::scene::{Bsdf, Environment, Integrator, MaterialObject, Slot, Wrap};
 use renderer::{
-    Arithmetic, Camera, Image, Material, Mesh, Renderer, Scene, Settings, SphereObject, Texture,
-    render,
+    Arithmetic, Camera, Image, Material, Mesh, Pass, Renderer, Scene, Settings, SphereObject,
+    Texture, render,
 };
 
 use crate::image::{agrees_with_finite_differences, in_arithmetic};
@@ -253,9 +253,13 @@ fn metals_know_what_they_were_without_metal() {
 fn what_cannot_be_is_refused() {
     let scene = furnished(8);
     let ior = scene.parameter("material.clear.ior").unwrap();
-    let text = scene.check_differentiable(&[ior]).unwrap_err().to_string();
+    let text = scene.check_differentiable(Pass::Radiance, &[ior]).unwrap_err().to_string();
     assert!(text.starts_with("material.clear.ior: moves edges"), "{text}");
-    assert!(scene.check_differentiable(&[scene.parameter("material.gold.ior").unwrap()]).is_ok());
+    assert!(
+        scene
+            .check_differentiable(Pass::Radiance, &[scene.parameter("material.gold.ior").unwrap()])
+            .is_ok()
+    );
     let direct = Scene { integrator: Integrator::Direct, ..scene.clone() };
     let text = render(&direct, &Settings::default()).unwrap_err().to_string();
     assert!(text.starts_with("material.clear.type: "), "{text}");

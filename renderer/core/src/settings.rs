@@ -91,6 +91,10 @@ pub enum PrimaryVisibility {
 }
 
 /// What is shown of a surface.
+///
+/// All but radiance are images, too: with edges, each side of an edge counts by the area that it covers of a
+/// pixel, and there are gradients by whatever moves what is shown. Where the camera sees nothing, they are 0.
+/// They show the first surface that a ray meets, also where it is transparent or a mirror.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
 pub enum Pass {
@@ -99,9 +103,15 @@ pub enum Pass {
     Radiance,
     /// Its diffuse albedo, without lights, shadows and mirrors.
     Albedo,
-    /// That there is one: 1, also where it is transparent. With edges, pixels show how much of them
-    /// surfaces cover: silhouettes, whatever shades them.
+    /// That there is one: 1. With edges, pixels show how much of them surfaces cover: silhouettes, whatever
+    /// shades them.
     Coverage,
+    /// How far it is along the direction in which the camera looks, in scene units, in all three channels.
+    Depth,
+    /// Where it is in the world, in scene units.
+    Position,
+    /// The unit normal that shades it, in the world and on the side of the viewer.
+    Normal,
 }
 
 impl Pass {
@@ -114,5 +124,17 @@ impl Pass {
     /// looked for.
     pub fn has_edges(self, scene: &Scene) -> bool {
         self.path_tracing(scene).is_none()
+    }
+
+    /// Whether what is shown may be below 0.
+    #[doc(hidden)]
+    pub fn is_signed(self) -> bool {
+        matches!(self, Self::Position | Self::Normal)
+    }
+
+    /// Whether what is shown is light, or what reflects it, and no measure of shapes.
+    #[doc(hidden)]
+    pub fn is_color(self) -> bool {
+        matches!(self, Self::Radiance | Self::Albedo)
     }
 }

@@ -87,10 +87,12 @@ impl<'a> Recovery<'a> {
         check_overlaps(scene, &section, place)?;
         check_learning_rates(scene, &section, place)?;
         let ids: Vec<_> = section.parameters.iter().map(|tuned| tuned.id).collect();
-        scene.check_differentiable(&ids)?;
         settings.check_edges(scene)?;
         let settings = Settings { edges: settings.edges.for_parameters(&ids), ..*settings };
         let (targets, truth) = target::load(scene, &section, place, &settings)?;
+        for target in &targets {
+            scene.check_differentiable(target.pass, &ids)?;
+        }
         check_batch(scene, &section, place)?;
         check_levels(scene, section.coarse_to_fine).map_err(|problem| {
             Error::new(format_args!("{place}: optimize.coarse_to_fine"), problem)

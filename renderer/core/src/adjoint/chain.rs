@@ -5,7 +5,7 @@
 //! radiance of each wavefront to materials, lights, surface points and the radiance beyond; then back,
 //! from the surface points to primitives and rays.
 
-use ad::vector::Vector;
+use ad::vector::{Vector, Vector3};
 use ad::{Additive, Fields, Tangent, Vec3};
 use glam::DVec3;
 
@@ -29,6 +29,7 @@ use crate::trace::bvh::{PACKET_RAYS, rays};
 use crate::trace::layout::Kind;
 use crate::trace::tile::{Tile, for_each_strip};
 use crate::transport::camera::{CameraFrame, Ray, primary_ray};
+use crate::transport::depth::depth;
 use crate::transport::direct::direct;
 use crate::transport::hit::{Primitive, hit, surface_uv};
 use crate::transport::light::Illumination;
@@ -304,7 +305,8 @@ impl<'a, L: Plain> Chain<'a, L> {
                     let to = (&mut material, &mut surface);
                     self.pull_light(index, vertex, light, inputs, own, to);
                 }
-                self.pull_material(vertex, own, of_outgoing, &mut material, &surface, to_surface);
+                let surface = &mut surface;
+                self.pull_material(vertex, own, of_outgoing, &mut material, surface, to_surface);
             }
         }
     }
@@ -374,14 +376,14 @@ impl<'a, L: Plain> Chain<'a, L> {
         emitted: Vec3<L>,
         of_outgoing: Option<(L, Vec3<L>)>,
         material: &mut Tangent<Material<L>>,
-        surface: &Tangent<SurfacePoint<L>>,
+        surface: &mut Tangent<SurfacePoint<L>>,
         to_surface: Option<&mut Option<SurfaceCotangent<L>>>,
     ) {
         count(|counts| &counts.shading_pullbacks, u64::from(vertex.group.alive.count_ones()));
         match self.integrator.layout.pass {
             Pass::Radiance => material.emission.accumulate(emitted),
             Pass::Albedo => material.diffuse.accumulate(emitted),
-            Pass::Coverage => {}
+            _ => self.pull_shown(vertex, emitted, surface),
         }
         if let Some((opacity, mirror)) = of_outgoing {
             material.opacity.accumulate(opacity);
@@ -394,6 +396,30 @@ impl<'a, L: Plain> Chain<'a, L> {
         }
         if let Some(to_surface) = to_surface {
             *to_surface = Some(SurfaceCotangent { surface: *surface, uv });
+        }
+    }
+
+    /// From what passes show of the geometry of surfaces to their points, and to the camera.
+    #[inline(never)]
+    fn pull_shown(
+        &mut self,
+        vertex: &Vertex<'_, L>,
+        shown: Vec3<L>,
+        surface: &mut Tangent<SurfacePoint<L>>,
+    ) {
+        match self.integrator.layout.pass {
+            Pass::Depth => {
+                let (frame, point) = (self.integrator.inputs.frame, vertex.group.surface.point);
+                let (_, pullback) = depth::vjp::<L>(frame, point);
+                let (frame, point) = pullback(shown.x() + shown.y() + shown.z());
+                surface.point.accumulate(point);
+                if self.scatter.request.camera {
+                    self.scatter.frame::<L>(&frame);
+                }
+            }
+            Pass::Position => surface.point.accumulate(shown),
+            Pass::Normal => surface.normal.accumulate(shown),
+            Pass::Radiance | Pass::Albedo | Pass::Coverage => {}
         }
     }
 

@@ -172,7 +172,14 @@ impl<L: Plain> Chain<'_, L> {
         let (_, pullback) = found_emission::vjp::<L>(vertex.material.emission, weight);
         let (emitted, _) = pullback(own);
         let mut to_surface = None;
-        self.pull_material(vertex, emitted, None, &mut material, &surface, Some(&mut to_surface));
+        self.pull_material(
+            vertex,
+            emitted,
+            None,
+            &mut material,
+            &mut surface,
+            Some(&mut to_surface),
+        );
         let primitive = self.integrator.primitive(group.kind, &group.primitives);
         if let (Some(SurfaceCotangent { uv: Some(uv), .. }), Some(primitive)) =
             (to_surface, primitive)

@@ -16,6 +16,7 @@ use crate::number::Plain;
 use crate::primal::image::mean_traced;
 use crate::primal::known::KnownPaths;
 use crate::primal::path::Path;
+use crate::settings::Pass;
 use crate::trace::tile::fill_tiles;
 
 /// How many rows of pixels are added up at a time.
@@ -122,11 +123,12 @@ impl View {
     /// # Panics
     ///
     /// If the image has another size.
-    pub fn fill(&self, image: &mut Image) {
+    pub fn fill(&self, image: &mut Image, pass: Pass) {
         assert_eq!(image.pixels.len(), self.pixels.len(), "the image has the size of the scene's");
+        let least = DVec3::splat(if pass.is_signed() { f64::NEG_INFINITY } else { 0.0 });
         let pixels = image.pixels.iter_mut().zip(&self.pixels);
         pixels.for_each(|(to, &pixel)| {
-            let pixel = DVec3::select(pixel.cmplt(DVec3::ZERO), DVec3::ZERO, pixel);
+            let pixel = DVec3::select(pixel.cmplt(least), least, pixel);
             *to = pixel.as_vec3().to_array();
         });
     }

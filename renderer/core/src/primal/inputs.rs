@@ -172,6 +172,11 @@ impl<S: Number> Inputs<S> {
         vertices | spheres | shapes_moved
     }
 
+    /// The origin of all positions, in the world.
+    pub fn world_origin(&self) -> Vec3<S> {
+        splat_vector::<S>(narrow_vector::<S>(constant::<S>(self.origin)))
+    }
+
     /// Takes over what the scene is seen through.
     pub fn look(&mut self, scene: &Scene, varying: &Varying<S::Wide>) {
         let frame = frame::<S>(scene, constant::<S>(self.origin), varying);
@@ -267,7 +272,7 @@ pub fn frame<S: Number>(
     camera_frame::<S::Wide>(camera, S::Wide::from_f64(scene.aspect()))
 }
 
-/// The lights, relative to an origin; none where only albedo is shown.
+/// The lights, relative to an origin; none where radiance is not what is shown.
 pub fn lights<S: Number>(
     scene: &Scene,
     pass: Pass,
@@ -291,7 +296,7 @@ pub fn lights<S: Number>(
     };
     match pass {
         Pass::Radiance => scene.lights.iter().enumerate().map(inputs).collect(),
-        Pass::Albedo | Pass::Coverage => Vec::new(),
+        _ => Vec::new(),
     }
 }
 

@@ -13,6 +13,7 @@ use crate::counts::count;
 use crate::number::Number;
 use crate::scene::Slot;
 use crate::settings::Pass;
+use crate::transport::depth::depth;
 use crate::transport::direct::direct;
 use crate::transport::hit::surface_uv;
 use crate::transport::material::{Lobes, Material};
@@ -174,6 +175,11 @@ impl<'a, S: Number> Vertex<'a, S> {
             Pass::Radiance => self.material.emission,
             Pass::Albedo => self.material.diffuse,
             Pass::Coverage => Vec3::<S>::splat(S::ONE),
+            Pass::Depth => {
+                Vec3::<S>::splat(depth::<S>(self.integrator.inputs.frame, self.group.surface.point))
+            }
+            Pass::Position => self.group.surface.point + self.integrator.inputs.world_origin(),
+            Pass::Normal => self.group.surface.normal,
         };
         self.add_direct(own, lights)
     }

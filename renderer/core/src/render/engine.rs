@@ -12,8 +12,7 @@ use crate::edges::{Geometry, View};
 use crate::image::Image;
 use crate::loss::PixelLoss;
 use crate::number::Plain;
-use crate::primal::image::rays_by_depth;
-use crate::primal::image::{loss, pixels_dual, render_into, trace_only};
+use crate::primal::image::{loss, pixels_dual, rays_by_depth, render_into, trace_only};
 use crate::primal::inputs::Inputs;
 use crate::primal::integrator::Prepared;
 use crate::primal::varying::Varying;
@@ -159,7 +158,7 @@ impl Renderer {
         scene: &Scene,
         direction: &[(ParameterId, Vec<f64>)],
     ) -> Result<(Image, Image), Error> {
-        check_direction(scene, direction)?;
+        check_direction(scene, self.settings.pass, direction)?;
         Ok(self.engine.jvp(scene, direction))
     }
 
@@ -175,7 +174,7 @@ impl Renderer {
         loss: &dyn PixelLoss,
         direction: &[(ParameterId, Vec<f64>)],
     ) -> Result<(f64, f64), Error> {
-        check_direction(scene, direction)?;
+        check_direction(scene, self.settings.pass, direction)?;
         Ok(self.engine.loss_jvp(scene, loss, direction))
     }
 
@@ -286,7 +285,9 @@ impl<L: Plain> Engine for Prepared<L> {
 
     fn render_into(&self, image: &mut Image) {
         match self.settings.edges {
-            Edges::On => View::new(&Geometry::new(self.integrator())).fill(image),
+            Edges::On => {
+                View::new(&Geometry::new(self.integrator())).fill(image, self.layout.pass);
+            }
             Edges::Auto | Edges::Off => render_into(self.integrator(), image),
         }
     }
@@ -307,7 +308,7 @@ impl<L: Plain> Engine for Prepared<L> {
         loss: &dyn PixelLoss,
         requested: &[ParameterId],
     ) -> LossAndGradient {
-        if let Err(error) = scene.check_differentiable(requested) {
+        if let Err(error) = scene.check_differentiable(self.layout.pass, requested) {
             panic!("{error}");
         }
         let request = Request::new(scene, &self.layout, requested);
@@ -380,9 +381,13 @@ impl<L: Plain> Engine for Prepared<L> {
     }
 }
 
-fn check_direction(scene: &Scene, direction: &[(ParameterId, Vec<f64>)]) -> Result<(), Error> {
+fn check_direction(
+    scene: &Scene,
+    pass: Pass,
+    direction: &[(ParameterId, Vec<f64>)],
+) -> Result<(), Error> {
     let ids: Vec<ParameterId> = direction.iter().map(|(id, _)| *id).collect();
-    scene.check_differentiable(&ids)?;
+    scene.check_differentiable(pass, &ids)?;
     for (index, (id, numbers)) in direction.iter().enumerate() {
         if let Some((other, _)) = direction[..index].iter().find(|(other, _)| other.overlaps(*id)) {
             let problem = format!("overlaps {}, which moves too", scene.path(*other));

@@ -2,6 +2,7 @@
 
 use super::{Bsdf, Object, ParameterId, Scene};
 use crate::Error;
+use crate::settings::Pass;
 
 /// Which paths of light count.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -67,12 +68,16 @@ impl Scene {
         }
     }
 
-    /// Checks that images have derivatives by these parameters.
+    /// Checks that images have derivatives by these parameters: those of [passes](Pass) other than radiance
+    /// always have.
     ///
     /// # Errors
     ///
     /// If there is [none](Self::is_differentiable) by one of them.
-    pub fn check_differentiable(&self, ids: &[ParameterId]) -> Result<(), Error> {
+    pub fn check_differentiable(&self, pass: Pass, ids: &[ParameterId]) -> Result<(), Error> {
+        if pass != Pass::Radiance {
+            return Ok(());
+        }
         match ids.iter().find(|&&id| !self.is_differentiable(id)) {
             None => Ok(()),
             Some(&id) => Err(Error::new(

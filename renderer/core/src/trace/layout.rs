@@ -81,7 +81,7 @@ pub struct MaterialTraits {
 }
 
 impl MaterialTraits {
-    /// In the albedo pass no material is a mirror or transparent.
+    /// Where radiance is not what is shown, no material is a mirror or transparent.
     fn of(object: &MaterialObject, pass: Pass) -> Self {
         let is_radiance = pass == Pass::Radiance;
         Self {

@@ -6,7 +6,7 @@
 //! gives what a [`light`] makes the surface reflect; [`vertex`] puts together what leaves a path vertex and
 //! the ray to the next one. Where light takes all paths, [`emitter`] gives what surfaces that shine bring to
 //! others, [`scatter`] and [`dielectric`] where it goes on from a surface, and [`environment`] what surrounds
-//! the scene. [`transform`] places geometry in the world.
+//! the scene. [`transform`] places geometry in the world, and [`depth`] tells how far it is from the camera.
 //!
 //! Every function is `#[differentiable]` and generic over `S:` [`Real`], so one source runs at
 //! `f32`, `f64`, on SIMD lanes, dual numbers, a tape, and in extended precision, and its pullback is
@@ -21,6 +21,7 @@
 pub mod blinn_phong;
 pub mod brdf;
 pub mod camera;
+pub mod depth;
 pub mod dielectric;
 pub mod direct;
 pub mod direction;

@@ -1,0 +1,94 @@
+//! What passes show of the geometry of surfaces.
+
+use glam::{DVec3, dvec3};
+use renderer::{
+    Arithmetic, Camera, Edges, Integrator, LossKind, Material, Mesh, Pass, Scene, Settings,
+    SphereObject, render, render_vjp,
+};
+
+use crate::custom::add_egg;
+use crate::everything::{place_meshes, smooth_meshes};
+use crate::image::{check_parameter_with, in_arithmetic, target_of};
+use crate::scenes::{small_parts, small_scene};
+
+const OF_GEOMETRY: [Pass; 3] = [Pass::Depth, Pass::Position, Pass::Normal];
+
+fn of(pass: Pass) -> Settings {
+    Settings { pass, ..in_arithmetic(Arithmetic::F64) }
+}
+
+#[test]
+fn the_geometry_of_surfaces_agrees_with_finite_differences() {
+    let mut scene = place_meshes(smooth_meshes(small_parts(16))).scene();
+    add_egg(&mut scene, 1);
+    for pass in OF_GEOMETRY {
+        let target = target_of(&scene, &of(pass));
+        let moves = scene.parameters().into_iter().filter(|id| id.moves_edges());
+        for id in moves.filter(|&id| !scene.path(id).to_string().starts_with("light")) {
+            check_parameter_with(&of(pass), &scene, &target, LossKind::MeanSquared, id);
+        }
+    }
+}
+
+/// A wall and a ball before it, far from zero, seen along a slanted direction.
+#[test]
+fn passes_show_depth_places_and_normals() {
+    let far = dvec3(1e4, -2e4, 3e4);
+    let (from, toward) = (far + dvec3(0.0, 0.0, 8.0), dvec3(0.6, 0.0, -0.8));
+    let mut scene = Scene::new(31, 31, Camera::looking(from, from + toward));
+    scene.add_material("grey", Material::lambertian(DVec3::ONE)).unwrap();
+    let wall = [[-40.0, -40.0], [40.0, -40.0], [40.0, 40.0], [-40.0, 40.0]];
+    let wall = wall.map(|[x, y]| (far + dvec3(x, y, 0.0)).to_array()).to_vec();
+    scene.add_mesh(Mesh::new("wall", wall, vec![[0, 1, 2], [0, 2, 3]])).unwrap();
+    let center = from + 5.0 * toward;
+    scene.add_sphere(SphereObject::new("ball", center, 0.5)).unwrap();
+    let [depth, position, normal] = OF_GEOMETRY.map(|pass| render(&scene, &of(pass)).unwrap());
+    let at = |pixels: &[[f32; 3]], index: usize| DVec3::from(pixels[index].map(f64::from));
+    let middle = 15 * 31 + 15;
+    assert_eq!(depth.pixels[middle], [4.5; 3]);
+    assert!((at(&normal.pixels, middle) + toward).length() < 1e-6);
+    assert!((at(&position.pixels, middle) - (center - 0.5 * toward)).length() < 5e-3);
+    for index in [0, 30, 30 * 31, 31 * 31 - 1] {
+        let place = at(&position.pixels, index);
+        assert!((place.z - far.z).abs() < 5e-3, "{place}");
+        let along = (place - from).dot(toward);
+        assert!((depth.pixels[index][0] as f64 - along).abs() < 5e-3, "{along}");
+        assert_eq!(normal.pixels[index], [0.0, 0.0, 1.0]);
+    }
+}
+
+/// Single precision loses no more than the numbers themselves.
+#[test]
+fn passes_of_geometry_hold_in_single_precision() {
+    let scene = small_scene(32);
+    for pass in OF_GEOMETRY {
+        let double = render(&scene, &of(pass)).unwrap();
+        let single = render(&scene, &Settings { arithmetic: Arithmetic::default(), ..of(pass) });
+        let pairs = single.unwrap().pixels.into_iter().zip(double.pixels);
+        let off = pairs.filter(|(a, b)| {
+            let off = a.iter().zip(b).map(|(a, b)| (a - b).abs());
+            off.fold(0.0, f32::max) > 1e-4
+        });
+        // A ray through an edge may go either way.
+        assert!(off.count() <= 2, "{pass:?}");
+    }
+}
+
+/// Where light takes all paths nothing that moves edges has a gradient of radiance; passes have it.
+#[test]
+fn passes_of_scenes_where_light_takes_all_paths_have_gradients() {
+    let mut scene = small_scene(16);
+    let camera = scene.parameter("camera.look_from").unwrap();
+    let settings =
+        Settings { pass: Pass::Depth, edges: Edges::Auto, ..in_arithmetic(Arithmetic::F64) };
+    let gradient = |scene: &Scene| {
+        let (image, pullback) = render_vjp(scene, &settings, &[camera]).unwrap();
+        pullback(&image).get(camera).to_vec()
+    };
+    let direct = gradient(&scene);
+    assert!(direct.iter().all(|&number| number != 0.0));
+    scene.integrator = Integrator::Path(Default::default());
+    assert_eq!(gradient(&scene), direct);
+    let radiance = Settings { pass: Pass::Radiance, ..settings };
+    assert!(render_vjp(&scene, &radiance, &[camera]).is_err());
+}
