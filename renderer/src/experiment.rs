@@ -8,6 +8,7 @@ use crate::laplacian::Weights;
 use crate::loss::LossKind;
 use crate::optimize::{Batch, Optimizer, Schedule, Starts};
 use crate::scene::{ParameterId, Scene};
+use crate::settings::Pass;
 use crate::warning::Warning;
 
 /// A scene and, if its file says so, an optimisation.
@@ -62,8 +63,11 @@ impl OptimizeSection {
             Some(Target::Image(image)) => Some(image),
             _ => None,
         };
-        let of_views = self.views.iter().flat_map(|view| [&view.image, &view.coverage, &view.mask]);
-        let files = of_views.flatten().chain(target).chain(&self.mask);
+        let of_views = self.views.iter().flat_map(|view| {
+            let passes = view.passes.iter().map(|matched| &matched.file);
+            view.image.iter().chain(passes).chain(&view.mask)
+        });
+        let files = of_views.chain(target).chain(&self.mask);
         files.map(PathBuf::as_path).collect()
     }
 }
@@ -80,11 +84,10 @@ pub enum Target {
 /// What to match in a view.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ViewTarget {
-    /// An image file; nothing if the target is made of [values](Target::Values), or is the coverage alone.
+    /// An image file; nothing if the target is made of [values](Target::Values), or is other passes alone.
     pub image: Option<PathBuf>,
-    /// An image file of how much of each pixel is [covered](crate::Pass::Coverage): silhouettes, matched
-    /// beside the image or in place of it.
-    pub coverage: Option<PathBuf>,
+    /// What is matched beside the image or in place of it.
+    pub passes: Vec<MatchedPass>,
     /// An image file of how much each pixel counts.
     pub mask: Option<PathBuf>,
     /// What the loss of the view is multiplied by; 0 or more.
@@ -96,8 +99,19 @@ pub struct ViewTarget {
 impl Default for ViewTarget {
     /// No files, weight 1, not held out.
     fn default() -> Self {
-        Self { image: None, coverage: None, mask: None, weight: 1.0, held_out: false }
+        Self { image: None, passes: Vec::new(), mask: None, weight: 1.0, held_out: false }
     }
+}
+
+/// What a view is to show of surfaces other than radiance.
+#[derive(Clone, Debug, PartialEq)]
+pub struct MatchedPass {
+    /// What it is: coverage, depth or normals.
+    pub pass: Pass,
+    /// An image file; of depth and normals [OpenEXR](crate::files::load_pass).
+    pub file: PathBuf,
+    /// What its loss is multiplied by, beside the weight of the view; 0 or more.
+    pub weight: f64,
 }
 
 /// A parameter that may vary.

@@ -300,7 +300,7 @@ fn edges_of_depth_places_and_normals() {
     let mut scene = scene();
     add_wedge(&mut scene);
     add_ball(&mut scene);
-    for pass in [Pass::Depth, Pass::Position, Pass::Normal] {
+    for pass in [Pass::Depth, Pass::Position, Pass::Normals] {
         check_pass(&scene, pass, "mesh.shape.vertices", 4, 0.02);
         for path in ["camera.look_from", "sphere.ball.center"] {
             check_pass(&scene, pass, path, 4, 0.1);
@@ -308,7 +308,7 @@ fn edges_of_depth_places_and_normals() {
     }
     // Of spheres, forward mode has no limb.
     scene.spheres.clear();
-    for pass in [Pass::Depth, Pass::Position, Pass::Normal] {
+    for pass in [Pass::Depth, Pass::Position, Pass::Normals] {
         let settings = Settings { pass, ..settings(Edges::On, 1) };
         let id = scene.parameter("camera.look_at").unwrap();
         let along = vec![0.3, -0.4, 0.2];

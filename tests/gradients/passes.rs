@@ -11,7 +11,7 @@ use crate::everything::{place_meshes, smooth_meshes};
 use crate::image::{check_parameter_with, in_arithmetic, target_of};
 use crate::scenes::{small_parts, small_scene};
 
-const OF_GEOMETRY: [Pass; 3] = [Pass::Depth, Pass::Position, Pass::Normal];
+const OF_GEOMETRY: [Pass; 3] = [Pass::Depth, Pass::Position, Pass::Normals];
 
 fn of(pass: Pass) -> Settings {
     Settings { pass, ..in_arithmetic(Arithmetic::F64) }

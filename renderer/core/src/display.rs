@@ -1,6 +1,7 @@
 //! From radiance to a picture to look at. Nothing that is optimised goes through here.
 
 use crate::image::Image;
+use crate::settings::Pass;
 
 /// How radiances beyond what a picture can show are brought into its range.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -59,12 +60,38 @@ pub fn expose(image: &mut Image, stops: f64) {
 /// Maps the smallest value of any channel to 0 and the largest to 1, linearly: `zeroonenorm` of
 /// RayTracer.jl. An image of one value becomes black.
 pub fn normalize(image: &mut Image) {
-    let values = image.pixels.as_flattened_mut();
-    let low = values.iter().copied().fold(f32::INFINITY, f32::min);
-    let high = values.iter().copied().fold(f32::NEG_INFINITY, f32::max);
+    let (low, high) = range(image);
+    map_range(image, low, high);
+}
+
+/// The smallest and the largest value of any channel.
+pub fn range(image: &Image) -> (f32, f32) {
+    let values = image.pixels.as_flattened().iter().copied();
+    (values.clone().fold(f32::INFINITY, f32::min), values.fold(f32::NEG_INFINITY, f32::max))
+}
+
+/// What of a [pass](Pass) that measures shapes is 0 and what is 1 in a picture: normals from -1 to 1, places from
+/// the smallest to the largest number, depth such that what is near is dark, and black where nothing is.
+pub fn range_of_measure(image: &Image, pass: Pass) -> (f32, f32) {
+    if pass == Pass::Normals {
+        return (-1.0, 1.0);
+    }
+    let (low, high) = range(image);
+    if pass == Pass::Position {
+        return (low, high);
+    }
+    let mut depths: Vec<f32> = image.pixels.iter().map(|[z, ..]| *z).filter(|z| *z > 0.0).collect();
+    depths.sort_unstable_by(f32::total_cmp);
+    // Pixels on silhouettes are nearer by the part of them that nothing covers.
+    let near = depths.get(depths.len() / 20).copied().unwrap_or(low);
+    (near - 0.3 * (high - near), high)
+}
+
+/// Maps `low` to 0 and `high` to 1, linearly; everything to 0 if they are equal.
+pub fn map_range(image: &mut Image, low: f32, high: f32) {
     // In double precision the difference of two f32 is never infinite.
     let (low, range) = (f64::from(low), f64::from(high) - f64::from(low));
-    for value in values {
+    for value in image.pixels.as_flattened_mut() {
         let part = (f64::from(*value) - low) / range;
         *value = if range > 0.0 { part as f32 } else { 0.0 };
     }

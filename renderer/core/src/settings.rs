@@ -111,7 +111,7 @@ pub enum Pass {
     /// Where it is in the world, in scene units.
     Position,
     /// The unit normal that shades it, in the world and on the side of the viewer.
-    Normal,
+    Normals,
 }
 
 impl Pass {
@@ -126,15 +126,27 @@ impl Pass {
         self.path_tracing(scene).is_none()
     }
 
+    /// The name that files and the command line have for it.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Radiance => "radiance",
+            Self::Albedo => "albedo",
+            Self::Coverage => "coverage",
+            Self::Depth => "depth",
+            Self::Position => "position",
+            Self::Normals => "normals",
+        }
+    }
+
     /// Whether what is shown may be below 0.
     #[doc(hidden)]
     pub fn is_signed(self) -> bool {
-        matches!(self, Self::Position | Self::Normal)
+        matches!(self, Self::Position | Self::Normals)
     }
 
-    /// Whether what is shown is light, or what reflects it, and no measure of shapes.
+    /// Whether what is shown measures shapes, and is no part or colour of light.
     #[doc(hidden)]
-    pub fn is_color(self) -> bool {
-        matches!(self, Self::Radiance | Self::Albedo)
+    pub fn is_measure(self) -> bool {
+        matches!(self, Self::Depth | Self::Position | Self::Normals)
     }
 }

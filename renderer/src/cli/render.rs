@@ -8,14 +8,15 @@ use super::output::{print, print_warning};
 use super::sampling::SamplingArguments;
 use super::until::{self, UntilArguments};
 use super::views::{path_of_view, view_stems};
-use crate::Error;
 use crate::arithmetic::Arithmetic;
-use crate::display::{ToneMapping, expose, normalize};
-use crate::files::{check_image_path, save_image};
+use crate::display::{ToneMapping, expose, map_range, normalize, range_of_measure};
+use crate::files::images::srgb_decode;
+use crate::files::{check_image_path, save_image, save_passes};
 use crate::progressive::{Estimate, Until};
 use crate::render::Renderer;
 use crate::scene::Scene;
 use crate::settings::{Edges, Pass, PrimaryVisibility, Settings};
+use crate::{Error, Image};
 
 #[derive(clap::Args)]
 pub(super) struct Arguments {
@@ -27,7 +28,7 @@ pub(super) struct Arguments {
     #[arg(short, long, value_name = "IMAGE")]
     output: PathBuf,
 
-    /// Make the image brighter by so many stops, each a factor of two; negative for darker
+    /// Make light and colours brighter by so many stops, each a factor of two; negative for darker
     #[arg(long, value_name = "STOPS", allow_negative_numbers = true, value_parser = stops)]
     exposure: Option<f64>,
 
@@ -39,10 +40,18 @@ pub(super) struct Arguments {
     #[arg(long, value_enum, default_value_t = ToneMapping::Clamp)]
     tone: ToneMapping,
 
-    /// What to show of surfaces: the light they send to the camera, their diffuse colour, or that they are
-    /// there (their silhouettes)
-    #[arg(long, value_enum, default_value_t = Pass::Radiance)]
-    pass: Pass,
+    /// What to show of surfaces: the light they send to the camera, their diffuse colour, that they are there
+    /// (their silhouettes), how far they are along the direction of the camera, their places or their normals;
+    /// several, with commas between them, are the layers of one .exr, which holds the numbers themselves; levels of
+    /// a .png are in proportion to depth or places, and to normals from -1 to 1
+    #[arg(
+        long = "pass",
+        value_name = "PASS",
+        value_enum,
+        value_delimiter = ',',
+        default_value = "radiance"
+    )]
+    passes: Vec<Pass>,
 
     /// How to find primary visibility: rays through a bounding volume hierarchy, rays against every
     /// primitive, or rasterised primitives
@@ -92,34 +101,69 @@ pub(super) fn run(arguments: &Arguments, arithmetic: Arithmetic) -> Result<(), E
     }
     let experiment = arguments.changes.load(&arguments.scene)?;
     let until = arguments.until.until(&experiment.scene)?;
-    let settings = Settings {
+    check_passes(arguments)?;
+    if until.is_some() && !arguments.passes.contains(&Pass::Radiance) {
+        return Err(Error::new("--pass", "has no noise to reduce: that is of radiance"));
+    }
+    let settings = |pass: Pass| Settings {
         arithmetic,
         visibility: arguments.visibility,
-        pass: arguments.pass,
+        pass,
         sampling: arguments.sampling.sampling(&experiment.scene),
         edges: match arguments.antialias {
-            Antialias::Coverage if arguments.pass.has_edges(&experiment.scene) => Edges::On,
+            Antialias::Coverage if pass.has_edges(&experiment.scene) => Edges::On,
             Antialias::Coverage | Antialias::None => Edges::Off,
         },
         ..Settings::default()
     };
-    let mut renderer = Renderer::unchecked(&experiment.scene, &settings);
+    let renderer = |pass: &Pass| Renderer::unchecked(&experiment.scene, &settings(*pass));
+    let mut renderers: Vec<Renderer> = arguments.passes.iter().map(renderer).collect();
     if experiment.scene.views().is_empty() {
-        return save(arguments, &mut renderer, &experiment.scene, until, "");
+        return save(arguments, &mut renderers, &experiment.scene, until, "");
     }
     let mut scene = experiment.scene;
     for (view, stem) in view_stems(&scene).iter().enumerate() {
         scene.look_through(view);
-        renderer.look(&scene);
-        save(arguments, &mut renderer, &scene, until, stem)?;
+        renderers.iter_mut().for_each(|renderer| renderer.look(&scene));
+        save(arguments, &mut renderers, &scene, until, stem)?;
     }
     Ok(())
 }
 
-/// Writes the picture of a scene, or of its view of this stem, to a file.
+/// Several passes are layers of a file that has them, and have no derivative to show.
+fn check_passes(arguments: &Arguments) -> Result<(), Error> {
+    let Arguments { passes, output, derivative, .. } = arguments;
+    if let Some(twice) =
+        passes.iter().enumerate().find(|(index, pass)| passes[..*index].contains(pass))
+    {
+        return Err(Error::new("--pass", format!("has {} twice", twice.1.name())));
+    }
+    if is_a(output, "hdr") && passes.iter().any(|pass| pass.is_signed()) {
+        return Err(Error::new(
+            output.display(),
+            "holds nothing below 0: give it the name of an .exr",
+        ));
+    }
+    if passes.len() < 2 {
+        return Ok(());
+    }
+    if derivative.is_some() {
+        return Err(Error::new("--derivative", "is of one pass"));
+    }
+    match is_a(output, "exr") {
+        true => Ok(()),
+        false => Err(Error::new(output.display(), "several passes are the layers of one .exr")),
+    }
+}
+
+fn is_a(path: &Path, extension: &str) -> bool {
+    path.extension().is_some_and(|own| own.eq_ignore_ascii_case(extension))
+}
+
+/// Writes the pictures of a scene, or of its view of this stem, to a file.
 fn save(
     arguments: &Arguments,
-    renderer: &mut Renderer,
+    renderers: &mut [Renderer],
     scene: &Scene,
     until: Option<Until>,
     stem: &str,
@@ -130,17 +174,44 @@ fn save(
     };
     let output = path(&arguments.output);
     if let Some(direction) = &arguments.derivative {
-        let image = derivative(renderer, scene, direction)?;
+        let image = derivative(&renderers[0], scene, direction)?;
         save_image(&image, &output)?;
         return print(output.display());
     }
-    let (mut image, standard_error) = match until {
-        None => (renderer.render(), None),
-        Some(until) => {
-            let Estimate { image, standard_error, .. } = until::render(renderer, until)?;
-            (image, Some(standard_error))
+    let mut images = Vec::new();
+    for renderer in renderers {
+        let pass = renderer.settings().pass;
+        let image = match until.filter(|_| pass == Pass::Radiance) {
+            None => renderer.render(),
+            Some(until) => {
+                let Estimate { image, standard_error, .. } = until::render(renderer, until)?;
+                if let Some(to) = &arguments.until.standard_error {
+                    save_image(&standard_error, &path(to))?;
+                }
+                image
+            }
+        };
+        images.push((pass, finished(arguments, renderer, scene, image)?));
+    }
+    match &mut images[..] {
+        [(pass, image)] => {
+            if pass.is_measure() && is_a(&output, "png") && !arguments.normalize {
+                show(image, *pass);
+            }
+            save_image(image, &output)?;
         }
-    };
+        passes => save_passes(passes, &output)?,
+    }
+    print(output.display())
+}
+
+/// A rendered image as it is to be written.
+fn finished(
+    arguments: &Arguments,
+    renderer: &Renderer,
+    scene: &Scene,
+    mut image: Image,
+) -> Result<Image, Error> {
     if !image.is_finite() {
         let found = renderer.find_non_finite(scene);
         let found = found.map_or_else(String::new, |found| found.to_string());
@@ -150,16 +221,22 @@ fn save(
         print_warning(format_args!("{}: {found}", arguments.scene.display()));
         image.blacken_non_finite();
     }
-    if let Some(stops) = arguments.exposure {
-        expose(&mut image, stops);
+    if !renderer.settings().pass.is_measure() {
+        if let Some(stops) = arguments.exposure {
+            expose(&mut image, stops);
+        }
+        arguments.tone.apply(&mut image);
     }
-    arguments.tone.apply(&mut image);
     if arguments.normalize {
         normalize(&mut image);
     }
-    save_image(&image, &output)?;
-    if let (Some(image), Some(to)) = (standard_error, &arguments.until.standard_error) {
-        save_image(&image, &path(to))?;
-    }
-    print(output.display())
+    Ok(image)
+}
+
+/// Turns what measures shapes into a picture whose levels are in proportion to it.
+fn show(image: &mut Image, pass: Pass) {
+    let (low, high) = range_of_measure(image, pass);
+    map_range(image, low, high);
+    let values = image.pixels.as_flattened_mut();
+    values.iter_mut().for_each(|value| *value = srgb_decode(f64::from(*value)) as f32);
 }

@@ -1,5 +1,6 @@
 //! The pictures of several views.
 
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 use serde_json::{Map, Value, json};
@@ -45,23 +46,27 @@ pub(super) fn save_views(
         let Some(view) = target.view else { continue };
         let found = recovery.render_target(target, recovered);
         let Quality { psnr, ssim } = target.quality(&found);
-        let coverage = if target.pass == Pass::Coverage { "-coverage" } else { "" };
+        let pass = match target.pass {
+            Pass::Radiance => String::new(),
+            pass => format!("-{}", pass.name()),
+        };
+        let initial = recovery.render_target(target, recovery.scene());
         let pictures = [
-            ("target", Some(target.image.clone())),
-            ("initial", Some(recovery.render_target(target, recovery.scene()))),
+            ("target", Some(target.picture(&target.image))),
+            ("initial", Some(target.picture(&initial))),
             ("difference", target.difference(&found)),
-            ("final", Some(found)),
+            ("final", Some(target.picture(&found))),
         ];
         let mut files = Map::new();
         for (kind, picture) in pictures {
             let Some(picture) = picture else { continue };
-            let file = format!("{VIEWS_FOLDER}/{}{coverage}-{kind}.png", stems[view]);
+            let file = format!("{VIEWS_FOLDER}/{}{pass}-{kind}.png", stems[view]);
             save_png(&picture, &out.join(&file))?;
             files.insert(kind.to_owned(), file.into());
         }
         entries.push(json!({
             "name": target.name(recovered),
-            "coverage": target.pass == Pass::Coverage,
+            "pass": target.pass.name(),
             "held_out": target.held_out,
             "psnr": psnr,
             "ssim": ssim,
@@ -76,22 +81,28 @@ pub(super) fn save_views(
 pub(super) fn quality_lines(recovery: &Recovery<'_>, recovered: &Scene) -> Vec<String> {
     let figures =
         |Quality { psnr, ssim }: Quality| format!("PSNR {} dB, SSIM {}", short(psnr), short(ssim));
-    let (mut matched, mut held_out) = (Vec::new(), Vec::new());
+    let (mut matched, mut held_out) = (BTreeMap::<_, Vec<_>>::new(), Vec::new());
     for (target, quality) in recovery.targets().iter().zip(recovery.qualities(recovered)) {
+        let pass = match target.pass {
+            Pass::Radiance => String::new(),
+            pass => format!(" by {}", pass.name()),
+        };
         match target.name(recovered) {
             "" => {}
             name if target.held_out => {
-                held_out.push(format!("view {name}, held out: {}", figures(quality)));
+                held_out.push(format!("view {name}, held out{pass}: {}", figures(quality)));
             }
-            _ => matched.push(quality),
+            _ => matched.entry(pass).or_default().push(quality),
         }
     }
-    if !matched.is_empty() {
+    let mut lines = Vec::new();
+    for (pass, matched) in matched {
         let mean =
             |of: fn(&Quality) -> f64| matched.iter().map(of).sum::<f64>() / matched.len() as f64;
         let mean =
             Quality { psnr: mean(|quality| quality.psnr), ssim: mean(|quality| quality.ssim) };
-        held_out.insert(0, format!("{} matched, mean: {}", matched.len(), figures(mean)));
+        lines.push(format!("{} matched{pass}, mean: {}", matched.len(), figures(mean)));
     }
-    held_out
+    lines.extend(held_out);
+    lines
 }

@@ -1,6 +1,7 @@
 //! Images: PNG and JPEG (sRGB), OpenEXR and Radiance HDR (linear).
 
 mod decode;
+mod layers;
 
 use std::fmt::Display;
 use std::io::Cursor;
@@ -12,6 +13,7 @@ use image::codecs::hdr::HdrEncoder;
 use image::codecs::openexr::OpenExrEncoder;
 use image::codecs::png::PngEncoder;
 use image::{ExtendedColorType, ImageEncoder, ImageFormat, ImageResult, Rgb};
+pub use layers::{load_pass, save_passes};
 
 use crate::disk::{check_writable, read, write_atomically};
 use crate::{Error, Image};

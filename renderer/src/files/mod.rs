@@ -25,7 +25,8 @@ pub use cameras::{FoundView, load_cameras};
 #[cfg(feature = "gltf")]
 pub use gltf::{GltfFile, load_gltf};
 pub use images::{
-    LoadedImage, check_image_path, load_image, load_mask, save_exr, save_hdr, save_image, save_png,
+    LoadedImage, check_image_path, load_image, load_mask, load_pass, save_exr, save_hdr,
+    save_image, save_passes, save_png,
 };
 pub use load::{load_mesh, load_mesh_with};
 pub use meshes::{

@@ -3,8 +3,9 @@
 use std::path::Path;
 
 use super::Quality;
-use crate::experiment::{OptimizeSection, Target, ViewTarget};
-use crate::files::{LoadedImage, load_image, load_mask};
+use crate::display::{map_range, range_of_measure};
+use crate::experiment::{MatchedPass, OptimizeSection, Target, ViewTarget};
+use crate::files::{LoadedImage, load_image, load_mask, load_pass};
 use crate::loss::{ImageLoss, LossKind};
 use crate::render::Renderer;
 use crate::scene::Scene;
@@ -35,23 +36,35 @@ impl TargetImage {
         self.view.map_or("", |view| &scene.views()[view].name)
     }
 
-    /// The absolute difference of every channel of an image, as the loss sees it: where the target is clipped,
-    /// so is the image. Nothing if the sizes differ.
-    pub fn difference(&self, image: &Image) -> Option<Image> {
-        let mut image = image.clone();
-        if self.saturates {
-            image.pixels.as_flattened_mut().iter_mut().for_each(|value| *value = value.min(1.0));
+    /// A picture of an image that is compared with this one. Radiance and coverage are pictures; of depth,
+    /// places and normals a [range](range_of_measure) of this one becomes 0 to 1.
+    pub fn picture(&self, image: &Image) -> Image {
+        let mut picture = image.clone();
+        if self.pass.is_measure() {
+            let (low, high) = range_of_measure(&self.image, self.pass);
+            map_range(&mut picture, low, high);
         }
-        image.absolute_difference(&self.image)
+        picture
     }
 
-    /// How alike an image of the same size and this one are.
+    /// The absolute difference of every channel of the [pictures](Self::picture) of an image and of this one,
+    /// as the loss sees them: where the target is clipped, so is the image. Nothing if the sizes differ.
+    pub fn difference(&self, image: &Image) -> Option<Image> {
+        let mut picture = self.picture(image);
+        if self.saturates {
+            picture.pixels.as_flattened_mut().iter_mut().for_each(|value| *value = value.min(1.0));
+        }
+        picture.absolute_difference(&self.picture(&self.image))
+    }
+
+    /// How alike the [pictures](Self::picture) of an image of the same size and of this one are.
     ///
     /// # Panics
     ///
     /// If the sizes differ.
     pub fn quality(&self, image: &Image) -> Quality {
-        Quality::of(image, &self.image, self.weights.as_deref())
+        let (picture, target) = (self.picture(image), self.picture(&self.image));
+        Quality::of(&picture, &target, self.weights.as_deref())
     }
 
     /// Makes a scene show what is to be compared.
@@ -191,12 +204,15 @@ impl Loader<'_> {
             self.check_size(path, &image, view, "target")?;
             targets.push(TargetImage { image, saturates, ..target.clone() });
         }
-        if let Some(path) = &given.coverage {
-            let image = load_mask(path)?;
-            self.check_size(path, &image, view, "coverage")?;
-            let pass = Pass::Coverage;
-            let saturates = false;
-            targets.push(TargetImage { image, pass, saturates, ..target.clone() });
+        for MatchedPass { pass, file, weight } in &given.passes {
+            let pass = *pass;
+            let image = match pass {
+                Pass::Coverage => load_mask(file)?,
+                _ => load_pass(file, pass)?,
+            };
+            self.check_size(file, &image, view, pass.name())?;
+            let weight = target.weight * weight;
+            targets.push(TargetImage { image, pass, weight, ..target.clone() });
         }
         if targets.len() > first {
             return Ok(());
@@ -208,8 +224,8 @@ impl Loader<'_> {
                         .to_owned()
                 }
                 Some(view) => format!(
-                    "no target for the view `{}`: give it a `target` or a `coverage`, or `target_values` \
-                     in the section [optimize]",
+                    "no target for the view `{}`: give it a `target`, a `coverage`, a `depth` or `normals`, or \
+                     `target_values` in the section [optimize]",
                     self.scene.views()[view].name
                 ),
             };

@@ -69,7 +69,7 @@ struct PictureEntry {
 #[derive(Deserialize)]
 struct ViewEntry {
     name: String,
-    coverage: bool,
+    pass: String,
     held_out: bool,
     /// Null if the picture is the target.
     psnr: Option<f64>,
@@ -168,21 +168,19 @@ fn views(folder: &Path, file: &Path, summary: &Value) -> Result<Vec<ViewImages>,
     let entries: Vec<ViewEntry> = serde_json::from_value(views.clone())
         .map_err(|error| Error::new(file.display(), format_args!("views is broken: {error}")))?;
     let mut found = Vec::new();
-    for ViewEntry { name, coverage, held_out, psnr, ssim, files } in entries {
+    for ViewEntry { name, pass, held_out, psnr, ssim, files } in entries {
         let mut pictures = Vec::new();
         for kind in ["target", "initial", "final"] {
             if let Some(file) = files.get(kind) {
                 pictures.extend(optional(&folder.join(file))?.map(|png| (kind, png)));
             }
         }
-        let coverage = if coverage { ", coverage" } else { "" };
+        let pass = match &pass[..] {
+            "radiance" => String::new(),
+            pass => format!(", {pass}"),
+        };
         let held_out = if held_out { ", held out" } else { "" };
-        found.push(ViewImages {
-            title: format!("{name}{coverage}{held_out}"),
-            psnr,
-            ssim,
-            pictures,
-        });
+        found.push(ViewImages { title: format!("{name}{pass}{held_out}"), psnr, ssim, pictures });
     }
     Ok(found)
 }

@@ -9,6 +9,7 @@ mod gradient;
 mod optimize;
 mod out_folder;
 mod params;
+mod passes;
 mod paths;
 mod render;
 mod resume;

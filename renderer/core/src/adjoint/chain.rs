@@ -418,7 +418,7 @@ impl<'a, L: Plain> Chain<'a, L> {
                 }
             }
             Pass::Position => surface.point.accumulate(shown),
-            Pass::Normal => surface.normal.accumulate(shown),
+            Pass::Normals => surface.normal.accumulate(shown),
             Pass::Radiance | Pass::Albedo | Pass::Coverage => {}
         }
     }

@@ -179,7 +179,7 @@ impl<'a, S: Number> Vertex<'a, S> {
                 Vec3::<S>::splat(depth::<S>(self.integrator.inputs.frame, self.group.surface.point))
             }
             Pass::Position => self.group.surface.point + self.integrator.inputs.world_origin(),
-            Pass::Normal => self.group.surface.normal,
+            Pass::Normals => self.group.surface.normal,
         };
         self.add_direct(own, lights)
     }

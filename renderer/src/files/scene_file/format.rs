@@ -19,6 +19,7 @@ use crate::laplacian::Weights;
 use crate::loss::LossKind;
 use crate::optimize::{Optimizer, Schedule};
 use crate::scene::{DEFAULT_BOUNCES, Integrator, PathTracing, Slot, Wrap};
+use crate::settings::Pass;
 use ordered::Ordered;
 use value::Numbers;
 
@@ -210,7 +211,9 @@ entries! {
         height: Option<u32>,
         /// Image files, relative to the scene file.
         target: Option<PathBuf>,
-        coverage: Option<PathBuf>,
+        coverage: Option<MatchedEntry>,
+        depth: Option<MatchedEntry>,
+        normals: Option<MatchedEntry>,
         mask: Option<PathBuf>,
         weight: Option<f64>,
         held_out: Option<bool>,
@@ -246,6 +249,45 @@ entries! {
         specular_texture: Option<String>,
         opacity_texture: Option<String>,
         metallic_roughness_texture: Option<String>,
+    }
+}
+
+/// What a view is to show: a table, or its path alone.
+pub(super) struct MatchedEntry(pub MatchedFile);
+
+#[derive(Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct MatchedFile {
+    /// An image file, relative to the scene file.
+    pub path: PathBuf,
+    #[serde(default = "default_weight")]
+    pub weight: f64,
+}
+
+impl<'de> Deserialize<'de> for MatchedEntry {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        text_or_table(deserializer, ["path", "path"]).map(Self)
+    }
+}
+
+impl Serialize for MatchedEntry {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        match self.0.weight {
+            1.0 => self.0.path.serialize(serializer),
+            _ => self.0.serialize(serializer),
+        }
+    }
+}
+
+impl ViewEntry {
+    /// What is matched beside the image or in place of it.
+    pub fn passes(&self) -> impl Iterator<Item = (Pass, &MatchedFile)> {
+        let entries = [
+            (Pass::Coverage, &self.coverage),
+            (Pass::Depth, &self.depth),
+            (Pass::Normals, &self.normals),
+        ];
+        entries.into_iter().filter_map(|(pass, entry)| Some((pass, &entry.as_ref()?.0)))
     }
 }
 
@@ -410,6 +452,10 @@ pub(super) struct LaplacianEntry {
     pub weights: Weights,
 }
 
+fn default_weight() -> f64 {
+    1.0
+}
+
 fn default_bounces() -> u32 {
     DEFAULT_BOUNCES
 }
@@ -432,17 +478,30 @@ where
     T: Deserialize<'de>,
     D: Deserializer<'de>,
 {
-    struct NameOrTable<T>(PhantomData<T>);
+    text_or_table(deserializer, ["name", "type"]).map(Some)
+}
 
-    impl<'de, T: Deserialize<'de>> Visitor<'de> for NameOrTable<T> {
+/// A table, or what it has for a key alone, which is called so.
+fn text_or_table<'de, T, D>(deserializer: D, [what, key]: [&'static str; 2]) -> Result<T, D::Error>
+where
+    T: Deserialize<'de>,
+    D: Deserializer<'de>,
+{
+    struct TextOrTable<T> {
+        what: &'static str,
+        key: &'static str,
+        table: PhantomData<T>,
+    }
+
+    impl<'de, T: Deserialize<'de>> Visitor<'de> for TextOrTable<T> {
         type Value = T;
 
         fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-            write!(f, "a name or a table with a `type`")
+            write!(f, "a {} or a table with a `{}`", self.what, self.key)
         }
 
-        fn visit_str<E: de::Error>(self, name: &str) -> Result<T, E> {
-            T::deserialize(HashMap::from([("type", name)]).into_deserializer())
+        fn visit_str<E: de::Error>(self, text: &str) -> Result<T, E> {
+            T::deserialize(HashMap::from([(self.key, text)]).into_deserializer())
         }
 
         fn visit_map<A: MapAccess<'de>>(self, table: A) -> Result<T, A::Error> {
@@ -450,5 +509,5 @@ where
         }
     }
 
-    deserializer.deserialize_any(NameOrTable(PhantomData)).map(Some)
+    deserializer.deserialize_any(TextOrTable { what, key, table: PhantomData })
 }

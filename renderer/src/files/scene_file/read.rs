@@ -28,7 +28,8 @@ pub(super) fn experiment(
     warnings.append(&mut match_coordinates(&mut scene, name));
     let targets = views::add(views, &mut scene);
     scene.check()?;
-    if is_black(&scene) {
+    let asks_for_light = targets.iter().all(|target| target.passes.is_empty());
+    if asks_for_light && is_black(&scene) {
         let problem =
             "has no light: add a [[light]], or an `emission` to a material, or all is black";
         warnings.push(Warning::new(name, problem));

@@ -473,6 +473,7 @@ fn saved_views_and_what_they_are_compared_with_are_read_back() {
     let text = format!(
         "{CAMERA}[[view]]\nname = \"a/b\"\ntarget = \"t.png\"\nweight = 3.0\n\
          [[view]]\nname = \"A/B\"\nvfov = 20\nwidth = 7\nheld_out = true\ncoverage = \"t.png\"\n\
+         depth = {{ path = \"t.png\", weight = 0.1 }}\nnormals = \"t.png\"\n\
          [[mesh]]\npath = \"a.obj\"\nname = \"body\"\n\
          [optimize]\nbatch = 1\nseed = 5\ncoarse_to_fine = 2\nloss = {{ type = \"huber\", delta = 0.5 }}\n\
          [[optimize.parameter]]\npath = \"mesh.body.vertices\"\nlarge_steps = 9.0\n\
@@ -489,11 +490,15 @@ fn saved_views_and_what_they_are_compared_with_are_read_back() {
     let loaded = Experiment::load(&path).unwrap();
     assert_eq!(loaded.scene, experiment.scene);
     let (mut found, mut expected) = (loaded.optimize.unwrap(), experiment.optimize.unwrap());
-    let images = found.views.iter().flat_map(|view| [&view.image, &view.coverage]).flatten();
-    assert_eq!(images.clone().count(), 2);
+    let images = found
+        .views
+        .iter()
+        .flat_map(|view| view.image.iter().chain(view.passes.iter().map(|matched| &matched.file)));
+    assert_eq!(images.clone().count(), 4);
     images.for_each(|image| assert_eq!(fs::read(image).unwrap(), b"an image"));
     for view in found.views.iter_mut().chain(&mut expected.views) {
-        (view.image, view.coverage) = (None, None);
+        view.image = None;
+        view.passes.iter_mut().for_each(|matched| matched.file.clear());
     }
     assert_eq!(found, expected);
 }

@@ -6,11 +6,12 @@ use glam::DVec3;
 
 use super::format::ordered::Ordered;
 use super::format::value::Numbers;
-use super::format::{CameraEntry, SceneFile, ViewEntry};
+use super::format::{CameraEntry, MatchedFile, SceneFile, ViewEntry};
 use super::{Problem, numbers};
-use crate::experiment::ViewTarget;
+use crate::experiment::{MatchedPass, ViewTarget};
 use crate::files::{FoundView, load_cameras};
 use crate::scene::{Camera, Scene, View};
+use crate::settings::Pass;
 
 /// A view, and what it is compared with.
 pub(super) struct ReadView {
@@ -79,9 +80,13 @@ fn single(
     numbers::assign(&mut camera, "camera", &path, &all)?;
     let width = size(&path, "width", entry.width.or(common.width))?;
     let height = size(&path, "height", entry.height.or(common.height))?;
+    let matched = |(pass, file): (Pass, &MatchedFile)| {
+        let weight = weight(file.weight, || format!("{path}.{}.weight", pass.name()))?;
+        Ok::<_, Problem>(MatchedPass { pass, file: folder.join(&file.path), weight })
+    };
     let target = ViewTarget {
         image: entry.target.as_ref().map(|file| folder.join(file)),
-        coverage: entry.coverage.as_ref().map(|file| folder.join(file)),
+        passes: entry.passes().map(matched).collect::<Result<_, _>>()?,
         mask: entry.mask.as_ref().map(|file| folder.join(file)),
         ..common_target(entry, &path)?
     };
@@ -91,9 +96,10 @@ fn single(
 /// The views of a file of cameras. With a name of the table, theirs begin with it.
 fn from_file(entry: &ViewEntry, path: &Path, folder: &Path) -> Result<Vec<ReadView>, Problem> {
     let place = format!("view.{}", path.display());
-    let files = [("target", &entry.target), ("coverage", &entry.coverage), ("mask", &entry.mask)];
+    let files = [("target", &entry.target), ("mask", &entry.mask)];
     let sizes = [("width", entry.width), ("height", entry.height)];
     let own = files.iter().filter(|(_, file)| file.is_some()).map(|(key, _)| *key);
+    let own = own.chain(entry.passes().map(|(pass, _)| pass.name()));
     let own = own.chain(sizes.iter().filter(|(_, size)| size.is_some()).map(|(key, _)| *key));
     if let Some(key) = own.chain(entry.numbers.iter().map(|(key, _)| &key[..])).next() {
         let problem = "is that of one view; this table stands for all cameras of a file";
@@ -115,13 +121,17 @@ fn from_file(entry: &ViewEntry, path: &Path, folder: &Path) -> Result<Vec<ReadVi
 
 /// What may be said of one view or of many.
 fn common_target(entry: &ViewEntry, path: &str) -> Result<ViewTarget, Problem> {
-    let weight = entry.weight.unwrap_or(1.0);
-    if !(weight >= 0.0 && weight.is_finite()) {
-        let problem = format!("must be 0 or more, is {weight}");
-        return Err(Problem::new(format!("{path}.weight"), problem));
-    }
+    let weight = weight(entry.weight.unwrap_or(1.0), || format!("{path}.weight"))?;
     let held_out = entry.held_out.unwrap_or_default();
     Ok(ViewTarget { weight, held_out, ..ViewTarget::default() })
+}
+
+/// A factor on a loss.
+fn weight(weight: f64, path: impl Fn() -> String) -> Result<f64, Problem> {
+    match weight >= 0.0 && weight.is_finite() {
+        true => Ok(weight),
+        false => Err(Problem::new(path(), format!("must be 0 or more, is {weight}"))),
+    }
 }
 
 fn size(path: &str, name: &str, size: Option<u32>) -> Result<u32, Problem> {

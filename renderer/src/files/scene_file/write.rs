@@ -4,16 +4,16 @@ use std::path::{Path, PathBuf};
 
 use super::format::value::Numbers;
 use super::format::{
-    CameraEntry, ChannelEntry, EnvironmentEntry, LaplacianEntry, LightEntry, MaterialEntry,
-    MeshEntry, NormalsEntry, OptimizeEntry, ParameterEntry, SceneFile, SphereEntry, TextureEntry,
-    ViewEntry,
+    CameraEntry, ChannelEntry, EnvironmentEntry, LaplacianEntry, LightEntry, MatchedEntry,
+    MatchedFile, MaterialEntry, MeshEntry, NormalsEntry, OptimizeEntry, ParameterEntry, SceneFile,
+    SphereEntry, TextureEntry, ViewEntry,
 };
 use super::numbers;
 use crate::Error;
 use crate::disk::write_atomically;
 use crate::disk::{create_folder, read};
 use crate::experiment::{
-    Experiment, LaplacianTerm, OptimizeSection, Target, TunedParameter, ViewTarget,
+    Experiment, LaplacianTerm, MatchedPass, OptimizeSection, Target, TunedParameter, ViewTarget,
 };
 use crate::files::images::save_exr;
 use crate::files::names::file_stems;
@@ -22,6 +22,7 @@ use crate::scene::{
     Bsdf, Integrator, LightObject, LightSource, MaterialObject, Normals, Scene, Slot, SphereObject,
     Transform,
 };
+use crate::settings::Pass;
 
 /// Writes `scene.toml` and what it names, `meshes/*.obj` and `textures/*.exr`, into `folder`, which
 /// is made if it does not exist; the path of the scene file. Every number is read back as it was, but
@@ -107,9 +108,17 @@ fn views(
     for (index, (view, stem)) in scene.views().iter().zip(stems).enumerate() {
         let default = ViewTarget::default();
         let target = optimize.and_then(|section| section.views.get(index)).unwrap_or(&default);
+        let copy = |kind: &str, file: &Path| copied(file, &format!("{kind}-{stem}"), folder);
         let copied = |kind: &str, file: &Option<PathBuf>| {
-            let copy = |file: &PathBuf| copied(file, &format!("{kind}-{stem}"), folder);
-            file.as_ref().map(copy).transpose()
+            file.as_ref().map(|file| copy(kind, file)).transpose()
+        };
+        let matched = |pass: Pass| {
+            let matched = target.passes.iter().find(|matched| matched.pass == pass);
+            let entry = |MatchedPass { file, weight, .. }: &MatchedPass| {
+                let path = copy(pass.name(), file)?;
+                Ok::<_, Error>(MatchedEntry(MatchedFile { path, weight: *weight }))
+            };
+            matched.map(entry).transpose()
         };
         entries.push(ViewEntry {
             path: None,
@@ -117,7 +126,9 @@ fn views(
             width: Some(view.width),
             height: Some(view.height),
             target: copied("target", &target.image)?,
-            coverage: copied("coverage", &target.coverage)?,
+            coverage: matched(Pass::Coverage)?,
+            depth: matched(Pass::Depth)?,
+            normals: matched(Pass::Normals)?,
             mask: copied("mask", &target.mask)?,
             weight: (target.weight != 1.0).then_some(target.weight),
             held_out: target.held_out.then_some(true),
