@@ -4,11 +4,12 @@ use std::f64::consts::PI;
 use std::path::{Path, PathBuf};
 
 use glam::DVec3;
-use renderer::experiment::{Experiment, OptimizeSection, TunedParameter, ViewTarget};
+use renderer::experiment::{Experiment, MatchedPass, OptimizeSection, TunedParameter, ViewTarget};
 use renderer::files::save_exr;
 use renderer::optimize::{Adam, Batch, Optimizer};
 use renderer::{
-    Camera, DistantLight, Edges, Error, LossKind, Material, Mesh, Renderer, Scene, Settings, View,
+    Camera, DistantLight, Edges, Error, LossKind, Material, Mesh, Pass, Renderer, Scene, Settings,
+    View,
 };
 
 use crate::merged::{merged, normalize};
@@ -92,18 +93,31 @@ pub fn settings() -> Settings {
     Settings { edges: Edges::On, ..Settings::default() }
 }
 
-/// The problem: from a sphere to `target`, whose images are rendered into `folder`. Each step looks at
+/// The problem: from a sphere to `target`, of which `passes` are rendered into `folder`. Each step looks at
 /// `batch` views.
-pub fn experiment(target: &Mesh, folder: &Path, batch: usize) -> Result<Experiment, Error> {
+pub fn experiment(
+    target: &Mesh,
+    folder: &Path,
+    batch: usize,
+    passes: &[Pass],
+) -> Result<Experiment, Error> {
     let mut truth = scene(target.clone())?;
     let mut renderer = Renderer::new(&truth, &settings())?;
     let mut views = Vec::new();
     for view in 0..VIEWS {
         truth.look_through(view);
         renderer.look(&truth);
-        let path: PathBuf = folder.join(format!("target{view}.exr"));
-        save_exr(&renderer.render(), &path)?;
-        views.push(ViewTarget { image: Some(path), ..ViewTarget::default() });
+        let mut matched = ViewTarget::default();
+        for &pass in passes {
+            let file: PathBuf = folder.join(format!("target{view}-{}.exr", pass.name()));
+            renderer.show(&truth, pass);
+            save_exr(&renderer.render(), &file)?;
+            match pass {
+                Pass::Radiance => matched.image = Some(file),
+                _ => matched.passes.push(MatchedPass { pass, file, weight: 1.0 }),
+            }
+        }
+        views.push(matched);
     }
     let (vertices, triangles) = icosphere(LEVEL);
     let scene = scene(Mesh::new("shape", vertices, triangles).smooth())?;

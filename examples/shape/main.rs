@@ -1,6 +1,7 @@
 //! The shape of an object, from images of eight sides of it: 10,242 vertices of a sphere find their places.
 //!
-//! `cargo run --release --example shape -- suzanne.obj`, or without a file, which takes a ball with horns
+//! `cargo run --release --example shape -- suzanne.obj`, or without a file, which takes a ball with horns;
+//! with `--scanned` before it, the images are of depth and normals, as scanners give them
 //!
 //! Steps are those of Large Steps (Nicolet et al. 2021): uniform Adam in coordinates in which neighbours move
 //! together, one view a step, so that eight steps see all of them. Prints distances between surfaces, in
@@ -24,7 +25,7 @@ use experiment::{RADIUS, VIEWS};
 use renderer::files::{save_obj, save_png};
 use renderer::optimize::{Evaluation, Objective, Optimization, Quiet, Settings};
 use renderer::recovery::Recovery;
-use renderer::{Error, Image, Mesh, Scene};
+use renderer::{Error, Image, Mesh, Pass, Scene};
 use strip::{brightest, strip};
 
 /// Steps, each of one view, and how many of them lie between two reports.
@@ -34,14 +35,17 @@ const REPORTED: u64 = 25 * VIEWS as u64;
 const SHOWN: usize = 4;
 
 fn main() -> Result<(), Error> {
-    let argument = std::env::args_os().nth(1);
+    let mut arguments = std::env::args_os().skip(1).peekable();
+    let scanned = arguments.next_if(|argument| argument == "--scanned").is_some();
+    let passes: &[Pass] = if scanned { &[Pass::Depth, Pass::Normals] } else { &[Pass::Radiance] };
+    let argument = arguments.next();
     let file = argument.as_deref().map(Path::new);
     let name = file.and_then(Path::file_stem).map_or("horns".into(), |stem| stem.to_string_lossy());
     let out = Path::new("out/shape").join(&*name);
     std::fs::create_dir_all(&out).map_err(|error| Error::new(out.display(), error))?;
 
     let target = experiment::target(file)?;
-    let experiment = experiment::experiment(&target, &out, 1)?;
+    let experiment = experiment::experiment(&target, &out, 1, passes)?;
     let recovery = Recovery::new(&experiment, "shape", &experiment::settings())?;
     let settings = Settings { iterations: STEPS, ..recovery.settings() };
     let mut watched = Watched { inner: recovery.objective(), iteration: 0, seen: Vec::new() };
@@ -61,14 +65,14 @@ fn main() -> Result<(), Error> {
     );
     let found = recovery.scene_at(&outcome.best.x);
     let qualities = recovery.qualities(&found);
-    let psnr = qualities.iter().map(|quality| quality.psnr).sum::<f64>() / VIEWS as f64;
+    let psnr = qualities.iter().map(|quality| quality.psnr).sum::<f64>() / qualities.len() as f64;
     println!("mean PSNR of the views {psnr:.1} dB");
-    let exposure = 1.0 / brightest(recovery.target());
+    let exposure = 1.0 / brightest(&recovery.targets()[0].picture(recovery.target()));
+    let sides = || recovery.targets().iter().step_by(passes.len()).take(SHOWN);
     let shown = |scene: &Scene| -> Vec<Image> {
-        recovery.targets()[..SHOWN].iter().map(|of| recovery.render_target(of, scene)).collect()
+        sides().map(|of| of.picture(&recovery.render_target(of, scene))).collect()
     };
-    let targets: Vec<Image> =
-        recovery.targets()[..SHOWN].iter().map(|of| of.image.clone()).collect();
+    let targets: Vec<Image> = sides().map(|of| of.picture(&of.image)).collect();
     for (name, images) in
         [("start", shown(&experiment.scene)), ("found", shown(&found)), ("target", targets)]
     {
