@@ -1,5 +1,6 @@
 //! Gradients against independent oracles.
 
+mod area_lights;
 mod away_from_edges;
 mod custom;
 mod edges;

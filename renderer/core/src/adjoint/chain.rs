@@ -354,7 +354,7 @@ impl<'a, L: Plain> Chain<'a, L> {
         cotangent: Tangent<Illumination<L>>,
         to_surface: &mut Tangent<SurfacePoint<L>>,
     ) {
-        let to = self.scatter.request.lights[index];
+        let to = self.scatter.request.lights[self.integrator.layout.lights[index].object];
         if to.is_none() && !self.scatter.request.moves_surfaces() {
             return;
         }

@@ -9,8 +9,9 @@ use super::texels::TexelInputs;
 use super::varying::{Varying, lifted, narrow_vector};
 use crate::custom::{EmitterKernel, ShapeKernel};
 use crate::number::{Number, splat_vector};
-use crate::scene::{LightObject, LightSource, Mesh, Object, Scene, ShapeObject, Transform};
+use crate::scene::{LightSource, Mesh, Object, Scene, ShapeObject, Transform};
 use crate::settings::Pass;
+use crate::transport::area_light::Place;
 use crate::transport::camera::{CameraFrame, Ray, camera_frame};
 use crate::transport::environment::Environment;
 use crate::transport::light::{Illumination, Light, illuminate, match_light};
@@ -21,13 +22,13 @@ use crate::transport::texture::Uv;
 
 /// A light as surfaces are shaded by it.
 pub enum LightInputs<S: Number> {
-    Known(Light<S>),
-    /// Of one's own: the numbers of all its fields.
-    Custom {
-        kernel: EmitterKernel,
-        numbers: Vec<S::Lane>,
-        origin: Vec3<S>,
+    Known {
+        light: Light<S>,
+        /// The point of it.
+        place: Place<S>,
     },
+    /// Of one's own: the numbers of all its fields.
+    Custom { kernel: EmitterKernel, numbers: Vec<S::Lane>, origin: Vec3<S> },
 }
 
 impl<S: Number> LightInputs<S> {
@@ -35,7 +36,7 @@ impl<S: Number> LightInputs<S> {
     #[inline]
     pub fn illuminate(&self, point: Vec3<S>) -> Illumination<S> {
         match self {
-            Self::Known(light) => illuminate::<S>(*light, point),
+            Self::Known { light, place } => illuminate::<S>(*light, *place, point),
             Self::Custom { kernel, numbers, origin } => {
                 kernel.at::<S>().illuminate(numbers, point + *origin)
             }
@@ -52,9 +53,9 @@ impl<S: Number> LightInputs<S> {
         mut to_number: impl FnMut(usize, S),
     ) -> Vec3<S> {
         match self {
-            Self::Known(light) => {
-                let (_, pullback) = illuminate::vjp::<S>(*light, point);
-                let (cotangent, point) = &pullback(cotangent);
+            Self::Known { light, place } => {
+                let (_, pullback) = illuminate::vjp::<S>(*light, *place, point);
+                let (cotangent, _, point) = &pullback(cotangent);
                 match_light!(light, _light, cotangent, part => part.visit(&mut to_number));
                 *point
             }
@@ -272,6 +273,14 @@ pub fn frame<S: Number>(
     camera_frame::<S::Wide>(camera, S::Wide::from_f64(scene.aspect()))
 }
 
+/// The lights that surfaces are shaded by: the index of each in the scene, and the point of it.
+pub fn places(scene: &Scene) -> impl Iterator<Item = (usize, Place<f64>)> {
+    let count = scene.light_samples;
+    scene.lights.iter().enumerate().flat_map(move |(index, light)| {
+        light.source.places(count).into_iter().map(move |place| (index, place))
+    })
+}
+
 /// The lights, relative to an origin; none where radiance is not what is shown.
 pub fn lights<S: Number>(
     scene: &Scene,
@@ -279,13 +288,14 @@ pub fn lights<S: Number>(
     origin: Vec3<S::Wide>,
     varying: &Varying<S::Wide>,
 ) -> Vec<LightInputs<S>> {
-    let inputs = |(index, light): (usize, &LightObject)| {
+    let inputs = |(index, place): (usize, Place<f64>)| {
         let object = Object::Light(index);
-        match &light.source {
+        match &scene.lights[index].source {
             LightSource::Known(light) => {
                 let light = match_light!(light, light => Variant(varying.lift(object, light)));
                 let light = light.relative_to(origin);
-                LightInputs::Known(match_light!(light, light => Variant(in_lanes::<S, _>(&light))))
+                let light = match_light!(light, light => Variant(in_lanes::<S, _>(&light)));
+                LightInputs::Known { light, place: place.map(S::from_f64) }
             }
             LightSource::Custom { kernel, numbers } => LightInputs::Custom {
                 kernel: kernel.clone(),
@@ -295,7 +305,7 @@ pub fn lights<S: Number>(
         }
     };
     match pass {
-        Pass::Radiance => scene.lights.iter().enumerate().map(inputs).collect(),
+        Pass::Radiance => places(scene).map(inputs).collect(),
         _ => Vec::new(),
     }
 }

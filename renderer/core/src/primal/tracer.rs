@@ -83,7 +83,7 @@ impl Tracer {
     /// The position of a light, if it has one from which its rays all start.
     pub fn position(&self, light: usize) -> Option<DVec3> {
         match &self.lights[light] {
-            LightInputs::Known(light) => light.position(),
+            LightInputs::Known { light, place } => light.position(*place),
             LightInputs::Custom { .. } => None,
         }
     }

@@ -7,6 +7,7 @@ use glam::DVec3;
 
 use super::numbers::{Numbers, range_of};
 use crate::custom::{EmitterFamily, EmitterKernel};
+use crate::transport::area_light::{AreaLight, Place};
 use crate::transport::light::{DistantLight, Light, PointLight, SpotLight, match_light};
 
 /// A light and its name.
@@ -38,6 +39,14 @@ impl LightSource {
         Self::Custom { kernel: T::kernel(), numbers }
     }
 
+    /// The points that it stands by, if its kind has an area, else one.
+    pub(crate) fn places(&self, count: u32) -> Vec<Place<f64>> {
+        match self {
+            Self::Known(light) => light.places(count),
+            Self::Custom { .. } => vec![Place::POINT],
+        }
+    }
+
     /// Whether the light is known to send nothing.
     pub(crate) fn is_black(&self) -> bool {
         match self {
@@ -47,11 +56,20 @@ impl LightSource {
     }
 }
 
+/// What lights with an area need.
+const AREA: AreaLight<f64> = AreaLight {
+    center: DVec3::NAN,
+    right: DVec3::NAN,
+    up: DVec3::NAN,
+    color: DVec3::ONE,
+    radiance: f64::NAN,
+};
+
 impl Light<f64> {
     /// The kinds by the names that scene files give them, with numbers that are not: what a kind needs
     /// is NaN, what it can do without has its default.
     #[doc(hidden)]
-    pub const KINDS: [(&'static str, Self); 3] = [
+    pub const KINDS: [(&'static str, Self); 5] = [
         (
             "point",
             Self::Point(PointLight {
@@ -79,7 +97,18 @@ impl Light<f64> {
                 outer_angle: 45.0,
             }),
         ),
+        ("rectangle", Self::Rectangle(AREA)),
+        ("disc", Self::Disc(AREA)),
     ];
+
+    /// The points that it stands by.
+    pub(crate) fn places(&self, count: u32) -> Vec<Place<f64>> {
+        match self {
+            Self::Rectangle(_) => Place::on_rectangle(count).collect(),
+            Self::Disc(_) => Place::on_disc(count).collect(),
+            Self::Point(_) | Self::Distant(_) | Self::Spot(_) => vec![Place::POINT],
+        }
+    }
 
     /// The name that scene files give its kind.
     #[doc(hidden)]
@@ -88,6 +117,8 @@ impl Light<f64> {
             Self::Point(_) => "point",
             Self::Distant(_) => "distant",
             Self::Spot(_) => "spot",
+            Self::Rectangle(_) => "rectangle",
+            Self::Disc(_) => "disc",
         }
     }
 
@@ -97,6 +128,7 @@ impl Light<f64> {
             Self::Point(light) => light.color * light.radiant_intensity,
             Self::Distant(light) => light.color * light.irradiance,
             Self::Spot(light) => light.color * light.radiant_intensity,
+            Self::Rectangle(light) | Self::Disc(light) => light.color * light.radiance,
         };
         radiance == DVec3::ZERO
     }

@@ -59,6 +59,7 @@ mod view;
 
 use glam::DVec3;
 
+pub use crate::transport::area_light::AreaLight;
 pub use crate::transport::camera::Camera;
 pub use crate::transport::environment::Environment;
 pub use crate::transport::light::{DistantLight, Light, PointLight, SpotLight};
@@ -87,6 +88,12 @@ use crate::custom::{EmitterFamily, ShapeFamily};
 /// How many mirrors and transparent surfaces a path has at most, if a scene does not say.
 pub const DEFAULT_BOUNCES: u32 = 4;
 
+/// By how many points each light with an area stands, if a scene does not say.
+pub const DEFAULT_LIGHT_SAMPLES: u32 = 16;
+
+/// The most points of a light with an area.
+pub const MOST_LIGHT_SAMPLES: u32 = 1 << 12;
+
 /// A scene, complete: it needs no file to be rendered.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Scene {
@@ -96,6 +103,8 @@ pub struct Scene {
     pub height: u32,
     /// How many mirrors and transparent surfaces a path has at most.
     pub bounces: u32,
+    /// By how many points each light with an area stands.
+    pub light_samples: u32,
     /// Which paths of light count.
     pub integrator: Integrator,
     /// The camera, if the scene has no views.
@@ -128,6 +137,7 @@ impl Scene {
             width,
             height,
             bounces: DEFAULT_BOUNCES,
+            light_samples: DEFAULT_LIGHT_SAMPLES,
             integrator: Integrator::Direct,
             camera,
             environment: None,

@@ -7,6 +7,7 @@
 use glam::DVec3;
 
 use super::{Camera, LightSource, Mesh, Object, ParameterId, Scene};
+use crate::transport::area_light::Place;
 
 /// Lengths and coordinates beyond this overflow when an `f32` squares them.
 const LARGEST_LENGTH: f64 = 1e18;
@@ -98,12 +99,16 @@ const TABLE: &[Row] = &[
     smooth("environment", "rotation", NUMBER, degrees),
     moving("light", "position", LENGTH, |scene, i, _| light_distance(scene, i)),
     direction(moving("light", "direction", LENGTH, size)),
+    moving("light", "center", LENGTH, |scene, i, _| light_distance(scene, i)),
+    direction(moving("light", "right", LENGTH, size)),
+    direction(moving("light", "up", LENGTH, size)),
     smooth("light", "color", ENERGY, one),
     // As much as brings the irradiance 1 to what the camera looks at, or what it is if that is more.
     smooth("light", "radiant_intensity", ENERGY, |scene, i, numbers| {
         size(scene, i, numbers).max(light_distance(scene, i).powi(2))
     }),
     smooth("light", "irradiance", ENERGY, |scene, i, numbers| size(scene, i, numbers).max(1.0)),
+    smooth("light", "radiance", ENERGY, |scene, i, numbers| size(scene, i, numbers).max(1.0)),
     smooth("light", "inner_angle", CONE, degrees),
     smooth("light", "outer_angle", CONE, degrees),
     smooth("material", "emission", ENERGY, one),
@@ -212,7 +217,7 @@ fn light_distance(scene: &Scene, light: usize) -> f64 {
     let camera = scene.seen_from();
     let view = view_distance(camera);
     let position = match &scene.lights[light].source {
-        LightSource::Known(light) => light.position(),
+        LightSource::Known(light) => light.position(Place::POINT),
         LightSource::Custom { .. } => None,
     };
     position.map_or(view, |position| positive_or(position.distance(camera.look_at), view))
@@ -237,8 +242,8 @@ mod tests {
     use super::TABLE;
     use crate::scene::numbers::Numbers;
     use crate::scene::{
-        Camera, DistantLight, Environment, Material, Mesh, PointLight, Sphere, SpotLight, Texture,
-        Transform, Wrap,
+        AreaLight, Camera, DistantLight, Environment, Material, Mesh, PointLight, Sphere,
+        SpotLight, Texture, Transform, Wrap,
     };
 
     /// Every field of every kind of object has one row, and no row is for nothing.
@@ -261,6 +266,7 @@ mod tests {
             ("light", names(PointLight::<f64>::FIELDS)),
             ("light", names(DistantLight::<f64>::FIELDS)),
             ("light", names(SpotLight::<f64>::FIELDS)),
+            ("light", names(AreaLight::<f64>::FIELDS)),
             ("material", names(Material::<f64>::FIELDS)),
             ("sphere", names(Sphere::<f64>::FIELDS)),
             ("mesh", names(&mesh.fields())),

@@ -7,8 +7,8 @@ use glam::DVec3;
 
 use super::table::{self, LARGEST_COORDINATE, SMALLEST_LENGTH};
 use super::{
-    Bsdf, MaterialObject, Mesh, Normals, Object, ParameterId, PathTracing, Scene, ShapeObject,
-    Slot, Texture,
+    Bsdf, Light, LightObject, LightSource, MOST_LIGHT_SAMPLES, MaterialObject, Mesh, Normals,
+    Object, ParameterId, PathTracing, Scene, ShapeObject, Slot, Texture,
 };
 use crate::{Error, memory};
 
@@ -104,12 +104,14 @@ impl Scene {
         let kind = self.eye().kind();
         let scattered = self.path_tracing().map_or(0, |path| u64::from(path.max_depth));
         let map = self.environment.and_then(|environment| environment.texture);
+        let of_light = |light: &LightObject| light.source.places(self.light_samples).len() as u64;
+        let lights: u64 = self.lights.iter().map(of_light).sum();
         let texels = map
             .and_then(|texture| self.textures.get(texture as usize))
             .map_or(0, |map| u64::from(map.width) * u64::from(map.height));
         for (path, bytes) in [
             (&*format!("{kind}.width"), pixels.sum::<u64>().saturating_mul(PIXEL_BYTES)),
-            ("light", (self.lights.len() as u64).saturating_mul(LIGHT_BYTES)),
+            ("light", lights.saturating_mul(LIGHT_BYTES)),
             ("bounces", depth.saturating_mul(BOUNCE_BYTES)),
             ("integrator.max_depth", scattered.saturating_mul(BOUNCE_BYTES)),
             ("environment.texture", texels.saturating_mul(CELL_BYTES)),
@@ -119,8 +121,13 @@ impl Scene {
         Ok(())
     }
 
-    /// Which paths of light count.
+    /// Which paths of light count, and by how many points lights stand.
     fn check_integrator(&self) -> Result<(), Invalid> {
+        if !(1..=MOST_LIGHT_SAMPLES).contains(&self.light_samples) {
+            let (most, count) = (MOST_LIGHT_SAMPLES, self.light_samples);
+            let problem = format!("must lie between 1 and {most}, is {count}");
+            return invalid("light_samples", problem);
+        }
         let Some(PathTracing { max_depth, samples, .. }) = self.path_tracing() else {
             let refracts = |material: &&MaterialObject| material.bsdf == Bsdf::Dielectric;
             return match (self.environment, self.materials.iter().find(refracts)) {
@@ -214,6 +221,13 @@ impl Scene {
             let index = if id.field == "normals" { format!("[{index}]") } else { String::new() };
             let path = format!("{}{index}", self.path(id));
             return invalid(path, "must be a direction, is the zero vector");
+        }
+        if let (Object::Light(light), "right" | "up") = (id.object, id.field)
+            && let LightSource::Known(Light::Rectangle(light) | Light::Disc(light)) =
+                &self.lights[light].source
+            && light.right.cross(light.up).length() < SMALLEST_LENGTH * SMALLEST_LENGTH
+        {
+            return invalid(self.path(id), "`right` and `up` must not point along one line");
         }
         // A ray meets a shape where the shape was before it was placed.
         let is_flat = || numbers.iter().any(|scale| scale.abs() < SMALLEST_LENGTH);

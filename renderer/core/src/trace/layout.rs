@@ -1,6 +1,7 @@
 //! What of a scene is discrete: sizes, indices, and what its materials can do.
 
 use std::borrow::Cow;
+use std::iter;
 use std::ops::Range;
 use std::sync::OnceLock;
 
@@ -60,6 +61,8 @@ pub struct Layout {
 /// What a light can do.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LightTraits {
+    /// Which light of the scene it is, or is a point of.
+    pub object: usize,
     /// Whether it is known to send nothing.
     pub is_black: bool,
 }
@@ -226,9 +229,12 @@ impl Layout {
         self.path_tracing = pass.path_tracing(scene);
         let environment = scene.environment.filter(|_| pass == Pass::Radiance);
         self.background = environment.and_then(|environment| environment.background);
-        let lights = scene.lights.iter().filter(|_| pass == Pass::Radiance);
         self.lights.clear();
-        self.lights.extend(lights.map(|light| LightTraits { is_black: light.source.is_black() }));
+        for (object, light) in scene.lights.iter().enumerate().filter(|_| pass == Pass::Radiance) {
+            let traits = LightTraits { object, is_black: light.source.is_black() };
+            let count = light.source.places(scene.light_samples).len();
+            self.lights.extend(iter::repeat_n(traits, count));
+        }
         self.materials.clear();
         self.materials
             .extend(scene.materials.iter().map(|object| MaterialTraits::of(object, pass)));

@@ -3,6 +3,8 @@
 use ad::vector::Vector;
 use ad::{Differentiable, Fields, Real, Vec3, differentiable, select};
 
+use super::area_light::{AreaLight, Place, illuminate_by_area};
+
 /// A light that shines from a point in all directions.
 ///
 /// The irradiance on a surface that faces it at distance `r` is `color * radiant_intensity / r²`. A
@@ -64,6 +66,10 @@ pub enum Light<S: Real> {
     Distant(DistantLight<S>),
     /// Shines from a point into a cone.
     Spot(SpotLight<S>),
+    /// Shines from a rectangle.
+    Rectangle(AreaLight<S>),
+    /// Shines from the ellipse in a rectangle.
+    Disc(AreaLight<S>),
 }
 
 /// Matches on the kind of a light: `$body` sees the struct as `$inner` and the constructor of its variant
@@ -87,6 +93,12 @@ macro_rules! match_light {
             $crate::transport::light::Light::Spot(light) => {
                 match_light!(@kind Spot, light, $($rest)*)
             }
+            $crate::transport::light::Light::Rectangle(light) => {
+                match_light!(@kind Rectangle, light, $($rest)*)
+            }
+            $crate::transport::light::Light::Disc(light) => {
+                match_light!(@kind Disc, light, $($rest)*)
+            }
         }
     };
 }
@@ -103,15 +115,20 @@ impl<S: Real> Light<S> {
             Self::Spot(light) => {
                 Self::Spot(SpotLight { position: light.position - origin, ..light })
             }
+            Self::Rectangle(light) => {
+                Self::Rectangle(AreaLight { center: light.center - origin, ..light })
+            }
+            Self::Disc(light) => Self::Disc(AreaLight { center: light.center - origin, ..light }),
             Self::Distant(_) => self,
         }
     }
 
-    /// The position, if it has one from which all its rays start.
-    pub(crate) fn position(&self) -> Option<Vec3<S>> {
+    /// The position of a point of it, if it has any from which rays start.
+    pub(crate) fn position(&self, place: Place<S>) -> Option<Vec3<S>> {
         match self {
             Self::Point(light) => Some(light.position),
             Self::Spot(light) => Some(light.position),
+            Self::Rectangle(light) | Self::Disc(light) => Some(light.at(place)),
             Self::Distant(_) => None,
         }
     }
@@ -139,11 +156,13 @@ pub trait Emitter {
     fn illuminate(self, point: Vec3<Self::Scalar>) -> Illumination<Self::Scalar>;
 }
 
-/// The illumination of `point` by a light, if nothing is between them.
+/// The illumination of `point` by a light, or by a place of it, if nothing is between them.
 #[differentiable]
 #[inline]
-pub fn illuminate<S: Real>(light: Light<S>, point: Vec3<S>) -> Illumination<S> {
+pub fn illuminate<S: Real>(light: Light<S>, place: Place<S>, point: Vec3<S>) -> Illumination<S> {
     match light {
+        Light::Rectangle(light) => illuminate_by_area::<S>(light, place, point),
+        Light::Disc(light) => illuminate_by_area::<S>(light, place, point),
         Light::Point(light) => illuminate_by_point::<S>(light, point),
         Light::Distant(light) => illuminate_by_distant::<S>(light),
         Light::Spot(light) => illuminate_by_spot::<S>(light, point),

@@ -3,7 +3,7 @@
 //! In tracing order: a [`camera`] sends a ray through a pixel; [`hit`] gives the surface point on the
 //! [`triangle`], flat or [`smooth`], [`sphere`] or custom [`shape`] that it meets; a [`texture`]
 //! varies the [`material`] there, whose [`brdf`] is that of [`blinn_phong`] or of [`microfacet`]; [`direct`]
-//! gives what a [`light`] makes the surface reflect; [`vertex`] puts together what leaves a path vertex and
+//! gives what a [`light`], or a part of an [`area_light`], makes the surface reflect; [`vertex`] puts together what leaves a path vertex and
 //! the ray to the next one. Where light takes all paths, [`emitter`] gives what surfaces that shine bring to
 //! others, [`scatter`] and [`dielectric`] where it goes on from a surface, and [`environment`] what surrounds
 //! the scene. [`transform`] places geometry in the world, and [`depth`] tells how far it is from the camera.
@@ -18,6 +18,7 @@
 //! Units are those of radiometry in linear RGB: radiance W/(m² sr), irradiance W/m², radiant intensity
 //! W/sr.
 
+pub mod area_light;
 pub mod blinn_phong;
 pub mod brdf;
 pub mod camera;

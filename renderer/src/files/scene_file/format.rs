@@ -123,6 +123,8 @@ pub(super) struct SceneFile {
     #[serde(default = "default_bounces")]
     pub bounces: u32,
     #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub light_samples: Option<u32>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub integrator: Option<IntegratorEntry>,
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub camera: Option<CameraEntry>,

@@ -48,6 +48,9 @@ pub(super) fn experiment(
 fn scene(file: &SceneFile, folder: &Path) -> Result<(Scene, Vec<Warning>), Problem> {
     let camera = Camera::looking(DVec3::NAN, DVec3::NAN);
     let mut scene = Scene { bounces: file.bounces, ..Scene::new(0, 0, camera) };
+    if let Some(samples) = file.light_samples {
+        scene.light_samples = samples;
+    }
     if let Some(integrator) = file.integrator {
         scene.integrator = integrator.into();
     }

@@ -184,7 +184,8 @@ fn mistakes_in_the_file_are_placed() {
         ),
         (
             "[[light]]\nname = \"k\"\ntype = \"laser\"\n",
-            "s.toml:8: light.k.type: `laser` is no type of light; there are point, distant, spot",
+            "s.toml:8: light.k.type: `laser` is no type of light; there are point, distant, spot, \
+             rectangle, disc",
         ),
         (
             "[[light]]\nname = \"k\"\n",

@@ -19,8 +19,8 @@ use crate::files::images::save_exr;
 use crate::files::names::file_stems;
 use crate::files::obj::save_obj;
 use crate::scene::{
-    Bsdf, Integrator, LightObject, LightSource, MaterialObject, Normals, Scene, Slot, SphereObject,
-    Transform,
+    Bsdf, DEFAULT_LIGHT_SAMPLES, Integrator, LightObject, LightSource, MaterialObject, Normals,
+    Scene, Slot, SphereObject, Transform,
 };
 use crate::settings::Pass;
 
@@ -66,6 +66,8 @@ fn save(
     // The scene file comes last: once it stands, all that it names does.
     let file = SceneFile {
         bounces: scene.bounces,
+        light_samples: (scene.light_samples != DEFAULT_LIGHT_SAMPLES)
+            .then_some(scene.light_samples),
         integrator: match scene.integrator {
             Integrator::Direct => None,
             chosen @ Integrator::Path(_) => Some(chosen.into()),

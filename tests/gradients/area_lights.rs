@@ -1,0 +1,167 @@
+//! Lights with an area.
+
+use std::f64::consts::PI;
+
+use glam::{DVec3, dvec3};
+use renderer::scene::AreaLight;
+use renderer::{
+    Arithmetic, Camera, Edges, Light, LossKind, Material, Mesh, Renderer, Sampling, Scene,
+    Settings, render,
+};
+
+use crate::image::{check_parameter_with, in_arithmetic, target};
+use crate::scenes::small_scene;
+
+const LAMP: AreaLight<f64> = AreaLight {
+    center: DVec3::new(0.4, 2.0, 0.3),
+    right: DVec3::new(0.8, 0.1, 0.0),
+    up: DVec3::new(0.1, 0.0, 0.6),
+    color: DVec3::new(1.0, 0.8, 0.6),
+    radiance: 3.0,
+};
+
+/// A white floor about the origin, of which one pixel from above sees nothing but the middle.
+fn floor(light: Light<f64>, samples: u32) -> Scene {
+    let camera =
+        Camera { up: DVec3::Z, vfov: 1e-2, ..Camera::looking(DVec3::Y * 9.0, DVec3::ZERO) };
+    let mut scene = Scene::new(1, 1, camera);
+    scene.light_samples = samples;
+    scene.add_material("white", Material::lambertian(DVec3::ONE)).unwrap();
+    let corners = [[-1.0, -1.0], [-1.0, 1.0], [1.0, 1.0], [1.0, -1.0]];
+    let corners = corners.map(|[x, z]| [x, 0.0, z]).to_vec();
+    scene.add_mesh(Mesh::new("floor", corners, vec![[0, 1, 2], [0, 2, 3]])).unwrap();
+    scene.add_light("lamp", light).unwrap();
+    scene
+}
+
+fn irradiance(scene: &Scene) -> DVec3 {
+    let image = render(scene, &in_arithmetic(Arithmetic::F64)).unwrap();
+    PI * DVec3::from(image.pixels[0].map(f64::from))
+}
+
+/// The irradiance at the origin, facing up, of a polygon that is above it (Lambert 1760).
+fn lambert(corners: &[DVec3]) -> f64 {
+    let edges = corners.iter().zip(corners.iter().cycle().skip(1));
+    let of_edge = |(a, b): (&DVec3, &DVec3)| a.angle_between(*b) * a.cross(*b).normalize().y;
+    0.5 * edges.map(of_edge).sum::<f64>().abs()
+}
+
+#[test]
+fn rectangles_bring_the_irradiance_of_polygons() {
+    let AreaLight { center, right, up, color, radiance } = LAMP;
+    let corners = [-right - up, right - up, right + up, up - right].map(|corner| center + corner);
+    let expected = color * radiance * lambert(&corners);
+    // It shines along right x up: downwards.
+    assert!(right.cross(up).y < 0.0);
+    for (samples, most) in [(16, 6e-3), (256, 4e-4), (4096, 4e-5)] {
+        let off = irradiance(&floor(Light::Rectangle(LAMP), samples)) / expected - 1.0;
+        assert!(off.abs().max_element() < most, "{samples}: {off}");
+    }
+    let back = AreaLight { right: -right, ..LAMP };
+    assert_eq!(irradiance(&floor(Light::Rectangle(back), 16)), DVec3::ZERO);
+}
+
+#[test]
+fn discs_bring_the_irradiance_of_discs() {
+    let (radius, height) = (0.7, 1.9);
+    let disc = AreaLight {
+        center: DVec3::Y * height,
+        right: DVec3::X * radius,
+        up: DVec3::Z * radius,
+        ..LAMP
+    };
+    let expected =
+        disc.color * disc.radiance * PI * radius.powi(2) / (radius.powi(2) + height.powi(2));
+    for (samples, most) in [(16, 2e-2), (1024, 4e-4)] {
+        let off = irradiance(&floor(Light::Disc(disc), samples)) / expected - 1.0;
+        assert!(off.abs().max_element() < most, "{samples}: {off}");
+    }
+}
+
+fn add_lamps(scene: &mut Scene) {
+    scene.light_samples = 3;
+    scene.add_light("panel", Light::Rectangle(LAMP)).unwrap();
+    let center = dvec3(-2.0, 3.0, 2.0);
+    // Shines towards the middle.
+    let (right, up) = (dvec3(0.5, 0.1, 0.5), dvec3(-0.2, 0.6, 0.1));
+    assert!(right.cross(up).dot(center) < 0.0 || up.cross(right).dot(center) < 0.0);
+    let (right, up) = if right.cross(up).dot(center) < 0.0 { (right, up) } else { (up, right) };
+    let disc = AreaLight { center, right, up, radiance: 12.0, ..LAMP };
+    scene.add_light("disc", Light::Disc(disc)).unwrap();
+}
+
+#[test]
+fn every_parameter_agrees_with_finite_differences() {
+    let mut scene = small_scene(16);
+    add_lamps(&mut scene);
+    let target = target(&scene);
+    let settings = in_arithmetic(Arithmetic::F64);
+    for id in scene.parameters() {
+        check_parameter_with(&settings, &scene, &target, LossKind::MeanSquared, id);
+    }
+}
+
+/// Soft shadows move with what casts them and with the light: against differences of finely sampled images.
+#[test]
+fn edges_of_soft_shadows() {
+    let mut scene = Scene::new(40, 32, Camera::looking(dvec3(0.3, 2.6, 4.0), dvec3(0.0, 0.2, 0.0)));
+    scene.light_samples = 4;
+    scene.add_material("white", Material::lambertian(DVec3::splat(0.8))).unwrap();
+    let floor = vec![[-6.0, 0.0, -6.0], [6.0, 0.0, -6.0], [6.0, 0.0, 6.0], [-6.0, 0.0, 6.0]];
+    scene.add_mesh(Mesh::new("floor", floor, vec![[0, 2, 1], [0, 3, 2]])).unwrap();
+    let blocker = vec![[-0.6, 0.7, 0.1], [0.5, 0.6, 0.4], [0.1, 0.8, -0.7]];
+    scene.add_mesh(Mesh::new("blocker", blocker, vec![[0, 1, 2]])).unwrap();
+    scene.add_light("panel", Light::Rectangle(AreaLight { radiance: 9.0, ..LAMP })).unwrap();
+    let settings = |edges, side| {
+        let settings = Settings { edges, sampling: Sampling::Grid(side), ..Settings::default() };
+        settings.in_double_precision()
+    };
+    let weights = |x: u32, y: u32| 1.0 + (0.3 * f64::from(x)).sin() + (0.2 * f64::from(y)).cos();
+    let sum = |image: &renderer::Image| -> f64 {
+        let weighted = |(index, pixel): (usize, &[f32; 3])| {
+            weights(index as u32 % 40, index as u32 / 40) * f64::from(pixel[0])
+        };
+        image.pixels.iter().enumerate().map(weighted).sum()
+    };
+    for path in [
+        "light.panel.center",
+        "light.panel.right",
+        "light.panel.up",
+        "mesh.blocker.translation",
+        "camera.look_from",
+    ] {
+        let id = scene.parameter(path).unwrap();
+        let direction = vec![0.4, -0.3, 0.6];
+        let moved = |by: f64| {
+            let mut moved = scene.clone();
+            let values = scene.get(id).into_owned();
+            let values: Vec<f64> = values.iter().zip(&direction).map(|(v, d)| v + by * d).collect();
+            moved.set(id, &values).unwrap();
+            sum(&render(&moved, &settings(Edges::Off, 32)).unwrap())
+        };
+        let expected = (moved(0.02) - moved(-0.02)) / 0.04;
+        let renderer = Renderer::new(&scene, &settings(Edges::On, 4)).unwrap();
+        let (_, along) = renderer.jvp(&scene, &[(id, direction.clone())]).unwrap();
+        let found = sum(&along);
+        assert!((found - expected).abs() < 5e-3 * expected.abs(), "{path}: {found} {expected}");
+        let interior = Renderer::new(&scene, &settings(Edges::Off, 4)).unwrap();
+        let interior = sum(&interior.jvp(&scene, &[(id, direction)]).unwrap().1);
+        let is_far = (interior - expected).abs() > 0.01 * expected.abs();
+        assert!(is_far, "{path}: {interior} {expected}");
+    }
+}
+
+#[test]
+fn what_is_wrong_with_lights_with_an_area_is_said() {
+    let mut scene = small_scene(8);
+    let mut refused = |light: AreaLight<f64>| {
+        scene.add_light("panel", Light::Rectangle(light)).unwrap_err().to_string()
+    };
+    let parallel = refused(AreaLight { up: 2.0 * LAMP.right, ..LAMP });
+    assert_eq!(parallel, "light.panel.right: `right` and `up` must not point along one line");
+    assert!(refused(AreaLight { up: DVec3::ZERO, ..LAMP }).contains("along one line"));
+    assert!(refused(AreaLight { radiance: -1.0, ..LAMP }).contains("light.panel.radiance"));
+    scene.light_samples = 0;
+    let error = render(&scene, &Settings::default()).unwrap_err().to_string();
+    assert!(error.contains("light_samples: must lie between 1 and 4096, is 0"), "{error}");
+}
