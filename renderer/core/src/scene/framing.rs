@@ -99,6 +99,7 @@ mod tests {
     use super::*;
     use crate::scene::SphereObject;
     use crate::scene::example::tree;
+    use crate::transport::area_light::Place;
 
     /// Where the camera sees a point: 1 is the edge of the image.
     fn projected(camera: &Camera<f64>, point: DVec3) -> [f64; 2] {
@@ -151,7 +152,7 @@ mod tests {
             }
             scene.frame();
             let LightSource::Known(light) = &scene.lights[0].source else { panic!("a light") };
-            let towards_light = light.position().unwrap() - scene.camera.look_at;
+            let towards_light = light.position(Place::POINT).unwrap() - scene.camera.look_at;
             let towards_camera = scene.camera.look_from - scene.camera.look_at;
             let sides = towards_light.dot(normal) * towards_camera.dot(normal);
             assert!(sides > 0.0, "{normal}: {towards_light} {towards_camera}");

@@ -9,6 +9,7 @@ use serde_json::{Value, json};
 use super::document::LightDefinition;
 use super::*;
 use crate::scene::{Bsdf, Material, Normals};
+use crate::transport::area_light::Place;
 use crate::transport::direct::direct;
 use crate::transport::light::illuminate;
 use crate::transport::surface::SurfacePoint;
@@ -205,7 +206,7 @@ fn a_white_surface_is_as_bright_as_gltf_says() {
     let light = lights::light(&definition, DMat4::IDENTITY).unwrap();
     let surface = SurfacePoint { point: DVec3::Z, normal: DVec3::NEG_Z, view: DVec3::NEG_Z };
     let white = Material::lambertian(DVec3::ONE);
-    let arriving = illuminate::<f64>(light, surface.point);
+    let arriving = illuminate::<f64>(light, Place::POINT, surface.point);
     let radiance =
         direct::<f64>(white, white.lobes(Bsdf::BlinnPhong), surface, arriving, true, 1.0);
     assert!((radiance.x - 1.0 / PI).abs() < 1e-15, "{radiance}");

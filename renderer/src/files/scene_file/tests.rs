@@ -180,7 +180,7 @@ fn mistakes_in_the_file_are_placed() {
         ("\nup = [0, 0, 2]\n", "s.toml:7: camera.up: must not be parallel"),
         (
             "[lights]\n",
-            "s.toml:6: unknown field `lights`, expected one of `bounces`, `integrator`, `camera`",
+            "s.toml:6: unknown field `lights`, expected one of `bounces`, `light_samples`, `integrator`",
         ),
         (
             "[[light]]\nname = \"k\"\ntype = \"laser\"\n",
@@ -203,8 +203,9 @@ fn mistakes_in_the_file_are_placed() {
         ),
         (
             "[[light]]\nname = \"k\"\ntypo = \"point\"\n",
-            "s.toml:8: unknown field `typo`, expected one of `position`, `direction`, `color`, \
-             `radiant_intensity`, `irradiance`, `inner_angle`, `outer_angle`, `name`, `type`, `power`",
+            "s.toml:8: unknown field `typo`, expected one of `position`, `direction`, `center`, \
+             `right`, `up`, `color`, `radiant_intensity`, `irradiance`, `radiance`, `inner_angle`, \
+             `outer_angle`, `name`, `type`, `power`",
         ),
         (
             "[[light]]\nname = \"k\"\ntype = \"point\"\nradiant_intensity = 1\n",
