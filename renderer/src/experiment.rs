@@ -131,8 +131,8 @@ pub struct TunedParameter {
     /// Of the vertices of a mesh: the lambda of the [coordinates](crate::laplacian::System) that first-order
     /// methods take their steps in, of uniform weights; above 0.
     pub large_steps: Option<f64>,
-    /// Of the vertices of a mesh: a term of the loss.
-    pub laplacian: Option<LaplacianTerm>,
+    /// Terms of the loss that are of these numbers alone.
+    pub terms: Vec<WeightedTerm>,
 }
 
 impl TunedParameter {
@@ -145,18 +145,33 @@ impl TunedParameter {
             max: None,
             spread: None,
             large_steps: None,
-            laplacian: None,
+            terms: Vec::new(),
         }
     }
 }
 
-/// What the [differences](crate::laplacian::Laplacian::energy) between vertices and their neighbours cost.
+/// A term of the loss that is of numbers alone, and not of images.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct LaplacianTerm {
-    /// What the mean squared difference is multiplied by; 0 or more.
+pub struct WeightedTerm {
+    /// What it is.
+    pub term: Term,
+    /// What it is multiplied by; 0 or more.
     pub weight: f64,
-    /// How neighbours count; cotangents are those of the mesh as the scene has it.
-    pub weights: Weights,
+}
+
+/// What numbers cost by themselves. All but the total variation are for all vertices of a mesh.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Term {
+    /// The mean squared [difference](crate::laplacian::Laplacian::energy) between vertices and the mean of their
+    /// neighbours, in squared scene units; cotangents are those of the mesh as the scene has it.
+    Laplacian(Weights),
+    /// The mean squared difference between the lengths of edges and the mean length that the mesh of the scene
+    /// has, relative to that.
+    EdgeLength,
+    /// The mean of one minus the cosine of the angle between the normals of neighbouring triangles.
+    NormalConsistency,
+    /// For the texels of a texture: the mean length of the differences between texels and the next ones.
+    TotalVariation,
 }
 
 impl Experiment {

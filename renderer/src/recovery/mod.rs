@@ -36,7 +36,7 @@ use regularizer::Regularizer;
 use crate::Error;
 use crate::Image;
 use crate::arithmetic::Arithmetic;
-use crate::experiment::{Experiment, LaplacianTerm, OptimizeSection, TunedParameter, overlap};
+use crate::experiment::{Experiment, OptimizeSection, TunedParameter, WeightedTerm, overlap};
 use crate::loss::LossKind;
 use crate::optimize::{
     Evaluation, Fingerprint, Objective, Observer, Optimization, Optimizer, Outcome,
@@ -190,7 +190,7 @@ impl<'a> Recovery<'a> {
             .text(&format!("{:?}", self.loss_kind()))
             .text(&format!("{settings:?}"))
             .text(&format!("{:?}", self.section.batch))
-            .text(&format!("{:?}", self.laplacian_terms()))
+            .text(&format!("{:?}", self.terms()))
             .text(&format!("{:?}", scene.spheres));
         for id in scene.parameters() {
             let path = scene.path(id).to_string();
@@ -316,9 +316,9 @@ impl<'a> Recovery<'a> {
     }
 
     /// The terms of the loss that are not of images, with what they are of.
-    fn laplacian_terms(&self) -> Vec<(ParameterId, LaplacianTerm)> {
-        let term = |tuned: &TunedParameter| Some((tuned.id, tuned.laplacian?));
-        self.section.parameters.iter().filter_map(term).collect()
+    fn terms(&self) -> Vec<(ParameterId, &[WeightedTerm])> {
+        let with_terms = self.section.parameters.iter().filter(|tuned| !tuned.terms.is_empty());
+        with_terms.map(|tuned| (tuned.id, &tuned.terms[..])).collect()
     }
 
     /// What losses are added up of: all targets but those of views that are held out.

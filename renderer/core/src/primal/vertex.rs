@@ -17,6 +17,7 @@ use crate::transport::depth::depth;
 use crate::transport::direct::direct;
 use crate::transport::hit::surface_uv;
 use crate::transport::material::{Lobes, Material};
+use crate::transport::surface::SurfacePoint;
 use crate::transport::texture::{Uv, modulate, modulate_facets, modulate_opacity};
 use crate::transport::vertex::outgoing;
 
@@ -175,13 +176,21 @@ impl<'a, S: Number> Vertex<'a, S> {
             Pass::Radiance => self.material.emission,
             Pass::Albedo => self.material.diffuse,
             Pass::Coverage => Vec3::<S>::splat(S::ONE),
-            Pass::Depth => {
-                Vec3::<S>::splat(depth::<S>(self.integrator.inputs.frame, self.group.surface.point))
-            }
-            Pass::Position => self.group.surface.point + self.integrator.inputs.world_origin(),
-            Pass::Normals => self.group.surface.normal,
+            measure => self.measured(measure),
         };
         self.add_direct(own, lights)
+    }
+
+    /// What a pass that measures shapes shows of the surfaces.
+    #[inline(never)]
+    fn measured(&self, measure: Pass) -> Vec3<S> {
+        let Integrator { inputs, .. } = self.integrator;
+        let SurfacePoint { point, normal, .. } = self.group.surface;
+        match measure {
+            Pass::Depth => Vec3::<S>::splat(depth::<S>(inputs.frame, point)),
+            Pass::Position => point + inputs.world_origin(),
+            _ => normal,
+        }
     }
 
     /// Adds what the surfaces reflect of lights.

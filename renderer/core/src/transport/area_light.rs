@@ -79,8 +79,9 @@ impl<S: Real> AreaLight<S> {
 }
 
 /// The illumination by a part of a light. In the light itself, where it has no direction, it is zero.
-#[differentiable]
-#[inline]
+// Boxed and called: inlined it would move residuals of other lights.
+#[differentiable(boxed)]
+#[inline(never)]
 pub fn illuminate_by_area<S: Real>(
     light: AreaLight<S>,
     place: Place<S>,

@@ -444,6 +444,12 @@ pub(super) struct ParameterEntry {
     pub large_steps: Option<f64>,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub laplacian: Option<LaplacianEntry>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub edge_length: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub normal_consistency: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub total_variation: Option<f64>,
 }
 
 #[derive(Clone, Copy, Serialize, Deserialize)]

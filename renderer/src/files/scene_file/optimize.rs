@@ -7,7 +7,7 @@ use super::format::ordered::Ordered;
 use super::format::value::Numbers;
 use super::format::{LaplacianEntry, OptimizeEntry, ParameterEntry};
 use crate::Error;
-use crate::experiment::{LaplacianTerm, OptimizeSection, Target, TunedParameter, overlap};
+use crate::experiment::{OptimizeSection, Target, Term, TunedParameter, WeightedTerm, overlap};
 use crate::laplacian::System;
 use crate::loss::LossKind;
 use crate::optimize::{Batch, Starts};
@@ -175,22 +175,38 @@ fn tuned_parameter(entry: &ParameterEntry, scene: &Scene) -> Result<TunedParamet
         let problem = format!("must be above 0 and at most {:e}", System::LARGEST_LAMBDA);
         return Err(at(path, "large_steps", problem));
     }
-    if let Some(LaplacianEntry { weight, .. }) = entry.laplacian
-        && !(weight >= 0.0 && weight.is_finite())
-    {
-        return Err(at(path, "laplacian.weight", format!("must be 0 or more, is {weight}")));
-    }
     let is_surface =
         matches!(id.object, Object::Mesh(_)) && id.field == "vertices" && id.vertex.is_none();
-    let of_surface =
-        [("large_steps", entry.large_steps.is_some()), ("laplacian", entry.laplacian.is_some())];
-    if let Some((field, _)) = of_surface.iter().find(|(_, is_given)| *is_given && !is_surface) {
-        return Err(at(path, field, "is for all vertices of a mesh"));
+    if entry.large_steps.is_some() && !is_surface {
+        return Err(at(path, "large_steps", "is for all vertices of a mesh"));
     }
-    let laplacian =
-        entry.laplacian.map(|LaplacianEntry { weight, weights }| LaplacianTerm { weight, weights });
+    let laplacian = entry
+        .laplacian
+        .map(|LaplacianEntry { weight, weights }| ("laplacian", Term::Laplacian(weights), weight));
+    let given = [
+        ("edge_length", Term::EdgeLength, entry.edge_length),
+        ("normal_consistency", Term::NormalConsistency, entry.normal_consistency),
+        ("total_variation", Term::TotalVariation, entry.total_variation),
+    ];
+    let given = given.into_iter().filter_map(|(field, term, weight)| Some((field, term, weight?)));
+    let mut terms = Vec::new();
+    for (field, term, weight) in laplacian.into_iter().chain(given) {
+        if !not_negative(weight) {
+            let problem = format!("must have a weight of 0 or more, has {weight}");
+            return Err(at(path, field, problem));
+        }
+        match term {
+            Term::TotalVariation if id.field != "texels" => {
+                return Err(at(path, field, "is for the texels of a texture"));
+            }
+            Term::Laplacian(_) | Term::EdgeLength | Term::NormalConsistency if !is_surface => {
+                return Err(at(path, field, "is for all vertices of a mesh"));
+            }
+            _ => terms.push(WeightedTerm { term, weight }),
+        }
+    }
     let (learning_rate, large_steps) = (entry.learning_rate, entry.large_steps);
-    Ok(TunedParameter { id, learning_rate, min, max, spread, large_steps, laplacian })
+    Ok(TunedParameter { id, learning_rate, min, max, spread, large_steps, terms })
 }
 
 /// Whether a number can be a weight or a distance.

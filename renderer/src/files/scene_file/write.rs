@@ -13,7 +13,7 @@ use crate::Error;
 use crate::disk::write_atomically;
 use crate::disk::{create_folder, read};
 use crate::experiment::{
-    Experiment, LaplacianTerm, MatchedPass, OptimizeSection, Target, TunedParameter, ViewTarget,
+    Experiment, MatchedPass, OptimizeSection, Target, Term, TunedParameter, ViewTarget,
 };
 use crate::files::images::save_exr;
 use crate::files::names::file_stems;
@@ -285,10 +285,19 @@ fn optimize_entry(
         max: tuned.max.as_ref().map(numbers),
         spread: tuned.spread.as_ref().map(numbers),
         large_steps: tuned.large_steps,
-        laplacian: tuned
-            .laplacian
-            .map(|LaplacianTerm { weight, weights }| LaplacianEntry { weight, weights }),
+        laplacian: tuned.terms.iter().find_map(|weighted| match weighted.term {
+            Term::Laplacian(weights) => Some(LaplacianEntry { weight: weighted.weight, weights }),
+            _ => None,
+        }),
+        edge_length: weight_of(tuned, Term::EdgeLength),
+        normal_consistency: weight_of(tuned, Term::NormalConsistency),
+        total_variation: weight_of(tuned, Term::TotalVariation),
     };
     entry.parameters = section.parameters.iter().map(parameter).collect();
     Ok(entry)
+}
+
+/// The weight of a term of a parameter, if it has it.
+fn weight_of(tuned: &TunedParameter, term: Term) -> Option<f64> {
+    tuned.terms.iter().find(|weighted| weighted.term == term).map(|weighted| weighted.weight)
 }

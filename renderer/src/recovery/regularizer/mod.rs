@@ -1,0 +1,125 @@
+//! Terms of the loss that are not of images.
+
+mod surface;
+mod variation;
+
+use std::ops::Range;
+
+use crate::experiment::{Term, TunedParameter, WeightedTerm};
+use crate::laplacian::Laplacian;
+use crate::optimize::Evaluation;
+use crate::scene::{Object, Scene};
+use surface::{EdgeLengths, NormalConsistency};
+use variation::TotalVariation;
+
+/// A term of some of the numbers that vary.
+#[derive(Clone, Debug)]
+pub(super) struct Regularizer {
+    weight: f64,
+    energy: Energy,
+    /// Its numbers among those that vary.
+    block: Range<usize>,
+}
+
+/// What numbers cost by themselves.
+#[derive(Clone, Debug)]
+enum Energy {
+    Laplacian(Laplacian),
+    EdgeLengths(EdgeLengths),
+    NormalConsistency(NormalConsistency),
+    TotalVariation(TotalVariation),
+}
+
+/// The terms of parameters, whose numbers follow one another.
+pub(super) fn of(scene: &Scene, parameters: &[TunedParameter]) -> Vec<Regularizer> {
+    let mut end = 0;
+    let mut regularizers = Vec::new();
+    for tuned in parameters {
+        let start = end;
+        end += scene.get(tuned.id).len();
+        for &WeightedTerm { term, weight } in &tuned.terms {
+            if let Some(energy) = energy(scene, tuned.id.object, term) {
+                regularizers.push(Regularizer { weight, energy, block: start..end });
+            }
+        }
+    }
+    regularizers
+}
+
+/// A term of an object; nothing if it is for objects of another kind.
+fn energy(scene: &Scene, object: Object, term: Term) -> Option<Energy> {
+    match (term, object) {
+        (Term::TotalVariation, Object::Texture(texture)) => {
+            Some(Energy::TotalVariation(TotalVariation::new(&scene.textures()[texture])))
+        }
+        (_, Object::Mesh(mesh)) => {
+            let mesh = &scene.meshes()[mesh];
+            let (vertices, triangles) = (&mesh.vertices, &mesh.triangles);
+            match term {
+                Term::Laplacian(weights) => {
+                    Some(Energy::Laplacian(Laplacian::new(vertices, triangles, weights)))
+                }
+                Term::EdgeLength => {
+                    Some(Energy::EdgeLengths(EdgeLengths::new(vertices, triangles)))
+                }
+                Term::NormalConsistency => {
+                    Some(Energy::NormalConsistency(NormalConsistency::new(triangles)))
+                }
+                Term::TotalVariation => None,
+            }
+        }
+        _ => None,
+    }
+}
+
+impl Regularizer {
+    /// Adds the term at `x` to an evaluation there.
+    pub fn add(&self, x: &[f64], to: &mut Evaluation) {
+        let x = &x[self.block.clone()];
+        let (value, gradient) = match &self.energy {
+            Energy::Laplacian(laplacian) => laplacian.energy(x),
+            Energy::EdgeLengths(lengths) => lengths.energy(x),
+            Energy::NormalConsistency(normals) => normals.energy(x),
+            Energy::TotalVariation(variation) => variation.energy(x),
+        };
+        to.loss += self.weight * value;
+        let of_block = to.gradient[self.block.clone()].iter_mut();
+        of_block.zip(gradient).for_each(|(to, g)| *to += self.weight * g);
+    }
+}
+
+/// The vector at an index of numbers that are vectors, one after the other.
+fn vector(x: &[f64], index: usize) -> glam::DVec3 {
+    glam::DVec3::from_slice(&x[3 * index..])
+}
+
+/// Adds to a vector among such numbers.
+fn add(to: &mut [f64], index: usize, vector: glam::DVec3) {
+    let to = to[3 * index..][..3].iter_mut();
+    to.zip(vector.to_array()).for_each(|(to, number)| *to += number);
+}
+
+#[cfg(test)]
+mod tests {
+    use ad::check;
+
+    /// The gradient of an energy is that of its value.
+    pub fn agrees_with_differences(x: &[f64], energy: impl Fn(&[f64]) -> (f64, Vec<f64>)) {
+        let (value, gradient) = energy(x);
+        assert!(value > 0.0 && gradient.len() == x.len());
+        for index in 0..x.len() {
+            let at = |number: f64| {
+                let mut x = x.to_vec();
+                x[index] = number;
+                energy(&x).0
+            };
+            let expected = check::derivative(at, x[index], 1e-4).value;
+            let off = (gradient[index] - expected).abs();
+            assert!(
+                off <= 1e-8 * (1.0 + expected.abs()),
+                "{index}: {} {expected}",
+                gradient[index]
+            );
+        }
+    }
+}
