@@ -9,6 +9,7 @@ use syn::{
 
 use crate::accumulation;
 use crate::callable::Callables;
+use crate::conditional;
 use crate::element;
 use crate::elision;
 use crate::function::{Function, Place};
@@ -21,11 +22,16 @@ use crate::options::{Options, own_options};
 
 /// Expands the attribute. The item itself stays as it is, but for a lint.
 pub fn expand(arguments: TokenStream, item: TokenStream) -> TokenStream {
-    let options = match syn::parse2::<Options>(arguments) {
+    let options = match syn::parse2::<Options>(arguments.clone()) {
         Ok(options) => options,
         Err(error) => return with_error(&item, &error),
     };
     let explicit = groups::explicit(item.clone());
+    match conditional::split(&arguments, explicit.clone()) {
+        Ok(None) => {}
+        Ok(Some(both)) => return both,
+        Err(error) => return with_error(&item, &error),
+    }
     if let Ok(function) = syn::parse2::<ItemFn>(explicit.clone()) {
         return function_derivative(item, &function, options);
     }
@@ -68,7 +74,6 @@ fn function_derivative(item: TokenStream, function: &ItemFn, options: Options) -
     let signature = elision::in_parameters(&function.sig);
     let derivatives = derivative_or_errors(&Function {
         place: Place::Free,
-        attributes: &function.attrs,
         visibility: &function.vis,
         signature: &signature,
         callables: &Callables::new(&signature),
@@ -180,7 +185,6 @@ impl<'a> Methods<'a> {
         let callables = &Callables::new(signature);
         let function = |options| Function {
             place: self.place,
-            attributes,
             visibility,
             signature,
             callables,

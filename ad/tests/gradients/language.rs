@@ -33,6 +33,7 @@ mod checkpoint;
 mod closures;
 mod closures_for_methods;
 mod collections;
+mod conditional;
 mod data;
 mod deferred;
 mod draining;
