@@ -62,6 +62,7 @@ mod operators;
 mod outcomes;
 mod passing_on;
 mod programs;
+mod rest_patterns;
 mod scalars;
 mod searches;
 mod single_methods;
