@@ -207,7 +207,7 @@ impl Lowerer<'_> {
     }
 
     /// A new variable that a loop changes.
-    fn changing(&mut self, hint: &str, start: Operand, at: impl ToTokens) -> VarId {
+    pub(super) fn changing(&mut self, hint: &str, start: Operand, at: impl ToTokens) -> VarId {
         let active = match &start {
             Operand::Var(_) => true,
             Operand::Constant(tokens) => !super::pattern::is_discrete_literal(tokens),

@@ -19,7 +19,7 @@ use super::state::JumpKind;
 use super::syntax::{
     as_statements, is_plain_name, macro_diverges, simple_name, split_type, strip_parens,
 };
-use super::{Lowerer, OnFailure, deferred, desugar, exits};
+use super::{Lowerer, OnFailure, deferred, desugar, exits, told};
 use crate::ir::{Operand, Operation, Statement};
 
 impl Lowerer<'_> {
@@ -167,7 +167,11 @@ impl Lowerer<'_> {
         };
         let (container, length) = (self.container(&init.expr), array_length(&init.expr));
         let is_own = self.is_borrowed_or_own(&init.expr);
-        let value = self.operand(&init.expr, &hint);
+        let mut expr = (*init.expr).clone();
+        if let Some(ty) = ty {
+            told::tell(&mut expr, ty);
+        }
+        let value = self.operand(&expr, &hint);
         if let (Pat::Ident(name), Operand::Constant(_), Some(following)) = (pat, &value, following)
             && name.mutability.is_some()
             && self.stays_constant(&name.ident, following)

@@ -6,7 +6,9 @@ use syn::spanned::Spanned;
 use syn::{Expr, ExprMethodCall};
 
 use super::Lowerer;
-use super::chain::{Chain, Choice, array_length, is_chain, is_source, literal, literal_length};
+use super::chain::{
+    Chain, Choice, array_length, is_chain, is_source, literal, literal_length, of_one,
+};
 use super::item::Access;
 use super::order::calls_function;
 use super::syntax::strip_parens;
@@ -24,6 +26,7 @@ impl Lowerer<'_> {
                 };
                 self.elements(&reference.expr, access)
             }
+            Expr::Call(call) if let Some(array) = of_one(call) => self.chain(&array),
             Expr::MethodCall(call) if is_source(&call.method) => self.source(call),
             Expr::MethodCall(call) if is_chain(expr) => self.adapter(call),
             expr => {
@@ -192,7 +195,12 @@ impl Lowerer<'_> {
             ("filter", Some(function)) => Chain::Filter(inner, function.clone()),
             ("filter_map" | "map_while", Some(function)) => {
                 let (function, stops) = (function.clone(), name == "map_while");
-                Chain::FilterMap { inner, function, stops }
+                Chain::FilterMap { inner, state: None, function, stops }
+            }
+            ("scan", Some(start)) if call.args.len() == 2 => {
+                let start = self.operand(start, "state");
+                let state = Some(self.changing("state", start, &call.method));
+                Chain::FilterMap { inner, state, function: call.args[1].clone(), stops: true }
             }
             ("flat_map", Some(_)) | ("flatten", None) => {
                 let (function, method) = (call.args.first().cloned(), call.method.clone());
@@ -240,12 +248,7 @@ impl Lowerer<'_> {
             _ => {
                 self.refuse(
                     &call.method,
-                    match &*name {
-                        "scan" => "the iterator adapter `scan` is not supported: write a `for` loop that changes a variable".to_owned(),
-                        _ => format!(
-                            "the iterator adapter `{name}` is not supported: write a `for` loop"
-                        ),
-                    },
+                    format!("the iterator adapter `{name}` is not supported: write a `for` loop"),
                 );
                 Chain::Refused
             }

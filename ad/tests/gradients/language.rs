@@ -63,6 +63,7 @@ mod outcomes;
 mod passing_on;
 mod programs;
 mod rest_patterns;
+mod running;
 mod scalars;
 mod searches;
 mod single_methods;

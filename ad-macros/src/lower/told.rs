@@ -1,0 +1,51 @@
+//! Types that are written in one place and needed in another.
+//!
+//! In `let rows: Vec<f64> = m.iter().map(|row| row.iter().sum()).collect();` the type of the sums stands
+//! far from them. The derivative adds them up where they stand, so it is told there.
+
+use syn::{Expr, ExprClosure, Stmt, Type, parse_quote};
+
+use super::chain::is_chain;
+use crate::types::element;
+
+/// The statements of a block with a value of this type.
+pub(super) fn statements(stmts: &[Stmt], ty: &Type) -> Vec<Stmt> {
+    let mut stmts = stmts.to_vec();
+    tell_last(&mut stmts, ty);
+    stmts
+}
+
+fn tell_last(stmts: &mut [Stmt], ty: &Type) {
+    if let Some(Stmt::Expr(value, None)) = stmts.last_mut() {
+        tell(value, ty);
+    }
+}
+
+/// Tells an expression its type.
+pub(super) fn tell(value: &mut Expr, ty: &Type) {
+    match value {
+        Expr::Paren(paren) => tell(&mut paren.expr, ty),
+        Expr::Block(block) => tell_last(&mut block.block.stmts, ty),
+        Expr::MethodCall(call) if call.args.is_empty() && is_chain(&call.receiver) => {
+            if call.method == "sum" || call.method == "product" {
+                call.turbofish.get_or_insert_with(|| parse_quote!(::<#ty>));
+            }
+            if call.method == "collect"
+                && let Some(element) = element(ty)
+            {
+                tell_items(&mut call.receiver, element);
+            }
+        }
+        _ => {}
+    }
+}
+
+/// Tells an iterator the type of its items.
+pub(super) fn tell_items(iterator: &mut Expr, ty: &Type) {
+    if let Expr::MethodCall(call) = iterator
+        && call.method == "map"
+        && let Some(Expr::Closure(ExprClosure { body, .. })) = call.args.first_mut()
+    {
+        tell(body, ty);
+    }
+}
