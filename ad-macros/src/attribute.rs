@@ -4,7 +4,7 @@ use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 use syn::{
     Attribute, Block, Generics, Ident, ImplItem, ImplItemFn, ItemFn, ItemImpl, ItemTrait, ItemUse,
-    Path, ReceiverKind, Signature, TraitItem, TraitItemFn, UseTree, Visibility,
+    Path, ReceiverKind, Signature, TraitItem, TraitItemFn, Type, UseTree, Visibility,
 };
 
 use crate::accumulation;
@@ -227,6 +227,13 @@ fn impl_derivatives(item: TokenStream, block: &ItemImpl, options: &Options) -> T
             let error = syn::Error::new_spanned(
                 path,
                 "a trait of the standard library has no derivatives: put the computation into a method of your own, and call that",
+            );
+            return with_error(&item, &error);
+        }
+        Some(_) if let Type::Slice(_) = &*block.self_ty => {
+            let error = syn::Error::new_spanned(
+                &block.self_ty,
+                "a trait for slices has no derivatives, for a slice has no size of its own: implement it for `Vec<T>` or `[T; N]`, or write functions that take `&[T]`",
             );
             return with_error(&item, &error);
         }

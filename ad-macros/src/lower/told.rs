@@ -1,7 +1,8 @@
 //! Types that are written in one place and needed in another.
 //!
 //! In `let rows: Vec<f64> = m.iter().map(|row| row.iter().sum()).collect();` the type of the sums stands
-//! far from them. The derivative adds them up where they stand, so it is told there.
+//! far from them. The derivative adds them up where they stand, so it is told there; and `x.into()`, what it
+//! makes of `x`.
 
 use syn::{Expr, ExprClosure, Stmt, Type, parse_quote};
 
@@ -35,6 +36,12 @@ pub(super) fn tell(value: &mut Expr, ty: &Type) {
             {
                 tell_items(&mut call.receiver, element);
             }
+        }
+        Expr::MethodCall(call)
+            if call.method == "into" && call.args.is_empty() && !matches!(ty, Type::Infer(_)) =>
+        {
+            let number = &call.receiver;
+            *value = parse_quote!(<#ty>::from(#number));
         }
         _ => {}
     }
