@@ -53,16 +53,21 @@ impl Lowerer<'_> {
             }
             ("max_by", [compare]) => self.extreme(call, compare, true, hint),
             ("min_by", [compare]) => self.extreme(call, compare, false, hint),
-            (_, _) if is_chain(&Expr::MethodCall(call.clone())) => self.refuse(
-                call,
-                "an iterator has no derivative: write it where it is used up, by a `for` loop, `sum`, `fold`",
-            ),
+            (_, _) if is_chain(&Expr::MethodCall(call.clone())) => self.refuse_iterator(call),
             (name, _) => self.refuse(
                 &call.method,
                 format!("the iterator method `{name}` is not supported: write a `for` loop"),
             ),
         };
         Some(value)
+    }
+
+    /// An iterator that stands by itself.
+    pub(super) fn refuse_iterator(&mut self, call: &ExprMethodCall) -> Operand {
+        self.refuse(
+            call,
+            "an iterator has no derivative: write it where it is used up, by a `for` loop, `sum`, `fold`",
+        )
     }
 
     /// `.sum()`, `.product()`

@@ -227,6 +227,16 @@ impl Lowerer<'_> {
                 let (_, otherwise) = init.diverge.expect("nothing else exits");
                 self.let_else(&pat, &init.expr, &otherwise, rest, end)
             }
+            // The value comes first, whatever stands to its left.
+            Stmt::Expr(Expr::Assign(syn::ExprAssign { left, right, .. }), _)
+                if exits::assigns_within(&right) =>
+            {
+                let name = self.names.unwritten("assigned");
+                let mut following =
+                    vec![parse_quote!(let #name = #right;), parse_quote!(#left = #name;)];
+                following.extend(rest);
+                self.statements(following, end)
+            }
             mut stmt => {
                 let expr = match &mut stmt {
                     Stmt::Local(Local { init: Some(init), .. }) => Some(&mut *init.expr),

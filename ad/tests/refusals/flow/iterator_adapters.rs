@@ -26,6 +26,10 @@ fn f(xs: [f64; 3]) -> f64 {
         *sum += x;
         Some(*sum)
     });
+    let mut elements = xs.iter();
+    while let Some(x) = elements.next() {
+        total += x;
+    }
     for row in [xs, xs].iter().flat_map(|row| {
         let first = row[0];
         row.iter().map(move |x| x * first)
