@@ -19,6 +19,7 @@ use crate::item;
 use crate::names;
 use crate::operator;
 use crate::options::{Options, own_options};
+use crate::recursion;
 
 /// Expands the attribute. The item itself stays as it is, but for a lint.
 pub fn expand(arguments: TokenStream, item: TokenStream) -> TokenStream {
@@ -92,7 +93,7 @@ fn function_derivative(item: TokenStream, function: &ItemFn, options: Options) -
 /// The siblings of one method of an `impl` block, of which nothing else is seen.
 fn method_derivative(function: &ItemFn, options: Options) -> TokenStream {
     let (signature, generics) = (&function.sig, Generics::default());
-    let methods = Methods::new(Place::Impl(&generics), [signature].into_iter(), &options);
+    let methods = Methods::new(Place::Impl(&generics), None, [signature].into_iter(), &options);
     methods.derivative(&function.attrs, &function.vis, signature, Some(&function.block))
 }
 
@@ -149,6 +150,8 @@ fn imported_derivative(import: &ItemUse, rule: &Path, forward: Option<&Path>) ->
 /// The block in which methods stand.
 struct Methods<'a> {
     place: Place<'a>,
+    /// The name of the type they belong to, where it is seen.
+    owner: Option<&'a Ident>,
     /// Those that take `&mut self`.
     exclusive: Vec<Ident>,
     options: &'a Options,
@@ -157,6 +160,7 @@ struct Methods<'a> {
 impl<'a> Methods<'a> {
     fn new<'s>(
         place: Place<'a>,
+        owner: Option<&'a Ident>,
         signatures: impl Iterator<Item = &'s Signature>,
         options: &'a Options,
     ) -> Self {
@@ -168,6 +172,7 @@ impl<'a> Methods<'a> {
         });
         Self {
             place,
+            owner,
             exclusive: exclusive.map(|signature| signature.ident.clone()).collect(),
             options,
         }
@@ -192,8 +197,15 @@ impl<'a> Methods<'a> {
             body,
             options,
         };
+        let is_recursive = body
+            .zip(self.owner)
+            .is_some_and(|(body, owner)| recursion::names_owner(owner, &signature.ident, body));
         match own_options(attributes) {
-            Ok(own) => derivative_or_errors(&function(self.options.with(own))),
+            Ok(own) => {
+                let options = self.options.with(own);
+                let boxed = options.boxed || is_recursive;
+                derivative_or_errors(&function(Options { boxed, ..options }))
+            }
             Err(error) => {
                 let error = error.into_compile_error();
                 let stub = function(self.options.clone()).stub();
@@ -245,7 +257,11 @@ fn impl_derivatives(item: TokenStream, block: &ItemImpl, options: &Options) -> T
     });
     // What is made from nothing is a constant to whoever calls it.
     let methods = methods.filter(|method| !method.sig.inputs.is_empty());
-    let all = Methods::new(place, methods.clone().map(|method| &method.sig), options);
+    let owner = match &*block.self_ty {
+        Type::Path(path) => path.path.segments.last().map(|last| &last.ident),
+        _ => None,
+    };
+    let all = Methods::new(place, owner, methods.clone().map(|method| &method.sig), options);
     let siblings = methods.map(|ImplItemFn { attrs, vis, sig, block, .. }| {
         all.derivative(attrs, vis, sig, Some(block))
     });
@@ -288,7 +304,7 @@ fn trait_derivatives(item: TokenStream, definition: &ItemTrait, options: &Option
         _ => None,
     });
     let place = Place::Trait(&definition.generics);
-    let all = Methods::new(place, methods.clone().map(|method| &method.sig), options);
+    let all = Methods::new(place, None, methods.clone().map(|method| &method.sig), options);
     let siblings = methods.map(|TraitItemFn { attrs, sig, default, .. }| {
         all.derivative(attrs, &Visibility::Inherited, sig, default.as_ref())
     });

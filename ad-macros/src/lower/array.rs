@@ -192,10 +192,7 @@ impl Lowerer<'_> {
         if item.refers() {
             return self.refuse(
                 &call.method,
-                format!(
-                    "`{}` of references is not supported: put `.copied()` before it",
-                    call.method
-                ),
+                "references to items are not supported here: put `.copied()` before it",
             );
         }
         self.item_value(item)

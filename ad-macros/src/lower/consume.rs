@@ -1,5 +1,6 @@
 //! What ends a chain of iterator adapters: sums, products, folds, searches. Each is a loop.
 
+use proc_macro2::Ident;
 use quote::{ToTokens, quote};
 use syn::spanned::Spanned;
 use syn::{Expr, ExprMethodCall, GenericArgument, Type, parse_quote};
@@ -16,6 +17,7 @@ impl Lowerer<'_> {
             return None;
         }
         let arguments: Vec<_> = call.args.iter().collect();
+        let last = Ident::new("last", call.method.span());
         let value = match (&*call.method.to_string(), &arguments[..]) {
             ("sum", []) => self.accumulated(call, BinaryOperator::Add, hint),
             ("product", []) => self.accumulated(call, BinaryOperator::Mul, hint),
@@ -26,19 +28,19 @@ impl Lowerer<'_> {
                 let name = self.names.unwritten("position");
                 self.statement(&parse_quote!(let #name: usize = #position;));
                 let chain = &call.receiver;
-                self.operand(&parse_quote!(#chain.take(#name + 1).skip(#name).last()), hint)
+                self.operand(&parse_quote!(#chain.take(#name + 1).skip(#name).#last()), hint)
             }
             ("next", []) => {
                 let chain = &call.receiver;
-                self.operand(&parse_quote!(#chain.take(1).last()), hint)
+                self.operand(&parse_quote!(#chain.take(1).#last()), hint)
             }
             ("find", [function]) => {
                 let chain = &call.receiver;
-                self.operand(&parse_quote!(#chain.filter(#function).take(1).last()), hint)
+                self.operand(&parse_quote!(#chain.filter(#function).take(1).#last()), hint)
             }
             ("find_map", [function]) => {
                 let chain = &call.receiver;
-                self.operand(&parse_quote!(#chain.filter_map(#function).take(1).last()), hint)
+                self.operand(&parse_quote!(#chain.filter_map(#function).take(1).#last()), hint)
             }
             ("for_each", [function]) => {
                 self.each(&call.receiver, &mut |lowerer, item| {

@@ -100,6 +100,16 @@ impl Lowerer<'_> {
                     })
                 }
             },
+            ("unwrap_or", [otherwise]) if lends(receiver) => {
+                let taken = self.eagerly(receiver, otherwise, |receiver, otherwise| {
+                    parse_quote!(match #receiver { #full => #content, #empty => #otherwise })
+                });
+                let taken = self.operand(&taken, hint);
+                if let Operand::Var(reference) = taken {
+                    self.vars[reference].reference = true;
+                }
+                return Some(taken);
+            }
             ("map_or", [otherwise, function]) => {
                 let value = self.called(function, &[parse_quote!(#content)])?;
                 self.eagerly(receiver, otherwise, |receiver, otherwise| {
@@ -237,4 +247,10 @@ impl Lowerer<'_> {
             false => parse_quote!((#function)(#(#arguments),*)),
         })
     }
+}
+
+/// Whether a call gives an option of a reference into what it is called on.
+fn lends(expr: &Expr) -> bool {
+    matches!(strip_parens(expr), Expr::MethodCall(call)
+        if ["first", "last", "get"].iter().any(|name| call.method == name))
 }

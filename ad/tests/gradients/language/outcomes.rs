@@ -1,6 +1,6 @@
 //! Methods of options and results.
 
-use ad::differentiable;
+use ad::{Differentiable, differentiable};
 
 use crate::oracle::check;
 
@@ -36,7 +36,6 @@ fn caught(x: f64, y: f64) -> f64 {
 
 #[test]
 fn methods() {
-
     // Each point goes another way: the difference of two squares is negative, or one is missing.
     check!(caught(x, y) at [0.7, 0.4], [0.4, 0.7], [1.3, 0.2], [-1.0, 0.5], [1.0, -2.0]);
 }
@@ -64,7 +63,44 @@ fn of_result(r: &Result<f64, u8>) -> f64 {
     r.map_or(2.0, |v| v * v) + r.unwrap_or_else(|e| e as f64)
 }
 
+/// Elements, or other numbers where there are none, as references.
+#[derive(Clone, Differentiable)]
+struct History {
+    values: Vec<f64>,
+    fallback: f64,
+}
+#[differentiable]
+impl History {
+    fn newest(&self) -> f64 {
+        *self.values.last().unwrap_or(&self.fallback)
+    }
+    fn oldest(&self) -> &f64 {
+        self.values.first().unwrap_or(&self.fallback)
+    }
+}
+#[differentiable]
+fn element_or(v: &[f64], i: usize) -> f64 {
+    *v.get(i).unwrap_or(&0.5) * v.last().unwrap_or(&v[0])
+}
+#[differentiable]
+fn chosen(v: &[f64], i: usize, w: &f64) -> f64 {
+    v.get(i).unwrap_or(w) * 2.0
+}
+#[differentiable]
+fn references_or(x: f64, y: f64) -> f64 {
+    let v = [x, y, x * y];
+    let mut h = History { values: vec![], fallback: y * y };
+    let a = h.newest() + *h.oldest();
+    h.values.push(x * x);
+    h.values.push(x);
+    let z: &f64 = v.get(7).unwrap_or(&y);
+    (0..5).map(|i| element_or(&v, i) + chosen(&v, i, &x)).sum::<f64>() * a
+        + h.newest() * *h.oldest()
+        + z * z
+}
+
 #[test]
 fn options_behind_references() {
     check!(behind_references(x, y) at [1.3, 0.7], [0.4, 2.1]);
+    check!(references_or(x, y) at [1.3, 0.7], [0.4, 2.1]);
 }
