@@ -11,7 +11,7 @@
 //! would borrow from variables that the pullback owns).
 
 use proc_macro2::TokenStream;
-use syn::{Expr, ExprCall, Ident, Lit, parse_quote};
+use syn::{Expr, ExprCall, ExprPath, Ident, Lit, Path, parse_quote};
 
 use super::item::Access;
 use super::syntax::strip_parens;
@@ -169,19 +169,20 @@ pub(super) fn is_chain(expr: &Expr) -> bool {
 }
 
 /// `iter::once(x)`, `iter::repeat(x)` and `iter::repeat_n(x, n)`, as the iterator of an array.
-pub(super) fn of_one(call: &ExprCall) -> Option<Expr> {
-    let Expr::Path(function) = strip_parens(&call.func) else { return None };
-    let mut names = function.path.segments.iter().rev().map(|segment| segment.ident.to_string());
+pub(super) fn of_one(call: &ExprCall) -> Option<(&Path, Expr)> {
+    let Expr::Path(ExprPath { path, .. }) = strip_parens(&call.func) else { return None };
+    let mut names = path.segments.iter().rev().map(|segment| segment.ident.to_string());
     let (name, module) = (names.next()?, names.next()?);
     let arguments: Vec<_> = call.args.iter().collect();
-    match (&*module, &*name, &arguments[..]) {
-        ("iter", "once", [item]) => Some(parse_quote!([#item].into_iter())),
-        ("iter", "repeat", [item]) => Some(parse_quote!([#item].into_iter().cycle())),
+    let iterator = match (&*module, &*name, &arguments[..]) {
+        ("iter", "once", [item]) => parse_quote!([#item].into_iter()),
+        ("iter", "repeat", [item]) => parse_quote!([#item].into_iter().cycle()),
         ("iter", "repeat_n", [item, count]) => {
-            Some(parse_quote!([#item].into_iter().cycle().take(#count)))
+            parse_quote!([#item].into_iter().cycle().take(#count))
         }
-        _ => None,
-    }
+        _ => return None,
+    };
+    Some((path, iterator))
 }
 
 pub(super) fn is_source(method: &Ident) -> bool {

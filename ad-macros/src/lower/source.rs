@@ -26,7 +26,11 @@ impl Lowerer<'_> {
                 };
                 self.elements(&reference.expr, access)
             }
-            Expr::Call(call) if let Some(array) = of_one(call) => self.chain(&array),
+            Expr::Call(call) if let Some((path, array)) = of_one(call) => {
+                let name = &path.segments.last().expect("a path has a segment").ident;
+                self.check_function(path, &quote!(::core::iter::#name), &quote!(::<u8>));
+                self.chain(&array)
+            }
             Expr::MethodCall(call) if is_source(&call.method) => self.source(call),
             Expr::MethodCall(call) if is_chain(expr) => self.adapter(call),
             expr => {
