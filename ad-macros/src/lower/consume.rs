@@ -3,7 +3,7 @@
 use proc_macro2::Ident;
 use quote::{ToTokens, quote};
 use syn::spanned::Spanned;
-use syn::{Expr, ExprMethodCall, GenericArgument, Type, parse_quote};
+use syn::{Block, Expr, ExprMethodCall, GenericArgument, Pat, Type, parse_quote};
 
 use super::Lowerer;
 use super::chain::is_chain;
@@ -50,6 +50,8 @@ impl Lowerer<'_> {
                 Self::unit()
             }
             ("collect", []) => self.collected(call, hint),
+            ("unzip", []) => self.in_two(call, None, hint),
+            ("partition", [function]) => self.in_two(call, Some(function), hint),
             ("count", []) | ("any" | "all" | "position" | "rposition", [_]) => {
                 self.discrete(&Expr::MethodCall(call.clone()))
             }
@@ -62,6 +64,32 @@ impl Lowerer<'_> {
             ),
         };
         Some(value)
+    }
+
+    /// `.unzip()`, and with a function `.partition(function)`: into two `Vec`s, one by one.
+    fn in_two(&mut self, call: &ExprMethodCall, function: Option<&Expr>, hint: &str) -> Operand {
+        let [left, right, first, second] =
+            ["left", "right", "first", "second"].map(|name| self.names.unwritten(name));
+        let chain = &call.receiver;
+        let (item, pushes): (Pat, Block) = match function {
+            None => (
+                parse_quote!((#first, #second)),
+                parse_quote!({ #left.push(#first); #right.push(#second); }),
+            ),
+            Some(function) => (
+                parse_quote!(#first),
+                parse_quote!({
+                    let #second = (#function)(&#first);
+                    if #second { #left.push(#first); } else { #right.push(#first); }
+                }),
+            ),
+        };
+        let both = parse_quote!({
+            let (mut #left, mut #right) = (::std::vec::Vec::new(), ::std::vec::Vec::new());
+            for #item in #chain #pushes
+            (#left, #right)
+        });
+        self.operand(&both, hint)
     }
 
     /// An iterator that stands by itself.

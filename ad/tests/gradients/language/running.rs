@@ -1,4 +1,5 @@
-//! Iterators of the standard library that change a state, or hold one item, and sums within `collect`.
+//! Iterators of the standard library that change a state, hold one item or end in two vectors, and sums
+//! within `collect`.
 
 use crate::oracle::check;
 use ad::differentiable;
@@ -75,9 +76,27 @@ fn of_one(x: f64, y: f64) -> f64 {
     let three: f64 = core::iter::repeat_n(x * y, 3).product();
     scaled + three + padded[1]
 }
+/// Into two vectors.
+#[differentiable]
+fn in_two(x: f64, y: f64) -> f64 {
+    let (angles, radii): (Vec<f64>, Vec<f64>) =
+        (0..4).map(|i| (x * i as f64, y + i as f64 * x)).unzip();
+    let (large, small): (Vec<f64>, Vec<f64>) =
+        angles.iter().zip(&radii).map(|(a, r)| a * r).partition(|p| *p > 1.0);
+    let (even, odd): (Vec<usize>, Vec<usize>) = (0..5).partition(|i| i % 2 == 0);
+    let (near, _) = radii.iter().copied().partition::<Vec<f64>, _>(|r| *r < 2.0);
+    let (ids, squares): (Vec<usize>, Vec<f64>) =
+        radii.iter().enumerate().filter(|(i, _)| i % 2 == 1).map(|(i, r)| (i, r * r)).unzip();
+    large.iter().sum::<f64>() * (small.len() + even.len() + odd[1]) as f64
+        + small.iter().map(|s| s * s).sum::<f64>()
+        + near.iter().product::<f64>()
+        + squares[1] * ids[1] as f64
+}
+
 #[test]
 fn scans_and_sums() {
     check!(sums_of_rows(x, y) at [1.3, 0.7], [-0.4, 2.1]);
     check!(scans(x, y) at [1.3, 0.7], [0.4, 2.1], [3.0, 0.2]);
     check!(of_one(x, y) at [1.3, 0.7], [-0.4, 2.1]);
+    check!(in_two(x, y) at [1.25, 0.6], [0.4, 1.75]);
 }
