@@ -124,7 +124,10 @@ impl Lowerer<'_> {
                 if path.path.segments.last().is_some_and(|last| last.ident == "Vec"))
         });
         if !is_vec {
-            return self.refuse(&call.turbofish, "`collect` is supported into a `Vec`");
+            return self.refuse(
+                &call.method,
+                "`collect` is supported into a `Vec`: for anything else write a `for` loop, or `ad::no_diff(|| ..)` around it if no derivative is to flow",
+            );
         }
         let mut call = call.clone();
         if let Some(element) = ty.as_ref().and_then(element) {

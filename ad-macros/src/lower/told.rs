@@ -31,10 +31,14 @@ pub(super) fn tell(value: &mut Expr, ty: &Type) {
             if call.method == "sum" || call.method == "product" {
                 call.turbofish.get_or_insert_with(|| parse_quote!(::<#ty>));
             }
-            if call.method == "collect"
-                && let Some(element) = element(ty)
-            {
-                tell_items(&mut call.receiver, element);
+            if call.method == "collect" {
+                match element(ty) {
+                    Some(element) => tell_items(&mut call.receiver, element),
+                    None if is_no_vec(ty) => {
+                        call.turbofish.get_or_insert_with(|| parse_quote!(::<#ty>));
+                    }
+                    None => {}
+                }
             }
         }
         Expr::MethodCall(call)
@@ -45,6 +49,16 @@ pub(super) fn tell(value: &mut Expr, ty: &Type) {
         }
         _ => {}
     }
+}
+
+/// Whether a name certainly is that of something else in the standard library than a `Vec`.
+fn is_no_vec(ty: &Type) -> bool {
+    const OTHERS: [&str; 9] = [
+        "Option", "Result", "String", "Box", "VecDeque", "HashMap", "HashSet", "BTreeMap",
+        "BTreeSet",
+    ];
+    matches!(ty, Type::Path(path)
+        if path.path.segments.last().is_some_and(|last| OTHERS.iter().any(|name| last.ident == name)))
 }
 
 /// Tells an iterator the type of its items.

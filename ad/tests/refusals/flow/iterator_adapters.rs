@@ -50,6 +50,12 @@ fn greatest(xs: [f64; 3]) -> f64 {
     *xs.iter().max_by(|a, b| a.total_cmp(b)).unwrap()
 }
 
+#[differentiable]
+fn collected(xs: &[f64]) -> f64 {
+    let roots: Option<Vec<f64>> = xs.iter().map(|x| (*x > 0.0).then(|| x.sqrt())).collect();
+    roots.map_or(0.0, |roots| roots[0])
+}
+
 fn main() {
     f::grad([1.0; 3]);
     greatest::grad([1.0; 3]);
