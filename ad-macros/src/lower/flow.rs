@@ -23,10 +23,10 @@ use super::{Lowerer, OnFailure, deferred, desugar, exits, told};
 use crate::ir::{Operand, Operation, Statement};
 
 impl Lowerer<'_> {
-    pub(super) fn function_body(&mut self, stmts: &[Stmt]) -> Operand {
+    pub(super) fn function_body(&mut self, stmts: Vec<Stmt>) -> Operand {
         self.jump(JumpKind::Function, None, |lowerer, id| {
             let end = End { here: vec![Target::Leave(id)], exits: Vec::new() };
-            lowerer.statements(stmts.to_vec(), &end)
+            lowerer.statements(stmts, &end)
         })
     }
 
@@ -167,11 +167,12 @@ impl Lowerer<'_> {
         };
         let (container, length) = (self.container(&init.expr), array_length(&init.expr));
         let is_own = self.is_borrowed_or_own(&init.expr);
-        let mut expr = (*init.expr).clone();
-        if let Some(ty) = ty {
+        let told = ty.map(|ty| {
+            let mut expr = (*init.expr).clone();
             told::tell(&mut expr, ty);
-        }
-        let value = self.operand(&expr, &hint);
+            expr
+        });
+        let value = self.operand(told.as_ref().unwrap_or(&init.expr), &hint);
         if let (Pat::Ident(name), Operand::Constant(_), Some(following)) = (pat, &value, following)
             && name.mutability.is_some()
             && self.stays_constant(&name.ident, following)

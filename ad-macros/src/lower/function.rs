@@ -293,9 +293,9 @@ impl Lowerer<'_> {
             }
             let mut statements = as_statements(&closure.body);
             if let ReturnType::Type(_, ty) = &closure.output {
-                statements = told::statements(&statements, ty);
+                statements = told::statements(statements, ty);
             }
-            let value = inner.function_body(&statements);
+            let value = inner.function_body(statements);
             inner.scopes = outside;
             match &closure.output {
                 ReturnType::Default => value,

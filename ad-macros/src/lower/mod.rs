@@ -107,7 +107,7 @@ pub fn lower(source: Source<'_>, names: &mut Names, errors: &mut Errors) -> Lowe
         }
         lowerer.local_functions = LocalFunctions::of(items(body));
         lowerer.items = items(body).map(|item| item.to_token_stream().to_string()).collect();
-        lowerer.function_body(&told::statements(&body.stmts, result))
+        lowerer.function_body(told::statements(body.stmts.clone(), result))
     });
     lowerer.finished(parameters, &parameter_vars, body)
 }

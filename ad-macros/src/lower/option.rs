@@ -18,12 +18,17 @@ impl Lowerer<'_> {
     /// The value of a method of an option, a result or a truth value, if `call` is one.
     pub(super) fn optional(&mut self, call: &ExprMethodCall, hint: &str) -> Option<Operand> {
         // They take it by value, so what stands behind a reference is copied.
-        let receiver = match self.is_reference(&call.receiver) {
-            true => (0..self.depth(&call.receiver).max(1))
-                .fold((*call.receiver).clone(), |target, _| parse_quote!((*#target))),
-            false => (*call.receiver).clone(),
-        };
-        let call = &ExprMethodCall { receiver: Box::new(receiver), ..call.clone() };
+        if self.is_reference(&call.receiver) {
+            let depth = self.depth(&call.receiver).max(1);
+            let receiver =
+                (0..depth).fold((*call.receiver).clone(), |target, _| parse_quote!((*#target)));
+            let receiver = Box::new(receiver);
+            return self.optional_value(&ExprMethodCall { receiver, ..call.clone() }, hint);
+        }
+        self.optional_value(call, hint)
+    }
+
+    fn optional_value(&mut self, call: &ExprMethodCall, hint: &str) -> Option<Operand> {
         let arguments: Vec<_> = call.args.iter().collect();
         let receiver = &call.receiver;
         let [content, error] = ["content", "error"].map(|name| self.names.unwritten(name));

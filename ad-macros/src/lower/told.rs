@@ -10,8 +10,7 @@ use super::chain::is_chain;
 use crate::types::element;
 
 /// The statements of a block with a value of this type.
-pub(super) fn statements(stmts: &[Stmt], ty: &Type) -> Vec<Stmt> {
-    let mut stmts = stmts.to_vec();
+pub(super) fn statements(mut stmts: Vec<Stmt>, ty: &Type) -> Vec<Stmt> {
     tell_last(&mut stmts, ty);
     stmts
 }
