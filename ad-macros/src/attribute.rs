@@ -4,11 +4,12 @@ use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 use syn::{
     Attribute, Block, Generics, Ident, ImplItem, ImplItemFn, ItemFn, ItemImpl, ItemTrait, ItemUse,
-    Path, ReceiverKind, Signature, TraitItem, TraitItemFn, UseTree, Visibility,
+    Path, ReceiverKind, Signature, TraitItem, TraitItemFn, Type, UseTree, Visibility,
 };
 
 use crate::accumulation;
 use crate::callable::Callables;
+use crate::conditional;
 use crate::element;
 use crate::elision;
 use crate::function::{Function, Place};
@@ -18,14 +19,20 @@ use crate::item;
 use crate::names;
 use crate::operator;
 use crate::options::{Options, own_options};
+use crate::recursion;
 
 /// Expands the attribute. The item itself stays as it is, but for a lint.
 pub fn expand(arguments: TokenStream, item: TokenStream) -> TokenStream {
-    let options = match syn::parse2::<Options>(arguments) {
+    let options = match syn::parse2::<Options>(arguments.clone()) {
         Ok(options) => options,
         Err(error) => return with_error(&item, &error),
     };
     let explicit = groups::explicit(item.clone());
+    match conditional::split(&arguments, explicit.clone()) {
+        Ok(None) => {}
+        Ok(Some(both)) => return both,
+        Err(error) => return with_error(&item, &error),
+    }
     if let Ok(function) = syn::parse2::<ItemFn>(explicit.clone()) {
         return function_derivative(item, &function, options);
     }
@@ -68,7 +75,6 @@ fn function_derivative(item: TokenStream, function: &ItemFn, options: Options) -
     let signature = elision::in_parameters(&function.sig);
     let derivatives = derivative_or_errors(&Function {
         place: Place::Free,
-        attributes: &function.attrs,
         visibility: &function.vis,
         signature: &signature,
         callables: &Callables::new(&signature),
@@ -87,7 +93,7 @@ fn function_derivative(item: TokenStream, function: &ItemFn, options: Options) -
 /// The siblings of one method of an `impl` block, of which nothing else is seen.
 fn method_derivative(function: &ItemFn, options: Options) -> TokenStream {
     let (signature, generics) = (&function.sig, Generics::default());
-    let methods = Methods::new(Place::Impl(&generics), [signature].into_iter(), &options);
+    let methods = Methods::new(Place::Impl(&generics), None, [signature].into_iter(), &options);
     methods.derivative(&function.attrs, &function.vis, signature, Some(&function.block))
 }
 
@@ -144,6 +150,8 @@ fn imported_derivative(import: &ItemUse, rule: &Path, forward: Option<&Path>) ->
 /// The block in which methods stand.
 struct Methods<'a> {
     place: Place<'a>,
+    /// The name of the type they belong to, where it is seen.
+    owner: Option<&'a Ident>,
     /// Those that take `&mut self`.
     exclusive: Vec<Ident>,
     options: &'a Options,
@@ -152,6 +160,7 @@ struct Methods<'a> {
 impl<'a> Methods<'a> {
     fn new<'s>(
         place: Place<'a>,
+        owner: Option<&'a Ident>,
         signatures: impl Iterator<Item = &'s Signature>,
         options: &'a Options,
     ) -> Self {
@@ -163,6 +172,7 @@ impl<'a> Methods<'a> {
         });
         Self {
             place,
+            owner,
             exclusive: exclusive.map(|signature| signature.ident.clone()).collect(),
             options,
         }
@@ -180,7 +190,6 @@ impl<'a> Methods<'a> {
         let callables = &Callables::new(signature);
         let function = |options| Function {
             place: self.place,
-            attributes,
             visibility,
             signature,
             callables,
@@ -188,8 +197,15 @@ impl<'a> Methods<'a> {
             body,
             options,
         };
+        let is_recursive = body
+            .zip(self.owner)
+            .is_some_and(|(body, owner)| recursion::names_owner(owner, &signature.ident, body));
         match own_options(attributes) {
-            Ok(own) => derivative_or_errors(&function(self.options.with(own))),
+            Ok(own) => {
+                let options = self.options.with(own);
+                let boxed = options.boxed || is_recursive;
+                derivative_or_errors(&function(Options { boxed, ..options }))
+            }
             Err(error) => {
                 let error = error.into_compile_error();
                 let stub = function(self.options.clone()).stub();
@@ -226,6 +242,13 @@ fn impl_derivatives(item: TokenStream, block: &ItemImpl, options: &Options) -> T
             );
             return with_error(&item, &error);
         }
+        Some(_) if let Type::Slice(_) = &*block.self_ty => {
+            let error = syn::Error::new_spanned(
+                &block.self_ty,
+                "a trait for slices has no derivatives, for a slice has no size of its own: implement it for `Vec<T>` or `[T; N]`, or write functions that take `&[T]`",
+            );
+            return with_error(&item, &error);
+        }
         Some(_) => Place::TraitImpl(&block.generics),
     };
     let methods = block.items.iter().filter_map(|item| match item {
@@ -234,7 +257,11 @@ fn impl_derivatives(item: TokenStream, block: &ItemImpl, options: &Options) -> T
     });
     // What is made from nothing is a constant to whoever calls it.
     let methods = methods.filter(|method| !method.sig.inputs.is_empty());
-    let all = Methods::new(place, methods.clone().map(|method| &method.sig), options);
+    let owner = match &*block.self_ty {
+        Type::Path(path) => path.path.segments.last().map(|last| &last.ident),
+        _ => None,
+    };
+    let all = Methods::new(place, owner, methods.clone().map(|method| &method.sig), options);
     let siblings = methods.map(|ImplItemFn { attrs, vis, sig, block, .. }| {
         all.derivative(attrs, vis, sig, Some(block))
     });
@@ -277,7 +304,7 @@ fn trait_derivatives(item: TokenStream, definition: &ItemTrait, options: &Option
         _ => None,
     });
     let place = Place::Trait(&definition.generics);
-    let all = Methods::new(place, methods.clone().map(|method| &method.sig), options);
+    let all = Methods::new(place, None, methods.clone().map(|method| &method.sig), options);
     let siblings = methods.map(|TraitItemFn { attrs, sig, default, .. }| {
         all.derivative(attrs, &Visibility::Inherited, sig, default.as_ref())
     });

@@ -97,7 +97,6 @@ impl Function<'_> {
             exclusive_methods: self.exclusive_methods,
         };
         let lowered = lower::lower(source, &mut names, &mut errors);
-        signature::refuse_cfg(signature, body, &mut errors);
         errors.finish()?;
 
         let seed = names.fresh("result_bar", Span::call_site());
@@ -210,7 +209,7 @@ impl Function<'_> {
             },
             result: quote!(refused()),
         };
-        let function = Function { attributes: &[], options: plain, ..*self };
+        let function = Function { options: plain, ..*self };
         function.functions(&header, Some(&body), Some(&forward))
     }
 

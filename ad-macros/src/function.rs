@@ -2,7 +2,7 @@
 
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::quote;
-use syn::{Attribute, GenericParam, Generics, Signature, Type, Visibility};
+use syn::{GenericParam, Generics, Signature, Type, Visibility};
 
 use crate::callable::Callables;
 use crate::options::Options;
@@ -25,7 +25,6 @@ pub enum Place<'a> {
 /// A function to be differentiated.
 pub struct Function<'a> {
     pub place: Place<'a>,
-    pub attributes: &'a [Attribute],
     pub visibility: &'a Visibility,
     pub signature: &'a Signature,
     /// The signature for the derivative, which is the same but for functions among the parameters.

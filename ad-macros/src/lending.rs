@@ -197,15 +197,12 @@ impl<'a> Functions<'a> {
         let generics = &function.callables.signature.generics;
         let generics = (!generics.params.is_empty()).then_some(generics);
         let pullback = function.pullback_type(header, header.lends());
-        let cfgs = function.attributes.iter().filter(|a| a.path().is_ident("cfg"));
-        let cfgs: Vec<_> = cfgs.collect();
         let (name, visibility) = (self.onto_name(), function.visibility);
         let (visibility, lends) = match function.place {
             Place::Free => (quote!(pub), None),
             _ => {
                 let lends = method_lends(&function.signature.ident, self.arity());
                 let lends = quote! {
-                    #(#cfgs)*
                     #[doc(hidden)]
                     #[allow(unused, non_snake_case)]
                     #[inline(always)]
@@ -217,7 +214,6 @@ impl<'a> Functions<'a> {
             }
         };
         quote! {
-            #(#cfgs)*
             #[doc(hidden)]
             #[allow(unused, non_snake_case, clippy::all, clippy::pedantic, clippy::nursery)]
             #[inline]

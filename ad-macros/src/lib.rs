@@ -2,7 +2,8 @@
 //!
 //! The way of a function through this crate, one room after the other:
 //!
-//! 1. `attribute` takes the annotated item apart and checks its signature (`signature`).
+//! 1. `attribute` has the compiler answer the conditions in the annotated item (`conditional`), takes the
+//!    item apart and checks its signature (`signature`).
 //! 2. `lower` rewrites the body to the few forms of `ir`: every operation has a name, every
 //!    exit is the end of a block. What has no right derivative is refused here, at its span.
 //! 3. `sweep` writes the forward and the reverse sweep of the lowered body.
@@ -33,6 +34,7 @@ mod accumulation;
 mod attribute;
 mod callable;
 mod checkpoint;
+mod conditional;
 mod derive;
 mod element;
 mod elision;

@@ -17,14 +17,14 @@ use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 use syn::punctuated::Punctuated;
 use syn::{
-    Expr, ExprPath, GenericArgument, GenericParam, Generics, Lit, PathArguments, Token, Type,
-    TypeParamBound, UnOp, WherePredicate,
+    Expr, ExprPath, GenericParam, Generics, Lit, Token, Type, TypeParamBound, UnOp, WherePredicate,
 };
 
 use crate::floats;
 use crate::ir::{Argument, Block, Operand, Operation, Place, Projection, Statement, Var, VarId};
 use crate::lower::Lowered;
 use crate::signature::Parameter;
+use crate::types::element;
 
 /// A type of numbers.
 #[derive(Clone, PartialEq, Eq)]
@@ -402,23 +402,6 @@ fn without_references(ty: &Type) -> &Type {
         Type::Reference(reference) => without_references(&reference.elem),
         Type::Paren(paren) => without_references(&paren.elem),
         ty => ty,
-    }
-}
-
-/// The type of the elements of an array, a slice or a `Vec`.
-fn element(ty: &Type) -> Option<&Type> {
-    match ty {
-        Type::Array(array) => Some(&array.elem),
-        Type::Slice(slice) => Some(&slice.elem),
-        Type::Path(path) => {
-            let last = path.path.segments.last().filter(|last| last.ident == "Vec")?;
-            let PathArguments::AngleBracketed(arguments) = &last.arguments else { return None };
-            match arguments.args.first()? {
-                GenericArgument::Type(ty) => Some(ty),
-                _ => None,
-            }
-        }
-        _ => None,
     }
 }
 

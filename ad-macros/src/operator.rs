@@ -121,7 +121,6 @@ impl Rule<'_> {
     fn differentiated(&self, body: &Block) -> syn::Result<Differentiated> {
         let function = Function {
             place: Place::TraitImpl(&self.block.generics),
-            attributes: &[],
             visibility: &Visibility::Inherited,
             signature: self.signature,
             callables: &Callables::new(self.signature),

@@ -27,21 +27,19 @@ pub fn functions(function: &Function<'_>, parameters: &[Parameter]) -> TokenStre
     let of_parameter = |(index, parameter): (usize, &Parameter)| {
         let arguments = function.callables.arguments(&parameter.ty)?;
         let by_type = for_parameter(function, index, arguments);
-        let by_reference = is_free.then(|| for_reference(function, index, parameter));
+        let by_reference = is_free.then(|| for_reference(index, parameter));
         Some(quote!(#by_type #by_reference))
     };
     parameters.iter().enumerate().filter_map(of_parameter).collect()
 }
 
-fn for_reference(function: &Function<'_>, index: usize, parameter: &Parameter) -> TokenStream {
+fn for_reference(index: usize, parameter: &Parameter) -> TokenStream {
     let (name, passed) = (format_ident!("passed_{index}"), own("function"));
     let (result, value) = match parameter.is_shared {
         true => (quote!(&__Function), quote!(#passed)),
         false => (quote!(__Function), quote!(::core::clone::Clone::clone(#passed))),
     };
-    let cfgs = function.attributes.iter().filter(|attribute| attribute.path().is_ident("cfg"));
     quote! {
-        #(#cfgs)*
         #[doc(hidden)]
         #[inline(always)]
         pub fn #name<__Function: ::core::clone::Clone>(#passed: &__Function) -> #result {
@@ -84,12 +82,9 @@ fn for_parameter(function: &Function<'_>, index: usize, arguments: &[Type]) -> T
     let is_sized =
         matches!(function.place, Place::Trait(_)).then(|| quote!(Self: ::core::marker::Sized,));
     let (captured, closure) = (own("captured"), own("closure"));
-    let cfgs = function.attributes.iter().filter(|attribute| attribute.path().is_ident("cfg"));
-    let cfgs: Vec<_> = cfgs.map(ToTokens::to_token_stream).collect();
     let reverse_only = function.options.reverse || function.options.jvp.is_some();
     let forward = (!reverse_only).then(|| {
         quote! {
-            #(#cfgs)*
             #[doc(hidden)]
             // Used where a closure without types is passed.
             #[allow(dead_code)]
@@ -109,7 +104,6 @@ fn for_parameter(function: &Function<'_>, index: usize, arguments: &[Type]) -> T
         }
     });
     quote! {
-        #(#cfgs)*
         #[doc(hidden)]
         // Used where a closure without types is passed.
         #[allow(dead_code)]

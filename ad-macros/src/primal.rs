@@ -3,6 +3,7 @@
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::{quote, quote_spanned};
 
+use crate::function::own;
 use crate::ir::{
     Argument, BinaryOperator, Callee, Operand, Operation, Place, Projection, Var, VarId,
     makes_vector,
@@ -13,16 +14,26 @@ use crate::names;
 pub fn project(root: TokenStream, path: &[Projection]) -> TokenStream {
     path.iter().fold(root, |place, step| match step {
         Projection::Field(member) => quote!(#place.#member),
+        Projection::FromEnd(behind) => {
+            let member = member_from_end(&quote!(&#place), *behind);
+            quote!((*#member))
+        }
         Projection::Index(index) => quote!(#place[#index]),
         Projection::Deref => quote!((*#place)),
         Projection::Behind(_) => unreachable!("is a place, of which a name is known"),
     })
 }
 
+/// A reference to the member of a tuple that has so many behind it, from one to the tuple.
+pub fn member_from_end(tuple: &TokenStream, behind: usize) -> TokenStream {
+    let (member, behind) = (own("member"), vec![quote!(_); behind]);
+    quote!({ let (.., #member #(, #behind)*) = #tuple; #member })
+}
+
 /// A part of a tangent, whose type alone counts.
 pub fn tangent_path(root: TokenStream, path: &[Projection]) -> TokenStream {
     let step = |step: &Projection| match step {
-        Projection::Field(_) => Some(step.clone()),
+        Projection::Field(_) | Projection::FromEnd(_) => Some(step.clone()),
         // A range, which is several tokens, gives what can be indexed once more.
         Projection::Index(index) if index.clone().into_iter().nth(1).is_none() => {
             Some(Projection::Index(quote!(0)))

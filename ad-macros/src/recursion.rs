@@ -14,14 +14,20 @@ use crate::rules;
 /// that has a rule is another type's there: `re.sin()`.
 pub fn is_recursive(signature: &Signature, body: &Block, is_inherent: bool) -> bool {
     let is_own = !rules::is_method(&signature.ident.to_string());
-    let mut calls = Calls {
+    Calls {
         name: &signature.ident,
         is_method: signature.receiver().is_some(),
         counts_variables: is_inherent && is_own,
+        owner: None,
         found: false,
-    };
-    calls.visit_block(body);
-    calls.found
+    }
+    .are_in(body)
+}
+
+/// Whether a function of the type `owner` calls itself by the name of that.
+pub fn names_owner(owner: &Ident, name: &Ident, body: &Block) -> bool {
+    let owner = Some(owner);
+    Calls { name, is_method: true, counts_variables: false, owner, found: false }.are_in(body)
 }
 
 struct Calls<'a> {
@@ -29,7 +35,16 @@ struct Calls<'a> {
     is_method: bool,
     /// Whether a call on any variable counts.
     counts_variables: bool,
+    /// What stands for `Self`.
+    owner: Option<&'a Ident>,
     found: bool,
+}
+
+impl Calls<'_> {
+    fn are_in(mut self, body: &Block) -> bool {
+        self.visit_block(body);
+        self.found
+    }
 }
 
 impl<'ast> Visit<'ast> for Calls<'_> {
@@ -38,7 +53,10 @@ impl<'ast> Visit<'ast> for Calls<'_> {
             let segments = &function.path.segments;
             let is_own = match (segments.first(), segments.last(), segments.len()) {
                 (_, Some(last), 1) => !self.is_method && last.ident == *self.name,
-                (Some(first), Some(last), 2) => first.ident == "Self" && last.ident == *self.name,
+                (Some(first), Some(last), 2) => {
+                    (first.ident == "Self" || self.owner == Some(&first.ident))
+                        && last.ident == *self.name
+                }
                 _ => false,
             };
             self.found |= is_own;

@@ -202,24 +202,3 @@ impl<'ast> Visit<'ast> for InnerLifetimes {
         self.0.push(lifetime.clone());
     }
 }
-
-/// Refuses `#[cfg]` inside of a function: the compiler would drop the code from the function and
-/// keep it in the derivative.
-pub fn refuse_cfg(signature: &Signature, body: &syn::Block, errors: &mut Errors) {
-    struct Finder<'e>(&'e mut Errors);
-
-    impl<'ast> Visit<'ast> for Finder<'_> {
-        fn visit_attribute(&mut self, attribute: &'ast syn::Attribute) {
-            if attribute.path().is_ident("cfg") || attribute.path().is_ident("cfg_attr") {
-                self.0.at(
-                    attribute,
-                    "`#[cfg]` inside of a differentiable function is not supported: put it on two versions of the function",
-                );
-            }
-        }
-    }
-
-    let mut finder = Finder(errors);
-    finder.visit_signature(signature);
-    finder.visit_block(body);
-}

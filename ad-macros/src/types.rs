@@ -3,7 +3,7 @@
 use quote::quote;
 use syn::spanned::Spanned;
 use syn::visit_mut::{self, VisitMut};
-use syn::{Ident, Type, parse_quote_spanned};
+use syn::{GenericArgument, Ident, PathArguments, Type, parse_quote_spanned};
 
 /// Whether an attribute of a parameter says that no derivative by it is asked for.
 pub fn is_constant_mark(attribute: &syn::Attribute) -> bool {
@@ -96,4 +96,21 @@ pub fn names_self(ty: &Type) -> bool {
     let mut named = std::collections::HashSet::new();
     crate::names::collect(quote!(#ty), &mut named);
     named.contains("Self")
+}
+
+/// The type of the elements of an array, a slice or a `Vec`.
+pub fn element(ty: &Type) -> Option<&Type> {
+    match ty {
+        Type::Array(array) => Some(&array.elem),
+        Type::Slice(slice) => Some(&slice.elem),
+        Type::Path(path) => {
+            let last = path.path.segments.last().filter(|last| last.ident == "Vec")?;
+            let PathArguments::AngleBracketed(arguments) = &last.arguments else { return None };
+            match arguments.args.first()? {
+                GenericArgument::Type(ty) => Some(ty),
+                _ => None,
+            }
+        }
+        _ => None,
+    }
 }

@@ -2,8 +2,8 @@
 
 use core::marker::PhantomData;
 
-use glam::{DMat2, DMat3, DMat4, DQuat, DVec2, DVec3, DVec4};
-use glam::{Mat2, Mat3, Mat4, Quat, Vec2, Vec3, Vec4};
+use glam::{Affine2, Affine3, Mat2, Mat3, Mat4, Quat, Vec2, Vec3, Vec4};
+use glam::{DAffine2, DAffine3, DMat2, DMat3, DMat4, DQuat, DVec2, DVec3, DVec4};
 
 use crate::{Additive, Differentiable, NoDerivative, Shape, Tangent};
 
@@ -69,14 +69,16 @@ pub mod methods {
         Vec2Forward as _, Vec4Forward as _, Vector3Forward as _, VectorForward as _,
     };
     pub use crate::rules::{
-        AngleRules as _, ArrayRules as _, CloneRules as _, ColumnsRules as _, CopiedRules as _,
-        DMat2Rules as _, DMat3Rules as _, DMat4Rules as _, DVec2Rules as _, DVec4Rules as _,
-        DerefRules as _, ExtendRules as _, FlattenRules as _, FloatRules as _, FromRules as _,
-        GlamRules as _, IntegerRules as _, Mat2Rules as _, Mat3Rules as _, Mat4Rules as _,
-        MatrixRules as _, OptionRules as _, QuaternionRules as _, RealRules as _, ResultRules as _,
-        RotationRules as _, ScalarRules as _, SequenceRules as _, SignedRules as _,
-        Swizzle2Rules as _, Swizzle3Rules as _, Swizzle4Rules as _, TransformRules as _,
-        TruncateRules as _, Vec2Rules as _, Vec4Rules as _, VecRules as _, Vector3Rules as _,
+        Affine2Rules as _, Affine3Rules as _, AngleRules as _, ArrayRules as _, CloneRules as _,
+        ColumnsRules as _, CopiedRules as _, DMat2Rules as _, DMat3Rules as _, DMat4Rules as _,
+        DVec2Rules as _, DVec4Rules as _, DerefRules as _, ExtendRules as _, FlattenRules as _,
+        FloatRules as _, FromRules as _, GlamRules as _, IntegerRules as _, LengthRules as _,
+        Mat2Rules as _, Mat3Rules as _, Mat4Rules as _, MatrixRules as _, OptionRules as _,
+        PlaneMotionRules as _, PlaneRules as _, ProjectionRules as _, QuaternionRules as _,
+        RealRules as _, ResultRules as _, RotationRules as _, ScalarRules as _, ScaledRules as _,
+        SequenceRules as _, SignedRules as _, SpaceRules as _, Swizzle2Rules as _,
+        Swizzle3Rules as _, Swizzle4Rules as _, TransformRules as _, TruncateRules as _,
+        TurnRules as _, Vec2Rules as _, Vec4Rules as _, VecRules as _, Vector3Rules as _,
         VectorRules as _, With2Rules as _, With3Rules as _, With4Rules as _,
     };
     pub use crate::vector::{Vector as _, Vector3 as _};
@@ -213,7 +215,7 @@ macro_rules! by_value {
 }
 
 by_value!(f32 f64 Vec2 Vec3 Vec4 DVec2 DVec3 DVec4);
-by_value!(Mat2 Mat3 Mat4 DMat2 DMat3 DMat4 Quat DQuat);
+by_value!(Mat2 Mat3 Mat4 DMat2 DMat3 DMat4 Quat DQuat Affine2 Affine3 DAffine2 DAffine3);
 by_value!(i8 i16 i32 i64 i128 isize u8 u16 u32 u64 u128 usize);
 
 /// Compiles for the types whose operators have rules.

@@ -52,7 +52,6 @@ impl Function<'_> {
         if header.boxed {
             bounds.extend(self.callables.types().map(|function| quote!(#function: 'static)));
         }
-        let cfgs: Vec<_> = self.attributes.iter().filter(|a| a.path().is_ident("cfg")).collect();
 
         let vjp_doc = format!(
             "The value of `{name}`, and its pullback: from the cotangent of the value{} to {}.",
@@ -81,7 +80,6 @@ impl Function<'_> {
             let name = checkpoint::stored_name(&vjp);
             let stored_type = self.pullback_type(header, header.lends());
             stored = Some(quote! {
-                #(#cfgs)*
                 #lints
                 fn #name #generics (#inputs) -> #stored_type
                 where #(#bounds),*
@@ -105,7 +103,6 @@ impl Function<'_> {
 
             #onto
 
-            #(#cfgs)*
             #[doc = #vjp_doc]
             #lints
             #[inline]
@@ -138,7 +135,6 @@ impl Function<'_> {
 
             #passing
 
-            #(#cfgs)*
             #[doc = #value_and_grad_doc]
             #lints
             #[inline]
@@ -152,7 +148,6 @@ impl Function<'_> {
                 (value, pullback(one #(, #zeros)*))
             }
 
-            #(#cfgs)*
             #[doc = #grad_doc]
             #lints
             #[inline]
@@ -171,12 +166,10 @@ impl Function<'_> {
         }
         let doc = format!("The derivatives of the function `{name}`.");
         quote! {
-            #(#cfgs)*
             #[doc = #doc]
             #[allow(non_camel_case_types)]
             #visibility enum #name {}
 
-            #(#cfgs)*
             impl #name {
                 /// The path of the function.
                 #[doc(hidden)]

@@ -163,7 +163,7 @@ pub fn item(
     tangents: &[Ident],
     body: Option<&TokenStream>,
 ) -> TokenStream {
-    let Function { place, visibility, attributes, callables, .. } = function;
+    let Function { place, visibility, callables, .. } = function;
     let signature = &callables.forward;
     let jvp = name(function);
     // What the result leaves out is the lifetime of `&self`, if there is one.
@@ -194,7 +194,6 @@ pub fn item(
     let returned = if is_named { &named_result } else { result };
     let target = pointee(result);
     let tangent = quote_spanned!(target.span()=> ::ad::Tangent<#target>);
-    let cfgs = attributes.iter().filter(|attribute| attribute.path().is_ident("cfg"));
     let doc = format!(
         "The value of `{}` and its derivative along the tangents of the parameters.",
         signature.ident
@@ -206,7 +205,6 @@ pub fn item(
     };
     let body = body.map_or_else(|| quote!(;), ToTokens::to_token_stream);
     quote! {
-        #(#cfgs)*
         #[doc = #doc]
         #[allow(unused, non_snake_case, refining_impl_trait, clippy::all, clippy::pedantic, clippy::nursery)]
         #[inline]

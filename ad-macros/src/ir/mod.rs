@@ -83,6 +83,9 @@ pub struct Var {
 pub enum Projection {
     /// `.member`
     Field(Member),
+    /// The member of a tuple that has so many behind it; a pattern with `..` does not tell how many
+    /// stand before it.
+    FromEnd(usize),
     /// `[index]`; the index is a literal or an immutable variable, or a range between such.
     Index(TokenStream),
     /// `*`; the cotangent of a reference is that of its target.
@@ -95,7 +98,7 @@ pub enum Projection {
 impl Projection {
     /// Whether the step leads to a part of the cotangent.
     pub fn is_part(&self) -> bool {
-        matches!(self, Self::Field(_) | Self::Index(_))
+        matches!(self, Self::Field(_) | Self::FromEnd(_) | Self::Index(_))
     }
 }
 

@@ -12,7 +12,9 @@ use super::chain::is_chain;
 use super::item::Item;
 use super::state::Container;
 use super::syntax::strip_parens;
+use super::told::tell_items;
 use crate::ir::{Block, Build, BuildSource, Operand, Operation, Place, Statement};
+use crate::types::element;
 
 impl Lowerer<'_> {
     /// `array::from_fn(function)`
@@ -122,11 +124,18 @@ impl Lowerer<'_> {
                 if path.path.segments.last().is_some_and(|last| last.ident == "Vec"))
         });
         if !is_vec {
-            return self.refuse(&call.turbofish, "`collect` is supported into a `Vec`");
+            return self.refuse(
+                &call.method,
+                "`collect` is supported into a `Vec`: for anything else write a `for` loop, or `ad::no_diff(|| ..)` around it if no derivative is to flow",
+            );
+        }
+        let mut call = call.clone();
+        if let Some(element) = ty.as_ref().and_then(element) {
+            tell_items(&mut call.receiver, element);
         }
         let chain = self.chain(&call.receiver);
         if chain.is_filtered() {
-            return self.pushed(call, ty, hint);
+            return self.pushed(&call, ty, hint);
         }
         let mut source = None;
         let body = self.block(|lowerer| {
@@ -134,7 +143,7 @@ impl Lowerer<'_> {
             let item = lowerer.staged(items.item, items.stages);
             let (pattern, defines, iterator) = (items.pattern, items.defines, items.iterator);
             source = Some(BuildSource::Items { pattern, defines, iterator });
-            lowerer.owned(item, call)
+            lowerer.owned(item, &call)
         });
         self.built(source.expect("set by the block"), ty, body, hint)
     }
@@ -186,10 +195,7 @@ impl Lowerer<'_> {
         if item.refers() {
             return self.refuse(
                 &call.method,
-                format!(
-                    "`{}` of references is not supported: put `.copied()` before it",
-                    call.method
-                ),
+                "references to items are not supported here: put `.copied()` before it",
             );
         }
         self.item_value(item)

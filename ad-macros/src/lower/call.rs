@@ -196,6 +196,11 @@ impl Lowerer<'_> {
         }
         let receiver = self.receiver(call);
         let receiver = self.argument_in_turn(receiver, &call.receiver, &call.args);
+        if matches!(&*name, "iter" | "iter_mut" | "into_iter")
+            && !self.is_constant_call(std::slice::from_ref(&receiver))
+        {
+            return self.refuse_iterator(call);
+        }
         let called_on = match &receiver {
             Argument::Receiver(place) if self.vars[place.root].mutable => Some(place.root),
             _ => None,

@@ -11,7 +11,7 @@
 //! would borrow from variables that the pullback owns).
 
 use proc_macro2::TokenStream;
-use syn::{Expr, Ident, Lit};
+use syn::{Expr, ExprCall, ExprPath, Ident, Lit, Path, parse_quote};
 
 use super::item::Access;
 use super::syntax::strip_parens;
@@ -43,8 +43,9 @@ pub(super) enum Chain {
     Map(Box<Chain>, Expr),
     /// `.chain(other)`
     Chained(Box<Chain>, Box<Chain>),
-    /// `.filter_map(function)`, and with `stops` `.map_while(function)`.
-    FilterMap { inner: Box<Chain>, function: Expr, stops: bool },
+    /// `.filter_map(function)`; with `stops` `.map_while(function)`, and with a variable that the function
+    /// may change `.scan(state, function)`.
+    FilterMap { inner: Box<Chain>, state: Option<VarId>, function: Expr, stops: bool },
     /// `.flat_map(function)`, `.flatten()`
     Flat { inner: Box<Chain>, function: Option<Expr>, method: Ident },
     /// `.filter(predicate)`; what follows runs only where it holds.
@@ -159,11 +160,29 @@ fn smaller(a: Option<usize>, b: Option<usize>) -> Option<usize> {
 pub(super) fn is_chain(expr: &Expr) -> bool {
     match strip_parens(expr) {
         Expr::Range(_) => true,
+        Expr::Call(call) => of_one(call).is_some(),
         Expr::MethodCall(call) => {
             is_source(&call.method) || (is_adapter(&call.method) && is_chain(&call.receiver))
         }
         _ => false,
     }
+}
+
+/// `iter::once(x)`, `iter::repeat(x)` and `iter::repeat_n(x, n)`, as the iterator of an array.
+pub(super) fn of_one(call: &ExprCall) -> Option<(&Path, Expr)> {
+    let Expr::Path(ExprPath { path, .. }) = strip_parens(&call.func) else { return None };
+    let mut names = path.segments.iter().rev().map(|segment| segment.ident.to_string());
+    let (name, module) = (names.next()?, names.next()?);
+    let arguments: Vec<_> = call.args.iter().collect();
+    let iterator = match (&*module, &*name, &arguments[..]) {
+        ("iter", "once", [item]) => parse_quote!([#item].into_iter()),
+        ("iter", "repeat", [item]) => parse_quote!([#item].into_iter().cycle()),
+        ("iter", "repeat_n", [item, count]) => {
+            parse_quote!([#item].into_iter().cycle().take(#count))
+        }
+        _ => return None,
+    };
+    Some((path, iterator))
 }
 
 pub(super) fn is_source(method: &Ident) -> bool {

@@ -1,8 +1,9 @@
 //! What ends a chain of iterator adapters: sums, products, folds, searches. Each is a loop.
 
+use proc_macro2::Ident;
 use quote::{ToTokens, quote};
 use syn::spanned::Spanned;
-use syn::{Expr, ExprMethodCall, GenericArgument, Type, parse_quote};
+use syn::{Block, Expr, ExprMethodCall, GenericArgument, Pat, Type, parse_quote};
 
 use super::Lowerer;
 use super::chain::is_chain;
@@ -16,6 +17,7 @@ impl Lowerer<'_> {
             return None;
         }
         let arguments: Vec<_> = call.args.iter().collect();
+        let last = Ident::new("last", call.method.span());
         let value = match (&*call.method.to_string(), &arguments[..]) {
             ("sum", []) => self.accumulated(call, BinaryOperator::Add, hint),
             ("product", []) => self.accumulated(call, BinaryOperator::Mul, hint),
@@ -26,19 +28,19 @@ impl Lowerer<'_> {
                 let name = self.names.unwritten("position");
                 self.statement(&parse_quote!(let #name: usize = #position;));
                 let chain = &call.receiver;
-                self.operand(&parse_quote!(#chain.take(#name + 1).skip(#name).last()), hint)
+                self.operand(&parse_quote!(#chain.take(#name + 1).skip(#name).#last()), hint)
             }
             ("next", []) => {
                 let chain = &call.receiver;
-                self.operand(&parse_quote!(#chain.take(1).last()), hint)
+                self.operand(&parse_quote!(#chain.take(1).#last()), hint)
             }
             ("find", [function]) => {
                 let chain = &call.receiver;
-                self.operand(&parse_quote!(#chain.filter(#function).take(1).last()), hint)
+                self.operand(&parse_quote!(#chain.filter(#function).take(1).#last()), hint)
             }
             ("find_map", [function]) => {
                 let chain = &call.receiver;
-                self.operand(&parse_quote!(#chain.filter_map(#function).take(1).last()), hint)
+                self.operand(&parse_quote!(#chain.filter_map(#function).take(1).#last()), hint)
             }
             ("for_each", [function]) => {
                 self.each(&call.receiver, &mut |lowerer, item| {
@@ -48,21 +50,54 @@ impl Lowerer<'_> {
                 Self::unit()
             }
             ("collect", []) => self.collected(call, hint),
+            ("unzip", []) => self.in_two(call, None, hint),
+            ("partition", [function]) => self.in_two(call, Some(function), hint),
             ("count", []) | ("any" | "all" | "position" | "rposition", [_]) => {
                 self.discrete(&Expr::MethodCall(call.clone()))
             }
             ("max_by", [compare]) => self.extreme(call, compare, true, hint),
             ("min_by", [compare]) => self.extreme(call, compare, false, hint),
-            (_, _) if is_chain(&Expr::MethodCall(call.clone())) => self.refuse(
-                call,
-                "an iterator has no derivative: write it where it is used up, by a `for` loop, `sum`, `fold`",
-            ),
+            (_, _) if is_chain(&Expr::MethodCall(call.clone())) => self.refuse_iterator(call),
             (name, _) => self.refuse(
                 &call.method,
                 format!("the iterator method `{name}` is not supported: write a `for` loop"),
             ),
         };
         Some(value)
+    }
+
+    /// `.unzip()`, and with a function `.partition(function)`: into two `Vec`s, one by one.
+    fn in_two(&mut self, call: &ExprMethodCall, function: Option<&Expr>, hint: &str) -> Operand {
+        let [left, right, first, second] =
+            ["left", "right", "first", "second"].map(|name| self.names.unwritten(name));
+        let chain = &call.receiver;
+        let (item, pushes): (Pat, Block) = match function {
+            None => (
+                parse_quote!((#first, #second)),
+                parse_quote!({ #left.push(#first); #right.push(#second); }),
+            ),
+            Some(function) => (
+                parse_quote!(#first),
+                parse_quote!({
+                    let #second = (#function)(&#first);
+                    if #second { #left.push(#first); } else { #right.push(#first); }
+                }),
+            ),
+        };
+        let both = parse_quote!({
+            let (mut #left, mut #right) = (::std::vec::Vec::new(), ::std::vec::Vec::new());
+            for #item in #chain #pushes
+            (#left, #right)
+        });
+        self.operand(&both, hint)
+    }
+
+    /// An iterator that stands by itself.
+    pub(super) fn refuse_iterator(&mut self, call: &ExprMethodCall) -> Operand {
+        self.refuse(
+            call,
+            "an iterator has no derivative: write it where it is used up, by a `for` loop, `sum`, `fold`",
+        )
     }
 
     /// `.sum()`, `.product()`
@@ -207,7 +242,7 @@ impl Lowerer<'_> {
     }
 
     /// A new variable that a loop changes.
-    fn changing(&mut self, hint: &str, start: Operand, at: impl ToTokens) -> VarId {
+    pub(super) fn changing(&mut self, hint: &str, start: Operand, at: impl ToTokens) -> VarId {
         let active = match &start {
             Operand::Var(_) => true,
             Operand::Constant(tokens) => !super::pattern::is_discrete_literal(tokens),

@@ -19,14 +19,14 @@ use super::state::JumpKind;
 use super::syntax::{
     as_statements, is_plain_name, macro_diverges, simple_name, split_type, strip_parens,
 };
-use super::{Lowerer, OnFailure, deferred, desugar, exits};
+use super::{Lowerer, OnFailure, deferred, desugar, exits, told};
 use crate::ir::{Operand, Operation, Statement};
 
 impl Lowerer<'_> {
-    pub(super) fn function_body(&mut self, stmts: &[Stmt]) -> Operand {
+    pub(super) fn function_body(&mut self, stmts: Vec<Stmt>) -> Operand {
         self.jump(JumpKind::Function, None, |lowerer, id| {
             let end = End { here: vec![Target::Leave(id)], exits: Vec::new() };
-            lowerer.statements(stmts.to_vec(), &end)
+            lowerer.statements(stmts, &end)
         })
     }
 
@@ -167,7 +167,12 @@ impl Lowerer<'_> {
         };
         let (container, length) = (self.container(&init.expr), array_length(&init.expr));
         let is_own = self.is_borrowed_or_own(&init.expr);
-        let value = self.operand(&init.expr, &hint);
+        let told = ty.map(|ty| {
+            let mut expr = (*init.expr).clone();
+            told::tell(&mut expr, ty);
+            expr
+        });
+        let value = self.operand(told.as_ref().unwrap_or(&init.expr), &hint);
         if let (Pat::Ident(name), Operand::Constant(_), Some(following)) = (pat, &value, following)
             && name.mutability.is_some()
             && self.stays_constant(&name.ident, following)
@@ -222,6 +227,16 @@ impl Lowerer<'_> {
             Stmt::Local(Local { pat, init: Some(init), .. }) if !exits::expr_exits(&init.expr) => {
                 let (_, otherwise) = init.diverge.expect("nothing else exits");
                 self.let_else(&pat, &init.expr, &otherwise, rest, end)
+            }
+            // The value comes first, whatever stands to its left.
+            Stmt::Expr(Expr::Assign(syn::ExprAssign { left, right, .. }), _)
+                if exits::assigns_within(&right) =>
+            {
+                let name = self.names.unwritten("assigned");
+                let mut following =
+                    vec![parse_quote!(let #name = #right;), parse_quote!(#left = #name;)];
+                following.extend(rest);
+                self.statements(following, end)
             }
             mut stmt => {
                 let expr = match &mut stmt {

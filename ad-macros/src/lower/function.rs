@@ -17,7 +17,7 @@ use super::macros::captured_names;
 use super::scopes::Scopes;
 use super::state::{Alias, Closure};
 use super::syntax::{as_statements, is_type_name, simple_name, strip_parens};
-use super::{Lowerer, OnFailure};
+use super::{Lowerer, OnFailure, told};
 use crate::ir::{
     self, Argument, Callee, Derivative, Operand, Operation, Place, Projection, TypedBy, VarId,
 };
@@ -291,7 +291,11 @@ impl Lowerer<'_> {
                 };
                 inner.bind_pattern(pattern, None, value);
             }
-            let value = inner.function_body(&as_statements(&closure.body));
+            let mut statements = as_statements(&closure.body);
+            if let ReturnType::Type(_, ty) = &closure.output {
+                statements = told::statements(statements, ty);
+            }
+            let value = inner.function_body(statements);
             inner.scopes = outside;
             match &closure.output {
                 ReturnType::Default => value,

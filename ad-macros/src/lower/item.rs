@@ -1,9 +1,10 @@
 //! The items of an iterator, and the names that patterns give to them.
 
 use quote::{ToTokens, quote};
-use syn::{Ident, Member, Pat};
+use syn::{Ident, Pat};
 
 use super::Lowerer;
+use super::pattern::positions;
 use super::state::Alias;
 use super::syntax::is_plain_name;
 use crate::ir::{Operand, Operation, Place, Projection, Shape, VarId};
@@ -143,9 +144,14 @@ impl Lowerer<'_> {
             (Pat::Type(typed), item @ (Item::Reference(_) | Item::Tuple(_))) => {
                 self.bind_item(&typed.pat, item);
             }
-            (Pat::Tuple(tuple), Item::Tuple(items)) if tuple.elems.len() == items.len() => {
-                for (pat, item) in tuple.elems.iter().zip(items) {
-                    self.bind_item(pat, item);
+            (Pat::Tuple(tuple), Item::Tuple(items))
+                if let Some(pats) = spread(&tuple.elems, items.len()) =>
+            {
+                for (pat, item) in pats.into_iter().zip(items) {
+                    match pat {
+                        Some(pat) => self.bind_item(pat, item),
+                        None => self.discard_item(item),
+                    }
                 }
             }
             (Pat::Ident(ident), Item::Reference(alias)) if is_plain_name(ident) => {
@@ -163,9 +169,9 @@ impl Lowerer<'_> {
                 self.bind_item(&reference.pat, Item::Tuple(items));
             }
             (Pat::Tuple(tuple), Item::Reference(alias)) => {
-                self.check_rest(&tuple.elems);
-                for (index, pat) in tuple.elems.iter().enumerate() {
-                    self.bind_part(pat, &alias, Projection::Field(Member::from(index)));
+                for (pat, position) in tuple.elems.iter().zip(positions(&tuple.elems)) {
+                    self.check_position(&position, pat, alias.is_exclusive);
+                    self.bind_part(pat, &alias, position);
                 }
             }
             (Pat::Slice(slice), Item::Reference(alias)) => {
@@ -232,4 +238,19 @@ impl Lowerer<'_> {
             }
         }
     }
+}
+
+/// The pattern for each of `count` members of a tuple; `None` for what `..` leaves out.
+fn spread(
+    elements: &syn::punctuated::Punctuated<Pat, syn::Token![,]>,
+    count: usize,
+) -> Option<Vec<Option<&Pat>>> {
+    let rest = elements.iter().position(|element| matches!(element, Pat::Rest(_)));
+    let Some(rest) = rest else {
+        return (elements.len() == count).then(|| elements.iter().map(Some).collect());
+    };
+    let left_out = (count + 1).checked_sub(elements.len())?;
+    let (before, behind) = (elements.iter().take(rest), elements.iter().skip(rest + 1));
+    let left_out = std::iter::repeat_n(None, left_out);
+    Some(before.map(Some).chain(left_out).chain(behind.map(Some)).collect())
 }

@@ -5,7 +5,7 @@
 //! declares variables where they get their value; [`loops`] lowers loops, [`checkpoint`] makes
 //! those with checkpoints plainer, [`chain`], [`source`], [`stage`], [`several`] and [`item`] what
 //! they run over, [`consume`] what iterators are used up by; [`array`] builds arrays by element;
-//! [`option`] writes out methods of options, [`part`] those that lend parts of slices, [`element`] those
+//! [`told`] writes types where they are needed; [`option`] writes out methods of options, [`part`] those that lend parts of slices, [`element`] those
 //! that lend one element to be changed; [`returned`] puts what is returned from within a loop behind it;
 //! [`closure`] puts closures in place of their calls, and [`function`] passes them to functions;
 //! [`expression`], [`call`] and [`construct`] name intermediate results; [`pattern`],
@@ -58,6 +58,7 @@ mod source;
 mod stage;
 mod state;
 mod syntax;
+mod told;
 mod variants;
 
 use std::collections::{HashMap, HashSet};
@@ -106,7 +107,7 @@ pub fn lower(source: Source<'_>, names: &mut Names, errors: &mut Errors) -> Lowe
         }
         lowerer.local_functions = LocalFunctions::of(items(body));
         lowerer.items = items(body).map(|item| item.to_token_stream().to_string()).collect();
-        lowerer.function_body(&body.stmts)
+        lowerer.function_body(told::statements(body.stmts.clone(), result))
     });
     lowerer.finished(parameters, &parameter_vars, body)
 }

@@ -17,6 +17,18 @@ use crate::ir::{Operand, Operation};
 impl Lowerer<'_> {
     /// The value of a method of an option, a result or a truth value, if `call` is one.
     pub(super) fn optional(&mut self, call: &ExprMethodCall, hint: &str) -> Option<Operand> {
+        // They take it by value, so what stands behind a reference is copied.
+        if self.is_reference(&call.receiver) {
+            let depth = self.depth(&call.receiver).max(1);
+            let receiver =
+                (0..depth).fold((*call.receiver).clone(), |target, _| parse_quote!((*#target)));
+            let receiver = Box::new(receiver);
+            return self.optional_value(&ExprMethodCall { receiver, ..call.clone() }, hint);
+        }
+        self.optional_value(call, hint)
+    }
+
+    fn optional_value(&mut self, call: &ExprMethodCall, hint: &str) -> Option<Operand> {
         let arguments: Vec<_> = call.args.iter().collect();
         let receiver = &call.receiver;
         let [content, error] = ["content", "error"].map(|name| self.names.unwritten(name));
@@ -93,6 +105,16 @@ impl Lowerer<'_> {
                     })
                 }
             },
+            ("unwrap_or", [otherwise]) if lends(receiver) => {
+                let taken = self.eagerly(receiver, otherwise, |receiver, otherwise| {
+                    parse_quote!(match #receiver { #full => #content, #empty => #otherwise })
+                });
+                let taken = self.operand(&taken, hint);
+                if let Operand::Var(reference) = taken {
+                    self.vars[reference].reference = true;
+                }
+                return Some(taken);
+            }
             ("map_or", [otherwise, function]) => {
                 let value = self.called(function, &[parse_quote!(#content)])?;
                 self.eagerly(receiver, otherwise, |receiver, otherwise| {
@@ -230,4 +252,10 @@ impl Lowerer<'_> {
             false => parse_quote!((#function)(#(#arguments),*)),
         })
     }
+}
+
+/// Whether a call gives an option of a reference into what it is called on.
+fn lends(expr: &Expr) -> bool {
+    matches!(strip_parens(expr), Expr::MethodCall(call)
+        if ["first", "last", "get"].iter().any(|name| call.method == name))
 }

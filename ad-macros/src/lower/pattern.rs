@@ -98,7 +98,14 @@ impl Lowerer<'_> {
                 quote!(&#inner)
             }
             Pat::Tuple(tuple) => {
-                let elements = self.numbered_patterns(&tuple.elems, path, matched, bindings);
+                let elements = tuple.elems.iter().zip(positions(&tuple.elems));
+                let elements: Vec<_> = elements
+                    .map(|(element, position)| {
+                        self.check_position(&position, element, matched.exclusive.is_some());
+                        let path = [path, &[position]].concat();
+                        self.subpattern(element, &path, matched, bindings)
+                    })
+                    .collect();
                 quote!((#(#elements,)*))
             }
             Pat::Slice(slice) => {
@@ -193,7 +200,14 @@ impl Lowerer<'_> {
         elements.iter().enumerate().map(pattern).collect()
     }
 
-    /// Behind `..` the position of an element is not known.
+    /// No place in Rust is named by what stands behind it.
+    pub(super) fn check_position(&mut self, position: &Projection, at: &Pat, may_change: bool) {
+        if let (Projection::FromEnd(_), true) = (position, may_change) {
+            self.refuse(at, "what stands behind `..` cannot be changed by this name: write `_` for each element in place of `..`");
+        }
+    }
+
+    /// Behind `..` the position of an element is not known, except in tuples.
     pub(super) fn check_rest(
         &mut self,
         elements: &syn::punctuated::Punctuated<Pat, syn::Token![,]>,
@@ -388,6 +402,21 @@ impl Lowerer<'_> {
             }
         }
     }
+}
+
+/// Which member of a tuple each element of a pattern is matched against.
+pub(super) fn positions(
+    elements: &syn::punctuated::Punctuated<Pat, syn::Token![,]>,
+) -> impl Iterator<Item = Projection> {
+    let rest = elements.iter().position(|element| matches!(element, Pat::Rest(_)));
+    let (rest, count) = (rest.unwrap_or(elements.len()), elements.len());
+    (0..count).zip(elements).map(move |(index, element)| match index <= rest {
+        true => Projection::Field(Member::Unnamed(syn::Index {
+            index: index as u32,
+            span: element.span(),
+        })),
+        false => Projection::FromEnd(count - 1 - index),
+    })
 }
 
 /// Whether a name in a pattern may be that of a constant.

@@ -6,7 +6,9 @@ use syn::spanned::Spanned;
 use syn::{Expr, ExprMethodCall};
 
 use super::Lowerer;
-use super::chain::{Chain, Choice, array_length, is_chain, is_source, literal, literal_length};
+use super::chain::{
+    Chain, Choice, array_length, is_chain, is_source, literal, literal_length, of_one,
+};
 use super::item::Access;
 use super::order::calls_function;
 use super::syntax::strip_parens;
@@ -23,6 +25,11 @@ impl Lowerer<'_> {
                     None => Access::Shared,
                 };
                 self.elements(&reference.expr, access)
+            }
+            Expr::Call(call) if let Some((path, array)) = of_one(call) => {
+                let name = &path.segments.last().expect("a path has a segment").ident;
+                self.check_function(path, &quote!(::core::iter::#name), &quote!(::<u8>));
+                self.chain(&array)
             }
             Expr::MethodCall(call) if is_source(&call.method) => self.source(call),
             Expr::MethodCall(call) if is_chain(expr) => self.adapter(call),
@@ -192,7 +199,12 @@ impl Lowerer<'_> {
             ("filter", Some(function)) => Chain::Filter(inner, function.clone()),
             ("filter_map" | "map_while", Some(function)) => {
                 let (function, stops) = (function.clone(), name == "map_while");
-                Chain::FilterMap { inner, function, stops }
+                Chain::FilterMap { inner, state: None, function, stops }
+            }
+            ("scan", Some(start)) if call.args.len() == 2 => {
+                let start = self.operand(start, "state");
+                let state = Some(self.changing("state", start, &call.method));
+                Chain::FilterMap { inner, state, function: call.args[1].clone(), stops: true }
             }
             ("flat_map", Some(_)) | ("flatten", None) => {
                 let (function, method) = (call.args.first().cloned(), call.method.clone());
@@ -240,12 +252,7 @@ impl Lowerer<'_> {
             _ => {
                 self.refuse(
                     &call.method,
-                    match &*name {
-                        "scan" => "the iterator adapter `scan` is not supported: write a `for` loop that changes a variable".to_owned(),
-                        _ => format!(
-                            "the iterator adapter `{name}` is not supported: write a `for` loop"
-                        ),
-                    },
+                    format!("the iterator adapter `{name}` is not supported: write a `for` loop"),
                 );
                 Chain::Refused
             }

@@ -10,7 +10,7 @@ use super::ends::{End, Target};
 use super::item::{Access, Item};
 use super::state::Alias;
 use super::syntax::simple_name;
-use crate::ir::{Arm, BranchKind, Operand, Operation, Statement, VarId};
+use crate::ir::{Arm, BranchKind, Operand, Operation, Place, Statement, VarId};
 
 /// What follows for an item.
 pub(super) type Rest<'r> = dyn FnMut(&mut Lowerer<'_>, Item) -> Operand + 'r;
@@ -72,6 +72,7 @@ pub(super) enum Stage {
     Map(Expr),
     Copied,
     FilterMap {
+        state: Option<VarId>,
         function: Expr,
         stops: bool,
     },
@@ -182,8 +183,9 @@ impl Lowerer<'_> {
                 self.with_stage(inner, Stage::Map(function.clone()), pat)
             }
             Chain::Chained(left, right) => self.chained(left, right, pat),
-            Chain::FilterMap { inner, function, stops } => {
-                let stage = Stage::FilterMap { function: function.clone(), stops: *stops };
+            Chain::FilterMap { inner, state, function, stops } => {
+                let (function_there, state, stops) = (function.clone(), *state, *stops);
+                let stage = Stage::FilterMap { state, function: function_there, stops };
                 self.with_stage(inner, stage, parameter(function))
             }
             Chain::Flat { inner, function, method } => {
@@ -338,8 +340,11 @@ impl Lowerer<'_> {
                 let pair = Item::Tuple(vec![Item::Constant(position), item]);
                 self.run_stages(pair, rest, own, end, body)
             }
-            Stage::FilterMap { function, stops } => {
-                let content = self.apply(function, vec![item]);
+            Stage::FilterMap { state, function, stops } => {
+                let state = state.map(|root| {
+                    Item::Reference(Alias::exclusive(Place { root, path: Vec::new() }))
+                });
+                let content = self.apply(function, state.into_iter().chain([item]).collect());
                 let mut rest = |lowerer: &mut Lowerer<'_>, item: Item| {
                     lowerer.run_stages(item, rest, own, end, body)
                 };

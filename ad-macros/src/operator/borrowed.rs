@@ -110,7 +110,6 @@ impl Borrowed {
     pub fn rule(&self) -> TokenStream {
         let function = Function {
             place: Place::TraitImpl(&self.generics),
-            attributes: &[],
             visibility: &Visibility::Inherited,
             signature: &self.signature,
             callables: &Callables::new(&self.signature),

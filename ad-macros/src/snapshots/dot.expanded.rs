@@ -27,7 +27,7 @@ impl dot {
         let range = 0..xs.len().min(ys.len());
         let xs_space = ::ad::rt::space(&xs);
         let ys_space = ::ad::rt::space(&ys);
-        let mut total = ::ad::rt::empty_sum();
+        let mut total = ::ad::rt::empty_sum::<f64>();
         for index in range.clone() {
             let x = xs[index];
             let y = ys[index];

@@ -7,7 +7,7 @@ impl dot {
     ) -> (f64, ::ad::Tangent<f64>) {
         #[allow(unused_imports)]
         use ::ad::rt::methods::*;
-        let mut total = ::ad::rt::empty_sum();
+        let mut total = ::ad::rt::empty_sum::<f64>();
         let mut total_dot = ::ad::rt::zero_like(&total);
         for index in 0..xs.len().min(ys.len()) {
             let x = xs[index];

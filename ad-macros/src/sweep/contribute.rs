@@ -12,7 +12,7 @@ use quote::quote;
 use super::Sweeper;
 use crate::ir::{Place, Projection, Var, VarId};
 use crate::names;
-use crate::primal::{project, tangent_path};
+use crate::primal::{member_from_end, project, tangent_path};
 
 /// The cotangent of a place, as `&mut`. That of a reference is that of its target.
 pub(super) fn cotangent_of(root: &Ident, path: &[Projection]) -> TokenStream {
@@ -20,6 +20,8 @@ pub(super) fn cotangent_of(root: &Ident, path: &[Projection]) -> TokenStream {
     let (place, is_reference) =
         path.iter().fold((quote!(#root), false), |(place, is_reference), step| match step {
             Projection::Field(member) => (quote!(#place.#member), false),
+            Projection::FromEnd(behind) if is_reference => (member_from_end(&place, *behind), true),
+            Projection::FromEnd(behind) => (member_from_end(&quote!(&mut #place), *behind), true),
             Projection::Index(index) if is_reference => {
                 (quote!(::ad::rt::at(#place, #index)), true)
             }

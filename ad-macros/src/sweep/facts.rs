@@ -276,6 +276,7 @@ impl<'a> Facts<'a> {
     pub fn key(&self, place: &Place) -> (VarId, String) {
         let step = |step: &Projection| match step {
             Projection::Field(member) => format!(".{}", member.to_token_stream()),
+            Projection::FromEnd(behind) => format!(".-{behind}"),
             Projection::Deref => "*".to_owned(),
             Projection::Behind(name) => format!("&{name}"),
             Projection::Index(index) => format!("[{}]", self.index(index)),

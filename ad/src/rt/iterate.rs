@@ -41,7 +41,7 @@ pub fn is_sequence<S: Sequence + ?Sized>(_: &S) {}
 #[diagnostic::on_unimplemented(
     message = "the method of this name is known for slices, arrays and `Vec`s only",
     label = "this is a `{Self}`",
-    note = "call your own method by another name"
+    note = "call your own method by another name; of options, write `.filter_map(|option| *option)` in place of `.flatten()`"
 )]
 pub trait Sequence {}
 

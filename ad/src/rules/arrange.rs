@@ -346,3 +346,44 @@ functions! {
     dvec3 DVec3 f64(x x_tangent y y_tangent z z_tangent);
     dvec4 DVec4 f64(x x_tangent y y_tangent z z_tangent w w_tangent);
 }
+
+macro_rules! tuples {
+    ($($type:ident ($($scalar:ident $element:ident),*);)*) => {$(
+        impl FromRules<($($scalar,)*)> for $type {
+            #[inline(always)]
+            fn from_vjp(tuple: ($($scalar,)*)) -> (Self, impl FnOnce(Self) -> ($($scalar,)*)) {
+                (Self::from(tuple), |cotangent: Self| ($(cotangent.$element,)*))
+            }
+        }
+
+        impl FromForward<($($scalar,)*)> for $type {
+            #[inline(always)]
+            fn from_jvp(tuple: ($($scalar,)*), tangent: ($($scalar,)*)) -> (Self, Self) {
+                (Self::from(tuple), Self::from(tangent))
+            }
+        }
+
+        impl FromRules<$type> for ($($scalar,)*) {
+            #[inline(always)]
+            fn from_vjp(vector: $type) -> (Self, impl FnOnce(Self) -> $type) {
+                (Self::from(vector), $type::from)
+            }
+        }
+
+        impl FromForward<$type> for ($($scalar,)*) {
+            #[inline(always)]
+            fn from_jvp(vector: $type, tangent: $type) -> (Self, Self) {
+                (Self::from(vector), Self::from(tangent))
+            }
+        }
+    )*};
+}
+
+tuples! {
+    Vec2 (f32 x, f32 y);
+    Vec3 (f32 x, f32 y, f32 z);
+    Vec4 (f32 x, f32 y, f32 z, f32 w);
+    DVec2 (f64 x, f64 y);
+    DVec3 (f64 x, f64 y, f64 z);
+    DVec4 (f64 x, f64 y, f64 z, f64 w);
+}

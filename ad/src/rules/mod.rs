@@ -34,9 +34,12 @@
 //! | `signum`, `floor`, `ceil`, `round`, `round_ties_even`, `trunc`, `div_euclid`, `copysign` to the sign | everywhere | 0 |
 //! | `%`, `rem_euclid`, `fract` | a jump | as beside it |
 //! | `length`, `distance`, `length_recip`, `normalize`, `normalize_or_zero`, `project_onto` | zero vector | 0 |
-//! | `inverse` of a matrix | determinant 0 | 0 |
+//! | `inverse` of a matrix or an affine motion | determinant 0 | 0 |
 //! | `Quat::normalize`, `Quat::length` | 0 | 0 |
 //! | `Quat::slerp` | ends that coincide or are opposite | as `Quat::lerp` |
+//! | `Quat::from_scaled_axis`, `Quat::to_scaled_axis` | no rotation | the limit |
+//! | `Quat::to_axis_angle` | no rotation | 0 |
+//! | `normalize_or` | zero vector | all to the fallback |
 //! | any | the cotangent of the result is 0 | 0, even if the partial derivative is infinite or NaN |
 //!
 //! The last row keeps the arm that [`select`](fn@crate::select) did not take from poisoning the
@@ -50,7 +53,9 @@ mod cast;
 mod choose;
 mod edit;
 mod float;
+mod formula;
 pub mod forward;
+mod geometry;
 mod glam_only;
 mod integer;
 mod matrix;
@@ -79,6 +84,10 @@ pub use edit::VecRules;
 #[doc(hidden)]
 pub use edit::drained;
 pub use float::{FloatRules, FromRules};
+pub use formula::{
+    Affine2Rules, Affine3Rules, Kin, LengthRules, PlaneMotionRules, PlaneRules, ProjectionRules,
+    ScaledRules, SpaceRules, TurnRules,
+};
 pub use glam_only::{ExtendRules, GlamRules, TruncateRules, construct};
 pub use integer::{IntegerRules, SignedRules};
 pub use matrix::{

@@ -6,6 +6,7 @@
 
 mod arrangements;
 mod case;
+mod formulas;
 mod glam_only;
 mod matrices;
 mod scalars;

@@ -229,3 +229,42 @@ fn let_else_and_if_let() {
     check!(if_let_else_chain(x, y) at [1.3, 0.7], [1.3, -0.7], [-1.3, 0.7], [-1.3, -0.7]);
     check!(struct_in_option(x, y) at [2.0, 1.5], [0.5, 1.5], [1.3, 1.6]);
 }
+
+#[derive(Clone, Copy, Debug, Differentiable)]
+enum State {
+    Idle,
+    Moving { v: f64, left: u32 },
+    Done(f64),
+}
+
+/// An assignment of what may leave the loop, and changes something on the way.
+#[differentiable]
+fn machine(x: f64, y: f64) -> f64 {
+    let mut state = State::Idle;
+    let mut position = 0.0;
+    let mut marks = [x; 3];
+    let mut steps = 0;
+    loop {
+        steps += 1;
+        marks[steps % 3] = if steps > 9 {
+            break x;
+        } else {
+            position += 0.1 * y;
+            position * x
+        };
+        state = match state {
+            State::Idle => State::Moving { v: x, left: 4 },
+            State::Moving { v, left: 0 } => State::Done(v * position),
+            State::Moving { v, left } => {
+                position += v * 0.5;
+                State::Moving { v: v * y + 0.1, left: left - 1 }
+            }
+            State::Done(r) => break r + steps as f64 * x * marks[0] + marks[1],
+        };
+    }
+}
+
+#[test]
+fn assignments_of_what_leaves() {
+    check!(machine(x, y) at [1.3, 0.7], [0.4, 2.1]);
+}

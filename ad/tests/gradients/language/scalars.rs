@@ -4,6 +4,7 @@ use std::ops::Mul;
 
 use ad::rules::MulPullback;
 use ad::{Real, differentiable};
+use glam::DVec3;
 
 use crate::oracle::{assert_close, assert_gradient, check_generic};
 
@@ -120,4 +121,32 @@ fn operands_of_other_types() {
     assert_eq!(by_literals::jvp(3.0, 1.0), (15.0, 8.0));
     assert_eq!(mixed::grad(2.0, 3.0), (5.5, 0.0));
     assert_eq!(mixed::jvp(2.0, 3.0, 1.0, 1.0), (11.0, 5.5));
+}
+
+#[differentiable]
+fn widened(x: f32, y: f64) -> f64 {
+    let x: f64 = x.into();
+    let v: DVec3 = [x, y, x * y].into();
+    let numbers: [f64; 3] = (v * x).into();
+    let unit: String = "rad".into();
+    numbers[0] * numbers[2] + numbers[1] * unit.len() as f64
+}
+
+#[differentiable]
+fn result_widened(x: f32) -> f64 {
+    (x * x).into()
+}
+
+#[test]
+fn conversions_by_into() {
+    let (x, y) = (1.25_f32, 0.75);
+    let (value, (by_x, by_y)) = widened::value_and_grad(x, y);
+    // x⁴y + 3xy
+    let wide = f64::from(x);
+    assert_eq!(value, widened(x, y));
+    assert_close("by x", f64::from(by_x), 4.0 * wide.powi(3) * y + 3.0 * y, 1e-6);
+    assert_close("by y", by_y, wide.powi(4) + 3.0 * wide, 1e-12);
+    let (_, along) = widened::jvp(x, y, 1.0, 0.0);
+    assert_close("along x", along, f64::from(by_x), 1e-6);
+    assert_eq!(result_widened::grad(1.5), 3.0);
 }

@@ -118,3 +118,46 @@ fn trees_and_lists() {
     check!(bodies(x, y) at [0.7, 0.4], [-0.4, 0.7], [1.3, -0.2]);
     check!(list(x, y) at [0.7, 0.4], [-0.4, 0.7], [1.3, -0.2]);
 }
+
+#[derive(Clone, Differentiable)]
+enum Branching {
+    Leaf(f64),
+    Node(Box<Branching>, f64, Box<Branching>),
+}
+
+#[differentiable]
+impl Branching {
+    /// Calls itself by the name of the type.
+    fn grow(depth: usize, x: f64) -> Branching {
+        match depth {
+            0 => Branching::Leaf(x),
+            _ => Branching::Node(
+                Box::new(Branching::grow(depth - 1, x * 1.1)),
+                x.sin(),
+                Box::new(Branching::grow(depth - 1, x - 0.3)),
+            ),
+        }
+    }
+
+    fn sum(&self, factor: f64) -> (f64, usize) {
+        match self {
+            Branching::Leaf(x) => (*x * factor, 1),
+            Branching::Node(left, weight, right) => {
+                let (a, n) = left.sum(factor);
+                let (b, m) = right.sum(factor * weight);
+                (a + b * weight, n + m)
+            }
+        }
+    }
+}
+
+#[differentiable]
+fn grown(x: f64, y: f64) -> f64 {
+    let (sum, count) = Branching::grow(3, x).sum(y);
+    sum / count as f64
+}
+
+#[test]
+fn recursion_by_the_name_of_the_type() {
+    check!(grown(x, y) at [1.3, 0.7], [0.4, 2.1]);
+}

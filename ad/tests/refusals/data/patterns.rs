@@ -1,8 +1,11 @@
-use ad::differentiable;
+use ad::{Differentiable, differentiable};
+
+#[derive(Clone, Copy, Differentiable)]
+struct Triple(f64, f64, f64);
 
 #[differentiable]
-fn f(x: (f64, f64, f64), mut y: Option<f64>) -> f64 {
-    let (.., c) = x;
+fn f(x: Triple, mut y: Option<f64>) -> f64 {
+    let Triple(.., c) = x;
     let ([a, _] | [_, a]) = [c, c];
     let (d, [[e, .., g], _]) = (c, [[c; 3]; 2]);
     match y {
@@ -11,6 +14,13 @@ fn f(x: (f64, f64, f64), mut y: Option<f64>) -> f64 {
     }
 }
 
+#[differentiable]
+fn changed(pairs: &mut [(f64, f64)]) {
+    for (.., b) in pairs.iter_mut() {
+        *b *= 2.0;
+    }
+}
+
 fn main() {
-    f::grad((1.0, 2.0, 3.0), None);
+    f::grad(Triple(1.0, 2.0, 3.0), None);
 }

@@ -2,12 +2,17 @@ use ad::differentiable;
 
 #[differentiable]
 fn f(x: f64) -> f64 {
-    let mut a = x;
-    #[cfg(feature = "doubled")]
-    {
-        a *= 2.0;
-    }
-    a
+    let powers = vec![x, {
+        #[cfg(all())]
+        {
+            x * x
+        }
+        #[cfg(not(all()))]
+        {
+            x
+        }
+    }];
+    powers[0]
 }
 
 fn main() {

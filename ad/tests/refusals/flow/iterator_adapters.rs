@@ -26,6 +26,10 @@ fn f(xs: [f64; 3]) -> f64 {
         *sum += x;
         Some(*sum)
     });
+    let mut elements = xs.iter();
+    while let Some(x) = elements.next() {
+        total += x;
+    }
     for row in [xs, xs].iter().flat_map(|row| {
         let first = row[0];
         row.iter().map(move |x| x * first)
@@ -44,6 +48,12 @@ fn f(xs: [f64; 3]) -> f64 {
 #[differentiable]
 fn greatest(xs: [f64; 3]) -> f64 {
     *xs.iter().max_by(|a, b| a.total_cmp(b)).unwrap()
+}
+
+#[differentiable]
+fn collected(xs: &[f64]) -> f64 {
+    let roots: Option<Vec<f64>> = xs.iter().map(|x| (*x > 0.0).then(|| x.sqrt())).collect();
+    roots.map_or(0.0, |roots| roots[0])
 }
 
 fn main() {

@@ -16,11 +16,26 @@ mod own {
         }
     }
 
+    pub mod iter {
+        pub fn once<T>(x: T) -> Vec<T> {
+            vec![x]
+        }
+    }
+
     pub mod array {
         pub fn from_fn<F: Fn(usize) -> f64>(f: F) -> [f64; 2] {
             [f(1), f(0)]
         }
     }
+}
+
+#[differentiable]
+fn repeats(x: f64) -> f64 {
+    let mut sum = 0.0;
+    for y in own::iter::once(x) {
+        sum += y;
+    }
+    sum
 }
 
 #[differentiable]

@@ -27,4 +27,11 @@ impl std::ops::Neg for Disc {
     }
 }
 
+#[differentiable]
+impl Area for [f64] {
+    fn area(&self) -> f64 {
+        self[0] * self[1]
+    }
+}
+
 fn main() {}
