@@ -5,6 +5,7 @@
 //! old file or the new one, never half of one.
 
 mod cameras;
+mod export;
 #[cfg(feature = "gltf")]
 mod gltf;
 pub mod images;
@@ -22,6 +23,7 @@ mod stl;
 
 pub use crate::warning::Warning;
 pub use cameras::{FoundView, load_cameras};
+pub use export::save_meshes;
 #[cfg(feature = "gltf")]
 pub use gltf::{GltfFile, load_gltf};
 pub use images::{

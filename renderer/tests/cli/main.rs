@@ -4,6 +4,7 @@ mod bad_input;
 mod bench;
 mod changes;
 mod defaults;
+mod export;
 mod extremes;
 mod gradient;
 mod optimize;
