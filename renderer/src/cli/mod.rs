@@ -9,6 +9,7 @@ mod export;
 mod gradient;
 mod init;
 mod interrupt;
+mod live;
 mod optimize;
 mod out_folder;
 mod output;

@@ -15,6 +15,7 @@ mod names;
 mod obj;
 #[cfg(feature = "ply")]
 mod ply;
+mod png;
 #[cfg(test)]
 mod robustness;
 mod scene_file;
@@ -39,6 +40,8 @@ pub(crate) use names::file_stems;
 pub use obj::{load_obj, save_obj};
 #[cfg(feature = "ply")]
 pub use ply::load_ply;
+#[cfg(feature = "cli")]
+pub(crate) use png::png_bytes;
 pub use scene_file::{save_experiment, save_scene};
 #[cfg(feature = "stl")]
 pub use stl::load_stl;

@@ -7,6 +7,7 @@ mod defaults;
 mod export;
 mod extremes;
 mod gradient;
+mod live;
 mod optimize;
 mod out_folder;
 mod params;

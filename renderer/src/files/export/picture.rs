@@ -1,10 +1,10 @@
 //! Textures as image files.
 
-use image::codecs::png::PngEncoder;
-use image::{ExtendedColorType, ImageEncoder};
+use image::ExtendedColorType;
 
 use crate::Error;
 use crate::files::images::srgb_encode;
+use crate::files::png::encode as encode_png;
 use crate::scene::{Scene, Texture};
 use crate::warning::Warnings;
 
@@ -58,10 +58,6 @@ impl Picture {
             }
             _ => (colors.into_flattened(), ExtendedColorType::Rgb8),
         };
-        let mut bytes = Vec::new();
-        PngEncoder::new(&mut bytes)
-            .write_image(&levels, texture.width, texture.height, kind)
-            .map_err(|error| Error::new(place, format!("cannot be encoded: {error}")))?;
-        Ok(bytes)
+        encode_png(&levels, [texture.width, texture.height], kind, &place)
     }
 }
