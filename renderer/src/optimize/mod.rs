@@ -107,5 +107,3 @@ pub use settings::{CHECKPOINT_FILE, Checkpointing, Settings};
 pub use starts::Starts;
 pub use stop::{Stop, StopReason};
 pub use variable::Variable;
-#[cfg(feature = "cli")]
-pub(crate) use variable::element_path;

@@ -193,7 +193,7 @@ fn blocks(variables: &[Variable]) -> Vec<Range<usize>> {
 }
 
 /// The path of one element of the concatenated variables: `light.key.position[1]`.
-pub(crate) fn element_path(variables: &[Variable], mut index: usize) -> String {
+pub(super) fn element_path(variables: &[Variable], mut index: usize) -> String {
     for variable in variables {
         if index < variable.initial.len() {
             return variable.element_path(index);

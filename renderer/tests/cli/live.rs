@@ -143,10 +143,13 @@ fn the_page_shows_the_run() {
     assert_eq!(image("target.png").2.len(), sandbox.read("out/target.png").len());
     run.post("pause");
     sleep(Duration::from_millis(200));
-    let [front, same, side] =
-        ["orbit.png?side=32", "orbit.png?side=32&turn=0", "orbit.png?side=32&turn=40&distance=2"]
-            .map(image);
-    assert_eq!((front.0, front.1), (32, 32));
+    let [front, same, side] = [
+        "orbit.png?width=32&height=20",
+        "orbit.png?width=32&height=20&turn=0",
+        "orbit.png?width=32&height=20&turn=40&distance=2",
+    ]
+    .map(image);
+    assert_eq!((front.0, front.1), (32, 20));
     assert!(front.2 == same.2 && front.2 != side.2);
     for (path, status) in [
         ("orbit.png?turn=nan", 400),

@@ -2,7 +2,7 @@
 
 use serde_json::{Value, json};
 
-use crate::optimize::{Variable, element_path};
+use crate::optimize::Variable;
 
 /// Points are kept up to this many: about as many as a curve has pixels.
 const MOST_POINTS: usize = 400;
@@ -37,17 +37,18 @@ struct Point {
 }
 
 impl Course {
-    pub fn new(variables: &[Variable]) -> Self {
-        let all = variables.iter().flat_map(|variable| {
-            let truth = |i: usize| variable.target.as_ref().map(|target| target[i]);
-            (0..variable.initial.len())
-                .map(move |i| (variable.initial[i], variable.learning_rate[i], truth(i)))
-        });
+    /// Curves of variables, each with the shape of its numbers.
+    pub fn new(variables: &[Variable], shapes: &[Vec<usize>]) -> Self {
+        let all = variables.iter().zip(shapes);
+        let all = all.flat_map(|of| (0..of.0.initial.len()).map(move |element| (of, element)));
         let count: usize = variables.iter().map(|variable| variable.initial.len()).sum();
         let tracked = all.enumerate().step_by(count.div_ceil(MOST_TRACKED).max(1));
-        let tracked = tracked.map(|(index, (initial, learning_rate, truth))| {
-            let path = element_path(variables, index);
-            Tracked { index, path, learning_rate, initial, truth }
+        let tracked = tracked.map(|(index, ((variable, shape), element))| Tracked {
+            index,
+            path: element_path(&variable.path, shape, element),
+            learning_rate: variable.learning_rate[element],
+            initial: variable.initial[element],
+            truth: variable.target.as_ref().map(|target| target[element]),
         });
         Self { tracked: tracked.collect(), stride: 1, points: Vec::new() }
     }
@@ -88,6 +89,17 @@ impl Course {
     }
 }
 
+/// A number of a parameter: `mesh.tree.vertices[17][2]`.
+fn element_path(path: &str, shape: &[usize], element: usize) -> String {
+    match shape {
+        [] => path.to_owned(),
+        [_, row @ ..] => {
+            let numbers: usize = row.iter().product();
+            element_path(&format!("{path}[{}]", element / numbers), row, element % numbers)
+        }
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -95,7 +107,8 @@ mod tests {
     #[test]
     fn what_moves_most_is_shown() {
         let slow = Variable::new("slow", vec![0.0; 10], 0.1);
-        let mut course = Course::new(&[slow, Variable::new("fast", vec![1.0], 10.0)]);
+        let mut course =
+            Course::new(&[slow, Variable::new("fast", vec![1.0], 10.0)], &[vec![5, 2], vec![]]);
         for iteration in 0..1000 {
             let mut x = vec![0.0; 11];
             (x[3], x[10]) = (iteration as f64, 1.0 + 2.0 * iteration as f64);
@@ -104,7 +117,7 @@ mod tests {
         let json = course.json();
         assert_eq!(
             (&json["numbers"][0]["path"], &json["numbers"][1]["path"]),
-            (&"slow[3]".into(), &"fast".into())
+            (&"slow[1][1]".into(), &"fast".into())
         );
         let iterations = json["iterations"].as_array().unwrap();
         assert!((200..=400).contains(&iterations.len()));
@@ -114,9 +127,10 @@ mod tests {
 
     #[test]
     fn of_many_numbers_some_are_kept() {
-        let course = Course::new(&[Variable::new("many", vec![0.0; 12_345], 1.0)]);
+        let course =
+            Course::new(&[Variable::new("many", vec![0.0; 12_345], 1.0)], &[vec![4115, 3]]);
         assert!((1000..=MOST_TRACKED).contains(&course.tracked.len()));
-        assert_eq!(course.tracked[1].path, "many[7]");
-        assert!(Course::new(&[]).json()["numbers"].as_array().unwrap().is_empty());
+        assert_eq!(course.tracked[1].path, "many[2][1]");
+        assert!(Course::new(&[], &[]).json()["numbers"].as_array().unwrap().is_empty());
     }
 }

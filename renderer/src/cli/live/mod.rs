@@ -2,7 +2,7 @@
 //!
 //! An observer leaves the numbers of each iteration under a lock, which costs the run a copy of them;
 //! threads of a small server answer the page from there. They make scenes and images themselves, in a pool of
-//! threads of their own, and only when the page asks: nobody looking costs nothing.
+//! threads of their own, and only when the page asks.
 //!
 //! The page asks again and again for what is new (polling). Turned down: server-sent events, whose
 //! connections stay open, so that a few forgotten pages hold all threads of the server, and which images

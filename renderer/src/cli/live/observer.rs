@@ -34,7 +34,7 @@ impl Observer for Watched {
     }
 
     fn finish(&mut self, outcome: &Outcome) {
-        self.state.finish(&outcome.stop.detail);
+        self.state.finish(&outcome.stop);
         self.observer.finish(outcome);
     }
 }

@@ -15,7 +15,7 @@ use crate::files::png_bytes;
 /// The page, whose addresses are relative to its own.
 const PAGE: &str = include_str!("page.html");
 /// The sides of images that go around the scene, in pixels, at least and at most.
-const SIDES: (f64, f64) = (16.0, 640.0);
+const SIDES: (f64, f64) = (16.0, 1024.0);
 
 /// The page on a run.
 pub(super) struct Page {
@@ -100,9 +100,12 @@ impl Page {
             rise: request.number("rise", Some(0.0))?,
             distance: request.number("distance", Some(1.0))?,
         };
-        let side = request.number("side", Some(256.0))?.clamp(SIDES.0, SIDES.1);
+        let side = |name: &str| {
+            let pixels = request.number(name, Some(256.0))?;
+            Ok::<_, Response>(pixels.clamp(SIDES.0, SIDES.1) as u32)
+        };
         let (_, x) = self.state.position();
-        let image = self.stage.orbit(orbit, side as u32, &x);
+        let image = self.stage.orbit(orbit, [side("width")?, side("height")?], &x);
         png(&image.map_err(|error| Response::refusal(400, &error.to_string()))?)
     }
 }

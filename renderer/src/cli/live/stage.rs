@@ -15,7 +15,7 @@ use crate::settings::{Edges, Pass, Sampling, Settings};
 /// Larger images of views are halved until they are no larger.
 const LARGEST_SIDE: u32 = 640;
 /// The most paths through a pixel of what goes around the scene.
-const ORBIT_SAMPLES: u32 = 4;
+const ORBIT_SAMPLES: u32 = 2;
 
 /// What images are made of.
 pub(super) struct Stage {
@@ -87,12 +87,15 @@ impl Stage {
         for_the_eye(difference.unwrap_or_else(|| Image::black(1, 1)))
     }
 
-    /// The scene with these numbers from elsewhere, as a square.
-    pub fn orbit(&self, orbit: Orbit, side: u32, x: &[f64]) -> Result<Image, Error> {
+    /// The scene with these numbers from elsewhere, in a width and a height.
+    pub fn orbit(&self, orbit: Orbit, size: [u32; 2], x: &[f64]) -> Result<Image, Error> {
         let mut scene = self.scene_at(x);
         scene.camera = orbit.camera(&scene);
         scene.views.clear();
-        (scene.width, scene.height) = (side, side);
+        [scene.width, scene.height] = size;
+        // Narrow images are as wide as others are high.
+        let [width, height] = size.map(f64::from);
+        scene.camera.film_scale *= (height / width).max(1.0);
         if let Integrator::Path(paths) = scene.integrator {
             let samples = paths.samples.min(ORBIT_SAMPLES);
             scene.integrator = Integrator::Path(PathTracing { samples, ..paths });

@@ -7,7 +7,7 @@ use std::time::Duration;
 use serde_json::{Value, json};
 
 use super::course::Course;
-use crate::optimize::{Schedule, Settings, Step};
+use crate::optimize::{Schedule, Settings, Step, Stop, StopReason};
 use crate::recovery::Recovery;
 
 /// The factors on learning rates that are taken.
@@ -42,6 +42,7 @@ enum Phase {
     Running,
     Paused,
     Stopping,
+    Stopped,
     Finished,
 }
 
@@ -49,11 +50,12 @@ impl State {
     pub fn new(recovery: &Recovery<'_>, settings: &Settings) -> Self {
         let variables = recovery.variables();
         let rates = || variables.iter().flat_map(|variable| &variable.learning_rate).copied();
+        let shapes: Vec<_> = recovery.ids().iter().map(|&id| recovery.scene().shape(id)).collect();
         let now = Now {
             phase: Phase::Running,
             step: None,
             x: recovery.initial(),
-            course: Course::new(variables),
+            course: Course::new(variables, &shapes),
             factor: None,
             end: None,
         };
@@ -100,9 +102,13 @@ impl State {
     }
 
     /// Takes in how the run has ended.
-    pub fn finish(&self, end: &str) {
+    pub fn finish(&self, end: &Stop) {
+        let phase = match end.reason {
+            StopReason::Interrupted => Phase::Stopped,
+            _ => Phase::Finished,
+        };
         let mut now = self.now();
-        (now.phase, now.end) = (Phase::Finished, Some(end.to_owned()));
+        (now.phase, now.end) = (phase, Some(end.detail.clone()));
     }
 
     /// Pauses the run after its iteration.
@@ -158,6 +164,7 @@ impl State {
             Phase::Running => "running",
             Phase::Paused => "paused",
             Phase::Stopping => "stopping",
+            Phase::Stopped => "stopped",
             Phase::Finished => "finished",
         };
         let course = now.course.json();
