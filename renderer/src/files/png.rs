@@ -3,8 +3,7 @@
 use image::codecs::png::PngEncoder;
 use image::{ExtendedColorType, ImageEncoder};
 
-use super::images::srgb_encode;
-use crate::{Error, Image};
+use crate::Error;
 
 /// The bytes of a PNG of levels of 8 bits. `place` names the image in errors.
 pub(super) fn encode(
@@ -22,8 +21,8 @@ pub(super) fn encode(
 
 /// The bytes that [`save_png`](super::save_png) writes.
 #[cfg(feature = "cli")]
-pub(crate) fn png_bytes(image: &Image) -> Result<Vec<u8>, Error> {
-    let level = |&value: &f32| (255.0 * srgb_encode(value)).round() as u8;
+pub(crate) fn png_bytes(image: &crate::Image) -> Result<Vec<u8>, Error> {
+    let level = |&value: &f32| (255.0 * super::images::srgb_encode(value)).round() as u8;
     let levels: Vec<u8> = image.pixels.as_flattened().iter().map(level).collect();
     encode(&levels, [image.width, image.height], ExtendedColorType::Rgb8, "an image")
 }

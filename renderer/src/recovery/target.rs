@@ -62,6 +62,7 @@ impl TargetImage {
     }
 
     /// This target, halved until no side is longer, as far as both can be.
+    #[cfg(feature = "cli")]
     pub(crate) fn fitting(&self, longest: u32) -> Self {
         let (width, height) = (self.image.width, self.image.height);
         let most = width.trailing_zeros().min(height.trailing_zeros());

@@ -1,6 +1,5 @@
 //! The meshes of a scene, written for other programs.
 
-mod corners;
 mod normals;
 mod picture;
 #[cfg(all(test, feature = "gltf"))]
@@ -8,7 +7,6 @@ mod tests;
 
 use std::path::Path;
 
-pub(super) use corners::{Corner, Part, parts};
 pub(super) use normals::with_directions;
 pub(super) use picture::Picture;
 

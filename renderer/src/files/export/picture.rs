@@ -16,6 +16,10 @@ pub(in crate::files) enum Picture {
     /// Numbers as they are.
     Data(u32),
     /// Colours, or white, with an alpha channel: the mean of the channels of a texture of the same size.
+    #[cfg_attr(
+        not(feature = "gltf"),
+        allow(dead_code, reason = "other formats have files of opacity")
+    )]
     Covered { color: Option<u32>, opacity: u32 },
 }
 

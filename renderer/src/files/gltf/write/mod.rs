@@ -1,6 +1,7 @@
 //! Writes the meshes of a scene as a binary glTF file.
 
 mod binary;
+mod corners;
 mod materials;
 
 use std::path::Path;
@@ -10,10 +11,11 @@ use serde_json::{Map, Value, json};
 
 use crate::Error;
 use crate::disk::write_atomically;
-use crate::files::export::{Corner, Part, parts, with_directions};
+use crate::files::export::with_directions;
 use crate::scene::{Mesh, Normals, Scene, Transform};
 use crate::warning::Warnings;
 use binary::Binary;
+use corners::{Corner, Part, parts};
 use materials::MaterialWriter;
 
 /// Writes a node for each mesh, with the materials that triangles have and their textures.

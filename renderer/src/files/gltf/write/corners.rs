@@ -1,4 +1,4 @@
-//! Meshes as formats see them in which a vertex has one position, one normal and one place on textures.
+//! Meshes as glTF sees them: a vertex has one position, one normal and one place on textures.
 
 use std::collections::HashMap;
 
@@ -6,7 +6,7 @@ use crate::scene::{Mesh, Normals};
 
 /// The indices of what a corner has.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub(in crate::files) struct Corner {
+pub(super) struct Corner {
     pub vertex: u32,
     pub texture: Option<u32>,
     pub normal: Option<u32>,
@@ -14,7 +14,7 @@ pub(in crate::files) struct Corner {
 
 /// Triangles of one material, all of whose corners have the same attributes.
 #[derive(Default)]
-pub(in crate::files) struct Part {
+pub(super) struct Part {
     pub material: u32,
     /// What is different, in the order of its first use.
     pub corners: Vec<Corner>,
@@ -24,7 +24,7 @@ pub(in crate::files) struct Part {
 }
 
 /// The parts of a mesh, in the order of their first triangles. Of its normals only directions count.
-pub(in crate::files) fn parts(mesh: &Mesh) -> Vec<Part> {
+pub(super) fn parts(mesh: &Mesh) -> Vec<Part> {
     let normals: &[_] = match &mesh.normals {
         Normals::Given { triangles, .. } => triangles,
         Normals::Flat | Normals::Smooth => &[],
