@@ -98,7 +98,8 @@ impl<'a> MaterialWriter<'a> {
             "name": material.name,
             "pbrMetallicRoughness": pbr,
             "emissiveFactor": (values.emission / strength).to_array(),
-            "doubleSided": true,
+            // The surface of a solid has an inside.
+            "doubleSided": *bsdf != Bsdf::Dielectric,
         });
         if let Some(index) = textures.get(Slot::Emission) {
             written["emissiveTexture"] = self.texture(Picture::Color(index), binary)?;
