@@ -30,7 +30,7 @@ pub(super) fn run(arithmetic: Arithmetic) -> Result<(), Error> {
         "the embedded demo",
         &Settings { arithmetic, ..Settings::default() },
     )?;
-    let outcome = recover(&experiment, &recovery, out, false)?;
+    let outcome = recover(&experiment, &recovery, out, false, None)?;
     print(report(&recovery, &outcome, out))?;
 
     let truth: Vec<f64> =

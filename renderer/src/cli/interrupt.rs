@@ -19,6 +19,7 @@ const SIGNALS: &[i32] = &[
 ];
 
 /// Whether the process is asked to end.
+#[derive(Clone)]
 pub(super) struct Interrupt(Arc<AtomicBool>);
 
 impl Interrupt {
@@ -42,25 +43,27 @@ impl Interrupt {
 
 /// Watches a run for another observer, and interrupts it when the process is asked to end, so that it
 /// leaves a checkpoint.
-pub(super) struct Interruptible<'a> {
-    observer: &'a mut dyn Observer,
-    interrupt: Interrupt,
+pub(super) struct Interruptible {
+    pub observer: Box<dyn Observer>,
+    pub interrupt: Interrupt,
 }
 
-impl<'a> Interruptible<'a> {
-    pub fn new(observer: &'a mut dyn Observer) -> Result<Self, Error> {
-        Ok(Self { observer, interrupt: Interrupt::new()? })
-    }
-}
-
-impl Observer for Interruptible<'_> {
+impl Observer for Interruptible {
     fn start(&mut self, start: Start) {
         self.observer.start(start);
+    }
+
+    fn parameters(&mut self, x: &[f64]) {
+        self.observer.parameters(x);
     }
 
     fn step(&mut self, step: &Step) -> ControlFlow<()> {
         let go_on = self.observer.step(step);
         if go_on.is_break() { go_on } else { self.interrupt.flow() }
+    }
+
+    fn learning_rate_factor(&mut self) -> Option<f64> {
+        self.observer.learning_rate_factor()
     }
 
     fn finish(&mut self, outcome: &Outcome) {

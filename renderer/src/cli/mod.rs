@@ -5,9 +5,11 @@ mod bench;
 mod changes;
 mod demo;
 mod derivative;
+mod export;
 mod gradient;
 mod init;
 mod interrupt;
+mod live;
 mod optimize;
 mod out_folder;
 mod output;
@@ -127,6 +129,8 @@ enum Command {
     Init(init::Arguments),
     /// Explain the format of scene files
     Scene,
+    /// Write the meshes of a scene for other programs: glTF (.glb) or OBJ
+    Export(export::Arguments),
     /// Turn the folder of an optimisation into one HTML page
     Report(report::Arguments),
     /// Measure how long images and gradients of a scene take, and which part of it is what
@@ -237,6 +241,7 @@ fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
         Some(Command::Optimize(arguments)) => return optimize::run(arguments, chosen),
         Some(Command::Init(arguments)) => init::run(arguments)?,
         Some(Command::Scene) => init::explain()?,
+        Some(Command::Export(arguments)) => export::run(arguments)?,
         Some(Command::Report(arguments)) => report::run(arguments)?,
         Some(Command::Bench(arguments)) => bench::run(arguments, arithmetic)?,
         Some(Command::Tradeoff(arguments)) => tradeoff::run(arguments)?,

@@ -7,7 +7,8 @@ use std::time::Duration;
 use serde_json::Map;
 
 use super::accuracy::AccuracyArguments;
-use super::interrupt::Interruptible;
+use super::interrupt::{Interrupt, Interruptible};
+use super::live::{LiveArguments, LiveServer, Watched};
 use super::out_folder::{SUMMARY_FILE, check_out_folder, lock, remove_earlier_results};
 use super::output::{abbreviate, print, print_note, print_warning, short};
 use super::strip::save_strip;
@@ -60,6 +61,9 @@ pub(super) struct Arguments {
     /// Continue a run that was interrupted
     #[arg(long)]
     resume: bool,
+
+    #[command(flatten)]
+    live: LiveArguments,
 }
 
 pub(super) fn run(arguments: &Arguments, chosen: Option<Arithmetic>) -> Result<ExitCode, Error> {
@@ -77,7 +81,8 @@ pub(super) fn run(arguments: &Arguments, chosen: Option<Arithmetic>) -> Result<E
     let inputs = section.map_or_else(Vec::new, OptimizeSection::files);
     check_out_folder(&out, std::iter::once(scene_path.as_path()).chain(inputs))?;
     let recovery = arguments.accuracy.recovery(&arguments.problem, &experiment, chosen)?;
-    let outcome = recover(&experiment, &recovery, &out, arguments.resume)?;
+    let live = arguments.live.bind(scene_path)?;
+    let outcome = recover(&experiment, &recovery, &out, arguments.resume, live)?;
     recovery.left_out().iter().for_each(print_warning);
     print(report(&recovery, &outcome, &out))?;
     if outcome.stop.reason == StopReason::Interrupted {
@@ -110,12 +115,13 @@ fn tolerance(text: &str) -> Result<f64, String> {
     if value >= 0.0 { Ok(value) } else { Err("must be 0 or more".to_owned()) }
 }
 
-/// Optimises, and leaves everything about it in the folder `out`.
+/// Optimises, and leaves everything about it in the folder `out`; a page may watch.
 pub(super) fn recover(
     experiment: &Experiment,
     recovery: &Recovery<'_>,
     out: &Path,
     resume: bool,
+    live: Option<LiveServer>,
 ) -> Result<Outcome, Error> {
     let mut settings = recovery.settings();
     settings.checkpointing = Some(Checkpointing {
@@ -148,7 +154,12 @@ pub(super) fn recover(
     save_png(&target.image, &out.join("target.png"))?;
     save_png(&recovery.render(&experiment.scene), &out.join("initial.png"))?;
 
-    let outcome = recovery.run(&settings, &mut Interruptible::new(progress().as_mut())?)?;
+    let (interrupt, mut observer) = (Interrupt::new()?, progress());
+    if let Some(live) = live {
+        let state = live.start(recovery, &settings);
+        observer = Box::new(Watched { observer, state, interrupt: interrupt.clone() });
+    }
+    let outcome = recovery.run(&settings, &mut Interruptible { observer, interrupt })?;
 
     let recovered = recovery.scene_at(&outcome.best.x);
     let image = recovery.render(&recovered);

@@ -12,6 +12,7 @@ mod lights;
 mod materials;
 mod nodes;
 mod primitive;
+mod write;
 
 #[cfg(test)]
 mod tests;
@@ -32,6 +33,7 @@ use buffers::Buffers;
 use document::Document;
 use materials::Materials;
 use nodes::PlacedNode;
+pub(super) use write::save_glb;
 
 /// What a glTF file holds.
 #[derive(Clone, Debug, PartialEq)]
@@ -50,8 +52,8 @@ pub struct GltfFile {
 /// - Every node with a mesh is a mesh, named after the node (or the mesh), placed by the node and those
 ///   above it.
 /// - Normals are read by [`load_mesh_with`](super::load_mesh_with) alone.
-/// - The base colour of a material is the diffuse albedo, and what it emits the emission, each
-///   with its texture: PNG or JPEG, embedded or in files; any set of texture coordinates, moved by
+/// - The base colour of a material is the diffuse albedo, and what it emits, times
+///   `KHR_materials_emissive_strength`, the emission, each with its texture: PNG or JPEG, embedded or in files; any set of texture coordinates, moved by
 ///   `KHR_texture_transform`; wrapped as the sampler says, along v as along u. An image whose file is
 ///   missing is warned of, and counts as white. Primitives without a material have
 ///   [`DEFAULT_MATERIAL`](super::DEFAULT_MATERIAL).

@@ -5,6 +5,7 @@
 //! old file or the new one, never half of one.
 
 mod cameras;
+mod export;
 #[cfg(feature = "gltf")]
 mod gltf;
 pub mod images;
@@ -14,6 +15,7 @@ mod names;
 mod obj;
 #[cfg(feature = "ply")]
 mod ply;
+mod png;
 #[cfg(test)]
 mod robustness;
 mod scene_file;
@@ -22,6 +24,7 @@ mod stl;
 
 pub use crate::warning::Warning;
 pub use cameras::{FoundView, load_cameras};
+pub use export::save_meshes;
 #[cfg(feature = "gltf")]
 pub use gltf::{GltfFile, load_gltf};
 pub use images::{
@@ -38,6 +41,8 @@ pub(crate) use names::file_stems;
 pub use obj::{load_obj, save_obj};
 #[cfg(feature = "ply")]
 pub use ply::load_ply;
+#[cfg(feature = "cli")]
+pub(crate) use png::png_bytes;
 pub use scene_file::{save_experiment, save_scene};
 #[cfg(feature = "stl")]
 pub use stl::load_stl;

@@ -21,6 +21,7 @@ mod mtl;
 mod prepare;
 mod statements;
 mod write;
+mod write_objects;
 
 #[cfg(test)]
 mod mtl_tests;
@@ -42,6 +43,7 @@ use mtl::Library;
 use prepare::prepare;
 
 pub use write::save_obj;
+pub(super) use write_objects::save_objects;
 
 /// Reads an OBJ file and the material libraries that it names, by paths relative to itself.
 ///

@@ -45,6 +45,9 @@ pub(super) struct State {
     /// The history of the run, one entry for each usable evaluation.
     pub history: Vec<Record>,
     pub trajectory: Trajectory,
+    /// The factors that an observer has put on learning rates, and the iterations after which; most runs have none.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub learning_rate_factors: Vec<(u64, f64)>,
     pub stop: Option<Stop>,
 }
 
@@ -64,8 +67,14 @@ impl State {
             last: None,
             history: Vec::new(),
             trajectory: Trajectory::new(),
+            learning_rate_factors: Vec::new(),
             stop: None,
         }
+    }
+
+    /// What learning rates are multiplied by, beside the schedule.
+    pub fn learning_rate_factor(&self) -> f64 {
+        self.learning_rate_factors.last().map_or(1.0, |(_, factor)| *factor)
     }
 
     /// Takes in an evaluation at `x`. The lowest loss of samples is that of the easiest one, so then the

@@ -35,7 +35,8 @@
 //! With [`Checkpointing`] the whole state goes to `checkpoint.json` in the output folder, after
 //! the first step, then every few seconds, and at the end. A process killed at any moment
 //! continues from the latest checkpoint to the same parameters, bit for bit, as a run that nobody
-//! stopped, given an objective that is a pure function of its argument.
+//! stopped, given an objective that is a pure function of its argument. Where an [`Observer`] changes learning
+//! rates on the way, the checkpoint keeps that, and is written at once; no other run repeats it.
 //!
 //! | folder holds      | `resume: false`                  | `resume: true`                    |
 //! |-------------------|----------------------------------|-----------------------------------|

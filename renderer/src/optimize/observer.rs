@@ -11,8 +11,20 @@ pub trait Observer {
         let _ = start;
     }
 
-    /// After each iteration. `Break` interrupts: the run writes a checkpoint and returns.
+    /// Where the iteration is that [`step`](Self::step) is told of next: the elements of all variables.
+    fn parameters(&mut self, x: &[f64]) {
+        let _ = x;
+    }
+
+    /// After each iteration; the time that it takes is none of the run's. `Break` interrupts: the run writes a checkpoint and returns.
     fn step(&mut self, step: &Step) -> ControlFlow<()>;
+
+    /// What learning rates are multiplied by from the step after this iteration on, beside the
+    /// [`Schedule`](super::Schedule), if that is to change. A checkpoint keeps it. Methods that find the lengths
+    /// of their steps themselves have no learning rate.
+    fn learning_rate_factor(&mut self) -> Option<f64> {
+        None
+    }
 
     /// At the end.
     fn finish(&mut self, outcome: &Outcome) {
@@ -29,6 +41,8 @@ pub struct Step {
     pub initial_loss: f64,
     /// The number of iterations at the most.
     pub iterations: u64,
+    /// The latest [factor](Observer::learning_rate_factor) on learning rates; 1 if there was none.
+    pub learning_rate_factor: f64,
 }
 
 impl Step {

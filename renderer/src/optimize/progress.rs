@@ -173,7 +173,7 @@ mod tests {
 
     fn step(iteration: u64, seconds: f64) -> Step {
         let record = Record { iteration, loss: 0.5, gradient_norm: 1.0, seconds };
-        Step { record, initial_loss: 2.0, iterations: 100 }
+        Step { record, initial_loss: 2.0, iterations: 100, learning_rate_factor: 1.0 }
     }
 
     fn outcome() -> Outcome {

@@ -1,6 +1,6 @@
 //! The loop.
 
-use std::time::Instant;
+use std::time::{Duration, Instant};
 
 use super::checkpoint::{CheckpointFile, State};
 use super::variable::{self, Flat};
@@ -111,6 +111,7 @@ impl<'a> Optimization<'a> {
     ) -> Result<Stop, Error> {
         let clock = Instant::now();
         let seconds_before = self.state.seconds;
+        let mut watched = Duration::ZERO;
         let mut last_saved: Option<Instant> = None;
         let mut objective = Counted { objective, evaluations: self.state.evaluations };
         let mut known: Option<Evaluation> = None;
@@ -139,7 +140,7 @@ impl<'a> Optimization<'a> {
             }
             objective.begin(iteration, level);
             let evaluation = known.take().unwrap_or_else(|| objective.evaluate(&self.state.x));
-            self.state.seconds = seconds_before + clock.elapsed().as_secs_f64();
+            self.state.seconds = seconds_before + (clock.elapsed() - watched).as_secs_f64();
             self.state.evaluations = objective.evaluations;
             if let Some(stop) = self.non_finite(&evaluation, &mut objective) {
                 return self.stop(stop);
@@ -154,8 +155,17 @@ impl<'a> Optimization<'a> {
             self.state.record(record, self.settings.is_sampled);
             let iterations = self.settings.iterations;
             let initial_loss = *self.state.initial_loss.get_or_insert(record.loss);
-            let step = Step { record, initial_loss, iterations };
+            let learning_rate_factor = self.state.learning_rate_factor();
+            let step = Step { record, initial_loss, iterations, learning_rate_factor };
+            let begun = Instant::now();
+            observer.parameters(&self.state.x);
             let interrupted = observer.step(&step).is_break();
+            watched += begun.elapsed();
+            if let Some(factor) = observer.learning_rate_factor() {
+                self.state.learning_rate_factors.push((iteration, factor));
+                // What nobody can repeat must not be lost.
+                last_saved = None;
+            }
             let stop = Stop::at(&record, self.settings);
             let mut is_level_done = level > 0 && self.state.is_level_flat(self.settings);
             match stop {
@@ -167,8 +177,9 @@ impl<'a> Optimization<'a> {
             }
 
             // From here to the next evaluation the state is one that a checkpoint can hold.
+            let factor = self.settings.schedule.factor(iteration, self.settings.iterations)
+                * self.state.learning_rate_factor();
             let State { method, x, .. } = &mut self.state;
-            let factor = self.settings.schedule.factor(iteration, self.settings.iterations);
             if !is_level_done {
                 match method.step(&self.flat, factor, x, evaluation, &mut objective) {
                     Ok(evaluation) => known = evaluation,

@@ -42,7 +42,6 @@ use crate::optimize::{
     Evaluation, Fingerprint, Objective, Observer, Optimization, Optimizer, Outcome,
     Settings as OptimizeSettings, Variable,
 };
-use crate::render::Renderer;
 use crate::scene::{ParameterId, Scene};
 use crate::settings::{Edges, Settings};
 
@@ -225,10 +224,7 @@ impl<'a> Recovery<'a> {
 
     /// Renders what of a scene a target shows.
     pub fn render_target(&self, target: &TargetImage, scene: &Scene) -> Image {
-        let mut scene = scene.clone();
-        target.look(&mut scene);
-        let settings = Settings { pass: target.pass, ..self.settings };
-        let mut image = Renderer::unchecked(&scene, &settings).render();
+        let mut image = target.render(scene, &self.settings);
         if self.allow_non_finite {
             image.blacken_non_finite();
         }

@@ -57,6 +57,31 @@ impl TargetImage {
         picture.absolute_difference(&self.picture(&self.image))
     }
 
+    /// What a scene shows of this target, in its size.
+    pub(crate) fn render(&self, scene: &Scene, settings: &Settings) -> Image {
+        let mut scene = scene.clone();
+        let (width, height) = match self.view {
+            Some(view) => {
+                let view = &mut scene.views[view];
+                (&mut view.width, &mut view.height)
+            }
+            None => (&mut scene.width, &mut scene.height),
+        };
+        (*width, *height) = (self.image.width, self.image.height);
+        self.look(&mut scene);
+        let settings = Settings { pass: self.pass, ..*settings };
+        Renderer::unchecked(&scene, &settings).render()
+    }
+
+    /// This target, halved until no side is longer, as far as both can be.
+    #[cfg(feature = "cli")]
+    pub(crate) fn fitting(&self, longest: u32) -> Self {
+        let (width, height) = (self.image.width, self.image.height);
+        let most = width.trailing_zeros().min(height.trailing_zeros());
+        let levels = (0..=most).find(|levels| width.max(height) >> levels <= longest);
+        self.halved(levels.unwrap_or(most))
+    }
+
     /// How alike the [pictures](Self::picture) of an image of the same size and of this one are.
     ///
     /// # Panics

@@ -152,7 +152,9 @@ fn what_cannot_be_done_is_said() {
         sandbox(section, parameter).refuse_with(&["optimize", "shape.toml", "--out", "out"], parts);
     };
     refuse("", "large_steps = -1.0\n", &["shape.toml:", "large_steps", "above 0"]);
-    refuse("", "laplacian = { weight = -1.0 }\n", &["laplacian.weight", "is -1"]);
+    refuse("", "laplacian = { weight = -1.0 }\n", &["laplacian", "weight of 0 or more, has -1"]);
+    refuse("", "edge_length = -1.0\n", &["edge_length", "weight of 0 or more, has -1"]);
+    refuse("", "total_variation = 1.0\n", &["total_variation", "texels of a texture"]);
     refuse("", "laplacian = { wight = 1.0 }\n", &["shape.toml:", "wight"]);
     refuse("optimizer = \"lbfgs\"\n", "large_steps = 1.0\n", &["optimize.optimizer", "lbfgs"]);
     refuse("coarse_to_fine = 5\n", "", &["optimize.coarse_to_fine", "24 x 16", "5 times"]);

@@ -6,9 +6,9 @@ use super::document::{BufferView, Document, get};
 use crate::Error;
 use crate::disk::read;
 
-const MAGIC: &[u8] = b"glTF";
-const JSON_CHUNK: u32 = 0x4E4F_534A;
-const BINARY_CHUNK: u32 = 0x004E_4942;
+pub(super) const MAGIC: &[u8] = b"glTF";
+pub(super) const JSON_CHUNK: u32 = 0x4E4F_534A;
+pub(super) const BINARY_CHUNK: u32 = 0x004E_4942;
 
 /// The document of a file, and the bytes that a `.glb` brings along.
 pub(super) fn split(bytes: &[u8]) -> Result<(&[u8], Option<&[u8]>), String> {

@@ -6,8 +6,9 @@ use serde::Deserialize;
 use serde::de::IgnoredAny;
 
 /// The extensions that are read.
-const EXTENSIONS: [&str; 6] = [
+const EXTENSIONS: [&str; 7] = [
     "KHR_lights_punctual",
+    "KHR_materials_emissive_strength",
     "KHR_materials_ior",
     "KHR_materials_transmission",
     "KHR_materials_unlit",
@@ -164,6 +165,8 @@ pub(super) struct Material {
 
 #[derive(Default, Deserialize)]
 pub(super) struct MaterialExtensions {
+    #[serde(default, rename = "KHR_materials_emissive_strength")]
+    pub emissive_strength: EmissiveStrength,
     /// There if light does not matter: the base colour is what is seen.
     #[serde(rename = "KHR_materials_unlit")]
     pub unlit: Option<IgnoredAny>,
@@ -174,6 +177,19 @@ pub(super) struct MaterialExtensions {
     /// Whether a surface is that of a solid. How a solid absorbs light is left out.
     #[serde(rename = "KHR_materials_volume")]
     pub volume: Option<IgnoredAny>,
+}
+
+/// What the emission is multiplied by.
+#[derive(Deserialize)]
+#[serde(rename_all = "camelCase", default)]
+pub(super) struct EmissiveStrength {
+    pub emissive_strength: f64,
+}
+
+impl Default for EmissiveStrength {
+    fn default() -> Self {
+        Self { emissive_strength: 1.0 }
+    }
 }
 
 #[derive(Clone, Copy, Deserialize)]

@@ -88,7 +88,8 @@ fn convert(
     let mut material = MaterialObject::from(match is_unlit {
         true => Material { emission: color, ..Material::lambertian(DVec3::ZERO) },
         false => Material {
-            emission: DVec3::from_array(definition.emissive_factor),
+            emission: definition.extensions.emissive_strength.emissive_strength
+                * DVec3::from_array(definition.emissive_factor),
             ..Material::lambertian(color)
         },
     });

@@ -1,4 +1,4 @@
-//! Writes a mesh as OBJ.
+//! Writes meshes as OBJ.
 
 use std::fmt::Write;
 use std::path::Path;
@@ -16,7 +16,27 @@ use crate::scene::{MaterialObject, Mesh, Normals};
 ///
 /// If an index is out of range, or the file cannot be written.
 pub fn save_obj(mesh: &Mesh, materials: &[MaterialObject], path: &Path) -> Result<(), Error> {
-    let out_of_range = || Error::new(path.display(), format!("mesh {} is inconsistent", mesh.name));
+    let mut text = String::new();
+    push_object(&mut text, mesh, materials, &mut Counts::default())
+        .ok_or_else(|| Error::new(path.display(), format!("mesh {} is inconsistent", mesh.name)))?;
+    write_atomically(path, text.as_bytes())
+}
+
+/// How many vertices, texture coordinates and normals a file has so far.
+#[derive(Default)]
+pub(super) struct Counts {
+    vertices: usize,
+    texture_coordinates: usize,
+    normals: usize,
+}
+
+/// Appends a mesh, as it is before its transform; nothing if an index is out of range.
+pub(super) fn push_object(
+    text: &mut String,
+    mesh: &Mesh,
+    materials: &[MaterialObject],
+    before: &mut Counts,
+) -> Option<()> {
     let some = |triangles: &[Option<[u32; 3]>], count: usize| {
         triangles.iter().flatten().flatten().all(|&i| (i as usize) < count)
     };
@@ -29,48 +49,52 @@ pub fn save_obj(mesh: &Mesh, materials: &[MaterialObject], path: &Path) -> Resul
         || mesh.triangles.as_flattened().iter().any(|&i| i as usize >= mesh.vertices.len())
         || mesh.materials.len() != mesh.triangles.len()
     {
-        return Err(out_of_range());
+        return None;
     }
-    let mut text = format!("o {}\n", mesh.name);
+    push(text, format_args!("o {}\n", mesh.name));
     for [x, y, z] in &mesh.vertices {
-        push(&mut text, format_args!("v {x:?} {y:?} {z:?}\n"));
+        push(text, format_args!("v {x:?} {y:?} {z:?}\n"));
     }
     for [u, v] in &mesh.texture_coordinates {
-        push(&mut text, format_args!("vt {u:?} {v:?}\n"));
+        push(text, format_args!("vt {u:?} {v:?}\n"));
     }
     for [x, y, z] in directions {
-        push(&mut text, format_args!("vn {x:?} {y:?} {z:?}\n"));
+        push(text, format_args!("vn {x:?} {y:?} {z:?}\n"));
     }
     let mut assigned = None;
     let triangles = mesh.materials.iter().zip(&mesh.triangles).enumerate();
     for (triangle, (&material, corners)) in triangles {
         if assigned != Some(material) {
-            let name = &materials.get(material as usize).ok_or_else(out_of_range)?.name;
-            push(&mut text, format_args!("usemtl {name}\n"));
+            let name = &materials.get(material as usize)?.name;
+            push(text, format_args!("usemtl {name}\n"));
             assigned = Some(material);
         }
         text.push('f');
         for corner in 0..3 {
-            let index = |corners: [u32; 3]| u64::from(corners[corner]) + 1;
-            let of = |triangles: &[Option<[u32; 3]>]| {
-                triangles.get(triangle).copied().flatten().map(index)
+            let index = |corners: [u32; 3], before| before + corners[corner] as usize + 1;
+            let of = |triangles: &[Option<[u32; 3]>], before| {
+                triangles.get(triangle).copied().flatten().map(|corners| index(corners, before))
             };
-            let vertex = index(*corners);
-            match (of(&mesh.texture_triangles), of(normal_triangles)) {
-                (None, None) => push(&mut text, format_args!(" {vertex}")),
-                (Some(place), None) => push(&mut text, format_args!(" {vertex}/{place}")),
-                (None, Some(normal)) => push(&mut text, format_args!(" {vertex}//{normal}")),
+            let vertex = index(*corners, before.vertices);
+            let place = of(&mesh.texture_triangles, before.texture_coordinates);
+            match (place, of(normal_triangles, before.normals)) {
+                (None, None) => push(text, format_args!(" {vertex}")),
+                (Some(place), None) => push(text, format_args!(" {vertex}/{place}")),
+                (None, Some(normal)) => push(text, format_args!(" {vertex}//{normal}")),
                 (Some(place), Some(normal)) => {
-                    push(&mut text, format_args!(" {vertex}/{place}/{normal}"));
+                    push(text, format_args!(" {vertex}/{place}/{normal}"));
                 }
             }
         }
         text.push('\n');
     }
-    write_atomically(path, text.as_bytes())
+    before.vertices += mesh.vertices.len();
+    before.texture_coordinates += mesh.texture_coordinates.len();
+    before.normals += directions.len();
+    Some(())
 }
 
-fn push(text: &mut String, line: std::fmt::Arguments<'_>) {
+pub(super) fn push(text: &mut String, line: std::fmt::Arguments<'_>) {
     // Writing to a string cannot fail.
     let _ = text.write_fmt(line);
 }

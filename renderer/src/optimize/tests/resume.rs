@@ -54,6 +54,45 @@ fn interrupted_run_continues_bit_for_bit() {
     }
 }
 
+/// Halves learning rates after one iteration, and interrupts after another.
+struct SlowDown {
+    after: u64,
+    until: u64,
+    iteration: u64,
+}
+
+impl Observer for SlowDown {
+    fn step(&mut self, step: &Step) -> ControlFlow<()> {
+        self.iteration = step.record.iteration;
+        assert_eq!(step.learning_rate_factor, if self.iteration > self.after { 0.5 } else { 1.0 });
+        InterruptAt(self.until).step(step)
+    }
+
+    fn learning_rate_factor(&mut self) -> Option<f64> {
+        (self.iteration == self.after).then_some(0.5)
+    }
+}
+
+#[test]
+fn changed_learning_rates_are_kept() {
+    let variables = variables();
+    let watched = |settings: &Settings, after, until| {
+        let mut observer = SlowDown { after, until, iteration: 0 };
+        let optimization = Optimization::start(&variables, settings).unwrap();
+        optimization.run(&mut rosenbrock, &mut observer).unwrap()
+    };
+    let expected = watched(&iterations(40), 12, u64::MAX);
+    let plain = run(&variables, &iterations(40), rosenbrock).unwrap();
+    assert_eq!(plain.history[12].loss, expected.history[12].loss);
+    assert!(plain.history[13].loss != expected.history[13].loss);
+    for until in [12, 13, 30] {
+        let folder = tempfile::tempdir().unwrap();
+        let settings = in_folder(folder.path(), true, iterations(40));
+        watched(&settings, 12, until);
+        assert_same(&run(&variables, &settings, rosenbrock).unwrap(), &expected);
+    }
+}
+
 /// The rates are small enough for plain gradient descent, too.
 #[test]
 fn every_method_continues_bit_for_bit() {
