@@ -14,7 +14,6 @@ use super::output::{abbreviate, print, print_note, print_warning, short};
 use super::strip::save_strip;
 use super::views::{quality_lines, save_views};
 use super::{Problem, record, stem};
-use crate::Error;
 use crate::arithmetic::Arithmetic;
 use crate::disk::create_folder;
 use crate::experiment::{Experiment, OptimizeSection};
@@ -24,6 +23,7 @@ use crate::optimize::{
     progress, write_report,
 };
 use crate::recovery::Recovery;
+use crate::{Error, Image};
 
 #[derive(clap::Args)]
 pub(super) struct Arguments {
@@ -151,8 +151,9 @@ pub(super) fn recover(
         remove_earlier_results(out)?;
     }
     let target = &recovery.targets()[0];
-    save_png(&target.image, &out.join("target.png"))?;
-    save_png(&recovery.render(&experiment.scene), &out.join("initial.png"))?;
+    let save = |image: &Image, file| save_png(&target.picture(image), &out.join(file));
+    save(&target.image, "target.png")?;
+    save(&recovery.render(&experiment.scene), "initial.png")?;
 
     let (interrupt, mut observer) = (Interrupt::new()?, progress());
     if let Some(live) = live {
@@ -163,7 +164,7 @@ pub(super) fn recover(
 
     let recovered = recovery.scene_at(&outcome.best.x);
     let image = recovery.render(&recovered);
-    save_png(&image, &out.join("final.png"))?;
+    save(&image, "final.png")?;
     let mut extra = Map::new();
     if let Some(difference) = target.difference(&image) {
         let largest = record::save_difference(difference, out)?;

@@ -34,7 +34,7 @@ pub(super) fn save_strip(
     for (i, point) in chosen(trajectory, most).into_iter().enumerate() {
         let file = format!("{STRIP_FOLDER}/{i:02}.png");
         let image = recovery.render(&recovery.scene_at(&point.x));
-        save_png(&image, &out.join(&file))?;
+        save_png(&recovery.targets()[0].picture(&image), &out.join(&file))?;
         entries.push(json!({ "iteration": point.iteration, "loss": point.loss, "file": file }));
     }
     Ok(Value::Array(entries))
