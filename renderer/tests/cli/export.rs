@@ -27,6 +27,8 @@ fn what_cannot_be_written_is_refused() {
     let sandbox = Sandbox::new();
     sandbox.refuse_with(&["export", "scene.toml", "-o", "a.stl"], &["a.stl: ", ".glb", ".obj"]);
     sandbox.refuse_with(&["export", "scene.toml", "-o", "a/b.glb"], &["a/b.glb", "does not exist"]);
-    sandbox.refuse_with(&["export", "floor.obj", "-o", "./floor.obj"], &["is the scene itself"]);
+    sandbox.refuse_with(&["export", "scene.toml", "-o", "floor.obj"], &["floor.obj", "exists"]);
+    sandbox.write("kept.mtl", "");
+    sandbox.refuse_with(&["export", "scene.toml", "-o", "kept.obj"], &["kept.mtl", "exists"]);
     sandbox.refuse_with(&["export", "none.toml", "-o", "a.glb"], &["none.toml"]);
 }
