@@ -6,7 +6,7 @@ use glam::{DVec3, dvec3};
 use renderer::scene::AreaLight;
 use renderer::{
     Arithmetic, Camera, Edges, Light, LossKind, Material, Mesh, Renderer, Sampling, Scene,
-    Settings, render,
+    Settings, render, render_vjp,
 };
 
 use crate::image::{check_parameter_with, in_arithmetic, target};
@@ -161,6 +161,17 @@ fn what_is_wrong_with_lights_with_an_area_is_said() {
     assert_eq!(parallel, "light.panel.right: `right` and `up` must not point along one line");
     assert!(refused(AreaLight { up: DVec3::ZERO, ..LAMP }).contains("along one line"));
     assert!(refused(AreaLight { radiance: -1.0, ..LAMP }).contains("light.panel.radiance"));
+    scene.light_samples = 65;
+    scene.add_light("panel", Light::Rectangle(LAMP)).unwrap();
+    let camera = scene.parameter("camera.look_from").unwrap();
+    let gradient = |scene: &Scene, settings: &Settings| {
+        render_vjp(scene, settings, &[camera]).map(|_| ()).map_err(|error| error.to_string())
+    };
+    let error = gradient(&scene, &Settings::default()).unwrap_err();
+    assert!(error.starts_with("light: 67 lights, or points of them"), "{error}");
+    gradient(&scene, &Settings { edges: Edges::Off, ..Settings::default() }).unwrap();
+    scene.light_samples = 62;
+    gradient(&scene, &Settings::default()).unwrap();
     scene.light_samples = 0;
     let error = render(&scene, &Settings::default()).unwrap_err().to_string();
     assert!(error.contains("light_samples: must lie between 1 and 4096, is 0"), "{error}");

@@ -253,11 +253,14 @@ fn metals_know_what_they_were_without_metal() {
 fn what_cannot_be_is_refused() {
     let scene = furnished(8);
     let ior = scene.parameter("material.clear.ior").unwrap();
-    let text = scene.check_differentiable(Pass::Radiance, &[ior]).unwrap_err().to_string();
+    let text = scene.check_differentiable(&Settings::default(), &[ior]).unwrap_err().to_string();
     assert!(text.starts_with("material.clear.ior: moves edges"), "{text}");
     assert!(
         scene
-            .check_differentiable(Pass::Radiance, &[scene.parameter("material.gold.ior").unwrap()])
+            .check_differentiable(
+                &Settings::default(),
+                &[scene.parameter("material.gold.ior").unwrap()]
+            )
             .is_ok()
     );
     let direct = Scene { integrator: Integrator::Direct, ..scene.clone() };

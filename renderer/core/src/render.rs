@@ -73,7 +73,7 @@ pub fn render_vjp(
     settings: &Settings,
     requested: &[ParameterId],
 ) -> Result<(Image, impl Fn(&Image) -> Gradient + use<>), Error> {
-    scene.check_differentiable(settings.pass, requested)?;
+    scene.check_differentiable(settings, requested)?;
     let settings = Settings { edges: settings.edges.for_parameters(requested), ..*settings };
     let renderer = Renderer::new(scene, &settings)?;
     let (image, scene, requested) = (renderer.render(), scene.clone(), requested.to_vec());
@@ -108,7 +108,7 @@ pub fn loss_and_gradient(
     loss: &dyn PixelLoss,
     requested: &[ParameterId],
 ) -> Result<LossAndGradient, Error> {
-    scene.check_differentiable(settings.pass, requested)?;
+    scene.check_differentiable(settings, requested)?;
     Ok(Renderer::new(scene, settings)?.loss_and_gradient(scene, loss, requested))
 }
 

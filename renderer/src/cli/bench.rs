@@ -12,7 +12,7 @@ use crate::counts::Counts;
 use crate::loss::{ImageLoss, LossKind};
 use crate::render::Renderer;
 use crate::scene::{ParameterId, Scene};
-use crate::settings::{Edges, Pass, Settings};
+use crate::settings::{Edges, Settings};
 
 #[derive(clap::Args)]
 pub(super) struct Arguments {
@@ -76,7 +76,7 @@ pub(super) fn run(arguments: &Arguments, arithmetic: Arithmetic) -> Result<(), E
     let start = Instant::now();
     let edges = arguments.edges.for_parameters(&ids);
     let settings = Settings { arithmetic, edges, ..Settings::default() };
-    scene.check_differentiable(Pass::Radiance, &ids)?;
+    scene.check_differentiable(&settings, &ids)?;
     settings.check_edges(scene)?;
     let renderer = Renderer::unchecked(scene, &settings);
     let build = start.elapsed();

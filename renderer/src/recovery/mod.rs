@@ -90,7 +90,7 @@ impl<'a> Recovery<'a> {
         let settings = Settings { edges: settings.edges.for_parameters(&ids), ..*settings };
         let (targets, truth) = target::load(scene, &section, place, &settings)?;
         for target in &targets {
-            scene.check_differentiable(target.pass, &ids)?;
+            scene.check_differentiable(&Settings { pass: target.pass, ..settings }, &ids)?;
         }
         check_batch(scene, &section, place)?;
         check_levels(scene, section.coarse_to_fine).map_err(|problem| {

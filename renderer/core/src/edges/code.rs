@@ -9,9 +9,6 @@ pub const LEAVES: u32 = 1 << 31;
 /// The primitive where a path has ended.
 pub const END: u32 = NO_PRIMITIVE ^ LEAVES;
 
-/// The most lights whose shadows have edges: a bit for each.
-pub const MOST_LIGHTS: usize = 64;
-
 /// What a ray meets, as one number.
 pub fn code(known: &KnownHit) -> u32 {
     match known.primitive {

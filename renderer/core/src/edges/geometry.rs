@@ -3,12 +3,12 @@
 use ad::{Fields, Scalar};
 use glam::DVec3;
 
-use super::code::{MOST_LIGHTS, decode};
+use super::code::decode;
 use crate::number::{Plain, widen};
 use crate::primal::integrator::Integrator;
 use crate::primal::known::KnownHit;
 use crate::primal::shadow::SURFACE_ERROR;
-use crate::scene::Transform;
+use crate::scene::{MOST_EDGED_LIGHTS, Transform};
 use crate::trace::adjacency::Adjacency;
 use crate::trace::bvh::NO_PRIMITIVE;
 use crate::trace::layout::Kind;
@@ -262,7 +262,7 @@ impl<'a, L: Plain> Geometry<'a, L> {
 
     /// How many lights have shadows with edges.
     pub fn edged_lights(&self) -> usize {
-        self.integrator.layout.lights.len().min(MOST_LIGHTS)
+        self.integrator.layout.lights.len().min(MOST_EDGED_LIGHTS)
     }
 
     /// The path of the ray through a place of the image, traced.

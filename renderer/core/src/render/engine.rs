@@ -158,7 +158,7 @@ impl Renderer {
         scene: &Scene,
         direction: &[(ParameterId, Vec<f64>)],
     ) -> Result<(Image, Image), Error> {
-        check_direction(scene, self.settings.pass, direction)?;
+        check_direction(scene, &self.settings, direction)?;
         Ok(self.engine.jvp(scene, direction))
     }
 
@@ -174,7 +174,7 @@ impl Renderer {
         loss: &dyn PixelLoss,
         direction: &[(ParameterId, Vec<f64>)],
     ) -> Result<(f64, f64), Error> {
-        check_direction(scene, self.settings.pass, direction)?;
+        check_direction(scene, &self.settings, direction)?;
         Ok(self.engine.loss_jvp(scene, loss, direction))
     }
 
@@ -308,7 +308,7 @@ impl<L: Plain> Engine for Prepared<L> {
         loss: &dyn PixelLoss,
         requested: &[ParameterId],
     ) -> LossAndGradient {
-        if let Err(error) = scene.check_differentiable(self.layout.pass, requested) {
+        if let Err(error) = scene.check_differentiable(&self.settings, requested) {
             panic!("{error}");
         }
         let request = Request::new(scene, &self.layout, requested);
@@ -383,11 +383,11 @@ impl<L: Plain> Engine for Prepared<L> {
 
 fn check_direction(
     scene: &Scene,
-    pass: Pass,
+    settings: &Settings,
     direction: &[(ParameterId, Vec<f64>)],
 ) -> Result<(), Error> {
     let ids: Vec<ParameterId> = direction.iter().map(|(id, _)| *id).collect();
-    scene.check_differentiable(pass, &ids)?;
+    scene.check_differentiable(settings, &ids)?;
     for (index, (id, numbers)) in direction.iter().enumerate() {
         if let Some((other, _)) = direction[..index].iter().find(|(other, _)| other.overlaps(*id)) {
             let problem = format!("overlaps {}, which moves too", scene.path(*other));

@@ -1,8 +1,8 @@
 //! Which paths of light count.
 
-use super::{Bsdf, Object, ParameterId, Scene};
+use super::{Bsdf, MOST_EDGED_LIGHTS, Object, ParameterId, Scene};
 use crate::Error;
-use crate::settings::Pass;
+use crate::settings::{Edges, Pass, Settings};
 
 /// Which paths of light count.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -73,10 +73,23 @@ impl Scene {
     ///
     /// # Errors
     ///
-    /// If there is [none](Self::is_differentiable) by one of them.
-    pub fn check_differentiable(&self, pass: Pass, ids: &[ParameterId]) -> Result<(), Error> {
-        if pass != Pass::Radiance {
+    /// If there is [none](Self::is_differentiable) by one of them, or edges count and there are more lights, or
+    /// points of them, than the 64 whose shadows have edges.
+    pub fn check_differentiable(
+        &self,
+        settings: &Settings,
+        ids: &[ParameterId],
+    ) -> Result<(), Error> {
+        if settings.pass != Pass::Radiance {
             return Ok(());
+        }
+        let points = self.light_points();
+        if settings.edges.for_parameters(ids) == Edges::On && points > MOST_EDGED_LIGHTS {
+            let problem = format!(
+                "{points} lights, or points of them, cast shadows, and edges are known of \
+                 {MOST_EDGED_LIGHTS}: lower light_samples, or leave the boundary term out (--edges off)"
+            );
+            return Err(Error::new("light", problem));
         }
         match ids.iter().find(|&&id| !self.is_differentiable(id)) {
             None => Ok(()),

@@ -10,6 +10,9 @@ use crate::custom::{EmitterFamily, EmitterKernel};
 use crate::transport::area_light::{AreaLight, Place};
 use crate::transport::light::{DistantLight, Light, PointLight, SpotLight, match_light};
 
+/// The most lights, or points of them, whose shadows have edges: a bit for each.
+pub(crate) const MOST_EDGED_LIGHTS: usize = 64;
+
 /// A light and its name.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LightObject {

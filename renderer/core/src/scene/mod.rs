@@ -68,6 +68,7 @@ pub use crate::transport::sphere::Sphere;
 pub use crate::transport::transform::Transform;
 pub use environment::EnvironmentObject;
 pub use integrator::{Integrator, PathTracing};
+pub(crate) use light::MOST_EDGED_LIGHTS;
 pub use light::{LightObject, LightSource};
 pub use material::{MaterialObject, MaterialTextures, Slot};
 pub use mesh::Mesh;

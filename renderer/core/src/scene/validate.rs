@@ -7,8 +7,8 @@ use glam::DVec3;
 
 use super::table::{self, LARGEST_COORDINATE, SMALLEST_LENGTH};
 use super::{
-    Bsdf, Light, LightObject, LightSource, MOST_LIGHT_SAMPLES, MaterialObject, Mesh, Normals,
-    Object, ParameterId, PathTracing, Scene, ShapeObject, Slot, Texture,
+    Bsdf, Light, LightSource, MOST_LIGHT_SAMPLES, MaterialObject, Mesh, Normals, Object,
+    ParameterId, PathTracing, Scene, ShapeObject, Slot, Texture,
 };
 use crate::{Error, memory};
 
@@ -104,8 +104,7 @@ impl Scene {
         let kind = self.eye().kind();
         let scattered = self.path_tracing().map_or(0, |path| u64::from(path.max_depth));
         let map = self.environment.and_then(|environment| environment.texture);
-        let of_light = |light: &LightObject| light.source.places(self.light_samples).len() as u64;
-        let lights: u64 = self.lights.iter().map(of_light).sum();
+        let lights = self.light_points() as u64;
         let texels = map
             .and_then(|texture| self.textures.get(texture as usize))
             .map_or(0, |map| u64::from(map.width) * u64::from(map.height));
@@ -119,6 +118,11 @@ impl Scene {
             memory::ask(bytes).map_err(|problem| Invalid { path: path.into(), problem })?;
         }
         Ok(())
+    }
+
+    /// How many lights, or points of them, surfaces are shaded by.
+    pub(super) fn light_points(&self) -> usize {
+        self.lights.iter().map(|light| light.source.places(self.light_samples).len()).sum()
     }
 
     /// Which paths of light count, and by how many points lights stand.
