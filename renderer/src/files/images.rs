@@ -11,10 +11,10 @@ use std::sync::LazyLock;
 use decode::{Convert, Decoded, Stored};
 use image::codecs::hdr::HdrEncoder;
 use image::codecs::openexr::OpenExrEncoder;
-use image::codecs::png::PngEncoder;
 use image::{ExtendedColorType, ImageEncoder, ImageFormat, ImageResult, Rgb};
 pub use layers::{load_pass, save_passes};
 
+use super::png::png_bytes;
 use crate::disk::{check_writable, read, write_atomically};
 use crate::{Error, Image};
 
@@ -123,12 +123,7 @@ pub(super) fn decode_coverage(
 /// If the image has no area, a pixel is infinite or not a number, or the file cannot be written.
 pub fn save_png(image: &Image, path: &Path) -> Result<(), Error> {
     check(image, path.display())?;
-    let levels: Vec<u8> = image.pixels.as_flattened().iter().map(|&v| srgb_level(v)).collect();
-    let mut bytes = Vec::new();
-    PngEncoder::new(&mut bytes)
-        .write_image(&levels, image.width, image.height, ExtendedColorType::Rgb8)
-        .map_err(|error| not_encoded(path, error))?;
-    write_atomically(path, &bytes)
+    write_atomically(path, &png_bytes(image, path.display())?)
 }
 
 /// Writes an OpenEXR image of 32 bit floats, exactly as they are.
@@ -138,7 +133,7 @@ pub fn save_png(image: &Image, path: &Path) -> Result<(), Error> {
 /// If the image has no area, a pixel is infinite or not a number, or the file cannot be written.
 pub fn save_exr(image: &Image, path: &Path) -> Result<(), Error> {
     check(image, path.display())?;
-    write_atomically(path, &exr_bytes(image).map_err(|error| not_encoded(path, error))?)
+    write_atomically(path, &exr_bytes(image).map_err(|error| not_encoded(path.display(), error))?)
 }
 
 /// The file of an image of 32 bit floats.
@@ -173,7 +168,7 @@ pub fn save_hdr(image: &Image, path: &Path) -> Result<(), Error> {
     let mut bytes = Vec::new();
     HdrEncoder::new(&mut bytes)
         .encode(&pixels, image.width as usize, image.height as usize)
-        .map_err(|error| not_encoded(path, error))?;
+        .map_err(|error| not_encoded(path.display(), error))?;
     write_atomically(path, &bytes)
 }
 
@@ -268,7 +263,7 @@ pub(crate) fn srgb_encode(linear: f32) -> f64 {
 }
 
 /// The 8 bit sRGB level of a linear value.
-fn srgb_level(linear: f32) -> u8 {
+pub(super) fn srgb_level(linear: f32) -> u8 {
     (255.0 * srgb_encode(linear)).round() as u8
 }
 
@@ -290,8 +285,8 @@ fn check(image: &Image, place: impl Display) -> Result<(), Error> {
     ))
 }
 
-fn not_encoded(path: &Path, error: impl ToString) -> Error {
-    Error::new(path.display(), format!("cannot be encoded: {}", one_line(error)))
+pub(super) fn not_encoded(place: impl Display, error: impl ToString) -> Error {
+    Error::new(place, format!("cannot be encoded: {}", one_line(error)))
 }
 
 fn one_line(error: impl ToString) -> String {

@@ -111,7 +111,7 @@ impl Page {
 }
 
 fn png(image: &Image) -> Result<Response, Response> {
-    let bytes = png_bytes(image);
+    let bytes = png_bytes(image, "an image");
     let refuse = |error: Error| Response::refusal(500, &error.to_string());
     Ok(Response::new("image/png", bytes.map_err(refuse)?))
 }

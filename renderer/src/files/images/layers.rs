@@ -52,7 +52,7 @@ pub fn save_passes(passes: &[(Pass, Image)], path: &Path) -> Result<(), Error> {
     let (width, height) = (passes[0].1.width as usize, passes[0].1.height as usize);
     let image = exr::prelude::Image::from_channels((width, height), AnyChannels::sort(list));
     let mut bytes = Cursor::new(Vec::new());
-    image.write().to_buffered(&mut bytes).map_err(|error| not_encoded(path, error))?;
+    image.write().to_buffered(&mut bytes).map_err(|error| not_encoded(path.display(), error))?;
     write_atomically(path, &bytes.into_inner())
 }
 
