@@ -1,9 +1,10 @@
 //! What passes show of the geometry of surfaces.
 
 use glam::{DVec3, dvec3};
+use renderer::scene::{Environment, EnvironmentObject, Wrap};
 use renderer::{
-    Arithmetic, Camera, Edges, Integrator, LossKind, Material, Mesh, Pass, Scene, Settings,
-    SphereObject, render, render_vjp,
+    Arithmetic, Camera, Edges, Integrator, LossKind, Material, Mesh, Pass, Renderer, Scene,
+    Settings, SphereObject, Texture, render, render_vjp,
 };
 
 use crate::custom::add_egg;
@@ -91,4 +92,26 @@ fn passes_of_scenes_where_light_takes_all_paths_have_gradients() {
     assert_eq!(gradient(&scene), direct);
     let radiance = Settings { pass: Pass::Radiance, ..settings };
     assert!(render_vjp(&scene, &radiance, &[camera]).is_err());
+}
+
+/// What a renderer shows next is what one made for it shows: rays, maps and edges included.
+#[test]
+fn showing_another_pass_is_as_good_as_beginning_with_it() {
+    let mut scene = small_scene(16);
+    scene.integrator = Integrator::Path(Default::default());
+    let texels =
+        vec![[0.2_f64, 0.4, 0.9], [0.9, 0.5, 0.1], [0.1, 0.8, 0.3], [0.6, 0.6, 0.6]].into();
+    let sky = Texture { name: "sky".into(), width: 2, height: 2, wrap: Wrap::Repeat, texels };
+    let texture = Some(scene.add_texture(sky).unwrap());
+    let values = Environment { radiance: DVec3::ONE, rotation: 30.0 };
+    scene.environment = Some(EnvironmentObject { values, texture, background: None });
+    for (first, second, edges) in
+        [(Pass::Depth, Pass::Radiance, Edges::On), (Pass::Radiance, Pass::Normals, Edges::Off)]
+    {
+        let mut renderer = Renderer::new(&scene, &Settings { edges, ..of(first) }).unwrap();
+        renderer.show(&scene, second);
+        // Edges are on for the first pass alone.
+        let expected = render(&scene, &Settings { edges: Edges::Off, ..of(second) }).unwrap();
+        assert_eq!(renderer.render(), expected, "{second:?}");
+    }
 }

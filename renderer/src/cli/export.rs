@@ -25,11 +25,9 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Error> {
     let Arguments { scene, output, changes } = arguments;
     check_writable(output)?;
     // The scene may be made of it.
-    let library = output.extension().is_some_and(|e| e.eq_ignore_ascii_case("obj"));
-    let files = [output.clone()].into_iter().chain(library.then(|| output.with_extension("mtl")));
-    if let Some(file) = files.into_iter().find(|file| file.exists()) {
-        let problem = "exists, and no mesh is replaced: choose another name, or remove it";
-        return Err(Error::new(file.display(), problem));
+    if output.exists() {
+        let problem = "exists, and would be replaced: choose another name, or remove it";
+        return Err(Error::new(output.display(), problem));
     }
     let experiment = changes.load(scene)?;
     print_warnings(&save_meshes(&experiment.scene, output)?);

@@ -9,8 +9,8 @@ use super::sampling::SamplingArguments;
 use super::until::{self, UntilArguments};
 use super::views::{path_of_view, view_stems};
 use crate::arithmetic::Arithmetic;
-use crate::display::{ToneMapping, expose, map_range, normalize, range_of_measure};
-use crate::files::images::srgb_decode;
+use crate::display::{ToneMapping, expose, normalize, range_of_measure};
+use crate::files::images::picture_of_measure;
 use crate::files::{check_image_path, save_image, save_passes};
 use crate::progressive::{Estimate, Until};
 use crate::render::Renderer;
@@ -196,7 +196,8 @@ fn save(
     match &mut images[..] {
         [(pass, image)] => {
             if pass.is_measure() && is_a(&output, "png") && !arguments.normalize {
-                show(image, *pass);
+                let range = range_of_measure(image, *pass);
+                picture_of_measure(image, range);
             }
             save_image(image, &output)?;
         }
@@ -231,12 +232,4 @@ fn finished(
         normalize(&mut image);
     }
     Ok(image)
-}
-
-/// Turns what measures shapes into a picture whose levels are in proportion to it.
-fn show(image: &mut Image, pass: Pass) {
-    let (low, high) = range_of_measure(image, pass);
-    map_range(image, low, high);
-    let values = image.pixels.as_flattened_mut();
-    values.iter_mut().for_each(|value| *value = srgb_decode(f64::from(*value)) as f32);
 }

@@ -16,6 +16,7 @@ pub use layers::{load_pass, save_passes};
 
 use super::png::png_bytes;
 use crate::disk::{check_writable, read, write_atomically};
+use crate::display::map_range;
 use crate::{Error, Image};
 
 #[cfg(test)]
@@ -113,6 +114,16 @@ pub(super) fn decode_coverage(
     };
     let convert: Convert = if is_mask { mask } else { coverage };
     Ok(decode(bytes, place, convert)?.image)
+}
+
+/// Turns what measures shapes into a picture whose levels are in proportion to it, black at the lower end of a
+/// range and below, white at the upper one and beyond.
+pub(crate) fn picture_of_measure(image: &mut Image, (low, high): (f32, f32)) {
+    map_range(image, low, high);
+    let values = image.pixels.as_flattened_mut();
+    values
+        .iter_mut()
+        .for_each(|value| *value = srgb_decode(f64::from(value.clamp(0.0, 1.0))) as f32);
 }
 
 /// Writes an 8 bit sRGB PNG. Values are clamped to `[0, 1]`, encoded and rounded to the nearest

@@ -89,7 +89,7 @@ impl<'a> Recovery<'a> {
         settings.check_edges(scene)?;
         let settings = Settings { edges: settings.edges.for_parameters(&ids), ..*settings };
         let (targets, truth) = target::load(scene, &section, place, &settings)?;
-        for target in &targets {
+        for target in targets.iter().filter(|target| !target.held_out) {
             scene.check_differentiable(&Settings { pass: target.pass, ..settings }, &ids)?;
         }
         check_batch(scene, &section, place)?;
@@ -190,6 +190,7 @@ impl<'a> Recovery<'a> {
             .text(&format!("{settings:?}"))
             .text(&format!("{:?}", self.section.batch))
             .text(&format!("{:?}", self.terms()))
+            .text(&format!("{:?}", (scene.bounces, scene.light_samples, scene.integrator)))
             .text(&format!("{:?}", scene.spheres));
         for id in scene.parameters() {
             let path = scene.path(id).to_string();

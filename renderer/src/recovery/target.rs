@@ -3,8 +3,9 @@
 use std::path::Path;
 
 use super::Quality;
-use crate::display::{map_range, range_of_measure};
+use crate::display::range_of_measure;
 use crate::experiment::{MatchedPass, OptimizeSection, Target, ViewTarget};
+use crate::files::images::picture_of_measure;
 use crate::files::{LoadedImage, load_image, load_mask, load_pass};
 use crate::loss::{ImageLoss, LossKind};
 use crate::render::Renderer;
@@ -37,12 +38,11 @@ impl TargetImage {
     }
 
     /// A picture of an image that is compared with this one. Radiance and coverage are pictures; of depth,
-    /// places and normals a [range](range_of_measure) of this one becomes 0 to 1.
+    /// places and normals levels are in proportion to a range of this one.
     pub fn picture(&self, image: &Image) -> Image {
         let mut picture = image.clone();
         if self.pass.is_measure() {
-            let (low, high) = range_of_measure(&self.image, self.pass);
-            map_range(&mut picture, low, high);
+            picture_of_measure(&mut picture, range_of_measure(&self.image, self.pass));
         }
         picture
     }

@@ -45,7 +45,7 @@ fn sums<L: Plain>(
     loss: &dyn PixelLoss,
     request: &Request,
 ) -> Vec<Sums> {
-    match request.has_edges(prepared.settings.edges) {
+    match request.has_edges(prepared.edges()) {
         true => sweep_with_edges(prepared.integrator(), scene, loss, request),
         false => sweep(prepared.integrator(), scene, loss, request),
     }

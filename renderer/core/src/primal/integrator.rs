@@ -10,7 +10,7 @@ use super::tracer::Tracer;
 use super::varying::Varying;
 use crate::number::{Number, Plain};
 use crate::scene::Scene;
-use crate::settings::Settings;
+use crate::settings::{Edges, Settings};
 use crate::trace::bvh::{PACKET_RAYS, tile_position};
 use crate::trace::emitters::Emitters;
 use crate::trace::layout::Layout;
@@ -80,6 +80,14 @@ impl<L: Plain> Prepared<L> {
         let tracer = Tracer::new(scene, &settings, &layout, &inputs);
         let emitters = emitters(scene, &layout, &inputs);
         Self { settings, layout, tracer, inputs, emitters, film_offsets: film_offsets::<L>() }
+    }
+
+    /// Whether edges are seen: where light takes all paths they cannot be.
+    pub fn edges(&self) -> Edges {
+        match self.layout.path_tracing {
+            Some(_) => Edges::Off,
+            None => self.settings.edges,
+        }
     }
 
     /// What computes radiance with these numbers.

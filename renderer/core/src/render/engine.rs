@@ -279,12 +279,12 @@ impl<L: Plain> Engine for Prepared<L> {
 
     fn show(&mut self, scene: &Scene, pass: Pass) {
         self.settings.pass = pass;
-        self.layout.pass = pass;
+        self.layout.show(scene, &self.settings);
         Prepared::update(self, scene);
     }
 
     fn render_into(&self, image: &mut Image) {
-        match self.settings.edges {
+        match self.edges() {
             Edges::On => {
                 View::new(&Geometry::new(self.integrator())).fill(image, self.layout.pass);
             }
@@ -293,7 +293,7 @@ impl<L: Plain> Engine for Prepared<L> {
     }
 
     fn loss(&self, pixel_loss: &dyn PixelLoss) -> f64 {
-        match self.settings.edges {
+        match self.edges() {
             Edges::On => {
                 let view = View::new(&Geometry::new(self.integrator()));
                 view.loss(self.layout.width, pixel_loss)
@@ -418,7 +418,7 @@ fn pixels_along<L: Plain>(
     let inputs = Inputs::new(scene, prepared.settings.pass, prepared.inputs.origin, &varying);
     let request = Request::new(scene, &prepared.layout, &ids);
     let moving = prepared.with_inputs(&inputs).with_zero_weight(request.zero_weight);
-    if !request.has_edges(prepared.settings.edges) {
+    if !request.has_edges(prepared.edges()) {
         return pixels_dual(moving, prepared.layout.sampling);
     }
     let still = Geometry::new(prepared.integrator().with_zero_weight(request.zero_weight));

@@ -7,7 +7,7 @@ use crate::settings::{Edges, Pass, Settings};
 /// Which paths of light count.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Integrator {
-    /// Light comes straight from point, spot and distant lights, or by mirrors and through transparent
+    /// Light comes straight from lights, or by mirrors and through transparent
     /// surfaces; what emits light is seen, and lights nothing. Images have no noise.
     #[default]
     Direct,
@@ -83,6 +83,11 @@ impl Scene {
         if settings.pass != Pass::Radiance {
             return Ok(());
         }
+        if let Some(&id) = ids.iter().find(|&&id| !self.is_differentiable(id)) {
+            let problem = "moves edges, by which light that takes all paths has no derivative here; \
+                           integrator.type = \"direct\" has";
+            return Err(Error::new(self.path(id), problem));
+        }
         let points = self.light_points();
         if settings.edges.for_parameters(ids) == Edges::On && points > MOST_EDGED_LIGHTS {
             let problem = format!(
@@ -91,13 +96,6 @@ impl Scene {
             );
             return Err(Error::new("light", problem));
         }
-        match ids.iter().find(|&&id| !self.is_differentiable(id)) {
-            None => Ok(()),
-            Some(&id) => Err(Error::new(
-                self.path(id),
-                "moves edges, by which light that takes all paths has no derivative here; \
-                 integrator.type = \"direct\" has",
-            )),
-        }
+        Ok(())
     }
 }

@@ -42,6 +42,14 @@ impl LightSource {
         Self::Custom { kernel: T::kernel(), numbers }
     }
 
+    /// By how many points it stands.
+    pub(crate) fn place_count(&self, count: u32) -> usize {
+        match self {
+            Self::Known(Light::Rectangle(_) | Light::Disc(_)) => count as usize,
+            Self::Known(_) | Self::Custom { .. } => 1,
+        }
+    }
+
     /// The points that it stands by, if its kind has an area, else one.
     pub(crate) fn places(&self, count: u32) -> Vec<Place<f64>> {
         match self {

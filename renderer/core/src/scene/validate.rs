@@ -122,7 +122,7 @@ impl Scene {
 
     /// How many lights, or points of them, surfaces are shaded by.
     pub(super) fn light_points(&self) -> usize {
-        self.lights.iter().map(|light| light.source.places(self.light_samples).len()).sum()
+        self.lights.iter().map(|light| light.source.place_count(self.light_samples)).sum()
     }
 
     /// Which paths of light count, and by how many points lights stand.

@@ -216,11 +216,17 @@ impl Layout {
         }
         layout.material_of.extend(scene.spheres.iter().map(|sphere| sphere.material));
         layout.material_of.extend(scene.shapes.iter().map(|shape| shape.material));
-        layout.update(scene);
-        layout.map = layout.map(scene);
-        layout.sky = layout.map.map(|(_, map)| Sky::new(map.width, map.height));
-        layout.sampling = sampling_of(settings.sampling, layout.path_tracing);
+        layout.show(scene, settings);
         layout
+    }
+
+    /// Takes over what is shown, and what follows from it: where rays go, and a map of the environment.
+    pub fn show(&mut self, scene: &Scene, settings: &Settings) {
+        self.pass = settings.pass;
+        self.update(scene);
+        self.map = self.map(scene);
+        self.sky = self.map.map(|(_, map)| Sky::new(map.width, map.height));
+        self.sampling = sampling_of(settings.sampling, self.path_tracing);
     }
 
     /// Takes over what lights and materials can do, which depends on their numbers.
@@ -232,7 +238,7 @@ impl Layout {
         self.lights.clear();
         for (object, light) in scene.lights.iter().enumerate().filter(|_| pass == Pass::Radiance) {
             let traits = LightTraits { object, is_black: light.source.is_black() };
-            let count = light.source.places(scene.light_samples).len();
+            let count = light.source.place_count(scene.light_samples);
             self.lights.extend(iter::repeat_n(traits, count));
         }
         self.materials.clear();

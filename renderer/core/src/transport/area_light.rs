@@ -48,10 +48,11 @@ impl Place<f64> {
     /// different in each coordinate, so that shadows of straight edges have as many steps as there are points.
     pub fn on_rectangle(count: u32) -> impl Iterator<Item = Self> {
         let radical_inverse = |index: u32| f64::from(index.reverse_bits()) / 2.0_f64.powi(32);
-        let middle = 0.5 / f64::from(count.next_power_of_two());
+        // So that the middle of the points is that of the light.
+        let mean = (0..count).map(radical_inverse).sum::<f64>() / f64::from(count.max(1));
         (0..count).map(move |index| Self {
             x: (2.0 * f64::from(index) + 1.0) / f64::from(count) - 1.0,
-            y: 2.0 * (radical_inverse(index) + middle) - 1.0,
+            y: 2.0 * (radical_inverse(index) - mean),
             area: 4.0 / f64::from(count),
         })
     }

@@ -7,6 +7,8 @@ use rayon::{ThreadPool, ThreadPoolBuilder};
 use super::orbit::Orbit;
 use crate::Error;
 use crate::Image;
+use crate::display::range_of_measure;
+use crate::files::images::picture_of_measure;
 use crate::recovery::{Recovery, TargetImage};
 use crate::render::Renderer;
 use crate::scene::{Integrator, ParameterId, PathTracing, Scene};
@@ -108,9 +110,18 @@ impl Stage {
             let samples = paths.samples.min(ORBIT_SAMPLES);
             scene.integrator = Integrator::Path(PathTracing { samples, ..paths });
         }
+        // What is matched by depth or normals alone may have no light.
+        let shows_light = self.targets.iter().any(|target| target.pass == Pass::Radiance);
+        let pass = if shows_light { Pass::Radiance } else { Pass::Normals };
         let settings =
-            Settings { edges: Edges::Off, sampling: Sampling::default(), ..self.settings };
-        self.within_pool(|| Ok(Renderer::new(&scene, &settings)?.render()))
+            Settings { pass, edges: Edges::Off, sampling: Sampling::default(), ..self.settings };
+        let mut image =
+            self.within_pool(|| Renderer::new(&scene, &settings).map(|it| it.render()))?;
+        if pass.is_measure() {
+            let range = range_of_measure(&image, pass);
+            picture_of_measure(&mut image, range);
+        }
+        Ok(image)
     }
 
     fn scene_at(&self, x: &[f64]) -> Scene {

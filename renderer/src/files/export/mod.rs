@@ -27,7 +27,8 @@ use crate::warning::Warnings;
 ///
 /// # Errors
 ///
-/// If the extension is another one, the scene is not valid or has no mesh, or a file cannot be written.
+/// If the extension is another one, the scene is not valid or has no triangle, a file beside it is there
+/// already, or a file cannot be written.
 pub fn save_meshes(scene: &Scene, path: &Path) -> Result<Vec<Warning>, Error> {
     let extension = path.extension().and_then(|e| e.to_str()).unwrap_or("").to_ascii_lowercase();
     let save: fn(&Scene, &Path, &mut Warnings) -> Result<(), Error> = match extension.as_str() {
@@ -42,8 +43,8 @@ pub fn save_meshes(scene: &Scene, path: &Path) -> Result<Vec<Warning>, Error> {
         }
     };
     scene.validate(path.display())?;
-    if scene.meshes.is_empty() {
-        return Err(Error::new(path.display(), "the scene has no mesh to write"));
+    if scene.meshes.iter().all(|mesh| mesh.triangles.is_empty()) {
+        return Err(Error::new(path.display(), "the scene has no triangle to write"));
     }
     let mut warnings = Warnings::default();
     for (kind, count) in [("spheres", scene.spheres.len()), ("shapes", scene.shapes.len())] {

@@ -333,5 +333,5 @@ fn what_cannot_be_written_is_refused() {
         assert_eq!(problem(&scene(), file), format!("{file}: {expected}"));
     }
     let none = Scene { meshes: Vec::new(), ..scene() };
-    assert_eq!(problem(&none, "object.glb"), "object.glb: the scene has no mesh to write");
+    assert_eq!(problem(&none, "object.glb"), "object.glb: the scene has no triangle to write");
 }

@@ -29,8 +29,17 @@ pub(in crate::files) fn save_objects(
             writer.push_material(&mut text, material);
         }
     }
-    for (picture, file) in std::mem::take(&mut writer.pictures) {
-        write_atomically(&path.with_file_name(file), &picture.png(scene, warnings)?)?;
+    let pictures = std::mem::take(&mut writer.pictures);
+    let pictures: Vec<_> =
+        pictures.into_iter().map(|(picture, file)| (picture, path.with_file_name(file))).collect();
+    // The scene may be made of them.
+    let beside = || pictures.iter().map(|(_, file)| file).chain([&library]);
+    if let Some(file) = beside().find(|file| file.exists()) {
+        let problem = "exists, and would be replaced: choose another name, or remove it";
+        return Err(Error::new(file.display(), problem));
+    }
+    for (picture, file) in pictures {
+        write_atomically(&file, &picture.png(scene, warnings)?)?;
     }
     write_atomically(&library, text.as_bytes())?;
 

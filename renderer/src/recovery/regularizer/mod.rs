@@ -8,7 +8,7 @@ use std::ops::Range;
 use crate::experiment::{Term, TunedParameter, WeightedTerm};
 use crate::laplacian::Laplacian;
 use crate::optimize::Evaluation;
-use crate::scene::{Object, Scene};
+use crate::scene::{Object, ParameterId, Scene};
 use surface::{EdgeLengths, NormalConsistency};
 use variation::TotalVariation;
 
@@ -38,7 +38,7 @@ pub(super) fn of(scene: &Scene, parameters: &[TunedParameter]) -> Vec<Regularize
         let start = end;
         end += scene.get(tuned.id).len();
         for &WeightedTerm { term, weight } in &tuned.terms {
-            if let Some(energy) = energy(scene, tuned.id.object, term) {
+            if let Some(energy) = energy(scene, tuned.id, term) {
                 regularizers.push(Regularizer { weight, energy, block: start..end });
             }
         }
@@ -46,13 +46,13 @@ pub(super) fn of(scene: &Scene, parameters: &[TunedParameter]) -> Vec<Regularize
     regularizers
 }
 
-/// A term of an object; nothing if it is for objects of another kind.
-fn energy(scene: &Scene, object: Object, term: Term) -> Option<Energy> {
-    match (term, object) {
+/// A term of a parameter; nothing if it is for parameters of another kind.
+fn energy(scene: &Scene, id: ParameterId, term: Term) -> Option<Energy> {
+    match (term, id.object) {
         (Term::TotalVariation, Object::Texture(texture)) => {
             Some(Energy::TotalVariation(TotalVariation::new(&scene.textures()[texture])))
         }
-        (_, Object::Mesh(mesh)) => {
+        (_, Object::Mesh(mesh)) if id.field == "vertices" && id.vertex.is_none() => {
             let mesh = &scene.meshes()[mesh];
             let (vertices, triangles) = (&mesh.vertices, &mesh.triangles);
             match term {

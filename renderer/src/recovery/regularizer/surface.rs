@@ -53,7 +53,8 @@ impl EdgeLengths {
         let edges: Vec<_> = edges(triangles).into_keys().collect();
         let length = |[a, b]: &[usize; 2]| DVec3::from(vertices[*a]).distance(vertices[*b].into());
         let mean = edges.iter().map(length).sum::<f64>() / edges.len().max(1) as f64;
-        Self { edges, mean }
+        // A mesh without extent has no lengths to keep.
+        Self { edges: if mean > 0.0 { edges } else { Vec::new() }, mean }
     }
 
     pub fn energy(&self, x: &[f64]) -> (f64, Vec<f64>) {

@@ -27,7 +27,9 @@ pub(in crate::files) fn save_glb(
     let mut binary = Binary::default();
     let mut materials = MaterialWriter::new(scene, warnings);
     let (mut meshes, mut nodes) = (Vec::new(), Vec::new());
-    for (index, mesh) in scene.meshes.iter().enumerate() {
+    // A mesh of the format has at least one triangle.
+    let written = scene.meshes.iter().filter(|mesh| !mesh.triangles.is_empty());
+    for (index, mesh) in written.enumerate() {
         let mesh = with_directions(mesh);
         let mut primitives = Vec::new();
         for part in parts(&mesh) {
