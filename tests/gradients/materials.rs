@@ -3,8 +3,8 @@
 use glam::{DVec3, dvec3};
 use renderer::scene::{Bsdf, Environment, Integrator, MaterialObject, Slot, Wrap};
 use renderer::{
-    Arithmetic, Camera, Image, Material, Mesh, Pass, Renderer, Scene, Settings, SphereObject,
-    Texture, render,
+    Arithmetic, Camera, Image, Material, Mesh, Renderer, Scene, Settings, SphereObject, Texture,
+    render,
 };
 
 use crate::image::{agrees_with_finite_differences, in_arithmetic};

@@ -222,7 +222,7 @@ fn finished(
         print_warning(format_args!("{}: {found}", arguments.scene.display()));
         image.blacken_non_finite();
     }
-    if !renderer.settings().pass.is_measure() {
+    if matches!(renderer.settings().pass, Pass::Radiance | Pass::Albedo) {
         if let Some(stops) = arguments.exposure {
             expose(&mut image, stops);
         }

@@ -80,7 +80,10 @@ impl Recovery<'_> {
                     false => (0..gradient.len()).map(|at| sign(index, at)).collect(),
                 };
                 let along = gradient.iter().zip(&direction).map(|(a, b)| a * b).sum();
-                let check::Estimate { value, error } = self.difference_along(id, &direction);
+                let of_images = self.difference_along(id, &direction);
+                let of_terms = self.terms_along(id, &direction);
+                let value = of_images.value + of_terms.value;
+                let error = of_images.error + of_terms.error;
                 Compared {
                     element: one_by_one.then_some(index),
                     gradient: along,
@@ -101,7 +104,28 @@ impl Recovery<'_> {
         Verdict { compared, error, uncertainty }
     }
 
-    /// The derivative of the loss along a direction of a parameter, by differences.
+    /// The derivative of the terms of the loss that are not of images, likewise.
+    fn terms_along(&self, id: ParameterId, direction: &[f64]) -> check::Estimate {
+        if self.regularizers.is_empty() {
+            return check::Estimate { value: 0.0, error: 0.0 };
+        }
+        let mut x = Vec::new();
+        let mut start = 0;
+        for &other in &self.ids {
+            if other == id {
+                start = x.len();
+            }
+            x.extend_from_slice(&self.scene.get(other));
+        }
+        let value = |by: f64| -> f64 {
+            let mut x = x.clone();
+            x[start..].iter_mut().zip(direction).for_each(|(x, along)| *x += by * along);
+            self.regularizers.iter().map(|term| term.value(&x)).sum()
+        };
+        check::derivative(value, 0.0, 1e-4 * self.scene.natural_scale(id))
+    }
+
+    /// The derivative of the loss of images along a direction of a parameter, by differences.
     fn difference_along(&self, id: ParameterId, direction: &[f64]) -> check::Estimate {
         let scale = self.scene.natural_scale(id);
         if !id.moves_edges() {

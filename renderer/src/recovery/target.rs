@@ -231,10 +231,7 @@ impl Loader<'_> {
         }
         for MatchedPass { pass, file, weight } in &given.passes {
             let pass = *pass;
-            let image = match pass {
-                Pass::Coverage => load_mask(file)?,
-                _ => load_pass(file, pass)?,
-            };
+            let image = load_pass(file, pass)?;
             self.check_size(file, &image, view, pass.name())?;
             let weight = target.weight * weight;
             targets.push(TargetImage { image, pass, weight, ..target.clone() });

@@ -24,6 +24,9 @@ use crate::transport::vertex::next_ray;
 /// The square of the largest angle between the planes of triangles that count as one.
 const COPLANAR: f64 = 1e-24;
 
+/// The square of the sine below which two edges of a triangle are one line.
+const NO_AREA: f64 = (f32::EPSILON * f32::EPSILON) as f64;
+
 /// A boundary of what rays see.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Edge {
@@ -235,6 +238,13 @@ impl<'a, L: Plain> Geometry<'a, L> {
         let y = from_camera.dot(up) / (up.length_squared() * distance);
         let [width, height] = self.size;
         (distance > 0.0).then_some([0.5 * width * (1.0 + x), 0.5 * height * (1.0 - y)])
+    }
+
+    /// Whether a triangle has an area that single precision can tell from none: rays meet no others.
+    pub fn has_area(&self, triangle: usize) -> bool {
+        let Triangle { a, b, c } = self.triangle(triangle);
+        let (u, v) = (b - a, c - a);
+        u.cross(v).length_squared() > NO_AREA * u.length_squared() * v.length_squared()
     }
 
     /// Whether the corners of a triangle stand anticlockwise for the camera.

@@ -42,7 +42,7 @@ impl Slender {
             let mut places = Vec::new();
             for triangle in chunk * CHUNK..((chunk + 1) * CHUNK).min(count) {
                 let outline = [0, 1, 2].map(|side| is_outline(triangle, side));
-                if outline.contains(&true) {
+                if outline.contains(&true) && geometry.has_area(triangle) {
                     let corners = layout.triangles[triangle]
                         .map(|corner| geometry.project(geometry.vertex(corner)));
                     if let [Some(a), Some(b), Some(c)] = corners {

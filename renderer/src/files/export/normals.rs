@@ -18,7 +18,9 @@ pub(in crate::files) fn with_directions(mesh: &Mesh) -> Mesh {
         let directions: Vec<DVec3> = sums.into_iter().map(DVec3::normalize_or_zero).collect();
         let is_smooth = |t: &[u32; 3]| t.iter().all(|&i| directions[i as usize] != DVec3::ZERO);
         let triangles = mesh.triangles.iter().map(|t| is_smooth(t).then_some(*t)).collect();
-        let directions = directions.iter().map(DVec3::to_array).collect();
+        // No triangle has those that would be zero, which nobody reads.
+        let readable = |d: &DVec3| if *d == DVec3::ZERO { DVec3::Z } else { *d };
+        let directions = directions.iter().map(|d| readable(d).to_array()).collect();
         mesh.normals = Normals::Given { directions, triangles };
     }
     mesh

@@ -7,13 +7,16 @@ use std::path::Path;
 use exr::prelude::{AnyChannel, AnyChannels, FlatSamples, MetaData, SmallVec, WritableImage};
 use exr::prelude::{ReadChannels, ReadLayers};
 
-use super::{check, not_encoded, one_line};
+use super::{check, load_mask, not_encoded, one_line};
 use crate::disk::{read, write_atomically};
 use crate::settings::Pass;
 use crate::{Error, Image, memory};
 
 /// What no surface is as far away as: where nothing is, some programs write this, others infinity.
 const NOWHERE: f32 = 1e10;
+
+/// Normals of half precision may be a little longer than 1.
+const LONGEST: f32 = 1.01;
 
 /// More samples no byte of a file stands for; see `decode`.
 const MOST_SAMPLES_PER_BYTE: u64 = 10_000;
@@ -58,13 +61,29 @@ pub fn save_passes(passes: &[(Pass, Image)], path: &Path) -> Result<(), Error> {
 
 /// Reads depth or normals from an OpenEXR image: from the layer that is named after them, else from a
 /// channel `Z`, `V` or `Y`, or from `X`, `Y` and `Z`, else from `R`, `G` and `B`. Depth that is
-/// infinite, or 1e10 and beyond, is that of nothing: 0.
+/// infinite, or 1e10 and beyond, is that of nothing: 0. Coverage is the layer `coverage`, where there is one, and
+/// else what [`load_mask`] reads.
 ///
 /// # Errors
 ///
-/// If the file cannot be read, is no OpenEXR image, has no such channels, or a number is infinite or none.
+/// If the file cannot be read, is no OpenEXR image, has no such channels, a number is infinite or none, or the
+/// numbers cannot be what is asked for: depths below 0, or of several colours, or normals longer than 1.
 pub fn load_pass(path: &Path, pass: Pass) -> Result<Image, Error> {
-    decode_pass(&read(path)?, path.display(), pass)
+    let bytes = read(path)?;
+    if pass == Pass::Coverage && !has_layer(&bytes, "coverage") {
+        return load_mask(path);
+    }
+    decode_pass(&bytes, path.display(), pass)
+}
+
+/// Whether the bytes are those of an OpenEXR image with channels `LAYER.*`.
+fn has_layer(bytes: &[u8], layer: &str) -> bool {
+    let Ok(found) = MetaData::read_from_buffered(Cursor::new(bytes), false) else { return false };
+    let mut channels = found.headers.iter().flat_map(|header| &header.channels.list);
+    channels.any(|channel| {
+        let name = channel.name.to_string();
+        name.rsplit_once('.').is_some_and(|(prefix, _)| prefix == layer)
+    })
 }
 
 fn decode_pass(bytes: &[u8], place: impl Display, pass: Pass) -> Result<Image, Error> {
@@ -105,7 +124,8 @@ fn decode_pass(bytes: &[u8], place: impl Display, pass: Pass) -> Result<Image, E
         names.iter().map(|name| found.iter().find(|(full, ..)| is(full, layer, name))).collect()
     };
     let sets: &[&[&str]] = match pass {
-        Pass::Depth => &[&["z"], &["v"], &["y"], &["r"]],
+        Pass::Depth => &[&["z"], &["v"], &["y"], &["r", "g", "b"], &["r"]],
+        Pass::Coverage => &[&["a"]],
         _ => &[&["x", "y", "z"], &["r", "g", "b"]],
     };
     // Layers are called "depth", "Depth", "normals", "ViewLayer.Normal".
@@ -130,8 +150,18 @@ fn decode_pass(bytes: &[u8], place: impl Display, pass: Pass) -> Result<Image, E
     let pixels = (0..size.area()).map(|index| [0, 1, 2].map(|channel| value(channel, index)));
     let (width, height) = (size.width() as u32, size.height() as u32);
     let image = Image { width, height, pixels: pixels.collect() };
-    check(&image, place)?;
-    Ok(image)
+    check(&image, &place)?;
+    let is_possible = |pixel: &[f32; 3]| match pass {
+        Pass::Depth => pixel[0] >= 0.0 && pixel[1..] == [pixel[0]; 2],
+        Pass::Normals => pixel.iter().map(|n| n * n).sum::<f32>() <= LONGEST * LONGEST,
+        _ => true,
+    };
+    match image.pixels.iter().find(|pixel| !is_possible(pixel)) {
+        None => Ok(image),
+        Some(pixel) => {
+            Err(Error::new(place, format!("holds {pixel:?}, which is no value of {}", pass.name())))
+        }
+    }
 }
 
 #[cfg(test)]
@@ -140,7 +170,7 @@ mod tests {
 
     fn file(channels: &[(&str, f32)]) -> Vec<u8> {
         let channel = |&(name, value): &(&str, f32)| {
-            AnyChannel::new(name, FlatSamples::F32(vec![value, value + 1.0]))
+            AnyChannel::new(name, FlatSamples::F32(vec![value, 0.5 * value]))
         };
         let list = AnyChannels::sort(channels.iter().map(channel).collect());
         let mut bytes = Cursor::new(Vec::new());
@@ -156,7 +186,7 @@ mod tests {
         let image = |first: f32| Image {
             width: 2,
             height: 3,
-            pixels: (0..6).map(|i| [first - i as f32, -0.1, first]).collect(),
+            pixels: (0..6).map(|i| [first - 0.1 * i as f32, -0.1, first]).collect(),
         };
         let gray = |first: f32| {
             let pixels = (0..6).map(|i| [first + i as f32; 3]).collect();
@@ -165,7 +195,7 @@ mod tests {
         let passes = [
             (Pass::Radiance, image(1.0)),
             (Pass::Position, image(2.0)),
-            (Pass::Normals, image(3.0)),
+            (Pass::Normals, image(0.3)),
             (Pass::Depth, gray(4.0)),
         ];
         save_passes(&passes, &path).unwrap();
@@ -191,8 +221,10 @@ mod tests {
         assert_eq!(first(&[("Z", 2.0), ("R", 7.0)], Pass::Depth).unwrap(), [2.0; 3]);
         assert_eq!(first(&[("Y", 2.5)], Pass::Depth).unwrap(), [2.5; 3]);
         let colors = [("R", 1.0), ("G", 2.0), ("B", 3.0)];
-        assert_eq!(first(&colors, Pass::Depth).unwrap(), [1.0; 3]);
-        assert_eq!(first(&colors, Pass::Normals).unwrap(), [1.0, 2.0, 3.0]);
+        let grey = colors.map(|(name, _)| (name, 1.0));
+        assert_eq!(first(&grey, Pass::Depth).unwrap(), [1.0; 3]);
+        let short = colors.map(|(name, value)| (name, 0.1 * value - 0.5));
+        assert_eq!(first(&short, Pass::Normals).unwrap(), short.map(|(_, value)| value));
         assert_eq!(first(&[("Z", 1e10)], Pass::Depth).unwrap(), [0.0; 3]);
         assert_eq!(first(&[("Z", f32::INFINITY)], Pass::Depth).unwrap(), [0.0; 3]);
         let refused =
@@ -202,6 +234,11 @@ mod tests {
             "a.exr: has no channels of depth, but position.z"
         );
         assert!(refused(&[("Z", f32::NAN)], Pass::Depth).contains("not a finite number"));
+        for (channels, pass) in
+            [(&colors[..], Pass::Depth), (&colors, Pass::Normals), (&[("Z", -1.5)], Pass::Depth)]
+        {
+            assert!(refused(channels, pass).contains("which is no value of"));
+        }
     }
 
     #[test]

@@ -215,7 +215,9 @@ impl Definition {
                 self.illumination = Some(model);
             }
             "ni" => {
-                let ior = not_negative(keyword, words(rest).next().unwrap_or(""))?;
+                let word = words(rest).next().unwrap_or("");
+                // Blender writes -1 where it knows none.
+                let ior = number(word).map_err(|problem| format!("{keyword}: {problem}"))?;
                 self.ior = Some(ior).filter(|&ior| ior >= 1.0);
                 self.may_leave_out("ni", keyword, rest, place, NO_REFRACTION);
             }

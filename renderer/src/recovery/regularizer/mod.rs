@@ -73,15 +73,24 @@ fn energy(scene: &Scene, id: ParameterId, term: Term) -> Option<Energy> {
 }
 
 impl Regularizer {
-    /// Adds the term at `x` to an evaluation there.
-    pub fn add(&self, x: &[f64], to: &mut Evaluation) {
+    /// The term at `x`.
+    pub fn value(&self, x: &[f64]) -> f64 {
+        self.weight * self.energy(x).0
+    }
+
+    fn energy(&self, x: &[f64]) -> (f64, Vec<f64>) {
         let x = &x[self.block.clone()];
-        let (value, gradient) = match &self.energy {
+        match &self.energy {
             Energy::Laplacian(laplacian) => laplacian.energy(x),
             Energy::EdgeLengths(lengths) => lengths.energy(x),
             Energy::NormalConsistency(normals) => normals.energy(x),
             Energy::TotalVariation(variation) => variation.energy(x),
-        };
+        }
+    }
+
+    /// Adds the term at `x` to an evaluation there.
+    pub fn add(&self, x: &[f64], to: &mut Evaluation) {
+        let (value, gradient) = self.energy(x);
         to.loss += self.weight * value;
         let of_block = to.gradient[self.block.clone()].iter_mut();
         of_block.zip(gradient).for_each(|(to, g)| *to += self.weight * g);
