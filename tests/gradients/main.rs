@@ -14,6 +14,7 @@ mod sampling;
 mod scenes;
 mod single_vertices;
 mod sky;
+mod sky_parts;
 mod smooth;
 mod threads;
 mod transparency;

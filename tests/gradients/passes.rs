@@ -24,7 +24,7 @@ fn the_geometry_of_surfaces_agrees_with_finite_differences() {
     add_egg(&mut scene, 1);
     for pass in OF_GEOMETRY {
         let target = target_of(&scene, &of(pass));
-        let moves = scene.parameters().into_iter().filter(|id| id.moves_edges());
+        let moves = scene.parameters().into_iter().filter(|&id| scene.moves_edges(id));
         for id in moves.filter(|&id| !scene.path(id).to_string().starts_with("light")) {
             check_parameter_with(&of(pass), &scene, &target, LossKind::MeanSquared, id);
         }

@@ -3,7 +3,9 @@
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use glam::{DVec3, dvec3};
-use renderer::scene::{Environment, Integrator, MaterialObject, PathTracing, Slot, Wrap};
+use renderer::scene::{
+    Environment, EnvironmentObject, Integrator, MaterialObject, PathTracing, Slot, Wrap,
+};
 use renderer::{
     Arithmetic, Camera, Edges, ImageLoss, LossKind, Material, Mesh, ParameterId, PixelLoss,
     PointLight, Renderer, Scene, Settings, SphereObject, Texture, render, render_jvp,
@@ -475,6 +477,8 @@ fn gradients_that_do_not_exist_are_refused() {
     let edges = Settings { edges: Edges::On, ..settings };
     assert!(render(&scene, &edges).unwrap_err().to_string().starts_with("edges: "));
     let mut sky = Scene { integrator: Integrator::Direct, ..scene };
-    sky.environment = Some(Environment::constant(DVec3::ONE).into());
-    assert!(render(&sky, &settings).unwrap_err().to_string().starts_with("environment: "));
+    let sun = EnvironmentObject::from(Environment::constant(DVec3::ONE));
+    sky.environment = Some(EnvironmentObject { background: Some(DVec3::ONE), ..sun });
+    let error = render(&sky, &settings).unwrap_err().to_string();
+    assert!(error.starts_with("environment.background: "), "{error}");
 }

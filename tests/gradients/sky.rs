@@ -15,7 +15,7 @@ use crate::scenes::set;
 type Texels = Vec<[f64; 3]>;
 
 /// Puts a scene under a map of `width` columns.
-fn under(scene: &mut Scene, width: u32, texels: Texels, rotation: f64) {
+pub fn under(scene: &mut Scene, width: u32, texels: Texels, rotation: f64) {
     let height = texels.len() as u32 / width;
     let map =
         Texture { name: "sky".into(), width, height, wrap: Wrap::Mirror, texels: texels.into() };
@@ -25,7 +25,7 @@ fn under(scene: &mut Scene, width: u32, texels: Texels, rotation: f64) {
 }
 
 /// A map without any symmetry: dim, with a bright spot.
-fn uneven(width: u32, height: u32) -> Texels {
+pub fn uneven(width: u32, height: u32) -> Texels {
     let texel = |i: u32| {
         let (x, y) = (f64::from(i % width), f64::from(i / width));
         let spot = if i == width * (height / 3) + width / 4 { 20.0 } else { 0.0 };

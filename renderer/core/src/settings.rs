@@ -65,10 +65,10 @@ pub enum Edges {
 }
 
 impl Edges {
-    /// What they are for gradients by some parameters: on or off.
-    pub fn for_parameters(self, ids: &[ParameterId]) -> Self {
+    /// What they are for gradients by some parameters of a scene: on or off.
+    pub fn for_parameters(self, scene: &Scene, ids: &[ParameterId]) -> Self {
         match self {
-            Self::Auto if ids.iter().any(|id| id.moves_edges()) => Self::On,
+            Self::Auto if ids.iter().any(|&id| scene.moves_edges(id)) => Self::On,
             Self::Auto => Self::Off,
             chosen => chosen,
         }

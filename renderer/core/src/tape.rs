@@ -70,8 +70,8 @@ fn on_tape(
         (id, scene.get(id).iter().map(|&value| recording.variable(value)).collect())
     };
     let varying = Varying { blocks: ids.iter().map(block).collect() };
-    let (pass, origin) = (prepared.settings.pass, prepared.inputs.origin);
-    let inputs = Inputs::<Var>::new(scene, pass, origin, &varying);
+    let (layout, origin) = (&prepared.layout, prepared.inputs.origin);
+    let inputs = Inputs::<Var>::new(scene, layout, origin, &varying);
     let zero_weight = Request::new(scene, &prepared.layout, ids).zero_weight;
     let integrator = prepared.with_inputs(&inputs).with_zero_weight(zero_weight);
     let mut path = Path::default();

@@ -74,7 +74,7 @@ pub(super) fn run(arguments: &Arguments, arithmetic: Arithmetic) -> Result<(), E
     ))?;
     let limit = Duration::from_secs_f64(arguments.seconds);
     let start = Instant::now();
-    let edges = arguments.edges.for_parameters(&ids);
+    let edges = arguments.edges.for_parameters(scene, &ids);
     let settings = Settings { arithmetic, edges, ..Settings::default() };
     scene.check_differentiable(&settings, &ids)?;
     settings.check_edges(scene)?;

@@ -86,7 +86,9 @@ pub(super) fn run(arguments: &Arguments, chosen: Option<Arithmetic>) -> Result<E
         }
         print(format_args!("{:#}", Value::Object(object)))?;
     }
-    if recovery.render_settings().edges == Edges::Off && off.iter().any(|id| id.moves_edges()) {
+    if recovery.render_settings().edges == Edges::Off
+        && off.iter().any(|&id| recovery.scene().moves_edges(id))
+    {
         print_note(
             "With --edges off the gradient holds the interior term only: silhouettes and shadow edges that \
              move are missing.",

@@ -84,7 +84,7 @@ fn print_tradeoff(recovery: &Recovery<'_>, tradeoff: &Tradeoff) -> Result<(), Er
             print(format_args!("{label}: the best step is {step:.0e}, off by {error:.1e}"))?;
         }
     }
-    if recovery.ids().iter().any(|id| id.moves_edges()) {
+    if recovery.ids().iter().any(|&id| recovery.scene().moves_edges(id)) {
         print(
             "Here the reference is the interior term, without edges, as all engines have it; differences also see edges move.",
         )?;

@@ -128,7 +128,7 @@ impl Recovery<'_> {
     /// The derivative of the loss of images along a direction of a parameter, by differences.
     fn difference_along(&self, id: ParameterId, direction: &[f64]) -> check::Estimate {
         let scale = self.scene.natural_scale(id);
-        if !id.moves_edges() {
+        if !self.scene.moves_edges(id) {
             // A bilinear texture has a kink at every texel: places on it move by so little that few
             // pixels come across one.
             let step = if id.field == "texture_coordinates" { 1e-6 } else { 1e-3 * scale };

@@ -42,7 +42,7 @@ use crate::optimize::{
     Evaluation, Fingerprint, Objective, Observer, Optimization, Optimizer, Outcome,
     Settings as OptimizeSettings, Variable,
 };
-use crate::scene::{ParameterId, Scene};
+use crate::scene::{Invalid, ParameterId, Scene};
 use crate::settings::{Edges, Settings};
 
 /// An optimisation of scene parameters against an image, or one for each view of the scene: then loss and
@@ -68,8 +68,8 @@ impl<'a> Recovery<'a> {
     /// # Errors
     ///
     /// If the target or the parameters are missing, two parameters
-    /// [overlap](ParameterId::overlaps), there is [no derivative](Scene::check_differentiable) by one, the
-    /// target cannot be read, or its size is not that of the camera.
+    /// [overlap](ParameterId::overlaps), there is [no derivative](Scene::check_differentiable) by one, one has
+    /// a term that is for other parameters, the target cannot be read, or its size is not that of the camera.
     pub fn new(
         experiment: &'a Experiment,
         place: &str,
@@ -87,7 +87,7 @@ impl<'a> Recovery<'a> {
         check_learning_rates(scene, &section, place)?;
         let ids: Vec<_> = section.parameters.iter().map(|tuned| tuned.id).collect();
         settings.check_edges(scene)?;
-        let settings = Settings { edges: settings.edges.for_parameters(&ids), ..*settings };
+        let settings = Settings { edges: settings.edges.for_parameters(scene, &ids), ..*settings };
         let (targets, truth) = target::load(scene, &section, place, &settings)?;
         for target in targets.iter().filter(|target| !target.held_out) {
             scene.check_differentiable(&Settings { pass: target.pass, ..settings }, &ids)?;
@@ -104,7 +104,10 @@ impl<'a> Recovery<'a> {
                 variable::variable(scene, tuned, section.learning_rate, target)
             })
             .collect::<Result<_, _>>()?;
-        let regularizers = regularizer::of(scene, &section.parameters);
+        let regularizers =
+            regularizer::of(scene, &section.parameters).map_err(|Invalid { path, problem }| {
+                Error::new(format_args!("{place}: {path}"), problem)
+            })?;
         let (allow_non_finite, left_out) = (false, Arc::default());
         Ok(Self {
             scene,
@@ -181,7 +184,7 @@ impl<'a> Recovery<'a> {
         let arithmetic = Arithmetic::fastest(precision);
         // What follows from the parameters does not tell problems apart.
         let edges = match self.settings.edges {
-            edges if edges == Edges::Auto.for_parameters(&self.ids) => Edges::Auto,
+            edges if edges == Edges::Auto.for_parameters(scene, &self.ids) => Edges::Auto,
             edges => edges,
         };
         let settings = Settings { arithmetic, edges, ..self.settings };

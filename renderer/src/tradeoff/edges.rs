@@ -43,7 +43,7 @@ const RUNS: usize = 3;
 /// Gradients with and without edges against that of a fine grid with edges; nothing if no parameter moves
 /// an edge.
 pub fn measure_edges(recovery: &Recovery<'_>) -> Option<EdgeRuns> {
-    if !recovery.ids().iter().any(|id| id.moves_edges()) {
+    if !recovery.ids().iter().any(|&id| recovery.scene().moves_edges(id)) {
         return None;
     }
     let scene = recovery.scene();

@@ -23,6 +23,7 @@ mod request;
 mod scatter;
 mod scattered;
 mod selection;
+mod sky;
 mod smooth;
 
 pub(crate) use chain::sweep;

@@ -6,11 +6,15 @@ use glam::DVec3;
 use super::gradient::{Gradient, LossAndGradient};
 use super::request::{Request, is_of_transform};
 use super::scatter::{Sparse, Sums};
+use super::sky::pull_sky;
 use super::smooth::pull_normals;
 use crate::number::Plain;
 use crate::primal::integrator::Prepared;
 use crate::scene::numbers::range_of;
-use crate::scene::{Material, Mesh, Normals, Object, ParameterId, Scene, Sphere, Transform};
+use crate::scene::{
+    DistantLight, Environment, Material, Mesh, Normals, Object, ParameterId, Scene, Sphere,
+    Transform,
+};
 use crate::transport::camera::{Camera, CameraFrame, camera_frame};
 use crate::transport::smooth::place_normal;
 use crate::transport::transform::place;
@@ -27,9 +31,17 @@ pub(super) fn reduce<L: Plain>(
     let loss = total.loss;
     let camera = camera_cotangent(prepared, scene, total.frame.take());
     total.unplace(prepared, scene, request);
-    let block = |&id: &ParameterId| (id, total.block(prepared, scene, request, &camera, id));
+    let environment = total.pull_environment(prepared, scene, request);
+    let around = Around { camera, environment };
+    let block = |&id: &ParameterId| (id, total.block(prepared, scene, request, &around, id));
     let blocks = request.ids.iter().map(block).collect();
     LossAndGradient { loss, gradient: Gradient::new(blocks) }
+}
+
+/// The cotangents of what a scene has one of.
+struct Around {
+    camera: Tangent<Camera<f64>>,
+    environment: Tangent<Environment<f64>>,
 }
 
 /// The sums of all strips, by slot.
@@ -150,13 +162,43 @@ impl Totals {
         }
     }
 
+    /// The cotangent of the environment: its own sums where light takes all paths, else what its parts bring.
+    fn pull_environment<L: Plain>(
+        &mut self,
+        prepared: &Prepared<L>,
+        scene: &Scene,
+        request: &Request,
+    ) -> Tangent<Environment<f64>> {
+        let dense = &self.dense;
+        if let Some(to) = request.environment {
+            return Fields::from_fn(&mut |index| dense[to.start + index]);
+        }
+        let (Some(environment), layout) = (scene.environment, &prepared.layout) else {
+            return Additive::zero();
+        };
+        let lights = layout.sky_parts.iter().zip(&request.lights[scene.lights.len()..]);
+        let lights = lights.filter_map(|(part, to)| {
+            let first = to.as_ref()?.start;
+            let vector = |at: usize| DVec3::from_slice(&dense[first + at..]);
+            let (direction, color) = (vector(0), vector(3));
+            Some((part, Tangent::<DistantLight<f64>> { direction, color, ..Additive::zero() }))
+        });
+        let (texels, first) = (&mut self.texels, layout.map.map_or(0, |(_, map)| map.first_texel));
+        pull_sky(scene, environment, lights, |texel, cotangent| {
+            if let Some(slot) = request.texels.slot(first + texel) {
+                let sum = DVec3::from(texels[slot]) + cotangent;
+                texels[slot] = sum.to_array();
+            }
+        })
+    }
+
     /// The derivatives by one parameter.
     fn block<L: Plain>(
         &self,
         prepared: &Prepared<L>,
         scene: &Scene,
         request: &Request,
-        camera: &Tangent<Camera<f64>>,
+        Around { camera, environment }: &Around,
         id: ParameterId,
     ) -> Vec<f64> {
         let layout = &prepared.layout;
@@ -167,7 +209,7 @@ impl Totals {
             // An image is seen through one camera, and the same without the others.
             Object::Camera | Object::View(_) if id.object != scene.eye() => vec![0.0; range.len()],
             Object::Camera | Object::View(_) => range.map(|index| camera.number(index)).collect(),
-            Object::Environment => request.environment.map_or_else(Vec::new, |to| dense(to.start)),
+            Object::Environment => range.map(|index| environment.number(index)).collect(),
             Object::Light(light) => {
                 request.lights[light].map_or_else(Vec::new, |to| dense(to.start))
             }

@@ -8,7 +8,8 @@ use super::selection::Selection;
 use crate::primal::integrator::ZeroWeight;
 use crate::scene::numbers::range_of;
 use crate::scene::{
-    Environment, LightSource, Material, Normals, Object, ParameterId, Scene, Sphere, Transform,
+    DistantLight, Environment, LightSource, Material, Normals, Object, ParameterId, Scene, Sphere,
+    Transform,
 };
 use crate::settings::{Edges, Pass};
 use crate::trace::layout::Layout;
@@ -25,7 +26,8 @@ pub struct Request {
     pub ids: Vec<ParameterId>,
     pub camera: bool,
     pub environment: Option<Dense>,
-    /// By light: the numbers that are asked for, and where they begin among the dense sums.
+    /// By light, then by part of the sky: the numbers that are asked for, and where they begin among the dense
+    /// sums.
     pub lights: Vec<Option<Dense>>,
     /// By custom shape: its numbers, then those of its transform.
     pub shapes: Vec<Option<Dense>>,
@@ -44,6 +46,7 @@ pub struct Request {
     pub texels: Selection,
     /// What is computed although its weight is zero.
     pub zero_weight: ZeroWeight,
+    moves_edges: bool,
 }
 
 /// Numbers that have a sum in every strip.
@@ -61,7 +64,7 @@ impl Request {
             ids: ids.to_vec(),
             camera: ids.iter().any(|id| id.object == scene.eye()),
             environment: None,
-            lights: vec![None; scene.lights.len()],
+            lights: vec![None; scene.lights.len() + layout.sky_parts.len()],
             shapes: vec![None; scene.shapes.len()],
             transforms: vec![None; scene.meshes.len()],
             dense: 0,
@@ -74,9 +77,10 @@ impl Request {
             uvs: Selection::default(),
             texels: Selection::default(),
             zero_weight: ZeroWeight::default(),
+            moves_edges: ids.iter().any(|&id| scene.moves_edges(id)),
         };
         request.select_arrays(scene, layout);
-        request.select_objects(scene);
+        request.select_objects(scene, layout);
         let is_plain = |id: &ParameterId| match id.object {
             Object::Material(material) => layout.materials[material].bsdf == Bsdf::BlinnPhong,
             _ => false,
@@ -99,12 +103,14 @@ impl Request {
             _ => false,
         };
         let is_light = |id: &ParameterId| matches!(id.object, Object::Light(_));
+        let of_sky_parts =
+            request.lights.len() > scene.lights.len() && request.select_sky(scene, layout);
         request.zero_weight = ZeroWeight {
             mirrors: layout.pass == Pass::Radiance
                 && if takes_all_paths { of_zero("mirror") } else { of_material("mirror") },
             reflections: takes_all_paths && (of_zero("diffuse") || of_zero("specular")),
             bases: takes_all_paths && ids.iter().any(is_metallic_of_metal),
-            lights: ids.iter().any(is_light),
+            lights: ids.iter().any(is_light) || of_sky_parts,
             lobes: Lobes {
                 rough: of_material("roughness"),
                 glossy: of_material("specular"),
@@ -162,10 +168,12 @@ impl Request {
     }
 
     /// Which numbers of objects.
-    fn select_objects(&mut self, scene: &Scene) {
+    fn select_objects(&mut self, scene: &Scene, layout: &Layout) {
         for &ParameterId { object, field, .. } in &self.ids.clone() {
             match object {
                 Object::Camera | Object::View(_) | Object::Texture(_) => {}
+                // Their parts are lights.
+                Object::Environment if layout.path_tracing.is_none() => {}
                 Object::Environment => {
                     let numbers = bits(Environment::<f64>::FIELDS, field);
                     let len = Environment::<f64>::LEN;
@@ -201,6 +209,30 @@ impl Request {
         }
     }
 
+    /// The parts of the sky, if anything that they follow from is asked for; returns whether it is.
+    fn select_sky(&mut self, scene: &Scene, layout: &Layout) -> bool {
+        let is_map = |texture: usize| layout.map.is_some_and(|(map, _)| map == texture);
+        let turns = |id: &ParameterId| (id.object, id.field) == (Object::Environment, "rotation");
+        let shines = |id: &ParameterId| match id.object {
+            Object::Environment => id.field == "radiance",
+            Object::Texture(texture) => is_map(texture),
+            _ => false,
+        };
+        let is_asked_for = |is_it: &dyn Fn(&ParameterId) -> bool| self.ids.iter().any(is_it);
+        let of = |is_asked_for: bool, field: &str| match is_asked_for {
+            true => bits(DistantLight::<f64>::FIELDS, field),
+            false => 0,
+        };
+        let numbers = of(is_asked_for(&turns), "direction") | of(is_asked_for(&shines), "color");
+        if numbers != 0 {
+            let len = DistantLight::<f64>::LEN;
+            for part in &mut self.lights[scene.lights.len()..] {
+                add(part, &mut self.dense, len, numbers);
+            }
+        }
+        numbers != 0
+    }
+
     /// Returns `true` if surface points depend on a requested parameter.
     pub fn moves_surfaces(&self) -> bool {
         let selected = [&self.spheres, &self.vertices, &self.normals, &self.uvs];
@@ -217,7 +249,7 @@ impl Request {
 
     /// Returns `true` if the boundary term is requested.
     pub fn has_edges(&self, edges: Edges) -> bool {
-        edges.for_parameters(&self.ids) == Edges::On
+        edges == Edges::On || edges == Edges::Auto && self.moves_edges
     }
 
     /// Returns `true` if the transform of a mesh is requested whose vertices are not.

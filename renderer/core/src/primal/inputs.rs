@@ -5,12 +5,14 @@ use ad::{Fields, Real, Tangent, Vec3};
 use glam::DVec3;
 
 use super::placed::PlacedMesh;
+use super::sky_lights::sky_lights;
 use super::texels::TexelInputs;
 use super::varying::{Varying, lifted, narrow_vector};
 use crate::custom::{EmitterKernel, ShapeKernel};
 use crate::number::{Number, splat_vector};
 use crate::scene::{LightSource, Mesh, Object, Scene, ShapeObject, Transform};
 use crate::settings::Pass;
+use crate::trace::layout::Layout;
 use crate::transport::area_light::Place;
 use crate::transport::camera::{CameraFrame, Ray, camera_frame};
 use crate::transport::environment::Environment;
@@ -114,6 +116,7 @@ impl<S: Number> ShapeInputs<S> {
 pub struct Inputs<S: Number> {
     pub origin: DVec3,
     pub frame: CameraFrame<S>,
+    /// Where light takes all paths.
     pub environment: Option<Environment<S>>,
     pub lights: Vec<LightInputs<S>>,
     pub materials: Vec<Material<S::Lane>>,
@@ -132,7 +135,7 @@ pub struct Inputs<S: Number> {
 
 impl<S: Number> Inputs<S> {
     /// The inputs of a scene, some numbers of which vary.
-    pub fn new(scene: &Scene, pass: Pass, origin: DVec3, varying: &Varying<S::Wide>) -> Self {
+    pub fn new(scene: &Scene, layout: &Layout, origin: DVec3, varying: &Varying<S::Wide>) -> Self {
         let mut inputs = Self {
             origin,
             frame: CameraFrame::from_fn(&mut |_| S::ZERO),
@@ -146,20 +149,20 @@ impl<S: Number> Inputs<S> {
             texels: Vec::new(),
             shapes: Vec::new(),
         };
-        inputs.update(scene, pass, varying);
+        inputs.update(scene, layout, varying);
         inputs
     }
 
     /// Takes over the numbers of the scene, whose objects are those that the inputs were made of;
     /// returns whether geometry has moved.
-    pub fn update(&mut self, scene: &Scene, pass: Pass, varying: &Varying<S::Wide>) -> bool {
+    pub fn update(&mut self, scene: &Scene, layout: &Layout, varying: &Varying<S::Wide>) -> bool {
         let origin = constant::<S>(self.origin);
         self.look(scene, varying);
         self.environment = scene
             .environment
-            .filter(|_| pass == Pass::Radiance)
+            .filter(|_| layout.path_tracing.is_some())
             .map(|sky| in_lanes::<S, _>(&varying.lift(Object::Environment, &sky.values)));
-        self.lights = lights(scene, pass, origin, varying);
+        self.lights = lights(scene, layout, origin, varying);
         self.materials.clear();
         self.materials.extend(scene.materials.iter().enumerate().map(|(index, material)| {
             narrow::<S, _>(&varying.lift(Object::Material(index), &material.values))
@@ -281,10 +284,10 @@ pub fn places(scene: &Scene) -> impl Iterator<Item = (usize, Place<f64>)> {
     })
 }
 
-/// The lights, relative to an origin; none where radiance is not what is shown.
+/// The lights, relative to an origin, and the parts of the sky; none where radiance is not what is shown.
 pub fn lights<S: Number>(
     scene: &Scene,
-    pass: Pass,
+    layout: &Layout,
     origin: Vec3<S::Wide>,
     varying: &Varying<S::Wide>,
 ) -> Vec<LightInputs<S>> {
@@ -304,8 +307,10 @@ pub fn lights<S: Number>(
             },
         }
     };
-    match pass {
-        Pass::Radiance => places(scene).map(inputs).collect(),
+    match layout.pass {
+        Pass::Radiance => {
+            places(scene).map(inputs).chain(sky_lights(scene, layout, varying)).collect()
+        }
         _ => Vec::new(),
     }
 }
@@ -331,7 +336,7 @@ pub fn shapes<S: Number>(
 }
 
 /// A vector that does not vary.
-fn constant<S: Number>(v: DVec3) -> Vec3<S::Wide> {
+pub(super) fn constant<S: Number>(v: DVec3) -> Vec3<S::Wide> {
     let [x, y, z] = lifted::<S, 3>(&v.to_array());
     Vector3::new(x, y, z)
 }
@@ -351,6 +356,6 @@ fn narrow_all<S: Number>(values: &[S::Wide]) -> Vec<S::Lane> {
 }
 
 /// A struct in the precision of a pass, the same in every lane.
-fn in_lanes<S: Number, T: Fields<S::Wide>>(value: &T) -> T::With<S> {
+pub(super) fn in_lanes<S: Number, T: Fields<S::Wide>>(value: &T) -> T::With<S> {
     value.map(|number| S::splat(S::narrow(number)))
 }

@@ -76,7 +76,7 @@ impl<L: Plain> Prepared<L> {
         let bounding_box = scene.bounding_box();
         let origin = bounding_box.map_or(DVec3::ZERO, |(low, high)| low.midpoint(high));
         let layout = Layout::new(scene, &settings);
-        let inputs = Inputs::new(scene, settings.pass, origin, &Varying::NONE);
+        let inputs = Inputs::new(scene, &layout, origin, &Varying::NONE);
         let tracer = Tracer::new(scene, &settings, &layout, &inputs);
         let emitters = emitters(scene, &layout, &inputs);
         Self { settings, layout, tracer, inputs, emitters, film_offsets: film_offsets::<L>() }
@@ -109,7 +109,7 @@ impl<L: Plain> Prepared<L> {
     /// acceleration structure is refitted.
     pub fn update(&mut self, scene: &Scene) {
         self.layout.update(scene);
-        let moved = self.inputs.update(scene, self.settings.pass, &Varying::NONE);
+        let moved = self.inputs.update(scene, &self.layout, &Varying::NONE);
         self.tracer.update(scene, &self.settings, &self.layout, &self.inputs, moved);
         self.emitters = emitters(scene, &self.layout, &self.inputs);
     }

@@ -56,7 +56,7 @@ impl Tracer {
         inputs: &Inputs<S>,
         moved: bool,
     ) {
-        self.lights = inputs::lights(scene, settings.pass, inputs.origin, &Varying::NONE);
+        self.lights = inputs::lights(scene, layout, inputs.origin, &Varying::NONE);
         if moved {
             self.bvh.update(&Geometry { layout, inputs, customs: &customs(scene, inputs.origin) });
         }

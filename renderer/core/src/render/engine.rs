@@ -415,7 +415,7 @@ fn pixels_along<L: Plain>(
         (*id, moving.collect())
     };
     let varying = Varying { blocks: direction.iter().map(block).collect() };
-    let inputs = Inputs::new(scene, prepared.settings.pass, prepared.inputs.origin, &varying);
+    let inputs = Inputs::new(scene, &prepared.layout, prepared.inputs.origin, &varying);
     let request = Request::new(scene, &prepared.layout, &ids);
     let moving = prepared.with_inputs(&inputs).with_zero_weight(request.zero_weight);
     if !request.has_edges(prepared.edges()) {

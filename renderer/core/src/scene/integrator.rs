@@ -57,7 +57,7 @@ impl Scene {
     /// Whether images have a derivative by a parameter. Where light takes all paths they have none by what
     /// moves edges, such as the index of refraction of glass: nobody knows how those move that paths come by.
     pub fn is_differentiable(&self, id: ParameterId) -> bool {
-        self.integrator == Integrator::Direct || !id.moves_edges() && !self.refracts_by(id)
+        self.integrator == Integrator::Direct || !self.moves_edges(id) && !self.refracts_by(id)
     }
 
     /// Whether a parameter bends rays: what is seen behind a dielectric moves with its index of refraction.
@@ -89,7 +89,7 @@ impl Scene {
             return Err(Error::new(self.path(id), problem));
         }
         let points = self.light_points();
-        if settings.edges.for_parameters(ids) == Edges::On && points > MOST_EDGED_LIGHTS {
+        if settings.edges.for_parameters(self, ids) == Edges::On && points > MOST_EDGED_LIGHTS {
             let problem = format!(
                 "{points} lights, or points of them, cast shadows, and edges are known of \
                  {MOST_EDGED_LIGHTS}: lower light_samples, or leave the boundary term out (--edges off)"

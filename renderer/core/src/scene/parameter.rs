@@ -16,14 +16,14 @@ const NO_ENVIRONMENT: EnvironmentObject = EnvironmentObject {
     background: None,
 };
 
-impl ParameterId {
-    /// Whether silhouettes, shadows or other edges in the image move with the parameter.
-    pub fn moves_edges(self) -> bool {
-        table::row(self).moves_edges
-    }
-}
-
 impl Scene {
+    /// Whether silhouettes, shadows or other edges in the image move with a parameter.
+    pub fn moves_edges(&self, id: ParameterId) -> bool {
+        // Where light takes all paths the environment casts no shadow with an edge.
+        let is_soft = id.object == Object::Environment && self.path_tracing().is_some();
+        table::row(id).moves_edges && !is_soft
+    }
+
     fn object(&self, object: Object) -> &dyn Numbers {
         match object {
             Object::Camera => &self.camera,

@@ -96,7 +96,7 @@ const TABLE: &[Row] = &[
     slow(moving("camera", "vfov", (1e-3, 179.999), size)),
     slow(moving("camera", "film_scale", (SMALLEST_LENGTH, LARGEST_NUMBER), size)),
     smooth("environment", "radiance", ENERGY, one),
-    smooth("environment", "rotation", NUMBER, degrees),
+    moving("environment", "rotation", NUMBER, degrees),
     moving("light", "position", LENGTH, |scene, i, _| light_distance(scene, i)),
     direction(moving("light", "direction", LENGTH, size)),
     moving("light", "center", LENGTH, |scene, i, _| light_distance(scene, i)),

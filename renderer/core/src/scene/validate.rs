@@ -122,7 +122,10 @@ impl Scene {
 
     /// How many lights, or points of them, surfaces are shaded by.
     pub(super) fn light_points(&self) -> usize {
-        self.lights.iter().map(|light| light.source.place_count(self.light_samples)).sum()
+        let sky = self.environment.filter(|_| self.path_tracing().is_none());
+        let of_sky = sky.map_or(0, |_| self.light_samples as usize);
+        let lights = self.lights.iter().map(|light| light.source.place_count(self.light_samples));
+        lights.sum::<usize>() + of_sky
     }
 
     /// Which paths of light count, and by how many points lights stand.
@@ -134,13 +137,13 @@ impl Scene {
         }
         let Some(PathTracing { max_depth, samples, .. }) = self.path_tracing() else {
             let refracts = |material: &&MaterialObject| material.bsdf == Bsdf::Dielectric;
-            return match (self.environment, self.materials.iter().find(refracts)) {
-                (None, None) => Ok(()),
-                (Some(_), _) => invalid(
-                    "environment",
-                    "lights nothing unless light takes all paths: integrator.type = \"path\"",
-                ),
-                (None, Some(material)) => invalid(
+            if self.environment.is_some_and(|environment| environment.background.is_some()) {
+                let problem = "is seen where light takes all paths: integrator.type = \"path\"";
+                return invalid("environment.background", problem);
+            }
+            return match self.materials.iter().find(refracts) {
+                None => Ok(()),
+                Some(material) => invalid(
                     format!("material.{}.type", material.name),
                     "a dielectric refracts light that takes all paths: integrator.type = \"path\"",
                 ),

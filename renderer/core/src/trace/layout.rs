@@ -11,6 +11,7 @@ use super::adjacency::Adjacency;
 use super::corners::Corners;
 use super::sampling::{GradientSamples, Samples, Sampling};
 use super::sky::Sky;
+use super::sky_parts::{self, SkyPart};
 use crate::scene::{MaterialObject, MaterialTextures, PathTracing, Scene, Slot, Wrap};
 use crate::settings::{Pass, Settings};
 use crate::transport::material::{Bsdf, Lobes};
@@ -47,6 +48,8 @@ pub struct Layout {
     pub map: Option<(usize, TextureLayout)>,
     /// The cells of the environment, if it has a texture.
     pub sky: Option<Sky>,
+    /// The environment as distant lights, which come after those of the scene, where light is direct.
+    pub sky_parts: Vec<SkyPart>,
     /// What camera rays bring that meet nothing, where that is not the environment.
     pub background: Option<DVec3>,
     /// The first vertex of each mesh, then the number of all.
@@ -61,7 +64,7 @@ pub struct Layout {
 /// What a light can do.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LightTraits {
-    /// Which light of the scene it is, or is a point of.
+    /// Which light of the scene it is, or is a point of; then come the parts of the sky.
     pub object: usize,
     /// Whether it is known to send nothing.
     pub is_black: bool,
@@ -194,6 +197,7 @@ impl Layout {
             textures: textures(scene),
             map: None,
             sky: None,
+            sky_parts: sky_parts_of(scene),
             background: None,
             first_vertices: vec![0],
             uvs: Corners::new(&scene.meshes, |mesh| match scene.textures.is_empty() {
@@ -225,7 +229,8 @@ impl Layout {
         self.pass = settings.pass;
         self.update(scene);
         self.map = self.map(scene);
-        self.sky = self.map.map(|(_, map)| Sky::new(map.width, map.height));
+        let chooses_by = self.map.filter(|_| self.path_tracing.is_some());
+        self.sky = chooses_by.map(|(_, map)| Sky::new(map.width, map.height));
         self.sampling = sampling_of(settings.sampling, self.path_tracing);
     }
 
@@ -240,6 +245,11 @@ impl Layout {
             let traits = LightTraits { object, is_black: light.source.is_black() };
             let count = light.source.place_count(scene.light_samples);
             self.lights.extend(iter::repeat_n(traits, count));
+        }
+        if let Some(environment) = environment {
+            let is_black = environment.values.radiance == DVec3::ZERO;
+            let objects = (scene.lights.len()..).zip(&self.sky_parts);
+            self.lights.extend(objects.map(|(object, _)| LightTraits { object, is_black }));
         }
         self.materials.clear();
         self.materials
@@ -307,6 +317,17 @@ impl Layout {
     pub fn mesh_of_vertex(&self, vertex: u32) -> usize {
         // The last of those that begin no later: meshes without vertices begin where the next one does.
         self.first_vertices.partition_point(|&first| first <= vertex) - 1
+    }
+}
+
+/// The parts of the environment, where light is direct.
+fn sky_parts_of(scene: &Scene) -> Vec<SkyPart> {
+    match (scene.environment, scene.path_tracing()) {
+        (Some(environment), None) => {
+            let map = environment.texture.map(|texture| &scene.textures[texture as usize]);
+            sky_parts::parts(map, scene.light_samples)
+        }
+        _ => Vec::new(),
     }
 }
 

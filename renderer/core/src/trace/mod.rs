@@ -16,4 +16,5 @@ pub(crate) mod random;
 pub(crate) mod raster;
 pub(crate) mod sampling;
 pub(crate) mod sky;
+pub(crate) mod sky_parts;
 pub(crate) mod tile;

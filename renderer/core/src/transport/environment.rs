@@ -45,3 +45,21 @@ pub fn map_radiance<S: Real>(
     let uv = map_coordinates::<S>(environment.rotation, direction);
     modulate::<S>(environment.radiance, footprint, uv)
 }
+
+/// The direction, in the world, of one that is fixed to a map.
+#[differentiable]
+#[inline]
+pub fn turn<S: Real>(rotation: S, direction: Vec3<S>) -> Vec3<S> {
+    let angle = rotation * (S::PI / S::from_f64(180.0));
+    let (sine, cosine) = (angle.sin(), angle.cos());
+    let (x, y, z) = (direction.x(), direction.y(), direction.z());
+    Vec3::<S>::new(x * cosine + z * sine, y, z * cosine - x * sine)
+}
+
+/// The irradiance that a part of the environment brings to a surface that faces it: `integral` is that of the
+/// map over the part, weighted by the cosine.
+#[differentiable]
+#[inline]
+pub fn part_irradiance<S: Real>(radiance: Vec3<S>, integral: Vec3<S>) -> Vec3<S> {
+    radiance * integral
+}

@@ -8,7 +8,7 @@ use std::ops::Range;
 use crate::experiment::{Term, TunedParameter, WeightedTerm};
 use crate::laplacian::Laplacian;
 use crate::optimize::Evaluation;
-use crate::scene::{Object, ParameterId, Scene};
+use crate::scene::{Invalid, Object, ParameterId, Scene};
 use surface::{EdgeLengths, NormalConsistency};
 use variation::TotalVariation;
 
@@ -30,27 +30,36 @@ enum Energy {
     TotalVariation(TotalVariation),
 }
 
-/// The terms of parameters, whose numbers follow one another.
-pub(super) fn of(scene: &Scene, parameters: &[TunedParameter]) -> Vec<Regularizer> {
+/// The terms of parameters, whose numbers follow one another; a parameter with a term that is for others is an
+/// error.
+pub(super) fn of(
+    scene: &Scene,
+    parameters: &[TunedParameter],
+) -> Result<Vec<Regularizer>, Invalid> {
     let mut end = 0;
     let mut regularizers = Vec::new();
     for tuned in parameters {
         let start = end;
         end += scene.get(tuned.id).len();
         for &WeightedTerm { term, weight } in &tuned.terms {
-            if let Some(energy) = energy(scene, tuned.id, term) {
-                regularizers.push(Regularizer { weight, energy, block: start..end });
-            }
+            let energy = energy(scene, tuned.id, term).ok_or_else(|| Invalid {
+                path: scene.path(tuned.id).to_string(),
+                problem: format!("has a term that is for other parameters: {term:?}"),
+            })?;
+            regularizers.push(Regularizer { weight, energy, block: start..end });
         }
     }
-    regularizers
+    Ok(regularizers)
 }
 
 /// A term of a parameter; nothing if it is for parameters of another kind.
 fn energy(scene: &Scene, id: ParameterId, term: Term) -> Option<Energy> {
     match (term, id.object) {
         (Term::TotalVariation, Object::Texture(texture)) => {
-            Some(Energy::TotalVariation(TotalVariation::new(&scene.textures()[texture])))
+            let map = scene.environment.and_then(|environment| environment.texture);
+            let is_environment = map == Some(texture as u32);
+            let variation = TotalVariation::new(&scene.textures()[texture], is_environment);
+            Some(Energy::TotalVariation(variation))
         }
         (_, Object::Mesh(mesh)) if id.field == "vertices" && id.vertex.is_none() => {
             let mesh = &scene.meshes()[mesh];

@@ -93,7 +93,7 @@ fn tune(experiment: &mut Experiment, random: &mut Random) {
     let all_kinds = random.happens(0.5);
     let mut ids = scene.parameters();
     ids.retain(|&id| {
-        let possible = all_kinds || !id.moves_edges();
+        let possible = all_kinds || !scene.moves_edges(id);
         // Nothing shows how most spheres are turned.
         possible && !["up", "rotation"].contains(&id.field) && random.happens(0.25)
     });

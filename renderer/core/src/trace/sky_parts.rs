@@ -1,0 +1,280 @@
+//! The sky in parts, each of which lights surfaces as a distant light does.
+//!
+//! Direct light of an environment is that of so many distant lights, the same for all that is lit, each with
+//! hard shadows whose edges are known: so images have no noise, and gradients hold with respect to everything
+//! that moves a shadow, as with the points of [lights with an area](crate::transport::area_light). A part has
+//! the power of its texels, and shines from its middle; cuts make the variance of the directions small that parts
+//! shine from (Viriyothai & Debevec, "Variance Minimization Light Probe Sampling", 2009). Parts stay as they were cut when the scene was prepared, while
+//! texels vary and the map turns. Turned down: directions drawn anew for every point, whose shadows have no
+//! edges that anybody could follow.
+
+use std::f64::consts::{PI, TAU};
+use std::ops::Range;
+
+use glam::DVec3;
+
+use crate::scene::Texture;
+
+/// What black texels count for beside the mean, so that they have parts of their own.
+const SMALLEST: f64 = 1e-2;
+
+/// Directions that are lit as if all of their light came from one.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SkyPart {
+    /// Where it is seen while the map is not turned; a unit vector.
+    pub direction: DVec3,
+    /// The mean cosine of the angles between its directions and that one.
+    cosine: f64,
+    cells: Cells,
+    grid: Grid,
+}
+
+impl SkyPart {
+    /// Its texels, each with the irradiance that its radiance 1 brings to a surface that faces the part; some
+    /// are told several times. A sky without a map has one texel.
+    pub fn texels(&self) -> impl Iterator<Item = (usize, f64)> {
+        let Self { cells: Cells { columns, rows }, grid, .. } = self;
+        rows.clone().flat_map(move |row| {
+            let irradiance = grid.solid_angle(row) * self.cosine;
+            columns.clone().map(move |column| (grid.texel(column, row), irradiance))
+        })
+    }
+}
+
+/// Cells between meridians and parallels, so many to a texel.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Grid {
+    /// Texels from left to right.
+    width: u32,
+    columns: u32,
+    rows: u32,
+    /// Columns and rows of cells to a texel.
+    of_texel: [u32; 2],
+}
+
+impl Grid {
+    /// At least eight times as many cells as parts, that none be without.
+    fn new([width, height]: [u32; 2], parts: u32) -> Self {
+        let side = 2 * (f64::from(parts).sqrt().ceil() as u32);
+        let of_texel = [(2 * side).div_ceil(width), side.div_ceil(height)];
+        let [across, down] = of_texel;
+        Self { width, columns: width * across, rows: height * down, of_texel }
+    }
+
+    fn texel(&self, column: u32, row: u32) -> usize {
+        let [across, down] = self.of_texel;
+        (row / down) as usize * self.width as usize + (column / across) as usize
+    }
+
+    /// The angle of the middle of a row from +y.
+    fn polar_angle(&self, row: u32) -> f64 {
+        PI * (f64::from(row) + 0.5) / f64::from(self.rows)
+    }
+
+    /// The solid angle of the cells of a row: between the cosines of the angles at which it begins and ends.
+    fn solid_angle(&self, row: u32) -> f64 {
+        let half = 0.5 * PI / f64::from(self.rows);
+        TAU / f64::from(self.columns) * 2.0 * self.polar_angle(row).sin() * half.sin()
+    }
+}
+
+/// A rectangle of cells.
+#[derive(Clone, Debug, PartialEq)]
+struct Cells {
+    columns: Range<u32>,
+    rows: Range<u32>,
+}
+
+/// The power of cells, and their directions weighted by it.
+#[derive(Clone, Copy, Default)]
+struct Moments {
+    power: f64,
+    direction: DVec3,
+}
+
+impl Moments {
+    /// The power times the variance of the directions.
+    fn spread(&self) -> f64 {
+        self.power - self.direction.length()
+    }
+
+    fn plus(self, other: Self, times: f64) -> Self {
+        Self {
+            power: self.power + times * other.power,
+            direction: self.direction + times * other.direction,
+        }
+    }
+}
+
+/// A grid of cells with their powers.
+struct Sky {
+    grid: Grid,
+    /// The power of each texel over its solid angle.
+    texels: Vec<f64>,
+    /// The sine and the cosine of the longitude of each column.
+    columns: Vec<(f64, f64)>,
+}
+
+impl Sky {
+    fn new(map: Option<&Texture>, parts: u32) -> Self {
+        let size = map.map_or([1, 1], |map| [map.width, map.height]);
+        let grid = Grid::new(size, parts);
+        let mut texels: Vec<f64> = map
+            .map_or(vec![1.0], |map| map.texels.iter().map(|texel| texel.iter().sum()).collect());
+        let cells =
+            (0..grid.rows).flat_map(|row| (0..grid.columns).map(move |column| (column, row)));
+        let powers =
+            cells.map(|(column, row)| texels[grid.texel(column, row)] * grid.solid_angle(row));
+        let mean = powers.sum::<f64>() / (2.0 * TAU);
+        let least = if mean > 0.0 { SMALLEST * mean } else { 1.0 };
+        texels.iter_mut().for_each(|power| *power += least);
+        let longitude =
+            |column: u32| TAU * ((f64::from(column) + 0.5) / f64::from(grid.columns) - 0.5);
+        let columns = (0..grid.columns).map(|column| longitude(column).sin_cos()).collect();
+        Self { grid, texels, columns }
+    }
+
+    /// Sums over cells, each of which has a power over its solid angle.
+    fn sum(&self, Cells { columns, rows }: &Cells, power: impl Fn(usize) -> f64) -> Moments {
+        let mut sum = Moments::default();
+        for row in rows.clone() {
+            let (across, up) = self.grid.polar_angle(row).sin_cos();
+            let solid_angle = self.grid.solid_angle(row);
+            for column in columns.clone() {
+                let power = power(self.grid.texel(column, row)) * solid_angle;
+                let (sine, cosine) = self.columns[column as usize];
+                sum.power += power;
+                sum.direction += power * DVec3::new(across * sine, up, -across * cosine);
+            }
+        }
+        sum
+    }
+
+    fn moments(&self, cells: &Cells) -> Moments {
+        self.sum(cells, |texel| self.texels[texel])
+    }
+
+    /// Cells as one light. Its direction is their middle, whatever their texels: it does not move with these.
+    fn part(&self, cells: Cells) -> SkyPart {
+        let Moments { power: solid_angle, direction } = self.sum(&cells, |_| 1.0);
+        let cosine = direction.length() / solid_angle;
+        // All directions together have no middle; what faces a side sees a quarter of them, as it were.
+        let direction = if cosine > 1e-6 { direction.normalize() } else { DVec3::Y };
+        SkyPart { direction, cosine: cosine.max(0.25), cells, grid: self.grid }
+    }
+
+    /// Cuts cells in two, between columns or between rows, where the two are spread least; one cell cannot be
+    /// cut.
+    fn cut(&self, cells: &Cells) -> Option<[Cells; 2]> {
+        let Cells { columns, rows } = cells;
+        let left_of = |end: u32| Cells { columns: columns.start..end, rows: rows.clone() };
+        let right_of = |start: u32| Cells { columns: start..columns.end, rows: rows.clone() };
+        let above = |end: u32| Cells { columns: columns.clone(), rows: rows.start..end };
+        let below = |start: u32| Cells { columns: columns.clone(), rows: start..rows.end };
+        let by_columns =
+            self.spreads(columns, cells, |at| Cells { columns: at..at + 1, rows: rows.clone() });
+        let by_rows =
+            self.spreads(rows, cells, |at| Cells { columns: columns.clone(), rows: at..at + 1 });
+        let by_columns = by_columns.map(|(spread, at)| (spread, [left_of(at), right_of(at)]));
+        let by_rows = by_rows.map(|(spread, at)| (spread, [above(at), below(at)]));
+        let cuts = by_columns.into_iter().chain(by_rows);
+        cuts.min_by(|(a, _), (b, _)| a.total_cmp(b)).map(|(_, cut)| cut)
+    }
+
+    /// Before which of the lines along a side cells are best cut, and how far the two are spread then.
+    fn spreads(
+        &self,
+        side: &Range<u32>,
+        cells: &Cells,
+        line: impl Fn(u32) -> Cells,
+    ) -> Option<(f64, u32)> {
+        let (total, mut before) = (self.moments(cells), Moments::default());
+        let cuts = (side.start + 1..side.end).map(|at| {
+            before = before.plus(self.moments(&line(at - 1)), 1.0);
+            (before.spread() + total.plus(before, -1.0).spread(), at)
+        });
+        cuts.min_by(|(a, _), (b, _)| a.total_cmp(b))
+    }
+}
+
+/// The sky in so many parts: of a map, or of one that is the same everywhere.
+pub fn parts(map: Option<&Texture>, count: u32) -> Vec<SkyPart> {
+    let sky = Sky::new(map, count);
+    // A single cell is not spread, whatever rounding says.
+    let measured = |cells: Cells| match cells.columns.len() * cells.rows.len() {
+        1 => (f64::NEG_INFINITY, cells),
+        _ => (sky.moments(&cells).spread(), cells),
+    };
+    let mut parts = vec![measured(Cells { columns: 0..sky.grid.columns, rows: 0..sky.grid.rows })];
+    while parts.len() < count as usize {
+        let spread = |&at: &usize| parts[at].0;
+        let widest = (0..parts.len()).max_by(|a, b| spread(a).total_cmp(&spread(b))).unwrap_or(0);
+        let Some([first, second]) = sky.cut(&parts[widest].1) else { break };
+        parts[widest] = measured(first);
+        parts.push(measured(second));
+    }
+    parts.into_iter().map(|(_, cells)| sky.part(cells)).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::Wrap;
+
+    fn map(width: u32, height: u32, radiance: impl Fn(u32, u32) -> f64) -> Texture {
+        let texels = (0..height).flat_map(|row| (0..width).map(move |column| (column, row)));
+        let texels: Vec<[f64; 3]> = texels.map(|(x, y)| [radiance(x, y); 3]).collect();
+        Texture { name: String::new(), width, height, wrap: Wrap::Repeat, texels: texels.into() }
+    }
+
+    /// All of the sky is in the parts, once; each has a direction.
+    #[test]
+    fn parts_fill_the_sky() {
+        let uneven = map(7, 5, |x, y| f64::from(x * x % 5 * y));
+        let black = map(3, 1, |_, _| 0.0);
+        for map in [None, Some(&uneven), Some(&black)] {
+            for count in [1, 2, 3, 16, 64, 1000] {
+                let parts = parts(map, count);
+                assert_eq!(parts.len(), count as usize);
+                let solid_angle =
+                    |part: &SkyPart| part.texels().map(|(_, e)| e).sum::<f64>() / part.cosine;
+                let total: f64 = parts.iter().map(solid_angle).sum();
+                assert!((total / (2.0 * TAU) - 1.0).abs() < 1e-12, "{count}: {total}");
+                assert!(parts.iter().all(|part| (part.direction.length() - 1.0).abs() < 1e-12));
+            }
+        }
+    }
+
+    /// The irradiance of an even sky on a plane that looks to any side is pi times the radiance.
+    #[test]
+    fn an_even_sky_lights_all_sides_alike() {
+        let parts = parts(None, 64);
+        for normal in [DVec3::X, DVec3::Y, DVec3::NEG_Z, DVec3::new(0.6, -0.64, 0.48)] {
+            let irradiance = |part: &SkyPart| {
+                let facing: f64 = part.texels().map(|(_, irradiance)| irradiance).sum();
+                facing * part.direction.dot(normal).max(0.0)
+            };
+            let sum: f64 = parts.iter().map(irradiance).sum();
+            assert!((sum / PI - 1.0).abs() < 0.03, "{normal}: {}", sum / PI);
+        }
+    }
+
+    /// A sun in a dark sky has most parts, and these look at it.
+    #[test]
+    fn parts_go_where_the_light_is() {
+        let sun = map(64, 32, |x, y| if (x, y) == (48, 8) { 1e4 } else { 1e-3 });
+        let parts = parts(Some(&sun), 16);
+        // The middle of the texel.
+        let (longitude, polar) = (TAU * (48.5 / 64.0 - 0.5), PI * 8.5 / 32.0);
+        let towards =
+            DVec3::new(polar.sin() * longitude.sin(), polar.cos(), -polar.sin() * longitude.cos());
+        let holds_it = |part: &&SkyPart| part.texels().any(|(texel, _)| texel == 8 * 64 + 48);
+        let directions = parts.iter().filter(holds_it).map(|part| part.direction.dot(towards));
+        assert!(directions.clone().count() >= 1);
+        assert!(
+            directions.clone().all(|cosine| cosine > 0.998),
+            "{:?}",
+            directions.collect::<Vec<_>>()
+        );
+    }
+}
