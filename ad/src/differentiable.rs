@@ -290,7 +290,7 @@ no_derivative!(
     bool, char, str, String, i8, i16, i32, i64, i128, isize, u8, u16, u32, u64, u128, usize
 );
 
-no_derivative!(core::cmp::Ordering);
+no_derivative!(core::cmp::Ordering, glam::BVec2, glam::BVec3, glam::BVec4);
 
 impl<T: NoDerivative> NoDerivative for Option<T> {}
 impl<T: NoDerivative, E: NoDerivative> NoDerivative for Result<T, E> {}
