@@ -327,7 +327,10 @@ impl Lowerer<'_> {
             return Operand::Constant(quote!(#ident));
         }
         if let Some(name) = callee.name().filter(|name| !rules::is_method(&name.to_string())) {
-            self.called.method(name);
+            let is_function =
+                |(_, argument): &(usize, &Argument)| Primal(&self.vars).is_function(argument);
+            let functions = arguments.iter().enumerate().filter(is_function);
+            self.called.method(name, functions.map(|(index, _)| index));
         }
         let called = usize::from(matches!(arguments.first(), Some(Argument::Callee(_))));
         self.passes_functions |=
