@@ -50,7 +50,7 @@ mod iterate;
 
 pub use iterate::{
     AddsUp, MultipliesUp, Side, build_like, chunks_exact, empty_product, empty_sum, every_other,
-    held, is_sequence, record, record_like, segments, windows, with_cotangents,
+    held, is_sequence, lends_parts, record, record_like, segments, windows, with_cotangents,
 };
 
 /// The traits whose methods generated code calls. They come without names, which could hide those

@@ -2,7 +2,7 @@
 //! names. In generated code each is written as a part of the whole, which Rust does not borrow twice.
 
 use proc_macro2::TokenStream;
-use quote::{ToTokens, quote};
+use quote::{ToTokens, quote, quote_spanned};
 use syn::spanned::Spanned;
 use syn::{Expr, ExprCall, Ident};
 
@@ -41,22 +41,51 @@ impl Lowerer<'_> {
             _ => None,
         };
         let lent: Vec<_> = arguments.iter().filter_map(lent).collect();
-        let meet = |(index, (place, changes)): (usize, &(&Place, bool))| {
-            lent[..index].iter().any(|(other, also_changes)| {
-                (*changes || *also_changes) && parting(place, other).is_some()
-            })
-        };
-        if lent.iter().enumerate().any(meet) {
-            self.refuse(
-                call,
-                "two parts of one slice are lent here at the same time: pass the slice and where the parts are, `f(&mut v, i, j)`; elements are swapped by `v.swap(i, j)`",
-            );
+        let pairs = (0..lent.len()).flat_map(|index| (0..index).map(move |other| (index, other)));
+        for (index, other) in pairs {
+            let ((left, changes), (right, also_changes)) = (lent[index], lent[other]);
+            if !(changes || also_changes) || left.root != right.root {
+                continue;
+            }
+            if parting(left, right).is_some() {
+                self.refuse(
+                    call,
+                    "two parts of one slice are lent here at the same time: pass the slice and where the parts are, `f(&mut v, i, j)`; elements are swapped by `v.swap(i, j)`",
+                );
+                return;
+            }
+            self.check_holders(call, left, right);
+        }
+    }
+
+    /// Has the compiler check that what holds an element lends two parts of it, as a `Vec` does not.
+    fn check_holders(&mut self, call: &impl ToTokens, left: &Place, right: &Place) {
+        let common = in_common(left, right);
+        let is_name = |step: &Projection| matches!(step, Projection::Behind(_));
+        if common == left.path.len().min(right.path.len())
+            || left.path.iter().chain(&right.path).any(is_name)
+        {
+            return;
+        }
+        let indices = (0..common).filter(|&index| matches!(left.path[index], Projection::Index(_)));
+        for index in indices {
+            let holder = Place { root: left.root, path: left.path[..index].to_vec() };
+            let holder = self.place_tokens(&holder);
+            let code = quote_spanned!(call.span()=> ::ad::rt::lends_parts(&#holder););
+            self.push(Statement::Plain { code, defines: Vec::new() });
         }
     }
 }
 
 /// The number of steps to the slice of which both places are parts.
 fn parting(left: &Place, right: &Place) -> Option<usize> {
+    let common = in_common(left, right);
+    let is_index = |place: &Place| matches!(place.path.get(common), Some(Projection::Index(_)));
+    (left.root == right.root && is_index(left) && is_index(right)).then_some(common)
+}
+
+/// The number of steps that both ways begin with.
+fn in_common(left: &Place, right: &Place) -> usize {
     let are_same = |(left, right): &(&Projection, &Projection)| match (left, right) {
         (Projection::Field(left), Projection::Field(right)) => left == right,
         (Projection::FromEnd(left), Projection::FromEnd(right)) => left == right,
@@ -67,9 +96,7 @@ fn parting(left: &Place, right: &Place) -> Option<usize> {
         (Projection::Behind(left), Projection::Behind(right)) => left == right,
         _ => false,
     };
-    let common = left.path.iter().zip(&right.path).take_while(are_same).count();
-    let is_index = |place: &Place| matches!(place.path.get(common), Some(Projection::Index(_)));
-    (left.root == right.root && is_index(left) && is_index(right)).then_some(common)
+    left.path.iter().zip(&right.path).take_while(are_same).count()
 }
 
 /// The index of an element of a part of a slice.

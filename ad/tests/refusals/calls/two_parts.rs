@@ -18,4 +18,10 @@ fn ends(v: &mut [f64]) {
     }
 }
 
+#[differentiable]
+fn of_an_element(v: &mut Vec<(f64, f64)>) {
+    let (a, b) = &mut v[0];
+    std::mem::swap(a, b);
+}
+
 fn main() {}
