@@ -35,16 +35,16 @@ impl Lowerer<'_> {
 
     /// Refuses to lend two parts of one slice at the same time.
     pub(super) fn check_apart(&mut self, call: &impl ToTokens, arguments: &[Argument]) {
-        let lent = |argument| match argument {
-            &Argument::Exclusive(ref place) | &Argument::Reborrow(ref place) => Some((place, true)),
-            &Argument::Borrow(ref place) => Some((place, false)),
+        let lent = |argument: &Argument| match argument {
+            Argument::Exclusive(place) | Argument::Reborrow(place) => Some((place.clone(), true)),
+            Argument::Borrow(place) => Some((place.clone(), false)),
             _ => None,
         };
         let lent: Vec<_> = arguments.iter().filter_map(lent).collect();
         let pairs = (0..lent.len()).flat_map(|index| (0..index).map(move |other| (index, other)));
         for (index, other) in pairs {
-            let ((left, changes), (right, also_changes)) = (lent[index], lent[other]);
-            if !(changes || also_changes) || left.root != right.root {
+            let ((left, changes), (right, also_changes)) = (&lent[index], &lent[other]);
+            if !(*changes || *also_changes) || left.root != right.root {
                 continue;
             }
             if parting(left, right).is_some() {
