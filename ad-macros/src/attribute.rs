@@ -93,7 +93,8 @@ fn function_derivative(item: TokenStream, function: &ItemFn, options: Options) -
 /// The siblings of one method of an `impl` block, of which nothing else is seen.
 fn method_derivative(function: &ItemFn, options: Options) -> TokenStream {
     let (signature, generics) = (&function.sig, Generics::default());
-    let methods = Methods::new(Place::Impl(&generics), None, [signature].into_iter(), &options);
+    let methods =
+        Methods::new(Place::Impl(&generics), Vec::new(), [signature].into_iter(), &options);
     methods.derivative(&function.attrs, &function.vis, signature, Some(&function.block))
 }
 
@@ -150,8 +151,8 @@ fn imported_derivative(import: &ItemUse, rule: &Path, forward: Option<&Path>) ->
 /// The block in which methods stand.
 struct Methods<'a> {
     place: Place<'a>,
-    /// The name of the type they belong to, where it is seen.
-    owner: Option<&'a Ident>,
+    /// Those that call themselves, by way of others, too.
+    circular: Vec<Ident>,
     /// Those that take `&mut self`.
     exclusive: Vec<Ident>,
     options: &'a Options,
@@ -160,7 +161,7 @@ struct Methods<'a> {
 impl<'a> Methods<'a> {
     fn new<'s>(
         place: Place<'a>,
-        owner: Option<&'a Ident>,
+        circular: Vec<Ident>,
         signatures: impl Iterator<Item = &'s Signature>,
         options: &'a Options,
     ) -> Self {
@@ -172,7 +173,7 @@ impl<'a> Methods<'a> {
         });
         Self {
             place,
-            owner,
+            circular,
             exclusive: exclusive.map(|signature| signature.ident.clone()).collect(),
             options,
         }
@@ -197,13 +198,10 @@ impl<'a> Methods<'a> {
             body,
             options,
         };
-        let is_recursive = body
-            .zip(self.owner)
-            .is_some_and(|(body, owner)| recursion::names_owner(owner, &signature.ident, body));
         match own_options(attributes) {
             Ok(own) => {
                 let options = self.options.with(own);
-                let boxed = options.boxed || is_recursive;
+                let boxed = options.boxed || self.circular.contains(&signature.ident);
                 derivative_or_errors(&function(Options { boxed, ..options }))
             }
             Err(error) => {
@@ -261,7 +259,10 @@ fn impl_derivatives(item: TokenStream, block: &ItemImpl, options: &Options) -> T
         Type::Path(path) => path.path.segments.last().map(|last| &last.ident),
         _ => None,
     };
-    let all = Methods::new(place, owner, methods.clone().map(|method| &method.sig), options);
+    let functions: Vec<_> =
+        methods.clone().map(|ImplItemFn { sig, block, .. }| (sig, block)).collect();
+    let circular = recursion::circular(owner, block.trait_.is_none(), &functions);
+    let all = Methods::new(place, circular, methods.clone().map(|method| &method.sig), options);
     let siblings = methods.map(|ImplItemFn { attrs, vis, sig, block, .. }| {
         all.derivative(attrs, vis, sig, Some(block))
     });
@@ -304,7 +305,7 @@ fn trait_derivatives(item: TokenStream, definition: &ItemTrait, options: &Option
         _ => None,
     });
     let place = Place::Trait(&definition.generics);
-    let all = Methods::new(place, None, methods.clone().map(|method| &method.sig), options);
+    let all = Methods::new(place, Vec::new(), methods.clone().map(|method| &method.sig), options);
     let siblings = methods.map(|TraitItemFn { attrs, sig, default, .. }| {
         all.derivative(attrs, &Visibility::Inherited, sig, default.as_ref())
     });

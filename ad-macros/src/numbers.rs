@@ -18,6 +18,7 @@ use quote::quote;
 use syn::punctuated::Punctuated;
 use syn::{
     Expr, ExprPath, GenericParam, Generics, Lit, Token, Type, TypeParamBound, UnOp, WherePredicate,
+    parse_quote,
 };
 
 use crate::floats;
@@ -345,6 +346,10 @@ impl<'a> Numbers<'a> {
                 (Known::Type(ty), Projection::Index(index)) if is_index(index) => {
                     self.of_type(element(without_references(&ty))?)
                 }
+                (Known::Type(ty), Projection::Index(index)) if is_range(index) => {
+                    let element = element(without_references(&ty))?;
+                    Known::Type(Box::new(parse_quote!([#element])))
+                }
                 _ => return None,
             };
         }
@@ -395,6 +400,11 @@ impl<'a> Numbers<'a> {
 /// of elements cannot be read by value.
 fn is_index(index: &TokenStream) -> bool {
     index.clone().into_iter().count() == 1
+}
+
+/// Whether an index is that of a part.
+fn is_range(index: &TokenStream) -> bool {
+    matches!(syn::parse2(index.clone()), Ok(Expr::Range(_)))
 }
 
 fn without_references(ty: &Type) -> &Type {

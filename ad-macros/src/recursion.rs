@@ -1,8 +1,11 @@
 //! Finds functions that call themselves.
 //!
 //! The type of a pullback holds those of the pullbacks it calls, so that of a recursive function
-//! would hold itself: it has to be boxed. A function that calls itself by way of others says so
-//! with `#[differentiable(boxed)]`, which one function of the circle needs.
+//! would hold itself: it has to be boxed. Methods of one block that call each other in a circle are seen
+//! together; a function that calls itself by way of functions outside says so with
+//! `#[differentiable(boxed)]`, which one function of the circle needs.
+
+use std::collections::HashSet;
 
 use syn::visit::{self, Visit};
 use syn::{Block, Expr, ExprCall, ExprMethodCall, Ident, Signature};
@@ -24,10 +27,36 @@ pub fn is_recursive(signature: &Signature, body: &Block, is_inherent: bool) -> b
     .are_in(body)
 }
 
-/// Whether a function of the type `owner` calls itself by the name of that.
-pub fn names_owner(owner: &Ident, name: &Ident, body: &Block) -> bool {
-    let owner = Some(owner);
-    Calls { name, is_method: true, counts_variables: false, owner, found: false }.are_in(body)
+/// The functions of the type `owner` to be boxed, so that none calls itself, by its name or by way of others.
+pub fn circular(
+    owner: Option<&Ident>,
+    is_inherent: bool,
+    functions: &[(&Signature, &Block)],
+) -> Vec<Ident> {
+    let calls = |body: &Block, called: &Signature| {
+        let name = &called.ident;
+        let counts_variables = is_inherent && !rules::is_method(&name.to_string());
+        let is_method = called.receiver().is_some();
+        Calls { name, is_method, counts_variables, owner, found: false }.are_in(body)
+    };
+    let called: Vec<Vec<_>> = functions
+        .iter()
+        .map(|(_, body)| {
+            (0..functions.len()).filter(|&other| calls(body, functions[other].0)).collect()
+        })
+        .collect();
+    let mut boxed = Vec::new();
+    for start in 0..functions.len() {
+        let (mut reached, mut open) = (HashSet::new(), vec![start]);
+        while let Some(at) = open.pop() {
+            let next = called[at].iter().filter(|next| !boxed.contains(*next));
+            open.extend(next.copied().filter(|&next| reached.insert(next)));
+        }
+        if reached.contains(&start) {
+            boxed.push(start);
+        }
+    }
+    boxed.into_iter().map(|index| functions[index].0.ident.clone()).collect()
 }
 
 struct Calls<'a> {

@@ -263,7 +263,8 @@ own_tangent! {
 #[diagnostic::on_unimplemented(
     message = "a `{Self}` has a derivative, which would be cut here without a word",
     label = "this is used as if it were constant",
-    note = "wrap it in `ad::stop_gradient(..)` if that is what you mean"
+    note = "wrap it in `ad::stop_gradient(..)` if that is what you mean",
+    note = "a method of your own that gives it needs a name that is none of a comparison or a test (`is_..`, `len`, `any`, `cmp`)"
 )]
 pub trait NoDerivative: Differentiable {}
 
@@ -290,7 +291,7 @@ no_derivative!(
     bool, char, str, String, i8, i16, i32, i64, i128, isize, u8, u16, u32, u64, u128, usize
 );
 
-no_derivative!(core::cmp::Ordering);
+no_derivative!(core::cmp::Ordering, glam::BVec2, glam::BVec3, glam::BVec4);
 
 impl<T: NoDerivative> NoDerivative for Option<T> {}
 impl<T: NoDerivative, E: NoDerivative> NoDerivative for Result<T, E> {}

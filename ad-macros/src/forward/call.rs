@@ -233,7 +233,8 @@ fn is_closure(tokens: &TokenStream) -> bool {
     matches!(syn::parse2::<syn::Expr>(tokens.clone()), Ok(syn::Expr::Closure(_)))
 }
 
-/// Whether the tokens are the name of something.
+/// Whether the tokens are the name of something that is of one type; `None` is of another one wherever it
+/// is written.
 fn is_name(tokens: &TokenStream) -> bool {
-    syn::parse2::<syn::ExprPath>(tokens.clone()).is_ok()
+    syn::parse2::<syn::ExprPath>(tokens.clone()).is_ok_and(|name| !name.path.is_ident("None"))
 }

@@ -95,7 +95,9 @@ impl Writer<'_> {
             (true, _, Head::Loop, None) => {
                 Some(quote!(if let #content = #value { break content; }))
             }
-            (true, None, ..) => Some(quote!(if #value.is_break() { break; })),
+            (true, None, ..) => {
+                Some(quote!(if ::core::ops::ControlFlow::<_, ()>::is_break(&#value) { break; }))
+            }
             (true, Some(result), _, Some((target, flow))) => {
                 let (dot, from) = (self.dot(target), self.dot(flow));
                 Some(quote! {

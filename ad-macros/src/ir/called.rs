@@ -1,17 +1,19 @@
 //! What a function calls, so that the compiler says in words which of it has no derivative.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 use proc_macro2::{Ident, TokenStream};
 use quote::{ToTokens, format_ident, quote};
 
+use super::argument;
 use crate::names::Names;
 
 /// The functions and methods that are called.
 #[derive(Default)]
 pub struct Called {
     twins: Vec<Twin>,
-    methods: BTreeSet<Ident>,
+    /// Methods, and which of their arguments are functions.
+    methods: BTreeMap<Ident, BTreeSet<usize>>,
 }
 
 /// The type that has the derivatives of a function.
@@ -59,22 +61,26 @@ impl Called {
         alias.to_token_stream()
     }
 
-    /// Notes a method, or a function of a type, whose derivative stands beside it.
-    pub fn method(&mut self, name: &Ident) {
-        self.methods.insert(name.clone());
+    /// Notes a method, or a function of a type, whose derivative stands beside it, and which of its
+    /// arguments are functions.
+    pub fn method(&mut self, name: &Ident, functions: impl IntoIterator<Item = usize>) {
+        self.methods.entry(name.clone()).or_default().extend(functions);
     }
 
     /// What yields to the derivatives that are there. An import takes whatever has a name, a function
     /// or a type; for a function without derivative the type comes from a module. For a method without
     /// derivative there is a trait, which nothing satisfies.
     pub fn stand_ins(&self) -> TokenStream {
-        let methods = self.methods.iter().map(|name| {
-            let [vjp, jvp] = ["vjp", "jvp"].map(|mode| format_ident!("{name}_{mode}"));
+        let methods = self.methods.iter().map(|(name, functions)| {
+            let modes = ["vjp", "jvp"].map(|mode| format_ident!("{name}_{mode}"));
+            let passing = functions.iter().flat_map(|&index| {
+                ["", "_forward"].map(|mode| argument(Some(name), index, mode))
+            });
+            let called = modes.into_iter().chain(passing);
             let derivatives = format_ident!("{name}_derivatives");
             quote! {
                 trait #derivatives {
-                    fn #vjp(&self) {}
-                    fn #jvp(&self) {}
+                    #(fn #called(&self) {})*
                 }
                 impl<T: ?::core::marker::Sized + ::ad::rt::MethodWithDerivative> #derivatives for T {}
             }

@@ -172,7 +172,18 @@ impl Lowerer<'_> {
     /// `vec.extend(iterator)`, if `call` is that.
     pub(super) fn extended(&mut self, call: &ExprMethodCall) -> Option<Operand> {
         let [items] = &call.args.iter().collect::<Vec<_>>()[..] else { return None };
-        if call.method != "extend" || !is_chain(items) {
+        if call.method != "extend" {
+            return None;
+        }
+        // A `Vec` copies what is referred to.
+        let elements = match strip_parens(items) {
+            Expr::Reference(reference) if reference.mutability.is_none() => Some(&*reference.expr),
+            items if self.is_reference(items) && !self.is_exclusive_alias(items) => Some(items),
+            _ => None,
+        };
+        let elements = elements.map(|elements| -> Expr { parse_quote!((#elements).iter()) });
+        let items = elements.as_ref().unwrap_or(items);
+        if !is_chain(items) {
             return None;
         }
         let (vec, item_name) = (&call.receiver, self.names.unwritten("item"));

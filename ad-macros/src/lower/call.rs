@@ -6,7 +6,7 @@ use syn::Expr;
 use syn::spanned::Spanned;
 
 use super::Lowerer;
-use super::callee::{is_box_new, is_from_fn};
+use super::callee::{is_box_new, is_from_fn, is_swap};
 use super::hidden::decodes;
 use super::higher::{refused_function, refused_method};
 use super::no_diff::{stopped, undifferentiated};
@@ -166,6 +166,12 @@ impl Lowerer<'_> {
             self.argument_in_turn(value, argument, call.args.iter().skip(index + 1))
         });
         let mut arguments: Vec<_> = arguments.collect();
+        if is_swap(path)
+            && let Some(value) = self.swap_elements(call, &arguments)
+        {
+            return value;
+        }
+        self.check_apart(call, &arguments);
         if !self.is_constant_call(&arguments) {
             self.check_attribute(function);
             self.check_constants(&mut arguments, &call.args);
@@ -246,6 +252,7 @@ impl Lowerer<'_> {
             let written = std::iter::once(&*call.receiver).chain(&call.args);
             self.check_constants(&mut arguments, written);
         }
+        self.check_apart(call, &arguments);
         let hint = if hint == "value" { name } else { hint.to_owned() };
         let callee =
             Callee::method(&call.method, call.turbofish.as_ref().map(ToTokens::to_token_stream));
@@ -320,7 +327,10 @@ impl Lowerer<'_> {
             return Operand::Constant(quote!(#ident));
         }
         if let Some(name) = callee.name().filter(|name| !rules::is_method(&name.to_string())) {
-            self.called.method(name);
+            let is_function =
+                |(_, argument): &(usize, &Argument)| Primal(&self.vars).is_function(argument);
+            let functions = arguments.iter().enumerate().filter(is_function);
+            self.called.method(name, functions.map(|(index, _)| index));
         }
         let called = usize::from(matches!(arguments.first(), Some(Argument::Callee(_))));
         self.passes_functions |=

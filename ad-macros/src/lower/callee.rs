@@ -144,6 +144,11 @@ pub(super) fn is_box_new(path: &Path) -> bool {
     ends_with(path, "Box", "new")
 }
 
+/// `mem::swap`
+pub(super) fn is_swap(path: &Path) -> bool {
+    ends_with(path, "mem", "swap")
+}
+
 /// `array::from_fn`, however far its path is written out.
 pub(super) fn is_from_fn(path: &Path) -> bool {
     ends_with(path, "array", "from_fn")

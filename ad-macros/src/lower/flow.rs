@@ -169,7 +169,7 @@ impl Lowerer<'_> {
         let is_own = self.is_borrowed_or_own(&init.expr);
         let told = ty.map(|ty| {
             let mut expr = (*init.expr).clone();
-            told::tell(&mut expr, ty);
+            told::tell_local(&mut expr, ty);
             expr
         });
         let value = self.operand(told.as_ref().unwrap_or(&init.expr), &hint);

@@ -5,7 +5,7 @@
 //! declares variables where they get their value; [`loops`] lowers loops, [`checkpoint`] makes
 //! those with checkpoints plainer, [`chain`], [`source`], [`stage`], [`several`] and [`item`] what
 //! they run over, [`consume`] what iterators are used up by; [`array`] builds arrays by element;
-//! [`told`] writes types where they are needed; [`option`] writes out methods of options, [`part`] those that lend parts of slices, [`element`] those
+//! [`told`] writes types where they are needed; [`apart`] sees to parts of one place that are lent together; [`option`] writes out methods of options, [`part`] those that lend parts of slices, [`element`] those
 //! that lend one element to be changed; [`returned`] puts what is returned from within a loop behind it;
 //! [`closure`] puts closures in place of their calls, and [`function`] passes them to functions;
 //! [`expression`], [`call`] and [`construct`] name intermediate results; [`pattern`],
@@ -16,6 +16,7 @@
 //! [`no_diff`] and [`plain`] pass on code through which no derivative flows, with variables renamed;
 //! [`state`] holds what is known on the way, [`syntax`] what forms tell.
 
+mod apart;
 mod array;
 mod branch;
 mod call;

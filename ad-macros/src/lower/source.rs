@@ -34,7 +34,10 @@ impl Lowerer<'_> {
             Expr::MethodCall(call) if is_source(&call.method) => self.source(call),
             Expr::MethodCall(call) if is_chain(expr) => self.adapter(call),
             expr => {
-                let access = match self.is_reference(expr) {
+                // What a pattern named in what is referred to is a reference, too.
+                let is_named = matches!(expr, Expr::Path(path)
+                    if self.variable(path).is_some_and(|var| self.may_refer(var)));
+                let access = match self.is_reference(expr) || is_named {
                     true if self.is_exclusive_alias(expr) => Access::Exclusive,
                     true => Access::Shared,
                     false => Access::Value,

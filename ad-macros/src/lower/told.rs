@@ -4,7 +4,8 @@
 //! far from them. The derivative adds them up where they stand, so it is told there; and `x.into()`, what it
 //! makes of `x`.
 
-use syn::{Expr, ExprClosure, Stmt, Type, parse_quote};
+use proc_macro2::{Ident, Span};
+use syn::{Expr, ExprClosure, ExprMethodCall, Stmt, Type, parse_quote};
 
 use super::chain::is_chain;
 use crate::types::element;
@@ -18,6 +19,14 @@ pub(super) fn statements(mut stmts: Vec<Stmt>, ty: &Type) -> Vec<Stmt> {
 fn tell_last(stmts: &mut [Stmt], ty: &Type) {
     if let Some(Stmt::Expr(value, None)) = stmts.last_mut() {
         tell(value, ty);
+    }
+}
+
+/// Tells what a variable is set to the type of the variable.
+pub(super) fn tell_local(value: &mut Expr, ty: &Type) {
+    match value {
+        Expr::MethodCall(call) if is_into(call) => {}
+        value => tell(value, ty),
     }
 }
 
@@ -40,14 +49,20 @@ pub(super) fn tell(value: &mut Expr, ty: &Type) {
                 }
             }
         }
-        Expr::MethodCall(call)
-            if call.method == "into" && call.args.is_empty() && !matches!(ty, Type::Infer(_)) =>
-        {
-            let number = &call.receiver;
-            *value = parse_quote!(<#ty>::from(#number));
+        Expr::MethodCall(call) if is_into(call) && !matches!(ty, Type::Infer(_)) => {
+            let name = Ident::new("into", Span::mixed_site());
+            *value = parse_quote!({
+                let #name: #ty = #call;
+                #name
+            });
         }
         _ => {}
     }
+}
+
+/// `x.into()`
+fn is_into(call: &ExprMethodCall) -> bool {
+    call.method == "into" && call.args.is_empty()
 }
 
 /// Whether a name certainly is that of something else in the standard library than a `Vec`.

@@ -25,7 +25,7 @@ impl search {
                 ::core::ops::ControlFlow::Continue(())
             };
             tape.push((a_1,));
-            if value.is_break() {
+            if ::core::ops::ControlFlow::<_, ()>::is_break(&value) {
                 break;
             }
         }

@@ -29,7 +29,7 @@ impl search {
             } else {
                 ::core::ops::ControlFlow::Continue(())
             };
-            if value.is_break() {
+            if ::core::ops::ControlFlow::<_, ()>::is_break(&value) {
                 break;
             }
         }

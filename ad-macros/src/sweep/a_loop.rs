@@ -124,7 +124,9 @@ impl Sweeper<'_> {
         let exit = match (a_loop.breaks, result, head) {
             (false, ..) => None,
             (true, _, Head::Loop) => Some(quote!(if let #content = #value { break content; })),
-            (true, None, _) => Some(quote!(if #value.is_break() { break; })),
+            (true, None, _) => {
+                Some(quote!(if ::core::ops::ControlFlow::<_, ()>::is_break(&#value) { break; }))
+            }
             (true, Some(result), _) => {
                 Some(quote!(if let #content = #value { #result = content; break; }))
             }

@@ -37,6 +37,23 @@ pub enum Side<L, R> {
 #[inline(always)]
 pub fn is_sequence<S: Sequence + ?Sized>(_: &S) {}
 
+/// What lends parts of an element at the same time.
+#[diagnostic::on_unimplemented(
+    message = "two parts of one element of a `{Self}` are lent here at the same time",
+    label = "an element of a slice or an array can lend both",
+    note = "do it in a function that takes the element as `&mut`, or the elements as `&mut [T]`"
+)]
+pub trait LendsParts {}
+
+impl<T> LendsParts for [T] {}
+impl<T, const N: usize> LendsParts for [T; N] {}
+impl<S: LendsParts + ?Sized> LendsParts for &mut S {}
+impl<S: LendsParts + ?Sized> LendsParts for Box<S> {}
+
+/// Compiles for what lends parts of an element at the same time.
+#[inline(always)]
+pub fn lends_parts<S: LendsParts + ?Sized>(_: &S) {}
+
 /// A sequence of the standard library, whose methods are known.
 #[diagnostic::on_unimplemented(
     message = "the method of this name is known for slices, arrays and `Vec`s only",

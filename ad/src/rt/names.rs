@@ -68,20 +68,25 @@ pub enum FunctionWithoutDerivative {}
 )]
 pub trait FunctionWithDerivative {}
 
-/// What a type with the derivatives of a function has. It is asked for where that type is missing.
-#[allow(missing_docs)]
-pub trait Modes {
-    fn vjp();
-    fn vjp_onto();
-    fn jvp();
-    fn named();
+macro_rules! modes {
+    ($($name:ident)*) => {
+        /// What a type with the derivatives of a function has. It is asked for where that type is missing.
+        #[allow(missing_docs)]
+        pub trait Modes {
+            $(fn $name();)*
+        }
+
+        impl<T: FunctionWithDerivative> Modes for T {
+            $(fn $name() {})*
+        }
+    };
 }
 
-impl<T: FunctionWithDerivative> Modes for T {
-    fn vjp() {}
-    fn vjp_onto() {}
-    fn jvp() {}
-    fn named() {}
+modes! {
+    vjp vjp_onto jvp named
+    argument_0 argument_1 argument_2 argument_3
+    argument_0_forward argument_1_forward argument_2_forward argument_3_forward
+    passed_0 passed_1 passed_2 passed_3
 }
 
 /// That there are derivatives of a method.

@@ -8,7 +8,6 @@ use glam::{
 
 use super::FromRules;
 use crate::Additive;
-use crate::rules::forward::FromForward;
 
 /// The `_vjp` and `_jvp` siblings of the swizzles of one vector: each a method, the vector that it makes,
 /// and the elements that this is made of.
@@ -177,19 +176,10 @@ macro_rules! arrays {
             fn from_vjp(array: [$scalar; $len]) -> (Self, impl FnOnce(Self) -> [$scalar; $len]) {
                 Self::from_array_vjp(array)
             }
-        }
 
-        impl FromForward<[$scalar; $len]> for $type {
             #[inline(always)]
             fn from_jvp(array: [$scalar; $len], tangent: [$scalar; $len]) -> (Self, Self) {
                 Self::from_array_jvp(array, tangent)
-            }
-        }
-
-        impl FromForward<$type> for [$scalar; $len] {
-            #[inline(always)]
-            fn from_jvp(vector: $type, tangent: $type) -> (Self, Self) {
-                (vector.to_array(), tangent.to_array())
             }
         }
 
@@ -197,6 +187,11 @@ macro_rules! arrays {
             #[inline(always)]
             fn from_vjp(vector: $type) -> (Self, impl FnOnce(Self) -> $type) {
                 (vector.to_array(), $type::from_array)
+            }
+
+            #[inline(always)]
+            fn from_jvp(vector: $type, tangent: $type) -> (Self, Self) {
+                (vector.to_array(), tangent.to_array())
             }
         }
     )*};
@@ -354,9 +349,7 @@ macro_rules! tuples {
             fn from_vjp(tuple: ($($scalar,)*)) -> (Self, impl FnOnce(Self) -> ($($scalar,)*)) {
                 (Self::from(tuple), |cotangent: Self| ($(cotangent.$element,)*))
             }
-        }
 
-        impl FromForward<($($scalar,)*)> for $type {
             #[inline(always)]
             fn from_jvp(tuple: ($($scalar,)*), tangent: ($($scalar,)*)) -> (Self, Self) {
                 (Self::from(tuple), Self::from(tangent))
@@ -368,14 +361,13 @@ macro_rules! tuples {
             fn from_vjp(vector: $type) -> (Self, impl FnOnce(Self) -> $type) {
                 (Self::from(vector), $type::from)
             }
-        }
 
-        impl FromForward<$type> for ($($scalar,)*) {
             #[inline(always)]
             fn from_jvp(vector: $type, tangent: $type) -> (Self, Self) {
                 (Self::from(vector), Self::from(tangent))
             }
         }
+
     )*};
 }
 

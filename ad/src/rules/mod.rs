@@ -83,7 +83,7 @@ pub use choose::{no_diff, select, stop_gradient};
 pub use edit::VecRules;
 #[doc(hidden)]
 pub use edit::drained;
-pub use float::{FloatRules, FromRules};
+pub use float::{FloatRules, FromRules, IntoRules};
 pub use formula::{
     Affine2Rules, Affine3Rules, Kin, LengthRules, PlaneMotionRules, PlaneRules, ProjectionRules,
     ScaledRules, SpaceRules, TurnRules,

@@ -1,8 +1,7 @@
 //! Functions that only `f32` and `f64` have.
 
 use super::symmetric;
-use crate::rules::{FloatRules, FromRules};
-use crate::{Additive, Differentiable, Tangent};
+use crate::rules::FloatRules;
 
 /// The `_jvp` siblings of methods of `f32` and `f64`.
 pub trait FloatForward: FloatRules + Copy + core::ops::Add<Output = Self> {
@@ -32,38 +31,3 @@ pub trait FloatForward: FloatRules + Copy + core::ops::Add<Output = Self> {
 
 impl FloatForward for f32 {}
 impl FloatForward for f64 {}
-
-/// The `_jvp` sibling of `f64::from` and `f32::from`.
-pub trait FromForward<T: Differentiable>: FromRules<T> {
-    /// The tangent, converted too.
-    fn from_jvp(value: T, tangent: Tangent<T>) -> (Self, Tangent<Self>);
-}
-
-macro_rules! from_floats {
-    ($($from:ident $to:ident),*) => {$(
-        impl FromForward<$from> for $to {
-            #[inline(always)]
-            fn from_jvp(value: $from, tangent: $from) -> ($to, $to) {
-                ($to::from(value), $to::from(tangent))
-            }
-        }
-    )*};
-}
-
-from_floats!(f32 f32, f32 f64, f64 f64);
-
-macro_rules! from_integers {
-    ($($from:ident $to:ident),*) => {$(
-        impl FromForward<$from> for $to {
-            #[inline(always)]
-            fn from_jvp(value: $from, (): ()) -> ($to, $to) {
-                ($to::from(value), Additive::zero())
-            }
-        }
-    )*};
-}
-
-from_integers!(
-    bool f32, i8 f32, i16 f32, u8 f32, u16 f32,
-    bool f64, i8 f64, i16 f64, i32 f64, u8 f64, u16 f64, u32 f64
-);

@@ -22,7 +22,7 @@ mod quaternion;
 mod scalar;
 mod vector;
 
-pub use float::{FloatForward, FromForward};
+pub use float::FloatForward;
 pub use glam_only::{ExtendForward, GlamForward, TruncateForward};
 pub use matrix::{
     AngleForward, DMat2Forward, DMat3Forward, DMat4Forward, Mat2Forward, Mat3Forward, Mat4Forward,

@@ -97,3 +97,20 @@ fn contents_are_taken_and_joined() {
     check!(taken(x, y) at [1.3, 0.4], [-1.3, 0.4], [1.3, -0.4], [-1.3, -0.4]);
     check!(by_name(x, y) at [1.3, 0.4], [0.1, 0.9]);
 }
+
+#[differentiable]
+fn weighed(x: f64, by: Option<f64>) -> (f64, Option<f64>) {
+    (x * 2.0, by.map(|by| by * x))
+}
+
+#[differentiable]
+fn of_nothing(x: f64, y: f64) -> f64 {
+    let (twice, nothing) = weighed(x, None);
+    let (again, some) = weighed(y, Some(x));
+    twice * nothing.unwrap_or(y) + again * some.unwrap_or(y)
+}
+
+#[test]
+fn nothing_is_passed() {
+    crate::oracle::check!(of_nothing(x, y) at [0.7, 1.3], [-0.4, 0.9]);
+}

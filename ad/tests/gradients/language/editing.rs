@@ -65,3 +65,24 @@ fn editing() {
     check!(cut(x, y) at [1.3, 0.4], [-0.7, 1.1]);
     check!(queued(x, y) at [1.3, 0.4], [-0.7, 1.1]);
 }
+
+#[differentiable]
+fn lengthened(xs: &[f64], k: usize) -> Vec<f64> {
+    let mut v = vec![1.0];
+    let twice: Vec<f64> = xs.iter().map(|x| 2.0 * x).collect();
+    v.extend(&xs[k..]);
+    v.extend(&twice);
+    v.extend(xs);
+    v
+}
+
+#[differentiable]
+fn of_lengthened(x: f64, y: f64) -> f64 {
+    let v = lengthened(&[x, y, x * y], 1);
+    v[1] * v[3] + v[2] * v[5] * v[8] + v[6]
+}
+
+#[test]
+fn references_are_copied() {
+    crate::oracle::check!(of_lengthened(x, y) at [0.7, 1.3], [-0.4, 0.9]);
+}

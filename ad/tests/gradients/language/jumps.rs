@@ -297,3 +297,31 @@ fn jumps_of_options() {
         }
     }
 }
+
+fn goes_on() -> bool {
+    true
+}
+
+/// Loops whose body never comes to its end.
+#[differentiable]
+fn run_once(x: f64, y: f64) -> f64 {
+    let mut s = x;
+    while goes_on() {
+        s *= y;
+        break;
+    }
+    for _ in 0..3 {
+        s += y;
+        break;
+    }
+    for t in [x, y] {
+        s *= t;
+        return s;
+    }
+    s
+}
+
+#[test]
+fn bodies_without_an_end() {
+    crate::oracle::check!(run_once(x, y) at [0.7, 0.4], [-0.4, 1.7]);
+}
