@@ -4,7 +4,9 @@ use std::f64::consts::PI;
 use std::path::{Path, PathBuf};
 
 use glam::DVec3;
-use renderer::experiment::{Experiment, MatchedPass, OptimizeSection, TunedParameter, ViewTarget};
+use renderer::experiment::{
+    Experiment, MatchedPass, OptimizeSection, Remeshing, TunedParameter, ViewTarget,
+};
 use renderer::files::save_exr;
 use renderer::optimize::{Adam, Batch, Optimizer};
 use renderer::{
@@ -119,20 +121,29 @@ pub fn experiment(
         }
         views.push(matched);
     }
-    let (vertices, triangles) = icosphere(LEVEL);
+    let (vertices, triangles) = icosphere(knob("LEVEL", LEVEL as f64) as u32);
     let scene = scene(Mesh::new("shape", vertices, triangles).smooth())?;
     let vertices = TunedParameter {
-        learning_rate: Some(RATE),
-        large_steps: Some(LAMBDA),
+        learning_rate: Some(knob("RATE", RATE)),
+        large_steps: Some(knob("LAMBDA", LAMBDA)),
+        remesh: (knob("EDGE", 0.0) > 0.0).then(|| Remeshing {
+            edge_length: knob("EDGE", 0.0),
+            every: knob("EVERY", 100.0) as u64,
+        }),
         ..TunedParameter::new(scene.parameter("mesh.shape.vertices")?)
     };
     let section = OptimizeSection {
         views,
         parameters: vec![vertices],
         batch: (batch < VIEWS).then_some(Batch { size: batch, seed: 1 }),
-        loss: Some(LossKind::L1),
+        loss: Some(if knob("L2", 0.0) > 0.0 { LossKind::MeanSquared } else { LossKind::L1 }),
+        schedule: (knob("COS", 0.0) > 0.0).then(|| renderer::optimize::Schedule::named("cosine").unwrap()),
         optimizer: Some(Optimizer::Adam(Adam { uniform: true, ..Adam::default() })),
         ..OptimizeSection::default()
     };
     Ok(Experiment::new(scene, Some(section)))
+}
+
+fn knob(name: &str, default: f64) -> f64 {
+    std::env::var(name).ok().and_then(|v| v.parse().ok()).unwrap_or(default)
 }

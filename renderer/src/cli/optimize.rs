@@ -84,7 +84,7 @@ pub(super) fn run(arguments: &Arguments, chosen: Option<Arithmetic>) -> Result<E
     let live = arguments.live.bind(scene_path)?;
     let outcome = recover(&experiment, &recovery, &out, arguments.resume, live)?;
     recovery.left_out().iter().for_each(print_warning);
-    print(report(&recovery, &outcome, &out))?;
+    print(report(&recovery.with_topologies(&outcome.topologies)?, &outcome, &out))?;
     if outcome.stop.reason == StopReason::Interrupted {
         print_note("go on with the same command and --resume");
         return Ok(ExitCode::from(INTERRUPTED));
@@ -162,7 +162,8 @@ pub(super) fn recover(
     }
     let outcome = recovery.run(&settings, &mut Interruptible { observer, interrupt })?;
 
-    let recovered = recovery.scene_at(&outcome.best.x);
+    let found = recovery.with_topologies(&outcome.topologies)?;
+    let recovered = found.scene_at(&outcome.best.x);
     let image = recovery.render(&recovered);
     save(&image, "final.png")?;
     let mut extra = Map::new();
@@ -176,14 +177,14 @@ pub(super) fn recover(
     save_scene(&recovered, out)?;
     extra.extend([
         ("settings".to_owned(), record::settings(recovery, &settings)),
-        ("strip".to_owned(), save_strip(recovery, &outcome.trajectory, out)?),
+        ("strip".to_owned(), save_strip(&found, &outcome.trajectory, out)?),
         ("pictures".to_owned(), record::save_pictures(recovery, &recovered, out)?),
     ]);
-    write_report(out, recovery.variables(), &outcome, extra)?;
+    write_report(out, found.variables(), &outcome, extra)?;
     Ok(outcome)
 }
 
-/// What was found.
+/// What was found, with the triangles that meshes have at the end.
 pub(super) fn report(recovery: &Recovery<'_>, outcome: &Outcome, out: &Path) -> String {
     let mut lines = Vec::new();
     let mut x = &outcome.best.x[..];

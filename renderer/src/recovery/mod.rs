@@ -20,15 +20,20 @@ mod levels;
 mod objective;
 mod quality;
 mod regularizer;
+mod remeshing;
 mod target;
 mod variable;
 
+use std::borrow::Cow;
 use std::sync::{Arc, Mutex};
 
 pub use check::{Compared, Verdict};
 pub(crate) use levels::check_levels;
 pub(crate) use objective::ImageObjective;
 pub use quality::Quality;
+pub(crate) use remeshing::check_remeshing;
+#[cfg(feature = "cli")]
+pub(crate) use remeshing::with_topologies;
 pub use target::TargetImage;
 
 use regularizer::Regularizer;
@@ -36,7 +41,9 @@ use regularizer::Regularizer;
 use crate::Error;
 use crate::Image;
 use crate::arithmetic::Arithmetic;
-use crate::experiment::{Experiment, OptimizeSection, TunedParameter, WeightedTerm, overlap};
+use crate::experiment::{
+    Experiment, OptimizeSection, Remeshing, TunedParameter, WeightedTerm, overlap,
+};
 use crate::loss::LossKind;
 use crate::optimize::{
     Evaluation, Fingerprint, Objective, Observer, Optimization, Optimizer, Outcome,
@@ -49,10 +56,10 @@ use crate::settings::{Edges, Settings};
 /// gradient are the sums of those of the views, added up in their order.
 #[derive(Clone)]
 pub struct Recovery<'a> {
-    scene: &'a Scene,
+    scene: Cow<'a, Scene>,
     section: OptimizeSection,
     settings: Settings,
-    targets: Vec<TargetImage>,
+    targets: Arc<Vec<TargetImage>>,
     ids: Vec<ParameterId>,
     regularizers: Vec<Regularizer>,
     variables: Vec<Variable>,
@@ -96,21 +103,24 @@ impl<'a> Recovery<'a> {
         check_levels(scene, section.coarse_to_fine).map_err(|problem| {
             Error::new(format_args!("{place}: optimize.coarse_to_fine"), problem)
         })?;
+        remeshing::check_optimizer(scene, &section, place)?;
         let variables = section
             .parameters
             .iter()
             .map(|tuned| {
-                let target = truth.as_ref().map(|truth| truth.get(tuned.id).into_owned());
+                // Vertices that come and go have no true places.
+                let truth = truth.as_ref().filter(|_| tuned.remesh.is_none());
+                let target = truth.map(|truth| truth.get(tuned.id).into_owned());
                 variable::variable(scene, tuned, section.learning_rate, target)
             })
             .collect::<Result<_, _>>()?;
         let regularizers = regularizer::of(scene, &section.parameters);
         let (allow_non_finite, left_out) = (false, Arc::default());
         Ok(Self {
-            scene,
+            scene: Cow::Borrowed(scene),
             section,
             settings,
-            targets,
+            targets: Arc::new(targets),
             ids,
             regularizers,
             variables,
@@ -128,8 +138,9 @@ impl<'a> Recovery<'a> {
     /// size, which divides this one's. A pixel of the target is the mean of those that it covers.
     pub fn coarser<'b>(&self, scene: &'b Scene) -> Recovery<'b> {
         let copy = self.clone();
-        let targets = copy.targets.into_iter().map(|target| target.reduced(scene.size())).collect();
-        Recovery { scene, targets, ..copy }
+        let reduced = |target: &TargetImage| target.clone().reduced(scene.size());
+        let targets = Arc::new(copy.targets.iter().map(reduced).collect());
+        Recovery { scene: Cow::Borrowed(scene), targets, ..copy }
     }
 
     /// How the scene is rendered.
@@ -175,7 +186,7 @@ impl<'a> Recovery<'a> {
 
     /// Tells this problem from others: the scene, the target, the loss, the precision.
     pub fn fingerprint(&self) -> Fingerprint {
-        let scene = self.scene;
+        let scene = &self.scene;
         // All lanes of a precision are the same problem.
         let precision = self.settings.arithmetic.precision();
         let arithmetic = Arithmetic::fastest(precision);
@@ -190,6 +201,7 @@ impl<'a> Recovery<'a> {
             .text(&format!("{settings:?}"))
             .text(&format!("{:?}", self.section.batch))
             .text(&format!("{:?}", self.terms()))
+            .text(&format!("{:?}", self.remeshings()))
             .text(&format!("{:?}", (scene.bounces, scene.light_samples, scene.integrator)))
             .text(&format!("{:?}", scene.spheres));
         for id in scene.parameters() {
@@ -245,8 +257,8 @@ impl<'a> Recovery<'a> {
     }
 
     /// The scene as it stands: the initial guess.
-    pub fn scene(&self) -> &'a Scene {
-        self.scene
+    pub fn scene(&self) -> &Scene {
+        &self.scene
     }
 
     /// The image to be matched, the first if there are several.
@@ -259,9 +271,10 @@ impl<'a> Recovery<'a> {
         &self.targets
     }
 
-    /// The scene with other values of the parameters that vary, one after the other in `x`.
+    /// The scene with other values of the parameters that vary, one after the other in `x`. Where triangles of meshes
+    /// have changed, this is asked of the problem [since then](Self::with_topologies).
     pub fn scene_at(&self, x: &[f64]) -> Scene {
-        let mut scene = self.scene.clone();
+        let mut scene = self.scene.clone().into_owned();
         scene.assign_all(&self.ids, x);
         scene
     }
@@ -316,6 +329,12 @@ impl<'a> Recovery<'a> {
     fn terms(&self) -> Vec<(ParameterId, &[WeightedTerm])> {
         let with_terms = self.section.parameters.iter().filter(|tuned| !tuned.terms.is_empty());
         with_terms.map(|tuned| (tuned.id, &tuned.terms[..])).collect()
+    }
+
+    /// How triangles change, where they do.
+    pub(crate) fn remeshings(&self) -> Vec<(ParameterId, Remeshing)> {
+        let parameters = self.section.parameters.iter();
+        parameters.filter_map(|tuned| Some((tuned.id, tuned.remesh?))).collect()
     }
 
     /// What losses are added up of: all targets but those of views that are held out.

@@ -15,12 +15,15 @@ mod split;
 mod surface;
 #[cfg(test)]
 mod tests;
+mod turned;
 
 use crate::Error;
 use crate::memory;
 use crate::scene::{Mesh, Normals};
 use glam::DVec3;
 use surface::Surface;
+
+pub use turned::turned_over;
 
 /// How often all edges and vertices have their turn.
 const ROUNDS: usize = 5;
@@ -71,6 +74,13 @@ pub fn remesh(mesh: &Mesh, edge_length: f64) -> Result<Remeshed, Error> {
         relax::relax(&mut surface);
     }
     Ok(surface.finish(mesh))
+}
+
+/// The mean length of the edges of a mesh; 0 if it has none.
+pub(crate) fn mean_edge_length(mesh: &Mesh) -> f64 {
+    let surface = Surface::new(mesh);
+    let edges = surface.edges();
+    edges.iter().map(|&edge| surface.length(edge)).sum::<f64>() / edges.len().max(1) as f64
 }
 
 /// What is wrong with remeshing, if something is.

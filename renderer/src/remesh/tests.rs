@@ -99,28 +99,12 @@ fn measures(mesh: &Mesh) -> [f64; 2] {
     sums
 }
 
-/// How many triangles point against most of their neighbours.
-fn turned(mesh: &Mesh) -> usize {
-    let surface = Surface::new(mesh);
-    let is_turned = |&[a, b, c]: &[u32; 3]| {
-        let normal = surface.normal_of([a, b, c]);
-        let against = [[a, b], [b, c], [c, a]].into_iter().filter(|&[from, to]| {
-            match surface.edge(from, to) {
-                surface::Edge::Inner(_, other) => surface.normal(other.triangle).dot(normal) < 0.0,
-                _ => false,
-            }
-        });
-        against.count() >= 2
-    };
-    mesh.triangles.iter().filter(|corners| is_turned(corners)).count()
-}
-
 /// Whether a remeshed closed surface is what it should be.
 fn check_closed(mesh: &Mesh, edge_length: f64, tolerance: f64) -> Result<(), TestCaseError> {
     let Remeshed { mesh: new, origins } = remesh(mesh, edge_length).unwrap();
     prop_assert!(is_closed_surface(&new));
     prop_assert_eq!(euler(&new), euler(mesh));
-    prop_assert_eq!(turned(&new), 0);
+    prop_assert_eq!(turned_over(&new), 0);
     let lengths = lengths(&new);
     let fitting = lengths.iter().filter(|l| (0.5..=1.5).contains(&(**l / edge_length))).count();
     prop_assert!(fitting as f64 > 0.95 * lengths.len() as f64, "{} of {}", fitting, lengths.len());

@@ -93,6 +93,12 @@ impl Moments {
     pub fn fits(&self, len: usize) -> bool {
         self.mean.len() == len && self.root_mean_square.len() == len
     }
+
+    /// The memory of other elements.
+    pub fn carry(&mut self, carry: &dyn Fn(&[f64]) -> Vec<f64>) {
+        self.mean = carry(&self.mean);
+        self.root_mean_square = carry(&self.root_mean_square);
+    }
 }
 
 impl Adam {

@@ -35,6 +35,14 @@ impl FirstOrder {
         }
     }
 
+    /// What it remembers, of other elements.
+    pub fn carry(&mut self, carry: &dyn Fn(&[f64]) -> Vec<f64>) {
+        match self {
+            Self::Adam(_, moments) | Self::AdamW(_, moments) => moments.carry(carry),
+            Self::Sgd(_, memory) | Self::RmsProp(_, memory) => *memory = carry(memory),
+        }
+    }
+
     /// Takes in the gradient at `x`, and turns it into the direction against which to move: the
     /// step for the learning rate 1. What is finite stays finite. `blocks` are the elements of each variable.
     pub fn direction(&mut self, x: &[f64], gradient: &mut [f64], blocks: &[Range<usize>]) {

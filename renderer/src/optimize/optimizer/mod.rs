@@ -196,6 +196,13 @@ impl Method {
         }
     }
 
+    /// What it remembers, of other elements. Methods that find the lengths of their steps remember nothing of use.
+    pub fn carry(&mut self, carry: &dyn Fn(&[f64]) -> Vec<f64>) {
+        if let Self::FirstOrder(method) = self {
+            method.carry(carry);
+        }
+    }
+
     /// Moves `x`, where `evaluation` took place. Returns the evaluation at the new `x` if that was
     /// needed to choose it.
     ///
