@@ -137,7 +137,8 @@ pub fn experiment(
         parameters: vec![vertices],
         batch: (batch < VIEWS).then_some(Batch { size: batch, seed: 1 }),
         loss: Some(if knob("L2", 0.0) > 0.0 { LossKind::MeanSquared } else { LossKind::L1 }),
-        schedule: (knob("COS", 0.0) > 0.0).then(|| renderer::optimize::Schedule::named("cosine").unwrap()),
+        schedule: (knob("COS", 0.0) > 0.0)
+            .then(|| renderer::optimize::Schedule::named("cosine").unwrap()),
         optimizer: Some(Optimizer::Adam(Adam { uniform: true, ..Adam::default() })),
         ..OptimizeSection::default()
     };

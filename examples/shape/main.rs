@@ -51,7 +51,14 @@ fn main() -> Result<(), Error> {
     let recovery = Recovery::new(&experiment, "shape", &experiment::settings())?;
     let settings = Settings { iterations: STEPS, ..recovery.settings() };
     let mut watched = Watched::default();
-    if std::env::var("TIMEREMESH").is_ok() { for l in [0.034, 0.06, 0.015] { let c = Instant::now(); let r = renderer::remesh::remesh(&experiment.scene.meshes()[0], l)?; println!("{l}: {} triangles {:?}", r.mesh.triangles.len(), c.elapsed()); } return Ok(()); }
+    if std::env::var("TIMEREMESH").is_ok() {
+        for l in [0.034, 0.06, 0.015] {
+            let c = Instant::now();
+            let r = renderer::remesh::remesh(&experiment.scene.meshes()[0], l)?;
+            println!("{l}: {} triangles {:?}", r.mesh.triangles.len(), c.elapsed());
+        }
+        return Ok(());
+    }
     let clock = Instant::now();
     let outcome = recovery.run(&settings, &mut watched)?;
     let seconds = clock.elapsed().as_secs_f64();

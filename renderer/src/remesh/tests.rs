@@ -166,3 +166,132 @@ proptest! {
         prop_assert_eq!(new.mesh.materials.len(), new.mesh.triangles.len());
     }
 }
+
+/// A plane of squares, half of each.
+fn plane(side: u32) -> Mesh {
+    let vertex = |i: u32, j: u32| i * (side + 1) + j;
+    let vertices = (0..=side).flat_map(|i| (0..=side).map(move |j| [i.into(), j.into(), 0.0]));
+    let squares = (0..side).flat_map(|i| (0..side).map(move |j| (i, j)));
+    let triangles = squares.flat_map(|(i, j)| {
+        let [a, b, c, d] = [vertex(i, j), vertex(i + 1, j), vertex(i + 1, j + 1), vertex(i, j + 1)];
+        [[a, b, c], [a, c, d]]
+    });
+    Mesh::new("plane", vertices.collect(), triangles.collect())
+}
+
+#[test]
+fn borders_and_lines_between_materials_stay() {
+    let mut mesh = plane(6);
+    let middle_of =
+        |corners: &[u32; 3]| corners.iter().map(|&i| mesh.vertices[i as usize][0]).sum::<f64>();
+    mesh.materials =
+        mesh.triangles.iter().map(|corners| u32::from(middle_of(corners) > 9.0)).collect();
+    for length in [0.4, 1.0, 3.0] {
+        let Remeshed { mesh: new, .. } = remesh(&mesh, length).unwrap();
+        for vertex in &mesh.vertices {
+            let is_on_line = vertex[..2].iter().any(|x| [0.0, 6.0].contains(x)) || vertex[0] == 3.0;
+            assert!(!is_on_line || new.vertices.contains(vertex), "{length}: {vertex:?}");
+        }
+        let area = |material: u32| -> f64 {
+            let of = new.triangles.iter().zip(&new.materials).filter(|(_, of)| **of == material);
+            let surface = Surface::new(&new);
+            of.map(|(&corners, _)| 0.5 * surface.normal_of(corners).z).sum()
+        };
+        assert!((area(0) - 18.0).abs() < 1e-9 && (area(1) - 18.0).abs() < 1e-9, "{length}");
+        assert_eq!(euler(&new), 1);
+        assert_eq!(turned_over(&new), 0);
+        let finest = lengths(&new).into_iter().fold(0.0, f64::max);
+        assert!(finest < 1.6 * length.max(1.0), "{length}: {finest}");
+    }
+}
+
+#[test]
+fn what_is_no_surface_is_left() {
+    // Three sheets at one edge, two that face different ways, a triangle twice, and one that is a line.
+    let vertices = vec![
+        [0.0, 0.0, 0.0],
+        [1.0, 0.0, 0.0],
+        [0.0, 1.0, 0.0],
+        [0.0, -1.0, 0.0],
+        [0.0, 0.0, 1.0],
+        [5.0, 0.0, 0.0],
+        [6.0, 0.0, 0.0],
+        [5.0, 1.0, 0.0],
+        [5.0, -1.0, 0.0],
+    ];
+    let triangles =
+        vec![[0, 1, 2], [0, 1, 3], [1, 0, 4], [5, 6, 7], [5, 6, 8], [5, 6, 8], [7, 7, 8]];
+    let mesh = Mesh::new("sheets", vertices, triangles);
+    for length in [0.2, 50.0] {
+        let new = remesh(&mesh, length).unwrap().mesh;
+        assert!(mesh.vertices.iter().all(|vertex| new.vertices.contains(vertex)), "{length}");
+        let has = |from: usize, to: usize| {
+            let at = |index: u32| new.vertices[index as usize];
+            half_edges(&new)
+                .keys()
+                .any(|&[a, b]| at(a) == mesh.vertices[from] && at(b) == mesh.vertices[to])
+        };
+        assert!(has(0, 1) && has(5, 6), "{length}");
+    }
+}
+
+#[test]
+fn small_and_broken_surfaces_are_survived() {
+    let corners = vec![[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+    let tetrahedron = Mesh::new("t", corners, vec![[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]]);
+    for length in [1e-1, 1.0, 1e6, 1e300] {
+        let new = remesh(&tetrahedron, length).unwrap().mesh;
+        assert!(is_closed_surface(&new) && euler(&new) == 2, "{length}");
+        assert!(length < 1.0 || new.triangles.len() == 4, "{length}");
+    }
+    // A large ball becomes a small closed one.
+    let crude = remesh(&ball(4, [0.1; 3]), 1e6).unwrap().mesh;
+    assert!(is_closed_surface(&crude) && crude.triangles.len() < 100, "{}", crude.triangles.len());
+    // All vertices at one place, and all on a line.
+    for flat in [0.0, 1.0] {
+        let mut mesh = ball(2, [0.0; 3]);
+        mesh.vertices.iter_mut().for_each(|vertex| *vertex = [flat * vertex[0], 0.0, 0.0]);
+        let new = remesh(&mesh, 0.3).unwrap().mesh;
+        assert!(is_closed_surface(&new) && euler(&new) == 2);
+        assert!(new.vertices.as_flattened().iter().all(|x| x.is_finite()));
+    }
+    // Extremes of scale change nothing but the scale.
+    for scale in [1e-30, 1e30] {
+        let mut mesh = ball(3, [0.1; 3]);
+        let count = remesh(&mesh, 0.2).unwrap().mesh.triangles.len();
+        mesh.vertices.as_flattened_mut().iter_mut().for_each(|x| *x *= scale);
+        let scaled = remesh(&mesh, 0.2 * scale).unwrap().mesh.triangles.len();
+        assert!((scaled as f64 / count as f64 - 1.0).abs() < 0.05, "{scale}: {scaled} {count}");
+    }
+    let nothing = remesh(&Mesh::new("nothing", vec![], vec![]), 1.0).unwrap().mesh;
+    assert!(nothing.vertices.is_empty());
+}
+
+#[test]
+fn what_cannot_be_remeshed_is_refused() {
+    let refuse = |mesh: &Mesh, length: f64, part: &str| {
+        let error = remesh(mesh, length).unwrap_err();
+        assert!(error.place == "mesh.ball" && error.problem.contains(part), "{error:?}");
+    };
+    let mesh = ball(1, [0.0; 3]);
+    for length in [0.0, -1.0, f64::NAN, f64::INFINITY] {
+        refuse(&mesh, length, "above 0");
+    }
+    for length in [1e-6, 1e-300] {
+        refuse(&mesh, length, "memory");
+    }
+    let mut broken = mesh.clone();
+    broken.vertices[3][1] = f64::NAN;
+    refuse(&broken, 1.0, "vertices[3]");
+    let mut broken = mesh.clone();
+    broken.triangles[2][1] = 77;
+    refuse(&broken, 1.0, "77");
+    let same = mesh.triangles.clone();
+    let (coordinates, normals) = (vec![[0.0; 2]; 18], vec![[0.0, 0.0, 1.0]; 18]);
+    refuse(
+        &mesh.clone().texture_coordinates(coordinates, same.clone()),
+        1.0,
+        "texture coordinates",
+    );
+    refuse(&mesh.normals(normals, same), 1.0, "smooth");
+}
