@@ -201,9 +201,11 @@ impl<'a> Recovery<'a> {
             .text(&format!("{settings:?}"))
             .text(&format!("{:?}", self.section.batch))
             .text(&format!("{:?}", self.terms()))
-            .text(&format!("{:?}", self.remeshings()))
             .text(&format!("{:?}", (scene.bounces, scene.light_samples, scene.integrator)))
             .text(&format!("{:?}", scene.spheres));
+        for remeshing in self.remeshings() {
+            fingerprint = fingerprint.text(&format!("{remeshing:?}"));
+        }
         for id in scene.parameters() {
             let path = scene.path(id).to_string();
             fingerprint = fingerprint.text(&path).numbers(&scene.get(id));
