@@ -24,9 +24,13 @@ pub const VIEWS: usize = 8;
 pub const RADIUS: f64 = 1.48571;
 /// How far away the cameras are.
 const DISTANCE: f64 = 5.0;
-/// The coordinates of the steps, and their length.
-const LAMBDA: f64 = 25.0;
+/// The length of the steps.
 const RATE: f64 = 0.03;
+/// How the triangles change: into about as many as the sphere has.
+pub const REMESHING: Remeshing = Remeshing { edge_length: 0.034, every: 100 };
+/// The coordinates of the steps. Triangles that never change need stiffer ones, or more of them turn over.
+const LAMBDA: f64 = 8.0;
+const LAMBDA_FIXED: f64 = 25.0;
 /// How often the icosahedron is cut.
 const LEVEL: u32 = 5;
 
@@ -96,12 +100,13 @@ pub fn settings() -> Settings {
 }
 
 /// The problem: from a sphere to `target`, of which `passes` are rendered into `folder`. Each step looks at
-/// `batch` views.
+/// `batch` views, and triangles change by `remesh`, if they do.
 pub fn experiment(
     target: &Mesh,
     folder: &Path,
     batch: usize,
     passes: &[Pass],
+    remesh: Option<Remeshing>,
 ) -> Result<Experiment, Error> {
     let mut truth = scene(target.clone())?;
     let mut renderer = Renderer::new(&truth, &settings())?;
@@ -121,30 +126,21 @@ pub fn experiment(
         }
         views.push(matched);
     }
-    let (vertices, triangles) = icosphere(knob("LEVEL", LEVEL as f64) as u32);
+    let (vertices, triangles) = icosphere(LEVEL);
     let scene = scene(Mesh::new("shape", vertices, triangles).smooth())?;
     let vertices = TunedParameter {
-        learning_rate: Some(knob("RATE", RATE)),
-        large_steps: Some(knob("LAMBDA", LAMBDA)),
-        remesh: (knob("EDGE", 0.0) > 0.0).then(|| Remeshing {
-            edge_length: knob("EDGE", 0.0),
-            every: knob("EVERY", 100.0) as u64,
-        }),
+        learning_rate: Some(RATE),
+        large_steps: Some(if remesh.is_some() { LAMBDA } else { LAMBDA_FIXED }),
+        remesh,
         ..TunedParameter::new(scene.parameter("mesh.shape.vertices")?)
     };
     let section = OptimizeSection {
         views,
         parameters: vec![vertices],
         batch: (batch < VIEWS).then_some(Batch { size: batch, seed: 1 }),
-        loss: Some(if knob("L2", 0.0) > 0.0 { LossKind::MeanSquared } else { LossKind::L1 }),
-        schedule: (knob("COS", 0.0) > 0.0)
-            .then(|| renderer::optimize::Schedule::named("cosine").unwrap()),
+        loss: Some(LossKind::L1),
         optimizer: Some(Optimizer::Adam(Adam { uniform: true, ..Adam::default() })),
         ..OptimizeSection::default()
     };
     Ok(Experiment::new(scene, Some(section)))
-}
-
-fn knob(name: &str, default: f64) -> f64 {
-    std::env::var(name).ok().and_then(|v| v.parse().ok()).unwrap_or(default)
 }

@@ -1,10 +1,11 @@
 //! The shape of an object, from images of eight sides of it: 10,242 vertices of a sphere find their places.
 //!
 //! `cargo run --release --example shape -- suzanne.obj`, or without a file, which takes a ball with horns;
-//! with `--scanned` before it, the images are of depth and normals, as scanners give them
+//! with `--scanned` before it, the images are of depth and normals, as scanners give them; with `--fixed`, the
+//! triangles of the sphere stay
 //!
 //! Steps are those of Large Steps (Nicolet et al. 2021): uniform Adam in coordinates in which neighbours move
-//! together, one view a step, so that eight steps see all of them. Prints distances between surfaces, in
+//! together, one view a step, so that eight steps see all of them, on triangles that change every 100 steps. Prints distances between surfaces, in
 //! radii of the object. `out/shape/` gets images of the start, the target and what was found, and the mesh.
 
 mod distance;
@@ -39,6 +40,8 @@ const SHOWN: usize = 4;
 fn main() -> Result<(), Error> {
     let mut arguments = std::env::args_os().skip(1).peekable();
     let scanned = arguments.next_if(|argument| argument == "--scanned").is_some();
+    let fixed = arguments.next_if(|argument| argument == "--fixed").is_some();
+    let remesh = (!fixed).then_some(experiment::REMESHING);
     let passes: &[Pass] = if scanned { &[Pass::Depth, Pass::Normals] } else { &[Pass::Radiance] };
     let argument = arguments.next();
     let file = argument.as_deref().map(Path::new);
@@ -47,18 +50,10 @@ fn main() -> Result<(), Error> {
     std::fs::create_dir_all(&out).map_err(|error| Error::new(out.display(), error))?;
 
     let target = experiment::target(file)?;
-    let experiment = experiment::experiment(&target, &out, 1, passes)?;
+    let experiment = experiment::experiment(&target, &out, 1, passes, remesh)?;
     let recovery = Recovery::new(&experiment, "shape", &experiment::settings())?;
     let settings = Settings { iterations: STEPS, ..recovery.settings() };
     let mut watched = Watched::default();
-    if std::env::var("TIMEREMESH").is_ok() {
-        for l in [0.034, 0.06, 0.015] {
-            let c = Instant::now();
-            let r = renderer::remesh::remesh(&experiment.scene.meshes()[0], l)?;
-            println!("{l}: {} triangles {:?}", r.mesh.triangles.len(), c.elapsed());
-        }
-        return Ok(());
-    }
     let clock = Instant::now();
     let outcome = recovery.run(&settings, &mut watched)?;
     let seconds = clock.elapsed().as_secs_f64();
