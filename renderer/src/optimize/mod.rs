@@ -113,5 +113,5 @@ pub use schedule::Schedule;
 pub use settings::{CHECKPOINT_FILE, Checkpointing, Settings};
 pub use starts::Starts;
 pub use stop::{Stop, StopReason};
-pub use topology::{Change, Topology};
+pub use topology::{Carry, Change, Topology};
 pub use variable::Variable;

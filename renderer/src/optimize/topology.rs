@@ -18,6 +18,9 @@ pub struct Topology {
     pub materials: Vec<u32>,
 }
 
+/// From numbers of some elements to those of others.
+pub type Carry = dyn Fn(&[f64]) -> Vec<f64>;
+
 /// What is optimised from an iteration on.
 pub struct Change {
     /// The meshes that have changed since the beginning of the run.
@@ -27,5 +30,5 @@ pub struct Change {
     /// The elements of all variables.
     pub x: Vec<f64>,
     /// From numbers that the elements had before, such as means of gradients, to those of the elements now.
-    pub carry: Box<dyn Fn(&[f64]) -> Vec<f64>>,
+    pub carry: Box<Carry>,
 }

@@ -5,6 +5,7 @@ use std::ops::Range;
 use serde::{Deserialize, Serialize};
 
 use super::{decay, divisor, running_rms};
+use crate::optimize::Carry;
 use crate::optimize::field::Field;
 
 /// The hyper-parameters of Adam (Kingma and Ba, "Adam: a method for stochastic optimization", ICLR
@@ -95,7 +96,7 @@ impl Moments {
     }
 
     /// The memory of other elements.
-    pub fn carry(&mut self, carry: &dyn Fn(&[f64]) -> Vec<f64>) {
+    pub fn carry(&mut self, carry: &Carry) {
         self.mean = carry(&self.mean);
         self.root_mean_square = carry(&self.root_mean_square);
     }

@@ -6,6 +6,7 @@ use serde::{Deserialize, Serialize};
 
 use super::adam::Moments;
 use super::{Adam, AdamW, RmsProp, Sgd};
+use crate::optimize::Carry;
 
 /// A method and what it remembers from step to step, one number or more for each element.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -36,7 +37,7 @@ impl FirstOrder {
     }
 
     /// What it remembers, of other elements.
-    pub fn carry(&mut self, carry: &dyn Fn(&[f64]) -> Vec<f64>) {
+    pub fn carry(&mut self, carry: &Carry) {
         match self {
             Self::Adam(_, moments) | Self::AdamW(_, moments) => moments.carry(carry),
             Self::Sgd(_, memory) | Self::RmsProp(_, memory) => *memory = carry(memory),

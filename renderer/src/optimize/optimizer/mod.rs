@@ -34,7 +34,7 @@ use serde::{Deserialize, Serialize};
 
 use super::field::{Field, check_fields};
 use super::variable::Flat;
-use super::{Evaluation, Fingerprint, Objective, Schedule};
+use super::{Carry, Evaluation, Fingerprint, Objective, Schedule};
 use crate::Error;
 
 /// A method, with its hyper-parameters. Learning rates belong to the variables.
@@ -197,7 +197,7 @@ impl Method {
     }
 
     /// What it remembers, of other elements. Methods that find the lengths of their steps remember nothing of use.
-    pub fn carry(&mut self, carry: &dyn Fn(&[f64]) -> Vec<f64>) {
+    pub fn carry(&mut self, carry: &Carry) {
         if let Self::FirstOrder(method) = self {
             method.carry(carry);
         }
