@@ -59,6 +59,13 @@ pub(super) struct State {
     pub stop: Option<Stop>,
 }
 
+/// The parts of a state that are of its elements.
+pub(super) struct Replaced {
+    topologies: Vec<Topology>,
+    x: Vec<f64>,
+    method: Method,
+}
+
 impl State {
     pub fn new(x: Vec<f64>, settings: &Settings) -> Self {
         Self {
@@ -127,12 +134,19 @@ impl State {
         }
     }
 
-    /// Goes on with other elements; the topologies and the elements before.
-    pub fn change(&mut self, change: Change) -> (Vec<Topology>, Vec<f64>) {
+    /// Goes on with other elements; what there was in their place.
+    pub fn change(&mut self, change: Change) -> Replaced {
         let Change { topologies, x, carry, .. } = change;
+        let method = self.method.clone();
         self.method.carry(&carry);
         self.changed_at = Some(self.iteration);
-        (replace(&mut self.topologies, topologies), replace(&mut self.x, x))
+        let topologies = replace(&mut self.topologies, topologies);
+        Replaced { topologies, x: replace(&mut self.x, x), method }
+    }
+
+    /// Goes back to the elements before.
+    pub fn go_back(&mut self, before: Replaced) {
+        Replaced { topologies: self.topologies, x: self.x, method: self.method } = before;
     }
 
     /// Returns `true` if no further iteration was needed when the checkpoint was written.

@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 use std::time::{Duration, Instant};
 
-use super::checkpoint::{CheckpointFile, State};
+use super::checkpoint::{CheckpointFile, Replaced, State};
 use super::variable::{self, Flat};
 use super::{
     Change, Evaluation, Objective, Observer, Outcome, Record, Settings, Start, Step, Stop,
@@ -164,7 +164,7 @@ impl<'a> Optimization<'a> {
             if let Some(stop) = self.non_finite(&evaluation, &mut objective) {
                 if let Some(before) = before {
                     // What was found is of these.
-                    (self.state.topologies, self.state.x) = before;
+                    self.state.go_back(before);
                 }
                 return self.stop(stop);
             }
@@ -227,8 +227,8 @@ impl<'a> Optimization<'a> {
         }
     }
 
-    /// Goes on with other variables; the topologies and the elements before.
-    fn change(&mut self, change: Change) -> Result<(Vec<Topology>, Vec<f64>), Error> {
+    /// Goes on with other variables; what there was in their place.
+    fn change(&mut self, change: Change) -> Result<Replaced, Error> {
         self.flat = Flat::new(&change.variables)?;
         self.variables = Cow::Owned(change.variables.clone());
         Ok(self.state.change(change))
