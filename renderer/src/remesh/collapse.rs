@@ -25,7 +25,7 @@ fn collapse(surface: &mut Surface, [a, b]: [u32; 2], longest: f64) -> bool {
         [true, true] => return false,
         [true, false] => (b, a, surface.points[a as usize]),
         [false, true] => (a, b, surface.points[b as usize]),
-        [false, false] => (b, a, surface.points[a as usize].midpoint(surface.points[b as usize])),
+        [false, false] => (b, a, closest_to_planes(surface, [a, b])),
     };
     let Edge::Inner(one, other) = surface.edge(gone, stays) else { return false };
     if !keeps_topology(surface, gone, stays, [one.apex, other.apex])
@@ -44,6 +44,31 @@ fn collapse(surface: &mut Surface, [a, b]: [u32; 2], longest: f64) -> bool {
     }
     surface.points[stays as usize] = place;
     true
+}
+
+/// Of the ends of an edge and its middle the place closest to the planes of the triangles around, by the sum of squared
+/// distances weighted with areas (Garland and Heckbert, "Surface Simplification Using Quadric Error Metrics", 1997): corners
+/// stay.
+fn closest_to_planes(surface: &Surface, ends: [u32; 2]) -> DVec3 {
+    let [a, b] = ends.map(|end| surface.points[end as usize]);
+    let distance = |place: DVec3| -> f64 {
+        let planes = ends
+            .iter()
+            .flat_map(|&end| surface.around(end).iter().map(move |&triangle| (end, triangle)));
+        let square = |(end, triangle): (u32, u32)| {
+            let normal = surface.normal(triangle);
+            let off = normal.normalize_or_zero().dot(place - surface.points[end as usize]);
+            normal.length() * off * off
+        };
+        planes.map(square).sum()
+    };
+    // Of equals the first: in a plane the middle.
+    let places = [a.midpoint(b), a, b];
+    let closer = |one: (f64, DVec3), place: DVec3| {
+        let other = distance(place);
+        if other < 0.999 * one.0 { (other, place) } else { one }
+    };
+    places.into_iter().fold((f64::INFINITY, places[0]), closer).1
 }
 
 /// Whether no other parts of the surface grow together: both ends share no neighbours but those across the edge

@@ -2,8 +2,9 @@
 //!
 //! Vertices that move far stretch some triangles and crowd others. [`remesh`] gives the surface new ones (Botsch and
 //! Kobbelt, "A Remeshing Approach to Multiresolution Modeling", 2004): in a few rounds, edges longer than 4/3 of the
-//! length are split, those shorter than 4/5 collapse, edges are flipped where that brings vertices closer to six
-//! neighbours, and vertices move within the surface to the middle of their neighbours.
+//! length are split, those shorter than 3/5 collapse, edges are flipped where that brings vertices closer to six
+//! neighbours, and vertices move within the surface to the middle of their neighbours. Halves of split edges are
+//! longer than 3/5: they do not collapse again.
 //!
 //! What a surface is stays: a closed one stays closed, with as many handles and parts. An edge collapses or flips only
 //! if no triangle turns over by that, none comes to lie on another, and no two parts grow together.
@@ -69,7 +70,7 @@ pub fn remesh(mesh: &Mesh, edge_length: f64) -> Result<Remeshed, Error> {
     let mut surface = Surface::new(mesh);
     for _ in 0..ROUNDS {
         split::split_long(&mut surface, 4.0 / 3.0 * edge_length);
-        collapse::collapse_short(&mut surface, 4.0 / 5.0 * edge_length, 4.0 / 3.0 * edge_length);
+        collapse::collapse_short(&mut surface, 3.0 / 5.0 * edge_length, 4.0 / 3.0 * edge_length);
         flip::even_out(&mut surface);
         relax::relax(&mut surface);
     }
