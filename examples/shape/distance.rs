@@ -35,25 +35,6 @@ impl Surface<'_> {
         Distance { chamfer: 0.5 * (mean(&there) + mean(&back)), hausdorff: largest }
     }
 
-    /// How many triangles show their back to an outside that the mesh turned to at its beginning: their normals
-    /// point against those of most of their neighbours.
-    pub fn flipped(&self) -> usize {
-        let normals: Vec<DVec3> = self.triangles.iter().map(|t| self.normal(t)).collect();
-        let mut of_edge: HashMap<[u32; 2], Vec<usize>> = HashMap::new();
-        for (index, &[a, b, c]) in self.triangles.iter().enumerate() {
-            for [from, to] in [[a, b], [b, c], [c, a]] {
-                of_edge.entry([from.min(to), from.max(to)]).or_default().push(index);
-            }
-        }
-        let mut against = vec![0; normals.len()];
-        for pair in of_edge.values().filter(|of| of.len() == 2) {
-            if normals[pair[0]].dot(normals[pair[1]]) < 0.0 {
-                pair.iter().for_each(|&index| against[index] += 1);
-            }
-        }
-        against.into_iter().filter(|&count| count >= 2).count()
-    }
-
     /// Twice the area along the normal.
     fn normal(&self, triangle: &[u32; 3]) -> DVec3 {
         let [a, b, c] = triangle.map(|corner| DVec3::from(self.vertices[corner as usize]));

@@ -4,7 +4,9 @@ use std::f64::consts::PI;
 use std::path::{Path, PathBuf};
 
 use glam::DVec3;
-use renderer::experiment::{Experiment, MatchedPass, OptimizeSection, TunedParameter, ViewTarget};
+use renderer::experiment::{
+    Experiment, MatchedPass, OptimizeSection, Remeshing, TunedParameter, ViewTarget,
+};
 use renderer::files::save_exr;
 use renderer::optimize::{Adam, Batch, Optimizer};
 use renderer::{
@@ -22,9 +24,13 @@ pub const VIEWS: usize = 8;
 pub const RADIUS: f64 = 1.48571;
 /// How far away the cameras are.
 const DISTANCE: f64 = 5.0;
-/// The coordinates of the steps, and their length.
-const LAMBDA: f64 = 25.0;
+/// The length of the steps.
 const RATE: f64 = 0.03;
+/// How the triangles change: into about as many as the sphere has.
+pub const REMESHING: Remeshing = Remeshing { edge_length: 0.034, every: 100 };
+/// The coordinates of the steps. Triangles that never change need stiffer ones, or more of them turn over.
+const LAMBDA: f64 = 8.0;
+const LAMBDA_FIXED: f64 = 25.0;
 /// How often the icosahedron is cut.
 const LEVEL: u32 = 5;
 
@@ -94,12 +100,13 @@ pub fn settings() -> Settings {
 }
 
 /// The problem: from a sphere to `target`, of which `passes` are rendered into `folder`. Each step looks at
-/// `batch` views.
+/// `batch` views, and triangles change by `remesh`, if they do.
 pub fn experiment(
     target: &Mesh,
     folder: &Path,
     batch: usize,
     passes: &[Pass],
+    remesh: Option<Remeshing>,
 ) -> Result<Experiment, Error> {
     let mut truth = scene(target.clone())?;
     let mut renderer = Renderer::new(&truth, &settings())?;
@@ -123,7 +130,8 @@ pub fn experiment(
     let scene = scene(Mesh::new("shape", vertices, triangles).smooth())?;
     let vertices = TunedParameter {
         learning_rate: Some(RATE),
-        large_steps: Some(LAMBDA),
+        large_steps: Some(if remesh.is_some() { LAMBDA } else { LAMBDA_FIXED }),
+        remesh,
         ..TunedParameter::new(scene.parameter("mesh.shape.vertices")?)
     };
     let section = OptimizeSection {

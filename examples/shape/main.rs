@@ -1,10 +1,11 @@
 //! The shape of an object, from images of eight sides of it: 10,242 vertices of a sphere find their places.
 //!
 //! `cargo run --release --example shape -- suzanne.obj`, or without a file, which takes a ball with horns;
-//! with `--scanned` before it, the images are of depth and normals, as scanners give them
+//! with `--scanned` before it, the images are of depth and normals, as scanners give them; with `--fixed`, the
+//! triangles of the sphere stay
 //!
 //! Steps are those of Large Steps (Nicolet et al. 2021): uniform Adam in coordinates in which neighbours move
-//! together, one view a step, so that eight steps see all of them. Prints distances between surfaces, in
+//! together, one view a step, so that eight steps see all of them, on triangles that change every 100 steps. Prints distances between surfaces, in
 //! radii of the object. `out/shape/` gets images of the start, the target and what was found, and the mesh.
 
 mod distance;
@@ -17,14 +18,16 @@ mod sphere;
 #[path = "../shared/strip.rs"]
 mod strip;
 
+use std::ops::ControlFlow;
 use std::path::Path;
 use std::time::Instant;
 
 use distance::{Distance, Surface};
 use experiment::{RADIUS, VIEWS};
 use renderer::files::{save_obj, save_png};
-use renderer::optimize::{Evaluation, Objective, Optimization, Quiet, Settings};
+use renderer::optimize::{Observer, Settings, Step, Topology};
 use renderer::recovery::Recovery;
+use renderer::remesh::turned_over;
 use renderer::{Error, Image, Mesh, Pass, Scene};
 use strip::{brightest, strip};
 
@@ -37,6 +40,8 @@ const SHOWN: usize = 4;
 fn main() -> Result<(), Error> {
     let mut arguments = std::env::args_os().skip(1).peekable();
     let scanned = arguments.next_if(|argument| argument == "--scanned").is_some();
+    let fixed = arguments.next_if(|argument| argument == "--fixed").is_some();
+    let remesh = (!fixed).then_some(experiment::REMESHING);
     let passes: &[Pass] = if scanned { &[Pass::Depth, Pass::Normals] } else { &[Pass::Radiance] };
     let argument = arguments.next();
     let file = argument.as_deref().map(Path::new);
@@ -45,25 +50,24 @@ fn main() -> Result<(), Error> {
     std::fs::create_dir_all(&out).map_err(|error| Error::new(out.display(), error))?;
 
     let target = experiment::target(file)?;
-    let experiment = experiment::experiment(&target, &out, 1, passes)?;
+    let experiment = experiment::experiment(&target, &out, 1, passes, remesh)?;
     let recovery = Recovery::new(&experiment, "shape", &experiment::settings())?;
     let settings = Settings { iterations: STEPS, ..recovery.settings() };
-    let mut watched = Watched { inner: recovery.objective(), iteration: 0, seen: Vec::new() };
+    let mut watched = Watched::default();
     let clock = Instant::now();
-    let optimization = Optimization::start(recovery.variables(), &settings)?;
-    let outcome = optimization.run(&mut watched, &mut Quiet)?;
+    let outcome = recovery.run(&settings, &mut watched)?;
     let seconds = clock.elapsed().as_secs_f64();
 
-    println!("views seen  Chamfer  Hausdorff  flipped triangles");
-    for (iteration, x) in &watched.seen {
-        describe(*iteration, &recovery.scene_at(x), &target);
+    println!("views seen  Chamfer  Hausdorff  triangles  of them turned over");
+    for (iteration, topologies, x) in &watched.seen {
+        describe(*iteration, &recovery.with_topologies(topologies)?.scene_at(x), &target);
     }
     println!(
         "{:.3} s for {VIEWS} views, on {} threads",
         seconds / (STEPS / VIEWS as u64) as f64,
         rayon::current_num_threads()
     );
-    let found = recovery.scene_at(&outcome.best.x);
+    let found = recovery.with_topologies(&outcome.topologies)?.scene_at(&outcome.best.x);
     let qualities = recovery.qualities(&found);
     let psnr = qualities.iter().map(|quality| quality.psnr).sum::<f64>() / qualities.len() as f64;
     println!("mean PSNR of the views {psnr:.1} dB");
@@ -93,26 +97,32 @@ fn describe(iteration: u64, scene: &Scene, target: &Mesh) {
     let own = Surface { vertices: &own, triangles: &mesh.triangles };
     let Distance { chamfer, hausdorff } =
         own.distance(&Surface { vertices: &other, triangles: &target.triangles });
-    println!("{iteration:>10}  {chamfer:>7.4}  {hausdorff:>9.4}  {:>7}", own.flipped());
+    let (triangles, turned) = (mesh.triangles.len(), turned_over(mesh));
+    println!("{iteration:>10}  {chamfer:>7.4}  {hausdorff:>9.4}  {triangles:>9}  {turned:>7}");
 }
 
-/// The objective, and what it was asked for now and then.
-struct Watched<'a> {
-    inner: Box<dyn Objective + 'a>,
-    iteration: u64,
-    seen: Vec<(u64, Vec<f64>)>,
+/// Where a run was now and then, with the triangles that it had there.
+#[derive(Default)]
+struct Watched {
+    topologies: Vec<Topology>,
+    x: Vec<f64>,
+    seen: Vec<(u64, Vec<Topology>, Vec<f64>)>,
 }
 
-impl Objective for Watched<'_> {
-    fn begin(&mut self, iteration: u64, level: u32) {
-        self.iteration = iteration;
-        self.inner.begin(iteration, level);
+impl Observer for Watched {
+    fn changed(&mut self, topologies: &[Topology]) {
+        self.topologies = topologies.to_vec();
     }
 
-    fn evaluate(&mut self, x: &[f64]) -> Evaluation {
-        if self.iteration.is_multiple_of(REPORTED) {
-            self.seen.push((self.iteration, x.to_vec()));
+    fn parameters(&mut self, x: &[f64]) {
+        self.x = x.to_vec();
+    }
+
+    fn step(&mut self, step: &Step) -> ControlFlow<()> {
+        let iteration = step.record.iteration;
+        if iteration.is_multiple_of(REPORTED) {
+            self.seen.push((iteration, self.topologies.clone(), self.x.clone()));
         }
-        self.inner.evaluate(x)
+        ControlFlow::Continue(())
     }
 }

@@ -4,6 +4,8 @@
 
 use std::path::{Path, PathBuf};
 
+use serde::{Deserialize, Serialize};
+
 use crate::laplacian::Weights;
 use crate::loss::LossKind;
 use crate::optimize::{Batch, Optimizer, Schedule, Starts};
@@ -133,6 +135,32 @@ pub struct TunedParameter {
     pub large_steps: Option<f64>,
     /// Terms of the loss that are of these numbers alone.
     pub terms: Vec<WeightedTerm>,
+    /// Of the vertices of a mesh: how its triangles change in the course of the run, if they do.
+    pub remesh: Option<Remeshing>,
+}
+
+/// How the triangles of a mesh [change](crate::remesh::remesh) in the course of a run.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Remeshing {
+    /// About how long edges become, in units of the vertices; above 0. Where those of the mesh are longer on average,
+    /// they become so step by step: each time shorter by [a part](Self::STEP).
+    pub edge_length: f64,
+    /// After how many steps they change again; at least 1.
+    pub every: u64,
+}
+
+impl Remeshing {
+    /// The length of edges over that of the time before, at the least.
+    pub const STEP: f64 = 0.8;
+
+    /// The length of edges from an iteration on, of a mesh whose edges were `initial` long at the beginning of the run;
+    /// nothing if they do not change before this one.
+    pub fn edge_length_at(&self, iteration: u64, initial: f64) -> Option<f64> {
+        let is_due = iteration > 0 && iteration.is_multiple_of(self.every);
+        let step = i32::try_from(iteration / self.every.max(1)).unwrap_or(i32::MAX);
+        is_due.then(|| self.edge_length.max(initial * Self::STEP.powi(step)))
+    }
 }
 
 impl TunedParameter {
@@ -146,6 +174,7 @@ impl TunedParameter {
             spread: None,
             large_steps: None,
             terms: Vec::new(),
+            remesh: None,
         }
     }
 }

@@ -50,6 +50,7 @@ pub mod palette;
 pub mod progressive;
 #[cfg(feature = "files")]
 pub mod recovery;
+pub mod remesh;
 #[cfg(feature = "cli")]
 mod report;
 #[cfg(feature = "cli")]

@@ -8,7 +8,7 @@ use signal_hook::consts::signal;
 use signal_hook::flag;
 
 use crate::Error;
-use crate::optimize::{Observer, Outcome, Start, Step};
+use crate::optimize::{Observer, Outcome, Start, Step, Topology};
 
 /// What asks a run to end.
 const SIGNALS: &[i32] = &[
@@ -51,6 +51,10 @@ pub(super) struct Interruptible {
 impl Observer for Interruptible {
     fn start(&mut self, start: Start) {
         self.observer.start(start);
+    }
+
+    fn changed(&mut self, topologies: &[Topology]) {
+        self.observer.changed(topologies);
     }
 
     fn parameters(&mut self, x: &[f64]) {

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::time::Duration;
 
-use serde_json::Map;
+use serde_json::{Map, Value, json};
 
 use super::accuracy::AccuracyArguments;
 use super::interrupt::{Interrupt, Interruptible};
@@ -23,6 +23,8 @@ use crate::optimize::{
     progress, write_report,
 };
 use crate::recovery::Recovery;
+use crate::remesh::turned_over;
+use crate::scene::{Mesh, Object, ParameterId, Scene};
 use crate::{Error, Image};
 
 #[derive(clap::Args)]
@@ -84,7 +86,7 @@ pub(super) fn run(arguments: &Arguments, chosen: Option<Arithmetic>) -> Result<E
     let live = arguments.live.bind(scene_path)?;
     let outcome = recover(&experiment, &recovery, &out, arguments.resume, live)?;
     recovery.left_out().iter().for_each(print_warning);
-    print(report(&recovery, &outcome, &out))?;
+    print(report(&recovery.with_topologies(&outcome.topologies)?, &outcome, &out))?;
     if outcome.stop.reason == StopReason::Interrupted {
         print_note("go on with the same command and --resume");
         return Ok(ExitCode::from(INTERRUPTED));
@@ -162,7 +164,8 @@ pub(super) fn recover(
     }
     let outcome = recovery.run(&settings, &mut Interruptible { observer, interrupt })?;
 
-    let recovered = recovery.scene_at(&outcome.best.x);
+    let found = recovery.with_topologies(&outcome.topologies)?;
+    let recovered = found.scene_at(&outcome.best.x);
     let image = recovery.render(&recovered);
     save(&image, "final.png")?;
     let mut extra = Map::new();
@@ -175,29 +178,56 @@ pub(super) fn recover(
     }
     save_scene(&recovered, out)?;
     extra.extend([
+        ("parameters".to_owned(), surfaces(&found, &recovered)),
         ("settings".to_owned(), record::settings(recovery, &settings)),
-        ("strip".to_owned(), save_strip(recovery, &outcome.trajectory, out)?),
+        ("strip".to_owned(), save_strip(&found, &outcome.trajectory, out)?),
         ("pictures".to_owned(), record::save_pictures(recovery, &recovered, out)?),
     ]);
-    write_report(out, recovery.variables(), &outcome, extra)?;
+    write_report(out, found.variables(), &outcome, extra)?;
     Ok(outcome)
 }
 
-/// What was found.
+/// The mesh whose vertices, all of them, a parameter is.
+fn surface(scene: &Scene, id: ParameterId) -> Option<&Mesh> {
+    match id.object {
+        Object::Mesh(mesh) if id.field == "vertices" && id.vertex.is_none() => {
+            Some(&scene.meshes()[mesh])
+        }
+        _ => None,
+    }
+}
+
+/// The triangles of meshes that have varied, for the entries of their parameters in the summary.
+fn surfaces(recovery: &Recovery<'_>, recovered: &Scene) -> Value {
+    let entry = |&id: &ParameterId| {
+        let mesh = surface(recovered, id)?;
+        let entry = json!({ "triangles": mesh.triangles.len(), "turned_over": turned_over(mesh) });
+        Some((recovered.path(id).to_string(), entry))
+    };
+    Value::Object(recovery.ids().iter().filter_map(entry).collect())
+}
+
+/// What was found, with the triangles that meshes have at the end.
 pub(super) fn report(recovery: &Recovery<'_>, outcome: &Outcome, out: &Path) -> String {
+    let recovered = recovery.scene_at(&outcome.best.x);
     let mut lines = Vec::new();
-    let mut x = &outcome.best.x[..];
-    for variable in recovery.variables() {
-        let (found, rest) = x.split_at(variable.initial.len());
-        x = rest;
+    for (variable, &id) in recovery.variables().iter().zip(recovery.ids()) {
+        let found = recovered.get(id);
         lines.push(variable.path.clone());
-        lines.push(format!("  initial    {}", abbreviate(&variable.initial)));
-        lines.push(format!("  recovered  {}", abbreviate(found)));
+        // Triangles that have changed have other vertices than those that the run began with.
+        if !outcome.topologies.iter().any(|of| recovery.ids()[of.variable] == id) {
+            lines.push(format!("  initial    {}", abbreviate(&variable.initial)));
+        }
+        lines.push(format!("  recovered  {}", abbreviate(&found)));
+        if let Some(mesh) = surface(&recovered, id) {
+            let (triangles, turned) = (mesh.triangles.len(), turned_over(mesh));
+            lines.push(format!("  triangles  {triangles}, of them turned over {turned}"));
+        }
         if let Some(target) = &variable.target {
             lines.push(format!("  true       {}", abbreviate(target)));
         }
     }
-    lines.extend(quality_lines(recovery, &recovery.scene_at(&outcome.best.x)));
+    lines.extend(quality_lines(recovery, &recovered));
     let initial = outcome.initial_loss;
     let ratio = if initial > 0.0 {
         format!(" ({:.1e} of the initial {})", outcome.best.loss / initial, short(initial))

@@ -2,6 +2,7 @@
 
 use std::fs;
 use std::io;
+use std::mem::replace;
 use std::path::PathBuf;
 
 use serde::{Deserialize, Serialize};
@@ -9,7 +10,8 @@ use serde::{Deserialize, Serialize};
 use super::optimizer::Method;
 use super::trajectory::Trajectory;
 use super::{
-    CHECKPOINT_FILE, Checkpointing, Fingerprint, Point, Record, Settings, Starts, Stop, StopReason,
+    CHECKPOINT_FILE, Change, Checkpointing, Fingerprint, Point, Record, Settings, Starts, Stop,
+    StopReason, Topology,
 };
 use crate::Error;
 use crate::disk::{create_folder, write_atomically};
@@ -45,10 +47,23 @@ pub(super) struct State {
     /// The history of the run, one entry for each usable evaluation.
     pub history: Vec<Record>,
     pub trajectory: Trajectory,
+    /// The meshes whose triangles have changed; most runs have none.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub topologies: Vec<Topology>,
+    /// The iteration before which they have changed last.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub changed_at: Option<u64>,
     /// The factors that an observer has put on learning rates, and the iterations after which; most runs have none.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub learning_rate_factors: Vec<(u64, f64)>,
     pub stop: Option<Stop>,
+}
+
+/// The parts of a state that are of its elements.
+pub(super) struct Replaced {
+    topologies: Vec<Topology>,
+    x: Vec<f64>,
+    method: Method,
 }
 
 impl State {
@@ -67,6 +82,8 @@ impl State {
             last: None,
             history: Vec::new(),
             trajectory: Trajectory::new(),
+            topologies: Vec::new(),
+            changed_at: None,
             learning_rate_factors: Vec::new(),
             stop: None,
         }
@@ -82,7 +99,11 @@ impl State {
     pub fn record(&mut self, record: Record, is_sampled: bool) {
         let Record { iteration, loss, .. } = record;
         let point = Point { iteration, loss, x: self.x.clone() };
-        let is_first = is_sampled || self.level < self.best_level;
+        let has_changed = self.changed_at == Some(iteration);
+        if has_changed {
+            self.trajectory.restart();
+        }
+        let is_first = is_sampled || has_changed || self.level < self.best_level;
         if self.best.as_ref().is_none_or(|best| is_first || loss < best.loss) {
             self.best_level = self.level;
             self.best = Some(point.clone());
@@ -113,13 +134,29 @@ impl State {
         }
     }
 
+    /// Goes on with other elements; what there was in their place.
+    pub fn change(&mut self, change: Change) -> Replaced {
+        let Change { topologies, x, carry, .. } = change;
+        let method = self.method.clone();
+        self.method.carry(&carry);
+        self.changed_at = Some(self.iteration);
+        let topologies = replace(&mut self.topologies, topologies);
+        Replaced { topologies, x: replace(&mut self.x, x), method }
+    }
+
+    /// Goes back to the elements before.
+    pub fn go_back(&mut self, before: Replaced) {
+        Replaced { topologies: self.topologies, x: self.x, method: self.method } = before;
+    }
+
     /// Returns `true` if no further iteration was needed when the checkpoint was written.
     pub fn is_finished(&self) -> bool {
         self.stop.as_ref().is_some_and(|stop| stop.reason != StopReason::Interrupted)
     }
 
-    /// Whether the parts agree with each other, for `len` elements.
+    /// Whether the parts agree with each other, for `len` elements at the beginning of the run.
     fn is_coherent(&self, len: usize) -> bool {
+        let len = if self.topologies.is_empty() { len } else { self.x.len() };
         let point = |point: &Option<Point>| point.as_ref().is_some_and(|p| p.x.len() == len);
         let evaluated_here = match &self.stop {
             Some(Stop { reason, .. }) => matches!(
@@ -262,7 +299,7 @@ impl CheckpointFile {
         }
         self.check_same_run(&checkpoint.problem, &checkpoint.method, checkpoint.format)?;
         if !state.is_coherent(len) {
-            return Err(self.damaged("its parts do not fit together"));
+            return Err(self.incoherent());
         }
         state.continue_under(settings).map_err(|(iteration, stop)| {
             self.error(format!(
@@ -298,6 +335,11 @@ impl CheckpointFile {
              use another folder, or remove this file to start over",
             state.iteration
         ))
+    }
+
+    /// Parts that do not fit together.
+    pub fn incoherent(&self) -> Error {
+        self.damaged("its parts do not fit together")
     }
 
     fn damaged(&self, how: &str) -> Error {

@@ -30,6 +30,12 @@
 //! A method that follows gradients ends in the valley that it begins in. With [`Starts`] several beginnings
 //! make a few steps each, and iteration 0 is at what the best of them has come to.
 //!
+//! # Changes
+//!
+//! An objective may change what is optimised on the way ([`Objective::change`]), such as the triangles of a mesh: then
+//! the method goes on with what it remembers, carried over, and the best parameters and the trajectory are those since
+//! the last change.
+//!
 //! # Checkpoints
 //!
 //! With [`Checkpointing`] the whole state goes to `checkpoint.json` in the output folder, after
@@ -79,6 +85,7 @@ mod starts;
 mod stop;
 #[cfg(test)]
 mod tests;
+mod topology;
 mod trajectory;
 mod variable;
 
@@ -106,4 +113,5 @@ pub use schedule::Schedule;
 pub use settings::{CHECKPOINT_FILE, Checkpointing, Settings};
 pub use starts::Starts;
 pub use stop::{Stop, StopReason};
+pub use topology::{Carry, Change, Topology};
 pub use variable::Variable;

@@ -2,13 +2,19 @@
 
 use std::ops::ControlFlow;
 
-use super::{Outcome, Record, Start};
+use super::{Outcome, Record, Start, Topology};
 
 /// Watches an optimisation while it runs, and may interrupt it.
 pub trait Observer {
     /// Before the first evaluation.
     fn start(&mut self, start: Start) {
         let _ = start;
+    }
+
+    /// Before the first iteration after what is optimised has [changed](super::Objective::change), or a run was resumed
+    /// that had changed before.
+    fn changed(&mut self, topologies: &[Topology]) {
+        let _ = topologies;
     }
 
     /// Where the iteration is that [`step`](Self::step) is told of next: the elements of all variables.

@@ -1,6 +1,6 @@
 //! What an optimisation found.
 
-use super::{Point, Record, Stop};
+use super::{Point, Record, Stop, Topology};
 
 /// What an optimisation came to.
 #[derive(Clone, Debug, PartialEq)]
@@ -8,6 +8,9 @@ pub struct Outcome {
     /// The parameters recovered: the lowest loss seen, the earliest if there are several; the last ones of
     /// a [sampled](super::Settings::is_sampled) loss.
     pub best: Point,
+    /// The meshes whose triangles have [changed](super::Objective::change) in the course of the run, as the parameters
+    /// have them. Most runs have none.
+    pub topologies: Vec<Topology>,
     /// The latest parameters with a finite loss and gradient.
     pub last: Point,
     /// The history of the run, one entry for each iteration from 0 on; never empty.

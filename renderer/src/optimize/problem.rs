@@ -1,5 +1,8 @@
 //! What is minimised.
 
+use super::{Change, Topology, Variable};
+use crate::Error;
+
 /// A function to minimise, with its gradient.
 pub trait Objective {
     /// Loss and gradient at `x`.
@@ -19,6 +22,29 @@ pub trait Objective {
     /// such loss.
     fn curvature(&mut self, _x: &[f64]) -> Option<Vec<f64>> {
         None
+    }
+
+    /// Asked after each step, before `iteration` is begun, which is to be at `x`: whether something else is optimised
+    /// from then on. The answer depends on nothing but these two and the changes before. Methods that find the lengths
+    /// of their steps themselves are not asked.
+    ///
+    /// # Errors
+    ///
+    /// If it cannot be changed as it should be.
+    fn change(&mut self, _iteration: u64, _x: &[f64]) -> Result<Option<Change>, Error> {
+        Ok(None)
+    }
+
+    /// Takes up the changes of the part of a run that a checkpoint holds; the variables since then.
+    ///
+    /// # Errors
+    ///
+    /// If they are none that it makes.
+    fn restore(&mut self, _topologies: &[Topology]) -> Result<Vec<Variable>, Error> {
+        Err(Error::new(
+            "checkpoint",
+            "holds a mesh whose triangles have changed, which this problem does not do",
+        ))
     }
 
     /// What makes loss or gradient at `x` infinite or no number, for people; asked after

@@ -186,6 +186,7 @@ mod tests {
             history,
             trajectory: vec![],
             stop,
+            topologies: vec![],
             initial_loss: 0.5,
             evaluations: 1,
             seconds: 5.0,

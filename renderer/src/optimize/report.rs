@@ -152,6 +152,7 @@ mod tests {
             history: vec![record(0, 0.4), record(1, 0.1), record(2, 0.1 + 0.2)],
             trajectory: vec![Point { iteration: 0, loss: 0.4, x: vec![5.0, 6.0, 7.0] }],
             stop: Stop { reason: StopReason::GradientTolerance, detail: "flat".to_owned() },
+            topologies: vec![],
             initial_loss: 0.4,
             evaluations: 4,
             seconds: 6.0,

@@ -1,18 +1,19 @@
 //! The loop.
 
+use std::borrow::Cow;
 use std::time::{Duration, Instant};
 
-use super::checkpoint::{CheckpointFile, State};
+use super::checkpoint::{CheckpointFile, Replaced, State};
 use super::variable::{self, Flat};
 use super::{
-    Evaluation, Objective, Observer, Outcome, Record, Settings, Start, Step, Stop, StopReason,
-    Variable,
+    Change, Evaluation, Objective, Observer, Outcome, Record, Settings, Start, Step, Stop,
+    StopReason, Topology, Variable,
 };
 use crate::Error;
 
 /// An optimisation that is ready to run: its input is checked and its checkpoint, if any, is read.
 pub struct Optimization<'a> {
-    variables: &'a [Variable],
+    variables: Cow<'a, [Variable]>,
     settings: &'a Settings,
     flat: Flat,
     file: Option<CheckpointFile>,
@@ -52,7 +53,7 @@ impl<'a> Optimization<'a> {
             Some(state) => Start::Resumed { iteration: state.iteration },
         };
         let state = stored.unwrap_or_else(|| State::new(flat.x.clone(), settings));
-        Ok(Self { variables, settings, flat, file, state, start })
+        Ok(Self { variables: Cow::Borrowed(variables), settings, flat, file, state, start })
     }
 
     /// How the run will begin.
@@ -65,7 +66,7 @@ impl<'a> Optimization<'a> {
     /// # Errors
     ///
     /// If the loss or the gradient at the initial parameters is not finite (nothing is left
-    /// behind), or if a checkpoint cannot be written.
+    /// behind), what is optimised cannot be [changed](Objective::change), or a checkpoint cannot be written.
     ///
     /// # Panics
     ///
@@ -80,8 +81,8 @@ impl<'a> Optimization<'a> {
             Some(stop) => stop,
             None => self.iterate(objective, observer)?,
         };
-        let State { best, last, initial_loss, history, trajectory, evaluations, seconds, .. } =
-            self.state;
+        let State { best, last, initial_loss, history, trajectory, .. } = self.state;
+        let State { topologies, evaluations, seconds, .. } = self.state;
         let (Some(best), Some(last), Some(initial_loss)) = (best, last, initial_loss) else {
             // Nothing was evaluated, and the only reason for that is the initial point.
             return Err(Error::not_finite("optimize", stop.detail));
@@ -90,6 +91,7 @@ impl<'a> Optimization<'a> {
         let start = self.start;
         let outcome = Outcome {
             best,
+            topologies,
             last,
             history,
             trajectory,
@@ -115,6 +117,11 @@ impl<'a> Optimization<'a> {
         let mut last_saved: Option<Instant> = None;
         let mut objective = Counted { objective, evaluations: self.state.evaluations };
         let mut known: Option<Evaluation> = None;
+        let may_change = !self.settings.optimizer.finds_step_lengths();
+        if !self.state.topologies.is_empty() {
+            self.restore(&mut objective)?;
+            observer.changed(&self.state.topologies);
+        }
         let begins_elsewhere = self.settings.coarse_to_fine > 0 || self.settings.starts.is_some();
         if begins_elsewhere && self.state.initial_loss.is_none() {
             objective.begin(0, 0);
@@ -138,11 +145,27 @@ impl<'a> Optimization<'a> {
                 known = None;
                 continue;
             }
+            // After the last step there is none that a change would be for.
+            let is_last = iteration == self.settings.iterations;
+            let is_changed = iteration == 0 || self.state.changed_at == Some(iteration);
+            let mut before = None;
+            if may_change
+                && !is_last
+                && !is_changed
+                && let Some(change) = objective.change(iteration, &self.state.x)?
+            {
+                before = Some(self.change(change)?);
+                observer.changed(&self.state.topologies);
+            }
             objective.begin(iteration, level);
             let evaluation = known.take().unwrap_or_else(|| objective.evaluate(&self.state.x));
             self.state.seconds = seconds_before + (clock.elapsed() - watched).as_secs_f64();
             self.state.evaluations = objective.evaluations;
             if let Some(stop) = self.non_finite(&evaluation, &mut objective) {
+                if let Some(before) = before {
+                    // What was found is of these.
+                    self.state.go_back(before);
+                }
                 return self.stop(stop);
             }
 
@@ -204,9 +227,27 @@ impl<'a> Optimization<'a> {
         }
     }
 
+    /// Goes on with other variables; what there was in their place.
+    fn change(&mut self, change: Change) -> Result<Replaced, Error> {
+        self.flat = Flat::new(&change.variables)?;
+        self.variables = Cow::Owned(change.variables.clone());
+        Ok(self.state.change(change))
+    }
+
+    /// Goes on with the variables of the checkpoint.
+    fn restore(&mut self, objective: &mut dyn Objective) -> Result<(), Error> {
+        let variables = objective.restore(&self.state.topologies)?;
+        self.flat = Flat::new(&variables)?;
+        self.variables = Cow::Owned(variables);
+        match &self.file {
+            Some(file) if self.flat.x.len() != self.state.x.len() => Err(file.incoherent()),
+            _ => Ok(()),
+        }
+    }
+
     /// Why the run ends, if what was evaluated is not finite.
     fn non_finite(&self, evaluation: &Evaluation, objective: &mut Counted<'_>) -> Option<Stop> {
-        let stop = Stop::at_non_finite(evaluation, self.state.iteration, self.variables)?;
+        let stop = Stop::at_non_finite(evaluation, self.state.iteration, &self.variables)?;
         Some(stop.explained(objective.explain(&self.state.x)))
     }
 
@@ -243,6 +284,14 @@ impl Objective for Counted<'_> {
 
     fn curvature(&mut self, x: &[f64]) -> Option<Vec<f64>> {
         self.objective.curvature(x)
+    }
+
+    fn change(&mut self, iteration: u64, x: &[f64]) -> Result<Option<Change>, Error> {
+        self.objective.change(iteration, x)
+    }
+
+    fn restore(&mut self, topologies: &[Topology]) -> Result<Vec<Variable>, Error> {
+        self.objective.restore(topologies)
     }
 
     fn explain(&mut self, x: &[f64]) -> Option<String> {

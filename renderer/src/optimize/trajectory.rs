@@ -38,6 +38,11 @@ impl Trajectory {
         }
     }
 
+    /// Forgets all points, whose elements are no longer those of the run.
+    pub fn restart(&mut self) {
+        *self = Self::new();
+    }
+
     /// The points, in order; the latest of the run among them.
     pub fn finish(mut self, last: &Point) -> Vec<Point> {
         if self.points.last().is_some_and(|point| point.iteration < last.iteration) {

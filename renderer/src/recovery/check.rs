@@ -174,7 +174,7 @@ impl Recovery<'_> {
         losses: &'b [&'b dyn PixelLoss],
     ) -> impl FnMut(f64) -> f64 + 'b {
         let start = self.scene.get(id);
-        let mut scene = self.scene.clone();
+        let mut scene = self.scene().clone();
         let mut renderer = Renderer::unchecked(&scene, settings);
         move |by| {
             let moved: Vec<f64> =
@@ -193,7 +193,7 @@ impl Recovery<'_> {
     /// The pixels weighted with the cotangents that the loss of a target gives them. Those that are left out
     /// weigh nothing.
     fn weighted(&self, target: &TargetImage) -> Weighted {
-        let image = self.render_target(target, self.scene);
+        let image = self.render_target(target, &self.scene);
         let (loss, width) = (target.loss(self.loss_kind()), image.width);
         let cotangents = image.pixels.iter().enumerate().map(|(index, &pixel)| {
             let (x, y) = (index as u32 % width, index as u32 / width);

@@ -20,15 +20,20 @@ mod levels;
 mod objective;
 mod quality;
 mod regularizer;
+mod remeshing;
 mod target;
 mod variable;
 
+use std::borrow::Cow;
 use std::sync::{Arc, Mutex};
 
 pub use check::{Compared, Verdict};
 pub(crate) use levels::check_levels;
 pub(crate) use objective::ImageObjective;
 pub use quality::Quality;
+pub(crate) use remeshing::check_remeshing;
+#[cfg(feature = "cli")]
+pub(crate) use remeshing::with_topologies;
 pub use target::TargetImage;
 
 use regularizer::Regularizer;
@@ -36,7 +41,9 @@ use regularizer::Regularizer;
 use crate::Error;
 use crate::Image;
 use crate::arithmetic::Arithmetic;
-use crate::experiment::{Experiment, OptimizeSection, TunedParameter, WeightedTerm, overlap};
+use crate::experiment::{
+    Experiment, OptimizeSection, Remeshing, TunedParameter, WeightedTerm, overlap,
+};
 use crate::loss::LossKind;
 use crate::optimize::{
     Evaluation, Fingerprint, Objective, Observer, Optimization, Optimizer, Outcome,
@@ -49,10 +56,10 @@ use crate::settings::{Edges, Settings};
 /// gradient are the sums of those of the views, added up in their order.
 #[derive(Clone)]
 pub struct Recovery<'a> {
-    scene: &'a Scene,
+    scene: Cow<'a, Scene>,
     section: OptimizeSection,
     settings: Settings,
-    targets: Vec<TargetImage>,
+    targets: Arc<Vec<TargetImage>>,
     ids: Vec<ParameterId>,
     regularizers: Vec<Regularizer>,
     variables: Vec<Variable>,
@@ -96,11 +103,14 @@ impl<'a> Recovery<'a> {
         check_levels(scene, section.coarse_to_fine).map_err(|problem| {
             Error::new(format_args!("{place}: optimize.coarse_to_fine"), problem)
         })?;
+        remeshing::check_optimizer(scene, &section, place)?;
         let variables = section
             .parameters
             .iter()
             .map(|tuned| {
-                let target = truth.as_ref().map(|truth| truth.get(tuned.id).into_owned());
+                // Vertices that come and go have no true places.
+                let truth = truth.as_ref().filter(|_| tuned.remesh.is_none());
+                let target = truth.map(|truth| truth.get(tuned.id).into_owned());
                 variable::variable(scene, tuned, section.learning_rate, target)
             })
             .collect::<Result<_, _>>()?;
@@ -110,10 +120,10 @@ impl<'a> Recovery<'a> {
             })?;
         let (allow_non_finite, left_out) = (false, Arc::default());
         Ok(Self {
-            scene,
+            scene: Cow::Borrowed(scene),
             section,
             settings,
-            targets,
+            targets: Arc::new(targets),
             ids,
             regularizers,
             variables,
@@ -131,8 +141,9 @@ impl<'a> Recovery<'a> {
     /// size, which divides this one's. A pixel of the target is the mean of those that it covers.
     pub fn coarser<'b>(&self, scene: &'b Scene) -> Recovery<'b> {
         let copy = self.clone();
-        let targets = copy.targets.into_iter().map(|target| target.reduced(scene.size())).collect();
-        Recovery { scene, targets, ..copy }
+        let reduced = |target: &TargetImage| target.clone().reduced(scene.size());
+        let targets = Arc::new(copy.targets.iter().map(reduced).collect());
+        Recovery { scene: Cow::Borrowed(scene), targets, ..copy }
     }
 
     /// How the scene is rendered.
@@ -178,7 +189,7 @@ impl<'a> Recovery<'a> {
 
     /// Tells this problem from others: the scene, the target, the loss, the precision.
     pub fn fingerprint(&self) -> Fingerprint {
-        let scene = self.scene;
+        let scene = &self.scene;
         // All lanes of a precision are the same problem.
         let precision = self.settings.arithmetic.precision();
         let arithmetic = Arithmetic::fastest(precision);
@@ -195,6 +206,9 @@ impl<'a> Recovery<'a> {
             .text(&format!("{:?}", self.terms()))
             .text(&format!("{:?}", (scene.bounces, scene.light_samples, scene.integrator)))
             .text(&format!("{:?}", scene.spheres));
+        for remeshing in self.remeshings() {
+            fingerprint = fingerprint.text(&format!("{remeshing:?}"));
+        }
         for id in scene.parameters() {
             let path = scene.path(id).to_string();
             fingerprint = fingerprint.text(&path).numbers(&scene.get(id));
@@ -248,8 +262,8 @@ impl<'a> Recovery<'a> {
     }
 
     /// The scene as it stands: the initial guess.
-    pub fn scene(&self) -> &'a Scene {
-        self.scene
+    pub fn scene(&self) -> &Scene {
+        &self.scene
     }
 
     /// The image to be matched, the first if there are several.
@@ -262,9 +276,10 @@ impl<'a> Recovery<'a> {
         &self.targets
     }
 
-    /// The scene with other values of the parameters that vary, one after the other in `x`.
+    /// The scene with other values of the parameters that vary, one after the other in `x`. Where triangles of meshes
+    /// have changed, this is asked of the problem [since then](Self::with_topologies).
     pub fn scene_at(&self, x: &[f64]) -> Scene {
-        let mut scene = self.scene.clone();
+        let mut scene = self.scene.clone().into_owned();
         scene.assign_all(&self.ids, x);
         scene
     }
@@ -319,6 +334,12 @@ impl<'a> Recovery<'a> {
     fn terms(&self) -> Vec<(ParameterId, &[WeightedTerm])> {
         let with_terms = self.section.parameters.iter().filter(|tuned| !tuned.terms.is_empty());
         with_terms.map(|tuned| (tuned.id, &tuned.terms[..])).collect()
+    }
+
+    /// How triangles change, where they do.
+    pub(crate) fn remeshings(&self) -> Vec<(ParameterId, Remeshing)> {
+        let parameters = self.section.parameters.iter();
+        parameters.filter_map(|tuned| Some((tuned.id, tuned.remesh?))).collect()
     }
 
     /// What losses are added up of: all targets but those of views that are held out.

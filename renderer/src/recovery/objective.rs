@@ -6,7 +6,8 @@ use glam::DVec3;
 
 use super::levels::{halved, spread};
 use super::{Recovery, TargetImage};
-use crate::optimize::{Evaluation, Objective};
+use crate::Error;
+use crate::optimize::{Change, Evaluation, Objective, Topology, Variable};
 use crate::render::Renderer;
 use crate::scene::{Integrator, Invalid, ParameterId, Scene};
 use crate::settings::{Sampling, Settings};
@@ -14,7 +15,10 @@ use crate::{Image, LossAndGradient};
 
 /// The loss of the rendered images as a function of the parameters that vary.
 pub(crate) struct ImageObjective<'a> {
-    recovery: &'a Recovery<'a>,
+    /// The problem at the beginning, whose targets stay.
+    original: &'a Recovery<'a>,
+    /// The problem since triangles of meshes have changed.
+    recovery: Cow<'a, Recovery<'a>>,
     renderer: Renderer,
     scene: Scene,
     /// How often the images are halved.
@@ -29,15 +33,20 @@ pub(crate) struct ImageObjective<'a> {
 
 impl<'a> ImageObjective<'a> {
     pub fn new(recovery: &'a Recovery<'a>, settings: &Settings) -> Self {
-        let mut objective = Self::halved(recovery, settings, 0);
+        let mut objective = Self::halved(recovery, Cow::Borrowed(recovery), settings, 0);
         objective.begin(0, 0);
         objective
     }
 
     /// All views, halved so often.
-    fn halved(recovery: &'a Recovery<'a>, settings: &Settings, level: u32) -> Self {
-        let mut scene = halved(recovery.scene, level);
-        let matched = recovery.matched();
+    fn halved(
+        original: &'a Recovery<'a>,
+        recovery: Cow<'a, Recovery<'a>>,
+        settings: &Settings,
+        level: u32,
+    ) -> Self {
+        let mut scene = halved(&recovery.scene, level);
+        let matched = original.matched();
         let targets: Vec<_> = match level {
             0 => matched.map(Cow::Borrowed).collect(),
             _ => matched.map(|target| Cow::Owned(target.halved(level))).collect(),
@@ -46,7 +55,7 @@ impl<'a> ImageObjective<'a> {
         let settings = Settings { pass: targets[0].pass, ..*settings };
         let renderer = Renderer::unchecked(&scene, &settings);
         let chosen = (0..targets.len()).collect();
-        Self { recovery, renderer, scene, level, targets, chosen, factor: 1.0 }
+        Self { original, recovery, renderer, scene, level, targets, chosen, factor: 1.0 }
     }
 
     /// Changes the rays through pixels and the depth of paths; all else that is prepared stays.
@@ -60,6 +69,12 @@ impl<'a> ImageObjective<'a> {
         self.scene.check_values(&self.recovery.ids)?;
         self.renderer.update(&self.scene);
         Ok(())
+    }
+
+    /// Takes up the problem with other triangles.
+    fn go_on_with(&mut self, recovery: Recovery<'static>) {
+        let settings = *self.renderer.settings();
+        *self = Self::halved(self.original, Cow::Owned(recovery), &settings, self.level);
     }
 
     /// Loss and gradient of a target.
@@ -158,7 +173,7 @@ impl Objective for ImageObjective<'_> {
                 Integrator::Path(_) => self.recovery.settings.sampling,
             };
             let settings = Settings { sampling, ..*self.renderer.settings() };
-            *self = Self::halved(self.recovery, &settings, level);
+            *self = Self::halved(self.original, self.recovery.clone(), &settings, level);
         }
         let Some(batch) = self.recovery.section.batch else { return };
         let mut views: Vec<usize> = self.targets.iter().filter_map(|target| target.view).collect();
@@ -191,6 +206,22 @@ impl Objective for ImageObjective<'_> {
             self.add_curvature(index, &mut sum)?;
         }
         Some(sum)
+    }
+
+    fn change(&mut self, iteration: u64, x: &[f64]) -> Result<Option<Change>, Error> {
+        if self.original.remeshings().is_empty() {
+            return Ok(None);
+        }
+        let changed = self.recovery.remeshed(&self.original.scene, iteration, x)?;
+        Ok(changed.map(|(recovery, change)| {
+            self.go_on_with(recovery);
+            change
+        }))
+    }
+
+    fn restore(&mut self, topologies: &[Topology]) -> Result<Vec<Variable>, Error> {
+        self.go_on_with(self.original.with_topologies(topologies)?);
+        Ok(self.recovery.variables().to_vec())
     }
 
     fn explain(&mut self, x: &[f64]) -> Option<String> {

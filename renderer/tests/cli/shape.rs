@@ -82,6 +82,41 @@ fn vertices_take_large_steps_and_resume_to_the_same_bits() {
 }
 
 #[test]
+fn triangles_change_and_resume_to_the_same_bits() {
+    let section = "optimizer = { type = \"adam\", uniform = true }\niterations = 30\n";
+    let parameter = "large_steps = 0.5\nlearning_rate = 0.02\n\
+                     remesh = { edge_length = 0.2, every = 7 }\nedge_length = 1e-4\n\
+                     laplacian = { weight = 1e-5, weights = \"cotangent\" }\n";
+    let light = "[[optimize.parameter]]\npath = \"light.key.radiant_intensity\"\n";
+    let sandbox = sandbox(section, &format!("{parameter}{light}"));
+    let run = |out: &str, iterations: &str, threads: &str| {
+        let arguments = ["optimize", "shape.toml", "--out", out, "--resume", "--iterations"];
+        sandbox.succeed(&[&arguments[..], &[iterations, "--threads", threads]].concat())
+    };
+    let printed = run("whole", "30", "1");
+    assert!(printed.contains("of them turned over"), "{printed}");
+    let whole = result(&sandbox, "whole");
+    let triangles = whole[3]["mesh.body.vertices"]["triangles"].as_u64().unwrap();
+    assert!(triangles > 30, "{triangles}");
+    // Lengths fall step by step.
+    run("begun", "8", "1");
+    let begun = result(&sandbox, "begun")[3]["mesh.body.vertices"]["triangles"].as_u64().unwrap();
+    assert!(begun < triangles / 2, "{begun}");
+    // In parts, which end before, at and after changes, it comes to the same bits.
+    for (iterations, threads) in [("6", "2"), ("7", "1"), ("8", "2"), ("21", "1"), ("30", "2")] {
+        run("parts", iterations, threads);
+    }
+    assert_eq!(result(&sandbox, "parts"), whole);
+    let mesh = |out: &str| sandbox.read(&format!("{out}/meshes/body.obj"));
+    assert_eq!(mesh("parts"), mesh("whole"));
+    // What was found is a scene of its own, and a mesh for others.
+    sandbox.succeed(&["render", "whole/scene.toml", "-o", "again.png"]);
+    assert_eq!(sandbox.read("again.png"), sandbox.read("whole/final.png"));
+    sandbox.succeed(&["export", "whole/scene.toml", "-o", "whole.glb"]);
+    sandbox.succeed(&["report", "whole"]);
+}
+
+#[test]
 fn the_coordinates_of_steps_change_the_way_and_not_the_gradient() {
     let one = |parameter: &str| {
         let sandbox =
@@ -165,6 +200,22 @@ fn what_cannot_be_done_is_said() {
     refuse("starts = 4\n", "spread = -1.0\n", &["spread", "0 or more"]);
     refuse("seed = 4\n", "", &["optimize.seed", "`batch` or `starts`"]);
     refuse("loss = \"hubert\"\n", "", &["shape.toml:", "hubert", "huber"]);
+    let remesh = "remesh = { edge_length = 0.2, every = 7 }\n";
+    let of = "mesh.body.vertices.remesh";
+    refuse("optimizer = \"lbfgs\"\n", remesh, &["shape.toml:", of, "lbfgs"]);
+    refuse("optimizer = \"lm\"\n", remesh, &["shape.toml:", of, "lm"]);
+    refuse("", &format!("min = -9.0\n{remesh}"), &["shape.toml:", of, "`min`"]);
+    refuse("", "remesh = { edge_length = 0.2, every = 0 }\n", &[of, "every", "at least 1"]);
+    refuse("", "remesh = { edge_length = 0.0, every = 7 }\n", &[of, "body", "above 0, is 0"]);
+    refuse("", "remesh = { edge_length = 1e-9, every = 7 }\n", &[of, "body", "memory"]);
+    refuse("", "remesh = { edge_length = 0.2 }\n", &["shape.toml:", "every"]);
+    refuse("", "remesh = { every = 7, edge_lenth = 0.2 }\n", &["shape.toml:", "edge_lenth"]);
+    let single = "path = \"mesh.body.vertices[2]\"\nremesh = { edge_length = 0.2, every = 7 }\n";
+    let whole = "path = \"mesh.body.vertices\"\n";
+    let alone = sandbox("", "");
+    let text = String::from_utf8(alone.read("shape.toml")).unwrap();
+    alone.write("shape.toml", text.replace(whole, single));
+    alone.refuse_with(&["optimize", "shape.toml"], &["remesh", "all vertices of a mesh"]);
     let sandbox = Sandbox::new();
     let light = OPTIMIZE.replace(
         "path = \"light.key.position\"",

@@ -22,6 +22,8 @@ pub(super) struct Course {
 /// A number that is kept, by its index among all.
 struct Tracked {
     index: usize,
+    /// The variable, and its element, that it is.
+    of: (usize, usize),
     path: String,
     /// How far it moves in a step.
     learning_rate: f64,
@@ -37,20 +39,42 @@ struct Point {
 }
 
 impl Course {
-    /// Curves of variables, each with the shape of its numbers.
-    pub fn new(variables: &[Variable], shapes: &[Vec<usize>]) -> Self {
-        let all = variables.iter().zip(shapes);
-        let all = all.flat_map(|of| (0..of.0.initial.len()).map(move |element| (of, element)));
-        let count: usize = variables.iter().map(|variable| variable.initial.len()).sum();
-        let tracked = all.enumerate().step_by(count.div_ceil(MOST_TRACKED).max(1));
-        let tracked = tracked.map(|(index, ((variable, shape), element))| Tracked {
-            index,
-            path: element_path(&variable.path, shape, element),
-            learning_rate: variable.learning_rate[element],
-            initial: variable.initial[element],
-            truth: variable.target.as_ref().map(|target| target[element]),
+    /// Curves of variables, each with the shape of its numbers, if it has curves.
+    pub fn new(variables: &[Variable], shapes: &[Option<Vec<usize>>]) -> Self {
+        let all = variables.iter().zip(shapes).enumerate();
+        let all = all.flat_map(|(place, (variable, shape))| {
+            let elements = 0..shape.as_ref().map_or(0, |_| variable.initial.len());
+            elements.map(move |element| {
+                ((place, element), variable, shape.as_deref().unwrap_or_default())
+            })
         });
-        Self { tracked: tracked.collect(), stride: 1, points: Vec::new() }
+        let count = all.clone().count();
+        let tracked = all.step_by(count.div_ceil(MOST_TRACKED).max(1));
+        let tracked = tracked.map(|(of, variable, shape)| Tracked {
+            index: 0,
+            of,
+            path: element_path(&variable.path, shape, of.1),
+            learning_rate: variable.learning_rate[of.1],
+            initial: variable.initial[of.1],
+            truth: variable.target.as_ref().map(|target| target[of.1]),
+        });
+        let mut course = Self { tracked: tracked.collect(), stride: 1, points: Vec::new() };
+        course.count_anew(variables.iter().map(|variable| variable.initial.len()));
+        course
+    }
+
+    /// Takes in how many elements variables have from now on.
+    pub fn count_anew(&mut self, counts: impl Iterator<Item = usize>) {
+        let starts: Vec<usize> = counts
+            .scan(0, |end, count| {
+                let start = *end;
+                *end += count;
+                Some(start)
+            })
+            .collect();
+        for tracked in &mut self.tracked {
+            tracked.index = starts[tracked.of.0] + tracked.of.1;
+        }
     }
 
     /// Takes in an iteration, unless it lies between those that are kept.
@@ -107,8 +131,10 @@ mod tests {
     #[test]
     fn what_moves_most_is_shown() {
         let slow = Variable::new("slow", vec![0.0; 10], 0.1);
-        let mut course =
-            Course::new(&[slow, Variable::new("fast", vec![1.0], 10.0)], &[vec![5, 2], vec![]]);
+        let mut course = Course::new(
+            &[slow, Variable::new("fast", vec![1.0], 10.0)],
+            &[Some(vec![5, 2]), Some(vec![])],
+        );
         for iteration in 0..1000 {
             let mut x = vec![0.0; 11];
             (x[3], x[10]) = (iteration as f64, 1.0 + 2.0 * iteration as f64);
@@ -128,7 +154,7 @@ mod tests {
     #[test]
     fn of_many_numbers_some_are_kept() {
         let course =
-            Course::new(&[Variable::new("many", vec![0.0; 12_345], 1.0)], &[vec![4115, 3]]);
+            Course::new(&[Variable::new("many", vec![0.0; 12_345], 1.0)], &[Some(vec![4115, 3])]);
         assert!((1000..=MOST_TRACKED).contains(&course.tracked.len()));
         assert_eq!(course.tracked[1].path, "many[2][1]");
         assert!(Course::new(&[], &[]).json()["numbers"].as_array().unwrap().is_empty());

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use super::state::State;
 use crate::cli::interrupt::Interrupt;
-use crate::optimize::{Observer, Outcome, Start, Step};
+use crate::optimize::{Observer, Outcome, Start, Step, Topology};
 
 /// Watches a run for another observer, and lets the page see and steer it.
 pub(in crate::cli) struct Watched {
@@ -18,6 +18,11 @@ pub(in crate::cli) struct Watched {
 impl Observer for Watched {
     fn start(&mut self, start: Start) {
         self.observer.start(start);
+    }
+
+    fn changed(&mut self, topologies: &[Topology]) {
+        self.observer.changed(topologies);
+        self.state.change(topologies);
     }
 
     fn parameters(&mut self, x: &[f64]) {

@@ -53,12 +53,12 @@ impl Page {
             "state.json" => Ok(self.state()),
             "target.png" => png(&self.stage.target(self.target(request)?)),
             "current.png" => {
-                let (iteration, x) = self.state.position();
-                png(&self.stage.current(self.target(request)?, iteration, &x))
+                let target = self.target(request)?;
+                png(&self.stage.current(target, &self.state.position()))
             }
             "difference.png" => {
-                let (iteration, x) = self.state.position();
-                let (image, white) = self.stage.difference(self.target(request)?, iteration, &x);
+                let target = self.target(request)?;
+                let (image, white) = self.stage.difference(target, &self.state.position());
                 Ok(png(&image)?.with_white(white))
             }
             "orbit.png" => self.orbit(request),
@@ -104,8 +104,8 @@ impl Page {
             let pixels = request.number(name, Some(256.0))?;
             Ok::<_, Response>(pixels.clamp(SIDES.0, SIDES.1) as u32)
         };
-        let (_, x) = self.state.position();
-        let image = self.stage.orbit(orbit, [side("width")?, side("height")?], &x);
+        let size = [side("width")?, side("height")?];
+        let image = self.stage.orbit(orbit, size, &self.state.position());
         png(&image.map_err(|error| Response::refusal(400, &error.to_string()))?)
     }
 }

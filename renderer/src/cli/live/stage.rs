@@ -5,13 +5,14 @@ use std::sync::{Mutex, PoisonError};
 use rayon::{ThreadPool, ThreadPoolBuilder};
 
 use super::orbit::Orbit;
+use super::state::Position;
 use crate::Error;
 use crate::Image;
 use crate::display::range_of_measure;
 use crate::files::images::picture_of_measure;
 use crate::recovery::{Recovery, TargetImage};
 use crate::render::Renderer;
-use crate::scene::{Integrator, ParameterId, PathTracing, Scene};
+use crate::scene::{Integrator, ParameterId, PathTracing};
 use crate::settings::{Edges, Pass, Sampling, Settings};
 
 /// Larger images of views are halved until they are no larger.
@@ -21,7 +22,6 @@ const ORBIT_SAMPLES: u32 = 2;
 
 /// What images are made of.
 pub(super) struct Stage {
-    scene: Scene,
     ids: Vec<ParameterId>,
     settings: Settings,
     targets: Vec<TargetImage>,
@@ -51,7 +51,6 @@ impl Stage {
         let targets = recovery.targets();
         let threads = (rayon::current_num_threads() / 2).max(1);
         Self {
-            scene: scene.clone(),
             ids: recovery.ids().to_vec(),
             settings: *recovery.render_settings(),
             names: targets.iter().map(name).collect(),
@@ -67,39 +66,40 @@ impl Stage {
         target.picture(&target.image)
     }
 
-    /// A picture of what the scene shows of a target with these numbers, which are those of an iteration.
-    pub fn current(&self, target: usize, iteration: Option<u64>, x: &[f64]) -> Image {
-        self.targets[target].picture(&self.rendered(target, iteration, x))
+    /// A picture of what the scene shows of a target where a run is.
+    pub fn current(&self, target: usize, at: &Position) -> Image {
+        self.targets[target].picture(&self.rendered(target, at))
     }
 
-    fn rendered(&self, target: usize, iteration: Option<u64>, x: &[f64]) -> Image {
+    fn rendered(&self, target: usize, at: &Position) -> Image {
         let mut latest = self.latest.lock().unwrap_or_else(PoisonError::into_inner);
-        if let Some((of, at, image)) = &*latest
-            && (*of, *at) == (target, iteration)
+        if let Some((of, iteration, image)) = &*latest
+            && (*of, *iteration) == (target, at.iteration)
         {
             return image.clone();
         }
         let target_image = &self.targets[target];
-        let mut image = self.within_pool(|| target_image.render(&self.scene_at(x), &self.settings));
+        let mut image =
+            self.within_pool(|| target_image.render(&at.scene(&self.ids), &self.settings));
         image.blacken_non_finite();
-        *latest = Some((target, iteration, image.clone()));
+        *latest = Some((target, at.iteration, image.clone()));
         image
     }
 
     /// Where the latest image of a target differs from it, [scaled](for_the_eye), and by what.
-    pub fn difference(&self, target: usize, iteration: Option<u64>, x: &[f64]) -> (Image, f32) {
+    pub fn difference(&self, target: usize, at: &Position) -> (Image, f32) {
         let shown = {
             let latest = self.latest.lock().unwrap_or_else(PoisonError::into_inner);
             latest.as_ref().filter(|(of, ..)| *of == target).map(|(.., image)| image.clone())
         };
-        let image = shown.unwrap_or_else(|| self.rendered(target, iteration, x));
+        let image = shown.unwrap_or_else(|| self.rendered(target, at));
         let difference = self.targets[target].difference(&image);
         for_the_eye(difference.unwrap_or_else(|| Image::black(1, 1)))
     }
 
-    /// The scene with these numbers from elsewhere, in a width and a height.
-    pub fn orbit(&self, orbit: Orbit, size: [u32; 2], x: &[f64]) -> Result<Image, Error> {
-        let mut scene = self.scene_at(x);
+    /// The scene where a run is from elsewhere, in a width and a height.
+    pub fn orbit(&self, orbit: Orbit, size: [u32; 2], at: &Position) -> Result<Image, Error> {
+        let mut scene = at.scene(&self.ids);
         scene.camera = orbit.camera(&scene);
         scene.views.clear();
         [scene.width, scene.height] = size;
@@ -122,12 +122,6 @@ impl Stage {
             picture_of_measure(&mut image, range);
         }
         Ok(image)
-    }
-
-    fn scene_at(&self, x: &[f64]) -> Scene {
-        let mut scene = self.scene.clone();
-        scene.assign_all(&self.ids, x);
-        scene
     }
 
     fn within_pool<T: Send>(&self, work: impl FnOnce() -> T + Send) -> T {

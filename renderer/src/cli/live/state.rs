@@ -1,14 +1,15 @@
 //! What the run and the page tell each other.
 
 use std::ops::ControlFlow;
-use std::sync::{Condvar, Mutex, MutexGuard, PoisonError};
+use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
 
 use serde_json::{Value, json};
 
 use super::course::Course;
-use crate::optimize::{Schedule, Settings, Step, Stop, StopReason};
-use crate::recovery::Recovery;
+use crate::optimize::{Schedule, Settings, Step, Stop, StopReason, Topology};
+use crate::recovery::{Recovery, with_topologies};
+use crate::scene::{ParameterId, Scene};
 
 /// The factors on learning rates that are taken.
 const FACTORS: std::ops::RangeInclusive<f64> = 1e-9..=1e9;
@@ -17,6 +18,7 @@ const FACTORS: std::ops::RangeInclusive<f64> = 1e-9..=1e9;
 pub(in crate::cli) struct State {
     now: Mutex<Now>,
     changed: Condvar,
+    ids: Vec<ParameterId>,
     optimizer: &'static str,
     /// Nothing if the optimiser finds the lengths of its steps itself.
     schedule: Option<Schedule>,
@@ -30,11 +32,32 @@ struct Now {
     step: Option<Step>,
     /// The numbers of the latest iteration.
     x: Vec<f64>,
+    /// The scene whose numbers they are.
+    scene: Arc<Scene>,
+    /// That of the numbers to come, if triangles of meshes have changed.
+    next: Option<Arc<Scene>>,
     course: Course,
     /// A factor on learning rates that was asked for and is not in use yet.
     factor: Option<f64>,
     /// How it ended.
     end: Option<String>,
+}
+
+/// Where a run is.
+pub(super) struct Position {
+    /// The number of the latest iteration.
+    pub iteration: Option<u64>,
+    scene: Arc<Scene>,
+    x: Vec<f64>,
+}
+
+impl Position {
+    /// The scene with the numbers of these parameters.
+    pub fn scene(&self, ids: &[ParameterId]) -> Scene {
+        let mut scene = Scene::clone(&self.scene);
+        scene.assign_all(ids, &self.x);
+        scene
+    }
 }
 
 #[derive(Clone, Copy, PartialEq)]
@@ -50,11 +73,18 @@ impl State {
     pub fn new(recovery: &Recovery<'_>, settings: &Settings) -> Self {
         let variables = recovery.variables();
         let rates = || variables.iter().flat_map(|variable| &variable.learning_rate).copied();
-        let shapes: Vec<_> = recovery.ids().iter().map(|&id| recovery.scene().shape(id)).collect();
+        let shapes = recovery.ids().iter().map(|&id| {
+            // Vertices that come and go have no curves.
+            let stays = recovery.remeshings().iter().all(|(remeshed, _)| *remeshed != id);
+            stays.then(|| recovery.scene().shape(id))
+        });
+        let shapes: Vec<_> = shapes.collect();
         let now = Now {
             phase: Phase::Running,
             step: None,
             x: recovery.initial(),
+            scene: Arc::new(recovery.scene().clone()),
+            next: None,
             course: Course::new(variables, &shapes),
             factor: None,
             end: None,
@@ -62,6 +92,7 @@ impl State {
         Self {
             now: Mutex::new(now),
             changed: Condvar::new(),
+            ids: recovery.ids().to_vec(),
             optimizer: settings.optimizer.name(),
             schedule: (!settings.optimizer.finds_step_lengths()).then_some(settings.schedule),
             rates: [rates().fold(f64::INFINITY, f64::min), rates().fold(0.0, f64::max)],
@@ -73,9 +104,21 @@ impl State {
         self.now.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
+    /// Takes in how triangles of meshes have changed before the next iteration.
+    pub fn change(&self, topologies: &[Topology]) {
+        let scene = self.now().scene.clone();
+        let scene = with_topologies(&scene, &self.ids, topologies);
+        self.now().next = scene.map(Arc::new);
+    }
+
     /// Takes in where an iteration is.
     pub fn move_to(&self, x: &[f64]) {
-        self.now().x.copy_from_slice(x);
+        let mut now = self.now();
+        if let Some(scene) = now.next.take() {
+            now.course.count_anew(self.ids.iter().map(|&id| scene.count(id)));
+            now.scene = scene;
+        }
+        x.clone_into(&mut now.x);
     }
 
     /// Takes in an iteration, and waits for as long as the page has paused the run and `goes_on` says so. `Break` if the
@@ -151,10 +194,11 @@ impl State {
         Ok(())
     }
 
-    /// The number of the latest iteration, and where it was.
-    pub fn position(&self) -> (Option<u64>, Vec<f64>) {
+    /// Where the run is.
+    pub(super) fn position(&self) -> Position {
         let now = self.now();
-        (now.step.map(|step| step.record.iteration), now.x.clone())
+        let iteration = now.step.map(|step| step.record.iteration);
+        Position { iteration, scene: now.scene.clone(), x: now.x.clone() }
     }
 
     /// Everything but images.

@@ -14,6 +14,7 @@ use serde::ser::SerializeMap;
 use serde::{Deserialize, Serialize, Serializer};
 
 use super::numbers;
+use crate::experiment::Remeshing;
 use crate::files::meshes::Channel;
 use crate::laplacian::Weights;
 use crate::loss::LossKind;
@@ -450,6 +451,8 @@ pub(super) struct ParameterEntry {
     pub normal_consistency: Option<f64>,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub total_variation: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub remesh: Option<Remeshing>,
 }
 
 #[derive(Clone, Copy, Serialize, Deserialize)]

@@ -11,7 +11,7 @@ use crate::experiment::{OptimizeSection, Target, Term, TunedParameter, WeightedT
 use crate::laplacian::System;
 use crate::loss::LossKind;
 use crate::optimize::{Batch, Starts};
-use crate::recovery::check_levels;
+use crate::recovery::{check_levels, check_remeshing};
 use crate::scene::{Invalid, Object, ParameterId, Scene};
 
 /// The section `entry` of a file in `folder` that describes `scene`.
@@ -206,7 +206,10 @@ fn tuned_parameter(entry: &ParameterEntry, scene: &Scene) -> Result<TunedParamet
         }
     }
     let (learning_rate, large_steps) = (entry.learning_rate, entry.large_steps);
-    Ok(TunedParameter { id, learning_rate, min, max, spread, large_steps, terms })
+    let remesh = entry.remesh;
+    let tuned = TunedParameter { id, learning_rate, min, max, spread, large_steps, terms, remesh };
+    check_remeshing(scene, &tuned).map_err(|problem| at(path, "remesh", problem))?;
+    Ok(tuned)
 }
 
 /// Whether a number can be a weight or a distance.

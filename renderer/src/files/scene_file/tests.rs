@@ -480,6 +480,7 @@ fn saved_views_and_what_they_are_compared_with_are_read_back() {
          [optimize]\nbatch = 1\nseed = 5\ncoarse_to_fine = 2\nloss = {{ type = \"huber\", delta = 0.5 }}\n\
          [[optimize.parameter]]\npath = \"mesh.body.vertices\"\nlarge_steps = 9.0\n\
          laplacian = {{ weight = 0.5, weights = \"cotangent\" }}\nedge_length = 0.25\nnormal_consistency = 0.125\n\
+         remesh = {{ edge_length = 0.01, every = 50 }}\n\
          [[optimize.parameter]]\npath = \"view.A/B.vfov\"\n"
     );
     // A side of 7 pixels cannot be halved.

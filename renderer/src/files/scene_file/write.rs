@@ -292,6 +292,7 @@ fn optimize_entry(
         edge_length: weight_of(tuned, Term::EdgeLength),
         normal_consistency: weight_of(tuned, Term::NormalConsistency),
         total_variation: weight_of(tuned, Term::TotalVariation),
+        remesh: tuned.remesh,
     };
     entry.parameters = section.parameters.iter().map(parameter).collect();
     Ok(entry)

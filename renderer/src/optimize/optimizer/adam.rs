@@ -5,6 +5,7 @@ use std::ops::Range;
 use serde::{Deserialize, Serialize};
 
 use super::{decay, divisor, running_rms};
+use crate::optimize::Carry;
 use crate::optimize::field::Field;
 
 /// The hyper-parameters of Adam (Kingma and Ba, "Adam: a method for stochastic optimization", ICLR
@@ -92,6 +93,12 @@ impl Moments {
     /// Returns `true` if the memory is that of `len` elements.
     pub fn fits(&self, len: usize) -> bool {
         self.mean.len() == len && self.root_mean_square.len() == len
+    }
+
+    /// The memory of other elements.
+    pub fn carry(&mut self, carry: &Carry) {
+        self.mean = carry(&self.mean);
+        self.root_mean_square = carry(&self.root_mean_square);
     }
 }
 

@@ -6,6 +6,7 @@ use serde::{Deserialize, Serialize};
 
 use super::adam::Moments;
 use super::{Adam, AdamW, RmsProp, Sgd};
+use crate::optimize::Carry;
 
 /// A method and what it remembers from step to step, one number or more for each element.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -32,6 +33,14 @@ impl FirstOrder {
         match self {
             Self::Adam(_, moments) | Self::AdamW(_, moments) => moments.fits(len),
             Self::Sgd(_, memory) | Self::RmsProp(_, memory) => memory.len() == len,
+        }
+    }
+
+    /// What it remembers, of other elements.
+    pub fn carry(&mut self, carry: &Carry) {
+        match self {
+            Self::Adam(_, moments) | Self::AdamW(_, moments) => moments.carry(carry),
+            Self::Sgd(_, memory) | Self::RmsProp(_, memory) => *memory = carry(memory),
         }
     }
 

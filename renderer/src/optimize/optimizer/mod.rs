@@ -34,7 +34,7 @@ use serde::{Deserialize, Serialize};
 
 use super::field::{Field, check_fields};
 use super::variable::Flat;
-use super::{Evaluation, Fingerprint, Objective, Schedule};
+use super::{Carry, Evaluation, Fingerprint, Objective, Schedule};
 use crate::Error;
 
 /// A method, with its hyper-parameters. Learning rates belong to the variables.
@@ -193,6 +193,13 @@ impl Method {
             Self::Lm(method) => method.fits(len),
             #[cfg(feature = "argmin")]
             Self::Lbfgs(method) => method.fits(len),
+        }
+    }
+
+    /// What it remembers, of other elements. Methods that find the lengths of their steps remember nothing of use.
+    pub fn carry(&mut self, carry: &Carry) {
+        if let Self::FirstOrder(method) = self {
+            method.carry(carry);
         }
     }
 

@@ -1,5 +1,6 @@
 //! Whole optimisations.
 
+mod change;
 mod convergence;
 #[cfg(feature = "argmin")]
 mod lbfgs;
