@@ -97,12 +97,13 @@ impl<S: Number> Integrator<'_, S> {
                 if kind == Kind::Triangle && bsdf == Bsdf::Dielectric {
                     inside = self.behind(&primitives, ray) & alive;
                 }
-                let (surface, smooth) = if is_smooth {
-                    let (surface, smooth) = self.smooth_surface(&primitives, ray);
-                    (surface, Some(smooth))
+                let (mut surface, mut bent) = if is_smooth {
+                    let (surface, bent) = self.smooth_surface(&primitives, ray);
+                    (surface, Some(bent))
                 } else {
                     (self.surface(kind, &primitives, inside, ray), None)
                 };
+                let mapped = self.map_normals(kind, &primitives, &mut surface, &mut bent);
                 let index = wavefront.groups.len();
                 wavefront.groups.push(LaneGroup {
                     index,
@@ -114,7 +115,9 @@ impl<S: Number> Integrator<'_, S> {
                     inside,
                     ray,
                     surface,
-                    smooth,
+                    is_smooth,
+                    bent,
+                    mapped,
                 });
             }
         }

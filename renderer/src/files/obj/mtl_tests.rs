@@ -120,7 +120,8 @@ fn what_is_left_out_is_told_once() {
         format!("2: Ka is left out: {ambient}"),
         format!("6: map_Ka is left out: {ambient}"),
         "7: `map_refl` is left out: nothing here stands for it".to_owned(),
-        "8: `bump` is left out: nothing here stands for it".to_owned(),
+        "8: bump is left out: it is a map of heights, or nobody knows; `norm` is one of normals"
+            .to_owned(),
         "9: `sharpness` is left out: nothing here stands for it".to_owned(),
         "4: Ni is left out: rays go straight on behind transparent surfaces".to_owned(),
         "5: Tf is left out: opacity has no colour".to_owned(),
