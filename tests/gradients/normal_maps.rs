@@ -167,6 +167,28 @@ fn gradients_of_scattered_light_agree_with_differences() {
     agrees_with_differences(&scene);
 }
 
+/// `<c, J v>` forwards is `<Jᵀ c, v>` backwards.
+#[test]
+fn derivatives_of_scattered_light_agree_forwards_and_backwards() {
+    let mut scene = bumpy_box(12);
+    scene.integrator = paths(4, 16);
+    let renderer = Renderer::new(&scene, &in_arithmetic(Arithmetic::F64x8)).unwrap();
+    let black = Image::black(scene.width, scene.height);
+    let loss = ImageLoss::new(LossKind::MeanSquared, &black, false);
+    for path in
+        ["texture.bumps.texels", "mesh.left.texture_coordinates", "material.glaze.roughness"]
+    {
+        let id = scene.parameter(path).unwrap();
+        let direction: Vec<f64> = (0..scene.get(id).len()).map(|i| (i as f64).cos()).collect();
+        let gradient = renderer.loss_and_gradient(&scene, &loss, &[id]).gradient;
+        let products = gradient.get(id).iter().zip(&direction).map(|(slope, along)| slope * along);
+        let backwards: f64 = products.sum();
+        let (_, forwards) = renderer.loss_jvp(&scene, &loss, &[(id, direction)]).unwrap();
+        let error = (forwards - backwards).abs();
+        assert!(error <= 1e-9 * backwards.abs(), "{path}: {forwards} and {backwards}");
+    }
+}
+
 /// A wall of one normal map, seen from before, with a lamp at its side.
 fn wall(texel: [f64; 3], turned: impl Fn(Mesh) -> Mesh) -> Scene {
     let camera = Camera::looking(dvec3(0.2, 0.3, 4.0), dvec3(0.1, 0.0, 0.0));

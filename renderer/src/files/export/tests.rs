@@ -37,7 +37,8 @@ fn scene() -> Scene {
         }
         .into()
     };
-    scene.add_material("brushed", brushed.with_texture(Slot::Diffuse, paint)).unwrap();
+    let brushed = brushed.with_texture(Slot::Diffuse, paint).with_texture(Slot::Normal, paint);
+    scene.add_material("brushed", brushed).unwrap();
     let lamp = Material { emission: DVec3::new(8.0, 4.0, 2.0), ..Material::lambertian(DVec3::ONE) };
     let lamp = MaterialObject::from(lamp).with_texture(Slot::Emission, glow);
     scene.add_material("lamp", lamp).unwrap();
@@ -135,6 +136,7 @@ fn scenes_are_read_back_as_they_were() {
                 (material.transparent, material.values.opacity),
                 (other.transparent, other.values.opacity)
             );
+            assert_eq!(material.normal_scale, other.normal_scale);
             for slot in Slot::ALL {
                 let texture = |scene: &Scene, material: &MaterialObject| {
                     Some(scene.textures[material.textures.get(slot)? as usize].clone())
