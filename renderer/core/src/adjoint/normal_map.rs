@@ -14,6 +14,7 @@ use crate::transport::triangle::Triangle;
 impl<L: Plain> Chain<'_, L> {
     /// Turns the cotangents of surface points whose normals are bent into those of points whose normals are
     /// not; returns those of the triangles and of the texture coordinates of the points.
+    #[inline(never)]
     pub(super) fn pull_mapped_normal(
         &mut self,
         group: &LaneGroup<L>,

@@ -97,13 +97,16 @@ impl<S: Number> Integrator<'_, S> {
                 if kind == Kind::Triangle && bsdf == Bsdf::Dielectric {
                     inside = self.behind(&primitives, ray) & alive;
                 }
-                let (mut surface, mut bent) = if is_smooth {
+                let (surface, bent) = if is_smooth {
                     let (surface, bent) = self.smooth_surface(&primitives, ray);
                     (surface, Some(bent))
                 } else {
                     (self.surface(kind, &primitives, inside, ray), None)
                 };
-                let mapped = self.map_normals(kind, &primitives, &mut surface, &mut bent);
+                let (surface, bent, mapped) = match self.layout.has_normal_maps {
+                    false => (surface, bent, None),
+                    true => self.map_normals(kind, &primitives, surface, bent),
+                };
                 let index = wavefront.groups.len();
                 wavefront.groups.push(LaneGroup {
                     index,

@@ -23,41 +23,43 @@ pub struct Mapped<S: Number> {
     pub map: NormalMap<S>,
 }
 
+/// Surface points, what they have if their normals are bent, and their normal maps.
+type MappedSurface<S> = (SurfacePoint<S>, Option<Bent<S>>, Option<Box<Mapped<S>>>);
+
 impl<S: Number> Integrator<'_, S> {
-    /// The normal maps of triangles at surface points, if any of them has one; they bend the normals of the
-    /// points.
-    #[inline]
+    /// Surface points whose normals the normal maps of triangles have bent, and these maps, if any of them has
+    /// one.
+    #[inline(never)]
     pub fn map_normals(
         &self,
         kind: Kind,
         primitives: &Coalesced,
-        surface: &mut SurfacePoint<S>,
-        bent: &mut Option<Bent<S>>,
-    ) -> Option<Box<Mapped<S>>> {
-        if !self.layout.has_normal_maps || kind != Kind::Triangle {
-            return None;
-        }
+        surface: SurfacePoint<S>,
+        bent: Option<Bent<S>>,
+    ) -> MappedSurface<S> {
         let materials = self.materials(primitives);
         let has_map =
             |material: usize| self.layout.materials[material].textures.get(Slot::Normal).is_some();
-        if materials.lanes_where(has_map) == 0 {
-            return None;
+        if kind != Kind::Triangle || materials.lanes_where(has_map) == 0 {
+            return (surface, bent, None);
         }
         let triangle = self.triangle(primitives);
         let corners = self.corner_uvs(kind, primitives);
         let uv = surface_uv::<S>(Primitive::Triangle(triangle), corners, surface.point);
-        let lookup = self.lookup(Slot::Normal, &materials, uv)?;
+        let Some(lookup) = self.lookup(Slot::Normal, &materials, uv) else {
+            return (surface, bent, None);
+        };
         let scale = |triangle: usize| S::from_f64(self.layout.normal_scale(triangle));
         let scale = primitives.gather::<S, S>(scale);
         let map = NormalMap { footprint: lookup.footprint, uv, scale };
-        let normal = surface.normal;
         let mapped = S::mask(lookup.lanes);
-        surface.normal = mapped_normal::<S>(triangle, corners, *surface, map, mapped);
-        bent.get_or_insert_with(|| Bent {
-            outward: normal,
+        let normal = mapped_normal::<S>(triangle, corners, surface, map, mapped);
+        let bent = bent.unwrap_or_else(|| Bent {
+            outward: surface.normal,
             curved: primal_vector::<S>(surface.point),
         });
-        Some(Box::new(Mapped { normal, lookup, map }))
+        let mapped = Mapped { normal: surface.normal, lookup, map };
+        (SurfacePoint { normal, ..surface }, Some(bent), Some(Box::new(mapped)))
     }
 }
 

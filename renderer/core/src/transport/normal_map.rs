@@ -37,8 +37,9 @@ pub struct NormalMap<S: Real> {
 /// map has no direction. One that looks away from a viewer who stands before the normal that is bent is
 /// turned back towards him, until he grazes the surface; one whom that normal looks away from already is
 /// turned away from no further.
-#[differentiable]
-#[inline]
+// Others do not pay for code that stands in their loop.
+#[differentiable(boxed)]
+#[inline(never)]
 pub fn mapped_normal<S: Real>(
     triangle: Triangle<S>,
     corners: [Uv<S>; 3],

@@ -32,8 +32,9 @@ pub fn sent_on<S: Real>(
 
 /// The same where directions are scattered about another normal than that of the surface, which a map has
 /// bent: `factor` is without the cosine.
-#[differentiable]
-#[inline]
+// Others do not pay for code that stands in their loop.
+#[differentiable(boxed)]
+#[inline(never)]
 pub fn sent_on_mapped<S: Real>(
     material: Material<S>,
     lobes: Lobes,

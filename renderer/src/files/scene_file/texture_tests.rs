@@ -28,7 +28,7 @@ fn textures_are_read_once_and_named() {
     assert_eq!(scene.textures[0].image().pixels, [[1.0, 0.5, 0.25]]);
     let red = scene.materials.iter().position(|material| material.name == "red").unwrap();
     let textures = scene.materials[red].textures;
-    assert_eq!(textures.0, [None, Some(0), Some(0), None, None]);
+    assert_eq!(textures.0, [None, Some(0), Some(0), None, None, None]);
     assert_eq!(scene.materials[red].values.mirror, DVec3::new(0.5, 0.4, 0.3));
     assert_eq!(scene.meshes[0].texture_triangles, [Some([0, 1, 1]), None]);
     // As both `map_Kd` and `map_Ks` say, twice as large.
