@@ -26,7 +26,7 @@ fn settings(edges: Edges, side: u32) -> Settings {
     settings.in_double_precision()
 }
 
-fn scene() -> Scene {
+pub fn scene() -> Scene {
     let (from, at) = (DVec3::new(0.3, 1.6, 4.0), DVec3::new(0.05, 0.35, 0.0));
     Scene::new(WIDTH, HEIGHT, Camera::looking(from, at))
 }
@@ -36,21 +36,21 @@ fn paint(scene: &mut Scene, name: &str, albedo: [f64; 3], mirror: f64) -> u32 {
     scene.add_material(name, material).unwrap()
 }
 
-fn add_floor(scene: &mut Scene, mirror: f64) {
+pub fn add_floor(scene: &mut Scene, mirror: f64) {
     let paint = paint(scene, "floor", [0.3, 0.7, 0.4], mirror);
     let corners = vec![[-6.0, 0.0, -6.0], [6.0, 0.0, -6.0], [6.0, 0.0, 6.0], [-6.0, 0.0, 6.0]];
     let floor = Mesh::new("floor", corners, vec![[0, 2, 1], [0, 3, 2]]).material(paint);
     scene.add_mesh(floor).unwrap();
 }
 
-fn add_triangle(scene: &mut Scene) {
+pub fn add_triangle(scene: &mut Scene) {
     let paint = paint(scene, "triangle", [0.8, 0.3, 0.2], 0.0);
     let corners = vec![[-0.61, 0.33, 0.1], [0.73, 0.21, 0.3], [0.14, 1.17, -0.2]];
     scene.add_mesh(Mesh::new("shape", corners, vec![[0, 1, 2]]).material(paint)).unwrap();
 }
 
 /// Three faces, two of which meet in a ridge.
-fn add_wedge(scene: &mut Scene) {
+pub fn add_wedge(scene: &mut Scene) {
     let paint = paint(scene, "wedge", [0.8, 0.3, 0.2], 0.0);
     let corners = vec![
         [-0.8, 0.1, 0.0],
@@ -70,7 +70,7 @@ fn add_ball(scene: &mut Scene) {
     scene.add_sphere(ball).unwrap();
 }
 
-fn add_lamp(scene: &mut Scene) {
+pub fn add_lamp(scene: &mut Scene) {
     let position = DVec3::new(1.1, 3.0, 2.0);
     let lamp = PointLight { position, color: DVec3::ONE, radiant_intensity: 12.0 };
     scene.add_light("lamp", lamp).unwrap();
@@ -110,7 +110,7 @@ fn relative_error(found: &[f64], expected: &[f64]) -> f64 {
 
 /// The gradient is that of a finely sampled image; the interior term alone is far from it.
 #[track_caller]
-fn check(scene: &Scene, path: &str, side: u32, most: f64) {
+pub fn check(scene: &Scene, path: &str, side: u32, most: f64) {
     check_pass(scene, Pass::Radiance, path, side, most);
 }
 

@@ -8,6 +8,8 @@ mod everything;
 mod facets;
 mod image;
 mod materials;
+mod normal_map_kernel;
+mod normal_maps;
 mod passes;
 mod paths;
 mod sampling;

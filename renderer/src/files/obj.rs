@@ -61,9 +61,9 @@ pub(super) use write_objects::save_objects;
 ///   radiance that a surface emits, is the emission. Colours are taken as linear.
 /// - `map_Kd`, `map_Ks` and `map_Ke` are the textures that multiply these colours, by paths relative
 ///   to the library; `map_d` is that of the opacity: the alpha of its image, or, where that has none, its
-///   brightness as it is stored. A colour that has a texture but no statement is white. Of their options `-s`
+///   brightness as it is stored; `norm` and `map_Kn` are normal maps. A colour that has a texture but no statement is white. Of their options `-s`
 ///   and `-o` scale and shift the texture coordinates (`uv s + o`, the same for all textures of a
-///   material: those of the first of `map_Kd`, `map_Ke`, `map_Ks`, `map_d`), and `-clamp on` is taken.
+///   material: those of the first of `map_Kd`, `map_Ke`, `map_Ks`, `map_d`, `norm`), and `-clamp on` is taken.
 /// - `illum 0` and `illum 1` have no highlight; `illum 3`, `5` and `8` make `Ks` the mirror
 ///   reflectance, too.
 /// - `Ka` and `map_Ka` are left out with a warning: they scale an ambient light, which files do not
@@ -74,7 +74,7 @@ pub(super) use write_objects::save_objects;
 /// - `Pr` and `Pm` (roughness and metallic part) with `Ni`, and the glass of `illum 4`, `6`, `7` and `9` with
 ///   `Ni` and `Tf`, say what the material is where light takes all paths ([`ModelMaterial::full`]).
 /// - Every other statement is left out, with a warning if it would change the image: opacity that
-///   has a colour (`Tf`), refraction (`Ni`) elsewhere, bumps, `refl` and what is not known at all.
+///   has a colour (`Tf`), refraction (`Ni`) elsewhere, bumps (`map_Bump`, whose heights are no normals), `refl` and what is not known at all.
 ///
 /// # Errors
 ///

@@ -540,7 +540,7 @@ impl<'a, L: Plain> Chain<'a, L> {
         let materials = self.integrator.materials(&group.primitives);
         let transparent = L::mask(self.integrator.transparent_lanes(&materials));
         let ray = select_lanes::<L, _>(group.alive, ray, &Additive::zero());
-        match group.smooth_points() {
+        match group.bent_points() {
             None => {
                 let (_, pullback) = next_ray::vjp::<L>(group.surface, transparent);
                 Tangent::<SmoothPoint<L>> { surface: pullback(ray).0, ..Additive::zero() }
@@ -560,18 +560,23 @@ impl<'a, L: Plain> Chain<'a, L> {
         group: &LaneGroup<L>,
         mut surface: Tangent<SurfacePoint<L>>,
         outward: Vec3<L>,
-        uv: Option<Tangent<Uv<L>>>,
+        mut uv: Option<Tangent<Uv<L>>>,
     ) -> Tangent<Ray<L>> {
         let LaneGroup { kind, primitives, inside, ray, .. } = group;
         let Some(primitive) = self.integrator.primitive(*kind, primitives) else {
             return self.pull_custom_surface(group, surface);
         };
+        let of_normal = group.mapped.as_ref().map(|mapped| {
+            let (triangle, of_uv) = self.pull_mapped_normal(group, mapped, &mut surface);
+            uv.get_or_insert_with(Additive::zero).accumulate(of_uv);
+            triangle
+        });
         let of_uv = uv.map(|uv| {
             let (primitive, point) = self.pull_uv(group, primitive, uv);
             surface.point.accumulate(point);
             primitive
         });
-        let (mut primitive, ray) = if group.smooth.is_some() {
+        let (mut primitive, ray) = if group.is_smooth {
             self.pull_smooth_surface(group, surface, outward)
         } else {
             let (_, pullback) = hit::vjp::<L>(primitive, L::mask(*inside), *ray);
@@ -580,6 +585,9 @@ impl<'a, L: Plain> Chain<'a, L> {
         };
         if let Some(of_uv) = of_uv {
             primitive.accumulate(of_uv);
+        }
+        if let Some(of_normal) = of_normal {
+            primitive.Triangle.0.accumulate(of_normal);
         }
         self.scatter_primitive(group.kind, primitives, &primitive);
         ray

@@ -16,6 +16,7 @@ mod chain;
 mod edges;
 mod gradient;
 mod limb;
+mod normal_map;
 mod occluder;
 mod range;
 mod reduce;

@@ -44,6 +44,8 @@ pub struct Request {
     pub normals: Selection,
     pub uvs: Selection,
     pub texels: Selection,
+    /// Whether texels of normal maps are asked for.
+    pub bends_normals: bool,
     /// What is computed although its weight is zero.
     pub zero_weight: ZeroWeight,
     moves_edges: bool,
@@ -76,6 +78,7 @@ impl Request {
             normals: Selection::default(),
             uvs: Selection::default(),
             texels: Selection::default(),
+            bends_normals: ids.iter().any(|id| scene.is_normal_map(id.object)),
             zero_weight: ZeroWeight::default(),
             moves_edges: ids.iter().any(|&id| scene.moves_edges(id)),
         };
@@ -239,6 +242,7 @@ impl Request {
         self.camera
             || selected.iter().any(|selection| !selection.is_empty())
             || self.transforms.iter().chain(&self.shapes).any(Option::is_some)
+            || self.bends_normals
     }
 
     /// Returns `true` if something of the environment may be requested: its numbers, or texels, of which it may

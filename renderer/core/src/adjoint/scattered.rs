@@ -1,8 +1,8 @@
 //! The chain rule along the paths that light takes where it takes all.
 //!
 //! From the camera outwards, the cotangent of what leaves a vertex goes to its material, to lights and
-//! emitters, and to the radiance beyond. Of surface points only texture coordinates have cotangents:
-//! nothing that moves the points has a gradient here.
+//! emitters, and to the radiance beyond. Of surface points only texture coordinates and normals that maps bend
+//! have cotangents: nothing that moves the points has a gradient here.
 
 use ad::{Additive, Tangent, Vec3};
 use glam::DVec3;
@@ -24,7 +24,7 @@ use crate::transport::direct::direct;
 use crate::transport::emitter::{found_emission, illuminate_by_emitter};
 use crate::transport::environment::{Environment, map_radiance};
 use crate::transport::material::{Bsdf, Material};
-use crate::transport::scatter::{gathered, sent_on};
+use crate::transport::scatter::{gathered, sent_on, sent_on_mapped};
 use crate::transport::surface::SurfacePoint;
 
 /// About how many bytes the paths take that a thread keeps; more, where materials of many kinds split groups.
@@ -134,12 +134,27 @@ impl<L: Plain> Chain<'_, L> {
             pullback(cotangent)
         };
         let (mirrored, straight) = (L::mask(mirrored), L::mask(straight));
+        let mut to_surface = Tangent::<SurfacePoint<L>>::zero();
         let (mut material, (opacity, own, _, beyond)) = if group.bsdf == Bsdf::Dielectric {
             let inside = L::mask(group.inside);
             let (part, pullback) =
                 sent_on_by_dielectric::vjp::<L>(of_material, surface, inside, mirrored, factor);
             let gathered = gathered(part);
             (pullback(gathered.2).0, gathered)
+        } else if group.mapped.is_some() {
+            let (part, pullback) = sent_on_mapped::vjp::<L>(
+                of_material,
+                vertex.lobes,
+                surface,
+                direction,
+                straight,
+                mirrored,
+                factor,
+            );
+            let gathered = gathered(part);
+            let (material, _, surface, ..) = pullback(gathered.2);
+            to_surface.accumulate(surface);
+            (material, gathered)
         } else {
             let (part, pullback) = sent_on::vjp::<L>(
                 of_material,
@@ -157,34 +172,38 @@ impl<L: Plain> Chain<'_, L> {
         if let Some(to_beyond) = to_beyond {
             to_beyond.accumulate(beyond);
         }
-        let mut surface = Tangent::<SurfacePoint<L>>::zero();
         let scattering = &vertex.wavefront().scattering;
         if vertex.looks_for_light() {
             for (light, inputs) in vertex.lights().iter().enumerate() {
-                let to = (&mut material, &mut surface);
+                let to = (&mut material, &mut to_surface);
                 self.pull_light(vertex.group.index, vertex, light, inputs, own, to);
             }
         }
         for sample in scattering.emitters_of(vertex.group.index) {
-            self.pull_emitter(vertex, sample, own, &mut material);
+            self.pull_emitter(vertex, sample, own, &mut material, &mut to_surface);
         }
         let weight = scattering.found[vertex.group.block()];
         let (_, pullback) = found_emission::vjp::<L>(vertex.material.emission, weight);
         let (emitted, _) = pullback(own);
-        let mut to_surface = None;
+        let mut shaded = None;
         self.pull_material(
             vertex,
             emitted,
             None,
             &mut material,
-            &mut surface,
-            Some(&mut to_surface),
+            &mut to_surface,
+            Some(&mut shaded),
         );
+        let Some(SurfaceCotangent { mut surface, mut uv }) = shaded else { return };
+        if !self.scatter.request.moves_surfaces() {
+            return;
+        }
+        if let Some(mapped) = &group.mapped {
+            let (_, of_normal) = self.pull_mapped_normal(group, mapped, &mut surface);
+            uv.get_or_insert_with(Additive::zero).accumulate(of_normal);
+        }
         let primitive = self.integrator.primitive(group.kind, &group.primitives);
-        if let (Some(SurfaceCotangent { uv: Some(uv), .. }), Some(primitive)) =
-            (to_surface, primitive)
-            && self.scatter.request.moves_surfaces()
-        {
+        if let (Some(uv), Some(primitive)) = (uv, primitive) {
             let (primitive, _) = self.pull_uv(group, primitive, uv);
             self.scatter_primitive(group.kind, &group.primitives, &primitive);
         }
@@ -197,6 +216,7 @@ impl<L: Plain> Chain<'_, L> {
         sample: &EmitterSample<L>,
         own: Vec3<L>,
         to_material: &mut Tangent<Material<L>>,
+        to_surface: &mut Tangent<SurfacePoint<L>>,
     ) {
         let (_, pullback) = direct::vjp::<L>(
             vertex.material,
@@ -206,8 +226,11 @@ impl<L: Plain> Chain<'_, L> {
             L::mask(sample.lanes),
             L::ONE,
         );
-        let (material, _, _, illumination, (), _) = pullback(own);
+        let (material, _, surface, illumination, (), _) = pullback(own);
         to_material.accumulate(material);
+        if vertex.group.mapped.is_some() {
+            to_surface.accumulate(surface);
+        }
         let EmitterSample { emission, weighted, illumination: of, .. } = *sample;
         let (_, pullback) =
             illuminate_by_emitter::vjp::<L>(emission, of.direction, of.distance, weighted);

@@ -162,7 +162,8 @@ fn kernel_of_lane<L: Plain>(
         return Some(ray_kernel);
     }
     let surface = match group.kind {
-        Kind::Triangle if group.smooth.is_some() => "smooth_point",
+        Kind::Triangle if group.mapped.is_some() => "mapped_normal",
+        Kind::Triangle if group.is_smooth => "smooth_point",
         Kind::Triangle => "triangle_point",
         Kind::Sphere => "sphere_point",
         Kind::Custom => "intersect",

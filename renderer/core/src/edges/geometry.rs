@@ -8,17 +8,19 @@ use crate::number::{Plain, widen};
 use crate::primal::integrator::Integrator;
 use crate::primal::known::KnownHit;
 use crate::primal::shadow::SURFACE_ERROR;
-use crate::scene::{MOST_EDGED_LIGHTS, Transform};
+use crate::scene::{MOST_EDGED_LIGHTS, Slot, Transform};
 use crate::trace::adjacency::Adjacency;
 use crate::trace::bvh::NO_PRIMITIVE;
-use crate::trace::layout::Kind;
+use crate::trace::layout::{Kind, TextureLayout};
 use crate::transport::camera::{CameraFrame, Ray, film_point, primary_ray};
 use crate::transport::edge::{segment_margin, sphere_margin};
 use crate::transport::hit::{Primitive, hit};
+use crate::transport::normal_map::{NormalMap, mapped_normal};
 use crate::transport::smooth::{SmoothPoint, curved_point, next_ray_outward, smooth_point};
 use crate::transport::sphere::Sphere;
 use crate::transport::surface::SurfacePoint;
-use crate::transport::triangle::{Triangle, triangle_point};
+use crate::transport::texture::{Footprint, texel_position};
+use crate::transport::triangle::{Triangle, triangle_point, triangle_uv};
 use crate::transport::vertex::next_ray;
 
 /// The square of the largest angle between the planes of triangles that count as one.
@@ -162,9 +164,9 @@ impl<'a, L: Plain> Geometry<'a, L> {
         let primitive = known.primitive as usize;
         let is_transparent = self.integrator.layout.traits_of(primitive).is_transparent;
         let Met { surface, outward, .. } = *met;
-        match self.integrator.layout.normals.of(primitive) {
-            Some(_) => next_ray_outward::<f64>(SmoothPoint { surface, outward }, is_transparent),
-            None => next_ray::<f64>(surface, is_transparent),
+        match self.is_triangle(known.primitive) && self.is_bent(primitive) {
+            true => next_ray_outward::<f64>(SmoothPoint { surface, outward }, is_transparent),
+            false => next_ray::<f64>(surface, is_transparent),
         }
     }
 
@@ -179,12 +181,17 @@ impl<'a, L: Plain> Geometry<'a, L> {
         match layout.kind_of(known.primitive as usize) {
             (Kind::Triangle, index) => {
                 let triangle = self.triangle(index);
-                let Some(normals) = self.normals(index) else {
-                    return flat(triangle_point::<f64>(triangle, ray));
+                let mut met = match self.normals(index) {
+                    None => flat(triangle_point::<f64>(triangle, ray)),
+                    Some(normals) => {
+                        let SmoothPoint { surface, outward } =
+                            smooth_point::<f64>(triangle, normals, ray);
+                        let start = curved_point::<f64>(triangle, normals, surface.point, outward);
+                        Met { surface, outward, start }
+                    }
                 };
-                let SmoothPoint { surface, outward } = smooth_point::<f64>(triangle, normals, ray);
-                let start = curved_point::<f64>(triangle, normals, surface.point, outward);
-                Met { surface, outward, start }
+                self.bend(index, triangle, &mut met.surface);
+                met
             }
             (Kind::Sphere, index) => {
                 flat(hit::<f64>(Primitive::Sphere(self.sphere(index)), known.leaves, ray))
@@ -366,6 +373,32 @@ impl<'a, L: Plain> Geometry<'a, L> {
     fn triangle(&self, index: usize) -> Triangle<f64> {
         let [a, b, c] = self.integrator.layout.triangles[index].map(|v| self.vertex(v));
         Triangle { a, b, c }
+    }
+
+    /// Whether a triangle has other shading normals than its own.
+    fn is_bent(&self, triangle: usize) -> bool {
+        let layout = self.integrator.layout;
+        layout.normals.of(triangle).is_some()
+            || layout.traits_of(triangle).textures.get(Slot::Normal).is_some()
+    }
+
+    /// Bends the normal of a point of a triangle by its normal map, if it has one.
+    fn bend(&self, index: usize, triangle: Triangle<f64>, surface: &mut SurfacePoint<f64>) {
+        let Integrator { layout, inputs, .. } = self.integrator;
+        let Some(texture) = layout.traits_of(index).textures.get(Slot::Normal) else { return };
+        let Some(corners) = layout.uvs.of(index) else { return };
+        let corners = corners.map(|corner| inputs.uvs[corner as usize].map(|x| x.to_f64()));
+        let uv = triangle_uv::<f64>(triangle, corners, surface.point);
+        let texture = texture as usize;
+        let TextureLayout { first_texel, width, height, .. } = layout.textures[texture];
+        let [width, height] = [width, height].map(f64::from);
+        let (x, y) = texel_position::<f64>(uv, width, height);
+        let texels = layout.textures[texture]
+            .around(x, y)
+            .map(|texel| widen::<L::Lane>(inputs.texels[texture].at(texel as usize - first_texel)));
+        let scale = layout.normal_scale(index);
+        let map = NormalMap { footprint: Footprint { texels, width, height }, uv, scale };
+        surface.normal = mapped_normal::<f64>(triangle, corners, *surface, map, true);
     }
 
     /// The normals of the corners of a triangle, if it is smooth.

@@ -97,11 +97,15 @@ impl<S: Number> Integrator<'_, S> {
                 if kind == Kind::Triangle && bsdf == Bsdf::Dielectric {
                     inside = self.behind(&primitives, ray) & alive;
                 }
-                let (surface, smooth) = if is_smooth {
-                    let (surface, smooth) = self.smooth_surface(&primitives, ray);
-                    (surface, Some(smooth))
+                let (surface, bent) = if is_smooth {
+                    let (surface, bent) = self.smooth_surface(&primitives, ray);
+                    (surface, Some(bent))
                 } else {
                     (self.surface(kind, &primitives, inside, ray), None)
+                };
+                let (surface, bent, mapped) = match self.layout.has_normal_maps {
+                    false => (surface, bent, None),
+                    true => self.map_normals(kind, &primitives, surface, bent),
                 };
                 let index = wavefront.groups.len();
                 wavefront.groups.push(LaneGroup {
@@ -114,7 +118,9 @@ impl<S: Number> Integrator<'_, S> {
                     inside,
                     ray,
                     surface,
-                    smooth,
+                    is_smooth,
+                    bent,
+                    mapped,
                 });
             }
         }

@@ -8,7 +8,7 @@ use glam::DVec3;
 use super::integrator::Integrator;
 use super::known::KnownHits;
 use super::lanes::vectors_of_lanes;
-use super::wavefront::{LaneGroup, Smooth, Wavefront, set_vectors};
+use super::wavefront::{Bent, LaneGroup, Wavefront, set_vectors};
 use crate::counts::count;
 use crate::number::{MAX_LANES, Number, primal_vector};
 use crate::trace::bvh::{NO_PRIMITIVE, PacketVectors, rays};
@@ -98,10 +98,11 @@ impl<S: Number> Integrator<'_, S> {
     }
 
     /// Whether a wavefront shows the only primitive there is, from outside: nothing casts a shadow on it,
-    /// but for smooth triangles, which light may reach from behind.
+    /// but for triangles with other shading normals than their own, which light may reach from behind.
     fn is_alone(&self, wavefront: &Wavefront<S>) -> bool {
         let primitives = self.layout.material_of.len();
-        let is_convex = self.layout.customs() == 0 && self.layout.normals.is_empty();
+        let is_bent = !self.layout.normals.is_empty() || self.layout.has_normal_maps;
+        let is_convex = self.layout.customs() == 0 && !is_bent;
         primitives == 1 && is_convex && wavefront.hits.leaves == 0
     }
 
@@ -134,8 +135,8 @@ impl<S: Number> Integrator<'_, S> {
     ) -> impl Fn(usize, usize) -> ShadowRay {
         let (point, _) = group.geometry();
         let [points, origins] = [point, group.outside(point, 0)].map(vectors_of_lanes::<S::Lanes>);
-        let outward = |smooth: &Smooth<S>| primal_vector::<S>(smooth.outward);
-        let outward = group.smooth.as_ref().map(outward).map(vectors_of_lanes::<S::Lanes>);
+        let outward = |bent: &Bent<S>| primal_vector::<S>(bent.outward);
+        let outward = group.bent.as_ref().map(outward).map(vectors_of_lanes::<S::Lanes>);
         move |lane, ray| {
             let towards = self.tracer.illuminate(light, points[lane]);
             let is_before =
@@ -178,20 +179,21 @@ impl<S: Number> LaneGroup<S> {
     /// shaded with.
     #[inline]
     pub(super) fn geometry(&self) -> (Vec3<S::Lanes>, Vec3<S::Lanes>) {
-        match &self.smooth {
+        match &self.bent {
             None => self.values(),
-            Some(Smooth { curved, outward }) => (*curved, primal_vector::<S>(*outward)),
+            Some(Bent { curved, outward }) => (*curved, primal_vector::<S>(*outward)),
         }
     }
 
     /// A bit for each lane whose shadow ray may meet the primitive that it starts on: spheres and shapes
-    /// have points before others of their own, and smooth triangles face lights that are behind them.
+    /// have points before others of their own, and triangles that are smooth or have a normal map face lights
+    /// that are behind them.
     #[inline]
     fn may_meet_themselves(&self, to_light: Vec3<S::Lanes>) -> u32 {
-        match (self.kind, &self.smooth) {
+        match (self.kind, &self.bent) {
             (Kind::Triangle, None) => 0,
-            (Kind::Triangle, Some(smooth)) => {
-                self.alive & !self.facing(primal_vector::<S>(smooth.outward), to_light)
+            (Kind::Triangle, Some(bent)) => {
+                self.alive & !self.facing(primal_vector::<S>(bent.outward), to_light)
             }
             (Kind::Sphere | Kind::Custom, _) => self.alive,
         }

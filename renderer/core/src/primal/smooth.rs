@@ -5,7 +5,7 @@ use ad::{Fields, Vec3};
 
 use super::coalesce::Coalesced;
 use super::integrator::Integrator;
-use super::wavefront::{LaneGroup, Smooth};
+use super::wavefront::{Bent, LaneGroup};
 use crate::number::{Number, primal_vector, splat_vector};
 use crate::trace::bvh::rays;
 use crate::transport::camera::Ray;
@@ -30,7 +30,7 @@ impl<S: Number> Integrator<'_, S> {
         &self,
         primitives: &Coalesced,
         ray: Ray<S>,
-    ) -> (SurfacePoint<S>, Smooth<S>) {
+    ) -> (SurfacePoint<S>, Bent<S>) {
         let (triangle, normals) = (self.triangle(primitives), self.corner_normals(primitives));
         let SmoothPoint { surface, outward } = smooth_point::<S>(triangle, normals, ray);
         let curved = curved_point::<S::Lanes>(
@@ -39,7 +39,7 @@ impl<S: Number> Integrator<'_, S> {
             primal_vector::<S>(surface.point),
             primal_vector::<S>(outward),
         );
-        (surface, Smooth { outward, curved })
+        (surface, Bent { outward, curved })
     }
 
     /// The normals of the corners of smooth triangles.
@@ -53,18 +53,18 @@ impl<S: Number> Integrator<'_, S> {
 }
 
 impl<S: Number> LaneGroup<S> {
-    /// The points, if they are on smooth triangles.
+    /// The points, if they have other shading normals than those of flat triangles.
     #[inline]
-    pub fn smooth_points(&self) -> Option<SmoothPoint<S>> {
-        let smooth = self.smooth.as_ref()?;
-        Some(SmoothPoint { surface: self.surface, outward: smooth.outward })
+    pub fn bent_points(&self) -> Option<SmoothPoint<S>> {
+        let bent = self.bent.as_ref()?;
+        Some(SmoothPoint { surface: self.surface, outward: bent.outward })
     }
 
     /// The rays that go on from the surface points: straight on in the lanes that are `transparent`,
     /// mirrored in the others.
     pub fn next_rays(&self, transparent: u32) -> Ray<S> {
         let transparent = S::mask(transparent);
-        match self.smooth_points() {
+        match self.bent_points() {
             None => next_ray::<S>(self.surface, transparent),
             Some(point) => next_ray_outward::<S>(point, transparent),
         }

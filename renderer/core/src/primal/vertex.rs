@@ -27,7 +27,7 @@ pub struct Textured<S: Number> {
     pub plain: Material<S>,
     pub uv: Uv<S>,
     /// The texture lookups of the material, by [`Slot`].
-    pub lookups: [Option<Lookup<S>>; Slot::ALL.len()],
+    pub lookups: [Option<Lookup<S>>; Slot::NUMBERS.len()],
 }
 
 /// The inputs of the path vertices of a lane group.
@@ -82,14 +82,14 @@ impl<'a, S: Number> Integrator<'a, S> {
         materials: &Coalesced,
         material: &mut Material<S>,
     ) -> Option<Box<Textured<S>>> {
-        let is_textured = |material: usize| self.layout.materials[material].textures.any();
+        let is_textured = |material: usize| self.layout.materials[material].textures.vary_numbers();
         if self.layout.textures.is_empty() || materials.lanes_where(is_textured) == 0 {
             return None;
         }
         let primitive = self.primitive(group.kind, &group.primitives)?;
         let corners = self.corner_uvs(group.kind, &group.primitives);
         let uv = surface_uv::<S>(primitive, corners, group.surface.point);
-        let lookups = Slot::ALL.map(|slot| self.lookup(slot, materials, uv));
+        let lookups = Slot::NUMBERS.map(|slot| self.lookup(slot, materials, uv));
         let textured = Box::new(Textured { plain: *material, uv, lookups });
         textured.modulate(material);
         Some(textured)
@@ -123,7 +123,9 @@ fn color_of<S: Number>(material: &mut Material<S>, slot: Slot) -> &mut Vec3<S> {
         Slot::Emission => &mut material.emission,
         Slot::Diffuse => &mut material.diffuse,
         Slot::Specular => &mut material.specular,
-        Slot::Opacity | Slot::MetallicRoughness => unreachable!("{slot:?} is no colour"),
+        Slot::Opacity | Slot::MetallicRoughness | Slot::Normal => {
+            unreachable!("{slot:?} is no colour")
+        }
     }
 }
 

@@ -7,6 +7,7 @@ use ad::{Additive, Fields, Vec3, select};
 use super::coalesce::{Coalesced, select_lanes};
 use super::known::KnownPaths;
 use super::lanes::{all_lanes, singles_of_lanes};
+use super::normal_map::Mapped;
 use super::scattered::Scattering;
 use crate::number::Number;
 use crate::trace::bvh::{PACKET_RAYS, PacketHits, PacketVectors, rays};
@@ -132,11 +133,15 @@ pub struct LaneGroup<S: Number> {
     pub ray: Ray<S>,
     pub surface: SurfacePoint<S>,
     /// Whether the primitives are smooth triangles: all of a group are, or none is.
-    pub smooth: Option<Smooth<S>>,
+    pub is_smooth: bool,
+    /// Where the shading normals are not those of the flat triangles: what these are.
+    pub bent: Option<Bent<S>>,
+    /// The normal maps, if any of the lanes has one. They have bent the normals of the surface points.
+    pub mapped: Option<Box<Mapped<S>>>,
 }
 
-/// What a group of smooth triangles has beside its surface points.
-pub struct Smooth<S: Number> {
+/// What a group of triangles with other shading normals than their own has beside its surface points.
+pub struct Bent<S: Number> {
     /// The unit normals of the flat triangles, on the side of the viewer.
     pub outward: Vec3<S>,
     /// The places from which shadow rays start.

@@ -5,8 +5,8 @@ use std::borrow::Cow;
 use ad::Field;
 use glam::DVec3;
 
-use super::Scene;
 use super::numbers::Numbers;
+use super::{Object, Scene};
 use crate::transport::material::{Bsdf, Lobes, Material};
 
 /// A material: its numbers, and what they vary by.
@@ -23,6 +23,9 @@ pub struct MaterialObject {
     pub transparent: bool,
     /// The textures that the numbers vary by.
     pub textures: MaterialTextures,
+    /// How much the [normal map](Slot::Normal) bends, if there is one: the factor of its first two numbers. It is
+    /// no parameter.
+    pub normal_scale: f64,
 }
 
 impl MaterialObject {
@@ -67,11 +70,12 @@ impl MaterialObject {
 impl From<Material<f64>> for MaterialObject {
     fn from(values: Material<f64>) -> Self {
         let (name, textures) = (String::new(), MaterialTextures::default());
-        Self { name, bsdf: Bsdf::BlinnPhong, values, transparent: false, textures }
+        let (bsdf, transparent, normal_scale) = (Bsdf::BlinnPhong, false, 1.0);
+        Self { name, bsdf, values, transparent, textures, normal_scale }
     }
 }
 
-/// A number of a material that a texture can vary.
+/// What a texture of a material can vary: a number, or the shading normal.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Slot {
     /// The emission, which is multiplied by the texture.
@@ -84,11 +88,23 @@ pub enum Slot {
     Opacity,
     /// The roughness and the metallic part, which are multiplied by the texture's green and blue channels.
     MetallicRoughness,
+    /// The shading normal: a [normal map](crate::transport::normal_map) in the space of tangents.
+    Normal,
 }
 
 impl Slot {
     /// All slots, in the order of their numbers.
-    pub const ALL: [Self; 5] =
+    pub const ALL: [Self; 6] = [
+        Self::Emission,
+        Self::Diffuse,
+        Self::Specular,
+        Self::Opacity,
+        Self::MetallicRoughness,
+        Self::Normal,
+    ];
+
+    /// Those of numbers of a material: all but the last.
+    pub(crate) const NUMBERS: [Self; 5] =
         [Self::Emission, Self::Diffuse, Self::Specular, Self::Opacity, Self::MetallicRoughness];
 
     /// The name of what varies.
@@ -99,13 +115,14 @@ impl Slot {
             Self::Specular => "specular",
             Self::Opacity => "opacity",
             Self::MetallicRoughness => "metallic_roughness",
+            Self::Normal => "normal",
         }
     }
 }
 
 /// The indices of a material's textures, by [`Slot`].
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct MaterialTextures(pub [Option<u32>; 5]);
+pub struct MaterialTextures(pub [Option<u32>; 6]);
 
 impl MaterialTextures {
     /// The texture of a slot.
@@ -117,17 +134,31 @@ impl MaterialTextures {
     pub fn any(&self) -> bool {
         self.0.iter().any(Option::is_some)
     }
+
+    /// Whether there is one that varies numbers of the material.
+    pub(crate) fn vary_numbers(&self) -> bool {
+        Slot::NUMBERS.iter().any(|&slot| self.get(slot).is_some())
+    }
 }
 
 impl Scene {
-    /// Whether a texture varies numbers of a material that are at most 1.
+    /// Whether a texture varies numbers of a material that are at most 1, or its normal.
     pub(crate) fn varies_parts(&self, texture: usize) -> bool {
         let varies =
             |material: &MaterialObject, slot| material.textures.get(slot) == Some(texture as u32);
         let mut materials = self.materials.iter();
         materials.any(|material| {
-            varies(material, Slot::Opacity) || varies(material, Slot::MetallicRoughness)
+            [Slot::Opacity, Slot::MetallicRoughness, Slot::Normal]
+                .into_iter()
+                .any(|slot| varies(material, slot))
         })
+    }
+
+    /// Whether an object is a texture that is the normal map of a material.
+    pub(crate) fn is_normal_map(&self, object: Object) -> bool {
+        let Object::Texture(texture) = object else { return false };
+        let texture = Some(texture as u32);
+        self.materials.iter().any(|material| material.textures.get(Slot::Normal) == texture)
     }
 }
 
@@ -135,7 +166,11 @@ impl Numbers for MaterialObject {
     fn fields(&self) -> Vec<Field> {
         let is_present = |field: &Field| match field.name {
             "opacity" => self.transparent,
-            "mirror" => self.bsdf == Bsdf::BlinnPhong && !self.transparent,
+            "mirror" => {
+                self.bsdf == Bsdf::BlinnPhong
+                    && !self.transparent
+                    && self.textures.get(Slot::Normal).is_none()
+            }
             name => self.bsdf.has(name),
         };
         Numbers::fields(&self.values).into_iter().filter(is_present).collect()

@@ -20,6 +20,8 @@ const LARGEST_NUMBER: f64 = 1e38;
 pub const LARGEST_EXPONENT: f64 = 1e6;
 /// Above this a surface reflects nearly all.
 const LARGEST_IOR: f64 = 1e3;
+/// Normal maps of larger scales would say nothing but the direction along the surface.
+pub(super) const LARGEST_NORMAL_SCALE: f64 = 1e6;
 /// Texture coordinates beyond this do not tell texels apart in an `f32`.
 pub(super) const LARGEST_COORDINATE: f64 = 1e6;
 

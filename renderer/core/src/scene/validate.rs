@@ -5,10 +5,10 @@ use std::collections::HashSet;
 
 use glam::DVec3;
 
-use super::table::{self, LARGEST_COORDINATE, SMALLEST_LENGTH};
+use super::table::{self, LARGEST_COORDINATE, LARGEST_NORMAL_SCALE, SMALLEST_LENGTH};
 use super::{
     Bsdf, Light, LightSource, MOST_LIGHT_SAMPLES, MaterialObject, Mesh, Normals, Object,
-    ParameterId, PathTracing, Scene, ShapeObject, Slot, Texture,
+    ParameterId, PathTracing, Scene, ShapeObject, Slot, SphereObject, Texture,
 };
 use crate::{Error, memory};
 
@@ -193,7 +193,9 @@ impl Scene {
             _ if !value.is_finite() => Some(format!("{value} is not a finite number")),
             _ if (range.0..=range.1).contains(&value) => None,
             _ if matches!(id.object, Object::Texture(_)) && value > range.1 && range.1 == 1.0 => {
-                Some(format!("must be at most 1 where they vary opacity or roughness, is {value}"))
+                Some(format!(
+                    "must be at most 1 where they vary opacity or roughness or bend normals, is {value}"
+                ))
             }
             _ => Some(out_of(range, value)),
         };
@@ -296,7 +298,7 @@ impl Scene {
             Object::Environment => self.check_environment(),
             Object::Material(i) => self.check_material(i),
             Object::Texture(i) => check_texture(&self.textures[i]),
-            Object::Sphere(i) => self.check_material_of(object, self.spheres[i].material),
+            Object::Sphere(i) => self.check_sphere(&self.spheres[i], object),
             Object::Mesh(i) => self.check_mesh(&self.meshes[i], object),
             Object::Shape(i) => self.check_shape(&self.shapes[i], object),
         }
@@ -341,6 +343,18 @@ impl Scene {
             let path = format!("{path}.{}_texture", slot.field());
             return invalid(path, "varies nothing that a material of this type has");
         }
+        if material.textures.get(Slot::Normal).is_some() && material.values.mirror != DVec3::ZERO {
+            let problem = "a mirror has none; leave out either normal_texture or mirror";
+            return invalid(format!("{path}.normal_texture"), problem);
+        }
+        let scale = material.normal_scale;
+        if !scale.is_finite() || scale.abs() > LARGEST_NORMAL_SCALE {
+            let problem = match scale.is_finite() {
+                true => out_of((-LARGEST_NORMAL_SCALE, LARGEST_NORMAL_SCALE), scale),
+                false => format!("{scale} is not a finite number"),
+            };
+            return invalid(format!("{path}.normal_scale"), problem);
+        }
         let path = format!("{path}.opacity");
         if material.transparent && material.bsdf == Bsdf::Dielectric {
             return invalid(
@@ -383,6 +397,16 @@ impl Scene {
         }
         let path = format!("{}.{}.material", object.kind(), self.name_of(object));
         invalid(path, format!("names material {material} of {}", self.materials.len()))
+    }
+
+    fn check_sphere(&self, sphere: &SphereObject, object: Object) -> Result<(), Invalid> {
+        self.check_material_of(object, sphere.material)?;
+        let material = &self.materials[sphere.material as usize];
+        if material.textures.get(Slot::Normal).is_some() {
+            let problem = "has a normal_texture, which bends the normals of meshes alone";
+            return invalid(format!("sphere.{}.material", sphere.name), problem);
+        }
+        Ok(())
     }
 
     fn check_shape(&self, shape: &ShapeObject, object: Object) -> Result<(), Invalid> {

@@ -43,6 +43,8 @@ pub struct Layout {
     pub has_other_bsdfs: bool,
     /// Whether a texture varies an opacity.
     pub has_opacity_textures: bool,
+    /// Whether any material has a normal map.
+    pub has_normal_maps: bool,
     pub textures: Vec<TextureLayout>,
     /// The texture of the environment, if it has one, and which it is.
     pub map: Option<(usize, TextureLayout)>,
@@ -54,6 +56,8 @@ pub struct Layout {
     pub background: Option<DVec3>,
     /// The first vertex of each mesh, then the number of all.
     pub first_vertices: Vec<u32>,
+    /// Whether the transform of each mesh turns it into its mirror image, if any material has a normal map.
+    pub mirrored: Vec<bool>,
     /// The texture coordinates of the triangles; none if the scene has no textures.
     pub uvs: Corners,
     /// The normals of the smooth triangles.
@@ -84,6 +88,7 @@ pub struct MaterialTraits {
     /// The probability with which a path goes on by the mirror, or straight through, and is not scattered.
     pub unscattered: f32,
     pub textures: MaterialTextures,
+    pub normal_scale: f64,
 }
 
 impl MaterialTraits {
@@ -103,6 +108,7 @@ impl MaterialTraits {
                 && object.textures.get(Slot::MetallicRoughness).is_none(),
             unscattered: unscattered(object),
             textures: object.textures,
+            normal_scale: object.normal_scale,
         }
     }
 }
@@ -194,12 +200,14 @@ impl Layout {
             has_transparency: false,
             has_other_bsdfs: false,
             has_opacity_textures: false,
+            has_normal_maps: false,
             textures: textures(scene),
             map: None,
             sky: None,
             sky_parts: sky_parts_of(scene),
             background: None,
             first_vertices: vec![0],
+            mirrored: Vec::new(),
             uvs: Corners::new(&scene.meshes, |mesh| match scene.textures.is_empty() {
                 true => (0, Cow::Borrowed(&[])),
                 false => {
@@ -257,8 +265,15 @@ impl Layout {
         self.has_mirrors = self.materials.iter().any(|traits| traits.is_mirror);
         self.has_transparency = self.materials.iter().any(|traits| traits.is_transparent);
         self.has_other_bsdfs = self.materials.iter().any(|traits| traits.bsdf != Bsdf::BlinnPhong);
-        let mut textures = self.materials.iter().map(|traits| traits.textures);
-        self.has_opacity_textures = textures.any(|textures| textures.get(Slot::Opacity).is_some());
+        let has =
+            |slot: Slot| self.materials.iter().any(|traits| traits.textures.get(slot).is_some());
+        self.has_opacity_textures = has(Slot::Opacity);
+        self.has_normal_maps = has(Slot::Normal);
+        self.mirrored.clear();
+        if self.has_normal_maps {
+            let scales = scene.meshes.iter().map(|mesh| mesh.transform.scale);
+            self.mirrored.extend(scales.map(|scale| scale.element_product() < 0.0));
+        }
     }
 
     /// The texture of the environment: columns go around, and rows end at the poles.
@@ -306,6 +321,12 @@ impl Layout {
     #[inline]
     pub fn traits_of(&self, primitive: usize) -> &MaterialTraits {
         &self.materials[self.material_of[primitive] as usize]
+    }
+
+    /// The scale of the normal map of a triangle, of the other sign where the triangle is mirrored.
+    pub fn normal_scale(&self, triangle: usize) -> f64 {
+        let scale = self.traits_of(triangle).normal_scale;
+        if self.mirrored[self.mesh_of(triangle)] { -scale } else { scale }
     }
 
     /// The mesh of a triangle.

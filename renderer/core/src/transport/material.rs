@@ -30,7 +30,7 @@ impl Bsdf {
     pub fn has(self, field: &str) -> bool {
         match field {
             "emission" | "diffuse" => true,
-            "opacity" | "roughness" => self != Self::Dielectric,
+            "opacity" | "roughness" | "normal" => self != Self::Dielectric,
             "specular" | "exponent" | "mirror" => self == Self::BlinnPhong,
             "metallic" | "metallic_roughness" => self == Self::MetallicRoughness,
             "ior" => self != Self::BlinnPhong,

@@ -2,7 +2,8 @@
 //!
 //! In tracing order: a [`camera`] sends a ray through a pixel; [`hit`] gives the surface point on the
 //! [`triangle`], flat or [`smooth`], [`sphere`] or custom [`shape`] that it meets; a [`texture`]
-//! varies the [`material`] there, whose [`brdf`] is that of [`blinn_phong`] or of [`microfacet`]; [`direct`]
+//! varies the [`material`] there, or bends the normal as a [`normal_map`]; the [`brdf`] is that of
+//! [`blinn_phong`] or of [`microfacet`]; [`direct`]
 //! gives what a [`light`], or a part of an [`area_light`], makes the surface reflect; [`vertex`] puts together what leaves a path vertex and
 //! the ray to the next one. Where light takes all paths, [`emitter`] gives what surfaces that shine bring to
 //! others, [`scatter`] and [`dielectric`] where it goes on from a surface, and [`environment`] what surrounds
@@ -33,6 +34,7 @@ pub mod hit;
 pub mod light;
 pub mod material;
 pub mod microfacet;
+pub mod normal_map;
 pub mod scatter;
 pub mod shape;
 pub mod smooth;

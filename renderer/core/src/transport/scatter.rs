@@ -1,10 +1,11 @@
 //! Where light goes on from a surface: a vertex of a scattered path.
 
-use ad::vector::Vector3;
+use ad::vector::{Vector, Vector3};
 use ad::{Real, Vec3, differentiable, select};
 
 use super::brdf::brdf;
 use super::material::{Lobes, Material};
+use super::positive_part;
 use super::surface::SurfacePoint;
 
 /// The part of the radiance from one direction that a vertex sends on towards the viewer.
@@ -27,6 +28,25 @@ pub fn sent_on<S: Real>(
     let behind = S::ONE - material.opacity;
     let through = <Vec3<S>>::new(behind, behind, behind);
     select(straight, through, select(mirrored, material.mirror, reflected)) * factor
+}
+
+/// The same where directions are scattered about another normal than that of the surface, which a map has
+/// bent: `factor` is without the cosine.
+// Others do not pay for code that stands in their loop.
+#[differentiable(boxed)]
+#[inline(never)]
+pub fn sent_on_mapped<S: Real>(
+    material: Material<S>,
+    lobes: Lobes,
+    surface: SurfacePoint<S>,
+    direction: Vec3<S>,
+    straight: S::Mask,
+    mirrored: S::Mask,
+    factor: S,
+) -> Vec3<S> {
+    let cosine = positive_part::<S>(surface.normal.dot(direction));
+    let weighted = select(straight | mirrored, factor, factor * cosine);
+    sent_on::<S>(material, lobes, surface, direction, straight, mirrored, weighted)
 }
 
 /// The radiance that leaves a vertex towards the viewer, from its `own`, emitted and reflected directly, and

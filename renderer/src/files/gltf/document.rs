@@ -155,7 +155,7 @@ pub(super) struct Material {
     #[serde(default)]
     pub emissive_factor: [f64; 3],
     pub emissive_texture: Option<TextureInfo>,
-    pub normal_texture: Option<IgnoredAny>,
+    pub normal_texture: Option<NormalTextureInfo>,
     pub occlusion_texture: Option<IgnoredAny>,
     pub alpha_mode: Option<String>,
     pub alpha_cutoff: Option<f64>,
@@ -244,6 +244,15 @@ pub(super) struct TextureInfo {
     pub tex_coord: usize,
     #[serde(default)]
     pub extensions: TextureInfoExtensions,
+}
+
+/// A texture of normals, and how much it bends.
+#[derive(Deserialize)]
+pub(super) struct NormalTextureInfo {
+    #[serde(flatten)]
+    pub info: TextureInfo,
+    #[serde(default = "one")]
+    pub scale: f64,
 }
 
 #[derive(Default, Deserialize)]

@@ -1,6 +1,7 @@
 //! Materials and their textures.
 
 use std::collections::HashMap;
+use std::iter;
 use std::path::Path;
 
 use glam::{DAffine2, DMat2, DVec2, DVec3};
@@ -112,26 +113,35 @@ fn convert(
     }
     let emissive = if is_unlit { &None } else { &definition.emissive_texture };
     let finish = if is_unlit { &None } else { &pbr.metallic_roughness_texture };
-    let infos = [&pbr.base_color_texture, emissive, finish];
+    let bends = definition.normal_texture.as_ref().filter(|_| !is_unlit);
+    let scale = bends.map_or(1.0, |normal| normal.scale);
+    for material in iter::once(&mut material).chain(full.as_mut().map(|full| &mut full.material)) {
+        material.normal_scale = scale;
+    }
+    let normal = bends.map(|normal| &normal.info);
+    let infos = [pbr.base_color_texture.as_ref(), emissive.as_ref(), finish.as_ref(), normal];
     let mut placements = infos.into_iter().flatten().map(placement);
     let (texture_set, first) = placements.next().unwrap_or_default();
     if placements.any(|other| other != (texture_set, first)) {
         let problem = "its textures have different texture coordinates; all get those of the first";
         warnings.add("placements", place, problem);
     }
-    let mut source = |info: &Option<TextureInfo>| {
-        info.as_ref().map(|info| textures.source(info.index, warnings)).transpose()
+    let mut source = |info: Option<&TextureInfo>| {
+        info.map(|info| textures.source(info.index, warnings)).transpose()
     };
-    let base = source(&pbr.base_color_texture)?;
+    let base = source(pbr.base_color_texture.as_ref())?;
     let covers = |source: &TextureSource| {
         let channel = alpha_channel(definition, alpha)?;
         Some(TextureSource { channel, ..source.clone() })
     };
-    let emission = source(emissive)?;
-    let finish = source(finish)?.map(|source| TextureSource { channel: Channel::Data, ..source });
+    let emission = source(emissive.as_ref())?;
+    let of_numbers = |source| TextureSource { channel: Channel::Data, ..source };
+    let finish = source(finish.as_ref())?.map(of_numbers);
+    let normal = source(normal)?.map(of_numbers);
     let opacity = base.as_ref().and_then(covers);
     let (emission, diffuse) = if is_unlit { (base, None) } else { (emission, base) };
-    let maps = ModelMaps { sources: [emission, diffuse, None, opacity, finish], placement: first };
+    let sources = [emission, diffuse, None, opacity, finish, normal];
+    let maps = ModelMaps { sources, placement: first };
     Ok((ModelMaterial { name, material: Ok(material), full, maps }, texture_set))
 }
 
@@ -190,7 +200,6 @@ fn left_out_of_facets(definition: &document::Material, place: &str) -> Option<Wa
 fn warn_of_left_out(definition: &document::Material, place: &str, warnings: &mut Warnings) {
     let extensions = &definition.extensions;
     let left_out = [
-        (definition.normal_texture.is_some(), "normalTexture is left out"),
         (definition.occlusion_texture.is_some(), "occlusionTexture is left out"),
         (
             transmitted(definition) > 0.0 && !is_glass(definition),

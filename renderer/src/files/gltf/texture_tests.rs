@@ -175,7 +175,7 @@ fn what_is_left_out_is_told() {
     assert_eq!(load(&document).unwrap().model.warnings, []);
     document["extensionsUsed"] = json!(["KHR_lights_punctual", "KHR_materials_sheen"]);
     document["animations"] = json!([{}]);
-    document["materials"][0]["normalTexture"] = json!({ "index": 0 });
+    document["materials"][0]["occlusionTexture"] = json!({ "index": 0 });
     document["materials"][1]["pbrMetallicRoughness"]["metallicFactor"] = json!(0.5);
     let primitives = document["meshes"][0]["primitives"].as_array_mut().unwrap();
     let mut line = primitives[0].clone();
@@ -190,7 +190,7 @@ fn what_is_left_out_is_told() {
     let expected = [
         "the extension KHR_materials_sheen is left out",
         "animations are left out",
-        "materials[0]: normalTexture is left out",
+        "materials[0]: occlusionTexture is left out",
         "meshes[0].primitives[0]: the colours of vertices are left out",
         "meshes[0].primitives[1]: points and lines are left out",
     ];
@@ -216,6 +216,34 @@ fn what_is_left_out_is_told() {
     document["extensionsRequired"] = json!(["KHR_materials_sheen"]);
     let error = load_bytes("model.glb", &glb(document, &bytes)).unwrap_err();
     assert!(error.problem.contains("requires the extension KHR_materials_sheen"), "{error}");
+}
+
+/// By the numbers of the image as they are stored, whatever the light.
+#[test]
+fn normal_textures_bend_normals() {
+    let (mut document, bytes) = textured();
+    document["materials"][1]["normalTexture"] = json!({ "index": 0, "scale": 0.25 });
+    let bent = scene((document.clone(), bytes.clone())).unwrap();
+    let material = &bent.materials[0];
+    let texture = |slot: Slot| &bent.textures[material.textures.get(slot).unwrap() as usize];
+    assert_eq!(material.normal_scale, 0.25);
+    assert_eq!(texture(Slot::Normal).name, "paint_data");
+    assert_eq!(texture(Slot::Normal).wrap, Wrap::Mirror);
+    assert_eq!(texture(Slot::Diffuse).name, "paint");
+    let full = load_bytes("model.glb", &glb(document.clone(), &bytes)).unwrap();
+    assert_eq!(full.model.materials[0].full.as_ref().unwrap().material.normal_scale, 0.25);
+
+    document["materials"][1]["normalTexture"]["scale"] = json!(1e9);
+    let error = scene((document.clone(), bytes.clone())).unwrap_err().to_string();
+    assert!(error.contains("normal_scale: 1e9 is beyond 1e6"), "{error}");
+    document["materials"][1]["normalTexture"] = json!({ "index": 7 });
+    let error = scene((document.clone(), bytes.clone())).unwrap_err().to_string();
+    assert!(error.contains("model.glb") && error.contains("textures"), "{error}");
+    // What is not lit is not bent.
+    document["materials"][1]["normalTexture"] = json!({ "index": 0 });
+    document["materials"][1]["extensions"] = json!({ "KHR_materials_unlit": {} });
+    let unlit = scene((document, bytes)).unwrap();
+    assert_eq!(unlit.materials[0].textures.get(Slot::Normal), None);
 }
 
 /// The opacity, if the material is transparent.

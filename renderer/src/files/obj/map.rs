@@ -65,9 +65,10 @@ impl Map {
         if rest.is_empty() {
             return Err(format!("{keyword} names no image"));
         }
-        let channel = match keyword.eq_ignore_ascii_case("map_d") {
-            true => Channel::Mask,
-            false => Channel::Color,
+        let channel = match &*keyword.to_ascii_lowercase() {
+            "map_d" => Channel::Mask,
+            "norm" | "map_kn" => Channel::Data,
+            _ => Channel::Color,
         };
         // Exporters for Windows write its separators.
         let image = TextureImage::File(folder.join(rest.replace('\\', "/")));

@@ -104,6 +104,7 @@ struct Definition {
     diffuse_map: Option<Map>,
     specular_map: Option<Map>,
     opacity_map: Option<Map>,
+    normal_map: Option<Map>,
     roughness: Option<f64>,
     metallic: Option<f64>,
     ior: Option<f64>,
@@ -117,13 +118,20 @@ struct Definition {
 }
 
 /// The statements that materials are made of.
-const OF_MATERIALS: [&str; 13] =
-    ["ke", "kd", "ks", "ns", "d", "tr", "illum", "map_ke", "map_kd", "map_ks", "map_d", "pr", "pm"];
+const OF_MATERIALS: [&str; 15] = [
+    "ke", "kd", "ks", "ns", "d", "tr", "illum", "map_ke", "map_kd", "map_ks", "map_d", "pr", "pm",
+    "norm", "map_kn",
+];
 
 /// Statements that nothing here stands for: the number that leaves the image as it is, not a number
 /// if there is none, and why there is no other one.
-const LEFT_OUT: [(&str, f64, &str); 2] =
-    [("ka", 0.0, NO_AMBIENT_LIGHT), ("map_ka", f64::NAN, NO_AMBIENT_LIGHT)];
+const LEFT_OUT: [(&str, f64, &str); 4] = [
+    ("ka", 0.0, NO_AMBIENT_LIGHT),
+    ("map_ka", f64::NAN, NO_AMBIENT_LIGHT),
+    ("bump", f64::NAN, NO_HEIGHTS),
+    ("map_bump", f64::NAN, NO_HEIGHTS),
+];
+const NO_HEIGHTS: &str = "it is a map of heights, or nobody knows; `norm` is one of normals";
 const NO_FILTER: &str = "opacity has no colour";
 const NO_REFRACTION: &str = "rays go straight on behind transparent surfaces";
 const NO_AMBIENT_LIGHT: &str =
@@ -190,6 +198,7 @@ impl Definition {
             "map_kd" => self.diffuse_map = map()?,
             "map_ks" => self.specular_map = map()?,
             "map_d" => self.opacity_map = map()?,
+            "norm" | "map_kn" => self.normal_map = map()?,
             "illum" => {
                 let word = words(rest).next().unwrap_or("");
                 let model = word.parse().ok().filter(|model| *model <= 10);
@@ -236,7 +245,7 @@ impl Definition {
         let mut placements = self.maps().map(|map| map.placement);
         let first = placements.next();
         if placements.any(|placement| Some(placement) != first) {
-            let problem = "-s and -o are those of the first of map_Kd, map_Ke, map_Ks, map_d, for all of them";
+            let problem = "-s and -o are those of the first of map_Kd, map_Ke, map_Ks, map_d, norm, for all of them";
             warnings.add("placements", place, problem);
         }
         if self.is_mirror() && self.specular_map.is_some() {
@@ -304,8 +313,8 @@ impl Definition {
     }
 
     fn maps(&self) -> impl Iterator<Item = &Map> {
-        let maps = [&self.diffuse_map, &self.emission_map, &self.specular_map, &self.opacity_map];
-        maps.into_iter().flatten()
+        let colors = [&self.diffuse_map, &self.emission_map, &self.specular_map];
+        colors.into_iter().chain([&self.opacity_map, &self.normal_map]).flatten()
     }
 
     fn is_mirror(&self) -> bool {
@@ -320,6 +329,10 @@ impl Definition {
         }
         if self.is_mirror() {
             (self.opacity, self.transparency, self.opacity_map) = (None, None, None);
+            if self.normal_map.take().is_some() {
+                let problem = format!("norm of {} is left out: a mirror has none", self.name);
+                warnings.add("normals of a mirror", file, problem);
+            }
         }
         if self.reduced_opacity() == Some(0.0) {
             let problem = format!(
@@ -354,9 +367,11 @@ impl Definition {
             material = material.with_opacity(opacity);
         }
         let placement = self.maps().next().map(|map| map.placement).unwrap_or_default();
-        let maps = [self.emission_map, self.diffuse_map, self.specular_map, self.opacity_map];
-        let [emission, diffuse, specular, opacity] = maps.map(|map| map.map(|map| map.source));
-        let sources = [emission, diffuse, specular, opacity, None];
+        let source = |map: Option<Map>| map.map(|map| map.source);
+        let [emission, diffuse, specular] =
+            [self.emission_map, self.diffuse_map, self.specular_map].map(source);
+        let [opacity, normal] = [self.opacity_map, self.normal_map].map(source);
+        let sources = [emission, diffuse, specular, opacity, None, normal];
         LibraryMaterial { name: self.name, material, full, maps: ModelMaps { sources, placement } }
     }
 }

@@ -120,7 +120,8 @@ fn what_is_left_out_is_told_once() {
         format!("2: Ka is left out: {ambient}"),
         format!("6: map_Ka is left out: {ambient}"),
         "7: `map_refl` is left out: nothing here stands for it".to_owned(),
-        "8: `bump` is left out: nothing here stands for it".to_owned(),
+        "8: bump is left out: it is a map of heights, or nobody knows; `norm` is one of normals"
+            .to_owned(),
         "9: `sharpness` is left out: nothing here stands for it".to_owned(),
         "4: Ni is left out: rays go straight on behind transparent surfaces".to_owned(),
         "5: Tf is left out: opacity has no colour".to_owned(),
@@ -154,6 +155,11 @@ fn opacity_is_read() {
     let (mirror, warnings) = defined("illum 3\nmap_d a.png\n");
     assert_eq!((opacity_of(mirror.material), mirror.maps), (None, ModelMaps::default()));
     assert_eq!(warnings, ["3: a mirror is shown opaque"]);
+    let obj = format!("mtllib a.mtl\n{TRIANGLE}usemtl m\nf 1 2 3\n");
+    let model = load(&[("a.obj", &obj), ("a.mtl", "newmtl m\nmap_Kn a.png\nillum 3\n")]);
+    assert_eq!(model.materials[0].maps, ModelMaps::default());
+    let problems: Vec<_> = model.warnings.iter().map(|warning| &*warning.problem).collect();
+    assert_eq!(problems, ["norm of m is left out: a mirror has none"]);
 }
 
 #[test]
@@ -161,7 +167,7 @@ fn textures_and_their_options_are_read() {
     let obj = format!("mtllib a.mtl\n{TRIANGLE}usemtl m\nf 1 2 3\n");
     let library = "newmtl m\nKd 0.5 0.5 0.5\nmap_Kd -s 2 3 1 -o 0.25 -clamp on a b#1.png\n\
         map_Ks -o 0.25 0 -s 2 3 -mm 0 1 tex\\c.png\nmap_Ke -s 2 3 -o 0.25 d.png\n\
-        MAP_D -s 2 3 -o 0.25 a b#1.png\n";
+        MAP_D -s 2 3 -o 0.25 a b#1.png\nnorm -s 2 3 -o 0.25 e.png\n";
     let folder = folder(&[("a.obj", &obj), ("a.mtl", library)]);
     let model = load_obj(&folder.path().join("a.obj")).unwrap();
     assert_eq!(model.warnings, []);
@@ -177,6 +183,7 @@ fn textures_and_their_options_are_read() {
             source("tex/c.png", Channel::Color, Wrap::Repeat, 4),
             source("a b#1.png", Channel::Mask, Wrap::Repeat, 6),
             None,
+            source("e.png", Channel::Data, Wrap::Repeat, 7),
         ],
         placement: DAffine2::from_scale_angle_translation(
             DVec2::new(2.0, 3.0),
@@ -204,7 +211,7 @@ fn texture_options_that_are_left_out_are_told() {
         "2: -blendv of map_Kd is left out",
         "2: -boost of map_Kd is left out",
         "3: -t of map_Ks is left out",
-        "3: -s and -o are those of the first of map_Kd, map_Ke, map_Ks, map_d, for all of them",
+        "3: -s and -o are those of the first of map_Kd, map_Ke, map_Ks, map_d, norm, for all of them",
         "4: map_Ks varies the highlight alone, not the mirror",
     ];
     assert_eq!(warnings, expected);

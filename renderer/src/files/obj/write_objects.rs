@@ -122,20 +122,25 @@ impl LibraryWriter<'_> {
         if material.transparent {
             push(text, format_args!("d {:?}\n", values.opacity));
         }
+        if material.textures.get(Slot::Normal).is_some() && material.normal_scale != 1.0 {
+            let problem = "normal_scale is left out: MTL has none";
+            self.warnings.add("normal scale", &place, problem);
+        }
         let slots = [
             ("map_Kd", Slot::Diffuse),
             ("map_Ke", Slot::Emission),
             ("map_Ks", Slot::Specular),
             ("map_d", Slot::Opacity),
+            ("norm", Slot::Normal),
         ];
         for (keyword, slot) in slots {
             let Some(index) = material.textures.get(slot) else { continue };
             let picture = match slot {
-                Slot::Opacity => Picture::Data(index),
+                Slot::Opacity | Slot::Normal => Picture::Data(index),
                 _ => Picture::Color(index),
             };
             let clamp = self.clamp(picture.texture(self.scene));
-            let file = self.file(picture, index);
+            let file = self.file(picture, slot, index);
             push(text, format_args!("{keyword} {clamp}{file}\n"));
         }
     }
@@ -154,11 +159,15 @@ impl LibraryWriter<'_> {
     }
 
     /// The file of a picture.
-    fn file(&mut self, picture: Picture, texture: u32) -> String {
+    fn file(&mut self, picture: Picture, slot: Slot, texture: u32) -> String {
         if let Some((_, file)) = self.pictures.iter().find(|(other, _)| *other == picture) {
             return file.clone();
         }
-        let kind = if matches!(picture, Picture::Data(_)) { "_opacity" } else { "" };
+        let kind = match slot {
+            Slot::Opacity => "_opacity",
+            Slot::Normal => "_normal",
+            _ => "",
+        };
         let file = format!("{}_{}{kind}.png", self.stem, self.files[texture as usize]);
         self.pictures.push((picture, file.clone()));
         file

@@ -39,7 +39,7 @@ fn drop_bare_textures(scene: &mut Scene, place: &str) -> Vec<Warning> {
                 let name = &scene.materials[material as usize].name;
                 let problem = format!(
                     "triangle {triangle} has the material `{name}`, which has a texture, but has \
-                     no texture coordinates; white stands for the texture"
+                     no texture coordinates; it is shown without it"
                 );
                 warnings.push(Warning::new(format_args!("{place}: mesh.{}", mesh.name), problem));
             }

@@ -252,6 +252,9 @@ entries! {
         specular_texture: Option<String>,
         opacity_texture: Option<String>,
         metallic_roughness_texture: Option<String>,
+        normal_texture: Option<String>,
+        /// How much the normal texture bends; no parameter.
+        normal_scale: Option<f64>,
     }
 }
 
@@ -303,6 +306,7 @@ impl MaterialEntry {
             Slot::Specular => &self.specular_texture,
             Slot::Opacity => &self.opacity_texture,
             Slot::MetallicRoughness => &self.metallic_roughness_texture,
+            Slot::Normal => &self.normal_texture,
         };
         texture.as_deref()
     }

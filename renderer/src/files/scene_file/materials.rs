@@ -174,6 +174,7 @@ fn overridden(
     }
     numbers::assign(&mut object.values, "material", &path, &entry.numbers)?;
     object.transparent |= entry.numbers.iter().any(|(key, _)| key == "opacity");
+    object.normal_scale = entry.normal_scale.unwrap_or(object.normal_scale);
     Ok(object)
 }
 

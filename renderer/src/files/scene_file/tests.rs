@@ -429,6 +429,8 @@ fn add_texture(scene: &mut Scene) {
     let holes = scene.add_texture(holes).unwrap();
     let planks = MaterialObject::from(scene.materials[0].values).with_opacity(0.1 + 0.2);
     let planks = planks.with_texture(Slot::Specular, wood).with_texture(Slot::Opacity, holes);
+    let planks = planks.with_texture(Slot::Normal, holes);
+    let planks = MaterialObject { normal_scale: 1.0 / 3.0, ..planks };
     let planks = scene.add_material("planks", planks).unwrap();
     let mesh = &mut scene.meshes[1];
     mesh.materials.fill(planks);
@@ -551,6 +553,41 @@ fn the_scene_file_of_the_readme_is_read() {
     fs::write(folder.path().join("object.obj"), MESH.replace("mtllib", "# mtllib")).unwrap();
     let experiment = Experiment::parse(scene, folder.path(), "photo.toml").unwrap();
     assert_eq!(experiment.optimize.unwrap().parameters.len(), 2);
+}
+
+#[test]
+fn normal_maps_are_of_meshes() {
+    let map = "normal_texture = \"map\"\n[texture.map]\nsize = [2, 2]\ncolor = [0.5, 0.5, 1]\n";
+    let bumpy = format!("[material.bumpy]\nnormal_scale = -0.5\n{map}");
+    let material = &scene_of(&bumpy).materials[0];
+    assert_eq!((material.textures.get(Slot::Normal), material.normal_scale), (Some(0), -0.5));
+    let ball =
+        "[[sphere]]\nname = \"ball\"\nradius = 1\ncenter = [0, 0, 0]\nmaterial = \"bumpy\"\n";
+    for (rest, expected) in [
+        (
+            format!("{ball}{bumpy}"),
+            "sphere.ball.material: has a normal_texture, which bends the normals of meshes alone",
+        ),
+        (
+            format!("[material.bumpy]\nmirror = [1, 1, 1]\n{map}"),
+            "material.bumpy.normal_texture: a mirror has none",
+        ),
+        (
+            format!("[integrator]\ntype = \"path\"\n[material.a]\ntype = \"dielectric\"\n{map}"),
+            "material.a.normal_texture: varies nothing that a material of this type has",
+        ),
+        (
+            format!("[material.a]\nnormal_scale = nan\n{map}"),
+            "material.a.normal_scale: NaN is not a finite number",
+        ),
+        (
+            "[material.a]\nnormal_texture = \"none\"\n".to_owned(),
+            "material.a.normal_texture: no texture `none`",
+        ),
+    ] {
+        let error = refused(&rest);
+        assert!(error.contains(expected), "{rest}: {error}");
+    }
 }
 
 #[test]

@@ -28,7 +28,7 @@ fn textures_are_read_once_and_named() {
     assert_eq!(scene.textures[0].image().pixels, [[1.0, 0.5, 0.25]]);
     let red = scene.materials.iter().position(|material| material.name == "red").unwrap();
     let textures = scene.materials[red].textures;
-    assert_eq!(textures.0, [None, Some(0), Some(0), None, None]);
+    assert_eq!(textures.0, [None, Some(0), Some(0), None, None, None]);
     assert_eq!(scene.materials[red].values.mirror, DVec3::new(0.5, 0.4, 0.3));
     assert_eq!(scene.meshes[0].texture_triangles, [Some([0, 1, 1]), None]);
     // As both `map_Kd` and `map_Ks` say, twice as large.
@@ -40,7 +40,7 @@ fn textures_are_read_once_and_named() {
     let Experiment { scene, warnings, .. } =
         Experiment::parse(&text, folder.path(), "s.toml").unwrap();
     let expected = "s.toml: mesh.a: triangle 1 has the material `blue`, which has a texture, but \
-                    has no texture coordinates; white stands for the texture";
+                    has no texture coordinates; it is shown without it";
     assert!(warnings.iter().any(|warning| warning.to_string() == expected), "{warnings:?}");
     let blue = scene.materials.iter().find(|material| material.name == "blue").unwrap();
     assert!(!blue.textures.any());
@@ -251,8 +251,7 @@ fn opacity_may_vary() {
     let bright = "[material.leaf]\nopacity = 0.5\nopacity_texture = \"holes\"\n[texture.holes]\n\
         size = [1, 1]\ncolor = [0.5, 1.5, 0]\n";
     let error = scene("", bright).unwrap_err().to_string();
-    let expected =
-        "texture.holes.texels[0]: must be at most 1 where they vary opacity or roughness, is 1.5";
+    let expected = "texture.holes.texels[0]: must be at most 1 where they vary opacity or roughness or bend normals, is 1.5";
     assert!(error.ends_with(expected), "{error}");
     let error = scene("", "[texture.holes]\nsize = [1, 1]\nchannel = \"opacity\"\n").unwrap_err();
     let expected = "texture.holes.channel: a texture of one colour has no channels to choose from";

@@ -188,6 +188,8 @@ fn materials(scene: &Scene) -> Vec<(String, MaterialEntry)> {
             specular_texture: texture(Slot::Specular),
             opacity_texture: texture(Slot::Opacity),
             metallic_roughness_texture: texture(Slot::MetallicRoughness),
+            normal_texture: texture(Slot::Normal),
+            normal_scale: Some(material.normal_scale).filter(|&scale| scale != 1.0),
             numbers: numbers::of(material),
         };
         (material.name.clone(), entry)

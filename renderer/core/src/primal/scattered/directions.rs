@@ -2,7 +2,7 @@
 
 use ad::lanes::Lanes;
 use ad::vector::{Vector, Vector3};
-use ad::{Fields, Real, Vec3};
+use ad::{Fields, Real, Vec3, select};
 
 use crate::number::{Number, constant_vector, primal_vector};
 use crate::primal::integrator::Integrator;
@@ -11,6 +11,7 @@ use crate::primal::wavefront::LaneGroup;
 use crate::transport::direction::{cosine_direction, turn};
 use crate::transport::material::Bsdf;
 use crate::transport::microfacet::{Sampling, sampling, scattered_density, scattered_direction};
+use crate::transport::positive_part;
 use crate::transport::surface::SurfacePoint;
 
 /// Directions that a group of surfaces is scattered to.
@@ -18,7 +19,8 @@ pub struct Scattered<S: Number> {
     pub direction: Vec3<S>,
     /// The probability density by solid angle, times π: the cosine, where a surface scatters as Lambert's.
     pub likelihood: S::Lanes,
-    /// The cosine over the density: π, where a surface scatters as Lambert's.
+    /// The cosine over the density: π, where a surface scatters as Lambert's. Without the cosine where a map
+    /// bends normals.
     pub weight: S::Lanes,
 }
 
@@ -46,7 +48,8 @@ impl<S: Number> Integrator<'_, S> {
         let have_base = S::Lanes::mask_from_bits(vertex.materials.lanes_where(has_base));
         let surface = vertex.group.surface.map(S::primal);
         let material = vertex.material.map(S::primal);
-        Some(Facets { surface, sampling: sampling::<S::Lanes>(material, surface, have_base) })
+        let sampling = sampling::<S::Lanes>(material, surface, have_base);
+        Some(Facets { surface: vertex.group.scattering_surface(sampling.width), sampling })
     }
 }
 
@@ -61,9 +64,15 @@ pub fn scatter<S: Number>(
     match facets {
         None => {
             let local = cosine_direction::<S::Lanes>(numbers);
+            let likelihood = local.z();
+            if group.mapped.is_some() {
+                let normal = group.scattering_surface(S::Lanes::ONE).normal;
+                let direction = constant_vector::<S>(turn::<S::Lanes>(normal, local));
+                return Scattered { direction, likelihood, weight: S::Lanes::PI / likelihood };
+            }
             Scattered {
                 direction: turn::<S>(group.surface.normal, constant_vector::<S>(local)),
-                likelihood: local.z(),
+                likelihood,
                 weight: S::Lanes::PI,
             }
         }
@@ -71,12 +80,14 @@ pub fn scatter<S: Number>(
             let Facets { surface, sampling } = *facets;
             let direction = scattered_direction::<S::Lanes>(sampling, surface, lobe, numbers);
             let likelihood = facets.likelihood(direction);
-            let cosine = surface.normal.dot(direction);
-            Scattered {
-                direction: constant_vector::<S>(direction),
-                likelihood,
-                weight: cosine * S::Lanes::PI / likelihood,
-            }
+            let weight = match group.mapped {
+                None => surface.normal.dot(direction) * S::Lanes::PI / likelihood,
+                Some(_) => {
+                    let is_possible = likelihood.cmpgt(S::Lanes::ZERO);
+                    select(is_possible, S::Lanes::PI / likelihood, S::Lanes::ZERO)
+                }
+            };
+            Scattered { direction: constant_vector::<S>(direction), likelihood, weight }
         }
     }
 }
@@ -88,6 +99,10 @@ pub fn likelihood<S: Number>(
     direction: Vec3<S>,
 ) -> S {
     match facets {
+        None if group.mapped.is_some() => {
+            let normal = group.scattering_surface(S::Lanes::ONE).normal;
+            S::constant(positive_part::<S::Lanes>(normal.dot(primal_vector::<S>(direction))))
+        }
         None => group.surface.normal.dot(direction),
         Some(facets) => S::constant(facets.likelihood(primal_vector::<S>(direction))),
     }

@@ -15,8 +15,8 @@
 //! constant there (detached sampling), and it is one in fact: emitters, lobes and the ends of paths are
 //! chosen with probabilities that are rounded, in powers of two or in eighths, so that they change in steps
 //! alone, and [directions](directions) are scattered by the cosine, or by facets whose width is rounded in the
-//! same way. So a finite difference with the same random numbers sees the same derivative, and an optimiser
-//! descends the loss that it measures. Dielectrics reflect as often as their index of refraction says, by
+//! same way; where maps bend normals, about these normals, rounded. So a finite difference with the same random
+//! numbers sees the same derivative, and an optimiser descends the loss that it measures. Dielectrics reflect as often as their index of refraction says, by
 //! which there is no gradient: it moves what is [refracted](refraction).
 //!
 //! Turned down: sampling that follows parameters exactly. Its probabilities have derivatives, which cancel

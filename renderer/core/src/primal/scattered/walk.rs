@@ -23,7 +23,7 @@ use crate::transport::camera::Ray;
 use crate::transport::dielectric::{relative_ior, sent_on_by_dielectric};
 use crate::transport::emitter::scattered_weight;
 use crate::transport::material::Bsdf;
-use crate::transport::scatter::sent_on;
+use crate::transport::scatter::{sent_on, sent_on_mapped};
 
 /// From this depth on paths may end at random.
 const ROULETTE: u32 = 3;
@@ -217,7 +217,11 @@ impl<S: Number> Integrator<'_, S> {
         let of_lanes = lanes_of_numbers::<S::Lanes>(&probability);
         let is_unscattered = S::Lanes::mask_from_bits(unscattered);
         let factor = select(is_unscattered, S::Lanes::ONE, scattered.weight) / of_lanes;
-        let part = sent_on::<S::Lanes>(
+        let sent_on = match group.mapped {
+            None => sent_on::<S::Lanes>,
+            Some(_) => sent_on_mapped::<S::Lanes>,
+        };
+        let part = sent_on(
             vertex.material.map(S::primal),
             vertex.lobes,
             group.surface.map(S::primal),

@@ -104,6 +104,11 @@ impl<'a> MaterialWriter<'a> {
         if let Some(index) = textures.get(Slot::Emission) {
             written["emissiveTexture"] = self.texture(Picture::Color(index), binary)?;
         }
+        if let Some(index) = textures.get(Slot::Normal) {
+            let mut texture = self.texture(Picture::Data(index), binary)?;
+            texture["scale"] = material.normal_scale.into();
+            written["normalTexture"] = texture;
+        }
         if material.transparent {
             written["alphaMode"] = "BLEND".into();
         }
