@@ -16,11 +16,13 @@
 #![doc = include_str!("../../docs/recoveries.md")]
 
 mod check;
+mod left_out;
 mod levels;
 mod objective;
 mod quality;
 mod regularizer;
 mod target;
+pub(crate) mod team;
 mod variable;
 
 use std::sync::{Arc, Mutex};
@@ -31,7 +33,9 @@ pub(crate) use objective::ImageObjective;
 pub use quality::Quality;
 pub use target::TargetImage;
 
+use left_out::LeftOut;
 use regularizer::Regularizer;
+use team::{Alone, Begun, Task, Team};
 
 use crate::Error;
 use crate::Image;
@@ -57,7 +61,7 @@ pub struct Recovery<'a> {
     regularizers: Vec<Regularizer>,
     variables: Vec<Variable>,
     allow_non_finite: bool,
-    left_out: Arc<Mutex<Option<String>>>,
+    left_out: Arc<Mutex<LeftOut>>,
 }
 
 impl<'a> Recovery<'a> {
@@ -151,7 +155,7 @@ impl<'a> Recovery<'a> {
 
     /// The latest evaluation that has [left pixels out](Self::allowing_non_finite), for people.
     pub fn left_out(&self) -> Option<String> {
-        self.left_out.lock().ok()?.clone()
+        Some(self.left_out.lock().ok()?.text()?.to_owned())
     }
 
     /// The settings of the section `[optimize]`, without checkpoints.
@@ -276,8 +280,56 @@ impl<'a> Recovery<'a> {
         settings: &OptimizeSettings,
         observer: &mut dyn Observer,
     ) -> Result<Outcome, Error> {
+        self.run_shared(&Alone, settings, observer)
+    }
+
+    /// Optimises, as rank 0 of a team that it [leads](Self::lead).
+    pub(crate) fn run_shared(
+        &self,
+        team: &dyn Team,
+        settings: &OptimizeSettings,
+        observer: &mut dyn Observer,
+    ) -> Result<Outcome, Error> {
         let optimization = Optimization::start(&self.variables, settings)?;
-        optimization.run(self.objective().as_mut(), observer)
+        let mut objective = ImageObjective::shared(self, &self.settings, team);
+        optimization.run(&mut objective, observer)
+    }
+
+    /// Leads a team, as rank 0, while `run` goes on.
+    pub(crate) fn lead<T>(&self, team: &dyn Team, run: impl FnOnce() -> T) -> T {
+        let result = run();
+        Task::End.ask(team, Begun::default(), &[]);
+        self.tell_left_out(team);
+        result
+    }
+
+    /// Does its share of what rank 0 [leads](Self::lead), as another rank.
+    pub(crate) fn serve(&self, team: &dyn Team) {
+        ImageObjective::shared(self, &self.settings, team).serve();
+        self.tell_left_out(team);
+    }
+
+    /// Makes all ranks know what one of them has left out last.
+    fn tell_left_out(&self, team: &dyn Team) {
+        if let Ok(mut left_out) = self.left_out.lock() {
+            let all = team.exchange(&left_out.to_line());
+            *left_out = LeftOut::latest(&all);
+        }
+    }
+
+    /// How many images an iteration compares, on average.
+    #[cfg(feature = "cli")]
+    pub(crate) fn images_at_a_time(&self) -> usize {
+        let images = self.matched().count();
+        let Some(batch) = self.section.batch else { return images };
+        let mut views: Vec<_> = self.matched().map(|target| target.view).collect();
+        views.dedup();
+        (images * batch.size.min(views.len())).div_ceil(views.len())
+    }
+
+    /// Tells ranks apart that have not the same to do.
+    pub(crate) fn mark(&self) -> String {
+        format!("{} {:?}", self.fingerprint(), self.ids)
     }
 
     /// Loss and gradient as a function of the parameters that vary: what [`run`](Self::run)

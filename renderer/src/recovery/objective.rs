@@ -5,6 +5,7 @@ use std::borrow::Cow;
 use glam::DVec3;
 
 use super::levels::{halved, spread};
+use super::team::{Alone, Begun, Task, Team, sum_in_order};
 use super::{Recovery, TargetImage};
 use crate::optimize::{Evaluation, Objective};
 use crate::render::Renderer;
@@ -15,10 +16,12 @@ use crate::{Image, LossAndGradient};
 /// The loss of the rendered images as a function of the parameters that vary.
 pub(crate) struct ImageObjective<'a> {
     recovery: &'a Recovery<'a>,
+    /// Who shares the targets.
+    team: &'a dyn Team,
     renderer: Renderer,
     scene: Scene,
-    /// How often the images are halved.
-    level: u32,
+    /// The iteration, and how often its images are halved.
+    begun: Begun,
     /// All that is matched, so often halved, in the order of the views.
     targets: Vec<Cow<'a, TargetImage>>,
     /// What of it is matched in this iteration.
@@ -29,13 +32,23 @@ pub(crate) struct ImageObjective<'a> {
 
 impl<'a> ImageObjective<'a> {
     pub fn new(recovery: &'a Recovery<'a>, settings: &Settings) -> Self {
-        let mut objective = Self::halved(recovery, settings, 0);
+        Self::shared(recovery, settings, &Alone)
+    }
+
+    /// The objective of a rank, which is evaluated in rank 0 while the others [`serve`](Self::serve).
+    pub fn shared(recovery: &'a Recovery<'a>, settings: &Settings, team: &'a dyn Team) -> Self {
+        let mut objective = Self::halved(recovery, settings, team, 0);
         objective.begin(0, 0);
         objective
     }
 
     /// All views, halved so often.
-    fn halved(recovery: &'a Recovery<'a>, settings: &Settings, level: u32) -> Self {
+    fn halved(
+        recovery: &'a Recovery<'a>,
+        settings: &Settings,
+        team: &'a dyn Team,
+        level: u32,
+    ) -> Self {
         let mut scene = halved(recovery.scene, level);
         let matched = recovery.matched();
         let targets: Vec<_> = match level {
@@ -46,7 +59,26 @@ impl<'a> ImageObjective<'a> {
         let settings = Settings { pass: targets[0].pass, ..*settings };
         let renderer = Renderer::unchecked(&scene, &settings);
         let chosen = (0..targets.len()).collect();
-        Self { recovery, renderer, scene, level, targets, chosen, factor: 1.0 }
+        let begun = Begun { iteration: 0, level };
+        Self { recovery, team, renderer, scene, begun, targets, chosen, factor: 1.0 }
+    }
+
+    /// Does its share for rank 0 until that ends.
+    pub fn serve(&mut self) {
+        let mut x = self.recovery.initial();
+        loop {
+            let (task, Begun { iteration, level }) = Task::next(self.team, &mut x);
+            if task == Task::End {
+                return;
+            }
+            self.begin(iteration, level);
+            // Rank 0 asks for nothing where the scene cannot be.
+            let _ = self.assign(&x);
+            match task {
+                Task::Evaluate => drop(self.sum_of_losses(x.len())),
+                _ => drop(self.sum_of_curvatures(x.len())),
+            }
+        }
     }
 
     /// Changes the rays through pixels and the depth of paths; all else that is prepared stays.
@@ -76,9 +108,33 @@ impl<'a> ImageObjective<'a> {
             return result;
         };
         if let Ok(mut left_out) = recovery.left_out.lock() {
-            *left_out = Some(of_view(target, scene, found.to_string()));
+            left_out.tell(index, of_view(target, scene, found.to_string()));
         }
         evaluation(&renderer.gradient_of_finite(scene, &loss, ids, &found))
+    }
+
+    /// The losses of the chosen targets, added up after their gradients.
+    fn sum_of_losses(&mut self, len: usize) -> Vec<f64> {
+        if let Ok(mut left_out) = self.recovery.left_out.lock() {
+            left_out.evaluations += 1;
+        }
+        let chosen = self.chosen.clone();
+        sum_in_order(self.team, chosen.len(), len + 1, |index| {
+            let Evaluation { loss, mut gradient } = self.evaluate_target(chosen[index]);
+            gradient.push(loss);
+            gradient
+        })
+    }
+
+    /// The curvatures of the chosen targets, added up before the number of those that have none.
+    fn sum_of_curvatures(&mut self, len: usize) -> Vec<f64> {
+        let chosen = self.chosen.clone();
+        sum_in_order(self.team, chosen.len(), len * len + 1, |index| {
+            let mut curvature = vec![0.0; len * len];
+            let is_missing = self.add_curvature(chosen[index], &mut curvature).is_none();
+            curvature.push(f64::from(is_missing));
+            curvature
+        })
     }
 
     /// Adds the curvature of the loss of a target; nothing if it has none.
@@ -152,14 +208,15 @@ fn of_view(target: &TargetImage, scene: &Scene, what: String) -> String {
 
 impl Objective for ImageObjective<'_> {
     fn begin(&mut self, iteration: u64, level: u32) {
-        if level != self.level {
+        if level != self.begun.level {
             let sampling = match self.recovery.scene.integrator {
                 Integrator::Direct => spread(self.recovery.settings.sampling, level),
                 Integrator::Path(_) => self.recovery.settings.sampling,
             };
             let settings = Settings { sampling, ..*self.renderer.settings() };
-            *self = Self::halved(self.recovery, &settings, level);
+            *self = Self::halved(self.recovery, &settings, self.team, level);
         }
+        self.begun = Begun { iteration, level };
         let Some(batch) = self.recovery.section.batch else { return };
         let mut views: Vec<usize> = self.targets.iter().filter_map(|target| target.view).collect();
         views.dedup();
@@ -174,23 +231,19 @@ impl Objective for ImageObjective<'_> {
         if self.assign(x).is_err() {
             return Evaluation { loss: f64::NAN, gradient: vec![f64::NAN; x.len()] };
         }
-        let mut sum = Evaluation { loss: 0.0, gradient: vec![0.0; x.len()] };
-        for index in self.chosen.clone() {
-            let other = self.evaluate_target(index);
-            sum.loss += other.loss;
-            sum.gradient.iter_mut().zip(other.gradient).for_each(|(sum, other)| *sum += other);
-        }
+        Task::Evaluate.ask(self.team, self.begun, x);
+        let mut gradient = self.sum_of_losses(x.len());
+        let loss = gradient.pop().unwrap_or_default();
+        let mut sum = Evaluation { loss, gradient };
         self.recovery.regularizers.iter().for_each(|term| term.add(x, &mut sum));
         sum
     }
 
     fn curvature(&mut self, x: &[f64]) -> Option<Vec<f64>> {
         self.assign(x).ok()?;
-        let mut sum = vec![0.0; x.len() * x.len()];
-        for index in self.chosen.clone() {
-            self.add_curvature(index, &mut sum)?;
-        }
-        Some(sum)
+        Task::Curvature.ask(self.team, self.begun, x);
+        let mut sum = self.sum_of_curvatures(x.len());
+        (sum.pop() == Some(0.0)).then_some(sum)
     }
 
     fn explain(&mut self, x: &[f64]) -> Option<String> {
