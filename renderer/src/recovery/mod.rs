@@ -16,12 +16,16 @@
 #![doc = include_str!("../../docs/recoveries.md")]
 
 mod check;
+#[cfg_attr(not(feature = "cli"), expect(dead_code, reason = "teams are led by the command line"))]
 mod left_out;
 mod levels;
 mod objective;
 mod quality;
 mod regularizer;
+#[cfg(feature = "cli")]
+mod share;
 mod target;
+#[cfg_attr(not(feature = "cli"), expect(dead_code, reason = "teams are led by the command line"))]
 pub(crate) mod team;
 mod variable;
 
@@ -35,7 +39,7 @@ pub use target::TargetImage;
 
 use left_out::LeftOut;
 use regularizer::Regularizer;
-use team::{Alone, Begun, Task, Team};
+use team::{Alone, Team};
 
 use crate::Error;
 use crate::Image;
@@ -283,7 +287,7 @@ impl<'a> Recovery<'a> {
         self.run_shared(&Alone, settings, observer)
     }
 
-    /// Optimises, as rank 0 of a team that it [leads](Self::lead).
+    /// Optimises, as rank 0 of a team.
     pub(crate) fn run_shared(
         &self,
         team: &dyn Team,
@@ -293,43 +297,6 @@ impl<'a> Recovery<'a> {
         let optimization = Optimization::start(&self.variables, settings)?;
         let mut objective = ImageObjective::shared(self, &self.settings, team);
         optimization.run(&mut objective, observer)
-    }
-
-    /// Leads a team, as rank 0, while `run` goes on.
-    pub(crate) fn lead<T>(&self, team: &dyn Team, run: impl FnOnce() -> T) -> T {
-        let result = run();
-        Task::End.ask(team, Begun::default(), &[]);
-        self.tell_left_out(team);
-        result
-    }
-
-    /// Does its share of what rank 0 [leads](Self::lead), as another rank.
-    pub(crate) fn serve(&self, team: &dyn Team) {
-        ImageObjective::shared(self, &self.settings, team).serve();
-        self.tell_left_out(team);
-    }
-
-    /// Makes all ranks know what one of them has left out last.
-    fn tell_left_out(&self, team: &dyn Team) {
-        if let Ok(mut left_out) = self.left_out.lock() {
-            let all = team.exchange(&left_out.to_line());
-            *left_out = LeftOut::latest(&all);
-        }
-    }
-
-    /// How many images an iteration compares, on average.
-    #[cfg(feature = "cli")]
-    pub(crate) fn images_at_a_time(&self) -> usize {
-        let images = self.matched().count();
-        let Some(batch) = self.section.batch else { return images };
-        let mut views: Vec<_> = self.matched().map(|target| target.view).collect();
-        views.dedup();
-        (images * batch.size.min(views.len())).div_ceil(views.len())
-    }
-
-    /// Tells ranks apart that have not the same to do.
-    pub(crate) fn mark(&self) -> String {
-        format!("{} {:?}", self.fingerprint(), self.ids)
     }
 
     /// Loss and gradient as a function of the parameters that vary: what [`run`](Self::run)

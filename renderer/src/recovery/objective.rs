@@ -15,9 +15,9 @@ use crate::{Image, LossAndGradient};
 
 /// The loss of the rendered images as a function of the parameters that vary.
 pub(crate) struct ImageObjective<'a> {
-    recovery: &'a Recovery<'a>,
+    pub(super) recovery: &'a Recovery<'a>,
     /// Who shares the targets.
-    team: &'a dyn Team,
+    pub(super) team: &'a dyn Team,
     renderer: Renderer,
     scene: Scene,
     /// The iteration, and how often its images are halved.
@@ -63,31 +63,13 @@ impl<'a> ImageObjective<'a> {
         Self { recovery, team, renderer, scene, begun, targets, chosen, factor: 1.0 }
     }
 
-    /// Does its share for rank 0 until that ends.
-    pub fn serve(&mut self) {
-        let mut x = self.recovery.initial();
-        loop {
-            let (task, Begun { iteration, level }) = Task::next(self.team, &mut x);
-            if task == Task::End {
-                return;
-            }
-            self.begin(iteration, level);
-            // Rank 0 asks for nothing where the scene cannot be.
-            let _ = self.assign(&x);
-            match task {
-                Task::Evaluate => drop(self.sum_of_losses(x.len())),
-                _ => drop(self.sum_of_curvatures(x.len())),
-            }
-        }
-    }
-
     /// Changes the rays through pixels and the depth of paths; all else that is prepared stays.
     pub fn resample(&mut self, sampling: Sampling, bounces: u32) {
         self.renderer.resample(sampling, Some(bounces));
     }
 
     /// Moves to these values; returns what is wrong with them.
-    fn assign(&mut self, x: &[f64]) -> Result<(), Invalid> {
+    pub(super) fn assign(&mut self, x: &[f64]) -> Result<(), Invalid> {
         self.scene.assign_all(&self.recovery.ids, x);
         self.scene.check_values(&self.recovery.ids)?;
         self.renderer.update(&self.scene);
@@ -114,20 +96,22 @@ impl<'a> ImageObjective<'a> {
     }
 
     /// The losses of the chosen targets, added up after their gradients.
-    fn sum_of_losses(&mut self, len: usize) -> Vec<f64> {
+    pub(super) fn sum_of_losses(&mut self, len: usize) -> Vec<f64> {
         if let Ok(mut left_out) = self.recovery.left_out.lock() {
             left_out.evaluations += 1;
         }
         let chosen = self.chosen.clone();
         sum_in_order(self.team, chosen.len(), len + 1, |index| {
             let Evaluation { loss, mut gradient } = self.evaluate_target(chosen[index]);
+            // A gradient may fill much of the memory.
+            gradient.reserve_exact(1);
             gradient.push(loss);
             gradient
         })
     }
 
     /// The curvatures of the chosen targets, added up before the number of those that have none.
-    fn sum_of_curvatures(&mut self, len: usize) -> Vec<f64> {
+    pub(super) fn sum_of_curvatures(&mut self, len: usize) -> Vec<f64> {
         let chosen = self.chosen.clone();
         sum_in_order(self.team, chosen.len(), len * len + 1, |index| {
             let mut curvature = vec![0.0; len * len];

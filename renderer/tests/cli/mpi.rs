@@ -19,10 +19,10 @@ fn sandbox(method: &str) -> Sandbox {
         let view = |(index, x): (usize, f64)| {
             let targets = match index {
                 _ if !with_targets => String::new(),
-                1 => format!(
-                    "target = \"truth-v1.exr\"\ndepth = {{ path = \"measured-v1.exr\", weight = 0.1 }}\n\
-                     coverage = {{ path = \"covered-v1.exr\", weight = 0.2 }}\n"
-                ),
+                1 => "target = \"truth-v1.exr\"\n\
+                      depth = { path = \"measured-v1.exr\", weight = 0.1 }\n\
+                      coverage = { path = \"covered-v1.exr\", weight = 0.2 }\n"
+                    .into(),
                 2 => "target = \"truth-v2.exr\"\nweight = 1.7\n".into(),
                 3 => "target = \"truth-v3.exr\"\nheld_out = true\n".into(),
                 _ => format!("target = \"truth-v{index}.exr\"\n"),

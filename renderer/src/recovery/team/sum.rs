@@ -94,10 +94,10 @@ mod tests {
 
     #[test]
     fn sums_have_the_same_bits_on_any_number_of_ranks_in_any_number_of_rounds() {
-        for (count, len) in [(1, 1), (2, 5), (7, 3), (7, 2 * CHUNK + 17), (40, 10), (0, 4)] {
+        for (count, len) in [(1, 1), (2, 5), (7, 3), (5, CHUNK + 17), (40, 10), (0, 4)] {
             let expected = in_order(count, len);
-            for size in [1, 2, 3, 4, 9] {
-                for kept in [0, 1, 2, 3, usize::MAX] {
+            for size in [1, 2, 3, 9] {
+                for kept in [0, 2, usize::MAX] {
                     let sums = in_team(size, |team| {
                         let mut asked = Vec::new();
                         let of = |index| {
