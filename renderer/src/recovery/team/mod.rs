@@ -143,5 +143,5 @@ impl Task {
     }
 }
 
-#[cfg(test)]
+#[cfg(all(test, feature = "cli"))]
 pub(super) mod tests;

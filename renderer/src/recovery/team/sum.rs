@@ -75,7 +75,7 @@ fn sum_in_rounds(
     sum
 }
 
-#[cfg(test)]
+#[cfg(all(test, feature = "cli"))]
 mod tests {
     use super::super::tests::in_team;
     use super::*;
