@@ -20,9 +20,9 @@ use super::Team;
 /// What a rank keeps of its views until the sum of those before them arrives: so many bytes, or one view.
 const MOST_KEPT: usize = 1 << 30;
 
-/// The numbers of a message: half a megabyte, far above what starting a message costs, and far below what there
-/// is to add.
-const CHUNK: usize = 1 << 16;
+/// The numbers of a message: a megabyte, far above what starting a message costs, and far below what there is to
+/// add where time counts.
+const CHUNK: usize = 1 << 17;
 
 /// The sum of what `count` things come to, `len` numbers each, added to 0 in their order: in rank 0; others get a
 /// part of it. A rank is asked for its share.
