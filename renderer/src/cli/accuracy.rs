@@ -39,6 +39,11 @@ pub(super) fn accuracy(text: &str) -> Result<f64, String> {
 }
 
 impl AccuracyArguments {
+    /// Whether settings are chosen by the time that they take.
+    pub fn is_selecting(&self) -> bool {
+        self.accuracy.is_some()
+    }
+
     /// The problem in the settings that the selection finds, which it prints; without it, in `chosen` or
     /// the default arithmetic.
     pub fn recovery<'a>(

@@ -11,6 +11,7 @@ use crate::arithmetic::Arithmetic;
 use crate::demo::demo_experiment;
 use crate::optimize::CHECKPOINT_FILE;
 use crate::recovery::Recovery;
+use crate::recovery::team::Alone;
 use crate::scene::{Light, LightSource, Scene};
 use crate::settings::Settings;
 
@@ -30,7 +31,7 @@ pub(super) fn run(arithmetic: Arithmetic) -> Result<(), Error> {
         "the embedded demo",
         &Settings { arithmetic, ..Settings::default() },
     )?;
-    let outcome = recover(&experiment, &recovery, out, false, None)?;
+    let outcome = recover(&experiment, &recovery, &Alone, out, false, None)?;
     print(report(&recovery, &outcome, out))?;
 
     let truth: Vec<f64> =

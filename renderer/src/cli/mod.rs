@@ -14,6 +14,7 @@ mod optimize;
 mod out_folder;
 mod output;
 mod params;
+mod ranks;
 mod record;
 mod render;
 mod report;
@@ -37,6 +38,7 @@ use crate::experiment::{Experiment, Target, TunedParameter, overlap};
 use crate::loss::LossKind;
 use crate::memory;
 use crate::recovery::Recovery;
+use crate::recovery::team::Alone;
 
 /// Renders scenes, and recovers cameras, lights and materials from images.
 ///
@@ -207,11 +209,14 @@ const MOST_THREADS: i64 = 1024;
 
 /// Runs the command line of this process.
 pub fn main() -> ExitCode {
-    let arguments = match Arguments::try_parse() {
+    let arguments = Arguments::try_parse();
+    let shares = |arguments: &Arguments| matches!(arguments.command, Some(Command::Optimize(_)));
+    let checked = ranks::check(arguments.as_ref().map_or(true, shares));
+    let arguments = match arguments {
         Ok(arguments) => arguments,
         Err(error) => return usage::explain(&error),
     };
-    let result = run(&arguments);
+    let result = checked.and_then(|()| run(&arguments));
     if arguments.stats && result.is_ok() {
         print_stats();
     }
@@ -225,9 +230,14 @@ fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
     if let Some(bytes) = arguments.max_memory {
         memory::set_limit(bytes);
     }
-    if let Some(threads) = arguments.threads {
+    let team = match &arguments.command {
+        Some(Command::Optimize(_)) => ranks::team(),
+        _ => Box::new(Alone),
+    };
+    let threads = arguments.threads.map(usize::from);
+    if let Some(threads) = threads.or_else(|| ranks::threads(team.as_ref())) {
         rayon::ThreadPoolBuilder::new()
-            .num_threads(threads.into())
+            .num_threads(threads)
             .build_global()
             .map_err(|error| Error::new("--threads", error))?;
     }
@@ -238,7 +248,9 @@ fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
         Some(Command::Render(arguments)) => render::run(arguments, arithmetic)?,
         Some(Command::Params(arguments)) => params::run(arguments)?,
         Some(Command::Gradient(arguments)) => return gradient::run(arguments, chosen),
-        Some(Command::Optimize(arguments)) => return optimize::run(arguments, chosen),
+        Some(Command::Optimize(arguments)) => {
+            return optimize::run(arguments, chosen, team.as_ref());
+        }
         Some(Command::Init(arguments)) => init::run(arguments)?,
         Some(Command::Scene) => init::explain()?,
         Some(Command::Export(arguments)) => export::run(arguments)?,

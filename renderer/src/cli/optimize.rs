@@ -23,6 +23,7 @@ use crate::optimize::{
     progress, write_report,
 };
 use crate::recovery::Recovery;
+use crate::recovery::team::{Team, agree};
 use crate::remesh::turned_over;
 use crate::scene::{Mesh, Object, ParameterId, Scene};
 use crate::{Error, Image};
@@ -68,23 +69,32 @@ pub(super) struct Arguments {
     live: LiveArguments,
 }
 
-pub(super) fn run(arguments: &Arguments, chosen: Option<Arithmetic>) -> Result<ExitCode, Error> {
-    let mut experiment = arguments.problem.load()?;
-    if let Some(section) = &mut experiment.optimize {
-        section.iterations = arguments.iterations.or(section.iterations);
-        section.tolerance = arguments.tolerance.or(section.tolerance);
-        section.learning_rate = arguments.learning_rate.or(section.learning_rate);
-        section.optimizer = method(arguments.optimizer, section.optimizer, Optimizer::name);
-        section.schedule = method(arguments.schedule, section.schedule, Schedule::name);
-    }
+pub(super) fn run(
+    arguments: &Arguments,
+    chosen: Option<Arithmetic>,
+    team: &dyn Team,
+) -> Result<ExitCode, Error> {
+    let experiment = agree(team, arguments.experiment(team), |_| String::new())?;
     let scene_path = &arguments.problem.scene;
     let out = arguments.out.clone().unwrap_or_else(|| Path::new("out").join(stem(scene_path)));
-    let section = experiment.optimize.as_ref();
-    let inputs = section.map_or_else(Vec::new, OptimizeSection::files);
-    check_out_folder(&out, std::iter::once(scene_path.as_path()).chain(inputs))?;
-    let recovery = arguments.accuracy.recovery(&arguments.problem, &experiment, chosen)?;
-    let live = arguments.live.bind(scene_path)?;
-    let outcome = recover(&experiment, &recovery, &out, arguments.resume, live)?;
+    let prepared = arguments.prepare(&experiment, &out, chosen, team);
+    let (recovery, live) = agree(team, prepared, |(recovery, _)| recovery.mark())?;
+    if team.rank() > 0 {
+        recovery.serve(team);
+        return Ok(ExitCode::SUCCESS);
+    }
+    if team.size() > 1 {
+        let (ranks, threads) = (team.size(), rayon::current_num_threads());
+        print_note(format_args!("{ranks} ranks; threads of this one: {threads}"));
+        let images = recovery.images_at_a_time();
+        if images < ranks {
+            let problem = "more ranks than images in an iteration";
+            print_warning(format_args!("mpirun: {problem}: {} have nothing to do", ranks - images));
+        }
+    }
+    let resume = arguments.resume;
+    let lead = || recover(&experiment, &recovery, team, &out, resume, live);
+    let outcome = recovery.lead(team, lead)?;
     recovery.left_out().iter().for_each(print_warning);
     print(report(&recovery.with_topologies(&outcome.topologies)?, &outcome, &out))?;
     if outcome.stop.reason == StopReason::Interrupted {
@@ -92,6 +102,47 @@ pub(super) fn run(arguments: &Arguments, chosen: Option<Arithmetic>) -> Result<E
         return Ok(ExitCode::from(INTERRUPTED));
     }
     Ok(ExitCode::SUCCESS)
+}
+
+impl Arguments {
+    /// What the scene file and the command line say.
+    fn experiment(&self, team: &dyn Team) -> Result<Experiment, Error> {
+        if team.size() > 1 && self.accuracy.is_selecting() {
+            let problem = "measures times in one process: take it without mpirun, and give the settings \
+                           that it names here";
+            return Err(Error::new("--accuracy", problem));
+        }
+        let mut experiment = self.problem.load()?;
+        if let Some(section) = &mut experiment.optimize {
+            section.iterations = self.iterations.or(section.iterations);
+            section.tolerance = self.tolerance.or(section.tolerance);
+            section.learning_rate = self.learning_rate.or(section.learning_rate);
+            section.optimizer = method(self.optimizer, section.optimizer, Optimizer::name);
+            section.schedule = method(self.schedule, section.schedule, Schedule::name);
+        }
+        Ok(experiment)
+    }
+
+    /// What a rank needs before it begins; rank 0 alone looks after the folder and the page.
+    fn prepare<'a>(
+        &self,
+        experiment: &'a Experiment,
+        out: &Path,
+        chosen: Option<Arithmetic>,
+        team: &dyn Team,
+    ) -> Result<(Recovery<'a>, Option<LiveServer>), Error> {
+        let scene_path = &self.problem.scene;
+        if team.rank() > 0 {
+            // Rank 0 ends the run, and the others with it.
+            Interrupt::new()?;
+            return Ok((self.accuracy.recovery(&self.problem, experiment, chosen)?, None));
+        }
+        let section = experiment.optimize.as_ref();
+        let inputs = section.map_or_else(Vec::new, OptimizeSection::files);
+        check_out_folder(out, std::iter::once(scene_path.as_path()).chain(inputs))?;
+        let recovery = self.accuracy.recovery(&self.problem, experiment, chosen)?;
+        Ok((recovery, self.live.bind(scene_path)?))
+    }
 }
 
 /// The exit code of a run that was asked to end: that of a process that the interrupt signal ended.
@@ -117,10 +168,11 @@ fn tolerance(text: &str) -> Result<f64, String> {
     if value >= 0.0 { Ok(value) } else { Err("must be 0 or more".to_owned()) }
 }
 
-/// Optimises, and leaves everything about it in the folder `out`; a page may watch.
+/// Optimises, as rank 0 of a team, and leaves everything about it in the folder `out`; a page may watch.
 pub(super) fn recover(
     experiment: &Experiment,
     recovery: &Recovery<'_>,
+    team: &dyn Team,
     out: &Path,
     resume: bool,
     live: Option<LiveServer>,
@@ -139,7 +191,7 @@ pub(super) fn recover(
         Optimization::start(recovery.variables(), &settings)?.beginning() == Start::Fresh;
     if is_fresh {
         let only_evaluate = Settings { iterations: 0, checkpointing: None, ..settings.clone() };
-        recovery.run(&only_evaluate, &mut Quiet)?;
+        recovery.run_shared(team, &only_evaluate, &mut Quiet)?;
     }
     if is_fresh && resume {
         print_note(format_args!("{}: no run to resume; a new one begins", out.display()));
@@ -162,7 +214,8 @@ pub(super) fn recover(
         let state = live.start(recovery, &settings);
         observer = Box::new(Watched { observer, state, interrupt: interrupt.clone() });
     }
-    let outcome = recovery.run(&settings, &mut Interruptible { observer, interrupt })?;
+    let mut observer = Interruptible { observer, interrupt };
+    let outcome = recovery.run_shared(team, &settings, &mut observer)?;
 
     let found = recovery.with_topologies(&outcome.topologies)?;
     let recovered = found.scene_at(&outcome.best.x);

@@ -3,6 +3,7 @@
 use std::fmt::Display;
 use std::io::{self, ErrorKind, Write};
 use std::path::Path;
+use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
 
 use serde_json::Value;
 
@@ -10,9 +11,33 @@ use crate::Error;
 use crate::Warning;
 use crate::counts::Counts;
 
+/// Whether another process speaks for this one.
+static IS_SILENT: AtomicBool = AtomicBool::new(false);
+
+/// From now on nothing is printed: another process speaks for this one.
+pub(super) fn silence() {
+    IS_SILENT.store(true, Relaxed);
+}
+
+/// Whether nothing is to be printed.
+pub(super) fn is_silent() -> bool {
+    IS_SILENT.load(Relaxed)
+}
+
+/// Writes to the standard error stream.
+fn tell(text: impl Display) {
+    if !is_silent() {
+        // There is nobody left to tell about a failure here.
+        let _ = write!(io::stderr().lock(), "{text}");
+    }
+}
+
 /// Writes a text and a line break to the standard output. Whoever reads it may have heard enough,
 /// as `head` does: that is no error.
 pub(super) fn print(text: impl Display) -> Result<(), Error> {
+    if is_silent() {
+        return Ok(());
+    }
     match writeln!(io::stdout().lock(), "{text}") {
         Err(error) if error.kind() != ErrorKind::BrokenPipe => {
             Err(Error::io(Path::new("standard output"), error.to_string(), error))
@@ -23,8 +48,7 @@ pub(super) fn print(text: impl Display) -> Result<(), Error> {
 
 /// One line on the standard error stream.
 pub(super) fn print_error(error: &Error) {
-    // There is nobody left to tell about a failure here.
-    let _ = writeln!(io::stderr().lock(), "error: {error}");
+    tell(format_args!("error: {error}\n"));
 }
 
 /// One line for each warning on the standard error stream.
@@ -34,18 +58,17 @@ pub(super) fn print_warnings(warnings: &[Warning]) {
 
 /// One line on the standard error stream, about what went on.
 pub(super) fn print_warning(warning: impl Display) {
-    let _ = writeln!(io::stderr().lock(), "warning: {warning}");
+    tell(format_args!("warning: {warning}\n"));
 }
 
 /// Prints how much work the process has done so far, beside what the command prints.
 pub(super) fn print_stats() {
-    let _ = write!(io::stderr().lock(), "{}", Counts::total());
+    tell(Counts::total());
 }
 
 /// What a user should know beside the results, on the standard error stream.
 pub(super) fn print_note(note: impl Display) {
-    // Whoever closed the stream does not want to know.
-    let _ = writeln!(io::stderr().lock(), "{note}");
+    tell(format_args!("{note}\n"));
 }
 
 /// Numbers as people read them: at most a handful, six digits each.

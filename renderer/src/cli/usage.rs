@@ -4,14 +4,16 @@ use std::process::ExitCode;
 
 use clap::error::ErrorKind;
 
-use super::output::print_error;
+use super::output::{is_silent, print_error};
 use crate::Error;
 
 /// Prints what `clap` has to say: help and version as they are, errors in one line.
 pub(super) fn explain(error: &clap::Error) -> ExitCode {
     if matches!(error.kind(), ErrorKind::DisplayHelp | ErrorKind::DisplayVersion) {
-        // Whoever closed the stream does not want to know.
-        let _ = error.print();
+        if !is_silent() {
+            // Whoever closed the stream does not want to know.
+            let _ = error.print();
+        }
         return ExitCode::SUCCESS;
     }
     print_error(&Error::new("arguments", problem(&error.to_string())));

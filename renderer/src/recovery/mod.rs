@@ -16,12 +16,18 @@
 #![doc = include_str!("../../docs/recoveries.md")]
 
 mod check;
+#[cfg_attr(not(feature = "cli"), expect(dead_code, reason = "teams are led by the command line"))]
+mod left_out;
 mod levels;
 mod objective;
 mod quality;
 mod regularizer;
 mod remeshing;
+#[cfg(feature = "cli")]
+mod share;
 mod target;
+#[cfg_attr(not(feature = "cli"), expect(dead_code, reason = "teams are led by the command line"))]
+pub(crate) mod team;
 mod variable;
 
 use std::borrow::Cow;
@@ -36,7 +42,9 @@ pub(crate) use remeshing::check_remeshing;
 pub(crate) use remeshing::with_topologies;
 pub use target::TargetImage;
 
+use left_out::LeftOut;
 use regularizer::Regularizer;
+use team::{Alone, Team};
 
 use crate::Error;
 use crate::Image;
@@ -64,7 +72,7 @@ pub struct Recovery<'a> {
     regularizers: Vec<Regularizer>,
     variables: Vec<Variable>,
     allow_non_finite: bool,
-    left_out: Arc<Mutex<Option<String>>>,
+    left_out: Arc<Mutex<LeftOut>>,
 }
 
 impl<'a> Recovery<'a> {
@@ -165,7 +173,7 @@ impl<'a> Recovery<'a> {
 
     /// The latest evaluation that has [left pixels out](Self::allowing_non_finite), for people.
     pub fn left_out(&self) -> Option<String> {
-        self.left_out.lock().ok()?.clone()
+        Some(self.left_out.lock().ok()?.text()?.to_owned())
     }
 
     /// The settings of the section `[optimize]`, without checkpoints.
@@ -294,8 +302,19 @@ impl<'a> Recovery<'a> {
         settings: &OptimizeSettings,
         observer: &mut dyn Observer,
     ) -> Result<Outcome, Error> {
+        self.run_shared(&Alone, settings, observer)
+    }
+
+    /// Optimises, as rank 0 of a team.
+    pub(crate) fn run_shared(
+        &self,
+        team: &dyn Team,
+        settings: &OptimizeSettings,
+        observer: &mut dyn Observer,
+    ) -> Result<Outcome, Error> {
         let optimization = Optimization::start(&self.variables, settings)?;
-        optimization.run(self.objective().as_mut(), observer)
+        let mut objective = ImageObjective::shared(self, &self.settings, team);
+        optimization.run(&mut objective, observer)
     }
 
     /// Loss and gradient as a function of the parameters that vary: what [`run`](Self::run)

@@ -5,6 +5,7 @@ use std::borrow::Cow;
 use glam::DVec3;
 
 use super::levels::{halved, spread};
+use super::team::{Alone, Begun, Task, Team, sum_in_order, topologies_to_numbers};
 use super::{Recovery, TargetImage};
 use crate::Error;
 use crate::optimize::{Change, Evaluation, Objective, Topology, Variable};
@@ -16,13 +17,15 @@ use crate::{Image, LossAndGradient};
 /// The loss of the rendered images as a function of the parameters that vary.
 pub(crate) struct ImageObjective<'a> {
     /// The problem at the beginning, whose targets stay.
-    original: &'a Recovery<'a>,
+    pub(super) original: &'a Recovery<'a>,
     /// The problem since triangles of meshes have changed.
-    recovery: Cow<'a, Recovery<'a>>,
+    pub(super) recovery: Cow<'a, Recovery<'a>>,
+    /// Who shares the targets.
+    pub(super) team: &'a dyn Team,
     renderer: Renderer,
     scene: Scene,
-    /// How often the images are halved.
-    level: u32,
+    /// The iteration, and how often its images are halved.
+    begun: Begun,
     /// All that is matched, so often halved, in the order of the views.
     targets: Vec<Cow<'a, TargetImage>>,
     /// What of it is matched in this iteration.
@@ -33,7 +36,12 @@ pub(crate) struct ImageObjective<'a> {
 
 impl<'a> ImageObjective<'a> {
     pub fn new(recovery: &'a Recovery<'a>, settings: &Settings) -> Self {
-        let mut objective = Self::halved(recovery, Cow::Borrowed(recovery), settings, 0);
+        Self::shared(recovery, settings, &Alone)
+    }
+
+    /// The objective of a rank, which is evaluated in rank 0 while the others [`serve`](Self::serve).
+    pub fn shared(recovery: &'a Recovery<'a>, settings: &Settings, team: &'a dyn Team) -> Self {
+        let mut objective = Self::halved(recovery, Cow::Borrowed(recovery), settings, team, 0);
         objective.begin(0, 0);
         objective
     }
@@ -43,6 +51,7 @@ impl<'a> ImageObjective<'a> {
         original: &'a Recovery<'a>,
         recovery: Cow<'a, Recovery<'a>>,
         settings: &Settings,
+        team: &'a dyn Team,
         level: u32,
     ) -> Self {
         let mut scene = halved(&recovery.scene, level);
@@ -55,7 +64,8 @@ impl<'a> ImageObjective<'a> {
         let settings = Settings { pass: targets[0].pass, ..*settings };
         let renderer = Renderer::unchecked(&scene, &settings);
         let chosen = (0..targets.len()).collect();
-        Self { original, recovery, renderer, scene, level, targets, chosen, factor: 1.0 }
+        let begun = Begun { iteration: 0, level };
+        Self { original, recovery, team, renderer, scene, begun, targets, chosen, factor: 1.0 }
     }
 
     /// Changes the rays through pixels and the depth of paths; all else that is prepared stays.
@@ -64,17 +74,24 @@ impl<'a> ImageObjective<'a> {
     }
 
     /// Moves to these values; returns what is wrong with them.
-    fn assign(&mut self, x: &[f64]) -> Result<(), Invalid> {
+    pub(super) fn assign(&mut self, x: &[f64]) -> Result<(), Invalid> {
         self.scene.assign_all(&self.recovery.ids, x);
         self.scene.check_values(&self.recovery.ids)?;
         self.renderer.update(&self.scene);
         Ok(())
     }
 
+    /// Takes up the problem with other triangles, as rank 0, and tells the others.
+    fn go_on_with(&mut self, topologies: &[Topology], recovery: Recovery<'static>) {
+        Task::Change.ask(self.team, self.begun, &topologies_to_numbers(topologies));
+        self.take_up(recovery);
+    }
+
     /// Takes up the problem with other triangles.
-    fn go_on_with(&mut self, recovery: Recovery<'static>) {
+    pub(super) fn take_up(&mut self, recovery: Recovery<'static>) {
         let settings = *self.renderer.settings();
-        *self = Self::halved(self.original, Cow::Owned(recovery), &settings, self.level);
+        let (original, recovery) = (self.original, Cow::Owned(recovery));
+        *self = Self::halved(original, recovery, &settings, self.team, self.begun.level);
     }
 
     /// Loss and gradient of a target.
@@ -91,9 +108,35 @@ impl<'a> ImageObjective<'a> {
             return result;
         };
         if let Ok(mut left_out) = recovery.left_out.lock() {
-            *left_out = Some(of_view(target, scene, found.to_string()));
+            left_out.tell(index, of_view(target, scene, found.to_string()));
         }
         evaluation(&renderer.gradient_of_finite(scene, &loss, ids, &found))
+    }
+
+    /// The losses of the chosen targets, added up after their gradients.
+    pub(super) fn sum_of_losses(&mut self, len: usize) -> Vec<f64> {
+        if let Ok(mut left_out) = self.recovery.left_out.lock() {
+            left_out.evaluations += 1;
+        }
+        let chosen = self.chosen.clone();
+        sum_in_order(self.team, chosen.len(), len + 1, |index| {
+            let Evaluation { loss, mut gradient } = self.evaluate_target(chosen[index]);
+            // A gradient may fill much of the memory.
+            gradient.reserve_exact(1);
+            gradient.push(loss);
+            gradient
+        })
+    }
+
+    /// The curvatures of the chosen targets, added up before the number of those that have none.
+    pub(super) fn sum_of_curvatures(&mut self, len: usize) -> Vec<f64> {
+        let chosen = self.chosen.clone();
+        sum_in_order(self.team, chosen.len(), len * len + 1, |index| {
+            let mut curvature = vec![0.0; len * len];
+            let is_missing = self.add_curvature(chosen[index], &mut curvature).is_none();
+            curvature.push(f64::from(is_missing));
+            curvature
+        })
     }
 
     /// Adds the curvature of the loss of a target; nothing if it has none.
@@ -167,14 +210,16 @@ fn of_view(target: &TargetImage, scene: &Scene, what: String) -> String {
 
 impl Objective for ImageObjective<'_> {
     fn begin(&mut self, iteration: u64, level: u32) {
-        if level != self.level {
+        if level != self.begun.level {
             let sampling = match self.recovery.scene.integrator {
                 Integrator::Direct => spread(self.recovery.settings.sampling, level),
                 Integrator::Path(_) => self.recovery.settings.sampling,
             };
             let settings = Settings { sampling, ..*self.renderer.settings() };
-            *self = Self::halved(self.original, self.recovery.clone(), &settings, level);
+            let (original, recovery) = (self.original, self.recovery.clone());
+            *self = Self::halved(original, recovery, &settings, self.team, level);
         }
+        self.begun = Begun { iteration, level };
         let Some(batch) = self.recovery.section.batch else { return };
         let mut views: Vec<usize> = self.targets.iter().filter_map(|target| target.view).collect();
         views.dedup();
@@ -189,23 +234,19 @@ impl Objective for ImageObjective<'_> {
         if self.assign(x).is_err() {
             return Evaluation { loss: f64::NAN, gradient: vec![f64::NAN; x.len()] };
         }
-        let mut sum = Evaluation { loss: 0.0, gradient: vec![0.0; x.len()] };
-        for index in self.chosen.clone() {
-            let other = self.evaluate_target(index);
-            sum.loss += other.loss;
-            sum.gradient.iter_mut().zip(other.gradient).for_each(|(sum, other)| *sum += other);
-        }
+        Task::Evaluate.ask(self.team, self.begun, x);
+        let mut gradient = self.sum_of_losses(x.len());
+        let loss = gradient.pop().unwrap_or_default();
+        let mut sum = Evaluation { loss, gradient };
         self.recovery.regularizers.iter().for_each(|term| term.add(x, &mut sum));
         sum
     }
 
     fn curvature(&mut self, x: &[f64]) -> Option<Vec<f64>> {
         self.assign(x).ok()?;
-        let mut sum = vec![0.0; x.len() * x.len()];
-        for index in self.chosen.clone() {
-            self.add_curvature(index, &mut sum)?;
-        }
-        Some(sum)
+        Task::Curvature.ask(self.team, self.begun, x);
+        let mut sum = self.sum_of_curvatures(x.len());
+        (sum.pop() == Some(0.0)).then_some(sum)
     }
 
     fn change(&mut self, iteration: u64, x: &[f64]) -> Result<Option<Change>, Error> {
@@ -214,13 +255,13 @@ impl Objective for ImageObjective<'_> {
         }
         let changed = self.recovery.remeshed(&self.original.scene, iteration, x)?;
         Ok(changed.map(|(recovery, change)| {
-            self.go_on_with(recovery);
+            self.go_on_with(&change.topologies, recovery);
             change
         }))
     }
 
     fn restore(&mut self, topologies: &[Topology]) -> Result<Vec<Variable>, Error> {
-        self.go_on_with(self.original.with_topologies(topologies)?);
+        self.go_on_with(topologies, self.original.with_topologies(topologies)?);
         Ok(self.recovery.variables().to_vec())
     }
 

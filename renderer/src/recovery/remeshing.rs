@@ -98,7 +98,8 @@ impl Recovery<'_> {
             let rate = variable.learning_rate.first().copied();
             *variable = variable::variable(&scene, tuned, rate, None)?;
         }
-        let regularizers = regularizer::of(&scene, &self.section.parameters);
+        let regularizers =
+            regularizer::of(&scene, &self.section.parameters).map_err(|_| unknown())?;
         Ok(Recovery {
             scene: Cow::Owned(scene),
             section: self.section.clone(),

@@ -8,6 +8,8 @@ mod export;
 mod extremes;
 mod gradient;
 mod live;
+#[cfg(feature = "mpi")]
+mod mpi;
 mod optimize;
 mod out_folder;
 mod params;
