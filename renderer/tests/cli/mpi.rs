@@ -9,6 +9,13 @@ use serde_json::Value;
 
 use crate::sandbox::{FLOOR, SCENE, Sandbox};
 
+/// A mesh whose triangles change on the way.
+const REMESHED: &str = "\
+[[optimize.parameter]]
+path = \"mesh.floor.vertices\"
+remesh = { edge_length = 0.9, every = 4 }
+";
+
 /// A scene through five cameras, one of them held out, with images of all kinds.
 fn sandbox(method: &str) -> Sandbox {
     let sandbox = Sandbox::new();
@@ -77,11 +84,13 @@ fn result(sandbox: &Sandbox, out: &str) -> (Vec<Value>, Vec<String>, Vec<u8>) {
 
 #[test]
 fn any_number_of_ranks_comes_to_the_bits_of_one_process() {
+    let remeshed = format!("optimizer = \"adam\"\niterations = 12\n{REMESHED}");
     let methods = [
         ("optimizer = \"adam\"\ncoarse_to_fine = 2\niterations = 12", &["2", "3", "8"][..]),
         ("optimizer = \"adam\"\nbatch = 3\nseed = 5\niterations = 9", &["2"]),
         ("optimizer = \"lbfgs\"\ncoarse_to_fine = 1\nstarts = 3\niterations = 8", &["3"]),
         ("optimizer = \"lm\"\nloss = \"huber\"\niterations = 4", &["2"]),
+        (&remeshed, &["2"]),
     ];
     for (method, ranks) in methods {
         let sandbox = sandbox(method);
