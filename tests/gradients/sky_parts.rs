@@ -95,7 +95,7 @@ fn edges_of_shadows_of_the_sky() {
     scene.light_samples = 16;
     under(&mut scene, 16, uneven(16, 8), 10.0);
     let paths = [
-        ("environment.rotation", 1.0),
+        ("environment.rotation", 3.0),
         ("mesh.blocker.translation", 0.02),
         ("camera.look_from", 0.02),
     ];

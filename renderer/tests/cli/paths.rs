@@ -136,7 +136,10 @@ fn what_makes_no_sense_is_refused() {
         (PATH.replace("= 3", "= 4000000000"), ["bad.toml:3: integrator.max_depth", "memory"]),
         (PATH.replace("path", "paths"), ["bad.toml:", "`paths`"]),
         (PATH.replace("samples", "spp"), ["bad.toml:", "`spp`"]),
-        (SKY.to_owned(), ["bad.toml:1: environment", "integrator.type = \"path\""]),
+        (
+            format!("{SKY}background = [1.0, 0.0, 0.0]\n"),
+            ["environment.background", "integrator.type = \"path\""],
+        ),
         (PATH.to_owned() + "[environment]\n", ["bad.toml:5: environment.radiance", "is missing"]),
         (format!("{PATH}{SKY}").replace("0.5", "-1.0"), ["bad.toml:6", "negative"]),
         (format!("{PATH}[environment]\ntexture = \"moon\"\n"), ["bad.toml:6", "no texture `moon`"]),

@@ -3,10 +3,11 @@
 //! Direct light of an environment is that of so many distant lights, the same for all that is lit, each with
 //! hard shadows whose edges are known: so images have no noise, and gradients hold with respect to everything
 //! that moves a shadow, as with the points of [lights with an area](crate::transport::area_light). A part has
-//! the power of its texels, and shines from its middle; cuts make the variance of the directions small that parts
-//! shine from (Viriyothai & Debevec, "Variance Minimization Light Probe Sampling", 2009). Parts stay as they were cut when the scene was prepared, while
-//! texels vary and the map turns. Turned down: directions drawn anew for every point, whose shadows have no
-//! edges that anybody could follow.
+//! the power of its texels, and shines from its middle; cuts make the distance of the power from these middles
+//! small (after Viriyothai & Debevec, "Variance Minimization Light Probe Sampling", 2009). Parts stay as they were
+//! cut when the scene was prepared, while texels vary and the map turns. Turned down: directions drawn anew for
+//! every point, whose shadows have no edges that anybody could follow; and the middle of the power of a part,
+//! which moves with every texel, and its shadow with it.
 
 use std::f64::consts::{PI, TAU};
 use std::ops::Range;
@@ -85,23 +86,30 @@ struct Cells {
     rows: Range<u32>,
 }
 
-/// The power of cells, and their directions weighted by it.
+/// What cells come to together.
 #[derive(Clone, Copy, Default)]
 struct Moments {
+    solid_angle: f64,
+    /// The sum of the directions weighted by solid angles: it points to the middle.
+    middle: DVec3,
     power: f64,
-    direction: DVec3,
+    /// The same weighted by powers.
+    towards: DVec3,
 }
 
 impl Moments {
-    /// The power times the variance of the directions.
+    /// The power times half of the mean squared distance of the directions from their middle, on the unit
+    /// sphere.
     fn spread(&self) -> f64 {
-        self.power - self.direction.length()
+        self.power - self.towards.dot(self.middle.normalize_or_zero())
     }
 
     fn plus(self, other: Self, times: f64) -> Self {
         Self {
+            solid_angle: self.solid_angle + times * other.solid_angle,
+            middle: self.middle + times * other.middle,
             power: self.power + times * other.power,
-            direction: self.direction + times * other.direction,
+            towards: self.towards + times * other.towards,
         }
     }
 }
@@ -134,32 +142,28 @@ impl Sky {
         Self { grid, texels, columns }
     }
 
-    /// Sums over cells, each of which has a power over its solid angle.
-    fn sum(&self, Cells { columns, rows }: &Cells, power: impl Fn(usize) -> f64) -> Moments {
+    fn moments(&self, Cells { columns, rows }: &Cells) -> Moments {
         let mut sum = Moments::default();
         for row in rows.clone() {
             let (across, up) = self.grid.polar_angle(row).sin_cos();
             let solid_angle = self.grid.solid_angle(row);
             for column in columns.clone() {
-                let power = power(self.grid.texel(column, row)) * solid_angle;
                 let (sine, cosine) = self.columns[column as usize];
-                sum.power += power;
-                sum.direction += power * DVec3::new(across * sine, up, -across * cosine);
+                let middle = solid_angle * DVec3::new(across * sine, up, -across * cosine);
+                let power = self.texels[self.grid.texel(column, row)];
+                let (power, towards) = (power * solid_angle, power * middle);
+                sum = sum.plus(Moments { solid_angle, middle, power, towards }, 1.0);
             }
         }
         sum
     }
 
-    fn moments(&self, cells: &Cells) -> Moments {
-        self.sum(cells, |texel| self.texels[texel])
-    }
-
     /// Cells as one light. Its direction is their middle, whatever their texels: it does not move with these.
     fn part(&self, cells: Cells) -> SkyPart {
-        let Moments { power: solid_angle, direction } = self.sum(&cells, |_| 1.0);
-        let cosine = direction.length() / solid_angle;
+        let Moments { solid_angle, middle, .. } = self.moments(&cells);
+        let cosine = middle.length() / solid_angle;
         // All directions together have no middle; what faces a side sees a quarter of them, as it were.
-        let direction = if cosine > 1e-6 { direction.normalize() } else { DVec3::Y };
+        let direction = if cosine > 1e-6 { middle.normalize() } else { DVec3::Y };
         SkyPart { direction, cosine: cosine.max(0.25), cells, grid: self.grid }
     }
 

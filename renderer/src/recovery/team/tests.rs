@@ -103,12 +103,14 @@ fn tasks_reach_all_ranks() {
             Task::End.ask(team, Begun::default(), &[]);
             return vec![];
         }
-        let mut x = [0.0; 2];
-        let first = Task::next(team, &mut x);
-        vec![(first, x), (Task::next(team, &mut x), x)]
+        let next = || {
+            let mut numbers = vec![7.0];
+            (Task::next(team, &mut numbers), numbers)
+        };
+        vec![next(), next()]
     });
-    let x = [1.0, f64::MIN_POSITIVE];
-    let expected = [((Task::Curvature, begun), x), ((Task::End, Begun::default()), x)];
+    let x = vec![1.0, f64::MIN_POSITIVE];
+    let expected = [((Task::Curvature, begun), x), ((Task::End, Begun::default()), vec![])];
     assert_eq!(seen[1..], [expected.to_vec(), expected.to_vec()]);
 }
 
