@@ -23,8 +23,9 @@
 //!
 //! What is [slender](slender) lies between samples whole, and is looked for from the scene.
 //!
-//! What is not seen: slender shadows, slender things in mirrors, spheres between samples, edges of the shadows of transparent surfaces
-//! and of lights after the first 64, and steps within textures. More rays make the first finer.
+//! What is not seen: slender shadows, slender things in mirrors, spheres between samples, edges of the shadows of
+//! transparent surfaces and of lights after the first 64, and steps within textures. More rays make the first
+//! finer.
 
 mod band;
 mod cell;
