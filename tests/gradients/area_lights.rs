@@ -118,9 +118,11 @@ pub fn blocker_scene() -> Scene {
     scene
 }
 
-/// Derivatives by parameters that move shadows, against differences of finely sampled images over so large
-/// steps, from which the interior terms are far.
-pub fn shadows_agree_with_differences(scene: &Scene, paths: &[(&str, f64)]) {
+/// Derivatives by parameters that move shadows, from so many rays along a side of each pixel, against
+/// differences of more finely sampled images, from which the interior terms are far.
+pub fn shadows_agree_with_differences(scene: &Scene, paths: &[&str], sides: [u32; 2]) {
+    let [side, fine] = sides;
+    const STEP: f64 = 0.02;
     let settings = |edges, side| {
         let settings = Settings { edges, sampling: Sampling::Grid(side), ..Settings::default() };
         settings.in_double_precision()
@@ -132,7 +134,7 @@ pub fn shadows_agree_with_differences(scene: &Scene, paths: &[(&str, f64)]) {
         };
         image.pixels.iter().enumerate().map(weighted).sum()
     };
-    for &(path, step) in paths {
+    for path in paths {
         let id = scene.parameter(path).unwrap();
         let values = scene.get(id).into_owned();
         let direction = &[0.4, -0.3, 0.6][..values.len()];
@@ -140,14 +142,14 @@ pub fn shadows_agree_with_differences(scene: &Scene, paths: &[(&str, f64)]) {
             let mut moved = scene.clone();
             let values: Vec<f64> = values.iter().zip(direction).map(|(v, d)| v + by * d).collect();
             moved.set(id, &values).unwrap();
-            sum(&render(&moved, &settings(Edges::Off, 32)).unwrap())
+            sum(&render(&moved, &settings(Edges::Off, fine)).unwrap())
         };
-        let expected = (moved(step) - moved(-step)) / (2.0 * step);
-        let renderer = Renderer::new(scene, &settings(Edges::On, 4)).unwrap();
+        let expected = (moved(STEP) - moved(-STEP)) / (2.0 * STEP);
+        let renderer = Renderer::new(scene, &settings(Edges::On, side)).unwrap();
         let (_, along) = renderer.jvp(scene, &[(id, direction.to_vec())]).unwrap();
         let found = sum(&along);
         assert!((found - expected).abs() < 1e-2 * expected.abs(), "{path}: {found} {expected}");
-        let interior = Renderer::new(scene, &settings(Edges::Off, 4)).unwrap();
+        let interior = Renderer::new(scene, &settings(Edges::Off, side)).unwrap();
         let interior = sum(&interior.jvp(scene, &[(id, direction.to_vec())]).unwrap().1);
         let is_far = (interior - expected).abs() > 0.01 * expected.abs();
         assert!(is_far, "{path}: {interior} {expected}");
@@ -160,9 +162,12 @@ fn edges_of_soft_shadows() {
     let mut scene = blocker_scene();
     scene.add_light("panel", Light::Rectangle(AreaLight { radiance: 9.0, ..LAMP })).unwrap();
     let of_light = ["light.panel.center", "light.panel.right", "light.panel.up"];
-    shadows_agree_with_differences(&scene, &of_light.map(|path| (path, 0.02)));
-    let others = ["mesh.blocker.translation", "camera.look_from"];
-    shadows_agree_with_differences(&scene, &others.map(|path| (path, 0.02)));
+    shadows_agree_with_differences(&scene, &of_light, [4, 32]);
+    shadows_agree_with_differences(
+        &scene,
+        &["mesh.blocker.translation", "camera.look_from"],
+        [4, 32],
+    );
 }
 
 #[test]
