@@ -222,7 +222,7 @@ pub fn main() -> ExitCode {
     }
     result.unwrap_or_else(|error| {
         print_error(&error);
-        ExitCode::from(2)
+        output::failure()
     })
 }
 

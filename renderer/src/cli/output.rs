@@ -3,6 +3,7 @@
 use std::fmt::Display;
 use std::io::{self, ErrorKind, Write};
 use std::path::Path;
+use std::process::ExitCode;
 use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
 
 use serde_json::Value;
@@ -17,6 +18,12 @@ static IS_SILENT: AtomicBool = AtomicBool::new(false);
 /// From now on nothing is printed: another process speaks for this one.
 pub(super) fn silence() {
     IS_SILENT.store(true, Relaxed);
+}
+
+/// What a process ends with that has failed. `mpirun` ends all others as soon as one does: who speaks for them is
+/// to say why before.
+pub(super) fn failure() -> ExitCode {
+    if is_silent() { ExitCode::SUCCESS } else { ExitCode::from(2) }
 }
 
 /// Whether nothing is to be printed.

@@ -4,7 +4,7 @@ use std::process::ExitCode;
 
 use clap::error::ErrorKind;
 
-use super::output::{is_silent, print_error};
+use super::output::{failure, is_silent, print_error};
 use crate::Error;
 
 /// Prints what `clap` has to say: help and version as they are, errors in one line.
@@ -17,7 +17,7 @@ pub(super) fn explain(error: &clap::Error) -> ExitCode {
         return ExitCode::SUCCESS;
     }
     print_error(&Error::new("arguments", problem(&error.to_string())));
-    ExitCode::from(2)
+    failure()
 }
 
 /// What is wrong and what would be right, without the usage.
