@@ -78,6 +78,7 @@ pub fn remesh(mesh: &Mesh, edge_length: f64) -> Result<Remeshed, Error> {
 }
 
 /// The mean length of the edges of a mesh; 0 if it has none.
+#[cfg(feature = "files")]
 pub(crate) fn mean_edge_length(mesh: &Mesh) -> f64 {
     let surface = Surface::new(mesh);
     let edges = surface.edges();
