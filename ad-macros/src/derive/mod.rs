@@ -53,7 +53,8 @@ pub fn expand(item: TokenStream) -> syn::Result<TokenStream> {
             let shape = shape::of_struct(name, &tangent, &input.generics, &fields);
             let parts = parts(name, &input.generics, &data.fields);
             let operand = operand(name, &input.generics);
-            return Ok(quote!(#definition #shape #parts #operand));
+            let without_drop = without_drop(name, &input.generics);
+            return Ok(quote!(#definition #shape #parts #operand #without_drop));
         }
         Data::Enum(data) => data.variants.iter().collect(),
         Data::Union(data) => {
@@ -124,6 +125,7 @@ pub fn expand(item: TokenStream) -> syn::Result<TokenStream> {
     definitions.extend(definition.expand());
     definitions.extend(shape::of_enum(name, &tangent, &generics, &variants));
     definitions.extend(operand(name, &generics));
+    definitions.extend(without_drop(name, &generics));
     Ok(definitions)
 }
 
@@ -222,6 +224,22 @@ fn operand(name: &Ident, generics: &Generics) -> TokenStream {
                 self
             }
         }
+    }
+}
+
+/// Has the compiler refuse an `impl Drop`: a pullback may keep a value longer than the function does. The
+/// name of the trait is what it says.
+fn without_drop(name: &Ident, generics: &Generics) -> TokenStream {
+    let (impl_generics, type_generics, where_clause) = generics.split_for_impl();
+    quote! {
+        const _: () = {
+            trait TakeDropOffWhatHasADerivative {}
+
+            #[allow(drop_bounds)]
+            impl<T: ::core::ops::Drop> TakeDropOffWhatHasADerivative for T {}
+
+            impl #impl_generics TakeDropOffWhatHasADerivative for #name #type_generics #where_clause {}
+        };
     }
 }
 

@@ -80,7 +80,7 @@ impl Lowerer<'_> {
                         parse_quote!(match #matched { #pat => #then, _ => #otherwise });
                     return self.branch_arms(&as_match, lower_arm);
                 }
-                let condition = self.plain(&branch.cond);
+                let condition = self.condition(&branch.cond);
                 let arms = [then, otherwise]
                     .map(|body| Arm::plain(self.block(|lowerer| lower_arm(lowerer, &body))));
                 (BranchKind::If(condition), arms.into())

@@ -62,12 +62,15 @@ impl Lowerer<'_> {
         }
         let Expr::Reference(reference) = expr else {
             // A `&mut` parameter is passed on by reborrowing what it refers to.
-            return match self.place(expr) {
-                Some(mut place) if place.path.is_empty() && self.vars[place.root].exclusive => {
+            let is_exclusive = |lowerer: &Self, place: &Place| {
+                place.path.is_empty() && lowerer.vars[place.root].exclusive
+            };
+            return match self.place_if(expr, is_exclusive) {
+                Some(mut place) => {
                     place.path.push(Projection::Deref);
                     Argument::Reborrow(place)
                 }
-                _ => Argument::Value(self.operand(expr, "argument")),
+                None => Argument::Value(self.operand(expr, "argument")),
             };
         };
         if reference.mutability.is_some() {
@@ -87,7 +90,8 @@ impl Lowerer<'_> {
             }
             None => {}
         }
-        match self.operand(&reference.expr, "target") {
+        let target = self.operand(&reference.expr, "target");
+        match self.kept(target, &reference.expr) {
             Operand::Constant(tokens) => Argument::Value(Operand::Constant(quote!((&#tokens)))),
             Operand::Var(root) => Argument::Borrow(Place { root, path: Vec::new() }),
         }

@@ -51,7 +51,7 @@ fn is_chain(condition: &Expr) -> bool {
 }
 
 /// The conditions that `&&` joins.
-fn conditions(condition: &Expr) -> Vec<&Expr> {
+pub fn conditions(condition: &Expr) -> Vec<&Expr> {
     match condition {
         Expr::Binary(binary) if matches!(binary.op, BinOp::And(_)) => {
             let mut parts = conditions(&binary.left);

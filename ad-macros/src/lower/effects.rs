@@ -85,10 +85,16 @@ impl Lowerer<'_> {
             Expr::MethodCall(call) => {
                 let (method, turbofish) = (&call.method, &call.turbofish);
                 let receiver = self.operand(&call.receiver, "receiver");
-                let receiver = self.tokens(&receiver);
+                let receiver = match self.keep(&receiver, &call.receiver) {
+                    Some(kept) => self.tokens(&kept),
+                    None => {
+                        let receiver = self.tokens(&receiver);
+                        quote!((*&#receiver))
+                    }
+                };
                 let arguments: Vec<_> =
                     call.args.iter().map(|argument| self.part_in_order(argument)).collect();
-                quote!((*&#receiver).#method #turbofish(#(#arguments),*))
+                quote!(#receiver.#method #turbofish(#(#arguments),*))
             }
             Expr::Call(call) => {
                 let function = &call.func;
@@ -122,6 +128,7 @@ impl Lowerer<'_> {
             return part.to_token_stream();
         }
         let value = self.operand(part, "value");
+        let value = self.kept(value, part);
         let var = self.named(value, "part", part.span());
         self.ident(var).to_token_stream()
     }

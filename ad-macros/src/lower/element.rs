@@ -58,12 +58,27 @@ impl Lowerer<'_> {
 
     /// The place to which an expression is a `&mut`, if it is one to an element of a slice.
     pub(super) fn lent_element(&mut self, expr: &Expr) -> Option<Place> {
-        let Lent { slice, position } = Lent::element(expr)?;
+        Lent::element(expr)?;
+        let expr = self.repeatable_lent(expr);
+        let Lent { slice, position } = Lent::element(&expr)?;
         let mut place = self.sequence(slice)?;
         let whole = self.place_tokens(&place);
         let position = self.index(&position, &whole);
         place.path.push(Projection::Index(position));
         Some(place)
+    }
+
+    /// A method that lends an element, of a slice that can be written more than once.
+    fn repeatable_lent(&mut self, expr: &Expr) -> Expr {
+        let mut lent = strip_parens(expr).clone();
+        if let Expr::MethodCall(call) = &mut lent {
+            let receiver = &call.receiver;
+            *call.receiver = match call.method == "unwrap" || call.method == "expect" {
+                true => self.repeatable_lent(receiver),
+                false => self.repeatable(receiver),
+            };
+        }
+        lent
     }
 
     /// The arms of a `match` on an option of a `&mut` to an element, if it is that.
@@ -72,7 +87,9 @@ impl Lowerer<'_> {
         branch: &ExprMatch,
         lower_arm: &mut dyn FnMut(&mut Self, &Expr) -> Operand,
     ) -> Option<(BranchKind, Vec<Arm>)> {
-        let Lent { slice, position } = Lent::option(&branch.expr)?;
+        Lent::option(&branch.expr)?;
+        let lent = self.repeatable_lent(&branch.expr);
+        let Lent { slice, position } = Lent::option(&lent)?;
         let content = |pat: &Pat| match pat {
             Pat::TupleStruct(pattern) if is_transparent(&pattern.path) => {
                 pattern.elems.first().cloned()

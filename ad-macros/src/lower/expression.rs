@@ -59,9 +59,12 @@ impl Lowerer<'_> {
             Expr::Reference(reference) => self.reference(reference, hint),
             Expr::Block(block) => self.a_block(block, &End::default()),
             Expr::Loop(_) => self.loop_value(expr),
-            Expr::If(_) | Expr::Match(_) => self.branch_value(expr, &mut |lowerer, body| {
-                lowerer.scope(|lowerer| lowerer.operand(body, "value"))
-            }),
+            Expr::If(_) | Expr::Match(_) => match self.if_let_apart(expr) {
+                Some(block) => self.operand(&block, hint),
+                None => self.branch_value(expr, &mut |lowerer, body| {
+                    lowerer.scope(|lowerer| lowerer.operand(body, "value"))
+                }),
+            },
             Expr::Range(range) => {
                 self.refuse(range, "a range has no derivative: use it as the head of a `for` loop")
             }
@@ -236,6 +239,7 @@ impl Lowerer<'_> {
             }
             Expr::Index(index) => match self.operand(&index.expr, "whole") {
                 base @ Operand::Constant(_) => {
+                    let base = self.kept(base, &index.expr);
                     let base = self.in_turn(base, &index.expr, [&*index.index]);
                     let base = self.tokens(&base);
                     let position = self.index(&index.index, &base);
@@ -255,7 +259,8 @@ impl Lowerer<'_> {
 
     /// A part of a value that has no place of its own.
     fn part(&mut self, base: &Expr, step: Projection, hint: &str, whole: &Expr) -> Operand {
-        match self.operand(base, "whole") {
+        let value = self.operand(base, "whole");
+        match self.kept(value, base) {
             Operand::Constant(base) => {
                 Operand::Constant(crate::primal::project(base, std::slice::from_ref(&step)))
             }

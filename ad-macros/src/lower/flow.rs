@@ -36,6 +36,13 @@ impl Lowerer<'_> {
     }
 
     pub(super) fn statements(&mut self, stmts: Vec<Stmt>, end: &End) -> Operand {
+        let around = self.keeps_temporaries;
+        let value = self.statement_by_statement(stmts, end);
+        self.keeps_temporaries = around;
+        value
+    }
+
+    fn statement_by_statement(&mut self, stmts: Vec<Stmt>, end: &End) -> Operand {
         let mut stmts = stmts.into_iter();
         while let Some(stmt) = stmts.next() {
             if let Some(names) = deferred::declared(&stmt) {
@@ -59,7 +66,16 @@ impl Lowerer<'_> {
                 return self.statements(behind.into_iter().chain(stmts).collect(), end);
             }
             let stmt = self.plainer_loop(&stmt).unwrap_or(stmt);
+            // Those of the last expression end with the block.
+            let is_last = match &stmt {
+                Stmt::Expr(Expr::Return(_) | Expr::Break(_), _) => true,
+                Stmt::Expr(_, None) => stmts.len() == 0,
+                _ => false,
+            };
+            let matters = self.minds_temporaries(&stmt);
+            self.keeps_temporaries = matters && is_last;
             if exits::stmt_exits(&stmt) {
+                let stmt = if matters && !is_last { apart(stmt) } else { stmt };
                 return self.exiting(stmt, stmts.collect(), end);
             }
             match stmt {
@@ -78,8 +94,13 @@ impl Lowerer<'_> {
                     let value = self.macro_call(&call.mac, "value");
                     return self.normal_end(value, end);
                 }
-                Stmt::Local(local) => self.local(&local, Some(stmts.as_slice())),
-                stmt => self.statement(&stmt),
+                Stmt::Local(local) => self.local(&local, Some(stmts.as_slice()), matters),
+                stmt => {
+                    self.until_its_end(matters, |lowerer| {
+                        lowerer.statement(&stmt);
+                        Self::unit()
+                    });
+                }
             }
         }
         self.normal_end(Self::unit(), end)
@@ -88,7 +109,7 @@ impl Lowerer<'_> {
     /// A statement without exits.
     pub(super) fn statement(&mut self, stmt: &Stmt) {
         match stmt {
-            Stmt::Local(local) => self.local(local, None),
+            Stmt::Local(local) => self.local(local, None, false),
             Stmt::Item(item) => self.local_item(item),
             Stmt::Macro(call) => {
                 self.macro_call(&call.mac, "value");
@@ -101,6 +122,9 @@ impl Lowerer<'_> {
         match expr {
             Expr::Assign(assign) => self.assign(assign),
             Expr::Binary(binary) if exits::is_update(&binary.op) => self.update(binary),
+            Expr::If(_) if let Some(block) = self.if_let_apart(expr) => {
+                self.expression_statement(&block);
+            }
             Expr::If(_) | Expr::Match(_) => {
                 self.branch_statement(expr, &mut |lowerer, body| {
                     let value = lowerer.operand(body, "value");
@@ -122,8 +146,9 @@ impl Lowerer<'_> {
         }
     }
 
-    /// A declaration, and the statements that follow it in its block, if these are known.
-    fn local(&mut self, local: &Local, following: Option<&[Stmt]>) {
+    /// A declaration, and the statements that follow it in its block, if these are known; its temporaries
+    /// may matter.
+    fn local(&mut self, local: &Local, following: Option<&[Stmt]>, matters: bool) {
         if self.constant_local(local) {
             return;
         }
@@ -159,7 +184,7 @@ impl Lowerer<'_> {
             return;
         }
         if ty.is_some_and(crate::types::is_discrete) {
-            return self.discrete_local(pat, ty, &init.expr);
+            return self.discrete_local(pat, ty, &init.expr, matters);
         }
         let hint = match pat {
             Pat::Ident(pat) => pat.ident.to_string(),
@@ -172,7 +197,11 @@ impl Lowerer<'_> {
             told::tell_local(&mut expr, ty);
             expr
         });
-        let value = self.operand(told.as_ref().unwrap_or(&init.expr), &hint);
+        let value = told.as_ref().unwrap_or(&init.expr);
+        let value = match matters {
+            true => self.until_its_end(true, |lowerer| lowerer.operand(value, &hint)),
+            false => self.operand(value, &hint),
+        };
         if let (Pat::Ident(name), Operand::Constant(_), Some(following)) = (pat, &value, following)
             && name.mutability.is_some()
             && self.stays_constant(&name.ident, following)
@@ -373,7 +402,10 @@ impl Lowerer<'_> {
             return self.hoisted(name, part, stmts, end);
         }
 
-        let expr = desugar::branch(expr);
+        let expr = match self.if_let_apart(&expr) {
+            Some(block) => block,
+            None => desugar::branch(expr),
+        };
         let is_branch = matches!(expr, Expr::If(_) | Expr::Match(_));
         if is_branch && (is_value || (pat.is_none() && rest.is_empty())) {
             return self.branch_value(&expr, &mut |lowerer, body| {
@@ -436,6 +468,21 @@ impl Lowerer<'_> {
             end.here.push(Target::Leave(id));
             lowerer.nested(|lowerer| lowerer.statements(stmts, &end))
         })
+    }
+}
+
+/// A statement whose temporaries matter as one with a block for them.
+fn apart(stmt: Stmt) -> Stmt {
+    match stmt {
+        Stmt::Local(mut local) => {
+            if let Some(init) = &mut local.init {
+                let value = &init.expr;
+                init.expr = parse_quote!({ #value });
+            }
+            Stmt::Local(local)
+        }
+        Stmt::Expr(expr, semi) => Stmt::Expr(parse_quote!({ #expr }), semi),
+        stmt => stmt,
     }
 }
 

@@ -123,7 +123,7 @@ impl Lowerer<'_> {
     }
 
     /// Whether an expression uses a variable through which a derivative may flow.
-    fn mentions_active(&self, expr: &Expr) -> bool {
+    pub(super) fn mentions_active(&self, expr: &Expr) -> bool {
         struct Finder<'l, 'a>(&'l Lowerer<'a>, bool);
 
         impl<'ast> Visit<'ast> for Finder<'_, '_> {

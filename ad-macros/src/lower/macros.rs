@@ -202,6 +202,15 @@ impl Lowerer<'_> {
     }
 }
 
+/// What the elements of `vec!` and the argument of `dbg!` are evaluated by; a macro that is none of these
+/// drops what it makes itself.
+pub(super) fn elements(call: &Macro) -> Option<Punctuated<Expr, Token![,]>> {
+    let name = standard_macro(&call.path)?;
+    matches!(&*name, "vec" | "dbg")
+        .then(|| call.parse_body_with(Punctuated::parse_terminated).ok())
+        .flatten()
+}
+
 /// The names that a format string takes from around it: `{name}`, `{:width$}`.
 pub(super) fn captured_names(format: &str, span: Span) -> Vec<Ident> {
     let mut names: Vec<Ident> = Vec::new();

@@ -13,6 +13,7 @@
 //! calls the operators of types that are not `Copy`; [`sequence`]
 //! makes vectors and boxes; [`macros`] knows the macros of the standard library; [`higher`] refuses
 //! derivatives of derivatives; [`constancy`] tells what changes and never carries a derivative;
+//! [`temporaries`] keeps values without a name as long as Rust does;
 //! [`no_diff`] and [`plain`] pass on code through which no derivative flows, with variables renamed;
 //! [`state`] holds what is known on the way, [`syntax`] what forms tell.
 
@@ -59,6 +60,7 @@ mod source;
 mod stage;
 mod state;
 mod syntax;
+mod temporaries;
 mod told;
 mod variants;
 
@@ -200,6 +202,10 @@ struct Lowerer<'a> {
     /// argument is evaluated before the call, although the receiver stands first: no method that
     /// an argument calls may change it.
     called_on: Vec<VarId>,
+    /// Whether the temporaries of the statement being lowered get names.
+    keeps_temporaries: bool,
+    /// Those that have got one.
+    temporaries: HashSet<VarId>,
     names: &'a mut Names,
     errors: &'a mut Errors,
 }
@@ -234,6 +240,8 @@ impl<'a> Lowerer<'a> {
             variants: HashSet::new(),
             scalars: Vec::new(),
             called_on: Vec::new(),
+            keeps_temporaries: false,
+            temporaries: HashSet::new(),
             names,
             errors,
         }
@@ -299,6 +307,21 @@ impl Lowerer<'_> {
 
     fn push(&mut self, statement: Statement) {
         self.open_blocks.last_mut().expect("a block is open").1.push(statement);
+    }
+
+    /// What `attempt` gives. Where it gives nothing its statements go, too: they are written once
+    /// more, in another way.
+    fn or_undone<R>(&mut self, attempt: impl FnOnce(&mut Self) -> Option<R>) -> Option<R> {
+        let written =
+            |lowerer: &mut Self| lowerer.open_blocks.last().map_or(0, |open| open.1.len());
+        let before = written(self);
+        let value = attempt(self);
+        if value.is_none()
+            && let Some((_, statements)) = self.open_blocks.last_mut()
+        {
+            statements.truncate(before);
+        }
+        value
     }
 
     /// Makes a variable called `ident`.

@@ -37,6 +37,7 @@ impl Lowerer<'_> {
     /// is not known to return a number.
     fn may_hold_guard(&self, block: &Block) -> bool {
         block.statements.iter().any(|statement| match statement {
+            Statement::Define { var, .. } if self.temporaries.contains(var) => true,
             Statement::Define { var, ty, operation: Operation::Use(Operand::Constant(code)) } => {
                 self.vars[*var].is_binding
                     && !ty.as_ref().is_some_and(is_number)

@@ -91,21 +91,6 @@ impl Lowerer<'_> {
         })
     }
 
-    /// What `attempt` gives. Where it gives nothing its statements go, too: they are written once
-    /// more, in another way.
-    fn or_undone(&mut self, attempt: impl FnOnce(&mut Self) -> Option<Operand>) -> Option<Operand> {
-        let written =
-            |lowerer: &mut Self| lowerer.open_blocks.last().map_or(0, |open| open.1.len());
-        let before = written(self);
-        let value = attempt(self);
-        if value.is_none()
-            && let Some((_, statements)) = self.open_blocks.last_mut()
-        {
-            statements.truncate(before);
-        }
-        value
-    }
-
     /// `a += b` as a call; says whether it is one.
     pub(super) fn borrowed_update(
         &mut self,
@@ -119,10 +104,10 @@ impl Lowerer<'_> {
         if !self.is_borrowed_or_own(left) && !self.is_borrowed_or_own(&update.right) {
             return false;
         }
-        if self.active_place(&update.left).is_none() {
-            return false;
+        let Some(place) = self.active_place(&update.left) else { return false };
+        if !self.can_be_assigned(&update.left, &place) {
+            return true;
         }
-        let Some(place) = self.target(&update.left) else { return true };
         let right = self.borrowed(&update.right);
         let operands = vec![Argument::Exclusive(place), right];
         let function = format!("{}_assign", operator.method());
@@ -167,10 +152,13 @@ impl Lowerer<'_> {
             return self.argument(&parse_quote!(&*#expr));
         }
         // What may be changed is taken as it is now.
-        if let Some(place) = self.active_place(expr)
-            && self.vars[place.root].mutable
-            && let Operand::Var(root) = self.operand(expr, "operand")
-        {
+        let mut may_change = false;
+        self.place_if(expr, |lowerer, place| {
+            let root = &lowerer.vars[place.root];
+            may_change = root.active && root.mutable;
+            false
+        });
+        if may_change && let Operand::Var(root) = self.operand(expr, "operand") {
             return Argument::Borrow(Place { root, path: Vec::new() });
         }
         // In parentheses: what follows `&` may be another operator.

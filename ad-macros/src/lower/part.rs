@@ -13,6 +13,10 @@ use crate::ir::{Argument, Callee, Operand, Operation, Statement};
 impl Lowerer<'_> {
     /// The part of a slice, if `call` is such a method of a place, or `unwrap` or `expect` of one.
     pub(super) fn lent(&mut self, call: &ExprMethodCall, hint: &str) -> Option<Operand> {
+        self.or_undone(|lowerer| lowerer.lent_part(call, hint))
+    }
+
+    fn lent_part(&mut self, call: &ExprMethodCall, hint: &str) -> Option<Operand> {
         let unwrapped = match (&*call.method.to_string(), &*call.receiver) {
             ("unwrap" | "expect", Expr::MethodCall(inner)) => Some(inner),
             _ => None,
@@ -31,8 +35,14 @@ impl Lowerer<'_> {
             }
             (_, method) => (&inner.receiver, method.to_owned()),
         };
+        if is_chain(slice)
+            || !["first", "last", "get", "split_first", "split_last", "split_at"]
+                .contains(&&*method)
+        {
+            return None;
+        }
+        let slice = &self.repeatable(slice);
         let (position, element): (Expr, Expr) = match (&*method, &positions[..]) {
-            _ if is_chain(slice) => return None,
             ("first", []) => (parse_quote!(0), parse_quote!(&#slice[#index])),
             // Of an empty one the position is too large.
             ("last", []) => {
@@ -123,7 +133,13 @@ impl Lowerer<'_> {
             Expr::MethodCall(call) if call.method == "split_at_mut" => call,
             _ => return false,
         };
-        let slice = &call.receiver;
+        if !["split_at_mut", "split_first_mut", "split_last_mut"]
+            .iter()
+            .any(|method| call.method == method)
+        {
+            return false;
+        }
+        let slice = &self.repeatable(&call.receiver);
         let index = self.names.unwritten("position");
         let arguments: Vec<_> = call.args.iter().collect();
         let (position, parts): (Expr, [Expr; 2]) = match (&*call.method.to_string(), &arguments[..])

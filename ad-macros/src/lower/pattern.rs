@@ -310,13 +310,22 @@ impl Lowerer<'_> {
     }
 
     /// A variable declared with an integer or boolean type.
-    pub(super) fn discrete_local(&mut self, pat: &Pat, ty: Option<&Type>, value: &Expr) {
+    pub(super) fn discrete_local(
+        &mut self,
+        pat: &Pat,
+        ty: Option<&Type>,
+        value: &Expr,
+        matters: bool,
+    ) {
         // What is called needs a derivative here as under a `let` without type.
         let is_computed = calls(value)
             || matches!(value, Expr::If(_) | Expr::Match(_) | Expr::Block(_) | Expr::Loop(_));
         let value = match is_computed {
             true => {
-                let value = self.operand(value, "value");
+                let value = match matters {
+                    true => self.until_its_end(true, |lowerer| lowerer.operand(value, "value")),
+                    false => self.operand(value, "value"),
+                };
                 self.without_derivative(&value)
             }
             false => self.plain_constant(value),
@@ -357,9 +366,10 @@ impl Lowerer<'_> {
                 self.place(&call.receiver)
             }
             name @ (Expr::Path(_) | Expr::MethodCall(_)) => {
-                let place = self.place(name)?;
-                let is_parameter = place.path.is_empty() && self.vars[place.root].exclusive;
-                (is_parameter || self.is_exclusive_alias(name)).then_some(place)
+                self.place_if(name, |lowerer, place| {
+                    let is_parameter = place.path.is_empty() && lowerer.vars[place.root].exclusive;
+                    is_parameter || lowerer.is_exclusive_alias(name)
+                })
             }
             _ => None,
         }?;
@@ -383,14 +393,16 @@ impl Lowerer<'_> {
             _ => Some(quote!(&)),
         };
         // A `&mut` itself is not a place to match on: the bindings would be references to change.
-        let place = self.active_place(target);
-        let place =
-            place.filter(|place| !self.vars[place.root].exclusive || !place.path.is_empty());
-        if let Some(place) = place {
+        let is_matched = |lowerer: &Self, place: &Place| {
+            let root = &lowerer.vars[place.root];
+            root.active && (!root.exclusive || !place.path.is_empty())
+        };
+        if let Some(place) = self.place_if(target, is_matched) {
             let tokens = self.place_tokens(&place);
             return (quote!(#borrow #tokens), Some(place));
         }
-        match self.operand(expr, "matched") {
+        let matched = self.operand(expr, "matched");
+        match self.kept(matched, expr) {
             Operand::Var(root) => {
                 let ident = self.ident(root);
                 (quote!(#ident), Some(Place { root, path: Vec::new() }))

@@ -7,7 +7,7 @@ use syn::{Expr, ExprAssign, ExprBinary, Lit, UnOp};
 
 use super::order::calls_function;
 use super::state::Alias;
-use super::syntax::{root_name, strip_parens};
+use super::syntax::{calls, root_name, strip_parens};
 use super::{Lowerer, exits};
 use crate::ir::{
     Argument, BinaryOperator, Operand, Operation, Place, Projection, Statement, VarId,
@@ -59,6 +59,39 @@ impl Lowerer<'_> {
             }
             _ => None,
         }
+    }
+
+    /// A place, with names for the indices that are computed by calls: it is written more than once.
+    pub(super) fn repeatable(&mut self, place: &Expr) -> Expr {
+        let mut place = place.clone();
+        let mut way = &mut place;
+        let mut indices = Vec::new();
+        loop {
+            way = match way {
+                Expr::Paren(inner) => &mut inner.expr,
+                Expr::Field(field) => &mut field.base,
+                Expr::Unary(unary) => &mut unary.expr,
+                Expr::Index(index) => {
+                    match &mut *index.index {
+                        Expr::Range(range) => indices.extend(
+                            [&mut range.end, &mut range.start]
+                                .into_iter()
+                                .flatten()
+                                .map(|end| &mut **end),
+                        ),
+                        position => indices.push(position),
+                    }
+                    &mut index.expr
+                }
+                _ => break,
+            };
+        }
+        for index in indices.into_iter().rev().filter(|index| calls(index)) {
+            let name = self.names.unwritten("position");
+            let position = std::mem::replace(index, syn::parse_quote!(#name));
+            self.statement(&syn::parse_quote!(let #name: usize = #position;));
+        }
+        place
     }
 
     /// How many times a name, or what `*` leaves of it, refers to a place.
@@ -170,16 +203,26 @@ impl Lowerer<'_> {
 
     /// A place with a derivative.
     pub(super) fn active_place(&mut self, expr: &Expr) -> Option<Place> {
-        let place = self.place(expr)?;
-        self.vars[place.root].active.then_some(place)
+        self.place_if(expr, |lowerer, place| lowerer.vars[place.root].active)
+    }
+
+    /// The place that an expression names, if it is one to use: if not, its indices are evaluated
+    /// elsewhere.
+    pub(super) fn place_if(
+        &mut self,
+        expr: &Expr,
+        is_wanted: impl FnOnce(&Self, &Place) -> bool,
+    ) -> Option<Place> {
+        self.or_undone(|lowerer| lowerer.place(expr).filter(|place| is_wanted(lowerer, place)))
     }
 
     /// The receiver of a method. Where it is a place that may be assigned to, the method is called
     /// on the place itself, which a method that takes `&mut self` changes.
     pub(super) fn receiver(&mut self, call: &syn::ExprMethodCall) -> Argument {
-        let place = self.place(&call.receiver);
-        let Some(place) = place.filter(|place| !self.is_copied(place, call)) else {
-            return Argument::Value(self.scalar(&call.receiver, "receiver"));
+        let is_lent = |lowerer: &Self, place: &Place| !lowerer.is_copied(place, call);
+        let Some(place) = self.place_if(&call.receiver, is_lent) else {
+            let receiver = self.scalar(&call.receiver, "receiver");
+            return Argument::Value(self.kept(receiver, &call.receiver));
         };
         if !self.vars[place.root].active && !self.vars[place.root].mutable {
             return Argument::Value(Operand::Constant(self.place_tokens(&place)));
@@ -274,6 +317,11 @@ impl Lowerer<'_> {
             self.refuse(expr, "only local variables and their parts can be assigned to");
             return None;
         };
+        self.can_be_assigned(expr, &place).then_some(place)
+    }
+
+    /// Whether a place that an expression names can be assigned to; refuses it if not.
+    pub(super) fn can_be_assigned(&mut self, expr: &Expr, place: &Place) -> bool {
         // Behind a variable that may be assigned to is a box, which owns its content.
         let is_reference = !self.vars[place.root].mutable;
         if is_reference && place.path.iter().any(|step| matches!(step, Projection::Deref)) {
@@ -281,9 +329,9 @@ impl Lowerer<'_> {
                 expr,
                 "assignment through a reference is not supported: assign to a variable",
             );
-            return None;
+            return false;
         }
-        Some(place)
+        true
     }
 
     /// `place = value`

@@ -6,7 +6,7 @@ use quote::{ToTokens, quote, quote_spanned};
 use syn::spanned::Spanned;
 use syn::visit::{self, Visit};
 use syn::visit_mut::{self, VisitMut};
-use syn::{BinOp, Expr, Macro, Pat, UnOp, parse_quote, parse_quote_spanned};
+use syn::{BinOp, Expr, Macro, Pat, Stmt, UnOp, parse_quote, parse_quote_spanned};
 
 use super::hidden::encodes;
 use super::macros::Matches;
@@ -20,13 +20,21 @@ impl Lowerer<'_> {
     /// The expression with variables renamed. The caller knows that what it is used for has no
     /// derivative (a condition, a comparison).
     pub(super) fn plain(&mut self, expr: &Expr) -> TokenStream {
-        if self.changes(expr) {
+        if self.changes(expr) || self.uses_kept(expr) {
             return self.in_order(expr);
         }
         let (mut expr, outside) = (expr.clone(), self.scopes.count());
         Plain { lowerer: self, is_conditional: false, closures: 0, outside }
             .visit_expr_mut(&mut expr);
         expr.to_token_stream()
+    }
+
+    /// The same for a condition, whose temporaries end with it.
+    pub(super) fn condition(&mut self, expr: &Expr) -> TokenStream {
+        let matters = self.changes(expr) && self.minds_temporaries(&Stmt::Expr(expr.clone(), None));
+        let condition =
+            self.until_its_end(matters, |lowerer| Operand::Constant(lowerer.plain(expr)));
+        self.without_derivative(&condition)
     }
 
     /// The same for what is not evaluated here, once, whatever comes: nothing is put before it.

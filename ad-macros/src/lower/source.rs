@@ -120,45 +120,54 @@ impl Lowerer<'_> {
         if let (Expr::Reference(reference), true) = (strip_parens(expr), by_reference) {
             return self.elements(&reference.expr, access);
         }
-        let place = self.place(expr);
-        let active = place.as_ref().is_some_and(|place| self.vars[place.root].active);
-        if !by_reference && place.is_some() && !active {
+        let mut is_constant = false;
+        let place = self.place_if(expr, |lowerer, place| {
+            let root = &lowerer.vars[place.root];
+            is_constant = !root.active;
+            by_reference || root.active && !root.mutable
+        });
+        if is_constant && !by_reference {
             return Chain::Constant { iterator: self.plain(expr), length: None, is_range: false };
         }
-        if !by_reference && place.is_none() {
-            return match self.operand(expr, "source") {
-                Operand::Constant(iterator) => {
-                    Chain::Constant { iterator, length: None, is_range: false }
-                }
-                Operand::Var(root) => {
-                    let place = Place { root, path: Vec::new() };
-                    Chain::Elements { place, access, length: array_length(expr) }
-                }
+        if let Some(place) = place {
+            let length = match place.path.is_empty() {
+                true => self.lengths.get(&place.root).copied(),
+                false => None,
             };
+            return Chain::Elements { place, access, length };
         }
-        let place = self.source_place(expr, by_reference);
-        let length = match place.path.is_empty() {
-            true => self.lengths.get(&place.root).copied(),
-            false => None,
-        };
-        Chain::Elements { place, access, length }
+        match self.operand(expr, "source") {
+            Operand::Constant(iterator) if !by_reference => {
+                Chain::Constant { iterator, length: None, is_range: false }
+            }
+            value => {
+                let root = self.source_var(value, expr);
+                let place = Place { root, path: Vec::new() };
+                Chain::Elements { place, access, length: array_length(expr) }
+            }
+        }
     }
 
     /// The place whose elements are run over: a copy of it, where the loop may change it.
     pub(super) fn source_place(&mut self, expr: &Expr, by_reference: bool) -> Place {
-        if let Some(place) = self.place(expr)
-            && (by_reference || !self.vars[place.root].mutable)
-        {
+        let stays =
+            |lowerer: &Self, place: &Place| by_reference || !lowerer.vars[place.root].mutable;
+        if let Some(place) = self.place_if(expr, stays) {
             return place;
         }
-        let root = match self.operand(expr, "source") {
+        let value = self.operand(expr, "source");
+        Place { root: self.source_var(value, expr), path: Vec::new() }
+    }
+
+    /// What has no place of its own, as a variable; of a constant a reference.
+    fn source_var(&mut self, value: Operand, expr: &Expr) -> VarId {
+        match self.kept(value, expr) {
             Operand::Var(var) => var,
             Operand::Constant(tokens) => {
                 let value = Operation::Use(Operand::Constant(quote!(&#tokens)));
                 self.define("source", expr.span(), false, value)
             }
-        };
-        Place { root, path: Vec::new() }
+        }
     }
 
     /// A number that keeps its value until the reverse sweep.

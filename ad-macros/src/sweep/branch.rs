@@ -88,6 +88,12 @@ impl Sweeper<'_> {
 
         if records {
             sides.defines.push(record.clone());
+            if let BranchKind::If(condition) = &branch.kind
+                && arms.iter().all(|arm| arm.saved_names().is_empty())
+                && self.facts.is_cheap(condition)
+            {
+                self.conditions.insert(record.to_string(), condition.clone());
+            }
             let arms = arms.iter().enumerate().map(|(index, arm)| {
                 let (saved, reverse) = (in_variant(count, index, &arm.saved()), &arm.reverse);
                 quote!(#saved => { #reverse })
@@ -116,6 +122,12 @@ impl Sweeper<'_> {
         written.defines.splice(0..0, sides.defines);
         written
     }
+}
+
+/// What says which way an `if` went whose arms save nothing.
+pub(super) fn path_of(condition: &TokenStream) -> TokenStream {
+    let [then, otherwise] = [0, 1].map(|index| in_variant(2, index, &quote!(())));
+    quote!(if #condition { #then } else { #otherwise })
 }
 
 /// The largest of the enums `ad::rt::Branch1`, `Branch2`, ..

@@ -12,8 +12,9 @@ use syn::{BinOp, Expr, ExprCall, ExprMethodCall, ExprPath, Path};
 use super::facts::Facts;
 use crate::ir::VarId;
 
-/// Methods of integers, arrays and ranges.
-const METHODS: [&str; 4] = ["len", "min", "max", "rev"];
+/// Methods of integers, arrays and ranges, and comparisons of scalars.
+const METHODS: [&str; 10] =
+    ["len", "min", "max", "rev", "cmpeq", "cmpne", "cmplt", "cmple", "cmpgt", "cmpge"];
 
 /// Methods of ranges of which, beside these, ranges are made.
 const OF_RANGES: [&str; 3] = ["skip", "step_by", "take"];

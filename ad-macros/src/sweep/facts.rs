@@ -4,14 +4,16 @@ use std::collections::hash_map::Entry;
 use std::collections::{HashMap, HashSet};
 
 use proc_macro2::{Delimiter, Ident, TokenStream, TokenTree};
-use quote::ToTokens;
+use quote::{ToTokens, quote};
 use syn::Type;
+use syn::visit::{self, Visit};
 
 use crate::ir::{
     Argument, Binding, Block, BranchKind, BuildSource, Head, Operand, Operation, Place, Projection,
     Statement, Var, VarId,
 };
 use crate::lower::{Lowered, LoweredParameter};
+use crate::rules;
 use crate::signature::Parameter;
 use crate::types::{is_discrete, pointee};
 
@@ -299,7 +301,8 @@ impl<'a> Facts<'a> {
         let index = self.named(&name)?;
         match self.operations.get(&index)? {
             Operation::Use(Operand::Constant(tokens))
-                if self.uses(tokens).iter().all(|&var| var < index && !self.vars[var].mutable) =>
+                if self.uses(tokens).iter().all(|&var| var < index && !self.vars[var].mutable)
+                    && is_same_again(tokens) =>
             {
                 Some(tokens.clone())
             }
@@ -377,6 +380,40 @@ pub fn is_element(path: &[Projection]) -> bool {
     // An index of several tokens is a range.
     let is_index = |step: &Projection| matches!(step, Projection::Index(index) if index.clone().into_iter().count() == 1);
     steps.peek().is_some() && steps.all(is_index)
+}
+
+/// Whether code that has no effect gives the same when it runs once more: a function may draw a random
+/// number.
+fn is_same_again(code: &TokenStream) -> bool {
+    struct Calls(bool);
+
+    impl<'ast> Visit<'ast> for Calls {
+        fn visit_expr_call(&mut self, call: &'ast syn::ExprCall) {
+            self.0 |= call.func.to_token_stream().to_string() != constant().to_string();
+            visit::visit_expr_call(self, call);
+        }
+
+        fn visit_expr_method_call(&mut self, call: &'ast syn::ExprMethodCall) {
+            let name = call.method.to_string();
+            self.0 |= name != "len" && !rules::is_method(&name);
+            visit::visit_expr_method_call(self, call);
+        }
+
+        fn visit_macro(&mut self, _: &'ast syn::Macro) {
+            self.0 = true;
+        }
+    }
+
+    let mut finder = Calls(false);
+    syn::parse2(code.clone()).is_ok_and(|code: syn::Expr| {
+        finder.visit_expr(&code);
+        !finder.0
+    })
+}
+
+/// What checks that a value carries no derivative.
+fn constant() -> TokenStream {
+    quote!(::ad::rt::constant)
 }
 
 /// A slice or a `Vec`, or a reference to one.

@@ -6,7 +6,8 @@
 //! be saved is a minimum vertex cut ([`cut`](super::cut)) between what cannot be computed again
 //! (results of calls and divisions, variables before they are overwritten) and what the reverse
 //! sweep names. Constants move out of the loop, and so do the zero-sized witnesses of types, so that
-//! a loop from which nothing is saved needs no tape.
+//! a loop from which nothing is saved needs no tape. Which way a branch went is computed again, too, where
+//! its arms save nothing and its condition is cheap.
 //!
 //! Turned down: saving everything (an inner loop then moves more memory than it computes: the
 //! classic mistake); recomputing everything from the start of the iteration (calls would run twice,
@@ -21,6 +22,7 @@ use std::collections::{HashMap, HashSet};
 use proc_macro2::{Ident, TokenStream, TokenTree};
 use quote::quote;
 
+use super::branch::path_of;
 use super::cut::Graph;
 use super::facts::is_element;
 use super::{Sweeper, Written};
@@ -142,6 +144,14 @@ impl Sweeper<'_> {
                         let ident = &self.vars[var].ident;
                         again.insert(ident.to_string(), (quote!(let #ident = #code;), uses));
                     }
+                }
+            }
+            if let Statement::Branch(branch) = statement {
+                let record = &branch.record;
+                if let Some(condition) = self.conditions.get(&record.to_string()).cloned() {
+                    let (condition, uses) = self.code_again(&condition);
+                    let path = path_of(&condition);
+                    again.insert(record.to_string(), (quote!(let #record = #path;), uses));
                 }
             }
             if let Statement::Loop(Loop { head: Head::For { iterator, .. }, record, .. }) =

@@ -7,6 +7,7 @@
 
 #![allow(clippy::needless_range_loop, reason = "the functions are written with indices throughout")]
 
+mod branches;
 mod bundle_adjustment;
 mod gmm;
 mod lotka_volterra;
@@ -22,6 +23,7 @@ fn main() {
     let wanted: Vec<String> =
         std::env::args().skip(1).filter(|argument| !argument.starts_with("--")).collect();
     run(&wanted, &rosenbrock::Rosenbrock);
+    run(&wanted, &branches::Branches);
     run(&wanted, &shading::Shading);
     run(&wanted, &gmm::Gmm::new());
     run(&wanted, &lotka_volterra::LotkaVolterra);

@@ -4,6 +4,7 @@
 #![allow(
     clippy::assign_op_pattern,
     clippy::let_and_return,
+    clippy::match_single_binding,
     clippy::needless_range_loop,
     clippy::needless_return,
     clippy::never_loop,
@@ -18,6 +19,7 @@ mod closures;
 mod drops;
 mod effects;
 mod exclusive;
+mod indices;
 mod macro_rules;
 mod name_spaces;
 mod names;
@@ -25,3 +27,4 @@ mod numbers;
 mod order;
 mod recompute;
 mod structure;
+mod temporaries;

@@ -11,14 +11,14 @@ thread_local! {
 }
 
 /// Sets the scale, until it is dropped.
-struct Guard(f64);
+pub(super) struct Guard(f64);
 
 impl Guard {
-    fn push(scale: f64) -> Self {
+    pub(super) fn push(scale: f64) -> Self {
         Self(SCALE.replace(scale))
     }
 
-    fn get(&self) -> f64 {
+    pub(super) fn get(&self) -> f64 {
         SCALE.get()
     }
 }
@@ -29,7 +29,7 @@ impl Drop for Guard {
     }
 }
 
-fn scale() -> f64 {
+pub(super) fn scale() -> f64 {
     SCALE.get()
 }
 

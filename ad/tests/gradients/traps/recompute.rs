@@ -257,3 +257,32 @@ fn indices_defined_together(x: f64, y: f64) -> f64 {
 fn several_at_once() {
     check!(indices_defined_together(x, y) at [0.5, 0.7], [-1.1, 0.4]);
 }
+
+/// The ways that branches go are told again from what their conditions were computed from, as it was then.
+#[differentiable]
+fn ways(x: f64, y: f64) -> f64 {
+    let a = [x, y, x * y, x - y, 0.3];
+    let (mut level, mut turns, mut sum) = (y, 0, 0.0);
+    for i in 1..5 {
+        let limit = 0.1 * i as f64;
+        let error = a[i] - level;
+        if error > limit {
+            sum += error;
+            turns += 1;
+        } else if i % 2 == 0 {
+            sum -= error * 0.5;
+        } else if turns > 1 {
+            sum += x;
+        }
+        if a[i] > a[i - 1] {
+            sum += a[i] * 3.0;
+        }
+        level = level * 0.5 + error * y;
+    }
+    sum * level
+}
+
+#[test]
+fn the_same_ways_again() {
+    check!(ways(x, y) at [0.5, 0.7], [-1.1, 0.4], [1.7, -0.6]);
+}
