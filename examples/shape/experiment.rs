@@ -10,8 +10,8 @@ use renderer::experiment::{
 use renderer::files::save_exr;
 use renderer::optimize::{Adam, Batch, Optimizer};
 use renderer::{
-    Camera, DistantLight, Edges, Error, LossKind, Material, Mesh, Pass, Renderer, Scene, Settings,
-    View,
+    Camera, DistantLight, Edges, Error, LossKind, Material, Mesh, Normals, Pass, Renderer, Scene,
+    Settings, View,
 };
 
 use crate::merged::{merged, normalize};
@@ -34,11 +34,11 @@ const LAMBDA_FIXED: f64 = 25.0;
 /// How often the icosahedron is cut.
 const LEVEL: u32 = 5;
 
-/// A file of a mesh, all objects of it in one, or a shape with horns.
-pub fn target(path: Option<&Path>) -> Result<Mesh, Error> {
+/// A file of a mesh, all objects of it in one, or a shape with horns, which is shaded with these normals.
+pub fn target(path: Option<&Path>, normals: Normals) -> Result<Mesh, Error> {
     let (mut vertices, triangles) = path.map_or_else(|| Ok(horns()), merged)?;
     normalize(&mut vertices, |_, reach| RADIUS / reach);
-    Ok(Mesh::new("target", vertices, triangles).smooth())
+    Ok(Mesh { normals, ..Mesh::new("target", vertices, triangles) })
 }
 
 /// A ball with six horns of different lengths and a dent.

@@ -2,7 +2,7 @@
 //!
 //! `cargo run --release --example shape -- suzanne.obj`, or without a file, which takes a ball with horns;
 //! with `--scanned` before it, the images are of depth and normals, as scanners give them; with `--fixed`, the
-//! triangles of the sphere stay
+//! triangles of the sphere stay; with `--facets`, images show the object as flat as its triangles are, not smooth
 //!
 //! Steps are those of Large Steps (Nicolet et al. 2021): uniform Adam in coordinates in which neighbours move
 //! together, one view a step, so that eight steps see all of them, on triangles that change every 100 steps. Prints distances between surfaces, in
@@ -27,8 +27,8 @@ use experiment::{RADIUS, VIEWS};
 use renderer::files::{save_obj, save_png};
 use renderer::optimize::{Observer, Settings, Step, Topology};
 use renderer::recovery::Recovery;
-use renderer::remesh::turned_over;
-use renderer::{Error, Image, Mesh, Pass, Scene};
+use renderer::remesh::{self_intersecting, turned_over};
+use renderer::{Error, Image, Mesh, Normals, Pass, Scene};
 use strip::{brightest, strip};
 
 /// Steps, each of one view, and how many of them lie between two reports.
@@ -41,6 +41,7 @@ fn main() -> Result<(), Error> {
     let mut arguments = std::env::args_os().skip(1).peekable();
     let scanned = arguments.next_if(|argument| argument == "--scanned").is_some();
     let fixed = arguments.next_if(|argument| argument == "--fixed").is_some();
+    let facets = arguments.next_if(|argument| argument == "--facets").is_some();
     let remesh = (!fixed).then_some(experiment::REMESHING);
     let passes: &[Pass] = if scanned { &[Pass::Depth, Pass::Normals] } else { &[Pass::Radiance] };
     let argument = arguments.next();
@@ -49,7 +50,8 @@ fn main() -> Result<(), Error> {
     let out = Path::new("out/shape").join(&*name);
     std::fs::create_dir_all(&out).map_err(|error| Error::new(out.display(), error))?;
 
-    let target = experiment::target(file)?;
+    let normals = if facets { Normals::Flat } else { Normals::Smooth };
+    let target = experiment::target(file, normals)?;
     let experiment = experiment::experiment(&target, &out, 1, passes, remesh)?;
     let recovery = Recovery::new(&experiment, "shape", &experiment::settings())?;
     let settings = Settings { iterations: STEPS, ..recovery.settings() };
@@ -58,7 +60,7 @@ fn main() -> Result<(), Error> {
     let outcome = recovery.run(&settings, &mut watched)?;
     let seconds = clock.elapsed().as_secs_f64();
 
-    println!("views seen  Chamfer  Hausdorff  triangles  of them turned over");
+    println!("views seen  Chamfer  Hausdorff  triangles  of them turned over, intersecting others");
     for (iteration, topologies, x) in &watched.seen {
         describe(*iteration, &recovery.with_topologies(topologies)?.scene_at(x), &target);
     }
@@ -98,7 +100,10 @@ fn describe(iteration: u64, scene: &Scene, target: &Mesh) {
     let Distance { chamfer, hausdorff } =
         own.distance(&Surface { vertices: &other, triangles: &target.triangles });
     let (triangles, turned) = (mesh.triangles.len(), turned_over(mesh));
-    println!("{iteration:>10}  {chamfer:>7.4}  {hausdorff:>9.4}  {triangles:>9}  {turned:>7}");
+    let crossed = self_intersecting(mesh);
+    println!(
+        "{iteration:>10}  {chamfer:>7.4}  {hausdorff:>9.4}  {triangles:>9}  {turned:>7}  {crossed:>7}"
+    );
 }
 
 /// Where a run was now and then, with the triangles that it had there.

@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::laplacian::Weights;
 use crate::loss::LossKind;
-use crate::optimize::{Batch, Optimizer, Schedule, Starts};
+use crate::optimize::{Batch, Optimizer, Scale, Schedule, Starts};
 use crate::scene::{ParameterId, Scene};
 use crate::settings::Pass;
 use crate::warning::Warning;
@@ -121,13 +121,15 @@ pub struct MatchedPass {
 pub struct TunedParameter {
     /// The parameter to optimise.
     pub id: ParameterId,
+    /// What its steps are taken in: its numbers, or their logarithms.
+    pub scale: Scale,
     /// The learning rate of this parameter alone; above 0.
     pub learning_rate: Option<f64>,
     /// Its lower bound, as many numbers as the parameter has.
     pub min: Option<Vec<f64>>,
     /// Its upper bound, as many numbers as the parameter has, nowhere below `min`.
     pub max: Option<Vec<f64>>,
-    /// How far each of its numbers is at most from that of the scene where there are several
+    /// How far each of its numbers is at most from that of the scene, on its scale, where there are several
     /// [starts](OptimizeSection::starts).
     pub spread: Option<Vec<f64>>,
     /// Of the vertices of a mesh: the lambda of the [coordinates](crate::laplacian::System) that first-order
@@ -141,7 +143,7 @@ pub struct TunedParameter {
 
 /// How the triangles of a mesh [change](crate::remesh::remesh) in the course of a run.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[serde(deny_unknown_fields, expecting = "a table with an `edge_length` and an `every`")]
 pub struct Remeshing {
     /// About how long edges become, in units of the vertices; above 0. Where those of the mesh are longer on average,
     /// they become so step by step: each time shorter by [a part](Self::STEP).
@@ -168,6 +170,7 @@ impl TunedParameter {
     pub fn new(id: ParameterId) -> Self {
         Self {
             id,
+            scale: Scale::Linear,
             learning_rate: None,
             min: None,
             max: None,

@@ -178,7 +178,7 @@ fn what_is_wrong_with_lights_with_an_area_is_said() {
     };
     let parallel = refused(AreaLight { up: 2.0 * LAMP.right, ..LAMP });
     assert_eq!(parallel, "light.panel.right: `right` and `up` must not point along one line");
-    assert!(refused(AreaLight { up: DVec3::ZERO, ..LAMP }).contains("along one line"));
+    assert!(refused(AreaLight { up: DVec3::ZERO, ..LAMP }).starts_with("light.panel.up: "));
     assert!(refused(AreaLight { radiance: -1.0, ..LAMP }).contains("light.panel.radiance"));
     scene.light_samples = 65;
     scene.add_light("panel", Light::Rectangle(LAMP)).unwrap();

@@ -6,6 +6,8 @@ use renderer::{
     Sampling, Scene, Settings, SphereObject, render, render_jvp, render_vjp,
 };
 
+use crate::differences::{self, relative_error};
+
 const WIDTH: u32 = 48;
 const HEIGHT: u32 = 40;
 
@@ -83,29 +85,11 @@ fn add_sun(scene: &mut Scene) {
 }
 
 fn gradient(scene: &Scene, settings: &Settings, path: &str) -> Vec<f64> {
-    let id = scene.parameter(path).unwrap();
-    let renderer = Renderer::new(scene, settings).unwrap();
-    renderer.loss_and_gradient(scene, &Weights, &[id]).gradient.concat()
+    differences::gradient(scene, settings, &Weights, path)
 }
 
-/// Central differences of the loss.
 fn differences(scene: &Scene, settings: &Settings, path: &str, step: f64) -> Vec<f64> {
-    let id = scene.parameter(path).unwrap();
-    let values = scene.get(id).into_owned();
-    let loss = |index: usize, by: f64| {
-        let (mut moved, mut values) = (scene.clone(), values.clone());
-        values[index] += by;
-        moved.set(id, &values).unwrap();
-        Renderer::new(&moved, settings).unwrap().loss(&Weights)
-    };
-    let count = values.len();
-    (0..count).map(|index| (loss(index, step) - loss(index, -step)) / (2.0 * step)).collect()
-}
-
-fn relative_error(found: &[f64], expected: &[f64]) -> f64 {
-    let norm = |numbers: &mut dyn Iterator<Item = f64>| numbers.map(|x| x * x).sum::<f64>().sqrt();
-    let mut off = found.iter().zip(expected).map(|(found, expected)| found - expected);
-    norm(&mut off) / norm(&mut expected.iter().copied())
+    differences::differences(scene, settings, &Weights, path, step)
 }
 
 /// The gradient is that of a finely sampled image; the interior term alone is far from it.

@@ -210,11 +210,15 @@ fn every_loss_agrees_with_finite_differences() {
 #[test]
 fn single_precision_is_close_to_double() {
     let scene = small_scene(32);
-    let target = target(&scene);
-    let loss = ImageLoss::new(LossKind::MeanSquared, &target, false);
+    single_agrees_with_double(&scene, &target(&scene), [Arithmetic::F32, Arithmetic::F64]);
+}
+
+/// Gradients by all parameters in single and in double precision.
+pub fn single_agrees_with_double(scene: &Scene, target: &Image, arithmetics: [Arithmetic; 2]) {
+    let loss = ImageLoss::new(LossKind::MeanSquared, target, false);
     let ids = scene.parameters();
-    let [single, double] = [Arithmetic::F32, Arithmetic::F64].map(|arithmetic| {
-        loss_and_gradient(&scene, &in_arithmetic(arithmetic), &loss, &ids).unwrap()
+    let [single, double] = arithmetics.map(|arithmetic| {
+        loss_and_gradient(scene, &in_arithmetic(arithmetic), &loss, &ids).unwrap()
     });
     for id in ids {
         let (single, double) = (single.gradient.get(id), double.gradient.get(id));

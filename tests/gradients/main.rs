@@ -3,11 +3,13 @@
 mod area_lights;
 mod away_from_edges;
 mod custom;
+mod differences;
 mod edges;
 mod everything;
 mod facets;
 mod image;
 mod materials;
+mod moving_paths;
 mod normal_map_kernel;
 mod normal_maps;
 mod passes;

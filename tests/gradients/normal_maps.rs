@@ -10,7 +10,8 @@ use renderer::{
 use crate::edges;
 use crate::everything::{place_meshes, smooth_meshes};
 use crate::image::{
-    agrees_with_finite_differences, check_parameter_with, in_arithmetic, lanes_agree_on, target_of,
+    agrees_with_finite_differences, check_parameter_with, in_arithmetic, lanes_agree_on,
+    single_agrees_with_double, target_of,
 };
 use crate::paths::{agrees_with_differences, lit_box, paths};
 use crate::scenes::{Parts, small_parts};
@@ -100,18 +101,7 @@ fn lanes_agree_with_single_numbers() {
 fn single_precision_is_close_to_double() {
     let scene = smooth_meshes(bumpy_parts(32)).scene();
     let target = target_of(&scene, &in_arithmetic(Arithmetic::F64));
-    let loss = ImageLoss::new(LossKind::MeanSquared, &target, false);
-    let ids = scene.parameters();
-    let [single, double] = [Arithmetic::F32x16, Arithmetic::F64x8].map(|arithmetic| {
-        loss_and_gradient(&scene, &in_arithmetic(arithmetic), &loss, &ids).unwrap()
-    });
-    for id in ids {
-        let (single, double) = (single.gradient.get(id), double.gradient.get(id));
-        let scale = double.iter().fold(0.0_f64, |scale, x| scale.max(x.abs()));
-        for (s, d) in single.iter().zip(double) {
-            assert!((s - d).abs() <= 1e-4 * scale, "{}: {s} instead of {d}", scene.path(id));
-        }
-    }
+    single_agrees_with_double(&scene, &target, [Arithmetic::F32x16, Arithmetic::F64x8]);
 }
 
 #[test]

@@ -74,7 +74,7 @@ pub fn render_vjp(
     requested: &[ParameterId],
 ) -> Result<(Image, impl Fn(&Image) -> Gradient + use<>), Error> {
     scene.check_differentiable(settings, requested)?;
-    let settings = Settings { edges: settings.edges.for_parameters(scene, requested), ..*settings };
+    let settings = Settings { edges: scene.edges_for(settings.edges, requested), ..*settings };
     let renderer = Renderer::new(scene, &settings)?;
     let (image, scene, requested) = (renderer.render(), scene.clone(), requested.to_vec());
     Ok((image, move |cotangent: &Image| renderer.pullback(&scene, cotangent, &requested)))

@@ -1,8 +1,6 @@
 //! How a scene is rendered.
 
-use crate::Error;
 use crate::arithmetic::{Arithmetic, Precision};
-use crate::scene::{ParameterId, PathTracing, Scene};
 pub use crate::trace::bvh::BuildQuality;
 pub use crate::trace::sampling::{GradientSamples, Samples, Sampling};
 
@@ -30,21 +28,6 @@ impl Settings {
     pub fn in_double_precision(self) -> Self {
         Self { arithmetic: Arithmetic::fastest(Precision::F64), ..self }
     }
-
-    /// Checks that edges of a scene are not [to be seen](Self::edges) where they are not
-    /// [looked for](Pass::has_edges).
-    ///
-    /// # Errors
-    ///
-    /// If they are.
-    #[doc(hidden)]
-    pub fn check_edges(&self, scene: &Scene) -> Result<(), Error> {
-        if self.edges != Edges::On || self.pass.has_edges(scene) {
-            return Ok(());
-        }
-        let problem = "are not looked for where light takes all paths (integrator.type = \"path\")";
-        Err(Error::new("edges", problem))
-    }
 }
 
 /// Whether images and gradients see edges: silhouettes, shadows, and whatever else radiance jumps at.
@@ -52,6 +35,9 @@ impl Settings {
 /// Where they do, each side of an edge counts by the area that it covers of a pixel, and the gradient
 /// has the boundary term: what pixels gain and lose when edges move. Rays form a regular grid then, of
 /// at least as many as the [sampling](Settings::sampling) says.
+///
+/// Where light takes all paths, images are means of samples that lie anywhere in a pixel, with edges or without,
+/// and the boundary term comes from the edges that the camera sees, of surfaces and of shadows.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
 pub enum Edges {
@@ -65,10 +51,10 @@ pub enum Edges {
 }
 
 impl Edges {
-    /// What they are for gradients by some parameters of a scene: on or off.
-    pub fn for_parameters(self, scene: &Scene, ids: &[ParameterId]) -> Self {
+    /// What they are for gradients by parameters, one of which moves edges or none: on or off.
+    pub(crate) fn given(self, moves_edges: bool) -> Self {
         match self {
-            Self::Auto if ids.iter().any(|&id| scene.moves_edges(id)) => Self::On,
+            Self::Auto if moves_edges => Self::On,
             Self::Auto => Self::Off,
             chosen => chosen,
         }
@@ -115,17 +101,6 @@ pub enum Pass {
 }
 
 impl Pass {
-    /// How paths are chosen where this is shown of a scene, if light takes all: radiance alone asks for it.
-    pub(crate) fn path_tracing(self, scene: &Scene) -> Option<PathTracing> {
-        scene.path_tracing().filter(|_| self == Self::Radiance)
-    }
-
-    /// Whether edges can be seen where this is shown of a scene: where light takes all paths they are not
-    /// looked for.
-    pub fn has_edges(self, scene: &Scene) -> bool {
-        self.path_tracing(scene).is_none()
-    }
-
     /// The name that files and the command line have for it.
     pub fn name(self) -> &'static str {
         match self {

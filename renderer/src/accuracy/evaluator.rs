@@ -25,7 +25,7 @@ impl<'a> Evaluator<'a> {
     /// Whether gradients see edges: their rays are regular grids then.
     pub fn has_edges(&self) -> bool {
         let edges = self.recovery.render_settings().edges;
-        edges.for_parameters(self.recovery.scene(), self.recovery.ids()) == Edges::On
+        self.recovery.scene().edges_for(edges, self.recovery.ids()) == Edges::On
     }
 
     /// The gradient in a setting.

@@ -56,7 +56,6 @@ pub(super) fn run(arguments: &Arguments, arithmetic: Arithmetic) -> Result<(), E
     }
     if ids.is_empty() {
         ids = scene.parameters();
-        ids.retain(|&id| scene.is_differentiable(id));
     }
 
     let triangles: usize = scene.meshes.iter().map(|mesh| mesh.triangles.len()).sum();
@@ -74,10 +73,9 @@ pub(super) fn run(arguments: &Arguments, arithmetic: Arithmetic) -> Result<(), E
     ))?;
     let limit = Duration::from_secs_f64(arguments.seconds);
     let start = Instant::now();
-    let edges = arguments.edges.for_parameters(scene, &ids);
+    let edges = scene.edges_for(arguments.edges, &ids);
     let settings = Settings { arithmetic, edges, ..Settings::default() };
     scene.check_differentiable(&settings, &ids)?;
-    settings.check_edges(scene)?;
     let renderer = Renderer::unchecked(scene, &settings);
     let build = start.elapsed();
     Bench { original: scene, scene: scene.clone(), ids, renderer, load, build, limit, moves: 0 }

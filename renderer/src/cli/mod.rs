@@ -131,7 +131,7 @@ enum Command {
     Init(init::Arguments),
     /// Explain the format of scene files
     Scene,
-    /// Write the meshes of a scene for other programs: glTF (.glb) or OBJ
+    /// Write a scene for other programs: glTF (.glb), OBJ, or its cameras (transforms.json)
     Export(export::Arguments),
     /// Turn the folder of an optimisation into one HTML page
     Report(report::Arguments),

@@ -24,8 +24,8 @@ use crate::optimize::{
 };
 use crate::recovery::Recovery;
 use crate::recovery::team::{Team, agree};
-use crate::remesh::turned_over;
-use crate::scene::{Mesh, Object, ParameterId, Scene};
+use crate::remesh::{self_intersecting, turned_over};
+use crate::scene::{ParameterId, Scene};
 use crate::{Error, Image};
 
 #[derive(clap::Args)]
@@ -240,21 +240,15 @@ pub(super) fn recover(
     Ok(outcome)
 }
 
-/// The mesh whose vertices, all of them, a parameter is.
-fn surface(scene: &Scene, id: ParameterId) -> Option<&Mesh> {
-    match id.object {
-        Object::Mesh(mesh) if id.field == "vertices" && id.vertex.is_none() => {
-            Some(&scene.meshes()[mesh])
-        }
-        _ => None,
-    }
-}
-
 /// The triangles of meshes that have varied, for the entries of their parameters in the summary.
 fn surfaces(recovery: &Recovery<'_>, recovered: &Scene) -> Value {
     let entry = |&id: &ParameterId| {
-        let mesh = surface(recovered, id)?;
-        let entry = json!({ "triangles": mesh.triangles.len(), "turned_over": turned_over(mesh) });
+        let mesh = &recovered.meshes()[id.whole_mesh()?];
+        let entry = json!({
+            "triangles": mesh.triangles.len(),
+            "turned_over": turned_over(mesh),
+            "self_intersecting": self_intersecting(mesh),
+        });
         Some((recovered.path(id).to_string(), entry))
     };
     Value::Object(recovery.ids().iter().filter_map(entry).collect())
@@ -272,9 +266,13 @@ pub(super) fn report(recovery: &Recovery<'_>, outcome: &Outcome, out: &Path) -> 
             lines.push(format!("  initial    {}", abbreviate(&variable.initial)));
         }
         lines.push(format!("  recovered  {}", abbreviate(&found)));
-        if let Some(mesh) = surface(&recovered, id) {
-            let (triangles, turned) = (mesh.triangles.len(), turned_over(mesh));
-            lines.push(format!("  triangles  {triangles}, of them turned over {turned}"));
+        if let Some(mesh) = id.whole_mesh() {
+            let mesh = &recovered.meshes()[mesh];
+            let (count, turned, crossed) =
+                (mesh.triangles.len(), turned_over(mesh), self_intersecting(mesh));
+            lines.push(format!(
+                "  triangles  {count}, of them turned over {turned}, intersecting others {crossed}"
+            ));
         }
         if let Some(target) = &variable.target {
             lines.push(format!("  true       {}", abbreviate(target)));

@@ -50,11 +50,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Error> {
         let shape: Vec<_> = scene.shape(id).iter().map(usize::to_string).collect();
         let shape = if shape.is_empty() { "1".into() } else { shape.join(" x ") };
         let value = abbreviate(&scene.get(id));
-        let kind = match scene.is_differentiable(id) {
-            true => "differentiable",
-            false => "not differentiable",
-        };
-        rows.push([scene.path(id).to_string(), shape, kind.into(), value]);
+        rows.push([scene.path(id).to_string(), shape, "differentiable".into(), value]);
     }
     for (path, value) in size {
         rows.push([path, "1".into(), "not differentiable".into(), value.to_string()]);

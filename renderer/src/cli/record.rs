@@ -22,7 +22,7 @@ pub(super) fn settings(recovery: &Recovery<'_>, settings: &Settings) -> Value {
         "command": command.join(" "),
         "version": env!("CARGO_PKG_VERSION"),
         "arithmetic": render.arithmetic.name(),
-        "edges": format!("{:?}", render.edges.for_parameters(recovery.scene(), recovery.ids())).to_lowercase(),
+        "edges": format!("{:?}", recovery.scene().edges_for(render.edges, recovery.ids())).to_lowercase(),
         "samples per pixel": render.sampling.count(),
         "optimizer": settings.optimizer.name(),
         "schedule": settings.schedule.name(),

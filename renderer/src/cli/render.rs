@@ -111,8 +111,8 @@ pub(super) fn run(arguments: &Arguments, arithmetic: Arithmetic) -> Result<(), E
         pass,
         sampling: arguments.sampling.sampling(&experiment.scene),
         edges: match arguments.antialias {
-            Antialias::Coverage if pass.has_edges(&experiment.scene) => Edges::On,
-            Antialias::Coverage | Antialias::None => Edges::Off,
+            Antialias::Coverage => Edges::On,
+            Antialias::None => Edges::Off,
         },
         ..Settings::default()
     };

@@ -4,4 +4,4 @@ mod read;
 mod write;
 
 pub(crate) use read::{read, read_text};
-pub(crate) use write::{check_writable, create_folder, write_atomically};
+pub(crate) use write::{check_writable, create_folder, write_atomically, write_together};

@@ -3,7 +3,7 @@
 use std::ffi::OsString;
 use std::fs::{self, File};
 use std::io::{self, Write};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use crate::Error;
 
@@ -26,6 +26,25 @@ pub(crate) fn write_atomically(path: &Path, bytes: &[u8]) -> Result<(), Error> {
     };
     replace(&place, bytes)
         .map_err(|error| Error::io(path, format!("cannot be written: {error}"), error))
+}
+
+/// Writes files that were not there, in their order: all of them, or, where one cannot be written, none.
+///
+/// # Errors
+///
+/// If a file is there, or cannot be written; the place is that file.
+pub(crate) fn write_together(files: &[(PathBuf, Vec<u8>)]) -> Result<(), Error> {
+    if let Some((path, _)) = files.iter().find(|(path, _)| path.exists()) {
+        let problem = "exists, and would be replaced: choose another name, or remove it";
+        return Err(Error::new(path.display(), problem));
+    }
+    let write = |(place, (path, bytes)): (usize, &(PathBuf, Vec<u8>))| {
+        write_atomically(path, bytes).inspect_err(|_| {
+            // The first failure is the one to report.
+            files[..place].iter().for_each(|(path, _)| drop(fs::remove_file(path)));
+        })
+    };
+    files.iter().enumerate().try_for_each(write)
 }
 
 /// Makes a folder and those above it.
@@ -139,5 +158,20 @@ mod tests {
         let missing = folder.path().join("missing/a.txt");
         assert!(write_atomically(&missing, b"x").is_err());
         assert!(write_atomically(Path::new("/"), b"x").is_err());
+    }
+
+    #[test]
+    fn files_are_written_together_or_not_at_all() {
+        let folder = tempfile::tempdir().unwrap();
+        let file = |name: &str| (folder.path().join(name), name.as_bytes().to_vec());
+        let error = write_together(&[file("a"), file("b"), file("missing/c")]).unwrap_err();
+        assert_eq!(error.place, folder.path().join("missing/c").display().to_string());
+        assert!(names(folder.path()).is_empty());
+        write_together(&[file("a"), file("b")]).unwrap();
+        let error = write_together(&[file("c"), file("b")]).unwrap_err();
+        assert_eq!(error.place, folder.path().join("b").display().to_string());
+        let mut left = names(folder.path());
+        left.sort();
+        assert_eq!(left, ["a", "b"]);
     }
 }

@@ -23,7 +23,7 @@ mod scene_file;
 mod stl;
 
 pub use crate::warning::Warning;
-pub use cameras::{FoundView, load_cameras};
+pub use cameras::{FoundView, load_cameras, save_cameras};
 pub use export::save_meshes;
 #[cfg(feature = "gltf")]
 pub use gltf::{GltfFile, load_gltf};

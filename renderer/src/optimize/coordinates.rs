@@ -1,7 +1,7 @@
 //! Coordinates without bounds, for methods that know of none.
 
-use super::Variable;
 use super::variable::Flat;
+use super::{Scale, Variable};
 use crate::Error;
 
 /// No start is closer to a bound than this, in learning rates: on the bound itself the map is
@@ -13,7 +13,7 @@ const MARGIN: f64 = 1e-3;
 /// scaled, what has one goes through a hyperbola, what has two goes through a sine.
 ///
 /// One unit is one learning rate where no bound is near, so that parameters of different units
-/// become comparable.
+/// become comparable. On a logarithmic [`Scale`] all of this is of the logarithms.
 ///
 /// Of the ways to keep an unbounded method within bounds this is the one that leaves it alone:
 /// projecting its points would put a kink into the loss that its line search sees, and the
@@ -22,7 +22,16 @@ const MARGIN: f64 = 1e-3;
 /// thousandth of a learning rate.
 #[derive(Clone, Debug)]
 pub struct Coordinates {
-    maps: Vec<Map>,
+    elements: Vec<Element>,
+}
+
+/// From a coordinate to an element: first to its place on its scale, then to the number.
+#[derive(Clone, Copy, Debug)]
+struct Element {
+    map: Map,
+    scale: Scale,
+    lowest: f64,
+    highest: f64,
 }
 
 /// The map of one element.
@@ -49,24 +58,43 @@ impl Coordinates {
     }
 
     pub(super) fn of(flat: &Flat) -> Self {
-        let map = |i: usize| Map::new(flat.x[i], flat.learning_rate[i], flat.min[i], flat.max[i]);
-        Self { maps: (0..flat.x.len()).map(map).collect() }
+        let element = |i: usize| {
+            let scale = flat.scale[i];
+            let [x, min, max] = [flat.x[i], flat.min[i], flat.max[i]].map(|x| scale.place(x));
+            let map = Map::new(x, flat.learning_rate[i], min, max);
+            Element { map, scale, lowest: flat.lowest(i), highest: flat.max[i] }
+        };
+        Self { elements: (0..flat.x.len()).map(element).collect() }
     }
 
     /// The coordinates of `x`, which is moved off its bounds.
     pub fn from_bounded(&self, x: &[f64]) -> Vec<f64> {
-        self.maps.iter().zip(x).map(|(map, &x)| map.inverse(x)).collect()
+        self.elements.iter().zip(x).map(|(of, &x)| of.map.inverse(of.scale.place(x))).collect()
     }
 
     /// The elements at the coordinates `u`, none of them out of bounds.
     pub fn to_bounded(&self, u: &[f64]) -> Vec<f64> {
-        self.maps.iter().zip(u).map(|(map, &u)| map.value(u)).collect()
+        self.elements.iter().zip(u).map(|(of, &u)| of.value(u)).collect()
     }
 
     /// The gradient by the coordinates, from that by the elements.
     pub fn pull_back(&self, u: &[f64], gradient: &[f64]) -> Vec<f64> {
-        let slopes = self.maps.iter().zip(u).map(|(map, &u)| map.slope(u));
+        let slopes = self.elements.iter().zip(u).map(|(of, &u)| of.slope(u));
         slopes.zip(gradient).map(|(slope, g)| slope * g).collect()
+    }
+}
+
+impl Element {
+    fn value(self, u: f64) -> f64 {
+        match self.scale {
+            Scale::Linear => self.map.value(u),
+            // The exponential of the logarithm of a bound may be across it.
+            Scale::Log => Scale::Log.number(self.map.value(u)).clamp(self.lowest, self.highest),
+        }
+    }
+
+    fn slope(self, u: f64) -> f64 {
+        self.scale.slope(self.value(u)) * self.map.slope(u)
     }
 }
 
@@ -131,9 +159,33 @@ mod tests {
     const INF: f64 = f64::INFINITY;
 
     fn coordinates(x: f64, unit: f64, min: f64, max: f64) -> Coordinates {
-        let mut variable = Variable::new("x", vec![x], unit).bounded(min, max);
-        variable.learning_rate = vec![unit];
-        Coordinates::new(&[variable]).unwrap()
+        scaled(Scale::Linear, x, unit, min, max)
+    }
+
+    fn scaled(scale: Scale, x: f64, unit: f64, min: f64, max: f64) -> Coordinates {
+        let variable = Variable::new("x", vec![x], unit).bounded(min, max);
+        Coordinates::new(&[Variable { scale, ..variable }]).unwrap()
+    }
+
+    #[test]
+    fn on_a_logarithmic_scale_a_unit_is_a_factor() {
+        for (min, max) in [(-INF, INF), (0.0, INF), (1e-4, INF), (0.0, 9.0), (1e-4, 9.0)] {
+            let coordinates = scaled(Scale::Log, 3.0, 0.2, min, max);
+            let value = |u: f64| coordinates.to_bounded(&[u])[0];
+            let start = coordinates.from_bounded(&[3.0])[0];
+            assert!((value(start) - 3.0).abs() < 1e-12, "{min} {max}");
+            for u in [start, start - 2.0, start + 0.7, -1e4, 1e4] {
+                assert!(value(u) > 0.0 && value(u) >= min && value(u) <= max, "{min} {max} {u}");
+            }
+            for u in [start, start - 2.0, start + 0.7] {
+                let difference = (value(u + 1e-6) - value(u - 1e-6)) / 2e-6;
+                let slope = coordinates.pull_back(&[u], &[1.0])[0];
+                assert!((slope - difference).abs() < 1e-8, "{min} {max} {u}: {slope} {difference}");
+            }
+            if min <= 0.0 && max == INF {
+                assert!((value(start + 1.0) / 3.0 - 0.2_f64.exp()).abs() < 1e-12);
+            }
+        }
     }
 
     #[test]

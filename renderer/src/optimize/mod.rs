@@ -79,6 +79,7 @@ mod random;
 #[cfg(feature = "cli")]
 mod report;
 mod run;
+mod scale;
 pub mod schedule;
 mod settings;
 mod starts;
@@ -109,6 +110,7 @@ pub use progress::{Bar, Lines, progress};
 #[cfg(feature = "cli")]
 pub use report::{history_csv, summary, write_report};
 pub use run::Optimization;
+pub use scale::Scale;
 pub use schedule::Schedule;
 pub use settings::{CHECKPOINT_FILE, Checkpointing, Settings};
 pub use starts::Starts;

@@ -34,7 +34,7 @@ impl Starts {
         let mut drawn = |i: usize| {
             state = mixed(state);
             let offset = if index == 0 { 0.0 } else { (2.0 * unit(state) - 1.0) * flat.spread[i] };
-            (flat.x[i] + offset).clamp(flat.min[i], flat.max[i])
+            flat.scale[i].moved(flat.x[i], offset).clamp(flat.lowest(i), flat.max[i])
         };
         (0..flat.x.len()).map(&mut drawn).collect()
     }

@@ -1,9 +1,10 @@
 //! The parameters that are optimised.
 
+use std::borrow::Cow;
 use std::collections::HashSet;
 use std::ops::Range;
 
-use super::{Fingerprint, Preconditioner};
+use super::{Fingerprint, Preconditioner, Scale};
 use crate::Error;
 
 /// One parameter to optimise: a block of numbers under a path.
@@ -13,14 +14,16 @@ pub struct Variable {
     pub path: String,
     /// Where the optimisation starts.
     pub initial: Vec<f64>,
-    /// About how far each element moves per step, in the element's own unit. For
+    /// What steps are taken in: the elements, or their logarithms.
+    pub scale: Scale,
+    /// About how far each element moves per step, on its [scale](Scale). For
     /// [`Sgd`](super::Sgd), what the gradient is multiplied with.
     pub learning_rate: Vec<f64>,
     /// The least value of each element; negative infinity for no bound.
     pub min: Vec<f64>,
     /// The greatest value of each element; infinity for no bound.
     pub max: Vec<f64>,
-    /// How far each element of a [start](super::Starts) is from its initial value at most; 0 or more.
+    /// How far each element of a [start](super::Starts) is from its initial value at most, on its scale; 0 or more.
     pub spread: Vec<f64>,
     /// The true values, where they are known: reported, not used.
     pub target: Option<Vec<f64>>,
@@ -35,6 +38,7 @@ impl Variable {
         Self {
             path: path.into(),
             initial,
+            scale: Scale::Linear,
             learning_rate: vec![learning_rate; len],
             min: vec![f64::NEG_INFINITY; len],
             max: vec![f64::INFINITY; len],
@@ -69,6 +73,10 @@ impl Variable {
                 return Err(Error::new(&self.path, problem));
             }
         }
+        if self.scale == Scale::Log && self.preconditioner.is_some() {
+            let problem = "has coordinates of its own; leave them out, or the logarithmic scale";
+            return Err(Error::new(&self.path, problem));
+        }
         (0..len).try_for_each(|i| {
             self.check_element(i).map_err(|problem| Error::new(self.element_path(i), problem))
         })
@@ -79,6 +87,11 @@ impl Variable {
         let (min, max, spread) = (self.min[i], self.max[i], self.spread[i]);
         if !initial.is_finite() {
             return Err(format!("the initial value is {initial}; it must be a finite number"));
+        }
+        if initial < self.scale.least() {
+            return Err(format!(
+                "the initial value is {initial}; on a logarithmic scale it must be above 0"
+            ));
         }
         if !(rate > 0.0 && rate.is_finite()) {
             return Err(format!("the learning rate is {rate}; it must be a positive number"));
@@ -107,6 +120,7 @@ impl Variable {
 #[derive(Clone, Debug)]
 pub(super) struct Flat {
     pub x: Vec<f64>,
+    pub scale: Vec<Scale>,
     pub learning_rate: Vec<f64>,
     pub min: Vec<f64>,
     pub max: Vec<f64>,
@@ -134,6 +148,7 @@ impl Flat {
         let concat = |block: fn(&Variable) -> &[f64]| variables.iter().flat_map(block).copied();
         Ok(Self {
             x: concat(|variable| &variable.initial).collect(),
+            scale: variables.iter().flat_map(|of| vec![of.scale; of.initial.len()]).collect(),
             learning_rate: concat(|variable| &variable.learning_rate).collect(),
             min: concat(|variable| &variable.min).collect(),
             max: concat(|variable| &variable.max).collect(),
@@ -157,16 +172,35 @@ impl Flat {
         }
     }
 
-    /// Moves `x` against `direction` by `factor` times the learning rate of each element, and
-    /// projects it onto the bounds. A finite `x` stays finite.
+    /// The places of `x` on the scales of the elements.
+    pub fn places<'a>(&self, x: &'a [f64]) -> Cow<'a, [f64]> {
+        if self.scale.iter().all(|&scale| scale == Scale::Linear) {
+            return Cow::Borrowed(x);
+        }
+        self.scale.iter().zip(x).map(|(scale, &x)| scale.place(x)).collect()
+    }
+
+    /// The least finite number that an element may be.
+    pub fn lowest(&self, i: usize) -> f64 {
+        self.min[i].max(self.scale[i].least())
+    }
+
+    /// From the gradient by the elements, at `x`, to that by their places.
+    pub fn pull_back_to_places(&self, x: &[f64], gradient: &mut [f64]) {
+        for ((g, scale), &x) in gradient.iter_mut().zip(&self.scale).zip(x) {
+            *g *= scale.slope(x);
+        }
+    }
+
+    /// Moves `x` against `direction` by `factor` times the learning rate of each element, on its scale, and
+    /// projects it onto the bounds. A finite `x` stays finite, and above 0 on a logarithmic scale.
     pub fn step(&self, x: &mut [f64], direction: &[f64], factor: f64) {
         for (i, (x, direction)) in x.iter_mut().zip(direction).enumerate() {
             // A rate that underflows to 0 must not meet an infinite direction.
             let step = self.learning_rate[i] * factor * direction.clamp(f64::MIN, f64::MAX);
             // No bound means the largest finite number.
-            let lowest = self.min[i].max(f64::MIN);
             let highest = self.max[i].min(f64::MAX);
-            *x = (*x - step).clamp(lowest, highest);
+            *x = self.scale[i].moved(*x, -step).clamp(self.lowest(i), highest);
         }
     }
 
@@ -219,6 +253,10 @@ pub(super) fn split<'a>(
 /// Tells apart variables that lead to different steps.
 pub(super) fn fingerprint(variables: &[Variable]) -> Fingerprint {
     variables.iter().fold(Fingerprint::new(), |fingerprint, variable| {
+        let coordinates = match variable.scale {
+            Scale::Linear => variable.preconditioner.as_ref().map_or("", Preconditioner::name),
+            Scale::Log => "logarithm",
+        };
         fingerprint
             .text(&variable.path)
             .numbers(&variable.initial)
@@ -226,7 +264,7 @@ pub(super) fn fingerprint(variables: &[Variable]) -> Fingerprint {
             .numbers(&variable.min)
             .numbers(&variable.max)
             .numbers(&variable.spread)
-            .text(variable.preconditioner.as_ref().map_or("", Preconditioner::name))
+            .text(coordinates)
     })
 }
 
@@ -238,6 +276,7 @@ mod tests {
     fn steps_stay_within_bounds_and_finite() {
         let mut flat = Flat {
             x: vec![0.0; 3],
+            scale: vec![Scale::Linear; 3],
             learning_rate: vec![0.3, 1e308, 1e-300],
             min: vec![-0.5, f64::NEG_INFINITY, f64::NEG_INFINITY],
             max: vec![f64::INFINITY; 3],

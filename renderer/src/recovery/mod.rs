@@ -101,8 +101,7 @@ impl<'a> Recovery<'a> {
         check_overlaps(scene, &section, place)?;
         check_learning_rates(scene, &section, place)?;
         let ids: Vec<_> = section.parameters.iter().map(|tuned| tuned.id).collect();
-        settings.check_edges(scene)?;
-        let settings = Settings { edges: settings.edges.for_parameters(scene, &ids), ..*settings };
+        let settings = Settings { edges: scene.edges_for(settings.edges, &ids), ..*settings };
         let (targets, truth) = target::load(scene, &section, place, &settings)?;
         for target in targets.iter().filter(|target| !target.held_out) {
             scene.check_differentiable(&Settings { pass: target.pass, ..settings }, &ids)?;
@@ -203,7 +202,7 @@ impl<'a> Recovery<'a> {
         let arithmetic = Arithmetic::fastest(precision);
         // What follows from the parameters does not tell problems apart.
         let edges = match self.settings.edges {
-            edges if edges == Edges::Auto.for_parameters(scene, &self.ids) => Edges::Auto,
+            edges if edges == scene.edges_for(Edges::Auto, &self.ids) => Edges::Auto,
             edges => edges,
         };
         let settings = Settings { arithmetic, edges, ..self.settings };

@@ -6,14 +6,14 @@ use std::ops::Range;
 use super::{Recovery, regularizer, variable};
 use crate::Error;
 use crate::experiment::{OptimizeSection, Remeshing, TunedParameter};
-use crate::optimize::{Change, Topology};
+use crate::optimize::{Change, Scale, Topology};
 use crate::remesh::{self, Remeshed, mean_edge_length, remesh};
-use crate::scene::{Mesh, Object, ParameterId, Scene};
+use crate::scene::{Mesh, ParameterId, Scene};
 
 /// What is wrong with how the triangles of a mesh are to change, if they are.
 pub(crate) fn check_remeshing(scene: &Scene, tuned: &TunedParameter) -> Result<(), String> {
     let Some(Remeshing { edge_length, every }) = tuned.remesh else { return Ok(()) };
-    let Some(mesh) = mesh_of(tuned.id) else {
+    let Some(mesh) = tuned.id.whole_mesh() else {
         return Err("is for all vertices of a mesh".to_owned());
     };
     if every == 0 {
@@ -22,6 +22,9 @@ pub(crate) fn check_remeshing(scene: &Scene, tuned: &TunedParameter) -> Result<(
     let per_vertex = [("min", &tuned.min), ("max", &tuned.max), ("spread", &tuned.spread)];
     if let Some((field, _)) = per_vertex.iter().find(|(_, numbers)| numbers.is_some()) {
         return Err(format!("changes the vertices that `{field}` is for; leave one of them out"));
+    }
+    if tuned.scale == Scale::Log {
+        return Err("moves vertices to either side of 0; leave scale = \"log\" out".to_owned());
     }
     let mesh = &scene.meshes()[mesh];
     remesh::check(mesh, edge_length)
@@ -50,14 +53,6 @@ pub(super) fn check_optimizer(
     Ok(())
 }
 
-/// The mesh whose vertices, all of them, a parameter is.
-fn mesh_of(id: ParameterId) -> Option<usize> {
-    match id.object {
-        Object::Mesh(mesh) if id.field == "vertices" && id.vertex.is_none() => Some(mesh),
-        _ => None,
-    }
-}
-
 /// A scene with the triangles of other meshes; nothing if these are none of the parameters, or incoherent.
 pub(crate) fn with_topologies(
     scene: &Scene,
@@ -66,7 +61,7 @@ pub(crate) fn with_topologies(
 ) -> Option<Scene> {
     let mut scene = scene.clone();
     for Topology { variable, vertices, triangles, materials } in topologies {
-        let mesh = &mut scene.meshes[mesh_of(*ids.get(*variable)?)?];
+        let mesh = &mut scene.meshes[ids.get(*variable)?.whole_mesh()?];
         let corners = triangles.as_flattened();
         if materials.len() != triangles.len()
             || corners.iter().any(|&corner| corner as usize >= vertices.len())
@@ -127,7 +122,7 @@ impl Recovery<'_> {
             let block = start..start + self.variables[index].initial.len();
             start = block.end;
             let mut changed = None;
-            if let (Some(remeshing), Some(mesh)) = (tuned.remesh, mesh_of(tuned.id)) {
+            if let (Some(remeshing), Some(mesh)) = (tuned.remesh, tuned.id.whole_mesh()) {
                 let initial = mean_edge_length(&original.meshes[mesh]);
                 let length = remeshing.edge_length_at(iteration, initial);
                 let remeshed = length.map(|length| remesh(&scene.meshes[mesh], length));

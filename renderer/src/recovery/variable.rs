@@ -3,7 +3,7 @@
 use crate::Error;
 use crate::experiment::TunedParameter;
 use crate::laplacian::{Laplacian, System, Weights};
-use crate::optimize::{Preconditioner, Variable};
+use crate::optimize::{Preconditioner, Scale, Variable};
 use crate::scene::table::{self, LARGEST_EXPONENT};
 use crate::scene::{Object, Scene};
 
@@ -17,11 +17,13 @@ pub(super) fn variable(
 ) -> Result<Variable, Error> {
     let row = table::row(tuned.id);
     let initial = scene.get(tuned.id).into_owned();
-    let rate = tuned
-        .learning_rate
-        .or(common_rate)
-        .unwrap_or_else(|| row.rate * scene.natural_scale(tuned.id));
+    let usual_rate = || match tuned.scale {
+        Scale::Linear => row.rate * scene.natural_scale(tuned.id),
+        Scale::Log => Scale::LOG_RATE,
+    };
+    let rate = tuned.learning_rate.or(common_rate).unwrap_or_else(usual_rate);
     let mut variable = Variable::new(scene.path(tuned.id).to_string(), initial, rate);
+    variable.scale = tuned.scale;
     let (low, high) = scene.range(tuned.id);
     variable = variable.bounded(bound(low), bound(high));
     let narrow = |bounds: &mut [f64], given: &Option<Vec<f64>>, tighter: fn(f64, f64) -> f64| {

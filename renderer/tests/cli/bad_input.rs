@@ -55,6 +55,33 @@ fn scene_files() {
         sandbox.write_changed("bad.toml", from, to);
         sandbox.refuse_with(&RENDER, parts);
     }
+    let lights: &[(&str, &str, &[&str])] = &[
+        ("[1.0, 0.0, 0.0]", "[0.0, 0.0, 0.0]", &["light.lamp.up: must be a direction"]),
+        ("[0.0, 0.0, 0.0]", "[0.0, 1.0, 0.0]", &["light.lamp.right: must be a direction"]),
+        ("[1.0, 0.0, 0.0]", "[2.0, 0.0, 0.0]", &["light.lamp.right", "along one line"]),
+    ];
+    for (right, up, parts) in lights {
+        let lamp = format!(
+            "[[light]]\nname = \"lamp\"\ntype = \"rectangle\"\ncenter = [0, 3, 0]\nradiance = 1\n\
+             right = {right}\nup = {up}\n\n[[mesh]]"
+        );
+        sandbox.write_changed("bad.toml", "[[mesh]]", &lamp);
+        sandbox.refuse_with(&RENDER, parts);
+    }
+    for (table, field) in [
+        ("[optimize]\ntarget = \"\"", "optimize.target"),
+        ("[optimize]\nmask = \"\"", "optimize.mask"),
+        ("[[mesh]]\nname = \"m\"\npath = \"\"", "mesh.m.path"),
+        ("[texture.t]\npath = \"\"", "texture.t.path"),
+        ("[[view]]\npath = \"\"", "view.path"),
+        ("[[view]]\nname = \"v\"\ndepth = \"\"", "view.v.depth"),
+        ("[[view]]\nname = \"v\"\nnormals = { path = \"\" }", "view.v.normals"),
+        ("[[view]]\nname = \"v\"\ntarget = \"\"", "view.v.target"),
+        ("[[view]]\nname = \"v\"\nmask = \"\"", "view.v.mask"),
+    ] {
+        sandbox.write("bad.toml", format!("{}{table}\n", crate::sandbox::SCENE));
+        sandbox.refuse_with(&RENDER, &["bad.toml:", &format!("{field}: is empty")]);
+    }
     for content in ["", "camera", "\0", "# nothing"] {
         sandbox.write("bad.toml", content);
         sandbox.refuse_with(&RENDER, &["bad.toml"]);
@@ -104,6 +131,19 @@ fn optimize_sections() {
             &["learning_rate", "above 0"],
         ),
         ("path = \"light.key.radiant_intensity\"\nmin = 3\nmax = 2", &["min", "above max"]),
+        (
+            "path = \"light.key.color\"\nlaplacian = 0.1",
+            &["laplacian", "floating point `0.1`, expected a table with a `weight`"],
+        ),
+        (
+            "path = \"light.key.color\"\nremesh = 1",
+            &["remesh", "integer `1`, expected a table with an `edge_length`"],
+        ),
+        ("path = \"light.key.color\"\nscale = \"ln\"", &["unknown variant `ln`", "linear", "log"]),
+        (
+            "path = \"camera.look_at\"\nscale = \"log\"",
+            &["optimize.parameter.camera.look_at.scale", "above 0", "one is 0"],
+        ),
     ];
     for (fields, parts) in fields {
         let scene = String::from_utf8(sandbox.read("scene.toml")).unwrap();

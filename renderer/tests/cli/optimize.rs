@@ -210,3 +210,46 @@ fn the_demo_recovers_the_light() {
     assert!(report.contains("  true       5000"), "{report}");
     assert!(report.contains("degrees off, irradiance"), "{report}");
 }
+
+/// The brightness of three lights, too dark or too bright by a hundred, or both.
+#[test]
+fn intensities_that_are_off_by_a_hundred_are_found_as_logarithms() {
+    let sandbox = Sandbox::new();
+    let lights = [
+        ("key", "radiant_intensity", 30.0),
+        ("fill", "radiant_intensity", 8.0),
+        ("sun", "irradiance", 1.0),
+    ];
+    let more = "[[light]]\nname = \"fill\"\ntype = \"point\"\nposition = [-2.0, 2.0, 1.5]\n\
+                color = [0.4, 1.0, 0.4]\nradiant_intensity = 8.0\n\
+                [[light]]\nname = \"sun\"\ntype = \"distant\"\ndirection = [0.1, 1.0, -0.4]\nirradiance = 1.0\n";
+    for factors in [[0.01; 3], [100.0; 3], [0.01, 100.0, 0.01]] {
+        let found = |scale: &str| {
+            let mut text = format!("{SCENE}{more}");
+            let (mut truth, mut parameters) = (String::new(), String::new());
+            for ((name, field, value), factor) in lights.into_iter().zip(factors) {
+                let start = factor * value;
+                text =
+                    text.replace(&format!("{field} = {value:.1}"), &format!("{field} = {start:?}"));
+                truth += &format!("\"light.{name}.{field}\" = {value:?}\n");
+                parameters += &format!(
+                    "[[optimize.parameter]]\npath = \"light.{name}.{field}\"\nscale = \"{scale}\"\n"
+                );
+            }
+            let section = "[optimize]\nloss = \"l1\"\noptimizer = \"rmsprop\"\niterations = 300\n";
+            let target = format!("[optimize.target_values]\n{truth}");
+            sandbox.write("off.toml", format!("{text}{section}{target}{parameters}"));
+            sandbox.succeed(&["optimize", "off.toml", "--out", scale]);
+            let summary = sandbox.json(&format!("{scale}/summary.json"));
+            let off = |((name, field, value), factor): ((&str, &str, f64), f64)| {
+                let parameter = &summary["parameters"][format!("light.{name}.{field}")];
+                assert_eq!(numbers(&parameter["initial"]), [factor * value], "{name}");
+                (numbers(&parameter["final"])[0] / value).ln().abs()
+            };
+            lights.into_iter().zip(factors).map(off).fold(0.0, f64::max)
+        };
+        let (linear, logarithmic) = (found("linear"), found("log"));
+        assert!(logarithmic < 0.02, "{factors:?}: {logarithmic}");
+        assert!(factors == [0.01; 3] || linear > 0.1, "{factors:?}: {linear}");
+    }
+}

@@ -87,14 +87,14 @@ fn triangles_change_and_resume_to_the_same_bits() {
     let parameter = "large_steps = 0.5\nlearning_rate = 0.02\n\
                      remesh = { edge_length = 0.2, every = 7 }\nedge_length = 1e-4\n\
                      laplacian = { weight = 1e-5, weights = \"cotangent\" }\n";
-    let light = "[[optimize.parameter]]\npath = \"light.key.radiant_intensity\"\n";
+    let light = "[[optimize.parameter]]\npath = \"light.key.radiant_intensity\"\nscale = \"log\"\n";
     let sandbox = sandbox(section, &format!("{parameter}{light}"));
     let run = |out: &str, iterations: &str, threads: &str| {
         let arguments = ["optimize", "shape.toml", "--out", out, "--resume", "--iterations"];
         sandbox.succeed(&[&arguments[..], &[iterations, "--threads", threads]].concat())
     };
     let printed = run("whole", "30", "1");
-    assert!(printed.contains("of them turned over"), "{printed}");
+    assert!(printed.contains("of them turned over 0, intersecting others 0"), "{printed}");
     let whole = result(&sandbox, "whole");
     let triangles = whole[3]["mesh.body.vertices"]["triangles"].as_u64().unwrap();
     assert!(triangles > 30, "{triangles}");

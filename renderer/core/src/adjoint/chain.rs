@@ -3,10 +3,10 @@
 //! Radiance comes from where a ray goes on, so its cotangents flow from the camera outwards; rays come
 //! from the camera, so theirs flow back. Each tile is therefore walked twice: first outwards, from the
 //! radiance of each wavefront to materials, lights, surface points and the radiance beyond; then back,
-//! from the surface points to primitives and rays.
+//! from the [surface points](super::surfaces) to primitives and rays.
 
 use ad::vector::{Vector, Vector3};
-use ad::{Additive, Fields, Tangent, Vec3};
+use ad::{Additive, Tangent, Vec3};
 use glam::DVec3;
 
 use super::request::Request;
@@ -19,26 +19,22 @@ use crate::primal::gather::Lookup;
 use crate::primal::image::mean_radiance;
 use crate::primal::inputs::LightInputs;
 use crate::primal::integrator::{Integrator, ZeroWeight};
-use crate::primal::lanes::{lanes_of_vectors, sum_of_lanes, sum_of_vectors, vectors_of_lanes};
+use crate::primal::lanes::{lanes_of_vectors, vectors_of_lanes};
 use crate::primal::path::Path;
 use crate::primal::vertex::{Textured, Vertex};
 use crate::primal::wavefront::{LaneGroup, Source, Wavefront, clear_blocks, samples};
-use crate::scene::{Scene, Slot, Transform};
+use crate::scene::{Scene, Slot};
 use crate::settings::Pass;
 use crate::trace::bvh::{PACKET_RAYS, rays};
-use crate::trace::layout::Kind;
 use crate::trace::tile::{Tile, for_each_strip};
-use crate::transport::camera::{CameraFrame, Ray, primary_ray};
+use crate::transport::camera::Ray;
 use crate::transport::depth::depth;
 use crate::transport::direct::direct;
-use crate::transport::hit::{Primitive, hit, surface_uv};
 use crate::transport::light::Illumination;
 use crate::transport::material::Material;
-use crate::transport::smooth::{SmoothPoint, next_ray_outward};
 use crate::transport::surface::SurfacePoint;
 use crate::transport::texture::{Uv, modulate, modulate_facets, modulate_opacity};
-use crate::transport::transform::place;
-use crate::transport::vertex::{next_ray, outgoing};
+use crate::transport::vertex::outgoing;
 
 /// The sums of each strip of the image.
 pub fn sweep<L: Plain>(
@@ -123,7 +119,8 @@ impl<'a, L: Plain> Chain<'a, L> {
 
     fn tile(&mut self, loss: &dyn PixelLoss, tile: &Tile) {
         if self.integrator.layout.path_tracing.is_some() {
-            return self.scattered_tile(loss, tile);
+            self.scattered_tile(loss, tile);
+            return;
         }
         let sampling = self.integrator.layout.sampling;
         if sampling.is_single() {
@@ -354,9 +351,16 @@ impl<'a, L: Plain> Chain<'a, L> {
         cotangent: Tangent<Illumination<L>>,
         to_surface: &mut Tangent<SurfacePoint<L>>,
     ) {
-        let to = self.scatter.request.lights[self.integrator.layout.lights[index].object];
+        let to = self.scatter.request.light(self.integrator.layout.lights[index].object);
         if to.is_none() && !self.scatter.request.moves_surfaces() {
             return;
+        }
+        if let LightInputs::Shining(shining) = light {
+            let (primitive, point) = shining.pull_illuminate(group.surface.point, cotangent);
+            to_surface.point.accumulate(point);
+            let (kind, _) = self.integrator.layout.kind_of(shining.index);
+            let primitives = Coalesced::all(shining.index, group.alive);
+            return self.scatter_primitive(kind, &primitives, &primitive);
         }
         let scatter = &mut self.scatter;
         let point = light.pull_illuminate(group.surface.point, cotangent, |number, cotangent| {
@@ -479,233 +483,6 @@ impl<'a, L: Plain> Chain<'a, L> {
             }
         }
     }
-
-    /// From the surface points of all wavefronts, the deepest first, to primitives and to the camera.
-    pub(super) fn pull_rays(
-        &mut self,
-        wavefronts: &[Wavefront<L>],
-        states: &mut [AdjointState<L>],
-    ) {
-        let mut to_frame = Tangent::<CameraFrame<L>>::zero();
-        for depth in (0..wavefronts.len()).rev() {
-            let (states, deeper) = states.split_at_mut(depth + 1);
-            let AdjointState { rays, surfaces, grazing, .. } = &mut states[depth];
-            let beyond = deeper.first().filter(|_| depth + 1 < wavefronts.len());
-            let wavefront = &wavefronts[depth];
-            for (group, surface) in wavefront.groups.iter().zip(surfaces) {
-                let Some(SurfaceCotangent { mut surface, mut uv }) = *surface else { continue };
-                count(|counts| &counts.surface_pullbacks, u64::from(group.alive.count_ones()));
-                let mut outward = Vec3::<L>::zero();
-                if let Some(state) = beyond {
-                    let of_point = self.pull_next_ray(group, &state.rays[group.block()]);
-                    surface.accumulate(of_point.surface);
-                    outward = of_point.outward;
-                }
-                let grazing = group.lanes_of(*grazing);
-                if grazing != 0 {
-                    surface = select_lanes::<L, _>(grazing, &Additive::zero(), &surface);
-                    outward = select_lanes::<L, _>(grazing, &Additive::zero(), &outward);
-                    uv = uv.map(|uv| select_lanes::<L, _>(grazing, &Additive::zero(), &uv));
-                }
-                let film = (depth == 0).then(|| wavefront.film[group.block()]);
-                let weight = film.zip(self.spacing);
-                let weight =
-                    weight.and_then(|(film, spacing)| self.limb_weight(group, film, spacing));
-                if let Some(weight) = weight {
-                    surface = Fields::from_fn(&mut |index| surface.number(index) * weight);
-                    uv = uv.map(|uv| Fields::from_fn(&mut |index| uv.number(index) * weight));
-                }
-                let ray = self.pull_surface(group, surface, outward, uv);
-                if depth > 0 {
-                    rays[group.block()].accumulate(ray);
-                } else if let Some((x, y)) = film.filter(|_| self.scatter.request.camera) {
-                    let frame = self.integrator.inputs.frame;
-                    let (_, pullback) = primary_ray::vjp::<L>(frame, x, y);
-                    to_frame.accumulate(pullback(ray).0);
-                }
-            }
-        }
-        if self.scatter.request.camera {
-            self.scatter.frame::<L>(&to_frame);
-        }
-    }
-
-    /// From the ray that goes on from a group to its surface points, and to the normals of flat triangles
-    /// where these are smooth.
-    fn pull_next_ray(
-        &self,
-        group: &LaneGroup<L>,
-        ray: &Tangent<Ray<L>>,
-    ) -> Tangent<SmoothPoint<L>> {
-        let materials = self.integrator.materials(&group.primitives);
-        let transparent = L::mask(self.integrator.transparent_lanes(&materials));
-        let ray = select_lanes::<L, _>(group.alive, ray, &Additive::zero());
-        match group.bent_points() {
-            None => {
-                let (_, pullback) = next_ray::vjp::<L>(group.surface, transparent);
-                Tangent::<SmoothPoint<L>> { surface: pullback(ray).0, ..Additive::zero() }
-            }
-            Some(point) => {
-                let (_, pullback) = next_ray_outward::vjp::<L>(point, transparent);
-                pullback(ray).0
-            }
-        }
-    }
-
-    /// Pulls the cotangents of surface points, and of their texture coordinates, back to primitives;
-    /// returns that of the rays.
-    #[inline]
-    fn pull_surface(
-        &mut self,
-        group: &LaneGroup<L>,
-        mut surface: Tangent<SurfacePoint<L>>,
-        outward: Vec3<L>,
-        mut uv: Option<Tangent<Uv<L>>>,
-    ) -> Tangent<Ray<L>> {
-        let LaneGroup { kind, primitives, inside, ray, .. } = group;
-        let Some(primitive) = self.integrator.primitive(*kind, primitives) else {
-            return self.pull_custom_surface(group, surface);
-        };
-        let of_normal = group.mapped.as_ref().map(|mapped| {
-            let (triangle, of_uv) = self.pull_mapped_normal(group, mapped, &mut surface);
-            uv.get_or_insert_with(Additive::zero).accumulate(of_uv);
-            triangle
-        });
-        let of_uv = uv.map(|uv| {
-            let (primitive, point) = self.pull_uv(group, primitive, uv);
-            surface.point.accumulate(point);
-            primitive
-        });
-        let (mut primitive, ray) = if group.is_smooth {
-            self.pull_smooth_surface(group, surface, outward)
-        } else {
-            let (_, pullback) = hit::vjp::<L>(primitive, L::mask(*inside), *ray);
-            let (primitive, (), ray) = pullback(surface);
-            (primitive, ray)
-        };
-        if let Some(of_uv) = of_uv {
-            primitive.accumulate(of_uv);
-        }
-        if let Some(of_normal) = of_normal {
-            primitive.Triangle.0.accumulate(of_normal);
-        }
-        self.scatter_primitive(group.kind, primitives, &primitive);
-        ray
-    }
-
-    /// Pulls the cotangents of the texture coordinates of surface points back to those of corners; returns
-    /// those of the primitives and of the points.
-    pub(super) fn pull_uv(
-        &mut self,
-        group: &LaneGroup<L>,
-        primitive: Primitive<L>,
-        uv: Tangent<Uv<L>>,
-    ) -> (Tangent<Primitive<L>>, Vec3<L>) {
-        let corners = self.integrator.corner_uvs(group.kind, &group.primitives);
-        let (_, pullback) = surface_uv::vjp::<L>(primitive, corners, group.surface.point);
-        let (primitive, corners, point) = pullback(uv);
-        self.scatter_uvs(group.kind, &group.primitives, corners);
-        (primitive, point)
-    }
-
-    /// Adds the cotangents of the texture coordinates of the corners of triangles.
-    pub(super) fn scatter_uvs(
-        &mut self,
-        kind: Kind,
-        primitives: &Coalesced,
-        corners: [Tangent<Uv<L>>; 3],
-    ) {
-        if kind != Kind::Triangle || self.scatter.request.uvs.is_empty() {
-            return;
-        }
-        for (triangle, lanes) in primitives.iter() {
-            let mask = L::mask_from_bits(lanes);
-            let indices = self.integrator.layout.uvs.of(triangle).into_iter().flatten();
-            for (uv, corner) in indices.zip(&corners) {
-                let sum = |x: L| sum_of_lanes::<L>(x, mask);
-                self.scatter.uv(uv as usize, [sum(corner.u), sum(corner.v)]);
-            }
-        }
-    }
-
-    /// Adds the cotangents of primitives.
-    #[inline]
-    pub(super) fn scatter_primitive(
-        &mut self,
-        kind: Kind,
-        primitives: &Coalesced,
-        cotangent: &Tangent<Primitive<L>>,
-    ) {
-        match kind {
-            Kind::Triangle => {
-                let triangle = &cotangent.Triangle.0;
-                let corners = [triangle.a, triangle.b, triangle.c];
-                for (triangle, lanes) in primitives.iter() {
-                    let mask = L::mask_from_bits(lanes);
-                    self.scatter_corners(triangle, |corner| {
-                        sum_of_vectors::<L>(corners[corner], mask)
-                    });
-                }
-            }
-            Kind::Sphere => {
-                for (primitive, lanes) in primitives.iter() {
-                    let (_, index) = self.integrator.layout.kind_of(primitive);
-                    self.scatter.sphere::<L>(index, lanes, &cotangent.Sphere.0);
-                }
-            }
-            Kind::Custom => {}
-        }
-    }
-
-    /// Adds the cotangents of the corners of a triangle to those of vertices or of the transform of its
-    /// mesh.
-    #[inline]
-    fn scatter_corners(&mut self, triangle: usize, cotangent: impl Fn(usize) -> DVec3) {
-        let request = self.scatter.request;
-        if request.vertices.is_empty() && !request.moves_transforms() {
-            return;
-        }
-        for (corner, vertex) in self.integrator.layout.triangles[triangle].into_iter().enumerate() {
-            self.scatter_vertex(vertex, cotangent(corner));
-        }
-    }
-
-    /// Adds the cotangent of a vertex in the world to that of the vertex or of the transform of its mesh.
-    #[inline]
-    pub(super) fn scatter_vertex(&mut self, vertex: u32, cotangent: DVec3) {
-        self.scatter.vertex(vertex as usize, cotangent);
-        if !self.scatter.request.moves_transforms() {
-            return;
-        }
-        let layout = self.integrator.layout;
-        let mesh = layout.mesh_of_vertex(vertex);
-        let Some(to) = self.scatter.request.transforms[mesh] else { return };
-        let (first, mesh) = (layout.first_vertices[mesh], &self.scene.meshes[mesh]);
-        let own = DVec3::from(mesh.vertices[(vertex - first) as usize]);
-        let (_, pullback) = place::vjp::<f64>(mesh.transform, own);
-        let (transform, _): (Tangent<Transform<f64>>, _) = pullback(cotangent);
-        self.scatter.dense_sum(to, &transform);
-    }
-
-    /// Pulls the cotangents of the points of custom shapes back to their numbers; returns that of
-    /// the rays.
-    fn pull_custom_surface(
-        &mut self,
-        group: &LaneGroup<L>,
-        surface: Tangent<SurfacePoint<L>>,
-    ) -> Tangent<Ray<L>> {
-        let integrator = self.integrator;
-        let mut to_ray = Tangent::<Ray<L>>::zero();
-        for (primitive, lanes) in group.primitives.iter() {
-            let (_, index) = integrator.layout.kind_of(primitive);
-            let shape = &integrator.inputs.shapes[index];
-            let ray = self.scatter.shape(index, shape.numbers.len(), lanes, |to_number| {
-                shape.pull_point(group.ray, surface, to_number)
-            });
-            to_ray = select_lanes::<L, _>(lanes, &ray, &to_ray);
-        }
-        to_ray
-    }
 }
 
 /// From the radiance that leaves to that of the surfaces themselves, and to the radiance beyond; with
@@ -729,7 +506,7 @@ fn pull_outgoing<L: Plain>(
 }
 
 /// A new place at the end of a list.
-fn push<T>(list: &mut Vec<Option<T>>) -> &mut Option<T> {
+pub(super) fn push<T>(list: &mut Vec<Option<T>>) -> &mut Option<T> {
     list.push(None);
     let last = list.len() - 1;
     &mut list[last]

@@ -86,17 +86,30 @@ pub fn sweep_with_edges<L: Plain>(
         chain.scatter.take()
     }));
 
-    let start = || (Chain::new(integrator, scene, request), KnownPaths::default());
-    sums.extend(for_each_band(view.bands.len(), start, |(chain, known), band| {
-        let pulled = pull_shares(&view, &limb, band, &cotangents);
+    let counts = |pixel: usize| !limb.holds(pixel);
+    sums.extend(sweep_crossings(&view, &geometry, (scene, request), &cotangents, counts));
+    sums
+}
+
+/// The sums of packets of the crossings of a view, by the cotangents of pixels. The interior term of both sides
+/// of edges counts in pixels for which `has_sides` holds.
+pub(super) fn sweep_crossings<L: Plain>(
+    view: &View,
+    geometry: &Geometry<'_, L>,
+    (scene, request): (&Scene, &Request),
+    cotangents: &[DVec3],
+    has_sides: impl Fn(usize) -> bool + Sync,
+) -> Vec<Sums> {
+    let start = || (Chain::new(geometry.integrator, scene, request), KnownPaths::default());
+    for_each_band(view.bands.len(), start, |(chain, known), band| {
+        let pulled = pull_shares(view, band, cotangents, &has_sides);
         let band = &view.bands[band];
         for (first, crossings) in band.packets() {
-            band.paths(&geometry, crossings, known);
+            band.paths(geometry, crossings, known);
             chain.pull_crossings(known, crossings, &pulled[first..first + crossings.len()]);
         }
         chain.scatter.take()
-    }));
-    sums
+    })
 }
 
 /// What flows back to a crossing.
@@ -109,13 +122,18 @@ struct Pulled {
 }
 
 /// From the cotangents of pixels to the crossings of a band.
-fn pull_shares(view: &View, limb: &Limb, band: usize, cotangents: &[DVec3]) -> Vec<Pulled> {
+fn pull_shares(
+    view: &View,
+    band: usize,
+    cotangents: &[DVec3],
+    has_sides: impl Fn(usize) -> bool,
+) -> Vec<Pulled> {
     let radiance = &view.bands[band].radiance;
     let mut pulled = vec![Pulled::default(); radiance.len()];
     for (crossing, share) in view.shares_of(band) {
         let to = &mut pulled[crossing];
         let cotangent = cotangents[share.pixel as usize];
-        if !limb.holds(share.pixel as usize) {
+        if has_sides(share.pixel as usize) {
             to.radiance[0] += cotangent * share.areas[0];
             to.radiance[1] += cotangent * share.areas[1];
         }

@@ -23,9 +23,11 @@ mod reduce;
 mod request;
 mod scatter;
 mod scattered;
+mod scattered_edges;
 mod selection;
 mod sky;
 mod smooth;
+mod surfaces;
 
 pub(crate) use chain::sweep;
 pub use gradient::{Gradient, LossAndGradient};

@@ -4,8 +4,7 @@ use ad::{Additive, Tangent};
 
 use super::chain::Chain;
 use crate::number::Plain;
-use crate::primal::normal_map::Mapped;
-use crate::primal::wavefront::LaneGroup;
+use crate::primal::wavefront::{LaneGroup, Mapped};
 use crate::transport::normal_map::mapped_normal;
 use crate::transport::surface::SurfacePoint;
 use crate::transport::texture::Uv;

@@ -18,6 +18,7 @@ use super::gradient::LossAndGradient;
 use super::reduce::reduce;
 use super::request::Request;
 use super::scatter::Sums;
+use super::scattered_edges::sweep_paths_with_edges;
 use crate::loss::PixelLoss;
 use crate::number::Plain;
 use crate::primal::image::loss;
@@ -45,9 +46,11 @@ fn sums<L: Plain>(
     loss: &dyn PixelLoss,
     request: &Request,
 ) -> Vec<Sums> {
-    match request.has_edges(prepared.edges()) {
-        true => sweep_with_edges(prepared.integrator(), scene, loss, request),
-        false => sweep(prepared.integrator(), scene, loss, request),
+    let has_edges = request.has_edges(prepared.settings.edges);
+    match prepared.layout.path_tracing {
+        Some(_) if has_edges => sweep_paths_with_edges(prepared, scene, loss, request),
+        None if has_edges => sweep_with_edges(prepared.integrator(), scene, loss, request),
+        _ => sweep(prepared.integrator(), scene, loss, request),
     }
 }
 

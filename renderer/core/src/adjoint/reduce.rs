@@ -12,8 +12,7 @@ use crate::number::Plain;
 use crate::primal::integrator::Prepared;
 use crate::scene::numbers::range_of;
 use crate::scene::{
-    DistantLight, Environment, Material, Mesh, Normals, Object, ParameterId, Scene, Sphere,
-    Transform,
+    Environment, Material, Mesh, Normals, Object, ParameterId, Scene, Sphere, Transform,
 };
 use crate::transport::camera::{Camera, CameraFrame, camera_frame};
 use crate::transport::smooth::place_normal;
@@ -179,12 +178,10 @@ impl Totals {
         let lights = layout.sky_parts.iter().zip(&request.lights[scene.lights.len()..]);
         let lights = lights.filter_map(|(part, to)| {
             let first = to.as_ref()?.start;
-            let vector = |at: usize| DVec3::from_slice(&dense[first + at..]);
-            let (direction, color) = (vector(0), vector(3));
-            Some((part, Tangent::<DistantLight<f64>> { direction, color, ..Additive::zero() }))
+            Some((part, Fields::from_fn(&mut |index| dense[first + index])))
         });
         let (texels, first) = (&mut self.texels, layout.map.map_or(0, |(_, map)| map.first_texel));
-        pull_sky(scene, environment, lights, |texel, cotangent| {
+        pull_sky(environment, lights, |texel, cotangent| {
             if let Some(slot) = request.texels.slot(first + texel) {
                 let sum = DVec3::from(texels[slot]) + cotangent;
                 texels[slot] = sum.to_array();

@@ -46,9 +46,13 @@ pub struct Request {
     pub texels: Selection,
     /// Whether texels of normal maps are asked for.
     pub bends_normals: bool,
+    /// Whether indices of refraction are asked for, which bend rays.
+    refracts: bool,
     /// What is computed although its weight is zero.
     pub zero_weight: ZeroWeight,
+    /// Whether edges move with what is asked for.
     moves_edges: bool,
+    takes_all_paths: bool,
 }
 
 /// Numbers that have a sum in every strip.
@@ -79,8 +83,10 @@ impl Request {
             uvs: Selection::default(),
             texels: Selection::default(),
             bends_normals: ids.iter().any(|id| scene.is_normal_map(id.object)),
+            refracts: ids.iter().any(|&id| scene.refracts_by(id)),
             zero_weight: ZeroWeight::default(),
             moves_edges: ids.iter().any(|&id| scene.moves_edges(id)),
+            takes_all_paths: layout.path_tracing.is_some(),
         };
         request.select_arrays(scene, layout);
         request.select_objects(scene, layout);
@@ -90,7 +96,7 @@ impl Request {
         };
         let of_material = |field: &str| ids.iter().any(|id| is_plain(id) && id.field == field);
         // Paths that are chosen at random are not to be others than those of the image.
-        let takes_all_paths = layout.path_tracing.is_some();
+        let takes_all_paths = request.takes_all_paths;
         let of_zero = |field: &str| {
             let is_it = |id: &ParameterId| {
                 is_plain(id)
@@ -106,14 +112,13 @@ impl Request {
             _ => false,
         };
         let is_light = |id: &ParameterId| matches!(id.object, Object::Light(_));
-        let of_sky_parts =
-            request.lights.len() > scene.lights.len() && request.select_sky(scene, layout);
+        let of_sky = request.select_sky(scene, layout);
         request.zero_weight = ZeroWeight {
             mirrors: layout.pass == Pass::Radiance
                 && if takes_all_paths { of_zero("mirror") } else { of_material("mirror") },
             reflections: takes_all_paths && (of_zero("diffuse") || of_zero("specular")),
             bases: takes_all_paths && ids.iter().any(is_metallic_of_metal),
-            lights: ids.iter().any(is_light) || of_sky_parts,
+            lights: ids.iter().any(is_light) || of_sky,
             lobes: Lobes {
                 rough: of_material("roughness"),
                 glossy: of_material("specular"),
@@ -214,35 +219,39 @@ impl Request {
 
     /// The parts of the sky, if anything that they follow from is asked for; returns whether it is.
     fn select_sky(&mut self, scene: &Scene, layout: &Layout) -> bool {
-        let is_map = |texture: usize| layout.map.is_some_and(|(map, _)| map == texture);
-        let turns = |id: &ParameterId| (id.object, id.field) == (Object::Environment, "rotation");
-        let shines = |id: &ParameterId| match id.object {
-            Object::Environment => id.field == "radiance",
-            Object::Texture(texture) => is_map(texture),
-            _ => false,
-        };
-        let is_asked_for = |is_it: &dyn Fn(&ParameterId) -> bool| self.ids.iter().any(is_it);
-        let of = |is_asked_for: bool, field: &str| match is_asked_for {
-            true => bits(DistantLight::<f64>::FIELDS, field),
-            false => 0,
-        };
-        let numbers = of(is_asked_for(&turns), "direction") | of(is_asked_for(&shines), "color");
-        if numbers != 0 {
-            let len = DistantLight::<f64>::LEN;
-            for part in &mut self.lights[scene.lights.len()..] {
-                add(part, &mut self.dense, len, numbers);
-            }
+        let mut numbers = 0;
+        for id in &self.ids {
+            let field = match (id.object, id.field) {
+                (Object::Environment, "rotation") => "direction",
+                (Object::Environment, "radiance") => "color",
+                (Object::Texture(at), _) if layout.map.is_some_and(|(map, _)| map == at) => "color",
+                _ => continue,
+            };
+            numbers |= bits(DistantLight::<f64>::FIELDS, field);
         }
-        numbers != 0
+        let parts = &mut self.lights[scene.lights.len()..];
+        if numbers == 0 || parts.is_empty() {
+            return false;
+        }
+        for part in parts {
+            add(part, &mut self.dense, DistantLight::<f64>::LEN, numbers);
+        }
+        true
     }
 
-    /// Returns `true` if surface points depend on a requested parameter.
+    /// The numbers of a light that are asked for; none of lights that stand for surfaces.
+    pub fn light(&self, object: usize) -> Option<Dense> {
+        *self.lights.get(object)?
+    }
+
+    /// Returns `true` if surface points, or the rays that go on from them, depend on a requested parameter.
     pub fn moves_surfaces(&self) -> bool {
         let selected = [&self.spheres, &self.vertices, &self.normals, &self.uvs];
         self.camera
             || selected.iter().any(|selection| !selection.is_empty())
             || self.transforms.iter().chain(&self.shapes).any(Option::is_some)
             || self.bends_normals
+            || self.refracts
     }
 
     /// Returns `true` if something of the environment may be requested: its numbers, or texels, of which it may
@@ -251,9 +260,11 @@ impl Request {
         self.environment.is_some() || !self.texels.is_empty()
     }
 
-    /// Returns `true` if the boundary term is requested.
+    /// Returns `true` if the boundary term is requested. Where light takes all paths there is none unless edges
+    /// move: images are the same with edges and without.
     pub fn has_edges(&self, edges: Edges) -> bool {
-        edges == Edges::On || edges == Edges::Auto && self.moves_edges
+        let counts = self.moves_edges || !self.takes_all_paths;
+        counts && edges.given(self.moves_edges) == Edges::On
     }
 
     /// Returns `true` if the transform of a mesh is requested whose vertices are not.

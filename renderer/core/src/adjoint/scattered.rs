@@ -1,41 +1,50 @@
 //! The chain rule along the paths that light takes where it takes all.
 //!
-//! From the camera outwards, the cotangent of what leaves a vertex goes to its material, to lights and
-//! emitters, and to the radiance beyond. Of surface points only texture coordinates and normals that maps bend
-//! have cotangents: nothing that moves the points has a gradient here.
+//! From the camera outwards, the cotangent of what leaves a vertex goes to its material and surface point, to
+//! lights and emitters, and to the radiance beyond; then back, from the surface points to primitives and rays.
+//! Directions that were scattered stay, as the path moves; mirrored, refracted and straight ones follow.
 
 use ad::{Additive, Tangent, Vec3};
 use glam::DVec3;
 
-use super::chain::{AdjointState, Chain, SurfaceCotangent, nonzero_lanes};
+use super::chain::{AdjointState, Chain, SurfaceCotangent, nonzero_lanes, push};
 use crate::loss::PixelLoss;
 use crate::number::Plain;
 use crate::primal::coalesce::select_lanes;
 use crate::primal::image::add_radiance;
 use crate::primal::integrator::{Integrator, ZeroWeight};
 use crate::primal::path::Path;
-use crate::primal::scattered::{EmitterSample, EmitterSource, Event, SkyLight, missed};
+use crate::primal::scattered::{
+    Chosen, EmitterPoints, EmitterSample, EmitterSource, Event, Facets, SkyLight, missed,
+};
 use crate::primal::vertex::Vertex;
-use crate::primal::wavefront::{RayLanes, Wavefront, clear_blocks, samples};
+use crate::primal::wavefront::{LaneGroup, RayLanes, Wavefront, clear_blocks, samples};
 use crate::trace::bvh::PACKET_RAYS;
 use crate::trace::tile::Tile;
-use crate::transport::dielectric::sent_on_by_dielectric;
+use crate::transport::camera::{CameraFrame, Ray, film_point};
+use crate::transport::dielectric::{refracted_direction, sent_on_by_dielectric};
 use crate::transport::direct::direct;
-use crate::transport::emitter::{found_emission, illuminate_by_emitter};
+use crate::transport::emitter::{
+    Sight, cosine_density, emitter_spread, found_emission, found_spread, illuminate_by_emitter,
+    sight_of,
+};
 use crate::transport::environment::{Environment, map_radiance};
 use crate::transport::material::{Bsdf, Material};
-use crate::transport::scatter::{gathered, sent_on, sent_on_mapped};
+use crate::transport::microfacet::scattered_density;
+use crate::transport::scatter::{gathered, sent_on};
+use crate::transport::smooth::SmoothPoint;
 use crate::transport::surface::SurfacePoint;
 
 /// About how many bytes the paths take that a thread keeps; more, where materials of many kinds split groups.
 const KEPT_BYTES: usize = 16 << 20;
 
 /// By ray.
-type Cotangents = [DVec3; PACKET_RAYS];
+pub(super) type Cotangents = [DVec3; PACKET_RAYS];
 
 impl<L: Plain> Chain<'_, L> {
-    /// Adds the loss of the pixels of a tile, and what flows back from it.
-    pub(super) fn scattered_tile(&mut self, loss: &dyn PixelLoss, tile: &Tile) {
+    /// Adds the loss of the pixels of a tile, and what flows back from it; returns the cotangents of the radiance
+    /// of each of their samples.
+    pub(super) fn scattered_tile(&mut self, loss: &dyn PixelLoss, tile: &Tile) -> Cotangents {
         let mut kept = std::mem::take(&mut self.kept);
         kept.resize_with(self.kept_samples(), Path::default);
         let cotangents = self.scattered_cotangents(loss, tile, &mut kept);
@@ -51,6 +60,7 @@ impl<L: Plain> Chain<'_, L> {
             }
         }
         self.kept = kept;
+        cotangents
     }
 
     /// How many samples of a tile have their paths kept, so that they need not be traced again: those that fit
@@ -88,17 +98,19 @@ impl<L: Plain> Chain<'_, L> {
         let mut states = std::mem::take(&mut self.states);
         let wavefronts = path.wavefronts();
         states.resize_with(wavefronts.len().max(states.len()), AdjointState::default);
+        states[0].rays.clear();
         for depth in 0..wavefronts.len() {
             let (states, deeper) = states.split_at_mut(depth + 1);
             let beyond = wavefronts.get(depth + 1);
+            let AdjointState { surfaces, radiance, rays, .. } = &mut states[depth];
             let mut to_beyond = match (beyond, deeper.first_mut()) {
                 (Some(_), Some(state)) => {
                     clear_blocks::<L, _>(&mut state.radiance);
+                    clear_blocks::<L, _>(&mut state.rays);
                     Some(&mut state.radiance)
                 }
                 _ => None,
             };
-            let radiance = &states[depth].radiance;
             let of_rays = |lanes: RayLanes| match depth {
                 0 => nonzero_lanes::<L>(lanes.rays().map(|(lane, ray)| (lane, cotangents[ray]))),
                 _ => {
@@ -107,13 +119,18 @@ impl<L: Plain> Chain<'_, L> {
                 }
             };
             let wavefront = &wavefronts[depth];
+            surfaces.clear();
             for group in &wavefront.groups {
+                let to_surface = push(surfaces);
                 let Some(cotangent) = of_rays(group.lanes()) else { continue };
                 let vertex = self.integrator.vertex(group, wavefront, beyond);
                 let to_beyond = to_beyond.as_mut().map(|blocks| &mut blocks[group.block()]);
-                self.pull_scattered_vertex(&vertex, cotangent, to_beyond);
+                self.pull_scattered_vertex(&vertex, cotangent, to_beyond, to_surface);
             }
-            self.pull_missed(wavefront, of_rays);
+            self.pull_missed(wavefront, of_rays, rays);
+        }
+        if self.scatter.request.moves_surfaces() {
+            self.pull_rays(wavefronts, &mut states);
         }
         self.states = states;
     }
@@ -124,49 +141,45 @@ impl<L: Plain> Chain<'_, L> {
         vertex: &Vertex<'_, L>,
         cotangent: Vec3<L>,
         to_beyond: Option<&mut Vec3<L>>,
+        to_surface: &mut Option<SurfaceCotangent<L>>,
     ) {
         let (own, group) = (vertex.scattered_own(), vertex.group);
         let Event { direction, straight, mirrored, factor } = vertex.event();
-        let (of_material, surface) = (vertex.material, vertex.group.surface);
+        let (of_material, of_surface) = (vertex.material, vertex.group.surface);
         let gathered = |part: Vec3<L>| {
             let opacity = vertex.material.opacity;
             let (_, pullback) = gathered::vjp::<L>(opacity, own, part, vertex.scattered_beyond());
             pullback(cotangent)
         };
         let (mirrored, straight) = (L::mask(mirrored), L::mask(straight));
-        let mut to_surface = Tangent::<SurfacePoint<L>>::zero();
-        let (mut material, (opacity, own, _, beyond)) = if group.bsdf == Bsdf::Dielectric {
-            let inside = L::mask(group.inside);
-            let (part, pullback) =
-                sent_on_by_dielectric::vjp::<L>(of_material, surface, inside, mirrored, factor);
-            let gathered = gathered(part);
-            (pullback(gathered.2).0, gathered)
-        } else if group.mapped.is_some() {
-            let (part, pullback) = sent_on_mapped::vjp::<L>(
-                of_material,
-                vertex.lobes,
-                surface,
-                direction,
-                straight,
-                mirrored,
-                factor,
-            );
-            let gathered = gathered(part);
-            let (material, _, surface, ..) = pullback(gathered.2);
-            to_surface.accumulate(surface);
-            (material, gathered)
-        } else {
-            let (part, pullback) = sent_on::vjp::<L>(
-                of_material,
-                vertex.lobes,
-                surface,
-                direction,
-                straight,
-                mirrored,
-                factor,
-            );
-            let gathered = gathered(part);
-            (pullback(gathered.2).0, gathered)
+        let ((mut material, mut surface), (opacity, own, _, beyond)) = match group.bsdf {
+            Bsdf::Dielectric => {
+                let inside = L::mask(group.inside);
+                let (part, pullback) = sent_on_by_dielectric::vjp::<L>(
+                    of_material,
+                    of_surface,
+                    inside,
+                    mirrored,
+                    factor,
+                );
+                let gathered = gathered(part);
+                let (material, surface, ..) = pullback(gathered.2);
+                ((material, surface), gathered)
+            }
+            Bsdf::BlinnPhong | Bsdf::MetallicRoughness => {
+                let (part, pullback) = sent_on::vjp::<L>(
+                    of_material,
+                    vertex.lobes,
+                    of_surface,
+                    direction,
+                    straight,
+                    mirrored,
+                    factor,
+                );
+                let gathered = gathered(part);
+                let (material, _, surface, ..) = pullback(gathered.2);
+                ((material, surface), gathered)
+            }
         };
         material.opacity.accumulate(opacity);
         if let Some(to_beyond) = to_beyond {
@@ -175,41 +188,21 @@ impl<L: Plain> Chain<'_, L> {
         let scattering = &vertex.wavefront().scattering;
         if vertex.looks_for_light() {
             for (light, inputs) in vertex.lights().iter().enumerate() {
-                let to = (&mut material, &mut to_surface);
+                let to = (&mut material, &mut surface);
                 self.pull_light(vertex.group.index, vertex, light, inputs, own, to);
             }
         }
         for sample in scattering.emitters_of(vertex.group.index) {
-            self.pull_emitter(vertex, sample, own, &mut material, &mut to_surface);
+            self.pull_emitter(vertex, sample, own, &mut material, &mut surface);
         }
         let weight = scattering.found[vertex.group.block()];
         let (_, pullback) = found_emission::vjp::<L>(vertex.material.emission, weight);
         let (emitted, _) = pullback(own);
-        let mut shaded = None;
-        self.pull_material(
-            vertex,
-            emitted,
-            None,
-            &mut material,
-            &mut to_surface,
-            Some(&mut shaded),
-        );
-        let Some(SurfaceCotangent { mut surface, mut uv }) = shaded else { return };
-        if !self.scatter.request.moves_surfaces() {
-            return;
-        }
-        if let Some(mapped) = &group.mapped {
-            let (_, of_normal) = self.pull_mapped_normal(group, mapped, &mut surface);
-            uv.get_or_insert_with(Additive::zero).accumulate(of_normal);
-        }
-        let primitive = self.integrator.primitive(group.kind, &group.primitives);
-        if let (Some(uv), Some(primitive)) = (uv, primitive) {
-            let (primitive, _) = self.pull_uv(group, primitive, uv);
-            self.scatter_primitive(group.kind, &group.primitives, &primitive);
-        }
+        let to_surface = self.scatter.request.moves_surfaces().then_some(to_surface);
+        self.pull_material(vertex, emitted, None, &mut material, &mut surface, to_surface);
     }
 
-    /// From what the surfaces reflect of emitters that were looked for to both materials.
+    /// From what the surfaces reflect of emitters that were looked for to both materials and places.
     fn pull_emitter(
         &mut self,
         vertex: &Vertex<'_, L>,
@@ -228,17 +221,20 @@ impl<L: Plain> Chain<'_, L> {
         );
         let (material, _, surface, illumination, (), _) = pullback(own);
         to_material.accumulate(material);
-        if vertex.group.mapped.is_some() {
-            to_surface.accumulate(surface);
-        }
+        to_surface.accumulate(surface);
         let EmitterSample { emission, weighted, illumination: of, .. } = *sample;
         let (_, pullback) =
             illuminate_by_emitter::vjp::<L>(emission, of.direction, of.distance, weighted);
-        let (emission, ..) = pullback(illumination);
+        let (emission, direction, distance, weighted) = pullback(illumination);
         match &sample.source {
-            EmitterSource::Surfaces(materials) => {
+            EmitterSource::Surfaces(points) => {
                 let to_emitter = Tangent::<Material<L>> { emission, ..Additive::zero() };
-                self.scatter.materials::<L>(materials, &to_emitter);
+                let materials = self.integrator.materials(&points.primitives);
+                self.scatter.materials::<L>(&materials, &to_emitter);
+                if self.scatter.request.moves_surfaces() {
+                    let cotangents = (direction, distance, weighted);
+                    to_surface.point.accumulate(self.pull_sight(vertex, points, cotangents));
+                }
             }
             EmitterSource::Sky if !self.scatter.request.has_environment() => {}
             EmitterSource::Sky => {
@@ -248,42 +244,143 @@ impl<L: Plain> Chain<'_, L> {
         }
     }
 
-    /// From what rays bring that meet nothing to the environment.
+    /// From the directions and distances of points that shine, and what their directions count for, to the
+    /// surfaces of these points; returns the cotangents of the points that they were looked for from.
+    fn pull_sight(
+        &mut self,
+        vertex: &Vertex<'_, L>,
+        points: &EmitterPoints<L>,
+        (mut direction, distance, weighted): (Vec3<L>, L, L),
+    ) -> Vec3<L> {
+        let from = vertex.group.surface.point;
+        let primitive = self.integrator.primitive(points.kind, &points.primitives);
+        let (Some(sight), Some(primitive)) = (self.integrator.sight(points, from), primitive)
+        else {
+            return Additive::zero();
+        };
+        let scatterer = self.integrator.scatterer(vertex);
+        let density = scatterer.density(sight.direction);
+        let (spread, density) = match points.chosen {
+            Chosen::LookedFor => {
+                let (_, pullback) = emitter_spread::vjp::<L>(sight.spread, density);
+                pullback(weighted)
+            }
+            Chosen::Scattered { spread, factor } => {
+                let (_, pullback) = found_spread::vjp::<L>(sight.spread, density, spread, factor);
+                let (spread, density, ..) = pullback(weighted);
+                (spread, density)
+            }
+        };
+        let probability = scatterer.probability();
+        direction.accumulate(match scatterer.facets {
+            None => {
+                let normal = scatterer.normal();
+                let (_, pullback) = cosine_density::vjp::<L>(normal, probability, sight.direction);
+                pullback(density).2
+            }
+            Some(Facets { surface, sampling }) => {
+                let (_, pullback) = scattered_density::vjp::<L>(sampling, surface, sight.direction);
+                pullback(density * probability).2
+            }
+        });
+        let cotangent = Tangent::<Sight<L>> { direction, distance, spread };
+        let &EmitterPoints { kind, inside, choices, at, .. } = points;
+        let (_, pullback) = sight_of::vjp::<L>(primitive, L::mask(inside), at, choices, from);
+        let (to_primitive, (), _, _, point) = pullback(cotangent);
+        self.scatter_primitive(kind, &points.primitives, &to_primitive);
+        point
+    }
+
+    /// From the rays that go on from a group to its surface points, and to the normals of flat triangles
+    /// where these are smooth or mapped.
+    pub(super) fn pull_event(
+        &mut self,
+        group: &LaneGroup<L>,
+        wavefront: &Wavefront<L>,
+        ray: &Tangent<Ray<L>>,
+    ) -> Tangent<SmoothPoint<L>> {
+        let Some(event) = wavefront.scattering.events.get(group.block()) else {
+            return Additive::zero();
+        };
+        let (straight, refracted) = match group.bsdf {
+            Bsdf::Dielectric => (0, event.straight & group.alive),
+            Bsdf::BlinnPhong | Bsdf::MetallicRoughness => (event.straight, 0),
+        };
+        let in_lanes = |lanes: u32| select_lanes::<L, _>(lanes, &ray.direction, &Vec3::<L>::zero());
+        let followed = Tangent::<Ray<L>> {
+            origin: ray.origin,
+            direction: in_lanes(straight | event.mirrored),
+        };
+        let mut point = self.pull_next_ray(group, &followed, L::mask(straight));
+        if refracted != 0 {
+            let vertex = self.integrator.vertex(group, wavefront, None);
+            let inside = L::mask(group.inside);
+            let (_, pullback) =
+                refracted_direction::vjp::<L>(vertex.material, group.surface, inside);
+            let (material, surface, ()) = pullback(in_lanes(refracted));
+            point.surface.accumulate(surface);
+            if !self.scatter.request.materials.is_empty() {
+                self.scatter.materials::<L>(&vertex.materials, &material);
+            }
+        }
+        point
+    }
+
+    /// From what rays bring that meet nothing to the environment and to the rays: those of the camera go
+    /// back to it.
     fn pull_missed(
         &mut self,
         wavefront: &Wavefront<L>,
         cotangent: impl Fn(RayLanes) -> Option<Vec3<L>>,
+        rays: &mut [Tangent<Ray<L>>],
     ) {
-        if !self.scatter.request.has_environment() {
+        let request = self.scatter.request;
+        if !request.has_environment() && !request.moves_surfaces() {
             return;
         }
+        let mut to_frame = Tangent::<CameraFrame<L>>::zero();
         for lanes in missed::<L>(wavefront) {
             let Some((light, weight)) = self.integrator.missed_light(wavefront, lanes) else {
                 continue;
             };
-            if let Some(cotangent) = cotangent(lanes) {
-                let (_, pullback) = found_emission::vjp::<L>(light.radiance(), weight);
-                let (radiance, _) = pullback(cotangent);
-                self.pull_sky(Some(light), lanes.alive, radiance);
+            let Some(cotangent) = cotangent(lanes) else { continue };
+            let (_, pullback) = found_emission::vjp::<L>(light.radiance(), weight);
+            let (radiance, _) = pullback(cotangent);
+            let direction = self.pull_sky(Some(light), lanes.alive, radiance);
+            match (rays.get_mut(lanes.block::<L>()), wavefront.film.get(lanes.block::<L>())) {
+                (Some(ray), _) => ray.direction.accumulate(direction),
+                (None, Some(&(x, y))) if request.camera => {
+                    let frame = self.integrator.inputs.frame;
+                    let (_, pullback) = film_point::vjp::<L>(frame, x, y);
+                    to_frame.accumulate(pullback(direction).0);
+                }
+                (None, _) => {}
             }
+        }
+        if request.camera {
+            self.scatter.frame::<L>(&to_frame);
         }
     }
 
-    /// From what the environment brings in some lanes to its numbers and texels.
-    fn pull_sky(&mut self, light: Option<SkyLight<L>>, lanes: u32, radiance: Vec3<L>) {
-        let Some(SkyLight { environment, direction, lookup }) = light else { return };
-        let to_environment = match lookup {
-            None => Tangent::<Environment<L>> { radiance, ..Additive::zero() },
+    /// From what the environment brings in some lanes to its numbers and texels; returns the cotangents of
+    /// the directions.
+    fn pull_sky(&mut self, light: Option<SkyLight<L>>, lanes: u32, radiance: Vec3<L>) -> Vec3<L> {
+        let Some(SkyLight { environment, direction, lookup }) = light else {
+            return Additive::zero();
+        };
+        let (to_environment, direction) = match lookup {
+            None => (Tangent::<Environment<L>> { radiance, ..Additive::zero() }, Additive::zero()),
             Some(lookup) => {
                 let (_, pullback) =
                     map_radiance::vjp::<L>(environment, lookup.footprint, direction);
-                let (environment, footprint, _) = pullback(radiance);
+                let (environment, footprint, direction) = pullback(radiance);
                 self.scatter_texels(&lookup, lanes, footprint.texels);
-                environment
+                (environment, direction)
             }
         };
         if let Some(to) = self.scatter.request.environment {
             self.scatter.dense::<L, _>(to, lanes, &to_environment);
         }
+        direction
     }
 }

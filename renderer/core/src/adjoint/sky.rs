@@ -3,16 +3,13 @@
 use ad::{Additive, Tangent};
 use glam::DVec3;
 
-use crate::primal::sky_lights::sky_integral;
-use crate::primal::varying::Varying;
-use crate::scene::{DistantLight, Environment, EnvironmentObject, Scene};
+use crate::scene::{DistantLight, Environment, EnvironmentObject};
 use crate::trace::sky_parts::SkyPart;
-use crate::transport::environment::{part_irradiance, turn};
+use crate::transport::environment::{part_irradiance, turned};
 
 /// From the cotangents of the lights of all parts to the environment and, by `to_texel`, to the texels of its
 /// map.
 pub fn pull_sky<'a>(
-    scene: &Scene,
     environment: EnvironmentObject,
     lights: impl Iterator<Item = (&'a SkyPart, Tangent<DistantLight<f64>>)>,
     mut to_texel: impl FnMut(usize, DVec3),
@@ -20,10 +17,9 @@ pub fn pull_sky<'a>(
     let Environment { radiance, rotation } = environment.values;
     let mut sum = Tangent::<Environment<f64>>::zero();
     for (part, light) in lights {
-        let (_, pullback) = turn::vjp::<f64>(rotation, part.direction);
+        let (_, pullback) = turned::vjp::<f64>(rotation, part.direction);
         let (rotation, _fixed) = pullback(light.direction);
-        let integral = sky_integral::<f64>(scene, environment, part, &Varying::NONE);
-        let (_, pullback) = part_irradiance::vjp::<f64>(radiance, integral);
+        let (_, pullback) = part_irradiance::vjp::<f64>(radiance, part.integral);
         let (radiance, integral) = pullback(light.color);
         sum.accumulate(Tangent::<Environment<f64>> { radiance, rotation });
         if environment.texture.is_some() {

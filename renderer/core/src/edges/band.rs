@@ -13,11 +13,14 @@ use super::slender::Slender;
 use crate::counts::flush;
 use crate::number::Plain;
 use crate::primal::image::visit;
+use crate::primal::integrator::Integrator;
 use crate::primal::known::{KnownHit, KnownPaths};
 use crate::primal::lanes::vectors_of_lanes;
 use crate::primal::path::Path;
 use crate::primal::wavefront::Source;
 use crate::trace::bvh::PACKET_RAYS;
+use crate::trace::random::PathNumbers;
+use crate::transport::material::Bsdf;
 
 /// How many rows of samples make a band. Fixed, because the order of summation depends on it.
 pub const BAND: usize = 8;
@@ -98,6 +101,47 @@ impl Band {
         band
     }
 
+    /// Takes what light brings that takes all paths to both sides of the edges of surfaces that the camera sees
+    /// first, in place of direct light. What refracts has no shadows. `index` is that of the band.
+    pub fn scatter<L: Plain>(
+        &mut self,
+        geometry: &Geometry<'_, L>,
+        integrator: Integrator<'_, L>,
+        index: usize,
+        (known, path): &mut (KnownPaths, Path<L>),
+    ) {
+        let layout = geometry.integrator.layout;
+        let mut seen = Vec::new();
+        for (index, crossing) in self.crossings.iter().enumerate() {
+            let Layer::Shadow(depth, _) = crossing.layer else {
+                seen.extend((crossing.layer == Layer::Surface(0)).then_some(index));
+                continue;
+            };
+            let on = crossing.sides[0].of(&self.hits).nth(depth as usize);
+            let refracts =
+                |hit: KnownHit| layout.traits_of(hit.primitive as usize).bsdf == Bsdf::Dielectric;
+            if on.is_some_and(refracts) {
+                self.radiance[index] = [DVec3::ZERO; 2];
+            }
+        }
+        let sampling = integrator.layout.sampling;
+        let count = sampling.count();
+        for packet in seen.chunks(PACKET_CROSSINGS) {
+            let crossings: Vec<Crossing> =
+                packet.iter().map(|&index| self.crossings[index]).collect();
+            self.paths(geometry, &crossings, known);
+            let mut total = [[DVec3::ZERO; 2]; PACKET_CROSSINGS];
+            let first = (index << 16 | packet[0]) as u32;
+            for sample in 0..count {
+                let numbers = PathNumbers::on_sides(first, sampling.seed(), sample);
+                add_sides(integrator, Source::Scattered(known, &numbers), path, &mut total);
+            }
+            for (&index, total) in packet.iter().zip(total) {
+                self.radiance[index] = total.map(|radiance| radiance / f64::from(count));
+            }
+        }
+    }
+
     /// The crossings of a link that starts in a row of the band.
     pub fn of_link(&self, row: usize, column: usize, axis: usize) -> Range<usize> {
         let link = 2 * (row * self.columns + column) + axis;
@@ -153,13 +197,24 @@ impl Band {
         let mut sides = vec![[DVec3::ZERO; 2]; self.crossings.len()];
         for (first, crossings) in self.packets() {
             self.paths(geometry, crossings, known);
-            visit(geometry.integrator, Source::Known(known), path, |group, radiance| {
-                let radiance = vectors_of_lanes::<L>(radiance);
-                for (lane, ray) in group.rays() {
-                    sides[first + ray / 2][ray % 2] = radiance[lane];
-                }
-            });
+            let to = &mut sides[first..first + crossings.len()];
+            add_sides(geometry.integrator, Source::Known(known), path, to);
         }
         sides
     }
+}
+
+/// Adds what the paths on the sides of crossings bring.
+fn add_sides<L: Plain>(
+    integrator: Integrator<'_, L>,
+    source: Source<'_>,
+    path: &mut Path<L>,
+    sides: &mut [[DVec3; 2]],
+) {
+    visit(integrator, source, path, |rays, radiance| {
+        let radiance = vectors_of_lanes::<L>(radiance);
+        for (lane, ray) in rays.rays() {
+            sides[ray / 2][ray % 2] += radiance[lane];
+        }
+    });
 }

@@ -56,16 +56,7 @@ impl View {
             }
             move |ray| mean[ray][1]
         });
-        let start = || (KnownPaths::default(), Path::default());
-        let moved = for_each_band(self.bands.len(), start, |(known, path), band| {
-            let band = &self.bands[band];
-            let mut of_band = Vec::with_capacity(band.crossings.len());
-            for (_, crossings) in band.packets() {
-                band.paths(geometry, crossings, known);
-                of_band.extend(moved(integrator, Source::Known(known), path, crossings));
-            }
-            of_band
-        });
+        let moved = self.moved(geometry, integrator);
         self.add_shares(layout.width, &mut pixels, |band, crossing, share| {
             let Moved { radiance: [a, b], along } = moved[band][crossing];
             let [of_a, of_b] = self.bands[band].radiance[crossing];
@@ -76,6 +67,40 @@ impl View {
             }
         });
         pixels
+    }
+
+    /// The part of it that comes from edges that move: the boundary term.
+    pub fn boundary_derivative<L: Plain>(
+        &self,
+        geometry: &Geometry<'_, L>,
+        integrator: Integrator<'_, Dual<L>>,
+    ) -> Vec<DVec3> {
+        let moved = self.moved(geometry, integrator);
+        let (width, height) = (integrator.layout.width, integrator.layout.height);
+        let mut pixels = vec![DVec3::ZERO; width as usize * height as usize];
+        self.add_shares(width, &mut pixels, |band, crossing, share| {
+            let [of_a, of_b] = self.bands[band].radiance[crossing];
+            (of_a - of_b) * (moved[band][crossing].along * share.length)
+        });
+        pixels
+    }
+
+    /// By band: how fast the crossings change.
+    fn moved<L: Plain>(
+        &self,
+        geometry: &Geometry<'_, L>,
+        integrator: Integrator<'_, Dual<L>>,
+    ) -> Vec<Vec<Moved>> {
+        let start = || (KnownPaths::default(), Path::default());
+        for_each_band(self.bands.len(), start, |(known, path), band| {
+            let band = &self.bands[band];
+            let mut of_band = Vec::with_capacity(band.crossings.len());
+            for (_, crossings) in band.packets() {
+                band.paths(geometry, crossings, known);
+                of_band.extend(moved(integrator, Source::Known(known), path, crossings));
+            }
+            of_band
+        })
     }
 }
 

@@ -9,9 +9,11 @@ use super::geometry::Geometry;
 use crate::counts::flush;
 use crate::number::Plain;
 use crate::primal::known::{KnownHit, KnownPaths};
-use crate::primal::wavefront::Wavefront;
+use crate::primal::path::Path;
+use crate::primal::wavefront::{Wavefront, samples};
 use crate::trace::bvh::ray_at;
-use crate::trace::tile::Tile;
+use crate::trace::layout::Layout;
+use crate::trace::tile::{Tile, for_each_strip};
 
 /// The path of every sample of a regular grid, and of one more row and column of samples on each side of
 /// the image.
@@ -46,6 +48,22 @@ impl Sights {
         };
         let depths = (0..geometry.integrator.depths()).map(plane).collect();
         Self { side, columns, rows, lights, depths }
+    }
+
+    /// Those of the image of a scene, traced and not shaded, with what the samples around it see.
+    pub fn traced<L: Plain>(geometry: &Geometry<'_, L>) -> Self {
+        let (sights, integrator) = (Self::new(geometry), geometry.integrator);
+        let Layout { width, height, sampling, .. } = integrator.layout;
+        for_each_strip(*width, *height, Path::default, |path, strip| {
+            for tile in strip.tiles() {
+                for (index, sample) in samples(&tile, sampling.as_grid()).enumerate() {
+                    integrator.trace_path(sample, path);
+                    sights.keep(&tile, index as u32, path.wavefronts());
+                }
+            }
+        });
+        sights.keep_border(geometry);
+        sights
     }
 
     /// Where a sample is, in pixels from the upper left corner of the image.

@@ -10,10 +10,12 @@ use super::cell::{Cell, FARTHEST_CORNER, Share, Side, Workspace};
 use super::geometry::{Edge, Geometry};
 use super::sight::Sights;
 use super::slender::Slender;
+use crate::counts::flush;
 use crate::image::Image;
 use crate::loss::PixelLoss;
 use crate::number::Plain;
 use crate::primal::image::mean_traced;
+use crate::primal::integrator::Integrator;
 use crate::primal::known::KnownPaths;
 use crate::primal::path::Path;
 use crate::settings::Pass;
@@ -24,7 +26,8 @@ const PIXEL_ROWS: usize = 32;
 
 /// An image, and the edges in it.
 pub struct View {
-    /// The radiance of the pixels, row by row: areas count on both sides of edges.
+    /// The radiance of the pixels, row by row: areas count on both sides of edges. None where light takes all
+    /// paths.
     pub pixels: Vec<DVec3>,
     pub sights: Sights,
     pub bands: Vec<Band>,
@@ -48,7 +51,28 @@ impl View {
             move |ray| radiance[ray]
         });
         sights.keep_border(geometry);
+        let view = Self::of(geometry, sights);
+        view.add_shares(layout.width, &mut pixels, |band, crossing, share| {
+            let [a, b] = view.bands[band].radiance[crossing];
+            a * share.areas[0] + b * share.areas[1]
+        });
+        Self { pixels, ..view }
+    }
 
+    /// The edges of a scene in direct light, without pixels, where light takes all `paths`: what these bring is on
+    /// both sides of the edges of surfaces that the camera sees first.
+    pub fn of_paths<L: Plain>(geometry: &Geometry<'_, L>, paths: Integrator<'_, L>) -> Self {
+        let mut view = Self::of(geometry, Sights::traced(geometry));
+        let start = || (KnownPaths::default(), Path::default());
+        view.bands.par_iter_mut().enumerate().for_each_init(start, |work, (index, band)| {
+            band.scatter(geometry, paths, index, work);
+            flush();
+        });
+        view
+    }
+
+    /// The view of what samples see, without pixels.
+    fn of<L: Plain>(geometry: &Geometry<'_, L>, sights: Sights) -> Self {
         let slender = Slender::new(geometry, &sights);
         let start = || (KnownPaths::default(), Path::default());
         let bands = for_each_band(sights.rows.div_ceil(BAND), start, |work, band| {
@@ -63,11 +87,6 @@ impl View {
         view.shares = for_each_band(view.bands.len(), Workspace::default, |work, band| {
             view.shares(geometry, band, work)
         });
-        view.add_shares(layout.width, &mut pixels, |band, crossing, share| {
-            let [a, b] = view.bands[band].radiance[crossing];
-            a * share.areas[0] + b * share.areas[1]
-        });
-        view.pixels = pixels;
         view
     }
 

@@ -36,6 +36,13 @@ impl Coalesced {
         coalesced
     }
 
+    /// Lanes that have one index.
+    pub fn all(index: usize, lanes: u32) -> Self {
+        let mut coalesced = Self { shares: [(0, 0); MAX_LANES], count: 0 };
+        coalesced.push(index as u32, lanes);
+        coalesced
+    }
+
     /// The lanes by what `f` makes of their index.
     #[inline]
     pub fn map(&self, f: impl Fn(usize) -> u32) -> Self {

@@ -1,44 +1,76 @@
 //! Which primitives shine, and which parts of the environment, and how much.
 
+use std::iter;
+
 use ad::Scalar;
 use glam::DVec3;
 use rayon::prelude::*;
 
 use super::inputs::Inputs;
 use crate::number::{Number, widen};
-use crate::scene::{EnvironmentObject, Scene, Slot};
-use crate::trace::emitters::Emitters;
+use crate::scene::{EnvironmentObject, MaterialObject, Scene, Slot};
+use crate::trace::emitters::{Emitters, ShiningPoint};
 use crate::trace::layout::{Kind, Layout};
 use crate::trace::sky::shares;
+use crate::transport::emitter::barycentric_of;
 
-/// The triangles and spheres that shine, where light takes all paths, and then the cells of the
-/// environment by their ranks, if it has a texture. Shapes of one's own, what has a texture of its emission,
-/// and an environment that is the same everywhere are found by scattered rays alone.
+/// What vertices of paths look for, where light takes all: the triangles and spheres that shine, and then the
+/// cells of the environment by their ranks, if it has a texture. Shapes of one's own, what has a texture of its
+/// emission, and an environment that is the same everywhere are found by scattered rays alone.
 pub fn emitters<S: Number<Lane: Scalar>>(
     scene: &Scene,
     layout: &Layout,
     inputs: &Inputs<S>,
 ) -> Emitters {
-    let mut powers = scene.materials.iter().map(|material| {
-        let is_plain = material.textures.get(Slot::Emission).is_none();
-        if is_plain { material.values.emission.max_element() } else { 0.0 }
-    });
     if layout.path_tracing.is_none() {
         return Emitters::default();
     }
-    let cells = sky_powers(scene, layout);
-    if cells.is_empty() && !powers.clone().any(|power| power > 0.0) {
-        return Emitters::default();
-    }
-    let powers: Vec<f64> = powers.by_ref().collect();
-    let power = |primitive: usize| {
-        let radiance = powers[layout.material_of[primitive] as usize];
-        (radiance > 0.0).then(|| radiance * area(layout, inputs, primitive))
+    let cells = sky_powers(scene, layout).into_iter();
+    let first_cell = layout.material_of.len() as u32;
+    Emitters::new(surface_powers(scene, layout, inputs), first_cell, cells)
+}
+
+/// The triangles and spheres that shine.
+pub fn surface_emitters<S: Number<Lane: Scalar>>(
+    scene: &Scene,
+    layout: &Layout,
+    inputs: &Inputs<S>,
+) -> Emitters {
+    let powers = surface_powers(scene, layout, inputs);
+    Emitters::new(powers, layout.material_of.len() as u32, iter::empty())
+}
+
+/// So many points of surfaces that shine, spread over their power; none if there are none.
+pub fn shining_points(layout: &Layout, surfaces: &Emitters, count: u32) -> Vec<ShiningPoint> {
+    let point = |(primitive, numbers, choices): (u32, [f64; 2], f64)| {
+        let at = match layout.kind_of(primitive as usize).0 {
+            Kind::Triangle => barycentric_of::<f64>(numbers),
+            Kind::Sphere | Kind::Custom => [numbers[0], numbers[1], 0.0],
+        };
+        ShiningPoint { primitive, at, choices }
     };
-    let primitives = 0..layout.material_of.len();
-    let shining =
-        primitives.clone().filter_map(|primitive| Some((primitive as u32, power(primitive)?)));
-    Emitters::new(shining, primitives.end as u32, cells.into_iter())
+    let count = if surfaces.is_empty() { 0 } else { count };
+    surfaces.spread(count).map(point).collect()
+}
+
+/// The power of each triangle and sphere that shines.
+fn surface_powers<S: Number<Lane: Scalar>>(
+    scene: &Scene,
+    layout: &Layout,
+    inputs: &Inputs<S>,
+) -> impl Iterator<Item = (u32, f64)> {
+    let radiance = |material: &MaterialObject| {
+        let is_plain = material.textures.get(Slot::Emission).is_none();
+        if is_plain { material.values.emission.max_element() } else { 0.0 }
+    };
+    let radiances: Vec<f64> = scene.materials.iter().map(radiance).collect();
+    let shines = radiances.iter().any(|&radiance| radiance > 0.0);
+    let primitives = if shines { 0..layout.material_of.len() } else { 0..0 };
+    primitives.filter_map(move |primitive| {
+        let radiance = radiances[layout.material_of[primitive] as usize];
+        let power = (radiance > 0.0).then(|| radiance * area(layout, inputs, primitive))?;
+        Some((primitive as u32, power))
+    })
 }
 
 /// The power of each cell of the environment, in the order of their ranks: what it brings to a disc as large

@@ -28,14 +28,14 @@ impl<S: Number> Integrator<'_, S> {
                 film.extend(blocks.map(|first| self.film(sample.tile, offsets.as_ref(), first)));
                 sample.pixels
             }
-            Source::Known(paths) => {
+            Source::Known(paths) | Source::Scattered(paths, _) => {
                 film.extend(blocks.map(|first| paths.film::<S>(first)));
                 paths.rays()
             }
         };
         match source {
             Source::Tile(sample) => self.find_primary(&sample, &film, &mut wavefront.hits),
-            Source::Traced(_, paths) | Source::Known(paths) => {
+            Source::Traced(_, paths) | Source::Known(paths) | Source::Scattered(paths, _) => {
                 wavefront.hits = paths.at(0).map_or(PacketHits::NONE, |known| known.hits.clone());
             }
         }

@@ -5,22 +5,25 @@ use ad::{Fields, Real, Tangent, Vec3};
 use glam::DVec3;
 
 use super::placed::PlacedMesh;
+use super::shining::ShiningInputs;
 use super::sky_lights::sky_lights;
 use super::texels::TexelInputs;
-use super::varying::{Varying, lifted, narrow_vector};
+use super::varying::{Varying, lifted, lifted_vector, narrow_vector};
 use crate::custom::{EmitterKernel, ShapeKernel};
 use crate::number::{Number, splat_vector};
 use crate::scene::{LightSource, Mesh, Object, Scene, ShapeObject, Transform};
 use crate::settings::Pass;
-use crate::trace::layout::Layout;
+use crate::trace::layout::{Kind, Layout};
 use crate::transport::area_light::Place;
 use crate::transport::camera::{CameraFrame, Ray, camera_frame};
 use crate::transport::environment::Environment;
+use crate::transport::hit::Primitive;
 use crate::transport::light::{Illumination, Light, illuminate, match_light};
 use crate::transport::material::Material;
 use crate::transport::sphere::Sphere;
 use crate::transport::surface::SurfacePoint;
 use crate::transport::texture::Uv;
+use crate::transport::triangle::Triangle;
 
 /// A light as surfaces are shaded by it.
 pub enum LightInputs<S: Number> {
@@ -29,6 +32,8 @@ pub enum LightInputs<S: Number> {
         /// The point of it.
         place: Place<S>,
     },
+    /// A point of a surface.
+    Shining(ShiningInputs<S>),
     /// Of one's own: the numbers of all its fields.
     Custom { kernel: EmitterKernel, numbers: Vec<S::Lane>, origin: Vec3<S> },
 }
@@ -39,14 +44,15 @@ impl<S: Number> LightInputs<S> {
     pub fn illuminate(&self, point: Vec3<S>) -> Illumination<S> {
         match self {
             Self::Known { light, place } => illuminate::<S>(*light, *place, point),
+            Self::Shining(shining) => shining.illuminate(point),
             Self::Custom { kernel, numbers, origin } => {
                 kernel.at::<S>().illuminate(numbers, point + *origin)
             }
         }
     }
 
-    /// The pullback of [`illuminate`](Self::illuminate): returns the cotangent of the point; those of the
-    /// numbers of the light go to `to_number`.
+    /// The pullback of [`illuminate`](Self::illuminate) for all but surfaces: returns the cotangent of the
+    /// point; those of the numbers of the light go to `to_number`.
     #[inline]
     pub fn pull_illuminate(
         &self,
@@ -61,6 +67,7 @@ impl<S: Number> LightInputs<S> {
                 match_light!(light, _light, cotangent, part => part.visit(&mut to_number));
                 *point
             }
+            Self::Shining(shining) => shining.pull_illuminate(point, cotangent).1,
             Self::Custom { kernel, numbers, origin } => {
                 let point = point + *origin;
                 kernel.at::<S>().pull_illuminate(numbers, point, cotangent, &mut to_number)
@@ -156,7 +163,7 @@ impl<S: Number> Inputs<S> {
     /// Takes over the numbers of the scene, whose objects are those that the inputs were made of;
     /// returns whether geometry has moved.
     pub fn update(&mut self, scene: &Scene, layout: &Layout, varying: &Varying<S::Wide>) -> bool {
-        let origin = constant::<S>(self.origin);
+        let origin = lifted_vector::<S>(self.origin);
         self.look(scene, varying);
         self.environment = scene
             .environment
@@ -173,17 +180,43 @@ impl<S: Number> Inputs<S> {
         let shapes = shapes(scene, origin, varying);
         let shapes_moved = self.shapes != shapes;
         self.shapes = shapes;
+        let shining: Vec<_> = self.shining::<S>(layout, |number| number).collect();
+        self.lights.extend(shining.into_iter().map(LightInputs::Shining));
         vertices | spheres | shapes_moved
+    }
+
+    /// The points of surfaces that shine which a layout has chosen, in the numbers `T`.
+    pub fn shining<'a, T: Number>(
+        &'a self,
+        layout: &'a Layout,
+        to: impl Fn(S::Lane) -> T::Lane + Copy + 'a,
+    ) -> impl Iterator<Item = ShiningInputs<T>> + 'a {
+        let number = move |number| T::splat(to(number));
+        let vector =
+            move |v: Vec3<S::Lane>| <Vec3<T>>::new(number(v.x()), number(v.y()), number(v.z()));
+        layout.shining.iter().map(move |point| {
+            let primitive = match layout.kind_of(point.primitive as usize) {
+                (Kind::Sphere, index) => Primitive::Sphere(self.spheres[index].map(number)),
+                (_, index) => {
+                    let corner = |vertex: u32| vector(self.vertices[vertex as usize]);
+                    let [a, b, c] = layout.triangles[index].map(corner);
+                    Primitive::Triangle(Triangle { a, b, c })
+                }
+            };
+            let material = layout.material_of[point.primitive as usize];
+            let emission = vector(self.materials[material as usize].emission);
+            ShiningInputs::new(point, primitive, emission)
+        })
     }
 
     /// The origin of all positions, in the world.
     pub fn world_origin(&self) -> Vec3<S> {
-        splat_vector::<S>(narrow_vector::<S>(constant::<S>(self.origin)))
+        splat_vector::<S>(narrow_vector::<S>(lifted_vector::<S>(self.origin)))
     }
 
     /// Takes over what the scene is seen through.
     pub fn look(&mut self, scene: &Scene, varying: &Varying<S::Wide>) {
-        let frame = frame::<S>(scene, constant::<S>(self.origin), varying);
+        let frame = frame::<S>(scene, lifted_vector::<S>(self.origin), varying);
         self.frame = in_lanes::<S, _>(&frame);
     }
 
@@ -309,7 +342,11 @@ pub fn lights<S: Number>(
     };
     match layout.pass {
         Pass::Radiance => {
-            places(scene).map(inputs).chain(sky_lights(scene, layout, varying)).collect()
+            let of_sky = sky_lights::<S>(scene, layout, varying).into_iter().map(|light| {
+                let light = Light::Distant(in_lanes::<S, _>(&light));
+                LightInputs::Known { light, place: Place::POINT.map(S::from_f64) }
+            });
+            places(scene).map(inputs).chain(of_sky).collect()
         }
         _ => Vec::new(),
     }
@@ -335,12 +372,6 @@ pub fn shapes<S: Number>(
     scene.shapes.iter().enumerate().map(inputs).collect()
 }
 
-/// A vector that does not vary.
-pub(super) fn constant<S: Number>(v: DVec3) -> Vec3<S::Wide> {
-    let [x, y, z] = lifted::<S, 3>(&v.to_array());
-    Vector3::new(x, y, z)
-}
-
 #[inline]
 fn vector<S: Number>(&[x, y, z]: &[S::Wide; 3]) -> Vec3<S::Lane> {
     narrow_vector::<S>(Vector3::new(x, y, z))
@@ -356,6 +387,6 @@ fn narrow_all<S: Number>(values: &[S::Wide]) -> Vec<S::Lane> {
 }
 
 /// A struct in the precision of a pass, the same in every lane.
-pub(super) fn in_lanes<S: Number, T: Fields<S::Wide>>(value: &T) -> T::With<S> {
+fn in_lanes<S: Number, T: Fields<S::Wide>>(value: &T) -> T::With<S> {
     value.map(|number| S::splat(S::narrow(number)))
 }

@@ -27,6 +27,7 @@ pub(crate) mod path;
 pub(crate) mod placed;
 pub(crate) mod scattered;
 pub(crate) mod shadow;
+pub(crate) mod shining;
 pub(crate) mod sky_lights;
 pub(crate) mod smooth;
 pub(crate) mod texels;

@@ -1,27 +1,17 @@
 //! Groups of triangles whose normals are bent by normal maps.
 
 use ad::lanes::Lanes;
-use ad::{Fields, Vec3, select};
+use ad::{Fields, select};
 
 use super::coalesce::Coalesced;
-use super::gather::Lookup;
 use super::integrator::Integrator;
-use super::wavefront::{Bent, LaneGroup};
+use super::wavefront::{Bent, LaneGroup, Mapped};
 use crate::number::{Number, primal_vector};
 use crate::scene::Slot;
 use crate::trace::layout::Kind;
 use crate::transport::hit::{Primitive, surface_uv};
 use crate::transport::normal_map::{NormalMap, mapped_normal, rounded_normal};
 use crate::transport::surface::SurfacePoint;
-
-/// The normal maps of a group.
-pub struct Mapped<S: Number> {
-    /// The shading normals without them.
-    pub normal: Vec3<S>,
-    /// The texels, in the lanes that have a map.
-    pub lookup: Lookup<S>,
-    pub map: NormalMap<S>,
-}
 
 /// Surface points, what they have if their normals are bent, and their normal maps.
 type MappedSurface<S> = (SurfacePoint<S>, Option<Bent<S>>, Option<Box<Mapped<S>>>);

@@ -8,12 +8,13 @@ use super::integrator::Integrator;
 use super::known::KnownHits;
 use super::scattered::{EmitterSample, Event};
 use super::wavefront::{
-    LaneGroup, Source, Wavefront, blocks, clear_blocks, put, repeated_ray, set_vectors,
+    LaneGroup, Source, TileSample, Wavefront, blocks, clear_blocks, put, repeated_ray, set_vectors,
 };
 use crate::counts::count;
 use crate::number::{Number, primal_vector};
 use crate::trace::bvh::{Batch, NO_PRIMITIVE, PacketHits, rays};
 use crate::trace::layout::Kind;
+use crate::trace::random::PathNumbers;
 use crate::transport::camera::Ray;
 
 /// The paths of one sample of a tile: a wavefront for each depth. A pixel has the same ray in each.
@@ -38,12 +39,12 @@ impl<S: Number> Path<S> {
     }
 
     /// The wavefront of this index, and the one before it.
-    pub(super) fn at(&mut self, index: usize) -> (Option<&Wavefront<S>>, &mut Wavefront<S>) {
+    pub(super) fn at(&mut self, index: usize) -> (Option<&mut Wavefront<S>>, &mut Wavefront<S>) {
         if self.wavefronts.len() == index {
             self.wavefronts.push(Wavefront::default());
         }
         let (before, after) = self.wavefronts.split_at_mut(index);
-        (before.last(), &mut after[0])
+        (before.last_mut(), &mut after[0])
     }
 
     /// The wavefront of this index, and the one behind it.
@@ -64,8 +65,15 @@ impl<S: Number> Integrator<'_, S> {
     /// Traces paths, or follows those that are known, with the visibility of lights, and finds the
     /// radiance that each ray brings but for those of the camera.
     pub fn trace_path(&self, source: Source<'_>, path: &mut Path<S>) {
-        if let (Some(limits), Source::Tile(sample)) = (self.layout.path_tracing, source) {
-            return self.trace_scattered(sample, limits, path);
+        match (self.layout.path_tracing, source) {
+            (Some(limits), Source::Tile(TileSample { tile, sampling, index, .. })) => {
+                let numbers = PathNumbers::new(tile, sampling, index);
+                return self.trace_scattered(source, &numbers, limits, path);
+            }
+            (Some(limits), Source::Scattered(_, numbers)) => {
+                return self.trace_scattered(source, numbers, limits, path);
+            }
+            _ => {}
         }
         let known = |depth: usize| source.known()?.at(depth);
         let mut depth = 0;

@@ -57,6 +57,8 @@ impl Tracer {
         moved: bool,
     ) {
         self.lights = inputs::lights(scene, layout, inputs.origin, &Varying::NONE);
+        let shining = inputs.shining::<f64>(layout, |number| number.to_f64());
+        self.lights.extend(shining.map(LightInputs::Shining));
         if moved {
             self.bvh.update(&Geometry { layout, inputs, customs: &customs(scene, inputs.origin) });
         }
@@ -84,7 +86,7 @@ impl Tracer {
     pub fn position(&self, light: usize) -> Option<DVec3> {
         match &self.lights[light] {
             LightInputs::Known { light, place } => light.position(*place),
-            LightInputs::Custom { .. } => None,
+            LightInputs::Shining(_) | LightInputs::Custom { .. } => None,
         }
     }
 

@@ -2,6 +2,7 @@
 
 use ad::vector::Vector3;
 use ad::{Field, Fields, Real, Vec3};
+use glam::DVec3;
 
 use crate::number::Number;
 use crate::scene::{Object, ParameterId};
@@ -52,6 +53,12 @@ impl<W: Real> Varying<W> {
 #[inline]
 pub(super) fn lifted<S: Number, const N: usize>(values: &[f64; N]) -> [S::Wide; N] {
     values.map(S::Wide::from_f64)
+}
+
+/// A vector that does not vary.
+pub(super) fn lifted_vector<S: Number>(v: DVec3) -> Vec3<S::Wide> {
+    let [x, y, z] = lifted::<S, 3>(&v.to_array());
+    Vector3::new(x, y, z)
 }
 
 #[inline]

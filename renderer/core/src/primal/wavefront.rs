@@ -5,17 +5,19 @@ use ad::vector::Vector3;
 use ad::{Additive, Fields, Vec3, select};
 
 use super::coalesce::{Coalesced, select_lanes};
+use super::gather::Lookup;
 use super::known::KnownPaths;
 use super::lanes::{all_lanes, singles_of_lanes};
-use super::normal_map::Mapped;
 use super::scattered::Scattering;
 use crate::number::Number;
 use crate::trace::bvh::{PACKET_RAYS, PacketHits, PacketVectors, rays};
 use crate::trace::layout::Kind;
+use crate::trace::random::PathNumbers;
 use crate::trace::sampling::Sampling;
 use crate::trace::tile::Tile;
 use crate::transport::camera::Ray;
 use crate::transport::material::Bsdf;
+use crate::transport::normal_map::NormalMap;
 use crate::transport::surface::SurfacePoint;
 
 /// The rays of a tile at one depth: those of the camera, or those that go on from mirrors or through
@@ -54,6 +56,8 @@ pub enum Source<'a> {
     Traced(TileSample<'a>, &'a KnownPaths),
     /// They are known, through any points of the film.
     Known(&'a KnownPaths),
+    /// The same, where light takes all paths: it is known what camera rays meet.
+    Scattered(&'a KnownPaths, &'a PathNumbers),
 }
 
 impl<'a> Source<'a> {
@@ -61,7 +65,7 @@ impl<'a> Source<'a> {
     pub fn known(self) -> Option<&'a KnownPaths> {
         match self {
             Self::Tile(_) => None,
-            Self::Traced(_, paths) | Self::Known(paths) => Some(paths),
+            Self::Traced(_, paths) | Self::Known(paths) | Self::Scattered(paths, _) => Some(paths),
         }
     }
 }
@@ -146,6 +150,15 @@ pub struct Bent<S: Number> {
     pub outward: Vec3<S>,
     /// The places from which shadow rays start.
     pub curved: Vec3<S::Lanes>,
+}
+
+/// The normal maps of a group.
+pub struct Mapped<S: Number> {
+    /// The shading normals without them.
+    pub normal: Vec3<S>,
+    /// The texels, in the lanes that have a map.
+    pub lookup: Lookup<S>,
+    pub map: NormalMap<S>,
 }
 
 impl<S: Number> LaneGroup<S> {

@@ -17,8 +17,7 @@ use crate::primal::inputs::Inputs;
 use crate::primal::integrator::Prepared;
 use crate::primal::varying::Varying;
 use crate::scene::{ParameterId, Scene};
-use crate::settings::{Edges, Pass, Settings};
-use crate::trace::layout::sampling_of;
+use crate::settings::{Pass, Settings};
 use crate::trace::sampling::Sampling;
 
 /// A scene that is prepared to be rendered again and again: its numbers may change, its objects stay.
@@ -50,10 +49,9 @@ impl Renderer {
     ///
     /// # Errors
     ///
-    /// If the scene is not [valid](Scene::check), or edges are to be seen where light takes all paths.
+    /// If the scene is not [valid](Scene::check).
     pub fn new(scene: &Scene, settings: &Settings) -> Result<Self, Error> {
         scene.check()?;
-        settings.check_edges(scene)?;
         Ok(Self::unchecked(scene, settings))
     }
 
@@ -278,27 +276,23 @@ impl<L: Plain> Engine for Prepared<L> {
     }
 
     fn show(&mut self, scene: &Scene, pass: Pass) {
-        self.settings.pass = pass;
-        self.layout.show(scene, &self.settings);
-        Prepared::update(self, scene);
+        Prepared::show(self, scene, pass);
     }
 
     fn render_into(&self, image: &mut Image) {
-        match self.edges() {
-            Edges::On => {
-                View::new(&Geometry::new(self.integrator())).fill(image, self.layout.pass);
-            }
-            Edges::Auto | Edges::Off => render_into(self.integrator(), image),
+        match self.sees_edges() {
+            true => View::new(&Geometry::new(self.integrator())).fill(image, self.layout.pass),
+            false => render_into(self.integrator(), image),
         }
     }
 
     fn loss(&self, pixel_loss: &dyn PixelLoss) -> f64 {
-        match self.edges() {
-            Edges::On => {
+        match self.sees_edges() {
+            true => {
                 let view = View::new(&Geometry::new(self.integrator()));
                 view.loss(self.layout.width, pixel_loss)
             }
-            Edges::Auto | Edges::Off => loss(self.integrator(), pixel_loss),
+            false => loss(self.integrator(), pixel_loss),
         }
     }
 
@@ -364,11 +358,7 @@ impl<L: Plain> Engine for Prepared<L> {
     }
 
     fn resample(&mut self, sampling: Sampling, bounces: Option<u32>) {
-        self.settings.sampling = sampling;
-        self.layout.sampling = sampling_of(sampling, self.layout.path_tracing);
-        if let Some(bounces) = bounces {
-            self.layout.bounces = bounces;
-        }
+        Prepared::resample(self, sampling, bounces);
     }
 
     fn rays_by_depth(&self, scene: &Scene, requested: &[ParameterId]) -> Vec<(u64, u64)> {
@@ -418,11 +408,34 @@ fn pixels_along<L: Plain>(
     let inputs = Inputs::new(scene, &prepared.layout, prepared.inputs.origin, &varying);
     let request = Request::new(scene, &prepared.layout, &ids);
     let moving = prepared.with_inputs(&inputs).with_zero_weight(request.zero_weight);
-    if !request.has_edges(prepared.edges()) {
-        return pixels_dual(moving, prepared.layout.sampling);
+    let has_edges = request.has_edges(prepared.settings.edges);
+    if prepared.layout.path_tracing.is_some() || !has_edges {
+        let mut pixels = pixels_dual(moving, prepared.layout.sampling);
+        if has_edges {
+            let boundary = boundary_of_paths(prepared, scene, &request, varying);
+            pixels.iter_mut().zip(boundary).for_each(|(pixel, along)| pixel[1] += along);
+        }
+        return pixels;
     }
     let still = Geometry::new(prepared.integrator().with_zero_weight(request.zero_weight));
     let view = View::new(&still);
     let derivatives = view.derivative(&still, moving);
     view.pixels.into_iter().zip(derivatives).map(|(pixel, along)| [pixel, along]).collect()
+}
+
+/// The derivatives of pixels by the edges that move, where light takes all paths.
+fn boundary_of_paths<L: Plain>(
+    prepared: &Prepared<L>,
+    scene: &Scene,
+    request: &Request,
+    mut varying: Varying<Dual<f64>>,
+) -> Vec<DVec3> {
+    // The directions of light from the environment stay where it turns.
+    varying.blocks.retain(|(id, _)| scene.moves_edges(*id));
+    let direct = prepared.direct(scene);
+    let geometry = Geometry::new(direct.integrator().with_zero_weight(request.zero_weight));
+    let view = View::of_paths(&geometry, prepared.integrator());
+    let inputs = Inputs::new(scene, &direct.layout, direct.inputs.origin, &varying);
+    let moving = direct.with_inputs(&inputs).with_zero_weight(request.zero_weight);
+    view.boundary_derivative(&geometry, moving)
 }

@@ -18,10 +18,10 @@ pub enum Integrator {
 /// How paths are chosen.
 ///
 /// Random numbers are those of the Sobol' sequence with Owen's scrambling, another one for each pixel. The
-/// same scene and seed give the same image, and a gradient is the exact derivative of the loss of that
-/// image: which light, lobe and direction a path takes does not depend on radiances and colours, or in steps
-/// alone. Where a gradient is asked for by a colour that is 0, which no path of the image depends on, it is
-/// that of other paths, and right in the mean.
+/// same scene and seed give the same image, and a gradient by what moves no path is the exact derivative of the
+/// loss of that image: which light, lobe and direction a path takes does not depend on radiances and colours, or
+/// in steps alone. Where a gradient is asked for by a colour that is 0, which no path of the image depends on, it
+/// is that of other paths, and right in the mean; so it is by what moves surfaces, lights that shine, or the camera.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct PathTracing {
     /// How many straight pieces a path has at most, from the camera to where the light comes from: with 1,
@@ -54,14 +54,18 @@ impl Scene {
         }
     }
 
-    /// Whether images have a derivative by a parameter. Where light takes all paths they have none by what
-    /// moves edges, such as the index of refraction of glass: nobody knows how those move that paths come by.
-    pub fn is_differentiable(&self, id: ParameterId) -> bool {
-        self.integrator == Integrator::Direct || !self.moves_edges(id) && !self.refracts_by(id)
+    /// The same where a pass is shown: radiance alone asks for it.
+    pub(crate) fn path_tracing_of(&self, pass: Pass) -> Option<PathTracing> {
+        self.path_tracing().filter(|_| pass == Pass::Radiance)
+    }
+
+    /// Whether edges count for gradients by some parameters: on or off.
+    pub fn edges_for(&self, edges: Edges, ids: &[ParameterId]) -> Edges {
+        edges.given(ids.iter().any(|&id| self.moves_edges(id)))
     }
 
     /// Whether a parameter bends rays: what is seen behind a dielectric moves with its index of refraction.
-    fn refracts_by(&self, id: ParameterId) -> bool {
+    pub(crate) fn refracts_by(&self, id: ParameterId) -> bool {
         match id.object {
             Object::Material(i) => id.field == "ior" && self.materials[i].bsdf == Bsdf::Dielectric,
             _ => false,
@@ -73,8 +77,7 @@ impl Scene {
     ///
     /// # Errors
     ///
-    /// If there is [none](Self::is_differentiable) by one of them, or edges count and there are more lights, or
-    /// points of them, than the 64 whose shadows have edges.
+    /// If edges count and there are more lights, or points of them, than the 64 whose shadows have edges.
     pub fn check_differentiable(
         &self,
         settings: &Settings,
@@ -83,13 +86,8 @@ impl Scene {
         if settings.pass != Pass::Radiance {
             return Ok(());
         }
-        if let Some(&id) = ids.iter().find(|&&id| !self.is_differentiable(id)) {
-            let problem = "moves edges, by which light that takes all paths has no derivative here; \
-                           integrator.type = \"direct\" has";
-            return Err(Error::new(self.path(id), problem));
-        }
         let points = self.light_points();
-        if settings.edges.for_parameters(self, ids) == Edges::On && points > MOST_EDGED_LIGHTS {
+        if self.edges_for(settings.edges, ids) == Edges::On && points > MOST_EDGED_LIGHTS {
             let problem = format!(
                 "{points} lights, or points of them, cast shadows, and edges are known of \
                  {MOST_EDGED_LIGHTS}: lower light_samples, or leave the boundary term out (--edges off)"

@@ -58,6 +58,14 @@ impl ParameterId {
         Self { object, field, vertex: None }
     }
 
+    /// The mesh whose vertices, all of them, the parameter is; nothing if it is another one.
+    pub fn whole_mesh(self) -> Option<usize> {
+        match self.object {
+            Object::Mesh(mesh) if self.field == "vertices" && self.vertex.is_none() => Some(mesh),
+            _ => None,
+        }
+    }
+
     /// Whether two parameters have numbers in common: they are the same, or one is a vertex of the
     /// other.
     pub fn overlaps(self, other: Self) -> bool {

@@ -17,11 +17,13 @@ const NO_ENVIRONMENT: EnvironmentObject = EnvironmentObject {
 };
 
 impl Scene {
-    /// Whether silhouettes, shadows or other edges in the image move with a parameter.
+    /// Whether silhouettes, shadows or other edges in the image move with a parameter, also those that are seen
+    /// behind what refracts. Where light takes all paths, the gradient by it is right in the mean, but no
+    /// derivative of the same estimate: directions that were scattered stay where they are.
     pub fn moves_edges(&self, id: ParameterId) -> bool {
         // Where light takes all paths the environment casts no shadow with an edge.
         let is_soft = id.object == Object::Environment && self.path_tracing().is_some();
-        table::row(id).moves_edges && !is_soft
+        table::row(id).moves_edges && !is_soft || self.refracts_by(id)
     }
 
     fn object(&self, object: Object) -> &dyn Numbers {

@@ -235,6 +235,8 @@ impl Scene {
             && let LightSource::Known(Light::Rectangle(light) | Light::Disc(light)) =
                 &self.lights[light].source
             && light.right.cross(light.up).length() < SMALLEST_LENGTH * SMALLEST_LENGTH
+            // The zero vector is the mistake of its own field.
+            && light.up.length() >= SMALLEST_LENGTH
         {
             return invalid(self.path(id), "`right` and `up` must not point along one line");
         }

@@ -24,6 +24,16 @@ pub struct Emitters {
     guide: Vec<u32>,
 }
 
+/// A point of a triangle or sphere that shines.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ShiningPoint {
+    pub primitive: u32,
+    /// Where it is: see [`sight_of()`](crate::transport::emitter::sight_of()).
+    pub at: [f64; 3],
+    /// One over the probability with which the primitive is chosen, by the number of points.
+    pub choices: f64,
+}
+
 impl Emitters {
     /// Primitives in their order, with their powers, and the powers of all cells, which count as primitives
     /// from `first_cell` on.
@@ -85,6 +95,25 @@ impl Emitters {
     /// The last one that shines up to an index: the number 1 chooses that.
     fn shining(&self, index: usize) -> usize {
         (0..=index).rev().find(|&index| self.weights[index] > 0.0).unwrap_or(index)
+    }
+
+    /// So many emitters, spread evenly over the power, each with numbers from 0 to 1 that choose a point of it and
+    /// with what the point counts for, among all points of all emitters.
+    pub fn spread(&self, count: u32) -> impl Iterator<Item = (u32, [f64; 2], f64)> {
+        let radical_inverse = |mut index: u32, base: u32| {
+            let (mut digit, mut value) = (1.0, 0.0);
+            while index > 0 {
+                digit /= f64::from(base);
+                value += digit * f64::from(index % base);
+                index /= base;
+            }
+            value
+        };
+        (0..count).map(move |index| {
+            let (primitive, one_of) = self.choose((f64::from(index) + 0.5) / f64::from(count));
+            let numbers = [2, 3].map(|base| radical_inverse(index + 1, base));
+            (primitive, numbers, one_of / f64::from(count))
+        })
     }
 
     /// One over the probability of a primitive; infinite for one that is not chosen.

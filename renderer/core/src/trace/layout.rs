@@ -9,10 +9,11 @@ use glam::DVec3;
 
 use super::adjacency::Adjacency;
 use super::corners::Corners;
+use super::emitters::ShiningPoint;
 use super::sampling::{GradientSamples, Samples, Sampling};
 use super::sky::Sky;
 use super::sky_parts::{self, SkyPart};
-use crate::scene::{MaterialObject, MaterialTextures, PathTracing, Scene, Slot, Wrap};
+use crate::scene::{MaterialObject, MaterialTextures, PathTracing, Scene, Slot, Texture, Wrap};
 use crate::settings::{Pass, Settings};
 use crate::transport::material::{Bsdf, Lobes};
 
@@ -52,6 +53,11 @@ pub struct Layout {
     pub sky: Option<Sky>,
     /// The environment as distant lights, which come after those of the scene, where light is direct.
     pub sky_parts: Vec<SkyPart>,
+    /// Points of surfaces that shine, which are lights too and come last: where only the edges of light that
+    /// takes all paths are looked for.
+    pub shining: Vec<ShiningPoint>,
+    /// Whether light is direct here although the scene asks for all paths.
+    is_direct: bool,
     /// What camera rays bring that meet nothing, where that is not the environment.
     pub background: Option<DVec3>,
     /// The first vertex of each mesh, then the number of all.
@@ -68,7 +74,7 @@ pub struct Layout {
 /// What a light can do.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LightTraits {
-    /// Which light of the scene it is, or is a point of; then come the parts of the sky.
+    /// Which light of the scene it is, or is a point of; then come the parts of the sky, and points of surfaces.
     pub object: usize,
     /// Whether it is known to send nothing.
     pub is_black: bool,
@@ -183,6 +189,28 @@ pub enum Kind {
 
 impl Layout {
     pub fn new(scene: &Scene, settings: &Settings) -> Self {
+        let is_direct = scene.path_tracing().is_none();
+        Self::with_lights(scene, settings, scene.light_samples, Vec::new(), is_direct)
+    }
+
+    /// The same, where light is direct although the scene asks for all paths: the environment has so many parts,
+    /// and these points of surfaces shine.
+    pub fn direct(
+        scene: &Scene,
+        settings: &Settings,
+        sky_parts: u32,
+        shining: Vec<ShiningPoint>,
+    ) -> Self {
+        Self::with_lights(scene, settings, sky_parts, shining, true)
+    }
+
+    fn with_lights(
+        scene: &Scene,
+        settings: &Settings,
+        sky_parts: u32,
+        shining: Vec<ShiningPoint>,
+        is_direct: bool,
+    ) -> Self {
         let [width, height] = scene.size();
         let mut layout = Self {
             width,
@@ -204,7 +232,12 @@ impl Layout {
             textures: textures(scene),
             map: None,
             sky: None,
-            sky_parts: sky_parts_of(scene),
+            sky_parts: match scene.environment {
+                Some(_) if is_direct => sky_parts::parts(map_of(scene), sky_parts),
+                _ => Vec::new(),
+            },
+            shining,
+            is_direct,
             background: None,
             first_vertices: vec![0],
             mirrored: Vec::new(),
@@ -245,7 +278,7 @@ impl Layout {
     /// Takes over what lights and materials can do, which depends on their numbers.
     pub fn update(&mut self, scene: &Scene) {
         let pass = self.pass;
-        self.path_tracing = pass.path_tracing(scene);
+        self.path_tracing = scene.path_tracing_of(pass).filter(|_| !self.is_direct);
         let environment = scene.environment.filter(|_| pass == Pass::Radiance);
         self.background = environment.and_then(|environment| environment.background);
         self.lights.clear();
@@ -255,10 +288,15 @@ impl Layout {
             self.lights.extend(iter::repeat_n(traits, count));
         }
         if let Some(environment) = environment {
-            let is_black = environment.values.radiance == DVec3::ZERO;
-            let objects = (scene.lights.len()..).zip(&self.sky_parts);
-            self.lights.extend(objects.map(|(object, _)| LightTraits { object, is_black }));
+            let (is_black, map) = (environment.values.radiance == DVec3::ZERO, map_of(scene));
+            for (object, part) in (scene.lights.len()..).zip(&mut self.sky_parts) {
+                part.update(map);
+                self.lights.push(LightTraits { object, is_black });
+            }
         }
+        let first = scene.lights.len() + self.sky_parts.len();
+        let shining = (first..).take(self.shining.len());
+        self.lights.extend(shining.map(|object| LightTraits { object, is_black: false }));
         self.materials.clear();
         self.materials
             .extend(scene.materials.iter().map(|object| MaterialTraits::of(object, pass)));
@@ -341,15 +379,9 @@ impl Layout {
     }
 }
 
-/// The parts of the environment, where light is direct.
-fn sky_parts_of(scene: &Scene) -> Vec<SkyPart> {
-    match (scene.environment, scene.path_tracing()) {
-        (Some(environment), None) => {
-            let map = environment.texture.map(|texture| &scene.textures[texture as usize]);
-            sky_parts::parts(map, scene.light_samples)
-        }
-        _ => Vec::new(),
-    }
+/// The texture of the environment, if it has one.
+fn map_of(scene: &Scene) -> Option<&Texture> {
+    Some(&scene.textures[scene.environment?.texture? as usize])
 }
 
 /// Where the texels of each texture are, among those of all.

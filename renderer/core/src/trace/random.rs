@@ -15,7 +15,7 @@ use super::tile::Tile;
 /// How many sets of four numbers there are for each depth.
 const SETS: u32 = 2;
 
-/// The numbers of one path through each pixel of a tile.
+/// The numbers of one path through each pixel of a tile, or on each side of some edges.
 pub struct PathNumbers {
     /// By ray.
     seeds: [u32; PACKET_RAYS],
@@ -40,6 +40,14 @@ impl PathNumbers {
             let (x, y) = tile.pixel(ray);
             hash(hash(x ^ seed).wrapping_add(y.wrapping_mul(0x9e37_79b9)))
         });
+        Self { seeds, index }
+    }
+
+    /// Those of the path `index` on both sides of edges, two rays for each, the first of which has this number:
+    /// the same on either side.
+    pub fn on_sides(first: u32, seed: u32, index: u32) -> Self {
+        let (seed, index) = (hash(!seed ^ index >> 16), index & 0xffff);
+        let seeds = std::array::from_fn(|ray| hash((first + ray as u32 / 2) ^ seed));
         Self { seeds, index }
     }
 

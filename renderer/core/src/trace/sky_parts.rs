@@ -24,6 +24,8 @@ const SMALLEST: f64 = 1e-2;
 pub struct SkyPart {
     /// Where it is seen while the map is not turned; a unit vector.
     pub direction: DVec3,
+    /// What it brings to a surface that faces it, where the radiance of the environment is 1.
+    pub integral: DVec3,
     /// The mean cosine of the angles between its directions and that one.
     cosine: f64,
     cells: Cells,
@@ -31,6 +33,12 @@ pub struct SkyPart {
 }
 
 impl SkyPart {
+    /// Takes over the texels of the map, if there is one.
+    pub fn update(&mut self, map: Option<&Texture>) {
+        let radiance = |texel: usize| map.map_or(DVec3::ONE, |map| map.texels.at(texel).into());
+        self.integral = self.texels().map(|(texel, irradiance)| radiance(texel) * irradiance).sum();
+    }
+
     /// Its texels, each with the irradiance that its radiance 1 brings to a surface that faces the part; some
     /// are told several times. A sky without a map has one texel.
     pub fn texels(&self) -> impl Iterator<Item = (usize, f64)> {
@@ -129,10 +137,10 @@ impl Sky {
         let grid = Grid::new(size, parts);
         let mut texels: Vec<f64> = map
             .map_or(vec![1.0], |map| map.texels.iter().map(|texel| texel.iter().sum()).collect());
-        let cells =
-            (0..grid.rows).flat_map(|row| (0..grid.columns).map(move |column| (column, row)));
-        let powers =
-            cells.map(|(column, row)| texels[grid.texel(column, row)] * grid.solid_angle(row));
+        let of_row = |row: u32| -> f64 {
+            (0..grid.columns).map(|column| texels[grid.texel(column, row)]).sum()
+        };
+        let powers = (0..grid.rows).map(|row| of_row(row) * grid.solid_angle(row));
         let mean = powers.sum::<f64>() / (2.0 * TAU);
         let least = if mean > 0.0 { SMALLEST * mean } else { 1.0 };
         texels.iter_mut().for_each(|power| *power += least);
@@ -159,65 +167,64 @@ impl Sky {
     }
 
     /// Cells as one light. Its direction is their middle, whatever their texels: it does not move with these.
-    fn part(&self, cells: Cells) -> SkyPart {
-        let Moments { solid_angle, middle, .. } = self.moments(&cells);
+    fn part(&self, Moments { solid_angle, middle, .. }: Moments, cells: Cells) -> SkyPart {
         let cosine = middle.length() / solid_angle;
         // All directions together have no middle; what faces a side sees a quarter of them, as it were.
         let direction = if cosine > 1e-6 { middle.normalize() } else { DVec3::Y };
-        SkyPart { direction, cosine: cosine.max(0.25), cells, grid: self.grid }
+        let (integral, grid) = (DVec3::ZERO, self.grid);
+        SkyPart { direction, integral, cosine: cosine.max(0.25), cells, grid }
     }
 
-    /// Cuts cells in two, between columns or between rows, where the two are spread least; one cell cannot be
-    /// cut.
-    fn cut(&self, cells: &Cells) -> Option<[Cells; 2]> {
-        let Cells { columns, rows } = cells;
-        let left_of = |end: u32| Cells { columns: columns.start..end, rows: rows.clone() };
-        let right_of = |start: u32| Cells { columns: start..columns.end, rows: rows.clone() };
-        let above = |end: u32| Cells { columns: columns.clone(), rows: rows.start..end };
-        let below = |start: u32| Cells { columns: columns.clone(), rows: start..rows.end };
-        let by_columns =
-            self.spreads(columns, cells, |at| Cells { columns: at..at + 1, rows: rows.clone() });
-        let by_rows =
-            self.spreads(rows, cells, |at| Cells { columns: columns.clone(), rows: at..at + 1 });
-        let by_columns = by_columns.map(|(spread, at)| (spread, [left_of(at), right_of(at)]));
-        let by_rows = by_rows.map(|(spread, at)| (spread, [above(at), below(at)]));
+    /// Cuts cells, which come to `total`, in two, between columns or between rows, where the two are spread least;
+    /// one cell cannot be cut.
+    fn cut(&self, cells: &Cells, total: Moments) -> Option<[Cells; 2]> {
+        let of_columns = |columns: Range<u32>| Cells { columns, rows: cells.rows.clone() };
+        let of_rows = |rows: Range<u32>| Cells { columns: cells.columns.clone(), rows };
+        let by_columns = self.cut_along(&cells.columns, total, of_columns);
+        let by_rows = self.cut_along(&cells.rows, total, of_rows);
         let cuts = by_columns.into_iter().chain(by_rows);
         cuts.min_by(|(a, _), (b, _)| a.total_cmp(b)).map(|(_, cut)| cut)
     }
 
-    /// Before which of the lines along a side cells are best cut, and how far the two are spread then.
-    fn spreads(
+    /// The best cut between lines along a side, and how far the two are spread then; `part` are the cells of some
+    /// of the lines.
+    fn cut_along(
         &self,
         side: &Range<u32>,
-        cells: &Cells,
-        line: impl Fn(u32) -> Cells,
-    ) -> Option<(f64, u32)> {
-        let (total, mut before) = (self.moments(cells), Moments::default());
+        total: Moments,
+        part: impl Fn(Range<u32>) -> Cells,
+    ) -> Option<(f64, [Cells; 2])> {
+        let mut before = Moments::default();
         let cuts = (side.start + 1..side.end).map(|at| {
-            before = before.plus(self.moments(&line(at - 1)), 1.0);
+            before = before.plus(self.moments(&part(at - 1..at)), 1.0);
             (before.spread() + total.plus(before, -1.0).spread(), at)
         });
-        cuts.min_by(|(a, _), (b, _)| a.total_cmp(b))
+        let (spread, at) = cuts.min_by(|(a, _), (b, _)| a.total_cmp(b))?;
+        Some((spread, [part(side.start..at), part(at..side.end)]))
     }
 }
 
-/// The sky in so many parts: of a map, or of one that is the same everywhere.
+/// The sky in so many parts: of a map, or of one that is the same everywhere. Their integrals are to be
+/// [updated](SkyPart::update).
 pub fn parts(map: Option<&Texture>, count: u32) -> Vec<SkyPart> {
     let sky = Sky::new(map, count);
+    let measured = |cells: Cells| (sky.moments(&cells), cells);
     // A single cell is not spread, whatever rounding says.
-    let measured = |cells: Cells| match cells.columns.len() * cells.rows.len() {
-        1 => (f64::NEG_INFINITY, cells),
-        _ => (sky.moments(&cells).spread(), cells),
+    let spread = |(moments, cells): &(Moments, Cells)| match cells.columns.len() * cells.rows.len()
+    {
+        1 => f64::NEG_INFINITY,
+        _ => moments.spread(),
     };
     let mut parts = vec![measured(Cells { columns: 0..sky.grid.columns, rows: 0..sky.grid.rows })];
     while parts.len() < count as usize {
-        let spread = |&at: &usize| parts[at].0;
-        let widest = (0..parts.len()).max_by(|a, b| spread(a).total_cmp(&spread(b))).unwrap_or(0);
-        let Some([first, second]) = sky.cut(&parts[widest].1) else { break };
+        let by_spread = |&a: &usize, &b: &usize| spread(&parts[a]).total_cmp(&spread(&parts[b]));
+        let widest = (0..parts.len()).max_by(by_spread).unwrap_or(0);
+        let (moments, cells) = &parts[widest];
+        let Some([first, second]) = sky.cut(cells, *moments) else { break };
         parts[widest] = measured(first);
         parts.push(measured(second));
     }
-    parts.into_iter().map(|(_, cells)| sky.part(cells)).collect()
+    parts.into_iter().map(|(moments, cells)| sky.part(moments, cells)).collect()
 }
 
 #[cfg(test)]

@@ -11,14 +11,20 @@
 //! (the power heuristic of Veach & Guibas, "Optimally Combining Sampling Techniques for Monte Carlo
 //! Rendering", 1995).
 
+use std::f64::consts::FRAC_1_PI;
+
 use ad::vector::{Vector, Vector3};
 use ad::{Differentiable, Real, Vec3, differentiable, select};
 
 use super::direction::turn;
+use super::hit::Primitive;
 use super::light::Illumination;
 use super::positive_part;
 use super::sphere::Sphere;
 use super::triangle::{Triangle, edge_scale, exact_cross};
+
+/// How far before an emitter a shadow ray ends, relative to its length: its neighbours touch it.
+pub const BEFORE: f64 = 1e-4;
 
 /// A point of an emitter as another point sees it.
 #[derive(Clone, Copy, Debug, Differentiable)]
@@ -54,6 +60,50 @@ pub fn sight_of_triangle<S: Real>(
     }
 }
 
+/// Two even numbers as the barycentric coordinates of an even point of a triangle (Turk 1990).
+pub fn barycentric_of<S: Real>([u, v]: [S; 2]) -> [S; 3] {
+    let root = u.sqrt();
+    let (at_a, at_b) = (S::ONE - root, root * (S::ONE - v));
+    [at_a, at_b, root * v]
+}
+
+/// The sight of the point of a primitive that these numbers choose: barycentric coordinates, or the numbers of
+/// [`sight_of_sphere()`], then any. `inside` is as there.
+#[differentiable]
+#[inline]
+pub fn sight_of<S: Real>(
+    primitive: Primitive<S>,
+    inside: S::Mask,
+    at: [S; 3],
+    choices: S,
+    point: Vec3<S>,
+) -> Sight<S> {
+    match primitive {
+        Primitive::Triangle(triangle) => sight_of_triangle::<S>(triangle, at, choices, point),
+        Primitive::Sphere(sphere) => {
+            sight_of_sphere::<S>(sphere, inside, [at[0], at[1]], choices, point)
+        }
+    }
+}
+
+/// The illumination of a point by such a point of a primitive, for all of what shines. The distance is shorter
+/// by a part that keeps the surface itself out of the way.
+#[differentiable(boxed)]
+#[inline(never)]
+pub fn illuminate_by_point_of<S: Real>(
+    primitive: Primitive<S>,
+    inside: S::Mask,
+    at: [S; 3],
+    choices: S,
+    emission: Vec3<S>,
+    point: Vec3<S>,
+) -> Illumination<S> {
+    let Sight { direction, distance, spread } =
+        sight_of::<S>(primitive, inside, at, choices, point);
+    let before = distance * S::from_f64(1.0 - BEFORE);
+    illuminate_by_emitter::<S>(emission, direction, before, spread)
+}
+
 /// The spread of a direction in which a triangle is met at a distance: its area as the cosine foreshortens
 /// it, by the squared distance.
 #[differentiable]
@@ -84,10 +134,8 @@ pub fn sight_of_sphere<S: Real>(
     choices: S,
     point: Vec3<S>,
 ) -> Sight<S> {
-    let to_center = sphere.center - point;
-    let away = to_center.length();
-    let up = <Vec3<S>>::new(S::ZERO, S::ZERO, S::ONE);
-    let axis = select(away.cmpgt(S::ZERO), to_center.normalize_or_zero(), up);
+    let away = (sphere.center - point).length();
+    let axis = axis_of_sphere::<S>(sphere, point);
     // One minus the cosine: distant spheres fill small angles.
     let versine = numbers[0] * sphere_versine::<S>(sphere, inside, point);
     let sine_squared = versine * (S::TWO - versine);
@@ -103,6 +151,30 @@ pub fn sight_of_sphere<S: Real>(
         distance: select(inside, along + half_chord, along - half_chord),
         spread: sphere_spread::<S>(sphere, inside, choices, point),
     }
+}
+
+/// The numbers by which [`sight_of_sphere()`] chooses a direction, a unit vector that meets the sphere, then 0.
+pub fn cone_numbers<S: Real>(
+    sphere: Sphere<S>,
+    inside: S::Mask,
+    point: Vec3<S>,
+    direction: Vec3<S>,
+) -> [S; 3] {
+    let axis = axis_of_sphere::<S>(sphere, point);
+    let versine = (direction - axis).length_squared() * S::HALF;
+    let along = |x: S, y: S| turn::<S>(axis, <Vec3<S>>::new(x, y, S::ZERO)).dot(direction);
+    let around = along(S::ZERO, S::ONE).atan2(along(S::ONE, S::ZERO)) / (S::PI + S::PI);
+    let part = versine / sphere_versine::<S>(sphere, inside, point);
+    [part.min(S::ONE), around, S::ZERO]
+}
+
+/// The direction from a point to the middle of a sphere; any, if that is where the point is.
+#[differentiable]
+#[inline]
+fn axis_of_sphere<S: Real>(sphere: Sphere<S>, point: Vec3<S>) -> Vec3<S> {
+    let to_center = sphere.center - point;
+    let up = <Vec3<S>>::new(S::ZERO, S::ZERO, S::ONE);
+    select(to_center.length().cmpgt(S::ZERO), to_center.normalize_or_zero(), up)
 }
 
 /// The spread of every direction from a point in which a sphere is met: the solid angle that it fills.
@@ -136,12 +208,35 @@ pub fn emitter_spread<S: Real>(spread: S, density: S) -> S {
 
 /// The weight of light that a scattered direction finds, of this probability density, beside the same
 /// direction had it been chosen towards the emitter. Either may be infinite: the density where nothing
-/// was scattered, as by a mirror, the spread where emitters are not chosen.
+/// was scattered, as by a mirror, the spread where emitters are not chosen; the weight is 1 there.
 #[differentiable]
 #[inline]
 pub fn scattered_weight<S: Real>(spread: S, density: S) -> S {
-    let recip = S::ONE / (spread * density);
-    S::ONE / (S::ONE + recip * recip)
+    let both = spread.is_finite() & density.is_finite();
+    let ratio = select(both, spread, S::ONE) * select(both, density, S::ONE);
+    // Squares of what is at most 1.
+    let is_large = ratio.cmpgt(S::ONE);
+    let small = select(is_large, S::ONE / select(is_large, ratio, S::ONE), ratio);
+    let squared = small * small;
+    let weight = select(is_large, S::ONE, squared) / (S::ONE + squared);
+    select(both, weight, S::ONE)
+}
+
+/// What a direction counts for that a material has scattered to with one over the probability `factor`, where it
+/// has found a point of an emitter: its weight beside the same direction had it been chosen towards the
+/// emitter, while the point stays where it is on the emitter. `first` is the spread at which it was found.
+#[differentiable]
+#[inline]
+pub fn found_spread<S: Real>(spread: S, density: S, first: S, factor: S) -> S {
+    scattered_weight::<S>(spread, density) * (spread / first) * factor
+}
+
+/// The probability density of directions that a diffuse surface scatters to which is chosen with a
+/// `probability`, by solid angle.
+#[differentiable]
+#[inline]
+pub fn cosine_density<S: Real>(normal: Vec3<S>, probability: S, direction: Vec3<S>) -> S {
+    positive_part::<S>(normal.dot(direction)) * probability * S::from_f64(FRAC_1_PI)
 }
 
 /// What an emitter brings to a point that sees it: the radiance of its `emission` from all directions

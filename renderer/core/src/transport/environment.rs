@@ -4,6 +4,7 @@ use ad::vector::Vector3;
 use ad::{Differentiable, Fields, Real, Vec3, differentiable};
 
 use super::texture::{Footprint, Uv, modulate};
+use super::transform::rotate;
 
 /// Light from infinitely far in all directions: what rays bring that meet nothing.
 #[derive(Clone, Copy, Debug, PartialEq, Differentiable, Fields)]
@@ -46,14 +47,11 @@ pub fn map_radiance<S: Real>(
     modulate::<S>(environment.radiance, footprint, uv)
 }
 
-/// The direction, in the world, of one that is fixed to a map.
+/// The direction, in the world, of one that is fixed to a map, which turns as an object would.
 #[differentiable]
 #[inline]
-pub fn turn<S: Real>(rotation: S, direction: Vec3<S>) -> Vec3<S> {
-    let angle = rotation * (S::PI / S::from_f64(180.0));
-    let (sine, cosine) = (angle.sin(), angle.cos());
-    let (x, y, z) = (direction.x(), direction.y(), direction.z());
-    Vec3::<S>::new(x * cosine + z * sine, y, z * cosine - x * sine)
+pub fn turned<S: Real>(rotation: S, direction: Vec3<S>) -> Vec3<S> {
+    rotate::<S>(Vec3::<S>::new(S::ZERO, rotation, S::ZERO), direction)
 }
 
 /// The irradiance that a part of the environment brings to a surface that faces it: `integral` is that of the

@@ -26,7 +26,7 @@
 use std::f64::consts::FRAC_1_PI;
 
 use ad::vector::{Vector, Vector3};
-use ad::{Differentiable, Real, Vec3, differentiable, select};
+use ad::{Differentiable, Fields, Real, Vec3, differentiable, select};
 
 use super::direction::{cosine_direction, turn};
 use super::material::Material;
@@ -132,7 +132,7 @@ fn slope<S: Real>(width: S, cosine: S) -> S {
 }
 
 /// How directions are sampled at a surface point.
-#[derive(Clone, Copy, Debug, Differentiable)]
+#[derive(Clone, Copy, Debug, Differentiable, Fields)]
 pub struct Sampling<S: Real> {
     /// The width of the facets that directions are sampled by.
     pub width: S,

@@ -11,8 +11,8 @@ use super::surface::SurfacePoint;
 /// The part of the radiance from one direction that a vertex sends on towards the viewer.
 ///
 /// The direction goes `straight` through the surface, or is `mirrored`, or is one that the surface scatters
-/// to. `factor` is one over the probability that the path goes on in this way, times the cosine over the
-/// density of directions where it scatters: π, where that is the density of the cosine.
+/// to. `factor` is one over the probability that the path goes on in this way, by the density of directions
+/// where it scatters.
 #[differentiable]
 #[inline]
 pub fn sent_on<S: Real>(
@@ -24,29 +24,12 @@ pub fn sent_on<S: Real>(
     mirrored: S::Mask,
     factor: S,
 ) -> Vec3<S> {
-    let reflected = brdf::<S>(material, lobes, surface, direction) * material.opacity;
+    let cosine = positive_part::<S>(surface.normal.dot(direction));
+    let reflectance = brdf::<S>(material, lobes, surface, direction);
+    let reflected = reflectance * (material.opacity * cosine);
     let behind = S::ONE - material.opacity;
     let through = <Vec3<S>>::new(behind, behind, behind);
     select(straight, through, select(mirrored, material.mirror, reflected)) * factor
-}
-
-/// The same where directions are scattered about another normal than that of the surface, which a map has
-/// bent: `factor` is without the cosine.
-// Others do not pay for code that stands in their loop.
-#[differentiable(boxed)]
-#[inline(never)]
-pub fn sent_on_mapped<S: Real>(
-    material: Material<S>,
-    lobes: Lobes,
-    surface: SurfacePoint<S>,
-    direction: Vec3<S>,
-    straight: S::Mask,
-    mirrored: S::Mask,
-    factor: S,
-) -> Vec3<S> {
-    let cosine = positive_part::<S>(surface.normal.dot(direction));
-    let weighted = select(straight | mirrored, factor, factor * cosine);
-    sent_on::<S>(material, lobes, surface, direction, straight, mirrored, weighted)
 }
 
 /// The radiance that leaves a vertex towards the viewer, from its `own`, emitted and reflected directly, and

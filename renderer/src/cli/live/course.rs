@@ -2,7 +2,7 @@
 
 use serde_json::{Value, json};
 
-use crate::optimize::Variable;
+use crate::optimize::{Scale, Variable};
 
 /// Points are kept up to this many: about as many as a curve has pixels.
 const MOST_POINTS: usize = 400;
@@ -25,7 +25,8 @@ struct Tracked {
     /// The variable, and its element, that it is.
     of: (usize, usize),
     path: String,
-    /// How far it moves in a step.
+    scale: Scale,
+    /// How far it moves on its scale in a step.
     learning_rate: f64,
     initial: f64,
     /// The true value, where that is known.
@@ -54,6 +55,7 @@ impl Course {
             index: 0,
             of,
             path: element_path(&variable.path, shape, of.1),
+            scale: variable.scale,
             learning_rate: variable.learning_rate[of.1],
             initial: variable.initial[of.1],
             truth: variable.target.as_ref().map(|target| target[of.1]),
@@ -93,9 +95,9 @@ impl Course {
     /// The curves for the page. The numbers are those that have moved most, in steps of their learning rates.
     pub fn json(&self) -> Value {
         let moved = |place: usize| {
-            let Tracked { initial, learning_rate, .. } = self.tracked[place];
+            let Tracked { scale, initial, learning_rate, .. } = self.tracked[place];
             let last = self.points.last().map_or(initial, |point| point.values[place]);
-            (last - initial).abs() / learning_rate
+            (scale.place(last) - scale.place(initial)).abs() / learning_rate
         };
         let mut places: Vec<usize> = (0..self.tracked.len()).collect();
         places.sort_by(|&a, &b| moved(b).total_cmp(&moved(a)));

@@ -1,16 +1,22 @@
-//! Cameras that other programs found or used: [`nerf`] reads `transforms.json`, [`colmap`] the files of
-//! COLMAP, text and binary.
+//! Cameras of other programs: [`nerf`] reads `transforms.json` and [`write`](mod@write) writes it, [`colmap`] reads the
+//! files of COLMAP, text and binary.
 //!
 //! A camera here is a pinhole whose axis goes through the middle of the image and whose pixels are squares.
 //! Files may describe others: what cannot be read exactly is refused, by name.
 
 mod colmap;
 mod nerf;
+mod pinhole;
+mod write;
 
 #[cfg(test)]
 mod tests;
 
 use std::path::{Path, PathBuf};
+
+#[cfg(feature = "gltf")]
+pub(super) use pinhole::Pinhole;
+pub use write::save_cameras;
 
 use glam::{DMat3, DVec3};
 

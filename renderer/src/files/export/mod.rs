@@ -1,4 +1,4 @@
-//! The meshes of a scene, written for other programs.
+//! Scenes, written for other programs.
 
 mod normals;
 mod picture;
@@ -15,7 +15,7 @@ use crate::Warning;
 use crate::scene::Scene;
 use crate::warning::Warnings;
 
-/// Writes all meshes of a scene into one file, in the format that the extension of `path` names: `.glb`
+/// Writes a scene into one file, in the format that the extension of `path` names: `.glb`
 /// (binary glTF 2.0, textures within it) or `.obj` (with a material library and PNG textures beside it). What
 /// is approximated or left out is warned of.
 ///
@@ -23,11 +23,12 @@ use crate::warning::Warnings;
 ///   keeps single precision. Vertices are split where materials, texture coordinates or normals differ.
 /// - An `.obj` has no transforms: its vertices stand where the transforms put them.
 /// - Textures have 8 bits. Normals that are [smooth](crate::scene::Normals::Smooth) are written as directions.
-/// - Cameras and lights are not written.
+/// - A `.glb` has the cameras of the scene's views, or its own, and the lights that are points, spots or distant; an
+///   `.obj` has neither.
 ///
 /// # Errors
 ///
-/// If the extension is another one, the scene is not valid or has no triangle, a file beside it is there
+/// If the extension is another one, the scene is not valid or has no triangle, an `.obj` or a file beside it is there
 /// already, or a file cannot be written.
 pub fn save_meshes(scene: &Scene, path: &Path) -> Result<Vec<Warning>, Error> {
     let extension = path.extension().and_then(|e| e.to_str()).unwrap_or("").to_ascii_lowercase();

@@ -6,7 +6,7 @@ use glam::DVec3;
 
 use super::write::{Counts, push, push_object};
 use crate::Error;
-use crate::disk::write_atomically;
+use crate::disk::write_together;
 use crate::files::export::{Picture, with_directions};
 use crate::files::names::{file_stem, file_stems};
 use crate::scene::{Bsdf, MaterialObject, Mesh, Normals, Scene, Slot, Texture, Transform, Wrap};
@@ -30,27 +30,21 @@ pub(in crate::files) fn save_objects(
         }
     }
     let pictures = std::mem::take(&mut writer.pictures);
-    let pictures: Vec<_> =
-        pictures.into_iter().map(|(picture, file)| (picture, path.with_file_name(file))).collect();
-    // The scene may be made of them.
-    let beside = || pictures.iter().map(|(_, file)| file).chain([&library]);
-    if let Some(file) = beside().find(|file| file.exists()) {
-        let problem = "exists, and would be replaced: choose another name, or remove it";
-        return Err(Error::new(file.display(), problem));
-    }
+    let mut written = Vec::new();
     for (picture, file) in pictures {
-        write_atomically(&file, &picture.png(scene, warnings)?)?;
+        written.push((path.with_file_name(file), picture.png(scene, warnings)?));
     }
-    write_atomically(&library, text.as_bytes())?;
-
-    // What names the other files comes last.
+    written.push((library, text.into_bytes()));
     let (mut text, mut counts) = (format!("mtllib {stem}.mtl\n"), Counts::default());
     for mesh in &scene.meshes {
         push_object(&mut text, &placed(mesh), &scene.materials, &mut counts).ok_or_else(|| {
             Error::new(path.display(), format!("mesh {} is inconsistent", mesh.name))
         })?;
     }
-    write_atomically(path, text.as_bytes())
+    // What names the other files comes last.
+    written.push((path.to_owned(), text.into_bytes()));
+    // The scene may be made of files that are there.
+    write_together(&written)
 }
 
 /// A mesh where its transform puts it, with its normals as directions.

@@ -18,7 +18,7 @@ use crate::experiment::Remeshing;
 use crate::files::meshes::Channel;
 use crate::laplacian::Weights;
 use crate::loss::LossKind;
-use crate::optimize::{Optimizer, Schedule};
+use crate::optimize::{Optimizer, Scale, Schedule};
 use crate::scene::{DEFAULT_BOUNCES, Integrator, PathTracing, Slot, Wrap};
 use crate::settings::Pass;
 use ordered::Ordered;
@@ -438,6 +438,8 @@ pub(super) struct OptimizeEntry {
 pub(super) struct ParameterEntry {
     pub path: String,
     #[serde(skip_serializing_if = "Option::is_none")]
+    pub scale: Option<Scale>,
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub learning_rate: Option<f64>,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub min: Option<Numbers>,
@@ -460,7 +462,7 @@ pub(super) struct ParameterEntry {
 }
 
 #[derive(Clone, Copy, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[serde(deny_unknown_fields, expecting = "a table with a `weight`: { weight = 0.1 }")]
 pub(super) struct LaplacianEntry {
     pub weight: f64,
     #[serde(default)]

@@ -5,11 +5,11 @@ use std::path::Path;
 
 use glam::{DAffine2, DVec2, DVec3};
 
-use super::Problem;
 use super::coordinates::match_coordinates;
 use super::format::{MeshEntry, NormalsEntry};
 use super::materials::MaterialTable;
 use super::numbers;
+use super::{Problem, file_in};
 use crate::Error;
 use crate::Warning;
 use crate::files::meshes::{FileNormals, Model};
@@ -86,7 +86,8 @@ pub(super) fn add_entry(
         NormalsEntry::File => FileNormals::Read,
         NormalsEntry::Flat | NormalsEntry::Smooth => FileNormals::Ignore,
     };
-    let mut model = load_mesh_with(&folder.join(path), normals)?;
+    let name = || format!("mesh.{}.path", entry.name.as_deref().unwrap_or_default());
+    let mut model = load_mesh_with(&file_in(folder, path, name)?, normals)?;
     let place = format!("mesh.{}", entry.name.clone().unwrap_or(path.display().to_string()));
     if let Some(name) = &entry.name {
         if scene.meshes.iter().any(|other| other.name == *name) {

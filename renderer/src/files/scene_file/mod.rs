@@ -21,7 +21,7 @@ mod tests;
 #[cfg(test)]
 mod texture_tests;
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use crate::Error;
 use crate::disk::read as read_bytes;
@@ -96,6 +96,14 @@ enum Problem {
 impl Problem {
     fn new(path: impl ToString, problem: impl ToString) -> Self {
         Self::Here(Invalid { path: path.to_string(), problem: problem.to_string() })
+    }
+}
+
+/// The file that a field names, relative to the folder of the scene file.
+fn file_in(folder: &Path, file: &Path, field: impl FnOnce() -> String) -> Result<PathBuf, Problem> {
+    match file.as_os_str().is_empty() {
+        true => Err(Problem::new(field(), "is empty; it must be the path of a file")),
+        false => Ok(folder.join(file)),
     }
 }
 

@@ -2,17 +2,17 @@
 
 use std::path::Path;
 
-use super::Problem;
 use super::format::ordered::Ordered;
 use super::format::value::Numbers;
 use super::format::{LaplacianEntry, OptimizeEntry, ParameterEntry};
+use super::{Problem, file_in};
 use crate::Error;
 use crate::experiment::{OptimizeSection, Target, Term, TunedParameter, WeightedTerm, overlap};
 use crate::laplacian::System;
 use crate::loss::LossKind;
-use crate::optimize::{Batch, Starts};
+use crate::optimize::{Batch, Scale, Starts};
 use crate::recovery::{check_levels, check_remeshing};
-use crate::scene::{Invalid, Object, ParameterId, Scene};
+use crate::scene::{Invalid, ParameterId, Scene};
 
 /// The section `entry` of a file in `folder` that describes `scene`.
 pub(super) fn read(
@@ -25,7 +25,9 @@ pub(super) fn read(
             let problem = "give either target, an image, or target_values, not both";
             return Err(Problem::new("optimize.target", problem));
         }
-        (Some(image), []) => Some(Target::Image(folder.join(image))),
+        (Some(image), []) => {
+            Some(Target::Image(file_in(folder, image, || "optimize.target".to_owned())?))
+        }
         (None, [_, ..]) => Some(Target::Values(target_values(&entry.target_values, scene)?)),
         (None, []) => None,
     };
@@ -37,6 +39,8 @@ pub(super) fn read(
         let problem = "a scene with views has a mask for each of them: `mask` in [[view]]";
         return Err(Problem::new("optimize.mask", problem));
     }
+    let mask = entry.mask.as_ref();
+    let mask = mask.map(|mask| file_in(folder, mask, || "optimize.mask".to_owned())).transpose()?;
     if let Some(LossKind::Huber { delta }) = entry.loss
         && !(delta > 0.0 && delta.is_finite())
     {
@@ -97,7 +101,7 @@ pub(super) fn read(
     }
     Ok(OptimizeSection {
         target,
-        mask: entry.mask.as_ref().map(|mask| folder.join(mask)),
+        mask,
         views: Vec::new(),
         coarse_to_fine: entry.coarse_to_fine.unwrap_or_default(),
         batch,
@@ -142,6 +146,12 @@ fn tuned_parameter(entry: &ParameterEntry, scene: &Scene) -> Result<TunedParamet
     {
         return Err(at(path, "learning_rate", format!("must be above 0, is {rate}")));
     }
+    let scale = entry.scale.unwrap_or_default();
+    let smallest = scene.get(id).iter().copied().fold(f64::INFINITY, f64::min);
+    if scale == Scale::Log && smallest <= 0.0 {
+        let problem = format!("\"log\" needs initial values above 0, and one is {smallest}");
+        return Err(at(path, "scale", problem));
+    }
     let bound = |field: &str, numbers: &Option<Numbers>| match numbers {
         Some(numbers) => match sized(numbers, scene, id, true) {
             Ok(values) if values.iter().any(|v| v.is_nan()) => {
@@ -175,8 +185,11 @@ fn tuned_parameter(entry: &ParameterEntry, scene: &Scene) -> Result<TunedParamet
         let problem = format!("must be above 0 and at most {:e}", System::LARGEST_LAMBDA);
         return Err(at(path, "large_steps", problem));
     }
-    let is_surface =
-        matches!(id.object, Object::Mesh(_)) && id.field == "vertices" && id.vertex.is_none();
+    if entry.large_steps.is_some() && scale == Scale::Log {
+        let problem = "has coordinates of its own; leave it out, or scale = \"log\"";
+        return Err(at(path, "large_steps", problem));
+    }
+    let is_surface = id.whole_mesh().is_some();
     if entry.large_steps.is_some() && !is_surface {
         return Err(at(path, "large_steps", "is for all vertices of a mesh"));
     }
@@ -207,7 +220,8 @@ fn tuned_parameter(entry: &ParameterEntry, scene: &Scene) -> Result<TunedParamet
     }
     let (learning_rate, large_steps) = (entry.learning_rate, entry.large_steps);
     let remesh = entry.remesh;
-    let tuned = TunedParameter { id, learning_rate, min, max, spread, large_steps, terms, remesh };
+    let tuned =
+        TunedParameter { id, scale, learning_rate, min, max, spread, large_steps, terms, remesh };
     check_remeshing(scene, &tuned).map_err(|problem| at(path, "remesh", problem))?;
     Ok(tuned)
 }

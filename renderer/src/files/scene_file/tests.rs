@@ -6,7 +6,7 @@ use crate::demo::demo_experiment;
 use crate::experiment::{OptimizeSection, Target, TunedParameter};
 use crate::files::images::save_png;
 use crate::loss::LossKind;
-use crate::optimize::{Optimizer, Schedule, Sgd};
+use crate::optimize::{Optimizer, Scale, Schedule, Sgd};
 use crate::scene::{
     Bsdf, DistantLight, Light, LightSource, MaterialObject, Normals, Scene, Slot, SphereObject,
     Texture, Wrap,
@@ -115,7 +115,7 @@ fn the_optimise_section_is_read() {
          [optimize.target_values]\n\"light.key.position\" = [3, 2, 1]\n\
          \"light.key.radiant_intensity\" = 9\n\
          [[optimize.parameter]]\npath = \"light.key.position\"\nmin = -5\nmax = [1, inf, 3]\n\
-         [[optimize.parameter]]\npath = \"camera.vfov\"\nlearning_rate = 2\n"
+         [[optimize.parameter]]\npath = \"camera.vfov\"\nscale = \"log\"\nlearning_rate = 2\n"
     );
     let id = |path: &str| scene_of(LIGHT).parameter(path).unwrap();
     let expected = OptimizeSection {
@@ -129,7 +129,11 @@ fn the_optimise_section_is_read() {
                 max: Some(vec![1.0, f64::INFINITY, 3.0]),
                 ..TunedParameter::new(id("light.key.position"))
             },
-            TunedParameter { learning_rate: Some(2.0), ..TunedParameter::new(id("camera.vfov")) },
+            TunedParameter {
+                scale: Scale::Log,
+                learning_rate: Some(2.0),
+                ..TunedParameter::new(id("camera.vfov"))
+            },
         ],
         loss: Some(LossKind::L1),
         optimizer: Some(Optimizer::Sgd(Sgd { momentum: 0.5 })),

@@ -3,9 +3,9 @@
 
 use std::path::Path;
 
-use super::Problem;
 use super::format::ordered::Ordered;
 use super::format::{ChannelEntry, TextureEntry};
+use super::{Problem, file_in};
 use crate::Error;
 use crate::Image;
 use crate::Warning;
@@ -50,7 +50,8 @@ impl TextureTable {
                     return refuse("color", "a texture from a file has the colours of the image");
                 }
                 (Some(path), None, None) => {
-                    let image = TextureImage::File(folder.join(path));
+                    let file = file_in(folder, path, || format!("texture.{name}.path"))?;
+                    let image = TextureImage::File(file);
                     let channel = Channel::from(entry.channel);
                     let is_covered = |(_, other): &(_, TextureEntry)| {
                         other.path == entry.path && other.channel == ChannelEntry::Opacity

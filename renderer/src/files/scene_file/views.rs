@@ -1,13 +1,13 @@
 //! The cameras of a scene file.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use glam::DVec3;
 
 use super::format::ordered::Ordered;
 use super::format::value::Numbers;
 use super::format::{CameraEntry, MatchedFile, SceneFile, ViewEntry};
-use super::{Problem, numbers};
+use super::{Problem, file_in, numbers};
 use crate::experiment::{MatchedPass, ViewTarget};
 use crate::files::{FoundView, load_cameras};
 use crate::scene::{Camera, Scene, View};
@@ -82,12 +82,17 @@ fn single(
     let height = size(&path, "height", entry.height.or(common.height))?;
     let matched = |(pass, file): (Pass, &MatchedFile)| {
         let weight = weight(file.weight, || format!("{path}.{}.weight", pass.name()))?;
-        Ok::<_, Problem>(MatchedPass { pass, file: folder.join(&file.path), weight })
+        let file = file_in(folder, &file.path, || format!("{path}.{}", pass.name()))?;
+        Ok::<_, Problem>(MatchedPass { pass, file, weight })
+    };
+    let named = |key: &str, file: &Option<PathBuf>| {
+        let file = file.as_ref().map(|file| file_in(folder, file, || format!("{path}.{key}")));
+        file.transpose()
     };
     let target = ViewTarget {
-        image: entry.target.as_ref().map(|file| folder.join(file)),
+        image: named("target", &entry.target)?,
         passes: entry.passes().map(matched).collect::<Result<_, _>>()?,
-        mask: entry.mask.as_ref().map(|file| folder.join(file)),
+        mask: named("mask", &entry.mask)?,
         ..common_target(entry, &path)?
     };
     Ok(ReadView { view: View { name, width, height, camera }, target, is_aimed: true })
@@ -116,7 +121,10 @@ fn from_file(entry: &ViewEntry, path: &Path, folder: &Path) -> Result<Vec<ReadVi
             is_aimed: false,
         }
     };
-    Ok(load_cameras(&folder.join(path))?.into_iter().map(read).collect())
+    Ok(load_cameras(&file_in(folder, path, || "view.path".to_owned())?)?
+        .into_iter()
+        .map(read)
+        .collect())
 }
 
 /// What may be said of one view or of many.

@@ -18,6 +18,7 @@ use crate::experiment::{
 use crate::files::images::save_exr;
 use crate::files::names::file_stems;
 use crate::files::obj::save_obj;
+use crate::optimize::Scale;
 use crate::scene::{
     Bsdf, DEFAULT_LIGHT_SAMPLES, Integrator, LightObject, LightSource, MaterialObject, Normals,
     Scene, Slot, SphereObject, Transform,
@@ -282,6 +283,7 @@ fn optimize_entry(
     }
     let parameter = |tuned: &TunedParameter| ParameterEntry {
         path: scene.path(tuned.id).to_string(),
+        scale: (tuned.scale != Scale::default()).then_some(tuned.scale),
         learning_rate: tuned.learning_rate,
         min: tuned.min.as_ref().map(numbers),
         max: tuned.max.as_ref().map(numbers),

@@ -219,8 +219,9 @@ impl Method {
     ) -> Result<Option<Evaluation>, String> {
         match self {
             Self::FirstOrder(method) => {
+                flat.pull_back_to_places(x, &mut evaluation.gradient);
                 flat.precondition(&mut evaluation.gradient);
-                method.direction(x, &mut evaluation.gradient, &flat.blocks);
+                method.direction(&flat.places(x), &mut evaluation.gradient, &flat.blocks);
                 flat.precondition(&mut evaluation.gradient);
                 flat.step(x, &evaluation.gradient, factor);
                 Ok(None)

@@ -5,6 +5,7 @@ mod convergence;
 #[cfg(feature = "argmin")]
 mod lbfgs;
 mod resume;
+mod scale;
 mod validation;
 
 use std::ops::ControlFlow;

@@ -28,7 +28,7 @@ fn resume(folder: &Path, settings: Settings) -> Result<Outcome, Error> {
     run(&variables(), &in_folder(folder, true, settings), rosenbrock)
 }
 
-fn assert_same(outcome: &Outcome, expected: &Outcome) {
+pub(super) fn assert_same(outcome: &Outcome, expected: &Outcome) {
     for (point, expected) in [(&outcome.best, &expected.best), (&outcome.last, &expected.last)] {
         assert_eq!(bits(&point.x), bits(&expected.x));
         assert_eq!(point, expected);

@@ -12,7 +12,15 @@ type Case<T> = (&'static str, fn(&mut T));
 #[test]
 fn unusable_variables() {
     let good = Variable::new("light.position", vec![0.5, 0.5, 0.5], 0.1);
-    let cases: [Case<Variable>; 9] = [
+    let cases: [Case<Variable>; 11] = [
+        ("light.position[1]: the initial value is 0; on a logarithmic scale", |v| {
+            v.scale = Scale::Log;
+            v.initial[1] = 0.0;
+        }),
+        ("light.position: has coordinates of its own; leave them out, or the", |v| {
+            v.scale = Scale::Log;
+            v.preconditioner = Some(Preconditioner::new("none", |_| ()));
+        }),
         ("light.position[1]: the initial value is NaN", |v| v.initial[1] = f64::NAN),
         ("light.position[2]: the learning rate is 0", |v| v.learning_rate[2] = 0.0),
         ("light.position[0]: the learning rate is inf", |v| v.learning_rate[0] = f64::INFINITY),

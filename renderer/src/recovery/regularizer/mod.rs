@@ -54,30 +54,23 @@ pub(super) fn of(
 
 /// A term of a parameter; nothing if it is for parameters of another kind.
 fn energy(scene: &Scene, id: ParameterId, term: Term) -> Option<Energy> {
-    match (term, id.object) {
-        (Term::TotalVariation, Object::Texture(texture)) => {
-            let map = scene.environment.and_then(|environment| environment.texture);
-            let is_environment = map == Some(texture as u32);
-            let variation = TotalVariation::new(&scene.textures()[texture], is_environment);
-            Some(Energy::TotalVariation(variation))
+    if let (Term::TotalVariation, Object::Texture(texture)) = (term, id.object) {
+        let map = scene.environment.and_then(|environment| environment.texture);
+        let is_environment = map == Some(texture as u32);
+        let variation = TotalVariation::new(&scene.textures()[texture], is_environment);
+        return Some(Energy::TotalVariation(variation));
+    }
+    let mesh = &scene.meshes()[id.whole_mesh()?];
+    let (vertices, triangles) = (&mesh.vertices, &mesh.triangles);
+    match term {
+        Term::Laplacian(weights) => {
+            Some(Energy::Laplacian(Laplacian::new(vertices, triangles, weights)))
         }
-        (_, Object::Mesh(mesh)) if id.field == "vertices" && id.vertex.is_none() => {
-            let mesh = &scene.meshes()[mesh];
-            let (vertices, triangles) = (&mesh.vertices, &mesh.triangles);
-            match term {
-                Term::Laplacian(weights) => {
-                    Some(Energy::Laplacian(Laplacian::new(vertices, triangles, weights)))
-                }
-                Term::EdgeLength => {
-                    Some(Energy::EdgeLengths(EdgeLengths::new(vertices, triangles)))
-                }
-                Term::NormalConsistency => {
-                    Some(Energy::NormalConsistency(NormalConsistency::new(triangles)))
-                }
-                Term::TotalVariation => None,
-            }
+        Term::EdgeLength => Some(Energy::EdgeLengths(EdgeLengths::new(vertices, triangles))),
+        Term::NormalConsistency => {
+            Some(Energy::NormalConsistency(NormalConsistency::new(triangles)))
         }
-        _ => None,
+        Term::TotalVariation => None,
     }
 }
 

@@ -1,45 +1,71 @@
 //! Directions that surfaces scatter to, and how likely they are.
 
 use ad::lanes::Lanes;
-use ad::vector::{Vector, Vector3};
-use ad::{Fields, Real, Vec3, select};
+use ad::vector::Vector3;
+use ad::{Fields, Real, Vec3};
 
-use crate::number::{Number, constant_vector, primal_vector};
+use crate::number::{MAX_LANES, Number, constant_vector};
 use crate::primal::integrator::Integrator;
+use crate::primal::lanes::lanes_of_numbers;
 use crate::primal::vertex::Vertex;
-use crate::primal::wavefront::LaneGroup;
+use crate::primal::wavefront::{LaneGroup, Wavefront};
 use crate::transport::direction::{cosine_direction, turn};
+use crate::transport::emitter::cosine_density;
 use crate::transport::material::Bsdf;
 use crate::transport::microfacet::{Sampling, sampling, scattered_density, scattered_direction};
-use crate::transport::positive_part;
 use crate::transport::surface::SurfacePoint;
 
 /// Directions that a group of surfaces is scattered to.
-pub struct Scattered<S: Number> {
-    pub direction: Vec3<S>,
+pub struct Scattered<L: Lanes> {
+    pub direction: Vec3<L>,
     /// The probability density by solid angle, times π: the cosine, where a surface scatters as Lambert's.
-    pub likelihood: S::Lanes,
-    /// The cosine over the density: π, where a surface scatters as Lambert's. Without the cosine where a map
-    /// bends normals.
-    pub weight: S::Lanes,
+    pub likelihood: L,
 }
 
 /// How a group of metallic-roughness surfaces scatters.
+#[derive(Clone, Copy)]
 pub struct Facets<L: Lanes> {
-    surface: SurfacePoint<L>,
-    sampling: Sampling<L>,
+    pub surface: SurfacePoint<L>,
+    pub sampling: Sampling<L>,
 }
 
-impl<L: Lanes> Facets<L> {
-    /// The likelihood of directions, as in [`Scattered`].
-    pub fn likelihood(&self, direction: Vec3<L>) -> L {
-        scattered_density::<L>(self.sampling, self.surface, direction) * L::PI
+/// A group of surfaces, and how it scatters. Where it does not by facets, it does by the cosine.
+pub struct Scatterer<'a, S: Number> {
+    pub wavefront: &'a Wavefront<S>,
+    pub group: &'a LaneGroup<S>,
+    /// By lane: the probability with which a path is not scattered.
+    pub unscattered: [f64; MAX_LANES],
+    pub facets: Option<Facets<S::Lanes>>,
+}
+
+impl<'a, S: Number> Integrator<'a, S> {
+    /// How the surfaces of a vertex scatter.
+    pub fn scatterer(&self, vertex: &Vertex<'a, S>) -> Scatterer<'a, S> {
+        let (wavefront, group) = (vertex.wavefront(), vertex.group);
+        Scatterer {
+            wavefront,
+            group,
+            unscattered: self.unscattered(group),
+            facets: self.facets(vertex),
+        }
     }
-}
 
-impl<S: Number> Integrator<'_, S> {
+    /// How a group scatters, of which vertices are gathered only if that depends on them.
+    pub(super) fn scatterer_of(
+        &self,
+        wavefront: &'a Wavefront<S>,
+        group: &'a LaneGroup<S>,
+    ) -> Scatterer<'a, S> {
+        match group.bsdf {
+            Bsdf::MetallicRoughness => self.scatterer(&self.vertex(group, wavefront, None)),
+            Bsdf::BlinnPhong | Bsdf::Dielectric => {
+                Scatterer { wavefront, group, unscattered: self.unscattered(group), facets: None }
+            }
+        }
+    }
+
     /// How the surfaces of a vertex scatter by their facets, if they have any.
-    pub fn facets(&self, vertex: &Vertex<'_, S>) -> Option<Facets<S::Lanes>> {
+    fn facets(&self, vertex: &Vertex<'_, S>) -> Option<Facets<S::Lanes>> {
         if vertex.group.bsdf != Bsdf::MetallicRoughness {
             return None;
         }
@@ -53,57 +79,46 @@ impl<S: Number> Integrator<'_, S> {
     }
 }
 
-/// Directions that three numbers from 0 to 1 choose for a group, of which the first decides between the
-/// diffuse part and facets.
-pub fn scatter<S: Number>(
-    group: &LaneGroup<S>,
-    facets: Option<&Facets<S::Lanes>>,
-    lobe: S::Lanes,
-    numbers: [S::Lanes; 2],
-) -> Scattered<S> {
-    match facets {
-        None => {
-            let local = cosine_direction::<S::Lanes>(numbers);
-            let likelihood = local.z();
-            if group.mapped.is_some() {
-                let normal = group.scattering_surface(S::Lanes::ONE).normal;
-                let direction = constant_vector::<S>(turn::<S::Lanes>(normal, local));
-                return Scattered { direction, likelihood, weight: S::Lanes::PI / likelihood };
+impl<S: Number> Scatterer<'_, S> {
+    /// Directions that three numbers from 0 to 1 choose, of which the first decides between the diffuse part and
+    /// facets.
+    pub fn scatter(&self, lobe: S::Lanes, numbers: [S::Lanes; 2]) -> Scattered<S::Lanes> {
+        match self.facets {
+            None => {
+                let local = cosine_direction::<S::Lanes>(numbers);
+                let direction = turn::<S::Lanes>(self.normal(), local);
+                Scattered { direction, likelihood: local.z() }
             }
-            Scattered {
-                direction: turn::<S>(group.surface.normal, constant_vector::<S>(local)),
-                likelihood,
-                weight: S::Lanes::PI,
+            Some(Facets { surface, sampling }) => {
+                let direction = scattered_direction::<S::Lanes>(sampling, surface, lobe, numbers);
+                let density = scattered_density::<S::Lanes>(sampling, surface, direction);
+                Scattered { direction, likelihood: density * S::Lanes::PI }
             }
-        }
-        Some(facets) => {
-            let Facets { surface, sampling } = *facets;
-            let direction = scattered_direction::<S::Lanes>(sampling, surface, lobe, numbers);
-            let likelihood = facets.likelihood(direction);
-            let weight = match group.mapped {
-                None => surface.normal.dot(direction) * S::Lanes::PI / likelihood,
-                Some(_) => {
-                    let is_possible = likelihood.cmpgt(S::Lanes::ZERO);
-                    select(is_possible, S::Lanes::PI / likelihood, S::Lanes::ZERO)
-                }
-            };
-            Scattered { direction: constant_vector::<S>(direction), likelihood, weight }
         }
     }
-}
 
-/// The likelihood of directions, as in [`Scattered`], from a group.
-pub fn likelihood<S: Number>(
-    group: &LaneGroup<S>,
-    facets: Option<&Facets<S::Lanes>>,
-    direction: Vec3<S>,
-) -> S {
-    match facets {
-        None if group.mapped.is_some() => {
-            let normal = group.scattering_surface(S::Lanes::ONE).normal;
-            S::constant(positive_part::<S::Lanes>(normal.dot(primal_vector::<S>(direction))))
+    /// The probability density of directions, by solid angle. It varies with these alone.
+    pub fn density(&self, direction: Vec3<S>) -> S {
+        let probability = S::constant(self.probability());
+        match &self.facets {
+            None => {
+                let normal = constant_vector::<S>(self.normal());
+                cosine_density::<S>(normal, probability, direction)
+            }
+            Some(Facets { surface, sampling }) => {
+                let (surface, sampling) = (surface.map(S::constant), sampling.map(S::constant));
+                scattered_density::<S>(sampling, surface, direction) * probability
+            }
         }
-        None => group.surface.normal.dot(direction),
-        Some(facets) => S::constant(facets.likelihood(primal_vector::<S>(direction))),
+    }
+
+    /// The probability with which a path is scattered.
+    pub fn probability(&self) -> S::Lanes {
+        lanes_of_numbers::<S::Lanes>(&self.unscattered.map(|part| 1.0 - part))
+    }
+
+    /// The normals about which a diffuse surface scatters.
+    pub fn normal(&self) -> Vec3<S::Lanes> {
+        self.group.scattering_surface(S::Lanes::ONE).normal
     }
 }

@@ -2,11 +2,11 @@
 
 use ad::lanes::Lanes;
 use ad::vector::Vector;
-use ad::{Real, Vec3, select};
+use ad::{Real, Vec3};
 use glam::DVec3;
 
-use super::directions::{Facets, likelihood};
-use super::{EmitterSample, EmitterSource};
+use super::directions::Scatterer;
+use super::{Chosen, EmitterPoints, EmitterSample, EmitterSource};
 use crate::counts::count;
 use crate::number::{MAX_LANES, Number, constant_vector, primal_vector};
 use crate::primal::coalesce::Coalesced;
@@ -17,14 +17,9 @@ use crate::trace::bvh::{Batch, NO_PRIMITIVE, PACKET_RAYS, rays};
 use crate::trace::layout::Kind;
 use crate::trace::random::{PathNumbers, Purpose, RayNumbers};
 use crate::transport::emitter::{
-    Sight, emitter_spread, illuminate_by_emitter, sight_of_sphere, sight_of_triangle,
-    sphere_spread, triangle_spread,
+    BEFORE, Sight, barycentric_of, emitter_spread, illuminate_by_emitter, sight_of,
 };
 use crate::transport::hit::Primitive;
-use crate::transport::material::Bsdf;
-
-/// How far before an emitter a shadow ray ends, relative to its length: its neighbours touch it.
-const BEFORE: f64 = 1e-4;
 
 /// The rays to emitters.
 struct Shadows {
@@ -42,25 +37,17 @@ impl Default for Shadows {
     }
 }
 
-/// Surfaces that look for emitters.
-struct Place<'a, S: Number> {
-    wavefront: &'a Wavefront<S>,
-    group: &'a LaneGroup<S>,
-    unscattered: [f64; MAX_LANES],
-    facets: Option<Facets<S::Lanes>>,
-}
-
 impl Shadows {
     /// Adds the rays from some lanes of a group to what they look for, and returns that, whether they see it
     /// or not; nothing if it is behind all of them.
     fn look<S: Number>(
         &mut self,
-        from: &Place<'_, S>,
+        from: &Scatterer<'_, S>,
         lanes: u32,
         sight: &Sight<S>,
-        (source, emission): (EmitterSource, Vec3<S>),
+        (source, emission): (EmitterSource<S::Lanes>, Vec3<S>),
     ) -> Option<EmitterSample<S>> {
-        let &Place { wavefront, group, ref unscattered, ref facets } = from;
+        let &Scatterer { wavefront, group, .. } = from;
         let direction = primal_vector::<S>(sight.direction);
         let spreads = sight.spread.primal().cmpgt(S::Lanes::ZERO);
         // Light reaches no surface from behind its geometry, whatever it is shaded with.
@@ -72,10 +59,7 @@ impl Shadows {
         let before = sight.distance.primal() * S::Lanes::from_f64(1.0 - BEFORE);
         let before = singles_of_lanes::<S::Lanes>(before);
         rays(lanes.into()).for_each(|lane| self.limits[group.first + lane] = before[lane]);
-        let scattered = lanes_of_numbers::<S::Lanes>(&unscattered.map(|part| 1.0 - part));
-        let likelihood = likelihood::<S>(group, facets.as_ref(), sight.direction);
-        let density = likelihood * (S::constant(scattered) / S::PI);
-        let weighted = emitter_spread::<S>(sight.spread, density);
+        let weighted = emitter_spread::<S>(sight.spread, from.density(sight.direction));
         let Sight { direction, distance, .. } = *sight;
         let illumination = illuminate_by_emitter::<S>(emission, direction, distance, weighted);
         Some(EmitterSample { group: group.index, lanes, source, emission, weighted, illumination })
@@ -118,12 +102,7 @@ impl<S: Number> Integrator<'_, S> {
         shadows: &mut Shadows,
         found: &mut Vec<EmitterSample<S>>,
     ) {
-        let unscattered = self.unscattered(group);
-        let facets = match group.bsdf {
-            Bsdf::MetallicRoughness => self.facets(&self.vertex(group, wavefront, None)),
-            Bsdf::BlinnPhong | Bsdf::Dielectric => None,
-        };
-        let place = Place { wavefront, group, unscattered, facets };
+        let scatterer = self.scatterer_of(wavefront, group);
         let chosen = &mut shadows.targets;
         let mut choices = [0.0; MAX_LANES];
         let mut within = [[0.0; 2]; MAX_LANES];
@@ -133,7 +112,7 @@ impl<S: Number> Integrator<'_, S> {
         let mut spreads = [0.0; MAX_LANES];
         for (lane, ray) in group.rays() {
             // A path that is never scattered here has no use for them.
-            if unscattered[lane] >= 1.0 {
+            if scatterer.unscattered[lane] >= 1.0 {
                 continue;
             }
             let [choice, fine, u, v] = numbers.of(ray).map(f64::from);
@@ -163,76 +142,44 @@ impl<S: Number> Integrator<'_, S> {
                 continue;
             }
             let primitives = Coalesced::new(&shadows.targets, group.first, lanes);
-            let Some(primitive) = self.primitive(kind, &primitives) else { continue };
-            let constant = S::constant;
-            let (numbers, choices, point) =
-                (numbers.map(constant), constant(choices), group.surface.point);
-            let sight = match primitive {
-                Primitive::Triangle(triangle) => {
-                    let barycentric = barycentric_of(numbers);
-                    sight_of_triangle::<S>(triangle, barycentric, choices, point)
-                }
-                Primitive::Sphere(sphere) => {
-                    let away = (sphere.center - point).length().primal();
-                    let inside = S::Lanes::mask_bits(away.cmplt(sphere.radius.primal())) | itself;
-                    sight_of_sphere::<S>(sphere, S::mask(inside), numbers, choices, point)
-                }
+            let at = match kind {
+                Kind::Triangle => barycentric_of(numbers),
+                _ => [numbers[0], numbers[1], S::Lanes::ZERO],
             };
-            let materials = self.materials(&primitives);
-            let emission = materials.gather::<S, Vec3<S>>(|material| {
-                crate::number::splat_vector::<S>(self.inputs.materials[material].emission)
-            });
-            let source = EmitterSource::Surfaces(materials);
-            found.extend(shadows.look(&place, lanes, &sight, (source, emission)));
+            let chosen = Chosen::LookedFor;
+            let mut points = EmitterPoints { kind, primitives, inside: 0, choices, at, chosen };
+            if let Some(Primitive::Sphere(sphere)) = self.primitive(kind, &points.primitives) {
+                let away = (sphere.center - group.surface.point).length().primal();
+                points.inside = S::Lanes::mask_bits(away.cmplt(sphere.radius.primal())) | itself;
+            }
+            let Some(sight) = self.sight(&points, group.surface.point) else { continue };
+            let emission = self.emission(&points);
+            let source = EmitterSource::Surfaces(points);
+            found.extend(shadows.look(&scatterer, lanes, &sight, (source, emission)));
         }
         if in_sky != 0 {
             let sight = Sight {
                 direction: constant_vector::<S>(lanes_of_vectors::<S::Lanes>(&directions)),
-                distance: S::ONE / S::ZERO,
+                distance: S::constant(S::Lanes::ONE / S::Lanes::ZERO),
                 spread: S::constant(lanes_of_numbers::<S::Lanes>(&spreads)),
             };
             let Some(light) = self.sky_light(in_sky, sight.direction) else { return };
             let source = (EmitterSource::Sky, light.radiance());
-            found.extend(shadows.look(&place, in_sky, &sight, source));
+            found.extend(shadows.look(&scatterer, in_sky, &sight, source));
         }
     }
 
-    /// The spreads of the directions in which a group was found, had its primitives been looked for;
-    /// infinite where they would not have been.
-    pub(super) fn spread_of_found(
-        &self,
-        wavefront: &Wavefront<S>,
-        group: &LaneGroup<S>,
-    ) -> S::Lanes {
-        let mut choices = [f64::INFINITY; MAX_LANES];
-        for (lane, ray) in group.rays() {
-            choices[lane] = self.emitters.choices(wavefront.hits.primitive[ray]);
-        }
-        let of_lanes = lanes_of_numbers::<S::Lanes>(&choices);
-        let chosen = Real::is_finite(of_lanes);
-        let infinite = S::Lanes::ONE / S::Lanes::ZERO;
-        if S::Lanes::mask_bits(chosen) & group.alive == 0 {
-            return infinite;
-        }
-        let choices = S::constant(select(chosen, of_lanes, S::Lanes::ONE));
-        let spread = match self.primitive(group.kind, &group.primitives) {
-            Some(Primitive::Triangle(triangle)) => {
-                let distance = (group.surface.point - group.ray.origin).length();
-                triangle_spread::<S>(triangle, choices, group.ray.direction, distance)
-            }
-            Some(Primitive::Sphere(sphere)) => {
-                let inside = S::mask(group.inside);
-                sphere_spread::<S>(sphere, inside, choices, group.ray.origin)
-            }
-            None => return infinite,
-        };
-        select(chosen, spread.primal(), infinite)
+    /// How points of surfaces are seen that shine; nothing for shapes of one's own, which are not looked for.
+    pub fn sight(&self, points: &EmitterPoints<S::Lanes>, from: Vec3<S>) -> Option<Sight<S>> {
+        let (at, choices) = (points.at.map(S::constant), S::constant(points.choices));
+        let primitive = self.primitive(points.kind, &points.primitives)?;
+        Some(sight_of::<S>(primitive, S::mask(points.inside), at, choices, from))
     }
-}
 
-/// Two even numbers as the barycentric coordinates of an even point of a triangle (Turk 1990).
-fn barycentric_of<S: Real>([u, v]: [S; 2]) -> [S; 3] {
-    let root = u.sqrt();
-    let (at_a, at_b) = (S::ONE - root, root * (S::ONE - v));
-    [at_a, at_b, root * v]
+    /// The emission of points of surfaces that shine.
+    pub(super) fn emission(&self, points: &EmitterPoints<S::Lanes>) -> Vec3<S> {
+        self.materials(&points.primitives).gather::<S, Vec3<S>>(|material| {
+            crate::number::splat_vector::<S>(self.inputs.materials[material].emission)
+        })
+    }
 }

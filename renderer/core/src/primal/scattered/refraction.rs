@@ -4,7 +4,7 @@ use ad::lanes::Lanes;
 use ad::{Fields, Real, select};
 
 use super::Event;
-use crate::number::{Number, constant_vector};
+use crate::number::Number;
 use crate::primal::coalesce::select_lanes;
 use crate::primal::vertex::Vertex;
 use crate::transport::dielectric::{reflectance, refracted_direction};
@@ -19,10 +19,10 @@ pub fn refract_or_reflect<S: Number>(vertex: &Vertex<'_, S>, choice: S::Lanes) -
     let is_mirrored = choice.cmplt(reflected);
     let mirrored = S::Lanes::mask_bits(is_mirrored) & group.alive;
     let probability = select(is_mirrored, reflected, S::Lanes::ONE - reflected);
-    let refracted = refracted_direction::<S::Lanes>(material, surface, inside);
+    let refracted = refracted_direction::<S>(vertex.material, group.surface, S::mask(group.inside));
     let mirror = group.next_rays(0).direction;
     Event {
-        direction: select_lanes::<S, _>(mirrored, &mirror, &constant_vector::<S>(refracted)),
+        direction: select_lanes::<S, _>(mirrored, &mirror, &refracted),
         straight: group.alive & !mirrored,
         mirrored,
         factor: S::constant(S::Lanes::ONE / probability),

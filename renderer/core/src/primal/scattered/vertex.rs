@@ -12,7 +12,7 @@ use crate::transport::dielectric::sent_on_by_dielectric;
 use crate::transport::direct::direct;
 use crate::transport::emitter::found_emission;
 use crate::transport::material::Bsdf;
-use crate::transport::scatter::{gathered, sent_on, sent_on_mapped};
+use crate::transport::scatter::{gathered, sent_on};
 
 impl<S: Number> Vertex<'_, S> {
     /// The radiance that leaves towards the viewer where light takes all paths.
@@ -62,12 +62,7 @@ impl<S: Number> Vertex<'_, S> {
             return sent_on_by_dielectric::<S>(self.material, surface, inside, mirrored, factor);
         }
         let (material, lobes) = (self.material, self.lobes);
-        match self.group.mapped {
-            None => sent_on::<S>(material, lobes, surface, direction, straight, mirrored, factor),
-            Some(_) => {
-                sent_on_mapped::<S>(material, lobes, surface, direction, straight, mirrored, factor)
-            }
-        }
+        sent_on::<S>(material, lobes, surface, direction, straight, mirrored, factor)
     }
 
     /// How the paths go on.

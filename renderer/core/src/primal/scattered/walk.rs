@@ -4,18 +4,15 @@ use ad::lanes::Lanes;
 use ad::vector::Vector;
 use ad::{Fields, Real, Vec3, select};
 
-use super::directions::scatter;
 use super::refraction::refract_or_reflect;
 use super::{Event, missed};
-use crate::number::{MAX_LANES, Number, primal_vector};
+use crate::number::{MAX_LANES, Number, constant_vector, primal_vector};
 use crate::primal::coalesce::select_lanes;
 use crate::primal::integrator::Integrator;
 use crate::primal::lanes::{lanes_of_numbers, numbers_of_lanes};
 use crate::primal::path::{Path, zero_ray};
 use crate::primal::vertex::Vertex;
-use crate::primal::wavefront::{
-    LaneGroup, RayLanes, Source, TileSample, Wavefront, blocks, put, repeated_ray,
-};
+use crate::primal::wavefront::{LaneGroup, RayLanes, Source, Wavefront, blocks, put, repeated_ray};
 use crate::scene::PathTracing;
 use crate::trace::bvh::{Batch, PACKET_RAYS, PacketHits, rays};
 use crate::trace::random::{PathNumbers, Purpose, RayNumbers};
@@ -23,7 +20,7 @@ use crate::transport::camera::Ray;
 use crate::transport::dielectric::{relative_ior, sent_on_by_dielectric};
 use crate::transport::emitter::scattered_weight;
 use crate::transport::material::Bsdf;
-use crate::transport::scatter::{sent_on, sent_on_mapped};
+use crate::transport::scatter::sent_on;
 
 /// From this depth on paths may end at random.
 const ROULETTE: u32 = 3;
@@ -32,8 +29,8 @@ const ROULETTE: u32 = 3;
 const LEAST: f64 = 1.0 / 16.0;
 
 /// What the paths of a tile carry along.
-struct Walk<L: Lanes> {
-    numbers: PathNumbers,
+struct Walk<'a, L: Lanes> {
+    numbers: &'a PathNumbers,
     /// By block: the part of the radiance at their ends that paths bring to the camera.
     throughput: Vec<Vec3<L>>,
     /// By ray: the probability density of the direction that it was scattered to; infinite where it was
@@ -43,7 +40,7 @@ struct Walk<L: Lanes> {
     compression: [f64; PACKET_RAYS],
 }
 
-impl<L: Lanes> Walk<L> {
+impl<L: Lanes> Walk<'_, L> {
     /// Lets paths of a group go on that bring this part of what they find, unless they end at random: `lanes`
     /// has a bit for each that may, and `ends` a number for each that decides.
     fn go_on<S: Number<Lanes = L>>(
@@ -73,7 +70,7 @@ impl<L: Lanes> Walk<L> {
     }
 }
 
-impl<L: Lanes> Walk<L> {
+impl<L: Lanes> Walk<'_, L> {
     /// The densities of some rays.
     fn densities(&self, rays: RayLanes) -> L {
         let mut densities = [f64::INFINITY; MAX_LANES];
@@ -83,11 +80,17 @@ impl<L: Lanes> Walk<L> {
 }
 
 impl<S: Number> Integrator<'_, S> {
-    /// Traces the paths of one sample of a tile, and finds the radiance that each ray brings but for those
-    /// of the camera.
-    pub fn trace_scattered(&self, sample: TileSample<'_>, limits: PathTracing, path: &mut Path<S>) {
-        let mut walk = Walk::<S::Lanes> {
-            numbers: PathNumbers::new(sample.tile, sample.sampling, sample.index),
+    /// Traces paths that these numbers choose, and finds the radiance that each ray brings but for those of the
+    /// camera.
+    pub fn trace_scattered(
+        &self,
+        source: Source<'_>,
+        numbers: &PathNumbers,
+        limits: PathTracing,
+        path: &mut Path<S>,
+    ) {
+        let mut walk = Walk::<'_, S::Lanes> {
+            numbers,
             throughput: vec![Vec3::<S::Lanes>::splat(S::Lanes::ONE); blocks::<S>()],
             density: [f64::INFINITY; PACKET_RAYS],
             compression: [1.0; PACKET_RAYS],
@@ -95,9 +98,9 @@ impl<S: Number> Integrator<'_, S> {
         let mut depth = 1;
         loop {
             let (before, wavefront) = path.at(depth as usize - 1);
-            let goes_on = match before {
+            let goes_on = match &before {
                 None => {
-                    self.trace_primary(Source::Tile(sample), wavefront);
+                    self.trace_primary(source, wavefront);
                     true
                 }
                 Some(before) => self.trace_events(before, wavefront),
@@ -106,13 +109,13 @@ impl<S: Number> Integrator<'_, S> {
                 depth -= 1;
                 break;
             }
-            self.weigh_found(&walk, wavefront);
+            self.weigh_found(&walk, before, wavefront);
             if depth == limits.max_depth {
                 self.end(wavefront);
                 break;
             }
             self.trace_shadows(None, wavefront);
-            self.look_for_emitters(depth, &walk.numbers, wavefront);
+            self.look_for_emitters(depth, walk.numbers, wavefront);
             self.choose_events(depth, &mut walk, wavefront);
             depth += 1;
         }
@@ -125,29 +128,36 @@ impl<S: Number> Integrator<'_, S> {
         wavefront.scattering.events.clear();
     }
 
-    /// Weighs what the surfaces emit that rays have found.
-    fn weigh_found(&self, walk: &Walk<S::Lanes>, wavefront: &mut Wavefront<S>) {
-        let mut found = std::mem::take(&mut wavefront.scattering.found);
+    /// Weighs what rays have found: of surfaces, that which counts where it was found; and the environment.
+    fn weigh_found(
+        &self,
+        walk: &Walk<'_, S::Lanes>,
+        before: Option<&mut Wavefront<S>>,
+        wavefront: &mut Wavefront<S>,
+    ) {
+        let found = &mut wavefront.scattering.found;
         found.clear();
         found.resize(blocks::<S>(), S::ONE);
-        if !self.emitters.is_empty() {
-            for group in &wavefront.groups {
-                let spread = self.spread_of_found(wavefront, group);
-                let density = walk.densities(group.lanes());
-                let weight = S::constant(scattered_weight::<S::Lanes>(spread, density));
-                put(group.lanes(), group.alive, &weight, &mut found);
-            }
-            for lanes in missed::<S>(wavefront) {
-                let Some(spread) = self.spread_of_missed(wavefront, lanes) else { break };
-                let weight = scattered_weight::<S::Lanes>(spread, walk.densities(lanes));
-                put(lanes, lanes.alive, &S::constant(weight), &mut found);
-            }
+        if self.emitters.is_empty() {
+            return;
         }
-        wavefront.scattering.found = found;
+        if let Some(before) = before {
+            self.give_found(before, wavefront);
+        }
+        for lanes in missed::<S>(wavefront) {
+            let Some(spread) = self.spread_of_missed(wavefront, lanes) else { break };
+            let weight = scattered_weight::<S::Lanes>(spread, walk.densities(lanes));
+            put(lanes, lanes.alive, &S::constant(weight), &mut wavefront.scattering.found);
+        }
     }
 
     /// Chooses how the paths go on from a wavefront.
-    fn choose_events(&self, depth: u32, walk: &mut Walk<S::Lanes>, wavefront: &mut Wavefront<S>) {
+    fn choose_events(
+        &self,
+        depth: u32,
+        walk: &mut Walk<'_, S::Lanes>,
+        wavefront: &mut Wavefront<S>,
+    ) {
         let mut events = std::mem::take(&mut wavefront.scattering.events);
         events.clear();
         events.resize(blocks::<S>(), Event::end());
@@ -170,7 +180,7 @@ impl<S: Number> Integrator<'_, S> {
         &self,
         depth: u32,
         numbers: &RayNumbers,
-        walk: &mut Walk<S::Lanes>,
+        walk: &mut Walk<'_, S::Lanes>,
         wavefront: &Wavefront<S>,
         group: &LaneGroup<S>,
     ) -> (Event<S>, u32) {
@@ -178,7 +188,8 @@ impl<S: Number> Integrator<'_, S> {
         if group.bsdf == Bsdf::Dielectric {
             return self.event_at_dielectric(depth, numbers, walk, &vertex);
         }
-        let unscattered = self.unscattered(group);
+        let scatterer = self.scatterer(&vertex);
+        let unscattered = scatterer.unscattered;
         let (mut straight, mut mirrored) = (0, 0);
         let mut within = [[0.0; 3]; MAX_LANES];
         let mut ends = [0.0; MAX_LANES];
@@ -197,17 +208,14 @@ impl<S: Number> Integrator<'_, S> {
             }
         }
         let lane_numbers = |axis: usize| lanes_of_numbers::<S::Lanes>(&within.map(|at| at[axis]));
-        let facets = self.facets(&vertex);
         let numbers = [lane_numbers(0), lane_numbers(1)];
-        let scattered = scatter::<S>(group, facets.as_ref(), lane_numbers(2), numbers);
+        let scattered = scatterer.scatter(lane_numbers(2), numbers);
         let unscattered = straight | mirrored;
-        let direction = match unscattered {
-            0 => scattered.direction,
-            _ => {
-                let next = group.next_rays(straight).direction;
-                select_lanes::<S, _>(unscattered, &next, &scattered.direction)
-            }
-        };
+        let mut direction = constant_vector::<S>(scattered.direction);
+        if unscattered != 0 {
+            let next = group.next_rays(straight).direction;
+            direction = select_lanes::<S, _>(unscattered, &next, &direction);
+        }
         let leaves = group.leave_surface(primal_vector::<S>(direction)) | unscattered;
         let lanes = group.alive & leaves & !self.absorbing(group, unscattered);
         if lanes == 0 {
@@ -216,12 +224,10 @@ impl<S: Number> Integrator<'_, S> {
 
         let of_lanes = lanes_of_numbers::<S::Lanes>(&probability);
         let is_unscattered = S::Lanes::mask_from_bits(unscattered);
-        let factor = select(is_unscattered, S::Lanes::ONE, scattered.weight) / of_lanes;
-        let sent_on = match group.mapped {
-            None => sent_on::<S::Lanes>,
-            Some(_) => sent_on_mapped::<S::Lanes>,
-        };
-        let part = sent_on(
+        let is_possible = scattered.likelihood.cmpgt(S::Lanes::ZERO);
+        let of_scattered = select(is_possible, S::Lanes::PI / scattered.likelihood, S::Lanes::ZERO);
+        let factor = select(is_unscattered, S::Lanes::ONE, of_scattered) / of_lanes;
+        let part = sent_on::<S::Lanes>(
             vertex.material.map(S::primal),
             vertex.lobes,
             group.surface.map(S::primal),
@@ -246,7 +252,7 @@ impl<S: Number> Integrator<'_, S> {
         &self,
         depth: u32,
         numbers: &RayNumbers,
-        walk: &mut Walk<S::Lanes>,
+        walk: &mut Walk<'_, S::Lanes>,
         vertex: &Vertex<'_, S>,
     ) -> (Event<S>, u32) {
         let group = vertex.group;

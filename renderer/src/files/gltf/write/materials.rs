@@ -179,8 +179,8 @@ impl<'a> MaterialWriter<'a> {
         }
     }
 
-    /// Adds everything to a document.
-    pub fn finish(self, document: &mut Map<String, Value>) {
+    /// Adds everything to a document; the names of the extensions that materials need.
+    pub fn finish(self, document: &mut Map<String, Value>) -> Vec<&'static str> {
         let mut insert = |name: &str, value: Vec<Value>| {
             if !value.is_empty() {
                 document.insert(name.to_owned(), value.into());
@@ -191,7 +191,7 @@ impl<'a> MaterialWriter<'a> {
         insert("images", self.images);
         insert("samplers", self.samplers);
         insert("materials", self.materials);
-        insert("extensionsUsed", self.extensions.into_iter().map(Value::from).collect());
+        self.extensions.into_iter().collect()
     }
 }
 

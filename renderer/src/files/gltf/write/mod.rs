@@ -1,7 +1,9 @@
-//! Writes the meshes of a scene as a binary glTF file.
+//! Writes the meshes, the cameras and the lights of a scene as a binary glTF file.
 
 mod binary;
+mod cameras;
 mod corners;
+mod lights;
 mod materials;
 
 use std::path::Path;
@@ -18,7 +20,8 @@ use binary::Binary;
 use corners::{Corner, Part, parts};
 use materials::MaterialWriter;
 
-/// Writes a node for each mesh, with the materials that triangles have and their textures.
+/// Writes a node for each mesh, with the materials that triangles have and their textures, and for each camera and
+/// light.
 pub(in crate::files) fn save_glb(
     scene: &Scene,
     path: &Path,
@@ -40,6 +43,11 @@ pub(in crate::files) fn save_glb(
         nodes.push(node(&mesh, index));
     }
     let mut document = Map::new();
+    let mut extensions_used = materials.finish(&mut document);
+    let (cameras, mut of_cameras) = cameras::cameras(scene);
+    nodes.append(&mut of_cameras);
+    let (lights, mut of_lights) = lights::lights(scene, warnings);
+    nodes.append(&mut of_lights);
     let generator = concat!("renderer ", env!("CARGO_PKG_VERSION"));
     let mut insert = |name: &str, value: Value| document.insert(name.to_owned(), value);
     insert("asset", json!({ "version": "2.0", "generator": generator }));
@@ -47,7 +55,14 @@ pub(in crate::files) fn save_glb(
     insert("scenes", json!([{ "nodes": (0..nodes.len()).collect::<Vec<_>>() }]));
     insert("nodes", nodes.into());
     insert("meshes", meshes.into());
-    materials.finish(&mut document);
+    insert("cameras", cameras.into());
+    if !lights.is_empty() {
+        insert("extensions", json!({ lights::EXTENSION: { "lights": lights } }));
+        extensions_used.push(lights::EXTENSION);
+    }
+    if !extensions_used.is_empty() {
+        insert("extensionsUsed", json!(extensions_used));
+    }
     let refuse = |problem| Error::new(path.display(), problem);
     write_atomically(path, &binary.file(document).map_err(refuse)?)
 }

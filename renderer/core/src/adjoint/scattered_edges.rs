@@ -1,0 +1,60 @@
+//! Gradients with edges where light takes all paths.
+//!
+//! Paths bring the interior term. The boundary term comes from the scene in direct light: its edges are those
+//! of the surfaces that the camera sees, also in mirrors and through transparent surfaces, and those of the
+//! shadows on them, of lights, of points of what shines and of parts of the environment. At the edges of
+//! surfaces that the camera sees first the jump is that of light that takes all paths, and the mean of as many
+//! as go through a pixel; elsewhere it is that of direct light.
+//!
+//! What is left out: edges that paths come by later, those seen through what refracts, and the jumps of indirect
+//! light in mirrors. Shadows are those of a few points and parts, the same for every pixel: turned down are
+//! points of their own, whose shadows have no edges that anybody could follow.
+
+use glam::DVec3;
+
+use super::chain::Chain;
+use super::edges::sweep_crossings;
+use super::request::Request;
+use super::scatter::Sums;
+use crate::edges::{Geometry, View};
+use crate::loss::PixelLoss;
+use crate::number::Plain;
+use crate::primal::integrator::Prepared;
+use crate::scene::Scene;
+use crate::trace::bvh::rays;
+use crate::trace::tile::for_each_strip;
+
+/// The sums of the strips of the image, and of packets of crossings.
+pub fn sweep_paths_with_edges<L: Plain>(
+    prepared: &Prepared<L>,
+    scene: &Scene,
+    loss: &dyn PixelLoss,
+    request: &Request,
+) -> Vec<Sums> {
+    let (width, height) = (prepared.layout.width, prepared.layout.height);
+    let integrator = prepared.integrator().with_zero_weight(request.zero_weight);
+    let mut cotangents = vec![DVec3::ZERO; width as usize * height as usize];
+    let start = || Chain::new(integrator, scene, request);
+    let strips = for_each_strip(width, height, start, |chain, strip| {
+        let mut of_strip = Vec::new();
+        for tile in strip.tiles() {
+            let cotangents = chain.scattered_tile(loss, &tile);
+            of_strip.extend(rays(tile.rays()).map(|ray| (tile.pixel(ray), cotangents[ray])));
+        }
+        (chain.scatter.take(), of_strip)
+    });
+    let mut sums = Vec::with_capacity(strips.len());
+    let count = f64::from(prepared.layout.sampling.count());
+    for (of_strip, pixels) in strips {
+        sums.push(of_strip);
+        for ((x, y), cotangent) in pixels {
+            cotangents[y as usize * width as usize + x as usize] = cotangent * count;
+        }
+    }
+
+    let direct = prepared.direct(scene);
+    let geometry = Geometry::new(direct.integrator().with_zero_weight(request.zero_weight));
+    let view = View::of_paths(&geometry, prepared.integrator());
+    sums.extend(sweep_crossings(&view, &geometry, (scene, request), &cotangents, |_| false));
+    sums
+}

@@ -1,0 +1,238 @@
+//! Gradients by what moves, where light takes all paths: beside closed forms, and beside differences of finely
+//! sampled images.
+
+use std::f64::consts::PI;
+
+use glam::{DVec3, dvec3};
+use renderer::scene::{Environment, Integrator, MaterialObject, PathTracing};
+use renderer::{
+    Camera, Edges, Material, Mesh, PixelLoss, PointLight, Renderer, Scene, Settings, SphereObject,
+};
+
+use crate::differences::{differences, gradient, relative_error};
+use crate::paths::{Sum, assert_close, emitting, floor_scene, paths};
+
+/// The irradiance by a ball that shines is that of a disc as wide; here are its derivatives.
+#[test]
+fn light_of_a_sphere_moves_as_the_closed_form_says() {
+    let (center, radius, emission) = (dvec3(1.0, 3.5, -1.0), 1.5, 7.0);
+    let mut scene = floor_scene();
+    scene.integrator = paths(2, 1024);
+    let lamp = scene.add_material("lamp", emitting(emission, 0.0)).unwrap();
+    scene.add_sphere(SphereObject::new("lamp", center, radius).material(lamp)).unwrap();
+    let distance = center.length();
+    // Of pixels of three channels, which all show one point.
+    let factor = 192.0 * 0.6 * emission * radius * radius;
+    let settings = Settings::default();
+    let by_radius = gradient(&scene, &settings, &Sum, "sphere.lamp.radius")[0];
+    assert_close(by_radius, factor * 2.0 / radius * center.y / distance.powi(3), 3e-3);
+    let by_center = gradient(&scene, &settings, &Sum, "sphere.lamp.center");
+    let expected =
+        factor * (DVec3::Y / distance.powi(3) - center * (3.0 * center.y / distance.powi(5)));
+    for (found, expected) in by_center.into_iter().zip(expected.to_array()) {
+        assert!((found - expected).abs() < 5e-3 * factor / distance.powi(3), "{found} {expected}");
+    }
+}
+
+/// A small patch that shines far above: the irradiance is that of a point, by the fourth power of a cosine.
+#[test]
+fn light_of_a_patch_moves_as_that_of_a_point() {
+    let (at, half) = (dvec3(0.8, 2.0, 0.5), 1e-3);
+    let mut scene = floor_scene();
+    scene.integrator = paths(2, 64);
+    let lamp = scene.add_material("lamp", emitting(1e6, 0.0)).unwrap();
+    let corners = [[-half, -half], [half, -half], [half, half], [-half, half]];
+    let corners = corners.map(|[x, z]| [at.x + x, at.y, at.z + z]).to_vec();
+    let patch = Mesh::new("patch", corners, vec![[0, 1, 2], [0, 2, 3]]).material(lamp);
+    scene.add_mesh(patch).unwrap();
+    let found = gradient(&scene, &Settings::default(), &Sum, "mesh.patch.translation");
+    let (squared, power) = (at.length_squared(), 192.0 * 0.6 / PI * 1e6 * 4.0 * half * half);
+    let expected = power
+        * (DVec3::Y * (2.0 * at.y / squared.powi(2)) - at * (4.0 * at.y * at.y / squared.powi(3)));
+    for (found, expected) in found.into_iter().zip(expected.to_array()) {
+        assert_close(found, expected, 2e-3);
+    }
+}
+
+/// Weights that vary slowly over the image.
+struct Weights;
+
+impl PixelLoss for Weights {
+    fn evaluate(&self, x: u32, y: u32, radiance: DVec3) -> (f64, DVec3) {
+        let weights = DVec3::splat(1.0 + 0.03 * f64::from(x) - 0.02 * f64::from(y));
+        (weights.dot(radiance), weights)
+    }
+}
+
+/// Strips, bands of edges and packets of crossings add up in one order.
+#[test]
+fn gradients_are_bit_identical_on_any_number_of_threads() {
+    let mut scene = card(3, 1);
+    (scene.width, scene.height) = (72, 40);
+    add_panel(&mut scene);
+    let ids = ["camera.look_from", "mesh.card.vertices", "mesh.panel.translation"];
+    let ids = ids.map(|path| scene.parameter(path).unwrap());
+    let run = |threads: usize| {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+        pool.install(|| {
+            let renderer = Renderer::new(&scene, &Settings::default()).unwrap();
+            renderer.loss_and_gradient(&scene, &Weights, &ids)
+        })
+    };
+    let one = run(1);
+    assert!(one.gradient.concat().iter().all(|number| number.is_finite()));
+    assert_eq!(one, run(2));
+    assert_eq!(one, run(5));
+}
+
+/// A card above a floor, under what is added.
+fn card(max_depth: u32, samples: u32) -> Scene {
+    let camera = Camera::looking(dvec3(0.4, 1.9, 2.6), dvec3(0.0, 0.2, 0.0));
+    let mut scene = Scene::new(32, 32, camera);
+    scene.add_material("grey", Material::lambertian(DVec3::splat(0.6))).unwrap();
+    let red = scene.add_material("red", Material::lambertian(dvec3(0.7, 0.3, 0.2))).unwrap();
+    let floor = [[-3.0, 0.0, 3.0], [3.0, 0.0, 3.0], [3.0, 0.0, -3.0], [-3.0, 0.0, -3.0]];
+    let card = [[-0.4, 0.4, 0.3], [0.5, 0.5, 0.3], [0.5, 0.6, -0.4], [-0.4, 0.45, -0.4]];
+    let quad = |name, corners: [[f64; 3]; 4]| {
+        Mesh::new(name, corners.to_vec(), vec![[0, 1, 2], [0, 2, 3]])
+    };
+    scene.add_mesh(quad("floor", floor)).unwrap();
+    scene.add_mesh(quad("card", card).material(red)).unwrap();
+    scene.integrator = Integrator::Path(PathTracing { max_depth, samples, seed: 3 });
+    scene
+}
+
+fn add_panel(scene: &mut Scene) {
+    let lamp = scene.add_material("lamp", emitting(5.0, 0.0)).unwrap();
+    let corners = [[-0.5, 2.0, 0.5], [0.5, 2.1, 0.5], [0.5, 2.0, -0.5], [-0.5, 2.2, -0.5]];
+    let panel = Mesh::new("panel", corners.to_vec(), vec![[0, 1, 2], [0, 2, 3]]).material(lamp);
+    scene.add_mesh(panel).unwrap();
+}
+
+fn add_bulb(scene: &mut Scene) {
+    let lamp = scene.add_material("lamp", emitting(5.0, 0.0)).unwrap();
+    let bulb = SphereObject::new("bulb", dvec3(0.9, 1.8, 0.2), 0.25).material(lamp);
+    scene.add_sphere(bulb).unwrap();
+}
+
+/// The gradient with edges is that of an image of thousands of paths through each pixel, within `most`; without
+/// it is farther off, where edges move.
+#[track_caller]
+fn check(scene: &Scene, path: &str, most: f64) {
+    let of = |edges| gradient(scene, &Settings { edges, ..Settings::default() }, &Weights, path);
+    let (found, interior) = (of(Edges::Auto), of(Edges::Off));
+    let Integrator::Path(limits) = scene.integrator else { panic!("paths") };
+    let mut fine = scene.clone();
+    fine.integrator = Integrator::Path(PathTracing { samples: 1024, seed: 5, ..limits });
+    let step = if path.ends_with("vfov") { 0.5 } else { 0.02 };
+    let expected = differences(&fine, &Settings::default(), &Weights, path, step);
+    let [with, without] = [found.clone(), interior].map(|of| relative_error(&of, &expected));
+    assert!(with < most, "{path}: {with:.3} off: {found:?}, by differences {expected:?}");
+    assert!(without > most, "{path}: {without:.3} off without edges");
+}
+
+#[test]
+fn soft_shadows_move_with_what_casts_them_and_with_what_shines() {
+    let mut scene = card(2, 16);
+    add_panel(&mut scene);
+    for (path, most) in [
+        ("camera.look_from", 0.03),
+        ("mesh.card.translation", 0.06),
+        ("mesh.floor.translation", 0.03),
+        ("mesh.panel.translation", 0.02),
+    ] {
+        check(&scene, path, most);
+    }
+    let mut scene = card(2, 16);
+    add_bulb(&mut scene);
+    check(&scene, "mesh.card.translation", 0.1);
+    check(&scene, "sphere.bulb.center", 0.02);
+}
+
+#[test]
+fn hard_shadows_move() {
+    let mut scene = card(2, 16);
+    let position = dvec3(-0.3, 1.5, 1.0);
+    let key = PointLight { position, color: DVec3::ONE, radiant_intensity: 2.0 };
+    scene.add_light("key", key).unwrap();
+    for (path, most) in [
+        ("camera.look_from", 0.02),
+        ("mesh.card.translation", 0.06),
+        ("mesh.floor.translation", 0.02),
+        ("light.key.position", 0.01),
+    ] {
+        check(&scene, path, most);
+    }
+}
+
+/// What is seen against the sky, and the shadows of an overcast one.
+#[test]
+fn silhouettes_before_the_sky_move() {
+    let mut scene = card(2, 16);
+    scene.environment = Some(Environment::constant(DVec3::splat(0.5)).into());
+    check(&scene, "camera.look_from", 0.08);
+    check(&scene, "camera.vfov", 0.08);
+}
+
+/// Edges that paths come by after the first surface are left out: that costs some per cent here, in light that
+/// floor and card reflect much to each other.
+#[test]
+fn indirect_light_moves() {
+    let mut scene = card(4, 64);
+    add_panel(&mut scene);
+    for (path, most) in [("camera.look_from", 0.06), ("mesh.card.translation", 0.2)] {
+        check(&scene, path, most);
+    }
+}
+
+/// In a closed room of smooth walls no edge is seen.
+fn room(wall: MaterialObject) -> Scene {
+    let from = dvec3(0.3, 0.1, 0.2);
+    let camera = Camera { vfov: 30.0, ..Camera::looking(from, dvec3(-1.0, 0.2, 0.1)) };
+    let mut scene = Scene::new(12, 12, camera);
+    scene.add_material("wall", wall).unwrap();
+    scene.add_sphere(SphereObject::new("room", DVec3::ZERO, 1.0)).unwrap();
+    let position = dvec3(-0.4, 0.5, -0.3);
+    let glow = PointLight { position, color: DVec3::ONE, radiant_intensity: 1.0 };
+    scene.add_light("glow", glow).unwrap();
+    scene.integrator = paths(4, 256);
+    scene
+}
+
+/// Gradients in a room are those of finer images, by differences of this step.
+#[track_caller]
+fn check_in_room(scene: &Scene, path: &str, step: f64) {
+    let settings = Settings::default().in_double_precision();
+    let found = gradient(scene, &settings, &Weights, path);
+    let finer = Scene { integrator: paths(4, 512), ..scene.clone() };
+    let expected = differences(&finer, &settings, &Weights, path, step);
+    let size = expected.iter().map(|x| x * x).sum::<f64>().sqrt();
+    for (of_found, of_expected) in found.iter().zip(&expected) {
+        let error = (of_found - of_expected).abs();
+        assert!(error < 0.03 * size, "{path}: {found:?}, by differences {expected:?}");
+    }
+}
+
+#[test]
+fn matt_and_glossy_rooms_move() {
+    let color = dvec3(0.7, 0.5, 0.4);
+    let glossy = MaterialObject::metallic_roughness(color, 0.6, 0.5);
+    for wall in [Material::lambertian(color).into(), glossy] {
+        let scene = room(wall);
+        for path in ["sphere.room.radius", "light.glow.position", "camera.look_from"] {
+            check_in_room(&scene, path, 0.04);
+        }
+    }
+}
+
+/// The camera is inside of a ball of glass, through whose surface it sees the room.
+#[test]
+fn what_is_seen_through_glass_moves() {
+    let mut scene = room(Material::lambertian(dvec3(0.7, 0.5, 0.4)).into());
+    let glass = scene.add_material("glass", MaterialObject::dielectric(1.4)).unwrap();
+    let lens = SphereObject::new("lens", dvec3(0.32, 0.18, 0.15), 0.2).material(glass);
+    scene.add_sphere(lens).unwrap();
+    for path in ["material.glass.ior", "sphere.lens.center", "camera.look_from"] {
+        check_in_room(&scene, path, 4e-3);
+    }
+}
