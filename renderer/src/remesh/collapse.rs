@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use super::surface::{Edge, Surface, are_alike, middle};
+use super::surface::{Edge, LEAST_WIDTH, Surface, are_alike, middle, width};
 
 /// Collapses edges shorter than `shortest`, the shortest first, as long as no edge becomes longer than `longest`.
 pub(super) fn collapse_short(surface: &mut Surface, shortest: f64, longest: f64) {
@@ -100,25 +100,31 @@ fn keeps_topology(surface: &Surface, gone: u32, stays: u32, apexes: [u32; 2]) ->
         .any(|moved| staying.contains(&moved))
 }
 
-/// Whether with both ends at a place no triangle around turns over, and no edge becomes longer than `longest`.
-fn keeps_shape(surface: &Surface, ends: [u32; 2], place: DVec3, longest: f64) -> bool {
-    let region: DVec3 = ends
-        .iter()
-        .flat_map(|&end| surface.around(end))
-        .map(|&triangle| surface.normal(triangle))
-        .sum();
-    let triangles = ends.iter().flat_map(|&end| surface.around(end));
-    let corners = triangles.map(|&triangle| surface.triangles[triangle as usize]);
-    let mut others =
-        corners.filter(|corners| ends.iter().filter(|end| corners.contains(end)).count() == 1);
-    others.all(|corners| {
-        let [a, b, c] = corners.map(|corner| {
-            if ends.contains(&corner) { place } else { surface.points[corner as usize] }
-        });
+/// Whether with both ends at a place no triangle around turns over or becomes narrow, the surface has no more folds, and
+/// no edge becomes longer than `longest`.
+fn keeps_shape(surface: &Surface, [gone, stays]: [u32; 2], place: DVec3, longest: f64) -> bool {
+    let mut around = [gone, stays].map(|end| surface.around(end)).concat();
+    around.sort_unstable();
+    around.dedup();
+    let before: Vec<[u32; 3]> =
+        around.iter().map(|&triangle| surface.triangles[triangle as usize]).collect();
+    let others =
+        before.iter().filter(|corners| !(corners.contains(&gone) && corners.contains(&stays)));
+    let after: Vec<[u32; 3]> = others
+        .clone()
+        .map(|corners| corners.map(|corner| if corner == gone { stays } else { corner }))
+        .collect();
+    let region: DVec3 = before.iter().map(|&corners| surface.normal_of(corners)).sum();
+    let now = |corner: u32| surface.points[corner as usize];
+    let then = |corner: u32| if corner == stays { place } else { now(corner) };
+    others.zip(&after).all(|(&corners, moved)| {
+        let [a, b, c] = moved.map(then);
         let (before, after) = (surface.normal_of(corners), (b - a).cross(c - a));
         // What had no area turns no way, but to that of its neighbours.
         let before = if before == DVec3::ZERO { region } else { before };
         let lengths = [a.distance(b), b.distance(c), c.distance(a)];
-        are_alike(before, after) && lengths.iter().all(|&length| length <= longest)
-    })
+        are_alike(before, after)
+            && width([a, b, c]) >= width(surface.places(corners)).min(LEAST_WIDTH)
+            && lengths.iter().all(|&length| length <= longest)
+    }) && surface.folds(&around, &after, then) <= surface.folds(&around, &before, now)
 }

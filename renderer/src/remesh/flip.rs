@@ -1,6 +1,6 @@
 //! Edges to the other diagonal.
 
-use super::surface::{Edge, Side, Surface, are_alike};
+use super::surface::{Edge, LEAST_WIDTH, Side, Surface, are_alike, width};
 
 /// Flips edges where that brings the vertices of both triangles closer to six neighbours, or four on a border.
 pub(super) fn even_out(surface: &mut Surface) {
@@ -28,10 +28,21 @@ fn flip(surface: &mut Surface, [a, b]: [u32; 2], one: Side, other: Side) {
     let before = [one, other].map(|side| surface.normal(side.triangle));
     let flipped = [[a, d, c], [d, b, c]];
     let after = flipped.map(|corners| surface.normal_of(corners));
+    let least = [[a, b, c], [a, b, d]].map(|corners| width(surface.places(corners)));
+    let least = least[0].min(least[1]).min(LEAST_WIDTH);
+    if flipped.iter().any(|&corners| width(surface.places(corners)) < least) {
+        return;
+    }
     // Neither over a ridge nor out of the outline of the two triangles.
     if !are_alike(before[0], before[1])
         || after.iter().any(|after| !before.iter().all(|before| are_alike(*before, *after)))
     {
+        return;
+    }
+    let pair = [one.triangle, other.triangle];
+    let corners = pair.map(|triangle| surface.triangles[triangle as usize]);
+    let folds = |corners| surface.folds(&pair, corners, |corner| surface.points[corner as usize]);
+    if folds(&flipped) > folds(&corners) {
         return;
     }
     surface.replace(one.triangle, b, d);

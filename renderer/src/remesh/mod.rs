@@ -7,9 +7,11 @@
 //! longer than 3/5: they do not collapse again.
 //!
 //! What a surface is stays: a closed one stays closed, with as many handles and parts. An edge collapses or flips only
-//! if no triangle turns over by that, none comes to lie on another, and no two parts grow together.
+//! if no triangle turns over or becomes almost a line by that, none comes to lie on another, no two parts grow together, and
+//! no more neighbours face against each other than before.
 
 mod collapse;
+mod crossing;
 mod flip;
 mod relax;
 mod split;
@@ -24,6 +26,7 @@ use crate::scene::{Mesh, Normals};
 use glam::DVec3;
 use surface::Surface;
 
+pub use crossing::self_intersecting;
 pub use turned::turned_over;
 
 /// How often all edges and vertices have their turn.

@@ -144,15 +144,51 @@ impl Surface {
         self.points[a as usize].distance(self.points[b as usize])
     }
 
+    /// The places of corners.
+    pub fn places(&self, corners: [u32; 3]) -> [DVec3; 3] {
+        corners.map(|corner| self.points[corner as usize])
+    }
+
     /// Twice the area of a triangle with these corners, along its normal.
     pub fn normal_of(&self, corners: [u32; 3]) -> DVec3 {
-        let [a, b, c] = corners.map(|corner| self.points[corner as usize]);
+        let [a, b, c] = self.places(corners);
         (b - a).cross(c - a)
     }
 
     /// That of a triangle.
     pub fn normal(&self, triangle: u32) -> DVec3 {
         self.normal_of(self.triangles[triangle as usize])
+    }
+
+    /// How many edges have triangles on their two sides that face against each other, of those which triangles with
+    /// these corners would have, at these places and in place of the `replaced` ones.
+    pub fn folds(
+        &self,
+        replaced: &[u32],
+        triangles: &[[u32; 3]],
+        place: impl Fn(u32) -> DVec3,
+    ) -> usize {
+        let normal = |corners: &[u32; 3]| {
+            let [a, b, c] = corners.map(&place);
+            (b - a).cross(c - a)
+        };
+        let normals: Vec<DVec3> = triangles.iter().map(normal).collect();
+        let fold_at = |index: usize| {
+            let [a, b, c] = triangles[index];
+            let among = (0..index).filter(|&other| {
+                let shared = |corner: &&u32| triangles[other].contains(corner);
+                normals[other].dot(normals[index]) < 0.0
+                    && [a, b, c].iter().filter(shared).count() == 2
+            });
+            let outside = [[a, b], [b, c], [c, a]].into_iter().flat_map(|[from, to]| {
+                let neighbours = self.around(from).iter();
+                neighbours.filter(move |&&triangle| {
+                    self.triangles[triangle as usize].contains(&to) && !replaced.contains(&triangle)
+                })
+            });
+            among.count() + outside.filter(|&&t| self.normal(t).dot(normals[index]) < 0.0).count()
+        };
+        (0..triangles.len()).map(fold_at).sum()
     }
 
     /// Adds a vertex in the middle of two.
@@ -242,6 +278,16 @@ pub(super) fn middle(one: &[(u32, f64)], other: &[(u32, f64)]) -> Vec<(u32, f64)
         is_same
     });
     all
+}
+
+/// No triangle becomes narrower than this, by its [`width`], unless it has been so before: the normal of one that is
+/// almost a line is rounding, and says nothing of whether it turns over.
+pub(super) const LEAST_WIDTH: f64 = 0.05;
+
+/// The height of a triangle over its longest side, in units of that.
+pub(super) fn width([a, b, c]: [DVec3; 3]) -> f64 {
+    let longest = a.distance_squared(b).max(b.distance_squared(c)).max(c.distance_squared(a));
+    if longest > 0.0 { (b - a).cross(c - a).length() / longest } else { 0.0 }
 }
 
 /// Whether two normals, of any length above 0, are within 60 degrees of each other.

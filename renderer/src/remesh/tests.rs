@@ -3,6 +3,7 @@ use std::f64::consts::TAU;
 
 use proptest::prelude::*;
 
+use super::surface::{LEAST_WIDTH, width};
 use super::*;
 
 /// A closed surface over a grid that meets itself on both sides: with `pole` a ball, else a ring.
@@ -88,6 +89,13 @@ fn lengths(mesh: &Mesh) -> Vec<f64> {
     half_edges(mesh).keys().map(|&[a, b]| at(a).distance(at(b))).collect()
 }
 
+/// The width of the narrowest triangle.
+fn narrowest(mesh: &Mesh) -> f64 {
+    let surface = Surface::new(mesh);
+    let widths = mesh.triangles.iter().map(|&corners| width(surface.places(corners)));
+    widths.fold(f64::INFINITY, |least, width| if width >= least { least } else { width })
+}
+
 /// Area and volume.
 fn measures(mesh: &Mesh) -> [f64; 2] {
     let mut sums = [0.0; 2];
@@ -105,6 +113,7 @@ fn check_closed(mesh: &Mesh, edge_length: f64, tolerance: f64) -> Result<(), Tes
     prop_assert!(is_closed_surface(&new));
     prop_assert_eq!(euler(&new), euler(mesh));
     prop_assert_eq!(turned_over(&new), 0);
+    prop_assert!(narrowest(&new) >= LEAST_WIDTH, "{}", narrowest(&new));
     let lengths = lengths(&new);
     let fitting = lengths.iter().filter(|l| (0.5..=1.5).contains(&(**l / edge_length))).count();
     prop_assert!(fitting as f64 > 0.95 * lengths.len() as f64, "{} of {}", fitting, lengths.len());
@@ -122,6 +131,38 @@ fn check_closed(mesh: &Mesh, edge_length: f64, tolerance: f64) -> Result<(), Tes
     Ok(())
 }
 
+/// Middles of edges of flat faces lie on lines, where the normals of triangles between them are rounding.
+#[test]
+fn triangles_of_flat_faces_become_no_lines() {
+    for level in 0..3 {
+        for step in 0..40 {
+            let length = 0.9 * 0.93_f64.powi(step);
+            let mut mesh = ball(level, [0.0; 3]);
+            // Lengths fall step by step, as in a recovery.
+            for part in [2.0, 1.5, 1.2, 1.0] {
+                mesh = remesh(&mesh, length * part).unwrap().mesh;
+                assert!(narrowest(&mesh) >= LEAST_WIDTH, "{level} {length} {part}");
+            }
+        }
+    }
+}
+
+/// A ring whose thickness comes and goes three times.
+fn wavy_ring(around: u32, across: u32, wave: f64) -> Mesh {
+    let mesh = ring(around, across, |u, v| {
+        let r = 1.0 + (0.4 + wave * (3.0 * u).sin() * 0.5) * v.cos();
+        DVec3::new(r * u.cos(), r * u.sin(), 0.4 * v.sin())
+    });
+    assert_eq!(euler(&mesh), 0);
+    mesh
+}
+
+/// A collapse folded this one, and a flip beside that fold turned a triangle over, each by less than 60 degrees.
+#[test]
+fn small_turns_turn_no_triangle_over() -> Result<(), TestCaseError> {
+    check_closed(&wavy_ring(17, 10, 0.17644514210353549), 0.17874221427767248, 0.08)
+}
+
 proptest! {
     #![proptest_config(ProptestConfig { cases: 40, failure_persistence: None, ..ProptestConfig::default() })]
 
@@ -132,12 +173,7 @@ proptest! {
 
     #[test]
     fn rings_stay_rings(around in 8_u32..40, across in 6_u32..20, wave in 0.0..0.2, length in 0.08..0.18) {
-        let mesh = ring(around, across, |u, v| {
-            let r = 1.0 + (0.4 + wave * (3.0 * u).sin() * 0.5) * v.cos();
-            DVec3::new(r * u.cos(), r * u.sin(), 0.4 * v.sin())
-        });
-        prop_assert_eq!(euler(&mesh), 0);
-        check_closed(&mesh, length, 0.08)?;
+        check_closed(&wavy_ring(around, across, wave), length, 0.08)?;
     }
 
     /// Any noise: what is folded may stay so, but no surface tears or grows together.
@@ -311,5 +347,119 @@ fn corners_stay() {
             let [before, after] = [measures(&mesh), measures(&new)].map(|[_, volume]| volume);
             assert!(after > 0.7 * before, "{level} {length}: {after} {before}");
         }
+    }
+}
+
+/// The triangles of several meshes, as one.
+fn together(meshes: &[&Mesh]) -> Mesh {
+    let (mut vertices, mut triangles) = (Vec::new(), Vec::new());
+    for mesh in meshes {
+        let first = vertices.len() as u32;
+        triangles.extend(mesh.triangles.iter().map(|corners| corners.map(|c| c + first)));
+        vertices.extend(&mesh.vertices);
+    }
+    Mesh::new("all", vertices, triangles)
+}
+
+fn moved(mesh: &Mesh, by: DVec3) -> Mesh {
+    let vertices = mesh.vertices.iter().map(|&vertex| (DVec3::from(vertex) + by).to_array());
+    Mesh { vertices: vertices.collect(), ..mesh.clone() }
+}
+
+/// A ring around the y axis whose tube has a radius.
+fn torus(tube: f64) -> Mesh {
+    ring(40, 20, |around, across| {
+        let reach = 1.0 + tube * across.cos();
+        DVec3::new(reach * around.cos(), tube * across.sin(), reach * around.sin())
+    })
+}
+
+#[test]
+fn triangles_that_go_through_others_are_counted() {
+    let ball = ball(2, [0.0; 3]);
+    for mesh in [&ball, &torus(0.6)] {
+        assert_eq!(self_intersecting(mesh), 0);
+        // Far from the middle, too.
+        assert_eq!(self_intersecting(&moved(mesh, DVec3::new(1e6, 0.0, -3e5))), 0);
+    }
+    // The tube is wider than the ring.
+    assert!(self_intersecting(&torus(1.2)) > 40);
+    // In by one triangle and out by another.
+    let needle = Mesh::new(
+        "needle",
+        vec![[-2.0, 0.21, 0.17], [-2.0, 0.22, 0.17], [2.0, 0.21, 0.18]],
+        vec![[0, 1, 2]],
+    );
+    assert_eq!(self_intersecting(&together(&[&ball, &needle])), 3);
+    let within = moved(&needle, DVec3::X * 5.0);
+    assert_eq!(self_intersecting(&together(&[&ball, &within])), 0);
+    let apart = moved(&ball, DVec3::X * 2.001);
+    assert_eq!(self_intersecting(&together(&[&ball, &apart])), 0);
+    let closer = moved(&ball, DVec3::new(1.9, 0.01, 0.02));
+    let both = self_intersecting(&together(&[&ball, &closer]));
+    assert!(both > 4 && both < 60, "{both}");
+}
+
+/// Vertices that a mesh has twice, triangles upon triangles and such that only touch go through nothing.
+#[test]
+fn seams_and_contact_are_no_intersections() {
+    let ball = ball(2, [0.1, 0.2, 0.0]);
+    let corners = ball.triangles.as_flattened().iter().map(|&c| ball.vertices[c as usize]);
+    let count = ball.triangles.len() as u32;
+    let soup = Mesh::new(
+        "soup",
+        corners.collect(),
+        (0..count).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect(),
+    );
+    assert_eq!(self_intersecting(&soup), 0);
+    assert_eq!(self_intersecting(&together(&[&soup, &soup])), 0);
+    let floor = Mesh::new(
+        "floor",
+        vec![[-1.0, 0.0, -1.0], [3.0, 0.0, -1.0], [-1.0, 0.0, 3.0]],
+        vec![[0, 1, 2]],
+    );
+    let standing = Mesh::new(
+        "standing",
+        vec![[0.0, 0.0, 0.0], [0.1, 1.0, 0.0], [0.0, 1.0, 0.1]],
+        vec![[0, 1, 2]],
+    );
+    assert_eq!(self_intersecting(&together(&[&floor, &standing])), 0);
+    // By a billionth it does.
+    let sunken = moved(&standing, DVec3::NEG_Y * 1e-9);
+    assert_eq!(self_intersecting(&together(&[&floor, &sunken])), 2);
+    // Edge through edge, at one point of both.
+    let [a, b, c] = [[0.5, -1.0, -1.0], [0.5, 1.0, -1.0], [0.5, 0.0, -2.0]];
+    let crossing = Mesh::new("crossing", vec![a, b, c], vec![[0, 1, 2]]);
+    assert_eq!(self_intersecting(&together(&[&floor, &crossing])), 2);
+}
+
+/// Where an edge meets a plane, by division, and whether that is within the triangle.
+fn is_pierced([p, q]: [DVec3; 2], [a, b, c]: [DVec3; 3]) -> bool {
+    let normal = (b - a).cross(c - a);
+    let along = normal.dot(a - p) / normal.dot(q - p);
+    let place = p + along * (q - p);
+    let inside = |from: DVec3, to: DVec3| normal.dot((to - from).cross(place - from)) > 0.0;
+    (0.0..1.0).contains(&along) && inside(a, b) && inside(b, c) && inside(c, a)
+}
+
+proptest! {
+    #[test]
+    fn intersections_are_those_of_all_pairs(
+        corners in prop::collection::vec(prop::array::uniform3(-1.0_f64..1.0), 3..120),
+    ) {
+        let count = corners.len() as u32 / 3;
+        let triangles: Vec<[u32; 3]> = (0..count).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect();
+        let mesh = Mesh::new("soup", corners, triangles);
+        let places: Vec<[DVec3; 3]> =
+            mesh.triangles.iter().map(|t| t.map(|c| mesh.vertices[c as usize].into())).collect();
+        let cross = |one: [DVec3; 3], other: [DVec3; 3]| {
+            let edges = |[a, b, c]: [DVec3; 3]| [[a, b], [b, c], [c, a]];
+            edges(one).into_iter().any(|edge| is_pierced(edge, other))
+                || edges(other).into_iter().any(|edge| is_pierced(edge, one))
+        };
+        let is_crossed = |&i: &usize| {
+            (0..places.len()).any(|j| i != j && cross(places[i], places[j]))
+        };
+        prop_assert_eq!(self_intersecting(&mesh), (0..places.len()).filter(is_crossed).count());
     }
 }
