@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 use renderer::experiment::{Experiment, OptimizeSection, Target, TunedParameter};
-use renderer::optimize::{Lbfgs, Optimizer, Outcome, Quiet, Settings as OptimizeSettings};
+use renderer::optimize::{Lbfgs, Optimizer, Outcome, Quiet, Settings as OptimizeSettings, Starts};
 use renderer::recovery::Recovery;
 use renderer::{
     Camera, DistantLight, Edges, Error, Material, Mesh, Sampling, Scene, Settings, SphereObject,
@@ -10,6 +10,9 @@ use renderer::{
 
 /// Where the camera of the target stands, and where it looks.
 pub const TRUTH: [DVec3; 2] = [DVec3::new(1.2, 2.6, 5.2), DVec3::new(0.1, 0.5, 0.0)];
+
+/// How far starts are spread along each axis: where the camera stands, and where it looks.
+const SPREADS: [f64; 2] = [1.5, 0.3];
 
 /// A tent and two balls on a floor under a distant light: all of them matt, so that a face has the same
 /// radiance from everywhere, and nothing but edges tells where the camera is.
@@ -45,15 +48,26 @@ fn scene(size: u32, [look_from, look_at]: [DVec3; 2]) -> Result<Scene, Error> {
     Ok(scene)
 }
 
-/// The problem: from `start` to the true camera.
-pub fn experiment(size: u32, start: [DVec3; 2]) -> Result<Experiment, Error> {
+/// The problem: from `start` to the true camera, with images that are halved so often to begin with, and from so
+/// many starts around it.
+pub fn experiment(
+    size: u32,
+    start: [DVec3; 2],
+    coarse_to_fine: u32,
+    starts: u32,
+) -> Result<Experiment, Error> {
     let scene = scene(size, start)?;
     let ids = [scene.parameter("camera.look_from")?, scene.parameter("camera.look_at")?];
-    let parameters = ids.map(TunedParameter::new);
+    let parameters = ids.into_iter().zip(SPREADS).map(|(id, spread)| {
+        let spread = Some(vec![spread; 3]);
+        TunedParameter { spread, ..TunedParameter::new(id) }
+    });
     let truth = TRUTH.map(|point| point.to_array().to_vec());
     let section = OptimizeSection {
-        parameters: parameters.to_vec(),
+        parameters: parameters.collect(),
         target: Some(Target::Values(ids.into_iter().zip(truth).collect())),
+        coarse_to_fine,
+        starts: (starts > 1).then_some(Starts { count: starts, seed: 1 }),
         ..OptimizeSection::default()
     };
     Ok(Experiment::new(scene, Some(section)))

@@ -5,7 +5,8 @@
 //! The picture shows matt objects under a distant light: without edges the gradient by the camera is zero,
 //! or almost. 20 cameras are up to 40 % of the distance off along each axis. `out/camera_pose/` gets a
 //! strip of images (start, found without edges, found with edges, target) of the first three, and the loss
-//! curves of L-BFGS.
+//! curves of L-BFGS. With edges it also goes from coarse images to fine ones, from one start and from the best
+//! of 16.
 
 mod experiment;
 #[path = "../shared/plot.rs"]
@@ -36,6 +37,9 @@ const STEPS: u64 = 80;
 const STARTS: usize = 20;
 const SHOWN: usize = 3;
 const SPREAD: f64 = 0.4;
+/// With or without edges, how often images are halved to begin with, and from how many starts.
+const RUNS: [(Edges, u32, u32); 4] =
+    [(Edges::Off, 0, 1), (Edges::On, 0, 1), (Edges::On, 3, 1), (Edges::On, 3, 16)];
 /// How far from the truth a find may be, in place and in direction.
 const NEAR: f64 = 0.02;
 
@@ -57,16 +61,16 @@ fn main() -> Result<(), Error> {
     }
     let mut curves = Vec::new();
     let mut images = vec![Vec::new(); SHOWN];
-    for edges in [Edges::Off, Edges::On] {
+    for (edges, coarse_to_fine, count) in RUNS {
         let (mut found, mut seconds) = (0, 0.0);
         for (index, &start) in starts.iter().enumerate() {
-            let experiment = experiment::experiment(SIZE, start)?;
+            let experiment = experiment::experiment(SIZE, start, coarse_to_fine, count)?;
             let recovery = experiment::recovery(&experiment, edges)?;
             let outcome = experiment::run(&recovery, STEPS)?;
             let (distance, angle) = experiment::error(&outcome);
             found += usize::from(distance < NEAR && angle < NEAR);
             seconds += outcome.seconds;
-            if let Some(images) = images.get_mut(index) {
+            if let (0, Some(images)) = (coarse_to_fine, images.get_mut(index)) {
                 println!(
                     "start {}, {:.2} off, {}: {distance:.5} off, {angle:.5} in direction; loss ratio {:.1e}, {} iterations",
                     index + 1,
@@ -86,7 +90,10 @@ fn main() -> Result<(), Error> {
                 }
             }
         }
-        println!("{}: {found} of {STARTS} found within {NEAR}, {seconds:.1} s", named(edges));
+        println!(
+            "{}, {coarse_to_fine} levels, {count} starts: {found} of {STARTS} found within {NEAR}, {seconds:.1} s",
+            named(edges)
+        );
     }
     for (index, images) in images.iter().enumerate() {
         let scale = images.last().map_or(1.0, |target| 1.0 / brightest(target));

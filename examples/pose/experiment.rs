@@ -171,9 +171,10 @@ pub fn experiment(
     Ok(Experiment::new(scene, Some(section)))
 }
 
-/// The problem, ready to run. Without edges pixels are means of four by four samples.
+/// The problem, ready to run. Without edges pixels are means of four by four samples, with edges of two by two:
+/// triangles of a mesh are smaller than pixels.
 pub fn recovery<'a>(experiment: &'a Experiment, edges: Edges) -> Result<Recovery<'a>, Error> {
-    let side = if edges == Edges::Off { 4 } else { 1 };
+    let side = if edges == Edges::Off { 4 } else { 2 };
     let sampling = Sampling::Grid(side);
     Recovery::new(experiment, "pose", &Settings { edges, sampling, ..Settings::default() })
 }

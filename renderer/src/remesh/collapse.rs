@@ -100,8 +100,8 @@ fn keeps_topology(surface: &Surface, gone: u32, stays: u32, apexes: [u32; 2]) ->
         .any(|moved| staying.contains(&moved))
 }
 
-/// Whether with both ends at a place no triangle around turns over or becomes narrow, the surface has no more folds, and
-/// no edge becomes longer than `longest`.
+/// Whether with both ends at a place no triangle around turns over or becomes narrow, a surface without folds gets
+/// none, and no edge becomes longer than `longest`.
 fn keeps_shape(surface: &Surface, [gone, stays]: [u32; 2], place: DVec3, longest: f64) -> bool {
     let mut around = [gone, stays].map(|end| surface.around(end)).concat();
     around.sort_unstable();
@@ -126,5 +126,5 @@ fn keeps_shape(surface: &Surface, [gone, stays]: [u32; 2], place: DVec3, longest
         are_alike(before, after)
             && width([a, b, c]) >= width(surface.places(corners)).min(LEAST_WIDTH)
             && lengths.iter().all(|&length| length <= longest)
-    }) && surface.folds(&around, &after, then) <= surface.folds(&around, &before, now)
+    }) && (!surface.has_folds(&around, &after, then) || surface.has_folds(&around, &before, now))
 }

@@ -41,8 +41,9 @@ fn flip(surface: &mut Surface, [a, b]: [u32; 2], one: Side, other: Side) {
     }
     let pair = [one.triangle, other.triangle];
     let corners = pair.map(|triangle| surface.triangles[triangle as usize]);
-    let folds = |corners| surface.folds(&pair, corners, |corner| surface.points[corner as usize]);
-    if folds(&flipped) > folds(&corners) {
+    let is_folded =
+        |corners| surface.has_folds(&pair, corners, |corner| surface.points[corner as usize]);
+    if is_folded(&flipped) && !is_folded(&corners) {
         return;
     }
     surface.replace(one.triangle, b, d);

@@ -8,7 +8,8 @@
 //!
 //! What a surface is stays: a closed one stays closed, with as many handles and parts. An edge collapses or flips only
 //! if no triangle turns over or becomes almost a line by that, none comes to lie on another, no two parts grow together, and
-//! no more neighbours face against each other than before.
+//! no neighbours face against each other unless some there did before. Turned down: as few as before, at most; where
+//! vertices have folded a surface, that keeps its folds.
 
 mod collapse;
 mod crossing;

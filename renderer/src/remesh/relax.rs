@@ -25,18 +25,18 @@ pub(super) fn relax(surface: &mut Surface) {
         let sum: DVec3 =
             neighbours.iter().map(|&neighbour| surface.points[neighbour as usize] - old).sum();
         let way = sum / neighbours.len() as f64;
-        let folds = |surface: &Surface| {
+        let is_folded = |surface: &Surface| {
             let around = surface.around(vertex);
             let corners: Vec<_> =
                 around.iter().map(|&triangle| surface.triangles[triangle as usize]).collect();
-            surface.folds(around, &corners, |corner| surface.points[corner as usize])
+            surface.has_folds(around, &corners, |corner| surface.points[corner as usize])
         };
-        let folded = folds(surface);
+        let was_folded = is_folded(surface);
         surface.points[vertex as usize] = old + (way - normal * normal.dot(way));
         let is_kept = |(&(before, narrow), (after, wide)): (&(DVec3, f64), (DVec3, f64))| {
             (before == DVec3::ZERO || are_alike(before, after)) && wide >= narrow.min(LEAST_WIDTH)
         };
-        if !before.iter().zip(shapes(surface)).all(is_kept) || folds(surface) > folded {
+        if !before.iter().zip(shapes(surface)).all(is_kept) || !was_folded && is_folded(surface) {
             surface.points[vertex as usize] = old;
         }
     }

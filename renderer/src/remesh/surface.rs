@@ -160,35 +160,36 @@ impl Surface {
         self.normal_of(self.triangles[triangle as usize])
     }
 
-    /// How many edges have triangles on their two sides that face against each other, of those which triangles with
-    /// these corners would have, at these places and in place of the `replaced` ones.
-    pub fn folds(
+    /// Whether neighbours would face against each other, if triangles with these corners, at these places, took the
+    /// place of the `replaced` ones.
+    pub fn has_folds(
         &self,
         replaced: &[u32],
         triangles: &[[u32; 3]],
         place: impl Fn(u32) -> DVec3,
-    ) -> usize {
+    ) -> bool {
         let normal = |corners: &[u32; 3]| {
             let [a, b, c] = corners.map(&place);
             (b - a).cross(c - a)
         };
         let normals: Vec<DVec3> = triangles.iter().map(normal).collect();
-        let fold_at = |index: usize| {
+        (0..triangles.len()).any(|index| {
+            let is_against = |other: DVec3| other.dot(normals[index]) < 0.0;
             let [a, b, c] = triangles[index];
-            let among = (0..index).filter(|&other| {
-                let shared = |corner: &&u32| triangles[other].contains(corner);
-                normals[other].dot(normals[index]) < 0.0
-                    && [a, b, c].iter().filter(shared).count() == 2
-            });
-            let outside = [[a, b], [b, c], [c, a]].into_iter().flat_map(|[from, to]| {
-                let neighbours = self.around(from).iter();
-                neighbours.filter(move |&&triangle| {
-                    self.triangles[triangle as usize].contains(&to) && !replaced.contains(&triangle)
+            let is_neighbour = |other: &[u32; 3]| {
+                [a, b, c].iter().filter(|corner| other.contains(corner)).count() == 2
+            };
+            let mut among = triangles[..index].iter().zip(&normals);
+            let mut sides = [[a, b], [b, c], [c, a]].into_iter();
+            among.any(|(other, &normal)| is_against(normal) && is_neighbour(other))
+                || sides.any(|[from, to]| {
+                    self.around(from).iter().any(|triangle| {
+                        self.triangles[*triangle as usize].contains(&to)
+                            && !replaced.contains(triangle)
+                            && is_against(self.normal(*triangle))
+                    })
                 })
-            });
-            among.count() + outside.filter(|&&t| self.normal(t).dot(normals[index]) < 0.0).count()
-        };
-        (0..triangles.len()).map(fold_at).sum()
+        })
     }
 
     /// Adds a vertex in the middle of two.
