@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use super::surface::{Edge, LEAST_WIDTH, Surface, are_alike, middle, width};
+use super::surface::{Edge, LEAST_WIDTH, Surface, are_alike, middle, normal, width};
 
 /// Collapses edges shorter than `shortest`, the shortest first, as long as no edge becomes longer than `longest`.
 pub(super) fn collapse_short(surface: &mut Surface, shortest: f64, longest: f64) {
@@ -115,16 +115,15 @@ fn keeps_shape(surface: &Surface, [gone, stays]: [u32; 2], place: DVec3, longest
         .map(|corners| corners.map(|corner| if corner == gone { stays } else { corner }))
         .collect();
     let region: DVec3 = before.iter().map(|&corners| surface.normal_of(corners)).sum();
-    let now = |corner: u32| surface.points[corner as usize];
-    let then = |corner: u32| if corner == stays { place } else { now(corner) };
+    let then = |corner: u32| if corner == stays { place } else { surface.points[corner as usize] };
     others.zip(&after).all(|(&corners, moved)| {
         let [a, b, c] = moved.map(then);
-        let (before, after) = (surface.normal_of(corners), (b - a).cross(c - a));
+        let (before, after) = (surface.normal_of(corners), normal([a, b, c]));
         // What had no area turns no way, but to that of its neighbours.
         let before = if before == DVec3::ZERO { region } else { before };
         let lengths = [a.distance(b), b.distance(c), c.distance(a)];
         are_alike(before, after)
             && width([a, b, c]) >= width(surface.places(corners)).min(LEAST_WIDTH)
             && lengths.iter().all(|&length| length <= longest)
-    }) && (!surface.has_folds(&around, &after, then) || surface.has_folds(&around, &before, now))
+    }) && !surface.adds_folds(&around, &after, then)
 }

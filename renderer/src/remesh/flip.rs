@@ -39,11 +39,8 @@ fn flip(surface: &mut Surface, [a, b]: [u32; 2], one: Side, other: Side) {
     {
         return;
     }
-    let pair = [one.triangle, other.triangle];
-    let corners = pair.map(|triangle| surface.triangles[triangle as usize]);
-    let is_folded =
-        |corners| surface.has_folds(&pair, corners, |corner| surface.points[corner as usize]);
-    if is_folded(&flipped) && !is_folded(&corners) {
+    let place = |corner: u32| surface.points[corner as usize];
+    if surface.adds_folds(&[one.triangle, other.triangle], &flipped, place) {
         return;
     }
     surface.replace(one.triangle, b, d);

@@ -151,8 +151,7 @@ impl Surface {
 
     /// Twice the area of a triangle with these corners, along its normal.
     pub fn normal_of(&self, corners: [u32; 3]) -> DVec3 {
-        let [a, b, c] = self.places(corners);
-        (b - a).cross(c - a)
+        normal(self.places(corners))
     }
 
     /// That of a triangle.
@@ -161,18 +160,26 @@ impl Surface {
     }
 
     /// Whether neighbours would face against each other, if triangles with these corners, at these places, took the
-    /// place of the `replaced` ones.
-    pub fn has_folds(
+    /// place of the `replaced` ones, where no neighbours do now.
+    pub fn adds_folds(
         &self,
         replaced: &[u32],
         triangles: &[[u32; 3]],
         place: impl Fn(u32) -> DVec3,
     ) -> bool {
-        let normal = |corners: &[u32; 3]| {
-            let [a, b, c] = corners.map(&place);
-            (b - a).cross(c - a)
-        };
-        let normals: Vec<DVec3> = triangles.iter().map(normal).collect();
+        let now: Vec<_> = replaced.iter().map(|&index| self.triangles[index as usize]).collect();
+        self.has_folds(replaced, triangles, place)
+            && !self.has_folds(replaced, &now, |corner| self.points[corner as usize])
+    }
+
+    fn has_folds(
+        &self,
+        replaced: &[u32],
+        triangles: &[[u32; 3]],
+        place: impl Fn(u32) -> DVec3,
+    ) -> bool {
+        let normals: Vec<DVec3> =
+            triangles.iter().map(|corners| normal(corners.map(&place))).collect();
         (0..triangles.len()).any(|index| {
             let is_against = |other: DVec3| other.dot(normals[index]) < 0.0;
             let [a, b, c] = triangles[index];
@@ -285,10 +292,15 @@ pub(super) fn middle(one: &[(u32, f64)], other: &[(u32, f64)]) -> Vec<(u32, f64)
 /// almost a line is rounding, and says nothing of whether it turns over.
 pub(super) const LEAST_WIDTH: f64 = 0.05;
 
+/// Twice the area of a triangle with corners at these places, along its normal.
+pub(super) fn normal([a, b, c]: [DVec3; 3]) -> DVec3 {
+    (b - a).cross(c - a)
+}
+
 /// The height of a triangle over its longest side, in units of that.
 pub(super) fn width([a, b, c]: [DVec3; 3]) -> f64 {
     let longest = a.distance_squared(b).max(b.distance_squared(c)).max(c.distance_squared(a));
-    if longest > 0.0 { (b - a).cross(c - a).length() / longest } else { 0.0 }
+    if longest > 0.0 { normal([a, b, c]).length() / longest } else { 0.0 }
 }
 
 /// Whether two normals, of any length above 0, are within 60 degrees of each other.
