@@ -1,6 +1,7 @@
 //! Gradients with edges: against differences of finely sampled images, and of the coverage image.
 
 use renderer::glam::DVec3;
+use renderer::scene::MaterialObject;
 use renderer::{
     Camera, DistantLight, Edges, Image, Material, Mesh, Pass, PixelLoss, PointLight, Renderer,
     Sampling, Scene, Settings, SphereObject, render, render_jvp, render_vjp,
@@ -246,6 +247,56 @@ fn shadows_on_a_floor() {
     }
 }
 
+/// Light comes through one surface, through another, through both, and through front and back of a ball; a part of
+/// it is in the shadow of what is opaque.
+fn add_transparent(scene: &mut Scene) {
+    let veil = MaterialObject::from(Material::lambertian(DVec3::new(0.2, 0.5, 0.6)));
+    let veil = scene.add_material("veil", veil.with_opacity(0.6)).unwrap();
+    let corners = vec![
+        [-0.61, 1.33, 0.1],
+        [0.73, 1.21, 0.3],
+        [0.14, 1.5, -0.7],
+        [0.3, 1.9, 0.4],
+        [1.1, 1.8, 0.5],
+        [0.8, 1.9, -0.6],
+    ];
+    let panes = Mesh::new("panes", corners, vec![[0, 1, 2], [3, 4, 5]]).material(veil);
+    scene.add_mesh(panes).unwrap();
+    let ball = SphereObject::new("glass", DVec3::new(-0.9, 0.7, -0.2), 0.4).material(veil);
+    scene.add_sphere(ball).unwrap();
+}
+
+#[test]
+fn shadows_of_transparent_surfaces() {
+    let mut scene = scene();
+    add_floor(&mut scene, 0.0);
+    add_transparent(&mut scene);
+    add_triangle(&mut scene);
+    add_lamp(&mut scene);
+    add_sun(&mut scene);
+    for path in ["light.lamp.position", "light.sun.direction"] {
+        check(&scene, path, 4, 1e-2);
+    }
+    for path in ["mesh.panes.translation", "sphere.glass.center"] {
+        check(&scene, path, 4, 0.1);
+    }
+}
+
+/// What transparent surfaces leave of a light ends where they pierce what it falls on.
+#[test]
+fn transparent_surfaces_pierce_others() {
+    let mut scene = scene();
+    add_triangle(&mut scene);
+    let veil = MaterialObject::from(Material::lambertian(DVec3::new(0.2, 0.5, 0.6)));
+    let veil = scene.add_material("veil", veil.with_opacity(0.6)).unwrap();
+    let corners = vec![[0.1, 0.6, 0.4], [0.9, 0.5, 0.5], [0.6, 0.7, -0.6]];
+    scene.add_mesh(Mesh::new("pane", corners, vec![[0, 1, 2]]).material(veil)).unwrap();
+    add_sun(&mut scene);
+    for path in ["mesh.pane.translation", "light.sun.direction"] {
+        check(&scene, path, 4, 3e-2);
+    }
+}
+
 #[test]
 fn ridges() {
     let mut scene = scene();
@@ -389,6 +440,8 @@ fn forward_and_reverse_mode_agree() {
     let mut scene = scene();
     add_floor(&mut scene, 0.4);
     add_wedge(&mut scene);
+    add_transparent(&mut scene);
+    scene.spheres.clear();
     add_lamp(&mut scene);
     for path in ["camera.look_from", "mesh.shape.vertices", "light.lamp.position"] {
         let id = scene.parameter(path).unwrap();

@@ -8,6 +8,7 @@ use rayon::prelude::*;
 
 use super::crossing::{Crossing, Layer, Link, Search};
 use super::geometry::Geometry;
+use super::lit::LitThrough;
 use super::sight::Sights;
 use super::slender::Slender;
 use crate::counts::flush;
@@ -50,7 +51,9 @@ pub struct Band {
     /// By crossing: the radiance on both sides.
     pub radiance: Vec<[DVec3; 2]>,
     /// The surfaces of the paths on the sides.
-    hits: Vec<KnownHit>,
+    pub(super) hits: Vec<KnownHit>,
+    /// What lights come through there, crossing by crossing.
+    pub(super) lit_through: Vec<LitThrough>,
     /// By link: its first crossing. Links come row by row and column by column, that to the right before
     /// that downwards.
     starts: Vec<u32>,
@@ -95,8 +98,9 @@ impl Band {
         }
         starts.push(search.crossings.len() as u32);
         let Search { crossings, hits, .. } = search;
-        let mut band =
-            Self { crossings, radiance: Vec::new(), hits, starts, columns: sights.columns };
+        let (radiance, lit_through, columns) = (Vec::new(), Vec::new(), sights.columns);
+        let mut band = Self { crossings, radiance, hits, lit_through, starts, columns };
+        band.find_lit_through(geometry, length);
         band.radiance = band.sides(geometry, known, path);
         band
     }
@@ -181,8 +185,11 @@ impl Band {
         paths.clear();
         let lights = geometry.edged_lights();
         for crossing in crossings {
-            for side in crossing.sides {
+            for (index, side) in crossing.sides.into_iter().enumerate() {
                 paths.push(geometry.film(crossing.place), side.of(&self.hits), lights);
+                for lit in self.lit_through(crossing, index) {
+                    paths.push_through(lit.depth, lit.light, &lit.surfaces);
+                }
             }
         }
     }

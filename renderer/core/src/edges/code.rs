@@ -18,9 +18,14 @@ pub fn code(known: &KnownHit) -> u32 {
 }
 
 /// What a [code](code) stands for.
-pub fn decode(code: u32, blocked: u64) -> KnownHit {
+pub fn decode(code: u32) -> KnownHit {
     match code {
-        NO_PRIMITIVE => KnownHit { primitive: code, leaves: false, blocked },
-        _ => KnownHit { primitive: code & !LEAVES, leaves: code & LEAVES != 0, blocked },
+        NO_PRIMITIVE => KnownHit { primitive: code, leaves: false, blocked: 0, filters: 0 },
+        _ => KnownHit {
+            primitive: code & !LEAVES,
+            leaves: code & LEAVES != 0,
+            blocked: 0,
+            filters: 0,
+        },
     }
 }

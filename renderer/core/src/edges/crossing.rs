@@ -3,8 +3,8 @@
 //! A link is searched without rays where its samples say what lies on both sides: the ray is followed
 //! analytically through the surfaces that both have in common, and the outlines of the two surfaces that
 //! differ are left at roots of the [numbers of their edges](crate::transport::edge). One path is traced
-//! on the far side of each silhouette, to find what else comes between, and a shadow ray beyond each
-//! shadow edge. Facing away from a light counts as not blocked: what changes there is continuous.
+//! on the far side of each silhouette, to find what else comes between. Where both sides see the same
+//! surfaces, the edges of [shadows](super::shadow) are looked for.
 
 use super::code::code;
 use super::geometry::{Edge, Geometry};
@@ -16,16 +16,13 @@ use crate::trace::bvh::NO_PRIMITIVE;
 use crate::transport::camera::Ray;
 
 /// How far beyond an edge what lies behind it is looked for, as a part of the link.
-const BEYOND: f64 = 1e-4;
+pub(super) const BEYOND: f64 = 1e-4;
 
 /// Up to this distance, as a part of the link, two outlines meet in an edge that they share.
 const SHARED: f64 = 1e-9;
 
 /// How often a link is divided.
 const MOST_DIVISIONS: usize = 14;
-
-/// How many surfaces a shadow edge is followed over.
-const MOST_BLOCKERS: usize = 64;
 
 /// Edges that are shorter in the image than this, in distances between samples, count crossing by
 /// crossing: which of them a cell joins would depend on which it happens to see.
@@ -85,6 +82,8 @@ pub struct Crossing {
     pub slope: f64,
     /// Whether the edge is so short in the image that it may not reach from cell to cell.
     pub is_short: bool,
+    /// Where what its sides are [lit through](super::lit::LitThrough) starts and ends.
+    pub lit_through: [u32; 2],
 }
 
 /// The line between two neighbouring samples.
@@ -99,7 +98,7 @@ pub struct Link {
 }
 
 impl Link {
-    fn place(&self, at: f64) -> [f64; 2] {
+    pub(super) fn place(&self, at: f64) -> [f64; 2] {
         let mut place = self.start;
         place[self.axis] += at * self.length;
         place
@@ -108,16 +107,16 @@ impl Link {
 
 /// A part of a link, with what is seen at its ends.
 #[derive(Clone, Copy)]
-struct Part {
-    from: f64,
-    to: f64,
-    first: Path,
-    last: Path,
+pub(super) struct Part {
+    pub from: f64,
+    pub to: f64,
+    pub first: Path,
+    pub last: Path,
 }
 
 /// The search along the links of a row.
 pub struct Search<'a, L: Plain> {
-    geometry: Geometry<'a, L>,
+    pub(super) geometry: Geometry<'a, L>,
     /// The paths, one after the other.
     pub hits: Vec<KnownHit>,
     pub crossings: Vec<Crossing>,
@@ -175,7 +174,7 @@ impl<'a, L: Plain> Search<'a, L> {
         let leads =
             self.geometry.walk(primitives, [start, end].map(|at| link.place(at)), &mut steps);
         // What is between the ends of a shadow is not known.
-        let is_over = leads && (steps.len() == 1 || a.blocked == b.blocked);
+        let is_over = leads && (steps.len() == 1 || have_same_light(&a, &b));
         if !is_over {
             steps.clear();
         }
@@ -188,7 +187,7 @@ impl<'a, L: Plain> Search<'a, L> {
             if !self.geometry.are_continuous(from, to) {
                 let at = start + at * (end - start);
                 self.emit(link, at, 0, Edge::Segment(edge), [before, after]);
-            } else if a.blocked != b.blocked {
+            } else if !have_same_light(&a, &b) {
                 self.shadows(link, part);
             }
             before = after;
@@ -198,7 +197,7 @@ impl<'a, L: Plain> Search<'a, L> {
     }
 
     /// The surfaces of a path.
-    fn of(&self, path: Path) -> &[KnownHit] {
+    pub(super) fn of(&self, path: Path) -> &[KnownHit] {
         &self.hits[path.start as usize..path.end as usize]
     }
 
@@ -296,7 +295,7 @@ impl<'a, L: Plain> Search<'a, L> {
     }
 
     /// The ray of a place on a link after the surfaces before `depth`.
-    fn ray(&self, link: &Link, path: Path, depth: usize, at: f64) -> Ray<f64> {
+    pub(super) fn ray(&self, link: &Link, path: Path, depth: usize, at: f64) -> Ray<f64> {
         self.geometry.ray(&self.of(path)[..depth], link.place(at))
     }
 
@@ -401,57 +400,6 @@ impl<'a, L: Plain> Search<'a, L> {
         is_between.then(|| low + root(behind, start, end) * (high - low))
     }
 
-    /// Adds the shadow edges between two ends that see the same surfaces.
-    fn shadows(&mut self, link: &Link, part: Part) {
-        let depths = self.of(part.first).len().min(self.of(part.last).len());
-        for depth in 0..depths {
-            let blocked = |path: Path| self.of(path)[depth].blocked;
-            let mut differs = blocked(part.first) ^ blocked(part.last);
-            while differs != 0 {
-                let light = differs.trailing_zeros() as usize;
-                differs &= differs - 1;
-                self.shadow(link, part, depth, light);
-            }
-        }
-    }
-
-    /// Adds the edge of the shadow of one light: outlines of blockers are left one after the other, from
-    /// the dark end on, until the light is seen.
-    fn shadow(&mut self, link: &Link, part: Part, depth: usize, light: usize) {
-        let is_first = self.of(part.first)[depth].blocked >> light & 1 == 1;
-        let (mut from, to) = if is_first { (part.from, part.to) } else { (part.to, part.from) };
-        let dark = if is_first { part.first } else { part.last };
-        let known = self.of(dark)[depth];
-        let blocker = |search: &Self, at: f64| {
-            let ray = search.ray(link, dark, depth, at);
-            search.geometry.blocker(light, &known, &ray, &search.geometry.meet(&known, ray))
-        };
-        let mut found = blocker(self, from);
-        for _ in 0..MOST_BLOCKERS {
-            let Some(in_front) = found else { return };
-            let shadow_ray = |at: f64| {
-                let ray = self.ray(link, dark, depth, at);
-                self.geometry.shadow_ray(light, &known, ray)
-            };
-            let Some((at, edge)) = self.geometry.exit(in_front.primitive, [from, to], shadow_ray)
-            else {
-                return;
-            };
-            let beyond = at + BEYOND * (to - from).signum();
-            let is_last = (to - beyond) * (to - from) <= 0.0;
-            found = if is_last { None } else { blocker(self, beyond) };
-            if found.is_none() {
-                let mut lit = self.of(dark).to_vec();
-                lit[depth].blocked &= !(1 << light);
-                let lit = self.path(|hits| hits.extend(lit));
-                let sides = if is_first { [dark, lit] } else { [lit, dark] };
-                self.emit_shadow(link, at, (depth, light), edge, sides);
-                return;
-            }
-            from = beyond;
-        }
-    }
-
     fn emit(&mut self, link: &Link, at: f64, depth: usize, edge: Edge, sides: [Path; 2]) {
         let layer = Layer::Surface(depth as u32);
         if let (0, Edge::Segment(ends)) = (depth, edge) {
@@ -470,29 +418,15 @@ impl<'a, L: Plain> Search<'a, L> {
         let slopes = slopes(link, at, number);
         self.crossings.extend(crossing(link, at, layer, edge, sides, slopes));
     }
+}
 
-    fn emit_shadow(
-        &mut self,
-        link: &Link,
-        at: f64,
-        (depth, light): (usize, usize),
-        edge: Edge,
-        sides: [Path; 2],
-    ) {
-        let number = |place: [f64; 2]| {
-            let path = self.of(sides[0]);
-            let ray = self.geometry.ray(&path[..depth], place);
-            let ray = self.geometry.shadow_ray(light, &path[depth], ray);
-            self.geometry.margin(edge, ray)
-        };
-        let layer = Layer::Shadow(depth as u32, light as u32);
-        let slopes = slopes(link, at, number);
-        self.crossings.extend(crossing(link, at, layer, edge, sides, slopes));
-    }
+/// Whether the same lights are seen from two points, through the same materials.
+fn have_same_light(a: &KnownHit, b: &KnownHit) -> bool {
+    (a.blocked, a.filters) == (b.blocked, b.filters)
 }
 
 /// The derivatives of the number of an edge by the place in the image, at a part of a link.
-fn slopes(link: &Link, at: f64, number: impl Fn([f64; 2]) -> f64) -> [f64; 2] {
+pub(super) fn slopes(link: &Link, at: f64, number: impl Fn([f64; 2]) -> f64) -> [f64; 2] {
     let (place, step) = (link.place(at), STEP * link.length);
     [0, 1].map(|axis| {
         let moved = |by: f64| {
@@ -505,7 +439,7 @@ fn slopes(link: &Link, at: f64, number: impl Fn([f64; 2]) -> f64) -> [f64; 2] {
 }
 
 /// A crossing at a part of a link, by the slopes of the number of its edge; nothing where these vanish.
-fn crossing(
+pub(super) fn crossing(
     link: &Link,
     at: f64,
     layer: Layer,
@@ -527,5 +461,6 @@ fn crossing(
         normal,
         slope: sign * length,
         is_short: false,
+        lit_through: [0; 2],
     })
 }

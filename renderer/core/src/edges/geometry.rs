@@ -6,7 +6,7 @@ use glam::DVec3;
 use super::code::decode;
 use crate::number::{Plain, widen};
 use crate::primal::integrator::Integrator;
-use crate::primal::known::KnownHit;
+use crate::primal::known::{KnownHit, Occluding};
 use crate::primal::shadow::SURFACE_ERROR;
 use crate::scene::{MOST_EDGED_LIGHTS, Slot, Transform};
 use crate::trace::adjacency::Adjacency;
@@ -49,6 +49,14 @@ pub struct Met {
     outward: DVec3,
     /// Where shadow rays start.
     start: DVec3,
+}
+
+/// What is between a surface point and a light.
+pub enum Shadow {
+    /// An opaque primitive.
+    Of(u32),
+    /// These transparent surfaces, and nothing that is opaque. None where the point does not face the light.
+    Through(Vec<Occluding>),
 }
 
 /// A scene in double precision, one ray at a time.
@@ -219,7 +227,7 @@ impl<'a, L: Plain> Geometry<'a, L> {
             Edge::Segment([a, b]) => segment_margin::<f64>(self.vertex(a), self.vertex(b), ray),
             Edge::Silhouette(primitive) => self.silhouette(primitive, ray),
             Edge::Intersection(surfaces) => {
-                let [a, b] = surfaces.map(|surface| self.depth(&decode(surface, 0), ray));
+                let [a, b] = surfaces.map(|surface| self.depth(&decode(surface), ray));
                 a - b
             }
         }
@@ -290,14 +298,21 @@ impl<'a, L: Plain> Geometry<'a, L> {
         for _ in 0..=layout.bounces {
             let met = tracer.bvh.nearest_but(from, origin.as_vec3(), ray.direction.as_vec3());
             let Some(met) = met else {
-                path.push(KnownHit { primitive: NO_PRIMITIVE, leaves: false, blocked: 0 });
+                path.push(decode(NO_PRIMITIVE));
                 return;
             };
-            let mut known = KnownHit { primitive: met.primitive, leaves: met.leaves, blocked: 0 };
+            let (blocked, filters) = (0, 0);
+            let mut known =
+                KnownHit { primitive: met.primitive, leaves: met.leaves, blocked, filters };
             let met_at = self.meet(&known, ray);
             for light in 0..self.edged_lights() {
-                let is_blocked = self.blocker(light, &known, &ray, &met_at).is_some();
-                known.blocked |= u64::from(is_blocked) << light;
+                match self.shadow(light, &known, &ray, &met_at) {
+                    Shadow::Of(_) => known.blocked |= 1 << light,
+                    Shadow::Through(surfaces) => {
+                        let filters = self.filters(light, &surfaces);
+                        known.filters = known.filters.wrapping_add(filters);
+                    }
+                }
             }
             path.push(known);
             if !self.integrator.goes_on_from(met.primitive as usize) {
@@ -313,21 +328,21 @@ impl<'a, L: Plain> Geometry<'a, L> {
         }
     }
 
-    /// An opaque primitive between a surface point that faces a light and the light.
-    pub fn blocker(
+    /// What is between a surface point that faces a light and the light.
+    pub fn shadow(
         &self,
         light: usize,
         known: &KnownHit,
         ray: &Ray<f64>,
         Met { surface, outward, start }: &Met,
-    ) -> Option<KnownHit> {
+    ) -> Shadow {
         let Integrator { layout, tracer, zero_weight, .. } = self.integrator;
         if layout.lights[light].is_black && !zero_weight.lights {
-            return None;
+            return Shadow::Through(Vec::new());
         }
         let towards = tracer.illuminate(light, surface.point);
         if surface.normal.dot(towards.direction) <= 0.0 {
-            return None;
+            return Shadow::Through(Vec::new());
         }
         let towards = tracer.illuminate(light, *start);
         let cannot_return =
@@ -335,24 +350,29 @@ impl<'a, L: Plain> Geometry<'a, L> {
         let from = cannot_return.then_some(known.primitive);
         let origin = *start + *outward * error_of(ray, surface);
         let (origin, direction) = (origin.as_vec3(), towards.direction.as_vec3());
-        let mut found = None;
-        tracer.bvh.visit_crossings(
-            origin,
-            direction,
-            towards.distance as f32,
-            from,
-            |id, leaves| {
-                let is_clear = layout.traits_of(id as usize).is_transparent;
-                // From outside no ray comes back to a sphere that it leaves.
-                let is_itself = id == known.primitive && !known.leaves && !self.is_custom(id);
-                if is_clear || is_itself {
-                    return true;
-                }
-                found = Some(KnownHit { primitive: id, leaves, blocked: 0 });
-                false
-            },
-        );
-        found
+        let (mut blocker, mut through) = (None, Vec::new());
+        let limit = towards.distance as f32;
+        tracer.bvh.visit_crossings(origin, direction, limit, from, |primitive, leaves| {
+            // From outside no ray comes back to a sphere that it leaves.
+            let is_itself =
+                primitive == known.primitive && !known.leaves && !self.is_custom(primitive);
+            if is_itself {
+                return true;
+            }
+            if layout.traits_of(primitive as usize).is_transparent {
+                through.push(Occluding { primitive, leaves });
+                return true;
+            }
+            blocker = Some(primitive);
+            false
+        });
+        blocker.map_or(Shadow::Through(through), Shadow::Of)
+    }
+
+    /// The [number](crate::trace::layout::Layout::filters) of the materials of surfaces that a light comes through.
+    pub fn filters(&self, light: usize, surfaces: &[Occluding]) -> u32 {
+        let primitives = surfaces.iter().map(|surface| surface.primitive);
+        self.integrator.layout.filters(light, primitives)
     }
 
     /// The ray from where a ray meets a primitive to a light.

@@ -24,8 +24,7 @@
 //! What is [slender](slender) lies between samples whole, and is looked for from the scene.
 //!
 //! What is not seen: slender shadows, slender things in mirrors, spheres between samples, edges of the shadows of
-//! transparent surfaces and of lights after the first 64, and steps within textures. More rays make the first
-//! finer.
+//! lights after the first 64, and steps within textures. More rays make the first finer.
 
 mod band;
 mod cell;
@@ -34,8 +33,10 @@ mod crossing;
 mod forward;
 mod geometry;
 mod limb;
+mod lit;
 mod outline;
 mod polygon;
+mod shadow;
 mod sight;
 mod slender;
 mod view;

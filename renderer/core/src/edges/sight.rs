@@ -31,6 +31,7 @@ pub struct Sights {
 struct Plane {
     primitives: Vec<AtomicU32>,
     blocked: Vec<AtomicU64>,
+    filters: Vec<AtomicU32>,
 }
 
 impl Sights {
@@ -42,9 +43,11 @@ impl Sights {
         let samples = columns * rows;
         let lights = geometry.edged_lights();
         let with_lights = if lights == 0 { 0 } else { samples };
+        let with_filters = if layout.has_transparency { with_lights } else { 0 };
         let plane = |_| Plane {
             primitives: (0..samples).map(|_| AtomicU32::new(END)).collect(),
             blocked: (0..with_lights).map(|_| AtomicU64::new(0)).collect(),
+            filters: (0..with_filters).map(|_| AtomicU32::new(0)).collect(),
         };
         let depths = (0..geometry.integrator.depths()).map(plane).collect();
         Self { side, columns, rows, lights, depths }
@@ -107,7 +110,8 @@ impl Sights {
                         .fold(0, |bits, (light, blocked)| bits | (blocked >> ray & 1) << light);
                     let leaves = wavefront.hits.leaves >> ray & 1 == 1;
                     let primitive = wavefront.hits.primitive[ray];
-                    plane.keep(at, &KnownHit { primitive, leaves, blocked });
+                    let filters = wavefront.filters.get(ray).copied().unwrap_or(0);
+                    plane.keep(at, &KnownHit { primitive, leaves, blocked, filters });
                 }
             }
         }
@@ -146,10 +150,8 @@ impl Sights {
         for plane in &self.depths {
             for (column, differ) in differ.iter_mut().enumerate() {
                 let at = start + column;
-                let (primitive, blocked) = (plane.primitive(at), plane.blocked(at));
-                let differs = |other: usize| {
-                    plane.primitive(other) != primitive || plane.blocked(other) != blocked
-                };
+                let seen = plane.hit(at);
+                let differs = |other: usize| plane.hit(other) != seen;
                 differ[0] |= column + 1 < self.columns && differs(at + 1);
                 differ[1] |= has_next && differs(at + self.columns);
             }
@@ -166,9 +168,8 @@ impl Sights {
 
     /// The path of a sample.
     pub fn hits(&self, at: usize) -> impl Iterator<Item = KnownHit> {
-        let seen = self.depths.iter().map(move |plane| (plane.primitive(at), plane.blocked(at)));
-        seen.take_while(|(primitive, _)| *primitive != END)
-            .map(|(primitive, blocked)| decode(primitive, blocked))
+        let planes = self.depths.iter().take_while(move |plane| plane.primitive(at) != END);
+        planes.map(move |plane| plane.hit(at))
     }
 }
 
@@ -178,6 +179,15 @@ impl Plane {
         if let Some(blocked) = self.blocked.get(at) {
             blocked.store(known.blocked, Ordering::Relaxed);
         }
+        if let Some(filters) = self.filters.get(at) {
+            filters.store(known.filters, Ordering::Relaxed);
+        }
+    }
+
+    #[inline]
+    fn hit(&self, at: usize) -> KnownHit {
+        let filters = self.filters.get(at).map_or(0, |filters| filters.load(Ordering::Relaxed));
+        KnownHit { blocked: self.blocked(at), filters, ..decode(self.primitive(at)) }
     }
 
     #[inline]

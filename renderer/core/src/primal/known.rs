@@ -23,6 +23,24 @@ pub struct KnownHits {
     /// By light, of the first ones: a bit for each ray that ends where an opaque surface is in its way.
     /// Shadow rays tell for the others.
     pub blocked: Vec<u64>,
+    /// The transparent surfaces that lights come through, where that is known, by ray and light. Shadow rays tell
+    /// elsewhere.
+    pub through: Vec<Through>,
+}
+
+/// The transparent surfaces that a light comes through to where a ray ends.
+pub struct Through {
+    pub light: usize,
+    pub ray: usize,
+    pub surfaces: Vec<Occluding>,
+}
+
+/// A surface between a point and a light.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Occluding {
+    pub primitive: u32,
+    /// Whether the ray to the light leaves a sphere here.
+    pub leaves: bool,
 }
 
 /// What one ray meets.
@@ -33,6 +51,9 @@ pub struct KnownHit {
     pub leaves: bool,
     /// A bit for each light that an opaque surface is in the way of.
     pub blocked: u64,
+    /// A number for the materials that the lights come through, of other points where others are. Zero if
+    /// there are none.
+    pub filters: u32,
 }
 
 impl KnownPaths {
@@ -53,13 +74,15 @@ impl KnownPaths {
     pub fn set(&mut self, ray: usize, hits: impl Iterator<Item = KnownHit>, lights: usize) {
         for (depth, hit) in hits.enumerate() {
             if depth == self.depths.len() {
-                self.depths.push(KnownHits { hits: PacketHits::NONE, blocked: Vec::new() });
+                let (blocked, through) = (Vec::new(), Vec::new());
+                self.depths.push(KnownHits { hits: PacketHits::NONE, blocked, through });
             }
             let known = &mut self.depths[depth];
             if depth == self.depth {
                 known.hits = PacketHits::NONE;
                 known.blocked.clear();
                 known.blocked.resize(lights, 0);
+                known.through.clear();
                 self.depth += 1;
             }
             known.hits.primitive[ray] = hit.primitive;
@@ -68,6 +91,13 @@ impl KnownPaths {
                 *blocked |= (hit.blocked >> light & 1) << ray;
             }
         }
+    }
+
+    /// Says which transparent surfaces a light comes through to where the path that was added last ends at a depth.
+    pub fn push_through(&mut self, depth: u32, light: usize, surfaces: &[Occluding]) {
+        let ray = self.film.len() - 1;
+        let through = Through { light, ray, surfaces: surfaces.to_vec() };
+        self.depths[depth as usize].through.push(through);
     }
 
     /// A bit for each path through a point of the film.
@@ -92,5 +122,14 @@ impl KnownPaths {
             })
         };
         (along(0), along(1))
+    }
+}
+
+impl KnownHits {
+    /// The transparent surfaces that a light comes through to where a ray ends, if that is known.
+    pub fn through(&self, light: usize, ray: usize) -> Option<&[Occluding]> {
+        let order = |through: &Through| (through.ray, through.light);
+        let found = self.through.binary_search_by_key(&(ray, light), order).ok()?;
+        Some(&self.through[found].surfaces)
     }
 }

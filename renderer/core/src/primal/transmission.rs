@@ -7,7 +7,7 @@
 
 use super::coalesce::{Coalesced, select_lanes};
 use super::integrator::Integrator;
-use super::known::KnownHits;
+use super::known::{KnownHits, Occluding};
 use super::shadow::ShadowRay;
 use super::wavefront::{LaneGroup, Occluder, Transmission, Wavefront, blocks};
 use crate::counts::count;
@@ -25,47 +25,57 @@ impl<S: Number> Integrator<'_, S> {
     /// transparent surfaces.
     pub fn trace_transmissions(&self, known: Option<&KnownHits>, wavefront: &mut Wavefront<S>) {
         wavefront.transmissions.clear();
+        wavefront.filters.clear();
         if !self.layout.has_transparency {
             return;
         }
+        let mut filters = std::mem::take(&mut wavefront.filters);
+        filters.resize(PACKET_RAYS, 0);
         for light in 0..wavefront.visible.len() {
             let mut transmission =
                 Transmission { transmittance: vec![S::ONE; blocks::<S>()], occluders: Vec::new() };
             if !self.layout.lights[light].is_black || self.zero_weight.lights {
-                // Where paths are known, so is what is opaque.
-                let dark = match known {
-                    Some(_) => wavefront.visible[light],
-                    None => wavefront.blocked[light],
-                };
-                let through = self.transmit(light, dark, wavefront, &mut transmission);
+                let through =
+                    self.transmit(light, known, wavefront, &mut transmission, &mut filters);
                 wavefront.visible[light] |= through;
                 wavefront.blocked[light] &= !through;
             }
             wavefront.transmissions.push(transmission);
         }
+        wavefront.filters = filters;
     }
 
-    /// Finds what a light sends through transparent surfaces to those of the `dark` rays that it reaches;
-    /// returns a bit for each of these.
+    /// Finds what a light sends through transparent surfaces to those of the rays that it reaches; returns a bit for
+    /// each of these. Adds to the numbers of the materials that it comes through.
     fn transmit(
         &self,
         light: usize,
-        dark: u64,
+        known: Option<&KnownHits>,
         wavefront: &Wavefront<S>,
         transmission: &mut Transmission<S>,
+        filters: &mut [u32],
     ) -> u64 {
+        // Where paths are known, so is what is opaque.
+        let dark = match known {
+            Some(_) => wavefront.visible[light],
+            None => wavefront.blocked[light],
+        };
         let mut through = 0;
         for (index, group) in wavefront.groups.iter().enumerate() {
             let shadow_ray = self.shadow_rays(light, wavefront, group);
-            let mut surfaces: [Vec<(u32, bool)>; MAX_LANES] = std::array::from_fn(|_| Vec::new());
+            let mut surfaces: [Vec<Occluding>; MAX_LANES] = std::array::from_fn(|_| Vec::new());
             for (lane, ray) in group.rays() {
                 if dark >> ray & 1 == 0 {
                     continue;
                 }
-                let ShadowRay { origin, direction, limit, from } = shadow_ray(lane, ray);
-                count(|counts| &counts.shadow_rays, 1);
-                let direction = direction.as_vec3();
-                if let Some(found) = self.transparent_between(origin, direction, limit, from) {
+                let found = match known.and_then(|known| known.through(light, ray)) {
+                    Some(known) => Some(known.to_vec()),
+                    None => self.transparent_between(&shadow_ray(lane, ray)),
+                };
+                if let Some(found) = found {
+                    let primitives = found.iter().map(|surface| surface.primitive);
+                    let of_light = self.layout.filters(light, primitives);
+                    filters[ray] = filters[ray].wrapping_add(of_light);
                     surfaces[lane] = found;
                     through |= 1 << ray;
                 }
@@ -75,18 +85,15 @@ impl<S: Number> Integrator<'_, S> {
         through
     }
 
-    /// What a ray hits before `limit`, but for `from`; nothing if any of it is opaque.
-    fn transparent_between(
-        &self,
-        origin: glam::Vec3,
-        direction: glam::Vec3,
-        limit: f32,
-        from: Option<u32>,
-    ) -> Option<Vec<(u32, bool)>> {
+    /// What a ray hits before the light; nothing if any of it is opaque.
+    fn transparent_between(&self, ray: &ShadowRay) -> Option<Vec<Occluding>> {
+        count(|counts| &counts.shadow_rays, 1);
+        let ShadowRay { origin, direction, limit, from } = *ray;
+        let direction = direction.as_vec3();
         let (mut found, mut is_blocked) = (Vec::new(), false);
         self.tracer.bvh.visit_crossings(origin, direction, limit, from, |primitive, leaves| {
             is_blocked = !self.layout.traits_of(primitive as usize).is_transparent;
-            found.push((primitive, leaves));
+            found.push(Occluding { primitive, leaves });
             !is_blocked
         });
         (!is_blocked).then_some(found)
@@ -99,7 +106,7 @@ impl<S: Number> Integrator<'_, S> {
         light: usize,
         index: usize,
         group: &LaneGroup<S>,
-        surfaces: &[Vec<(u32, bool)>; MAX_LANES],
+        surfaces: &[Vec<Occluding>; MAX_LANES],
         transmission: &mut Transmission<S>,
     ) {
         let most = surfaces.iter().map(Vec::len).max().unwrap_or(0);
@@ -108,7 +115,9 @@ impl<S: Number> Integrator<'_, S> {
                 let (mut lanes, mut inside) = (0, 0);
                 let mut primitives = [NO_PRIMITIVE; PACKET_RAYS];
                 for (lane, surfaces) in surfaces.iter().enumerate() {
-                    let Some(&(primitive, leaves)) = surfaces.get(nth) else { continue };
+                    let Some(&Occluding { primitive, leaves }) = surfaces.get(nth) else {
+                        continue;
+                    };
                     if self.layout.kind_of(primitive as usize).0 == kind {
                         lanes |= 1 << lane;
                         inside |= u32::from(leaves) << lane;

@@ -37,6 +37,9 @@ pub struct Wavefront<S: Number> {
     /// A bit for each ray that ends where an opaque surface is in the way of a light that the surface
     /// faces, by light.
     pub blocked: Vec<u64>,
+    /// By ray: the [number](super::known::KnownHit::filters) of the materials that lights come through; empty if
+    /// nothing is transparent.
+    pub filters: Vec<u32>,
     /// For camera rays: where they meet the image plane, by block.
     pub film: Vec<(S::Lanes, S::Lanes)>,
     /// For rays that go on: the rays, by block.
@@ -236,6 +239,7 @@ impl<S: Number> Default for Wavefront<S> {
             visible: Vec::new(),
             transmissions: Vec::new(),
             blocked: Vec::new(),
+            filters: Vec::new(),
             film: Vec::new(),
             rays: Vec::new(),
             radiance: Vec::new(),

@@ -10,7 +10,7 @@ use glam::DVec3;
 use super::adjacency::Adjacency;
 use super::corners::Corners;
 use super::emitters::ShiningPoint;
-use super::sampling::{GradientSamples, Samples, Sampling};
+use super::sampling::{GradientSamples, Samples, Sampling, hash};
 use super::sky::Sky;
 use super::sky_parts::{self, SkyPart};
 use crate::scene::{MaterialObject, MaterialTextures, PathTracing, Scene, Slot, Texture, Wrap};
@@ -359,6 +359,13 @@ impl Layout {
     #[inline]
     pub fn traits_of(&self, primitive: usize) -> &MaterialTraits {
         &self.materials[self.material_of[primitive] as usize]
+    }
+
+    /// A number for the materials of primitives that a light comes through: another one for others, zero for none.
+    pub fn filters(&self, light: usize, primitives: impl Iterator<Item = u32>) -> u32 {
+        let material = |primitive: u32| hash(self.material_of[primitive as usize] + 1);
+        let sum = primitives.map(material).fold(0, u32::wrapping_add);
+        sum.wrapping_mul(2 * light as u32 + 1)
     }
 
     /// The scale of the normal map of a triangle, of the other sign where the triangle is mirrored.

@@ -1,0 +1,138 @@
+//! The search for edges of shadows, between samples that see the same surfaces.
+//!
+//! Outlines of what is in the way of a light are left one after the other, with a shadow ray beyond each, until
+//! the light is seen, or comes through other materials. Facing away from a light counts as not blocked: what
+//! changes there is continuous.
+
+use super::crossing::{BEYOND, Layer, Link, Part, Path, Search, crossing, slopes};
+use super::geometry::{Edge, Shadow};
+use super::lit::BESIDE;
+use super::outline::Exit;
+use crate::number::Plain;
+use crate::primal::known::KnownHit;
+
+/// How many surfaces a shadow edge is followed over.
+const MOST_BLOCKERS: usize = 64;
+
+/// What a light comes to along a link: a surface point on each place of it.
+#[derive(Clone, Copy)]
+struct Receiver<'a> {
+    link: &'a Link,
+    /// A path that meets the surface at this depth.
+    path: Path,
+    depth: usize,
+    light: usize,
+    known: KnownHit,
+}
+
+impl<L: Plain> Search<'_, L> {
+    /// Adds the shadow edges between two ends that see the same surfaces.
+    pub(super) fn shadows(&mut self, link: &Link, part: Part) {
+        let depths = self.of(part.first).len().min(self.of(part.last).len());
+        for depth in 0..depths {
+            let [first, last] = [part.first, part.last].map(|path| self.of(path)[depth]);
+            let differs = first.blocked ^ last.blocked;
+            let lights = 0..self.geometry.edged_lights();
+            for light in lights.clone().filter(|light| differs >> light & 1 == 1) {
+                self.opaque(link, part, depth, light);
+            }
+            if first.filters != last.filters {
+                let dark = first.blocked | last.blocked;
+                for light in lights.filter(|light| dark >> light & 1 == 0) {
+                    let receiver = Receiver { link, path: part.first, depth, light, known: first };
+                    self.transparent(receiver, [part.from, part.to], true);
+                    self.transparent(receiver, [part.to, part.from], false);
+                }
+            }
+        }
+    }
+
+    /// Adds the edge of the shadow of what is opaque: outlines are left from the dark end on, until the light is
+    /// seen.
+    fn opaque(&mut self, link: &Link, part: Part, depth: usize, light: usize) {
+        let is_first = self.of(part.first)[depth].blocked >> light & 1 == 1;
+        let (mut from, to) = if is_first { (part.from, part.to) } else { (part.to, part.from) };
+        let dark = if is_first { part.first } else { part.last };
+        let known = self.of(dark)[depth];
+        let receiver = Receiver { link, path: dark, depth, light, known };
+        let blocker = |search: &Self, at: f64| match search.shadow(&receiver, at) {
+            Shadow::Of(primitive) => Some(primitive),
+            Shadow::Through(_) => None,
+        };
+        let mut found = blocker(self, from);
+        for _ in 0..MOST_BLOCKERS {
+            let Some(in_front) = found else { return };
+            let Some((at, edge)) = self.exit(&receiver, in_front, [from, to]) else { return };
+            let beyond = at + BEYOND * (to - from).signum();
+            let is_last = (to - beyond) * (to - from) <= 0.0;
+            found = if is_last { None } else { blocker(self, beyond) };
+            if found.is_none() {
+                let mut lit = self.of(dark).to_vec();
+                lit[depth].blocked &= !(1 << light);
+                let lit = self.path(|hits| hits.extend(lit));
+                let sides = if is_first { [dark, lit] } else { [lit, dark] };
+                self.emit_shadow(&receiver, (at, edge), sides);
+                return;
+            }
+            from = beyond;
+        }
+    }
+
+    /// Adds the edges of the shadows of transparent surfaces that end on the way between two places; those at which
+    /// one material follows on another only if `is_forward`.
+    fn transparent(&mut self, receiver: Receiver<'_>, [mut from, to]: [f64; 2], is_forward: bool) {
+        let step = BESIDE * (to - from).signum();
+        let within = |at: f64| if is_forward { at.min(to) } else { at.max(to) };
+        for _ in 0..MOST_BLOCKERS {
+            let Shadow::Through(surfaces) = self.shadow(&receiver, from) else { return };
+            let exits = surfaces
+                .iter()
+                .filter_map(|surface| self.exit(&receiver, surface.primitive, [from, to]));
+            let nearer = |a: &Exit, b: &Exit| (a.0 - from).abs().total_cmp(&(b.0 - from).abs());
+            let Some((at, edge)) = exits.min_by(nearer) else { return };
+            let beyond = within(at + step);
+            let before = if (at - from).abs() <= step.abs() { from } else { at - step };
+            let sides = [before, beyond].map(|at| self.shadow(&receiver, at));
+            let [Shadow::Through(before), Shadow::Through(after)] = sides else { return };
+            let light = receiver.light;
+            let [of_before, of_after] =
+                [&before, &after].map(|surfaces| self.geometry.filters(light, surfaces));
+            let ends = before.len() > after.len() || is_forward && before.len() == after.len();
+            if of_before != of_after && ends {
+                self.emit_shadow(&receiver, (at, edge), [receiver.path; 2]);
+            }
+            if beyond == to {
+                return;
+            }
+            from = beyond;
+        }
+    }
+
+    /// What is between the light and the receiver at a place.
+    fn shadow(&self, receiver: &Receiver<'_>, at: f64) -> Shadow {
+        let Receiver { link, path, depth, light, known } = receiver;
+        let ray = self.ray(link, *path, *depth, at);
+        self.geometry.shadow(*light, known, &ray, &self.geometry.meet(known, ray))
+    }
+
+    /// Where the ray to the light leaves a primitive on its way.
+    fn exit(&self, receiver: &Receiver<'_>, primitive: u32, ends: [f64; 2]) -> Option<Exit> {
+        let Receiver { link, path, depth, light, known } = receiver;
+        self.geometry.exit(primitive, ends, |at| {
+            self.geometry.shadow_ray(*light, known, self.ray(link, *path, *depth, at))
+        })
+    }
+
+    fn emit_shadow(&mut self, receiver: &Receiver<'_>, (at, edge): (f64, Edge), sides: [Path; 2]) {
+        let Receiver { link, depth, light, .. } = *receiver;
+        let number = |place: [f64; 2]| {
+            let path = self.of(sides[0]);
+            let ray = self.geometry.ray(&path[..depth], place);
+            let ray = self.geometry.shadow_ray(light, &path[depth], ray);
+            self.geometry.margin(edge, ray)
+        };
+        let layer = Layer::Shadow(depth as u32, light as u32);
+        let slopes = slopes(link, at, number);
+        self.crossings.extend(crossing(link, at, layer, edge, sides, slopes));
+    }
+}
