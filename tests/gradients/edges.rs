@@ -226,14 +226,20 @@ fn silhouettes_of_smooth_meshes() {
     let (path, settings) = ("mesh.shape.translation", settings(Edges::On, 1));
     let id = scene.parameter(path).unwrap();
     let derivative = render_jvp(&scene, &settings, &[(id, vec![0.3, -0.2, 0.5])]).unwrap().1;
-    let gradient = gradient(&scene, &settings, path);
-    let along = 0.3 * gradient[0] - 0.2 * gradient[1] + 0.5 * gradient[2];
+    let moved = gradient(&scene, &settings, path);
+    let along = 0.3 * moved[0] - 0.2 * moved[1] + 0.5 * moved[2];
     let weighted = |(index, pixel): (usize, &[f32; 3])| {
         let (x, y) = (index as u32 % WIDTH, index as u32 / WIDTH);
         Weights.evaluate(x, y, DVec3::ZERO).1.dot(DVec3::from(pixel.map(f64::from)))
     };
     let forward: f64 = derivative.pixels.iter().enumerate().map(weighted).sum();
     assert!((forward - along).abs() < 1e-5 * along.abs(), "{forward} {along}");
+    // Where nothing moves, the gradient is that of the image itself.
+    for path in ["material.facets.diffuse", "light.sun.irradiance"] {
+        let expected = differences(&scene, &settings, path, 1e-3);
+        let error = relative_error(&gradient(&scene, &settings, path), &expected);
+        assert!(error < 1e-6, "{path}: {error:.1e}");
+    }
 }
 
 #[test]

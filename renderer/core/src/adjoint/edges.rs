@@ -35,7 +35,7 @@ pub fn sweep_with_edges<L: Plain>(
     let integrator = integrator.with_zero_weight(request.zero_weight);
     let geometry = Geometry::new(integrator);
     let mut view = View::new(&geometry);
-    let limb = Limb::new(&view, &geometry);
+    let limb = Limb::new(&view, &geometry, request.moves_surfaces());
     let mut cotangents = std::mem::take(&mut view.pixels);
     let rows = cotangents.par_chunks_mut(width as usize).enumerate().map(|(y, row)| {
         let mut loss_of_row = 0.0;

@@ -35,14 +35,16 @@ struct Moved {
 }
 
 impl View {
-    /// The derivatives of the pixels along the direction that the inputs of the integrator carry.
+    /// The derivatives of the pixels along the direction that the inputs of the integrator carry, and in which
+    /// surfaces move against camera rays or not.
     pub fn derivative<L: Plain>(
         &self,
         geometry: &Geometry<'_, L>,
         integrator: Integrator<'_, Dual<L>>,
+        moves: bool,
     ) -> Vec<DVec3> {
         let layout = integrator.layout;
-        let limb = Limb::new(self, geometry);
+        let limb = Limb::new(self, geometry, moves);
         let mut pixels = vec![DVec3::ZERO; self.pixels.len()];
         fill_tiles(layout.width, &mut pixels, Path::default, |path, tile| {
             let mut mean = mean_dual(integrator, tile, layout.sampling.as_grid(), path);

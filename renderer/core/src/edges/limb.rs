@@ -6,6 +6,9 @@
 //! for far too much. So the interior term of these few pixels comes from a finer grid of rays, and their
 //! areas only make the image. By the camera the gradient of a teapot of 128 x 128 pixels is off by 8 % in
 //! place of 16 %, that of a bunny by 7 % in place of 83 %.
+//!
+//! What is asked for together with such a derivative comes from the same rays: by materials and lights it is that
+//! of a finer image there, and off by up to a few per cent of that of the image itself. Alone it is exact.
 
 use super::geometry::Geometry;
 use super::view::View;
@@ -23,11 +26,11 @@ pub struct Limb {
 }
 
 impl Limb {
-    /// Those of a view: none where no mesh is smooth.
-    pub fn new<L: Plain>(view: &View, geometry: &Geometry<'_, L>) -> Self {
+    /// Those of a view: none where no mesh is smooth, or no surface moves against the rays.
+    pub fn new<L: Plain>(view: &View, geometry: &Geometry<'_, L>, moves: bool) -> Self {
         let layout = geometry.integrator.layout;
         let sampling = Sampling::Grid(layout.sampling.grid_side().max(SIDE));
-        if layout.normals.is_empty() {
+        if layout.normals.is_empty() || !moves {
             return Self { pixels: Vec::new(), sampling };
         }
         let mut pixels = vec![false; view.pixels.len()];
