@@ -274,8 +274,8 @@ impl<S: Real, D: Along<S>> Real for Dual<S, D> {
         let (x, y) = (self.value, exponent.value);
         let value = x.powf(y);
         let singular = x.cmpeq(S::ZERO) & y.cmplt(S::ONE);
-        let by_base = S::select(singular, S::ZERO, y * x.powf(y - S::ONE));
-        let by_exponent = S::select(x.cmpgt(S::ZERO), x.ln() * value, S::ZERO);
+        let by_base = S::select(singular, S::ZERO, y.times(x.powf(y - S::ONE)));
+        let by_exponent = S::select(x.cmpgt(S::ZERO), x.ln().times(value), S::ZERO);
         let along_base = self.chain(value, by_base).derivative;
         let along_exponent = exponent.chain(value, by_exponent).derivative;
         Self::new(value, along_base.plus(along_exponent))
@@ -327,9 +327,11 @@ impl<S: Real, D: Along<S>> Real for Dual<S, D> {
     fn atan2(self, abscissa: Self) -> Self {
         let (y, x) = (self.value, abscissa.value);
         let norm = x * x + y * y;
+        // At the origin and at infinity.
+        let still = norm.cmpeq(S::ZERO) | norm.recip().cmpeq(S::ZERO);
         let slope = D::zip(self.derivative, abscissa.derivative, |along_y, along_x| {
             let slope = (x * along_y - y * along_x) / norm;
-            S::select(norm.cmpeq(S::ZERO), S::ZERO, slope)
+            S::select(still, S::ZERO, slope)
         });
         Self::new(y.atan2(x), slope)
     }
@@ -345,9 +347,10 @@ impl<S: Real, D: Along<S>> Real for Dual<S, D> {
 /// the denominator is.
 #[inline(always)]
 fn quotient_slope<S: Real>(quotient: S, denominator: S, along: S, along_denominator: S) -> S {
-    let slope = (along - quotient * along_denominator) / denominator;
+    let slope = (along - along_denominator.times(quotient)) / denominator;
     let still = along.vanishes() & along_denominator.vanishes();
-    S::select(still | denominator.cmpeq(S::ZERO), S::ZERO, slope)
+    let singular = denominator.cmpeq(S::ZERO) | denominator.recip().cmpeq(S::ZERO);
+    S::select(still | singular, S::ZERO, slope)
 }
 
 /// The derivative of `asin`, 0 at -1 and 1.

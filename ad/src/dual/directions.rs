@@ -31,10 +31,11 @@ pub trait Along<S: Real>: Copy + Debug + Default + PartialEq + Send + Sync + 'st
         self.zip(other, |a, b| a + b)
     }
 
-    /// The derivatives times `slope`; 0 stays 0, whatever the slope is.
+    /// The derivatives times `slope`; 0 where one of the two is 0, whatever the other is.
     #[inline(always)]
     fn times(self, slope: S) -> Self {
-        self.map(|along| S::select(along.vanishes(), S::ZERO, along * slope))
+        let flat = slope.vanishes();
+        self.map(|along| S::select(flat | along.vanishes(), S::ZERO, along * slope))
     }
 
     /// `if_true` where the mask holds, else `if_false`.

@@ -1,7 +1,7 @@
 //! Derivatives of the methods that only `f32` and `f64` have.
 
+use super::chain;
 use super::scalar::regular;
-use super::scale;
 use glam::{DVec2, DVec3, DVec4, Vec2, Vec3, Vec4};
 
 use crate::{Additive, Differentiable, Tangent};
@@ -54,11 +54,11 @@ float_rules! {
     /// 1/(3 cbrt(x)^2); 0 at 0.
     cbrt_vjp = cbrt(x), root |g| regular(x != 0.0, g, 1.0 / (3.0 * root * root));
     /// cosh(x)
-    sinh_vjp = sinh(x), value |g| scale(g, x.cosh());
+    sinh_vjp = sinh(x), value |g| chain(g, x.cosh());
     /// sinh(x)
-    cosh_vjp = cosh(x), value |g| scale(g, x.sinh());
+    cosh_vjp = cosh(x), value |g| chain(g, x.sinh());
     /// 1/sqrt(x^2 + 1)
-    asinh_vjp = asinh(x), value |g| scale(g, 1.0 / x.hypot(1.0));
+    asinh_vjp = asinh(x), value |g| chain(g, 1.0 / x.hypot(1.0));
     /// 1/sqrt(x^2 - 1); 0 at 1. One root for each factor: their product might overflow.
     acosh_vjp = acosh(x), value |g| {
         regular(x != 1.0, g, 1.0 / ((x - 1.0).sqrt() * (x + 1.0).sqrt()))
@@ -66,9 +66,9 @@ float_rules! {
     /// 1/(1 - x^2); 0 at -1 and 1.
     atanh_vjp = atanh(x), value |g| regular(x.abs() != 1.0, g, 1.0 / ((1.0 - x) * (1.0 + x)));
     /// 2^x ln(2)
-    exp2_vjp = exp2(x), value |g| scale(g, value * LN_2);
+    exp2_vjp = exp2(x), value |g| chain(g, value * LN_2);
     /// exp(x)
-    exp_m1_vjp = exp_m1(x), value |g| scale(g, x.exp());
+    exp_m1_vjp = exp_m1(x), value |g| chain(g, x.exp());
     /// 1/(1 + x); 0 at -1.
     ln_1p_vjp = ln_1p(x), value |g| regular(x != -1.0, g, 1.0 / (1.0 + x));
     /// 1/(x ln(2)); 0 at 0.
@@ -82,7 +82,7 @@ float_rules! {
         (regular(defined, g, recip / x), regular(defined, g, -value * recip / base))
     };
     /// 1 and -div_euclid(x, y); the jumps carry no derivative.
-    rem_euclid_vjp = rem_euclid(x, y), value |g| (g, -scale(g, x.div_euclid(y)));
+    rem_euclid_vjp = rem_euclid(x, y), value |g| (g, -chain(g, x.div_euclid(y)));
     /// 0
     div_euclid_vjp = div_euclid(x, y), value |_g| (Self::zero(), Self::zero());
     /// 0

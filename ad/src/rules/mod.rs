@@ -40,10 +40,13 @@
 //! | `Quat::from_scaled_axis`, `Quat::to_scaled_axis` | no rotation | the limit |
 //! | `Quat::to_axis_angle` | no rotation | 0 |
 //! | `normalize_or` | zero vector | all to the fallback |
+//! | `atan2` | an infinite coordinate | 0 to both |
 //! | any | the cotangent of the result is 0 | 0, even if the partial derivative is infinite or NaN |
+//! | any of numbers | the partial derivative is 0 | 0 along a tangent that is infinite or NaN |
 //!
-//! The last row keeps the arm that [`select`](fn@crate::select) did not take from poisoning the
-//! gradient of the one it took. Within a function whose own value is not finite it need not hold:
+//! The last row but one keeps the arm that [`select`](fn@crate::select) did not take from poisoning
+//! the gradient of the one it took; the last one says the same of forward mode, as in `(-x.exp()).exp()`
+//! where `x.exp()` overflows. Within a function whose own value is not finite it need not hold:
 //! a gradient of that value may hold a NaN.
 
 mod arrange;
@@ -118,6 +121,19 @@ use crate::{Additive, Real, vector::Vector};
 #[doc(hidden)]
 pub fn scale<S: Real>(cotangent: S, partial: S) -> S {
     S::select(cotangent.vanishes(), S::zero(), cotangent * partial)
+}
+
+/// [`scale`], and 0 where the partial is 0, whatever the tangent is: for the rules that forward mode
+/// has part in. A tangent overflows where a number does, and the partial that follows is often 0.
+#[inline(always)]
+fn chain<S: Real>(tangent: S, partial: S) -> S {
+    S::select(tangent.vanishes() | partial.vanishes(), S::zero(), tangent * partial)
+}
+
+/// Whether a number is infinite, and not NaN.
+#[inline(always)]
+fn is_infinite<S: Real>(number: S) -> S::Mask {
+    number.cmpeq(number) & !number.is_finite()
 }
 
 /// The tangent of a product of what is made of several numbers. A factor whose tangent is zero does

@@ -1,6 +1,6 @@
 //! Derivatives of the functions of one scalar and of pairs of scalars.
 
-use super::scale;
+use super::{chain, is_infinite, scale};
 use crate::{Mask, Real, Scalar};
 
 /// The `_vjp` siblings of the methods of [`Real`].
@@ -61,10 +61,7 @@ pub trait RealRules: Real {
     #[inline(always)]
     fn recip_vjp(self) -> (Self, impl FnOnce(Self) -> Self) {
         let value = self.recip();
-        (value, move |g| {
-            let is_infinite = value.cmpeq(value) & !value.is_finite();
-            regular(!is_infinite, g, -value * value)
-        })
+        (value, move |g| regular(!is_infinite(value), g, -value * value))
     }
 
     /// The cotangents of both factors and the summand.
@@ -97,7 +94,7 @@ pub trait RealRules: Real {
     #[inline(always)]
     fn exp_vjp(self) -> (Self, impl FnOnce(Self) -> Self) {
         let value = self.exp();
-        (value, move |g| scale(g, value))
+        (value, move |g| chain(g, value))
     }
 
     /// 1/x; 0 at 0.
@@ -113,7 +110,7 @@ pub trait RealRules: Real {
         let value = self.powf(exponent);
         (value, move |g| {
             let (base_partial, exponent_partial) = power_partials(self, exponent, value);
-            (scale(g, base_partial), scale(g, exponent_partial))
+            (chain(g, base_partial), chain(g, exponent_partial))
         })
     }
 
@@ -134,20 +131,20 @@ pub trait RealRules: Real {
     /// cos(x)
     #[inline(always)]
     fn sin_vjp(self) -> (Self, impl FnOnce(Self) -> Self) {
-        (self.sin(), move |g| scale(g, self.cos()))
+        (self.sin(), move |g| chain(g, self.cos()))
     }
 
     /// -sin(x)
     #[inline(always)]
     fn cos_vjp(self) -> (Self, impl FnOnce(Self) -> Self) {
-        (self.cos(), move |g| scale(g, -self.sin()))
+        (self.cos(), move |g| chain(g, -self.sin()))
     }
 
     /// 1 + tan(x)^2
     #[inline(always)]
     fn tan_vjp(self) -> (Self, impl FnOnce(Self) -> Self) {
         let value = self.tan();
-        (value, move |g| scale(g, Self::ONE + value * value))
+        (value, move |g| chain(g, Self::ONE + value * value))
     }
 
     /// 1/sqrt(1 - x^2); 0 at -1 and 1.
@@ -165,10 +162,10 @@ pub trait RealRules: Real {
     /// 1/(1 + x^2)
     #[inline(always)]
     fn atan_vjp(self) -> (Self, impl FnOnce(Self) -> Self) {
-        (self.atan(), move |g| scale(g, (Self::ONE + self * self).recip()))
+        (self.atan(), move |g| chain(g, (Self::ONE + self * self).recip()))
     }
 
-    /// x/(x^2 + y^2) and -y/(x^2 + y^2); 0 at the origin.
+    /// x/(x^2 + y^2) and -y/(x^2 + y^2); 0 at the origin and at infinity.
     #[inline(always)]
     fn atan2_vjp(self, abscissa: Self) -> (Self, impl FnOnce(Self) -> (Self, Self)) {
         let (y, x) = (self, abscissa);
@@ -178,7 +175,7 @@ pub trait RealRules: Real {
             let size = x.abs().max(y.abs());
             let (v, u) = (y / size, x / size);
             let norm = (u * u + v * v) * size;
-            let defined = !size.cmpeq(Self::ZERO);
+            let defined = !(size.cmpeq(Self::ZERO) | is_infinite(size));
             (regular(defined, g, u / norm), regular(defined, g, -v / norm))
         })
     }
@@ -187,7 +184,7 @@ pub trait RealRules: Real {
     #[inline(always)]
     fn tanh_vjp(self) -> (Self, impl FnOnce(Self) -> Self) {
         let value = self.tanh();
-        (value, move |g| scale(g, (Self::ONE - value) * (Self::ONE + value)))
+        (value, move |g| chain(g, (Self::ONE - value) * (Self::ONE + value)))
     }
 }
 
@@ -225,10 +222,10 @@ fn route<S: Real>(first: S::Mask, cotangent: S) -> (S, S) {
     (S::select(first, cotangent, S::zero()), S::select(first, S::zero(), cotangent))
 }
 
-/// `cotangent * partial` where the partial is defined, else 0.
+/// [`chain`] where the partial is defined, else 0.
 #[inline(always)]
 pub(super) fn regular<S: Real>(defined: S::Mask, cotangent: S, partial: S) -> S {
-    S::select(defined & !cotangent.vanishes(), cotangent * partial, S::zero())
+    S::select(defined, chain(cotangent, partial), S::zero())
 }
 
 /// The pullback of `asin`. 1 - x^2 as a product, which does not cancel near -1 and 1.
@@ -251,10 +248,10 @@ fn power_partials<S: Real>(base: S, exponent: S, value: S) -> (S, S) {
         quotient
     } else {
         let singular = at_zero & exponent.cmplt(S::ONE);
-        let power = exponent * base.powf(exponent - S::ONE);
+        let power = chain(exponent, base.powf(exponent - S::ONE));
         S::select(in_range, quotient, S::select(singular, S::ZERO, power))
     };
 
-    let to_exponent = S::select(base.cmpgt(S::ZERO), value * base.ln(), S::ZERO);
+    let to_exponent = regular(base.cmpgt(S::ZERO), base.ln(), value);
     (to_base, to_exponent)
 }

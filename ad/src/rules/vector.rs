@@ -1,6 +1,6 @@
 //! Derivatives of the methods of vectors.
 
-use super::{scale, scale_elements, scale_vector};
+use super::{chain, scale, scale_elements, scale_vector};
 use crate::rules::RealRules;
 use crate::vector::{Vector, Vector3};
 use crate::{Additive, Real, Select};
@@ -149,7 +149,7 @@ pub trait VectorRules: Vector {
     #[inline(always)]
     fn exp_vjp(self) -> (Self, impl FnOnce(Self) -> Self) {
         let value = self.exp();
-        (value, move |g| scale_elements(g, value))
+        (value, move |g: Self| g.zip_elements(value, chain))
     }
 
     /// 1/(2 sqrt(x)) of each element; 0 at 0.

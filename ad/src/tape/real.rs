@@ -237,8 +237,10 @@ impl Real for Var {
     fn powf(self, exponent: Self) -> Self {
         let (x, y) = (self.value, exponent.value);
         let value = x.powf(y);
-        let by_base = guarded(x != 0.0 || y >= 1.0, y * x.powf(y - 1.0));
-        self.binary(exponent, value, [by_base, guarded(x > 0.0, x.ln() * value)])
+        let by_base = x.powf(y - 1.0);
+        let by_base = guarded((x != 0.0 || y >= 1.0) && by_base != 0.0, y * by_base);
+        let by_exponent = guarded(x > 0.0 && value != 0.0, x.ln() * value);
+        self.binary(exponent, value, [by_base, by_exponent])
     }
 
     #[inline(always)]
@@ -255,7 +257,7 @@ impl Real for Var {
     fn atan2(self, abscissa: Self) -> Self {
         let (y, x) = (self.value, abscissa.value);
         let norm = y.hypot(x);
-        let defined = norm != 0.0;
+        let defined = norm != 0.0 && 1.0 / norm != 0.0;
         let partials = [x / norm / norm, -(y / norm / norm)];
         self.binary(abscissa, y.atan2(x), partials.map(|partial| guarded(defined, partial)))
     }

@@ -1,6 +1,7 @@
 //! The table of singular points in `ad::rules`, row by row, in the rules and in dual numbers; and
 //! numbers at the ends of the range.
 
+use ad::rules::forward::*;
 use ad::rules::*;
 use ad::vector::Xyz;
 use ad::{Dual, Real, differentiable, select};
@@ -163,6 +164,20 @@ fn angles_at_the_origin() {
 }
 
 #[test]
+fn angles_at_infinity() {
+    let far = f64::INFINITY;
+    for (y, x) in [(1.0, far), (1.0, -far), (far, 1.0), (-far, 0.0), (far, far), (-far, -far)] {
+        assert_eq!(y.atan2_vjp(x).1(1.0), (0.0, 0.0));
+        for (along_y, along_x) in [(1.0, 1.0), (far, 1.0), (1.0, far), (-far, far)] {
+            assert_eq!(y.atan2_jvp(x, along_y, along_x).1, 0.0);
+            assert_eq!(Dual::new(y, along_y).atan2(Dual::new(x, along_x)).derivative, 0.0);
+        }
+        let (_, taped) = ad::tape::gradient(|v| v[0].atan2(v[1]), &[y, x]);
+        assert_eq!(taped, [0.0, 0.0]);
+    }
+}
+
+#[test]
 fn powers() {
     for (base, exponent, to_base, to_exponent) in [
         (0.0, 1.0, 1.0, 0.0),
@@ -173,6 +188,12 @@ fn powers() {
         (0.0, -1.0, 0.0, 0.0),
         (-2.0, 3.0, 12.0, 0.0),
         (-2.0, -1.0, -0.25, 0.0),
+        (0.5, f64::INFINITY, 0.0, 0.0),
+        (-0.5, f64::INFINITY, 0.0, 0.0),
+        (0.0, f64::INFINITY, 0.0, 0.0),
+        (2.0, f64::NEG_INFINITY, 0.0, 0.0),
+        (f64::INFINITY, -1.0, 0.0, 0.0),
+        (f64::INFINITY, f64::NEG_INFINITY, 0.0, 0.0),
     ] {
         let at = format!("{base} to the {exponent}");
         assert_eq!(base.powf_vjp(exponent).1(1.0), (to_base, to_exponent), "{at}");

@@ -81,5 +81,5 @@ use symmetric;
 /// Sine and cosine of an angle, times its tangent.
 #[inline(always)]
 fn rotated<S: crate::Real>(angle: S, tangent: S) -> (S, S) {
-    (super::scale(tangent, angle.sin()), super::scale(tangent, angle.cos()))
+    (super::chain(tangent, angle.sin()), super::chain(tangent, angle.cos()))
 }

@@ -1,7 +1,8 @@
 //! Functions of scalars.
 
 use super::symmetric;
-use crate::rules::{RealRules, ScalarRules, scale};
+use crate::rules::operators::product_tangent;
+use crate::rules::{RealRules, ScalarRules, chain};
 use crate::{Real, Scalar};
 
 /// The `_jvp` siblings of the methods of [`Real`].
@@ -27,7 +28,19 @@ pub trait RealForward: RealRules {
         powf_jvp = powf_vjp(exponent exponent_tangent 1);
         atan2_jvp = atan2_vjp(abscissa abscissa_tangent 1);
         clamp_jvp = clamp_vjp(low low_tangent 1, high high_tangent 2);
-        mul_add_jvp = mul_add_vjp(a a_tangent 1, b b_tangent 2);
+    }
+
+    /// The product, and the tangent of the summand.
+    #[inline(always)]
+    fn mul_add_jvp(
+        self,
+        a: Self,
+        b: Self,
+        tangent: Self,
+        a_tangent: Self,
+        b_tangent: Self,
+    ) -> (Self, Self) {
+        (self.mul_add(a, b), product_tangent(self, a, tangent, a_tangent) + b_tangent)
     }
 
     /// From [`powi_vjp`](RealRules::powi_vjp).
@@ -50,8 +63,8 @@ pub trait RealForward: RealRules {
         c_tangent: Self,
         d_tangent: Self,
     ) -> (Self, Self) {
-        let first = scale(a_tangent, b) + scale(b_tangent, a);
-        let second = scale(c_tangent, d) + scale(d_tangent, c);
+        let first = product_tangent(a, b, a_tangent, b_tangent);
+        let second = product_tangent(c, d, c_tangent, d_tangent);
         (Self::difference_of_products(a, b, c, d), first - second)
     }
 }
@@ -69,7 +82,7 @@ pub trait ScalarForward: ScalarRules {
     #[inline(always)]
     fn sin_cos_jvp(self, tangent: Self) -> ((Self, Self), (Self, Self)) {
         let (sin, cos) = (self.sin(), self.cos());
-        ((sin, cos), (scale(tangent, cos), -scale(tangent, sin)))
+        ((sin, cos), (chain(tangent, cos), -chain(tangent, sin)))
     }
 }
 

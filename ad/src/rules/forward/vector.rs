@@ -2,13 +2,13 @@
 
 use super::symmetric;
 use crate::Real;
-use crate::rules::{RealRules, Vector3Rules, VectorRules, scale, scale_elements, scale_vector};
+use crate::rules::{RealRules, Vector3Rules, VectorRules, chain};
 use crate::vector::{Vector, Vector3};
 
 /// The inner product of a tangent with partial derivatives.
 #[inline(always)]
 pub(super) fn inner<V: Vector>(tangent: V, partials: V) -> V::Scalar {
-    scale_elements(tangent, partials).element_sum()
+    tangent.zip_elements(partials, chain).element_sum()
 }
 
 /// Siblings of methods with a scalar result.
@@ -104,9 +104,9 @@ pub trait VectorForward: VectorRules {
         other_tangent: Self,
         s_tangent: Self::Scalar,
     ) -> (Self, Self) {
-        let along_ends = tangent.map_elements(|t| scale(t, Self::Scalar::ONE - s))
-            + other_tangent.map_elements(|t| scale(t, s));
-        (self.lerp(other, s), along_ends + scale_vector(s_tangent, other - self))
+        let along_ends = tangent.map_elements(|t| chain(t, Self::Scalar::ONE - s))
+            + other_tangent.map_elements(|t| chain(t, s));
+        (self.lerp(other, s), along_ends + (other - self).map_elements(|d| chain(s_tangent, d)))
     }
 
     /// v - 2 (v . n) n, by v and by n.
@@ -114,8 +114,8 @@ pub trait VectorForward: VectorRules {
     fn reflect_jvp(self, normal: Self, tangent: Self, normal_tangent: Self) -> (Self, Self) {
         let product = inner(tangent, normal) + inner(normal_tangent, self);
         let twice_v_n = (self + self).dot(normal);
-        let along = scale_vector(product + product, normal)
-            + normal_tangent.map_elements(|t| scale(t, twice_v_n));
+        let along = normal.map_elements(|n| chain(product + product, n))
+            + normal_tangent.map_elements(|t| chain(t, twice_v_n));
         (self.reflect(normal), tangent - along)
     }
 }

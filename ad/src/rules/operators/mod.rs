@@ -29,6 +29,7 @@ pub use borrowed::{
     AttributeOnOneForm, BorrowedAssignment, BorrowedOperator, OfReferences, OfValues, operation,
 };
 pub use kept::{Kept, Nothing, Operands};
+pub(super) use numbers::product_tangent;
 pub(crate) use numbers::quotient_pullback_of_finite;
 
 use core::ops::{Add, Div, Mul, Neg, Rem, Sub};

@@ -8,7 +8,7 @@ use super::{
     SubPullback,
 };
 use crate::dual::Along;
-use crate::rules::scale;
+use crate::rules::{chain, is_infinite, scale};
 use crate::tape::Var;
 use crate::vector::Xyz;
 use crate::{Dual, Mask, Real};
@@ -113,10 +113,9 @@ pub(super) fn denominator_cotangent<S: Real>(to_numerator: S, quotient: S) -> S 
 
 /// The tangent of `a * b`.
 ///
-/// Where a tangent of zero meets a factor that is infinite or NaN the plain formula gives NaN, so a
-/// look at its result spares the comparisons of both tangents with zero.
+/// Where zero meets what is infinite or NaN the plain formula gives NaN, so a look at its result spares the comparisons of both tangents with zero.
 #[inline(always)]
-fn product_tangent<S: Real>(a: S, b: S, a_tangent: S, b_tangent: S) -> S {
+pub fn product_tangent<S: Real>(a: S, b: S, a_tangent: S, b_tangent: S) -> S {
     let tangent = a_tangent * b + b_tangent * a;
     match tangent.is_finite().all() {
         true => tangent,
@@ -128,7 +127,7 @@ fn product_tangent<S: Real>(a: S, b: S, a_tangent: S, b_tangent: S) -> S {
 #[cold]
 #[inline(never)]
 fn rare_product_tangent<S: Real>(a: S, b: S, a_tangent: S, b_tangent: S) -> S {
-    scale(a_tangent, b) + scale(b_tangent, a)
+    chain(a_tangent, b) + chain(b_tangent, a)
 }
 
 /// The tangent of `quotient = numerator / denominator`, with the same look at the result.
@@ -155,10 +154,8 @@ fn rare_quotient_tangent<S: Real>(
     tangent: S,
     denominator_tangent: S,
 ) -> S {
-    let by_denominator =
-        S::select(quotient.vanishes(), S::zero(), scale(denominator_tangent, quotient));
-    let numerator = tangent - by_denominator;
-    let singular = denominator.cmpeq(S::ZERO) | numerator.vanishes();
+    let numerator = tangent - chain(denominator_tangent, quotient);
+    let singular = denominator.cmpeq(S::ZERO) | is_infinite(denominator) | numerator.vanishes();
     S::select(singular, S::zero(), numerator / denominator)
 }
 
@@ -212,7 +209,7 @@ macro_rules! remainder {
 
             #[inline(always)]
             fn rem_jvp(self, rhs: Self, tangent: Self, rhs_tangent: Self) -> (Self, Self) {
-                (self % rhs, tangent - scale(rhs_tangent, (self / rhs).trunc()))
+                (self % rhs, tangent - chain(rhs_tangent, (self / rhs).trunc()))
             }
         }
     )*};

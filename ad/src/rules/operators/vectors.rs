@@ -5,7 +5,7 @@ use glam::{DVec2, DVec3, DVec4, Vec2, Vec3, Vec4};
 use super::numbers::{denominator_cotangent, quotient_pullback, quotient_tangent};
 use super::{AddPullback, DivPullback, MulPullback, Nothing, SubPullback};
 use crate::Real;
-use crate::rules::{scale, scale_elements, scale_vector};
+use crate::rules::{chain, scale, scale_elements};
 use crate::vector::{Vector, Xyz};
 
 macro_rules! vector_operators {
@@ -23,7 +23,8 @@ macro_rules! vector_operators {
 
             #[inline(always)]
             fn mul_jvp(self, rhs: Self, tangent: Self, rhs_tangent: Self) -> (Self, Self) {
-                (self * rhs, scale_elements(tangent, rhs) + scale_elements(rhs_tangent, self))
+                let along_self = tangent.zip_elements(rhs, chain);
+                (self * rhs, along_self + rhs_tangent.zip_elements(self, chain))
             }
         }
 
@@ -43,8 +44,8 @@ macro_rules! vector_operators {
 
             #[inline(always)]
             fn mul_jvp(self, rhs: $scalar, tangent: Self, rhs_tangent: $scalar) -> (Self, Self) {
-                let along_vector = tangent.map_elements(|tangent| scale(tangent, rhs));
-                (self * rhs, along_vector + scale_vector(rhs_tangent, self))
+                let along_vector = tangent.map_elements(|tangent| chain(tangent, rhs));
+                (self * rhs, along_vector + self.map_elements(|x| chain(rhs_tangent, x)))
             }
         }
 
