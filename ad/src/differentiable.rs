@@ -293,5 +293,7 @@ no_derivative!(
 
 no_derivative!(core::cmp::Ordering, glam::BVec2, glam::BVec3, glam::BVec4);
 
+impl NoDerivative for () {}
+impl<T: NoDerivative + ?Sized> NoDerivative for &T {}
 impl<T: NoDerivative> NoDerivative for Option<T> {}
 impl<T: NoDerivative, E: NoDerivative> NoDerivative for Result<T, E> {}

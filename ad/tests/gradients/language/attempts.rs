@@ -114,3 +114,42 @@ fn of_nothing(x: f64, y: f64) -> f64 {
 fn nothing_is_passed() {
     crate::oracle::check!(of_nothing(x, y) at [0.7, 1.3], [-0.4, 0.9]);
 }
+
+#[differentiable]
+fn root_or_text(x: f64) -> Result<f64, &'static str> {
+    if x < 0.0 { Err("negative") } else { Ok(x.sqrt()) }
+}
+
+#[differentiable]
+fn root_or_nothing(x: f64) -> Result<f64, ()> {
+    if x < 0.0 { Err(()) } else { Ok(x.sqrt()) }
+}
+
+#[differentiable]
+fn with_text(x: f64, y: f64) -> Result<f64, &'static str> {
+    let first = perhaps(y).ok_or("not positive")?;
+    Ok(first * root_or_text(x)?)
+}
+
+#[differentiable]
+fn with_owned_text(x: f64, y: f64) -> Outcome<f64> {
+    let sides = [x, y];
+    let last = *sides.get(1).ok_or("too few")?;
+    Ok(last * root_or_text(x)?)
+}
+
+#[differentiable]
+fn with_nothing(x: f64, y: f64) -> Result<f64, ()> {
+    Ok(root_or_nothing(x)? * root_or_nothing(y)?)
+}
+
+#[differentiable]
+fn with_errors(x: f64, y: f64) -> f64 {
+    let texts = with_text(x, y).unwrap_or(x - y) * with_owned_text(x, y).unwrap_or(y);
+    texts + with_nothing(x, y).unwrap_or(x * y)
+}
+
+#[test]
+fn errors_without_derivatives() {
+    check!(with_errors(x, y) at [1.3, 0.4], [-1.3, 0.4], [0.4, -1.3]);
+}
