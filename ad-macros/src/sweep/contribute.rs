@@ -66,7 +66,7 @@ impl Sweeper<'_> {
         let space = match self.facts.origin(var) {
             Some(Place { root, path }) if self.vars[root].active => {
                 let (space, part) = (self.space(root), Ident::new("tangent", Span::mixed_site()));
-                let projected = tangent_path(quote!(#part), &path);
+                let projected = tangent_path(quote!((*#part)), &path);
                 quote!(#space.part(|#part| &#projected))
             }
             _ => {

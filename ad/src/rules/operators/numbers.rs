@@ -113,7 +113,8 @@ pub(super) fn denominator_cotangent<S: Real>(to_numerator: S, quotient: S) -> S 
 
 /// The tangent of `a * b`.
 ///
-/// Where zero meets what is infinite or NaN the plain formula gives NaN, so a look at its result spares the comparisons of both tangents with zero.
+/// Where zero meets what is infinite or NaN the plain formula gives NaN, so a look at its result spares the
+/// comparisons of both tangents with zero.
 #[inline(always)]
 pub fn product_tangent<S: Real>(a: S, b: S, a_tangent: S, b_tangent: S) -> S {
     let tangent = a_tangent * b + b_tangent * a;

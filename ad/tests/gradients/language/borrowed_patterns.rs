@@ -400,3 +400,43 @@ fn what_a_pattern_borrows_is_changed() {
         check!(value(x, y) at [1.3, 0.4], [-0.7, 1.1], [0.6, -1.9]);
     }
 }
+
+#[derive(Clone, Copy, Debug, Differentiable)]
+struct Wrapped<T>(T);
+
+#[differentiable]
+fn wrapped(a: &f64) -> Wrapped<f64> {
+    Wrapped(*a)
+}
+
+#[differentiable]
+fn both(x: &[f64]) -> P {
+    let (head, tail) = (&x[0], &x[1]);
+    P { a: *head, b: *tail }
+}
+
+#[differentiable]
+fn copied(e: &E) -> E {
+    match e {
+        E::A(a) => E::A(*a),
+        E::B { u, v } => E::B { u: *v, v: *u },
+        other => other.clone(),
+    }
+}
+
+/// What a reference leads to, as a field of what is made.
+#[differentiable]
+fn made_from_references(x: f64, y: f64) -> f64 {
+    let whole = both(&[x, y]);
+    let turned = match copied(&E::B { u: whole.a, v: whole.b }) {
+        E::B { u, v } => u * u + v,
+        _ => 0.0,
+    };
+    let boxed = Box::new(y);
+    turned * wrapped(&x).0 + wrapped(&boxed).0
+}
+
+#[test]
+fn fields_made_from_references() {
+    check!(made_from_references(x, y) at [0.7, 1.3], [-0.4, 0.9]);
+}
