@@ -253,6 +253,20 @@ fn shadows_on_a_floor() {
     }
 }
 
+/// A shadow ends on facets that are about as large as a pixel: most links with its edge have a ridge, too.
+#[test]
+fn shadows_on_facets() {
+    let mut scene = scene();
+    add_facets(&mut scene, true);
+    let corners = vec![[0.1, 1.0, 1.4], [0.8, 1.4, 0.6], [0.0, 1.6, 0.7]];
+    scene.add_mesh(Mesh::new("leaf", corners, vec![[0, 1, 2]])).unwrap();
+    add_lamp(&mut scene);
+    for path in ["light.lamp.position", "mesh.leaf.translation"] {
+        check(&scene, path, 1, 0.1);
+        check(&scene, path, 4, 0.03);
+    }
+}
+
 /// Light comes through one surface, through another, through both, and through front and back of a ball; a part of
 /// it is in the shadow of what is opaque.
 fn add_transparent(scene: &mut Scene) {

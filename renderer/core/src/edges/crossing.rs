@@ -173,8 +173,9 @@ impl<'a, L: Plain> Search<'a, L> {
         let mut steps = std::mem::take(&mut self.steps);
         let leads =
             self.geometry.walk(primitives, [start, end].map(|at| link.place(at)), &mut steps);
-        // What is between the ends of a shadow is not known.
-        let is_over = leads && (steps.len() == 1 || have_same_light(&a, &b));
+        // Where on the way a shadow ends is not known.
+        let is_continuous = || self.geometry.are_continuous(a.primitive, b.primitive);
+        let is_over = leads && (have_same_light(&a, &b) || steps.len() == 1 && is_continuous());
         if !is_over {
             steps.clear();
         }
@@ -333,7 +334,7 @@ impl<'a, L: Plain> Search<'a, L> {
             return;
         }
         let start = if is_first { part.from } else { part.to };
-        let near = self.settled(link, at, (start, near), depth, divisions);
+        let near = self.settled(link, at, (start, near), behind, depth, divisions);
         let sides = if is_first { [near, behind] } else { [behind, near] };
         self.emit(link, at, depth, edge, sides);
         if !is_far {
@@ -351,22 +352,28 @@ impl<'a, L: Plain> Search<'a, L> {
         part: Part,
         divisions: usize,
     ) {
-        let first = self.settled(link, at, (part.from, part.first), depth, divisions);
-        let last = self.settled(link, at, (part.to, part.last), depth, divisions);
-        self.emit(link, at, depth, edge, [first, last]);
+        let Part { from, to, first, last } = part;
+        let sides = [
+            self.settled(link, at, (from, first), last, depth, divisions),
+            self.settled(link, at, (to, last), first, depth, divisions),
+        ];
+        self.emit(link, at, depth, edge, sides);
     }
 
     /// The path next to an edge on the side of an end of a link. Beyond the surface with the edge it may
-    /// be another than at the end: what lies between them is searched for.
+    /// be another than at the end, and where lights differ on both sides shadows may end before the edge:
+    /// what lies between them is searched for.
     fn settled(
         &mut self,
         link: &Link,
         at: f64,
         (end, path): (f64, Path),
+        across: Path,
         depth: usize,
         divisions: usize,
     ) -> Path {
-        if self.of(path).len() <= depth + 1 || (end - at).abs() <= 2.0 * BEYOND {
+        let is_known = self.of(path).len() <= depth + 1 && !self.may_be_shaded(path, across, depth);
+        if is_known || (end - at).abs() <= 2.0 * BEYOND {
             return path;
         }
         let beside = at + BEYOND * (end - at).signum();
@@ -380,6 +387,12 @@ impl<'a, L: Plain> Search<'a, L> {
         };
         self.search(link, rest, divisions + 1);
         found
+    }
+
+    /// Whether a shadow may end on the surfaces of a path up to a depth, on the way to another path.
+    fn may_be_shaded(&self, path: Path, other: Path, depth: usize) -> bool {
+        let both = self.of(path).iter().zip(self.of(other)).take(depth + 1);
+        both.into_iter().any(|(a, b)| a.primitive != NO_PRIMITIVE && !have_same_light(a, b))
     }
 
     /// Where two surfaces pierce each other, the first one in front at `low`.
