@@ -10,7 +10,7 @@ use super::output::{json_numbers, print, print_note, print_warning, short};
 use crate::Error;
 use crate::arithmetic::Arithmetic;
 use crate::optimize::Evaluation;
-use crate::recovery::Verdict;
+use crate::recovery::{Finding, Verdict};
 use crate::scene::{Object, ParameterId, Scene};
 use crate::settings::Edges;
 
@@ -23,7 +23,8 @@ pub(super) struct Arguments {
     accuracy: AccuracyArguments,
 
     /// Compare with finite differences: of the loss in double precision, or of finely sampled images where
-    /// a parameter moves edges. Ends with exit code 1 if a parameter is off by more than the tolerance
+    /// a parameter moves edges. Ends with exit code 1 if a parameter is off by more than the tolerance, and
+    /// says so if noise does not let it tell
     #[arg(long)]
     check: bool,
 
@@ -32,7 +33,8 @@ pub(super) struct Arguments {
           value_parser = super::accuracy::accuracy)]
     tolerance: f64,
 
-    /// Print an object: path -> numbers; with --check also `check`, an object: path -> relative error
+    /// Print an object: path -> numbers; with --check also `check` and `uncertainty`, objects: path -> relative
+    /// error, and how exactly it is known
     #[arg(long)]
     json: bool,
 }
@@ -59,6 +61,7 @@ pub(super) fn run(arguments: &Arguments, chosen: Option<Arithmetic>) -> Result<E
         print(format_args!("loss {}", short(loss)))?;
     }
     let (mut object, mut errors, mut off) = (Map::new(), Map::new(), Vec::new());
+    let mut uncertainties = Map::new();
     for (id, block) in blocks {
         let path = scene.path(id).to_string();
         let verdict = arguments.check.then(|| recovery.check(id, block));
@@ -74,15 +77,17 @@ pub(super) fn run(arguments: &Arguments, chosen: Option<Arithmetic>) -> Result<E
         }
         object.insert(path.clone(), json_numbers(block, &scene.shape(id)));
         if let Some(verdict) = verdict {
-            if !verdict.is_within(arguments.tolerance) {
+            if verdict.at(arguments.tolerance) == Finding::Disagrees {
                 off.push(id);
             }
+            uncertainties.insert(path.clone(), verdict.uncertainty.into());
             errors.insert(path, verdict.error.into());
         }
     }
     if arguments.json {
         if arguments.check {
             object.insert("check".into(), errors.into());
+            object.insert("uncertainty".into(), uncertainties.into());
         }
         print(format_args!("{:#}", Value::Object(object)))?;
     }
@@ -118,7 +123,11 @@ fn print_verdict(
             compared.uncertainty
         ))?;
     }
-    let word = if verdict.is_within(tolerance) { "agrees" } else { "DISAGREES" };
+    let word = match verdict.at(tolerance) {
+        Finding::Agrees => "agrees",
+        Finding::Unknown => "cannot tell",
+        Finding::Disagrees => "DISAGREES",
+    };
     let Verdict { error, uncertainty, .. } = verdict;
     print(format_args!("  {word}: off by {error:.1e} of its norm, known to {uncertainty:.1e}"))
 }

@@ -33,7 +33,7 @@ mod variable;
 use std::borrow::Cow;
 use std::sync::{Arc, Mutex};
 
-pub use check::{Compared, Verdict};
+pub use check::{Compared, Finding, Verdict};
 pub(crate) use levels::check_levels;
 pub(crate) use objective::ImageObjective;
 pub use quality::Quality;

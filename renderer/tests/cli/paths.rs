@@ -126,6 +126,26 @@ fn gradients_are_checked_and_know_edges() {
     }
 }
 
+/// A few paths through each pixel give a gradient that is mostly noise, and not one that is wrong.
+#[test]
+fn checks_tell_noise_from_errors() {
+    let sandbox = Sandbox::new();
+    sandbox.write("path.toml", format!("{PATH}{SKY}{SCENE}"));
+    sandbox.succeed(&["render", "scene.toml", "-o", "target.exr"]);
+    let gradient = ["gradient", "path.toml", "--target", "target.exr", "--samples", "4", "--check"];
+    let of = |more: &[&str]| sandbox.run(&[&gradient[..], more].concat());
+    let output = of(&["--param", "mesh.floor.vertices"]);
+    let text = String::from_utf8(output.stdout).unwrap();
+    assert!(output.status.success() && text.contains("  cannot tell: "), "{text}");
+    let output = of(&["--param", "mesh.floor.vertices", "--json"]);
+    let json: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+    assert!(json["uncertainty"]["mesh.floor.vertices"].as_f64().unwrap() > 0.02, "{json}");
+    // Paths end at random in steps, which smaller changes do not reach.
+    let output = of(&["--param", "material.paint.diffuse"]);
+    let text = String::from_utf8(output.stdout).unwrap();
+    assert!(output.status.success() && text.contains("  agrees: "), "{text}");
+}
+
 #[test]
 fn what_makes_no_sense_is_refused() {
     let sandbox = Sandbox::new();
