@@ -1,7 +1,7 @@
 //! The inherent methods of `f32` and `f64`, and those of `Real`, which take their receiver by value.
 
 /// Those that return a number of the same type.
-const TO_NUMBER: [&str; 44] = [
+const TO_NUMBER: [&str; 45] = [
     "abs",
     "acos",
     "acosh",
@@ -29,6 +29,7 @@ const TO_NUMBER: [&str; 44] = [
     "log10",
     "log2",
     "max",
+    "midpoint",
     "min",
     "mul_add",
     "powf",

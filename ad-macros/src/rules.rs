@@ -4,7 +4,7 @@ use crate::floats;
 
 /// Those of vectors, matrices, quaternions, sequences, options and integers that leave their receiver as
 /// it is, in alphabetical order.
-const METHODS: [&str; 45] = [
+const METHODS: [&str; 46] = [
     "clone",
     "cloned",
     "col",
@@ -24,7 +24,6 @@ const METHODS: [&str; 45] = [
     "length_squared",
     "lerp",
     "max_element",
-    "midpoint",
     "min_element",
     "mul_quat",
     "mul_vec3",
@@ -36,10 +35,12 @@ const METHODS: [&str; 45] = [
     "saturating_mul",
     "saturating_sub",
     "slerp",
+    "to_owned",
     "to_vec",
     "transform_point3",
     "transform_vector3",
     "transpose",
+    "try_into",
     "unwrap",
     "unwrap_or",
     "unwrap_or_default",
@@ -48,6 +49,31 @@ const METHODS: [&str; 45] = [
     "wrapping_sub",
     "x",
     "xyz",
+    "y",
+    "z",
+];
+
+/// Those whose rules are for all numbers or all vectors, whatever their type, in alphabetical order.
+const FOR_EVERY_TYPE: [&str; 21] = [
+    "clone",
+    "cross",
+    "distance",
+    "distance_squared",
+    "dot",
+    "element_sum",
+    "length",
+    "length_recip",
+    "length_squared",
+    "lerp",
+    "max_element",
+    "min_element",
+    "normalize",
+    "normalize_or_zero",
+    "reflect",
+    "sin_cos",
+    "to_degrees",
+    "to_radians",
+    "x",
     "y",
     "z",
 ];
@@ -92,4 +118,10 @@ pub fn changes_receiver(name: &str) -> bool {
 pub fn is_method(name: &str) -> bool {
     let has_rule = |names: &[&str]| names.binary_search(&name).is_ok();
     floats::takes_number(name) || has_rule(&METHODS) || has_rule(&CHANGES_RECEIVER)
+}
+
+/// Whether the rule of this name is for every type that can do certain things: the compiler says then what a
+/// type without the rule cannot do.
+pub fn is_for_every_type(name: &str) -> bool {
+    floats::real_returns_number(name) || FOR_EVERY_TYPE.binary_search(&name).is_ok()
 }

@@ -291,7 +291,13 @@ no_derivative!(
     bool, char, str, String, i8, i16, i32, i64, i128, isize, u8, u16, u32, u64, u128, usize
 );
 
-no_derivative!(core::cmp::Ordering, glam::BVec2, glam::BVec3, glam::BVec4);
+no_derivative!(
+    core::array::TryFromSliceError,
+    core::cmp::Ordering,
+    glam::BVec2,
+    glam::BVec3,
+    glam::BVec4
+);
 
 impl NoDerivative for () {}
 impl<T: NoDerivative + ?Sized> NoDerivative for &T {}

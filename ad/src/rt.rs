@@ -74,12 +74,13 @@ pub mod methods {
         DVec2Rules as _, DVec4Rules as _, DerefRules as _, ExtendRules as _, FlattenRules as _,
         FloatRules as _, FromRules as _, GlamRules as _, IntegerRules as _, IntoRules as _,
         LengthRules as _, Mat2Rules as _, Mat3Rules as _, Mat4Rules as _, MatrixRules as _,
-        OptionRules as _, PlaneMotionRules as _, PlaneRules as _, ProjectionRules as _,
-        QuaternionRules as _, RealRules as _, ResultRules as _, RotationRules as _,
-        ScalarRules as _, ScaledRules as _, SequenceRules as _, SignedRules as _, SpaceRules as _,
-        Swizzle2Rules as _, Swizzle3Rules as _, Swizzle4Rules as _, TransformRules as _,
-        TruncateRules as _, TurnRules as _, Vec2Rules as _, Vec4Rules as _, VecRules as _,
-        Vector3Rules as _, VectorRules as _, With2Rules as _, With3Rules as _, With4Rules as _,
+        OptionRules as _, OwnedRules as _, PlaneMotionRules as _, PlaneRules as _,
+        ProjectionRules as _, QuaternionRules as _, RealRules as _, ResultRules as _,
+        RotationRules as _, ScalarRules as _, ScaledRules as _, SequenceRules as _,
+        SignedRules as _, SpaceRules as _, Swizzle2Rules as _, Swizzle3Rules as _,
+        Swizzle4Rules as _, TransformRules as _, TruncateRules as _, TryIntoRules as _,
+        TurnRules as _, Vec2Rules as _, Vec4Rules as _, VecRules as _, Vector3Rules as _,
+        VectorRules as _, With2Rules as _, With3Rules as _, With4Rules as _,
     };
     pub use crate::vector::{Vector as _, Vector3 as _};
 }

@@ -69,7 +69,10 @@ impl Called {
 
     /// What yields to the derivatives that are there. An import takes whatever has a name, a function
     /// or a type; for a function without derivative the type comes from a module. For a method without
-    /// derivative there is a trait, which nothing satisfies.
+    /// derivative there is a trait, which nothing satisfies. Its methods take `&mut self`: `&mut T` is
+    /// invariant in `T`, so that `T` is the type of the receiver to the letter, lifetimes included, where that
+    /// is a reference; else the compiler does not take it for the type that lacks the trait, and leaves out
+    /// what the trait says about that.
     pub fn stand_ins(&self) -> TokenStream {
         let methods = self.methods.iter().map(|(name, functions)| {
             let modes = ["vjp", "jvp"].map(|mode| format_ident!("{name}_{mode}"));
@@ -80,7 +83,7 @@ impl Called {
             let derivatives = format_ident!("{name}_derivatives");
             quote! {
                 trait #derivatives {
-                    #(fn #called(&self) {})*
+                    #(fn #called(&mut self) {})*
                 }
                 impl<T: ?::core::marker::Sized + ::ad::rt::MethodWithDerivative> #derivatives for T {}
             }

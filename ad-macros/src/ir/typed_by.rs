@@ -31,7 +31,11 @@ impl TypedBy {
         let Self { function, method, index } = self;
         let mut name = argument(method.as_ref(), *index, mode);
         match method {
-            Some(_) => quote!(#function.#name),
+            // What is missing there is missing at the name of the method, or of the function.
+            Some(method) => {
+                name.set_span(name.span().located_at(method.span()));
+                quote!(#function.#name)
+            }
             None => {
                 name.set_span(function.span());
                 quote!(#function::#name)

@@ -330,7 +330,9 @@ impl Lowerer<'_> {
             let ident = self.ident(value);
             return Operand::Constant(quote!(#ident));
         }
-        if let Some(name) = callee.name().filter(|name| !rules::is_method(&name.to_string())) {
+        if let Some(name) =
+            callee.name().filter(|name| !rules::is_for_every_type(&name.to_string()))
+        {
             let is_function =
                 |(_, argument): &(usize, &Argument)| Primal(&self.vars).is_function(argument);
             let functions = arguments.iter().enumerate().filter(is_function);

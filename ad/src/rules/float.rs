@@ -51,6 +51,8 @@ float_rules! {
         let defined = norm != 0.0;
         (regular(defined, g, x / norm), regular(defined, g, y / norm))
     };
+    /// A half to each.
+    midpoint_vjp = midpoint(x, y), value |g| (0.5 * g, 0.5 * g);
     /// 1/(3 cbrt(x)^2); 0 at 0.
     cbrt_vjp = cbrt(x), root |g| regular(x != 0.0, g, 1.0 / (3.0 * root * root));
     /// cosh(x)

@@ -64,6 +64,7 @@ mod integer;
 mod matrix;
 mod operators;
 mod outcome;
+mod owned;
 mod quaternion;
 #[doc(hidden)]
 pub mod replace;
@@ -106,6 +107,7 @@ pub use operators::{
     SubAssignPullback, SubPullback, operation,
 };
 pub use outcome::{CopiedRules, DerefRules, FlattenRules, OptionRules, ResultRules};
+pub use owned::{OwnedRules, TryIntoRules};
 pub use quaternion::QuaternionRules;
 pub use scalar::{RealRules, ScalarRules};
 #[doc(hidden)]

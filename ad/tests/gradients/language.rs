@@ -62,6 +62,7 @@ mod matrices;
 mod mixtures;
 mod operators;
 mod outcomes;
+mod owned;
 mod passing_on;
 mod programs;
 mod rest_patterns;

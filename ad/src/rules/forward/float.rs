@@ -7,6 +7,7 @@ use crate::rules::FloatRules;
 pub trait FloatForward: FloatRules + Copy + core::ops::Add<Output = Self> {
     symmetric! {
         hypot_jvp = hypot_vjp(other other_tangent 1);
+        midpoint_jvp = midpoint_vjp(other other_tangent 1);
         cbrt_jvp = cbrt_vjp();
         sinh_jvp = sinh_vjp();
         cosh_jvp = cosh_vjp();

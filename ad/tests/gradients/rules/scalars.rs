@@ -138,6 +138,7 @@ macro_rules! all_float_cases {
         float_cases! {
             $function $type:
             hypot hypot_vjp not_small (a, b);
+            midpoint midpoint_vjp anywhere (a, b);
             cbrt cbrt_vjp not_small (a);
             sinh sinh_vjp anywhere (a);
             cosh cosh_vjp anywhere (a);
