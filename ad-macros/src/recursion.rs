@@ -7,8 +7,10 @@
 
 use std::collections::HashSet;
 
+use proc_macro2::{TokenStream, TokenTree};
+use syn::parse::ParseStream;
 use syn::visit::{self, Visit};
-use syn::{Block, Expr, ExprCall, ExprMethodCall, Ident, Signature};
+use syn::{Block, Expr, ExprCall, ExprMethodCall, Ident, Macro, Signature};
 
 use crate::rules;
 
@@ -99,4 +101,28 @@ impl<'ast> Visit<'ast> for Calls<'_> {
         self.found |= self.is_method && is_own && call.method == *self.name;
         visit::visit_expr_method_call(self, call);
     }
+
+    fn visit_macro(&mut self, call: &'ast Macro) {
+        if let Ok(arguments) = call.parse_body_with(leading_expressions) {
+            arguments.iter().for_each(|argument| self.visit_expr(argument));
+        }
+    }
+}
+
+/// The expressions that what a macro is given begins with: elements, as in `vec![x, y]` and `vec![x; n]`,
+/// values, and what `matches!` looks at.
+fn leading_expressions(input: ParseStream<'_>) -> syn::Result<Vec<Expr>> {
+    let mut found = Vec::new();
+    while let Ok(expr) = input.parse() {
+        found.push(expr);
+        let separator: TokenTree = match input.is_empty() {
+            true => break,
+            false => input.parse()?,
+        };
+        if !matches!(&separator, TokenTree::Punct(mark) if [',', ';'].contains(&mark.as_char())) {
+            break;
+        }
+    }
+    input.parse::<TokenStream>()?;
+    Ok(found)
 }

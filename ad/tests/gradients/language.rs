@@ -31,6 +31,7 @@ mod attempts;
 mod borrowed_patterns;
 mod checkpoint;
 mod circles;
+mod circles_in_macros;
 mod closures;
 mod closures_for_methods;
 mod collections;
