@@ -10,7 +10,7 @@ use super::callee::{is_box_new, is_from_fn, is_swap};
 use super::hidden::decodes;
 use super::higher::{refused_function, refused_method};
 use super::no_diff::{stopped, undifferentiated};
-use super::syntax::{is_type_name, strip_parens};
+use super::syntax::{is_type_name, makes_value, strip_parens};
 use crate::ir::{
     Argument, Callee, Derivative, Operand, Operation, Place, Projection, Statement, TypedBy,
 };
@@ -74,7 +74,7 @@ impl Lowerer<'_> {
             };
         };
         if reference.mutability.is_some() {
-            if let Expr::Call(_) | Expr::MethodCall(_) = strip_parens(&reference.expr) {
+            if makes_value(&reference.expr) {
                 return self.exclusive_value(&reference.expr);
             }
             return match self.target(&reference.expr) {

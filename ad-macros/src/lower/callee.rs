@@ -162,7 +162,12 @@ fn ends_with(path: &Path, owner: &str, name: &str) -> bool {
 
 /// Whether a path leads to a function of a type.
 pub(super) fn is_associated(function: &ExprPath) -> bool {
-    let is_type = |owner: &Ident| is_type_name(owner) || owner == "f32" || owner == "f64";
+    const PRIMITIVE: [&str; 16] = [
+        "bool", "char", "f32", "f64", "i8", "i16", "i32", "i64", "i128", "isize", "u8", "u16",
+        "u32", "u64", "u128", "usize",
+    ];
+    let is_type =
+        |owner: &Ident| is_type_name(owner) || PRIMITIVE.iter().any(|primitive| owner == primitive);
     function.qself.is_some()
         || function.path.segments.iter().rev().nth(1).is_some_and(|owner| is_type(&owner.ident))
 }

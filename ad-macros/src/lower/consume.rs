@@ -52,6 +52,7 @@ impl Lowerer<'_> {
             ("collect", []) => self.collected(call, hint),
             ("unzip", []) => self.in_two(call, None, hint),
             ("partition", [function]) => self.in_two(call, Some(function), hint),
+            _ if self.tests_what_changes(call) => self.tested(call, hint),
             ("count", []) | ("any" | "all" | "position" | "rposition", [_]) => {
                 self.discrete(&Expr::MethodCall(call.clone()))
             }
@@ -64,6 +65,58 @@ impl Lowerer<'_> {
             ),
         };
         Some(value)
+    }
+
+    /// Whether a method tests or counts the items of an iterator that changes something, as `drain` does: a
+    /// loop of its own, while one that only reads is called as it is.
+    pub(super) fn tests_what_changes(&self, call: &ExprMethodCall) -> bool {
+        matches!(
+            (&*call.method.to_string(), call.args.len()),
+            ("count", 0) | ("any" | "all" | "position", 1)
+        ) && is_chain(&call.receiver)
+            && self.changes(&call.receiver)
+    }
+
+    /// `.count()`, `.any(function)`, `.all(function)`, `.position(function)`
+    fn tested(&mut self, call: &ExprMethodCall, hint: &str) -> Operand {
+        let [item, count, found] =
+            ["item", "count", "found"].map(|name| self.names.unwritten(name));
+        let (chain, function) = (&call.receiver, call.args.first());
+        let test: Expr = match &*call.method.to_string() {
+            "count" => parse_quote!({
+                let mut #count: usize = 0;
+                for _ in #chain {
+                    #count += 1;
+                }
+                #count
+            }),
+            "position" => parse_quote!({
+                let mut #count: usize = 0;
+                let mut #found: bool = false;
+                for #item in #chain {
+                    if (#function)(#item) {
+                        #found = true;
+                        break;
+                    }
+                    #count += 1;
+                }
+                if #found { ::core::option::Option::Some(#count) } else { ::core::option::Option::None }
+            }),
+            name => {
+                let is_any = name == "any";
+                parse_quote!({
+                    let mut #found: bool = !#is_any;
+                    for #item in #chain {
+                        if (#function)(#item) == #is_any {
+                            #found = #is_any;
+                            break;
+                        }
+                    }
+                    #found
+                })
+            }
+        };
+        self.operand(&test, hint)
     }
 
     /// `.unzip()`, and with a function `.partition(function)`: into two `Vec`s, one by one.

@@ -36,8 +36,11 @@ impl Lowerer<'_> {
             Expr::MethodCall(call) => {
                 let name = call.method.to_string();
                 call.args.iter().any(|argument| self.is_lent_exclusively(argument))
-                    || (rules::changes_receiver(&name) || self.exclusive_methods.contains(&name))
+                    || (rules::changes_receiver(&name)
+                        || changes_option(&name, call.args.len())
+                        || self.exclusive_methods.contains(&name))
                         && self.can_change(&call.receiver)
+                    || self.tests_what_changes(call)
             }
             _ => false,
         }
@@ -147,4 +150,9 @@ impl<'ast> Visit<'ast> for Changes<'_, '_> {
 
     // What a closure does it does where it is called.
     fn visit_expr_closure(&mut self, _: &'ast syn::ExprClosure) {}
+}
+
+/// Whether a method of options changes its receiver.
+fn changes_option(name: &str, arguments: usize) -> bool {
+    matches!((name, arguments), ("take", 0) | ("replace", 1))
 }

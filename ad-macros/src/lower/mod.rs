@@ -439,7 +439,9 @@ impl Lowerer<'_> {
         if let Type::Slice(_) = pointee(ty) {
             self.slices.insert(var);
         }
-        if let Some(container) = Container::of(ty) {
+        // An array behind a reference has the methods of a slice.
+        let behind = Container::of(pointee(ty)).filter(|container| *container != Container::Array);
+        if let Some(container) = Container::of(ty).or(behind) {
             self.containers.insert(var, container);
         }
         if let Type::Array(array) = pointee(ty)

@@ -7,7 +7,7 @@ use syn::{Expr, ExprAssign, ExprBinary, Lit, UnOp};
 
 use super::order::calls_function;
 use super::state::Alias;
-use super::syntax::{calls, root_name, strip_parens};
+use super::syntax::{calls, makes_value, root_name, strip_parens};
 use super::{Lowerer, exits};
 use crate::ir::{
     Argument, BinaryOperator, Operand, Operation, Place, Projection, Statement, VarId,
@@ -247,6 +247,9 @@ impl Lowerer<'_> {
 
     /// Whether a place may be a part of a variable.
     fn may_belong_to(&self, part: &Expr, root: VarId) -> bool {
+        if makes_value(part) {
+            return false;
+        }
         let Some(var) = root_name(part).and_then(|name| self.lookup(name)) else { return true };
         self.aliases.get(&var).map_or(var, |alias| alias.place.root) == root
     }

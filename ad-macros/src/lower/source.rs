@@ -11,6 +11,7 @@ use super::chain::{
 };
 use super::item::Access;
 use super::order::calls_function;
+use super::state::Container;
 use super::syntax::strip_parens;
 use crate::ir::{Operand, Operation, Place, Projection, Statement, VarId};
 
@@ -129,7 +130,11 @@ impl Lowerer<'_> {
         if is_constant && !by_reference {
             return Chain::Constant { iterator: self.plain(expr), length: None, is_range: false };
         }
+        let is_option = matches!(self.container(expr), Some(Container::Option | Container::Result));
         if let Some(place) = place {
+            if is_option {
+                return self.refuse_option(expr);
+            }
             let length = match place.path.is_empty() {
                 true => self.lengths.get(&place.root).copied(),
                 false => None,
@@ -140,12 +145,21 @@ impl Lowerer<'_> {
             Operand::Constant(iterator) if !by_reference => {
                 Chain::Constant { iterator, length: None, is_range: false }
             }
+            Operand::Var(_) if is_option => self.refuse_option(expr),
             value => {
                 let root = self.source_var(value, expr);
                 let place = Place { root, path: Vec::new() };
                 Chain::Elements { place, access, length: array_length(expr) }
             }
         }
+    }
+
+    fn refuse_option(&mut self, expr: &Expr) -> Chain {
+        self.refuse(
+            expr,
+            "an option or a result is not run over here: write `if let Some(value) = option { .. }`",
+        );
+        Chain::Refused
     }
 
     /// The place whose elements are run over: a copy of it, where the loop may change it.

@@ -39,6 +39,22 @@ pub(super) fn root_name(expr: &Expr) -> Option<&Ident> {
     }
 }
 
+/// Whether an expression makes a value, and names no place.
+pub(super) fn makes_value(expr: &Expr) -> bool {
+    matches!(
+        strip_parens(expr),
+        Expr::Array(_)
+            | Expr::Binary(_)
+            | Expr::Call(_)
+            | Expr::Lit(_)
+            | Expr::Macro(_)
+            | Expr::MethodCall(_)
+            | Expr::Repeat(_)
+            | Expr::Struct(_)
+            | Expr::Tuple(_)
+    )
+}
+
 /// The name that a pattern gives to the whole value.
 pub(super) fn simple_name(pat: &Pat) -> Option<&Ident> {
     match pat {

@@ -59,6 +59,7 @@ mod lent_elements;
 mod lent_methods;
 mod lifetimes;
 mod macros;
+mod made_where_lent;
 mod matrices;
 mod mixtures;
 mod operators;
