@@ -8,6 +8,7 @@ use syn::{
 };
 
 use crate::accumulation;
+use crate::borrowing;
 use crate::callable::Callables;
 use crate::conditional;
 use crate::element;
@@ -72,7 +73,9 @@ fn function_derivative(item: TokenStream, function: &ItemFn, options: Options) -
         let derivatives = method_derivative(function, options);
         return quote!(#item #derivatives);
     }
-    let signature = elision::in_parameters(&function.sig);
+    let borrows = options.borrows || borrowing::keeps_references(&function.sig, &function.block);
+    let options = Options { borrows, ..options };
+    let signature = elision::in_parameters(&function.sig, borrows);
     let derivatives = derivative_or_errors(&Function {
         place: Place::Free,
         visibility: &function.vis,
@@ -187,7 +190,13 @@ impl<'a> Methods<'a> {
         signature: &Signature,
         body: Option<&Block>,
     ) -> TokenStream {
-        let signature = &elision::in_parameters(signature);
+        let own = own_options(attributes);
+        // A trait and its `impl`s have to agree.
+        let borrows = self.options.borrows
+            || own.as_ref().is_ok_and(|own| own.borrows)
+            || matches!(self.place, Place::Impl(_))
+                && body.is_some_and(|body| borrowing::keeps_references(signature, body));
+        let signature = &elision::in_parameters(signature, borrows);
         let callables = &Callables::new(signature);
         let function = |options| Function {
             place: self.place,
@@ -198,11 +207,11 @@ impl<'a> Methods<'a> {
             body,
             options,
         };
-        match own_options(attributes) {
+        match own {
             Ok(own) => {
                 let options = self.options.with(own);
                 let boxed = options.boxed || self.circular.contains(&signature.ident);
-                derivative_or_errors(&function(Options { boxed, ..options }))
+                derivative_or_errors(&function(Options { boxed, borrows, ..options }))
             }
             Err(error) => {
                 let error = error.into_compile_error();

@@ -7,8 +7,8 @@ use proc_macro2::{Ident, Span, TokenStream, TokenTree};
 use quote::quote;
 use syn::visit_mut::{self, VisitMut};
 use syn::{
-    FnArg, GenericParam, Lifetime, LifetimeParam, ParenthesizedGenericArguments, Signature, Type,
-    TypeFnPtr, TypeReference,
+    FnArg, GenericParam, Lifetime, LifetimeParam, ParenthesizedGenericArguments, ReceiverKind,
+    ReturnType, Signature, Type, TypeFnPtr, TypeReference,
 };
 
 /// The lifetime that stands for one that was left out.
@@ -52,14 +52,27 @@ fn is_word(token: &TokenTree, word: &str) -> bool {
 }
 
 /// A signature with names for the lifetimes that it leaves out in the types of its parameters,
-/// `view: View<'_>`: the type of the pullback names them, too.
-pub fn in_parameters(signature: &Signature) -> Signature {
+/// `view: View<'_>`: the type of the pullback names them, too. Where it [borrows](crate::borrowing) from the
+/// parameters, so does it those of references.
+pub fn in_parameters(signature: &Signature, borrows: bool) -> Signature {
     let mut signature = signature.clone();
-    let mut numbering = Numbering { lifetimes: Vec::new() };
+    let mut numbering = Numbering { lifetimes: Vec::new(), of_references: borrows };
     for input in &mut signature.inputs {
-        if let FnArg::Typed(typed) = input {
-            numbering.visit_type_mut(&mut typed.ty);
+        match input {
+            FnArg::Typed(typed) => numbering.visit_type_mut(&mut typed.ty),
+            FnArg::Receiver(receiver) => {
+                if let (ReceiverKind::Reference(and, own @ None, None), true) =
+                    (&mut receiver.kind, borrows)
+                {
+                    *own = Some(numbering.next(and.span));
+                }
+            }
         }
+    }
+    if let ([lifetime], ReturnType::Type(_, ty), true) =
+        (&numbering.lifetimes[..], &mut signature.output, borrows)
+    {
+        Naming { name: lifetime.clone(), found: false }.visit_type_mut(ty);
     }
     // They stand before all other parameters.
     for lifetime in numbering.lifetimes.into_iter().rev() {
@@ -71,19 +84,32 @@ pub fn in_parameters(signature: &Signature) -> Signature {
 
 struct Numbering {
     lifetimes: Vec<Lifetime>,
+    /// Whether those of references count.
+    of_references: bool,
+}
+
+impl Numbering {
+    fn next(&mut self, span: Span) -> Lifetime {
+        let name = format!("__parameter_{}", self.lifetimes.len());
+        let ident = Ident::new(&name, Span::mixed_site().located_at(span));
+        let lifetime = Lifetime { apostrophe: ident.span(), ident };
+        self.lifetimes.push(lifetime.clone());
+        lifetime
+    }
 }
 
 impl VisitMut for Numbering {
     fn visit_type_reference_mut(&mut self, reference: &mut TypeReference) {
+        let is_left_out = reference.lifetime.as_ref().is_none_or(|lifetime| lifetime.ident == "_");
+        if self.of_references && is_left_out && reference.mutability.is_none() {
+            reference.lifetime = Some(self.next(reference.and_token.span));
+        }
         self.visit_type_mut(&mut reference.elem);
     }
 
     fn visit_lifetime_mut(&mut self, lifetime: &mut Lifetime) {
         if lifetime.ident == "_" {
-            let name = format!("__parameter_{}", self.lifetimes.len());
-            lifetime.ident = Ident::new(&name, Span::mixed_site().located_at(lifetime.span()));
-            lifetime.apostrophe = lifetime.ident.span();
-            self.lifetimes.push(lifetime.clone());
+            *lifetime = self.next(lifetime.span());
         }
     }
 
@@ -94,12 +120,13 @@ impl VisitMut for Numbering {
 
 /// `ty` with [`lifetime`] for those that it leaves out, and whether there are any.
 pub fn named(ty: &Type) -> (Type, bool) {
-    let (mut ty, mut naming) = (ty.clone(), Naming { found: false });
+    let (mut ty, mut naming) = (ty.clone(), Naming { name: lifetime(), found: false });
     naming.visit_type_mut(&mut ty);
     (ty, naming.found)
 }
 
 struct Naming {
+    name: Lifetime,
     found: bool,
 }
 
@@ -107,7 +134,7 @@ impl VisitMut for Naming {
     fn visit_type_reference_mut(&mut self, reference: &mut TypeReference) {
         if reference.lifetime.is_none() {
             self.found = true;
-            reference.lifetime = Some(lifetime());
+            reference.lifetime = Some(self.name.clone());
         }
         visit_mut::visit_type_reference_mut(self, reference);
     }
@@ -115,7 +142,7 @@ impl VisitMut for Naming {
     fn visit_lifetime_mut(&mut self, lifetime: &mut Lifetime) {
         if lifetime.ident == "_" {
             self.found = true;
-            *lifetime = self::lifetime();
+            *lifetime = self.name.clone();
         }
     }
 

@@ -32,6 +32,7 @@
 
 mod accumulation;
 mod attribute;
+mod borrowing;
 mod callable;
 mod checkpoint;
 mod conditional;

@@ -12,6 +12,8 @@ pub struct Options {
     /// `boxed`: the pullback is a boxed closure, whose type does not hold those of the pullbacks it
     /// calls.
     pub boxed: bool,
+    /// `borrows`: the pullback may hold on to what references among the parameters refer to.
+    pub borrows: bool,
     /// `vjp = path`: the function that is the derivative, written by hand.
     pub vjp: Option<Path>,
     /// `jvp = path`: the function that is the forward mode, written by hand.
@@ -26,6 +28,7 @@ impl Parse for Options {
         while !input.is_empty() {
             let name: Ident = input.parse()?;
             match () {
+                () if name == "borrows" => options.borrows = true,
                 () if name == "checkpoint" => options.checkpoint = true,
                 () if name == "boxed" => options.boxed = true,
                 () if name == "vjp" => {
@@ -40,7 +43,7 @@ impl Parse for Options {
                 () => {
                     return Err(syn::Error::new_spanned(
                         name,
-                        "the arguments of `#[differentiable]` are: `boxed`, `checkpoint`, `reverse`, `vjp = path`, `jvp = path`",
+                        "the arguments of `#[differentiable]` are: `borrows`, `boxed`, `checkpoint`, `reverse`, `vjp = path`, `jvp = path`",
                     ));
                 }
             }
@@ -58,6 +61,7 @@ impl Options {
         Self {
             checkpoint: self.checkpoint || own.checkpoint,
             boxed: self.boxed || own.boxed,
+            borrows: self.borrows || own.borrows,
             vjp: own.vjp,
             jvp: own.jvp,
             reverse: self.reverse || own.reverse,

@@ -149,12 +149,23 @@ pub fn result(signature: &Signature, errors: &mut Errors) -> (Type, bool) {
 
 /// The generic parameters that a pullback may hold on to: every type and constant, and the
 /// lifetimes inside parameter types. The lifetime of a reference is not among them: pullbacks hold
-/// copies, so that a function may call another one on its own local variables.
-pub fn captured(signature: &Signature, outer: Option<&Generics>) -> Captured {
+/// copies, so that a function may call another one on its own local variables. It is where the pullback
+/// [borrows](crate::borrowing).
+pub fn captured(signature: &Signature, outer: Option<&Generics>, borrows: bool) -> Captured {
     let mut inner_lifetimes = InnerLifetimes::default();
     for input in &signature.inputs {
-        if let FnArg::Typed(typed) = input {
-            inner_lifetimes.visit_type(pointee(&typed.ty));
+        match input {
+            FnArg::Typed(typed) if is_borrowed(&typed.ty, borrows) => {
+                inner_lifetimes.visit_type(&typed.ty);
+            }
+            FnArg::Typed(typed) => inner_lifetimes.visit_type(pointee(&typed.ty)),
+            FnArg::Receiver(receiver) => {
+                if let (ReceiverKind::Reference(_, Some(own), None), true) =
+                    (&receiver.kind, borrows)
+                {
+                    inner_lifetimes.visit_lifetime(own);
+                }
+            }
         }
     }
     if let ReturnType::Type(_, ty) = &signature.output {
@@ -185,6 +196,11 @@ pub fn captured(signature: &Signature, outer: Option<&Generics>) -> Captured {
         }
     });
     Captured { lifetimes: lifetimes.collect(), others: others.collect() }
+}
+
+/// Whether a pullback may hold on to what a parameter refers to.
+fn is_borrowed(ty: &Type, borrows: bool) -> bool {
+    borrows && matches!(ty, Type::Reference(reference) if reference.mutability.is_none())
 }
 
 /// The generic parameters that a pullback may hold on to.

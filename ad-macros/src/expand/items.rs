@@ -194,7 +194,7 @@ impl Function<'_> {
             }
         };
         let signature::Captured { lifetimes, mut others } =
-            signature::captured(&self.callables.signature, outer);
+            signature::captured(&self.callables.signature, outer, self.options.borrows);
         let closure = quote! {
             ::core::ops::FnOnce(#result_tangent #(, #exclusive_tangents)* #(, #lent)*) -> #gradient
         };

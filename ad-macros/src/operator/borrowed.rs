@@ -137,7 +137,7 @@ impl Borrowed {
             ["rhs", "tangent", "rhs_tangent", "cotangent"].map(own);
         let (header, _, bounds) = generics.split_for_impl();
         let signature::Captured { lifetimes, others } =
-            signature::captured(signature, Some(generics));
+            signature::captured(signature, Some(generics), false);
         let captured = quote!(use<#(#lifetimes,)* #(#others),*>);
         let is_unary = operator.kind == Kind::Unary;
 

@@ -53,6 +53,7 @@ mod generators;
 mod integers;
 mod iterators;
 mod jumps;
+mod kept_references;
 mod leaving;
 mod lending;
 mod lent_elements;
