@@ -20,6 +20,7 @@ mod products;
 mod pullback;
 mod repeated;
 mod tangent;
+mod texts;
 mod through;
 
 pub use cells::{Holder, HoldsNoNumber, MayHold};
@@ -44,6 +45,7 @@ pub use tangent::{
     Pass, Slot, copy, pass, pass_part, read, repeated, same_length, still, tangent_of, target,
     with_zero, zero_like, zero_of,
 };
+pub use texts::Read;
 pub use through::{ByPullback, Through, WithoutRule};
 
 mod iterate;
@@ -59,6 +61,7 @@ pub mod methods {
     pub use super::cells::MayHold as _;
     pub use super::constants::Accepts as _;
     pub use super::names::Modes as _;
+    pub use super::texts::MayBeRead as _;
     pub use crate::rules::forward::{
         AngleForward as _, CopiedForward as _, DMat2Forward as _, DMat3Forward as _,
         DMat4Forward as _, DVec2Forward as _, DVec4Forward as _, ExtendForward as _,

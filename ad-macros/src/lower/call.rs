@@ -322,7 +322,10 @@ impl Lowerer<'_> {
                 matches!(argument, Argument::Exclusive(_) | Argument::Reborrow(_))
             };
             if !arguments.iter().any(changes) {
-                return Operand::Constant(value);
+                return match self.is_text_of_active(&quote!(#(#tokens)*)) {
+                    true => self.check_read(value, hint, span),
+                    false => Operand::Constant(value),
+                };
             }
             // What it changes is read before and after: it has its place among the statements.
             let operation = Operation::Use(Operand::Constant(value));

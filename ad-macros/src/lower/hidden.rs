@@ -4,7 +4,9 @@
 //! But a number that is read from these again would. What the standard library offers for that is
 //! refused here, or by the type of the cell.
 
-use proc_macro2::{TokenStream, TokenTree};
+use std::collections::HashSet;
+
+use proc_macro2::{Ident, Span, TokenStream, TokenTree};
 use quote::{quote, quote_spanned};
 use syn::spanned::Spanned;
 use syn::visit::{self, Visit};
@@ -45,9 +47,28 @@ impl Lowerer<'_> {
 
     /// Whether code without derivative uses a variable that has one, itself or by way of others.
     fn is_made_of_active(&self, code: &TokenStream) -> bool {
+        let is_active =
+            |_: &Ident, var: Option<VarId>| var.is_some_and(|var| self.vars[var].active);
+        self.is_made_of(code, &is_active, &mut HashSet::new())
+    }
+
+    /// Whether code without derivative makes or uses a text of a variable that has one.
+    pub(super) fn is_text_of_active(&self, code: &TokenStream) -> bool {
+        let makes_text = |name: &Ident, _: Option<VarId>| name == "format" || name == "to_string";
+        self.is_made_of(code, &makes_text, &mut HashSet::new()) && self.is_made_of_active(code)
+    }
+
+    /// Whether `found` holds for a name in code without derivative, or in what defines its variables, but for
+    /// those that were `seen`.
+    fn is_made_of(
+        &self,
+        code: &TokenStream,
+        found: &dyn Fn(&Ident, Option<VarId>) -> bool,
+        seen: &mut HashSet<VarId>,
+    ) -> bool {
         let mut tokens = code.clone().into_iter().peekable();
         while let Some(token) = tokens.next() {
-            let is_active = match token {
+            let is_found = match token {
                 TokenTree::Ident(name) if name == "stop_gradient" || name == "no_diff" => {
                     if let Some(TokenTree::Group(_)) = tokens.peek() {
                         tokens.next();
@@ -56,19 +77,29 @@ impl Lowerer<'_> {
                 }
                 TokenTree::Ident(name) => {
                     let var = self.vars.iter().rposition(|var| var.ident == name);
-                    var.is_some_and(|var| {
-                        self.vars[var].active
-                            || self.definition(var).is_some_and(|code| self.is_made_of_active(code))
-                    })
+                    let unseen = var.filter(|var| seen.insert(*var));
+                    let definition = unseen.and_then(|var| self.definition(var));
+                    found(&name, var)
+                        || definition.is_some_and(|code| self.is_made_of(code, found, seen))
                 }
-                TokenTree::Group(group) => self.is_made_of_active(&group.stream()),
+                TokenTree::Group(group) => self.is_made_of(&group.stream(), found, seen),
                 TokenTree::Punct(_) | TokenTree::Literal(_) => false,
             };
-            if is_active {
+            if is_found {
                 return true;
             }
         }
         false
+    }
+
+    /// Has the compiler refuse a number that a function gives for the text of one with a derivative.
+    pub(super) fn check_read(&mut self, value: TokenStream, hint: &str, span: Span) -> Operand {
+        let value = Operation::Use(Operand::Constant(value));
+        let value = self.define(hint, span, false, value);
+        let value = self.ident(value).clone();
+        let code = quote_spanned!(span=> ::ad::rt::Read(&#value).is_no_number(););
+        self.push(Statement::Plain { code, defines: Vec::new() });
+        Operand::Constant(quote!(#value))
     }
 
     /// The code without derivative that defines a variable.
