@@ -6,13 +6,13 @@
 
 use std::collections::BTreeMap;
 
-use proc_macro2::TokenStream;
+use proc_macro2::{Span, TokenStream};
 use quote::{format_ident, quote};
 use syn::punctuated::Punctuated;
 use syn::spanned::Spanned;
 use syn::visit_mut::{self, VisitMut};
 use syn::{
-    FnArg, GenericParam, Ident, Path, PathArguments, ReturnType, Signature, Token, Type,
+    FnArg, GenericParam, Ident, Pat, Path, PathArguments, ReturnType, Signature, Token, Type,
     TypeParamBound, WherePredicate, parse_quote, parse_quote_spanned,
 };
 
@@ -188,6 +188,20 @@ fn type_name(ty: &Type) -> Option<&Ident> {
     }
 }
 
+/// The name of the type of a parameter, which messages of the compiler show: `TypeOfCurve0` of `curve`.
+fn type_of(pat: &Pat, index: usize, span: Span) -> Ident {
+    let name = match pat {
+        Pat::Ident(name) => name.ident.to_string(),
+        _ => String::new(),
+    };
+    let words = name.trim_start_matches("r#").split('_').map(|word| {
+        let mut letters = word.chars();
+        letters.next().into_iter().flat_map(char::to_uppercase).chain(letters).collect::<String>()
+    });
+    let words: String = words.collect();
+    format_ident!("TypeOf{words}{index}", span = span)
+}
+
 /// Gives names to the types of `impl Trait` parameters: a derivative names their tangents.
 fn name_impl_traits(signature: &mut Signature) {
     let mut named: Vec<GenericParam> = Vec::new();
@@ -198,7 +212,7 @@ fn name_impl_traits(signature: &mut Signature) {
             ty = &mut reference.elem;
         }
         if let Type::ImplTrait(anonymous) = ty {
-            let name = format_ident!("Parameter{index}", span = anonymous.span());
+            let name = type_of(&typed.pat, index, anonymous.span());
             let bounds = &anonymous.bounds;
             // Users cannot ask for it of a type without a name.
             let is_function = |bound: &TypeParamBound| matches!(bound, TypeParamBound::Trait(bound) if function_trait(&bound.path).is_some());
