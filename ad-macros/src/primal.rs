@@ -6,7 +6,7 @@ use quote::{quote, quote_spanned};
 use crate::function::own;
 use crate::ir::{
     Argument, BinaryOperator, Callee, Operand, Operation, Place, Projection, Var, VarId,
-    makes_vector,
+    may_be_known,
 };
 use crate::names;
 
@@ -161,7 +161,7 @@ impl<'a> Primal<'a> {
         let arguments = arguments.iter().map(|argument| self.argument(argument));
         let last = names::identifiers(primal.clone()).pop();
         let always = last
-            .filter(|name| makes_vector(&name.to_string()))
+            .filter(|name| may_be_known(&name.to_string()))
             .map(|name| Ident::new("always", name.span()));
         Some(quote!(::ad::check_name!(#always #primal, #path(), (#(#arguments),*));))
     }

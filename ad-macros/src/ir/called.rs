@@ -26,15 +26,15 @@ struct Twin {
     otherwise: TokenStream,
 }
 
-/// Whether a function of this name may be one of glam that makes a vector. Where no other derivative has
-/// the name, that of glam's function is taken.
-pub fn makes_vector(name: &str) -> bool {
-    ["vec2", "vec3", "vec4", "dvec2", "dvec3", "dvec4"].contains(&name)
+/// Whether a function of this name may be one of glam that makes a vector, or `drop`. Where no other
+/// derivative has the name, that of this function is taken.
+pub fn may_be_known(name: &str) -> bool {
+    ["vec2", "vec3", "vec4", "dvec2", "dvec3", "dvec4", "drop"].contains(&name)
 }
 
 /// The type for a function without a type of its own.
 fn otherwise(name: &str) -> TokenStream {
-    if makes_vector(name) {
+    if may_be_known(name) {
         let function = format_ident!("{name}");
         return quote!(::ad::rules::#function);
     }

@@ -10,7 +10,7 @@ use syn::{BinOp, Member, Type};
 
 use crate::signature::Parameter;
 
-pub use called::{Called, makes_vector};
+pub use called::{Called, may_be_known};
 pub use callee::{Callee, Derivative};
 pub use typed_by::{TypedBy, argument};
 

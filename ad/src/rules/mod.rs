@@ -54,6 +54,7 @@ mod arrange;
 pub mod attempt;
 mod cast;
 mod choose;
+mod dropping;
 mod edit;
 mod float;
 mod formula;
@@ -84,6 +85,8 @@ pub use cast::CastPullback;
 #[doc(hidden)]
 pub use cast::castable;
 pub use choose::{no_diff, select, stop_gradient};
+#[doc(hidden)]
+pub use dropping::drop;
 pub use edit::VecRules;
 #[doc(hidden)]
 pub use edit::drained;

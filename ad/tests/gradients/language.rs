@@ -40,6 +40,7 @@ mod conversions;
 mod data;
 mod deferred;
 mod draining;
+mod dropped;
 mod editing;
 mod elements;
 mod enums;
