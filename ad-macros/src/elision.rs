@@ -5,10 +5,11 @@
 
 use proc_macro2::{Ident, Span, TokenStream, TokenTree};
 use quote::quote;
+use syn::visit::Visit;
 use syn::visit_mut::{self, VisitMut};
 use syn::{
     FnArg, GenericParam, Lifetime, LifetimeParam, ParenthesizedGenericArguments, ReceiverKind,
-    ReturnType, Signature, Type, TypeFnPtr, TypeReference,
+    ReturnType, Signature, Type, TypeFnPtr, TypeImplTrait, TypeReference, TypeTraitObject,
 };
 
 /// The lifetime that stands for one that was left out.
@@ -53,26 +54,38 @@ fn is_word(token: &TokenTree, word: &str) -> bool {
 
 /// A signature with names for the lifetimes that it leaves out in the types of its parameters,
 /// `view: View<'_>`: the type of the pullback names them, too. Where it [borrows](crate::borrowing) from the
-/// parameters, so does it those of references.
+/// parameters, so does it those of references, and in any case the one that the result leaves out, as in
+/// `fn view(&self) -> View<'_>`.
 pub fn in_parameters(signature: &Signature, borrows: bool) -> Signature {
     let mut signature = signature.clone();
-    let mut numbering = Numbering { lifetimes: Vec::new(), of_references: borrows };
+    let lends = leaves_out(&signature.output);
+    let is_method = signature.receiver().is_some();
+    let mut numbering =
+        Numbering { lifetimes: Vec::new(), of_references: borrows || lends && !is_method };
+    let mut of_receiver = None;
     for input in &mut signature.inputs {
         match input {
             FnArg::Typed(typed) => numbering.visit_type_mut(&mut typed.ty),
             FnArg::Receiver(receiver) => {
-                if let (ReceiverKind::Reference(and, own @ None, None), true) =
-                    (&mut receiver.kind, borrows)
-                {
-                    *own = Some(numbering.next(and.span));
+                if let ReceiverKind::Reference(and, own, None) = &mut receiver.kind {
+                    if own.is_none() && (borrows || lends) {
+                        *own = Some(numbering.next(and.span));
+                    }
+                    of_receiver.clone_from(own);
                 }
             }
         }
     }
-    if let ([lifetime], ReturnType::Type(_, ty), true) =
-        (&numbering.lifetimes[..], &mut signature.output, borrows)
+    // What a result leaves out is that of the receiver, or the only one there is.
+    let source = match (&numbering.lifetimes[..], is_method) {
+        (_, true) => of_receiver,
+        ([lifetime], false) => Some(lifetime.clone()),
+        _ => None,
+    };
+    if let (Some(name), ReturnType::Type(_, ty), true) =
+        (source, &mut signature.output, borrows || lends)
     {
-        Naming { name: lifetime.clone(), found: false }.visit_type_mut(ty);
+        Naming { name, found: false }.visit_type_mut(ty);
     }
     // They stand before all other parameters.
     for lifetime in numbering.lifetimes.into_iter().rev() {
@@ -80,6 +93,29 @@ pub fn in_parameters(signature: &Signature, borrows: bool) -> Signature {
         signature.generics.params.insert(0, parameter);
     }
     signature
+}
+
+/// Whether a result is of a type with a lifetime that it leaves out, `View<'_>`.
+fn leaves_out(result: &ReturnType) -> bool {
+    struct Finder(bool);
+
+    impl<'ast> Visit<'ast> for Finder {
+        fn visit_type_reference(&mut self, reference: &'ast TypeReference) {
+            self.visit_type(&reference.elem);
+        }
+
+        // These are refused.
+        fn visit_type_trait_object(&mut self, _: &'ast TypeTraitObject) {}
+        fn visit_type_impl_trait(&mut self, _: &'ast TypeImplTrait) {}
+
+        fn visit_lifetime(&mut self, lifetime: &'ast Lifetime) {
+            self.0 |= lifetime.ident == "_";
+        }
+    }
+
+    let mut finder = Finder(false);
+    finder.visit_return_type(result);
+    finder.0
 }
 
 struct Numbering {

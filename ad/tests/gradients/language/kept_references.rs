@@ -35,7 +35,7 @@ struct Owner {
 
 #[differentiable]
 impl Owner {
-    fn view<'s>(&'s self, scale: f64) -> View<'s> {
+    fn view(&self, scale: f64) -> View<'_> {
         View { data: &self.data, scale }
     }
 
@@ -54,9 +54,14 @@ fn written_out(xs: &[f64], scale: f64) -> f64 {
     view.product() * view.rest().product() + pair.0[0] * pair.1[0]
 }
 
+#[differentiable]
+fn whole(xs: &[f64]) -> View<'_> {
+    View { data: xs, scale: 2.0 }
+}
+
 #[differentiable(borrows)]
 fn made_by_a_call(xs: &[f64], scale: f64) -> f64 {
-    View::new(xs, scale).product()
+    View::new(xs, scale).product() * whole(xs).product()
 }
 
 #[differentiable(borrows)]
