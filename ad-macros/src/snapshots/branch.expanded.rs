@@ -10,6 +10,13 @@ impl softened {
     ) {
         #[allow(unused_imports)]
         use ::ad::rt::methods::*;
+        trait ln_1p_derivatives {
+            fn ln_1p_vjp(&mut self) {}
+            fn ln_1p_jvp(&mut self) {}
+        }
+        impl<
+            T: ?::core::marker::Sized + ::ad::rt::MethodWithDerivative,
+        > ln_1p_derivatives for T {}
         let (value, path) = if x > limit {
             let receiver = x - limit;
             let (ln_1p, ln_1p_pullback) = receiver.ln_1p_vjp();

@@ -7,6 +7,13 @@ impl softened {
     ) -> (f32, ::ad::Tangent<f32>) {
         #[allow(unused_imports)]
         use ::ad::rt::methods::*;
+        trait ln_1p_derivatives {
+            fn ln_1p_vjp(&mut self) {}
+            fn ln_1p_jvp(&mut self) {}
+        }
+        impl<
+            T: ?::core::marker::Sized + ::ad::rt::MethodWithDerivative,
+        > ln_1p_derivatives for T {}
         let (value, value_dot) = if x > limit {
             let receiver = x - limit;
             let receiver_dot = x_dot - limit_dot;

@@ -16,8 +16,8 @@ impl deposit {
         #[allow(unused_imports)]
         use ::ad::rt::methods::*;
         trait close_derivatives {
-            fn close_vjp(&self) {}
-            fn close_jvp(&self) {}
+            fn close_vjp(&mut self) {}
+            fn close_jvp(&mut self) {}
         }
         impl<
             T: ?::core::marker::Sized + ::ad::rt::MethodWithDerivative,
