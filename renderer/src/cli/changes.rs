@@ -53,29 +53,41 @@ impl Changes {
     }
 }
 
-/// Makes a change.
+/// Makes a change, to as many numbers as the parameter has, or to one for all of them.
 fn set(scene: &mut Scene, change: &str) -> Result<(), String> {
-    let (id, values) = assignment(scene, change)?;
-    scene.assign(id, &values);
+    let (id, mut values) = numbers(scene, change)?;
+    if let [value] = values[..] {
+        values = vec![value; scene.count(id)];
+    }
+    scene.assign(id, &sized(scene, id, values)?);
     Ok(())
 }
 
-/// A path, `=`, and as many numbers as the parameter has, or one for all of them.
-pub(super) fn assignment(scene: &Scene, change: &str) -> Result<(ParameterId, Vec<f64>), String> {
-    let (path, values) = change.split_once('=').ok_or("is not PATH=VALUE")?;
+/// A path, `=`, and as many numbers as the parameter has.
+pub(super) fn assignment(scene: &Scene, text: &str) -> Result<(ParameterId, Vec<f64>), String> {
+    let (id, values) = numbers(scene, text)?;
+    Ok((id, sized(scene, id, values)?))
+}
+
+/// A path, `=`, and numbers.
+fn numbers(scene: &Scene, text: &str) -> Result<(ParameterId, Vec<f64>), String> {
+    let (path, values) = text.split_once('=').ok_or("is not PATH=VALUE")?;
     let id = scene.find_parameter(path.trim())?;
     let number = |text: &str| {
         let text = text.trim();
         text.parse::<f64>().map_err(|_| format!("`{text}` is not a number"))
     };
     let values = values.trim().trim_start_matches('[').trim_end_matches(']');
-    let mut values: Vec<f64> = values.split(',').map(number).collect::<Result<_, _>>()?;
-    let count = scene.count(id);
-    if values.len() == 1 {
-        values = vec![values[0]; count];
-    }
-    if values.len() != count {
-        return Err(format!("needs {count} numbers, has {}", values.len()));
-    }
+    let values = values.split(',').map(number).collect::<Result<_, _>>()?;
     Ok((id, values))
+}
+
+/// These values, if the parameter has as many.
+fn sized(scene: &Scene, id: ParameterId, values: Vec<f64>) -> Result<Vec<f64>, String> {
+    let (count, given) = (scene.count(id), values.len());
+    if given == count {
+        return Ok(values);
+    }
+    let numbers = if count == 1 { "number" } else { "numbers" };
+    Err(format!("needs {count} {numbers}, has {given}"))
 }

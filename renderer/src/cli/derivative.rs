@@ -1,4 +1,4 @@
-//! The derivative of an image, as a picture.
+//! The derivative of an image, and its picture.
 
 use super::changes::assignment;
 use super::output::{print_note, short};
@@ -7,8 +7,7 @@ use crate::Image;
 use crate::render::Renderer;
 use crate::scene::Scene;
 
-/// The derivative of the image along a direction, such as `light.key.position=1,0,0`: red where pixels
-/// become brighter, blue where they become darker, white where nothing changes.
+/// The derivative of the image along a direction, such as `light.key.position=1,0,0`.
 pub(super) fn derivative(
     renderer: &Renderer,
     scene: &Scene,
@@ -16,7 +15,12 @@ pub(super) fn derivative(
 ) -> Result<Image, Error> {
     let refuse = |problem| Error::new(format_args!("--derivative {direction}"), problem);
     let along = assignment(scene, direction).map_err(refuse)?;
-    let (_, derivative) = renderer.jvp(scene, &[along])?;
+    Ok(renderer.jvp(scene, &[along])?.1)
+}
+
+/// A derivative in colours: red where pixels become brighter, blue where they become darker, white where nothing
+/// changes.
+pub(super) fn in_colors(derivative: &Image) -> Image {
     let luminance = |pixel: &[f32; 3]| pixel.iter().sum::<f32>() / 3.0;
     let mut sizes: Vec<f32> = derivative.pixels.iter().map(|p| luminance(p).abs()).collect();
     sizes.sort_unstable_by(f32::total_cmp);
@@ -29,5 +33,5 @@ pub(super) fn derivative(
         if value > 0.0 { [1.0, rest, rest] } else { [rest, rest, 1.0] }
     };
     let pixels = derivative.pixels.iter().map(color).collect();
-    Ok(Image { pixels, ..derivative })
+    Image { pixels, ..*derivative }
 }

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use super::changes::Changes;
-use super::derivative::derivative;
+use super::derivative::{derivative, in_colors};
 use super::output::{print, print_warning};
 use super::sampling::SamplingArguments;
 use super::until::{self, UntilArguments};
@@ -63,7 +63,7 @@ pub(super) struct Arguments {
     allow_non_finite: bool,
 
     /// Show how the image changes while a parameter moves: light.key.position=1,0,0 is one unit along x;
-    /// red becomes brighter, blue darker
+    /// red becomes brighter, blue darker; an .exr holds the derivative itself
     #[arg(long, value_name = "PATH=DIRECTION", conflicts_with_all = ["exposure", "tone", "normalize"])]
     derivative: Option<String>,
 
@@ -174,7 +174,11 @@ fn save(
     };
     let output = path(&arguments.output);
     if let Some(direction) = &arguments.derivative {
-        let image = derivative(&renderers[0], scene, direction)?;
+        let mut image = derivative(&renderers[0], scene, direction)?;
+        // Of the formats, one holds numbers of either sign.
+        if !is_a(&output, "exr") {
+            image = in_colors(&image);
+        }
         save_image(&image, &output)?;
         return print(output.display());
     }

@@ -150,6 +150,38 @@ fn exposure_tone_and_range_are_those_asked_for() {
     }
 }
 
+/// Light is in proportion to its intensity, so the derivative by that is the image over it.
+#[test]
+fn derivatives_are_colours_in_pictures_and_numbers_in_exr() {
+    let sandbox = Sandbox::new();
+    let pixels = |file: &str| load_image(&sandbox.path(file)).unwrap().image.pixels;
+    // Each pixel shows one place.
+    let render = ["render", "scene.toml", "--antialias", "none", "-o"];
+    let derivative = |direction: &str, file: &str| {
+        sandbox.succeed(&[&render[..], &[file, "--derivative", direction]].concat());
+        pixels(file)
+    };
+    sandbox.succeed(&[&render[..], &["image.exr"]].concat());
+    let found = derivative("light.key.radiant_intensity=1", "a.exr");
+    for (derivative, image) in found.as_flattened().iter().zip(pixels("image.exr").as_flattened()) {
+        assert!((30.0 * derivative - image).abs() <= 1e-4 * image, "{derivative} {image}");
+    }
+    let twice = derivative("light.key.radiant_intensity=2", "a.exr");
+    assert!(found.as_flattened().iter().zip(twice.as_flattened()).all(|(a, b)| 2.0 * a == *b));
+    let moved = derivative("light.key.position=1,0,0", "a.exr");
+    assert!(moved.as_flattened().iter().any(|value| *value < 0.0));
+    let colors = derivative("light.key.position=1,0,0", "a.png");
+    assert!(colors.iter().all(|[red, _, blue]| red.max(*blue) == 1.0));
+
+    for (direction, problem) in [
+        ("light.key.position=1", "light.key.position=1: needs 3 numbers, has 1"),
+        ("camera.vfov=1,2", "camera.vfov=1,2: needs 1 number, has 2"),
+    ] {
+        let arguments = ["render", "scene.toml", "-o", "b.exr", "--derivative", direction];
+        sandbox.refuse_with(&arguments, &["--derivative", problem]);
+    }
+}
+
 #[test]
 fn every_way_to_visibility_shows_the_same_colours() {
     let sandbox = Sandbox::new();
