@@ -10,7 +10,7 @@ use super::accuracy::AccuracyArguments;
 use super::interrupt::{Interrupt, Interruptible};
 use super::live::{LiveArguments, LiveServer, Watched};
 use super::out_folder::{SUMMARY_FILE, check_out_folder, lock, remove_earlier_results};
-use super::output::{abbreviate, print, print_note, print_warning, short};
+use super::output::{abbreviate, print, print_error, print_note, print_warning, short};
 use super::strip::save_strip;
 use super::views::{quality_lines, save_views};
 use super::{Problem, record, stem};
@@ -101,6 +101,10 @@ pub(super) fn run(
         print_note("go on with the same command and --resume");
         return Ok(ExitCode::from(INTERRUPTED));
     }
+    if outcome.stop.reason.is_failure() {
+        print_error(&failure(scene_path, &outcome));
+        return Ok(ExitCode::from(FAILED));
+    }
     Ok(ExitCode::SUCCESS)
 }
 
@@ -147,6 +151,18 @@ impl Arguments {
 
 /// The exit code of a run that was asked to end: that of a process that the interrupt signal ended.
 const INTERRUPTED: u8 = 130;
+
+/// The exit code of a run that came to numbers that are not finite.
+const FAILED: u8 = 1;
+
+/// Why a run came to no good end, and what is left of it.
+fn failure(scene: &Path, outcome: &Outcome) -> Error {
+    let problem = format!(
+        "{}; what iteration {} had found is kept: smaller learning rates may help",
+        outcome.stop.detail, outcome.best.iteration
+    );
+    Error::not_finite(scene.display(), problem)
+}
 
 /// What the command line names, with the numbers of the scene file if it names the same.
 fn method<T>(named: Option<T>, listed: Option<T>, name: fn(&T) -> &'static str) -> Option<T> {

@@ -26,6 +26,13 @@ pub enum StopReason {
     Interrupted,
 }
 
+impl StopReason {
+    /// Whether there was nothing to go on with: a loss or a gradient was not finite.
+    pub fn is_failure(self) -> bool {
+        matches!(self, Self::NonFiniteLoss | Self::NonFiniteGradient)
+    }
+}
+
 /// How an optimisation stopped.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Stop {

@@ -199,6 +199,28 @@ fn methods_and_schedules_are_chosen_by_name() {
 }
 
 #[test]
+fn a_run_that_comes_to_what_is_not_finite_keeps_the_best_and_fails() {
+    let sandbox = Sandbox::new();
+    let optimize =
+        ["optimize", "experiment.toml", "--out", "out", "--learning-rate", "1e30", "--resume"];
+    // The second time it is finished, and no better.
+    for _ in 0..2 {
+        let output = sandbox.run(&optimize);
+        assert_eq!(output.status.code(), Some(1), "{output:?}");
+        let errors = String::from_utf8(output.stderr).unwrap();
+        let line = errors.lines().last().unwrap();
+        for part in ["error: experiment.toml: the ", "at iteration 1", "iteration 0 had found"] {
+            assert!(line.contains(part), "{part}: {errors}");
+        }
+    }
+    let summary = sandbox.json("out/summary.json");
+    assert!(summary["loss"]["final"].as_f64().unwrap().is_finite(), "{summary:#}");
+    let position = &summary["parameters"]["light.key.position"];
+    assert_eq!(numbers(&position["final"]), numbers(&position["initial"]));
+    sandbox.succeed(&["render", "out/scene.toml", "-o", "kept.png"]);
+}
+
+#[test]
 fn the_demo_recovers_the_light() {
     let sandbox = Sandbox::new();
     // It starts from the beginning, whatever an earlier one left.
