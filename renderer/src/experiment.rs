@@ -12,6 +12,7 @@ use crate::optimize::{Batch, Optimizer, Scale, Schedule, Starts};
 use crate::scene::{ParameterId, Scene};
 use crate::settings::Pass;
 use crate::warning::Warning;
+use crate::{Error, ErrorKind, one_line};
 
 /// A scene and, if its file says so, an optimisation.
 #[derive(Clone, Debug, PartialEq)]
@@ -22,6 +23,8 @@ pub struct Experiment {
     pub optimize: Option<OptimizeSection>,
     /// What was left out of the files that it is from, because nothing here shows it.
     pub warnings: Vec<Warning>,
+    /// Files that are read when images are compared with them, and where the scene file names them.
+    pub(crate) named: Vec<(PathBuf, String)>,
 }
 
 /// The section `[optimize]` of a scene file. What it leaves open is for the command line or the
@@ -209,8 +212,24 @@ pub enum Term {
 impl Experiment {
     /// An experiment that is from no file.
     pub fn new(scene: Scene, optimize: Option<OptimizeSection>) -> Self {
-        Self { scene, optimize, warnings: Vec::new() }
+        Self { scene, optimize, warnings: Vec::new(), named: Vec::new() }
     }
+
+    /// The error of a file, at the field that names it if it cannot be read.
+    pub(crate) fn place(&self, error: Error) -> Error {
+        let is_meant = |(file, _): &&(PathBuf, String)| one_line(file.display()) == error.place;
+        match self.named.iter().find(is_meant) {
+            Some((_, field)) if error.kind == ErrorKind::Io => at_field(field.clone(), error),
+            _ => error,
+        }
+    }
+}
+
+/// The error of a file, at the field that names it.
+pub(crate) fn at_field(field: String, mut error: Error) -> Error {
+    error.problem = error.to_string();
+    error.place = field;
+    error
 }
 
 /// What is wrong with varying a parameter beside `given` ones, if it has numbers in common with one.

@@ -102,7 +102,8 @@ impl<'a> Recovery<'a> {
         check_learning_rates(scene, &section, place)?;
         let ids: Vec<_> = section.parameters.iter().map(|tuned| tuned.id).collect();
         let settings = Settings { edges: scene.edges_for(settings.edges, &ids), ..*settings };
-        let (targets, truth) = target::load(scene, &section, place, &settings)?;
+        let (targets, truth) = target::load(scene, &section, place, &settings)
+            .map_err(|error| experiment.place(error))?;
         for target in targets.iter().filter(|target| !target.held_out) {
             scene.check_differentiable(&Settings { pass: target.pass, ..settings }, &ids)?;
         }

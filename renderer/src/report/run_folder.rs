@@ -87,6 +87,11 @@ struct FrameEntry {
 
 impl RunFolder {
     pub fn read(folder: &Path) -> Result<Self, Error> {
+        if folder.is_file() {
+            let problem =
+                "is a file; a report is of the folder that `renderer optimize` has filled";
+            return Err(Error::new(folder.display(), problem));
+        }
         let file = folder.join("summary.json");
         let Some(bytes) = optional(&file)? else {
             let problem =

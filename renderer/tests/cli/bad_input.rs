@@ -21,7 +21,7 @@ fn scene_files() {
         ("width = 24", "widht = 24", &["bad.toml:5", "unknown field `widht`", "width"]),
         ("width = 24\n", "", &["bad.toml:2", "camera.width: is missing"]),
         ("[0.0, 1.5, 4.0]", "[0.0, 0.3, 0.0]", &["camera.look_from", "must differ"]),
-        ("[0.0, 1.5, 4.0]", "[0.0, 9.0, 0.0]", &["camera.up", "parallel"]),
+        ("[0.0, 1.5, 4.0]", "[0.0, 9.0, 0.0]", &["bad.toml:2: camera.up", "parallel"]),
         ("[0.0, 1.5, 4.0]", "[nan, 1.5, 4.0]", &["bad.toml:3", "camera.look_from", "NaN"]),
         ("[0.0, 1.5, 4.0]", "[0.0, 1.5]", &["bad.toml:3", "look_from"]),
         (
@@ -48,7 +48,15 @@ fn scene_files() {
         ("\"paint\"", "\"pain\"", &["sphere.ball.material", "no material `pain`", "paint"]),
         ("[0.6, 0.3, 0.2]", "[0.6, -0.3, 0.2]", &["material.paint.diffuse", "negative"]),
         ("[0.6, 0.3, 0.2]", "[0.6, 0.3, 0.2", &["bad.toml"]),
-        ("floor.obj", "flor.obj", &["flor.obj", "no such file"]),
+        ("floor.obj", "flor.obj", &["bad.toml:15: mesh.flor.obj.path: flor.obj: no such file"]),
+        ("width = 24", "width = 24\nwidth = 24", &["bad.toml:6: `width` is given twice"]),
+        ("width = 24", "width = 4294967296", &["bad.toml:5", "from 0 to 4294967295", "width"]),
+        (
+            "width = 24",
+            "width = 99999999999999999999",
+            &["bad.toml:5: invalid type: integer `99999999999999999999`, expected a whole"],
+        ),
+        ("= 30.0", "= 99999999999999999999999999999999999999999", &["bad.toml:12"]),
         ("[camera]", "[kamera]", &["bad.toml:2", "unknown field `kamera`", "camera"]),
     ];
     for (from, to, parts) in cases {
@@ -93,7 +101,8 @@ fn optimize_sections() {
     let sandbox = Sandbox::new();
     let parameter = "[[optimize.parameter]]\npath = \"light.key.radiant_intensity\"\n";
     let cases: &[(&str, &[&str])] = &[
-        ("target = \"none.png\"", &["none.png", "no such file"]),
+        ("target = \"none.png\"", &["bad.toml:31: optimize.target: none.png: no such file"]),
+        ("mask = \"none.png\"", &["bad.toml:31: optimize.mask: none.png: no such file"]),
         ("learning_rate = 0.0", &["optimize.learning_rate", "above 0"]),
         ("tolerance = -1.0", &["optimize.tolerance", "negative"]),
         ("tolerance = nan", &["optimize.tolerance"]),

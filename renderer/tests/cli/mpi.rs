@@ -142,7 +142,8 @@ fn what_is_wrong_is_said_once() {
         }
         fs::remove_file(sandbox.path("1/truth-v2.exr")).unwrap();
     });
-    assert!(errors.contains("error: rank 1: truth-v2.exr: "), "{errors}");
+    assert!(errors.contains("error: rank 1: shared.toml:"), "{errors}");
+    assert!(errors.contains(": view.v2.target: truth-v2.exr: no such file"), "{errors}");
     let errors = different(&|| {
         fs::copy(sandbox.path("truth-v4.exr"), sandbox.path("1/truth-v2.exr")).unwrap();
     });

@@ -73,6 +73,7 @@ fn a_report_is_one_page_that_needs_nothing_else() {
     assert_eq!(page.matches("src=").count(), 4 + strip);
     assert_eq!(page.matches("src=\"data:image/png;base64,").count(), 4 + strip);
     sandbox.refuse_with(&["report", "none"], &["none/summary.json: no such file"]);
+    sandbox.refuse_with(&["report", "scene.toml"], &["scene.toml: is a file", "folder"]);
 }
 
 #[test]

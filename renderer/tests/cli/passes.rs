@@ -73,7 +73,10 @@ fn what_is_wrong_with_passes_is_said() {
     for (view, parts) in [
         ("depth = \"a.png\"\n", &["a.png", "no OpenEXR image of depth"][..]),
         ("depth = \"a.exr\"\n", &["a.exr", "no channels of depth, but", "position.z"]),
-        ("normals = \"none.exr\"\n", &["none.exr", "no such file"]),
+        (
+            "normals = \"none.exr\"\n",
+            &["find.toml:", ": view.front.normals: none.exr: no such file"],
+        ),
         ("depth = { path = \"a.exr\", weight = -1 }\n", &["view.front.depth.weight", "is -1"]),
         ("depth = { file = \"a.exr\" }\n", &["find.toml", "unknown field `file`"]),
         ("depth = 3\n", &["find.toml", "a path or a table with a `path`"]),

@@ -154,8 +154,9 @@ fn what_makes_no_sense_is_refused() {
         (PATH.replace("samples = 4", "samples = 70000"), ["bad.toml:4", "65536, is 70000"]),
         (PATH.replace("= 3", "= 0"), ["bad.toml:3: integrator.max_depth", "at least 1"]),
         (PATH.replace("= 3", "= 4000000000"), ["bad.toml:3: integrator.max_depth", "memory"]),
-        (PATH.replace("path", "paths"), ["bad.toml:", "`paths`"]),
-        (PATH.replace("samples", "spp"), ["bad.toml:", "`spp`"]),
+        (PATH.replace("= 3", "= -1"), ["bad.toml:3: ", "`integrator.max_depth`"]),
+        (PATH.replace("path", "paths"), ["bad.toml:2: ", "`paths`"]),
+        (PATH.replace("samples", "spp"), ["bad.toml:4: ", "`spp`"]),
         (
             format!("{SKY}background = [1.0, 0.0, 0.0]\n"),
             ["environment.background", "integrator.type = \"path\""],

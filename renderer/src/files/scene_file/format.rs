@@ -147,28 +147,38 @@ pub(super) struct SceneFile {
     pub optimize: Option<OptimizeEntry>,
 }
 
-/// Which paths of light count.
+/// Which paths of light count. One table of all fields, whose `type` says which count: an enum with a tag would forget
+/// where its fields stand.
 #[derive(Clone, Copy, Serialize, Deserialize)]
-#[serde(tag = "type", rename_all = "snake_case", deny_unknown_fields)]
-pub(super) enum IntegratorEntry {
+#[serde(deny_unknown_fields)]
+pub(super) struct IntegratorEntry {
+    #[serde(rename = "type")]
+    kind: IntegratorKind,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    max_depth: Option<u32>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    samples: Option<u32>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    seed: Option<u32>,
+}
+
+#[derive(Clone, Copy, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+enum IntegratorKind {
     Direct,
-    Path {
-        #[serde(default = "default_max_depth")]
-        max_depth: u32,
-        #[serde(default = "default_samples")]
-        samples: u32,
-        #[serde(default)]
-        seed: u32,
-    },
+    Path,
 }
 
 impl From<IntegratorEntry> for Integrator {
-    fn from(entry: IntegratorEntry) -> Self {
-        match entry {
-            IntegratorEntry::Direct => Self::Direct,
-            IntegratorEntry::Path { max_depth, samples, seed } => {
-                Self::Path(PathTracing { max_depth, samples, seed })
-            }
+    fn from(IntegratorEntry { kind, max_depth, samples, seed }: IntegratorEntry) -> Self {
+        let default = PathTracing::default();
+        match kind {
+            IntegratorKind::Direct => Self::Direct,
+            IntegratorKind::Path => Self::Path(PathTracing {
+                max_depth: max_depth.unwrap_or(default.max_depth),
+                samples: samples.unwrap_or(default.samples),
+                seed: seed.unwrap_or(default.seed),
+            }),
         }
     }
 }
@@ -176,20 +186,17 @@ impl From<IntegratorEntry> for Integrator {
 impl From<Integrator> for IntegratorEntry {
     fn from(integrator: Integrator) -> Self {
         match integrator {
-            Integrator::Direct => Self::Direct,
-            Integrator::Path(PathTracing { max_depth, samples, seed }) => {
-                Self::Path { max_depth, samples, seed }
+            Integrator::Direct => {
+                Self { kind: IntegratorKind::Direct, max_depth: None, samples: None, seed: None }
             }
+            Integrator::Path(PathTracing { max_depth, samples, seed }) => Self {
+                kind: IntegratorKind::Path,
+                max_depth: Some(max_depth),
+                samples: Some(samples),
+                seed: Some(seed),
+            },
         }
     }
-}
-
-fn default_max_depth() -> u32 {
-    PathTracing::default().max_depth
-}
-
-fn default_samples() -> u32 {
-    PathTracing::default().samples
 }
 
 entries! {

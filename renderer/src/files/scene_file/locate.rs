@@ -4,11 +4,18 @@ use std::ops::Range;
 
 use toml::de::{DeArray, DeTable, DeValue};
 
-use crate::Error;
 use crate::scene::Invalid;
+use crate::{Error, one_line};
 
-/// What counts something.
-const WHOLE: &str = "a whole number, 0 or more";
+/// What serde calls by the names of Rust, and what people call it.
+const NAMES: [(&str, &str); 6] = [
+    ("` as i128", "`"),
+    ("` as u128", "`"),
+    ("expected f64", "expected a number"),
+    ("expected u32", "expected a whole number from 0 to 4294967295"),
+    ("expected u64", "expected a whole number, 0 or more"),
+    ("expected usize", "expected a whole number, 0 or more"),
+];
 
 /// Knows where in the text of a scene file things stand.
 pub(super) struct Locator<'a> {
@@ -24,23 +31,33 @@ impl<'a> Locator<'a> {
 
     /// What the TOML parser or serde found.
     pub fn syntax_error(&self, mut error: toml::de::Error) -> Error {
-        let line = error.span().map(|span| self.line(span.start));
+        let span = error.span();
         // Without the text, the error prints its message and then the keys that lead to it.
         error.set_input(None);
         let message = error.to_string();
         let parts: Vec<&str> = message.split('\n').filter(|part| !part.is_empty()).collect();
         let mut problem = parts.join(" ");
-        // What serde calls by the names of Rust.
-        for (name, meaning) in [("f64", "a number"), ("u32", WHOLE), ("u64", WHOLE)] {
-            problem = problem.replace(&format!("expected {name}"), &format!("expected {meaning}"));
+        for (name, meaning) in NAMES {
+            problem = problem.replace(name, meaning);
         }
+        if error.message() == "duplicate key"
+            && let Some(key) = span.clone().and_then(|span| self.text.get(span))
+        {
+            problem = format!("`{key}` is given twice");
+        }
+        let line = span.map(|span| self.line(span.start));
         Error::new(self.at(line), problem)
     }
 
     /// What is wrong with the scene.
     pub fn place(&self, Invalid { path, problem }: Invalid) -> Error {
-        let line = self.span(&path).map(|span| self.line(span.start));
-        Error::new(format!("{}: {path}", self.at(line)), problem)
+        Error::new(self.field(&path), problem)
+    }
+
+    /// The file, the line and the path of a field.
+    pub fn field(&self, path: &str) -> String {
+        let line = self.span(path).map(|span| self.line(span.start));
+        one_line(format!("{}: {path}", self.at(line)))
     }
 
     fn at(&self, line: Option<usize>) -> String {

@@ -9,7 +9,7 @@ use super::coordinates::match_coordinates;
 use super::format::{MeshEntry, NormalsEntry};
 use super::materials::MaterialTable;
 use super::numbers;
-use super::{Problem, file_in};
+use super::{Problem, file_in, named_by};
 use crate::Error;
 use crate::Warning;
 use crate::files::meshes::{FileNormals, Model};
@@ -86,9 +86,10 @@ pub(super) fn add_entry(
         NormalsEntry::File => FileNormals::Read,
         NormalsEntry::Flat | NormalsEntry::Smooth => FileNormals::Ignore,
     };
-    let name = || format!("mesh.{}.path", entry.name.as_deref().unwrap_or_default());
-    let mut model = load_mesh_with(&file_in(folder, path, name)?, normals)?;
     let place = format!("mesh.{}", entry.name.clone().unwrap_or(path.display().to_string()));
+    let field = || format!("{place}.path");
+    let file = file_in(folder, path, field)?;
+    let mut model = load_mesh_with(&file, normals).map_err(named_by(field()))?;
     if let Some(name) = &entry.name {
         if scene.meshes.iter().any(|other| other.name == *name) {
             return Err(Problem::new(format!("mesh.{name}.name"), "another mesh has this name"));

@@ -9,6 +9,7 @@ mod format;
 mod locate;
 mod materials;
 mod meshes;
+mod named;
 mod numbers;
 mod optimize;
 mod read;
@@ -23,11 +24,11 @@ mod texture_tests;
 
 use std::path::{Path, PathBuf};
 
-use crate::Error;
 use crate::disk::read as read_bytes;
-use crate::experiment::Experiment;
+use crate::experiment::{Experiment, at_field};
 use crate::files::MeshFormat;
 use crate::scene::Invalid;
+use crate::{Error, ErrorKind};
 use locate::Locator;
 
 pub use write::{save_experiment, save_scene};
@@ -46,7 +47,7 @@ impl Experiment {
     pub fn load(path: &Path) -> Result<Self, Error> {
         if MeshFormat::of(path).is_some() {
             let (scene, warnings) = meshes::load_mesh_scene(path)?;
-            return Ok(Self { scene, optimize: None, warnings });
+            return Ok(Self { warnings, ..Self::new(scene, None) });
         }
         load(path)
     }
@@ -81,16 +82,26 @@ fn parse(text: &str, folder: &Path, name: &str) -> Result<Experiment, Error> {
     let locator = Locator::new(text, name);
     let file: format::SceneFile =
         toml::from_str(text).map_err(|error| locator.syntax_error(error))?;
-    read::experiment(&file, folder, name).map_err(|problem| match problem {
-        Problem::Here(invalid) => locator.place(invalid),
-        Problem::Elsewhere(error) => error,
-    })
+    let mut experiment =
+        read::experiment(&file, folder, name).map_err(|problem| match problem {
+            Problem::Here(invalid) => locator.place(invalid),
+            Problem::Elsewhere(error) => error,
+            Problem::Named { path, error } => at_field(locator.field(&path), error),
+        })?;
+    let named = named::files(&file, folder).into_iter();
+    experiment.named = named.map(|(path, file)| (file, locator.field(&path))).collect();
+    Ok(experiment)
 }
 
 /// What is wrong: in the scene file itself, or in a file that it names.
 enum Problem {
     Here(Invalid),
     Elsewhere(Error),
+    /// A file cannot be read that the field at `path` names.
+    Named {
+        path: String,
+        error: Error,
+    },
 }
 
 impl Problem {
@@ -107,6 +118,15 @@ fn file_in(folder: &Path, file: &Path, field: impl FnOnce() -> String) -> Result
     }
 }
 
+/// What is wrong with a file that the field at `path` names: that it cannot be read is for who wrote the field, all else
+/// for who wrote the file.
+fn named_by(path: String) -> impl FnOnce(Error) -> Problem {
+    move |error| match error.kind {
+        ErrorKind::Io => Problem::Named { path, error },
+        _ => Problem::Elsewhere(error),
+    }
+}
+
 impl Problem {
     /// The error where there is no scene file, but a mesh at `path`.
     fn at(self, path: &Path) -> Error {
@@ -114,7 +134,7 @@ impl Problem {
             Self::Here(Invalid { path: field, problem }) => {
                 Error::new(format!("{}: {field}", path.display()), problem)
             }
-            Self::Elsewhere(error) => error,
+            Self::Elsewhere(error) | Self::Named { error, .. } => error,
         }
     }
 }

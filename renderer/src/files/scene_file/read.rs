@@ -41,7 +41,7 @@ pub(super) fn experiment(
     if targets.iter().any(|target| *target != ViewTarget::default()) {
         optimize.get_or_insert_default().views = targets;
     }
-    Ok(Experiment { scene, optimize, warnings })
+    Ok(Experiment { warnings, ..Experiment::new(scene, optimize) })
 }
 
 /// The scene, and what was left out of the files that it names.

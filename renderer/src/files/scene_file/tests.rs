@@ -163,6 +163,18 @@ fn mistakes_in_the_file_are_placed() {
             "s.toml:7: invalid value: integer `-3`, expected a whole",
         ),
         (
+            "[optimize]\niterations = 99999999999999999999\n",
+            "s.toml:7: invalid type: integer `99999999999999999999`, expected a whole number, 0 or",
+        ),
+        (
+            "[integrator]\ntype = \"path\"\nmax_depth = -1\n",
+            "s.toml:8: invalid value: integer `-1`, expected a whole number from 0 to 4294967295 in \
+             `integrator.max_depth`",
+        ),
+        ("[integrator]\nmax_depth = 3\n", "s.toml:6: missing field `type` in `integrator`"),
+        ("[camera]\n", "s.toml:6: `camera` is given twice"),
+        ("vfov = 99999999999999999999\n", "s.toml:6: camera.vfov: must lie between"),
+        (
             "[optimize]\niterations = 2.5\n",
             "s.toml:7: invalid type: floating point `2.5`, expected a w",
         ),
@@ -172,7 +184,7 @@ fn mistakes_in_the_file_are_placed() {
             "s.toml:6: invalid type: string \"wide\", expected a number or an array of numbers in \
              `camera.vfov`",
         ),
-        ("vfov = 45\nvfov = 46\n", "s.toml:7: duplicate key"),
+        ("vfov = 45\nvfov = 46\n", "s.toml:7: `vfov` is given twice"),
         ("up = [0, 1]\n", "s.toml:6: camera.up: needs 3 numbers, has 2"),
         ("up = 1\n", "s.toml:6: camera.up: needs 3 numbers, has 1"),
         ("vfov = [45]\n", "s.toml:6: camera.vfov: is a number, not an array"),
@@ -328,7 +340,9 @@ fn mistakes_in_a_mesh_are_placed_there() {
     assert!(error.place.ends_with("a.obj:1"), "{error}");
     let text = format!("{CAMERA}[[mesh]]\npath = \"b.obj\"\n");
     let error = Experiment::parse(&text, folder.path(), "s.toml").unwrap_err();
-    assert!(error.place.ends_with("b.obj") && error.problem == "no such file", "{error}");
+    assert_eq!(error.place, "s.toml:7: mesh.b.obj.path");
+    assert!(error.problem.ends_with("b.obj: no such file"), "{error}");
+    assert_eq!(error.kind, ErrorKind::Io);
 }
 
 #[test]

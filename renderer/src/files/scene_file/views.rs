@@ -7,7 +7,7 @@ use glam::DVec3;
 use super::format::ordered::Ordered;
 use super::format::value::Numbers;
 use super::format::{CameraEntry, MatchedFile, SceneFile, ViewEntry};
-use super::{Problem, file_in, numbers};
+use super::{Problem, file_in, named_by, numbers};
 use crate::experiment::{MatchedPass, ViewTarget};
 use crate::files::{FoundView, load_cameras};
 use crate::scene::{Camera, Scene, View};
@@ -121,10 +121,9 @@ fn from_file(entry: &ViewEntry, path: &Path, folder: &Path) -> Result<Vec<ReadVi
             is_aimed: false,
         }
     };
-    Ok(load_cameras(&file_in(folder, path, || "view.path".to_owned())?)?
-        .into_iter()
-        .map(read)
-        .collect())
+    let file = file_in(folder, path, || "view.path".to_owned())?;
+    let found = load_cameras(&file).map_err(named_by(format!("{place}.path")))?;
+    Ok(found.into_iter().map(read).collect())
 }
 
 /// What may be said of one view or of many.

@@ -49,6 +49,18 @@ impl<'de> Deserialize<'de> for Numbers {
                 Ok(Numbers::One(value as f64))
             }
 
+            fn visit_u64<E: de::Error>(self, value: u64) -> Result<Numbers, E> {
+                Ok(Numbers::One(value as f64))
+            }
+
+            fn visit_i128<E: de::Error>(self, value: i128) -> Result<Numbers, E> {
+                Ok(Numbers::One(value as f64))
+            }
+
+            fn visit_u128<E: de::Error>(self, value: u128) -> Result<Numbers, E> {
+                Ok(Numbers::One(value as f64))
+            }
+
             fn visit_seq<A: SeqAccess<'de>>(self, mut values: A) -> Result<Numbers, A::Error> {
                 let mut numbers = Vec::new();
                 while let Some(number) = values.next_element()? {
