@@ -17,11 +17,17 @@ pub struct Warning {
     pub place: String,
     /// What is left out or missing, and where it helps what to do.
     pub problem: String,
+    /// Whether it is of [radiance](crate::Pass::Radiance) alone: other passes show the same without it.
+    pub is_of_radiance: bool,
 }
 
 impl Warning {
     pub(crate) fn new(place: impl fmt::Display, problem: impl fmt::Display) -> Self {
-        Self { place: one_line(place), problem: one_line(problem) }
+        Self { place: one_line(place), problem: one_line(problem), is_of_radiance: false }
+    }
+
+    pub(crate) fn of_radiance(self) -> Self {
+        Self { is_of_radiance: true, ..self }
     }
 }
 
@@ -72,7 +78,7 @@ impl Warnings {
     pub fn finish(mut self) -> Vec<Warning> {
         if let Some((place, count)) = self.unlisted {
             let problem = format!("{count} more kinds of warnings");
-            self.list.push(Warning { place, problem });
+            self.list.push(Warning::new(place, problem));
         }
         self.list
     }

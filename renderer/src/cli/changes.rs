@@ -2,10 +2,11 @@
 
 use std::path::Path;
 
-use super::load;
+use super::load_to_show;
 use crate::Error;
 use crate::experiment::Experiment;
 use crate::scene::{ParameterId, Scene};
+use crate::settings::Pass;
 
 #[derive(clap::Args)]
 pub(super) struct Changes {
@@ -25,7 +26,12 @@ pub(super) struct Changes {
 impl Changes {
     /// Loads a scene or a mesh, changed.
     pub fn load(&self, path: &Path) -> Result<Experiment, Error> {
-        let mut experiment = load(path)?;
+        self.load_to_show(path, &[Pass::Radiance])
+    }
+
+    /// Loads a scene or a mesh, changed, of which these passes are rendered.
+    pub fn load_to_show(&self, path: &Path, passes: &[Pass]) -> Result<Experiment, Error> {
+        let mut experiment = load_to_show(path, passes)?;
         let scene = &mut experiment.scene;
         [scene.width, scene.height] = self.resized([scene.width, scene.height]);
         for view in &mut scene.views {

@@ -30,7 +30,7 @@ use std::process::ExitCode;
 
 use changes::Changes;
 use clap::{Args, Parser, Subcommand, ValueEnum};
-use output::{print_error, print_stats, print_warnings};
+use output::{print_error, print_stats, print_warning};
 
 use crate::Error;
 use crate::arithmetic::{Arithmetic, Precision};
@@ -39,6 +39,7 @@ use crate::loss::LossKind;
 use crate::memory;
 use crate::recovery::Recovery;
 use crate::recovery::team::Alone;
+use crate::settings::Pass;
 
 /// Renders scenes, and recovers cameras, lights and materials from images.
 ///
@@ -263,8 +264,15 @@ fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
 
 /// Loads an experiment, and prints what is left out of it.
 fn load(path: &Path) -> Result<Experiment, Error> {
+    load_to_show(path, &[Pass::Radiance])
+}
+
+/// Loads an experiment, and prints what is left out of it that these passes would show.
+fn load_to_show(path: &Path, passes: &[Pass]) -> Result<Experiment, Error> {
     let experiment = Experiment::load(path)?;
-    print_warnings(&experiment.warnings);
+    let shows_light = passes.contains(&Pass::Radiance);
+    let warnings = experiment.warnings.iter();
+    warnings.filter(|warning| shows_light || !warning.is_of_radiance).for_each(print_warning);
     Ok(experiment)
 }
 

@@ -99,7 +99,7 @@ pub(super) fn run(arguments: &Arguments, arithmetic: Arithmetic) -> Result<(), E
     if let Some(path) = &arguments.until.standard_error {
         check_image_path(path)?;
     }
-    let experiment = arguments.changes.load(&arguments.scene)?;
+    let experiment = arguments.changes.load_to_show(&arguments.scene, &arguments.passes)?;
     let until = arguments.until.until(&experiment.scene)?;
     check_passes(arguments)?;
     if until.is_some() && !arguments.passes.contains(&Pass::Radiance) {

@@ -55,6 +55,23 @@ fn what_depth_and_normals_show_is_found_in_the_dark() {
 }
 
 #[test]
+fn only_radiance_needs_light() {
+    let sandbox = Sandbox::new();
+    sandbox.write("dark.toml", scene("", ""));
+    for (passes, needs_light) in [
+        ("radiance", true),
+        ("coverage", false),
+        ("albedo,normals", false),
+        ("radiance,depth", true),
+    ] {
+        let output = sandbox.run(&["render", "dark.toml", "--pass", passes, "-o", "a.exr"]);
+        assert!(output.status.success(), "{output:?}");
+        let warnings = String::from_utf8(output.stderr).unwrap();
+        assert_eq!(warnings.contains("has no light"), needs_light, "{passes}: {warnings}");
+    }
+}
+
+#[test]
 fn what_is_wrong_with_passes_is_said() {
     let sandbox = Sandbox::new();
     let refuse = |arguments: &[&str], parts: &[&str]| {

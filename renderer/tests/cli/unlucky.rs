@@ -135,6 +135,33 @@ fn an_invisible_material_is_warned_about() {
 }
 
 #[test]
+fn a_mesh_without_area_is_warned_about() {
+    let sandbox = Sandbox::new();
+    let warnings = |obj: &str, scene: &str| {
+        sandbox.write("a.obj", obj);
+        sandbox.write("with.toml", SCENE.replace("path = \"floor.obj\"", scene));
+        ["a.obj", "with.toml"].map(|file| {
+            let output = sandbox.run(&["render", file, "-o", "out.png", "--width", "8"]);
+            assert!(output.status.success(), "{output:?}");
+            String::from_utf8(output.stderr).unwrap()
+        })
+    };
+    let line = "o a\nv 0.1 0 0\nv 0.2 0.1 0.3\nv 0.3 0.2 0.6\nf 1 2 3\nf 1 2 2\n";
+    let [alone, within] = warnings(line, "path = \"a.obj\"");
+    assert_eq!(
+        [alone, within],
+        ["a.obj", "with.toml"].map(|file| format!(
+            "warning: {file}: mesh.a: none of its triangles has an area, so nothing of it is seen\n"
+        ))
+    );
+    let triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+    let some = format!("{triangle}f 1 2 2\nf 1 2 3\n");
+    assert_eq!(warnings(&some, "path = \"a.obj\""), ["", ""]);
+    let [_, flat] = warnings(&some, "path = \"a.obj\"\nscale = [1, 0, 1]");
+    assert!(flat.contains("none of its triangles has an area"), "{flat}");
+}
+
+#[test]
 fn errors_of_the_command_line_are_one_line() {
     let sandbox = Sandbox::new();
     sandbox.refuse_with(&["render", "scene.toml"], &["--output <IMAGE>"]);

@@ -7,6 +7,7 @@ use glam::{DAffine2, DVec2, DVec3};
 
 use super::coordinates::match_coordinates;
 use super::format::{MeshEntry, NormalsEntry};
+use super::invisible::invisible_meshes;
 use super::materials::MaterialTable;
 use super::numbers;
 use super::{Problem, file_in, named_by};
@@ -56,6 +57,7 @@ fn framed(model: Model, path: &Path) -> Result<(Scene, Vec<Warning>), Error> {
         add_model(&mut scene, &mut table, model).map_err(|problem| problem.at(path))?;
     warnings.append(&mut table.move_into(&mut scene));
     warnings.append(&mut match_coordinates(&mut scene, &path.display().to_string()));
+    warnings.extend(invisible_meshes(&scene, &path.display().to_string()));
     // First the mesh by itself: what is wrong with it would show in the camera too.
     scene.validate(path.display())?;
     scene.frame();

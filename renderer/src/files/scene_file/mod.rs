@@ -6,6 +6,7 @@
 
 mod coordinates;
 mod format;
+mod invisible;
 mod locate;
 mod materials;
 mod meshes;

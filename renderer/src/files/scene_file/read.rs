@@ -7,6 +7,7 @@ use glam::DVec3;
 
 use super::coordinates::match_coordinates;
 use super::format::{EnvironmentEntry, LightEntry, SceneFile, SphereEntry};
+use super::invisible::invisible_meshes;
 use super::materials::MaterialTable;
 use super::textures::TextureTable;
 use super::{Problem, meshes, numbers, optimize, views};
@@ -26,13 +27,14 @@ pub(super) fn experiment(
     let views = views::read(file, folder)?;
     let (mut scene, mut warnings) = scene(file, folder)?;
     warnings.append(&mut match_coordinates(&mut scene, name));
+    warnings.extend(invisible_meshes(&scene, name));
     let targets = views::add(views, &mut scene);
     scene.check()?;
     let asks_for_light = targets.iter().all(|target| target.passes.is_empty());
     if asks_for_light && is_black(&scene) {
         let problem =
             "has no light: add a [[light]], or an `emission` to a material, or all is black";
-        warnings.push(Warning::new(name, problem));
+        warnings.push(Warning::new(name, problem).of_radiance());
     }
     let mut optimize = match &file.optimize {
         Some(entry) => Some(optimize::read(entry, &scene, folder)?),
