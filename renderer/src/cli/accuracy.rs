@@ -44,6 +44,11 @@ impl AccuracyArguments {
         self.accuracy.is_some()
     }
 
+    /// Whether it is left to the parameters if edges are seen.
+    pub fn leaves_edges_open(&self) -> bool {
+        self.edges == Edges::Auto
+    }
+
     /// The problem in the settings that the selection finds, which it prints; without it, in `chosen` or
     /// the default arithmetic.
     pub fn recovery<'a>(

@@ -5,6 +5,7 @@ mod bench;
 mod changes;
 mod demo;
 mod derivative;
+mod edges;
 mod export;
 mod gradient;
 mod init;

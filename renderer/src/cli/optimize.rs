@@ -7,6 +7,7 @@ use std::time::Duration;
 use serde_json::{Map, Value, json};
 
 use super::accuracy::AccuracyArguments;
+use super::edges::recommend_edges;
 use super::interrupt::{Interrupt, Interruptible};
 use super::live::{LiveArguments, LiveServer, Watched};
 use super::out_folder::{SUMMARY_FILE, check_out_folder, lock, remove_earlier_results};
@@ -96,7 +97,8 @@ pub(super) fn run(
     let lead = || recover(&experiment, &recovery, team, &out, resume, live);
     let outcome = recovery.lead(team, lead)?;
     recovery.left_out().iter().for_each(print_warning);
-    print(report(&recovery.with_topologies(&outcome.topologies)?, &outcome, &out))?;
+    let found = recovery.with_topologies(&outcome.topologies)?;
+    print(report(&found, &outcome, &out))?;
     if outcome.stop.reason == StopReason::Interrupted {
         print_note("go on with the same command and --resume");
         return Ok(ExitCode::from(INTERRUPTED));
@@ -104,6 +106,9 @@ pub(super) fn run(
     if outcome.stop.reason.is_failure() {
         print_error(&failure(scene_path, &outcome));
         return Ok(ExitCode::from(FAILED));
+    }
+    if arguments.accuracy.leaves_edges_open() {
+        recommend_edges(&found, &outcome.best);
     }
     Ok(ExitCode::SUCCESS)
 }

@@ -15,6 +15,7 @@
 //!
 #![doc = include_str!("../../docs/recoveries.md")]
 
+mod beside_edges;
 mod check;
 #[cfg_attr(not(feature = "cli"), expect(dead_code, reason = "teams are led by the command line"))]
 mod left_out;

@@ -221,6 +221,33 @@ fn a_run_that_comes_to_what_is_not_finite_keeps_the_best_and_fails() {
     sandbox.succeed(&["render", "out/scene.toml", "-o", "kept.png"]);
 }
 
+/// What `render` writes shows edges as areas, which images of a run without them come close to by other colours.
+#[test]
+fn edges_are_recommended_where_the_target_has_them() {
+    let sandbox = Sandbox::new();
+    sandbox.succeed(&["render", "scene.toml", "-o", "with.exr"]);
+    sandbox.succeed(&["render", "scene.toml", "-o", "without.exr", "--antialias", "none"]);
+    let parameter = "[[optimize.parameter]]\npath = \"material.paint.diffuse\"\n";
+    let changed = SCENE.replace("[0.6, 0.3, 0.2]", "[0.4, 0.4, 0.4]");
+    sandbox.write("find.toml", format!("{changed}[optimize]\niterations = 100\n{parameter}"));
+    let notes = |target: &str, more: &[&str]| {
+        let arguments = ["optimize", "find.toml", "--out", "out", "--target", target];
+        let output = sandbox.run(&[&arguments[..], more].concat());
+        assert!(output.status.success(), "{output:?}");
+        String::from_utf8(output.stderr).unwrap()
+    };
+    let recommended = notes("with.exr", &[]);
+    assert_eq!(recommended.matches("--edges on recovers with edges").count(), 1, "{recommended}");
+    for (target, more) in [
+        ("with.exr", &["--edges", "on"][..]),
+        ("with.exr", &["--edges", "off"]),
+        ("without.exr", &[]),
+    ] {
+        let notes = notes(target, more);
+        assert!(!notes.contains("--edges"), "{target} {more:?}: {notes}");
+    }
+}
+
 #[test]
 fn the_demo_recovers_the_light() {
     let sandbox = Sandbox::new();
