@@ -93,6 +93,17 @@ fn differences(scene: &Scene, settings: &Settings, path: &str, step: f64) -> Vec
     differences::differences(scene, settings, &Weights, path, step)
 }
 
+/// The derivative of the weighted image along a direction of a parameter, in forward mode.
+fn weighted_jvp(scene: &Scene, settings: &Settings, path: &str, direction: Vec<f64>) -> f64 {
+    let id = scene.parameter(path).unwrap();
+    let derivative = render_jvp(scene, settings, &[(id, direction)]).unwrap().1;
+    let weighted = |(index, pixel): (usize, &[f32; 3])| {
+        let (x, y) = (index as u32 % WIDTH, index as u32 / WIDTH);
+        Weights.evaluate(x, y, DVec3::ZERO).1.dot(DVec3::from(pixel.map(f64::from)))
+    };
+    derivative.pixels.iter().enumerate().map(weighted).sum()
+}
+
 /// The gradient is that of a finely sampled image; the interior term alone is far from it.
 #[track_caller]
 pub fn check(scene: &Scene, path: &str, side: u32, most: f64) {
@@ -224,21 +235,32 @@ fn silhouettes_of_smooth_meshes() {
     }
     // Forward and reverse mode have the same rays.
     let (path, settings) = ("mesh.shape.translation", settings(Edges::On, 1));
-    let id = scene.parameter(path).unwrap();
-    let derivative = render_jvp(&scene, &settings, &[(id, vec![0.3, -0.2, 0.5])]).unwrap().1;
+    let forward = weighted_jvp(&scene, &settings, path, vec![0.3, -0.2, 0.5]);
     let moved = gradient(&scene, &settings, path);
     let along = 0.3 * moved[0] - 0.2 * moved[1] + 0.5 * moved[2];
-    let weighted = |(index, pixel): (usize, &[f32; 3])| {
-        let (x, y) = (index as u32 % WIDTH, index as u32 / WIDTH);
-        Weights.evaluate(x, y, DVec3::ZERO).1.dot(DVec3::from(pixel.map(f64::from)))
-    };
-    let forward: f64 = derivative.pixels.iter().enumerate().map(weighted).sum();
     assert!((forward - along).abs() < 1e-5 * along.abs(), "{forward} {along}");
-    // Where nothing moves, the gradient is that of the image itself.
-    for path in ["material.facets.diffuse", "light.sun.irradiance"] {
+}
+
+/// Where nothing moves, derivatives are those of the image itself, at silhouettes of spheres and smooth meshes, too.
+#[test]
+fn what_moves_nothing_is_exact() {
+    let mut scene = scene();
+    add_facets(&mut scene, true);
+    scene.meshes[0] = scene.meshes[0].clone().smooth();
+    let ball = SphereObject::new("ball", DVec3::new(-0.7, 0.6, 0.4), 0.5);
+    let paint = paint(&mut scene, "ball", [0.2, 0.6, 0.4], 0.0);
+    scene.add_sphere(ball.material(paint)).unwrap();
+    add_sun(&mut scene);
+    let settings = settings(Edges::On, 1);
+    for path in ["material.ball.diffuse", "material.facets.diffuse", "light.sun.irradiance"] {
         let expected = differences(&scene, &settings, path, 1e-3);
-        let error = relative_error(&gradient(&scene, &settings, path), &expected);
+        let backwards = gradient(&scene, &settings, path);
+        let error = relative_error(&backwards, &expected);
         assert!(error < 1e-6, "{path}: {error:.1e}");
+        let along = vec![1.0; backwards.len()];
+        let forwards = weighted_jvp(&scene, &settings, path, along);
+        let sum: f64 = backwards.iter().sum();
+        assert!((forwards - sum).abs() < 1e-5 * sum.abs(), "{path}: {forwards} {sum}");
     }
 }
 

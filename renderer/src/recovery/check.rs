@@ -172,8 +172,14 @@ impl Recovery<'_> {
         check::derivative(value, 0.0, 1e-4 * self.scene.natural_scale(id))
     }
 
-    /// The derivative of the loss of images along a direction of a parameter, by differences.
-    fn difference_along(&self, id: ParameterId, direction: &[f64], enough: f64) -> check::Estimate {
+    /// The derivative of the loss of images along a direction of a parameter, by differences, until it is known to
+    /// so much, or well beside the gradient along that direction.
+    fn difference_along(
+        &self,
+        id: ParameterId,
+        direction: &[f64],
+        (gradient, enough): (f64, f64),
+    ) -> check::Estimate {
         let scale = self.scene.natural_scale(id);
         if !self.scene.moves_edges(id) {
             // A bilinear texture has a kink at every texel, and paths end at random in steps: places and colours

@@ -58,7 +58,7 @@ impl View {
             }
             move |ray| mean[ray][1]
         });
-        let moved = self.moved(geometry, integrator);
+        let moved = self.moved(geometry, integrator, moves);
         self.add_shares(layout.width, &mut pixels, |band, crossing, share| {
             let Moved { radiance: [a, b], along } = moved[band][crossing];
             let [of_a, of_b] = self.bands[band].radiance[crossing];
@@ -77,7 +77,7 @@ impl View {
         geometry: &Geometry<'_, L>,
         integrator: Integrator<'_, Dual<L>>,
     ) -> Vec<DVec3> {
-        let moved = self.moved(geometry, integrator);
+        let moved = self.moved(geometry, integrator, true);
         let (width, height) = (integrator.layout.width, integrator.layout.height);
         let mut pixels = vec![DVec3::ZERO; width as usize * height as usize];
         self.add_shares(width, &mut pixels, |band, crossing, share| {
@@ -92,6 +92,7 @@ impl View {
         &self,
         geometry: &Geometry<'_, L>,
         integrator: Integrator<'_, Dual<L>>,
+        moves: bool,
     ) -> Vec<Vec<Moved>> {
         let start = || (KnownPaths::default(), Path::default());
         for_each_band(self.bands.len(), start, |(known, path), band| {
@@ -99,7 +100,7 @@ impl View {
             let mut of_band = Vec::with_capacity(band.crossings.len());
             for (_, crossings) in band.packets() {
                 band.paths(geometry, crossings, known);
-                of_band.extend(moved(integrator, Source::Known(known), path, crossings));
+                of_band.extend(moved(integrator, Source::Known(known), path, crossings, moves));
             }
             of_band
         })
@@ -112,6 +113,7 @@ fn moved<L: Plain>(
     source: Source<'_>,
     path: &mut Path<Dual<L>>,
     crossings: &[Crossing],
+    moves: bool,
 ) -> Vec<Moved> {
     let still = Moved { radiance: [DVec3::ZERO; 2], along: 0.0 };
     let mut moved = vec![still; crossings.len()];
@@ -124,8 +126,10 @@ fn moved<L: Plain>(
     for (index, (crossing, moved)) in crossings.iter().zip(&mut moved).enumerate() {
         let margin = margin(integrator, path.wavefronts(), crossing, 2 * index);
         moved.along = margin.map_or(0.0, |margin| -margin.derivative / crossing.slope);
-        // At a silhouette radiance changes with the root of the distance to it.
-        if matches!((crossing.layer, crossing.edge), (Layer::Surface(_), Edge::Silhouette(_))) {
+        // At a silhouette that moves, radiance changes with the root of the distance to it.
+        let is_silhouette =
+            matches!((crossing.layer, crossing.edge), (Layer::Surface(_), Edge::Silhouette(_)));
+        if moves && is_silhouette {
             moved.radiance = still.radiance;
         }
     }
