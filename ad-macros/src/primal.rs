@@ -30,8 +30,8 @@ pub fn member_from_end(tuple: &TokenStream, behind: usize) -> TokenStream {
     quote!({ let (.., #member #(, #behind)*) = #tuple; #member })
 }
 
-/// A part of a tangent, whose type alone counts.
-pub fn tangent_path(root: TokenStream, path: &[Projection]) -> TokenStream {
+/// A part of a tangent, whose type alone counts; nothing if it is all of it.
+pub fn tangent_path(root: TokenStream, path: &[Projection]) -> Option<TokenStream> {
     let step = |step: &Projection| match step {
         Projection::Field(_) | Projection::FromEnd(_) => Some(step.clone()),
         // A range, which is several tokens, gives what can be indexed once more.
@@ -40,7 +40,8 @@ pub fn tangent_path(root: TokenStream, path: &[Projection]) -> TokenStream {
         }
         Projection::Index(_) | Projection::Deref | Projection::Behind(_) => None,
     };
-    project(root, &path.iter().filter_map(step).collect::<Vec<_>>())
+    let steps: Vec<Projection> = path.iter().filter_map(step).collect();
+    (!steps.is_empty()).then(|| project(root, &steps))
 }
 
 /// Writes operations on these variables.

@@ -44,10 +44,7 @@ impl Lowerer<'_> {
                 let place_tokens = self.place_tokens(&place);
                 if self.vars[place.root].active {
                     let part = tangent_path(quote!(tangent), &place.path);
-                    let part = match place.path.is_empty() {
-                        true => None,
-                        false => Some(quote!(.part(|tangent| &#part))),
-                    };
+                    let part = part.map(|part| quote!(.part(|tangent| &#part)));
                     let code = quote_spanned! {init.expr.span()=>
                         ::ad::rt::space(&#root)#part.vanishes();
                     };

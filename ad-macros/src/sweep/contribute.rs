@@ -66,8 +66,10 @@ impl Sweeper<'_> {
         let space = match self.facts.origin(var) {
             Some(Place { root, path }) if self.vars[root].active => {
                 let (space, part) = (self.space(root), Ident::new("tangent", Span::mixed_site()));
-                let projected = tangent_path(quote!((*#part)), &path);
-                quote!(#space.part(|#part| &#projected))
+                match tangent_path(quote!(#part), &path) {
+                    Some(projected) => quote!(#space.part(|#part| &#projected)),
+                    None => quote!(#space),
+                }
             }
             _ => {
                 let space = self.space(var);
