@@ -123,8 +123,14 @@ impl Recovery<'_> {
                     gradient.iter().zip(&direction).map(|(a, b)| a * b).sum::<f64>()
                 };
                 let along = mean(gradients.iter().map(along));
-                let of_images = self.difference_along(id, &direction, (along.value, enough));
                 let of_terms = self.terms_along(id, &direction);
+                let of_images = match self.scene.moves_edges(id) {
+                    true => {
+                        let of_images = along.value - of_terms.value;
+                        self.sampled_difference(id, &direction, of_images, enough)
+                    }
+                    false => self.difference(id, &direction),
+                };
                 Compared {
                     element: one_by_one.then_some(index),
                     gradient: along.value,
@@ -172,26 +178,28 @@ impl Recovery<'_> {
         check::derivative(value, 0.0, 1e-4 * self.scene.natural_scale(id))
     }
 
-    /// The derivative of the loss of images along a direction of a parameter, by differences, until it is known to
-    /// so much, or well beside the gradient along that direction.
-    fn difference_along(
+    /// The derivative of the loss of images along a direction of a parameter that moves no edges, by differences.
+    fn difference(&self, id: ParameterId, direction: &[f64]) -> check::Estimate {
+        // A bilinear texture has a kink at every texel, and paths end at random in steps: places and colours move
+        // by so little that few pixels come across one.
+        let has_steps = id.field == "texture_coordinates" || self.is_random();
+        let step = self.scene.natural_scale(id) * if has_steps { 1e-6 } else { 1e-3 };
+        let settings = self.settings.in_double_precision();
+        let losses: Vec<_> = self.matched().map(|of| of.loss(self.loss_kind())).collect();
+        let losses: Vec<&dyn PixelLoss> = losses.iter().map(|loss| loss as _).collect();
+        let mut moved = Moved::new(self, id, direction, &settings, &losses);
+        check::derivative(|by| moved.loss(by), 0.0, step)
+    }
+
+    /// The same of one that moves edges, until it is known to so much, or well beside how far it is from the
+    /// gradient along that direction.
+    fn sampled_difference(
         &self,
         id: ParameterId,
         direction: &[f64],
-        (gradient, enough): (f64, f64),
+        gradient: f64,
+        enough: f64,
     ) -> check::Estimate {
-        let scale = self.scene.natural_scale(id);
-        if !self.scene.moves_edges(id) {
-            // A bilinear texture has a kink at every texel, and paths end at random in steps: places and colours
-            // move by so little that few pixels come across one.
-            let has_steps = id.field == "texture_coordinates" || self.is_random();
-            let step = scale * if has_steps { 1e-6 } else { 1e-3 };
-            let settings = self.settings.in_double_precision();
-            let losses: Vec<_> = self.matched().map(|of| of.loss(self.loss_kind())).collect();
-            let losses: Vec<&dyn PixelLoss> = losses.iter().map(|loss| loss as _).collect();
-            let mut moved = Moved::new(self, id, direction, &settings, &losses);
-            return check::derivative(|by| moved.loss(by), 0.0, step);
-        }
         let [width, height] = self.scene.size();
         let pixels = (width * height).max(1);
         let [least, most] = RAYS_OF_PIXEL;
@@ -211,7 +219,7 @@ impl Recovery<'_> {
         let mut steps = STEPS;
         loop {
             let of_seeds = |index: usize| {
-                let step = 1e-3 * scale * f64::powi(2.0, index as i32);
+                let step = 1e-3 * self.scene.natural_scale(id) * f64::powi(2.0, index as i32);
                 let samplings = (0..SEEDS).map(|seed| sampling(count, seed));
                 let [after, before] = [step, -step].map(|by| moved.losses(by, samplings.clone()));
                 let slopes = after.iter().zip(before);
@@ -280,8 +288,8 @@ impl Recovery<'_> {
 }
 
 /// The slope that is known best of those at rising steps, and its index: by its noise, and one and a half times how
-/// far it is from those at a half and a quarter of the step. Images of small facets change with a power of the
-/// step between a half and two: the slope at no step is up to twice as far as that at a quarter.
+/// far it is from those at a half and a quarter of the step. Slopes change with a power of the step, two where images
+/// are smooth and down to a half at small facets: that at no step is 1.1 to 2 times as far as that at a quarter.
 fn best_known(slopes: &[check::Estimate]) -> (usize, check::Estimate) {
     let known = slopes.windows(3).enumerate().map(|(index, near)| {
         let change = |other: usize| (near[2].value - near[other].value).abs();
