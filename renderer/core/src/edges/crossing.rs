@@ -334,7 +334,9 @@ impl<'a, L: Plain> Search<'a, L> {
             return;
         }
         let start = if is_first { part.from } else { part.to };
-        let near = self.settled(link, at, (start, near), behind, depth, divisions);
+        // Shadows that end before a silhouette are left out: at the limbs of smooth meshes they are those of
+        // single facets, and follow these, not the surface.
+        let near = self.settled(link, at, (start, near), near, depth, divisions);
         let sides = if is_first { [near, behind] } else { [behind, near] };
         self.emit(link, at, depth, edge, sides);
         if !is_far {
