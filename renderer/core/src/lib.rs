@@ -15,6 +15,7 @@ mod image;
 pub mod loss;
 pub mod memory;
 mod number;
+mod parallel;
 mod primal;
 pub mod render;
 pub mod scene;

@@ -8,9 +8,10 @@ use rayon::prelude::*;
 use super::chain::{AdjointState, Chain, SurfaceCotangent, nonzero_lanes};
 use super::request::Request;
 use super::scatter::Sums;
-use crate::edges::{Crossing, Edge, Geometry, Layer, Limb, View, for_each_band};
+use crate::edges::{Crossing, Edge, Geometry, Layer, Limb, View};
 use crate::loss::PixelLoss;
 use crate::number::{MAX_LANES, Plain, widen};
+use crate::parallel;
 use crate::primal::coalesce::select_lanes;
 use crate::primal::integrator::Integrator;
 use crate::primal::known::KnownPaths;
@@ -101,7 +102,7 @@ pub(super) fn sweep_crossings<L: Plain>(
     has_sides: impl Fn(usize) -> bool + Sync,
 ) -> Vec<Sums> {
     let start = || (Chain::new(geometry.integrator, scene, request), KnownPaths::default());
-    for_each_band(view.bands.len(), start, |(chain, known), band| {
+    parallel::map((0..view.bands.len()).collect(), start, |(chain, known), band| {
         let pulled = pull_shares(view, band, cotangents, &has_sides);
         let band = &view.bands[band];
         for (first, crossings) in band.packets() {

@@ -4,14 +4,12 @@
 use std::ops::Range;
 
 use glam::DVec3;
-use rayon::prelude::*;
 
 use super::crossing::{Crossing, Layer, Link, Search};
 use super::geometry::Geometry;
 use super::lit::LitThrough;
 use super::sight::Sights;
 use super::slender::Slender;
-use crate::counts::flush;
 use crate::number::Plain;
 use crate::primal::image::visit;
 use crate::primal::integrator::Integrator;
@@ -28,21 +26,6 @@ pub const BAND: usize = 8;
 
 /// How many crossings make a packet of paths, two each.
 pub const PACKET_CROSSINGS: usize = PACKET_RAYS / 2;
-
-/// What `work` makes of each of so many bands, in parallel. Calls that follow each other on one thread
-/// share what `start` gives.
-pub fn for_each_band<W, R: Send>(
-    count: usize,
-    start: impl Fn() -> W + Send + Sync,
-    work: impl Fn(&mut W, usize) -> R + Send + Sync,
-) -> Vec<R> {
-    let work = |state: &mut W, band| {
-        let result = work(state, band);
-        flush();
-        result
-    };
-    (0..count).into_par_iter().map_init(start, work).collect()
-}
 
 /// The crossings of the links that start in a band of rows of samples.
 pub struct Band {

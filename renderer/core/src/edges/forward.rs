@@ -4,12 +4,12 @@ use ad::vector::{Vector, Vector3};
 use ad::{Dual, Fields, Scalar, Vec3};
 use glam::DVec3;
 
-use super::band::for_each_band;
 use super::crossing::{Crossing, Layer};
 use super::geometry::{Edge, Geometry};
 use super::limb::Limb;
 use super::view::View;
 use crate::number::{Number, Plain};
+use crate::parallel;
 use crate::primal::image::{derivative_vector, mean_dual, visit};
 use crate::primal::integrator::Integrator;
 use crate::primal::known::KnownPaths;
@@ -95,8 +95,7 @@ impl View {
         moves: bool,
     ) -> Vec<Vec<Moved>> {
         let start = || (KnownPaths::default(), Path::default());
-        for_each_band(self.bands.len(), start, |(known, path), band| {
-            let band = &self.bands[band];
+        parallel::map(self.bands.iter().collect(), start, |(known, path), band| {
             let mut of_band = Vec::with_capacity(band.crossings.len());
             for (_, crossings) in band.packets() {
                 band.paths(geometry, crossings, known);

@@ -42,7 +42,6 @@ mod slender;
 mod view;
 mod walk;
 
-pub use band::for_each_band;
 pub use crossing::{Crossing, Layer};
 pub use geometry::{Edge, Geometry};
 pub use limb::Limb;

@@ -2,12 +2,10 @@
 
 use std::sync::atomic::{AtomicU32, AtomicU64, Ordering};
 
-use rayon::prelude::*;
-
 use super::code::{END, LEAVES, code, decode};
 use super::geometry::Geometry;
-use crate::counts::flush;
 use crate::number::Plain;
+use crate::parallel;
 use crate::primal::known::{KnownHit, KnownPaths};
 use crate::primal::path::Path;
 use crate::primal::wavefront::{Wavefront, samples};
@@ -131,12 +129,11 @@ impl Sights {
         let across = (0..columns).flat_map(|column| [(column, 0), (column, rows - 1)]);
         let down = (1..rows - 1).flat_map(|row| [(0, row), (columns - 1, row)]);
         let border: Vec<(usize, usize)> = across.chain(down).collect();
-        border.par_iter().for_each_init(Vec::new, |path, &(column, row)| {
+        parallel::map(border, Vec::new, |path, (column, row)| {
             path.clear();
             geometry.trace(self.place(column, row), path);
             let at = row * columns + column;
             path.iter().zip(&self.depths).for_each(|(known, plane)| plane.keep(at, known));
-            flush();
         });
     }
 

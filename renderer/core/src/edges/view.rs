@@ -5,15 +5,15 @@ use std::ops::Range;
 use glam::DVec3;
 use rayon::prelude::*;
 
-use super::band::{BAND, Band, for_each_band};
+use super::band::{BAND, Band};
 use super::cell::{Cell, FARTHEST_CORNER, Share, Side, Workspace};
 use super::geometry::{Edge, Geometry};
 use super::sight::Sights;
 use super::slender::Slender;
-use crate::counts::flush;
 use crate::image::Image;
 use crate::loss::PixelLoss;
 use crate::number::Plain;
+use crate::parallel;
 use crate::primal::image::mean_traced;
 use crate::primal::integrator::Integrator;
 use crate::primal::known::KnownPaths;
@@ -64,9 +64,9 @@ impl View {
     pub fn of_paths<L: Plain>(geometry: &Geometry<'_, L>, paths: Integrator<'_, L>) -> Self {
         let mut view = Self::of(geometry, Sights::traced(geometry));
         let start = || (KnownPaths::default(), Path::default());
-        view.bands.par_iter_mut().enumerate().for_each_init(start, |work, (index, band)| {
-            band.scatter(geometry, paths, index, work);
-            flush();
+        let bands = view.bands.iter_mut().enumerate().collect();
+        parallel::map(bands, start, |scratch, (index, band): (usize, &mut Band)| {
+            band.scatter(geometry, paths, index, scratch);
         });
         view
     }
@@ -75,8 +75,9 @@ impl View {
     fn of<L: Plain>(geometry: &Geometry<'_, L>, sights: Sights) -> Self {
         let slender = Slender::new(geometry, &sights);
         let start = || (KnownPaths::default(), Path::default());
-        let bands = for_each_band(sights.rows.div_ceil(BAND), start, |work, band| {
-            Band::new(geometry, (&sights, &slender), band, work)
+        let bands = (0..sights.rows.div_ceil(BAND)).collect();
+        let bands = parallel::map(bands, start, |scratch, band| {
+            Band::new(geometry, (&sights, &slender), band, scratch)
         });
 
         let mut firsts = vec![0];
@@ -84,8 +85,9 @@ impl View {
             firsts.push(firsts[firsts.len() - 1] + band.crossings.len());
         }
         let mut view = Self { pixels: Vec::new(), sights, bands, firsts, shares: Vec::new() };
-        view.shares = for_each_band(view.bands.len(), Workspace::default, |work, band| {
-            view.shares(geometry, band, work)
+        let bands = (0..view.bands.len()).collect();
+        view.shares = parallel::map(bands, Workspace::default, |scratch, band| {
+            view.shares(geometry, band, scratch)
         });
         view
     }

@@ -2,10 +2,8 @@
 
 use std::ops::Range;
 
-use rayon::prelude::*;
-
 use super::bvh::{PACKET_RAYS, ray_at, tile_position};
-use crate::counts::flush;
+use crate::parallel;
 
 /// The edge of a tile in pixels: its rays make one packet.
 pub const TILE: usize = 8;
@@ -97,29 +95,24 @@ pub fn strips(width: u32, height: u32) -> Vec<Strip> {
         .collect()
 }
 
-/// Runs `work` on every strip of an image in parallel; the results come in the order of the strips.
-/// Calls that follow each other on one thread share what `start` gives.
-pub fn for_each_strip<W, R: Send>(
+/// Runs `work` on every strip of an image in parallel, with scratch memory from `start`; the results come in the
+/// order of the strips.
+pub fn for_each_strip<W: Send, R: Send>(
     width: u32,
     height: u32,
-    start: impl Fn() -> W + Send + Sync,
-    work: impl Fn(&mut W, Strip) -> R + Send + Sync,
+    start: impl Fn() -> W + Sync,
+    work: impl Fn(&mut W, Strip) -> R + Sync,
 ) -> Vec<R> {
-    let work = |state: &mut W, strip| {
-        let result = work(state, strip);
-        flush();
-        result
-    };
-    strips(width, height).into_par_iter().map_init(start, work).collect()
+    parallel::map(strips(width, height), start, work)
 }
 
 /// Runs `work` on every strip of an image of this width in parallel, together with the rows of its
-/// pixels. Calls that follow each other on one thread share what `start` gives.
-fn fill_strips<T: Send, W>(
+/// pixels and scratch memory from `start`.
+fn fill_strips<T: Send, W: Send>(
     width: u32,
     pixels: &mut [T],
-    start: impl Fn() -> W + Send + Sync,
-    work: impl Fn(&mut W, Strip, &mut [&mut [T]]) + Send + Sync,
+    start: impl Fn() -> W + Sync,
+    work: impl Fn(&mut W, Strip, &mut [&mut [T]]) + Sync,
 ) {
     let columns = width as usize;
     let strips = strips(width, (pixels.len() / columns) as u32);
@@ -133,23 +126,21 @@ fn fill_strips<T: Send, W>(
             }
         }
     }
-    strips.into_par_iter().zip(parts).for_each_init(start, |state, (strip, mut rows)| {
-        work(state, strip, &mut rows);
-        flush();
-    });
+    let strips = strips.into_iter().zip(parts).collect();
+    parallel::map(strips, start, |scratch, (strip, mut rows)| work(scratch, strip, &mut rows));
 }
 
 /// Fills the pixels of an image of this width, tile by tile in parallel, with what `color` makes of a tile
 /// by ray.
-pub fn fill_tiles<T: Copy + Send, W, C: Fn(usize) -> T>(
+pub fn fill_tiles<T: Copy + Send, W: Send, C: Fn(usize) -> T>(
     width: u32,
     pixels: &mut [T],
-    start: impl Fn() -> W + Send + Sync,
-    color: impl Fn(&mut W, &Tile) -> C + Send + Sync,
+    start: impl Fn() -> W + Sync,
+    color: impl Fn(&mut W, &Tile) -> C + Sync,
 ) {
-    fill_strips(width, pixels, start, |state, strip, rows| {
+    fill_strips(width, pixels, start, |scratch, strip, rows| {
         for tile in strip.tiles() {
-            let color = color(state, &tile);
+            let color = color(scratch, &tile);
             for (row, pixels) in rows.iter_mut().enumerate() {
                 for (column, pixel) in pixels[strip.columns(&tile)].iter_mut().enumerate() {
                     *pixel = color(ray_at(column, row));

@@ -1,0 +1,53 @@
+//! Parallel loops whose bodies need scratch memory.
+//!
+//! rayon compiles its machinery anew for every closure that it is given: with a loop for each kernel, arithmetic and
+//! pass that was a fifth of the code of this crate. Here it sees closures behind `dyn`, one type for each type of
+//! results; a call through a pointer is nothing beside a strip of pixels.
+
+use std::sync::{Mutex, PoisonError};
+
+use rayon::prelude::*;
+
+use crate::counts::flush;
+
+/// The results of `work` for all of `items`, in their order. A call has scratch memory from `start`, which
+/// another call may have used before; [counts](crate::counts) are added up after each.
+pub fn map<I: Send, W: Send, R: Send>(
+    items: Vec<I>,
+    start: impl Fn() -> W + Sync,
+    work: impl Fn(&mut W, I) -> R + Sync,
+) -> Vec<R> {
+    let idle = Mutex::new(Vec::new());
+    let lock = || idle.lock().unwrap_or_else(PoisonError::into_inner);
+    let run: &(dyn Fn(I) -> R + Sync) = &|item| {
+        let taken = lock().pop();
+        let mut scratch = taken.unwrap_or_else(&start);
+        let result = work(&mut scratch, item);
+        lock().push(scratch);
+        flush();
+        result
+    };
+    items.into_par_iter().map(run).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::map;
+
+    #[test]
+    fn results_keep_the_order_and_scratch_memory_is_used_again() {
+        let starts = std::sync::atomic::AtomicUsize::new(0);
+        let start = || {
+            starts.fetch_add(1, std::sync::atomic::Ordering::Relaxed);
+            Vec::new()
+        };
+        let squares = map((0..1000).collect(), start, |scratch: &mut Vec<u64>, item: u64| {
+            scratch.push(item);
+            item * item
+        });
+        assert!(
+            squares.iter().enumerate().all(|(index, &square)| square == (index * index) as u64)
+        );
+        assert!(starts.into_inner() <= rayon::current_num_threads() + 1);
+    }
+}
