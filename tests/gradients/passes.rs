@@ -3,8 +3,8 @@
 use glam::{DVec3, dvec3};
 use renderer::scene::{Environment, EnvironmentObject, Wrap};
 use renderer::{
-    Arithmetic, Camera, Edges, Integrator, LossKind, Material, Mesh, Pass, Renderer, Scene,
-    Settings, SphereObject, Texture, render, render_vjp,
+    Arithmetic, Camera, Edges, Image, Integrator, LossKind, Material, Mesh, Pass, Renderer,
+    Sampling, Scene, Settings, SphereObject, Texture, render, render_vjp,
 };
 
 use crate::custom::add_egg;
@@ -104,7 +104,7 @@ fn showing_another_pass_is_as_good_as_beginning_with_it() {
     let values = Environment { radiance: DVec3::ONE, rotation: 30.0 };
     scene.environment = Some(EnvironmentObject { values, texture, background: None });
     for (first, second, edges) in
-        [(Pass::Depth, Pass::Radiance, Edges::On), (Pass::Radiance, Pass::Normals, Edges::Off)]
+        [(Pass::Depth, Pass::Radiance, Edges::On), (Pass::Radiance, Pass::Uv, Edges::Off)]
     {
         let mut renderer = Renderer::new(&scene, &Settings { edges, ..of(first) }).unwrap();
         renderer.show(&scene, second);
@@ -112,4 +112,85 @@ fn showing_another_pass_is_as_good_as_beginning_with_it() {
         let expected = render(&scene, &Settings { edges: Edges::Off, ..of(second) }).unwrap();
         assert_eq!(renderer.render(), expected, "{second:?}");
     }
+}
+
+/// Two textured walls with a step between them, a ball, and a shape without texture coordinates.
+fn mapped() -> Scene {
+    let mut scene = small_scene(16);
+    add_egg(&mut scene, 1);
+    let corners = vec![[-1.0, -1.0, 0.3], [1.0, -1.0, 0.0], [1.2, 1.0, 0.1], [-1.0, 1.1, 0.4]];
+    let coordinates = vec![[0.1, 0.2], [0.9, 0.1], [2.0, 1.5], [-0.2, 0.8], [0.3, 0.4]];
+    let uvs = vec![[0, 1, 2], [4, 2, 3]];
+    let wall = Mesh::new("mapped", corners, vec![[0, 1, 2], [0, 2, 3]]);
+    scene.add_mesh(wall.texture_coordinates(coordinates, uvs)).unwrap();
+    scene
+}
+
+#[test]
+fn texture_coordinates_agree_with_finite_differences() {
+    let scene = mapped();
+    let target = target_of(&scene, &of(Pass::Uv));
+    let (mut own, mut others) = (0, 0);
+    for id in scene.parameters() {
+        let path = scene.path(id).to_string();
+        if path.ends_with("texture_coordinates") || scene.moves_edges(id) {
+            check_parameter_with(&of(Pass::Uv), &scene, &target, LossKind::MeanSquared, id);
+            *if path.ends_with("texture_coordinates") { &mut own } else { &mut others } += 1;
+        }
+    }
+    assert!(own == 1 && others > 5, "{own} {others}");
+}
+
+/// The jump of texture coordinates between triangles is an edge, also where their surface is one.
+#[test]
+fn texture_coordinates_have_edges_where_charts_end() {
+    let scene = mapped();
+    let settings = Settings { edges: Edges::On, ..of(Pass::Uv) };
+    let image = |settings: &Settings| render(&scene, settings).unwrap();
+    let fine = Settings { sampling: Sampling::Grid(16), edges: Edges::Off, ..settings };
+    let error = |image: &Image, of: &Image| -> f32 {
+        image.pixels.iter().zip(&of.pixels).map(|(a, b)| (a[0] - b[0]).abs()).sum()
+    };
+    let (fine, edged) = (image(&fine), image(&settings));
+    let aliased = image(&Settings { edges: Edges::Off, ..settings });
+    assert!(error(&edged, &fine) < 0.2 * error(&aliased, &fine));
+}
+
+#[test]
+fn identifiers_are_whole_numbers_of_what_is_in_the_middle_of_a_pixel() {
+    let scene = mapped();
+    let plain = Settings { edges: Edges::Off, ..of(Pass::Ids) };
+    let ids = render(&scene, &plain).unwrap();
+    for settings in [
+        Settings { edges: Edges::On, ..plain },
+        Settings { sampling: Sampling::Grid(3), ..plain },
+        Settings { arithmetic: Arithmetic::default(), ..plain },
+    ] {
+        assert_eq!(render(&scene, &settings).unwrap(), ids);
+    }
+    let mut seen: Vec<[u32; 3]> =
+        ids.pixels.iter().map(|pixel| pixel.map(|id| id as u32)).collect();
+    assert!(ids.pixels.iter().flatten().all(|id| id.fract() == 0.0));
+    seen.sort_unstable();
+    seen.dedup();
+    let objects = scene.meshes.len() + scene.spheres.len() + scene.shapes.len();
+    for &[object, triangle, material] in seen.iter().filter(|ids| **ids != [0; 3]) {
+        let at = object as usize - 1;
+        assert!(at < objects && material as usize <= scene.materials.len());
+        let (triangles, expected) = match scene.meshes.get(at) {
+            Some(mesh) => (mesh.triangles.len(), mesh.materials[triangle as usize - 1]),
+            None => match scene.spheres.get(at - scene.meshes.len()) {
+                Some(sphere) => (1, sphere.material),
+                None => (1, scene.shapes[0].material),
+            },
+        };
+        assert!((1..=triangles).contains(&(triangle as usize)));
+        assert_eq!(material, expected + 1);
+    }
+    let mapped = scene.meshes.len() as u32;
+    assert!(seen.iter().any(|ids| ids[..2] == [mapped, 2]), "{seen:?}");
+    assert!(seen.iter().any(|ids| ids[0] == objects as u32), "{seen:?}");
+    let camera = scene.parameter("camera.look_from").unwrap();
+    let refused = render_vjp(&scene, &plain, &[camera]).map(|_| ()).unwrap_err().to_string();
+    assert_eq!(refused, "pass: identifiers are whole numbers and have no derivative");
 }

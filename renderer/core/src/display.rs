@@ -2,6 +2,7 @@
 
 use crate::image::Image;
 use crate::settings::Pass;
+use crate::trace::sampling::hash;
 
 /// How radiances beyond what a picture can show are brought into its range.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -70,11 +71,13 @@ pub fn range(image: &Image) -> (f32, f32) {
     (values.clone().fold(f32::INFINITY, f32::min), values.fold(f32::NEG_INFINITY, f32::max))
 }
 
-/// What of a [pass](Pass) that measures shapes is 0 and what is 1 in a picture: normals from -1 to 1, places from
-/// the smallest to the largest number, depth such that what is near is dark, and black where nothing is.
+/// What of a [pass](Pass) that measures shapes is 0 and what is 1 in a picture: normals from -1 to 1, texture
+/// coordinates from 0 to 1, places from the smallest to the largest number, depth such that what is near is dark, and black where nothing is.
 pub fn range_of_measure(image: &Image, pass: Pass) -> (f32, f32) {
-    if pass == Pass::Normals {
-        return (-1.0, 1.0);
+    match pass {
+        Pass::Normals => return (-1.0, 1.0),
+        Pass::Uv => return (0.0, 1.0),
+        _ => {}
     }
     let (low, high) = range(image);
     if pass == Pass::Position {
@@ -85,6 +88,16 @@ pub fn range_of_measure(image: &Image, pass: Pass) -> (f32, f32) {
     // Pixels on silhouettes are nearer by the part of them that nothing covers.
     let near = depths.get(depths.len() / 20).copied().unwrap_or(low);
     (near - 0.3 * (high - near), high)
+}
+
+/// Gives every combination of [identifiers](Pass::Ids) a colour of its own, as a hash has it; nothing stays black.
+pub fn color_ids(image: &mut Image) {
+    const LEVELS: u32 = 1 << 10;
+    for pixel in image.pixels.iter_mut().filter(|pixel| **pixel != [0.0; 3]) {
+        let mixed = pixel.iter().fold(0, |mixed, id| hash(mixed ^ *id as u32));
+        *pixel = [0, 10, 20]
+            .map(|shift| 0.15 + 0.85 * (mixed >> shift & (LEVELS - 1)) as f32 / LEVELS as f32);
+    }
 }
 
 /// Maps `low` to 0 and `high` to 1, linearly; everything to 0 if they are equal.

@@ -80,7 +80,8 @@ pub enum PrimaryVisibility {
 ///
 /// All but radiance are images, too: with edges, each side of an edge counts by the area that it covers of a
 /// pixel, and there are gradients by whatever moves what is shown. Where the camera sees nothing, they are 0.
-/// They show the first surface that a ray meets, also where it is transparent or a mirror.
+/// They show the first surface that a ray meets, also where it is transparent or a mirror. Identifiers alone are
+/// no such image: they are those at the middle of a pixel, and have no derivative.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
 pub enum Pass {
@@ -98,6 +99,12 @@ pub enum Pass {
     Position,
     /// The unit normal that shades it, in the world and on the side of the viewer.
     Normals,
+    /// Its texture coordinates u and v, then 0; 0 where it has none. Where a texture is repeated they go beyond 1. The seam
+    /// of a sphere, at which u goes from 1 to 0, is no edge.
+    Uv,
+    /// What it is part of: an object, counted from 1 over meshes, spheres and shapes of one's own in this order; the
+    /// triangle of the mesh, counted from 1, and 1 for others; the material, counted from 1. 0 where nothing is.
+    Ids,
 }
 
 impl Pass {
@@ -110,18 +117,20 @@ impl Pass {
             Self::Depth => "depth",
             Self::Position => "position",
             Self::Normals => "normals",
+            Self::Uv => "uv",
+            Self::Ids => "ids",
         }
     }
 
     /// Whether what is shown may be below 0.
     #[doc(hidden)]
     pub fn is_signed(self) -> bool {
-        matches!(self, Self::Position | Self::Normals)
+        matches!(self, Self::Position | Self::Normals | Self::Uv)
     }
 
     /// Whether what is shown measures shapes, and is no part or colour of light.
     #[doc(hidden)]
     pub fn is_measure(self) -> bool {
-        matches!(self, Self::Depth | Self::Position | Self::Normals)
+        matches!(self, Self::Depth | Self::Position | Self::Normals | Self::Uv | Self::Ids)
     }
 }

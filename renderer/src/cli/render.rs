@@ -9,7 +9,7 @@ use super::sampling::SamplingArguments;
 use super::until::{self, UntilArguments};
 use super::views::{path_of_view, view_stems};
 use crate::arithmetic::Arithmetic;
-use crate::display::{ToneMapping, expose, normalize, range_of_measure};
+use crate::display::{ToneMapping, color_ids, expose, normalize, range_of_measure};
 use crate::files::images::picture_of_measure;
 use crate::files::{check_image_path, save_image, save_passes};
 use crate::progressive::{Estimate, Until};
@@ -41,9 +41,11 @@ pub(super) struct Arguments {
     tone: ToneMapping,
 
     /// What to show of surfaces: the light they send to the camera, their diffuse colour, that they are there
-    /// (their silhouettes), how far they are along the direction of the camera, their places or their normals;
-    /// several, with commas between them, are the layers of one .exr, which holds the numbers themselves; levels of
-    /// a .png are in proportion to depth or places, and to normals from -1 to 1
+    /// (their silhouettes), how far they are along the direction of the camera, their places, normals or texture
+    /// coordinates, or the numbers of object, triangle and material; several, with commas between them, are the
+    /// layers of one .exr, which holds the numbers themselves; levels of a .png are in proportion to depth or places,
+    /// to normals from -1 to 1 and to texture coordinates from 0 to 1, and every object, triangle and material has a
+    /// colour
     #[arg(
         long = "pass",
         value_name = "PASS",
@@ -200,8 +202,10 @@ fn save(
     match &mut images[..] {
         [(pass, image)] => {
             if pass.is_measure() && is_a(&output, "png") && !arguments.normalize {
-                let range = range_of_measure(image, *pass);
-                picture_of_measure(image, range);
+                match pass {
+                    Pass::Ids => color_ids(image),
+                    _ => picture_of_measure(image, range_of_measure(image, *pass)),
+                }
             }
             save_image(image, &output)?;
         }

@@ -394,7 +394,11 @@ impl<'a, L: Plain> Chain<'a, L> {
             material.mirror.accumulate(mirror);
         }
         let uv = vertex.textured.as_deref();
-        let uv = uv.map(|textured| self.pull_textures(textured, material));
+        let mut uv = uv.map(|textured| self.pull_textures(textured, material));
+        if self.integrator.layout.pass == Pass::Uv {
+            let shown = Tangent::<Uv<L>> { u: emitted.x(), v: emitted.y() };
+            uv.get_or_insert_with(Additive::zero).accumulate(shown);
+        }
         if !self.scatter.request.materials.is_empty() {
             self.scatter.materials::<L>(&vertex.materials, material);
         }
@@ -423,7 +427,7 @@ impl<'a, L: Plain> Chain<'a, L> {
             }
             Pass::Position => surface.point.accumulate(shown),
             Pass::Normals => surface.normal.accumulate(shown),
-            Pass::Radiance | Pass::Albedo | Pass::Coverage => {}
+            Pass::Radiance | Pass::Albedo | Pass::Coverage | Pass::Uv | Pass::Ids => {}
         }
     }
 

@@ -9,6 +9,7 @@ use crate::primal::integrator::Integrator;
 use crate::primal::known::{KnownHit, Occluding};
 use crate::primal::shadow::SURFACE_ERROR;
 use crate::scene::{MOST_EDGED_LIGHTS, Slot, Transform};
+use crate::settings::Pass;
 use crate::trace::adjacency::Adjacency;
 use crate::trace::bvh::NO_PRIMITIVE;
 use crate::trace::layout::{Kind, TextureLayout};
@@ -95,7 +96,8 @@ impl<'a, L: Plain> Geometry<'a, L> {
             _ => return false,
         };
         let material = layout.material_of[a];
-        if material != layout.material_of[b] || layout.materials[material as usize].textures.any() {
+        let varies = layout.pass == Pass::Uv || layout.materials[material as usize].textures.any();
+        if material != layout.material_of[b] || varies {
             return false;
         }
         let [first, second] = [a, b].map(|at| layout.triangles[at]);

@@ -174,7 +174,7 @@ impl<S: Number> Inputs<S> {
         self.materials.extend(scene.materials.iter().enumerate().map(|(index, material)| {
             narrow::<S, _>(&varying.lift(Object::Material(index), &material.values))
         }));
-        self.update_textures(scene, varying);
+        self.update_textures(scene, layout, varying);
         let vertices = self.update_meshes(scene, origin, varying);
         let spheres = self.update_spheres(scene, origin, varying);
         let shapes = shapes(scene, origin, varying);
@@ -220,7 +220,7 @@ impl<S: Number> Inputs<S> {
         self.frame = in_lanes::<S, _>(&frame);
     }
 
-    fn update_textures(&mut self, scene: &Scene, varying: &Varying<S::Wide>) {
+    fn update_textures(&mut self, scene: &Scene, layout: &Layout, varying: &Varying<S::Wide>) {
         self.texels.clear();
         self.uvs.clear();
         for (index, texture) in scene.textures.iter().enumerate() {
@@ -238,7 +238,7 @@ impl<S: Number> Inputs<S> {
                 }
             });
         }
-        if scene.textures.is_empty() {
+        if layout.uvs.is_empty() {
             return;
         }
         for (index, mesh) in scene.meshes.iter().enumerate() {

@@ -97,9 +97,11 @@ impl<L: Plain> Prepared<L> {
     }
 
     /// Whether images are made with edges in them: not where light takes all paths, whose rays go all over a
-    /// pixel.
+    /// pixel, and not where what is shown has no mean.
     pub fn sees_edges(&self) -> bool {
-        self.layout.path_tracing.is_none() && self.settings.edges == Edges::On
+        let layout = &self.layout;
+        let has_means = layout.path_tracing.is_none() && layout.pass != Pass::Ids;
+        has_means && self.settings.edges == Edges::On
     }
 
     /// The scene in direct light: of points of what shines in place of all of it, as many as there may be with
@@ -148,7 +150,7 @@ impl<L: Plain> Prepared<L> {
     /// Takes over where within pixels rays go, and how many mirrors a path has at most.
     pub fn resample(&mut self, sampling: Sampling, bounces: Option<u32>) {
         self.settings.sampling = sampling;
-        self.layout.sampling = sampling_of(sampling, self.layout.path_tracing);
+        self.layout.sampling = sampling_of(sampling, self.layout.path_tracing, self.layout.pass);
         if let Some(bounces) = bounces {
             self.layout.bounces = bounces;
         }

@@ -1,7 +1,7 @@
 //! The radiance that leaves the path vertices of a lane group.
 
 use ad::Vec3;
-use ad::vector::Vector;
+use ad::vector::{Vector, Vector3};
 
 use super::coalesce::Coalesced;
 use super::gather::Lookup;
@@ -75,6 +75,13 @@ impl<'a, S: Number> Integrator<'a, S> {
         }
     }
 
+    /// The texture coordinates of a group, if its primitives have any.
+    fn uv_of(&self, group: &LaneGroup<S>) -> Option<Uv<S>> {
+        let primitive = self.primitive(group.kind, &group.primitives)?;
+        let corners = self.corner_uvs(group.kind, &group.primitives);
+        Some(surface_uv::<S>(primitive, corners, group.surface.point))
+    }
+
     /// The textures of a group, if it has any; they vary its material.
     fn textured(
         &self,
@@ -86,9 +93,7 @@ impl<'a, S: Number> Integrator<'a, S> {
         if self.layout.textures.is_empty() || materials.lanes_where(is_textured) == 0 {
             return None;
         }
-        let primitive = self.primitive(group.kind, &group.primitives)?;
-        let corners = self.corner_uvs(group.kind, &group.primitives);
-        let uv = surface_uv::<S>(primitive, corners, group.surface.point);
+        let uv = self.uv_of(group)?;
         let lookups = Slot::NUMBERS.map(|slot| self.lookup(slot, materials, uv));
         let textured = Box::new(Textured { plain: *material, uv, lookups });
         textured.modulate(material);
@@ -191,6 +196,17 @@ impl<'a, S: Number> Vertex<'a, S> {
         match measure {
             Pass::Depth => Vec3::<S>::splat(depth::<S>(inputs.frame, point)),
             Pass::Position => point + inputs.world_origin(),
+            Pass::Uv => {
+                let uv = self.integrator.uv_of(self.group);
+                let none = Uv { u: S::ZERO, v: S::ZERO };
+                let Uv { u, v } = uv.unwrap_or(none);
+                Vector3::new(u, v, S::ZERO)
+            }
+            Pass::Ids => self.group.primitives.gather::<S, _>(|primitive| {
+                let ids = self.integrator.layout.ids_of(primitive);
+                let [x, y, z] = ids.map(|id| S::from_f64(id as f64));
+                Vector3::new(x, y, z)
+            }),
             _ => normal,
         }
     }

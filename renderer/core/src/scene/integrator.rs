@@ -72,17 +72,20 @@ impl Scene {
         }
     }
 
-    /// Checks that images have derivatives by these parameters: those of [passes](Pass) other than radiance
-    /// always have.
+    /// Checks that images have derivatives by these parameters: those of [passes](Pass) other than radiance and
+    /// identifiers always have.
     ///
     /// # Errors
     ///
-    /// If edges count and there are more lights, or points of them, than the 64 whose shadows have edges.
+    /// If the pass is that of identifiers, or if edges count and there are more lights, or points of them, than the 64 whose shadows have edges.
     pub fn check_differentiable(
         &self,
         settings: &Settings,
         ids: &[ParameterId],
     ) -> Result<(), Error> {
+        if settings.pass == Pass::Ids {
+            return Err(Error::new("pass", "identifiers are whole numbers and have no derivative"));
+        }
         if settings.pass != Pass::Radiance {
             return Ok(());
         }

@@ -134,14 +134,24 @@ fn unscattered(object: &MaterialObject) -> f32 {
     ((part * STEPS).round().clamp(1.0, STEPS - 1.0) / STEPS) as f32
 }
 
-/// Where within pixels rays go: if nothing is said, as many as the scene says where light takes all paths.
-pub fn sampling_of(settings: Sampling, path_tracing: Option<PathTracing>) -> Sampling {
+/// Where within pixels rays go: if nothing is said, as many as the scene says where light takes all paths; through
+/// the middle where what is shown has no mean.
+pub fn sampling_of(settings: Sampling, path_tracing: Option<PathTracing>, pass: Pass) -> Sampling {
     match (settings, path_tracing) {
+        _ if pass == Pass::Ids => Sampling::Center,
         (Sampling::Center, Some(PathTracing { samples, seed, .. })) => {
             Sampling::Sobol(Samples { count: samples, seed, gradient: GradientSamples::Same })
         }
         _ => settings,
     }
+}
+
+/// The texture coordinates of corners, where textures vary materials or they are what is shown.
+fn uvs(scene: &Scene, pass: Pass) -> Corners {
+    Corners::new(&scene.meshes, |mesh| match scene.textures.is_empty() && pass != Pass::Uv {
+        true => (0, Cow::Borrowed(&[])),
+        false => (mesh.texture_coordinates.len(), Cow::Borrowed(&mesh.texture_triangles[..])),
+    })
 }
 
 /// A texture among the texels of all.
@@ -241,12 +251,7 @@ impl Layout {
             background: None,
             first_vertices: vec![0],
             mirrored: Vec::new(),
-            uvs: Corners::new(&scene.meshes, |mesh| match scene.textures.is_empty() {
-                true => (0, Cow::Borrowed(&[])),
-                false => {
-                    (mesh.texture_coordinates.len(), Cow::Borrowed(&mesh.texture_triangles[..]))
-                }
-            }),
+            uvs: uvs(scene, settings.pass),
             normals: Corners::new(&scene.meshes, |mesh| {
                 (mesh.normal_count(), mesh.normal_triangles())
             }),
@@ -267,12 +272,15 @@ impl Layout {
 
     /// Takes over what is shown, and what follows from it: where rays go, and a map of the environment.
     pub fn show(&mut self, scene: &Scene, settings: &Settings) {
+        if [self.pass, settings.pass].contains(&Pass::Uv) {
+            self.uvs = uvs(scene, settings.pass);
+        }
         self.pass = settings.pass;
         self.update(scene);
         self.map = self.map(scene);
         let chooses_by = self.map.filter(|_| self.path_tracing.is_some());
         self.sky = chooses_by.map(|(_, map)| Sky::new(map.width, map.height));
-        self.sampling = sampling_of(settings.sampling, self.path_tracing);
+        self.sampling = sampling_of(settings.sampling, self.path_tracing, self.pass);
     }
 
     /// Takes over what lights and materials can do, which depends on their numbers.
@@ -372,6 +380,22 @@ impl Layout {
     pub fn normal_scale(&self, triangle: usize) -> f64 {
         let scale = self.traits_of(triangle).normal_scale;
         if self.mirrored[self.mesh_of(triangle)] { -scale } else { scale }
+    }
+
+    /// What a primitive is part of, as [`Pass::Ids`] counts: the object, its triangle, its material.
+    pub fn ids_of(&self, primitive: usize) -> [usize; 3] {
+        let meshes = self.first_vertices.len() - 1;
+        let material = self.material_of[primitive] as usize;
+        let (object, triangle) = match self.kind_of(primitive) {
+            (Kind::Triangle, triangle) => {
+                let mesh = self.mesh_of(triangle);
+                let is_before = |corners: &[u32; 3]| self.mesh_of_vertex(corners[0]) < mesh;
+                (mesh, triangle - self.triangles.partition_point(is_before))
+            }
+            (Kind::Sphere, sphere) => (meshes + sphere, 0),
+            (Kind::Custom, shape) => (meshes + self.spheres + shape, 0),
+        };
+        [object, triangle, material].map(|index| index + 1)
     }
 
     /// The mesh of a triangle.

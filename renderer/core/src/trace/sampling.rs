@@ -176,7 +176,7 @@ fn sobol(index: u32) -> [f32; 2] {
 }
 
 /// Mixes bits (`lowbias32`, Wellons, "Prospecting for Hash Functions", 2018).
-pub(super) fn hash(mut x: u32) -> u32 {
+pub(crate) fn hash(mut x: u32) -> u32 {
     x = (x ^ x >> 16).wrapping_mul(0x7feb_352d);
     x = (x ^ x >> 15).wrapping_mul(0x846c_a68b);
     x ^ x >> 16

@@ -31,6 +31,8 @@ fn channels(pass: Pass) -> &'static [&'static str] {
         Pass::Depth => &["depth.Z"],
         Pass::Position => &["position.X", "position.Y", "position.Z"],
         Pass::Normals => &["normals.X", "normals.Y", "normals.Z"],
+        Pass::Uv => &["uv.U", "uv.V"],
+        Pass::Ids => &["ids.object", "ids.primitive", "ids.material"],
     }
 }
 
