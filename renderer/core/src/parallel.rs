@@ -2,7 +2,8 @@
 //!
 //! rayon compiles its machinery anew for every closure that it is given: with a loop for each kernel, arithmetic and
 //! pass that was a fifth of the code of this crate. Here it sees closures behind `dyn`, one type for each type of
-//! results; a call through a pointer is nothing beside a strip of pixels.
+//! results; a call through a pointer and a lock are nothing beside a strip of pixels, but much beside
+//! a single ray: items have to be worth some.
 
 use std::sync::{Mutex, PoisonError};
 

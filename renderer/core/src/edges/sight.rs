@@ -25,6 +25,9 @@ pub struct Sights {
     depths: Vec<Plane>,
 }
 
+/// How many samples around the image are traced one after the other.
+const BORDER_CHUNK: usize = 64;
+
 /// What the samples see at one depth.
 struct Plane {
     primitives: Vec<AtomicU32>,
@@ -129,11 +132,13 @@ impl Sights {
         let across = (0..columns).flat_map(|column| [(column, 0), (column, rows - 1)]);
         let down = (1..rows - 1).flat_map(|row| [(0, row), (columns - 1, row)]);
         let border: Vec<(usize, usize)> = across.chain(down).collect();
-        parallel::map(border, Vec::new, |path, (column, row)| {
-            path.clear();
-            geometry.trace(self.place(column, row), path);
-            let at = row * columns + column;
-            path.iter().zip(&self.depths).for_each(|(known, plane)| plane.keep(at, known));
+        parallel::map(border.chunks(BORDER_CHUNK).collect(), Vec::new, |path, samples| {
+            for &(column, row) in samples {
+                path.clear();
+                geometry.trace(self.place(column, row), path);
+                let at = row * columns + column;
+                path.iter().zip(&self.depths).for_each(|(known, plane)| plane.keep(at, known));
+            }
         });
     }
 
