@@ -65,10 +65,10 @@ pub mod methods {
     pub use crate::rules::forward::{
         AngleForward as _, CopiedForward as _, DMat2Forward as _, DMat3Forward as _,
         DMat4Forward as _, DVec2Forward as _, DVec4Forward as _, ExtendForward as _,
-        FlattenForward as _, FloatForward as _, GlamForward as _, Mat2Forward as _,
+        FlattenForward as _, GlamForward as _, Mat2Forward as _,
         Mat3Forward as _, Mat4Forward as _, MatrixForward as _, OptionForward as _,
-        QuaternionForward as _, RealForward as _, ResultForward as _, RotationForward as _,
-        ScalarForward as _, TransformForward as _, TruncateForward as _, Vec2Forward as _,
+        QuaternionForward as _, ResultForward as _, RotationForward as _,
+        TransformForward as _, TruncateForward as _, Vec2Forward as _,
         Vec4Forward as _, Vector3Forward as _, VectorForward as _,
     };
     pub use crate::rules::{
@@ -79,7 +79,7 @@ pub mod methods {
         LengthRules as _, Mat2Rules as _, Mat3Rules as _, Mat4Rules as _, MatrixRules as _,
         OptionRules as _, OwnedRules as _, PlaneMotionRules as _, PlaneRules as _,
         ProjectionRules as _, QuaternionRules as _, RealRules as _, ResultRules as _,
-        RotationRules as _, ScalarRules as _, ScaledRules as _, SequenceRules as _,
+        RotationRules as _, ScaledRules as _, SequenceRules as _,
         SignedRules as _, SpaceRules as _, Swizzle2Rules as _, Swizzle3Rules as _,
         Swizzle4Rules as _, TransformRules as _, TruncateRules as _, TryIntoRules as _,
         TurnRules as _, Vec2Rules as _, Vec4Rules as _, VecRules as _, Vector3Rules as _,

@@ -54,14 +54,15 @@ mod arrange;
 pub mod attempt;
 mod cast;
 mod choose;
+mod conversion;
 mod dropping;
 mod edit;
-mod float;
 mod formula;
 pub mod forward;
 mod geometry;
 mod glam_only;
 mod integer;
+mod linear;
 mod matrix;
 mod operators;
 mod outcome;
@@ -70,6 +71,7 @@ mod quaternion;
 #[doc(hidden)]
 pub mod replace;
 mod rotation;
+mod row;
 mod scalar;
 mod sequence;
 mod transform;
@@ -90,7 +92,7 @@ pub use dropping::drop;
 pub use edit::VecRules;
 #[doc(hidden)]
 pub use edit::drained;
-pub use float::{FloatRules, FromRules, IntoRules};
+pub use conversion::{FromRules, IntoRules};
 pub use formula::{
     Affine2Rules, Affine3Rules, Kin, LengthRules, PlaneMotionRules, PlaneRules, ProjectionRules,
     ScaledRules, SpaceRules, TurnRules,
@@ -112,7 +114,7 @@ pub use operators::{
 pub use outcome::{CopiedRules, DerefRules, FlattenRules, OptionRules, ResultRules};
 pub use owned::{OwnedRules, TryIntoRules};
 pub use quaternion::QuaternionRules;
-pub use scalar::{RealRules, ScalarRules};
+pub use scalar::{FloatRules, RealRules};
 #[doc(hidden)]
 pub use sequence::copied_within;
 pub use sequence::{CloneRules, Elements, SequenceRules};

@@ -14,15 +14,12 @@
 //! (three pullbacks, and the zeros in them do not vanish from products with numbers that may be
 //! infinite).
 
-mod float;
 mod glam_only;
 mod matrix;
 mod outcome;
 mod quaternion;
-mod scalar;
 mod vector;
 
-pub use float::FloatForward;
 pub use glam_only::{ExtendForward, GlamForward, TruncateForward};
 pub use matrix::{
     AngleForward, DMat2Forward, DMat3Forward, DMat4Forward, Mat2Forward, Mat3Forward, Mat4Forward,
@@ -30,7 +27,6 @@ pub use matrix::{
 };
 pub use outcome::{CopiedForward, FlattenForward, OptionForward, ResultForward};
 pub use quaternion::QuaternionForward;
-pub use scalar::{RealForward, ScalarForward};
 pub use vector::{
     DVec2Forward, DVec4Forward, Vec2Forward, Vec4Forward, Vector3Forward, VectorForward,
 };

@@ -77,7 +77,7 @@ pub fn single_number_cases<S: Primitive>() -> Vec<Case<S>> {
 }
 
 /// What `f32` and `f64` have beyond [`Scalar`].
-pub trait Primitive: Scalar + Flat<Self> {
+pub trait Primitive: Scalar + FloatRules + Flat<Self> {
     fn plain_sin_cos(self) -> (Self, Self);
     fn plain_to_radians(self) -> Self;
     fn plain_to_degrees(self) -> Self;
