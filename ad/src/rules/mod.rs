@@ -57,29 +57,26 @@ mod choose;
 mod conversion;
 mod dropping;
 mod edit;
-mod formula;
 pub mod forward;
 mod geometry;
-mod glam_only;
 mod integer;
+mod kin;
 mod linear;
 mod matrix;
+mod motion;
 mod operators;
 mod outcome;
 mod owned;
-mod quaternion;
 #[doc(hidden)]
 pub mod replace;
-mod rotation;
 mod row;
 mod scalar;
 mod sequence;
-mod transform;
 mod vector;
 
 pub use arrange::{
     ArrayRules, ColumnsRules, Swizzle2Rules, Swizzle3Rules, Swizzle4Rules, With2Rules, With3Rules,
-    With4Rules,
+    With4Rules, construct,
 };
 #[doc(hidden)]
 pub use arrange::{dvec2, dvec3, dvec4, vec2, vec3, vec4};
@@ -93,14 +90,12 @@ pub use edit::VecRules;
 #[doc(hidden)]
 pub use edit::drained;
 pub use conversion::{FromRules, IntoRules};
-pub use formula::{
-    Affine2Rules, Affine3Rules, Kin, LengthRules, PlaneMotionRules, PlaneRules, ProjectionRules,
-    ScaledRules, SpaceRules, TurnRules,
-};
-pub use glam_only::{ExtendRules, GlamRules, TruncateRules, construct};
 pub use integer::{IntegerRules, SignedRules};
-pub use matrix::{
-    DMat2Rules, DMat3Rules, DMat4Rules, Mat2Rules, Mat3Rules, Mat4Rules, MatrixRules,
+pub use kin::{Kin, Numbers};
+pub use matrix::{Matrix2Rules, Matrix3Rules, Matrix4Rules, ProjectionRules, ResizedRules};
+pub use motion::{
+    Affine2Rules, Affine3Rules, AngleRules, PlaneMotionRules, QuaternionRules, RotationRules,
+    TransformRules,
 };
 #[doc(hidden)]
 pub use operators::borrowed;
@@ -113,15 +108,13 @@ pub use operators::{
 };
 pub use outcome::{CopiedRules, DerefRules, FlattenRules, OptionRules, ResultRules};
 pub use owned::{OwnedRules, TryIntoRules};
-pub use quaternion::QuaternionRules;
 pub use scalar::{FloatRules, RealRules};
 #[doc(hidden)]
 pub use sequence::copied_within;
 pub use sequence::{CloneRules, Elements, SequenceRules};
-pub use transform::{AngleRules, RotationRules, TransformRules};
-pub use vector::{DVec2Rules, DVec4Rules, Vec2Rules, Vec4Rules, Vector3Rules, VectorRules};
+pub use vector::{GlamRules, SpaceRules, Vec2Rules, Vec4Rules, Vector3Rules, VectorRules};
 
-use crate::{Additive, Real, vector::Vector};
+use crate::{Real, vector::Vector};
 
 /// `cotangent * partial`, and 0 where the cotangent is 0, whatever the partial is.
 #[inline(always)]
@@ -141,26 +134,6 @@ fn chain<S: Real>(tangent: S, partial: S) -> S {
 #[inline(always)]
 fn is_infinite<S: Real>(number: S) -> S::Mask {
     number.cmpeq(number) & !number.is_finite()
-}
-
-/// The tangent of a product of what is made of several numbers. A factor whose tangent is zero does
-/// not count, whatever the other factor is.
-#[inline(always)]
-fn bilinear<A, B, C>(product: impl Fn(A, B) -> C, factors: (A, B), tangents: (A, B)) -> C
-where
-    A: Additive + PartialEq,
-    B: Additive + PartialEq,
-    C: Additive,
-{
-    let ((a, b), (a_tangent, b_tangent)) = (factors, tangents);
-    let mut along = C::zero();
-    if a_tangent != A::zero() {
-        along.accumulate(product(a_tangent, b));
-    }
-    if b_tangent != B::zero() {
-        along.accumulate(product(a, b_tangent));
-    }
-    along
 }
 
 /// [`scale`] of every element of `partial` by one cotangent.

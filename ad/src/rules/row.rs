@@ -31,7 +31,7 @@ macro_rules! rules {
         $(#[$doc])*
         #[allow(clippy::type_complexity, clippy::too_many_arguments)]
         pub trait $rules: $bound {
-            rules!(@rows [complete] $($rows)*);
+            rules!(@rows [complete use<Self>] $($rows)*);
         }
 
         impl<T: $bound> $rules for T {}
@@ -40,7 +40,7 @@ macro_rules! rules {
         $(#[$doc])*
         #[allow(clippy::type_complexity, clippy::too_many_arguments)]
         pub trait $rules: $bound {
-            rules!(@rows [declared] $($rows)*);
+            rules!(@rows [declared use<Self>] $($rows)*);
         }
 
         rules!(@impls $rules { $($rows)* } $($type)*);
@@ -51,7 +51,7 @@ macro_rules! rules {
             rules!(@impl $rows);
         }
     )*};
-    (@impl { $($rows:tt)* }) => { rules!(@rows [defined] $($rows)*); };
+    (@impl { $($rows:tt)* }) => { rules!(@rows [defined use<>] $($rows)*); };
 
     (@rows $form:tt $(
         $(#[$doc:meta])*
@@ -111,15 +111,15 @@ macro_rules! rules {
             {
                 let $x = self;
                 let $value = Self::$method($x $(, $y)*);
-                ($value, rules!(@push $method $R, [$x tangent Self] $([$y $dot $Y])*; $rule))
+                ($value, rules!(@push [Self::$method(tangent $(, $dot)*)] $R, [$x tangent Self] $([$y $dot $Y])*; $rule))
             });
     };
-    (@siblings [$form:ident] $doc:tt $method:ident $vjp:ident $jvp:ident [reference $x:ident]
+    (@siblings [$form:ident $($captured:tt)*] $doc:tt $method:ident $vjp:ident $jvp:ident [reference $x:ident]
         [$([$y:ident $dot:ident $Y:ty])*] [$R:ty] $value:ident $rule:tt) => {
-        rules!(@sibling [$form] $doc $method "The pullback of `"
+        rules!(@sibling [$form $($captured)*] $doc $method "The pullback of `"
             [$vjp(&self $(, $y: $Y)*) -> (
                 $R,
-                rules!(@captured $form impl FnOnce(Tangent<$R>) -> rules!(@tuple Tangent<Self> $(, Tangent<$Y>)*)),
+                impl FnOnce(Tangent<$R>) -> rules!(@tuple Tangent<Self> $(, Tangent<$Y>)*) + $($captured)*,
             )]
             {
                 let $x = *self;
@@ -128,12 +128,12 @@ macro_rules! rules {
                     rules!(@pull cotangent $R, [$x Self] $([$y $Y])*; $rule)
                 })
             });
-        rules!(@sibling [$form] $doc $method "The derivative along tangents of `"
+        rules!(@sibling [$form $($captured)*] $doc $method "The derivative along tangents of `"
             [$jvp(&self, $($y: $Y,)* tangent: &Tangent<Self> $(, $dot: Tangent<$Y>)*) -> ($R, Tangent<$R>)]
             {
                 let ($x, tangent) = (*self, *tangent);
                 let $value = Self::$method(&$x $(, $y)*);
-                ($value, rules!(@push $method $R, [$x tangent Self] $([$y $dot $Y])*; $rule))
+                ($value, rules!(@push [Self::$method(&tangent $(, $dot)*)] $R, [$x tangent Self] $([$y $dot $Y])*; $rule))
             });
     };
     (@siblings $form:tt $doc:tt $method:ident $vjp:ident $jvp:ident []
@@ -150,31 +150,29 @@ macro_rules! rules {
             [$jvp($($y: $Y,)* $($dot: Tangent<$Y>),*) -> ($R, Tangent<$R>)]
             {
                 let $value = Self::$method($($y),*);
-                ($value, rules!(@push $method $R, $([$y $dot $Y])*; $rule))
+                ($value, rules!(@push [Self::$method($($dot),*)] $R, $([$y $dot $Y])*; $rule))
             });
     };
     (@tuple $part:ty) => { $part };
     (@tuple $($part:ty),*) => { ($($part),*) };
-    (@captured declared $pullback:ty) => { $pullback + use<Self> };
-    (@captured defined $pullback:ty) => { $pullback + use<> };
 
-    (@sibling [declared] [$($doc:tt)*] $method:ident $says:literal [$($signature:tt)*] $body:tt) => {
+    (@sibling [declared $($captured:tt)*] [$($doc:tt)*] $method:ident $says:literal [$($signature:tt)*] $body:tt) => {
         #[doc = concat!($says, stringify!($method), "`.")]
         #[doc = ""]
         $($doc)*
         fn $($signature)*;
     };
-    (@sibling [complete] [$($doc:tt)*] $method:ident $says:literal [$($signature:tt)*] $body:tt) => {
+    (@sibling [complete $($captured:tt)*] [$($doc:tt)*] $method:ident $says:literal [$($signature:tt)*] $body:tt) => {
         #[doc = concat!($says, stringify!($method), "`.")]
         #[doc = ""]
         $($doc)*
         #[inline(always)]
-        #[allow(unused_variables)]
+        #[allow(unused_variables, unused_parens)]
         fn $($signature)* $body
     };
-    (@sibling [defined] $doc:tt $method:ident $says:literal [$($signature:tt)*] $body:tt) => {
+    (@sibling [defined $($captured:tt)*] $doc:tt $method:ident $says:literal [$($signature:tt)*] $body:tt) => {
         #[inline(always)]
-        #[allow(unused_variables)]
+        #[allow(unused_variables, unused_parens)]
         fn $($signature)* $body
     };
 
@@ -190,15 +188,15 @@ macro_rules! rules {
         let (_, pullback) = formula::vjp($($x.numbers()),*);
         Numbers::of_numbers(pullback($cotangent.numbers()))
     }};
-    (@push $method:ident $R:ty, $([$x:ident $dot:ident $X:ty])*; [partials $partials:expr]) => {{
+    (@push [$pushed:expr] $R:ty, $([$x:ident $dot:ident $X:ty])*; [partials $partials:expr]) => {{
         let ($($x),*) = $partials;
         rules!(@sum $(Linear::<Tangent<$X>, Tangent<$R>>::push($x, $dot)),*)
     }};
     (@sum $first:expr $(, $more:expr)*) => { $first $(+ $more)* };
-    (@push $method:ident $R:ty, $([$x:ident $dot:ident $X:ty])*; [adjoint $adjoint:expr]) => {
-        Self::$method($($dot),*)
+    (@push [$pushed:expr] $R:ty, $([$x:ident $dot:ident $X:ty])*; [adjoint $adjoint:expr]) => {
+        $pushed
     };
-    (@push $method:ident $R:ty, $([$x:ident $dot:ident $X:ty])*; [formula $formula:path]) => {{
+    (@push [$pushed:expr] $R:ty, $([$x:ident $dot:ident $X:ty])*; [formula $formula:path]) => {{
         use $formula as formula;
         let (_, along) = formula::jvp($($x.numbers(),)* $($dot.numbers()),*);
         Numbers::of_numbers(along)

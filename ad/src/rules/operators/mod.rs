@@ -18,6 +18,7 @@ mod assigning;
 pub mod borrowed;
 mod integers;
 mod kept;
+mod motions;
 mod numbers;
 mod vectors;
 
@@ -29,7 +30,6 @@ pub use borrowed::{
     AttributeOnOneForm, BorrowedAssignment, BorrowedOperator, OfReferences, OfValues, operation,
 };
 pub use kept::{Kept, Nothing, Operands};
-pub(super) use numbers::product_tangent;
 pub(crate) use numbers::quotient_pullback_of_finite;
 
 use core::ops::{Add, Div, Mul, Neg, Rem, Sub};

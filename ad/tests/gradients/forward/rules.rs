@@ -1,7 +1,6 @@
 //! The rules that forward mode has of its own, against the pullbacks: `<w, J v> = <J^T w, v>`.
 
 use ad::check::Coordinates;
-use ad::rules::forward::*;
 use ad::rules::*;
 use ad::vector::{Vector3, Xyz};
 use ad::{Additive, Differentiable};

@@ -1,6 +1,5 @@
 //! The table of singular points in `ad::rules`, for tangents.
 
-use ad::rules::forward::*;
 use ad::rules::*;
 use ad::{Dual, Mask, Real, differentiable, select};
 use glam::DVec3;
@@ -36,9 +35,9 @@ fn numbers() {
 #[test]
 fn vectors() {
     let (zero, dot) = (DVec3::ZERO, DVec3::new(1.0, -2.0, 3.0));
-    assert_eq!(VectorForward::length_jvp(zero, dot).1, 0.0);
-    assert_eq!(VectorForward::normalize_or_zero_jvp(zero, dot).1, zero);
-    assert_eq!(VectorForward::distance_jvp(dot, dot, dot, zero).1, 0.0);
+    assert_eq!(VectorRules::length_jvp(zero, dot).1, 0.0);
+    assert_eq!(VectorRules::normalize_or_zero_jvp(zero, dot).1, zero);
+    assert_eq!(VectorRules::distance_jvp(dot, dot, dot, zero).1, 0.0);
     assert_eq!(dot.project_onto_jvp(zero, dot, dot).1, zero);
     assert_eq!(DVec3::ONE.max_element_jvp(dot).1, 1.0);
 }
@@ -59,7 +58,7 @@ fn nothing_moves() {
             assert_eq!(tangent, 0.0, "{bad}");
         }
         let vector = DVec3::splat(bad);
-        assert_eq!(VectorForward::dot_jvp(vector, vector, DVec3::ZERO, DVec3::ZERO).1, 0.0);
+        assert_eq!(VectorRules::dot_jvp(vector, vector, DVec3::ZERO, DVec3::ZERO).1, 0.0);
         assert_eq!(vector.cross_jvp(vector, DVec3::ZERO, DVec3::ZERO).1, DVec3::ZERO);
         assert_eq!(vector.mul_jvp(bad, DVec3::ZERO, 0.0).1, DVec3::ZERO);
         assert_eq!(vector.lerp_jvp(vector, bad, DVec3::ZERO, DVec3::ZERO, 0.0).1, DVec3::ZERO);
@@ -108,14 +107,14 @@ fn infinite_numbers() {
             f64::difference_of_products_jvp(bad, 0.0, 0.0, bad, bad, 0.0, 0.0, bad).1,
             0.0.sin_cos_jvp(bad).1.1,
             1.0.max_jvp(0.5, 0.0, bad).1,
-            VectorForward::dot_jvp(DVec3::ONE, zero, DVec3::splat(bad), zero).1,
+            VectorRules::dot_jvp(DVec3::ONE, zero, DVec3::splat(bad), zero).1,
         ] {
             assert_eq!(tangent, 0.0, "{bad}");
         }
         let (vector, along) = (DVec3::splat(f64::NEG_INFINITY), DVec3::splat(bad));
-        assert_eq!(VectorForward::exp_jvp(vector, along).1, zero);
-        assert_eq!(VectorForward::recip_jvp(vector, along).1, zero);
-        assert_eq!(VectorForward::powf_jvp(-vector, -1.0, along, bad).1, zero);
+        assert_eq!(VectorRules::exp_jvp(vector, along).1, zero);
+        assert_eq!(VectorRules::recip_jvp(vector, along).1, zero);
+        assert_eq!(VectorRules::powf_jvp(-vector, -1.0, along, bad).1, zero);
         assert_eq!(DVec3::ONE.mul_jvp(0.0, along, 0.0).1, zero);
         assert_eq!(DVec3::ONE.mul_jvp(zero, along, zero).1, zero);
         assert_eq!(DVec3::ONE.div_jvp(vector, along, along).1, zero);

@@ -1,18 +1,10 @@
-//! What glam computes with rotations, as formulas over any scalar: the rules of quaternions and
-//! matrices take their pullbacks from these, and their values from glam.
+//! Rotations as quaternions and as matrices.
 
 use ad_macros::differentiable;
 
+use super::vector::{cross, dot, length, times, unit};
+use super::{Columns, Quaternion, Triple, holds};
 use crate::Real;
-
-/// A quaternion: x, y, z, w.
-pub type Quaternion<S> = [S; 4];
-
-/// A vector.
-pub type Triple<S> = [S; 3];
-
-/// The columns of a matrix.
-pub type Columns<S> = [[S; 3]; 3];
 
 #[differentiable]
 pub fn product<S: Real>(a: Quaternion<S>, b: Quaternion<S>) -> Quaternion<S> {
@@ -24,20 +16,15 @@ pub fn product<S: Real>(a: Quaternion<S>, b: Quaternion<S>) -> Quaternion<S> {
     ]
 }
 
-#[differentiable]
-fn dot<S: Real>(a: Triple<S>, b: Triple<S>) -> S {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
 /// A vector rotated as glam does: v (w² - b²) + 2 b (v·b) + 2 w (b × v), for the vector part b.
 #[differentiable]
 pub fn rotated<S: Real>(q: Quaternion<S>, v: Triple<S>) -> Triple<S> {
     let [x, y, z, w] = q;
     let b = [x, y, z];
-    let along = S::TWO * dot::<S>(v, b);
-    let across = w * w - dot::<S>(b, b);
-    let cross = [y * v[2] - z * v[1], z * v[0] - x * v[2], x * v[1] - y * v[0]];
-    std::array::from_fn(|i| v[i] * across + b[i] * along + cross[i] * (w + w))
+    let along = S::TWO * dot::<S, 3>(v, b);
+    let across = w * w - dot::<S, 3>(b, b);
+    let turned = cross::<S>(b, v);
+    std::array::from_fn(|i| v[i] * across + b[i] * along + turned[i] * (w + w))
 }
 
 #[differentiable]
@@ -77,17 +64,6 @@ fn weighted<S: Real>(a: Quaternion<S>, b: Quaternion<S>, to_a: S, to_b: S) -> Qu
     std::array::from_fn(|i| a[i] * to_a + b[i] * to_b)
 }
 
-#[differentiable]
-fn inner<S: Real>(a: Quaternion<S>, b: Quaternion<S>) -> S {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + a[3] * b[3]
-}
-
-#[differentiable]
-fn unit<S: Real>(q: Quaternion<S>) -> Quaternion<S> {
-    let length = inner::<S>(q, q).sqrt();
-    std::array::from_fn(|i| q[i] / length)
-}
-
 /// `-1` where the way from `a` to `b` is shorter to `-b`.
 fn side<S: Real>(a: Quaternion<S>, b: Quaternion<S>) -> S {
     let cosine = (0..4).fold(S::ZERO, |sum, i| sum + a[i] * b[i]);
@@ -97,15 +73,78 @@ fn side<S: Real>(a: Quaternion<S>, b: Quaternion<S>) -> S {
 #[differentiable]
 pub fn lerp<S: Real>(a: Quaternion<S>, b: Quaternion<S>, s: S) -> Quaternion<S> {
     let side = crate::no_diff(|| side::<S>(a, b));
-    unit::<S>(weighted::<S>(a, b, S::ONE - s, side * s))
+    unit::<S, 4>(weighted::<S>(a, b, S::ONE - s, side * s))
 }
 
 /// Along the arc, which has a length: where it has none, [`lerp`] is taken.
 #[differentiable]
 pub fn slerp<S: Real>(a: Quaternion<S>, b: Quaternion<S>, s: S) -> Quaternion<S> {
+    let cosine = dot::<S, 4>(a, b);
+    // The threshold of glam.
+    if holds(cosine.abs().cmpgt(S::ONE - S::EPSILON)) {
+        return lerp::<S>(a, b, s);
+    }
     let side = crate::no_diff(|| side::<S>(a, b));
-    let angle = (inner::<S>(a, b) * side).acos();
+    let angle = (cosine * side).acos();
     let scale = S::ONE / angle.sin();
     let (to_a, to_b) = ((angle * (S::ONE - s)).sin() * scale, (angle * s).sin() * scale * side);
     weighted::<S>(a, b, to_a, to_b)
+}
+
+#[differentiable]
+pub fn about_x<S: Real>(angle: S) -> Quaternion<S> {
+    from_axis_angle::<S>([S::ONE, S::ZERO, S::ZERO], angle)
+}
+
+#[differentiable]
+pub fn about_y<S: Real>(angle: S) -> Quaternion<S> {
+    from_axis_angle::<S>([S::ZERO, S::ONE, S::ZERO], angle)
+}
+
+#[differentiable]
+pub fn about_z<S: Real>(angle: S) -> Quaternion<S> {
+    from_axis_angle::<S>([S::ZERO, S::ZERO, S::ONE], angle)
+}
+
+/// At 0, where the axis has no direction, the limit.
+#[differentiable]
+pub fn from_scaled_axis<S: Real>(axis: Triple<S>) -> Quaternion<S> {
+    let angle = length::<S, 3>(axis);
+    let half = angle * S::HALF;
+    let scale = if holds(angle.cmpgt(S::ZERO)) { half.sin() / angle } else { S::HALF };
+    let [x, y, z] = times::<S, 3>(axis, scale);
+    [x, y, z, half.cos()]
+}
+
+#[differentiable]
+pub fn from_rotation_arc<S: Real>(from: Triple<S>, to: Triple<S>) -> Quaternion<S> {
+    let [x, y, z] = cross::<S>(from, to);
+    let arc = [x, y, z, S::ONE + dot::<S, 3>(from, to)];
+    times::<S, 4>(arc, S::ONE / length::<S, 4>(arc))
+}
+
+#[differentiable]
+pub fn to_axis_angle<S: Real>(q: Quaternion<S>) -> (Triple<S>, S) {
+    let axis = [q[0], q[1], q[2]];
+    let length = length::<S, 3>(axis);
+    // The threshold of glam.
+    if holds(length.cmplt(S::from_f64(1e-8))) {
+        return ([S::ONE, S::ZERO, S::ZERO], S::ZERO);
+    }
+    (times::<S, 3>(axis, S::ONE / length), S::TWO * length.atan2(q[3]))
+}
+
+/// At the identity, where the axis has no direction, the limit.
+#[differentiable]
+pub fn to_scaled_axis<S: Real>(q: Quaternion<S>) -> Triple<S> {
+    let axis = [q[0], q[1], q[2]];
+    let length = length::<S, 3>(axis);
+    let is_small = holds(length.cmplt(S::from_f64(1e-8)));
+    let scale = if is_small { S::TWO / q[3] } else { S::TWO * length.atan2(q[3]) / length };
+    times::<S, 3>(axis, scale)
+}
+
+#[differentiable]
+pub fn angle_between<S: Real>(a: Quaternion<S>, b: Quaternion<S>) -> S {
+    S::TWO * dot::<S, 4>(a, b).abs().acos()
 }
