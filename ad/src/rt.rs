@@ -62,9 +62,6 @@ pub mod methods {
     pub use super::constants::Accepts as _;
     pub use super::names::Modes as _;
     pub use super::texts::MayBeRead as _;
-    pub use crate::rules::forward::{
-        CopiedForward as _, FlattenForward as _, OptionForward as _, ResultForward as _,
-    };
     pub use crate::rules::{
         Affine2Rules as _, Affine3Rules as _, AngleRules as _, ArrayRules as _, CloneRules as _,
         ColumnsRules as _, CopiedRules as _, DerefRules as _, FlattenRules as _, FloatRules as _,

@@ -1,6 +1,6 @@
 //! Linear maps with their adjoints: what partial derivatives are.
 
-use super::{chain, scale, scale_elements, scale_vector};
+use super::{chain, scale, scale_vector};
 use crate::vector::Vector;
 use crate::{Additive, Mask, Real};
 
@@ -100,7 +100,9 @@ maps! {
     Gradient<P>(p: V) [V: Vector] V => V::Scalar: |t| inner(t, p), |g| scale_vector(g, p);
     /// A number times a vector.
     Along<P>(p: V) [V: Vector] V::Scalar => V:
-        |t| p.map_elements(|p| chain(t, p)), |g| scale_elements(g, p).element_sum();
+        |t| p.map_elements(|p| chain(t, p)), |g| inner(g, p);
+    /// The vector that has a number in each element.
+    Splat<>() [V: Vector] V::Scalar => V: |t| V::splat(t), |g| g.element_sum();
     /// The identity.
     Same<>() [T] T => T: |t| t;
     /// Zero.

@@ -7,6 +7,7 @@
 
 #![allow(clippy::type_complexity)]
 
+use super::in_place::in_place;
 use crate::{Additive, Differentiable, Tangent};
 
 /// A cotangent of a sequence.
@@ -86,107 +87,36 @@ pub trait SequenceRules: Differentiable<Tangent: Elements<Tangent<Self::Element>
         (self.view().to_vec(), tangent.to_vec())
     }
 
-    /// Changes places back.
-    #[inline]
-    fn swap_vjp(
-        &mut self,
-        i: usize,
-        j: usize,
-    ) -> ((), impl FnOnce((), Self::Tangent) -> (Self::Tangent, (), ()) + use<Self>) {
-        let len = self.view().len();
-        self.sequence().swap(i, j);
-        ((), move |(), mut cotangent: Self::Tangent| {
-            cotangent.elements(len).swap(i, j);
-            (cotangent, (), ())
-        })
-    }
+    in_place! {
+        sequence [[Tangent<Self::Element>]] [Self::Tangent]
 
-    /// The tangents change places, too.
-    #[inline]
-    fn swap_jvp(
-        &mut self,
-        i: usize,
-        j: usize,
-        tangent: &mut [Tangent<Self::Element>],
-        (): (),
-        (): (),
-    ) -> ((), ()) {
-        self.sequence().swap(i, j);
-        tangent.swap(i, j);
-        ((), ())
-    }
-
-    /// Turns the order back.
-    #[inline]
-    fn reverse_vjp(&mut self) -> ((), impl FnOnce((), Self::Tangent) -> Self::Tangent + use<Self>) {
-        let len = self.view().len();
-        self.sequence().reverse();
-        ((), move |(), mut cotangent: Self::Tangent| {
-            cotangent.elements(len).reverse();
-            cotangent
-        })
-    }
-
-    /// Turns the order of the tangents, too.
-    #[inline]
-    fn reverse_jvp(&mut self, tangent: &mut [Tangent<Self::Element>]) -> ((), ()) {
-        self.sequence().reverse();
-        tangent.reverse();
-        ((), ())
-    }
-
-    /// Turns the elements back.
-    #[inline]
-    fn rotate_left_vjp(
-        &mut self,
-        by: usize,
-    ) -> ((), impl FnOnce((), Self::Tangent) -> (Self::Tangent, ()) + use<Self>) {
-        let len = self.view().len();
-        self.sequence().rotate_left(by);
-        ((), move |(), mut cotangent: Self::Tangent| {
-            cotangent.elements(len).rotate_right(by);
-            (cotangent, ())
-        })
-    }
-
-    /// Turns the tangents, too.
-    #[inline]
-    fn rotate_left_jvp(
-        &mut self,
-        by: usize,
-        tangent: &mut [Tangent<Self::Element>],
-        (): (),
-    ) -> ((), ()) {
-        self.sequence().rotate_left(by);
-        tangent.rotate_left(by);
-        ((), ())
-    }
-
-    /// Turns the elements back.
-    #[inline]
-    fn rotate_right_vjp(
-        &mut self,
-        by: usize,
-    ) -> ((), impl FnOnce((), Self::Tangent) -> (Self::Tangent, ()) + use<Self>) {
-        let len = self.view().len();
-        self.sequence().rotate_right(by);
-        ((), move |(), mut cotangent: Self::Tangent| {
-            cotangent.elements(len).rotate_left(by);
-            (cotangent, ())
-        })
-    }
-
-    /// Turns the tangents, too.
-    #[inline]
-    fn rotate_right_jvp(
-        &mut self,
-        by: usize,
-        tangent: &mut [Tangent<Self::Element>],
-        (): (),
-    ) -> ((), ()) {
-        self.sequence().rotate_right(by);
-        tangent.rotate_right(by);
-        ((), ())
+        /// Changes places back.
+        swap swap_vjp swap_jvp (i: usize, j: usize) => |_, len, (), g| {
+            g.elements(len).swap(i, j);
+            (g, (), ())
+        };
+        /// Turns the order back.
+        reverse reverse_vjp reverse_jvp () => |_, len, (), g| {
+            g.elements(len).reverse();
+            g
+        };
+        /// Turns the elements back.
+        rotate_left rotate_left_vjp rotate_left_jvp (by: usize) => |_, len, (), g| {
+            g.elements(len).rotate_right(by);
+            (g, ())
+        };
+        /// Turns the elements back.
+        rotate_right rotate_right_vjp rotate_right_jvp (by: usize) => |_, len, (), g| {
+            g.elements(len).rotate_left(by);
+            (g, ())
+        };
+        /// To the value, the sum; nothing to what it overwrote.
+        fill fill_vjp fill_jvp (; value: Element) where Element: Clone
+            => |_, _, (), g| (Additive::zero(), crate::rt::sum(g.into_source()));
+        /// To the source, element by element; nothing to what it overwrote.
+        copy_from_slice copy_from_slice_vjp copy_from_slice_jvp (; source: Slice) where Element: Copy,
+            |tangents| tangents.0.clone_from_slice(tangents.1)
+            => |_, _, (), g| (Additive::zero(), g.into_source());
     }
 
     /// To the places where the elements came from. The pullback is boxed: an opaque type would hold on
@@ -310,69 +240,6 @@ pub trait SequenceRules: Differentiable<Tangent: Elements<Tangent<Self::Element>
         F: FnMut(&Self::Element) -> K,
     {
         self.sort_by_key_jvp(key, tangent, ())
-    }
-
-    /// To the value, the sum; nothing to what it overwrote.
-    #[inline]
-    fn fill_vjp(
-        &mut self,
-        value: Self::Element,
-    ) -> ((), impl FnOnce((), Self::Tangent) -> (Self::Tangent, Tangent<Self::Element>) + use<Self>)
-    where
-        Self::Element: Clone,
-    {
-        self.sequence().fill(value);
-        ((), |(), cotangent: Self::Tangent| {
-            (Additive::zero(), crate::rt::sum(cotangent.into_source()))
-        })
-    }
-
-    /// The tangent of the value, everywhere.
-    #[inline]
-    fn fill_jvp(
-        &mut self,
-        value: Self::Element,
-        tangent: &mut [Tangent<Self::Element>],
-        value_tangent: Tangent<Self::Element>,
-    ) -> ((), ())
-    where
-        Self::Element: Clone,
-    {
-        self.sequence().fill(value);
-        tangent.fill(value_tangent);
-        ((), ())
-    }
-
-    /// To the source, element by element; nothing to what it overwrote.
-    #[inline]
-    fn copy_from_slice_vjp(
-        &mut self,
-        source: &[Self::Element],
-    ) -> (
-        (),
-        impl FnOnce((), Self::Tangent) -> (Self::Tangent, Vec<Tangent<Self::Element>>) + use<Self>,
-    )
-    where
-        Self::Element: Copy,
-    {
-        self.sequence().copy_from_slice(source);
-        ((), |(), cotangent: Self::Tangent| (Additive::zero(), cotangent.into_source()))
-    }
-
-    /// The tangents of the source.
-    #[inline]
-    fn copy_from_slice_jvp(
-        &mut self,
-        source: &[Self::Element],
-        tangent: &mut [Tangent<Self::Element>],
-        source_tangent: &[Tangent<Self::Element>],
-    ) -> ((), ())
-    where
-        Self::Element: Copy,
-    {
-        self.sequence().copy_from_slice(source);
-        tangent.clone_from_slice(source_tangent);
-        ((), ())
     }
 }
 

@@ -16,11 +16,11 @@
 mod assigning;
 #[doc(hidden)]
 pub mod borrowed;
+mod elementwise;
 mod integers;
 mod kept;
 mod motions;
 mod numbers;
-mod vectors;
 
 pub use assigning::{
     AddAssignPullback, Arithmetic, DivAssignPullback, MulAssignPullback, RemAssignPullback,
