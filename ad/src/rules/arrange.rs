@@ -7,10 +7,9 @@ use glam::{
 };
 
 use super::kin::Kin;
-use super::linear;
 use super::row::rules;
 use super::{FromRules, Vec2Rules, Vec4Rules, Vector3Rules};
-use crate::{Additive, Tangent};
+use crate::Additive;
 
 /// The adjoint of a swizzle: adds each number to the element that it is one of.
 macro_rules! back_to {
@@ -27,92 +26,92 @@ macro_rules! back_to {
 rules! {
     /// The rules of swizzles of vectors of two elements.
     Swizzle2Rules: Kin for Vec2 DVec2 {
-        xx xx_vjp xx_jvp (v) -> Self::V2: back_to!(x x);
-        xy xy_vjp xy_jvp (v) -> Self::V2: back_to!(x y);
-        yx yx_vjp yx_jvp (v) -> Self::V2: back_to!(y x);
-        yy yy_vjp yy_jvp (v) -> Self::V2: back_to!(y y);
+        xx(v) -> Self::V2: back_to!(x x);
+        xy(v) -> Self::V2: back_to!(x y);
+        yx(v) -> Self::V2: back_to!(y x);
+        yy(v) -> Self::V2: back_to!(y y);
     }
 }
 
 rules! {
     /// The rules of swizzles of vectors of three elements.
     Swizzle3Rules: Kin for Vec3 DVec3 {
-        xx xx_vjp xx_jvp (v) -> Self::V2: back_to!(x x);
-        xy xy_vjp xy_jvp (v) -> Self::V2: back_to!(x y);
-        xz xz_vjp xz_jvp (v) -> Self::V2: back_to!(x z);
-        yx yx_vjp yx_jvp (v) -> Self::V2: back_to!(y x);
-        yy yy_vjp yy_jvp (v) -> Self::V2: back_to!(y y);
-        yz yz_vjp yz_jvp (v) -> Self::V2: back_to!(y z);
-        zx zx_vjp zx_jvp (v) -> Self::V2: back_to!(z x);
-        zy zy_vjp zy_jvp (v) -> Self::V2: back_to!(z y);
-        zz zz_vjp zz_jvp (v) -> Self::V2: back_to!(z z);
-        xyz xyz_vjp xyz_jvp (v) -> Self::V3: back_to!(x y z);
-        xzy xzy_vjp xzy_jvp (v) -> Self::V3: back_to!(x z y);
-        yxz yxz_vjp yxz_jvp (v) -> Self::V3: back_to!(y x z);
-        yzx yzx_vjp yzx_jvp (v) -> Self::V3: back_to!(y z x);
-        zxy zxy_vjp zxy_jvp (v) -> Self::V3: back_to!(z x y);
-        zyx zyx_vjp zyx_jvp (v) -> Self::V3: back_to!(z y x);
+        xx(v) -> Self::V2: back_to!(x x);
+        xy(v) -> Self::V2: back_to!(x y);
+        xz(v) -> Self::V2: back_to!(x z);
+        yx(v) -> Self::V2: back_to!(y x);
+        yy(v) -> Self::V2: back_to!(y y);
+        yz(v) -> Self::V2: back_to!(y z);
+        zx(v) -> Self::V2: back_to!(z x);
+        zy(v) -> Self::V2: back_to!(z y);
+        zz(v) -> Self::V2: back_to!(z z);
+        xyz(v) -> Self::V3: back_to!(x y z);
+        xzy(v) -> Self::V3: back_to!(x z y);
+        yxz(v) -> Self::V3: back_to!(y x z);
+        yzx(v) -> Self::V3: back_to!(y z x);
+        zxy(v) -> Self::V3: back_to!(z x y);
+        zyx(v) -> Self::V3: back_to!(z y x);
     }
 }
 
 rules! {
     /// The rules of swizzles of vectors of four elements.
     Swizzle4Rules: Kin for Vec4 DVec4 {
-        xx xx_vjp xx_jvp (v) -> Self::V2: back_to!(x x);
-        xy xy_vjp xy_jvp (v) -> Self::V2: back_to!(x y);
-        xz xz_vjp xz_jvp (v) -> Self::V2: back_to!(x z);
-        xw xw_vjp xw_jvp (v) -> Self::V2: back_to!(x w);
-        yx yx_vjp yx_jvp (v) -> Self::V2: back_to!(y x);
-        yy yy_vjp yy_jvp (v) -> Self::V2: back_to!(y y);
-        yz yz_vjp yz_jvp (v) -> Self::V2: back_to!(y z);
-        yw yw_vjp yw_jvp (v) -> Self::V2: back_to!(y w);
-        zx zx_vjp zx_jvp (v) -> Self::V2: back_to!(z x);
-        zy zy_vjp zy_jvp (v) -> Self::V2: back_to!(z y);
-        zz zz_vjp zz_jvp (v) -> Self::V2: back_to!(z z);
-        zw zw_vjp zw_jvp (v) -> Self::V2: back_to!(z w);
-        wx wx_vjp wx_jvp (v) -> Self::V2: back_to!(w x);
-        wy wy_vjp wy_jvp (v) -> Self::V2: back_to!(w y);
-        wz wz_vjp wz_jvp (v) -> Self::V2: back_to!(w z);
-        ww ww_vjp ww_jvp (v) -> Self::V2: back_to!(w w);
-        xyz xyz_vjp xyz_jvp (v) -> Self::V3: back_to!(x y z);
-        xyw xyw_vjp xyw_jvp (v) -> Self::V3: back_to!(x y w);
-        xzw xzw_vjp xzw_jvp (v) -> Self::V3: back_to!(x z w);
-        yzw yzw_vjp yzw_jvp (v) -> Self::V3: back_to!(y z w);
+        xx(v) -> Self::V2: back_to!(x x);
+        xy(v) -> Self::V2: back_to!(x y);
+        xz(v) -> Self::V2: back_to!(x z);
+        xw(v) -> Self::V2: back_to!(x w);
+        yx(v) -> Self::V2: back_to!(y x);
+        yy(v) -> Self::V2: back_to!(y y);
+        yz(v) -> Self::V2: back_to!(y z);
+        yw(v) -> Self::V2: back_to!(y w);
+        zx(v) -> Self::V2: back_to!(z x);
+        zy(v) -> Self::V2: back_to!(z y);
+        zz(v) -> Self::V2: back_to!(z z);
+        zw(v) -> Self::V2: back_to!(z w);
+        wx(v) -> Self::V2: back_to!(w x);
+        wy(v) -> Self::V2: back_to!(w y);
+        wz(v) -> Self::V2: back_to!(w z);
+        ww(v) -> Self::V2: back_to!(w w);
+        xyz(v) -> Self::V3: back_to!(x y z);
+        xyw(v) -> Self::V3: back_to!(x y w);
+        xzw(v) -> Self::V3: back_to!(x z w);
+        yzw(v) -> Self::V3: back_to!(y z w);
     }
 }
 
 rules! {
     /// The rules of the methods of vectors of two elements that replace one.
     With2Rules: Kin for Vec2 DVec2 {
-        with_x with_x_vjp with_x_jvp (v, x: Self::S) -> Self: |g| (g.with_x(-0.0), g.x);
-        with_y with_y_vjp with_y_jvp (v, y: Self::S) -> Self: |g| (g.with_y(-0.0), g.y);
+        with_x(v, x: Self::S) -> Self: |g| (g.with_x(-0.0), g.x);
+        with_y(v, y: Self::S) -> Self: |g| (g.with_y(-0.0), g.y);
     }
 }
 
 rules! {
     /// The rules of the methods of vectors of three elements that replace one.
     With3Rules: Kin for Vec3 DVec3 {
-        with_x with_x_vjp with_x_jvp (v, x: Self::S) -> Self: |g| (g.with_x(-0.0), g.x);
-        with_y with_y_vjp with_y_jvp (v, y: Self::S) -> Self: |g| (g.with_y(-0.0), g.y);
-        with_z with_z_vjp with_z_jvp (v, z: Self::S) -> Self: |g| (g.with_z(-0.0), g.z);
+        with_x(v, x: Self::S) -> Self: |g| (g.with_x(-0.0), g.x);
+        with_y(v, y: Self::S) -> Self: |g| (g.with_y(-0.0), g.y);
+        with_z(v, z: Self::S) -> Self: |g| (g.with_z(-0.0), g.z);
     }
 }
 
 rules! {
     /// The rules of the methods of vectors of four elements that replace one.
     With4Rules: Kin for Vec4 DVec4 {
-        with_x with_x_vjp with_x_jvp (v, x: Self::S) -> Self: |g| (g.with_x(-0.0), g.x);
-        with_y with_y_vjp with_y_jvp (v, y: Self::S) -> Self: |g| (g.with_y(-0.0), g.y);
-        with_z with_z_vjp with_z_jvp (v, z: Self::S) -> Self: |g| (g.with_z(-0.0), g.z);
-        with_w with_w_vjp with_w_jvp (v, w: Self::S) -> Self: |g| (g.with_w(-0.0), g.w);
+        with_x(v, x: Self::S) -> Self: |g| (g.with_x(-0.0), g.x);
+        with_y(v, y: Self::S) -> Self: |g| (g.with_y(-0.0), g.y);
+        with_z(v, z: Self::S) -> Self: |g| (g.with_z(-0.0), g.z);
+        with_w(v, w: Self::S) -> Self: |g| (g.with_w(-0.0), g.w);
     }
 }
 
 rules! {
     /// The rules of conversions of vectors from and to arrays.
     ArrayRules: Kin for Vec2 Vec3 Vec4 DVec2 DVec3 DVec4 {
-        to_array to_array_vjp to_array_jvp (&v) -> Self::Array: Self::from_array;
-        from_array from_array_vjp from_array_jvp (array: Self::Array) -> Self: |g| g.to_array();
+        to_array(&v) -> Self::Array: Self::from_array;
+        from_array(array: Self::Array) -> Self: |g| g.to_array();
     }
 }
 

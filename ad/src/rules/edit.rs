@@ -39,13 +39,13 @@ pub trait VecRules {
         elements_mut [Of<Self>] [Of<Self>]
 
         /// Takes the cotangent of the new element out.
-        push push_vjp push_jvp (; value: Element) => |before, after, (), g| {
+        push(; value: Element) => |before, after, (), g| {
             g.truncate(after);
             let last = if g.len() > before { g.pop() } else { None };
             (g, last.unwrap_or_else(Additive::zero))
         };
         /// Puts the cotangent of the removed element back. The tangent of `None` is zero.
-        pop pop_vjp pop_jvp () -> Option<Self::Element>,
+        pop() -> Option<Self::Element>,
             |tangent| tangent.0.pop().unwrap_or_else(Additive::zero)
             => |before, after, last, g| {
                 g.resize_with(after, Additive::zero);
@@ -55,27 +55,27 @@ pub trait VecRules {
                 g
             };
         /// Nothing to what was there.
-        clear clear_vjp clear_jvp () => |_, _, (), g| Vec::new();
+        clear() => |_, _, (), g| Vec::new();
         /// Takes the cotangents of the new elements out.
-        extend_from_slice extend_from_slice_vjp extend_from_slice_jvp (; source: Slice)
+        extend_from_slice(; source: Slice)
             where Element: Clone => |before, _, (), g| {
                 let new = new_ones(&mut g, before);
                 (g, new)
             };
         /// Takes the cotangent of the new element out.
-        insert insert_vjp insert_jvp (index: usize; value: Element) => |_, after, (), g| {
+        insert(index: usize; value: Element) => |_, after, (), g| {
             let mut before = fitted(g, after);
             let inserted = before.remove(index);
             (before, (), inserted)
         };
         /// Puts the cotangent of the removed element back.
-        remove remove_vjp remove_jvp (index: usize) -> Self::Element => |_, after, removed, g| {
+        remove(index: usize) -> Self::Element => |_, after, removed, g| {
             let mut before = fitted(g, after);
             before.insert(index, removed);
             (before, ())
         };
         /// Puts the cotangent of the removed element back, and that of the last one at the end.
-        swap_remove swap_remove_vjp swap_remove_jvp (index: usize) -> Self::Element
+        swap_remove(index: usize) -> Self::Element
             => |_, after, removed, g| {
                 let mut before = fitted(g, after);
                 before.push(removed);
@@ -83,16 +83,16 @@ pub trait VecRules {
                 (before, ())
             };
         /// Nothing to what was removed.
-        truncate truncate_vjp truncate_jvp (len: usize) => |_, after, (), g| (fitted(g, after), ());
+        truncate(len: usize) => |_, after, (), g| (fitted(g, after), ());
         /// To the value, the sum of the cotangents of its copies; nothing to what was removed.
-        resize resize_vjp resize_jvp (len: usize; value: Element)
+        resize(len: usize; value: Element)
             where Element: Clone => |before, after, (), g| {
                 let mut kept = fitted(g, after);
                 let to_value = crate::rt::sum(kept.drain(before.min(after)..));
                 (kept, (), to_value)
             };
         /// Joins the cotangents of both parts.
-        split_off split_off_vjp split_off_jvp (at: usize) -> Vec<Self::Element>
+        split_off(at: usize) -> Vec<Self::Element>
             => |_, after, rest, g| {
                 let mut before = fitted(g, after);
                 before.extend(rest);

@@ -1,7 +1,7 @@
 //! The rows of rules of methods that change a sequence.
 //!
 //! ```text
-//! insert insert_vjp insert_jvp (index: usize; value: Element)
+//! insert(index: usize; value: Element)
 //!     => |before, after, (), g| { .. (g, (), inserted) };
 //! ```
 //!
@@ -16,14 +16,17 @@
 macro_rules! in_place {
     ($access:ident [$held:ty] [$cotangent:ty] $(
         $(#[$doc:meta])*
-        $method:ident $vjp:ident $jvp:ident ($($index:ident: usize),* $(; $value:ident: $kind:ident)?)
+        $method:ident($($index:ident: usize),* $(; $value:ident: $kind:ident)?)
         $(-> $R:ty)? $(where Element: $bound:ident)? $(, |$tangent:ident| $push:expr)?
         => |$before:pat_param, $after:pat_param, $result:pat_param, $g:ident| $pull:expr;
-    )*) => {$(
-        in_place!(@siblings $access [$held] [$cotangent] [$(#[$doc])*] $method $vjp $jvp
-            ($($index)*) ($($value: $kind)?) [$($R)?] [$($bound)?] [$(|$tangent| $push)?]
-            |$before, $after, $result, $g| $pull);
-    )*};
+    )*) => {
+        pastey::paste! {$(
+            in_place!(@siblings $access [$held] [$cotangent] [$(#[$doc])*]
+                $method [<$method _vjp>] [<$method _jvp>]
+                ($($index)*) ($($value: $kind)?) [$($R)?] [$($bound)?] [$(|$tangent| $push)?]
+                |$before, $after, $result, $g| $pull);
+        )*}
+    };
     (@siblings $access:ident $held:tt $cotangent:tt $doc:tt $method:ident $vjp:ident $jvp:ident
         $indices:tt $value:tt [] $($rest:tt)*) => {
         in_place!(@siblings $access $held $cotangent $doc $method $vjp $jvp $indices $value [()] $($rest)*);

@@ -6,24 +6,21 @@ use glam::{DMat2, DMat3, DMat4, Mat2, Mat3, Mat4};
 
 use super::geometry::{matrix, motion};
 use super::kin::{Kin, Numbers};
-use super::linear::{self, Linear, Maps, Zero};
+use super::linear::{Maps, Zero};
 use super::row::rules;
 use super::{chain, scale};
-use crate::{Additive, Real, Tangent};
+use crate::{Additive, Real};
 
 /// The rules of the matrices of one number of columns.
 macro_rules! square {
-    ($($rules:ident $($matrix:ident)*, $column:ident
-        $times:ident $times_vjp:ident $times_jvp:ident ($($axis:ident),*);)*) => {$(
+    ($($rules:ident $($matrix:ident)*, $column:ident $times:ident($($axis:ident),*);)*) => {$(
         rules! {
             /// The rules of functions and methods of square matrices.
             $rules: Kin for $($matrix)* {
-                from_cols from_cols_vjp from_cols_jvp ($($axis: Self::$column),*) -> Self:
-                    |g| ($(g.$axis),*);
-                from_diagonal from_diagonal_vjp from_diagonal_jvp (elements: Self::$column) -> Self
-                    as motion::diagonal;
-                transpose transpose_vjp transpose_jvp (&m) -> Self: |g| g.transpose();
-                col col_vjp col_jvp (&m, index: usize) -> Self::$column => {
+                from_cols($($axis: Self::$column),*) -> Self: |g| ($(g.$axis),*);
+                from_diagonal(elements: Self::$column) -> Self as motion::diagonal;
+                transpose(&m) -> Self: |g| g.transpose();
+                col(&m, index: usize) -> Self::$column => {
                     let column = move |g| {
                         let mut matrix = Self::zero();
                         *matrix.col_mut(index) = g;
@@ -31,52 +28,47 @@ macro_rules! square {
                     };
                     (Maps(move |t: Self| t.col(index), column), Zero())
                 };
-                $times $times_vjp $times_jvp (&m, v: Self::$column) -> Self::$column
-                    as matrix::transformed;
-                mul_scalar mul_scalar_vjp mul_scalar_jvp (&m, factor: Self::S) -> Self
-                    as matrix::scaled;
-                div_scalar div_scalar_vjp div_scalar_jvp (&m, by: Self::S) -> Self
-                    as matrix::divided;
+                $times(&m, v: Self::$column) -> Self::$column as matrix::transformed;
+                mul_scalar(&m, factor: Self::S) -> Self as matrix::scaled;
+                div_scalar(&m, by: Self::S) -> Self as matrix::divided;
                 /// By the cofactors.
-                determinant determinant_vjp determinant_jvp (&m) -> Self::S => {
+                determinant(&m) -> Self::S => {
                     let cofactors = cofactors(&m.numbers());
                     Maps(move |t: Self| entries(t.numbers(), cofactors), move |g| {
                         Self::of_numbers(cofactors.map(|column| column.map(|c| scale(g, c))))
                     })
                 };
                 /// -W T W along T for the inverse W; 0 where there is none.
-                inverse inverse_vjp inverse_jvp (&m) -> Self = w => {
+                inverse(&m) -> Self = w => {
                     let between = |t: Self, w: Self| match w.is_finite() && t != Self::ZERO {
                         true => -(w * t * w),
                         false => Self::zero(),
                     };
-                    Maps(move |t| between(t, w), move |g| between(g, w.transpose()))
-                };
+                    Maps(move |t| between(t, w), move |g| between(g, w.transpose())) };
             }
         }
     )*};
 }
 
 square! {
-    Matrix2Rules Mat2 DMat2, V2 mul_vec2 mul_vec2_vjp mul_vec2_jvp (x_axis, y_axis);
-    Matrix3Rules Mat3 DMat3, V3 mul_vec3 mul_vec3_vjp mul_vec3_jvp (x_axis, y_axis, z_axis);
-    Matrix4Rules Mat4 DMat4, V4 mul_vec4 mul_vec4_vjp mul_vec4_jvp (x_axis, y_axis, z_axis, w_axis);
+    Matrix2Rules Mat2 DMat2, V2 mul_vec2(x_axis, y_axis);
+    Matrix3Rules Mat3 DMat3, V3 mul_vec3(x_axis, y_axis, z_axis);
+    Matrix4Rules Mat4 DMat4, V4 mul_vec4(x_axis, y_axis, z_axis, w_axis);
 }
 
 rules! {
     /// The rules of what makes a matrix of three columns of others.
     ResizedRules: Kin for Mat3 DMat3 {
-        from_mat2 from_mat2_vjp from_mat2_jvp (linear: Self::M2) -> Self as motion::resized;
-        from_mat4 from_mat4_vjp from_mat4_jvp (matrix: Self::M4) -> Self as motion::resized;
+        from_mat2(linear: Self::M2) -> Self as motion::resized;
+        from_mat4(matrix: Self::M4) -> Self as motion::resized;
     }
 }
 
 rules! {
     /// The rules of functions and methods of matrices that stand for projections of space.
     ProjectionRules: Kin for Mat4 DMat4 {
-        from_mat3 from_mat3_vjp from_mat3_jvp (linear: Self::M3) -> Self as motion::resized;
-        project_point3 project_point3_vjp project_point3_jvp (&m, point: Self::V3) -> Self::V3
-            as motion::project_point3;
+        from_mat3(linear: Self::M3) -> Self as motion::resized;
+        project_point3(&m, point: Self::V3) -> Self::V3 as motion::project_point3;
     }
 }
 

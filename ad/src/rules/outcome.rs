@@ -13,17 +13,16 @@ use crate::{Additive, Boxed, Differentiable, Tangent};
 macro_rules! outcomes {
     ($(
         $(#[$doc:meta])*
-        $method:ident $vjp:ident $jvp:ident $(<$U:ident>)?
-            ($whole:ident $(, $argument:ident: $type:ty | $dot:ty)?) -> $R:ty
+        $method:ident $(<$U:ident>)? ($whole:ident $(, $argument:ident: $type:ty | $dot:ty)?) -> $R:ty
             $(where $bounded:ty: $bound:ident)? => $rule:expr;
-    )*) => {$(
+    )*) => { pastey::paste! {$(
         #[doc = concat!("The pullback of `", stringify!($method), "`.")]
         #[doc = ""]
         $(#[$doc])*
         #[inline(always)]
         #[track_caller]
         #[allow(clippy::type_complexity, unused_parens)]
-        fn $vjp $(<$U: Differentiable>)? (
+        fn [<$method _vjp>] $(<$U: Differentiable>)? (
             self $(, $argument: $type)?
         ) -> ($R, impl FnOnce(Tangent<$R>) -> (Tangent<Self> $(, $dot)?) + use<Self $(, $U)?>)
         $(where $bounded: $bound)?
@@ -37,7 +36,7 @@ macro_rules! outcomes {
         #[inline(always)]
         #[track_caller]
         #[allow(clippy::type_complexity, unused_parens)]
-        fn $jvp $(<$U: Differentiable>)? (
+        fn [<$method _jvp>] $(<$U: Differentiable>)? (
             self $(, $argument: $type)?, tangent: Tangent<Self> $(, dot: outcomes!(@of $argument $dot))?
         ) -> ($R, Tangent<$R>)
         $(where $bounded: $bound)?
@@ -46,7 +45,7 @@ macro_rules! outcomes {
             let (value, map) = $rule;
             (value, map.push((tangent $(, outcomes!(@dot $argument dot))?)))
         }
-    )*};
+    )*}};
     (@of $argument:ident $dot:ty) => { $dot };
     (@dot $argument:ident $dot:ident) => { $dot };
 }
@@ -111,35 +110,34 @@ pub trait OptionRules: Differentiable<Tangent = Tangent<Self::Content>> + Sized 
 
     outcomes! {
         /// Panics on `None`, as `unwrap` does.
-        unwrap unwrap_vjp unwrap_jvp (option) -> Self::Content => (option.unwrap(), Same());
+        unwrap(option) -> Self::Content => (option.unwrap(), Same());
         /// Panics on `None`, as `expect` does.
-        expect expect_vjp expect_jvp (option, message: &str | ()) -> Self::Content
+        expect(option, message: &str | ()) -> Self::Content
             => (option.expect(message), Maps(|(content, ())| content, |content| (content, ())));
         /// To the one that was taken.
-        or or_vjp or_jvp (option, other: Self | Tangent<Self>) -> Option<Self::Content> => {
+        or(option, other: Self | Tangent<Self>) -> Option<Self::Content> => {
             let taken = Taken::first_if(option.is_some());
             (option.or(other.whole()), taken)
         };
         /// To the one that was taken.
-        xor xor_vjp xor_jvp (option, other: Self | Tangent<Self>) -> Option<Self::Content> => {
+        xor(option, other: Self | Tangent<Self>) -> Option<Self::Content> => {
             let other = other.whole();
             let (first, second) = (option.is_some(), other.is_some());
             (option.xor(other), Taken { first: first && !second, second: second && !first })
         };
         /// To both, if there are both.
-        zip zip_vjp zip_jvp<U> (option, other: Option<U> | Tangent<U>) -> Option<(Self::Content, U)> => {
+        zip<U>(option, other: Option<U> | Tangent<U>) -> Option<(Self::Content, U)> => {
             let zipped = option.zip(other);
             let taken = Taken { first: zipped.is_some(), second: zipped.is_some() };
             (zipped, Maps(|pair| pair, move |pair| taken.of(pair)))
         };
         /// To what was taken.
-        unwrap_or unwrap_or_vjp unwrap_or_jvp
-            (option, default: Self::Content | Tangent<Self::Content>) -> Self::Content => {
+        unwrap_or(option, default: Self::Content | Tangent<Self::Content>) -> Self::Content => {
                 let taken = Taken::first_if(option.is_some());
                 (option.unwrap_or(default), taken)
             };
         /// To what was taken; the default is a constant.
-        unwrap_or_default unwrap_or_default_vjp unwrap_or_default_jvp (option) -> Self::Content
+        unwrap_or_default(option) -> Self::Content
             where Self::Content: Default => {
                 let taken = Taken::first_if(option.is_some());
                 let content = option.unwrap_or_default();
@@ -233,17 +231,16 @@ pub trait ResultRules:
 
     outcomes! {
         /// Panics on `Err`, as `unwrap` does.
-        unwrap unwrap_vjp unwrap_jvp (result) -> Self::Value where Self::Error: Debug
+        unwrap(result) -> Self::Value where Self::Error: Debug
             => (result.unwrap(), Maps(|(content, _)| content, |g| (g, Additive::zero())));
         /// Panics on `Err`, as `expect` does.
-        expect expect_vjp expect_jvp (result, message: &str | ()) -> Self::Value
+        expect(result, message: &str | ()) -> Self::Value
             where Self::Error: Debug => {
                 let map = Maps(|((content, _), ())| content, |g| ((g, Additive::zero()), ()));
                 (result.expect(message), map)
             };
         /// To what was taken.
-        unwrap_or unwrap_or_vjp unwrap_or_jvp
-            (result, default: Self::Value | Tangent<Self::Value>) -> Self::Value => {
+        unwrap_or(result, default: Self::Value | Tangent<Self::Value>) -> Self::Value => {
                 let taken = Taken::first_if(result.is_ok());
                 let map = Maps(move |((content, _), default)| taken.push((content, default)), move |g| {
                     let (content, default) = taken.pull(g);
@@ -252,7 +249,7 @@ pub trait ResultRules:
                 (result.unwrap_or(default), map)
             };
         /// To what was taken; the default is a constant.
-        unwrap_or_default unwrap_or_default_vjp unwrap_or_default_jvp (result) -> Self::Value
+        unwrap_or_default(result) -> Self::Value
             where Self::Value: Default => {
                 let taken = Taken::first_if(result.is_ok());
                 let content = result.unwrap_or_default();
@@ -278,8 +275,8 @@ impl<T: Differentiable, E: Differentiable> ResultRules for Result<T, E> {
 /// Rules of methods that look at an option in another way: the tangent is the same.
 macro_rules! views {
     ($($(#[$doc:meta])* $rules:ident for [$($generics:tt)*] $type:ty, $content:ident = $T:ty {
-        $($method:ident $vjp:ident $jvp:ident -> $R:ty $(where $bounded:ty: $bound:ident)?;)*
-    })*) => {$(
+        $($method:ident -> $R:ty $(where $bounded:ty: $bound:ident)?;)*
+    })*) => { pastey::paste! {$(
         $(#[$doc])*
         pub trait $rules: Sized {
             /// What is referred to.
@@ -287,11 +284,11 @@ macro_rules! views {
 
             $(
                 /// The cotangent of what is referred to.
-                fn $vjp(self) -> ($R, fn(Tangent<Self::$content>) -> Tangent<Self::$content>)
+                fn [<$method _vjp>](self) -> ($R, fn(Tangent<Self::$content>) -> Tangent<Self::$content>)
                 $(where $bounded: $bound)?;
 
                 /// The tangent of what is referred to.
-                fn $jvp(self, tangent: Tangent<Self::$content>) -> ($R, Tangent<Self::$content>)
+                fn [<$method _jvp>](self, tangent: Tangent<Self::$content>) -> ($R, Tangent<Self::$content>)
                 $(where $bounded: $bound)?;
             )*
         }
@@ -301,33 +298,33 @@ macro_rules! views {
 
             $(
                 #[inline(always)]
-                fn $vjp(self) -> ($R, fn(Tangent<Self::$content>) -> Tangent<Self::$content>)
+                fn [<$method _vjp>](self) -> ($R, fn(Tangent<Self::$content>) -> Tangent<Self::$content>)
                 $(where $bounded: $bound)?
                 {
                     (self.$method(), core::convert::identity)
                 }
 
                 #[inline(always)]
-                fn $jvp(self, tangent: Tangent<Self::$content>) -> ($R, Tangent<Self::$content>)
+                fn [<$method _jvp>](self, tangent: Tangent<Self::$content>) -> ($R, Tangent<Self::$content>)
                 $(where $bounded: $bound)?
                 {
                     (self.$method(), tangent)
                 }
             )*
         }
-    )*};
+    )*}};
 }
 
 views! {
     /// The rules of the methods of options of references.
     CopiedRules for [T: Differentiable] Option<&T>, Target = T {
-        copied copied_vjp copied_jvp -> Option<Self::Target> where Self::Target: Copy;
-        cloned cloned_vjp cloned_jvp -> Option<Self::Target> where Self::Target: Clone;
+        copied -> Option<Self::Target> where Self::Target: Copy;
+        cloned -> Option<Self::Target> where Self::Target: Clone;
     }
 
     /// The rules of `flatten` on an option of an option.
     FlattenRules for [T: Differentiable] Option<Option<T>>, Inner = Option<T> {
-        flatten flatten_vjp flatten_jvp -> Self::Inner;
+        flatten -> Self::Inner;
     }
 }
 

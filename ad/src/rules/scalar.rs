@@ -2,49 +2,49 @@
 
 use core::f64::consts::{LN_2, LOG2_E, LOG10_E};
 
-use super::linear::{self, Factor, Linear, Maps, Negated, Same, Times, Where, Zero, unless};
+use super::linear::{Factor, Maps, Negated, Same, Times, Where, Zero, unless};
 use super::row::rules;
 use super::{chain, is_infinite, scale};
-use crate::{Mask, Real, Tangent};
+use crate::{Mask, Real};
 
 rules! {
     /// The rules of the methods of [`Real`].
     RealRules for every Real {
         /// The smaller one; a tie is the receiver's.
-        min min_vjp min_jvp (x, y) = value => {
+        min(x, y) = value => {
             let is_first = value.cmpeq(x);
             (Where(is_first), Where(!is_first))
         };
         /// The larger one; a tie is the receiver's.
-        max max_vjp max_jvp (x, y) = value => {
+        max(x, y) = value => {
             let is_first = value.cmpeq(x);
             (Where(is_first), Where(!is_first))
         };
         /// The receiver within the bounds and on them, else the bound.
-        clamp clamp_vjp clamp_jvp (x, low, high) = value => {
+        clamp(x, low, high) = value => {
             let (within, below) = (value.cmpeq(x), x.cmplt(low));
             (Where(within), Where(!within & below), Where(!within & !below))
         };
-        abs abs_vjp abs_jvp (x) => Times(unless(x.cmpeq(Self::ZERO), x.signum()));
-        signum signum_vjp signum_jvp (x) => Zero();
-        floor floor_vjp floor_jvp (x) => Zero();
+        abs(x) => Times(unless(x.cmpeq(Self::ZERO), x.signum()));
+        signum(x) => Zero();
+        floor(x) => Zero();
         /// By the magnitude 1 or -1 as the sign stays or flips (0 at 0), by the sign 0.
-        copysign copysign_vjp copysign_jvp (x, sign) => {
+        copysign(x, sign) => {
             (Times(unless(x.cmpeq(Self::ZERO), x.signum() * sign.signum())), Zero())
         };
         /// 0 where 1/x is infinite.
-        recip recip_vjp recip_jvp (x) = value => Times(unless(is_infinite(value), -value * value));
-        mul_add mul_add_vjp mul_add_jvp (x, a, b) => (Factor(a), Factor(x), Same());
-        sqrt sqrt_vjp sqrt_jvp (x) = root => Times(unless(root.cmpeq(Self::ZERO), Self::HALF / root));
-        exp exp_vjp exp_jvp (x) = value => Times(value);
-        ln ln_vjp ln_jvp (x) => Times(unless(x.cmpeq(Self::ZERO), x.recip()));
+        recip(x) = value => Times(unless(is_infinite(value), -value * value));
+        mul_add(x, a, b) => (Factor(a), Factor(x), Same());
+        sqrt(x) = root => Times(unless(root.cmpeq(Self::ZERO), Self::HALF / root));
+        exp(x) = value => Times(value);
+        ln(x) => Times(unless(x.cmpeq(Self::ZERO), x.recip()));
         /// At x = 0 and for negative x see [singular points](crate::rules#singular-points).
-        powf powf_vjp powf_jvp (x, exponent) = value => {
+        powf(x, exponent) = value => {
             let (by_base, by_exponent) = power_partials(x, exponent, value);
             (Times(by_base), Times(by_exponent))
         };
         /// n x^(n-1); at 0: 1 for n = 1, else 0.
-        powi powi_vjp powi_jvp (x, exponent: i32) -> Self = value => {
+        powi(x, exponent: i32) -> Self = value => {
             let partial = match exponent {
                 0 => Self::ZERO,
                 // The exponent below the least one does not exist.
@@ -53,14 +53,14 @@ rules! {
             };
             (Times(unless(x.cmpeq(Self::ZERO) & !partial.is_finite(), partial)), Zero())
         };
-        sin sin_vjp sin_jvp (x) => Times(x.cos());
-        cos cos_vjp cos_jvp (x) => Times(-x.sin());
-        tan tan_vjp tan_jvp (x) = value => Times(Self::ONE + value * value);
-        asin asin_vjp asin_jvp (x) => Times(arc_partial(x));
-        acos acos_vjp acos_jvp (x) => Times(-arc_partial(x));
-        atan atan_vjp atan_jvp (x) => Times((Self::ONE + x * x).recip());
+        sin(x) => Times(x.cos());
+        cos(x) => Times(-x.sin());
+        tan(x) = value => Times(Self::ONE + value * value);
+        asin(x) => Times(arc_partial(x));
+        acos(x) => Times(-arc_partial(x));
+        atan(x) => Times((Self::ONE + x * x).recip());
         /// x/(x^2 + y^2) and -y/(x^2 + y^2); 0 at the origin and at infinity.
-        atan2 atan2_vjp atan2_jvp (y, x) => {
+        atan2(y, x) => {
             // Divided by the larger coordinate first: the squares of tiny or huge ones would not
             // be representable.
             let size = x.abs().max(y.abs());
@@ -69,10 +69,9 @@ rules! {
             let singular = size.cmpeq(Self::ZERO) | is_infinite(size);
             (Times(unless(singular, u / norm)), Times(unless(singular, -v / norm)))
         };
-        tanh tanh_vjp tanh_jvp (x) = value => Times((Self::ONE - value) * (Self::ONE + value));
+        tanh(x) = value => Times((Self::ONE - value) * (Self::ONE + value));
         /// The partial derivatives of `a * b - c * d`.
-        difference_of_products difference_of_products_vjp difference_of_products_jvp
-            (a: Self, b: Self, c: Self, d: Self) -> Self
+        difference_of_products(a: Self, b: Self, c: Self, d: Self) -> Self
             => (Factor(b), Factor(a), Negated(Factor(d)), Negated(Factor(c)));
     }
 }
@@ -80,47 +79,46 @@ rules! {
 rules! {
     /// The rules of the methods that only `f32` and `f64` have.
     FloatRules: Real for f32 f64 {
-        sin_cos sin_cos_vjp sin_cos_jvp (x) -> (Self, Self) = value => {
+        sin_cos(x) -> (Self, Self) = value => {
             let (sin, cos) = value;
             Maps(
                 move |t| (chain(t, cos), -chain(t, sin)),
                 move |(to_sin, to_cos)| scale(to_sin, cos) - scale(to_cos, sin),
             )
         };
-        to_radians to_radians_vjp to_radians_jvp (x) -> Self: Self::to_radians;
-        to_degrees to_degrees_vjp to_degrees_jvp (x) -> Self: Self::to_degrees;
-        hypot hypot_vjp hypot_jvp (x, y) = norm => {
+        to_radians(x) -> Self: Self::to_radians;
+        to_degrees(x) -> Self: Self::to_degrees;
+        hypot(x, y) = norm => {
             (Times(unless(norm == 0.0, x / norm)), Times(unless(norm == 0.0, y / norm)))
         };
-        midpoint midpoint_vjp midpoint_jvp (x, y) => (Factor(0.5), Factor(0.5));
-        cbrt cbrt_vjp cbrt_jvp (x) = root => Times(unless(x == 0.0, 1.0 / (3.0 * root * root)));
-        sinh sinh_vjp sinh_jvp (x) => Times(x.cosh());
-        cosh cosh_vjp cosh_jvp (x) => Times(x.sinh());
-        asinh asinh_vjp asinh_jvp (x) => Times(1.0 / x.hypot(1.0));
+        midpoint(x, y) => (Factor(0.5), Factor(0.5));
+        cbrt(x) = root => Times(unless(x == 0.0, 1.0 / (3.0 * root * root)));
+        sinh(x) => Times(x.cosh());
+        cosh(x) => Times(x.sinh());
+        asinh(x) => Times(1.0 / x.hypot(1.0));
         /// 1/sqrt(x^2 - 1); 0 at 1. One root for each factor: their product might overflow.
-        acosh acosh_vjp acosh_jvp (x)
-            => Times(unless(x == 1.0, 1.0 / ((x - 1.0).sqrt() * (x + 1.0).sqrt())));
-        atanh atanh_vjp atanh_jvp (x) => Times(unless(x.abs() == 1.0, 1.0 / ((1.0 - x) * (1.0 + x))));
-        exp2 exp2_vjp exp2_jvp (x) = value => Times(value * Self::from_f64(LN_2));
-        exp_m1 exp_m1_vjp exp_m1_jvp (x) => Times(x.exp());
-        ln_1p ln_1p_vjp ln_1p_jvp (x) => Times(unless(x == -1.0, 1.0 / (1.0 + x)));
-        log2 log2_vjp log2_jvp (x) => Times(unless(x == 0.0, Self::from_f64(LOG2_E) / x));
-        log10 log10_vjp log10_jvp (x) => Times(unless(x == 0.0, Self::from_f64(LOG10_E) / x));
+        acosh(x) => Times(unless(x == 1.0, 1.0 / ((x - 1.0).sqrt() * (x + 1.0).sqrt())));
+        atanh(x) => Times(unless(x.abs() == 1.0, 1.0 / ((1.0 - x) * (1.0 + x))));
+        exp2(x) = value => Times(value * Self::from_f64(LN_2));
+        exp_m1(x) => Times(x.exp());
+        ln_1p(x) => Times(unless(x == -1.0, 1.0 / (1.0 + x)));
+        log2(x) => Times(unless(x == 0.0, Self::from_f64(LOG2_E) / x));
+        log10(x) => Times(unless(x == 0.0, Self::from_f64(LOG10_E) / x));
         /// 1/(x ln(b)) and -log(x)/(b ln(b)); 0 to both at x = 0, and where the base is 0 or 1.
-        log log_vjp log_jvp (x, base) = value => {
+        log(x, base) = value => {
             let singular = x == 0.0 || base == 0.0 || base == 1.0;
             let recip = 1.0 / base.ln();
             (Times(unless(singular, recip / x)), Times(unless(singular, -value * recip / base)))
         };
         /// The jumps carry no derivative.
-        rem_euclid rem_euclid_vjp rem_euclid_jvp (x, y) => (Same(), Times(-x.div_euclid(y)));
-        div_euclid div_euclid_vjp div_euclid_jvp (x, y) => (Zero(), Zero());
-        ceil ceil_vjp ceil_jvp (x) => Zero();
-        round round_vjp round_jvp (x) => Zero();
-        round_ties_even round_ties_even_vjp round_ties_even_jvp (x) => Zero();
-        trunc trunc_vjp trunc_jvp (x) => Zero();
+        rem_euclid(x, y) => (Same(), Times(-x.div_euclid(y)));
+        div_euclid(x, y) => (Zero(), Zero());
+        ceil(x) => Zero();
+        round(x) => Zero();
+        round_ties_even(x) => Zero();
+        trunc(x) => Zero();
         /// The jumps carry no derivative.
-        fract fract_vjp fract_jvp (x) => Same();
+        fract(x) => Same();
     }
 }
 

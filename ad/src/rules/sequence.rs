@@ -91,30 +91,30 @@ pub trait SequenceRules: Differentiable<Tangent: Elements<Tangent<Self::Element>
         sequence [[Tangent<Self::Element>]] [Self::Tangent]
 
         /// Changes places back.
-        swap swap_vjp swap_jvp (i: usize, j: usize) => |_, len, (), g| {
+        swap(i: usize, j: usize) => |_, len, (), g| {
             g.elements(len).swap(i, j);
             (g, (), ())
         };
         /// Turns the order back.
-        reverse reverse_vjp reverse_jvp () => |_, len, (), g| {
+        reverse() => |_, len, (), g| {
             g.elements(len).reverse();
             g
         };
         /// Turns the elements back.
-        rotate_left rotate_left_vjp rotate_left_jvp (by: usize) => |_, len, (), g| {
+        rotate_left(by: usize) => |_, len, (), g| {
             g.elements(len).rotate_right(by);
             (g, ())
         };
         /// Turns the elements back.
-        rotate_right rotate_right_vjp rotate_right_jvp (by: usize) => |_, len, (), g| {
+        rotate_right(by: usize) => |_, len, (), g| {
             g.elements(len).rotate_left(by);
             (g, ())
         };
         /// To the value, the sum; nothing to what it overwrote.
-        fill fill_vjp fill_jvp (; value: Element) where Element: Clone
+        fill(; value: Element) where Element: Clone
             => |_, _, (), g| (Additive::zero(), crate::rt::sum(g.into_source()));
         /// To the source, element by element; nothing to what it overwrote.
-        copy_from_slice copy_from_slice_vjp copy_from_slice_jvp (; source: Slice) where Element: Copy,
+        copy_from_slice(; source: Slice) where Element: Copy,
             |tangents| tangents.0.clone_from_slice(tangents.1)
             => |_, _, (), g| (Additive::zero(), g.into_source());
     }

@@ -3,80 +3,72 @@
 use glam::{DVec2, DVec3, DVec4, Vec2, Vec3, Vec4};
 
 use super::geometry::vector as geometry;
-use super::kin::{Kin, Numbers};
+use super::kin::Kin;
 use super::linear::{
-    self, Along, Chosen, Elements, Gradient, Linear, Maps, Negated, Pulled, Same, Scaled,
+    self, Along, Chosen, Elements, Gradient, Maps, Negated, Pulled, Same, Scaled,
     Symmetric, Zero, inner,
 };
 use super::row::rules;
 use super::scalar::power_partials;
 use super::{RealRules, chain, scale, scale_elements, scale_vector};
 use crate::vector::{Vector, Vector3};
-use crate::{Additive, Real, Select, Tangent};
+use crate::{Additive, Real, Select};
 
 rules! {
     /// The rules of the methods of [`Vector`].
     VectorRules for every Vector {
-        splat splat_vjp splat_jvp (value: Self::Scalar) -> Self: |g| g.element_sum();
-        element_sum element_sum_vjp element_sum_jvp (v) -> Self::Scalar: Self::splat;
+        splat(value: Self::Scalar) -> Self: |g| g.element_sum();
+        element_sum(v) -> Self::Scalar: Self::splat;
         /// All to the first of the smallest elements.
-        min_element min_element_vjp min_element_jvp (v) -> Self::Scalar = value
-            => Pulled(|g| to_first_equal(v, value, g));
+        min_element(v) -> Self::Scalar = value => Pulled(|g| to_first_equal(v, value, g));
         /// All to the first of the largest elements.
-        max_element max_element_vjp max_element_jvp (v) -> Self::Scalar = value
-            => Pulled(|g| to_first_equal(v, value, g));
-        dot dot_vjp dot_jvp (a, b: Self) -> Self::Scalar => (Gradient(b), Gradient(a));
-        length length_vjp length_jvp (v) -> Self::Scalar = length
-            => Pulled(|g| length_pullback(v, length, g));
-        length_squared length_squared_vjp length_squared_jvp (v) -> Self::Scalar => Gradient(v + v);
-        length_recip length_recip_vjp length_recip_jvp (v) -> Self::Scalar = recip
-            => Pulled(|g| length_recip_pullback(v, recip, g));
+        max_element(v) -> Self::Scalar = value => Pulled(|g| to_first_equal(v, value, g));
+        dot(a, b: Self) -> Self::Scalar => (Gradient(b), Gradient(a));
+        length(v) -> Self::Scalar = length => Pulled(|g| length_pullback(v, length, g));
+        length_squared(v) -> Self::Scalar => Gradient(v + v);
+        length_recip(v) -> Self::Scalar = recip => Pulled(|g| length_recip_pullback(v, recip, g));
         /// 0 where the points coincide.
-        distance distance_vjp distance_jvp (a, b: Self) -> Self::Scalar = distance => {
+        distance(a, b: Self) -> Self::Scalar = distance => {
             let by_difference = Pulled(move |g| length_pullback(a - b, distance, g));
             (by_difference, Negated(by_difference))
         };
-        distance_squared distance_squared_vjp distance_squared_jvp (a, b: Self) -> Self::Scalar => {
+        distance_squared(a, b: Self) -> Self::Scalar => {
             let twice = (a - b) + (a - b);
             (Gradient(twice), Gradient(-twice))
         };
         /// (I - u u^T)/|v| with u the unit vector; 0 at 0.
-        normalize normalize_vjp normalize_jvp (v) = unit
-            => Symmetric(|g| normalize_pullback(unit, v.length_recip(), g));
+        normalize(v) = unit => Symmetric(|g| normalize_pullback(unit, v.length_recip(), g));
         /// 0 where the value is 0.
-        normalize_or_zero normalize_or_zero_vjp normalize_or_zero_jvp (v) = unit
-            => Symmetric(|g| normalize_pullback(unit, v.length_recip(), g));
+        normalize_or_zero(v) = unit => Symmetric(|g| normalize_pullback(unit, v.length_recip(), g));
         /// The smaller one, element by element; a tie is the receiver's.
-        min min_vjp min_jvp (x, y) = value => {
+        min(x, y) = value => {
             let first = are_equal(value, x);
             (Chosen(first), Chosen(Self::ONE - first))
         };
         /// The larger one, element by element; a tie is the receiver's.
-        max max_vjp max_jvp (x, y) = value => {
+        max(x, y) = value => {
             let first = are_equal(value, x);
             (Chosen(first), Chosen(Self::ONE - first))
         };
         /// The receiver within the bounds and on them, else the bound.
-        clamp clamp_vjp clamp_jvp (x, low, high) = value => {
+        clamp(x, low, high) = value => {
             let (within, at_low) = (are_equal(value, x), are_equal(value, low));
             let outside = Self::ONE - within;
             (Chosen(within), Chosen(outside * at_low), Chosen(outside * (Self::ONE - at_low)))
         };
-        abs abs_vjp abs_jvp (v) => Symmetric(|g: Self| g.zip_elements(v, |g, x| x.abs_vjp().1(g)));
-        recip recip_vjp recip_jvp (v)
-            => Symmetric(|g: Self| g.zip_elements(v, |g, x| x.recip_vjp().1(g)));
-        sqrt sqrt_vjp sqrt_jvp (v)
-            => Symmetric(|g: Self| g.zip_elements(v, |g, x| x.sqrt_vjp().1(g)));
-        exp exp_vjp exp_jvp (v) = value => Elements(value);
-        powf powf_vjp powf_jvp (v, exponent: Self::Scalar) -> Self = value => {
+        abs(v) => Symmetric(|g: Self| g.zip_elements(v, |g, x| x.abs_vjp().1(g)));
+        recip(v) => Symmetric(|g: Self| g.zip_elements(v, |g, x| x.recip_vjp().1(g)));
+        sqrt(v) => Symmetric(|g: Self| g.zip_elements(v, |g, x| x.sqrt_vjp().1(g)));
+        exp(v) = value => Elements(value);
+        powf(v, exponent: Self::Scalar) -> Self = value => {
             let by_base = v.zip_elements(value, |x, value| power_partials(x, exponent, value).0);
             let by_exponent = v.zip_elements(value, |x, value| power_partials(x, exponent, value).1);
             (Elements(by_base), Along(by_exponent))
         };
-        lerp lerp_vjp lerp_jvp (a, b: Self, s: Self::Scalar) -> Self
+        lerp(a, b: Self, s: Self::Scalar) -> Self
             => (Scaled(Self::Scalar::ONE - s), Scaled(s), Along(b - a));
         /// v - 2 (v . n) n; all elements of the normal count as free.
-        reflect reflect_vjp reflect_jvp (v, normal: Self) -> Self => {
+        reflect(v, normal: Self) -> Self => {
             let along = move |number: Self::Scalar| scale_vector(number + number, normal);
             let twice = (v + v).dot(normal);
             let by_normal = Maps(
@@ -94,12 +86,11 @@ rules! {
 rules! {
     /// The rules of the methods of [`Vector3`].
     Vector3Rules for every Vector3 {
-        new new_vjp new_jvp (x: Self::Scalar, y: Self::Scalar, z: Self::Scalar) -> Self:
-            |g| (g.x(), g.y(), g.z());
-        x x_vjp x_jvp (v) -> Self::Scalar: |g| Self::new(g, Additive::zero(), Additive::zero());
-        y y_vjp y_jvp (v) -> Self::Scalar: |g| Self::new(Additive::zero(), g, Additive::zero());
-        z z_vjp z_jvp (v) -> Self::Scalar: |g| Self::new(Additive::zero(), Additive::zero(), g);
-        cross cross_vjp cross_jvp (a, b) => {
+        new(x: Self::Scalar, y: Self::Scalar, z: Self::Scalar) -> Self: |g| (g.x(), g.y(), g.z());
+        x(v) -> Self::Scalar: |g| Self::new(g, Additive::zero(), Additive::zero());
+        y(v) -> Self::Scalar: |g| Self::new(Additive::zero(), g, Additive::zero());
+        z(v) -> Self::Scalar: |g| Self::new(Additive::zero(), Additive::zero(), g);
+        cross(a, b) => {
             let times = |v: Self| Maps(move |t| cross(t, v), move |g| -cross(g, v));
             (times(b), Negated(times(a)))
         };
@@ -109,76 +100,62 @@ rules! {
 rules! {
     /// The rules of methods that all of glam's float vectors have beyond [`Vector`].
     GlamRules: Kin for Vec2 Vec3 Vec4 DVec2 DVec3 DVec4 {
-        signum signum_vjp signum_jvp (v) => Zero();
-        floor floor_vjp floor_jvp (v) => Zero();
-        ceil ceil_vjp ceil_jvp (v) => Zero();
-        round round_vjp round_jvp (v) => Zero();
-        trunc trunc_vjp trunc_jvp (v) => Zero();
+        signum(v) => Zero();
+        floor(v) => Zero();
+        ceil(v) => Zero();
+        round(v) => Zero();
+        trunc(v) => Zero();
         /// The jumps carry no derivative.
-        fract fract_vjp fract_jvp (v) => Same();
-        midpoint midpoint_vjp midpoint_jvp (a, b) => (Scaled(0.5), Scaled(0.5));
-        mul_add mul_add_vjp mul_add_jvp (x, a, b) => (Elements(a), Elements(x), Same());
-        element_product element_product_vjp element_product_jvp (v) -> Self::S
-            as geometry::element_product;
-        project_onto project_onto_vjp project_onto_jvp (v, onto: Self) -> Self
-            as geometry::project_onto;
-        project_onto_normalized project_onto_normalized_vjp project_onto_normalized_jvp
-            (v, onto: Self) -> Self as geometry::project_onto_normalized;
-        reject_from reject_from_vjp reject_from_jvp (v, onto: Self) -> Self as geometry::reject_from;
-        reject_from_normalized reject_from_normalized_vjp reject_from_normalized_jvp
-            (v, onto: Self) -> Self as geometry::reject_from_normalized;
-        normalize_or normalize_or_vjp normalize_or_jvp (v, fallback: Self) -> Self
-            as geometry::normalize_or;
-        clamp_length clamp_length_vjp clamp_length_jvp (v, min: Self::S, max: Self::S) -> Self
-            as geometry::clamp_length;
-        clamp_length_max clamp_length_max_vjp clamp_length_max_jvp (v, max: Self::S) -> Self
-            as geometry::clamp_length_max;
-        clamp_length_min clamp_length_min_vjp clamp_length_min_jvp (v, min: Self::S) -> Self
-            as geometry::clamp_length_min;
-        move_towards move_towards_vjp move_towards_jvp (v, end: Self, way: Self::S) -> Self
-            as geometry::move_towards;
-        refract refract_vjp refract_jvp (v, normal: Self, eta: Self::S) -> Self
-            as geometry::refract;
+        fract(v) => Same();
+        midpoint(a, b) => (Scaled(0.5), Scaled(0.5));
+        mul_add(x, a, b) => (Elements(a), Elements(x), Same());
+        element_product(v) -> Self::S as geometry::element_product;
+        project_onto(v, onto: Self) -> Self as geometry::project_onto;
+        project_onto_normalized(v, onto: Self) -> Self as geometry::project_onto_normalized;
+        reject_from(v, onto: Self) -> Self as geometry::reject_from;
+        reject_from_normalized(v, onto: Self) -> Self as geometry::reject_from_normalized;
+        normalize_or(v, fallback: Self) -> Self as geometry::normalize_or;
+        clamp_length(v, min: Self::S, max: Self::S) -> Self as geometry::clamp_length;
+        clamp_length_max(v, max: Self::S) -> Self as geometry::clamp_length_max;
+        clamp_length_min(v, min: Self::S) -> Self as geometry::clamp_length_min;
+        move_towards(v, end: Self, way: Self::S) -> Self as geometry::move_towards;
+        refract(v, normal: Self, eta: Self::S) -> Self as geometry::refract;
     }
 }
 
 rules! {
     /// The rules of functions and methods of vectors of the plane.
     Vec2Rules: Kin for Vec2 DVec2 {
-        new new_vjp new_jvp (x: Self::S, y: Self::S) -> Self: |g| (g.x, g.y);
-        extend extend_vjp extend_jvp (v, z: Self::S) -> Self::V3: |g| (g.truncate(), g.z);
-        from_angle from_angle_vjp from_angle_jvp (angle: Self::S) -> Self as geometry::direction;
-        to_angle to_angle_vjp to_angle_jvp (v) -> Self::S as geometry::to_angle;
-        angle_to angle_to_vjp angle_to_jvp (v, other: Self) -> Self::S as geometry::angle_to;
-        perp perp_vjp perp_jvp (v) -> Self as geometry::perp;
-        perp_dot perp_dot_vjp perp_dot_jvp (v, other: Self) -> Self::S as geometry::perp_dot;
-        rotate rotate_vjp rotate_jvp (v, other: Self) -> Self as geometry::rotate;
-        rotate_angle rotate_angle_vjp rotate_angle_jvp (v, angle: Self::S) -> Self
-            as geometry::rotate_angle;
+        new(x: Self::S, y: Self::S) -> Self: |g| (g.x, g.y);
+        extend(v, z: Self::S) -> Self::V3: |g| (g.truncate(), g.z);
+        from_angle(angle: Self::S) -> Self as geometry::direction;
+        to_angle(v) -> Self::S as geometry::to_angle;
+        angle_to(v, other: Self) -> Self::S as geometry::angle_to;
+        perp(v) -> Self as geometry::perp;
+        perp_dot(v, other: Self) -> Self::S as geometry::perp_dot;
+        rotate(v, other: Self) -> Self as geometry::rotate;
+        rotate_angle(v, angle: Self::S) -> Self as geometry::rotate_angle;
     }
 }
 
 rules! {
     /// The rules of methods of vectors of space.
     SpaceRules: Kin for Vec3 DVec3 {
-        extend extend_vjp extend_jvp (v, w: Self::S) -> Self::V4: |g| (g.truncate(), g.w);
-        truncate truncate_vjp truncate_jvp (v) -> Self::V2: |g| g.extend(-0.0);
-        angle_between angle_between_vjp angle_between_jvp (v, other: Self) -> Self::S
-            as geometry::angle_between;
-        rotate_x rotate_x_vjp rotate_x_jvp (v, angle: Self::S) -> Self as geometry::rotate_x;
-        rotate_y rotate_y_vjp rotate_y_jvp (v, angle: Self::S) -> Self as geometry::rotate_y;
-        rotate_z rotate_z_vjp rotate_z_jvp (v, angle: Self::S) -> Self as geometry::rotate_z;
-        rotate_axis rotate_axis_vjp rotate_axis_jvp (v, axis: Self, angle: Self::S) -> Self
-            as geometry::rotate_axis;
+        extend(v, w: Self::S) -> Self::V4: |g| (g.truncate(), g.w);
+        truncate(v) -> Self::V2: |g| g.extend(-0.0);
+        angle_between(v, other: Self) -> Self::S as geometry::angle_between;
+        rotate_x(v, angle: Self::S) -> Self as geometry::rotate_x;
+        rotate_y(v, angle: Self::S) -> Self as geometry::rotate_y;
+        rotate_z(v, angle: Self::S) -> Self as geometry::rotate_z;
+        rotate_axis(v, axis: Self, angle: Self::S) -> Self as geometry::rotate_axis;
     }
 }
 
 rules! {
     /// The rules of functions and methods of vectors of four elements.
     Vec4Rules: Kin for Vec4 DVec4 {
-        new new_vjp new_jvp (x: Self::S, y: Self::S, z: Self::S, w: Self::S) -> Self:
-            |g| (g.x, g.y, g.z, g.w);
-        truncate truncate_vjp truncate_jvp (v) -> Self::V3: |g| g.extend(-0.0);
+        new(x: Self::S, y: Self::S, z: Self::S, w: Self::S) -> Self: |g| (g.x, g.y, g.z, g.w);
+        truncate(v) -> Self::V3: |g| g.extend(-0.0);
     }
 }
 
