@@ -70,9 +70,9 @@ pub mod methods {
         PlaneMotionRules as _, ProjectionRules as _, QuaternionRules as _, RealRules as _,
         ResizedRules as _, ResultRules as _, RotationRules as _, SequenceRules as _,
         SignedRules as _, SpaceRules as _, Swizzle2Rules as _, Swizzle3Rules as _,
-        Swizzle4Rules as _, TransformRules as _, TryIntoRules as _, Vec2Rules as _,
-        Vec4Rules as _, VecRules as _, Vector3Rules as _, VectorRules as _, With2Rules as _,
-        With3Rules as _, With4Rules as _,
+        Swizzle4Rules as _, TransformRules as _, TryIntoRules as _, Vec2Rules as _, Vec4Rules as _,
+        VecRules as _, Vector3Rules as _, VectorRules as _, With2Rules as _, With3Rules as _,
+        With4Rules as _,
     };
     pub use crate::vector::{Vector as _, Vector3 as _};
 }

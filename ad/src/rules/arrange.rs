@@ -11,73 +11,44 @@ use super::row::rules;
 use super::{FromRules, Vec2Rules, Vec4Rules, Vector3Rules};
 use crate::Additive;
 
-/// The adjoint of a swizzle: adds each number to the element that it is one of.
-macro_rules! back_to {
-    ($($element:ident)*) => {
-        |cotangent| {
-            let mut parts = cotangent.to_array().into_iter();
-            let mut to_vector = Self::zero();
-            $(to_vector.$element += parts.next().expect("has as many elements");)*
-            to_vector
+/// The rules of swizzles, each by the elements of what it makes. The adjoint adds each number to the element
+/// that it is one of.
+macro_rules! swizzles {
+    ($(#[$doc:meta])* $rules:ident: $($type:ident)*; $($made:ident: $($($element:ident)+),*;)*) => {
+        pastey::paste! {
+            rules! {
+                $(#[$doc])*
+                $rules: Kin for $($type)* {$($(
+                    [<$($element)+>](v) -> Self::$made: |cotangent| {
+                        let mut parts = cotangent.to_array().into_iter();
+                        let mut to_vector = Self::zero();
+                        $(to_vector.$element += parts.next().expect("has as many elements");)+
+                        to_vector
+                    };
+                )*)*}
+            }
         }
     };
 }
 
-rules! {
+swizzles! {
     /// The rules of swizzles of vectors of two elements.
-    Swizzle2Rules: Kin for Vec2 DVec2 {
-        xx(v) -> Self::V2: back_to!(x x);
-        xy(v) -> Self::V2: back_to!(x y);
-        yx(v) -> Self::V2: back_to!(y x);
-        yy(v) -> Self::V2: back_to!(y y);
-    }
+    Swizzle2Rules: Vec2 DVec2;
+    V2: x x, x y, y x, y y;
 }
 
-rules! {
+swizzles! {
     /// The rules of swizzles of vectors of three elements.
-    Swizzle3Rules: Kin for Vec3 DVec3 {
-        xx(v) -> Self::V2: back_to!(x x);
-        xy(v) -> Self::V2: back_to!(x y);
-        xz(v) -> Self::V2: back_to!(x z);
-        yx(v) -> Self::V2: back_to!(y x);
-        yy(v) -> Self::V2: back_to!(y y);
-        yz(v) -> Self::V2: back_to!(y z);
-        zx(v) -> Self::V2: back_to!(z x);
-        zy(v) -> Self::V2: back_to!(z y);
-        zz(v) -> Self::V2: back_to!(z z);
-        xyz(v) -> Self::V3: back_to!(x y z);
-        xzy(v) -> Self::V3: back_to!(x z y);
-        yxz(v) -> Self::V3: back_to!(y x z);
-        yzx(v) -> Self::V3: back_to!(y z x);
-        zxy(v) -> Self::V3: back_to!(z x y);
-        zyx(v) -> Self::V3: back_to!(z y x);
-    }
+    Swizzle3Rules: Vec3 DVec3;
+    V2: x x, x y, x z, y x, y y, y z, z x, z y, z z;
+    V3: x y z, x z y, y x z, y z x, z x y, z y x;
 }
 
-rules! {
+swizzles! {
     /// The rules of swizzles of vectors of four elements.
-    Swizzle4Rules: Kin for Vec4 DVec4 {
-        xx(v) -> Self::V2: back_to!(x x);
-        xy(v) -> Self::V2: back_to!(x y);
-        xz(v) -> Self::V2: back_to!(x z);
-        xw(v) -> Self::V2: back_to!(x w);
-        yx(v) -> Self::V2: back_to!(y x);
-        yy(v) -> Self::V2: back_to!(y y);
-        yz(v) -> Self::V2: back_to!(y z);
-        yw(v) -> Self::V2: back_to!(y w);
-        zx(v) -> Self::V2: back_to!(z x);
-        zy(v) -> Self::V2: back_to!(z y);
-        zz(v) -> Self::V2: back_to!(z z);
-        zw(v) -> Self::V2: back_to!(z w);
-        wx(v) -> Self::V2: back_to!(w x);
-        wy(v) -> Self::V2: back_to!(w y);
-        wz(v) -> Self::V2: back_to!(w z);
-        ww(v) -> Self::V2: back_to!(w w);
-        xyz(v) -> Self::V3: back_to!(x y z);
-        xyw(v) -> Self::V3: back_to!(x y w);
-        xzw(v) -> Self::V3: back_to!(x z w);
-        yzw(v) -> Self::V3: back_to!(y z w);
-    }
+    Swizzle4Rules: Vec4 DVec4;
+    V2: x x, x y, x z, x w, y x, y y, y z, y w, z x, z y, z z, z w, w x, w y, w z, w w;
+    V3: x y z, x y w, x z w, y z w;
 }
 
 rules! {

@@ -18,7 +18,8 @@ macro_rules! square {
             /// The rules of functions and methods of square matrices.
             $rules: Kin for $($matrix)* {
                 from_cols($($axis: Self::$column),*) -> Self: |g| ($(g.$axis),*);
-                from_diagonal(elements: Self::$column) -> Self as motion::diagonal;
+                from_diagonal(elements: Self::$column) -> Self:
+                    |g| array::from_fn(|i| g.col(i)[i]).into();
                 transpose(&m) -> Self: |g| g.transpose();
                 col(&m, index: usize) -> Self::$column => {
                     let column = move |g| {

@@ -72,6 +72,7 @@ pub mod replace;
 mod row;
 mod scalar;
 mod sequence;
+mod twin;
 mod vector;
 
 pub use arrange::{
@@ -84,12 +85,12 @@ pub use cast::CastPullback;
 #[doc(hidden)]
 pub use cast::castable;
 pub use choose::{no_diff, select, stop_gradient};
+pub use conversion::{FromRules, IntoRules};
 #[doc(hidden)]
 pub use dropping::drop;
 pub use edit::VecRules;
 #[doc(hidden)]
 pub use edit::drained;
-pub use conversion::{FromRules, IntoRules};
 pub use integer::{IntegerRules, SignedRules};
 pub use kin::{Kin, Numbers};
 pub use matrix::{Matrix2Rules, Matrix3Rules, Matrix4Rules, ProjectionRules, ResizedRules};

@@ -1,7 +1,9 @@
 //! The rules of quaternions, and of matrices that stand for motions. The four numbers of a quaternion
 //! count as free: that a rotation has length 1 is no part of the derivative.
 
-use glam::{Affine2, Affine3, DAffine2, DAffine3, DMat2, DMat3, DMat4, DQuat, Mat2, Mat3, Mat4, Quat};
+use glam::{
+    Affine2, Affine3, DAffine2, DAffine3, DMat2, DMat3, DMat4, DQuat, Mat2, Mat3, Mat4, Quat,
+};
 
 use super::geometry::{motion, rotation, vector};
 use super::kin::Kin;
@@ -48,8 +50,8 @@ rules! {
 rules! {
     /// The rules of motions of the plane.
     PlaneMotionRules: Kin for Mat3 Affine2 DMat3 DAffine2 {
-        from_scale(scale: Self::V2) -> Self as motion::from_scale;
-        from_translation(translation: Self::V2) -> Self as motion::from_translation;
+        from_scale(scale: Self::V2) -> Self as motion::from_scale2;
+        from_translation(translation: Self::V2) -> Self as motion::from_translation2;
         from_scale_angle_translation(scale: Self::V2, angle: Self::S, translation: Self::V2) -> Self as motion::plane;
         transform_point2(&m, point: Self::V2) -> Self::V2 as motion::transform_point2;
         transform_vector2(&m, vector: Self::V2) -> Self::V2 as motion::transform_vector2;
@@ -60,7 +62,7 @@ rules! {
     /// The rules of affine motions of the plane.
     Affine2Rules: Kin for Affine2 DAffine2 {
         from_mat2(linear: Self::M2) -> Self as motion::resized;
-        from_mat2_translation(linear: Self::M2, translation: Self::V2) -> Self as motion::moved;
+        from_mat2_translation(linear: Self::M2, translation: Self::V2) -> Self as motion::moved2;
         from_angle_translation(angle: Self::S, translation: Self::V2) -> Self as motion::from_angle_translation;
         inverse(&m) -> Self as motion::inverse2;
     }
@@ -80,8 +82,8 @@ rules! {
 rules! {
     /// The rules of motions of space.
     TransformRules: Kin for Mat4 Affine3 DMat4 DAffine3 {
-        from_scale(scale: Self::V3) -> Self as motion::from_scale;
-        from_translation(translation: Self::V3) -> Self as motion::from_translation;
+        from_scale(scale: Self::V3) -> Self as motion::from_scale3;
+        from_translation(translation: Self::V3) -> Self as motion::from_translation3;
         from_rotation_translation(turn: Self::Q, translation: Self::V3) -> Self as motion::from_rotation_translation;
         from_scale_rotation_translation(scale: Self::V3, turn: Self::Q, translation: Self::V3) -> Self
             as motion::from_scale_rotation_translation;
@@ -95,7 +97,7 @@ rules! {
     Affine3Rules: Kin for Affine3 DAffine3 {
         from_mat3(linear: Self::M3) -> Self as motion::resized;
         from_mat4(matrix: Self::M4) -> Self as motion::resized;
-        from_mat3_translation(linear: Self::M3, translation: Self::V3) -> Self as motion::moved;
+        from_mat3_translation(linear: Self::M3, translation: Self::V3) -> Self as motion::moved3;
         inverse(&m) -> Self as motion::inverse3;
     }
 }

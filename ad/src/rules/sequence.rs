@@ -7,6 +7,8 @@
 
 #![allow(clippy::type_complexity)]
 
+use core::cmp::Ordering;
+
 use super::in_place::in_place;
 use crate::{Additive, Differentiable, Tangent};
 
@@ -50,6 +52,48 @@ impl<T: Additive, const N: usize> Elements<T> for [T; N] {
     fn into_source(self) -> Vec<T> {
         self.into()
     }
+}
+
+/// Rules of sorts, which all keep the order of equal elements: an order that an unstable sort may give
+/// them, too. A row gives the comparison. The pullback is boxed: an opaque type would hold on to what the
+/// comparison borrows.
+macro_rules! sorts {
+    ($($name:ident[$($generics:tt)*]($by:ident) $compare:expr;)*) => { pastey::paste! {$(
+        /// To the places where the elements came from.
+        #[inline]
+        #[allow(unused_mut)]
+        fn [<$name _vjp>]<$($generics)*>(
+            &mut self,
+            mut $by: F,
+        ) -> ((), Box<dyn FnOnce((), Self::Tangent) -> (Self::Tangent, ())>) {
+            let from = sorted_from(self.sequence(), &mut $compare);
+            let pullback = move |(), mut cotangent: Self::Tangent| {
+                let mut before = Self::Tangent::zero();
+                let elements = cotangent.elements(from.len());
+                let places = before.elements(from.len());
+                for (&place, element) in from.iter().zip(elements) {
+                    places[place].accumulate(element.clone());
+                }
+                (before, ())
+            };
+            ((), Box::new(pullback))
+        }
+
+        /// The tangents follow their elements.
+        #[inline]
+        #[allow(unused_mut)]
+        fn [<$name _jvp>]<$($generics)*>(
+            &mut self,
+            mut $by: F,
+            tangent: &mut [Tangent<Self::Element>],
+            (): (),
+        ) -> ((), ()) {
+            let from = sorted_from(self.sequence(), &mut $compare);
+            let sorted: Vec<_> = from.into_iter().map(|place| tangent[place].clone()).collect();
+            tangent.clone_from_slice(&sorted);
+            ((), ())
+        }
+    )*}};
 }
 
 /// The `_vjp` and `_jvp` siblings of the methods of slices and arrays. What changes a sequence changes
@@ -119,134 +163,18 @@ pub trait SequenceRules: Differentiable<Tangent: Elements<Tangent<Self::Element>
             => |_, _, (), g| (Additive::zero(), g.into_source());
     }
 
-    /// To the places where the elements came from. The pullback is boxed: an opaque type would hold on
-    /// to what the comparison borrows.
-    #[inline]
-    fn sort_by_vjp<F>(
-        &mut self,
-        mut compare: F,
-    ) -> ((), Box<dyn FnOnce((), Self::Tangent) -> (Self::Tangent, ())>)
-    where
-        F: FnMut(&Self::Element, &Self::Element) -> core::cmp::Ordering,
-    {
-        let from = sorted_from(self.sequence(), &mut compare);
-        let pullback = move |(), mut cotangent: Self::Tangent| {
-            let mut before = Self::Tangent::zero();
-            let elements = cotangent.elements(from.len());
-            let places = before.elements(from.len());
-            for (&place, element) in from.iter().zip(elements) {
-                places[place].accumulate(element.clone());
-            }
-            (before, ())
-        };
-        ((), Box::new(pullback))
-    }
-
-    /// The tangents follow their elements.
-    #[inline]
-    fn sort_by_jvp<F>(
-        &mut self,
-        mut compare: F,
-        tangent: &mut [Tangent<Self::Element>],
-        (): (),
-    ) -> ((), ())
-    where
-        F: FnMut(&Self::Element, &Self::Element) -> core::cmp::Ordering,
-    {
-        let from = sorted_from(self.sequence(), &mut compare);
-        let sorted: Vec<_> = from.into_iter().map(|place| tangent[place].clone()).collect();
-        tangent.clone_from_slice(&sorted);
-        ((), ())
-    }
-
-    /// As [`sort_by_vjp`](Self::sort_by_vjp), which keeps the order of equal elements: an order that
-    /// the unstable sort may give them, too.
-    #[inline]
-    fn sort_unstable_by_vjp<F>(
-        &mut self,
-        compare: F,
-    ) -> ((), Box<dyn FnOnce((), Self::Tangent) -> (Self::Tangent, ())>)
-    where
-        F: FnMut(&Self::Element, &Self::Element) -> core::cmp::Ordering,
-    {
-        self.sort_by_vjp(compare)
-    }
-
-    /// As [`sort_by_jvp`](Self::sort_by_jvp).
-    #[inline]
-    fn sort_unstable_by_jvp<F>(
-        &mut self,
-        compare: F,
-        tangent: &mut [Tangent<Self::Element>],
-        (): (),
-    ) -> ((), ())
-    where
-        F: FnMut(&Self::Element, &Self::Element) -> core::cmp::Ordering,
-    {
-        self.sort_by_jvp(compare, tangent, ())
-    }
-
-    /// As [`sort_by_vjp`](Self::sort_by_vjp), by keys.
-    #[inline]
-    fn sort_by_key_vjp<K, F>(
-        &mut self,
-        mut key: F,
-    ) -> ((), Box<dyn FnOnce((), Self::Tangent) -> (Self::Tangent, ())>)
-    where
-        K: Ord,
-        F: FnMut(&Self::Element) -> K,
-    {
-        self.sort_by_vjp(|a, b| key(a).cmp(&key(b)))
-    }
-
-    /// As [`sort_by_jvp`](Self::sort_by_jvp), by keys.
-    #[inline]
-    fn sort_by_key_jvp<K, F>(
-        &mut self,
-        mut key: F,
-        tangent: &mut [Tangent<Self::Element>],
-        (): (),
-    ) -> ((), ())
-    where
-        K: Ord,
-        F: FnMut(&Self::Element) -> K,
-    {
-        self.sort_by_jvp(|a, b| key(a).cmp(&key(b)), tangent, ())
-    }
-
-    /// As [`sort_by_key_vjp`](Self::sort_by_key_vjp).
-    #[inline]
-    fn sort_unstable_by_key_vjp<K, F>(
-        &mut self,
-        key: F,
-    ) -> ((), Box<dyn FnOnce((), Self::Tangent) -> (Self::Tangent, ())>)
-    where
-        K: Ord,
-        F: FnMut(&Self::Element) -> K,
-    {
-        self.sort_by_key_vjp(key)
-    }
-
-    /// As [`sort_by_key_jvp`](Self::sort_by_key_jvp).
-    #[inline]
-    fn sort_unstable_by_key_jvp<K, F>(
-        &mut self,
-        key: F,
-        tangent: &mut [Tangent<Self::Element>],
-        (): (),
-    ) -> ((), ())
-    where
-        K: Ord,
-        F: FnMut(&Self::Element) -> K,
-    {
-        self.sort_by_key_jvp(key, tangent, ())
+    sorts! {
+        sort_by[F: FnMut(&Self::Element, &Self::Element) -> Ordering](compare) compare;
+        sort_unstable_by[F: FnMut(&Self::Element, &Self::Element) -> Ordering](compare) compare;
+        sort_by_key[K: Ord, F: FnMut(&Self::Element) -> K](key) |a, b| key(a).cmp(&key(b));
+        sort_unstable_by_key[K: Ord, F: FnMut(&Self::Element) -> K](key) |a, b| key(a).cmp(&key(b));
     }
 }
 
 /// Sorts, and returns where each element came from.
 pub(super) fn sorted_from<T>(
     elements: &mut [T],
-    compare: &mut dyn FnMut(&T, &T) -> core::cmp::Ordering,
+    compare: &mut dyn FnMut(&T, &T) -> Ordering,
 ) -> Vec<usize> {
     let mut from: Vec<usize> = (0..elements.len()).collect();
     from.sort_by(|&i, &j| compare(&elements[i], &elements[j]));

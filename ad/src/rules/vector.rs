@@ -5,8 +5,8 @@ use glam::{DVec2, DVec3, DVec4, Vec2, Vec3, Vec4};
 use super::geometry::vector as geometry;
 use super::kin::Kin;
 use super::linear::{
-    self, Along, Chosen, Elements, Gradient, Maps, Negated, Pulled, Same, Scaled,
-    Symmetric, Zero, inner,
+    self, Along, Chosen, Elements, Gradient, Maps, Negated, Pulled, Same, Scaled, Symmetric, Zero,
+    inner,
 };
 use super::row::rules;
 use super::scalar::power_partials;
@@ -181,9 +181,7 @@ fn length_pullback<V: Vector>(vector: V, length: V::Scalar, cotangent: V::Scalar
 fn length_recip_pullback<V: Vector>(vector: V, recip: V::Scalar, cotangent: V::Scalar) -> V {
     let singular = !recip.is_finite() | cotangent.vanishes();
     // One factor at a time: the square of a large one would not be representable.
-    vector.map_elements(|v| {
-        linear::unless(singular, -(cotangent * recip * (v * recip) * recip))
-    })
+    vector.map_elements(|v| linear::unless(singular, -(cotangent * recip * (v * recip) * recip)))
 }
 
 /// The pullback of `unit = vector * length_recip`.

@@ -1,12 +1,10 @@
 //! Motions of the plane and of space, as matrices of `M` columns of `N` numbers: `M = 2` or `3` without
 //! a translation, and `N` by `N` with the last row of the identity, or without that row.
 
-#![allow(clippy::needless_range_loop, reason = "rows and columns by their numbers")]
-
 use ad_macros::differentiable;
 
 use super::rotation::{axis_angle_matrix, rotation_matrix};
-use super::vector::{cross, dot, perp_dot, times};
+use super::vector::{combined, cross, dot, perp_dot, quotient, times};
 use super::{Columns, Quaternion, Triple};
 use crate::{Additive, Real};
 
@@ -68,49 +66,52 @@ pub fn from_angle_translation<S: Real, const N: usize, const M: usize>(
 }
 
 #[differentiable]
+pub fn from_scale2<S: Real, const N: usize, const M: usize>([x, y]: [S; 2]) -> [[S; N]; M] {
+    resized::<S, 2, 2, N, M>([[x, S::ZERO], [S::ZERO, y]])
+}
+
+#[differentiable]
+pub fn from_translation2<S: Real, const N: usize, const M: usize>(
+    translation: [S; 2],
+) -> [[S; N]; M] {
+    resized::<S, 2, 3, N, M>([[S::ONE, S::ZERO], [S::ZERO, S::ONE], translation])
+}
+
+#[differentiable]
+pub fn moved2<S: Real>([x, y]: [[S; 2]; 2], translation: [S; 2]) -> [[S; 2]; 3] {
+    [x, y, translation]
+}
+
+#[differentiable]
 pub fn transform_vector2<S: Real, const N: usize>(a: [[S; N]; 3], v: [S; 2]) -> [S; 2] {
-    std::array::from_fn(|i| a[0][i] * v[0] + a[1][i] * v[1])
+    combined::<S, 3, N, 2>(a, [v[0], v[1], S::ZERO])
 }
 
 #[differentiable]
 pub fn transform_point2<S: Real, const N: usize>(a: [[S; N]; 3], v: [S; 2]) -> [S; 2] {
-    std::array::from_fn(|i| a[0][i] * v[0] + a[1][i] * v[1] + a[2][i])
+    combined::<S, 3, N, 2>(a, [v[0], v[1], S::ONE])
 }
 
-/// A matrix, and a translation as its last column.
 #[differentiable]
-pub fn moved<S: Real, const K: usize, const N: usize, const M: usize>(
-    linear: [[S; K]; K],
-    translation: [S; K],
+pub fn from_scale3<S: Real, const N: usize, const M: usize>([x, y, z]: Triple<S>) -> [[S; N]; M] {
+    let zero = S::ZERO;
+    resized::<S, 3, 3, N, M>([[x, zero, zero], [zero, y, zero], [zero, zero, z]])
+}
+
+#[differentiable]
+pub fn moved3<S: Real, const N: usize, const M: usize>(
+    [x, y, z]: Columns<S>,
+    translation: Triple<S>,
 ) -> [[S; N]; M] {
-    let mut columns = resized::<S, K, K, N, M>(linear);
-    for i in 0..K {
-        columns[K][i] = translation[i];
-    }
-    columns
+    resized::<S, 3, 4, N, M>([x, y, z, translation])
 }
 
 #[differentiable]
-pub fn from_translation<S: Real, const K: usize, const N: usize, const M: usize>(
-    translation: [S; K],
+pub fn from_translation3<S: Real, const N: usize, const M: usize>(
+    translation: Triple<S>,
 ) -> [[S; N]; M] {
-    moved::<S, K, N, M>(diagonal::<S, K>([S::ONE; K]), translation)
-}
-
-#[differentiable]
-pub fn diagonal<S: Real, const K: usize>(elements: [S; K]) -> [[S; K]; K] {
-    let mut columns = [[S::ZERO; K]; K];
-    for i in 0..K {
-        columns[i][i] = elements[i];
-    }
-    columns
-}
-
-#[differentiable]
-pub fn from_scale<S: Real, const K: usize, const N: usize, const M: usize>(
-    scale: [S; K],
-) -> [[S; N]; M] {
-    resized::<S, K, K, N, M>(diagonal::<S, K>(scale))
+    let (zero, one) = (S::ZERO, S::ONE);
+    moved3::<S, N, M>([[one, zero, zero], [zero, one, zero], [zero, zero, one]], translation)
 }
 
 #[differentiable]
@@ -146,7 +147,7 @@ pub fn from_rotation_translation<S: Real, const N: usize, const M: usize>(
     turn: Quaternion<S>,
     translation: Triple<S>,
 ) -> [[S; N]; M] {
-    moved::<S, 3, N, M>(rotation_matrix::<S>(turn), translation)
+    moved3::<S, N, M>(rotation_matrix::<S>(turn), translation)
 }
 
 #[differentiable]
@@ -155,24 +156,26 @@ pub fn from_scale_rotation_translation<S: Real, const N: usize, const M: usize>(
     turn: Quaternion<S>,
     translation: Triple<S>,
 ) -> [[S; N]; M] {
-    let axes = rotation_matrix::<S>(turn);
-    moved::<S, 3, N, M>(std::array::from_fn(|i| times::<S, 3>(axes[i], scale[i])), translation)
+    let [x, y, z] = rotation_matrix::<S>(turn);
+    let scaled =
+        [times::<S, 3>(x, scale[0]), times::<S, 3>(y, scale[1]), times::<S, 3>(z, scale[2])];
+    moved3::<S, N, M>(scaled, translation)
 }
 
 #[differentiable]
 pub fn transform_vector3<S: Real, const N: usize>(a: [[S; N]; 4], v: Triple<S>) -> Triple<S> {
-    std::array::from_fn(|i| a[0][i] * v[0] + a[1][i] * v[1] + a[2][i] * v[2])
+    combined::<S, 4, N, 3>(a, [v[0], v[1], v[2], S::ZERO])
 }
 
 #[differentiable]
 pub fn transform_point3<S: Real, const N: usize>(a: [[S; N]; 4], v: Triple<S>) -> Triple<S> {
-    std::array::from_fn(|i| a[0][i] * v[0] + a[1][i] * v[1] + a[2][i] * v[2] + a[3][i])
+    combined::<S, 4, N, 3>(a, [v[0], v[1], v[2], S::ONE])
 }
 
 #[differentiable]
 pub fn project_point3<S: Real>(a: [[S; 4]; 4], v: Triple<S>) -> Triple<S> {
-    let w = a[0][3] * v[0] + a[1][3] * v[1] + a[2][3] * v[2] + a[3][3];
-    std::array::from_fn(|i| (a[0][i] * v[0] + a[1][i] * v[1] + a[2][i] * v[2] + a[3][i]) / w)
+    let [x, y, z, w] = combined::<S, 4, 4, 4>(a, [v[0], v[1], v[2], S::ONE]);
+    quotient::<S, 3>([x, y, z], w)
 }
 
 #[differentiable]
@@ -200,8 +203,8 @@ pub fn inverse3<S: Real>(a: [Triple<S>; 4]) -> [Triple<S>; 4] {
     let [x, y, z, translation] = a;
     let rows = [cross::<S>(y, z), cross::<S>(z, x), cross::<S>(x, y)];
     let scale = S::ONE / dot::<S, 3>(x, rows[0]);
-    let linear: Columns<S> =
-        std::array::from_fn(|i| [rows[0][i] * scale, rows[1][i] * scale, rows[2][i] * scale]);
-    let moved: Triple<S> = std::array::from_fn(|i| -dot::<S, 3>(rows[i], translation) * scale);
+    let axis = |i: usize| times::<S, 3>([rows[0][i], rows[1][i], rows[2][i]], scale);
+    let linear = [axis(0), axis(1), axis(2), [S::ZERO; 3]];
+    let moved = times::<S, 3>(transform_vector3::<S, 3>(linear, translation), -S::ONE);
     [linear[0], linear[1], linear[2], moved]
 }

@@ -2,7 +2,7 @@
 
 use ad_macros::differentiable;
 
-use super::vector::{cross, dot, length, times, unit};
+use super::vector::{combined, cross, dot, length, times, unit};
 use super::{Columns, Quaternion, Triple, holds};
 use crate::Real;
 
@@ -24,7 +24,7 @@ pub fn rotated<S: Real>(q: Quaternion<S>, v: Triple<S>) -> Triple<S> {
     let along = S::TWO * dot::<S, 3>(v, b);
     let across = w * w - dot::<S, 3>(b, b);
     let turned = cross::<S>(b, v);
-    std::array::from_fn(|i| v[i] * across + b[i] * along + turned[i] * (w + w))
+    combined::<S, 3, 3, 3>([v, b, turned], [across, along, w + w])
 }
 
 #[differentiable]
@@ -59,11 +59,6 @@ pub fn axis_angle_matrix<S: Real>(axis: Triple<S>, angle: S) -> Columns<S> {
     ]
 }
 
-#[differentiable]
-fn weighted<S: Real>(a: Quaternion<S>, b: Quaternion<S>, to_a: S, to_b: S) -> Quaternion<S> {
-    std::array::from_fn(|i| a[i] * to_a + b[i] * to_b)
-}
-
 /// `-1` where the way from `a` to `b` is shorter to `-b`.
 fn side<S: Real>(a: Quaternion<S>, b: Quaternion<S>) -> S {
     let cosine = (0..4).fold(S::ZERO, |sum, i| sum + a[i] * b[i]);
@@ -73,7 +68,7 @@ fn side<S: Real>(a: Quaternion<S>, b: Quaternion<S>) -> S {
 #[differentiable]
 pub fn lerp<S: Real>(a: Quaternion<S>, b: Quaternion<S>, s: S) -> Quaternion<S> {
     let side = crate::no_diff(|| side::<S>(a, b));
-    unit::<S, 4>(weighted::<S>(a, b, S::ONE - s, side * s))
+    unit::<S, 4>(combined::<S, 2, 4, 4>([a, b], [S::ONE - s, side * s]))
 }
 
 /// Along the arc, which has a length: where it has none, [`lerp`] is taken.
@@ -88,7 +83,7 @@ pub fn slerp<S: Real>(a: Quaternion<S>, b: Quaternion<S>, s: S) -> Quaternion<S>
     let angle = (cosine * side).acos();
     let scale = S::ONE / angle.sin();
     let (to_a, to_b) = ((angle * (S::ONE - s)).sin() * scale, (angle * s).sin() * scale * side);
-    weighted::<S>(a, b, to_a, to_b)
+    combined::<S, 2, 4, 4>([a, b], [to_a, to_b])
 }
 
 #[differentiable]

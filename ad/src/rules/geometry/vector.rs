@@ -1,34 +1,124 @@
 //! Vectors.
+//!
+//! What runs over the elements has rules of its own: a generated pullback would keep each step of a loop
+//! whose length only the type tells on the heap.
 
 #![allow(clippy::needless_range_loop, reason = "elements by their numbers")]
 
 use ad_macros::differentiable;
 
 use super::{Triple, holds, rotation};
-use crate::Real;
+use crate::rules::{chain, scale};
+use crate::{Mask, Real};
 
-#[differentiable]
+#[differentiable(vjp = dot_vjp, jvp = dot_jvp)]
 pub fn dot<S: Real, const N: usize>(a: [S; N], b: [S; N]) -> S {
-    let mut sum = S::ZERO;
-    for i in 0..N {
-        sum += a[i] * b[i];
-    }
-    sum
+    (0..N).fold(S::ZERO, |sum, i| sum + a[i] * b[i])
+}
+
+#[inline(always)]
+fn dot_vjp<S: Real, const N: usize>(
+    a: [S; N],
+    b: [S; N],
+) -> (S, impl FnOnce(S) -> ([S; N], [S; N])) {
+    (dot(a, b), move |g| (b.map(|b| scale(g, b)), a.map(|a| scale(g, a))))
+}
+
+#[inline(always)]
+fn dot_jvp<S: Real, const N: usize>(a: [S; N], b: [S; N], a_dot: [S; N], b_dot: [S; N]) -> (S, S) {
+    let along = |sum, i| sum + chain(a_dot[i], b[i]) + chain(b_dot[i], a[i]);
+    (dot(a, b), (0..N).fold(S::ZERO, along))
+}
+
+/// The first `R` numbers of the sum of columns, each times its weight.
+#[differentiable(vjp = combined_vjp, jvp = combined_jvp)]
+pub fn combined<S: Real, const C: usize, const N: usize, const R: usize>(
+    columns: [[S; N]; C],
+    weights: [S; C],
+) -> [S; R] {
+    std::array::from_fn(|j| (0..C).fold(S::ZERO, |sum, i| sum + columns[i][j] * weights[i]))
+}
+
+#[inline(always)]
+fn combined_vjp<S: Real, const C: usize, const N: usize, const R: usize>(
+    columns: [[S; N]; C],
+    weights: [S; C],
+) -> ([S; R], impl FnOnce([S; R]) -> ([[S; N]; C], [S; C])) {
+    (combined(columns, weights), move |g| {
+        let to_column = |weight| {
+            let mut column = [S::zero(); N];
+            column.iter_mut().zip(g).for_each(|(number, g)| *number = scale(g, weight));
+            column
+        };
+        let product = |(g, number): (S, S)| scale(g, number);
+        let to_weight =
+            |column: [S; N]| g.into_iter().zip(column).map(product).fold(S::zero(), S::add);
+        (weights.map(to_column), columns.map(to_weight))
+    })
+}
+
+#[inline(always)]
+fn combined_jvp<S: Real, const C: usize, const N: usize, const R: usize>(
+    columns: [[S; N]; C],
+    weights: [S; C],
+    columns_dot: [[S; N]; C],
+    weights_dot: [S; C],
+) -> ([S; R], [S; R]) {
+    let sum = |term: &dyn Fn(usize, usize) -> S| {
+        std::array::from_fn(|j| (0..C).fold(S::zero(), |sum, i| sum + term(i, j)))
+    };
+    // Only where zero meets what is infinite or NaN the comparisons with zero count.
+    let plain: [S; R] =
+        sum(&|i, j| columns_dot[i][j] * weights[i] + weights_dot[i] * columns[i][j]);
+    let along = match plain.iter().all(|along| along.is_finite().all()) {
+        true => plain,
+        false => {
+            sum(&|i, j| chain(columns_dot[i][j], weights[i]) + chain(weights_dot[i], columns[i][j]))
+        }
+    };
+    (combined(columns, weights), along)
 }
 
 #[differentiable]
 pub fn times<S: Real, const N: usize>(a: [S; N], factor: S) -> [S; N] {
-    std::array::from_fn(|i| a[i] * factor)
+    combined::<S, 1, N, N>([a], [factor])
 }
 
 #[differentiable]
 pub fn plus<S: Real, const N: usize>(a: [S; N], b: [S; N]) -> [S; N] {
-    std::array::from_fn(|i| a[i] + b[i])
+    combined::<S, 2, N, N>([a, b], [S::ONE, S::ONE])
 }
 
 #[differentiable]
 pub fn minus<S: Real, const N: usize>(a: [S; N], b: [S; N]) -> [S; N] {
-    std::array::from_fn(|i| a[i] - b[i])
+    combined::<S, 2, N, N>([a, b], [S::ONE, -S::ONE])
+}
+
+#[differentiable(vjp = quotient_vjp, jvp = quotient_jvp)]
+pub fn quotient<S: Real, const N: usize>(a: [S; N], by: S) -> [S; N] {
+    a.map(|a| a / by)
+}
+
+#[inline(always)]
+fn quotient_vjp<S: Real, const N: usize>(
+    a: [S; N],
+    by: S,
+) -> ([S; N], impl FnOnce([S; N]) -> ([S; N], S)) {
+    (quotient(a, by), move |g| {
+        let parts: [(S, S); N] = std::array::from_fn(|i| a[i].div_pullback(by, g[i]));
+        let to_divisor = parts.iter().fold(S::zero(), |sum, (_, to_divisor)| sum + *to_divisor);
+        (parts.map(|(to_element, _)| to_element), to_divisor)
+    })
+}
+
+#[inline(always)]
+fn quotient_jvp<S: Real, const N: usize>(
+    a: [S; N],
+    by: S,
+    a_dot: [S; N],
+    by_dot: S,
+) -> ([S; N], [S; N]) {
+    (quotient(a, by), std::array::from_fn(|i| a[i].div_jvp(by, a_dot[i], by_dot).1))
 }
 
 #[differentiable]
@@ -48,11 +138,6 @@ pub fn element_product<S: Real, const N: usize>(a: [S; N]) -> S {
 #[differentiable]
 pub fn length_squared<S: Real, const N: usize>(a: [S; N]) -> S {
     dot::<S, N>(a, a)
-}
-
-#[differentiable]
-pub fn quotient<S: Real, const N: usize>(a: [S; N], by: S) -> [S; N] {
-    std::array::from_fn(|i| a[i] / by)
 }
 
 /// At 0 the quotients are 0.
