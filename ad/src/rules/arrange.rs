@@ -181,7 +181,6 @@ macro_rules! functions {
         #[allow(non_camel_case_types)]
         pub enum $function {}
 
-        #[allow(clippy::type_complexity, clippy::too_many_arguments)]
         impl $function {
             /// The pullback: each argument gets the cotangent of its element.
             #[inline(always)]

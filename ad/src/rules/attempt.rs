@@ -1,7 +1,7 @@
 //! Options and results alike, for the methods of both, and for `?`, where only the type tells which of
 //! them a value is.
 
-#![allow(non_camel_case_types, clippy::type_complexity)]
+#![allow(non_camel_case_types)]
 
 use core::marker::PhantomData;
 

@@ -3,8 +3,6 @@
 //! As in [`sequence`](super::sequence): a pullback gets the cotangent of the result, then that of what
 //! the `Vec` holds afterwards, which may be shorter than the `Vec`.
 
-#![allow(clippy::type_complexity)]
-
 use super::in_place::in_place;
 use super::sequence::Elements;
 use crate::{Additive, Differentiable, Tangent};

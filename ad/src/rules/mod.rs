@@ -49,6 +49,12 @@
 //! where `x.exp()` overflows. Within a function whose own value is not finite it need not hold:
 //! a gradient of that value may hold a NaN.
 
+#![allow(
+    clippy::type_complexity,
+    clippy::too_many_arguments,
+    reason = "a rule takes arguments and tangents, and returns a value and a closure"
+)]
+
 mod arrange;
 #[doc(hidden)]
 pub mod attempt;

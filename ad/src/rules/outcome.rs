@@ -21,7 +21,7 @@ macro_rules! outcomes {
         $(#[$doc])*
         #[inline(always)]
         #[track_caller]
-        #[allow(clippy::type_complexity, unused_parens)]
+        #[allow(unused_parens)]
         fn [<$method _vjp>] $(<$U: Differentiable>)? (
             self $(, $argument: $type)?
         ) -> ($R, impl FnOnce(Tangent<$R>) -> (Tangent<Self> $(, $dot)?) + use<Self $(, $U)?>)
@@ -35,7 +35,7 @@ macro_rules! outcomes {
         #[doc = concat!("The derivative along tangents of `", stringify!($method), "`.")]
         #[inline(always)]
         #[track_caller]
-        #[allow(clippy::type_complexity, unused_parens)]
+        #[allow(unused_parens)]
         fn [<$method _jvp>] $(<$U: Differentiable>)? (
             self $(, $argument: $type)?, tangent: Tangent<Self> $(, dot: outcomes!(@of $argument $dot))?
         ) -> ($R, Tangent<$R>)
@@ -43,7 +43,8 @@ macro_rules! outcomes {
         {
             let $whole = self.whole();
             let (value, map) = $rule;
-            (value, map.push((tangent $(, outcomes!(@dot $argument dot))?)))
+            let tangents = (tangent $(, outcomes!(@dot $argument dot))?);
+            (value, map.push(tangents))
         }
     )*}};
     (@of $argument:ident $dot:ty) => { $dot };
@@ -160,7 +161,6 @@ pub trait OptionRules: Differentiable<Tangent = Tangent<Self::Content>> + Sized 
 
     /// To what was there; nothing to the place, which is empty then.
     #[inline(always)]
-    #[allow(clippy::type_complexity)]
     fn take_vjp(
         &mut self,
     ) -> (Option<Self::Content>, fn(Tangent<Self>, Tangent<Self>) -> Tangent<Self>) {
@@ -175,7 +175,6 @@ pub trait OptionRules: Differentiable<Tangent = Tangent<Self::Content>> + Sized 
 
     /// To what was there; that of the place to the new value.
     #[inline(always)]
-    #[allow(clippy::type_complexity)]
     fn replace_vjp(
         &mut self,
         value: Self::Content,

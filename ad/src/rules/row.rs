@@ -32,7 +32,6 @@
 macro_rules! rules {
     ($(#[$doc:meta])* $rules:ident for every $bound:ident { $($rows:tt)* }) => {
         $(#[$doc])*
-        #[allow(clippy::type_complexity, clippy::too_many_arguments)]
         pub trait $rules: $bound {
             rules!(@rows [defined use<Self>] $($rows)*);
         }
@@ -41,7 +40,6 @@ macro_rules! rules {
     };
     ($(#[$doc:meta])* $rules:ident: $bound:ident for $($type:ident)* { $($rows:tt)* }) => {
         $(#[$doc])*
-        #[allow(clippy::type_complexity, clippy::too_many_arguments)]
         pub trait $rules: $bound {
             rules!(@rows [declared use<Self>] $($rows)*);
         }
@@ -129,7 +127,7 @@ macro_rules! rules {
         #[doc = ""]
         $($doc)*
         #[inline(always)]
-        #[allow(unused_variables, unused_parens, clippy::type_complexity, clippy::too_many_arguments)]
+        #[allow(unused_variables, unused_parens)]
         fn $($signature)* $body
     };
 

@@ -5,8 +5,6 @@
 //! `Vec` or a slice may be shorter than the sequence: see
 //! [values of any length](crate::Differentiable).
 
-#![allow(clippy::type_complexity)]
-
 use core::cmp::Ordering;
 
 use super::in_place::in_place;
@@ -273,7 +271,6 @@ impl copied_within {
     /// Copies the tangents, too.
     #[inline]
     #[track_caller]
-    #[allow(clippy::too_many_arguments)]
     pub fn jvp<T: Differentiable + Copy>(
         elements: &mut [T],
         from: usize,

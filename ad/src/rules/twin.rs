@@ -17,7 +17,7 @@ macro_rules! twins {
         #[allow(non_camel_case_types)]
         pub enum $name {}
 
-        #[allow(clippy::type_complexity, unused_parens)]
+        #[allow(unused_parens)]
         impl $name {
             /// The value and the pullback.
             #[inline(always)]

@@ -79,7 +79,6 @@ macro_rules! linear_operator {
             ) -> (Tangent<Self>, Tangent<Rhs>);
 
             /// The result and its tangent, from the operands and theirs.
-            #[allow(clippy::type_complexity)]
             fn $jvp(
                 self,
                 rhs: Rhs,
@@ -110,7 +109,6 @@ macro_rules! bilinear_operator {
             ) -> (Tangent<Self>, Tangent<Rhs>);
 
             /// The result and its tangent, from the operands and theirs.
-            #[allow(clippy::type_complexity)]
             fn $jvp(
                 self,
                 rhs: Rhs,
