@@ -16,35 +16,23 @@
 macro_rules! in_place {
     ($access:ident [$held:ty] [$cotangent:ty] $(
         $(#[$doc:meta])*
-        $method:ident($($index:ident: usize),* $(; $value:ident: $kind:ident)?)
-        $(-> $R:ty)? $(where Element: $bound:ident)? $(, |$tangent:ident| $push:expr)?
+        $name:ident($($index:ident: usize),* $(; $value:ident: $kind:ident)?)
+        $(-> $R:ty)? $(where Element: $bound:ident)? $(, |$tangents:ident| $push:expr)?
         => |$before:pat_param, $after:pat_param, $result:pat_param, $g:ident| $pull:expr;
-    )*) => {
-        pastey::paste! {$(
-            in_place!(@siblings $access [$held] [$cotangent] [$(#[$doc])*]
-                $method [<$method _vjp>] [<$method _jvp>]
-                ($($index)*) ($($value: $kind)?) [$($R)?] [$($bound)?] [$(|$tangent| $push)?]
-                |$before, $after, $result, $g| $pull);
-        )*}
-    };
-    (@siblings $access:ident $held:tt $cotangent:tt $doc:tt $method:ident $vjp:ident $jvp:ident
-        $indices:tt $value:tt [] $($rest:tt)*) => {
-        in_place!(@siblings $access $held $cotangent $doc $method $vjp $jvp $indices $value [()] $($rest)*);
-    };
-    (@siblings $access:ident [$held:ty] [$cotangent:ty] [$($doc:tt)*] $method:ident $vjp:ident $jvp:ident
-        ($($index:ident)*) ($($value:ident: $kind:ident)?) [$R:ty] [$($bound:ident)?] $push:tt
-        |$before:pat_param, $after:pat_param, $result:pat_param, $g:ident| $pull:expr) => {
-        $($doc)*
+    )*) => { pastey::paste! {$(
+        #[doc = concat!("The pullback of `", stringify!($name), "`.")]
+        #[doc = ""]
+        $(#[$doc])*
         #[inline]
         #[track_caller]
         #[allow(unused_mut, unused_parens, unused_variables)]
-        fn $vjp(
+        fn [<$name _vjp>](
             &mut self,
             $($index: usize,)*
             $($value: in_place!(@type $kind),)?
         ) -> (
-            $R,
-            impl FnOnce(Tangent<$R>, $cotangent) -> (
+            in_place!(@type $($R)?),
+            impl FnOnce(in_place!(@tangent $($R)?), $cotangent) -> (
                 $cotangent $(, in_place!(@unit $index))* $(, in_place!(@pulled $kind))?
             ) + use<Self>,
         )
@@ -52,39 +40,44 @@ macro_rules! in_place {
         {
             let sequence = self.$access();
             let $before = sequence.len();
-            let result = sequence.$method($($index,)* $($value)?);
+            let result = sequence.$name($($index,)* $($value)?);
             let $after = sequence.len();
-            (result, move |$result: Tangent<$R>, mut $g: $cotangent| $pull)
+            (result, move |$result: in_place!(@tangent $($R)?), mut $g: $cotangent| $pull)
         }
 
-        #[doc = concat!("Changes the tangent alike, by `", stringify!($method), "`.")]
+        #[doc = concat!("Changes the tangent alike, by `", stringify!($name), "`.")]
         #[inline]
         #[track_caller]
-        fn $jvp(
+        fn [<$name _jvp>](
             &mut self,
             $($index: usize,)*
             $($value: in_place!(@type $kind),)?
             tangent: &mut $held,
             $(_: in_place!(@unit $index),)*
-            $(dot: in_place!(@dot $kind $value),)?
-        ) -> ($R, Tangent<$R>)
+            $([<$value _dot>]: in_place!(@tangent $kind),)?
+        ) -> (in_place!(@type $($R)?), in_place!(@tangent $($R)?))
         $(where Self::Element: $bound)?
         {
-            let result = self.$access().$method($($index,)* $($value)?);
-            (result, in_place!(@push $method tangent ($($index,)* $(in_place!(@own dot $value))?) $push))
+            let result = self.$access().$name($($index,)* $($value)?);
+            let along = in_place!(@push $name tangent ($($index,)* $([<$value _dot>])?)
+                $(|$tangents| $push)?);
+            (result, along)
         }
-    };
+    )*}};
     (@unit $index:ident) => { () };
+    (@type) => { () };
     (@type Element) => { Self::Element };
     (@type Slice) => { &[Self::Element] };
-    (@dot Element $value:ident) => { Tangent<Self::Element> };
-    (@dot Slice $value:ident) => { &[Tangent<Self::Element>] };
+    (@type $R:ty) => { $R };
+    (@tangent) => { () };
+    (@tangent Element) => { Tangent<Self::Element> };
+    (@tangent Slice) => { &[Tangent<Self::Element>] };
+    (@tangent $R:ty) => { Tangent<$R> };
     (@pulled Element) => { Tangent<Self::Element> };
     (@pulled Slice) => { Vec<Tangent<Self::Element>> };
-    (@own $dot:ident $value:ident) => { $dot };
-    (@push $method:ident $held:ident ($($argument:expr),* $(,)?) []) => { $held.$method($($argument),*) };
-    (@push $method:ident $held:ident ($($argument:expr),* $(,)?) [|$tangent:ident| $push:expr]) => {{
-        let $tangent = ($held, $($argument),*);
+    (@push $name:ident $held:ident ($($argument:expr),* $(,)?)) => { $held.$name($($argument),*) };
+    (@push $name:ident $held:ident ($($argument:expr),* $(,)?) |$tangents:ident| $push:expr) => {{
+        let $tangents = ($held, $($argument),*);
         $push
     }};
 }

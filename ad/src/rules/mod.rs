@@ -2,11 +2,21 @@
 //!
 //! Two shapes. Operators have a *pullback trait* each ([`MulPullback`] for `*`): operands and the
 //! cotangent of the result go in, the cotangents of the operands come out; the operands are
-//! captured by the generated closure, once each. Methods and functions have a *sibling* with the
-//! suffix `_vjp` (`x.sqrt()` has [`sqrt_vjp`](RealRules::sqrt_vjp)): it returns the value, bit for
-//! bit that of the plain method, and a closure from the cotangent of the result to those of the
-//! receiver and the arguments, so that what both need is computed once. `#[differentiable]`
-//! methods get the same sibling, which is why generated code need not know whose method it calls.
+//! captured by the generated closure, once each. Methods and functions have two *siblings*, for
+//! each mode one. `x.sqrt()` has [`sqrt_vjp`](RealRules::sqrt_vjp), which returns the value, bit for
+//! bit that of the plain method, and the pullback: a closure from the cotangent of the result to those of
+//! the receiver and the arguments, so that what both need is computed once. And it has
+//! [`sqrt_jvp`](RealRules::sqrt_jvp), which takes the tangents of receiver and arguments after the
+//! arguments, and returns the value and its tangent. `#[differentiable]` methods get the same
+//! siblings, which is why generated code need not know whose method it calls.
+//!
+//! # Adding a rule
+//!
+//! A rule is one row of a table, in the file of what it is a function of, and both siblings come from
+//! it: `sqrt(x) = root => Times(unless(root.cmpeq(Self::ZERO), Self::HALF / root));`. The documentation of
+//! `row.rs` tells what a row may say, `linear.rs` has the linear maps that partial derivatives are, and
+//! `in_place.rs` the rows of methods that change a sequence. The rule's test is one row, too, in
+//! `tests/gradients/rules`: `sqrt(a: S) -> S, positive;`.
 //!
 //! # Singular points
 //!

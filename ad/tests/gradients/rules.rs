@@ -155,13 +155,19 @@ fn vector_rules_of_glam() {
 }
 
 #[test]
-fn operators_that_only_glam_has() {
+fn functions_that_only_glam_has() {
     against_differences(&glam_only::double2());
     against_differences(&glam_only::double3());
     against_differences(&glam_only::double4());
     against_double(&glam_only::single2(), &glam_only::double2());
     against_double(&glam_only::single3(), &glam_only::double3());
     against_double(&glam_only::single4(), &glam_only::double4());
+    against_differences(&glam_only::double_plane());
+    against_differences(&glam_only::double_space());
+    against_differences(&glam_only::double_four());
+    against_double(&glam_only::single_plane(), &glam_only::double_plane());
+    against_double(&glam_only::single_space(), &glam_only::double_space());
+    against_double(&glam_only::single_four(), &glam_only::double_four());
 }
 
 #[test]

@@ -3,8 +3,8 @@
 use ad::rules::NegPullback;
 use ad::vector::Xyz;
 use ad::{Differentiable, Dual, Real};
-use glam::{DMat2, DMat3, DMat4, DQuat, DVec2, DVec3, DVec4};
-use glam::{Mat2, Mat3, Mat4, Quat, Vec2, Vec3, Vec4};
+use glam::{Affine2, Affine3, Mat2, Mat3, Mat4, Quat, Vec2, Vec3, Vec4};
+use glam::{DAffine2, DAffine3, DMat2, DMat3, DMat4, DQuat, DVec2, DVec3, DVec4};
 
 /// A function of scalars to scalars.
 type Primal<S> = Box<dyn Fn(&[S]) -> Vec<S>>;
@@ -165,10 +165,14 @@ matrices! {
     Mat2 f32, 4 from_cols_array to_cols_array;
     Mat3 f32, 9 from_cols_array to_cols_array;
     Mat4 f32, 16 from_cols_array to_cols_array;
+    Affine2 f32, 6 from_cols_array to_cols_array;
+    Affine3 f32, 12 from_cols_array to_cols_array;
     Quat f32, 4 from_array to_array;
     DMat2 f64, 4 from_cols_array to_cols_array;
     DMat3 f64, 9 from_cols_array to_cols_array;
     DMat4 f64, 16 from_cols_array to_cols_array;
+    DAffine2 f64, 6 from_cols_array to_cols_array;
+    DAffine3 f64, 12 from_cols_array to_cols_array;
     DQuat f64, 4 from_array to_array;
 }
 
@@ -216,7 +220,7 @@ macro_rules! functions {
     ($($([$T:ident])? $name:ident($($x:ident: $X:ty),*) -> $R:ty, $domain:expr;)*) => {
         pastey::paste! { vec![$(
             $crate::rules::case::case(
-                concat!($(stringify!($T), "::",)? stringify!($name)),
+                concat!($(stringify!($T), "::",)? stringify!($name) $(, " ", stringify!($X))*),
                 $domain,
                 |functions!(@tuple $($x),*): functions!(@type $($X),*)| -> $R {
                     functions!(@call [$($T)?] $name $($x),*)

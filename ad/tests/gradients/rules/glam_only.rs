@@ -1,7 +1,7 @@
 //! The operators and constructors that glam's vectors have beyond the trait `Vector`.
 
 use ad::rules::*;
-use glam::{DVec2, DVec3, DVec4, Vec2, Vec3, Vec4};
+use glam::{DVec2, DVec3, DVec4, Vec2, Vec2Swizzles, Vec3, Vec3Swizzles, Vec4, Vec4Swizzles};
 
 use super::case::{Case, anywhere, functions, not_small, operators};
 
@@ -17,7 +17,12 @@ macro_rules! glam_vectors {
                 mul_add(a: V, b: V, c: V) -> V, anywhere;
                 project_onto(a: V, b: V) -> V, not_small;
                 reject_from(a: V, b: V) -> V, not_small;
+                project_onto_normalized(a: V, b: V) -> V, anywhere;
+                reject_from_normalized(a: V, b: V) -> V, anywhere;
                 normalize_or(a: V, b: V) -> V, not_small;
+                clamp_length_min(a: V, b: S) -> V, long;
+                clamp_length_max(a: V, b: S) -> V, long;
+                move_towards(a: V, b: V, s: S) -> V, on_the_way;
                 signum(a: V) -> V, off_integers;
                 floor(a: V) -> V, off_integers;
                 ceil(a: V) -> V, off_integers;
@@ -51,4 +56,93 @@ glam_vectors! {
 fn off_integers(x: &mut [f64]) -> bool {
     x.iter_mut().for_each(|x| *x = x.floor() + 0.25);
     true
+}
+
+/// The length of the vector, the first inputs, is not near to the last input, which is positive.
+fn long(x: &mut [f64]) -> bool {
+    let (bound, vector) = x.split_last_mut().unwrap();
+    *bound = bound.abs() + 0.2;
+    let length = vector.iter().map(|x| x * x).sum::<f64>().sqrt();
+    length > 0.2 && (length - *bound).abs() > 0.1
+}
+
+/// The two points are farther apart than the last input, which is positive.
+fn on_the_way(x: &mut [f64]) -> bool {
+    let (way, points) = x.split_last_mut().unwrap();
+    *way = way.abs() + 0.1;
+    let (a, b) = points.split_at(points.len() / 2);
+    let apart = a.iter().zip(b).map(|(a, b)| (a - b) * (a - b)).sum::<f64>().sqrt();
+    apart > *way + 0.2
+}
+
+macro_rules! plane_and_space {
+    ($($plane:ident $space:ident $four:ident $scalar:ident $v2:ident $v3:ident $v4:ident;)*) => {$(
+        pub fn $plane() -> Vec<Case<$scalar>> {
+            type S = $scalar;
+            type V = $v2;
+            type W = $v3;
+            functions! {
+                [V] from_angle(a: S) -> V, anywhere;
+                to_angle(a: V) -> S, not_small;
+                angle_to(a: V, b: V) -> S, off_the_cut;
+                perp(a: V) -> V, anywhere;
+                perp_dot(a: V, b: V) -> S, anywhere;
+                rotate(a: V, b: V) -> V, anywhere;
+                rotate_angle(a: V, b: S) -> V, anywhere;
+                extend(a: V, z: S) -> W, anywhere;
+                with_y(a: V, y: S) -> V, anywhere;
+                xx(a: V) -> V, anywhere;
+                yx(a: V) -> V, anywhere;
+            }
+        }
+
+        pub fn $space() -> Vec<Case<$scalar>> {
+            type S = $scalar;
+            type U = $v2;
+            type V = $v3;
+            type W = $v4;
+            functions! {
+                angle_between(a: V, b: V) -> S, not_small;
+                rotate_x(a: V, b: S) -> V, anywhere;
+                rotate_y(a: V, b: S) -> V, anywhere;
+                rotate_z(a: V, b: S) -> V, anywhere;
+                rotate_axis(a: V, b: V, c: S) -> V, about_an_axis;
+                extend(a: V, w: S) -> W, anywhere;
+                truncate(a: V) -> U, anywhere;
+                with_z(a: V, z: S) -> V, anywhere;
+                zz(a: V) -> U, anywhere;
+                zxy(a: V) -> V, anywhere;
+            }
+        }
+
+        pub fn $four() -> Vec<Case<$scalar>> {
+            type S = $scalar;
+            type U = $v2;
+            type V = $v3;
+            type W = $v4;
+            functions! {
+                truncate(a: W) -> V, anywhere;
+                with_w(a: W, w: S) -> W, anywhere;
+                wy(a: W) -> U, anywhere;
+                xzw(a: W) -> V, anywhere;
+            }
+        }
+    )*};
+}
+
+plane_and_space! {
+    single_plane single_space single_four f32 Vec2 Vec3 Vec4;
+    double_plane double_space double_four f64 DVec2 DVec3 DVec4;
+}
+
+/// The angle from the first vector to the second is not near to a half turn.
+fn off_the_cut(x: &mut [f64]) -> bool {
+    not_small(x) && (x[0] * x[2] + x[1] * x[3] > 0.1 || (x[0] * x[3] - x[1] * x[2]).abs() > 0.3)
+}
+
+/// The second vector, an axis, has length 1.
+fn about_an_axis(x: &mut [f64]) -> bool {
+    let length = x[3..6].iter().map(|x| x * x).sum::<f64>().sqrt();
+    x[3..6].iter_mut().for_each(|x| *x /= length);
+    length > 0.1
 }

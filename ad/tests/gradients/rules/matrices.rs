@@ -1,8 +1,8 @@
 //! Matrices and quaternions.
 
 use ad::rules::*;
-use glam::{DMat2, DMat3, DMat4, DQuat, DVec2, DVec3, DVec4};
-use glam::{Mat2, Mat3, Mat4, Quat, Vec2, Vec3, Vec4};
+use glam::{Affine2, Affine3, Mat2, Mat3, Mat4, Quat, Vec2, Vec3, Vec4};
+use glam::{DAffine2, DAffine3, DMat2, DMat3, DMat4, DQuat, DVec2, DVec3, DVec4};
 
 use super::case::{Case, anywhere, case, functions, negative, not_small, operators};
 
@@ -28,6 +28,23 @@ fn two_rotations(x: &mut [f64]) -> bool {
 /// The first numbers are not all small.
 fn away_from_zero(x: &mut [f64]) -> bool {
     x[0] += 1.0_f64.copysign(x[0]);
+    true
+}
+
+/// Makes the first and the second three numbers vectors of length 1 that are neither near to each
+/// other nor opposite.
+fn two_directions(x: &mut [f64]) -> bool {
+    for v in x[..6].chunks_exact_mut(3) {
+        let length = v.iter().map(|v| v * v).sum::<f64>().sqrt();
+        v.iter_mut().for_each(|v| *v /= length);
+    }
+    let cosine: f64 = (0..3).map(|i| x[i] * x[3 + i]).sum();
+    cosine.abs() < 0.8
+}
+
+/// What the projection divides by is large.
+fn with_a_far_eye(x: &mut [f64]) -> bool {
+    x[15] += 20.0;
     true
 }
 
@@ -82,7 +99,8 @@ square! {
 }
 
 macro_rules! motions {
-    ($($name:ident $scalar:ident $vector:ident $quat:ident $two:ident $three:ident $four:ident;)*) => {$(
+    ($($name:ident $scalar:ident $vector:ident $quat:ident $two:ident $three:ident $four:ident
+        $plane:ident $space:ident;)*) => {$(
         pub fn $name() -> Vec<Case<$scalar>> {
             type S = $scalar;
             type V = $vector;
@@ -90,6 +108,9 @@ macro_rules! motions {
             type M2 = $two;
             type M3 = $three;
             type M4 = $four;
+            type A2 = $plane;
+            type A3 = $space;
+            type U = <A2 as Kin>::V2;
             let mut cases = functions! {
                 mul_vec3(a: Q, b: V) -> V, anywhere;
                 mul_quat(a: Q, b: Q) -> Q, anywhere;
@@ -107,7 +128,29 @@ macro_rules! motions {
                 [Q] from_rotation_z(a: S) -> Q, anywhere;
                 lerp(a: Q, b: Q, s: S) -> Q, two_rotations;
                 slerp(a: Q, b: Q, s: S) -> Q, two_rotations;
+                [Q] from_scaled_axis(a: V) -> Q, not_small;
+                [Q] from_rotation_arc(a: V, b: V) -> Q, two_directions;
+                to_axis_angle(a: Q) -> (V, S), not_small;
+                to_scaled_axis(a: Q) -> V, not_small;
+                angle_between(a: Q, b: Q) -> S, two_rotations;
                 [M2] from_angle(a: S) -> M2, anywhere;
+                [M3] from_mat2(a: M2) -> M3, anywhere;
+                [M3] from_mat4(a: M4) -> M3, anywhere;
+                [M3] from_scale(a: U) -> M3, anywhere;
+                [M3] from_translation(a: U) -> M3, anywhere;
+                [M3] from_scale_angle_translation(a: U, b: S, c: U) -> M3, anywhere;
+                transform_point2(a: M3, b: U) -> U, anywhere;
+                transform_vector2(a: M3, b: U) -> U, anywhere;
+                [A2] from_angle(a: S) -> A2, anywhere;
+                [A2] from_scale(a: U) -> A2, anywhere;
+                [A2] from_translation(a: U) -> A2, anywhere;
+                [A2] from_angle_translation(a: S, b: U) -> A2, anywhere;
+                [A2] from_scale_angle_translation(a: U, b: S, c: U) -> A2, anywhere;
+                [A2] from_mat2(a: M2) -> A2, anywhere;
+                [A2] from_mat2_translation(a: M2, b: U) -> A2, anywhere;
+                transform_point2(a: A2, b: U) -> U, anywhere;
+                transform_vector2(a: A2, b: U) -> U, anywhere;
+                inverse(a: A2) -> A2, invertible::<2>;
                 [M3] from_angle(a: S) -> M3, anywhere;
                 [M3] from_rotation_x(a: S) -> M3, anywhere;
                 [M3] from_rotation_y(a: S) -> M3, anywhere;
@@ -126,6 +169,22 @@ macro_rules! motions {
                 [M4] from_scale(a: V) -> M4, anywhere;
                 [M4] from_rotation_translation(a: Q, b: V) -> M4, anywhere;
                 [M4] from_scale_rotation_translation(a: V, b: Q, c: V) -> M4, anywhere;
+                project_point3(a: M4, b: V) -> V, with_a_far_eye;
+                [A3] from_rotation_x(a: S) -> A3, anywhere;
+                [A3] from_rotation_y(a: S) -> A3, anywhere;
+                [A3] from_rotation_z(a: S) -> A3, anywhere;
+                [A3] from_axis_angle(a: V, b: S) -> A3, anywhere;
+                [A3] from_quat(a: Q) -> A3, anywhere;
+                [A3] from_scale(a: V) -> A3, anywhere;
+                [A3] from_translation(a: V) -> A3, anywhere;
+                [A3] from_rotation_translation(a: Q, b: V) -> A3, anywhere;
+                [A3] from_scale_rotation_translation(a: V, b: Q, c: V) -> A3, anywhere;
+                [A3] from_mat3(a: M3) -> A3, anywhere;
+                [A3] from_mat4(a: M4) -> A3, anywhere;
+                [A3] from_mat3_translation(a: M3, b: V) -> A3, anywhere;
+                transform_point3(a: A3, b: V) -> V, anywhere;
+                transform_vector3(a: A3, b: V) -> V, anywhere;
+                inverse(a: A3) -> A3, invertible::<3>;
             };
             cases.extend(operators! {
                 Q * Q -> Q, anywhere;
@@ -134,6 +193,8 @@ macro_rules! motions {
                 Q / S -> Q, not_small;
                 Q + Q -> Q, anywhere;
                 Q - Q -> Q, anywhere;
+                A2 * A2 -> A2, anywhere;
+                A3 * A3 -> A3, anywhere;
             });
             cases.push(negative::<S, Q>());
             cases
@@ -142,6 +203,6 @@ macro_rules! motions {
 }
 
 motions! {
-    single_motions f32 Vec3 Quat Mat2 Mat3 Mat4;
-    double_motions f64 DVec3 DQuat DMat2 DMat3 DMat4;
+    single_motions f32 Vec3 Quat Mat2 Mat3 Mat4 Affine2 Affine3;
+    double_motions f64 DVec3 DQuat DMat2 DMat3 DMat4 DAffine2 DAffine3;
 }
