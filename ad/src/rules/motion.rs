@@ -52,7 +52,8 @@ rules! {
     PlaneMotionRules: Kin for Mat3 Affine2 DMat3 DAffine2 {
         from_scale(scale: Self::V2) -> Self as motion::from_scale2;
         from_translation(translation: Self::V2) -> Self as motion::from_translation2;
-        from_scale_angle_translation(scale: Self::V2, angle: Self::S, translation: Self::V2) -> Self as motion::plane;
+        from_scale_angle_translation(scale: Self::V2, angle: Self::S, translation: Self::V2) -> Self
+            as motion::plane;
         transform_point2(&m, point: Self::V2) -> Self::V2 as motion::transform_point2;
         transform_vector2(&m, vector: Self::V2) -> Self::V2 as motion::transform_vector2;
     }
@@ -63,7 +64,8 @@ rules! {
     Affine2Rules: Kin for Affine2 DAffine2 {
         from_mat2(linear: Self::M2) -> Self as motion::resized;
         from_mat2_translation(linear: Self::M2, translation: Self::V2) -> Self as motion::moved2;
-        from_angle_translation(angle: Self::S, translation: Self::V2) -> Self as motion::from_angle_translation;
+        from_angle_translation(angle: Self::S, translation: Self::V2) -> Self
+            as motion::from_angle_translation;
         inverse(&m) -> Self as motion::inverse2;
     }
 }
@@ -84,7 +86,8 @@ rules! {
     TransformRules: Kin for Mat4 Affine3 DMat4 DAffine3 {
         from_scale(scale: Self::V3) -> Self as motion::from_scale3;
         from_translation(translation: Self::V3) -> Self as motion::from_translation3;
-        from_rotation_translation(turn: Self::Q, translation: Self::V3) -> Self as motion::from_rotation_translation;
+        from_rotation_translation(turn: Self::Q, translation: Self::V3) -> Self
+            as motion::from_rotation_translation;
         from_scale_rotation_translation(scale: Self::V3, turn: Self::Q, translation: Self::V3) -> Self
             as motion::from_scale_rotation_translation;
         transform_point3(&m, point: Self::V3) -> Self::V3 as motion::transform_point3;

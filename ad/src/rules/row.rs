@@ -141,7 +141,10 @@ macro_rules! rules {
         use $crate::{Tangent, rules::linear::Linear};
         let ($($x),*) = $partials;
         let mut along = <Tangent<$R> as $crate::Additive>::zero();
-        $($crate::Additive::accumulate(&mut along, Linear::<Tangent<$X>, Tangent<$R>>::push($x, $dot));)*
+        $(
+            let part = Linear::<Tangent<$X>, Tangent<$R>>::push($x, $dot);
+            $crate::Additive::accumulate(&mut along, part);
+        )*
         along
     }};
     (@pull [adjoint $adjoint:expr] $cotangent:ident $R:ty, $($x:ident $X:ty),*) => {
