@@ -1,15 +1,14 @@
 //! The rules of what arranges the elements of glam's vectors and matrices: swizzles, conversions from and
 //! to arrays and tuples, functions that make vectors. All of it is linear.
 
-use glam::{
-    DMat2, DMat3, DMat4, DVec2, DVec3, DVec4, Mat2, Mat3, Mat4, Vec2, Vec2Swizzles, Vec3,
-    Vec3Swizzles, Vec4, Vec4Swizzles,
-};
+use glam::{DVec2, DVec3, DVec4, Vec2, Vec2Swizzles, Vec3, Vec3Swizzles, Vec4, Vec4Swizzles};
 
+use super::conversion::conversions;
 use super::kin::Kin;
+use super::linear::{Linear, Maps};
 use super::row::rules;
 use super::{FromRules, Vec2Rules, Vec4Rules, Vector3Rules};
-use crate::Additive;
+use crate::{Additive, Tangent};
 
 /// The rules of swizzles, each by the elements of what it makes. The adjoint adds each number to the element
 /// that it is one of.
@@ -86,79 +85,17 @@ rules! {
     }
 }
 
-/// The rules of conversions of matrices from and to arrays.
-pub trait ColumnsRules: Copy {
-    /// The array of its numbers.
-    type Array;
-
-    /// A matrix of the cotangents.
-    fn to_cols_array_vjp(&self) -> (Self::Array, impl FnOnce(Self::Array) -> Self + use<Self>);
-    /// The tangents as an array.
-    fn to_cols_array_jvp(&self, tangent: Self) -> (Self::Array, Self::Array);
-    /// The cotangents as an array.
-    fn from_cols_array_vjp(
-        array: &Self::Array,
-    ) -> (Self, impl FnOnce(Self) -> Self::Array + use<Self>);
-    /// A matrix of the tangents.
-    fn from_cols_array_jvp(array: &Self::Array, tangent: &Self::Array) -> (Self, Self);
-}
-
-macro_rules! columns {
-    ($($type:ident [$scalar:ident; $len:literal]),*) => {$(
-        impl ColumnsRules for $type {
-            type Array = [$scalar; $len];
-
-            #[inline(always)]
-            fn to_cols_array_vjp(&self) -> (Self::Array, impl FnOnce(Self::Array) -> Self + use<>) {
-                (self.to_cols_array(), |cotangent: Self::Array| Self::from_cols_array(&cotangent))
-            }
-
-            #[inline(always)]
-            fn to_cols_array_jvp(&self, tangent: Self) -> (Self::Array, Self::Array) {
-                (self.to_cols_array(), tangent.to_cols_array())
-            }
-
-            #[inline(always)]
-            fn from_cols_array_vjp(
-                array: &Self::Array,
-            ) -> (Self, impl FnOnce(Self) -> Self::Array + use<>) {
-                (Self::from_cols_array(array), |cotangent: Self| cotangent.to_cols_array())
-            }
-
-            #[inline(always)]
-            fn from_cols_array_jvp(array: &Self::Array, tangent: &Self::Array) -> (Self, Self) {
-                (Self::from_cols_array(array), Self::from_cols_array(tangent))
-            }
-        }
-    )*};
-}
-
-columns!(
-    Mat2 [f32; 4], Mat3 [f32; 9], Mat4 [f32; 16], DMat2 [f64; 4], DMat3 [f64; 9], DMat4 [f64; 16]
-);
-
 /// Conversions between two types in both directions, each the adjoint of the other.
-macro_rules! conversions {
-    ($($one:ty, $other:ty;)*) => {$(
-        conversions!(@from $one, $other);
-        conversions!(@from $other, $one);
-    )*};
-    (@from $from:ty, $to:ty) => {
-        impl FromRules<$from> for $to {
-            #[inline(always)]
-            fn from_vjp(value: $from) -> (Self, impl FnOnce(Self) -> $from) {
-                (Self::from(value), <$from>::from)
-            }
-
-            #[inline(always)]
-            fn from_jvp(value: $from, tangent: $from) -> (Self, Self) {
-                (Self::from(value), Self::from(tangent))
-            }
-        }
+macro_rules! both_ways {
+    ($($one:ty, $other:ty;)*) => {
+        conversions! {$(
+            $one => $other: Maps(From::from, From::from);
+            $other => $one: Maps(From::from, From::from);
+        )*}
     };
 }
 
-conversions! {
+both_ways! {
     Vec2, [f32; 2];
     Vec3, [f32; 3];
     Vec4, [f32; 4];

@@ -1,8 +1,9 @@
-//! Derivatives of conversions.
+//! The rules of conversions.
 
 use glam::{DVec2, DVec3, DVec4, Vec2, Vec3, Vec4};
 
-use crate::{Additive, Differentiable, Tangent};
+use super::linear::{Linear, Maps, Same, Zero};
+use crate::{Differentiable, Tangent};
 
 /// The siblings of `from` where it converts what has a derivative.
 #[diagnostic::on_unimplemented(
@@ -52,41 +53,31 @@ into! {
     [f32; N], N; [f64; N], N;
 }
 
-macro_rules! from_floats {
-    ($($from:ident $to:ident),*) => {$(
+/// The rules of `from`, by what is converted, to what, and the linear map that this makes of tangents.
+macro_rules! conversions {
+    ($($($from:ty),+ => $to:ty: $map:expr;)*) => {$($(
         impl FromRules<$from> for $to {
             #[inline(always)]
-            fn from_vjp(value: $from) -> ($to, impl FnOnce($to) -> $from) {
-                ($to::from(value), |g| g as $from)
+            fn from_vjp(value: $from) -> (Self, impl FnOnce(Tangent<Self>) -> Tangent<$from>) {
+                (Self::from(value), |cotangent| {
+                    Linear::<Tangent<$from>, Tangent<Self>>::pull($map, cotangent)
+                })
             }
 
             #[inline(always)]
-            fn from_jvp(value: $from, tangent: $from) -> ($to, $to) {
-                ($to::from(value), $to::from(tangent))
+            fn from_jvp(value: $from, tangent: Tangent<$from>) -> (Self, Tangent<Self>) {
+                (Self::from(value), Linear::<Tangent<$from>, Tangent<Self>>::push($map, tangent))
             }
         }
-    )*};
+    )+)*};
 }
 
-from_floats!(f32 f32, f32 f64, f64 f64);
+pub(super) use conversions;
 
-macro_rules! from_integers {
-    ($($from:ident $to:ident),*) => {$(
-        impl FromRules<$from> for $to {
-            #[inline(always)]
-            fn from_vjp(value: $from) -> ($to, impl FnOnce($to)) {
-                ($to::from(value), |_| ())
-            }
-
-            #[inline(always)]
-            fn from_jvp(value: $from, (): ()) -> ($to, $to) {
-                ($to::from(value), Self::zero())
-            }
-        }
-    )*};
+conversions! {
+    f32 => f32: Same();
+    f64 => f64: Same();
+    f32 => f64: Maps(f64::from, |cotangent| cotangent as f32);
+    bool, i8, i16, u8, u16 => f32: Zero();
+    bool, i8, i16, i32, u8, u16, u32 => f64: Zero();
 }
-
-from_integers!(
-    bool f32, i8 f32, i16 f32, u8 f32, u16 f32,
-    bool f64, i8 f64, i16 f64, i32 f64, u8 f64, u16 f64, u32 f64
-);

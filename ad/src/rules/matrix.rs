@@ -13,13 +13,14 @@ use crate::{Additive, Real};
 
 /// The rules of the matrices of one number of columns.
 macro_rules! square {
-    ($($rules:ident $($matrix:ident)*, $column:ident $times:ident($($axis:ident),*);)*) => {$(
+    ($($rules:ident $($matrix:ident)*, $len:literal $column:ident $times:ident($($axis:ident),*);)*) => {$(
         rules! {
             /// The rules of functions and methods of square matrices.
             $rules: Kin for $($matrix)* {
                 from_cols($($axis: Self::$column),*) -> Self: |g| ($(g.$axis),*);
                 from_diagonal(elements: Self::$column) -> Self:
                     |g| array::from_fn(|i| g.col(i)[i]).into();
+                to_cols_array(&m) -> [Self::S; $len]: |g| Self::from_cols_array(&g);
                 transpose(&m) -> Self: |g| g.transpose();
                 col(&m, index: usize) -> Self::$column => {
                     let column = move |g| {
@@ -48,13 +49,41 @@ macro_rules! square {
                     Maps(move |t| between(t, w), move |g| between(g, w.transpose())) };
             }
         }
+
+        $(
+            impl ColumnsRules<[<$matrix as Kin>::S; $len]> for $matrix {
+                #[inline(always)]
+                fn from_cols_array_vjp(
+                    array: &[Self::S; $len],
+                ) -> (Self, impl FnOnce(Self) -> [Self::S; $len] + use<>) {
+                    (Self::from_cols_array(array), |cotangent: Self| cotangent.to_cols_array())
+                }
+
+                #[inline(always)]
+                fn from_cols_array_jvp(
+                    array: &[Self::S; $len],
+                    tangent: &[Self::S; $len],
+                ) -> (Self, Self) {
+                    (Self::from_cols_array(array), Self::from_cols_array(tangent))
+                }
+            }
+        )*
     )*};
 }
 
+/// The rules of what makes a matrix of an array, which it borrows.
+pub trait ColumnsRules<Array>: Kin {
+    /// The cotangents as an array.
+    fn from_cols_array_vjp(array: &Array) -> (Self, impl FnOnce(Self) -> Array + use<Self, Array>);
+
+    /// A matrix of the tangents.
+    fn from_cols_array_jvp(array: &Array, tangent: &Array) -> (Self, Self);
+}
+
 square! {
-    Matrix2Rules Mat2 DMat2, V2 mul_vec2(x_axis, y_axis);
-    Matrix3Rules Mat3 DMat3, V3 mul_vec3(x_axis, y_axis, z_axis);
-    Matrix4Rules Mat4 DMat4, V4 mul_vec4(x_axis, y_axis, z_axis, w_axis);
+    Matrix2Rules Mat2 DMat2, 4 V2 mul_vec2(x_axis, y_axis);
+    Matrix3Rules Mat3 DMat3, 9 V3 mul_vec3(x_axis, y_axis, z_axis);
+    Matrix4Rules Mat4 DMat4, 16 V4 mul_vec4(x_axis, y_axis, z_axis, w_axis);
 }
 
 rules! {

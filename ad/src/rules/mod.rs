@@ -92,8 +92,8 @@ mod twin;
 mod vector;
 
 pub use arrange::{
-    ArrayRules, ColumnsRules, Swizzle2Rules, Swizzle3Rules, Swizzle4Rules, With2Rules, With3Rules,
-    With4Rules, construct,
+    ArrayRules, Swizzle2Rules, Swizzle3Rules, Swizzle4Rules, With2Rules, With3Rules, With4Rules,
+    construct,
 };
 #[doc(hidden)]
 pub use arrange::{dvec2, dvec3, dvec4, vec2, vec3, vec4};
@@ -109,7 +109,9 @@ pub use edit::VecRules;
 pub use edit::drained;
 pub use integer::{IntegerRules, SignedRules};
 pub use kin::{Kin, Numbers};
-pub use matrix::{Matrix2Rules, Matrix3Rules, Matrix4Rules, ProjectionRules, ResizedRules};
+pub use matrix::{
+    ColumnsRules, Matrix2Rules, Matrix3Rules, Matrix4Rules, ProjectionRules, ResizedRules,
+};
 pub use motion::{
     Affine2Rules, Affine3Rules, AngleRules, PlaneMotionRules, QuaternionRules, RotationRules,
     TransformRules,

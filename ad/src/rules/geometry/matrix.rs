@@ -8,9 +8,8 @@ use crate::{Additive, Real};
 /// A matrix of `N` columns.
 type Square<S, const N: usize> = [[S; N]; N];
 
-#[differentiable]
-pub fn transformed<S: Real, const N: usize>(a: Square<S, N>, v: [S; N]) -> [S; N] {
-    combined::<S, N, N, N>(a, v)
+formulas! {
+    transformed[N](a: Square<S, N>, v: [S; N]) -> [S; N] = combined::<S, N, N, N>(a, v);
 }
 
 #[differentiable(vjp = product_vjp, jvp = product_jvp)]
@@ -78,7 +77,6 @@ by_columns! {
     divided = quotient;
 }
 
-#[differentiable]
-pub fn scaling<S: Real, const N: usize>(factor: S, a: Square<S, N>) -> Square<S, N> {
-    scaled::<S, N>(a, factor)
+formulas! {
+    scaling[N](factor: S, a: Square<S, N>) -> Square<S, N> = scaled::<S, N>(a, factor);
 }

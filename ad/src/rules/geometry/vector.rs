@@ -79,19 +79,10 @@ fn combined_jvp<S: Real, const C: usize, const N: usize, const R: usize>(
     (combined(columns, weights), along)
 }
 
-#[differentiable]
-pub fn times<S: Real, const N: usize>(a: [S; N], factor: S) -> [S; N] {
-    combined::<S, 1, N, N>([a], [factor])
-}
-
-#[differentiable]
-pub fn plus<S: Real, const N: usize>(a: [S; N], b: [S; N]) -> [S; N] {
-    combined::<S, 2, N, N>([a, b], [S::ONE, S::ONE])
-}
-
-#[differentiable]
-pub fn minus<S: Real, const N: usize>(a: [S; N], b: [S; N]) -> [S; N] {
-    combined::<S, 2, N, N>([a, b], [S::ONE, -S::ONE])
+formulas! {
+    times[N](a: [S; N], factor: S) -> [S; N] = combined::<S, 1, N, N>([a], [factor]);
+    plus[N](a: [S; N], b: [S; N]) -> [S; N] = combined::<S, 2, N, N>([a, b], [S::ONE, S::ONE]);
+    minus[N](a: [S; N], b: [S; N]) -> [S; N] = combined::<S, 2, N, N>([a, b], [S::ONE, -S::ONE]);
 }
 
 #[differentiable(vjp = quotient_vjp, jvp = quotient_jvp)]
@@ -121,165 +112,88 @@ fn quotient_jvp<S: Real, const N: usize>(
     (quotient(a, by), std::array::from_fn(|i| a[i].div_jvp(by, a_dot[i], by_dot).1))
 }
 
-#[differentiable]
-pub fn length<S: Real, const N: usize>(a: [S; N]) -> S {
-    dot::<S, N>(a, a).sqrt()
-}
-
-#[differentiable]
-pub fn element_product<S: Real, const N: usize>(a: [S; N]) -> S {
-    let mut product = S::ONE;
-    for i in 0..N {
-        product *= a[i];
-    }
-    product
-}
-
-#[differentiable]
-pub fn length_squared<S: Real, const N: usize>(a: [S; N]) -> S {
-    dot::<S, N>(a, a)
-}
-
-/// At 0 the quotients are 0.
-#[differentiable]
-pub fn unit<S: Real, const N: usize>(a: [S; N]) -> [S; N] {
-    quotient::<S, N>(a, length::<S, N>(a))
-}
-
-#[differentiable]
-pub fn normalize_or<S: Real, const N: usize>(a: [S; N], fallback: [S; N]) -> [S; N] {
-    let length = length::<S, N>(a);
-    if holds(length.cmpgt(S::ZERO)) { times::<S, N>(a, S::ONE / length) } else { fallback }
-}
-
-#[differentiable]
-pub fn reject_from<S: Real, const N: usize>(a: [S; N], onto: [S; N]) -> [S; N] {
-    let share = dot::<S, N>(a, onto) / dot::<S, N>(onto, onto);
-    minus::<S, N>(a, times::<S, N>(onto, share))
-}
-
-/// 0 to both where there is nothing to project onto.
-#[differentiable]
-pub fn project_onto<S: Real, const N: usize>(a: [S; N], onto: [S; N]) -> [S; N] {
-    let square = dot::<S, N>(onto, onto);
-    if holds(square.cmpeq(S::ZERO)) {
-        return [S::ZERO; N];
-    }
-    times::<S, N>(onto, dot::<S, N>(a, onto) / square)
-}
-
-#[differentiable]
-pub fn project_onto_normalized<S: Real, const N: usize>(a: [S; N], onto: [S; N]) -> [S; N] {
-    times::<S, N>(onto, dot::<S, N>(a, onto))
-}
-
-#[differentiable]
-pub fn reject_from_normalized<S: Real, const N: usize>(a: [S; N], onto: [S; N]) -> [S; N] {
-    minus::<S, N>(a, project_onto_normalized::<S, N>(a, onto))
-}
-
-#[differentiable]
-pub fn clamp_length_min<S: Real, const N: usize>(a: [S; N], min: S) -> [S; N] {
-    let length = length::<S, N>(a);
-    if holds(length.cmplt(min)) { times::<S, N>(a, min / length) } else { a }
-}
-
-#[differentiable]
-pub fn clamp_length_max<S: Real, const N: usize>(a: [S; N], max: S) -> [S; N] {
-    let length = length::<S, N>(a);
-    if holds(length.cmpgt(max)) { times::<S, N>(a, max / length) } else { a }
-}
-
-#[differentiable]
-pub fn clamp_length<S: Real, const N: usize>(a: [S; N], min: S, max: S) -> [S; N] {
-    clamp_length_max::<S, N>(clamp_length_min::<S, N>(a, min), max)
-}
-
-#[differentiable]
-pub fn move_towards<S: Real, const N: usize>(a: [S; N], end: [S; N], way: S) -> [S; N] {
-    let apart = minus::<S, N>(end, a);
-    let length = length::<S, N>(apart);
-    // The threshold of glam.
-    if holds(length.cmple(way) | length.cmple(S::from_f64(1e-4))) {
-        return end;
-    }
-    plus::<S, N>(a, times::<S, N>(apart, way / length))
-}
-
-#[differentiable]
-pub fn refract<S: Real, const N: usize>(a: [S; N], normal: [S; N], eta: S) -> [S; N] {
-    let cosine = dot::<S, N>(normal, a);
-    let k = S::ONE - eta * eta * (S::ONE - cosine * cosine);
-    if holds(k.cmplt(S::ZERO)) {
-        return [S::ZERO; N];
-    }
-    minus::<S, N>(times::<S, N>(a, eta), times::<S, N>(normal, eta * cosine + k.sqrt()))
-}
-
-#[differentiable]
-pub fn direction<S: Real>(angle: S) -> [S; 2] {
-    [angle.cos(), angle.sin()]
-}
-
-#[differentiable]
-pub fn to_angle<S: Real>(a: [S; 2]) -> S {
-    a[1].atan2(a[0])
-}
-
-#[differentiable]
-pub fn perp<S: Real>(a: [S; 2]) -> [S; 2] {
-    [-a[1], a[0]]
-}
-
-#[differentiable]
-pub fn perp_dot<S: Real>(a: [S; 2], b: [S; 2]) -> S {
-    a[0] * b[1] - a[1] * b[0]
-}
-
-#[differentiable]
-pub fn angle_to<S: Real>(a: [S; 2], b: [S; 2]) -> S {
-    perp_dot::<S>(a, b).atan2(dot::<S, 2>(a, b))
-}
-
-#[differentiable]
-pub fn rotate<S: Real>(a: [S; 2], b: [S; 2]) -> [S; 2] {
-    [a[0] * b[0] - a[1] * b[1], a[1] * b[0] + a[0] * b[1]]
-}
-
-#[differentiable]
-pub fn rotate_angle<S: Real>(a: [S; 2], angle: S) -> [S; 2] {
-    rotate::<S>(a, direction::<S>(angle))
-}
-
-#[differentiable]
-pub fn cross<S: Real>(a: Triple<S>, b: Triple<S>) -> Triple<S> {
-    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
-}
-
-#[differentiable]
-pub fn angle_between<S: Real>(a: Triple<S>, b: Triple<S>) -> S {
-    length::<S, 3>(cross::<S>(a, b)).atan2(dot::<S, 3>(a, b))
-}
-
-#[differentiable]
-pub fn rotate_x<S: Real>(a: Triple<S>, angle: S) -> Triple<S> {
-    let [y, z] = rotate_angle::<S>([a[1], a[2]], angle);
-    [a[0], y, z]
-}
-
-#[differentiable]
-pub fn rotate_y<S: Real>(a: Triple<S>, angle: S) -> Triple<S> {
-    let [z, x] = rotate_angle::<S>([a[2], a[0]], angle);
-    [x, a[1], z]
-}
-
-#[differentiable]
-pub fn rotate_z<S: Real>(a: Triple<S>, angle: S) -> Triple<S> {
-    let [x, y] = rotate_angle::<S>([a[0], a[1]], angle);
-    [x, y, a[2]]
-}
-
-#[differentiable]
-pub fn rotate_axis<S: Real>(a: Triple<S>, axis: Triple<S>, angle: S) -> Triple<S> {
-    rotation::rotated::<S>(rotation::from_axis_angle::<S>(axis, angle), a)
+formulas! {
+    length[N](a: [S; N]) -> S = dot::<S, N>(a, a).sqrt();
+    element_product[N](a: [S; N]) -> S = {
+        let mut product = S::ONE;
+        for i in 0..N {
+            product *= a[i];
+        }
+        product
+    };
+    length_squared[N](a: [S; N]) -> S = dot::<S, N>(a, a);
+    /// At 0 the quotients are 0.
+    unit[N](a: [S; N]) -> [S; N] = quotient::<S, N>(a, length::<S, N>(a));
+    normalize_or[N](a: [S; N], fallback: [S; N]) -> [S; N] = {
+        let length = length::<S, N>(a);
+        if holds(length.cmpgt(S::ZERO)) { times::<S, N>(a, S::ONE / length) } else { fallback }
+    };
+    reject_from[N](a: [S; N], onto: [S; N]) -> [S; N] = {
+        let share = dot::<S, N>(a, onto) / dot::<S, N>(onto, onto);
+        minus::<S, N>(a, times::<S, N>(onto, share))
+    };
+    /// 0 to both where there is nothing to project onto.
+    project_onto[N](a: [S; N], onto: [S; N]) -> [S; N] = {
+        let square = dot::<S, N>(onto, onto);
+        if holds(square.cmpeq(S::ZERO)) {
+            return [S::ZERO; N];
+        }
+        times::<S, N>(onto, dot::<S, N>(a, onto) / square)
+    };
+    project_onto_normalized[N](a: [S; N], onto: [S; N]) -> [S; N]
+        = times::<S, N>(onto, dot::<S, N>(a, onto));
+    reject_from_normalized[N](a: [S; N], onto: [S; N]) -> [S; N]
+        = minus::<S, N>(a, project_onto_normalized::<S, N>(a, onto));
+    clamp_length_min[N](a: [S; N], min: S) -> [S; N] = {
+        let length = length::<S, N>(a);
+        if holds(length.cmplt(min)) { times::<S, N>(a, min / length) } else { a }
+    };
+    clamp_length_max[N](a: [S; N], max: S) -> [S; N] = {
+        let length = length::<S, N>(a);
+        if holds(length.cmpgt(max)) { times::<S, N>(a, max / length) } else { a }
+    };
+    clamp_length[N](a: [S; N], min: S, max: S) -> [S; N]
+        = clamp_length_max::<S, N>(clamp_length_min::<S, N>(a, min), max);
+    move_towards[N](a: [S; N], end: [S; N], way: S) -> [S; N] = {
+        let apart = minus::<S, N>(end, a);
+        let length = length::<S, N>(apart);
+        // The threshold of glam.
+        if holds(length.cmple(way) | length.cmple(S::from_f64(1e-4))) {
+            return end;
+        }
+        plus::<S, N>(a, times::<S, N>(apart, way / length))
+    };
+    refract[N](a: [S; N], normal: [S; N], eta: S) -> [S; N] = {
+        let cosine = dot::<S, N>(normal, a);
+        let k = S::ONE - eta * eta * (S::ONE - cosine * cosine);
+        if holds(k.cmplt(S::ZERO)) {
+            return [S::ZERO; N];
+        }
+        minus::<S, N>(times::<S, N>(a, eta), times::<S, N>(normal, eta * cosine + k.sqrt()))
+    };
+    direction(angle: S) -> [S; 2] = [angle.cos(), angle.sin()];
+    to_angle(a: [S; 2]) -> S = a[1].atan2(a[0]);
+    perp(a: [S; 2]) -> [S; 2] = [-a[1], a[0]];
+    perp_dot(a: [S; 2], b: [S; 2]) -> S = a[0] * b[1] - a[1] * b[0];
+    angle_to(a: [S; 2], b: [S; 2]) -> S = perp_dot::<S>(a, b).atan2(dot::<S, 2>(a, b));
+    rotate(a: [S; 2], b: [S; 2]) -> [S; 2] = [a[0] * b[0] - a[1] * b[1], a[1] * b[0] + a[0] * b[1]];
+    rotate_angle(a: [S; 2], angle: S) -> [S; 2] = rotate::<S>(a, direction::<S>(angle));
+    cross(a: Triple<S>, b: Triple<S>) -> Triple<S>
+        = [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
+    angle_between(a: Triple<S>, b: Triple<S>) -> S
+        = length::<S, 3>(cross::<S>(a, b)).atan2(dot::<S, 3>(a, b));
+    rotate_x(a: Triple<S>, angle: S) -> Triple<S> = {
+        let [y, z] = rotate_angle::<S>([a[1], a[2]], angle);
+        [a[0], y, z]
+    };
+    rotate_y(a: Triple<S>, angle: S) -> Triple<S> = {
+        let [z, x] = rotate_angle::<S>([a[2], a[0]], angle);
+        [x, a[1], z]
+    };
+    rotate_z(a: Triple<S>, angle: S) -> Triple<S> = {
+        let [x, y] = rotate_angle::<S>([a[0], a[1]], angle);
+        [x, y, a[2]]
+    };
+    rotate_axis(a: Triple<S>, axis: Triple<S>, angle: S) -> Triple<S>
+        = rotation::rotated::<S>(rotation::from_axis_angle::<S>(axis, angle), a);
 }
