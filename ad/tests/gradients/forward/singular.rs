@@ -2,7 +2,7 @@
 
 use ad::rules::*;
 use ad::{Dual, Mask, Real, differentiable, select};
-use glam::DVec3;
+use glam::{DMat3, DVec3};
 
 const INFINITE: [f64; 3] = [f64::INFINITY, f64::NEG_INFINITY, f64::NAN];
 
@@ -63,6 +63,10 @@ fn nothing_moves() {
         assert_eq!(vector.mul_jvp(bad, DVec3::ZERO, 0.0).1, DVec3::ZERO);
         assert_eq!(vector.lerp_jvp(vector, bad, DVec3::ZERO, DVec3::ZERO, 0.0).1, DVec3::ZERO);
         assert_eq!(vector.reflect_jvp(vector, DVec3::ZERO, DVec3::ZERO).1, DVec3::ZERO);
+        let matrix = DMat3::from_cols_array(&[bad, 0.0, 0.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0]);
+        assert_eq!(matrix.mul_jvp(matrix, DMat3::ZERO, DMat3::ZERO).1, DMat3::ZERO);
+        let along = matrix.mul_jvp(DVec3::ONE, DMat3::IDENTITY, DVec3::Y).1;
+        assert_eq!(along, DVec3::new(3.0, 4.0, 5.0));
     }
     // The factor that moves is the one that counts.
     assert_eq!(f64::INFINITY.mul_jvp(2.0, 3.0, 0.0).1, 6.0);
