@@ -5,11 +5,11 @@
 //!     => |before, after, (), g| { .. (g, (), inserted) };
 //! ```
 //!
-//! A row names the method, its two siblings, its arguments (first indices and lengths, then, after `;`,
-//! an element or a slice), and the pullback: from the lengths before and after, the cotangent of the result and
-//! that of what the sequence holds afterwards to that of what it held before and those of the
-//! arguments. What changes the sequence changes its tangent alike, so the pushforward is the method, called on
-//! tangents; where they need another one, it stands before the pullback.
+//! A row names the method, its arguments (first indices and lengths, then, after `;`, an element or a
+//! slice), and the pullback: from the lengths before and after, the cotangent of the result and that of
+//! what the sequence holds afterwards to that of what it held before and those of the arguments. What
+//! changes the sequence changes its tangent alike, so the pushforward is the method, called on tangents;
+//! where they need another one, it stands before the pullback.
 
 /// Rules of methods that change what `$access` returns, whose tangent is a `$held` and whose cotangent a
 /// `$cotangent`.

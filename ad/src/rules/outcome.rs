@@ -7,9 +7,9 @@ use core::mem::replace;
 use super::linear::{Linear, Maps, Same};
 use crate::{Additive, Boxed, Differentiable, Tangent};
 
-/// Rules of methods that take an outcome apart. A row names the method, its two siblings, the receiver, and an
-/// argument with its type and that of its tangent; it gives the value with the linear map from the
-/// tangents of receiver and argument to that of the value.
+/// Rules of methods that take an outcome apart. A row names the method, the receiver, and an argument with its
+/// type and that of its tangent; it gives the value with the linear map from the tangents of receiver and
+/// argument to that of the value.
 macro_rules! outcomes {
     ($(
         $(#[$doc:meta])*

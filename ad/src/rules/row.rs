@@ -93,7 +93,10 @@ macro_rules! rules {
         [$x:ident $dot:ident $X:ty $(, $y:ident $y_dot:ident $Y:ty)*] [$($reference:tt)?]
         [$R:ty] [$value:ident $($_:tt)*] $rule:tt) => {
         rules!(@sibling $form "The pullback of `" $name $doc [
-            $vjp($($parameters)*) -> ($R, impl FnOnce($crate::Tangent<$R>) -> rules!(@parts $X $(, $Y)*) + $($captured)*)
+            $vjp($($parameters)*) -> (
+                $R,
+                impl FnOnce($crate::Tangent<$R>) -> rules!(@parts $X $(, $Y)*) + $($captured)*,
+            )
         ] {
             $($receive)*
             let $value = Self::$name($($values)*);

@@ -1,8 +1,8 @@
 //! The rows of rules of functions, whose derivative is a type of the same name.
 //!
 //! A row names the function with its type parameters, gives its value, and the linear map from the tangent
-//! of its argument, or the tuple of those of its arguments, to that of the result. The map is the same for all
-//! arguments, so that the pullback is a function.
+//! of its argument, or the tuple of those of its arguments, to that of the result. The map is the same
+//! for all arguments, so that the pullback is a function.
 
 /// The derivatives of functions, one a row.
 macro_rules! twins {

@@ -81,7 +81,8 @@ formulas! {
         = from_axis_angle::<S, N, M>([S::ZERO, S::ZERO, S::ONE], angle);
     from_rotation_translation[N, M](turn: Quaternion<S>, translation: Triple<S>) -> [[S; N]; M]
         = moved3::<S, N, M>(rotation_matrix::<S>(turn), translation);
-    from_scale_rotation_translation[N, M](scale: Triple<S>, turn: Quaternion<S>, translation: Triple<S>) -> [[S; N]; M] = {
+    from_scale_rotation_translation[N, M]
+        (scale: Triple<S>, turn: Quaternion<S>, translation: Triple<S>) -> [[S; N]; M] = {
         let [x, y, z] = rotation_matrix::<S>(turn);
         let scaled =
             [times::<S, 3>(x, scale[0]), times::<S, 3>(y, scale[1]), times::<S, 3>(z, scale[2])];
