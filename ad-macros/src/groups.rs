@@ -13,12 +13,17 @@ pub fn explicit(tokens: TokenStream) -> TokenStream {
         return tokens;
     }
     let mut written = TokenStream::new();
+    let mut is_attribute = false;
     for token in tokens {
         let TokenTree::Group(group) = token else {
+            is_attribute = matches!(&token, TokenTree::Punct(punct) if punct.as_char() == '#');
             written.extend([token]);
             continue;
         };
-        let inner = explicit(group.stream());
+        let inner = match core::mem::take(&mut is_attribute) {
+            true => flat(group.stream()),
+            false => explicit(group.stream()),
+        };
         match group.delimiter() {
             Delimiter::None if !can_be_torn_apart(&inner) => written.extend(inner),
             Delimiter::None => written.extend([regrouped(&group, Delimiter::Parenthesis, inner)]),
@@ -26,6 +31,15 @@ pub fn explicit(tokens: TokenStream) -> TokenStream {
         }
     }
     written
+}
+
+/// What an attribute holds: a `$meta` is one by itself, though it may look like an assignment.
+fn flat(tokens: TokenStream) -> TokenStream {
+    let tokens = tokens.into_iter().flat_map(|token| match token {
+        TokenTree::Group(group) if group.delimiter() == Delimiter::None => flat(group.stream()),
+        token => explicit(token.into()),
+    });
+    tokens.collect()
 }
 
 /// A group with other content.
@@ -96,6 +110,20 @@ mod tests {
                 x as Vec<f64>;
                 f(x, 2)
             })
+            .to_string()
+        );
+    }
+
+    #[test]
+    fn attributes_stay_as_they_are() {
+        let meta = invisible(quote!(doc = "text"));
+        let written = explicit(quote!(#[#meta] fn f() {}));
+        assert_eq!(
+            written.to_string(),
+            quote!(
+                #[doc = "text"]
+                fn f() {}
+            )
             .to_string()
         );
     }

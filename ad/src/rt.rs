@@ -62,28 +62,17 @@ pub mod methods {
     pub use super::constants::Accepts as _;
     pub use super::names::Modes as _;
     pub use super::texts::MayBeRead as _;
-    pub use crate::rules::forward::{
-        AngleForward as _, CopiedForward as _, DMat2Forward as _, DMat3Forward as _,
-        DMat4Forward as _, DVec2Forward as _, DVec4Forward as _, ExtendForward as _,
-        FlattenForward as _, FloatForward as _, GlamForward as _, Mat2Forward as _,
-        Mat3Forward as _, Mat4Forward as _, MatrixForward as _, OptionForward as _,
-        QuaternionForward as _, RealForward as _, ResultForward as _, RotationForward as _,
-        ScalarForward as _, TransformForward as _, TruncateForward as _, Vec2Forward as _,
-        Vec4Forward as _, Vector3Forward as _, VectorForward as _,
-    };
     pub use crate::rules::{
         Affine2Rules as _, Affine3Rules as _, AngleRules as _, ArrayRules as _, CloneRules as _,
-        ColumnsRules as _, CopiedRules as _, DMat2Rules as _, DMat3Rules as _, DMat4Rules as _,
-        DVec2Rules as _, DVec4Rules as _, DerefRules as _, ExtendRules as _, FlattenRules as _,
-        FloatRules as _, FromRules as _, GlamRules as _, IntegerRules as _, IntoRules as _,
-        LengthRules as _, Mat2Rules as _, Mat3Rules as _, Mat4Rules as _, MatrixRules as _,
-        OptionRules as _, OwnedRules as _, PlaneMotionRules as _, PlaneRules as _,
-        ProjectionRules as _, QuaternionRules as _, RealRules as _, ResultRules as _,
-        RotationRules as _, ScalarRules as _, ScaledRules as _, SequenceRules as _,
+        ColumnsRules as _, CopiedRules as _, DerefRules as _, FlattenRules as _, FloatRules as _,
+        FromRules as _, GlamRules as _, IntegerRules as _, IntoRules as _, Matrix2Rules as _,
+        Matrix3Rules as _, Matrix4Rules as _, OptionRules as _, OwnedRules as _,
+        PlaneMotionRules as _, ProjectionRules as _, QuaternionRules as _, RealRules as _,
+        ResizedRules as _, ResultRules as _, RotationRules as _, SequenceRules as _,
         SignedRules as _, SpaceRules as _, Swizzle2Rules as _, Swizzle3Rules as _,
-        Swizzle4Rules as _, TransformRules as _, TruncateRules as _, TryIntoRules as _,
-        TurnRules as _, Vec2Rules as _, Vec4Rules as _, VecRules as _, Vector3Rules as _,
-        VectorRules as _, With2Rules as _, With3Rules as _, With4Rules as _,
+        Swizzle4Rules as _, TransformRules as _, TryIntoRules as _, Vec2Rules as _, Vec4Rules as _,
+        VecRules as _, Vector3Rules as _, VectorRules as _, With2Rules as _, With3Rules as _,
+        With4Rules as _,
     };
     pub use crate::vector::{Vector as _, Vector3 as _};
 }

@@ -1,10 +1,12 @@
 //! Options and results alike, for the methods of both, and for `?`, where only the type tells which of
 //! them a value is.
 
-#![allow(non_camel_case_types, clippy::type_complexity)]
+#![allow(non_camel_case_types)]
 
 use core::marker::PhantomData;
 
+use super::linear::{Linear, Maps};
+use super::twin::twins;
 use crate::{Additive, Differentiable, NoDerivative, Tangent};
 
 /// What stands in place of a content.
@@ -162,88 +164,16 @@ pub fn split<A: Attempt>(attempt: A) -> Result<A::Content, A::Failure> {
     attempt.split()
 }
 
-/// The derivative of [`split`](fn@split).
-pub enum split {}
-
-impl split {
-    /// The cotangents of both, joined.
-    #[inline(always)]
-    pub fn vjp<A: Attempt>(
-        attempt: A,
-    ) -> (
-        Result<A::Content, A::Failure>,
-        fn((Tangent<A::Content>, Tangent<A::Failure>)) -> Tangent<A>,
-    ) {
-        (attempt.split(), |(content, failure)| A::joined(content, failure))
-    }
-
-    /// The tangents of each.
-    #[inline(always)]
-    pub fn jvp<A: Attempt>(
-        attempt: A,
-        tangent: Tangent<A>,
-    ) -> (Result<A::Content, A::Failure>, (Tangent<A::Content>, Tangent<A::Failure>)) {
-        (attempt.split(), A::apart(tangent))
-    }
-}
-
 /// An attempt that did not fail, of this kind.
 #[inline(always)]
 pub fn full<F: Failure, T: Differentiable>(_: Kind<F>, content: T) -> F::With<T> {
     F::full(content)
 }
 
-/// The derivative of [`full`](fn@full).
-pub enum full {}
-
-impl full {
-    /// The cotangent of the content.
-    #[inline(always)]
-    pub fn vjp<F: Failure, T: Differentiable>(
-        _: Kind<F>,
-        content: T,
-    ) -> (F::With<T>, fn(Tangent<F::With<T>>) -> ((), Tangent<T>)) {
-        (F::full(content), |tangent| ((), F::With::<T>::apart(tangent).0))
-    }
-
-    /// The tangent of the content.
-    #[inline(always)]
-    pub fn jvp<F: Failure, T: Differentiable>(
-        _: Kind<F>,
-        content: T,
-        _: &(),
-        tangent: Tangent<T>,
-    ) -> (F::With<T>, Tangent<F::With<T>>) {
-        (F::full(content), F::With::<T>::joined(tangent, Additive::zero()))
-    }
-}
-
 /// An attempt that failed like this.
 #[inline(always)]
 pub fn again<F: Failure, T: Differentiable>(failure: F) -> F::With<T> {
     failure.again()
-}
-
-/// The derivative of [`again`](fn@again).
-pub enum again {}
-
-impl again {
-    /// The cotangent of the failure.
-    #[inline(always)]
-    pub fn vjp<F: Failure, T: Differentiable>(
-        failure: F,
-    ) -> (F::With<T>, fn(Tangent<F::With<T>>) -> Tangent<F>) {
-        (failure.again(), |tangent| F::With::<T>::apart(tangent).1)
-    }
-
-    /// The tangent of the failure.
-    #[inline(always)]
-    pub fn jvp<F: Failure, T: Differentiable>(
-        failure: F,
-        tangent: Tangent<F>,
-    ) -> (F::With<T>, Tangent<F::With<T>>) {
-        (failure.again(), F::With::<T>::joined(Additive::zero(), tangent))
-    }
 }
 
 /// What `?` can return for a failure.
@@ -278,6 +208,22 @@ pub fn failed<F: Failure, R: Fails<F>>(failure: F) -> R {
     R::failed(failure)
 }
 
+twins! {
+    split[A: Attempt](attempt: A) -> Result<A::Content, A::Failure> = attempt.split()
+        => Maps(A::apart, |(content, failure)| A::joined(content, failure));
+    full[F: Failure, T: Differentiable](kind: Kind<F>, content: T) -> F::With<T>
+        = full(kind, content)
+        => Maps(
+            |((), content)| F::With::<T>::joined(content, Additive::zero()),
+            |tangent| ((), F::With::<T>::apart(tangent).0),
+        );
+    again[F: Failure, T: Differentiable](failure: F) -> F::With<T> = failure.again()
+        => Maps(
+            |failure| F::With::<T>::joined(Additive::zero(), failure),
+            |tangent| F::With::<T>::apart(tangent).1,
+        );
+}
+
 /// The derivative of [`failed`](fn@failed).
 pub enum failed {}
 
@@ -291,8 +237,6 @@ impl failed {
     /// Nothing flows through `?` on the side of the failure.
     #[inline(always)]
     pub fn jvp<F: Failure, R: Fails<F>>(failure: F, _: Tangent<F>) -> (R, Tangent<R>) {
-        let failed = R::failed(failure);
-        let tangent = failed.zero_tangent();
-        (failed, tangent)
+        crate::rt::with_zero(R::failed(failure))
     }
 }

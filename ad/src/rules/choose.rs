@@ -35,10 +35,8 @@ impl select {
         core::any::type_name::<Self>()
     }
 
-    #[allow(clippy::type_complexity)]
     /// The value, and the pullback to mask, `if_true` and `if_false`.
     #[inline(always)]
-    #[allow(clippy::type_complexity)]
     pub fn vjp<T>(
         mask: T::Mask,
         if_true: T,

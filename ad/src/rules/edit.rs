@@ -3,8 +3,7 @@
 //! As in [`sequence`](super::sequence): a pullback gets the cotangent of the result, then that of what
 //! the `Vec` holds afterwards, which may be shorter than the `Vec`.
 
-#![allow(clippy::type_complexity)]
-
+use super::in_place::in_place;
 use super::sequence::Elements;
 use crate::{Additive, Differentiable, Tangent};
 
@@ -34,111 +33,69 @@ pub trait VecRules {
     /// The `Vec`.
     fn elements_mut(&mut self) -> &mut Vec<Self::Element>;
 
-    /// Takes the cotangent of the new element out.
-    #[inline]
-    fn push_vjp(
-        &mut self,
-        value: Self::Element,
-    ) -> ((), impl FnOnce((), Of<Self>) -> (Of<Self>, Tangent<Self::Element>) + use<Self>) {
-        let elements = self.elements_mut();
-        let len = elements.len();
-        elements.push(value);
-        ((), move |(), mut cotangent: Of<Self>| {
-            cotangent.truncate(len + 1);
-            let last = if cotangent.len() > len { cotangent.pop() } else { None };
-            (cotangent, last.unwrap_or_else(Additive::zero))
-        })
-    }
+    in_place! {
+        elements_mut [Of<Self>] [Of<Self>]
 
-    /// Appends the tangent.
-    #[inline]
-    fn push_jvp(
-        &mut self,
-        value: Self::Element,
-        tangent: &mut Of<Self>,
-        value_tangent: Tangent<Self::Element>,
-    ) -> ((), ()) {
-        self.elements_mut().push(value);
-        tangent.push(value_tangent);
-        ((), ())
-    }
-
-    /// Puts the cotangent of the removed element back.
-    #[inline]
-    fn pop_vjp(
-        &mut self,
-    ) -> (
-        Option<Self::Element>,
-        impl FnOnce(Tangent<Self::Element>, Of<Self>) -> Of<Self> + use<Self>,
-    ) {
-        let elements = self.elements_mut();
-        let last = elements.pop();
-        let (was_there, len) = (last.is_some(), elements.len());
-        (last, move |last, mut cotangent: Of<Self>| {
-            cotangent.resize_with(len, Additive::zero);
-            if was_there {
-                cotangent.push(last);
-            }
-            cotangent
-        })
-    }
-
-    /// The tangent of the removed element; zero for `None`.
-    #[inline]
-    fn pop_jvp(
-        &mut self,
-        tangent: &mut Of<Self>,
-    ) -> (Option<Self::Element>, Tangent<Self::Element>) {
-        (self.elements_mut().pop(), tangent.pop().unwrap_or_else(Additive::zero))
-    }
-
-    /// Nothing to what was there.
-    #[inline]
-    fn clear_vjp(&mut self) -> ((), impl FnOnce((), Of<Self>) -> Of<Self> + use<Self>) {
-        self.elements_mut().clear();
-        ((), |(), _| Vec::new())
-    }
-
-    /// Removes the tangents, too.
-    #[inline]
-    fn clear_jvp(&mut self, tangent: &mut Of<Self>) -> ((), ()) {
-        self.elements_mut().clear();
-        tangent.clear();
-        ((), ())
-    }
-
-    /// Takes the cotangents of the new elements out.
-    #[inline]
-    fn extend_from_slice_vjp(
-        &mut self,
-        source: &[Self::Element],
-    ) -> ((), impl FnOnce((), Of<Self>) -> (Of<Self>, Of<Self>) + use<Self>)
-    where
-        Self::Element: Clone,
-    {
-        let elements = self.elements_mut();
-        let len = elements.len();
-        elements.extend_from_slice(source);
-        ((), move |(), mut cotangent| {
-            let new = new_ones(&mut cotangent, len);
-            (cotangent, new)
-        })
-    }
-
-    /// Appends the tangents.
-    #[inline]
-    fn extend_from_slice_jvp(
-        &mut self,
-        source: &[Self::Element],
-        tangent: &mut Of<Self>,
-        source_tangent: &[Tangent<Self::Element>],
-    ) -> ((), ())
-    where
-        Self::Element: Clone,
-    {
-        self.elements_mut().extend_from_slice(source);
-        tangent.extend_from_slice(source_tangent);
-        ((), ())
+        /// Takes the cotangent of the new element out.
+        push(; value: Element) => |before, after, (), g| {
+            g.truncate(after);
+            let last = if g.len() > before { g.pop() } else { None };
+            (g, last.unwrap_or_else(Additive::zero))
+        };
+        /// Puts the cotangent of the removed element back. The tangent of `None` is zero.
+        pop() -> Option<Self::Element>,
+            |tangent| tangent.0.pop().unwrap_or_else(Additive::zero)
+            => |before, after, last, g| {
+                g.resize_with(after, Additive::zero);
+                if before > after {
+                    g.push(last);
+                }
+                g
+            };
+        /// Nothing to what was there.
+        clear() => |_, _, (), g| Vec::new();
+        /// Takes the cotangents of the new elements out.
+        extend_from_slice(; source: Slice)
+            where Element: Clone => |before, _, (), g| {
+                let new = new_ones(&mut g, before);
+                (g, new)
+            };
+        /// Takes the cotangent of the new element out.
+        insert(index: usize; value: Element) => |_, after, (), g| {
+            let mut before = fitted(g, after);
+            let inserted = before.remove(index);
+            (before, (), inserted)
+        };
+        /// Puts the cotangent of the removed element back.
+        remove(index: usize) -> Self::Element => |_, after, removed, g| {
+            let mut before = fitted(g, after);
+            before.insert(index, removed);
+            (before, ())
+        };
+        /// Puts the cotangent of the removed element back, and that of the last one at the end.
+        swap_remove(index: usize) -> Self::Element
+            => |_, after, removed, g| {
+                let mut before = fitted(g, after);
+                before.push(removed);
+                before.swap(index, after);
+                (before, ())
+            };
+        /// Nothing to what was removed.
+        truncate(len: usize) => |_, after, (), g| (fitted(g, after), ());
+        /// To the value, the sum of the cotangents of its copies; nothing to what was removed.
+        resize(len: usize; value: Element)
+            where Element: Clone => |before, after, (), g| {
+                let mut kept = fitted(g, after);
+                let to_value = crate::rt::sum(kept.drain(before.min(after)..));
+                (kept, (), to_value)
+            };
+        /// Joins the cotangents of both parts.
+        split_off(at: usize) -> Vec<Self::Element>
+            => |_, after, rest, g| {
+                let mut before = fitted(g, after);
+                before.extend(rest);
+                (before, ())
+            };
     }
 
     /// The same for elements that are handed over.
@@ -175,187 +132,6 @@ pub trait VecRules {
         self.elements_mut().extend(items);
         tangent.extend(items_tangent);
         ((), ())
-    }
-
-    /// Takes the cotangent of the new element out.
-    #[inline]
-    #[track_caller]
-    fn insert_vjp(
-        &mut self,
-        index: usize,
-        value: Self::Element,
-    ) -> ((), impl FnOnce((), Of<Self>) -> (Of<Self>, (), Tangent<Self::Element>) + use<Self>) {
-        let elements = self.elements_mut();
-        elements.insert(index, value);
-        let len = elements.len();
-        ((), move |(), cotangent| {
-            let mut before = fitted(cotangent, len);
-            let inserted = before.remove(index);
-            (before, (), inserted)
-        })
-    }
-
-    /// Inserts the tangent.
-    #[inline]
-    #[track_caller]
-    fn insert_jvp(
-        &mut self,
-        index: usize,
-        value: Self::Element,
-        tangent: &mut Of<Self>,
-        _: (),
-        value_tangent: Tangent<Self::Element>,
-    ) -> ((), ()) {
-        self.elements_mut().insert(index, value);
-        tangent.insert(index, value_tangent);
-        ((), ())
-    }
-
-    /// Puts the cotangent of the removed element back.
-    #[inline]
-    #[track_caller]
-    fn remove_vjp(
-        &mut self,
-        index: usize,
-    ) -> (Self::Element, impl FnOnce(Tangent<Self::Element>, Of<Self>) -> (Of<Self>, ()) + use<Self>)
-    {
-        let elements = self.elements_mut();
-        let removed = elements.remove(index);
-        let len = elements.len();
-        (removed, move |removed, cotangent| {
-            let mut before = fitted(cotangent, len);
-            before.insert(index, removed);
-            (before, ())
-        })
-    }
-
-    /// Removes the tangent.
-    #[inline]
-    #[track_caller]
-    fn remove_jvp(
-        &mut self,
-        index: usize,
-        tangent: &mut Of<Self>,
-        _: (),
-    ) -> (Self::Element, Tangent<Self::Element>) {
-        (self.elements_mut().remove(index), tangent.remove(index))
-    }
-
-    /// Puts the cotangent of the removed element back, and that of the last one at the end.
-    #[inline]
-    #[track_caller]
-    fn swap_remove_vjp(
-        &mut self,
-        index: usize,
-    ) -> (Self::Element, impl FnOnce(Tangent<Self::Element>, Of<Self>) -> (Of<Self>, ()) + use<Self>)
-    {
-        let elements = self.elements_mut();
-        let removed = elements.swap_remove(index);
-        let len = elements.len();
-        (removed, move |removed, cotangent| {
-            let mut before = fitted(cotangent, len);
-            before.push(removed);
-            before.swap(index, len);
-            (before, ())
-        })
-    }
-
-    /// Removes the tangent alike.
-    #[inline]
-    #[track_caller]
-    fn swap_remove_jvp(
-        &mut self,
-        index: usize,
-        tangent: &mut Of<Self>,
-        _: (),
-    ) -> (Self::Element, Tangent<Self::Element>) {
-        (self.elements_mut().swap_remove(index), tangent.swap_remove(index))
-    }
-
-    /// Nothing to what was removed.
-    #[inline]
-    fn truncate_vjp(
-        &mut self,
-        len: usize,
-    ) -> ((), impl FnOnce((), Of<Self>) -> (Of<Self>, ()) + use<Self>) {
-        let elements = self.elements_mut();
-        elements.truncate(len);
-        let len = elements.len();
-        ((), move |(), cotangent| (fitted(cotangent, len), ()))
-    }
-
-    /// Removes the tangents, too.
-    #[inline]
-    fn truncate_jvp(&mut self, len: usize, tangent: &mut Of<Self>, _: ()) -> ((), ()) {
-        self.elements_mut().truncate(len);
-        tangent.truncate(len);
-        ((), ())
-    }
-
-    /// To the value, the sum of the cotangents of its copies; nothing to what was removed.
-    #[inline]
-    fn resize_vjp(
-        &mut self,
-        len: usize,
-        value: Self::Element,
-    ) -> ((), impl FnOnce((), Of<Self>) -> (Of<Self>, (), Tangent<Self::Element>) + use<Self>)
-    where
-        Self::Element: Clone,
-    {
-        let elements = self.elements_mut();
-        let kept = elements.len().min(len);
-        elements.resize(len, value);
-        ((), move |(), cotangent| {
-            let mut before = fitted(cotangent, len);
-            let mut to_value = Tangent::<Self::Element>::zero();
-            before.drain(kept..).for_each(|copy| to_value.accumulate(copy));
-            (before, (), to_value)
-        })
-    }
-
-    /// Copies the tangent, too.
-    #[inline]
-    fn resize_jvp(
-        &mut self,
-        len: usize,
-        value: Self::Element,
-        tangent: &mut Of<Self>,
-        _: (),
-        value_tangent: Tangent<Self::Element>,
-    ) -> ((), ())
-    where
-        Self::Element: Clone,
-    {
-        self.elements_mut().resize(len, value);
-        tangent.resize(len, value_tangent);
-        ((), ())
-    }
-
-    /// Joins the cotangents of both parts.
-    #[inline]
-    #[track_caller]
-    fn split_off_vjp(
-        &mut self,
-        at: usize,
-    ) -> (Vec<Self::Element>, impl FnOnce(Of<Self>, Of<Self>) -> (Of<Self>, ()) + use<Self>) {
-        let rest = self.elements_mut().split_off(at);
-        (rest, move |rest, cotangent| {
-            let mut before = fitted(cotangent, at);
-            before.extend(rest);
-            (before, ())
-        })
-    }
-
-    /// Splits the tangents, too.
-    #[inline]
-    #[track_caller]
-    fn split_off_jvp(
-        &mut self,
-        at: usize,
-        tangent: &mut Of<Self>,
-        _: (),
-    ) -> (Vec<Self::Element>, Of<Self>) {
-        (self.elements_mut().split_off(at), tangent.split_off(at))
     }
 
     /// Takes the cotangents of the new elements out. Nothing to what the other holds afterwards:

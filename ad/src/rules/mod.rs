@@ -2,11 +2,21 @@
 //!
 //! Two shapes. Operators have a *pullback trait* each ([`MulPullback`] for `*`): operands and the
 //! cotangent of the result go in, the cotangents of the operands come out; the operands are
-//! captured by the generated closure, once each. Methods and functions have a *sibling* with the
-//! suffix `_vjp` (`x.sqrt()` has [`sqrt_vjp`](RealRules::sqrt_vjp)): it returns the value, bit for
-//! bit that of the plain method, and a closure from the cotangent of the result to those of the
-//! receiver and the arguments, so that what both need is computed once. `#[differentiable]`
-//! methods get the same sibling, which is why generated code need not know whose method it calls.
+//! captured by the generated closure, once each. Methods and functions have two *siblings*, for
+//! each mode one. `x.sqrt()` has [`sqrt_vjp`](RealRules::sqrt_vjp), which returns the value, bit for
+//! bit that of the plain method, and the pullback: a closure from the cotangent of the result to those of
+//! the receiver and the arguments, so that what both need is computed once. And it has
+//! [`sqrt_jvp`](RealRules::sqrt_jvp), which takes the tangents of receiver and arguments after the
+//! arguments, and returns the value and its tangent. `#[differentiable]` methods get the same
+//! siblings, which is why generated code need not know whose method it calls.
+//!
+//! # Adding a rule
+//!
+//! A rule is one row of a table, in the file of what it is a function of, and both siblings come from
+//! it: `sqrt(x) = root => Times(unless(root.cmpeq(Self::ZERO), Self::HALF / root));`. The documentation of
+//! `row.rs` tells what a row may say, `linear.rs` has the linear maps that partial derivatives are, and
+//! `in_place.rs` the rows of methods that change a sequence. The rule's test is one row, too, in
+//! `tests/gradients/rules`: `sqrt(a: S) -> S, positive;`.
 //!
 //! # Singular points
 //!
@@ -49,35 +59,41 @@
 //! where `x.exp()` overflows. Within a function whose own value is not finite it need not hold:
 //! a gradient of that value may hold a NaN.
 
+#![allow(
+    clippy::type_complexity,
+    clippy::too_many_arguments,
+    reason = "a rule takes arguments and tangents, and returns a value and a closure"
+)]
+
 mod arrange;
 #[doc(hidden)]
 pub mod attempt;
 mod cast;
 mod choose;
+mod conversion;
 mod dropping;
 mod edit;
-mod float;
-mod formula;
-pub mod forward;
 mod geometry;
-mod glam_only;
+mod in_place;
 mod integer;
+mod kin;
+mod linear;
 mod matrix;
+mod motion;
 mod operators;
 mod outcome;
 mod owned;
-mod quaternion;
 #[doc(hidden)]
 pub mod replace;
-mod rotation;
+mod row;
 mod scalar;
 mod sequence;
-mod transform;
+mod twin;
 mod vector;
 
 pub use arrange::{
-    ArrayRules, ColumnsRules, Swizzle2Rules, Swizzle3Rules, Swizzle4Rules, With2Rules, With3Rules,
-    With4Rules,
+    ArrayRules, Swizzle2Rules, Swizzle3Rules, Swizzle4Rules, With2Rules, With3Rules, With4Rules,
+    construct,
 };
 #[doc(hidden)]
 pub use arrange::{dvec2, dvec3, dvec4, vec2, vec3, vec4};
@@ -85,20 +101,20 @@ pub use cast::CastPullback;
 #[doc(hidden)]
 pub use cast::castable;
 pub use choose::{no_diff, select, stop_gradient};
+pub use conversion::{FromRules, IntoRules};
 #[doc(hidden)]
 pub use dropping::drop;
 pub use edit::VecRules;
 #[doc(hidden)]
 pub use edit::drained;
-pub use float::{FloatRules, FromRules, IntoRules};
-pub use formula::{
-    Affine2Rules, Affine3Rules, Kin, LengthRules, PlaneMotionRules, PlaneRules, ProjectionRules,
-    ScaledRules, SpaceRules, TurnRules,
-};
-pub use glam_only::{ExtendRules, GlamRules, TruncateRules, construct};
 pub use integer::{IntegerRules, SignedRules};
+pub use kin::{Kin, Numbers};
 pub use matrix::{
-    DMat2Rules, DMat3Rules, DMat4Rules, Mat2Rules, Mat3Rules, Mat4Rules, MatrixRules,
+    ColumnsRules, Matrix2Rules, Matrix3Rules, Matrix4Rules, ProjectionRules, ResizedRules,
+};
+pub use motion::{
+    Affine2Rules, Affine3Rules, AngleRules, PlaneMotionRules, QuaternionRules, RotationRules,
+    TransformRules,
 };
 #[doc(hidden)]
 pub use operators::borrowed;
@@ -111,15 +127,13 @@ pub use operators::{
 };
 pub use outcome::{CopiedRules, DerefRules, FlattenRules, OptionRules, ResultRules};
 pub use owned::{OwnedRules, TryIntoRules};
-pub use quaternion::QuaternionRules;
-pub use scalar::{RealRules, ScalarRules};
+pub use scalar::{FloatRules, RealRules};
 #[doc(hidden)]
 pub use sequence::copied_within;
 pub use sequence::{CloneRules, Elements, SequenceRules};
-pub use transform::{AngleRules, RotationRules, TransformRules};
-pub use vector::{DVec2Rules, DVec4Rules, Vec2Rules, Vec4Rules, Vector3Rules, VectorRules};
+pub use vector::{GlamRules, SpaceRules, Vec2Rules, Vec4Rules, Vector3Rules, VectorRules};
 
-use crate::{Additive, Real, vector::Vector};
+use crate::{Real, vector::Vector};
 
 /// `cotangent * partial`, and 0 where the cotangent is 0, whatever the partial is.
 #[inline(always)]
@@ -139,26 +153,6 @@ fn chain<S: Real>(tangent: S, partial: S) -> S {
 #[inline(always)]
 fn is_infinite<S: Real>(number: S) -> S::Mask {
     number.cmpeq(number) & !number.is_finite()
-}
-
-/// The tangent of a product of what is made of several numbers. A factor whose tangent is zero does
-/// not count, whatever the other factor is.
-#[inline(always)]
-fn bilinear<A, B, C>(product: impl Fn(A, B) -> C, factors: (A, B), tangents: (A, B)) -> C
-where
-    A: Additive + PartialEq,
-    B: Additive + PartialEq,
-    C: Additive,
-{
-    let ((a, b), (a_tangent, b_tangent)) = (factors, tangents);
-    let mut along = C::zero();
-    if a_tangent != A::zero() {
-        along.accumulate(product(a_tangent, b));
-    }
-    if b_tangent != B::zero() {
-        along.accumulate(product(a, b_tangent));
-    }
-    along
 }
 
 /// [`scale`] of every element of `partial` by one cotangent.

@@ -1,7 +1,5 @@
 //! Derivatives of what makes a value of one's own of a slice or of what is behind a reference.
 
-#![allow(clippy::type_complexity)]
-
 use core::array::TryFromSliceError;
 
 use super::Elements;

@@ -13,7 +13,6 @@ pub enum swap {}
 impl swap {
     /// The cotangents change places too.
     #[inline(always)]
-    #[allow(clippy::type_complexity)]
     pub fn vjp<T: Differentiable>(
         a: &mut T,
         b: &mut T,
@@ -42,7 +41,6 @@ pub enum replace {}
 impl replace {
     /// The pullback: what was there gets the cotangent of the result, the new value that of the place.
     #[inline(always)]
-    #[allow(clippy::type_complexity)]
     pub fn vjp<T: Differentiable>(
         place: &mut T,
         value: T,

@@ -1,243 +1,137 @@
-//! Derivatives of the functions of one scalar and of pairs of scalars.
+//! The rules of the functions of one scalar and of several scalars.
 
+use core::f64::consts::{LN_2, LOG2_E, LOG10_E};
+
+use super::linear::{Factor, Maps, Negated, Same, Times, Where, Zero, unless};
+use super::row::rules;
 use super::{chain, is_infinite, scale};
-use crate::{Mask, Real, Scalar};
+use crate::{Mask, Real};
 
-/// The `_vjp` siblings of the methods of [`Real`].
-pub trait RealRules: Real {
-    /// The smaller one's cotangent; a tie is the receiver's.
-    #[inline(always)]
-    fn min_vjp(self, other: Self) -> (Self, impl FnOnce(Self) -> (Self, Self)) {
-        let value = self.min(other);
-        (value, move |g| route(value.cmpeq(self), g))
-    }
-
-    /// The larger one's cotangent; a tie is the receiver's.
-    #[inline(always)]
-    fn max_vjp(self, other: Self) -> (Self, impl FnOnce(Self) -> (Self, Self)) {
-        let value = self.max(other);
-        (value, move |g| route(value.cmpeq(self), g))
-    }
-
-    /// The receiver's within the bounds and on them, else the bound's.
-    #[inline(always)]
-    fn clamp_vjp(self, low: Self, high: Self) -> (Self, impl FnOnce(Self) -> (Self, Self, Self)) {
-        let value = self.clamp(low, high);
-        (value, move |g| {
-            let (to_self, outside) = route(value.cmpeq(self), g);
-            let (to_low, to_high) = route(self.cmplt(low), outside);
-            (to_self, to_low, to_high)
-        })
-    }
-
-    /// sign(x); 0 at 0.
-    #[inline(always)]
-    fn abs_vjp(self) -> (Self, impl FnOnce(Self) -> Self) {
-        (self.abs(), move |g| regular(!self.cmpeq(Self::ZERO), g, self.signum()))
-    }
-
-    /// 0
-    #[inline(always)]
-    fn signum_vjp(self) -> (Self, impl FnOnce(Self) -> Self) {
-        (self.signum(), |_| Self::zero())
-    }
-
-    /// 0
-    #[inline(always)]
-    fn floor_vjp(self) -> (Self, impl FnOnce(Self) -> Self) {
-        (self.floor(), |_| Self::zero())
-    }
-
-    /// To the magnitude 1 or -1 as the sign stays or flips (0 at 0), to the sign 0.
-    #[inline(always)]
-    fn copysign_vjp(self, sign: Self) -> (Self, impl FnOnce(Self) -> (Self, Self)) {
-        (self.copysign(sign), move |g| {
-            let flip = self.signum() * sign.signum();
-            (regular(!self.cmpeq(Self::ZERO), g, flip), Self::zero())
-        })
-    }
-
-    /// -1/x^2; 0 where 1/x is infinite.
-    #[inline(always)]
-    fn recip_vjp(self) -> (Self, impl FnOnce(Self) -> Self) {
-        let value = self.recip();
-        (value, move |g| regular(!is_infinite(value), g, -value * value))
-    }
-
-    /// The cotangents of both factors and the summand.
-    #[inline(always)]
-    fn mul_add_vjp(self, a: Self, b: Self) -> (Self, impl FnOnce(Self) -> (Self, Self, Self)) {
-        (self.mul_add(a, b), move |g| (scale(g, a), scale(g, self), g))
-    }
-
-    /// The cotangents of `a`, `b`, `c`, `d` in `a * b - c * d`.
-    #[inline(always)]
-    fn difference_of_products_vjp(
-        a: Self,
-        b: Self,
-        c: Self,
-        d: Self,
-    ) -> (Self, impl FnOnce(Self) -> (Self, Self, Self, Self)) {
-        (Self::difference_of_products(a, b, c, d), move |g| {
-            (scale(g, b), scale(g, a), -scale(g, d), -scale(g, c))
-        })
-    }
-
-    /// 1/(2 sqrt(x)); 0 at 0.
-    #[inline(always)]
-    fn sqrt_vjp(self) -> (Self, impl FnOnce(Self) -> Self) {
-        let root = self.sqrt();
-        (root, move |g| regular(!root.cmpeq(Self::ZERO), g, Self::HALF / root))
-    }
-
-    /// exp(x)
-    #[inline(always)]
-    fn exp_vjp(self) -> (Self, impl FnOnce(Self) -> Self) {
-        let value = self.exp();
-        (value, move |g| chain(g, value))
-    }
-
-    /// 1/x; 0 at 0.
-    #[inline(always)]
-    fn ln_vjp(self) -> (Self, impl FnOnce(Self) -> Self) {
-        (self.ln(), move |g| regular(!self.cmpeq(Self::ZERO), g, self.recip()))
-    }
-
-    /// y x^(y-1) and x^y ln(x); at x = 0 and for negative x see
-    /// [singular points](crate::rules#singular-points).
-    #[inline(always)]
-    fn powf_vjp(self, exponent: Self) -> (Self, impl FnOnce(Self) -> (Self, Self)) {
-        let value = self.powf(exponent);
-        (value, move |g| {
-            let (base_partial, exponent_partial) = power_partials(self, exponent, value);
-            (chain(g, base_partial), chain(g, exponent_partial))
-        })
-    }
-
-    /// n x^(n-1); at 0: 1 for n = 1, else 0.
-    #[inline(always)]
-    fn powi_vjp(self, exponent: i32) -> (Self, impl FnOnce(Self) -> (Self, ())) {
-        (self.powi(exponent), move |g| {
+rules! {
+    /// The rules of the methods of [`Real`].
+    RealRules for every Real {
+        /// The smaller one; a tie is the receiver's.
+        min(x, y) = value => {
+            let is_first = value.cmpeq(x);
+            (Where(is_first), Where(!is_first))
+        };
+        /// The larger one; a tie is the receiver's.
+        max(x, y) = value => {
+            let is_first = value.cmpeq(x);
+            (Where(is_first), Where(!is_first))
+        };
+        /// The receiver within the bounds and on them, else the bound.
+        clamp(x, low, high) = value => {
+            let (within, below) = (value.cmpeq(x), x.cmplt(low));
+            (Where(within), Where(!within & below), Where(!within & !below))
+        };
+        abs(x) => Times(unless(x.cmpeq(Self::ZERO), x.signum()));
+        signum(x) => Zero();
+        floor(x) => Zero();
+        /// By the magnitude 1 or -1 as the sign stays or flips (0 at 0), by the sign 0.
+        copysign(x, sign) => {
+            (Times(unless(x.cmpeq(Self::ZERO), x.signum() * sign.signum())), Zero())
+        };
+        /// 0 where 1/x is infinite.
+        recip(x) = value => Times(unless(is_infinite(value), -value * value));
+        mul_add(x, a, b) => (Factor(a), Factor(x), Same());
+        sqrt(x) = root => Times(unless(root.cmpeq(Self::ZERO), Self::HALF / root));
+        exp(x) = value => Times(value);
+        ln(x) => Times(unless(x.cmpeq(Self::ZERO), x.recip()));
+        /// At x = 0 and for negative x see [singular points](crate::rules#singular-points).
+        powf(x, exponent) = value => {
+            let (by_base, by_exponent) = power_partials(x, exponent, value);
+            (Times(by_base), Times(by_exponent))
+        };
+        /// n x^(n-1); at 0: 1 for n = 1, else 0.
+        powi(x, exponent: i32) -> Self = value => {
             let partial = match exponent {
                 0 => Self::ZERO,
                 // The exponent below the least one does not exist.
-                i32::MIN => self.powi(exponent) / self * Self::from_f64(f64::from(exponent)),
-                n => self.powi(n - 1) * Self::from_f64(f64::from(n)),
+                i32::MIN => value / x * Self::from_f64(f64::from(exponent)),
+                n => x.powi(n - 1) * Self::from_f64(f64::from(n)),
             };
-            (regular(partial.is_finite() | !self.cmpeq(Self::ZERO), g, partial), ())
-        })
-    }
-
-    /// cos(x)
-    #[inline(always)]
-    fn sin_vjp(self) -> (Self, impl FnOnce(Self) -> Self) {
-        (self.sin(), move |g| chain(g, self.cos()))
-    }
-
-    /// -sin(x)
-    #[inline(always)]
-    fn cos_vjp(self) -> (Self, impl FnOnce(Self) -> Self) {
-        (self.cos(), move |g| chain(g, -self.sin()))
-    }
-
-    /// 1 + tan(x)^2
-    #[inline(always)]
-    fn tan_vjp(self) -> (Self, impl FnOnce(Self) -> Self) {
-        let value = self.tan();
-        (value, move |g| chain(g, Self::ONE + value * value))
-    }
-
-    /// 1/sqrt(1 - x^2); 0 at -1 and 1.
-    #[inline(always)]
-    fn asin_vjp(self) -> (Self, impl FnOnce(Self) -> Self) {
-        (self.asin(), move |g| arc_pullback(self, g))
-    }
-
-    /// -1/sqrt(1 - x^2); 0 at -1 and 1.
-    #[inline(always)]
-    fn acos_vjp(self) -> (Self, impl FnOnce(Self) -> Self) {
-        (self.acos(), move |g| -arc_pullback(self, g))
-    }
-
-    /// 1/(1 + x^2)
-    #[inline(always)]
-    fn atan_vjp(self) -> (Self, impl FnOnce(Self) -> Self) {
-        (self.atan(), move |g| chain(g, (Self::ONE + self * self).recip()))
-    }
-
-    /// x/(x^2 + y^2) and -y/(x^2 + y^2); 0 at the origin and at infinity.
-    #[inline(always)]
-    fn atan2_vjp(self, abscissa: Self) -> (Self, impl FnOnce(Self) -> (Self, Self)) {
-        let (y, x) = (self, abscissa);
-        (y.atan2(x), move |g| {
+            (Times(unless(x.cmpeq(Self::ZERO) & !partial.is_finite(), partial)), Zero())
+        };
+        sin(x) => Times(x.cos());
+        cos(x) => Times(-x.sin());
+        tan(x) = value => Times(Self::ONE + value * value);
+        asin(x) => Times(arc_partial(x));
+        acos(x) => Times(-arc_partial(x));
+        atan(x) => Times((Self::ONE + x * x).recip());
+        /// x/(x^2 + y^2) and -y/(x^2 + y^2); 0 at the origin and at infinity.
+        atan2(y, x) => {
             // Divided by the larger coordinate first: the squares of tiny or huge ones would not
             // be representable.
             let size = x.abs().max(y.abs());
             let (v, u) = (y / size, x / size);
             let norm = (u * u + v * v) * size;
-            let defined = !(size.cmpeq(Self::ZERO) | is_infinite(size));
-            (regular(defined, g, u / norm), regular(defined, g, -v / norm))
-        })
-    }
-
-    /// 1 - tanh(x)^2
-    #[inline(always)]
-    fn tanh_vjp(self) -> (Self, impl FnOnce(Self) -> Self) {
-        let value = self.tanh();
-        (value, move |g| chain(g, (Self::ONE - value) * (Self::ONE + value)))
+            let singular = size.cmpeq(Self::ZERO) | is_infinite(size);
+            (Times(unless(singular, u / norm)), Times(unless(singular, -v / norm)))
+        };
+        tanh(x) = value => Times((Self::ONE - value) * (Self::ONE + value));
+        /// The partial derivatives of `a * b - c * d`.
+        difference_of_products(a: Self, b: Self, c: Self, d: Self) -> Self
+            => (Factor(b), Factor(a), Negated(Factor(d)), Negated(Factor(c)));
     }
 }
 
-impl<S: Real> RealRules for S {}
-
-/// The `_vjp` siblings of functions that only single numbers have.
-pub trait ScalarRules: Scalar {
-    /// Sine and cosine together.
-    #[inline(always)]
-    fn sin_cos_vjp(self) -> ((Self, Self), impl FnOnce((Self, Self)) -> Self) {
-        let (sin, cos) = (self.sin(), self.cos());
-        ((sin, cos), move |(g_sin, g_cos)| scale(g_sin, cos) - scale(g_cos, sin))
-    }
-
-    /// From degrees to radians.
-    #[inline(always)]
-    fn to_radians_vjp(self) -> (Self, impl FnOnce(Self) -> Self) {
-        let factor = Self::PI / Self::from_f64(180.0);
-        (self * factor, move |g| g * factor)
-    }
-
-    /// From radians to degrees.
-    #[inline(always)]
-    fn to_degrees_vjp(self) -> (Self, impl FnOnce(Self) -> Self) {
-        let factor = Self::from_f64(180.0 / core::f64::consts::PI);
-        (self * factor, move |g| g * factor)
+rules! {
+    /// The rules of the methods that only `f32` and `f64` have.
+    FloatRules: Real for f32 f64 {
+        sin_cos(x) -> (Self, Self) = value => {
+            let (sin, cos) = value;
+            Maps(
+                move |t| (chain(t, cos), -chain(t, sin)),
+                move |(to_sin, to_cos)| scale(to_sin, cos) - scale(to_cos, sin),
+            )
+        };
+        to_radians(x) -> Self: Self::to_radians;
+        to_degrees(x) -> Self: Self::to_degrees;
+        hypot(x, y) = norm => {
+            (Times(unless(norm == 0.0, x / norm)), Times(unless(norm == 0.0, y / norm)))
+        };
+        midpoint(x, y) => (Factor(0.5), Factor(0.5));
+        cbrt(x) = root => Times(unless(x == 0.0, 1.0 / (3.0 * root * root)));
+        sinh(x) => Times(x.cosh());
+        cosh(x) => Times(x.sinh());
+        asinh(x) => Times(1.0 / x.hypot(1.0));
+        /// 1/sqrt(x^2 - 1); 0 at 1. One root for each factor: their product might overflow.
+        acosh(x) => Times(unless(x == 1.0, 1.0 / ((x - 1.0).sqrt() * (x + 1.0).sqrt())));
+        atanh(x) => Times(unless(x.abs() == 1.0, 1.0 / ((1.0 - x) * (1.0 + x))));
+        exp2(x) = value => Times(value * Self::from_f64(LN_2));
+        exp_m1(x) => Times(x.exp());
+        ln_1p(x) => Times(unless(x == -1.0, 1.0 / (1.0 + x)));
+        log2(x) => Times(unless(x == 0.0, Self::from_f64(LOG2_E) / x));
+        log10(x) => Times(unless(x == 0.0, Self::from_f64(LOG10_E) / x));
+        /// 1/(x ln(b)) and -log(x)/(b ln(b)); 0 to both at x = 0, and where the base is 0 or 1.
+        log(x, base) = value => {
+            let singular = x == 0.0 || base == 0.0 || base == 1.0;
+            let recip = 1.0 / base.ln();
+            (Times(unless(singular, recip / x)), Times(unless(singular, -value * recip / base)))
+        };
+        /// The jumps carry no derivative.
+        rem_euclid(x, y) => (Same(), Times(-x.div_euclid(y)));
+        div_euclid(x, y) => (Zero(), Zero());
+        ceil(x) => Zero();
+        round(x) => Zero();
+        round_ties_even(x) => Zero();
+        trunc(x) => Zero();
+        /// The jumps carry no derivative.
+        fract(x) => Same();
     }
 }
 
-impl<S: Scalar> ScalarRules for S {}
-
-/// `cotangent` to the first where `first` holds, else to the second.
+/// The derivative of `asin`; 0 at -1 and 1. 1 - x^2 as a product, which does not cancel near these.
 #[inline(always)]
-fn route<S: Real>(first: S::Mask, cotangent: S) -> (S, S) {
-    (S::select(first, cotangent, S::zero()), S::select(first, S::zero(), cotangent))
-}
-
-/// [`chain`] where the partial is defined, else 0.
-#[inline(always)]
-pub(super) fn regular<S: Real>(defined: S::Mask, cotangent: S, partial: S) -> S {
-    S::select(defined, chain(cotangent, partial), S::zero())
-}
-
-/// The pullback of `asin`. 1 - x^2 as a product, which does not cancel near -1 and 1.
-#[inline(always)]
-fn arc_pullback<S: Real>(x: S, cotangent: S) -> S {
+fn arc_partial<S: Real>(x: S) -> S {
     let root = ((S::ONE - x) * (S::ONE + x)).sqrt();
-    regular(!root.cmpeq(S::ZERO), cotangent, root.recip())
+    unless(root.cmpeq(S::ZERO), root.recip())
 }
 
 /// The partial derivatives of `value = base ^ exponent` by base and exponent.
 #[inline(always)]
-fn power_partials<S: Real>(base: S, exponent: S, value: S) -> (S, S) {
+pub(super) fn power_partials<S: Real>(base: S, exponent: S, value: S) -> (S, S) {
     // y x^(y-1) as y x^y / x spares a power; where x^y has left the range of normal numbers the
     // quotient would not be accurate.
     let magnitude = value.abs();
@@ -251,7 +145,5 @@ fn power_partials<S: Real>(base: S, exponent: S, value: S) -> (S, S) {
         let power = chain(exponent, base.powf(exponent - S::ONE));
         S::select(in_range, quotient, S::select(singular, S::ZERO, power))
     };
-
-    let to_exponent = regular(base.cmpgt(S::ZERO), base.ln(), value);
-    (to_base, to_exponent)
+    (to_base, unless(!base.cmpgt(S::ZERO), chain(base.ln(), value)))
 }

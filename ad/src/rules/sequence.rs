@@ -5,8 +5,9 @@
 //! `Vec` or a slice may be shorter than the sequence: see
 //! [values of any length](crate::Differentiable).
 
-#![allow(clippy::type_complexity)]
+use core::cmp::Ordering;
 
+use super::in_place::in_place;
 use crate::{Additive, Differentiable, Tangent};
 
 /// A cotangent of a sequence.
@@ -51,6 +52,48 @@ impl<T: Additive, const N: usize> Elements<T> for [T; N] {
     }
 }
 
+/// Rules of sorts, which all keep the order of equal elements: an order that an unstable sort may give
+/// them, too. A row gives the comparison. The pullback is boxed: an opaque type would hold on to what the
+/// comparison borrows.
+macro_rules! sorts {
+    ($($name:ident[$($generics:tt)*]($by:ident) $compare:expr;)*) => { pastey::paste! {$(
+        /// To the places where the elements came from.
+        #[inline]
+        #[allow(unused_mut)]
+        fn [<$name _vjp>]<$($generics)*>(
+            &mut self,
+            mut $by: F,
+        ) -> ((), Box<dyn FnOnce((), Self::Tangent) -> (Self::Tangent, ())>) {
+            let from = sorted_from(self.sequence(), &mut $compare);
+            let pullback = move |(), mut cotangent: Self::Tangent| {
+                let mut before = Self::Tangent::zero();
+                let elements = cotangent.elements(from.len());
+                let places = before.elements(from.len());
+                for (&place, element) in from.iter().zip(elements) {
+                    places[place].accumulate(element.clone());
+                }
+                (before, ())
+            };
+            ((), Box::new(pullback))
+        }
+
+        /// The tangents follow their elements.
+        #[inline]
+        #[allow(unused_mut)]
+        fn [<$name _jvp>]<$($generics)*>(
+            &mut self,
+            mut $by: F,
+            tangent: &mut [Tangent<Self::Element>],
+            (): (),
+        ) -> ((), ()) {
+            let from = sorted_from(self.sequence(), &mut $compare);
+            let sorted: Vec<_> = from.into_iter().map(|place| tangent[place].clone()).collect();
+            tangent.clone_from_slice(&sorted);
+            ((), ())
+        }
+    )*}};
+}
+
 /// The `_vjp` and `_jvp` siblings of the methods of slices and arrays. What changes a sequence changes
 /// its tangent alike.
 pub trait SequenceRules: Differentiable<Tangent: Elements<Tangent<Self::Element>>> {
@@ -86,300 +129,50 @@ pub trait SequenceRules: Differentiable<Tangent: Elements<Tangent<Self::Element>
         (self.view().to_vec(), tangent.to_vec())
     }
 
-    /// Changes places back.
-    #[inline]
-    fn swap_vjp(
-        &mut self,
-        i: usize,
-        j: usize,
-    ) -> ((), impl FnOnce((), Self::Tangent) -> (Self::Tangent, (), ()) + use<Self>) {
-        let len = self.view().len();
-        self.sequence().swap(i, j);
-        ((), move |(), mut cotangent: Self::Tangent| {
-            cotangent.elements(len).swap(i, j);
-            (cotangent, (), ())
-        })
-    }
+    in_place! {
+        sequence [[Tangent<Self::Element>]] [Self::Tangent]
 
-    /// The tangents change places, too.
-    #[inline]
-    fn swap_jvp(
-        &mut self,
-        i: usize,
-        j: usize,
-        tangent: &mut [Tangent<Self::Element>],
-        (): (),
-        (): (),
-    ) -> ((), ()) {
-        self.sequence().swap(i, j);
-        tangent.swap(i, j);
-        ((), ())
-    }
-
-    /// Turns the order back.
-    #[inline]
-    fn reverse_vjp(&mut self) -> ((), impl FnOnce((), Self::Tangent) -> Self::Tangent + use<Self>) {
-        let len = self.view().len();
-        self.sequence().reverse();
-        ((), move |(), mut cotangent: Self::Tangent| {
-            cotangent.elements(len).reverse();
-            cotangent
-        })
-    }
-
-    /// Turns the order of the tangents, too.
-    #[inline]
-    fn reverse_jvp(&mut self, tangent: &mut [Tangent<Self::Element>]) -> ((), ()) {
-        self.sequence().reverse();
-        tangent.reverse();
-        ((), ())
-    }
-
-    /// Turns the elements back.
-    #[inline]
-    fn rotate_left_vjp(
-        &mut self,
-        by: usize,
-    ) -> ((), impl FnOnce((), Self::Tangent) -> (Self::Tangent, ()) + use<Self>) {
-        let len = self.view().len();
-        self.sequence().rotate_left(by);
-        ((), move |(), mut cotangent: Self::Tangent| {
-            cotangent.elements(len).rotate_right(by);
-            (cotangent, ())
-        })
-    }
-
-    /// Turns the tangents, too.
-    #[inline]
-    fn rotate_left_jvp(
-        &mut self,
-        by: usize,
-        tangent: &mut [Tangent<Self::Element>],
-        (): (),
-    ) -> ((), ()) {
-        self.sequence().rotate_left(by);
-        tangent.rotate_left(by);
-        ((), ())
-    }
-
-    /// Turns the elements back.
-    #[inline]
-    fn rotate_right_vjp(
-        &mut self,
-        by: usize,
-    ) -> ((), impl FnOnce((), Self::Tangent) -> (Self::Tangent, ()) + use<Self>) {
-        let len = self.view().len();
-        self.sequence().rotate_right(by);
-        ((), move |(), mut cotangent: Self::Tangent| {
-            cotangent.elements(len).rotate_left(by);
-            (cotangent, ())
-        })
-    }
-
-    /// Turns the tangents, too.
-    #[inline]
-    fn rotate_right_jvp(
-        &mut self,
-        by: usize,
-        tangent: &mut [Tangent<Self::Element>],
-        (): (),
-    ) -> ((), ()) {
-        self.sequence().rotate_right(by);
-        tangent.rotate_right(by);
-        ((), ())
-    }
-
-    /// To the places where the elements came from. The pullback is boxed: an opaque type would hold on
-    /// to what the comparison borrows.
-    #[inline]
-    fn sort_by_vjp<F>(
-        &mut self,
-        mut compare: F,
-    ) -> ((), Box<dyn FnOnce((), Self::Tangent) -> (Self::Tangent, ())>)
-    where
-        F: FnMut(&Self::Element, &Self::Element) -> core::cmp::Ordering,
-    {
-        let from = sorted_from(self.sequence(), &mut compare);
-        let pullback = move |(), mut cotangent: Self::Tangent| {
-            let mut before = Self::Tangent::zero();
-            let elements = cotangent.elements(from.len());
-            let places = before.elements(from.len());
-            for (&place, element) in from.iter().zip(elements) {
-                places[place].accumulate(element.clone());
-            }
-            (before, ())
+        /// Changes places back.
+        swap(i: usize, j: usize) => |_, len, (), g| {
+            g.elements(len).swap(i, j);
+            (g, (), ())
         };
-        ((), Box::new(pullback))
+        /// Turns the order back.
+        reverse() => |_, len, (), g| {
+            g.elements(len).reverse();
+            g
+        };
+        /// Turns the elements back.
+        rotate_left(by: usize) => |_, len, (), g| {
+            g.elements(len).rotate_right(by);
+            (g, ())
+        };
+        /// Turns the elements back.
+        rotate_right(by: usize) => |_, len, (), g| {
+            g.elements(len).rotate_left(by);
+            (g, ())
+        };
+        /// To the value, the sum; nothing to what it overwrote.
+        fill(; value: Element) where Element: Clone
+            => |_, _, (), g| (Additive::zero(), crate::rt::sum(g.into_source()));
+        /// To the source, element by element; nothing to what it overwrote.
+        copy_from_slice(; source: Slice) where Element: Copy,
+            |tangents| tangents.0.clone_from_slice(tangents.1)
+            => |_, _, (), g| (Additive::zero(), g.into_source());
     }
 
-    /// The tangents follow their elements.
-    #[inline]
-    fn sort_by_jvp<F>(
-        &mut self,
-        mut compare: F,
-        tangent: &mut [Tangent<Self::Element>],
-        (): (),
-    ) -> ((), ())
-    where
-        F: FnMut(&Self::Element, &Self::Element) -> core::cmp::Ordering,
-    {
-        let from = sorted_from(self.sequence(), &mut compare);
-        let sorted: Vec<_> = from.into_iter().map(|place| tangent[place].clone()).collect();
-        tangent.clone_from_slice(&sorted);
-        ((), ())
-    }
-
-    /// As [`sort_by_vjp`](Self::sort_by_vjp), which keeps the order of equal elements: an order that
-    /// the unstable sort may give them, too.
-    #[inline]
-    fn sort_unstable_by_vjp<F>(
-        &mut self,
-        compare: F,
-    ) -> ((), Box<dyn FnOnce((), Self::Tangent) -> (Self::Tangent, ())>)
-    where
-        F: FnMut(&Self::Element, &Self::Element) -> core::cmp::Ordering,
-    {
-        self.sort_by_vjp(compare)
-    }
-
-    /// As [`sort_by_jvp`](Self::sort_by_jvp).
-    #[inline]
-    fn sort_unstable_by_jvp<F>(
-        &mut self,
-        compare: F,
-        tangent: &mut [Tangent<Self::Element>],
-        (): (),
-    ) -> ((), ())
-    where
-        F: FnMut(&Self::Element, &Self::Element) -> core::cmp::Ordering,
-    {
-        self.sort_by_jvp(compare, tangent, ())
-    }
-
-    /// As [`sort_by_vjp`](Self::sort_by_vjp), by keys.
-    #[inline]
-    fn sort_by_key_vjp<K, F>(
-        &mut self,
-        mut key: F,
-    ) -> ((), Box<dyn FnOnce((), Self::Tangent) -> (Self::Tangent, ())>)
-    where
-        K: Ord,
-        F: FnMut(&Self::Element) -> K,
-    {
-        self.sort_by_vjp(|a, b| key(a).cmp(&key(b)))
-    }
-
-    /// As [`sort_by_jvp`](Self::sort_by_jvp), by keys.
-    #[inline]
-    fn sort_by_key_jvp<K, F>(
-        &mut self,
-        mut key: F,
-        tangent: &mut [Tangent<Self::Element>],
-        (): (),
-    ) -> ((), ())
-    where
-        K: Ord,
-        F: FnMut(&Self::Element) -> K,
-    {
-        self.sort_by_jvp(|a, b| key(a).cmp(&key(b)), tangent, ())
-    }
-
-    /// As [`sort_by_key_vjp`](Self::sort_by_key_vjp).
-    #[inline]
-    fn sort_unstable_by_key_vjp<K, F>(
-        &mut self,
-        key: F,
-    ) -> ((), Box<dyn FnOnce((), Self::Tangent) -> (Self::Tangent, ())>)
-    where
-        K: Ord,
-        F: FnMut(&Self::Element) -> K,
-    {
-        self.sort_by_key_vjp(key)
-    }
-
-    /// As [`sort_by_key_jvp`](Self::sort_by_key_jvp).
-    #[inline]
-    fn sort_unstable_by_key_jvp<K, F>(
-        &mut self,
-        key: F,
-        tangent: &mut [Tangent<Self::Element>],
-        (): (),
-    ) -> ((), ())
-    where
-        K: Ord,
-        F: FnMut(&Self::Element) -> K,
-    {
-        self.sort_by_key_jvp(key, tangent, ())
-    }
-
-    /// To the value, the sum; nothing to what it overwrote.
-    #[inline]
-    fn fill_vjp(
-        &mut self,
-        value: Self::Element,
-    ) -> ((), impl FnOnce((), Self::Tangent) -> (Self::Tangent, Tangent<Self::Element>) + use<Self>)
-    where
-        Self::Element: Clone,
-    {
-        self.sequence().fill(value);
-        ((), |(), cotangent: Self::Tangent| {
-            (Additive::zero(), crate::rt::sum(cotangent.into_source()))
-        })
-    }
-
-    /// The tangent of the value, everywhere.
-    #[inline]
-    fn fill_jvp(
-        &mut self,
-        value: Self::Element,
-        tangent: &mut [Tangent<Self::Element>],
-        value_tangent: Tangent<Self::Element>,
-    ) -> ((), ())
-    where
-        Self::Element: Clone,
-    {
-        self.sequence().fill(value);
-        tangent.fill(value_tangent);
-        ((), ())
-    }
-
-    /// To the source, element by element; nothing to what it overwrote.
-    #[inline]
-    fn copy_from_slice_vjp(
-        &mut self,
-        source: &[Self::Element],
-    ) -> (
-        (),
-        impl FnOnce((), Self::Tangent) -> (Self::Tangent, Vec<Tangent<Self::Element>>) + use<Self>,
-    )
-    where
-        Self::Element: Copy,
-    {
-        self.sequence().copy_from_slice(source);
-        ((), |(), cotangent: Self::Tangent| (Additive::zero(), cotangent.into_source()))
-    }
-
-    /// The tangents of the source.
-    #[inline]
-    fn copy_from_slice_jvp(
-        &mut self,
-        source: &[Self::Element],
-        tangent: &mut [Tangent<Self::Element>],
-        source_tangent: &[Tangent<Self::Element>],
-    ) -> ((), ())
-    where
-        Self::Element: Copy,
-    {
-        self.sequence().copy_from_slice(source);
-        tangent.clone_from_slice(source_tangent);
-        ((), ())
+    sorts! {
+        sort_by[F: FnMut(&Self::Element, &Self::Element) -> Ordering](compare) compare;
+        sort_unstable_by[F: FnMut(&Self::Element, &Self::Element) -> Ordering](compare) compare;
+        sort_by_key[K: Ord, F: FnMut(&Self::Element) -> K](key) |a, b| key(a).cmp(&key(b));
+        sort_unstable_by_key[K: Ord, F: FnMut(&Self::Element) -> K](key) |a, b| key(a).cmp(&key(b));
     }
 }
 
 /// Sorts, and returns where each element came from.
 pub(super) fn sorted_from<T>(
     elements: &mut [T],
-    compare: &mut dyn FnMut(&T, &T) -> core::cmp::Ordering,
+    compare: &mut dyn FnMut(&T, &T) -> Ordering,
 ) -> Vec<usize> {
     let mut from: Vec<usize> = (0..elements.len()).collect();
     from.sort_by(|&i, &j| compare(&elements[i], &elements[j]));
@@ -478,7 +271,6 @@ impl copied_within {
     /// Copies the tangents, too.
     #[inline]
     #[track_caller]
-    #[allow(clippy::too_many_arguments)]
     pub fn jvp<T: Differentiable + Copy>(
         elements: &mut [T],
         from: usize,

@@ -1,274 +1,167 @@
-//! Derivatives of the methods of vectors.
+//! The rules of the methods of vectors.
 
-use super::{chain, scale, scale_elements, scale_vector};
-use crate::rules::RealRules;
+use glam::{DVec2, DVec3, DVec4, Vec2, Vec3, Vec4};
+
+use super::geometry::vector as geometry;
+use super::kin::Kin;
+use super::linear::{
+    self, Along, Chosen, Elements, Gradient, Maps, Negated, Pulled, Same, Scaled, Symmetric, Zero,
+    inner,
+};
+use super::row::rules;
+use super::scalar::power_partials;
+use super::{RealRules, chain, scale, scale_elements, scale_vector};
 use crate::vector::{Vector, Vector3};
 use crate::{Additive, Real, Select};
 
-/// The `_vjp` siblings of the methods of [`Vector`].
-pub trait VectorRules: Vector {
-    /// The sum of the cotangents of the elements.
-    #[inline(always)]
-    fn splat_vjp(value: Self::Scalar) -> (Self, impl FnOnce(Self) -> Self::Scalar) {
-        (Self::splat(value), |g: Self| g.element_sum())
-    }
-
-    /// The cotangent of the sum, to each element.
-    #[inline(always)]
-    fn element_sum_vjp(self) -> (Self::Scalar, impl FnOnce(Self::Scalar) -> Self) {
-        (self.element_sum(), Self::splat)
-    }
-
-    /// All to the first of the smallest elements.
-    #[inline(always)]
-    fn min_element_vjp(self) -> (Self::Scalar, impl FnOnce(Self::Scalar) -> Self) {
-        let value = self.min_element();
-        (value, move |g| to_first_equal(self, value, g))
-    }
-
-    /// All to the first of the largest elements.
-    #[inline(always)]
-    fn max_element_vjp(self) -> (Self::Scalar, impl FnOnce(Self::Scalar) -> Self) {
-        let value = self.max_element();
-        (value, move |g| to_first_equal(self, value, g))
-    }
-
-    /// Each vector, times the cotangent, to the other.
-    #[inline(always)]
-    fn dot_vjp(self, other: Self) -> (Self::Scalar, impl FnOnce(Self::Scalar) -> (Self, Self)) {
-        (self.dot(other), move |g| (scale_vector(g, other), scale_vector(g, self)))
-    }
-
-    /// v/|v|; 0 at 0.
-    #[inline(always)]
-    fn length_vjp(self) -> (Self::Scalar, impl FnOnce(Self::Scalar) -> Self) {
-        let length = self.length();
-        (length, move |g| length_pullback(self, length, g))
-    }
-
-    /// 2 v
-    #[inline(always)]
-    fn length_squared_vjp(self) -> (Self::Scalar, impl FnOnce(Self::Scalar) -> Self) {
-        (self.length_squared(), move |g| scale_vector(g + g, self))
-    }
-
-    /// -v/|v|^3; 0 at 0.
-    #[inline(always)]
-    fn length_recip_vjp(self) -> (Self::Scalar, impl FnOnce(Self::Scalar) -> Self) {
-        let value = self.length_recip();
-        (value, move |g| {
-            let defined = value.is_finite() & !g.vanishes();
-            // One factor at a time: the square of a large one would not be representable.
-            self.map_elements(|s| {
-                Self::Scalar::select(
-                    defined,
-                    -(g * value * (s * value) * value),
-                    Self::Scalar::zero(),
-                )
-            })
-        })
-    }
-
-    /// The derivative of the length of the difference; 0 where the points coincide.
-    #[inline(always)]
-    fn distance_vjp(
-        self,
-        other: Self,
-    ) -> (Self::Scalar, impl FnOnce(Self::Scalar) -> (Self, Self)) {
-        let distance = self.distance(other);
-        (distance, move |g| {
-            let to_self = length_pullback(self - other, distance, g);
-            (to_self, -to_self)
-        })
-    }
-
-    /// Twice the difference.
-    #[inline(always)]
-    fn distance_squared_vjp(
-        self,
-        other: Self,
-    ) -> (Self::Scalar, impl FnOnce(Self::Scalar) -> (Self, Self)) {
-        (self.distance_squared(other), move |g| {
-            let to_self = scale_vector(g + g, self - other);
-            (to_self, -to_self)
-        })
-    }
-
-    /// (I - u u^T)/|v| with u the unit vector; 0 at 0.
-    #[inline(always)]
-    fn normalize_vjp(self) -> (Self, impl FnOnce(Self) -> Self) {
-        let unit = self.normalize();
-        (unit, move |g| normalize_pullback(unit, self.length_recip(), g))
-    }
-
-    /// As [`normalize_vjp`](Self::normalize_vjp); 0 where the value is 0.
-    #[inline(always)]
-    fn normalize_or_zero_vjp(self) -> (Self, impl FnOnce(Self) -> Self) {
-        let unit = self.normalize_or_zero();
-        (unit, move |g| normalize_pullback(unit, self.length_recip(), g))
-    }
-
-    /// The smaller one's cotangent, element by element; a tie is the receiver's.
-    #[inline(always)]
-    fn min_vjp(self, other: Self) -> (Self, impl FnOnce(Self) -> (Self, Self)) {
-        let value = self.min(other);
-        (value, move |g| route_elements(self, value, g))
-    }
-
-    /// The larger one's cotangent, element by element; a tie is the receiver's.
-    #[inline(always)]
-    fn max_vjp(self, other: Self) -> (Self, impl FnOnce(Self) -> (Self, Self)) {
-        let value = self.max(other);
-        (value, move |g| route_elements(self, value, g))
-    }
-
-    /// The receiver's within the bounds and on them, else the bound's.
-    #[inline(always)]
-    fn clamp_vjp(self, low: Self, high: Self) -> (Self, impl FnOnce(Self) -> (Self, Self, Self)) {
-        let value = self.clamp(low, high);
-        (value, move |g| {
-            let (to_self, outside) = route_elements(self, value, g);
-            let (to_low, to_high) = route_elements(low, value, outside);
-            (to_self, to_low, to_high)
-        })
-    }
-
-    /// The sign of each element; 0 at 0.
-    #[inline(always)]
-    fn abs_vjp(self) -> (Self, impl FnOnce(Self) -> Self) {
-        (self.abs(), move |g: Self| g.zip_elements(self, |g, s| s.abs_vjp().1(g)))
-    }
-
-    /// -1/x^2 of each element; 0 at 0.
-    #[inline(always)]
-    fn recip_vjp(self) -> (Self, impl FnOnce(Self) -> Self) {
-        (self.recip(), move |g: Self| g.zip_elements(self, |g, s| s.recip_vjp().1(g)))
-    }
-
-    /// exp(x) of each element.
-    #[inline(always)]
-    fn exp_vjp(self) -> (Self, impl FnOnce(Self) -> Self) {
-        let value = self.exp();
-        (value, move |g: Self| g.zip_elements(value, chain))
-    }
-
-    /// 1/(2 sqrt(x)) of each element; 0 at 0.
-    #[inline(always)]
-    fn sqrt_vjp(self) -> (Self, impl FnOnce(Self) -> Self) {
-        (self.sqrt(), move |g: Self| g.zip_elements(self, |g, s| s.sqrt_vjp().1(g)))
-    }
-
-    /// The rule of the scalar `powf` for each element.
-    #[inline(always)]
-    fn powf_vjp(self, exponent: Self::Scalar) -> (Self, impl FnOnce(Self) -> (Self, Self::Scalar)) {
-        (self.powf(exponent), move |g: Self| {
-            let to_self = g.zip_elements(self, |g, s| s.powf_vjp(exponent).1(g).0);
-            let to_exponent = g.zip_elements(self, |g, s| s.powf_vjp(exponent).1(g).1);
-            (to_self, to_exponent.element_sum())
-        })
-    }
-
-    /// The cotangents of both ends and of the parameter.
-    #[inline(always)]
-    fn lerp_vjp(
-        self,
-        other: Self,
-        s: Self::Scalar,
-    ) -> (Self, impl FnOnce(Self) -> (Self, Self, Self::Scalar)) {
-        (self.lerp(other, s), move |g: Self| {
-            (
-                g.map_elements(|g| scale(g, Self::Scalar::ONE - s)),
-                g.map_elements(|g| scale(g, s)),
-                scale_elements(g, other - self).element_sum(),
-            )
-        })
-    }
-
-    /// The cotangents of the vector and of the normal, all of whose elements count as free.
-    #[inline(always)]
-    fn reflect_vjp(self, normal: Self) -> (Self, impl FnOnce(Self) -> (Self, Self)) {
-        (self.reflect(normal), move |g: Self| {
-            let twice_g_n = scale_elements(g + g, normal).element_sum();
-            let twice_v_n = (self + self).dot(normal);
-            (
-                g - scale_vector(twice_g_n, normal),
-                -(g.map_elements(|g| scale(g, twice_v_n)) + scale_vector(twice_g_n, self)),
-            )
-        })
+rules! {
+    /// The rules of the methods of [`Vector`].
+    VectorRules for every Vector {
+        splat(value: Self::Scalar) -> Self: |g| g.element_sum();
+        element_sum(v) -> Self::Scalar: Self::splat;
+        /// All to the first of the smallest elements.
+        min_element(v) -> Self::Scalar = value => Pulled(|g| to_first_equal(v, value, g));
+        /// All to the first of the largest elements.
+        max_element(v) -> Self::Scalar = value => Pulled(|g| to_first_equal(v, value, g));
+        dot(a, b: Self) -> Self::Scalar => (Gradient(b), Gradient(a));
+        length(v) -> Self::Scalar = length => Pulled(|g| length_pullback(v, length, g));
+        length_squared(v) -> Self::Scalar => Gradient(v + v);
+        length_recip(v) -> Self::Scalar = recip => Pulled(|g| length_recip_pullback(v, recip, g));
+        /// 0 where the points coincide.
+        distance(a, b: Self) -> Self::Scalar = distance => {
+            let by_difference = Pulled(move |g| length_pullback(a - b, distance, g));
+            (by_difference, Negated(by_difference))
+        };
+        distance_squared(a, b: Self) -> Self::Scalar => {
+            let twice = (a - b) + (a - b);
+            (Gradient(twice), Gradient(-twice))
+        };
+        /// (I - u u^T)/|v| with u the unit vector; 0 at 0.
+        normalize(v) = unit => Symmetric(|g| normalize_pullback(unit, v.length_recip(), g));
+        /// 0 where the value is 0.
+        normalize_or_zero(v) = unit => Symmetric(|g| normalize_pullback(unit, v.length_recip(), g));
+        /// The smaller one, element by element; a tie is the receiver's.
+        min(x, y) = value => {
+            let first = are_equal(value, x);
+            (Chosen(first), Chosen(Self::ONE - first))
+        };
+        /// The larger one, element by element; a tie is the receiver's.
+        max(x, y) = value => {
+            let first = are_equal(value, x);
+            (Chosen(first), Chosen(Self::ONE - first))
+        };
+        /// The receiver within the bounds and on them, else the bound.
+        clamp(x, low, high) = value => {
+            let (within, at_low) = (are_equal(value, x), are_equal(value, low));
+            let outside = Self::ONE - within;
+            (Chosen(within), Chosen(outside * at_low), Chosen(outside * (Self::ONE - at_low)))
+        };
+        abs(v) => Symmetric(|g: Self| g.zip_elements(v, |g, x| x.abs_vjp().1(g)));
+        recip(v) => Symmetric(|g: Self| g.zip_elements(v, |g, x| x.recip_vjp().1(g)));
+        sqrt(v) => Symmetric(|g: Self| g.zip_elements(v, |g, x| x.sqrt_vjp().1(g)));
+        exp(v) = value => Elements(value);
+        powf(v, exponent: Self::Scalar) -> Self = value => {
+            let by_base = v.zip_elements(value, |x, value| power_partials(x, exponent, value).0);
+            let by_exponent = v.zip_elements(value, |x, value| power_partials(x, exponent, value).1);
+            (Elements(by_base), Along(by_exponent))
+        };
+        lerp(a, b: Self, s: Self::Scalar) -> Self
+            => (Scaled(Self::Scalar::ONE - s), Scaled(s), Along(b - a));
+        /// v - 2 (v . n) n; all elements of the normal count as free.
+        reflect(v, normal: Self) -> Self => {
+            let along = move |number: Self::Scalar| scale_vector(number + number, normal);
+            let twice = (v + v).dot(normal);
+            let by_normal = Maps(
+                move |t: Self| -(along(inner(t, v)) + t.map_elements(|t| chain(t, twice))),
+                move |g: Self| {
+                    let by_product = inner(g + g, normal);
+                    -(g.map_elements(|g| scale(g, twice)) + scale_vector(by_product, v))
+                },
+            );
+            (Symmetric(move |g: Self| g - along(inner(g, normal))), by_normal)
+        };
     }
 }
 
-impl<V: Vector> VectorRules for V {}
-
-/// The `_vjp` siblings of the methods of [`Vector3`].
-pub trait Vector3Rules: Vector3 {
-    /// The cotangents of the elements.
-    #[inline(always)]
-    #[allow(clippy::type_complexity)]
-    fn new_vjp(
-        x: Self::Scalar,
-        y: Self::Scalar,
-        z: Self::Scalar,
-    ) -> (Self, impl FnOnce(Self) -> (Self::Scalar, Self::Scalar, Self::Scalar)) {
-        (Self::new(x, y, z), |g: Self| (g.x(), g.y(), g.z()))
-    }
-
-    /// The cotangent of the first element.
-    #[inline(always)]
-    fn x_vjp(self) -> (Self::Scalar, impl FnOnce(Self::Scalar) -> Self) {
-        (self.x(), |g| Self::new(g, Self::Scalar::zero(), Self::Scalar::zero()))
-    }
-
-    /// The cotangent of the second element.
-    #[inline(always)]
-    fn y_vjp(self) -> (Self::Scalar, impl FnOnce(Self::Scalar) -> Self) {
-        (self.y(), |g| Self::new(Self::Scalar::zero(), g, Self::Scalar::zero()))
-    }
-
-    /// The cotangent of the third element.
-    #[inline(always)]
-    fn z_vjp(self) -> (Self::Scalar, impl FnOnce(Self::Scalar) -> Self) {
-        (self.z(), |g| Self::new(Self::Scalar::zero(), Self::Scalar::zero(), g))
-    }
-
-    /// b x g and g x a.
-    #[inline(always)]
-    fn cross_vjp(self, other: Self) -> (Self, impl FnOnce(Self) -> (Self, Self)) {
-        (self.cross(other), move |g| (-scaled_cross(g, other), scaled_cross(g, self)))
+rules! {
+    /// The rules of the methods of [`Vector3`].
+    Vector3Rules for every Vector3 {
+        new(x: Self::Scalar, y: Self::Scalar, z: Self::Scalar) -> Self: |g| (g.x(), g.y(), g.z());
+        x(v) -> Self::Scalar: |g| Self::new(g, Additive::zero(), Additive::zero());
+        y(v) -> Self::Scalar: |g| Self::new(Additive::zero(), g, Additive::zero());
+        z(v) -> Self::Scalar: |g| Self::new(Additive::zero(), Additive::zero(), g);
+        cross(a, b) => {
+            let times = |v: Self| Maps(move |t| cross(t, v), move |g| -cross(g, v));
+            (times(b), Negated(times(a)))
+        };
     }
 }
 
-impl<V: Vector3> Vector3Rules for V {}
-
-macro_rules! new_rules {
-    ($($name:ident $type:ident $scalar:ident ($($element:ident),*) ($($tuple:ty),*);)*) => {$(
-        #[doc = concat!("The `_vjp` sibling of `", stringify!($type), "::new`.")]
-        pub trait $name: Sized {
-            /// The cotangents of the elements.
-            #[allow(clippy::type_complexity)]
-            fn new_vjp($($element: $scalar),*) -> (Self, impl FnOnce(Self) -> ($($tuple),*));
-        }
-
-        impl $name for glam::$type {
-            #[inline(always)]
-            #[allow(clippy::type_complexity, refining_impl_trait)]
-            fn new_vjp($($element: $scalar),*) -> (Self, impl FnOnce(Self) -> ($($tuple),*)) {
-                (Self::new($($element),*), |g: Self| ($(g.$element),*))
-            }
-        }
-    )*};
+rules! {
+    /// The rules of methods that all of glam's float vectors have beyond [`Vector`].
+    GlamRules: Kin for Vec2 Vec3 Vec4 DVec2 DVec3 DVec4 {
+        signum(v) => Zero();
+        floor(v) => Zero();
+        ceil(v) => Zero();
+        round(v) => Zero();
+        trunc(v) => Zero();
+        /// The jumps carry no derivative.
+        fract(v) => Same();
+        midpoint(a, b) => (Scaled(0.5), Scaled(0.5));
+        mul_add(x, a, b) => (Elements(a), Elements(x), Same());
+        element_product(v) -> Self::S as geometry::element_product;
+        project_onto(v, onto: Self) -> Self as geometry::project_onto;
+        project_onto_normalized(v, onto: Self) -> Self as geometry::project_onto_normalized;
+        reject_from(v, onto: Self) -> Self as geometry::reject_from;
+        reject_from_normalized(v, onto: Self) -> Self as geometry::reject_from_normalized;
+        normalize_or(v, fallback: Self) -> Self as geometry::normalize_or;
+        clamp_length(v, min: Self::S, max: Self::S) -> Self as geometry::clamp_length;
+        clamp_length_max(v, max: Self::S) -> Self as geometry::clamp_length_max;
+        clamp_length_min(v, min: Self::S) -> Self as geometry::clamp_length_min;
+        move_towards(v, end: Self, way: Self::S) -> Self as geometry::move_towards;
+        refract(v, normal: Self, eta: Self::S) -> Self as geometry::refract;
+    }
 }
 
-new_rules! {
-    Vec2Rules Vec2 f32 (x, y) (f32, f32);
-    Vec4Rules Vec4 f32 (x, y, z, w) (f32, f32, f32, f32);
-    DVec2Rules DVec2 f64 (x, y) (f64, f64);
-    DVec4Rules DVec4 f64 (x, y, z, w) (f64, f64, f64, f64);
+rules! {
+    /// The rules of functions and methods of vectors of the plane.
+    Vec2Rules: Kin for Vec2 DVec2 {
+        new(x: Self::S, y: Self::S) -> Self: |g| (g.x, g.y);
+        extend(v, z: Self::S) -> Self::V3: |g| (g.truncate(), g.z);
+        from_angle(angle: Self::S) -> Self as geometry::direction;
+        to_angle(v) -> Self::S as geometry::to_angle;
+        angle_to(v, other: Self) -> Self::S as geometry::angle_to;
+        perp(v) -> Self as geometry::perp;
+        perp_dot(v, other: Self) -> Self::S as geometry::perp_dot;
+        rotate(v, other: Self) -> Self as geometry::rotate;
+        rotate_angle(v, angle: Self::S) -> Self as geometry::rotate_angle;
+    }
+}
+
+rules! {
+    /// The rules of methods of vectors of space.
+    SpaceRules: Kin for Vec3 DVec3 {
+        extend(v, w: Self::S) -> Self::V4: |g| (g.truncate(), g.w);
+        truncate(v) -> Self::V2: |g| g.extend(-0.0);
+        angle_between(v, other: Self) -> Self::S as geometry::angle_between;
+        rotate_x(v, angle: Self::S) -> Self as geometry::rotate_x;
+        rotate_y(v, angle: Self::S) -> Self as geometry::rotate_y;
+        rotate_z(v, angle: Self::S) -> Self as geometry::rotate_z;
+        rotate_axis(v, axis: Self, angle: Self::S) -> Self as geometry::rotate_axis;
+    }
+}
+
+rules! {
+    /// The rules of functions and methods of vectors of four elements.
+    Vec4Rules: Kin for Vec4 DVec4 {
+        new(x: Self::S, y: Self::S, z: Self::S, w: Self::S) -> Self: |g| (g.x, g.y, g.z, g.w);
+        truncate(v) -> Self::V3: |g| g.extend(-0.0);
+    }
 }
 
 /// `g x v`, where a zero element of `g` annihilates whatever it meets.
 #[inline(always)]
-fn scaled_cross<V: Vector3>(g: V, v: V) -> V {
+fn cross<V: Vector3>(g: V, v: V) -> V {
     V::new(
         scale(g.y(), v.z()) - scale(g.z(), v.y()),
         scale(g.z(), v.x()) - scale(g.x(), v.z()),
@@ -280,8 +173,15 @@ fn scaled_cross<V: Vector3>(g: V, v: V) -> V {
 #[inline(always)]
 fn length_pullback<V: Vector>(vector: V, length: V::Scalar, cotangent: V::Scalar) -> V {
     let singular = length.cmpeq(V::Scalar::ZERO) | cotangent.vanishes();
-    vector
-        .map_elements(|v| V::Scalar::select(singular, V::Scalar::zero(), cotangent * (v / length)))
+    vector.map_elements(|v| linear::unless(singular, cotangent * (v / length)))
+}
+
+/// The pullback of `recip = 1/|vector|`: -v/|v|^3; 0 at 0.
+#[inline(always)]
+fn length_recip_pullback<V: Vector>(vector: V, recip: V::Scalar, cotangent: V::Scalar) -> V {
+    let singular = !recip.is_finite() | cotangent.vanishes();
+    // One factor at a time: the square of a large one would not be representable.
+    vector.map_elements(|v| linear::unless(singular, -(cotangent * recip * (v * recip) * recip)))
 }
 
 /// The pullback of `unit = vector * length_recip`.
@@ -290,20 +190,13 @@ fn normalize_pullback<V: Vector>(unit: V, length_recip: V::Scalar, cotangent: V)
     let defined = length_recip.is_finite() & length_recip.cmpgt(V::Scalar::ZERO);
     let along = scale_elements(cotangent, unit).element_sum();
     let across = cotangent - scale_vector(along, unit);
-    across.map_elements(|a| V::Scalar::select(defined, scale(a, length_recip), V::Scalar::zero()))
+    across.map_elements(|a| linear::unless(!defined, scale(a, length_recip)))
 }
 
-/// `cotangent` to `vector` where its element is the value, else to the other.
+/// 1 where elements are equal, else 0.
 #[inline(always)]
-fn route_elements<V: Vector>(vector: V, value: V, cotangent: V) -> (V, V) {
-    let chosen = value.zip_elements(vector, |value, element| {
-        V::Scalar::select(value.cmpeq(element), V::Scalar::ONE, V::Scalar::ZERO)
-    });
-    let pick = |wanted: V::Scalar| {
-        cotangent
-            .zip_elements(chosen, |g, c| V::Scalar::select(c.cmpeq(wanted), g, V::Scalar::zero()))
-    };
-    (pick(V::Scalar::ONE), pick(V::Scalar::ZERO))
+fn are_equal<V: Vector>(a: V, b: V) -> V {
+    a.zip_elements(b, |a, b| Select::select(a.cmpeq(b), V::Scalar::ONE, V::Scalar::ZERO))
 }
 
 /// `cotangent` to the first element that equals `value`.
@@ -311,9 +204,9 @@ fn route_elements<V: Vector>(vector: V, value: V, cotangent: V) -> (V, V) {
 fn to_first_equal<V: Vector>(vector: V, value: V::Scalar, cotangent: V::Scalar) -> V {
     let remaining = core::cell::Cell::new(cotangent);
     vector.map_elements(|element| {
-        let equal = element.cmpeq(value);
-        let share = V::Scalar::select(equal, remaining.get(), V::Scalar::zero());
-        remaining.set(V::Scalar::select(equal, V::Scalar::zero(), remaining.get()));
+        let differs = !element.cmpeq(value);
+        let share = linear::unless(differs, remaining.get());
+        remaining.set(linear::unless(!differs, remaining.get()));
         share
     })
 }

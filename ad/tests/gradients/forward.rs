@@ -1,7 +1,6 @@
-//! Forward mode, where the checks of gradients do not reach: rules written for it alone, singular
-//! points, the forms of parameters and results, and what is built on it.
+//! Forward mode, where the checks of gradients do not reach: singular points, the forms of parameters and
+//! results, and what is built on it.
 
 mod higher;
 mod parameters;
-mod rules;
 mod singular;

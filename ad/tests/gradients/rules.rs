@@ -49,12 +49,17 @@ fn dot(a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).map(|(a, b)| a * b).sum()
 }
 
-/// The value bit for bit, each cotangent against finite differences.
+/// The value of both siblings bit for bit, each cotangent against finite differences, and the tangent along a
+/// direction against the cotangents: `<g, J v> = <J^T g, v>`.
 fn against_differences(cases: &[Case<f64>]) {
-    run(cases, |case, x, g, _| {
+    run(cases, |case, x, g, direction| {
         let (value, pulled) = (case.vjp)(x, g);
+        let (moving, along) = (case.jvp)(x, direction);
         let bits = |v: &[f64]| v.iter().map(|v| v.to_bits()).collect::<Vec<_>>();
         assert_eq!(bits(&value), bits(&(case.primal)(x)), "{} at {x:?}", case.name);
+        assert_eq!(bits(&moving), bits(&value), "{} at {x:?}", case.name);
+        let what = format!("{} at {x:?} along {direction:?}, cotangent {g:?}", case.name);
+        assert_close(&what, dot(&along, g), dot(&pulled, direction), 1e-10);
         assert_eq!(pulled.len(), x.len(), "{}", case.name);
         let expected = ad::check::gradient(|x| dot(&(case.primal)(x), g), x, 0.02);
         for (i, expected) in expected.iter().enumerate() {
@@ -102,12 +107,14 @@ fn rules_on_duals(cases: &[Case<f64>], duals: &[Case<Dual<f64>>]) {
 /// The rules at single precision against those at double precision.
 fn against_double(singles: &[Case<f32>], doubles: &[Case<f64>]) {
     assert_eq!(singles.len(), doubles.len());
-    run(singles, |single, x, g, _| {
+    run(singles, |single, x, g, direction| {
         let double = doubles.iter().find(|d| d.name == single.name).expect("the lists are one");
         let (value, pulled) = (single.vjp)(&convert(x), &convert(g));
+        let (moving, along) = (single.jvp)(&convert(x), &convert(direction));
         let bits = |v: &[f32]| v.iter().map(|v| v.to_bits()).collect::<Vec<_>>();
         let primal = (single.primal)(&convert(x));
         assert_eq!(bits(&value), bits(&primal), "{} at {x:?}", single.name);
+        assert_eq!(bits(&moving), bits(&primal), "{} at {x:?}", single.name);
         // The inputs that single precision sees.
         let round = |x: &[f64]| x.iter().map(|&x| f64::from(x as f32)).collect::<Vec<_>>();
         let (_, expected) = (double.vjp)(&round(x), &round(g));
@@ -116,17 +123,21 @@ fn against_double(singles: &[Case<f32>], doubles: &[Case<f64>]) {
             let what = format!("{} at {x:?}, by input {i}, cotangent {g:?}", single.name);
             assert!((f64::from(*pulled) - expected[i]).abs() <= 1e-5 * size, "{what}");
         }
+        let (_, expected) = (double.jvp)(&round(x), &round(direction));
+        let size = expected.iter().fold(1.0, |size: f64, e| size.max(e.abs()));
+        for (along, expected) in along.iter().zip(expected) {
+            let what = format!("{} at {x:?} along {direction:?}", single.name);
+            assert!((f64::from(*along) - expected).abs() <= 1e-5 * size, "{what}");
+        }
     });
 }
 
 #[test]
 fn scalar_rules() {
     against_differences(&scalars::cases());
-    against_differences(&scalars::single_number_cases());
     against_duals(&scalars::cases(), &scalars::cases());
     rules_on_duals(&scalars::cases(), &scalars::cases());
     against_double(&scalars::cases(), &scalars::cases());
-    against_double(&scalars::single_number_cases(), &scalars::single_number_cases());
     against_differences(&scalars::double_float_cases());
     against_double(&scalars::single_float_cases(), &scalars::double_float_cases());
 }
@@ -144,13 +155,19 @@ fn vector_rules_of_glam() {
 }
 
 #[test]
-fn operators_that_only_glam_has() {
+fn functions_that_only_glam_has() {
     against_differences(&glam_only::double2());
     against_differences(&glam_only::double3());
     against_differences(&glam_only::double4());
     against_double(&glam_only::single2(), &glam_only::double2());
     against_double(&glam_only::single3(), &glam_only::double3());
     against_double(&glam_only::single4(), &glam_only::double4());
+    against_differences(&glam_only::double_plane());
+    against_differences(&glam_only::double_space());
+    against_differences(&glam_only::double_four());
+    against_double(&glam_only::single_plane(), &glam_only::double_plane());
+    against_double(&glam_only::single_space(), &glam_only::double_space());
+    against_double(&glam_only::single_four(), &glam_only::double_four());
 }
 
 #[test]

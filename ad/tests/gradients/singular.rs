@@ -1,7 +1,6 @@
 //! The table of singular points in `ad::rules`, row by row, in the rules and in dual numbers; and
 //! numbers at the ends of the range.
 
-use ad::rules::forward::*;
 use ad::rules::*;
 use ad::vector::Xyz;
 use ad::{Dual, Real, differentiable, select};

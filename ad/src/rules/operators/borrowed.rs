@@ -63,7 +63,6 @@ pub trait BorrowedOperator<Operation, Rhs: Differentiable, Form>: Differentiable
     fn value(&self, rhs: &Rhs) -> Self::Output;
 
     /// The value, and the pullback to both operands.
-    #[allow(clippy::type_complexity)]
     fn vjp(
         &self,
         rhs: &Rhs,
@@ -94,7 +93,6 @@ pub trait BorrowedAssignment<Operation, Rhs: Differentiable, Form>: Differentiab
 
     /// Changes it; the pullback is from the cotangent of what it is afterwards to those of what it
     /// was before and of the right operand.
-    #[allow(clippy::type_complexity)]
     fn vjp(
         &mut self,
         rhs: &Rhs,
@@ -133,7 +131,6 @@ macro_rules! operators {
         impl $function {
             /// The value and the pullback.
             #[inline(always)]
-            #[allow(clippy::type_complexity)]
             pub fn vjp<A, B, Form>(
                 a: &A,
                 b: &B,
@@ -238,7 +235,6 @@ macro_rules! assigning_operators {
         impl $function {
             /// The pullback.
             #[inline(always)]
-            #[allow(clippy::type_complexity)]
             pub fn vjp<A, B, Form>(
                 a: &mut A,
                 b: &B,

@@ -16,10 +16,11 @@
 mod assigning;
 #[doc(hidden)]
 pub mod borrowed;
+mod elementwise;
 mod integers;
 mod kept;
+mod motions;
 mod numbers;
-mod vectors;
 
 pub use assigning::{
     AddAssignPullback, Arithmetic, DivAssignPullback, MulAssignPullback, RemAssignPullback,
@@ -29,7 +30,6 @@ pub use borrowed::{
     AttributeOnOneForm, BorrowedAssignment, BorrowedOperator, OfReferences, OfValues, operation,
 };
 pub use kept::{Kept, Nothing, Operands};
-pub(super) use numbers::product_tangent;
 pub(crate) use numbers::quotient_pullback_of_finite;
 
 use core::ops::{Add, Div, Mul, Neg, Rem, Sub};
@@ -56,81 +56,58 @@ pub trait NegPullback: Differentiable + Neg<Output: Differentiable> + Sized {
     ) -> (<Self as Neg>::Output, Tangent<<Self as Neg>::Output>);
 }
 
-/// The pullbacks of operators whose partial derivatives are constants for numbers and vectors: they
-/// need no operand, so nothing is saved for them.
-macro_rules! linear_operator {
-    ($name:ident, $method:ident, $jvp:ident, $operator:ident, $symbol:literal) => {
+/// The pullback trait of an operator of two operands: its rule keeps of them what its `Kept` says, or gets
+/// them from the reverse sweep.
+macro_rules! binary_operator {
+    ($operator:ident $symbol:literal $($kept:ident)? $({ $($more:item)* })?) => { pastey::paste! {
         #[doc = concat!("The pullback of `", $symbol, "`.")]
         #[diagnostic::on_unimplemented(
             message = "no derivative rule for an operator between `{Self}` and `{Rhs}`",
             note = "rules exist for f32, f64 and glam's float vectors, by value: dereference a reference with `*`",
             note = "operators of your own type: put `#[differentiable]` on the `impl` of the operator"
         )]
-        pub trait $name<Rhs: Differentiable = Self>:
+        pub trait [<$operator Pullback>]<Rhs: Differentiable = Self>:
             Differentiable + $operator<Rhs, Output: Differentiable> + Sized
         {
-            /// What is kept of the operands.
-            type Kept: Kept<Self, Rhs>;
+            $(
+                /// What is kept of the operands.
+                type $kept: Kept<Self, Rhs>;
+            )?
 
-            /// The cotangents of the left and the right operand.
-            fn $method(
-                kept: &Self::Kept,
-                cotangent: Tangent<<Self as $operator<Rhs>>::Output>,
-            ) -> (Tangent<Self>, Tangent<Rhs>);
+            binary_operator!(@pullback [<$operator:lower _pullback>] $operator $($kept)?);
 
             /// The result and its tangent, from the operands and theirs.
-            #[allow(clippy::type_complexity)]
-            fn $jvp(
-                self,
-                rhs: Rhs,
-                tangent: Tangent<Self>,
-                rhs_tangent: Tangent<Rhs>,
-            ) -> (<Self as $operator<Rhs>>::Output, Tangent<<Self as $operator<Rhs>>::Output>);
-        }
-    };
-}
-
-/// The pullbacks of operators whose partial derivatives are the operands.
-macro_rules! bilinear_operator {
-    ($name:ident, $method:ident, $jvp:ident, $operator:ident, $symbol:literal $(, $more:item)?) => {
-        #[doc = concat!("The pullback of `", $symbol, "`.")]
-        #[diagnostic::on_unimplemented(
-            message = "no derivative rule for an operator between `{Self}` and `{Rhs}`",
-            note = "rules exist for f32, f64 and glam's float vectors, by value: dereference a reference with `*`",
-            note = "operators of your own type: put `#[differentiable]` on the `impl` of the operator"
-        )]
-        pub trait $name<Rhs: Differentiable = Self>:
-            Differentiable + $operator<Rhs, Output: Differentiable> + Sized
-        {
-            /// The cotangents of the left and the right operand.
-            fn $method(
-                self,
-                rhs: Rhs,
-                cotangent: Tangent<<Self as $operator<Rhs>>::Output>,
-            ) -> (Tangent<Self>, Tangent<Rhs>);
-
-            /// The result and its tangent, from the operands and theirs.
-            #[allow(clippy::type_complexity)]
-            fn $jvp(
+            fn [<$operator:lower _jvp>](
                 self,
                 rhs: Rhs,
                 tangent: Tangent<Self>,
                 rhs_tangent: Tangent<Rhs>,
             ) -> (<Self as $operator<Rhs>>::Output, Tangent<<Self as $operator<Rhs>>::Output>);
 
-            $($more)?
+            $($($more)*)?
         }
+    }};
+    (@pullback $pullback:ident $operator:ident $kept:ident) => {
+        /// The cotangents of the left and the right operand.
+        fn $pullback(
+            kept: &Self::$kept,
+            cotangent: Tangent<<Self as $operator<Rhs>>::Output>,
+        ) -> (Tangent<Self>, Tangent<Rhs>);
+    };
+    (@pullback $pullback:ident $operator:ident) => {
+        /// The cotangents of the left and the right operand.
+        fn $pullback(
+            self,
+            rhs: Rhs,
+            cotangent: Tangent<<Self as $operator<Rhs>>::Output>,
+        ) -> (Tangent<Self>, Tangent<Rhs>);
     };
 }
 
-linear_operator!(AddPullback, add_pullback, add_jvp, Add, "+");
-linear_operator!(SubPullback, sub_pullback, sub_jvp, Sub, "-");
-bilinear_operator!(
-    MulPullback,
-    mul_pullback,
-    mul_jvp,
-    Mul,
-    "*",
+// The partial derivatives of sums are constants for numbers and vectors: nothing is saved for them.
+binary_operator!(Add "+" Kept);
+binary_operator!(Sub "-" Kept);
+binary_operator!(Mul "*" {
     /// As [`mul_pullback`](Self::mul_pullback), where both operands are finite: then no cotangent
     /// of zero can meet an infinite partial derivative.
     #[inline(always)]
@@ -141,6 +118,6 @@ bilinear_operator!(
     ) -> (Tangent<Self>, Tangent<Rhs>) {
         self.mul_pullback(rhs, cotangent)
     }
-);
-bilinear_operator!(DivPullback, div_pullback, div_jvp, Div, "/");
-bilinear_operator!(RemPullback, rem_pullback, rem_jvp, Rem, "%");
+});
+binary_operator!(Div "/");
+binary_operator!(Rem "%");

@@ -1,91 +1,10 @@
-//! The operators of numbers, and sums of everything else.
+//! The products and quotients of numbers.
 
-use glam::{DMat2, DMat3, DMat4, DQuat, DVec2, DVec3, DVec4};
-use glam::{Mat2, Mat3, Mat4, Quat, Vec2, Vec3, Vec4};
-
-use super::{
-    AddPullback, Arithmetic, DivPullback, MulPullback, NegPullback, Nothing, RemPullback,
-    SubPullback,
-};
+use super::{DivPullback, MulPullback, RemPullback};
 use crate::dual::Along;
 use crate::rules::{chain, is_infinite, scale};
 use crate::tape::Var;
-use crate::vector::Xyz;
 use crate::{Dual, Mask, Real};
-
-/// Sums of two values of the same kind, and negation.
-macro_rules! linear_operators {
-    ($([$($generics:tt)*] $type:ty),* $(,)?) => {$(
-        impl<$($generics)*> Arithmetic for $type {}
-
-        impl<$($generics)*> NegPullback for $type {
-            type Kept = Nothing;
-
-            #[inline(always)]
-            fn neg_pullback(_: &Nothing, cotangent: Self) -> Self {
-                -cotangent
-            }
-
-            #[inline(always)]
-            fn neg_jvp(self, tangent: Self) -> (Self, Self) {
-                (-self, -tangent)
-            }
-        }
-
-        impl<$($generics)*> AddPullback for $type {
-            type Kept = Nothing;
-
-            #[inline(always)]
-            fn add_pullback(_: &Nothing, cotangent: Self) -> (Self, Self) {
-                (cotangent, cotangent)
-            }
-
-            #[inline(always)]
-            fn add_jvp(self, rhs: Self, tangent: Self, rhs_tangent: Self) -> (Self, Self) {
-                (self + rhs, tangent + rhs_tangent)
-            }
-        }
-
-        impl<$($generics)*> SubPullback for $type {
-            type Kept = Nothing;
-
-            #[inline(always)]
-            fn sub_pullback(_: &Nothing, cotangent: Self) -> (Self, Self) {
-                (cotangent, -cotangent)
-            }
-
-            #[inline(always)]
-            fn sub_jvp(self, rhs: Self, tangent: Self, rhs_tangent: Self) -> (Self, Self) {
-                (self - rhs, tangent - rhs_tangent)
-            }
-        }
-    )*};
-}
-
-#[cfg(feature = "lanes")]
-linear_operators!([] wide::f32x8, [] wide::f32x16, [] wide::f64x8);
-
-linear_operators!(
-    [] f32,
-    [] f64,
-    [S: Real, D: Along<S>] Dual<S, D>,
-    [] Var,
-    [] Vec2,
-    [] Vec3,
-    [] Vec4,
-    [] DVec2,
-    [] DVec3,
-    [] DVec4,
-    [S: Real] Xyz<S>,
-    [] Mat2,
-    [] Mat3,
-    [] Mat4,
-    [] DMat2,
-    [] DMat3,
-    [] DMat4,
-    [] Quat,
-    [] DQuat,
-);
 
 /// The cotangents of numerator and denominator of `quotient = numerator / denominator`.
 #[inline(always)]

@@ -1,9 +1,8 @@
 //! The table of singular points in `ad::rules`, for tangents.
 
-use ad::rules::forward::*;
 use ad::rules::*;
 use ad::{Dual, Mask, Real, differentiable, select};
-use glam::DVec3;
+use glam::{DMat3, DVec3};
 
 const INFINITE: [f64; 3] = [f64::INFINITY, f64::NEG_INFINITY, f64::NAN];
 
@@ -13,9 +12,9 @@ fn numbers() {
         for tangent in [
             zero.sqrt_jvp(2.0).1,
             zero.cbrt_jvp(2.0).1,
-            RealForward::abs_jvp(zero, 2.0).1,
-            RealForward::ln_jvp(zero, 2.0).1,
-            RealForward::recip_jvp(zero, 2.0).1,
+            RealRules::abs_jvp(zero, 2.0).1,
+            RealRules::ln_jvp(zero, 2.0).1,
+            RealRules::recip_jvp(zero, 2.0).1,
             zero.log2_jvp(2.0).1,
             zero.atan2_jvp(0.0, 2.0, 3.0).1,
             zero.hypot_jvp(zero, 2.0, 3.0).1,
@@ -36,9 +35,9 @@ fn numbers() {
 #[test]
 fn vectors() {
     let (zero, dot) = (DVec3::ZERO, DVec3::new(1.0, -2.0, 3.0));
-    assert_eq!(VectorForward::length_jvp(zero, dot).1, 0.0);
-    assert_eq!(VectorForward::normalize_or_zero_jvp(zero, dot).1, zero);
-    assert_eq!(VectorForward::distance_jvp(dot, dot, dot, zero).1, 0.0);
+    assert_eq!(VectorRules::length_jvp(zero, dot).1, 0.0);
+    assert_eq!(VectorRules::normalize_or_zero_jvp(zero, dot).1, zero);
+    assert_eq!(VectorRules::distance_jvp(dot, dot, dot, zero).1, 0.0);
     assert_eq!(dot.project_onto_jvp(zero, dot, dot).1, zero);
     assert_eq!(DVec3::ONE.max_element_jvp(dot).1, 1.0);
 }
@@ -59,11 +58,15 @@ fn nothing_moves() {
             assert_eq!(tangent, 0.0, "{bad}");
         }
         let vector = DVec3::splat(bad);
-        assert_eq!(VectorForward::dot_jvp(vector, vector, DVec3::ZERO, DVec3::ZERO).1, 0.0);
+        assert_eq!(VectorRules::dot_jvp(vector, vector, DVec3::ZERO, DVec3::ZERO).1, 0.0);
         assert_eq!(vector.cross_jvp(vector, DVec3::ZERO, DVec3::ZERO).1, DVec3::ZERO);
         assert_eq!(vector.mul_jvp(bad, DVec3::ZERO, 0.0).1, DVec3::ZERO);
         assert_eq!(vector.lerp_jvp(vector, bad, DVec3::ZERO, DVec3::ZERO, 0.0).1, DVec3::ZERO);
         assert_eq!(vector.reflect_jvp(vector, DVec3::ZERO, DVec3::ZERO).1, DVec3::ZERO);
+        let matrix = DMat3::from_cols_array(&[bad, 0.0, 0.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0]);
+        assert_eq!(matrix.mul_jvp(matrix, DMat3::ZERO, DMat3::ZERO).1, DMat3::ZERO);
+        let along = matrix.mul_jvp(DVec3::ONE, DMat3::IDENTITY, DVec3::Y).1;
+        assert_eq!(along, DVec3::new(3.0, 4.0, 5.0));
     }
     // The factor that moves is the one that counts.
     assert_eq!(f64::INFINITY.mul_jvp(2.0, 3.0, 0.0).1, 6.0);
@@ -82,7 +85,7 @@ macro_rules! assert_flat {
         }
     )*};
     ($($type:ty),*) => {$(
-        assert_flat!(RealForward of $type: abs_jvp signum_jvp floor_jvp recip_jvp sqrt_jvp exp_jvp
+        assert_flat!(RealRules of $type: abs_jvp signum_jvp floor_jvp recip_jvp sqrt_jvp exp_jvp
             ln_jvp sin_jvp cos_jvp tan_jvp asin_jvp acos_jvp atan_jvp tanh_jvp);
     )*};
 }
@@ -92,9 +95,9 @@ fn infinite_numbers() {
     assert_flat!(f64, f32, Dual<f64>);
     #[cfg(feature = "lanes")]
     assert_flat!(ad::lanes::f32x8, ad::lanes::f64x8);
-    assert_flat!(FloatForward of f64: cbrt_jvp sinh_jvp cosh_jvp asinh_jvp acosh_jvp atanh_jvp
+    assert_flat!(FloatRules of f64: cbrt_jvp sinh_jvp cosh_jvp asinh_jvp acosh_jvp atanh_jvp
         exp2_jvp exp_m1_jvp ln_1p_jvp log2_jvp log10_jvp);
-    assert_flat!(FloatForward of f32: exp2_jvp exp_m1_jvp);
+    assert_flat!(FloatRules of f32: exp2_jvp exp_m1_jvp);
     for bad in INFINITE {
         let (far, zero) = (f64::INFINITY, DVec3::ZERO);
         for tangent in [
@@ -108,14 +111,14 @@ fn infinite_numbers() {
             f64::difference_of_products_jvp(bad, 0.0, 0.0, bad, bad, 0.0, 0.0, bad).1,
             0.0.sin_cos_jvp(bad).1.1,
             1.0.max_jvp(0.5, 0.0, bad).1,
-            VectorForward::dot_jvp(DVec3::ONE, zero, DVec3::splat(bad), zero).1,
+            VectorRules::dot_jvp(DVec3::ONE, zero, DVec3::splat(bad), zero).1,
         ] {
             assert_eq!(tangent, 0.0, "{bad}");
         }
         let (vector, along) = (DVec3::splat(f64::NEG_INFINITY), DVec3::splat(bad));
-        assert_eq!(VectorForward::exp_jvp(vector, along).1, zero);
-        assert_eq!(VectorForward::recip_jvp(vector, along).1, zero);
-        assert_eq!(VectorForward::powf_jvp(-vector, -1.0, along, bad).1, zero);
+        assert_eq!(VectorRules::exp_jvp(vector, along).1, zero);
+        assert_eq!(VectorRules::recip_jvp(vector, along).1, zero);
+        assert_eq!(VectorRules::powf_jvp(-vector, -1.0, along, bad).1, zero);
         assert_eq!(DVec3::ONE.mul_jvp(0.0, along, 0.0).1, zero);
         assert_eq!(DVec3::ONE.mul_jvp(zero, along, zero).1, zero);
         assert_eq!(DVec3::ONE.div_jvp(vector, along, along).1, zero);

@@ -1,15 +1,17 @@
 //! A rule and the function it differentiates, both on flat lists of scalars.
 
+use ad::rules::NegPullback;
 use ad::vector::Xyz;
-use ad::{Dual, Real};
-use glam::{DMat2, DMat3, DMat4, DQuat, DVec2, DVec3, DVec4};
-use glam::{Mat2, Mat3, Mat4, Quat, Vec2, Vec3, Vec4};
+use ad::{Differentiable, Dual, Real};
+use glam::{Affine2, Affine3, Mat2, Mat3, Mat4, Quat, Vec2, Vec3, Vec4};
+use glam::{DAffine2, DAffine3, DMat2, DMat3, DMat4, DQuat, DVec2, DVec3, DVec4};
 
 /// A function of scalars to scalars.
 type Primal<S> = Box<dyn Fn(&[S]) -> Vec<S>>;
 
-/// From inputs and cotangents of the outputs to outputs and cotangents of the inputs.
-type Vjp<S> = Box<dyn Fn(&[S], &[S]) -> (Vec<S>, Vec<S>)>;
+/// One sibling: from inputs and cotangents of the outputs to outputs and cotangents of the inputs; or from
+/// inputs and their tangents to outputs and their tangents.
+type Sibling<S> = Box<dyn Fn(&[S], &[S]) -> (Vec<S>, Vec<S>)>;
 
 /// A rule.
 pub struct Case<S> {
@@ -19,27 +21,33 @@ pub struct Case<S> {
     /// Moves an input to where the function is smooth, if that is possible.
     pub domain: fn(&mut [f64]) -> bool,
     pub primal: Primal<S>,
-    pub vjp: Vjp<S>,
+    pub vjp: Sibling<S>,
+    pub jvp: Sibling<S>,
 }
 
-/// A rule whose pullback is called by `vjp` with inputs and the cotangent of the output.
+/// A rule whose siblings are called with inputs and the cotangent of the output, and with inputs and
+/// their tangents.
 pub fn case<S: Real, A: Flat<S>, R: Flat<S>>(
     name: &'static str,
     domain: fn(&mut [f64]) -> bool,
     primal: impl Fn(A) -> R + 'static,
     vjp: impl Fn(A, R) -> (R, A) + 'static,
+    jvp: impl Fn(A, A) -> (R, R) + 'static,
 ) -> Case<S> {
-    let vjp = move |x: &[S], g: &[S]| {
-        let (value, pulled) = vjp(unflatten(x), unflatten(g));
-        (flatten(value), flatten(pulled))
-    };
     Case {
         name,
         inputs: A::LEN,
         outputs: R::LEN,
         domain,
         primal: Box::new(move |x| flatten(primal(unflatten(x)))),
-        vjp: Box::new(vjp),
+        vjp: Box::new(move |x, g| {
+            let (value, pulled) = vjp(unflatten(x), unflatten(g));
+            (flatten(value), flatten(pulled))
+        }),
+        jvp: Box::new(move |x, dot| {
+            let (value, along) = jvp(unflatten(x), unflatten(dot));
+            (flatten(value), flatten(along))
+        }),
     }
 }
 
@@ -157,10 +165,14 @@ matrices! {
     Mat2 f32, 4 from_cols_array to_cols_array;
     Mat3 f32, 9 from_cols_array to_cols_array;
     Mat4 f32, 16 from_cols_array to_cols_array;
+    Affine2 f32, 6 from_cols_array to_cols_array;
+    Affine3 f32, 12 from_cols_array to_cols_array;
     Quat f32, 4 from_array to_array;
     DMat2 f64, 4 from_cols_array to_cols_array;
     DMat3 f64, 9 from_cols_array to_cols_array;
     DMat4 f64, 16 from_cols_array to_cols_array;
+    DAffine2 f64, 6 from_cols_array to_cols_array;
+    DAffine3 f64, 12 from_cols_array to_cols_array;
     DQuat f64, 4 from_array to_array;
 }
 
@@ -197,30 +209,88 @@ macro_rules! tuples {
 
 tuples!((A, B)(A, B, C)(A, B, C, D));
 
-/// A case from the form of its arguments, its value and its pullback.
-macro_rules! rule {
-    (($name:expr) $domain:expr, ($($x:ident: $type:ty),*) -> $result:ty,
-     $primal:expr, |$g:ident| $vjp:expr) => {
-        $crate::rules::case::case(
-            $name,
-            $domain,
-            |rule!(@pattern $($x),*): rule!(@type $($type),*)| -> $result { $primal },
-            |rule!(@pattern $($x),*): rule!(@type $($type),*), $g: $result| $vjp,
-        )
+/// The cases of functions, one a row: its arguments and its result, and where it is smooth. A function without
+/// a receiver stands behind its type.
+///
+/// ```text
+/// sinc(a: S) -> S, not_small;
+/// [V] splat(a: S) -> V, anywhere;
+/// ```
+macro_rules! functions {
+    ($($([$T:ident])? $name:ident($($x:ident: $X:ty),*) -> $R:ty, $domain:expr;)*) => {
+        pastey::paste! { vec![$(
+            $crate::rules::case::case(
+                concat!($(stringify!($T), "::",)? stringify!($name) $(, " ", stringify!($X))*),
+                $domain,
+                |functions!(@tuple $($x),*): functions!(@type $($X),*)| -> $R {
+                    functions!(@call [$($T)?] $name $($x),*)
+                },
+                |functions!(@tuple $($x),*), g| {
+                    let (value, pullback) = functions!(@call [$($T)?] [<$name _vjp>] $($x),*);
+                    (value, pullback(g))
+                },
+                |functions!(@tuple $($x),*), functions!(@tuple $([<$x _dot>]),*)| {
+                    functions!(@call [$($T)?] [<$name _jvp>] $($x,)* $(ad::rt::pass(&[<$x _dot>])),*)
+                },
+            )
+        ),*] }
     };
-    ($name:literal $($rest:tt)*) => { rule!(($name) $($rest)*) };
-    (@pattern $x:ident) => { $x };
-    (@pattern $($x:ident),*) => { ($($x),*) };
-    (@type $type:ty) => { $type };
-    (@type $($type:ty),*) => { ($($type),*) };
+    (@tuple $x:ident) => { $x };
+    (@tuple $($x:ident),*) => { ($($x),*) };
+    (@type $X:ty) => { $X };
+    (@type $($X:ty),*) => { ($($X),*) };
+    (@call [] $name:ident $x:ident $(, $y:expr)*) => { $x.$name($($y),*) };
+    (@call [$T:ident] $name:ident $($x:expr),*) => { <$T>::$name($($x),*) };
 }
 
-/// The value and the cotangents of a call of a `_vjp`.
-macro_rules! call {
-    ($call:expr, $g:expr) => {{
-        let (value, pullback) = $call;
-        (value, pullback($g))
-    }};
+/// The cases of operators, one a row: the types of the operands and of what it makes, and where it is smooth.
+macro_rules! operators {
+    ($($A:ident $operator:tt $B:ident -> $R:ident, $domain:expr;)*) => {
+        vec![$($crate::rules::case::case(
+            concat!(stringify!($A), stringify!($operator), stringify!($B)),
+            $domain,
+            |(a, b): ($A, $B)| -> $R { a $operator b },
+            |(a, b), g| (a $operator b, operators!(@pulled $operator a b g $A $B)),
+            |(a, b), (a_dot, b_dot)| operators!(@pushed $operator a b a_dot b_dot $A $B),
+        )),*]
+    };
+    (@pulled + $a:ident $b:ident $g:ident $A:ident $B:ident) => {
+        <$A as AddPullback<$B>>::add_pullback(&Default::default(), $g)
+    };
+    (@pulled - $a:ident $b:ident $g:ident $A:ident $B:ident) => {
+        <$A as SubPullback<$B>>::sub_pullback(&Default::default(), $g)
+    };
+    (@pulled * $a:ident $b:ident $g:ident $A:ident $B:ident) => {
+        <$A as MulPullback<$B>>::mul_pullback($a, $b, $g)
+    };
+    (@pulled / $a:ident $b:ident $g:ident $A:ident $B:ident) => {
+        <$A as DivPullback<$B>>::div_pullback($a, $b, $g)
+    };
+    (@pulled % $a:ident $b:ident $g:ident $A:ident $B:ident) => {
+        <$A as RemPullback<$B>>::rem_pullback($a, $b, $g)
+    };
+    (@pushed + $($all:tt)*) => { operators!(@push AddPullback add_jvp $($all)*) };
+    (@pushed - $($all:tt)*) => { operators!(@push SubPullback sub_jvp $($all)*) };
+    (@pushed * $($all:tt)*) => { operators!(@push MulPullback mul_jvp $($all)*) };
+    (@pushed / $($all:tt)*) => { operators!(@push DivPullback div_jvp $($all)*) };
+    (@pushed % $($all:tt)*) => { operators!(@push RemPullback rem_jvp $($all)*) };
+    (@push $rule:ident $jvp:ident $a:ident $b:ident $a_dot:ident $b_dot:ident $A:ident $B:ident) => {
+        <$A as $rule<$B>>::$jvp($a, $b, $a_dot, $b_dot)
+    };
 }
 
-pub(super) use {call, rule};
+/// The case of a negative.
+pub fn negative<S: Real, A>() -> Case<S>
+where
+    A: Flat<S> + Copy + NegPullback + Differentiable<Tangent = A> + core::ops::Neg<Output = A>,
+{
+    case(
+        "neg",
+        anywhere,
+        |a: A| -a,
+        |a, g| (-a, A::neg_pullback(&Default::default(), g)),
+        |a, a_dot| a.neg_jvp(a_dot),
+    )
+}
+
+pub(super) use {functions, operators};

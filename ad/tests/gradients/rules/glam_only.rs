@@ -1,55 +1,50 @@
 //! The operators and constructors that glam's vectors have beyond the trait `Vector`.
 
 use ad::rules::*;
-use glam::{DVec2, DVec3, DVec4, Vec2, Vec3, Vec4};
+use glam::{DVec2, DVec3, DVec4, Vec2, Vec2Swizzles, Vec3, Vec3Swizzles, Vec4, Vec4Swizzles};
 
-use super::case::{Case, anywhere, call, not_small, rule};
+use super::case::{Case, anywhere, functions, not_small, operators};
 
-macro_rules! operators {
+macro_rules! glam_vectors {
     ($($name:ident $vector:ident $scalar:ident ($($x:ident),*);)*) => {$(
         pub fn $name() -> Vec<Case<$scalar>> {
             type S = $scalar;
             type V = $vector;
-            vec![
-                rule!("scalar * vector" anywhere, (a: S, b: V) -> V,
-                    a * b, |g| (a * b, a.mul_pullback(b, g))),
-                rule!("vector / vector" not_small, (a: V, b: V) -> V,
-                    a / b, |g| (a / b, a.div_pullback(b, g))),
-                rule!("scalar / vector" not_small, (a: S, b: V) -> V,
-                    a / b, |g| (a / b, a.div_pullback(b, g))),
-                rule!("vector + scalar" anywhere, (a: V, b: S) -> V,
-                    a + b, |g| (a + b, <V as AddPullback<S>>::add_pullback(&Default::default(), g))),
-                rule!("scalar + vector" anywhere, (a: S, b: V) -> V,
-                    a + b, |g| (a + b, <S as AddPullback<V>>::add_pullback(&Default::default(), g))),
-                rule!("vector - scalar" anywhere, (a: V, b: S) -> V,
-                    a - b, |g| (a - b, <V as SubPullback<S>>::sub_pullback(&Default::default(), g))),
-                rule!("scalar - vector" anywhere, (a: S, b: V) -> V,
-                    a - b, |g| (a - b, <S as SubPullback<V>>::sub_pullback(&Default::default(), g))),
-                rule!("element_product" anywhere, (a: V) -> S,
-                    a.element_product(), |g| call!(a.element_product_vjp(), g)),
-                rule!("midpoint" anywhere, (a: V, b: V) -> V,
-                    a.midpoint(b), |g| call!(a.midpoint_vjp(b), g)),
-                rule!("mul_add" anywhere, (a: V, b: V, c: V) -> V,
-                    a.mul_add(b, c), |g| call!(a.mul_add_vjp(b, c), g)),
-                rule!("project_onto" not_small, (a: V, b: V) -> V,
-                    a.project_onto(b), |g| call!(a.project_onto_vjp(b), g)),
-                rule!("signum" off_integers, (a: V) -> V, a.signum(), |g| call!(a.signum_vjp(), g)),
-                rule!("floor" off_integers, (a: V) -> V, a.floor(), |g| call!(a.floor_vjp(), g)),
-                rule!("ceil" off_integers, (a: V) -> V, a.ceil(), |g| call!(a.ceil_vjp(), g)),
-                rule!("round" off_integers, (a: V) -> V, a.round(), |g| call!(a.round_vjp(), g)),
-                rule!("trunc" off_integers, (a: V) -> V, a.trunc(), |g| call!(a.trunc_vjp(), g)),
-                rule!("fract" off_integers, (a: V) -> V, a.fract(), |g| call!(a.fract_vjp(), g)),
-                operators!(@new $scalar $vector ($($x),*)),
-            ]
+            let mut cases = functions! {
+                [V] new($($x: S),*) -> V, anywhere;
+                element_product(a: V) -> S, anywhere;
+                midpoint(a: V, b: V) -> V, anywhere;
+                mul_add(a: V, b: V, c: V) -> V, anywhere;
+                project_onto(a: V, b: V) -> V, not_small;
+                reject_from(a: V, b: V) -> V, not_small;
+                project_onto_normalized(a: V, b: V) -> V, anywhere;
+                reject_from_normalized(a: V, b: V) -> V, anywhere;
+                normalize_or(a: V, b: V) -> V, not_small;
+                clamp_length_min(a: V, b: S) -> V, long;
+                clamp_length_max(a: V, b: S) -> V, long;
+                move_towards(a: V, b: V, s: S) -> V, on_the_way;
+                signum(a: V) -> V, off_integers;
+                floor(a: V) -> V, off_integers;
+                ceil(a: V) -> V, off_integers;
+                round(a: V) -> V, off_integers;
+                trunc(a: V) -> V, off_integers;
+                fract(a: V) -> V, off_integers;
+            };
+            cases.extend(operators! {
+                S * V -> V, anywhere;
+                V / V -> V, not_small;
+                S / V -> V, not_small;
+                V + S -> V, anywhere;
+                S + V -> V, anywhere;
+                V - S -> V, anywhere;
+                S - V -> V, anywhere;
+            });
+            cases
         }
     )*};
-    (@new $scalar:ident $vector:ident ($($x:ident),*)) => {
-        rule!("new" anywhere, ($($x: $scalar),*) -> $vector,
-            $vector::new($($x),*), |g| call!(<$vector>::new_vjp($($x),*), g))
-    };
 }
 
-operators! {
+glam_vectors! {
     single2 Vec2 f32 (x, y);
     single3 Vec3 f32 (x, y, z);
     single4 Vec4 f32 (x, y, z, w);
@@ -61,4 +56,93 @@ operators! {
 fn off_integers(x: &mut [f64]) -> bool {
     x.iter_mut().for_each(|x| *x = x.floor() + 0.25);
     true
+}
+
+/// The length of the vector, the first inputs, is not near to the last input, which is positive.
+fn long(x: &mut [f64]) -> bool {
+    let (bound, vector) = x.split_last_mut().unwrap();
+    *bound = bound.abs() + 0.2;
+    let length = vector.iter().map(|x| x * x).sum::<f64>().sqrt();
+    length > 0.2 && (length - *bound).abs() > 0.1
+}
+
+/// The two points are farther apart than the last input, which is positive.
+fn on_the_way(x: &mut [f64]) -> bool {
+    let (way, points) = x.split_last_mut().unwrap();
+    *way = way.abs() + 0.1;
+    let (a, b) = points.split_at(points.len() / 2);
+    let apart = a.iter().zip(b).map(|(a, b)| (a - b) * (a - b)).sum::<f64>().sqrt();
+    apart > *way + 0.2
+}
+
+macro_rules! plane_and_space {
+    ($($plane:ident $space:ident $four:ident $scalar:ident $v2:ident $v3:ident $v4:ident;)*) => {$(
+        pub fn $plane() -> Vec<Case<$scalar>> {
+            type S = $scalar;
+            type V = $v2;
+            type W = $v3;
+            functions! {
+                [V] from_angle(a: S) -> V, anywhere;
+                to_angle(a: V) -> S, not_small;
+                angle_to(a: V, b: V) -> S, off_the_cut;
+                perp(a: V) -> V, anywhere;
+                perp_dot(a: V, b: V) -> S, anywhere;
+                rotate(a: V, b: V) -> V, anywhere;
+                rotate_angle(a: V, b: S) -> V, anywhere;
+                extend(a: V, z: S) -> W, anywhere;
+                with_y(a: V, y: S) -> V, anywhere;
+                xx(a: V) -> V, anywhere;
+                yx(a: V) -> V, anywhere;
+            }
+        }
+
+        pub fn $space() -> Vec<Case<$scalar>> {
+            type S = $scalar;
+            type U = $v2;
+            type V = $v3;
+            type W = $v4;
+            functions! {
+                angle_between(a: V, b: V) -> S, not_small;
+                rotate_x(a: V, b: S) -> V, anywhere;
+                rotate_y(a: V, b: S) -> V, anywhere;
+                rotate_z(a: V, b: S) -> V, anywhere;
+                rotate_axis(a: V, b: V, c: S) -> V, about_an_axis;
+                extend(a: V, w: S) -> W, anywhere;
+                truncate(a: V) -> U, anywhere;
+                with_z(a: V, z: S) -> V, anywhere;
+                zz(a: V) -> U, anywhere;
+                zxy(a: V) -> V, anywhere;
+            }
+        }
+
+        pub fn $four() -> Vec<Case<$scalar>> {
+            type S = $scalar;
+            type U = $v2;
+            type V = $v3;
+            type W = $v4;
+            functions! {
+                truncate(a: W) -> V, anywhere;
+                with_w(a: W, w: S) -> W, anywhere;
+                wy(a: W) -> U, anywhere;
+                xzw(a: W) -> V, anywhere;
+            }
+        }
+    )*};
+}
+
+plane_and_space! {
+    single_plane single_space single_four f32 Vec2 Vec3 Vec4;
+    double_plane double_space double_four f64 DVec2 DVec3 DVec4;
+}
+
+/// The angle from the first vector to the second is not near to a half turn.
+fn off_the_cut(x: &mut [f64]) -> bool {
+    not_small(x) && (x[0] * x[2] + x[1] * x[3] > 0.1 || (x[0] * x[3] - x[1] * x[2]).abs() > 0.3)
+}
+
+/// The second vector, an axis, has length 1.
+fn about_an_axis(x: &mut [f64]) -> bool {
+    let length = x[3..6].iter().map(|x| x * x).sum::<f64>().sqrt();
+    x[3..6].iter_mut().for_each(|x| *x /= length);
+    length > 0.1
 }

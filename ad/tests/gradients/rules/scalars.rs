@@ -1,56 +1,58 @@
 //! The rules of scalars.
 
+use ad::Real;
 use ad::rules::*;
-use ad::{Real, Scalar};
 
-use super::case::{Case, Flat, anywhere, apart, call, not_small, positive, rule};
+use super::case::{
+    Case, Flat, anywhere, apart, case, functions, negative, not_small, operators, positive,
+};
 
 /// The rules of every scalar.
 pub fn cases<S: Real + Flat<S>>() -> Vec<Case<S>> {
-    vec![
-        rule!("neg" anywhere, (a: S) -> S, -a, |g| (-a, S::neg_pullback(&Default::default(), g))),
-        rule!("add" anywhere, (a: S, b: S) -> S, a + b, |g| (a + b, S::add_pullback(&Default::default(), g))),
-        rule!("sub" anywhere, (a: S, b: S) -> S, a - b, |g| (a - b, S::sub_pullback(&Default::default(), g))),
-        rule!("mul" anywhere, (a: S, b: S) -> S, a * b, |g| (a * b, a.mul_pullback(b, g))),
-        rule!("div" not_small, (a: S, b: S) -> S, a / b, |g| (a / b, a.div_pullback(b, g))),
-        rule!("min" apart, (a: S, b: S) -> S, a.min(b), |g| call!(a.min_vjp(b), g)),
-        rule!("max" apart, (a: S, b: S) -> S, a.max(b), |g| call!(a.max_vjp(b), g)),
-        rule!("clamp" ordered_bounds, (x: S, low: S, high: S) -> S,
-            x.clamp(low, high), |g| call!(x.clamp_vjp(low, high), g)),
-        rule!("abs" not_small, (a: S) -> S, a.abs(), |g| call!(a.abs_vjp(), g)),
-        rule!("signum" not_small, (a: S) -> S, a.signum(), |g| call!(a.signum_vjp(), g)),
-        rule!("floor" between_integers, (a: S) -> S, a.floor(), |g| call!(a.floor_vjp(), g)),
-        rule!("copysign" not_small, (a: S, b: S) -> S,
-            a.copysign(b), |g| call!(a.copysign_vjp(b), g)),
-        rule!("recip" not_small, (a: S) -> S, a.recip(), |g| call!(a.recip_vjp(), g)),
-        rule!("mul_add" anywhere, (a: S, b: S, c: S) -> S,
-            a.mul_add(b, c), |g| call!(a.mul_add_vjp(b, c), g)),
-        rule!("difference_of_products" anywhere, (a: S, b: S, c: S, d: S) -> S,
-            S::difference_of_products(a, b, c, d),
-            |g| call!(S::difference_of_products_vjp(a, b, c, d), g)),
-        rule!("sqrt" positive, (a: S) -> S, a.sqrt(), |g| call!(a.sqrt_vjp(), g)),
-        rule!("exp" anywhere, (a: S) -> S, a.exp(), |g| call!(a.exp_vjp(), g)),
-        rule!("ln" positive, (a: S) -> S, a.ln(), |g| call!(a.ln_vjp(), g)),
-        rule!("powf" positive, (a: S, b: S) -> S, a.powf(b), |g| call!(a.powf_vjp(b), g)),
+    let mut cases = functions! {
+        min(a: S, b: S) -> S, apart;
+        max(a: S, b: S) -> S, apart;
+        clamp(x: S, low: S, high: S) -> S, ordered_bounds;
+        abs(a: S) -> S, not_small;
+        signum(a: S) -> S, not_small;
+        floor(a: S) -> S, between_integers;
+        copysign(a: S, b: S) -> S, not_small;
+        recip(a: S) -> S, not_small;
+        mul_add(a: S, b: S, c: S) -> S, anywhere;
+        [S] difference_of_products(a: S, b: S, c: S, d: S) -> S, anywhere;
+        sqrt(a: S) -> S, positive;
+        exp(a: S) -> S, anywhere;
+        ln(a: S) -> S, positive;
+        powf(a: S, b: S) -> S, positive;
+        sin(a: S) -> S, anywhere;
+        cos(a: S) -> S, anywhere;
+        tan(a: S) -> S, half;
+        asin(a: S) -> S, half;
+        acos(a: S) -> S, half;
+        atan(a: S) -> S, anywhere;
+        atan2(a: S, b: S) -> S, not_small;
+        tanh(a: S) -> S, anywhere;
+    };
+    cases.extend(operators! {
+        S + S -> S, anywhere;
+        S - S -> S, anywhere;
+        S * S -> S, anywhere;
+        S / S -> S, not_small;
+    });
+    cases.push(negative::<S, S>());
+    cases.extend([
         power::<S, -3>("powi -3"),
         power::<S, -1>("powi -1"),
         power::<S, 0>("powi 0"),
         power::<S, 1>("powi 1"),
         power::<S, 2>("powi 2"),
         power::<S, 5>("powi 5"),
-        rule!("sin" anywhere, (a: S) -> S, a.sin(), |g| call!(a.sin_vjp(), g)),
-        rule!("cos" anywhere, (a: S) -> S, a.cos(), |g| call!(a.cos_vjp(), g)),
-        rule!("tan" half, (a: S) -> S, a.tan(), |g| call!(a.tan_vjp(), g)),
-        rule!("asin" half, (a: S) -> S, a.asin(), |g| call!(a.asin_vjp(), g)),
-        rule!("acos" half, (a: S) -> S, a.acos(), |g| call!(a.acos_vjp(), g)),
-        rule!("atan" anywhere, (a: S) -> S, a.atan(), |g| call!(a.atan_vjp(), g)),
-        rule!("atan2" not_small, (a: S, b: S) -> S, a.atan2(b), |g| call!(a.atan2_vjp(b), g)),
-        rule!("tanh" anywhere, (a: S) -> S, a.tanh(), |g| call!(a.tanh_vjp(), g)),
-    ]
+    ]);
+    cases
 }
 
 fn power<S: Real + Flat<S>, const N: i32>(name: &'static str) -> Case<S> {
-    super::case::case(
+    case(
         name,
         not_small,
         |a: S| a.powi(N),
@@ -58,111 +60,61 @@ fn power<S: Real + Flat<S>, const N: i32>(name: &'static str) -> Case<S> {
             let (value, pullback) = a.powi_vjp(N);
             (value, pullback(g).0)
         },
+        |a, a_dot| a.powi_jvp(N, a_dot, ()),
     )
 }
 
-/// The rules of what only single numbers have. The methods are those of the primitive types.
-pub fn single_number_cases<S: Primitive>() -> Vec<Case<S>> {
-    vec![
-        rule!("sin_cos" anywhere, (a: S) -> (S, S),
-            a.plain_sin_cos(), |g| call!(a.sin_cos_vjp(), g)),
-        rule!("to_radians" anywhere, (a: S) -> S,
-            a.plain_to_radians(), |g| call!(a.to_radians_vjp(), g)),
-        rule!("to_degrees" anywhere, (a: S) -> S,
-            a.plain_to_degrees(), |g| call!(a.to_degrees_vjp(), g)),
-        rule!("rem" away_from_jumps, (a: S, b: S) -> S,
-            a.plain_rem(b), |g| (a.plain_rem(b), a.plain_rem_pullback(b, g))),
-        rule!("cast" anywhere, (a: S) -> S, a, |g| (a, a.cast_there_and_back(g))),
-    ]
-}
-
-/// What `f32` and `f64` have beyond [`Scalar`].
-pub trait Primitive: Scalar + Flat<Self> {
-    fn plain_sin_cos(self) -> (Self, Self);
-    fn plain_to_radians(self) -> Self;
-    fn plain_to_degrees(self) -> Self;
-    fn plain_rem(self, other: Self) -> Self;
-    fn plain_rem_pullback(self, other: Self, cotangent: Self) -> (Self, Self);
-    /// The pullbacks of the casts to `f64` and from there to this type.
-    fn cast_there_and_back(self, cotangent: Self) -> Self;
-}
-
-macro_rules! primitive {
-    ($($type:ident)*) => {$(
-        impl Primitive for $type {
-            fn plain_sin_cos(self) -> (Self, Self) {
-                self.sin_cos()
-            }
-
-            fn plain_to_radians(self) -> Self {
-                self.to_radians()
-            }
-
-            fn plain_to_degrees(self) -> Self {
-                self.to_degrees()
-            }
-
-            fn plain_rem(self, other: Self) -> Self {
-                self % other
-            }
-
-            fn plain_rem_pullback(self, other: Self, cotangent: Self) -> (Self, Self) {
-                self.rem_pullback(other, cotangent)
-            }
-
-            fn cast_there_and_back(self, cotangent: Self) -> Self {
-                let wide = CastPullback::<$type>::cast_pullback(f64::from(self), cotangent);
-                CastPullback::<f64>::cast_pullback(self, wide)
-            }
-        }
-    )*};
-}
-
-primitive!(f32 f64);
-
-/// The rules of the methods of primitive types, each with the plain method of the same name.
+/// The rules of the methods and operators that only `f32` and `f64` have.
 macro_rules! float_cases {
-    ($function:ident $type:ident: $($name:ident $vjp:ident $domain:ident ($($x:ident),*);)*) => {
-        pub fn $function() -> Vec<Case<$type>> {
+    ($($name:ident $type:ident)*) => {$(
+        pub fn $name() -> Vec<Case<$type>> {
             type S = $type;
-            vec![$(
-                rule!((stringify!($name)) $domain, ($($x: S),*) -> S,
-                    $type::$name($($x),*), |g| call!($type::$vjp($($x),*), g)),
-            )*]
-        }
-    };
-}
-
-macro_rules! all_float_cases {
-    ($($function:ident $type:ident)*) => {$(
-        float_cases! {
-            $function $type:
-            hypot hypot_vjp not_small (a, b);
-            midpoint midpoint_vjp anywhere (a, b);
-            cbrt cbrt_vjp not_small (a);
-            sinh sinh_vjp anywhere (a);
-            cosh cosh_vjp anywhere (a);
-            asinh asinh_vjp anywhere (a);
-            acosh acosh_vjp above_one (a);
-            atanh atanh_vjp half (a);
-            exp2 exp2_vjp anywhere (a);
-            exp_m1 exp_m1_vjp anywhere (a);
-            ln_1p ln_1p_vjp half (a);
-            log2 log2_vjp positive (a);
-            log10 log10_vjp positive (a);
-            log log_vjp above_one (a, b);
-            rem_euclid rem_euclid_vjp away_from_jumps (a, b);
-            div_euclid div_euclid_vjp away_from_jumps (a, b);
-            ceil ceil_vjp off_integers (a);
-            round round_vjp off_integers (a);
-            round_ties_even round_ties_even_vjp off_integers (a);
-            trunc trunc_vjp off_integers (a);
-            fract fract_vjp off_integers (a);
+            let mut cases = functions! {
+                sin_cos(a: S) -> (S, S), anywhere;
+                to_radians(a: S) -> S, anywhere;
+                to_degrees(a: S) -> S, anywhere;
+                hypot(a: S, b: S) -> S, not_small;
+                midpoint(a: S, b: S) -> S, anywhere;
+                cbrt(a: S) -> S, not_small;
+                sinh(a: S) -> S, anywhere;
+                cosh(a: S) -> S, anywhere;
+                asinh(a: S) -> S, anywhere;
+                acosh(a: S) -> S, above_one;
+                atanh(a: S) -> S, half;
+                exp2(a: S) -> S, anywhere;
+                exp_m1(a: S) -> S, anywhere;
+                ln_1p(a: S) -> S, half;
+                log2(a: S) -> S, positive;
+                log10(a: S) -> S, positive;
+                log(a: S, b: S) -> S, above_one;
+                rem_euclid(a: S, b: S) -> S, away_from_jumps;
+                div_euclid(a: S, b: S) -> S, away_from_jumps;
+                ceil(a: S) -> S, off_integers;
+                round(a: S) -> S, off_integers;
+                round_ties_even(a: S) -> S, off_integers;
+                trunc(a: S) -> S, off_integers;
+                fract(a: S) -> S, off_integers;
+            };
+            cases.extend(operators! { S % S -> S, away_from_jumps; });
+            cases.push(case(
+                "cast",
+                anywhere,
+                |a: S| a,
+                |a, g| {
+                    let wide = CastPullback::<S>::cast_pullback(f64::from(a), g);
+                    (a, CastPullback::<f64>::cast_pullback(a, wide))
+                },
+                |a, a_dot| {
+                    let wide = CastPullback::<f64>::cast_pushforward(a, a_dot);
+                    (a, CastPullback::<S>::cast_pushforward(f64::from(a), wide))
+                },
+            ));
+            cases
         }
     )*};
 }
 
-all_float_cases! {
+float_cases! {
     single_float_cases f32
     double_float_cases f64
 }

@@ -155,3 +155,24 @@ macro_rules! deferred {
 }
 
 both!(names_without_a_value(r, a) by deferred!(r * a));
+
+macro_rules! documented {
+    ($(#[$meta:meta])* $name:ident($x:ident) = $e:expr) => {
+        $(#[$meta])*
+        #[differentiable]
+        fn $name($x: f64) -> f64 {
+            $e
+        }
+    };
+}
+
+documented! {
+    /// The square.
+    #[inline]
+    square(x) = x * x
+}
+
+#[test]
+fn attributes_by_a_fragment() {
+    assert_eq!(square::value_and_grad(3.0), (9.0, 6.0));
+}

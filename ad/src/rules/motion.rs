@@ -1,0 +1,106 @@
+//! The rules of quaternions, and of matrices that stand for motions. The four numbers of a quaternion
+//! count as free: that a rotation has length 1 is no part of the derivative.
+
+use glam::{
+    Affine2, Affine3, DAffine2, DAffine3, DMat2, DMat3, DMat4, DQuat, Mat2, Mat3, Mat4, Quat,
+};
+
+use super::geometry::{motion, rotation, vector};
+use super::kin::Kin;
+use super::linear::Symmetric;
+use super::row::rules;
+
+rules! {
+    /// The rules of functions and methods of quaternions.
+    QuaternionRules: Kin for Quat DQuat {
+        from_xyzw(x: Self::S, y: Self::S, z: Self::S, w: Self::S) -> Self: |g| (g.x, g.y, g.z, g.w);
+        from_axis_angle(axis: Self::V3, angle: Self::S) -> Self as rotation::from_axis_angle;
+        from_rotation_x(angle: Self::S) -> Self as rotation::about_x;
+        from_rotation_y(angle: Self::S) -> Self as rotation::about_y;
+        from_rotation_z(angle: Self::S) -> Self as rotation::about_z;
+        from_scaled_axis(axis: Self::V3) -> Self as rotation::from_scaled_axis;
+        from_rotation_arc(from: Self::V3, to: Self::V3) -> Self as rotation::from_rotation_arc;
+        to_axis_angle(q) -> (Self::V3, Self::S) as rotation::to_axis_angle;
+        to_scaled_axis(q) -> Self::V3 as rotation::to_scaled_axis;
+        angle_between(q, other: Self) -> Self::S as rotation::angle_between;
+        conjugate(q) => Symmetric(|t: Self| t.conjugate());
+        /// That of the conjugate, which the inverse of a rotation is.
+        inverse(q) => Symmetric(|t: Self| t.conjugate());
+        normalize(q) -> Self as vector::unit;
+        length(q) -> Self::S as vector::length;
+        length_squared(q) -> Self::S as vector::length_squared;
+        dot(q, other: Self) -> Self::S as vector::dot;
+        xyz(q) -> Self::V3: |g| Self::from_vec4(g.extend(-0.0));
+        mul_vec3(q, v: Self::V3) -> Self::V3 as rotation::rotated;
+        mul_quat(q, other: Self) -> Self as rotation::product;
+        /// Which of `end` and `-end` is nearer is not differentiated.
+        lerp(q, end: Self, s: Self::S) -> Self as rotation::lerp;
+        /// That of `lerp` where the ends are so near that glam takes it.
+        slerp(q, end: Self, s: Self::S) -> Self as rotation::slerp;
+    }
+}
+
+rules! {
+    /// The rules of rotations of the plane.
+    AngleRules: Kin for Mat2 Mat3 Affine2 DMat2 DMat3 DAffine2 {
+        from_angle(angle: Self::S) -> Self as motion::from_angle;
+    }
+}
+
+rules! {
+    /// The rules of motions of the plane.
+    PlaneMotionRules: Kin for Mat3 Affine2 DMat3 DAffine2 {
+        from_scale(scale: Self::V2) -> Self as motion::from_scale2;
+        from_translation(translation: Self::V2) -> Self as motion::from_translation2;
+        from_scale_angle_translation(scale: Self::V2, angle: Self::S, translation: Self::V2) -> Self
+            as motion::plane;
+        transform_point2(&m, point: Self::V2) -> Self::V2 as motion::transform_point2;
+        transform_vector2(&m, vector: Self::V2) -> Self::V2 as motion::transform_vector2;
+    }
+}
+
+rules! {
+    /// The rules of affine motions of the plane.
+    Affine2Rules: Kin for Affine2 DAffine2 {
+        from_mat2(linear: Self::M2) -> Self as motion::resized;
+        from_mat2_translation(linear: Self::M2, translation: Self::V2) -> Self as motion::moved2;
+        from_angle_translation(angle: Self::S, translation: Self::V2) -> Self
+            as motion::from_angle_translation;
+        inverse(&m) -> Self as motion::inverse2;
+    }
+}
+
+rules! {
+    /// The rules of rotations of space.
+    RotationRules: Kin for Mat3 Mat4 Affine3 DMat3 DMat4 DAffine3 {
+        from_rotation_x(angle: Self::S) -> Self as motion::about_x;
+        from_rotation_y(angle: Self::S) -> Self as motion::about_y;
+        from_rotation_z(angle: Self::S) -> Self as motion::about_z;
+        from_axis_angle(axis: Self::V3, angle: Self::S) -> Self as motion::from_axis_angle;
+        from_quat(turn: Self::Q) -> Self as motion::from_quat;
+    }
+}
+
+rules! {
+    /// The rules of motions of space.
+    TransformRules: Kin for Mat4 Affine3 DMat4 DAffine3 {
+        from_scale(scale: Self::V3) -> Self as motion::from_scale3;
+        from_translation(translation: Self::V3) -> Self as motion::from_translation3;
+        from_rotation_translation(turn: Self::Q, translation: Self::V3) -> Self
+            as motion::from_rotation_translation;
+        from_scale_rotation_translation(scale: Self::V3, turn: Self::Q, translation: Self::V3) -> Self
+            as motion::from_scale_rotation_translation;
+        transform_point3(&m, point: Self::V3) -> Self::V3 as motion::transform_point3;
+        transform_vector3(&m, vector: Self::V3) -> Self::V3 as motion::transform_vector3;
+    }
+}
+
+rules! {
+    /// The rules of affine motions of space.
+    Affine3Rules: Kin for Affine3 DAffine3 {
+        from_mat3(linear: Self::M3) -> Self as motion::resized;
+        from_mat4(matrix: Self::M4) -> Self as motion::resized;
+        from_mat3_translation(linear: Self::M3, translation: Self::V3) -> Self as motion::moved3;
+        inverse(&m) -> Self as motion::inverse3;
+    }
+}

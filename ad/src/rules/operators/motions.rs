@@ -1,0 +1,71 @@
+//! The operators of matrices, quaternions and affine motions.
+
+use glam::{Affine2, Affine3, Mat2, Mat3, Mat4, Quat, Vec2, Vec3, Vec4};
+use glam::{DAffine2, DAffine3, DMat2, DMat3, DMat4, DQuat, DVec2, DVec3, DVec4};
+
+use super::{DivPullback, MulPullback};
+use crate::rules::geometry::{matrix, motion, rotation, vector};
+use crate::rules::kin::Numbers;
+
+/// Operators by formulas. The value is that of the operator.
+macro_rules! by_formula {
+    ($($left:ident $operator:tt $right:ident -> $result:ident as $formula:path;)*) => {$(
+        by_formula!(@$operator $left $right $result $formula);
+    )*};
+    (@* $($operands:tt)*) => { by_formula!(@one MulPullback mul_pullback mul_jvp * $($operands)*); };
+    (@/ $($operands:tt)*) => { by_formula!(@one DivPullback div_pullback div_jvp / $($operands)*); };
+    (@one $rule:ident $pullback:ident $jvp:ident $operator:tt
+        $left:ident $right:ident $result:ident $formula:path) => {
+        impl $rule<$right> for $left {
+            #[inline(always)]
+            fn $pullback(self, rhs: $right, cotangent: $result) -> (Self, $right) {
+                use $formula as formula;
+                let (_, pullback) = formula::vjp(self.numbers(), rhs.numbers());
+                Numbers::of_numbers(pullback(cotangent.numbers()))
+            }
+
+            #[inline(always)]
+            fn $jvp(
+                self,
+                rhs: $right,
+                tangent: Self,
+                rhs_tangent: $right,
+            ) -> ($result, $result) {
+                use $formula as formula;
+                let (_, along) = formula::jvp(
+                    self.numbers(),
+                    rhs.numbers(),
+                    tangent.numbers(),
+                    rhs_tangent.numbers(),
+                );
+                (self $operator rhs, Numbers::of_numbers(along))
+            }
+        }
+    };
+}
+
+/// The same for both precisions.
+macro_rules! operators {
+    ($($scalar:ident [$($matrix:ident $vector:ident),*] $quat:ident $v3:ident $a2:ident $a3:ident;)*) => {$(
+        by_formula! {
+            $(
+                $matrix * $matrix -> $matrix as matrix::product;
+                $matrix * $vector -> $vector as matrix::transformed;
+                $matrix * $scalar -> $matrix as matrix::scaled;
+                $scalar * $matrix -> $matrix as matrix::scaling;
+                $matrix / $scalar -> $matrix as matrix::divided;
+            )*
+            $quat * $quat -> $quat as rotation::product;
+            $quat * $v3 -> $v3 as rotation::rotated;
+            $quat * $scalar -> $quat as vector::times;
+            $quat / $scalar -> $quat as vector::quotient;
+            $a2 * $a2 -> $a2 as motion::product2;
+            $a3 * $a3 -> $a3 as motion::product3;
+        }
+    )*};
+}
+
+operators! {
+    f32 [Mat2 Vec2, Mat3 Vec3, Mat4 Vec4] Quat Vec3 Affine2 Affine3;
+    f64 [DMat2 DVec2, DMat3 DVec3, DMat4 DVec4] DQuat DVec3 DAffine2 DAffine3;
+}
