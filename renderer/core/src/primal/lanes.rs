@@ -71,8 +71,11 @@ pub fn sum_of_vectors<L: Lanes>(v: Vec3<L>, mask: L::Mask) -> DVec3 {
 #[inline]
 pub fn set_singles<L: Lanes>(to: &mut [f32], lanes: u32, x: L) {
     let to = &mut to[..L::COUNT];
-    let before = L::from_lanes(|lane| Real::from_f64(to[lane].into()));
-    let after = select(L::mask_from_bits(lanes), x, before);
+    let mut after = x;
+    if lanes != all_lanes::<L>() {
+        let before = L::from_lanes(|lane| Real::from_f64(to[lane].into()));
+        after = select(L::mask_from_bits(lanes), x, before);
+    }
     to.copy_from_slice(&singles_of_lanes(after)[..L::COUNT]);
 }
 

@@ -121,6 +121,7 @@ impl Emitters {
     /// dark beside others for double precision.
     pub fn choices(&self, primitive: u32) -> f64 {
         let index = match primitive.checked_sub(self.first_cell) {
+            _ if self.is_empty() => None,
             Some(cell) => Some(self.primitives.len() + cell as usize),
             None => self.primitives.binary_search(&primitive).ok(),
         };

@@ -4,6 +4,9 @@
 //! more of them than there are rays, which then come one after the other. Where few of the rays are left, each
 //! goes on by itself, against the boxes of a node side by side (Benthin, Wald, Woop, Ernst & Mark, "Combining
 //! Single and Packet-Ray Tracing for Arbitrary Ray Distributions", 2012).
+//!
+//! Turned down: the rays of four or eight samples sorted together, which took 4 to 12 % less time, and sixteen that
+//! have their major axis in common, 3 to 9 % less; neither is 3 % of an image.
 
 use glam::Vec3;
 use wide::{f32x8, f32x16, u32x16};
