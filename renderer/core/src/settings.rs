@@ -11,7 +11,7 @@ pub struct Settings {
     pub arithmetic: Arithmetic,
     /// How primary visibility is found.
     pub visibility: PrimaryVisibility,
-    /// The quality of the bounding volume hierarchy.
+    /// The quality of the bounding volume hierarchy; at least medium where light takes all paths.
     pub build_quality: BuildQuality,
     /// What is shown of surfaces.
     pub pass: Pass,

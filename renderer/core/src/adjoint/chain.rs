@@ -82,7 +82,7 @@ pub(super) struct SurfaceCotangent<L: Plain> {
 pub(super) struct AdjointState<L: Plain> {
     /// By group: the cotangents of the surface points, unless they are zero.
     pub surfaces: Vec<Option<SurfaceCotangent<L>>>,
-    /// By block: the cotangents of the radiance that rays bring which go on.
+    /// By block, first of the wavefront before: the cotangents of the radiance that rays bring which go on.
     pub radiance: Vec<Vec3<L>>,
     /// By block: the cotangents of the rays that go on.
     pub rays: Vec<Tangent<Ray<L>>>,

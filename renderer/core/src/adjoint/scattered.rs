@@ -102,7 +102,11 @@ impl<L: Plain> Chain<'_, L> {
         for depth in 0..wavefronts.len() {
             let (states, deeper) = states.split_at_mut(depth + 1);
             let beyond = wavefronts.get(depth + 1);
+            let wavefront = &wavefronts[depth];
             let AdjointState { surfaces, radiance, rays, .. } = &mut states[depth];
+            if let Some(packing) = &wavefront.scattering.packing {
+                packing.pack_blocks::<L, _>(radiance);
+            }
             let mut to_beyond = match (beyond, deeper.first_mut()) {
                 (Some(_), Some(state)) => {
                     clear_blocks::<L, _>(&mut state.radiance);
@@ -118,7 +122,6 @@ impl<L: Plain> Chain<'_, L> {
                     Some(select_lanes::<L, _>(lanes.alive, &radiance[lanes.block::<L>()], &zero))
                 }
             };
-            let wavefront = &wavefronts[depth];
             surfaces.clear();
             for group in &wavefront.groups {
                 let to_surface = push(surfaces);

@@ -72,6 +72,9 @@ impl<L: Plain> Chain<'_, L> {
                     to_frame.accumulate(pullback(ray).0);
                 }
             }
+            if let Some(packing) = &wavefront.scattering.packing {
+                packing.unpack_blocks::<L, _>(rays);
+            }
         }
         if self.scatter.request.camera {
             self.scatter.frame::<L>(&to_frame);

@@ -57,7 +57,7 @@ pub(super) fn cause<L: Plain>(
         if let Some(kernel) = non_finite_kernel(integrator, scene, &path, ray) {
             return kernel;
         }
-        let hits = path.wavefronts().iter().filter_map(|wavefront| wavefront.hits.get(ray));
+        let hits = path.followed(ray).filter_map(|(wavefront, ray)| wavefront.hits.get(ray));
         shown.extend(hits.map(|hit| path_of(integrator, scene, hit.primitive as usize)));
     }
     shown.sort();
@@ -103,7 +103,7 @@ fn non_finite_kernel<L: Plain>(
     ray: usize,
 ) -> Option<String> {
     let mut ray_kernel = "primary_ray";
-    path.wavefronts().iter().find_map(|wavefront| {
+    path.followed(ray).find_map(|(wavefront, ray)| {
         let group = group_of(&wavefront.groups, ray)?;
         let kernel = kernel_of_lane(ray_kernel, group, ray - group.first);
         ray_kernel = "next_ray";
@@ -124,8 +124,8 @@ fn non_finite_radiance<L: Plain>(
     ray: usize,
 ) -> Option<usize> {
     let wavefronts = path.wavefronts();
-    (0..wavefronts.len()).rev().find_map(|depth| {
-        let wavefront = &wavefronts[depth];
+    let followed: Vec<_> = path.followed(ray).enumerate().collect();
+    followed.into_iter().rev().find_map(|(depth, (wavefront, ray))| {
         let group = group_of(&wavefront.groups, ray)?;
         let vertex = integrator.vertex(group, wavefront, wavefronts.get(depth + 1));
         let radiance = vectors_of_lanes::<L>(vertex.radiance())[ray - group.first];

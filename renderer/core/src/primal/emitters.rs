@@ -97,7 +97,7 @@ fn sky_powers(scene: &Scene, layout: &Layout) -> Vec<f64> {
         (mean * values.radiance).max_element()
     };
     let power = |cell: (u32, u32)| radiance(cell) * sky.solid_angle(cell.1) * radius * radius;
-    (0..sky.len()).into_par_iter().map(|rank| power(sky.cell(rank))).collect()
+    (0..sky.ranks()).into_par_iter().map(|rank| sky.cell_at(rank).map_or(0.0, power)).collect()
 }
 
 fn area<S: Number<Lane: Scalar>>(layout: &Layout, inputs: &Inputs<S>, primitive: usize) -> f64 {

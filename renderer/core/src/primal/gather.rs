@@ -125,58 +125,56 @@ impl<S: Number> Integrator<'_, S> {
     /// The texels around texture coordinates in the textures that materials have in a slot, if any has
     /// one.
     pub fn lookup(&self, slot: Slot, materials: &Coalesced, uv: Uv<S>) -> Option<Lookup<S>> {
-        let mut textures: [Option<(usize, TextureLayout)>; MAX_LANES] = [None; MAX_LANES];
+        let mut textures = [None; MAX_LANES];
         let mut lanes = 0;
         for (material, of_material) in materials.iter() {
             if let Some(texture) = self.layout.materials[material].textures.get(slot) {
                 lanes |= of_material;
-                let texture = texture as usize;
-                for lane in rays(of_material.into()) {
-                    textures[lane] = Some((texture, self.layout.textures[texture]));
-                }
+                rays(of_material.into()).for_each(|lane| textures[lane] = Some(texture as usize));
             }
         }
-        (lanes != 0).then(|| self.texels(&textures, lanes, uv))
+        let texture_of =
+            |lane: usize| textures[lane].map(|texture| (texture, &self.layout.textures[texture]));
+        (lanes != 0).then(|| self.texels(texture_of, lanes, uv))
     }
 
     /// The texels around texture coordinates in the texture of each lane; those without one are white.
-    pub(super) fn texels(
+    pub(super) fn texels<'t>(
         &self,
-        textures: &[Option<(usize, TextureLayout)>; MAX_LANES],
+        texture_of: impl Fn(usize) -> Option<(usize, &'t TextureLayout)>,
         lanes: u32,
         uv: Uv<S>,
     ) -> Lookup<S> {
         count(|counts| &counts.texture_lookups, u64::from(lanes.count_ones()));
         let size = |of: fn(&TextureLayout) -> u32| {
             <S::Lanes as Lanes>::from_lanes(|lane| {
-                Real::from_f64(f64::from(
-                    textures[lane].as_ref().map_or(1, |(_, texture)| of(texture)),
-                ))
+                Real::from_f64(f64::from(texture_of(lane).map_or(1, |(_, texture)| of(texture))))
             })
         };
         let (width, height) = (size(|texture| texture.width), size(|texture| texture.height));
         let values = Uv { u: uv.u.primal(), v: uv.v.primal() };
         let (x, y) = texel_position::<S::Lanes>(values, width, height);
         let (x, y) = (numbers_of_lanes(x), numbers_of_lanes(y));
-        let indices = std::array::from_fn(|lane| match textures[lane] {
-            Some((_, texture)) => texture.around(x[lane], y[lane]),
-            None => [0; 4],
-        });
-        let white = [<S::Lane as Real>::ONE; 3];
-        let of_lanes: [[[S::Lane; 3]; 4]; MAX_LANES] =
-            std::array::from_fn(|lane| match textures[lane] {
-                Some((texture, TextureLayout { first_texel, .. })) => {
-                    let texels = &self.inputs.texels[texture];
-                    indices[lane].map(|index: u32| {
-                        let texel = texels.at(index as usize - first_texel);
-                        [texel.x(), texel.y(), texel.z()]
-                    })
+        let mut indices = [[0; 4]; MAX_LANES];
+        for lane in rays(lanes.into()) {
+            if let Some((_, layout)) = texture_of(lane) {
+                indices[lane] = layout.around(x[lane], y[lane]);
+            }
+        }
+        // Nothing else is done here, so that those that are not in a cache are waited for together.
+        let mut channels = [[[<S::Lane as Real>::ONE; MAX_LANES]; 3]; 4];
+        for lane in rays(lanes.into()) {
+            let Some((texture, layout)) = texture_of(lane) else { continue };
+            for (channels, index) in channels.iter_mut().zip(indices[lane]) {
+                let texel = self.inputs.texels[texture].at(index as usize - layout.first_texel);
+                for (channel, value) in channels.iter_mut().zip([texel.x(), texel.y(), texel.z()]) {
+                    channel[lane] = value;
                 }
-                None => [white; 4],
-            });
-        let texels = std::array::from_fn(|corner| {
-            let along = |axis: usize| S::from_each(|lane| of_lanes[lane][corner][axis]);
-            Vector3::new(along(0), along(1), along(2))
+            }
+        }
+        let texels = channels.map(|channels| {
+            let [r, g, b] = channels.map(|channel| S::from_each(|lane| channel[lane]));
+            Vector3::new(r, g, b)
         });
         let (width, height) = (S::constant(width), S::constant(height));
         Lookup { lanes, indices, footprint: Footprint { texels, width, height } }

@@ -67,6 +67,18 @@ pub fn sum_of_vectors<L: Lanes>(v: Vec3<L>, mask: L::Mask) -> DVec3 {
     DVec3::new(sum_of_lanes(v.x(), mask), sum_of_lanes(v.y(), mask), sum_of_lanes(v.z(), mask))
 }
 
+/// Sets the numbers of the lanes whose bits are set, in single precision.
+#[inline]
+pub fn set_singles<L: Lanes>(to: &mut [f32], lanes: u32, x: L) {
+    let to = &mut to[..L::COUNT];
+    let mut after = x;
+    if lanes != all_lanes::<L>() {
+        let before = L::from_lanes(|lane| Real::from_f64(to[lane].into()));
+        after = select(L::mask_from_bits(lanes), x, before);
+    }
+    to.copy_from_slice(&singles_of_lanes(after)[..L::COUNT]);
+}
+
 /// A bit for each lane.
 #[inline]
 pub fn all_lanes<L: Lanes>() -> u32 {

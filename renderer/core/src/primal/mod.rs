@@ -7,7 +7,7 @@
 //! camera, [`vertex`] gives the radiance that leaves each path vertex.
 //!
 //! From the camera to the pixel a ray stays in the lane that it has in the packet, and a mask says which
-//! lanes count. Turned down: moving the rays that hit something together. It fills the lanes better at
+//! lanes count, unless light takes [all paths](scattered). Turned down: moving the rays that hit something together. It fills the lanes better at
 //! silhouettes, but taking single rays out of lanes and putting them into others took longer than
 //! tracing and shading them (27 ms instead of 9 on one thread, for a teapot of 512 x 512 pixels). What
 //! lanes share, such as the triangle that neighbours hit, is [fetched once](coalesce).

@@ -31,6 +31,16 @@ impl<S: Number> Path<S> {
         &self.wavefronts[..self.depth]
     }
 
+    /// The wavefronts that the path of a ray of the camera comes by, each with the ray that it has there.
+    pub fn followed(&self, mut ray: usize) -> impl Iterator<Item = (&Wavefront<S>, usize)> {
+        self.wavefronts().iter().map_while(move |wavefront| {
+            if let Some(packing) = &wavefront.scattering.packing {
+                ray = packing.after(ray)?;
+            }
+            Some((wavefront, ray))
+        })
+    }
+
     /// About how many bytes a path of so many wavefronts takes.
     pub fn bytes(depth: usize) -> usize {
         let scattering = size_of::<EmitterSample<S>>() + size_of::<Event<S>>() + size_of::<S>();
@@ -117,7 +127,7 @@ impl<S: Number> Integrator<'_, S> {
         sent_on.resize_with(blocks::<S>(), zero_ray::<S>);
         to.hits = known.map_or(PacketHits::NONE, |known| known.hits.clone());
         let mut sent = 0;
-        let mut batch = Batch::default();
+        let mut batch = Batch::from(&from.hits);
         for group in &from.groups {
             let materials = self.materials(&group.primitives);
             let transparent = self.transparent_lanes(&materials);
@@ -131,7 +141,7 @@ impl<S: Number> Integrator<'_, S> {
             put(group.lanes(), lanes, &ray, &mut sent_on);
             if known.is_none() {
                 let direction = primal_vector::<S>(ray.direction);
-                group.add_to(&mut batch, from, lanes, transparent, direction);
+                group.add_to(&mut batch, lanes, transparent, direction);
             }
         }
         if known.is_none() {
@@ -161,6 +171,9 @@ impl<S: Number> Integrator<'_, S> {
         self.visit_missed(wavefront, |rays, of_missed| {
             put(rays, rays.alive, &of_missed, &mut radiance);
         });
+        if let Some(packing) = &wavefront.scattering.packing {
+            packing.unpack_blocks::<S, _>(&mut radiance);
+        }
         wavefront.radiance = radiance;
     }
 
@@ -194,15 +207,14 @@ impl<S: Number> LaneGroup<S> {
     pub(super) fn add_to(
         &self,
         batch: &mut Batch,
-        wavefront: &Wavefront<S>,
         lanes: u32,
         behind: u32,
         direction: Vec3<S::Lanes>,
     ) {
         set_vectors::<S::Lanes>(&mut batch.origins, self.first, lanes, self.origins(behind));
         set_vectors::<S::Lanes>(&mut batch.directions, self.first, lanes, direction);
-        for ray in rays(lanes.into()).map(|lane| self.first + lane) {
-            batch.from[ray] = self.starts_on(wavefront, ray).unwrap_or(NO_PRIMITIVE);
+        if self.kind != Kind::Triangle {
+            rays(lanes.into()).for_each(|lane| batch.from[self.first + lane] = NO_PRIMITIVE);
         }
         batch.active |= u64::from(lanes) << self.first;
     }

@@ -10,7 +10,7 @@ use super::varying::Varying;
 use crate::number::{Number, widen};
 use crate::scene::{Scene, Sphere};
 use crate::settings::{PrimaryVisibility, Settings};
-use crate::trace::bvh::{Bvh, CustomShape, PacketHits, PacketVectors, Shape, Shapes};
+use crate::trace::bvh::{BuildQuality, Bvh, CustomShape, PacketHits, PacketVectors, Shape, Shapes};
 use crate::trace::layout::{Kind, Layout};
 use crate::trace::raster::Raster;
 use crate::trace::tile::Tile;
@@ -35,10 +35,15 @@ impl Tracer {
         layout: &Layout,
         inputs: &Inputs<S>,
     ) -> Self {
+        // Paths have so many rays that a better hierarchy pays for itself.
+        let least = match layout.path_tracing {
+            Some(_) => BuildQuality::Medium,
+            None => BuildQuality::Low,
+        };
         let bvh = match settings.visibility {
             PrimaryVisibility::BruteForce => Bvh::list(&[][..]),
             PrimaryVisibility::Bvh | PrimaryVisibility::Raster => {
-                Bvh::with_quality(&[][..], settings.build_quality)
+                Bvh::with_quality(&[][..], settings.build_quality.max(least))
             }
         };
         let (pinhole, lights) = (DVec3::ZERO, Vec::new());

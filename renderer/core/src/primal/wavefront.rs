@@ -7,7 +7,7 @@ use ad::{Additive, Fields, Vec3, select};
 use super::coalesce::{Coalesced, select_lanes};
 use super::gather::Lookup;
 use super::known::KnownPaths;
-use super::lanes::{all_lanes, singles_of_lanes};
+use super::lanes::{all_lanes, set_singles};
 use super::scattered::Scattering;
 use crate::number::Number;
 use crate::trace::bvh::{PACKET_RAYS, PacketHits, PacketVectors, rays};
@@ -44,7 +44,7 @@ pub struct Wavefront<S: Number> {
     pub film: Vec<(S::Lanes, S::Lanes)>,
     /// For rays that go on: the rays, by block.
     pub rays: Vec<Ray<S>>,
-    /// For rays that go on: the radiance that they bring, by block.
+    /// For rays that go on: the radiance that they bring, by block of the wavefront before.
     pub radiance: Vec<Vec3<S>>,
     /// Where light takes all paths: how they were chosen.
     pub scattering: Scattering<S>,
@@ -280,11 +280,6 @@ pub fn put<S: Number, T: Fields<S>>(rays: RayLanes, lanes: u32, value: &T, block
 #[inline]
 pub fn set_vectors<L: Lanes>(to: &mut PacketVectors, first: usize, lanes: u32, v: Vec3<L>) {
     for (to, from) in [(&mut to.x, v.x()), (&mut to.y, v.y()), (&mut to.z, v.z())] {
-        let (to, from) = (&mut to[first..first + L::COUNT], singles_of_lanes(from));
-        if lanes == all_lanes::<L>() {
-            to.copy_from_slice(&from[..L::COUNT]);
-        } else {
-            rays(lanes.into()).for_each(|lane| to[lane] = from[lane]);
-        }
+        set_singles(&mut to[first..], lanes, from);
     }
 }

@@ -119,6 +119,7 @@ impl Wrap {
     pub fn index(self, index: i64, size: u32) -> u32 {
         let size = i64::from(size);
         let inside = match self {
+            _ if (0..size).contains(&index) => index,
             Self::Repeat => index.rem_euclid(size),
             Self::Clamp => index.clamp(0, size - 1),
             Self::Mirror => {

@@ -16,9 +16,10 @@ use super::tile::Tile;
 const SETS: u32 = 2;
 
 /// The numbers of one path through each pixel of a tile, or on each side of some edges.
+#[derive(Clone)]
 pub struct PathNumbers {
     /// By ray.
-    seeds: [u32; PACKET_RAYS],
+    pub seeds: [u32; PACKET_RAYS],
     index: u32,
 }
 
@@ -74,6 +75,12 @@ impl PathNumbers {
 pub struct RayNumbers([[f32; PACKET_RAYS]; 4]);
 
 impl RayNumbers {
+    /// Those of one axis, by ray.
+    #[inline]
+    pub fn along(&self, axis: usize) -> &[f32; PACKET_RAYS] {
+        &self.0[axis]
+    }
+
     /// Those of one ray.
     #[inline]
     pub fn of(&self, ray: usize) -> [f32; 4] {

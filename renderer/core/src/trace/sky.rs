@@ -2,8 +2,6 @@
 
 use std::f64::consts::{PI, TAU};
 
-use glam::DVec3;
-
 /// The directions around a scene, in cells between meridians and parallels. Within a cell directions are
 /// chosen evenly by solid angle, so that the density is piecewise constant, also at the poles.
 ///
@@ -13,49 +11,58 @@ use glam::DVec3;
 pub struct Sky {
     columns: u32,
     rows: u32,
-    /// The cells, row by row, in the order in which they are chosen from: neighbours stand close together
-    /// (Morton 1966), so that even numbers choose cells that are even in both directions.
-    order: Vec<u32>,
-    /// By cell: where it stands in that order.
-    ranks: Vec<u32>,
+    /// The bits of the numbers of columns and of rows.
+    bits: [u32; 2],
     /// One minus the cosines of the angles from a pole at which rows begin, and the last one ends.
     versines: Vec<f64>,
 }
 
 impl Sky {
     pub fn new(columns: u32, rows: u32) -> Self {
-        let mut order: Vec<u32> = (0..columns * rows).collect();
-        order.sort_by_cached_key(|cell| morton(cell % columns) | morton(cell / columns) << 1);
-        let mut ranks = vec![0; order.len()];
-        for (rank, &cell) in order.iter().enumerate() {
-            ranks[cell as usize] = rank as u32;
-        }
         let versines = (0..=rows).map(|row| {
             let sine = (0.5 * PI * f64::from(row) / f64::from(rows)).sin();
             2.0 * sine * sine
         });
-        Self { columns, rows, order, ranks, versines: versines.collect() }
+        let bits = [columns, rows].map(|count| count.next_power_of_two().trailing_zeros());
+        Self { columns, rows, bits, versines: versines.collect() }
     }
 
-    /// How many cells there are.
-    pub fn len(&self) -> u32 {
-        self.order.len() as u32
+    /// How many ranks there are, more than cells where their numbers are no powers of two.
+    pub fn ranks(&self) -> u32 {
+        1 << (self.bits[0] + self.bits[1])
     }
 
-    /// The column and the row of the cell of a rank.
+    /// The column and the row of the cell of a rank, in the order in which cells are chosen from: neighbours
+    /// stand close together (Morton 1966), so that even numbers choose cells that are even in both directions.
+    #[inline]
     pub fn cell(&self, rank: u32) -> (u32, u32) {
-        let cell = self.order[rank as usize];
-        (cell % self.columns, cell / self.columns)
+        let [columns, rows] = self.bits;
+        let shared = columns.min(rows);
+        let (low, high) = (rank & ((1 << (2 * shared)) - 1), rank >> (2 * shared) << shared);
+        let (column, row) = (compact(low), compact(low >> 1));
+        if columns > rows { (column | high, row) } else { (column, row | high) }
     }
 
-    /// The rank of the cell that a direction of any length is in.
-    pub fn rank_at(&self, direction: DVec3) -> u32 {
-        let longitude = 0.5 + direction.x.atan2(-direction.z) / TAU;
-        let across = (direction.x * direction.x + direction.z * direction.z).sqrt();
-        let from_top = across.atan2(direction.y) / PI;
+    /// The cell of a rank, if there is one.
+    pub fn cell_at(&self, rank: u32) -> Option<(u32, u32)> {
+        Some(self.cell(rank)).filter(|&(column, row)| column < self.columns && row < self.rows)
+    }
+
+    /// The rank of a cell.
+    #[inline]
+    fn rank(&self, (column, row): (u32, u32)) -> u32 {
+        let shared = self.bits[0].min(self.bits[1]);
+        let low = (1 << shared) - 1;
+        let high = (column | row) >> shared << (2 * shared);
+        spread(column & low) | spread(row & low) << 1 | high
+    }
+
+    /// The rank of the cell at a place on the map, from 0 to 1 to the right and upwards, and its row.
+    #[inline]
+    pub fn rank_at(&self, [u, v]: [f64; 2]) -> (u32, u32) {
         let index = |part: f64, count: u32| ((part * f64::from(count)) as u32).min(count - 1);
-        let (column, row) = (index(longitude, self.columns), index(from_top, self.rows));
-        self.ranks[(row * self.columns + column) as usize]
+        let (column, row) = (index(u, self.columns), index(1.0 - v, self.rows));
+        (self.rank((column, row)), row)
     }
 
     /// The solid angle of the cells of a row.
@@ -64,14 +71,13 @@ impl Sky {
         TAU / f64::from(self.columns) * (outer - inner)
     }
 
-    /// The direction in a cell that two numbers from 0 to 1 choose.
-    pub fn direction(&self, (column, row): (u32, u32), [u, v]: [f64; 2]) -> DVec3 {
+    /// The [direction](crate::transport::environment::direction_of()) in a cell that two numbers from 0 to 1
+    /// choose.
+    #[inline]
+    pub fn place(&self, (column, row): (u32, u32), [u, v]: [f64; 2]) -> [f64; 3] {
         let (pole, [inner, outer]) = self.versines(row);
-        let versine = inner + (outer - inner) * v;
-        let across = (versine * (2.0 - versine)).max(0.0).sqrt();
-        let (sine, cosine) =
-            (TAU * ((f64::from(column) + u) / f64::from(self.columns) - 0.5)).sin_cos();
-        DVec3::new(across * sine, pole * (1.0 - versine), -across * cosine)
+        let turns = (f64::from(column) + u) / f64::from(self.columns) - 0.5;
+        [turns, inner + (outer - inner) * v, pole]
     }
 
     /// The nearer pole of a row, 1 for +y, and one minus the cosines of the angles from there at which it
@@ -85,9 +91,20 @@ impl Sky {
     }
 }
 
-/// The bits of a number, with room between them.
-fn morton(x: u32) -> u64 {
-    (0..32).fold(0, |spread, bit| spread | u64::from(x >> bit & 1) << (2 * bit))
+/// The bits of a number below 65,536, with room between them.
+#[inline]
+fn spread(x: u32) -> u32 {
+    [(8, 0x00ff_00ff), (4, 0x0f0f_0f0f), (2, 0x3333_3333), (1, 0x5555_5555)]
+        .iter()
+        .fold(x, |x, &(shift, mask)| (x | x << shift) & mask)
+}
+
+/// Every second bit of a number, without the room between them.
+#[inline]
+fn compact(x: u32) -> u32 {
+    [(1, 0x3333_3333), (2, 0x0f0f_0f0f), (4, 0x00ff_00ff), (8, 0x0000_ffff)]
+        .iter()
+        .fold(x & 0x5555_5555, |x, &(shift, mask)| (x | x >> shift) & mask)
 }
 
 /// Which texels of a row of a map, the first of which begins `shift` texels before the first cell, shine into
@@ -115,19 +132,28 @@ mod tests {
     use super::{Sky, TAU, shares};
     use crate::trace::emitters::Emitters;
     use crate::trace::sampling::hash;
+    use crate::transport::environment::{direction_of, map_coordinates};
+    use crate::transport::texture::Uv;
+
+    fn rank_of(sky: &Sky, direction: DVec3) -> u32 {
+        let Uv { u, v } = map_coordinates::<f64>(0.0, direction);
+        sky.rank_at([u, v]).0
+    }
 
     #[test]
     fn cells_fill_the_sphere_and_hold_the_directions_chosen_in_them() {
         for (columns, rows) in [(1, 1), (2, 1), (1, 2), (7, 5), (64, 32), (3, 200)] {
             let sky = Sky::new(columns, rows);
-            let total: f64 = (0..sky.len()).map(|rank| sky.solid_angle(sky.cell(rank).1)).sum();
+            let cells = (0..sky.ranks()).filter_map(|rank| Some((rank, sky.cell_at(rank)?)));
+            let cells: Vec<_> = cells.collect();
+            assert_eq!(cells.len() as u32, columns * rows);
+            let total: f64 = cells.iter().map(|(_, cell)| sky.solid_angle(cell.1)).sum();
             assert!((total / (2.0 * TAU) - 1.0).abs() < 1e-12, "{columns} x {rows}: {total}");
-            for rank in 0..sky.len() {
-                let cell = sky.cell(rank);
+            for (rank, cell) in cells {
                 for at in [[0.5, 0.5], [0.01, 0.99], [0.9, 0.2]] {
-                    let direction = sky.direction(cell, at);
+                    let direction: DVec3 = direction_of::<f64>(sky.place(cell, at));
                     assert!((direction.length() - 1.0).abs() < 1e-12);
-                    assert_eq!(sky.rank_at(3.0 * direction), rank, "{cell:?} {at:?}");
+                    assert_eq!(rank_of(&sky, 3.0 * direction), rank, "{cell:?} {at:?}");
                 }
             }
         }
@@ -141,7 +167,7 @@ mod tests {
         let side = 256;
         for i in 0..side * side {
             let at = [i % side, i / side].map(|i| (f64::from(i) + 0.5) / f64::from(side));
-            let direction = sky.direction((0, 0), at);
+            let direction = direction_of::<f64>(sky.place((0, 0), at));
             mean += direction / f64::from(side * side);
             second += direction * direction / f64::from(side * side);
         }
@@ -153,27 +179,28 @@ mod tests {
     #[test]
     fn directions_are_chosen_with_the_density_that_is_said() {
         let sky = Sky::new(12, 7);
-        let power = |rank: u32| f64::from(rank * rank % 5) * sky.solid_angle(sky.cell(rank).1);
-        let cells = 12 * 7;
-        let emitters = Emitters::new([].into_iter(), 0, (0..cells).map(power));
+        let solid_angle_of = |rank| sky.cell_at(rank).map_or(0.0, |cell| sky.solid_angle(cell.1));
+        let power = |rank: u32| f64::from(rank * rank % 5) * solid_angle_of(rank);
+        let ranks = sky.ranks();
+        let emitters = Emitters::new([].into_iter(), 0, (0..ranks).map(power));
         let count = 1 << 18;
-        let mut found = vec![0.0; cells as usize];
+        let mut found = vec![0.0; ranks as usize];
         let mut solid_angle = 0.0;
         for i in 0..count {
             let number = |stream: u32| f64::from(hash(4 * i + stream)) / f64::from(u32::MAX);
             let (rank, choices) = emitters.choose(number(0));
-            let direction = sky.direction(sky.cell(rank), [number(1), number(2)]);
-            assert_eq!(sky.rank_at(direction), rank);
+            let direction = direction_of::<f64>(sky.place(sky.cell(rank), [number(1), number(2)]));
+            assert_eq!(rank_of(&sky, direction), rank);
             found[rank as usize] += 1.0;
-            solid_angle += choices * sky.solid_angle(sky.cell(rank).1) / f64::from(count);
+            solid_angle += choices * solid_angle_of(rank) / f64::from(count);
         }
         let (mut chi_square, mut freedom, mut expected_angle) = (0.0, -1.0, 0.0);
-        for rank in 0..cells {
+        for rank in 0..ranks {
             let expected = f64::from(count) / emitters.choices(rank);
             if expected > 0.0 {
                 chi_square += (found[rank as usize] - expected).powi(2) / expected;
                 freedom += 1.0;
-                expected_angle += sky.solid_angle(sky.cell(rank).1);
+                expected_angle += solid_angle_of(rank);
             } else {
                 assert_eq!(found[rank as usize], 0.0);
             }

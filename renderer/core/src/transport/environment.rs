@@ -47,6 +47,15 @@ pub fn map_radiance<S: Real>(
     modulate::<S>(environment.radiance, footprint, uv)
 }
 
+/// The unit vector that is turned about the y axis by so many turns from -z towards +x, by one minus its cosine
+/// with a pole: cosines lose small angles to rounding. The `pole` is 1 for +y, else -1.
+#[inline]
+pub fn direction_of<S: Real>([turns, versine, pole]: [S; 3]) -> Vec3<S> {
+    let (around, cosine) = (turns * (S::PI + S::PI), S::ONE - versine);
+    let across = (versine * (S::ONE + cosine)).max(S::ZERO).sqrt();
+    Vector3::new(across * around.sin(), pole * cosine, -(across * around.cos()))
+}
+
 /// The direction, in the world, of one that is fixed to a map, which turns as an object would.
 #[differentiable]
 #[inline]

@@ -31,7 +31,6 @@ pub struct Facets<L: Lanes> {
 
 /// A group of surfaces, and how it scatters. Where it does not by facets, it does by the cosine.
 pub struct Scatterer<'a, S: Number> {
-    pub wavefront: &'a Wavefront<S>,
     pub group: &'a LaneGroup<S>,
     /// By lane: the probability with which a path is not scattered.
     pub unscattered: [f64; MAX_LANES],
@@ -41,13 +40,8 @@ pub struct Scatterer<'a, S: Number> {
 impl<'a, S: Number> Integrator<'a, S> {
     /// How the surfaces of a vertex scatter.
     pub fn scatterer(&self, vertex: &Vertex<'a, S>) -> Scatterer<'a, S> {
-        let (wavefront, group) = (vertex.wavefront(), vertex.group);
-        Scatterer {
-            wavefront,
-            group,
-            unscattered: self.unscattered(group),
-            facets: self.facets(vertex),
-        }
+        let group = vertex.group;
+        Scatterer { group, unscattered: self.unscattered(group), facets: self.facets(vertex) }
     }
 
     /// How a group scatters, of which vertices are gathered only if that depends on them.
@@ -59,7 +53,7 @@ impl<'a, S: Number> Integrator<'a, S> {
         match group.bsdf {
             Bsdf::MetallicRoughness => self.scatterer(&self.vertex(group, wavefront, None)),
             Bsdf::BlinnPhong | Bsdf::Dielectric => {
-                Scatterer { wavefront, group, unscattered: self.unscattered(group), facets: None }
+                Scatterer { group, unscattered: self.unscattered(group), facets: None }
             }
         }
     }

@@ -3,7 +3,6 @@
 use ad::lanes::Lanes;
 use ad::vector::Vector;
 use ad::{Real, Vec3};
-use glam::DVec3;
 
 use super::directions::Scatterer;
 use super::{Chosen, EmitterPoints, EmitterSample, EmitterSource};
@@ -11,14 +10,15 @@ use crate::counts::count;
 use crate::number::{MAX_LANES, Number, constant_vector, primal_vector};
 use crate::primal::coalesce::Coalesced;
 use crate::primal::integrator::Integrator;
-use crate::primal::lanes::{lanes_of_numbers, lanes_of_vectors, singles_of_lanes};
+use crate::primal::lanes::{lanes_of_numbers, set_singles};
 use crate::primal::wavefront::{LaneGroup, Wavefront};
-use crate::trace::bvh::{Batch, NO_PRIMITIVE, PACKET_RAYS, rays};
+use crate::trace::bvh::{Batch, NO_PRIMITIVE, PACKET_RAYS, PacketHits};
 use crate::trace::layout::Kind;
 use crate::trace::random::{PathNumbers, Purpose, RayNumbers};
 use crate::transport::emitter::{
     BEFORE, Sight, barycentric_of, emitter_spread, illuminate_by_emitter, sight_of,
 };
+use crate::transport::environment::direction_of;
 use crate::transport::hit::Primitive;
 
 /// The rays to emitters.
@@ -30,14 +30,13 @@ struct Shadows {
     targets: [u32; PACKET_RAYS],
 }
 
-impl Default for Shadows {
-    fn default() -> Self {
-        let targets = [NO_PRIMITIVE; PACKET_RAYS];
-        Self { batch: Batch::default(), limits: [0.0; PACKET_RAYS], targets }
-    }
-}
-
 impl Shadows {
+    /// None yet, from what was hit.
+    fn new(hits: &PacketHits) -> Self {
+        let targets = [NO_PRIMITIVE; PACKET_RAYS];
+        Self { batch: Batch::from(hits), limits: [0.0; PACKET_RAYS], targets }
+    }
+
     /// Adds the rays from some lanes of a group to what they look for, and returns that, whether they see it
     /// or not; nothing if it is behind all of them.
     fn look<S: Number>(
@@ -47,7 +46,7 @@ impl Shadows {
         sight: &Sight<S>,
         (source, emission): (EmitterSource<S::Lanes>, Vec3<S>),
     ) -> Option<EmitterSample<S>> {
-        let &Scatterer { wavefront, group, .. } = from;
+        let group = from.group;
         let direction = primal_vector::<S>(sight.direction);
         let spreads = sight.spread.primal().cmpgt(S::Lanes::ZERO);
         // Light reaches no surface from behind its geometry, whatever it is shaded with.
@@ -55,10 +54,9 @@ impl Shadows {
         if lanes == 0 {
             return None;
         }
-        group.add_to(&mut self.batch, wavefront, lanes, 0, direction);
+        group.add_to(&mut self.batch, lanes, 0, direction);
         let before = sight.distance.primal() * S::Lanes::from_f64(1.0 - BEFORE);
-        let before = singles_of_lanes::<S::Lanes>(before);
-        rays(lanes.into()).for_each(|lane| self.limits[group.first + lane] = before[lane]);
+        set_singles(&mut self.limits[group.first..], lanes, before);
         let weighted = emitter_spread::<S>(sight.spread, from.density(sight.direction));
         let Sight { direction, distance, .. } = *sight;
         let illumination = illuminate_by_emitter::<S>(emission, direction, distance, weighted);
@@ -78,7 +76,7 @@ impl<S: Number> Integrator<'_, S> {
         found.clear();
         if !self.emitters.is_empty() {
             let numbers = numbers.at(depth, Purpose::Emitter);
-            let mut shadows = Shadows::default();
+            let mut shadows = Shadows::new(&wavefront.hits);
             for group in &wavefront.groups {
                 self.look_from(&numbers, wavefront, group, &mut shadows, &mut found);
             }
@@ -108,7 +106,7 @@ impl<S: Number> Integrator<'_, S> {
         let mut within = [[0.0; 2]; MAX_LANES];
         let (mut of_kind, mut itself, mut in_sky) = ([0; 2], 0, 0);
         let first_cell = self.layout.material_of.len() as u32;
-        let mut directions = [DVec3::ZERO; MAX_LANES];
+        let mut places = [[0.0; 3]; MAX_LANES];
         let mut spreads = [0.0; MAX_LANES];
         for (lane, ray) in group.rays() {
             // A path that is never scattered here has no use for them.
@@ -120,7 +118,7 @@ impl<S: Number> Integrator<'_, S> {
             let (primitive, one_of) = self.emitters.choose(choice + fine / f64::from(1 << 23));
             if let (Some(sky), Some(rank)) = (&self.layout.sky, primitive.checked_sub(first_cell)) {
                 let cell = sky.cell(rank);
-                directions[lane] = sky.direction(cell, [u, v]);
+                places[lane] = sky.place(cell, [u, v]);
                 spreads[lane] = sky.solid_angle(cell.1) * one_of;
                 in_sky |= 1 << lane;
                 continue;
@@ -158,8 +156,10 @@ impl<S: Number> Integrator<'_, S> {
             found.extend(shadows.look(&scatterer, lanes, &sight, (source, emission)));
         }
         if in_sky != 0 {
+            let place = [0, 1, 2]
+                .map(|number| lanes_of_numbers::<S::Lanes>(&places.map(|place| place[number])));
             let sight = Sight {
-                direction: constant_vector::<S>(lanes_of_vectors::<S::Lanes>(&directions)),
+                direction: constant_vector::<S>(direction_of::<S::Lanes>(place)),
                 distance: S::constant(S::Lanes::ONE / S::Lanes::ZERO),
                 spread: S::constant(lanes_of_numbers::<S::Lanes>(&spreads)),
             };

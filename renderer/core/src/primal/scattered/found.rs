@@ -9,33 +9,40 @@ use ad::lanes::Lanes;
 use ad::{Fields, Real, select};
 
 use super::{Chosen, EmitterPoints, EmitterSample, EmitterSource};
-use crate::number::{MAX_LANES, Number, primal_vector};
+use crate::number::{MAX_LANES, Number};
 use crate::primal::coalesce::Coalesced;
 use crate::primal::integrator::Integrator;
 use crate::primal::lanes::lanes_of_numbers;
-use crate::primal::wavefront::{LaneGroup, Wavefront, put};
-use crate::trace::bvh::rays;
+use crate::primal::wavefront::{LaneGroup, Wavefront};
+use crate::trace::bvh::{PacketHits, rays};
+use crate::trace::layout::Kind;
+use crate::transport::camera::Ray;
 use crate::transport::emitter::{cone_numbers, found_spread, illuminate_by_emitter, sight_of};
 use crate::transport::hit::Primitive;
-use crate::transport::triangle::barycentric;
+use crate::transport::triangle::{barycentric, triangle_point};
 
 impl<S: Number> Integrator<'_, S> {
-    /// Moves what rays found that were scattered from a wavefront, of emitters that are also looked for, to the
-    /// places that they come from.
-    pub(super) fn give_found(&self, from: &mut Wavefront<S>, to: &mut Wavefront<S>) {
-        let mut given = Vec::new();
-        for met in &to.groups {
-            let is_looked_for = |primitive| self.emitters.choices(primitive as u32).is_finite();
-            let shining = met.primitives.lanes_where(is_looked_for);
-            if shining == 0 {
-                continue;
+    /// Adds what rays have found that were scattered from a wavefront, of emitters that are also looked for, to
+    /// what was looked for there; returns a bit for each of these rays.
+    pub(super) fn add_found(&self, from: &mut Wavefront<S>, hits: &PacketHits) -> u64 {
+        let (mut given, mut found) = (Vec::new(), 0);
+        for group in &from.groups {
+            let event = from.scattering.events[group.block()];
+            let scattered = group.lanes_of(hits.met()) & !(event.straight | event.mirrored);
+            let mut choices = [1.0; MAX_LANES];
+            let mut of_kind = [0; 2];
+            for lane in rays(scattered.into()) {
+                let primitive = hits.primitive[group.first + lane];
+                let choice = self.emitters.choices(primitive);
+                if choice.is_finite() {
+                    let (kind, _) = self.layout.kind_of(primitive as usize);
+                    choices[lane] = choice;
+                    of_kind[usize::from(kind == Kind::Sphere)] |= 1 << lane;
+                }
             }
-            for group in from.groups.iter().filter(|group| group.first == met.first) {
-                let event = from.scattering.events[group.block()];
-                let lanes = shining & group.alive & !(event.straight | event.mirrored);
-                let sample = self.found_sample((from, group), (to, met), lanes);
-                let lanes = sample.as_ref().map_or(0, |sample| sample.lanes);
-                put(group.lanes(), lanes, &S::ZERO, &mut to.scattering.found);
+            for (kind, lanes) in [(Kind::Triangle, of_kind[0]), (Kind::Sphere, of_kind[1])] {
+                let sample = self.found_sample(from, group, hits, &choices, (kind, lanes));
+                found |= sample.as_ref().map_or(0, |sample| u64::from(sample.lanes)) << group.first;
                 given.extend(sample);
             }
         }
@@ -43,40 +50,43 @@ impl<S: Number> Integrator<'_, S> {
             from.scattering.emitters.extend(given);
             from.scattering.emitters.sort_by_key(|sample| sample.group);
         }
+        found
     }
 
-    /// What rays from some lanes of a group have found, of groups in two wavefronts.
+    /// What rays from some lanes of a group have found, of one kind, by one over the probabilities with which it
+    /// is looked for.
     fn found_sample(
         &self,
-        (from, group): (&Wavefront<S>, &LaneGroup<S>),
-        (to, met): (&Wavefront<S>, &LaneGroup<S>),
-        lanes: u32,
+        from: &Wavefront<S>,
+        group: &LaneGroup<S>,
+        hits: &PacketHits,
+        choices: &[f64; MAX_LANES],
+        (kind, lanes): (Kind, u32),
     ) -> Option<EmitterSample<S>> {
         if lanes == 0 {
             return None;
         }
-        let point = primal_vector::<S>(group.surface.point);
-        let primitives = Coalesced::new(&to.hits.primitive, met.first, lanes);
-        let mut choices = [1.0; MAX_LANES];
-        for lane in rays(lanes.into()) {
-            choices[lane] = self.emitters.choices(to.hits.primitive[met.first + lane]);
-        }
-        let choices = lanes_of_numbers::<S::Lanes>(&choices);
-        let primitive = self.primitive(met.kind, &primitives)?;
+        let event = from.scattering.events[group.block()];
+        let ray = Ray { origin: group.surface.point, direction: event.direction }.map(S::primal);
+        let primitives = Coalesced::new(&hits.primitive, group.first, lanes);
+        let inside = group.lanes_of(hits.leaves);
+        let choices = lanes_of_numbers::<S::Lanes>(choices);
+        let primitive = self.primitive(kind, &primitives)?;
         let at = match primitive {
             Primitive::Triangle(triangle) => {
-                let met = primal_vector::<S>(met.surface.point);
-                barycentric::<S::Lanes>(triangle.map(S::primal), met)
+                let triangle = triangle.map(S::primal);
+                let met = triangle_point::<S::Lanes>(triangle, ray).point;
+                barycentric::<S::Lanes>(triangle, met)
             }
             Primitive::Sphere(sphere) => {
-                let inside = S::Lanes::mask_from_bits(met.inside);
-                let direction = primal_vector::<S>(met.ray.direction);
-                cone_numbers::<S::Lanes>(sphere.map(S::primal), inside, point, direction)
+                let inside = S::Lanes::mask_from_bits(inside);
+                let Ray { origin, direction } = ray;
+                cone_numbers::<S::Lanes>(sphere.map(S::primal), inside, origin, direction)
             }
         };
         let sight = sight_of::<S>(
             primitive,
-            S::mask(met.inside),
+            S::mask(inside),
             at.map(S::constant),
             S::constant(choices),
             group.surface.point,
@@ -88,11 +98,11 @@ impl<S: Number> Integrator<'_, S> {
             return None;
         }
         let spread = select(counts, spread, S::Lanes::ONE);
-        let factor = from.scattering.events[group.block()].factor.primal();
+        let factor = event.factor.primal();
         let points = EmitterPoints {
-            kind: met.kind,
+            kind,
             primitives,
-            inside: met.inside,
+            inside,
             choices,
             at,
             chosen: Chosen::Scattered { spread, factor },

@@ -1,9 +1,9 @@
 //! Paths that light takes where it takes all: a path integrator beside the direct one.
 //!
 //! The scene decides. Where it asks for direct light, nothing of this runs. Where it asks for paths, each
-//! sample of a tile is a path of wavefronts as ever: rays keep their lanes, and what a wavefront hits is
-//! gathered, shaded and pulled back by the same code. What is added to a wavefront is its [`Scattering`]:
-//! at every vertex one [emitter](emitters) is looked for (next event estimation), and the path
+//! sample of a tile is a path of wavefronts as ever, and what a wavefront hits is gathered, shaded and pulled back
+//! by the same code. Rays do not keep their lanes: those that go on are [packed](packing) where that leaves blocks
+//! of lanes empty. What is added to a wavefront is its [`Scattering`]: at every vertex one [emitter](emitters) is looked for (next event estimation), and the path
 //! [goes on](walk) in one direction, by a mirror, through a transparent surface, or scattered. Where both
 //! find the same emitter, each counts by its weight (multiple importance sampling). Paths that bring little
 //! end at random (Russian roulette).
@@ -33,6 +33,7 @@
 mod directions;
 mod emitters;
 mod found;
+mod packing;
 mod refraction;
 mod sky;
 mod vertex;
@@ -47,10 +48,13 @@ use crate::trace::layout::Kind;
 use crate::transport::light::Illumination;
 
 pub use directions::Facets;
+pub use packing::Packing;
 pub use sky::{SkyLight, missed};
 
 /// How the paths of a wavefront were chosen.
 pub struct Scattering<S: Number> {
+    /// Where its rays were in the wavefront before, if they have been moved.
+    pub packing: Option<Packing>,
     /// By block: the weights of what the rays find, of surfaces that emit and of the environment.
     pub found: Vec<S>,
     /// In the order of their groups.
@@ -118,7 +122,7 @@ pub struct Event<S: Number> {
 
 impl<S: Number> Default for Scattering<S> {
     fn default() -> Self {
-        Self { found: Vec::new(), emitters: Vec::new(), events: Vec::new() }
+        Self { packing: None, found: Vec::new(), emitters: Vec::new(), events: Vec::new() }
     }
 }
 

@@ -1,19 +1,19 @@
 //! What the environment brings: to rays that meet nothing, and to surfaces that look for it.
 
-use ad::Vec3;
 use ad::lanes::Lanes;
 use ad::vector::Vector3;
-use glam::DVec3;
+use ad::{Real, Vec3};
 
 use crate::number::{MAX_LANES, Number, primal_vector};
 use crate::primal::gather::Lookup;
 use crate::primal::integrator::Integrator;
-use crate::primal::lanes::{all_lanes, lanes_of_numbers, vectors_of_lanes};
+use crate::primal::lanes::{all_lanes, lanes_of_numbers, numbers_of_lanes};
 use crate::primal::wavefront::{RayLanes, Wavefront};
 use crate::trace::bvh::PACKET_RAYS;
 use crate::transport::camera::film_point;
 use crate::transport::emitter::found_emission;
 use crate::transport::environment::{Environment, map_coordinates, map_radiance};
+use crate::transport::texture::Uv;
 
 /// What the environment brings from some directions.
 pub struct SkyLight<S: Number> {
@@ -37,9 +37,9 @@ impl<S: Number> Integrator<'_, S> {
     /// What the environment brings from directions; nothing if it is black.
     pub fn sky_light(&self, lanes: u32, direction: Vec3<S>) -> Option<SkyLight<S>> {
         let environment = self.inputs.environment?;
-        let lookup = self.layout.map.map(|map| {
+        let lookup = self.layout.map.as_ref().map(|(texture, layout)| {
             let uv = map_coordinates::<S>(environment.rotation, direction);
-            self.texels(&[Some(map); MAX_LANES], lanes, uv)
+            self.texels(|_| Some((*texture, layout)), lanes, uv)
         });
         Some(SkyLight { environment, direction, lookup })
     }
@@ -95,27 +95,20 @@ impl<S: Number> Integrator<'_, S> {
     ) -> Option<S::Lanes> {
         let sky = self.layout.sky.as_ref()?;
         let direction = primal_vector::<S>(self.missed_direction(wavefront, lanes));
-        let directions: [DVec3; MAX_LANES] = vectors_of_lanes::<S::Lanes>(direction);
+        let Uv { u, v } = map_coordinates::<S::Lanes>(S::Lanes::ZERO, direction);
+        let (u, v) = (numbers_of_lanes(u), numbers_of_lanes(v));
         let mut spreads = [f64::INFINITY; MAX_LANES];
         for (lane, _) in lanes.rays() {
-            let rank = sky.rank_at(directions[lane]);
-            let (_, row) = sky.cell(rank);
-            spreads[lane] = self.choices_of_cell(rank) * sky.solid_angle(row);
+            let (rank, row) = sky.rank_at([u[lane], v[lane]]);
+            let cell = self.layout.material_of.len() as u32 + rank;
+            spreads[lane] = self.emitters.choices(cell) * sky.solid_angle(row);
         }
         Some(lanes_of_numbers::<S::Lanes>(&spreads))
-    }
-
-    /// One over the probability with which a cell of the environment is looked for.
-    fn choices_of_cell(&self, rank: u32) -> f64 {
-        match self.emitters.is_empty() {
-            true => f64::INFINITY,
-            false => self.emitters.choices(self.layout.material_of.len() as u32 + rank),
-        }
     }
 }
 
 /// Whether the rays of a wavefront are those of the camera.
-fn is_primary<S: Number>(wavefront: &Wavefront<S>) -> bool {
+pub(super) fn is_primary<S: Number>(wavefront: &Wavefront<S>) -> bool {
     !wavefront.film.is_empty()
 }
 

@@ -5,14 +5,14 @@ use ad::vector::Vector;
 use ad::{Fields, Real, Vec3, select};
 
 use super::refraction::refract_or_reflect;
-use super::{Event, missed};
+use super::{Event, Packing, missed};
 use crate::number::{MAX_LANES, Number, constant_vector, primal_vector};
-use crate::primal::coalesce::select_lanes;
+use crate::primal::coalesce::{Coalesced, select_lanes};
 use crate::primal::integrator::Integrator;
-use crate::primal::lanes::{lanes_of_numbers, numbers_of_lanes};
+use crate::primal::lanes::{all_lanes, lanes_of_numbers, numbers_of_lanes};
 use crate::primal::path::{Path, zero_ray};
 use crate::primal::vertex::Vertex;
-use crate::primal::wavefront::{LaneGroup, RayLanes, Source, Wavefront, blocks, put, repeated_ray};
+use crate::primal::wavefront::{LaneGroup, Source, Wavefront, blocks, put, repeated_ray};
 use crate::scene::PathTracing;
 use crate::trace::bvh::{Batch, PACKET_RAYS, PacketHits, rays};
 use crate::trace::random::{PathNumbers, Purpose, RayNumbers};
@@ -29,53 +29,51 @@ const ROULETTE: u32 = 3;
 const LEAST: f64 = 1.0 / 16.0;
 
 /// What the paths of a tile carry along.
-struct Walk<'a, L: Lanes> {
-    numbers: &'a PathNumbers,
+struct Walk<S: Number> {
+    numbers: PathNumbers,
     /// By block: the part of the radiance at their ends that paths bring to the camera.
-    throughput: Vec<Vec3<L>>,
-    /// By ray: the probability density of the direction that it was scattered to; infinite where it was
-    /// not.
-    density: [f64; PACKET_RAYS],
+    throughput: Vec<Vec3<S>>,
+    /// By block: the probability density of the direction that a ray was scattered to; infinite where it was not.
+    density: Vec<S>,
     /// By ray: what the radiance within a dielectric is larger by, which leaves it again.
     compression: [f64; PACKET_RAYS],
 }
 
-impl<L: Lanes> Walk<'_, L> {
+impl<S: Number> Walk<S> {
     /// Lets paths of a group go on that bring this part of what they find, unless they end at random: `lanes`
     /// has a bit for each that may, and `ends` a number for each that decides.
-    fn go_on<S: Number<Lanes = L>>(
+    fn go_on(
         &mut self,
         depth: u32,
         group: &LaneGroup<S>,
         event: Event<S>,
-        part: Vec3<L>,
-        (mut lanes, ends): (u32, &[f64; MAX_LANES]),
+        part: Vec3<S::Lanes>,
+        (mut lanes, ends): (u32, S::Lanes),
     ) -> (Event<S>, u32) {
-        let throughput = self.throughput[group.block()] * part;
-        let mut survival = [1.0; MAX_LANES];
+        let before = primal_vector::<S>(self.throughput[group.block()]);
+        let throughput = before * part;
+        let mut survival = S::Lanes::ONE;
         if depth >= ROULETTE {
-            let left = numbers_of_lanes::<L>(throughput.abs().max_element());
-            for lane in rays(lanes.into()) {
-                survival[lane] = survival_of(left[lane] * self.compression[group.first + lane]);
-                if ends[lane] >= survival[lane] {
-                    lanes &= !(1 << lane);
-                }
-            }
+            let left = numbers_of_lanes::<S::Lanes>(throughput.abs().max_element());
+            let compression = &self.compression[group.first..];
+            survival = S::Lanes::from_lanes(|lane| {
+                Real::from_f64(survival_of(left[lane] * compression[lane]))
+            });
+            lanes &= S::Lanes::mask_bits(ends.cmplt(survival));
         }
-        let survival = lanes_of_numbers::<L>(&survival);
-        let throughput = throughput * (L::ONE / survival);
-        let to = &mut self.throughput[group.block()];
-        *to = select(L::mask_from_bits(lanes), throughput, *to);
+        let throughput = constant_vector::<S>(throughput * (S::Lanes::ONE / survival));
+        put(group.lanes(), lanes, &throughput, &mut self.throughput);
         (Event { factor: S::constant(event.factor.primal() / survival), ..event }, lanes)
     }
 }
 
-impl<L: Lanes> Walk<'_, L> {
-    /// The densities of some rays.
-    fn densities(&self, rays: RayLanes) -> L {
-        let mut densities = [f64::INFINITY; MAX_LANES];
-        rays.rays().for_each(|(lane, ray)| densities[lane] = self.density[ray]);
-        lanes_of_numbers::<L>(&densities)
+impl<S: Number> Walk<S> {
+    /// Packs the paths.
+    fn pack(&mut self, packing: &Packing) {
+        packing.pack(&mut self.numbers.seeds);
+        packing.pack(&mut self.compression);
+        packing.pack_blocks::<S, _>(&mut self.density);
+        packing.pack_blocks::<S, _>(&mut self.throughput);
     }
 }
 
@@ -89,33 +87,33 @@ impl<S: Number> Integrator<'_, S> {
         limits: PathTracing,
         path: &mut Path<S>,
     ) {
-        let mut walk = Walk::<'_, S::Lanes> {
-            numbers,
-            throughput: vec![Vec3::<S::Lanes>::splat(S::Lanes::ONE); blocks::<S>()],
-            density: [f64::INFINITY; PACKET_RAYS],
+        let mut walk = Walk::<S> {
+            numbers: numbers.clone(),
+            throughput: vec![Vec3::<S>::splat(S::ONE); blocks::<S>()],
+            density: vec![S::ZERO; blocks::<S>()],
             compression: [1.0; PACKET_RAYS],
         };
         let mut depth = 1;
         loop {
             let (before, wavefront) = path.at(depth as usize - 1);
-            let goes_on = match &before {
+            let goes_on = match before {
                 None => {
                     self.trace_primary(source, wavefront);
+                    self.weigh_missed(None, wavefront);
                     true
                 }
-                Some(before) => self.trace_events(before, wavefront),
+                Some(before) => self.trace_events(before, &mut walk, wavefront),
             };
             if !goes_on {
                 depth -= 1;
                 break;
             }
-            self.weigh_found(&walk, before, wavefront);
             if depth == limits.max_depth {
                 self.end(wavefront);
                 break;
             }
             self.trace_shadows(None, wavefront);
-            self.look_for_emitters(depth, walk.numbers, wavefront);
+            self.look_for_emitters(depth, &walk.numbers, wavefront);
             self.choose_events(depth, &mut walk, wavefront);
             depth += 1;
         }
@@ -128,36 +126,22 @@ impl<S: Number> Integrator<'_, S> {
         wavefront.scattering.events.clear();
     }
 
-    /// Weighs what rays have found: of surfaces, that which counts where it was found; and the environment.
-    fn weigh_found(
-        &self,
-        walk: &Walk<'_, S::Lanes>,
-        before: Option<&mut Wavefront<S>>,
-        wavefront: &mut Wavefront<S>,
-    ) {
+    /// Weighs the environment that rays have found, unless they are those of the camera; all else counts.
+    fn weigh_missed(&self, walk: Option<&Walk<S>>, wavefront: &mut Wavefront<S>) {
         let found = &mut wavefront.scattering.found;
         found.clear();
         found.resize(blocks::<S>(), S::ONE);
-        if self.emitters.is_empty() {
-            return;
-        }
-        if let Some(before) = before {
-            self.give_found(before, wavefront);
-        }
+        let Some(walk) = walk.filter(|_| !self.emitters.is_empty()) else { return };
         for lanes in missed::<S>(wavefront) {
             let Some(spread) = self.spread_of_missed(wavefront, lanes) else { break };
-            let weight = scattered_weight::<S::Lanes>(spread, walk.densities(lanes));
+            let weight =
+                scattered_weight::<S::Lanes>(spread, walk.density[lanes.block::<S>()].primal());
             put(lanes, lanes.alive, &S::constant(weight), &mut wavefront.scattering.found);
         }
     }
 
     /// Chooses how the paths go on from a wavefront.
-    fn choose_events(
-        &self,
-        depth: u32,
-        walk: &mut Walk<'_, S::Lanes>,
-        wavefront: &mut Wavefront<S>,
-    ) {
+    fn choose_events(&self, depth: u32, walk: &mut Walk<S>, wavefront: &mut Wavefront<S>) {
         let mut events = std::mem::take(&mut wavefront.scattering.events);
         events.clear();
         events.resize(blocks::<S>(), Event::end());
@@ -180,7 +164,7 @@ impl<S: Number> Integrator<'_, S> {
         &self,
         depth: u32,
         numbers: &RayNumbers,
-        walk: &mut Walk<'_, S::Lanes>,
+        walk: &mut Walk<S>,
         wavefront: &Wavefront<S>,
         group: &LaneGroup<S>,
     ) -> (Event<S>, u32) {
@@ -189,41 +173,26 @@ impl<S: Number> Integrator<'_, S> {
             return self.event_at_dielectric(depth, numbers, walk, &vertex);
         }
         let scatterer = self.scatterer(&vertex);
-        let unscattered = scatterer.unscattered;
-        let (mut straight, mut mirrored) = (0, 0);
-        let mut within = [[0.0; 3]; MAX_LANES];
-        let mut ends = [0.0; MAX_LANES];
-        let mut probability = [1.0; MAX_LANES];
-        for (lane, ray) in group.rays() {
-            let [u, v, lobe, end] = numbers.of(ray).map(f64::from);
-            let of_scattered = (lobe - unscattered[lane]) / (1.0 - unscattered[lane]);
-            (within[lane], ends[lane]) = ([u, v, of_scattered], end);
-            if lobe < unscattered[lane] {
-                let bits =
-                    if vertex.transparent >> lane & 1 == 1 { &mut straight } else { &mut mirrored };
-                *bits |= 1 << lane;
-                probability[lane] = unscattered[lane];
-            } else {
-                probability[lane] = 1.0 - unscattered[lane];
-            }
-        }
-        let lane_numbers = |axis: usize| lanes_of_numbers::<S::Lanes>(&within.map(|at| at[axis]));
-        let numbers = [lane_numbers(0), lane_numbers(1)];
-        let scattered = scatterer.scatter(lane_numbers(2), numbers);
-        let unscattered = straight | mirrored;
+        let [u, v, lobe, ends] = [0, 1, 2, 3].map(|axis| numbers.lanes::<S::Lanes>(axis, group));
+        let part_unscattered = lanes_of_numbers::<S::Lanes>(&scatterer.unscattered);
+        let is_unscattered = lobe.cmplt(part_unscattered);
+        let unscattered = S::Lanes::mask_bits(is_unscattered) & group.alive;
+        let straight = unscattered & vertex.transparent;
+        let mirrored = unscattered & !straight;
+        let of_lanes = scatterer.probability();
+        let scattered = scatterer.scatter((lobe - part_unscattered) / of_lanes, [u, v]);
+        let of_lanes = select(is_unscattered, part_unscattered, of_lanes);
         let mut direction = constant_vector::<S>(scattered.direction);
         if unscattered != 0 {
             let next = group.next_rays(straight).direction;
             direction = select_lanes::<S, _>(unscattered, &next, &direction);
         }
         let leaves = group.leave_surface(primal_vector::<S>(direction)) | unscattered;
-        let lanes = group.alive & leaves & !self.absorbing(group, unscattered);
+        let lanes = group.alive & leaves & !self.absorbing(&vertex.materials, unscattered);
         if lanes == 0 {
             return (Event::end(), 0);
         }
 
-        let of_lanes = lanes_of_numbers::<S::Lanes>(&probability);
-        let is_unscattered = S::Lanes::mask_from_bits(unscattered);
         let is_possible = scattered.likelihood.cmpgt(S::Lanes::ZERO);
         let of_scattered = select(is_possible, S::Lanes::PI / scattered.likelihood, S::Lanes::ZERO);
         let factor = select(is_unscattered, S::Lanes::ONE, of_scattered) / of_lanes;
@@ -236,15 +205,11 @@ impl<S: Number> Integrator<'_, S> {
             S::Lanes::mask_from_bits(mirrored),
             factor,
         );
-        let likelihoods = numbers_of_lanes::<S::Lanes>(scattered.likelihood);
-        for lane in rays(lanes.into()) {
-            walk.density[group.first + lane] = match unscattered >> lane & 1 {
-                1 => f64::INFINITY,
-                _ => likelihoods[lane] * probability[lane] / std::f64::consts::PI,
-            };
-        }
+        let density = scattered.likelihood * of_lanes / S::Lanes::PI;
+        let density = select(is_unscattered, S::Lanes::ONE / S::Lanes::ZERO, density);
+        put(group.lanes(), lanes, &S::constant(density), &mut walk.density);
         let event = Event { direction, straight, mirrored, factor: S::constant(factor) };
-        walk.go_on(depth, group, event, part, (lanes, &ends))
+        walk.go_on(depth, group, event, part, (lanes, ends))
     }
 
     /// How the paths of a group go on at dielectrics.
@@ -252,20 +217,17 @@ impl<S: Number> Integrator<'_, S> {
         &self,
         depth: u32,
         numbers: &RayNumbers,
-        walk: &mut Walk<'_, S::Lanes>,
+        walk: &mut Walk<S>,
         vertex: &Vertex<'_, S>,
     ) -> (Event<S>, u32) {
         let group = vertex.group;
-        let (mut choice, mut ends) = ([0.0; MAX_LANES], [0.0; MAX_LANES]);
-        for (lane, ray) in group.rays() {
-            let [_, _, lobe, end] = numbers.of(ray).map(f64::from);
-            (choice[lane], ends[lane]) = (lobe, end);
-            walk.density[ray] = f64::INFINITY;
-        }
+        let [choice, ends] = [2, 3].map(|axis| numbers.lanes::<S::Lanes>(axis, group));
+        let infinite = S::constant(S::Lanes::ONE / S::Lanes::ZERO);
+        put(group.lanes(), group.alive, &infinite, &mut walk.density);
         let inside = S::Lanes::mask_from_bits(group.inside);
         let relative = relative_ior::<S::Lanes>(vertex.material.ior.primal(), inside);
         let relative = numbers_of_lanes::<S::Lanes>(relative);
-        let event = refract_or_reflect(vertex, lanes_of_numbers::<S::Lanes>(&choice));
+        let event = refract_or_reflect(vertex, choice);
         let part = sent_on_by_dielectric::<S::Lanes>(
             vertex.material.map(S::primal),
             group.surface.map(S::primal),
@@ -281,17 +243,22 @@ impl<S: Number> Integrator<'_, S> {
         let along = group.geometry().1.dot(primal_vector::<S>(event.direction));
         let enters = S::Lanes::mask_bits(along.cmplt(S::Lanes::ZERO));
         let lanes = group.alive & (event.mirrored | enters);
-        walk.go_on(depth, group, event, part, (lanes, &ends))
+        walk.go_on(depth, group, event, part, (lanes, ends))
     }
 
-    /// Follows the rays that go on from a wavefront to what they meet; returns whether there are any.
-    fn trace_events(&self, from: &Wavefront<S>, to: &mut Wavefront<S>) -> bool {
+    /// Follows the rays that go on from a wavefront to what they meet, and weighs that; returns whether there are
+    /// any.
+    fn trace_events(
+        &self,
+        from: &mut Wavefront<S>,
+        walk: &mut Walk<S>,
+        to: &mut Wavefront<S>,
+    ) -> bool {
         let mut sent_on = std::mem::take(&mut to.rays);
         sent_on.clear();
         sent_on.resize_with(blocks::<S>(), zero_ray::<S>);
         to.hits = PacketHits::NONE;
-        let mut sent = 0;
-        let mut batch = Batch::default();
+        let mut batch = Batch::from(&from.hits);
         for group in &from.groups {
             let event = from.scattering.events[group.block()];
             let goes_on = event.factor.primal().cmpgt(S::Lanes::ZERO);
@@ -299,17 +266,30 @@ impl<S: Number> Integrator<'_, S> {
             if lanes == 0 {
                 continue;
             }
-            sent |= u64::from(lanes) << group.first;
             let ray = Ray { origin: group.surface.point, direction: event.direction };
             put(group.lanes(), lanes, &ray, &mut sent_on);
             let direction = primal_vector::<S>(ray.direction);
-            group.add_to(&mut batch, from, lanes, event.straight, direction);
+            group.add_to(&mut batch, lanes, event.straight, direction);
         }
         self.find_next(&batch, &mut to.hits);
+        let (mut sent, mut found) = (batch.active, self.add_found(from, &to.hits));
+        to.scattering.packing = Packing::new::<S>(sent);
+        if let Some(packing) = &to.scattering.packing {
+            packing.pack_hits(&mut to.hits);
+            packing.pack_blocks::<S, _>(&mut sent_on);
+            walk.pack(packing);
+            (sent, found) = (packing.rays(), packing.pack_bits(found));
+        }
         self.gather_hits(to, sent, |first, alive| {
             repeated_ray::<S>(&sent_on[first / <S::Lanes as Lanes>::COUNT], alive)
         });
         to.rays = sent_on;
+        self.weigh_missed(Some(walk), to);
+        // What was found counts where it was looked for.
+        for (block, weight) in to.scattering.found.iter_mut().enumerate() {
+            let lanes = (found >> (block * <S::Lanes as Lanes>::COUNT)) as u32;
+            *weight = select_lanes::<S, S>(lanes & all_lanes::<S::Lanes>(), &S::ZERO, weight);
+        }
         sent != 0
     }
 
@@ -336,12 +316,20 @@ impl<S: Number> Integrator<'_, S> {
     }
 
     /// A bit for each lane whose path ends because its surface scatters nothing.
-    fn absorbing(&self, group: &LaneGroup<S>, unscattered: u32) -> u32 {
+    fn absorbing(&self, materials: &Coalesced, unscattered: u32) -> u32 {
         if self.zero_weight.reflections {
             return 0;
         }
-        let black = |material: usize| self.layout.materials[material].is_black;
-        self.materials(&group.primitives).lanes_where(black) & !unscattered
+        materials.lanes_where(|material| self.layout.materials[material].is_black) & !unscattered
+    }
+}
+
+impl RayNumbers {
+    /// Those of one axis of the rays of a group.
+    #[inline]
+    fn lanes<L: Lanes>(&self, axis: usize, group: &LaneGroup<impl Number<Lanes = L>>) -> L {
+        let numbers = &self.along(axis)[group.first..group.first + L::COUNT];
+        L::from_lanes(|lane| Real::from_f64(numbers[lane].into()))
     }
 }
 

@@ -1,13 +1,20 @@
 //! Rays that have nothing in common, many at once.
 
+use std::cell::Cell;
+
 use glam::Vec3;
 use wide::f32x16;
 
-use super::batch_traversal::{Found, Sixteen};
+use super::batch_traversal::{Sixteen, Waiting};
 use super::packet::{
     GROUPS, NO_PRIMITIVE, PACKET_RAYS, PacketHits, PacketVectors, bits, load, rays,
 };
 use super::{Bvh, Hit};
+
+thread_local! {
+    /// An empty stack, which has grown.
+    static STACK: Cell<Vec<Waiting>> = const { Cell::new(Vec::new()) };
+}
 
 /// Rays of a packet with origins of their own.
 pub struct Batch {
@@ -21,13 +28,13 @@ pub struct Batch {
     pub active: u64,
 }
 
-/// No rays.
-impl Default for Batch {
-    fn default() -> Self {
+/// No rays yet, from what others have hit.
+impl From<&PacketHits> for Batch {
+    fn from(hits: &PacketHits) -> Self {
         Self {
             origins: PacketVectors::ZERO,
             directions: PacketVectors::ZERO,
-            from: [NO_PRIMITIVE; PACKET_RAYS],
+            from: hits.primitive,
             active: 0,
         }
     }
@@ -82,19 +89,18 @@ impl Bvh {
             }
             return;
         }
-        let mut stack = Vec::new();
+        let mut stack = STACK.take();
+        let (limits, targets) = ([f32::INFINITY; PACKET_RAYS], [NO_PRIMITIVE; PACKET_RAYS]);
         batch.sixteens(|chosen| {
-            let mut sixteen = Sixteen::new(batch, chosen, |_| f32::INFINITY);
-            self.triangles.visit_sixteen(&mut sixteen, &mut stack, |found, scale| {
-                let Found { lane, depth, primitive } = found;
-                let ray = chosen[lane];
-                if primitive == batch.from[ray] {
-                    return None;
+            let mut sixteen = Sixteen::new(batch, chosen, &limits, &targets);
+            self.triangles.visit_sixteen::<false>(&mut sixteen, &mut stack);
+            for (&ray, hit) in chosen.iter().zip(sixteen.hits(chosen.len())) {
+                if let Some((primitive, distance)) = hit {
+                    hits.set(ray, Hit { primitive, distance, leaves: false });
                 }
-                hits.set(ray, Hit { primitive, distance: depth * scale, leaves: false });
-                Some(depth)
-            });
+            }
         });
+        STACK.set(stack);
     }
 
     /// A bit for each ray that meets anything before its limit, which is in lengths of its direction, but the
@@ -118,18 +124,15 @@ impl Bvh {
             }
             return occluded;
         }
-        let mut stack = Vec::new();
+        let mut stack = STACK.take();
         batch.sixteens(|chosen| {
-            let mut sixteen = Sixteen::new(batch, chosen, |ray| limits[ray]);
-            self.triangles.visit_sixteen(&mut sixteen, &mut stack, |found, _| {
-                let ray = chosen[found.lane];
-                if counts_not(ray, found.primitive) {
-                    return None;
-                }
-                occluded |= 1 << ray;
-                Some(-1.0)
-            });
+            let mut sixteen = Sixteen::new(batch, chosen, limits, targets);
+            self.triangles.visit_sixteen::<true>(&mut sixteen, &mut stack);
+            for (&ray, hit) in chosen.iter().zip(sixteen.hits(chosen.len())) {
+                occluded |= u64::from(hit.is_some()) << ray;
+            }
         });
+        STACK.set(stack);
         occluded
     }
 }

@@ -7,7 +7,7 @@ use obvhs::BvhBuildParams;
 ///
 /// All of them cluster primitives along a space-filling curve (PLOC, Meister & Bittner 2018); the
 /// better ones look at more neighbours, and reinsert subtrees where they cost less.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
 pub enum BuildQuality {
     /// The shortest time to build.
     #[default]

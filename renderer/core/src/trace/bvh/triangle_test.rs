@@ -83,15 +83,8 @@ impl TriangleTest {
     /// The same for every triangle of a leaf, with the same roundings.
     #[inline]
     pub fn depths(&self, leaf: &TriangleLeaf) -> f32x8 {
-        let [a, b] = minor_axes(self.major);
-        let origin = [a, b, self.major].map(|axis| f32x8::splat(self.origin[axis]));
-        let slope = self.slope.map(f32x8::splat);
-        let sign = f32x8::splat(self.sign);
-        let [a, b, c] = [0, 1, 2].map(|corner| {
-            let corner = &leaf.corners[corner];
-            let z = (corner[self.major] - origin[2]) * sign;
-            [(corner[a] - origin[0]) - slope[0] * z, (corner[b] - origin[1]) - slope[1] * z, z]
-        });
+        let [a, b, c] = &leaf.corners;
+        let (a, b, c) = (self.shear_all(a), self.shear_all(b), self.shear_all(c));
 
         // Not fused: the two triangles at an edge have to get exactly opposite values.
         let u = c[0] * b[1] - c[1] * b[0];
@@ -117,6 +110,20 @@ impl TriangleTest {
             depths.as_mut_array()[lane] = self.depth(leaf.triangle(lane));
         }
         depths
+    }
+
+    /// Corners side by side in the space of the ray.
+    // Always inline: a call passes everything through memory.
+    #[inline(always)]
+    fn shear_all(&self, corners: &[f32x8; 3]) -> [f32x8; 3] {
+        let [a, b] = minor_axes(self.major);
+        let from_origin = |axis: usize| corners[axis] - f32x8::splat(self.origin[axis]);
+        let depth = from_origin(self.major) * f32x8::splat(self.sign);
+        [
+            from_origin(a) - f32x8::splat(self.slope[0]) * depth,
+            from_origin(b) - f32x8::splat(self.slope[1]) * depth,
+            depth,
+        ]
     }
 
     /// A corner in the space of the ray.

@@ -5,7 +5,7 @@ use super::*;
 
 /// Rays from and to anywhere, some of them of no use.
 fn batch(origins: &[Vec3], directions: &[Vec3], from: &[u32], active: u64) -> Batch {
-    let mut batch = Batch { active, ..Batch::default() };
+    let mut batch = Batch { active, ..Batch::from(&PacketHits::NONE) };
     for ray in 0..PACKET_RAYS {
         batch.origins.set(ray, origins[ray % origins.len()]);
         batch.directions.set(ray, directions[ray % directions.len()]);
