@@ -194,3 +194,38 @@ fn identifiers_are_whole_numbers_of_what_is_in_the_middle_of_a_pixel() {
     let refused = render_vjp(&scene, &plain, &[camera]).map(|_| ()).unwrap_err().to_string();
     assert_eq!(refused, "pass: identifiers are whole numbers and have no derivative");
 }
+
+/// A fold whose upper triangle shares an edge with one without area, which two lower ones share: as modelling programs
+/// leave them.
+#[test]
+fn triangles_without_area_between_others_leave_no_pixel_undefined() {
+    let vertices = vec![
+        [-1.0, 0.0, 0.0],
+        [1.0, 0.0, 0.0],
+        [0.1, 0.0, 0.0],
+        [0.0, 1.0, 0.3],
+        [-0.2, -1.0, 0.4],
+    ];
+    let others = [[0, 1, 3], [0, 4, 2], [2, 4, 1]];
+    let image = |triangles: Vec<[u32; 3]>, settings: &Settings| {
+        let mut scene = Scene::new(64, 64, Camera::looking(dvec3(0.1, 0.05, 3.0), DVec3::ZERO));
+        let upper = scene.add_material("upper", Material::lambertian(DVec3::ONE)).unwrap();
+        let lower = scene.add_material("lower", Material::lambertian(DVec3::X)).unwrap();
+        let mut mesh = Mesh::new("fold", vertices.clone(), triangles);
+        mesh.materials =
+            mesh.triangles.iter().map(|t| if t.contains(&4) { lower } else { upper }).collect();
+        scene.add_mesh(mesh).unwrap();
+        render(&scene, settings).unwrap()
+    };
+    for pass in [Pass::Albedo, Pass::Normals, Pass::Depth] {
+        let settings = Settings { edges: Edges::On, ..of(pass) };
+        let without = image(others.to_vec(), &settings);
+        for flat in [[0, 2, 1], [0, 1, 2]] {
+            let with = image([&others[..], &[flat]].concat(), &settings);
+            let pixels = with.pixels.iter().flatten().zip(without.pixels.iter().flatten());
+            for (with, without) in pixels {
+                assert!((with - without).abs() < 1e-3, "{pass:?}, {flat:?}: {with} {without}");
+            }
+        }
+    }
+}

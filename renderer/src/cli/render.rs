@@ -214,6 +214,16 @@ fn save(
     print(output.display())
 }
 
+/// What is said of pixels that are not finite though the radiance of all their rays is.
+fn at_edges(image: &Image) -> String {
+    let is_finite = |pixel: &[f32; 3]| pixel.iter().all(|value| value.is_finite());
+    let at = image.pixels.iter().position(|pixel| !is_finite(pixel)).unwrap_or_default() as u32;
+    let (column, row) = (at % image.width, at / image.width);
+    format!(
+        "an edge in column {column}, row {row} is not finite: leave edges out (--antialias none)"
+    )
+}
+
 /// A rendered image as it is to be written.
 fn finished(
     arguments: &Arguments,
@@ -223,7 +233,7 @@ fn finished(
 ) -> Result<Image, Error> {
     if !image.is_finite() {
         let found = renderer.find_non_finite(scene);
-        let found = found.map_or_else(String::new, |found| found.to_string());
+        let found = found.map_or_else(|| at_edges(&image), |found| found.to_string());
         if !arguments.allow_non_finite {
             return Err(Error::not_finite(arguments.scene.display(), found));
         }

@@ -42,7 +42,11 @@ impl<L: Plain> Geometry<'_, L> {
                 Exit::Invalid => return false,
                 Exit::None => return triangle == last,
                 Exit::Side(side, at) => {
-                    let Some(next) = self.adjacency.across(triangle, side) else { return false };
+                    let next = self.adjacency.across(triangle, side);
+                    // A triangle without area has no points to look at.
+                    let Some(next) = next.filter(|&next| self.has_area(next as usize)) else {
+                        return false;
+                    };
                     let edge = sides(corners)[side];
                     steps.push(Step { at, edge, triangles: [triangle, next] });
                     (triangle, entered) = (next, Some((edge, at)));
