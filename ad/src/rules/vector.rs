@@ -2,7 +2,7 @@
 
 use glam::{DVec2, DVec3, DVec4, Vec2, Vec3, Vec4};
 
-use super::geometry::vector as geometry;
+use super::geometry::{rotation, vector as geometry};
 use super::kin::Kin;
 use super::linear::{
     self, Along, Chosen, Elements, Gradient, Maps, Negated, Pulled, Same, Scaled, Symmetric, Zero,
@@ -147,7 +147,7 @@ rules! {
         rotate_x(v, angle: Self::S) -> Self as geometry::rotate_x;
         rotate_y(v, angle: Self::S) -> Self as geometry::rotate_y;
         rotate_z(v, angle: Self::S) -> Self as geometry::rotate_z;
-        rotate_axis(v, axis: Self, angle: Self::S) -> Self as geometry::rotate_axis;
+        rotate_axis(v, axis: Self, angle: Self::S) -> Self as rotation::rotate_axis;
     }
 }
 

@@ -72,7 +72,8 @@ pub fn range(image: &Image) -> (f32, f32) {
 }
 
 /// What of a [pass](Pass) that measures shapes is 0 and what is 1 in a picture: normals from -1 to 1, texture
-/// coordinates from 0 to 1, places from the smallest to the largest number, depth such that what is near is dark, and black where nothing is.
+/// coordinates from 0 to 1, places from the smallest to the largest number, depth such that what is near is dark,
+/// and black where nothing is.
 pub fn range_of_measure(image: &Image, pass: Pass) -> (f32, f32) {
     match pass {
         Pass::Normals => return (-1.0, 1.0),

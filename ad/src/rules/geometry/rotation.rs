@@ -107,4 +107,6 @@ formulas! {
     };
     angle_between(a: Quaternion<S>, b: Quaternion<S>) -> S
         = S::TWO * dot::<S, 4>(a, b).abs().acos();
+    rotate_axis(a: Triple<S>, axis: Triple<S>, angle: S) -> Triple<S>
+        = rotated::<S>(from_axis_angle::<S>(axis, angle), a);
 }

@@ -7,7 +7,7 @@
 
 use ad_macros::differentiable;
 
-use super::{Triple, holds, rotation};
+use super::{Triple, holds};
 use crate::rules::{chain, scale};
 use crate::{Mask, Real};
 
@@ -194,6 +194,4 @@ formulas! {
         let [x, y] = rotate_angle::<S>([a[0], a[1]], angle);
         [x, y, a[2]]
     };
-    rotate_axis(a: Triple<S>, axis: Triple<S>, angle: S) -> Triple<S>
-        = rotation::rotated::<S>(rotation::from_axis_angle::<S>(axis, angle), a);
 }

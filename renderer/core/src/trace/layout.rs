@@ -272,7 +272,7 @@ impl Layout {
 
     /// Takes over what is shown, and what follows from it: where rays go, and a map of the environment.
     pub fn show(&mut self, scene: &Scene, settings: &Settings) {
-        if [self.pass, settings.pass].contains(&Pass::Uv) {
+        if self.pass != settings.pass && [self.pass, settings.pass].contains(&Pass::Uv) {
             self.uvs = uvs(scene, settings.pass);
         }
         self.pass = settings.pass;
