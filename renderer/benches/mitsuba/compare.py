@@ -54,7 +54,7 @@ def mitsuba_scene(mi, path):
             bsdf = {"type": "twosided", "bsdf": {
                 "type": "diffuse", "reflectance": {"type": "rgb", "value": diffuse}}}
             key = f"mesh_{stem}" + (f"_{name}" if len(groups) > 1 else "")
-            scene[key] = {"type": "obj", "filename": part, "face_normals": True, "bsdf": bsdf}
+            scene[key] = {"type": "obj", "filename": part, "face_normals": mesh.get("normals") != "smooth", "bsdf": bsdf}
     return scene, toml
 
 
@@ -108,29 +108,8 @@ def median(xs):
     return sorted(xs)[len(xs) // 2]
 
 
-def run_mitsuba(arguments):
-    """One process of Mitsuba; prints its figures as JSON."""
-    import drjit as dr
-    import mitsuba as mi
-    mi.set_variant("llvm_ad_rgb")
-    mi.set_log_level(mi.LogLevel.Error)
-    dr.set_thread_count(arguments.threads)
-    description, toml = mitsuba_scene(mi, arguments.scene)
-    integrator = mi.load_dict({"type": "direct", "emitter_samples": 1, "bsdf_samples": 0})
-    scene = mi.load_dict(description, optimize=False)
-    paths = arguments.parameters or [p["path"] for p in toml.get("optimize", {}).get("parameter", [])]
-    params = mi.traverse(scene)
-    keys = [key for path in paths for key in mitsuba_keys(params, path)]
-    moves = any(key.endswith("vertex_positions") for key in keys)
-
-    def primal(seed):
-        image = mi.render(scene, integrator=integrator, spp=1, seed=seed)
-        dr.eval(image)
-        dr.sync_thread()
-        return image
-
-    target = mi.TensorXf(primal(0)) * 0.9
-    dr.eval(target)
+def iterations(dr, mi, scene, params, keys, integrator, target):
+    """Two functions of a seed: one writes the parameters, as leaves, and one takes a whole iteration."""
     values = {key: type(params[key])(dr.detach(params[key])) for key in keys}
 
     def write(seed):
@@ -157,6 +136,46 @@ def run_mitsuba(arguments):
         dr.eval([dr.grad(leaf) for leaf in leaves], loss)
         dr.sync_thread()
 
+    return write, iteration
+
+
+def repeat(f):
+    """Median and minimum of its milliseconds, over a second after warming up."""
+    for seed in range(3):
+        f(1000 + seed)
+    times, start = [], time.perf_counter()
+    while len(times) < 5 or time.perf_counter() - start < 1.0:
+        begin = time.perf_counter()
+        f(len(times))
+        times.append((time.perf_counter() - begin) * 1e3)
+    return [median(times), min(times)]
+
+
+def run_mitsuba(arguments):
+    """One process of Mitsuba; prints its figures as JSON."""
+    import drjit as dr
+    import mitsuba as mi
+    mi.set_variant("llvm_ad_rgb")
+    mi.set_log_level(mi.LogLevel.Error)
+    dr.set_thread_count(arguments.threads)
+    description, toml = mitsuba_scene(mi, arguments.scene)
+    integrator = mi.load_dict({"type": "direct", "emitter_samples": 1, "bsdf_samples": 0})
+    scene = mi.load_dict(description, optimize=False)
+    paths = arguments.parameters or [p["path"] for p in toml.get("optimize", {}).get("parameter", [])]
+    params = mi.traverse(scene)
+    keys = [key for path in paths for key in mitsuba_keys(params, path)]
+    moves = any(key.endswith("vertex_positions") for key in keys)
+
+    def primal(seed):
+        image = mi.render(scene, integrator=integrator, spp=1, seed=seed)
+        dr.eval(image)
+        dr.sync_thread()
+        return image
+
+    target = mi.TensorXf(primal(0)) * 0.9
+    dr.eval(target)
+    write, iteration = iterations(dr, mi, scene, params, keys, integrator, target)
+
     @dr.freeze
     def frozen_gradient(scene, integrator, target, seed):
         image = mi.render(scene, mi.traverse(scene), integrator=integrator, spp=1, seed=seed)
@@ -172,16 +191,6 @@ def run_mitsuba(arguments):
         dr.eval([dr.grad(leaf) for leaf in leaves], loss)
         dr.sync_thread()
 
-    def repeat(f):
-        for seed in range(3):
-            f(1000 + seed)
-        times, start = [], time.perf_counter()
-        while len(times) < 5 or time.perf_counter() - start < 1.0:
-            begin = time.perf_counter()
-            f(len(times))
-            times.append((time.perf_counter() - begin) * 1e3)
-        return [median(times), min(times)]
-
     out = {"image": repeat(primal), "iteration": repeat(iteration)}
     if not moves:
         out["frozen"] = repeat(frozen)
@@ -193,8 +202,8 @@ def run_mitsuba(arguments):
     print(json.dumps(out))
 
 
-def run_ours(arguments):
-    command = [arguments.renderer, "bench", arguments.scene, "--edges", "off", "--threads", str(arguments.threads)]
+def run_ours(arguments, edges="off"):
+    command = [arguments.renderer, "bench", arguments.scene, "--edges", edges, "--threads", str(arguments.threads)]
     for path in arguments.parameters:
         command += ["--param", path]
     text = subprocess.run(command, check=True, capture_output=True, text=True).stdout

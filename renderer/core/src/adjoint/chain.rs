@@ -286,12 +286,13 @@ impl<'a, L: Plain> Chain<'a, L> {
                 let (own, of_outgoing) = pull_outgoing(vertex, own, radiance, beyond);
                 // Cotangents are large: they stay where the pullback leaves them.
                 let mut cotangents = pullback(own);
-                let (material, _, surface, illumination, ..) = &mut cotangents;
-                self.pull_illumination(others.len(), last, vertex.group, *illumination, surface);
+                let (material, _, of_surface, illumination, ..) = &mut cotangents;
+                let (at, to_point) = ((vertex.group, surface.point), &mut of_surface.point);
+                self.pull_illumination(others.len(), last, at, *illumination, to_point);
                 for (light, inputs) in others.iter().enumerate() {
-                    self.pull_light(index, vertex, light, inputs, own, (material, surface));
+                    self.pull_light(index, vertex, light, inputs, own, (material, of_surface));
                 }
-                self.pull_material(vertex, own, of_outgoing, material, surface, to_surface);
+                self.pull_material(vertex, own, of_outgoing, material, of_surface, to_surface);
             }
             _ => {
                 let own = vertex.own(lights);
@@ -332,7 +333,8 @@ impl<'a, L: Plain> Chain<'a, L> {
         let (material, _, surface, illumination, (), transmittance) = &pullback(own);
         to_material.accumulate(*material);
         to_surface.accumulate(*surface);
-        self.pull_illumination(index, inputs, vertex.group, *illumination, to_surface);
+        let at = (vertex.group, surface.point);
+        self.pull_illumination(index, inputs, at, *illumination, &mut to_surface.point);
         let varies =
             self.scatter.request.has_opacities() || self.integrator.layout.has_opacity_textures;
         if left.is_some() && varies {
@@ -341,34 +343,35 @@ impl<'a, L: Plain> Chain<'a, L> {
         }
     }
 
-    /// From the illumination of the points of a group to the light and to the points.
+    /// From the illumination of points, those of a group or where its shadow rays start, to the light and to
+    /// the points.
     #[inline]
     pub(super) fn pull_illumination(
         &mut self,
         index: usize,
         light: &LightInputs<L>,
-        group: &LaneGroup<L>,
+        (group, point): (&LaneGroup<L>, Vec3<L>),
         cotangent: Tangent<Illumination<L>>,
-        to_surface: &mut Tangent<SurfacePoint<L>>,
+        to_point: &mut Vec3<L>,
     ) {
         let to = self.scatter.request.light(self.integrator.layout.lights[index].object);
         if to.is_none() && !self.scatter.request.moves_surfaces() {
             return;
         }
         if let LightInputs::Shining(shining) = light {
-            let (primitive, point) = shining.pull_illuminate(group.surface.point, cotangent);
-            to_surface.point.accumulate(point);
+            let (primitive, of_point) = shining.pull_illuminate(point, cotangent);
+            to_point.accumulate(of_point);
             let (kind, _) = self.integrator.layout.kind_of(shining.index);
             let primitives = Coalesced::all(shining.index, group.alive);
             return self.scatter_primitive(kind, &primitives, &primitive);
         }
         let scatter = &mut self.scatter;
-        let point = light.pull_illuminate(group.surface.point, cotangent, |number, cotangent| {
+        let of_point = light.pull_illuminate(point, cotangent, |number, cotangent| {
             if let Some(to) = to {
                 scatter.number(to, number, group.alive, cotangent);
             }
         });
-        to_surface.point.accumulate(point);
+        to_point.accumulate(of_point);
     }
 
     /// From the cotangents of what the surfaces emit, or show of their albedo, and of their materials to

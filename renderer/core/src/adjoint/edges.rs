@@ -23,7 +23,6 @@ use crate::trace::layout::Kind;
 use crate::trace::tile::for_each_strip;
 use crate::transport::camera::{CameraFrame, Ray, primary_ray};
 use crate::transport::edge::{segment_margin, sphere_margin};
-use crate::transport::light::Illumination;
 
 /// The sums of the strips of the image, and of packets of crossings.
 pub fn sweep_with_edges<L: Plain>(
@@ -253,11 +252,7 @@ impl<L: Plain> Chain<'_, L> {
                 let Some(SurfaceCotangent { surface, .. }) = &mut state.surfaces[index] else {
                     continue;
                 };
-                surface.point.accumulate(to_ray.origin);
-                let direction = to_ray.direction;
-                let illumination = Tangent::<Illumination<L>> { direction, ..Additive::zero() };
-                let inputs = &self.integrator.inputs.lights[light];
-                self.pull_illumination(light, inputs, group, illumination, surface);
+                surface.point.accumulate(self.pull_shadow_ray(light, group, to_ray));
             }
         }
     }

@@ -10,6 +10,7 @@ use crate::primal::vertex::Vertex;
 use crate::primal::wavefront::LaneGroup;
 use crate::primal::wavefront::Occluder;
 use crate::scene::Slot;
+use crate::transport::camera::Ray;
 use crate::transport::direct::attenuate;
 use crate::transport::hit::{hit, surface_uv};
 use crate::transport::light::Illumination;
@@ -82,15 +83,27 @@ impl<L: Plain> Chain<'_, L> {
                 let (of_hit, (), ray) = pullback(surface);
                 of_primitive.accumulate(of_hit);
                 self.scatter_primitive(*kind, primitives, &of_primitive);
-                let mut to_surface = Tangent::<SurfacePoint<L>>::zero();
-                let illumination =
-                    Tangent::<Illumination<L>> { direction: ray.direction, ..Additive::zero() };
-                let inputs = &integrator.inputs.lights[light];
-                self.pull_illumination(light, inputs, group, illumination, &mut to_surface);
-                to_point = ray.origin + to_surface.point;
+                to_point = self.pull_shadow_ray(light, group, ray);
             }
         }
         self.scatter.materials::<L>(&materials, &of_material);
         to_point
+    }
+
+    /// Pulls the cotangents of the rays from the points of a group to a light back to the light; returns those
+    /// of the points.
+    pub(super) fn pull_shadow_ray(
+        &mut self,
+        light: usize,
+        group: &LaneGroup<L>,
+        ray: Tangent<Ray<L>>,
+    ) -> Vec3<L> {
+        let origin = self.integrator.shadow_origin(group);
+        let mut to_origin = ray.origin;
+        let illumination =
+            Tangent::<Illumination<L>> { direction: ray.direction, ..Additive::zero() };
+        let inputs = &self.integrator.inputs.lights[light];
+        self.pull_illumination(light, inputs, (group, origin), illumination, &mut to_origin);
+        self.pull_shadow_origin(group, to_origin)
     }
 }

@@ -11,7 +11,9 @@ use crate::primal::placed::normal_sums;
 use crate::primal::wavefront::LaneGroup;
 use crate::transport::camera::Ray;
 use crate::transport::hit::Primitive;
-use crate::transport::smooth::{SmoothPoint, mean_normal, smooth_point, weighted_normal};
+use crate::transport::smooth::{
+    SmoothPoint, curved_point, mean_normal, smooth_point, weighted_normal,
+};
 use crate::transport::surface::SurfacePoint;
 use crate::transport::triangle::Triangle;
 
@@ -33,6 +35,24 @@ impl<L: Plain> Chain<'_, L> {
         let mut primitive = Tangent::<Primitive<L>>::zero();
         primitive.Triangle.0 = triangle;
         (primitive, ray)
+    }
+
+    /// Pulls the cotangents of where the shadow rays of a group start back to smooth triangles; returns those of
+    /// the points of the group.
+    pub(super) fn pull_shadow_origin(&mut self, group: &LaneGroup<L>, origin: Vec3<L>) -> Vec3<L> {
+        let Some(SmoothPoint { surface, outward }) = group.bent_points() else { return origin };
+        if !group.is_smooth || !self.scatter.request.moves_surfaces() {
+            return origin;
+        }
+        let triangle = self.integrator.triangle(&group.primitives);
+        let normals = self.integrator.corner_normals(&group.primitives);
+        let (_, pullback) = curved_point::vjp::<L>(triangle, normals, surface.point, outward);
+        let (triangle, normals, point, _) = pullback(origin);
+        self.scatter_normals(&group.primitives, normals);
+        let mut primitive = Tangent::<Primitive<L>>::zero();
+        primitive.Triangle.0 = triangle;
+        self.scatter_primitive(group.kind, &group.primitives, &primitive);
+        point
     }
 
     /// Adds the cotangents of the normals of the corners of triangles.

@@ -73,6 +73,8 @@ pub struct Crossing {
     pub at: f64,
     pub layer: Layer,
     pub edge: Edge,
+    /// The primitive that a shadow falls on.
+    pub receiver: u32,
     /// The paths on the side of the first sample and on that of the second one.
     pub sides: [Path; 2],
     /// The unit normal of the edge in the image, from the first side to the second one as far as the
@@ -415,7 +417,14 @@ impl<'a, L: Plain> Search<'a, L> {
         is_between.then(|| low + root(behind, start, end) * (high - low))
     }
 
-    fn emit(&mut self, link: &Link, at: f64, depth: usize, edge: Edge, sides: [Path; 2]) {
+    pub(super) fn emit(
+        &mut self,
+        link: &Link,
+        at: f64,
+        depth: usize,
+        edge: Edge,
+        sides: [Path; 2],
+    ) {
         let layer = Layer::Surface(depth as u32);
         if let (0, Edge::Segment(ends)) = (depth, edge) {
             let slopes = self.geometry.linear_slopes(ends, link.place(at));
@@ -472,6 +481,7 @@ pub(super) fn crossing(
         at,
         layer,
         edge,
+        receiver: NO_PRIMITIVE,
         sides,
         normal,
         slope: sign * length,

@@ -4,7 +4,7 @@
 //! the light is seen, or comes through other materials. Facing away from a light counts as not blocked: what
 //! changes there is continuous.
 
-use super::crossing::{BEYOND, Layer, Link, Part, Path, Search, crossing, slopes};
+use super::crossing::{BEYOND, Crossing, Layer, Link, Part, Path, Search, crossing, slopes};
 use super::geometry::{Edge, Shadow};
 use super::lit::BESIDE;
 use super::outline::Exit;
@@ -13,6 +13,10 @@ use crate::primal::known::KnownHit;
 
 /// How many surfaces a shadow edge is followed over.
 const MOST_BLOCKERS: usize = 64;
+
+/// Within this distance of a seam, as a part of the link, edges of shadows are the seam: rays that start so close to
+/// it cannot tell.
+const SEAM: f64 = 1e-2;
 
 /// What a light comes to along a link: a surface point on each place of it.
 #[derive(Clone, Copy)]
@@ -47,35 +51,78 @@ impl<L: Plain> Search<'_, L> {
         }
     }
 
-    /// Adds the edge of the shadow of what is opaque: outlines are left from the dark end on, until the light is
-    /// seen.
+    /// Adds the edge of the shadow of what is opaque. Where two triangles of a smooth surface meet on the way, it
+    /// is on one of them, or the seam itself: one triangle may face the light, and the other be in its own
+    /// shadow.
     fn opaque(&mut self, link: &Link, part: Part, depth: usize, light: usize) {
-        let is_first = self.of(part.first)[depth].blocked >> light & 1 == 1;
-        let (mut from, to) = if is_first { (part.from, part.to) } else { (part.to, part.from) };
-        let dark = if is_first { part.first } else { part.last };
-        let known = self.of(dark)[depth];
-        let receiver = Receiver { link, path: dark, depth, light, known };
-        let blocker = |search: &Self, at: f64| match search.shadow(&receiver, at) {
+        let is_dark = |search: &Self, path| search.of(path)[depth].blocked >> light & 1 == 1;
+        let Part { from, to, first, last } = part;
+        let [(dark, from), (lit, to)] = match is_dark(self, first) {
+            true => [(first, from), (last, to)],
+            false => [(last, to), (first, from)],
+        };
+        let receiver = |search: &Self, path| Receiver {
+            link,
+            path,
+            depth,
+            light,
+            known: search.of(path)[depth],
+        };
+        let receivers = [dark, lit].map(|path| receiver(self, path));
+        let primitives = receivers.map(|receiver| receiver.known.primitive);
+        let seam = match primitives[0] == primitives[1] {
+            true => None,
+            false => {
+                self.geometry.exit(primitives[0], [from, to], |at| self.ray(link, dark, depth, at))
+            }
+        };
+        let Some((at, edge)) = seam else {
+            self.leave(&receivers[0], [from, to]);
+            return;
+        };
+        let beside = SEAM * (to - from).signum();
+        let is_found = self.leave(&receivers[0], [from, at - beside])
+            || self.leave(&receivers[1], [at + beside, to]);
+        if !is_found {
+            let sides = self.sides(&receivers[0], from < to);
+            self.emit(link, at, depth, edge, sides);
+        }
+    }
+
+    /// Leaves the outlines of what is in the way of a light one after the other, from a dark place on, until the
+    /// light is seen, and adds the edge of the shadow there; returns whether there is one.
+    fn leave(&mut self, receiver: &Receiver<'_>, [mut from, to]: [f64; 2]) -> bool {
+        let blocker = |search: &Self, at: f64| match search.shadow(receiver, at) {
             Shadow::Of(primitive) => Some(primitive),
             Shadow::Through(_) => None,
         };
+        let step = BEYOND * (to - from).signum();
         let mut found = blocker(self, from);
         for _ in 0..MOST_BLOCKERS {
-            let Some(in_front) = found else { return };
-            let Some((at, edge)) = self.exit(&receiver, in_front, [from, to]) else { return };
-            let beyond = at + BEYOND * (to - from).signum();
+            let Some(in_front) = found else { return false };
+            let Some((at, edge)) = self.exit(receiver, in_front, [from, to]) else { return false };
+            let beyond = at + step;
             let is_last = (to - beyond) * (to - from) <= 0.0;
             found = if is_last { None } else { blocker(self, beyond) };
             if found.is_none() {
-                let mut lit = self.of(dark).to_vec();
-                lit[depth].blocked &= !(1 << light);
-                let lit = self.path(|hits| hits.extend(lit));
-                let sides = if is_first { [dark, lit] } else { [lit, dark] };
-                self.emit_shadow(&receiver, (at, edge), sides);
-                return;
+                let sides = self.sides(receiver, step > 0.0);
+                self.emit_shadow(receiver, (at, edge), sides);
+                return true;
             }
             from = beyond;
         }
+        false
+    }
+
+    /// The paths on both sides of the edge of a shadow, along the link.
+    fn sides(&mut self, receiver: &Receiver<'_>, is_dark_first: bool) -> [Path; 2] {
+        let Receiver { path, depth, light, .. } = *receiver;
+        let [dark, lit] = [1, 0].map(|blocked| {
+            let mut hits = self.of(path).to_vec();
+            hits[depth].blocked = hits[depth].blocked & !(1 << light) | blocked << light;
+            self.path(|path| path.extend(hits))
+        });
+        if is_dark_first { [dark, lit] } else { [lit, dark] }
     }
 
     /// Adds the edges of the shadows of transparent surfaces that end on the way between two places; those at which
@@ -133,6 +180,9 @@ impl<L: Plain> Search<'_, L> {
         };
         let layer = Layer::Shadow(depth as u32, light as u32);
         let slopes = slopes(link, at, number);
-        self.crossings.extend(crossing(link, at, layer, edge, sides, slopes));
+        self.crossings.extend(
+            crossing(link, at, layer, edge, sides, slopes)
+                .map(|crossing| Crossing { receiver: receiver.known.primitive, ..crossing }),
+        );
     }
 }

@@ -42,6 +42,18 @@ impl<S: Number> Integrator<'_, S> {
         (surface, Bent { outward, curved })
     }
 
+    /// Where the shadow rays of a group start.
+    pub fn shadow_origin(&self, group: &LaneGroup<S>) -> Vec3<S> {
+        match group.bent_points() {
+            Some(SmoothPoint { surface, outward }) if group.is_smooth => {
+                let triangle = self.triangle(&group.primitives);
+                let normals = self.corner_normals(&group.primitives);
+                curved_point::<S>(triangle, normals, surface.point, outward)
+            }
+            _ => group.surface.point,
+        }
+    }
+
     /// The normals of the corners of smooth triangles.
     pub fn corner_normals(&self, primitives: &Coalesced) -> [Vec3<S>; 3] {
         let normal = |index: u32| splat_vector::<S>(self.inputs.normals[index as usize]);

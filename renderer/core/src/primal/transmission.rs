@@ -149,7 +149,7 @@ impl<S: Number> Integrator<'_, S> {
 
     /// The ray from the points of a group to a light.
     pub fn shadow_ray(&self, light: usize, group: &LaneGroup<S>) -> Ray<S> {
-        let origin = group.surface.point;
+        let origin = self.shadow_origin(group);
         Ray { origin, direction: self.inputs.lights[light].illuminate(origin).direction }
     }
 

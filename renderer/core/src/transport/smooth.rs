@@ -72,8 +72,10 @@ pub fn next_ray_outward<S: Real>(point: SmoothPoint<S>, transparent: S::Mask) ->
 }
 
 /// The place above a point of a smooth triangle from which shadow rays start: a point of a curved surface
-/// through the corners (Hanika, "Hacking the Shadow Terminator", Ray Tracing Gems II, 2021). Only
-/// visibility depends on it, so it has no derivative.
+/// through the corners (Hanika, "Hacking the Shadow Terminator", Ray Tracing Gems II, 2021). Edges of
+/// shadows move with it. `outward` decides on which side the normals are, and has no derivative.
+#[differentiable]
+#[inline]
 pub fn curved_point<S: Real>(
     triangle: Triangle<S>,
     normals: [Vec3<S>; 3],
