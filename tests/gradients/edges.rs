@@ -112,7 +112,8 @@ pub fn check(scene: &Scene, path: &str, side: u32, most: f64) {
 
 #[track_caller]
 fn check_pass(scene: &Scene, pass: Pass, path: &str, side: u32, most: f64) {
-    let step = if path.ends_with("vfov") { 0.2 } else { 5e-3 };
+    let is_in_degrees = path.ends_with("vfov") || path.ends_with("rotation");
+    let step = if is_in_degrees { 0.2 } else { 5e-3 };
     let settings = |edges, side| Settings { pass, ..settings(edges, side) };
     let expected = differences(scene, &settings(Edges::Off, 32), path, step);
     let found = gradient(scene, &settings(Edges::On, side), path);
@@ -261,6 +262,28 @@ fn what_moves_nothing_is_exact() {
         let forwards = weighted_jvp(&scene, &settings, path, along);
         let sum: f64 = backwards.iter().sum();
         assert!((forwards - sum).abs() < 1e-5 * sum.abs(), "{path}: {forwards} {sum}");
+    }
+}
+
+/// Where the light stands behind one face of a smooth ridge and before the other, the shadow of the mesh on itself
+/// ends beside the ridge, where rays that start above the surface come to the light, or at the ridge.
+#[test]
+fn shadows_of_smooth_meshes_on_themselves() {
+    let mut beside = scene();
+    add_wedge(&mut beside);
+    let mut at_ridge = scene();
+    let paint = paint(&mut at_ridge, "roof", [0.8, 0.3, 0.2], 0.0);
+    let corners = [[-0.9, 0.0], [0.0, 0.6], [0.7, -0.3]];
+    let corners = corners.into_iter().flat_map(|[x, z]| [[x, -0.5, z], [x, 1.3, z]]).collect();
+    let faces = vec![[0, 2, 3], [0, 3, 1], [2, 4, 5], [2, 5, 3]];
+    at_ridge.add_mesh(Mesh::new("shape", corners, faces).material(paint)).unwrap();
+    for (mut scene, direction) in [(beside, [1.0, 0.25, 0.2]), (at_ridge, [1.0, 0.0, -0.25])] {
+        scene.meshes[0] = scene.meshes[0].clone().smooth();
+        let sun = DistantLight { direction: direction.into(), color: DVec3::ONE, irradiance: 2.0 };
+        scene.add_light("sun", sun).unwrap();
+        check(&scene, "mesh.shape.translation", 4, 5e-3);
+        check(&scene, "mesh.shape.rotation", 4, 3e-2);
+        check(&scene, "light.sun.direction", 4, 5e-3);
     }
 }
 

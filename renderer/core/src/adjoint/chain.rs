@@ -330,9 +330,9 @@ impl<'a, L: Plain> Chain<'a, L> {
             vertex.visible(index),
             left.unwrap_or(L::ONE),
         );
-        let (material, _, surface, illumination, (), transmittance) = &pullback(own);
+        let (material, _, of_surface, illumination, (), transmittance) = &pullback(own);
         to_material.accumulate(*material);
-        to_surface.accumulate(*surface);
+        to_surface.accumulate(*of_surface);
         let at = (vertex.group, surface.point);
         self.pull_illumination(index, inputs, at, *illumination, &mut to_surface.point);
         let varies =

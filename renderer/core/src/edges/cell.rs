@@ -316,19 +316,17 @@ impl Cell<'_> {
     }
 
     /// Joins crossings of the same edge, and then the rest if they meet; otherwise those count one by one.
-    /// What lies beyond several edges differs by the sum of what changes at each. Where samples see several
-    /// surfaces, shadows may end between these, and only those on one primitive are known to be the same.
+    /// What lies beyond several edges differs by the sum of what changes at each.
     fn pairs(&self, stops: &mut Vec<Stop<'_>>, work: &mut Workspace<'_>) {
         let of_surfaces = |stop: &Stop<'_>| stop.side.crossing.layer.family().is_none();
-        let go_on = stops.iter().all(of_surfaces) || (self.is_uniform)();
-        let are_same =
-            |a: &Crossing, b: &Crossing| a.edge == b.edge && (go_on || a.receiver == b.receiver);
-        while let Some((a, b)) = pair(stops, are_same) {
-            let (b, a) = (stops.remove(b), stops.remove(a));
-            self.join(&[a, b], None, work);
-        }
-        if let Some(joint) = self.joint(stops).filter(|_| go_on) {
-            return self.join(stops, joint, work);
+        if stops.iter().all(of_surfaces) || (self.is_uniform)() {
+            while let Some((a, b)) = same_edge(stops) {
+                let (b, a) = (stops.remove(b), stops.remove(a));
+                self.join(&[a, b], None, work);
+            }
+            if let Some(joint) = self.joint(stops) {
+                return self.join(stops, joint, work);
+            }
         }
         for stop in stops {
             self.single(&stop.side, work);
@@ -365,13 +363,10 @@ fn axis(side: &Side<'_>) -> usize {
     side.of % 2
 }
 
-/// The first two stops whose crossings are the same in some way.
-fn pair(
-    stops: &[Stop<'_>],
-    are_same: impl Fn(&Crossing, &Crossing) -> bool,
-) -> Option<(usize, usize)> {
+/// Two stops of the same edge.
+fn same_edge(stops: &[Stop<'_>]) -> Option<(usize, usize)> {
     (0..stops.len()).find_map(|a| {
-        let is_same = |b: &usize| are_same(stops[a].side.crossing, stops[*b].side.crossing);
+        let is_same = |b: &usize| stops[a].side.crossing.edge == stops[*b].side.crossing.edge;
         (a + 1..stops.len()).find(is_same).map(|b| (a, b))
     })
 }

@@ -73,8 +73,6 @@ pub struct Crossing {
     pub at: f64,
     pub layer: Layer,
     pub edge: Edge,
-    /// The primitive that a shadow falls on.
-    pub receiver: u32,
     /// The paths on the side of the first sample and on that of the second one.
     pub sides: [Path; 2],
     /// The unit normal of the edge in the image, from the first side to the second one as far as the
@@ -481,7 +479,6 @@ pub(super) fn crossing(
         at,
         layer,
         edge,
-        receiver: NO_PRIMITIVE,
         sides,
         normal,
         slope: sign * length,

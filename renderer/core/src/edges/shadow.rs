@@ -4,7 +4,7 @@
 //! the light is seen, or comes through other materials. Facing away from a light counts as not blocked: what
 //! changes there is continuous.
 
-use super::crossing::{BEYOND, Crossing, Layer, Link, Part, Path, Search, crossing, slopes};
+use super::crossing::{BEYOND, Layer, Link, Part, Path, Search, crossing, slopes};
 use super::geometry::{Edge, Shadow};
 use super::lit::BESIDE;
 use super::outline::Exit;
@@ -180,9 +180,6 @@ impl<L: Plain> Search<'_, L> {
         };
         let layer = Layer::Shadow(depth as u32, light as u32);
         let slopes = slopes(link, at, number);
-        self.crossings.extend(
-            crossing(link, at, layer, edge, sides, slopes)
-                .map(|crossing| Crossing { receiver: receiver.known.primitive, ..crossing }),
-        );
+        self.crossings.extend(crossing(link, at, layer, edge, sides, slopes));
     }
 }
