@@ -2,9 +2,6 @@
 
 use core::marker::PhantomData;
 
-use glam::{Affine2, Affine3, Mat2, Mat3, Mat4, Quat, Vec2, Vec3, Vec4};
-use glam::{DAffine2, DAffine3, DMat2, DMat3, DMat4, DQuat, DVec2, DVec3, DVec4};
-
 use crate::{Additive, Differentiable, NoDerivative, Shape, Tangent};
 
 pub use crate::differentiable::Parts;
@@ -12,7 +9,7 @@ pub use crate::differentiable::Parts;
 mod cells;
 mod clones;
 mod constants;
-mod cotangent;
+pub(crate) mod cotangent;
 mod kept;
 mod names;
 mod order;
@@ -21,7 +18,7 @@ mod pullback;
 mod repeated;
 mod tangent;
 mod texts;
-mod through;
+pub(crate) mod through;
 
 pub use cells::{Holder, HoldsNoNumber, MayHold};
 pub use clones::{Comparable, Copied, CopiedElements, NotComparable};
@@ -62,17 +59,13 @@ pub mod methods {
     pub use super::constants::Accepts as _;
     pub use super::names::Modes as _;
     pub use super::texts::MayBeRead as _;
+    #[cfg(feature = "glam")]
+    pub use crate::glam::methods::*;
     pub use crate::rules::{
-        Affine2Rules as _, Affine3Rules as _, AngleRules as _, ArrayRules as _, CloneRules as _,
-        ColumnsRules as _, CopiedRules as _, DerefRules as _, FlattenRules as _, FloatRules as _,
-        FromRules as _, GlamRules as _, IntegerRules as _, IntoRules as _, Matrix2Rules as _,
-        Matrix3Rules as _, Matrix4Rules as _, OptionRules as _, OwnedRules as _,
-        PlaneMotionRules as _, ProjectionRules as _, QuaternionRules as _, RealRules as _,
-        ResizedRules as _, ResultRules as _, RotationRules as _, SequenceRules as _,
-        SignedRules as _, SpaceRules as _, Swizzle2Rules as _, Swizzle3Rules as _,
-        Swizzle4Rules as _, TransformRules as _, TryIntoRules as _, Vec2Rules as _, Vec4Rules as _,
-        VecRules as _, Vector3Rules as _, VectorRules as _, With2Rules as _, With3Rules as _,
-        With4Rules as _,
+        CloneRules as _, CopiedRules as _, DerefRules as _, FlattenRules as _, FloatRules as _,
+        FromRules as _, IntegerRules as _, IntoRules as _, OptionRules as _, OwnedRules as _,
+        RealRules as _, ResultRules as _, SequenceRules as _, SignedRules as _, TryIntoRules as _,
+        VecRules as _, Vector3Rules as _, VectorRules as _,
     };
     pub use crate::vector::{Vector as _, Vector3 as _};
 }
@@ -207,9 +200,10 @@ macro_rules! by_value {
     )*};
 }
 
-by_value!(f32 f64 Vec2 Vec3 Vec4 DVec2 DVec3 DVec4);
-by_value!(Mat2 Mat3 Mat4 DMat2 DMat3 DMat4 Quat DQuat Affine2 Affine3 DAffine2 DAffine3);
-by_value!(i8 i16 i32 i64 i128 isize u8 u16 u32 u64 u128 usize);
+#[cfg(feature = "glam")]
+pub(crate) use by_value;
+
+by_value!(f32 f64 i8 i16 i32 i64 i128 isize u8 u16 u32 u64 u128 usize);
 
 /// Compiles for the types whose operators have rules.
 #[inline(always)]
