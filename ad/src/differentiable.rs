@@ -252,7 +252,6 @@ macro_rules! no_derivative {
     )*};
 }
 
-#[cfg(feature = "glam")]
 pub(crate) use no_derivative;
 
 no_derivative!(

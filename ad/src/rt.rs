@@ -5,6 +5,7 @@ use core::marker::PhantomData;
 use crate::{Additive, Differentiable, NoDerivative, Shape, Tangent};
 
 pub use crate::differentiable::Parts;
+use crate::differentiable::no_derivative;
 
 mod cells;
 mod clones;
@@ -48,8 +49,9 @@ pub use through::{ByPullback, Through, WithoutRule};
 mod iterate;
 
 pub use iterate::{
-    AddsUp, MultipliesUp, Side, build_like, chunks_exact, empty_product, empty_sum, every_other,
-    held, is_sequence, lends_parts, record, record_like, segments, windows, with_cotangents,
+    AddsUp, MultipliesUp, Side, advance, build_like, chunks_exact, empty_product, empty_sum,
+    every_other, held, is_sequence, lends_parts, position, record, record_like, segments, windows,
+    with_cotangents,
 };
 
 /// The traits whose methods generated code calls. They come without names, which could hide those
@@ -204,6 +206,28 @@ macro_rules! by_value {
 pub(crate) use by_value;
 
 by_value!(f32 f64 i8 i16 i32 i64 i128 isize u8 u16 u32 u64 u128 usize);
+
+/// What the derivative of a method that returns its receiver has in its place. The compiler names this type
+/// where more is done with it than nothing, and with it the way out.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct CallTheNextMethodInAStatementOfItsOwn;
+
+no_derivative!(CallTheNextMethodInAStatementOfItsOwn);
+
+/// What a method returns on which another is called whose value nobody uses.
+#[diagnostic::on_unimplemented(
+    message = "another method is called on the `{Self}` that this one returns, and its value is not used",
+    label = "returns a `{Self}`",
+    note = "give what it returns a name: `let value = x.method();`",
+    note = "methods in a chain that changes one value return `&mut Self`"
+)]
+pub trait Itself {}
+
+impl Itself for CallTheNextMethodInAStatementOfItsOwn {}
+
+/// Compiles for what a method returns that returns its receiver.
+#[inline(always)]
+pub fn returned_itself<T: Itself>(_value: &T) {}
 
 /// Compiles for the types whose operators have rules.
 #[inline(always)]
