@@ -78,7 +78,7 @@ impl Lowerer<'_> {
     }
 
     /// A method that lends an element, of a slice that can be written more than once.
-    pub(super) fn repeatable_lent(&mut self, expr: &Expr) -> Expr {
+    fn repeatable_lent(&mut self, expr: &Expr) -> Expr {
         let mut lent = strip_parens(expr).clone();
         if let Expr::MethodCall(call) = &mut lent {
             let receiver = &call.receiver;

@@ -4,7 +4,7 @@
 //! is called on that receiver, and what those before the last return is checked to be no other.
 
 use quote::quote_spanned;
-use syn::{Expr, ExprMethodCall};
+use syn::{Expr, ExprMethodCall, parse_quote};
 
 use super::Lowerer;
 use super::call::is_predicate;
@@ -39,10 +39,17 @@ impl Lowerer<'_> {
     /// Calls methods on the receiver of the first.
     pub(super) fn called_in_turn(&mut self, mut links: Vec<&ExprMethodCall>) {
         let Some(first) = links.pop() else { return };
-        let place = match self.is_lent_element(&first.receiver) {
-            true => self.repeatable_lent(&first.receiver),
-            false => self.repeatable(&first.receiver),
-        };
+        // An argument may change what an index of the receiver reads, which is evaluated before.
+        let mut place = strip_parens(&first.receiver).clone();
+        if !matches!(place, Expr::Path(_)) {
+            let name = self.names.unwritten("receiver");
+            let target = match self.is_lent_element(&place) {
+                true => parse_quote!(*#place),
+                false => place,
+            };
+            self.exclusive_alias(&name, &target);
+            place = parse_quote!(#name);
+        }
         let mut link = first;
         loop {
             let receiver = Box::new(place.clone());

@@ -81,6 +81,17 @@ impl Steps {
             if path.path.get_ident().is_some_and(|name| Name::of(name) == self.name))
     }
 
+    /// `it.by_ref()`, `&mut it`
+    fn is_lent(&self, expr: &Expr) -> bool {
+        match strip_parens(expr) {
+            Expr::MethodCall(call) => call.method == "by_ref" && self.is_named(&call.receiver),
+            Expr::Reference(reference) => {
+                reference.mutability.is_some() && self.is_named(&reference.expr)
+            }
+            _ => false,
+        }
+    }
+
     /// The next element.
     fn next(&self, span: Span) -> Expr {
         let Self { elements, position, copied, .. } = self;
@@ -125,6 +136,13 @@ impl VisitMut for Steps {
             }
             Expr::ForLoop(a_loop) if self.is_named(&a_loop.expr) => {
                 a_loop.expr = self.remaining(a_loop.expr.span());
+            }
+            Expr::ForLoop(a_loop) if self.is_lent(&a_loop.expr) => {
+                let next = self.next(a_loop.expr.span());
+                let syn::ExprForLoop { attrs, label, pat, body, .. } = a_loop;
+                *expr = parse_quote! {
+                    #(#attrs)* #label while let ::core::option::Option::Some(#pat) = #next #body
+                };
             }
             Expr::Path(path) => {
                 if let Some(name) = path.path.get_ident() {

@@ -24,6 +24,8 @@
     clippy::reversed_empty_ranges,
     clippy::needless_late_init,
     clippy::unnecessary_map_on_constructor,
+    clippy::while_let_on_iterator,
+    clippy::needless_lifetimes,
     reason = "these forms are what is tested"
 )]
 

@@ -82,6 +82,13 @@ fn of_a_variable(x: f64, by: f64) -> f64 {
     ball.energy() * ball.height
 }
 
+/// Changes the index of the receiver.
+#[differentiable]
+fn advanced(k: &mut usize, value: f64) -> f64 {
+    *k += 1;
+    value * value
+}
+
 #[differentiable]
 fn of_parts(x: f64, by: f64) -> f64 {
     let mut balls = vec![Ball { height: x, speed: by }; 3];
@@ -90,6 +97,9 @@ fn of_parts(x: f64, by: f64) -> f64 {
         balls[(i + 1) % 3].scale(x).shift(by * i as f64);
         pair.0.shift(balls[i].height).turn_twice(by);
     }
+    let mut k = 0;
+    balls[k].scale(advanced(&mut k, by)).shift(advanced(&mut k, x));
+    assert_eq!(k, 2);
     balls.last_mut().unwrap().turn(by).scale(pair.0.energy());
     balls.iter().map(|ball| ball.energy()).sum::<f64>() * pair.0.height
 }

@@ -136,6 +136,33 @@ fn asked_in_a_condition(x: f64, y: f64) -> f64 {
     x * count as f64
 }
 
+#[differentiable]
+fn lent_to_loops(x: f64, y: f64) -> f64 {
+    let mut xs = vec![x, y, x * y, 0.5, x + y, y];
+    let mut items = xs.iter_mut();
+    'first: for item in items.by_ref() {
+        *item *= x;
+        for _ in 0..2 {
+            if *item > 0.6 {
+                break 'first;
+            }
+            *item += 0.1;
+        }
+    }
+    for (i, item) in items.enumerate() {
+        *item *= y * i as f64;
+    }
+    let mut copies = xs.iter().copied();
+    let mut sum = 0.0;
+    for item in &mut copies {
+        sum = sum * y + item;
+        if item < 0.3 {
+            break;
+        }
+    }
+    copies.fold(sum, |sum, item| sum * item + x)
+}
+
 #[test]
 fn one_after_the_other() {
     check!(item_by_item(x, y) at [1.3, 0.4], [-0.7, 1.1], [2.6, 1.9]);
@@ -143,5 +170,6 @@ fn one_after_the_other() {
     check!(left(x, y) at [1.3, 0.4], [-0.7, 1.1], [0.6, -1.9]);
     check!(merged(x, y) at [1.3, 0.4], [-0.7, 1.1], [0.6, 1.9]);
     check!(changed(x, y) at [1.3, 0.4], [-0.7, 1.1], [0.6, -1.9]);
+    check!(lent_to_loops(x, y) at [1.3, 0.4], [-0.7, 1.1], [0.6, -1.9]);
     check!(asked_in_a_condition(x, y) at [1.3, 0.4], [-0.7, 1.1], [0.6, -1.9]);
 }
