@@ -163,6 +163,45 @@ fn lent_to_loops(x: f64, y: f64) -> f64 {
     copies.fold(sum, |sum, item| sum * item + x)
 }
 
+#[differentiable]
+fn asked_by_a_closure(x: f64, y: f64) -> f64 {
+    let xs = [x, y, x * y];
+    let mut items = xs.iter();
+    // The name of what it runs over may get another meaning.
+    let xs = 3.0 * y;
+    let mut next = || items.next().copied().unwrap_or(y);
+    let first = next() * 2.0;
+    let second = next() * xs;
+    first + second + next() * next() * next()
+}
+
+#[differentiable]
+fn one_within_another(x: f64, y: f64) -> f64 {
+    let mut rows = vec![vec![x, y, 0.5], vec![y; 4]];
+    let (mut k, mut sum) = (0, x);
+    while k < 2 {
+        let mut items = rows[k].iter();
+        k += 1;
+        #[differentiable(checkpoint)]
+        while let Some(item) = items.next() {
+            sum = (sum * x).sin() + item;
+        }
+    }
+    rows[1][2] *= sum;
+    let mut outer = rows.iter();
+    while let Some(row) = outer.next() {
+        let mut inner = row.iter();
+        let _ = inner.next();
+        while let Some(item) = inner.next() {
+            sum += item * y;
+        }
+        if let Some(greatest) = row.iter().max_by(|a, b| a.total_cmp(b)) {
+            sum *= greatest;
+        }
+    }
+    sum
+}
+
 #[test]
 fn one_after_the_other() {
     check!(item_by_item(x, y) at [1.3, 0.4], [-0.7, 1.1], [2.6, 1.9]);
@@ -171,5 +210,7 @@ fn one_after_the_other() {
     check!(merged(x, y) at [1.3, 0.4], [-0.7, 1.1], [0.6, 1.9]);
     check!(changed(x, y) at [1.3, 0.4], [-0.7, 1.1], [0.6, -1.9]);
     check!(lent_to_loops(x, y) at [1.3, 0.4], [-0.7, 1.1], [0.6, -1.9]);
+    check!(asked_by_a_closure(x, y) at [1.3, 0.4], [-0.7, 1.1], [0.6, -1.9]);
+    check!(one_within_another(x, y) at [1.3, 0.4], [-0.7, 1.1], [0.6, -1.9]);
     check!(asked_in_a_condition(x, y) at [1.3, 0.4], [-0.7, 1.1], [0.6, -1.9]);
 }
