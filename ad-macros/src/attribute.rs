@@ -17,6 +17,7 @@ use crate::function::{Function, Place};
 use crate::groups;
 use crate::hidden;
 use crate::item;
+use crate::itself;
 use crate::names;
 use crate::operator;
 use crate::options::{Options, own_options};
@@ -97,7 +98,7 @@ fn function_derivative(item: TokenStream, function: &ItemFn, options: Options) -
 fn method_derivative(function: &ItemFn, options: Options) -> TokenStream {
     let (signature, generics) = (&function.sig, Generics::default());
     let methods =
-        Methods::new(Place::Impl(&generics), Vec::new(), [signature].into_iter(), &options);
+        Methods::new(Place::Impl(&generics), None, Vec::new(), [signature].into_iter(), &options);
     methods.derivative(&function.attrs, &function.vis, signature, Some(&function.block))
 }
 
@@ -158,12 +159,15 @@ struct Methods<'a> {
     circular: Vec<Ident>,
     /// Those that take `&mut self`.
     exclusive: Vec<Ident>,
+    /// The type that they are methods of, where it is seen.
+    owner: Option<&'a Type>,
     options: &'a Options,
 }
 
 impl<'a> Methods<'a> {
     fn new<'s>(
         place: Place<'a>,
+        owner: Option<&'a Type>,
         circular: Vec<Ident>,
         signatures: impl Iterator<Item = &'s Signature>,
         options: &'a Options,
@@ -178,6 +182,7 @@ impl<'a> Methods<'a> {
             place,
             circular,
             exclusive: exclusive.map(|signature| signature.ident.clone()).collect(),
+            owner,
             options,
         }
     }
@@ -191,6 +196,24 @@ impl<'a> Methods<'a> {
         body: Option<&Block>,
     ) -> TokenStream {
         let own = own_options(attributes);
+        if !itself::is_returned(signature, self.owner) {
+            return self.derivative_with(own, visibility, signature, body);
+        }
+        let signature = itself::marked(signature);
+        let (own, body) = match (own, body.map(itself::body).transpose()) {
+            (own, Ok(body)) => (own, body),
+            (own, Err(error)) => (own.and(Err(error)), None),
+        };
+        self.derivative_with(own, visibility, &signature, body.as_ref())
+    }
+
+    fn derivative_with(
+        &self,
+        own: syn::Result<Options>,
+        visibility: &Visibility,
+        signature: &Signature,
+        body: Option<&Block>,
+    ) -> TokenStream {
         // A trait and its `impl`s have to agree.
         let borrows = self.options.borrows
             || own.as_ref().is_ok_and(|own| own.borrows)
@@ -271,7 +294,8 @@ fn impl_derivatives(item: TokenStream, block: &ItemImpl, options: &Options) -> T
     let functions: Vec<_> =
         methods.clone().map(|ImplItemFn { sig, block, .. }| (sig, block)).collect();
     let circular = recursion::circular(owner, block.trait_.is_none(), &functions);
-    let all = Methods::new(place, circular, methods.clone().map(|method| &method.sig), options);
+    let signatures = methods.clone().map(|method| &method.sig);
+    let all = Methods::new(place, Some(&block.self_ty), circular, signatures, options);
     let siblings = methods.map(|ImplItemFn { attrs, vis, sig, block, .. }| {
         all.derivative(attrs, vis, sig, Some(block))
     });
@@ -314,7 +338,8 @@ fn trait_derivatives(item: TokenStream, definition: &ItemTrait, options: &Option
         _ => None,
     });
     let place = Place::Trait(&definition.generics);
-    let all = Methods::new(place, Vec::new(), methods.clone().map(|method| &method.sig), options);
+    let all =
+        Methods::new(place, None, Vec::new(), methods.clone().map(|method| &method.sig), options);
     let siblings = methods.map(|TraitItemFn { attrs, sig, default, .. }| {
         all.derivative(attrs, &Visibility::Inherited, sig, default.as_ref())
     });

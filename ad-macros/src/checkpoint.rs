@@ -12,6 +12,7 @@ use syn::spanned::Spanned;
 use syn::{ReceiverKind, Type};
 
 use crate::function::{Function, Header, Place, turbofish};
+use crate::itself;
 
 /// The name of the function that holds both sweeps, which the pullback calls.
 pub fn stored_name(vjp: &Ident) -> Ident {
@@ -64,6 +65,12 @@ pub fn body(function: &Function<'_>, vjp: &Ident, header: &Header) -> TokenStrea
         Place::Free => quote!(#name),
         _ => quote!(Self::#name),
     };
+    let call = quote!(#primal #turbofish (#(#arguments),*));
+    let mark: Type = itself::mark();
+    let call = match header.result.to_token_stream().to_string() == quote!(#mark).to_string() {
+        true => quote!({ #call; #mark }),
+        false => call,
+    };
     let lent =
         (0..header.parameters.len()).map(|index| own(&format!("lent_{index}")).to_token_stream());
     let lent: Option<Vec<_>> = header.lends().then(|| lent.collect());
@@ -77,7 +84,7 @@ pub fn body(function: &Function<'_>, vjp: &Ident, header: &Header) -> TokenStrea
     quote! {
         {
             #keeps
-            let #value = #primal #turbofish (#(#arguments),*);
+            let #value = #call;
             let #print = ::ad::fingerprint!(#value);
             (#value, #closure)
         }

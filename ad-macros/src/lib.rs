@@ -48,6 +48,7 @@ mod groups;
 mod hidden;
 mod ir;
 mod item;
+mod itself;
 mod lending;
 mod lower;
 mod names;

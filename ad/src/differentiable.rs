@@ -26,8 +26,6 @@
 use core::fmt::Debug;
 use core::marker::PhantomData;
 
-use glam::{DVec2, DVec3, DVec4, Vec2, Vec3, Vec4};
-
 /// A type whose values can be differentiated.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` has no derivative",
@@ -153,36 +151,6 @@ impl<T: Parts> core::ops::DerefMut for NoTangent<T> {
     }
 }
 
-macro_rules! vector_parts {
-    ($($parts:ident { $($element:ident)* }: $($vector:ident $scalar:ty),*;)*) => {$(
-        /// The elements of a vector that carries no derivative.
-        #[derive(Default)]
-        pub struct $parts<S> {
-            $(
-                #[allow(missing_docs)]
-                pub $element: NoTangent<S>,
-            )*
-        }
-
-        $(
-            impl Parts for $vector {
-                type Parts = $parts<$scalar>;
-
-                #[inline(always)]
-                fn parts() -> Self::Parts {
-                    Self::Parts::default()
-                }
-            }
-        )*
-    )*};
-}
-
-vector_parts! {
-    Parts2 { x y }: Vec2 f32, DVec2 f64;
-    Parts3 { x y z }: Vec3 f32, DVec3 f64;
-    Parts4 { x y z w }: Vec4 f32, DVec4 f64;
-}
-
 impl<T: ?Sized> Default for NoTangent<T> {
     fn default() -> Self {
         Self::new()
@@ -248,15 +216,12 @@ macro_rules! own_tangent {
     )*};
 }
 
+#[cfg(feature = "glam")]
+pub(crate) use own_tangent;
+
 own_tangent! {
     f32 => -0.0, |x| x;
     f64 => -0.0, |x| x;
-    Vec2 => Vec2::splat(-0.0), Vec2::element_sum;
-    Vec3 => Vec3::splat(-0.0), Vec3::element_sum;
-    Vec4 => Vec4::splat(-0.0), Vec4::element_sum;
-    DVec2 => DVec2::splat(-0.0), DVec2::element_sum;
-    DVec3 => DVec3::splat(-0.0), DVec3::element_sum;
-    DVec4 => DVec4::splat(-0.0), DVec4::element_sum;
 }
 
 /// A type without a derivative: integers, truth values, masks.
@@ -287,17 +252,13 @@ macro_rules! no_derivative {
     )*};
 }
 
+pub(crate) use no_derivative;
+
 no_derivative!(
     bool, char, str, String, i8, i16, i32, i64, i128, isize, u8, u16, u32, u64, u128, usize
 );
 
-no_derivative!(
-    core::array::TryFromSliceError,
-    core::cmp::Ordering,
-    glam::BVec2,
-    glam::BVec3,
-    glam::BVec4
-);
+no_derivative!(core::array::TryFromSliceError, core::cmp::Ordering);
 
 impl NoDerivative for () {}
 impl<T: NoDerivative + ?Sized> NoDerivative for &T {}

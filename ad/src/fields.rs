@@ -5,8 +5,8 @@
 //! another scalar comes from it by [`map`](Fields::map):
 //!
 //! ```
+//! use ad::vector::Vector3;
 //! use ad::{Differentiable, Fields, Real, Vec3};
-//! use glam::DVec3;
 //!
 //! #[derive(Clone, Copy, Debug, Differentiable, Fields)]
 //! struct Sphere<S: Real> {
@@ -14,7 +14,7 @@
 //!     radius: S,
 //! }
 //!
-//! let sphere = Sphere { center: DVec3::new(1.0, 2.0, 3.0), radius: 4.0 };
+//! let sphere = Sphere::<f64> { center: Vector3::new(1.0, 2.0, 3.0), radius: 4.0 };
 //! assert_eq!(sphere.number(1), 2.0);
 //! assert_eq!(Sphere::<f64>::FIELDS[1].name, "radius");
 //!
@@ -96,7 +96,7 @@ impl<S: Real> Fields<S> for S {
     }
 }
 
-macro_rules! vector {
+macro_rules! vector_fields {
     ($type:ty, $scalar:ty $(, $generic:ident)?) => {
         impl$(<$generic: Real>)? Fields<$scalar> for $type {
             type With<T: Real> = T::Vec3;
@@ -125,9 +125,10 @@ macro_rules! vector {
     };
 }
 
-vector!(glam::Vec3, f32);
-vector!(glam::DVec3, f64);
-vector!(Xyz<S>, S, S);
+#[cfg(feature = "glam")]
+pub(crate) use vector_fields;
+
+vector_fields!(Xyz<S>, S, S);
 
 impl<S, F: Fields<S>, const N: usize> Fields<S> for [F; N] {
     type With<T: Real> = [F::With<T>; N];

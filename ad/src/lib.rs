@@ -26,6 +26,7 @@
 //! block under `#[differentiable]` each method `m` gets the siblings `m_vjp`, `m_value_and_grad`,
 //! `m_grad` and `m_jvp`; the receiver is the first parameter.
 #![doc = include_str!("guide/language.md")]
+#![cfg_attr(feature = "glam", doc = include_str!("guide/glam.md"))]
 #![doc = include_str!("guide/trusted.md")]
 #![doc = include_str!("guide/methods.md")]
 #![doc = include_str!("guide/operators.md")]
@@ -52,6 +53,8 @@ mod differentiable;
 pub mod dual;
 pub mod fields;
 pub mod function;
+#[cfg(feature = "glam")]
+mod glam;
 mod jacobian;
 #[cfg(feature = "lanes")]
 pub mod lanes;

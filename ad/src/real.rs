@@ -13,9 +13,17 @@ use core::ops::{
     Add, AddAssign, BitAnd, BitOr, Div, DivAssign, Mul, MulAssign, Neg, Not, Sub, SubAssign,
 };
 
+#[cfg(feature = "glam")]
+use glam::{DVec3, Vec3};
+
 use crate::rules::{AddPullback, Arithmetic, DivPullback, MulPullback, NegPullback, SubPullback};
 use crate::vector::Vector3;
 use crate::{Additive, Differentiable, Fields, NoDerivative};
+
+#[cfg(not(feature = "glam"))]
+type Vec3 = crate::vector::Xyz<f32>;
+#[cfg(not(feature = "glam"))]
+type DVec3 = crate::vector::Xyz<f64>;
 
 /// The outcome of a comparison: `bool`, or one truth value per lane.
 pub trait Mask:
@@ -87,16 +95,10 @@ macro_rules! select_by_bool {
     )*};
 }
 
-select_by_bool!(
-    f32,
-    f64,
-    glam::Vec2,
-    glam::Vec3,
-    glam::Vec4,
-    glam::DVec2,
-    glam::DVec3,
-    glam::DVec4,
-);
+#[cfg(feature = "glam")]
+pub(crate) use select_by_bool;
+
+select_by_bool!(f32, f64);
 
 /// A real number, or several side by side.
 ///
@@ -127,7 +129,8 @@ pub trait Real:
     + DivAssign
     + 'static
 {
-    /// The vector of three of these.
+    /// The vector of three of these: glam's where it has one and the feature `glam` is on, else
+    /// [`Xyz`](crate::vector::Xyz).
     type Vec3: Vector3<Scalar = Self> + Select<Mask = Self::Mask> + Fields<Self>;
 
     /// 0
@@ -316,12 +319,12 @@ macro_rules! primitive {
 }
 
 // Products of two f32 are exact in f64, so one subtraction and one rounding remain.
-primitive!(f32, glam::Vec3, f32, |a: f32, b: f32, c: f32, d: f32| {
+primitive!(f32, Vec3, f32, |a: f32, b: f32, c: f32, d: f32| {
     (f64::from(a) * f64::from(b) - f64::from(c) * f64::from(d)) as f32
 });
 
 // Kahan's algorithm: the rounding error of c * d is recovered and added back.
-primitive!(f64, glam::DVec3, f64, |a: f64, b: f64, c: f64, d: f64| {
+primitive!(f64, DVec3, f64, |a: f64, b: f64, c: f64, d: f64| {
     let product = c * d;
     let error = (-c).mul_add(d, product);
     a.mul_add(b, -product) + error

@@ -2,17 +2,15 @@
 
 use core::marker::PhantomData;
 
-use glam::{Affine2, Affine3, Mat2, Mat3, Mat4, Quat, Vec2, Vec3, Vec4};
-use glam::{DAffine2, DAffine3, DMat2, DMat3, DMat4, DQuat, DVec2, DVec3, DVec4};
-
 use crate::{Additive, Differentiable, NoDerivative, Shape, Tangent};
 
 pub use crate::differentiable::Parts;
+use crate::differentiable::no_derivative;
 
 mod cells;
 mod clones;
 mod constants;
-mod cotangent;
+pub(crate) mod cotangent;
 mod kept;
 mod names;
 mod order;
@@ -21,7 +19,7 @@ mod pullback;
 mod repeated;
 mod tangent;
 mod texts;
-mod through;
+pub(crate) mod through;
 
 pub use cells::{Holder, HoldsNoNumber, MayHold};
 pub use clones::{Comparable, Copied, CopiedElements, NotComparable};
@@ -51,8 +49,9 @@ pub use through::{ByPullback, Through, WithoutRule};
 mod iterate;
 
 pub use iterate::{
-    AddsUp, MultipliesUp, Side, build_like, chunks_exact, empty_product, empty_sum, every_other,
-    held, is_sequence, lends_parts, record, record_like, segments, windows, with_cotangents,
+    AddsUp, MultipliesUp, Side, advance, build_like, chunks_exact, empty_product, empty_sum,
+    every_other, held, is_sequence, lends_parts, position, record, record_like, segments, windows,
+    with_cotangents,
 };
 
 /// The traits whose methods generated code calls. They come without names, which could hide those
@@ -62,17 +61,13 @@ pub mod methods {
     pub use super::constants::Accepts as _;
     pub use super::names::Modes as _;
     pub use super::texts::MayBeRead as _;
+    #[cfg(feature = "glam")]
+    pub use crate::glam::methods::*;
     pub use crate::rules::{
-        Affine2Rules as _, Affine3Rules as _, AngleRules as _, ArrayRules as _, CloneRules as _,
-        ColumnsRules as _, CopiedRules as _, DerefRules as _, FlattenRules as _, FloatRules as _,
-        FromRules as _, GlamRules as _, IntegerRules as _, IntoRules as _, Matrix2Rules as _,
-        Matrix3Rules as _, Matrix4Rules as _, OptionRules as _, OwnedRules as _,
-        PlaneMotionRules as _, ProjectionRules as _, QuaternionRules as _, RealRules as _,
-        ResizedRules as _, ResultRules as _, RotationRules as _, SequenceRules as _,
-        SignedRules as _, SpaceRules as _, Swizzle2Rules as _, Swizzle3Rules as _,
-        Swizzle4Rules as _, TransformRules as _, TryIntoRules as _, Vec2Rules as _, Vec4Rules as _,
-        VecRules as _, Vector3Rules as _, VectorRules as _, With2Rules as _, With3Rules as _,
-        With4Rules as _,
+        CloneRules as _, CopiedRules as _, DerefRules as _, FlattenRules as _, FloatRules as _,
+        FromRules as _, IntegerRules as _, IntoRules as _, OptionRules as _, OwnedRules as _,
+        RealRules as _, ResultRules as _, SequenceRules as _, SignedRules as _, TryIntoRules as _,
+        VecRules as _, Vector3Rules as _, VectorRules as _,
     };
     pub use crate::vector::{Vector as _, Vector3 as _};
 }
@@ -207,9 +202,32 @@ macro_rules! by_value {
     )*};
 }
 
-by_value!(f32 f64 Vec2 Vec3 Vec4 DVec2 DVec3 DVec4);
-by_value!(Mat2 Mat3 Mat4 DMat2 DMat3 DMat4 Quat DQuat Affine2 Affine3 DAffine2 DAffine3);
-by_value!(i8 i16 i32 i64 i128 isize u8 u16 u32 u64 u128 usize);
+#[cfg(feature = "glam")]
+pub(crate) use by_value;
+
+by_value!(f32 f64 i8 i16 i32 i64 i128 isize u8 u16 u32 u64 u128 usize);
+
+/// What the derivative of a method that returns its receiver has in its place. The compiler names this type
+/// where more is done with it than nothing, and with it the way out.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct CallTheNextMethodInAStatementOfItsOwn;
+
+no_derivative!(CallTheNextMethodInAStatementOfItsOwn);
+
+/// What a method returns on which another is called whose value nobody uses.
+#[diagnostic::on_unimplemented(
+    message = "another method is called on the `{Self}` that this one returns, and its value is not used",
+    label = "returns a `{Self}`",
+    note = "give what it returns a name: `let value = x.method();`",
+    note = "methods in a chain that changes one value return `&mut Self`"
+)]
+pub trait Itself {}
+
+impl Itself for CallTheNextMethodInAStatementOfItsOwn {}
+
+/// Compiles for what a method returns that returns its receiver.
+#[inline(always)]
+pub fn returned_itself<T: Itself>(_value: &T) {}
 
 /// Compiles for the types whose operators have rules.
 #[inline(always)]

@@ -1,13 +1,12 @@
-//! Vectors: what the rules and generic kernels need of glam's types, and [`Xyz`] for every other
-//! scalar.
+//! Vectors: what the rules and generic kernels need of them, with the names that glam has, and [`Xyz`]
+//! for scalars of which glam has none.
 
 use core::fmt::Debug;
 use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub};
 
-use glam::{DVec2, DVec3, DVec4, Vec2, Vec3, Vec4};
-
+use crate::differentiable::Parts;
 use crate::rules::{AddPullback, Arithmetic, DivPullback, MulPullback, NegPullback, SubPullback};
-use crate::{Additive, Differentiable, Real, Select};
+use crate::{Additive, Differentiable, NoTangent, Real, Select};
 
 /// A vector over [`Scalar`](Vector::Scalar), with glam's names and glam's values.
 ///
@@ -113,105 +112,8 @@ pub trait Vector3: Vector {
     fn cross(self, other: Self) -> Self;
 }
 
-macro_rules! delegate {
-    ($type:ident: $($name:ident($($argument:ident: $argument_type:ty),*) -> $result:ty;)*) => {$(
-        #[inline(always)]
-        fn $name(self, $($argument: $argument_type),*) -> $result {
-            $type::$name(self, $($argument),*)
-        }
-    )*};
-}
-
-macro_rules! glam_vector {
-    ($type:ident, $scalar:ty, $($element:ident),*) => {
-        impl Vector for $type {
-            type Scalar = $scalar;
-
-            const ZERO: Self = Self::ZERO;
-            const ONE: Self = Self::ONE;
-
-            #[inline(always)]
-            fn splat(value: $scalar) -> Self {
-                Self::splat(value)
-            }
-
-            #[inline(always)]
-            fn map_elements(self, f: impl Fn($scalar) -> $scalar) -> Self {
-                Self::new($(f(self.$element)),*)
-            }
-
-            #[inline(always)]
-            fn zip_elements(self, other: Self, f: impl Fn($scalar, $scalar) -> $scalar) -> Self {
-                Self::new($(f(self.$element, other.$element)),*)
-            }
-
-            delegate! {
-                $type:
-                element_sum() -> $scalar;
-                min_element() -> $scalar;
-                max_element() -> $scalar;
-                dot(other: Self) -> $scalar;
-                length() -> $scalar;
-                length_squared() -> $scalar;
-                length_recip() -> $scalar;
-                distance(other: Self) -> $scalar;
-                distance_squared(other: Self) -> $scalar;
-                normalize() -> Self;
-                normalize_or_zero() -> Self;
-                min(other: Self) -> Self;
-                max(other: Self) -> Self;
-                clamp(low: Self, high: Self) -> Self;
-                abs() -> Self;
-                recip() -> Self;
-                exp() -> Self;
-                sqrt() -> Self;
-                powf(exponent: $scalar) -> Self;
-                lerp(other: Self, s: $scalar) -> Self;
-                reflect(normal: Self) -> Self;
-            }
-        }
-    };
-}
-
-glam_vector!(Vec2, f32, x, y);
-glam_vector!(Vec3, f32, x, y, z);
-glam_vector!(Vec4, f32, x, y, z, w);
-glam_vector!(DVec2, f64, x, y);
-glam_vector!(DVec3, f64, x, y, z);
-glam_vector!(DVec4, f64, x, y, z, w);
-
-macro_rules! glam_vector3 {
-    ($type:ident, $scalar:ty) => {
-        impl Vector3 for $type {
-            #[inline(always)]
-            fn new(x: $scalar, y: $scalar, z: $scalar) -> Self {
-                Self::new(x, y, z)
-            }
-
-            #[inline(always)]
-            fn x(self) -> $scalar {
-                self.x
-            }
-
-            #[inline(always)]
-            fn y(self) -> $scalar {
-                self.y
-            }
-
-            #[inline(always)]
-            fn z(self) -> $scalar {
-                self.z
-            }
-
-            delegate!($type: cross(other: Self) -> Self;);
-        }
-    };
-}
-
-glam_vector3!(Vec3, f32);
-glam_vector3!(DVec3, f64);
-
-/// The vector of three scalars for which glam has none: [`Dual`](crate::Dual) numbers, lanes.
+/// The vector of three scalars for which glam has none, as [`Dual`](crate::Dual) numbers and lanes, and of
+/// every scalar without the feature `glam`.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Xyz<S> {
     /// The first element.
@@ -232,6 +134,15 @@ impl<S: Real> Differentiable for Xyz<S> {
     #[inline(always)]
     fn irregularity(&self) -> f64 {
         self.x.irregularity() + self.y.irregularity() + self.z.irregularity()
+    }
+}
+
+impl<S: Real> Parts for Xyz<S> {
+    type Parts = Xyz<NoTangent<S>>;
+
+    #[inline(always)]
+    fn parts() -> Self::Parts {
+        Xyz::default()
     }
 }
 

@@ -200,7 +200,7 @@ pub(super) fn is_source(method: &Ident) -> bool {
     SOURCES.iter().any(|name| method == name)
 }
 
-fn is_adapter(method: &Ident) -> bool {
+pub(super) fn is_adapter(method: &Ident) -> bool {
     const ADAPTERS: [&str; 22] = [
         "enumerate",
         "zip",

@@ -47,7 +47,7 @@ impl Lowerer<'_> {
     }
 
     /// Whether an argument lets the call change a variable through which a derivative may flow.
-    fn is_lent_exclusively(&self, argument: &Expr) -> bool {
+    pub(super) fn is_lent_exclusively(&self, argument: &Expr) -> bool {
         match strip_parens(argument) {
             Expr::Reference(reference) => reference.mutability.is_some(),
             Expr::Path(path) => self.variable(path).is_some_and(|var| {

@@ -19,18 +19,27 @@ struct Lent<'e> {
 impl<'e> Lent<'e> {
     /// `slice.last_mut()` and its kin.
     fn option(expr: &'e Expr) -> Option<Self> {
-        let Expr::MethodCall(ExprMethodCall { receiver: slice, method, args, .. }) =
-            strip_parens(expr)
+        let Expr::MethodCall(ExprMethodCall { receiver, method, args, .. }) = strip_parens(expr)
         else {
             return None;
         };
+        // An item of all elements is an element.
+        let (slice, method) = match (&**receiver, &*method.to_string()) {
+            (Expr::MethodCall(all), name @ ("next" | "last" | "nth"))
+                if all.method == "iter_mut" =>
+            {
+                (&all.receiver, name.to_owned())
+            }
+            (_, "next" | "last" | "nth") => return None,
+            (_, name) => (receiver, name.to_owned()),
+        };
         let arguments: Vec<_> = args.iter().collect();
-        let position = match (&*method.to_string(), &arguments[..]) {
-            ("first_mut", []) => parse_quote!(0),
+        let position = match (&*method, &arguments[..]) {
+            ("first_mut" | "next", []) => parse_quote!(0),
             // Of an empty one the position is too large.
-            ("last_mut", []) => parse_quote!(#slice.len().wrapping_sub(1)),
+            ("last_mut" | "last", []) => parse_quote!(#slice.len().wrapping_sub(1)),
             // By a range it lends another slice.
-            ("get_mut", [position]) if !matches!(position, Expr::Range(_)) => {
+            ("get_mut" | "nth", [position]) if !matches!(position, Expr::Range(_)) => {
                 parse_quote!(#position)
             }
             _ => return None,
@@ -73,9 +82,9 @@ impl Lowerer<'_> {
         let mut lent = strip_parens(expr).clone();
         if let Expr::MethodCall(call) = &mut lent {
             let receiver = &call.receiver;
-            *call.receiver = match call.method == "unwrap" || call.method == "expect" {
-                true => self.repeatable_lent(receiver),
-                false => self.repeatable(receiver),
+            *call.receiver = match **receiver {
+                Expr::MethodCall(_) => self.repeatable_lent(receiver),
+                _ => self.repeatable(receiver),
             };
         }
         lent

@@ -62,6 +62,9 @@ impl Lowerer<'_> {
             if let Some(chosen) = desugar::chosen_reference(&stmt, stmts.as_slice()) {
                 return self.statements(vec![chosen], end);
             }
+            if let Some(stepped) = self.stepped(&stmt, stmts.as_slice()) {
+                return self.statements(stepped, end);
+            }
             if let Some(behind) = self.returning_behind(&stmt) {
                 return self.statements(behind.into_iter().chain(stmts).collect(), end);
             }
@@ -138,6 +141,9 @@ impl Lowerer<'_> {
             Expr::Block(block) => {
                 let value = self.a_block(block, &End::default());
                 self.discard(value);
+            }
+            Expr::MethodCall(call) if let Some(links) = self.links(call) => {
+                self.called_in_turn(links);
             }
             _ => {
                 let value = self.operand(expr, "value");

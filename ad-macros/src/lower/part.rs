@@ -3,10 +3,12 @@
 //! cotangent goes to the part it belongs to, in constant time.
 
 use quote::quote_spanned;
-use syn::{Expr, ExprMethodCall, Pat, parse_quote};
+use syn::spanned::Spanned;
+use syn::{Expr, ExprMethodCall, Ident, Pat, parse_quote, parse_quote_spanned};
 
 use super::Lowerer;
 use super::chain::is_chain;
+use super::state::Alias;
 use super::syntax::simple_name;
 use crate::ir::{Argument, Callee, Operand, Operation, Statement};
 
@@ -22,6 +24,9 @@ impl Lowerer<'_> {
             _ => None,
         };
         let inner = unwrapped.unwrap_or(call);
+        if let Some(found) = self.found_item(inner, unwrapped.is_some(), hint) {
+            return Some(found);
+        }
         let index = self.names.unwritten("position");
         let positions: Vec<_> = inner.args.iter().collect();
         // An item of all elements is an element.
@@ -86,6 +91,80 @@ impl Lowerer<'_> {
             self.vars[var].reference = true;
         }
         Some(part)
+    }
+
+    /// The reference to the item that `max_by` and its kin choose, which computes nothing: they are asked for
+    /// its number.
+    fn found_item(
+        &mut self,
+        call: &ExprMethodCall,
+        is_unwrapped: bool,
+        hint: &str,
+    ) -> Option<Operand> {
+        let method = &call.method;
+        let chooses =
+            ["max_by", "max_by_key", "min_by", "min_by_key"].iter().any(|name| method == name);
+        let (true, Some(decides), 1) = (chooses, call.args.first(), call.args.len()) else {
+            return None;
+        };
+        let index = self.names.unwritten("position");
+        let mut items = (*call.receiver).clone();
+        let item = self.item_by_number(&mut items, &index)?;
+        let span = method.span();
+        let position: Expr =
+            parse_quote_spanned!(span=> ::ad::rt::position::#method(#items, #decides));
+        let position = Operation::Use(Operand::Constant(self.plain(&position)));
+        let var = self.bind(&index, false, false);
+        let ty = Some(parse_quote!(::core::primitive::usize));
+        self.push(Statement::Define { var, ty, operation: position });
+        let found: Expr = match is_unwrapped {
+            true => item,
+            false => parse_quote!(if #index == ::core::primitive::usize::MAX {
+                ::core::option::Option::None
+            } else {
+                ::core::option::Option::Some(#item)
+            }),
+        };
+        let found = self.operand(&found, hint);
+        if let Operand::Var(var) = found {
+            self.vars[var].reference = true;
+        }
+        Some(found)
+    }
+
+    /// The item at `index` of an iterator over references to elements, whose places then have names.
+    fn item_by_number(&mut self, items: &mut Expr, index: &Ident) -> Option<Expr> {
+        match items {
+            Expr::Paren(inner) => self.item_by_number(&mut inner.expr, index),
+            Expr::Reference(reference) if reference.mutability.is_none() => {
+                self.element_by_number(&mut reference.expr, index)
+            }
+            Expr::MethodCall(call) => match (&*call.method.to_string(), call.args.len()) {
+                ("iter", 0) => self.element_by_number(&mut call.receiver, index),
+                ("enumerate", 0) => {
+                    let item = self.item_by_number(&mut call.receiver, index)?;
+                    Some(parse_quote!((#index, #item)))
+                }
+                ("zip", 1) => {
+                    let left = self.item_by_number(&mut call.receiver, index)?;
+                    let right = self.item_by_number(&mut call.args[0], index)?;
+                    Some(parse_quote!((#left, #right)))
+                }
+                _ => None,
+            },
+            _ => None,
+        }
+    }
+
+    fn element_by_number(&mut self, slice: &mut Expr, index: &Ident) -> Option<Expr> {
+        let place = self.active_place(slice)?;
+        let tokens = self.place_tokens(&place);
+        let code = quote_spanned!(slice.span()=> ::ad::rt::is_sequence(&#tokens););
+        self.push(Statement::Plain { code, defines: Vec::new() });
+        let name = self.names.unwritten("elements");
+        self.alias_place(&name, Alias { depth: 0, ..Alias::shared(place) });
+        *slice = parse_quote!(#name);
+        Some(parse_quote!(&#name[#index]))
     }
 
     /// `vec.drain(range)`, as the `Vec` of what it gives, and `slice.copy_within(range, position)`.

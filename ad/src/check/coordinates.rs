@@ -1,6 +1,6 @@
 //! Values as lists of numbers.
 
-use glam::{DVec2, DVec3, DVec4, Vec2, Vec3, Vec4};
+use crate::vector::Xyz;
 
 /// A value that is made of real numbers, its coordinates.
 pub trait Coordinates: Sized {
@@ -48,21 +48,16 @@ macro_rules! discrete {
 
 discrete!(bool char i8 i16 i32 i64 i128 isize u8 u16 u32 u64 u128 usize);
 
-macro_rules! vectors {
-    ($($type:ident)*) => {$(
-        impl Coordinates for $type {
-            fn write(&self, into: &mut Vec<f64>) {
-                self.to_array().write(into);
-            }
+impl<T: Coordinates> Coordinates for Xyz<T> {
+    fn write(&self, into: &mut Vec<f64>) {
+        [&self.x, &self.y, &self.z].into_iter().for_each(|element| element.write(into));
+    }
 
-            fn read(&self, from: &mut impl Iterator<Item = f64>) -> Self {
-                Self::from_array(self.to_array().read(from))
-            }
-        }
-    )*};
+    fn read(&self, from: &mut impl Iterator<Item = f64>) -> Self {
+        let [x, y, z] = [&self.x, &self.y, &self.z].map(|element| element.read(from));
+        Self { x, y, z }
+    }
 }
-
-vectors!(Vec2 Vec3 Vec4 DVec2 DVec3 DVec4);
 
 impl<T: Coordinates, const N: usize> Coordinates for [T; N] {
     fn write(&self, into: &mut Vec<f64>) {

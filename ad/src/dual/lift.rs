@@ -34,7 +34,7 @@ pub trait Split {
 }
 
 macro_rules! scalars {
-    ($($type:ident $vector:ident)*) => {$(
+    ($($type:ident)*) => {$(
         impl Lift for $type {
             type Lifted<const K: usize> = Dual<$type, Directions<$type, K>>;
 
@@ -46,22 +46,10 @@ macro_rules! scalars {
                 Dual::new(*self, Directions(along.map(|along| along as $type)))
             }
         }
-
-        impl Lift for glam::$vector {
-            type Lifted<const K: usize> = Xyz<Dual<$type, Directions<$type, K>>>;
-
-            fn lift<const K: usize>(
-                &self,
-                directions: &mut impl Iterator<Item = [f64; K]>,
-            ) -> Self::Lifted<K> {
-                let [x, y, z] = self.to_array().lift(directions);
-                Xyz { x, y, z }
-            }
-        }
     )*};
 }
 
-scalars!(f32 Vec3 f64 DVec3);
+scalars!(f32 f64);
 
 macro_rules! discrete {
     ($($type:ty)*) => {$(
@@ -76,6 +64,18 @@ macro_rules! discrete {
 }
 
 discrete!(bool char i8 i16 i32 i64 i128 isize u8 u16 u32 u64 u128 usize);
+
+impl<T: Lift> Lift for Xyz<T> {
+    type Lifted<const K: usize> = Xyz<T::Lifted<K>>;
+
+    fn lift<const K: usize>(
+        &self,
+        directions: &mut impl Iterator<Item = [f64; K]>,
+    ) -> Self::Lifted<K> {
+        let [x, y, z] = [&self.x, &self.y, &self.z].map(|element| element.lift(directions));
+        Xyz { x, y, z }
+    }
+}
 
 impl<T: Lift, const N: usize> Lift for [T; N] {
     type Lifted<const K: usize> = [T::Lifted<K>; N];

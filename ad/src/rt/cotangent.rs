@@ -5,8 +5,6 @@
 
 use core::ops::{Index, Range, RangeInclusive};
 
-use glam::{DVec2, DVec3, DVec4, Vec2, Vec3, Vec4};
-
 use super::OfChanged;
 use crate::{Additive, Boxed, NoTangent};
 
@@ -304,6 +302,9 @@ macro_rules! at_by_index {
     )*};
 }
 
+#[cfg(feature = "glam")]
+pub(crate) use at_by_index;
+
 at_by_index! {
     [T] [T], usize, T;
     [T] [T], Range<usize>, [T];
@@ -311,12 +312,6 @@ at_by_index! {
     [T, const N: usize] [T; N], usize, T;
     [T, const N: usize] [T; N], Range<usize>, [T];
     [T, const N: usize] [T; N], RangeInclusive<usize>, [T];
-    [] Vec2, usize, f32;
-    [] Vec3, usize, f32;
-    [] Vec4, usize, f32;
-    [] DVec2, usize, f64;
-    [] DVec3, usize, f64;
-    [] DVec4, usize, f64;
 }
 
 macro_rules! at_constant {

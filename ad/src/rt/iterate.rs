@@ -33,6 +33,47 @@ pub enum Side<L, R> {
     Right(R),
 }
 
+/// The number of the item that a search finds; where there is none one too large.
+pub mod position {
+    use core::cmp::Ordering;
+
+    fn of<T>(found: Option<(usize, T)>) -> usize {
+        found.map_or(usize::MAX, |(position, _)| position)
+    }
+
+    macro_rules! searches {
+        ($($by:ident $by_key:ident)*) => {$(
+            /// As the method of iterators.
+            #[inline]
+            pub fn $by<T>(
+                items: impl IntoIterator<Item = T>,
+                mut compare: impl FnMut(&T, &T) -> Ordering,
+            ) -> usize {
+                of(items.into_iter().enumerate().$by(|a, b| compare(&a.1, &b.1)))
+            }
+
+            /// As the method of iterators.
+            #[inline]
+            pub fn $by_key<T, K: Ord>(
+                items: impl IntoIterator<Item = T>,
+                mut key: impl FnMut(&T) -> K,
+            ) -> usize {
+                of(items.into_iter().enumerate().$by_key(|item| key(&item.1)))
+            }
+        )*};
+    }
+
+    searches!(max_by max_by_key min_by min_by_key);
+}
+
+/// A position, which goes on to the next.
+#[inline(always)]
+pub fn advance(position: &mut usize) -> usize {
+    let at = *position;
+    *position += 1;
+    at
+}
+
 /// Compiles for sequences of the standard library.
 #[inline(always)]
 pub fn is_sequence<S: Sequence + ?Sized>(_: &S) {}

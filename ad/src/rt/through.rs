@@ -9,8 +9,7 @@
 use core::cell::Cell;
 use core::marker::PhantomData;
 
-use glam::{DVec2, DVec3, DVec4, Vec2, Vec3, Vec4};
-
+use crate::vector::Xyz;
 use crate::{Differentiable, Real, Tangent};
 
 /// The value, the pullback and the tangents of a call.
@@ -115,24 +114,11 @@ impl<S, G: Inner<S, D, K>, D: ?Sized, K> Inner<S, &D, (K,)> for G {
     }
 }
 
-macro_rules! vectors {
-    ($($type:ty, $scalar:ty;)*) => {$(
-        impl Inner<$scalar, $type, Same> for $type {
-            #[inline(always)]
-            fn inner(&self, tangent: &$type) -> $scalar {
-                self.to_array().inner(&tangent.to_array())
-            }
-        }
-    )*};
-}
-
-vectors! {
-    Vec2, f32;
-    Vec3, f32;
-    Vec4, f32;
-    DVec2, f64;
-    DVec3, f64;
-    DVec4, f64;
+impl<S: Real> Inner<S, Xyz<S>, Same> for Xyz<S> {
+    #[inline(always)]
+    fn inner(&self, tangent: &Xyz<S>) -> S {
+        [self.x, self.y, self.z].inner(&[tangent.x, tangent.y, tangent.z])
+    }
 }
 
 impl<S: Real, G: Inner<S, D, K>, D, K> Inner<S, [D], Length<K>> for [G] {

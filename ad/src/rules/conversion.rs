@@ -1,7 +1,5 @@
 //! The rules of conversions.
 
-use glam::{DVec2, DVec3, DVec4, Vec2, Vec3, Vec4};
-
 use super::linear::{Linear, Maps, Same, Zero};
 use crate::{Differentiable, Tangent};
 
@@ -44,10 +42,12 @@ macro_rules! into {
     )*};
 }
 
+#[cfg(feature = "glam")]
+pub(crate) use into;
+
 // On any other type `into` may be a method of its own.
 into! {
     f32; f64; bool; i8; i16; i32; u8; u16; u32;
-    Vec2; Vec3; Vec4; DVec2; DVec3; DVec4;
     (f32, f32); (f32, f32, f32); (f32, f32, f32, f32);
     (f64, f64); (f64, f64, f64); (f64, f64, f64, f64);
     [f32; N], N; [f64; N], N;
@@ -72,7 +72,8 @@ macro_rules! conversions {
     )+)*};
 }
 
-pub(super) use conversions;
+#[cfg(feature = "glam")]
+pub(crate) use conversions;
 
 conversions! {
     f32 => f32: Same();

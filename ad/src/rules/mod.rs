@@ -65,38 +65,27 @@
     reason = "a rule takes arguments and tangents, and returns a value and a closure"
 )]
 
-mod arrange;
 #[doc(hidden)]
 pub mod attempt;
 mod cast;
 mod choose;
-mod conversion;
+pub(crate) mod conversion;
 mod dropping;
 mod edit;
-mod geometry;
 mod in_place;
 mod integer;
-mod kin;
-mod linear;
-mod matrix;
-mod motion;
-mod operators;
+pub(crate) mod linear;
+pub(crate) mod operators;
 mod outcome;
 mod owned;
 #[doc(hidden)]
 pub mod replace;
-mod row;
+pub(crate) mod row;
 mod scalar;
 mod sequence;
 mod twin;
 mod vector;
 
-pub use arrange::{
-    ArrayRules, Swizzle2Rules, Swizzle3Rules, Swizzle4Rules, With2Rules, With3Rules, With4Rules,
-    construct,
-};
-#[doc(hidden)]
-pub use arrange::{dvec2, dvec3, dvec4, vec2, vec3, vec4};
 pub use cast::CastPullback;
 #[doc(hidden)]
 pub use cast::castable;
@@ -108,14 +97,6 @@ pub use edit::VecRules;
 #[doc(hidden)]
 pub use edit::drained;
 pub use integer::{IntegerRules, SignedRules};
-pub use kin::{Kin, Numbers};
-pub use matrix::{
-    ColumnsRules, Matrix2Rules, Matrix3Rules, Matrix4Rules, ProjectionRules, ResizedRules,
-};
-pub use motion::{
-    Affine2Rules, Affine3Rules, AngleRules, PlaneMotionRules, QuaternionRules, RotationRules,
-    TransformRules,
-};
 #[doc(hidden)]
 pub use operators::borrowed;
 pub(crate) use operators::quotient_pullback_of_finite;
@@ -131,8 +112,18 @@ pub use scalar::{FloatRules, RealRules};
 #[doc(hidden)]
 pub use sequence::copied_within;
 pub use sequence::{CloneRules, Elements, SequenceRules};
-pub use vector::{GlamRules, SpaceRules, Vec2Rules, Vec4Rules, Vector3Rules, VectorRules};
+pub use vector::{Vector3Rules, VectorRules};
 
+#[cfg(feature = "glam")]
+pub use crate::glam::*;
+/// Without glam its functions that make vectors are as any others.
+#[cfg(not(feature = "glam"))]
+#[doc(hidden)]
+pub use crate::rt::{
+    FunctionWithoutDerivative as dvec2, FunctionWithoutDerivative as dvec3,
+    FunctionWithoutDerivative as dvec4, FunctionWithoutDerivative as vec2,
+    FunctionWithoutDerivative as vec3, FunctionWithoutDerivative as vec4,
+};
 use crate::{Real, vector::Vector};
 
 /// `cotangent * partial`, and 0 where the cotangent is 0, whatever the partial is.
@@ -145,7 +136,7 @@ pub fn scale<S: Real>(cotangent: S, partial: S) -> S {
 /// [`scale`], and 0 where the partial is 0, whatever the tangent is: for the rules that forward mode
 /// has part in. A tangent overflows where a number does, and the partial that follows is often 0.
 #[inline(always)]
-fn chain<S: Real>(tangent: S, partial: S) -> S {
+pub(crate) fn chain<S: Real>(tangent: S, partial: S) -> S {
     S::select(tangent.vanishes() | partial.vanishes(), S::zero(), tangent * partial)
 }
 
@@ -157,12 +148,12 @@ fn is_infinite<S: Real>(number: S) -> S::Mask {
 
 /// [`scale`] of every element of `partial` by one cotangent.
 #[inline(always)]
-fn scale_vector<V: Vector>(cotangent: V::Scalar, partial: V) -> V {
+pub(crate) fn scale_vector<V: Vector>(cotangent: V::Scalar, partial: V) -> V {
     partial.map_elements(|p| scale(cotangent, p))
 }
 
 /// [`scale`] element by element.
 #[inline(always)]
-fn scale_elements<V: Vector>(cotangent: V, partial: V) -> V {
+pub(crate) fn scale_elements<V: Vector>(cotangent: V, partial: V) -> V {
     cotangent.zip_elements(partial, scale)
 }

@@ -155,17 +155,17 @@ macro_rules! rules {
     };
     (@push [adjoint $adjoint:expr] $linear:tt $R:ty, $($x:ident $dot:ident $X:ty),*) => { $linear };
     (@pull [formula $formula:path] $cotangent:ident $R:ty, $($x:ident $X:ty),*) => {{
-        use $crate::rules::kin::Numbers;
+        use $crate::rules::Numbers;
         use $formula as formula;
         let (_, pullback) = formula::vjp($($x.numbers()),*);
         Numbers::of_numbers(pullback($cotangent.numbers()))
     }};
     (@push [formula $formula:path] $linear:tt $R:ty, $($x:ident $dot:ident $X:ty),*) => {{
-        use $crate::rules::kin::Numbers;
+        use $crate::rules::Numbers;
         use $formula as formula;
         let (_, along) = formula::jvp($($x.numbers(),)* $($dot.numbers()),*);
         Numbers::of_numbers(along)
     }};
 }
 
-pub(super) use rules;
+pub(crate) use rules;

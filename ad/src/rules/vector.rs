@@ -1,12 +1,7 @@
 //! The rules of the methods of vectors.
 
-use glam::{DVec2, DVec3, DVec4, Vec2, Vec3, Vec4};
-
-use super::geometry::{rotation, vector as geometry};
-use super::kin::Kin;
 use super::linear::{
-    self, Along, Chosen, Elements, Gradient, Maps, Negated, Pulled, Same, Scaled, Symmetric, Zero,
-    inner,
+    self, Along, Chosen, Elements, Gradient, Maps, Negated, Pulled, Scaled, Symmetric, inner,
 };
 use super::row::rules;
 use super::scalar::power_partials;
@@ -94,68 +89,6 @@ rules! {
             let times = |v: Self| Maps(move |t| cross(t, v), move |g| -cross(g, v));
             (times(b), Negated(times(a)))
         };
-    }
-}
-
-rules! {
-    /// The rules of methods that all of glam's float vectors have beyond [`Vector`].
-    GlamRules: Kin for Vec2 Vec3 Vec4 DVec2 DVec3 DVec4 {
-        signum(v) => Zero();
-        floor(v) => Zero();
-        ceil(v) => Zero();
-        round(v) => Zero();
-        trunc(v) => Zero();
-        /// The jumps carry no derivative.
-        fract(v) => Same();
-        midpoint(a, b) => (Scaled(0.5), Scaled(0.5));
-        mul_add(x, a, b) => (Elements(a), Elements(x), Same());
-        element_product(v) -> Self::S as geometry::element_product;
-        project_onto(v, onto: Self) -> Self as geometry::project_onto;
-        project_onto_normalized(v, onto: Self) -> Self as geometry::project_onto_normalized;
-        reject_from(v, onto: Self) -> Self as geometry::reject_from;
-        reject_from_normalized(v, onto: Self) -> Self as geometry::reject_from_normalized;
-        normalize_or(v, fallback: Self) -> Self as geometry::normalize_or;
-        clamp_length(v, min: Self::S, max: Self::S) -> Self as geometry::clamp_length;
-        clamp_length_max(v, max: Self::S) -> Self as geometry::clamp_length_max;
-        clamp_length_min(v, min: Self::S) -> Self as geometry::clamp_length_min;
-        move_towards(v, end: Self, way: Self::S) -> Self as geometry::move_towards;
-        refract(v, normal: Self, eta: Self::S) -> Self as geometry::refract;
-    }
-}
-
-rules! {
-    /// The rules of functions and methods of vectors of the plane.
-    Vec2Rules: Kin for Vec2 DVec2 {
-        new(x: Self::S, y: Self::S) -> Self: |g| (g.x, g.y);
-        extend(v, z: Self::S) -> Self::V3: |g| (g.truncate(), g.z);
-        from_angle(angle: Self::S) -> Self as geometry::direction;
-        to_angle(v) -> Self::S as geometry::to_angle;
-        angle_to(v, other: Self) -> Self::S as geometry::angle_to;
-        perp(v) -> Self as geometry::perp;
-        perp_dot(v, other: Self) -> Self::S as geometry::perp_dot;
-        rotate(v, other: Self) -> Self as geometry::rotate;
-        rotate_angle(v, angle: Self::S) -> Self as geometry::rotate_angle;
-    }
-}
-
-rules! {
-    /// The rules of methods of vectors of space.
-    SpaceRules: Kin for Vec3 DVec3 {
-        extend(v, w: Self::S) -> Self::V4: |g| (g.truncate(), g.w);
-        truncate(v) -> Self::V2: |g| g.extend(-0.0);
-        angle_between(v, other: Self) -> Self::S as geometry::angle_between;
-        rotate_x(v, angle: Self::S) -> Self as geometry::rotate_x;
-        rotate_y(v, angle: Self::S) -> Self as geometry::rotate_y;
-        rotate_z(v, angle: Self::S) -> Self as geometry::rotate_z;
-        rotate_axis(v, axis: Self, angle: Self::S) -> Self as rotation::rotate_axis;
-    }
-}
-
-rules! {
-    /// The rules of functions and methods of vectors of four elements.
-    Vec4Rules: Kin for Vec4 DVec4 {
-        new(x: Self::S, y: Self::S, z: Self::S, w: Self::S) -> Self: |g| (g.x, g.y, g.z, g.w);
-        truncate(v) -> Self::V3: |g| g.extend(-0.0);
     }
 }
 

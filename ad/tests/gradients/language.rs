@@ -24,6 +24,8 @@
     clippy::reversed_empty_ranges,
     clippy::needless_late_init,
     clippy::unnecessary_map_on_constructor,
+    clippy::while_let_on_iterator,
+    clippy::needless_lifetimes,
     reason = "these forms are what is tested"
 )]
 
@@ -70,6 +72,7 @@ mod owned;
 mod passing_on;
 mod programs;
 mod rest_patterns;
+mod returned_receivers;
 mod running;
 mod scalars;
 mod searches;
@@ -77,6 +80,7 @@ mod single_methods;
 mod slices;
 mod splits;
 mod statements;
+mod steps;
 mod swapping;
 mod trees;
 mod variants;

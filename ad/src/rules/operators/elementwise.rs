@@ -4,9 +4,6 @@
 //! A number beside a vector is the vector with that number in each element. So a row names both operands, the
 //! vector that the operator makes, and the linear map that makes it of each operand.
 
-use glam::{DMat2, DMat3, DMat4, DQuat, DVec2, DVec3, DVec4};
-use glam::{Mat2, Mat3, Mat4, Quat, Vec2, Vec3, Vec4};
-
 use super::numbers::{denominator_cotangent, quotient_pullback};
 use super::{AddPullback, Arithmetic, DivPullback, MulPullback, NegPullback, Nothing, SubPullback};
 use crate::dual::Along;
@@ -97,31 +94,9 @@ macro_rules! operators {
 
 /// A tangent divided by a number; 0 where the tangent is 0 or the number 0 or infinite.
 #[inline(always)]
-fn divided<S: Real>(tangent: S, by: S) -> S {
+pub fn divided<S: Real>(tangent: S, by: S) -> S {
     let singular = by.cmpeq(S::ZERO) | is_infinite(by) | tangent.vanishes();
     S::select(singular, S::zero(), tangent / by)
-}
-
-operators! {
-    (+ - * /)
-    [] Vec2, Vec2 => Vec2: Same(), Same();
-    [] Vec3, Vec3 => Vec3: Same(), Same();
-    [] Vec4, Vec4 => Vec4: Same(), Same();
-    [] DVec2, DVec2 => DVec2: Same(), Same();
-    [] DVec3, DVec3 => DVec3: Same(), Same();
-    [] DVec4, DVec4 => DVec4: Same(), Same();
-    [] Vec2, f32 => Vec2: Same(), Splat();
-    [] Vec3, f32 => Vec3: Same(), Splat();
-    [] Vec4, f32 => Vec4: Same(), Splat();
-    [] DVec2, f64 => DVec2: Same(), Splat();
-    [] DVec3, f64 => DVec3: Same(), Splat();
-    [] DVec4, f64 => DVec4: Same(), Splat();
-    [] f32, Vec2 => Vec2: Splat(), Same();
-    [] f32, Vec3 => Vec3: Splat(), Same();
-    [] f32, Vec4 => Vec4: Splat(), Same();
-    [] f64, DVec2 => DVec2: Splat(), Same();
-    [] f64, DVec3 => DVec3: Splat(), Same();
-    [] f64, DVec4 => DVec4: Splat(), Same();
 }
 
 operators! {
@@ -163,9 +138,11 @@ macro_rules! sums {
     };
 }
 
-negatives!([] Vec2, [] Vec3, [] Vec4, [] DVec2, [] DVec3, [] DVec4, [S: Real] Xyz<S>);
+#[cfg(feature = "glam")]
+pub(crate) use {negatives, operators, sums};
+
+negatives!([S: Real] Xyz<S>);
 sums!([] f32, [] f64, [S: Real, D: Along<S>] Dual<S, D>, [] Var);
-sums!([] Mat2, [] Mat3, [] Mat4, [] DMat2, [] DMat3, [] DMat4, [] Quat, [] DQuat);
 
 #[cfg(feature = "lanes")]
 sums!([] wide::f32x8, [] wide::f32x16, [] wide::f64x8);

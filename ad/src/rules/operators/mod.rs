@@ -16,11 +16,10 @@
 mod assigning;
 #[doc(hidden)]
 pub mod borrowed;
-mod elementwise;
+pub(crate) mod elementwise;
 mod integers;
 mod kept;
-mod motions;
-mod numbers;
+pub(crate) mod numbers;
 
 pub use assigning::{
     AddAssignPullback, Arithmetic, DivAssignPullback, MulAssignPullback, RemAssignPullback,

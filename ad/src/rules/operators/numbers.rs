@@ -8,7 +8,7 @@ use crate::{Dual, Mask, Real};
 
 /// The cotangents of numerator and denominator of `quotient = numerator / denominator`.
 #[inline(always)]
-pub(super) fn quotient_pullback<S: Real>(numerator: S, denominator: S, cotangent: S) -> (S, S) {
+pub fn quotient_pullback<S: Real>(numerator: S, denominator: S, cotangent: S) -> (S, S) {
     let singular = denominator.cmpeq(S::ZERO) | cotangent.vanishes();
     let to_numerator = S::select(singular, S::zero(), cotangent / denominator);
     (to_numerator, denominator_cotangent(to_numerator, numerator / denominator))
@@ -26,7 +26,7 @@ pub fn quotient_pullback_of_finite<S: Real>(numerator: S, denominator: S, cotang
 /// The cotangent of a denominator. That of the numerator overflows where the denominator is tiny:
 /// a quotient of zero annihilates it.
 #[inline(always)]
-pub(super) fn denominator_cotangent<S: Real>(to_numerator: S, quotient: S) -> S {
+pub fn denominator_cotangent<S: Real>(to_numerator: S, quotient: S) -> S {
     S::select(quotient.vanishes(), S::zero(), -scale(to_numerator, quotient))
 }
 

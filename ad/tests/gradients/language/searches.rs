@@ -1,4 +1,4 @@
-//! One item of an iterator: `nth`, `next`, `find`, `last`; traits with parameters; items that are matched on.
+//! One item of an iterator: `nth`, `next`, `find`, `last`, `max_by`; traits with parameters; items that are matched on.
 
 use ad::{Differentiable, differentiable};
 use glam::{DVec2, dvec2};
@@ -37,6 +37,38 @@ fn of_structs(x: f64, y: f64) -> f64 {
     let p = v.iter().nth(1).unwrap();
     let q = v.iter().last().map_or(0.0, |q| q.a * q.b);
     if let Some(r) = v.iter().next() { p.a * r.b + q } else { x }
+}
+
+#[differentiable]
+fn extremes(x: f64, y: f64) -> f64 {
+    let v = vec![x, y, x * y, x - y];
+    let w = [y, x, 0.3, x];
+    let greatest = v.iter().max_by(|a, b| a.total_cmp(b)).unwrap();
+    let least = v[1..].iter().min_by(|a, b| a.partial_cmp(b).unwrap());
+    let at = v.iter().enumerate().max_by(|a, b| a.1.total_cmp(b.1)).map(|(i, _)| i).unwrap();
+    let (number, nearest) = v
+        .iter()
+        .enumerate()
+        .min_by(|(_, a), (_, b)| (**a - y * y).abs().total_cmp(&(**b - y * y).abs()))
+        .unwrap();
+    let mut sum = w[at] * number as f64 * nearest;
+    if let Some((a, b)) = v.iter().zip(&w).max_by(|p, q| (p.0 * p.1).total_cmp(&(q.0 * q.1))) {
+        sum += a * b;
+    }
+    let by_key = v.iter().min_by_key(|a| (**a * 1000.0) as i64).copied().unwrap_or(x);
+    let none = v[..0].iter().max_by(|a, b| a.total_cmp(b)).map_or(x, |a| *a);
+    sum * greatest + least.copied().unwrap() * by_key + none
+}
+
+#[differentiable]
+fn extreme_structs(x: f64, y: f64) -> f64 {
+    let v = vec![P { a: x, b: y }, P { a: y, b: x }, P { a: x, b: x * y }];
+    // Of equal ones the last is the greatest, the first the least.
+    let p = v.iter().max_by(|p, q| p.a.total_cmp(&q.a)).unwrap();
+    match v.iter().min_by(|p, q| p.a.total_cmp(&q.a)) {
+        Some(q) => p.b * q.b * q.a,
+        None => x,
+    }
 }
 
 mod of_several_types {
@@ -131,6 +163,8 @@ fn items_are_found() {
     check!(by_number(x, y) at [1.3, 0.4], [-0.7, 1.1], [0.6, -1.9]);
     check!(by_predicate(x, y) at [1.3, 0.4], [-0.7, 1.1], [0.6, -1.9]);
     check!(of_structs(x, y) at [1.3, 0.4], [-0.7, 1.1], [0.6, -1.9]);
+    check!(extremes(x, y) at [1.3, 0.4], [-0.7, 1.1], [0.6, -1.9]);
+    check!(extreme_structs(x, y) at [1.3, 0.4], [-0.7, 1.1], [0.6, -1.9]);
     {
         use of_several_types::value;
         check!(value(x, y) at [1.3, 0.4], [-0.7, 1.1], [0.6, -1.9]);

@@ -1,11 +1,47 @@
-//! The operators of matrices, quaternions and affine motions.
+//! The operators of vectors, matrices, quaternions and affine motions.
 
 use glam::{Affine2, Affine3, Mat2, Mat3, Mat4, Quat, Vec2, Vec3, Vec4};
 use glam::{DAffine2, DAffine3, DMat2, DMat3, DMat4, DQuat, DVec2, DVec3, DVec4};
 
-use super::{DivPullback, MulPullback};
-use crate::rules::geometry::{matrix, motion, rotation, vector};
-use crate::rules::kin::Numbers;
+use super::geometry::{matrix, motion, rotation, vector};
+use super::kin::Numbers;
+use crate::rt::{ByValue, by_value};
+use crate::rules::linear::{Linear, Same, Splat};
+use crate::rules::operators::elementwise::{divided, negatives, operators, sums};
+use crate::rules::operators::numbers::{denominator_cotangent, quotient_pullback};
+use crate::rules::{
+    AddPullback, Arithmetic, DivPullback, MulPullback, NegPullback, Nothing, SubPullback, chain,
+    scale_elements,
+};
+use crate::vector::Vector;
+
+by_value!(Vec2 Vec3 Vec4 DVec2 DVec3 DVec4);
+by_value!(Mat2 Mat3 Mat4 DMat2 DMat3 DMat4 Quat DQuat Affine2 Affine3 DAffine2 DAffine3);
+
+negatives!([] Vec2, [] Vec3, [] Vec4, [] DVec2, [] DVec3, [] DVec4);
+sums!([] Mat2, [] Mat3, [] Mat4, [] DMat2, [] DMat3, [] DMat4, [] Quat, [] DQuat);
+
+operators! {
+    (+ - * /)
+    [] Vec2, Vec2 => Vec2: Same(), Same();
+    [] Vec3, Vec3 => Vec3: Same(), Same();
+    [] Vec4, Vec4 => Vec4: Same(), Same();
+    [] DVec2, DVec2 => DVec2: Same(), Same();
+    [] DVec3, DVec3 => DVec3: Same(), Same();
+    [] DVec4, DVec4 => DVec4: Same(), Same();
+    [] Vec2, f32 => Vec2: Same(), Splat();
+    [] Vec3, f32 => Vec3: Same(), Splat();
+    [] Vec4, f32 => Vec4: Same(), Splat();
+    [] DVec2, f64 => DVec2: Same(), Splat();
+    [] DVec3, f64 => DVec3: Same(), Splat();
+    [] DVec4, f64 => DVec4: Same(), Splat();
+    [] f32, Vec2 => Vec2: Splat(), Same();
+    [] f32, Vec3 => Vec3: Splat(), Same();
+    [] f32, Vec4 => Vec4: Splat(), Same();
+    [] f64, DVec2 => DVec2: Splat(), Same();
+    [] f64, DVec3 => DVec3: Splat(), Same();
+    [] f64, DVec4 => DVec4: Splat(), Same();
+}
 
 /// Operators by formulas. The value is that of the operator.
 macro_rules! by_formula {
@@ -45,7 +81,7 @@ macro_rules! by_formula {
 }
 
 /// The same for both precisions.
-macro_rules! operators {
+macro_rules! both_precisions {
     ($($scalar:ident [$($matrix:ident $vector:ident),*] $quat:ident $v3:ident $a2:ident $a3:ident;)*) => {$(
         by_formula! {
             $(
@@ -65,7 +101,7 @@ macro_rules! operators {
     )*};
 }
 
-operators! {
+both_precisions! {
     f32 [Mat2 Vec2, Mat3 Vec3, Mat4 Vec4] Quat Vec3 Affine2 Affine3;
     f64 [DMat2 DVec2, DMat3 DVec3, DMat4 DVec4] DQuat DVec3 DAffine2 DAffine3;
 }

@@ -3,7 +3,8 @@
 use ad_macros::differentiable;
 
 use super::vector::{combined, quotient, times};
-use crate::{Additive, Real};
+use crate::Real;
+use crate::rules::scale;
 
 /// A matrix of `N` columns.
 type Square<S, const N: usize> = [[S; N]; N];
@@ -23,10 +24,12 @@ fn product_vjp<S: Real, const N: usize>(
     b: Square<S, N>,
 ) -> (Square<S, N>, impl FnOnce(Square<S, N>) -> (Square<S, N>, Square<S, N>)) {
     (product(a, b), move |g| {
-        let parts: [_; N] = std::array::from_fn(|i| combined::vjp(a, b[i]).1(g[i]));
-        let mut to_a = Square::<S, N>::zero();
-        parts.iter().for_each(|part| to_a.accumulate(part.0));
-        (to_a, parts.map(|part| part.1))
+        // Number by number: to add up what `combined` gives for each column takes twice the time.
+        let sums = |term: &dyn Fn(usize, usize, usize) -> S| -> Square<S, N> {
+            let sum = |i, j| (0..N).fold(S::zero(), |sum, k| sum + term(i, j, k));
+            std::array::from_fn(|i| std::array::from_fn(|j| sum(i, j)))
+        };
+        (sums(&|i, j, k| scale(g[k][j], b[k][i])), sums(&|i, j, k| scale(g[i][k], a[j][k])))
     })
 }
 

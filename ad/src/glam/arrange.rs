@@ -3,11 +3,12 @@
 
 use glam::{DVec2, DVec3, DVec4, Vec2, Vec2Swizzles, Vec3, Vec3Swizzles, Vec4, Vec4Swizzles};
 
-use super::conversion::conversions;
 use super::kin::Kin;
-use super::linear::{Linear, Maps};
-use super::row::rules;
-use super::{FromRules, Vec2Rules, Vec4Rules, Vector3Rules};
+use super::vector::{Vec2Rules, Vec4Rules};
+use crate::rules::conversion::conversions;
+use crate::rules::linear::{Linear, Maps};
+use crate::rules::row::rules;
+use crate::rules::{FromRules, Vector3Rules};
 use crate::{Additive, Tangent};
 
 /// The rules of swizzles, each by the elements of what it makes. The adjoint adds each number to the element

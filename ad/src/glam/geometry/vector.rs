@@ -45,15 +45,11 @@ fn combined_vjp<S: Real, const C: usize, const N: usize, const R: usize>(
     weights: [S; C],
 ) -> ([S; R], impl FnOnce([S; R]) -> ([[S; N]; C], [S; C])) {
     (combined(columns, weights), move |g| {
-        let to_column = |weight| {
-            let mut column = [S::zero(); N];
-            column.iter_mut().zip(g).for_each(|(number, g)| *number = scale(g, weight));
-            column
-        };
-        let product = |(g, number): (S, S)| scale(g, number);
+        let to_number = |i: usize, j| g.get(j).map_or(S::zero(), |&g| scale(g, weights[i]));
         let to_weight =
-            |column: [S; N]| g.into_iter().zip(column).map(product).fold(S::zero(), S::add);
-        (weights.map(to_column), columns.map(to_weight))
+            |i: usize| (0..R).fold(S::zero(), |sum, j| sum + scale(g[j], columns[i][j]));
+        let to_column = |i| std::array::from_fn(|j| to_number(i, j));
+        (std::array::from_fn(to_column), std::array::from_fn(to_weight))
     })
 }
 

@@ -6,9 +6,9 @@ use glam::{DMat2, DMat3, DMat4, Mat2, Mat3, Mat4};
 
 use super::geometry::{matrix, motion};
 use super::kin::{Kin, Numbers};
-use super::linear::{Maps, Zero};
-use super::row::rules;
-use super::{chain, scale};
+use crate::rules::linear::{Maps, Zero};
+use crate::rules::row::rules;
+use crate::rules::{chain, scale};
 use crate::{Additive, Real};
 
 /// The rules of the matrices of one number of columns.

@@ -7,8 +7,8 @@ use glam::{
 
 use super::geometry::{motion, rotation, vector};
 use super::kin::Kin;
-use super::linear::Symmetric;
-use super::row::rules;
+use crate::rules::linear::Symmetric;
+use crate::rules::row::rules;
 
 rules! {
     /// The rules of functions and methods of quaternions.
