@@ -10,8 +10,9 @@ use super::code::code;
 use super::geometry::{Edge, Geometry};
 use super::outline::root;
 use super::walk::Step;
-use crate::number::Plain;
+use crate::number::{Number, Plain};
 use crate::primal::known::KnownHit;
+use crate::primal::wavefront::Wavefront;
 use crate::trace::bvh::NO_PRIMITIVE;
 use crate::transport::camera::Ray;
 
@@ -84,6 +85,19 @@ pub struct Crossing {
     pub is_short: bool,
     /// Where what its sides are [lit through](super::lit::LitThrough) starts and ends.
     pub lit_through: [u32; 2],
+}
+
+impl Crossing {
+    /// Whether a ray on one of the sides grazes a curved surface in a wavefront: one that is transparent is grazed
+    /// twice.
+    pub fn grazes<S: Number>(&self, wavefront: &Wavefront<S>, ray: usize) -> bool {
+        match (self.layer, self.edge) {
+            (Layer::Surface(_), Edge::Silhouette(grazed)) => {
+                wavefront.hits.primitive[ray] == grazed
+            }
+            _ => false,
+        }
+    }
 }
 
 /// The line between two neighbouring samples.

@@ -6,48 +6,57 @@
 //! each sample gets the mean over the strip that it stands for, along the normal of the silhouette: the
 //! strip of the outermost sample reaches to the silhouette.
 
-use ad::select;
+use ad::{Fields, Real, select};
 
-use super::chain::Chain;
-use crate::number::Plain;
-use crate::primal::wavefront::LaneGroup;
+use super::integrator::Integrator;
+use super::wavefront::LaneGroup;
+use crate::number::Number;
 use crate::transport::camera::primary_ray;
 use crate::transport::edge::sphere_margin;
 use crate::transport::hit::Primitive;
 
-impl<L: Plain> Chain<'_, L> {
-    /// By how much the derivatives of the surface points of a group that the camera sees are multiplied,
-    /// if samples are `spacing` pixels apart; nothing if the group is not of spheres.
-    pub(super) fn limb_weight(
+impl<S: Number> Integrator<'_, S> {
+    /// Weighs the derivatives of the surface points of a group that the camera sees, if samples are `spacing` pixels
+    /// apart; those of other groups than of spheres have no limb.
+    pub(super) fn weigh_limb(
         &self,
-        group: &LaneGroup<L>,
-        (x, y): (L, L),
+        group: &mut LaneGroup<S>,
+        (x, y): (S::Lanes, S::Lanes),
         spacing: f64,
-    ) -> Option<L> {
-        let Some(Primitive::Sphere(sphere)) =
-            self.integrator.primitive(group.kind, &group.primitives)
-        else {
-            return None;
+    ) {
+        let Some(Primitive::Sphere(sphere)) = self.primitive(group.kind, &group.primitives) else {
+            return;
         };
-        let (margin, pullback) = sphere_margin::vjp::<L>(sphere, group.ray);
-        let (_, of_ray) = pullback(L::ONE);
-        let (_, pullback) = primary_ray::vjp::<L>(self.integrator.inputs.frame, x, y);
+        let number = |value: f64| S::Lanes::from_f64(value);
+        let (margin, pullback) =
+            sphere_margin::vjp::<S::Lanes>(sphere.map(S::primal), group.ray.map(S::primal));
+        let (_, of_ray) = pullback(S::Lanes::ONE);
+        let (_, pullback) = primary_ray::vjp::<S::Lanes>(self.inputs.frame.map(S::primal), x, y);
         let (_, x, y) = pullback(of_ray);
-        let layout = self.integrator.layout;
         let (x, y) = (
-            x * L::from_f64(2.0 / f64::from(layout.width)),
-            y * L::from_f64(2.0 / f64::from(layout.height)),
+            x * number(2.0 / f64::from(self.layout.width)),
+            y * number(2.0 / f64::from(self.layout.height)),
         );
-        let slope = (x * x + y * y).sqrt() * L::from_f64(spacing);
+        let slope = (x * x + y * y).sqrt() * number(spacing);
         // In distances between samples.
-        let distance = (margin / slope).max(L::ZERO);
-        let half = L::HALF;
-        let to_silhouette = L::TWO * (distance * (distance + half)).sqrt();
-        let beyond = (distance - half).max(L::ZERO).sqrt();
-        let strip = L::TWO * distance.sqrt() * ((distance + half).sqrt() - beyond);
-        let weight = select(distance.cmplt(L::ONE), to_silhouette, strip);
+        let distance = (margin / slope).max(S::Lanes::ZERO);
+        let half = S::Lanes::HALF;
+        let to_silhouette = S::Lanes::TWO * (distance * (distance + half)).sqrt();
+        let beyond = (distance - half).max(S::Lanes::ZERO).sqrt();
+        let strip = S::Lanes::TWO * distance.sqrt() * ((distance + half).sqrt() - beyond);
+        let weight = select(distance.cmplt(S::Lanes::ONE), to_silhouette, strip);
         // Far from the silhouette the difference of roots loses digits, and the weight is 1.
-        let weight = select(distance.cmplt(L::from_f64(100.0)), weight, L::ONE);
-        Some(select(weight.is_finite(), weight, L::ONE))
+        let weight = select(distance.cmplt(number(100.0)), weight, S::Lanes::ONE);
+        let weight = select(weight.is_finite(), weight, S::Lanes::ONE);
+        group.limb = Some(weight);
+        group.surface = weighted(&group.surface, weight);
     }
+}
+
+/// The same values, with derivatives that are multiplied by a weight.
+pub fn weighted<S: Number, T: Fields<S, With<S> = T>>(value: &T, weight: S::Lanes) -> T {
+    value.map(|number| {
+        let still = S::constant(number.primal());
+        still + (number - still) * S::constant(weight)
+    })
 }
