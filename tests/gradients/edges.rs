@@ -4,7 +4,7 @@ use renderer::glam::DVec3;
 use renderer::scene::{MaterialObject, Slot, Wrap};
 use renderer::{
     Camera, DistantLight, Edges, Image, Material, Mesh, Pass, PixelLoss, PointLight, Renderer,
-    Sampling, Scene, Settings, SphereObject, Texture, render, render_jvp, render_vjp,
+    Sampling, Scene, Settings, SphereObject, Texture, Transform, render, render_jvp, render_vjp,
 };
 
 use crate::differences::{self, relative_error};
@@ -429,6 +429,47 @@ fn edges_of_depth_places_and_normals() {
         let reverse = gradient(&scene, &settings, "camera.look_at");
         let reverse: f64 = reverse.iter().zip(&along).map(|(a, b)| a * b).sum();
         assert!((reverse - forward).abs() < 1e-6 * reverse.abs(), "{reverse} {forward}");
+    }
+}
+
+/// Smooth cubes that mirror each other: next to an edge of what one shows, paths part before they come to it.
+#[test]
+fn edges_in_mirrors_of_mirrors() {
+    let placed = |translation: [f64; 3], rotation: [f64; 3], scale: f64| Transform {
+        translation: translation.into(),
+        rotation: rotation.into(),
+        scale: DVec3::splat(scale),
+    };
+    let scenes = [
+        (
+            [1.87, 3.6, 4.42],
+            placed([0.48, 0.84, -0.94], [-4.2, 53.4, 18.0], 0.87),
+            placed([-0.77, -0.06, -0.51], [5.4, 9.0, -58.2], 0.85),
+        ),
+        (
+            [-4.66, -3.12, -2.14],
+            placed([-0.01, 0.44, -0.8], [1.2, 41.4, 3.0], 0.85),
+            placed([0.76, -0.26, -1.0], [30.6, -45.0, -58.8], 0.87),
+        ),
+    ];
+    let corner = |index: u32| [4, 2, 1].map(|bit| if index & bit == 0 { -1.0 } else { 1.0 });
+    let sides =
+        [[0, 1, 3, 2], [4, 6, 7, 5], [0, 4, 5, 1], [2, 3, 7, 6], [0, 2, 6, 4], [1, 5, 7, 3]];
+    let triangles: Vec<[u32; 3]> =
+        sides.into_iter().flat_map(|[a, b, c, d]| [[a, b, c], [a, c, d]]).collect();
+    for (from, one, other) in scenes {
+        let camera = Camera { vfov: 35.0, ..Camera::looking(from.into(), DVec3::ZERO) };
+        let mut scene = Scene::new(48, 40, camera);
+        scene.bounces = 7;
+        let chrome = paint(&mut scene, "chrome", [0.5; 3], 0.6);
+        for (name, transform) in [("one", one), ("other", other)] {
+            let vertices = (0..8).map(corner).collect();
+            let cube = Mesh::new(name, vertices, triangles.clone()).material(chrome).smooth();
+            scene.add_mesh(Mesh { transform, ..cube }).unwrap();
+        }
+        add_sun(&mut scene);
+        let settings = Settings { edges: Edges::On, ..Settings::default() };
+        assert!(render(&scene, &settings).unwrap().is_finite());
     }
 }
 

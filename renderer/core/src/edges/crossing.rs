@@ -201,7 +201,7 @@ impl<'a, L: Plain> Search<'a, L> {
             };
             if !self.geometry.are_continuous(from, to) {
                 let at = start + at * (end - start);
-                self.emit(link, at, 0, Edge::Segment(edge), [before, after]);
+                self.emit(link, at, (0, before), Edge::Segment(edge), [before, after]);
             } else if !have_same_light(&a, &b) {
                 self.shadows(link, part);
             }
@@ -279,7 +279,7 @@ impl<'a, L: Plain> Search<'a, L> {
                 let between = self.traced(link, middle);
                 if self.meet_same(first, between, depth) || self.meet_same(between, last, depth) {
                     // Rounding: there is nothing between.
-                    self.emit(link, middle, depth, edge, [first, last]);
+                    self.emit(link, middle, (depth, first), edge, [first, last]);
                     return;
                 }
                 let divisions = divisions + 1;
@@ -352,7 +352,7 @@ impl<'a, L: Plain> Search<'a, L> {
         // single facets, and follow these, not the surface.
         let near = self.settled(link, at, (start, near), near, depth, divisions);
         let sides = if is_first { [near, behind] } else { [behind, near] };
-        self.emit(link, at, depth, edge, sides);
+        self.emit(link, at, (depth, near), edge, sides);
         if !is_far {
             self.search(link, rest, divisions + 1);
         }
@@ -373,7 +373,7 @@ impl<'a, L: Plain> Search<'a, L> {
             self.settled(link, at, (from, first), last, depth, divisions),
             self.settled(link, at, (to, last), first, depth, divisions),
         ];
-        self.emit(link, at, depth, edge, sides);
+        self.emit(link, at, (depth, first), edge, sides);
     }
 
     /// The path next to an edge on the side of an end of a link. Beyond the surface with the edge it may
@@ -429,7 +429,15 @@ impl<'a, L: Plain> Search<'a, L> {
         is_between.then(|| low + root(behind, start, end) * (high - low))
     }
 
-    fn emit(&mut self, link: &Link, at: f64, depth: usize, edge: Edge, sides: [Path; 2]) {
+    /// Adds an edge of what a path meets at a depth. That on one of the sides may leave the surfaces before it.
+    fn emit(
+        &mut self,
+        link: &Link,
+        at: f64,
+        (depth, path): (usize, Path),
+        edge: Edge,
+        sides: [Path; 2],
+    ) {
         let layer = Layer::Surface(depth as u32);
         if let (0, Edge::Segment(ends)) = (depth, edge) {
             let slopes = self.geometry.linear_slopes(ends, link.place(at));
@@ -441,7 +449,7 @@ impl<'a, L: Plain> Search<'a, L> {
             return;
         }
         let number = |place: [f64; 2]| {
-            let ray = self.geometry.ray(&self.of(sides[0])[..depth], place);
+            let ray = self.geometry.ray(&self.of(path)[..depth], place);
             self.geometry.margin(edge, ray)
         };
         let slopes = slopes(link, at, number);
