@@ -54,6 +54,18 @@ fn light_of_a_patch_moves_as_that_of_a_point() {
     }
 }
 
+/// Paths of one piece end at what the camera sees: nothing is lit, and no shadow has an edge.
+#[test]
+fn what_is_not_lit_has_no_shadows() {
+    let mut scene = card(1, 4);
+    add_key(&mut scene);
+    let place =
+        |scene: &Scene| gradient(scene, &Settings::default(), &Weights, "light.key.position");
+    assert_eq!(place(&scene), [0.0; 3]);
+    scene.integrator = paths(2, 4);
+    assert_ne!(place(&scene), [0.0; 3]);
+}
+
 /// Weights that vary slowly over the image.
 struct Weights;
 
@@ -100,6 +112,25 @@ fn card(max_depth: u32, samples: u32) -> Scene {
     scene.add_mesh(quad("card", card).material(red)).unwrap();
     scene.integrator = Integrator::Path(PathTracing { max_depth, samples, seed: 3 });
     scene
+}
+
+fn add_key(scene: &mut Scene) {
+    let position = dvec3(0.3, 2.0, 0.4);
+    let key = PointLight { position, color: DVec3::ONE, radiant_intensity: 5.0 };
+    scene.add_light("key", key).unwrap();
+}
+
+/// Paths of two pieces end at what a mirror shows, which is dark, and has no edges.
+#[test]
+fn what_a_mirror_shows_in_the_dark_has_no_edges() {
+    let mut scene = card(2, 16);
+    add_key(&mut scene);
+    let chrome = Material { mirror: DVec3::splat(0.9), ..Material::lambertian(DVec3::ZERO) };
+    let chrome = scene.add_material("chrome", chrome).unwrap();
+    let wall = [[-2.0, 0.0, -0.8], [2.0, 0.0, -0.8], [2.0, 1.8, -0.8], [-2.0, 1.8, -0.8]];
+    let wall = Mesh::new("wall", wall.to_vec(), vec![[0, 1, 2], [0, 2, 3]]).material(chrome);
+    scene.add_mesh(wall).unwrap();
+    check(&scene, "mesh.card.translation", 0.05);
 }
 
 fn add_panel(scene: &mut Scene) {

@@ -122,6 +122,26 @@ fn a_sphere_lights_a_plane_as_the_closed_form_says() {
     }
 }
 
+/// A lamp that is half transparent lights half as much, by which its opacity has a gradient.
+#[test]
+fn what_is_transparent_lights_by_its_opacity() {
+    let mut scene = floor_scene();
+    scene.integrator = paths(2, 1024);
+    let lamp = MaterialObject::from(emitting(7.0, 0.0)).with_opacity(0.5);
+    let lamp = scene.add_material("lamp", lamp).unwrap();
+    let corners = [[-4.0, 2.0, -4.0], [4.0, 2.0, -4.0], [4.0, 2.0, 4.0], [-4.0, 2.0, 4.0]];
+    let lamp = Mesh::new("lamp", corners.to_vec(), vec![[0, 1, 2], [0, 2, 3]]).material(lamp);
+    scene.add_mesh(lamp).unwrap();
+    // Four squares that each have the point below a corner.
+    let side = 2.0 / 5.0_f64.sqrt();
+    let lit = 7.0 * 0.6 * 4.0 * 2.0 * side * side.atan() / (2.0 * PI);
+    assert_close(mean(&scene, &Settings::default()), 0.5 * lit, 1e-2);
+    let id = scene.parameter("material.lamp.opacity").unwrap();
+    let renderer = Renderer::new(&scene, &Settings::default()).unwrap();
+    let by_opacity = renderer.loss_and_gradient(&scene, &Sum, &[id]).gradient.get(id)[0];
+    assert_close(by_opacity, 192.0 * lit, 1e-2);
+}
+
 /// A rectangle above a corner of which the point lies, near and far, large and small.
 #[test]
 fn a_rectangle_lights_a_plane_as_the_closed_form_says() {

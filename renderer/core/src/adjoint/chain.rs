@@ -66,8 +66,6 @@ pub(super) struct Chain<'a, L: Plain> {
     /// The adjoint state of each wavefront, by depth.
     pub states: Vec<AdjointState<L>>,
     pub scatter: Scatter<'a>,
-    /// The distance between samples in pixels, where edges count.
-    pub spacing: Option<f64>,
 }
 
 /// The cotangents of the surface points of a group.
@@ -113,7 +111,6 @@ impl<'a, L: Plain> Chain<'a, L> {
             kept: Vec::new(),
             states: Vec::new(),
             scatter,
-            spacing: None,
         }
     }
 

@@ -35,7 +35,8 @@ pub fn sweep_with_edges<L: Plain>(
     let integrator = integrator.with_zero_weight(request.zero_weight);
     let geometry = Geometry::new(integrator);
     let mut view = View::new(&geometry);
-    let limb = Limb::new(&view, &geometry, request.moves_surfaces());
+    let moves = request.moves_points();
+    let limb = Limb::new(&view, &geometry, moves);
     let mut cotangents = std::mem::take(&mut view.pixels);
     let rows = cotangents.par_chunks_mut(width as usize).enumerate().map(|(y, row)| {
         let mut loss_of_row = 0.0;
@@ -50,11 +51,9 @@ pub fn sweep_with_edges<L: Plain>(
     let mut sums = vec![Sums { loss: losses.iter().sum(), ..Sums::default() }];
 
     let grid = integrator.layout.sampling.as_grid();
-    let spacing = Some(1.0 / view.sights.side as f64);
-    let start = || {
-        let chain = Chain { spacing, ..Chain::new(integrator, scene, request) };
-        (chain, KnownPaths::default())
-    };
+    let [on_grid, on_finer] =
+        [grid, limb.sampling].map(|sampling| integrator.with_limb(moves, sampling.grid_side()));
+    let start = || (Chain::new(on_grid, scene, request), KnownPaths::default());
     let part = 1.0 / f64::from(grid.count());
     sums.extend(for_each_strip(width, height, start, |(chain, known), strip| {
         for tile in strip.tiles() {
@@ -76,11 +75,11 @@ pub fn sweep_with_edges<L: Plain>(
                 chain.pull_sample(Source::Traced(sample, known), &of_tile);
             }
             if on_limb != 0 {
-                chain.spacing = Some(1.0 / f64::from(limb.sampling.grid_side()));
+                chain.integrator = on_finer;
                 for sample in samples_of(&tile, on_limb, limb.sampling) {
                     chain.pull_sample(sample, &of_limb);
                 }
-                chain.spacing = spacing;
+                chain.integrator = on_grid;
             }
         }
         chain.scatter.take()
@@ -155,7 +154,8 @@ impl<L: Plain> Chain<'_, L> {
             nonzero_lanes::<L>(group.rays().map(|(lane, ray)| (lane, side(ray))))
         });
         for (state, wavefront) in states.iter_mut().zip(wavefronts) {
-            state.grazing = grazing(crossings, wavefront);
+            let moves = self.scatter.request.moves_points();
+            state.grazing = if moves { grazing(crossings, wavefront) } else { 0 };
             state.surfaces.resize_with(wavefront.groups.len(), || None);
             for surface in &mut state.surfaces {
                 surface.get_or_insert(SurfaceCotangent { surface: Additive::zero(), uv: None });
@@ -332,16 +332,10 @@ impl<L: Plain> Chain<'_, L> {
     }
 }
 
-/// A bit for each side of a crossing whose ray grazes a curved surface in a wavefront: one that is
-/// transparent is grazed twice.
+/// A bit for each side of a crossing whose ray grazes a curved surface in a wavefront.
 fn grazing<L: Plain>(crossings: &[Crossing], wavefront: &Wavefront<L>) -> u64 {
-    let grazes = |ray: usize| match crossings[ray / 2] {
-        Crossing { layer: Layer::Surface(_), edge: Edge::Silhouette(grazed), .. } => {
-            wavefront.hits.primitive[ray] == grazed
-        }
-        _ => false,
-    };
-    (0..2 * crossings.len()).fold(0, |bits, ray| bits | u64::from(grazes(ray)) << ray)
+    let grazes = |ray: usize| u64::from(crossings[ray / 2].grazes(wavefront, ray)) << ray;
+    (0..2 * crossings.len()).fold(0, |bits, ray| bits | grazes(ray))
 }
 
 /// From the number of a curve in which the surfaces on both sides of a crossing pierce each other to the

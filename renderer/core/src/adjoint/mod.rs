@@ -15,7 +15,6 @@
 mod chain;
 mod edges;
 mod gradient;
-mod limb;
 mod normal_map;
 mod occluder;
 mod range;

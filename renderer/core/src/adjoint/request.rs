@@ -95,7 +95,7 @@ impl Request {
             _ => false,
         };
         let of_material = |field: &str| ids.iter().any(|id| is_plain(id) && id.field == field);
-        // Paths that are chosen at random are not to be others than those of the image.
+        // Neither paths that are chosen at random nor edges are to be others than those of the image.
         let takes_all_paths = request.takes_all_paths;
         let of_zero = |field: &str| {
             let is_it = |id: &ParameterId| {
@@ -114,8 +114,7 @@ impl Request {
         let is_light = |id: &ParameterId| matches!(id.object, Object::Light(_));
         let of_sky = request.select_sky(scene, layout);
         request.zero_weight = ZeroWeight {
-            mirrors: layout.pass == Pass::Radiance
-                && if takes_all_paths { of_zero("mirror") } else { of_material("mirror") },
+            mirrors: layout.pass == Pass::Radiance && of_zero("mirror"),
             reflections: takes_all_paths && (of_zero("diffuse") || of_zero("specular")),
             bases: takes_all_paths && ids.iter().any(is_metallic_of_metal),
             lights: ids.iter().any(is_light) || of_sky,
@@ -244,12 +243,21 @@ impl Request {
         *self.lights.get(object)?
     }
 
-    /// Returns `true` if surface points, or the rays that go on from them, depend on a requested parameter.
-    pub fn moves_surfaces(&self) -> bool {
-        let selected = [&self.spheres, &self.vertices, &self.normals, &self.uvs];
+    /// Returns `true` if the points that camera rays meet depend on a requested parameter.
+    pub fn moves_points(&self) -> bool {
+        let turns = bits(Sphere::<f64>::FIELDS, "rotation");
         self.camera
-            || selected.iter().any(|selection| !selection.is_empty())
+            || !self.vertices.is_empty()
+            || self.sphere_numbers & !turns != 0
             || self.transforms.iter().chain(&self.shapes).any(Option::is_some)
+    }
+
+    /// Returns `true` if surface points, with their normals and texture coordinates, or the rays that go on from them,
+    /// depend on a requested parameter.
+    pub fn moves_surfaces(&self) -> bool {
+        let selected = [&self.spheres, &self.normals, &self.uvs];
+        self.moves_points()
+            || selected.iter().any(|selection| !selection.is_empty())
             || self.bends_normals
             || self.refracts
     }

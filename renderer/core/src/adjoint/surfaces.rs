@@ -56,10 +56,7 @@ impl<L: Plain> Chain<'_, L> {
                     uv = uv.map(|uv| select_lanes::<L, _>(grazing, &Additive::zero(), &uv));
                 }
                 let film = (depth == 0).then(|| wavefront.film[group.block()]);
-                let weight = film.zip(self.spacing);
-                let weight =
-                    weight.and_then(|(film, spacing)| self.limb_weight(group, film, spacing));
-                if let Some(weight) = weight {
+                if let Some(weight) = group.limb {
                     surface = Fields::from_fn(&mut |index| surface.number(index) * weight);
                     uv = uv.map(|uv| Fields::from_fn(&mut |index| uv.number(index) * weight));
                 }

@@ -89,7 +89,8 @@ impl Band {
     }
 
     /// Takes what light brings that takes all paths to both sides of the edges of surfaces that the camera sees
-    /// first, in place of direct light. What refracts has no shadows. `index` is that of the band.
+    /// first, in place of direct light. What refracts has no shadows, nor has what paths end at. `index` is that of the
+    /// band.
     pub fn scatter<L: Plain>(
         &mut self,
         geometry: &Geometry<'_, L>,
@@ -98,6 +99,8 @@ impl Band {
         (known, path): &mut (KnownPaths, Path<L>),
     ) {
         let layout = geometry.integrator.layout;
+        let limits = integrator.layout.path_tracing;
+        let ends_at = |depth: u32| limits.is_some_and(|limits| depth + 1 >= limits.max_depth);
         let mut seen = Vec::new();
         for (index, crossing) in self.crossings.iter().enumerate() {
             let Layer::Shadow(depth, _) = crossing.layer else {
@@ -107,7 +110,7 @@ impl Band {
             let on = crossing.sides[0].of(&self.hits).nth(depth as usize);
             let refracts =
                 |hit: KnownHit| layout.traits_of(hit.primitive as usize).bsdf == Bsdf::Dielectric;
-            if on.is_some_and(refracts) {
+            if on.is_some_and(refracts) || ends_at(depth) {
                 self.radiance[index] = [DVec3::ZERO; 2];
             }
         }

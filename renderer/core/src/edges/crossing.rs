@@ -10,8 +10,9 @@ use super::code::code;
 use super::geometry::{Edge, Geometry};
 use super::outline::root;
 use super::walk::Step;
-use crate::number::Plain;
+use crate::number::{Number, Plain};
 use crate::primal::known::KnownHit;
+use crate::primal::wavefront::Wavefront;
 use crate::trace::bvh::NO_PRIMITIVE;
 use crate::transport::camera::Ray;
 
@@ -84,6 +85,19 @@ pub struct Crossing {
     pub is_short: bool,
     /// Where what its sides are [lit through](super::lit::LitThrough) starts and ends.
     pub lit_through: [u32; 2],
+}
+
+impl Crossing {
+    /// Whether a ray on one of the sides grazes a curved surface in a wavefront: one that is transparent is grazed
+    /// twice.
+    pub fn grazes<S: Number>(&self, wavefront: &Wavefront<S>, ray: usize) -> bool {
+        match (self.layer, self.edge) {
+            (Layer::Surface(_), Edge::Silhouette(grazed)) => {
+                wavefront.hits.primitive[ray] == grazed
+            }
+            _ => false,
+        }
+    }
 }
 
 /// The line between two neighbouring samples.
@@ -187,7 +201,7 @@ impl<'a, L: Plain> Search<'a, L> {
             };
             if !self.geometry.are_continuous(from, to) {
                 let at = start + at * (end - start);
-                self.emit(link, at, 0, Edge::Segment(edge), [before, after]);
+                self.emit(link, at, (0, before), Edge::Segment(edge), [before, after]);
             } else if !have_same_light(&a, &b) {
                 self.shadows(link, part);
             }
@@ -265,7 +279,7 @@ impl<'a, L: Plain> Search<'a, L> {
                 let between = self.traced(link, middle);
                 if self.meet_same(first, between, depth) || self.meet_same(between, last, depth) {
                     // Rounding: there is nothing between.
-                    self.emit(link, middle, depth, edge, [first, last]);
+                    self.emit(link, middle, (depth, first), edge, [first, last]);
                     return;
                 }
                 let divisions = divisions + 1;
@@ -338,7 +352,7 @@ impl<'a, L: Plain> Search<'a, L> {
         // single facets, and follow these, not the surface.
         let near = self.settled(link, at, (start, near), near, depth, divisions);
         let sides = if is_first { [near, behind] } else { [behind, near] };
-        self.emit(link, at, depth, edge, sides);
+        self.emit(link, at, (depth, near), edge, sides);
         if !is_far {
             self.search(link, rest, divisions + 1);
         }
@@ -359,7 +373,7 @@ impl<'a, L: Plain> Search<'a, L> {
             self.settled(link, at, (from, first), last, depth, divisions),
             self.settled(link, at, (to, last), first, depth, divisions),
         ];
-        self.emit(link, at, depth, edge, sides);
+        self.emit(link, at, (depth, first), edge, sides);
     }
 
     /// The path next to an edge on the side of an end of a link. Beyond the surface with the edge it may
@@ -415,11 +429,12 @@ impl<'a, L: Plain> Search<'a, L> {
         is_between.then(|| low + root(behind, start, end) * (high - low))
     }
 
+    /// Adds an edge of what a path meets at a depth. That on one of the sides may leave the surfaces before it.
     pub(super) fn emit(
         &mut self,
         link: &Link,
         at: f64,
-        depth: usize,
+        (depth, path): (usize, Path),
         edge: Edge,
         sides: [Path; 2],
     ) {
@@ -434,7 +449,7 @@ impl<'a, L: Plain> Search<'a, L> {
             return;
         }
         let number = |place: [f64; 2]| {
-            let ray = self.geometry.ray(&self.of(sides[0])[..depth], place);
+            let ray = self.geometry.ray(&self.of(path)[..depth], place);
             self.geometry.margin(edge, ray)
         };
         let slopes = slopes(link, at, number);

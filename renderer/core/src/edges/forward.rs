@@ -36,7 +36,7 @@ struct Moved {
 
 impl View {
     /// The derivatives of the pixels along the direction that the inputs of the integrator carry, and in which
-    /// surfaces move against camera rays or not.
+    /// the surface points that camera rays meet move or not.
     pub fn derivative<L: Plain>(
         &self,
         geometry: &Geometry<'_, L>,
@@ -44,16 +44,19 @@ impl View {
         moves: bool,
     ) -> Vec<DVec3> {
         let layout = integrator.layout;
+        let grid = layout.sampling.as_grid();
         let limb = Limb::new(self, geometry, moves);
+        let [on_grid, on_finer] =
+            [grid, limb.sampling].map(|sampling| integrator.with_limb(moves, sampling.grid_side()));
         let mut pixels = vec![DVec3::ZERO; self.pixels.len()];
         fill_tiles(layout.width, &mut pixels, Path::default, |path, tile| {
-            let mut mean = mean_dual(integrator, tile, layout.sampling.as_grid(), path);
+            let mut mean = mean_dual(on_grid, tile, grid, path);
             let is_of_limb = |&ray: &usize| {
                 let (x, y) = tile.pixel(ray);
                 limb.holds((y * layout.width + x) as usize)
             };
             if rays(tile.rays()).any(|ray| is_of_limb(&ray)) {
-                let finer = mean_dual(integrator, tile, limb.sampling, path);
+                let finer = mean_dual(on_finer, tile, limb.sampling, path);
                 rays(tile.rays()).filter(is_of_limb).for_each(|ray| mean[ray] = finer[ray]);
             }
             move |ray| mean[ray][1]
@@ -126,10 +129,11 @@ fn moved<L: Plain>(
         let margin = margin(integrator, path.wavefronts(), crossing, 2 * index);
         moved.along = margin.map_or(0.0, |margin| -margin.derivative / crossing.slope);
         // At a silhouette that moves, radiance changes with the root of the distance to it.
-        let is_silhouette =
-            matches!((crossing.layer, crossing.edge), (Layer::Surface(_), Edge::Silhouette(_)));
-        if moves && is_silhouette {
-            moved.radiance = still.radiance;
+        for side in 0..2 {
+            let grazes = |wavefront| crossing.grazes(wavefront, 2 * index + side);
+            if moves && path.wavefronts().iter().any(grazes) {
+                moved.radiance[side] = DVec3::ZERO;
+            }
         }
     }
     moved

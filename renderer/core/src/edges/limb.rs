@@ -26,7 +26,7 @@ pub struct Limb {
 }
 
 impl Limb {
-    /// Those of a view: none where no mesh is smooth, or no surface moves against the rays.
+    /// Those of a view: none where no mesh is smooth, or the points that rays meet stay where they are.
     pub fn new<L: Plain>(view: &View, geometry: &Geometry<'_, L>, moves: bool) -> Self {
         let layout = geometry.integrator.layout;
         let sampling = Sampling::Grid(layout.sampling.grid_side().max(SIDE));

@@ -18,7 +18,7 @@
 //! hidden, and to find crossings by more rays. Both cost several images; this costs a few rays for each
 //! hundred pixels.
 //!
-//! Next to silhouettes of smooth meshes, as of [spheres](crate::adjoint), the interior term changes fast:
+//! Next to silhouettes of smooth meshes, as of [spheres](crate::primal::limb), the interior term changes fast:
 //! their [pixels](limb) have more rays.
 //!
 //! What is [slender](slender) lies between samples whole, and is looked for from the scene.

@@ -85,7 +85,7 @@ impl<L: Plain> Search<'_, L> {
             || self.leave(&receivers[1], [at + beside, to]);
         if !is_found {
             let sides = self.sides(&receivers[0], from < to);
-            self.emit(link, at, depth, edge, sides);
+            self.emit(link, at, (depth, dark), edge, sides);
         }
     }
 

@@ -16,7 +16,7 @@ use crate::transport::emitter::barycentric_of;
 
 /// What vertices of paths look for, where light takes all: the triangles and spheres that shine, and then the
 /// cells of the environment by their ranks, if it has a texture. Shapes of one's own, what has a texture of its
-/// emission, and an environment that is the same everywhere are found by scattered rays alone.
+/// emission or an opacity, and an environment that is the same everywhere are found by scattered rays alone.
 pub fn emitters<S: Number<Lane: Scalar>>(
     scene: &Scene,
     layout: &Layout,
@@ -60,7 +60,7 @@ fn surface_powers<S: Number<Lane: Scalar>>(
     inputs: &Inputs<S>,
 ) -> impl Iterator<Item = (u32, f64)> {
     let radiance = |material: &MaterialObject| {
-        let is_plain = material.textures.get(Slot::Emission).is_none();
+        let is_plain = material.textures.get(Slot::Emission).is_none() && !material.transparent;
         if is_plain { material.values.emission.max_element() } else { 0.0 }
     };
     let radiances: Vec<f64> = scene.materials.iter().map(radiance).collect();

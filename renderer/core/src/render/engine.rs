@@ -419,7 +419,7 @@ fn pixels_along<L: Plain>(
     }
     let still = Geometry::new(prepared.integrator().with_zero_weight(request.zero_weight));
     let view = View::new(&still);
-    let derivatives = view.derivative(&still, moving, request.moves_surfaces());
+    let derivatives = view.derivative(&still, moving, request.moves_points());
     view.pixels.into_iter().zip(derivatives).map(|(pixel, along)| [pixel, along]).collect()
 }
 

@@ -228,7 +228,11 @@ impl Layout {
             pass: settings.pass,
             path_tracing: None,
             sampling: settings.sampling,
-            bounces: settings.bounces.unwrap_or(scene.bounces),
+            bounces: match scene.path_tracing() {
+                // The last piece of a path leads to a light.
+                Some(limits) if is_direct => scene.bounces.min(limits.max_depth.saturating_sub(2)),
+                _ => settings.bounces.unwrap_or(scene.bounces),
+            },
             triangles: Vec::new(),
             spheres: scene.spheres.len(),
             material_of: Vec::new(),
