@@ -7,7 +7,7 @@
 //!
 //! Where a light stands behind the flat triangle but before the shading normal (the terminator), shadow
 //! rays from the flat triangle would be blocked by the mesh itself, triangle by triangle. They start at
-//! [`curved_point`] instead.
+//! [`curved_point()`] instead.
 
 use ad::vector::{Vector, Vector3};
 use ad::{Differentiable, Real, Vec3, differentiable, select};
