@@ -55,28 +55,17 @@ impl<L: Plain> Search<'_, L> {
     /// is on one of them, or the seam itself: one triangle may face the light, and the other be in its own
     /// shadow.
     fn opaque(&mut self, link: &Link, part: Part, depth: usize, light: usize) {
-        let is_dark = |search: &Self, path| search.of(path)[depth].blocked >> light & 1 == 1;
-        let Part { from, to, first, last } = part;
-        let [(dark, from), (lit, to)] = match is_dark(self, first) {
-            true => [(first, from), (last, to)],
-            false => [(last, to), (first, from)],
-        };
-        let receiver = |search: &Self, path| Receiver {
-            link,
-            path,
-            depth,
-            light,
-            known: search.of(path)[depth],
-        };
-        let receivers = [dark, lit].map(|path| receiver(self, path));
-        let primitives = receivers.map(|receiver| receiver.known.primitive);
-        let seam = match primitives[0] == primitives[1] {
-            true => None,
-            false => {
-                self.geometry.exit(primitives[0], [from, to], |at| self.ray(link, dark, depth, at))
-            }
-        };
-        let Some((at, edge)) = seam else {
+        let is_first = self.of(part.first)[depth].blocked >> light & 1 == 1;
+        let ends = [(part.first, part.from), (part.last, part.to)];
+        let [(dark, from), (lit, to)] = if is_first { ends } else { [ends[1], ends[0]] };
+        let receivers = [dark, lit].map(|path| {
+            let known = self.of(path)[depth];
+            Receiver { link, path, depth, light, known }
+        });
+        let [dark_on, lit_on] = receivers.map(|receiver| receiver.known.primitive);
+        let ray = |at| self.ray(link, dark, depth, at);
+        let seam = (dark_on != lit_on).then(|| self.geometry.exit(dark_on, [from, to], ray));
+        let Some((at, edge)) = seam.flatten() else {
             self.leave(&receivers[0], [from, to]);
             return;
         };
