@@ -279,6 +279,40 @@ fn silhouettes_of_smooth_meshes() {
     assert!((forward - along).abs() < 1e-5 * along.abs(), "{forward} {along}");
 }
 
+/// The last facets before the silhouette are seen edge-on: in a twentieth of a pixel, where hardly a sample meets
+/// them, they go from light to dark.
+#[test]
+fn pixels_at_silhouettes_of_smooth_meshes() {
+    let mut scene = scene();
+    let paint = paint(&mut scene, "sail", [0.8, 0.3, 0.2], 0.0);
+    let columns = [[-0.8, 0.0], [0.5, 0.3], [0.57, -0.5]];
+    let corners = columns.into_iter().flat_map(|[x, z]| [[x, -0.4, z], [x + 0.1, 1.3, z]]);
+    let faces = vec![[0, 2, 3], [0, 3, 1], [2, 4, 5], [2, 5, 3]];
+    scene.add_mesh(Mesh::new("shape", corners.collect(), faces).material(paint).smooth()).unwrap();
+    let sun = DistantLight { direction: DVec3::Z, color: DVec3::ONE, irradiance: 2.0 };
+    scene.add_light("sun", sun).unwrap();
+
+    let id = scene.parameter("mesh.shape.translation").unwrap();
+    let image = |by: f64| {
+        let mut moved = scene.clone();
+        moved.set(id, &[by, 0.0, 0.0]).unwrap();
+        render(&moved, &settings(Edges::Off, 32)).unwrap()
+    };
+    let step = 5e-3;
+    let [before, after] = [-step, step].map(image);
+    let pixels = after.pixels.as_flattened().iter().zip(before.pixels.as_flattened());
+    let expected: Vec<f64> =
+        pixels.map(|(after, before)| f64::from(after - before) / (2.0 * step)).collect();
+    for side in [1, 4] {
+        let moves = [(id, vec![1.0, 0.0, 0.0])];
+        let (_, derivative) = render_jvp(&scene, &settings(Edges::On, side), &moves).unwrap();
+        let found = derivative.pixels.as_flattened().iter().map(|&part| f64::from(part));
+        let found: Vec<f64> = found.collect();
+        let error = relative_error(&found, &expected);
+        assert!(error < 0.2, "{side}: {error}");
+    }
+}
+
 /// Where nothing moves, derivatives are those of the image itself, at silhouettes of spheres and smooth meshes, too.
 #[test]
 fn what_moves_nothing_is_exact() {

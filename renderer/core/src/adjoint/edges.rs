@@ -51,8 +51,8 @@ pub fn sweep_with_edges<L: Plain>(
     let mut sums = vec![Sums { loss: losses.iter().sum(), ..Sums::default() }];
 
     let grid = integrator.layout.sampling.as_grid();
-    let [on_grid, on_finer] =
-        [grid, limb.sampling].map(|sampling| integrator.with_limb(moves, sampling.grid_side()));
+    let weights = limb.weights(grid.grid_side()).map(|weights| moves.then_some(weights));
+    let [on_grid, on_finer] = weights.map(|weights| integrator.with_limb(weights));
     let start = || (Chain::new(on_grid, scene, request), KnownPaths::default());
     let part = 1.0 / f64::from(grid.count());
     sums.extend(for_each_strip(width, height, start, |(chain, known), strip| {
@@ -86,22 +86,24 @@ pub fn sweep_with_edges<L: Plain>(
     }));
 
     let counts = |pixel: usize| !limb.holds(pixel);
-    sums.extend(sweep_crossings(&view, &geometry, (scene, request), &cotangents, counts));
+    let sides = |band: usize| limb.sides(&view, band);
+    sums.extend(sweep_crossings(&view, &geometry, (scene, request), &cotangents, counts, sides));
     sums
 }
 
 /// The sums of packets of the crossings of a view, by the cotangents of pixels. The interior term of both sides
-/// of edges counts in pixels for which `has_sides` holds.
-pub(super) fn sweep_crossings<L: Plain>(
+/// of edges counts in pixels for which `has_sides` holds; `sides` is the radiance on both sides of those of a band.
+pub(super) fn sweep_crossings<'a, L: Plain>(
     view: &View,
     geometry: &Geometry<'_, L>,
     (scene, request): (&Scene, &Request),
     cotangents: &[DVec3],
     has_sides: impl Fn(usize) -> bool + Sync,
+    sides: impl Fn(usize) -> &'a [[DVec3; 2]] + Sync,
 ) -> Vec<Sums> {
     let start = || (Chain::new(geometry.integrator, scene, request), KnownPaths::default());
     parallel::map((0..view.bands.len()).collect(), start, |(chain, known), band| {
-        let pulled = pull_shares(view, band, cotangents, &has_sides);
+        let pulled = pull_shares((view, sides(band)), band, cotangents, &has_sides);
         let band = &view.bands[band];
         for (first, crossings) in band.packets() {
             band.paths(geometry, crossings, known);
@@ -122,12 +124,11 @@ struct Pulled {
 
 /// From the cotangents of pixels to the crossings of a band.
 fn pull_shares(
-    view: &View,
+    (view, radiance): (&View, &[[DVec3; 2]]),
     band: usize,
     cotangents: &[DVec3],
     has_sides: impl Fn(usize) -> bool,
 ) -> Vec<Pulled> {
-    let radiance = &view.bands[band].radiance;
     let mut pulled = vec![Pulled::default(); radiance.len()];
     for (crossing, share) in view.shares_of(band) {
         let to = &mut pulled[crossing];

@@ -6,7 +6,7 @@ use std::ops::Range;
 use glam::DVec3;
 
 use super::crossing::{Crossing, Layer, Link, Search};
-use super::geometry::Geometry;
+use super::geometry::{Edge, Geometry};
 use super::lit::LitThrough;
 use super::sight::Sights;
 use super::slender::Slender;
@@ -15,6 +15,7 @@ use crate::primal::image::visit;
 use crate::primal::integrator::Integrator;
 use crate::primal::known::{KnownHit, KnownPaths};
 use crate::primal::lanes::vectors_of_lanes;
+use crate::primal::limb::Strip;
 use crate::primal::path::Path;
 use crate::primal::wavefront::Source;
 use crate::trace::bvh::PACKET_RAYS;
@@ -153,6 +154,72 @@ impl Band {
             let hit = side.of(&self.hits).nth(depth as usize);
             hit.is_some_and(|hit| geometry.is_smooth(hit.primitive))
         })
+    }
+
+    /// Of the silhouettes of smooth meshes that the camera sees: by crossing, the strip on their inner side; and of
+    /// all crossings the radiance on both sides, where there is a strip on its inner border, `width` pixels within.
+    pub fn inner_borders<L: Plain>(
+        &self,
+        geometry: &Geometry<'_, L>,
+        width: f64,
+        (known, path): &mut (KnownPaths, Path<L>),
+    ) -> (Vec<[DVec3; 2]>, Vec<(usize, Strip)>) {
+        let (mut radiance, mut strips) = (self.radiance.clone(), Vec::new());
+        let mut of_packet = Vec::new();
+        let mut hits = Vec::new();
+        let mut flush = |known: &mut KnownPaths, of_packet: &mut Vec<(usize, usize)>| {
+            visit(geometry.integrator, Source::Known(known), path, |rays, brought| {
+                let brought = vectors_of_lanes::<L>(brought);
+                for (lane, ray) in rays.rays() {
+                    let (crossing, side) = of_packet[ray];
+                    radiance[crossing][side] = brought[lane];
+                }
+            });
+            of_packet.clear();
+            known.clear();
+        };
+        known.clear();
+        for index in 0..self.crossings.len() {
+            let Some((side, strip)) = self.strip(index, geometry) else { continue };
+            let place = strip.at(width);
+            hits.clear();
+            geometry.trace(place, &mut hits);
+            if !geometry.is_smooth(hits[0].primitive) {
+                continue;
+            }
+            let place = geometry.film(self.crossings[index].place);
+            known.push(place, hits.iter().copied(), geometry.edged_lights());
+            of_packet.push((index, side));
+            strips.push((index, strip));
+            if of_packet.len() == PACKET_RAYS {
+                flush(known, &mut of_packet);
+            }
+        }
+        if !of_packet.is_empty() {
+            flush(known, &mut of_packet);
+        }
+        (radiance, strips)
+    }
+
+    /// The side of a crossing on which a smooth mesh ends that the camera sees, and the strip there.
+    fn strip<L: Plain>(
+        &self,
+        crossing: usize,
+        geometry: &Geometry<'_, L>,
+    ) -> Option<(usize, Strip)> {
+        let Crossing { layer, edge, sides, place, normal, .. } = self.crossings[crossing];
+        let (Layer::Surface(0), Edge::Segment(edge)) = (layer, edge) else { return None };
+        let ends = sides.map(|side| {
+            let hit = side.of(&self.hits).next();
+            hit.is_some_and(|hit| geometry.is_side(hit.primitive, edge))
+        });
+        let (side, inward) = match ends {
+            [true, false] => (0, normal.map(|part| -part)),
+            [false, true] => (1, normal),
+            _ => return None,
+        };
+        let hit = sides[side].of(&self.hits).next()?;
+        geometry.is_smooth(hit.primitive).then_some((side, Strip { place, inward }))
     }
 
     /// The crossings in packets, with the first one of each.

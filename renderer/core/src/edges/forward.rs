@@ -46,8 +46,8 @@ impl View {
         let layout = integrator.layout;
         let grid = layout.sampling.as_grid();
         let limb = Limb::new(self, geometry, moves);
-        let [on_grid, on_finer] =
-            [grid, limb.sampling].map(|sampling| integrator.with_limb(moves, sampling.grid_side()));
+        let weights = limb.weights(grid.grid_side()).map(|weights| moves.then_some(weights));
+        let [on_grid, on_finer] = weights.map(|weights| integrator.with_limb(weights));
         let mut pixels = vec![DVec3::ZERO; self.pixels.len()];
         fill_tiles(layout.width, &mut pixels, Path::default, |path, tile| {
             let mut mean = mean_dual(on_grid, tile, grid, path);
@@ -64,7 +64,7 @@ impl View {
         let moved = self.moved(geometry, integrator, moves);
         self.add_shares(layout.width, &mut pixels, |band, crossing, share| {
             let Moved { radiance: [a, b], along } = moved[band][crossing];
-            let [of_a, of_b] = self.bands[band].radiance[crossing];
+            let [of_a, of_b] = limb.sides(self, band)[crossing];
             let moved = (of_a - of_b) * (along * share.length);
             match limb.holds(share.pixel as usize) {
                 true => moved,

@@ -87,6 +87,13 @@ impl<'a, L: Plain> Geometry<'a, L> {
             && self.integrator.layout.normals.of(primitive as usize).is_some()
     }
 
+    /// Whether a primitive is a triangle with this edge.
+    pub fn is_side(&self, primitive: u32, edge: [u32; 2]) -> bool {
+        let layout = self.integrator.layout;
+        self.is_triangle(primitive)
+            && edge.iter().all(|end| layout.triangles[primitive as usize].contains(end))
+    }
+
     /// Whether two primitives are parts of one smooth surface: neighbouring triangles that look the same,
     /// of a plane or with the same normals where they meet.
     pub fn are_continuous(&self, a: u32, b: u32) -> bool {

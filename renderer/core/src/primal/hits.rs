@@ -7,6 +7,7 @@ use ad::vector::Vector;
 use super::coalesce::Coalesced;
 use super::integrator::Integrator;
 use super::lanes::all_lanes;
+use super::limb::Weights;
 use super::wavefront::{LaneGroup, Source, TileSample, Wavefront, set_vectors};
 use crate::counts::count;
 use crate::number::{Number, primal_vector};
@@ -33,6 +34,14 @@ impl<S: Number> Integrator<'_, S> {
                 paths.rays()
             }
         };
+        if let (Source::Tile(sample), Some(Weights { strips: Some(strips), .. })) =
+            (source, self.limb)
+        {
+            for (block, film) in film.iter_mut().enumerate() {
+                let first = block * <S::Lanes as Lanes>::COUNT;
+                self.leave_strips(strips, (&sample, first), film);
+            }
+        }
         match source {
             Source::Tile(sample) => self.find_primary(&sample, &film, &mut wavefront.hits),
             Source::Traced(_, paths) | Source::Known(paths) | Source::Scattered(paths, _) => {
@@ -44,9 +53,9 @@ impl<S: Number> Integrator<'_, S> {
             let (x, y) = (repeated::<S::Lanes>(x, alive), repeated::<S::Lanes>(y, alive));
             primary_ray::<S>(self.inputs.frame, constant(x), constant(y))
         });
-        if let Some(spacing) = self.limb_spacing {
+        if let Some(limb) = self.limb {
             for group in &mut wavefront.groups {
-                self.weigh_limb(group, film[group.block()], spacing);
+                self.weigh_limb(group, film[group.block()], limb.spacing);
             }
         }
         wavefront.film = film;
